@@ -1,0 +1,38 @@
+# Compiler settings that hold for every target of this project, and for no one else's.
+if(NOT KARMA_PRECISION MATCHES "^(single|double)$")
+  message(FATAL_ERROR "KARMA_PRECISION is '${KARMA_PRECISION}': it must be single or double")
+endif()
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+set(CMAKE_C_STANDARD 11)
+set(CMAKE_CXX_STANDARD 17)
+foreach(lang C CXX)
+  set(CMAKE_${lang}_STANDARD_REQUIRED ON)
+  set(CMAKE_${lang}_EXTENSIONS OFF)
+  set(CMAKE_${lang}_VISIBILITY_PRESET hidden)
+endforeach()
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+# Linked to privately by every target of this project.
+add_library(karma_settings INTERFACE)
+# No fused multiply-add behind our back: the same bits on every machine and at every optimization level.
+target_compile_options(karma_settings INTERFACE -ffp-contract=off -fno-math-errno
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wpointer-arith -Wundef -Wvla
+  $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes -Wmissing-prototypes -Wold-style-definition>)
+if(KARMA_WERROR)
+  target_compile_options(karma_settings INTERFACE -Werror)
+endif()
+if(KARMA_CHECK)
+  target_compile_definitions(karma_settings INTERFACE KARMA_CHECK=1)
+else()
+  target_compile_definitions(karma_settings INTERFACE KARMA_CHECK=0)
+endif()
+if(KARMA_SANITIZE)
+  target_compile_options(karma_settings INTERFACE
+    -fsanitize=${KARMA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(karma_settings INTERFACE -fsanitize=${KARMA_SANITIZE})
+endif()

@@ -1,0 +1,13 @@
+# KARMA_VERSION (major.minor.revision), read from MeVersion.h so that programs and packages agree.
+set(KARMA_VERSION_HEADER ${CMAKE_CURRENT_LIST_DIR}/../MeGlobals/include/MeVersion.h)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${KARMA_VERSION_HEADER})
+file(STRINGS ${KARMA_VERSION_HEADER} lines REGEX "define ME_PRODUCTVERSION_(MAJOR|MINOR|REV) ")
+set(KARMA_VERSION "")
+foreach(part MAJOR MINOR REV)
+  string(REGEX MATCH "ME_PRODUCTVERSION_${part} +([0-9]+)" found "${lines}")
+  if(NOT found)
+    message(FATAL_ERROR "MeVersion.h does not define ME_PRODUCTVERSION_${part}")
+  endif()
+  list(APPEND KARMA_VERSION ${CMAKE_MATCH_1})
+endforeach()
+list(JOIN KARMA_VERSION . KARMA_VERSION)
