@@ -1,0 +1,134 @@
+/* Contact: a point where two bodies touch (Dynamics guide ch. 3, "MdtContact").
+ *
+ * n is the normal, the way the first body is pushed; t1 the primary direction, t2 = n x t1 the secondary. With r_k
+ * from body k's centre to the contact, the row along d has J_0 = [d, r_0 x d], J_1 = -[d, r_1 x d]: its rate is the
+ * velocity of body 0 against body 1 along d.
+ *
+ *   normal:   φ = -penetration.   J v⁺ >= γ penetration / h where the bodies overlap, >= -gap / h where they do not,
+ *             and >= -e J v when they meet faster than velThreshold and than one step's own acceleration explains.
+ *             λ >= -max_adhesive_force.   E = ε + softness.
+ *   friction: J v⁺ = slide - slip λ, |λ| <= friction (box) or μ λ_n (normal force).   E = slip / h, or ε without slip.
+ *             Only where the bodies touch, or will within the step.
+ */
+#include "bcl_i.h"
+#include <string.h>
+
+enum { PRIMARY = 1, SECONDARY = 2 };
+
+void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params) {
+    memset(params, 0, sizeof *params);
+    params->type = MdtContactTypeFrictionZero;
+    params->model1 = params->model2 = MdtFrictionModelBox;
+    params->velThreshold = (MeReal)0.001;
+    params->friction1 = params->friction2 = MEINFINITY;
+}
+
+static void reset(MdtBclConstraint *c) {
+    MdtBclContact *contact = &c->of.contact;
+    bcl_resetFrames(c);
+    memset(contact, 0, sizeof *contact);
+    contact->normal[1] = 1;
+    contact->direction[0] = 1;
+    MdtBclContactParamsReset(&contact->params);
+}
+
+static double boundOf(MeReal value) {
+    return value >= MEINFINITY ? HUGE_VAL : (double)value;
+}
+
+static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, const double d[3], MdtKeaRow *row) {
+    bcl_startRow(row, x);
+    for (int k = 0; k < 2; k++) {
+        double arm[3];
+        keaSubtract(arm, contact->position, x->pose[k]->pos);
+        keaScale(row->J[k].lin, k == 0 ? 1 : -1, d);
+        keaCross(row->J[k].ang, arm, row->J[k].lin);
+    }
+}
+
+/* What the world's own velocity at the contact adds to the target of a row along d. */
+static double worldRate(const MdtBclContact *contact, const MdtBclContext *x, const double d[3]) {
+    if (!(contact->params.options & MdtBclContactOptionUseWorldVelocity))
+        return 0;
+    const double rate = keaDot(d, contact->worldVelocity);
+    return x->body[1] == MdtBclNO_BODY ? rate : x->body[0] == MdtBclNO_BODY ? -rate : 0;
+}
+
+static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
+    const MdtFrictionModel model = direction == 0 ? p->model1 : p->model2;
+    const MeReal bound = direction == 0 ? p->friction1 : p->friction2;
+    const MeReal coefficient = direction == 0 ? p->FrictionCoefficient : p->FrictionCoefficient2;
+    return model == MdtFrictionModelNormalForce ? coefficient > 0 : bound > 0;
+}
+
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    MdtBclContact *contact = &c->of.contact;
+    MdtKeaRow normal;
+    contactRow(contact, x, contact->normal, &normal);
+    const double approach = bcl_rate(&normal, x->predicted) - worldRate(contact, x, contact->normal);
+    const MeBool touches = contact->penetration >= 0 || x->parameters.stepsize * approach < contact->penetration;
+    contact->rows = 0;
+    if (touches && contact->params.type >= MdtContactTypeFriction1D && frictionActs(&contact->params, 0))
+        contact->rows |= PRIMARY;
+    if (touches && contact->params.type >= MdtContactTypeFriction2D && frictionActs(&contact->params, 1))
+        contact->rows |= SECONDARY;
+    return 1 + !!(contact->rows & PRIMARY) + !!(contact->rows & SECONDARY);
+}
+
+static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtKeaRow *row) {
+    const MdtBclContactParams *p = &contact->params;
+    const double h = x->parameters.stepsize, depth = contact->penetration;
+    contactRow(contact, x, contact->normal, row);
+    const double belt = worldRate(contact, x, contact->normal);
+    const double rate = bcl_rate(row, x->velocity) - belt, predicted = bcl_rate(row, x->predicted) - belt;
+    row->error = -depth;
+    row->target = depth > 0 ? x->parameters.gamma * depth / h : depth / h;
+    const double threshold = fmax((double)p->velThreshold, fabs(predicted - rate));
+    const MeBool isHit = h * predicted < depth && rate < -threshold;
+    if ((p->options & MdtBclContactOptionBounce) && isHit)
+        row->target = fmax(row->target, -(double)p->restitution * rate);
+    row->target += belt;
+    if (p->options & MdtBclContactOptionSoft)
+        row->softness += (double)p->softness;
+    row->lower = p->options & MdtBclContactOptionAdhesive ? -boundOf(p->max_adhesive_force) : 0;
+    row->force = contact->normalForce;
+}
+
+static void frictionRow(const MdtBclContact *contact, const MdtBclContext *x, int direction, MdtKeaRow *row) {
+    const MdtBclContactParams *p = &contact->params;
+    const MeBool slips = p->options & (direction == 0 ? MdtBclContactOptionSlip1 : MdtBclContactOptionSlip2);
+    const MeBool slides = p->options & (direction == 0 ? MdtBclContactOptionSlide1 : MdtBclContactOptionSlide2);
+    const double slip = slips ? (double)(direction == 0 ? p->slip1 : p->slip2) : 0;
+    double d[3];
+    if (direction == 0)
+        keaCopy(d, contact->direction);
+    else
+        keaCross(d, contact->normal, contact->direction);
+    contactRow(contact, x, d, row);
+    row->target = (slides ? (double)(direction == 0 ? p->slide1 : p->slide2) : 0) + worldRate(contact, x, d);
+    if (slip > 0)
+        row->softness = slip / x->parameters.stepsize;
+    if ((direction == 0 ? p->model1 : p->model2) == MdtFrictionModelNormalForce) {
+        row->normal = x->firstRow;
+        row->friction = direction == 0 ? p->FrictionCoefficient : p->FrictionCoefficient2;
+    } else {
+        row->upper = boundOf(direction == 0 ? p->friction1 : p->friction2);
+        row->lower = -row->upper;
+    }
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    const MdtBclContact *contact = &c->of.contact;
+    normalRow(contact, x, rows++);
+    if (contact->rows & PRIMARY)
+        frictionRow(contact, x, 0, rows++);
+    if (contact->rows & SECONDARY)
+        frictionRow(contact, x, 1, rows);
+}
+
+static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
+    (void)x;
+    c->of.contact.normalForce = rows[0].force;
+}
+
+const MdtBclType bcl_contact = {"Contact", MdtBclGETMAXROWSCONTACT, reset, prepare, fill, NULL, readBack};

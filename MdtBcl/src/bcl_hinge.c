@@ -1,0 +1,93 @@
+/* Hinge: the bodies turn about a common axis (Dynamics guide ch. 3, "MdtHinge").
+ *
+ *     φ_1..3 = (x_0 + R_0 p_0) - (x_1 + R_1 p_1)      the attachments coincide
+ *     φ_4 = u_0 · a_1,  φ_5 = v_0 · a_1               the axis a_1 of body 1 has no part across that of body 0
+ *
+ * with u_0, v_0 and a_0 = u_0 x v_0 fixed in body 0. Since u turns with body 0 and a with body 1,
+ *
+ *     d(u·a)/dt = ω_0·(u x a) + ω_1·(a x u).
+ *
+ * The angle is that of body 0 against body 1, positive about the axis by the right-hand rule:
+ *     θ = atan2(u_0 · (a_1 x u_1), u_0 · u_1),   dθ/dt = a·(ω_0 - ω_1),   full turns counted by the limit.
+ */
+#include "bcl_i.h"
+
+static void reset(MdtBclConstraint *c) {
+    bcl_resetFrames(c);
+    MdtBclLimitReset(&c->of.limit);
+}
+
+/* The second axis of body 0 and the one at right angles to both, in the world frame. */
+static void crossAxes(double u[3], double v[3], const MdtBclConstraint *c, const MdtKeaTransformation *pose) {
+    double third[3];
+    keaCross(third, c->frame[0].primary, c->frame[0].ortho);
+    keaApply(u, pose->R, c->frame[0].ortho);
+    keaApply(v, pose->R, third);
+}
+
+/* One row that turns about the axis: its rate is that of the angle. */
+static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
+    bcl_startRow(row, x);
+    keaApply(row->J[0].ang, x->pose[0]->R, c->frame[0].primary);
+    keaScale(row->J[1].ang, -1, row->J[0].ang);
+}
+
+/* The angle as counted on from the last one; `turned` is how far it is thought to have gone since. */
+static double measure(const MdtBclConstraint *c, const MdtBclContext *x, double turned) {
+    double u0[3], u1[3], a1[3], across[3];
+    keaApply(u0, x->pose[0]->R, c->frame[0].ortho);
+    keaApply(u1, x->pose[1]->R, c->frame[1].ortho);
+    keaApply(a1, x->pose[1]->R, c->frame[1].primary);
+    keaCross(across, a1, u1);
+    const double angle = atan2(keaDot(u0, across), keaDot(u0, u1));
+    if (!c->of.limit.isMeasured)
+        return angle;
+    const double turn = 6.283185307179586476925;
+    return angle + turn * nearbyint((c->of.limit.measured + turned - angle) / turn);
+}
+
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    MdtKeaRow row;
+    angleRow(c, x, &row);
+    const double angle = bcl_limitIsMeasured(&c->of.limit) ? measure(c, x, 0) : 0;
+    return 5 + bcl_limitPrepare(&c->of.limit, x, &row, angle);
+}
+
+static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
+    double u[3], v[3], a[3];
+    bcl_pointErrors(c, pose, e);
+    crossAxes(u, v, c, pose[0]);
+    keaApply(a, pose[1]->R, c->frame[1].primary);
+    e[3] = keaDot(u, a);
+    e[4] = keaDot(v, a);
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    double across[2][3], a[3];
+    bcl_pointRows(c, x, rows);
+    crossAxes(across[0], across[1], c, x->pose[0]);
+    keaApply(a, x->pose[1]->R, c->frame[1].primary);
+    for (int i = 0; i < 2; i++) {
+        MdtKeaRow *row = &rows[3 + i];
+        bcl_startRow(row, x);
+        keaCross(row->J[0].ang, across[i], a);
+        keaCross(row->J[1].ang, a, across[i]);
+        bcl_aimAtZero(row, x, keaDot(across[i], a));
+    }
+    MdtKeaRow angle;
+    angleRow(c, x, &angle);
+    bcl_limitFill(&c->of.limit, x, &angle, rows + 5);
+}
+
+static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
+    MdtKeaRow row;
+    if (!bcl_limitIsMeasured(&c->of.limit)) {
+        c->of.limit.isMeasured = MEFALSE; /* turns are not counted while nobody asks */
+        return;
+    }
+    angleRow(c, x, &row);
+    const double rate = bcl_rate(&row, x->velocity);
+    bcl_limitReadBack(&c->of.limit, measure(c, x, rate * x->parameters.stepsize), rate, rows + 5);
+}
+
+const MdtBclType bcl_hinge = {"Hinge", MdtBclGETMAXROWSHINGE, reset, prepare, fill, errors, readBack};

@@ -1,0 +1,145 @@
+/* Stops and motor of one degree of freedom (Dynamics guide ch. 3, "Joint Limit").
+ *
+ * For a stop let z be the distance that is left before it (negative: beyond), its rate J v, and λ >= 0 the force that
+ * keeps z from falling.
+ *   hard:  J v⁺ >= -z/h while z > 0, >= -γ z/h beyond, and >= -e J v when the stop is hit faster than one step's own
+ *          acceleration explains (otherwise a load at rest on the stop would rattle).
+ *   soft:  beyond the stop a damped spring, λ = -kp (z + a h J v⁺) - kd ((1 - b) J v + b J v⁺), as a row:
+ *              J v⁺ = s - h E λ,   C = a h kp + b kd,   s = -(kp z + (1 - b) kd J v) / C,   E = 1 / (h C).
+ *          With a = 0, b = 1/2 this is the spring of the leapfrog and of the midpoint rule: no numerical damping,
+ *          frequency and decay right to second order. Where that would be unstable, for stiff springs on light
+ *          bodies, a and b grow towards 1, the backward Euler rule, which no stiffness makes gain energy. With A the
+ *          row's mobility, stability asks for h² kp A <= 1 and h kd A <= 2; a and b are the least that bring
+ *              h² kp A / (1 + a h² kp A) <= 1   and   (1 - b) h kd A <= 1.
+ * The motor is a row J v⁺ = desired velocity with |λ| <= fmax.
+ */
+#include "bcl_i.h"
+#include <string.h>
+
+enum { MOTOR = 1, LOWER = 2, UPPER = 4 };
+
+void MEAPI MdtBclSingleLimitReset(MdtBclSingleLimit *stop) {
+    stop->damping = 0;
+    stop->restitution = 1;
+    stop->stiffness = MEINFINITY;
+    stop->stop = 0;
+}
+
+void MEAPI MdtBclLimitReset(MdtBclLimit *limit) {
+    memset(limit, 0, sizeof *limit);
+    MdtBclSingleLimitReset(&limit->limit[0]);
+    MdtBclSingleLimitReset(&limit->limit[1]);
+    limit->stiffnessThreshold = MEINFINITY;
+}
+
+MeBool bcl_limitIsMeasured(const MdtBclLimit *limit) {
+    return limit->bActive || limit->bPowered || limit->bCalculatePosition;
+}
+
+/* An infinite stiffness is hard at any threshold: no spring has it. */
+static MeBool isHard(const MdtBclLimit *limit, int side) {
+    const MeReal stiffness = limit->limit[side].stiffness;
+    return stiffness >= MEINFINITY || stiffness > limit->stiffnessThreshold;
+}
+
+static double distanceToStop(const MdtBclLimit *limit, int side) {
+    const double position = limit->measured + (double)limit->offset, stop = limit->limit[side].stop;
+    return side == 0 ? position - stop : stop - position;
+}
+
+/* Whether the stop can matter in this step. The margin of twice the way that is left covers what the motor and the
+ * other rows may add; a stop that carried a force in the last step stays in, or a load at rest on it would rattle. */
+static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double h) {
+    const MdtBclSingleLimit *stop = &limit->limit[side];
+    const double sign = side == 0 ? 1 : -1;
+    const double z = distanceToStop(limit, side);
+    if (!isHard(limit, side))
+        return z < 0 && (stop->stiffness > 0 || stop->damping > 0);
+    return z <= 0 || limit->stopForce[side] > 0 || z + 2 * h * fmin(sign * rate, sign * predicted) < 0;
+}
+
+int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, double measured) {
+    limit->rows = 0;
+    if (!bcl_limitIsMeasured(limit))
+        return 0;
+    limit->measured = measured;
+    limit->isMeasured = METRUE;
+    const double rate = bcl_rate(coordinate, x->velocity), predicted = bcl_rate(coordinate, x->predicted);
+    int count = 0;
+    if (limit->bPowered && limit->fmax > 0) {
+        limit->rows |= MOTOR;
+        count++;
+    }
+    for (int side = 0; side < 2; side++) {
+        if (limit->bActive && isWithinReach(limit, side, rate, predicted, x->parameters.stepsize)) {
+            limit->rows |= side == 0 ? LOWER : UPPER;
+            count++;
+        }
+    }
+    return count;
+}
+
+static void motorRow(const MdtBclLimit *limit, MdtKeaRow *row) {
+    row->target = limit->desired_vel;
+    row->upper = limit->fmax >= MEINFINITY ? HUGE_VAL : (double)limit->fmax;
+    row->lower = -row->upper;
+}
+
+static void hardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtKeaRow *row) {
+    const double h = x->parameters.stepsize, z = row->error;
+    row->target = z > 0 ? -z / h : -x->parameters.gamma * z / h;
+    const double rate = bcl_rate(row, x->velocity), predicted = bcl_rate(row, x->predicted);
+    const MeBool isHit = z + h * predicted < 0 && rate < -fabs(predicted - rate);
+    if (isHit)
+        row->target = fmax(row->target, -(double)stop->restitution * rate);
+}
+
+static void softStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtKeaRow *row) {
+    const double h = x->parameters.stepsize, z = row->error;
+    const double kp = stop->stiffness, kd = stop->damping, mobility = bcl_mobility(row, x);
+    const double K = h * h * kp * mobility, D = h * kd * mobility;
+    const double a = K > 1 ? 1 - 1 / K : 1e-9; /* not 0: a row without compliance has no E */
+    const double b = D > 2 ? 1 - 1 / D : 0.5;
+    const double C = a * h * kp + b * kd;
+    row->target = -(kp * z + (1 - b) * kd * bcl_rate(row, x->velocity)) / C;
+    row->softness = 1 / (h * C);
+}
+
+static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, MdtKeaRow *row) {
+    row->error = distanceToStop(limit, side);
+    row->lower = 0;
+    if (side == 1) {
+        for (int k = 0; k < 2; k++) {
+            keaScale(row->J[k].lin, -1, row->J[k].lin);
+            keaScale(row->J[k].ang, -1, row->J[k].ang);
+        }
+    }
+    if (isHard(limit, side))
+        hardStop(&limit->limit[side], x, row);
+    else
+        softStop(&limit->limit[side], x, row);
+}
+
+void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]) {
+    if (limit->rows & MOTOR) {
+        *rows = *coordinate;
+        motorRow(limit, rows++);
+    }
+    for (int side = 0; side < 2; side++) {
+        if (limit->rows & (side == 0 ? LOWER : UPPER)) {
+            *rows = *coordinate;
+            stopRow(limit, side, x, rows++);
+        }
+    }
+}
+
+void bcl_limitReadBack(MdtBclLimit *limit, double measured, double rate, const MdtKeaRow rows[]) {
+    limit->measured = measured;
+    limit->isMeasured = METRUE;
+    limit->position = (MeReal)(measured + (double)limit->offset);
+    limit->velocity = (MeReal)rate;
+    if (limit->rows & MOTOR)
+        rows++;
+    limit->stopForce[0] = limit->rows & LOWER ? (rows++)->force : 0;
+    limit->stopForce[1] = limit->rows & UPPER ? rows->force : 0;
+}

@@ -1,0 +1,74 @@
+/* The parts that joints are made of: frames, rows, coinciding points. */
+#include "bcl_i.h"
+#include <string.h>
+
+void bcl_resetFrames(MdtBclConstraint *c) {
+    static const MdtBclFrame standard = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    c->frame[0] = c->frame[1] = standard;
+}
+
+void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x) {
+    memset(row, 0, sizeof *row);
+    row->body[0] = x->body[0];
+    row->body[1] = x->body[1];
+    row->softness = x->parameters.epsilon;
+    row->lower = -HUGE_VAL;
+    row->upper = HUGE_VAL;
+    row->normal = -1;
+}
+
+void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error) {
+    row->error = error;
+    row->target = -x->parameters.gamma * error / x->parameters.stepsize;
+    row->position = METRUE;
+}
+
+double bcl_rate(const MdtKeaRow *row, const MdtKeaVelocity *const velocity[2]) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++)
+        rate += keaDot(row->J[k].lin, velocity[k]->lin) + keaDot(row->J[k].ang, velocity[k]->ang);
+    return rate;
+}
+
+double bcl_mobility(const MdtKeaRow *row, const MdtBclContext *x) {
+    double sum = 0;
+    for (int k = 0; k < 2; k++) {
+        double turned[3];
+        keaApply(turned, x->invMass[k]->inertia, row->J[k].ang);
+        sum += x->invMass[k]->mass * keaDot(row->J[k].lin, row->J[k].lin) + keaDot(row->J[k].ang, turned);
+    }
+    return sum;
+}
+
+void bcl_arm(double arm[3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose) {
+    keaApply(arm, pose->R, c->frame[k].position);
+}
+
+void bcl_attachment(double point[3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose) {
+    bcl_arm(point, c, k, pose);
+    keaAddScaled(point, 1, pose->pos);
+}
+
+/* φ = (x_0 + r_0) - (x_1 + r_1), r = R p the arms. Along the world axis e:
+ *     J_0 = [e, r_0 x e],   J_1 = -[e, r_1 x e],   since d(r·e)/dt = (ω x r)·e = ω·(r x e). */
+void bcl_pointRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[3]) {
+    double errors[3], arm[2][3];
+    bcl_pointErrors(c, x->pose, errors);
+    bcl_arm(arm[0], c, 0, x->pose[0]);
+    bcl_arm(arm[1], c, 1, x->pose[1]);
+    for (int i = 0; i < 3; i++) {
+        bcl_startRow(&rows[i], x);
+        for (int k = 0; k < 2; k++) {
+            rows[i].J[k].lin[i] = k == 0 ? 1 : -1;
+            keaCross(rows[i].J[k].ang, arm[k], rows[i].J[k].lin);
+        }
+        bcl_aimAtZero(&rows[i], x, errors[i]);
+    }
+}
+
+void bcl_pointErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[3]) {
+    double other[3];
+    bcl_attachment(errors, c, 0, pose[0]);
+    bcl_attachment(other, c, 1, pose[1]);
+    keaSubtract(errors, errors, other);
+}

@@ -1,0 +1,205 @@
+/** @file MdtKea.h
+ *  Kea, the solver and integrator (Dynamics guide ch. 5; User Guide ch. 2, "Kea").
+ *
+ *  Kea knows arrays only: bodies with masses and states, and constraint rows. It knows nothing of joints, contacts
+ *  or worlds. One system is one partition: n bodies and m rows. A step of length h is
+ *
+ *      v⁺ = v* + h M⁻¹ Jᵀ λ              v*: what the velocities would be without constraints
+ *      J v⁺ = s - h E λ                   s: the row's target, E: its softness, λ: its force
+ *      lower <= λ <= upper
+ *
+ *  where a row whose force is at a bound lets its velocity go the way that the bound allows. In matrix form this is
+ *
+ *      (A + E) λ = b + w,   A = J M⁻¹ Jᵀ,   b = (s - J v*) / h
+ *      w >= 0 where λ is at its lower bound, w <= 0 at its upper bound, w = 0 between.
+ *
+ *  For a joint row s = -γ φ / h and E = ε, which is the guide's (A + εI) x = b: γ is the fraction of the position
+ *  error φ that one step takes away, ε [1/kg] the compliance: a joint that carries the weight F sags by ε F h² / γ.
+ *  ε = 0 means rigid. What regularization the factorization needs is internal, relative, and taken out again.
+ *
+ *  Rows marked `position` are met where the bodies arrive, not only to first order: φ(x⁺) = φ(x) + h (s - h E λ).
+ *
+ *  Everything here is double, in single-precision builds too: positions, orientations and momenta keep their digits
+ *  over long runs.
+ */
+#ifndef MDTKEA_H
+#define MDTKEA_H
+
+#include "MePrecision.h"
+#include <stddef.h>
+
+ME_BEGIN_C
+
+#define MdtKeaBODYVER1          100 /**< The layout of MdtKeaBody that this header describes. */
+#define MdtKeaMAXBODYCONSTRAINT 2   /**< A row joins at most this many bodies. */
+#define MdtKeaWORLD             (-1) /**< In place of a body's index: the world, which does not move. */
+
+typedef enum MdtKeaBodyFlag {
+    MdtKeaBodyFlagUseFastSpin = 1,      /**< Kept for programs that ask; the rotation is exact without it. */
+    MdtKeaBodyFlagIsConstrained = 2,    /**< Some row acts on the body in this step. */
+    MdtKeaBodyFlagIsNonSpherical = 4,   /**< The full inertia tensor is used. */
+    MdtKeaBodyFlagAddCoriolisForce = 8, /**< Free rotation keeps the angular momentum, not the angular velocity. */
+} MdtKeaBodyFlag;
+
+/** A rigid body. Frames: world, but for `principal` and `moments`. */
+typedef struct MdtKeaBody {
+    /* state, advanced by Kea */
+    double position[3];        /**< m, the centre of mass */
+    double quaternion[4];      /**< w x y z, unit: body frame to world */
+    double velocity[3];        /**< m/s, of the centre of mass */
+    double angularMomentum[3]; /**< kg m²/s, about the centre of mass */
+    /* constants, set by the owner */
+    double invMass;        /**< 1/kg */
+    double moments[3];     /**< kg m², principal moments of inertia, all positive */
+    double principal[4];   /**< w x y z: principal axes to body frame */
+    double linearDamping;  /**< 1/s: dv/dt = -d v */
+    double angularDamping; /**< 1/s: dL/dt = -d L */
+    int flags;             /**< MdtKeaBodyFlag */
+    /* load of this step, set by the owner */
+    double force[3];  /**< N, gravity included */
+    double torque[3]; /**< N m, about the centre of mass */
+} MdtKeaBody;
+
+/** Where a body is: world = R x + pos. */
+typedef struct MdtKeaTransformation {
+    double R[3][3];
+    double pos[3]; /**< m */
+} MdtKeaTransformation;
+
+typedef struct MdtKeaVelocity {
+    double lin[3]; /**< m/s */
+    double ang[3]; /**< rad/s */
+} MdtKeaVelocity;
+
+typedef struct MdtKeaForce {
+    double lin[3]; /**< N */
+    double ang[3]; /**< N m, about the centre of mass */
+} MdtKeaForce;
+
+/** What a constraint does to its two bodies. */
+typedef struct MdtKeaForcePair {
+    MdtKeaForce body[2];
+} MdtKeaForcePair;
+
+typedef struct MdtKeaInverseMassMatrix {
+    double mass;          /**< 1/kg */
+    double inertia[3][3]; /**< 1/(kg m²), world frame */
+} MdtKeaInverseMassMatrix;
+
+/** The part of a row that belongs to one body: the row's velocity is the sum of lin·v + ang·ω over its bodies. */
+typedef struct MdtKeaJBlock {
+    double lin[3];
+    double ang[3];
+} MdtKeaJBlock;
+
+typedef MdtKeaJBlock MdtKeaJBlockPair[2];
+typedef int MdtKeaBodyIndexPair[2]; /**< Indices of the system's bodies, or MdtKeaWORLD. */
+
+/** One row of the system. SI units for a linear row; an angular one has rad for m and N m for N. */
+typedef struct MdtKeaRow {
+    MdtKeaJBlockPair J;
+    MdtKeaBodyIndexPair body;
+    double error;    /**< φ, m: how far the bodies are from obeying the row (reports, position rows) */
+    double target;   /**< s, m/s: the velocity that the row aims at */
+    double softness; /**< E, 1/kg: ε, or the row's own compliance */
+    double lower;    /**< N, -HUGE_VAL where there is none */
+    double upper;    /**< N, HUGE_VAL where there is none */
+    double friction; /**< μ of a row that `normal` limits, else unused */
+    int normal;      /**< -1, or the index of the row whose force times μ bounds this one, both ways */
+    MeBool position; /**< The error at the end of the step is checked and corrected. */
+    double force;    /**< λ, N: the answer */
+} MdtKeaRow;
+
+/** What the original kept for debugging; nothing here reads it. */
+typedef struct MdtKeaDebugDataRequest {
+    int options;
+} MdtKeaDebugDataRequest;
+
+typedef struct MdtKeaParameters {
+    MeReal stepsize; /**< s */
+    MeReal epsilon;  /**< 1/kg */
+    MeReal gamma;    /**< 0..1, the fraction of a position error that one step removes */
+    MdtKeaDebugDataRequest debug;
+    int maxIterations; /**< pivoting iterations of one solve; 0: Kea's own choice */
+} MdtKeaParameters;
+
+/** How a solve went. */
+typedef struct MdtKeaReport {
+    int passes;         /**< solves: first, and again for friction bounds and position errors */
+    int pivots;         /**< block or single exchanges in all passes */
+    int factorizations; /**< Cholesky factorizations in all passes */
+    MeBool capped;      /**< the pivoting stopped at its cap: the forces are within bounds, but not exact */
+    MeBool regularized; /**< conflicting rows: a compromise was taken */
+    double residual;    /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
+    double error;       /**< m: the largest error left in a position row, against what it asked for */
+} MdtKeaReport;
+
+/**
+ * Errors φ of the system's rows were the bodies at `poses` (by body index). Writes errors[i] for every row i that is
+ * marked `position`; other entries may be left alone. Called by MdtKeaSolve.
+ */
+typedef void(MEAPI *MdtKeaErrorFn)(void *context, const MdtKeaTransformation poses[], double errors[]);
+
+/** One partition in one step. Fill in the first group, call MdtKeaInit, and read or write the rest. */
+typedef struct MdtKeaSystem {
+    MdtKeaParameters parameters;
+    int numBodies;
+    MdtKeaBody *const *bodies; /**< numBodies pointers */
+    int maxRows;               /**< room for rows */
+    MdtKeaErrorFn errors;      /**< may be null: then no row is treated as a position row */
+    void *context;             /**< for errors */
+
+    MdtKeaTransformation *pose;       /**< by body, at the start */
+    MdtKeaVelocity *velocity;         /**< by body, at the start */
+    MdtKeaVelocity *predicted;        /**< by body: the mean over the step were there no constraints */
+    MdtKeaInverseMassMatrix *invMass; /**< by body, at the start */
+    MdtKeaRow *rows;                  /**< the owner fills rows[0..numRows) */
+    int numRows;
+    MdtKeaReport report;      /**< set by MdtKeaSolve */
+    struct MdtKeaWork *work;  /**< Kea's own */
+} MdtKeaSystem;
+
+/** Bytes of scratch memory that a system of this size needs (MdtKeaInit). */
+MEPUBLIC size_t MEAPI MdtKeaScratchSize(int numBodies, int maxRows);
+
+/**
+ * Lays out the system's arrays in @a scratch, which is aligned to 16 bytes and of MdtKeaScratchSize bytes, and computes
+ * poses, velocities and predictions. The bodies are only read. The arrays live as long as the scratch memory.
+ */
+MEPUBLIC void MEAPI MdtKeaInit(MdtKeaSystem *system, void *scratch);
+
+/**
+ * Finds the forces of the system's rows, and where the bodies will be with them. Writes rows[i].force and the report.
+ * The bodies are only read. The answer is finite and within bounds whatever the rows are, as long as they are finite.
+ */
+MEPUBLIC void MEAPI MdtKeaSolve(MdtKeaSystem *system);
+
+/**
+ * Advances the bodies to the end of the step, with the forces found by MdtKeaSolve. Returns true. Should a state not
+ * be finite, no body is changed, and false is returned.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
+
+/** The angular velocity of a body, rad/s, world frame. */
+MEPUBLIC void MEAPI MdtKeaBodyGetAngularVelocity(const MdtKeaBody *body, double w[3]);
+
+/** Sets the angular momentum so that the body turns with @a w, rad/s, world frame. */
+MEPUBLIC void MEAPI MdtKeaBodySetAngularVelocity(MdtKeaBody *body, const double w[3]);
+
+/**
+ * Splits a symmetric inertia tensor (kg m², body frame) into the body's principal moments and axes. Returns false, and
+ * leaves the body alone, when the tensor is not finite, not symmetric or not positive definite.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]);
+
+/**
+ * Bytes of scratch memory for solving partitions one after the other: the most that one of them needs
+ * (User Guide App. C, "Memory Usage in Kea"). @a num_rows_exc_padding holds the rows of each partition; a null array
+ * means one partition of @a max_rows. No partition has more than @a max_bodies bodies.
+ */
+MEPUBLIC int MEAPI MdtKeaMemoryRequired(const int num_rows_exc_padding[], int num_partitions, int max_rows,
+                                        int max_bodies);
+
+ME_END_C
+
+#endif

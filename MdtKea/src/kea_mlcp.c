@@ -1,0 +1,271 @@
+/* Exact solution of a dense mixed linear complementarity problem with a symmetric positive semidefinite matrix:
+ *
+ *     (A + E) x = b + w,   lower <= x <= upper,
+ *     w >= 0 where x = lower, w <= 0 where x = upper, w = 0 between.
+ *
+ * Block principal pivoting (Júdice and Pires 1994): guess which x are free, solve for them, and move every row that
+ * contradicts the guess at once. When the number of contradictions has not fallen for a few rounds, move only the one
+ * with the largest index (Murty), which must end because the matrix is positive definite.
+ *
+ * Positive definite it becomes by a relative regularization of 1e-10 on the scaled diagonal, taken out again by
+ * proximal passes, (A + E + δ) x⁺ = b + δ x: redundant rows then share the load with the least total force, and the
+ * answer obeys the original equations to rounding. Rows that contradict each other never agree, and the passes
+ * notice: then a stronger regularization strikes a bounded compromise.
+ */
+#include "kea_mlcp_i.h"
+#include "MePrecision.h"
+#include <string.h>
+
+static const double weakShift = 1e-10;  /* rounding loses 6 of 16 digits in redundant directions, proximal passes none */
+static const double strongShift = 1e-5; /* for contradictory rows */
+static const double feasible = 1e-11;   /* slack of the pivoting tests, relative to the largest entry */
+static const double converged = 1e-12;  /* what a proximal pass may still change, relative to the load */
+static const double acceptable = 1e-7;  /* the same, when the passes are used up */
+static const int maxProximalPasses = 10;
+static const int patience = 3; /* block exchanges without progress before single ones */
+
+void kea_mlcpInit(KeaMlcp *p, int n, const double *A, KeaArena *arena) {
+    const size_t m = (size_t)n;
+    memset(p, 0, sizeof *p);
+    p->n = n;
+    p->A = A;
+    double **vectors[] = {&p->E, &p->b, &p->lower, &p->upper, &p->x, &p->scale, &p->y, &p->previous, &p->rhs, &p->w};
+    for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
+        *vectors[i] = kea_carve(arena, m, sizeof(double));
+    p->factor = kea_carve(arena, m * m, sizeof(double));
+    p->index = kea_carve(arena, m, sizeof(int));
+    p->set = kea_carve(arena, m, sizeof(KeaSet));
+}
+
+static double clamp(double x, double lower, double upper) {
+    return x < lower ? lower : x > upper ? upper : x;
+}
+
+void kea_mlcpBegin(KeaMlcp *p) {
+    for (int i = 0; i < p->n; i++) {
+        const double diagonal = p->A[i * p->n + i] + p->E[i];
+        p->scale[i] = diagonal > 0 ? 1 / sqrt(diagonal) : 0;
+        p->set[i] = KEA_FREE;
+    }
+    p->pivots = p->factorizations = 0;
+    p->capped = p->regularized = p->factorValid = MEFALSE;
+}
+
+/* The scaled matrix: A + E with a unit diagonal. */
+static double entry(const KeaMlcp *p, int i, int j) {
+    const double a = p->A[i * p->n + j] + (i == j ? p->E[i] : 0);
+    return p->scale[i] * a * p->scale[j];
+}
+
+static double scaledBound(const KeaMlcp *p, int i, double bound) {
+    return isinf(bound) ? bound : p->scale[i] > 0 ? bound / p->scale[i] : 0;
+}
+
+static double lowerOf(const KeaMlcp *p, int i) {
+    return scaledBound(p, i, p->lower[i]);
+}
+
+static double upperOf(const KeaMlcp *p, int i) {
+    return scaledBound(p, i, p->upper[i]);
+}
+
+/* A row that no force can move, or that has no choice of force, stays at its bound. */
+static MeBool isFixed(const KeaMlcp *p, int i) {
+    return p->scale[i] == 0 || p->lower[i] >= p->upper[i];
+}
+
+/* Cholesky of the free part plus the shift. Returns false when rounding makes a pivot vanish. */
+static MeBool factorize(KeaMlcp *p) {
+    p->numFree = 0;
+    for (int i = 0; i < p->n; i++)
+        if (p->set[i] == KEA_FREE)
+            p->index[p->numFree++] = i;
+    double *L = p->factor;
+    const int k = p->numFree;
+    p->factorizations++;
+    for (int i = 0; i < k; i++) {
+        for (int j = 0; j <= i; j++) {
+            double sum = entry(p, p->index[i], p->index[j]) + (i == j ? p->shift : 0);
+            for (int c = 0; c < j; c++)
+                sum -= L[i * k + c] * L[j * k + c];
+            if (i != j) {
+                L[i * k + j] = sum / L[j * k + j];
+            } else {
+                if (!(sum > 0.25 * p->shift))
+                    return MEFALSE;
+                L[i * k + i] = sqrt(sum);
+            }
+        }
+    }
+    return METRUE;
+}
+
+static void solveFactored(const KeaMlcp *p, double *x) {
+    const double *L = p->factor;
+    const int k = p->numFree;
+    for (int i = 0; i < k; i++) {
+        for (int c = 0; c < i; c++)
+            x[i] -= L[i * k + c] * x[c];
+        x[i] /= L[i * k + i];
+    }
+    for (int i = k - 1; i >= 0; i--) {
+        for (int c = i + 1; c < k; c++)
+            x[i] -= L[c * k + i] * x[c];
+        x[i] /= L[i * k + i];
+    }
+}
+
+/* Solves the free rows with the others at their bounds, then the w of those. */
+static MeBool solveForSets(KeaMlcp *p) {
+    if (!p->factorValid && !(p->factorValid = factorize(p)))
+        return MEFALSE;
+    for (int i = 0; i < p->n; i++)
+        if (p->set[i] != KEA_FREE)
+            p->y[i] = p->scale[i] == 0 ? 0 : p->set[i] == KEA_LOWER ? lowerOf(p, i) : upperOf(p, i);
+    for (int k = 0; k < p->numFree; k++) {
+        const int i = p->index[k];
+        double sum = p->scale[i] * p->b[i] + p->shift * p->previous[i];
+        for (int j = 0; j < p->n; j++)
+            if (p->set[j] != KEA_FREE)
+                sum -= entry(p, i, j) * p->y[j];
+        p->rhs[k] = sum;
+    }
+    solveFactored(p, p->rhs);
+    for (int k = 0; k < p->numFree; k++)
+        p->y[p->index[k]] = p->rhs[k];
+    for (int i = 0; i < p->n; i++) {
+        p->w[i] = 0;
+        if (p->set[i] == KEA_FREE)
+            continue;
+        double sum = p->shift * (p->y[i] - p->previous[i]) - p->scale[i] * p->b[i];
+        for (int j = 0; j < p->n; j++)
+            sum += entry(p, i, j) * p->y[j];
+        p->w[i] = sum;
+    }
+    return METRUE;
+}
+
+static double largest(const double *v, int n) {
+    double m = 0;
+    for (int i = 0; i < n; i++)
+        m = fmax(m, fabs(v[i]));
+    return m;
+}
+
+static double largestLoad(const KeaMlcp *p) {
+    double m = 0;
+    for (int i = 0; i < p->n; i++)
+        m = fmax(m, fabs(p->scale[i] * p->b[i]));
+    return m;
+}
+
+/* Where row i should go, given y and w: its own set when nothing contradicts it. */
+static KeaSet wantedSet(const KeaMlcp *p, int i, double slackY, double slackW) {
+    switch (p->set[i]) {
+    case KEA_FREE:
+        if (p->y[i] < lowerOf(p, i) - slackY)
+            return KEA_LOWER;
+        if (p->y[i] > upperOf(p, i) + slackY)
+            return KEA_UPPER;
+        return KEA_FREE;
+    case KEA_LOWER:
+        return p->w[i] < -slackW ? KEA_FREE : KEA_LOWER;
+    case KEA_UPPER:
+        break;
+    }
+    return p->w[i] > slackW ? KEA_FREE : KEA_UPPER;
+}
+
+/* Counts the rows that contradict their sets; with `move`, moves them: all, or only the one of the largest index. */
+static int contradictions(KeaMlcp *p, double slackY, double slackW, MeBool move, MeBool all) {
+    int count = 0;
+    for (int i = p->n - 1; i >= 0; i--) {
+        if (isFixed(p, i))
+            continue;
+        const KeaSet wanted = wantedSet(p, i, slackY, slackW);
+        if (wanted == p->set[i])
+            continue;
+        if (move && (all || count == 0)) {
+            p->set[i] = wanted;
+            p->factorValid = MEFALSE;
+        }
+        count++;
+    }
+    return count;
+}
+
+/* Pivots until the sets are right for the current right-hand side. Returns false when a factorization fails. */
+static MeBool pivot(KeaMlcp *p) {
+    const int limit = p->maxIterations > 0 ? p->maxIterations : 100 + 10 * p->n;
+    int best = p->n + 1, tries = patience;
+    for (int round = 0;; round++) {
+        if (!solveForSets(p))
+            return MEFALSE;
+        const double slackY = feasible * largest(p->y, p->n);
+        const double slackW = feasible * fmax(largestLoad(p), largest(p->y, p->n));
+        const int count = contradictions(p, slackY, slackW, MEFALSE, MEFALSE);
+        if (count == 0)
+            return METRUE;
+        if (round >= limit) {
+            p->capped = METRUE;
+            return METRUE;
+        }
+        if (count < best) {
+            best = count;
+            tries = patience;
+        } else {
+            tries--;
+        }
+        contradictions(p, slackY, slackW, METRUE, tries > 0);
+        p->pivots++;
+    }
+}
+
+/* Makes the sets of the last solve fit the bounds now set. */
+static void startSets(KeaMlcp *p) {
+    for (int i = 0; i < p->n; i++) {
+        KeaSet set = p->set[i];
+        if (isFixed(p, i))
+            set = KEA_LOWER;
+        else if ((set == KEA_LOWER && isinf(p->lower[i])) || (set == KEA_UPPER && isinf(p->upper[i])))
+            set = KEA_FREE;
+        if (set != p->set[i])
+            p->factorValid = MEFALSE;
+        p->set[i] = set;
+    }
+}
+
+/* Proximal passes at one regularization. Returns false when a factorization fails or the rows contradict. */
+static MeBool solveWithShift(KeaMlcp *p, double shift, int passes) {
+    if (p->shift != shift) {
+        p->shift = shift;
+        p->factorValid = MEFALSE;
+    }
+    memset(p->previous, 0, (size_t)p->n * sizeof(double));
+    const double load = largestLoad(p);
+    double step = 0;
+    for (int pass = 0; pass < passes; pass++) {
+        if (!pivot(p))
+            return MEFALSE;
+        step = 0;
+        for (int i = 0; i < p->n; i++) {
+            step = fmax(step, fabs(p->y[i] - p->previous[i]));
+            p->previous[i] = p->y[i];
+        }
+        if (p->capped || shift * step <= converged * load)
+            return METRUE;
+    }
+    return shift * step <= acceptable * load;
+}
+
+void kea_mlcpSolve(KeaMlcp *p) {
+    startSets(p);
+    if (!solveWithShift(p, weakShift, maxProximalPasses)) {
+        p->regularized = METRUE;
+        solveWithShift(p, strongShift, 1);
+    }
+    for (int i = 0; i < p->n; i++) {
+        const double x = p->scale[i] > 0 ? p->scale[i] * p->y[i] : 0;
+        p->x[i] = clamp(isfinite(x) ? x : 0, p->lower[i], p->upper[i]);
+    }
+}

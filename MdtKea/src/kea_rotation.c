@@ -1,0 +1,211 @@
+/* Rotation of a rigid body: inertia in its principal axes, and the torque-free motion over a step.
+ *
+ * With principal moments I and a reference axis r, the energy of free rotation splits into
+ *
+ *     H = |L|² / (2 I_r)  +  sum over i != r of  L_i²/2 (1/I_i - 1/I_r),        L in principal axes.
+ *
+ * The first part turns the body about L itself and commutes with everything; each of the two others turns it about
+ * one principal axis. All three are solved exactly, so any order of them keeps |L|, and a symmetric one also keeps
+ * the energy closely. Fast rotation uses Blanes and Moan's S6 of order 4 (Practical symplectic partitioned
+ * Runge-Kutta methods, 2002), slow rotation the leapfrog of order 2. The reference is the middle axis: of a
+ * symmetric top it is one of the equal ones, and the splitting is exact.
+ */
+#include "kea_i.h"
+
+static const double slowAngle = 1e-2; /* rad a step: below it, order 2 is exact to rounding for our purpose */
+
+/* Turns the body for time t by the part of H that belongs to `axis`: q from the right, L (principal) the other way. */
+static void flowAboutAxis(double q[4], double L[3], int axis, double rate, double t) {
+    const double half = 0.5 * t * rate * L[axis];
+    const double sh = sin(half), ch = cos(half);
+    double turn[4] = {ch, 0, 0, 0};
+    turn[1 + axis] = sh;
+    keaQuaternionProduct(q, q, turn);
+    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+    const double c = 1 - 2 * sh * sh, s = 2 * sh * ch;
+    const double Lj = c * L[j] + s * L[k];
+    L[k] = c * L[k] - s * L[j];
+    L[j] = Lj;
+}
+
+typedef struct {
+    int a, b;            /* the two axes besides the reference */
+    double rateA, rateB; /* 1/I_i - 1/I_r */
+} Split;
+
+static void leapfrog(double q[4], double L[3], const Split *s, double h) {
+    flowAboutAxis(q, L, s->a, s->rateA, 0.5 * h);
+    flowAboutAxis(q, L, s->b, s->rateB, h);
+    flowAboutAxis(q, L, s->a, s->rateA, 0.5 * h);
+}
+
+static void blanesMoan4(double q[4], double L[3], const Split *s, double h) {
+    static const double a[3] = {.0792036964311957, .353172906049774, -.0420650803577195};
+    static const double b[2] = {.209515106613362, -.143851773179818};
+    const double A[7] = {a[0], a[1], a[2], 1 - 2 * (a[0] + a[1] + a[2]), a[2], a[1], a[0]};
+    const double B[6] = {b[0], b[1], .5 - b[0] - b[1], .5 - b[0] - b[1], b[1], b[0]};
+    for (int i = 0; i < 7; i++) {
+        flowAboutAxis(q, L, s->a, s->rateA, A[i] * h);
+        if (i < 6)
+            flowAboutAxis(q, L, s->b, s->rateB, B[i] * h);
+    }
+}
+
+static int middleOf(const double I[3]) {
+    for (int i = 0; i < 3; i++) {
+        const double x = I[(i + 1) % 3], y = I[(i + 2) % 3];
+        if ((x <= I[i] && I[i] <= y) || (y <= I[i] && I[i] <= x))
+            return i;
+    }
+    return 0;
+}
+
+static void toPrincipal(const MdtKeaBody *body, const double q[4], double qp[4], double R[3][3]) {
+    keaQuaternionProduct(qp, q, body->principal);
+    keaQuaternionToMatrix(R, qp);
+}
+
+/* With the Coriolis term off, the angular velocity of the start is kept through the step. */
+static void rotateSteadily(const MdtKeaBody *body, const double q0[4], const double L[3], double h, double q1[4]) {
+    double w[3], turn[4];
+    kea_angularVelocity(body, q0, L, w);
+    keaScale(w, h, w);
+    keaQuaternionExp(turn, w);
+    keaQuaternionProduct(q1, turn, q0);
+    keaQuaternionNormalize(q1);
+}
+
+void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3], double h, double q1[4]) {
+    if (!(body->flags & MdtKeaBodyFlagAddCoriolisForce)) {
+        rotateSteadily(body, q0, L, h, q1);
+        return;
+    }
+    double q[4], R[3][3], l[3], u[3], turn[4], back[4];
+    toPrincipal(body, q0, q, R);
+    keaApplyTransposed(l, (const double(*)[3])R, L);
+
+    const double *I = body->moments;
+    const int r = middleOf(I), a = (r + 1) % 3, b = (r + 2) % 3;
+    keaScale(u, h / I[r], l);
+    keaQuaternionExp(turn, u);
+    keaQuaternionProduct(q, q, turn);
+
+    const Split split = {a, b, 1 / I[a] - 1 / I[r], 1 / I[b] - 1 / I[r]};
+    const double angle = h * keaLength(L) * (fabs(split.rateA) + fabs(split.rateB));
+    if (angle > slowAngle)
+        blanesMoan4(q, l, &split, h);
+    else if (angle > 0)
+        leapfrog(q, l, &split, h);
+
+    keaQuaternionConjugate(back, body->principal);
+    keaQuaternionProduct(q1, q, back);
+    keaQuaternionNormalize(q1);
+}
+
+void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double L[3], double w[3]) {
+    double qp[4], R[3][3], l[3];
+    toPrincipal(body, q, qp, R);
+    keaApplyTransposed(l, (const double(*)[3])R, L);
+    for (int i = 0; i < 3; i++)
+        l[i] /= body->moments[i];
+    keaApply(w, (const double(*)[3])R, l);
+}
+
+void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double w[3], double L[3]) {
+    double qp[4], R[3][3], l[3];
+    toPrincipal(body, q, qp, R);
+    keaApplyTransposed(l, (const double(*)[3])R, w);
+    for (int i = 0; i < 3; i++)
+        l[i] *= body->moments[i];
+    keaApply(L, (const double(*)[3])R, l);
+}
+
+void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double inverse[3][3]) {
+    double qp[4], R[3][3];
+    toPrincipal(body, q, qp, R);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j <= i; j++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++)
+                sum += R[i][k] * R[j][k] / body->moments[k];
+            inverse[i][j] = inverse[j][i] = sum;
+        }
+    }
+}
+
+void MEAPI MdtKeaBodyGetAngularVelocity(const MdtKeaBody *body, double w[3]) {
+    kea_angularVelocity(body, body->quaternion, body->angularMomentum, w);
+}
+
+void MEAPI MdtKeaBodySetAngularVelocity(MdtKeaBody *body, const double w[3]) {
+    kea_angularMomentum(body, body->quaternion, w, body->angularMomentum);
+}
+
+/* One Jacobi rotation that zeroes S[p][q] of a symmetric matrix; the columns of V follow. */
+static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
+    if (S[p][q] == 0)
+        return;
+    const double theta = (S[q][q] - S[p][p]) / (2 * S[p][q]);
+    const double t = (theta >= 0 ? 1 : -1) / (fabs(theta) + sqrt(theta * theta + 1));
+    const double c = 1 / sqrt(t * t + 1), s = t * c;
+    const int r = 3 - p - q;
+    const double Srp = S[r][p], Srq = S[r][q], Spq = S[p][q];
+    S[p][p] -= t * Spq;
+    S[q][q] += t * Spq;
+    S[p][q] = S[q][p] = 0;
+    S[r][p] = S[p][r] = c * Srp - s * Srq;
+    S[r][q] = S[q][r] = s * Srp + c * Srq;
+    for (int i = 0; i < 3; i++) {
+        const double Vp = V[i][p], Vq = V[i][q];
+        V[i][p] = c * Vp - s * Vq;
+        V[i][q] = s * Vp + c * Vq;
+    }
+}
+
+static void matrixToQuaternion(const double R[3][3], double q[4]) {
+    /* Each candidate is 4 times the square of a component; the largest one is divided by. */
+    const double four[4] = {1 + R[0][0] + R[1][1] + R[2][2], 1 + R[0][0] - R[1][1] - R[2][2],
+                            1 - R[0][0] + R[1][1] - R[2][2], 1 - R[0][0] - R[1][1] + R[2][2]};
+    int k = 0;
+    for (int i = 1; i < 4; i++)
+        k = four[i] > four[k] ? i : k;
+    const double wx = R[2][1] - R[1][2], wy = R[0][2] - R[2][0], wz = R[1][0] - R[0][1];
+    const double xy = R[0][1] + R[1][0], xz = R[0][2] + R[2][0], yz = R[1][2] + R[2][1];
+    const double rows[4][4] = {{four[0], wx, wy, wz}, {wx, four[1], xy, xz}, {wy, xy, four[2], yz}, {wz, xz, yz, four[3]}};
+    for (int i = 0; i < 4; i++)
+        q[i] = rows[k][i];
+    keaQuaternionNormalize(q);
+}
+
+static MeBool isSymmetricAndFinite(const double inertia[3][3]) {
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const double size = fabs(inertia[i][i]) + fabs(inertia[j][j]);
+            if (!isfinite(inertia[i][j]) || fabs(inertia[i][j] - inertia[j][i]) > 1e-5 * size)
+                return MEFALSE;
+        }
+    }
+    return METRUE;
+}
+
+MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) {
+    if (!isSymmetricAndFinite(inertia))
+        return MEFALSE;
+    double S[3][3], V[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            S[i][j] = 0.5 * (inertia[i][j] + inertia[j][i]);
+    for (int sweep = 0; sweep < 12; sweep++) { /* 4 or 5 suffice: convergence is quadratic */
+        jacobiRotate(S, V, 0, 1);
+        jacobiRotate(S, V, 0, 2);
+        jacobiRotate(S, V, 1, 2);
+    }
+    const double largest = fmax(S[0][0], fmax(S[1][1], S[2][2]));
+    for (int i = 0; i < 3; i++)
+        if (!(S[i][i] > 1e-12 * largest))
+            return MEFALSE;
+    for (int i = 0; i < 3; i++)
+        body->moments[i] = S[i][i];
+    matrixToQuaternion((const double(*)[3])V, body->principal); /* rotations only: V is never a reflection */
+    return METRUE;
+}

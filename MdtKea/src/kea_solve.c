@@ -1,0 +1,197 @@
+/* One step of one partition: solve the rows, renew what depends on the answer, and integrate. */
+#include "kea_i.h"
+#include <string.h>
+
+/* Passes cost a back-substitution each while the set of active rows stays the same. */
+static const int maxPasses = 20;
+static const double positionTolerance = 1e-10; /* of the lever arms and of the way moved in the step */
+static const double frictionTolerance = 1e-9;  /* of a bound */
+
+static void loadRows(MdtKeaSystem *s) {
+    KeaMlcp *p = &s->work->mlcp;
+    p->n = s->numRows;
+    p->maxIterations = s->parameters.maxIterations;
+    for (int i = 0; i < s->numRows; i++) {
+        MdtKeaRow *row = &s->rows[i];
+        const double bound = row->normal >= 0 ? row->friction * fmax(s->rows[row->normal].force, 0) : HUGE_VAL;
+        p->E[i] = row->softness;
+        p->lower[i] = fmax(row->lower, -bound);
+        p->upper[i] = fmin(row->upper, bound);
+        s->work->shift[i] = 0;
+    }
+    kea_mlcpBegin(p);
+}
+
+static void solveRows(MdtKeaSystem *s) {
+    KeaMlcp *p = &s->work->mlcp;
+    const double h = s->parameters.stepsize;
+    for (int i = 0; i < s->numRows; i++)
+        p->b[i] = (s->rows[i].target + s->work->shift[i] - s->work->freeRate[i]) / h;
+    kea_mlcpSolve(p);
+    for (int i = 0; i < s->numRows; i++)
+        s->rows[i].force = p->x[i];
+    s->report.passes++;
+}
+
+/* Coulomb's bound μ λ_n with the normal force of this very step. Returns whether a bound moved. After a few passes
+ * the bounds are averaged, since a wedge can make them alternate. */
+static MeBool renewFrictionBounds(MdtKeaSystem *s) {
+    KeaMlcp *p = &s->work->mlcp;
+    MeBool moved = MEFALSE;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->normal < 0)
+            continue;
+        double bound = row->friction * fmax(s->rows[row->normal].force, 0);
+        if (s->report.passes > 4)
+            bound = 0.5 * (bound + fmax(p->upper[i], 0));
+        const double lower = fmax(row->lower, -bound), upper = fmin(row->upper, bound);
+        const double change = fmax(fabs(upper - p->upper[i]), fabs(lower - p->lower[i]));
+        moved = moved || change > frictionTolerance * bound;
+        p->lower[i] = lower;
+        p->upper[i] = upper;
+    }
+    return moved;
+}
+
+/* What the error of a position row is compared with: its lever arms, and the way its bodies move. */
+static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    const double h = s->parameters.stepsize;
+    double size = 0;
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] < 0)
+            continue;
+        const double *v = s->work->end[row->body[k]].velocity;
+        size += keaLength(row->J[k].ang) + h * fabs(keaDot(row->J[k].lin, v));
+    }
+    return size;
+}
+
+/* How far the position rows end from φ + h (s - h E λ), divided by h, into work->errors; the largest, relative to the
+ * rows' sizes, is returned. The forces' first-order answer leaves an error of order (h ω)². */
+static double positionErrors(MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    double worst = 0;
+    s->report.error = 0;
+    s->errors(s->context, s->work->endPose, s->work->errors);
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (!row->position) {
+            s->work->errors[i] = 0;
+            continue;
+        }
+        const double wanted = row->error + h * (row->target - h * row->softness * row->force);
+        const double missing = wanted - s->work->errors[i];
+        s->work->errors[i] = missing / h;
+        s->report.error = fmax(s->report.error, fabs(missing));
+        worst = fmax(worst, fabs(missing) / (sizeOfRow(s, row) + 1e-300));
+    }
+    return worst;
+}
+
+static MeBool hasPositionRows(const MdtKeaSystem *s) {
+    for (int i = 0; s->errors && i < s->numRows; i++)
+        if (s->rows[i].position)
+            return METRUE;
+    return MEFALSE;
+}
+
+static void shiftTargets(MdtKeaSystem *s, double sign) {
+    for (int i = 0; i < s->numRows; i++)
+        s->work->shift[i] += sign * s->work->errors[i];
+}
+
+/* Newton's iteration for the position rows with the matrix of the start of the step: each pass turns what is missing
+ * into velocity. It contracts by about h ω; motion too violent for that keeps the first-order answer. */
+static void correctPositions(MdtKeaSystem *s) {
+    kea_moveWithForces(s);
+    if (!hasPositionRows(s))
+        return;
+    double worst = positionErrors(s);
+    const double first = worst;
+    while (worst > positionTolerance && s->report.passes < maxPasses) {
+        shiftTargets(s, 1);
+        solveRows(s);
+        renewFrictionBounds(s);
+        kea_moveWithForces(s);
+        const double now = positionErrors(s);
+        if (!(now < 0.9 * worst) && now > positionTolerance) {
+            worst = now;
+            break;
+        }
+        worst = now;
+    }
+    if (!(worst < first) && first > positionTolerance) {
+        memset(s->work->shift, 0, (size_t)s->numRows * sizeof(double));
+        solveRows(s);
+        kea_moveWithForces(s);
+        positionErrors(s);
+    }
+}
+
+/* The largest violation of J v⁺ = s - h E λ that its bound does not explain. */
+static double residual(const MdtKeaSystem *s) {
+    const KeaMlcp *p = &s->work->mlcp;
+    const double h = s->parameters.stepsize;
+    double worst = 0;
+    for (int i = 0; i < s->numRows; i++) {
+        double w = (p->E[i] * p->x[i] - p->b[i]) * h;
+        for (int j = 0; j < p->n; j++)
+            w += h * p->A[i * p->n + j] * p->x[j];
+        if (p->scale[i] == 0 || (w > 0 && p->x[i] <= p->lower[i]) || (w < 0 && p->x[i] >= p->upper[i]))
+            continue;
+        worst = fmax(worst, fabs(w));
+    }
+    return worst;
+}
+
+void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
+    memset(&s->report, 0, sizeof s->report);
+    if (s->numRows == 0) {
+        kea_moveWithForces(s);
+        return;
+    }
+    KeaMlcp *p = &s->work->mlcp;
+    kea_assemble(s);
+    loadRows(s);
+    do {
+        solveRows(s);
+    } while (renewFrictionBounds(s) && s->report.passes < maxPasses / 2);
+    correctPositions(s);
+    s->report.pivots = p->pivots;
+    s->report.factorizations = p->factorizations;
+    s->report.capped = p->capped;
+    s->report.regularized = p->regularized;
+    s->report.residual = residual(s);
+}
+
+static MeBool isFinite(const double *v, int n) {
+    for (int i = 0; i < n; i++)
+        if (!isfinite(v[i]))
+            return MEFALSE;
+    return METRUE;
+}
+
+MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++) {
+        const KeaEnd *end = &s->work->end[i];
+        if (!isFinite(end->position, 3) || !isFinite(end->quaternion, 4) || !isFinite(end->velocity, 3) ||
+            !isFinite(end->angularMomentum, 3))
+            return MEFALSE;
+    }
+    for (int i = 0; i < s->numBodies; i++) {
+        MdtKeaBody *body = s->bodies[i];
+        const KeaEnd *end = &s->work->end[i];
+        double w[3];
+        const MeBool steady = !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
+        if (steady)
+            kea_angularVelocity(body, body->quaternion, end->angularMomentum, w);
+        keaCopy(body->position, end->position);
+        memcpy(body->quaternion, end->quaternion, sizeof body->quaternion);
+        keaCopy(body->velocity, end->velocity);
+        keaCopy(body->angularMomentum, end->angularMomentum);
+        if (steady)
+            MdtKeaBodySetAngularVelocity(body, w);
+    }
+    return METRUE;
+}
