@@ -31,7 +31,6 @@ typedef struct MdtBclContact {
     double normal[3];        /**< unit, the way the first body is pushed */
     double direction[3];     /**< unit, primary direction, at right angles to the normal */
     double penetration;      /**< m, positive: overlap; negative: gap */
-    double worldVelocity[3]; /**< m/s of the world at the contact */
     MdtBclContactParams params;
     double normalForce; /**< N, of the last step */
     int rows;           /**< friction rows of this step's system: 1 primary, 2 secondary */
@@ -47,7 +46,8 @@ typedef struct MdtBclConstraint {
     } of;
 } MdtBclConstraint;
 
-/** A constraint's surroundings in one step. The world is a body that rests at the origin and has no inverse mass. */
+/** A constraint's surroundings in one step. The world is a body at the origin that has no inverse mass; where the
+ *  constraint was given a velocity of the world, that is its velocity. */
 typedef struct MdtBclContext {
     MdtBclSolverParameters parameters;
     MdtKeaBodyIndexPair body;                  /**< indices in Kea's system, or MdtBclNO_BODY */
@@ -55,6 +55,7 @@ typedef struct MdtBclContext {
     const MdtKeaTransformation *pose[2];       /**< now */
     const MdtKeaVelocity *velocity[2];         /**< now */
     const MdtKeaVelocity *predicted[2];        /**< over the step, were there no constraints */
+    const MdtKeaVelocity *acceleration[2];     /**< in the last step, 1/s of a velocity's units */
     const MdtKeaInverseMassMatrix *invMass[2]; /**< now */
 } MdtBclContext;
 

@@ -46,14 +46,6 @@ static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, con
     }
 }
 
-/* What the world's own velocity at the contact adds to the target of a row along d. */
-static double worldRate(const MdtBclContact *contact, const MdtBclContext *x, const double d[3]) {
-    if (!(contact->params.options & MdtBclContactOptionUseWorldVelocity))
-        return 0;
-    const double rate = keaDot(d, contact->worldVelocity);
-    return x->body[1] == MdtBclNO_BODY ? rate : x->body[0] == MdtBclNO_BODY ? -rate : 0;
-}
-
 static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
     const MdtFrictionModel model = direction == 0 ? p->model1 : p->model2;
     const MeReal bound = direction == 0 ? p->friction1 : p->friction2;
@@ -65,7 +57,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclContact *contact = &c->of.contact;
     MdtKeaRow normal;
     contactRow(contact, x, contact->normal, &normal);
-    const double approach = bcl_rate(&normal, x->predicted) - worldRate(contact, x, contact->normal);
+    const double approach = bcl_rate(&normal, x->predicted);
     const MeBool touches = contact->penetration >= 0 || x->parameters.stepsize * approach < contact->penetration;
     contact->rows = 0;
     if (touches && contact->params.type >= MdtContactTypeFriction1D && frictionActs(&contact->params, 0))
@@ -79,15 +71,12 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
     const MdtBclContactParams *p = &contact->params;
     const double h = x->parameters.stepsize, depth = contact->penetration;
     contactRow(contact, x, contact->normal, row);
-    const double belt = worldRate(contact, x, contact->normal);
-    const double rate = bcl_rate(row, x->velocity) - belt, predicted = bcl_rate(row, x->predicted) - belt;
+    const double rate = bcl_rate(row, x->velocity), predicted = bcl_rate(row, x->predicted);
     row->error = -depth;
     row->target = depth > 0 ? x->parameters.gamma * depth / h : depth / h;
-    const double threshold = fmax((double)p->velThreshold, fabs(predicted - rate));
-    const MeBool isHit = h * predicted < depth && rate < -threshold;
+    const MeBool isHit = h * predicted < depth && rate < -fmax((double)p->velThreshold, bcl_ownChange(row, x));
     if ((p->options & MdtBclContactOptionBounce) && isHit)
         row->target = fmax(row->target, -(double)p->restitution * rate);
-    row->target += belt;
     if (p->options & MdtBclContactOptionSoft)
         row->softness += (double)p->softness;
     row->lower = p->options & MdtBclContactOptionAdhesive ? -boundOf(p->max_adhesive_force) : 0;
@@ -105,7 +94,7 @@ static void frictionRow(const MdtBclContact *contact, const MdtBclContext *x, in
     else
         keaCross(d, contact->normal, contact->direction);
     contactRow(contact, x, d, row);
-    row->target = (slides ? (double)(direction == 0 ? p->slide1 : p->slide2) : 0) + worldRate(contact, x, d);
+    row->target = slides ? (double)(direction == 0 ? p->slide1 : p->slide2) : 0;
     if (slip > 0)
         row->softness = slip / x->parameters.stepsize;
     if ((direction == 0 ? p->model1 : p->model2) == MdtFrictionModelNormalForce) {

@@ -19,6 +19,10 @@ void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error);
 /* The rate J v of a row with the given velocities. */
 double bcl_rate(const MdtKeaRow *row, const MdtKeaVelocity *const velocity[2]);
 
+/* How much the rate of a row changes in one step without an impact: by gravity and loads, or as it did in the last step,
+ * which knows the other constraints. An approach that is no faster is the step's doing, and does not bounce. */
+double bcl_ownChange(const MdtKeaRow *row, const MdtBclContext *x);
+
 /* J M⁻¹ Jᵀ of one row: the acceleration per unit force of free bodies. */
 double bcl_mobility(const MdtKeaRow *row, const MdtBclContext *x);
 

@@ -89,7 +89,7 @@ static void hardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtK
     const double h = x->parameters.stepsize, z = row->error;
     row->target = z > 0 ? -z / h : -x->parameters.gamma * z / h;
     const double rate = bcl_rate(row, x->velocity), predicted = bcl_rate(row, x->predicted);
-    const MeBool isHit = z + h * predicted < 0 && rate < -fabs(predicted - rate);
+    const MeBool isHit = z + h * predicted < 0 && rate < -bcl_ownChange(row, x);
     if (isHit)
         row->target = fmax(row->target, -(double)stop->restitution * rate);
 }

@@ -30,6 +30,11 @@ double bcl_rate(const MdtKeaRow *row, const MdtKeaVelocity *const velocity[2]) {
     return rate;
 }
 
+double bcl_ownChange(const MdtKeaRow *row, const MdtBclContext *x) {
+    const double loads = bcl_rate(row, x->predicted) - bcl_rate(row, x->velocity);
+    return fmax(fabs(loads), x->parameters.stepsize * fabs(bcl_rate(row, x->acceleration)));
+}
+
 double bcl_mobility(const MdtKeaRow *row, const MdtBclContext *x) {
     double sum = 0;
     for (int k = 0; k < 2; k++) {

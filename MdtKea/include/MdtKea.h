@@ -149,8 +149,8 @@ typedef struct MdtKeaSystem {
     MdtKeaErrorFn errors;      /**< may be null: then no row is treated as a position row */
     void *context;             /**< for errors */
 
-    MdtKeaTransformation *pose;       /**< by body, at the start */
-    MdtKeaVelocity *velocity;         /**< by body, at the start */
+    MdtKeaTransformation *pose;       /**< by body, at the start; after MdtKeaIntegrate at the end */
+    MdtKeaVelocity *velocity;         /**< by body, at the start; after MdtKeaIntegrate at the end */
     MdtKeaVelocity *predicted;        /**< by body: the mean over the step were there no constraints */
     MdtKeaInverseMassMatrix *invMass; /**< by body, at the start */
     MdtKeaRow *rows;                  /**< the owner fills rows[0..numRows) */

@@ -86,6 +86,23 @@ static inline void keaQuaternionToMatrix(double R[3][3], const double q[4]) {
     R[2][0] = 2 * (x * z - w * y), R[2][1] = 2 * (y * z + w * x), R[2][2] = 1 - 2 * (x * x + y * y);
 }
 
+/** The unit quaternion of a rotation matrix. */
+static inline void keaQuaternionFromMatrix(double q[4], const double R[3][3]) {
+    /* Each diagonal entry below is 4 times the square of a component; the row of the largest one is divided by. */
+    const double wx = R[2][1] - R[1][2], wy = R[0][2] - R[2][0], wz = R[1][0] - R[0][1];
+    const double xy = R[0][1] + R[1][0], xz = R[0][2] + R[2][0], yz = R[1][2] + R[2][1];
+    const double m[4][4] = {{1 + R[0][0] + R[1][1] + R[2][2], wx, wy, wz},
+                            {wx, 1 + R[0][0] - R[1][1] - R[2][2], xy, xz},
+                            {wy, xy, 1 - R[0][0] + R[1][1] - R[2][2], yz},
+                            {wz, xz, yz, 1 - R[0][0] - R[1][1] + R[2][2]}};
+    int k = 0;
+    for (int i = 1; i < 4; i++)
+        k = m[i][i] > m[k][k] ? i : k;
+    for (int i = 0; i < 4; i++)
+        q[i] = m[k][i];
+    keaQuaternionNormalize(q);
+}
+
 /** The rotation by |u| radians about u. Exact for every u, zero included. */
 static inline void keaQuaternionExp(double q[4], const double u[3]) {
     const double angle2 = keaDot(u, u);

@@ -162,21 +162,6 @@ static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
     }
 }
 
-static void matrixToQuaternion(const double R[3][3], double q[4]) {
-    /* Each candidate is 4 times the square of a component; the largest one is divided by. */
-    const double four[4] = {1 + R[0][0] + R[1][1] + R[2][2], 1 + R[0][0] - R[1][1] - R[2][2],
-                            1 - R[0][0] + R[1][1] - R[2][2], 1 - R[0][0] - R[1][1] + R[2][2]};
-    int k = 0;
-    for (int i = 1; i < 4; i++)
-        k = four[i] > four[k] ? i : k;
-    const double wx = R[2][1] - R[1][2], wy = R[0][2] - R[2][0], wz = R[1][0] - R[0][1];
-    const double xy = R[0][1] + R[1][0], xz = R[0][2] + R[2][0], yz = R[1][2] + R[2][1];
-    const double rows[4][4] = {{four[0], wx, wy, wz}, {wx, four[1], xy, xz}, {wy, xy, four[2], yz}, {wz, xz, yz, four[3]}};
-    for (int i = 0; i < 4; i++)
-        q[i] = rows[k][i];
-    keaQuaternionNormalize(q);
-}
-
 static MeBool isSymmetricAndFinite(const double inertia[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
@@ -206,6 +191,6 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
             return MEFALSE;
     for (int i = 0; i < 3; i++)
         body->moments[i] = S[i][i];
-    matrixToQuaternion((const double(*)[3])V, body->principal); /* rotations only: V is never a reflection */
+    keaQuaternionFromMatrix(body->principal, (const double(*)[3])V); /* rotations only: V is never a reflection */
     return METRUE;
 }

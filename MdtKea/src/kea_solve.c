@@ -172,6 +172,19 @@ static MeBool isFinite(const double *v, int n) {
     return METRUE;
 }
 
+static void commit(MdtKeaBody *body, const KeaEnd *end) {
+    double w[3];
+    const MeBool steady = !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
+    if (steady)
+        kea_angularVelocity(body, body->quaternion, end->angularMomentum, w);
+    keaCopy(body->position, end->position);
+    memcpy(body->quaternion, end->quaternion, sizeof body->quaternion);
+    keaCopy(body->velocity, end->velocity);
+    keaCopy(body->angularMomentum, end->angularMomentum);
+    if (steady)
+        MdtKeaBodySetAngularVelocity(body, w);
+}
+
 MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++) {
         const KeaEnd *end = &s->work->end[i];
@@ -180,18 +193,10 @@ MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
             return MEFALSE;
     }
     for (int i = 0; i < s->numBodies; i++) {
-        MdtKeaBody *body = s->bodies[i];
-        const KeaEnd *end = &s->work->end[i];
-        double w[3];
-        const MeBool steady = !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
-        if (steady)
-            kea_angularVelocity(body, body->quaternion, end->angularMomentum, w);
-        keaCopy(body->position, end->position);
-        memcpy(body->quaternion, end->quaternion, sizeof body->quaternion);
-        keaCopy(body->velocity, end->velocity);
-        keaCopy(body->angularMomentum, end->angularMomentum);
-        if (steady)
-            MdtKeaBodySetAngularVelocity(body, w);
+        commit(s->bodies[i], &s->work->end[i]);
+        s->pose[i] = s->work->endPose[i];
+        keaCopy(s->velocity[i].lin, s->bodies[i]->velocity);
+        MdtKeaBodyGetAngularVelocity(s->bodies[i], s->velocity[i].ang);
     }
     return METRUE;
 }

@@ -1,0 +1,88 @@
+/** @file MdtContactParams.h
+ *  The properties of contacts (Dynamics guide ch. 3, "The MdtBclContactParams Structure").
+ *
+ *  A set of parameters belongs to a contact (MdtContactGetParams), or is a program's own MdtBclContactParams that it
+ *  copies into contacts. "Friction" sets both directions where no direction is named. A null set, a number that is not
+ *  finite or out of its range gets a warning and changes nothing; accessors then return 0.
+ */
+#ifndef MDTCONTACTPARAMS_H
+#define MDTCONTACTPARAMS_H
+
+#include "MdtTypes.h"
+
+ME_BEGIN_C
+
+/** Defaults: no friction, box model without bound, no restitution, velocity threshold 0.001 m/s, all else 0. */
+MEPUBLIC void MEAPI MdtContactParamsReset(const MdtContactParamsID p);
+
+/** @name Kind of friction
+ *  @{ */
+MEPUBLIC void MEAPI MdtContactParamsSetType(const MdtContactParamsID p, MdtContactType t);
+MEPUBLIC MdtContactType MEAPI MdtContactParamsGetType(const MdtContactParamsID p);
+MEPUBLIC void MEAPI MdtContactParamsSetFrictionModel(const MdtContactParamsID p, MdtFrictionModel m);
+MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFrictionModel(const MdtContactParamsID p, MdtFrictionModel m);
+MEPUBLIC void MEAPI MdtContactParamsSetSecondaryFrictionModel(const MdtContactParamsID p, MdtFrictionModel m);
+MEPUBLIC MdtFrictionModel MEAPI MdtContactParamsGetPrimaryFrictionModel(const MdtContactParamsID p);
+MEPUBLIC MdtFrictionModel MEAPI MdtContactParamsGetSecondaryFrictionModel(const MdtContactParamsID p);
+/** @} */
+
+/** @name Friction: N for the box model, >= 0, MEINFINITY for no sliding at all
+ *  @{ */
+MEPUBLIC void MEAPI MdtContactParamsSetFriction(const MdtContactParamsID p, MeReal f);
+MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFriction(const MdtContactParamsID p, MeReal f);
+MEPUBLIC void MEAPI MdtContactParamsSetSecondaryFriction(const MdtContactParamsID p, MeReal f);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimaryFriction(const MdtContactParamsID p);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFriction(const MdtContactParamsID p);
+/** @} */
+
+/** @name Friction coefficient of the normal-force model, >= 0 (the spelling is the interface's)
+ *  @{ */
+MEPUBLIC void MEAPI MdtContactParamsSetFrictionCoeffecient(const MdtContactParamsID p, MeReal f);
+MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFrictionCoeffecient(const MdtContactParamsID p, MeReal f);
+MEPUBLIC void MEAPI MdtContactParamsSetSecondaryFrictionCoeffecient(const MdtContactParamsID p, MeReal f);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimaryFrictionCoeffecient(const MdtContactParamsID p);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtContactParamsID p);
+/** @} */
+
+/** @name Slip: tangential velocity per tangential force, m/s per N, >= 0; 0 turns it off
+ *  @{ */
+MEPUBLIC void MEAPI MdtContactParamsSetSlip(const MdtContactParamsID p, MeReal f);
+MEPUBLIC void MEAPI MdtContactParamsSetPrimarySlip(const MdtContactParamsID p, MeReal s);
+MEPUBLIC void MEAPI MdtContactParamsSetSecondarySlip(const MdtContactParamsID p, MeReal s);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimarySlip(const MdtContactParamsID p);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlip(const MdtContactParamsID p);
+/** @} */
+
+/** @name Slide: velocity of the second body's surface that carries the first body along, m/s; needs friction
+ *  @{ */
+MEPUBLIC void MEAPI MdtContactParamsSetPrimarySlide(const MdtContactParamsID p, MeReal s);
+MEPUBLIC void MEAPI MdtContactParamsSetSecondarySlide(const MdtContactParamsID p, MeReal s);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimarySlide(const MdtContactParamsID p);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID p);
+/** @} */
+
+/** @name Restitution: rebound speed over impact speed, 0..1, for impacts above the threshold [m/s, >= 0]
+ *  An approach that is no faster than what one step's own acceleration explains is rest, not impact, and does not bounce.
+ *  @{ */
+MEPUBLIC void MEAPI MdtContactParamsSetRestitution(const MdtContactParamsID p, MeReal r);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetRestitution(const MdtContactParamsID p);
+MEPUBLIC void MEAPI MdtContactParamsSetRestitutionThreshold(const MdtContactParamsID p, MeReal v);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetRestitutionThreshold(const MdtContactParamsID p);
+/** @} */
+
+/** @name Softness: compliance at this contact besides the world's epsilon, 1/kg, >= 0
+ *  A load F rests softness F h² / gamma deep. Prevents jitter (Dynamics guide ch. 5); 0.0001 is a typical value.
+ *  @{ */
+MEPUBLIC void MEAPI MdtContactParamsSetSoftness(const MdtContactParamsID p, MeReal s);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetSoftness(const MdtContactParamsID p);
+/** @} */
+
+/** @name Adhesion: the force with which the contact may pull, N, >= 0; MEINFINITY: it never lets go
+ *  @{ */
+MEPUBLIC void MEAPI MdtContactParamsSetMaxAdhesiveForce(const MdtContactParamsID p, MeReal s);
+MEPUBLIC MeReal MEAPI MdtContactParamsGetMaxAdhesiveForce(const MdtContactParamsID p);
+/** @} */
+
+ME_END_C
+
+#endif

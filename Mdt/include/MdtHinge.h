@@ -1,0 +1,55 @@
+/** @file MdtHinge.h
+ *  The hinge: two bodies turn about a common axis, with stops and a motor (Dynamics guide ch. 3, "MdtHinge").
+ *
+ *  It removes five degrees of freedom. A running motor, and each stop that is touched, adds a row. The angle is that of
+ *  the first body against the second, positive about the axis by the right-hand rule, zero as the bodies stood when the
+ *  axis was set, and counts full turns, so that stops may lie beyond a half turn. Stops, motor and the angle itself are
+ *  in the joint's limit (MdtLimit.h); the angle is measured while the limit is active, powered, or asked to.
+ */
+#ifndef MDTHINGE_H
+#define MDTHINGE_H
+
+#include "MdtConstraint.h"
+
+ME_BEGIN_C
+
+/** Creates a hinge, disabled, unattached, at the bodies' centres of mass, its axis the x-axis of each, its limit at
+ *  default. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world
+ *  is full. */
+MEPUBLIC MdtHingeID MEAPI MdtHingeCreate(const MdtWorldID w);
+/** Sets position, axes and limit to the defaults of a new hinge. Bodies and state stay. */
+MEPUBLIC void MEAPI MdtHingeReset(const MdtHingeID j);
+/** The hinge as a constraint. Null for null. */
+MEPUBLIC MdtConstraintID MEAPI MdtHingeQuaConstraint(const MdtHingeID j);
+/** The constraint as a hinge; null when it is none. */
+MEPUBLIC MdtHingeID MEAPI MdtConstraintDCastHinge(const MdtConstraintID c);
+/** The hinge's limit, to read and to write; it lives as long as the hinge. */
+MEPUBLIC MdtLimitID MEAPI MdtHingeGetLimit(const MdtHingeID j);
+/** Resets the hinge's limit, then copies stops, threshold, offset, motor and switches of @a NewLimit. */
+MEPUBLIC void MEAPI MdtHingeSetLimit(const MdtHingeID j, const MdtLimitID NewLimit);
+
+/** @name What every constraint has, under this joint's name
+ *  See MdtConstraint.h for what each does. k is 0 or 1, the index of a body.
+ *  @{ */
+#define MdtHingeDestroy(j)              MdtConstraintDestroy(MdtHingeQuaConstraint(j))
+#define MdtHingeEnable(j)               MdtConstraintEnable(MdtHingeQuaConstraint(j))
+#define MdtHingeDisable(j)              MdtConstraintDisable(MdtHingeQuaConstraint(j))
+#define MdtHingeIsEnabled(j)            MdtConstraintIsEnabled(MdtHingeQuaConstraint(j))
+#define MdtHingeSetBodies(j, b1, b2)    MdtConstraintSetBodies(MdtHingeQuaConstraint(j), (b1), (b2))
+#define MdtHingeGetBody(j, k)           MdtConstraintGetBody(MdtHingeQuaConstraint(j), (k))
+#define MdtHingeSetPosition(j, x, y, z) MdtConstraintSetPosition(MdtHingeQuaConstraint(j), (x), (y), (z))
+#define MdtHingeGetPosition(j, p)       MdtConstraintGetPosition(MdtHingeQuaConstraint(j), (p))
+#define MdtHingeSetAxis(j, x, y, z)     MdtConstraintSetAxis(MdtHingeQuaConstraint(j), (x), (y), (z))
+#define MdtHingeGetAxis(j, a)           MdtConstraintGetAxis(MdtHingeQuaConstraint(j), (a))
+#define MdtHingeGetForce(j, k, f)       MdtConstraintGetForce(MdtHingeQuaConstraint(j), (k), (f))
+#define MdtHingeGetTorque(j, k, t)      MdtConstraintGetTorque(MdtHingeQuaConstraint(j), (k), (t))
+#define MdtHingeGetWorld(j)             MdtConstraintGetWorld(MdtHingeQuaConstraint(j))
+#define MdtHingeSetUserData(j, d)       MdtConstraintSetUserData(MdtHingeQuaConstraint(j), (d))
+#define MdtHingeGetUserData(j)          MdtConstraintGetUserData(MdtHingeQuaConstraint(j))
+#define MdtHingeSetSortKey(j, key)      MdtConstraintSetSortKey(MdtHingeQuaConstraint(j), (key))
+#define MdtHingeGetSortKey(j)           MdtConstraintGetSortKey(MdtHingeQuaConstraint(j))
+/** @} */
+
+ME_END_C
+
+#endif

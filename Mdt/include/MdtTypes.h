@@ -1,0 +1,57 @@
+/** @file MdtTypes.h
+ *  The types of Karma Dynamics: handles, parameters, callbacks.
+ *
+ *  A handle is a pointer to something that a world owns. It stays valid until the thing is destroyed, alone or with
+ *  its world. Functions that are given a null handle, or one that has been destroyed, warn and return a neutral
+ *  result (0, null or zeros); the check build (KARMA_CHECK) also notices handles of destroyed worlds and pointers that
+ *  never were handles.
+ */
+#ifndef MDTTYPES_H
+#define MDTTYPES_H
+
+#include "MdtBclTypes.h"
+#include "MePrecision.h"
+
+ME_BEGIN_C
+
+typedef struct MdtWorld MdtWorld;
+typedef struct MdtBody MdtBody;
+typedef struct MdtBaseConstraint MdtBaseConstraint;
+typedef struct MdtBSJoint MdtBSJoint;
+typedef struct MdtHinge MdtHinge;
+typedef struct MdtContact MdtContact;
+
+typedef MdtWorld *MdtWorldID;
+typedef MdtBody *MdtBodyID;
+typedef MdtBaseConstraint *MdtConstraintID;
+typedef MdtBSJoint *MdtBSJointID;
+typedef MdtHinge *MdtHingeID;
+typedef MdtContact *MdtContactID;
+typedef MdtBclLimit *MdtLimitID;
+typedef MdtBclSingleLimit *MdtSingleLimitID;
+typedef MdtBclContactParams *MdtContactParamsID;
+
+/** What holds for the whole world. */
+typedef struct MdtWorldParams {
+    MeVector4 gravity;  /**< m/s², the fourth is 0 */
+    MeReal lengthScale; /**< m, the size of a typical object */
+    MeReal massScale;   /**< kg, the mass of a typical object */
+} MdtWorldParams;
+
+/** When a partition is put to rest. All values that are compared are squares of magnitudes (Dynamics guide ch. 4). */
+typedef struct MdtPartitionParams {
+    MeBool autoDisable;   /**< whether it happens at all */
+    MeReal vel_thresh;    /**< m²/s² */
+    MeReal velrot_thresh; /**< rad²/s² */
+    MeReal acc_thresh;    /**< m²/s⁴ */
+    MeReal accrot_thresh; /**< rad²/s⁴ */
+    MeReal alive_time;    /**< s that a body stays enabled after it was enabled; not used when alive_window is set */
+    int alive_window;     /**< the same in steps; -1: alive_time counts */
+} MdtPartitionParams;
+
+/** Called for each constraint; @a ccbdata is what the caller passed. The constraint may be destroyed. */
+typedef void(MEAPI *MdtConstraintIteratorCBPtr)(const MdtConstraintID c, void *ccbdata);
+
+ME_END_C
+
+#endif

@@ -1,0 +1,159 @@
+/** @file MdtWorld.h
+ *  Worlds: creating them, their parameters, stepping (Dynamics guide ch. 2, 4 and 5).
+ *
+ *  Worlds are independent of each other. A world and what is in it belong to one thread at a time; different worlds
+ *  may be stepped by different threads. A null or destroyed world gets a warning and a neutral result everywhere. A
+ *  number that is not finite, or out of its range, gets a warning and leaves the old value.
+ */
+#ifndef MDTWORLD_H
+#define MDTWORLD_H
+
+#include "MdtTypes.h"
+
+ME_BEGIN_C
+
+/**
+ * Creates a world with room for @a maxBodies bodies and @a maxConstraints joints and contacts.
+ *
+ * @a lengthScale [m] and @a massScale [kg] say how large and heavy a typical object is: the defaults of bodies and the
+ * thresholds of resting are scaled by them, and epsilon by 1/massScale. Both forms of the guides compile:
+ * MdtWorldCreate(maxBodies, maxConstraints), with scales of 1, and the form with all four. Scales that are not positive
+ * and finite get a warning and count as 1.
+ *
+ * Returns the world, or null when there is no memory. Destroy it with MdtWorldDestroy. All memory for bodies and
+ * constraints is allocated here, through MeMemoryAPI. Dynamics guide ch. 2, "Initializing the World".
+ */
+#ifdef __cplusplus
+MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const unsigned int maxConstraints,
+                                         const MeReal lengthScale = 1, const MeReal massScale = 1);
+#else
+MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const unsigned int maxConstraints,
+                                         const MeReal lengthScale, const MeReal massScale);
+#define MDT_FIFTH(a, b, c, d, e, ...)        e
+#define MdtWorldCreateWith2(b, c)            (MdtWorldCreate)((b), (c), (MeReal)1, (MeReal)1)
+#define MdtWorldCreateWith4(b, c, l, m)      (MdtWorldCreate)((b), (c), (l), (m))
+#define MdtWorldCreate(...)                                                                                        \
+    MDT_FIFTH(__VA_ARGS__, MdtWorldCreateWith4, MdtWorldCreate_takes_2_or_4_arguments, MdtWorldCreateWith2,        \
+              MdtWorldCreate_takes_2_or_4_arguments, 0)                                                            \
+    (__VA_ARGS__)
+#endif
+
+/** Destroys a world with all its bodies and constraints; their handles end with it. Dynamics guide ch. 2. */
+MEPUBLIC void MEAPI MdtWorldDestroy(const MdtWorldID w);
+
+/**
+ * Moves the world on by @a stepSize seconds: partitions it, puts resting partitions to sleep, finds the forces of the
+ * constraints (Kea) and the new velocities and positions. On return bodies, transforms, forces read back and limit
+ * positions are those of the new time, and the force and torque accumulators of the bodies that were simulated are
+ * zero. The step size may differ from call to call. One that is not positive and finite gets a warning, and nothing
+ * moves. Dynamics guide ch. 2, "Stepping Through Time".
+ */
+MEPUBLIC void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize);
+
+/**
+ * Like MdtWorldStep, but a partition moves on only by the shortest safe time of its bodies (MdtBodySetSafeTime), at
+ * least by MdtWorldGetMinSafeTime and at most by @a stepSize.
+ */
+MEPUBLIC void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize);
+
+/** Gravity, m/s², world frame. Default 0. Bodies at rest are not woken: enable them when it changes. */
+MEPUBLIC void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal gy, const MeReal gz);
+MEPUBLIC void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g);
+
+/** @name Epsilon and gamma (Dynamics guide ch. 5, "The Meaning of Epsilon and Gamma")
+ *  Epsilon [1/kg], >= 0: the compliance of joints and contacts. A load F sags by epsilon F h² / gamma; 0 is rigid.
+ *  Default 0.0001 / massScale. Gamma, 0..1: the fraction of a joint's error that one step removes. Default 0.2.
+ *  @{ */
+MEPUBLIC void MEAPI MdtWorldSetEpsilon(const MdtWorldID w, const MeReal e);
+MEPUBLIC MeReal MEAPI MdtWorldGetEpsilon(const MdtWorldID w);
+MEPUBLIC void MEAPI MdtWorldSetGamma(const MdtWorldID w, const MeReal g);
+MEPUBLIC MeReal MEAPI MdtWorldGetGamma(const MdtWorldID w);
+/** Sets gamma for steps of @a aTimeStep so that errors die in the same time as with @a aGamma at @a aRefStep:
+ *  1 - (1 - aGamma)^(aTimeStep / aRefStep). Times in seconds, positive. */
+MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const MeReal aGamma, const MeReal aRefStep,
+                                                    const MeReal aTimeStep);
+/** @} */
+
+/** @name Putting bodies to rest (Dynamics guide ch. 4, "Enabling/Disabling Bodies")
+ *  A partition is disabled when for all its bodies the squares of velocity, angular velocity, acceleration and angular
+ *  acceleration are below the thresholds, and the alive window has passed. On by default. The thresholds are squares
+ *  of magnitudes, >= 0, and start at the values of MdtDefaults.h times the squares of the scales.
+ *  @{ */
+MEPUBLIC void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d);
+MEPUBLIC MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w);
+MEPUBLIC void MEAPI MdtWorldSetAutoDisableVelocityThreshold(const MdtWorldID w, const MeReal vt);
+MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableVelocityThreshold(const MdtWorldID w);
+MEPUBLIC void MEAPI MdtWorldSetAutoDisableAngularVelocityThreshold(const MdtWorldID w, const MeReal avt);
+MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAngularVelocityThreshold(const MdtWorldID w);
+MEPUBLIC void MEAPI MdtWorldSetAutoDisableAccelerationThreshold(const MdtWorldID w, const MeReal at);
+MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAccelerationThreshold(const MdtWorldID w);
+MEPUBLIC void MEAPI MdtWorldSetAutoDisableAngularAccelerationThreshold(const MdtWorldID w, const MeReal aat);
+MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAngularAccelerationThreshold(const MdtWorldID w);
+/** How long a body stays enabled after it was enabled, in seconds. Default 0.2 s. Replaces a window in steps. */
+MEPUBLIC void MEAPI MdtWorldSetAutoDisableAliveTime(const MdtWorldID w, const MeReal aw);
+/** In seconds; a window in steps is converted with the length of the last step (1/60 s before the first). */
+MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAliveTime(const MdtWorldID w);
+/** The same in steps. Replaces a window in seconds. */
+MEPUBLIC void MEAPI MdtWorldSetAutoDisableAliveSteps(const MdtWorldID w, const int steps);
+/** In steps, rounded up; a window in seconds is converted with the length of the last step. */
+MEPUBLIC int MEAPI MdtWorldGetAutoDisableAliveWindow(const MdtWorldID w);
+/** The guides' name for both: a whole number means steps (Dynamics guide), a float seconds (User Guide). */
+#ifdef __cplusplus
+ME_END_C
+inline void MdtWorldSetAutoDisableAliveWindow(MdtWorldID w, int steps) {
+    MdtWorldSetAutoDisableAliveSteps(w, steps);
+}
+inline void MdtWorldSetAutoDisableAliveWindow(MdtWorldID w, unsigned int steps) {
+    MdtWorldSetAutoDisableAliveSteps(w, (int)steps);
+}
+inline void MdtWorldSetAutoDisableAliveWindow(MdtWorldID w, float seconds) {
+    MdtWorldSetAutoDisableAliveTime(w, (MeReal)seconds);
+}
+inline void MdtWorldSetAutoDisableAliveWindow(MdtWorldID w, double seconds) {
+    MdtWorldSetAutoDisableAliveTime(w, (MeReal)seconds);
+}
+ME_BEGIN_C
+#else
+#define MdtWorldSetAutoDisableAliveWindow(w, window)                                                               \
+    _Generic((window),                                                                                             \
+        float: MdtWorldSetAutoDisableAliveTime,                                                                    \
+        double: MdtWorldSetAutoDisableAliveTime,                                                                   \
+        default: MdtWorldSetAutoDisableAliveSteps)((w), (window))
+#endif
+/** @} */
+
+/** @name Safe time: the shortest that MdtWorldStepSafeTime moves on, s, > 0. Default 0.001 s.
+ *  @{ */
+MEPUBLIC void MEAPI MdtWorldSetMinSafeTime(const MdtWorldID w, const MeReal t);
+MEPUBLIC MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w);
+/** @} */
+
+/** @name Counting
+ *  @{ */
+MEPUBLIC int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w);
+MEPUBLIC int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w);
+MEPUBLIC int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w);
+MEPUBLIC int MEAPI MdtWorldGetTotalConstraints(const MdtWorldID w);
+MEPUBLIC int MEAPI MdtWorldGetEnabledBodies(const MdtWorldID w);
+MEPUBLIC int MEAPI MdtWorldGetEnabledConstraints(const MdtWorldID w);
+/** @} */
+
+/** Calls @a cb for every constraint of the world, in the order of sort keys and creation. */
+MEPUBLIC void MEAPI MdtWorldForAllConstraints(const MdtWorldID w, MdtConstraintIteratorCBPtr cb, void *ccbdata);
+
+/** Zeroes the forces, torques and impulses that wait for all the world's bodies. */
+MEPUBLIC void MEAPI MdtWorldResetForces(const MdtWorldID w);
+
+/** The world's density of 1 massScale per lengthScale cubed, kg/m³. */
+MEPUBLIC MeReal MEAPI MdtWorldGetDefaultDensity(const MdtWorldID w);
+
+/** @name The cap on a partition's pivoting iterations. 0, the default, leaves it to Kea.
+ *  When it stops a solve short, the forces are within their bounds, but inexact, and a warning says so.
+ *  @{ */
+MEPUBLIC void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi);
+MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
+/** @} */
+
+ME_END_C
+
+#endif

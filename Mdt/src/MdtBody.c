@@ -1,0 +1,937 @@
+/* Rigid bodies: properties, state, forces. */
+#include "mdt_i.h"
+#include "MeAssert.h"
+#include <string.h>
+
+/* ---- poses: the body's frame (p, q) and the centre of mass (x, qc) with the offset (c, t) between them:
+ *          x = p + R(q) c,   qc = q t ---- */
+
+static void frameQuaternion(MdtBodyID b, double q[4]) {
+    double back[4];
+    keaQuaternionConjugate(back, b->centreTurn);
+    keaQuaternionProduct(q, b->kea.quaternion, back);
+}
+
+static void offsetOfCentre(MdtBodyID b, const double q[4], double offset[3]) {
+    double R[3][3];
+    keaQuaternionToMatrix(R, q);
+    keaApply(offset, (const double(*)[3])R, b->centre);
+}
+
+static void getFrame(MdtBodyID b, double p[3], double q[4]) {
+    double offset[3];
+    frameQuaternion(b, q);
+    offsetOfCentre(b, q, offset);
+    keaSubtract(p, b->kea.position, offset);
+}
+
+/* Places the frame; the velocities stay, so the angular momentum turns along. */
+static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
+    double w[3], offset[3];
+    mdt_bodyAcceptVelocities(b);
+    MdtKeaBodyGetAngularVelocity(&b->kea, w);
+    offsetOfCentre(b, q, offset);
+    keaCopy(b->kea.position, p);
+    keaAddScaled(b->kea.position, 1, offset);
+    keaQuaternionProduct(b->kea.quaternion, q, b->centreTurn);
+    keaQuaternionNormalize(b->kea.quaternion);
+    MdtKeaBodySetAngularVelocity(&b->kea, w);
+    mdt_bodyShow(b);
+}
+
+static void writeTransform(MeMatrix4 tm, const double p[3], const double q[4]) {
+    double R[3][3];
+    keaQuaternionToMatrix(R, q);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            tm[i][j] = (MeReal)R[j][i]; /* row i of the transform is the frame's axis i */
+        tm[i][3] = 0;
+        tm[3][i] = (MeReal)p[i];
+    }
+    tm[3][3] = 1;
+}
+
+void mdt_bodyShow(MdtBodyID b) {
+    double p[3], q[4], w[3];
+    getFrame(b, p, q);
+    writeTransform(b->transform, p, q);
+    writeTransform(b->centreTransform, b->kea.position, b->kea.quaternion);
+    MdtKeaBodyGetAngularVelocity(&b->kea, w);
+    mdt_toReal(b->velocity, b->kea.velocity);
+    mdt_toReal(b->angularVelocity, w);
+    memcpy(b->shownVelocity, b->velocity, sizeof b->velocity);
+    memcpy(b->shownAngularVelocity, b->angularVelocity, sizeof b->angularVelocity);
+}
+
+static MeBool isFinite3(const MeReal *v) {
+    return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
+}
+
+void mdt_bodyAcceptVelocities(MdtBodyID b) {
+    const MeBool linear = memcmp(b->velocity, b->shownVelocity, sizeof b->velocity) != 0;
+    const MeBool angular = memcmp(b->angularVelocity, b->shownAngularVelocity, sizeof b->angularVelocity) != 0;
+    if (!linear && !angular)
+        return;
+    if (!isFinite3(b->velocity) || !isFinite3(b->angularVelocity)) {
+        MeWarning(1, "A velocity that is not finite was written through a body's pointer; it is ignored");
+    } else {
+        double w[3];
+        if (linear)
+            mdt_fromReal(b->kea.velocity, b->velocity);
+        mdt_fromReal(w, b->angularVelocity);
+        if (angular)
+            MdtKeaBodySetAngularVelocity(&b->kea, w);
+    }
+    mdt_bodyShow(b);
+}
+
+/* ---- mass and inertia ---- */
+
+static void setKeaInertia(MdtBodyID b) {
+    double inertia[3][3] = {{0}};
+    const MeBool full = (b->kea.flags & MdtKeaBodyFlagIsNonSpherical) != 0;
+    const double mean = (b->inertia[0][0] + b->inertia[1][1] + b->inertia[2][2]) / 3;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            inertia[i][j] = full ? b->inertia[i][j] : i == j ? mean : 0;
+    const MeBool isGood = MdtKeaBodySetInertia(&b->kea, (const double(*)[3])inertia);
+    MEASSERT(isGood);
+    (void)isGood;
+}
+
+/* Changes the inertia and keeps the angular velocity. */
+static void changeInertia(MdtBodyID b) {
+    double w[3];
+    mdt_bodyAcceptVelocities(b);
+    MdtKeaBodyGetAngularVelocity(&b->kea, w);
+    setKeaInertia(b);
+    MdtKeaBodySetAngularVelocity(&b->kea, w);
+    mdt_bodyShow(b);
+}
+
+static void setDefaults(MdtBodyID b) {
+    static const double unit[4] = {1, 0, 0, 0};
+    const double m = b->world->params.massScale, l = b->world->params.lengthScale;
+    MdtKeaBody zero = {.flags = MdtKeaBodyFlagIsNonSpherical | MdtKeaBodyFlagAddCoriolisForce};
+    b->kea = zero;
+    memcpy(b->kea.quaternion, unit, sizeof unit);
+    memcpy(b->centreTurn, unit, sizeof unit);
+    keaZero(b->centre);
+    b->mass = MDTBODY_DEFAULT_MASS * m;
+    b->kea.invMass = 1 / b->mass;
+    memset(b->inertia, 0, sizeof b->inertia);
+    for (int i = 0; i < 3; i++)
+        b->inertia[i][i] = MDTBODY_DEFAULT_INERTIA * m * l * l;
+    setKeaInertia(b);
+    double *sums[] = {b->force, b->torque, b->impulse, b->twist, b->acceleration.lin, b->acceleration.ang};
+    for (size_t i = 0; i < sizeof sums / sizeof *sums; i++)
+        keaZero(sums[i]);
+    b->linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING;
+    b->angularDamping = MDTBODY_DEFAULT_ANGULAR_DAMPING;
+    b->safeTime = MEINFINITY;
+    MdtBodySetNoFastSpinAxis(b);
+    mdt_bodyShow(b);
+}
+
+/* ---- life ---- */
+
+MdtBodyID MEAPI MdtBodyCreate(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, NULL);
+    MdtBodyID b = mdt_poolGet(&w->bodyPool, MDT_BODY);
+    if (!b) {
+        MeWarning(1, "MdtBodyCreate: the world has its %d bodies; raise maxBodies of MdtWorldCreate",
+                  w->bodyPool.count);
+        return NULL;
+    }
+    b->world = w;
+    b->partition = -1;
+    setDefaults(b);
+    mdt_listAppend(&w->bodies, &b->link, b, w->nextSerial++);
+    return b;
+}
+
+void mdt_bodyTerm(MdtBodyID b) {
+    MdtBodyDisable(b);
+    while (b->attachments) {
+        MdtConstraintID c = b->attachments->constraint;
+        MdtConstraintDisable(c);
+        mdt_constraintDetach(c, c->side[0].body == b ? 0 : 1);
+    }
+    mdt_listRemove(&b->world->bodies, &b->link);
+    mdt_poolPut(&b->world->bodyPool, b);
+}
+
+void MEAPI MdtBodyDestroy(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    mdt_bodyTerm(b);
+}
+
+MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
+    MDT_NEED_BODY(b, NULL);
+    MdtBodyID copy = MdtBodyCreate(w);
+    if (!copy)
+        return NULL;
+    MdtBody made = *copy;
+    mdt_bodyAcceptVelocities(b);
+    *copy = *b;
+    copy->record = made.record;
+    copy->link = made.link;
+    copy->link.sortKey = b->link.sortKey;
+    w->bodies.isSorted = MEFALSE;
+    copy->world = w;
+    copy->attachments = NULL;
+    copy->flags &= ~(MDT_ENABLED | MDT_ASLEEP);
+    copy->partition = -1;
+    if (b->flags & MDT_ENABLED)
+        MdtBodyEnable(copy);
+    return copy;
+}
+
+void MEAPI MdtBodyReset(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    setDefaults(b);
+    mdt_bodyWakeIfAsleep(b);
+}
+
+void MEAPI MdtBodyEnable(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    b->flags &= ~MDT_ASLEEP;
+    if (b->flags & MDT_ENABLED)
+        return;
+    b->flags |= MDT_ENABLED;
+    b->enabledTime = 0;
+    b->enabledSteps = 0;
+    b->world->enabledBodies++;
+}
+
+void MEAPI MdtBodyDisable(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    b->flags &= ~MDT_ASLEEP;
+    if (!(b->flags & MDT_ENABLED))
+        return;
+    b->flags &= ~MDT_ENABLED;
+    b->enabledTime = 0;
+    b->enabledSteps = 0;
+    b->partition = -1;
+    b->world->enabledBodies--;
+}
+
+MeBool MEAPI MdtBodyIsEnabled(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return (b->flags & MDT_ENABLED) != 0;
+}
+
+MeReal MEAPI MdtBodyGetEnabledTime(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return (MeReal)b->enabledTime;
+}
+
+MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *params) {
+    MDT_NEED_BODY(b, 0);
+    if (!mdt_isPointer(__func__, "the thresholds", params))
+        return MEFALSE;
+    double w[3];
+    mdt_bodyAcceptVelocities(b);
+    MdtKeaBodyGetAngularVelocity(&b->kea, w);
+    return keaDot(b->kea.velocity, b->kea.velocity) >= (double)params->vel_thresh ||
+           keaDot(w, w) >= (double)params->velrot_thresh ||
+           keaDot(b->acceleration.lin, b->acceleration.lin) >= (double)params->acc_thresh ||
+           keaDot(b->acceleration.ang, b->acceleration.ang) >= (double)params->accrot_thresh;
+}
+
+/* ---- sleeping and waking ---- */
+
+void mdt_bodySleep(MdtBodyID b) {
+    static const double none[3] = {0, 0, 0};
+    MdtBodyDisable(b);
+    b->flags |= MDT_ASLEEP;
+    keaZero(b->kea.velocity);
+    MdtKeaBodySetAngularVelocity(&b->kea, none);
+    keaZero(b->acceleration.lin);
+    keaZero(b->acceleration.ang);
+    mdt_bodyShow(b);
+}
+
+void mdt_bodyWakeIfAsleep(MdtBodyID b) {
+    if (b->flags & MDT_ASLEEP)
+        MdtBodyEnable(b);
+}
+
+static MeBool wouldExceed(const double sum[3], const double inverse[3][3], MeReal threshold) {
+    double change[3];
+    keaApply(change, inverse, sum);
+    return keaDot(change, change) > (double)threshold;
+}
+
+/* The guide's thresholds of force and torque, as the accelerations that they cause; those of impulses, as velocities. */
+MeBool mdt_bodyIsPushedAwake(MdtBodyID b) {
+    if (!(b->flags & MDT_ASLEEP))
+        return MEFALSE;
+    mdt_bodyAcceptVelocities(b);
+    const MdtPartitionParams *rest = &b->world->rest;
+    const double m = b->kea.invMass, mass[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
+    const double *I = b->kea.moments, i = 1 / fmin(I[0], fmin(I[1], I[2]));
+    const double inertia[3][3] = {{i, 0, 0}, {0, i, 0}, {0, 0, i}};
+    return wouldExceed(b->force, mass, rest->acc_thresh) || wouldExceed(b->torque, inertia, rest->accrot_thresh) ||
+           wouldExceed(b->impulse, mass, rest->vel_thresh) || wouldExceed(b->twist, inertia, rest->velrot_thresh) ||
+           keaLength(b->kea.velocity) > 0 || keaLength(b->kea.angularMomentum) > 0;
+}
+
+void mdt_bodyPack(MdtBodyID b) {
+    mdt_bodyAcceptVelocities(b);
+    keaAddScaled(b->kea.velocity, b->kea.invMass, b->impulse);
+    keaAddScaled(b->kea.angularMomentum, 1, b->twist);
+    keaCopy(b->kea.force, b->force);
+    keaCopy(b->kea.torque, b->torque);
+    b->kea.linearDamping = b->linearDamping;
+    b->kea.angularDamping = b->angularDamping;
+    MdtBodyResetForces(b);
+    MdtBodyResetImpulses(b);
+}
+
+/* ---- the frame ---- */
+
+void MEAPI MdtBodySetPosition(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isFinite3(__func__, "the position", x, y, z))
+        return;
+    const double to[3] = {x, y, z};
+    double p[3], q[4];
+    getFrame(b, p, q);
+    setFrame(b, to, q);
+    mdt_bodyWakeIfAsleep(b);
+}
+
+void MEAPI MdtBodyGetPosition(const MdtBodyID b, MeVector3 p) {
+    if (!mdt_isPointer(__func__, "the result", p))
+        return;
+    p[0] = p[1] = p[2] = 0;
+    MDT_NEED_BODY(b, );
+    memcpy(p, b->transform[3], sizeof(MeVector3));
+}
+
+/* A quaternion of length zero has no direction to normalize. */
+static MeBool normalizeQuaternion(const char *caller, double q[4]) {
+    const double size = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    if (isfinite(size) && size > 0) {
+        keaQuaternionNormalize(q);
+        return METRUE;
+    }
+    MeWarning(1, "%s: (%g, %g, %g, %g) is no orientation; nothing is changed", caller, q[0], q[1], q[2], q[3]);
+    return MEFALSE;
+}
+
+static void turnFrame(MdtBodyID b, const double q[4]) {
+    double p[3], old[4];
+    getFrame(b, p, old);
+    setFrame(b, p, q);
+    mdt_bodyWakeIfAsleep(b);
+}
+
+void MEAPI MdtBodySetQuaternion(const MdtBodyID b, const MeReal qw, const MeReal qx, const MeReal qy,
+                                const MeReal qz) {
+    MDT_NEED_BODY(b, );
+    double q[4] = {qw, qx, qy, qz};
+    if (normalizeQuaternion(__func__, q))
+        turnFrame(b, q);
+}
+
+void MEAPI MdtBodyGetQuaternion(const MdtBodyID b, MeVector4 q) {
+    if (!mdt_isPointer(__func__, "the result", q))
+        return;
+    q[0] = q[1] = q[2] = q[3] = 0;
+    MDT_NEED_BODY(b, );
+    double turn[4];
+    frameQuaternion(b, turn);
+    for (int i = 0; i < 4; i++)
+        q[i] = (MeReal)turn[i];
+}
+
+/* The nearest rotation to a matrix that is one to 1 %. */
+static MeBool toRotation(const char *caller, const double R[3][3], double q[4]) {
+    double across[3];
+    keaCross(across, R[0], R[1]);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const double wanted = i == j ? 1 : 0;
+            if (!(fabs(keaDot(R[i], R[j]) - wanted) < 0.01) || !(fabs(across[j] - R[2][j]) < 0.03)) {
+                MeWarning(1, "%s: the matrix is no rotation; nothing is changed", caller);
+                return MEFALSE;
+            }
+        }
+    }
+    keaQuaternionFromMatrix(q, R);
+    return METRUE;
+}
+
+void MEAPI MdtBodySetOrientation(const MdtBodyID b, const MeMatrix3 R) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isPointer(__func__, "the orientation", R))
+        return;
+    double r[3][3], q[4];
+    for (int i = 0; i < 3; i++)
+        mdt_fromReal(r[i], R[i]);
+    if (toRotation(__func__, (const double(*)[3])r, q))
+        turnFrame(b, q);
+}
+
+void MEAPI MdtBodyGetOrientation(const MdtBodyID b, MeMatrix3 R) {
+    if (!mdt_isPointer(__func__, "the result", R))
+        return;
+    memset(R, 0, sizeof(MeMatrix3));
+    MDT_NEED_BODY(b, );
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            R[i][j] = b->transform[j][i];
+}
+
+/* Rotation and translation of an OpenGL transform. */
+static MeBool splitTransform(const char *caller, const MeMatrix4 tm, double p[3], double q[4]) {
+    double R[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            R[i][j] = tm[j][i];
+    mdt_fromReal(p, tm[3]);
+    return mdt_isFinite3(caller, "the translation", tm[3][0], tm[3][1], tm[3][2]) &&
+           toRotation(caller, (const double(*)[3])R, q);
+}
+
+void MEAPI MdtBodySetTransform(const MdtBodyID b, const MeMatrix4 tm) {
+    MDT_NEED_BODY(b, );
+    double p[3], q[4];
+    if (!mdt_isPointer(__func__, "the transform", tm) || !splitTransform(__func__, tm, p, q))
+        return;
+    setFrame(b, p, q);
+    mdt_bodyWakeIfAsleep(b);
+}
+
+void MEAPI MdtBodyGetTransform(const MdtBodyID b, MeMatrix4 m) {
+    if (!mdt_isPointer(__func__, "the result", m))
+        return;
+    memset(m, 0, sizeof(MeMatrix4));
+    MDT_NEED_BODY(b, );
+    memcpy(m, b->transform, sizeof b->transform);
+}
+
+MeMatrix4Ptr MEAPI MdtBodyGetTransformPtr(const MdtBodyID b) {
+    MDT_NEED_BODY(b, NULL);
+    return b->transform;
+}
+
+/* ---- the centre of mass ---- */
+
+/* Changes the offset of the centre of mass and leaves the frame where it is. */
+static void setCentre(MdtBodyID b, const double centre[3], const double turn[4]) {
+    double p[3], q[4];
+    getFrame(b, p, q);
+    keaCopy(b->centre, centre);
+    memcpy(b->centreTurn, turn, sizeof b->centreTurn);
+    setFrame(b, p, q);
+    mdt_bodyWakeIfAsleep(b);
+}
+
+void MEAPI MdtBodySetCenterOfMassRelativePosition(const MdtBodyID b, const MeVector3 pos) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isPointer(__func__, "the position", pos) ||
+        !mdt_isFinite3(__func__, "the position", pos[0], pos[1], pos[2]))
+        return;
+    double centre[3];
+    mdt_fromReal(centre, pos);
+    setCentre(b, centre, b->centreTurn);
+}
+
+void MEAPI MdtBodyGetCenterOfMassRelativePosition(const MdtBodyID b, MeVector3 pos) {
+    if (!mdt_isPointer(__func__, "the result", pos))
+        return;
+    pos[0] = pos[1] = pos[2] = 0;
+    MDT_NEED_BODY(b, );
+    mdt_toReal(pos, b->centre);
+}
+
+void MEAPI MdtBodySetCenterOfMassRelativeTransform(const MdtBodyID b, const MeMatrix4 t) {
+    MDT_NEED_BODY(b, );
+    double centre[3], turn[4];
+    if (mdt_isPointer(__func__, "the transform", t) && splitTransform(__func__, t, centre, turn))
+        setCentre(b, centre, turn);
+}
+
+void MEAPI MdtBodyGetCenterOfMassRelativeTransform(const MdtBodyID b, MeMatrix4 t) {
+    if (!mdt_isPointer(__func__, "the result", t))
+        return;
+    memset(t, 0, sizeof(MeMatrix4));
+    MDT_NEED_BODY(b, );
+    writeTransform(t, b->centre, b->centreTurn);
+}
+
+void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isPointer(__func__, "the position", pos) ||
+        !mdt_isFinite3(__func__, "the position", pos[0], pos[1], pos[2]))
+        return;
+    mdt_fromReal(b->kea.position, pos);
+    mdt_bodyAcceptVelocities(b);
+    mdt_bodyShow(b);
+    mdt_bodyWakeIfAsleep(b);
+}
+
+void MEAPI MdtBodyGetCenterOfMassPosition(const MdtBodyID b, MeVector3 pos) {
+    if (!mdt_isPointer(__func__, "the result", pos))
+        return;
+    pos[0] = pos[1] = pos[2] = 0;
+    MDT_NEED_BODY(b, );
+    memcpy(pos, b->centreTransform[3], sizeof(MeVector3));
+}
+
+MeMatrix4Ptr MEAPI MdtBodyGetCenterOfMassTransformPtr(const MdtBodyID b) {
+    MDT_NEED_BODY(b, NULL);
+    return b->centreTransform;
+}
+
+/* ---- motion ---- */
+
+void MEAPI MdtBodySetLinearVelocity(const MdtBodyID b, const MeReal dx, const MeReal dy, const MeReal dz) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isFinite3(__func__, "the velocity", dx, dy, dz))
+        return;
+    const double v[3] = {dx, dy, dz};
+    mdt_bodyAcceptVelocities(b);
+    keaCopy(b->kea.velocity, v);
+    mdt_bodyShow(b);
+    mdt_bodyWakeIfAsleep(b);
+}
+
+void MEAPI MdtBodyGetLinearVelocity(const MdtBodyID b, MeVector3 v) {
+    if (!mdt_isPointer(__func__, "the result", v))
+        return;
+    v[0] = v[1] = v[2] = 0;
+    MDT_NEED_BODY(b, );
+    mdt_bodyAcceptVelocities(b);
+    memcpy(v, b->velocity, sizeof b->velocity);
+}
+
+MeReal *MEAPI MdtBodyGetLinearVelocityPtr(const MdtBodyID b) {
+    MDT_NEED_BODY(b, NULL);
+    return b->velocity;
+}
+
+void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const MeReal wy, const MeReal wz) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isFinite3(__func__, "the angular velocity", wx, wy, wz))
+        return;
+    const double w[3] = {wx, wy, wz};
+    mdt_bodyAcceptVelocities(b);
+    MdtKeaBodySetAngularVelocity(&b->kea, w);
+    mdt_bodyShow(b);
+    mdt_bodyWakeIfAsleep(b);
+}
+
+void MEAPI MdtBodyGetAngularVelocity(const MdtBodyID b, MeVector3 v) {
+    if (!mdt_isPointer(__func__, "the result", v))
+        return;
+    v[0] = v[1] = v[2] = 0;
+    MDT_NEED_BODY(b, );
+    mdt_bodyAcceptVelocities(b);
+    memcpy(v, b->angularVelocity, sizeof b->angularVelocity);
+}
+
+MeReal *MEAPI MdtBodyGetAngularVelocityPtr(const MdtBodyID b) {
+    MDT_NEED_BODY(b, NULL);
+    return b->angularVelocity;
+}
+
+void MEAPI MdtBodyGetLinearAcceleration(const MdtBodyID b, MeVector3 v) {
+    if (!mdt_isPointer(__func__, "the result", v))
+        return;
+    v[0] = v[1] = v[2] = 0;
+    MDT_NEED_BODY(b, );
+    mdt_toReal(v, b->acceleration.lin);
+}
+
+void MEAPI MdtBodyGetAngularAcceleration(const MdtBodyID b, MeVector3 v) {
+    if (!mdt_isPointer(__func__, "the result", v))
+        return;
+    v[0] = v[1] = v[2] = 0;
+    MDT_NEED_BODY(b, );
+    mdt_toReal(v, b->acceleration.ang);
+}
+
+void MEAPI MdtBodyGetVelocityAtPoint(const MdtBodyID body, MeVector3 p, MeVector3 v) {
+    if (!mdt_isPointer(__func__, "the point", p) || !mdt_isPointer(__func__, "the result", v))
+        return;
+    const double point[3] = {p[0], p[1], p[2]};
+    v[0] = v[1] = v[2] = 0;
+    MDT_NEED_BODY(body, );
+    double arm[3], w[3], turning[3];
+    mdt_bodyAcceptVelocities(body);
+    MdtKeaBodyGetAngularVelocity(&body->kea, w);
+    keaSubtract(arm, point, body->kea.position);
+    keaCross(turning, w, arm);
+    keaAddScaled(turning, 1, body->kea.velocity);
+    mdt_toReal(v, turning);
+}
+
+MeReal MEAPI MdtBodyGetKineticEnergy(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    double w[3];
+    mdt_bodyAcceptVelocities(b);
+    MdtKeaBodyGetAngularVelocity(&b->kea, w);
+    return (MeReal)(0.5 * (b->mass * keaDot(b->kea.velocity, b->kea.velocity) + keaDot(w, b->kea.angularMomentum)));
+}
+
+/* ---- mass ---- */
+
+void MEAPI MdtBodySetMass(const MdtBodyID b, const MeReal mass) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isPositive(__func__, "the mass", mass))
+        return;
+    b->mass = (double)mass;
+    b->kea.invMass = 1 / b->mass;
+}
+
+MeReal MEAPI MdtBodyGetMass(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return (MeReal)b->mass;
+}
+
+void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isPointer(__func__, "the tensor", i))
+        return;
+    double tensor[3][3];
+    MdtKeaBody trial;
+    for (int k = 0; k < 3; k++)
+        mdt_fromReal(tensor[k], i[k]);
+    if (!MdtKeaBodySetInertia(&trial, (const double(*)[3])tensor)) {
+        MeWarning(1, "%s: the tensor must be finite, symmetric and positive definite; nothing is changed", __func__);
+        return;
+    }
+    memcpy(b->inertia, tensor, sizeof tensor);
+    changeInertia(b);
+}
+
+void MEAPI MdtBodyGetInertiaTensor(const MdtBodyID b, MeMatrix3 i) {
+    if (!mdt_isPointer(__func__, "the result", i))
+        return;
+    memset(i, 0, sizeof(MeMatrix3));
+    MDT_NEED_BODY(b, );
+    for (int k = 0; k < 3; k++)
+        mdt_toReal(i[k], b->inertia[k]);
+}
+
+void MEAPI MdtBodySetSphericalInertiaTensor(const MdtBodyID b, const MeReal i) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isPositive(__func__, "the moment of inertia", i))
+        return;
+    memset(b->inertia, 0, sizeof b->inertia);
+    for (int k = 0; k < 3; k++)
+        b->inertia[k][k] = (double)i;
+    changeInertia(b);
+}
+
+static void setKeaFlag(MdtBodyID b, int flag, MeBool on) {
+    b->kea.flags = on ? b->kea.flags | flag : b->kea.flags & ~flag;
+}
+
+void MEAPI MdtBodyEnableNonSphericalInertia(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    setKeaFlag(b, MdtKeaBodyFlagIsNonSpherical, METRUE);
+    changeInertia(b);
+}
+
+void MEAPI MdtBodyDisableNonSphericalInertia(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    setKeaFlag(b, MdtKeaBodyFlagIsNonSpherical, MEFALSE);
+    changeInertia(b);
+}
+
+MeBool MEAPI MdtBodyNonSphericalInertiaIsEnabled(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return (b->kea.flags & MdtKeaBodyFlagIsNonSpherical) != 0;
+}
+
+void MEAPI MdtBodyEnableCoriolisForce(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    setKeaFlag(b, MdtKeaBodyFlagAddCoriolisForce, METRUE);
+}
+
+void MEAPI MdtBodyDisableCoriolisForce(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    setKeaFlag(b, MdtKeaBodyFlagAddCoriolisForce, MEFALSE);
+}
+
+MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return (b->kea.flags & MdtKeaBodyFlagAddCoriolisForce) != 0;
+}
+
+/* ---- forces ---- */
+
+/* Adds v to a sum at the centre of mass, and (point - centre) x v to another, when there is a point. */
+static void addAt(MdtBodyID b, const double v[3], const double *point, double sum[3], double moment[3]) {
+    keaAddScaled(sum, 1, v);
+    if (!point)
+        return;
+    double arm[3], turn[3];
+    keaSubtract(arm, point, b->kea.position);
+    keaCross(turn, arm, v);
+    keaAddScaled(moment, 1, turn);
+}
+
+void MEAPI MdtBodyAddForce(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz) {
+    MDT_NEED_BODY(b, );
+    const double f[3] = {fx, fy, fz};
+    if (mdt_isFinite3(__func__, "the force", fx, fy, fz))
+        addAt(b, f, NULL, b->force, b->torque);
+}
+
+void MEAPI MdtBodyAddForceAtPosition(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz,
+                                     const MeReal px, const MeReal py, const MeReal pz) {
+    MDT_NEED_BODY(b, );
+    const double f[3] = {fx, fy, fz}, p[3] = {px, py, pz};
+    if (mdt_isFinite3(__func__, "the force", fx, fy, fz) && mdt_isFinite3(__func__, "the position", px, py, pz))
+        addAt(b, f, p, b->force, b->torque);
+}
+
+void MEAPI MdtBodyAddTorque(const MdtBodyID b, const MeReal tx, const MeReal ty, const MeReal tz) {
+    MDT_NEED_BODY(b, );
+    const double t[3] = {tx, ty, tz};
+    if (mdt_isFinite3(__func__, "the torque", tx, ty, tz))
+        keaAddScaled(b->torque, 1, t);
+}
+
+void MEAPI MdtBodyAddImpulse(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz) {
+    MDT_NEED_BODY(b, );
+    const double i[3] = {ix, iy, iz};
+    if (mdt_isFinite3(__func__, "the impulse", ix, iy, iz))
+        addAt(b, i, NULL, b->impulse, b->twist);
+}
+
+void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz,
+                                       const MeReal px, const MeReal py, const MeReal pz) {
+    MDT_NEED_BODY(b, );
+    const double i[3] = {ix, iy, iz}, p[3] = {px, py, pz};
+    if (mdt_isFinite3(__func__, "the impulse", ix, iy, iz) && mdt_isFinite3(__func__, "the position", px, py, pz))
+        addAt(b, i, p, b->impulse, b->twist);
+}
+
+void MEAPI MdtBodyGetForce(const MdtBodyID b, MeVector3 v) {
+    if (!mdt_isPointer(__func__, "the result", v))
+        return;
+    v[0] = v[1] = v[2] = 0;
+    MDT_NEED_BODY(b, );
+    mdt_toReal(v, b->force);
+}
+
+void MEAPI MdtBodyGetTorque(const MdtBodyID b, MeVector3 v) {
+    if (!mdt_isPointer(__func__, "the result", v))
+        return;
+    v[0] = v[1] = v[2] = 0;
+    MDT_NEED_BODY(b, );
+    mdt_toReal(v, b->torque);
+}
+
+void MEAPI MdtBodyResetForces(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    keaZero(b->force);
+    keaZero(b->torque);
+}
+
+void MEAPI MdtBodyResetImpulses(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    keaZero(b->impulse);
+    keaZero(b->twist);
+}
+
+/* ---- damping and fast spin ---- */
+
+void MEAPI MdtBodySetLinearVelocityDamping(const MdtBodyID b, const MeReal d) {
+    MDT_NEED_BODY(b, );
+    if (mdt_isAtLeast(__func__, "the damping", d, 0))
+        b->linearDamping = d;
+}
+
+MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return b->linearDamping;
+}
+
+void MEAPI MdtBodySetAngularVelocityDamping(const MdtBodyID b, const MeReal d) {
+    MDT_NEED_BODY(b, );
+    if (mdt_isAtLeast(__func__, "the damping", d, 0))
+        b->angularDamping = d;
+}
+
+MeReal MEAPI MdtBodyGetAngularVelocityDamping(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return b->angularDamping;
+}
+
+void MEAPI MdtBodySetFastSpinAxis(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isFinite3(__func__, "the axis", x, y, z))
+        return;
+    const double axis[3] = {x, y, z}, length = keaLength(axis);
+    if (!mdt_isPositive(__func__, "the axis' length", (MeReal)length))
+        return;
+    for (int i = 0; i < 3; i++)
+        b->fastSpinAxis[i] = (MeReal)(axis[i] / length);
+    setKeaFlag(b, MdtKeaBodyFlagUseFastSpin, METRUE);
+}
+
+void MEAPI MdtBodyGetFastSpinAxis(const MdtBodyID b, MeVector3 v) {
+    if (!mdt_isPointer(__func__, "the result", v))
+        return;
+    v[0] = v[1] = v[2] = 0;
+    MDT_NEED_BODY(b, );
+    memcpy(v, b->fastSpinAxis, sizeof b->fastSpinAxis);
+}
+
+void MEAPI MdtBodySetNoFastSpinAxis(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    b->fastSpinAxis[0] = MDTBODY_DEFAULT_FAST_SPIN_X;
+    b->fastSpinAxis[1] = MDTBODY_DEFAULT_FAST_SPIN_Y;
+    b->fastSpinAxis[2] = MDTBODY_DEFAULT_FAST_SPIN_Z;
+    setKeaFlag(b, MdtKeaBodyFlagUseFastSpin, MEFALSE);
+}
+
+/* ---- bookkeeping ---- */
+
+MdtWorldID MEAPI MdtBodyGetWorld(const MdtBodyID b) {
+    MDT_NEED_BODY(b, NULL);
+    return b->world;
+}
+
+void MEAPI MdtBodySetUserData(const MdtBodyID b, void *d) {
+    MDT_NEED_BODY(b, );
+    b->userData = d;
+}
+
+void *MEAPI MdtBodyGetUserData(const MdtBodyID b) {
+    MDT_NEED_BODY(b, NULL);
+    return b->userData;
+}
+
+void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key) {
+    MDT_NEED_BODY(b, );
+    if (mdt_isSortKey(__func__, key))
+        mdt_listSetKey(&b->world->bodies, &b->link, key);
+}
+
+MeI32 MEAPI MdtBodyGetSortKey(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return b->link.sortKey;
+}
+
+int MEAPI MdtBodyGetPartition(const MdtBodyID b) {
+    MDT_NEED_BODY(b, -1);
+    return b->partition;
+}
+
+void MEAPI MdtBodySetSafeTime(const MdtBodyID b, const MeReal t) {
+    MDT_NEED_BODY(b, );
+    if (mdt_isAtLeast(__func__, "the safe time", t, 0))
+        b->safeTime = t;
+}
+
+MeReal MEAPI MdtBodyGetSafeTime(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return b->safeTime;
+}
+
+void MEAPI MdtBodyLog(const MdtBodyID b) {
+    MDT_NEED_BODY(b, );
+    MeVector4 q;
+    MeVector3 v, w;
+    MdtBodyGetQuaternion(b, q);
+    MdtBodyGetLinearVelocity(b, v);
+    MdtBodyGetAngularVelocity(b, w);
+    const MeReal *p = b->transform[3];
+    MeLog(0, "body %lu: %s, mass %g, sort key %d", b->link.serial, MdtBodyIsEnabled(b) ? "enabled" : "disabled",
+          b->mass, b->link.sortKey);
+    MeLog(0, "  position (%g, %g, %g)", (double)p[0], (double)p[1], (double)p[2]);
+    MeLog(0, "  quaternion (%g, %g, %g, %g)", (double)q[0], (double)q[1], (double)q[2], (double)q[3]);
+    MeLog(0, "  velocity (%g, %g, %g)", (double)v[0], (double)v[1], (double)v[2]);
+    MeLog(0, "  angular velocity (%g, %g, %g)", (double)w[0], (double)w[1], (double)w[2]);
+}
+
+MdtBodyID MEAPI MdtBodyGetFirst(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, NULL);
+    mdt_listSort(&w->bodies);
+    return w->bodies.first ? w->bodies.first->owner : NULL;
+}
+
+MdtBodyID MEAPI MdtBodyGetNext(const MdtBodyID b) {
+    MDT_NEED_BODY(b, NULL);
+    return b->link.next ? b->link.next->owner : NULL;
+}
+
+/* ---- the body's constraints ---- */
+
+MdtConstraintID MEAPI MdtBodyGetFirstConstraint(MdtBodyID b) {
+    MDT_NEED_BODY(b, NULL);
+    return b->attachments ? b->attachments->constraint : NULL;
+}
+
+MdtConstraintID MEAPI MdtBodyGetNextConstraint(MdtBodyID b, MdtConstraintID c) {
+    MDT_NEED_BODY(b, NULL);
+    MDT_NEED_CONSTRAINT(c, NULL);
+    for (int k = 0; k < 2; k++)
+        if (c->side[k].body == b)
+            return c->side[k].next ? c->side[k].next->constraint : NULL;
+    MeWarning(1, "MdtBodyGetNextConstraint: the constraint is not attached to the body");
+    return NULL;
+}
+
+static MeBool isContact(MdtConstraintID c) {
+    return c->bcl.type == MdtBclCONTACT || c->bcl.type == MdtBclCONTACTGROUP;
+}
+
+static MdtContactID contactFrom(MdtBodyID b, MdtConstraintID c) {
+    while (c && c->bcl.type != MdtBclCONTACT)
+        c = MdtBodyGetNextConstraint(b, c);
+    return (MdtContactID)c;
+}
+
+MdtContactID MEAPI MdtBodyGetFirstContact(MdtBodyID b) {
+    return contactFrom(b, MdtBodyGetFirstConstraint(b));
+}
+
+MdtContactID MEAPI MdtBodyGetNextContact(MdtBodyID b, MdtContactID c) {
+    return contactFrom(b, MdtBodyGetNextConstraint(b, (MdtConstraintID)c));
+}
+
+void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPtr cb, void *ccbdata) {
+    MDT_NEED_BODY(b, );
+    if (!mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
+        return;
+    for (MdtAttachment *at = b->attachments, *next; at; at = next) {
+        next = at->next;
+        cb(at->constraint, ccbdata);
+    }
+}
+
+static void destroyOne(const MdtConstraintID c, void *contactsOnly) {
+    if (!contactsOnly || isContact(c))
+        MdtConstraintDestroy(c);
+}
+
+static void disableOne(const MdtConstraintID c, void *contactsOnly) {
+    if (!contactsOnly || isContact(c))
+        MdtConstraintDisable(c);
+}
+
+void MEAPI MdtBodyDestroyConstraints(const MdtBodyID b) {
+    MdtBodyForAllConstraints(b, destroyOne, NULL);
+}
+
+void MEAPI MdtBodyDestroyContacts(const MdtBodyID b) {
+    MdtBodyForAllConstraints(b, destroyOne, b);
+}
+
+void MEAPI MdtBodyDisableConstraints(const MdtBodyID b) {
+    MdtBodyForAllConstraints(b, disableOne, NULL);
+}
+
+void MEAPI MdtBodyDisableContacts(const MdtBodyID b) {
+    MdtBodyForAllConstraints(b, disableOne, b);
+}

@@ -1,0 +1,199 @@
+/* Contacts: geometry, parameters, the list that their maker keeps. */
+#include "mdt_i.h"
+#include <string.h>
+
+const MdtContactID MdtContactInvalidID = NULL;
+
+static MdtBclContact *contactOf(const MdtContactID c, const char *caller) {
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, caller);
+    return base ? &base->bcl.of.contact : NULL;
+}
+
+MdtContactID MEAPI(MdtContactCreate)(const MdtWorldID w) {
+    return (MdtContactID)mdt_constraintCreate(w, MdtBclCONTACT, "MdtContactCreate");
+}
+
+MdtContactID MEAPI MdtContactCreateBetween(const MdtWorldID w, const MdtBodyID b1, const MdtBodyID b2) {
+    MdtContactID c = (MdtContactCreate)(w);
+    if (c)
+        MdtContactSetBodies(c, b1, b2);
+    return c;
+}
+
+void MEAPI MdtContactReset(const MdtContactID c) {
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    if (base)
+        base->type->reset(&base->bcl);
+}
+
+MdtConstraintID MEAPI MdtContactQuaConstraint(const MdtContactID c) {
+    return (MdtConstraintID)c;
+}
+
+MdtContactID MEAPI MdtConstraintDCastContact(const MdtConstraintID c) {
+    return mdt_constraintCast(c, MdtBclCONTACT, __func__);
+}
+
+/* ---- geometry ---- */
+
+void MEAPI MdtContactSetPosition(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
+    MdtBclContact *contact = contactOf(c, __func__);
+    if (!contact || !mdt_isFinite3(__func__, "the position", x, y, z))
+        return;
+    contact->position[0] = x, contact->position[1] = y, contact->position[2] = z;
+}
+
+static void readBack(MeVector3 v, const char *caller, const double *from) {
+    static const double none[3] = {0, 0, 0};
+    if (mdt_isPointer(caller, "the result", v))
+        mdt_toReal(v, from ? from : none);
+}
+
+void MEAPI MdtContactGetPosition(const MdtContactID c, MeVector3 v) {
+    const MdtBclContact *contact = contactOf(c, __func__);
+    readBack(v, __func__, contact ? contact->position : NULL);
+}
+
+/* Makes `direction` a unit vector in the contact plane, as near as may be to what it is; false when it is along the
+ * normal. */
+static MeBool layIntoPlane(const double normal[3], double direction[3]) {
+    const double before = keaLength(direction);
+    keaAddScaled(direction, -keaDot(direction, normal), normal);
+    const double size = keaLength(direction);
+    if (!(size > 1e-6 * before))
+        return MEFALSE;
+    keaScale(direction, 1 / size, direction);
+    return METRUE;
+}
+
+/* The axis that is most across the normal gives the direction, so that it is the same from step to step. */
+static void chooseDirection(MdtBclContact *contact) {
+    const double *n = contact->normal, a[3] = {fabs(n[0]), fabs(n[1]), fabs(n[2])};
+    const int least = a[0] <= a[1] && a[0] <= a[2] ? 0 : a[2] <= a[1] ? 2 : 1;
+    keaZero(contact->direction);
+    contact->direction[least] = 1;
+    layIntoPlane(n, contact->direction);
+}
+
+static void fitDirection(MdtBclContact *contact) {
+    const MeBool isSet = (contact->params.options & MdtBclContactOptionUseDirection) != 0;
+    if (!isSet || !layIntoPlane(contact->normal, contact->direction))
+        chooseDirection(contact);
+}
+
+/* A unit vector, or false with a warning. */
+static MeBool toUnit(const char *caller, const char *what, MeReal x, MeReal y, MeReal z, double v[3]) {
+    v[0] = x, v[1] = y, v[2] = z;
+    const double size = keaLength(v);
+    if (!(size > 0) || !isfinite(size)) {
+        MeWarning(1, "%s: %s is (%g, %g, %g), it must have a length; nothing is changed", caller, what, (double)x,
+                  (double)y, (double)z);
+        return MEFALSE;
+    }
+    keaScale(v, 1 / size, v);
+    return METRUE;
+}
+
+void MEAPI MdtContactSetNormal(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
+    MdtBclContact *contact = contactOf(c, __func__);
+    double normal[3];
+    if (!contact || !toUnit(__func__, "the normal", x, y, z, normal))
+        return;
+    keaCopy(contact->normal, normal);
+    fitDirection(contact);
+}
+
+void MEAPI MdtContactGetNormal(const MdtContactID c, MeVector3 v) {
+    const MdtBclContact *contact = contactOf(c, __func__);
+    readBack(v, __func__, contact ? contact->normal : NULL);
+}
+
+void MEAPI MdtContactSetPenetration(const MdtContactID c, const MeReal p) {
+    MdtBclContact *contact = contactOf(c, __func__);
+    if (contact && mdt_isFinite(__func__, "the penetration", p))
+        contact->penetration = p;
+}
+
+MeReal MEAPI MdtContactGetPenetration(const MdtContactID c) {
+    const MdtBclContact *contact = contactOf(c, __func__);
+    return contact ? (MeReal)contact->penetration : 0;
+}
+
+void MEAPI MdtContactSetDirection(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
+    MdtBclContact *contact = contactOf(c, __func__);
+    double direction[3];
+    if (!contact || !toUnit(__func__, "the direction", x, y, z, direction))
+        return;
+    if (!layIntoPlane(contact->normal, direction)) {
+        MeWarning(1, "MdtContactSetDirection: the direction is along the normal; nothing is changed");
+        return;
+    }
+    keaCopy(contact->direction, direction);
+    contact->params.options |= MdtBclContactOptionUseDirection;
+}
+
+void MEAPI MdtContactGetDirection(const MdtContactID c, MeVector3 v) {
+    const MdtBclContact *contact = contactOf(c, __func__);
+    readBack(v, __func__, contact ? contact->direction : NULL);
+}
+
+/* ---- parameters ---- */
+
+MdtContactParamsID MEAPI MdtContactGetParams(const MdtContactID c) {
+    MdtBclContact *contact = contactOf(c, __func__);
+    return contact ? &contact->params : NULL;
+}
+
+void MEAPI MdtContactSetParams(const MdtContactID c, const MdtContactParamsID p) {
+    MdtBclContact *contact = contactOf(c, __func__);
+    if (!contact || !mdt_isPointer(__func__, "the parameters", p))
+        return;
+    const int geometry = contact->params.options & MdtBclContactOptionUseDirection;
+    contact->params = *p;
+    contact->params.options = (p->options & ~MdtBclContactOptionUseDirection) | geometry;
+}
+
+void MEAPI MdtContactSetWorldVelocity(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
+    MdtBclContact *contact = contactOf(c, __func__);
+    if (!contact)
+        return;
+    MdtConstraintSetWorldLinearVelocity(MdtContactQuaConstraint(c), x, y, z);
+    contact->params.options |= MdtBclContactOptionUseWorldVelocity;
+}
+
+void MEAPI MdtContactGetWorldVelocity(const MdtContactID c, MeVector3 v) {
+    MdtConstraintGetWorldLinearVelocity(MdtContactQuaConstraint(c), v);
+}
+
+void MEAPI MdtContactGetRelativeVelocity(const MdtContactID c, MeVector3 v) {
+    if (!mdt_isPointer(__func__, "the result", v))
+        return;
+    v[0] = v[1] = v[2] = 0;
+    const MdtBclContact *contact = contactOf(c, __func__);
+    if (!contact)
+        return;
+    MeVector3 point, of[2];
+    mdt_toReal(point, contact->position);
+    for (unsigned int k = 0; k < 2; k++) {
+        MdtBodyID b = MdtContactGetBody(c, k);
+        if (b)
+            MdtBodyGetVelocityAtPoint(b, point, of[k]);
+        else
+            MdtContactGetWorldVelocity(c, of[k]);
+    }
+    for (int i = 0; i < 3; i++)
+        v[i] = of[0][i] - of[1][i];
+}
+
+/* ---- the list ---- */
+
+void MEAPI MdtContactSetNext(const MdtContactID c, const MdtContactID nc) {
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    if (base && (!nc || contactOf(nc, __func__)))
+        base->nextContact = nc;
+}
+
+MdtContactID MEAPI MdtContactGetNext(const MdtContactID c) {
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    return base ? base->nextContact : MdtContactInvalidID;
+}

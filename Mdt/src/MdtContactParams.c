@@ -1,0 +1,204 @@
+/* Contact parameters: setters with checks, getters. A parameter's option bit says whether it is in use. */
+#include "mdt_i.h"
+
+static MeBool isParams(const MdtContactParamsID p, const char *caller) {
+    return mdt_isPointer(caller, "the parameters", p);
+}
+
+static void setOption(MdtContactParamsID p, int option, MeBool on) {
+    p->options = on ? p->options | option : p->options & ~option;
+}
+
+/* Sets a number that must not be negative. */
+static MeBool setAtLeast0(MdtContactParamsID p, MeReal *value, MeReal x, const char *caller, const char *what) {
+    if (!isParams(p, caller) || !mdt_isAtLeast(caller, what, x, 0))
+        return MEFALSE;
+    *value = x;
+    return METRUE;
+}
+
+#define FIELD(p, name) ((p) ? &(p)->name : NULL)
+
+void MEAPI MdtContactParamsReset(const MdtContactParamsID p) {
+    if (isParams(p, __func__))
+        MdtBclContactParamsReset(p);
+}
+
+/* ---- kind of friction ---- */
+
+void MEAPI MdtContactParamsSetType(const MdtContactParamsID p, MdtContactType t) {
+    if (!isParams(p, __func__))
+        return;
+    if (t < MdtContactTypeFrictionZero || t > MdtContactTypeFriction2D)
+        MeWarning(1, "MdtContactParamsSetType: there is no contact type %d; nothing is changed", (int)t);
+    else
+        p->type = t;
+}
+
+MdtContactType MEAPI MdtContactParamsGetType(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->type : MdtContactTypeUnknown;
+}
+
+static void setModel(MdtContactParamsID p, MdtFrictionModel *model, MdtFrictionModel m, const char *caller) {
+    if (!isParams(p, caller))
+        return;
+    if (m != MdtFrictionModelBox && m != MdtFrictionModelNormalForce)
+        MeWarning(1, "%s: there is no friction model %d; nothing is changed", caller, (int)m);
+    else
+        *model = m;
+}
+
+void MEAPI MdtContactParamsSetFrictionModel(const MdtContactParamsID p, MdtFrictionModel m) {
+    MdtContactParamsSetPrimaryFrictionModel(p, m);
+    MdtContactParamsSetSecondaryFrictionModel(p, m);
+}
+
+void MEAPI MdtContactParamsSetPrimaryFrictionModel(const MdtContactParamsID p, MdtFrictionModel m) {
+    setModel(p, FIELD(p, model1), m, __func__);
+}
+
+void MEAPI MdtContactParamsSetSecondaryFrictionModel(const MdtContactParamsID p, MdtFrictionModel m) {
+    setModel(p, FIELD(p, model2), m, __func__);
+}
+
+MdtFrictionModel MEAPI MdtContactParamsGetPrimaryFrictionModel(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->model1 : MdtFrictionModelUnknown;
+}
+
+MdtFrictionModel MEAPI MdtContactParamsGetSecondaryFrictionModel(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->model2 : MdtFrictionModelUnknown;
+}
+
+/* ---- friction ---- */
+
+void MEAPI MdtContactParamsSetFriction(const MdtContactParamsID p, MeReal f) {
+    MdtContactParamsSetPrimaryFriction(p, f);
+    MdtContactParamsSetSecondaryFriction(p, f);
+}
+
+void MEAPI MdtContactParamsSetPrimaryFriction(const MdtContactParamsID p, MeReal f) {
+    setAtLeast0(p, FIELD(p, friction1), f, __func__, "the friction");
+}
+
+void MEAPI MdtContactParamsSetSecondaryFriction(const MdtContactParamsID p, MeReal f) {
+    setAtLeast0(p, FIELD(p, friction2), f, __func__, "the friction");
+}
+
+MeReal MEAPI MdtContactParamsGetPrimaryFriction(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->friction1 : 0;
+}
+
+MeReal MEAPI MdtContactParamsGetSecondaryFriction(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->friction2 : 0;
+}
+
+void MEAPI MdtContactParamsSetFrictionCoeffecient(const MdtContactParamsID p, MeReal f) {
+    MdtContactParamsSetPrimaryFrictionCoeffecient(p, f);
+    MdtContactParamsSetSecondaryFrictionCoeffecient(p, f);
+}
+
+void MEAPI MdtContactParamsSetPrimaryFrictionCoeffecient(const MdtContactParamsID p, MeReal f) {
+    setAtLeast0(p, FIELD(p, FrictionCoefficient), f, __func__, "the friction coefficient");
+}
+
+void MEAPI MdtContactParamsSetSecondaryFrictionCoeffecient(const MdtContactParamsID p, MeReal f) {
+    setAtLeast0(p, FIELD(p, FrictionCoefficient2), f, __func__, "the friction coefficient");
+}
+
+MeReal MEAPI MdtContactParamsGetPrimaryFrictionCoeffecient(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->FrictionCoefficient : 0;
+}
+
+MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->FrictionCoefficient2 : 0;
+}
+
+/* ---- slip and slide ---- */
+
+void MEAPI MdtContactParamsSetSlip(const MdtContactParamsID p, MeReal f) {
+    MdtContactParamsSetPrimarySlip(p, f);
+    MdtContactParamsSetSecondarySlip(p, f);
+}
+
+void MEAPI MdtContactParamsSetPrimarySlip(const MdtContactParamsID p, MeReal s) {
+    if (setAtLeast0(p, FIELD(p, slip1), s, __func__, "the slip"))
+        setOption(p, MdtBclContactOptionSlip1, s > 0);
+}
+
+void MEAPI MdtContactParamsSetSecondarySlip(const MdtContactParamsID p, MeReal s) {
+    if (setAtLeast0(p, FIELD(p, slip2), s, __func__, "the slip"))
+        setOption(p, MdtBclContactOptionSlip2, s > 0);
+}
+
+MeReal MEAPI MdtContactParamsGetPrimarySlip(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->slip1 : 0;
+}
+
+MeReal MEAPI MdtContactParamsGetSecondarySlip(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->slip2 : 0;
+}
+
+void MEAPI MdtContactParamsSetPrimarySlide(const MdtContactParamsID p, MeReal s) {
+    if (!isParams(p, __func__) || !mdt_isFinite(__func__, "the slide", s))
+        return;
+    p->slide1 = s;
+    setOption(p, MdtBclContactOptionSlide1, s != 0);
+}
+
+void MEAPI MdtContactParamsSetSecondarySlide(const MdtContactParamsID p, MeReal s) {
+    if (!isParams(p, __func__) || !mdt_isFinite(__func__, "the slide", s))
+        return;
+    p->slide2 = s;
+    setOption(p, MdtBclContactOptionSlide2, s != 0);
+}
+
+MeReal MEAPI MdtContactParamsGetPrimarySlide(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->slide1 : 0;
+}
+
+MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->slide2 : 0;
+}
+
+/* ---- restitution, softness, adhesion ---- */
+
+void MEAPI MdtContactParamsSetRestitution(const MdtContactParamsID p, MeReal r) {
+    if (!isParams(p, __func__))
+        return;
+    if (!(r >= 0 && r <= 1)) {
+        MeWarning(1, "MdtContactParamsSetRestitution: %g is not between 0 and 1; nothing is changed", (double)r);
+        return;
+    }
+    p->restitution = r;
+    setOption(p, MdtBclContactOptionBounce, r > 0);
+}
+
+MeReal MEAPI MdtContactParamsGetRestitution(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->restitution : 0;
+}
+
+void MEAPI MdtContactParamsSetRestitutionThreshold(const MdtContactParamsID p, MeReal v) {
+    setAtLeast0(p, FIELD(p, velThreshold), v, __func__, "the threshold");
+}
+
+MeReal MEAPI MdtContactParamsGetRestitutionThreshold(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->velThreshold : 0;
+}
+
+void MEAPI MdtContactParamsSetSoftness(const MdtContactParamsID p, MeReal s) {
+    if (setAtLeast0(p, FIELD(p, softness), s, __func__, "the softness"))
+        setOption(p, MdtBclContactOptionSoft, s > 0);
+}
+
+MeReal MEAPI MdtContactParamsGetSoftness(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->softness : 0;
+}
+
+void MEAPI MdtContactParamsSetMaxAdhesiveForce(const MdtContactParamsID p, MeReal s) {
+    if (setAtLeast0(p, FIELD(p, max_adhesive_force), s, __func__, "the adhesive force"))
+        setOption(p, MdtBclContactOptionAdhesive, s > 0);
+}
+
+MeReal MEAPI MdtContactParamsGetMaxAdhesiveForce(const MdtContactParamsID p) {
+    return isParams(p, __func__) ? p->max_adhesive_force : 0;
+}

@@ -1,0 +1,186 @@
+/* Limits: stops and motors of joints. */
+#include "mdt_i.h"
+
+static MeBool isLimit(const MdtBclLimit *l, const char *caller) {
+    return mdt_isPointer(caller, "the limit", l);
+}
+
+/* ---- the whole limit ---- */
+
+void MEAPI MdtLimitReset(const MdtLimitID limit) {
+    if (isLimit(limit, __func__))
+        MdtBclLimitReset(limit);
+}
+
+void MEAPI MdtLimitResetState(const MdtLimitID limit) {
+    if (!isLimit(limit, __func__))
+        return;
+    limit->position = limit->velocity = 0;
+    limit->measured = 0;
+    limit->isMeasured = MEFALSE;
+    limit->stopForce[0] = limit->stopForce[1] = 0;
+}
+
+void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from) {
+    const MdtBclLimit copy = *from; /* `from` may be `to` */
+    MdtBclLimitReset(to);
+    to->limit[0] = copy.limit[0];
+    to->limit[1] = copy.limit[1];
+    to->offset = copy.offset;
+    to->stiffnessThreshold = copy.stiffnessThreshold;
+    to->desired_vel = copy.desired_vel;
+    to->fmax = copy.fmax;
+    to->bPowered = copy.bPowered;
+    to->bActive = copy.bActive;
+    to->bCalculatePosition = copy.bCalculatePosition;
+}
+
+MeReal MEAPI MdtLimitGetPosition(const MdtLimitID l) {
+    return isLimit(l, __func__) ? l->position : 0;
+}
+
+MeReal MEAPI MdtLimitGetVelocity(const MdtLimitID l) {
+    return isLimit(l, __func__) ? l->velocity : 0;
+}
+
+void MEAPI MdtLimitSetPosition(MdtLimitID l, const MeReal NewPosition) {
+    if (!isLimit(l, __func__) || !mdt_isFinite(__func__, "the position", NewPosition))
+        return;
+    l->offset = (MeReal)((double)NewPosition - l->measured);
+    l->position = NewPosition;
+}
+
+MeReal MEAPI MdtLimitGetOvershoot(const MdtLimitID l) {
+    if (!isLimit(l, __func__))
+        return 0;
+    const MeReal below = l->limit[0].stop - l->position, above = l->position - l->limit[1].stop;
+    return below > 0 ? below : above > 0 ? above : 0;
+}
+
+void MEAPI MdtLimitSetStiffnessThreshold(const MdtLimitID l, const MeReal NewStiffnessThreshold) {
+    if (isLimit(l, __func__) && mdt_isFinite(__func__, "the threshold", NewStiffnessThreshold))
+        l->stiffnessThreshold = NewStiffnessThreshold > 0 ? NewStiffnessThreshold : 0;
+}
+
+MeReal MEAPI MdtLimitGetStiffnessThreshold(const MdtLimitID l) {
+    return isLimit(l, __func__) ? l->stiffnessThreshold : 0;
+}
+
+MdtSingleLimitID MEAPI MdtLimitGetLowerLimit(const MdtLimitID l) {
+    return isLimit(l, __func__) ? &l->limit[0] : NULL;
+}
+
+MdtSingleLimitID MEAPI MdtLimitGetUpperLimit(const MdtLimitID l) {
+    return isLimit(l, __func__) ? &l->limit[1] : NULL;
+}
+
+void MEAPI MdtLimitSetLowerLimit(const MdtLimitID l, const MdtSingleLimitID sl) {
+    if (!isLimit(l, __func__) || !mdt_isPointer(__func__, "the stop", sl))
+        return;
+    l->limit[0] = *sl;
+    if (l->limit[1].stop < sl->stop)
+        l->limit[1].stop = sl->stop;
+}
+
+void MEAPI MdtLimitSetUpperLimit(const MdtLimitID l, const MdtSingleLimitID sl) {
+    if (!isLimit(l, __func__) || !mdt_isPointer(__func__, "the stop", sl))
+        return;
+    l->limit[1] = *sl;
+    if (l->limit[0].stop > sl->stop)
+        l->limit[0].stop = sl->stop;
+}
+
+/* ---- switches ---- */
+
+void MEAPI MdtLimitActivateLimits(const MdtLimitID l, const MeBool NewActivationState) {
+    if (isLimit(l, __func__))
+        l->bActive = NewActivationState != 0;
+}
+
+MeBool MEAPI MdtLimitIsActive(const MdtLimitID l) {
+    return isLimit(l, __func__) ? l->bActive : 0;
+}
+
+void MEAPI MdtLimitActivateMotor(const MdtLimitID l, const MeBool NewActivationState) {
+    if (isLimit(l, __func__))
+        l->bPowered = NewActivationState != 0;
+}
+
+MeBool MEAPI MdtLimitIsMotorized(const MdtLimitID l) {
+    return isLimit(l, __func__) ? l->bPowered : 0;
+}
+
+void MEAPI MdtLimitCalculatePosition(const MdtLimitID l, const MeBool NewState) {
+    if (isLimit(l, __func__))
+        l->bCalculatePosition = NewState || l->bActive || l->bPowered;
+}
+
+MeBool MEAPI MdtLimitPositionIsCalculated(const MdtLimitID l) {
+    return isLimit(l, __func__) && (l->bCalculatePosition || l->bActive || l->bPowered);
+}
+
+/* ---- the motor ---- */
+
+void MEAPI MdtLimitSetLimitedForceMotor(const MdtLimitID l, const MeReal desiredVelocity, const MeReal forceLimit) {
+    if (!isLimit(l, __func__) || !mdt_isFinite(__func__, "the velocity", desiredVelocity) ||
+        !mdt_isFinite(__func__, "the force limit", forceLimit))
+        return;
+    l->desired_vel = desiredVelocity;
+    l->fmax = forceLimit > 0 ? forceLimit : 0;
+    l->bPowered = l->fmax > 0;
+}
+
+MeReal MEAPI MdtLimitGetMotorDesiredVelocity(const MdtLimitID l) {
+    return isLimit(l, __func__) ? l->desired_vel : 0;
+}
+
+MeReal MEAPI MdtLimitGetMotorMaxForce(const MdtLimitID l) {
+    return isLimit(l, __func__) ? l->fmax : 0;
+}
+
+/* ---- one stop ---- */
+
+static MeBool isStop(const MdtBclSingleLimit *sl, const char *caller) {
+    return mdt_isPointer(caller, "the stop", sl);
+}
+
+void MEAPI MdtSingleLimitReset(const MdtSingleLimitID limit) {
+    if (isStop(limit, __func__))
+        MdtBclSingleLimitReset(limit);
+}
+
+void MEAPI MdtSingleLimitSetStop(const MdtSingleLimitID sl, const MeReal NewStop) {
+    if (isStop(sl, __func__) && mdt_isFinite(__func__, "the stop", NewStop))
+        sl->stop = NewStop;
+}
+
+MeReal MEAPI MdtSingleLimitGetStop(const MdtSingleLimitID sl) {
+    return isStop(sl, __func__) ? sl->stop : 0;
+}
+
+void MEAPI MdtSingleLimitSetStiffness(const MdtSingleLimitID sl, const MeReal NewStiffness) {
+    if (isStop(sl, __func__) && mdt_isFinite(__func__, "the stiffness", NewStiffness))
+        sl->stiffness = NewStiffness > 0 ? NewStiffness : 0;
+}
+
+MeReal MEAPI MdtSingleLimitGetStiffness(const MdtSingleLimitID sl) {
+    return isStop(sl, __func__) ? sl->stiffness : 0;
+}
+
+void MEAPI MdtSingleLimitSetDamping(const MdtSingleLimitID sl, const MeReal NewDamping) {
+    if (isStop(sl, __func__) && mdt_isFinite(__func__, "the damping", NewDamping))
+        sl->damping = NewDamping > 0 ? NewDamping : 0;
+}
+
+MeReal MEAPI MdtSingleLimitGetDamping(const MdtSingleLimitID sl) {
+    return isStop(sl, __func__) ? sl->damping : 0;
+}
+
+void MEAPI MdtSingleLimitSetRestitution(const MdtSingleLimitID sl, const MeReal NewRestitution) {
+    if (isStop(sl, __func__) && mdt_isFinite(__func__, "the restitution", NewRestitution))
+        sl->restitution = NewRestitution < 0 ? 0 : NewRestitution > 1 ? 1 : NewRestitution;
+}
+
+MeReal MEAPI MdtSingleLimitGetRestitution(const MdtSingleLimitID sl) {
+    return isStop(sl, __func__) ? sl->restitution : 0;
+}

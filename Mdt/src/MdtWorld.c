@@ -1,0 +1,306 @@
+/* Worlds: creation, parameters, counting. The step itself is in mdt_step.c. */
+#include "mdt_i.h"
+#include <limits.h>
+#include <string.h>
+
+static const double usualStep = 1.0 / 60; /* s, for converting alive windows before the first step */
+
+static MeReal scaleOr1(const char *what, MeReal scale) {
+    if (scale > 0 && isfinite(scale))
+        return scale;
+    MeWarning(1, "MdtWorldCreate: the %s scale is %g, it must be positive; 1 is taken", what, (double)scale);
+    return 1;
+}
+
+static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
+    const MeReal square = lengthScale * lengthScale;
+    w->params.lengthScale = lengthScale;
+    w->params.massScale = massScale;
+    w->params.gravity[0] = MDTWORLD_DEFAULT_GRAVITY_X;
+    w->params.gravity[1] = MDTWORLD_DEFAULT_GRAVITY_Y;
+    w->params.gravity[2] = MDTWORLD_DEFAULT_GRAVITY_Z;
+    w->params.gravity[3] = 0;
+    w->epsilon = (MeReal)MDTWORLD_DEFAULT_EPSILON / massScale;
+    w->gamma = (MeReal)MDTWORLD_DEFAULT_GAMMA;
+    w->minSafeTime = (MeReal)MDTWORLD_DEFAULT_MIN_SAFETIME;
+    w->rest.autoDisable = METRUE;
+    w->rest.vel_thresh = (MeReal)MDTWORLD_DEFAULT_VEL_THRESH * square;
+    w->rest.acc_thresh = (MeReal)MDTWORLD_DEFAULT_ACC_THRESH * square;
+    w->rest.velrot_thresh = (MeReal)MDTWORLD_DEFAULT_VELROT_THRESH;
+    w->rest.accrot_thresh = (MeReal)MDTWORLD_DEFAULT_ACCROT_THRESH;
+    w->rest.alive_time = (MeReal)MDTWORLD_DEFAULT_ALIVE_TIME_THRESH;
+    w->rest.alive_window = -1;
+}
+
+static void *allocate(size_t count, size_t size) {
+    return MeMemoryAPI.create(count > 0 ? count * size : size);
+}
+
+static void freeWorld(MdtWorldID w) {
+    void *arrays[] = {w->bodyOf, w->constraintOf, w->keaOf, w->bodyStart, w->constraintStart};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
+        if (arrays[i])
+            MeMemoryAPI.destroy(arrays[i]);
+    MeChunkTerm(&w->scratch);
+    mdt_poolTerm(&w->bodyPool);
+    mdt_poolTerm(&w->constraintPool);
+    w->magic = 0;
+    MeMemoryAPI.destroy(w);
+}
+
+static MeBool allocateParts(MdtWorldID w, size_t bodies, size_t constraints) {
+    w->bodyOf = allocate(bodies, sizeof *w->bodyOf);
+    w->keaOf = allocate(bodies, sizeof *w->keaOf);
+    w->constraintOf = allocate(constraints, sizeof *w->constraintOf);
+    w->bodyStart = allocate(bodies + 1, sizeof *w->bodyStart);
+    w->constraintStart = allocate(bodies + 1, sizeof *w->constraintStart);
+    return w->bodyOf && w->keaOf && w->constraintOf && w->bodyStart && w->constraintStart &&
+           mdt_poolInit(&w->bodyPool, (int)bodies, sizeof(MdtBody)) &&
+           mdt_poolInit(&w->constraintPool, (int)constraints, sizeof(MdtBaseConstraint));
+}
+
+MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned int maxConstraints,
+                                 const MeReal lengthScale, const MeReal massScale) {
+    const unsigned int most = INT_MAX / 4;
+    if (maxBodies > most || maxConstraints > most) {
+        MeWarning(1, "MdtWorldCreate: %u bodies and %u constraints are more than the %u that a world can have",
+                  maxBodies, maxConstraints, most);
+        return NULL;
+    }
+    MdtWorldID w = MeMemoryAPI.create(sizeof *w);
+    if (!w) {
+        MeFatalError(0, "MdtWorldCreate: no memory for a world");
+        return NULL;
+    }
+    memset(w, 0, sizeof *w);
+    MeChunkInit(&w->scratch, 16);
+    if (!allocateParts(w, maxBodies, maxConstraints)) {
+        freeWorld(w);
+        MeFatalError(0, "MdtWorldCreate: no memory for %u bodies and %u constraints", maxBodies, maxConstraints);
+        return NULL;
+    }
+    w->magic = MDT_WORLD;
+    setDefaults(w, scaleOr1("length", lengthScale), scaleOr1("mass", massScale));
+    mdt_registerWorld(w);
+    return w;
+}
+
+void MEAPI MdtWorldDestroy(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, );
+    mdt_forgetWorld(w);
+    freeWorld(w);
+}
+
+void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal gy, const MeReal gz) {
+    MDT_NEED_WORLD(w, );
+    if (!mdt_isFinite3(__func__, "gravity", gx, gy, gz))
+        return;
+    w->params.gravity[0] = gx, w->params.gravity[1] = gy, w->params.gravity[2] = gz;
+}
+
+void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g) {
+    if (!mdt_isPointer(__func__, "the result", g))
+        return;
+    g[0] = g[1] = g[2] = 0;
+    MDT_NEED_WORLD(w, );
+    for (int i = 0; i < 3; i++)
+        g[i] = w->params.gravity[i];
+}
+
+void MEAPI MdtWorldSetEpsilon(const MdtWorldID w, const MeReal e) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isAtLeast(__func__, "epsilon", e, 0))
+        w->epsilon = e;
+}
+
+MeReal MEAPI MdtWorldGetEpsilon(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->epsilon;
+}
+
+static MeBool isFraction(const char *caller, MeReal gamma) {
+    if (gamma >= 0 && gamma <= 1)
+        return METRUE;
+    MeWarning(1, "%s: gamma is %g, it must be between 0 and 1; nothing is changed", caller, (double)gamma);
+    return MEFALSE;
+}
+
+void MEAPI MdtWorldSetGamma(const MdtWorldID w, const MeReal g) {
+    MDT_NEED_WORLD(w, );
+    if (isFraction(__func__, g))
+        w->gamma = g;
+}
+
+MeReal MEAPI MdtWorldGetGamma(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->gamma;
+}
+
+void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const MeReal aGamma, const MeReal aRefStep,
+                                           const MeReal aTimeStep) {
+    MDT_NEED_WORLD(w, );
+    if (isFraction(__func__, aGamma) && mdt_isPositive(__func__, "the reference step", aRefStep) &&
+        mdt_isPositive(__func__, "the step", aTimeStep))
+        w->gamma = (MeReal)(1 - pow(1 - (double)aGamma, (double)aTimeStep / (double)aRefStep));
+}
+
+void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d) {
+    MDT_NEED_WORLD(w, );
+    w->rest.autoDisable = d != 0;
+}
+
+MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->rest.autoDisable;
+}
+
+void MEAPI MdtWorldSetAutoDisableVelocityThreshold(const MdtWorldID w, const MeReal vt) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isAtLeast(__func__, "the threshold", vt, 0))
+        w->rest.vel_thresh = vt;
+}
+
+MeReal MEAPI MdtWorldGetAutoDisableVelocityThreshold(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->rest.vel_thresh;
+}
+
+void MEAPI MdtWorldSetAutoDisableAngularVelocityThreshold(const MdtWorldID w, const MeReal avt) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isAtLeast(__func__, "the threshold", avt, 0))
+        w->rest.velrot_thresh = avt;
+}
+
+MeReal MEAPI MdtWorldGetAutoDisableAngularVelocityThreshold(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->rest.velrot_thresh;
+}
+
+void MEAPI MdtWorldSetAutoDisableAccelerationThreshold(const MdtWorldID w, const MeReal at) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isAtLeast(__func__, "the threshold", at, 0))
+        w->rest.acc_thresh = at;
+}
+
+MeReal MEAPI MdtWorldGetAutoDisableAccelerationThreshold(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->rest.acc_thresh;
+}
+
+void MEAPI MdtWorldSetAutoDisableAngularAccelerationThreshold(const MdtWorldID w, const MeReal aat) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isAtLeast(__func__, "the threshold", aat, 0))
+        w->rest.accrot_thresh = aat;
+}
+
+MeReal MEAPI MdtWorldGetAutoDisableAngularAccelerationThreshold(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->rest.accrot_thresh;
+}
+
+void MEAPI MdtWorldSetAutoDisableAliveTime(const MdtWorldID w, const MeReal aw) {
+    MDT_NEED_WORLD(w, );
+    if (!mdt_isAtLeast(__func__, "the alive time", aw, 0))
+        return;
+    w->rest.alive_time = aw;
+    w->rest.alive_window = -1;
+}
+
+void MEAPI MdtWorldSetAutoDisableAliveSteps(const MdtWorldID w, const int steps) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isAtLeast(__func__, "the alive window", (MeReal)steps, 0))
+        w->rest.alive_window = steps;
+}
+
+static double stepForWindows(const MdtWorldID w) {
+    return w->lastStep > 0 ? w->lastStep : usualStep;
+}
+
+MeReal MEAPI MdtWorldGetAutoDisableAliveTime(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->rest.alive_window < 0 ? w->rest.alive_time : (MeReal)(w->rest.alive_window * stepForWindows(w));
+}
+
+int MEAPI MdtWorldGetAutoDisableAliveWindow(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    if (w->rest.alive_window >= 0)
+        return w->rest.alive_window;
+    return (int)fmin(ceil((double)w->rest.alive_time / stepForWindows(w) - 1e-3), INT_MAX);
+}
+
+void MEAPI MdtWorldSetMinSafeTime(const MdtWorldID w, const MeReal t) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isPositive(__func__, "the safe time", t))
+        w->minSafeTime = t;
+}
+
+MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->minSafeTime;
+}
+
+int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->bodyPool.count;
+}
+
+int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->constraintPool.count;
+}
+
+int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->bodies.count;
+}
+
+int MEAPI MdtWorldGetTotalConstraints(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->constraints.count;
+}
+
+int MEAPI MdtWorldGetEnabledBodies(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->enabledBodies;
+}
+
+int MEAPI MdtWorldGetEnabledConstraints(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->enabledConstraints;
+}
+
+void MEAPI MdtWorldForAllConstraints(const MdtWorldID w, MdtConstraintIteratorCBPtr cb, void *ccbdata) {
+    MDT_NEED_WORLD(w, );
+    if (!mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
+        return;
+    mdt_listSort(&w->constraints);
+    for (MdtLink *link = w->constraints.first, *next; link; link = next) {
+        next = link->next;
+        cb(link->owner, ccbdata);
+    }
+}
+
+void MEAPI MdtWorldResetForces(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, );
+    for (MdtLink *link = w->bodies.first; link; link = link->next) {
+        MdtBodyResetForces(link->owner);
+        MdtBodyResetImpulses(link->owner);
+    }
+}
+
+MeReal MEAPI MdtWorldGetDefaultDensity(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    const MeReal l = w->params.lengthScale;
+    return w->params.massScale / (l * l * l);
+}
+
+void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isAtLeast(__func__, "the number of iterations", (MeReal)mi, 0))
+        w->maxLcpIterations = mi;
+}
+
+int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->maxLcpIterations;
+}

@@ -1,0 +1,229 @@
+/* Inside Mdt: what worlds, bodies and constraints are made of, and what the files of this library share.
+ *
+ * Ownership: a world owns two pools of records, bodies and constraints, allocated once. Live records are linked into the
+ * world's lists in the order of simulation: sort key, then creation. A constraint is also linked into the lists of its
+ * bodies. The state of a body that counts is the double one in `kea`; what programs point at is refreshed from it.
+ */
+#ifndef MDT_I_H
+#define MDT_I_H
+
+#include "Mdt.h"
+#include "MdtBcl.h"
+#include "MdtKeaMath.h"
+#include "MeChunk.h"
+#include "MeMemory.h"
+#include "MeMessage.h"
+
+/* ---- records and pools --------------------------------------------------------------------------------------- */
+
+/* The head of whatever a handle points to. */
+typedef struct MdtRecord {
+    unsigned int magic;     /* MDT_BODY or MDT_CONSTRAINT; anything else: not in use */
+    struct MdtRecord *free; /* next in the pool's free list */
+} MdtRecord;
+
+enum { MDT_WORLD = 0x4b57524c, MDT_BODY = 0x4b424459, MDT_CONSTRAINT = 0x4b435354 };
+
+/* Records of one size. Freed ones are reused last, so that a stale handle is noticed for as long as possible. */
+typedef struct MdtPool {
+    char *memory;
+    size_t recordSize;
+    int count, used;
+    MdtRecord *firstFree, *lastFree;
+} MdtPool;
+
+MeBool mdt_poolInit(MdtPool *pool, int count, size_t recordSize);
+void mdt_poolTerm(MdtPool *pool);
+void *mdt_poolGet(MdtPool *pool, unsigned int magic); /* zeroed but for its head; null when the pool is empty */
+void mdt_poolPut(MdtPool *pool, void *record);
+MeBool mdt_poolOwns(const MdtPool *pool, const void *record);
+
+/* ---- the list of a world's bodies, or constraints ------------------------------------------------------------ */
+
+typedef struct MdtLink {
+    struct MdtLink *next, *previous;
+    MeI32 sortKey;
+    unsigned long serial; /* counts creations in the world */
+    void *owner;
+} MdtLink;
+
+typedef struct MdtList {
+    MdtLink *first, *last;
+    int count;
+    MeBool isSorted;
+} MdtList;
+
+void mdt_listAppend(MdtList *list, MdtLink *link, void *owner, unsigned long serial);
+void mdt_listRemove(MdtList *list, MdtLink *link);
+void mdt_listSetKey(MdtList *list, MdtLink *link, MeI32 key);
+void mdt_listSort(MdtList *list); /* by key, then serial; a merge sort that allocates nothing */
+
+/* ---- bodies -------------------------------------------------------------------------------------------------- */
+
+typedef struct MdtAttachment MdtAttachment;
+
+enum {
+    MDT_ENABLED = 1, /* takes part in the simulation */
+    MDT_ASLEEP = 2,  /* was disabled by the world, not by the program */
+};
+
+struct MdtBody {
+    MdtRecord record;
+    MdtLink link;
+    MdtWorldID world;
+    int flags;
+    MdtAttachment *attachments; /* its constraints */
+    void *userData;
+
+    MdtKeaBody kea;                 /* the centre of mass, in double: what counts */
+    double centre[3];               /* m, of mass, in the body's frame */
+    double centreTurn[4];           /* w x y z, axes of the centre of mass to the body's frame */
+    double force[3], torque[3];     /* N, N m, added since the last step */
+    double impulse[3], twist[3];    /* N s, N m s, the same */
+    MdtKeaVelocity acceleration;    /* m/s², rad/s², in the last step */
+    double mass;                    /* kg */
+    double inertia[3][3];           /* kg m², as set */
+    MeReal linearDamping, angularDamping, safeTime;
+    MeVector3 fastSpinAxis;
+    double enabledTime; /* s */
+    int enabledSteps;
+
+    MeMatrix4 transform, centreTransform; /* what programs see of the pose */
+    MeVector3 velocity, angularVelocity;  /* what programs see of the velocities, and may write */
+    MeVector3 shownVelocity, shownAngularVelocity; /* the same as last written by us: a difference is theirs */
+
+    int partition;            /* in this step; -1: none */
+    int index;                /* in Kea's arrays, in this step */
+    struct MdtBody *setParent; /* union-find, in this step */
+    MeBool setIsAwake;        /* of a set's root: some body of it is enabled */
+};
+
+void mdt_bodyShow(MdtBodyID b);                       /* refreshes what programs see from what counts */
+void mdt_bodyAcceptVelocities(MdtBodyID b);           /* takes over velocities that were written through pointers */
+void mdt_bodyWakeIfAsleep(MdtBodyID b);
+void mdt_bodySleep(MdtBodyID b);
+MeBool mdt_bodyIsPushedAwake(MdtBodyID b);            /* asleep, and the waiting forces would move it */
+void mdt_bodyPack(MdtBodyID b);                       /* loads of this step into kea; empties the accumulators */
+void mdt_bodyTerm(MdtBodyID b);                       /* lets go of constraints, returns the record */
+
+/* ---- constraints --------------------------------------------------------------------------------------------- */
+
+/* One side of a constraint, linked into its body's list. */
+struct MdtAttachment {
+    MdtBodyID body; /* null: the world, or nothing yet */
+    MdtConstraintID constraint;
+    MdtAttachment *next, *previous;
+};
+
+struct MdtBaseConstraint {
+    MdtRecord record;
+    MdtLink link;
+    MdtWorldID world;
+    int flags; /* MDT_ENABLED */
+    MdtAttachment side[2];
+    void *userData;
+    const MdtBclType *type;
+    MdtBclConstraint bcl;
+    MdtKeaVelocity worldVelocity;
+    MdtKeaForcePair force; /* in the last step */
+    MdtContactID nextContact;
+
+    int firstRow, numRows; /* in this step */
+};
+
+/* Every joint is a constraint and nothing else, so handles convert by a cast. */
+struct MdtBSJoint {
+    MdtBaseConstraint base;
+};
+struct MdtHinge {
+    MdtBaseConstraint base;
+};
+struct MdtContact {
+    MdtBaseConstraint base;
+};
+
+/* Creates a constraint of a type for the API function `caller`, with its defaults. Null when the world is full. */
+MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const char *caller);
+/* The constraint if it is live and of the type; else null, with a warning. */
+MdtConstraintID mdt_constraintOfType(void *handle, MdtBclJointType type, const char *caller);
+/* The constraint as a joint of the type for MdtConstraintDCast*: null, without a warning, when it is another. */
+void *mdt_constraintCast(MdtConstraintID c, MdtBclJointType type, const char *caller);
+void mdt_constraintDetach(MdtConstraintID c, int side);
+void mdt_constraintTerm(MdtConstraintID c);
+
+/* Resets a limit and copies the public properties of another, which may be itself. */
+void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
+
+/* ---- worlds -------------------------------------------------------------------------------------------------- */
+
+struct MdtWorld {
+    unsigned int magic;
+    MdtWorldParams params;
+    MdtPartitionParams rest;
+    MeReal epsilon, gamma, minSafeTime;
+    int maxLcpIterations;
+    MdtPool bodyPool, constraintPool;
+    MdtList bodies, constraints;
+    unsigned long nextSerial;
+    int enabledBodies, enabledConstraints;
+    double lastStep; /* s, 0 before the first */
+    MeChunk scratch;
+
+    /* this step's partitions: partition p has the bodies bodyOf[bodyStart[p] .. bodyStart[p+1]) and so on */
+    int numPartitions;
+    MdtBodyID *bodyOf;
+    MdtConstraintID *constraintOf;
+    MdtKeaBody **keaOf; /* parallel to bodyOf */
+    int *bodyStart, *constraintStart;
+
+    struct MdtWorld *nextLive; /* in the check build's list of worlds */
+};
+
+/* Finds the partitions of this step, waking what is tied to something awake (mdt_partition.c). */
+void mdt_partitionsUpdate(MdtWorldID w);
+
+/* ---- checks -------------------------------------------------------------------------------------------------- */
+
+/* True for a live handle; else a warning that names the caller. */
+MeBool mdt_isWorld(const MdtWorld *w, const char *caller);
+MeBool mdt_isBody(const MdtBody *b, const char *caller);
+MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller);
+/* True for finite numbers; else a warning. */
+MeBool mdt_isFinite(const char *caller, const char *what, MeReal x);
+MeBool mdt_isFinite3(const char *caller, const char *what, MeReal x, MeReal y, MeReal z);
+/* True for lower <= x; else a warning. */
+MeBool mdt_isAtLeast(const char *caller, const char *what, MeReal x, MeReal lower);
+MeBool mdt_isPositive(const char *caller, const char *what, MeReal x);
+MeBool mdt_isSortKey(const char *caller, MeI32 key);
+MeBool mdt_isPointer(const char *caller, const char *what, const void *p);
+/* The check build's list of live worlds. */
+void mdt_registerWorld(MdtWorldID w);
+void mdt_forgetWorld(MdtWorldID w);
+
+#define MDT_NEED_WORLD(w, otherwise)         \
+    do {                                     \
+        if (!mdt_isWorld((w), __func__))     \
+            return otherwise;                \
+    } while (0)
+#define MDT_NEED_BODY(b, otherwise)          \
+    do {                                     \
+        if (!mdt_isBody((b), __func__))      \
+            return otherwise;                \
+    } while (0)
+#define MDT_NEED_CONSTRAINT(c, otherwise)    \
+    do {                                     \
+        if (!mdt_isConstraint((c), __func__)) \
+            return otherwise;                \
+    } while (0)
+
+/* ---- MeReal and double --------------------------------------------------------------------------------------- */
+
+static inline void mdt_toReal(MeVector3 r, const double v[3]) {
+    r[0] = (MeReal)v[0], r[1] = (MeReal)v[1], r[2] = (MeReal)v[2];
+}
+
+static inline void mdt_fromReal(double r[3], const MeVector3 v) {
+    r[0] = v[0], r[1] = v[1], r[2] = v[2];
+}
+
+#endif

@@ -1,0 +1,115 @@
+/* Partitions: sets of bodies that constraints tie together (Dynamics guide ch. 1, "Partitioning the World").
+ *
+ * The world joins nothing: two boxes on the ground are two partitions. A set with one enabled body is enabled whole.
+ * Partitions are numbered by their first body, and their bodies and constraints keep the world's order, so that the
+ * same scene is solved in the same order every time.
+ */
+#include "mdt_i.h"
+
+static MdtBodyID rootOf(MdtBodyID b) {
+    while (b->setParent != b) {
+        b->setParent = b->setParent->setParent; /* path halving */
+        b = b->setParent;
+    }
+    return b;
+}
+
+static void join(MdtBodyID a, MdtBodyID b) {
+    MdtBodyID ra = rootOf(a), rb = rootOf(b);
+    if (ra == rb)
+        return;
+    rb->setParent = ra;
+    ra->setIsAwake = ra->setIsAwake || rb->setIsAwake;
+}
+
+static void startSets(MdtWorldID w) {
+    for (MdtLink *link = w->bodies.first; link; link = link->next) {
+        MdtBodyID b = link->owner;
+        if (mdt_bodyIsPushedAwake(b))
+            MdtBodyEnable(b);
+        b->setParent = b;
+        b->setIsAwake = (b->flags & MDT_ENABLED) != 0;
+        b->partition = -1;
+    }
+}
+
+static void joinSets(MdtWorldID w) {
+    for (MdtLink *link = w->constraints.first; link; link = link->next) {
+        MdtConstraintID c = link->owner;
+        if ((c->flags & MDT_ENABLED) && c->side[0].body && c->side[1].body)
+            join(c->side[0].body, c->side[1].body);
+    }
+}
+
+/* Numbers the awake sets and counts their bodies into bodyStart[partition + 1]. */
+static void numberPartitions(MdtWorldID w) {
+    w->numPartitions = 0;
+    w->bodyStart[0] = w->constraintStart[0] = 0;
+    for (MdtLink *link = w->bodies.first; link; link = link->next) {
+        MdtBodyID b = link->owner, root = rootOf(b);
+        if (!root->setIsAwake)
+            continue;
+        if (!(b->flags & MDT_ENABLED))
+            MdtBodyEnable(b);
+        if (root->partition < 0) {
+            root->partition = w->numPartitions++;
+            w->bodyStart[w->numPartitions] = w->constraintStart[w->numPartitions] = 0;
+        }
+        b->partition = root->partition;
+        w->bodyStart[b->partition + 1]++;
+    }
+}
+
+/* The partition of an enabled constraint; -1: it acts on nothing that moves. */
+static int partitionOf(MdtConstraintID c) {
+    if (!(c->flags & MDT_ENABLED))
+        return -1;
+    for (int k = 0; k < 2; k++)
+        if (c->side[k].body)
+            return c->side[k].body->partition;
+    return -1;
+}
+
+static void countConstraints(MdtWorldID w) {
+    for (MdtLink *link = w->constraints.first; link; link = link->next) {
+        const int p = partitionOf(link->owner);
+        if (p >= 0)
+            w->constraintStart[p + 1]++;
+    }
+    for (int p = 0; p < w->numPartitions; p++) {
+        w->bodyStart[p + 1] += w->bodyStart[p];
+        w->constraintStart[p + 1] += w->constraintStart[p];
+    }
+}
+
+/* A stable counting sort: the starts move to the ends, which are the next partition's starts, and are moved back. */
+static void sortIntoPartitions(MdtWorldID w) {
+    for (MdtLink *link = w->bodies.first; link; link = link->next) {
+        MdtBodyID b = link->owner;
+        if (b->partition < 0)
+            continue;
+        const int at = w->bodyStart[b->partition]++;
+        w->bodyOf[at] = b;
+        w->keaOf[at] = &b->kea;
+    }
+    for (MdtLink *link = w->constraints.first; link; link = link->next) {
+        const int p = partitionOf(link->owner);
+        if (p >= 0)
+            w->constraintOf[w->constraintStart[p]++] = link->owner;
+    }
+    for (int p = w->numPartitions; p > 0; p--) {
+        w->bodyStart[p] = w->bodyStart[p - 1];
+        w->constraintStart[p] = w->constraintStart[p - 1];
+    }
+    w->bodyStart[0] = w->constraintStart[0] = 0;
+}
+
+void mdt_partitionsUpdate(MdtWorldID w) {
+    mdt_listSort(&w->bodies);
+    mdt_listSort(&w->constraints);
+    startSets(w);
+    joinSets(w);
+    numberPartitions(w);
+    countConstraints(w);
+    sortIntoPartitions(w);
+}

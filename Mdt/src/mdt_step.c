@@ -1,0 +1,285 @@
+/* One step of a world (Dynamics guide ch. 2; User Guide ch. 2, "MdtWorldStep"):
+ *
+ *     partitions -> rest -> for each partition: pack -> rows -> solve -> integrate -> unpack
+ */
+#include "mdt_i.h"
+#include "MeAssert.h"
+#include "MeProfile.h"
+#include <limits.h>
+
+/* One partition on its way through a step. */
+typedef struct Partition {
+    MdtWorldID world;
+    int number, numBodies, numConstraints;
+    MdtBodyID *bodies;
+    MdtConstraintID *constraints;
+    double h; /* s */
+    MdtKeaSystem kea;
+} Partition;
+
+static Partition partitionNumber(MdtWorldID w, int number, double h) {
+    const int bodies = w->bodyStart[number], constraints = w->constraintStart[number];
+    Partition p = {.world = w, .number = number, .h = h};
+    p.numBodies = w->bodyStart[number + 1] - bodies;
+    p.numConstraints = w->constraintStart[number + 1] - constraints;
+    p.bodies = w->bodyOf + bodies;
+    p.constraints = w->constraintOf + constraints;
+    p.kea.numBodies = p.numBodies;
+    p.kea.bodies = w->keaOf + bodies;
+    return p;
+}
+
+/* ---- rest ---- */
+
+static MeBool isAtRest(const Partition *p) {
+    const MdtPartitionParams *rest = &p->world->rest;
+    for (int i = 0; i < p->numBodies; i++) {
+        MdtBodyID b = p->bodies[i];
+        const MeBool isYoung = rest->alive_window < 0 ? b->enabledTime < (double)rest->alive_time
+                                                      : b->enabledSteps < rest->alive_window;
+        if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+static void putToSleep(const Partition *p) {
+    for (int i = 0; i < p->numBodies; i++)
+        mdt_bodySleep(p->bodies[i]);
+}
+
+/* ---- pack ---- */
+
+static void addGravity(MdtWorldID w, MdtBodyID b) {
+    for (int i = 0; i < 3; i++)
+        b->kea.force[i] += b->mass * (double)w->params.gravity[i];
+}
+
+static void packBodies(Partition *p) {
+    for (int i = 0; i < p->numBodies; i++) {
+        p->bodies[i]->index = i;
+        mdt_bodyPack(p->bodies[i]);
+        addGravity(p->world, p->bodies[i]);
+    }
+}
+
+/* ---- rows ---- */
+
+static void setContext(const Partition *p, MdtConstraintID c, MdtBclContext *x) {
+    const MdtKeaSystem *kea = &p->kea;
+    x->parameters.stepsize = p->h;
+    x->parameters.epsilon = kea->parameters.epsilon;
+    x->parameters.gamma = kea->parameters.gamma;
+    x->firstRow = c->firstRow;
+    for (int k = 0; k < 2; k++) {
+        MdtBodyID b = c->side[k].body;
+        x->body[k] = b ? b->index : MdtBclNO_BODY;
+        x->pose[k] = b ? &kea->pose[b->index] : &MdtBclWorldPose;
+        x->velocity[k] = b ? &kea->velocity[b->index] : &c->worldVelocity;
+        x->predicted[k] = b ? &kea->predicted[b->index] : &c->worldVelocity;
+        x->acceleration[k] = b ? &b->acceleration : &MdtBclWorldVelocity;
+        x->invMass[k] = b ? &kea->invMass[b->index] : &MdtBclWorldInvMass;
+    }
+}
+
+/* The rows speak of the velocity of one side against the other; of the world's it is known. */
+static void subtractWorldVelocity(MdtConstraintID c, MdtKeaRow *row) {
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] == MdtBclNO_BODY)
+            row->target -= keaDot(row->J[k].lin, c->worldVelocity.lin) + keaDot(row->J[k].ang, c->worldVelocity.ang);
+}
+
+/* Count, then fill, then compare the counts. */
+static void makeRows(Partition *p) {
+    MdtKeaSystem *kea = &p->kea;
+    MdtBclContext x;
+    for (int i = 0; i < p->numConstraints; i++) {
+        MdtConstraintID c = p->constraints[i];
+        c->firstRow = kea->numRows;
+        setContext(p, c, &x);
+        c->numRows = c->type->prepare(&c->bcl, &x);
+        MEASSERT(c->numRows >= 0 && c->numRows <= c->type->maxRows);
+        c->type->fill(&c->bcl, &x, kea->rows + c->firstRow);
+        for (int r = 0; r < c->numRows; r++)
+            subtractWorldVelocity(c, &kea->rows[c->firstRow + r]);
+        kea->numRows += c->numRows;
+        MEASSERT(kea->numRows <= kea->maxRows);
+    }
+}
+
+static void MEAPI positionErrors(void *context, const MdtKeaTransformation poses[], double errors[]) {
+    const Partition *p = context;
+    for (int i = 0; i < p->numConstraints; i++) {
+        MdtConstraintID c = p->constraints[i];
+        const MdtKeaTransformation *pose[2];
+        if (!c->type->errors)
+            continue;
+        for (int k = 0; k < 2; k++)
+            pose[k] = c->side[k].body ? &poses[c->side[k].body->index] : &MdtBclWorldPose;
+        c->type->errors(&c->bcl, pose, errors + c->firstRow);
+    }
+}
+
+/* ---- unpack ---- */
+
+static void addForces(MdtConstraintID c, const MdtKeaRow *row) {
+    for (int k = 0; k < 2; k++) {
+        keaAddScaled(c->force.body[k].lin, row->force, row->J[k].lin);
+        keaAddScaled(c->force.body[k].ang, row->force, row->J[k].ang);
+    }
+}
+
+static void unpackConstraints(Partition *p) {
+    MdtBclContext x;
+    for (int i = 0; i < p->numConstraints; i++) {
+        MdtConstraintID c = p->constraints[i];
+        const MdtKeaRow *rows = p->kea.rows + c->firstRow;
+        for (int k = 0; k < 2; k++) {
+            keaZero(c->force.body[k].lin);
+            keaZero(c->force.body[k].ang);
+        }
+        for (int r = 0; r < c->numRows; r++)
+            addForces(c, &rows[r]);
+        setContext(p, c, &x);
+        if (c->type->readBack)
+            c->type->readBack(&c->bcl, &x, rows);
+    }
+}
+
+static void unpackBodies(Partition *p, const MdtKeaVelocity start[]) {
+    for (int i = 0; i < p->numBodies; i++) {
+        MdtBodyID b = p->bodies[i];
+        const MdtKeaVelocity *end = &p->kea.velocity[i];
+        for (int k = 0; k < 3; k++) {
+            b->acceleration.lin[k] = (end->lin[k] - start[i].lin[k]) / p->h;
+            b->acceleration.ang[k] = (end->ang[k] - start[i].ang[k]) / p->h;
+        }
+        b->enabledTime += p->h;
+        b->enabledSteps++;
+        mdt_bodyShow(b);
+    }
+}
+
+/* The last resort: bodies whose next state is not finite stay where they are and stop. */
+static void stopBodies(Partition *p) {
+    static const double none[3] = {0, 0, 0};
+    MeWarning(2, "MdtWorldStep: partition %d (%d bodies) would leave the finite numbers; its bodies are stopped",
+              p->number, p->numBodies);
+    for (int i = 0; i < p->numBodies; i++) {
+        keaZero(p->bodies[i]->kea.velocity);
+        MdtKeaBodySetAngularVelocity(&p->bodies[i]->kea, none);
+        mdt_bodyShow(p->bodies[i]);
+    }
+}
+
+static void warnOfSolver(const Partition *p) {
+    if (p->kea.report.capped)
+        MeWarning(2,
+                  "MdtWorldStep: partition %d (%d rows) used up its pivoting iterations, the forces are inexact; "
+                  "raise MdtWorldSetMaxLCPIterations or epsilon",
+                  p->number, p->kea.numRows);
+    if (p->kea.report.regularized)
+        MeDebug(2, "MdtWorldStep: partition %d (%d rows) has contradictory constraints, a compromise was taken",
+                p->number, p->kea.numRows);
+}
+
+/* ---- the step ---- */
+
+static int mostRows(const Partition *p) {
+    int rows = 0;
+    for (int i = 0; i < p->numConstraints; i++)
+        rows += p->constraints[i]->type->maxRows;
+    return rows;
+}
+
+/* Room for Kea's arrays and, behind them, the velocities at the start. */
+static void *takeScratch(Partition *p, MdtKeaVelocity **start) {
+    const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows);
+    const size_t total = bytes + (size_t)p->numBodies * sizeof **start;
+    char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->world->scratch, (int)total) : NULL;
+    if (!scratch)
+        MeWarning(2, "MdtWorldStep: partition %d (%d bodies, %d rows) is too large for the solver and is not moved",
+                  p->number, p->numBodies, p->kea.maxRows);
+    else
+        *start = (MdtKeaVelocity *)(void *)(scratch + bytes);
+    return scratch;
+}
+
+static void setParameters(Partition *p) {
+    p->kea.parameters.stepsize = (MeReal)p->h;
+    p->kea.parameters.epsilon = p->world->epsilon;
+    p->kea.parameters.gamma = p->world->gamma;
+    p->kea.parameters.maxIterations = p->world->maxLcpIterations;
+    p->kea.maxRows = mostRows(p);
+    p->kea.errors = positionErrors;
+    p->kea.context = p;
+}
+
+static void stepPartition(Partition *p) {
+    MdtKeaVelocity *start = NULL;
+    setParameters(p);
+    void *scratch = takeScratch(p, &start);
+    if (!scratch)
+        return;
+
+    MeProfileStartSection("Rows", 0);
+    packBodies(p);
+    MdtKeaInit(&p->kea, scratch);
+    for (int i = 0; i < p->numBodies; i++)
+        start[i] = p->kea.velocity[i];
+    makeRows(p);
+    MeProfileEndSection("Rows");
+
+    MeProfileStartSection("Solve", 0);
+    MdtKeaSolve(&p->kea);
+    MeProfileEndSection("Solve");
+
+    MeProfileStartSection("Integrate", 0);
+    if (MdtKeaIntegrate(&p->kea)) {
+        unpackConstraints(p);
+        unpackBodies(p, start);
+    } else {
+        stopBodies(p);
+    }
+    warnOfSolver(p);
+    MeProfileEndSection("Integrate");
+    MeChunkPutMem(&p->world->scratch, scratch);
+}
+
+/* How far a partition may move: the shortest safe time of its bodies, within bounds. */
+static double safeStep(const Partition *p) {
+    double safe = p->h;
+    for (int i = 0; i < p->numBodies; i++)
+        safe = fmin(safe, (double)p->bodies[i]->safeTime);
+    return fmin(p->h, fmax(safe, (double)p->world->minSafeTime));
+}
+
+static void stepWorld(MdtWorldID w, double h, MeBool safely) {
+    MeProfileStartSection("Dynamics", 0);
+    MeProfileStartSection("Partition", 0);
+    w->lastStep = h;
+    mdt_partitionsUpdate(w);
+    MeProfileEndSection("Partition");
+    for (int i = 0; i < w->numPartitions; i++) {
+        Partition p = partitionNumber(w, i, h);
+        if (safely)
+            p.h = safeStep(&p);
+        if (w->rest.autoDisable && isAtRest(&p))
+            putToSleep(&p);
+        else
+            stepPartition(&p);
+    }
+    MeProfileEndSection("Dynamics");
+}
+
+void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isPositive(__func__, "the step size", stepSize))
+        stepWorld(w, (double)stepSize, MEFALSE);
+}
+
+void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isPositive(__func__, "the step size", stepSize))
+        stepWorld(w, (double)stepSize, METRUE);
+}
