@@ -420,13 +420,16 @@ MeMatrix4Ptr MEAPI MdtBodyGetTransformPtr(const MdtBodyID b) {
 
 /* ---- the centre of mass ---- */
 
-/* Changes the offset of the centre of mass and leaves the frame where it is. */
+/* Changes the offset of the centre of mass and leaves the frame, and what is attached to it, where it is. */
 static void setCentre(MdtBodyID b, const double centre[3], const double turn[4]) {
     double p[3], q[4];
+    const MdtKeaBody before = b->kea;
     getFrame(b, p, q);
     keaCopy(b->centre, centre);
     memcpy(b->centreTurn, turn, sizeof b->centreTurn);
     setFrame(b, p, q);
+    for (MdtAttachment *at = b->attachments; at; at = at->next)
+        mdt_constraintReframe(at->constraint, at == &at->constraint->side[1], &before, &b->kea);
     mdt_bodyWakeIfAsleep(b);
 }
 

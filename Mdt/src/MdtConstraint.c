@@ -144,13 +144,33 @@ MdtBodyID MEAPI MdtConstraintGetBody(const MdtConstraintID c, const unsigned int
 
 /* ---- frames: stored in the frame of the body's centre of mass, or the world's ---- */
 
+static void poseOfKea(const MdtKeaBody *b, MdtKeaTransformation *pose) {
+    keaCopy(pose->pos, b->position);
+    keaQuaternionToMatrix(pose->R, b->quaternion);
+}
+
 static void poseOf(MdtConstraintID c, int side, MdtKeaTransformation *pose) {
     MdtBodyID b = c->side[side].body;
     *pose = MdtBclWorldPose;
-    if (!b)
-        return;
-    keaCopy(pose->pos, b->kea.position);
-    keaQuaternionToMatrix(pose->R, b->kea.quaternion);
+    if (b)
+        poseOfKea(&b->kea, pose);
+}
+
+void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after) {
+    MdtBclFrame *frame = &c->bcl.frame[side];
+    MdtKeaTransformation from, to;
+    double world[3];
+    poseOfKea(before, &from);
+    poseOfKea(after, &to);
+    keaApply(world, (const double(*)[3])from.R, frame->position);
+    keaAddScaled(world, 1, from.pos);
+    keaSubtract(world, world, to.pos);
+    keaApplyTransposed(frame->position, (const double(*)[3])to.R, world);
+    double *axes[] = {frame->primary, frame->ortho};
+    for (int i = 0; i < 2; i++) {
+        keaApply(world, (const double(*)[3])from.R, axes[i]);
+        keaApplyTransposed(axes[i], (const double(*)[3])to.R, world);
+    }
 }
 
 static void pointToBody(MdtConstraintID c, int side, const double world[3], double local[3]) {

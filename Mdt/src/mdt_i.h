@@ -149,6 +149,8 @@ MdtConstraintID mdt_constraintOfType(void *handle, MdtBclJointType type, const c
 /* The constraint as a joint of the type for MdtConstraintDCast*: null, without a warning, when it is another. */
 void *mdt_constraintCast(MdtConstraintID c, MdtBclJointType type, const char *caller);
 void mdt_constraintDetach(MdtConstraintID c, int side);
+/* The body's centre of mass was moved within it: the attachment stays where it is in the world. */
+void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after);
 void mdt_constraintTerm(MdtConstraintID c);
 
 /* Resets a limit and copies the public properties of another, which may be itself. */

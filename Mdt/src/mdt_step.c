@@ -1,11 +1,14 @@
 /* One step of a world (Dynamics guide ch. 2; User Guide ch. 2, "MdtWorldStep"):
  *
  *     partitions -> rest -> for each partition: pack -> rows -> solve -> integrate -> unpack
+ *
+ * Rows, solve and integrate are repeated with halves of the step where joints turn too violently for the whole of it.
  */
 #include "mdt_i.h"
 #include "MeAssert.h"
 #include "MeProfile.h"
 #include <limits.h>
+#include <string.h>
 
 /* One partition on its way through a step. */
 typedef struct Partition {
@@ -13,9 +16,13 @@ typedef struct Partition {
     int number, numBodies, numConstraints;
     MdtBodyID *bodies;
     MdtConstraintID *constraints;
-    double h; /* s */
+    double h;           /* s, the whole step */
+    MdtBclSolverParameters parameters; /* of the part of it that is being taken */
+    MeBool isContinued; /* not the first part */
     MdtKeaSystem kea;
 } Partition;
+
+enum { MAX_HALVINGS = 4 };
 
 static Partition partitionNumber(MdtWorldID w, int number, double h) {
     const int bodies = w->bodyStart[number], constraints = w->constraintStart[number];
@@ -55,6 +62,18 @@ static void addGravity(MdtWorldID w, MdtBodyID b) {
         b->kea.force[i] += b->mass * (double)w->params.gravity[i];
 }
 
+/* A part of h / n takes the n-th part of a step's relaxation, and a load sags as it would in a whole one:
+ *     1 - γ = (1 - γ')^n,   ε' F (h/n)² / γ' = ε F h² / γ. */
+static void setPart(Partition *p, double part) {
+    const double n = p->h / part, gamma = p->world->gamma;
+    p->parameters.stepsize = part;
+    p->parameters.gamma = n > 1 ? 1 - pow(1 - gamma, 1 / n) : gamma;
+    p->parameters.softening = gamma > 0 ? n * n * p->parameters.gamma / gamma : n;
+    p->parameters.epsilon = p->parameters.softening * (double)p->world->epsilon;
+    p->kea.parameters.stepsize = part;
+    p->kea.parameters.maxIterations = p->world->maxLcpIterations;
+}
+
 static void packBodies(Partition *p) {
     for (int i = 0; i < p->numBodies; i++) {
         p->bodies[i]->index = i;
@@ -67,9 +86,8 @@ static void packBodies(Partition *p) {
 
 static void setContext(const Partition *p, MdtConstraintID c, MdtBclContext *x) {
     const MdtKeaSystem *kea = &p->kea;
-    x->parameters.stepsize = p->h;
-    x->parameters.epsilon = kea->parameters.epsilon;
-    x->parameters.gamma = kea->parameters.gamma;
+    x->parameters = p->parameters;
+    x->isContinued = p->isContinued;
     x->firstRow = c->firstRow;
     for (int k = 0; k < 2; k++) {
         MdtBodyID b = c->side[k].body;
@@ -122,10 +140,16 @@ static void MEAPI positionErrors(void *context, const MdtKeaTransformation poses
 
 /* ---- unpack ---- */
 
-static void addForces(MdtConstraintID c, const MdtKeaRow *row) {
+static void clearForces(Partition *p) {
+    for (int i = 0; i < p->numConstraints; i++)
+        memset(&p->constraints[i]->force, 0, sizeof p->constraints[i]->force);
+}
+
+/* The force of a divided step is the mean over its parts. */
+static void addForces(MdtConstraintID c, const MdtKeaRow *row, double share) {
     for (int k = 0; k < 2; k++) {
-        keaAddScaled(c->force.body[k].lin, row->force, row->J[k].lin);
-        keaAddScaled(c->force.body[k].ang, row->force, row->J[k].ang);
+        keaAddScaled(c->force.body[k].lin, share * row->force, row->J[k].lin);
+        keaAddScaled(c->force.body[k].ang, share * row->force, row->J[k].ang);
     }
 }
 
@@ -134,25 +158,32 @@ static void unpackConstraints(Partition *p) {
     for (int i = 0; i < p->numConstraints; i++) {
         MdtConstraintID c = p->constraints[i];
         const MdtKeaRow *rows = p->kea.rows + c->firstRow;
-        for (int k = 0; k < 2; k++) {
-            keaZero(c->force.body[k].lin);
-            keaZero(c->force.body[k].ang);
-        }
         for (int r = 0; r < c->numRows; r++)
-            addForces(c, &rows[r]);
+            addForces(c, &rows[r], p->parameters.stepsize / p->h);
         setContext(p, c, &x);
         if (c->type->readBack)
             c->type->readBack(&c->bcl, &x, rows);
     }
 }
 
+static void velocityOf(MdtBodyID b, MdtKeaVelocity *v) {
+    keaCopy(v->lin, b->kea.velocity);
+    MdtKeaBodyGetAngularVelocity(&b->kea, v->ang);
+}
+
+static void rememberVelocities(Partition *p, MdtKeaVelocity start[]) {
+    for (int i = 0; i < p->numBodies; i++)
+        velocityOf(p->bodies[i], &start[i]);
+}
+
 static void unpackBodies(Partition *p, const MdtKeaVelocity start[]) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
-        const MdtKeaVelocity *end = &p->kea.velocity[i];
+        MdtKeaVelocity end;
+        velocityOf(b, &end);
         for (int k = 0; k < 3; k++) {
-            b->acceleration.lin[k] = (end->lin[k] - start[i].lin[k]) / p->h;
-            b->acceleration.ang[k] = (end->ang[k] - start[i].ang[k]) / p->h;
+            b->acceleration.lin[k] = (end.lin[k] - start[i].lin[k]) / p->h;
+            b->acceleration.ang[k] = (end.ang[k] - start[i].ang[k]) / p->h;
         }
         b->enabledTime += p->h;
         b->enabledSteps++;
@@ -205,44 +236,51 @@ static void *takeScratch(Partition *p, MdtKeaVelocity **start) {
     return scratch;
 }
 
-static void setParameters(Partition *p) {
-    p->kea.parameters.stepsize = (MeReal)p->h;
-    p->kea.parameters.epsilon = p->world->epsilon;
-    p->kea.parameters.gamma = p->world->gamma;
-    p->kea.parameters.maxIterations = p->world->maxLcpIterations;
-    p->kea.maxRows = mostRows(p);
-    p->kea.errors = positionErrors;
-    p->kea.context = p;
+static void solvePart(Partition *p, void *scratch, double part) {
+    MeProfileStartSection("Rows", 0);
+    setPart(p, part);
+    MdtKeaInit(&p->kea, scratch);
+    makeRows(p);
+    MeProfileEndSection("Rows");
+    MeProfileStartSection("Solve", 0);
+    MdtKeaSolve(&p->kea);
+    MeProfileEndSection("Solve");
+}
+
+static MeBool integratePart(Partition *p) {
+    MeProfileStartSection("Integrate", 0);
+    const MeBool isFinite = MdtKeaIntegrate(&p->kea);
+    if (isFinite)
+        unpackConstraints(p);
+    else
+        stopBodies(p);
+    warnOfSolver(p);
+    p->isContinued = METRUE;
+    MeProfileEndSection("Integrate");
+    return isFinite;
+}
+
+/* Takes one part of the step, in halves where its motion is violent. False: the bodies were stopped. */
+static MeBool takePart(Partition *p, void *scratch, double part, int halvings) {
+    solvePart(p, scratch, part);
+    if (p->kea.report.violent && halvings < MAX_HALVINGS)
+        return takePart(p, scratch, 0.5 * part, halvings + 1) && takePart(p, scratch, 0.5 * part, halvings + 1);
+    return integratePart(p);
 }
 
 static void stepPartition(Partition *p) {
     MdtKeaVelocity *start = NULL;
-    setParameters(p);
+    p->kea.maxRows = mostRows(p);
+    p->kea.errors = positionErrors;
+    p->kea.context = p;
     void *scratch = takeScratch(p, &start);
     if (!scratch)
         return;
-
-    MeProfileStartSection("Rows", 0);
     packBodies(p);
-    MdtKeaInit(&p->kea, scratch);
-    for (int i = 0; i < p->numBodies; i++)
-        start[i] = p->kea.velocity[i];
-    makeRows(p);
-    MeProfileEndSection("Rows");
-
-    MeProfileStartSection("Solve", 0);
-    MdtKeaSolve(&p->kea);
-    MeProfileEndSection("Solve");
-
-    MeProfileStartSection("Integrate", 0);
-    if (MdtKeaIntegrate(&p->kea)) {
-        unpackConstraints(p);
+    rememberVelocities(p, start);
+    clearForces(p);
+    if (takePart(p, scratch, p->h, 0))
         unpackBodies(p, start);
-    } else {
-        stopBodies(p);
-    }
-    warnOfSolver(p);
-    MeProfileEndSection("Integrate");
     MeChunkPutMem(&p->world->scratch, scratch);
 }
 

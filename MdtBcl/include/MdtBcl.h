@@ -32,8 +32,12 @@ typedef struct MdtBclContact {
     double direction[3];     /**< unit, primary direction, at right angles to the normal */
     double penetration;      /**< m, positive: overlap; negative: gap */
     MdtBclContactParams params;
-    double normalForce; /**< N, of the last step */
-    int rows;           /**< friction rows of this step's system: 1 primary, 2 secondary */
+    /* Kept by the library. */
+    double anchor[2][3]; /**< m, the surface points of the two bodies, in the frames of their centres of mass */
+    double point[3];     /**< m, position, and */
+    double depth;        /**< m, penetration: as set, then carried along with the bodies through a divided step */
+    double normalForce;  /**< N, of the last step */
+    int rows;            /**< friction rows of this step's system: 1 primary, 2 secondary */
 } MdtBclContact;
 
 /** What Bcl keeps of a constraint. */
@@ -50,11 +54,12 @@ typedef struct MdtBclConstraint {
  *  constraint was given a velocity of the world, that is its velocity. */
 typedef struct MdtBclContext {
     MdtBclSolverParameters parameters;
+    MeBool isContinued;                        /**< a later part of a step that was divided */
     MdtKeaBodyIndexPair body;                  /**< indices in Kea's system, or MdtBclNO_BODY */
     int firstRow;                              /**< index of the constraint's first row */
     const MdtKeaTransformation *pose[2];       /**< now */
     const MdtKeaVelocity *velocity[2];         /**< now */
-    const MdtKeaVelocity *predicted[2];        /**< over the step, were there no constraints */
+    const MdtKeaVelocity *predicted[2];        /**< at the end of the step, were there no constraints */
     const MdtKeaVelocity *acceleration[2];     /**< in the last step, 1/s of a velocity's units */
     const MdtKeaInverseMassMatrix *invMass[2]; /**< now */
 } MdtBclContext;

@@ -110,9 +110,10 @@ typedef struct MdtBclContactParams {
 
 /** A step's parameters, for the rows. */
 typedef struct MdtBclSolverParameters {
-    double stepsize; /**< s */
-    double epsilon;  /**< 1/kg */
-    double gamma;    /**< fraction of an error that one step removes */
+    double stepsize;  /**< s */
+    double epsilon;   /**< 1/kg, the world's, made fit for this length of step */
+    double gamma;     /**< fraction of an error that one step removes, made fit for this length of step */
+    double softening; /**< what epsilon was multiplied by to make it fit; for other compliances of its kind */
 } MdtBclSolverParameters;
 
 ME_END_C

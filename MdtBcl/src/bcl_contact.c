@@ -40,10 +40,35 @@ static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, con
     bcl_startRow(row, x);
     for (int k = 0; k < 2; k++) {
         double arm[3];
-        keaSubtract(arm, contact->position, x->pose[k]->pos);
+        keaSubtract(arm, contact->point, x->pose[k]->pos);
         keaScale(row->J[k].lin, k == 0 ? 1 : -1, d);
         keaCross(row->J[k].ang, arm, row->J[k].lin);
     }
+}
+
+/* At the start of a step the contact is as its maker set it: the surface points lie half the depth on either side. */
+static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
+    keaCopy(contact->point, contact->position);
+    contact->depth = contact->penetration;
+    for (int k = 0; k < 2; k++) {
+        double arm[3];
+        keaSubtract(arm, contact->point, x->pose[k]->pos);
+        keaAddScaled(arm, (k == 0 ? -0.5 : 0.5) * contact->depth, contact->normal);
+        keaApplyTransposed(contact->anchor[k], x->pose[k]->R, arm);
+    }
+}
+
+/* Within a divided step the surface points move with their bodies: depth = n·(p_1 - p_0). */
+static void carryContact(MdtBclContact *contact, const MdtBclContext *x) {
+    double p[2][3], between[3];
+    for (int k = 0; k < 2; k++) {
+        keaApply(p[k], x->pose[k]->R, contact->anchor[k]);
+        keaAddScaled(p[k], 1, x->pose[k]->pos);
+    }
+    keaSubtract(between, p[1], p[0]);
+    contact->depth = keaDot(contact->normal, between);
+    keaCopy(contact->point, p[0]);
+    keaAddScaled(contact->point, 0.5, between);
 }
 
 static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
@@ -56,9 +81,13 @@ static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclContact *contact = &c->of.contact;
     MdtKeaRow normal;
+    if (x->isContinued)
+        carryContact(contact, x);
+    else
+        anchorContact(contact, x);
     contactRow(contact, x, contact->normal, &normal);
     const double approach = bcl_rate(&normal, x->predicted);
-    const MeBool touches = contact->penetration >= 0 || x->parameters.stepsize * approach < contact->penetration;
+    const MeBool touches = contact->depth >= 0 || x->parameters.stepsize * approach < contact->depth;
     contact->rows = 0;
     if (touches && contact->params.type >= MdtContactTypeFriction1D && frictionActs(&contact->params, 0))
         contact->rows |= PRIMARY;
@@ -69,7 +98,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
 
 static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtKeaRow *row) {
     const MdtBclContactParams *p = &contact->params;
-    const double h = x->parameters.stepsize, depth = contact->penetration;
+    const double h = x->parameters.stepsize, depth = contact->depth;
     contactRow(contact, x, contact->normal, row);
     const double rate = bcl_rate(row, x->velocity), predicted = bcl_rate(row, x->predicted);
     row->error = -depth;
@@ -78,7 +107,7 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
     if ((p->options & MdtBclContactOptionBounce) && isHit)
         row->target = fmax(row->target, -(double)p->restitution * rate);
     if (p->options & MdtBclContactOptionSoft)
-        row->softness += (double)p->softness;
+        row->softness += x->parameters.softening * (double)p->softness;
     row->lower = p->options & MdtBclContactOptionAdhesive ? -boundOf(p->max_adhesive_force) : 0;
     row->force = contact->normalForce;
 }

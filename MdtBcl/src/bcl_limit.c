@@ -2,8 +2,9 @@
  *
  * For a stop let z be the distance that is left before it (negative: beyond), its rate J v, and λ >= 0 the force that
  * keeps z from falling.
- *   hard:  J v⁺ >= -z/h while z > 0, >= -γ z/h beyond, and >= -e J v when the stop is hit faster than one step's own
- *          acceleration explains (otherwise a load at rest on the stop would rattle).
+ *   hard:  J v⁺ >= -z/h while z > 0 (it may arrive), >= -γ z/h beyond, and >= -e J v when e > 0 and the stop is hit
+ *          faster than one step's own acceleration explains (otherwise a load at rest on the stop would rattle). The
+ *          rebound comes in the step that would pass the stop, which it therefore never does.
  *   soft:  beyond the stop a damped spring, λ = -kp (z + a h J v⁺) - kd ((1 - b) J v + b J v⁺), as a row:
  *              J v⁺ = s - h E λ,   C = a h kp + b kd,   s = -(kp z + (1 - b) kd J v) / C,   E = 1 / (h C).
  *          With a = 0, b = 1/2 this is the spring of the leapfrog and of the midpoint rule: no numerical damping,
@@ -90,7 +91,7 @@ static void hardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtK
     row->target = z > 0 ? -z / h : -x->parameters.gamma * z / h;
     const double rate = bcl_rate(row, x->velocity), predicted = bcl_rate(row, x->predicted);
     const MeBool isHit = z + h * predicted < 0 && rate < -bcl_ownChange(row, x);
-    if (isHit)
+    if (isHit && stop->restitution > 0)
         row->target = fmax(row->target, -(double)stop->restitution * rate);
 }
 

@@ -110,16 +110,9 @@ typedef struct MdtKeaRow {
     double force;    /**< λ, N: the answer */
 } MdtKeaRow;
 
-/** What the original kept for debugging; nothing here reads it. */
-typedef struct MdtKeaDebugDataRequest {
-    int options;
-} MdtKeaDebugDataRequest;
-
+/** What holds for the whole system. Epsilon and gamma are in the rows already. */
 typedef struct MdtKeaParameters {
-    MeReal stepsize; /**< s */
-    MeReal epsilon;  /**< 1/kg */
-    MeReal gamma;    /**< 0..1, the fraction of a position error that one step removes */
-    MdtKeaDebugDataRequest debug;
+    double stepsize;   /**< s */
     int maxIterations; /**< pivoting iterations of one solve; 0: Kea's own choice */
 } MdtKeaParameters;
 
@@ -130,6 +123,7 @@ typedef struct MdtKeaReport {
     int factorizations; /**< Cholesky factorizations in all passes */
     MeBool capped;      /**< the pivoting stopped at its cap: the forces are within bounds, but not exact */
     MeBool regularized; /**< conflicting rows: a compromise was taken */
+    MeBool violent;     /**< the bodies turn too far for the position rows in a step of this length: take shorter ones */
     double residual;    /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
     double error;       /**< m: the largest error left in a position row, against what it asked for */
 } MdtKeaReport;
@@ -151,7 +145,7 @@ typedef struct MdtKeaSystem {
 
     MdtKeaTransformation *pose;       /**< by body, at the start; after MdtKeaIntegrate at the end */
     MdtKeaVelocity *velocity;         /**< by body, at the start; after MdtKeaIntegrate at the end */
-    MdtKeaVelocity *predicted;        /**< by body: the mean over the step were there no constraints */
+    MdtKeaVelocity *predicted;        /**< by body, at the end were there no constraints, in the start's pose */
     MdtKeaInverseMassMatrix *invMass; /**< by body, at the start */
     MdtKeaRow *rows;                  /**< the owner fills rows[0..numRows) */
     int numRows;
@@ -170,7 +164,9 @@ MEPUBLIC void MEAPI MdtKeaInit(MdtKeaSystem *system, void *scratch);
 
 /**
  * Finds the forces of the system's rows, and where the bodies will be with them. Writes rows[i].force and the report.
- * The bodies are only read. The answer is finite and within bounds whatever the rows are, as long as they are finite.
+ * The bodies are only read, so a solve whose report says `violent` can be thrown away and repeated with a shorter step;
+ * if it is kept, the position rows are met to first order. The answer is finite and within bounds as long as the rows
+ * are finite.
  */
 MEPUBLIC void MEAPI MdtKeaSolve(MdtKeaSystem *system);
 

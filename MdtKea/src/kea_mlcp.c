@@ -7,20 +7,23 @@
  * contradicts the guess at once. When the number of contradictions has not fallen for a few rounds, move only the one
  * with the largest index (Murty), which must end because the matrix is positive definite.
  *
- * Positive definite it becomes by a relative regularization of 1e-10 on the scaled diagonal, taken out again by
- * proximal passes, (A + E + δ) x⁺ = b + δ x: redundant rows then share the load with the least total force, and the
- * answer obeys the original equations to rounding. Rows that contradict each other never agree, and the passes
- * notice: then a stronger regularization strikes a bounded compromise.
+ * Positive definite it becomes by a regularization δ, taken out again by proximal passes, (A + E + δ) x⁺ = b + δ x, so
+ * that the answer obeys the original equations to rounding. δ is the same for all rows, as ε is, some 1e-10 of their
+ * mobility: redundant rows then share a load as they would for ε -> 0, with the least sum of squares. Only where
+ * mobilities differ by many orders does δ follow the row's own. Rows that contradict each other never agree, and the
+ * passes notice: then a stronger regularization strikes a bounded compromise.
  */
 #include "kea_mlcp_i.h"
 #include "MePrecision.h"
 #include <string.h>
 
-static const double weakShift = 1e-10;  /* rounding loses 6 of 16 digits in redundant directions, proximal passes none */
-static const double strongShift = 1e-5; /* for contradictory rows */
+static const double usualShift = 1e-10; /* of the mean mobility */
+static const double leastShift = 1e-12; /* of the row's own: below, rounding makes redundant rows indefinite */
+static const double mostShift = 1e-6;   /* of the row's own: above, proximal passes are slow */
+static const double strongFactor = 1e5; /* for contradictory rows */
 static const double feasible = 1e-11;   /* slack of the pivoting tests, relative to the largest entry */
-static const double converged = 1e-12;  /* what a proximal pass may still change, relative to the load */
-static const double acceptable = 1e-7;  /* the same, when the passes are used up */
+static const double converged = 1e-12; /* how far the original equations may be missed, relative to the load */
+static const double acceptable = 1e-7; /* the same, when the proximal passes are used up */
 static const int maxProximalPasses = 10;
 static const int patience = 3; /* block exchanges without progress before single ones */
 
@@ -29,7 +32,7 @@ void kea_mlcpInit(KeaMlcp *p, int n, const double *A, KeaArena *arena) {
     memset(p, 0, sizeof *p);
     p->n = n;
     p->A = A;
-    double **vectors[] = {&p->E, &p->b, &p->lower, &p->upper, &p->x, &p->scale, &p->y, &p->previous, &p->rhs, &p->w};
+    double **vectors[] = {&p->E, &p->b, &p->lower, &p->upper, &p->x, &p->scale, &p->y, &p->previous, &p->rhs, &p->w, &p->shift};
     for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
         *vectors[i] = kea_carve(arena, m, sizeof(double));
     p->factor = kea_carve(arena, m * m, sizeof(double));
@@ -42,9 +45,13 @@ static double clamp(double x, double lower, double upper) {
 }
 
 void kea_mlcpBegin(KeaMlcp *p) {
+    double mobility = 0;
+    for (int i = 0; i < p->n; i++)
+        mobility += p->A[i * p->n + i] / p->n;
     for (int i = 0; i < p->n; i++) {
         const double diagonal = p->A[i * p->n + i] + p->E[i];
         p->scale[i] = diagonal > 0 ? 1 / sqrt(diagonal) : 0;
+        p->shift[i] = diagonal > 0 ? clamp(usualShift * mobility / diagonal, leastShift, mostShift) : leastShift;
         p->set[i] = KEA_FREE;
     }
     p->pivots = p->factorizations = 0;
@@ -85,13 +92,13 @@ static MeBool factorize(KeaMlcp *p) {
     p->factorizations++;
     for (int i = 0; i < k; i++) {
         for (int j = 0; j <= i; j++) {
-            double sum = entry(p, p->index[i], p->index[j]) + (i == j ? p->shift : 0);
+            double sum = entry(p, p->index[i], p->index[j]) + (i == j ? p->shiftFactor * p->shift[p->index[i]] : 0);
             for (int c = 0; c < j; c++)
                 sum -= L[i * k + c] * L[j * k + c];
             if (i != j) {
                 L[i * k + j] = sum / L[j * k + j];
             } else {
-                if (!(sum > 0.25 * p->shift))
+                if (!(sum > 0.25 * p->shiftFactor * p->shift[p->index[i]]))
                     return MEFALSE;
                 L[i * k + i] = sqrt(sum);
             }
@@ -124,7 +131,7 @@ static MeBool solveForSets(KeaMlcp *p) {
             p->y[i] = p->scale[i] == 0 ? 0 : p->set[i] == KEA_LOWER ? lowerOf(p, i) : upperOf(p, i);
     for (int k = 0; k < p->numFree; k++) {
         const int i = p->index[k];
-        double sum = p->scale[i] * p->b[i] + p->shift * p->previous[i];
+        double sum = p->scale[i] * p->b[i] + p->shiftFactor * p->shift[i] * p->previous[i];
         for (int j = 0; j < p->n; j++)
             if (p->set[j] != KEA_FREE)
                 sum -= entry(p, i, j) * p->y[j];
@@ -137,7 +144,7 @@ static MeBool solveForSets(KeaMlcp *p) {
         p->w[i] = 0;
         if (p->set[i] == KEA_FREE)
             continue;
-        double sum = p->shift * (p->y[i] - p->previous[i]) - p->scale[i] * p->b[i];
+        double sum = p->shiftFactor * p->shift[i] * (p->y[i] - p->previous[i]) - p->scale[i] * p->b[i];
         for (int j = 0; j < p->n; j++)
             sum += entry(p, i, j) * p->y[j];
         p->w[i] = sum;
@@ -236,33 +243,33 @@ static void startSets(KeaMlcp *p) {
 }
 
 /* Proximal passes at one regularization. Returns false when a factorization fails or the rows contradict. */
-static MeBool solveWithShift(KeaMlcp *p, double shift, int passes) {
-    if (p->shift != shift) {
-        p->shift = shift;
+static MeBool solveWithShift(KeaMlcp *p, double factor, int passes) {
+    if (p->shiftFactor != factor) {
+        p->shiftFactor = factor;
         p->factorValid = MEFALSE;
     }
     memset(p->previous, 0, (size_t)p->n * sizeof(double));
     const double load = largestLoad(p);
-    double step = 0;
+    double wrong = 0; /* by how much the original equations are missed */
     for (int pass = 0; pass < passes; pass++) {
         if (!pivot(p))
             return MEFALSE;
-        step = 0;
+        wrong = 0;
         for (int i = 0; i < p->n; i++) {
-            step = fmax(step, fabs(p->y[i] - p->previous[i]));
+            wrong = fmax(wrong, factor * p->shift[i] * fabs(p->y[i] - p->previous[i]));
             p->previous[i] = p->y[i];
         }
-        if (p->capped || shift * step <= converged * load)
+        if (p->capped || wrong <= converged * load)
             return METRUE;
     }
-    return shift * step <= acceptable * load;
+    return wrong <= acceptable * load;
 }
 
 void kea_mlcpSolve(KeaMlcp *p) {
     startSets(p);
-    if (!solveWithShift(p, weakShift, maxProximalPasses)) {
+    if (!solveWithShift(p, 1, maxProximalPasses)) {
         p->regularized = METRUE;
-        solveWithShift(p, strongShift, 1);
+        solveWithShift(p, strongFactor, 1);
     }
     for (int i = 0; i < p->n; i++) {
         const double x = p->scale[i] > 0 ? p->scale[i] * p->y[i] : 0;

@@ -31,7 +31,8 @@ typedef struct KeaMlcp {
     double *y, *previous, *rhs, *w;
     int *index; /* n: the free rows */
     int numFree;
-    double shift; /* the relative regularization that `factor` contains */
+    double *shift;      /* n: the regularization, of the scaled diagonal */
+    double shiftFactor; /* by which all of it is multiplied in `factor` */
     MeBool factorValid;
 } KeaMlcp;
 

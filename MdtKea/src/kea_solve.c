@@ -3,7 +3,8 @@
 #include <string.h>
 
 /* Passes cost a back-substitution each while the set of active rows stays the same. */
-static const int maxPasses = 20;
+static const int maxFrictionPasses = 12;
+static const int maxPositionPasses = 10;       /* an iteration that contracts by less than 0.1 is given up */
 static const double positionTolerance = 1e-10; /* of the lever arms and of the way moved in the step */
 static const double frictionTolerance = 1e-9;  /* of a bound */
 
@@ -96,37 +97,32 @@ static MeBool hasPositionRows(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-static void shiftTargets(MdtKeaSystem *s, double sign) {
+static void shiftTargets(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        s->work->shift[i] += sign * s->work->errors[i];
+        s->work->shift[i] += s->work->errors[i];
 }
 
 /* Newton's iteration for the position rows with the matrix of the start of the step: each pass turns what is missing
- * into velocity. It contracts by about h ω; motion too violent for that keeps the first-order answer. */
+ * into velocity. It contracts by about h ω; where the motion is too violent for that, the first-order answer is kept. */
 static void correctPositions(MdtKeaSystem *s) {
     kea_moveWithForces(s);
     if (!hasPositionRows(s))
         return;
     double worst = positionErrors(s);
-    const double first = worst;
-    while (worst > positionTolerance && s->report.passes < maxPasses) {
-        shiftTargets(s, 1);
+    for (int pass = 0; worst > positionTolerance && pass < maxPositionPasses; pass++) {
+        shiftTargets(s);
         solveRows(s);
         renewFrictionBounds(s);
         kea_moveWithForces(s);
-        const double now = positionErrors(s);
-        if (!(now < 0.9 * worst) && now > positionTolerance) {
-            worst = now;
-            break;
-        }
-        worst = now;
+        worst = positionErrors(s);
     }
-    if (!(worst < first) && first > positionTolerance) {
-        memset(s->work->shift, 0, (size_t)s->numRows * sizeof(double));
-        solveRows(s);
-        kea_moveWithForces(s);
-        positionErrors(s);
-    }
+    if (worst <= positionTolerance)
+        return;
+    s->report.violent = METRUE;
+    memset(s->work->shift, 0, (size_t)s->numRows * sizeof(double));
+    solveRows(s);
+    kea_moveWithForces(s);
+    positionErrors(s);
 }
 
 /* The largest violation of J v⁺ = s - h E λ that its bound does not explain. */
@@ -156,7 +152,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     loadRows(s);
     do {
         solveRows(s);
-    } while (renewFrictionBounds(s) && s->report.passes < maxPasses / 2);
+    } while (renewFrictionBounds(s) && s->report.passes < maxFrictionPasses);
     correctPositions(s);
     s->report.pivots = p->pivots;
     s->report.factorizations = p->factorizations;

@@ -58,20 +58,17 @@ static void advance(double r[3], const double v[3], const double a[3], double sc
         r[i] = keep * v[i] + h * gain * scale * a[i];
 }
 
-/* Velocity and momentum at the end of the step without constraints, and the mean rates of that motion. */
+/* Velocity and momentum at the end of the step without constraints, and the rates that they mean at the start's pose:
+ * the forces of the rows change the momenta of just this pose, so that rows solved for it hold whatever the free body
+ * would have done. */
 static void predict(MdtKeaSystem *s, int i) {
     const MdtKeaBody *body = s->bodies[i];
     MdtKeaWork *work = s->work;
     const double h = s->parameters.stepsize;
-    double q[4], wStart[3], wEnd[3];
     advance(work->freeVelocity[i], body->velocity, body->force, body->invMass, body->linearDamping, h);
     advance(work->freeMomentum[i], body->angularMomentum, body->torque, 1, body->angularDamping, h);
-    kea_rotateFree(body, body->quaternion, work->freeMomentum[i], h, q);
-    kea_angularVelocity(body, body->quaternion, work->freeMomentum[i], wStart);
-    kea_angularVelocity(body, q, work->freeMomentum[i], wEnd);
     keaCopy(s->predicted[i].lin, work->freeVelocity[i]);
-    for (int k = 0; k < 3; k++)
-        s->predicted[i].ang[k] = 0.5 * (wStart[k] + wEnd[k]);
+    kea_angularVelocity(body, body->quaternion, work->freeMomentum[i], s->predicted[i].ang);
 }
 
 void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {

@@ -1,0 +1,304 @@
+/* Bodies that nothing touches: falling, damping, momentum, tumbling. */
+#include "scene.h"
+
+/* Semi-implicit Euler has closed forms: v_n = n g h, x_n = g h² n (n + 1) / 2. */
+START_TEST(free_fall_is_the_closed_form_to_rounding) {
+    const double steplengths[] = {1.0 / 30, 1.0 / 60, 1e-3};
+    for (int k = 0; k < 3; k++) {
+        const MeReal h = (MeReal)steplengths[k], g = (MeReal)9.8;
+        const int n = 600;
+        MdtWorldID w = scene_world(1, 0, 9.8);
+        MdtBodyID b = scene_body(w, 3, 0, 10, 0);
+        MeVector3 p, v;
+        steps(w, n, h);
+        MdtBodyGetPosition(b, p);
+        MdtBodyGetLinearVelocity(b, v);
+        const double fallen = (double)g * h * h * n * (n + 1) / 2;
+        assert_near_rel(v[1], -(double)g * h * n, TOL(1e-7, 1e-13));
+        assert_near_rel((double)p[1] - 10, -fallen, TOL(1e-6, 1e-13));
+        ck_assert(p[0] == 0 && p[2] == 0);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* With damping d the velocity is the exact solution of dv/dt = g - d v at every step:
+ * v_n = v∞ + (v_0 - v∞) r^n with r = exp(-d h), and x_n = h sum of v_1..v_n. */
+START_TEST(damped_projectile_follows_the_exponential) {
+    const MeReal h = FRAME, g = (MeReal)9.8, d = (MeReal)0.7;
+    const int n = 300;
+    MdtWorldID w = scene_world(1, 0, 9.8);
+    MdtBodyID b = scene_body(w, 2, 0, 0, 0);
+    MdtBodySetLinearVelocity(b, 4, 6, 0);
+    MdtBodySetLinearVelocityDamping(b, d);
+    steps(w, n, h);
+    MeVector3 p, v;
+    MdtBodyGetPosition(b, p);
+    MdtBodyGetLinearVelocity(b, v);
+    const double r = exp(-(double)d * h), rn = pow(r, n), sum = (1 - rn) * r / (1 - r), limit = -(double)g / d;
+    assert_near(v[0], 4 * rn, TOL(1e-6, 1e-13));
+    assert_near(v[1], limit + (6 - limit) * rn, TOL(3e-6, 1e-12));
+    assert_near(p[0], h * 4 * sum, TOL(2e-6, 1e-12));
+    assert_near(p[1], h * (n * limit + (6 - limit) * sum), TOL(2e-5, 1e-11));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(angular_damping_slows_a_spin_by_the_exponential) {
+    MdtWorldID w = scene_world(1, 0, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    MdtBodySetAngularVelocity(b, 0, 3, 0);
+    MdtBodySetAngularVelocityDamping(b, (MeReal).5);
+    steps(w, 120, FRAME);
+    MeVector3 v;
+    MdtBodyGetAngularVelocity(b, v);
+    assert_near(v[1], 3 * exp(-.5 * 120 * (double)FRAME), TOL(1e-6, 1e-13));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+typedef struct {
+    double linear[3], angular[3];
+} Momentum;
+
+/* Of all bodies, about the origin. L = x × m v + R I R^T ω. */
+static Momentum momentumOf(MdtWorldID w) {
+    Momentum sum = {{0, 0, 0}, {0, 0, 0}};
+    for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetNext(b)) {
+        MeVector3 p, v, omega;
+        MeMatrix3 R, I;
+        const double m = MdtBodyGetMass(b);
+        MdtBodyGetPosition(b, p);
+        MdtBodyGetLinearVelocity(b, v);
+        MdtBodyGetAngularVelocity(b, omega);
+        MdtBodyGetOrientation(b, R);
+        MdtBodyGetInertiaTensor(b, I);
+        double local[3], turned[3];
+        for (int i = 0; i < 3; i++)
+            local[i] = (double)R[0][i] * omega[0] + (double)R[1][i] * omega[1] + (double)R[2][i] * omega[2];
+        for (int i = 0; i < 3; i++)
+            turned[i] = I[i][0] * local[0] + I[i][1] * local[1] + I[i][2] * local[2];
+        for (int i = 0; i < 3; i++) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            sum.linear[i] += m * v[i];
+            sum.angular[i] += m * ((double)p[j] * v[k] - (double)p[k] * v[j]) + R[i][0] * turned[0] +
+                              R[i][1] * turned[1] + R[i][2] * turned[2];
+        }
+    }
+    return sum;
+}
+
+static void assertSameMomentum(Momentum a, Momentum b, double tolerance) {
+    for (int i = 0; i < 3; i++) {
+        assert_near(b.linear[i], a.linear[i], tolerance);
+        assert_near(b.angular[i], a.angular[i], tolerance);
+    }
+}
+
+START_TEST(a_free_body_keeps_its_momenta) {
+    const double edge[3] = {1, .6, .2};
+    MdtWorldID w = scene_world(1, 0, 0);
+    MdtBodyID b = scene_box(w, 2, edge, 1, 2, 3);
+    MdtBodySetQuaternion(b, (MeReal).8, (MeReal).2, (MeReal)-.5, (MeReal).1);
+    MdtBodySetLinearVelocity(b, 1, -2, (MeReal).5);
+    MdtBodySetAngularVelocity(b, 3, -4, 2);
+    const Momentum before = momentumOf(w);
+    steps(w, 600, FRAME);
+    assertSameMomentum(before, momentumOf(w), TOL(2e-4, 1e-11));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Forces between bodies are opposite and act at the same point. */
+START_TEST(bodies_joined_by_joints_keep_their_momenta) {
+    const double edge[3] = {1, .3, .2};
+    MdtWorldID w = scene_world(3, 2, 0);
+    MdtWorldSetEpsilon(w, 0);
+    MdtBodyID a = scene_box(w, 1, edge, 0, 0, 0), b = scene_box(w, 2, edge, 1, 0, 0), c = scene_box(w, .5, edge, 2, 0, 0);
+    MdtBSJointID ball = MdtBSJointCreate(w);
+    MdtBSJointSetBodies(ball, a, b);
+    MdtBSJointSetPosition(ball, (MeReal).5, 0, 0);
+    MdtBSJointEnable(ball);
+    MdtHingeID hinge = MdtHingeCreate(w);
+    MdtHingeSetBodies(hinge, b, c);
+    MdtHingeSetPosition(hinge, (MeReal)1.5, 0, 0);
+    MdtHingeSetAxis(hinge, 0, 1, 1);
+    MdtHingeEnable(hinge);
+    MdtBodyAddImpulse(a, 1, 2, 0);
+    MdtBodyAddImpulseAtPosition(c, 0, 1, (MeReal)-.7, (MeReal)2.4, (MeReal).1, 0);
+    MdtWorldStep(w, FRAME); /* the impulses act */
+    const Momentum before = momentumOf(w);
+    assert_near(before.linear[1], 3, TOL(1e-6, 1e-12));
+    steps(w, 600, FRAME);
+    assertSameMomentum(before, momentumOf(w), TOL(5e-4, 1e-7));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* A box turning about its middle axis turns over again and again (Dzhanibekov); reference flips from a converged
+ * integration: 2.4543 s and then every 4.9085 s. */
+START_TEST(middle_axis_tumbling_flips_and_keeps_its_energy) {
+    const double edge[3] = {1, .6, .2};
+    MdtWorldID w = scene_world(1, 0, 0);
+    MdtBodyID b = scene_box(w, 1, edge, 0, 0, 0);
+    MdtBodySetAngularVelocity(b, (MeReal).01, 5, 0);
+    const double before = MdtBodyGetKineticEnergy(b);
+    double flips[4] = {0}, worst = 0, last = 5;
+    int count = 0;
+    for (int i = 1; i <= 600; i++) {
+        MdtWorldStep(w, FRAME);
+        MeVector3 omega;
+        MeMatrix4Ptr tm = MdtBodyGetTransformPtr(b);
+        MdtBodyGetAngularVelocity(b, omega);
+        const double spin = (double)omega[0] * tm[1][0] + (double)omega[1] * tm[1][1] + (double)omega[2] * tm[1][2];
+        if (spin * last < 0 && count < 4)
+            flips[count++] = (i - spin / (spin - last)) * (double)FRAME;
+        last = spin;
+        worst = fmax(worst, fabs(MdtBodyGetKineticEnergy(b) / before - 1));
+    }
+    ck_assert_int_eq(count, 2);
+    assert_near(flips[0], 2.4543, 1e-3);
+    assert_near(flips[1] - flips[0], 4.9085, 2e-3);
+    assert_below(worst, TOL(2e-6, 1e-8)); /* single: the rounding of what is read back */
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Any inertia tensor may be set in a frame that is not its own. */
+START_TEST(a_tilted_tensor_moves_like_a_tilted_body) {
+    const double edge[3] = {1, .6, .2};
+    MdtWorldID w = scene_world(2, 0, 0);
+    MdtBodyID plain = scene_box(w, 1, edge, 0, 0, 0), tilted = scene_body(w, 1, 5, 0, 0);
+    const MeReal c = (MeReal).8, s = (MeReal).6; /* about z */
+    MeMatrix3 I, tensor;
+    MdtBodyGetInertiaTensor(plain, I);
+    const MeMatrix3 T = {{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            tensor[i][j] = T[i][0] * I[0][0] * T[j][0] + T[i][1] * I[1][1] * T[j][1] + T[i][2] * I[2][2] * T[j][2];
+    MdtBodySetInertiaTensor(tilted, tensor);
+    MdtBodySetOrientation(plain, T);
+    MdtBodySetAngularVelocity(plain, 1, 4, 2);
+    MdtBodySetAngularVelocity(tilted, 1, 4, 2);
+    for (int i = 0; i < 120; i++) {
+        MeVector3 a, b;
+        MdtWorldStep(w, FRAME);
+        MdtBodyGetAngularVelocity(plain, a);
+        MdtBodyGetAngularVelocity(tilted, b);
+        assert_vec3_near(b, a[0], a[1], a[2], TOL(1e-4, 1e-12));
+    }
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* A rotation of more than a turn per step is no matter for a body that spins about its own axis. */
+START_TEST(fast_spin_is_exact) {
+    const double edge[3] = {1, .2, 1};
+    const MeReal rate = 400;
+    MdtWorldID w = scene_world(1, 0, 0);
+    MdtBodyID b = scene_box(w, 1, edge, 0, 0, 0);
+    MdtBodySetAngularVelocity(b, 0, rate, 0);
+    MdtBodySetFastSpinAxis(b, 0, 1, 0);
+    steps(w, 60, FRAME);
+    MeVector4 q;
+    MdtBodyGetQuaternion(b, q);
+    const double half = .5 * (double)rate * 60 * (double)FRAME;
+    assert_near(fabs((double)q[0]), fabs(cos(half)), TOL(1e-6, 1e-10));
+    assert_near(q[1], 0, 1e-12);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(spherical_inertia_and_no_coriolis_keep_the_angular_velocity) {
+    const double edge[3] = {1, .6, .2};
+    for (int way = 0; way < 2; way++) {
+        MdtWorldID w = scene_world(1, 0, 0);
+        MdtBodyID b = scene_box(w, 1, edge, 0, 0, 0);
+        MdtBodySetAngularVelocity(b, 1, 2, 3);
+        if (way == 0)
+            MdtBodyDisableNonSphericalInertia(b);
+        else
+            MdtBodyDisableCoriolisForce(b);
+        steps(w, 300, FRAME);
+        MeVector3 v;
+        MdtBodyGetAngularVelocity(b, v);
+        assert_vec3_near(v, 1, 2, 3, TOL(1e-5, 1e-12));
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* v = F h / m for a force, I / m for an impulse, however long the step; a force lasts for one step. */
+START_TEST(forces_last_a_step_and_impulses_do_not_depend_on_it) {
+    const MeReal h[] = {(MeReal).1, (MeReal).001};
+    for (int k = 0; k < 2; k++) {
+        MdtWorldID w = scene_world(2, 0, 0);
+        MdtBodyID pushed = scene_body(w, 2, 0, 0, 0), hit = scene_body(w, 2, 0, 5, 0);
+        MdtBodyAddForce(pushed, 3, 0, 0);
+        MdtBodyAddForce(pushed, 0, 5, 0);
+        MdtBodyAddTorque(pushed, 0, 0, (MeReal).2);
+        MdtBodyAddImpulse(hit, 0, 0, 4);
+        steps(w, 3, h[k]);
+        MeVector3 v;
+        MdtBodyGetLinearVelocity(pushed, v);
+        assert_vec3_near(v, 1.5 * (double)h[k], 2.5 * (double)h[k], 0, 1e-7);
+        MdtBodyGetAngularVelocity(pushed, v);
+        assert_vec3_near(v, 0, 0, .5 * (double)h[k], 1e-7); /* 0.2 / 0.4 */
+        MdtBodyGetLinearVelocity(hit, v);
+        assert_vec3_near(v, 0, 0, 2, 1e-7);
+        MdtBodyGetForce(pushed, v);
+        assert_vec3_near(v, 0, 0, 0, 0);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* A force beside the centre of mass also turns: torque (P - x) × F. */
+START_TEST(force_at_a_position_adds_its_torque) {
+    MdtWorldID w = scene_world(1, 0, 0);
+    MdtBodyID b = scene_body(w, 1, 1, 1, 1);
+    MdtBodyAddForceAtPosition(b, 0, 0, 2, 4, 1, 1);
+    MeVector3 t;
+    MdtBodyGetTorque(b, t);
+    assert_vec3_near(t, 0, -6, 0, 1e-6);
+    MdtBodyResetForces(b);
+    MdtBodyGetTorque(b, t);
+    assert_vec3_near(t, 0, 0, 0, 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* First order in h: half the step, half the error against g t² / 2. */
+START_TEST(free_fall_converges_at_first_order) {
+    double error[3];
+    for (int k = 0; k < 3; k++) {
+        const int n = 60 << k;
+        MdtWorldID w = scene_world(1, 0, 10);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MeVector3 p;
+        steps(w, n, (MeReal)(1.0 / n));
+        MdtBodyGetPosition(b, p);
+        error[k] = fabs((double)p[1] + 5);
+        MdtWorldDestroy(w);
+    }
+    assert_near(error[0] / error[1], 2, 1e-2);
+    assert_near(error[1] / error[2], 2, 1e-2);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, free_fall_is_the_closed_form_to_rounding);
+    tcase_add_test(t, damped_projectile_follows_the_exponential);
+    tcase_add_test(t, angular_damping_slows_a_spin_by_the_exponential);
+    tcase_add_test(t, a_free_body_keeps_its_momenta);
+    tcase_add_test(t, bodies_joined_by_joints_keep_their_momenta);
+    tcase_add_test(t, middle_axis_tumbling_flips_and_keeps_its_energy);
+    tcase_add_test(t, a_tilted_tensor_moves_like_a_tilted_body);
+    tcase_add_test(t, fast_spin_is_exact);
+    tcase_add_test(t, spherical_inertia_and_no_coriolis_keep_the_angular_velocity);
+    tcase_add_test(t, forces_last_a_step_and_impulses_do_not_depend_on_it);
+    tcase_add_test(t, force_at_a_position_adds_its_torque);
+    tcase_add_test(t, free_fall_converges_at_first_order);
+}
+
+TEST_MAIN("FreeBody", tests)

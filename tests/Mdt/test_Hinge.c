@@ -1,0 +1,466 @@
+/* The hinge: its angle, its stops, its motor. The bar of scene.h has the moment 1/3 about the hinge. */
+#include "scene.h"
+
+static const double inertia = 1.0 / 3;
+static const double pi = 3.14159265358979323846;
+
+/* A bar set turning at the rate w comes to turn at a rate that differs by up to 3/16 (w h)²: the leapfrog takes the
+ * velocity as that of the middle of a step. */
+static double startError(double rate) {
+    const double turn = rate * (double)FRAME;
+    return fabs(rate) * 3 / 16 * turn * turn + TOL(2e-6, 1e-7);
+}
+
+static double angleOf(HingedBar s) {
+    return MdtLimitGetPosition(s.limit);
+}
+
+static double rateOf(HingedBar s) {
+    MeVector3 w;
+    MdtBodyGetAngularVelocity(s.bar, w);
+    return w[2];
+}
+
+static void setStops(HingedBar s, double lower, double upper, double restitution) {
+    MdtSingleLimitID stop[2] = {MdtLimitGetLowerLimit(s.limit), MdtLimitGetUpperLimit(s.limit)};
+    MdtSingleLimitSetStop(stop[0], (MeReal)lower);
+    MdtSingleLimitSetStop(stop[1], (MeReal)upper);
+    MdtSingleLimitSetRestitution(stop[0], (MeReal)restitution);
+    MdtSingleLimitSetRestitution(stop[1], (MeReal)restitution);
+    MdtLimitActivateLimits(s.limit, 1);
+}
+
+static void setSpring(HingedBar s, double stiffness, double damping) {
+    MdtSingleLimitID stop[2] = {MdtLimitGetLowerLimit(s.limit), MdtLimitGetUpperLimit(s.limit)};
+    for (int i = 0; i < 2; i++) {
+        MdtSingleLimitSetStiffness(stop[i], (MeReal)stiffness);
+        MdtSingleLimitSetDamping(stop[i], (MeReal)damping);
+    }
+}
+
+START_TEST(only_the_angle_is_free) {
+    HingedBar s = scene_hingedBar(0);
+    MdtBodyAddImpulseAtPosition(s.bar, (MeReal).3, 1, (MeReal).7, 1, 0, (MeReal).2);
+    for (int i = 0; i < 300; i++) {
+        MeVector3 p, w;
+        MdtWorldStep(s.world, FRAME);
+        MdtBodyGetPosition(s.bar, p);
+        MdtBodyGetAngularVelocity(s.bar, w);
+        assert_near(p[2], 0, 1e-7);
+        assert_near(sqrt((double)p[0] * p[0] + (double)p[1] * p[1]), .5, TOL(1e-6, 1e-8));
+        assert_near(w[0], 0, TOL(1e-5, 1e-6));
+        assert_near(w[1], 0, TOL(1e-5, 1e-6));
+        assert_near(w[2], 3, startError(3)); /* 1 N s at 1 m on the moment 1/3 */
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(the_angle_counts_full_turns) {
+    const double rates[] = {3, -3, 40, -170}; /* the last one turns 0.45 of a turn a step */
+    for (int k = 0; k < 4; k++) {
+        HingedBar s = scene_hingedBar(0);
+        MdtBodySetCenterOfMassRelativePosition(s.bar, (MeVector3){(MeReal)-.5, 0, 0}); /* a rotor: no swing */
+        MdtBodySetAngularVelocity(s.bar, 0, 0, (MeReal)rates[k]);
+        steps(s.world, 600, FRAME);
+        assert_near_rel(angleOf(s), rates[k] * 600 * (double)FRAME, TOL(2e-6, 1e-8));
+        assert_near_rel(MdtLimitGetVelocity(s.limit), rates[k], TOL(2e-6, 1e-8));
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+START_TEST(position_is_only_an_offset) {
+    HingedBar s = scene_hingedBar(0);
+    scene_spinBar(s, 1);
+    steps(s.world, 30, FRAME);
+    MdtLimitSetPosition(s.limit, 7);
+    assert_near(angleOf(s), 7, 0);
+    MeVector3 before, after;
+    MdtBodyGetPosition(s.bar, before);
+    steps(s.world, 30, FRAME);
+    MdtBodyGetPosition(s.bar, after);
+    assert_near(angleOf(s), 7 + 30 * (double)FRAME, startError(1));
+    assert_near(after[0], .5 * cos(60 * (double)FRAME), startError(1));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_hard_stop_returns_its_restitution_in_one_step) {
+    const double es[] = {0, .5, 1};
+    for (int k = 0; k < 3; k++)
+        for (int side = -1; side <= 1; side += 2) {
+            HingedBar s = scene_hingedBar(0);
+            setStops(s, -.7, .9, es[k]);
+            scene_spinBar(s, 2 * side);
+            double most = 0, before = 2 * side;
+            int reversals = 0;
+            for (int i = 0; i < 40; i++) {
+                MdtWorldStep(s.world, FRAME);
+                most = fmax(most, angleOf(s) * side);
+                if (fabs(rateOf(s) - before) > 1e-3) {
+                    reversals++;
+                    if (es[k] > 0)
+                        assert_near(rateOf(s), -es[k] * 2 * side, startError(2));
+                }
+                before = rateOf(s);
+            }
+            if (es[k] == 0) {
+                ck_assert_int_le(reversals, 2); /* it arrives within a step, then stands */
+                assert_near(rateOf(s), 0, TOL(1e-6, 1e-9));
+                assert_near(most, side > 0 ? .9 : .7, TOL(1e-6, 1e-7));
+                assert_near(angleOf(s), side > 0 ? .9 : -.7, TOL(1e-6, 1e-7));
+            } else {
+                ck_assert_int_eq(reversals, 1);
+                assert_below(most, (side > 0 ? .9 : .7) + TOL(1e-6, 1e-9));
+            }
+            MdtWorldDestroy(s.world);
+        }
+}
+END_TEST
+
+START_TEST(a_lossless_stop_keeps_the_energy_of_a_falling_bar) {
+    HingedBar s = scene_hingedBar(9.81);
+    setStops(s, -.4, 3, 1);
+    double least = 1e9, most = -1e9;
+    for (int i = 0; i < 1200; i++) {
+        MdtWorldStep(s.world, FRAME);
+        MeVector3 p;
+        MdtBodyGetPosition(s.bar, p);
+        const double energy = .5 * inertia * rateOf(s) * rateOf(s) + 9.81 * (double)p[1];
+        least = fmin(least, energy);
+        most = fmax(most, energy);
+    }
+    assert_below(most, .25); /* the leapfrog's own ripple, g v h / 2; it started with 0 */
+    assert_below(-least, .25);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(stops_lie_beyond_full_turns) {
+    HingedBar s = scene_hingedBar(0);
+    setStops(s, -3 * pi, 5 * pi, 1);
+    scene_spinBar(s, 9);
+    double most = 0, least = 0;
+    for (int i = 0; i < 600; i++) {
+        MdtWorldStep(s.world, FRAME);
+        most = fmax(most, angleOf(s));
+        least = fmin(least, angleOf(s));
+    }
+    ck_assert_msg(most > 5 * pi - .16 && most <= 5 * pi + 1e-5, "highest angle %g", most);
+    ck_assert_msg(least < -3 * pi + .16 && least >= -3 * pi - 1e-5, "lowest angle %g", least);
+    assert_near(fabs(rateOf(s)), 9, startError(9));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* A torque presses the bar onto the stop and it swings about the balance: I θ'' = -k θ - d θ' - 6. */
+START_TEST(a_soft_stop_is_a_damped_spring) {
+    const double ks[] = {10, 40, 160}, ds[] = {0, .1, .5};
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++) {
+            const double w0 = sqrt(ks[a] / inertia), decay = ds[b] / (2 * inertia), w1 = sqrt(w0 * w0 - decay * decay);
+            const double rest = -6 / ks[a];
+            HingedBar s = scene_hingedBar(0);
+            setStops(s, 0, 10, 0);
+            setSpring(s, ks[a], ds[b]);
+            scene_spinBar(s, 0);
+            double last = -rest, first = 0, latest = 0, peak = 0, firstPeak = 0;
+            int crossings = 0;
+            for (int i = 1; crossings < 9 && i < 3000; i++) {
+                MdtBodyAddTorque(s.bar, 0, 0, -6);
+                MdtWorldStep(s.world, FRAME);
+                const double x = angleOf(s) - rest;
+                if (last * x < 0) {
+                    latest = (i - x / (x - last)) * (double)FRAME;
+                    if (crossings++ == 0)
+                        first = latest;
+                    else if (crossings == 2)
+                        firstPeak = peak;
+                    if (crossings < 9)
+                        peak = 0;
+                }
+                peak = fmax(peak, fabs(x));
+                last = x;
+            }
+            ck_assert_int_eq(crossings, 9);
+            /* eight half periods, seven of them between the first and the last peak */
+            assert_near_rel((latest - first) / 8, pi / w1, w0 * w0 * (double)FRAME * (double)FRAME / 12 + 2e-4);
+            /* a peak between two pictures looks lower by up to (w h)²/8 */
+            const double sampling = w1 / (7 * pi) * w0 * w0 * (double)FRAME * (double)FRAME / 8;
+            assert_near(log(firstPeak / peak) * w1 / (7 * pi), decay, 5e-3 * decay + sampling + TOL(1e-4, 1e-4));
+            MdtWorldDestroy(s.world);
+        }
+}
+END_TEST
+
+/* A stiffness that no explicit rule could bear: still no energy from nowhere. */
+START_TEST(a_very_stiff_soft_stop_gains_no_energy) {
+    HingedBar s = scene_hingedBar(9.81);
+    setStops(s, -.5, 10, 0);
+    setSpring(s, 1e8, 0);
+    double most = 0;
+    for (int i = 0; i < 600; i++) {
+        MdtWorldStep(s.world, FRAME);
+        most = fmax(most, angleOf(s));
+    }
+    assert_below(most, .05); /* it started at 0 */
+    assert_near(angleOf(s), -.5, .05);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(above_the_threshold_a_stop_is_hard) {
+    HingedBar s = scene_hingedBar(0);
+    setStops(s, -1, .5, .5);
+    setSpring(s, 100, 3);
+    MdtLimitSetStiffnessThreshold(s.limit, 50);
+    scene_spinBar(s, 2);
+    steps(s.world, 30, FRAME);
+    assert_near(rateOf(s), -1, startError(2)); /* restitution, no damping */
+    MdtLimitSetStiffnessThreshold(s.limit, 100);
+    MdtLimitSetStiffnessThreshold(s.limit, -3);
+    assert_near(MdtLimitGetStiffnessThreshold(s.limit), 0, 0);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_stop_without_stiffness_and_damping_does_nothing) {
+    HingedBar s = scene_hingedBar(0);
+    setStops(s, -1, .5, 1);
+    setSpring(s, 0, 0);
+    scene_spinBar(s, 2);
+    steps(s.world, 60, FRAME);
+    assert_near(rateOf(s), 2, startError(2));
+    assert_near(angleOf(s), 120 * (double)FRAME, startError(2));
+    assert_near(MdtLimitGetOvershoot(s.limit), 120 * (double)FRAME - .5, startError(2));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(the_motor_reaches_its_speed_with_its_force) {
+    HingedBar s = scene_hingedBar(0);
+    MdtLimitSetLimitedForceMotor(s.limit, 10, (MeReal).5);
+    ck_assert(MdtLimitIsMotorized(s.limit));
+    const double acceleration = .5 / inertia;
+    for (int i = 1; i <= 500; i++) {
+        MdtWorldStep(s.world, FRAME);
+        const double rate = fmin(10, acceleration * i * (double)FRAME);
+        assert_near(rateOf(s), rate, startError(rate));
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(the_motor_stalls_at_its_force_limit) {
+    /* gravity turns the horizontal bar with m g / 2 = 4.905 N m */
+    HingedBar weak = scene_hingedBar(9.81);
+    MdtLimitSetLimitedForceMotor(weak.limit, 5, 3);
+    MdtWorldStep(weak.world, FRAME);
+    assert_near_rel(rateOf(weak), -(4.905 - 3) / inertia * (double)FRAME, TOL(1e-4, 1e-3));
+    MdtWorldDestroy(weak.world);
+    HingedBar brake = scene_hingedBar(9.81);
+    MdtLimitSetLimitedForceMotor(brake.limit, 0, 5);
+    steps(brake.world, 300, FRAME);
+    assert_near(angleOf(brake), 0, 1e-6);
+    MdtWorldDestroy(brake.world);
+}
+END_TEST
+
+/* The bar lies on the stop, motor and stop in balance: fmax = stiffness × overshoot. */
+START_TEST(a_motor_rests_on_a_soft_stop_at_fmax_over_stiffness) {
+    HingedBar s = scene_hingedBar(0);
+    setStops(s, -1, .5, 0);
+    setSpring(s, 40, 2);
+    MdtLimitSetLimitedForceMotor(s.limit, 3, 8);
+    steps(s.world, 1200, FRAME);
+    assert_near(MdtLimitGetOvershoot(s.limit), 8.0 / 40, TOL(1e-6, 1e-9));
+    assert_near(rateOf(s), 0, TOL(1e-6, 1e-9));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* An arm driven up against a stop at 45 degrees: it comes to rest there, without rattling; the stop carries what the
+ * motor has to spare, 10 - m g/2 cos 45°. */
+START_TEST(a_motor_rests_on_a_hard_stop) {
+    const double es[] = {0, .5};
+    for (int k = 0; k < 2; k++) {
+        HingedBar s = scene_hingedBar(9.81);
+        setStops(s, -1, pi / 4, es[k]);
+        MdtLimitSetLimitedForceMotor(s.limit, 50, 10);
+        steps(s.world, 300, FRAME);
+        double most = 0, least = 10;
+        for (int i = 0; i < 60; i++) {
+            MdtWorldStep(s.world, FRAME);
+            most = fmax(most, angleOf(s));
+            least = fmin(least, angleOf(s));
+        }
+        assert_near(least, pi / 4, TOL(1e-6, 1e-7));
+        assert_near(most, pi / 4, TOL(1e-6, 1e-7));
+        assert_near(s.limit->stopForce[1], 10 - 4.905 * cos(pi / 4), TOL(1e-4, 1e-6));
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+/* What the joint gives back about the hinge's axis is motor minus stop: gravity's torque. */
+START_TEST(the_torque_read_back_balances_the_load) {
+    HingedBar s = scene_hingedBar(9.81);
+    MdtLimitSetLimitedForceMotor(s.limit, 0, 20);
+    steps(s.world, 300, FRAME);
+    MeVector3 f, t, p, other;
+    MdtHingeGetForce(s.hinge, 0, f);
+    MdtHingeGetTorque(s.hinge, 0, t);
+    MdtBodyGetPosition(s.bar, p);
+    assert_vec3_near(f, 0, 9.81, 0, TOL(1e-4, 1e-6));
+    const double aboutHinge = t[2] + ((double)p[0] * f[1] - (double)p[1] * f[0]);
+    assert_near(aboutHinge, 4.905, TOL(1e-4, 1e-6));
+    MdtHingeGetForce(s.hinge, 1, other);
+    assert_vec3_near(other, -f[0], -f[1], -f[2], 0);
+    ck_assert_int_eq(MdtConstraintGetRowCount(MdtHingeQuaConstraint(s.hinge)), 6);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_free_hinge_has_five_rows) {
+    HingedBar s = scene_hingedBar(9.81);
+    setStops(s, -10, 10, 1);
+    MdtWorldStep(s.world, FRAME);
+    ck_assert_int_eq(MdtConstraintGetRowCount(MdtHingeQuaConstraint(s.hinge)), 5);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* The world as the first body: the same motion, the angle of the other sign. */
+START_TEST(the_bodies_order_mirrors_the_angle) {
+    HingedBar a = scene_hingedBar(9.81), b = scene_hingedBar(9.81);
+    MdtHingeDisable(b.hinge);
+    MdtHingeSetBodies(b.hinge, 0, b.bar);
+    MdtHingeSetPosition(b.hinge, 0, 0, 0);
+    MdtHingeSetAxis(b.hinge, 0, 0, 1);
+    MdtHingeEnable(b.hinge);
+    setStops(a, -1.2, .3, .5);
+    setStops(b, -.3, 1.2, .5);
+    for (int i = 0; i < 300; i++) {
+        MdtWorldStep(a.world, FRAME);
+        MdtWorldStep(b.world, FRAME);
+        assert_near(angleOf(b), -angleOf(a), TOL(1e-4, 1e-9));
+    }
+    MdtWorldDestroy(a.world);
+    MdtWorldDestroy(b.world);
+}
+END_TEST
+
+START_TEST(limits_follow_the_guide_s_rules) {
+    MdtBclLimit own;
+    MdtBclSingleLimit stop;
+    MdtLimitReset(&own);
+    MdtSingleLimitReset(&stop);
+    ck_assert(!MdtLimitIsActive(&own) && !MdtLimitIsMotorized(&own) && !MdtLimitPositionIsCalculated(&own));
+    ck_assert(MdtLimitGetStiffnessThreshold(&own) == MEINFINITY);
+    ck_assert(MdtSingleLimitGetStop(&stop) == 0 && MdtSingleLimitGetRestitution(&stop) == 1 &&
+              MdtSingleLimitGetStiffness(&stop) == MEINFINITY && MdtSingleLimitGetDamping(&stop) == 0);
+    /* a lower stop above the upper one takes it along, and the reverse */
+    MdtSingleLimitSetStop(&stop, 3);
+    MdtLimitSetLowerLimit(&own, &stop);
+    assert_near(MdtSingleLimitGetStop(MdtLimitGetUpperLimit(&own)), 3, 0);
+    MdtSingleLimitSetStop(&stop, -2);
+    MdtLimitSetUpperLimit(&own, &stop);
+    assert_near(MdtSingleLimitGetStop(MdtLimitGetLowerLimit(&own)), -2, 0);
+    /* what cannot be negative, or above 1, is clamped */
+    MdtSingleLimitSetStiffness(&stop, -1);
+    MdtSingleLimitSetDamping(&stop, -1);
+    ck_assert(MdtSingleLimitGetStiffness(&stop) == 0 && MdtSingleLimitGetDamping(&stop) == 0);
+    MdtSingleLimitSetRestitution(&stop, 3);
+    assert_near(MdtSingleLimitGetRestitution(&stop), 1, 0);
+    MdtSingleLimitSetRestitution(&stop, -3);
+    assert_near(MdtSingleLimitGetRestitution(&stop), 0, 0);
+    /* the motor's switch and its force */
+    MdtLimitSetLimitedForceMotor(&own, 4, 2);
+    ck_assert(MdtLimitIsMotorized(&own) && MdtLimitPositionIsCalculated(&own));
+    MdtLimitCalculatePosition(&own, 0);
+    ck_assert(MdtLimitPositionIsCalculated(&own)); /* cannot be cleared while powered */
+    MdtLimitSetLimitedForceMotor(&own, 4, -2);
+    ck_assert(!MdtLimitIsMotorized(&own) && MdtLimitGetMotorMaxForce(&own) == 0);
+    MdtLimitActivateMotor(&own, 1);
+    ck_assert(MdtLimitIsMotorized(&own) && MdtLimitGetMotorDesiredVelocity(&own) == 4);
+}
+END_TEST
+
+START_TEST(set_limit_copies_the_public_values) {
+    HingedBar s = scene_hingedBar(0);
+    MdtBclLimit own;
+    MdtLimitReset(&own);
+    MdtLimitActivateLimits(&own, 1);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), (MeReal).25);
+    MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(&own), 0);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(&own), -1);
+    MdtHingeSetLimit(s.hinge, &own);
+    ck_assert(MdtHingeGetLimit(s.hinge) == s.limit);
+    scene_spinBar(s, 1);
+    steps(s.world, 60, FRAME);
+    assert_near(angleOf(s), .25, TOL(1e-6, 1e-7));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* The step may be divided where the motion is violent; the guide's meaning of a load on a joint does not change. */
+START_TEST(a_violently_turning_pair_stays_together) {
+    const double edge[3] = {.2, 1, .2};
+    MdtWorldID w = scene_world(2, 2, 9.81);
+    MdtWorldSetEpsilon(w, 0);
+    MdtBodyID a = scene_box(w, 1, edge, 0, -.5, 0), b = scene_box(w, 1, edge, 0, -1.5, 0);
+    MdtHingeID h[2] = {MdtHingeCreate(w), MdtHingeCreate(w)};
+    MdtHingeSetBodies(h[0], a, 0);
+    MdtHingeSetBodies(h[1], b, a);
+    for (int i = 0; i < 2; i++) {
+        MdtHingeSetPosition(h[i], 0, (MeReal)-i, 0);
+        MdtHingeSetAxis(h[i], 0, 0, 1);
+        MdtHingeEnable(h[i]);
+    }
+    MdtBodySetAngularVelocity(a, 0, 0, 25);
+    MdtBodySetAngularVelocity(b, 0, 0, -25);
+    double energy = 0;
+    for (int i = 0; i < 600; i++) {
+        MdtWorldStep(w, FRAME);
+        for (int k = 0; k < 2; k++) {
+            MeVector3 p, q;
+            MdtConstraintBodyGetPosition(MdtHingeQuaConstraint(h[k]), 0, p);
+            MdtConstraintBodyGetPosition(MdtHingeQuaConstraint(h[k]), 1, q);
+            for (int j = 0; j < 3; j++)
+                assert_near(p[j], q[j], TOL(1e-5, 1e-6));
+        }
+        MeVector3 pa, pb;
+        MdtBodyGetPosition(a, pa);
+        MdtBodyGetPosition(b, pb);
+        energy = MdtBodyGetKineticEnergy(a) + MdtBodyGetKineticEnergy(b) + 9.81 * ((double)pa[1] + pb[1] + 2);
+    }
+    assert_below(energy, 100); /* it started with 58 + the impulse of the hinges */
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, only_the_angle_is_free);
+    tcase_add_test(t, the_angle_counts_full_turns);
+    tcase_add_test(t, position_is_only_an_offset);
+    tcase_add_test(t, a_hard_stop_returns_its_restitution_in_one_step);
+    tcase_add_test(t, a_lossless_stop_keeps_the_energy_of_a_falling_bar);
+    tcase_add_test(t, stops_lie_beyond_full_turns);
+    tcase_add_test(t, a_soft_stop_is_a_damped_spring);
+    tcase_add_test(t, a_very_stiff_soft_stop_gains_no_energy);
+    tcase_add_test(t, above_the_threshold_a_stop_is_hard);
+    tcase_add_test(t, a_stop_without_stiffness_and_damping_does_nothing);
+    tcase_add_test(t, the_motor_reaches_its_speed_with_its_force);
+    tcase_add_test(t, the_motor_stalls_at_its_force_limit);
+    tcase_add_test(t, a_motor_rests_on_a_soft_stop_at_fmax_over_stiffness);
+    tcase_add_test(t, a_motor_rests_on_a_hard_stop);
+    tcase_add_test(t, the_torque_read_back_balances_the_load);
+    tcase_add_test(t, a_free_hinge_has_five_rows);
+    tcase_add_test(t, the_bodies_order_mirrors_the_angle);
+    tcase_add_test(t, limits_follow_the_guide_s_rules);
+    tcase_add_test(t, set_limit_copies_the_public_values);
+    tcase_add_test(t, a_violently_turning_pair_stays_together);
+}
+
+TEST_MAIN("Hinge", tests)
