@@ -32,8 +32,9 @@ static void reset(MdtBclConstraint *c) {
     MdtBclContactParamsReset(&contact->params);
 }
 
+/* Programs may write parameters directly: what is not positive counts as 0. */
 static double boundOf(MeReal value) {
-    return value >= MEINFINITY ? HUGE_VAL : (double)value;
+    return value >= MEINFINITY ? HUGE_VAL : value > 0 ? (double)value : 0;
 }
 
 static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, const double d[3], MdtKeaRow *row) {
@@ -105,9 +106,9 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
     row->target = depth > 0 ? x->parameters.gamma * depth / h : depth / h;
     const MeBool isHit = h * predicted < depth && rate < -fmax((double)p->velThreshold, bcl_ownChange(row, x));
     if ((p->options & MdtBclContactOptionBounce) && isHit)
-        row->target = fmax(row->target, -(double)p->restitution * rate);
+        row->target = fmax(row->target, -fmin((double)p->restitution, 1) * rate);
     if (p->options & MdtBclContactOptionSoft)
-        row->softness += x->parameters.softening * (double)p->softness;
+        row->softness += x->parameters.softening * fmax((double)p->softness, 0);
     row->lower = p->options & MdtBclContactOptionAdhesive ? -boundOf(p->max_adhesive_force) : 0;
     row->force = contact->normalForce;
 }

@@ -31,8 +31,9 @@ double bcl_rate(const MdtKeaRow *row, const MdtKeaVelocity *const velocity[2]) {
 }
 
 double bcl_ownChange(const MdtKeaRow *row, const MdtBclContext *x) {
+    const double margin = 1.1; /* a body that fell for just one step must not seem faster by rounding */
     const double loads = bcl_rate(row, x->predicted) - bcl_rate(row, x->velocity);
-    return fmax(fabs(loads), x->parameters.stepsize * fabs(bcl_rate(row, x->acceleration)));
+    return margin * fmax(fabs(loads), x->parameters.stepsize * fabs(bcl_rate(row, x->acceleration)));
 }
 
 double bcl_mobility(const MdtKeaRow *row, const MdtBclContext *x) {

@@ -172,7 +172,7 @@ MEPUBLIC void MEAPI MdtKeaSolve(MdtKeaSystem *system);
 
 /**
  * Advances the bodies to the end of the step, with the forces found by MdtKeaSolve. Returns true. Should a state not
- * be finite, no body is changed, and false is returned.
+ * be finite, in MeReal, no body is changed, and false is returned.
  */
 MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
 

@@ -4,8 +4,9 @@
  *     w >= 0 where x = lower, w <= 0 where x = upper, w = 0 between.
  *
  * Block principal pivoting (Júdice and Pires 1994): guess which x are free, solve for them, and move every row that
- * contradicts the guess at once. When the number of contradictions has not fallen for a few rounds, move only the one
- * with the largest index (Murty), which must end because the matrix is positive definite.
+ * contradicts the guess at once. This takes a few rounds, but it can go round in circles; when the number of
+ * contradictions has not fallen for a few rounds, the primal active-set method takes over. It is slower and cannot
+ * fail: the problem is that of the least 1/2 x·(A + E) x - b·x within the bounds, and every round brings it down.
  *
  * Positive definite it becomes by a regularization δ, taken out again by proximal passes, (A + E + δ) x⁺ = b + δ x, so
  * that the answer obeys the original equations to rounding. δ is the same for all rows, as ε is, some 1e-10 of their
@@ -25,14 +26,14 @@ static const double feasible = 1e-11;   /* slack of the pivoting tests, relative
 static const double converged = 1e-12; /* how far the original equations may be missed, relative to the load */
 static const double acceptable = 1e-7; /* the same, when the proximal passes are used up */
 static const int maxProximalPasses = 10;
-static const int patience = 3; /* block exchanges without progress before single ones */
+static const int patience = 3; /* block exchanges without progress before the active-set method */
 
 void kea_mlcpInit(KeaMlcp *p, int n, const double *A, KeaArena *arena) {
     const size_t m = (size_t)n;
     memset(p, 0, sizeof *p);
     p->n = n;
     p->A = A;
-    double **vectors[] = {&p->E, &p->b, &p->lower, &p->upper, &p->x, &p->scale, &p->y, &p->previous, &p->rhs, &p->w, &p->shift};
+    double **vectors[] = {&p->E, &p->b, &p->lower, &p->upper, &p->x, &p->scale, &p->y, &p->previous, &p->rhs, &p->w, &p->shift, &p->from};
     for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
         *vectors[i] = kea_carve(arena, m, sizeof(double));
     p->factor = kea_carve(arena, m * m, sizeof(double));
@@ -183,49 +184,114 @@ static KeaSet wantedSet(const KeaMlcp *p, int i, double slackY, double slackW) {
     return p->w[i] > slackW ? KEA_FREE : KEA_UPPER;
 }
 
-/* Counts the rows that contradict their sets; with `move`, moves them: all, or only the one of the largest index. */
-static int contradictions(KeaMlcp *p, double slackY, double slackW, MeBool move, MeBool all) {
+static void moveTo(KeaMlcp *p, int i, KeaSet set) {
+    p->set[i] = set;
+    p->factorValid = MEFALSE;
+}
+
+typedef struct {
+    double y, w; /* how far y may be beyond a bound, and w of the wrong sign: rounding */
+} Slack;
+
+static Slack slackOf(const KeaMlcp *p) {
+    const double y = largest(p->y, p->n);
+    return (Slack){feasible * y, feasible * fmax(largestLoad(p), y)};
+}
+
+/* Moves every row that contradicts its set; returns how many. */
+static int exchange(KeaMlcp *p) {
+    const Slack slack = slackOf(p);
     int count = 0;
-    for (int i = p->n - 1; i >= 0; i--) {
-        if (isFixed(p, i))
-            continue;
-        const KeaSet wanted = wantedSet(p, i, slackY, slackW);
+    for (int i = 0; i < p->n; i++) {
+        const KeaSet wanted = isFixed(p, i) ? p->set[i] : wantedSet(p, i, slack.y, slack.w);
         if (wanted == p->set[i])
             continue;
-        if (move && (all || count == 0)) {
-            p->set[i] = wanted;
-            p->factorValid = MEFALSE;
-        }
+        moveTo(p, i, wanted);
         count++;
     }
     return count;
 }
 
-/* Pivots until the sets are right for the current right-hand side. Returns false when a factorization fails. */
-static MeBool pivot(KeaMlcp *p) {
-    const int limit = p->maxIterations > 0 ? p->maxIterations : 100 + 10 * p->n;
-    int best = p->n + 1, tries = patience;
-    for (int round = 0;; round++) {
+/* Moves y from `from` towards the solution of the free rows, as far as the bounds allow. Returns the row that is in the
+ * way, which is put to its bound; -1 when there is none. */
+static int stepToBound(KeaMlcp *p, const double *from) {
+    double share = 1;
+    int blocking = -1;
+    for (int k = 0; k < p->numFree; k++) {
+        const int i = p->index[k];
+        const double bound = p->y[i] < from[i] ? lowerOf(p, i) : upperOf(p, i);
+        if (p->y[i] < lowerOf(p, i) || p->y[i] > upperOf(p, i)) {
+            const double reach = (bound - from[i]) / (p->y[i] - from[i]);
+            if (reach < share || blocking < 0) {
+                share = clamp(reach, 0, 1);
+                blocking = i;
+            }
+        }
+    }
+    if (blocking < 0)
+        return -1;
+    const KeaSet side = p->y[blocking] < from[blocking] ? KEA_LOWER : KEA_UPPER;
+    for (int k = 0; k < p->numFree; k++) {
+        const int i = p->index[k];
+        p->y[i] = clamp(from[i] + share * (p->y[i] - from[i]), lowerOf(p, i), upperOf(p, i));
+    }
+    moveTo(p, blocking, side);
+    return blocking;
+}
+
+/* The row at a bound that would bring the energy down most when it is let go; -1 when the answer is found. */
+static int rowToFree(const KeaMlcp *p) {
+    const Slack slack = slackOf(p);
+    int best = -1;
+    for (int i = 0; i < p->n; i++)
+        if (p->set[i] != KEA_FREE && !isFixed(p, i) && wantedSet(p, i, slack.y, slack.w) == KEA_FREE &&
+            (best < 0 || fabs(p->w[i]) > fabs(p->w[best])))
+            best = i;
+    return best;
+}
+
+/* The primal active-set method, from y put within its bounds. */
+static MeBool descend(KeaMlcp *p, int limit) {
+    for (int i = 0; i < p->n; i++) {
+        if (isFixed(p, i))
+            continue;
+        p->y[i] = clamp(p->y[i], lowerOf(p, i), upperOf(p, i));
+        moveTo(p, i, p->y[i] <= lowerOf(p, i) ? KEA_LOWER : p->y[i] >= upperOf(p, i) ? KEA_UPPER : KEA_FREE);
+    }
+    for (int round = 0; round < limit; round++) {
+        memcpy(p->from, p->y, (size_t)p->n * sizeof(double));
         if (!solveForSets(p))
             return MEFALSE;
-        const double slackY = feasible * largest(p->y, p->n);
-        const double slackW = feasible * fmax(largestLoad(p), largest(p->y, p->n));
-        const int count = contradictions(p, slackY, slackW, MEFALSE, MEFALSE);
+        p->pivots++;
+        if (stepToBound(p, p->from) >= 0)
+            continue;
+        const int free = rowToFree(p);
+        if (free < 0)
+            return METRUE;
+        moveTo(p, free, KEA_FREE);
+    }
+    p->capped = METRUE;
+    return METRUE;
+}
+
+/* Pivots until the sets are right for the current right-hand side. Returns false when a factorization fails. */
+static MeBool pivot(KeaMlcp *p) {
+    const int limit = p->maxIterations > 0 ? p->maxIterations : 100 + 20 * p->n;
+    int best = p->n + 1, tries = patience;
+    for (int round = 0; round < limit; round++) {
+        if (!solveForSets(p))
+            return MEFALSE;
+        const int count = exchange(p);
         if (count == 0)
             return METRUE;
-        if (round >= limit) {
-            p->capped = METRUE;
-            return METRUE;
-        }
-        if (count < best) {
-            best = count;
-            tries = patience;
-        } else {
-            tries--;
-        }
-        contradictions(p, slackY, slackW, METRUE, tries > 0);
         p->pivots++;
+        tries = count < best ? patience : tries - 1;
+        best = count < best ? count : best;
+        if (tries == 0)
+            return descend(p, limit - round);
     }
+    p->capped = METRUE;
+    return METRUE;
 }
 
 /* Makes the sets of the last solve fit the bounds now set. */
@@ -265,14 +331,22 @@ static MeBool solveWithShift(KeaMlcp *p, double factor, int passes) {
     return wrong <= acceptable * load;
 }
 
+/* Unscaled; exactly at the bound for a row that is there, and within bounds also where the pivoting was cut short. */
+static double answerOf(const KeaMlcp *p, int i) {
+    if (p->scale[i] == 0)
+        return clamp(0, p->lower[i], p->upper[i]);
+    if (p->set[i] != KEA_FREE)
+        return p->set[i] == KEA_LOWER ? p->lower[i] : p->upper[i];
+    const double x = p->scale[i] * p->y[i]; /* a solve that was capped may have left it outside */
+    return clamp(isfinite(x) ? x : 0, p->lower[i], p->upper[i]);
+}
+
 void kea_mlcpSolve(KeaMlcp *p) {
     startSets(p);
     if (!solveWithShift(p, 1, maxProximalPasses)) {
         p->regularized = METRUE;
         solveWithShift(p, strongFactor, 1);
     }
-    for (int i = 0; i < p->n; i++) {
-        const double x = p->scale[i] > 0 ? p->scale[i] * p->y[i] : 0;
-        p->x[i] = clamp(isfinite(x) ? x : 0, p->lower[i], p->upper[i]);
-    }
+    for (int i = 0; i < p->n; i++)
+        p->x[i] = answerOf(p, i);
 }

@@ -28,7 +28,7 @@ typedef struct KeaMlcp {
     /* workspace: everything scaled so that the diagonal of A + E is 1 */
     double *scale;  /* n: 1 / sqrt(A_ii + E_i); 0 for a row that nothing can move */
     double *factor; /* n x n: Cholesky factor of the free part */
-    double *y, *previous, *rhs, *w;
+    double *y, *previous, *rhs, *w, *from;
     int *index; /* n: the free rows */
     int numFree;
     double *shift;      /* n: the regularization, of the scaled diagonal */

@@ -91,7 +91,7 @@ void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3
     keaQuaternionProduct(q, q, turn);
 
     const Split split = {a, b, 1 / I[a] - 1 / I[r], 1 / I[b] - 1 / I[r]};
-    const double angle = h * keaLength(L) * (fabs(split.rateA) + fabs(split.rateB));
+    const double angle = fabs(h) * keaLength(L) * (fabs(split.rateA) + fabs(split.rateB));
     if (angle > slowAngle)
         blanesMoan4(q, l, &split, h);
     else if (angle > 0)

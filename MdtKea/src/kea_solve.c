@@ -161,11 +161,21 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     s->report.residual = residual(s);
 }
 
-static MeBool isFinite(const double *v, int n) {
+/* Within the range of MeReal, which programs read the state in; false for NaN. */
+static MeBool isInRange(const double *v, int n) {
     for (int i = 0; i < n; i++)
-        if (!isfinite(v[i]))
+        if (!(fabs(v[i]) <= (double)MEINFINITY))
             return MEFALSE;
     return METRUE;
+}
+
+static MeBool mayCommit(const MdtKeaBody *body, const KeaEnd *end) {
+    double w[3];
+    if (!isInRange(end->position, 3) || !isInRange(end->quaternion, 4) || !isInRange(end->velocity, 3) ||
+        !isInRange(end->angularMomentum, 3))
+        return MEFALSE;
+    kea_angularVelocity(body, end->quaternion, end->angularMomentum, w);
+    return isInRange(w, 3);
 }
 
 static void commit(MdtKeaBody *body, const KeaEnd *end) {
@@ -182,12 +192,9 @@ static void commit(MdtKeaBody *body, const KeaEnd *end) {
 }
 
 MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
-    for (int i = 0; i < s->numBodies; i++) {
-        const KeaEnd *end = &s->work->end[i];
-        if (!isFinite(end->position, 3) || !isFinite(end->quaternion, 4) || !isFinite(end->velocity, 3) ||
-            !isFinite(end->angularMomentum, 3))
+    for (int i = 0; i < s->numBodies; i++)
+        if (!mayCommit(s->bodies[i], &s->work->end[i]))
             return MEFALSE;
-    }
     for (int i = 0; i < s->numBodies; i++) {
         commit(s->bodies[i], &s->work->end[i]);
         s->pose[i] = s->work->endPose[i];

@@ -1,0 +1,173 @@
+/* What all constraints share: life, attachment, frames, casts, bookkeeping. */
+#include "scene.h"
+
+START_TEST(life_of_a_joint) {
+    MdtWorldID w = scene_world(2, 2, 0);
+    MdtBodyID a = scene_body(w, 1, 0, 0, 0);
+    MdtHingeID j = MdtHingeCreate(w);
+    int data;
+    ck_assert(!MdtHingeIsEnabled(j) && MdtHingeGetBody(j, 0) == NULL && MdtHingeGetBody(j, 1) == NULL);
+    ck_assert(MdtHingeGetWorld(j) == w && MdtHingeGetUserData(j) == NULL && MdtHingeGetSortKey(j) == 0);
+    MdtHingeSetBodies(j, 0, a);
+    MdtHingeSetUserData(j, &data);
+    MdtHingeSetSortKey(j, 2147483647);
+    MdtHingeEnable(j);
+    ck_assert(MdtHingeIsEnabled(j) == 1 && MdtHingeGetBody(j, 1) == a && MdtHingeGetUserData(j) == &data);
+    ck_assert(MdtHingeGetSortKey(j) == 2147483647);
+    ck_assert_int_eq(MdtWorldGetEnabledConstraints(w), 1);
+    MdtHingeDisable(j);
+    ck_assert(!MdtHingeIsEnabled(j));
+    MdtHingeEnable(j);
+    MdtHingeDestroy(j); /* disables first */
+    ck_assert_int_eq(MdtWorldGetEnabledConstraints(w), 0);
+    ck_assert_int_eq(MdtWorldGetTotalConstraints(w), 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(casts_know_the_type) {
+    MdtWorldID w = scene_world(1, 3, 0);
+    MdtHingeID hinge = MdtHingeCreate(w);
+    MdtBSJointID ball = MdtBSJointCreate(w);
+    MdtContactID contact = MdtContactCreate(w);
+    ck_assert(MdtConstraintDCastHinge(MdtHingeQuaConstraint(hinge)) == hinge);
+    ck_assert(MdtConstraintDCastBSJoint(MdtBSJointQuaConstraint(ball)) == ball);
+    ck_assert(MdtConstraintDCastContact(MdtContactQuaConstraint(contact)) == contact);
+    ck_assert(MdtConstraintDCastHinge(MdtBSJointQuaConstraint(ball)) == NULL);
+    ck_assert(MdtConstraintDCastBSJoint(MdtContactQuaConstraint(contact)) == NULL);
+    ck_assert(MdtConstraintDCastContact(MdtHingeQuaConstraint(hinge)) == NULL);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(frames_are_given_in_the_world_and_move_with_the_bodies) {
+    MdtWorldID w = scene_world(2, 1, 0);
+    MdtBodyID a = scene_body(w, 1, 1, 0, 0), b = scene_body(w, 1, 0, 3, 0);
+    MdtHingeID j = MdtHingeCreate(w);
+    MdtConstraintID c = MdtHingeQuaConstraint(j);
+    MeVector3 p, o;
+    MdtHingeSetBodies(j, a, b);
+    MdtHingeSetPosition(j, 2, 2, 2);
+    MdtConstraintSetAxes(c, 0, 0, 5, 3, 0, 3); /* normalized, made orthogonal */
+    MdtConstraintGetAxes(c, p, o);
+    assert_vec3_near(p, 0, 0, 1, 1e-6);
+    assert_vec3_near(o, 1, 0, 0, 1e-6);
+    MdtBodySetPosition(b, 10, 3, 0);
+    MdtBodySetQuaternion(b, (MeReal)sqrt(.5), (MeReal)sqrt(.5), 0, 0); /* y to z */
+    MdtConstraintBodyGetPosition(c, 0, p);
+    assert_vec3_near(p, 2, 2, 2, 1e-6);
+    MdtConstraintBodyGetPosition(c, 1, p); /* was (2, -1, 2) from b */
+    assert_vec3_near(p, 12, 1, -1, 1e-5);
+    MdtConstraintBodyGetPositionRel(c, 1, p);
+    assert_vec3_near(p, 2, -1, 2, 1e-6);
+    MdtConstraintBodyGetAxes(c, 1, p, o);
+    assert_vec3_near(p, 0, -1, 0, 1e-6);
+    MdtConstraintBodyGetAxis(c, 1, p);
+    assert_vec3_near(p, 0, -1, 0, 1e-6);
+    MdtHingeGetAxis(j, p);
+    assert_vec3_near(p, 0, 0, 1, 1e-6);
+    MdtConstraintBodySetPositionRel(c, 0, 1, 1, 1);
+    MdtHingeGetPosition(j, p);
+    assert_vec3_near(p, 2, 1, 1, 1e-6);
+    MdtConstraintBodySetAxesRel(c, 0, 0, 1, 0, 1, 0, 0);
+    MdtConstraintBodyGetAxesRel(c, 0, p, o);
+    assert_vec3_near(p, 0, 1, 0, 1e-6);
+    assert_vec3_near(o, 1, 0, 0, 1e-6);
+    MdtConstraintBodySetBothAxis(c, 0, 1, 0, 0, 0, 1, 0); /* the deprecated names */
+    MdtConstraintBodyGetBothAxes(c, 0, p, o);
+    assert_vec3_near(p, 1, 0, 0, 1e-6);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(reset_brings_a_joint_s_defaults_back) {
+    MdtWorldID w = scene_world(1, 1, 0);
+    MdtBodyID a = scene_body(w, 1, 1, 0, 0);
+    MdtHingeID j = MdtHingeCreate(w);
+    MeVector3 p;
+    MdtHingeSetBodies(j, a, 0);
+    MdtHingeSetPosition(j, 2, 2, 2);
+    MdtHingeSetAxis(j, 0, 1, 0);
+    MdtLimitActivateMotor(MdtHingeGetLimit(j), 1);
+    MdtHingeReset(j);
+    MdtConstraintBodyGetPositionRel(MdtHingeQuaConstraint(j), 0, p);
+    assert_vec3_near(p, 0, 0, 0, 0);
+    MdtHingeGetAxis(j, p);
+    assert_vec3_near(p, 1, 0, 0, 1e-7);
+    ck_assert(!MdtLimitIsMotorized(MdtHingeGetLimit(j)) && MdtHingeGetBody(j, 0) == a);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(a_constraint_acts_only_when_enabled) {
+    MdtWorldID w = scene_world(1, 1, 10);
+    MdtBodyID a = scene_body(w, 1, 0, 0, 0);
+    MdtBSJointID j = MdtBSJointCreate(w);
+    MeVector3 v;
+    MdtBSJointSetBodies(j, a, 0);
+    MdtWorldStep(w, (MeReal).1);
+    MdtBodyGetLinearVelocity(a, v);
+    assert_near(v[1], -1, 1e-6);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(a_moving_world_drags_a_joint_along) {
+    MdtWorldID w = scene_world(1, 1, 0);
+    MdtWorldSetEpsilon(w, 0);
+    MdtBodyID a = scene_body(w, 1, 0, 0, 0);
+    MdtBSJointID j = MdtBSJointCreate(w);
+    MeVector3 v;
+    MdtBSJointSetBodies(j, a, 0);
+    MdtConstraintSetWorldLinearVelocity(MdtBSJointQuaConstraint(j), 1, 2, 3);
+    MdtConstraintGetWorldLinearVelocity(MdtBSJointQuaConstraint(j), v);
+    assert_vec3_near(v, 1, 2, 3, 0);
+    MdtBSJointEnable(j);
+    MdtWorldStep(w, FRAME);
+    MdtBodyGetLinearVelocity(a, v);
+    assert_vec3_near(v, 1, 2, 3, TOL(1e-5, 1e-9));
+    MdtConstraintSetWorldAngularVelocity(MdtBSJointQuaConstraint(j), 1, 0, 0);
+    MdtConstraintGetWorldAngularVelocity(MdtBSJointQuaConstraint(j), v);
+    assert_vec3_near(v, 1, 0, 0, 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(changing_the_bodies_of_an_enabled_constraint_warns_and_does_it) {
+    MdtWorldID w = scene_world(2, 1, 0);
+    MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 0, 0, 0);
+    MdtBSJointID j = MdtBSJointCreate(w);
+    MdtBSJointSetBodies(j, a, 0);
+    MdtBSJointEnable(j);
+    messages_catch();
+    MdtBSJointSetBodies(j, b, a);
+    assert_warned("disable it");
+    messages_release();
+    ck_assert(MdtBSJointGetBody(j, 0) == b && MdtBSJointGetBody(j, 1) == a && MdtBSJointIsEnabled(j));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(contacts_form_lists_of_their_makers) {
+    MdtWorldID w = scene_world(1, 2, 0);
+    MdtContactID a = MdtContactCreate(w), b = MdtContactCreate(w);
+    MdtContactSetNext(a, b);
+    ck_assert(MdtContactGetNext(a) == b && MdtContactGetNext(b) == MdtContactInvalidID);
+    MdtContactSetNext(a, MdtContactInvalidID);
+    ck_assert(MdtContactGetNext(a) == MdtContactInvalidID);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, life_of_a_joint);
+    tcase_add_test(t, casts_know_the_type);
+    tcase_add_test(t, frames_are_given_in_the_world_and_move_with_the_bodies);
+    tcase_add_test(t, reset_brings_a_joint_s_defaults_back);
+    tcase_add_test(t, a_constraint_acts_only_when_enabled);
+    tcase_add_test(t, a_moving_world_drags_a_joint_along);
+    tcase_add_test(t, changing_the_bodies_of_an_enabled_constraint_warns_and_does_it);
+    tcase_add_test(t, contacts_form_lists_of_their_makers);
+}
+
+TEST_MAIN("Constraint", tests)

@@ -1,0 +1,511 @@
+/* Contacts, made by hand as a program without collision makes them. */
+#include "scene.h"
+
+/* The one contact of a body with a horizontal floor at y = 0, under its centre, made anew before every step. */
+typedef struct {
+    MdtWorldID world;
+    MdtBodyID body;
+    MdtContactID contact;
+    MdtBclContactParams params;
+    double radius;
+    MeBool early; /* make it while there is still a gap */
+} Ball;
+
+static Ball makeBall(double height, double gravity) {
+    Ball s = {.radius = .5};
+    s.world = scene_world(2, 8, gravity);
+    MdtWorldSetEpsilon(s.world, 0);
+    s.body = scene_body(s.world, 1, 0, height, 0);
+    MdtContactParamsReset(&s.params);
+    return s;
+}
+
+static void stepBall(Ball *s, MeReal h) {
+    MeVector3 p;
+    if (s->contact)
+        MdtContactDestroy(s->contact);
+    s->contact = MdtContactInvalidID;
+    MdtBodyGetPosition(s->body, p);
+    const double depth = s->radius - (double)p[1];
+    if (depth > 0 || s->early) {
+        s->contact = MdtContactCreate(s->world);
+        MdtContactSetBodies(s->contact, s->body, 0);
+        MdtContactSetPosition(s->contact, p[0], (MeReal)0, p[2]);
+        MdtContactSetNormal(s->contact, 0, 1, 0);
+        MdtContactSetPenetration(s->contact, (MeReal)depth);
+        MdtContactSetParams(s->contact, &s->params);
+        MdtContactEnable(s->contact);
+    }
+    MdtWorldStep(s->world, h);
+}
+
+static double heightOf(const Ball *s) {
+    return (double)MdtBodyGetTransformPtr(s->body)[3][1] - s->radius;
+}
+
+static double speedOf(const Ball *s) {
+    MeVector3 v;
+    MdtBodyGetLinearVelocity(s->body, v);
+    return v[1];
+}
+
+/* The next height at which the ball turns round. */
+static double nextTop(Ball *s, MeReal h) {
+    while (speedOf(s) <= 0)
+        stepBall(s, h);
+    double top = heightOf(s);
+    while (speedOf(s) > 0) {
+        stepBall(s, h);
+        top = fmax(top, heightOf(s));
+    }
+    return top;
+}
+
+START_TEST(bounces_rise_to_the_square_of_the_restitution) {
+    const double es[] = {.9, .7, .5, .2};
+    for (int k = 0; k < 4; k++)
+        for (int early = 0; early < 2; early++) {
+            Ball s = makeBall(2.5, 9.81);
+            s.early = early;
+            MdtContactParamsSetRestitution(&s.params, (MeReal)es[k]);
+            double wanted = 2;
+            for (int bounce = 0; bounce < 3; bounce++) {
+                const double top = nextTop(&s, (MeReal)5e-4);
+                wanted *= es[k] * es[k];
+                /* the impact is met within one step of the way: v h (1 - e²), each bounce on top of the last */
+                assert_near(top, wanted, 6.3 * 5e-4 * (1 - es[k] * es[k]) + .01 * wanted);
+                wanted = top;
+            }
+            MdtWorldDestroy(s.world);
+        }
+}
+END_TEST
+
+START_TEST(bounce_heights_converge_at_first_order) {
+    double worst[2] = {0, 0};
+    for (int k = 0; k < 2; k++) {
+        const double h = 4e-3 / (k ? 8 : 1);
+        for (int phase = 0; phase < 10; phase++) { /* the step at which the floor is met is a matter of luck */
+            Ball s = makeBall(2.5 + .003 * phase, 9.81);
+            MdtContactParamsSetRestitution(&s.params, (MeReal).5);
+            worst[k] = fmax(worst[k], fabs(nextTop(&s, (MeReal)h) - .25 * (2 + .003 * phase)));
+            MdtWorldDestroy(s.world);
+        }
+    }
+    ck_assert_msg(worst[0] / worst[1] > 5, "worst errors %g and %g", worst[0], worst[1]);
+}
+END_TEST
+
+START_TEST(a_lossless_bounce_neither_gains_nor_loses) {
+    Ball s = makeBall(5.5, 9.81);
+    MdtContactParamsSetRestitution(&s.params, 1);
+    const double first = nextTop(&s, FRAME);
+    for (int i = 0; i < 10; i++) {
+        const double top = nextTop(&s, FRAME);
+        assert_below(top, 5 + 1e-5);
+        assert_near(top, first, 9.81 * (double)FRAME * (double)FRAME); /* tops lie between two pictures */
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(impacts_below_the_threshold_do_not_bounce) {
+    for (int k = 0; k < 2; k++) {
+        Ball s = makeBall(.5, 0);
+        s.early = METRUE;
+        MdtContactParamsSetRestitution(&s.params, (MeReal).5);
+        MdtContactParamsSetRestitutionThreshold(&s.params, 1);
+        MdtBodySetLinearVelocity(s.body, 0, k ? (MeReal)-1.1 : (MeReal)-.9, 0);
+        stepBall(&s, FRAME);
+        assert_near(speedOf(&s), k ? .55 : 0, 1e-6);
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+START_TEST(a_bouncing_ball_comes_to_rest_and_stays) {
+    Ball s = makeBall(3, 9.81);
+    MdtWorldSetEpsilon(s.world, (MeReal)MDTWORLD_DEFAULT_EPSILON); /* the sag that keeps the contact overlapping */
+    MdtContactParamsSetRestitution(&s.params, (MeReal).6);
+    for (int i = 0; i < 600; i++)
+        stepBall(&s, FRAME);
+    for (int i = 0; i < 300; i++) {
+        stepBall(&s, FRAME);
+        assert_near(speedOf(&s), 0, 1e-5);
+        assert_near(heightOf(&s), -1e-4 * 9.81 * (double)FRAME * (double)FRAME / .2, 1e-7);
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+static void pushFor(Ball *s, int n, double fx, double fz) {
+    for (int i = 0; i < n; i++) {
+        MdtBodyAddForce(s->body, (MeReal)fx, 0, (MeReal)fz);
+        stepBall(s, FRAME);
+    }
+}
+
+/* A body whose contact is at its centre, so that friction does not turn it. */
+static Ball makeBlock(double gravity) {
+    Ball s = makeBall(0, gravity);
+    s.radius = 0;
+    s.early = METRUE;
+    return s;
+}
+
+static void velocityOf(const Ball *s, MeVector3 v) {
+    MdtBodyGetLinearVelocity(s->body, v);
+}
+
+START_TEST(box_friction_of_10_holds_9_and_lets_11_slide_with_1) {
+    Ball s = makeBlock(9.81);
+    MeVector3 v;
+    MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
+    MdtContactParamsSetFriction(&s.params, 10);
+    pushFor(&s, 60, 9, 0);
+    velocityOf(&s, v);
+    assert_near(v[0], 0, 1e-6);
+    pushFor(&s, 60, 11, 0);
+    velocityOf(&s, v);
+    assert_near(v[0], 1 * 60 * (double)FRAME, TOL(1e-5, 1e-8));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* The box model bounds each direction by itself: 9 along both is 12.7 together and still holds. */
+START_TEST(box_friction_is_a_box) {
+    Ball s = makeBlock(9.81);
+    MeVector3 v;
+    MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
+    MdtContactParamsSetFriction(&s.params, 10);
+    pushFor(&s, 60, 9, 9);
+    velocityOf(&s, v);
+    assert_vec3_near(v, 0, 0, 0, 1e-6);
+    MdtContactParamsSetPrimaryFriction(&s.params, 10);
+    MdtContactParamsSetSecondaryFriction(&s.params, 2);
+    pushFor(&s, 60, 9, 9);
+    velocityOf(&s, v);
+    ck_assert_msg((fabs((double)v[0]) < 1e-6) != (fabs((double)v[2]) < 1e-6), "v = %g %g", (double)v[0], (double)v[2]);
+    assert_near(fabs((double)v[0]) + fabs((double)v[2]), 7 * 60 * (double)FRAME, 1e-4);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(frictionless_and_infinite_friction) {
+    MeVector3 v;
+    Ball ice = makeBlock(9.81);
+    pushFor(&ice, 60, 5, -2);
+    velocityOf(&ice, v);
+    assert_vec3_near(v, 5 * 60 * (double)FRAME, 0, -2 * 60 * (double)FRAME, 1e-5);
+    MdtWorldDestroy(ice.world);
+    Ball glue = makeBlock(9.81);
+    MdtContactParamsSetType(&glue.params, MdtContactTypeFriction2D); /* friction MEINFINITY by default */
+    pushFor(&glue, 60, 1000, -2000);
+    velocityOf(&glue, v);
+    assert_vec3_near(v, 0, 0, 0, 1e-6);
+    MdtWorldDestroy(glue.world);
+}
+END_TEST
+
+START_TEST(friction_1d_acts_along_the_primary_direction) {
+    Ball s = makeBlock(9.81);
+    MdtContactID c = MdtContactCreate(s.world, s.body, 0); /* the form of the guide's sample */
+    MdtContactSetNormal(c, 0, 1, 0);
+    MdtContactSetDirection(c, 1, 5, 1); /* its part in the plane counts */
+    MeVector3 d, v;
+    MdtContactGetDirection(c, d);
+    assert_vec3_near(d, sqrt(.5), 0, sqrt(.5), 1e-6);
+    MdtContactParamsSetType(MdtContactGetParams(c), MdtContactTypeFriction1D);
+    MdtContactEnable(c);
+    MdtBodyAddForce(s.body, 4, 0, 0);
+    MdtWorldStep(s.world, FRAME);
+    velocityOf(&s, v);
+    assert_vec3_near(v, 2 * (double)FRAME, 0, -2 * (double)FRAME, 1e-6);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* The bound of the normal-force model is that of this very step: it holds from the first. */
+START_TEST(normal_force_friction_is_coulomb_s) {
+    const double mu = .4, g = 10;
+    MeVector3 v;
+    Ball s = makeBlock(g);
+    MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
+    MdtContactParamsSetFrictionModel(&s.params, MdtFrictionModelNormalForce);
+    MdtContactParamsSetFrictionCoeffecient(&s.params, (MeReal)mu);
+    pushFor(&s, 1, 3.9, 0);
+    velocityOf(&s, v);
+    assert_near(v[0], 0, 1e-6);
+    pushFor(&s, 60, 5, 0);
+    velocityOf(&s, v);
+    assert_near(v[0], (5 - mu * g) * 60 * (double)FRAME, TOL(1e-5, 1e-8));
+    MdtWorldDestroy(s.world);
+    /* gravity along a slope of tan .5 */
+    for (int k = 0; k < 2; k++) {
+        Ball slope = makeBlock(0);
+        MdtWorldSetGravity(slope.world, (MeReal)(g * sqrt(.2)), (MeReal)(-g * sqrt(.8)), 0);
+        MdtContactParamsSetType(&slope.params, MdtContactTypeFriction2D);
+        MdtContactParamsSetFrictionModel(&slope.params, MdtFrictionModelNormalForce);
+        const double coefficient = k ? .51 : .49;
+        MdtContactParamsSetFrictionCoeffecient(&slope.params, (MeReal)coefficient);
+        pushFor(&slope, 120, 0, 0);
+        velocityOf(&slope, v);
+        const double acceleration = g * (sqrt(.2) - coefficient * sqrt(.8));
+        assert_near(v[0], k ? 0 : acceleration * 120 * (double)FRAME, TOL(2e-5, 1e-8));
+        MdtWorldDestroy(slope.world);
+    }
+}
+END_TEST
+
+START_TEST(slip_velocity_is_slip_times_force_at_once) {
+    const double slips[] = {.001, .1, 2};
+    for (int k = 0; k < 3; k++) {
+        Ball s = makeBlock(9.81);
+        MeVector3 v;
+        MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
+        MdtContactParamsSetSlip(&s.params, (MeReal)slips[k]);
+        /* at once: with h far below the time m × slip that friction needs to bring a mass to its speed it is reached
+         * exponentially, in a step of 1/60 s by 1 / (1 + m slip / h) */
+        const double lag = slips[k] / (double)FRAME / (1 + slips[k] / (double)FRAME);
+        pushFor(&s, 1, 3, 0);
+        velocityOf(&s, v);
+        assert_near_rel(v[0], 3 * slips[k] * (1 - lag), TOL(1e-5, 1e-9));
+        pushFor(&s, 2000, 3, -1);
+        velocityOf(&s, v);
+        assert_near_rel(v[0], 3 * slips[k], TOL(1e-5, 1e-6));
+        assert_near_rel(v[2], -1 * slips[k], TOL(1e-5, 1e-6));
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+START_TEST(slide_carries_at_belt_speed) {
+    Ball s = makeBlock(9.81);
+    MeVector3 v, direction;
+    MdtContactParamsSetType(&s.params, MdtContactTypeFriction2D);
+    MdtContactParamsSetFriction(&s.params, 4);
+    MdtContactParamsSetPrimarySlide(&s.params, 2);
+    stepBall(&s, FRAME);
+    MdtContactGetDirection(s.contact, direction);
+    velocityOf(&s, v);
+    for (int i = 0; i < 3; i++) /* friction 4 on the mass 1 */
+        assert_near(v[i], 4 * (double)FRAME * direction[i], 1e-6);
+    pushFor(&s, 60, 0, 0);
+    velocityOf(&s, v);
+    for (int i = 0; i < 3; i++)
+        assert_near(v[i], 2 * (double)direction[i], TOL(1e-6, 1e-9));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_contact_does_not_pull_unless_it_is_adhesive) {
+    MeVector3 f;
+    Ball s = makeBlock(0);
+    MdtContactParamsSetMaxAdhesiveForce(&s.params, 5);
+    MdtBodyAddForce(s.body, 0, 4, 0);
+    stepBall(&s, FRAME);
+    assert_near(speedOf(&s), 0, 1e-7);
+    MdtContactGetForce(s.contact, 0, f);
+    assert_vec3_near(f, 0, -4, 0, TOL(1e-5, 1e-9));
+    MdtBodyAddForce(s.body, 0, 7, 0);
+    stepBall(&s, FRAME);
+    assert_near(speedOf(&s), 2 * (double)FRAME, 1e-6);
+    MdtWorldDestroy(s.world);
+    Ball free = makeBlock(0);
+    MdtBodyAddForce(free.body, 0, 4, 0);
+    stepBall(&free, FRAME);
+    assert_near(speedOf(&free), 4 * (double)FRAME, 1e-6);
+    MdtWorldDestroy(free.world);
+}
+END_TEST
+
+START_TEST(softness_rests_softness_force_step_squared_over_gamma_deep) {
+    Ball s = makeBall(.5, 10);
+    s.early = METRUE;
+    MdtWorldSetEpsilon(s.world, (MeReal).002);
+    MdtContactParamsSetSoftness(&s.params, (MeReal).01);
+    for (int i = 0; i < 400; i++)
+        stepBall(&s, FRAME);
+    assert_near_rel(-heightOf(&s), .012 * 10 * (double)FRAME * (double)FRAME / .2, TOL(1e-3, 1e-6));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* A contact with a gap lets the body come to the floor and no further, in the very step. */
+START_TEST(a_gap_closes_exactly) {
+    Ball s = makeBall(.6, 0);
+    s.early = METRUE;
+    MdtBodySetLinearVelocity(s.body, 0, -20, 0);
+    stepBall(&s, FRAME);
+    assert_near(heightOf(&s), 0, 1e-7);
+    stepBall(&s, FRAME);
+    assert_near(heightOf(&s), 0, 1e-7);
+    assert_near(speedOf(&s), 0, 1e-5);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(overlap_is_pushed_out_by_gamma_a_step) {
+    Ball s = makeBall(.4, 0);
+    stepBall(&s, FRAME);
+    assert_near(heightOf(&s), -.08, TOL(1e-6, 1e-9));
+    stepBall(&s, FRAME);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_disabled_contact_is_ignored_and_the_world_may_come_first) {
+    Ball s = makeBlock(9.81);
+    MdtContactID c = MdtContactCreate(s.world);
+    MdtContactSetBodies(c, 0, s.body);
+    MdtContactSetNormal(c, 0, -1, 0); /* the way the first body, the world, would be pushed */
+    MdtWorldStep(s.world, FRAME);
+    assert_near(speedOf(&s), -9.81 * (double)FRAME, 1e-6);
+    MdtContactEnable(c);
+    MdtBodySetLinearVelocity(s.body, 0, 0, 0);
+    MdtWorldStep(s.world, FRAME);
+    assert_near(speedOf(&s), 0, 1e-6);
+    MeVector3 f;
+    MdtContactGetForce(c, 1, f);
+    assert_vec3_near(f, 0, 9.81, 0, 1e-4);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_moving_world_carries) {
+    Ball s = makeBlock(9.81);
+    MdtContactID c = MdtContactCreate(s.world);
+    MeVector3 v;
+    MdtContactSetBodies(c, s.body, 0);
+    MdtContactParamsSetType(MdtContactGetParams(c), MdtContactTypeFriction2D);
+    MdtContactSetWorldVelocity(c, 1, (MeReal).5, -2);
+    MdtContactEnable(c);
+    MdtWorldStep(s.world, FRAME);
+    velocityOf(&s, v);
+    assert_vec3_near(v, 1, .5, -2, TOL(1e-5, 1e-9));
+    MdtContactGetRelativeVelocity(c, v);
+    assert_vec3_near(v, 0, 0, 0, TOL(1e-5, 1e-9));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* Boxes on four corner contacts each, one on the other, or on the floor; made anew each step. */
+static void cornerContacts(MdtWorldID w, MdtBodyID upper, MdtBodyID lower, double edge, MdtContactID made[4]) {
+    MeVector3 up, low = {0, (MeReal)(-edge / 2), 0};
+    MdtBodyGetPosition(upper, up);
+    if (lower)
+        MdtBodyGetPosition(lower, low);
+    const double depth = edge - ((double)up[1] - low[1]);
+    for (int i = 0; i < 4; i++) {
+        if (made[i])
+            MdtContactDestroy(made[i]);
+        made[i] = MdtContactCreate(w);
+        MdtContactSetBodies(made[i], upper, lower);
+        MdtContactSetPosition(made[i], up[0] + (MeReal)(i & 1 ? edge / 2 : -edge / 2),
+                              low[1] + (MeReal)(edge / 2 - depth / 2), up[2] + (MeReal)(i & 2 ? edge / 2 : -edge / 2));
+        MdtContactSetNormal(made[i], 0, 1, 0);
+        MdtContactSetPenetration(made[i], (MeReal)depth);
+        MdtContactParamsSetType(MdtContactGetParams(made[i]), MdtContactTypeFriction2D);
+        MdtContactParamsSetFriction(MdtContactGetParams(made[i]), 5);
+        MdtContactEnable(made[i]);
+    }
+}
+
+START_TEST(a_heavy_box_rests_on_a_light_one) {
+    const double unit[3] = {1, 1, 1}, ratio[] = {1, 1e3, 1e6};
+    for (int k = 0; k < 3; k++) {
+        MdtWorldID w = scene_world(2, 8, 9.81);
+        MdtWorldSetEpsilon(w, 0);
+        MdtBodyID light = scene_box(w, 1, unit, 0, .5, 0), heavy = scene_box(w, ratio[k], unit, 0, 1.5, 0);
+        MdtContactID floor[4] = {0}, middle[4] = {0};
+        double carried = 0;
+        for (int i = 0; i < 300; i++) {
+            cornerContacts(w, light, 0, 1, floor);
+            cornerContacts(w, heavy, light, 1, middle);
+            MdtWorldStep(w, FRAME);
+        }
+        MeVector3 p, f;
+        MdtBodyGetPosition(heavy, p);
+        assert_vec3_near(p, 0, 1.5, 0, 1e-6);
+        for (int i = 0; i < 4; i++) {
+            MdtContactGetForce(floor[i], 0, f);
+            carried += f[1];
+        }
+        assert_near_rel(carried, 9.81 * (1 + ratio[k]), TOL(1e-6, 1e-9));
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+START_TEST(parameters_have_the_guide_s_defaults) {
+    MdtWorldID w = scene_world(1, 1, 0);
+    MdtContactID c = MdtContactCreate(w);
+    MdtContactParamsID p = MdtContactGetParams(c);
+    MeVector3 v;
+    ck_assert(MdtContactParamsGetType(p) == MdtContactTypeFrictionZero);
+    ck_assert(MdtContactParamsGetPrimaryFrictionModel(p) == MdtFrictionModelBox);
+    ck_assert(MdtContactParamsGetSecondaryFrictionModel(p) == MdtFrictionModelBox);
+    ck_assert(MdtContactParamsGetPrimaryFriction(p) == MEINFINITY && MdtContactParamsGetSecondaryFriction(p) == MEINFINITY);
+    ck_assert(MdtContactParamsGetPrimaryFrictionCoeffecient(p) == 0 && MdtContactParamsGetRestitution(p) == 0);
+    ck_assert(MdtContactParamsGetRestitutionThreshold(p) == (MeReal).001 && MdtContactParamsGetSoftness(p) == 0);
+    ck_assert(MdtContactParamsGetPrimarySlip(p) == 0 && MdtContactParamsGetPrimarySlide(p) == 0 &&
+              MdtContactParamsGetMaxAdhesiveForce(p) == 0 && p->options == 0);
+    MdtContactGetNormal(c, v);
+    assert_vec3_near(v, 0, 1, 0, 0);
+    MdtContactGetPosition(c, v);
+    assert_vec3_near(v, 0, 0, 0, 0);
+    ck_assert(MdtContactGetPenetration(c) == 0 && MdtContactGetNext(c) == MdtContactInvalidID);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Every value goes in and comes out, and switches its option. */
+START_TEST(parameters_round_trip) {
+    MdtBclContactParams p;
+    MdtContactParamsReset(&p);
+    MdtContactParamsSetPrimarySlip(&p, 1);
+    MdtContactParamsSetSecondarySlip(&p, 2);
+    MdtContactParamsSetPrimarySlide(&p, -3);
+    MdtContactParamsSetSecondarySlide(&p, 4);
+    MdtContactParamsSetMaxAdhesiveForce(&p, 5);
+    MdtContactParamsSetSoftness(&p, 6);
+    MdtContactParamsSetRestitution(&p, (MeReal).7);
+    MdtContactParamsSetSecondaryFrictionCoeffecient(&p, 8);
+    ck_assert(MdtContactParamsGetPrimarySlip(&p) == 1 && MdtContactParamsGetSecondarySlip(&p) == 2);
+    ck_assert(MdtContactParamsGetPrimarySlide(&p) == -3 && MdtContactParamsGetSecondarySlide(&p) == 4);
+    ck_assert(MdtContactParamsGetMaxAdhesiveForce(&p) == 5 && MdtContactParamsGetSoftness(&p) == 6);
+    ck_assert(MdtContactParamsGetSecondaryFrictionCoeffecient(&p) == 8);
+    ck_assert_int_eq(p.options, MdtBclContactOptionSlip1 | MdtBclContactOptionSlip2 | MdtBclContactOptionSlide1 |
+                                    MdtBclContactOptionSlide2 | MdtBclContactOptionAdhesive | MdtBclContactOptionSoft |
+                                    MdtBclContactOptionBounce);
+    MdtContactParamsSetSlip(&p, 0);
+    MdtContactParamsSetRestitution(&p, 0);
+    ck_assert_int_eq(p.options & (MdtBclContactOptionSlip1 | MdtBclContactOptionSlip2 | MdtBclContactOptionBounce), 0);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, bounces_rise_to_the_square_of_the_restitution);
+    tcase_add_test(t, bounce_heights_converge_at_first_order);
+    tcase_add_test(t, a_lossless_bounce_neither_gains_nor_loses);
+    tcase_add_test(t, impacts_below_the_threshold_do_not_bounce);
+    tcase_add_test(t, a_bouncing_ball_comes_to_rest_and_stays);
+    tcase_add_test(t, box_friction_of_10_holds_9_and_lets_11_slide_with_1);
+    tcase_add_test(t, box_friction_is_a_box);
+    tcase_add_test(t, frictionless_and_infinite_friction);
+    tcase_add_test(t, friction_1d_acts_along_the_primary_direction);
+    tcase_add_test(t, normal_force_friction_is_coulomb_s);
+    tcase_add_test(t, slip_velocity_is_slip_times_force_at_once);
+    tcase_add_test(t, slide_carries_at_belt_speed);
+    tcase_add_test(t, a_contact_does_not_pull_unless_it_is_adhesive);
+    tcase_add_test(t, softness_rests_softness_force_step_squared_over_gamma_deep);
+    tcase_add_test(t, a_gap_closes_exactly);
+    tcase_add_test(t, overlap_is_pushed_out_by_gamma_a_step);
+    tcase_add_test(t, a_disabled_contact_is_ignored_and_the_world_may_come_first);
+    tcase_add_test(t, a_moving_world_carries);
+    tcase_add_test(t, a_heavy_box_rests_on_a_light_one);
+    tcase_add_test(t, parameters_have_the_guide_s_defaults);
+    tcase_add_test(t, parameters_round_trip);
+}
+
+TEST_MAIN("Contact", tests)

@@ -1,0 +1,211 @@
+/* Partitions, and putting them to rest (Dynamics guide ch. 1 and 4). */
+#include "scene.h"
+
+START_TEST(constraints_join_bodies_and_the_world_joins_nothing) {
+    MdtWorldID w = scene_world(5, 4, 0);
+    MdtBodyID b[5];
+    for (int i = 0; i < 5; i++)
+        b[i] = scene_body(w, 1, i, 0, 0);
+    const int pairs[][2] = {{0, 3}, {1, -1}, {2, -1}, {3, 4}};
+    for (int i = 0; i < 4; i++) {
+        MdtBSJointID j = MdtBSJointCreate(w);
+        MdtBSJointSetBodies(j, b[pairs[i][0]], pairs[i][1] < 0 ? 0 : b[pairs[i][1]]);
+        MdtBSJointEnable(j);
+    }
+    MdtWorldStep(w, FRAME);
+    ck_assert_int_eq(MdtBodyGetPartition(b[0]), 0);
+    ck_assert_int_eq(MdtBodyGetPartition(b[1]), 1);
+    ck_assert_int_eq(MdtBodyGetPartition(b[2]), 2);
+    ck_assert_int_eq(MdtBodyGetPartition(b[3]), 0);
+    ck_assert_int_eq(MdtBodyGetPartition(b[4]), 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(an_enabled_body_wakes_what_is_tied_to_it) {
+    MdtWorldID w = scene_world(3, 2, 10);
+    MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = MdtBodyCreate(w), loose = MdtBodyCreate(w);
+    MdtBSJointID j = MdtBSJointCreate(w);
+    MdtBSJointSetBodies(j, a, b);
+    MdtWorldStep(w, FRAME);
+    ck_assert(!MdtBodyIsEnabled(b)); /* the joint is not enabled */
+    MdtBSJointEnable(j);
+    MdtWorldStep(w, FRAME);
+    ck_assert(MdtBodyIsEnabled(b) && !MdtBodyIsEnabled(loose));
+    ck_assert_int_eq(MdtWorldGetEnabledBodies(w), 2);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* A body on a floor, by a contact that stays as it is. */
+static MdtBodyID restingBody(MdtWorldID w) {
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    MdtContactID c = MdtContactCreate(w, b, 0);
+    MdtContactParamsSetType(MdtContactGetParams(c), MdtContactTypeFriction2D);
+    MdtContactEnable(c);
+    return b;
+}
+
+START_TEST(a_resting_body_is_disabled_after_the_alive_window) {
+    for (int way = 0; way < 2; way++) {
+        MdtWorldID w = scene_world(1, 1, 10);
+        MdtBodyID b = restingBody(w);
+        MdtWorldSetAutoDisable(w, 1);
+        if (way == 0)
+            MdtWorldSetAutoDisableAliveWindow(w, 5);
+        else
+            MdtWorldSetAutoDisableAliveTime(w, 5 * FRAME);
+        int i = 0;
+        while (MdtBodyIsEnabled(b) && i < 100) {
+            MdtWorldStep(w, FRAME);
+            i++;
+        }
+        ck_assert_msg(i >= 6 && i <= 7, "disabled in step %d", i);
+        ck_assert_int_eq(MdtWorldGetEnabledBodies(w), 0);
+        assert_near(MdtBodyGetEnabledTime(b), 0, 0);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+START_TEST(auto_disable_can_be_switched_off) {
+    MdtWorldID w = scene_world(1, 1, 10);
+    MdtBodyID b = restingBody(w);
+    steps(w, 100, FRAME);
+    ck_assert(MdtBodyIsEnabled(b));
+    assert_near(MdtBodyGetEnabledTime(b), 100 * (double)FRAME, 1e-5);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* All four values must be below their thresholds, which are squares. */
+START_TEST(each_threshold_keeps_a_body_awake) {
+    for (int what = 0; what < 4; what++)
+        for (int above = 0; above < 2; above++) {
+            MdtWorldID w = scene_world(1, 0, 0);
+            MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+            MdtWorldSetAutoDisable(w, 1);
+            MdtWorldSetAutoDisableVelocityThreshold(w, what == 0 ? (MeReal)4 : 1000);
+            MdtWorldSetAutoDisableAngularVelocityThreshold(w, what == 1 ? (MeReal)4 : 1000);
+            MdtWorldSetAutoDisableAccelerationThreshold(w, what == 2 ? (MeReal)4 : 1000);
+            MdtWorldSetAutoDisableAngularAccelerationThreshold(w, what == 3 ? (MeReal)4 : 1000);
+            const MeReal x = above ? (MeReal)2.1 : (MeReal)1.9;
+            if (what == 0)
+                MdtBodySetLinearVelocity(b, x, 0, 0);
+            if (what == 1)
+                MdtBodySetAngularVelocity(b, 0, x, 0);
+            for (int i = 0; i < 30; i++) {
+                if (what == 2)
+                    MdtBodyAddForce(b, 0, 0, x);
+                if (what == 3)
+                    MdtBodyAddTorque(b, x * (MeReal).4, 0, 0);
+                MdtWorldStep(w, FRAME);
+                if (!MdtBodyIsEnabled(b))
+                    break;
+            }
+            ck_assert_msg(MdtBodyIsEnabled(b) == above, "threshold %d, above %d", what, above);
+            MdtWorldDestroy(w);
+        }
+}
+END_TEST
+
+START_TEST(a_partition_rests_as_a_whole) {
+    MdtWorldID w = scene_world(2, 3, 10);
+    MdtBodyID a = restingBody(w), b = scene_body(w, 1, 1, 0, 0);
+    MdtBSJointID j = MdtBSJointCreate(w); /* b swings from a */
+    MdtBSJointSetBodies(j, a, b);
+    MdtBSJointSetPosition(j, 0, 0, 0);
+    MdtBSJointEnable(j);
+    MdtWorldSetAutoDisable(w, 1);
+    steps(w, 60, FRAME);
+    ck_assert(MdtBodyIsEnabled(a) && MdtBodyIsEnabled(b));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+static MdtBodyID sleeper(MdtWorldID w) {
+    MdtBodyID b = restingBody(w);
+    MdtWorldSetAutoDisable(w, 1);
+    steps(w, 30, FRAME);
+    ck_assert(!MdtBodyIsEnabled(b));
+    return b;
+}
+
+START_TEST(setters_forces_and_enabling_wake_a_sleeper) {
+    for (int way = 0; way < 8; way++) {
+        MdtWorldID w = scene_world(2, 3, 10);
+        MdtBodyID b = sleeper(w);
+        MeVector3 v;
+        switch (way) {
+        case 0: MdtBodySetPosition(b, 0, 1, 0); break;
+        case 1: MdtBodySetQuaternion(b, 1, 1, 0, 0); break;
+        case 2: MdtBodySetLinearVelocity(b, 1, 0, 0); break;
+        case 3: MdtBodySetAngularVelocity(b, 1, 0, 0); break;
+        case 4: MdtBodyAddForce(b, 5, 0, 0); break;
+        case 5: MdtBodyAddTorque(b, 0, 5, 0); break;
+        case 6: MdtBodyAddImpulse(b, 1, 0, 0); break;
+        case 7: MdtBodyGetLinearVelocityPtr(b)[0] = 1; break;
+        }
+        MdtWorldStep(w, FRAME);
+        ck_assert_msg(MdtBodyIsEnabled(b), "way %d", way);
+        MdtBodyGetForce(b, v);
+        assert_vec3_near(v, 0, 0, 0, 0);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* A force too small to move the body faster than the thresholds waits (Dynamics guide ch. 4: thresholds of force and
+ * torque; the User Guide says that no force wakes a body). */
+START_TEST(a_slight_force_does_not_wake_a_sleeper) {
+    MdtWorldID w = scene_world(1, 1, 10);
+    MdtBodyID b = sleeper(w);
+    MeVector3 v;
+    MdtBodyAddForce(b, (MeReal).5, 0, 0); /* 0.5² < 0.5 */
+    MdtWorldStep(w, FRAME);
+    ck_assert(!MdtBodyIsEnabled(b));
+    MdtBodyGetForce(b, v);
+    assert_vec3_near(v, .5, 0, 0, 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(a_body_that_the_program_disabled_stays_so) {
+    MdtWorldID w = scene_world(1, 1, 10);
+    MdtBodyID b = restingBody(w);
+    MdtBodyDisable(b);
+    MdtBodyAddForce(b, 500, 0, 0);
+    MdtBodySetLinearVelocity(b, 3, 0, 0);
+    MdtWorldStep(w, FRAME);
+    ck_assert(!MdtBodyIsEnabled(b));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(a_contact_with_a_moving_body_wakes_a_sleeper) {
+    MdtWorldID w = scene_world(2, 3, 10);
+    MdtBodyID b = sleeper(w), mover = scene_body(w, 1, 0, 1, 0);
+    MdtWorldStep(w, FRAME);
+    ck_assert(!MdtBodyIsEnabled(b));
+    MdtContactID c = MdtContactCreate(w, mover, b);
+    MdtContactEnable(c);
+    MdtWorldStep(w, FRAME);
+    ck_assert(MdtBodyIsEnabled(b));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, constraints_join_bodies_and_the_world_joins_nothing);
+    tcase_add_test(t, an_enabled_body_wakes_what_is_tied_to_it);
+    tcase_add_test(t, a_resting_body_is_disabled_after_the_alive_window);
+    tcase_add_test(t, auto_disable_can_be_switched_off);
+    tcase_add_test(t, each_threshold_keeps_a_body_awake);
+    tcase_add_test(t, a_partition_rests_as_a_whole);
+    tcase_add_test(t, setters_forces_and_enabling_wake_a_sleeper);
+    tcase_add_test(t, a_slight_force_does_not_wake_a_sleeper);
+    tcase_add_test(t, a_body_that_the_program_disabled_stays_so);
+    tcase_add_test(t, a_contact_with_a_moving_body_wakes_a_sleeper);
+}
+
+TEST_MAIN("Rest", tests)

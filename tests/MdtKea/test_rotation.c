@@ -1,0 +1,150 @@
+/* Free rotation against a converged integration of Euler's equations, and the splitting of inertia tensors. */
+#include "kea_i.h"
+#include "karma_test.h"
+
+static MdtKeaBody bodyWith(double a, double b, double c) {
+    MdtKeaBody body = {.quaternion = {1, 0, 0, 0}, .invMass = 1, .flags = MdtKeaBodyFlagAddCoriolisForce};
+    const double inertia[3][3] = {{a, 0, 0}, {0, b, 0}, {0, 0, c}};
+    ck_assert(MdtKeaBodySetInertia(&body, inertia));
+    return body;
+}
+
+/* dq/dt = 1/2 (0, ω) q with ω = I⁻¹(q) L, by the classical Runge-Kutta rule in small steps. */
+static void rate(const MdtKeaBody *body, const double q[4], const double L[3], double dq[4]) {
+    double w[3], unit[4];
+    memcpy(unit, q, sizeof unit);
+    keaQuaternionNormalize(unit);
+    kea_angularVelocity(body, unit, L, w);
+    const double half[4] = {0, .5 * w[0], .5 * w[1], .5 * w[2]};
+    keaQuaternionProduct(dq, half, q);
+}
+
+static void reference(const MdtKeaBody *body, double q[4], const double L[3], double time, int n) {
+    const double h = time / n;
+    for (int s = 0; s < n; s++) {
+        double k[4][4], at[4];
+        for (int stage = 0; stage < 4; stage++) {
+            const double c = stage == 0 ? 0 : stage == 3 ? h : .5 * h;
+            for (int i = 0; i < 4; i++)
+                at[i] = q[i] + (stage ? c * k[stage - 1][i] : 0);
+            rate(body, at, L, k[stage]);
+        }
+        for (int i = 0; i < 4; i++)
+            q[i] += h / 6 * (k[0][i] + 2 * k[1][i] + 2 * k[2][i] + k[3][i]);
+        keaQuaternionNormalize(q);
+    }
+}
+
+static double distance(const double p[4], const double q[4]) {
+    double plus = 0, minus = 0;
+    for (int i = 0; i < 4; i++) {
+        plus += (p[i] + q[i]) * (p[i] + q[i]);
+        minus += (p[i] - q[i]) * (p[i] - q[i]);
+    }
+    return sqrt(fmin(plus, minus));
+}
+
+static void rotate(const MdtKeaBody *body, double q[4], const double L[3], double time, int n) {
+    for (int i = 0; i < n; i++)
+        kea_rotateFree(body, q, L, time / n, q);
+}
+
+START_TEST(free_rotation_follows_eulers_equations) {
+    const double moments[][3] = {{1, 2, 3}, {3, 1, 2}, {2, 3, 1}, {1, 1, 2}, {2, 1, 1}, {1, 1, 1}, {.02, 1, 1.01}};
+    const double L[3] = {.7, -1.1, .4};
+    for (int k = 0; k < 7; k++) {
+        const MdtKeaBody body = bodyWith(moments[k][0], moments[k][1], moments[k][2]);
+        double exact[4] = {.8, .1, -.3, .5}, q[4];
+        keaQuaternionNormalize(exact);
+        memcpy(q, exact, sizeof q);
+        reference(&body, exact, L, 2, 40000);
+        rotate(&body, q, L, 2, 120);
+        assert_below(distance(q, exact), 2e-6);
+    }
+}
+END_TEST
+
+/* Order 4 for fast rotation, 2 for slow: the error falls by 16, or is below anything that matters. */
+START_TEST(fast_rotation_converges_at_fourth_order) {
+    const MdtKeaBody body = bodyWith(1, 2, 3);
+    const double L[3] = {7, -11, 4};
+    double exact[4] = {1, 0, 0, 0}, error[2];
+    reference(&body, exact, L, 1, 200000);
+    for (int k = 0; k < 2; k++) {
+        double q[4] = {1, 0, 0, 0};
+        rotate(&body, q, L, 1, 20 << k);
+        error[k] = distance(q, exact);
+    }
+    ck_assert_msg(error[0] / error[1] > 12 && error[0] / error[1] < 20, "errors %g and %g", error[0], error[1]);
+}
+END_TEST
+
+START_TEST(a_symmetric_top_is_exact) {
+    const MdtKeaBody body = bodyWith(2, 2, .5);
+    const double L[3] = {30, 0, 40};
+    double once[4] = {1, 0, 0, 0}, often[4] = {1, 0, 0, 0};
+    rotate(&body, once, L, 1, 1);
+    rotate(&body, often, L, 1, 1000);
+    assert_below(distance(once, often), 1e-12);
+}
+END_TEST
+
+/* Back and forth is the identity: the splitting is symmetric. */
+START_TEST(free_rotation_is_reversible) {
+    const MdtKeaBody body = bodyWith(1, 2, 3);
+    const double L[3] = {7, -11, 4}, start[4] = {1, 0, 0, 0};
+    double q[4] = {1, 0, 0, 0};
+    rotate(&body, q, L, 1, 60);
+    rotate(&body, q, L, -1, 60);
+    assert_below(distance(q, start), 1e-12);
+}
+END_TEST
+
+START_TEST(inertia_tensors_split_into_moments_and_axes) {
+    const double turn[4] = {.3, .5, -.7, .2}, moments[3] = {1e-3, 2, 5};
+    double q[4], R[3][3], tensor[3][3], back[3][3];
+    memcpy(q, turn, sizeof q);
+    keaQuaternionNormalize(q);
+    keaQuaternionToMatrix(R, q);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            tensor[i][j] = R[i][0] * moments[0] * R[j][0] + R[i][1] * moments[1] * R[j][1] + R[i][2] * moments[2] * R[j][2];
+    MdtKeaBody body = {.quaternion = {1, 0, 0, 0}};
+    ck_assert(MdtKeaBodySetInertia(&body, (const double(*)[3])tensor));
+    assert_near(body.moments[0] + body.moments[1] + body.moments[2], 7.001, 1e-12);
+    kea_inverseInertia(&body, body.quaternion, back);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            double product = 0;
+            for (int k = 0; k < 3; k++)
+                product += back[i][k] * tensor[k][j];
+            assert_near(product, i == j ? 1 : 0, 1e-9);
+        }
+}
+END_TEST
+
+START_TEST(bad_tensors_are_refused) {
+    const double bad[][3][3] = {{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}},
+                                {{1, 2, 0}, {2, 1, 0}, {0, 0, 1}},
+                                {{1, .5, 0}, {0, 1, 0}, {0, 0, 1}},
+                                {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+                                {{1, 0, 0}, {0, NAN, 0}, {0, 0, 1}},
+                                {{1, 0, 0}, {0, HUGE_VAL, 0}, {0, 0, 1}}};
+    for (int i = 0; i < 6; i++) {
+        MdtKeaBody body = bodyWith(1, 2, 3);
+        ck_assert_msg(!MdtKeaBodySetInertia(&body, bad[i]), "tensor %d", i);
+        ck_assert(body.moments[0] == 1 && body.moments[1] == 2 && body.moments[2] == 3);
+    }
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, free_rotation_follows_eulers_equations);
+    tcase_add_test(t, fast_rotation_converges_at_fourth_order);
+    tcase_add_test(t, a_symmetric_top_is_exact);
+    tcase_add_test(t, free_rotation_is_reversible);
+    tcase_add_test(t, inertia_tensors_split_into_moments_and_axes);
+    tcase_add_test(t, bad_tensors_are_refused);
+}
+
+TEST_MAIN("rotation", tests)
