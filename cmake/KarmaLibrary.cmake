@@ -25,6 +25,7 @@ function(karma_library name)
   target_include_directories(${name}_objects
     PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(${name}_objects PRIVATE karma_settings)
+  target_compile_options(${name}_objects PRIVATE ${KARMA_LIBRARY_OPTIONS})
   if(KARMA_PRECISION STREQUAL double)
     target_compile_definitions(${name}_objects PUBLIC _ME_API_DOUBLE=1)
   endif()

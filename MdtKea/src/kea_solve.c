@@ -5,7 +5,7 @@
 /* Passes cost a back-substitution each while the set of active rows stays the same. */
 static const int maxFrictionPasses = 12;
 static const int maxPositionPasses = 10;       /* an iteration that contracts by less than 0.1 is given up */
-static const double positionTolerance = 1e-10; /* of the lever arms and of the way moved in the step */
+static const double positionTolerance = 1e-10; /* of sizeOfRow */
 static const double frictionTolerance = 1e-9;  /* of a bound */
 
 static void loadRows(MdtKeaSystem *s) {
@@ -55,15 +55,16 @@ static MeBool renewFrictionBounds(MdtKeaSystem *s) {
     return moved;
 }
 
-/* What the error of a position row is compared with: its lever arms, and the way its bodies move. */
+/* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies
+ * move, and, for the rounding of places far from the origin, a little of their distance. */
 static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const double h = s->parameters.stepsize;
-    double size = 0;
+    double size = fabs(row->error);
     for (int k = 0; k < 2; k++) {
         if (row->body[k] < 0)
             continue;
-        const double *v = s->work->end[row->body[k]].velocity;
-        size += keaLength(row->J[k].ang) + h * fabs(keaDot(row->J[k].lin, v));
+        const KeaEnd *end = &s->work->end[row->body[k]];
+        size += keaLength(row->J[k].ang) + h * keaLength(end->velocity) + 1e-4 * keaLength(end->position);
     }
     return size;
 }

@@ -1,0 +1,83 @@
+/* Assertions, on and off in one file. */
+#include "karma_test.h"
+
+static int evaluations;
+
+static int evaluate(int result) {
+    evaluations++;
+    return result;
+}
+
+#undef KARMA_CHECK
+#define KARMA_CHECK 1
+#include "MeAssert.h"
+
+static void assertTrue(void) {
+    MEASSERT(evaluate(1));
+}
+
+static void assertFalse(void) {
+    MEASSERT(evaluate(100 % 7 == 0)); /* the text has a percent sign */
+}
+
+static void assertAligned(const void *p) {
+    MEASSERTALIGNED(p, 16);
+}
+
+#undef MEASSERT_H
+#undef MEASSERT
+#undef MEASSERTALIGNED
+#undef ME_ASSERT_ENABLED
+#undef KARMA_CHECK
+#define KARMA_CHECK 0
+#include "MeAssert.h"
+
+static void assertNothing(void) {
+    const int onlyForTheAssertion = 0; /* gives no warning either */
+    MEASSERT(onlyForTheAssertion);
+    MEASSERT(evaluate(0));
+    MEASSERTALIGNED((uintptr_t)evaluate(1), 16);
+}
+
+START_TEST(true_assertions_are_silent) {
+    messages_catch();
+    evaluations = 0;
+    assertTrue();
+    assertAligned((const void *)64);
+    ck_assert_int_eq(evaluations, 1);
+    assert_silent();
+    messages_release();
+}
+END_TEST
+
+START_TEST(false_assertions_are_fatal) {
+    messages_catch();
+    evaluations = 0;
+    assertFalse();
+    ck_assert_int_eq(evaluations, 1);
+    ck_assert_int_eq(caught.fatal, 1);
+    ck_assert_ptr_nonnull(strstr(caught.last, "test_MeAssert.c:"));
+    ck_assert_ptr_nonnull(strstr(caught.last, "evaluate(100 % 7 == 0)"));
+    assertAligned((const void *)72);
+    ck_assert_int_eq(caught.fatal, 2);
+    messages_release();
+}
+END_TEST
+
+START_TEST(assertions_that_are_off_evaluate_nothing) {
+    messages_catch();
+    evaluations = 0;
+    assertNothing();
+    ck_assert_int_eq(evaluations, 0);
+    assert_silent();
+    messages_release();
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, true_assertions_are_silent);
+    tcase_add_test(t, false_assertions_are_fatal);
+    tcase_add_test(t, assertions_that_are_off_evaluate_nothing);
+}
+
+TEST_MAIN("MeAssert", tests)
