@@ -93,19 +93,13 @@ MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAngularAccelerationThreshold(const M
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAliveTime(const MdtWorldID w, const MeReal aw);
 /** In seconds; a window in steps is converted with the length of the last step (1/60 s before the first). */
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAliveTime(const MdtWorldID w);
-/** The same in steps. Replaces a window in seconds. */
-MEPUBLIC void MEAPI MdtWorldSetAutoDisableAliveSteps(const MdtWorldID w, const int steps);
 /** In steps, rounded up; a window in seconds is converted with the length of the last step. */
 MEPUBLIC int MEAPI MdtWorldGetAutoDisableAliveWindow(const MdtWorldID w);
-/** The guides' name for both: a whole number means steps (Dynamics guide), a float seconds (User Guide). */
+/** The same in steps, as the Dynamics guide has it. Replaces a window in seconds. The User Guide passes seconds under
+ *  this name: a float is taken as seconds, a whole number as steps. */
+MEPUBLIC void MEAPI MdtWorldSetAutoDisableAliveWindow(const MdtWorldID w, const int aliveWindow);
 #ifdef __cplusplus
 ME_END_C
-inline void MdtWorldSetAutoDisableAliveWindow(MdtWorldID w, int steps) {
-    MdtWorldSetAutoDisableAliveSteps(w, steps);
-}
-inline void MdtWorldSetAutoDisableAliveWindow(MdtWorldID w, unsigned int steps) {
-    MdtWorldSetAutoDisableAliveSteps(w, (int)steps);
-}
 inline void MdtWorldSetAutoDisableAliveWindow(MdtWorldID w, float seconds) {
     MdtWorldSetAutoDisableAliveTime(w, (MeReal)seconds);
 }
@@ -118,7 +112,7 @@ ME_BEGIN_C
     _Generic((window),                                                                                             \
         float: MdtWorldSetAutoDisableAliveTime,                                                                    \
         double: MdtWorldSetAutoDisableAliveTime,                                                                   \
-        default: MdtWorldSetAutoDisableAliveSteps)((w), (window))
+        default: (MdtWorldSetAutoDisableAliveWindow))((w), (window))
 #endif
 /** @} */
 

@@ -206,10 +206,10 @@ void MEAPI MdtWorldSetAutoDisableAliveTime(const MdtWorldID w, const MeReal aw) 
     w->rest.alive_window = -1;
 }
 
-void MEAPI MdtWorldSetAutoDisableAliveSteps(const MdtWorldID w, const int steps) {
+void MEAPI(MdtWorldSetAutoDisableAliveWindow)(const MdtWorldID w, const int aliveWindow) {
     MDT_NEED_WORLD(w, );
-    if (mdt_isAtLeast(__func__, "the alive window", (MeReal)steps, 0))
-        w->rest.alive_window = steps;
+    if (mdt_isAtLeast(__func__, "the alive window", (MeReal)aliveWindow, 0))
+        w->rest.alive_window = aliveWindow;
 }
 
 static double stepForWindows(const MdtWorldID w) {
