@@ -19,29 +19,29 @@
 #endif
 
 /* |actual - expected| <= tolerance (absolute); prints all three. NaN fails. */
-#define assert_near(actual, expected, tolerance)                                                              \
-    do {                                                                                                      \
-        const double a_ = (double)(actual), e_ = (double)(expected), t_ = (double)(tolerance);                \
-        ck_assert_msg(fabs(a_ - e_) <= t_, "%s = %.17g, expected %.17g within %.3g (off by %.3g)", #actual, \
-                      a_, e_, t_, a_ - e_);                                                                   \
+#define assert_near(actual, expected, tolerance)                                                                       \
+    do {                                                                                                               \
+        const double a_ = (double)(actual), e_ = (double)(expected), t_ = (double)(tolerance);                         \
+        ck_assert_msg(fabs(a_ - e_) <= t_, "%s = %.17g, expected %.17g within %.3g (off by %.3g)", #actual, a_, e_,    \
+                      t_, a_ - e_);                                                                                    \
     } while (0)
 
 /* The same, relative to the expected value. */
-#define assert_near_rel(actual, expected, tolerance) \
-    assert_near(actual, expected, (double)(tolerance) * fabs((double)(expected)))
+#define assert_near_rel(actual, expected, tolerance)                                                                   \
+    assert_near(actual, expected, (double)(tolerance)*fabs((double)(expected)))
 
 /* actual < bound; prints both. NaN fails. */
-#define assert_below(actual, bound)                                                                   \
-    do {                                                                                              \
-        const double a_ = (double)(actual), b_ = (double)(bound);                                     \
-        ck_assert_msg(a_ < b_, "%s = %.17g, expected below %.17g", #actual, a_, b_);                 \
+#define assert_below(actual, bound)                                                                                    \
+    do {                                                                                                               \
+        const double a_ = (double)(actual), b_ = (double)(bound);                                                      \
+        ck_assert_msg(a_ < b_, "%s = %.17g, expected below %.17g", #actual, a_, b_);                                   \
     } while (0)
 
-#define assert_vec3_near(actual, x, y, z, tolerance)  \
-    do {                                              \
-        assert_near((actual)[0], (x), (tolerance));   \
-        assert_near((actual)[1], (y), (tolerance));   \
-        assert_near((actual)[2], (z), (tolerance));   \
+#define assert_vec3_near(actual, x, y, z, tolerance)                                                                   \
+    do {                                                                                                               \
+        assert_near((actual)[0], (x), (tolerance));                                                                    \
+        assert_near((actual)[1], (y), (tolerance));                                                                    \
+        assert_near((actual)[2], (z), (tolerance));                                                                    \
     } while (0)
 
 /* Messages caught instead of shown. Tests of bad input start with messages_catch(). */
@@ -57,25 +57,25 @@ void messages_catch(void);   /* From here on warnings and fatal errors are count
 void messages_release(void); /* Back to the handlers that were set before. */
 
 /* One warning was given since the last call, and its text contains the word. */
-#define assert_warned(word)                                                                                   \
-    do {                                                                                                      \
-        ck_assert_msg(caught.warnings > 0, "no warning, expected one with '%s'", word);                       \
-        ck_assert_msg(strstr(caught.last, word) != NULL, "warning '%s' does not say '%s'", caught.last, word); \
-        caught.warnings = 0;                                                                                  \
-        caught.last[0] = 0;                                                                                   \
+#define assert_warned(word)                                                                                            \
+    do {                                                                                                               \
+        ck_assert_msg(caught.warnings > 0, "no warning, expected one with '%s'", word);                                \
+        ck_assert_msg(strstr(caught.last, word) != NULL, "warning '%s' does not say '%s'", caught.last, word);         \
+        caught.warnings = 0;                                                                                           \
+        caught.last[0] = 0;                                                                                            \
     } while (0)
 
-#define assert_silent()                                                                             \
-    do {                                                                                            \
-        ck_assert_msg(caught.warnings == 0, "%d unexpected warning(s): %s", caught.warnings, caught.last); \
-        ck_assert_msg(caught.fatal == 0, "unexpected fatal error: %s", caught.last);                \
+#define assert_silent()                                                                                                \
+    do {                                                                                                               \
+        ck_assert_msg(caught.warnings == 0, "%d unexpected warning(s): %s", caught.warnings, caught.last);             \
+        ck_assert_msg(caught.fatal == 0, "unexpected fatal error: %s", caught.last);                                   \
     } while (0)
 
 /* A file's tests: `static void tests(TCase *t) { tcase_add_test(t, a); ... }  TEST_MAIN("MdtBody", tests)` */
 int test_main(const char *name, void (*add)(TCase *));
-#define TEST_MAIN(name, add)            \
-    int main(void) {                    \
-        return test_main(name, add);    \
+#define TEST_MAIN(name, add)                                                                                           \
+    int main(void) {                                                                                                   \
+        return test_main(name, add);                                                                                   \
     }
 
 #endif

@@ -42,8 +42,8 @@ MEPUBLIC MdtBodyID MEAPI MdtConstraintGetBody(const MdtConstraintID c, const uns
 MEPUBLIC void MEAPI MdtConstraintSetPosition(const MdtConstraintID c, const MeReal x, const MeReal y, const MeReal z);
 /** Where it is now, on the first body (on the second, when the first is the world). */
 MEPUBLIC void MEAPI MdtConstraintGetPosition(const MdtConstraintID c, MeVector3 p);
-MEPUBLIC void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned int bodyindex,
-                                                 const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
+                                                 const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p);
 MEPUBLIC void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsigned int bodyindex,
                                                     const MeReal x, const MeReal y, const MeReal z);
@@ -62,19 +62,20 @@ MEPUBLIC void MEAPI MdtConstraintBodySetAxes(const MdtConstraintID c, const unsi
                                              const MeReal oz);
 MEPUBLIC void MEAPI MdtConstraintBodyGetAxes(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
                                              MeVector3 o);
-MEPUBLIC void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const unsigned int bodyindex,
-                                                const MeReal px, const MeReal py, const MeReal pz, const MeReal ox,
-                                                const MeReal oy, const MeReal oz);
+MEPUBLIC void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
+                                                const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
+                                                const MeReal oz);
 MEPUBLIC void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
                                                 MeVector3 o);
 /** The primary axis alone. */
 MEPUBLIC void MEAPI MdtConstraintBodyGetAxis(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 a);
 #define MdtConstraintGetAxis(c, axis) MdtConstraintGetAxes((c), (axis), 0)
 /** Deprecated names of the guides. */
-#define MdtConstraintSetBothAxis(c, px, py, pz, ox, oy, oz) MdtConstraintSetAxes((c), (px), (py), (pz), (ox), (oy), (oz))
-#define MdtConstraintGetBothAxes(c, p, o)                   MdtConstraintGetAxes((c), (p), (o))
-#define MdtConstraintBodyGetBothAxes(c, k, p, o)            MdtConstraintBodyGetAxes((c), (k), (p), (o))
-#define MdtConstraintBodySetBothAxis(c, k, px, py, pz, ox, oy, oz)                                                 \
+#define MdtConstraintSetBothAxis(c, px, py, pz, ox, oy, oz)                                                            \
+    MdtConstraintSetAxes((c), (px), (py), (pz), (ox), (oy), (oz))
+#define MdtConstraintGetBothAxes(c, p, o)        MdtConstraintGetAxes((c), (p), (o))
+#define MdtConstraintBodyGetBothAxes(c, k, p, o) MdtConstraintBodyGetAxes((c), (k), (p), (o))
+#define MdtConstraintBodySetBothAxis(c, k, px, py, pz, ox, oy, oz)                                                     \
     MdtConstraintBodySetAxes((c), (k), (px), (py), (pz), (ox), (oy), (oz))
 /** @} */
 

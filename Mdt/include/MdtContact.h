@@ -35,8 +35,8 @@ ME_BEGIN_C
 #define MDT_FOURTH(a, b, c, d, ...)      d
 #define MdtContactCreateWith1(w)         (MdtContactCreate)(w)
 #define MdtContactCreateWith3(w, b1, b2) MdtContactCreateBetween((w), (b1), (b2))
-#define MdtContactCreate(...)                                                                                      \
-    MDT_FOURTH(__VA_ARGS__, MdtContactCreateWith3, MdtContactCreate_takes_1_or_3_arguments, MdtContactCreateWith1, 0) \
+#define MdtContactCreate(...)                                                                                          \
+    MDT_FOURTH(__VA_ARGS__, MdtContactCreateWith3, MdtContactCreate_takes_1_or_3_arguments, MdtContactCreateWith1, 0)  \
     (__VA_ARGS__)
 #endif
 /** Sets everything but the bodies to the defaults of a new contact. */

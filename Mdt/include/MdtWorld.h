@@ -29,12 +29,12 @@ MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const uns
 #else
 MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const unsigned int maxConstraints,
                                          const MeReal lengthScale, const MeReal massScale);
-#define MDT_FIFTH(a, b, c, d, e, ...)        e
-#define MdtWorldCreateWith2(b, c)            (MdtWorldCreate)((b), (c), (MeReal)1, (MeReal)1)
-#define MdtWorldCreateWith4(b, c, l, m)      (MdtWorldCreate)((b), (c), (l), (m))
-#define MdtWorldCreate(...)                                                                                        \
-    MDT_FIFTH(__VA_ARGS__, MdtWorldCreateWith4, MdtWorldCreate_takes_2_or_4_arguments, MdtWorldCreateWith2,        \
-              MdtWorldCreate_takes_2_or_4_arguments, 0)                                                            \
+#define MDT_FIFTH(a, b, c, d, e, ...)   e
+#define MdtWorldCreateWith2(b, c)       (MdtWorldCreate)((b), (c), (MeReal)1, (MeReal)1)
+#define MdtWorldCreateWith4(b, c, l, m) (MdtWorldCreate)((b), (c), (l), (m))
+#define MdtWorldCreate(...)                                                                                            \
+    MDT_FIFTH(__VA_ARGS__, MdtWorldCreateWith4, MdtWorldCreate_takes_2_or_4_arguments, MdtWorldCreateWith2,            \
+              MdtWorldCreate_takes_2_or_4_arguments, 0)                                                                \
     (__VA_ARGS__)
 #endif
 
@@ -108,11 +108,13 @@ inline void MdtWorldSetAutoDisableAliveWindow(MdtWorldID w, double seconds) {
 }
 ME_BEGIN_C
 #else
-#define MdtWorldSetAutoDisableAliveWindow(w, window)                                                               \
-    _Generic((window),                                                                                             \
-        float: MdtWorldSetAutoDisableAliveTime,                                                                    \
-        double: MdtWorldSetAutoDisableAliveTime,                                                                   \
+/* clang-format off */
+#define MdtWorldSetAutoDisableAliveWindow(w, window)                                                                   \
+    _Generic((window),                                                                                                 \
+        float: MdtWorldSetAutoDisableAliveTime,                                                                        \
+        double: MdtWorldSetAutoDisableAliveTime,                                                                       \
         default: (MdtWorldSetAutoDisableAliveWindow))((w), (window))
+/* clang-format on */
 #endif
 /** @} */
 

@@ -328,8 +328,7 @@ static void turnFrame(MdtBodyID b, const double q[4]) {
     mdt_bodyWakeIfAsleep(b);
 }
 
-void MEAPI MdtBodySetQuaternion(const MdtBodyID b, const MeReal qw, const MeReal qx, const MeReal qy,
-                                const MeReal qz) {
+void MEAPI MdtBodySetQuaternion(const MdtBodyID b, const MeReal qw, const MeReal qx, const MeReal qy, const MeReal qz) {
     MDT_NEED_BODY(b, );
     double q[4] = {qw, qx, qy, qz};
     if (normalizeQuaternion(__func__, q))

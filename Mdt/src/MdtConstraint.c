@@ -123,8 +123,7 @@ void MEAPI MdtConstraintSetBodies(const MdtConstraintID c, const MdtBodyID b1, c
         return;
     }
     if (c->flags & MDT_ENABLED)
-        MeWarning(1, "MdtConstraintSetBodies: the %s is enabled; disable it before changing its bodies",
-                  c->type->name);
+        MeWarning(1, "MdtConstraintSetBodies: the %s is enabled; disable it before changing its bodies", c->type->name);
     attach(c, 0, b1);
     attach(c, 1, b2);
 }

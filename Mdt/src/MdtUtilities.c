@@ -17,8 +17,7 @@ void MEAPI MdtMakeInertiaTensorSphere(const MeReal mass, const MeReal radius, Me
     setDiagonal(i, moment, moment, moment);
 }
 
-void MEAPI MdtMakeInertiaTensorBox(const MeReal mass, const MeReal lx, const MeReal ly, const MeReal lz,
-                                   MeMatrix3 i) {
+void MEAPI MdtMakeInertiaTensorBox(const MeReal mass, const MeReal lx, const MeReal ly, const MeReal lz, MeMatrix3 i) {
     if (!mdt_isPointer(__func__, "the result", i))
         return;
     setDiagonal(i, 1, 1, 1);

@@ -75,36 +75,36 @@ struct MdtBody {
     MdtAttachment *attachments; /* its constraints */
     void *userData;
 
-    MdtKeaBody kea;                 /* the centre of mass, in double: what counts */
-    double centre[3];               /* m, of mass, in the body's frame */
-    double centreTurn[4];           /* w x y z, axes of the centre of mass to the body's frame */
-    double force[3], torque[3];     /* N, N m, added since the last step */
-    double impulse[3], twist[3];    /* N s, N m s, the same */
-    MdtKeaVelocity acceleration;    /* m/s², rad/s², in the last step */
-    double mass;                    /* kg */
-    double inertia[3][3];           /* kg m², as set */
+    MdtKeaBody kea;              /* the centre of mass, in double: what counts */
+    double centre[3];            /* m, of mass, in the body's frame */
+    double centreTurn[4];        /* w x y z, axes of the centre of mass to the body's frame */
+    double force[3], torque[3];  /* N, N m, added since the last step */
+    double impulse[3], twist[3]; /* N s, N m s, the same */
+    MdtKeaVelocity acceleration; /* m/s², rad/s², in the last step */
+    double mass;                 /* kg */
+    double inertia[3][3];        /* kg m², as set */
     MeReal linearDamping, angularDamping, safeTime;
     MeVector3 fastSpinAxis;
     double enabledTime; /* s */
     int enabledSteps;
 
-    MeMatrix4 transform, centreTransform; /* what programs see of the pose */
-    MeVector3 velocity, angularVelocity;  /* what programs see of the velocities, and may write */
+    MeMatrix4 transform, centreTransform;          /* what programs see of the pose */
+    MeVector3 velocity, angularVelocity;           /* what programs see of the velocities, and may write */
     MeVector3 shownVelocity, shownAngularVelocity; /* the same as last written by us: a difference is theirs */
 
-    int partition;            /* in this step; -1: none */
-    int index;                /* in Kea's arrays, in this step */
+    int partition;             /* in this step; -1: none */
+    int index;                 /* in Kea's arrays, in this step */
     struct MdtBody *setParent; /* union-find, in this step */
-    MeBool setIsAwake;        /* of a set's root: some body of it is enabled */
+    MeBool setIsAwake;         /* of a set's root: some body of it is enabled */
 };
 
-void mdt_bodyShow(MdtBodyID b);                       /* refreshes what programs see from what counts */
-void mdt_bodyAcceptVelocities(MdtBodyID b);           /* takes over velocities that were written through pointers */
+void mdt_bodyShow(MdtBodyID b);             /* refreshes what programs see from what counts */
+void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
 void mdt_bodyWakeIfAsleep(MdtBodyID b);
 void mdt_bodySleep(MdtBodyID b);
-MeBool mdt_bodyIsPushedAwake(MdtBodyID b);            /* asleep, and the waiting forces would move it */
-void mdt_bodyPack(MdtBodyID b);                       /* loads of this step into kea; empties the accumulators */
-void mdt_bodyTerm(MdtBodyID b);                       /* lets go of constraints, returns the record */
+MeBool mdt_bodyIsPushedAwake(MdtBodyID b); /* asleep, and the waiting forces would move it */
+void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */
+void mdt_bodyTerm(MdtBodyID b);            /* lets go of constraints, returns the record */
 
 /* ---- constraints --------------------------------------------------------------------------------------------- */
 
@@ -202,20 +202,20 @@ MeBool mdt_isPointer(const char *caller, const char *what, const void *p);
 void mdt_registerWorld(MdtWorldID w);
 void mdt_forgetWorld(MdtWorldID w);
 
-#define MDT_NEED_WORLD(w, otherwise)         \
-    do {                                     \
-        if (!mdt_isWorld((w), __func__))     \
-            return otherwise;                \
+#define MDT_NEED_WORLD(w, otherwise)                                                                                   \
+    do {                                                                                                               \
+        if (!mdt_isWorld((w), __func__))                                                                               \
+            return otherwise;                                                                                          \
     } while (0)
-#define MDT_NEED_BODY(b, otherwise)          \
-    do {                                     \
-        if (!mdt_isBody((b), __func__))      \
-            return otherwise;                \
+#define MDT_NEED_BODY(b, otherwise)                                                                                    \
+    do {                                                                                                               \
+        if (!mdt_isBody((b), __func__))                                                                                \
+            return otherwise;                                                                                          \
     } while (0)
-#define MDT_NEED_CONSTRAINT(c, otherwise)    \
-    do {                                     \
-        if (!mdt_isConstraint((c), __func__)) \
-            return otherwise;                \
+#define MDT_NEED_CONSTRAINT(c, otherwise)                                                                              \
+    do {                                                                                                               \
+        if (!mdt_isConstraint((c), __func__))                                                                          \
+            return otherwise;                                                                                          \
     } while (0)
 
 /* ---- MeReal and double --------------------------------------------------------------------------------------- */

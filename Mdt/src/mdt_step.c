@@ -16,9 +16,9 @@ typedef struct Partition {
     int number, numBodies, numConstraints;
     MdtBodyID *bodies;
     MdtConstraintID *constraints;
-    double h;           /* s, the whole step */
+    double h;                          /* s, the whole step */
     MdtBclSolverParameters parameters; /* of the part of it that is being taken */
-    MeBool isContinued; /* not the first part */
+    MeBool isContinued;                /* not the first part */
     MdtKeaSystem kea;
 } Partition;
 
@@ -42,8 +42,8 @@ static MeBool isAtRest(const Partition *p) {
     const MdtPartitionParams *rest = &p->world->rest;
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
-        const MeBool isYoung = rest->alive_window < 0 ? b->enabledTime < (double)rest->alive_time
-                                                      : b->enabledSteps < rest->alive_window;
+        const MeBool isYoung =
+            rest->alive_window < 0 ? b->enabledTime < (double)rest->alive_time : b->enabledSteps < rest->alive_window;
         if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest))
             return MEFALSE;
     }

@@ -27,10 +27,10 @@ typedef struct MdtBclFrame {
 
 /** A contact's geometry and parameters. World frame. */
 typedef struct MdtBclContact {
-    double position[3];      /**< m */
-    double normal[3];        /**< unit, the way the first body is pushed */
-    double direction[3];     /**< unit, primary direction, at right angles to the normal */
-    double penetration;      /**< m, positive: overlap; negative: gap */
+    double position[3];  /**< m */
+    double normal[3];    /**< unit, the way the first body is pushed */
+    double direction[3]; /**< unit, primary direction, at right angles to the normal */
+    double penetration;  /**< m, positive: overlap; negative: gap */
     MdtBclContactParams params;
     /* Kept by the library. */
     double anchor[2][3]; /**< m, the surface points of the two bodies, in the frames of their centres of mass */

@@ -91,21 +91,21 @@ typedef enum MdtBclContactOption {
 /** The properties of a contact (Dynamics guide ch. 3, "The MdtBclContactParams Structure"). */
 typedef struct MdtBclContactParams {
     MdtContactType type;
-    MdtFrictionModel model1;          /**< along the primary direction */
-    MdtFrictionModel model2;          /**< along the secondary direction */
-    int options;                      /**< MdtBclContactOption, or-ed */
-    MeReal FrictionCoefficient;       /**< of the normal-force model, along the primary direction */
-    MeReal FrictionCoefficient2;      /**< the same along the secondary direction */
-    MeReal restitution;               /**< 0..1 */
-    MeReal velThreshold;              /**< m/s, slower impacts do not bounce */
-    MeReal softness;                  /**< 1/kg, added to the world's epsilon at this contact */
-    MeReal max_adhesive_force;        /**< N, how hard the contact may pull */
-    MeReal friction1;                 /**< N, bound of the box model, primary direction; MEINFINITY: none */
-    MeReal friction2;                 /**< N, the same along the secondary direction */
-    MeReal slip1;                     /**< m/s per N along the primary direction */
-    MeReal slip2;                     /**< m/s per N along the secondary direction */
-    MeReal slide1;                    /**< m/s, surface velocity along the primary direction */
-    MeReal slide2;                    /**< m/s, the same along the secondary direction */
+    MdtFrictionModel model1;     /**< along the primary direction */
+    MdtFrictionModel model2;     /**< along the secondary direction */
+    int options;                 /**< MdtBclContactOption, or-ed */
+    MeReal FrictionCoefficient;  /**< of the normal-force model, along the primary direction */
+    MeReal FrictionCoefficient2; /**< the same along the secondary direction */
+    MeReal restitution;          /**< 0..1 */
+    MeReal velThreshold;         /**< m/s, slower impacts do not bounce */
+    MeReal softness;             /**< 1/kg, added to the world's epsilon at this contact */
+    MeReal max_adhesive_force;   /**< N, how hard the contact may pull */
+    MeReal friction1;            /**< N, bound of the box model, primary direction; MEINFINITY: none */
+    MeReal friction2;            /**< N, the same along the secondary direction */
+    MeReal slip1;                /**< m/s per N along the primary direction */
+    MeReal slip2;                /**< m/s per N along the secondary direction */
+    MeReal slide1;               /**< m/s, surface velocity along the primary direction */
+    MeReal slide2;               /**< m/s, the same along the secondary direction */
 } MdtBclContactParams;
 
 /** A step's parameters, for the rows. */

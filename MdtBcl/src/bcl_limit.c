@@ -97,7 +97,8 @@ static void hardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtK
 
 static void softStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtKeaRow *row) {
     const double h = x->parameters.stepsize, z = row->error;
-    const double kp = fmax((double)stop->stiffness, 0), kd = fmax((double)stop->damping, 0), mobility = bcl_mobility(row, x);
+    const double kp = fmax((double)stop->stiffness, 0), kd = fmax((double)stop->damping, 0);
+    const double mobility = bcl_mobility(row, x);
     const double K = h * h * kp * mobility, D = h * kd * mobility;
     const double a = K > 1 ? 1 - 1 / K : 1e-9; /* not 0: a row without compliance has no E */
     const double b = D > 2 ? 1 - 1 / D : 0.5;

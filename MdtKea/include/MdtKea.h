@@ -30,8 +30,8 @@
 
 ME_BEGIN_C
 
-#define MdtKeaBODYVER1          100 /**< The layout of MdtKeaBody that this header describes. */
-#define MdtKeaMAXBODYCONSTRAINT 2   /**< A row joins at most this many bodies. */
+#define MdtKeaBODYVER1          100  /**< The layout of MdtKeaBody that this header describes. */
+#define MdtKeaMAXBODYCONSTRAINT 2    /**< A row joins at most this many bodies. */
 #define MdtKeaWORLD             (-1) /**< In place of a body's index: the world, which does not move. */
 
 typedef enum MdtKeaBodyFlag {
@@ -123,9 +123,9 @@ typedef struct MdtKeaReport {
     int factorizations; /**< Cholesky factorizations in all passes */
     MeBool capped;      /**< the pivoting stopped at its cap: the forces are within bounds, but not exact */
     MeBool regularized; /**< conflicting rows: a compromise was taken */
-    MeBool violent;     /**< the bodies turn too far for the position rows in a step of this length: take shorter ones */
-    double residual;    /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
-    double error;       /**< m: the largest error left in a position row, against what it asked for */
+    MeBool violent;  /**< the bodies turn too far for the position rows in a step of this length: take shorter ones */
+    double residual; /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
+    double error;    /**< m: the largest error left in a position row, against what it asked for */
 } MdtKeaReport;
 
 /**
@@ -149,8 +149,8 @@ typedef struct MdtKeaSystem {
     MdtKeaInverseMassMatrix *invMass; /**< by body, at the start */
     MdtKeaRow *rows;                  /**< the owner fills rows[0..numRows) */
     int numRows;
-    MdtKeaReport report;      /**< set by MdtKeaSolve */
-    struct MdtKeaWork *work;  /**< Kea's own */
+    MdtKeaReport report;     /**< set by MdtKeaSolve */
+    struct MdtKeaWork *work; /**< Kea's own */
 } MdtKeaSystem;
 
 /** Bytes of scratch memory that a system of this size needs (MdtKeaInit). */

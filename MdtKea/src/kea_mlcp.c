@@ -23,8 +23,8 @@ static const double leastShift = 1e-12; /* of the row's own: below, rounding mak
 static const double mostShift = 1e-6;   /* of the row's own: above, proximal passes are slow */
 static const double strongFactor = 1e5; /* for contradictory rows */
 static const double feasible = 1e-11;   /* slack of the pivoting tests, relative to the largest entry */
-static const double converged = 1e-12; /* how far the original equations may be missed, relative to the load */
-static const double acceptable = 1e-7; /* the same, when the proximal passes are used up */
+static const double converged = 1e-12;  /* how far the original equations may be missed, relative to the load */
+static const double acceptable = 1e-7;  /* the same, when the proximal passes are used up */
 static const int maxProximalPasses = 10;
 static const int patience = 3; /* block exchanges without progress before the active-set method */
 
@@ -33,7 +33,8 @@ void kea_mlcpInit(KeaMlcp *p, int n, const double *A, KeaArena *arena) {
     memset(p, 0, sizeof *p);
     p->n = n;
     p->A = A;
-    double **vectors[] = {&p->E, &p->b, &p->lower, &p->upper, &p->x, &p->scale, &p->y, &p->previous, &p->rhs, &p->w, &p->shift, &p->from};
+    double **vectors[] = {&p->E, &p->b,        &p->lower, &p->upper, &p->x,     &p->scale,
+                          &p->y, &p->previous, &p->rhs,   &p->w,     &p->shift, &p->from};
     for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
         *vectors[i] = kea_carve(arena, m, sizeof(double));
     p->factor = kea_carve(arena, m * m, sizeof(double));

@@ -21,10 +21,13 @@ START_TEST(a_new_body_has_the_guide_s_defaults) {
             ck_assert(MdtBodyGetTransformPtr(b)[i][j] == (i == j));
     MdtBodyGetFastSpinAxis(b, v);
     assert_vec3_near(v, 0, 1, 0, 0);
-    void (*const zeros[])(const MdtBodyID, MeVector3) = {
-        MdtBodyGetForce,           MdtBodyGetTorque,           MdtBodyGetLinearVelocity,
-        MdtBodyGetAngularVelocity, MdtBodyGetLinearAcceleration, MdtBodyGetAngularAcceleration,
-        MdtBodyGetCenterOfMassRelativePosition};
+    void (*const zeros[])(const MdtBodyID, MeVector3) = {MdtBodyGetForce,
+                                                         MdtBodyGetTorque,
+                                                         MdtBodyGetLinearVelocity,
+                                                         MdtBodyGetAngularVelocity,
+                                                         MdtBodyGetLinearAcceleration,
+                                                         MdtBodyGetAngularAcceleration,
+                                                         MdtBodyGetCenterOfMassRelativePosition};
     for (int i = 0; i < 7; i++) {
         v[0] = v[1] = v[2] = 9;
         zeros[i](b, v);

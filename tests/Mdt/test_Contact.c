@@ -445,7 +445,8 @@ START_TEST(parameters_have_the_guide_s_defaults) {
     ck_assert(MdtContactParamsGetType(p) == MdtContactTypeFrictionZero);
     ck_assert(MdtContactParamsGetPrimaryFrictionModel(p) == MdtFrictionModelBox);
     ck_assert(MdtContactParamsGetSecondaryFrictionModel(p) == MdtFrictionModelBox);
-    ck_assert(MdtContactParamsGetPrimaryFriction(p) == MEINFINITY && MdtContactParamsGetSecondaryFriction(p) == MEINFINITY);
+    ck_assert(MdtContactParamsGetPrimaryFriction(p) == MEINFINITY &&
+              MdtContactParamsGetSecondaryFriction(p) == MEINFINITY);
     ck_assert(MdtContactParamsGetPrimaryFrictionCoeffecient(p) == 0 && MdtContactParamsGetRestitution(p) == 0);
     ck_assert(MdtContactParamsGetRestitutionThreshold(p) == (MeReal).001 && MdtContactParamsGetSoftness(p) == 0);
     ck_assert(MdtContactParamsGetPrimarySlip(p) == 0 && MdtContactParamsGetPrimarySlide(p) == 0 &&

@@ -114,7 +114,8 @@ START_TEST(bodies_joined_by_joints_keep_their_momenta) {
     const double edge[3] = {1, .3, .2};
     MdtWorldID w = scene_world(3, 2, 0);
     MdtWorldSetEpsilon(w, 0);
-    MdtBodyID a = scene_box(w, 1, edge, 0, 0, 0), b = scene_box(w, 2, edge, 1, 0, 0), c = scene_box(w, .5, edge, 2, 0, 0);
+    MdtBodyID a = scene_box(w, 1, edge, 0, 0, 0), b = scene_box(w, 2, edge, 1, 0, 0),
+              c = scene_box(w, .5, edge, 2, 0, 0);
     MdtBSJointID ball = MdtBSJointCreate(w);
     MdtBSJointSetBodies(ball, a, b);
     MdtBSJointSetPosition(ball, (MeReal).5, 0, 0);

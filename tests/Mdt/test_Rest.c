@@ -137,14 +137,30 @@ START_TEST(setters_forces_and_enabling_wake_a_sleeper) {
         MdtBodyID b = sleeper(w);
         MeVector3 v;
         switch (way) {
-        case 0: MdtBodySetPosition(b, 0, 1, 0); break;
-        case 1: MdtBodySetQuaternion(b, 1, 1, 0, 0); break;
-        case 2: MdtBodySetLinearVelocity(b, 1, 0, 0); break;
-        case 3: MdtBodySetAngularVelocity(b, 1, 0, 0); break;
-        case 4: MdtBodyAddForce(b, 5, 0, 0); break;
-        case 5: MdtBodyAddTorque(b, 0, 5, 0); break;
-        case 6: MdtBodyAddImpulse(b, 1, 0, 0); break;
-        case 7: MdtBodyGetLinearVelocityPtr(b)[0] = 1; break;
+        case 0:
+            MdtBodySetPosition(b, 0, 1, 0);
+            break;
+        case 1:
+            MdtBodySetQuaternion(b, 1, 1, 0, 0);
+            break;
+        case 2:
+            MdtBodySetLinearVelocity(b, 1, 0, 0);
+            break;
+        case 3:
+            MdtBodySetAngularVelocity(b, 1, 0, 0);
+            break;
+        case 4:
+            MdtBodyAddForce(b, 5, 0, 0);
+            break;
+        case 5:
+            MdtBodyAddTorque(b, 0, 5, 0);
+            break;
+        case 6:
+            MdtBodyAddImpulse(b, 1, 0, 0);
+            break;
+        case 7:
+            MdtBodyGetLinearVelocityPtr(b)[0] = 1;
+            break;
         }
         MdtWorldStep(w, FRAME);
         ck_assert_msg(MdtBodyIsEnabled(b), "way %d", way);

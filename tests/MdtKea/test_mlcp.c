@@ -157,8 +157,8 @@ START_TEST(random_problems_have_the_enumerated_answer) {
         kea_mlcpSolve(&m);
         ck_assert_msg(!m.capped && !m.regularized, "seed %u", seed);
         for (int i = 0; i < n; i++)
-            ck_assert_msg(fabs(m.x[i] - x[i]) <= 1e-6 * (1 + fabs(x[i])), "seed %u row %d of %d: %.12g, enumerated %.12g",
-                          seed, i, n, m.x[i], x[i]);
+            ck_assert_msg(fabs(m.x[i] - x[i]) <= 1e-6 * (1 + fabs(x[i])),
+                          "seed %u row %d of %d: %.12g, enumerated %.12g", seed, i, n, m.x[i], x[i]);
     }
 }
 END_TEST

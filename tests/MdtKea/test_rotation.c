@@ -108,7 +108,8 @@ START_TEST(inertia_tensors_split_into_moments_and_axes) {
     keaQuaternionToMatrix(R, q);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            tensor[i][j] = R[i][0] * moments[0] * R[j][0] + R[i][1] * moments[1] * R[j][1] + R[i][2] * moments[2] * R[j][2];
+            tensor[i][j] =
+                R[i][0] * moments[0] * R[j][0] + R[i][1] * moments[1] * R[j][1] + R[i][2] * moments[2] * R[j][2];
     MdtKeaBody body = {.quaternion = {1, 0, 0, 0}};
     ck_assert(MdtKeaBodySetInertia(&body, (const double(*)[3])tensor));
     assert_near(body.moments[0] + body.moments[1] + body.moments[2], 7.001, 1e-12);
@@ -124,12 +125,9 @@ START_TEST(inertia_tensors_split_into_moments_and_axes) {
 END_TEST
 
 START_TEST(bad_tensors_are_refused) {
-    const double bad[][3][3] = {{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}},
-                                {{1, 2, 0}, {2, 1, 0}, {0, 0, 1}},
-                                {{1, .5, 0}, {0, 1, 0}, {0, 0, 1}},
-                                {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
-                                {{1, 0, 0}, {0, NAN, 0}, {0, 0, 1}},
-                                {{1, 0, 0}, {0, HUGE_VAL, 0}, {0, 0, 1}}};
+    const double bad[][3][3] = {{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}},   {{1, 2, 0}, {2, 1, 0}, {0, 0, 1}},
+                                {{1, .5, 0}, {0, 1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+                                {{1, 0, 0}, {0, NAN, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, HUGE_VAL, 0}, {0, 0, 1}}};
     for (int i = 0; i < 6; i++) {
         MdtKeaBody body = bodyWith(1, 2, 3);
         ck_assert_msg(!MdtKeaBodySetInertia(&body, bad[i]), "tensor %d", i);

@@ -60,8 +60,8 @@ START_TEST(softness_and_targets_obey_the_row_s_law) {
     row->softness = 5;
     MdtKeaSolve(&s);
     MdtKeaIntegrate(&s);
-    assert_near(a.velocity[0], .3 - .02 * 5 * row->force, 1e-12);           /* J v⁺ = s - h E λ */
-    assert_near(a.velocity[0], .02 * (7 + row->force) / 2, 1e-12);           /* v⁺ = v + h (f + λ) / m */
+    assert_near(a.velocity[0], .3 - .02 * 5 * row->force, 1e-12);  /* J v⁺ = s - h E λ */
+    assert_near(a.velocity[0], .02 * (7 + row->force) / 2, 1e-12); /* v⁺ = v + h (f + λ) / m */
     free(scratch);
 }
 END_TEST
