@@ -303,10 +303,8 @@ void MEAPI MdtBodySetPosition(const MdtBodyID b, const MeReal x, const MeReal y,
 }
 
 void MEAPI MdtBodyGetPosition(const MdtBodyID b, MeVector3 p) {
-    if (!mdt_isPointer(__func__, "the result", p))
+    if (!mdt_isResult(__func__, p, 3) || !mdt_isBody(b, __func__))
         return;
-    p[0] = p[1] = p[2] = 0;
-    MDT_NEED_BODY(b, );
     memcpy(p, b->transform[3], sizeof(MeVector3));
 }
 
@@ -336,10 +334,8 @@ void MEAPI MdtBodySetQuaternion(const MdtBodyID b, const MeReal qw, const MeReal
 }
 
 void MEAPI MdtBodyGetQuaternion(const MdtBodyID b, MeVector4 q) {
-    if (!mdt_isPointer(__func__, "the result", q))
+    if (!mdt_isResult(__func__, q, 4) || !mdt_isBody(b, __func__))
         return;
-    q[0] = q[1] = q[2] = q[3] = 0;
-    MDT_NEED_BODY(b, );
     double turn[4];
     frameQuaternion(b, turn);
     for (int i = 0; i < 4; i++)
@@ -375,10 +371,8 @@ void MEAPI MdtBodySetOrientation(const MdtBodyID b, const MeMatrix3 R) {
 }
 
 void MEAPI MdtBodyGetOrientation(const MdtBodyID b, MeMatrix3 R) {
-    if (!mdt_isPointer(__func__, "the result", R))
+    if (!mdt_isResult(__func__, (MeReal *)R, 9) || !mdt_isBody(b, __func__))
         return;
-    memset(R, 0, sizeof(MeMatrix3));
-    MDT_NEED_BODY(b, );
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             R[i][j] = b->transform[j][i];
@@ -405,10 +399,8 @@ void MEAPI MdtBodySetTransform(const MdtBodyID b, const MeMatrix4 tm) {
 }
 
 void MEAPI MdtBodyGetTransform(const MdtBodyID b, MeMatrix4 m) {
-    if (!mdt_isPointer(__func__, "the result", m))
+    if (!mdt_isResult(__func__, (MeReal *)m, 16) || !mdt_isBody(b, __func__))
         return;
-    memset(m, 0, sizeof(MeMatrix4));
-    MDT_NEED_BODY(b, );
     memcpy(m, b->transform, sizeof b->transform);
 }
 
@@ -443,10 +435,8 @@ void MEAPI MdtBodySetCenterOfMassRelativePosition(const MdtBodyID b, const MeVec
 }
 
 void MEAPI MdtBodyGetCenterOfMassRelativePosition(const MdtBodyID b, MeVector3 pos) {
-    if (!mdt_isPointer(__func__, "the result", pos))
+    if (!mdt_isResult(__func__, pos, 3) || !mdt_isBody(b, __func__))
         return;
-    pos[0] = pos[1] = pos[2] = 0;
-    MDT_NEED_BODY(b, );
     mdt_toReal(pos, b->centre);
 }
 
@@ -458,10 +448,8 @@ void MEAPI MdtBodySetCenterOfMassRelativeTransform(const MdtBodyID b, const MeMa
 }
 
 void MEAPI MdtBodyGetCenterOfMassRelativeTransform(const MdtBodyID b, MeMatrix4 t) {
-    if (!mdt_isPointer(__func__, "the result", t))
+    if (!mdt_isResult(__func__, (MeReal *)t, 16) || !mdt_isBody(b, __func__))
         return;
-    memset(t, 0, sizeof(MeMatrix4));
-    MDT_NEED_BODY(b, );
     writeTransform(t, b->centre, b->centreTurn);
 }
 
@@ -477,10 +465,8 @@ void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos
 }
 
 void MEAPI MdtBodyGetCenterOfMassPosition(const MdtBodyID b, MeVector3 pos) {
-    if (!mdt_isPointer(__func__, "the result", pos))
+    if (!mdt_isResult(__func__, pos, 3) || !mdt_isBody(b, __func__))
         return;
-    pos[0] = pos[1] = pos[2] = 0;
-    MDT_NEED_BODY(b, );
     memcpy(pos, b->centreTransform[3], sizeof(MeVector3));
 }
 
@@ -503,10 +489,8 @@ void MEAPI MdtBodySetLinearVelocity(const MdtBodyID b, const MeReal dx, const Me
 }
 
 void MEAPI MdtBodyGetLinearVelocity(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isPointer(__func__, "the result", v))
+    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    v[0] = v[1] = v[2] = 0;
-    MDT_NEED_BODY(b, );
     mdt_bodyAcceptVelocities(b);
     memcpy(v, b->velocity, sizeof b->velocity);
 }
@@ -528,10 +512,8 @@ void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const M
 }
 
 void MEAPI MdtBodyGetAngularVelocity(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isPointer(__func__, "the result", v))
+    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    v[0] = v[1] = v[2] = 0;
-    MDT_NEED_BODY(b, );
     mdt_bodyAcceptVelocities(b);
     memcpy(v, b->angularVelocity, sizeof b->angularVelocity);
 }
@@ -542,18 +524,14 @@ MeReal *MEAPI MdtBodyGetAngularVelocityPtr(const MdtBodyID b) {
 }
 
 void MEAPI MdtBodyGetLinearAcceleration(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isPointer(__func__, "the result", v))
+    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    v[0] = v[1] = v[2] = 0;
-    MDT_NEED_BODY(b, );
     mdt_toReal(v, b->acceleration.lin);
 }
 
 void MEAPI MdtBodyGetAngularAcceleration(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isPointer(__func__, "the result", v))
+    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    v[0] = v[1] = v[2] = 0;
-    MDT_NEED_BODY(b, );
     mdt_toReal(v, b->acceleration.ang);
 }
 
@@ -612,10 +590,8 @@ void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i) {
 }
 
 void MEAPI MdtBodyGetInertiaTensor(const MdtBodyID b, MeMatrix3 i) {
-    if (!mdt_isPointer(__func__, "the result", i))
+    if (!mdt_isResult(__func__, (MeReal *)i, 9) || !mdt_isBody(b, __func__))
         return;
-    memset(i, 0, sizeof(MeMatrix3));
-    MDT_NEED_BODY(b, );
     for (int k = 0; k < 3; k++)
         mdt_toReal(i[k], b->inertia[k]);
 }
@@ -717,18 +693,14 @@ void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const
 }
 
 void MEAPI MdtBodyGetForce(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isPointer(__func__, "the result", v))
+    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    v[0] = v[1] = v[2] = 0;
-    MDT_NEED_BODY(b, );
     mdt_toReal(v, b->force);
 }
 
 void MEAPI MdtBodyGetTorque(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isPointer(__func__, "the result", v))
+    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    v[0] = v[1] = v[2] = 0;
-    MDT_NEED_BODY(b, );
     mdt_toReal(v, b->torque);
 }
 
@@ -781,10 +753,8 @@ void MEAPI MdtBodySetFastSpinAxis(const MdtBodyID b, const MeReal x, const MeRea
 }
 
 void MEAPI MdtBodyGetFastSpinAxis(const MdtBodyID b, MeVector3 v) {
-    if (!mdt_isPointer(__func__, "the result", v))
+    if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    v[0] = v[1] = v[2] = 0;
-    MDT_NEED_BODY(b, );
     memcpy(v, b->fastSpinAxis, sizeof b->fastSpinAxis);
 }
 

@@ -217,10 +217,8 @@ void MEAPI MdtConstraintSetPosition(const MdtConstraintID c, const MeReal x, con
 }
 
 void MEAPI MdtConstraintGetPosition(const MdtConstraintID c, MeVector3 p) {
-    if (!mdt_isPointer(__func__, "the result", p))
+    if (!mdt_isResult(__func__, p, 3) || !mdt_isConstraint(c, __func__))
         return;
-    p[0] = p[1] = p[2] = 0;
-    MDT_NEED_CONSTRAINT(c, );
     MdtConstraintBodyGetPosition(c, (unsigned int)mainSide(c), p);
 }
 
@@ -234,10 +232,8 @@ void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned 
 }
 
 void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
-    if (!mdt_isPointer(__func__, "the result", p))
+    if (!mdt_isResult(__func__, p, 3) || !mdt_isConstraint(c, __func__))
         return;
-    p[0] = p[1] = p[2] = 0;
-    MDT_NEED_CONSTRAINT(c, );
     if (isContact(c, __func__) || !isSide(__func__, bodyindex))
         return;
     double world[3];
@@ -255,10 +251,8 @@ void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsign
 }
 
 void MEAPI MdtConstraintBodyGetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
-    if (!mdt_isPointer(__func__, "the result", p))
+    if (!mdt_isResult(__func__, p, 3) || !mdt_isConstraint(c, __func__))
         return;
-    p[0] = p[1] = p[2] = 0;
-    MDT_NEED_CONSTRAINT(c, );
     if (!isContact(c, __func__) && isSide(__func__, bodyindex))
         mdt_toReal(p, c->bcl.frame[bodyindex].position);
 }
@@ -389,19 +383,15 @@ void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const unsigned i
 /* ---- what it did ---- */
 
 void MEAPI MdtConstraintGetForce(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 f) {
-    if (!mdt_isPointer(__func__, "the result", f))
+    if (!mdt_isResult(__func__, f, 3) || !mdt_isConstraint(c, __func__))
         return;
-    f[0] = f[1] = f[2] = 0;
-    MDT_NEED_CONSTRAINT(c, );
     if (isSide(__func__, bodyindex))
         mdt_toReal(f, c->force.body[bodyindex].lin);
 }
 
 void MEAPI MdtConstraintGetTorque(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 t) {
-    if (!mdt_isPointer(__func__, "the result", t))
+    if (!mdt_isResult(__func__, t, 3) || !mdt_isConstraint(c, __func__))
         return;
-    t[0] = t[1] = t[2] = 0;
-    MDT_NEED_CONSTRAINT(c, );
     if (isSide(__func__, bodyindex))
         mdt_toReal(t, c->force.body[bodyindex].ang);
 }
@@ -430,18 +420,14 @@ void MEAPI MdtConstraintSetWorldAngularVelocity(const MdtConstraintID c, const M
 }
 
 void MEAPI MdtConstraintGetWorldLinearVelocity(const MdtConstraintID c, MeVector3 lv) {
-    if (!mdt_isPointer(__func__, "the result", lv))
+    if (!mdt_isResult(__func__, lv, 3) || !mdt_isConstraint(c, __func__))
         return;
-    lv[0] = lv[1] = lv[2] = 0;
-    MDT_NEED_CONSTRAINT(c, );
     mdt_toReal(lv, c->worldVelocity.lin);
 }
 
 void MEAPI MdtConstraintGetWorldAngularVelocity(const MdtConstraintID c, MeVector3 av) {
-    if (!mdt_isPointer(__func__, "the result", av))
+    if (!mdt_isResult(__func__, av, 3) || !mdt_isConstraint(c, __func__))
         return;
-    av[0] = av[1] = av[2] = 0;
-    MDT_NEED_CONSTRAINT(c, );
     mdt_toReal(av, c->worldVelocity.ang);
 }
 

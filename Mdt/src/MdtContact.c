@@ -166,10 +166,7 @@ void MEAPI MdtContactGetWorldVelocity(const MdtContactID c, MeVector3 v) {
 }
 
 void MEAPI MdtContactGetRelativeVelocity(const MdtContactID c, MeVector3 v) {
-    if (!mdt_isPointer(__func__, "the result", v))
-        return;
-    v[0] = v[1] = v[2] = 0;
-    const MdtBclContact *contact = contactOf(c, __func__);
+    const MdtBclContact *contact = mdt_isResult(__func__, v, 3) ? contactOf(c, __func__) : NULL;
     if (!contact)
         return;
     MeVector3 point, of[2];

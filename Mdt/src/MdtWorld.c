@@ -99,10 +99,8 @@ void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal 
 }
 
 void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g) {
-    if (!mdt_isPointer(__func__, "the result", g))
+    if (!mdt_isResult(__func__, g, 3) || !mdt_isWorld(w, __func__))
         return;
-    g[0] = g[1] = g[2] = 0;
-    MDT_NEED_WORLD(w, );
     for (int i = 0; i < 3; i++)
         g[i] = w->params.gravity[i];
 }

@@ -136,3 +136,11 @@ MeBool mdt_isPointer(const char *caller, const char *what, const void *p) {
     MeWarning(1, "%s: %s is null", caller, what);
     return MEFALSE;
 }
+
+MeBool mdt_isResult(const char *caller, MeReal *result, int n) {
+    if (!mdt_isPointer(caller, "the result", result))
+        return MEFALSE;
+    for (int i = 0; i < n; i++)
+        result[i] = 0;
+    return METRUE;
+}

@@ -198,6 +198,8 @@ MeBool mdt_isAtLeast(const char *caller, const char *what, MeReal x, MeReal lowe
 MeBool mdt_isPositive(const char *caller, const char *what, MeReal x);
 MeBool mdt_isSortKey(const char *caller, MeI32 key);
 MeBool mdt_isPointer(const char *caller, const char *what, const void *p);
+/* True for a place to write n numbers to, which are zeroed: the neutral result. */
+MeBool mdt_isResult(const char *caller, MeReal *result, int n);
 /* The check build's list of live worlds. */
 void mdt_registerWorld(MdtWorldID w);
 void mdt_forgetWorld(MdtWorldID w);
