@@ -19,14 +19,14 @@ ME_BEGIN_C
 #define MeMAXMESSAGE 1024 /**< Bytes of the longest message text, its end included; longer texts are cut. */
 
 #if defined(__GNUC__)
-#define ME_PRINTF_LIKE(format, first) __attribute__((format(printf, format, first)))
+#define ME_PRINTF_LIKE(text, first) __attribute__((__format__(__printf__, text, first)))
 #else
-#define ME_PRINTF_LIKE(format, first)
+#define ME_PRINTF_LIKE(text, first)
 #endif
 
 /** Formats a message and shows it. */
 typedef void(MEAPI *MeHandler)(const int level, const char *const format, va_list ap);
-/** Prints a finished text, which ends without a newline. */
+/** Prints a finished text, e.g. "Karma warning: ...", which ends without a newline. */
 typedef void(MEAPI *MeShow)(const int level, const char *const string);
 
 /** Something that the user may like to know. Shown on stdout by default. */

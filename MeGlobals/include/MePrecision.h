@@ -16,14 +16,14 @@ ME_BEGIN_C
 
 #ifdef _ME_API_DOUBLE
 typedef double MeReal;
-#define MEINFINITY DBL_MAX /**< Stands for "no limit": the largest number, so that sums with it stay finite. */
+#define MEINFINITY DBL_MAX     /**< Stands for "no limit": the largest number, so that sums with it stay finite. */
 #define ME_EPSILON DBL_EPSILON /**< Distance from 1 to the next number. */
 extern MEPUBLIC const char MeGlobalsIsDoublePrecision;
 #define ME_PRECISION_MARK MeGlobalsIsDoublePrecision
 #else
 typedef float MeReal;
-#define MEINFINITY FLT_MAX /**< Stands for "no limit": the largest number, so that sums with it stay finite. */
-#define ME_EPSILON FLT_EPSILON /**< Distance from 1 to the next number. */
+#define MEINFINITY        FLT_MAX /**< Stands for "no limit": the largest number, so that sums with it stay finite. */
+#define ME_EPSILON        FLT_EPSILON /**< Distance from 1 to the next number. */
 extern MEPUBLIC const char MeGlobalsIsSinglePrecision;
 #define ME_PRECISION_MARK MeGlobalsIsSinglePrecision
 #endif
@@ -52,10 +52,10 @@ __extension__ typedef __int128 MeI128;
 __extension__ typedef unsigned __int128 MeU128;
 #endif
 
-typedef MeReal MeVector3[3];     /**< x, y, z. */
-typedef MeReal MeVector4[4];     /**< x, y, z and w (1 for a point, 0 for a direction), or a quaternion (w, x, y, z). */
-typedef MeVector3 MeMatrix3[3];  /**< Three rows. MeMatrix3 m = {a,b,c, d,e,f, g,h,i} fills it row by row. */
-typedef MeVector4 MeMatrix4[4];  /**< A transform as OpenGL stores it: rows 0-2 the axes, row 3 the translation. */
+typedef MeReal MeVector3[3];    /**< x, y, z. */
+typedef MeReal MeVector4[4];    /**< x, y, z and w (1 for a point, 0 for a direction), or a quaternion (w, x, y, z). */
+typedef MeVector3 MeMatrix3[3]; /**< Three rows. MeMatrix3 m = {a,b,c, d,e,f, g,h,i} fills it row by row. */
+typedef MeVector4 MeMatrix4[4]; /**< A transform as OpenGL stores it: rows 0-2 the axes, row 3 the translation. */
 typedef MeReal *MeVector3Ptr;
 typedef MeReal *MeVector4Ptr;
 typedef MeVector3 *MeMatrix3Ptr;
@@ -110,20 +110,19 @@ typedef AcmeReal AcmeVector3[4];
 #endif
 
 /** Comparisons within a tolerance @a e (absolute); without one, within ME_SMALL_EPSILON. */
-#define ME_IS_ZERO_TOL(x, e)     (MeFabs(x) < (e))
+#define ME_IS_ZERO_TOL(x, e)      (MeFabs(x) < (e))
 #define ME_ARE_EQUAL_TOL(x, y, e) (MeFabs((x) - (y)) < (e))
 #define ME_IS_ZERO_3VEC_TOL(x, e) (ME_IS_ZERO_TOL((x)[0], e) && ME_IS_ZERO_TOL((x)[1], e) && ME_IS_ZERO_TOL((x)[2], e))
 #define ME_IS_ZERO_4VEC_TOL(x, e) (ME_IS_ZERO_3VEC_TOL(x, e) && ME_IS_ZERO_TOL((x)[3], e))
-#define ME_ARE_EQUAL_3VEC_TOL(x, y, e)                                                                              \
-    (ME_ARE_EQUAL_TOL((x)[0], (y)[0], e) && ME_ARE_EQUAL_TOL((x)[1], (y)[1], e) &&                                  \
-     ME_ARE_EQUAL_TOL((x)[2], (y)[2], e))
+#define ME_ARE_EQUAL_3VEC_TOL(x, y, e)                                                                                 \
+    (ME_ARE_EQUAL_TOL((x)[0], (y)[0], e) && ME_ARE_EQUAL_TOL((x)[1], (y)[1], e) && ME_ARE_EQUAL_TOL((x)[2], (y)[2], e))
 #define ME_ARE_EQUAL_4VEC_TOL(x, y, e) (ME_ARE_EQUAL_3VEC_TOL(x, y, e) && ME_ARE_EQUAL_TOL((x)[3], (y)[3], e))
-#define ME_IS_ZERO(x)           ME_IS_ZERO_TOL(x, ME_SMALL_EPSILON)
-#define ME_IS_ZERO_3VEC(x)      ME_IS_ZERO_3VEC_TOL(x, ME_SMALL_EPSILON)
-#define ME_IS_ZERO_4VEC(x)      ME_IS_ZERO_4VEC_TOL(x, ME_SMALL_EPSILON)
-#define ME_ARE_EQUAL(x, y)      ME_ARE_EQUAL_TOL(x, y, ME_SMALL_EPSILON)
-#define ME_ARE_EQUAL_3VEC(x, y) ME_ARE_EQUAL_3VEC_TOL(x, y, ME_SMALL_EPSILON)
-#define ME_ARE_EQUAL_4VEC(x, y) ME_ARE_EQUAL_4VEC_TOL(x, y, ME_SMALL_EPSILON)
+#define ME_IS_ZERO(x)                  ME_IS_ZERO_TOL(x, ME_SMALL_EPSILON)
+#define ME_IS_ZERO_3VEC(x)             ME_IS_ZERO_3VEC_TOL(x, ME_SMALL_EPSILON)
+#define ME_IS_ZERO_4VEC(x)             ME_IS_ZERO_4VEC_TOL(x, ME_SMALL_EPSILON)
+#define ME_ARE_EQUAL(x, y)             ME_ARE_EQUAL_TOL(x, y, ME_SMALL_EPSILON)
+#define ME_ARE_EQUAL_3VEC(x, y)        ME_ARE_EQUAL_3VEC_TOL(x, y, ME_SMALL_EPSILON)
+#define ME_ARE_EQUAL_4VEC(x, y)        ME_ARE_EQUAL_4VEC_TOL(x, y, ME_SMALL_EPSILON)
 
 ME_END_C
 

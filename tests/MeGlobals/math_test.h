@@ -45,12 +45,12 @@ static inline void random_tm(MeMatrix4 tm) {
 static inline void assert_array_near(const MeReal *actual, const MeReal *expected, int n, double tolerance) {
     for (int i = 0; i < n; i++)
         ck_assert_msg(fabs((double)(actual[i] - expected[i])) <= tolerance,
-                      "number %d is %.17g, expected %.17g within %.3g", i, (double)actual[i],
-                      (double)expected[i], tolerance);
+                      "number %d is %.17g, expected %.17g within %.3g", i, (double)actual[i], (double)expected[i],
+                      tolerance);
 }
 
 /* The same bits (so that -0 is not 0, and NaN is NaN). */
-#define assert_same_bits(actual, expected)                                                                   \
+#define assert_same_bits(actual, expected)                                                                             \
     ck_assert_msg(memcmp(actual, expected, sizeof(expected)) == 0, "%s is not %s", #actual, #expected)
 
 #endif

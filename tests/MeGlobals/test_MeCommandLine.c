@@ -4,9 +4,8 @@
 #include "MeCommandLine.h"
 
 /* A literal list of words, the program's name first, as options. */
-#define OPTIONS(...)                                                                                         \
-    create((const char *[]){"program", __VA_ARGS__},                                                         \
-           sizeof((const char *[]){"program", __VA_ARGS__}) / sizeof(char *))
+#define OPTIONS(...)                                                                                                   \
+    create((const char *[]){"program", __VA_ARGS__}, sizeof((const char *[]){"program", __VA_ARGS__}) / sizeof(char *))
 
 static MeCommandLineOptions *create(const char **words, size_t count) {
     messages_catch();
@@ -93,8 +92,7 @@ START_TEST(positions) {
 END_TEST
 
 START_TEST(lists) {
-    const char *renderers[] = {"-gl", "-d3d", "-null", NULL}, *empty[] = {NULL},
-               *others[] = {"-x", "-y", NULL};
+    const char *renderers[] = {"-gl", "-d3d", "-null", NULL}, *empty[] = {NULL}, *others[] = {"-x", "-y", NULL};
     MeCommandLineOptions *const o = OPTIONS("-null", "file", "-gl", "-quiet");
     ck_assert(MeCommandLineOptionsCheckForList(o, renderers, 0));
     assertLeft(o, "-null file -gl -quiet");
@@ -109,8 +107,7 @@ START_TEST(lists) {
 END_TEST
 
 START_TEST(numbers_in_both_forms) {
-    MeCommandLineOptions *const o =
-        OPTIONS("-frames", "60", "-seed=-7", "-step", "-0.25", "-scale=1e3", "-n", "-5");
+    MeCommandLineOptions *const o = OPTIONS("-frames", "60", "-seed=-7", "-step", "-0.25", "-scale=1e3", "-n", "-5");
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-frames", 0), 60);
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-seed", 0), -7);
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-n", 0), -5);
@@ -159,9 +156,8 @@ START_TEST(missing_values_warn) {
 END_TEST
 
 START_TEST(garbage_warns) {
-    static const char *garbage[] = {
-        "",    "x",           "60x",          "6 0",        "1.5", "0x10",
-        "--5", "99999999999", "-99999999999", "2147483648", "1e2", "99999999999999999999"};
+    static const char *garbage[] = {"",    "x",           "60x",          "6 0",        "1.5", "0x10",
+                                    "--5", "99999999999", "-99999999999", "2147483648", "1e2", "99999999999999999999"};
     for (size_t i = 0; i < sizeof garbage / sizeof garbage[0]; i++) {
         char word[64];
         snprintf(word, sizeof word, "-n=%s", garbage[i]);

@@ -133,10 +133,9 @@ typedef struct {
 
 /* The result for (1, 2, 3) and (5, 7, -4), and the same when it overwrites either operand. */
 START_TEST(vector_operations_may_alias) {
-    static const Operation3 operations[] = {
-        {MeVector3Add, {6, 9, -1}},      {MeVector3Subtract, {-4, -5, 7}},
-        {MeVector3Cross, {-29, 19, -3}}, {MeVector3MultiplyElements, {5, 14, -12}},
-        {MeVector3Min, {1, 2, -4}},      {MeVector3Max, {5, 7, 3}}};
+    static const Operation3 operations[] = {{MeVector3Add, {6, 9, -1}},      {MeVector3Subtract, {-4, -5, 7}},
+                                            {MeVector3Cross, {-29, 19, -3}}, {MeVector3MultiplyElements, {5, 14, -12}},
+                                            {MeVector3Min, {1, 2, -4}},      {MeVector3Max, {5, 7, 3}}};
     const MeVector3 b = {1, 2, 3}, c = {5, 7, -4};
     for (size_t i = 0; i < sizeof operations / sizeof operations[0]; i++) {
         const Operation3 *const o = &operations[i];
@@ -246,8 +245,7 @@ START_TEST(cross_products_with_axes) {
 END_TEST
 
 START_TEST(lengths_do_not_overflow) {
-    static const MeReal scales[] = {1, TOL((MeReal)1e30, (MeReal)1e300), TOL((MeReal)1e-30, (MeReal)1e-300),
-                                    1000};
+    static const MeReal scales[] = {1, TOL((MeReal)1e30, (MeReal)1e300), TOL((MeReal)1e-30, (MeReal)1e-300), 1000};
     for (int i = 0; i < 4; i++) {
         const MeReal s = scales[i];
         const MeVector3 v = {3 * s, -4 * s, 12 * s}, w = {6 * s, -8 * s, 24 * s};
@@ -288,8 +286,7 @@ START_TEST(vectors_of_extreme_length_are_normalized) {
     assert_near_rel(MeVector3Normalize(small), 5 * tiny, TOL(2e-7, 4e-16));
     assert_vec3_near(small, 0.6, 0, -0.8, few);
 
-    MeVector3 largest = {MEINFINITY, MEINFINITY, -MEINFINITY},
-              smallest = {0, TOL((MeReal)1e-45, (MeReal)5e-324), 0};
+    MeVector3 largest = {MEINFINITY, MEINFINITY, -MEINFINITY}, smallest = {0, TOL((MeReal)1e-45, (MeReal)5e-324), 0};
     ck_assert(MeVector3Normalize(largest) == MEINFINITY);
     assert_vec3_near(largest, sqrt(1. / 3), sqrt(1. / 3), -sqrt(1. / 3), few);
     ck_assert(MeVector3Normalize(smallest) > 0);

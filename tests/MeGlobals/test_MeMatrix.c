@@ -266,8 +266,7 @@ START_TEST(isotropic_inertia_is_recognized) {
     ck_assert(MeMatrix3IsIsotropic(a));
     a[1][1] *= 1 + 2 * ME_SMALL_EPSILON;
     ck_assert(!MeMatrix3IsIsotropic(a));
-    for (int i = 0; i < 3;
-         i++) { /* the tolerance is relative to the largest, and one must differ much to be it */
+    for (int i = 0; i < 3; i++) { /* the tolerance is relative to the largest, and one must differ much to be it */
         MeMatrix3MakeIdentity(a);
         a[i][i] = 1000;
         ck_assert(!MeMatrix3IsIsotropic(a));

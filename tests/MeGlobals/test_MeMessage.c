@@ -22,14 +22,13 @@ typedef struct {
 } Kind;
 
 static const Kind kinds[] = {
-    {MeInfo, &MeInfoLevel, &MeInfoHandler, MeHandlerInfo, MeSetInfoHandler, &MeInfoShow, MeShowStdout,
-     MeSetInfoShow, 1, ""},
+    {MeInfo, &MeInfoLevel, &MeInfoHandler, MeHandlerInfo, MeSetInfoHandler, &MeInfoShow, MeShowStdout, MeSetInfoShow, 1,
+     ""},
     {MeDebug, &MeDebugLevel, &MeDebugHandler, MeHandlerDebug, MeSetDebugHandler, &MeDebugShow, MeShowStderr,
      MeSetDebugShow, -1, "Karma debug: "},
-    {MeLog, &MeLogLevel, &MeLogHandler, MeHandlerLog, MeSetLogHandler, &MeLogShow, MeShowStderr, MeSetLogShow,
-     1, ""},
-    {MeWarning, &MeWarningLevel, &MeWarningHandler, MeHandlerWarning, MeSetWarningHandler, &MeWarningShow,
-     MeShowStderr, MeSetWarningShow, 5, "Karma warning: "},
+    {MeLog, &MeLogLevel, &MeLogHandler, MeHandlerLog, MeSetLogHandler, &MeLogShow, MeShowStderr, MeSetLogShow, 1, ""},
+    {MeWarning, &MeWarningLevel, &MeWarningHandler, MeHandlerWarning, MeSetWarningHandler, &MeWarningShow, MeShowStderr,
+     MeSetWarningShow, 5, "Karma warning: "},
     {MeFatalError, &MeFatalErrorLevel, &MeFatalErrorHandler, MeHandlerFatalError, MeSetFatalErrorHandler,
      &MeFatalErrorShow, MeShowStderr, MeSetFatalErrorShow, 5, "Karma fatal error: "},
 };
@@ -202,8 +201,7 @@ START_TEST(fatal_errors_abort) {
 END_TEST
 
 START_TEST(paths_are_shortened) {
-    char path[] = "/home/karma/src/MdtBody.c", windows[] = "C:\\karma\\Mdt.c", bare[] = "Mdt.c",
-         dir[] = "src/";
+    char path[] = "/home/karma/src/MdtBody.c", windows[] = "C:\\karma\\Mdt.c", bare[] = "Mdt.c", dir[] = "src/";
     ck_assert_ptr_eq(MeShortenPath(path), path + 16);
     ck_assert_str_eq(MeShortenPath(windows), "Mdt.c");
     ck_assert_ptr_eq(MeShortenPath(bare), bare);

@@ -76,9 +76,9 @@ END_TEST
 
 START_TEST(version_names_product_and_precision) {
     char expected[64];
-    snprintf(expected, sizeof expected, "%s %d.%d.%d%s (%s precision)", ME_PRODUCT_NAME,
-             ME_PRODUCTVERSION_MAJOR, ME_PRODUCTVERSION_MINOR, ME_PRODUCTVERSION_REV,
-             ME_PRODUCTVERSION_QUALIFIER, sizeof(MeReal) == 4 ? "single" : "double");
+    snprintf(expected, sizeof expected, "%s %d.%d.%d%s (%s precision)", ME_PRODUCT_NAME, ME_PRODUCTVERSION_MAJOR,
+             ME_PRODUCTVERSION_MINOR, ME_PRODUCTVERSION_REV, ME_PRODUCTVERSION_QUALIFIER,
+             sizeof(MeReal) == 4 ? "single" : "double");
     ck_assert_str_eq(MeToolkitVersionString(), expected);
 }
 END_TEST

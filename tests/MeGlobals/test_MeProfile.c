@@ -5,6 +5,7 @@
 #include "karma_test.h"
 
 #include "MeProfile.h"
+#include <threads.h>
 
 static const MeProfileTimerMode mode = {kMeProfileCounterModeFlops};
 
@@ -325,6 +326,32 @@ START_TEST(inner_sections_end_with_the_outer) {
 }
 END_TEST
 
+static int markElsewhere(void *unused) {
+    (void)unused;
+    MeProfileStartFrame();
+    MeProfileStartSection("elsewhere", 0);
+    MeProfileEndSection("here");
+    MeProfileEndFrame();
+    MeProfileStopTimers();
+    return 0;
+}
+
+START_TEST(other_threads_are_not_timed) {
+    thrd_t thread;
+    start(kMeProfileLogTotals);
+    MeProfileStartFrame();
+    MeProfileStartSection("here", 0);
+    ck_assert_int_eq(thrd_create(&thread, markElsewhere, NULL), thrd_success);
+    thrd_join(thread, NULL);
+    spend();
+    MeProfileEndSection("here");
+    MeProfileEndFrame();
+    assertAtLeast(timeOf("here"), waiting);
+    ck_assert(timeOf("elsewhere") == 0);
+    stop();
+}
+END_TEST
+
 START_TEST(null_names_warn) {
     start(kMeProfileDontLog);
     MeProfileStartSection(NULL, 0);
@@ -362,8 +389,8 @@ static void makeReport(MeProfileOutput_enum format) {
 
 static void assertColumns(int line, int numbers, const char *name, double *values) {
     char *at = report.lines[line] + strlen(name);
-    ck_assert_msg(strncmp(report.lines[line], name, strlen(name)) == 0, "'%s' is not of '%s'",
-                  report.lines[line], name);
+    ck_assert_msg(strncmp(report.lines[line], name, strlen(name)) == 0, "'%s' is not of '%s'", report.lines[line],
+                  name);
     for (int i = 0; i < numbers; i++) {
         char *end;
         values[i] = strtod(at, &end);
@@ -428,8 +455,7 @@ START_TEST(averages_are_reported) {
 END_TEST
 
 START_TEST(calls_are_reported) {
-    static const char *names[] = {"step",  "solve", "solve", "step",  "solve",
-                                  "solve", "step",  "solve", "solve", "step"};
+    static const char *names[] = {"step", "solve", "solve", "step", "solve", "solve", "step", "solve", "solve", "step"};
     static const int frames[] = {0, 1, 1, 1, 2, 2, 2, 3, 3, 3};
     double last = 0;
     const double whole = measure(kMeProfileLogAll);
@@ -615,6 +641,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, nothing_happens_while_off);
     tcase_add_test(t, ends_without_a_beginning_warn_once);
     tcase_add_test(t, inner_sections_end_with_the_outer);
+    tcase_add_test(t, other_threads_are_not_timed);
     tcase_add_test(t, null_names_warn);
     tcase_add_test(t, totals_are_reported);
     tcase_add_test(t, averages_are_reported);

@@ -192,10 +192,8 @@ START_TEST(large_errors_are_mended) {
 END_TEST
 
 START_TEST(axes_without_a_plane_warn) {
-    static const MeVector3 axes[][2] = {{{0, 0, 0}, {0, 1, 0}},
-                                        {{1, 0, 0}, {0, 0, 0}},
-                                        {{1, 2, 3}, {-2, -4, -6}},
-                                        {{1, 0, (MeReal)NAN}, {0, 1, 0}}};
+    static const MeVector3 axes[][2] = {
+        {{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {0, 0, 0}}, {{1, 2, 3}, {-2, -4, -6}}, {{1, 0, (MeReal)NAN}, {0, 1, 0}}};
     messages_catch();
     for (int i = 0; i < 4; i++) {
         MeMatrix4 tm, before;

@@ -1,0 +1,23 @@
+/** @file MeDebugDraw.h
+ *  Lines that Karma can draw to show what it is doing. A viewer or a program puts its own function here.
+ */
+#ifndef MEDEBUGDRAW_H
+#define MEDEBUGDRAW_H
+
+#include "MePrecision.h"
+
+ME_BEGIN_C
+
+/** Draws a line between two points of the world frame in the colour red, green, blue (each 0 to 1). */
+typedef void(MEAPI *MeDebugLineFuncPtr)(MeVector3 start, MeVector3 end, MeReal r, MeReal g, MeReal b);
+
+/** The functions in use. */
+typedef struct MeDebugDrawAPIStruct {
+    MeDebugLineFuncPtr line; /**< Never null. The default draws nothing. */
+} MeDebugDrawAPIStruct;
+
+extern MEPUBLIC MeDebugDrawAPIStruct MeDebugDrawAPI; /**< Set it before the world is stepped. */
+
+ME_END_C
+
+#endif

@@ -1,0 +1,464 @@
+/** @file MeMath.h
+ *  Vectors, matrices, quaternions and rigid transforms (User Guide ch. 3, "Coordinate Systems and Reference
+ *  Frames").
+ *
+ *  Frames are right-handed and angles are in radians: a positive rotation about z takes x to y. A transform
+ *  takes the coordinates x that a point has in one frame to those it has in another, y = R x + X. It is
+ *  written
+ *
+ *  @verbatim
+ *      MeMatrix3 R                 MeMatrix4 tm, a "TM"
+ *      { { xx, yx, zx },           { { xx, xy, xz, 0 },      row 0: where the x axis points to
+ *        { xy, yy, zy },             { yx, yy, yz, 0 },      row 1: where the y axis points to
+ *        { xz, yz, zz } }            { zx, zy, zz, 0 },      row 2: where the z axis points to
+ *                                    { X,  Y,  Z,  1 } }     row 3: where the origin is, X
+ *
+ *      y[i] = sum over j of R[i][j] x[j] + X[i]        tm[j][i] == R[i][j]
+ *  @endverbatim
+ *
+ *  A MeMatrix3 holds an ordinary matrix row by row, for vectors that are columns. A TM is laid out as OpenGL
+ *  wants it, which makes its rotation the transpose of R, and each axis a row that can be used as a
+ *  MeVector3. A quaternion is (w, x, y, z): (cos a/2, n sin a/2) for the angle a about the unit axis n; q and
+ *  -q are the same rotation. A quaternion that has drifted from length 1 is taken for the rotation it stands
+ *  for, and a zero one for no rotation, unless its function says otherwise.
+ *
+ *  For every function here:
+ *  - Results come first. An output may be the same array as an input, unless its function says otherwise; it
+ *    gets what it would get if the input had been copied first. Two outputs are never the same array.
+ *  - Pointers and array sizes are not checked, unlike in the rest of Karma. NaN in gives NaN out, without a
+ *    word, and tests ("Is...") of NaN are false.
+ *  - The functions keep no state and may be called from any thread, but for MeRealRandomInRange.
+ *
+ *  C before C23 lets a MeMatrix3 or MeMatrix4 be passed as a const one only as an extension. All compilers
+ *  have it; gcc -Wpedantic mentions it.
+ */
+#ifndef MEMATH_H
+#define MEMATH_H
+
+#include "MePrecision.h"
+#include <stdio.h>
+
+ME_BEGIN_C
+
+#define ME_PI ((MeReal)3.14159265358979323846) /**< Half a turn, in radians. */
+
+/** @name The smaller, the larger, the nearest
+ *  Macros for any numbers; they may evaluate an argument twice. MeCLAMP: the number from b to c nearest to a.
+ *  @{ */
+#define MeMIN(a, b)      ((a) < (b) ? (a) : (b))
+#define MeMAX(a, b)      ((a) > (b) ? (a) : (b))
+#define MeMIN3(a, b, c)  MeMIN(a, MeMIN(b, c))
+#define MeMAX3(a, b, c)  MeMAX(a, MeMAX(b, c))
+#define MeCLAMP(a, b, c) ((a) < (b) ? (b) : (a) > (c) ? (c) : (a))
+/** @} */
+
+/** @name Rounding to multiples
+ *  For whole numbers n >= 0: the smallest multiple that is not below n (CEIL), the largest not above it
+ *  (FLOOR). MeMathCEILN takes the multiple c first.
+ *  @{ */
+#define MeMathCEILN(c, n) (((n) + ((c)-1)) / (c) * (c))
+#define MeMathCEIL4(n)    MeMathCEILN(4, n)
+#define MeMathCEIL12(n)   MeMathCEILN(12, n)
+#define MeMathCEIL16(n)   MeMathCEILN(16, n)
+#define MeMathCEIL64(n)   MeMathCEILN(64, n)
+#define MeMathFLOOR4(n)   ((n) / 4 * 4)
+/** @} */
+
+/** @name Going round in circles
+ *  The number after or before i among 0 .. N-1, where 0 follows N-1. i must be one of them.
+ *  @{ */
+static inline int NextModN(const int i, const int N) {
+    return i + 1 < N ? i + 1 : 0;
+}
+static inline int PrevModN(const int i, const int N) {
+    return i > 0 ? i - 1 : N - 1;
+}
+static inline int NextMod2(const int i) {
+    return NextModN(i, 2);
+}
+static inline int PrevMod2(const int i) {
+    return PrevModN(i, 2);
+}
+static inline int NextMod3(const int i) {
+    return NextModN(i, 3);
+}
+static inline int PrevMod3(const int i) {
+    return PrevModN(i, 3);
+}
+static inline int NextMod4(const int i) {
+    return NextModN(i, 4);
+}
+static inline int PrevMod4(const int i) {
+    return PrevModN(i, 4);
+}
+/** @} */
+
+/** The position of the smallest of three numbers, of equal ones the first. */
+static inline MeI32 MinIndex(const MeReal a[3]) {
+    const MeI32 least = a[1] < a[0] ? 1 : 0;
+    return a[2] < a[least] ? 2 : least;
+}
+
+/** The positions of three numbers in ascending order: a[index[0]] <= a[index[1]] <= a[index[2]]. Equal
+ *  numbers keep their order. */
+static inline void Sort3(MeI32 index[3], const MeReal a[3]) {
+    const MeI32 low = a[1] < a[0] ? 1 : 0, high = 1 - low;
+    const MeI32 place = a[2] < a[low] ? 0 : a[2] < a[high] ? 1 : 2;
+    index[place] = 2;
+    index[place == 0 ? 1 : 0] = low;
+    index[place == 2 ? 1 : 2] = high;
+}
+
+/** @name Numbers
+ *  @{ */
+/** Exchanges two numbers. */
+MEPUBLIC void MEAPI MeRealSwap(MeReal *const a, MeReal *const b);
+/** 1/x, but never infinite: where |x| is too small for that, MEINFINITY with the sign of x. Both zeros are
+ *  taken for positive. */
+MEPUBLIC MeReal MEAPI MeSafeRecip(MeReal x);
+/**
+ * A number from start to end, all equally likely. The sequence is the same in every run of a program (and, up
+ * to rounding, in both precisions). Not for several threads at a time.
+ */
+MEPUBLIC MeReal MEAPI MeRealRandomInRange(MeReal start, MeReal end);
+/** Are all numbers 0? True for no numbers at all. */
+MEPUBLIC MeBool MEAPI MeRealArrayIsZero(const MeReal *v, int elements);
+/** Sets n numbers to 0. */
+MEPUBLIC void MEAPI MeVectorSetZero(MeReal *const A, const int n);
+/** @} */
+
+/** @name MeVector3: sums and products, component by component
+ *  @{ */
+/** c = (x, y, z) */
+MEPUBLIC void MEAPI MeVector3Set(MeVector3 c, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MeVector3Copy(MeVector3 c, const MeVector3 b); /**< c = b */
+MEPUBLIC void MEAPI MeVector3Swap(MeVector3 a, MeVector3 b);       /**< Exchanges a and b. */
+/** a = b + c */
+MEPUBLIC void MEAPI MeVector3Add(MeVector3 a, const MeVector3 b, const MeVector3 c);
+/** a = b - c */
+MEPUBLIC void MEAPI MeVector3Subtract(MeVector3 a, const MeVector3 b, const MeVector3 c);
+/** v = a v */
+MEPUBLIC void MEAPI MeVector3Scale(MeVector3 v, const MeReal a);
+/** a = c b */
+MEPUBLIC void MEAPI MeVector3MultiplyScalar(MeVector3 a, const MeVector3 b, const MeReal c);
+/** a_i = b_i c_i */
+MEPUBLIC void MEAPI MeVector3MultiplyElements(MeVector3 a, const MeVector3 b, const MeVector3 c);
+/** v = v + a v1 */
+MEPUBLIC void MEAPI MeVector3MultiplyAdd(MeVector3 v, const MeReal a, const MeVector3 v1);
+/** v = v - a v1 */
+MEPUBLIC void MEAPI MeVector3MultiplySubtract(MeVector3 v, const MeReal a, const MeVector3 v1);
+/** a = c b + d */
+MEPUBLIC void MEAPI MeVector3ScaleAndAdd(MeVector3 a, const MeVector3 b, const MeReal c, const MeVector3 d);
+/** The smaller of each. */
+MEPUBLIC void MEAPI MeVector3Min(MeVector3 out, const MeVector3 in1, const MeVector3 in2);
+/** The larger of each. */
+MEPUBLIC void MEAPI MeVector3Max(MeVector3 out, const MeVector3 in1, const MeVector3 in2);
+/** Brings each component of a into min .. max. */
+MEPUBLIC void MEAPI MeVector3Clamp(MeVector3 a, const MeReal min, const MeReal max);
+/** On the line from one point to another: (1 - howFar) from + howFar to. 0 and 1 give the ends exactly,
+ *  numbers outside go beyond them. */
+MEPUBLIC void MEAPI MeVector3Lerp(MeVector3 out, const MeVector3 from, const MeVector3 to, const MeReal howFar);
+/** @} */
+
+/** @name MeVector3: lengths, angles, directions
+ *  Magnitude, Distance, Normalize and MakeOrthogonal neither overflow nor lose digits where the squares of
+ *  the components would; the squared ones do.
+ *  @{ */
+MEPUBLIC MeReal MEAPI MeVector3Dot(const MeVector3 b, const MeVector3 c); /**< b . c */
+/** a = b x c */
+MEPUBLIC void MEAPI MeVector3Cross(MeVector3 a, const MeVector3 b, const MeVector3 c);
+MEPUBLIC MeReal MEAPI MeVector3Magnitude(const MeVector3 v); /**< |v| */
+/** |v| squared */
+MEPUBLIC MeReal MEAPI MeVector3MagnitudeSqr(const MeVector3 v);
+MEPUBLIC MeReal MEAPI MeVector3Distance(const MeVector3 a, const MeVector3 b); /**< |a - b| */
+/** |a - b| squared */
+MEPUBLIC MeReal MEAPI MeVector3DistanceSqr(const MeVector3 a, const MeVector3 b);
+/** Brings v to length 1 and returns the length it had. A vector that is zero, infinite or NaN has no
+ *  direction: it stays as it is, and the result is 0. */
+MEPUBLIC MeReal MEAPI MeVector3Normalize(MeVector3 v);
+/** vec x e, where e is the x, y or z axis (axisN 0, 1 or 2). */
+static inline void MeVector3CrossAxis(MeVector3 result, const MeVector3 vec, const int axisN) {
+    const int j = NextMod3(axisN), k = PrevMod3(axisN);
+    const MeReal vj = vec[j];
+    result[j] = vec[k];
+    result[k] = -vj;
+    result[axisN] = 0;
+}
+/** a . (b x c): the volume that the three span, positive when they are right-handed. */
+MEPUBLIC MeReal MEAPI MeVector3ScalarTripleProduct(const MeVector3 a, const MeVector3 b, const MeVector3 c);
+/** a[i][j] = b[i] c[j] */
+MEPUBLIC void MEAPI MeVector3OuterProduct(MeMatrix3 a, const MeVector3 b, const MeVector3 c);
+/** The area of a triangle with the edges v1 and v2 from one corner: |v1 x v2| / 2. */
+MEPUBLIC MeReal MEAPI MeVector3AreaOfTriangle(const MeVector3 v1, const MeVector3 v2);
+/** Takes away from v what it has along v1 (of any length), so that v . v1 = 0. A v1 without a direction
+ *  changes nothing. */
+MEPUBLIC void MEAPI MeVector3MakeOrthogonal(MeVector3 v, const MeVector3 v1);
+/**
+ * Two directions a, b that complete the unit vector n to a right-handed frame: n x a = b. a and b turn
+ * smoothly with n, but for a jump where n[2] changes its sign; the z axis gives x and y. (Duff and others,
+ * Building an Orthonormal Basis, Revisited, JCGT 2017.)
+ */
+MEPUBLIC void MEAPI MeVector3PlaneSpace(const MeVector3 n, MeVector3 a, MeVector3 b);
+/** @} */
+
+/** @name MeVector4
+ *  All four components count alike.
+ *  @{ */
+/** c = b */
+MEPUBLIC void MEAPI MeVector4Copy(MeVector4 c, const MeVector4 b);
+/** a = b + c */
+MEPUBLIC void MEAPI MeVector4Add(MeVector4 a, const MeVector4 b, const MeVector4 c);
+/** a = b - c */
+MEPUBLIC void MEAPI MeVector4Subtract(MeVector4 a, const MeVector4 b, const MeVector4 c);
+/** v = a v */
+MEPUBLIC void MEAPI MeVector4Scale(MeVector4 v, const MeReal a);
+/** a_i = b_i c_i */
+MEPUBLIC void MEAPI MeVector4MultiplyElements(MeVector4 a, const MeVector4 b, const MeVector4 c);
+/** b . c */
+MEPUBLIC MeReal MEAPI MeVector4Dot(const MeVector4 b, const MeVector4 c);
+/** v . v */
+MEPUBLIC MeReal MEAPI MeVector4MagnitudeSqr(const MeVector4 v);
+/** Brings each component of a into min .. max. */
+MEPUBLIC void MEAPI MeVector4Clamp(MeVector4 a, const MeReal min, const MeReal max);
+/** @} */
+
+/** @name MeMatrix3: any matrix
+ *  @{ */
+MEPUBLIC void MEAPI MeMatrix3MakeIdentity(MeMatrix3 tm); /**< The identity. */
+/** A = B */
+MEPUBLIC void MEAPI MeMatrix3Copy(MeMatrix3 A, const MeMatrix3 B);
+/** A = B + C */
+MEPUBLIC void MEAPI MeMatrix3Add(MeMatrix3 A, const MeMatrix3 B, const MeMatrix3 C);
+/** A = B - C */
+MEPUBLIC void MEAPI MeMatrix3Subtract(MeMatrix3 A, const MeMatrix3 B, const MeMatrix3 C);
+/** A = a A */
+MEPUBLIC void MEAPI MeMatrix3Scale(MeMatrix3 A, const MeReal a);
+/** A = B C */
+MEPUBLIC void MEAPI MeMatrix3MultiplyMatrix(MeMatrix3 A, const MeMatrix3 B, const MeMatrix3 C);
+/** A = B C */
+MEPUBLIC void MEAPI MeMatrix3MultiplyVector(MeVector3 A, const MeMatrix3 B, const MeVector3 C);
+MEPUBLIC void MEAPI MeMatrix3Transpose(MeMatrix3 A);     /**< Exchanges A[i][j] and A[j][i]. */
+MEPUBLIC MeReal MEAPI MeMatrix3Trace(const MeMatrix3 m); /**< The sum of the diagonal. */
+/** The rows of A become B1, B2, B3. */
+MEPUBLIC void MEAPI MeMatrix3CopyVec(MeMatrix3 A, const MeVector3 B1, const MeVector3 B2, const MeVector3 B3);
+/** Exchanges two columns, 0 to 2. With any other number it warns and changes nothing. */
+MEPUBLIC void MEAPI MeMatrix3SwapColumns(MeMatrix3 a, const unsigned int col1, const unsigned int col2);
+/** The rows of the matrix for a cross product: A v = factor (a x v). */
+MEPUBLIC void MEAPI MeMatrix3CrossFromVector(const MeVector3 a, const MeReal factor, MeVector3 A0, MeVector3 A1,
+                                             MeVector3 A2);
+/**
+ * Puts the inverse of a into a and returns METRUE. A matrix that is singular to working precision stays as it
+ * is, and the result is MEFALSE; which one that is does not depend on the units of its rows: det a is
+ * compared with the product of the rows' largest elements. The same for a matrix with an element that is not
+ * a finite number, or whose inverse would have one.
+ */
+MEPUBLIC MeBool MEAPI MeMatrix3Invert(MeMatrix3 a);
+/** The same for a symmetric matrix: only the diagonal and what is right of it is read, and the inverse is
+ *  symmetric to the last bit. */
+MEPUBLIC MeBool MEAPI MeMatrix3SymmetricInvert(MeMatrix3 a);
+/**
+ * Factors a with its rows in a better order: L U = P a, where L has ones on its diagonal and nothing right of
+ * it and U nothing left of its diagonal. Works for singular matrices too: then U has a 0 on its diagonal. P
+ * is told by three numbers: exchange rows 0 and SwappedRow[0], then 1 and SwappedRow[1], then 2 and
+ * SwappedRow[2]. scale gets what the rows of a were multiplied with when pivots were compared, one over the
+ * largest element.
+ */
+MEPUBLIC void MEAPI MeMatrix3LUDecompose(MeMatrix3 L, MeMatrix3 U, const MeMatrix3 a, unsigned int *const SwappedRow,
+                                         MeVector3 scale);
+/** Is every element within the tolerance of the identity's? */
+MEPUBLIC MeBool MEAPI MeMatrix3IsIdentity(const MeMatrix3 a, const MeReal tolerance);
+/** Is this inertia the same about every axis, i.e. a multiple of the identity? Within ME_SMALL_EPSILON of its
+ *  largest diagonal element. */
+MEPUBLIC MeBool MEAPI MeMatrix3IsIsotropic(const MeMatrix3 i);
+/** @} */
+
+/** @name MeMatrix3: rotations
+ *  y = R x, see above.
+ *  @{ */
+/** By the angle a about x: y to z. */
+MEPUBLIC void MEAPI MeMatrix3MakeRotationX(MeMatrix3 m, const MeReal a);
+/** By the angle a about y: z to x. */
+MEPUBLIC void MEAPI MeMatrix3MakeRotationY(MeMatrix3 m, const MeReal a);
+/** By the angle a about z: x to y. */
+MEPUBLIC void MEAPI MeMatrix3MakeRotationZ(MeMatrix3 m, const MeReal a);
+/** Turns about x, then about y, then about z, all of them axes that stay where they are: m = Rz Ry Rx. */
+MEPUBLIC void MEAPI MeMatrix3FromEulerAngles(MeMatrix3 m, const MeReal xangle, const MeReal yangle,
+                                             const MeReal zangle);
+/** Is it a rotation: rows of length 1 and at right angles, each dot product within the tolerance, and no
+ *  mirror? */
+MEPUBLIC MeBool MEAPI MeMatrix3IsValidOrientationMatrix(const MeMatrix3 rot, const MeReal tolerance);
+/** @} */
+
+/** @name MeMatrix4: any matrix
+ *  Products are the usual ones of rows and columns. For transforms use the functions of TMs.
+ *  @{ */
+MEPUBLIC void MEAPI MeMatrix4Copy(MeMatrix4 A, const MeMatrix4 B); /**< A = B */
+MEPUBLIC void MEAPI MeMatrix4SetZero(MeMatrix4 A);                 /**< A = 0 */
+/** A = B + C */
+MEPUBLIC void MEAPI MeMatrix4Add(MeMatrix4 A, const MeMatrix4 B, const MeMatrix4 C);
+/** A = B C */
+MEPUBLIC void MEAPI MeMatrix4MultiplyMatrix(MeMatrix4 A, const MeMatrix4 B, const MeMatrix4 C);
+/** A = B C */
+MEPUBLIC void MEAPI MeMatrix4MultiplyVector(MeVector4 A, const MeMatrix4 B, const MeVector4 C);
+MEPUBLIC void MEAPI MeMatrix4Transpose(MeMatrix4 A);      /**< Exchanges A[i][j] and A[j][i]. */
+MEPUBLIC MeBool MEAPI MeMatrix4IsZero(const MeMatrix4 m); /**< Is every element 0? */
+/** Is every element within the tolerance of the identity's? */
+MEPUBLIC MeBool MEAPI MeMatrix4IsIdentity(const MeMatrix4 a, const MeReal tolerance);
+/** Is it a rigid transform: a rotation, finite position, and 0, 0, 0, 1 on the right, all within the
+ *  tolerance? */
+MEPUBLIC MeBool MEAPI MeMatrix4IsTM(const MeMatrix4 tm, const MeReal tolerance);
+/** A = B, for matrices that begin at multiples of 16 bytes (MeALIGNDATA). The same as MeMatrix4Copy here. */
+static inline void MeMatrix4CopyAligned(MeMatrix4 A, const MeMatrix4 B) {
+    MeMatrix4Copy(A, B);
+}
+/** @} */
+
+/** @name TMs: making them, reading and changing parts
+ *  The functions that make a TM write all of it. Those that set a part leave the rest as it is.
+ *  @{ */
+MEPUBLIC void MEAPI MeMatrix4TMMakeIdentity(MeMatrix4 tm); /**< No rotation, position 0. */
+/** Rotation R, position (x, y, z). */
+MEPUBLIC void MEAPI MeMatrix4TMMakeFromRotationAndPosition(MeMatrix4 A, const MeMatrix3 R, const MeReal x,
+                                                           const MeReal y, const MeReal z);
+/** Rotation as from MeMatrix3FromEulerAngles, position (x, y, z). */
+MEPUBLIC void MEAPI MeMatrix4TMFromEulerAnglesAndPosition(MeMatrix4 tm, const MeReal xangle, const MeReal yangle,
+                                                          const MeReal zangle, const MeReal x, const MeReal y,
+                                                          const MeReal z);
+/** Sets the position. */
+MEPUBLIC void MEAPI MeMatrix4TMSetPosition(MeMatrix4 tm, MeReal x, MeReal y, MeReal z);
+/** Sets the position. */
+static inline void MeMatrix4TMSetPositionVector(MeMatrix4 tm, const MeVector3 position) {
+    MeMatrix4TMSetPosition(tm, position[0], position[1], position[2]);
+}
+/** Sets the rotation. */
+MEPUBLIC void MEAPI MeMatrix4TMSetRotation(MeMatrix4 tm, const MeMatrix3 R);
+/** Reads the rotation. */
+MEPUBLIC void MEAPI MeMatrix4TMGetRotation(MeMatrix3 R, const MeMatrix4 tm);
+/** Sets the rotation. */
+MEPUBLIC void MEAPI MeMatrix4TMSetRotationFromQuaternion(MeMatrix4 tm, const MeVector4 q);
+/** Makes a rotation again of one that has gathered rounding errors: x keeps its direction, y its plane with
+ *  x, and z = x cross y. An x or y that is zero, or both along one line, cannot be mended: then it warns and
+ *  changes nothing. The position is kept. */
+MEPUBLIC void MEAPI MeMatrix4TMOrthoNormalize(MeMatrix4 tm);
+/** @} */
+
+/** @name TMs: using them
+ *  The TM must be a rigid transform (MeMatrix4IsTM).
+ *  @{ */
+/** The point in: R in + X. */
+MEPUBLIC void MEAPI MeMatrix4TMTransform(MeVector3 out, const MeMatrix4 tm, const MeVector3 in);
+/** The way back, the inverse rotation of in - X. */
+MEPUBLIC void MEAPI MeMatrix4TMInverseTransform(MeVector3 out, const MeMatrix4 tm, const MeVector3 in);
+/** The direction in: R in. */
+MEPUBLIC void MEAPI MeMatrix4TMRotate(MeVector3 out, const MeMatrix4 tm, const MeVector3 in);
+/** The way back, the inverse rotation of in. */
+MEPUBLIC void MEAPI MeMatrix4TMInverseRotate(MeVector3 out, const MeMatrix4 tm, const MeVector3 in);
+/** Puts the inverse transform into tm. */
+MEPUBLIC void MEAPI MeMatrix4TMInvert(MeMatrix4 tm);
+/** The transform that does B first and then C: where B goes from a part to a body and C from the body to the
+ *  world, A goes from the part to the world. In memory it is the product B C. */
+MEPUBLIC void MEAPI MeMatrix4TMCompound(MeMatrix4 A, const MeMatrix4 B, const MeMatrix4 C);
+/**
+ * Where a body's transform is after a time of constant velocity and constant angular velocity, both in the
+ * world frame: the position moves by v h, and exp(h w) turns the rotation from the left. When it turns by
+ * less than @a aEpsilon (radians) in all, the rotation stays as it is. After many updates of one transform
+ * see MeMatrix4TMOrthoNormalize.
+ */
+MEPUBLIC void MEAPI MeMatrix4TMUpdateFromVelocities(MeMatrix4 aTransformReturn, MeReal aEpsilon, MeReal aTimeStep,
+                                                    const MeVector3 aVelocity, const MeVector3 aAngularVelocity,
+                                                    const MeMatrix4 aTransform);
+/** The same with constant accelerations: the position moves by h v + h^2/2 a, and the turn is by h w + h^2/2
+ *  alpha, which is exact as long as w and alpha share an axis. */
+MEPUBLIC void MEAPI MeMatrix4TMUpdateFromVelocitiesAndAcceler(
+    MeMatrix4 aTransformReturn, MeReal aEpsilon, MeReal aTimeStep, const MeVector3 aVelocity, const MeVector3 aAcceler,
+    const MeVector3 aAngularVelocity, const MeVector3 aAngularAcceler, const MeMatrix4 aTransform);
+/** @} */
+
+/** @name Quaternions: making them
+ *  @{ */
+MEPUBLIC void MEAPI MeQuaternionSet(MeVector4 q, MeReal w, MeReal x, MeReal y, MeReal z); /**< As given. */
+/** The rotation by the angle a about the axis x, which may have any length. Without a direction it warns and
+ *  gives the identity. */
+MEPUBLIC void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 x, const MeReal a);
+/** The smallest rotation that takes the direction of v1 to that of v2; for opposite ones it is half a turn
+ *  about some axis at right angles to them. Without a direction it warns and gives the identity. */
+MEPUBLIC void MEAPI MeQuaternionForRotation(MeVector4 q, const MeVector3 v1, const MeVector3 v2);
+/** The rotation of a TM, with w >= 0. */
+MEPUBLIC void MEAPI MeQuaternionFromTM(MeVector4 q, const MeMatrix4 tm);
+/** @} */
+
+/** @name Quaternions: using them
+ *  @{ */
+MEPUBLIC void MEAPI MeQuaternionToR(MeMatrix3 R, const MeVector4 q); /**< The rotation matrix. */
+/** A TM with that rotation and position 0. */
+MEPUBLIC void MEAPI MeQuaternionToTM(MeMatrix4 tm, const MeVector4 q);
+/** v turned by q: R v. */
+MEPUBLIC void MEAPI MeQuaternionRotateVector3(MeVector3 vout, const MeVector4 q, const MeVector3 v);
+/** r = p q: the rotation q first and then p. Lengths are multiplied. */
+MEPUBLIC void MEAPI MeQuaternionProduct(MeVector4 r, const MeVector4 p, const MeVector4 q);
+/** Between two rotations at constant angular velocity, the short way round: 0 gives @a from, 1 gives @a to
+ *  (or its negative), numbers outside go on beyond. Both must be of length 1; so is the result. */
+MEPUBLIC void MEAPI MeQuaternionSlerp(MeVector4 q, const MeVector4 from, const MeVector4 to, const MeReal howFar);
+/** @} */
+
+/** @name Quaternions in motion
+ *  A body whose orientation is q turns with the angular velocity w, given in the world frame, in radians per
+ *  second.
+ *  @{ */
+/** How fast q changes: dq = (0, w) q / 2. For q of length 1. */
+MEPUBLIC void MEAPI MeQuaternionWtoDQ(MeVector4 dq, const MeVector4 q, const MeVector3 w);
+/** The 3 x 4 matrix D, row by row, with dq = D^T w / 2 and w = 2 D dq. For q of length 1. */
+MEPUBLIC void MEAPI MeQuaternionToD(MeReal D[12], const MeVector4 q);
+/** The orientation after the time h: q = exp(h w) q, exactly and however small or large the angle, brought to
+ *  length 1. */
+MEPUBLIC void MEAPI MeQuaternionFiniteRotation(MeVector4 q, const MeVector3 w, const MeReal h);
+/** @} */
+
+/** @name Matrices of any size, row by row
+ *  The result must not overlap the operands. A size below 0 counts as 0.
+ *  @{ */
+/** A (p x r) = B (p x q) C (q x r) */
+MEPUBLIC void MEAPI MeMatrixMultiply(MeReal *A, const int p, const int q, const int r, const MeReal *const B,
+                                     const MeReal *const C);
+/** A (p x r) = B^T C, where B is q x p and C is q x r. */
+MEPUBLIC void MEAPI MeMatrixMultiplyT1(MeReal *A, const int p, const int q, const int r, const MeReal *const B,
+                                       const MeReal *const C);
+/** A (m x n) = B^T, where B is n x m. */
+MEPUBLIC void MEAPI MeMatrixTranspose(MeReal *A, const int n, const int m, const MeReal *const B);
+/** Prints n rows of m numbers on stdout, each number with the printf format for one double (null: "%g "),
+ *  each row on a line. */
+MEPUBLIC void MEAPI MeMatrixPrint(const MeReal *const A, const int n, const int m, const char *const format);
+/** The same into a file. */
+MEPUBLIC void MEAPI MeMatrixFPrint(FILE *const file, const MeReal *const A, const int n, const int m,
+                                   const char *const format);
+/** @} */
+
+/** @name Packed triangles
+ *  Where the element at a row and column of an n x n matrix is, when only one triangle is stored, row by row:
+ *
+ *  @verbatim
+ *      UpperDiagonal, n = 4        SuperDiagonal
+ *      0 1 2 3                     . 0 1 2
+ *        4 5 6                       . 3 4
+ *          7 8                         . 5
+ *            9                           .
+ *  @endverbatim
+ *
+ *  The Sym ones are for symmetric matrices: a place below the diagonal is that of its mirror image. A place
+ *  that is not stored: warning, and -1.
+ *  @{ */
+/** Place on or above the diagonal. */
+MEPUBLIC int MEAPI MeUpperDiagonalIndex(const int inRow, const int inCol, const int inNCols);
+/** Any place. */
+MEPUBLIC int MEAPI MeSymUpperDiagonalIndex(const int inRow, const int inCol, const int inNCols);
+MEPUBLIC int MEAPI MeUpperDiagonalSize(const int inNCols); /**< How many numbers that are. */
+/** Place above the diagonal. */
+MEPUBLIC int MEAPI MeSuperDiagonalIndex(const int inRow, const int inCol, const int inNCols);
+/** Any place but on the diagonal. */
+MEPUBLIC int MEAPI MeSymSuperDiagonalIndex(const int inRow, const int inCol, const int inNCols);
+MEPUBLIC int MEAPI MeSuperDiagonalSize(const int inNCols); /**< How many numbers that are. */
+/** @} */
+
+ME_END_C
+
+#endif

@@ -1,0 +1,55 @@
+/** @file MeMemory.h
+ *  Where Karma's memory comes from (User Guide app. C, "Re-Routing Memory Management In Karma").
+ *
+ *  All memory that Karma allocates comes from the functions in MeMemoryAPI. A program that wants its own sets
+ *  them before it calls anything else of Karma:
+ *
+ *  @code
+ *      MeMemoryAPI.create = MyCreate;
+ *      MeMemoryAPI.destroy = MyDestroy;
+ *      MeMemoryAPI.createAligned = MyCreateAligned;
+ *      MeMemoryAPI.destroyAligned = MyDestroyAligned;
+ *  @endcode
+ *
+ *  create and destroy belong together, and so do createAligned and destroyAligned: replace both of a pair, or
+ *  neither. Karma itself never calls resize, so a program that does not call it either may leave it as it is;
+ *  otherwise it belongs to create and destroy. No member may be null. Karma never destroys
+ *  a null. It calls the functions from the
+ *  threads that call Karma.
+ *
+ *  A function that has no memory to give returns null. The Karma function that asked then calls MeFatalError,
+ *  and if that returns, has a neutral result.
+ */
+#ifndef MEMEMORY_H
+#define MEMEMORY_H
+
+#include "MeCall.h"
+#include <stddef.h>
+
+ME_BEGIN_C
+
+/** Gives @a bytes (0 counts as 1) of memory, aligned for any of C's types, with any contents. Null if there
+ *  is none. */
+typedef void *(MEAPI *MeMemoryFuncPtrCreate)(size_t bytes);
+/** The same, at a multiple of @a alignment bytes, which is a power of 2. */
+typedef void *(MEAPI *MeMemoryFuncPtrCreateAligned)(size_t bytes, unsigned int alignment);
+/** Gives memory of another size with the same contents, as far as they fit, instead of a block from create. A
+ *  null block is like none. Null if there is none: then the block is as it was. */
+typedef void *(MEAPI *MeMemoryFuncPtrResize)(void *const block, size_t bytes);
+/** Takes a block back. Null is no block. */
+typedef void(MEAPI *MeMemoryFuncPtrDestroy)(void *const block);
+
+/** The functions in use. */
+typedef struct MeMemoryAPIStruct {
+    MeMemoryFuncPtrCreate create;               /**< Default: malloc. */
+    MeMemoryFuncPtrCreateAligned createAligned; /**< Default: aligned_alloc. */
+    MeMemoryFuncPtrResize resize;               /**< Default: realloc. */
+    MeMemoryFuncPtrDestroy destroy;             /**< For what create and resize gave. Default: free. */
+    MeMemoryFuncPtrDestroy destroyAligned;      /**< For what createAligned gave. Default: free. */
+} MeMemoryAPIStruct;
+
+extern MEPUBLIC MeMemoryAPIStruct MeMemoryAPI; /**< Set it before the first call of anything else of Karma. */
+
+ME_END_C
+
+#endif

@@ -1,0 +1,126 @@
+/* A growing scratch buffer. */
+#include "MeChunk.h"
+
+#include "MeMath.h"
+#include "MeMemory_i.h"
+#include "MeMessage.h"
+#include <limits.h>
+
+static const int firstSize = 1024;
+
+static MeBool isChunk(const MeChunk *chunk, const char *function) {
+    if (chunk == NULL)
+        MeWarning(1, "%s: the chunk is null", function);
+    return chunk != NULL;
+}
+
+static MeBool isPowerOfTwo(int n) {
+    return n > 0 && (n & (n - 1)) == 0;
+}
+
+static void freeMemory(MeChunk *chunk) {
+    if (chunk->mem != NULL)
+        MeMemoryAPI.destroyAligned(chunk->mem);
+    chunk->mem = NULL;
+    chunk->size = 0;
+}
+
+/* Makes room for `size` bytes; false if out of memory. */
+static MeBool reserve(MeChunk *chunk, int size, const char *function) {
+    if (chunk->mem != NULL && chunk->size >= size)
+        return METRUE;
+    int newSize = MeMAX(chunk->size, firstSize);
+    while (newSize < size)
+        newSize = newSize > INT_MAX / 2 ? size : 2 * newSize;
+    freeMemory(chunk);
+    chunk->mem = me_createAligned((size_t)newSize, (unsigned int)chunk->alignment, function);
+    if (chunk->mem == NULL)
+        return MEFALSE;
+    chunk->size = newSize;
+    return METRUE;
+}
+
+void MEAPI MeChunkInit(MeChunk *chunk, int alignment) {
+    if (!isChunk(chunk, "MeChunkInit"))
+        return;
+    if (!isPowerOfTwo(alignment)) {
+        MeWarning(1, "MeChunkInit: alignment %d is not a power of 2, 16 is used", alignment);
+        alignment = 16;
+    }
+    *chunk = (MeChunk){.alignment = alignment, .mode = kMeChunkModeKeepOnPut};
+}
+
+void MEAPI MeChunkTerm(MeChunk *chunk) {
+    if (!isChunk(chunk, "MeChunkTerm"))
+        return;
+    if (chunk->inUse)
+        MeWarning(1, "MeChunkTerm: the memory is in use");
+    freeMemory(chunk);
+    MeChunkInit(chunk, chunk->alignment);
+}
+
+void MEAPI MeChunkSetMode(MeChunk *chunk, kMeChunkMode mode) {
+    if (!isChunk(chunk, "MeChunkSetMode"))
+        return;
+    if (mode != kMeChunkModeKeepOnPut && mode != kMeChunkModeFreeOnPut) {
+        MeWarning(1, "MeChunkSetMode: %d is not a mode", (int)mode);
+        return;
+    }
+    chunk->mode = mode;
+}
+
+/* May a piece of this size be had now? Warns if not. */
+static MeBool isFreeFor(const MeChunk *chunk, int size, const char *function) {
+    if (!isChunk(chunk, function))
+        return MEFALSE;
+    if (size < 0) {
+        MeWarning(1, "%s: size %d is negative", function, size);
+        return MEFALSE;
+    }
+    if (chunk->inUse) {
+        MeWarning(1, "%s: the memory is in use", function);
+        return MEFALSE;
+    }
+    return METRUE;
+}
+
+void MEAPI MeChunkSetAuto(MeChunk *chunk, int initialSize) {
+    if (isFreeFor(chunk, initialSize, "MeChunkSetAuto"))
+        reserve(chunk, initialSize, "MeChunkSetAuto");
+}
+
+void *MEAPI MeChunkGetMem(MeChunk *chunk, int size) {
+    if (!isFreeFor(chunk, size, "MeChunkGetMem") || !reserve(chunk, size, "MeChunkGetMem"))
+        return NULL;
+    chunk->maxSize = MeMAX(chunk->maxSize, size);
+    chunk->inUse = METRUE;
+    return chunk->mem;
+}
+
+void MEAPI MeChunkPutMem(MeChunk *chunk, void *mem) {
+    if (!isChunk(chunk, "MeChunkPutMem") || mem == NULL)
+        return;
+    if (!chunk->inUse || mem != chunk->mem) {
+        MeWarning(1, "MeChunkPutMem: this memory is not in use");
+        return;
+    }
+    chunk->inUse = MEFALSE;
+    if (chunk->mode == kMeChunkModeFreeOnPut)
+        freeMemory(chunk);
+}
+
+MeBool MEAPI MeChunkIsInUse(MeChunk *chunk) {
+    return isChunk(chunk, "MeChunkIsInUse") ? chunk->inUse : MEFALSE;
+}
+
+int MEAPI MeChunkGetCurrentSize(MeChunk *chunk) {
+    return isChunk(chunk, "MeChunkGetCurrentSize") ? chunk->size : 0;
+}
+
+int MEAPI MeChunkGetMaxSize(MeChunk *chunk) {
+    return isChunk(chunk, "MeChunkGetMaxSize") ? chunk->maxSize : 0;
+}
+
+int MEAPI MeChunkGetAlignment(MeChunk *chunk) {
+    return isChunk(chunk, "MeChunkGetAlignment") ? chunk->alignment : 0;
+}

@@ -1,0 +1,11 @@
+/* Memory for this library: MeMemoryAPI, with the fatal error that goes with its failure. */
+#ifndef MEMEMORY_I_H
+#define MEMEMORY_I_H
+
+#include "MeMemory.h"
+
+/* Both return null after a fatal error that names the function that asked. */
+void *me_create(size_t bytes, const char *asker);
+void *me_createAligned(size_t bytes, unsigned int alignment, const char *asker);
+
+#endif

@@ -1,0 +1,27 @@
+/* Colours. */
+#include "MeMisc.h"
+
+#include <math.h>
+
+static float toUnitInterval(float x) {
+    if (!isfinite(x))
+        return 0;
+    return x < 0 ? 0 : x > 1 ? 1 : x;
+}
+
+/* How much of a primary is in a colour whose hue is `distance` sixths of a circle away from it: all up to one
+ * sixth, nothing from two on. */
+static float share(float distance) {
+    const float shortWay = distance > 3 ? 6 - distance : distance;
+    return toUnitInterval(2 - shortWay);
+}
+
+void MEAPI MeHSVtoRGB(float h, float s, float v, float rgb[3]) {
+    const float turn = isfinite(h) ? fmodf(h, 360) : 0;
+    const float hue = (turn < 0 ? turn + 360 : turn) / 60;
+    const float saturation = toUnitInterval(s), value = toUnitInterval(v);
+    for (int i = 0; i < 3; i++) {
+        const float primary = 2 * (float)i; /* red at 0, green at 2, blue at 4 sixths */
+        rgb[i] = value * (1 - saturation * (1 - share(fabsf(hue - primary))));
+    }
+}

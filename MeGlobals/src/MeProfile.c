@@ -1,0 +1,292 @@
+/* Measuring: marks, frames, the tree of sections and the log. */
+#define _POSIX_C_SOURCE 199309L /* clock_gettime */
+#include "MeProfile_i.h"
+
+#include "MeMath.h"
+#include "MeMemory_i.h"
+#include "MeMessage.h"
+#include <stdatomic.h>
+#include <string.h>
+#include <time.h>
+
+static const int firstEvents = 1024, mostEvents = 1 << 20;
+
+MeProfileState me_profile;
+
+/* One thread is timed, the one that switched timing on: the address of its mark is the owner. Null when off. */
+static _Thread_local char threadMark;
+static _Atomic(const char *) owner;
+
+static MeBool isOn(void) {
+    return atomic_load_explicit(&owner, memory_order_relaxed) == &threadMark;
+}
+
+static void setOwner(const char *mark) {
+    atomic_store_explicit(&owner, mark, memory_order_relaxed);
+}
+
+/* ---- the clock ---- */
+
+static const MeU64 ticksPerSecond = 1000000000;
+
+uint64_t me_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (uint64_t)t.tv_sec * ticksPerSecond + (uint64_t)t.tv_nsec;
+}
+
+MeU64 MEAPI MeProfileGetClockSpeed(void) {
+    return ticksPerSecond;
+}
+
+void MEAPI MeProfileGetTimerValue(MeProfileTimerResult *const result) {
+    if (result == NULL)
+        MeWarning(1, "MeProfileGetTimerValue: the result is null");
+    else
+        result->ticks = me_now();
+}
+
+/* ---- the tree ---- */
+
+static MeBool isInsideNamesake(const MeSection *parent, const char *name) {
+    for (const MeSection *s = parent; s != NULL; s = s->parent) {
+        if (strcmp(s->name, name) == 0)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+MeSection *me_sectionCreate(MeSection *parent, const char *name) {
+    const size_t length = strlen(name) + 1;
+    MeSection *const s = me_create(sizeof *s + length, "MeProfile");
+    if (s == NULL)
+        return NULL;
+    *s = (MeSection){.parent = parent, .isRecursive = isInsideNamesake(parent, name)};
+    memcpy(s->name, name, length);
+    if (parent == NULL)
+        return s;
+    s->depth = parent->depth + 1;
+    if (parent->lastChild != NULL)
+        parent->lastChild->next = s;
+    else
+        parent->firstChild = s;
+    parent->lastChild = s;
+    return s;
+}
+
+MeSection *me_sectionChild(MeSection *parent, const char *name) {
+    for (MeSection *s = parent->firstChild; s != NULL; s = s->next) {
+        if (strcmp(s->name, name) == 0)
+            return s;
+    }
+    return me_sectionCreate(parent, name);
+}
+
+void me_sectionDestroy(MeSection *section) {
+    if (section == NULL)
+        return;
+    while (section->firstChild != NULL) {
+        MeSection *const child = section->firstChild;
+        section->firstChild = child->next;
+        me_sectionDestroy(child);
+    }
+    MeMemoryAPI.destroy(section);
+}
+
+MeSection *me_sectionNext(MeSection *section) {
+    if (section->firstChild != NULL)
+        return section->firstChild;
+    while (section != NULL && section->next == NULL)
+        section = section->parent;
+    return section != NULL ? section->next : NULL;
+}
+
+/* ---- counting ---- */
+
+/* Makes room for another event; false when there is none to be had. */
+static MeBool growLog(void) {
+    MeProfileState *const p = &me_profile;
+    if (p->numEvents < p->maxEvents)
+        return METRUE;
+    if (p->maxEvents == mostEvents) {
+        MeWarning(1, "MeProfile: the log is full with %d calls; kMeProfileLogTotals needs none", mostEvents);
+        p->logging = kMeProfileLogTotals;
+        return MEFALSE;
+    }
+    const int more = MeMAX(2 * p->maxEvents, firstEvents);
+    MeEvent *const events = me_create((size_t)more * sizeof *events, "MeProfile");
+    if (events == NULL)
+        return MEFALSE;
+    if (p->numEvents > 0)
+        memcpy(events, p->events, (size_t)p->numEvents * sizeof *events);
+    if (p->events != NULL)
+        MeMemoryAPI.destroy(p->events);
+    p->events = events;
+    p->maxEvents = more;
+    return METRUE;
+}
+
+/* Counts the time of a section in progress up to now. */
+static void countTime(MeSection *s, uint64_t now) {
+    MeProfileState *const p = &me_profile;
+    const uint64_t elapsed = now - s->start;
+    s->total.time += elapsed;
+    if (p->isInFrame)
+        s->thisFrame.time += elapsed;
+    if (p->logging == kMeProfileLogAll && growLog()) {
+        const int frame = p->isInFrame ? p->frames + 1 : 0;
+        p->events[p->numEvents++] = (MeEvent){s, s->start - p->start, elapsed, frame};
+    }
+    s->start = now;
+}
+
+static void countTimeOfAllInProgress(uint64_t now) {
+    for (MeSection *s = me_profile.current; s->parent != NULL; s = s->parent)
+        countTime(s, now);
+}
+
+static void beginCall(MeSection *s, MeBool isAutoStop, uint64_t now) {
+    s->start = now;
+    s->isAutoStop = isAutoStop;
+    s->total.calls++;
+    if (me_profile.isInFrame)
+        s->thisFrame.calls++;
+    me_profile.current = s;
+}
+
+static void endCurrentCall(uint64_t now) {
+    MeSection *const s = me_profile.current;
+    countTime(s, now);
+    me_profile.current = s->parent;
+}
+
+/* ---- on and off ---- */
+
+void MEAPI MeProfileStartTiming(MeProfileTimerMode mode, MeProfileLogModes_enum logging) {
+    (void)mode;
+    MeProfileStopTiming();
+    MeSection *const root = me_sectionCreate(NULL, "");
+    if (root == NULL)
+        return;
+    me_profile = (MeProfileState){.logging = logging, .start = me_now(), .root = root, .current = root};
+    setOwner(&threadMark);
+}
+
+void MEAPI MeProfileStopTimers(void) {
+    if (!isOn())
+        return;
+    const uint64_t now = me_now();
+    while (me_profile.current != me_profile.root)
+        endCurrentCall(now);
+    if (me_profile.isInFrame)
+        MeProfileEndFrame();
+    setOwner(NULL);
+}
+
+void MEAPI MeProfileStopTiming(void) {
+    MeProfileStopTimers();
+    me_sectionDestroy(me_profile.root);
+    if (me_profile.events != NULL)
+        MeMemoryAPI.destroy(me_profile.events);
+    me_profile = (MeProfileState){0};
+    setOwner(NULL);
+}
+
+/* ---- marks ---- */
+
+void MEAPI MeProfileStartFrame(void) {
+    if (!isOn())
+        return;
+    if (me_profile.isInFrame)
+        MeProfileEndFrame();
+    countTimeOfAllInProgress(me_now());
+    me_profile.isInFrame = METRUE;
+}
+
+static void finishFrame(MeSection *s) {
+    s->lastFrame = s->thisFrame;
+    s->allFrames.calls += s->thisFrame.calls;
+    s->allFrames.time += s->thisFrame.time;
+    s->worstFrame = MeMAX(s->worstFrame, s->thisFrame.time);
+    s->thisFrame = (MeTally){0, 0};
+}
+
+void MEAPI MeProfileEndFrame(void) {
+    if (!isOn() || !me_profile.isInFrame)
+        return;
+    countTimeOfAllInProgress(me_now());
+    for (MeSection *s = me_profile.root; s != NULL; s = me_sectionNext(s))
+        finishFrame(s);
+    me_profile.frames++;
+    me_profile.isInFrame = MEFALSE;
+}
+
+void MEAPI MeProfileStartSectionFn(const char *codeSection, char unsigned autoStop) {
+    if (!isOn())
+        return;
+    if (codeSection == NULL) {
+        MeWarning(1, "MeProfileStartSection: the name is null");
+        return;
+    }
+    const uint64_t now = me_now();
+    if (autoStop && me_profile.current->isAutoStop)
+        endCurrentCall(now);
+    MeSection *const section = me_sectionChild(me_profile.current, codeSection);
+    if (section != NULL)
+        beginCall(section, autoStop, now);
+    else
+        MeProfileStopTimers(); /* out of memory */
+}
+
+static void warnOnce(const char *name, const char *what) {
+    if (!me_profile.hasWarned)
+        MeWarning(1, "MeProfileEndSection: section '%s' %s", name, what);
+    me_profile.hasWarned = METRUE;
+}
+
+void MEAPI MeProfileEndSectionFn(const char *codeSection) {
+    if (!isOn())
+        return;
+    const char *const name = codeSection != NULL ? codeSection : "(null)";
+    const MeSection *ending = me_profile.current;
+    MeBool isInnerLeft = MEFALSE;
+    while (ending->parent != NULL && strcmp(ending->name, name) != 0) {
+        isInnerLeft = isInnerLeft || !ending->isAutoStop;
+        ending = ending->parent;
+    }
+    if (ending->parent == NULL) {
+        warnOnce(name, "has not been started");
+        return;
+    }
+    if (isInnerLeft)
+        warnOnce(name, "ends before a section that was started in it");
+    const uint64_t now = me_now();
+    while (me_profile.current != ending->parent)
+        endCurrentCall(now);
+}
+
+/* ---- results ---- */
+
+static MeReal seconds(uint64_t nanoseconds) {
+    return (MeReal)((double)nanoseconds / (double)ticksPerSecond);
+}
+
+MeReal MEAPI MeProfileGetSectionTime(const char *codeSection) {
+    uint64_t sum = 0;
+    if (me_profile.root == NULL || codeSection == NULL)
+        return 0;
+    for (MeSection *s = me_sectionNext(me_profile.root); s != NULL; s = me_sectionNext(s)) {
+        if (!s->isRecursive && strcmp(s->name, codeSection) == 0)
+            sum += s->lastFrame.time;
+    }
+    return seconds(sum);
+}
+
+MeReal MEAPI MeProfileGetAllSectionTime(void) {
+    uint64_t sum = 0;
+    if (me_profile.root == NULL)
+        return 0;
+    for (const MeSection *s = me_profile.root->firstChild; s != NULL; s = s->next)
+        sum += s->lastFrame.time;
+    return seconds(sum);
+}
