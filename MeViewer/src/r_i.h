@@ -1,0 +1,363 @@
+/* What the viewer's files share. Nothing here knows OpenGL: that is r_draw_i.h's. */
+#ifndef R_I_H
+#define R_I_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "MeMemory.h"
+#include "MeMessage.h"
+#include "MeViewer.h"
+
+/* ---- Memory (r_base.c): through MeMemoryAPI; null and a fatal error when there is none left ---- */
+
+void *r_alloc(size_t bytes); /* Zeroed. */
+void r_free(void *block);    /* Null is allowed. */
+char *r_copyText(const char *text);
+
+/* A growing array of any element type: { T *items; size_t count, capacity; } */
+#define R_ARRAY(T)                                                                                                     \
+    struct {                                                                                                           \
+        T *items;                                                                                                      \
+        size_t count, capacity;                                                                                        \
+    }
+bool r_growBytes(void **items, size_t *capacity, size_t needed, size_t size);
+/* Makes room for n more; false when there is no memory. */
+#define r_grow(a, n) r_growBytes((void **)&(a).items, &(a).capacity, (a).count + (n), sizeof *(a).items)
+
+/* ---- Checks (r_base.c): each warns in the name of a function and is false when the argument is bad ---- */
+
+bool r_isContext(const RRender *rc, const char *function);
+bool r_isLive(const RRender *rc); /* r_context.c; says nothing. */
+bool r_isGraphic(const RGraphic *rg, const char *function);
+bool r_isSize(AcmeReal value, const char *function, const char *argument); /* Finite and above 0. */
+bool r_isFinite(const AcmeReal *values, int n, const char *function, const char *argument);
+bool r_isNumber(AcmeReal value, const char *function, const char *argument);
+bool r_isPointer(const void *pointer, const char *function, const char *argument);
+
+/* ---- Input (r_input.c) ---- */
+
+/* Keys: printable ASCII (letters in lower case), Enter, Escape, and these. */
+enum {
+    RKEY_NONE = 0,
+    RKEY_ENTER = 13,
+    RKEY_ESCAPE = 27,
+    RKEY_F1 = 257,
+    RKEY_F2,
+    RKEY_F3,
+    RKEY_F4,
+    RKEY_F5,
+    RKEY_F9 = RKEY_F1 + 8,
+    RKEY_F12 = RKEY_F1 + 11,
+    RKEY_UP = 300,
+    RKEY_DOWN,
+    RKEY_LEFT,
+    RKEY_RIGHT,
+    RKEY_PAGE_UP,
+    RKEY_PAGE_DOWN,
+    RKEY_HOME,
+    RKEY_COUNT
+};
+
+typedef enum { rKeyDown, rKeyUp, rMouseDown, rMouseUp, rMouseMove, rWheel, rResize, rClose } REventKind;
+
+typedef struct {
+    REventKind kind;
+    int key;       /* rKey* */
+    int which;     /* rMouse*: an RMouseButtonWhich; rWheel: notches, away from the user positive */
+    int modifiers; /* RCONTROL | RSHIFT | RALT */
+    int x, y;      /* rMouse*: pixels, y down; rResize: the new size */
+} REvent;
+
+typedef struct {
+    int key, modifiers;
+    int frame; /* 1 is the first. */
+} RScriptedKey;
+
+typedef struct {
+    R_ARRAY(REvent) events;
+    R_ARRAY(RScriptedKey) script;
+    int heldFor[RKEY_COUNT];      /* Frames since the key went down, from 1; 0 if it is up. */
+    bool heldControl[RKEY_COUNT]; /* Ctrl was down when the key went down. */
+    int actionKey[NUM_ACTION_CALLBACKS];
+    int dragButton; /* The button that moves the camera, or 0. */
+    bool dragPans;
+    bool mouseToProgram; /* The left button went down for the program. */
+    int lastX, lastY;
+} RInput;
+
+void r_post(RRender *rc, REvent event);
+void r_inputInit(RInput *input);
+void r_inputScript(RRender *rc, const char *script); /* Takes what -key says. */
+void r_inputFrame(RRender *rc);                      /* Handles what has come in since the last frame. */
+void r_inputFree(RInput *input);
+int r_keyByName(const char *name, size_t length); /* RKEY_NONE if there is no such key. */
+void r_keyName(int key, char *name, size_t size);
+const char *r_viewerKeyUse(int key); /* What the viewer does with a key; null if nothing. */
+
+/* ---- Camera (r_camera.c) ---- */
+
+typedef struct {
+    bool orthographic;
+    bool ownMatrix; /* RCameraSetMatrix */
+    AcmeReal orthoHeight, orthoDepth;
+    AcmeReal farthest; /* Distance from the camera up to which the scene reaches. */
+    bool hasHome;
+    AcmeReal home[6]; /* The first view: look-at, distance, theta, phi. */
+} RCamera;
+
+void r_cameraInit(RRender *rc);
+void r_cameraApplyOption(RRender *rc); /* -camera */
+void r_cameraKeepHome(RRender *rc);
+void r_cameraHome(RRender *rc);
+void r_cameraPan(RRender *rc, AcmeReal right, AcmeReal up); /* In pixels of the window, at the look-at point. */
+void r_cameraDolly(RRender *rc, AcmeReal factor);           /* Multiplies the distance. */
+
+/* ---- Graphics (r_graphic.c) ---- */
+
+typedef enum { rMesh, rLine, rText, rGround, rSky } RKind;
+
+typedef enum { rShapeOther, rShapeBox, rShapeSphere, rShapeCylinder, rShapeCone, rShapeSphyl, rShapeTorus } RShapeKind;
+
+/* What a graphic was created as (r_detail.c): a shape of size 1, stretched, then moved along z. */
+typedef struct {
+    RShapeKind kind;
+    float scale[3], shift;
+    float ratio;      /* rShapeSphyl: height / radius; rShapeTorus: inner / outer radius. */
+    uint64_t hash[2]; /* Of its vertices when it was created. */
+} RShape;
+
+struct RGraphicPart {
+    RKind kind;
+    RRender *owner;   /* In whose list it is; null for none. */
+    bool is2D;        /* Which list. */
+    bool warned;      /* Its bad transform or vertices have been told. */
+    AcmeReal side;    /* rGround: length of its side. */
+    AcmeReal x, y;    /* rText: upper left corner. */
+    char *text;       /* rText */
+    size_t meshGuess; /* Where its mesh was found last. */
+    RShape shape;
+};
+
+RGraphic *r_graphicCreate(const char *function, int numVertices, RKind kind);
+/* Remembers what the graphic, which may be null, has just been given the vertices of. */
+void r_graphicIsShape(RGraphic *rg, RShape shape);
+/* Colour, transform, list. Frees the graphic and returns null if an argument is bad. */
+RGraphic *r_graphicFinish(const char *function, RRender *rc, RGraphic *rg, const float color[4], MeMatrix4Ptr matrix,
+                          bool is2D);
+void r_graphicFreeAll(RRender *rc);
+/* The transform as 16 floats in OpenGL's order; false, after one warning, if it is not finite. */
+bool r_graphicTransform(RGraphic *rg, float out[16]);
+bool r_matrixFloats(const MeVector4 *matrix, float out[16]);
+
+/* ---- Hashes (r_hash.c) ---- */
+
+uint64_t r_hashWord(uint64_t hash, uint64_t word);                               /* Adds a word to a hash. */
+void r_hashVertices(const RObjectVertex *vertices, int count, uint64_t hash[2]); /* Of all of them. */
+
+/* ---- Lines (r_line.c) ---- */
+
+typedef struct {
+    float a[3], b[3]; /* World. */
+    float color[4];
+} RLineSegment;
+typedef R_ARRAY(RLineSegment) RLineSegments;
+
+void r_linesFree(RRender *rc);
+void r_linesCollect(RRender *rc, RLineSegments *out); /* Everything in the native list and from RLineAdd. */
+
+/* ---- Lights (r_light.c) ---- */
+
+typedef struct {
+    RDirectLight key, fill;
+    RPointLight point;
+} RLights;
+
+void r_lightsInit(RRender *rc);
+void r_lightsUpdate(RRender *rc); /* Takes over what the force-update flags say has changed. */
+
+/* ---- Textures (r_texture.c) ---- */
+
+#define R_MAX_TEXTURES 25
+
+typedef struct {
+    int width, height;
+    uint8_t *rgba; /* From the upper left corner on. */
+} RPicture;
+
+typedef struct {
+    char *names[R_MAX_TEXTURES];
+    int count;
+} RTextures;
+
+/* Built in or from a file; warns if there is none. The caller frees picture->rgba. */
+bool r_texturePicture(const char *name, RPicture *picture);
+bool r_bmpRead(const char *path, RPicture *picture); /* Warns if it is there but cannot be used. */
+void r_texturesFree(RTextures *textures);
+
+/* ---- Pictures as files (r_png.c) ---- */
+
+bool r_writePng(const char *path, const RPicture *picture); /* Warns, naming the file, if it cannot be written. */
+
+/* ---- What is laid over the picture (r_overlay.c): pixels, x right, y down ---- */
+
+typedef enum { rFillPlain, rFillRounded, rFillText, rFillTexture } RFill;
+
+typedef struct {
+    float x, y;
+    float u, v; /* rFillRounded: from the middle, pixels; else texture coordinates */
+    float color[4];
+    float a, b, radius; /* rFillRounded: half width, half height, corner; rFillText: a = pixels per em, b = outline */
+    float fill;         /* RFill */
+} ROverlayVertex;
+
+typedef struct {
+    size_t first, count;
+    int texture; /* -1 for none. */
+} ROverlayRun;
+
+typedef struct {
+    R_ARRAY(ROverlayVertex) vertices;
+    R_ARRAY(ROverlayRun) runs;
+} ROverlay;
+
+typedef enum { rTextPlain, rTextOutlined } RTextStyle;
+
+void r_overlayClear(ROverlay *overlay);
+void r_overlayFree(ROverlay *overlay);
+void r_overlayBox(ROverlay *overlay, float x, float y, float width, float height, float radius, const float color[4]);
+/* y is the baseline, size the height of an em. Returns where the text ends. */
+float r_overlayText(ROverlay *overlay, float x, float y, float size, RTextStyle style, const float color[4],
+                    const char *text);
+void r_overlayTriangle(ROverlay *overlay, const ROverlayVertex vertices[3], int texture);
+float r_textWidth(const char *text, float size);
+float r_uiScale(const RRender *rc); /* 1 in a window of 960x600. */
+
+extern const float r_white[4], r_dimmed[4], r_accent[4], r_panel[4];
+
+/* ---- What the viewer itself lays over it: r_hud.c, r_help.c, r_menu.c, r_bar.c ---- */
+
+typedef struct {
+    R_ARRAY(char *) lines; /* The program's, as given. */
+    bool wasPaused;        /* Before the help was shown. */
+} RHelp;
+
+typedef struct {
+    float left, top, right, bottom; /* Of the panel last drawn. */
+    float size;                     /* Of its text. */
+} RHelpLayout;
+
+void r_hudDraw(RRender *rc, ROverlay *overlay);
+void r_helpDraw(RRender *rc, ROverlay *overlay, RHelpLayout *layout);
+void r_helpFree(RHelp *help);
+void r_menuDraw(RRender *rc, ROverlay *overlay);
+void r_menusFree(RRender *rc);
+bool r_barIsShown(const RRender *rc);
+void r_barDraw(RRender *rc, ROverlay *overlay);
+void r_barFrame(RRender *rc); /* Takes the times of the frame that has ended. */
+void r_barFree(RRender *rc);
+void r_profileStart(RRender *rc);
+
+typedef struct {
+    int frames; /* Since `begin`. */
+    int64_t begin;
+    double collision, dynamics, render; /* Sums, seconds. */
+    double fps;
+    bool given; /* RPerformanceBarUpdate was called since. */
+} RBarState;
+
+/* ---- Where it is drawn (r_backend_*.c) ---- */
+
+typedef void (*RProc)(void);
+
+typedef struct {
+    const char *option; /* On the command line. */
+    RRenderType type;
+    bool draws;  /* False: no OpenGL at all. */
+    bool window; /* Somebody can see it and press keys. */
+    /* Makes an OpenGL context current; false with a reason. On resize events the backend needs no call. */
+    bool (*start)(RRender *rc, char *reason, size_t size);
+    void (*stop)(RRender *rc);
+    void (*poll)(RRender *rc);    /* Posts the events that have come in. */
+    void (*present)(RRender *rc); /* The frame is in framebuffer 0. */
+    void (*title)(RRender *rc, const char *title);
+    RProc (*proc)(const char *name);        /* An OpenGL function. */
+    bool (*makeCurrent)(const RRender *rc); /* Its OpenGL context; false if that is gone. */
+} RBackend;
+
+extern const RBackend r_backendGlut, r_backendOsmesa, r_backendNull;
+
+/* ---- Options (r_options.c) ---- */
+
+void r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions, bool eat);
+
+/* ---- The main loop (r_loop.c) ---- */
+
+typedef struct {
+    RMainLoopCallBack func;
+    RMainLoopCallBackNoData funcNoData;
+    void *userdata;
+} RTick;
+
+typedef struct {
+    int frames, ticks; /* Done; a frame that is paused has no tick. */
+    bool quit, step, pictureAsked;
+    int pictures;     /* Of the series, written. */
+    int64_t deadline; /* Nanoseconds: when the next frame begins. */
+    int64_t progress; /* When progress was last shown. */
+    bool progressShown;
+} RLoop;
+
+void r_frame(RRender *rc, const RTick *tick); /* One turn of the main loop; tick may be null. */
+bool r_loopEnded(const RRender *rc);
+void r_afterCallBack(const RRender *rc); /* Ends the program if the context has been destroyed meanwhile. */
+int64_t r_now(void); /* Nanoseconds of a clock that only goes forward. */
+
+/* ---- Pictures of a run (r_picture.c) ---- */
+
+void r_pictureFrame(RRender *rc); /* What F2 and -every ask for in this frame. */
+void r_pictureEnd(RRender *rc);   /* What -screenshot asks for, and what an off-screen run writes anyway. */
+
+/* ---- Drawing (r_draw.c) ---- */
+
+struct RDraw;
+bool r_drawStart(RRender *rc, char *reason, size_t size);
+void r_drawStop(RRender *rc);
+void r_drawFrame(RRender *rc);
+bool r_drawRead(RRender *rc, RPicture *picture); /* The frame last drawn. The caller frees picture->rgba. */
+
+/* ---- The context (r_context.c) ---- */
+
+struct RViewer {
+    const RBackend *backend; /* Null until RInit has succeeded. */
+    void *backendState;
+    struct RDraw *draw;
+    int width, height; /* Pixels. */
+    RGraphic *last3D, *last2D;
+    RGraphic *sky;
+    R_ARRAY(RLineSegment) lines; /* RLineAdd's. */
+    RNativeLine *lastLine;
+    RCamera camera;
+    RLights lights;
+    RTextures textures;
+    RInput input;
+    RHelp help;
+    RHelpLayout helpLayout;
+    RLoop loop;
+    ROverlay overlay;
+    char *title, *status;
+    AcmeReal fps; /* RRenderDisplayFps; below 0 for none. */
+    int sphereSides;
+    bool hasBackground;
+    float background[3];
+    bool wireframe, shadows; /* F4, F5. */
+    bool profiling, profileIsOurs;
+    RBarState bar;
+    RRender *next; /* Of the live contexts. */
+};
+
+int r_warnings(void); /* Given since the first live context was created. */
+const char *r_programName(void);
+
+#endif

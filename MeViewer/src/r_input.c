@@ -1,0 +1,428 @@
+/* Keys and the mouse: from events to callbacks, the camera and the viewer's own switches. */
+#include "r_i.h"
+#include "RMenu.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+static const AcmeReal tapAngle = 0.05f, holdAngle = 0.02f; /* Radians per key press, per frame. */
+static const AcmeReal tapZoom = 0.9f, holdZoom = 0.98f;
+
+/* ---- Names ---- */
+
+static const struct {
+    const char *name;
+    int key;
+} keyNames[] = {{"Space", ' '},
+                {"Enter", RKEY_ENTER},
+                {"Escape", RKEY_ESCAPE},
+                {"Up", RKEY_UP},
+                {"Down", RKEY_DOWN},
+                {"Left", RKEY_LEFT},
+                {"Right", RKEY_RIGHT},
+                {"PageUp", RKEY_PAGE_UP},
+                {"PageDown", RKEY_PAGE_DOWN},
+                {"Home", RKEY_HOME},
+                /* Other words for the same. */
+                {"Return", RKEY_ENTER},
+                {"Esc", RKEY_ESCAPE},
+                {"PgUp", RKEY_PAGE_UP},
+                {"PgDn", RKEY_PAGE_DOWN}};
+enum { KEY_NAMES = sizeof keyNames / sizeof keyNames[0] };
+
+int r_keyByName(const char *name, size_t length) {
+    char text[16];
+    if (length == 1)
+        return tolower((unsigned char)*name);
+    if (length == 0 || length >= sizeof text)
+        return RKEY_NONE;
+    snprintf(text, sizeof text, "%.*s", (int)length, name);
+    for (int i = 0; i < KEY_NAMES; i++)
+        if (strcasecmp(text, keyNames[i].name) == 0)
+            return keyNames[i].key;
+    const int number = tolower((unsigned char)text[0]) == 'f' ? atoi(text + 1) : 0;
+    return number >= 1 && number <= 12 ? RKEY_F1 + number - 1 : RKEY_NONE;
+}
+
+void r_keyName(int key, char *name, size_t size) {
+    for (int i = 0; i < KEY_NAMES; i++) {
+        if (keyNames[i].key == key) {
+            snprintf(name, size, "%s", keyNames[i].name);
+            return;
+        }
+    }
+    if (key >= RKEY_F1 && key <= RKEY_F12)
+        snprintf(name, size, "F%d", key - RKEY_F1 + 1);
+    else if (key > ' ' && key < 127)
+        snprintf(name, size, "%c", toupper(key));
+    else
+        snprintf(name, size, "(no key)");
+}
+
+const char *r_viewerKeyUse(int key) {
+    switch (key) {
+    case 'p':
+        return "pause";
+    case 'o':
+    case '.':
+        return "single step";
+    case 'q':
+        return "quit";
+    case 'w':
+        return "Up2";
+    case 's':
+        return "Down2";
+    case 'a':
+        return "Left2";
+    case 'd':
+        return "Right2";
+    default:
+        return NULL;
+    }
+}
+
+/* ---- Events and the script ---- */
+
+void r_inputInit(RInput *input) {
+    static const int keys[NUM_ACTION_CALLBACKS] = {RKEY_NONE, ' ', RKEY_ENTER, '3', '4', '5'};
+    memcpy(input->actionKey, keys, sizeof keys);
+}
+
+void r_inputFree(RInput *input) {
+    r_free(input->events.items);
+    r_free(input->script.items);
+}
+
+void r_post(RRender *rc, REvent event) {
+    RInput *in = &rc->m_pViewer->input;
+    if (r_grow(in->events, 1))
+        in->events.items[in->events.count++] = event;
+}
+
+/* Takes "Ctrl+" or "Shift+" off the front of a key's name. */
+static bool takePrefix(const char **name, const char *end, const char *prefix) {
+    const size_t length = strlen(prefix);
+    if ((size_t)(end - *name) <= length || strncasecmp(*name, prefix, length) != 0)
+        return false;
+    *name += length;
+    return true;
+}
+
+/* One "NAME@FRAME". */
+static void scriptKey(RRender *rc, const char *text, const char *end) {
+    RInput *in = &rc->m_pViewer->input;
+    const char *at = memchr(text, '@', (size_t)(end - text)), *name = text;
+    RScriptedKey k = {0};
+    if (at == text) /* The key @ itself. */
+        at = memchr(text + 1, '@', (size_t)(end - text - 1));
+    if (at) {
+        if (takePrefix(&name, at, "Ctrl+"))
+            k.modifiers = RCONTROL;
+        else if (takePrefix(&name, at, "Shift+"))
+            k.modifiers = RSHIFT;
+        char *rest;
+        k.key = r_keyByName(name, (size_t)(at - name));
+        const long frame = strtol(at + 1, &rest, 10);
+        k.frame = rest == end && frame > 0 && frame < 1000000000 ? (int)frame : 0;
+    }
+    if (k.key == RKEY_NONE || k.frame == 0)
+        MeWarning(1, "-key %.*s: it must be NAME@FRAME, as in F1@30", (int)(end - text), text);
+    else if (r_grow(in->script, 1))
+        in->script.items[in->script.count++] = k;
+}
+
+void r_inputScript(RRender *rc, const char *script) {
+    while (*script) {
+        const char *end = script + strcspn(script, ",");
+        scriptKey(rc, script, end);
+        script = *end ? end + 1 : end;
+    }
+}
+
+/* ---- Callbacks ---- */
+
+static void press(RRender *rc, const RCallBackDataButton *b) {
+    if (b->m_Func)
+        b->m_Func(rc, b->m_pUserData);
+    else if (b->m_FuncNoData)
+        b->m_FuncNoData(rc);
+    r_afterCallBack(rc);
+}
+
+/* The action that a key belongs to; false if nothing is to be called. */
+static bool pressAction(RRender *rc, int key) {
+    for (int i = 0; i < NUM_ACTION_CALLBACKS; i++) {
+        const RCallBackDataButton *b = &rc->m_CallBacks.m_Action[i];
+        if (rc->m_pViewer->input.actionKey[i] == key && (b->m_Func || b->m_FuncNoData)) {
+            press(rc, b);
+            return true;
+        }
+    }
+    return false;
+}
+
+static int buttonOf(int key) {
+    switch (key) {
+    case RKEY_UP:
+        return kRButtonUp;
+    case RKEY_DOWN:
+        return kRButtonDown;
+    case RKEY_LEFT:
+        return kRButtonLeft;
+    case RKEY_RIGHT:
+        return kRButtonRight;
+    case 'w':
+        return kRButtonUp2;
+    case 's':
+        return kRButtonDown2;
+    case 'a':
+        return kRButtonLeft2;
+    case 'd':
+        return kRButtonRight2;
+    default:
+        return kRButtons;
+    }
+}
+
+static void callMouse(RRender *rc, const REvent *e, RMouseButtonEvent event) {
+    const RCallBackDataMouse *m = &rc->m_CallBacks.m_Mouse;
+    if (m->m_Func)
+        m->m_Func(rc, e->x, e->y, e->modifiers, kRLeftButton, event, m->m_pUserData);
+    r_afterCallBack(rc);
+}
+
+/* ---- Keys ---- */
+
+static bool isArrow(int key) {
+    return key >= RKEY_UP && key <= RKEY_RIGHT;
+}
+
+static void orbitKey(RRender *rc, int key, AcmeReal angle) {
+    if (key == RKEY_LEFT || key == RKEY_RIGHT)
+        RCameraRotateAngle(rc, key == RKEY_LEFT ? -angle : angle);
+    else
+        RCameraRotateElevation(rc, key == RKEY_UP ? angle : -angle);
+}
+
+static void menuKey(RRender *rc, int key) {
+    if (key == RKEY_UP)
+        RMenuPreviousEntry(rc);
+    else if (key == RKEY_DOWN)
+        RMenuNextEntry(rc);
+    else if (key == RKEY_RIGHT)
+        RMenuExecute1Entry(rc);
+    else
+        RMenuExecute2Entry(rc);
+    r_afterCallBack(rc);
+}
+
+/* Shows the default menu, goes back to the menu before, or hides the menu. */
+static void toggleMenu(RRender *rc) {
+    const RMenu *shown = rc->m_pCurrentMenu;
+    if (!shown)
+        RRenderDisplayDefaultMenu(rc);
+    else if (shown->m_pParent)
+        RMenuDisplay(shown->m_pParent);
+    else
+        RRenderHideCurrentMenu(rc);
+}
+
+static void toggleBar(RRender *rc) {
+    if (rc->m_pPerformanceBar)
+        rc->m_pPerformanceBar->m_bVisible = !rc->m_pPerformanceBar->m_bVisible;
+    else
+        RPerformanceBarCreate(rc);
+}
+
+static void viewerKey(RRender *rc, int key) {
+    struct RViewer *v = rc->m_pViewer;
+    switch (key) {
+    case RKEY_F1:
+        RRenderToggleUserHelp(rc);
+        break;
+    case RKEY_F2:
+        v->loop.pictureAsked = true;
+        break;
+    case RKEY_F3:
+        toggleBar(rc);
+        break;
+    case RKEY_F4:
+        v->wireframe = !v->wireframe;
+        break;
+    case RKEY_F5:
+        v->shadows = !v->shadows;
+        break;
+    case RKEY_F9:
+        toggleMenu(rc);
+        break;
+    case RKEY_HOME:
+        r_cameraHome(rc);
+        break;
+    case 'p':
+        RRenderSetPause(rc, !rc->m_bPause);
+        break;
+    case 'o':
+    case '.':
+        RRenderSetPause(rc, 1);
+        v->loop.step = true;
+        break;
+    case 'q':
+        RRenderQuit(rc);
+        break;
+    default:
+        break;
+    }
+}
+
+/* What keys do again and again while they are held: the camera smoothly, the direction buttons now and then. */
+static void holdKey(RRender *rc, int key) {
+    enum { CAMERA_DELAY = 12, BUTTON_DELAY = 24, BUTTON_PERIOD = 4 };
+    const RInput *in = &rc->m_pViewer->input;
+    const int frames = in->heldFor[key], button = buttonOf(key);
+    if ((key == RKEY_PAGE_UP || key == RKEY_PAGE_DOWN) && frames > CAMERA_DELAY)
+        r_cameraDolly(rc, key == RKEY_PAGE_UP ? holdZoom : 1 / holdZoom);
+    else if (isArrow(key) && in->heldControl[key] && frames > CAMERA_DELAY)
+        orbitKey(rc, key, holdAngle);
+    else if (button != kRButtons && !in->heldControl[key] && frames > BUTTON_DELAY && frames % BUTTON_PERIOD == 0 &&
+             !rc->m_pCurrentMenu)
+        press(rc, &rc->m_CallBacks.m_Button[button]);
+}
+
+static void keyDown(RRender *rc, int key, int modifiers) {
+    RInput *in = &rc->m_pViewer->input;
+    const bool control = (modifiers & RCONTROL) != 0;
+    if (key <= RKEY_NONE || key >= RKEY_COUNT || in->heldFor[key])
+        return;
+    in->heldFor[key] = 1;
+    in->heldControl[key] = control;
+    if (key == RKEY_ESCAPE)
+        RRenderQuit(rc);
+    else if (isArrow(key) && control)
+        orbitKey(rc, key, tapAngle);
+    else if (control && key < RKEY_F1)
+        return; /* Ctrl and a letter means nothing here. */
+    else if (pressAction(rc, key))
+        return;
+    else if (isArrow(key) && rc->m_pCurrentMenu)
+        menuKey(rc, key);
+    else if (key == RKEY_PAGE_UP || key == RKEY_PAGE_DOWN)
+        r_cameraDolly(rc, key == RKEY_PAGE_UP ? tapZoom : 1 / tapZoom);
+    else if (buttonOf(key) != kRButtons)
+        press(rc, &rc->m_CallBacks.m_Button[buttonOf(key)]);
+    else
+        viewerKey(rc, key);
+}
+
+/* ---- The mouse ---- */
+
+static void mouseDown(RRender *rc, const REvent *e) {
+    RInput *in = &rc->m_pViewer->input;
+    const bool left = e->which == kRLeftButton;
+    in->lastX = e->x;
+    in->lastY = e->y;
+    if (left && rc->m_CallBacks.m_Mouse.m_Func && !(e->modifiers & (RCONTROL | RSHIFT))) {
+        in->mouseToProgram = true;
+        callMouse(rc, e, kRNewlyPressed);
+        return;
+    }
+    in->dragButton = e->which;
+    in->dragPans = e->which == kRMiddleButton || (left && (e->modifiers & RSHIFT));
+}
+
+static void mouseMove(RRender *rc, const REvent *e) {
+    RInput *in = &rc->m_pViewer->input;
+    const AcmeReal dx = (AcmeReal)(e->x - in->lastX), dy = (AcmeReal)(e->y - in->lastY);
+    const AcmeReal angle = 5.0f / (AcmeReal)rc->m_pViewer->height; /* Per pixel. */
+    in->lastX = e->x;
+    in->lastY = e->y;
+    if (in->mouseToProgram) {
+        callMouse(rc, e, kRStillPressed);
+    } else if (in->dragPans) {
+        r_cameraPan(rc, -dx, dy);
+    } else if (in->dragButton == kRRightButton) {
+        r_cameraDolly(rc, expf(dy * angle));
+    } else if (in->dragButton == kRLeftButton) {
+        RCameraRotateAngle(rc, -dx * angle);
+        RCameraRotateElevation(rc, dy * angle);
+    }
+}
+
+static void mouseUp(RRender *rc, const REvent *e) {
+    RInput *in = &rc->m_pViewer->input;
+    if (in->mouseToProgram && e->which == kRLeftButton) {
+        in->mouseToProgram = false;
+        callMouse(rc, e, kRNewlyReleased);
+    }
+    if (e->which == in->dragButton) {
+        in->dragButton = 0;
+        in->dragPans = false;
+    }
+}
+
+/* ---- A frame's input ---- */
+
+static void resize(RRender *rc, int width, int height) {
+    rc->m_pViewer->width = width > 1 ? width : 1;
+    rc->m_pViewer->height = height > 1 ? height : 1;
+}
+
+static void handle(RRender *rc, const REvent *e) {
+    switch (e->kind) {
+    case rKeyDown:
+        keyDown(rc, e->key, e->modifiers);
+        break;
+    case rKeyUp:
+        if (e->key > RKEY_NONE && e->key < RKEY_COUNT)
+            rc->m_pViewer->input.heldFor[e->key] = 0;
+        break;
+    case rMouseDown:
+        mouseDown(rc, e);
+        break;
+    case rMouseMove:
+        mouseMove(rc, e);
+        break;
+    case rMouseUp:
+        mouseUp(rc, e);
+        break;
+    case rWheel:
+        r_cameraDolly(rc, powf(tapZoom, (AcmeReal)e->which));
+        break;
+    case rResize:
+        resize(rc, e->x, e->y);
+        break;
+    case rClose:
+        RRenderQuit(rc);
+        break;
+    }
+}
+
+static void postScript(RRender *rc) {
+    const RInput *in = &rc->m_pViewer->input;
+    for (size_t i = 0; i < in->script.count; i++) {
+        const RScriptedKey *k = &in->script.items[i];
+        if (k->frame != rc->m_pViewer->loop.frames)
+            continue;
+        r_post(rc, (REvent){.kind = rKeyDown, .key = k->key, .modifiers = k->modifiers});
+        r_post(rc, (REvent){.kind = rKeyUp, .key = k->key});
+    }
+}
+
+void r_inputFrame(RRender *rc) {
+    RInput *in = &rc->m_pViewer->input;
+    for (int key = 0; key < RKEY_COUNT; key++) {
+        if (!in->heldFor[key])
+            continue;
+        in->heldFor[key]++;
+        holdKey(rc, key);
+    }
+    postScript(rc);
+    rc->m_pViewer->backend->poll(rc);
+    for (size_t i = 0; i < in->events.count; i++) {
+        const REvent event = in->events.items[i]; /* A callback may post more. */
+        handle(rc, &event);
+    }
+    in->events.count = 0;
+}

@@ -1,0 +1,158 @@
+/* The main loop: input, tick, draw; at a steady pace in a window, as fast as possible without one. */
+#define _POSIX_C_SOURCE 200809L /* clock_nanosleep, isatty */
+#include "r_i.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "MeProfile.h"
+
+int64_t r_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
+}
+
+/* A program may destroy the context in a function that the main loop has called: then there is nothing to go on with. */
+void r_afterCallBack(const RRender *rc) {
+    if (!r_isLive(rc))
+        exit(EXIT_SUCCESS);
+}
+
+static void callTick(RRender *rc, const RTick *tick) {
+    struct RViewer *v = rc->m_pViewer;
+    const bool run = !rc->m_bPause || v->loop.step;
+    v->loop.step = false;
+    if (!run || !tick)
+        return;
+    if (tick->func)
+        tick->func(rc, tick->userdata);
+    else
+        tick->funcNoData(rc);
+    r_afterCallBack(rc);
+    v->loop.ticks++;
+}
+
+static void draw(RRender *rc) {
+    struct RViewer *v = rc->m_pViewer;
+    if (!v->backend->draws)
+        return;
+    if (v->profiling)
+        MeProfileStartSection("Render", 0);
+    r_drawFrame(rc);
+    v->backend->present(rc);
+    if (v->profiling)
+        MeProfileEndSection("Render");
+}
+
+void r_frame(RRender *rc, const RTick *tick) {
+    struct RViewer *v = rc->m_pViewer;
+    const bool profiling = v->profiling; /* A callback may start it in the middle of a frame. */
+    v->loop.frames++;
+    if (profiling)
+        MeProfileStartFrame();
+    r_inputFrame(rc);
+    if (!v->loop.quit) { /* After that there may be no window any more. */
+        callTick(rc, tick);
+        draw(rc);
+        r_pictureFrame(rc);
+    }
+    if (profiling) {
+        MeProfileEndFrame();
+        r_barFrame(rc);
+    }
+}
+
+/* A window's frames begin 1/60 s after each other, counted from the first: a late one does not delay the others. */
+static void pace(RLoop *loop) {
+    enum { PERIOD = 16666667, TOO_LATE = 100000000 };
+    const int64_t now = r_now();
+    loop->deadline += PERIOD;
+    if (now > loop->deadline + TOO_LATE)
+        loop->deadline = now;
+    const struct timespec until = {(time_t)(loop->deadline / 1000000000), (long)(loop->deadline % 1000000000)};
+    while (now < loop->deadline && clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, NULL) != 0)
+        continue;
+}
+
+static void showProgress(RRender *rc) {
+    RLoop *loop = &rc->m_pViewer->loop;
+    const int64_t now = r_now();
+    if (now - loop->progress < 2000000000 || !isatty(STDERR_FILENO))
+        return;
+    loop->progress = now;
+    loop->progressShown = true;
+    if (rc->m_Options.m_nFrames)
+        fprintf(stderr, "\rframe %d of %d", loop->frames, rc->m_Options.m_nFrames);
+    else
+        fprintf(stderr, "\rframe %d", loop->frames);
+}
+
+bool r_loopEnded(const RRender *rc) {
+    const struct RViewer *v = rc->m_pViewer;
+    /* In a window somebody can end the pause. Without one the frames go on being counted. */
+    const int done = v->backend->window ? v->loop.ticks : v->loop.frames;
+    return v->loop.quit || (rc->m_Options.m_nFrames > 0 && done >= rc->m_Options.m_nFrames);
+}
+
+static void begin(RRender *rc) {
+    struct RViewer *v = rc->m_pViewer;
+    const bool offscreen = v->backend->type == kROSMesa;
+    if (offscreen && rc->m_Options.m_nFrames == 0)
+        rc->m_Options.m_nFrames = 60;
+    if (!v->backend->window || rc->m_Options.m_nFrames) { /* Nobody is there to close the help. */
+        rc->m_bShowHelp = 0;
+        rc->m_bPause = rc->m_Options.m_bPaused;
+    }
+    r_cameraApplyOption(rc);
+    r_cameraKeepHome(rc);
+    if (rc->m_Options.m_bProfile)
+        r_profileStart(rc);
+    v->loop.deadline = v->loop.progress = r_now();
+}
+
+static int exitCode(const RRender *rc) {
+    const bool judged = !rc->m_pViewer->backend->window || !rc->m_pViewer->loop.quit;
+    return judged && r_warnings() ? 2 : EXIT_SUCCESS;
+}
+
+static void run(RRender *rc, const RTick *tick) {
+    RLoop *loop = &rc->m_pViewer->loop;
+    begin(rc);
+    while (!r_loopEnded(rc)) {
+        r_frame(rc, tick);
+        if (rc->m_pViewer->backend->window)
+            pace(loop);
+        else
+            showProgress(rc);
+    }
+    if (loop->progressShown)
+        fputc('\n', stderr);
+    r_pictureEnd(rc);
+    if (rc->m_Options.m_bProfile)
+        MeProfileOutputResults();
+    exit(exitCode(rc));
+}
+
+static bool canRun(const RRender *rc, const char *function, bool hasFunction) {
+    if (!r_isContext(rc, function))
+        return false;
+    if (!hasFunction)
+        MeWarning(1, "RRun: the tick function is null");
+    else if (!rc->m_pViewer->backend)
+        MeWarning(1, "RRun: the context has not been started (RInit)");
+    return hasFunction && rc->m_pViewer->backend;
+}
+
+void MEAPI RRunWithData(RRender *rc, RMainLoopCallBack func, void *userdata) {
+    if (canRun(rc, "RRun", func != NULL))
+        run(rc, &(RTick){.func = func, .userdata = userdata});
+}
+
+void MEAPI RRunWithoutData(RRender *rc, RMainLoopCallBackNoData func, void *unused) {
+    (void)unused;
+    if (canRun(rc, "RRun", func != NULL))
+        run(rc, &(RTick){.funcNoData = func});
+}

@@ -1,0 +1,145 @@
+/* What the command line says: where to draw, how long, and what to keep of it. */
+#include "r_i.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Both sets of options, asked as one. */
+typedef struct {
+    MeCommandLineOptions *sets[2]; /* The overriding ones first. */
+    bool eat;
+} Source;
+
+static bool has(const Source *s, const char *name) {
+    bool found = false;
+    for (int i = 0; i < 2; i++)
+        if (MeCommandLineOptionsCheckFor(s->sets[i], name, s->eat))
+            found = true;
+    return found;
+}
+
+/* The text after an option; false if it is not there. MeGlobals warns when it is missing. */
+static bool getText(const Source *s, const char *name, char *out, size_t size) {
+    bool found = false;
+    for (int i = 0; i < 2; i++) {
+        const char *text = MeCommandLineOptionsGetString(s->sets[i], name, s->eat);
+        if (text && !found) {
+            found = true;
+            if (snprintf(out, size, "%s", text) >= (int)size)
+                MeWarning(1, "the value of %s is longer than %zu characters and is cut", name, size - 1);
+        }
+    }
+    return found;
+}
+
+static int getCount(const Source *s, const char *name) {
+    char text[64], *end;
+    if (!getText(s, name, text, sizeof text))
+        return 0;
+    const long value = strtol(text, &end, 10);
+    if (end != text && !*end && value > 0 && value < 1000000000)
+        return (int)value;
+    MeWarning(1, "%s %s: it must be a whole number above 0", name, text);
+    return 0;
+}
+
+static void getSize(const Source *s, RRenderOptions *out) {
+    char text[64], rest;
+    int width, height;
+    if (!getText(s, "-size", text, sizeof text))
+        return;
+    if (sscanf(text, "%dx%d%c", &width, &height, &rest) == 2 && width >= 16 && height >= 16 && width <= 16384 &&
+        height <= 16384) {
+        out->m_nWidth = width;
+        out->m_nHeight = height;
+        return;
+    }
+    MeWarning(1, "-size %s: it must be WIDTHxHEIGHT, each 16 to 16384, as in 960x600", text);
+}
+
+static void getCamera(const Source *s, RRenderOptions *out) {
+    char text[128], rest;
+    float view[3];
+    if (!getText(s, "-camera", text, sizeof text))
+        return;
+    if (sscanf(text, "%f,%f,%f%c", &view[0], &view[1], &view[2], &rest) == 3 && isfinite(view[0]) &&
+        isfinite(view[1]) && isfinite(view[2]) && view[0] > 0) {
+        memcpy(out->m_Camera, view, sizeof view);
+        out->m_bCamera = 1;
+        return;
+    }
+    MeWarning(1, "-camera %s: it must be DISTANCE,THETA,PHI, as in 20,0.5,0.3", text);
+}
+
+static const struct {
+    const char *option;
+    RRenderType type;
+} places[] = {{"-gl", kROpenGL}, {"-osmesa", kROSMesa}, {"-null", kRNull}, {"-bench", kRBenchmark}, {"-d3d", kROpenGL}};
+enum { PLACES = sizeof places / sizeof places[0] };
+
+/* Of the places that one set names, the first. */
+static int firstPlace(MeCommandLineOptions *options) {
+    int best = -1, bestPosition = 0;
+    for (int i = 0; i < PLACES; i++) {
+        const int position = MeCommandLineOptionsGetPos(options, places[i].option);
+        if (position > 0 && (best < 0 || position < bestPosition)) {
+            best = i;
+            bestPosition = position;
+        }
+    }
+    return best;
+}
+
+static RRenderType getPlace(const Source *s) {
+    int place = firstPlace(s->sets[0]);
+    if (place < 0)
+        place = firstPlace(s->sets[1]);
+    for (int i = 0; i < PLACES; i++)
+        (void)has(s, places[i].option); /* Eats it. */
+    if (place < 0)
+        return kRDefault;
+    if (strcmp(places[place].option, "-d3d") == 0)
+        MeWarning(1, "-d3d: there is no Direct3D on this platform; using -gl");
+    return places[place].type;
+}
+
+void MEAPI RDisplayCommandLineHelp(void) {
+    MeInfo(0, "Where to draw (without a choice: a window if there can be one, else off-screen):\n"
+              "  -gl                  a window\n"
+              "  -osmesa              an off-screen buffer; 60 frames, and a picture NAME.png, unless told otherwise\n"
+              "  -null, -bench        nowhere, as fast as possible\n"
+              "  -size WxH            pixels, at first 960x600\n"
+              "  -camera D,THETA,PHI  distance and angles (radians), instead of the program's\n"
+              "How long:\n"
+              "  -frames N            stop after N frames; the exit code is then 2 if there were warnings, else 0\n"
+              "  -paused              begin paused\n"
+              "  -key NAME@FRAME,...  press keys: F1@30,Enter@60,Ctrl+Left@61,a@70\n"
+              "What to keep:\n"
+              "  -screenshot FILE     a PNG picture of the last frame\n"
+              "  -every N             with -screenshot: every N frames one, FILE-0001.png and so on\n"
+              "  -bar                 show the performance bar off-screen too\n"
+              "  -profile             print how long everything took\n"
+              "  -help                this text");
+}
+
+void r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions,
+                   bool eat) {
+    const Source source = {{overrideoptions, options}, eat}, *s = &source;
+    if (has(s, "-help")) {
+        RDisplayCommandLineHelp();
+        exit(EXIT_SUCCESS);
+    }
+    out->m_Type = getPlace(s);
+    out->m_nWidth = 960;
+    out->m_nHeight = 600;
+    getSize(s, out);
+    getCamera(s, out);
+    out->m_nFrames = getCount(s, "-frames");
+    out->m_nEvery = getCount(s, "-every");
+    out->m_bPaused = has(s, "-paused");
+    out->m_bBar = has(s, "-bar");
+    out->m_bProfile = has(s, "-profile");
+    (void)getText(s, "-screenshot", out->m_Screenshot, sizeof out->m_Screenshot);
+    (void)getText(s, "-key", out->m_Keys, sizeof out->m_Keys);
+}

@@ -1,0 +1,108 @@
+/* What is drawn into: the picture in its three stages, and the maps for shadow and occlusion. */
+#include "r_draw_i.h"
+
+enum { SAMPLES = 4 };
+
+static bool isComplete(const RGL *gl) {
+    return gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+static GLuint makeTexture(const RGL *gl, GLint format, int width, int height, GLenum pixels, GLenum type,
+                          GLint filter) {
+    GLuint texture;
+    gl->GenTextures(1, &texture);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, pixels, type, NULL);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+static bool makeColorTarget(const RGL *gl, RTarget *t, GLint format, int width, int height, GLenum pixels, GLenum type,
+                            GLint filter) {
+    t->color = makeTexture(gl, format, width, height, pixels, type, filter);
+    gl->GenFramebuffers(1, &t->frame);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, t->frame);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, t->color, 0);
+    return isComplete(gl);
+}
+
+static bool makeDepthTarget(const RGL *gl, RTarget *t, int size, GLint filter) {
+    t->depth = makeTexture(gl, GL_DEPTH_COMPONENT24, size, size, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, filter);
+    gl->GenFramebuffers(1, &t->frame);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, t->frame);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, t->depth, 0);
+    gl->DrawBuffer(GL_NONE);
+    gl->ReadBuffer(GL_NONE);
+    return isComplete(gl);
+}
+
+static bool makeSampleTarget(const RGL *gl, RTarget *t, int width, int height) {
+    gl->GenRenderbuffers(1, &t->color);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, t->color);
+    gl->RenderbufferStorageMultisample(GL_RENDERBUFFER, SAMPLES, GL_RGBA16F, width, height);
+    gl->GenRenderbuffers(1, &t->depth);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, t->depth);
+    gl->RenderbufferStorageMultisample(GL_RENDERBUFFER, SAMPLES, GL_DEPTH_COMPONENT24, width, height);
+    gl->GenFramebuffers(1, &t->frame);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, t->frame);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, t->color);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, t->depth);
+    return isComplete(gl);
+}
+
+static void freeTarget(const RGL *gl, RTarget *t, bool renderbuffers) {
+    gl->DeleteFramebuffers(1, &t->frame); /* 0 is ignored, everywhere here. */
+    if (renderbuffers) {
+        gl->DeleteRenderbuffers(1, &t->color);
+        gl->DeleteRenderbuffers(1, &t->depth);
+    } else {
+        gl->DeleteTextures(1, &t->color);
+        gl->DeleteTextures(1, &t->depth);
+    }
+    *t = (RTarget){0};
+}
+
+static void freePicture(RDraw *d) {
+    freeTarget(&d->gl, &d->samples, true);
+    freeTarget(&d->gl, &d->linear, false);
+    freeTarget(&d->gl, &d->picture, false);
+    d->width = d->height = 0;
+    d->drawn = false;
+}
+
+bool r_targetsResize(RDraw *d, int width, int height) {
+    const RGL *gl = &d->gl;
+    if (width == d->width && height == d->height)
+        return true;
+    freePicture(d);
+    if (!makeSampleTarget(gl, &d->samples, width, height) ||
+        !makeColorTarget(gl, &d->linear, GL_RGBA16F, width, height, GL_RGBA, GL_FLOAT, GL_NEAREST) ||
+        !makeColorTarget(gl, &d->picture, GL_RGBA8, width, height, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST)) {
+        freePicture(d);
+        return false;
+    }
+    d->width = width;
+    d->height = height;
+    return true;
+}
+
+bool r_targetsStart(RDraw *d) {
+    const RGL *gl = &d->gl;
+    if (!makeDepthTarget(gl, &d->shadow, R_SHADOW_SIZE, GL_LINEAR))
+        return false;
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    return makeDepthTarget(gl, &d->below, R_OCCLUSION_SIZE, GL_LINEAR) &&
+           makeColorTarget(gl, &d->occlusion, GL_R8, R_OCCLUSION_SIZE, R_OCCLUSION_SIZE, GL_RED, GL_UNSIGNED_BYTE,
+                           GL_LINEAR);
+}
+
+void r_targetsStop(RDraw *d) {
+    freePicture(d);
+    freeTarget(&d->gl, &d->shadow, false);
+    freeTarget(&d->gl, &d->below, false);
+    freeTarget(&d->gl, &d->occlusion, false);
+}

@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""A real window in a virtual X server: does F1 show the help, do keys and mouse arrive, does the program end well?
+
+usage: check_window.py <program> <png_compare>      exit code 77: Xvfb or xdotool is not installed
+"""
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+PATIENCE = 100  # seconds for anything to happen; a slow machine with other work needs some
+
+
+def fail(what):
+    print(f'FAILED: {what}')
+    sys.exit(1)
+
+
+def wait_for(what, ready, explain=lambda: ''):
+    """Until ready() gives something; then that."""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        found = ready()
+        if found:
+            return found
+        time.sleep(0.05)
+    fail(f'{what} did not happen in {PATIENCE} s{explain()}')
+
+
+def start_server():
+    """-> (process, display name): Xvfb on a display that it finds free itself."""
+    reader, writer = os.pipe()
+    server = subprocess.Popen(['Xvfb', '-displayfd', str(writer), '-screen', '0', '1280x800x24', '-nolisten', 'tcp'],
+                              pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(writer)
+    with os.fdopen(reader) as pipe:
+        number = pipe.readline().strip()  # empty if the server ends
+    if not number:
+        fail('Xvfb does not start')
+    return server, f':{number}'
+
+
+class Window:
+    """The program, its output, and a hand on its keyboard and mouse."""
+
+    def __init__(self, program, display, directory, *arguments):
+        self.environment = dict(os.environ, DISPLAY=display)
+        self.directory = directory
+        self.log = os.path.join(directory, 'log')
+        with open(self.log, 'wb') as log:
+            self.process = subprocess.Popen([program, *arguments], cwd=directory, env=self.environment, stdout=log,
+                                            stderr=subprocess.STDOUT)
+
+    def output(self):
+        with open(self.log) as log:
+            return log.read()
+
+    def expect(self, line):
+        def ready():
+            if line in self.output():
+                return True
+            if self.process.poll() is not None:
+                fail(f'the program ended with {self.process.returncode} before "{line}":\n{self.output()}')
+            return False
+        wait_for(f'"{line}"', ready, lambda: f', but only:\n{self.output()}')
+
+    def send(self, *arguments):
+        run = subprocess.run(['xdotool', *arguments], env=self.environment, capture_output=True, text=True,
+                             timeout=PATIENCE)
+        if run.returncode:
+            fail(f'xdotool {" ".join(arguments)}: {run.stderr}')
+        return run.stdout.split()
+
+    def find(self):
+        """Waits for the window and puts the pointer into it: without a window manager, keys go where that is."""
+        search = ['xdotool', 'search', '--onlyvisible', '--name', 'Karma viewer test']
+        window = wait_for('the window', lambda: subprocess.run(
+            search, env=self.environment, capture_output=True, text=True, timeout=PATIENCE).stdout.split())[0]
+        self.send('mousemove', '--window', window, '200', '150')
+        return window
+
+    def end(self):
+        try:
+            return self.process.wait(timeout=PATIENCE)
+        except subprocess.TimeoutExpired:
+            fail(f'the program does not end:\n{self.output()}')
+
+
+def check(compare, question, *pictures):
+    run = subprocess.run([compare, question, *pictures], capture_output=True, text=True, timeout=PATIENCE)
+    print(f'{question} {" ".join(os.path.basename(p) for p in pictures)}: {run.stdout.strip()}{run.stderr}')
+    return run.returncode == 0
+
+
+def check_keys(program, compare, display, directory):
+    window = Window(program, display, directory, '-gl', '-size', '480x360')
+    name = window.find()
+    window.expect('tick 3')
+    window.send('key', 'F2')
+    window.expect('-0001.png')
+    window.send('key', 'F1')
+    window.send('key', 'F2')
+    window.expect('-0002.png')
+    window.send('key', 'F1')
+    window.send('key', 'Return')
+    window.expect('reset at')
+    window.send('mousemove', '--window', name, '200', '170', 'mousedown', '1')
+    window.expect('pressed at 170')
+    window.send('mousemove', '--window', name, '210', '190', 'mouseup', '1')
+    window.expect('released at 190')
+    window.send('windowsize', '--sync', name, '400', '300')
+    window.send('mousemove', '--window', name, '100', '100')
+
+    def resized():
+        before = window.output().count('wrote')
+        window.send('key', 'F2')
+        wait_for('a picture', lambda: window.output().count('wrote') > before)
+        return '(400x300)' in window.output()
+    wait_for('a picture of the new size', resized)
+    window.send('key', 'q')
+    code = window.end()
+    if code != 0:
+        fail(f'the exit code after q is {code}:\n{window.output()}')
+    if window.output().count('cleanup 0') != 1:
+        fail(f'the cleanup did not run once:\n{window.output()}')
+    before, after = (os.path.join(directory, f'test_viewer_program-000{i}.png') for i in (1, 2))
+    if not check(compare, 'size', before, '480x360'):
+        fail('F2 wrote a picture of another size')
+    if check(compare, 'same', before, after):
+        fail('F1 changed nothing')
+    if not check(compare, 'help', before, after):
+        fail('F1 showed no help')
+
+
+def check_frames(program, compare, display, directory):
+    """A window that closes itself, and draws the same as a buffer."""
+    for kind in ('-gl', '-osmesa'):
+        window = Window(program, display, directory, kind, '-size', '320x240', '-frames', '20', '-screenshot',
+                        f'frames{kind}.png', '-key', 'F3@1')
+        if window.end() != 0:
+            fail(f'{kind} -frames 20 ended with {window.process.returncode}:\n{window.output()}')
+    if not check(compare, 'size', os.path.join(directory, 'frames-gl.png'), '320x240'):
+        fail('-screenshot of a window has another size')
+    if not check(compare, 'near', *(os.path.join(directory, f'frames{kind}.png') for kind in ('-gl', '-osmesa'))):
+        fail('the window shows something else than the buffer')
+
+
+def main():
+    program, compare = (os.path.abspath(p) for p in sys.argv[1:3])
+    for tool in ('Xvfb', 'xdotool'):
+        if not shutil.which(tool):
+            print(f'skipped: {tool} is not installed')
+            sys.exit(77)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    server, display = start_server()
+    try:
+        with tempfile.TemporaryDirectory() as directory:
+            check_keys(program, compare, display, directory)
+            check_frames(program, compare, display, directory)
+        print('the window works')
+    finally:
+        server.terminate()
+        server.wait()
+
+
+main()

@@ -1,0 +1,87 @@
+/* A small program like those of the guides, for the tests that run the viewer as a whole: a sphere that falls on the
+ * ground. It says on stdout what happens. `-warn` gives a warning, `-exit N` leaves from tick N, `-destroy N` destroys the context
+ * in tick N. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "MeMessage.h"
+#include "MeViewer.h"
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#include <sanitizer/lsan_interface.h>
+#define CHECK_LEAKS __lsan_do_leak_check
+#endif
+#endif
+#ifndef CHECK_LEAKS
+#define CHECK_LEAKS() ((void)0)
+#endif
+
+static RRender *rc;
+static MeMatrix4 tm = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 3, 0, 1}};
+static int ticks, exitAt, destroyAt;
+
+static void say(const char *what, int number) {
+    printf("%s %d\n", what, number);
+    fflush(stdout);
+}
+
+static void MEAPI Reset(RRender *context, void *userdata) {
+    (void)context;
+    (void)userdata;
+    tm[3][1] = 3;
+    say("reset at", ticks);
+}
+
+static void MEAPI onMouse(RRender *context, int x, int y, int modifiers, RMouseButtonWhich which,
+                          RMouseButtonEvent event, void *userdata) {
+    (void)context;
+    (void)modifiers;
+    (void)userdata;
+    (void)x;
+    (void)which;
+    if (event != kRStillPressed)
+        say(event == kRNewlyPressed ? "pressed at" : "released at", y);
+}
+
+static void MEAPI Tick(RRender *context) {
+    tm[3][1] = tm[3][1] > 1 ? tm[3][1] - (MeReal)0.05 : 1;
+    if (++ticks == 3)
+        say("tick", ticks);
+    if (exitAt && ticks == exitAt)
+        exit(7);
+    if (destroyAt && ticks == destroyAt) {
+        say("destroyed", RRenderContextDestroy(context));
+        rc = NULL;
+    }
+}
+
+static void MEAPI_CDECL cleanup(void) {
+    if (rc)
+        say("cleanup", RRenderContextDestroy(rc));
+    CHECK_LEAKS(); /* Later the graphics driver is unloaded, and tests/lsan.supp does not know its leaks any more. */
+}
+
+int MEAPI_CDECL main(int argc, const char **argv) {
+    char *help[] = {"$ACTION2 - start again", "$MOUSE - nothing much"};
+    MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
+    rc = RRenderContextCreate(options, 0, 1);
+    const MeBool warn = MeCommandLineOptionsCheckFor(options, "-warn", 1);
+    exitAt = MeCommandLineOptionsGetNumeric(options, "-exit", 1);
+    destroyAt = MeCommandLineOptionsGetNumeric(options, "-destroy", 1);
+    MeCommandLineOptionsDestroy(options);
+    if (!rc)
+        return 1;
+    RRenderSetWindowTitle(rc, "Karma viewer test");
+    RRenderCreateUserHelp(rc, help, 2);
+    RRenderSetActionNCallBack(rc, 2, Reset);
+    RRenderSetMouseCallBack(rc, onMouse);
+    RPerformanceBarCreate(rc);
+    RGraphicSphereCreate(rc, 1, RPalette[1], tm);
+    RGraphicGroundPlaneCreate(rc, 24, 2, RPalette[7], 0);
+    if (warn)
+        MeWarning(1, "a warning, as asked for");
+    atexit(cleanup);
+    RRun(rc, Tick);
+    return 3; /* Not reached. */
+}

@@ -1,0 +1,250 @@
+/* The camera: positions from polar coordinates, bounds, axes, projections. */
+#include "viewer_test.h"
+
+static const float tolerance = 1e-5f;
+
+START_TEST(position_is_polar) {
+    RRender *rc = make_context("-null");
+    const AcmeVector3 at = {1, 2, 3};
+    const float views[][3] = {{5, 0, 0}, {5, 1, 0}, {2, 0.3f, 0.7f}, {40, -2.5f, -1.2f}, {1, 3.1f, 1.5f}};
+    RCameraSetLookAt(rc, at);
+    for (size_t i = 0; i < sizeof views / sizeof views[0]; i++) {
+        const double d = views[i][0], theta = views[i][1], phi = views[i][2];
+        AcmeVector3 p, dir, up, look;
+        RCameraSetView(rc, views[i][0], views[i][1], views[i][2]);
+        RCameraGetPosition(rc, p);
+        /* theta anticlockwise from the z axis, seen from above: towards x. phi above the xz plane. */
+        assert_vec3_near(p, 1 + d * cos(phi) * sin(theta), 2 + d * sin(phi), 3 + d * cos(phi) * cos(theta), 1e-4);
+        RCameraGetLookDir(rc, dir);
+        assert_vec3_near(dir, -cos(phi) * sin(theta), -sin(phi), -cos(phi) * cos(theta), tolerance);
+        RCameraGetUp(rc, up);
+        assert_near(dir[0] * up[0] + dir[1] * up[1] + dir[2] * up[2], 0, tolerance);
+        assert_near(up[1], cos(phi), tolerance);
+        RCameraGetLookAt(rc, look);
+        assert_vec3_near(look, 1, 2, 3, 0);
+    }
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+START_TEST(default_view) {
+    RRender *rc = make_context("-null");
+    assert_near(RCameraGetDistance(rc), 10, 0);
+    assert_near(RCameraGetRotation(rc), 0, 0);
+    assert_near(RCameraGetElevation(rc), 0.2f, 0);
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+START_TEST(increments_and_bounds) {
+    RRender *rc = make_context("-null");
+    RCameraSetView(rc, 5, 1, 0.5f);
+    RCameraZoom(rc, 2);
+    RCameraRotateAngle(rc, 0.25f);
+    RCameraRotateElevation(rc, -0.25f);
+    assert_near(RCameraGetDistance(rc), 7, tolerance);
+    assert_near(RCameraGetRotation(rc), 1.25, tolerance);
+    assert_near(RCameraGetElevation(rc), 0.25, tolerance);
+    RCameraZoom(rc, -100);
+    assert_near(RCameraGetDistance(rc), 0.01f, 0);
+    RCameraSetOffset(rc, -3);
+    assert_near(RCameraGetDistance(rc), 0.01f, 0);
+    RCameraRotateElevation(rc, 10);
+    assert_near(RCameraGetElevation(rc), acos(-1) / 2, tolerance);
+    RCameraSetElevation(rc, -10);
+    assert_near(RCameraGetElevation(rc), -acos(-1) / 2, tolerance);
+    RCameraSetRotation(rc, 4); /* Beyond pi: comes out on the other side. */
+    assert_near(RCameraGetRotation(rc), 4 - 2 * acos(-1), tolerance);
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+START_TEST(looking_straight_down_has_an_up) {
+    RRender *rc = make_context("-null");
+    AcmeVector3 up;
+    RCameraSetView(rc, 5, 0, 10);
+    RCameraGetUp(rc, up);
+    assert_vec3_near(up, 0, 0, -1, 1e-6);
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+START_TEST(written_members_count_after_update) {
+    RRender *rc = make_context("-null");
+    AcmeVector3 p;
+    RCameraSetView(rc, 5, 0, 0);
+    rc->m_CameraLookAt[0] = 7;
+    rc->m_CameraDist = 2;
+    RCameraGetPosition(rc, p);
+    assert_vec3_near(p, 0, 0, 5, tolerance);
+    RCameraUpdate(rc);
+    RCameraGetPosition(rc, p);
+    assert_vec3_near(p, 7, 0, 2, tolerance);
+    messages_catch();
+    rc->m_CameraDist = NAN;
+    RCameraUpdate(rc);
+    assert_warned("m_CameraDist");
+    messages_release();
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+START_TEST(panning_goes_along_the_cameras_axes) {
+    RRender *rc = make_context("-null");
+    AcmeVector3 at;
+    RCameraSetView(rc, 5, (float)acos(-1) / 2, 0); /* From +x: right is -z, up is y. */
+    RCameraPanX(rc, 2);
+    RCameraPanY(rc, 3);
+    RCameraPanZ(rc, 4);
+    RCameraGetLookAt(rc, at);
+    assert_vec3_near(at, 4, 3, -2, tolerance);
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+START_TEST(from_two_points) {
+    RRender *rc = make_context("-null");
+    const MeVector3 at = {1, 1, 1}, from = {1 + 3, 1 + 12, 1 + 4};
+    AcmeVector3 p;
+    RCameraSetLookAtAndPosition(rc, at, from);
+    RCameraGetPosition(rc, p);
+    assert_vec3_near(p, 4, 13, 5, 1e-4);
+    assert_near(RCameraGetDistance(rc), 13, 1e-4);
+    assert_near(RCameraGetRotation(rc), atan2(3, 4), tolerance);
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+/* A point through the two matrices, to -1..1. */
+static void project(const RRender *rc, const double p[3], double out[3]) {
+    double eye[4], clip[4];
+    for (int j = 0; j < 4; j++) {
+        eye[j] = (double)rc->m_CameraMatrix[3][j];
+        for (int i = 0; i < 3; i++)
+            eye[j] += p[i] * (double)rc->m_CameraMatrix[i][j];
+    }
+    for (int j = 0; j < 4; j++) {
+        clip[j] = 0;
+        for (int i = 0; i < 4; i++)
+            clip[j] += eye[i] * (double)rc->m_ProjectionMatrix[i][j];
+    }
+    for (int j = 0; j < 3; j++)
+        out[j] = clip[j] / clip[3];
+}
+
+START_TEST(matrices_project) {
+    RRender *rc = make_context("-null -size 800x400");
+    double p[3];
+    RCameraSetView(rc, 10, 0, 0);
+    RCameraSetFov(rc, 1);
+    RRenderUpdateProjectionMatrices(rc);
+    project(rc, (const double[3]){0, 0, 0}, p);
+    assert_near(p[0], 0, tolerance);
+    assert_near(p[1], 0, tolerance);
+    /* The window's upper edge is tan(fov / 2) above the middle at distance 1; it is twice as wide as high. */
+    project(rc, (const double[3]){0, 10 * tan(0.5), 0}, p);
+    assert_near(p[1], 1, tolerance);
+    project(rc, (const double[3]){20 * tan(0.5), 0, 0}, p);
+    assert_near(p[0], 1, tolerance);
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+START_TEST(orthographic_views) {
+    RRender *rc = make_context("-null -size 400x400");
+    double p[3];
+    RCameraSetTopView(rc, 8, 50);
+    RRenderUpdateProjectionMatrices(rc);
+    project(rc, (const double[3]){4, 3, 0}, p); /* At the right edge, whatever the height. */
+    assert_near(p[0], 1, tolerance);
+    assert_near(p[1], 0, tolerance);
+    project(rc, (const double[3]){0, -20, -4}, p); /* -z is up. */
+    assert_near(p[1], 1, tolerance);
+    ck_assert(fabs(p[2]) < 1);
+    RCameraSetLeftView(rc, 8, 50);
+    RRenderUpdateProjectionMatrices(rc);
+    project(rc, (const double[3]){0, 0, 4}, p); /* From -x, z is to the right. */
+    assert_near(p[0], 1, tolerance);
+    RCameraSetFov(rc, 0.7f);
+    RRenderUpdateProjectionMatrices(rc);
+    assert_near(rc->m_ProjectionMatrix[2][3], -1, 0);
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+START_TEST(own_matrix) {
+    RRender *rc = make_context("-null");
+    MeMatrix4 m = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {-1, -2, -30, 1}};
+    AcmeVector3 p;
+    RCameraSetMatrix(rc, m);
+    RCameraGetPosition(rc, p);
+    assert_vec3_near(p, 1, 2, 30, 0);
+    RCameraGetLookDir(rc, p);
+    assert_vec3_near(p, 0, 0, -1, 0);
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+START_TEST(portal_coordinates) {
+    RRender *rc = make_context("-null -size 400x200");
+    AcmeReal x, y;
+    RCalculatePortalCoordinates(rc, 4, 2, 200, 100, &x, &y);
+    assert_near(x, 0, 0);
+    assert_near(y, 0, 0);
+    RCalculatePortalCoordinates(rc, 4, 2, 0, 0, &x, &y);
+    assert_near(x, -2, 0);
+    assert_near(y, 1, 0);
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+START_TEST(bad_input) {
+    RRender *rc = make_context("-null");
+    AcmeVector3 p = {7, 7, 7}, bad = {0, NAN, 0};
+    AcmeReal x;
+    messages_catch();
+    RCameraSetLookAt(rc, bad);
+    assert_warned("RCameraSetLookAt");
+    RCameraSetView(rc, INFINITY, 0, 0);
+    assert_warned("dist");
+    RCameraSetFov(rc, 0);
+    assert_warned("fov");
+    RCameraSetFov(rc, 4);
+    assert_warned("fov");
+    RCameraSetOrthographicView(rc, -1, 5);
+    assert_warned("zoomFactor");
+    RCameraSetFrontView(rc, 1, 0);
+    assert_warned("viewDepth");
+    RCameraGetPosition(NULL, p);
+    assert_warned("RCameraGetPosition");
+    assert_vec3_near(p, 7, 7, 7, 0);
+    RCameraPanX(rc, NAN);
+    assert_warned("dist");
+    RCameraSetMatrix(rc, NULL);
+    assert_warned("RCameraSetMatrix");
+    RCalculatePortalCoordinates(rc, 1, 1, 0, 0, &x, NULL);
+    assert_warned("portaly");
+    ck_assert(RCameraGetDistance(NULL) == 0);
+    assert_warned("null");
+    RCameraGetPosition(rc, p);
+    assert_near(p[2], 10 * cos(0.2), 1e-5);
+    messages_release();
+    RRenderContextDestroy(rc);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, position_is_polar);
+    tcase_add_test(t, default_view);
+    tcase_add_test(t, increments_and_bounds);
+    tcase_add_test(t, looking_straight_down_has_an_up);
+    tcase_add_test(t, written_members_count_after_update);
+    tcase_add_test(t, panning_goes_along_the_cameras_axes);
+    tcase_add_test(t, from_two_points);
+    tcase_add_test(t, matrices_project);
+    tcase_add_test(t, orthographic_views);
+    tcase_add_test(t, own_matrix);
+    tcase_add_test(t, portal_coordinates);
+    tcase_add_test(t, bad_input);
+}
+TEST_MAIN("Camera", tests)

@@ -1,0 +1,354 @@
+/* Keys and the mouse, and what they do to callbacks, the camera, the pause; frames and their end. */
+#include "RMenu.h"
+#include "viewer_test.h"
+
+#include "r_i.h"
+
+static RRender *rc;
+static int calls, ticks;
+static void *lastData;
+static struct {
+    int n, x, y, modifiers;
+    RMouseButtonWhich which;
+    RMouseButtonEvent event;
+} mouse;
+
+static void MEAPI onPress(RRender *r, void *userdata) {
+    ck_assert_ptr_eq(r, rc);
+    calls++;
+    lastData = userdata;
+}
+
+static void MEAPI onPressNoData(RRender *r) {
+    ck_assert_ptr_eq(r, rc);
+    calls += 100;
+}
+
+static void MEAPI onMouse(RRender *r, int x, int y, int modifiers, RMouseButtonWhich which, RMouseButtonEvent event,
+                          void *userdata) {
+    ck_assert_ptr_eq(r, rc);
+    lastData = userdata;
+    mouse.n++;
+    mouse.x = x;
+    mouse.y = y;
+    mouse.modifiers = modifiers;
+    mouse.which = which;
+    mouse.event = event;
+}
+
+static void MEAPI onTick(RRender *r) {
+    ck_assert_ptr_eq(r, rc);
+    ticks++;
+}
+
+static const RTick tick = {.funcNoData = onTick};
+
+static void setup(void) {
+    calls = ticks = 0;
+    lastData = NULL;
+    memset(&mouse, 0, sizeof mouse);
+    rc = make_context("-null");
+    messages_catch();
+}
+
+static void teardown(void) {
+    assert_silent();
+    messages_release();
+    RRenderContextDestroy(rc);
+}
+
+static void frames(int n) {
+    while (n-- > 0)
+        r_frame(rc, &tick);
+}
+
+static void key(REventKind kind, int code, int modifiers) {
+    r_post(rc, (REvent){.kind = kind, .key = code, .modifiers = modifiers});
+}
+
+static void tap(int code, int modifiers) {
+    key(rKeyDown, code, modifiers);
+    key(rKeyUp, code, modifiers);
+    frames(1);
+}
+
+static void point(REventKind kind, int which, int modifiers, int x, int y) {
+    r_post(rc, (REvent){.kind = kind, .which = which, .modifiers = modifiers, .x = x, .y = y});
+    frames(1);
+}
+
+START_TEST(both_kinds_of_callbacks) {
+    int data;
+    RRenderSetUpCallBack(rc, onPress, &data);
+    RRenderSetDownCallBack(rc, onPress);
+    RRenderSetLeft2CallBack(rc, onPressNoData);
+    RRenderSetRight2CallBack(rc, onPressNoData, 0);
+    tap(RKEY_UP, 0);
+    ck_assert_ptr_eq(lastData, &data);
+    tap(RKEY_DOWN, 0);
+    ck_assert_ptr_null(lastData);
+    ck_assert_int_eq(calls, 2);
+    tap('a', 0);
+    tap('d', 0);
+    ck_assert_int_eq(calls, 202);
+    tap(RKEY_LEFT, 0); /* Nobody wants it. */
+    RRenderSetUpCallBack(rc, (RButtonPressCallBack)0);
+    tap(RKEY_UP, 0);
+    ck_assert_int_eq(calls, 202);
+}
+END_TEST
+
+START_TEST(all_buttons_and_actions) {
+    static const int keys[] = {RKEY_UP, RKEY_DOWN, RKEY_LEFT,  RKEY_RIGHT, 'w', 's', 'a',
+                               'd',     ' ',       RKEY_ENTER, '3',        '4', '5'};
+    int data[13];
+    RRenderSetUpCallBackWithText(rc, onPress, &data[0], "jump");
+    RRenderSetDownCallBackWithText(rc, onPress, &data[1], NULL);
+    RRenderSetLeftCallBackWithText(rc, onPress, &data[2], "");
+    RRenderSetRightCallBackWithText(rc, onPress, &data[3], "x");
+    RRenderSetUp2CallBackWithText(rc, onPress, &data[4], "x");
+    RRenderSetDown2CallBackWithText(rc, onPress, &data[5], "x");
+    RRenderSetLeft2CallBackWithText(rc, onPress, &data[6], "x");
+    RRenderSetRight2CallBackWithText(rc, onPress, &data[7], "x");
+    for (int i = 1; i < 5; i++)
+        RRenderSetActionNCallBack(rc, i, onPress, &data[7 + i]);
+    RRenderSetActionNCallBackWithText(rc, 5, onPress, &data[12], "x");
+    for (int i = 0; i < 13; i++) {
+        tap(keys[i], 0);
+        ck_assert_ptr_eq(lastData, &data[i]);
+    }
+    ck_assert_int_eq(calls, 13);
+    ck_assert_str_eq(rc->m_CallBacks.m_Button[kRButtonUp].m_Text, "jump");
+    RRenderSetActionNCallBack(rc, 6, onPress);
+    assert_warned("0 to 5");
+    RRenderSetActionNCallBack(rc, -1, onPressNoData, 0);
+    assert_warned("0 to 5");
+    RRenderSetButtonCallBack(rc, kRButtons, onPress, NULL);
+    assert_warned("not a button");
+}
+END_TEST
+
+START_TEST(actions_can_have_other_keys) {
+    RRenderSetActionNCallBack(rc, 2, onPress);
+    RRenderSetActionNKey(rc, 2, 'R');
+    tap(RKEY_ENTER, 0);
+    ck_assert_int_eq(calls, 0);
+    tap('r', 0);
+    ck_assert_int_eq(calls, 1);
+    RRenderSetActionNKey(rc, 2, 'p'); /* The program's wish is stronger than the viewer's own use. */
+    assert_warned("pause");
+    tap('p', 0);
+    ck_assert_int_eq(calls, 2);
+    ck_assert_int_eq(rc->m_bPause, 0);
+}
+END_TEST
+
+START_TEST(a_held_button_repeats_and_an_action_does_not) {
+    RRenderSetUpCallBack(rc, onPress);
+    RRenderSetActionNCallBack(rc, 1, onPressNoData);
+    key(rKeyDown, RKEY_UP, 0);
+    key(rKeyDown, ' ', 0);
+    frames(10);
+    ck_assert_int_eq(calls, 101);
+    frames(60);
+    ck_assert_int_gt(calls, 105);
+    ck_assert_int_lt(calls, 120);
+    key(rKeyUp, RKEY_UP, 0);
+    frames(1);
+    const int before = calls;
+    frames(60);
+    ck_assert_int_eq(calls, before);
+}
+END_TEST
+
+START_TEST(pause_and_single_step) {
+    frames(3);
+    ck_assert_int_eq(ticks, 3);
+    tap('p', 0);
+    frames(5);
+    ck_assert_int_eq(ticks, 3);
+    tap('o', 0);
+    ck_assert_int_eq(ticks, 4);
+    frames(5);
+    ck_assert_int_eq(ticks, 4);
+    tap('.', 0);
+    ck_assert_int_eq(ticks, 5);
+    tap('p', 0);
+    ck_assert_int_eq(ticks, 6);
+    tap(RKEY_F1, 0);
+    frames(5);
+    ck_assert_int_eq(ticks, 6);
+    tap(RKEY_F1, 0);
+    ck_assert_int_eq(ticks, 7);
+}
+END_TEST
+
+START_TEST(camera_keys) {
+    RRenderSetLeftCallBack(rc, onPress);
+    r_cameraKeepHome(rc);
+    tap(RKEY_LEFT, RCONTROL);
+    ck_assert_int_eq(calls, 0);
+    assert_below(RCameraGetRotation(rc), 0);
+    tap(RKEY_UP, RCONTROL);
+    assert_below(0.2, RCameraGetElevation(rc));
+    tap(RKEY_PAGE_UP, 0);
+    assert_below(RCameraGetDistance(rc), 10);
+    const double near = (double)RCameraGetDistance(rc);
+    key(rKeyDown, RKEY_PAGE_DOWN, 0);
+    frames(40);
+    assert_below(near * 1.3, RCameraGetDistance(rc));
+    tap(RKEY_HOME, 0);
+    assert_near(RCameraGetRotation(rc), 0, 0);
+    assert_near(RCameraGetElevation(rc), 0.2f, 0);
+}
+END_TEST
+
+START_TEST(the_mouse_moves_the_camera) {
+    point(rMouseDown, kRLeftButton, 0, 100, 100);
+    point(rMouseMove, 0, 0, 150, 120);
+    assert_below(RCameraGetRotation(rc), -0.1); /* The world follows the mouse to the right. */
+    assert_below(0.25, RCameraGetElevation(rc));
+    point(rMouseUp, kRLeftButton, 0, 150, 120);
+    const double angle = (double)RCameraGetRotation(rc);
+    point(rMouseMove, 0, 0, 10, 10);
+    assert_near(RCameraGetRotation(rc), angle, 0);
+    point(rWheel, 2, 0, 0, 0);
+    assert_near(RCameraGetDistance(rc), 10 * 0.81, 1e-4);
+    point(rMouseDown, kRRightButton, 0, 100, 100);
+    point(rMouseMove, 0, 0, 100, 150);
+    assert_below(10, RCameraGetDistance(rc));
+    point(rMouseUp, kRRightButton, 0, 100, 150);
+    point(rMouseDown, kRLeftButton, RSHIFT, 100, 100);
+    point(rMouseMove, 0, RSHIFT, 100, 150);
+    point(rMouseUp, kRLeftButton, 0, 100, 150);
+    assert_near(RCameraGetRotation(rc), angle, 0);
+    assert_below(0.1, rc->m_CameraLookAt[1]); /* Dragging down looks further up. */
+}
+END_TEST
+
+START_TEST(the_programs_mouse) {
+    int data;
+    RRenderSetMouseCallBack(rc, onMouse, &data);
+    point(rMouseDown, kRLeftButton, RALT, 30, 40);
+    ck_assert(mouse.n == 1 && mouse.event == kRNewlyPressed && mouse.which == kRLeftButton);
+    ck_assert(mouse.x == 30 && mouse.y == 40 && mouse.modifiers == RALT);
+    ck_assert_ptr_eq(lastData, &data);
+    point(rMouseMove, 0, 0, 31, 42);
+    ck_assert(mouse.n == 2 && mouse.event == kRStillPressed && mouse.x == 31 && mouse.y == 42);
+    point(rMouseUp, kRLeftButton, 0, 33, 44);
+    ck_assert(mouse.n == 3 && mouse.event == kRNewlyReleased);
+    point(rMouseMove, 0, 0, 0, 0);
+    assert_near(RCameraGetRotation(rc), 0, 0);
+    point(rMouseDown, kRLeftButton, RCONTROL, 30, 40); /* The camera's. */
+    point(rMouseMove, 0, RCONTROL, 90, 40);
+    point(rMouseUp, kRLeftButton, RCONTROL, 90, 40);
+    ck_assert_int_eq(mouse.n, 3);
+    assert_below(RCameraGetRotation(rc), -0.1);
+    RRenderSetMouseCallBack(rc, (RMouseCallBack)0);
+    point(rMouseDown, kRLeftButton, 0, 30, 40);
+    ck_assert_int_eq(mouse.n, 3);
+}
+END_TEST
+
+static MeReal menuValue;
+
+static void MEAPI onValue(MeReal value) {
+    menuValue = value;
+}
+
+START_TEST(arrows_work_a_menu) {
+    RMenu *m = RMenuCreate(rc, "menu");
+    RMenuAddToggleEntry(m, "one", NULL, 0);
+    RMenuAddValueEntry(m, "two", onValue, 10, 0, 1, 5);
+    RRenderSetDefaultMenu(rc, m);
+    RRenderSetRightCallBack(rc, onPress);
+    tap(RKEY_F9, 0);
+    ck_assert_ptr_eq(RRenderGetCurrentMenu(rc), m);
+    tap(RKEY_DOWN, 0);
+    tap(RKEY_RIGHT, 0);
+    assert_near(menuValue, 6, 0);
+    tap(RKEY_LEFT, 0);
+    tap(RKEY_LEFT, 0);
+    assert_near(menuValue, 4, 0);
+    ck_assert_int_eq(calls, 0);
+    tap(RKEY_F9, 0);
+    ck_assert_ptr_null(RRenderGetCurrentMenu(rc));
+    tap(RKEY_RIGHT, 0);
+    ck_assert_int_eq(calls, 1);
+}
+END_TEST
+
+START_TEST(leaving) {
+    static const int keys[] = {'q', RKEY_ESCAPE};
+    for (int i = 0; i < 2; i++) {
+        ck_assert(!r_loopEnded(rc));
+        tap(keys[i], 0);
+        ck_assert(r_loopEnded(rc));
+        ck_assert_int_eq(ticks, i); /* Not called any more. */
+        rc->m_pViewer->loop.quit = false;
+        frames(1);
+    }
+    r_post(rc, (REvent){.kind = rClose});
+    frames(1);
+    ck_assert(r_loopEnded(rc));
+    rc->m_pViewer->loop.quit = false;
+    RRenderQuit(rc);
+    ck_assert(r_loopEnded(rc));
+}
+END_TEST
+
+START_TEST(scripted_keys_and_the_number_of_frames) {
+    RRender *own = make_context("-null -frames 6 -key Enter@2,q@9,Ctrl+Right@3,F1@4,p@5");
+    RRender *const before = rc;
+    rc = own;
+    RRenderSetActionNCallBack(rc, 2, onPress);
+    frames(1);
+    ck_assert_int_eq(calls, 0);
+    frames(1);
+    ck_assert_int_eq(calls, 1);
+    frames(1);
+    assert_below(0.01, RCameraGetRotation(rc));
+    frames(1);
+    ck_assert(rc->m_bShowHelp && rc->m_bPause && ticks == 3);
+    frames(1);
+    ck_assert(!rc->m_bPause && ticks == 4);
+    ck_assert(!r_loopEnded(rc));
+    frames(1);
+    ck_assert(r_loopEnded(rc)); /* Paused frames count where nobody can continue. */
+    RRenderContextDestroy(own);
+    rc = before;
+}
+END_TEST
+
+START_TEST(key_names) {
+    char name[16];
+    ck_assert_int_eq(r_keyByName("F1", 2), RKEY_F1);
+    ck_assert_int_eq(r_keyByName("f12", 3), RKEY_F12);
+    ck_assert_int_eq(r_keyByName("F13", 3), RKEY_NONE);
+    ck_assert_int_eq(r_keyByName("space", 5), ' ');
+    ck_assert_int_eq(r_keyByName("PgDn", 4), RKEY_PAGE_DOWN);
+    ck_assert_int_eq(r_keyByName("A", 1), 'a');
+    ck_assert_int_eq(r_keyByName("", 0), RKEY_NONE);
+    r_keyName(RKEY_F9, name, sizeof name);
+    ck_assert_str_eq(name, "F9");
+    r_keyName('z', name, sizeof name);
+    ck_assert_str_eq(name, "Z");
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setup, teardown);
+    tcase_add_test(t, both_kinds_of_callbacks);
+    tcase_add_test(t, all_buttons_and_actions);
+    tcase_add_test(t, actions_can_have_other_keys);
+    tcase_add_test(t, a_held_button_repeats_and_an_action_does_not);
+    tcase_add_test(t, pause_and_single_step);
+    tcase_add_test(t, camera_keys);
+    tcase_add_test(t, the_mouse_moves_the_camera);
+    tcase_add_test(t, the_programs_mouse);
+    tcase_add_test(t, arrows_work_a_menu);
+    tcase_add_test(t, leaving);
+    tcase_add_test(t, scripted_keys_and_the_number_of_frames);
+    tcase_add_test(t, key_names);
+}
+TEST_MAIN("Input", tests)

@@ -1,0 +1,174 @@
+/* Variables in texts, characters, and the layout of the help. */
+#include "viewer_test.h"
+
+#include "r_i.h"
+#include "r_text_i.h"
+
+static RRender *rc;
+
+static void setup(void) {
+    rc = make_context("-null");
+    messages_catch();
+}
+
+static void teardown(void) {
+    assert_silent();
+    messages_release();
+    RRenderContextDestroy(rc);
+}
+
+static const char *parsed(const char *text) {
+    static char out[256];
+    RParseText(rc, text, out, sizeof out);
+    return out;
+}
+
+START_TEST(variables) {
+    RRenderSetAppName(rc, "Rainbow");
+    ck_assert_str_eq(parsed("plain"), "plain");
+    ck_assert_str_eq(parsed(""), "");
+    ck_assert_str_eq(parsed("$APPNAME!"), "Rainbow!");
+    ck_assert_str_eq(parsed("$UP $DOWN $LEFT $RIGHT"), "Up Down Left Right");
+    ck_assert_str_eq(parsed("$UP2$DOWN2$LEFT2$RIGHT2"), "WSAD");
+    ck_assert_str_eq(parsed("$ACTION1 $ACTION2 $ACTION3 $ACTION4 $ACTION5"), "Space Enter 3 4 5");
+    ck_assert_str_eq(parsed("$MOUSE - push"), "Left mouse button - push");
+}
+END_TEST
+
+START_TEST(what_is_no_variable_stays) {
+    ck_assert_str_eq(parsed("$"), "$");
+    ck_assert_str_eq(parsed("100$ $up $ACTION9 $ACTION0 $UP3 $UPS"), "100$ $up $ACTION9 $ACTION0 $UP3 $UPS");
+    ck_assert_str_eq(parsed("$$UP"), "$Up");
+}
+END_TEST
+
+START_TEST(keys_follow_their_actions) {
+    RRenderSetActionNKey(rc, 2, 'x');
+    ck_assert_str_eq(parsed("$ACTION2"), "X");
+    RRenderSetActionNKey(rc, 3, 'X'); /* Case does not matter, so the key is taken over. */
+    assert_warned("action 2");
+    ck_assert_str_eq(parsed("$ACTION3 $ACTION2"), "X (no key)");
+    RRenderSetActionNKey(rc, 4, 'p');
+    assert_warned("pause");
+    RRenderSetActionNKey(rc, 1, 'z');
+    assert_warned("2 to 5");
+    RRenderSetActionNKey(rc, 6, 'z');
+    assert_warned("2 to 5");
+    RRenderSetActionNKey(rc, 5, '\n');
+    assert_warned("printable");
+    ck_assert_str_eq(parsed("$ACTION5"), "5");
+}
+END_TEST
+
+START_TEST(output_is_cut) {
+    char out[6] = "-----";
+    RParseText(rc, "ab$ACTION1", out, 5);
+    ck_assert_str_eq(out, "abSp");
+    ck_assert_int_eq(out[5], 0);
+    RParseText(rc, "abc", out, 1);
+    ck_assert_str_eq(out, "");
+    RParseText(rc, "abc", out, 0);
+    assert_warned("outbuffersize");
+    RParseText(rc, NULL, out, 5);
+    assert_warned("text_in");
+    RParseText(rc, "abc", NULL, 5);
+    assert_warned("text_out");
+}
+END_TEST
+
+START_TEST(characters) {
+    const char *text = "a\xc2\xb5\xe2\x86\x92\xb0z"; /* a, micro, arrow, a degree sign in Latin-1, z */
+    ck_assert_uint_eq(r_nextCharacter(&text), 'a');
+    ck_assert_uint_eq(r_nextCharacter(&text), 0xb5);
+    ck_assert_uint_eq(r_nextCharacter(&text), 0x2192);
+    ck_assert_uint_eq(r_nextCharacter(&text), 0xb0);
+    ck_assert_uint_eq(r_nextCharacter(&text), 'z');
+    ck_assert_int_eq(*text, 0);
+    text = "\xe2"; /* Cut in the middle of a character. */
+    ck_assert_uint_eq(r_nextCharacter(&text), 0xe2);
+    ck_assert_int_eq(*text, 0);
+}
+END_TEST
+
+START_TEST(widths) {
+    assert_near(r_textWidth("", 10), 0, 0);
+    assert_near(r_textWidth("ab", 20), 2 * r_textWidth("ab", 10), 1e-4);
+    assert_near(r_textWidth("abc\na", 10), r_textWidth("abc", 10), 1e-4);
+    assert_below(r_textWidth("i", 10), r_textWidth("W", 10));
+    assert_near(r_textWidth("\xe4\xb8\xad", 10), r_textWidth("?", 10), 0); /* A character that the font lacks. */
+}
+END_TEST
+
+START_TEST(help_fits_any_window) {
+    static const char *const sizes[] = {"-null -size 320x240", "-null -size 960x600", "-null -size 3840x2160",
+                                        "-null -size 1600x200", "-null -size 200x1600"};
+    static const double smallest[] = {6.5, 13, 35, 7, 5};
+    char *help[] = {"$ACTION1 - toggle options menu",
+                    "$ACTION2 - reset",
+                    "$MOUSE - apply mouse force, which is a rather long line that does not fit into a small window",
+                    "Just a sentence.",
+                    "andawordthathasnoplacewhereitcanbebrokenandgoesonandonandonandonandonandon",
+                    ""};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        RRender *own = make_context(sizes[i]);
+        ROverlay overlay = {.vertices = {0}};
+        RHelpLayout l;
+        RRenderCreateUserHelp(own, help, 6);
+        r_helpDraw(own, &overlay, &l);
+        ck_assert(l.left >= 0 && l.top >= 0);
+        ck_assert(l.right <= (float)own->m_pViewer->width && l.bottom <= (float)own->m_pViewer->height);
+        assert_below(smallest[i], l.size);
+        for (size_t k = 0; k < overlay.vertices.count; k++) {
+            const ROverlayVertex *v = &overlay.vertices.items[k];
+            ck_assert(v->x >= l.left - 1.01f && v->x <= l.right + 1.01f);
+            ck_assert(v->y >= l.top - 1.01f && v->y <= l.bottom + 1.01f);
+        }
+        r_overlayFree(&overlay);
+        RRenderContextDestroy(own);
+    }
+}
+END_TEST
+
+START_TEST(help_of_all_kinds) {
+    const char *const constant[] = {"a", "b"};
+    const char *variable[] = {"a"};
+    RRenderCreateUserHelp(rc, constant, 2);
+    ck_assert_uint_eq(rc->m_pViewer->help.lines.count, 2);
+    RRenderCreateUserHelp(rc, variable, 1); /* Takes the place of the first ones. */
+    ck_assert_uint_eq(rc->m_pViewer->help.lines.count, 1);
+    RRenderCreateUserHelp(rc, NULL, 0);
+    ck_assert_uint_eq(rc->m_pViewer->help.lines.count, 0);
+    RRenderCreateUserHelp(rc, NULL, 2);
+    assert_warned("null");
+    RRenderCreateUserHelp(rc, constant, -1);
+    assert_warned("-1");
+}
+END_TEST
+
+START_TEST(toggling_help_toggles_pause) {
+    RRenderToggleUserHelp(rc);
+    ck_assert_int_eq(rc->m_bShowHelp, 1);
+    ck_assert_int_eq(rc->m_bPause, 1);
+    RRenderToggleUserHelp(rc);
+    ck_assert_int_eq(rc->m_bShowHelp, 0);
+    ck_assert_int_eq(rc->m_bPause, 0);
+    RRenderSetPause(rc, 1); /* What was paused before is paused afterwards. */
+    RRenderToggleUserHelp(rc);
+    RRenderToggleUserHelp(rc);
+    ck_assert_int_eq(rc->m_bPause, 1);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setup, teardown);
+    tcase_add_test(t, variables);
+    tcase_add_test(t, what_is_no_variable_stays);
+    tcase_add_test(t, keys_follow_their_actions);
+    tcase_add_test(t, output_is_cut);
+    tcase_add_test(t, characters);
+    tcase_add_test(t, widths);
+    tcase_add_test(t, help_fits_any_window);
+    tcase_add_test(t, help_of_all_kinds);
+    tcase_add_test(t, toggling_help_toggles_pause);
+}
+TEST_MAIN("Text", tests)
