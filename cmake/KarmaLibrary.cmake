@@ -44,7 +44,8 @@ function(karma_library name)
   add_library(Karma::${name} ALIAS ${name})
   set_target_properties(${name} PROPERTIES
     OUTPUT_NAME ${name}${KARMA_SUFFIX} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
-    EXPORT_NAME ${name} LINKER_LANGUAGE C)
+    EXPORT_NAME ${name} LINKER_LANGUAGE C
+    INSTALL_RPATH $ORIGIN) # in any prefix, they find each other
   target_include_directories(${name} INTERFACE
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${KARMA_INCLUDEDIR}>)
   if(KARMA_PRECISION STREQUAL double)
