@@ -68,7 +68,10 @@ MEPUBLIC void MEAPI RRenderSetAppName(RRender *rc, const char *appname);
 MEPUBLIC void MEAPI RRenderSetBackgroundColor(RRender *rc, const float color[4]);
 /** Pauses (not 0) or continues (0): while paused, the tick is not called. */
 MEPUBLIC void MEAPI RRenderSetPause(RRender *rc, int p);
-/** One line at the lower left of the window; null or "" removes it. Copied. An addition to the 1.2 interface. */
+/**
+ * One line at the lower left of the window; null or "" removes it. Copied. A run without a window prints the last one
+ * when it ends. An addition to the 1.2 interface.
+ */
 MEPUBLIC void MEAPI RRenderSetStatusText(RRender *rc, const char *text);
 /** Shows @a fps (frames per second) in the upper right corner until it is called with a negative number. */
 MEPUBLIC void MEAPI RRenderDisplayFps(RRender *rc, AcmeReal fps);

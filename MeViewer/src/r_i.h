@@ -312,7 +312,7 @@ typedef struct {
 void r_frame(RRender *rc, const RTick *tick); /* One turn of the main loop; tick may be null. */
 bool r_loopEnded(const RRender *rc);
 void r_afterCallBack(const RRender *rc); /* Ends the program if the context has been destroyed meanwhile. */
-int64_t r_now(void); /* Nanoseconds of a clock that only goes forward. */
+int64_t r_now(void);                     /* Nanoseconds of a clock that only goes forward. */
 
 /* ---- Pictures of a run (r_picture.c) ---- */
 

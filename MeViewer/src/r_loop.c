@@ -131,6 +131,8 @@ static void run(RRender *rc, const RTick *tick) {
     if (loop->progressShown)
         fputc('\n', stderr);
     r_pictureEnd(rc);
+    if (!rc->m_pViewer->backend->window && rc->m_pViewer->status)
+        MeInfo(0, "%s", rc->m_pViewer->status);
     if (rc->m_Options.m_bProfile)
         MeProfileOutputResults();
     exit(exitCode(rc));

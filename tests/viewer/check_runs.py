@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs without a window: exit codes, pictures and their names, and that the same run gives the same picture.
 
-usage: check_runs.py <program> <png_compare>
+usage: check_runs.py <program> <png_check>
 """
 import os
 import re

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A real window in a virtual X server: does F1 show the help, do keys and mouse arrive, does the program end well?
 
-usage: check_window.py <program> <png_compare>      exit code 77: Xvfb or xdotool is not installed
+usage: check_window.py <program> <png_check>      exit code 77: Xvfb or xdotool is not installed
 """
 import os
 import shutil

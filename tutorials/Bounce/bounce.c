@@ -37,7 +37,7 @@ static void forgetPath(void) {
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     MdtBodySetPosition(body, -6, 5, 0);
-    MdtBodySetQuaternion(body, 1, 0, 0, 0);
+    MdtBodySetQuaternion(body, MeSqrt((MeReal)0.5), 0, MeSqrt((MeReal)0.5), 0); /* the band upright */
     MdtBodySetLinearVelocity(body, (MeReal)1.8, 0, 0);
     MdtBodySetAngularVelocity(body, 0, 0, 0);
     MdtBodyEnable(body); /* it may have come to rest and been disabled */
@@ -106,9 +106,9 @@ static void showFigures(void) {
     MdtBodyGetPosition(body, pos);
     MdtBodyGetLinearVelocity(body, v);
     MdtBodyGetAngularVelocity(body, w);
-    snprintf(text, sizeof text, "restitution %.2f    height %.2f m    speed %.2f m/s    spin %.2f rad/s",
-             (double)restitution, (double)(pos[1] - ballRadius),
-             sqrt((double)v[0] * v[0] + (double)v[1] * v[1]), -(double)w[2]);
+    snprintf(text, sizeof text, "restitution %.2f    height %+.2f m    speed %.2f m/s    spin %.2f rad/s",
+             (double)restitution, (double)(pos[1] - ballRadius), sqrt((double)v[0] * v[0] + (double)v[1] * v[1]),
+             -(double)w[2]);
     RRenderSetStatusText(rc, text);
 }
 
@@ -152,7 +152,7 @@ static void createGraphics(void) {
 
 int MEAPI_CDECL main(int argc, const char **argv) {
     const char *help[] = {
-        "$APPNAME: a ball rebounds, lower each time.",
+        "A ball rebounds, lower each time.",
         "The line shows where it has been.",
         "$ACTION2 - throw it again",
         "$UP - bouncier",

@@ -1,7 +1,7 @@
 /* Drop: a ball falls freely (Dynamics guide, chapter 2, "The Mdt Library: Getting Started").
  *
  * The smallest complete program: a world, a body, gravity, and a picture of it. What you see is a strobe
- * photograph. The ball leaves a pale image of itself every 0.3 seconds, and the images lie further and
+ * photograph. The ball leaves a pale image of itself every 0.18 seconds, and the images lie further and
  * further apart: the distance fallen grows with the square of the time.
  *
  * A body has mass and motion, but no shape. The sphere exists only in the viewer; for dynamics the ball is a
@@ -13,10 +13,9 @@
 #include <stdlib.h>
 
 #define RADIUS 1.0f /* m */
-#define START  10   /* m, the height from which the ball falls */
-#define GROUND -22  /* m, where the picture ends and the ball starts anew */
-#define STROBE 10   /* steps from one image to the next */
-#define IMAGES 10   /* enough until the ball is at the ground */
+#define START  18   /* m, the height from which the ball falls */
+#define STROBE 6    /* steps from one image to the next */
+#define IMAGES 11   /* enough until the ball is at the ground */
 
 /* The length of a step, in seconds: how far each call of Tick moves the world on. */
 static const MeReal step = (MeReal)0.03;
@@ -78,7 +77,7 @@ static void MEAPI Tick(RRender *context) {
     MdtWorldStep(world, step);
     steps++;
     showFigures();
-    if (MdtBodyGetTransformPtr(body)[3][1] < GROUND + RADIUS)
+    if (MdtBodyGetTransformPtr(body)[3][1] < RADIUS) /* at the ground, y = 0 */
         Reset(rc, 0);
 }
 
@@ -94,14 +93,14 @@ static void createDynamics(void) {
     body = MdtBodyCreate(world); /* 1 kg; a new body is disabled until MdtBodyEnable */
 }
 
-/* A ruler beside the ball: a mark every 2 m, a number every 4 m, measured down from where the ball starts. */
+/* A ruler beside the ball: a mark every metre, a longer one every fifth. */
 static void createRuler(void) {
     const float grey[4] = {.35f, .37f, .40f, 1};
-    const float x = -3;
-    float top[3] = {x, START, 0}, bottom[3] = {x, GROUND, 0};
+    const float x = -2.5f;
+    const float top[3] = {x, START, 0}, bottom[3] = {x, 0, 0};
     RGraphicLineCreate(rc, top, bottom, grey, 0);
-    for (int y = START; y >= GROUND; y -= 2) {
-        float from[3] = {x, (float)y, 0}, to[3] = {x + ((START - y) % 4 == 0 ? 1.2f : .6f), (float)y, 0};
+    for (int y = 0; y <= START; y++) {
+        const float from[3] = {x, (float)y, 0}, to[3] = {x + (y % 5 == 0 ? 1.2f : .6f), (float)y, 0};
         RGraphicLineCreate(rc, from, to, grey, 0);
     }
 }
@@ -109,22 +108,22 @@ static void createRuler(void) {
 static void createGraphics(void) {
     const float *blue = RPalette[0];
     const float pale[4] = {blue[0], blue[1], blue[2], .3f}, ground[4] = {.82f, .83f, .80f, 1};
-    const AcmeVector3 lookAt = {2.5f, -6.5f, 0};
+    const AcmeVector3 lookAt = {0, 8.8f, 0};
     sphereG = RGraphicSphereCreate(rc, RADIUS, blue, MdtBodyGetTransformPtr(body));
     for (int i = 0; i < IMAGES; i++) {
         imageG[i] = RGraphicSphereCreate(rc, RADIUS, pale, imageTM[i]);
         RGraphicRemoveFromList(rc, imageG[i], 0);
     }
     createRuler();
-    RGraphicGroundPlaneCreate(rc, 120, 2, ground, GROUND);
+    RGraphicGroundPlaneCreate(rc, 100, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 44, .35f, .12f);
+    RCameraSetView(rc, 31, .35f, .14f);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {
     const char *help[] = {
-        "$APPNAME: a ball falls freely.",
-        "It leaves an image of itself every 0.3 s.",
+        "A ball falls freely.",
+        "It leaves an image of itself every 0.18 s.",
         "$ACTION2 - start again",
     };
     MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);

@@ -165,8 +165,7 @@ static void createDynamics(void) {
     MdtHingeSetPosition(hinge, 0, height, 0);
     MdtHingeSetAxis(hinge, 1, 0, 0);
     MdtHingeEnable(hinge);
-    MdtLimitCalculatePosition(limit,
-                              1); /* so that the angle can be shown though neither motor nor stops are on */
+    MdtLimitCalculatePosition(limit, 1); /* so that the angle can be shown though neither motor nor stops are on */
 }
 
 /* The stops: bars across the plate's way, where it can go no further. The plate is as thick as it is, so a
@@ -174,12 +173,10 @@ static void createDynamics(void) {
 static void createStops(void) {
     const MeReal reach = size[1] * (MeReal)0.8;
     for (int i = 0; i < 2; i++) {
-        const MeReal side = i == 0 ? -1 : 1,
-                     angle = stopAt[i] + side * MeAtan2(size[2] * (MeReal)0.83, reach);
+        const MeReal side = i == 0 ? -1 : 1, angle = stopAt[i] + side * MeAtan2(size[2] * (MeReal)0.83, reach);
         MeMatrix3 R;
         MeMatrix3MakeRotationX(R, angle);
-        MeMatrix4TMMakeFromRotationAndPosition(stopTM[i], R, 0, height - reach * MeCos(angle),
-                                               -reach * MeSin(angle));
+        MeMatrix4TMMakeFromRotationAndPosition(stopTM[i], R, 0, height - reach * MeCos(angle), -reach * MeSin(angle));
         stopG[i] = RGraphicBoxCreate(rc, (float)size[0] * 1.3f, .2f, .2f, RPalette[1], stopTM[i]);
     }
     showStops();
@@ -204,8 +201,7 @@ static void createStand(void) {
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1};
     const AcmeVector3 lookAt = {0, 2.6f, 0};
-    RGraphicBoxCreate(rc, (float)size[0], (float)size[1], (float)size[2], RPalette[0],
-                      MdtBodyGetTransformPtr(body));
+    RGraphicBoxCreate(rc, (float)size[0], (float)size[1], (float)size[2], RPalette[0], MdtBodyGetTransformPtr(body));
     createStops();
     createStand();
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
@@ -215,7 +211,7 @@ static void createGraphics(void) {
 
 static void createControls(void) {
     static const char *const help[] = {
-        "$APPNAME: a plate on a hinge with a motor and stops.",
+        "A plate on a hinge with a motor and stops.",
         "$ACTION2 - start again",
         "$ACTION3 - motor on or off",
         "$ACTION4 - stops on or off",

@@ -1,9 +1,11 @@
-/* Compares two PNG pictures:
- *     png_compare same A B     are all pixels equal?
- *     png_compare near A B     are they equal but for some rounding, and for a small label somewhere?
- *     png_compare help A B     does B show a dark panel with light text in its middle, where A does not?
- *     png_compare size A WxH   has it this size?
+/* Looks at PNG pictures:
+ *     png_check same A B     are all pixels equal?
+ *     png_check near A B     are they equal but for some rounding, and for a small label somewhere?
+ *     png_check help A B     does B show a dark panel with light text in its middle, where A does not?
+ *     png_check size A WxH   has it this size?
+ *     png_check blue A X,Y,R is its strong blue a disc of radius R round the pixel (X, Y)? To a pixel.
  * Says what it found; exit code 0 for yes, 1 for no, 2 if it could not look. */
+#include <math.h>
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -72,10 +74,29 @@ static int isHelp(const Picture *a, const Picture *b) {
     return darkB > 0.6 && darkA < 0.4 && lightB > 0.01 && lightB < 0.3;
 }
 
+/* The centre and the radius of what is strongly blue: clearly more so than sky and pale things behind glass are. */
+static int isBlueDisc(const Picture *p, double x, double y, double r) {
+    double n = 0, sx = 0, sy = 0;
+    for (int j = 0; j < p->height; j++) {
+        for (int i = 0; i < p->width; i++) {
+            const png_bytep c = p->rgb + 3 * ((long)j * p->width + i);
+            if (5 * c[2] > 13 * c[0] && c[2] > 60) {
+                n++;
+                sx += i + 0.5;
+                sy += j + 0.5;
+            }
+        }
+    }
+    const double cx = sx / n, cy = sy / n, radius = sqrt(n / 3.14159265358979);
+    printf("blue: %.0f pixels round (%.1f, %.1f), radius %.1f; expected (%.1f, %.1f), %.1f\n", n, cx, cy, radius, x, y,
+           r);
+    return fabs(cx - x) < 1 && fabs(cy - y) < 1 && fabs(radius - r) < 1;
+}
+
 int main(int argc, char **argv) {
     int yes = 0;
     if (argc != 4) {
-        fprintf(stderr, "usage: png_compare same|near|help|size A B\n");
+        fprintf(stderr, "usage: png_check same|near|help|size|blue A B\n");
         return 2;
     }
     Picture a = readPicture(argv[2]);
@@ -84,6 +105,9 @@ int main(int argc, char **argv) {
         snprintf(size, sizeof size, "%dx%d", a.width, a.height);
         printf("%s is %s\n", argv[2], size);
         yes = strcmp(size, argv[3]) == 0;
+    } else if (strcmp(argv[1], "blue") == 0) {
+        double x, y, r;
+        yes = sscanf(argv[3], "%lf,%lf,%lf", &x, &y, &r) == 3 && isBlueDisc(&a, x, y, r);
     } else {
         Picture b = readPicture(argv[3]);
         const long n = different(&a, &b);
