@@ -83,23 +83,8 @@ MEPUBLIC void MEAPI MdtContactSetNext(const MdtContactID c, const MdtContactID n
 MEPUBLIC MdtContactID MEAPI MdtContactGetNext(const MdtContactID c);
 /** @} */
 
-/** @name What every constraint has, under this joint's name
- *  See MdtConstraint.h for what each does. k is 0 or 1, the index of a body.
- *  @{ */
-#define MdtContactDestroy(c)           MdtConstraintDestroy(MdtContactQuaConstraint(c))
-#define MdtContactEnable(c)            MdtConstraintEnable(MdtContactQuaConstraint(c))
-#define MdtContactDisable(c)           MdtConstraintDisable(MdtContactQuaConstraint(c))
-#define MdtContactIsEnabled(c)         MdtConstraintIsEnabled(MdtContactQuaConstraint(c))
-#define MdtContactSetBodies(c, b1, b2) MdtConstraintSetBodies(MdtContactQuaConstraint(c), (b1), (b2))
-#define MdtContactGetBody(c, k)        MdtConstraintGetBody(MdtContactQuaConstraint(c), (k))
-#define MdtContactGetForce(c, k, f)    MdtConstraintGetForce(MdtContactQuaConstraint(c), (k), (f))
-#define MdtContactGetTorque(c, k, t)   MdtConstraintGetTorque(MdtContactQuaConstraint(c), (k), (t))
-#define MdtContactGetWorld(c)          MdtConstraintGetWorld(MdtContactQuaConstraint(c))
-#define MdtContactSetUserData(c, d)    MdtConstraintSetUserData(MdtContactQuaConstraint(c), (d))
-#define MdtContactGetUserData(c)       MdtConstraintGetUserData(MdtContactQuaConstraint(c))
-#define MdtContactSetSortKey(c, key)   MdtConstraintSetSortKey(MdtContactQuaConstraint(c), (key))
-#define MdtContactGetSortKey(c)        MdtConstraintGetSortKey(MdtContactQuaConstraint(c))
-/** @} */
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
+MDT_JOINT_COMMON(Contact)
 
 ME_END_C
 

@@ -28,27 +28,10 @@ MEPUBLIC MdtLimitID MEAPI MdtHingeGetLimit(const MdtHingeID j);
 /** Resets the hinge's limit, then copies stops, threshold, offset, motor and switches of @a NewLimit. */
 MEPUBLIC void MEAPI MdtHingeSetLimit(const MdtHingeID j, const MdtLimitID NewLimit);
 
-/** @name What every constraint has, under this joint's name
- *  See MdtConstraint.h for what each does. k is 0 or 1, the index of a body.
- *  @{ */
-#define MdtHingeDestroy(j)              MdtConstraintDestroy(MdtHingeQuaConstraint(j))
-#define MdtHingeEnable(j)               MdtConstraintEnable(MdtHingeQuaConstraint(j))
-#define MdtHingeDisable(j)              MdtConstraintDisable(MdtHingeQuaConstraint(j))
-#define MdtHingeIsEnabled(j)            MdtConstraintIsEnabled(MdtHingeQuaConstraint(j))
-#define MdtHingeSetBodies(j, b1, b2)    MdtConstraintSetBodies(MdtHingeQuaConstraint(j), (b1), (b2))
-#define MdtHingeGetBody(j, k)           MdtConstraintGetBody(MdtHingeQuaConstraint(j), (k))
-#define MdtHingeSetPosition(j, x, y, z) MdtConstraintSetPosition(MdtHingeQuaConstraint(j), (x), (y), (z))
-#define MdtHingeGetPosition(j, p)       MdtConstraintGetPosition(MdtHingeQuaConstraint(j), (p))
-#define MdtHingeSetAxis(j, x, y, z)     MdtConstraintSetAxis(MdtHingeQuaConstraint(j), (x), (y), (z))
-#define MdtHingeGetAxis(j, a)           MdtConstraintGetAxis(MdtHingeQuaConstraint(j), (a))
-#define MdtHingeGetForce(j, k, f)       MdtConstraintGetForce(MdtHingeQuaConstraint(j), (k), (f))
-#define MdtHingeGetTorque(j, k, t)      MdtConstraintGetTorque(MdtHingeQuaConstraint(j), (k), (t))
-#define MdtHingeGetWorld(j)             MdtConstraintGetWorld(MdtHingeQuaConstraint(j))
-#define MdtHingeSetUserData(j, d)       MdtConstraintSetUserData(MdtHingeQuaConstraint(j), (d))
-#define MdtHingeGetUserData(j)          MdtConstraintGetUserData(MdtHingeQuaConstraint(j))
-#define MdtHingeSetSortKey(j, key)      MdtConstraintSetSortKey(MdtHingeQuaConstraint(j), (key))
-#define MdtHingeGetSortKey(j)           MdtConstraintGetSortKey(MdtHingeQuaConstraint(j))
-/** @} */
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
+MDT_JOINT_COMMON(Hinge)
+MDT_JOINT_POSITION(Hinge)
+MDT_JOINT_AXIS(Hinge)
 
 ME_END_C
 

@@ -9,7 +9,7 @@
 #ifndef MDTTYPES_H
 #define MDTTYPES_H
 
-#include "MdtBclTypes.h"
+#include "MdtBcl.h"
 #include "MePrecision.h"
 
 ME_BEGIN_C
@@ -19,14 +19,44 @@ typedef struct MdtBody MdtBody;
 typedef struct MdtBaseConstraint MdtBaseConstraint;
 typedef struct MdtBSJoint MdtBSJoint;
 typedef struct MdtHinge MdtHinge;
+typedef struct MdtPrismatic MdtPrismatic;
+typedef struct MdtUniversal MdtUniversal;
+typedef struct MdtAngular3 MdtAngular3;
+typedef struct MdtCarWheel MdtCarWheel;
+typedef struct MdtLinear1 MdtLinear1;
+typedef struct MdtLinear2 MdtLinear2;
+typedef struct MdtFixedPath MdtFixedPath;
+typedef struct MdtFPFOJoint MdtFPFOJoint;
+typedef struct MdtRPROJoint MdtRPROJoint;
+typedef struct MdtSpring MdtSpring;
+typedef struct MdtSpring6 MdtSpring6;
+typedef struct MdtConeLimit MdtConeLimit;
+typedef struct MdtSkeletal MdtSkeletal;
+typedef struct MdtUserConstraint MdtUserConstraint;
 typedef struct MdtContact MdtContact;
+typedef struct MdtContactGroup MdtContactGroup;
 
 typedef MdtWorld *MdtWorldID;
 typedef MdtBody *MdtBodyID;
 typedef MdtBaseConstraint *MdtConstraintID;
 typedef MdtBSJoint *MdtBSJointID;
 typedef MdtHinge *MdtHingeID;
+typedef MdtPrismatic *MdtPrismaticID;
+typedef MdtUniversal *MdtUniversalID;
+typedef MdtAngular3 *MdtAngular3ID;
+typedef MdtCarWheel *MdtCarWheelID;
+typedef MdtLinear1 *MdtLinear1ID;
+typedef MdtLinear2 *MdtLinear2ID;
+typedef MdtFixedPath *MdtFixedPathID;
+typedef MdtFPFOJoint *MdtFPFOJointID;
+typedef MdtRPROJoint *MdtRPROJointID;
+typedef MdtSpring *MdtSpringID;
+typedef MdtSpring6 *MdtSpring6ID;
+typedef MdtConeLimit *MdtConeLimitID;
+typedef MdtSkeletal *MdtSkeletalID;
+typedef MdtUserConstraint *MdtUserConstraintID;
 typedef MdtContact *MdtContactID;
+typedef MdtContactGroup *MdtContactGroupID;
 typedef MdtBclLimit *MdtLimitID;
 typedef MdtBclSingleLimit *MdtSingleLimitID;
 typedef MdtBclContactParams *MdtContactParamsID;
@@ -48,6 +78,10 @@ typedef struct MdtPartitionParams {
     MeReal alive_time;    /**< s that a body stays enabled after it was enabled; not used when alive_window is set */
     int alive_window;     /**< the same in steps; -1: alive_time counts */
 } MdtPartitionParams;
+
+/** How much a contact matters, for the cap on the matrix size: the least important ones lose their rows first. It must
+ *  depend on nothing but the contact, and change nothing. */
+typedef MeReal(MEAPI *MdtContactImportanceCBPtr)(const MdtContactID c);
 
 /** Called for each constraint; @a ccbdata is what the caller passed. The constraint may be destroyed. */
 typedef void(MEAPI *MdtConstraintIteratorCBPtr)(const MdtConstraintID c, void *ccbdata);

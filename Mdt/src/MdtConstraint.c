@@ -26,6 +26,8 @@ void mdt_constraintTerm(MdtConstraintID c) {
     MdtConstraintDisable(c);
     mdt_constraintDetach(c, 0);
     mdt_constraintDetach(c, 1);
+    if (c->bcl.type == MdtBclUSER && c->bcl.of.user.rows)
+        MeMemoryAPI.destroy(c->bcl.of.user.rows);
     mdt_listRemove(&c->world->constraints, &c->link);
     mdt_poolPut(&c->world->constraintPool, c);
 }
@@ -113,6 +115,41 @@ static MeBool mayAttach(MdtConstraintID c, MdtBodyID b, const char *caller) {
     return MEFALSE;
 }
 
+/* Poses as Bcl's functions take them. */
+typedef struct {
+    MdtKeaTransformation of[2];
+    const MdtKeaTransformation *at[2];
+} Poses;
+
+static void takePoses(MdtConstraintID c, Poses *poses) {
+    mdt_constraintPoses(c, poses->of);
+    poses->at[0] = &poses->of[0];
+    poses->at[1] = &poses->of[1];
+}
+
+static void tellPositioned(MdtConstraintID c) {
+    Poses poses;
+    takePoses(c, &poses);
+    if (c->type->positioned)
+        c->type->positioned(&c->bcl, poses.at);
+}
+
+static void tellAttached(MdtConstraintID c) {
+    Poses poses;
+    takePoses(c, &poses);
+    if (c->type->attached)
+        c->type->attached(&c->bcl, poses.at);
+    if (c->type->positioned)
+        c->type->positioned(&c->bcl, poses.at);
+}
+
+static void tellAxesSet(MdtConstraintID c, const MdtBclFrame before[2]) {
+    Poses poses;
+    takePoses(c, &poses);
+    if (c->type->axesSet)
+        c->type->axesSet(&c->bcl, before, poses.at);
+}
+
 void MEAPI MdtConstraintSetBodies(const MdtConstraintID c, const MdtBodyID b1, const MdtBodyID b2) {
     MDT_NEED_CONSTRAINT(c, );
     if (!mayAttach(c, b1, __func__) || !mayAttach(c, b2, __func__))
@@ -126,10 +163,10 @@ void MEAPI MdtConstraintSetBodies(const MdtConstraintID c, const MdtBodyID b1, c
         MeWarning(1, "MdtConstraintSetBodies: the %s is enabled; disable it before changing its bodies", c->type->name);
     attach(c, 0, b1);
     attach(c, 1, b2);
+    tellAttached(c);
 }
 
-/* True for a body index of 0 or 1. */
-static MeBool isSide(const char *caller, unsigned int bodyindex) {
+MeBool mdt_isSide(const char *caller, unsigned int bodyindex) {
     if (bodyindex < 2)
         return METRUE;
     MeWarning(1, "%s: the body index is %u, it must be 0 or 1", caller, bodyindex);
@@ -138,7 +175,7 @@ static MeBool isSide(const char *caller, unsigned int bodyindex) {
 
 MdtBodyID MEAPI MdtConstraintGetBody(const MdtConstraintID c, const unsigned int bodyindex) {
     MDT_NEED_CONSTRAINT(c, NULL);
-    return isSide(__func__, bodyindex) ? c->side[bodyindex].body : NULL;
+    return mdt_isSide(__func__, bodyindex) ? c->side[bodyindex].body : NULL;
 }
 
 /* ---- frames: stored in the frame of the body's centre of mass, or the world's ---- */
@@ -153,6 +190,11 @@ static void poseOf(MdtConstraintID c, int side, MdtKeaTransformation *pose) {
     *pose = MdtBclWorldPose;
     if (b)
         poseOfKea(&b->kea, pose);
+}
+
+void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]) {
+    poseOf(c, 0, &pose[0]);
+    poseOf(c, 1, &pose[1]);
 }
 
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after) {
@@ -225,16 +267,17 @@ void MEAPI MdtConstraintGetPosition(const MdtConstraintID c, MeVector3 p) {
 void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
                                         const MeReal y, const MeReal z) {
     MDT_NEED_CONSTRAINT(c, );
-    if (isContact(c, __func__) || !isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
+    if (isContact(c, __func__) || !mdt_isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
         return;
     const double world[3] = {x, y, z};
     pointToBody(c, (int)bodyindex, world, c->bcl.frame[bodyindex].position);
+    tellPositioned(c);
 }
 
 void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
     if (!mdt_isResult(__func__, p, 3) || !mdt_isConstraint(c, __func__))
         return;
-    if (isContact(c, __func__) || !isSide(__func__, bodyindex))
+    if (isContact(c, __func__) || !mdt_isSide(__func__, bodyindex))
         return;
     double world[3];
     pointToWorld(c, (int)bodyindex, c->bcl.frame[bodyindex].position, world);
@@ -244,21 +287,21 @@ void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned 
 void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
                                            const MeReal y, const MeReal z) {
     MDT_NEED_CONSTRAINT(c, );
-    if (isContact(c, __func__) || !isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
+    if (isContact(c, __func__) || !mdt_isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
         return;
     const double local[3] = {x, y, z};
     keaCopy(c->bcl.frame[bodyindex].position, local);
+    tellPositioned(c);
 }
 
 void MEAPI MdtConstraintBodyGetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
     if (!mdt_isResult(__func__, p, 3) || !mdt_isConstraint(c, __func__))
         return;
-    if (!isContact(c, __func__) && isSide(__func__, bodyindex))
+    if (!isContact(c, __func__) && mdt_isSide(__func__, bodyindex))
         mdt_toReal(p, c->bcl.frame[bodyindex].position);
 }
 
-/* Makes p unit and o unit and orthogonal to p. False, with a warning, when a length or the angle between them is 0. */
-static MeBool makeAxes(const char *caller, double p[3], double o[3]) {
+MeBool mdt_makeAxes(const char *caller, double p[3], double o[3]) {
     const double size = keaLength(p);
     if (size > 0 && isfinite(size)) {
         keaScale(p, 1 / size, p);
@@ -274,8 +317,8 @@ static MeBool makeAxes(const char *caller, double p[3], double o[3]) {
     return MEFALSE;
 }
 
-/* A vector at right angles to p, by leaving out p's smallest component. */
-static void chooseOrthogonal(const double p[3], double o[3]) {
+/* By leaving out p's smallest component. */
+void mdt_chooseOrthogonal(const double p[3], double o[3]) {
     const double a[3] = {fabs(p[0]), fabs(p[1]), fabs(p[2])};
     const int least = a[0] <= a[1] && a[0] <= a[2] ? 0 : a[1] <= a[2] ? 1 : 2;
     double unit[3] = {0, 0, 0};
@@ -288,24 +331,29 @@ static void setAxesOf(MdtConstraintID c, int side, const double p[3], const doub
     turnToBody(c, side, o, c->bcl.frame[side].ortho);
 }
 
+static void setBothAxes(MdtConstraintID c, const double p[3], const double o[3]) {
+    const MdtBclFrame before[2] = {c->bcl.frame[0], c->bcl.frame[1]};
+    setAxesOf(c, 0, p, o);
+    setAxesOf(c, 1, p, o);
+    tellAxesSet(c, before);
+}
+
 void MEAPI MdtConstraintSetAxis(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz) {
     MDT_NEED_CONSTRAINT(c, );
     double p[3] = {px, py, pz}, o[3];
-    chooseOrthogonal(p, o);
-    if (isContact(c, __func__) || !makeAxes(__func__, p, o))
+    mdt_chooseOrthogonal(p, o);
+    if (isContact(c, __func__) || !mdt_makeAxes(__func__, p, o))
         return;
-    setAxesOf(c, 0, p, o);
-    setAxesOf(c, 1, p, o);
+    setBothAxes(c, p, o);
 }
 
 void MEAPI MdtConstraintSetAxes(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz,
                                 const MeReal ox, const MeReal oy, const MeReal oz) {
     MDT_NEED_CONSTRAINT(c, );
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
-    if (isContact(c, __func__) || !makeAxes(__func__, p, o))
+    if (isContact(c, __func__) || !mdt_makeAxes(__func__, p, o))
         return;
-    setAxesOf(c, 0, p, o);
-    setAxesOf(c, 1, p, o);
+    setBothAxes(c, p, o);
 }
 
 void MEAPI MdtConstraintBodySetAxes(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
@@ -313,7 +361,7 @@ void MEAPI MdtConstraintBodySetAxes(const MdtConstraintID c, const unsigned int 
                                     const MeReal oz) {
     MDT_NEED_CONSTRAINT(c, );
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
-    if (!isContact(c, __func__) && isSide(__func__, bodyindex) && makeAxes(__func__, p, o))
+    if (!isContact(c, __func__) && mdt_isSide(__func__, bodyindex) && mdt_makeAxes(__func__, p, o))
         setAxesOf(c, (int)bodyindex, p, o);
 }
 
@@ -322,10 +370,21 @@ void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const unsigned i
                                        const MeReal oz) {
     MDT_NEED_CONSTRAINT(c, );
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
-    if (isContact(c, __func__) || !isSide(__func__, bodyindex) || !makeAxes(__func__, p, o))
+    if (isContact(c, __func__) || !mdt_isSide(__func__, bodyindex) || !mdt_makeAxes(__func__, p, o))
         return;
     keaCopy(c->bcl.frame[bodyindex].primary, p);
     keaCopy(c->bcl.frame[bodyindex].ortho, o);
+}
+
+/* The other axis of that side is kept as far as it can be. */
+void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side, MeReal x, MeReal y, MeReal z) {
+    const MdtBclFrame *frame = &c->bcl.frame[side];
+    double axis[3] = {x, y, z}, other[3];
+    turnToWorld(c, side, side == 0 ? frame->ortho : frame->primary, other);
+    if (keaLength(axis) > 0 && fabs(keaDot(axis, other)) > 0.999 * keaLength(axis))
+        mdt_chooseOrthogonal(axis, other);
+    if (mdt_makeAxes(caller, axis, other))
+        setAxesOf(c, side, side == 0 ? axis : other, side == 0 ? other : axis);
 }
 
 static void zeroAxes(MeVector3 p, MeVector3 o) {
@@ -360,7 +419,7 @@ void MEAPI MdtConstraintGetAxes(const MdtConstraintID c, MeVector3 p, MeVector3 
 void MEAPI MdtConstraintBodyGetAxes(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p, MeVector3 o) {
     zeroAxes(p, o);
     MDT_NEED_CONSTRAINT(c, );
-    if (!isContact(c, __func__) && isSide(__func__, bodyindex))
+    if (!isContact(c, __func__) && mdt_isSide(__func__, bodyindex))
         getAxes(c, (int)bodyindex, p, o);
 }
 
@@ -372,7 +431,7 @@ void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const unsigned i
                                        MeVector3 o) {
     zeroAxes(p, o);
     MDT_NEED_CONSTRAINT(c, );
-    if (isContact(c, __func__) || !isSide(__func__, bodyindex))
+    if (isContact(c, __func__) || !mdt_isSide(__func__, bodyindex))
         return;
     if (p)
         mdt_toReal(p, c->bcl.frame[bodyindex].primary);
@@ -385,14 +444,14 @@ void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const unsigned i
 void MEAPI MdtConstraintGetForce(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 f) {
     if (!mdt_isResult(__func__, f, 3) || !mdt_isConstraint(c, __func__))
         return;
-    if (isSide(__func__, bodyindex))
+    if (mdt_isSide(__func__, bodyindex))
         mdt_toReal(f, c->force.body[bodyindex].lin);
 }
 
 void MEAPI MdtConstraintGetTorque(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 t) {
     if (!mdt_isResult(__func__, t, 3) || !mdt_isConstraint(c, __func__))
         return;
-    if (isSide(__func__, bodyindex))
+    if (mdt_isSide(__func__, bodyindex))
         mdt_toReal(t, c->force.body[bodyindex].ang);
 }
 

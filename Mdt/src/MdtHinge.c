@@ -1,23 +1,7 @@
 /* The hinge's part of the API. */
 #include "mdt_i.h"
 
-MdtHingeID MEAPI MdtHingeCreate(const MdtWorldID w) {
-    return (MdtHingeID)mdt_constraintCreate(w, MdtBclHINGE, __func__);
-}
-
-void MEAPI MdtHingeReset(const MdtHingeID j) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclHINGE, __func__);
-    if (c)
-        c->type->reset(&c->bcl);
-}
-
-MdtConstraintID MEAPI MdtHingeQuaConstraint(const MdtHingeID j) {
-    return (MdtConstraintID)j;
-}
-
-MdtHingeID MEAPI MdtConstraintDCastHinge(const MdtConstraintID c) {
-    return mdt_constraintCast(c, MdtBclHINGE, __func__);
-}
+MDT_JOINT_BASICS(Hinge, MdtBclHINGE)
 
 MdtLimitID MEAPI MdtHingeGetLimit(const MdtHingeID j) {
     MdtConstraintID c = mdt_constraintOfType(j, MdtBclHINGE, __func__);

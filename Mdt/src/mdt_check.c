@@ -5,6 +5,7 @@
  * the pointer is a record of one of them, so that nothing is read through a handle of a destroyed world.
  */
 #include "mdt_i.h"
+#include "MeMath.h"
 
 static void warnAbout(const char *caller, const char *what, MeBool isNull) {
     if (isNull)
@@ -143,4 +144,14 @@ MeBool mdt_isResult(const char *caller, MeReal *result, int n) {
     for (int i = 0; i < n; i++)
         result[i] = 0;
     return METRUE;
+}
+
+void mdt_setAtLeast0(const char *caller, const char *what, MeReal *place, MeReal x) {
+    if (place && mdt_isAtLeast(caller, what, x, 0))
+        *place = x;
+}
+
+void mdt_setAngle(const char *caller, const char *what, MeReal *place, MeReal x) {
+    if (place && mdt_isFinite(caller, what, x))
+        *place = x < 0 ? 0 : x > ME_PI ? ME_PI : x;
 }

@@ -131,27 +131,45 @@ struct MdtBaseConstraint {
     int firstRow, numRows; /* in this step */
 };
 
-/* Every joint is a constraint and nothing else, so handles convert by a cast. */
-struct MdtBSJoint {
-    MdtBaseConstraint base;
-};
-struct MdtHinge {
-    MdtBaseConstraint base;
-};
-struct MdtContact {
-    MdtBaseConstraint base;
-};
-
 /* Creates a constraint of a type for the API function `caller`, with its defaults. Null when the world is full. */
 MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const char *caller);
 /* The constraint if it is live and of the type; else null, with a warning. */
 MdtConstraintID mdt_constraintOfType(void *handle, MdtBclJointType type, const char *caller);
 /* The constraint as a joint of the type for MdtConstraintDCast*: null, without a warning, when it is another. */
 void *mdt_constraintCast(MdtConstraintID c, MdtBclJointType type, const char *caller);
+/* True for a body index of 0 or 1; else a warning. */
+MeBool mdt_isSide(const char *caller, unsigned int bodyindex);
+/* Makes p unit and o unit and orthogonal to p. False, with a warning, when a length or the angle between them is 0. */
+MeBool mdt_makeAxes(const char *caller, double p[3], double o[3]);
+/* Sets the axis of one side of a joint with two axes at right angles: the primary of side 0, the second of side 1. */
+void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side, MeReal x, MeReal y, MeReal z);
+/* A vector at right angles to p. */
+void mdt_chooseOrthogonal(const double p[3], double o[3]);
 void mdt_constraintDetach(MdtConstraintID c, int side);
+/* Where both sides are now: a body's centre of mass, or the world. */
+void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]);
 /* The body's centre of mass was moved within it: the attachment stays where it is in the world. */
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after);
 void mdt_constraintTerm(MdtConstraintID c);
+
+/* The four functions that every joint has: a joint is a constraint and nothing else, so handles convert by a cast. */
+#define MDT_JOINT_BASICS(Joint, TYPE)                                                                                  \
+    Mdt##Joint##ID MEAPI Mdt##Joint##Create(const MdtWorldID w) {                                                      \
+        return (Mdt##Joint##ID)mdt_constraintCreate(w, TYPE, __func__);                                                \
+    }                                                                                                                  \
+    MDT_JOINT_CASTS(Joint, TYPE)
+#define MDT_JOINT_CASTS(Joint, TYPE)                                                                                   \
+    void MEAPI Mdt##Joint##Reset(const Mdt##Joint##ID j) {                                                             \
+        MdtConstraintID c = mdt_constraintOfType(j, TYPE, __func__);                                                   \
+        if (c)                                                                                                         \
+            c->type->reset(&c->bcl);                                                                                   \
+    }                                                                                                                  \
+    MdtConstraintID MEAPI Mdt##Joint##QuaConstraint(const Mdt##Joint##ID j) {                                          \
+        return (MdtConstraintID)j;                                                                                     \
+    }                                                                                                                  \
+    Mdt##Joint##ID MEAPI MdtConstraintDCast##Joint(const MdtConstraintID c) {                                          \
+        return mdt_constraintCast(c, TYPE, __func__);                                                                  \
+    }
 
 /* Resets a limit and copies the public properties of another, which may be itself. */
 void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
@@ -169,6 +187,7 @@ struct MdtWorld {
     unsigned long nextSerial;
     int enabledBodies, enabledConstraints;
     double lastStep; /* s, 0 before the first */
+    int degenerate;  /* how often a joint came to stand where its rows lose their meaning */
     MeChunk scratch;
 
     /* this step's partitions: partition p has the bodies bodyOf[bodyStart[p] .. bodyStart[p+1]) and so on */
@@ -200,6 +219,10 @@ MeBool mdt_isSortKey(const char *caller, MeI32 key);
 MeBool mdt_isPointer(const char *caller, const char *what, const void *p);
 /* True for a place to write n numbers to, which are zeroed: the neutral result. */
 MeBool mdt_isResult(const char *caller, MeReal *result, int n);
+/* Stores x >= 0; else a warning. A null place, of a joint that was none, is left alone. */
+void mdt_setAtLeast0(const char *caller, const char *what, MeReal *place, MeReal x);
+/* Stores an angle, clamped to 0..pi; a warning for one that is not finite. */
+void mdt_setAngle(const char *caller, const char *what, MeReal *place, MeReal x);
 /* The check build's list of live worlds. */
 void mdt_registerWorld(MdtWorldID w);
 void mdt_forgetWorld(MdtWorldID w);

@@ -18,7 +18,7 @@ typedef struct Partition {
     MdtConstraintID *constraints;
     double h;                          /* s, the whole step */
     MdtBclSolverParameters parameters; /* of the part of it that is being taken */
-    MeBool isContinued;                /* not the first part */
+    double elapsed;                    /* s, before that part */
     MdtKeaSystem kea;
 } Partition;
 
@@ -87,11 +87,12 @@ static void packBodies(Partition *p) {
 static void setContext(const Partition *p, MdtConstraintID c, MdtBclContext *x) {
     const MdtKeaSystem *kea = &p->kea;
     x->parameters = p->parameters;
-    x->isContinued = p->isContinued;
+    x->elapsed = p->elapsed;
     x->firstRow = c->firstRow;
     for (int k = 0; k < 2; k++) {
         MdtBodyID b = c->side[k].body;
         x->body[k] = b ? b->index : MdtBclNO_BODY;
+        x->kea[k] = b ? &b->kea : NULL;
         x->pose[k] = b ? &kea->pose[b->index] : &MdtBclWorldPose;
         x->velocity[k] = b ? &kea->velocity[b->index] : &c->worldVelocity;
         x->predicted[k] = b ? &kea->predicted[b->index] : &c->worldVelocity;
@@ -107,6 +108,13 @@ static void subtractWorldVelocity(MdtConstraintID c, MdtKeaRow *row) {
             row->target -= keaDot(row->J[k].lin, c->worldVelocity.lin) + keaDot(row->J[k].ang, c->worldVelocity.ang);
 }
 
+/* Once when a joint comes there, not at every step that it stays. */
+static void warnOfDegenerate(MdtConstraintID c) {
+    c->world->degenerate++;
+    MeWarning(2, "MdtWorldStep: a %s (sort key %d) cannot work as it stands: %s", c->type->name, c->link.sortKey,
+              c->type->degenerate);
+}
+
 /* Count, then fill, then compare the counts. */
 static void makeRows(Partition *p) {
     MdtKeaSystem *kea = &p->kea;
@@ -115,7 +123,10 @@ static void makeRows(Partition *p) {
         MdtConstraintID c = p->constraints[i];
         c->firstRow = kea->numRows;
         setContext(p, c, &x);
+        const MeBool was = c->bcl.isDegenerate;
         c->numRows = c->type->prepare(&c->bcl, &x);
+        if (c->bcl.isDegenerate && !was)
+            warnOfDegenerate(c);
         MEASSERT(c->numRows >= 0 && c->numRows <= c->type->maxRows);
         c->type->fill(&c->bcl, &x, kea->rows + c->firstRow);
         for (int r = 0; r < c->numRows; r++)
@@ -255,7 +266,7 @@ static MeBool integratePart(Partition *p) {
     else
         stopBodies(p);
     warnOfSolver(p);
-    p->isContinued = METRUE;
+    p->elapsed += p->parameters.stepsize;
     MeProfileEndSection("Integrate");
     return isFinite;
 }

@@ -13,10 +13,27 @@
 
 ME_BEGIN_C
 
-#define MdtBclGETMAXROWSBSJOINT 3
-#define MdtBclGETMAXROWSHINGE   8 /**< 5, one for the motor, one for each stop; 5 while it turns freely. */
-#define MdtBclGETMAXROWSCONTACT 3
-#define MdtBclGETMAXROWS        8 /**< of any constraint */
+/** @name The most rows that a constraint of each kind has
+ *  @{ */
+#define MdtBclGETMAXROWSBSJOINT   3
+#define MdtBclGETMAXROWSHINGE     8 /**< 5, one for the motor or the lock, one for each stop. */
+#define MdtBclGETMAXROWSPRISMATIC 8 /**< The same. */
+#define MdtBclGETMAXROWSCARWHEEL  8 /**< 3, steering, spring, two stops, the hinge motor. */
+#define MdtBclGETMAXROWSCONTACT   3
+#define MdtBclGETMAXROWSFIXEDPATH 3
+#define MdtBclGETMAXROWSRPROJOINT 6
+#define MdtBclGETMAXROWSUNIVERSAL 4
+#define MdtBclGETMAXROWSSKELETAL  7 /**< 3, two for the swing, two for the twist. */
+#define MdtBclGETMAXROWSLINEAR1   1
+#define MdtBclGETMAXROWSLINEAR2   2
+#define MdtBclGETMAXROWSANGULAR3  3
+#define MdtBclGETMAXROWSSPRING6   6
+#define MdtBclGETMAXROWSSPRING    3 /**< 1; a motor and two stops where it is neither a rod nor a spring. */
+#define MdtBclGETMAXROWSCONELIMIT 1
+#define MdtBclGETMAXROWSFPFOJOINT 6
+#define MdtBclGETMAXROWSUSER      12
+#define MdtBclGETMAXROWS          12 /**< of any constraint */
+/** @} */
 
 /** Where a constraint is attached to a body: in the frame of its centre of mass, or in the world's. */
 typedef struct MdtBclFrame {
@@ -40,13 +57,144 @@ typedef struct MdtBclContact {
     int rows;            /**< friction rows of this step's system: 1 primary, 2 secondary */
 } MdtBclContact;
 
+/** Angular3: MEINFINITY in either holds the orientation rigidly. */
+typedef struct MdtBclAngular {
+    MeReal stiffness; /**< N m/rad */
+    MeReal damping;   /**< N m s/rad */
+    MeBool rotates;   /**< about the primary axis: Angular2 */
+} MdtBclAngular;
+
+/** FixedPath. */
+typedef struct MdtBclPath {
+    double velocity[2][3]; /**< m/s, of the attachments in their bodies' frames */
+    /* Kept by the library. */
+    double place[2][3]; /**< m, the attachments at the start of the step */
+    double start[3];    /**< m/s, how fast the two move apart as the part of the step begins */
+    double stepsize;    /**< s */
+} MdtBclPath;
+
+/** RPRO. */
+typedef struct MdtBclRelative {
+    double quaternion[4];         /**< w x y z, of frame 0 in frame 1 */
+    double velocity[3];           /**< rad/s, of that, in the axes of frame 1 */
+    MeReal linear[3], angular[3]; /**< N, N m, strengths, in the axes of frame 1 and of the wanted frame */
+    /* Kept by the library: the wanted quaternion as the part of the step begins and ends, and the way between. */
+    double now[4], then[4], way[3];
+} MdtBclRelative;
+
+/** What a distance is: see bcl_spring.c. */
+typedef enum MdtBclDistanceKind {
+    MdtBclDistanceLimits = 0,
+    MdtBclDistanceRod = 1,
+    MdtBclDistanceSpring = 2,
+} MdtBclDistanceKind;
+
+#define MDTBCL_SPRING_STIFFNESS 10 /**< N/m, of a new MdtSpring */
+#define MDTBCL_SPRING_DAMPING   1  /**< N s/m, of a new MdtSpring */
+
+/** Spring. */
+typedef struct MdtBclDistance {
+    MdtBclLimit limit;
+    MeBool lengthIsSet; /**< by the program; else both stops are where the bodies were attached */
+    /* Kept by the library. */
+    double direction[3]; /**< unit, from the second attachment to the first */
+    double length;       /**< m */
+    MdtBclDistanceKind kind;
+} MdtBclDistance;
+
+/** Spring6: three linear springs, then three angular ones. */
+typedef struct MdtBclSprings {
+    MeReal stiffness[6]; /**< N/m, N m/rad; MEINFINITY holds */
+    MeReal damping[6];   /**< N s/m, N m s/rad */
+} MdtBclSprings;
+
+/** ConeLimit: the upper stop of the limit is the half angle. */
+typedef struct MdtBclCone {
+    MdtBclLimit limit;
+    MeReal stiffness, damping; /**< N m/rad, N m s/rad; MEINFINITY in either is hard */
+    double normal[3];          /**< kept by the library: unit, about which the angle grows */
+} MdtBclCone;
+
+/** A motor that is just that. */
+typedef struct MdtBclMotor {
+    MeReal velocity; /**< rad/s */
+    MeReal force;    /**< N m, the most that it gives */
+} MdtBclMotor;
+
+/** CarWheel. */
+typedef struct MdtBclCarWheel {
+    MdtBclMotor steering, rolling;
+    MeBool isLocked;             /**< the steering */
+    MeReal kp, kd;               /**< N/m, N s/m, of the suspension */
+    MeReal softness;             /**< 1/kg, of its stops */
+    MeReal low, high, reference; /**< m, heights of the wheel along the steering axis */
+    /* Read back. */
+    double height, heightRate;          /**< m, m/s */
+    double steeringAngle, steeringRate; /**< rad, rad/s */
+    double hingeAngle, hingeRate;       /**< rad, rad/s */
+    /* Kept by the library. */
+    int rows;
+    double stopForce[2]; /**< N */
+} MdtBclCarWheel;
+
+/** How the swing of a Skeletal is limited. */
+typedef enum MdtSkeletalConeOption {
+    MdtSkeletalConeOptionFree = 0,
+    MdtSkeletalConeOptionSlot = 1, /**< in the primary plane only, up to the primary angle */
+    MdtSkeletalConeOptionCone = 2,
+    MdtSkeletalConeOptionFixed = 3,
+} MdtSkeletalConeOption;
+
+/** How its twist is limited. */
+typedef enum MdtSkeletalTwistOption {
+    MdtSkeletalTwistOptionFree = 0,
+    MdtSkeletalTwistOptionLimited = 1,
+    MdtSkeletalTwistOptionFixed = 2,
+} MdtSkeletalTwistOption;
+
+/** Skeletal. Stiffness and damping: MEINFINITY in either is hard. */
+typedef struct MdtBclSkeletal {
+    MeReal primary, secondary, twist; /**< rad */
+    MeReal coneStiffness, coneDamping, twistStiffness, twistDamping;
+    MdtSkeletalConeOption coneOption;
+    MdtSkeletalTwistOption twistOption;
+    MdtBclLimit cone, turn; /**< kept by the library */
+} MdtBclSkeletal;
+
+struct MdtBclContext;
+
+/** The rows of a constraint that a program writes: see MdtBclAddRow. */
+struct MdtKeaConstraints {
+    MdtKeaRow *rows;
+    int numRows, maxRows;
+    const struct MdtBclContext *context;
+};
+
+/** UserConstraint. */
+typedef struct MdtBclUser {
+    MdtBclAddConstraintFn function; /**< null: no rows */
+    void *owner;                    /**< what the function is given as the constraint */
+    MdtKeaRow *rows;                /**< room for MdtBclGETMAXROWSUSER */
+    int numRows;
+} MdtBclUser;
+
 /** What Bcl keeps of a constraint. */
 typedef struct MdtBclConstraint {
     MdtBclJointType type;
     MdtBclFrame frame[2]; /**< by body */
+    MeBool isDegenerate;  /**< it stands where its rows lose their meaning (MdtBclType) */
     union {
-        MdtBclLimit limit;     /**< hinge */
-        MdtBclContact contact; /**< contact */
+        MdtBclLimit limit; /**< hinge, prismatic */
+        MdtBclContact contact;
+        MdtBclAngular angular;
+        MdtBclPath path;
+        MdtBclRelative relative;
+        MdtBclDistance distance;
+        MdtBclSprings springs;
+        MdtBclCone cone;
+        MdtBclCarWheel wheel;
+        MdtBclSkeletal skeletal;
+        MdtBclUser user;
     } of;
 } MdtBclConstraint;
 
@@ -54,9 +202,10 @@ typedef struct MdtBclConstraint {
  *  constraint was given a velocity of the world, that is its velocity. */
 typedef struct MdtBclContext {
     MdtBclSolverParameters parameters;
-    MeBool isContinued;                        /**< a later part of a step that was divided */
+    double elapsed;                            /**< s, of the step before this part of it; 0 if it is not divided */
     MdtKeaBodyIndexPair body;                  /**< indices in Kea's system, or MdtBclNO_BODY */
     int firstRow;                              /**< index of the constraint's first row */
+    MdtKeaBody *kea[2];                        /**< null: the world */
     const MdtKeaTransformation *pose[2];       /**< now */
     const MdtKeaVelocity *velocity[2];         /**< now */
     const MdtKeaVelocity *predicted[2];        /**< at the end of the step, were there no constraints */
@@ -78,10 +227,24 @@ typedef struct MdtBclType {
     void (*errors)(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[]);
     /** Notes what programs may ask for after the step; x holds the poses and velocities of its end. May be null. */
     void (*readBack)(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]);
+    /** Told when bodies were attached, when an attachment was moved, when the axes of both sides were set, with the poses
+     *  that the bodies have then. Any may be null. */
+    void (*attached)(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
+    void (*positioned)(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
+    void (*axesSet)(MdtBclConstraint *c, const MdtBclFrame before[2], const MdtKeaTransformation *const pose[2]);
+    /** What is wrong where `prepare` finds the constraint degenerate, for the warning. */
+    const char *degenerate;
 } MdtBclType;
 
 /** The table's entry, or null for a type that this library does not have. */
 MEPUBLIC const MdtBclType *MEAPI MdtBclTypeOf(MdtBclJointType type);
+
+/**
+ * The next row of a constraint that a program writes, to be called by its MdtBclAddConstraintFn. The row joins the
+ * constraint's two bodies, has the world's epsilon, no bounds, and zeros: the program fills in J (body 0 and body 1, rows
+ * of the world frame), target, and where it likes bounds, softness, or spring. Null, with a warning, when there is no room.
+ */
+MEPUBLIC MdtKeaRow *MEAPI MdtBclAddRow(MdtKeaConstraints *list);
 
 /** The pose, velocity and inverse mass of the world. */
 extern MEPUBLIC const MdtKeaTransformation MdtBclWorldPose;
@@ -94,6 +257,9 @@ MEPUBLIC void MEAPI MdtBclSingleLimitReset(MdtBclSingleLimit *stop);
 MEPUBLIC void MEAPI MdtBclLimitReset(MdtBclLimit *limit);
 /** Sets contact parameters to their defaults (Dynamics guide ch. 3, the table after MdtContactParamsReset). */
 MEPUBLIC void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params);
+
+/** Makes the twist that a Skeletal has at these poses its zero. */
+MEPUBLIC void MEAPI MdtBclSkeletalZeroTwist(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
 
 ME_END_C
 

@@ -52,13 +52,16 @@ typedef struct MdtBclLimit {
     MeReal stiffnessThreshold;  /**< N/m; above it a stop is hard, at or below it a damped spring */
     MeReal desired_vel;         /**< m/s, what the motor aims at */
     MeReal fmax;                /**< N, the most that the motor may push, either way */
+    MeReal lock;                /**< m, where the lock holds the coordinate */
+    MeReal lockForce;           /**< N, the most that the lock holds with, either way */
+    MeBool bLocked;             /**< the lock holds; the motor then rests */
     MeBool bPowered;            /**< the motor runs */
     MeBool bActive;             /**< the stops act */
     MeBool bCalculatePosition;  /**< the coordinate is measured though neither of the above is set */
     /* Kept by the library from step to step. */
     double measured;     /**< m, the coordinate without offset; an angle counts full turns */
     MeBool isMeasured;   /**< `measured` holds a value to count on from */
-    int rows;            /**< which rows are in this step's system: 1 motor, 2 lower stop, 4 upper stop */
+    int rows;            /**< which rows are in this step's system: 1 motor, 2 lower stop, 4 upper stop, 8 lock */
     double stopForce[2]; /**< N, of the stops in the last step, >= 0 */
 } MdtBclLimit;
 
@@ -107,6 +110,18 @@ typedef struct MdtBclContactParams {
     MeReal slide1;               /**< m/s, surface velocity along the primary direction */
     MeReal slide2;               /**< m/s, the same along the secondary direction */
 } MdtBclContactParams;
+
+/** The rows of a constraint that a program writes (MdtBcl.h). */
+typedef struct MdtKeaConstraints MdtKeaConstraints;
+
+/**
+ * Writes the rows of a user constraint for one step, with MdtBclAddRow. @a constraint is what MdtUserConstraintSetFunction
+ * was given; @a tlist and @a blist are the poses and Kea's bodies of the constraint's body 0 and body 1 (the world: the
+ * identity and null); @a params is the step's MdtBclSolverParameters.
+ */
+typedef void(MEAPI *MdtBclAddConstraintFn)(MdtKeaConstraints *const keaConstraints, void *const constraint,
+                                           const MdtKeaTransformation *const tlist, MdtKeaBody *const blist[],
+                                           const void *const params);
 
 /** A step's parameters, for the rows. */
 typedef struct MdtBclSolverParameters {

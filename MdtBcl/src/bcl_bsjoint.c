@@ -21,4 +21,9 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     bcl_pointErrors(c, pose, e);
 }
 
-const MdtBclType bcl_bsJoint = {"BSJoint", MdtBclGETMAXROWSBSJOINT, reset, prepare, fill, errors, NULL};
+const MdtBclType bcl_bsJoint = {.name = "BSJoint",
+                                .maxRows = MdtBclGETMAXROWSBSJOINT,
+                                .reset = reset,
+                                .prepare = prepare,
+                                .fill = fill,
+                                .errors = errors};

@@ -32,11 +32,6 @@ static void reset(MdtBclConstraint *c) {
     MdtBclContactParamsReset(&contact->params);
 }
 
-/* Programs may write parameters directly: what is not positive counts as 0. */
-static double boundOf(MeReal value) {
-    return value >= MEINFINITY ? HUGE_VAL : value > 0 ? (double)value : 0;
-}
-
 static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, const double d[3], MdtKeaRow *row) {
     bcl_startRow(row, x);
     for (int k = 0; k < 2; k++) {
@@ -82,7 +77,7 @@ static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclContact *contact = &c->of.contact;
     MdtKeaRow normal;
-    if (x->isContinued)
+    if (x->elapsed > 0)
         carryContact(contact, x);
     else
         anchorContact(contact, x);
@@ -109,7 +104,7 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
         row->target = fmax(row->target, -fmin((double)p->restitution, 1) * rate);
     if (p->options & MdtBclContactOptionSoft)
         row->softness += x->parameters.softening * fmax((double)p->softness, 0);
-    row->lower = p->options & MdtBclContactOptionAdhesive ? -boundOf(p->max_adhesive_force) : 0;
+    row->lower = p->options & MdtBclContactOptionAdhesive ? -bcl_boundOf(p->max_adhesive_force) : 0;
     row->force = contact->normalForce;
 }
 
@@ -131,7 +126,7 @@ static void frictionRow(const MdtBclContact *contact, const MdtBclContext *x, in
         row->normal = x->firstRow;
         row->friction = direction == 0 ? p->FrictionCoefficient : p->FrictionCoefficient2;
     } else {
-        row->upper = boundOf(direction == 0 ? p->friction1 : p->friction2);
+        row->upper = bcl_boundOf(direction == 0 ? p->friction1 : p->friction2);
         row->lower = -row->upper;
     }
 }
@@ -150,4 +145,26 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     c->of.contact.normalForce = rows[0].force;
 }
 
-const MdtBclType bcl_contact = {"Contact", MdtBclGETMAXROWSCONTACT, reset, prepare, fill, NULL, readBack};
+const MdtBclType bcl_contact = {.name = "Contact",
+                                .maxRows = MdtBclGETMAXROWSCONTACT,
+                                .reset = reset,
+                                .prepare = prepare,
+                                .fill = fill,
+                                .readBack = readBack};
+
+/* A group has the rows of its contacts, which are asked one by one. */
+static int noRows(MdtBclConstraint *c, const MdtBclContext *x) {
+    (void)c, (void)x;
+    return 0;
+}
+
+static void fillNothing(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    (void)c, (void)x, (void)rows;
+}
+
+static void resetGroup(MdtBclConstraint *c) {
+    bcl_resetFrames(c);
+}
+
+const MdtBclType bcl_contactGroup = {
+    .name = "ContactGroup", .reset = resetGroup, .prepare = noRows, .fill = fillNothing};

@@ -3,9 +3,7 @@
  *     φ_1..3 = (x_0 + R_0 p_0) - (x_1 + R_1 p_1)      the attachments coincide
  *     φ_4 = u_0 · a_1,  φ_5 = v_0 · a_1               the axis a_1 of body 1 has no part across that of body 0
  *
- * with u_0, v_0 and a_0 = u_0 x v_0 fixed in body 0. Since u turns with body 0 and a with body 1,
- *
- *     d(u·a)/dt = ω_0·(u x a) + ω_1·(a x u).
+ * with u_0, v_0 and a_0 = u_0 x v_0 fixed in body 0.
  *
  * The angle is that of body 0 against body 1, positive about the axis by the right-hand rule:
  *     θ = atan2(u_0 · (a_1 x u_1), u_0 · u_1),   dθ/dt = a·(ω_0 - ω_1),   full turns counted by the limit.
@@ -15,14 +13,6 @@
 static void reset(MdtBclConstraint *c) {
     bcl_resetFrames(c);
     MdtBclLimitReset(&c->of.limit);
-}
-
-/* The second axis of body 0 and the one at right angles to both, in the world frame. */
-static void crossAxes(double u[3], double v[3], const MdtBclConstraint *c, const MdtKeaTransformation *pose) {
-    double third[3];
-    keaCross(third, c->frame[0].primary, c->frame[0].ortho);
-    keaApply(u, pose->R, c->frame[0].ortho);
-    keaApply(v, pose->R, third);
 }
 
 /* One row that turns about the axis: its rate is that of the angle. */
@@ -54,27 +44,14 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
-    double u[3], v[3], a[3];
     bcl_pointErrors(c, pose, e);
-    crossAxes(u, v, c, pose[0]);
-    keaApply(a, pose[1]->R, c->frame[1].primary);
-    e[3] = keaDot(u, a);
-    e[4] = keaDot(v, a);
+    bcl_alignErrors(c, pose, e + 3);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
-    double across[2][3], a[3];
-    bcl_pointRows(c, x, rows);
-    crossAxes(across[0], across[1], c, x->pose[0]);
-    keaApply(a, x->pose[1]->R, c->frame[1].primary);
-    for (int i = 0; i < 2; i++) {
-        MdtKeaRow *row = &rows[3 + i];
-        bcl_startRow(row, x);
-        keaCross(row->J[0].ang, across[i], a);
-        keaCross(row->J[1].ang, a, across[i]);
-        bcl_aimAtZero(row, x, keaDot(across[i], a));
-    }
     MdtKeaRow angle;
+    bcl_pointRows(c, x, rows);
+    bcl_alignRows(c, x, rows + 3);
     angleRow(c, x, &angle);
     bcl_limitFill(&c->of.limit, x, &angle, rows + 5);
 }
@@ -90,4 +67,10 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     bcl_limitReadBack(&c->of.limit, measure(c, x, rate * x->parameters.stepsize), rate, rows + 5);
 }
 
-const MdtBclType bcl_hinge = {"Hinge", MdtBclGETMAXROWSHINGE, reset, prepare, fill, errors, readBack};
+const MdtBclType bcl_hinge = {.name = "Hinge",
+                              .maxRows = MdtBclGETMAXROWSHINGE,
+                              .reset = reset,
+                              .prepare = prepare,
+                              .fill = fill,
+                              .errors = errors,
+                              .readBack = readBack};

@@ -4,8 +4,14 @@
 
 #include "MdtBcl.h"
 #include "MdtKeaMath.h"
+#include "MeMath.h"
 
-extern const MdtBclType bcl_bsJoint, bcl_hinge, bcl_contact;
+extern const MdtBclType bcl_bsJoint, bcl_hinge, bcl_prismatic, bcl_carWheel, bcl_contact, bcl_contactGroup,
+    bcl_fixedPath, bcl_rproJoint, bcl_universal, bcl_skeletal, bcl_linear1, bcl_linear2, bcl_angular3, bcl_spring6,
+    bcl_spring, bcl_coneLimit, bcl_user, bcl_fpfoJoint;
+
+/* Below this sine an angle between two axes has no plane. */
+#define BCL_PARALLEL 1e-6
 
 /* Attachment frames at the bodies' centres, primary axis x, second axis y. */
 void bcl_resetFrames(MdtBclConstraint *c);
@@ -19,12 +25,21 @@ void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error);
 /* The rate J v of a row with the given velocities. */
 double bcl_rate(const MdtKeaRow *row, const MdtKeaVelocity *const velocity[2]);
 
+/* Makes a row a damped spring with this error. */
+void bcl_makeSpring(MdtKeaRow *row, double error, double stiffness, double damping);
+
+/* Whether stiffness and damping describe a spring: infinite ones mean a rigid joint or a hard stop. */
+MeBool bcl_isSpring(MeReal stiffness, MeReal damping);
+
+/* Turns a row round: its rate and the sign of its force. */
+void bcl_negate(MdtKeaRow *row);
+
+/* A bound that a program may have written: none for MEINFINITY, 0 for what is not positive. */
+double bcl_boundOf(MeReal value);
+
 /* How much the rate of a row changes in one step without an impact: by gravity and loads, or as it did in the last step,
  * which knows the other constraints. An approach that is no faster is the step's doing, and does not bounce. */
 double bcl_ownChange(const MdtKeaRow *row, const MdtBclContext *x);
-
-/* J M⁻¹ Jᵀ of one row: the acceleration per unit force of free bodies. */
-double bcl_mobility(const MdtKeaRow *row, const MdtBclContext *x);
 
 /* The vector from a body's centre to its attachment, and the attachment itself, in the world frame. */
 void bcl_arm(double arm[3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose);
@@ -33,6 +48,36 @@ void bcl_attachment(double point[3], const MdtBclConstraint *c, int k, const Mdt
 /* Three rows that hold the two attachments together, and their errors. */
 void bcl_pointRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[3]);
 void bcl_pointErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[3]);
+
+/* The row of d·(P_0 - P_1), P the attachments, d a world direction fixed in the body of side `carrier`; NO_CARRIER: the
+ * row of the distance, where d is its direction. */
+enum { NO_CARRIER = -1 };
+void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const double d[3], int carrier, MdtKeaRow *row);
+
+/* P_0 - P_1 and its component along a direction fixed in the body of side 1. */
+void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double d[3]);
+
+/* A frame's axes in the world frame: primary, ortho, and their cross product. */
+void bcl_axes(double axes[3][3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose);
+
+/* The row of a·b, a fixed in the body of side 0 and b in that of side 1 (world frame). */
+void bcl_dotRow(const MdtBclContext *x, const double a[3], const double b[3], MdtKeaRow *row);
+
+/* Two rows that hold the primary axis of side 1 along that of side 0, and their errors. */
+void bcl_alignRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[2]);
+void bcl_alignErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[2]);
+
+/* The orientation of frame 0 in frame 1, w >= 0: with the quaternion q of a wanted one (null: aligned), what is left to
+ * it. Three rows of twice its vector part, in the axes of the wanted frame, and their errors. */
+void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2],
+                     const double q[4]);
+void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]);
+void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
+                    double errors[3]);
+
+/* Makes frame 1 coincide with frame 0 as the bodies stand: its axes, its position. */
+void bcl_matchAxes(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
+void bcl_matchPositions(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
 
 /* Limits and motors of a coordinate whose rate is J v (J: of a row of the joint). bcl_limitPrepare takes the
  * coordinate as measured now (without offset) and returns the number of rows; bcl_limitFill writes them. */

@@ -5,19 +5,14 @@
  *   hard:  J v⁺ >= -z/h while z > 0 (it may arrive), >= -γ z/h beyond, and >= -e J v when e > 0 and the stop is hit
  *          faster than one step's own acceleration explains (otherwise a load at rest on the stop would rattle). The
  *          rebound comes in the step that would pass the stop, which it therefore never does.
- *   soft:  beyond the stop a damped spring, λ = -kp (z + a h J v⁺) - kd ((1 - b) J v + b J v⁺), as a row:
- *              J v⁺ = s - h E λ,   C = a h kp + b kd,   s = -(kp z + (1 - b) kd J v) / C,   E = 1 / (h C).
- *          With a = 0, b = 1/2 this is the spring of the leapfrog and of the midpoint rule: no numerical damping,
- *          frequency and decay right to second order. Where that would be unstable, for stiff springs on light
- *          bodies, a and b grow towards 1, the backward Euler rule, which no stiffness makes gain energy. With A the
- *          row's mobility, stability asks for h² kp A <= 1 and h kd A <= 2; a and b are the least that bring
- *              h² kp A / (1 + a h² kp A) <= 1   and   (1 - b) h kd A <= 1.
- * The motor is a row J v⁺ = desired velocity with |λ| <= fmax.
+ *   soft:  beyond the stop a damped spring that only pushes, λ = -kp z - kd J v >= 0; Kea finds its row.
+ * The motor is a row J v⁺ = desired velocity with |λ| <= fmax. The lock, which takes its place, is the row of a joint,
+ * J v⁺ = -γ (position - lock) / h with |λ| <= its force.
  */
 #include "bcl_i.h"
 #include <string.h>
 
-enum { MOTOR = 1, LOWER = 2, UPPER = 4 };
+enum { MOTOR = 1, LOWER = 2, UPPER = 4, LOCK = 8 };
 
 void MEAPI MdtBclSingleLimitReset(MdtBclSingleLimit *stop) {
     stop->damping = 0;
@@ -34,7 +29,7 @@ void MEAPI MdtBclLimitReset(MdtBclLimit *limit) {
 }
 
 MeBool bcl_limitIsMeasured(const MdtBclLimit *limit) {
-    return limit->bActive || limit->bPowered || limit->bCalculatePosition;
+    return limit->bActive || limit->bPowered || limit->bLocked || limit->bCalculatePosition;
 }
 
 /* An infinite stiffness is hard at any threshold: no spring has it. */
@@ -67,8 +62,8 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
     limit->isMeasured = METRUE;
     const double rate = bcl_rate(coordinate, x->velocity), predicted = bcl_rate(coordinate, x->predicted);
     int count = 0;
-    if (limit->bPowered && limit->fmax > 0) {
-        limit->rows |= MOTOR;
+    if (limit->bLocked || (limit->bPowered && limit->fmax > 0)) {
+        limit->rows |= limit->bLocked ? LOCK : MOTOR;
         count++;
     }
     for (int side = 0; side < 2; side++) {
@@ -82,7 +77,14 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
 
 static void motorRow(const MdtBclLimit *limit, MdtKeaRow *row) {
     row->target = limit->desired_vel;
-    row->upper = limit->fmax >= MEINFINITY ? HUGE_VAL : (double)limit->fmax;
+    row->upper = bcl_boundOf(limit->fmax);
+    row->lower = -row->upper;
+}
+
+static void lockRow(const MdtBclLimit *limit, const MdtBclContext *x, MdtKeaRow *row) {
+    row->error = limit->measured + (double)limit->offset - (double)limit->lock;
+    row->target = -x->parameters.gamma * row->error / x->parameters.stepsize;
+    row->upper = bcl_boundOf(limit->lockForce);
     row->lower = -row->upper;
 }
 
@@ -95,37 +97,24 @@ static void hardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtK
         row->target = fmax(row->target, -fmin((double)stop->restitution, 1) * rate);
 }
 
-static void softStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtKeaRow *row) {
-    const double h = x->parameters.stepsize, z = row->error;
-    const double kp = fmax((double)stop->stiffness, 0), kd = fmax((double)stop->damping, 0);
-    const double mobility = bcl_mobility(row, x);
-    const double K = h * h * kp * mobility, D = h * kd * mobility;
-    const double a = K > 1 ? 1 - 1 / K : 1e-9; /* not 0: a row without compliance has no E */
-    const double b = D > 2 ? 1 - 1 / D : 0.5;
-    const double C = a * h * kp + b * kd;
-    row->target = -(kp * z + (1 - b) * kd * bcl_rate(row, x->velocity)) / C;
-    row->softness = 1 / (h * C);
-}
-
 static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, MdtKeaRow *row) {
     row->error = distanceToStop(limit, side);
     row->lower = 0;
-    if (side == 1) {
-        for (int k = 0; k < 2; k++) {
-            keaScale(row->J[k].lin, -1, row->J[k].lin);
-            keaScale(row->J[k].ang, -1, row->J[k].ang);
-        }
-    }
+    if (side == 1)
+        bcl_negate(row);
     if (isHard(limit, side))
         hardStop(&limit->limit[side], x, row);
     else
-        softStop(&limit->limit[side], x, row);
+        bcl_makeSpring(row, row->error, limit->limit[side].stiffness, limit->limit[side].damping);
 }
 
 void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]) {
     if (limit->rows & MOTOR) {
         *rows = *coordinate;
         motorRow(limit, rows++);
+    } else if (limit->rows & LOCK) {
+        *rows = *coordinate;
+        lockRow(limit, x, rows++);
     }
     for (int side = 0; side < 2; side++) {
         if (limit->rows & (side == 0 ? LOWER : UPPER)) {
@@ -140,7 +129,7 @@ void bcl_limitReadBack(MdtBclLimit *limit, double measured, double rate, const M
     limit->isMeasured = METRUE;
     limit->position = (MeReal)(measured + (double)limit->offset);
     limit->velocity = (MeReal)rate;
-    if (limit->rows & MOTOR)
+    if (limit->rows & (MOTOR | LOCK))
         rows++;
     limit->stopForce[0] = limit->rows & LOWER ? (rows++)->force : 0;
     limit->stopForce[1] = limit->rows & UPPER ? rows->force : 0;

@@ -36,14 +36,26 @@ double bcl_ownChange(const MdtKeaRow *row, const MdtBclContext *x) {
     return margin * fmax(fabs(loads), x->parameters.stepsize * fabs(bcl_rate(row, x->acceleration)));
 }
 
-double bcl_mobility(const MdtKeaRow *row, const MdtBclContext *x) {
-    double sum = 0;
+void bcl_makeSpring(MdtKeaRow *row, double error, double stiffness, double damping) {
+    row->spring = METRUE;
+    row->error = error;
+    row->stiffness = fmax(stiffness, 0);
+    row->damping = fmax(damping, 0);
+}
+
+MeBool bcl_isSpring(MeReal stiffness, MeReal damping) {
+    return stiffness < MEINFINITY && damping < MEINFINITY;
+}
+
+void bcl_negate(MdtKeaRow *row) {
     for (int k = 0; k < 2; k++) {
-        double turned[3];
-        keaApply(turned, x->invMass[k]->inertia, row->J[k].ang);
-        sum += x->invMass[k]->mass * keaDot(row->J[k].lin, row->J[k].lin) + keaDot(row->J[k].ang, turned);
+        keaScale(row->J[k].lin, -1, row->J[k].lin);
+        keaScale(row->J[k].ang, -1, row->J[k].ang);
     }
-    return sum;
+}
+
+double bcl_boundOf(MeReal value) {
+    return value >= MEINFINITY ? HUGE_VAL : value > 0 ? (double)value : 0;
 }
 
 void bcl_arm(double arm[3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose) {
@@ -77,4 +89,32 @@ void bcl_pointErrors(const MdtBclConstraint *c, const MdtKeaTransformation *cons
     bcl_attachment(errors, c, 0, pose[0]);
     bcl_attachment(other, c, 1, pose[1]);
     keaSubtract(errors, errors, other);
+}
+
+void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double d[3]) {
+    bcl_pointErrors(c, pose, d);
+}
+
+/* For d fixed in the body of side k, d/dt d·(P_0 - P_1) has the further term ω_k·(d x (P_0 - P_1)): that body's arm goes
+ * to the other's point. */
+void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const double d[3], int carrier, MdtKeaRow *row) {
+    bcl_startRow(row, x);
+    for (int k = 0; k < 2; k++) {
+        double arm[3];
+        if (k == carrier) {
+            bcl_attachment(arm, c, 1 - k, x->pose[1 - k]);
+            keaSubtract(arm, arm, x->pose[k]->pos);
+        } else {
+            bcl_arm(arm, c, k, x->pose[k]);
+        }
+        keaScale(row->J[k].lin, k == 0 ? 1 : -1, d);
+        keaCross(row->J[k].ang, arm, row->J[k].lin);
+    }
+}
+
+void bcl_matchPositions(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    double point[3];
+    bcl_attachment(point, c, 0, pose[0]);
+    keaSubtract(point, point, pose[1]->pos);
+    keaApplyTransposed(c->frame[1].position, pose[1]->R, point);
 }

@@ -19,6 +19,9 @@
  *
  *  Rows marked `position` are met where the bodies arrive, not only to first order: φ(x⁺) = φ(x) + h (s - h E λ).
  *
+ *  A row marked `spring` is a damped spring, λ = -stiffness φ - damping J v, whose s and E Kea finds by itself, since what
+ *  is stable depends on the other springs of the system (kea_system.c).
+ *
  *  Everything here is double, in single-precision builds too: positions, orientations and momenta keep their digits
  *  over long runs.
  */
@@ -106,8 +109,12 @@ typedef struct MdtKeaRow {
     double upper;    /**< N, HUGE_VAL where there is none */
     double friction; /**< μ of a row that `normal` limits, else unused */
     int normal;      /**< -1, or the index of the row whose force times μ bounds this one, both ways */
-    MeBool position; /**< The error at the end of the step is checked and corrected. */
-    double force;    /**< λ, N: the answer */
+    MeBool
+        position;  /**< The error at the end of the step is checked and corrected, while the force is within bounds. */
+    MeBool spring; /**< A damped spring; its target is the rate at which it is at rest, and softness is not read. */
+    double stiffness; /**< N/m of a spring, >= 0 */
+    double damping;   /**< N s/m of a spring, >= 0 */
+    double force;     /**< λ, N: the answer */
 } MdtKeaRow;
 
 /** What holds for the whole system. Epsilon and gamma are in the rows already. */

@@ -37,6 +37,9 @@ void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double invers
 /* Fills response, freeRate and matrix from the rows. */
 void kea_assemble(MdtKeaSystem *system);
 
+/* Gives the rows that are springs their targets and softnesses; after kea_assemble. */
+void kea_makeSprings(MdtKeaSystem *system);
+
 /* Where the bodies end with the forces now in rows[].force: work->end and work->endPose. */
 void kea_moveWithForces(MdtKeaSystem *system);
 

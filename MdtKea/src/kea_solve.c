@@ -78,8 +78,8 @@ static double positionErrors(MdtKeaSystem *s) {
     s->errors(s->context, s->work->endPose, s->work->errors);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (!row->position) {
-            s->work->errors[i] = 0;
+        if (!row->position || s->work->mlcp.set[i] != KEA_FREE) {
+            s->work->errors[i] = 0; /* a force at its bound has given up the position */
             continue;
         }
         const double wanted = row->error + h * (row->target - h * row->softness * row->force);
@@ -150,6 +150,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     }
     KeaMlcp *p = &s->work->mlcp;
     kea_assemble(s);
+    kea_makeSprings(s);
     loadRows(s);
     do {
         solveRows(s);

@@ -122,6 +122,58 @@ void kea_assemble(MdtKeaSystem *s) {
     }
 }
 
+/* How far the springs of the system move row i in a step: h² Σ |A_ij| kp_j for the stiffness, h Σ |A_ij| kd_j for the
+ * damping. By Gershgorin's theorem no combination of the springs is stiffer than the largest of these. */
+static void springiness(const MdtKeaSystem *s, int i, double *stiff, double *damped) {
+    const double h = s->parameters.stepsize, *A = s->work->matrix + (size_t)i * (size_t)s->numRows;
+    *stiff = *damped = 0;
+    for (int j = 0; j < s->numRows; j++) {
+        if (!s->rows[j].spring)
+            continue;
+        *stiff += h * h * fabs(A[j]) * s->rows[j].stiffness;
+        *damped += h * fabs(A[j]) * s->rows[j].damping;
+    }
+}
+
+static double rateNow(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] < 0)
+            continue;
+        const MdtKeaVelocity *v = &s->velocity[row->body[k]];
+        rate += keaDot(row->J[k].lin, v->lin) + keaDot(row->J[k].ang, v->ang);
+    }
+    return rate;
+}
+
+/* λ = -kp (φ + a h u⁺) - kd ((1 - b) u + b u⁺) with u the rate, as a row u⁺ = s - h E λ:
+ *     C = a h kp + b kd,   s = -(kp φ + (1 - b) kd u) / C,   E = 1 / (h C).
+ * a = 0, b = 1/2 is the spring of the leapfrog and of the midpoint rule: no numerical damping, frequency and decay right
+ * to second order. Where that would be unstable, for stiff springs on light bodies, a and b grow towards 1, the backward
+ * Euler rule, which no stiffness makes gain energy. With K and D the springiness of the row, a and b are the least that
+ * bring K / (1 + a K) <= 1 and (1 - b) D <= 1; the leapfrog itself is stable up to K = 4. */
+static void makeSpring(const MdtKeaSystem *s, int i) {
+    MdtKeaRow *row = &s->rows[i];
+    const double h = s->parameters.stepsize, kp = row->stiffness, kd = row->damping, rest = row->target;
+    double K, D;
+    springiness(s, i, &K, &D);
+    const double a = K > 1 ? 1 - 1 / K : 1e-9; /* not 0: a row without compliance has no E */
+    const double b = D > 2 ? 1 - 1 / D : 0.5;
+    const double C = a * h * kp + b * kd;
+    if (!(C > 0)) { /* neither stiffness nor damping: no force */
+        row->lower = row->upper = 0;
+        return;
+    }
+    row->target = rest - (kp * row->error + (1 - b) * kd * (rateNow(s, row) - rest)) / C;
+    row->softness = 1 / (h * C);
+}
+
+void kea_makeSprings(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].spring)
+            makeSpring(s, i);
+}
+
 void kea_moveWithForces(MdtKeaSystem *s) {
     MdtKeaWork *work = s->work;
     const double h = s->parameters.stepsize;

@@ -1,0 +1,45 @@
+/** @file MdtAngular3.h
+ *  The angular joint: two bodies keep their orientation to each other and are free to move
+ *  (Dynamics guide ch. 3, "MdtAngular3"). It removes three degrees of freedom; with the rotation about its axis enabled it is
+ *  the guides' Angular2 and removes two.
+ *
+ *  The orientation to keep is the one that the bodies have when they are attached (SetBodies); setting the axis later leaves
+ *  it. With a finite stiffness and a finite damping it is an angular spring instead: it keeps things upright softly.
+ */
+#ifndef MDTANGULAR3_H
+#define MDTANGULAR3_H
+
+#include "MdtConstraint.h"
+
+ME_BEGIN_C
+
+/** Creates an angular joint, disabled, unattached, with the orientations of the bodies' frames to keep, rotation not enabled, rigid. The world owns it. Returns null,
+ *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+MEPUBLIC MdtAngular3ID MEAPI MdtAngular3Create(const MdtWorldID w);
+/** Makes the two bodies' frames the orientation to keep, and sets the rest to default. Bodies and state stay. */
+MEPUBLIC void MEAPI MdtAngular3Reset(const MdtAngular3ID j);
+/** The angular joint as a constraint. Null for null. */
+MEPUBLIC MdtConstraintID MEAPI MdtAngular3QuaConstraint(const MdtAngular3ID j);
+/** The constraint as an angular joint; null when it is none. */
+MEPUBLIC MdtAngular3ID MEAPI MdtConstraintDCastAngular3(const MdtConstraintID c);
+/** @name Rotation about the axis: off by default
+ *  @{ */
+MEPUBLIC void MEAPI MdtAngular3EnableRotation(const MdtAngular3ID j, const MeBool NewRotationState);
+MEPUBLIC MeBool MEAPI MdtAngular3RotationIsEnabled(const MdtAngular3ID j);
+/** @} */
+/** @name Stiffness [N m/rad] and damping [N m s/rad] of the rotations that are held, at least 0
+ *  Both are MEINFINITY by default, and as long as one of them is, the joint is rigid.
+ *  @{ */
+MEPUBLIC void MEAPI MdtAngular3SetStiffness(const MdtAngular3ID j, const MeReal s);
+MEPUBLIC MeReal MEAPI MdtAngular3GetStiffness(const MdtAngular3ID j);
+MEPUBLIC void MEAPI MdtAngular3SetDamping(const MdtAngular3ID j, const MeReal d);
+MEPUBLIC MeReal MEAPI MdtAngular3GetDamping(const MdtAngular3ID j);
+/** @} */
+
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
+MDT_JOINT_COMMON(Angular3)
+MDT_JOINT_AXIS(Angular3)
+
+ME_END_C
+
+#endif

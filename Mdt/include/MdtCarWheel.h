@@ -1,0 +1,89 @@
+/** @file MdtCarWheel.h
+ *  The car wheel: a wheel that rolls, steers and springs under a chassis (Dynamics guide ch. 3, "MdtCarWheel";
+ *  User Guide ch. 3, "The Car Wheel Constraint"). The chassis is the first body, the wheel the second.
+ *
+ *  The steering axis, fixed in the chassis, is also the axis of the suspension; the hinge axis, fixed in the wheel, stays at
+ *  right angles to it. The wheel's centre slides along the steering axis through the joint's position. Four degrees of
+ *  freedom are left with free steering, three with it locked. Set the bodies, then the position (the wheel's centre), then
+ *  the axes, while wheel and chassis stand as for driving straight on.
+ *
+ *  Heights are those of the wheel along the steering axis, from the joint's position in the chassis. Motors drive the wheel
+ *  against the chassis. The steering angle is counted as a hinge's is, the first body against the second.
+ */
+#ifndef MDTCARWHEEL_H
+#define MDTCARWHEEL_H
+
+#include "MdtConstraint.h"
+
+ME_BEGIN_C
+
+/** Creates a car wheel, disabled, unattached, its steering axis the chassis' z, its hinge axis the wheel's y. The world owns it. Returns null,
+ *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+MEPUBLIC MdtCarWheelID MEAPI MdtCarWheelCreate(const MdtWorldID w);
+/** Sets position, axes, motors and suspension to the defaults of a new joint. Bodies and state stay. */
+MEPUBLIC void MEAPI MdtCarWheelReset(const MdtCarWheelID j);
+/** The car wheel as a constraint. Null for null. */
+MEPUBLIC MdtConstraintID MEAPI MdtCarWheelQuaConstraint(const MdtCarWheelID j);
+/** The constraint as a car wheel; null when it is none. */
+MEPUBLIC MdtCarWheelID MEAPI MdtConstraintDCastCarWheel(const MdtConstraintID c);
+/** @name Axes, world frame; normalized. Bad input as in MdtConstraint.h
+ *  @{ */
+MEPUBLIC void MEAPI MdtCarWheelSetSteeringAxis(const MdtCarWheelID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtCarWheelGetSteeringAxis(const MdtCarWheelID j, MeVector3 v);
+MEPUBLIC void MEAPI MdtCarWheelSetHingeAxis(const MdtCarWheelID j, const MeReal xHinge, const MeReal yHinge,
+                                            const MeReal zHinge);
+MEPUBLIC void MEAPI MdtCarWheelGetHingeAxis(const MdtCarWheelID j, MeVector3 v);
+#define MdtCarWheelSetSteeringAndHingeAxes(j, px, py, pz, ox, oy, oz)                                                  \
+    MdtConstraintSetAxes(MdtCarWheelQuaConstraint(j), (px), (py), (pz), (ox), (oy), (oz))
+#define MdtCarWheelGetSteeringAndHingeAxes(j, k, p, o)                                                                 \
+    MdtConstraintBodyGetAxes(MdtCarWheelQuaConstraint(j), (k), (p), (o))
+/** @} */
+/** @name Steering: locked, or moved by a motor of limited force
+ *  A new wheel's motor holds the steering at rest with up to 1e9 N m. A negative force counts as 0, which lets it turn freely.
+ *  @{ */
+MEPUBLIC void MEAPI MdtCarWheelSetSteeringLock(const MdtCarWheelID j, const MeBool lock);
+MEPUBLIC MeBool MEAPI MdtCarWheelIsSteeringLocked(const MdtCarWheelID j);
+MEPUBLIC void MEAPI MdtCarWheelSetSteeringLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
+                                                            const MeReal forceLimit);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSteeringMotorDesiredVelocity(const MdtCarWheelID j);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSteeringMotorMaxForce(const MdtCarWheelID j);
+/** rad and rad/s, after the last step. */
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSteeringAngle(const MdtCarWheelID j);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSteeringAngleRate(const MdtCarWheelID j);
+/** @} */
+/** @name Rolling: a motor of limited force, off at first; with the velocity 0 it is a brake
+ *  @{ */
+MEPUBLIC void MEAPI MdtCarWheelSetHingeLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
+                                                         const MeReal forceLimit);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeMotorDesiredVelocity(const MdtCarWheelID j);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeMotorMaxForce(const MdtCarWheelID j);
+/** Between 0 and pi, after the last step: how far the wheel has turned from where it stood when the axes were set. */
+MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeAngle(const MdtCarWheelID j);
+/** rad/s, of the wheel against the chassis. */
+MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeAngleRate(const MdtCarWheelID j);
+/** @} */
+/** @name Suspension: a damped spring, F = -Kp (height - reference) - Kd rate on the wheel, between two stops
+ *  Kp N/m and Kd N s/m, at least 0. The stops are hard where @a limit_softness [1/kg] is 0; else it is added to the world's
+ *  epsilon at the stops. A low limit above the high one gets a warning, and nothing is changed.
+ *  @{ */
+MEPUBLIC void MEAPI MdtCarWheelSetSuspension(const MdtCarWheelID j, const MeReal Kp, const MeReal Kd,
+                                             const MeReal limit_softness, const MeReal lolimit, const MeReal hilimit,
+                                             const MeReal reference);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionKp(const MdtCarWheelID j);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionKd(const MdtCarWheelID j);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionLimitSoftness(const MdtCarWheelID j);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionLowLimit(const MdtCarWheelID j);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionHighLimit(const MdtCarWheelID j);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionReference(const MdtCarWheelID j);
+/** m and m/s, after the last step. */
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionHeight(const MdtCarWheelID j);
+MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionRate(const MdtCarWheelID j);
+/** @} */
+
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
+MDT_JOINT_COMMON(CarWheel)
+MDT_JOINT_POSITION(CarWheel)
+
+ME_END_C
+
+#endif

@@ -1,0 +1,39 @@
+/** @file MdtFixedPath.h
+ *  The fixed-path joint: a ball-and-socket joint whose attachment the program moves
+ *  (Dynamics guide ch. 3, "MdtFixedPath"). It removes three degrees of freedom.
+ *
+ *  Before every step, set the position where the path is now, and its velocity there. With the velocity the bodies follow
+ *  the path without lagging behind, and the joint's force is that of the motion; without it, gamma pulls them after it.
+ *  Positions and velocities are given in the frame of the body of that index: the world's, where it is null.
+ */
+#ifndef MDTFIXEDPATH_H
+#define MDTFIXEDPATH_H
+
+#include "MdtConstraint.h"
+
+ME_BEGIN_C
+
+/** Creates a fixed-path joint, disabled, unattached, at the bodies' origins, at rest. The world owns it. Returns null,
+ *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+MEPUBLIC MdtFixedPathID MEAPI MdtFixedPathCreate(const MdtWorldID w);
+/** Sets positions and velocities to 0. Bodies and state stay. */
+MEPUBLIC void MEAPI MdtFixedPathReset(const MdtFixedPathID j);
+/** The fixed-path joint as a constraint. Null for null. */
+MEPUBLIC MdtConstraintID MEAPI MdtFixedPathQuaConstraint(const MdtFixedPathID j);
+/** The constraint as a fixed-path joint; null when it is none. */
+MEPUBLIC MdtFixedPathID MEAPI MdtConstraintDCastFixedPath(const MdtConstraintID c);
+/** The attachment to the body of index 0 or 1, m, in that body's frame. Bad input as in MdtConstraint.h. */
+MEPUBLIC void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID j, const unsigned int bodyindex, const MeReal x,
+                                            const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtFixedPathGetPosition(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 position);
+/** How fast that attachment moves, m/s, in that body's frame. */
+MEPUBLIC void MEAPI MdtFixedPathSetVelocity(const MdtFixedPathID j, const unsigned int bodyindex, const MeReal dx,
+                                            const MeReal dy, const MeReal dz);
+MEPUBLIC void MEAPI MdtFixedPathGetVelocity(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 velocity);
+
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
+MDT_JOINT_COMMON(FixedPath)
+
+ME_END_C
+
+#endif

@@ -1,0 +1,37 @@
+/** @file MdtPrismatic.h
+ *  The prismatic joint, or slider: two bodies slide along a common axis and do not turn against each other
+ *  (Dynamics guide ch. 3, "MdtPrismatic"). It removes five degrees of freedom; a running motor, and each stop that is
+ *  touched, adds a row.
+ *
+ *  Place the bodies, attach them, set the axis: as they stand then, the displacement is zero, and their orientation to each
+ *  other is the one to keep. The displacement is that of the first body against the second along the axis, m. Stops, motor
+ *  and the displacement itself are in the joint's limit (MdtLimit.h). There is no position to set.
+ */
+#ifndef MDTPRISMATIC_H
+#define MDTPRISMATIC_H
+
+#include "MdtConstraint.h"
+
+ME_BEGIN_C
+
+/** Creates a prismatic joint, disabled, unattached, its axis the x-axis of the bodies, its limit at default. The world owns it. Returns null,
+ *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+MEPUBLIC MdtPrismaticID MEAPI MdtPrismaticCreate(const MdtWorldID w);
+/** Sets axes and limit to the defaults of a new joint. Bodies and state stay. */
+MEPUBLIC void MEAPI MdtPrismaticReset(const MdtPrismaticID j);
+/** The prismatic joint as a constraint. Null for null. */
+MEPUBLIC MdtConstraintID MEAPI MdtPrismaticQuaConstraint(const MdtPrismaticID j);
+/** The constraint as a prismatic joint; null when it is none. */
+MEPUBLIC MdtPrismaticID MEAPI MdtConstraintDCastPrismatic(const MdtConstraintID c);
+/** The joint's limit, to read and to write; it lives as long as the joint. */
+MEPUBLIC MdtLimitID MEAPI MdtPrismaticGetLimit(const MdtPrismaticID j);
+/** Resets the joint's limit, then copies stops, threshold, offset, motor and switches of @a NewLimit. */
+MEPUBLIC void MEAPI MdtPrismaticSetLimit(const MdtPrismaticID j, const MdtLimitID NewLimit);
+
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
+MDT_JOINT_COMMON(Prismatic)
+MDT_JOINT_AXIS(Prismatic)
+
+ME_END_C
+
+#endif

@@ -1,0 +1,71 @@
+/** @file MdtRPROJoint.h
+ *  The RPRO joint, relative position and relative orientation: a program or an animation drives how one body is
+ *  turned against the other, up to a strength (Dynamics guide ch. 3, "MdtRPROJoint"). It removes six degrees of freedom.
+ *
+ *  Each body has an attachment frame, by default that of its centre of mass. The joint holds the frames at one place, and the
+ *  first frame turned against the second by the relative quaternion. A moving orientation is given before every step as the
+ *  quaternion now and the angular velocity with which it moves on. Strengths bound the forces: where more would be needed,
+ *  the joint gives way, and comes back when it can. Half a turn away from its quaternion the joint has no direction to turn
+ *  back in; coming there gets a warning.
+ */
+#ifndef MDTRPROJOINT_H
+#define MDTRPROJOINT_H
+
+#include "MdtConstraint.h"
+
+ME_BEGIN_C
+
+/** Creates a RPRO joint, disabled, unattached, with the frames of the centres of mass, aligned, at rest, of unlimited strength. The world owns it. Returns null,
+ *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+MEPUBLIC MdtRPROJointID MEAPI MdtRPROJointCreate(const MdtWorldID w);
+/** Sets frames, quaternion, velocity and strengths to the defaults of a new joint. Bodies and state stay. */
+MEPUBLIC void MEAPI MdtRPROJointReset(const MdtRPROJointID j);
+/** The RPRO joint as a constraint. Null for null. */
+MEPUBLIC MdtConstraintID MEAPI MdtRPROJointQuaConstraint(const MdtRPROJointID j);
+/** The constraint as a RPRO joint; null when it is none. */
+MEPUBLIC MdtRPROJointID MEAPI MdtConstraintDCastRPROJoint(const MdtConstraintID c);
+/** @name The wanted orientation of the first frame in the second
+ *  A unit quaternion (w, x, y, z) is wanted; others are normalized, and one of length zero gets a warning. The angular
+ *  velocity [rad/s] is in the axes of the second frame: the world's, where the second body is null.
+ *  @{ */
+MEPUBLIC void MEAPI MdtRPROJointSetRelativeQuaternion(const MdtRPROJointID j, const MeVector4 q);
+MEPUBLIC void MEAPI MdtRPROJointGetRelativeQuaternion(const MdtRPROJointID j, MeVector4 q);
+MEPUBLIC void MEAPI MdtRPROJointSetRelativeAngularVelocity(MdtRPROJointID j, MeVector3 w);
+MEPUBLIC void MEAPI MdtRPROJointGetRelativeAngularVelocity(const MdtRPROJointID j, MeVector3 w);
+/** @} */
+/** @name The attachment frames, in the frames of the bodies' centres of mass
+ *  @{ */
+MEPUBLIC void MEAPI MdtRPROJointSetAttachmentPosition(const MdtRPROJointID j, const MeReal x, const MeReal y,
+                                                      const MeReal z, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtRPROJointGetAttachmentPosition(const MdtRPROJointID j, const unsigned int bodyindex,
+                                                      MeVector3 position);
+MEPUBLIC void MEAPI MdtRPROJointSetAttachmentQuaternion(const MdtRPROJointID j, const MeReal q0, const MeReal q1,
+                                                        const MeReal q2, const MeReal q3, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtRPROJointGetAttachmentQuaternion(const MdtRPROJointID j, const unsigned int bodyindex,
+                                                        MeVector4 quaternion);
+/** @} */
+/** @name Strengths: the most force [N] along, and torque [N m] about, each axis of the second frame
+ *  At least 0; MEINFINITY, the default, never gives way.
+ *  @{ */
+MEPUBLIC void MEAPI MdtRPROJointSetLinearStrength(const MdtRPROJointID j, const MeReal sX, const MeReal sY,
+                                                  const MeReal sZ);
+MEPUBLIC void MEAPI MdtRPROJointGetLinearStrength(const MdtRPROJointID j, MeVector3 v);
+MEPUBLIC void MEAPI MdtRPROJointSetAngularStrength(const MdtRPROJointID j, const MeReal sX, const MeReal sY,
+                                                   const MeReal sZ);
+MEPUBLIC void MEAPI MdtRPROJointGetAngularStrength(const MdtRPROJointID j, MeVector3 v);
+/** @} */
+/** @name Other names of the guides and of old programs for the above
+ *  @{ */
+#define MdtRPROJointGetAttachmentOrientation(j, k, q) MdtRPROJointGetAttachmentQuaternion((j), (k), (q))
+#define MdtRPROJointGetPosition(j, k, p)              MdtRPROJointGetAttachmentPosition((j), (k), (p))
+#define MdtRPROJointSetPosition(j, x, y, z, k)        MdtRPROJointSetAttachmentPosition((j), (x), (y), (z), (k))
+#define MdtRPROSetSortKey(j, key)                     MdtRPROJointSetSortKey((j), (key))
+#define MdtRPROGetSortKey(j)                          MdtRPROJointGetSortKey(j)
+/** @} */
+
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
+MDT_JOINT_COMMON(RPROJoint)
+
+ME_END_C
+
+#endif

@@ -1,0 +1,64 @@
+/** @file MdtSkeletal.h
+ *  The skeletal joint: a ball-and-socket joint whose swing and twist are limited (User Guide app. D, "MdtSkeletal").
+ *
+ *  The first body's primary axis swings inside an elliptical cone round the second body's: by the primary angle towards the
+ *  second axis, by the secondary angle towards the third. The twist is the rest of the turn, zero where the swing alone, along
+ *  a great circle, brought the axis to where it is. It removes three degrees of freedom; each limit that is touched adds a row.
+ */
+#ifndef MDTSKELETAL_H
+#define MDTSKELETAL_H
+
+#include "MdtConstraint.h"
+
+ME_BEGIN_C
+
+/** Creates a skeletal joint, disabled, unattached, at the bodies' centres of mass, about their x-axes, with limits of pi/4. The world owns it. Returns null,
+ *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+MEPUBLIC MdtSkeletalID MEAPI MdtSkeletalCreate(const MdtWorldID w);
+/** Sets frame, limits and options to the defaults of a new joint. Bodies and state stay. */
+MEPUBLIC void MEAPI MdtSkeletalReset(const MdtSkeletalID j);
+/** The skeletal joint as a constraint. Null for null. */
+MEPUBLIC MdtConstraintID MEAPI MdtSkeletalQuaConstraint(const MdtSkeletalID j);
+/** The constraint as a skeletal joint; null when it is none. */
+MEPUBLIC MdtSkeletalID MEAPI MdtConstraintDCastSkeletal(const MdtConstraintID c);
+/** @name Limit angles, rad, 0 to pi (clamped)
+ *  @{ */
+MEPUBLIC void MEAPI MdtSkeletalSetConePrimaryLimitAngle(const MdtSkeletalID j, const MeReal theta);
+MEPUBLIC MeReal MEAPI MdtSkeletalGetConePrimaryLimitAngle(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalSetConeSecondaryLimitAngle(const MdtSkeletalID j, const MeReal theta);
+MEPUBLIC MeReal MEAPI MdtSkeletalGetConeSecondaryLimitAngle(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalSetTwistLimitAngle(const MdtSkeletalID j, const MeReal theta);
+MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistLimitAngle(const MdtSkeletalID j);
+/** @} */
+/** @name Stiffness [N m/rad] and damping [N m s/rad] beyond the limits, at least 0
+ *  All are MEINFINITY by default, and as long as one of a pair is, that limit is hard and without rebound.
+ *  @{ */
+MEPUBLIC void MEAPI MdtSkeletalSetConeStiffness(const MdtSkeletalID j, const MeReal kp);
+MEPUBLIC MeReal MEAPI MdtSkeletalGetConeStiffness(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalSetConeDamping(const MdtSkeletalID j, const MeReal kd);
+MEPUBLIC MeReal MEAPI MdtSkeletalGetConeDamping(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalSetTwistStiffness(const MdtSkeletalID j, const MeReal kp);
+MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistStiffness(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalSetTwistDamping(const MdtSkeletalID j, const MeReal kd);
+MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistDamping(const MdtSkeletalID j);
+/** @} */
+/** @name What is free, limited, or held (MdtBcl.h); a value that is none gets a warning
+ *  @{ */
+MEPUBLIC void MEAPI MdtSkeletalSetConeOption(const MdtSkeletalID j, MdtSkeletalConeOption co);
+MEPUBLIC MdtSkeletalConeOption MEAPI MdtSkeletalGetConeOption(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalSetTwistOption(const MdtSkeletalID j, MdtSkeletalTwistOption to);
+MEPUBLIC MdtSkeletalTwistOption MEAPI MdtSkeletalGetTwistOption(const MdtSkeletalID j);
+/** @} */
+/** Makes the twist that the bodies have now the zero of the twist. */
+MEPUBLIC void MEAPI MdtSkeletalZeroTwist(const MdtSkeletalID j);
+#define MdtSkeletalBodyGetAxis(j, k, a) MdtConstraintBodyGetAxis(MdtSkeletalQuaConstraint(j), (k), (a))
+
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
+MDT_JOINT_COMMON(Skeletal)
+MDT_JOINT_POSITION(Skeletal)
+MDT_JOINT_AXES(Skeletal)
+MDT_JOINT_BODY_AXES(Skeletal)
+
+ME_END_C
+
+#endif

@@ -1,0 +1,51 @@
+/** @file MdtSpring6.h
+ *  Six springs between two frames: a joint of configurable compliance (User Guide ch. 3).
+ *
+ *  Each body has an attachment frame. Linear springs act along the axes of the second frame on the offset of the first,
+ *  angular ones on the turn between the frames. Each has a stiffness and a damping, both 0 at first: such a spring costs
+ *  nothing. A stiffness of MEINFINITY holds that direction. Axis 0 is the primary axis, 1 the second, 2 their cross product.
+ */
+#ifndef MDTSPRING6_H
+#define MDTSPRING6_H
+
+#include "MdtConstraint.h"
+
+ME_BEGIN_C
+
+/** Creates a Spring6, disabled, unattached, at the bodies' centres of mass, without any stiffness. The world owns it. Returns null,
+ *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+MEPUBLIC MdtSpring6ID MEAPI MdtSpring6Create(const MdtWorldID w);
+/** Sets frames, stiffness and damping to the defaults of a new joint. Bodies and state stay. */
+MEPUBLIC void MEAPI MdtSpring6Reset(const MdtSpring6ID j);
+/** The Spring6 as a constraint. Null for null. */
+MEPUBLIC MdtConstraintID MEAPI MdtSpring6QuaConstraint(const MdtSpring6ID j);
+/** The constraint as a Spring6; null when it is none. */
+MEPUBLIC MdtSpring6ID MEAPI MdtConstraintDCastSpring6(const MdtConstraintID c);
+/** @name Springs by axis, 0 to 2: N/m and N s/m, N m/rad and N m s/rad, at least 0
+ *  @{ */
+MEPUBLIC void MEAPI MdtSpring6SetLinearStiffness(const MdtSpring6ID j, int axisindex, MeReal s);
+MEPUBLIC MeReal MEAPI MdtSpring6GetLinearStiffness(const MdtSpring6ID j, int axisindex);
+MEPUBLIC void MEAPI MdtSpring6SetLinearDamping(const MdtSpring6ID j, int axisindex, MeReal d);
+MEPUBLIC MeReal MEAPI MdtSpring6GetLinearDamping(const MdtSpring6ID j, int axisindex);
+MEPUBLIC void MEAPI MdtSpring6SetAngularStiffness(const MdtSpring6ID j, int axisindex, MeReal s);
+MEPUBLIC MeReal MEAPI MdtSpring6GetAngularStiffness(const MdtSpring6ID j, int axisindex);
+MEPUBLIC void MEAPI MdtSpring6SetAngularDamping(const MdtSpring6ID j, int axisindex, MeReal d);
+MEPUBLIC MeReal MEAPI MdtSpring6GetAngularDamping(const MdtSpring6ID j, int axisindex);
+/** @} */
+/** @name The velocity of the world where the spring is attached to it: see MdtConstraint.h
+ *  @{ */
+MEPUBLIC void MEAPI MdtSpring6SetWorldLinearVelocity(const MdtSpring6ID j, MeReal vx, MeReal vy, MeReal vz);
+MEPUBLIC void MEAPI MdtSpring6GetWorldLinearVelocity(const MdtSpring6ID j, MeVector3 v);
+MEPUBLIC void MEAPI MdtSpring6SetWorldAngularVelocity(const MdtSpring6ID j, MeReal vx, MeReal vy, MeReal vz);
+MEPUBLIC void MEAPI MdtSpring6GetWorldAngularVelocity(const MdtSpring6ID j, MeVector3 v);
+/** @} */
+
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
+MDT_JOINT_COMMON(Spring6)
+MDT_JOINT_POSITION(Spring6)
+MDT_JOINT_AXES(Spring6)
+#define MdtSpring6GetAxes(j, p, o) MdtConstraintGetAxes(MdtSpring6QuaConstraint(j), (p), (o))
+
+ME_END_C
+
+#endif

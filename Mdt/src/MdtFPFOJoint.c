@@ -1,0 +1,16 @@
+/* The FPFO joint's part of the API. */
+#include "mdt_i.h"
+
+MDT_JOINT_BASICS(FPFOJoint, MdtBclFPFOJOINT)
+
+void MEAPI MdtFPFOJointSetPosition(const MdtFPFOJointID j, const MeReal x, const MeReal y, const MeReal z) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclFPFOJOINT, __func__);
+    if (c)
+        MdtConstraintSetPosition(c, x, y, z);
+}
+
+void MEAPI MdtFPFOJointGetPosition(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 pos) {
+    MdtConstraintID c = mdt_isResult(__func__, pos, 3) ? mdt_constraintOfType(j, MdtBclFPFOJOINT, __func__) : NULL;
+    if (c)
+        MdtConstraintBodyGetPosition(c, bodyindex, pos);
+}

@@ -1,0 +1,16 @@
+/* The Linear2 joint's part of the API. */
+#include "mdt_i.h"
+
+MDT_JOINT_BASICS(Linear2, MdtBclLINEAR2)
+
+void MEAPI MdtLinear2SetDirection(const MdtLinear2ID j, const MeReal x, const MeReal y, const MeReal z) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclLINEAR2, __func__);
+    if (c)
+        MdtConstraintSetAxis(c, x, y, z);
+}
+
+void MEAPI MdtLinear2GetDirection(const MdtLinear2ID j, MeVector3 direction) {
+    MdtConstraintID c = mdt_isResult(__func__, direction, 3) ? mdt_constraintOfType(j, MdtBclLINEAR2, __func__) : NULL;
+    if (c)
+        MdtConstraintGetAxis(c, direction);
+}

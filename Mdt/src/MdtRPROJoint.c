@@ -1,0 +1,139 @@
+/* The RPRO joint's part of the API. */
+#include "mdt_i.h"
+#include <string.h>
+
+MDT_JOINT_BASICS(RPROJoint, MdtBclRPROJOINT)
+
+static MdtBclRelative *relativeOf(MdtRPROJointID j, const char *caller) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclRPROJOINT, caller);
+    return c ? &c->bcl.of.relative : NULL;
+}
+
+/* The unit quaternion; false, with a warning, for one without length. */
+static MeBool toUnit(const char *caller, const MeReal q[4], double unit[4]) {
+    double square = 0;
+    for (int i = 0; i < 4; i++) {
+        unit[i] = q[i];
+        square += unit[i] * unit[i];
+    }
+    if (!(square > 0) || !isfinite(square)) {
+        MeWarning(1, "%s: the quaternion is (%g, %g, %g, %g), it must have a length; nothing is changed", caller,
+                  unit[0], unit[1], unit[2], unit[3]);
+        return MEFALSE;
+    }
+    keaQuaternionNormalize(unit);
+    return METRUE;
+}
+
+static void copyQuaternion(MeVector4 q, const double from[4]) {
+    for (int i = 0; i < 4; i++)
+        q[i] = (MeReal)from[i];
+}
+
+/* ---- the wanted orientation ---- */
+
+void MEAPI MdtRPROJointSetRelativeQuaternion(const MdtRPROJointID j, const MeVector4 q) {
+    MdtBclRelative *r = relativeOf(j, __func__);
+    double unit[4];
+    if (r && mdt_isPointer(__func__, "the quaternion", q) && toUnit(__func__, q, unit))
+        memcpy(r->quaternion, unit, sizeof unit);
+}
+
+void MEAPI MdtRPROJointGetRelativeQuaternion(const MdtRPROJointID j, MeVector4 q) {
+    const MdtBclRelative *r = mdt_isResult(__func__, q, 4) ? relativeOf(j, __func__) : NULL;
+    if (r)
+        copyQuaternion(q, r->quaternion);
+}
+
+void MEAPI MdtRPROJointSetRelativeAngularVelocity(MdtRPROJointID j, MeVector3 w) {
+    MdtBclRelative *r = relativeOf(j, __func__);
+    if (r && mdt_isPointer(__func__, "the velocity", w) && mdt_isFinite3(__func__, "the velocity", w[0], w[1], w[2]))
+        mdt_fromReal(r->velocity, w);
+}
+
+void MEAPI MdtRPROJointGetRelativeAngularVelocity(const MdtRPROJointID j, MeVector3 w) {
+    const MdtBclRelative *r = mdt_isResult(__func__, w, 3) ? relativeOf(j, __func__) : NULL;
+    if (r)
+        mdt_toReal(w, r->velocity);
+}
+
+/* ---- the attachment frames ---- */
+
+void MEAPI MdtRPROJointSetAttachmentPosition(const MdtRPROJointID j, const MeReal x, const MeReal y, const MeReal z,
+                                             const unsigned int bodyindex) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclRPROJOINT, __func__);
+    if (c)
+        MdtConstraintBodySetPositionRel(c, bodyindex, x, y, z);
+}
+
+void MEAPI MdtRPROJointGetAttachmentPosition(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 position) {
+    MdtConstraintID c = mdt_isResult(__func__, position, 3) ? mdt_constraintOfType(j, MdtBclRPROJOINT, __func__) : NULL;
+    if (c)
+        MdtConstraintBodyGetPositionRel(c, bodyindex, position);
+}
+
+void MEAPI MdtRPROJointSetAttachmentQuaternion(const MdtRPROJointID j, const MeReal q0, const MeReal q1,
+                                               const MeReal q2, const MeReal q3, const unsigned int bodyindex) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclRPROJOINT, __func__);
+    const MeReal q[4] = {q0, q1, q2, q3};
+    double unit[4], R[3][3];
+    if (!c || !mdt_isSide(__func__, bodyindex) || !toUnit(__func__, q, unit))
+        return;
+    keaQuaternionToMatrix(R, unit);
+    for (int i = 0; i < 3; i++) {
+        c->bcl.frame[bodyindex].primary[i] = R[i][0];
+        c->bcl.frame[bodyindex].ortho[i] = R[i][1];
+    }
+}
+
+void MEAPI MdtRPROJointGetAttachmentQuaternion(const MdtRPROJointID j, const unsigned int bodyindex,
+                                               MeVector4 quaternion) {
+    MdtConstraintID c =
+        mdt_isResult(__func__, quaternion, 4) ? mdt_constraintOfType(j, MdtBclRPROJOINT, __func__) : NULL;
+    if (!c || !mdt_isSide(__func__, bodyindex))
+        return;
+    const MdtBclFrame *frame = &c->bcl.frame[bodyindex];
+    double third[3], R[3][3], q[4];
+    keaCross(third, frame->primary, frame->ortho);
+    for (int i = 0; i < 3; i++) {
+        R[i][0] = frame->primary[i];
+        R[i][1] = frame->ortho[i];
+        R[i][2] = third[i];
+    }
+    keaQuaternionFromMatrix(q, (const double(*)[3])R);
+    copyQuaternion(quaternion, q);
+}
+
+/* ---- strengths ---- */
+
+static void setStrength(MeReal strength[3], const char *caller, MeReal x, MeReal y, MeReal z) {
+    const MeReal s[3] = {x, y, z};
+    for (int i = 0; i < 3; i++)
+        if (!mdt_isAtLeast(caller, "a strength", s[i], 0))
+            return;
+    memcpy(strength, s, sizeof s);
+}
+
+void MEAPI MdtRPROJointSetLinearStrength(const MdtRPROJointID j, const MeReal sX, const MeReal sY, const MeReal sZ) {
+    MdtBclRelative *r = relativeOf(j, __func__);
+    if (r)
+        setStrength(r->linear, __func__, sX, sY, sZ);
+}
+
+void MEAPI MdtRPROJointSetAngularStrength(const MdtRPROJointID j, const MeReal sX, const MeReal sY, const MeReal sZ) {
+    MdtBclRelative *r = relativeOf(j, __func__);
+    if (r)
+        setStrength(r->angular, __func__, sX, sY, sZ);
+}
+
+void MEAPI MdtRPROJointGetLinearStrength(const MdtRPROJointID j, MeVector3 v) {
+    const MdtBclRelative *r = mdt_isResult(__func__, v, 3) ? relativeOf(j, __func__) : NULL;
+    if (r)
+        memcpy(v, r->linear, sizeof r->linear);
+}
+
+void MEAPI MdtRPROJointGetAngularStrength(const MdtRPROJointID j, MeVector3 v) {
+    const MdtBclRelative *r = mdt_isResult(__func__, v, 3) ? relativeOf(j, __func__) : NULL;
+    if (r)
+        memcpy(v, r->angular, sizeof r->angular);
+}

@@ -1,0 +1,53 @@
+/* The spring's part of the API. */
+#include "mdt_i.h"
+
+MDT_JOINT_BASICS(Spring, MdtBclSPRING)
+
+MdtLimitID MEAPI MdtSpringGetLimit(const MdtSpringID j) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING, __func__);
+    return c ? &c->bcl.of.distance.limit : NULL;
+}
+
+void MEAPI MdtSpringSetLimit(const MdtSpringID j, const MdtLimitID NewLimit) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING, __func__);
+    if (c && mdt_isPointer(__func__, "the limit", NewLimit))
+        mdt_limitAssign(&c->bcl.of.distance.limit, NewLimit);
+}
+
+static MdtBclDistance *distanceOf(MdtSpringID j, const char *caller) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING, caller);
+    return c ? &c->bcl.of.distance : NULL;
+}
+
+void MEAPI MdtSpringSetPosition(const MdtSpringID j, const unsigned int bodyindex, const MeReal x, const MeReal y,
+                                const MeReal z) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING, __func__);
+    if (c)
+        MdtConstraintBodySetPosition(c, bodyindex, x, y, z);
+}
+
+void MEAPI MdtSpringGetPosition(const MdtSpringID j, MeVector3 v, const unsigned int bodyindex) {
+    MdtConstraintID c = mdt_isResult(__func__, v, 3) ? mdt_constraintOfType(j, MdtBclSPRING, __func__) : NULL;
+    if (c)
+        MdtConstraintBodyGetPosition(c, bodyindex, v);
+}
+
+void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNaturalLength) {
+    MdtBclDistance *s = distanceOf(j, __func__);
+    if (!s || !mdt_isAtLeast(__func__, "the length", NewNaturalLength, 0))
+        return;
+    s->limit.limit[0].stop = s->limit.limit[1].stop = NewNaturalLength;
+    s->lengthIsSet = METRUE;
+}
+
+void MEAPI MdtSpringSetStiffness(const MdtSpringID j, const MeReal NewStiffness) {
+    MdtBclDistance *s = distanceOf(j, __func__);
+    for (int side = 0; s && side < 2; side++)
+        mdt_setAtLeast0(__func__, "the stiffness", &s->limit.limit[side].stiffness, NewStiffness);
+}
+
+void MEAPI MdtSpringSetDamping(const MdtSpringID j, const MeReal NewDamping) {
+    MdtBclDistance *s = distanceOf(j, __func__);
+    for (int side = 0; s && side < 2; side++)
+        mdt_setAtLeast0(__func__, "the damping", &s->limit.limit[side].damping, NewDamping);
+}

@@ -1,0 +1,81 @@
+/* The six springs' part of the API. */
+#include "mdt_i.h"
+
+MDT_JOINT_BASICS(Spring6, MdtBclSPRING6)
+
+typedef enum { stiffness, damping } Property;
+enum { LINEAR = 0, ANGULAR = 3 };
+
+/* Where a property of a spring is; null, with a warning, for no joint or no axis. */
+static MeReal *placeOf(MdtSpring6ID j, const char *caller, int kind, int axis, Property property) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING6, caller);
+    if (!c)
+        return NULL;
+    if (axis < 0 || axis > 2) {
+        MeWarning(1, "%s: the axis index is %d, it must be 0, 1 or 2", caller, axis);
+        return NULL;
+    }
+    return property == stiffness ? &c->bcl.of.springs.stiffness[kind + axis] : &c->bcl.of.springs.damping[kind + axis];
+}
+
+void MEAPI MdtSpring6SetLinearStiffness(const MdtSpring6ID j, int axisindex, MeReal s) {
+    mdt_setAtLeast0(__func__, "the stiffness", placeOf(j, __func__, LINEAR, axisindex, stiffness), s);
+}
+
+MeReal MEAPI MdtSpring6GetLinearStiffness(const MdtSpring6ID j, int axisindex) {
+    const MeReal *place = placeOf(j, __func__, LINEAR, axisindex, stiffness);
+    return place ? *place : 0;
+}
+
+void MEAPI MdtSpring6SetLinearDamping(const MdtSpring6ID j, int axisindex, MeReal d) {
+    mdt_setAtLeast0(__func__, "the damping", placeOf(j, __func__, LINEAR, axisindex, damping), d);
+}
+
+MeReal MEAPI MdtSpring6GetLinearDamping(const MdtSpring6ID j, int axisindex) {
+    const MeReal *place = placeOf(j, __func__, LINEAR, axisindex, damping);
+    return place ? *place : 0;
+}
+
+void MEAPI MdtSpring6SetAngularStiffness(const MdtSpring6ID j, int axisindex, MeReal s) {
+    mdt_setAtLeast0(__func__, "the stiffness", placeOf(j, __func__, ANGULAR, axisindex, stiffness), s);
+}
+
+MeReal MEAPI MdtSpring6GetAngularStiffness(const MdtSpring6ID j, int axisindex) {
+    const MeReal *place = placeOf(j, __func__, ANGULAR, axisindex, stiffness);
+    return place ? *place : 0;
+}
+
+void MEAPI MdtSpring6SetAngularDamping(const MdtSpring6ID j, int axisindex, MeReal d) {
+    mdt_setAtLeast0(__func__, "the damping", placeOf(j, __func__, ANGULAR, axisindex, damping), d);
+}
+
+MeReal MEAPI MdtSpring6GetAngularDamping(const MdtSpring6ID j, int axisindex) {
+    const MeReal *place = placeOf(j, __func__, ANGULAR, axisindex, damping);
+    return place ? *place : 0;
+}
+
+/* ---- a moving world ---- */
+
+void MEAPI MdtSpring6SetWorldLinearVelocity(const MdtSpring6ID j, MeReal vx, MeReal vy, MeReal vz) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING6, __func__);
+    if (c)
+        MdtConstraintSetWorldLinearVelocity(c, vx, vy, vz);
+}
+
+void MEAPI MdtSpring6SetWorldAngularVelocity(const MdtSpring6ID j, MeReal vx, MeReal vy, MeReal vz) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING6, __func__);
+    if (c)
+        MdtConstraintSetWorldAngularVelocity(c, vx, vy, vz);
+}
+
+void MEAPI MdtSpring6GetWorldLinearVelocity(const MdtSpring6ID j, MeVector3 v) {
+    MdtConstraintID c = mdt_isResult(__func__, v, 3) ? mdt_constraintOfType(j, MdtBclSPRING6, __func__) : NULL;
+    if (c)
+        MdtConstraintGetWorldLinearVelocity(c, v);
+}
+
+void MEAPI MdtSpring6GetWorldAngularVelocity(const MdtSpring6ID j, MeVector3 v) {
+    MdtConstraintID c = mdt_isResult(__func__, v, 3) ? mdt_constraintOfType(j, MdtBclSPRING6, __func__) : NULL;
+    if (c)
+        MdtConstraintGetWorldAngularVelocity(c, v);
+}

@@ -1,0 +1,45 @@
+/* The user constraint's part of the API. Its rows are in memory of its own, which it has from creation on. */
+#include "mdt_i.h"
+
+/* MDT_JOINT_BASICS, but for the creation. */
+MdtUserConstraintID MEAPI MdtUserConstraintCreate(const MdtWorldID w) {
+    MdtConstraintID c = mdt_constraintCreate(w, MdtBclUSER, __func__);
+    if (!c)
+        return NULL;
+    c->bcl.of.user.owner = c;
+    c->bcl.of.user.rows = MeMemoryAPI.create(MdtBclGETMAXROWSUSER * sizeof(MdtKeaRow));
+    if (c->bcl.of.user.rows)
+        return (MdtUserConstraintID)c;
+    MeFatalError(1, "MdtUserConstraintCreate: out of memory");
+    MdtConstraintDestroy(c);
+    return NULL;
+}
+
+MDT_JOINT_CASTS(UserConstraint, MdtBclUSER)
+
+static MdtBclUser *userOf(MdtUserConstraintID j, const char *caller) {
+    MdtConstraintID c = mdt_constraintOfType(j, MdtBclUSER, caller);
+    return c ? &c->bcl.of.user : NULL;
+}
+
+void MEAPI MdtUserConstraintSetFunction(const MdtUserConstraintID j, MdtBclAddConstraintFn f) {
+    MdtBclUser *user = userOf(j, __func__);
+    if (user)
+        user->function = f;
+}
+
+MdtBclAddConstraintFn MEAPI MdtUserConstraintGetFunction(const MdtUserConstraintID j) {
+    const MdtBclUser *user = userOf(j, __func__);
+    return user ? user->function : NULL;
+}
+
+void MEAPI MdtUserConstraintSetConstraintData(const MdtUserConstraintID j, void *d) {
+    MdtBclUser *user = userOf(j, __func__);
+    if (user)
+        user->owner = d;
+}
+
+void *MEAPI MdtUserConstraintGetConstraintData(const MdtUserConstraintID j) {
+    const MdtBclUser *user = userOf(j, __func__);
+    return user ? user->owner : NULL;
+}

@@ -1,0 +1,105 @@
+/* The parts of joints that speak of directions: axes held together or at right angles, orientations held. */
+#include "bcl_i.h"
+
+void bcl_axes(double axes[3][3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose) {
+    keaApply(axes[0], pose->R, c->frame[k].primary);
+    keaApply(axes[1], pose->R, c->frame[k].ortho);
+    keaCross(axes[2], axes[0], axes[1]);
+}
+
+/* d(a·b)/dt = (ω_0 x a)·b + a·(ω_1 x b) = ω_0·(a x b) + ω_1·(b x a). */
+void bcl_dotRow(const MdtBclContext *x, const double a[3], const double b[3], MdtKeaRow *row) {
+    bcl_startRow(row, x);
+    keaCross(row->J[0].ang, a, b);
+    keaCross(row->J[1].ang, b, a);
+}
+
+/* u_0 · a_1 = v_0 · a_1 = 0, u_0 and v_0 at right angles to the primary axis of frame 0. */
+void bcl_alignRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[2]) {
+    double axes[3][3], a[3];
+    bcl_axes(axes, c, 0, x->pose[0]);
+    keaApply(a, x->pose[1]->R, c->frame[1].primary);
+    for (int i = 0; i < 2; i++) {
+        bcl_dotRow(x, axes[1 + i], a, &rows[i]);
+        bcl_aimAtZero(&rows[i], x, keaDot(axes[1 + i], a));
+    }
+}
+
+void bcl_alignErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[2]) {
+    double axes[3][3], a[3];
+    bcl_axes(axes, c, 0, pose[0]);
+    keaApply(a, pose[1]->R, c->frame[1].primary);
+    errors[0] = keaDot(axes[1], a);
+    errors[1] = keaDot(axes[2], a);
+}
+
+void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2],
+                     const double q[4]) {
+    double axes[2][3][3], R[3][3];
+    bcl_axes(axes[0], c, 0, pose[0]);
+    bcl_axes(axes[1], c, 1, pose[1]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            R[i][j] = keaDot(axes[1][i], axes[0][j]);
+    keaQuaternionFromMatrix(turn, (const double(*)[3])R);
+    if (q) {
+        double back[4];
+        keaQuaternionConjugate(back, q);
+        keaQuaternionProduct(turn, back, turn);
+    }
+    if (turn[0] < 0)
+        for (int i = 0; i < 4; i++)
+            turn[i] = -turn[i];
+}
+
+void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
+                    double errors[3]) {
+    double turn[4];
+    bcl_turnBetween(turn, c, pose, q);
+    keaScale(errors, 2, turn + 1);
+}
+
+/* The axes of the wanted frame, fixed in body 1. */
+static void wantedAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKeaTransformation *pose,
+                       const double q[4]) {
+    double frame[3][3], R[3][3];
+    bcl_axes(frame, c, 1, pose);
+    if (q) {
+        keaQuaternionToMatrix(R, q);
+    } else {
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                R[i][j] = i == j;
+    }
+    for (int j = 0; j < 3; j++) {
+        keaZero(axes[j]);
+        for (int i = 0; i < 3; i++)
+            keaAddScaled(axes[j], R[i][j], frame[i]);
+    }
+}
+
+/* φ = 2 v with the turn (w, v) in the axes of the wanted frame T. From d(w, v)/dt = 1/2 (0, ω)(w, v), ω = Tᵀ(ω_0 - ω_1):
+ *     dφ/dt = (w I - [v]x) ω.
+ * It is regular but for a half turn. */
+void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]) {
+    double turn[4], T[3][3];
+    bcl_turnBetween(turn, c, x->pose, q);
+    wantedAxes(T, c, x->pose[1], q);
+    const double w = turn[0], *v = turn + 1;
+    const double G[3][3] = {{w, v[2], -v[1]}, {-v[2], w, v[0]}, {v[1], -v[0], w}};
+    for (int i = 0; i < 3; i++) {
+        bcl_startRow(&rows[i], x);
+        for (int j = 0; j < 3; j++)
+            keaAddScaled(rows[i].J[0].ang, G[i][j], T[j]);
+        keaScale(rows[i].J[1].ang, -1, rows[i].J[0].ang);
+        bcl_aimAtZero(&rows[i], x, 2 * v[i]);
+    }
+}
+
+void bcl_matchAxes(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    double axis[3];
+    keaApply(axis, pose[0]->R, c->frame[0].primary);
+    keaApplyTransposed(c->frame[1].primary, pose[1]->R, axis);
+    keaApply(axis, pose[0]->R, c->frame[0].ortho);
+    keaApplyTransposed(c->frame[1].ortho, pose[1]->R, axis);
+}

@@ -1,0 +1,185 @@
+/* CarWheel: a wheel, body 1, that steers, springs and rolls under a chassis, body 0 (Dynamics guide ch. 3,
+ * "MdtCarWheel").
+ *
+ * s is the steering axis, the primary axis of frame 0, and h the hinge axis, the second axis of frame 1; o and t = s x o
+ * are the other axes of frame 0; d = P_1 - P_0 from the attachment in the chassis to the wheel's.
+ *     φ_1,2 = o·d, t·d     the wheel's centre stays on the line through the attachment along s
+ *     φ_3 = s·h            the two axes stay at right angles
+ *     locked: φ_4 = t·h    the wheel does not steer; else the steering motor's row
+ *     suspension: a damped spring on the height s·d, and one-sided rows at its stops
+ *     the hinge motor's row
+ * The steering angle is that of the chassis against the wheel, -angle(o, h) about s, as hinges count theirs (body 0 against
+ * body 1); motors drive the wheel against the chassis.
+ */
+#include "bcl_i.h"
+#include <string.h>
+
+enum { STEER = 1, LOCK = 2, SUSPEND = 4, LOW = 8, HIGH = 16, ROLL = 32 };
+
+static void reset(MdtBclConstraint *c) {
+    static const MdtBclFrame standard = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+    MdtBclCarWheel *w = &c->of.wheel;
+    c->frame[0] = c->frame[1] = standard;
+    memset(w, 0, sizeof *w);
+    w->steering.force = (MeReal)1e9;
+    w->high = (MeReal)1e9;
+    w->low = (MeReal)-1e9;
+}
+
+typedef struct {
+    double s[3], o[3], t[3], h[3], d[3];
+} Axes;
+
+static void axesOf(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], Axes *a) {
+    double chassis[3][3];
+    bcl_axes(chassis, c, 0, pose[0]);
+    keaCopy(a->s, chassis[0]);
+    keaCopy(a->o, chassis[1]);
+    keaCopy(a->t, chassis[2]);
+    keaApply(a->h, pose[1]->R, c->frame[1].ortho);
+    bcl_separation(c, pose, a->d);
+    keaScale(a->d, -1, a->d);
+}
+
+/* Along a direction of the chassis, positive for the wheel moving with it. */
+static void wheelRow(const MdtBclConstraint *c, const MdtBclContext *x, const double direction[3], MdtKeaRow *row) {
+    bcl_alongRow(c, x, direction, 0, row);
+    bcl_negate(row);
+}
+
+/* Turning of the wheel against the chassis about an axis. */
+static void spinRow(const MdtBclContext *x, const double axis[3], MdtKeaRow *row) {
+    bcl_startRow(row, x);
+    keaCopy(row->J[1].ang, axis);
+    keaScale(row->J[0].ang, -1, axis);
+}
+
+static MeBool isNearStop(const MdtBclCarWheel *w, int side, double z, double rate, double h) {
+    return z <= 0 || w->stopForce[side] > 0 || z + 2 * h * rate < 0;
+}
+
+/* Which rows this step needs. */
+static int choose(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a) {
+    const MdtBclCarWheel *w = &c->of.wheel;
+    MdtKeaRow along;
+    wheelRow(c, x, a->s, &along);
+    const double height = keaDot(a->s, a->d), h = x->parameters.stepsize;
+    const double rate[2] = {bcl_rate(&along, x->velocity), bcl_rate(&along, x->predicted)};
+    int rows = w->isLocked ? LOCK : w->steering.force > 0 ? STEER : 0;
+    if (w->kp > 0 || w->kd > 0)
+        rows |= SUSPEND;
+    if (isNearStop(w, 0, height - (double)w->low, fmin(rate[0], rate[1]), h))
+        rows |= LOW;
+    if (isNearStop(w, 1, (double)w->high - height, -fmax(rate[0], rate[1]), h))
+        rows |= HIGH;
+    return w->rolling.force > 0 ? rows | ROLL : rows;
+}
+
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    Axes a;
+    axesOf(c, x->pose, &a);
+    c->of.wheel.rows = choose(c, x, &a);
+    c->isDegenerate = keaDot(a.s, a.h) * keaDot(a.s, a.h) > 0.99;
+    int count = 3;
+    for (int row = STEER; row <= ROLL; row *= 2)
+        count += (c->of.wheel.rows & row) != 0;
+    return count;
+}
+
+static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
+    Axes a;
+    axesOf(c, pose, &a);
+    e[0] = keaDot(a.o, a.d);
+    e[1] = keaDot(a.t, a.d);
+    e[2] = keaDot(a.s, a.h);
+    if (c->of.wheel.rows & LOCK)
+        e[3] = keaDot(a.t, a.h);
+}
+
+static void motorRow(const MdtBclMotor *motor, MdtKeaRow *row) {
+    row->target = motor->velocity;
+    row->upper = bcl_boundOf(motor->force);
+    row->lower = -row->upper;
+}
+
+static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a, MdtKeaRow *row) {
+    if (c->of.wheel.rows & LOCK) {
+        bcl_dotRow(x, a->t, a->h, row);
+        bcl_aimAtZero(row, x, keaDot(a->t, a->h));
+    } else {
+        spinRow(x, a->s, row);
+        motorRow(&c->of.wheel.steering, row);
+    }
+}
+
+/* z: how far it is to the stop. The softness of the guide's limit_softness is like that of a contact. */
+static void stopRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a, int side, MdtKeaRow *row) {
+    const MdtBclCarWheel *w = &c->of.wheel;
+    const double height = keaDot(a->s, a->d), h = x->parameters.stepsize;
+    wheelRow(c, x, a->s, row);
+    if (side == 1)
+        bcl_negate(row);
+    row->error = side == 0 ? height - (double)w->low : (double)w->high - height;
+    row->target = row->error > 0 ? -row->error / h : -x->parameters.gamma * row->error / h;
+    row->lower = 0;
+    row->softness += x->parameters.softening * fmax((double)w->softness, 0);
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    const MdtBclCarWheel *w = &c->of.wheel;
+    Axes a;
+    axesOf(c, x->pose, &a);
+    wheelRow(c, x, a.o, rows);
+    bcl_aimAtZero(rows++, x, keaDot(a.o, a.d));
+    wheelRow(c, x, a.t, rows);
+    bcl_aimAtZero(rows++, x, keaDot(a.t, a.d));
+    bcl_dotRow(x, a.s, a.h, rows);
+    bcl_aimAtZero(rows++, x, keaDot(a.s, a.h));
+    if (w->rows & (STEER | LOCK))
+        steeringRow(c, x, &a, rows++);
+    if (w->rows & SUSPEND) {
+        wheelRow(c, x, a.s, rows);
+        bcl_makeSpring(rows++, keaDot(a.s, a.d) - (double)w->reference, w->kp, w->kd);
+    }
+    for (int side = 0; side < 2; side++)
+        if (w->rows & (side == 0 ? LOW : HIGH))
+            stopRow(c, x, &a, side, rows++);
+    if (w->rows & ROLL) {
+        spinRow(x, a.h, rows);
+        motorRow(&w->rolling, rows);
+    }
+}
+
+static void readStops(MdtBclCarWheel *w, const MdtKeaRow rows[]) {
+    rows += 3 + ((w->rows & (STEER | LOCK)) != 0) + ((w->rows & SUSPEND) != 0);
+    w->stopForce[0] = w->rows & LOW ? (rows++)->force : 0;
+    w->stopForce[1] = w->rows & HIGH ? rows->force : 0;
+}
+
+static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
+    MdtBclCarWheel *w = &c->of.wheel;
+    Axes a;
+    MdtKeaRow row;
+    double spoke[3];
+    axesOf(c, x->pose, &a);
+    readStops(w, rows);
+    wheelRow(c, x, a.s, &row);
+    w->height = keaDot(a.s, a.d);
+    w->heightRate = bcl_rate(&row, x->velocity);
+    spinRow(x, a.s, &row);
+    w->steeringAngle = -atan2(keaDot(a.t, a.h), keaDot(a.o, a.h));
+    w->steeringRate = -bcl_rate(&row, x->velocity);
+    spinRow(x, a.h, &row);
+    keaApply(spoke, x->pose[1]->R, c->frame[1].primary);
+    w->hingeAngle = acos(fmax(-1, fmin(1, keaDot(spoke, a.s))));
+    w->hingeRate = bcl_rate(&row, x->velocity);
+}
+
+const MdtBclType bcl_carWheel = {.name = "CarWheel",
+                                 .maxRows = MdtBclGETMAXROWSCARWHEEL,
+                                 .reset = reset,
+                                 .prepare = prepare,
+                                 .fill = fill,
+                                 .errors = errors,
+                                 .readBack = readBack,
+                                 .degenerate = "its steering and hinge axes have become parallel"};

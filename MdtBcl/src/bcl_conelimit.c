@@ -1,0 +1,85 @@
+/* ConeLimit: the angle between an axis of each body stays below a half angle (Dynamics guide ch. 3, "MdtConeLimit").
+ *
+ *     θ = angle(a_0, a_1),   dθ/dt = m·(ω_1 - ω_0),   m = a_0 x a_1 / |a_0 x a_1|.
+ *
+ * θ is the coordinate of a limit that has an upper stop only, without rebound. Where the axes are parallel, they have no
+ * common plane, and the last m is kept.
+ */
+#include "bcl_i.h"
+#include <string.h>
+
+static void reset(MdtBclConstraint *c) {
+    MdtBclCone *cone = &c->of.cone;
+    bcl_resetFrames(c);
+    memset(cone, 0, sizeof *cone);
+    MdtBclLimitReset(&cone->limit);
+    cone->limit.limit[0].stiffness = 0; /* no lower stop */
+    cone->limit.limit[1].restitution = 0;
+    cone->limit.limit[1].stop = ME_PI;
+    cone->limit.bActive = METRUE;
+    cone->stiffness = cone->damping = MEINFINITY;
+    cone->normal[1] = 1;
+}
+
+static double measure(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double across[3]) {
+    double a0[3], a1[3];
+    keaApply(a0, pose[0]->R, c->frame[0].primary);
+    keaApply(a1, pose[1]->R, c->frame[1].primary);
+    keaCross(across, a0, a1);
+    return atan2(keaLength(across), keaDot(a0, a1));
+}
+
+static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
+    bcl_startRow(row, x);
+    keaCopy(row->J[1].ang, c->of.cone.normal);
+    keaScale(row->J[0].ang, -1, row->J[1].ang);
+}
+
+/* The hard stop is that of a limit; a spring has both of stiffness and damping. */
+static void setStop(MdtBclCone *cone) {
+    const MeBool isSpring = bcl_isSpring(cone->stiffness, cone->damping);
+    cone->limit.limit[1].stiffness = isSpring ? cone->stiffness : MEINFINITY;
+    cone->limit.limit[1].damping = isSpring ? cone->damping : 0;
+}
+
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    MdtBclCone *cone = &c->of.cone;
+    MdtKeaRow row;
+    double across[3];
+    if (cone->limit.limit[1].stop >= ME_PI) {
+        cone->limit.rows = 0;
+        return 0;
+    }
+    const double angle = measure(c, x->pose, across), sine = keaLength(across);
+    const MeBool hasPlane = sine > BCL_PARALLEL;
+    if (hasPlane)
+        keaScale(cone->normal, 1 / sine, across);
+    setStop(cone);
+    angleRow(c, x, &row);
+    const int rows = bcl_limitPrepare(&cone->limit, x, &row, angle);
+    c->isDegenerate = rows > 0 && !hasPlane;
+    return rows;
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    MdtKeaRow row;
+    angleRow(c, x, &row);
+    bcl_limitFill(&c->of.cone.limit, x, &row, rows);
+}
+
+static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
+    MdtKeaRow row;
+    double across[3];
+    if (c->of.cone.limit.limit[1].stop >= ME_PI)
+        return;
+    angleRow(c, x, &row);
+    bcl_limitReadBack(&c->of.cone.limit, measure(c, x->pose, across), bcl_rate(&row, x->velocity), rows);
+}
+
+const MdtBclType bcl_coneLimit = {.name = "ConeLimit",
+                                  .maxRows = MdtBclGETMAXROWSCONELIMIT,
+                                  .reset = reset,
+                                  .prepare = prepare,
+                                  .fill = fill,
+                                  .readBack = readBack,
+                                  .degenerate = "its axes are parallel, which leaves it no plane to push in"};

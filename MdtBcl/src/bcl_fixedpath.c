@@ -1,0 +1,64 @@
+/* FixedPath: a ball and socket whose attachments are moved by the program (Dynamics guide ch. 3, "MdtFixedPath").
+ *
+ *     φ = P_0 - P_1,   dP_k/dt = v_k + ω_k x r_k + R_k u_k,   u_k the attachment's velocity in body k.
+ *
+ * The rows are those of the ball and socket, which aim at -γ φ / h - (R_0 u_0 - R_1 u_1): with the velocities the bodies
+ * move on with the attachments, and the forces are those of the motion; without, they are pulled after them.
+ */
+#include "bcl_i.h"
+#include <string.h>
+
+static void reset(MdtBclConstraint *c) {
+    bcl_resetFrames(c);
+    memset(&c->of.path, 0, sizeof c->of.path);
+}
+
+static void pathVelocity(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double u[3]) {
+    double other[3];
+    keaApply(u, pose[0]->R, c->of.path.velocity[0]);
+    keaApply(other, pose[1]->R, c->of.path.velocity[1]);
+    keaSubtract(u, u, other);
+}
+
+/* The program gave the places at the start of the step; a later part of it finds them further on. */
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    MdtBclPath *path = &c->of.path;
+    for (int k = 0; k < 2; k++) {
+        if (x->elapsed == 0)
+            keaCopy(path->place[k], c->frame[k].position);
+        keaCopy(c->frame[k].position, path->place[k]);
+        keaAddScaled(c->frame[k].position, x->elapsed, path->velocity[k]);
+    }
+    path->stepsize = x->parameters.stepsize;
+    pathVelocity(c, x->pose, path->start);
+    return 3;
+}
+
+/* Where the attachments will be by then, less the way that the targets know of. */
+static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
+    double u[3];
+    pathVelocity(c, pose, u);
+    keaSubtract(u, u, c->of.path.start);
+    bcl_pointErrors(c, pose, e);
+    keaAddScaled(e, c->of.path.stepsize, u);
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    bcl_pointRows(c, x, rows);
+    for (int i = 0; i < 3; i++)
+        rows[i].target -= c->of.path.start[i];
+}
+
+static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
+    (void)x, (void)rows;
+    for (int k = 0; k < 2; k++)
+        keaCopy(c->frame[k].position, c->of.path.place[k]);
+}
+
+const MdtBclType bcl_fixedPath = {.name = "FixedPath",
+                                  .maxRows = MdtBclGETMAXROWSFIXEDPATH,
+                                  .reset = reset,
+                                  .prepare = prepare,
+                                  .fill = fill,
+                                  .errors = errors,
+                                  .readBack = readBack};

@@ -1,0 +1,38 @@
+/* FPFO: the bodies are one (Dynamics guide ch. 3, "MdtFPFOJoint").
+ *
+ *     φ_1..3 = P_0 - P_1,   φ_4..6: the frames have one orientation (bcl_turnRows).
+ */
+#include "bcl_i.h"
+
+static void reset(MdtBclConstraint *c) {
+    bcl_resetFrames(c);
+}
+
+/* What the bodies' places are when they are attached, they stay. */
+static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    bcl_matchAxes(c, pose);
+    bcl_matchPositions(c, pose);
+}
+
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    (void)c, (void)x;
+    return 6;
+}
+
+static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
+    bcl_pointErrors(c, pose, e);
+    bcl_turnErrors(c, pose, NULL, e + 3);
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    bcl_pointRows(c, x, rows);
+    bcl_turnRows(c, x, NULL, rows + 3);
+}
+
+const MdtBclType bcl_fpfoJoint = {.name = "FPFOJoint",
+                                  .maxRows = MdtBclGETMAXROWSFPFOJOINT,
+                                  .reset = reset,
+                                  .prepare = prepare,
+                                  .fill = fill,
+                                  .errors = errors,
+                                  .attached = attached};

@@ -1,0 +1,83 @@
+/* Prismatic: the bodies slide along a common axis and do not turn (Dynamics guide ch. 3, "MdtPrismatic").
+ *
+ *     φ_1,2 = u·d, v·d with d = P_0 - P_1 and u, v at right angles to the axis of frame 1
+ *     φ_3..5: the frames have one orientation (bcl_turnRows)
+ *
+ * The coordinate is the displacement a·d of body 0 against body 1 along the axis a, zero where the bodies stood when the
+ * axis was set.
+ */
+#include "bcl_i.h"
+
+static void reset(MdtBclConstraint *c) {
+    bcl_resetFrames(c);
+    MdtBclLimitReset(&c->of.limit);
+}
+
+/* As the bodies stand now, they are not displaced and have the orientation to keep. */
+static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    bcl_matchAxes(c, pose);
+    bcl_matchPositions(c, pose);
+}
+
+static void axesSet(MdtBclConstraint *c, const MdtBclFrame before[2], const MdtKeaTransformation *const pose[2]) {
+    (void)before;
+    bcl_matchPositions(c, pose);
+}
+
+static double displacement(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    double d[3], axis[3];
+    bcl_separation(c, pose, d);
+    keaApply(axis, pose[1]->R, c->frame[1].primary);
+    return keaDot(axis, d);
+}
+
+static void axisRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
+    double axes[3][3];
+    bcl_axes(axes, c, 1, x->pose[1]);
+    bcl_alongRow(c, x, axes[0], 1, row);
+}
+
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    MdtKeaRow row;
+    axisRow(c, x, &row);
+    return 5 + bcl_limitPrepare(&c->of.limit, x, &row, displacement(c, x->pose));
+}
+
+static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
+    double axes[3][3], d[3];
+    bcl_axes(axes, c, 1, pose[1]);
+    bcl_separation(c, pose, d);
+    e[0] = keaDot(axes[1], d);
+    e[1] = keaDot(axes[2], d);
+    bcl_turnErrors(c, pose, NULL, e + 2);
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    double axes[3][3], d[3];
+    MdtKeaRow along;
+    bcl_axes(axes, c, 1, x->pose[1]);
+    bcl_separation(c, x->pose, d);
+    for (int i = 0; i < 2; i++) {
+        bcl_alongRow(c, x, axes[1 + i], 1, &rows[i]);
+        bcl_aimAtZero(&rows[i], x, keaDot(axes[1 + i], d));
+    }
+    bcl_turnRows(c, x, NULL, rows + 2);
+    bcl_alongRow(c, x, axes[0], 1, &along);
+    bcl_limitFill(&c->of.limit, x, &along, rows + 5);
+}
+
+static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
+    MdtKeaRow row;
+    axisRow(c, x, &row);
+    bcl_limitReadBack(&c->of.limit, displacement(c, x->pose), bcl_rate(&row, x->velocity), rows + 5);
+}
+
+const MdtBclType bcl_prismatic = {.name = "Prismatic",
+                                  .maxRows = MdtBclGETMAXROWSPRISMATIC,
+                                  .reset = reset,
+                                  .prepare = prepare,
+                                  .fill = fill,
+                                  .errors = errors,
+                                  .readBack = readBack,
+                                  .attached = attached,
+                                  .axesSet = axesSet};

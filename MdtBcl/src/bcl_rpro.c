@@ -1,0 +1,85 @@
+/* RPRO: the attachment frames coincide, turned against each other as the program says, up to a strength (Dynamics guide
+ * ch. 3, "MdtRPROJoint").
+ *
+ *     φ_1..3 = e_i·(P_0 - P_1), e_i the axes of frame 1,   φ_4..6: frame 0 is frame 1 turned by q (bcl_turnRows).
+ *
+ * w is the angular velocity of q in the axes of frame 1: the angular rows aim at -γ φ / h + T_i·w, T the wanted frame,
+ * and are met at q turned on by w h. Each row's force is bounded by its component of the strengths: a bound that is
+ * reached lets the joint give way, as long as it takes.
+ */
+#include "bcl_i.h"
+#include <string.h>
+
+static void reset(MdtBclConstraint *c) {
+    MdtBclRelative *r = &c->of.relative;
+    bcl_resetFrames(c);
+    memset(r, 0, sizeof *r);
+    r->quaternion[0] = 1;
+    for (int i = 0; i < 3; i++)
+        r->linear[i] = r->angular[i] = MEINFINITY;
+}
+
+/* q after the time t, turned on by w. */
+static void wantedAfter(const MdtBclRelative *r, double t, double q[4]) {
+    double turn[3], step[4];
+    keaScale(turn, t, r->velocity);
+    keaQuaternionExp(step, turn);
+    keaQuaternionProduct(q, step, r->quaternion);
+}
+
+/* The wanted motion in the rows' own coordinates: with the turn (w, v) and G of bcl_turnRows, G Tᵀ F_1 ω. */
+static void wantedRate(const double turn[4], const double now[4], const double velocity[3], double rate[3]) {
+    double R[3][3], w[3];
+    keaQuaternionToMatrix(R, now);
+    keaApplyTransposed(w, (const double(*)[3])R, velocity);
+    keaCross(rate, w, turn + 1);
+    keaAddScaled(rate, turn[0], w);
+}
+
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    MdtBclRelative *r = &c->of.relative;
+    double turn[4];
+    wantedAfter(r, x->elapsed, r->now);
+    wantedAfter(r, x->elapsed + x->parameters.stepsize, r->then);
+    bcl_turnBetween(turn, c, x->pose, r->now);
+    wantedRate(turn, r->now, r->velocity, r->way);
+    keaScale(r->way, x->parameters.stepsize, r->way);
+    c->isDegenerate = turn[0] < 1e-3;
+    return 6;
+}
+
+static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
+    const MdtBclRelative *r = &c->of.relative;
+    double axes[3][3], d[3];
+    bcl_axes(axes, c, 1, pose[1]);
+    bcl_separation(c, pose, d);
+    for (int i = 0; i < 3; i++)
+        e[i] = keaDot(axes[i], d);
+    bcl_turnErrors(c, pose, r->then, e + 3);
+    keaAddScaled(e + 3, 1, r->way);
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    const MdtBclRelative *r = &c->of.relative;
+    double axes[3][3], d[3];
+    bcl_axes(axes, c, 1, x->pose[1]);
+    bcl_separation(c, x->pose, d);
+    bcl_turnRows(c, x, r->now, rows + 3);
+    for (int i = 0; i < 3; i++) {
+        bcl_alongRow(c, x, axes[i], 1, &rows[i]);
+        bcl_aimAtZero(&rows[i], x, keaDot(axes[i], d));
+        rows[3 + i].target += r->way[i] / x->parameters.stepsize;
+        rows[i].upper = bcl_boundOf(r->linear[i]);
+        rows[i].lower = -rows[i].upper;
+        rows[3 + i].upper = bcl_boundOf(r->angular[i]);
+        rows[3 + i].lower = -rows[3 + i].upper;
+    }
+}
+
+const MdtBclType bcl_rproJoint = {.name = "RPROJoint",
+                                  .maxRows = MdtBclGETMAXROWSRPROJOINT,
+                                  .reset = reset,
+                                  .prepare = prepare,
+                                  .fill = fill,
+                                  .errors = errors,
+                                  .degenerate = "it is half a turn away from its relative quaternion"};

@@ -1,0 +1,219 @@
+/* Skeletal: a ball and socket whose swing stays in an elliptical cone and whose twist stays between limits (User Guide
+ * app. D, "MdtSkeletal").
+ *
+ * Frame 1 is the reference. D = frame 0 in frame 1 = (swing) (twist): the twist turns about the primary axis x, the swing
+ * takes x to a = D x along a great circle. With a = (cos θ, sin θ t), t a unit vector in the (y, z) plane, the swing has
+ * the coordinates σ = θ t: towards y the primary limit α holds, towards z the secondary one, β.
+ *   cone:  f = |(σ_y/α, σ_z/β)| <= 1, one row, scaled to radians by the gradient of f.
+ *          From da/dt = ω x a (axes of frame 1):  dθ/dt = cos θ t·a' - sin θ a'_x,   θ dt/dt = (θ/sin θ) (a' across t).
+ *   twist: τ = 2 atan2(D_x, D_w), with D as a quaternion (w, v):
+ *          dτ/dt = (w (w ω_x + ω_y v_z - ω_z v_y) + v_x v·ω) / (w² + v_x²).
+ */
+#include "bcl_i.h"
+#include <string.h>
+
+static void resetLimit(MdtBclLimit *limit) {
+    MdtBclLimitReset(limit);
+    limit->limit[0].restitution = limit->limit[1].restitution = 0;
+    limit->bActive = METRUE;
+}
+
+static void reset(MdtBclConstraint *c) {
+    MdtBclSkeletal *s = &c->of.skeletal;
+    bcl_resetFrames(c);
+    memset(s, 0, sizeof *s);
+    s->primary = s->secondary = s->twist = ME_PI / 4;
+    s->coneStiffness = s->coneDamping = s->twistStiffness = s->twistDamping = MEINFINITY;
+    s->coneOption = MdtSkeletalConeOptionCone;
+    s->twistOption = MdtSkeletalTwistOptionLimited;
+    resetLimit(&s->cone);
+    s->cone.limit[0].stiffness = 0; /* no lower stop */
+    resetLimit(&s->turn);
+}
+
+/* Where the joint stands, and in the axes of frame 1 what turns into its coordinates: rate = row·ω. */
+typedef struct {
+    double sigma[2], f, tau;       /* swing, share of the cone, twist */
+    double cone[3], swing[2][3];   /* of the cone's coordinate and of σ */
+    double twist[3], scale;        /* of τ; |∇f| */
+    MeBool isParallel, isOpposite; /* a along x, against x */
+} Pose;
+
+static void swingRow(const double a[3], const double t[2], double theta, const double along[2], double row[3]) {
+    const double sine = sin(theta), stretch = sine > BCL_PARALLEL ? theta / sine : 1;
+    const double radial = along[0] * t[0] + along[1] * t[1], across = along[1] * t[0] - along[0] * t[1];
+    const double c[3] = {-radial * sine, radial * cos(theta) * t[0] - across * stretch * t[1],
+                         radial * cos(theta) * t[1] + across * stretch * t[0]};
+    keaCross(row, a, c); /* c·(ω x a) = ω·(a x c) */
+}
+
+static void twistRow(const double D[4], double row[3]) {
+    const double w = D[0], *v = D + 1, size = fmax(w * w + v[0] * v[0], 1e-12);
+    row[0] = (w * w + v[0] * v[0]) / size;
+    row[1] = (w * v[2] + v[0] * v[1]) / size;
+    row[2] = (-w * v[1] + v[0] * v[2]) / size;
+}
+
+static void measure(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], Pose *p) {
+    static const double toY[2] = {1, 0}, toZ[2] = {0, 1};
+    const MdtBclSkeletal *s = &c->of.skeletal;
+    double D[4], R[3][3];
+    bcl_turnBetween(D, c, pose, NULL);
+    keaQuaternionToMatrix(R, D);
+    const double a[3] = {R[0][0], R[1][0], R[2][0]}, sine = sqrt(a[1] * a[1] + a[2] * a[2]);
+    const double theta = atan2(sine, a[0]);
+    const double t[2] = {sine > 1e-12 ? a[1] / sine : 1, sine > 1e-12 ? a[2] / sine : 0};
+    p->isParallel = sine <= BCL_PARALLEL && a[0] > 0;
+    p->isOpposite = sine <= BCL_PARALLEL && a[0] < 0;
+    p->sigma[0] = theta * t[0];
+    p->sigma[1] = theta * t[1];
+    p->tau = 2 * atan2(D[1], D[0]);
+    swingRow(a, t, theta, toY, p->swing[0]);
+    swingRow(a, t, theta, toZ, p->swing[1]);
+    twistRow(D, p->twist);
+    const double alpha = fmax((double)s->primary, 1e-6), beta = fmax((double)s->secondary, 1e-6);
+    const double u[2] = {p->sigma[0] / alpha, p->sigma[1] / beta};
+    p->f = sqrt(u[0] * u[0] + u[1] * u[1]);
+    const double gradient[2] = {p->f > 0 ? u[0] / alpha / p->f : 1 / alpha, p->f > 0 ? u[1] / beta / p->f : 0};
+    p->scale = sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1]);
+    const double along[2] = {gradient[0] / p->scale, gradient[1] / p->scale};
+    swingRow(a, t, theta, along, p->cone);
+}
+
+/* A row of ω_0 - ω_1 given in the axes of frame 1. */
+static void turnRow(const MdtBclConstraint *c, const MdtBclContext *x, const double local[3], MdtKeaRow *row) {
+    double axes[3][3];
+    bcl_axes(axes, c, 1, x->pose[1]);
+    bcl_startRow(row, x);
+    for (int i = 0; i < 3; i++)
+        keaAddScaled(row->J[0].ang, local[i], axes[i]);
+    keaScale(row->J[1].ang, -1, row->J[0].ang);
+}
+
+static void setStop(MdtBclSingleLimit *stop, double at, MeReal stiffness, MeReal damping) {
+    const MeBool isSpring = bcl_isSpring(stiffness, damping);
+    stop->stop = (MeReal)at;
+    stop->stiffness = isSpring ? stiffness : MEINFINITY;
+    stop->damping = isSpring ? damping : 0;
+}
+
+/* Of the swing's two coordinates, those that are held: neither, the secondary, or both. */
+static int heldSwings(const MdtBclSkeletal *s) {
+    return s->coneOption == MdtSkeletalConeOptionFixed ? 2 : s->coneOption == MdtSkeletalConeOptionSlot ? 1 : 0;
+}
+
+static MeBool hasCone(const MdtBclSkeletal *s) {
+    const MeReal least = s->primary < s->secondary ? s->primary : s->secondary;
+    return s->coneOption == MdtSkeletalConeOptionSlot ? s->primary < ME_PI
+                                                      : s->coneOption == MdtSkeletalConeOptionCone && least < ME_PI;
+}
+
+/* The way from the cone's axis as far as the cone lets it: f, in radians on the way that f falls fastest. In a slot it is
+ * the angle to the primary side. */
+static double coneCoordinate(const MdtBclSkeletal *s, const Pose *p) {
+    return s->coneOption == MdtSkeletalConeOptionSlot ? fabs(p->sigma[0]) - (double)s->primary : (p->f - 1) / p->scale;
+}
+
+static void coneRow(const MdtBclConstraint *c, const MdtBclContext *x, const Pose *p, MdtKeaRow *row) {
+    if (c->of.skeletal.coneOption != MdtSkeletalConeOptionSlot) {
+        turnRow(c, x, p->cone, row);
+        return;
+    }
+    turnRow(c, x, p->swing[0], row);
+    if (p->sigma[0] < 0)
+        bcl_negate(row);
+}
+
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    MdtBclSkeletal *s = &c->of.skeletal;
+    MdtKeaRow row;
+    Pose p;
+    measure(c, x->pose, &p);
+    int count = 3 + heldSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
+    s->cone.rows = s->turn.rows = 0;
+    if (hasCone(s)) {
+        setStop(&s->cone.limit[1], 0, s->coneStiffness, s->coneDamping);
+        coneRow(c, x, &p, &row);
+        count += bcl_limitPrepare(&s->cone, x, &row, coneCoordinate(s, &p));
+    }
+    if (s->twistOption == MdtSkeletalTwistOptionLimited && s->twist < ME_PI) {
+        setStop(&s->turn.limit[0], -(double)s->twist, s->twistStiffness, s->twistDamping);
+        setStop(&s->turn.limit[1], s->twist, s->twistStiffness, s->twistDamping);
+        turnRow(c, x, p.twist, &row);
+        count += bcl_limitPrepare(&s->turn, x, &row, p.tau);
+    }
+    c->isDegenerate = p.isOpposite || (p.isParallel && s->cone.rows && s->coneOption == MdtSkeletalConeOptionCone);
+    return count;
+}
+
+static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
+    const MdtBclSkeletal *s = &c->of.skeletal;
+    Pose p;
+    bcl_pointErrors(c, pose, e);
+    if (!heldSwings(s) && s->twistOption != MdtSkeletalTwistOptionFixed)
+        return;
+    measure(c, pose, &p);
+    int n = 3;
+    if (heldSwings(s) > 0)
+        e[n++] = p.sigma[1];
+    if (heldSwings(s) > 1)
+        e[n++] = p.sigma[0];
+    if (s->twistOption == MdtSkeletalTwistOptionFixed)
+        e[n] = p.tau;
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    const MdtBclSkeletal *s = &c->of.skeletal;
+    MdtKeaRow row;
+    Pose p;
+    measure(c, x->pose, &p);
+    bcl_pointRows(c, x, rows);
+    rows += 3;
+    for (int i = 0; i < heldSwings(s); i++, rows++) {
+        turnRow(c, x, p.swing[1 - i], rows);
+        bcl_aimAtZero(rows, x, p.sigma[1 - i]);
+    }
+    if (s->twistOption == MdtSkeletalTwistOptionFixed) {
+        turnRow(c, x, p.twist, rows);
+        bcl_aimAtZero(rows++, x, p.tau);
+    }
+    coneRow(c, x, &p, &row);
+    bcl_limitFill(&s->cone, x, &row, rows);
+    rows += s->cone.rows != 0;
+    turnRow(c, x, p.twist, &row);
+    bcl_limitFill(&s->turn, x, &row, rows);
+}
+
+static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
+    MdtBclSkeletal *s = &c->of.skeletal;
+    MdtKeaRow row;
+    Pose p;
+    measure(c, x->pose, &p);
+    rows += 3 + heldSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
+    coneRow(c, x, &p, &row);
+    bcl_limitReadBack(&s->cone, coneCoordinate(s, &p), bcl_rate(&row, x->velocity), rows);
+    rows += s->cone.rows != 0;
+    turnRow(c, x, p.twist, &row);
+    bcl_limitReadBack(&s->turn, p.tau, bcl_rate(&row, x->velocity), rows);
+}
+
+/* Frame 0 turns back about its primary axis by the twist. */
+void MEAPI MdtBclSkeletalZeroTwist(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    MdtBclFrame *frame = &c->frame[0];
+    double third[3], turned[3];
+    Pose p;
+    measure(c, pose, &p);
+    keaCross(third, frame->primary, frame->ortho);
+    keaScale(turned, cos(p.tau), frame->ortho);
+    keaAddScaled(turned, -sin(p.tau), third);
+    keaCopy(frame->ortho, turned);
+}
+
+const MdtBclType bcl_skeletal = {.name = "Skeletal",
+                                 .maxRows = MdtBclGETMAXROWSSKELETAL,
+                                 .reset = reset,
+                                 .prepare = prepare,
+                                 .fill = fill,
+                                 .errors = errors,
+                                 .readBack = readBack,
+                                 .degenerate = "its swing has no direction"};

@@ -1,0 +1,119 @@
+/* Spring: the distance between the attachments is a rod's, a string's, or a spring's (Dynamics guide ch. 3, "MdtSpring").
+ *
+ *     φ = |P_0 - P_1| - l,   J_0 = [n, r_0 x n],   J_1 = -[n, r_1 x n],   n the direction from P_1 to P_0.
+ *
+ * The distance is the coordinate of a limit. Both stops hard and at one length: a rod, φ = 0. Both soft and at one length:
+ * a damped spring with the properties of the side on which it is. Anything else, a string or an elastic among them, is
+ * just the limit.
+ */
+#include "bcl_i.h"
+#include <string.h>
+
+/* The length of attachments that have no direction counts as 0, and the last direction is kept. */
+static const double noLength = 1e-9;
+
+static void reset(MdtBclConstraint *c) {
+    MdtBclDistance *s = &c->of.distance;
+    bcl_resetFrames(c);
+    memset(s, 0, sizeof *s);
+    MdtBclLimitReset(&s->limit);
+    s->limit.bActive = METRUE;
+    for (int side = 0; side < 2; side++) {
+        s->limit.limit[side].stiffness = (MeReal)MDTBCL_SPRING_STIFFNESS;
+        s->limit.limit[side].damping = (MeReal)MDTBCL_SPRING_DAMPING;
+    }
+    s->direction[0] = 1;
+}
+
+static double distanceOf(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    double d[3];
+    bcl_separation(c, pose, d);
+    return keaLength(d);
+}
+
+/* Until a natural length is set, it is the distance at which the bodies are attached. */
+static void positioned(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    MdtBclDistance *s = &c->of.distance;
+    if (s->lengthIsSet)
+        return;
+    s->limit.limit[0].stop = s->limit.limit[1].stop = (MeReal)distanceOf(c, pose);
+}
+
+static MeBool isHardAt(const MdtBclLimit *limit, int side) {
+    const MeReal k = limit->limit[side].stiffness;
+    return k >= MEINFINITY || k > limit->stiffnessThreshold;
+}
+
+static MdtBclDistanceKind kindOf(const MdtBclLimit *limit) {
+    const MeBool isOneLength = limit->limit[0].stop == limit->limit[1].stop && limit->bActive;
+    if (isOneLength && isHardAt(limit, 0) && isHardAt(limit, 1))
+        return MdtBclDistanceRod;
+    if (isOneLength && !isHardAt(limit, 0) && !isHardAt(limit, 1))
+        return MdtBclDistanceSpring;
+    return MdtBclDistanceLimits;
+}
+
+static void distanceRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
+    bcl_alongRow(c, x, c->of.distance.direction, NO_CARRIER, row);
+}
+
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    MdtBclDistance *s = &c->of.distance;
+    MdtKeaRow row;
+    double d[3];
+    bcl_separation(c, x->pose, d);
+    s->length = keaLength(d);
+    c->isDegenerate = s->length < noLength;
+    if (!c->isDegenerate)
+        keaScale(s->direction, 1 / s->length, d);
+    distanceRow(c, x, &row);
+    s->kind = kindOf(&s->limit);
+    const int count = bcl_limitPrepare(&s->limit, x, &row, s->length);
+    return s->kind == MdtBclDistanceLimits ? count : 1;
+}
+
+static double strain(const MdtBclLimit *limit, double length) {
+    return length + (double)limit->offset - (double)limit->limit[0].stop;
+}
+
+static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
+    if (c->of.distance.kind == MdtBclDistanceRod)
+        e[0] = strain(&c->of.distance.limit, distanceOf(c, pose));
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    const MdtBclDistance *s = &c->of.distance;
+    MdtKeaRow row;
+    distanceRow(c, x, &row);
+    const double e = strain(&s->limit, s->length);
+    if (s->kind == MdtBclDistanceLimits) {
+        bcl_limitFill(&s->limit, x, &row, rows);
+        return;
+    }
+    rows[0] = row;
+    if (s->kind == MdtBclDistanceRod) {
+        bcl_aimAtZero(&rows[0], x, e);
+    } else {
+        const MdtBclSingleLimit *side = &s->limit.limit[e > 0];
+        bcl_makeSpring(&rows[0], e, side->stiffness, side->damping);
+    }
+}
+
+static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
+    MdtBclDistance *s = &c->of.distance;
+    MdtKeaRow row;
+    distanceRow(c, x, &row);
+    if (s->kind != MdtBclDistanceLimits)
+        s->limit.rows = 0; /* its rows were not the limit's */
+    bcl_limitReadBack(&s->limit, distanceOf(c, x->pose), bcl_rate(&row, x->velocity), rows);
+}
+
+const MdtBclType bcl_spring = {.name = "Spring",
+                               .maxRows = MdtBclGETMAXROWSSPRING,
+                               .reset = reset,
+                               .prepare = prepare,
+                               .fill = fill,
+                               .errors = errors,
+                               .readBack = readBack,
+                               .positioned = positioned,
+                               .degenerate = "its two ends coincide and give it no direction"};

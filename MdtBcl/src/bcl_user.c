@@ -1,0 +1,43 @@
+/* A constraint whose rows a function of the program writes (Dynamics guide ch. 4 lists MdtUserConstraint). */
+#include "bcl_i.h"
+#include "MeMessage.h"
+#include <string.h>
+
+/* The function stays: it is what the constraint is. */
+static void reset(MdtBclConstraint *c) {
+    bcl_resetFrames(c);
+}
+
+MdtKeaRow *MEAPI MdtBclAddRow(MdtKeaConstraints *list) {
+    if (!list || list->numRows >= list->maxRows) {
+        if (list)
+            MeWarning(1, "MdtBclAddRow: the constraint has its %d rows (MdtBclGETMAXROWSUSER)", list->maxRows);
+        else
+            MeWarning(1, "MdtBclAddRow: the list is null");
+        return NULL;
+    }
+    MdtKeaRow *row = &list->rows[list->numRows++];
+    bcl_startRow(row, list->context);
+    return row;
+}
+
+/* Kea asks for errors at the end of the step only of joints that it knows. */
+static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
+    MdtBclUser *user = &c->of.user;
+    MdtKeaConstraints list = {.rows = user->rows, .maxRows = MdtBclGETMAXROWSUSER, .context = x};
+    const MdtKeaTransformation pose[2] = {*x->pose[0], *x->pose[1]};
+    MdtKeaBody *const body[2] = {x->kea[0], x->kea[1]};
+    if (user->function)
+        user->function(&list, user->owner, pose, body, &x->parameters);
+    for (int i = 0; i < list.numRows; i++)
+        list.rows[i].position = MEFALSE;
+    return user->numRows = list.numRows;
+}
+
+static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    (void)x;
+    memcpy(rows, c->of.user.rows, (size_t)c->of.user.numRows * sizeof *rows);
+}
+
+const MdtBclType bcl_user = {
+    .name = "UserConstraint", .maxRows = MdtBclGETMAXROWSUSER, .reset = reset, .prepare = prepare, .fill = fill};
