@@ -83,6 +83,9 @@ MEPUBLIC void MEAPI MdtContactSetNext(const MdtContactID c, const MdtContactID n
 MEPUBLIC MdtContactID MEAPI MdtContactGetNext(const MdtContactID c);
 /** @} */
 
+/** The group that the contact belongs to (MdtContactGroup.h); null: none. */
+MEPUBLIC MdtContactGroupID MEAPI MdtContactGetContactGroup(const MdtContactID c);
+
 /* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
 MDT_JOINT_COMMON(Contact)
 

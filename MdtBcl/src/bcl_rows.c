@@ -14,7 +14,7 @@ void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x) {
     row->softness = x->parameters.epsilon;
     row->lower = -HUGE_VAL;
     row->upper = HUGE_VAL;
-    row->normal = -1;
+    row->normal = row->partner = -1;
 }
 
 void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error) {
