@@ -2,10 +2,10 @@
  *  A contact group: all contacts between two bodies, or a body and the world, as one constraint (Dynamics guide ch. 3,
  *  "MdtContactGroups").
  *
- *  The group is attached, enabled and given a sort key; its contacts have its bodies and act when it does, in the order in
- *  which they came into it. A contact's own MdtContactEnable and MdtContactDisable have no effect while it is in a group.
- *  In a group with the world the body that moves is the first one: attached as (null, body), a group swaps the two, and
- *  MdtContactGroupIsSwapped tells; contacts push their first body along the normal as always.
+ *  The group is attached, enabled and given a sort key; its contacts have its bodies and act when it does, in the order
+ *  in which they came into it. A contact's own MdtContactEnable and MdtContactDisable have no effect while it is in a
+ *  group. In a group with the world the body that moves is the first one: attached as (null, body), a group swaps the
+ *  two, and MdtContactGroupIsSwapped tells; contacts push their first body along the normal as always.
  *
  *  Bad input gets a warning and changes nothing, as in MdtConstraint.h.
  */
@@ -16,8 +16,8 @@
 
 ME_BEGIN_C
 
-/** Creates a group, empty, disabled, unattached. It counts as one of the world's constraints. Returns null, with a warning
- *  that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates a group, empty, disabled, unattached. It counts as one of the world's constraints. Returns null, with a
+ *  warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtContactGroupID MEAPI MdtContactGroupCreate(const MdtWorldID w);
 /** Destroys the group's contacts. Bodies and state stay. */
 MEPUBLIC void MEAPI MdtContactGroupReset(const MdtContactGroupID c);
@@ -53,8 +53,8 @@ MEPUBLIC void MEAPI MdtContactGroupSetGenerator(MdtContactGroupID g, void *gener
 MEPUBLIC void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID group);
 /** @} */
 
-/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. Force and torque are the sums over
- * the contacts. Destroying the group destroys them. */
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. Force and torque are the sums
+ * over the contacts. Destroying the group destroys them. */
 MDT_JOINT_COMMON(ContactGroup)
 /** Another name of old programs. */
 #define MdtContactGroupTorque(j, k, t) MdtContactGroupGetTorque((j), (k), (t))

@@ -1,8 +1,8 @@
 /** @file MdtPartition.h
  *  Partitions: sets of bodies that constraints tie together (Dynamics guide ch. 1, "Partitioning the World").
  *
- *  The world joins nothing: two boxes on the ground are two partitions, a stack is one. MdtBodyGetPartition tells a body's;
- *  MdtWorldSetPartitionCB shows them while the world is stepped.
+ *  The world joins nothing: two boxes on the ground are two partitions, a stack is one. MdtBodyGetPartition tells a
+ *  body's; MdtWorldSetPartitionCB shows them while the world is stepped.
  */
 #ifndef MDTPARTITION_H
 #define MDTPARTITION_H
@@ -18,7 +18,8 @@ typedef struct MdtPartitionInfo {
     MeBool isDisabled;                   /**< to be put to rest instead of being simulated; the callback may set it */
 } MdtPartitionInfo;
 
-/** The partitions of this step, as far as they have been found. The arrays are the world's and are not to be written. */
+/** The partitions of this step, as far as they have been found. The arrays are the world's and are not to be written.
+ *  */
 struct MdtPartitionOutput {
     MdtWorldID world;
     int numPartitions;
@@ -27,8 +28,9 @@ struct MdtPartitionOutput {
     MdtConstraintID *constraints; /**< the same */
 };
 
-/** Calls @a cb for every partition before it is simulated, with @a data; the partition is the last of the output. It then
- *  decides about rest in place of the world. It must not create or destroy anything. Null: the world decides (default). */
+/** Calls @a cb for every partition before it is simulated, with @a data; the partition is the last of the output. It
+ *  then decides about rest in place of the world. It must not create or destroy anything. Null: the world decides
+ *  (default). */
 MEPUBLIC void MEAPI MdtWorldSetPartitionCB(const MdtWorldID w, MdtPartitionEndCB cb, void *data);
 
 ME_END_C

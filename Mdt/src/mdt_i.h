@@ -1,8 +1,8 @@
 /* Inside Mdt: what worlds, bodies and constraints are made of, and what the files of this library share.
  *
- * Ownership: a world owns two pools of records, bodies and constraints, allocated once. Live records are linked into the
- * world's lists in the order of simulation: sort key, then creation. A constraint is also linked into the lists of its
- * bodies. The state of a body that counts is the double one in `kea`; what programs point at is refreshed from it.
+ * Ownership: a world owns two pools of records, bodies and constraints, allocated once. Live records are linked into
+ * the world's lists in the order of simulation: sort key, then creation. A constraint is also linked into the lists of
+ * its bodies. The state of a body that counts is the double one in `kea`; what programs point at is refreshed from it.
  */
 #ifndef MDT_I_H
 #define MDT_I_H

@@ -19,8 +19,8 @@
  *
  *  Rows marked `position` are met where the bodies arrive, not only to first order: φ(x⁺) = φ(x) + h (s - h E λ).
  *
- *  A row marked `spring` is a damped spring, λ = -stiffness φ - damping J v, whose s and E Kea finds by itself, since what
- *  is stable depends on the other springs of the system (kea_system.c).
+ *  A row marked `spring` is a damped spring, λ = -stiffness φ - damping J v, whose s and E Kea finds by itself, since
+ *  what is stable depends on the other springs of the system (kea_system.c).
  *
  *  Everything here is double, in single-precision builds too: positions, orientations and momenta keep their digits
  *  over long runs.

@@ -1,12 +1,12 @@
 /* Coulomb friction within one step: bounds μ λ_n with the normal forces of this very step, renewed until they agree.
  *
- * The normal-force model bounds each of the two tangential forces by itself. The cone bounds their size: |λ| <= F = μ λ_n.
- * It is solved with two rows, t and s, that are turned in the plane of contact.
+ * The normal-force model bounds each of the two tangential forces by itself. The cone bounds their size: |λ| <= F = μ
+ * λ_n. It is solved with two rows, t and s, that are turned in the plane of contact.
  *   sticking:  both rows are free.
  *   sliding:   λ = -F w / |w| with the slip w. Linearized about a slip along t, that is
  *                  λ_t = -F,   λ_s = -(F / |w|) w_s,
- *              a row at its bound and a row of the compliance |w| / (F h): Newton's method for the direction. After each
- *              solve the rows are turned to the slip that was found; in the end λ_s and w_s vanish.
+ *              a row at its bound and a row of the compliance |w| / (F h): Newton's method for the direction. After
+ *              each solve the rows are turned to the slip that was found; in the end λ_s and w_s vanish.
  */
 #include "kea_i.h"
 
@@ -59,7 +59,8 @@ static void mixBlocks(MdtKeaJBlock *a, MdtKeaJBlock *b, double c, double d) {
     }
 }
 
-/* Row t becomes c t + d s, and row s becomes c s - d t (c² + d² = 1): Jacobians, what follows from them, and the answer. */
+/* Row t becomes c t + d s, and row s becomes c s - d t (c² + d² = 1): Jacobians, what follows from them, and the
+ * answer. */
 static void turnRows(MdtKeaSystem *s, int t, int k, double c, double d) {
     MdtKeaWork *work = s->work;
     double *A = work->matrix;

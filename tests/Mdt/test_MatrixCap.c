@@ -3,8 +3,8 @@
 
 enum { CONTACTS = 4 };
 
-/* Two stacked spheres on the floor and a joint: contacts 0, 1 between the bodies, 2, 3 with the world; depths rise within
- * each kind. 3 rows of the joint, 4 contacts of 3 rows: 15 in all. */
+/* Two stacked spheres on the floor and a joint: contacts 0, 1 between the bodies, 2, 3 with the world; depths rise
+ * within each kind. 3 rows of the joint, 4 contacts of 3 rows: 15 in all. */
 typedef struct {
     MdtWorldID world;
     MdtBodyID lower, upper;
