@@ -4,8 +4,10 @@
 
 /* Passes cost a back-substitution each while the set of active rows stays the same. */
 static const int maxFrictionPasses = 20;
-static const int maxPositionPasses = 10;       /* an iteration that contracts by less than 0.1 is given up */
+static const int maxPositionPasses = 10;
+static const double leastContraction = 0.95;   /* of the position errors in a pass; with less the passes are given up */
 static const double positionTolerance = 1e-10; /* of sizeOfRow */
+static const double violence = 1e-6;           /* the same: an error that is left, and that a shorter step is worth */
 
 static void loadRows(MdtKeaSystem *s) {
     KeaMlcp *p = &s->work->mlcp;
@@ -90,15 +92,20 @@ static void correctPositions(MdtKeaSystem *s) {
         return;
     double worst = positionErrors(s);
     for (int pass = 0; worst > positionTolerance && pass < maxPositionPasses; pass++) {
+        const double before = worst;
         shiftTargets(s);
         solveRows(s);
         kea_renewFriction(s);
         kea_moveWithForces(s);
         worst = positionErrors(s);
+        if (worst > leastContraction * before && pass > 1)
+            break; /* contradictory rows, or a motion too violent */
     }
     if (worst <= positionTolerance)
         return;
-    s->report.violent = METRUE;
+    s->report.violent = worst > violence;
+    if (!s->report.violent)
+        return;
     memset(s->work->shift, 0, (size_t)s->numRows * sizeof(double));
     solveRows(s);
     kea_moveWithForces(s);
