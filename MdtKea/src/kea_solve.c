@@ -7,7 +7,7 @@ static const int maxFrictionPasses = 20;
 static const int maxPositionPasses = 10;
 static const double leastContraction = 0.95;   /* of the position errors in a pass; with less the passes are given up */
 static const double positionTolerance = 1e-10; /* of sizeOfRow */
-static const double violence = 1e-6;           /* the same: an error that is left, and that a shorter step is worth */
+static const double violence = 1e-8;           /* the same: an error that is left, and that a shorter step is worth */
 
 static void loadRows(MdtKeaSystem *s) {
     KeaMlcp *p = &s->work->mlcp;
