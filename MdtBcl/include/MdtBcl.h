@@ -158,7 +158,9 @@ typedef struct MdtBclSkeletal {
     MeReal coneStiffness, coneDamping, twistStiffness, twistDamping;
     MdtSkeletalConeOption coneOption;
     MdtSkeletalTwistOption twistOption;
-    MdtBclLimit cone, turn; /**< kept by the library */
+    /* Kept by the library. */
+    MdtBclLimit cone, turn;
+    double scale; /**< 1/rad, of the cone's coordinate as the step begins */
 } MdtBclSkeletal;
 
 struct MdtBclContext;
