@@ -71,6 +71,8 @@ void bcl_alignErrors(const MdtBclConstraint *c, const MdtKeaTransformation *cons
  * it. Three rows of twice its vector part, in the axes of the wanted frame, and their errors. */
 void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2],
                      const double q[4]);
+/* Half a turn is left, by 0.1 degrees or less: there the rows know no direction to turn back in. */
+MeBool bcl_isHalfATurn(const double turn[4]);
 void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]);
 void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
                     double errors[3]);
