@@ -134,6 +134,7 @@ typedef struct MdtBclCarWheel {
     double hingeAngle, hingeRate;       /**< rad, rad/s */
     /* Kept by the library. */
     int rows;
+    double startAngle;   /**< rad, of the wheel about the steering axis, as the step begins */
     double stopForce[2]; /**< N */
 } MdtBclCarWheel;
 

@@ -83,6 +83,49 @@ static inline void measure_momentum(MdtBodyID b, double linear[3], double angula
     keaAddScaled(angular, 1, w);
 }
 
+/* A swing about zero, from samples at equal steps: crossings of zero are found by a straight line, peaks by a parabola. */
+typedef struct {
+    int samples, crossings, peaks;
+    double before[2];
+    double firstCrossing, lastCrossing, firstPeak, lastPeak; /* in steps; of the peaks, their logarithms */
+    double firstPeakAt, lastPeakAt;
+} Swing;
+
+static inline void swing_peak(Swing *s, double x) {
+    const double a = fabs(s->before[1]), b = fabs(s->before[0]), c = fabs(x), bend = a - 2 * b + c;
+    const double shift = bend < 0 ? .5 * (a - c) / bend : 0;
+    s->lastPeak = log(b - .25 * (a - c) * shift);
+    s->lastPeakAt = s->samples - 1 + shift;
+    if (s->peaks++ == 0) {
+        s->firstPeak = s->lastPeak;
+        s->firstPeakAt = s->lastPeakAt;
+    }
+}
+
+static inline void swing_add(Swing *s, double x) {
+    if (s->samples > 0 && x * s->before[0] < 0) {
+        s->lastCrossing = s->samples - x / (x - s->before[0]);
+        if (s->crossings++ == 0)
+            s->firstCrossing = s->lastCrossing;
+    }
+    const int isPeak = s->before[0] * x > 0 && s->before[0] * s->before[1] > 0 && fabs(s->before[0]) >= fabs(x) &&
+                       fabs(s->before[0]) > fabs(s->before[1]);
+    if (s->samples > 1 && isPeak)
+        swing_peak(s, x);
+    s->before[1] = s->before[0];
+    s->before[0] = x;
+    s->samples++;
+}
+
+/* rad/s and 1/s, with steps of h. */
+static inline double swing_frequency(const Swing *s, double h) {
+    return 3.14159265358979323846 * (s->crossings - 1) / ((s->lastCrossing - s->firstCrossing) * h);
+}
+
+static inline double swing_decay(const Swing *s, double h) {
+    return (s->firstPeak - s->lastPeak) / ((s->lastPeakAt - s->firstPeakAt) * h);
+}
+
 /* Numbers from -1 to 1, the same in every run. */
 typedef struct {
     unsigned long long state;

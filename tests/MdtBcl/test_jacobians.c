@@ -192,6 +192,10 @@ static void rotate(MdtBclConstraint *c) {
     c->of.angular.rotates = METRUE;
 }
 
+static void loosenWheel(MdtBclConstraint *c) {
+    c->of.wheel.steering.force = 0;
+}
+
 static void lockWheel(MdtBclConstraint *c) {
     c->of.wheel.isLocked = METRUE;
 }
@@ -225,7 +229,8 @@ START_TEST(position_rows) {
     check(MdtBclFPFOJOINT, NULL, 6);
     check(MdtBclRPROJOINT, NULL, 6);
     check(MdtBclRPROJOINT, turned, 6);
-    check(MdtBclCARWHEEL, NULL, 3);
+    check(MdtBclCARWHEEL, NULL, 4);
+    check(MdtBclCARWHEEL, loosenWheel, 3);
     check(MdtBclCARWHEEL, lockWheel, 4);
     check(MdtBclSPRING, rod, 1);
     check(MdtBclSKELETAL, freeSkeletal, 3);
