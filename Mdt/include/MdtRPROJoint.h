@@ -54,17 +54,25 @@ MEPUBLIC void MEAPI MdtRPROJointSetAngularStrength(const MdtRPROJointID j, const
                                                    const MeReal sZ);
 MEPUBLIC void MEAPI MdtRPROJointGetAngularStrength(const MdtRPROJointID j, MeVector3 v);
 /** @} */
-/** @name Other names of the guides and of old programs for the above
- *  @{ */
-#define MdtRPROJointGetAttachmentOrientation(j, k, q) MdtRPROJointGetAttachmentQuaternion((j), (k), (q))
-#define MdtRPROJointGetPosition(j, k, p)              MdtRPROJointGetAttachmentPosition((j), (k), (p))
-#define MdtRPROJointSetPosition(j, x, y, z, k)        MdtRPROJointSetAttachmentPosition((j), (x), (y), (z), (k))
-#define MdtRPROSetSortKey(j, key)                     MdtRPROJointSetSortKey((j), (key))
-#define MdtRPROGetSortKey(j)                          MdtRPROJointGetSortKey(j)
-/** @} */
-
 /* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
 MDT_JOINT_COMMON(RPROJoint)
+
+/** @name Other names of the guides and of old programs for the above
+ *  @{ */
+static inline void MdtRPROJointGetAttachmentOrientation(const MdtRPROJointID j, const unsigned int bodyindex,
+                                                        MeVector4 quaternion) {
+    MdtRPROJointGetAttachmentQuaternion(j, bodyindex, quaternion);
+}
+static inline void MdtRPROJointGetPosition(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 position) {
+    MdtRPROJointGetAttachmentPosition(j, bodyindex, position);
+}
+static inline void MdtRPROJointSetPosition(const MdtRPROJointID j, const MeReal x, const MeReal y, const MeReal z,
+                                           const unsigned int bodyindex) {
+    MdtRPROJointSetAttachmentPosition(j, x, y, z, bodyindex);
+}
+#define MdtRPROSetSortKey(j, key) MdtRPROJointSetSortKey((j), (key))
+#define MdtRPROGetSortKey(j)      MdtRPROJointGetSortKey(j)
+/** @} */
 
 ME_END_C
 

@@ -76,7 +76,7 @@ typedef enum MdtFrictionModel {
     MdtFrictionModelUnknown = -1,
     MdtFrictionModelBox = 0,         /**< a constant bound, friction1 or friction2, whatever the normal force */
     MdtFrictionModelNormalForce = 1, /**< Coulomb: the bound is the coefficient times the normal force */
-    MdtFrictionModelCone = 2,        /**< the same for both directions together: as strong whichever way it slides */
+    MdtFrictionModelCone = 2,        /**< the same for both directions together, with the primary coefficient */
 } MdtFrictionModel;
 
 /** Which of a contact's parameters are in use. The functions of MdtContactParams.h set them. */

@@ -8,7 +8,7 @@
  *             and >= -e J v when they meet faster than velThreshold and than one step's own acceleration explains.
  *             λ >= -max_adhesive_force.   E = ε + softness.
  *   friction: J v⁺ = slide - slip λ, |λ| <= friction (box) or μ λ_n (normal force).   E = slip / h, or ε without slip.
- *             Cone, in both directions: (λ_1/μ_1)² + (λ_2/μ_2)² <= λ_n².
+ *             Cone, in both directions: λ_1² + λ_2² <= (μ λ_n)², with the primary coefficient.
  *             Only where the bodies touch, or will within the step.
  */
 #include "bcl_i.h"

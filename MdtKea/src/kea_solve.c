@@ -6,7 +6,6 @@
 static const int maxFrictionPasses = 20;
 static const int maxPositionPasses = 10;       /* an iteration that contracts by less than 0.1 is given up */
 static const double positionTolerance = 1e-10; /* of sizeOfRow */
-static const double frictionTolerance = 1e-9;  /* of a bound */
 
 static void loadRows(MdtKeaSystem *s) {
     KeaMlcp *p = &s->work->mlcp;
@@ -14,7 +13,7 @@ static void loadRows(MdtKeaSystem *s) {
     p->maxIterations = s->parameters.maxIterations;
     for (int i = 0; i < s->numRows; i++) {
         MdtKeaRow *row = &s->rows[i];
-        const double bound = row->normal >= 0 ? row->friction * fmax(s->rows[row->normal].force, 0) : HUGE_VAL;
+        const double bound = kea_firstFrictionBound(s, row);
         p->E[i] = row->softness;
         p->lower[i] = fmax(row->lower, -bound);
         p->upper[i] = fmin(row->upper, bound);
@@ -32,70 +31,6 @@ static void solveRows(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = p->x[i];
     s->report.passes++;
-}
-
-/* The velocity that row i is left with against its target: zero where the force is free. */
-static double slipOf(const MdtKeaSystem *s, int i) {
-    const KeaMlcp *p = &s->work->mlcp;
-    double w = p->E[i] * p->x[i] - p->b[i];
-    for (int j = 0; j < p->n; j++)
-        w += p->A[i * p->n + j] * p->x[j];
-    return w * s->parameters.stepsize;
-}
-
-/* How much of the normal force's bound each row of a friction cone may take: all of it while the two stay inside the cone,
- * and their shares of the direction against the slip when they slide. (With the coefficients as the units of force the
- * elliptical cone is a round one.) The box of these bounds touches the cone in the force that the next solve gives. */
-static void shareCone(const MdtKeaSystem *s, int i, double share[2]) {
-    const KeaMlcp *p = &s->work->mlcp;
-    const int row[2] = {i, s->rows[i].partner};
-    const double limit = fmax(s->rows[s->rows[i].normal].force, 0);
-    double force[2], slip[2];
-    for (int k = 0; k < 2; k++) {
-        force[k] = p->x[row[k]] / s->rows[row[k]].friction;
-        slip[k] = slipOf(s, row[k]) * s->rows[row[k]].friction;
-    }
-    const double size = hypot(force[0], force[1]), speed = hypot(slip[0], slip[1]);
-    const MeBool sticks = p->set[row[0]] == KEA_FREE && p->set[row[1]] == KEA_FREE;
-    if (limit == 0 || (sticks && size <= limit * (1 + frictionTolerance))) {
-        share[0] = share[1] = 1;
-        return;
-    }
-    for (int k = 0; k < 2; k++)
-        share[k] = sticks || speed == 0 ? fabs(force[k]) / size : fabs(slip[k]) / speed;
-}
-
-/* The bounds move to the new ones; after a few passes half the way, since a wedge can make them alternate. Returns
- * whether they moved. */
-static MeBool setFrictionBound(MdtKeaSystem *s, int i, double bound) {
-    KeaMlcp *p = &s->work->mlcp;
-    const MdtKeaRow *row = &s->rows[i];
-    if (s->report.passes > 4)
-        bound = 0.5 * (bound + fmax(p->upper[i], 0));
-    const double lower = fmax(row->lower, -bound), upper = fmin(row->upper, bound);
-    const double change = fmax(fabs(upper - p->upper[i]), fabs(lower - p->lower[i]));
-    const MeBool isFree = p->set[i] == KEA_FREE && p->x[i] > lower && p->x[i] < upper;
-    p->lower[i] = lower;
-    p->upper[i] = upper;
-    return change > frictionTolerance * bound && !isFree;
-}
-
-/* Coulomb's bound μ λ_n with the normal force of this very step. Returns whether a bound moved that matters. */
-static MeBool renewFrictionBounds(MdtKeaSystem *s) {
-    MeBool moved = MEFALSE;
-    for (int i = 0; i < s->numRows; i++) {
-        const MdtKeaRow *row = &s->rows[i];
-        if (row->normal < 0 || (row->partner >= 0 && row->partner < i)) /* a cone is done with its first row */
-            continue;
-        const double limit = fmax(s->rows[row->normal].force, 0);
-        double share[2] = {1, 1};
-        if (row->partner >= 0)
-            shareCone(s, i, share);
-        moved = setFrictionBound(s, i, share[0] * row->friction * limit) || moved;
-        if (row->partner >= 0)
-            moved = setFrictionBound(s, row->partner, share[1] * s->rows[row->partner].friction * limit) || moved;
-    }
-    return moved;
 }
 
 /* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies
@@ -156,7 +91,7 @@ static void correctPositions(MdtKeaSystem *s) {
     for (int pass = 0; worst > positionTolerance && pass < maxPositionPasses; pass++) {
         shiftTargets(s);
         solveRows(s);
-        renewFrictionBounds(s);
+        kea_renewFriction(s);
         kea_moveWithForces(s);
         worst = positionErrors(s);
     }
@@ -174,7 +109,7 @@ static double residual(const MdtKeaSystem *s) {
     const KeaMlcp *p = &s->work->mlcp;
     double worst = 0;
     for (int i = 0; i < s->numRows; i++) {
-        const double w = slipOf(s, i);
+        const double w = kea_slip(s, i);
         if (p->scale[i] == 0 || (w > 0 && p->x[i] <= p->lower[i]) || (w < 0 && p->x[i] >= p->upper[i]))
             continue;
         worst = fmax(worst, fabs(w));
@@ -194,7 +129,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     loadRows(s);
     do {
         solveRows(s);
-    } while (renewFrictionBounds(s) && s->report.passes < maxFrictionPasses);
+    } while (kea_renewFriction(s) && s->report.passes < maxFrictionPasses);
     correctPositions(s);
     s->report.pivots = p->pivots;
     s->report.factorizations = p->factorizations;

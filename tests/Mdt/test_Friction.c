@@ -45,7 +45,8 @@ static void push(Cube *s, MdtFrictionModel model, double force, double angle, do
         MeVector3 p;
         MdtBodyGetPosition(s->body, p);
         makeContacts(s, model, turn);
-        MdtBodyAddForceAtPosition(s->body, (MeReal)(force * cos(angle)), 0, (MeReal)(force * sin(angle)), p[0], 0, p[2]);
+        MdtBodyAddForceAtPosition(s->body, (MeReal)(force * cos(angle)), 0, (MeReal)(force * sin(angle)), p[0], 0,
+                                  p[2]);
         MdtWorldStep(s->world, FRAME);
     }
 }
