@@ -1,0 +1,281 @@
+/* Speed against error: the scenes in Karma and its peers, interleaved, as tables and as CSV. */
+#include "run.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_SUBSTEPS = 8, MAX_ROWS = 64, RUNS = 5 };
+
+typedef struct Options {
+    bool quick;
+    const char *scene, *engine, *csv; /* null: all, all, none */
+    int substeps[MAX_SUBSTEPS], numSubsteps;
+    double runBudget, rowBudget; /* s, of one run, and after which a row gets no further one */
+} Options;
+
+/* An engine with a setting and a number of sub-steps, and its runs of a scene. */
+typedef struct Row {
+    const Engine *engine;
+    int setting, substeps, numRuns;
+    double spent; /* s */
+    RunResult runs[RUNS];
+} Row;
+
+static const Engine *const engines[] = {
+    &engine_karma_single,
+    &engine_karma_double,
+#ifdef BENCH_ODE
+    &engine_ode,
+#endif
+#ifdef BENCH_BULLET
+    &engine_bullet,
+#endif
+#ifdef BENCH_MUJOCO
+    &engine_mujoco,
+#endif
+    NULL,
+};
+
+static const char *const absent[] = {
+#ifndef BENCH_ODE
+    "ODE is not there: the Debian package libode-dev brings it.",
+#endif
+#ifndef BENCH_BULLET
+    "Bullet is not there: the Debian package libbullet-dev brings it.",
+#endif
+#ifndef BENCH_MUJOCO
+    "MuJoCo is not there: the Debian package libmujoco-dev brings it.",
+#endif
+    NULL,
+};
+
+/* Options */
+
+static void usage(FILE *to) {
+    fputs("usage: bench [options]\n"
+          "  --quick            fewer runs of slow rows, and no run of more than some seconds\n"
+          "  --scene NAME       only this scene (see --list)\n"
+          "  --engine NAME      only engines whose names begin so\n"
+          "  --substeps N,...   steps per frame of 1/60 s, at most 8 numbers; 1,4 if not given\n"
+          "  --csv FILE         also write all figures there\n"
+          "  --list             name the scenes\n",
+          to);
+}
+
+static void list(void) {
+    for (int i = 0; scenes[i]; i++)
+        printf("%s: %s.\n", scenes[i]->name, scenes[i]->text);
+}
+
+static bool readSubsteps(Options *o, const char *text) {
+    o->numSubsteps = 0;
+    while (o->numSubsteps < MAX_SUBSTEPS) {
+        char *end;
+        const long n = strtol(text, &end, 10);
+        if (end == text || n < 1 || n > 1000)
+            return false;
+        o->substeps[o->numSubsteps++] = (int)n;
+        if (*end == 0)
+            return true;
+        if (*end != ',')
+            return false;
+        text = end + 1;
+    }
+    return false;
+}
+
+/* Takes an option and its value; says how many words it took, or 0. */
+static int readOption(Options *o, const char *name, const char *value) {
+    if (strcmp(name, "--quick") == 0) {
+        o->quick = true;
+        return 1;
+    }
+    if (!value)
+        return 0;
+    if (strcmp(name, "--scene") == 0 && scene_find(value)) {
+        o->scene = value;
+        return 2;
+    }
+    if (strcmp(name, "--engine") == 0) {
+        o->engine = value;
+        return 2;
+    }
+    if (strcmp(name, "--csv") == 0) {
+        o->csv = value;
+        return 2;
+    }
+    return strcmp(name, "--substeps") == 0 && readSubsteps(o, value) ? 2 : 0;
+}
+
+static Options readOptions(int argc, char *argv[]) {
+    Options o = {.substeps = {1, 4}, .numSubsteps = 2, .runBudget = 120, .rowBudget = 240};
+    for (int i = 1; i < argc;) {
+        if (strcmp(argv[i], "--help") == 0) {
+            usage(stdout);
+            exit(0);
+        }
+        if (strcmp(argv[i], "--list") == 0) {
+            list();
+            exit(0);
+        }
+        const int taken = readOption(&o, argv[i], argv[i + 1]);
+        if (!taken) {
+            fprintf(stderr, "bench: cannot make sense of '%s %s'\n", argv[i], argv[i + 1] ? argv[i + 1] : "");
+            usage(stderr);
+            exit(2);
+        }
+        i += taken;
+    }
+    if (o.quick) {
+        o.runBudget = 5;
+        o.rowBudget = .5;
+    }
+    return o;
+}
+
+/* Running */
+
+static int makeRows(const Options *o, Row rows[MAX_ROWS]) {
+    int n = 0;
+    for (int e = 0; engines[e]; e++)
+        for (int s = 0; engines[e]->settings[s]; s++)
+            for (int k = 0; k < o->numSubsteps && n < MAX_ROWS; k++)
+                if (!o->engine || strncmp(engines[e]->name, o->engine, strlen(o->engine)) == 0)
+                    rows[n++] = (Row){.engine = engines[e], .setting = s, .substeps = o->substeps[k]};
+    return n;
+}
+
+/* The rows take turns, so that what else the machine does meets all of them. */
+static void runRows(const Options *o, const Scene *scene, Row rows[], int n) {
+    for (int run = 0; run < RUNS; run++)
+        for (int i = 0; i < n; i++) {
+            Row *r = &rows[i];
+            if (!run_isPossible(scene, r->engine) || (run > 0 && r->spent > o->rowBudget))
+                continue;
+            RunResult *result = &r->runs[r->numRuns++];
+            *result = run_scene(scene, r->engine, r->setting, r->substeps, o->runBudget);
+            r->spent += 1e-6 * result->median * result->simulated / SCENE_FRAME;
+        }
+}
+
+static int compare(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double medianOf(const Row *r, size_t offset) {
+    double values[RUNS];
+    for (int i = 0; i < r->numRuns; i++)
+        memcpy(&values[i], (const char *)&r->runs[i] + offset, sizeof values[i]);
+    qsort(values, (size_t)r->numRuns, sizeof *values, compare);
+    return r->numRuns ? values[r->numRuns / 2] : 0;
+}
+
+/* What the runs agree in is taken from the first. */
+static RunResult resultOf(const Row *r) {
+    RunResult result = r->runs[0];
+    result.median = medianOf(r, offsetof(RunResult, median));
+    result.worst = medianOf(r, offsetof(RunResult, worst));
+    return result;
+}
+
+/* Printing */
+
+static void printHead(const Scene *s) {
+    printf("\n%s: %s\n%-14s%-10s%4s", s->name, s->text, "engine", "setting", "sub");
+    for (int k = 0; k < SCENE_MAX_ERRORS; k++)
+        printf("%15s", s->errors[k].name ? s->errors[k].name : "");
+    printf("%12s%12s\n", "median us", "worst us");
+}
+
+static void printErrors(const Scene *s, const RunResult *result) {
+    char text[32];
+    for (int k = 0; k < SCENE_MAX_ERRORS; k++) {
+        if (!s->errors[k].name)
+            snprintf(text, sizeof text, "%s", "");
+        else if (result->outcome == RUN_HOLDS && isfinite(result->errors[k]))
+            snprintf(text, sizeof text, "%.2g", result->errors[k]);
+        else if (result->outcome == RUN_HOLDS)
+            snprintf(text, sizeof text, "%s", "none");
+        else if (k == 0)
+            snprintf(text, sizeof text, "%s %.3g s", result->outcome == RUN_FAILS ? "fails" : "too slow",
+                     result->simulated);
+        else
+            snprintf(text, sizeof text, "%s", "");
+        printf("%15s", text);
+    }
+}
+
+static void printRow(const Scene *s, const Row *r) {
+    printf("%-14s%-10s%4d", r->engine->name, r->engine->settings[r->setting], r->substeps);
+    if (r->numRuns == 0) {
+        printf("%15s\n", "-");
+        return;
+    }
+    const RunResult result = resultOf(r);
+    printErrors(s, &result);
+    printf("%12.1f%12.1f\n", result.median, result.worst);
+}
+
+static void writeRow(FILE *csv, const Scene *s, const Row *r) {
+    static const char *const outcomes[] = {"holds", "fails", "too slow"};
+    if (r->numRuns == 0)
+        return;
+    const RunResult result = resultOf(r);
+    fprintf(csv, "%s,%s,%s,%d,%s,%g,%d,%.4g,%.4g", s->name, r->engine->name, r->engine->settings[r->setting],
+            r->substeps, outcomes[result.outcome], result.simulated, r->numRuns, result.median, result.worst);
+    for (int k = 0; k < SCENE_MAX_ERRORS; k++)
+        if (s->errors[k].name)
+            fprintf(csv, ",%s,%.6g", s->errors[k].name, result.errors[k]);
+        else
+            fputs(",,", csv);
+    fputc('\n', csv);
+}
+
+static void benchScene(const Options *o, const Scene *s, FILE *csv) {
+    Row rows[MAX_ROWS];
+    const int n = makeRows(o, rows);
+    runRows(o, s, rows, n);
+    printHead(s);
+    for (int i = 0; i < n; i++) {
+        printRow(s, &rows[i]);
+        if (csv)
+            writeRow(csv, s, &rows[i]);
+    }
+    fflush(stdout);
+}
+
+static void printLegend(void) {
+    puts("Times are of a frame of 1/60 s, sub-steps and contacts included: medians over runs of the median and of the "
+         "worst\n"
+         "frame. '-': the engine has nothing for it; 'fails T': broke, fell or gave up after T simulated seconds;\n"
+         "'too slow T': no time was left after T; 'none': what was to be measured did not happen.");
+    for (int e = 0; engines[e]; e++)
+        printf("%s%s %s", e ? ", " : "", engines[e]->name, engines[e]->version);
+    puts(".");
+    for (int i = 0; absent[i]; i++)
+        puts(absent[i]);
+}
+
+int main(int argc, char *argv[]) {
+    const Options o = readOptions(argc, argv);
+    FILE *csv = o.csv ? fopen(o.csv, "w") : NULL;
+    if (o.csv && !csv) {
+        fprintf(stderr, "bench: cannot write %s\n", o.csv);
+        return 1;
+    }
+    if (csv)
+        fputs("scene,engine,setting,substeps,outcome,simulated s,runs,median us,worst us,error,value,error,value,error,"
+              "value\n",
+              csv);
+    printLegend();
+    for (int i = 0; scenes[i]; i++)
+        if (!o.scene || strcmp(scenes[i]->name, o.scene) == 0)
+            benchScene(&o, scenes[i], csv);
+    if (csv)
+        fclose(csv);
+    return 0;
+}

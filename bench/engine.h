@@ -1,0 +1,40 @@
+/* What a scene needs of a physics engine, and no more. One file per engine fills in an Engine. */
+#ifndef BENCH_ENGINE_H
+#define BENCH_ENGINE_H
+
+#include "contacts.h"
+#include "scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct EngineWorld EngineWorld; /* each engine's own */
+
+typedef struct Engine {
+    const char *name;
+    const char *version;
+    const char *const *settings; /* names of its solvers, ends with a null */
+    bool bounces;                /* has restitution */
+    /* A world with the `setting`-th solver. Bodies collide, with each other and the ground, or do not. */
+    EngineWorld *(*create)(int setting, const double gravity[3], bool collides);
+    void (*addGround)(EngineWorld *w); /* the plane y = 0 */
+    /* Bodies are numbered as they are added. */
+    void (*addBody)(EngineWorld *w, const SceneBody *b);
+    void (*addJoint)(EngineWorld *w, const SceneJoint *j);
+    /* For an engine without collision: the contacts of the next step. Null: it finds them. */
+    void (*setContacts)(EngineWorld *w, const SceneContact contacts[], int n);
+    void (*step)(EngineWorld *w, double h);
+    void (*getState)(EngineWorld *w, int body, SceneState *s);
+    bool (*hasGivenUp)(EngineWorld *w); /* the engine itself says so; may be null */
+    void (*destroy)(EngineWorld *w);
+} Engine;
+
+extern const Engine engine_karma_single, engine_karma_double;
+extern const Engine engine_ode, engine_bullet, engine_mujoco;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

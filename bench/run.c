@@ -1,0 +1,126 @@
+/* One run of a scene in an engine. */
+#define _POSIX_C_SOURCE 199309L /* clock_gettime */
+#include "run.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+typedef struct Run {
+    const Scene *scene;
+    const Engine *engine;
+    EngineWorld *in;
+    SceneWorld world;
+    SceneTrace trace;
+    SceneState states[SCENE_MAX_BODIES];
+    SceneContact contacts[SCENE_MAX_CONTACTS];
+} Run;
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+bool run_isPossible(const Scene *scene, const Engine *engine) {
+    return engine->bounces || !scene->bounces;
+}
+
+static void populate(Run *r, int setting) {
+    r->in = r->engine->create(setting, r->world.gravity, r->world.collides);
+    if (r->world.collides)
+        r->engine->addGround(r->in);
+    for (int i = 0; i < r->world.numBodies; i++)
+        r->engine->addBody(r->in, &r->world.bodies[i]);
+    for (int i = 0; i < r->world.numJoints; i++)
+        r->engine->addJoint(r->in, &r->world.joints[i]);
+}
+
+static void readStates(Run *r) {
+    for (int i = 0; i < r->world.numBodies; i++)
+        r->engine->getState(r->in, i, &r->states[i]);
+}
+
+/* What is not a number fails too. */
+static bool isFiniteState(const Run *r) {
+    double sum = 0;
+    for (int i = 0; i < r->world.numBodies; i++)
+        sum += scene_dot(r->states[i].position, r->states[i].position) +
+               scene_dot(r->states[i].velocity, r->states[i].velocity) +
+               scene_dot(r->states[i].spin, r->states[i].spin);
+    return isfinite(sum);
+}
+
+static bool hasFailed(const Run *r) {
+    for (int k = 0; k < SCENE_MAX_ERRORS && r->scene->errors[k].name; k++)
+        if (!(r->trace.worst[k] < r->scene->errors[k].fails))
+            return true;
+    return !isFiniteState(r) || (r->engine->hasGivenUp && r->engine->hasGivenUp(r->in));
+}
+
+static void observe(Run *r, double time) {
+    r->scene->observe(&r->trace, &r->world, r->states, time);
+    for (int i = 0; i < r->world.numBodies; i++)
+        memcpy(r->trace.before[i], r->trace.last[i].position, sizeof r->trace.before[i]);
+    memcpy(r->trace.last, r->states, sizeof r->trace.last);
+    r->trace.lastTime = time;
+}
+
+/* Returns the seconds that it took. */
+static double frame(Run *r, int substeps) {
+    const double start = now(), h = SCENE_FRAME / substeps;
+    for (int i = 0; i < substeps; i++) {
+        if (r->engine->setContacts && r->world.collides) {
+            readStates(r);
+            const int n = scene_contacts(&r->world, r->states, h, r->contacts);
+            r->engine->setContacts(r->in, r->contacts, n);
+        }
+        r->engine->step(r->in, h);
+    }
+    return now() - start;
+}
+
+static int compare(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void summarize(const Run *r, double times[], int n, RunResult *result) {
+    qsort(times, (size_t)n, sizeof *times, compare);
+    result->median = n ? 1e6 * times[n / 2] : 0;
+    result->worst = n ? 1e6 * times[n - 1] : 0;
+    r->scene->measure(&r->trace, &r->world, result->errors);
+    for (int k = 0; k < SCENE_MAX_ERRORS && r->scene->errors[k].name; k++)
+        if (result->outcome == RUN_HOLDS && isnan(result->errors[k]))
+            result->outcome = RUN_FAILS;
+}
+
+RunResult run_scene(const Scene *scene, const Engine *engine, int setting, int substeps, double budget) {
+    RunResult result = {.outcome = RUN_HOLDS};
+    Run *r = calloc(1, sizeof *r);
+    const int frames = (int)lround(scene->duration / SCENE_FRAME);
+    double *times = calloc((size_t)frames, sizeof *times), spent = 0;
+    int n = 0;
+    if (!r || !times)
+        abort();
+    r->scene = scene;
+    r->engine = engine;
+    scene->build(scene, &r->world);
+    r->trace.energy = scene_startEnergy(&r->world);
+    populate(r, setting);
+    readStates(r);
+    observe(r, 0);
+    while (n < frames && !r->trace.isDone && result.outcome == RUN_HOLDS) {
+        spent += times[n] = frame(r, substeps);
+        readStates(r);
+        observe(r, ++n * SCENE_FRAME);
+        result.outcome = hasFailed(r) ? RUN_FAILS : spent > budget ? RUN_TIMES_OUT : RUN_HOLDS;
+    }
+    result.simulated = n * SCENE_FRAME;
+    summarize(r, times, n, &result);
+    engine->destroy(r->in);
+    free(times);
+    free(r);
+    return result;
+}

@@ -1,0 +1,26 @@
+/* One run of a scene in an engine. */
+#ifndef BENCH_RUN_H
+#define BENCH_RUN_H
+
+#include "engine.h"
+
+typedef enum RunOutcome {
+    RUN_HOLDS,
+    RUN_FAILS,    /* an error passed its bound, or is no number, or the engine gave up */
+    RUN_TIMES_OUT /* the budget was spent */
+} RunOutcome;
+
+typedef struct RunResult {
+    RunOutcome outcome;
+    double simulated; /* s */
+    double errors[SCENE_MAX_ERRORS];
+    double median, worst; /* µs of a frame, contacts made by hand included */
+} RunResult;
+
+/* Whether the engine has what the scene needs. */
+bool run_isPossible(const Scene *scene, const Engine *engine);
+
+/* Every frame is `substeps` steps. Ends early when the scene is done, has failed, or has taken `budget` seconds. */
+RunResult run_scene(const Scene *scene, const Engine *engine, int setting, int substeps, double budget);
+
+#endif

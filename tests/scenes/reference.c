@@ -1,0 +1,72 @@
+/* The right answers of the scenes: closed forms, and Euler's equations integrated until they converge. */
+#include "reference.h"
+
+#include <math.h>
+
+static const double pi = 3.14159265358979323846;
+
+/* T = 2 pi / (omega agm(1, cos(amplitude / 2))), the complete elliptic integral by Gauss's mean. */
+double reference_pendulumPeriod(double amplitude, double omega) {
+    double a = 1, b = cos(amplitude / 2);
+    while (a - b > 1e-15) {
+        const double mean = (a + b) / 2;
+        b = sqrt(a * b);
+        a = mean;
+    }
+    return 2 * pi / (omega * a);
+}
+
+/* I dw/dt = I w x w */
+static void acceleration(const double inertia[3], const double w[3], double a[3]) {
+    a[0] = (inertia[1] - inertia[2]) * w[1] * w[2] / inertia[0];
+    a[1] = (inertia[2] - inertia[0]) * w[2] * w[0] / inertia[1];
+    a[2] = (inertia[0] - inertia[1]) * w[0] * w[1] / inertia[2];
+}
+
+static void rungeKutta(const double inertia[3], double w[3], double h) {
+    double k[4][3], at[3];
+    const double reach[4] = {0, h / 2, h / 2, h};
+    for (int s = 0; s < 4; s++) {
+        for (int i = 0; i < 3; i++)
+            at[i] = s ? w[i] + reach[s] * k[s - 1][i] : w[i];
+        acceleration(inertia, at, k[s]);
+    }
+    for (int i = 0; i < 3; i++)
+        w[i] += h / 6 * (k[0][i] + 2 * k[1][i] + 2 * k[2][i] + k[3][i]);
+}
+
+static double rotationEnergy(const double inertia[3], const double w[3]) {
+    return (inertia[0] * w[0] * w[0] + inertia[1] * w[1] * w[1] + inertia[2] * w[2] * w[2]) / 2;
+}
+
+ReferenceTumbling reference_tumbling(const double inertia[3], const double spin[3], double duration) {
+    const double h = 2e-4;
+    const long steps = lround(duration / h);
+    double w[3] = {spin[0], spin[1], spin[2]};
+    ReferenceTumbling r = {0, 0, 0};
+    for (long i = 0; i < steps; i++) {
+        const double before = w[1];
+        rungeKutta(inertia, w, h);
+        if (before * w[1] < 0 && r.flips++ == 0)
+            r.firstFlip = h * ((double)i + before / (before - w[1]));
+    }
+    r.energy = rotationEnergy(inertia, w) / rotationEnergy(inertia, spin) - 1;
+    return r;
+}
+
+double reference_slide(double along, double across, double friction, double time) {
+    const double a = along - friction * across;
+    return a > 0 ? a * time * time / 2 : 0;
+}
+
+/* Of a solid ball, 5/7 of the momentum about the point of contact is in the rolling. */
+double reference_rollingSpeed(double speed) {
+    return speed * 5 / 7;
+}
+
+double reference_rollingDistance(double speed, double friction, double gravity, double time) {
+    const double slips = 2 * speed / (7 * friction * gravity);
+    if (time < slips)
+        return speed * time - friction * gravity * time * time / 2;
+    return speed * slips - friction * gravity * slips * slips / 2 + reference_rollingSpeed(speed) * (time - slips);
+}

@@ -1,0 +1,23 @@
+/* The right answers of the scenes: closed forms, and Euler's equations integrated until they converge. */
+#ifndef SCENES_REFERENCE_H
+#define SCENES_REFERENCE_H
+
+/* s, of a pendulum that is let go at `amplitude` [rad] and whose small swings have the angular frequency `omega`. */
+double reference_pendulumPeriod(double amplitude, double omega);
+
+/* A free body with these moments of inertia and this angular velocity, both in its own axes. */
+typedef struct ReferenceTumbling {
+    double firstFlip; /* s, when the angular velocity about y first changes its sign */
+    int flips;        /* how often it does */
+    double energy;    /* relative error of the integration */
+} ReferenceTumbling;
+ReferenceTumbling reference_tumbling(const double inertia[3], const double spin[3], double duration);
+
+/* m, down a slope whose gravity has the parts `along` and `across` [m/s²], from rest; 0 if friction holds. */
+double reference_slide(double along, double across, double friction, double time);
+
+/* A ball that is put on a level ground with `speed` and no spin slips, then rolls. */
+double reference_rollingSpeed(double speed);
+double reference_rollingDistance(double speed, double friction, double gravity, double time);
+
+#endif

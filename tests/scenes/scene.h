@@ -1,0 +1,109 @@
+/* Scenes whose right answer is known, as plain data: for the tests of Karma and for comparing engines.
+ *
+ * A scene builds a SceneWorld; whoever simulates it hands the states of all bodies to `observe` at the start and after
+ * every frame, and asks `measure` for the errors at the end. Nothing here knows an engine. SI units, y up. */
+#ifndef SCENES_SCENE_H
+#define SCENES_SCENE_H
+
+#include <stdbool.h>
+
+#define SCENE_FRAME (1.0 / 60) /* s, one picture of a game */
+#define SCENE_WORLD (-1)       /* in place of a body's index */
+
+enum { SCENE_MAX_BODIES = 24, SCENE_MAX_JOINTS = 24, SCENE_MAX_ERRORS = 3 };
+
+typedef struct SceneState {
+    double position[3];   /* m, of the centre of mass */
+    double quaternion[4]; /* w x y z, body to world */
+    double velocity[3];   /* m/s */
+    double spin[3];       /* rad/s, in the world's axes */
+} SceneState;
+
+typedef enum SceneShape { SCENE_BOX, SCENE_SPHERE } SceneShape;
+
+/* Solid and of one density. Where two touch, the larger friction and the larger restitution hold; the ground has 0. */
+typedef struct SceneBody {
+    SceneShape shape;
+    double half[3]; /* m, half edges; a sphere's radius, three times */
+    double mass;    /* kg */
+    double friction, restitution;
+    SceneState start;
+} SceneBody;
+
+typedef enum SceneJointKind { SCENE_BALL_JOINT, SCENE_HINGE } SceneJointKind;
+
+/* Joints make trees: every body is the child of one joint at most. */
+typedef struct SceneJoint {
+    SceneJointKind kind;
+    int child, parent; /* indices of bodies; the parent may be SCENE_WORLD */
+    double point[3];   /* m, in the world, at the start */
+    double axis[3];    /* unit, in the world, at the start; of a hinge */
+} SceneJoint;
+
+typedef struct SceneWorld {
+    double gravity[3]; /* m/s² */
+    bool collides;     /* the bodies with each other and with the ground, the plane y = 0 */
+    int numBodies, numJoints;
+    SceneBody bodies[SCENE_MAX_BODIES];
+    SceneJoint joints[SCENE_MAX_JOINTS];
+} SceneWorld;
+
+/* What is noted while a scene runs. Each scene uses what it needs. */
+typedef struct SceneTrace {
+    double energy;                      /* J, at the start */
+    double worst[SCENE_MAX_ERRORS];     /* the largest errors so far */
+    double lastTime;                    /* s, of the states that were seen last, */
+    SceneState last[SCENE_MAX_BODIES];  /* and these */
+    double before[SCENE_MAX_BODIES][3]; /* m, positions a frame before that */
+    int events[2];                      /* crossings, flips, bounces of the first and of the second body */
+    double firstEvent, lastEvent;       /* s */
+    double top[2][2];                   /* m, the tops of the first two bounces, by body */
+    bool isDone;                        /* nothing more to see */
+} SceneTrace;
+
+typedef struct SceneError {
+    const char *name; /* with its unit, or none for a ratio; null: there are no more */
+    double fails;     /* an error this large means that the scene has failed */
+} SceneError;
+
+typedef struct Scene Scene;
+struct Scene {
+    const char *name;
+    const char *text; /* what happens, and what the errors are */
+    double parameter; /* mass [kg] where several scenes are alike */
+    double duration;  /* s, at most */
+    bool bounces;     /* needs restitution */
+    SceneError errors[SCENE_MAX_ERRORS];
+    void (*build)(const Scene *scene, SceneWorld *world);
+    void (*observe)(SceneTrace *trace, const SceneWorld *world, const SceneState states[], double time);
+    void (*measure)(const SceneTrace *trace, const SceneWorld *world, double errors[SCENE_MAX_ERRORS]);
+};
+
+extern const Scene *const scenes[]; /* ends with a null */
+
+/* Null if there is none of that name. */
+const Scene *scene_find(const char *name);
+
+/* At rest, or not yet placed. */
+SceneBody *scene_addBox(SceneWorld *w, double mass, double lx, double ly, double lz, double x, double y, double z);
+SceneBody *scene_addSphere(SceneWorld *w, double mass, double radius, double x, double y, double z);
+/* Of the body that was added last with the one before it, or, for the first body, with the world. */
+SceneJoint *scene_joinLast(SceneWorld *w, SceneJointKind kind, double x, double y, double z);
+
+/* kg m², about the body's own axes. */
+void scene_inertia(const SceneBody *b, double inertia[3]);
+/* J, kinetic and of gravity, of all bodies. */
+double scene_energy(const SceneWorld *w, const SceneState states[]);
+/* m, of the joint whose two attachments are the farthest from each other. */
+double scene_gap(const SceneWorld *w, const SceneState states[]);
+/* J, the same energy at the start of the world. */
+double scene_startEnergy(const SceneWorld *w);
+
+/* Vectors, and quaternions w x y z. */
+static inline double scene_dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+void scene_rotate(const double q[4], const double v[3], double out[3]);
+void scene_rotateBack(const double q[4], const double v[3], double out[3]);
+
+#endif
