@@ -5,6 +5,10 @@
 
 #include "scene.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum { SCENE_MAX_CONTACTS = 512 };
 
 typedef struct SceneContact {
@@ -18,5 +22,9 @@ typedef struct SceneContact {
 /* Those of bodies that touch, or are nearer than 2 % of their smallest half edge and what they move in `h` seconds.
  * Returns how many. */
 int scene_contacts(const SceneWorld *w, const SceneState states[], double h, SceneContact contacts[SCENE_MAX_CONTACTS]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

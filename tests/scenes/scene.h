@@ -7,6 +7,10 @@
 
 #include <stdbool.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define SCENE_FRAME (1.0 / 60) /* s, one picture of a game */
 #define SCENE_WORLD (-1)       /* in place of a body's index */
 
@@ -105,5 +109,9 @@ static inline double scene_dot(const double a[3], const double b[3]) {
 }
 void scene_rotate(const double q[4], const double v[3], double out[3]);
 void scene_rotateBack(const double q[4], const double v[3], double out[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -1,0 +1,167 @@
+/* Bullet, single precision, with its defaults but for the iterations of its sequential-impulse solver (10 is the
+ * default). Friction and restitution of a pair are the larger ones, by its own callbacks. */
+#include "engine.h"
+
+#include <btBulletDynamicsCommon.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace {
+
+const int iterations[] = {10, 50};
+const char *const settings[] = {"SI 10", "SI 50", nullptr};
+
+btVector3 vector(const double v[3]) {
+    return {btScalar(v[0]), btScalar(v[1]), btScalar(v[2])};
+}
+
+btScalar largerFriction(const btCollisionObject *a, const btCollisionObject *b) {
+    return std::max(a->getFriction(), b->getFriction());
+}
+
+btScalar largerRestitution(const btCollisionObject *a, const btCollisionObject *b) {
+    return std::max(a->getRestitution(), b->getRestitution());
+}
+
+} // namespace
+
+/* Destroyed from the end: what uses something stands behind it. */
+struct EngineWorld {
+    bool collides = false;
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+    std::vector<std::unique_ptr<btCollisionShape>> shapes;
+    std::vector<std::unique_ptr<btRigidBody>> bodies;
+    std::vector<std::unique_ptr<btTypedConstraint>> joints;
+    std::unique_ptr<btRigidBody> ground;
+
+    void add(btRigidBody *body) {
+        world.addRigidBody(body, btBroadphaseProxy::DefaultFilter, collides ? btBroadphaseProxy::AllFilter : 0);
+    }
+};
+
+namespace {
+
+EngineWorld *create(int setting, const double gravity[3], bool collides) {
+    gCalculateCombinedFrictionCallback = largerFriction;
+    gCalculateCombinedRestitutionCallback = largerRestitution;
+    auto *w = new EngineWorld;
+    w->collides = collides;
+    w->world.setGravity(vector(gravity));
+    w->world.getSolverInfo().m_numIterations = iterations[setting];
+    return w;
+}
+
+void addGround(EngineWorld *w) {
+    w->shapes.push_back(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)));
+    w->ground = std::make_unique<btRigidBody>(btScalar(0), nullptr, w->shapes.back().get());
+    w->ground->setFriction(0);
+    w->add(w->ground.get());
+}
+
+std::unique_ptr<btCollisionShape> shapeOf(const SceneBody *b) {
+    if (b->shape == SCENE_SPHERE)
+        return std::make_unique<btSphereShape>(btScalar(b->half[0]));
+    return std::make_unique<btBoxShape>(vector(b->half));
+}
+
+void place(btRigidBody *body, const SceneState *s) {
+    const double *q = s->quaternion;
+    const btQuaternion turned{btScalar(q[1]), btScalar(q[2]), btScalar(q[3]), btScalar(q[0])};
+    body->setWorldTransform(btTransform(turned, vector(s->position)));
+    body->setInterpolationWorldTransform(body->getWorldTransform());
+    body->setLinearVelocity(vector(s->velocity));
+    body->setAngularVelocity(vector(s->spin));
+    body->updateInertiaTensor();
+}
+
+void addBody(EngineWorld *w, const SceneBody *b) {
+    double inertia[3];
+    scene_inertia(b, inertia);
+    w->shapes.push_back(shapeOf(b));
+    w->bodies.push_back(
+        std::make_unique<btRigidBody>(btScalar(b->mass), nullptr, w->shapes.back().get(), vector(inertia)));
+    btRigidBody *body = w->bodies.back().get();
+    place(body, &b->start);
+    body->setFriction(btScalar(b->friction));
+    body->setRestitution(btScalar(b->restitution));
+    body->setActivationState(DISABLE_DEACTIVATION);
+    w->add(body);
+}
+
+btVector3 localPoint(const btRigidBody &body, const double point[3]) {
+    return body.getCenterOfMassTransform().inverse() * vector(point);
+}
+
+btVector3 localAxis(const btRigidBody &body, const double axis[3]) {
+    return body.getCenterOfMassTransform().getBasis().transpose() * vector(axis);
+}
+
+std::unique_ptr<btTypedConstraint> makeJoint(const SceneJoint *j, btRigidBody &child, btRigidBody *parent) {
+    const btVector3 point = localPoint(child, j->point), axis = localAxis(child, j->axis);
+    if (j->kind == SCENE_HINGE && parent)
+        return std::make_unique<btHingeConstraint>(child, *parent, point, localPoint(*parent, j->point), axis,
+                                                   localAxis(*parent, j->axis));
+    if (j->kind == SCENE_HINGE)
+        return std::make_unique<btHingeConstraint>(child, point, axis);
+    if (parent)
+        return std::make_unique<btPoint2PointConstraint>(child, *parent, point, localPoint(*parent, j->point));
+    return std::make_unique<btPoint2PointConstraint>(child, point);
+}
+
+void addJoint(EngineWorld *w, const SceneJoint *j) {
+    btRigidBody *parent = j->parent == SCENE_WORLD ? nullptr : w->bodies[size_t(j->parent)].get();
+    w->joints.push_back(makeJoint(j, *w->bodies[size_t(j->child)], parent));
+    w->world.addConstraint(w->joints.back().get(), true);
+}
+
+void step(EngineWorld *w, double h) {
+    w->world.stepSimulation(btScalar(h), 0);
+}
+
+void getState(EngineWorld *w, int index, SceneState *s) {
+    const btRigidBody &body = *w->bodies[size_t(index)];
+    const btQuaternion q = body.getCenterOfMassTransform().getRotation();
+    s->quaternion[0] = double(q.w());
+    for (int i = 0; i < 3; i++) {
+        s->position[i] = double(body.getCenterOfMassPosition()[i]);
+        s->quaternion[i + 1] = double(q[i]);
+        s->velocity[i] = double(body.getLinearVelocity()[i]);
+        s->spin[i] = double(body.getAngularVelocity()[i]);
+    }
+}
+
+void destroy(EngineWorld *w) {
+    for (auto &joint : w->joints)
+        w->world.removeConstraint(joint.get());
+    for (auto &body : w->bodies)
+        w->world.removeRigidBody(body.get());
+    if (w->ground)
+        w->world.removeRigidBody(w->ground.get());
+    delete w;
+}
+
+Engine makeEngine() {
+    Engine e = {};
+    e.name = "Bullet";
+    e.version = PEER_VERSION;
+    e.settings = settings;
+    e.bounces = true;
+    e.create = create;
+    e.addGround = addGround;
+    e.addBody = addBody;
+    e.addJoint = addJoint;
+    e.step = step;
+    e.getState = getState;
+    e.destroy = destroy;
+    return e;
+}
+
+} // namespace
+
+extern "C" const Engine engine_bullet = makeEngine();

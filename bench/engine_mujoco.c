@@ -1,0 +1,238 @@
+/* MuJoCo with its defaults: the Newton solver, pyramidal friction, and the Euler or the RK4 integrator.
+ *
+ * A model is compiled from XML before it can be simulated, so bodies and joints are collected until the first step.
+ * Joints are MuJoCo's own kind, coordinates of a tree, whose gaps are 0 by construction. It has no restitution. */
+#include "engine.h"
+
+#include <mujoco/mujoco.h>
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_TEXT = 1 << 15 };
+
+struct EngineWorld {
+    int setting, numBodies;
+    bool collides, hasGround;
+    double gravity[3];
+    SceneBody bodies[SCENE_MAX_BODIES];
+    const SceneJoint *joints[SCENE_MAX_BODIES]; /* by child; null: free */
+    int ids[SCENE_MAX_BODIES];                  /* the model's */
+    char text[MAX_TEXT];                        /* of the model */
+    size_t length;
+    mjModel *model;
+    mjData *data;
+    bool isFresh; /* what getState reads has been computed since the last step */
+};
+
+static const char *const settings[] = {"Euler", "RK4", NULL};
+
+/* The model as XML */
+
+static void say(EngineWorld *w, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    w->length += (size_t)vsnprintf(w->text + w->length, MAX_TEXT - w->length, format, arguments);
+    va_end(arguments);
+    if (w->length >= MAX_TEXT)
+        abort();
+}
+
+static void sayNumbers(EngineWorld *w, const char *name, const double values[], int n) {
+    say(w, " %s='", name);
+    for (int i = 0; i < n; i++)
+        say(w, "%.17g ", values[i]);
+    say(w, "'");
+}
+
+static void sayPose(EngineWorld *w, const SceneState *s, const SceneState *parent) {
+    double position[3], quaternion[4], back[4];
+    for (int i = 0; i < 3; i++)
+        position[i] = s->position[i] - parent->position[i];
+    scene_rotateBack(parent->quaternion, position, position);
+    mju_negQuat(back, parent->quaternion);
+    mju_mulQuat(quaternion, back, s->quaternion);
+    sayNumbers(w, "pos", position, 3);
+    sayNumbers(w, "quat", quaternion, 4);
+}
+
+static void sayJoint(EngineWorld *w, const SceneJoint *j, const SceneState *s) {
+    if (!j) {
+        say(w, "<freejoint/>");
+        return;
+    }
+    double point[3], axis[3];
+    for (int i = 0; i < 3; i++)
+        point[i] = j->point[i] - s->position[i];
+    scene_rotateBack(s->quaternion, point, point);
+    scene_rotateBack(s->quaternion, j->axis, axis);
+    say(w, "<joint type='%s'", j->kind == SCENE_HINGE ? "hinge" : "ball");
+    sayNumbers(w, "pos", point, 3);
+    if (j->kind == SCENE_HINGE)
+        sayNumbers(w, "axis", axis, 3);
+    say(w, "/>");
+}
+
+static void sayShape(EngineWorld *w, const SceneBody *b) {
+    say(w, "<geom type='%s' mass='%.17g' friction='%.17g .005 .0001' contype='%d' conaffinity='%d'",
+        b->shape == SCENE_SPHERE ? "sphere" : "box", b->mass, b->friction, w->collides, w->collides);
+    sayNumbers(w, "size", b->half, b->shape == SCENE_SPHERE ? 1 : 3);
+    say(w, "/>");
+}
+
+static void sayChildren(EngineWorld *w, int parent);
+
+static void sayBody(EngineWorld *w, int i, const SceneState *parent) {
+    const SceneBody *b = &w->bodies[i];
+    say(w, "<body name='b%d'", i);
+    sayPose(w, &b->start, parent);
+    say(w, ">");
+    sayJoint(w, w->joints[i], &b->start);
+    sayShape(w, b);
+    sayChildren(w, i);
+    say(w, "</body>\n");
+}
+
+static void sayChildren(EngineWorld *w, int parent) {
+    static const SceneState origin = {.quaternion = {1}};
+    for (int i = 0; i < w->numBodies; i++)
+        if ((w->joints[i] ? w->joints[i]->parent : SCENE_WORLD) == parent)
+            sayBody(w, i, parent == SCENE_WORLD ? &origin : &w->bodies[parent].start);
+}
+
+static void sayModel(EngineWorld *w) {
+    say(w, "<mujoco><option integrator='%s'", settings[w->setting]);
+    sayNumbers(w, "gravity", w->gravity, 3);
+    say(w, "/><worldbody>");
+    if (w->hasGround) /* its normal is its z-axis */
+        say(w, "<geom type='plane' size='1 1 1' zaxis='0 1 0' friction='0 .005 .0001'/>");
+    sayChildren(w, SCENE_WORLD);
+    say(w, "</worldbody></mujoco>");
+}
+
+/* Compiling it */
+
+static void keepQuiet(const char *text) {
+    (void)text; /* else they go to a file in the working directory */
+}
+
+static mjModel *compile(const char *text, size_t length) {
+    char error[500] = "";
+    mjVFS *files = malloc(sizeof *files);
+    if (!files)
+        abort();
+    mj_defaultVFS(files);
+    mj_makeEmptyFileVFS(files, "scene.xml", (int)length);
+    memcpy(files->filedata[0], text, length);
+    mjModel *model = mj_loadXML("scene.xml", files, error, sizeof error);
+    mj_deleteVFS(files);
+    free(files);
+    if (!model) {
+        fprintf(stderr, "MuJoCo does not take its model: %s\n%s\n", error, text);
+        abort();
+    }
+    return model;
+}
+
+/* Only free bodies start with a velocity: linear in the world's axes, angular in the body's. */
+static void setVelocity(EngineWorld *w, int i) {
+    const SceneState *s = &w->bodies[i].start;
+    double *at = w->data->qvel + w->model->body_dofadr[w->ids[i]];
+    if (w->joints[i])
+        return;
+    memcpy(at, s->velocity, sizeof s->velocity);
+    scene_rotateBack(s->quaternion, s->spin, at + 3);
+}
+
+static void makeModel(EngineWorld *w) {
+    mju_user_warning = keepQuiet;
+    sayModel(w);
+    w->model = compile(w->text, w->length);
+    w->data = mj_makeData(w->model);
+    for (int i = 0; i < w->numBodies; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "b%d", i);
+        w->ids[i] = mj_name2id(w->model, mjOBJ_BODY, name);
+        setVelocity(w, i);
+    }
+}
+
+/* The interface */
+
+static EngineWorld *create(int setting, const double gravity[3], bool collides) {
+    EngineWorld *w = calloc(1, sizeof *w);
+    if (!w)
+        abort();
+    w->setting = setting;
+    w->collides = collides;
+    memcpy(w->gravity, gravity, sizeof w->gravity);
+    return w;
+}
+
+static void addGround(EngineWorld *w) {
+    w->hasGround = true;
+}
+
+static void addBody(EngineWorld *w, const SceneBody *b) {
+    w->bodies[w->numBodies++] = *b;
+}
+
+static void addJoint(EngineWorld *w, const SceneJoint *j) {
+    w->joints[j->child] = j;
+}
+
+static void step(EngineWorld *w, double h) {
+    w->model->opt.timestep = h;
+    mj_step(w->model, w->data);
+    w->isFresh = false;
+}
+
+/* mj_step leaves the poses of the step's start. */
+static void refresh(EngineWorld *w) {
+    if (!w->model)
+        makeModel(w);
+    if (w->isFresh)
+        return;
+    mj_kinematics(w->model, w->data);
+    mj_comPos(w->model, w->data);
+    mj_comVel(w->model, w->data);
+    w->isFresh = true;
+}
+
+static void getState(EngineWorld *w, int body, SceneState *s) {
+    double motion[6];
+    refresh(w);
+    memcpy(s->position, w->data->xpos + 3 * w->ids[body], sizeof s->position);
+    memcpy(s->quaternion, w->data->xquat + 4 * w->ids[body], sizeof s->quaternion);
+    mj_objectVelocity(w->model, w->data, mjOBJ_XBODY, w->ids[body], motion, 0);
+    memcpy(s->spin, motion, sizeof s->spin);
+    memcpy(s->velocity, motion + 3, sizeof s->velocity);
+}
+
+/* It starts anew from the first pose after a number that is none or too large. */
+static bool hasGivenUp(EngineWorld *w) {
+    const mjWarningStat *warnings = w->data->warning;
+    return warnings[mjWARN_BADQPOS].number || warnings[mjWARN_BADQVEL].number || warnings[mjWARN_BADQACC].number;
+}
+
+static void destroy(EngineWorld *w) {
+    mj_deleteData(w->data);
+    mj_deleteModel(w->model);
+    free(w);
+}
+
+const Engine engine_mujoco = {
+    .name = "MuJoCo",
+    .version = PEER_VERSION,
+    .settings = settings,
+    .create = create,
+    .addGround = addGround,
+    .addBody = addBody,
+    .addJoint = addJoint,
+    .step = step,
+    .getState = getState,
+    .hasGivenUp = hasGivenUp,
+    .destroy = destroy,
+};
