@@ -184,8 +184,24 @@ static RunResult resultOf(const Row *r) {
 
 /* Printing */
 
+/* Broken into lines of at most 118 characters. */
+static void printText(const char *text) {
+    int column = 0;
+    while (*text) {
+        const int word = (int)strcspn(text, " ");
+        if (column + 1 + word > 118)
+            column = 0;
+        column += printf("%s%.*s", column ? " " : "\n", word, text) - (column ? 0 : 1);
+        text += word + (text[word] == ' ');
+    }
+    putchar('\n');
+}
+
 static void printHead(const Scene *s) {
-    printf("\n%s: %s\n%-14s%-10s%4s", s->name, s->text, "engine", "setting", "sub");
+    char text[1024];
+    snprintf(text, sizeof text, "%s: %s", s->name, s->text);
+    printText(text);
+    printf("%-14s%-10s%4s", "engine", "setting", "sub");
     for (int k = 0; k < SCENE_MAX_ERRORS; k++)
         printf("%15s", s->errors[k].name ? s->errors[k].name : "");
     printf("%12s%12s\n", "median us", "worst us");
@@ -249,15 +265,15 @@ static void benchScene(const Options *o, const Scene *s, FILE *csv) {
 }
 
 static void printLegend(void) {
-    puts("Times are of a frame of 1/60 s, sub-steps and contacts included: medians over runs of the median and of the "
-         "worst\n"
-         "frame. '-': the engine has nothing for it; 'fails T': broke, fell or gave up after T simulated seconds;\n"
-         "'too slow T': no time was left after T; 'none': what was to be measured did not happen.");
+    puts("Times are of a frame of 1/60 s, sub-steps and contacts included: medians over runs of the median and of the\n"
+         "worst frame. '-': the engine has nothing for it; 'fails T': broke, fell or gave up after T simulated "
+         "seconds;\n"
+         "'too slow T': no time was left after T; 'none': what was to be measured did not happen; sub: steps per "
+         "frame.");
     for (int e = 0; engines[e]; e++)
-        printf("%s%s %s", e ? ", " : "", engines[e]->name, engines[e]->version);
-    puts(".");
+        printf("* %s %s: %s.\n", engines[e]->name, engines[e]->version, engines[e]->about);
     for (int i = 0; absent[i]; i++)
-        puts(absent[i]);
+        printf("* %s\n", absent[i]);
 }
 
 int main(int argc, char *argv[]) {

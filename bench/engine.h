@@ -14,6 +14,7 @@ typedef struct EngineWorld EngineWorld; /* each engine's own */
 typedef struct Engine {
     const char *name;
     const char *version;
+    const char *about;           /* precision, and what of its defaults matters */
     const char *const *settings; /* names of its solvers, ends with a null */
     bool bounces;                /* has restitution */
     /* A world with the `setting`-th solver. Bodies collide, with each other and the ground, or do not. */

@@ -150,6 +150,7 @@ Engine makeEngine() {
     Engine e = {};
     e.name = "Bullet";
     e.version = PEER_VERSION;
+    e.about = "single precision; its defaults: sequential impulses, split impulse; 10 iterations are the default";
     e.settings = settings;
     e.bounces = true;
     e.create = create;

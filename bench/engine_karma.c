@@ -115,9 +115,11 @@ static const char *const settings[] = {"eps 0", NULL};
 
 #ifdef _ME_API_DOUBLE
 #define NAME         "Karma double"
+#define ABOUT        "double precision"
 #define ENGINE_KARMA engine_karma_double
 #else
 #define NAME         "Karma single"
+#define ABOUT        "single precision"
 #define ENGINE_KARMA engine_karma_single
 #endif
 
@@ -125,6 +127,8 @@ MEPUBLIC extern const Engine ENGINE_KARMA;
 const Engine ENGINE_KARMA = {
     .name = NAME,
     .version = ME_VERSION_STRING,
+    .about = ABOUT
+    "; epsilon 0, gamma .2, the friction cone; no collision yet: contacts by the scene's code, ahead of touch",
     .settings = settings,
     .bounces = true,
     .create = create,

@@ -226,6 +226,8 @@ static void destroy(EngineWorld *w) {
 const Engine engine_mujoco = {
     .name = "MuJoCo",
     .version = PEER_VERSION,
+    .about = "double precision; its defaults: Newton, friction pyramid, soft contacts; joints are coordinates; no "
+             "restitution",
     .settings = settings,
     .create = create,
     .addGround = addGround,

@@ -145,6 +145,8 @@ static const char *const settings[] = {"Step", "QuickStep", NULL};
 const Engine engine_ode = {
     .name = "ODE",
     .version = PEER_VERSION,
+    .about =
+        "double precision; its defaults: ERP .2, CFM 1e-10, QuickStep with 20 iterations; pyramid of dContactApprox1",
     .settings = settings,
     .bounces = true,
     .create = create,
