@@ -11,7 +11,8 @@ enum { MAX_SUBSTEPS = 8, MAX_ROWS = 64, RUNS = 5 };
 
 typedef struct Options {
     bool quick;
-    const char *scene, *engine, *csv; /* null: all, all, none */
+    const char *scene, *engine; /* null: all */
+    const char *csv, *markdown; /* null: none */
     int substeps[MAX_SUBSTEPS], numSubsteps;
     double runBudget, rowBudget; /* s, of one run, and after which a row gets no further one */
 } Options;
@@ -61,6 +62,7 @@ static void usage(FILE *to) {
           "  --engine NAME      only engines whose names begin so\n"
           "  --substeps N,...   steps per frame of 1/60 s, at most 8 numbers; 1,4 if not given\n"
           "  --csv FILE         also write all figures there\n"
+          "  --markdown FILE    also write a table of the first errors and the median times there\n"
           "  --list             name the scenes\n",
           to);
 }
@@ -107,6 +109,10 @@ static int readOption(Options *o, const char *name, const char *value) {
         o->csv = value;
         return 2;
     }
+    if (strcmp(name, "--markdown") == 0) {
+        o->markdown = value;
+        return 2;
+    }
     return strcmp(name, "--substeps") == 0 && readSubsteps(o, value) ? 2 : 0;
 }
 
@@ -130,7 +136,7 @@ static Options readOptions(int argc, char *argv[]) {
         i += taken;
     }
     if (o.quick) {
-        o.runBudget = 5;
+        o.runBudget = 10;
         o.rowBudget = .5;
     }
     return o;
@@ -138,12 +144,16 @@ static Options readOptions(int argc, char *argv[]) {
 
 /* Running */
 
+static bool isWanted(const Options *o, const Engine *e) {
+    return !o->engine || strncmp(e->name, o->engine, strlen(o->engine)) == 0;
+}
+
 static int makeRows(const Options *o, Row rows[MAX_ROWS]) {
     int n = 0;
     for (int e = 0; engines[e]; e++)
         for (int s = 0; engines[e]->settings[s]; s++)
             for (int k = 0; k < o->numSubsteps && n < MAX_ROWS; k++)
-                if (!o->engine || strncmp(engines[e]->name, o->engine, strlen(o->engine)) == 0)
+                if (isWanted(o, engines[e]))
                     rows[n++] = (Row){.engine = engines[e], .setting = s, .substeps = o->substeps[k]};
     return n;
 }
@@ -251,7 +261,48 @@ static void writeRow(FILE *csv, const Scene *s, const Row *r) {
     fputc('\n', csv);
 }
 
-static void benchScene(const Options *o, const Scene *s, FILE *csv) {
+/* Columns are engines and settings, lines are scenes and sub-steps. */
+static void writeMarkdownHead(FILE *markdown, const Options *o) {
+    int columns = 2;
+    fputs("| scene | sub |", markdown);
+    for (int e = 0; engines[e]; e++)
+        for (int k = 0; engines[e]->settings[k] && isWanted(o, engines[e]); k++, columns++)
+            fprintf(markdown, " %s %s |", engines[e]->name, engines[e]->settings[k]);
+    fputs("\n|", markdown);
+    for (int i = 0; i < columns; i++)
+        fputs("---|", markdown);
+    fputc('\n', markdown);
+}
+
+/* Microseconds; tenths of them where there are few. */
+static void writeTime(FILE *markdown, double us) {
+    fprintf(markdown, us < 10 ? "%.1f |" : "%.0f |", us);
+}
+
+static void writeMarkdownCell(FILE *markdown, const Row *r) {
+    if (r->numRuns == 0) {
+        fputs(" - |", markdown);
+        return;
+    }
+    const RunResult result = resultOf(r);
+    if (result.outcome == RUN_HOLDS)
+        fprintf(markdown, " %.2g, ", result.errors[0]);
+    else
+        fprintf(markdown, " %s, ", result.outcome == RUN_FAILS ? "fails" : "too slow");
+    writeTime(markdown, result.median);
+}
+
+static void writeMarkdown(FILE *markdown, const Options *o, const Scene *s, const Row rows[], int n) {
+    for (int k = 0; k < o->numSubsteps; k++) {
+        fprintf(markdown, "| %s | %d |", s->name, o->substeps[k]);
+        for (int i = 0; i < n; i++)
+            if (rows[i].substeps == o->substeps[k])
+                writeMarkdownCell(markdown, &rows[i]);
+        fputc('\n', markdown);
+    }
+}
+
+static void benchScene(const Options *o, const Scene *s, FILE *csv, FILE *markdown) {
     Row rows[MAX_ROWS];
     const int n = makeRows(o, rows);
     runRows(o, s, rows, n);
@@ -261,6 +312,8 @@ static void benchScene(const Options *o, const Scene *s, FILE *csv) {
         if (csv)
             writeRow(csv, s, &rows[i]);
     }
+    if (markdown)
+        writeMarkdown(markdown, o, s, rows, n);
     fflush(stdout);
 }
 
@@ -276,22 +329,35 @@ static void printLegend(void) {
         printf("* %s\n", absent[i]);
 }
 
+/* Null where none is wanted. */
+static FILE *openFile(const char *name, const char *head) {
+    FILE *file = name ? fopen(name, "w") : NULL;
+    if (name && !file) {
+        fprintf(stderr, "bench: cannot write %s\n", name);
+        exit(1);
+    }
+    if (file)
+        fputs(head, file);
+    return file;
+}
+
+static void closeFile(FILE *file) {
+    if (file)
+        fclose(file);
+}
+
 int main(int argc, char *argv[]) {
     const Options o = readOptions(argc, argv);
-    FILE *csv = o.csv ? fopen(o.csv, "w") : NULL;
-    if (o.csv && !csv) {
-        fprintf(stderr, "bench: cannot write %s\n", o.csv);
-        return 1;
-    }
-    if (csv)
-        fputs("scene,engine,setting,substeps,outcome,simulated s,runs,median us,worst us,error,value,error,value,error,"
-              "value\n",
-              csv);
+    FILE *csv = openFile(o.csv, "scene,engine,setting,substeps,outcome,simulated s,runs,median us,worst us,"
+                                "error,value,error,value,error,value\n");
+    FILE *markdown = openFile(o.markdown, "");
+    if (markdown)
+        writeMarkdownHead(markdown, &o);
     printLegend();
     for (int i = 0; scenes[i]; i++)
         if (!o.scene || strcmp(scenes[i]->name, o.scene) == 0)
-            benchScene(&o, scenes[i], csv);
-    if (csv)
-        fclose(csv);
+            benchScene(&o, scenes[i], csv, markdown);
+    closeFile(csv);
+    closeFile(markdown);
     return 0;
 }
