@@ -13,12 +13,12 @@
 
 #define PENDULUMS 3
 
-static const MeReal step = (MeReal)(1.0 / 60);   /* s */
-static const MeReal length = (MeReal)1.8;        /* m, from the pivot to the ball's centre */
-static const MeReal ballRadius = (MeReal)0.25;   /* m; the balls weigh 1 kg */
-static const MeReal height = (MeReal)3.2;        /* m, of the pivots above the ground */
-static const MeReal spacing = 3;                 /* m */
-static const MeReal stiffness = 40, damping = 2; /* N m/rad and N m s/rad, of soft cones */
+static const MeReal step = (MeReal)(1.0 / 60);    /* s */
+static const MeReal length = (MeReal)1.8;         /* m, from the pivot to the ball's centre */
+static const MeReal ballRadius = (MeReal)0.25;    /* m; the balls weigh 1 kg */
+static const MeReal height = (MeReal)3.2;         /* m, of the pivots above the ground */
+static const MeReal spacing = 3;                  /* m */
+static const MeReal stiffness = 100, damping = 4; /* N m/rad and N m s/rad, of soft cones */
 
 static MdtWorldID world;
 static MdtBodyID ball[PENDULUMS];
@@ -57,6 +57,7 @@ static void placeBall(int i, MeReal angle) {
     MdtBodySetQuaternion(ball[i], q[0], q[1], q[2], q[3]);
     MdtBodySetLinearVelocity(ball[i], 0, 0, 0);
     MdtBodySetAngularVelocity(ball[i], 0, 0, 0);
+    MdtBodyResetImpulses(ball[i]);
     MdtBodyEnable(ball[i]);
 }
 
@@ -64,7 +65,7 @@ static void placeBall(int i, MeReal angle) {
 static void MEAPI push(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     for (int i = 0; i < PENDULUMS; i++)
-        MdtBodyAddImpulse(ball[i], (MeReal)1.5, 0, 3);
+        MdtBodyAddImpulse(ball[i], (MeReal)2.6, 0, (MeReal)2.8);
 }
 
 /* The cone as it is drawn: its apex at the pivot, its side as long as the pendulum. */
@@ -105,7 +106,7 @@ static void applySettings(void) {
 
 static void MEAPI Reset(RRender *context, void *userdata) {
     for (int i = 0; i < PENDULUMS; i++) {
-        placeBall(i, radians(degrees[i]) / 2);
+        placeBall(i, radians(degrees[i]) * (MeReal)0.7);
         most[i] = 0;
     }
     applySettings();
@@ -118,7 +119,7 @@ static void MEAPI toggleSoft(RRender *context, void *userdata) {
 }
 
 static void change(int wider, int further) {
-    tilt = MeCLAMP(tilt + further, 0, 90);
+    tilt = MeCLAMP(tilt + further, 0, 60);
     for (int i = 0; i < PENDULUMS; i++)
         degrees[i] = MeCLAMP(degrees[i] + wider, 10, 80);
     Reset(rc, 0);
@@ -155,7 +156,7 @@ static MeReal angleOf(int i) {
 static void showFigures(void) {
     char text[200];
     int n =
-        snprintf(text, sizeof text, "tilt %d deg, sides %s    angle of at most (deg):", tilt, isSoft ? "soft" : "hard");
+        snprintf(text, sizeof text, "tilt %d deg, sides %s    angles (deg):", tilt, isSoft ? "soft" : "hard");
     for (int i = 0; i < PENDULUMS; i++) {
         most[i] = MeMAX(most[i], angleOf(i));
         n += snprintf(text + n, sizeof text - (size_t)n, "    %.2f of %d, most %.2f",
@@ -184,7 +185,7 @@ static void createDynamics(void) {
     for (int i = 0; i < PENDULUMS; i++) {
         ball[i] = MdtBodyCreate(world);
         MdtBodySetInertiaTensor(ball[i], inertia);
-        MdtBodySetAngularVelocityDamping(ball[i], (MeReal)0.1);
+        MdtBodySetLinearVelocityDamping(ball[i], (MeReal)0.1);
         placeBall(i, 0);
         pivot[i] = MdtBSJointCreate(world);
         MdtBSJointSetBodies(pivot[i], ball[i], 0);
