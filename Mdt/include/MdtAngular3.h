@@ -1,10 +1,10 @@
-/** @file MdtAngular3.h
- *  The angular joint: two bodies keep their orientation to each other and are free to move
- *  (Dynamics guide ch. 3, "MdtAngular3"). It removes three degrees of freedom; with the rotation about its axis enabled it is
- *  the guides' Angular2 and removes two.
+/** @file MdtAngular3.h The angular joint: two bodies keep their orientation to each other and are free to move
+ *  (Dynamics guide ch. 3, "MdtAngular3"). It removes three degrees of freedom; with the rotation about its axis enabled
+ *  it is the guides' Angular2 and removes two.
  *
- *  The orientation to keep is the one that the bodies have when they are attached (SetBodies); setting the axis later leaves
- *  it. With a finite stiffness and a finite damping it is an angular spring instead: it keeps things upright softly.
+ *  The orientation to keep is the one that the bodies have when they are attached (SetBodies); setting the axis later
+ *  leaves it. With a finite stiffness and a finite damping it is an angular spring instead: it keeps things upright
+ *  softly.
  */
 #ifndef MDTANGULAR3_H
 #define MDTANGULAR3_H
@@ -13,8 +13,9 @@
 
 ME_BEGIN_C
 
-/** Creates an angular joint, disabled, unattached, with the orientations of the bodies' frames to keep, rotation not enabled, rigid. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates an angular joint, disabled, unattached, with the orientations of the bodies' frames to keep, rotation not
+ *  enabled, rigid. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the
+ *  world is full. */
 MEPUBLIC MdtAngular3ID MEAPI MdtAngular3Create(const MdtWorldID w);
 /** Makes the two bodies' frames the orientation to keep, and sets the rest to default. Bodies and state stay. */
 MEPUBLIC void MEAPI MdtAngular3Reset(const MdtAngular3ID j);

@@ -165,7 +165,8 @@ MEPUBLIC void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key);
 MEPUBLIC MeI32 MEAPI MdtBodyGetSortKey(const MdtBodyID b);
 /** The number of the partition that the body was in during the last step; -1: it was not simulated. */
 MEPUBLIC int MEAPI MdtBodyGetPartition(const MdtBodyID b);
-/** Seconds for which the body may move before it could hit something; used by MdtWorldStepSafeTime. Default MEINFINITY. */
+/** Seconds for which the body may move before it could hit something; used by MdtWorldStepSafeTime. Default MEINFINITY.
+ *  */
 MEPUBLIC void MEAPI MdtBodySetSafeTime(const MdtBodyID b, const MeReal t);
 MEPUBLIC MeReal MEAPI MdtBodyGetSafeTime(const MdtBodyID b);
 /** Writes the body's properties with MeLog. */

@@ -2,13 +2,13 @@
  *  The car wheel: a wheel that rolls, steers and springs under a chassis (Dynamics guide ch. 3, "MdtCarWheel";
  *  User Guide ch. 3, "The Car Wheel Constraint"). The chassis is the first body, the wheel the second.
  *
- *  The steering axis, fixed in the chassis, is also the axis of the suspension; the hinge axis, fixed in the wheel, stays at
- *  right angles to it. The wheel's centre slides along the steering axis through the joint's position. Four degrees of
- *  freedom are left with free steering, three with it locked. Set the bodies, then the position (the wheel's centre), then
- *  the axes, while wheel and chassis stand as for driving straight on.
+ *  The steering axis, fixed in the chassis, is also the axis of the suspension; the hinge axis, fixed in the wheel,
+ *  stays at right angles to it. The wheel's centre slides along the steering axis through the joint's position. Four
+ *  degrees of freedom are left with free steering, three with it locked. Set the bodies, then the position (the wheel's
+ *  centre), then the axes, while wheel and chassis stand as for driving straight on.
  *
- *  Heights are those of the wheel along the steering axis, from the joint's position in the chassis. Motors drive the wheel
- *  against the chassis. The steering angle is counted as a hinge's is, the first body against the second.
+ *  Heights are those of the wheel along the steering axis, from the joint's position in the chassis. Motors drive the
+ *  wheel against the chassis. The steering angle is counted as a hinge's is, the first body against the second.
  */
 #ifndef MDTCARWHEEL_H
 #define MDTCARWHEEL_H
@@ -17,8 +17,8 @@
 
 ME_BEGIN_C
 
-/** Creates a car wheel, disabled, unattached, its steering axis the chassis' z, its hinge axis the wheel's y. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates a car wheel, disabled, unattached, its steering axis the chassis' z, its hinge axis the wheel's y. The world
+ *  owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtCarWheelID MEAPI MdtCarWheelCreate(const MdtWorldID w);
 /** Sets position, axes, motors and suspension to the defaults of a new joint. Bodies and state stay. */
 MEPUBLIC void MEAPI MdtCarWheelReset(const MdtCarWheelID j);
@@ -38,8 +38,8 @@ MEPUBLIC void MEAPI MdtCarWheelGetHingeAxis(const MdtCarWheelID j, MeVector3 v);
 #define MdtCarWheelGetSteeringAndHingeAxes(j, k, p, o)                                                                 \
     MdtConstraintBodyGetAxes(MdtCarWheelQuaConstraint(j), (k), (p), (o))
 /** @} */
-/** @name Steering: locked, or moved by a motor of limited force
- *  A new wheel's motor holds the steering at rest with up to 1e9 N m. A negative force counts as 0, which lets it turn freely.
+/** @name Steering: locked, or moved by a motor of limited force A new wheel's motor holds the steering at rest with up
+ *  to 1e9 N m. A negative force counts as 0, which lets it turn freely.
  *  @{ */
 MEPUBLIC void MEAPI MdtCarWheelSetSteeringLock(const MdtCarWheelID j, const MeBool lock);
 MEPUBLIC MeBool MEAPI MdtCarWheelIsSteeringLocked(const MdtCarWheelID j);
@@ -62,8 +62,8 @@ MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeAngle(const MdtCarWheelID j);
 /** rad/s, of the wheel against the chassis. */
 MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeAngleRate(const MdtCarWheelID j);
 /** @} */
-/** @name Suspension: a damped spring, F = -Kp (height - reference) - Kd rate on the wheel, between two stops
- *  Kp N/m and Kd N s/m, at least 0. The stops are hard where @a limit_softness [1/kg] is 0; else it is added to the world's
+/** @name Suspension: a damped spring, F = -Kp (height - reference) - Kd rate on the wheel, between two stops Kp N/m and
+ *  Kd N s/m, at least 0. The stops are hard where @a limit_softness [1/kg] is 0; else it is added to the world's
  *  epsilon at the stops. A low limit above the high one gets a warning, and nothing is changed.
  *  @{ */
 MEPUBLIC void MEAPI MdtCarWheelSetSuspension(const MdtCarWheelID j, const MeReal Kp, const MeReal Kd,

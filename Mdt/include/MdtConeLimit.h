@@ -1,9 +1,9 @@
-/** @file MdtConeLimit.h
- *  The cone limit: the angle between an axis of each body stays below a half angle (Dynamics guide ch. 3,
- *  "MdtConeLimit"). It has no row inside the cone and one at its side; the twist about the axes stays free. Use it beside a
- *  ball-and-socket or a universal joint. It needs no position.
+/** @file MdtConeLimit.h The cone limit: the angle between an axis of each body stays below a half angle (Dynamics guide
+ *  ch. 3, "MdtConeLimit"). It has no row inside the cone and one at its side; the twist about the axes stays free. Use
+ *  it beside a ball-and-socket or a universal joint. It needs no position.
  *
- *  Half angles below about 5 degrees are not well defined: where the axes are parallel, the limit has no plane to push in.
+ *  Half angles below about 5 degrees are not well defined: where the axes are parallel, the limit has no plane to push
+ *  in.
  */
 #ifndef MDTCONELIMIT_H
 #define MDTCONELIMIT_H
@@ -12,8 +12,8 @@
 
 ME_BEGIN_C
 
-/** Creates a cone limit, disabled, unattached, its axes the bodies' x-axes, its half angle pi: no limit. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates a cone limit, disabled, unattached, its axes the bodies' x-axes, its half angle pi: no limit. The world owns
+ *  it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtConeLimitID MEAPI MdtConeLimitCreate(const MdtWorldID w);
 /** Sets axes, half angle and stiffness to the defaults of a new limit. Bodies and state stay. */
 MEPUBLIC void MEAPI MdtConeLimitReset(const MdtConeLimitID j);

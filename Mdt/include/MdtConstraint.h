@@ -6,8 +6,8 @@
  *  a position and two axes at right angles, fixed in the body. Positions and axes are given and returned in the world
  *  frame and move with the bodies; the functions named ...Rel use the frame of the body's centre of mass.
  *
- *  Life: create (disabled, unattached), SetBodies, SetPosition and axes, Enable. Place the bodies before attaching them.
- *  Each joint's header maps its own names onto these functions.
+ *  Life: create (disabled, unattached), SetBodies, SetPosition and axes, Enable. Place the bodies before attaching
+ *  them. Each joint's header maps its own names onto these functions.
  *
  *  Bad input (null or destroyed handles, numbers that are not finite, an axis of length zero, a body index other than 0
  *  and 1) gets a warning and changes nothing; accessors then return zeros.

@@ -18,9 +18,9 @@ ME_BEGIN_C
 extern MEPUBLIC const MdtContactID MdtContactInvalidID;
 
 /**
- * Creates a contact, disabled, at the origin, with the normal (0, 1, 0), penetration 0 and default parameters. The world
- * owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. The guide's
- * sample passes the two bodies as well: MdtContactCreate(world, body0, body1) attaches the contact to them.
+ * Creates a contact, disabled, at the origin, with the normal (0, 1, 0), penetration 0 and default parameters. The
+ * world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. The
+ * guide's sample passes the two bodies as well: MdtContactCreate(world, body0, body1) attaches the contact to them.
  */
 MEPUBLIC MdtContactID MEAPI MdtContactCreate(const MdtWorldID w);
 /** What the form with three arguments stands for. */
@@ -82,6 +82,9 @@ MEPUBLIC void MEAPI MdtContactSetNext(const MdtContactID c, const MdtContactID n
 /** MdtContactInvalidID at the end. */
 MEPUBLIC MdtContactID MEAPI MdtContactGetNext(const MdtContactID c);
 /** @} */
+
+/** The group that the contact belongs to (MdtContactGroup.h); null: none. */
+MEPUBLIC MdtContactGroupID MEAPI MdtContactGetContactGroup(const MdtContactID c);
 
 /* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
 MDT_JOINT_COMMON(Contact)

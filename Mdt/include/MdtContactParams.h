@@ -61,8 +61,8 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimarySlide(const MdtContactParamsID p
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID p);
 /** @} */
 
-/** @name Restitution: rebound speed over impact speed, 0..1, for impacts above the threshold [m/s, >= 0]
- *  An approach that is no faster than what one step's own acceleration explains is rest, not impact, and does not bounce.
+/** @name Restitution: rebound speed over impact speed, 0..1, for impacts above the threshold [m/s, >= 0] An approach
+ *  that is no faster than what one step's own acceleration explains is rest, not impact, and does not bounce.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetRestitution(const MdtContactParamsID p, MeReal r);
 MEPUBLIC MeReal MEAPI MdtContactParamsGetRestitution(const MdtContactParamsID p);

@@ -19,6 +19,8 @@
 #define MDTWORLD_DEFAULT_ACCROT_THRESH     0.002  /**< rad²/s⁴ */
 #define MDTWORLD_DEFAULT_ALIVE_TIME_THRESH 0.2    /**< s */
 
+#define MDTMAXMATRIXSIZE_MAX 2147483647 /**< rows of a partition: no cap */
+
 #define MDTBODY_DEFAULT_MASS            1   /**< kg, times the mass scale */
 #define MDTBODY_DEFAULT_INERTIA         0.4 /**< kg m², times the mass scale and the length scale squared */
 #define MDTBODY_DEFAULT_LINEAR_DAMPING  0   /**< 1/s */

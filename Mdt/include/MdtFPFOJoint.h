@@ -1,7 +1,6 @@
-/** @file MdtFPFOJoint.h
- *  The FPFO joint, fixed position and fixed orientation: two bodies become one (Dynamics guide ch. 3,
- *  "MdtFPFOJoint"). It removes six degrees of freedom. The guide deprecates it: one body with both shapes is cheaper, and
- *  MdtRPROJoint does more. The bodies stay as they stand to each other when they are attached (SetBodies).
+/** @file MdtFPFOJoint.h The FPFO joint, fixed position and fixed orientation: two bodies become one (Dynamics guide ch.
+ *  3, "MdtFPFOJoint"). It removes six degrees of freedom. The guide deprecates it: one body with both shapes is
+ *  cheaper, and MdtRPROJoint does more. The bodies stay as they stand to each other when they are attached (SetBodies).
  */
 #ifndef MDTFPFOJOINT_H
 #define MDTFPFOJOINT_H

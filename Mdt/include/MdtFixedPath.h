@@ -2,9 +2,9 @@
  *  The fixed-path joint: a ball-and-socket joint whose attachment the program moves
  *  (Dynamics guide ch. 3, "MdtFixedPath"). It removes three degrees of freedom.
  *
- *  Before every step, set the position where the path is now, and its velocity there. With the velocity the bodies follow
- *  the path without lagging behind, and the joint's force is that of the motion; without it, gamma pulls them after it.
- *  Positions and velocities are given in the frame of the body of that index: the world's, where it is null.
+ *  Before every step, set the position where the path is now, and its velocity there. With the velocity the bodies
+ *  follow the path without lagging behind, and the joint's force is that of the motion; without it, gamma pulls them
+ *  after it. Positions and velocities are given in the frame of the body of that index: the world's, where it is null.
  */
 #ifndef MDTFIXEDPATH_H
 #define MDTFIXEDPATH_H

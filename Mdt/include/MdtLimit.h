@@ -66,6 +66,14 @@ MEPUBLIC MeReal MEAPI MdtLimitGetMotorDesiredVelocity(const MdtLimitID l);
 MEPUBLIC MeReal MEAPI MdtLimitGetMotorMaxForce(const MdtLimitID l);
 /** @} */
 
+/** @name The lock: holds the coordinate at a value, with at most a force either way; the motor rests meanwhile
+ *  @{ */
+/** m and N (a negative force counts as 0), and switches the lock on. The coordinate is pulled to the value by gamma. */
+MEPUBLIC void MEAPI MdtLimitSetLock(const MdtLimitID l, const MeReal lock_value, const MeReal forceLimit);
+MEPUBLIC void MEAPI MdtLimitActivateLock(const MdtLimitID l, const MeBool NewActivationState);
+MEPUBLIC MeBool MEAPI MdtLimitIsLocked(const MdtLimitID l);
+/** @} */
+
 /** @name One stop
  *  @{ */
 /** Defaults: stop 0, restitution 1, stiffness MEINFINITY, damping 0. */

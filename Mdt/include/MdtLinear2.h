@@ -1,7 +1,6 @@
-/** @file MdtLinear2.h
- *  The Linear2 joint: a point of the first body stays on a line of the second
- *  (Dynamics guide ch. 3, "MdtLinear2"). It removes two degrees of freedom. The line goes through the joint's position. To hold a
- *  point of a body on a line of the world, make the body the first.
+/** @file MdtLinear2.h The Linear2 joint: a point of the first body stays on a line of the second (Dynamics guide ch. 3,
+ *  "MdtLinear2"). It removes two degrees of freedom. The line goes through the joint's position. To hold a point of a
+ *  body on a line of the world, make the body the first.
  */
 #ifndef MDTLINEAR2_H
 #define MDTLINEAR2_H
@@ -10,8 +9,9 @@
 
 ME_BEGIN_C
 
-/** Creates a Linear2 joint, disabled, unattached, at the bodies' centres of mass, the line along the second body's x-axis. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates a Linear2 joint, disabled, unattached, at the bodies' centres of mass, the line along the second body's
+ *  x-axis. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world
+ *  is full. */
 MEPUBLIC MdtLinear2ID MEAPI MdtLinear2Create(const MdtWorldID w);
 /** Sets position and direction to the defaults of a new joint. Bodies and state stay. */
 MEPUBLIC void MEAPI MdtLinear2Reset(const MdtLinear2ID j);

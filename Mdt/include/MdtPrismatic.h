@@ -3,9 +3,9 @@
  *  (Dynamics guide ch. 3, "MdtPrismatic"). It removes five degrees of freedom; a running motor, and each stop that is
  *  touched, adds a row.
  *
- *  Place the bodies, attach them, set the axis: as they stand then, the displacement is zero, and their orientation to each
- *  other is the one to keep. The displacement is that of the first body against the second along the axis, m. Stops, motor
- *  and the displacement itself are in the joint's limit (MdtLimit.h). There is no position to set.
+ *  Place the bodies, attach them, set the axis: as they stand then, the displacement is zero, and their orientation to
+ *  each other is the one to keep. The displacement is that of the first body against the second along the axis, m.
+ *  Stops, motor and the displacement itself are in the joint's limit (MdtLimit.h). There is no position to set.
  */
 #ifndef MDTPRISMATIC_H
 #define MDTPRISMATIC_H
@@ -14,8 +14,8 @@
 
 ME_BEGIN_C
 
-/** Creates a prismatic joint, disabled, unattached, its axis the x-axis of the bodies, its limit at default. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates a prismatic joint, disabled, unattached, its axis the x-axis of the bodies, its limit at default. The world
+ *  owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtPrismaticID MEAPI MdtPrismaticCreate(const MdtWorldID w);
 /** Sets axes and limit to the defaults of a new joint. Bodies and state stay. */
 MEPUBLIC void MEAPI MdtPrismaticReset(const MdtPrismaticID j);

@@ -1,12 +1,12 @@
-/** @file MdtRPROJoint.h
- *  The RPRO joint, relative position and relative orientation: a program or an animation drives how one body is
- *  turned against the other, up to a strength (Dynamics guide ch. 3, "MdtRPROJoint"). It removes six degrees of freedom.
+/** @file MdtRPROJoint.h The RPRO joint, relative position and relative orientation: a program or an animation drives
+ *  how one body is turned against the other, up to a strength (Dynamics guide ch. 3, "MdtRPROJoint"). It removes six
+ *  degrees of freedom.
  *
- *  Each body has an attachment frame, by default that of its centre of mass. The joint holds the frames at one place, and the
- *  first frame turned against the second by the relative quaternion. A moving orientation is given before every step as the
- *  quaternion now and the angular velocity with which it moves on. Strengths bound the forces: where more would be needed,
- *  the joint gives way, and comes back when it can. Half a turn away from its quaternion the joint has no direction to turn
- *  back in; coming there gets a warning.
+ *  Each body has an attachment frame, by default that of its centre of mass. The joint holds the frames at one place,
+ *  and the first frame turned against the second by the relative quaternion. A moving orientation is given before every
+ *  step as the quaternion now and the angular velocity with which it moves on. Strengths bound the forces: where more
+ *  would be needed, the joint gives way, and comes back when it can. Half a turn away from its quaternion the joint has
+ *  no direction to turn back in; coming there gets a warning.
  */
 #ifndef MDTRPROJOINT_H
 #define MDTRPROJOINT_H
@@ -15,14 +15,15 @@
 
 ME_BEGIN_C
 
-/** Creates a RPRO joint, disabled, unattached, with the frames of the centres of mass, aligned, at rest, of unlimited strength. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates an RPRO joint, disabled, unattached, with the frames of the centres of mass, aligned, at rest, of unlimited
+ *  strength. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world
+ *  is full. */
 MEPUBLIC MdtRPROJointID MEAPI MdtRPROJointCreate(const MdtWorldID w);
 /** Sets frames, quaternion, velocity and strengths to the defaults of a new joint. Bodies and state stay. */
 MEPUBLIC void MEAPI MdtRPROJointReset(const MdtRPROJointID j);
 /** The RPRO joint as a constraint. Null for null. */
 MEPUBLIC MdtConstraintID MEAPI MdtRPROJointQuaConstraint(const MdtRPROJointID j);
-/** The constraint as a RPRO joint; null when it is none. */
+/** The constraint as an RPRO joint; null when it is none. */
 MEPUBLIC MdtRPROJointID MEAPI MdtConstraintDCastRPROJoint(const MdtConstraintID c);
 /** @name The wanted orientation of the first frame in the second
  *  A unit quaternion (w, x, y, z) is wanted; others are normalized, and one of length zero gets a warning. The angular
@@ -54,17 +55,25 @@ MEPUBLIC void MEAPI MdtRPROJointSetAngularStrength(const MdtRPROJointID j, const
                                                    const MeReal sZ);
 MEPUBLIC void MEAPI MdtRPROJointGetAngularStrength(const MdtRPROJointID j, MeVector3 v);
 /** @} */
-/** @name Other names of the guides and of old programs for the above
- *  @{ */
-#define MdtRPROJointGetAttachmentOrientation(j, k, q) MdtRPROJointGetAttachmentQuaternion((j), (k), (q))
-#define MdtRPROJointGetPosition(j, k, p)              MdtRPROJointGetAttachmentPosition((j), (k), (p))
-#define MdtRPROJointSetPosition(j, x, y, z, k)        MdtRPROJointSetAttachmentPosition((j), (x), (y), (z), (k))
-#define MdtRPROSetSortKey(j, key)                     MdtRPROJointSetSortKey((j), (key))
-#define MdtRPROGetSortKey(j)                          MdtRPROJointGetSortKey(j)
-/** @} */
-
 /* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
 MDT_JOINT_COMMON(RPROJoint)
+
+/** @name Other names of the guides and of old programs for the above
+ *  @{ */
+static inline void MdtRPROJointGetAttachmentOrientation(const MdtRPROJointID j, const unsigned int bodyindex,
+                                                        MeVector4 quaternion) {
+    MdtRPROJointGetAttachmentQuaternion(j, bodyindex, quaternion);
+}
+static inline void MdtRPROJointGetPosition(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 position) {
+    MdtRPROJointGetAttachmentPosition(j, bodyindex, position);
+}
+static inline void MdtRPROJointSetPosition(const MdtRPROJointID j, const MeReal x, const MeReal y, const MeReal z,
+                                           const unsigned int bodyindex) {
+    MdtRPROJointSetAttachmentPosition(j, x, y, z, bodyindex);
+}
+#define MdtRPROSetSortKey(j, key) MdtRPROJointSetSortKey((j), (key))
+#define MdtRPROGetSortKey(j)      MdtRPROJointGetSortKey(j)
+/** @} */
 
 ME_END_C
 

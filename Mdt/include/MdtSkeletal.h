@@ -1,9 +1,10 @@
 /** @file MdtSkeletal.h
  *  The skeletal joint: a ball-and-socket joint whose swing and twist are limited (User Guide app. D, "MdtSkeletal").
  *
- *  The first body's primary axis swings inside an elliptical cone round the second body's: by the primary angle towards the
- *  second axis, by the secondary angle towards the third. The twist is the rest of the turn, zero where the swing alone, along
- *  a great circle, brought the axis to where it is. It removes three degrees of freedom; each limit that is touched adds a row.
+ *  The first body's primary axis swings inside an elliptical cone round the second body's: by the primary angle towards
+ *  the second axis, by the secondary angle towards the third. The twist is the rest of the turn, zero where the swing
+ *  alone, along a great circle, brought the axis to where it is. It removes three degrees of freedom; each limit that
+ *  is touched adds a row.
  */
 #ifndef MDTSKELETAL_H
 #define MDTSKELETAL_H
@@ -12,8 +13,9 @@
 
 ME_BEGIN_C
 
-/** Creates a skeletal joint, disabled, unattached, at the bodies' centres of mass, about their x-axes, with limits of pi/4. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates a skeletal joint, disabled, unattached, at the bodies' centres of mass, about their x-axes, with limits of
+ *  pi/4. The world owns it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is
+ *  full. */
 MEPUBLIC MdtSkeletalID MEAPI MdtSkeletalCreate(const MdtWorldID w);
 /** Sets frame, limits and options to the defaults of a new joint. Bodies and state stay. */
 MEPUBLIC void MEAPI MdtSkeletalReset(const MdtSkeletalID j);

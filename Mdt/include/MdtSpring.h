@@ -2,16 +2,16 @@
  *  The spring: a distance between two points that is a spring's, a rod's, a string's or an elastic's
  *  (Dynamics guide ch. 3, "MdtSpring"). It adds one row and leaves all rotations free.
  *
- *  The distance, m, is the coordinate of the joint's limit. Stiffness and damping are those of its two stops, which both lie
- *  at the natural length: at first the distance at which the bodies are attached.
+ *  The distance, m, is the coordinate of the joint's limit. Stiffness and damping are those of its two stops, which
+ *  both lie at the natural length: at first the distance at which the bodies are attached.
  *
  *      spring    both stops soft (default)                        F = -k (d - l) - c dd/dt
  *      rod       both hard: stiffness MEINFINITY
  *      string    upper hard, lower with stiffness 0 and damping 0
  *      elastic   lower hard, upper soft
  *
- *  Where the two points coincide there is no direction to push in; the last one is kept, and coming there gets a warning.
- *  A motor in the limit works as a winch on a string or an elastic, not on a spring or a rod.
+ *  Where the two points coincide there is no direction to push in; the last one is kept, and coming there gets a
+ *  warning. A motor in the limit works as a winch on a string or an elastic, not on a spring or a rod.
  */
 #ifndef MDTSPRING_H
 #define MDTSPRING_H
@@ -20,8 +20,8 @@
 
 ME_BEGIN_C
 
-/** Creates a spring, disabled, unattached, between the centres of mass, a spring of 10 N/m and 1 N s/m. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates a spring, disabled, unattached, between the centres of mass, a spring of 10 N/m and 1 N s/m. The world owns
+ *  it. Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtSpringID MEAPI MdtSpringCreate(const MdtWorldID w);
 /** Sets positions and limit to the defaults of a new spring. Bodies and state stay. */
 MEPUBLIC void MEAPI MdtSpringReset(const MdtSpringID j);

@@ -2,8 +2,9 @@
  *  Six springs between two frames: a joint of configurable compliance (User Guide ch. 3).
  *
  *  Each body has an attachment frame. Linear springs act along the axes of the second frame on the offset of the first,
- *  angular ones on the turn between the frames. Each has a stiffness and a damping, both 0 at first: such a spring costs
- *  nothing. A stiffness of MEINFINITY holds that direction. Axis 0 is the primary axis, 1 the second, 2 their cross product.
+ *  angular ones on the turn between the frames. Each has a stiffness and a damping, both 0 at first: such a spring
+ *  costs nothing. A stiffness of MEINFINITY holds that direction. Axis 0 is the primary axis, 1 the second, 2 their
+ *  cross product.
  */
 #ifndef MDTSPRING6_H
 #define MDTSPRING6_H
@@ -12,8 +13,8 @@
 
 ME_BEGIN_C
 
-/** Creates a Spring6, disabled, unattached, at the bodies' centres of mass, without any stiffness. The world owns it. Returns null,
- *  with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+/** Creates a Spring6, disabled, unattached, at the bodies' centres of mass, without any stiffness. The world owns it.
+ *  Returns null, with a warning that names MdtWorldCreate's maxConstraints, when the world is full. */
 MEPUBLIC MdtSpring6ID MEAPI MdtSpring6Create(const MdtWorldID w);
 /** Sets frames, stiffness and damping to the defaults of a new joint. Bodies and state stay. */
 MEPUBLIC void MEAPI MdtSpring6Reset(const MdtSpring6ID j);

@@ -79,6 +79,12 @@ typedef struct MdtPartitionParams {
     int alive_window;     /**< the same in steps; -1: alive_time counts */
 } MdtPartitionParams;
 
+/** The partitions of a step (MdtPartition.h). */
+typedef struct MdtPartitionOutput MdtPartitionOutput;
+
+/** Shown the last partition of @a po. */
+typedef void(MEAPI *MdtPartitionEndCB)(MdtPartitionOutput *po, void *pcbdata);
+
 /** How much a contact matters, for the cap on the matrix size: the least important ones lose their rows first. It must
  *  depend on nothing but the contact, and change nothing. */
 typedef MeReal(MEAPI *MdtContactImportanceCBPtr)(const MdtContactID c);

@@ -2,8 +2,8 @@
  *  A constraint whose rows a function of the program writes (Dynamics guide ch. 4 lists it among the joints).
  *
  *  Once a step, while it is enabled, the function is called to write up to MdtBclGETMAXROWSUSER rows with MdtBclAddRow
- *  (MdtBcl.h), from the poses of the two bodies. It must depend on nothing that differs from run to run. When joints turn
- *  violently the step is divided, and the function is called for each part. Without a function it has no rows.
+ *  (MdtBcl.h), from the poses of the two bodies. It must depend on nothing that differs from run to run. When joints
+ *  turn violently the step is divided, and the function is called for each part. Without a function it has no rows.
  */
 #ifndef MDTUSERCONSTRAINT_H
 #define MDTUSERCONSTRAINT_H

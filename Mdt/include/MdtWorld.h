@@ -150,6 +150,21 @@ MEPUBLIC void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi
 MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
 /** @} */
 
+/** @name The cap on a partition's rows (Dynamics guide ch. 4, "Limiting the Matrix Size") A partition with more rows
+ *  than @a size (positive; default INT_MAX) loses rows of contacts: first friction rows, then contacts between bodies,
+ *  then contacts with the world, each from the shallowest to the deepest. Joints keep theirs, and every contact group
+ *  keeps a contact, so the cap may not be reached.
+ *  @{ */
+MEPUBLIC void MEAPI MdtWorldSetMaxMatrixSize(const MdtWorldID w, const int size);
+MEPUBLIC int MEAPI MdtWorldGetMaxMatrixSize(const MdtWorldID w);
+/** The importance that @a cb returns takes the place of depth, and of the distinction between bodies and world. Null
+ *  brings the default back. */
+MEPUBLIC void MEAPI MdtWorldSetContactImportanceCB(const MdtWorldID w, MdtContactImportanceCBPtr cb);
+/** Every step writes the rows of partition i to @a sizeLog[i], for the first @a logSize partitions, and 0 behind the
+ *  last. The array is the program's and must live until the log is set anew; null, or a size of 0, ends it. */
+MEPUBLIC void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, const int logSize);
+/** @} */
+
 ME_END_C
 
 #endif

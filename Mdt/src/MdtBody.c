@@ -263,7 +263,8 @@ static MeBool wouldExceed(const double sum[3], const double inverse[3][3], MeRea
     return keaDot(change, change) > (double)threshold;
 }
 
-/* The guide's thresholds of force and torque, as the accelerations that they cause; those of impulses, as velocities. */
+/* The guide's thresholds of force and torque, as the accelerations that they cause; those of impulses, as velocities.
+ * */
 MeBool mdt_bodyIsPushedAwake(MdtBodyID b) {
     if (!(b->flags & MDT_ASLEEP))
         return MEFALSE;

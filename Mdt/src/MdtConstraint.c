@@ -22,12 +22,20 @@ MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const c
     return c;
 }
 
+void mdt_constraintFree(MdtConstraintID c) {
+    if (c->bcl.type == MdtBclUSER && c->bcl.of.user.rows)
+        MeMemoryAPI.destroy(c->bcl.of.user.rows);
+}
+
 void mdt_constraintTerm(MdtConstraintID c) {
+    if (c->bcl.type == MdtBclCONTACTGROUP)
+        mdt_groupDestroyContacts(c);
+    if (c->group)
+        mdt_groupForget(c);
     MdtConstraintDisable(c);
     mdt_constraintDetach(c, 0);
     mdt_constraintDetach(c, 1);
-    if (c->bcl.type == MdtBclUSER && c->bcl.of.user.rows)
-        MeMemoryAPI.destroy(c->bcl.of.user.rows);
+    mdt_constraintFree(c);
     mdt_listRemove(&c->world->constraints, &c->link);
     mdt_poolPut(&c->world->constraintPool, c);
 }
@@ -53,7 +61,7 @@ void MEAPI MdtConstraintDestroy(const MdtConstraintID c) {
 
 void MEAPI MdtConstraintEnable(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, );
-    if (c->flags & MDT_ENABLED)
+    if ((c->flags & MDT_ENABLED) || c->group)
         return;
     if (!c->side[0].body && !c->side[1].body) {
         MeWarning(1, "MdtConstraintEnable: the %s is attached to no body; it stays disabled", c->type->name);
@@ -73,7 +81,7 @@ void MEAPI MdtConstraintDisable(const MdtConstraintID c) {
 
 MeBool MEAPI MdtConstraintIsEnabled(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, 0);
-    return (c->flags & MDT_ENABLED) != 0;
+    return ((c->group ? c->group->flags : c->flags) & MDT_ENABLED) != 0;
 }
 
 /* ---- attachment ---- */
@@ -150,6 +158,19 @@ static void tellAxesSet(MdtConstraintID c, const MdtBclFrame before[2]) {
         c->type->axesSet(&c->bcl, before, poses.at);
 }
 
+void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1) {
+    attach(c, 0, b0);
+    attach(c, 1, b1);
+    tellAttached(c);
+}
+
+/* In a group with the world the first body is the one that moves. */
+static void attachGroup(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2) {
+    c->isSwapped = b1 == NULL;
+    mdt_constraintAttach(c, b1 ? b1 : b2, b1 ? b2 : NULL);
+    mdt_groupAttachContacts(c);
+}
+
 void MEAPI MdtConstraintSetBodies(const MdtConstraintID c, const MdtBodyID b1, const MdtBodyID b2) {
     MDT_NEED_CONSTRAINT(c, );
     if (!mayAttach(c, b1, __func__) || !mayAttach(c, b2, __func__))
@@ -161,9 +182,12 @@ void MEAPI MdtConstraintSetBodies(const MdtConstraintID c, const MdtBodyID b1, c
     }
     if (c->flags & MDT_ENABLED)
         MeWarning(1, "MdtConstraintSetBodies: the %s is enabled; disable it before changing its bodies", c->type->name);
-    attach(c, 0, b1);
-    attach(c, 1, b2);
-    tellAttached(c);
+    if (c->group)
+        MeWarning(1, "MdtConstraintSetBodies: the contact belongs to a group, whose bodies it has; nothing is changed");
+    else if (c->bcl.type == MdtBclCONTACTGROUP)
+        attachGroup(c, b1, b2);
+    else
+        mdt_constraintAttach(c, b1, b2);
 }
 
 MeBool mdt_isSide(const char *caller, unsigned int bodyindex) {
@@ -467,7 +491,10 @@ void MEAPI MdtConstraintGetTorque(const MdtConstraintID c, const unsigned int bo
 
 int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, 0);
-    return c->numRows;
+    int rows = c->numRows;
+    for (MdtConstraintID contact = c->firstContact; contact; contact = contact->nextInGroup)
+        rows += contact->numRows;
+    return rows;
 }
 
 /* ---- a moving world ---- */

@@ -194,3 +194,8 @@ MdtContactID MEAPI MdtContactGetNext(const MdtContactID c) {
     MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
     return base ? base->nextContact : MdtContactInvalidID;
 }
+
+MdtContactGroupID MEAPI MdtContactGetContactGroup(const MdtContactID c) {
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    return base ? (MdtContactGroupID)base->group : NULL;
+}

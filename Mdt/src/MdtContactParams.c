@@ -42,7 +42,7 @@ MdtContactType MEAPI MdtContactParamsGetType(const MdtContactParamsID p) {
 static void setModel(MdtContactParamsID p, MdtFrictionModel *model, MdtFrictionModel m, const char *caller) {
     if (!isParams(p, caller))
         return;
-    if (m != MdtFrictionModelBox && m != MdtFrictionModelNormalForce)
+    if (m < MdtFrictionModelBox || m > MdtFrictionModelCone)
         MeWarning(1, "%s: there is no friction model %d; nothing is changed", caller, (int)m);
     else
         *model = m;

@@ -5,6 +5,10 @@ static MeBool isLimit(const MdtBclLimit *l, const char *caller) {
     return mdt_isPointer(caller, "the limit", l);
 }
 
+static MeBool isInUse(const MdtBclLimit *l) {
+    return l->bActive || l->bPowered || l->bLocked;
+}
+
 /* ---- the whole limit ---- */
 
 void MEAPI MdtLimitReset(const MdtLimitID limit) {
@@ -30,6 +34,9 @@ void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from) {
     to->stiffnessThreshold = copy.stiffnessThreshold;
     to->desired_vel = copy.desired_vel;
     to->fmax = copy.fmax;
+    to->lock = copy.lock;
+    to->lockForce = copy.lockForce;
+    to->bLocked = copy.bLocked;
     to->bPowered = copy.bPowered;
     to->bActive = copy.bActive;
     to->bCalculatePosition = copy.bCalculatePosition;
@@ -112,11 +119,11 @@ MeBool MEAPI MdtLimitIsMotorized(const MdtLimitID l) {
 
 void MEAPI MdtLimitCalculatePosition(const MdtLimitID l, const MeBool NewState) {
     if (isLimit(l, __func__))
-        l->bCalculatePosition = NewState || l->bActive || l->bPowered;
+        l->bCalculatePosition = NewState || isInUse(l);
 }
 
 MeBool MEAPI MdtLimitPositionIsCalculated(const MdtLimitID l) {
-    return isLimit(l, __func__) && (l->bCalculatePosition || l->bActive || l->bPowered);
+    return isLimit(l, __func__) && (l->bCalculatePosition || isInUse(l));
 }
 
 /* ---- the motor ---- */
@@ -136,6 +143,26 @@ MeReal MEAPI MdtLimitGetMotorDesiredVelocity(const MdtLimitID l) {
 
 MeReal MEAPI MdtLimitGetMotorMaxForce(const MdtLimitID l) {
     return isLimit(l, __func__) ? l->fmax : 0;
+}
+
+/* ---- the lock ---- */
+
+void MEAPI MdtLimitSetLock(const MdtLimitID l, const MeReal lock_value, const MeReal forceLimit) {
+    if (!isLimit(l, __func__) || !mdt_isFinite(__func__, "the value", lock_value) ||
+        !mdt_isFinite(__func__, "the force limit", forceLimit))
+        return;
+    l->lock = lock_value;
+    l->lockForce = forceLimit > 0 ? forceLimit : 0;
+    l->bLocked = METRUE;
+}
+
+void MEAPI MdtLimitActivateLock(const MdtLimitID l, const MeBool NewActivationState) {
+    if (isLimit(l, __func__))
+        l->bLocked = NewActivationState != 0;
+}
+
+MeBool MEAPI MdtLimitIsLocked(const MdtLimitID l) {
+    return isLimit(l, __func__) ? l->bLocked : 0;
 }
 
 /* ---- one stop ---- */

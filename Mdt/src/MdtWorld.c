@@ -22,6 +22,7 @@ static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
     w->params.gravity[3] = 0;
     w->epsilon = (MeReal)MDTWORLD_DEFAULT_EPSILON / massScale;
     w->gamma = (MeReal)MDTWORLD_DEFAULT_GAMMA;
+    w->maxMatrixSize = MDTMAXMATRIXSIZE_MAX;
     w->minSafeTime = (MeReal)MDTWORLD_DEFAULT_MIN_SAFETIME;
     w->rest.autoDisable = METRUE;
     w->rest.vel_thresh = (MeReal)MDTWORLD_DEFAULT_VEL_THRESH * square;
@@ -37,7 +38,10 @@ static void *allocate(size_t count, size_t size) {
 }
 
 static void freeWorld(MdtWorldID w) {
-    void *arrays[] = {w->bodyOf, w->constraintOf, w->keaOf, w->bodyStart, w->constraintStart};
+    for (MdtLink *link = w->constraints.first; link; link = link->next)
+        mdt_constraintFree(link->owner);
+    void *arrays[] = {w->bodyOf,          w->constraintOf, w->keaOf,      w->bodyStart,
+                      w->constraintStart, w->ranking,      w->output.info};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         if (arrays[i])
             MeMemoryAPI.destroy(arrays[i]);
@@ -54,8 +58,13 @@ static MeBool allocateParts(MdtWorldID w, size_t bodies, size_t constraints) {
     w->constraintOf = allocate(constraints, sizeof *w->constraintOf);
     w->bodyStart = allocate(bodies + 1, sizeof *w->bodyStart);
     w->constraintStart = allocate(bodies + 1, sizeof *w->constraintStart);
-    return w->bodyOf && w->keaOf && w->constraintOf && w->bodyStart && w->constraintStart &&
-           mdt_poolInit(&w->bodyPool, (int)bodies, sizeof(MdtBody)) &&
+    w->ranking = allocate(constraints, sizeof *w->ranking);
+    w->output.info = allocate(bodies, sizeof *w->output.info);
+    w->output.world = w;
+    w->output.bodies = w->bodyOf;
+    w->output.constraints = w->constraintOf;
+    return w->bodyOf && w->keaOf && w->constraintOf && w->bodyStart && w->constraintStart && w->ranking &&
+           w->output.info && mdt_poolInit(&w->bodyPool, (int)bodies, sizeof(MdtBody)) &&
            mdt_poolInit(&w->constraintPool, (int)constraints, sizeof(MdtBaseConstraint));
 }
 
@@ -229,7 +238,8 @@ int MEAPI MdtWorldGetAutoDisableAliveWindow(const MdtWorldID w) {
 void MEAPI MdtWorldSetMinSafeTime(const MdtWorldID w, const MeReal t) {
     MDT_NEED_WORLD(w, );
     if (mdt_isPositive(__func__, "the safe time", t))
-        w->minSafeTime = t;
+        w->maxMatrixSize = MDTMAXMATRIXSIZE_MAX;
+    w->minSafeTime = t;
 }
 
 MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w) {
@@ -301,4 +311,38 @@ void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi) {
 int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
     return w->maxLcpIterations;
+}
+
+/* ---- the cap on the rows ---- */
+
+void MEAPI MdtWorldSetMaxMatrixSize(const MdtWorldID w, const int size) {
+    MDT_NEED_WORLD(w, );
+    if (size > 0)
+        w->maxMatrixSize = size;
+    else
+        MeWarning(1, "MdtWorldSetMaxMatrixSize: the size is %d, it must be positive; nothing is changed", size);
+}
+
+int MEAPI MdtWorldGetMaxMatrixSize(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->maxMatrixSize;
+}
+
+void MEAPI MdtWorldSetContactImportanceCB(const MdtWorldID w, MdtContactImportanceCBPtr cb) {
+    MDT_NEED_WORLD(w, );
+    w->importance = cb;
+}
+
+void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, const int logSize) {
+    MDT_NEED_WORLD(w, );
+    w->sizeLog = sizeLog;
+    w->sizeLogLength = sizeLog && logSize > 0 ? logSize : 0;
+}
+
+/* ---- partitions ---- */
+
+void MEAPI MdtWorldSetPartitionCB(const MdtWorldID w, MdtPartitionEndCB cb, void *data) {
+    MDT_NEED_WORLD(w, );
+    w->partitionCb = cb;
+    w->partitionCbData = data;
 }

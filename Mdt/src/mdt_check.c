@@ -1,8 +1,8 @@
 /* Is this handle alive, is this number a number? Every warning about misuse comes from here.
  *
- * A handle points to a record whose magic says what it is and that it lives. Records of destroyed bodies and constraints
- * stay in their world's pool, so the magic can be read. The check build also knows which worlds live and asks whether
- * the pointer is a record of one of them, so that nothing is read through a handle of a destroyed world.
+ * A handle points to a record whose magic says what it is and that it lives. Records of destroyed bodies and
+ * constraints stay in their world's pool, so the magic can be read. The check build also knows which worlds live and
+ * asks whether the pointer is a record of one of them, so that nothing is read through a handle of a destroyed world.
  */
 #include "mdt_i.h"
 #include "MeMath.h"

@@ -1,8 +1,8 @@
 /* Inside Mdt: what worlds, bodies and constraints are made of, and what the files of this library share.
  *
- * Ownership: a world owns two pools of records, bodies and constraints, allocated once. Live records are linked into the
- * world's lists in the order of simulation: sort key, then creation. A constraint is also linked into the lists of its
- * bodies. The state of a body that counts is the double one in `kea`; what programs point at is refreshed from it.
+ * Ownership: a world owns two pools of records, bodies and constraints, allocated once. Live records are linked into
+ * the world's lists in the order of simulation: sort key, then creation. A constraint is also linked into the lists of
+ * its bodies. The state of a body that counts is the double one in `kea`; what programs point at is refreshed from it.
  */
 #ifndef MDT_I_H
 #define MDT_I_H
@@ -129,7 +129,23 @@ struct MdtBaseConstraint {
     MdtContactID nextContact;
 
     int firstRow, numRows; /* in this step */
+    MeBool isDropped;      /* in this step: left out to keep the partition within the cap on its rows */
+    double importance;     /* in this step, while rows are being dropped, */
+    int rank;              /* and its place before sorting by it */
+
+    /* contact groups (MdtContactGroup.c): what a contact knows, what a group knows */
+    MdtConstraintID group, nextInGroup, previousInGroup;
+    MdtConstraintID firstContact, lastContact;
+    int numContacts, numKept; /* kept: not dropped in this step */
+    MeBool isSwapped;
+    void *generator;
+    double normalForce[3]; /* N, the sum over the contacts in the last step */
 };
+
+/* Whether the solver is to look at a constraint by itself: the contacts of a group follow their group. */
+static inline MeBool mdt_constraintActs(const MdtBaseConstraint *c) {
+    return (c->flags & MDT_ENABLED) && !c->group;
+}
 
 /* Creates a constraint of a type for the API function `caller`, with its defaults. Null when the world is full. */
 MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const char *caller);
@@ -146,12 +162,22 @@ MeBool mdt_makeAxes(const char *caller, double p[3], double o[3]);
 void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side, MeReal x, MeReal y, MeReal z);
 /* A vector at right angles to p. */
 void mdt_chooseOrthogonal(const double p[3], double o[3]);
+void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1);
 void mdt_constraintDetach(MdtConstraintID c, int side);
 /* Where both sides are now: a body's centre of mass, or the world. */
 void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]);
 /* The body's centre of mass was moved within it: the attachment stays where it is in the world. */
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after);
 void mdt_constraintTerm(MdtConstraintID c);
+void mdt_constraintFree(MdtConstraintID c); /* memory that it has outside of its record */
+
+/* Contact groups: lets go of a contact's group; destroys a group's contacts; attaches them as the group is attached. */
+void mdt_groupForget(MdtConstraintID contact);
+void mdt_groupDestroyContacts(MdtConstraintID group);
+void mdt_groupAttachContacts(MdtConstraintID group);
+
+/* Leaves out rows of contacts until the constraints have at most `most`, in the documented order (mdt_cap.c). */
+int mdt_capRows(MdtWorldID w, MdtConstraintID constraints[], int count, int rows, int most);
 
 /* The four functions that every joint has: a joint is a constraint and nothing else, so handles convert by a cast. */
 #define MDT_JOINT_BASICS(Joint, TYPE)                                                                                  \
@@ -183,6 +209,13 @@ struct MdtWorld {
     MdtPartitionParams rest;
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
+    int maxMatrixSize;                    /* rows of a partition */
+    MdtContactImportanceCBPtr importance; /* null: depth */
+    MdtConstraintID *ranking;             /* room for all contacts, to rank them */
+    int *sizeLog, sizeLogLength;          /* the program's, null: none */
+    MdtPartitionEndCB partitionCb;        /* null: the world puts partitions to rest by itself */
+    void *partitionCbData;
+    MdtPartitionOutput output;
     MdtPool bodyPool, constraintPool;
     MdtList bodies, constraints;
     unsigned long nextSerial;

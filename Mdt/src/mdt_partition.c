@@ -36,7 +36,7 @@ static void startSets(MdtWorldID w) {
 static void joinSets(MdtWorldID w) {
     for (MdtLink *link = w->constraints.first; link; link = link->next) {
         MdtConstraintID c = link->owner;
-        if ((c->flags & MDT_ENABLED) && c->side[0].body && c->side[1].body)
+        if (mdt_constraintActs(c) && c->side[0].body && c->side[1].body)
             join(c->side[0].body, c->side[1].body);
     }
 }
@@ -62,7 +62,7 @@ static void numberPartitions(MdtWorldID w) {
 
 /* The partition of an enabled constraint; -1: it acts on nothing that moves. */
 static int partitionOf(MdtConstraintID c) {
-    if (!(c->flags & MDT_ENABLED))
+    if (!mdt_constraintActs(c))
         return -1;
     for (int k = 0; k < 2; k++)
         if (c->side[k].body)
@@ -74,7 +74,7 @@ static void countConstraints(MdtWorldID w) {
     for (MdtLink *link = w->constraints.first; link; link = link->next) {
         const int p = partitionOf(link->owner);
         if (p >= 0)
-            w->constraintStart[p + 1]++;
+            w->constraintStart[p + 1] += 1 + ((MdtConstraintID)link->owner)->numContacts;
     }
     for (int p = 0; p < w->numPartitions; p++) {
         w->bodyStart[p + 1] += w->bodyStart[p];
@@ -93,9 +93,13 @@ static void sortIntoPartitions(MdtWorldID w) {
         w->keaOf[at] = &b->kea;
     }
     for (MdtLink *link = w->constraints.first; link; link = link->next) {
-        const int p = partitionOf(link->owner);
-        if (p >= 0)
-            w->constraintOf[w->constraintStart[p]++] = link->owner;
+        MdtConstraintID c = link->owner;
+        const int p = partitionOf(c);
+        if (p < 0)
+            continue;
+        w->constraintOf[w->constraintStart[p]++] = c;
+        for (MdtConstraintID contact = c->firstContact; contact; contact = contact->nextInGroup)
+            w->constraintOf[w->constraintStart[p]++] = contact; /* a group is followed by its contacts */
     }
     for (int p = w->numPartitions; p > 0; p--) {
         w->bodyStart[p] = w->bodyStart[p - 1];

@@ -113,7 +113,8 @@ static MdtLink *cutAfter(MdtLink *run, int length) {
     return rest;
 }
 
-/* One pass of the bottom-up merge sort: runs of `length` become runs of twice that. Returns how many runs there were. */
+/* One pass of the bottom-up merge sort: runs of `length` become runs of twice that. Returns how many runs there were.
+ * */
 static int mergeRuns(MdtLink **first, int length) {
     MdtLink *rest = *first, **end = first;
     int runs = 0;

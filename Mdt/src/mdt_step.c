@@ -115,25 +115,48 @@ static void warnOfDegenerate(MdtConstraintID c) {
               c->type->degenerate);
 }
 
-/* Count, then fill, then compare the counts. */
-static void makeRows(Partition *p) {
+static int countRows(Partition *p) {
+    MdtBclContext x;
+    int rows = 0;
+    for (int i = 0; i < p->numConstraints; i++) {
+        MdtConstraintID c = p->constraints[i];
+        const MeBool was = c->bcl.isDegenerate;
+        setContext(p, c, &x);
+        c->isDropped = MEFALSE;
+        c->numRows = c->type->prepare(&c->bcl, &x);
+        MEASSERT(c->numRows >= 0 && c->numRows <= c->type->maxRows);
+        if (c->bcl.isDegenerate && !was)
+            warnOfDegenerate(c);
+        rows += c->numRows;
+    }
+    return rows;
+}
+
+static void fillRows(Partition *p) {
     MdtKeaSystem *kea = &p->kea;
     MdtBclContext x;
     for (int i = 0; i < p->numConstraints; i++) {
         MdtConstraintID c = p->constraints[i];
         c->firstRow = kea->numRows;
         setContext(p, c, &x);
-        const MeBool was = c->bcl.isDegenerate;
-        c->numRows = c->type->prepare(&c->bcl, &x);
-        if (c->bcl.isDegenerate && !was)
-            warnOfDegenerate(c);
-        MEASSERT(c->numRows >= 0 && c->numRows <= c->type->maxRows);
-        c->type->fill(&c->bcl, &x, kea->rows + c->firstRow);
+        if (c->numRows > 0)
+            c->type->fill(&c->bcl, &x, kea->rows + c->firstRow);
         for (int r = 0; r < c->numRows; r++)
             subtractWorldVelocity(c, &kea->rows[c->firstRow + r]);
         kea->numRows += c->numRows;
         MEASSERT(kea->numRows <= kea->maxRows);
     }
+}
+
+/* Count, leave out what is too much, fill. */
+static void makeRows(Partition *p) {
+    MdtWorldID w = p->world;
+    const int rows = countRows(p);
+    if (rows > w->maxMatrixSize)
+        mdt_capRows(w, p->constraints, p->numConstraints, rows, w->maxMatrixSize);
+    fillRows(p);
+    if (p->number < w->sizeLogLength)
+        w->sizeLog[p->number] = p->kea.numRows;
 }
 
 static void MEAPI positionErrors(void *context, const MdtKeaTransformation poses[], double errors[]) {
@@ -152,8 +175,10 @@ static void MEAPI positionErrors(void *context, const MdtKeaTransformation poses
 /* ---- unpack ---- */
 
 static void clearForces(Partition *p) {
-    for (int i = 0; i < p->numConstraints; i++)
+    for (int i = 0; i < p->numConstraints; i++) {
         memset(&p->constraints[i]->force, 0, sizeof p->constraints[i]->force);
+        keaZero(p->constraints[i]->normalForce);
+    }
 }
 
 /* The force of a divided step is the mean over its parts. */
@@ -164,6 +189,15 @@ static void addForces(MdtConstraintID c, const MdtKeaRow *row, double share) {
     }
 }
 
+/* A group's forces and rows are those of its contacts. It comes before them. */
+static void addToGroup(MdtConstraintID c, const MdtKeaRow rows[], double share) {
+    MdtConstraintID group = c->group;
+    for (int r = 0; r < c->numRows; r++)
+        addForces(group, &rows[r], share);
+    if (c->numRows > 0)
+        keaAddScaled(group->normalForce, share * rows[0].force, c->bcl.of.contact.normal);
+}
+
 static void unpackConstraints(Partition *p) {
     MdtBclContext x;
     for (int i = 0; i < p->numConstraints; i++) {
@@ -171,8 +205,12 @@ static void unpackConstraints(Partition *p) {
         const MdtKeaRow *rows = p->kea.rows + c->firstRow;
         for (int r = 0; r < c->numRows; r++)
             addForces(c, &rows[r], p->parameters.stepsize / p->h);
+        if (c->group)
+            addToGroup(c, rows, p->parameters.stepsize / p->h);
         setContext(p, c, &x);
-        if (c->type->readBack)
+        if (c->isDropped)
+            c->bcl.of.contact.normalForce = 0;
+        else if (c->type->readBack)
             c->type->readBack(&c->bcl, &x, rows);
     }
 }
@@ -223,6 +261,44 @@ static void warnOfSolver(const Partition *p) {
     if (p->kea.report.regularized)
         MeDebug(2, "MdtWorldStep: partition %d (%d rows) has contradictory constraints, a compromise was taken",
                 p->number, p->kea.numRows);
+}
+
+/* ---- for callbacks of the program (MdtMainLoop.h) ---- */
+
+static MeBool hasPartition(const MdtPartitionOutput *po, int i, const char *caller) {
+    if (!mdt_isPointer(caller, "the partition output", po))
+        return MEFALSE;
+    if (i >= 0 && i < po->numPartitions)
+        return METRUE;
+    MeWarning(1, "%s: there is no partition %d", caller, i);
+    return MEFALSE;
+}
+
+void MEAPI MdtAutoDisableLastPartition(MdtPartitionOutput *po, void *cbdata) {
+    (void)cbdata;
+    if (!hasPartition(po, po ? po->numPartitions - 1 : 0, __func__))
+        return;
+    const Partition p = partitionNumber(po->world, po->numPartitions - 1, 0);
+    po->info[p.number].isDisabled = po->world->rest.autoDisable && isAtRest(&p);
+}
+
+MeReal MEAPI MdtPartitionGetSafeTime(MdtPartitionOutput *po, int i) {
+    if (!hasPartition(po, i, __func__))
+        return 0;
+    double safe = (double)MEINFINITY;
+    for (int k = 0; k < po->info[i].numBodies; k++)
+        safe = fmin(safe, (double)po->bodies[po->info[i].firstBody + k]->safeTime);
+    return (MeReal)safe;
+}
+
+unsigned int MEAPI MdtUnpackForces(const MdtKeaForcePair *force, const unsigned int partitionindex,
+                                   MdtPartitionOutput *po) {
+    if (!mdt_isPointer(__func__, "the forces", force) || !hasPartition(po, (int)partitionindex, __func__))
+        return 0;
+    const MdtPartitionInfo *info = &po->info[partitionindex];
+    for (int i = 0; i < info->numConstraints; i++)
+        po->constraints[info->firstConstraint + i]->force = force[i];
+    return (unsigned int)info->numConstraints;
 }
 
 /* ---- the step ---- */
@@ -303,21 +379,47 @@ static double safeStep(const Partition *p) {
     return fmin(p->h, fmax(safe, (double)p->world->minSafeTime));
 }
 
-static void stepWorld(MdtWorldID w, double h, MeBool safely) {
-    MeProfileStartSection("Dynamics", 0);
-    MeProfileStartSection("Partition", 0);
-    w->lastStep = h;
-    mdt_partitionsUpdate(w);
-    MeProfileEndSection("Partition");
+/* What a program's callback sees: the partitions up to this one. */
+static void showPartition(MdtWorldID w, int number) {
+    const Partition p = partitionNumber(w, number, 0);
+    MdtPartitionOutput *po = &w->output;
+    po->info[number] = (MdtPartitionInfo){.firstBody = w->bodyStart[number],
+                                          .numBodies = p.numBodies,
+                                          .firstConstraint = w->constraintStart[number],
+                                          .numConstraints = p.numConstraints};
+    po->numPartitions = number + 1;
+    w->partitionCb(po, w->partitionCbData);
+}
+
+static MeBool isToRest(MdtWorldID w, const Partition *p) {
+    if (w->partitionCb)
+        return w->output.info[p->number].isDisabled;
+    return w->rest.autoDisable && isAtRest(p);
+}
+
+static void stepPartitions(MdtWorldID w, double h, MeBool safely) {
     for (int i = 0; i < w->numPartitions; i++) {
         Partition p = partitionNumber(w, i, h);
         if (safely)
             p.h = safeStep(&p);
-        if (w->rest.autoDisable && isAtRest(&p))
+        if (w->partitionCb)
+            showPartition(w, i);
+        if (isToRest(w, &p))
             putToSleep(&p);
         else
             stepPartition(&p);
     }
+}
+
+static void stepWorld(MdtWorldID w, double h, MeBool safely) {
+    MeProfileStartSection("Dynamics", 0);
+    MeProfileStartSection("Partition", 0);
+    w->lastStep = h;
+    for (int i = 0; i < w->sizeLogLength; i++)
+        w->sizeLog[i] = 0;
+    mdt_partitionsUpdate(w);
+    MeProfileEndSection("Partition");
+    stepPartitions(w, h, safely);
     MeProfileEndSection("Dynamics");
 }
 

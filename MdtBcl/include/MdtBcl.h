@@ -230,8 +230,8 @@ typedef struct MdtBclType {
     void (*errors)(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[]);
     /** Notes what programs may ask for after the step; x holds the poses and velocities of its end. May be null. */
     void (*readBack)(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]);
-    /** Told when bodies were attached, when an attachment was moved, when the axes of both sides were set, with the poses
-     *  that the bodies have then. Any may be null. */
+    /** Told when bodies were attached, when an attachment was moved, when the axes of both sides were set, with the
+     *  poses that the bodies have then. Any may be null. */
     void (*attached)(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
     void (*positioned)(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
     void (*axesSet)(MdtBclConstraint *c, const MdtBclFrame before[2], const MdtKeaTransformation *const pose[2]);
@@ -244,8 +244,9 @@ MEPUBLIC const MdtBclType *MEAPI MdtBclTypeOf(MdtBclJointType type);
 
 /**
  * The next row of a constraint that a program writes, to be called by its MdtBclAddConstraintFn. The row joins the
- * constraint's two bodies, has the world's epsilon, no bounds, and zeros: the program fills in J (body 0 and body 1, rows
- * of the world frame), target, and where it likes bounds, softness, or spring. Null, with a warning, when there is no room.
+ * constraint's two bodies, has the world's epsilon, no bounds, and zeros: the program fills in J (body 0 and body 1,
+ * rows of the world frame), target, and where it likes bounds, softness, or spring. Null, with a warning, when there is
+ * no room.
  */
 MEPUBLIC MdtKeaRow *MEAPI MdtBclAddRow(MdtKeaConstraints *list);
 

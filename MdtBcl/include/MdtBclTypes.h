@@ -76,6 +76,7 @@ typedef enum MdtFrictionModel {
     MdtFrictionModelUnknown = -1,
     MdtFrictionModelBox = 0,         /**< a constant bound, friction1 or friction2, whatever the normal force */
     MdtFrictionModelNormalForce = 1, /**< Coulomb: the bound is the coefficient times the normal force */
+    MdtFrictionModelCone = 2,        /**< the same for both directions together, with the primary coefficient */
 } MdtFrictionModel;
 
 /** Which of a contact's parameters are in use. The functions of MdtContactParams.h set them. */
@@ -115,9 +116,9 @@ typedef struct MdtBclContactParams {
 typedef struct MdtKeaConstraints MdtKeaConstraints;
 
 /**
- * Writes the rows of a user constraint for one step, with MdtBclAddRow. @a constraint is what MdtUserConstraintSetFunction
- * was given; @a tlist and @a blist are the poses and Kea's bodies of the constraint's body 0 and body 1 (the world: the
- * identity and null); @a params is the step's MdtBclSolverParameters.
+ * Writes the rows of a user constraint for one step, with MdtBclAddRow. @a constraint is what
+ * MdtUserConstraintSetFunction was given; @a tlist and @a blist are the poses and Kea's bodies of the constraint's body
+ * 0 and body 1 (the world: the identity and null); @a params is the step's MdtBclSolverParameters.
  */
 typedef void(MEAPI *MdtBclAddConstraintFn)(MdtKeaConstraints *const keaConstraints, void *const constraint,
                                            const MdtKeaTransformation *const tlist, MdtKeaBody *const blist[],

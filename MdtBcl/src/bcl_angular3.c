@@ -15,8 +15,8 @@ static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose
     bcl_matchAxes(c, pose);
 }
 
-/* Axes that were set later name the axis of rotation and leave that orientation: frame 1 turns within its body as frame 0
- * has within its own, F_1' = F_1 F_0ᵀ F_0'. */
+/* Axes that were set later name the axis of rotation and leave that orientation: frame 1 turns within its body as frame
+ * 0 has within its own, F_1' = F_1 F_0ᵀ F_0'. */
 static void axesSet(MdtBclConstraint *c, const MdtBclFrame before[2], const MdtKeaTransformation *const pose[2]) {
     (void)pose;
     double third[2][3], *set[2] = {c->frame[1].primary, c->frame[1].ortho};

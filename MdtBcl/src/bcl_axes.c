@@ -82,7 +82,8 @@ static void wantedAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKe
     }
 }
 
-/* φ = 2 v with the turn (w, v) in the axes of the wanted frame T. From d(w, v)/dt = 1/2 (0, ω)(w, v), ω = Tᵀ(ω_0 - ω_1):
+/* φ = 2 v with the turn (w, v) in the axes of the wanted frame T. From d(w, v)/dt = 1/2 (0, ω)(w, v), ω = Tᵀ(ω_0 -
+ * ω_1):
  *     dφ/dt = (w I - [v]x) ω.
  * It is regular but for a half turn. */
 void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]) {

@@ -1,8 +1,8 @@
 /* CarWheel: a wheel, body 1, that steers, springs and rolls under a chassis, body 0 (Dynamics guide ch. 3,
  * "MdtCarWheel").
  *
- * s is the steering axis, the primary axis of frame 0, and h the hinge axis, the second axis of frame 1; o and t = s x o
- * are the other axes of frame 0; d = P_1 - P_0 from the attachment in the chassis to the wheel's.
+ * s is the steering axis, the primary axis of frame 0, and h the hinge axis, the second axis of frame 1; o and t = s x
+ * o are the other axes of frame 0; d = P_1 - P_0 from the attachment in the chassis to the wheel's.
  *     φ_1,2 = o·d, t·d     the wheel's centre stays on the line through the attachment along s
  *     φ_3 = s·h            the two axes stay at right angles
  *     locked: φ_4 = t·h    the wheel does not steer; else the steering motor's row
@@ -10,8 +10,8 @@
  *                          where the wheel arrives: a rolling wheel turns so far in a step that its rate does not tell
  *     suspension: a damped spring on the height s·d, and one-sided rows at its stops
  *     the hinge motor's row
- * The steering angle is that of the chassis against the wheel, -angle(o, h) about s, as hinges count theirs (body 0 against
- * body 1); motors drive the wheel against the chassis.
+ * The steering angle is that of the chassis against the wheel, -angle(o, h) about s, as hinges count theirs (body 0
+ * against body 1); motors drive the wheel against the chassis.
  */
 #include "bcl_i.h"
 #include <string.h>

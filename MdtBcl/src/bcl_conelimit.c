@@ -2,8 +2,9 @@
  *
  *     θ = angle(a_0, a_1),   dθ/dt = m·(ω_1 - ω_0),   m = a_0 x a_1 / |a_0 x a_1|.
  *
- * θ is the coordinate of a limit that has an upper stop only, without rebound. m turns with the axes, so that the row of
- * a hard stop is met where they arrive. Where the axes are parallel, they have no common plane, and the last m is kept.
+ * θ is the coordinate of a limit that has an upper stop only, without rebound. m turns with the axes, so that the row
+ * of a hard stop is met where they arrive. Where the axes are parallel, they have no common plane, and the last m is
+ * kept.
  */
 #include "bcl_i.h"
 #include <string.h>

@@ -8,6 +8,7 @@
  *             and >= -e J v when they meet faster than velThreshold and than one step's own acceleration explains.
  *             λ >= -max_adhesive_force.   E = ε + softness.
  *   friction: J v⁺ = slide - slip λ, |λ| <= friction (box) or μ λ_n (normal force).   E = slip / h, or ε without slip.
+ *             Cone, in both directions: λ_1² + λ_2² <= (μ λ_n)², with the primary coefficient.
  *             Only where the bodies touch, or will within the step.
  */
 #include "bcl_i.h"
@@ -71,7 +72,7 @@ static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
     const MdtFrictionModel model = direction == 0 ? p->model1 : p->model2;
     const MeReal bound = direction == 0 ? p->friction1 : p->friction2;
     const MeReal coefficient = direction == 0 ? p->FrictionCoefficient : p->FrictionCoefficient2;
-    return model == MdtFrictionModelNormalForce ? coefficient > 0 : bound > 0;
+    return model == MdtFrictionModelBox ? bound > 0 : coefficient > 0;
 }
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
@@ -122,13 +123,18 @@ static void frictionRow(const MdtBclContact *contact, const MdtBclContext *x, in
     row->target = slides ? (double)(direction == 0 ? p->slide1 : p->slide2) : 0;
     if (slip > 0)
         row->softness = slip / x->parameters.stepsize;
-    if ((direction == 0 ? p->model1 : p->model2) == MdtFrictionModelNormalForce) {
+    if ((direction == 0 ? p->model1 : p->model2) != MdtFrictionModelBox) {
         row->normal = x->firstRow;
         row->friction = direction == 0 ? p->FrictionCoefficient : p->FrictionCoefficient2;
     } else {
         row->upper = bcl_boundOf(direction == 0 ? p->friction1 : p->friction2);
         row->lower = -row->upper;
     }
+}
+
+static MeBool isCone(const MdtBclContact *contact) {
+    return contact->rows == (PRIMARY | SECONDARY) && contact->params.model1 == MdtFrictionModelCone &&
+           contact->params.model2 == MdtFrictionModelCone;
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
@@ -138,6 +144,10 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
         frictionRow(contact, x, 0, rows++);
     if (contact->rows & SECONDARY)
         frictionRow(contact, x, 1, rows);
+    if (isCone(contact)) {
+        rows[-1].partner = x->firstRow + 2;
+        rows[0].partner = x->firstRow + 1;
+    }
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {

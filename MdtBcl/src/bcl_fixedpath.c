@@ -2,8 +2,8 @@
  *
  *     φ = P_0 - P_1,   dP_k/dt = v_k + ω_k x r_k + R_k u_k,   u_k the attachment's velocity in body k.
  *
- * The rows are those of the ball and socket, which aim at -γ φ / h - (R_0 u_0 - R_1 u_1): with the velocities the bodies
- * move on with the attachments, and the forces are those of the motion; without, they are pulled after them.
+ * The rows are those of the ball and socket, which aim at -γ φ / h - (R_0 u_0 - R_1 u_1): with the velocities the
+ * bodies move on with the attachments, and the forces are those of the motion; without, they are pulled after them.
  */
 #include "bcl_i.h"
 #include <string.h>

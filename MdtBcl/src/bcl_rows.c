@@ -14,7 +14,7 @@ void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x) {
     row->softness = x->parameters.epsilon;
     row->lower = -HUGE_VAL;
     row->upper = HUGE_VAL;
-    row->normal = -1;
+    row->normal = row->partner = -1;
 }
 
 void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error) {
@@ -95,8 +95,8 @@ void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const
     bcl_pointErrors(c, pose, d);
 }
 
-/* For d fixed in the body of side k, d/dt d·(P_0 - P_1) has the further term ω_k·(d x (P_0 - P_1)): that body's arm goes
- * to the other's point. */
+/* For d fixed in the body of side k, d/dt d·(P_0 - P_1) has the further term ω_k·(d x (P_0 - P_1)): that body's arm
+ * goes to the other's point. */
 void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const double d[3], int carrier, MdtKeaRow *row) {
     bcl_startRow(row, x);
     for (int k = 0; k < 2; k++) {

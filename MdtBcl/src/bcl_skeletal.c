@@ -1,9 +1,9 @@
 /* Skeletal: a ball and socket whose swing stays in an elliptical cone and whose twist stays between limits (User Guide
  * app. D, "MdtSkeletal").
  *
- * Frame 1 is the reference. D = frame 0 in frame 1 = (swing) (twist): the twist turns about the primary axis x, the swing
- * takes x to a = D x along a great circle. With a = (cos θ, sin θ t), t a unit vector in the (y, z) plane, the swing has
- * the coordinates σ = θ t: towards y the primary limit α holds, towards z the secondary one, β.
+ * Frame 1 is the reference. D = frame 0 in frame 1 = (swing) (twist): the twist turns about the primary axis x, the
+ * swing takes x to a = D x along a great circle. With a = (cos θ, sin θ t), t a unit vector in the (y, z) plane, the
+ * swing has the coordinates σ = θ t: towards y the primary limit α holds, towards z the secondary one, β.
  *   cone:  f = |(σ_y/α, σ_z/β)| <= 1, one row, scaled to radians by the gradient of f.
  *          From da/dt = ω x a (axes of frame 1):  dθ/dt = cos θ t·a' - sin θ a'_x,   θ dt/dt = (θ/sin θ) (a' across t).
  *          The row of a hard side is met where the axis arrives.
@@ -109,8 +109,8 @@ static MeBool hasCone(const MdtBclSkeletal *s) {
                                                       : s->coneOption == MdtSkeletalConeOptionCone && least < ME_PI;
 }
 
-/* The way from the cone's axis as far as the cone lets it: f, in radians on the way that f falls fastest, with the scale
- * of the step's start throughout the step. In a slot it is the angle to the primary side. */
+/* The way from the cone's axis as far as the cone lets it: f, in radians on the way that f falls fastest, with the
+ * scale of the step's start throughout the step. In a slot it is the angle to the primary side. */
 static double coneCoordinate(const MdtBclSkeletal *s, const Pose *p) {
     return s->coneOption == MdtSkeletalConeOptionSlot ? fabs(p->sigma[0]) - (double)s->primary : (p->f - 1) / s->scale;
 }

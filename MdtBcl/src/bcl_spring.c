@@ -1,10 +1,11 @@
-/* Spring: the distance between the attachments is a rod's, a string's, or a spring's (Dynamics guide ch. 3, "MdtSpring").
+/* Spring: the distance between the attachments is a rod's, a string's, or a spring's (Dynamics guide ch. 3,
+ * "MdtSpring").
  *
  *     φ = |P_0 - P_1| - l,   J_0 = [n, r_0 x n],   J_1 = -[n, r_1 x n],   n the direction from P_1 to P_0.
  *
- * The distance is the coordinate of a limit. Both stops hard and at one length: a rod, φ = 0. Both soft and at one length:
- * a damped spring with the properties of the side on which it is. Anything else, a string or an elastic among them, is
- * just the limit, whose hard stops are met where the bodies arrive: n turns with them.
+ * The distance is the coordinate of a limit. Both stops hard and at one length: a rod, φ = 0. Both soft and at one
+ * length: a damped spring with the properties of the side on which it is. Anything else, a string or an elastic among
+ * them, is just the limit, whose hard stops are met where the bodies arrive: n turns with them.
  */
 #include "bcl_i.h"
 #include <string.h>

@@ -19,8 +19,8 @@
  *
  *  Rows marked `position` are met where the bodies arrive, not only to first order: φ(x⁺) = φ(x) + h (s - h E λ).
  *
- *  A row marked `spring` is a damped spring, λ = -stiffness φ - damping J v, whose s and E Kea finds by itself, since what
- *  is stable depends on the other springs of the system (kea_system.c).
+ *  A row marked `spring` is a damped spring, λ = -stiffness φ - damping J v, whose s and E Kea finds by itself, since
+ *  what is stable depends on the other springs of the system (kea_system.c).
  *
  *  Everything here is double, in single-precision builds too: positions, orientations and momenta keep their digits
  *  over long runs.
@@ -109,6 +109,7 @@ typedef struct MdtKeaRow {
     double upper;    /**< N, HUGE_VAL where there is none */
     double friction; /**< μ of a row that `normal` limits, else unused */
     int normal;      /**< -1, or the index of the row whose force times μ bounds this one, both ways */
+    int partner; /**< -1, or the index of the other friction row of a cone: (λ_1/μ_1)² + (λ_2/μ_2)² <= λ_normal² */
     MeBool
         position;  /**< The error at the end of the step is checked and corrected, while the force is within bounds. */
     MeBool spring; /**< A damped spring; its target is the rate at which it is at rest, and softness is not read. */

@@ -37,6 +37,14 @@ void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double invers
 /* Fills response, freeRate and matrix from the rows. */
 void kea_assemble(MdtKeaSystem *system);
 
+/* Friction (kea_friction.c): the bounds of the first solve; new ones from its answer. Returns whether one moved that
+ * matters. */
+double kea_firstFrictionBound(const MdtKeaSystem *system, const MdtKeaRow *row);
+MeBool kea_renewFriction(MdtKeaSystem *system);
+
+/* The velocity that row i is left with against its target, m/s: zero where the force is free. */
+double kea_slip(const MdtKeaSystem *system, int i);
+
 /* Gives the rows that are springs their targets and softnesses; after kea_assemble. */
 void kea_makeSprings(MdtKeaSystem *system);
 

@@ -46,18 +46,27 @@ static double clamp(double x, double lower, double upper) {
     return x < lower ? lower : x > upper ? upper : x;
 }
 
+static void scaleRow(KeaMlcp *p, int i) {
+    const double diagonal = p->A[i * p->n + i] + p->E[i];
+    p->scale[i] = diagonal > 0 ? 1 / sqrt(diagonal) : 0;
+    p->shift[i] = diagonal > 0 ? clamp(usualShift * p->mobility / diagonal, leastShift, mostShift) : leastShift;
+}
+
 void kea_mlcpBegin(KeaMlcp *p) {
-    double mobility = 0;
+    p->mobility = 0;
     for (int i = 0; i < p->n; i++)
-        mobility += p->A[i * p->n + i] / p->n;
+        p->mobility += p->A[i * p->n + i] / p->n;
     for (int i = 0; i < p->n; i++) {
-        const double diagonal = p->A[i * p->n + i] + p->E[i];
-        p->scale[i] = diagonal > 0 ? 1 / sqrt(diagonal) : 0;
-        p->shift[i] = diagonal > 0 ? clamp(usualShift * mobility / diagonal, leastShift, mostShift) : leastShift;
+        scaleRow(p, i);
         p->set[i] = KEA_FREE;
     }
     p->pivots = p->factorizations = 0;
     p->capped = p->regularized = p->factorValid = MEFALSE;
+}
+
+void kea_mlcpRenew(KeaMlcp *p, int i) {
+    scaleRow(p, i);
+    p->factorValid = MEFALSE;
 }
 
 /* The scaled matrix: A + E with a unit diagonal. */

@@ -31,6 +31,7 @@ typedef struct KeaMlcp {
     double *y, *previous, *rhs, *w, *from;
     int *index; /* n: the free rows */
     int numFree;
+    double mobility;    /* the mean of A's diagonal */
     double *shift;      /* n: the regularization, of the scaled diagonal */
     double shiftFactor; /* by which all of it is multiplied in `factor` */
     MeBool factorValid;
@@ -41,6 +42,9 @@ void kea_mlcpInit(KeaMlcp *p, int n, const double *A, KeaArena *arena);
 
 /* Scales the problem; to be called once when A, E are filled. All rows start free. */
 void kea_mlcpBegin(KeaMlcp *p);
+
+/* Takes over a new E, and a new row and column of A, for row i. The sets stay. */
+void kea_mlcpRenew(KeaMlcp *p, int i);
 
 /* Solves with the b and bounds now set, starting from the sets of the last solve. */
 void kea_mlcpSolve(KeaMlcp *p);

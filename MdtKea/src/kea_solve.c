@@ -3,10 +3,10 @@
 #include <string.h>
 
 /* Passes cost a back-substitution each while the set of active rows stays the same. */
-static const int maxFrictionPasses = 12;
-static const int maxPositionPasses = 10;       /* an iteration that contracts by less than 0.1 is given up */
+static const int maxFrictionPasses = 20;
+static const int maxPositionPasses = 10;
+static const double leastContraction = 0.95;   /* of the position errors in a pass; with less the passes are given up */
 static const double positionTolerance = 1e-10; /* of sizeOfRow */
-static const double frictionTolerance = 1e-9;  /* of a bound */
 
 static void loadRows(MdtKeaSystem *s) {
     KeaMlcp *p = &s->work->mlcp;
@@ -14,7 +14,7 @@ static void loadRows(MdtKeaSystem *s) {
     p->maxIterations = s->parameters.maxIterations;
     for (int i = 0; i < s->numRows; i++) {
         MdtKeaRow *row = &s->rows[i];
-        const double bound = row->normal >= 0 ? row->friction * fmax(s->rows[row->normal].force, 0) : HUGE_VAL;
+        const double bound = kea_firstFrictionBound(s, row);
         p->E[i] = row->softness;
         p->lower[i] = fmax(row->lower, -bound);
         p->upper[i] = fmin(row->upper, bound);
@@ -32,27 +32,6 @@ static void solveRows(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = p->x[i];
     s->report.passes++;
-}
-
-/* Coulomb's bound μ λ_n with the normal force of this very step. Returns whether a bound moved. After a few passes
- * the bounds are averaged, since a wedge can make them alternate. */
-static MeBool renewFrictionBounds(MdtKeaSystem *s) {
-    KeaMlcp *p = &s->work->mlcp;
-    MeBool moved = MEFALSE;
-    for (int i = 0; i < s->numRows; i++) {
-        const MdtKeaRow *row = &s->rows[i];
-        if (row->normal < 0)
-            continue;
-        double bound = row->friction * fmax(s->rows[row->normal].force, 0);
-        if (s->report.passes > 4)
-            bound = 0.5 * (bound + fmax(p->upper[i], 0));
-        const double lower = fmax(row->lower, -bound), upper = fmin(row->upper, bound);
-        const double change = fmax(fabs(upper - p->upper[i]), fabs(lower - p->lower[i]));
-        moved = moved || change > frictionTolerance * bound;
-        p->lower[i] = lower;
-        p->upper[i] = upper;
-    }
-    return moved;
 }
 
 /* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies
@@ -111,11 +90,14 @@ static void correctPositions(MdtKeaSystem *s) {
         return;
     double worst = positionErrors(s);
     for (int pass = 0; worst > positionTolerance && pass < maxPositionPasses; pass++) {
+        const double before = worst;
         shiftTargets(s);
         solveRows(s);
-        renewFrictionBounds(s);
+        kea_renewFriction(s);
         kea_moveWithForces(s);
         worst = positionErrors(s);
+        if (s->work->mlcp.regularized && worst > leastContraction * before)
+            break; /* contradictory rows */
     }
     if (worst <= positionTolerance)
         return;
@@ -129,12 +111,9 @@ static void correctPositions(MdtKeaSystem *s) {
 /* The largest violation of J v⁺ = s - h E λ that its bound does not explain. */
 static double residual(const MdtKeaSystem *s) {
     const KeaMlcp *p = &s->work->mlcp;
-    const double h = s->parameters.stepsize;
     double worst = 0;
     for (int i = 0; i < s->numRows; i++) {
-        double w = (p->E[i] * p->x[i] - p->b[i]) * h;
-        for (int j = 0; j < p->n; j++)
-            w += h * p->A[i * p->n + j] * p->x[j];
+        const double w = kea_slip(s, i);
         if (p->scale[i] == 0 || (w > 0 && p->x[i] <= p->lower[i]) || (w < 0 && p->x[i] >= p->upper[i]))
             continue;
         worst = fmax(worst, fabs(w));
@@ -154,7 +133,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     loadRows(s);
     do {
         solveRows(s);
-    } while (renewFrictionBounds(s) && s->report.passes < maxFrictionPasses);
+    } while (kea_renewFriction(s) && s->report.passes < maxFrictionPasses);
     correctPositions(s);
     s->report.pivots = p->pivots;
     s->report.factorizations = p->factorizations;

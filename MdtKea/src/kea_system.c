@@ -148,10 +148,10 @@ static double rateNow(const MdtKeaSystem *s, const MdtKeaRow *row) {
 
 /* λ = -kp (φ + a h u⁺) - kd ((1 - b) u + b u⁺) with u the rate, as a row u⁺ = s - h E λ:
  *     C = a h kp + b kd,   s = -(kp φ + (1 - b) kd u) / C,   E = 1 / (h C).
- * a = 0, b = 1/2 is the spring of the leapfrog and of the midpoint rule: no numerical damping, frequency and decay right
- * to second order. Where that would be unstable, for stiff springs on light bodies, a and b grow towards 1, the backward
- * Euler rule, which no stiffness makes gain energy. With K and D the springiness of the row, a and b are the least that
- * bring K / (1 + a K) <= 1 and (1 - b) D <= 1; the leapfrog itself is stable up to K = 4. */
+ * a = 0, b = 1/2 is the spring of the leapfrog and of the midpoint rule: no numerical damping, frequency and decay
+ * right to second order. Where that would be unstable, for stiff springs on light bodies, a and b grow towards 1, the
+ * backward Euler rule, which no stiffness makes gain energy. With K and D the springiness of the row, a and b are the
+ * least that bring K / (1 + a K) <= 1 and (1 - b) D <= 1; the leapfrog itself is stable up to K = 4. */
 static void makeSpring(const MdtKeaSystem *s, int i) {
     MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize, kp = row->stiffness, kd = row->damping, rest = row->target;

@@ -268,6 +268,23 @@ START_TEST(the_motor_stalls_at_its_force_limit) {
 END_TEST
 
 /* The bar lies on the stop, motor and stop in balance: fmax = stiffness × overshoot. */
+START_TEST(the_lock_holds_up_to_its_force) {
+    HingedBar s = scene_hingedBar(10); /* its weight turns with 5 N m where the bar is level */
+    MdtLimitSetLock(s.limit, (MeReal)-.2, 6);
+    MdtLimitSetLimitedForceMotor(s.limit, 3, 100); /* rests while the lock holds */
+    ck_assert(MdtLimitIsLocked(s.limit));
+    steps(s.world, 240, FRAME);
+    assert_near(angleOf(s), -.2, TOL(1e-5, 1e-7));
+    MdtLimitSetLock(s.limit, (MeReal)-.2, 3);
+    steps(s.world, 20, FRAME);
+    assert_below(angleOf(s), -.3); /* overpowered */
+    MdtLimitActivateLock(s.limit, 0);
+    steps(s.world, 240, FRAME);
+    assert_near(rateOf(s), 3, TOL(1e-4, 1e-6));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
 START_TEST(a_motor_rests_on_a_soft_stop_at_fmax_over_stiffness) {
     HingedBar s = scene_hingedBar(0);
     setStops(s, -1, .5, 0);
@@ -453,6 +470,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_stop_without_stiffness_and_damping_does_nothing);
     tcase_add_test(t, the_motor_reaches_its_speed_with_its_force);
     tcase_add_test(t, the_motor_stalls_at_its_force_limit);
+    tcase_add_test(t, the_lock_holds_up_to_its_force);
     tcase_add_test(t, a_motor_rests_on_a_soft_stop_at_fmax_over_stiffness);
     tcase_add_test(t, a_motor_rests_on_a_hard_stop);
     tcase_add_test(t, the_torque_read_back_balances_the_load);

@@ -25,7 +25,7 @@ static MdtKeaRow *addRow(MdtKeaSystem *s, int a, int b) {
     row->J[1].lin[0] = -1;
     row->lower = -HUGE_VAL;
     row->upper = HUGE_VAL;
-    row->normal = -1;
+    row->normal = row->partner = -1;
     return row;
 }
 

@@ -1,0 +1,64 @@
+/** @file MdtContactGroup.h
+ *  A contact group: all contacts between two bodies, or a body and the world, as one constraint (Dynamics guide ch. 3,
+ *  "MdtContactGroups").
+ *
+ *  The group is attached, enabled and given a sort key; its contacts have its bodies and act when it does, in the order
+ *  in which they came into it. A contact's own MdtContactEnable and MdtContactDisable have no effect while it is in a
+ *  group. In a group with the world the body that moves is the first one: attached as (null, body), a group swaps the
+ *  two, and MdtContactGroupIsSwapped tells; contacts push their first body along the normal as always.
+ *
+ *  Bad input gets a warning and changes nothing, as in MdtConstraint.h.
+ */
+#ifndef MDTCONTACTGROUP_H
+#define MDTCONTACTGROUP_H
+
+#include "MdtContact.h"
+
+ME_BEGIN_C
+
+/** Creates a group, empty, disabled, unattached. It counts as one of the world's constraints. Returns null, with a
+ *  warning that names MdtWorldCreate's maxConstraints, when the world is full. */
+MEPUBLIC MdtContactGroupID MEAPI MdtContactGroupCreate(const MdtWorldID w);
+/** Destroys the group's contacts. Bodies and state stay. */
+MEPUBLIC void MEAPI MdtContactGroupReset(const MdtContactGroupID c);
+/** The group as a constraint. Null for null. */
+MEPUBLIC MdtConstraintID MEAPI MdtContactGroupQuaConstraint(const MdtContactGroupID c);
+/** The constraint as a group; null when it is none. */
+MEPUBLIC MdtContactGroupID MEAPI MdtConstraintDCastContactGroup(const MdtConstraintID c);
+
+/** @name Its contacts
+ *  @{ */
+/** Null for an empty group. */
+MEPUBLIC MdtContactID MEAPI MdtContactGroupGetFirstContact(MdtContactGroupID c);
+/** The contact after @a c; null after the last, and, with a warning, for a contact of another group. */
+MEPUBLIC MdtContactID MEAPI MdtContactGroupGetNextContact(MdtContactGroupID g, MdtContactID c);
+MEPUBLIC int MEAPI MdtContactGroupGetCount(MdtContactGroupID g);
+/** A new contact, at the end of the group. Null, with a warning, when the world is full. */
+MEPUBLIC MdtContactID MEAPI MdtContactGroupCreateContact(MdtContactGroupID g);
+/** Puts a contact, which is in no group, at the end of this one; it gets the group's bodies. */
+MEPUBLIC void MEAPI MdtContactGroupAppendContact(MdtContactGroupID g, MdtContactID c);
+/** Takes a contact out of the group; it lives on, disabled, with its bodies. */
+MEPUBLIC void MEAPI MdtContactGroupRemoveContact(MdtContactGroupID g, MdtContactID c);
+/** Takes a contact out of the group and destroys it. */
+MEPUBLIC void MEAPI MdtContactGroupDestroyContact(MdtContactGroupID g, MdtContactID c);
+/** @} */
+
+/** The size of the sum of the contacts' normal forces in the last step, N. */
+MEPUBLIC MeReal MEAPI MdtContactGroupGetNormalForce(MdtContactGroupID g);
+/** True when the group was attached as (null, body) and has the two the other way round. */
+MEPUBLIC MeBool MEAPI MdtContactGroupIsSwapped(MdtContactGroupID g);
+/** @name A pointer for whoever makes the group (collision uses it)
+ *  @{ */
+MEPUBLIC void MEAPI MdtContactGroupSetGenerator(MdtContactGroupID g, void *generator);
+MEPUBLIC void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID group);
+/** @} */
+
+/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. Force and torque are the sums
+ * over the contacts. Destroying the group destroys them. */
+MDT_JOINT_COMMON(ContactGroup)
+/** Another name of old programs. */
+#define MdtContactGroupTorque(j, k, t) MdtContactGroupGetTorque((j), (k), (t))
+
+ME_END_C
+
+#endif

@@ -1,0 +1,145 @@
+/* The friction cone: as strong in every direction, sticking below the friction angle and sliding above it. */
+#include "scene.h"
+
+static const double mu = .5, gravity = 10, pi = 3.14159265358979323846;
+
+/* A cube of edge 1 and mass 1 on four contacts, its weight down. */
+typedef struct {
+    MdtWorldID world;
+    MdtBodyID body;
+} Cube;
+
+static Cube makeCube(void) {
+    const double edge[3] = {1, 1, 1};
+    Cube s;
+    s.world = scene_world(1, 4, gravity);
+    MdtWorldSetEpsilon(s.world, 0);
+    s.body = scene_box(s.world, 1, edge, 0, .5, 0);
+    return s;
+}
+
+/* Contacts at the corners below the centre, with a primary direction turned by `turn` about the normal. */
+static void makeContacts(Cube *s, MdtFrictionModel model, double turn) {
+    MeVector3 p;
+    MdtBodyGetPosition(s->body, p);
+    while (MdtConstraintGetFirst(s->world))
+        MdtConstraintDestroy(MdtConstraintGetFirst(s->world));
+    for (int i = 0; i < 4; i++) {
+        MdtContactID c = MdtContactCreate(s->world);
+        MdtContactSetBodies(c, s->body, 0);
+        MdtContactSetPosition(c, p[0] + (MeReal)(i & 1 ? .5 : -.5), 0, p[2] + (MeReal)(i & 2 ? .5 : -.5));
+        MdtContactSetNormal(c, 0, 1, 0);
+        MdtContactSetPenetration(c, (MeReal).5 - p[1]);
+        MdtContactSetDirection(c, (MeReal)cos(turn), 0, (MeReal)sin(turn));
+        MdtContactParamsID params = MdtContactGetParams(c);
+        MdtContactParamsSetType(params, MdtContactTypeFriction2D);
+        MdtContactParamsSetFrictionModel(params, model);
+        MdtContactParamsSetFrictionCoeffecient(params, (MeReal)mu);
+        MdtContactEnable(c);
+    }
+}
+
+/* Pushes at the height of the floor, so that the cube does not tip, for n steps. */
+static void push(Cube *s, MdtFrictionModel model, double force, double angle, double turn, int n) {
+    for (int i = 0; i < n; i++) {
+        MeVector3 p;
+        MdtBodyGetPosition(s->body, p);
+        makeContacts(s, model, turn);
+        MdtBodyAddForceAtPosition(s->body, (MeReal)(force * cos(angle)), 0, (MeReal)(force * sin(angle)), p[0], 0,
+                                  p[2]);
+        MdtWorldStep(s->world, FRAME);
+    }
+}
+
+START_TEST(it_holds_below_and_slides_above_in_every_direction) {
+    for (int k = 0; k < 16; k++) {
+        const double angle = k * pi / 8 + .05;
+        MeVector3 v;
+        Cube s = makeCube();
+        push(&s, MdtFrictionModelCone, .999 * mu * gravity, angle, .3, 30);
+        MdtBodyGetLinearVelocity(s.body, v);
+        assert_vec3_near(v, 0, 0, 0, TOL(1e-5, 1e-9));
+        MdtWorldDestroy(s.world);
+
+        s = makeCube();
+        push(&s, MdtFrictionModelCone, 1.1 * mu * gravity, angle, .3, 30);
+        MdtBodyGetLinearVelocity(s.body, v);
+        const double speed = .1 * mu * gravity * 30 * (double)FRAME; /* what the friction leaves, straight on */
+        assert_vec3_near(v, speed * cos(angle), 0, speed * sin(angle), 2e-4 * speed + TOL(1e-5, 0));
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+START_TEST(a_sliding_cube_keeps_its_direction_and_stops) {
+    for (int k = 0; k < 8; k++) {
+        const double angle = k * pi / 4 + .4, speed = 2;
+        Cube s = makeCube();
+        MeVector3 p;
+        MdtBodySetLinearVelocity(s.body, (MeReal)(speed * cos(angle)), 0, (MeReal)(speed * sin(angle)));
+        for (int i = 0; i < 60; i++) {
+            makeContacts(&s, MdtFrictionModelCone, .1 * k);
+            MdtWorldStep(s.world, FRAME);
+        }
+        MdtBodyGetPosition(s.body, p);
+        const double way = hypot((double)p[0], (double)p[2]);
+        /* v² / 2 μ g, less the first-order step's v h / 2; the box model would curve */
+        assert_near(way, speed * speed / (2 * mu * gravity) - speed * (double)FRAME / 2, 2e-3);
+        assert_near((double)p[0] * sin(angle) - (double)p[2] * cos(angle), 0, 1e-3 * way);
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+START_TEST(the_normal_force_model_is_a_pyramid) {
+    MeVector3 v;
+    Cube s = makeCube();
+    push(&s, MdtFrictionModelNormalForce, 1.3 * mu * gravity, pi / 4, 0, 30); /* the pyramid's corner holds 1.41 */
+    MdtBodyGetLinearVelocity(s.body, v);
+    assert_vec3_near(v, 0, 0, 0, TOL(1e-5, 1e-9));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* A ball on an incline with the cone: a = g sin / (1 + 2/5) while it rolls; it slips above tan = 7/2 mu. */
+START_TEST(a_rolling_ball_needs_two_sevenths_of_the_slope) {
+    const double slopes[] = {.9 * 3.5 * .3, 1.3 * 3.5 * .3}, coefficient = .3;
+    for (int k = 0; k < 2; k++) {
+        const double angle = atan(slopes[k]);
+        MdtWorldID w = scene_world(1, 1, 0);
+        MdtWorldSetEpsilon(w, 0);
+        MdtWorldSetGravity(w, (MeReal)(gravity * sin(angle)), (MeReal)(-gravity * cos(angle)), 0);
+        MdtBodyID b = scene_body(w, 1, 0, 1, 0);
+        MdtBodySetInertiaTensor(b, (MeMatrix3){{(MeReal).4, 0, 0}, {0, (MeReal).4, 0}, {0, 0, (MeReal).4}});
+        MdtContactID c = MdtContactCreate(w);
+        MdtContactSetBodies(c, b, 0);
+        MdtContactSetDirection(c, 1, 0, 1);
+        MdtContactParamsID params = MdtContactGetParams(c);
+        MdtContactParamsSetType(params, MdtContactTypeFriction2D);
+        MdtContactParamsSetFrictionModel(params, MdtFrictionModelCone);
+        MdtContactParamsSetFrictionCoeffecient(params, (MeReal)coefficient);
+        MdtContactEnable(c);
+        for (int i = 0; i < 60; i++) {
+            MeVector3 p;
+            MdtBodyGetPosition(b, p);
+            MdtContactSetPosition(c, p[0], 0, p[2]);
+            MdtWorldStep(w, FRAME);
+        }
+        MeVector3 v;
+        MdtBodyGetLinearVelocity(b, v);
+        const double rolling = gravity * sin(angle) * 5 / 7;
+        const double sliding = gravity * (sin(angle) - coefficient * cos(angle));
+        assert_vec3_near(v, k == 0 ? rolling : sliding, 0, 0, TOL(2e-4, 2e-5) * 10);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, it_holds_below_and_slides_above_in_every_direction);
+    tcase_add_test(t, a_sliding_cube_keeps_its_direction_and_stops);
+    tcase_add_test(t, the_normal_force_model_is_a_pyramid);
+    tcase_add_test(t, a_rolling_ball_needs_two_sevenths_of_the_slope);
+}
+
+TEST_MAIN("Friction", tests)

@@ -1,0 +1,185 @@
+/* Random scenes of bodies tied by joints of all kinds, well or badly set up: whatever happens, every body stays finite, rigid
+ * joints that fit do not gain energy, and the same scene gives the same bits. */
+#include "scene.h"
+
+enum { BODIES = 6, JOINTS = 8 };
+
+static unsigned long long seed;
+
+static double uniform(double from, double to) {
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return from + (to - from) * (double)(seed >> 11) / (double)(1ULL << 53);
+}
+
+static int pick(int n) {
+    return (int)uniform(0, n);
+}
+
+static MdtConstraintID makeJoint(MdtWorldID w, int kind) {
+    switch (kind) {
+    case 0:
+        return MdtBSJointQuaConstraint(MdtBSJointCreate(w));
+    case 1:
+        return MdtHingeQuaConstraint(MdtHingeCreate(w));
+    case 2:
+        return MdtPrismaticQuaConstraint(MdtPrismaticCreate(w));
+    case 3:
+        return MdtUniversalQuaConstraint(MdtUniversalCreate(w));
+    case 4:
+        return MdtAngular3QuaConstraint(MdtAngular3Create(w));
+    case 5:
+        return MdtCarWheelQuaConstraint(MdtCarWheelCreate(w));
+    case 6:
+        return MdtLinear1QuaConstraint(MdtLinear1Create(w));
+    case 7:
+        return MdtLinear2QuaConstraint(MdtLinear2Create(w));
+    case 8:
+        return MdtFixedPathQuaConstraint(MdtFixedPathCreate(w));
+    case 9:
+        return MdtRPROJointQuaConstraint(MdtRPROJointCreate(w));
+    case 10:
+        return MdtSpringQuaConstraint(MdtSpringCreate(w));
+    case 11:
+        return MdtSpring6QuaConstraint(MdtSpring6Create(w));
+    case 12:
+        return MdtConeLimitQuaConstraint(MdtConeLimitCreate(w));
+    case 13:
+        return MdtSkeletalQuaConstraint(MdtSkeletalCreate(w));
+    default:
+        return MdtFPFOJointQuaConstraint(MdtFPFOJointCreate(w));
+    }
+}
+
+enum { KINDS = 15 };
+
+/* Joints that hold something rigidly. */
+static const int rigid[] = {0, 1, 2, 3, 4, 6, 7, 14};
+
+static void setUp(MdtConstraintID c) {
+    MdtHingeID hinge = MdtConstraintDCastHinge(c);
+    MdtPrismaticID slider = MdtConstraintDCastPrismatic(c);
+    MdtSpring6ID springs = MdtConstraintDCastSpring6(c);
+    MdtConeLimitID cone = MdtConstraintDCastConeLimit(c);
+    MdtCarWheelID wheel = MdtConstraintDCastCarWheel(c);
+    if (hinge || slider) {
+        MdtLimitID limit = hinge ? MdtHingeGetLimit(hinge) : MdtPrismaticGetLimit(slider);
+        MdtSingleLimitID low = MdtLimitGetLowerLimit(limit), high = MdtLimitGetUpperLimit(limit);
+        MdtSingleLimitSetStop(low, (MeReal)uniform(-1, 0));
+        MdtSingleLimitSetStop(high, (MeReal)uniform(0, 1));
+        MdtSingleLimitSetRestitution(low, (MeReal)uniform(0, 1));
+        MdtSingleLimitSetStiffness(high, (MeReal)uniform(0, 1e4));
+        MdtLimitActivateLimits(limit, pick(2));
+    }
+    if (springs)
+        for (int i = 0; i < 3; i++) {
+            MdtSpring6SetLinearStiffness(springs, i, (MeReal)uniform(0, 1e5));
+            MdtSpring6SetAngularStiffness(springs, i, (MeReal)uniform(0, 1e4));
+            MdtSpring6SetLinearDamping(springs, i, (MeReal)uniform(0, 10));
+        }
+    if (cone)
+        MdtConeLimitSetConeHalfAngle(cone, (MeReal)uniform(0, 3));
+    if (wheel)
+        MdtCarWheelSetSuspension(wheel, (MeReal)uniform(0, 1e5), (MeReal)uniform(0, 100), (MeReal)uniform(0, .01),
+                                 (MeReal)-.3, (MeReal).3, 0);
+}
+
+static MdtWorldID makeScene(unsigned long long number, MdtBodyID body[BODIES], MeBool fitting, MeBool onlyRigid) {
+    seed = number * 7919 + 17;
+    MdtWorldID w = scene_world(BODIES, JOINTS, 0);
+    MdtWorldSetEpsilon(w, onlyRigid || pick(2) ? 0 : (MeReal)1e-4);
+    for (int i = 0; i < BODIES; i++) {
+        const double edge[3] = {uniform(.2, 2), uniform(.2, 2), uniform(.2, 2)};
+        body[i] = scene_box(w, pow(10, uniform(-2, 3)), edge, uniform(-3, 3), uniform(-3, 3), uniform(-3, 3));
+        MdtBodySetQuaternion(body[i], (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1), 1);
+        MdtBodySetAngularVelocity(body[i], (MeReal)uniform(-5, 5), (MeReal)uniform(-5, 5), (MeReal)uniform(-5, 5));
+        MdtBodySetLinearVelocity(body[i], (MeReal)uniform(-3, 3), (MeReal)uniform(-3, 3), (MeReal)uniform(-3, 3));
+    }
+    for (int i = 0; i < JOINTS; i++) {
+        const int a = pick(BODIES), b = pick(BODIES);
+        MdtConstraintID c = makeJoint(w, onlyRigid ? rigid[pick(8)] : pick(KINDS));
+        MdtConstraintSetBodies(c, body[a], a == b ? 0 : body[b]);
+        if (fitting) {
+            MdtConstraintSetPosition(c, (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2));
+            MdtConstraintSetAxis(c, (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1), 1);
+        }
+        if (!onlyRigid)
+            setUp(c);
+        MdtConstraintEnable(c);
+    }
+    return w;
+}
+
+static double energyOf(MdtBodyID body[BODIES]) {
+    double sum = 0;
+    for (int i = 0; i < BODIES; i++)
+        sum += MdtBodyGetKineticEnergy(body[i]);
+    return sum;
+}
+
+static MeBool isFiniteScene(MdtBodyID body[BODIES]) {
+    for (int i = 0; i < BODIES; i++) {
+        MeReal *tm = &MdtBodyGetTransformPtr(body[i])[0][0];
+        for (int k = 0; k < 16; k++)
+            if (!isfinite(tm[k]))
+                return MEFALSE;
+    }
+    return isfinite(energyOf(body));
+}
+
+START_TEST(scenes_that_do_not_fit_stay_finite) {
+    MdtBodyID body[BODIES];
+    messages_catch(); /* degenerate joints warn */
+    for (unsigned long long n = 0; n < 20; n++) {
+        MdtWorldID w = makeScene(n, body, MEFALSE, MEFALSE);
+        for (int i = 0; i < 40; i++) {
+            MdtWorldStep(w, FRAME);
+            ck_assert_msg(isFiniteScene(body), "scene %llu is not finite after %d steps", n, i + 1);
+        }
+        MdtWorldDestroy(w);
+    }
+    messages_release();
+}
+END_TEST
+
+START_TEST(rigid_joints_that_fit_do_not_gain_energy) {
+    MdtBodyID body[BODIES];
+    messages_catch(); /* a universal may pass its right angle */
+    for (unsigned long long n = 1000; n < 1030; n++) {
+        MdtWorldID w = makeScene(n, body, METRUE, METRUE);
+        const double start = energyOf(body);
+        MdtWorldStep(w, FRAME); /* takes away what the joints do not allow */
+        double base = energyOf(body), most = base;
+        for (int i = 0; i < 120; i++) {
+            MdtWorldStep(w, FRAME);
+            most = fmax(most, energyOf(body));
+        }
+        assert_below(most - base, .015 * base + 1e-6 * start);
+        MdtWorldDestroy(w);
+    }
+    messages_release();
+}
+END_TEST
+
+START_TEST(the_same_scene_gives_the_same_bits) {
+    MdtBodyID a[BODIES], b[BODIES];
+    messages_catch();
+    for (unsigned long long n = 500; n < 505; n++) {
+        MdtWorldID w[2] = {makeScene(n, a, METRUE, MEFALSE), makeScene(n, b, METRUE, MEFALSE)};
+        steps(w[0], 40, FRAME);
+        steps(w[1], 40, FRAME);
+        for (int i = 0; i < BODIES; i++)
+            ck_assert_mem_eq(MdtBodyGetTransformPtr(a[i]), MdtBodyGetTransformPtr(b[i]), sizeof(MeMatrix4));
+        MdtWorldDestroy(w[0]);
+        MdtWorldDestroy(w[1]);
+    }
+    messages_release();
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, scenes_that_do_not_fit_stay_finite);
+    tcase_add_test(t, rigid_joints_that_fit_do_not_gain_energy);
+    tcase_add_test(t, the_same_scene_gives_the_same_bits);
+}
+
+TEST_MAIN("RandomScenes", tests)

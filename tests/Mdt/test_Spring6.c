@@ -1,0 +1,5 @@
+#include "measure.h"
+static void tests(TCase *t) {
+(void)t;
+}
+TEST_MAIN("Spring6", tests)
