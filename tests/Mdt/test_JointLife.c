@@ -31,7 +31,7 @@
 #define WARNS_0(call)                                                                                                  \
     do {                                                                                                               \
         caught.warnings = 0;                                                                                           \
-        ck_assert_msg(!(call), "%s is not 0", #call);                                                                  \
+        ck_assert_msg((call) == 0, "%s is not 0", #call);                                                              \
         ck_assert_msg(caught.warnings > 0, "%s: no warning", #call);                                                   \
     } while (0)
 #define WARNS_0S(call, v, n)                                                                                           \
