@@ -241,7 +241,7 @@ static void boxAt(float lx, float ly, float lz, MeReal x, MeReal y, MeReal z, co
 
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, grey[4] = {.45f, .47f, .50f, 1};
-    const float glass[4] = {RPalette[5][0], RPalette[5][1], RPalette[5][2], .3f};
+    const float glass[4] = {RPalette[5][0], RPalette[5][1], RPalette[5][2], .2f};
     const float w = (float)width, h = (float)slope;
     const AcmeVector3 lookAt = {.5f, 1, 0};
     for (int i = 0; i < BEADS; i++)
