@@ -400,15 +400,25 @@ void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const unsigned i
     keaCopy(c->bcl.frame[bodyindex].ortho, o);
 }
 
-/* The other axis of that side is kept as far as it can be. */
+static void setCrossFrame(MdtConstraintID c, int side, const double own[3], const double second[3]) {
+    setAxesOf(c, side, side == 0 ? own : second, side == 0 ? second : own);
+}
+
+/* As the bodies stand now, each side has the other's axis, made orthogonal to its own, as its second one: that is what
+ * angles are counted from. Where the two are parallel, since the other has yet to be set, it is chosen. */
 void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side, MeReal x, MeReal y, MeReal z) {
-    const MdtBclFrame *frame = &c->bcl.frame[side];
-    double axis[3] = {x, y, z}, other[3];
-    turnToWorld(c, side, side == 0 ? frame->ortho : frame->primary, other);
-    if (keaLength(axis) > 0 && fabs(keaDot(axis, other)) > 0.999 * keaLength(axis))
-        mdt_chooseOrthogonal(axis, other);
-    if (mdt_makeAxes(caller, axis, other))
-        setAxesOf(c, side, side == 0 ? axis : other, side == 0 ? other : axis);
+    double axis[3] = {x, y, z}, other[3], second[3], back[3];
+    turnToWorld(c, 1 - side, side == 0 ? c->bcl.frame[1].ortho : c->bcl.frame[0].primary, other);
+    const MeBool isParallel = fabs(keaDot(axis, other)) > 0.999 * keaLength(axis);
+    keaCopy(second, other);
+    if (isParallel)
+        mdt_chooseOrthogonal(axis, second);
+    if (!mdt_makeAxes(caller, axis, second))
+        return;
+    setCrossFrame(c, side, axis, second);
+    keaCopy(back, axis);
+    if (!isParallel && mdt_makeAxes(caller, other, back))
+        setCrossFrame(c, 1 - side, other, back);
 }
 
 static void zeroAxes(MeVector3 p, MeVector3 o) {

@@ -157,7 +157,8 @@ void *mdt_constraintCast(MdtConstraintID c, MdtBclJointType type, const char *ca
 MeBool mdt_isSide(const char *caller, unsigned int bodyindex);
 /* Makes p unit and o unit and orthogonal to p. False, with a warning, when a length or the angle between them is 0. */
 MeBool mdt_makeAxes(const char *caller, double p[3], double o[3]);
-/* Sets the axis of one side of a joint with two axes at right angles: the primary of side 0, the second of side 1. */
+/* Sets the axis of one side of a joint with two axes at right angles: the primary of side 0, the second of side 1.
+ * Both frames are aligned with it as the bodies stand now. */
 void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side, MeReal x, MeReal y, MeReal z);
 /* A vector at right angles to p. */
 void mdt_chooseOrthogonal(const double p[3], double o[3]);

@@ -134,6 +134,7 @@ typedef struct MdtBclCarWheel {
     double hingeAngle, hingeRate;       /**< rad, rad/s */
     /* Kept by the library. */
     int rows;
+    double startAngle;   /**< rad, of the wheel about the steering axis, as the step begins */
     double stopForce[2]; /**< N */
 } MdtBclCarWheel;
 
@@ -158,7 +159,9 @@ typedef struct MdtBclSkeletal {
     MeReal coneStiffness, coneDamping, twistStiffness, twistDamping;
     MdtSkeletalConeOption coneOption;
     MdtSkeletalTwistOption twistOption;
-    MdtBclLimit cone, turn; /**< kept by the library */
+    /* Kept by the library. */
+    MdtBclLimit cone, turn;
+    double scale; /**< 1/rad, of the cone's coordinate as the step begins */
 } MdtBclSkeletal;
 
 struct MdtBclContext;

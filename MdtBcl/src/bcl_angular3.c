@@ -35,7 +35,9 @@ static int countOf(const MdtBclConstraint *c) {
 }
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
-    (void)x;
+    double turn[4];
+    bcl_turnBetween(turn, c, x->pose, NULL);
+    c->isDegenerate = !c->of.angular.rotates && bcl_isHalfATurn(turn);
     return countOf(c);
 }
 
@@ -68,4 +70,5 @@ const MdtBclType bcl_angular3 = {.name = "Angular3",
                                  .fill = fill,
                                  .errors = errors,
                                  .attached = attached,
-                                 .axesSet = axesSet};
+                                 .axesSet = axesSet,
+                                 .degenerate = "its bodies are half a turn away from how they were attached"};

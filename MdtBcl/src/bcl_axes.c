@@ -52,6 +52,10 @@ void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTran
             turn[i] = -turn[i];
 }
 
+MeBool bcl_isHalfATurn(const double turn[4]) {
+    return turn[0] < 1e-3;
+}
+
 void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
                     double errors[3]) {
     double turn[4];

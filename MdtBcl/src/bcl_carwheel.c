@@ -6,6 +6,8 @@
  *     φ_1,2 = o·d, t·d     the wheel's centre stays on the line through the attachment along s
  *     φ_3 = s·h            the two axes stay at right angles
  *     locked: φ_4 = t·h    the wheel does not steer; else the steering motor's row
+ *     steering: the wheel's angle ψ about s, dψ/dt = (s - (s·h) h)·(ω_1 - ω_0) / (1 - (s·h)²). The motor's row is met
+ *                          where the wheel arrives: a rolling wheel turns so far in a step that its rate does not tell
  *     suspension: a damped spring on the height s·d, and one-sided rows at its stops
  *     the hinge motor's row
  * The steering angle is that of the chassis against the wheel, -angle(o, h) about s, as hinges count theirs (body 0
@@ -39,6 +41,10 @@ static void axesOf(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     keaApply(a->h, pose[1]->R, c->frame[1].ortho);
     bcl_separation(c, pose, a->d);
     keaScale(a->d, -1, a->d);
+}
+
+static double wheelAngle(const Axes *a) {
+    return atan2(keaDot(a->t, a->h), keaDot(a->o, a->h));
 }
 
 /* Along a direction of the chassis, positive for the wheel moving with it. */
@@ -79,6 +85,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     Axes a;
     axesOf(c, x->pose, &a);
     c->of.wheel.rows = choose(c, x, &a);
+    c->of.wheel.startAngle = wheelAngle(&a);
     c->isDegenerate = keaDot(a.s, a.h) * keaDot(a.s, a.h) > 0.99;
     int count = 3;
     for (int row = STEER; row <= ROLL; row *= 2)
@@ -94,6 +101,8 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     e[2] = keaDot(a.s, a.h);
     if (c->of.wheel.rows & LOCK)
         e[3] = keaDot(a.t, a.h);
+    else if (c->of.wheel.rows & STEER)
+        e[3] = remainder(wheelAngle(&a) - c->of.wheel.startAngle, 6.283185307179586476925);
 }
 
 static void motorRow(const MdtBclMotor *motor, MdtKeaRow *row) {
@@ -107,8 +116,13 @@ static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const
         bcl_dotRow(x, a->t, a->h, row);
         bcl_aimAtZero(row, x, keaDot(a->t, a->h));
     } else {
-        spinRow(x, a->s, row);
+        const double slant = keaDot(a->s, a->h), size = fmax(1 - slant * slant, 1e-6);
+        double axis[3];
+        keaScale(axis, 1 / size, a->s);
+        keaAddScaled(axis, -slant / size, a->h);
+        spinRow(x, axis, row);
         motorRow(&c->of.wheel.steering, row);
+        row->position = !c->isDegenerate;
     }
 }
 
@@ -167,7 +181,7 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     w->height = keaDot(a.s, a.d);
     w->heightRate = bcl_rate(&row, x->velocity);
     spinRow(x, a.s, &row);
-    w->steeringAngle = -atan2(keaDot(a.t, a.h), keaDot(a.o, a.h));
+    w->steeringAngle = -wheelAngle(&a);
     w->steeringRate = -bcl_rate(&row, x->velocity);
     spinRow(x, a.h, &row);
     keaApply(spoke, x->pose[1]->R, c->frame[1].primary);

@@ -2,8 +2,9 @@
  *
  *     θ = angle(a_0, a_1),   dθ/dt = m·(ω_1 - ω_0),   m = a_0 x a_1 / |a_0 x a_1|.
  *
- * θ is the coordinate of a limit that has an upper stop only, without rebound. Where the axes are parallel, they have
- * no common plane, and the last m is kept.
+ * θ is the coordinate of a limit that has an upper stop only, without rebound. m turns with the axes, so that the row
+ * of a hard stop is met where they arrive. Where the axes are parallel, they have no common plane, and the last m is
+ * kept.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -61,10 +62,18 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     return rows;
 }
 
+static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
+    double across[3];
+    if (c->of.cone.limit.rows)
+        bcl_limitErrors(&c->of.cone.limit, measure(c, pose, across), e);
+}
+
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     MdtKeaRow row;
     angleRow(c, x, &row);
     bcl_limitFill(&c->of.cone.limit, x, &row, rows);
+    if (!c->isDegenerate)
+        bcl_limitMeetAtEnd(&c->of.cone.limit, rows);
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
@@ -81,5 +90,6 @@ const MdtBclType bcl_coneLimit = {.name = "ConeLimit",
                                   .reset = reset,
                                   .prepare = prepare,
                                   .fill = fill,
+                                  .errors = errors,
                                   .readBack = readBack,
                                   .degenerate = "its axes are parallel, which leaves it no plane to push in"};

@@ -15,7 +15,9 @@ static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose
 }
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
-    (void)c, (void)x;
+    double turn[4];
+    bcl_turnBetween(turn, c, x->pose, NULL);
+    c->isDegenerate = bcl_isHalfATurn(turn);
     return 6;
 }
 
@@ -35,4 +37,5 @@ const MdtBclType bcl_fpfoJoint = {.name = "FPFOJoint",
                                   .prepare = prepare,
                                   .fill = fill,
                                   .errors = errors,
-                                  .attached = attached};
+                                  .attached = attached,
+                                  .degenerate = "its bodies are half a turn away from how they were attached"};

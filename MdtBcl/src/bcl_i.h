@@ -71,6 +71,8 @@ void bcl_alignErrors(const MdtBclConstraint *c, const MdtKeaTransformation *cons
  * it. Three rows of twice its vector part, in the axes of the wanted frame, and their errors. */
 void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2],
                      const double q[4]);
+/* Half a turn is left, by 0.1 degrees or less: there the rows know no direction to turn back in. */
+MeBool bcl_isHalfATurn(const double turn[4]);
 void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]);
 void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],
                     double errors[3]);
@@ -85,5 +87,10 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
 void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]);
 void bcl_limitReadBack(MdtBclLimit *limit, double measured, double rate, const MdtKeaRow rows[]);
 MeBool bcl_limitIsMeasured(const MdtBclLimit *limit);
+
+/* For a coordinate whose row turns with the bodies: marks the rows of hard stops to be met where the bodies arrive, and
+ * the errors of all the limit's rows were the coordinate (without offset) this one. Both return the number of rows. */
+int bcl_limitMeetAtEnd(const MdtBclLimit *limit, MdtKeaRow rows[]);
+int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]);
 
 #endif

@@ -38,9 +38,13 @@ static MeBool isHard(const MdtBclLimit *limit, int side) {
     return stiffness >= MEINFINITY || stiffness > limit->stiffnessThreshold;
 }
 
-static double distanceToStop(const MdtBclLimit *limit, int side) {
-    const double position = limit->measured + (double)limit->offset, stop = limit->limit[side].stop;
+static double distanceFrom(const MdtBclLimit *limit, int side, double measured) {
+    const double position = measured + (double)limit->offset, stop = limit->limit[side].stop;
     return side == 0 ? position - stop : stop - position;
+}
+
+static double distanceToStop(const MdtBclLimit *limit, int side) {
+    return distanceFrom(limit, side, limit->measured);
 }
 
 /* Whether the stop can matter in this step. The margin of twice the way that is left covers what the motor and the
@@ -122,6 +126,22 @@ void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKe
             stopRow(limit, side, x, rows++);
         }
     }
+}
+
+int bcl_limitMeetAtEnd(const MdtBclLimit *limit, MdtKeaRow rows[]) {
+    int n = (limit->rows & (MOTOR | LOCK)) != 0;
+    for (int side = 0; side < 2; side++)
+        if (limit->rows & (side == 0 ? LOWER : UPPER))
+            rows[n++].position = isHard(limit, side);
+    return n;
+}
+
+int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]) {
+    int n = (limit->rows & (MOTOR | LOCK)) != 0;
+    for (int side = 0; side < 2; side++)
+        if (limit->rows & (side == 0 ? LOWER : UPPER))
+            errors[n++] = distanceFrom(limit, side, measured);
+    return n;
 }
 
 void bcl_limitReadBack(MdtBclLimit *limit, double measured, double rate, const MdtKeaRow rows[]) {

@@ -39,6 +39,9 @@ static void axisRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtKeaRow row;
+    double turn[4];
+    bcl_turnBetween(turn, c, x->pose, NULL);
+    c->isDegenerate = bcl_isHalfATurn(turn);
     axisRow(c, x, &row);
     return 5 + bcl_limitPrepare(&c->of.limit, x, &row, displacement(c, x->pose));
 }
@@ -80,4 +83,5 @@ const MdtBclType bcl_prismatic = {.name = "Prismatic",
                                   .errors = errors,
                                   .readBack = readBack,
                                   .attached = attached,
-                                  .axesSet = axesSet};
+                                  .axesSet = axesSet,
+                                  .degenerate = "its bodies are half a turn away from how they were attached"};

@@ -6,6 +6,7 @@
  * swing has the coordinates σ = θ t: towards y the primary limit α holds, towards z the secondary one, β.
  *   cone:  f = |(σ_y/α, σ_z/β)| <= 1, one row, scaled to radians by the gradient of f.
  *          From da/dt = ω x a (axes of frame 1):  dθ/dt = cos θ t·a' - sin θ a'_x,   θ dt/dt = (θ/sin θ) (a' across t).
+ *          The row of a hard side is met where the axis arrives.
  *   twist: τ = 2 atan2(D_x, D_w), with D as a quaternion (w, v):
  *          dτ/dt = (w (w ω_x + ω_y v_z - ω_z v_y) + v_x v·ω) / (w² + v_x²).
  */
@@ -108,10 +109,10 @@ static MeBool hasCone(const MdtBclSkeletal *s) {
                                                       : s->coneOption == MdtSkeletalConeOptionCone && least < ME_PI;
 }
 
-/* The way from the cone's axis as far as the cone lets it: f, in radians on the way that f falls fastest. In a slot it
- * is the angle to the primary side. */
+/* The way from the cone's axis as far as the cone lets it: f, in radians on the way that f falls fastest, with the
+ * scale of the step's start throughout the step. In a slot it is the angle to the primary side. */
 static double coneCoordinate(const MdtBclSkeletal *s, const Pose *p) {
-    return s->coneOption == MdtSkeletalConeOptionSlot ? fabs(p->sigma[0]) - (double)s->primary : (p->f - 1) / p->scale;
+    return s->coneOption == MdtSkeletalConeOptionSlot ? fabs(p->sigma[0]) - (double)s->primary : (p->f - 1) / s->scale;
 }
 
 static void coneRow(const MdtBclConstraint *c, const MdtBclContext *x, const Pose *p, MdtKeaRow *row) {
@@ -129,6 +130,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtKeaRow row;
     Pose p;
     measure(c, x->pose, &p);
+    s->scale = p.scale;
     int count = 3 + heldSwings(s) + (s->twistOption == MdtSkeletalTwistOptionFixed);
     s->cone.rows = s->turn.rows = 0;
     if (hasCone(s)) {
@@ -150,8 +152,6 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     const MdtBclSkeletal *s = &c->of.skeletal;
     Pose p;
     bcl_pointErrors(c, pose, e);
-    if (!heldSwings(s) && s->twistOption != MdtSkeletalTwistOptionFixed)
-        return;
     measure(c, pose, &p);
     int n = 3;
     if (heldSwings(s) > 0)
@@ -159,7 +159,9 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     if (heldSwings(s) > 1)
         e[n++] = p.sigma[0];
     if (s->twistOption == MdtSkeletalTwistOptionFixed)
-        e[n] = p.tau;
+        e[n++] = p.tau;
+    n += bcl_limitErrors(&s->cone, coneCoordinate(s, &p), e + n);
+    bcl_limitErrors(&s->turn, p.tau, e + n);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
@@ -179,9 +181,13 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     }
     coneRow(c, x, &p, &row);
     bcl_limitFill(&s->cone, x, &row, rows);
+    if (!c->isDegenerate)
+        bcl_limitMeetAtEnd(&s->cone, rows);
     rows += s->cone.rows != 0;
     turnRow(c, x, p.twist, &row);
     bcl_limitFill(&s->turn, x, &row, rows);
+    if (!c->isDegenerate)
+        bcl_limitMeetAtEnd(&s->turn, rows);
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {

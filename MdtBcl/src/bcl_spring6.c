@@ -18,12 +18,12 @@ static MeBool acts(const MdtBclSprings *s, int i) {
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     double turn[4];
-    int count = 0;
+    int count[2] = {0, 0}; /* linear, angular */
     for (int i = 0; i < 6; i++)
-        count += acts(&c->of.springs, i);
+        count[i / 3] += acts(&c->of.springs, i);
     bcl_turnBetween(turn, c, x->pose, NULL);
-    c->isDegenerate = turn[0] < 1e-3;
-    return count;
+    c->isDegenerate = count[1] > 0 && bcl_isHalfATurn(turn);
+    return count[0] + count[1];
 }
 
 static void allErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[6]) {

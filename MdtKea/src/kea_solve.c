@@ -7,7 +7,6 @@ static const int maxFrictionPasses = 20;
 static const int maxPositionPasses = 10;
 static const double leastContraction = 0.95;   /* of the position errors in a pass; with less the passes are given up */
 static const double positionTolerance = 1e-10; /* of sizeOfRow */
-static const double violence = 1e-8;           /* the same: an error that is left, and that a shorter step is worth */
 
 static void loadRows(MdtKeaSystem *s) {
     KeaMlcp *p = &s->work->mlcp;
@@ -84,8 +83,7 @@ static void shiftTargets(MdtKeaSystem *s) {
 }
 
 /* Newton's iteration for the position rows with the matrix of the start of the step: each pass turns what is missing
- * into velocity. It contracts by about h ω; where the motion is too violent for that, the first-order answer is kept.
- * */
+ * into velocity. It contracts by about h ω; where the motion is too violent for that, the first-order answer is kept. */
 static void correctPositions(MdtKeaSystem *s) {
     kea_moveWithForces(s);
     if (!hasPositionRows(s))
@@ -98,14 +96,12 @@ static void correctPositions(MdtKeaSystem *s) {
         kea_renewFriction(s);
         kea_moveWithForces(s);
         worst = positionErrors(s);
-        if (worst > leastContraction * before && pass > 1)
-            break; /* contradictory rows, or a motion too violent */
+        if (s->work->mlcp.regularized && worst > leastContraction * before)
+            break; /* contradictory rows */
     }
     if (worst <= positionTolerance)
         return;
-    s->report.violent = worst > violence;
-    if (!s->report.violent)
-        return;
+    s->report.violent = METRUE;
     memset(s->work->shift, 0, (size_t)s->numRows * sizeof(double));
     solveRows(s);
     kea_moveWithForces(s);

@@ -104,8 +104,12 @@ static void errorsAt(Scene *s, double t, double errors[]) {
     s->type->errors(&s->joint, s->context.pose, errors);
 }
 
+/* SOME: rows of limits, which are there where the poses violate them. */
+enum { TRIALS = 200, SOME = -1 };
+
 static void check(MdtBclJointType type, void (*change)(MdtBclConstraint *), int wantedRows) {
-    for (int trial = 0; trial < 200; trial++) {
+    int total = 0;
+    for (int trial = 0; trial < TRIALS; trial++) {
         Scene s;
         double before[MdtBclGETMAXROWS], after[MdtBclGETMAXROWS], now[MdtBclGETMAXROWS];
         seed = 1000 * (unsigned long long)type + (unsigned long long)trial;
@@ -124,8 +128,10 @@ static void check(MdtBclJointType type, void (*change)(MdtBclConstraint *), int 
             assert_near(rateOf(&s, &s.rows[i]), (after[i] - before[i]) / (2 * small), tolerance);
             assert_near(now[i], s.rows[i].error, 1e-12);
         }
-        ck_assert_int_eq(positionRows, wantedRows);
+        total += positionRows;
+        ck_assert(wantedRows == SOME || positionRows == wantedRows);
     }
+    ck_assert_int_gt(total, TRIALS / 2);
 }
 
 /* The limit's position and velocity after a step that ends at the time t. */
@@ -159,9 +165,23 @@ static void fixSkeletal(MdtBclConstraint *c) {
     c->of.skeletal.twistOption = MdtSkeletalTwistOptionFixed;
 }
 
+static void freeSkeletal(MdtBclConstraint *c) {
+    c->of.skeletal.coneOption = MdtSkeletalConeOptionFree;
+    c->of.skeletal.twistOption = MdtSkeletalTwistOptionFree;
+}
+
+static void ellipse(MdtBclConstraint *c) {
+    c->of.skeletal.secondary = (MeReal).3;
+}
+
 static void slotSkeletal(MdtBclConstraint *c) {
     c->of.skeletal.coneOption = MdtSkeletalConeOptionSlot;
     c->of.skeletal.twistOption = MdtSkeletalTwistOptionFree;
+    c->of.skeletal.primary = ME_PI;
+}
+
+static void wideSlot(MdtBclConstraint *c) {
+    c->of.skeletal.coneOption = MdtSkeletalConeOptionSlot;
 }
 
 static void narrow(MdtBclConstraint *c) {
@@ -170,6 +190,10 @@ static void narrow(MdtBclConstraint *c) {
 
 static void rotate(MdtBclConstraint *c) {
     c->of.angular.rotates = METRUE;
+}
+
+static void loosenWheel(MdtBclConstraint *c) {
+    c->of.wheel.steering.force = 0;
 }
 
 static void lockWheel(MdtBclConstraint *c) {
@@ -205,12 +229,17 @@ START_TEST(position_rows) {
     check(MdtBclFPFOJOINT, NULL, 6);
     check(MdtBclRPROJOINT, NULL, 6);
     check(MdtBclRPROJOINT, turned, 6);
-    check(MdtBclCARWHEEL, NULL, 3);
+    check(MdtBclCARWHEEL, NULL, 4);
+    check(MdtBclCARWHEEL, loosenWheel, 3);
     check(MdtBclCARWHEEL, lockWheel, 4);
     check(MdtBclSPRING, rod, 1);
-    check(MdtBclSKELETAL, NULL, 3);
+    check(MdtBclSPRING, string, SOME);
+    check(MdtBclSKELETAL, freeSkeletal, 3);
     check(MdtBclSKELETAL, fixSkeletal, 6);
     check(MdtBclSKELETAL, slotSkeletal, 4);
+    check(MdtBclSKELETAL, wideSlot, SOME);
+    check(MdtBclSKELETAL, ellipse, SOME);
+    check(MdtBclCONELIMIT, narrow, SOME);
 }
 END_TEST
 

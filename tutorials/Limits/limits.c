@@ -227,8 +227,8 @@ static void createControls(void) {
     static const char *const help[] = {
         "Weights fall on hard stops and on soft ones.",
         "$ACTION2 - start again",
-        "$ACTION3 - the stiffness threshold: none, or 100 N/m",
-        "$ACTION4 - restitution of the second stop",
+        "$ACTION3 - stiffness threshold low or none",
+        "$ACTION4 - second stop's restitution",
         "$UP, $DOWN - drop from higher, from lower",
         "$RIGHT, $LEFT - stiffness of the springs",
     };

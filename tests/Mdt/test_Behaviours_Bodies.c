@@ -1,0 +1,163 @@
+/* Documented behaviours: bodies.
+ *
+ * Already proved elsewhere:
+ *   defaults of a new body                                     test_Body: a_new_body_has_the_guide_s_defaults
+ *   a disabled body tied to an enabled one is enabled          test_Rest: an_enabled_body_wakes_what_is_tied_to_it
+ *   a disabled body hit by an enabled one is enabled           test_Rest: a_contact_with_a_moving_body_wakes_a_sleeper
+ *   quaternions are (w, x, y, z), the identity 1, 0, 0, 0      test_Body: a_new_body_has_the_guide_s_defaults
+ *                                                              test_Body: rotations_turn_by_the_right_hand_rule
+ *   transforms as OpenGL stores them, y = X + R x              test_Body: the_four_forms_of_a_pose_agree
+ *   right-handed coordinates                                   test_Body: rotations_turn_by_the_right_hand_rule
+ *   the transform's pointer follows the body                   test_Body: the_transform_pointer_follows_every_step
+ *   forces add up, act for one step, and are gone              test_FreeBody: forces_last_a_step_and_impulses_do_not_...
+ *   forces on a body that is not simulated wait                test_Body: forces_wait_for_a_disabled_body
+ *   a force at a position adds the torque (P - x) × F          test_FreeBody: force_at_a_position_adds_its_torque
+ *   impulses do not depend on the step                         test_FreeBody: forces_last_a_step_and_impulses_do_not_...
+ *   forces and a resting body: the Dynamics guide wakes it from a threshold on, the User Guide never; the former wins
+ *                                                              test_Rest: setters_forces_and_enabling_wake_a_sleeper
+ *                                                              test_Rest: a_slight_force_does_not_wake_a_sleeper
+ *   the centre of mass may be moved                            test_Body: the_centre_of_mass_may_lie_beside_the_frame
+ *   fast spin is off by default; orientation is exact          test_Body: a_new_body_has_the_guide_s_defaults
+ *                                                              test_FreeBody: fast_spin_is_exact
+ */
+#include "behaviour.h"
+
+/* Dynamics guide ch. 2, "Defining a Body": a new body is disabled; MdtBodyEnable lets it take part. */
+START_TEST(a_new_body_takes_part_once_it_is_enabled) {
+    MdtWorldID w = scene_world(1, 0, 10);
+    MdtBodyID b = MdtBodyCreate(w);
+    MdtWorldStep(w, FRAME);
+    ck_assert(!MdtBodyIsEnabled(b));
+    assert_velocity(b, 0, 0, 0, 0);
+    MdtBodyEnable(b);
+    MdtWorldStep(w, FRAME);
+    ck_assert(MdtBodyIsEnabled(b));
+    assert_velocity(b, 0, -10 * (double)FRAME, 0, 1e-7);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Dynamics guide ch. 4, "Adding Forces": a constant force has to be added before every step; then v = n h F / m. */
+START_TEST(a_constant_force_has_to_be_added_every_step) {
+    MdtWorldID w = scene_world(2, 0, 0);
+    MdtBodyID always = scene_body(w, 2, 0, 0, 0), once = scene_body(w, 2, 0, 5, 0);
+    MdtBodyAddForce(once, 6, 0, 0);
+    for (int i = 1; i <= 50; i++) {
+        MdtBodyAddForce(always, 6, 0, 0);
+        MdtWorldStep(w, FRAME);
+        assert_velocity(always, 3 * i * (double)FRAME, 0, 0, TOL(1e-6, 1e-12));
+        assert_velocity(once, 3 * (double)FRAME, 0, 0, TOL(1e-8, 1e-15));
+    }
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Dynamics guide ch. 4, "Adding Forces": the force acts at the centre of mass, in the world's axes, and turns nothing:
+ * however the body is turned, and wherever its centre of mass is. */
+START_TEST(a_force_acts_at_the_centre_of_mass_in_the_world_s_axes) {
+    MdtWorldID w = scene_world(1, 0, 0);
+    MdtBodyID b = scene_body(w, 1, 3, 4, 5);
+    const MeVector3 offset = {1, -2, (MeReal).5};
+    MeVector3 torque;
+    MdtBodySetCenterOfMassRelativePosition(b, offset);
+    MdtBodySetQuaternion(b, 1, 2, -1, (MeReal).5);
+    for (int i = 0; i < 30; i++) {
+        MdtBodyAddForce(b, 1, -2, 3);
+        MdtBodyGetTorque(b, torque);
+        assert_vec3_near(torque, 0, 0, 0, 0);
+        MdtWorldStep(w, FRAME);
+    }
+    const double t = 30 * (double)FRAME;
+    assert_velocity(b, t, -2 * t, 3 * t, TOL(1e-6, 1e-12));
+    assert_spin(b, 0, 0, 0, 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Dynamics guide ch. 4, "Adding Forces": P may lie outside the body; only the line of the force counts. */
+START_TEST(a_force_may_act_far_outside_the_body) {
+    MdtWorldID w = scene_world(2, 0, 0);
+    MdtBodyID near = scene_body(w, 1, 0, 0, 0), far = scene_body(w, 1, 0, 0, 0);
+    MdtBodyAddForceAtPosition(near, 0, 2, 0, 1, 0, 0);
+    MdtBodyAddForceAtPosition(far, 0, 2, 0, 1, 1000, 0); /* further along the same line */
+    MdtWorldStep(w, FRAME);
+    for (int axis = 0; axis < 3; axis++) {
+        assert_near(velocity(near, axis), velocity(far, axis), 0);
+        assert_near(spin(near, axis), spin(far, axis), 1e-7);
+    }
+    assert_near(spin(near, 2), 2 / .4 * (double)FRAME, 1e-6);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Dynamics guide ch. 5, "Inertia Problems": Karma 1.x puts a multiple of the unit matrix in place of the tensor. Later
+ * versions, as the User Guide ch. 6 says, let programs choose, and here the full tensor is the default, since it is what a
+ * program that sets one means; with MdtBodyDisableNonSphericalInertia a body is as in 1.x. */
+START_TEST(the_tensor_can_be_made_a_multiple_of_the_unit_matrix) {
+    const MeMatrix3 tensor = {{1, 0, 0}, {0, 2, 0}, {0, 0, 6}};
+    for (int spherical = 0; spherical < 2; spherical++) {
+        MdtWorldID w = scene_world(1, 0, 0);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MdtBodySetInertiaTensor(b, tensor);
+        if (spherical)
+            MdtBodyDisableNonSphericalInertia(b);
+        ck_assert_int_eq(MdtBodyNonSphericalInertiaIsEnabled(b), !spherical);
+        MdtBodyAddTorque(b, 0, 0, 6);
+        MdtWorldStep(w, FRAME);
+        assert_spin(b, 0, 0, (spherical ? 2 : 1) * (double)FRAME, TOL(1e-8, 1e-12)); /* a third of the trace is 3 */
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* User Guide ch. 3: damping slows a free body; without damping and friction it slides for ever. */
+START_TEST(without_damping_and_friction_a_body_slides_for_ever) {
+    MdtWorldID w = scene_world(2, 2, 10);
+    MdtBodyID ice = scene_body(w, 1, 0, 0, 0), damped = scene_body(w, 1, 0, 0, 5);
+    MdtContactID under[2] = {scene_contact(w, ice, 0, 0, 0, 0), scene_contact(w, damped, 0, 0, 0, 5)};
+    MdtBodySetLinearVelocity(ice, 3, 0, 0);
+    MdtBodySetLinearVelocity(damped, 3, 0, 0);
+    MdtBodySetLinearVelocityDamping(damped, (MeReal).5);
+    for (int i = 0; i < 3600; i++) { /* a minute */
+        MdtContactSetPosition(under[0], (MeReal)coordinate(ice, 0), 0, 0);
+        MdtContactSetPosition(under[1], (MeReal)coordinate(damped, 0), 0, 5);
+        MdtWorldStep(w, FRAME);
+    }
+    assert_near(velocity(ice, 0), 3, TOL(1e-6, 1e-12));
+    assert_near_rel(velocity(damped, 0), 3 * exp(-.5 * 3600 * (double)FRAME), TOL(1e-4, 1e-6));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* User Guide ch. 3: with friction and without damping a ball rolls for ever. */
+START_TEST(with_friction_and_without_damping_a_ball_rolls_for_ever) {
+    const double radius = 1;
+    MdtWorldID w = scene_world(1, 1, 10);
+    MdtWorldSetEpsilon(w, 0);
+    MdtBodyID ball = scene_body(w, 1, 0, radius, 0);
+    MdtContactID under = scene_contact(w, ball, 0, 0, 0, 0);
+    MdtContactParamsSetType(MdtContactGetParams(under), MdtContactTypeFriction2D);
+    MdtBodySetLinearVelocity(ball, 2, 0, 0);
+    MdtBodySetAngularVelocity(ball, 0, 0, (MeReal)(-2 / radius));
+    for (int i = 0; i < 3600; i++) {
+        MdtContactSetPosition(under, (MeReal)coordinate(ball, 0), 0, 0);
+        MdtContactSetPenetration(under, (MeReal)(radius - coordinate(ball, 1)));
+        MdtWorldStep(w, FRAME);
+    }
+    assert_near(velocity(ball, 0), 2, TOL(1e-4, 1e-9));
+    assert_near(spin(ball, 2), -2 / radius, TOL(1e-4, 1e-9));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, a_new_body_takes_part_once_it_is_enabled);
+    tcase_add_test(t, a_constant_force_has_to_be_added_every_step);
+    tcase_add_test(t, a_force_acts_at_the_centre_of_mass_in_the_world_s_axes);
+    tcase_add_test(t, a_force_may_act_far_outside_the_body);
+    tcase_add_test(t, the_tensor_can_be_made_a_multiple_of_the_unit_matrix);
+    tcase_add_test(t, without_damping_and_friction_a_body_slides_for_ever);
+    tcase_add_test(t, with_friction_and_without_damping_a_ball_rolls_for_ever);
+}
+
+TEST_MAIN("Behaviours_Bodies", tests)

@@ -1,0 +1,367 @@
+/* Documented behaviours: what all constraints share (Dynamics guide ch. 3, "Common Constraint Functions", "Base Constraint
+ * Functions").
+ *
+ * Already proved elsewhere:
+ *   a created constraint acts only after Enable                 test_Constraint: a_constraint_acts_only_when_enabled
+ *   a second body of null is the world                          test_BSJoint: sag_is_epsilon_force_step_squared_over_gamma
+ *   it has to be disabled before its bodies change; a warning   test_Constraint: changing_the_bodies_of_an_enabled_...
+ *   MdtConstraintSetAxes normalizes and makes orthogonal        test_Constraint: frames_are_given_in_the_world_and_move_...
+ *   positions and axes are the world's and move with bodies     test_Constraint: frames_are_given_in_the_world_and_move_...
+ */
+#include "behaviour.h"
+
+#define EVERY_JOINT(X)                                                                                                 \
+    X(Angular3)                                                                                                        \
+    X(BSJoint)                                                                                                         \
+    X(CarWheel)                                                                                                        \
+    X(ConeLimit)                                                                                                       \
+    X(FPFOJoint)                                                                                                       \
+    X(FixedPath)                                                                                                       \
+    X(Hinge)                                                                                                           \
+    X(Linear1)                                                                                                         \
+    X(Linear2)                                                                                                         \
+    X(Prismatic)                                                                                                       \
+    X(RPROJoint)                                                                                                       \
+    X(Spring)                                                                                                          \
+    X(Universal)                                                                                                       \
+    X(Spring6)                                                                                                         \
+    X(Skeletal)                                                                                                        \
+    X(Contact)
+enum { TYPES = 16 };
+
+/* One of every type, to be recognized again. */
+typedef struct {
+    MdtWorldID world;
+    MdtBodyID a, b;
+    int count;
+    MdtConstraintID constraint[TYPES];
+    const char *name[TYPES];
+} Zoo;
+
+static Zoo makeZoo(void) {
+    Zoo z = {.world = scene_world(3, 2 * TYPES, 0)};
+    z.a = scene_body(z.world, 1, 0, 0, 0);
+    z.b = scene_body(z.world, 2, 1, (MeReal).5, 0);
+#define ADD(Type)                                                                                                      \
+    z.name[z.count] = #Type;                                                                                           \
+    z.constraint[z.count++] = Mdt##Type##QuaConstraint(Mdt##Type##Create(z.world));
+    EVERY_JOINT(ADD)
+    return z;
+}
+
+/* Ch. 3: created unattached and disabled; SetBodies attaches, index 0 is the first and 1 the second body; Enable lets it
+ * act, IsEnabled says 1 or 0; a second body of null is the world. */
+START_TEST(every_type_is_created_attached_enabled_and_disabled) {
+    Zoo z = makeZoo();
+    ck_assert_int_eq(z.count, TYPES);
+#define LIFE(Type)                                                                                                     \
+    {                                                                                                                  \
+        Mdt##Type##ID j = Mdt##Type##Create(z.world);                                                                  \
+        ck_assert_int_eq(Mdt##Type##IsEnabled(j), 0);                                                                  \
+        ck_assert(Mdt##Type##GetBody(j, 0) == NULL && Mdt##Type##GetBody(j, 1) == NULL);                               \
+        Mdt##Type##SetBodies(j, z.a, z.b);                                                                             \
+        ck_assert(Mdt##Type##GetBody(j, 0) == z.a && Mdt##Type##GetBody(j, 1) == z.b);                                 \
+        Mdt##Type##SetBodies(j, z.b, 0);                                                                               \
+        ck_assert(Mdt##Type##GetBody(j, 0) == z.b && Mdt##Type##GetBody(j, 1) == NULL);                                \
+        Mdt##Type##Enable(j);                                                                                          \
+        ck_assert_int_eq(Mdt##Type##IsEnabled(j), 1);                                                                  \
+        Mdt##Type##Disable(j);                                                                                         \
+        ck_assert_int_eq(Mdt##Type##IsEnabled(j), 0);                                                                  \
+    }
+    EVERY_JOINT(LIFE)
+    MdtWorldDestroy(z.world);
+}
+END_TEST
+
+/* Ch. 3, MdtConstraintDestroy: the constraint is disabled first if necessary. */
+START_TEST(destroying_disables_first) {
+    Zoo z = makeZoo();
+    for (int i = 0; i < z.count; i++) {
+        MdtConstraintSetBodies(z.constraint[i], z.a, z.b);
+        MdtConstraintEnable(z.constraint[i]);
+    }
+    ck_assert_int_eq(MdtWorldGetEnabledConstraints(z.world), TYPES);
+    for (int i = 0; i < z.count; i++) {
+        MdtConstraintDestroy(z.constraint[i]);
+        ck_assert_int_eq(MdtWorldGetEnabledConstraints(z.world), TYPES - 1 - i);
+        ck_assert_int_eq(MdtWorldGetTotalConstraints(z.world), TYPES - 1 - i);
+    }
+    ck_assert(MdtBodyGetFirstConstraint(z.a) == NULL && MdtBodyGetFirstConstraint(z.b) == NULL);
+    MdtWorldDestroy(z.world);
+}
+END_TEST
+
+/* Ch. 3: the two casts are each other's inverse, and a cast to another type gives 0. */
+START_TEST(casts_are_inverse_and_know_the_type) {
+    Zoo z = makeZoo();
+    int index = 0;
+#define CAST(Type)                                                                                                     \
+    for (int i = 0; i < z.count; i++) {                                                                                \
+        Mdt##Type##ID j = MdtConstraintDCast##Type(z.constraint[i]);                                                   \
+        ck_assert_msg((j != NULL) == (i == index), "%s as " #Type, z.name[i]);                                         \
+        if (j)                                                                                                         \
+            ck_assert(Mdt##Type##QuaConstraint(j) == z.constraint[i]);                                                 \
+    }                                                                                                                  \
+    index++;
+    EVERY_JOINT(CAST)
+    MdtWorldDestroy(z.world);
+}
+END_TEST
+
+/* Ch. 3: user data are returned as set, the world is the one that created it. */
+START_TEST(user_data_and_world_are_returned) {
+    Zoo z = makeZoo();
+    int data[TYPES], index = 0;
+#define BOOK(Type)                                                                                                     \
+    {                                                                                                                  \
+        Mdt##Type##ID j = MdtConstraintDCast##Type(z.constraint[index]);                                               \
+        ck_assert(Mdt##Type##GetUserData(j) == NULL && Mdt##Type##GetWorld(j) == z.world);                             \
+        Mdt##Type##SetUserData(j, &data[index]);                                                                       \
+        ck_assert(Mdt##Type##GetUserData(j) == &data[index]);                                                          \
+        ck_assert(MdtConstraintGetUserData(z.constraint[index]) == &data[index]);                                      \
+        index++;                                                                                                       \
+    }
+    EVERY_JOINT(BOOK)
+    MdtWorldDestroy(z.world);
+}
+END_TEST
+
+/* Ch. 3: bodies are placed, then attached, then the position is set: it is then one point of both, and moves with each. */
+START_TEST(bodies_are_placed_attached_and_then_the_position_is_set) {
+    MdtWorldID w = scene_world(2, 1, 0);
+    MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 4, 0, 0);
+    MdtBSJointID j = MdtBSJointCreate(w);
+    MdtConstraintID c = MdtBSJointQuaConstraint(j);
+    MeVector3 p;
+    MdtBSJointSetBodies(j, a, b);
+    MdtBSJointSetPosition(j, 1, 2, 3);
+    assert_near(gapOf(c), 0, 1e-6);
+    MdtBSJointGetPosition(j, p);
+    assert_vec3_near(p, 1, 2, 3, 1e-6);
+    MdtConstraintBodyGetPositionRel(c, 1, p);
+    assert_vec3_near(p, -3, 2, 3, 1e-6);
+    MdtBodySetPosition(b, 5, 0, 0); /* moved after that: an error that the joint has to work off */
+    assert_near(gapOf(c), 1, 1e-6);
+    MdtBSJointEnable(j);
+    steps(w, 120, FRAME);
+    assert_near(gapOf(c), 0, TOL(1e-5, 1e-6));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Places the two bodies apart, one above the other's side, and lets them move towards each other and turn. */
+static void setMoving(Zoo *z) {
+    MdtBodySetPosition(z->a, 0, 0, 0);
+    MdtBodySetQuaternion(z->a, 1, 0, 0, 0);
+    MdtBodySetPosition(z->b, 1, (MeReal).5, 0);
+    MdtBodySetQuaternion(z->b, 1, 0, 0, 0);
+    MdtBodySetLinearVelocity(z->a, (MeReal).5, 2, (MeReal).3);
+    MdtBodySetAngularVelocity(z->a, (MeReal).2, (MeReal)-.4, (MeReal).7);
+    MdtBodySetLinearVelocity(z->b, (MeReal)-.1, (MeReal).2, (MeReal)-.5);
+    MdtBodySetAngularVelocity(z->b, (MeReal)-.3, (MeReal).1, (MeReal).6);
+}
+
+/* Gives the constraint something to do between the two bodies. */
+static void setTask(Zoo *z, MdtConstraintID c) {
+    MdtConstraintSetBodies(c, z->a, z->b);
+    if (MdtConstraintDCastContact(c)) {
+        MdtContactSetPosition(MdtConstraintDCastContact(c), (MeReal).4, (MeReal).3, (MeReal).2);
+        MdtContactSetNormal(MdtConstraintDCastContact(c), 0, -1, 0);
+        MdtContactParamsSetType(MdtContactGetParams(MdtConstraintDCastContact(c)), MdtContactTypeFriction2D);
+    } else if (!MdtConstraintDCastSpring(c))
+        MdtConstraintSetPosition(c, (MeReal).4, (MeReal).3, (MeReal).2);
+    if (MdtConstraintDCastConeLimit(c)) {
+        MdtConeLimitSetConeHalfAngle(MdtConstraintDCastConeLimit(c), (MeReal).2);
+        MdtBodySetQuaternion(z->b, 1, 0, 0, (MeReal).3);
+    }
+    for (int k = 0; k < 3; k++)
+        if (MdtConstraintDCastSpring6(c)) {
+            MdtSpring6SetLinearDamping(MdtConstraintDCastSpring6(c), k, 50);
+            MdtSpring6SetAngularDamping(MdtConstraintDCastSpring6(c), k, 1);
+        }
+}
+
+/* Ch. 3: force and torque of the last step, in the world's frame. Those on the two bodies are action and reaction: the
+ * forces are opposite, and together with the torques have no moment; and they are what changed the momenta, F h = m Δv and
+ * T h = I Δω (these bodies are spheres). */
+START_TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
+    Zoo z = makeZoo();
+    const double at[2][3] = {{0, 0, 0}, {1, .5, 0}}, mass[2] = {1, 2}, h = (double)FRAME;
+    for (int i = 0; i < z.count; i++) {
+        setMoving(&z);
+        setTask(&z, z.constraint[i]);
+        MdtConstraintEnable(z.constraint[i]);
+        double v[2][3], w[2][3], moment[3] = {0}, sum[3] = {0}, size = 0;
+        for (int k = 0; k < 2; k++)
+            for (int axis = 0; axis < 3; axis++) {
+                v[k][axis] = velocity(k ? z.b : z.a, axis);
+                w[k][axis] = spin(k ? z.b : z.a, axis);
+            }
+        MdtWorldStep(z.world, FRAME);
+        for (unsigned int k = 0; k < 2; k++) {
+            MeVector3 f, t;
+            MdtConstraintGetForce(z.constraint[i], k, f);
+            MdtConstraintGetTorque(z.constraint[i], k, t);
+            for (int axis = 0; axis < 3; axis++) {
+                const int p = (axis + 1) % 3, q = (axis + 2) % 3;
+                const MdtBodyID b = k ? z.b : z.a;
+                size = fmax(size, fmax(fabs((double)f[axis]), fabs((double)t[axis])));
+                sum[axis] += (double)f[axis];
+                moment[axis] += (double)t[axis] + at[k][p] * (double)f[q] - at[k][q] * (double)f[p];
+                assert_near((double)f[axis] * h, mass[k] * (velocity(b, axis) - v[k][axis]), TOL(2e-6, 1e-12));
+                assert_near((double)t[axis] * h, .4 * (spin(b, axis) - w[k][axis]), TOL(2e-6, 1e-12));
+            }
+        }
+        ck_assert_msg(size > 1, "%s did nothing", z.name[i]);
+        assert_vec3_near(sum, 0, 0, 0, TOL(1e-5, 1e-12) * size);
+        assert_vec3_near(moment, 0, 0, 0, TOL(1e-5, 1e-12) * size);
+        MdtConstraintDisable(z.constraint[i]);
+    }
+    MdtWorldDestroy(z.world);
+}
+END_TEST
+
+/* Ch. 3, Mdt*Reset: the defaults of the type, those of the attachments to the bodies too; the bodies stay. */
+START_TEST(reset_restores_the_defaults_of_every_type) {
+    MdtWorldID w = scene_world(2, 20, 0);
+    MdtBodyID a = scene_body(w, 1, 1, 0, 0), b = scene_body(w, 1, 0, 1, 0);
+#define RESET(Type)                                                                                                    \
+    {                                                                                                                  \
+        Mdt##Type##ID fresh = Mdt##Type##Create(w), j = Mdt##Type##Create(w);                                          \
+        MdtConstraintID c = Mdt##Type##QuaConstraint(j), d = Mdt##Type##QuaConstraint(fresh);                          \
+        Mdt##Type##SetBodies(j, a, b);                                                                                 \
+        MdtConstraintSetPosition(c, 3, 4, 5);                                                                          \
+        MdtConstraintSetAxes(c, 0, 1, 1, 1, 0, 0);                                                                     \
+        Mdt##Type##Reset(j);                                                                                           \
+        ck_assert(Mdt##Type##GetBody(j, 0) == a && Mdt##Type##GetBody(j, 1) == b);                                     \
+        for (unsigned int k = 0; k < 2; k++) {                                                                         \
+            MeVector3 p, q, r, s;                                                                                      \
+            MdtConstraintBodyGetPositionRel(c, k, p);                                                                  \
+            MdtConstraintBodyGetPositionRel(d, k, q);                                                                  \
+            assert_vec3_near(p, q[0], q[1], q[2], 0);                                                                  \
+            MdtConstraintBodyGetAxesRel(c, k, p, q);                                                                   \
+            MdtConstraintBodyGetAxesRel(d, k, r, s);                                                                   \
+            assert_vec3_near(p, r[0], r[1], r[2], 0);                                                                  \
+            assert_vec3_near(q, s[0], s[1], s[2], 0);                                                                  \
+        }                                                                                                              \
+        Mdt##Type##Destroy(j);                                                                                         \
+        Mdt##Type##Destroy(fresh);                                                                                     \
+    }
+    RESET(Angular3)
+    RESET(BSJoint)
+    RESET(CarWheel)
+    RESET(ConeLimit)
+    RESET(FPFOJoint)
+    RESET(FixedPath)
+    RESET(Hinge)
+    RESET(Linear1)
+    RESET(Linear2)
+    RESET(Prismatic)
+    RESET(RPROJoint)
+    RESET(Spring)
+    RESET(Universal)
+    RESET(Spring6)
+    RESET(Skeletal)
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Ch. 3, MdtConstraintSetAxes: the third axis is the cross product of the two, so the pair is a full orientation. */
+START_TEST(two_axes_make_a_right_handed_frame) {
+    MdtWorldID w = scene_world(1, 1, 0);
+    MdtBodyID a = scene_body(w, 1, 0, 0, 0);
+    MdtRPROJointID j = MdtRPROJointCreate(w);
+    MdtConstraintID c = MdtRPROJointQuaConstraint(j);
+    MeVector4 q;
+    MdtRPROJointSetBodies(j, a, 0);
+    MdtConstraintBodySetAxes(c, 0, 0, 7, 0, 0, 0, 2); /* x to y, y to z, so the third is x: a third of a turn */
+    MdtRPROJointGetAttachmentQuaternion(j, 0, q);
+    const double sign = q[0] < 0 ? -1 : 1;
+    for (int i = 0; i < 4; i++)
+        assert_near(sign * (double)q[i], .5, 1e-6);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+static int rowsOf(MdtConstraintID c) {
+    MdtWorldID w = MdtConstraintGetWorld(c);
+    MdtConstraintEnable(c);
+    MdtWorldStep(w, FRAME);
+    const int rows = MdtConstraintGetRowCount(c);
+    MdtConstraintDisable(c);
+    return rows;
+}
+
+/* Ch. 3: the degrees of freedom that each type removes are its rows. */
+START_TEST(each_type_removes_its_degrees_of_freedom) {
+    static const struct {
+        const char *name;
+        int rows;
+    } plain[] = {{"BSJoint", 3}, {"Hinge", 5},     {"Prismatic", 5}, {"Universal", 4}, {"Angular3", 3},
+                 {"Linear1", 1}, {"Linear2", 2},   {"FixedPath", 3}, {"FPFOJoint", 6}, {"RPROJoint", 6},
+                 {"Spring", 1},  {"ConeLimit", 0}, {"Spring6", 0},   {"Skeletal", 3},  {"Contact", 1}};
+    Zoo z = makeZoo();
+    for (int i = 0; i < z.count; i++) {
+        MdtConstraintSetBodies(z.constraint[i], z.a, z.b);
+        for (size_t k = 0; k < sizeof plain / sizeof *plain; k++)
+            if (strcmp(plain[k].name, z.name[i]) == 0)
+                ck_assert_msg(rowsOf(z.constraint[i]) == plain[k].rows, "%s has %d rows, not %d", z.name[i],
+                              MdtConstraintGetRowCount(z.constraint[i]), plain[k].rows);
+        if (MdtConstraintDCastAngular3(z.constraint[i])) { /* Angular2 */
+            MdtAngular3EnableRotation(MdtConstraintDCastAngular3(z.constraint[i]), 1);
+            ck_assert_int_eq(rowsOf(z.constraint[i]), 2);
+        }
+        if (MdtConstraintDCastConeLimit(z.constraint[i])) { /* at its side */
+            MdtBodySetQuaternion(z.b, 1, 0, (MeReal).6, 0);
+            MdtConeLimitSetConeHalfAngle(MdtConstraintDCastConeLimit(z.constraint[i]), (MeReal).3);
+            ck_assert_int_eq(rowsOf(z.constraint[i]), 1);
+            MdtBodySetQuaternion(z.b, 1, 0, 0, 0);
+        }
+        if (MdtConstraintDCastContact(z.constraint[i])) {
+            MdtContactParamsID params = MdtContactGetParams(MdtConstraintDCastContact(z.constraint[i]));
+            MdtContactParamsSetType(params, MdtContactTypeFriction1D);
+            ck_assert_int_eq(rowsOf(z.constraint[i]), 2);
+            MdtContactParamsSetType(params, MdtContactTypeFriction2D);
+            ck_assert_int_eq(rowsOf(z.constraint[i]), 3);
+        }
+    }
+    MdtWorldDestroy(z.world);
+}
+END_TEST
+
+/* The car wheel removes 3 to 6: what is free, the steering (a motor without force, no lock), the rolling and the springing;
+ * a lock, a motor and the spring take one each. */
+START_TEST(a_car_wheel_removes_3_to_6) {
+    MdtWorldID w = scene_world(2, 1, 0);
+    MdtBodyID chassis = scene_body(w, 10, 0, 0, 0), wheel = scene_body(w, 1, 1, 0, 0);
+    MdtCarWheelID j = MdtCarWheelCreate(w);
+    MdtConstraintID c = MdtCarWheelQuaConstraint(j);
+    MdtCarWheelSetBodies(j, chassis, wheel);
+    MdtCarWheelSetPosition(j, 1, 0, 0);
+    MdtCarWheelSetSteeringAndHingeAxes(j, 0, 1, 0, 0, 0, 1);
+    MdtCarWheelSetSteeringLimitedForceMotor(j, 0, 0);
+    ck_assert_int_eq(rowsOf(c), 3);
+    MdtCarWheelSetSteeringLock(j, 1);
+    ck_assert_int_eq(rowsOf(c), 4);
+    MdtCarWheelSetSuspension(j, 100, 10, 0, -1, 1, 0);
+    ck_assert_int_eq(rowsOf(c), 5);
+    MdtCarWheelSetHingeLimitedForceMotor(j, 0, 5);
+    ck_assert_int_eq(rowsOf(c), 6);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, every_type_is_created_attached_enabled_and_disabled);
+    tcase_add_test(t, destroying_disables_first);
+    tcase_add_test(t, casts_are_inverse_and_know_the_type);
+    tcase_add_test(t, user_data_and_world_are_returned);
+    tcase_add_test(t, bodies_are_placed_attached_and_then_the_position_is_set);
+    tcase_add_test(t, forces_are_the_last_step_s_and_opposite_on_the_two_bodies);
+    tcase_add_test(t, reset_restores_the_defaults_of_every_type);
+    tcase_add_test(t, two_axes_make_a_right_handed_frame);
+    tcase_add_test(t, each_type_removes_its_degrees_of_freedom);
+    tcase_add_test(t, a_car_wheel_removes_3_to_6);
+}
+
+TEST_MAIN("Behaviours_Constraints", tests)

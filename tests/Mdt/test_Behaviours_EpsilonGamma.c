@@ -1,0 +1,109 @@
+/* Documented behaviours: epsilon and gamma (Dynamics guide ch. 5, "The Meaning of Epsilon and Gamma").
+ *
+ * Already proved elsewhere:
+ *   (A + epsilon I) x = b; larger epsilon, springier joints    test_BSJoint: sag_is_epsilon_force_step_squared_over_gamma
+ *   gamma is the fraction of the error that a step removes     test_BSJoint: gamma_is_the_fraction_that_a_step_removes
+ *   gamma outside 0..1 is unsafe: it is refused                test_BadInput: parameters_out_of_range
+ *   MdtWorldSetGammaWithRefTimeStep keeps it consistent        test_BSJoint: gamma_with_reference_step
+ */
+#include "behaviour.h"
+
+/* "By making epsilon greater than zero a solution can be guaranteed": a hinge and four more joints hold what one would, at
+ * every epsilon, down to 0, and the load is carried. */
+START_TEST(redundant_constraints_have_a_solution_at_every_epsilon) {
+    const double epsilons[] = {.1, 1e-4, 1e-8, 0}, edge[3] = {2, .2, .2};
+    for (int k = 0; k < 4; k++) {
+        MdtWorldID w = scene_world(1, 5, 10);
+        MdtWorldSetEpsilon(w, (MeReal)epsilons[k]);
+        MdtBodyID b = scene_box(w, 1, edge, 0, 0, 0);
+        MdtConstraintID all[5];
+        MdtHingeID hinge = MdtHingeCreate(w);
+        all[0] = MdtHingeQuaConstraint(hinge);
+        for (int i = 1; i < 5; i++)
+            all[i] = MdtBSJointQuaConstraint(MdtBSJointCreate(w));
+        for (int i = 0; i < 5; i++) {
+            MdtConstraintSetBodies(all[i], b, 0);
+            MdtConstraintSetPosition(all[i], (MeReal)(i - 2), 0, 0);
+            MdtConstraintEnable(all[i]);
+        }
+        messages_catch();
+        steps(w, 300, FRAME);
+        assert_silent();
+        messages_release();
+        double carried = 0;
+        for (int i = 0; i < 5; i++)
+            carried += forceOn(all[i], 0, 1);
+        assert_near(carried, 10, TOL(1e-4, 1e-7));
+        assert_near(coordinate(b, 1), 0, epsilons[k] * 10 * (double)FRAME * (double)FRAME / .2 + TOL(1e-7, 1e-9));
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* "1/epsilon is like a spring constant": on a contact a load twice as heavy sinks twice as deep. */
+START_TEST(a_heavier_load_sinks_deeper_into_a_contact) {
+    const double epsilon = .01, loads[] = {10, 20, 200};
+    for (int k = 0; k < 3; k++) {
+        MdtWorldID w = scene_world(1, 1, loads[k]);
+        MdtWorldSetEpsilon(w, (MeReal)epsilon);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MdtContactID c = scene_contact(w, b, 0, 0, 0, 0);
+        for (int i = 0; i < 400; i++) {
+            MdtContactSetPenetration(c, (MeReal)-coordinate(b, 1));
+            MdtWorldStep(w, FRAME);
+        }
+        assert_near_rel(-coordinate(b, 1), epsilon * loads[k] * (double)FRAME * (double)FRAME / .2, TOL(1e-3, 1e-6));
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* "If gamma = 0, no relaxation is done. Joints will separate": an error stays what it is, and the load of a springy joint
+ * lets it grow by epsilon F h² a step. */
+START_TEST(without_gamma_errors_stay_and_add_up) {
+    MdtWorldID w = scene_world(2, 2, 10);
+    const double epsilon = .01, h = (double)FRAME;
+    MdtWorldSetGamma(w, 0);
+    MdtWorldSetEpsilon(w, (MeReal)epsilon);
+    MdtBodyID loaded = scene_body(w, 1, 0, 0, 0);
+    MdtBSJointID j = MdtBSJointCreate(w);
+    MdtBSJointSetBodies(j, loaded, 0);
+    MdtBSJointEnable(j);
+    MdtBodySetPosition(loaded, (MeReal).5, 0, 0);
+    double before = 0;
+    for (int i = 1; i <= 100; i++) {
+        MdtWorldStep(w, FRAME);
+        assert_near(coordinate(loaded, 0), .5, TOL(1e-6, 1e-10));
+        if (i == 20) /* the joint's force has built up by now */
+            before = coordinate(loaded, 1);
+    }
+    assert_near_rel(coordinate(loaded, 1) - before, -80 * epsilon * 10 * h * h, TOL(1e-4, 1e-9));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Gamma applies to contacts as well: they are pushed apart by that fraction of their overlap a step, and not beyond. */
+START_TEST(gamma_pushes_contacts_apart) {
+    const double gammas[] = {.1, .4, .8};
+    for (int k = 0; k < 3; k++) {
+        MdtWorldID w = scene_world(1, 1, 0);
+        MdtWorldSetEpsilon(w, 0);
+        MdtWorldSetGamma(w, (MeReal)gammas[k]);
+        MdtBodyID b = scene_body(w, 1, 0, -1, 0);
+        MdtContactID c = scene_contact(w, b, 0, 0, 0, 0);
+        MdtContactSetPenetration(c, 1);
+        MdtWorldStep(w, FRAME);
+        assert_near(coordinate(b, 1), gammas[k] - 1, TOL(1e-6, 1e-9));
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, redundant_constraints_have_a_solution_at_every_epsilon);
+    tcase_add_test(t, a_heavier_load_sinks_deeper_into_a_contact);
+    tcase_add_test(t, without_gamma_errors_stay_and_add_up);
+    tcase_add_test(t, gamma_pushes_contacts_apart);
+}
+
+TEST_MAIN("Behaviours_EpsilonGamma", tests)

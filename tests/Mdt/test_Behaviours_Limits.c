@@ -1,0 +1,267 @@
+/* Documented behaviours: limits and motors (Dynamics guide ch. 3, "Joint Limit", "The Single Joint Limit"; ch. 5, "Modeling
+ * Using Force-Limited Motors").
+ *
+ * Already proved elsewhere:
+ *   a lower stop above the upper one takes it along; the reverse   test_Hinge: limits_follow_the_guide_s_rules
+ *   above the threshold restitution counts, not damping            test_Hinge: above_the_threshold_a_stop_is_hard
+ *   at or below it spring and damper count, not restitution        test_Hinge: a_soft_stop_is_a_damped_spring
+ *   threshold, stiffness, damping do not become negative           test_Hinge: limits_follow_the_guide_s_rules
+ *                                                                  test_Hinge: above_the_threshold_a_stop_is_hard
+ *   restitution is clamped to 0..1                                 test_Hinge: limits_follow_the_guide_s_rules
+ *   a stop without stiffness and damping does nothing              test_Hinge: a_stop_without_stiffness_and_damping_...
+ *   MdtSingleLimitReset: stop 0, restitution 1, hard, damping 0    test_Hinge: limits_follow_the_guide_s_rules
+ *   MdtLimitSetPosition shifts the reading                         test_Hinge: position_is_only_an_offset
+ *   the position flag cannot be cleared while powered              test_Hinge: limits_follow_the_guide_s_rules
+ *   the motor's speed tends to the desired one with at most fmax   test_Hinge: the_motor_reaches_its_speed_with_its_force
+ *   ... or never arrives; velocity 0 is a brake                    test_Hinge: the_motor_stalls_at_its_force_limit
+ *   a hard stop reverses the speed, times restitution, in a step   test_Hinge: a_hard_stop_returns_its_restitution_in_...
+ *   a motor rests beyond a soft stop by fmax / stiffness           test_Hinge: a_motor_rests_on_a_soft_stop_at_fmax_over_...
+ */
+#include "behaviour.h"
+
+/* A mass on a rail along x. */
+typedef struct {
+    MdtWorldID world;
+    MdtBodyID body;
+    MdtPrismaticID joint;
+    MdtLimitID limit;
+    MdtSingleLimitID lower, upper;
+} Rail;
+
+static Rail makeRail(void) {
+    Rail s;
+    s.world = scene_world(2, 2, 0);
+    MdtWorldSetEpsilon(s.world, 0);
+    s.body = scene_body(s.world, 1, 0, 0, 0);
+    s.joint = MdtPrismaticCreate(s.world);
+    MdtPrismaticSetBodies(s.joint, s.body, 0);
+    MdtPrismaticSetAxis(s.joint, 1, 0, 0);
+    MdtPrismaticEnable(s.joint);
+    s.limit = MdtPrismaticGetLimit(s.joint);
+    s.lower = MdtLimitGetLowerLimit(s.limit);
+    s.upper = MdtLimitGetUpperLimit(s.limit);
+    MdtLimitCalculatePosition(s.limit, 1);
+    return s;
+}
+
+/* "MdtLimitSetLimitedForceMotor": a negative force limit counts as 0; 0 switches the motor off, others on; and bodies that
+ * are disabled stay so. */
+START_TEST(setting_the_motor_switches_it_and_wakes_nothing) {
+    Rail s = makeRail();
+    MdtBodyDisable(s.body);
+    ck_assert(!MdtLimitIsMotorized(s.limit));
+    MdtLimitSetLimitedForceMotor(s.limit, 3, 5);
+    ck_assert(MdtLimitIsMotorized(s.limit));
+    assert_near(MdtLimitGetMotorDesiredVelocity(s.limit), 3, 0);
+    assert_near(MdtLimitGetMotorMaxForce(s.limit), 5, 0);
+    ck_assert(!MdtBodyIsEnabled(s.body));
+    steps(s.world, 10, FRAME);
+    ck_assert(!MdtBodyIsEnabled(s.body));
+    assert_velocity(s.body, 0, 0, 0, 0);
+    MdtLimitSetLimitedForceMotor(s.limit, 3, 0);
+    ck_assert(!MdtLimitIsMotorized(s.limit));
+    MdtLimitSetLimitedForceMotor(s.limit, 3, -5);
+    ck_assert(!MdtLimitIsMotorized(s.limit));
+    assert_near(MdtLimitGetMotorMaxForce(s.limit), 0, 0);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* "MdtLimitActivateMotor", "MdtLimitActivateLimits": on and off, without changing any other property. */
+START_TEST(the_switches_change_nothing_else) {
+    Rail s = makeRail();
+    MdtLimitSetLimitedForceMotor(s.limit, 3, 5);
+    MdtSingleLimitSetStop(s.upper, 2);
+    MdtSingleLimitSetStop(s.lower, -2);
+    MdtSingleLimitSetStiffness(s.upper, 70);
+    const MdtBclLimit before = *s.limit;
+    for (int i = 0; i < 2; i++) {
+        MdtLimitActivateMotor(s.limit, i);
+        MdtLimitActivateLimits(s.limit, !i);
+        ck_assert_int_eq(MdtLimitIsMotorized(s.limit), i);
+        ck_assert_int_eq(MdtLimitIsActive(s.limit), !i);
+        MdtBclLimit now = *s.limit;
+        now.bPowered = before.bPowered;
+        now.bActive = before.bActive;
+        ck_assert(memcmp(&now, &before, sizeof now) == 0);
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* "If the limit is currently activated or powered, the flag cannot be cleared." */
+START_TEST(the_position_flag_cannot_be_cleared_while_the_limit_is_in_use) {
+    Rail s = makeRail();
+    MdtLimitCalculatePosition(s.limit, 0);
+    ck_assert(!MdtLimitPositionIsCalculated(s.limit)); /* by default, and when neither is on */
+    for (int powered = 0; powered < 2; powered++) {
+        if (powered)
+            MdtLimitSetLimitedForceMotor(s.limit, 1, 1);
+        else
+            MdtLimitActivateLimits(s.limit, 1);
+        ck_assert(MdtLimitPositionIsCalculated(s.limit));
+        MdtLimitCalculatePosition(s.limit, 0);
+        ck_assert(MdtLimitPositionIsCalculated(s.limit));
+        MdtLimitActivateLimits(s.limit, 0);
+        MdtLimitActivateMotor(s.limit, 0);
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* "Joint limits are inactive by default, and will not affect the attached bodies until activated." */
+START_TEST(limits_are_inactive_until_activated) {
+    Rail s = makeRail();
+    MdtSingleLimitSetStop(s.lower, -1);
+    MdtSingleLimitSetStop(s.upper, (MeReal).5);
+    ck_assert(!MdtLimitIsActive(s.limit));
+    MdtBodySetLinearVelocity(s.body, 1, 0, 0);
+    steps(s.world, 60, FRAME);
+    assert_near(MdtLimitGetPosition(s.limit), 60 * (double)FRAME, TOL(1e-5, 1e-9)); /* past the stop */
+    MdtBodySetPosition(s.body, 0, 0, 0);
+    MdtLimitActivateLimits(s.limit, 1);
+    steps(s.world, 60, FRAME);
+    assert_near(MdtLimitGetVelocity(s.limit), -1, TOL(1e-5, 1e-9)); /* thrown back */
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* "A hard bounce reverses the velocity in a single timestep, while a soft bounce may take many timesteps." The soft one
+ * returns after half a period, pi sqrt(m / k), with the same speed. */
+START_TEST(a_soft_stop_takes_many_steps_to_reverse_the_speed) {
+    for (int soft = 0; soft < 2; soft++) {
+        Rail s = makeRail();
+        MdtSingleLimitSetStop(s.lower, -10);
+        MdtSingleLimitSetStop(s.upper, (MeReal).25);
+        if (soft)
+            MdtSingleLimitSetStiffness(s.upper, 100);
+        MdtLimitActivateLimits(s.limit, 1);
+        MdtBodySetLinearVelocity(s.body, 1, 0, 0);
+        int between = 0;
+        for (int i = 0; i < 120; i++) {
+            MdtWorldStep(s.world, FRAME);
+            between += fabs(velocity(s.body, 0)) < .999;
+        }
+        assert_near(velocity(s.body, 0), -1, soft ? 2e-2 : TOL(1e-5, 1e-9));
+        if (soft)
+            assert_near(between, PI / 10 / (double)FRAME, 2.5);
+        else
+            ck_assert_int_eq(between, 0);
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+/* "Restitution ... is used only if the limit hardness exceeds the threshold": a damped soft stop with restitution 1 and one
+ * with 0 do the same. */
+START_TEST(a_soft_stop_ignores_restitution_and_a_hard_one_damping) {
+    for (int hard = 0; hard < 2; hard++) {
+        double after[2];
+        for (int k = 0; k < 2; k++) {
+            Rail s = makeRail();
+            MdtSingleLimitSetStop(s.lower, -10);
+            MdtSingleLimitSetStop(s.upper, (MeReal).25);
+            MdtSingleLimitSetStiffness(s.upper, 100);
+            MdtLimitSetStiffnessThreshold(s.limit, hard ? 99 : 100);
+            MdtSingleLimitSetRestitution(s.upper, hard ? (MeReal).5 : (MeReal)k);
+            MdtSingleLimitSetDamping(s.upper, hard ? (MeReal)(10 * k) : 5);
+            MdtLimitActivateLimits(s.limit, 1);
+            MdtBodySetLinearVelocity(s.body, 1, 0, 0);
+            steps(s.world, 120, FRAME);
+            after[k] = velocity(s.body, 0);
+            MdtWorldDestroy(s.world);
+        }
+        assert_near(after[0], after[1], 0);
+        if (hard)
+            assert_near(after[0], -.5, TOL(1e-5, 1e-9));
+        else
+            ck_assert_msg(after[0] < -.1 && after[0] > -.9, "%g", after[0]);
+    }
+}
+END_TEST
+
+/* "Set the limited-force motor parameters": on a slider m v = F t until the velocity is reached, which then stays; a greater
+ * load than fmax keeps it from ever arriving. */
+START_TEST(a_motor_takes_its_time_or_never_arrives) {
+    Rail s = makeRail();
+    MdtLimitSetLimitedForceMotor(s.limit, 2, 3);
+    for (int i = 1; i <= 90; i++) {
+        MdtWorldStep(s.world, FRAME);
+        assert_near(velocity(s.body, 0), fmin(2, 3 * i * (double)FRAME), TOL(1e-5, 1e-9));
+    }
+    for (int i = 1; i <= 60; i++) { /* a load of 4 against a motor of 3 */
+        MdtBodyAddForce(s.body, -4, 0, 0);
+        MdtWorldStep(s.world, FRAME);
+        assert_near(velocity(s.body, 0), 2 - i * (double)FRAME, TOL(1e-4, 1e-9));
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* Ch. 5: "to model dry friction in a joint set a target velocity of zero, where the braking force is controlled by fmax":
+ * it slows down evenly, then holds against less than fmax, and slips under more. */
+START_TEST(a_motor_of_velocity_zero_is_a_dry_brake) {
+    Rail s = makeRail();
+    MdtLimitSetLimitedForceMotor(s.limit, 0, 2);
+    MdtBodySetLinearVelocity(s.body, 1, 0, 0);
+    for (int i = 1; i <= 60; i++) {
+        MdtWorldStep(s.world, FRAME);
+        assert_near(velocity(s.body, 0), fmax(0, 1 - 2 * i * (double)FRAME), TOL(1e-5, 1e-9));
+    }
+    for (int k = 0; k < 2; k++) {
+        MdtBodyAddForce(s.body, k ? 3 : (MeReal)1.9, 0, 0);
+        MdtWorldStep(s.world, FRAME);
+        assert_near(velocity(s.body, 0), k ? (double)FRAME : 0, TOL(1e-6, 1e-9));
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* "MdtHingeSetLimit", "...Prismatic...", "...Spring...": the joint's limit is reset, then given the public values. */
+START_TEST(set_limit_resets_and_copies_the_public_values) {
+    MdtWorldID w = scene_world(1, 3, 0);
+    MdtHingeID hinge = MdtHingeCreate(w);
+    MdtPrismaticID slider = MdtPrismaticCreate(w);
+    MdtSpringID spring = MdtSpringCreate(w);
+    MdtLimitID of[3] = {MdtHingeGetLimit(hinge), MdtPrismaticGetLimit(slider), MdtSpringGetLimit(spring)};
+    MdtBclLimit own;
+    MdtLimitReset(&own);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(&own), -3);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), 4);
+    MdtSingleLimitSetStiffness(MdtLimitGetUpperLimit(&own), 5);
+    MdtSingleLimitSetDamping(MdtLimitGetLowerLimit(&own), 6);
+    MdtSingleLimitSetRestitution(MdtLimitGetLowerLimit(&own), (MeReal).5);
+    MdtLimitSetStiffnessThreshold(&own, 7);
+    MdtLimitSetLimitedForceMotor(&own, 8, 9);
+    MdtLimitActivateLimits(&own, 1);
+    for (int i = 0; i < 3; i++)
+        of[i]->position = 99; /* a value of another time */
+    MdtHingeSetLimit(hinge, &own);
+    MdtPrismaticSetLimit(slider, &own);
+    MdtSpringSetLimit(spring, &own);
+    for (int i = 0; i < 3; i++) {
+        const MdtSingleLimitID lower = MdtLimitGetLowerLimit(of[i]), upper = MdtLimitGetUpperLimit(of[i]);
+        ck_assert(MdtSingleLimitGetStop(lower) == -3 && MdtSingleLimitGetStop(upper) == 4);
+        ck_assert(MdtSingleLimitGetStiffness(lower) == MEINFINITY && MdtSingleLimitGetStiffness(upper) == 5);
+        ck_assert(MdtSingleLimitGetDamping(lower) == 6 && MdtSingleLimitGetRestitution(lower) == (MeReal).5);
+        ck_assert(MdtLimitGetStiffnessThreshold(of[i]) == 7 && MdtLimitIsActive(of[i]) && MdtLimitIsMotorized(of[i]));
+        ck_assert(MdtLimitGetMotorDesiredVelocity(of[i]) == 8 && MdtLimitGetMotorMaxForce(of[i]) == 9);
+        assert_near(MdtLimitGetPosition(of[i]), 0, 0);
+    }
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, setting_the_motor_switches_it_and_wakes_nothing);
+    tcase_add_test(t, the_switches_change_nothing_else);
+    tcase_add_test(t, the_position_flag_cannot_be_cleared_while_the_limit_is_in_use);
+    tcase_add_test(t, limits_are_inactive_until_activated);
+    tcase_add_test(t, a_soft_stop_takes_many_steps_to_reverse_the_speed);
+    tcase_add_test(t, a_soft_stop_ignores_restitution_and_a_hard_one_damping);
+    tcase_add_test(t, a_motor_takes_its_time_or_never_arrives);
+    tcase_add_test(t, a_motor_of_velocity_zero_is_a_dry_brake);
+    tcase_add_test(t, set_limit_resets_and_copies_the_public_values);
+}
+
+TEST_MAIN("Behaviours_Limits", tests)

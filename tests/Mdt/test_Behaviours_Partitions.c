@@ -1,0 +1,132 @@
+/* Documented behaviours: partitions and auto-disable; the cap on the matrix size.
+ *
+ * Already proved elsewhere:
+ *   a partition is what constraints join; the world joins nothing      test_Rest: constraints_join_bodies_and_the_world_...
+ *   all four values have to be below their thresholds                  test_Rest: each_threshold_keeps_a_body_awake
+ *   the thresholds are squares of magnitudes                           test_Rest: each_threshold_keeps_a_body_awake
+ *   auto-disable can be switched                                       test_Rest: auto_disable_can_be_switched_off
+ *   disabling a body freezes its collision model                       (belongs to collision)
+ *
+ *   rows go: friction, then body-body, then body-world contacts, from the shallowest to the deepest
+ *                                                                      test_MatrixCap: rows_go_in_the_documented_order
+ *   joints are never dropped                                           test_MatrixCap: rows_go_in_the_documented_order
+ *   each contact group keeps a contact                                 test_MatrixCap: a_group_keeps_its_deepest_contact
+ *   a callback can replace the order                                   test_MatrixCap: a_callback_replaces_the_order
+ *   no call, no cap                                                    test_MatrixCap: without_a_call_there_is_no_cap
+ */
+#include "behaviour.h"
+
+/* Dynamics guide ch. 1, "Partitioning the World"; User Guide ch. 6: two boxes on the ground are two partitions, a stack is
+ * one. */
+START_TEST(two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one) {
+    MdtWorldID w = scene_world(3, 3, 10);
+    MdtBodyID left = scene_body(w, 1, 0, 1, 0), right = scene_body(w, 1, 5, 1, 0), top = scene_body(w, 1, 5, 3, 0);
+    scene_contact(w, left, 0, 0, 0, 0);
+    scene_contact(w, right, 0, 5, 0, 0);
+    scene_contact(w, top, right, 5, 2, 0);
+    MdtWorldStep(w, FRAME);
+    ck_assert_int_ne(MdtBodyGetPartition(left), MdtBodyGetPartition(right));
+    ck_assert_int_eq(MdtBodyGetPartition(top), MdtBodyGetPartition(right));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Dynamics guide ch. 1, "Partitioning the World": forces from outside are ignored; bodies that pull at each other by them
+ * stay apart. */
+START_TEST(forces_do_not_join_bodies) {
+    MdtWorldID w = scene_world(2, 0, 10);
+    MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 2, 0, 0);
+    for (int i = 0; i < 10; i++) {
+        MdtBodyAddForceAtPosition(a, 50, 0, 0, 1, 0, 0);
+        MdtBodyAddForceAtPosition(b, -50, 0, 0, 1, 0, 0);
+        MdtWorldStep(w, FRAME);
+        ck_assert_int_ne(MdtBodyGetPartition(a), MdtBodyGetPartition(b));
+    }
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* How many steps until the body is disabled; `most` when it is not. */
+static int stepsAwake(MdtWorldID w, MdtBodyID b, int most) {
+    int n = 0;
+    while (n < most && MdtBodyIsEnabled(b)) {
+        MdtWorldStep(w, FRAME);
+        n++;
+    }
+    return n;
+}
+
+/* Dynamics guide ch. 4, "Enabling/Disabling Bodies": a body that was awakened is kept alive for a number of steps at least,
+ * however still it is. The User Guide gives the window in seconds; both are offered, and each awakening begins it anew. */
+START_TEST(an_awakened_body_is_kept_alive_for_the_window) {
+    for (int window = 3; window <= 30; window += 9) {
+        MdtWorldID w = MdtWorldCreate(1, 0);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MdtWorldSetAutoDisableAliveWindow(w, window);
+        for (int awakening = 0; awakening < 3; awakening++) {
+            const int n = stepsAwake(w, b, 100);
+            ck_assert_msg(n >= window && n <= window + 2, "window %d: disabled in step %d", window, n);
+            MdtBodyEnable(b);
+        }
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* User Guide ch. 2, "AutoDisable": the bodies of a partition are disabled together, in one step. */
+START_TEST(a_partition_is_disabled_in_one_step) {
+    MdtWorldID w = MdtWorldCreate(3, 2);
+    MdtBodyID b[3];
+    for (int i = 0; i < 3; i++) {
+        b[i] = scene_body(w, 1, i, 0, 0);
+        if (i) {
+            MdtBSJointID j = MdtBSJointCreate(w);
+            MdtBSJointSetBodies(j, b[i - 1], b[i]);
+            MdtBSJointSetPosition(j, (MeReal)(i - .5), 0, 0);
+            MdtBSJointEnable(j);
+        }
+    }
+    MdtBodySetLinearVelocity(b[2], 0, (MeReal).5, 0);
+    for (int i = 0; i < 3; i++) {
+        MdtBodySetLinearVelocityDamping(b[i], 2);
+        MdtBodySetAngularVelocityDamping(b[i], 2);
+    }
+    int i = 0;
+    for (; i < 1000 && MdtBodyIsEnabled(b[0]); i++) {
+        for (int k = 1; k < 3; k++)
+            ck_assert_msg(MdtBodyIsEnabled(b[k]), "body %d rests before body 0, in step %d", k, i);
+        MdtWorldStep(w, FRAME);
+    }
+    ck_assert_int_gt(i, 12); /* it moved for longer than the window */
+    ck_assert_int_eq(MdtWorldGetEnabledBodies(w), 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* User Guide ch. 3: higher thresholds disable sooner. A velocity v0 exp(-d t) is below the threshold's root from
+ * ln(v0² / threshold) / (2 d) on. */
+START_TEST(higher_thresholds_disable_sooner) {
+    const double thresholds[] = {.25, .04, .01};
+    for (int k = 0; k < 3; k++) {
+        MdtWorldID w = MdtWorldCreate(1, 0);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MdtBodySetLinearVelocity(b, 1, 0, 0);
+        MdtBodySetLinearVelocityDamping(b, 1);
+        MdtWorldSetAutoDisableAccelerationThreshold(w, 100);
+        MdtWorldSetAutoDisableVelocityThreshold(w, (MeReal)thresholds[k]);
+        const double n = -.5 * log(thresholds[k]) / (double)FRAME;
+        assert_near(stepsAwake(w, b, 1000), n, 3);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one);
+    tcase_add_test(t, forces_do_not_join_bodies);
+    tcase_add_test(t, an_awakened_body_is_kept_alive_for_the_window);
+    tcase_add_test(t, a_partition_is_disabled_in_one_step);
+    tcase_add_test(t, higher_thresholds_disable_sooner);
+}
+
+TEST_MAIN("Behaviours_Partitions", tests)

@@ -1,0 +1,137 @@
+/* Documented behaviours: sort keys and determinism (Dynamics guide ch. 4, "Sort Keys - Deterministic Simulation").
+ *
+ * Already proved elsewhere:
+ *   same start, same order of data: identical results       test_World: the_same_scene_gives_the_same_bits
+ *   removing and adding again may change the order; sort keys restore it
+ *                                                            test_World: the_same_scene_gives_the_same_bits
+ *                                                            test_World: bodies_and_constraints_are_walked_in_the_order_...
+ *   ranges of the keys of collision models                   (belongs to collision)
+ */
+#include "behaviour.h"
+
+#define EVERY_TYPE(X)                                                                                                  \
+    X(Angular3)                                                                                                        \
+    X(BSJoint)                                                                                                         \
+    X(CarWheel)                                                                                                        \
+    X(ConeLimit)                                                                                                       \
+    X(FPFOJoint)                                                                                                       \
+    X(FixedPath)                                                                                                       \
+    X(Hinge)                                                                                                           \
+    X(Linear1)                                                                                                         \
+    X(Linear2)                                                                                                         \
+    X(Prismatic)                                                                                                       \
+    X(RPROJoint)                                                                                                       \
+    X(Spring)                                                                                                          \
+    X(Universal)                                                                                                       \
+    X(UserConstraint)                                                                                                  \
+    X(Spring6)                                                                                                         \
+    X(Skeletal)                                                                                                        \
+    X(Contact)                                                                                                         \
+    X(ContactGroup)
+
+static const MeI32 keys[] = {0, 1, 12345, 2147483647};
+enum { KEYS = sizeof keys / sizeof *keys };
+
+/* A key that is set is the key that is got, for a body, a contact, a contact group, a constraint and every joint type. */
+START_TEST(set_and_get_sort_key_round_trip_for_every_type) {
+    MdtWorldID w = scene_world(1, 18, 0);
+    MdtBodyID b = MdtBodyCreate(w);
+    for (int i = 0; i < KEYS; i++) {
+        MdtBodySetSortKey(b, keys[i]);
+        ck_assert_int_eq(MdtBodyGetSortKey(b), keys[i]);
+    }
+#define ROUND_TRIP(Type)                                                                                               \
+    {                                                                                                                  \
+        Mdt##Type##ID j = Mdt##Type##Create(w);                                                                        \
+        MdtConstraintID c = Mdt##Type##QuaConstraint(j);                                                               \
+        for (int i = 0; i < KEYS; i++) {                                                                               \
+            Mdt##Type##SetSortKey(j, keys[i]);                                                                         \
+            ck_assert_int_eq(Mdt##Type##GetSortKey(j), keys[i]);                                                       \
+            ck_assert_int_eq(MdtConstraintGetSortKey(c), keys[i]);                                                     \
+            MdtConstraintSetSortKey(c, keys[KEYS - 1 - i]);                                                            \
+            ck_assert_int_eq(Mdt##Type##GetSortKey(j), keys[KEYS - 1 - i]);                                            \
+        }                                                                                                              \
+    }
+    EVERY_TYPE(ROUND_TRIP)
+    MdtRPROJointID rpro = MdtConstraintDCastRPROJoint(MdtConstraintGetFirst(w));
+    for (MdtConstraintID c = MdtConstraintGetFirst(w); c && !rpro; c = MdtConstraintGetNext(c))
+        rpro = MdtConstraintDCastRPROJoint(c);
+    MdtRPROSetSortKey(rpro, 77); /* the guide's other spelling */
+    ck_assert_int_eq(MdtRPROGetSortKey(rpro), 77);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Keys are not negative: such a key gets a warning and changes nothing. */
+START_TEST(keys_lie_between_0_and_two_to_the_31_minus_1) {
+    MdtWorldID w = scene_world(1, 18, 0);
+    MdtBodyID b = MdtBodyCreate(w);
+    messages_catch();
+    MdtBodySetSortKey(b, 2147483647);
+    assert_silent();
+    MdtBodySetSortKey(b, -1);
+    assert_warned("sort key");
+    ck_assert_int_eq(MdtBodyGetSortKey(b), 2147483647);
+#define NOT_NEGATIVE(Type)                                                                                             \
+    {                                                                                                                  \
+        Mdt##Type##ID j = Mdt##Type##Create(w);                                                                        \
+        Mdt##Type##SetSortKey(j, 2147483647);                                                                          \
+        assert_silent();                                                                                               \
+        Mdt##Type##SetSortKey(j, -2147483647);                                                                         \
+        assert_warned("sort key");                                                                                     \
+        ck_assert_int_eq(Mdt##Type##GetSortKey(j), 2147483647);                                                        \
+    }
+    EVERY_TYPE(NOT_NEGATIVE)
+    messages_release();
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Five contacts under one body, made anew before every step in one order or in another. */
+static void runPile(MeBool reversed, MeBool keyed, MeReal out[2][4]) {
+    MdtWorldID w = scene_world(2, 8, 10);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    MdtContactID made[5] = {0};
+    for (int i = 0; i < 300; i++) {
+        for (int k = 0; k < 5; k++)
+            if (made[k])
+                MdtContactDestroy(made[k]);
+        for (int k = 0; k < 5; k++) {
+            const int at = reversed ? 4 - k : k;
+            made[at] = scene_contact(w, b, 0, at - 1.7, 0, .3 * at * at - 1);
+            MdtContactSetPenetration(made[at], (MeReal)(.001 * at));
+            MdtContactParamsSetType(MdtContactGetParams(made[at]), MdtContactTypeFriction2D);
+            MdtContactParamsSetFriction(MdtContactGetParams(made[at]), 1);
+            if (keyed)
+                MdtContactSetSortKey(made[at], at);
+        }
+        MdtBodyAddForce(b, (MeReal)sin(.1 * i), 0, 2);
+        MdtWorldStep(w, FRAME);
+    }
+    MdtBodyGetQuaternion(b, out[0]);
+    MdtBodyGetPosition(b, out[1]);
+    MdtWorldDestroy(w);
+}
+
+/* Removing contacts and adding them in another order changes the last digits; with sort keys not a bit. */
+START_TEST(sort_keys_restore_the_order_of_contacts_added_again) {
+    MeReal first[2][4] = {{0}}, again[2][4] = {{0}}, other[2][4] = {{0}};
+    runPile(0, 1, first);
+    runPile(0, 1, again);
+    runPile(1, 1, other);
+    ck_assert_msg(memcmp(first, again, sizeof first) == 0, "the same order gives other bits");
+    ck_assert_msg(memcmp(first, other, sizeof first) == 0,
+                  "another order of creation with the same keys gives other bits");
+    runPile(1, 0, other); /* without keys it is nearly the same */
+    for (int i = 0; i < 3; i++)
+        assert_near(other[1][i], first[1][i], 1e-2);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, set_and_get_sort_key_round_trip_for_every_type);
+    tcase_add_test(t, keys_lie_between_0_and_two_to_the_31_minus_1);
+    tcase_add_test(t, sort_keys_restore_the_order_of_contacts_added_again);
+}
+
+TEST_MAIN("Behaviours_SortKeys", tests)

@@ -1,0 +1,517 @@
+/* The car wheel: suspension, stops, steering and rolling, and a chassis on four of them.
+ *
+ * The quarter car: a chassis that can only go up and down, on one wheel that the ground keeps at its height. The steering
+ * axis is y, the hinge axis z. */
+#include "measure.h"
+
+static const double chassisMass = 20, wheelInertia = .1, g = 9.81, pi = 3.14159265358979323846;
+
+typedef struct {
+    MdtWorldID world;
+    MdtBodyID chassis, wheel;
+    MdtCarWheelID joint;
+} Car;
+
+static MdtBodyID makeWheel(MdtWorldID w, double x, double y, double z) {
+    MdtBodyID wheel = scene_body(w, 5, x, y, z);
+    MdtBodySetSphericalInertiaTensor(wheel, (MeReal)wheelInertia);
+    return wheel;
+}
+
+static MdtCarWheelID join(MdtWorldID w, MdtBodyID chassis, MdtBodyID wheel, double x, double y, double z) {
+    MdtCarWheelID j = MdtCarWheelCreate(w);
+    MdtCarWheelSetBodies(j, chassis, wheel);
+    MdtCarWheelSetPosition(j, (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtCarWheelSetSteeringAndHingeAxes(j, 0, 1, 0, 0, 0, 1);
+    MdtCarWheelEnable(j);
+    return j;
+}
+
+/* The ground: the wheel's centre stays at its height. */
+static void putOnGround(MdtWorldID w, MdtBodyID wheel, double x, double y, double z) {
+    MdtLinear1ID plane = MdtLinear1Create(w);
+    MdtLinear1SetBodies(plane, wheel, 0);
+    MdtLinear1SetPosition(plane, (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtLinear1SetAxis(plane, 0, 1, 0);
+    MdtLinear1Enable(plane);
+}
+
+static void guide(MdtWorldID w, MdtBodyID chassis) {
+    MdtPrismaticID rail = MdtPrismaticCreate(w);
+    MdtPrismaticSetBodies(rail, chassis, 0);
+    MdtPrismaticSetAxis(rail, 0, 1, 0);
+    MdtPrismaticEnable(rail);
+}
+
+static Car quarterCar(double gravity) {
+    const double edge[3] = {2, .4, 1};
+    Car c;
+    c.world = scene_world(2, 4, gravity);
+    MdtWorldSetEpsilon(c.world, 0);
+    c.chassis = scene_box(c.world, chassisMass, edge, 0, 1, 0);
+    c.wheel = makeWheel(c.world, 0, .3, 0);
+    guide(c.world, c.chassis);
+    putOnGround(c.world, c.wheel, 0, .3, 0);
+    c.joint = join(c.world, c.chassis, c.wheel, 0, .3, 0);
+    return c;
+}
+
+/* A wheel on the world in place of a chassis, without gravity: for steering and rolling. */
+static Car lonelyWheel(void) {
+    Car c;
+    c.world = scene_world(1, 1, 0);
+    MdtWorldSetEpsilon(c.world, 0);
+    c.chassis = NULL;
+    c.wheel = makeWheel(c.world, 0, 0, 0);
+    c.joint = join(c.world, NULL, c.wheel, 0, 0, 0);
+    return c;
+}
+
+static double chassisHeight(Car c) {
+    double p[3];
+    measure_position(c.chassis, p);
+    return p[1];
+}
+
+/* ---- suspension ---- */
+
+START_TEST(the_suspension_rests_where_its_spring_carries_the_load) {
+    const double kps[] = {500, 2000, 8000}, references[] = {0, .1, -.2};
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) {
+            Car c = quarterCar(g);
+            const double sag = chassisMass * g / kps[i];
+            double f[3];
+            MdtCarWheelSetSuspension(c.joint, (MeReal)kps[i], 300, 0, -2, 2, (MeReal)references[k]);
+            steps(c.world, 1200, FRAME);
+            assert_near(MdtCarWheelGetSuspensionHeight(c.joint), references[k] + sag, TOL(1e-6, 1e-8));
+            assert_near(MdtCarWheelGetSuspensionRate(c.joint), 0, 1e-8);
+            assert_near(chassisHeight(c), 1 - references[k] - sag, TOL(1e-6, 1e-8));
+            read_force(MdtCarWheelQuaConstraint(c.joint), 0, f);
+            assert_vec3_near(f, 0, chassisMass * g, 0, TOL(1e-4, 1e-6));
+            MdtWorldDestroy(c.world);
+        }
+}
+END_TEST
+
+START_TEST(the_suspension_is_a_damped_spring) {
+    const double kps[] = {400, 1600, 6400}, kds[] = {0, 20, 60};
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) {
+            Car c = quarterCar(g);
+            Swing swing = {0};
+            const double w0 = sqrt(kps[i] / chassisMass), decay = kds[k] / (2 * chassisMass), h = FRAME;
+            const double rest = chassisMass * g / kps[i];
+            MdtCarWheelSetSuspension(c.joint, (MeReal)kps[i], (MeReal)kds[k], 0, -10, 10, 0);
+            for (int n = 0; n < 3000 && swing.crossings < 9; n++) {
+                MdtWorldStep(c.world, FRAME);
+                swing_add(&swing, (double)MdtCarWheelGetSuspensionHeight(c.joint) - rest);
+            }
+            ck_assert_int_eq(swing.crossings, 9);
+            const double discrete = w0 * h * w0 * h / 20; /* the leapfrog swings faster by (ω h)²/24 */
+            assert_near_rel(swing_frequency(&swing, h), sqrt(w0 * w0 - decay * decay), discrete + 1e-4);
+            assert_near(swing_decay(&swing, h), decay, 2 * discrete * (decay + .02) + TOL(1e-4, 1e-5));
+            MdtWorldDestroy(c.world);
+        }
+}
+END_TEST
+
+/* The measured rate is that of the measured height. */
+START_TEST(the_suspension_rate_is_the_height_s) {
+    Car c = quarterCar(g);
+    MdtCarWheelSetSuspension(c.joint, 1000, 50, 0, -1, 1, 0);
+    double before = 0;
+    for (int n = 0; n < 100; n++) {
+        MdtWorldStep(c.world, FRAME);
+        const double height = MdtCarWheelGetSuspensionHeight(c.joint);
+        assert_near(MdtCarWheelGetSuspensionRate(c.joint), (height - before) / (double)FRAME, TOL(1e-4, 1e-7));
+        before = height;
+    }
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+/* The load is more than the spring carries before the high stop, or it is turned round before the low one. */
+START_TEST(hard_stops_are_not_passed) {
+    for (int side = -1; side <= 1; side += 2) {
+        Car c = quarterCar(g * side);
+        const double stop = side > 0 ? .07 : -.05;
+        double most = 0;
+        MdtCarWheelSetSuspension(c.joint, 500, 20, 0, (MeReal)-.05, (MeReal).07, 0);
+        for (int n = 0; n < 300; n++) {
+            MdtWorldStep(c.world, FRAME);
+            most = fmax(most, side * (double)MdtCarWheelGetSuspensionHeight(c.joint));
+        }
+        assert_near(most, stop * side, 1e-6);
+        assert_near(MdtCarWheelGetSuspensionHeight(c.joint), stop, TOL(1e-6, 1e-8));
+        ck_assert_int_eq(MdtConstraintGetRowCount(MdtCarWheelQuaConstraint(c.joint)),
+                         6); /* 3, steering, spring, stop */
+        MdtWorldDestroy(c.world);
+    }
+}
+END_TEST
+
+/* As a joint gives way by ε F h²/γ, so does a stop of this softness. */
+START_TEST(a_soft_stop_gives_way_by_its_softness) {
+    const double softness[] = {.01, .1}, h = FRAME, gamma = .2;
+    for (int i = 0; i < 2; i++) {
+        Car c = quarterCar(g);
+        MdtWorldSetGamma(c.world, (MeReal)gamma);
+        MdtCarWheelSetSuspension(c.joint, 0, 0, (MeReal)softness[i], (MeReal)-.05, (MeReal).07, 0);
+        steps(c.world, 2000, FRAME);
+        const double sag = softness[i] * chassisMass * g * h * h / gamma;
+        assert_near((double)MdtCarWheelGetSuspensionHeight(c.joint) - (double)(MeReal).07, sag,
+                    1e-3 * sag + TOL(1e-7, 1e-9));
+        MdtWorldDestroy(c.world);
+    }
+}
+END_TEST
+
+START_TEST(without_a_suspension_the_wheel_slides_freely) {
+    Car c = quarterCar(g);
+    MdtWorldStep(c.world, FRAME);
+    ck_assert_int_eq(MdtConstraintGetRowCount(MdtCarWheelQuaConstraint(c.joint)), 4);
+    const double start = chassisHeight(c);
+    double v[3];
+    measure_velocity(c.chassis, v);
+    steps(c.world, 29, FRAME);
+    const double t = 29 * (double)FRAME;
+    assert_near(start - chassisHeight(c), -v[1] * t + g * t * (t + (double)FRAME) / 2, TOL(1e-5, 1e-7));
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+/* ---- steering ---- */
+
+static void twistWheel(Car c, double torque) {
+    MdtBodyAddTorque(c.wheel, 0, (MeReal)torque, 0);
+}
+
+static double steeringOf(Car c) {
+    double z[3];
+    const double hinge[3] = {0, 0, 1};
+    measure_turnOut(c.wheel, hinge, z);
+    return atan2(z[0], z[2]); /* of the wheel about y */
+}
+
+START_TEST(a_locked_wheel_keeps_the_angle_0) {
+    Car c = lonelyWheel();
+    MdtCarWheelSetSteeringLimitedForceMotor(c.joint, 3, 10); /* rests while locked */
+    MdtCarWheelSetSteeringLock(c.joint, 1);
+    MdtBodySetAngularVelocity(c.wheel, 0, 0, 10);
+    for (int n = 0; n < 300; n++) {
+        double t[3];
+        twistWheel(c, 5 * sin(.1 * n));
+        MdtWorldStep(c.world, FRAME);
+        assert_near(MdtCarWheelGetSteeringAngle(c.joint), 0, TOL(1e-6, 1e-9));
+        assert_near(steeringOf(c), 0, TOL(1e-6, 1e-9));
+        read_torque(MdtCarWheelQuaConstraint(c.joint), 1, t);
+        assert_near(t[1], -5 * sin(.1 * n), 1e-3);
+    }
+    assert_near(MdtCarWheelGetHingeAngleRate(c.joint), 10, TOL(1e-4, 1e-6)); /* it rolls on */
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+START_TEST(a_new_wheel_s_steering_holds_its_angle) {
+    Car c = lonelyWheel();
+    for (int n = 0; n < 100; n++) {
+        twistWheel(c, 100);
+        MdtWorldStep(c.world, FRAME);
+    }
+    assert_near(steeringOf(c), 0, TOL(1e-6, 1e-9));
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+/* The motor turns the wheel against the chassis; the angle is that of the chassis against the wheel. */
+START_TEST(the_steering_motor_moves_and_stops) {
+    Car c = lonelyWheel();
+    const double speed = .5, force = .02, h = FRAME;
+    MdtCarWheelSetSteeringLimitedForceMotor(c.joint, (MeReal)speed, (MeReal)force);
+    double angle = 0;
+    for (int n = 1; n <= 240; n++) {
+        MdtWorldStep(c.world, FRAME);
+        const double rate = fmin(speed, force / wheelInertia * n * h);
+        angle += rate * h;
+        assert_near(steeringOf(c), angle, TOL(1e-5, 1e-8));
+        assert_near(MdtCarWheelGetSteeringAngle(c.joint), -angle, TOL(1e-5, 1e-8));
+        assert_near(MdtCarWheelGetSteeringAngleRate(c.joint), -rate, TOL(1e-5, 1e-8));
+    }
+    MdtCarWheelSetSteeringLimitedForceMotor(c.joint, 0, (MeReal)force);
+    steps(c.world, 240, FRAME);
+    angle = steeringOf(c);
+    for (int n = 0; n < 60; n++) { /* less than the motor holds */
+        twistWheel(c, .9 * force);
+        MdtWorldStep(c.world, FRAME);
+    }
+    assert_near(steeringOf(c), angle, TOL(1e-6, 1e-8));
+    double w[3];
+    twistWheel(c, 3 * force); /* and more */
+    MdtWorldStep(c.world, FRAME);
+    measure_rate(c.wheel, w);
+    assert_near(w[1], 2 * force / wheelInertia * h, TOL(1e-6, 1e-8));
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+START_TEST(a_motor_without_force_lets_the_steering_go) {
+    const MeReal forces[] = {0, -1};
+    for (int i = 0; i < 2; i++) {
+        Car c = lonelyWheel();
+        double w[3];
+        MdtCarWheelSetSteeringLimitedForceMotor(c.joint, 1, forces[i]);
+        MdtBodySetAngularVelocity(c.wheel, 0, 2, 0);
+        steps(c.world, 100, FRAME);
+        measure_rate(c.wheel, w);
+        assert_vec3_near(w, 0, 2, 0, TOL(1e-6, 1e-8));
+        ck_assert_int_eq(MdtConstraintGetRowCount(MdtCarWheelQuaConstraint(c.joint)), 3);
+        MdtWorldDestroy(c.world);
+    }
+}
+END_TEST
+
+/* The User Guide's controller: velocity = input + angle. */
+START_TEST(the_guide_s_steering_controller_settles) {
+    Car c = lonelyWheel();
+    const double input = .4;
+    for (int n = 0; n < 600; n++) {
+        const double velocity = 5 * (input + (double)MdtCarWheelGetSteeringAngle(c.joint));
+        MdtCarWheelSetSteeringLimitedForceMotor(c.joint, (MeReal)velocity, 10);
+        MdtWorldStep(c.world, FRAME);
+    }
+    assert_near(MdtCarWheelGetSteeringAngle(c.joint), -input, TOL(1e-6, 1e-8));
+    assert_near(steeringOf(c), input, TOL(1e-6, 1e-8));
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+START_TEST(the_steering_angle_goes_from_minus_pi_to_pi) {
+    Car c = lonelyWheel();
+    MdtCarWheelSetSteeringLimitedForceMotor(c.joint, -2, 1000);
+    double angle = 0;
+    for (int n = 0; n < 300; n++) {
+        MdtWorldStep(c.world, FRAME);
+        angle += 2 * (double)FRAME;
+        assert_near(remainder((double)MdtCarWheelGetSteeringAngle(c.joint) - angle, 2 * pi), 0, TOL(1e-5, 1e-7));
+        ck_assert(fabs((double)MdtCarWheelGetSteeringAngle(c.joint)) <= pi + 1e-6);
+    }
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+/* One axis after the other, in any order, on a wheel that stands turned: straight on is as it stands then. */
+START_TEST(axes_set_one_by_one_count_from_where_the_bodies_stand) {
+    for (int order = 0; order < 2; order++) {
+        Car c = lonelyWheel();
+        double R[3][3], before[3][3];
+        MdtCarWheelDisable(c.joint);
+        MdtCarWheelReset(c.joint); /* steering z, hinge y: each new axis is along an old one */
+        MdtBodySetQuaternion(c.wheel, (MeReal).6, (MeReal).4, (MeReal)-.5, (MeReal).3);
+        for (int i = 0; i < 2; i++) {
+            if (i == order)
+                MdtCarWheelSetSteeringAxis(c.joint, 0, 2, 0);
+            else
+                MdtCarWheelSetHingeAxis(c.joint, 0, 0, 3);
+        }
+        MdtCarWheelSetSteeringLock(c.joint, 1);
+        MdtCarWheelEnable(c.joint);
+        measure_rotation(c.wheel, before);
+        steps(c.world, 10, FRAME);
+        measure_rotation(c.wheel, R);
+        for (int i = 0; i < 3; i++)
+            assert_vec3_near(R[i], before[i][0], before[i][1], before[i][2], TOL(1e-6, 1e-9));
+        assert_near(MdtCarWheelGetSteeringAngle(c.joint), 0, TOL(1e-6, 1e-9));
+        assert_near(MdtCarWheelGetHingeAngle(c.joint), 0, TOL(1e-3, 1e-7)); /* an arc cosine at 1 */
+        MeVector3 axis;
+        MdtCarWheelGetSteeringAxis(c.joint, axis);
+        assert_vec3_near(axis, 0, 1, 0, TOL(1e-6, 1e-9));
+        MdtCarWheelGetHingeAxis(c.joint, axis);
+        assert_vec3_near(axis, 0, 0, 1, TOL(1e-6, 1e-9));
+        MdtWorldDestroy(c.world);
+    }
+}
+END_TEST
+
+/* ---- rolling ---- */
+
+START_TEST(the_hinge_motor_drives_and_brakes) {
+    Car c = lonelyWheel();
+    const double force = .3, speed = 12, h = FRAME;
+    double w[3], t[3];
+    MdtCarWheelSetHingeLimitedForceMotor(c.joint, (MeReal)speed, (MeReal)force);
+    for (int n = 1; n <= 300; n++) {
+        MdtWorldStep(c.world, FRAME);
+        measure_rate(c.wheel, w);
+        const double rate = fmin(speed, force / wheelInertia * n * h);
+        assert_vec3_near(w, 0, 0, rate, TOL(2e-5, 1e-7));
+        assert_near(MdtCarWheelGetHingeAngleRate(c.joint), rate, TOL(2e-5, 1e-7));
+        read_torque(MdtCarWheelQuaConstraint(c.joint), 0, t);
+        if (rate < speed)
+            assert_near(t[2], -force, TOL(1e-6, 1e-8)); /* on the chassis */
+    }
+    MdtCarWheelSetHingeLimitedForceMotor(c.joint, 0, (MeReal)force);
+    for (int n = 1; n <= 300; n++) {
+        MdtWorldStep(c.world, FRAME);
+        const double rate = fmax(0, speed - force / wheelInertia * n * h);
+        assert_near(MdtCarWheelGetHingeAngleRate(c.joint), rate, TOL(2e-5, 1e-7));
+    }
+    MdtBodyAddTorque(c.wheel, 0, 0, (MeReal)(.9 * force)); /* the brake holds */
+    MdtWorldStep(c.world, FRAME);
+    assert_near(MdtCarWheelGetHingeAngleRate(c.joint), 0, TOL(1e-6, 1e-8));
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+/* The wheel turns round and round; the angle goes up and down between 0 and pi. */
+START_TEST(the_hinge_angle_is_between_0_and_pi) {
+    Car c = lonelyWheel();
+    double angle = 0;
+    MdtBodySetAngularVelocity(c.wheel, 0, 0, 7);
+    for (int n = 0; n < 200; n++) {
+        MdtWorldStep(c.world, FRAME);
+        angle += 7 * (double)FRAME;
+        assert_near(MdtCarWheelGetHingeAngle(c.joint), acos(cos(angle)), TOL(2e-4, 1e-6));
+        ck_assert(MdtCarWheelGetHingeAngle(c.joint) >= 0 && MdtCarWheelGetHingeAngle(c.joint) <= (MeReal)(pi + 1e-6));
+    }
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+static void giveWheelShape(MdtBodyID wheel) {
+    MeMatrix3 I;
+    MdtMakeInertiaTensorBox(10, (MeReal).6, (MeReal).6, (MeReal).2, I);
+    MdtBodySetMass(wheel, 10);
+    MdtBodySetInertiaTensor(wheel, I);
+}
+
+/* The wheel rolls half a radian a step; it is steered all the same by what the motor says. */
+START_TEST(a_rolling_wheel_is_steered) {
+    Car c = lonelyWheel();
+    giveWheelShape(c.wheel);
+    MdtBodySetAngularVelocity(c.wheel, 0, 0, 30);
+    MdtCarWheelSetSteeringLimitedForceMotor(c.joint, 1, 1000);
+    for (int n = 0; n < 120; n++) {
+        MdtWorldStep(c.world, FRAME);
+        double z[3];
+        const double hinge[3] = {0, 0, 1};
+        measure_turnOut(c.wheel, hinge, z);
+        assert_near(z[1], 0, TOL(1e-6, 1e-8));
+        assert_near(MdtCarWheelGetHingeAngleRate(c.joint), 30, .01);
+        assert_near(steeringOf(c), (n + 1) * (double)FRAME, TOL(1e-5, 1e-7));
+    }
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+/* A car that goes round in circles: the motor that holds the steering does. */
+START_TEST(a_rolling_wheel_in_a_bend_does_not_steer_itself) {
+    Car c;
+    c.world = scene_world(2, 1, 0);
+    MdtWorldSetEpsilon(c.world, 0);
+    c.chassis = scene_body(c.world, 1000, 0, 0, 0);
+    MdtBodySetSphericalInertiaTensor(c.chassis, 1000000);
+    c.wheel = makeWheel(c.world, 0, 0, 0);
+    giveWheelShape(c.wheel);
+    c.joint = join(c.world, c.chassis, c.wheel, 0, 0, 0);
+    MdtBodySetAngularVelocity(c.chassis, 0, 1, 0);
+    MdtBodySetAngularVelocity(c.wheel, 0, 1, 30);
+    for (int n = 0; n < 600; n++) {
+        MdtWorldStep(c.world, FRAME);
+        assert_near(MdtCarWheelGetSteeringAngle(c.joint), 0, TOL(1e-5, 1e-6));
+    }
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+/* ---- a chassis on four wheels ---- */
+
+static const double halfBase = 1.2, halfTrack = .7, kp = 3000, kd = 400, bodyMass = 100;
+
+typedef struct {
+    MdtWorldID world;
+    MdtBodyID chassis, wheel[4];
+    MdtCarWheelID joint[4];
+} FourWheels;
+
+/* Front wheels at +x; left at +z. The chassis' weight is d ahead of the middle. */
+static FourWheels makeFourWheels(double d) {
+    const double edge[3] = {3, .5, 1.6};
+    FourWheels c;
+    c.world = scene_world(5, 8, g);
+    MdtWorldSetEpsilon(c.world, 0);
+    c.chassis = scene_box(c.world, bodyMass, edge, d, .3, 0); /* as high as the wheels: no lever when it pitches */
+    for (int i = 0; i < 4; i++) {
+        const double x = i < 2 ? halfBase : -halfBase, z = i % 2 == 0 ? halfTrack : -halfTrack;
+        c.wheel[i] = makeWheel(c.world, x, .3, z);
+        putOnGround(c.world, c.wheel[i], x, .3, z);
+        c.joint[i] = join(c.world, c.chassis, c.wheel[i], x, .3, z);
+        MdtCarWheelSetSteeringLock(c.joint[i], i >= 2);
+        MdtCarWheelSetSuspension(c.joint[i], (MeReal)kp, (MeReal)kd, 0, (MeReal)-.5, (MeReal).5, 0);
+    }
+    return c;
+}
+
+/* Levers: the front carries (halfBase + d) / (2 halfBase) of the weight. */
+START_TEST(four_wheels_share_the_weight_by_their_levers) {
+    const double ds[] = {0, .3, -.5};
+    for (int k = 0; k < 3; k++) {
+        FourWheels c = makeFourWheels(ds[k]);
+        double up[3], y[3] = {0, 1, 0};
+        steps(c.world, 900, FRAME);
+        for (int i = 0; i < 4; i++) {
+            const double share = .25 * (1 + (i < 2 ? ds[k] : -ds[k]) / halfBase);
+            assert_near_rel(MdtCarWheelGetSuspensionHeight(c.joint[i]), share * bodyMass * g / kp, 5e-3);
+        }
+        measure_turnOut(c.chassis, y, up);
+        const double drop = ds[k] / halfBase * .5 * bodyMass * g / kp; /* of the front against the rear */
+        /* pitched by θ, a wheel h above its attachment stands h θ beside it: up to 1 % of the lever d */
+        assert_near(up[0], drop / (2 * halfBase), 1e-2 * fabs(drop) / (2 * halfBase) + TOL(1e-5, 1e-7));
+        assert_near(up[2], 0, TOL(1e-5, 1e-8));
+        MdtWorldDestroy(c.world);
+    }
+}
+END_TEST
+
+/* Each motor's torque T turns its wheel with T / I and the chassis the other way, until the springs balance four of them:
+ * 4 T = 4 kp δ halfBase. */
+START_TEST(driving_wheels_pitch_the_chassis) {
+    FourWheels c = makeFourWheels(0);
+    const double T = 20;
+    steps(c.world, 600, FRAME);
+    const double rest = MdtCarWheelGetSuspensionHeight(c.joint[0]);
+    for (int i = 0; i < 4; i++)
+        MdtCarWheelSetHingeLimitedForceMotor(c.joint[i], -10000, (MeReal)T);
+    steps(c.world, 400, FRAME);
+    for (int i = 0; i < 4; i++) {
+        const double lift = T / (kp * halfBase) * (i < 2 ? -1 : 1);
+        assert_near((double)MdtCarWheelGetSuspensionHeight(c.joint[i]) - rest, lift, 5e-5);
+        assert_near_rel(MdtCarWheelGetHingeAngleRate(c.joint[i]), -T / wheelInertia * 400 * (double)FRAME, 1e-3);
+    }
+    MdtWorldDestroy(c.world);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, the_suspension_rests_where_its_spring_carries_the_load);
+    tcase_add_test(t, the_suspension_is_a_damped_spring);
+    tcase_add_test(t, the_suspension_rate_is_the_height_s);
+    tcase_add_test(t, hard_stops_are_not_passed);
+    tcase_add_test(t, a_soft_stop_gives_way_by_its_softness);
+    tcase_add_test(t, without_a_suspension_the_wheel_slides_freely);
+    tcase_add_test(t, a_locked_wheel_keeps_the_angle_0);
+    tcase_add_test(t, a_new_wheel_s_steering_holds_its_angle);
+    tcase_add_test(t, the_steering_motor_moves_and_stops);
+    tcase_add_test(t, a_motor_without_force_lets_the_steering_go);
+    tcase_add_test(t, the_guide_s_steering_controller_settles);
+    tcase_add_test(t, the_steering_angle_goes_from_minus_pi_to_pi);
+    tcase_add_test(t, axes_set_one_by_one_count_from_where_the_bodies_stand);
+    tcase_add_test(t, the_hinge_motor_drives_and_brakes);
+    tcase_add_test(t, the_hinge_angle_is_between_0_and_pi);
+    tcase_add_test(t, a_rolling_wheel_is_steered);
+    tcase_add_test(t, a_rolling_wheel_in_a_bend_does_not_steer_itself);
+    tcase_add_test(t, four_wheels_share_the_weight_by_their_levers);
+    tcase_add_test(t, driving_wheels_pitch_the_chassis);
+}
+
+TEST_MAIN("CarWheel", tests)
