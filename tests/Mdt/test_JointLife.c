@@ -685,8 +685,10 @@ static void changeSpring6(MdtSpring6ID j) {
         MdtSpring6SetAngularDamping(j, i, (MeReal)(10 + i));
     }
     for (int i = 0; i < 3; i++) {
-        ck_assert(MdtSpring6GetLinearStiffness(j, i) == 1 + i && MdtSpring6GetLinearDamping(j, i) == 4 + i);
-        ck_assert(MdtSpring6GetAngularStiffness(j, i) == 7 + i && MdtSpring6GetAngularDamping(j, i) == 10 + i);
+        ck_assert(MdtSpring6GetLinearStiffness(j, i) == (MeReal)(1 + i) &&
+                  MdtSpring6GetLinearDamping(j, i) == (MeReal)(4 + i));
+        ck_assert(MdtSpring6GetAngularStiffness(j, i) == (MeReal)(7 + i) &&
+                  MdtSpring6GetAngularDamping(j, i) == (MeReal)(10 + i));
     }
 }
 
