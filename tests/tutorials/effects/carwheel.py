@@ -26,7 +26,7 @@ def check():
 
 
 def turns():
-    """The steering geometry says where the middle of the rear axle goes; the car's centre is half the base before it."""
+    """The steering says where the middle of the rear axle goes; the car's centre is half the base before it."""
     rear = BASE / math.tan(0.3)
     line, opposite = (status(n, SLOW_LEFT) for n in (300, 300 + round(60 * math.pi * rear / 2)))
     near(figure(line, 'turns'), math.degrees(2 / rear), 0.1, 'the rate of turning')
