@@ -187,8 +187,32 @@ START_TEST(the_angular_spring_gives_way_by_torque_over_stiffness) {
         MdtWorldStep(w, FRAME);
     }
     measure_rotation(b, R);
-    assert_near(atan2(R[2][1], R[1][1]), .02, 2e-6); /* its torque is k sin θ */
+    assert_near(atan2(R[2][1], R[1][1]), .02, 2e-6);
     MdtWorldDestroy(w);
+}
+END_TEST
+
+/* T = -k θ however far it is turned, about an axis across the free one, and without a free one about any. */
+START_TEST(the_angular_spring_is_linear_in_the_angle) {
+    for (int rotates = 0; rotates < 2; rotates++)
+        for (int degrees = 30; degrees <= 150; degrees += 30) {
+            const double angle = degrees * 3.14159265358979323846 / 180;
+            MdtWorldID w = scene_world(1, 1, 0);
+            MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+            MdtAngular3ID j = MdtAngular3Create(w);
+            double t[3];
+            MdtAngular3SetBodies(j, b, 0);
+            MdtAngular3SetAxis(j, 0, 1, 0);
+            MdtAngular3EnableRotation(j, rotates);
+            MdtAngular3SetStiffness(j, 2);
+            MdtAngular3SetDamping(j, 0);
+            MdtAngular3Enable(j);
+            MdtBodySetQuaternion(b, (MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2));
+            MdtWorldStep(w, (MeReal)1e-3);
+            read_torque(MdtAngular3QuaConstraint(j), 0, t);
+            assert_vec3_near(t, 0, 0, -2 * angle, TOL(5e-6, 1e-7));
+            MdtWorldDestroy(w);
+        }
 }
 END_TEST
 
@@ -251,6 +275,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, rotation_disabled_again);
     tcase_add_test(t, the_angular_spring_swings);
     tcase_add_test(t, the_angular_spring_gives_way_by_torque_over_stiffness);
+    tcase_add_test(t, the_angular_spring_is_linear_in_the_angle);
     tcase_add_test(t, keeping_things_upright);
     tcase_add_test(t, as_long_as_one_value_is_infinite_it_is_rigid);
 }

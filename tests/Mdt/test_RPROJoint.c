@@ -315,6 +315,26 @@ START_TEST(a_clamped_beam) {
 }
 END_TEST
 
+/* The strength is a torque, however far the joint is from its quaternion. */
+START_TEST(overpowered_it_pulls_with_its_strength_at_any_angle) {
+    for (int degrees = 30; degrees <= 150; degrees += 30) {
+        const double angle = degrees * 3.14159265358979323846 / 180;
+        MdtWorldID w = scene_world(1, 1, 0);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MdtRPROJointID j = MdtRPROJointCreate(w);
+        double t[3];
+        MdtRPROJointSetBodies(j, b, 0);
+        MdtRPROJointSetAngularStrength(j, 3, 3, 3);
+        MdtRPROJointEnable(j);
+        MdtBodySetQuaternion(b, (MeReal)cos(angle / 2), 0, (MeReal)sin(angle / 2), 0);
+        MdtWorldStep(w, FRAME);
+        read_torque(MdtRPROJointQuaConstraint(j), 0, t);
+        assert_vec3_near(t, 0, -3, 0, TOL(1e-5, 1e-9));
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, a_constant_angular_velocity_is_followed_exactly);
     tcase_add_test(t, one_body_is_driven_in_another);
@@ -322,6 +342,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, the_attachment_frames_are_held_together);
     tcase_add_test(t, the_joint_holds_up_to_its_linear_strength);
     tcase_add_test(t, the_joint_holds_up_to_its_angular_strength);
+    tcase_add_test(t, overpowered_it_pulls_with_its_strength_at_any_angle);
     tcase_add_test(t, no_strength_no_hold);
     tcase_add_test(t, two_halves_held_together_move_as_the_whole);
     tcase_add_test(t, a_clamped_beam);

@@ -6,8 +6,8 @@
  *   - rigid: it does not turn at all;
  *   - springy, with a finite stiffness and damping: it rocks and comes back;
  *   - with the rotation about its axis enabled: it spins, and stays upright.
- * All four are the same otherwise, hop on their round feet, whose contacts the program makes as Bounce does, and get the
- * same blows: key 3 strikes them off their middle, key 4 throws them up again.
+ * All four are the same otherwise, hop on their round feet, whose contacts the program makes as Bounce does, and get
+ * the same blows: key 3 strikes them off their middle, key 4 throws them up again.
  */
 #include "Mdt.h"
 #include "MeViewer.h"
@@ -101,8 +101,8 @@ static void MEAPI livelier(RRender *context, void *userdata) {
     change(0, (MeReal)-0.1);
 }
 
-/* The balls at the foot and at the head may touch the ground with their lowest points. There is no friction, and a force
- * at the foot goes through the centre of mass: the ground does not turn a top that stands. */
+/* The balls at the foot and at the head may touch the ground with their lowest points. There is no friction, and a
+ * force at the foot goes through the centre of mass: the ground does not turn a top that stands. */
 static void renewContact(int i, int end) {
     const MeVector3 middle = {0, end == FOOT ? 0 : headHeight, 0};
     const MeReal r = end == FOOT ? radius : headRadius;

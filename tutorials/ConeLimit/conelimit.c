@@ -155,8 +155,7 @@ static MeReal angleOf(int i) {
 
 static void showFigures(void) {
     char text[200];
-    int n =
-        snprintf(text, sizeof text, "tilt %d deg, sides %s    angles (deg):", tilt, isSoft ? "soft" : "hard");
+    int n = snprintf(text, sizeof text, "tilt %d deg, sides %s    angles (deg):", tilt, isSoft ? "soft" : "hard");
     for (int i = 0; i < PENDULUMS; i++) {
         most[i] = MeMAX(most[i], angleOf(i));
         n += snprintf(text + n, sizeof text - (size_t)n, "    %.2f of %d, most %.2f",

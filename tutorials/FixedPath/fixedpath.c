@@ -1,9 +1,10 @@
 /* FixedPath: a crane whose trolley follows a path (Dynamics guide, chapter 3, "MdtFixedPath").
  *
- * A fixed-path joint is a ball and socket whose place the program moves. There is no body for the trolley: the rod hangs
- * from a point of the world, and before every step the program says where that point is now and how fast it moves. With
- * the velocity the rod's top is on the path exactly. Without it (key 3) the joint only notices that it has been left
- * behind and mends a part of that, gamma, in every step: then it follows at a distance of velocity * step / gamma.
+ * A fixed-path joint is a ball and socket whose place the program moves. There is no body for the trolley: the rod
+ * hangs from a point of the world, and before every step the program says where that point is now and how fast it
+ * moves. With the velocity the rod's top is on the path exactly. Without it (key 3) the joint only notices that it
+ * has been left behind and mends a part of that, gamma, in every step: then it follows at a distance of
+ * velocity * step / gamma.
  *
  * On the circle the load starts with the motion that it can keep: the rod's angle stays the same all the time. On the
  * figure of eight (key 4) it swings as any crane's load does.
@@ -48,8 +49,9 @@ static void pathAt(MeReal a, MeVector3 p, MeVector3 v) {
     }
 }
 
-/* The angle at which the load keeps going round with the trolley: gravity and the centripetal acceleration agree with the
- * direction of the rod, tan a = omega^2 (radius + length sin a) / g. Below the pendulum's own frequency it is outward. */
+/* The angle at which the load keeps going round with the trolley: gravity and the centripetal acceleration agree with
+ * the direction of the rod, tan a = omega^2 (radius + length sin a) / g. Below the pendulum's own frequency it is
+ * outward. */
 static MeReal steadyAngle(void) {
     MeReal a = 0;
     for (int i = 0; i < 200; i++)
@@ -124,8 +126,8 @@ static void MEAPI smaller(RRender *context, void *userdata) {
     change(0, (MeReal)-0.25);
 }
 
-/* Before the step: where the path is now, and how fast it moves on. A step goes straight on, so it is given the velocity
- * that leads to the next point. */
+/* Before the step: where the path is now, and how fast it moves on. A step goes straight on, so it is given the
+ * velocity that leads to the next point. */
 static void movePath(void) {
     MeVector3 now, next, v;
     pathAt(phase, now, v);

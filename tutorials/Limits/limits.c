@@ -3,10 +3,10 @@
  * Each weight slides on a rod, a prismatic joint, whose limit has a lower stop. From left to right:
  *   hard stops, of infinite stiffness, with the restitution 0, 0.5 and 1: the speed after the impact is so many times
  *     the speed before, so the weight comes back to 0, a quarter, and all of its height;
- *   soft stops, springs that begin where the stop is: a strong one without damping, the same one with damping, and a weak
- *     one with damping. They only push: a weight that comes up leaves them.
- * The bright rings show how high the first rebound went. Try: key 3 lowers the limits' stiffness threshold. A stop whose
- * stiffness is above it counts as hard, and then its restitution is used in place of its damping.
+ *   soft stops, springs that begin where the stop is: a strong one without damping, the same one with damping, and a
+ *     weak one with damping. They only push: a weight that comes up leaves them.
+ * The bright rings show how high the first rebound went. Try: key 3 lowers the limits' stiffness threshold. A stop
+ * whose stiffness is above it counts as hard, and then its restitution is used in place of its damping.
  */
 #include "Mdt.h"
 #include "MeViewer.h"
@@ -227,7 +227,7 @@ static void createControls(void) {
     static const char *const help[] = {
         "Weights fall on hard stops and on soft ones.",
         "$ACTION2 - start again",
-        "$ACTION3 - stiffness threshold low or none",
+        "$ACTION3 - a low stiffness threshold, or none at all",
         "$ACTION4 - second stop's restitution",
         "$UP, $DOWN - drop from higher, from lower",
         "$RIGHT, $LEFT - stiffness of the springs",

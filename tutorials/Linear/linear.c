@@ -1,9 +1,10 @@
 /* Linear: beads in a plane and on a rail (Dynamics guide, chapter 3, "MdtLinear1" and "MdtLinear2").
  *
- * Linear1 keeps a point of a body in a plane: it takes one degree of freedom. Three beads are thrown in a tilted pane of
- * glass. Across the slope nothing acts on them, down the slope a part of gravity, g sin(tilt): they fly in parabolas, as
- * if gravity had become weaker. Linear2 keeps a point on a line. The bead on the rail beside the pane is thrown up the
- * slope as fast as the middle one of the three, apart from its motion across: the two stay at one height.
+ * Linear1 keeps a point of a body in a plane: it takes one degree of freedom. Three beads are thrown in a tilted pane
+ * of glass. Across the slope nothing acts on them, down the slope a part of gravity, g sin(tilt): they fly in
+ * parabolas, as if gravity had become weaker. Linear2 keeps a point on a line. The bead on the rail beside the pane
+ * is thrown up the slope as fast as the middle one of the three, apart from its motion across: the two stay at one
+ * height.
  *
  * What the joints bear is the other part of gravity, g cos(tilt), at right angles to the slope. Try: key 3 makes a wind
  * blow against the pane, which changes the joints' force and nothing else.
@@ -95,7 +96,7 @@ static void setJoints(void) {
     MdtLinear2Enable(rail);
 }
 
-/* The graphics that lie in the slope, and posts from the ground to its corners. A graphic's transform may stretch it. */
+/* The graphics that lie in the slope, and posts from the ground to its corners. A transform may stretch a graphic. */
 static void placeGraphics(void) {
     const MeReal x[4] = {-width / 2, width / 2, railX, railX};
     MeMatrix3 R;

@@ -10,7 +10,7 @@ def check():
     """No pendulum leaves its cone; in tilted cones they rest at the side, or at a soft one's balance."""
     for keys, fastest in ('', 4.3), (TILT, 6), ('4@100,4@200', 6):  # m/s, more than the energy allows
         for half, most in zip((15, 30, 50), figures(status(600, keys), 'most')):
-            assert half - 0.5 < most <= half + beyond(half, fastest), f'of {half} degrees: {most} with the keys "{keys}"'
+            assert half - 0.5 < most <= half + beyond(half, fastest), f'{half}: {most} with "{keys}"'
     for half, angle in zip((15, 30, 50), figures(status(6000, TILT), r'(?<=\s{3})')):
         near(angle, half, 0.05, 'the angle at rest at the side')
     for half, angle in zip((15, 30, 50), figures(status(6000, TILT + ',3@1'), r'(?<=\s{3})')):
@@ -34,5 +34,6 @@ def balance(half):
     low, high = math.radians(half), math.radians(60)
     for _ in range(60):
         a = (low + high) / 2
-        low, high = (a, high) if 100 * (a - math.radians(half)) < 9.8 * 1.8 * math.sin(math.radians(60) - a) else (low, a)
+        isBelow = 100 * (a - math.radians(half)) < 9.8 * 1.8 * math.sin(math.radians(60) - a)
+        low, high = (a, high) if isBelow else (low, a)
     return math.degrees(low)

@@ -4,7 +4,7 @@ from tutorial import figure, near, status
 
 
 def check():
-    """In the pane: a throw with gravity g sin(tilt). The rail's bead keeps up. The joints bear g cos(tilt) and the wind."""
+    """In the pane: a throw with gravity g sin(tilt). The rail's bead keeps up. The joints bear the rest and wind."""
     for keys, tilt, speed in ('', 30, 5), ('Up@1,Up@1', 40, 5), ('Down@1,Right@1', 25, 5.5):
         slope, e = math.radians(tilt), math.radians(53)
         for frames in 20, 50, 75:
