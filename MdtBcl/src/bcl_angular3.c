@@ -3,9 +3,9 @@
  * Three rows of the turn between the frames (bcl_turnRows). With the rotation enabled it is Angular2: the two rows that
  * hold the primary axes together, as in a hinge.
  *
- * With finite stiffness and damping it is a damped spring instead, whose torque on body 0 is -k θ n - c ω however large the
- * angle is: θ n is the rotation vector between the frames, or, with the rotation enabled, between the primary axes. It has
- * a row for each axis of a frame, and the rotation vector's components there as errors.
+ * With finite stiffness and damping it is a damped spring instead, whose torque on body 0 is -k θ n - c ω however large
+ * the angle is: θ n is the rotation vector between the frames, or, with the rotation enabled, between the primary axes.
+ * It has a row for each axis of a frame, and the rotation vector's components there as errors.
  */
 #include "bcl_i.h"
 
@@ -52,12 +52,6 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
         bcl_turnErrors(c, pose, NULL, e);
 }
 
-/* The rotation vector of a turn w + v (w >= 0), in the axes of either frame: it is the same in both. */
-static void rotationVector(const double turn[4], double rotation[3]) {
-    const double sine = keaLength(turn + 1);
-    keaScale(rotation, sine > 0 ? 2 * atan2(sine, turn[0]) / sine : 2, turn + 1);
-}
-
 /* The rotation vector from the primary axis of frame 1 to that of frame 0, in the axes of frame 0: it has no first
  * component. Opposite axes have no direction to turn back in; then it is 0. */
 static void leaning(double axes[3][3], const double to[3], double rotation[3]) {
@@ -77,13 +71,11 @@ static void fillSprings(const MdtBclConstraint *c, const MdtBclContext *x, MdtKe
         leaning(axes, to, rotation);
     } else {
         bcl_turnBetween(turn, c, x->pose, NULL);
-        rotationVector(turn, rotation);
+        bcl_rotationVector(turn, rotation);
     }
     const int count = countOf(c), first = 3 - count;
     for (int i = 0; i < count; i++) {
-        bcl_startRow(&rows[i], x);
-        keaCopy(rows[i].J[0].ang, axes[first + i]);
-        keaScale(rows[i].J[1].ang, -1, axes[first + i]);
+        bcl_spinRow(x, axes[first + i], &rows[i]);
         bcl_makeSpring(&rows[i], rotation[first + i], joint->stiffness, joint->damping);
     }
 }

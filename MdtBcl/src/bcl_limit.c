@@ -53,8 +53,8 @@ static double fastestTowards(const MdtBclLimit *limit, int side, double rate, do
     return limit->rows & MOTOR ? fmin(slowest, sign * (double)limit->desired_vel) : slowest;
 }
 
-/* Whether the stop can matter in this step. The margin of twice the way that is left covers what other rows may add; a stop
- * that carried a force in the last step stays in, or a load at rest on it would rattle. */
+/* Whether the stop can matter in this step. The margin of twice the way that is left covers what other rows may add; a
+ * stop that carried a force in the last step stays in, or a load at rest on it would rattle. */
 static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double h) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
     const double z = distanceToStop(limit, side);

@@ -83,7 +83,8 @@ static void shiftTargets(MdtKeaSystem *s) {
 }
 
 /* Newton's iteration for the position rows with the matrix of the start of the step: each pass turns what is missing
- * into velocity. It contracts by about h ω; where the motion is too violent for that, the first-order answer is kept. */
+ * into velocity. It contracts by about h ω; where the motion is too violent for that, the first-order answer is kept.
+ * */
 static void correctPositions(MdtKeaSystem *s) {
     kea_moveWithForces(s);
     if (!hasPositionRows(s))

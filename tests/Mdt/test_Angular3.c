@@ -1,4 +1,5 @@
-/* The angular joint: an orientation is kept, the place is free; Angular2 with a free rotation; and the angular spring. */
+/* The angular joint: an orientation is kept, the place is free; Angular2 with a free rotation; and the angular spring.
+ * */
 #include "measure.h"
 
 static const double edge[3] = {.5, .8, .3};

@@ -1,5 +1,5 @@
-/* What holds for the life of every joint, under each joint's own names: creation, attachment, bookkeeping, casts, defaults
- * and reset, and every function's answer to handles that are null or dead. */
+/* What holds for the life of every joint, under each joint's own names: creation, attachment, bookkeeping, casts,
+ * defaults and reset, and every function's answer to handles that are null or dead. */
 #include "MeMath.h"
 #include "scene.h"
 

@@ -1,10 +1,11 @@
-/* What holds for the motion of every joint: the degrees of freedom that it removes stay removed and the others free, its
- * forces are opposite and balance loads, momentum is kept, the order of the bodies does not matter where both sides have
- * the same role, and places where a joint loses its meaning are survived.
+/* What holds for the motion of every joint: the degrees of freedom that it removes stay removed and the others free,
+ * its forces are opposite and balance loads, momentum is kept, the order of the bodies does not matter where both sides
+ * have the same role, and places where a joint loses its meaning are survived.
  *
- * Every joint is set up between two bodies at the same places, with the same frame: the axes p, o, t = p x o at a point P.
- * Where its two sides stand to each other is measured from the bodies' poses in the joint's six coordinates: the way from
- * side 1's point to side 0's along side 1's axes, and the turn of side 0's axes against side 1's as a rotation vector. */
+ * Every joint is set up between two bodies at the same places, with the same frame: the axes p, o, t = p x o at a point
+ * P. Where its two sides stand to each other is measured from the bodies' poses in the joint's six coordinates: the way
+ * from side 1's point to side 0's along side 1's axes, and the turn of side 0's axes against side 1's as a rotation
+ * vector. */
 #include "measure.h"
 
 enum { PX = 1, PO = 2, PT = 4, TX = 8, TO = 16, TT = 32, ALL_P = 7, ALL_T = 56, ALL = 63 };
@@ -631,8 +632,8 @@ END_TEST
 
 /* ---- the order of the bodies ---- */
 
-/* Linear1, Linear2 and CarWheel have two different sides, and so has the universal joint, whose axes must change places:
- * they are in the tests of their own. */
+/* Linear1, Linear2 and CarWheel have two different sides, and so has the universal joint, whose axes must change
+ * places: they are in the tests of their own. */
 START_TEST(the_order_of_the_bodies_does_not_matter) {
     for (int i = 0; i < NUM_JOINTS; i++) {
         Pair s[2];

@@ -1,5 +1,5 @@
-/* The prismatic joint: a slider, its stops, its motor and its lock. A cart of the mass 2 slides on the world along an axis
- * that slants, for whatever the axes' signs do. */
+/* The prismatic joint: a slider, its stops, its motor and its lock. A cart of the mass 2 slides on the world along an
+ * axis that slants, for whatever the axes' signs do. */
 #include "measure.h"
 
 static const double mass = 2, axis[3] = {.6, .48, .64};

@@ -132,7 +132,8 @@ START_TEST(without_the_angular_velocity_it_lags) {
 }
 END_TEST
 
-/* Frames in the bodies: the first one, turned and shifted in its body, lies on the second one, turned by the quaternion. */
+/* Frames in the bodies: the first one, turned and shifted in its body, lies on the second one, turned by the
+ * quaternion. */
 START_TEST(the_attachment_frames_are_held_together) {
     const double f[2][4] = {{.8, .6, 0, 0}, {.5, .5, -.5, .5}}, q[4] = {.6, 0, .8, 0};
     const double at[2][3] = {{.3, -.2, .1}, {-.4, .5, .2}};

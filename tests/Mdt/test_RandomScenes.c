@@ -1,5 +1,5 @@
-/* Random scenes of bodies tied by joints of all kinds, well or badly set up: whatever happens, every body stays finite, and
- * the same scene gives the same bits. */
+/* Random scenes of bodies tied by joints of all kinds, well or badly set up: whatever happens, every body stays finite,
+ * and the same scene gives the same bits. */
 #include "scene.h"
 
 enum { BODIES = 6, JOINTS = 8 };

@@ -1,5 +1,5 @@
-/* The skeletal joint: an elliptical cone and a limited twist. A bar of the mass 2 is held at the origin by a joint to the
- * world, its axis x, its second axis y; its centre is 0.5 m along x. */
+/* The skeletal joint: an elliptical cone and a limited twist. A bar of the mass 2 is held at the origin by a joint to
+ * the world, its axis x, its second axis y; its centre is 0.5 m along x. */
 #include "measure.h"
 
 static const double mass = 2, arm = .5, pi = 3.14159265358979323846;

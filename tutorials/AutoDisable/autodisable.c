@@ -1,8 +1,8 @@
 /* AutoDisable: bodies that have come to rest cost nothing (Dynamics guide, chapter 4, "Enabling/Disabling Bodies").
  *
  * A partition whose bodies have been slower than the thresholds, and less accelerated, is disabled: it is not simulated
- * until something wakes it. Here boxes are dropped onto the floor. They turn grey as they come to rest, and get their colour
- * back when they are kicked, or when the threshold is so low that they are never slow enough.
+ * until something wakes it. Here boxes are dropped onto the floor. They turn grey as they come to rest, and get their
+ * colour back when they are kicked, or when the threshold is so low that they are never slow enough.
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"

@@ -1,10 +1,10 @@
-/* Chain: links that hang on ball-and-socket joints, with a weight at the end (Dynamics guide, chapter 3, "Ball-and-socket
- * Joint").
+/* Chain: links that hang on ball-and-socket joints, with a weight at the end (Dynamics guide, chapter 3,
+ * "Ball-and-socket Joint").
  *
- * A joint between two bodies is like one between a body and the world: it holds a point of the one on a point of the other.
- * A heavy weight on a light chain is hard for most engines: the joints come apart. Kea solves for all joints at once, so
- * the chain holds whatever hangs on it; the status line shows by how much the worst joint is open. Each link's colour says
- * how hard its joint is pulled.
+ * A joint between two bodies is like one between a body and the world: it holds a point of the one on a point of the
+ * other. A heavy weight on a light chain is hard for most engines: the joints come apart. Kea solves for all joints at
+ * once, so the chain holds whatever hangs on it; the status line shows by how much the worst joint is open. Each link's
+ * colour says how hard its joint is pulled.
  */
 #include "Mdt.h"
 #include "MeViewer.h"
@@ -49,8 +49,8 @@ static void setBallMass(void) {
     MdtBodySetInertiaTensor(ball, inertia);
 }
 
-/* Called when the user presses Enter, and at the start. The ball hangs by its top, which depends on its size, so the last
- * joint is attached anew; a joint has to be disabled while that is done. */
+/* Called when the user presses Enter, and at the start. The ball hangs by its top, which depends on its size, so the
+ * last joint is attached anew; a joint has to be disabled while that is done. */
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     const MeReal end = LINKS * size[1];

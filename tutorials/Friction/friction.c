@@ -5,8 +5,8 @@
  *   normal force, orange:   the bound is the coefficient times the force that presses the box down: Coulomb's law, for each
  *                           of the two directions by itself. Slantwise it holds more: up to 1.41 times as much.
  *   cone, green:            the same for both directions together. It is as strong whichever way the box is pulled.
- * The boxes lie askew to the contacts' directions, as it mostly happens. The coefficient is 0.4663, the tangent of 25 degrees,
- * so the green box slides as soon as the slope is steeper than that.
+ * The boxes lie askew to the contacts' directions, as it mostly happens. The coefficient is 0.4663, the tangent of 25
+ * degrees, so the green box slides as soon as the slope is steeper than that.
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
@@ -125,8 +125,8 @@ static void createDynamics(void) {
         MdtContactParamsSetFrictionModel(p, model[i]);
         MdtContactParamsSetFrictionCoeffecient(p, coefficient);
     }
-    /* The box model wants forces: what a quarter of the weight gives on a slope of 25 degrees, for each of four contacts, and
-     * of that the part for each of two directions at 45 degrees. */
+    /* The box model wants forces: what a quarter of the weight gives on a slope of 25 degrees, for each of four
+     * contacts, and of that the part for each of two directions at 45 degrees. */
     MdtContactParamsSetFriction(&box[BOX].params,
                                 coefficient * (MeReal)9.8 / 4 * MeCos(25 * ME_PI / 180) * MeSqrt((MeReal)0.5));
 }

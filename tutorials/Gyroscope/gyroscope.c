@@ -1,9 +1,9 @@
 /* Gyroscope: what rotating bodies do by themselves (Dynamics guide, chapter 2, "Defining a Body": the inertia tensor).
  *
  * Left: a wheel on an axle that is held by a ball-and-socket joint at one end only. It does not fall while it spins; it
- * goes round, at the rate m g l / (I w), with m g l the torque of its weight and I w its angular momentum.
- * Right: a box that floats and spins about its middle axis, the one with neither the most nor the least moment of inertia.
- * Every so often it turns over, and back. Nothing pushes it; its energy and its angular momentum stay what they are.
+ * goes round, at the rate m g l / (I w), with m g l the torque of its weight and I w its angular momentum. Right: a box
+ * that floats and spins about its middle axis, the one with neither the most nor the least moment of inertia. Every so
+ * often it turns over, and back. Nothing pushes it; its energy and its angular momentum stay what they are.
  */
 #include "Mdt.h"
 #include "MeViewer.h"

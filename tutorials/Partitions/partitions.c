@@ -1,8 +1,9 @@
 /* Partitions: which bodies have to be solved for together (Dynamics guide, chapter 1, "Partitioning the World").
  *
- * Before every step the world is divided into partitions: sets of bodies that constraints tie together. Each is solved by
- * itself, which is a great deal faster than one large system. The world itself joins nothing: pendulums that hang from the
- * same beam are a partition each, until springs tie them together. Bodies of one partition have one colour here.
+ * Before every step the world is divided into partitions: sets of bodies that constraints tie together. Each is solved
+ * by itself, which is a great deal faster than one large system. The world itself joins nothing: pendulums that hang
+ * from the same beam are a partition each, until springs tie them together. Bodies of one partition have one colour
+ * here.
  */
 #include "Mdt.h"
 #include "MeViewer.h"

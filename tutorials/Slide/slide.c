@@ -1,7 +1,7 @@
 /* Slide: a conveyor belt (Dynamics guide, chapter 3, "Slip: An Alternate Way to Model Friction").
  *
- * The belt does not move at all. Its contacts are told that their surface has a speed along their primary direction: the
- * slide. Friction then pulls each box to that speed. How hard it pulls is up to the friction: the three boxes have
+ * The belt does not move at all. Its contacts are told that their surface has a speed along their primary direction:
+ * the slide. Friction then pulls each box to that speed. How hard it pulls is up to the friction: the three boxes have
  * coefficients of 0.1, 0.3 and 0.9, and take their time accordingly.
  */
 #include "box_on_plane.h"

@@ -1,10 +1,10 @@
-/* Slip: a surface on which a push gives a speed, not an acceleration (Dynamics guide, chapter 3, "Slip: An Alternate Way
- * to Model Friction").
+/* Slip: a surface on which a push gives a speed, not an acceleration (Dynamics guide, chapter 3, "Slip: An Alternate
+ * Way to Model Friction").
  *
- * A contact with slip lets its bodies move against each other at a speed of slip times the force that it passes. It is made
- * for tyres, which drift sideways the harder they are pushed. Here both boxes are pushed with the same force: the blue one
- * stands on slip and has its speed almost at once, within slip times mass seconds; the orange one stands on ice, without any
- * friction, and gains speed for as long as it is pushed. Let go, and the blue one stops.
+ * A contact with slip lets its bodies move against each other at a speed of slip times the force that it passes. It is
+ * made for tyres, which drift sideways the harder they are pushed. Here both boxes are pushed with the same force: the
+ * blue one stands on slip and has its speed almost at once, within slip times mass seconds; the orange one stands on
+ * ice, without any friction, and gains speed for as long as it is pushed. Let go, and the blue one stops.
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"

@@ -1,9 +1,10 @@
 /* SortKeys: the same simulation twice, bit for bit (Dynamics guide, chapter 4, "Sort Keys - Deterministic Simulation").
  *
- * Numbers are rounded, so the order of a sum matters, and a chaotic scene shows it: two chains of rods start the same, but
- * the joints of the second one are taken away and made anew in another order, as it happens when a game restarts a level.
- * Constraints are solved in the order of their sort keys, then of their creation. With a key for each joint both chains do
- * the same to the last bit, for ever. Without keys they are apart by a rounding error at first, and soon by metres.
+ * Numbers are rounded, so the order of a sum matters, and a chaotic scene shows it: two chains of rods start the same,
+ * but the joints of the second one are taken away and made anew in another order, as it happens when a game restarts a
+ * level. Constraints are solved in the order of their sort keys, then of their creation. With a key for each joint both
+ * chains do the same to the last bit, for ever. Without keys they are apart by a rounding error at first, and soon by
+ * metres.
  */
 #include "Mdt.h"
 #include "MeViewer.h"
@@ -89,7 +90,8 @@ static void showFigures(void) {
     RRenderSetStatusText(rc, text);
 }
 
-/* Both worlds have their hook at the origin, since numbers round differently elsewhere; the pictures are moved apart. */
+/* Both worlds have their hook at the origin, since numbers round differently elsewhere; the pictures are moved apart.
+ * */
 static void showRods(void) {
     for (int c = 0; c < COPIES; c++) {
         for (int i = 0; i < RODS; i++) {

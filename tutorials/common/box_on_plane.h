@@ -1,7 +1,7 @@
 /* The contacts of boxes with a plane, for tutorials: collision in its simplest form.
  *
- * A box touches a plane with its corners. Before every step the contacts of the last one are thrown away, and a new one is
- * made at every corner that is in the plane, or so near above it that it could get there within the step.
+ * A box touches a plane with its corners. Before every step the contacts of the last one are thrown away, and a new one
+ * is made at every corner that is in the plane, or so near above it that it could get there within the step.
  */
 #ifndef BOX_ON_PLANE_H
 #define BOX_ON_PLANE_H
