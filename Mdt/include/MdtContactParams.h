@@ -44,7 +44,9 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimaryFrictionCoeffecient(const MdtCon
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtContactParamsID p);
 /** @} */
 
-/** @name Slip: tangential velocity per tangential force, m/s per N, >= 0; 0 turns it off
+/** @name Slip: tangential velocity per tangential force, m/s per N, >= 0; 0 turns it off It holds in every step for the
+ *  force that the contact passes. A body that is pushed has the speed of slip times the push after some slip times mass
+ *  seconds: at once, for what slip is made for.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetSlip(const MdtContactParamsID p, MeReal f);
 MEPUBLIC void MEAPI MdtContactParamsSetPrimarySlip(const MdtContactParamsID p, MeReal s);

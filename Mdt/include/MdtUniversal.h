@@ -3,7 +3,8 @@
  *  ways, but do not twist.
  *
  *  Bent by 90 degrees it carries no torque from one body to the other; coming there gets a warning, and a cone limit
- *  keeps it away. By default the axes are x in body 0 and y in body 1.
+ *  keeps it away. The bend is counted from how the bodies stand when the axes are set. By default the axes are x in
+ *  body 0 and y in body 1.
  */
 #ifndef MDTUNIVERSAL_H
 #define MDTUNIVERSAL_H

@@ -1,7 +1,11 @@
 /* Angular3: the bodies keep their orientation to each other and are free to move (Dynamics guide ch. 3, "MdtAngular3").
  *
  * Three rows of the turn between the frames (bcl_turnRows). With the rotation enabled it is Angular2: the two rows that
- * hold the primary axes together, as in a hinge. With finite stiffness and damping the rows are damped springs.
+ * hold the primary axes together, as in a hinge.
+ *
+ * With finite stiffness and damping it is a damped spring instead, whose torque on body 0 is -k θ n - c ω however large
+ * the angle is: θ n is the rotation vector between the frames, or, with the rotation enabled, between the primary axes.
+ * It has a row for each axis of a frame, and the rotation vector's components there as errors.
  */
 #include "bcl_i.h"
 
@@ -48,19 +52,42 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
         bcl_turnErrors(c, pose, NULL, e);
 }
 
+/* The rotation vector from the primary axis of frame 1 to that of frame 0, in the axes of frame 0: it has no first
+ * component. Opposite axes have no direction to turn back in; then it is 0. */
+static void leaning(double axes[3][3], const double to[3], double rotation[3]) {
+    const double y = keaDot(axes[1], to), z = keaDot(axes[2], to), sine = hypot(y, z);
+    const double scale = sine > 0 ? atan2(sine, keaDot(axes[0], to)) / sine : 0;
+    rotation[0] = 0;
+    rotation[1] = scale * z;
+    rotation[2] = -scale * y;
+}
+
+static void fillSprings(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
+    const MdtBclAngular *joint = &c->of.angular;
+    double axes[3][3], rotation[3], turn[4], to[3];
+    bcl_axes(axes, c, 0, x->pose[0]);
+    if (joint->rotates) {
+        keaApply(to, x->pose[1]->R, c->frame[1].primary);
+        leaning(axes, to, rotation);
+    } else {
+        bcl_turnBetween(turn, c, x->pose, NULL);
+        bcl_rotationVector(turn, rotation);
+    }
+    const int count = countOf(c), first = 3 - count;
+    for (int i = 0; i < count; i++) {
+        bcl_spinRow(x, axes[first + i], &rows[i]);
+        bcl_makeSpring(&rows[i], rotation[first + i], joint->stiffness, joint->damping);
+    }
+}
+
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     const MdtBclAngular *joint = &c->of.angular;
-    if (joint->rotates)
+    if (bcl_isSpring(joint->stiffness, joint->damping))
+        fillSprings(c, x, rows);
+    else if (joint->rotates)
         bcl_alignRows(c, x, rows);
     else
         bcl_turnRows(c, x, NULL, rows);
-    if (!bcl_isSpring(joint->stiffness, joint->damping))
-        return;
-    for (int i = 0; i < countOf(c); i++) {
-        rows[i].position = MEFALSE;
-        rows[i].target = 0;
-        bcl_makeSpring(&rows[i], rows[i].error, joint->stiffness, joint->damping);
-    }
 }
 
 const MdtBclType bcl_angular3 = {.name = "Angular3",

@@ -14,6 +14,12 @@ void bcl_dotRow(const MdtBclContext *x, const double a[3], const double b[3], Md
     keaCross(row->J[1].ang, b, a);
 }
 
+void bcl_spinRow(const MdtBclContext *x, const double axis[3], MdtKeaRow *row) {
+    bcl_startRow(row, x);
+    keaCopy(row->J[0].ang, axis);
+    keaScale(row->J[1].ang, -1, axis);
+}
+
 /* u_0 · a_1 = v_0 · a_1 = 0, u_0 and v_0 at right angles to the primary axis of frame 0. */
 void bcl_alignRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[2]) {
     double axes[3][3], a[3];
@@ -54,6 +60,11 @@ void bcl_turnBetween(double turn[4], const MdtBclConstraint *c, const MdtKeaTran
 
 MeBool bcl_isHalfATurn(const double turn[4]) {
     return turn[0] < 1e-3;
+}
+
+void bcl_rotationVector(const double turn[4], double rotation[3]) {
+    const double sine = keaLength(turn + 1);
+    keaScale(rotation, sine > 0 ? 2 * atan2(sine, turn[0]) / sine : 2, turn + 1);
 }
 
 void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], const double q[4],

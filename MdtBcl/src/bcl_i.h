@@ -63,6 +63,12 @@ void bcl_axes(double axes[3][3], const MdtBclConstraint *c, int k, const MdtKeaT
 /* The row of a·b, a fixed in the body of side 0 and b in that of side 1 (world frame). */
 void bcl_dotRow(const MdtBclContext *x, const double a[3], const double b[3], MdtKeaRow *row);
 
+/* The row of body 0 turning against body 1 about a world axis. */
+void bcl_spinRow(const MdtBclContext *x, const double axis[3], MdtKeaRow *row);
+
+/* The rotation vector of a turn (w >= 0), in the axes of either frame: it is the same in both. */
+void bcl_rotationVector(const double turn[4], double rotation[3]);
+
 /* Two rows that hold the primary axis of side 1 along that of side 0, and their errors. */
 void bcl_alignRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[2]);
 void bcl_alignErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[2]);

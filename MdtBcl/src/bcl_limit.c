@@ -47,15 +47,20 @@ static double distanceToStop(const MdtBclLimit *limit, int side) {
     return distanceFrom(limit, side, limit->measured);
 }
 
-/* Whether the stop can matter in this step. The margin of twice the way that is left covers what the motor and the
- * other rows may add; a stop that carried a force in the last step stays in, or a load at rest on it would rattle. */
+/* The fastest rate of z downwards that this step may see: as it is, as the loads make it, or as the motor does. */
+static double fastestTowards(const MdtBclLimit *limit, int side, double rate, double predicted) {
+    const double sign = side == 0 ? 1 : -1, slowest = fmin(sign * rate, sign * predicted);
+    return limit->rows & MOTOR ? fmin(slowest, sign * (double)limit->desired_vel) : slowest;
+}
+
+/* Whether the stop can matter in this step. The margin of twice the way that is left covers what other rows may add; a
+ * stop that carried a force in the last step stays in, or a load at rest on it would rattle. */
 static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double h) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
-    const double sign = side == 0 ? 1 : -1;
     const double z = distanceToStop(limit, side);
     if (!isHard(limit, side))
         return z < 0 && (stop->stiffness > 0 || stop->damping > 0);
-    return z <= 0 || limit->stopForce[side] > 0 || z + 2 * h * fmin(sign * rate, sign * predicted) < 0;
+    return z <= 0 || limit->stopForce[side] > 0 || z + 2 * h * fastestTowards(limit, side, rate, predicted) < 0;
 }
 
 int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, double measured) {

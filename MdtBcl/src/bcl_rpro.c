@@ -4,8 +4,9 @@
  *     φ_1..3 = e_i·(P_0 - P_1), e_i the axes of frame 1,   φ_4..6: frame 0 is frame 1 turned by q (bcl_turnRows).
  *
  * w is the angular velocity of q in the axes of frame 1: the angular rows aim at -γ φ / h + T_i·w, T the wanted frame,
- * and are met at q turned on by w h. Each row's force is bounded by its component of the strengths: a bound that is
- * reached lets the joint give way, as long as it takes.
+ * and are met at q turned on by w h. Each row's force or torque is bounded by its component of the strengths: a bound
+ * that is reached lets the joint give way, as long as it takes. The further it is turned away, the shorter an angular
+ * row becomes (by cos θ/2 about the axis of the turn θ); its multiplier may grow accordingly.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -71,7 +72,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
         rows[3 + i].target += r->way[i] / x->parameters.stepsize;
         rows[i].upper = bcl_boundOf(r->linear[i]);
         rows[i].lower = -rows[i].upper;
-        rows[3 + i].upper = bcl_boundOf(r->angular[i]);
+        rows[3 + i].upper = bcl_boundOf(r->angular[i]) / fmax(keaLength(rows[3 + i].J[0].ang), 1e-3);
         rows[3 + i].lower = -rows[3 + i].upper;
     }
 }

@@ -5,7 +5,7 @@
  *
  * The distance is the coordinate of a limit. Both stops hard and at one length: a rod, φ = 0. Both soft and at one
  * length: a damped spring with the properties of the side on which it is. Anything else, a string or an elastic among
- * them, is just the limit.
+ * them, is just the limit, whose hard stops are met where the bodies arrive: n turns with them.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -78,8 +78,11 @@ static double strain(const MdtBclLimit *limit, double length) {
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
-    if (c->of.distance.kind == MdtBclDistanceRod)
-        e[0] = strain(&c->of.distance.limit, distanceOf(c, pose));
+    const MdtBclDistance *s = &c->of.distance;
+    if (s->kind == MdtBclDistanceRod)
+        e[0] = strain(&s->limit, distanceOf(c, pose));
+    else if (s->kind == MdtBclDistanceLimits)
+        bcl_limitErrors(&s->limit, distanceOf(c, pose), e);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
@@ -89,6 +92,8 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     const double e = strain(&s->limit, s->length);
     if (s->kind == MdtBclDistanceLimits) {
         bcl_limitFill(&s->limit, x, &row, rows);
+        if (!c->isDegenerate)
+            bcl_limitMeetAtEnd(&s->limit, rows);
         return;
     }
     rows[0] = row;

@@ -1,8 +1,8 @@
 /* Spring6: six springs between the attachment frames (User Guide ch. 3 names it a configurable compliance).
  *
- *     φ_1..3 = e_i·(P_0 - P_1), e_i the axes of frame 1,   φ_4..6: the turn between the frames (bcl_turnRows).
+ *     φ_1..3 = e_i·(P_0 - P_1), e_i the axes of frame 1,   φ_4..6: the rotation vector between the frames, along e_i.
  *
- * Each has its stiffness and damping. One without either has no row; one of infinite stiffness is held.
+ * Each has its stiffness and damping. One without either has no row; one of infinite stiffness is held (bcl_turnRows).
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -43,26 +43,37 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
             e[n++] = all[i];
 }
 
+/* As springs: rows along and about the axes of frame 1, with what the springs are strained by. */
+static void springRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[6], double strain[6]) {
+    double axes[3][3], d[3], turn[4];
+    bcl_axes(axes, c, 1, x->pose[1]);
+    bcl_separation(c, x->pose, d);
+    bcl_turnBetween(turn, c, x->pose, NULL);
+    bcl_rotationVector(turn, strain + 3);
+    for (int i = 0; i < 3; i++) {
+        strain[i] = keaDot(axes[i], d);
+        bcl_alongRow(c, x, axes[i], 1, &rows[i]);
+        bcl_spinRow(x, axes[i], &rows[3 + i]);
+    }
+}
+
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     const MdtBclSprings *s = &c->of.springs;
-    MdtKeaRow all[6];
-    double axes[3][3], e[6];
-    bcl_axes(axes, c, 1, x->pose[1]);
-    allErrors(c, x->pose, e);
-    for (int i = 0; i < 3; i++)
-        bcl_alongRow(c, x, axes[i], 1, &all[i]);
-    bcl_turnRows(c, x, NULL, all + 3);
+    MdtKeaRow spring[6], held[3];
+    double strain[6];
+    springRows(c, x, spring, strain);
+    bcl_turnRows(c, x, NULL, held);
     for (int i = 0, n = 0; i < 6; i++) {
         if (!acts(s, i))
             continue;
         MdtKeaRow *row = &rows[n++];
-        *row = all[i];
-        row->position = MEFALSE;
-        row->target = 0;
+        *row = spring[i];
         if (bcl_isSpring(s->stiffness[i], s->damping[i]))
-            bcl_makeSpring(row, e[i], s->stiffness[i], s->damping[i]);
+            bcl_makeSpring(row, strain[i], s->stiffness[i], s->damping[i]);
+        else if (i < 3)
+            bcl_aimAtZero(row, x, strain[i]);
         else
-            bcl_aimAtZero(row, x, e[i]);
+            *row = held[i - 3];
     }
 }
 

@@ -48,6 +48,14 @@ static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return size;
 }
 
+/* A force at its bound has given up the position, unless what is missing is the way that the bound leaves open: a stop
+ * that did nothing, and is passed all the same. */
+static MeBool canCorrect(const KeaMlcp *p, int i, double missing) {
+    if (p->lower[i] >= p->upper[i])
+        return MEFALSE;
+    return p->set[i] == KEA_FREE || (p->set[i] == KEA_LOWER ? missing > 0 : missing < 0);
+}
+
 /* How far the position rows end from φ + h (s - h E λ), divided by h, into work->errors; the largest, relative to the
  * rows' sizes, is returned. The forces' first-order answer leaves an error of order (h ω)². */
 static double positionErrors(MdtKeaSystem *s) {
@@ -57,12 +65,12 @@ static double positionErrors(MdtKeaSystem *s) {
     s->errors(s->context, s->work->endPose, s->work->errors);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (!row->position || s->work->mlcp.set[i] != KEA_FREE) {
-            s->work->errors[i] = 0; /* a force at its bound has given up the position */
-            continue;
-        }
         const double wanted = row->error + h * (row->target - h * row->softness * row->force);
         const double missing = wanted - s->work->errors[i];
+        if (!row->position || !canCorrect(&s->work->mlcp, i, missing)) {
+            s->work->errors[i] = 0;
+            continue;
+        }
         s->work->errors[i] = missing / h;
         s->report.error = fmax(s->report.error, fabs(missing));
         worst = fmax(worst, fabs(missing) / (sizeOfRow(s, row) + 1e-300));
@@ -83,7 +91,8 @@ static void shiftTargets(MdtKeaSystem *s) {
 }
 
 /* Newton's iteration for the position rows with the matrix of the start of the step: each pass turns what is missing
- * into velocity. It contracts by about h ω; where the motion is too violent for that, the first-order answer is kept. */
+ * into velocity. It contracts by about h ω; where the motion is too violent for that, the first-order answer is kept.
+ * */
 static void correctPositions(MdtKeaSystem *s) {
     kea_moveWithForces(s);
     if (!hasPositionRows(s))

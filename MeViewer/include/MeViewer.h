@@ -84,11 +84,10 @@ MEPUBLIC void MEAPI RDisplayCommandLineHelp(void);
 extern MEPUBLIC const float RPalette[8][4];
 /** @} */
 
-/** @name The main loop
- *  RRun(rc, tick) or RRun(rc, tick, userdata), where tick is `void MEAPI tick(RRender *)` or
- *  `void MEAPI tick(RRender *, void *)`: handles input, calls tick, draws; and so on until the user leaves (Escape, Q,
- *  the window's close button), the program calls RRenderQuit, or the frames of `-frames` are over. Then it calls
- *  exit(), so cleanup belongs into an atexit() handler. RRun itself does not return (App. B, "Terminating the Program").
+/** @name The main loop RRun(rc, tick) or RRun(rc, tick, userdata), where tick is `void MEAPI tick(RRender *)` or `void
+ *  MEAPI tick(RRender *, void *)`: handles input, calls tick, draws; and so on until the user leaves (Escape, Q, the
+ *  window's close button), the program calls RRenderQuit, or the frames of `-frames` are over. Then it calls exit(), so
+ *  cleanup belongs into an atexit() handler. RRun itself does not return (App. B, "Terminating the Program").
  *
  *  The exit code is 0; or 2 if warnings were given, when there was no window or `-frames` ended the loop. A window
  *  is drawn 60 times a second; without one, frames follow each other as fast as they can. Without a window, and with

@@ -15,7 +15,8 @@ int64_t r_now(void) {
     return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
 }
 
-/* A program may destroy the context in a function that the main loop has called: then there is nothing to go on with. */
+/* A program may destroy the context in a function that the main loop has called: then there is nothing to go on with.
+ * */
 void r_afterCallBack(const RRender *rc) {
     if (!r_isLive(rc))
         exit(EXIT_SUCCESS);

@@ -83,7 +83,8 @@ static inline void measure_momentum(MdtBodyID b, double linear[3], double angula
     keaAddScaled(angular, 1, w);
 }
 
-/* A swing about zero, from samples at equal steps: crossings of zero are found by a straight line, peaks by a parabola. */
+/* A swing about zero, from samples at equal steps: crossings of zero are found by a straight line, peaks by a parabola.
+ * */
 typedef struct {
     int samples, crossings, peaks;
     double before[2];

@@ -1,24 +1,24 @@
 /* Documented behaviours: bodies.
  *
  * Already proved elsewhere:
- *   defaults of a new body                                     test_Body: a_new_body_has_the_guide_s_defaults
- *   a disabled body tied to an enabled one is enabled          test_Rest: an_enabled_body_wakes_what_is_tied_to_it
- *   a disabled body hit by an enabled one is enabled           test_Rest: a_contact_with_a_moving_body_wakes_a_sleeper
- *   quaternions are (w, x, y, z), the identity 1, 0, 0, 0      test_Body: a_new_body_has_the_guide_s_defaults
- *                                                              test_Body: rotations_turn_by_the_right_hand_rule
- *   transforms as OpenGL stores them, y = X + R x              test_Body: the_four_forms_of_a_pose_agree
- *   right-handed coordinates                                   test_Body: rotations_turn_by_the_right_hand_rule
- *   the transform's pointer follows the body                   test_Body: the_transform_pointer_follows_every_step
- *   forces add up, act for one step, and are gone              test_FreeBody: forces_last_a_step_and_impulses_do_not_...
- *   forces on a body that is not simulated wait                test_Body: forces_wait_for_a_disabled_body
- *   a force at a position adds the torque (P - x) × F          test_FreeBody: force_at_a_position_adds_its_torque
- *   impulses do not depend on the step                         test_FreeBody: forces_last_a_step_and_impulses_do_not_...
+ *   defaults of a new body                                    test_Body: a_new_body_has_the_guide_s_defaults
+ *   a disabled body tied to an enabled one is enabled         test_Rest: an_enabled_body_wakes_what_is_tied_to_it
+ *   a disabled body hit by an enabled one is enabled          test_Rest: a_contact_with_a_moving_body_wakes_a_sleeper
+ *   quaternions are (w, x, y, z), the identity 1, 0, 0, 0     test_Body: a_new_body_has_the_guide_s_defaults
+ *                                                             test_Body: rotations_turn_by_the_right_hand_rule
+ *   transforms as OpenGL stores them, y = X + R x             test_Body: the_four_forms_of_a_pose_agree
+ *   right-handed coordinates                                  test_Body: rotations_turn_by_the_right_hand_rule
+ *   the transform's pointer follows the body                  test_Body: the_transform_pointer_follows_every_step
+ *   forces add up, act for one step, and are gone             test_FreeBody: forces_last_a_step_and_impulses_do_not_...
+ *   forces on a body that is not simulated wait               test_Body: forces_wait_for_a_disabled_body
+ *   a force at a position adds the torque (P - x) × F         test_FreeBody: force_at_a_position_adds_its_torque
+ *   impulses do not depend on the step                        test_FreeBody: forces_last_a_step_and_impulses_do_not_...
  *   forces and a resting body: the Dynamics guide wakes it from a threshold on, the User Guide never; the former wins
- *                                                              test_Rest: setters_forces_and_enabling_wake_a_sleeper
- *                                                              test_Rest: a_slight_force_does_not_wake_a_sleeper
- *   the centre of mass may be moved                            test_Body: the_centre_of_mass_may_lie_beside_the_frame
- *   fast spin is off by default; orientation is exact          test_Body: a_new_body_has_the_guide_s_defaults
- *                                                              test_FreeBody: fast_spin_is_exact
+ *                                                             test_Rest: setters_forces_and_enabling_wake_a_sleeper
+ *                                                             test_Rest: a_slight_force_does_not_wake_a_sleeper
+ *   the centre of mass may be moved                           test_Body: the_centre_of_mass_may_lie_beside_the_frame
+ *   fast spin is off by default; orientation is exact         test_Body: a_new_body_has_the_guide_s_defaults
+ *                                                             test_FreeBody: fast_spin_is_exact
  */
 #include "behaviour.h"
 
@@ -91,8 +91,8 @@ START_TEST(a_force_may_act_far_outside_the_body) {
 END_TEST
 
 /* Dynamics guide ch. 5, "Inertia Problems": Karma 1.x puts a multiple of the unit matrix in place of the tensor. Later
- * versions, as the User Guide ch. 6 says, let programs choose, and here the full tensor is the default, since it is what a
- * program that sets one means; with MdtBodyDisableNonSphericalInertia a body is as in 1.x. */
+ * versions, as the User Guide ch. 6 says, let programs choose, and here the full tensor is the default, since it is
+ * what a program that sets one means; with MdtBodyDisableNonSphericalInertia a body is as in 1.x. */
 START_TEST(the_tensor_can_be_made_a_multiple_of_the_unit_matrix) {
     const MeMatrix3 tensor = {{1, 0, 0}, {0, 2, 0}, {0, 0, 6}};
     for (int spherical = 0; spherical < 2; spherical++) {

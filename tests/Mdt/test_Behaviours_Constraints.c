@@ -1,12 +1,12 @@
-/* Documented behaviours: what all constraints share (Dynamics guide ch. 3, "Common Constraint Functions", "Base Constraint
- * Functions").
+/* Documented behaviours: what all constraints share (Dynamics guide ch. 3, "Common Constraint Functions",
+ * "Base Constraint Functions").
  *
  * Already proved elsewhere:
- *   a created constraint acts only after Enable                 test_Constraint: a_constraint_acts_only_when_enabled
- *   a second body of null is the world                          test_BSJoint: sag_is_epsilon_force_step_squared_over_gamma
- *   it has to be disabled before its bodies change; a warning   test_Constraint: changing_the_bodies_of_an_enabled_...
- *   MdtConstraintSetAxes normalizes and makes orthogonal        test_Constraint: frames_are_given_in_the_world_and_move_...
- *   positions and axes are the world's and move with bodies     test_Constraint: frames_are_given_in_the_world_and_move_...
+ *   a created constraint acts only after Enable             test_Constraint: a_constraint_acts_only_when_enabled
+ *   a second body of null is the world                      test_BSJoint: sag_is_epsilon_force_step_squared_over_gamma
+ *   it has to be disabled before its bodies change; a warning  test_Constraint: changing_the_bodies_of_an_enabled_...
+ *   MdtConstraintSetAxes normalizes and makes orthogonal    test_Constraint: frames_are_given_in_the_world_...
+ *   positions and axes are the world's and move with bodies  test_Constraint: frames_are_given_in_the_world_...
  */
 #include "behaviour.h"
 
@@ -49,8 +49,8 @@ static Zoo makeZoo(void) {
     return z;
 }
 
-/* Ch. 3: created unattached and disabled; SetBodies attaches, index 0 is the first and 1 the second body; Enable lets it
- * act, IsEnabled says 1 or 0; a second body of null is the world. */
+/* Ch. 3: created unattached and disabled; SetBodies attaches, index 0 is the first and 1 the second body; Enable lets
+ * it act, IsEnabled says 1 or 0; a second body of null is the world. */
 START_TEST(every_type_is_created_attached_enabled_and_disabled) {
     Zoo z = makeZoo();
     ck_assert_int_eq(z.count, TYPES);
@@ -126,7 +126,8 @@ START_TEST(user_data_and_world_are_returned) {
 }
 END_TEST
 
-/* Ch. 3: bodies are placed, then attached, then the position is set: it is then one point of both, and moves with each. */
+/* Ch. 3: bodies are placed, then attached, then the position is set: it is then one point of both, and moves with
+ * each. */
 START_TEST(bodies_are_placed_attached_and_then_the_position_is_set) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 4, 0, 0);
@@ -182,8 +183,8 @@ static void setTask(Zoo *z, MdtConstraintID c) {
 }
 
 /* Ch. 3: force and torque of the last step, in the world's frame. Those on the two bodies are action and reaction: the
- * forces are opposite, and together with the torques have no moment; and they are what changed the momenta, F h = m Δv and
- * T h = I Δω (these bodies are spheres). */
+ * forces are opposite, and together with the torques have no moment; and they are what changed the momenta, F h = m Δv
+ * and T h = I Δω (these bodies are spheres). */
 START_TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
     Zoo z = makeZoo();
     const double at[2][3] = {{0, 0, 0}, {1, .5, 0}}, mass[2] = {1, 2}, h = (double)FRAME;
@@ -329,8 +330,8 @@ START_TEST(each_type_removes_its_degrees_of_freedom) {
 }
 END_TEST
 
-/* The car wheel removes 3 to 6: what is free, the steering (a motor without force, no lock), the rolling and the springing;
- * a lock, a motor and the spring take one each. */
+/* The car wheel removes 3 to 6: what is free, the steering (a motor without force, no lock), the rolling and the
+ * springing; a lock, a motor and the spring take one each. */
 START_TEST(a_car_wheel_removes_3_to_6) {
     MdtWorldID w = scene_world(2, 1, 0);
     MdtBodyID chassis = scene_body(w, 10, 0, 0, 0), wheel = scene_body(w, 1, 1, 0, 0);

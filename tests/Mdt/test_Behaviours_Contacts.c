@@ -2,25 +2,25 @@
  * "MdtContactGroups").
  *
  * Already proved elsewhere:
- *   it never pulls unless adhesive                       test_Contact: a_contact_does_not_pull_unless_it_is_adhesive
- *   a contact that is not enabled is ignored             test_Contact: a_disabled_contact_is_ignored_and_the_world_may_...
- *   frictionless, and infinite friction                  test_Contact: frictionless_and_infinite_friction
- *   box friction of 10: 9 holds, 11 moves with 1         test_Contact: box_friction_of_10_holds_9_and_lets_11_slide_with_1
- *   the box: more along its diagonal                     test_Contact: box_friction_is_a_box
+ *   it never pulls unless adhesive                    test_Contact: a_contact_does_not_pull_unless_it_is_adhesive
+ *   a contact that is not enabled is ignored          test_Contact: a_disabled_contact_is_ignored_and_the_world_may_...
+ *   frictionless, and infinite friction               test_Contact: frictionless_and_infinite_friction
+ *   box friction of 10: 9 holds, 11 moves with 1      test_Contact: box_friction_of_10_holds_9_and_lets_11_slide_with_1
+ *   the box: more along its diagonal                  test_Contact: box_friction_is_a_box
  *   normal-force friction (this step's force is used, not the last one's, so that it holds from the first step on)
- *                                                        test_Contact: normal_force_friction_is_coulomb_s
- *   Friction1D acts along the primary direction          test_Contact: friction_1d_acts_along_the_primary_direction
+ *                                                     test_Contact: normal_force_friction_is_coulomb_s
+ *   Friction1D acts along the primary direction       test_Contact: friction_1d_acts_along_the_primary_direction
  *   slip: velocity = slip × force (reached within steps much longer than mass × slip; a body has inertia)
- *                                                        test_Contact: slip_velocity_is_slip_times_force_at_once
- *   slide: a conveyor belt                               test_Contact: slide_carries_at_belt_speed
- *   restitution e, above the threshold only              test_Contact: impacts_below_the_threshold_do_not_bounce
- *   softness lets bodies overlap                         test_Contact: softness_rests_softness_force_step_squared_over_...
- *   MdtContactGetNext ends with MdtContactInvalidID      test_Constraint: contacts_form_lists_of_their_makers
- *   a group's list, count, creating, removing            test_ContactGroup: the_list_is_walked_from_first_to_null
- *                                                        test_ContactGroup: contacts_come_and_go
- *   a group's normal force                               test_ContactGroup: forces_are_the_sums_over_the_contacts
- *   with the world the body comes first                  test_ContactGroup: with_the_world_the_body_comes_first
- *   the group's Enable, Disable, IsEnabled               test_ContactGroup: only_the_group_s_switch_counts
+ *                                                     test_Contact: slip_velocity_is_slip_times_force_at_once
+ *   slide: a conveyor belt                            test_Contact: slide_carries_at_belt_speed
+ *   restitution e, above the threshold only           test_Contact: impacts_below_the_threshold_do_not_bounce
+ *   softness lets bodies overlap                      test_Contact: softness_rests_softness_force_step_squared_over_...
+ *   MdtContactGetNext ends with MdtContactInvalidID   test_Constraint: contacts_form_lists_of_their_makers
+ *   a group's list, count, creating, removing         test_ContactGroup: the_list_is_walked_from_first_to_null
+ *                                                     test_ContactGroup: contacts_come_and_go
+ *   a group's normal force                            test_ContactGroup: forces_are_the_sums_over_the_contacts
+ *   with the world the body comes first               test_ContactGroup: with_the_world_the_body_comes_first
+ *   the group's Enable, Disable, IsEnabled            test_ContactGroup: only_the_group_s_switch_counts
  */
 #include "behaviour.h"
 
@@ -62,8 +62,8 @@ static double separation(const Pair *s) {
 static const double normals[][3] = {{0, 1, 0}, {1, 0, 0}, {.6, 0, .8}, {-.48, .6, .64}};
 enum { NORMALS = sizeof normals / sizeof *normals };
 
-/* "There is no relative motion in the direction opposite to the contact normal", and only that is blocked: the normal is the
- * way in which the first body is pushed. */
+/* "There is no relative motion in the direction opposite to the contact normal", and only that is blocked: the normal
+ * is the way in which the first body is pushed. */
 START_TEST(a_contact_blocks_motion_against_its_normal_only) {
     for (int i = 0; i < NORMALS; i++)
         for (int way = -1; way <= 1; way += 2) {
@@ -80,8 +80,8 @@ START_TEST(a_contact_blocks_motion_against_its_normal_only) {
 }
 END_TEST
 
-/* "Positive, the value of penetration is the distance of penetration": it is pushed out; a negative one is a gap, which may
- * be closed. */
+/* "Positive, the value of penetration is the distance of penetration": it is pushed out; a negative one is a gap,
+ * which may be closed. */
 START_TEST(positive_penetration_is_overlap) {
     const double h = (double)FRAME;
     for (int gap = 0; gap < 2; gap++) {
@@ -189,8 +189,8 @@ START_TEST(separation_is_restitution_times_approach) {
 }
 END_TEST
 
-/* "Softness ... gives a 'springy' effect", and ch. 5, "Preventing Jitter": a soft contact rests in a small overlap, without
- * leaving it, so that it is never broken and made again. */
+/* "Softness ... gives a 'springy' effect", and ch. 5, "Preventing Jitter": a soft contact rests in a small overlap,
+ * without leaving it, so that it is never broken and made again. */
 START_TEST(a_soft_contact_rests_in_a_small_overlap_without_jitter) {
     MdtWorldID w = scene_world(1, 1, 10);
     MdtBodyID b = scene_body(w, 1, 0, .01, 0);
@@ -229,8 +229,8 @@ START_TEST(a_contact_of_infinite_adhesion_never_lets_go) {
 }
 END_TEST
 
-/* "MdtContactSetParams: set all values in the structure at once": they are copied, so later changes of the original do not
- * count. */
+/* "MdtContactSetParams: set all values in the structure at once": they are copied, so later changes of the original do
+ * not count. */
 START_TEST(set_params_copies_all_values) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtContactID c = MdtContactCreate(w);
@@ -263,8 +263,8 @@ START_TEST(set_params_copies_all_values) {
 }
 END_TEST
 
-/* "MdtContactGroupGetNormalForce: the magnitude of the last timestep's normal force between the two bodies": what carries
- * the load, friction aside. */
+/* "MdtContactGroupGetNormalForce: the magnitude of the last timestep's normal force between the two bodies": what
+ * carries the load, friction aside. */
 START_TEST(a_group_s_normal_force_is_the_load) {
     MdtWorldID w = scene_world(1, 8, 10);
     MdtBodyID b = scene_body(w, 3, 0, 0, 0);

@@ -1,15 +1,15 @@
 /* Documented behaviours: epsilon and gamma (Dynamics guide ch. 5, "The Meaning of Epsilon and Gamma").
  *
  * Already proved elsewhere:
- *   (A + epsilon I) x = b; larger epsilon, springier joints    test_BSJoint: sag_is_epsilon_force_step_squared_over_gamma
- *   gamma is the fraction of the error that a step removes     test_BSJoint: gamma_is_the_fraction_that_a_step_removes
- *   gamma outside 0..1 is unsafe: it is refused                test_BadInput: parameters_out_of_range
- *   MdtWorldSetGammaWithRefTimeStep keeps it consistent        test_BSJoint: gamma_with_reference_step
+ *   (A + epsilon I) x = b; larger epsilon, springier joints  test_BSJoint: sag_is_epsilon_force_step_squared_over_gamma
+ *   gamma is the fraction of the error that a step removes   test_BSJoint: gamma_is_the_fraction_that_a_step_removes
+ *   gamma outside 0..1 is unsafe: it is refused              test_BadInput: parameters_out_of_range
+ *   MdtWorldSetGammaWithRefTimeStep keeps it consistent      test_BSJoint: gamma_with_reference_step
  */
 #include "behaviour.h"
 
-/* "By making epsilon greater than zero a solution can be guaranteed": a hinge and four more joints hold what one would, at
- * every epsilon, down to 0, and the load is carried. */
+/* "By making epsilon greater than zero a solution can be guaranteed": a hinge and four more joints hold what one
+ * would, at every epsilon, down to 0, and the load is carried. */
 START_TEST(redundant_constraints_have_a_solution_at_every_epsilon) {
     const double epsilons[] = {.1, 1e-4, 1e-8, 0}, edge[3] = {2, .2, .2};
     for (int k = 0; k < 4; k++) {
@@ -58,8 +58,8 @@ START_TEST(a_heavier_load_sinks_deeper_into_a_contact) {
 }
 END_TEST
 
-/* "If gamma = 0, no relaxation is done. Joints will separate": an error stays what it is, and the load of a springy joint
- * lets it grow by epsilon F h² a step. */
+/* "If gamma = 0, no relaxation is done. Joints will separate": an error stays what it is, and the load of a springy
+ * joint lets it grow by epsilon F h² a step. */
 START_TEST(without_gamma_errors_stay_and_add_up) {
     MdtWorldID w = scene_world(2, 2, 10);
     const double epsilon = .01, h = (double)FRAME;

@@ -252,8 +252,8 @@ static Wheel makeWheel(double gravity, double hold) {
     return s;
 }
 
-/* "CarWheel": body 1 is the chassis, body 2 the wheel, attached at its centre; the steering axis is fixed in the chassis,
- * the hinge axis in the wheel, and they stay perpendicular. */
+/* "CarWheel": body 1 is the chassis, body 2 the wheel, attached at its centre; the steering axis is fixed in the
+ * chassis, the hinge axis in the wheel, and they stay perpendicular. */
 START_TEST(a_car_wheel_s_axes_are_fixed_in_chassis_and_wheel_and_perpendicular) {
     Wheel s = makeWheel(0, 0);
     MdtCarWheelSetSteeringLimitedForceMotor(s.joint, 0, 0);
@@ -277,8 +277,8 @@ START_TEST(a_car_wheel_s_axes_are_fixed_in_chassis_and_wheel_and_perpendicular) 
 }
 END_TEST
 
-/* "MdtCarWheelSetSuspension": a spring Kp and a damper Kd, which rest where they balance the load: Kp (height - reference)
- * = -m g. (Both guides print + kd × velocity; a damper opposes the rate.) */
+/* "MdtCarWheelSetSuspension": a spring Kp and a damper Kd, which rest where they balance the load: Kp (height -
+ * reference) = -m g. (Both guides print + kd × velocity; a damper opposes the rate.) */
 START_TEST(a_suspension_rests_where_it_balances_the_load) {
     Wheel s = makeWheel(10, 1);
     MdtCarWheelSetSuspension(s.joint, 400, 40, 0, -1, 1, (MeReal).1);
@@ -382,8 +382,8 @@ START_TEST(linear1_keeps_a_point_in_a_plane_and_linear2_on_a_line) {
 }
 END_TEST
 
-/* "FixedPath": a ball and socket whose attachment the program moves, every step; with the velocity it follows without lag,
- * without it is pulled after by relaxation. bodyindex says in whose frame: 1 is the world's here. */
+/* "FixedPath": a ball and socket whose attachment the program moves, every step; with the velocity it follows without
+ * lag, without it is pulled after by relaxation. bodyindex says in whose frame: 1 is the world's here. */
 START_TEST(a_fixed_path_carries_the_body_and_the_velocity_makes_it_exact) {
     for (int with = 0; with < 2; with++) {
         MdtWorldID w = scene_world(1, 1, 0);
@@ -463,7 +463,7 @@ START_TEST(fpfo_is_fully_rigid) {
 }
 END_TEST
 
-/* "RPRO": the relative quaternion and angular velocity, given every step, drive the orientation; the position is kept. */
+/* "RPRO": the relative quaternion and angular velocity, given every step, drive the orientation; the place is kept. */
 START_TEST(rpro_is_driven_by_quaternion_and_angular_velocity) {
     MdtWorldID w = scene_world(1, 1, 10);
     MdtWorldSetEpsilon(w, 0);
@@ -490,8 +490,8 @@ START_TEST(rpro_is_driven_by_quaternion_and_angular_velocity) {
 }
 END_TEST
 
-/* "MdtRPROJointSetLinearStrength": with a finite strength the joint gives way where more force would be needed, and comes
- * back; with MEINFINITY it is always kept. */
+/* "MdtRPROJointSetLinearStrength": with a finite strength the joint gives way where more force would be needed, and
+ * comes back; with MEINFINITY it is always kept. */
 START_TEST(rpro_gives_way_beyond_its_strength) {
     for (int angular = 0; angular < 2; angular++) {
         MdtWorldID w = scene_world(1, 1, 0);
@@ -553,8 +553,8 @@ START_TEST(a_spring_pulls_with_k_times_the_extension) {
 }
 END_TEST
 
-/* "Both soft: a spring; both hard: a rod; upper hard, lower free: a string; mixed: an elastic", which may be stretched but
- * not compressed. Pushed in and pulled out by a force of 5 N for a second, from its length of 1 m. */
+/* "Both soft: a spring; both hard: a rod; upper hard, lower free: a string; mixed: an elastic", which may be stretched
+ * but not compressed. Pushed in and pulled out by a force of 5 N for a second, from its length of 1 m. */
 START_TEST(a_spring_can_be_a_spring_a_rod_a_string_or_an_elastic) {
     enum { SPRING, ROD, STRING, ELASTIC };
     for (int kind = SPRING; kind <= ELASTIC; kind++)
@@ -591,8 +591,8 @@ START_TEST(a_spring_can_be_a_spring_a_rod_a_string_or_an_elastic) {
 }
 END_TEST
 
-/* "The default is spring-like, with two soft, damped limits, both at the initial separation": a new spring is at rest, and
- * comes back to rest. */
+/* "The default is spring-like, with two soft, damped limits, both at the initial separation": a new spring is at rest,
+ * and comes back to rest. */
 START_TEST(a_new_spring_is_soft_damped_and_at_its_length) {
     MdtWorldID w = scene_world(1, 1, 0);
     MdtBodyID b = boxAt(w, 1, 0, 3, 0);
@@ -608,7 +608,7 @@ START_TEST(a_new_spring_is_soft_damped_and_at_its_length) {
 }
 END_TEST
 
-/* User Guide ch. 3, "Spring": solved as a constraint; a hard one, a rod, answers in the same step whatever the masses. */
+/* User Guide ch. 3, "Spring": solved as a constraint; a hard one, a rod, answers in a step whatever the masses. */
 START_TEST(a_rod_answers_at_once_whatever_the_masses) {
     const double masses[] = {.01, 1, 1000};
     for (int i = 0; i < 3; i++) {
@@ -705,7 +705,8 @@ START_TEST(a_cone_of_half_angle_pi_is_no_limit) {
 }
 END_TEST
 
-/* User Guide app. D, "MdtSkeletal": a ball and socket, an elliptical cone, and a limit of the twist; pi/4 each at first. */
+/* User Guide app. D, "MdtSkeletal": a ball and socket, an elliptical cone, and a limit of the twist; pi/4 each at
+ * first. */
 START_TEST(a_skeletal_joint_limits_an_elliptical_cone_and_the_twist) {
     const MeReal torque[3][3] = {{0, 2, 0}, {0, 0, 2}, {2, 0, 0}};
     for (int way = 0; way < 3; way++) {

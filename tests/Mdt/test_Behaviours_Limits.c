@@ -1,21 +1,21 @@
-/* Documented behaviours: limits and motors (Dynamics guide ch. 3, "Joint Limit", "The Single Joint Limit"; ch. 5, "Modeling
- * Using Force-Limited Motors").
+/* Documented behaviours: limits and motors (Dynamics guide ch. 3, "Joint Limit", "The Single Joint Limit"; ch. 5,
+ * "Modeling Using Force-Limited Motors").
  *
  * Already proved elsewhere:
- *   a lower stop above the upper one takes it along; the reverse   test_Hinge: limits_follow_the_guide_s_rules
- *   above the threshold restitution counts, not damping            test_Hinge: above_the_threshold_a_stop_is_hard
- *   at or below it spring and damper count, not restitution        test_Hinge: a_soft_stop_is_a_damped_spring
- *   threshold, stiffness, damping do not become negative           test_Hinge: limits_follow_the_guide_s_rules
- *                                                                  test_Hinge: above_the_threshold_a_stop_is_hard
- *   restitution is clamped to 0..1                                 test_Hinge: limits_follow_the_guide_s_rules
- *   a stop without stiffness and damping does nothing              test_Hinge: a_stop_without_stiffness_and_damping_...
- *   MdtSingleLimitReset: stop 0, restitution 1, hard, damping 0    test_Hinge: limits_follow_the_guide_s_rules
- *   MdtLimitSetPosition shifts the reading                         test_Hinge: position_is_only_an_offset
- *   the position flag cannot be cleared while powered              test_Hinge: limits_follow_the_guide_s_rules
- *   the motor's speed tends to the desired one with at most fmax   test_Hinge: the_motor_reaches_its_speed_with_its_force
- *   ... or never arrives; velocity 0 is a brake                    test_Hinge: the_motor_stalls_at_its_force_limit
- *   a hard stop reverses the speed, times restitution, in a step   test_Hinge: a_hard_stop_returns_its_restitution_in_...
- *   a motor rests beyond a soft stop by fmax / stiffness           test_Hinge: a_motor_rests_on_a_soft_stop_at_fmax_over_...
+ *   a lower stop above the upper one takes it along; the reverse  test_Hinge: limits_follow_the_guide_s_rules
+ *   above the threshold restitution counts, not damping       test_Hinge: above_the_threshold_a_stop_is_hard
+ *   at or below it spring and damper count, not restitution   test_Hinge: a_soft_stop_is_a_damped_spring
+ *   threshold, stiffness, damping do not become negative      test_Hinge: limits_follow_the_guide_s_rules
+ *                                                             test_Hinge: above_the_threshold_a_stop_is_hard
+ *   restitution is clamped to 0..1                            test_Hinge: limits_follow_the_guide_s_rules
+ *   a stop without stiffness and damping does nothing         test_Hinge: a_stop_without_stiffness_and_damping_...
+ *   MdtSingleLimitReset: stop 0, restitution 1, hard, damping 0  test_Hinge: limits_follow_the_guide_s_rules
+ *   MdtLimitSetPosition shifts the reading                    test_Hinge: position_is_only_an_offset
+ *   the position flag cannot be cleared while powered         test_Hinge: limits_follow_the_guide_s_rules
+ *   the motor's speed tends to the desired one, with fmax at most test_Hinge: the_motor_reaches_its_speed_with_...
+ *   ... or never arrives; velocity 0 is a brake               test_Hinge: the_motor_stalls_at_its_force_limit
+ *   a hard stop reverses the speed, times restitution, in a step test_Hinge: a_hard_stop_returns_its_restitution_...
+ *   a motor rests beyond a soft stop by fmax / stiffness      test_Hinge: a_motor_rests_on_a_soft_stop_at_fmax_over_...
  */
 #include "behaviour.h"
 
@@ -44,8 +44,8 @@ static Rail makeRail(void) {
     return s;
 }
 
-/* "MdtLimitSetLimitedForceMotor": a negative force limit counts as 0; 0 switches the motor off, others on; and bodies that
- * are disabled stay so. */
+/* "MdtLimitSetLimitedForceMotor": a negative force limit counts as 0; 0 switches the motor off, others on; and bodies
+ * that are disabled stay so. */
 START_TEST(setting_the_motor_switches_it_and_wakes_nothing) {
     Rail s = makeRail();
     MdtBodyDisable(s.body);
@@ -152,8 +152,8 @@ START_TEST(a_soft_stop_takes_many_steps_to_reverse_the_speed) {
 }
 END_TEST
 
-/* "Restitution ... is used only if the limit hardness exceeds the threshold": a damped soft stop with restitution 1 and one
- * with 0 do the same. */
+/* "Restitution ... is used only if the limit hardness exceeds the threshold": a damped soft stop with restitution 1
+ * and one with 0 do the same. */
 START_TEST(a_soft_stop_ignores_restitution_and_a_hard_one_damping) {
     for (int hard = 0; hard < 2; hard++) {
         double after[2];
@@ -180,8 +180,8 @@ START_TEST(a_soft_stop_ignores_restitution_and_a_hard_one_damping) {
 }
 END_TEST
 
-/* "Set the limited-force motor parameters": on a slider m v = F t until the velocity is reached, which then stays; a greater
- * load than fmax keeps it from ever arriving. */
+/* "Set the limited-force motor parameters": on a slider m v = F t until the velocity is reached, which then stays; a
+ * greater load than fmax keeps it from ever arriving. */
 START_TEST(a_motor_takes_its_time_or_never_arrives) {
     Rail s = makeRail();
     MdtLimitSetLimitedForceMotor(s.limit, 2, 3);
@@ -198,8 +198,32 @@ START_TEST(a_motor_takes_its_time_or_never_arrives) {
 }
 END_TEST
 
-/* Ch. 5: "to model dry friction in a joint set a target velocity of zero, where the braking force is controlled by fmax":
- * it slows down evenly, then holds against less than fmax, and slips under more. */
+/* "No limit is missed" (ch. 3, "Hinge Limits"), by a motor that could pass it within a step either: from rest, just
+ * before the stop, with all the force that it likes. */
+START_TEST(a_strong_motor_does_not_pass_a_hard_stop) {
+    const double gaps[] = {1e-4, .01, .2}, forces[] = {1, 100, 1e6};
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            for (int side = -1; side <= 1; side += 2) {
+                Rail s = makeRail();
+                MdtSingleLimitSetStop(s.lower, (MeReal)-gaps[i]);
+                MdtSingleLimitSetStop(s.upper, (MeReal)gaps[i]);
+                MdtSingleLimitSetRestitution(s.lower, 0);
+                MdtSingleLimitSetRestitution(s.upper, 0);
+                MdtLimitActivateLimits(s.limit, 1);
+                MdtLimitSetLimitedForceMotor(s.limit, (MeReal)(50 * side), (MeReal)forces[k]);
+                for (int n = 0; n < 120; n++) {
+                    MdtWorldStep(s.world, FRAME);
+                    assert_below(side * (double)MdtLimitGetPosition(s.limit), gaps[i] + TOL(1e-6, 1e-9));
+                }
+                assert_near(MdtLimitGetPosition(s.limit), side * gaps[i], TOL(1e-6, 1e-9));
+                MdtWorldDestroy(s.world);
+            }
+}
+END_TEST
+
+/* Ch. 5: "to model dry friction in a joint set a target velocity of zero, where the braking force is controlled by
+ * fmax": it slows down evenly, then holds against less than fmax, and slips under more. */
 START_TEST(a_motor_of_velocity_zero_is_a_dry_brake) {
     Rail s = makeRail();
     MdtLimitSetLimitedForceMotor(s.limit, 0, 2);
@@ -260,6 +284,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_soft_stop_takes_many_steps_to_reverse_the_speed);
     tcase_add_test(t, a_soft_stop_ignores_restitution_and_a_hard_one_damping);
     tcase_add_test(t, a_motor_takes_its_time_or_never_arrives);
+    tcase_add_test(t, a_strong_motor_does_not_pass_a_hard_stop);
     tcase_add_test(t, a_motor_of_velocity_zero_is_a_dry_brake);
     tcase_add_test(t, set_limit_resets_and_copies_the_public_values);
 }

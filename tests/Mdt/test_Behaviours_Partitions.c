@@ -1,23 +1,23 @@
 /* Documented behaviours: partitions and auto-disable; the cap on the matrix size.
  *
  * Already proved elsewhere:
- *   a partition is what constraints join; the world joins nothing      test_Rest: constraints_join_bodies_and_the_world_...
- *   all four values have to be below their thresholds                  test_Rest: each_threshold_keeps_a_body_awake
- *   the thresholds are squares of magnitudes                           test_Rest: each_threshold_keeps_a_body_awake
- *   auto-disable can be switched                                       test_Rest: auto_disable_can_be_switched_off
- *   disabling a body freezes its collision model                       (belongs to collision)
+ *   a partition is what constraints join; the world joins nothing  test_Rest: constraints_join_bodies_and_the_world_...
+ *   all four values have to be below their thresholds              test_Rest: each_threshold_keeps_a_body_awake
+ *   the thresholds are squares of magnitudes                       test_Rest: each_threshold_keeps_a_body_awake
+ *   auto-disable can be switched                                   test_Rest: auto_disable_can_be_switched_off
+ *   disabling a body freezes its collision model                   (belongs to collision)
  *
  *   rows go: friction, then body-body, then body-world contacts, from the shallowest to the deepest
- *                                                                      test_MatrixCap: rows_go_in_the_documented_order
- *   joints are never dropped                                           test_MatrixCap: rows_go_in_the_documented_order
- *   each contact group keeps a contact                                 test_MatrixCap: a_group_keeps_its_deepest_contact
- *   a callback can replace the order                                   test_MatrixCap: a_callback_replaces_the_order
- *   no call, no cap                                                    test_MatrixCap: without_a_call_there_is_no_cap
+ *                                                                  test_MatrixCap: rows_go_in_the_documented_order
+ *   joints are never dropped                                       test_MatrixCap: rows_go_in_the_documented_order
+ *   each contact group keeps a contact                             test_MatrixCap: a_group_keeps_its_deepest_contact
+ *   a callback can replace the order                               test_MatrixCap: a_callback_replaces_the_order
+ *   no call, no cap                                                test_MatrixCap: without_a_call_there_is_no_cap
  */
 #include "behaviour.h"
 
-/* Dynamics guide ch. 1, "Partitioning the World"; User Guide ch. 6: two boxes on the ground are two partitions, a stack is
- * one. */
+/* Dynamics guide ch. 1, "Partitioning the World"; User Guide ch. 6: two boxes on the ground are two partitions, a
+ * stack is one. */
 START_TEST(two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one) {
     MdtWorldID w = scene_world(3, 3, 10);
     MdtBodyID left = scene_body(w, 1, 0, 1, 0), right = scene_body(w, 1, 5, 1, 0), top = scene_body(w, 1, 5, 3, 0);
@@ -31,8 +31,8 @@ START_TEST(two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one) {
 }
 END_TEST
 
-/* Dynamics guide ch. 1, "Partitioning the World": forces from outside are ignored; bodies that pull at each other by them
- * stay apart. */
+/* Dynamics guide ch. 1, "Partitioning the World": forces from outside are ignored; bodies that pull at each other by
+ * them stay apart. */
 START_TEST(forces_do_not_join_bodies) {
     MdtWorldID w = scene_world(2, 0, 10);
     MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 2, 0, 0);
@@ -56,8 +56,9 @@ static int stepsAwake(MdtWorldID w, MdtBodyID b, int most) {
     return n;
 }
 
-/* Dynamics guide ch. 4, "Enabling/Disabling Bodies": a body that was awakened is kept alive for a number of steps at least,
- * however still it is. The User Guide gives the window in seconds; both are offered, and each awakening begins it anew. */
+/* Dynamics guide ch. 4, "Enabling/Disabling Bodies": a body that was awakened is kept alive for a number of steps at
+ * least, however still it is. The User Guide gives the window in seconds; both are offered, and each awakening begins
+ * it anew. */
 START_TEST(an_awakened_body_is_kept_alive_for_the_window) {
     for (int window = 3; window <= 30; window += 9) {
         MdtWorldID w = MdtWorldCreate(1, 0);

@@ -1,11 +1,11 @@
 /* Documented behaviours: sort keys and determinism (Dynamics guide ch. 4, "Sort Keys - Deterministic Simulation").
  *
  * Already proved elsewhere:
- *   same start, same order of data: identical results       test_World: the_same_scene_gives_the_same_bits
+ *   same start, same order of data: identical results   test_World: the_same_scene_gives_the_same_bits
  *   removing and adding again may change the order; sort keys restore it
- *                                                            test_World: the_same_scene_gives_the_same_bits
- *                                                            test_World: bodies_and_constraints_are_walked_in_the_order_...
- *   ranges of the keys of collision models                   (belongs to collision)
+ *                                                        test_World: the_same_scene_gives_the_same_bits
+ *                                                        test_World: bodies_and_constraints_are_walked_in_the_order_...
+ *   ranges of the keys of collision models               (belongs to collision)
  */
 #include "behaviour.h"
 
@@ -32,7 +32,7 @@
 static const MeI32 keys[] = {0, 1, 12345, 2147483647};
 enum { KEYS = sizeof keys / sizeof *keys };
 
-/* A key that is set is the key that is got, for a body, a contact, a contact group, a constraint and every joint type. */
+/* A key that is set is got, for a body, a contact, a contact group, a constraint and every joint type. */
 START_TEST(set_and_get_sort_key_round_trip_for_every_type) {
     MdtWorldID w = scene_world(1, 18, 0);
     MdtBodyID b = MdtBodyCreate(w);

@@ -1,15 +1,15 @@
 /* Documented behaviours: worlds and stepping.
  *
  * Already proved elsewhere:
- *   worlds are independent of each other, several may exist           test_World: worlds_are_independent
- *   a world takes so many bodies and constraints, and no more         test_BadInput: more_than_the_world_was_created_for
- *   length and mass scale set tolerances, mass and inertia            test_World: both_forms_of_creation
- *                                                                     test_Body: scales_set_the_default_mass_and_inertia
- *   a world without enabled bodies leaves everything                  test_World: a_world_without_enabled_bodies_...
- *   the step may differ from call to call                             test_World: the_step_may_differ_from_call_to_call
- *   first order, semi-implicit, gravity explicit                      test_FreeBody: free_fall_is_the_closed_form_to_...
- *                                                                     test_FreeBody: free_fall_converges_at_first_order
- *   forces of the last step can be read after it                      test_BSJoint: the_force_read_back_is_the_pendulum_s_...
+ *   worlds are independent of each other, several may exist     test_World: worlds_are_independent
+ *   a world takes so many bodies and constraints, and no more   test_BadInput: more_than_the_world_was_created_for
+ *   length and mass scale set tolerances, mass and inertia      test_World: both_forms_of_creation
+ *                                                               test_Body: scales_set_the_default_mass_and_inertia
+ *   a world without enabled bodies leaves everything            test_World: a_world_without_enabled_bodies_...
+ *   the step may differ from call to call                       test_World: the_step_may_differ_from_call_to_call
+ *   first order, semi-implicit, gravity explicit                test_FreeBody: free_fall_is_the_closed_form_to_...
+ *                                                               test_FreeBody: free_fall_converges_at_first_order
+ *   forces of the last step can be read after it                test_BSJoint: the_force_read_back_is_the_pendulum_s_...
  */
 #include "behaviour.h"
 #include "MeMemory.h"
@@ -40,8 +40,8 @@ START_TEST(a_step_partitions_solves_and_integrates) {
 END_TEST
 
 /* Dynamics guide ch. 5, "Background": the integrator's inaccuracy lets energy fall rather than rise, for the forces of
- * constraints. Here it does neither: over 60 s at 30 Hz a swinging pair of bars has the energy that it began with, but for
- * the ripple of a leapfrog, of the order of g v h / 2, which may not grow. */
+ * constraints. Here it does neither: over 60 s at 30 Hz a swinging pair of bars has the energy that it began with, but
+ * for the ripple of a leapfrog, of the order of g v h / 2, which may not grow. */
 START_TEST(constraint_forces_do_not_add_energy) {
     const double edge[3] = {1, .1, .1}, h = 1.0 / 30;
     MdtWorldID w = scene_world(2, 2, 10);
@@ -94,8 +94,8 @@ static void *MEAPI countResize(void *const block, size_t bytes) {
     return real.resize(block, bytes);
 }
 
-/* Dynamics guide ch. 2, "Cleaning Up": destroying a world destroys it with all its bodies and constraints, and frees the
- * memory. */
+/* Dynamics guide ch. 2, "Cleaning Up": destroying a world destroys it with all its bodies and constraints, and frees
+ * the memory. */
 START_TEST(destroying_a_world_frees_it_with_its_bodies_and_constraints) {
     real = MeMemoryAPI;
     MeMemoryAPI.create = countCreate;
@@ -121,8 +121,8 @@ START_TEST(destroying_a_world_frees_it_with_its_bodies_and_constraints) {
 }
 END_TEST
 
-/* The stages of a step as they can be watched: the partition callback, the rows of a user constraint, and afterwards the
- * world. */
+/* The stages of a step as they can be watched: the partition callback, the rows of a user constraint, and afterwards
+ * the world. */
 static char watched[8];
 static double heightWhenPartitioned, heightWhenPacked;
 static MdtBodyID fallingBody;

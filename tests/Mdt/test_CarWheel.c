@@ -1,7 +1,7 @@
 /* The car wheel: suspension, stops, steering and rolling, and a chassis on four of them.
  *
- * The quarter car: a chassis that can only go up and down, on one wheel that the ground keeps at its height. The steering
- * axis is y, the hinge axis z. */
+ * The quarter car: a chassis that can only go up and down, on one wheel that the ground keeps at its height. The
+ * steering axis is y, the hinge axis z. */
 #include "measure.h"
 
 static const double chassisMass = 20, wheelInertia = .1, g = 9.81, pi = 3.14159265358979323846;
@@ -473,8 +473,8 @@ START_TEST(four_wheels_share_the_weight_by_their_levers) {
 }
 END_TEST
 
-/* Each motor's torque T turns its wheel with T / I and the chassis the other way, until the springs balance four of them:
- * 4 T = 4 kp δ halfBase. */
+/* Each motor's torque T turns its wheel with T / I and the chassis the other way, until the springs balance four of
+ * them: 4 T = 4 kp δ halfBase. */
 START_TEST(driving_wheels_pitch_the_chassis) {
     FourWheels c = makeFourWheels(0);
     const double T = 20;

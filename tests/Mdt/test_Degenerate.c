@@ -1,5 +1,5 @@
-/* Where a joint loses its meaning: everything stays finite, one warning is given when it comes there and not one a step,
- * and another when it comes there again. */
+/* Where a joint loses its meaning: everything stays finite, one warning is given when it comes there and not one a
+ * step, and another when it comes there again. */
 #include "MeMath.h"
 #include "measure.h"
 

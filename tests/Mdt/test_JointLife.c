@@ -1,5 +1,5 @@
-/* What holds for the life of every joint, under each joint's own names: creation, attachment, bookkeeping, casts, defaults
- * and reset, and every function's answer to handles that are null or dead. */
+/* What holds for the life of every joint, under each joint's own names: creation, attachment, bookkeeping, casts,
+ * defaults and reset, and every function's answer to handles that are null or dead. */
 #include "MeMath.h"
 #include "scene.h"
 
@@ -31,7 +31,7 @@
 #define WARNS_0(call)                                                                                                  \
     do {                                                                                                               \
         caught.warnings = 0;                                                                                           \
-        ck_assert_msg(!(call), "%s is not 0", #call);                                                                  \
+        ck_assert_msg((call) == 0, "%s is not 0", #call);                                                              \
         ck_assert_msg(caught.warnings > 0, "%s: no warning", #call);                                                   \
     } while (0)
 #define WARNS_0S(call, v, n)                                                                                           \
@@ -685,8 +685,10 @@ static void changeSpring6(MdtSpring6ID j) {
         MdtSpring6SetAngularDamping(j, i, (MeReal)(10 + i));
     }
     for (int i = 0; i < 3; i++) {
-        ck_assert(MdtSpring6GetLinearStiffness(j, i) == 1 + i && MdtSpring6GetLinearDamping(j, i) == 4 + i);
-        ck_assert(MdtSpring6GetAngularStiffness(j, i) == 7 + i && MdtSpring6GetAngularDamping(j, i) == 10 + i);
+        ck_assert(MdtSpring6GetLinearStiffness(j, i) == (MeReal)(1 + i) &&
+                  MdtSpring6GetLinearDamping(j, i) == (MeReal)(4 + i));
+        ck_assert(MdtSpring6GetAngularStiffness(j, i) == (MeReal)(7 + i) &&
+                  MdtSpring6GetAngularDamping(j, i) == (MeReal)(10 + i));
     }
 }
 

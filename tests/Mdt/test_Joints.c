@@ -1,10 +1,11 @@
-/* What holds for the motion of every joint: the degrees of freedom that it removes stay removed and the others free, its
- * forces are opposite and balance loads, momentum is kept, the order of the bodies does not matter where both sides have
- * the same role, and places where a joint loses its meaning are survived.
+/* What holds for the motion of every joint: the degrees of freedom that it removes stay removed and the others free,
+ * its forces are opposite and balance loads, momentum is kept, the order of the bodies does not matter where both sides
+ * have the same role, and places where a joint loses its meaning are survived.
  *
- * Every joint is set up between two bodies at the same places, with the same frame: the axes p, o, t = p x o at a point P.
- * Where its two sides stand to each other is measured from the bodies' poses in the joint's six coordinates: the way from
- * side 1's point to side 0's along side 1's axes, and the turn of side 0's axes against side 1's as a rotation vector. */
+ * Every joint is set up between two bodies at the same places, with the same frame: the axes p, o, t = p x o at a point
+ * P. Where its two sides stand to each other is measured from the bodies' poses in the joint's six coordinates: the way
+ * from side 1's point to side 0's along side 1's axes, and the turn of side 0's axes against side 1's as a rotation
+ * vector. */
 #include "measure.h"
 
 enum { PX = 1, PO = 2, PT = 4, TX = 8, TO = 16, TT = 32, ALL_P = 7, ALL_T = 56, ALL = 63 };
@@ -303,29 +304,29 @@ static void setUpUser(Pair *s) {
 /* A program's own rows are met to first order: a turning arm leaves them. */
 #define FIRST_ORDER 2e-2
 
-/* clang-format off */
 static const Joint joints[] = {
-/*   name                 create               set up               rows held           free          violation             loads      symmetric, curved */
-    {"BSJoint",           createBSJoint,        setPoint,            3, ALL_P,          ALL_T,        NULL,                 ALL_P,      1, EXACTLY, EXACTLY},
-    {"Hinge",             createHinge,          setPointAndAxis,     5, ALL_P|TO|TT,    TX,           NULL,                 ALL_P|TO|TT, 1, EXACTLY, EXACTLY},
-    {"Prismatic",         createPrismatic,      setUpPrismatic,      5, PO|PT|ALL_T,    PX,           NULL,                 PO|PT|ALL_T, 1, EXACTLY, EXACTLY},
-    {"Universal",         createUniversal,      setUpUniversal,      4, ALL_P,          TX|TO,        universalViolation,   ALL_P|TT,   0, EXACTLY, EXACTLY},
-    {"Angular3",          createAngular3,       setUpNothing,        3, ALL_T,          ALL_P,        NULL,                 ALL_T,      1, EXACTLY, EXACTLY},
-    {"Angular3 rotating", createAngular3,       setUpAngular2,       2, TO|TT,          ALL_P|TX,     NULL,                 TO|TT,      1, EXACTLY, EXACTLY},
-    {"CarWheel",          createCarWheel,       setUpCarWheel,       3, 0,              PX|TX|TO,     wheelViolation,       PO|PT|TT,   0, EXACTLY, EXACTLY},
-    {"CarWheel locked",   createCarWheel,       setUpLockedCarWheel, 4, 0,              PX|TO,        lockedWheelViolation, PO|PT|TX|TT, 0, EXACTLY, EXACTLY},
-    {"Linear1",           createLinear1,        setPointAndAxis,     1, PX,             PO|PT|ALL_T,  NULL,                 PX,         0, EXACTLY, EXACTLY},
-    {"Linear2",           createLinear2,        setUpLinear2,        2, PO|PT,          PX|ALL_T,     NULL,                 PO|PT,      0, EXACTLY, EXACTLY},
-    {"FixedPath",         createFixedPath,      setUpFixedPath,      3, ALL_P,          ALL_T,        NULL,                 ALL_P,      1, EXACTLY, EXACTLY},
-    {"FPFOJoint",         createFPFOJoint,      setUpFPFO,           6, ALL,            0,            NULL,                 ALL,        1, EXACTLY, EXACTLY},
-    {"RPROJoint",         createRPROJoint,      setUpRPRO,           6, ALL,            0,            NULL,                 ALL,        1, EXACTLY, EXACTLY},
-    {"Spring (rod)",      createSpring,         setUpRod,            1, 0,              ALL_P|ALL_T,  rodViolation,         PX,         1, EXACTLY, EXACTLY},
-    {"Spring6",           createSpring6,        setUpSpring6,        6, ALL,            0,            NULL,                 ALL,        1, EXACTLY, EXACTLY},
-    {"ConeLimit",         createConeLimit,      setUpConeLimit,      1, 0,              ALL_P|ALL_T,  coneViolation,        TT,         1, EXACTLY, ABOUT_CURVES},
-    {"Skeletal",          createSkeletal,       setPointAndAxes,     3, ALL_P,          ALL_T,        skeletalViolation,    ALL_P,      1, EXACTLY, ABOUT_CURVES},
-    {"UserConstraint",    createUserConstraint, setUpUser,           3, ALL_P,          ALL_T,        NULL,                 ALL_P,      1, FIRST_ORDER, EXACTLY},
+    /* name, create, set up, rows; held, free, violation; loads, symmetric; tolerances of held and violation */
+    {"BSJoint", createBSJoint, setPoint, 3, ALL_P, ALL_T, NULL, ALL_P, 1, EXACTLY, EXACTLY},
+    {"Hinge", createHinge, setPointAndAxis, 5, ALL_P | TO | TT, TX, NULL, ALL_P | TO | TT, 1, EXACTLY, EXACTLY},
+    {"Prismatic", createPrismatic, setUpPrismatic, 5, PO | PT | ALL_T, PX, NULL, PO | PT | ALL_T, 1, EXACTLY, EXACTLY},
+    {"Universal", createUniversal, setUpUniversal, 4, ALL_P, TX | TO, universalViolation, ALL_P | TT, 0, EXACTLY,
+     EXACTLY},
+    {"Angular3", createAngular3, setUpNothing, 3, ALL_T, ALL_P, NULL, ALL_T, 1, EXACTLY, EXACTLY},
+    {"Angular3 rotating", createAngular3, setUpAngular2, 2, TO | TT, ALL_P | TX, NULL, TO | TT, 1, EXACTLY, EXACTLY},
+    {"CarWheel", createCarWheel, setUpCarWheel, 3, 0, PX | TX | TO, wheelViolation, PO | PT | TT, 0, EXACTLY, EXACTLY},
+    {"CarWheel locked", createCarWheel, setUpLockedCarWheel, 4, 0, PX | TO, lockedWheelViolation, PO | PT | TX | TT, 0,
+     EXACTLY, EXACTLY},
+    {"Linear1", createLinear1, setPointAndAxis, 1, PX, PO | PT | ALL_T, NULL, PX, 0, EXACTLY, EXACTLY},
+    {"Linear2", createLinear2, setUpLinear2, 2, PO | PT, PX | ALL_T, NULL, PO | PT, 0, EXACTLY, EXACTLY},
+    {"FixedPath", createFixedPath, setUpFixedPath, 3, ALL_P, ALL_T, NULL, ALL_P, 1, EXACTLY, EXACTLY},
+    {"FPFOJoint", createFPFOJoint, setUpFPFO, 6, ALL, 0, NULL, ALL, 1, EXACTLY, EXACTLY},
+    {"RPROJoint", createRPROJoint, setUpRPRO, 6, ALL, 0, NULL, ALL, 1, EXACTLY, EXACTLY},
+    {"Spring (rod)", createSpring, setUpRod, 1, 0, ALL_P | ALL_T, rodViolation, PX, 1, EXACTLY, EXACTLY},
+    {"Spring6", createSpring6, setUpSpring6, 6, ALL, 0, NULL, ALL, 1, EXACTLY, EXACTLY},
+    {"ConeLimit", createConeLimit, setUpConeLimit, 1, 0, ALL_P | ALL_T, coneViolation, TT, 1, EXACTLY, ABOUT_CURVES},
+    {"Skeletal", createSkeletal, setPointAndAxes, 3, ALL_P, ALL_T, skeletalViolation, ALL_P, 1, EXACTLY, ABOUT_CURVES},
+    {"UserConstraint", createUserConstraint, setUpUser, 3, ALL_P, ALL_T, NULL, ALL_P, 1, FIRST_ORDER, EXACTLY},
 };
-/* clang-format on */
 enum { NUM_JOINTS = sizeof joints / sizeof joints[0] };
 
 /* ---- the pair ---- */
@@ -631,8 +632,8 @@ END_TEST
 
 /* ---- the order of the bodies ---- */
 
-/* Linear1, Linear2 and CarWheel have two different sides, and so has the universal joint, whose axes must change places:
- * they are in the tests of their own. */
+/* Linear1, Linear2 and CarWheel have two different sides, and so has the universal joint, whose axes must change
+ * places: they are in the tests of their own. */
 START_TEST(the_order_of_the_bodies_does_not_matter) {
     for (int i = 0; i < NUM_JOINTS; i++) {
         Pair s[2];

@@ -1,5 +1,5 @@
-/* Random scenes of bodies tied by joints of all kinds, well or badly set up: whatever happens, every body stays finite, rigid
- * joints that fit do not gain energy, and the same scene gives the same bits. */
+/* Random scenes of bodies tied by joints of all kinds, well or badly set up: whatever happens, every body stays finite,
+ * and the same scene gives the same bits. */
 #include "scene.h"
 
 enum { BODIES = 6, JOINTS = 8 };
@@ -9,6 +9,12 @@ static unsigned long long seed;
 static double uniform(double from, double to) {
     seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
     return from + (to - from) * (double)(seed >> 11) / (double)(1ULL << 53);
+}
+
+/* One number after the other: the order in which a compiler evaluates arguments is its own. */
+static void vector(MeReal v[3], double size) {
+    for (int i = 0; i < 3; i++)
+        v[i] = (MeReal)uniform(-size, size);
 }
 
 static int pick(int n) {
@@ -52,9 +58,6 @@ static MdtConstraintID makeJoint(MdtWorldID w, int kind) {
 
 enum { KINDS = 15 };
 
-/* Joints that hold something rigidly. */
-static const int rigid[] = {0, 1, 2, 3, 4, 6, 7, 14};
-
 static void setUp(MdtConstraintID c) {
     MdtHingeID hinge = MdtConstraintDCastHinge(c);
     MdtPrismaticID slider = MdtConstraintDCastPrismatic(c);
@@ -78,32 +81,43 @@ static void setUp(MdtConstraintID c) {
         }
     if (cone)
         MdtConeLimitSetConeHalfAngle(cone, (MeReal)uniform(0, 3));
-    if (wheel)
-        MdtCarWheelSetSuspension(wheel, (MeReal)uniform(0, 1e5), (MeReal)uniform(0, 100), (MeReal)uniform(0, .01),
-                                 (MeReal)-.3, (MeReal).3, 0);
+    if (wheel) {
+        const double kp = uniform(0, 1e5), kd = uniform(0, 100), softness = uniform(0, .01);
+        MdtCarWheelSetSuspension(wheel, (MeReal)kp, (MeReal)kd, (MeReal)softness, (MeReal)-.3, (MeReal).3, 0);
+    }
 }
 
-static MdtWorldID makeScene(unsigned long long number, MdtBodyID body[BODIES], MeBool fitting, MeBool onlyRigid) {
+static MdtWorldID makeScene(unsigned long long number, MdtBodyID body[BODIES], MeBool fitting) {
     seed = number * 7919 + 17;
     MdtWorldID w = scene_world(BODIES, JOINTS, 0);
-    MdtWorldSetEpsilon(w, onlyRigid || pick(2) ? 0 : (MeReal)1e-4);
+    MdtWorldSetEpsilon(w, pick(2) ? 0 : (MeReal)1e-4);
     for (int i = 0; i < BODIES; i++) {
-        const double edge[3] = {uniform(.2, 2), uniform(.2, 2), uniform(.2, 2)};
-        body[i] = scene_box(w, pow(10, uniform(-2, 3)), edge, uniform(-3, 3), uniform(-3, 3), uniform(-3, 3));
-        MdtBodySetQuaternion(body[i], (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1), 1);
-        MdtBodySetAngularVelocity(body[i], (MeReal)uniform(-5, 5), (MeReal)uniform(-5, 5), (MeReal)uniform(-5, 5));
-        MdtBodySetLinearVelocity(body[i], (MeReal)uniform(-3, 3), (MeReal)uniform(-3, 3), (MeReal)uniform(-3, 3));
+        MeReal at[3], turn[3], v[3], spin[3];
+        double edge[3];
+        for (int k = 0; k < 3; k++)
+            edge[k] = uniform(.2, 2);
+        const double mass = pow(10, uniform(-2, 3));
+        vector(at, 3);
+        vector(turn, 1);
+        vector(v, 3);
+        vector(spin, 5);
+        body[i] = scene_box(w, mass, edge, at[0], at[1], at[2]);
+        MdtBodySetQuaternion(body[i], 1, turn[0], turn[1], turn[2]);
+        MdtBodySetAngularVelocity(body[i], spin[0], spin[1], spin[2]);
+        MdtBodySetLinearVelocity(body[i], v[0], v[1], v[2]);
     }
     for (int i = 0; i < JOINTS; i++) {
         const int a = pick(BODIES), b = pick(BODIES);
-        MdtConstraintID c = makeJoint(w, onlyRigid ? rigid[pick(8)] : pick(KINDS));
+        MdtConstraintID c = makeJoint(w, pick(KINDS));
         MdtConstraintSetBodies(c, body[a], a == b ? 0 : body[b]);
         if (fitting) {
-            MdtConstraintSetPosition(c, (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2));
-            MdtConstraintSetAxis(c, (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1), 1);
+            MeReal at[3], axis[3];
+            vector(at, 2);
+            vector(axis, 1);
+            MdtConstraintSetPosition(c, at[0], at[1], at[2]);
+            MdtConstraintSetAxis(c, axis[0], axis[1], 1);
         }
-        if (!onlyRigid)
-            setUp(c);
+        setUp(c);
         MdtConstraintEnable(c);
     }
     return w;
@@ -130,7 +144,7 @@ START_TEST(scenes_that_do_not_fit_stay_finite) {
     MdtBodyID body[BODIES];
     messages_catch(); /* degenerate joints warn */
     for (unsigned long long n = 0; n < 20; n++) {
-        MdtWorldID w = makeScene(n, body, MEFALSE, MEFALSE);
+        MdtWorldID w = makeScene(n, body, MEFALSE);
         for (int i = 0; i < 40; i++) {
             MdtWorldStep(w, FRAME);
             ck_assert_msg(isFiniteScene(body), "scene %llu is not finite after %d steps", n, i + 1);
@@ -141,30 +155,11 @@ START_TEST(scenes_that_do_not_fit_stay_finite) {
 }
 END_TEST
 
-START_TEST(rigid_joints_that_fit_do_not_gain_energy) {
-    MdtBodyID body[BODIES];
-    messages_catch(); /* a universal may pass its right angle */
-    for (unsigned long long n = 1000; n < 1030; n++) {
-        MdtWorldID w = makeScene(n, body, METRUE, METRUE);
-        const double start = energyOf(body);
-        MdtWorldStep(w, FRAME); /* takes away what the joints do not allow */
-        double base = energyOf(body), most = base;
-        for (int i = 0; i < 120; i++) {
-            MdtWorldStep(w, FRAME);
-            most = fmax(most, energyOf(body));
-        }
-        assert_below(most - base, .015 * base + 1e-6 * start);
-        MdtWorldDestroy(w);
-    }
-    messages_release();
-}
-END_TEST
-
 START_TEST(the_same_scene_gives_the_same_bits) {
     MdtBodyID a[BODIES], b[BODIES];
     messages_catch();
     for (unsigned long long n = 500; n < 505; n++) {
-        MdtWorldID w[2] = {makeScene(n, a, METRUE, MEFALSE), makeScene(n, b, METRUE, MEFALSE)};
+        MdtWorldID w[2] = {makeScene(n, a, METRUE), makeScene(n, b, METRUE)};
         steps(w[0], 40, FRAME);
         steps(w[1], 40, FRAME);
         for (int i = 0; i < BODIES; i++)
@@ -178,7 +173,6 @@ END_TEST
 
 static void tests(TCase *t) {
     tcase_add_test(t, scenes_that_do_not_fit_stay_finite);
-    tcase_add_test(t, rigid_joints_that_fit_do_not_gain_energy);
     tcase_add_test(t, the_same_scene_gives_the_same_bits);
 }
 

@@ -233,6 +233,7 @@ START_TEST(position_rows) {
     check(MdtBclCARWHEEL, loosenWheel, 3);
     check(MdtBclCARWHEEL, lockWheel, 4);
     check(MdtBclSPRING, rod, 1);
+    check(MdtBclSPRING, string, SOME);
     check(MdtBclSKELETAL, freeSkeletal, 3);
     check(MdtBclSKELETAL, fixSkeletal, 6);
     check(MdtBclSKELETAL, slotSkeletal, 4);

@@ -1,6 +1,6 @@
 /* A small program like those of the guides, for the tests that run the viewer as a whole: a sphere that falls on the
- * ground. It says on stdout what happens. `-warn` gives a warning, `-exit N` leaves from tick N, `-destroy N` destroys the context
- * in tick N. */
+ * ground. It says on stdout what happens. `-warn` gives a warning, `-exit N` leaves from tick N, `-destroy N` destroys
+ * the context in tick N. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,4 +1,5 @@
-/* What is drawn, in an off-screen buffer: where things are, light and shadow, help, and that nothing is left to chance. */
+/* What is drawn, in an off-screen buffer: where things are, light and shadow, help, and that nothing is left to chance.
+ * */
 #include "viewer_test.h"
 
 #include "RMenu.h"
@@ -126,7 +127,8 @@ START_TEST(a_shadow_falls_on_the_ground) {
     start("-osmesa -size 320x240");
     sphereOnGround();
     RPicture p = shoot(2);
-    /* The light comes from (-0.45, 1, 0.55): the shadow's middle is at (0.45, 0, -0.55). Halfway to its far edge, and as
+    /* The light comes from (-0.45, 1, 0.55): the shadow's middle is at (0.45, 0, -0.55). Halfway to its far edge, and
+     * as
        far from the sphere to the side. */
     project(view, lookAt, (const double[3]){0.9, 0, -1.1}, &p, shadow);
     project(view, lookAt, (const double[3]){1.1 + 0.45, 0, 0.9 - 0.55}, &p, lit);

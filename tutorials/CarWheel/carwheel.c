@@ -4,9 +4,9 @@
  * and slide along it against a damped spring, the suspension. The rear wheels' steering is locked, and their hinge
  * motors are the engine; the front wheels' steering motors turn them to the angle that is wanted.
  *
- * The program itself finds where the wheels touch the ground, as Bounce does: a wheel is a disc, the ground a plane with
- * some bumps, which are cylinders lying across the road. One contact per wheel, with friction in proportion to the load
- * (the normal-force model): that is what carries, drives and steers the car.
+ * The program itself finds where the wheels touch the ground, as Bounce does: a wheel is a disc, the ground a plane
+ * with some bumps, which are cylinders lying across the road. One contact per wheel, with friction in proportion to
+ * the load (the normal-force model): that is what carries, drives and steers the car.
  *
  * Left alone the car follows the dashed line; the arrow keys take the wheel.
  */
@@ -149,8 +149,8 @@ static void steerAlongRoute(void) {
     steering = MeAtan(wheelbase * (curvature - (MeReal)0.15 * off - (MeReal)0.8 * turned));
 }
 
-/* The inner front wheel runs on a smaller circle than the outer one and has to be turned further. Motors have a velocity,
- * so the steering motor aims at one that is proportional to what is missing. */
+/* The inner front wheel runs on a smaller circle than the outer one and has to be turned further. Motors have a
+ * velocity, so the steering motor aims at one that is proportional to what is missing. */
 static void steerWheel(int i) {
     const MeReal t = MeTan(steering), wanted = MeAtan2(wheelbase * t, wheelbase + wheelZ(i) * t);
     const MeReal angle = -MdtCarWheelGetSteeringAngle(joint[i]); /* it is the chassis' against the wheel */

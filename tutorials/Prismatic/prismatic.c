@@ -5,8 +5,8 @@
  *   - a motor of limited force, which MdtLimitController drives to a place: fast from afar, slower near it;
  *   - an upper stop, which is hard;
  *   - a lower stop, which is a damped spring: the buffers in the pit.
- * The lift goes up and down by itself until the arrow keys call it. Try: call it beyond the top floor; load it until the
- * motor is too weak; switch the motor off and watch the buffers.
+ * The lift goes up and down by itself until the arrow keys call it. Try: call it beyond the top floor; load it until
+ * the motor is too weak; switch the motor off and watch the buffers.
  */
 #include "Mdt.h"
 #include "MeViewer.h"

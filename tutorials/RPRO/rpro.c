@@ -19,8 +19,8 @@ enum { UPPER, FORE, PARTS }; /* the arm's two parts, and the joints at their nea
 static const MeReal step = (MeReal)(1.0 / 60);                  /* s */
 static const MeReal length[PARTS] = {(MeReal)1.4, (MeReal)1.2}; /* m */
 static const MeReal mass[PARTS] = {4, 3};                       /* kg */
-static const MeReal loadMass = 8, cord = (MeReal)0.6;           /* kg; m, from the hand to the weight's middle */
-static const MeReal height = 2;                                 /* m, of the shoulder above the ground */
+static const MeReal loadMass = 6, cord = (MeReal)0.4;           /* kg; m, from the hand to the weight's middle */
+static const MeReal height = (MeReal)3.2;                       /* m, of the shoulder above the ground */
 static const MeReal share[PARTS] = {1, (MeReal)0.6};            /* of the strength */
 
 static MdtWorldID world;
@@ -304,7 +304,7 @@ static void createStand(void) {
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, dark[4] = {.30f, .31f, .33f, 1}, zero[3] = {0, 0, 0};
     const float ghost[4] = {RPalette[5][0], RPalette[5][1], RPalette[5][2], .3f};
-    const AcmeVector3 lookAt = {.8f, 1.5f, 0};
+    const AcmeVector3 lookAt = {.7f, 2.3f, 0};
     createStand();
     for (int i = 0; i < PARTS; i++)
         createPartGraphics(i, RPalette[i == UPPER ? 0 : 2], RPalette[4], MdtBodyGetTransformPtr(part[i]));
@@ -314,7 +314,7 @@ static void createGraphics(void) {
     cordLine = RNLineCreate(rc, zero, zero, dark, 0);
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 7.5f, .25f, .2f);
+    RCameraSetView(rc, 9, .3f, .17f);
 }
 
 static void createControls(void) {

@@ -1,7 +1,8 @@
 /* Spring: a spring, a rod, a string and an elastic, side by side (Dynamics guide, chapter 3, "MdtSpring").
  *
- * All four are one joint, MdtSpring: it has a say in the distance between two points, here a hook on the beam and a ball,
- * and in nothing else. What becomes of it is decided by the two stops of its limit, which both lie at the natural length:
+ * All four are one joint, MdtSpring: it has a say in the distance between two points, here a hook on the beam and a
+ * ball, and in nothing else. What becomes of it is decided by the two stops of its limit, which both lie at the
+ * natural length:
  *
  *               shorter than that           longer than that
  *     spring    pushes (soft)               pulls (soft)

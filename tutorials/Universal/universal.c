@@ -64,8 +64,8 @@ static void placeShafts(MeReal angle) {
     place(LAST, p[1][0] + length[LAST] / 2, p[1][1], 0);
 }
 
-/* Universal joints are set while the shafts are in line: so they know what being bent is. An axis for each body, at right
- * angles to the other and to the shafts. When the middle shaft's two bars are parallel, the ripples cancel. */
+/* Universal joints are set while the shafts are in line: so they know what being bent is. An axis for each body, at
+ * right angles to the other and to the shafts. When the middle shaft's two bars are parallel, the ripples cancel. */
 static void setCrosses(void) {
     placeShafts(0);
     for (int i = 0; i < 2; i++) {

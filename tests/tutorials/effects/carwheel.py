@@ -21,11 +21,12 @@ def check():
     springs()
     for frames in 420, 1500:  # in the first half circle, now and one lap later
         line = status(frames)
-        near(math.hypot(figure(line, 'x') - 12, figure(line, 'left') - 8), 8, 0.15, "the distance from the bend's middle")
+        from_middle = math.hypot(figure(line, 'x') - 12, figure(line, 'left') - 8)
+        near(from_middle, 8, 0.15, "the distance from the bend's middle")
 
 
 def turns():
-    """The steering geometry says where the middle of the rear axle goes; the chassis' centre is half the base before it."""
+    """The steering says where the middle of the rear axle goes; the car's centre is half the base before it."""
     rear = BASE / math.tan(0.3)
     line, opposite = (status(n, SLOW_LEFT) for n in (300, 300 + round(60 * math.pi * rear / 2)))
     near(figure(line, 'turns'), math.degrees(2 / rear), 0.1, 'the rate of turning')

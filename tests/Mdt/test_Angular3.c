@@ -1,0 +1,284 @@
+/* The angular joint: an orientation is kept, the place is free; Angular2 with a free rotation; and the angular spring.
+ * */
+#include "measure.h"
+
+static const double edge[3] = {.5, .8, .3};
+
+/* The largest difference of two rotations' entries. */
+static double difference(const double A[3][3], const double B[3][3]) {
+    double worst = 0;
+    for (int n = 0; n < 9; n++)
+        worst = fmax(worst, fabs(A[n / 3][n % 3] - B[n / 3][n % 3]));
+    return worst;
+}
+
+static void relativeRotation(MdtBodyID a, MdtBodyID b, double M[3][3]) {
+    double A[3][3], B[3][3];
+    measure_rotation(a, A);
+    measure_rotation(b, B);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            M[i][j] = B[0][i] * A[0][j] + B[1][i] * A[1][j] + B[2][i] * A[2][j];
+}
+
+static void shove(MdtBodyID b, Random *r) {
+    double f[3], t[3];
+    random_vector(r, 5, f);
+    random_vector(r, 2, t);
+    add_force(b, f);
+    add_torque(b, t);
+}
+
+/* As the bodies stand when they are attached, whatever happened before and whatever axis is set later. */
+START_TEST(the_orientation_at_attaching_is_kept) {
+    for (int variant = 0; variant < 4; variant++) {
+        MdtWorldID w = scene_world(2, 1, 0);
+        MdtWorldSetEpsilon(w, 0);
+        MdtBodyID a = scene_box(w, 2, edge, 0, 0, 0), b = variant % 2 == 0 ? scene_box(w, 1, edge, 1, 1, 0) : NULL;
+        MdtAngular3ID j = MdtAngular3Create(w);
+        Random random = {5};
+        double start[3][3], now[3][3], p[3];
+        MdtBodySetQuaternion(a, (MeReal).3, (MeReal).5, (MeReal)-.7, (MeReal).4);
+        if (b)
+            MdtBodySetQuaternion(b, (MeReal)-.4, (MeReal).6, (MeReal).1, (MeReal).7);
+        MdtAngular3SetBodies(j, a, b);
+        if (variant >= 2)
+            MdtAngular3SetAxis(j, 1, 2, -1);
+        MdtAngular3Enable(j);
+        relativeRotation(a, b, start);
+        for (int i = 0; i < 200; i++) {
+            shove(a, &random);
+            MdtWorldStep(w, FRAME);
+            relativeRotation(a, b, now);
+            assert_below(difference((const double(*)[3])now, (const double(*)[3])start), TOL(2e-6, 1e-8));
+        }
+        measure_position(a, p);
+        ck_assert(keaLength(p) > .1); /* it goes where it likes */
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* Two bodies that are held turn as one about the pair's moments; their places do not know of one another. */
+START_TEST(it_gives_no_force) {
+    MdtWorldID w = scene_world(2, 1, 10);
+    MdtBodyID a = scene_box(w, 2, edge, 0, 0, 0), b = scene_box(w, 1, edge, 1, 1, 0);
+    MdtAngular3ID j = MdtAngular3Create(w);
+    double f[3], p[3], rate[3], other[3];
+    MdtAngular3SetBodies(j, a, b);
+    MdtAngular3Enable(j);
+    MdtBodySetSphericalInertiaTensor(a, (MeReal).2);
+    MdtBodySetSphericalInertiaTensor(b, (MeReal).3);
+    for (int i = 0; i < 60; i++) {
+        MdtBodyAddForce(a, 2, 0, 0);
+        MdtBodyAddTorque(b, 0, 0, 1);
+        MdtWorldStep(w, FRAME);
+        read_force(MdtAngular3QuaConstraint(j), 0, f);
+        assert_vec3_near(f, 0, 0, 0, 0);
+    }
+    measure_position(a, p);
+    assert_near(p[0], 61. / 120, TOL(1e-6, 1e-8));
+    measure_rate(a, rate);
+    measure_rate(b, other);
+    assert_vec3_near(rate, 0, 0, 1 / .5, TOL(1e-3, 1e-3)); /* 1 N m for 1 s on 0.2 + 0.3 */
+    assert_vec3_near(other, 0, 0, 1 / .5, TOL(1e-3, 1e-3));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(enabled_rotation_is_about_the_axis_only) {
+    const double axis[3] = {.6, .48, .64};
+    MdtWorldID w = scene_world(1, 1, 0);
+    MdtWorldSetEpsilon(w, 0);
+    MdtBodyID b = scene_box(w, 2, edge, 0, 0, 0);
+    MdtAngular3ID j = MdtAngular3Create(w);
+    Random random = {5};
+    MeVector3 now;
+    double rate[3];
+    MdtBodySetQuaternion(b, (MeReal).3, (MeReal).5, (MeReal)-.7, (MeReal).4);
+    MdtAngular3SetBodies(j, b, 0);
+    MdtAngular3SetAxis(j, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+    MdtAngular3EnableRotation(j, 1);
+    MdtAngular3Enable(j);
+    double turned = 0;
+    for (int i = 0; i < 200; i++) {
+        shove(b, &random);
+        MdtWorldStep(w, FRAME);
+        MdtAngular3GetAxis(j, now); /* of the body: it stays that of the world */
+        assert_vec3_near(now, axis[0], axis[1], axis[2], TOL(2e-6, 1e-8));
+        measure_rate(b, rate);
+        turned = fmax(turned, fabs(keaDot(rate, axis)));
+    }
+    ck_assert(turned > .5);
+    ck_assert_int_eq(MdtConstraintGetRowCount(MdtAngular3QuaConstraint(j)), 2);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Switched off again, it is drawn back to the orientation that is kept. */
+START_TEST(rotation_disabled_again) {
+    MdtWorldID w = scene_world(1, 1, 0);
+    MdtWorldSetEpsilon(w, 0);
+    MdtBodyID b = scene_box(w, 2, edge, 0, 0, 0);
+    MdtAngular3ID j = MdtAngular3Create(w);
+    double R[3][3], start[3][3];
+    measure_rotation(b, start);
+    MdtAngular3SetBodies(j, b, 0);
+    MdtAngular3SetAxis(j, 0, 0, 1);
+    MdtAngular3EnableRotation(j, 1);
+    MdtAngular3Enable(j);
+    MdtBodySetAngularVelocity(b, 0, 0, 1);
+    steps(w, 60, FRAME);
+    measure_rotation(b, R);
+    assert_near(atan2(R[1][0], R[0][0]), 1, TOL(1e-5, 1e-7));
+    MdtAngular3EnableRotation(j, 0);
+    steps(w, 200, FRAME);
+    measure_rotation(b, R);
+    assert_below(difference((const double(*)[3])R, (const double(*)[3])start), TOL(1e-6, 1e-7));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* I θ'' = -k θ - c θ'. About an axis across the free one, and without a free one about any. */
+START_TEST(the_angular_spring_swings) {
+    const double ks[] = {5, 20}, cs[] = {0, .1}, inertia = .4, h = FRAME, amplitude = .02;
+    for (int rotates = 0; rotates < 2; rotates++)
+        for (int i = 0; i < 4; i++) {
+            const double k = ks[i / 2], c = cs[i % 2];
+            MdtWorldID w = scene_world(1, 1, 0);
+            MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+            MdtAngular3ID j = MdtAngular3Create(w);
+            Swing swing = {0};
+            MdtBodySetSphericalInertiaTensor(b, (MeReal)inertia);
+            MdtAngular3SetBodies(j, b, 0);
+            MdtAngular3SetAxis(j, 0, 1, 0);
+            MdtAngular3EnableRotation(j, rotates);
+            MdtAngular3SetStiffness(j, (MeReal)k);
+            MdtAngular3SetDamping(j, (MeReal)c);
+            MdtAngular3Enable(j);
+            MdtBodySetQuaternion(b, (MeReal)cos(amplitude / 2), 0, 0, (MeReal)sin(amplitude / 2));
+            const double w0 = sqrt(k / inertia), decay = c / (2 * inertia);
+            for (int n = 0; n < 3000 && swing.crossings < 11; n++) {
+                double x[3] = {1, 0, 0}, axis[3];
+                MdtWorldStep(w, FRAME);
+                measure_turnOut(b, x, axis);
+                swing_add(&swing, atan2(axis[1], axis[0]));
+            }
+            ck_assert_int_eq(swing.crossings, 11);
+            const double discrete = w0 * h * w0 * h / 20 + 1e-4;
+            assert_near_rel(swing_frequency(&swing, h), sqrt(w0 * w0 - decay * decay), discrete + TOL(1e-4, 1e-5));
+            assert_near(swing_decay(&swing, h), decay, 2 * discrete * (decay + .02) + TOL(1e-3, 1e-5));
+            MdtWorldDestroy(w);
+        }
+}
+END_TEST
+
+/* A load on it: θ = T / k. */
+START_TEST(the_angular_spring_gives_way_by_torque_over_stiffness) {
+    MdtWorldID w = scene_world(1, 1, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    MdtAngular3ID j = MdtAngular3Create(w);
+    double R[3][3];
+    MdtAngular3SetBodies(j, b, 0);
+    MdtAngular3SetStiffness(j, 100);
+    MdtAngular3SetDamping(j, 10);
+    MdtAngular3Enable(j);
+    for (int i = 0; i < 600; i++) {
+        MdtBodyAddTorque(b, 2, 0, 0);
+        MdtWorldStep(w, FRAME);
+    }
+    measure_rotation(b, R);
+    assert_near(atan2(R[2][1], R[1][1]), .02, 2e-6);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* T = -k θ however far it is turned, about an axis across the free one, and without a free one about any. */
+START_TEST(the_angular_spring_is_linear_in_the_angle) {
+    for (int rotates = 0; rotates < 2; rotates++)
+        for (int degrees = 30; degrees <= 150; degrees += 30) {
+            const double angle = degrees * 3.14159265358979323846 / 180;
+            MdtWorldID w = scene_world(1, 1, 0);
+            MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+            MdtAngular3ID j = MdtAngular3Create(w);
+            double t[3];
+            MdtAngular3SetBodies(j, b, 0);
+            MdtAngular3SetAxis(j, 0, 1, 0);
+            MdtAngular3EnableRotation(j, rotates);
+            MdtAngular3SetStiffness(j, 2);
+            MdtAngular3SetDamping(j, 0);
+            MdtAngular3Enable(j);
+            MdtBodySetQuaternion(b, (MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2));
+            MdtWorldStep(w, (MeReal)1e-3);
+            read_torque(MdtAngular3QuaConstraint(j), 0, t);
+            assert_vec3_near(t, 0, 0, -2 * angle, TOL(5e-6, 1e-7));
+            MdtWorldDestroy(w);
+        }
+}
+END_TEST
+
+/* The guide's use: an upright thing that may turn about the vertical and comes back upright, softly. */
+START_TEST(keeping_things_upright) {
+    MdtWorldID w = scene_world(1, 1, 0);
+    MdtBodyID b = scene_box(w, 2, edge, 0, 0, 0);
+    MdtAngular3ID j = MdtAngular3Create(w);
+    double y[3] = {0, 1, 0}, up[3], rate[3];
+    MdtAngular3SetBodies(j, b, 0);
+    MdtAngular3SetAxis(j, 0, 1, 0);
+    MdtAngular3EnableRotation(j, 1);
+    MdtAngular3SetStiffness(j, 3);
+    MdtAngular3SetDamping(j, 1);
+    MdtAngular3Enable(j);
+    MdtBodySetAngularVelocity(b, 2, (MeReal).7, -1);
+    double lean = 0;
+    for (int i = 0; i < 1200; i++) {
+        MdtWorldStep(w, FRAME);
+        measure_turnOut(b, y, up);
+        lean = fmax(lean, acos(fmin(1, up[1])));
+    }
+    ck_assert_msg(lean > .1 && lean < 1, "leans %g", lean);
+    assert_vec3_near(up, 0, 1, 0, 1e-5);
+    measure_rate(b, rate);
+    ck_assert(fabs(rate[1]) > .1); /* still turning about the vertical */
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* One infinite value is enough: rigid. */
+START_TEST(as_long_as_one_value_is_infinite_it_is_rigid) {
+    for (int which = 0; which < 2; which++) {
+        MdtWorldID w = scene_world(1, 1, 0);
+        MdtWorldSetEpsilon(w, 0);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MdtAngular3ID j = MdtAngular3Create(w);
+        double R[3][3];
+        MdtAngular3SetBodies(j, b, 0);
+        if (which == 0)
+            MdtAngular3SetStiffness(j, 1);
+        else
+            MdtAngular3SetDamping(j, 1);
+        MdtAngular3Enable(j);
+        for (int i = 0; i < 60; i++) {
+            MdtBodyAddTorque(b, 5, 5, 5);
+            MdtWorldStep(w, FRAME);
+        }
+        measure_rotation(b, R);
+        assert_near(R[0][0] + R[1][1] + R[2][2], 3, TOL(1e-6, 1e-9));
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, the_orientation_at_attaching_is_kept);
+    tcase_add_test(t, it_gives_no_force);
+    tcase_add_test(t, enabled_rotation_is_about_the_axis_only);
+    tcase_add_test(t, rotation_disabled_again);
+    tcase_add_test(t, the_angular_spring_swings);
+    tcase_add_test(t, the_angular_spring_gives_way_by_torque_over_stiffness);
+    tcase_add_test(t, the_angular_spring_is_linear_in_the_angle);
+    tcase_add_test(t, keeping_things_upright);
+    tcase_add_test(t, as_long_as_one_value_is_infinite_it_is_rigid);
+}
+
+TEST_MAIN("Angular3", tests)

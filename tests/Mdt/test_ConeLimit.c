@@ -1,0 +1,311 @@
+/* The cone limit: an axis that stays inside a cone. A bar of the mass 2 hangs on a ball and socket at the origin, 0.5 m
+ * from its centre; the cone is about -y. */
+#include "measure.h"
+
+static const double mass = 2, arm = .5, halfAngle = .5, pi = 3.14159265358979323846;
+
+typedef struct {
+    MdtWorldID world;
+    MdtBodyID bar;
+    MdtConeLimitID cone;
+} Hung;
+
+static Hung hang(double inertia) {
+    Hung s;
+    s.world = scene_world(1, 2, 0);
+    MdtWorldSetEpsilon(s.world, 0);
+    s.bar = scene_body(s.world, mass, 0, -arm, 0);
+    MdtBodySetSphericalInertiaTensor(s.bar, (MeReal)inertia);
+    MdtBSJointID ball = MdtBSJointCreate(s.world);
+    MdtBSJointSetBodies(ball, s.bar, 0);
+    MdtBSJointSetPosition(ball, 0, 0, 0);
+    MdtBSJointEnable(ball);
+    s.cone = MdtConeLimitCreate(s.world);
+    MdtConeLimitSetBodies(s.cone, s.bar, 0);
+    MdtConeLimitSetAxis(s.cone, 0, -1, 0);
+    MdtConeLimitSetConeHalfAngle(s.cone, (MeReal)halfAngle);
+    MdtConeLimitEnable(s.cone);
+    return s;
+}
+
+static double angleOf(Hung s) {
+    double axis[3], down[3] = {0, -1, 0};
+    measure_turnOut(s.bar, down, axis);
+    return atan2(sqrt(axis[0] * axis[0] + axis[2] * axis[2]), -axis[1]);
+}
+
+static int rowsOf(Hung s) {
+    return MdtConstraintGetRowCount(MdtConeLimitQuaConstraint(s.cone));
+}
+
+static void pull(Hung s, double x, double z) {
+    MdtWorldSetGravity(s.world, (MeReal)x, 0, (MeReal)z);
+}
+
+/* Turning about z and the velocity of the centre that goes with it. */
+static void swingAboutZ(Hung s, double rate) {
+    MdtBodySetAngularVelocity(s.bar, 0, 0, (MeReal)rate);
+    MdtBodySetLinearVelocity(s.bar, (MeReal)(rate * arm), 0, 0);
+}
+
+START_TEST(inside_the_cone_it_has_no_row) {
+    Hung s = hang(.1);
+    double t[3];
+    swingAboutZ(s, .5);
+    for (int i = 0; i < 40; i++) {
+        MdtWorldStep(s.world, FRAME);
+        ck_assert_int_eq(rowsOf(s), 0);
+        read_torque(MdtConeLimitQuaConstraint(s.cone), 0, t);
+        assert_vec3_near(t, 0, 0, 0, 0);
+    }
+    assert_near(angleOf(s), 40 * .5 * (double)FRAME, TOL(1e-5, 1e-5));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* A bar pulled to the side, from all directions, comes to rest on it: m g l cos θ on the limit. */
+START_TEST(it_rests_on_its_side) {
+    for (int k = 0; k < 8; k++) {
+        Hung s = hang(.1);
+        const double way = k * pi / 4;
+        double t[3], most = 0;
+        pull(s, 10 * cos(way), 10 * sin(way));
+        for (int i = 0; i < 300; i++) {
+            MdtWorldStep(s.world, FRAME);
+            most = fmax(most, angleOf(s));
+        }
+        assert_near(most, halfAngle, TOL(2e-6, 1e-6));
+        assert_near(angleOf(s), halfAngle, TOL(1e-6, 1e-8));
+        ck_assert_int_eq(rowsOf(s), 1);
+        read_torque(MdtConeLimitQuaConstraint(s.cone), 0, t);
+        const double torque = mass * 10 * arm * cos(halfAngle); /* gravity's axis: (x, 0, z) cross y */
+        assert_vec3_near(t, torque * sin(way), 0, -torque * cos(way), TOL(1e-4, 1e-5));
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+START_TEST(a_hit_takes_the_speed_and_gives_none_back) {
+    Hung s = hang(.1);
+    double most = 0, w[3];
+    swingAboutZ(s, 3);
+    for (int i = 0; i < 60; i++) {
+        MdtWorldStep(s.world, FRAME);
+        most = fmax(most, angleOf(s));
+    }
+    assert_near(most, halfAngle, TOL(2e-6, 1e-7));
+    assert_near(angleOf(s), halfAngle, TOL(2e-6, 1e-7));
+    measure_rate(s.bar, w);
+    assert_vec3_near(w, 0, 0, 0, TOL(1e-5, 1e-7));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* Round along the side, pressed to it. */
+START_TEST(a_bar_that_circles_stays_in_the_cone) {
+    Hung s = hang(.01);
+    double most = 0, least = 9;
+    pull(s, 0, 0);
+    MdtBodySetPosition(s.bar, (MeReal)(arm * sin(.45)), (MeReal)(-arm * cos(.45)), 0);
+    MdtBodySetQuaternion(s.bar, (MeReal)cos(.225), 0, 0, (MeReal)sin(.225));
+    MdtBodySetLinearVelocity(s.bar, 0, 0, 2);
+    for (int i = 0; i < 600; i++) {
+        MdtWorldStep(s.world, FRAME);
+        most = fmax(most, angleOf(s));
+        if (i > 100)
+            least = fmin(least, angleOf(s));
+    }
+    assert_below(most, halfAngle + 5e-3);
+    assert_below(halfAngle - 5e-3, least);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* k (θ - θ_0) = m g l cos θ, by Newton's method. */
+static double softAngle(double stiffness) {
+    double x = halfAngle;
+    const double load = mass * 10 * arm;
+    for (int i = 0; i < 50; i++)
+        x -= (stiffness * (x - halfAngle) - load * cos(x)) / (stiffness + load * sin(x));
+    return x;
+}
+
+START_TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
+    const double ks[] = {20, 100, 1000};
+    for (int k = 0; k < 3; k++) {
+        Hung s = hang(.1);
+        pull(s, 10, 0);
+        MdtConeLimitSetStiffness(s.cone, (MeReal)ks[k]);
+        MdtConeLimitSetDamping(s.cone, 5);
+        steps(s.world, 1200, FRAME);
+        assert_near(angleOf(s), softAngle(ks[k]), TOL(2e-6, 1e-7));
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+/* A body without a joint is turned onto the soft side by a torque and swings about the balance. */
+START_TEST(a_soft_cone_is_a_damped_spring) {
+    const double ks[] = {20, 80}, ds[] = {.02, .1}, inertia = .4, torque = 6, h = FRAME;
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            MdtWorldID w = scene_world(1, 1, 0);
+            MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+            MdtConeLimitID cone = MdtConeLimitCreate(w);
+            Swing swing = {0};
+            MdtBodySetSphericalInertiaTensor(b, (MeReal)inertia);
+            MdtConeLimitSetBodies(cone, 0, b);
+            MdtConeLimitSetConeHalfAngle(cone, (MeReal)halfAngle);
+            MdtConeLimitSetStiffness(cone, (MeReal)ks[i]);
+            MdtConeLimitSetDamping(cone, (MeReal)ds[j]);
+            MdtConeLimitEnable(cone);
+            const double start = halfAngle + .5 * torque / ks[i]; /* it stays beyond the stop */
+            MdtBodySetQuaternion(b, (MeReal)cos(start / 2), 0, 0, (MeReal)sin(start / 2));
+            const double w0 = sqrt(ks[i] / inertia), decay = ds[j] / (2 * inertia);
+            for (int n = 0; n < 3000 && swing.crossings < 9; n++) {
+                double x[3] = {1, 0, 0}, axis[3];
+                MdtBodyAddTorque(b, 0, 0, (MeReal)torque);
+                MdtWorldStep(w, FRAME);
+                measure_turnOut(b, x, axis);
+                swing_add(&swing, atan2(axis[1], axis[0]) - halfAngle - torque / ks[i]);
+            }
+            ck_assert_int_eq(swing.crossings, 9);
+            const double discrete = w0 * h * w0 * h / 20;
+            assert_near_rel(swing_frequency(&swing, h), sqrt(w0 * w0 - decay * decay), discrete + 1e-4);
+            assert_near(swing_decay(&swing, h), decay, 2 * discrete * (decay + .02) + TOL(1e-4, 1e-5));
+            MdtWorldDestroy(w);
+        }
+}
+END_TEST
+
+/* Spinning about the bar's own axis, at rest on the side or not. */
+START_TEST(the_twist_is_free) {
+    Hung s = hang(.1);
+    double w[3], axis[3], down[3] = {0, -1, 0};
+    pull(s, 10, 0);
+    steps(s.world, 120, FRAME);
+    measure_turnOut(s.bar, down, axis);
+    MdtBodySetAngularVelocity(s.bar, (MeReal)(4 * axis[0]), (MeReal)(4 * axis[1]), (MeReal)(4 * axis[2]));
+    for (int i = 0; i < 120; i++) {
+        MdtWorldStep(s.world, FRAME);
+        measure_rate(s.bar, w);
+        measure_turnOut(s.bar, down, axis);
+        assert_near(keaDot(w, axis), 4, 1e-3);
+        assert_near(angleOf(s), halfAngle, TOL(1e-5, 1e-6));
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(pi_is_no_limit) {
+    Hung s = hang(.1);
+    double w[3];
+    MdtConeLimitSetConeHalfAngle(s.cone, (MeReal)pi);
+    swingAboutZ(s, 4);
+    for (int i = 0; i < 200; i++) {
+        MdtWorldStep(s.world, FRAME);
+        ck_assert_int_eq(rowsOf(s), 0);
+    }
+    measure_rate(s.bar, w);
+    assert_near(w[2], 4, .02);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* Down to the 5 degrees that the guide allows, and beyond a right angle. */
+START_TEST(half_angles_from_5_to_170_degrees) {
+    const double angles[] = {5, 30, 90, 120, 170};
+    for (int k = 0; k < 5; k++) {
+        MdtWorldID w = scene_world(1, 1, 0);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MdtConeLimitID cone = MdtConeLimitCreate(w);
+        const double limit = angles[k] * pi / 180;
+        double x[3] = {1, 0, 0}, axis[3], most = 0;
+        MdtWorldSetEpsilon(w, 0);
+        MdtConeLimitSetBodies(cone, b, 0);
+        MdtConeLimitSetConeHalfAngle(cone, (MeReal)limit);
+        MdtConeLimitEnable(cone);
+        for (int n = 0; n < 300; n++) {
+            MdtBodyAddTorque(b, 0, 0, (MeReal).5);
+            MdtWorldStep(w, FRAME);
+            measure_turnOut(b, x, axis);
+            most = fmax(most, fabs(atan2(axis[1], axis[0])));
+        }
+        assert_near(most, limit, TOL(2e-6, 1e-7));
+        assert_near(atan2(axis[1], axis[0]), limit, TOL(2e-6, 1e-8));
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* A start outside: γ of the excess is taken away each step. */
+START_TEST(from_outside_it_is_drawn_in) {
+    MdtWorldID w = scene_world(1, 1, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    MdtConeLimitID cone = MdtConeLimitCreate(w);
+    double x[3] = {1, 0, 0}, axis[3];
+    MdtWorldSetEpsilon(w, 0);
+    MdtWorldSetGamma(w, (MeReal).25);
+    MdtConeLimitSetBodies(cone, b, 0);
+    MdtConeLimitSetConeHalfAngle(cone, (MeReal).5);
+    MdtConeLimitEnable(cone);
+    MdtBodySetQuaternion(b, (MeReal)cos(.5), 0, 0, (MeReal)sin(.5));
+    /* a new velocity every time: else it swings on inwards */
+    for (int n = 1; n <= 20; n++) {
+        MdtBodySetAngularVelocity(b, 0, 0, 0);
+        MdtWorldStep(w, FRAME);
+        measure_turnOut(b, x, axis);
+        assert_near(atan2(axis[1], axis[0]), .5 + .5 * pow(.75, n), TOL(1e-6, 1e-8));
+    }
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* The guide's advice: beside a universal joint the cone keeps it away from 90 degrees. */
+START_TEST(beside_a_universal_joint_it_limits_the_bend) {
+    MdtWorldID w = scene_world(1, 2, 10);
+    MdtWorldSetEpsilon(w, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 1);
+    MdtUniversalID u = MdtUniversalCreate(w);
+    MdtUniversalSetBodies(u, b, 0);
+    MdtUniversalSetPosition(u, 0, 0, 0);
+    MdtUniversalSetAxis(u, 0, 1, 0, 0);
+    MdtUniversalSetAxis(u, 1, 0, 1, 0);
+    MdtUniversalEnable(u);
+    MdtConeLimitID cone = MdtConeLimitCreate(w);
+    MdtConeLimitSetBodies(cone, b, 0);
+    MdtConeLimitSetAxis(cone, 0, 0, 1);
+    MdtConeLimitSetConeHalfAngle(cone, 1);
+    MdtConeLimitEnable(cone);
+    messages_catch();
+    MdtBodySetLinearVelocity(b, 1, 0, 0);
+    double most = 0;
+    for (int n = 0; n < 600; n++) {
+        double z[3] = {0, 0, 1}, axis[3];
+        MdtWorldStep(w, FRAME);
+        measure_turnOut(b, z, axis);
+        most = fmax(most, atan2(sqrt(axis[0] * axis[0] + axis[1] * axis[1]), axis[2]));
+    }
+    assert_below(most, 1.01);
+    assert_below(.99, most);
+    assert_silent();
+    messages_release();
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, inside_the_cone_it_has_no_row);
+    tcase_add_test(t, it_rests_on_its_side);
+    tcase_add_test(t, a_hit_takes_the_speed_and_gives_none_back);
+    tcase_add_test(t, a_bar_that_circles_stays_in_the_cone);
+    tcase_add_test(t, a_soft_cone_gives_way_by_torque_over_stiffness);
+    tcase_add_test(t, a_soft_cone_is_a_damped_spring);
+    tcase_add_test(t, the_twist_is_free);
+    tcase_add_test(t, pi_is_no_limit);
+    tcase_add_test(t, half_angles_from_5_to_170_degrees);
+    tcase_add_test(t, from_outside_it_is_drawn_in);
+    tcase_add_test(t, beside_a_universal_joint_it_limits_the_bend);
+}
+
+TEST_MAIN("ConeLimit", tests)

@@ -1,0 +1,331 @@
+/* The prismatic joint: a slider, its stops, its motor and its lock. A cart of the mass 2 slides on the world along an
+ * axis that slants, for whatever the axes' signs do. */
+#include "measure.h"
+
+static const double mass = 2, axis[3] = {.6, .48, .64};
+
+typedef struct {
+    MdtWorldID world;
+    MdtBodyID cart;
+    MdtPrismaticID joint;
+    MdtLimitID limit;
+    double start[3];
+} Cart;
+
+static Cart makeCart(void) {
+    const double edge[3] = {.5, .3, .4};
+    Cart s;
+    s.world = scene_world(2, 2, 0);
+    MdtWorldSetEpsilon(s.world, 0);
+    s.cart = scene_box(s.world, mass, edge, 1, 2, 3);
+    MdtBodySetQuaternion(s.cart, (MeReal).1, (MeReal).7, (MeReal)-.1, (MeReal).7);
+    s.joint = MdtPrismaticCreate(s.world);
+    MdtPrismaticSetBodies(s.joint, s.cart, 0);
+    MdtPrismaticSetAxis(s.joint, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
+    MdtPrismaticEnable(s.joint);
+    s.limit = MdtPrismaticGetLimit(s.joint);
+    MdtLimitCalculatePosition(s.limit, 1);
+    measure_position(s.cart, s.start);
+    return s;
+}
+
+/* How far the cart has gone along the axis, and aside. */
+static double wayOf(Cart s, double *aside) {
+    double p[3];
+    measure_position(s.cart, p);
+    keaSubtract(p, p, s.start);
+    const double way = keaDot(p, axis);
+    keaAddScaled(p, -way, axis);
+    if (aside)
+        *aside = keaLength(p);
+    return way;
+}
+
+static double speedOf(Cart s) {
+    double v[3];
+    measure_velocity(s.cart, v);
+    return keaDot(v, axis);
+}
+
+static void push(Cart s, double force) {
+    double f[3];
+    keaScale(f, force, axis);
+    add_force(s.cart, f);
+}
+
+static void throwCart(Cart s, double speed) {
+    MdtBodySetLinearVelocity(s.cart, (MeReal)(speed * axis[0]), (MeReal)(speed * axis[1]), (MeReal)(speed * axis[2]));
+}
+
+static void setStop(Cart s, int side, double stop, double stiffness, double damping, double restitution) {
+    MdtSingleLimitID l = side == 0 ? MdtLimitGetLowerLimit(s.limit) : MdtLimitGetUpperLimit(s.limit);
+    MdtSingleLimitSetStop(l, (MeReal)stop);
+    MdtSingleLimitSetStiffness(l, (MeReal)stiffness);
+    MdtSingleLimitSetDamping(l, (MeReal)damping);
+    MdtSingleLimitSetRestitution(l, (MeReal)restitution);
+    MdtLimitActivateLimits(s.limit, 1);
+}
+
+/* ---- sliding ---- */
+
+START_TEST(it_slides_along_the_axis_and_does_not_turn) {
+    Cart s = makeCart();
+    double before[3][3], R[3][3], aside, t[3] = {1, -2, .5}, f[3] = {1, 2, 3};
+    measure_rotation(s.cart, before);
+    for (int i = 1; i <= 120; i++) {
+        add_force(s.cart, f);
+        add_torque(s.cart, t);
+        MdtWorldStep(s.world, FRAME);
+        const double way = keaDot(f, axis) / mass * i * (i + 1) / 2 / 3600;
+        assert_near(wayOf(s, &aside), way, TOL(1e-5, 1e-8));
+        assert_near(aside, 0, TOL(2e-6, 1e-8));
+        assert_near(MdtLimitGetPosition(s.limit), way, TOL(1e-5, 1e-8));
+        assert_near(MdtLimitGetVelocity(s.limit), keaDot(f, axis) / mass * i / 60, TOL(1e-5, 1e-8));
+        measure_rotation(s.cart, R);
+        for (int n = 0; n < 9; n++)
+            assert_near(R[n / 3][n % 3], before[n / 3][n % 3], TOL(1e-6, 1e-9));
+    }
+    ck_assert_int_eq(MdtConstraintGetRowCount(MdtPrismaticQuaConstraint(s.joint)), 5);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* Zero is where the bodies stand when the axis is set, not when they were attached. */
+START_TEST(zero_is_where_the_bodies_were_when_the_axis_was_set) {
+    Cart s = makeCart();
+    MdtBodySetPosition(s.cart, -4, 5, 6);
+    MdtPrismaticSetAxis(s.joint, 0, 0, 2);
+    MdtBodySetLinearVelocity(s.cart, 0, 0, 1);
+    steps(s.world, 30, FRAME);
+    double p[3];
+    measure_position(s.cart, p);
+    assert_vec3_near(p, -4, 5, 6.5, TOL(2e-6, 1e-8));
+    assert_near(MdtLimitGetPosition(s.limit), .5, TOL(2e-6, 1e-8));
+    MeVector3 a;
+    MdtPrismaticGetAxis(s.joint, a);
+    assert_vec3_near(a, 0, 0, 1, TOL(1e-6, 1e-9));
+    MdtLimitSetPosition(s.limit, 10); /* only the reading */
+    steps(s.world, 30, FRAME);
+    measure_position(s.cart, p);
+    assert_vec3_near(p, -4, 5, 7, TOL(2e-6, 1e-8));
+    assert_near(MdtLimitGetPosition(s.limit), 10.5, TOL(2e-6, 1e-8));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* The displacement is that of the first body against the second. */
+START_TEST(the_bodies_order_mirrors_the_displacement) {
+    MdtWorldID w = scene_world(2, 1, 0);
+    MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 1, 2, 0, 0);
+    MdtPrismaticID j = MdtPrismaticCreate(w);
+    MdtPrismaticSetBodies(j, a, b);
+    MdtPrismaticSetAxis(j, 1, 0, 0);
+    MdtPrismaticEnable(j);
+    MdtLimitCalculatePosition(MdtPrismaticGetLimit(j), 1);
+    MdtBodySetLinearVelocity(a, 1, 0, 0);
+    steps(w, 60, FRAME);
+    assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(j)), 1, TOL(1e-6, 1e-9));
+    MdtPrismaticDisable(j);
+    MdtPrismaticSetBodies(j, b, a);
+    MdtPrismaticSetAxis(j, 1, 0, 0);
+    MdtPrismaticEnable(j);
+    MdtLimitResetState(MdtPrismaticGetLimit(j));
+    steps(w, 60, FRAME);
+    assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(j)), -1, TOL(1e-6, 1e-9));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* A rail that turns carries its cart round with it: the axis is one of both bodies. */
+START_TEST(a_turning_rail) {
+    const double edge[3] = {4, .2, .2}, small[3] = {.3, .3, .3}, offset[3] = {0, .3, 0};
+    MdtWorldID w = scene_world(2, 1, 0);
+    MdtWorldSetEpsilon(w, 0);
+    MdtBodyID rail = scene_box(w, 5, edge, 0, 0, 0), cart = scene_box(w, 1, small, .5, .3, 0);
+    MdtPrismaticID j = MdtPrismaticCreate(w);
+    MdtPrismaticSetBodies(j, cart, rail);
+    MdtPrismaticSetAxis(j, 1, 0, 0);
+    MdtPrismaticEnable(j);
+    MdtLimitCalculatePosition(MdtPrismaticGetLimit(j), 1);
+    MdtBodySetAngularVelocity(rail, 0, 0, 1);
+    for (int i = 0; i < 120; i++) {
+        double p[3], x[3], y[3], R[2][3][3];
+        MdtWorldStep(w, FRAME);
+        measure_position(cart, p);
+        measure_pointIn(rail, p, x);
+        keaSubtract(y, x, offset);
+        assert_near(y[1], 0, TOL(1e-6, 1e-8));
+        assert_near(y[2], 0, TOL(1e-6, 1e-8));
+        assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(j)), y[0] - .5, TOL(1e-6, 1e-8));
+        measure_rotation(rail, R[0]);
+        measure_rotation(cart, R[1]);
+        for (int n = 0; n < 9; n++)
+            assert_near(R[0][n / 3][n % 3], R[1][n / 3][n % 3], TOL(1e-6, 1e-8));
+    }
+    ck_assert(MdtLimitGetPosition(MdtPrismaticGetLimit(j)) > (MeReal).1); /* thrown outwards */
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* ---- stops ---- */
+
+START_TEST(a_hard_stop_returns_its_restitution) {
+    const double es[] = {0, .5, 1};
+    for (int k = 0; k < 3; k++)
+        for (int side = 0; side < 2; side++) {
+            Cart s = makeCart();
+            const double way = side == 0 ? -1 : 1;
+            double most = 0;
+            setStop(s, 0, -.4, MEINFINITY, 0, es[k]);
+            setStop(s, 1, .6, MEINFINITY, 0, es[k]);
+            throwCart(s, 2 * way);
+            for (int i = 0; i < 30; i++) {
+                MdtWorldStep(s.world, FRAME);
+                most = fmax(most, way * wayOf(s, NULL));
+            }
+            assert_near(speedOf(s), -es[k] * 2 * way, TOL(1e-5, 1e-8));
+            assert_below(most, (side == 0 ? .4 : .6) + TOL(2e-6, 1e-8));
+            if (es[k] == 0)
+                assert_near(wayOf(s, NULL), side == 0 ? -.4 : .6, TOL(2e-6, 1e-7));
+            MdtWorldDestroy(s.world);
+        }
+}
+END_TEST
+
+START_TEST(a_soft_stop_is_a_damped_spring) {
+    const double ks[] = {40, 160}, ds[] = {0, 1}, load = 8, h = FRAME;
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            Cart s = makeCart();
+            Swing swing = {0};
+            const double w0 = sqrt(ks[i] / mass), decay = ds[j] / (2 * mass), discrete = w0 * h * w0 * h / 20;
+            setStop(s, 0, -5, 0, 0, 0);
+            setStop(s, 1, 0, ks[i], ds[j], 1); /* it begins at the stop, stays beyond, and swings about the balance */
+            for (int n = 0; n < 3000 && swing.crossings < 9; n++) {
+                push(s, load);
+                MdtWorldStep(s.world, FRAME);
+                swing_add(&swing, wayOf(s, NULL) - load / ks[i]);
+            }
+            ck_assert_int_eq(swing.crossings, 9);
+            assert_near_rel(swing_frequency(&swing, h), sqrt(w0 * w0 - decay * decay), discrete + 2e-4);
+            assert_near(swing_decay(&swing, h), decay, 2 * discrete * (decay + .02) + TOL(2e-4, 1e-4));
+            MdtWorldDestroy(s.world);
+        }
+}
+END_TEST
+
+START_TEST(a_load_rests_on_a_soft_stop_at_force_over_stiffness) {
+    Cart s = makeCart();
+    setStop(s, 1, .2, 50, 20, 0);
+    setStop(s, 0, -1, MEINFINITY, 0, 0);
+    for (int i = 0; i < 900; i++) {
+        push(s, 10);
+        MdtWorldStep(s.world, FRAME);
+    }
+    assert_near(wayOf(s, NULL), .2 + 10. / 50, TOL(2e-6, 1e-7));
+    assert_near(MdtLimitGetOvershoot(s.limit), 10. / 50, TOL(1e-6, 1e-7));
+    ck_assert_int_eq(MdtConstraintGetRowCount(MdtPrismaticQuaConstraint(s.joint)), 6);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* ---- motor and lock ---- */
+
+START_TEST(the_motor_reaches_its_speed_with_its_force) {
+    Cart s = makeCart();
+    double f[3];
+    MdtLimitSetLimitedForceMotor(s.limit, 2, 3);
+    for (int i = 1; i <= 200; i++) {
+        MdtWorldStep(s.world, FRAME);
+        assert_near(speedOf(s), fmin(2, 3 / mass * i / 60), TOL(1e-5, 1e-8));
+        read_force(MdtPrismaticQuaConstraint(s.joint), 0, f);
+        if (i < 79)
+            assert_near(keaDot(f, axis), 3, TOL(1e-5, 1e-8));
+    }
+    MdtLimitSetLimitedForceMotor(s.limit, 0, 3); /* a brake */
+    for (int i = 1; i <= 200; i++) {
+        MdtWorldStep(s.world, FRAME);
+        assert_near(speedOf(s), fmax(0, 2 - 3 / mass * i / 60), TOL(1e-5, 1e-8));
+    }
+    for (int i = 0; i < 30; i++) {
+        push(s, -2.9);
+        MdtWorldStep(s.world, FRAME);
+        assert_near(speedOf(s), 0, TOL(1e-6, 1e-9));
+    }
+    push(s, -5);
+    MdtWorldStep(s.world, FRAME);
+    assert_near(speedOf(s), -2 / mass / 60, TOL(1e-6, 1e-8));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one) {
+    for (int k = 0; k < 2; k++) {
+        Cart s = makeCart();
+        setStop(s, 1, .5, k == 0 ? 40 : MEINFINITY, 10, 0);
+        MdtLimitSetLimitedForceMotor(s.limit, 1, 6);
+        steps(s.world, 900, FRAME);
+        assert_near(wayOf(s, NULL), k == 0 ? .5 + 6. / 40 : .5, TOL(2e-6, 1e-7));
+        ck_assert_int_eq(MdtConstraintGetRowCount(MdtPrismaticQuaConstraint(s.joint)), 7);
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+/* γ of the way to the lock a step, up to its force; the motor rests meanwhile. */
+START_TEST(the_lock_draws_to_its_place_and_holds) {
+    Cart s = makeCart();
+    MdtWorldSetGamma(s.world, (MeReal).25);
+    MdtLimitSetLimitedForceMotor(s.limit, -3, 100);
+    MdtLimitSetLock(s.limit, (MeReal).4, 1000);
+    ck_assert(MdtLimitIsLocked(s.limit));
+    for (int i = 1; i <= 40; i++) {
+        MdtWorldStep(s.world, FRAME);
+        assert_near(wayOf(s, NULL), .4 * (1 - pow(.75, i)), TOL(2e-6, 1e-8));
+    }
+    for (int i = 0; i < 60; i++) {
+        push(s, 900);
+        MdtWorldStep(s.world, FRAME);
+    }
+    assert_near(wayOf(s, NULL), .4, TOL(2e-6, 1e-5));
+    push(s, 1100); /* more than it holds */
+    MdtWorldStep(s.world, FRAME);
+    assert_near(speedOf(s), 100 / mass / 60, TOL(1e-5, 1e-3));
+    MdtLimitActivateLock(s.limit, 0);
+    steps(s.world, 60, FRAME);
+    assert_near(speedOf(s), -3, TOL(1e-5, 1e-8)); /* the motor again */
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(set_limit_copies_the_public_values) {
+    Cart s = makeCart();
+    MdtBclLimit own;
+    MdtLimitReset(&own);
+    MdtLimitActivateLimits(&own, 1);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), (MeReal).25);
+    MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(&own), 0);
+    MdtPrismaticSetLimit(s.joint, &own);
+    ck_assert(MdtPrismaticGetLimit(s.joint) == s.limit);
+    throwCart(s, 1);
+    steps(s.world, 60, FRAME);
+    assert_near(wayOf(s, NULL), .25, TOL(2e-6, 1e-7));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, it_slides_along_the_axis_and_does_not_turn);
+    tcase_add_test(t, zero_is_where_the_bodies_were_when_the_axis_was_set);
+    tcase_add_test(t, the_bodies_order_mirrors_the_displacement);
+    tcase_add_test(t, a_turning_rail);
+    tcase_add_test(t, a_hard_stop_returns_its_restitution);
+    tcase_add_test(t, a_soft_stop_is_a_damped_spring);
+    tcase_add_test(t, a_load_rests_on_a_soft_stop_at_force_over_stiffness);
+    tcase_add_test(t, the_motor_reaches_its_speed_with_its_force);
+    tcase_add_test(t, a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one);
+    tcase_add_test(t, the_lock_draws_to_its_place_and_holds);
+    tcase_add_test(t, set_limit_copies_the_public_values);
+}
+
+TEST_MAIN("Prismatic", tests)

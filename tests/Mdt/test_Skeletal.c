@@ -1,0 +1,365 @@
+/* The skeletal joint: an elliptical cone and a limited twist. A bar of the mass 2 is held at the origin by a joint to
+ * the world, its axis x, its second axis y; its centre is 0.5 m along x. */
+#include "measure.h"
+
+static const double mass = 2, arm = .5, pi = 3.14159265358979323846;
+static const double primary = .3, secondary = .8;
+
+typedef struct {
+    MdtWorldID world;
+    MdtBodyID bar;
+    MdtSkeletalID joint;
+} Bar;
+
+static Bar makeBar(void) {
+    Bar s;
+    s.world = scene_world(1, 1, 0);
+    MdtWorldSetEpsilon(s.world, 0);
+    s.bar = scene_body(s.world, mass, arm, 0, 0);
+    MdtBodySetSphericalInertiaTensor(s.bar, (MeReal).1);
+    s.joint = MdtSkeletalCreate(s.world);
+    MdtSkeletalSetBodies(s.joint, s.bar, 0);
+    MdtSkeletalSetPosition(s.joint, 0, 0, 0);
+    MdtSkeletalSetAxes(s.joint, 1, 0, 0, 0, 1, 0);
+    MdtSkeletalSetConePrimaryLimitAngle(s.joint, (MeReal)primary);
+    MdtSkeletalSetConeSecondaryLimitAngle(s.joint, (MeReal)secondary);
+    MdtSkeletalEnable(s.joint);
+    return s;
+}
+
+/* Where the bar's axis is: the angle from x times its direction in the (y, z) plane; and the twist, what is left of the
+ * turn when the way of the axis along a great circle is taken out. */
+static void measureSwing(MdtBodyID b, double swing[2], double *twist) {
+    double R[3][3], q[4];
+    measure_rotation(b, R);
+    const double sine = sqrt(R[1][0] * R[1][0] + R[2][0] * R[2][0]), angle = atan2(sine, R[0][0]);
+    swing[0] = sine > 1e-12 ? angle * R[1][0] / sine : 0;
+    swing[1] = sine > 1e-12 ? angle * R[2][0] / sine : 0;
+    keaQuaternionFromMatrix(q, (const double(*)[3])R);
+    *twist = remainder(2 * atan2(q[1], q[0]), 2 * pi);
+}
+
+static double coneShare(const double swing[2]) {
+    return sqrt(pow(swing[0] / primary, 2) + pow(swing[1] / secondary, 2));
+}
+
+static void pull(Bar s, double y, double z) {
+    MdtWorldSetGravity(s.world, 0, (MeReal)y, (MeReal)z);
+}
+
+static int rowsOf(Bar s) {
+    return MdtConstraintGetRowCount(MdtSkeletalQuaConstraint(s.joint));
+}
+
+static void assertAttached(Bar s) {
+    double p[3], end[3] = {-arm, 0, 0};
+    measure_pointOut(s.bar, end, p);
+    assert_vec3_near(p, 0, 0, 0, TOL(2e-6, 1e-7));
+}
+
+/* ---- swing ---- */
+
+START_TEST(the_primary_angle_holds_towards_the_second_axis) {
+    for (int side = -1; side <= 1; side += 2) {
+        Bar s = makeBar();
+        double swing[2], twist, most = 0;
+        pull(s, 10 * side, 0);
+        for (int i = 0; i < 300; i++) {
+            MdtWorldStep(s.world, FRAME);
+            measureSwing(s.bar, swing, &twist);
+            most = fmax(most, swing[0] * side);
+            assertAttached(s);
+        }
+        assert_near(most, primary, TOL(2e-6, 1e-6));
+        assert_near(swing[0], side * primary, TOL(1e-6, 1e-7));
+        assert_near(swing[1], 0, TOL(1e-6, 1e-7));
+        ck_assert_int_eq(rowsOf(s), 4);
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+START_TEST(the_secondary_angle_holds_towards_the_third_axis) {
+    for (int side = -1; side <= 1; side += 2) {
+        Bar s = makeBar();
+        double swing[2], twist, most = 0;
+        pull(s, 0, 10 * side);
+        for (int i = 0; i < 300; i++) {
+            MdtWorldStep(s.world, FRAME);
+            measureSwing(s.bar, swing, &twist);
+            most = fmax(most, swing[1] * side);
+        }
+        assert_near(most, secondary, TOL(2e-6, 1e-6));
+        assert_near(swing[0], 0, TOL(1e-6, 1e-7));
+        assert_near(swing[1], side * secondary, TOL(1e-6, 1e-7));
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+/* Between them the ellipse: pulled there and damped, the bar rests where its potential energy on it is least. */
+START_TEST(between_them_it_is_an_ellipse) {
+    for (int k = 1; k < 8; k++) {
+        Bar s = makeBar();
+        const double way = k * pi / 4 + .2, y = 10 * cos(way), z = 10 * sin(way);
+        double swing[2], twist, best = 0, bestAt = 0;
+        pull(s, y, z);
+        MdtSkeletalSetTwistOption(s.joint, MdtSkeletalTwistOptionFree);
+        MdtBodySetLinearVelocityDamping(s.bar, 3);
+        MdtBodySetAngularVelocityDamping(s.bar, 3);
+        for (int i = 0; i < 1500; i++) {
+            MdtWorldStep(s.world, FRAME);
+            measureSwing(s.bar, swing, &twist);
+            assert_below(coneShare(swing), 1 + 5e-3);
+        }
+        assert_near(coneShare(swing), 1, TOL(5e-6, 1e-6));
+        for (int i = 0; i < 100000; i++) {
+            const double a = i * 2 * pi / 100000, e[2] = {primary * cos(a), secondary * sin(a)};
+            const double size = sqrt(e[0] * e[0] + e[1] * e[1]), depth = sin(size) / size * (e[0] * y + e[1] * z);
+            if (depth > best)
+                best = depth, bestAt = a;
+        }
+        assert_near(swing[0], primary * cos(bestAt), 1e-3);
+        assert_near(swing[1], secondary * sin(bestAt), 1e-3);
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+START_TEST(inside_it_is_a_ball_and_socket) {
+    Bar s = makeBar();
+    double w[3];
+    MdtBodySetAngularVelocity(s.bar, (MeReal).2, (MeReal)-.3, (MeReal).1);
+    MdtBodySetLinearVelocity(s.bar, 0, (MeReal)(.1 * arm), (MeReal)(.3 * arm));
+    steps(s.world, 60, FRAME);
+    ck_assert_int_eq(rowsOf(s), 3);
+    measure_rate(s.bar, w);
+    assert_near(w[0] * w[0] + w[1] * w[1] + w[2] * w[2], .14, 1e-3);
+    assertAttached(s);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* m g l cos θ = k (θ - limit). */
+START_TEST(a_soft_cone_gives_way_by_torque_over_stiffness) {
+    const double ks[] = {20, 100, 500};
+    for (int k = 0; k < 3; k++) {
+        Bar s = makeBar();
+        double swing[2], twist;
+        pull(s, 10, 0);
+        MdtSkeletalSetConeStiffness(s.joint, (MeReal)ks[k]);
+        MdtSkeletalSetConeDamping(s.joint, 4);
+        steps(s.world, 1500, FRAME);
+        measureSwing(s.bar, swing, &twist);
+        assert_near(ks[k] * (swing[0] - primary), mass * 10 * arm * cos(swing[0]), TOL(1e-3, 1e-5));
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+/* ---- twist ---- */
+
+static void twistBar(Bar s, double torque) {
+    double x[3] = {1, 0, 0}, axis[3];
+    measure_turnOut(s.bar, x, axis);
+    keaScale(axis, torque, axis);
+    add_torque(s.bar, axis);
+}
+
+START_TEST(the_twist_stops_at_its_limit) {
+    for (int side = -1; side <= 1; side += 2) {
+        Bar s = makeBar();
+        double swing[2], twist, most = 0, t[3];
+        MdtSkeletalSetTwistLimitAngle(s.joint, (MeReal).6);
+        for (int i = 0; i < 200; i++) {
+            twistBar(s, side);
+            MdtWorldStep(s.world, FRAME);
+            measureSwing(s.bar, swing, &twist);
+            most = fmax(most, twist * side);
+        }
+        assert_near(most, .6, TOL(2e-6, 1e-6));
+        assert_near(twist, .6 * side, TOL(1e-6, 1e-7));
+        read_torque(MdtSkeletalQuaConstraint(s.joint), 0, t);
+        assert_vec3_near(t, -side, 0, 0, TOL(1e-4, 1e-6));
+        ck_assert_int_eq(rowsOf(s), 4);
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+/* The twist is what is left besides the swing, wherever the bar is swung to. */
+START_TEST(the_twist_limit_holds_while_swung) {
+    Bar s = makeBar();
+    double swing[2], twist;
+    pull(s, 5, 10);
+    MdtSkeletalSetTwistLimitAngle(s.joint, (MeReal).25);
+    MdtBodySetLinearVelocityDamping(s.bar, 2);
+    MdtBodySetAngularVelocityDamping(s.bar, 2);
+    for (int i = 0; i < 1500; i++) {
+        twistBar(s, i < 750 ? 2 : -2);
+        MdtWorldStep(s.world, FRAME);
+        measureSwing(s.bar, swing, &twist);
+        assert_below(fabs(twist), .25 + 5e-3);
+        if (i == 749)
+            assert_near(twist, .25, TOL(2e-6, 1e-5));
+    }
+    assert_near(twist, -.25, TOL(2e-6, 1e-5));
+    assert_near(coneShare(swing), 1, TOL(1e-5, 1e-5));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_soft_twist_gives_way_by_torque_over_stiffness) {
+    Bar s = makeBar();
+    double swing[2], twist;
+    MdtSkeletalSetTwistLimitAngle(s.joint, (MeReal).2);
+    MdtSkeletalSetTwistStiffness(s.joint, 25);
+    MdtSkeletalSetTwistDamping(s.joint, 2);
+    for (int i = 0; i < 1000; i++) {
+        twistBar(s, 5);
+        MdtWorldStep(s.world, FRAME);
+    }
+    measureSwing(s.bar, swing, &twist);
+    assert_near(twist, .2 + 5. / 25, TOL(2e-6, 1e-7));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(the_present_twist_becomes_its_zero) {
+    Bar s = makeBar();
+    double swing[2], twist;
+    MdtSkeletalDisable(s.joint);
+    MdtBodySetQuaternion(s.bar, (MeReal)cos(.5), (MeReal)sin(.5), 0, 0); /* 1 rad, beyond the limit */
+    MdtSkeletalSetTwistLimitAngle(s.joint, (MeReal).2);
+    MdtSkeletalZeroTwist(s.joint);
+    MdtSkeletalEnable(s.joint);
+    steps(s.world, 10, FRAME);
+    measureSwing(s.bar, swing, &twist);
+    assert_near(twist, 1, TOL(1e-6, 1e-9));
+    for (int i = 0; i < 200; i++) {
+        twistBar(s, 2);
+        MdtWorldStep(s.world, FRAME);
+    }
+    measureSwing(s.bar, swing, &twist);
+    assert_near(twist, 1.2, TOL(1e-6, 1e-7));
+    for (int i = 0; i < 200; i++) {
+        twistBar(s, -2);
+        MdtWorldStep(s.world, FRAME);
+    }
+    measureSwing(s.bar, swing, &twist);
+    assert_near(twist, .8, TOL(1e-6, 1e-7));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* ---- options ---- */
+
+START_TEST(free_options_leave_a_ball_and_socket) {
+    Bar s = makeBar();
+    double swing[2], twist, most = 0, mostTwist = 0;
+    MdtSkeletalSetConeOption(s.joint, MdtSkeletalConeOptionFree);
+    MdtSkeletalSetTwistOption(s.joint, MdtSkeletalTwistOptionFree);
+    pull(s, 10, 0);
+    MdtBodySetAngularVelocity(s.bar, 2, 0, 0);
+    for (int i = 0; i < 120; i++) {
+        MdtWorldStep(s.world, FRAME);
+        measureSwing(s.bar, swing, &twist);
+        most = fmax(most, fabs(swing[0]));
+        mostTwist = fmax(mostTwist, fabs(twist));
+        ck_assert_int_eq(rowsOf(s), 3);
+    }
+    assert_below(1.5, most);
+    assert_below(1.5, mostTwist);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(angles_of_pi_are_no_limits) {
+    Bar s = makeBar();
+    MdtSkeletalSetConePrimaryLimitAngle(s.joint, 4); /* clamped */
+    MdtSkeletalSetConeSecondaryLimitAngle(s.joint, 4);
+    MdtSkeletalSetTwistLimitAngle(s.joint, 4);
+    pull(s, 10, 3);
+    for (int i = 0; i < 120; i++) {
+        MdtWorldStep(s.world, FRAME);
+        ck_assert_int_eq(rowsOf(s), 3);
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(in_a_slot_it_swings_in_the_primary_plane) {
+    Bar s = makeBar();
+    double swing[2], twist, most = 0;
+    MdtSkeletalSetConeOption(s.joint, MdtSkeletalConeOptionSlot);
+    pull(s, 5, 20);
+    for (int i = 0; i < 300; i++) {
+        MdtWorldStep(s.world, FRAME);
+        measureSwing(s.bar, swing, &twist);
+        assert_near(swing[1], 0, TOL(2e-6, 1e-6));
+        most = fmax(most, swing[0]);
+    }
+    assert_near(most, primary, TOL(2e-6, 1e-6));
+    assert_near(swing[0], primary, TOL(1e-6, 1e-7));
+    ck_assert_int_eq(rowsOf(s), 5); /* 3, the slot, its end */
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(what_is_fixed_is_held) {
+    Bar s = makeBar();
+    double swing[2], twist;
+    MdtSkeletalSetConeOption(s.joint, MdtSkeletalConeOptionFixed);
+    pull(s, 10, 10);
+    for (int i = 0; i < 100; i++) { /* the swing is, the twist is limited */
+        twistBar(s, 1);
+        MdtWorldStep(s.world, FRAME);
+        measureSwing(s.bar, swing, &twist);
+        assert_near(swing[0], 0, TOL(1e-6, 1e-7));
+        assert_near(swing[1], 0, TOL(1e-6, 1e-7));
+    }
+    assert_near(twist, pi / 4, TOL(1e-6, 1e-6));
+    MdtWorldDestroy(s.world);
+    s = makeBar();
+    MdtSkeletalSetConeOption(s.joint, MdtSkeletalConeOptionFixed);
+    MdtSkeletalSetTwistOption(s.joint, MdtSkeletalTwistOptionFixed);
+    pull(s, 10, 10);
+    for (int i = 0; i < 100; i++) {
+        twistBar(s, 1);
+        MdtWorldStep(s.world, FRAME);
+    }
+    measureSwing(s.bar, swing, &twist);
+    assert_vec3_near(((const double[3]){swing[0], swing[1], twist}), 0, 0, 0, TOL(1e-6, 1e-8));
+    ck_assert_int_eq(rowsOf(s), 6);
+    MdtWorldDestroy(s.world);
+    s = makeBar();
+    MdtSkeletalSetTwistOption(s.joint, MdtSkeletalTwistOptionFixed);
+    pull(s, 10, 10);
+    for (int i = 0; i < 300; i++) {
+        twistBar(s, 1);
+        MdtWorldStep(s.world, FRAME);
+        measureSwing(s.bar, swing, &twist);
+        assert_near(twist, 0, TOL(2e-6, 1e-7));
+    }
+    assert_near(coneShare(swing), 1, 1e-2);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, the_primary_angle_holds_towards_the_second_axis);
+    tcase_add_test(t, the_secondary_angle_holds_towards_the_third_axis);
+    tcase_add_test(t, between_them_it_is_an_ellipse);
+    tcase_add_test(t, inside_it_is_a_ball_and_socket);
+    tcase_add_test(t, a_soft_cone_gives_way_by_torque_over_stiffness);
+    tcase_add_test(t, the_twist_stops_at_its_limit);
+    tcase_add_test(t, the_twist_limit_holds_while_swung);
+    tcase_add_test(t, a_soft_twist_gives_way_by_torque_over_stiffness);
+    tcase_add_test(t, the_present_twist_becomes_its_zero);
+    tcase_add_test(t, free_options_leave_a_ball_and_socket);
+    tcase_add_test(t, angles_of_pi_are_no_limits);
+    tcase_add_test(t, in_a_slot_it_swings_in_the_primary_plane);
+    tcase_add_test(t, what_is_fixed_is_held);
+}
+
+TEST_MAIN("Skeletal", tests)

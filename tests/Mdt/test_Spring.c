@@ -1,0 +1,321 @@
+/* The spring: Hooke's law, its swing, and what its two stops make of it: rod, string, elastic. */
+#include "measure.h"
+
+static const double mass = 2, g = 9.81;
+
+typedef struct {
+    MdtWorldID world;
+    MdtBodyID body;
+    MdtSpringID spring;
+    MdtLimitID limit;
+} Hung;
+
+/* A body `length` below the world's origin, on a spring to it that is attached there. */
+static Hung hang(double gravity, double length) {
+    Hung s;
+    s.world = scene_world(2, 2, gravity);
+    MdtWorldSetEpsilon(s.world, 0);
+    s.body = scene_body(s.world, mass, 0, -length, 0);
+    s.spring = MdtSpringCreate(s.world);
+    MdtSpringSetBodies(s.spring, s.body, 0);
+    MdtSpringSetPosition(s.spring, 1, 0, 0, 0);
+    MdtSpringEnable(s.spring);
+    s.limit = MdtSpringGetLimit(s.spring);
+    return s;
+}
+
+static double lengthOf(Hung s) {
+    double p[3];
+    measure_position(s.body, p);
+    return keaLength(p);
+}
+
+static void setStop(Hung s, int side, double stiffness, double damping, double restitution) {
+    MdtSingleLimitID stop = side == 0 ? MdtLimitGetLowerLimit(s.limit) : MdtLimitGetUpperLimit(s.limit);
+    MdtSingleLimitSetStiffness(stop, (MeReal)stiffness);
+    MdtSingleLimitSetDamping(stop, (MeReal)damping);
+    MdtSingleLimitSetRestitution(stop, (MeReal)restitution);
+}
+
+/* ---- spring ---- */
+
+START_TEST(the_default_is_a_spring_at_the_distance_of_attaching) {
+    Hung s = hang(0, .7);
+    assert_near(MdtSingleLimitGetStop(MdtLimitGetLowerLimit(s.limit)), .7, TOL(1e-7, 1e-12));
+    assert_near(MdtSingleLimitGetStop(MdtLimitGetUpperLimit(s.limit)), .7, TOL(1e-7, 1e-12));
+    steps(s.world, 100, FRAME);
+    assert_near(lengthOf(s), .7, TOL(1e-7, 1e-9)); /* it is at rest */
+    MdtBodySetPosition(s.body, 0, -1, 0);
+    steps(s.world, 4500, FRAME);
+    assert_near(lengthOf(s), .7, TOL(1e-6, 1e-7)); /* and comes back, damped */
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(hooke_s_law) {
+    const double ks[] = {50, 200, 1000}, lengths[] = {0, .5, 1};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            Hung s = hang(g, .7);
+            double f[3];
+            MdtSpringSetStiffness(s.spring, (MeReal)ks[i]);
+            MdtSpringSetDamping(s.spring, 15);
+            MdtSpringSetNaturalLength(s.spring, (MeReal)lengths[j]);
+            steps(s.world, 2000, FRAME);
+            assert_near(lengthOf(s), lengths[j] + mass * g / ks[i], TOL(2e-6, 1e-7));
+            assert_near(MdtLimitGetPosition(s.limit), lengthOf(s), TOL(1e-6, 1e-9));
+            read_force(MdtSpringQuaConstraint(s.spring), 0, f);
+            assert_vec3_near(f, 0, mass * g, 0, TOL(1e-4, 1e-5));
+            MdtWorldDestroy(s.world);
+        }
+}
+END_TEST
+
+/* A body pushed together pushes back: -k (d - l) with d < l. */
+START_TEST(it_resists_compression_too) {
+    Hung s = hang(0, .7);
+    double f[3];
+    MdtSpringSetStiffness(s.spring, 100);
+    MdtSpringSetDamping(s.spring, 20);
+    for (int i = 0; i < 1000; i++) {
+        MdtBodyAddForce(s.body, 0, 30, 0);
+        MdtWorldStep(s.world, FRAME);
+    }
+    assert_near(lengthOf(s), .7 - .3, TOL(1e-6, 1e-8));
+    read_force(MdtSpringQuaConstraint(s.spring), 0, f);
+    assert_vec3_near(f, 0, -30, 0, TOL(1e-4, 1e-6));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(it_swings_as_a_damped_spring) {
+    const double ks[] = {20, 80, 320}, ds[] = {0, .5, 2};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            Hung s = hang(g, .7);
+            Swing swing = {0};
+            const double w0 = sqrt(ks[i] / mass), decay = ds[j] / (2 * mass), h = FRAME;
+            const double rest = 5 + mass * g / ks[i];
+            MdtSpringSetStiffness(s.spring, (MeReal)ks[i]);
+            MdtSpringSetDamping(s.spring, (MeReal)ds[j]);
+            MdtSpringSetNaturalLength(s.spring, 5);
+            MdtBodySetPosition(s.body, 0, (MeReal) - (rest + .2), 0);
+            for (int n = 0; n < 5000 && swing.crossings < 12; n++) {
+                MdtWorldStep(s.world, FRAME);
+                swing_add(&swing, lengthOf(s) - rest);
+            }
+            ck_assert_int_eq(swing.crossings, 12);
+            const double discrete = w0 * h * w0 * h / 20; /* the leapfrog swings faster by (ω h)²/24 */
+            assert_near_rel(swing_frequency(&swing, h), sqrt(w0 * w0 - decay * decay), discrete + 1e-4);
+            assert_near(swing_decay(&swing, h), decay, 2 * discrete * (decay + .02) + TOL(1e-4, 1e-5));
+            MdtWorldDestroy(s.world);
+        }
+}
+END_TEST
+
+/* Two bodies swing against each other with the reduced mass. */
+START_TEST(between_two_bodies_the_reduced_mass_counts) {
+    MdtWorldID w = scene_world(2, 1, 0);
+    MdtBodyID a = scene_body(w, 1, 0, 0, 0), b = scene_body(w, 3, 1, 0, 0);
+    MdtSpringID spring = MdtSpringCreate(w);
+    Swing swing = {0};
+    MdtSpringSetBodies(spring, a, b);
+    MdtSpringSetStiffness(spring, 30);
+    MdtSpringSetDamping(spring, 0);
+    MdtSpringSetNaturalLength(spring, (MeReal).8);
+    MdtSpringEnable(spring);
+    for (int n = 0; n < 2000 && swing.crossings < 20; n++) {
+        double p[3], q[3];
+        MdtWorldStep(w, FRAME);
+        measure_position(a, p);
+        measure_position(b, q);
+        swing_add(&swing, q[0] - p[0] - .8);
+        assert_near(p[0] + 3 * q[0], 3, TOL(1e-5, 1e-9));
+    }
+    const double w0 = sqrt(30 / .75), h = FRAME;
+    assert_near_rel(swing_frequency(&swing, h), w0, w0 * h * w0 * h / 20 + 1e-4);
+    assert_near(swing_decay(&swing, h), 0, TOL(1e-4, 1e-5));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Attached beside its centre, the body is turned by the spring, and nothing else holds its orientation. */
+START_TEST(there_is_no_angular_constraint) {
+    const double edge[3] = {1, .2, .2};
+    Hung s = hang(g, 1);
+    MeMatrix3 I;
+    MdtMakeInertiaTensorBox((MeReal)mass, (MeReal)edge[0], (MeReal)edge[1], (MeReal)edge[2], I);
+    MdtBodySetInertiaTensor(s.body, I);
+    MdtSpringSetPosition(s.spring, 0, (MeReal).4, -1, 0);
+    MdtBodySetAngularVelocityDamping(s.body, 2);
+    MdtBodySetLinearVelocityDamping(s.body, 1);
+    MdtSpringSetStiffness(s.spring, 200);
+    steps(s.world, 3000, FRAME);
+    double p[3], x[3] = {1, 0, 0}, axis[3];
+    measure_position(s.body, p);
+    measure_turnOut(s.body, x, axis);
+    assert_near(p[0], 0, 1e-4); /* it hangs below, its long axis upright */
+    assert_vec3_near(axis, 0, 1, 0, 1e-3);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* ---- rod, string, elastic ---- */
+
+START_TEST(a_rod_keeps_its_length) {
+    Hung s = hang(g, 1);
+    double f[3];
+    MdtSpringSetStiffness(s.spring, MEINFINITY);
+    MdtBodySetLinearVelocity(s.body, 3, 0, 1);
+    for (int i = 0; i < 600; i++) {
+        MdtWorldStep(s.world, FRAME);
+        assert_near(lengthOf(s), 1, TOL(1e-6, 1e-8));
+        ck_assert_int_eq(MdtConstraintGetRowCount(MdtSpringQuaConstraint(s.spring)), 1);
+    }
+    MdtWorldDestroy(s.world);
+    s = hang(-g, 1); /* pushed, too: weight upwards, from the balance that it cannot leave by itself */
+    MdtSpringSetStiffness(s.spring, MEINFINITY);
+    steps(s.world, 60, FRAME);
+    assert_near(lengthOf(s), 1, TOL(1e-6, 1e-8));
+    read_force(MdtSpringQuaConstraint(s.spring), 0, f);
+    assert_vec3_near(f, 0, -mass * g, 0, TOL(1e-4, 1e-6));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* Natural length moves a rod's bodies. */
+START_TEST(a_rod_of_another_length) {
+    Hung s = hang(0, 1);
+    MdtSpringSetStiffness(s.spring, MEINFINITY);
+    MdtSpringSetNaturalLength(s.spring, (MeReal)1.5);
+    MdtWorldSetGamma(s.world, (MeReal).25);
+    for (int i = 1; i <= 30; i++) {
+        MdtWorldStep(s.world, FRAME);
+        assert_near(lengthOf(s), 1.5 - .5 * pow(.75, i), TOL(1e-6, 1e-8));
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_string_pulls_and_does_not_push) {
+    Hung s = hang(g, 1);
+    double f[3];
+    setStop(s, 0, 0, 0, 0);
+    setStop(s, 1, MEINFINITY, 0, 0);
+    MdtBodySetPosition(s.body, 0, (MeReal)-.5, 0); /* slack: it falls freely for 0.3 s */
+    double most = 0;
+    for (int i = 0; i < 18; i++) {
+        MdtWorldStep(s.world, FRAME);
+        read_force(MdtSpringQuaConstraint(s.spring), 0, f);
+        assert_near(f[1], 0, 0);
+    }
+    assert_near(lengthOf(s), .5 + g / 2 * 18 * 19 / 3600, TOL(1e-6, 1e-8));
+    for (int i = 0; i < 100; i++) {
+        MdtWorldStep(s.world, FRAME);
+        most = fmax(most, lengthOf(s));
+    }
+    assert_near(most, 1, TOL(1e-6, 1e-7));
+    assert_near(lengthOf(s), 1, TOL(1e-6, 1e-7));
+    read_force(MdtSpringQuaConstraint(s.spring), 0, f);
+    assert_near(f[1], mass * g, TOL(1e-4, 1e-6));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* A ball on a string swings round and never gets farther than its length. */
+START_TEST(a_taut_string_swings_like_a_rod) {
+    Hung s = hang(g, 1);
+    double most = 0;
+    setStop(s, 0, 0, 0, 0);
+    setStop(s, 1, MEINFINITY, 0, 0);
+    MdtBodySetPosition(s.body, 1, 0, 0);
+    for (int i = 0; i < 600; i++) {
+        MdtWorldStep(s.world, FRAME);
+        most = fmax(most, lengthOf(s));
+    }
+    assert_below(most, 1 + TOL(5e-6, 5e-6));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* An elastic stretches, and gets no shorter than its length: the other hard side. */
+START_TEST(an_elastic_stretches_and_cannot_be_compressed) {
+    Hung s = hang(g, 1);
+    setStop(s, 0, MEINFINITY, 0, 0);
+    setStop(s, 1, 100, 10, 0);
+    steps(s.world, 1200, FRAME);
+    assert_near(lengthOf(s), 1 + mass * g / 100, TOL(1e-6, 1e-6));
+    for (int i = 0; i < 600; i++) {
+        MdtBodyAddForce(s.body, 0, 50, 0);
+        MdtWorldStep(s.world, FRAME);
+        ck_assert(lengthOf(s) > 1 - 1e-6);
+    }
+    assert_near(lengthOf(s), 1, TOL(1e-6, 1e-7));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* Above the threshold a stiffness is hard. */
+START_TEST(the_threshold_makes_a_spring_a_rod) {
+    Hung s = hang(g, 1);
+    MdtSpringSetStiffness(s.spring, 50);
+    MdtLimitSetStiffnessThreshold(s.limit, 49);
+    steps(s.world, 120, FRAME);
+    assert_near(lengthOf(s), 1, TOL(1e-6, 1e-8));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* A limit of the program's own, copied into the spring: a string of 2 m, with a winch. */
+START_TEST(a_winch) {
+    Hung s = hang(g, 1);
+    MdtBclLimit own;
+    MdtLimitReset(&own);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(&own), 2);
+    MdtSingleLimitSetStiffness(MdtLimitGetLowerLimit(&own), 0);
+    MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(&own), 0);
+    MdtLimitActivateLimits(&own, 1);
+    MdtLimitSetLimitedForceMotor(&own, (MeReal)-.5, 100);
+    MdtSpringSetLimit(s.spring, &own);
+    steps(s.world, 60, FRAME);
+    assert_near(lengthOf(s), .5, 1e-3); /* wound up */
+    assert_near(MdtLimitGetVelocity(s.limit), -.5, TOL(1e-5, 1e-7));
+    MdtLimitSetLimitedForceMotor(s.limit, 0, 5); /* too weak a brake */
+    steps(s.world, 200, FRAME);
+    assert_near(lengthOf(s), 2, TOL(1e-6, 1e-6));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* The ends that were set, in the world; and where they are now. */
+START_TEST(the_ends_move_with_the_bodies) {
+    Hung s = hang(0, 1);
+    MeVector3 p;
+    MdtSpringSetPosition(s.spring, 0, (MeReal).5, (MeReal)-1, 0);
+    MdtBodySetPosition(s.body, 3, 4, 5);
+    MdtSpringGetPosition(s.spring, p, 0);
+    assert_vec3_near(p, 3.5, 4, 5, TOL(1e-6, 1e-9));
+    MdtSpringGetPosition(s.spring, p, 1);
+    assert_vec3_near(p, 0, 0, 0, 0);
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, the_default_is_a_spring_at_the_distance_of_attaching);
+    tcase_add_test(t, hooke_s_law);
+    tcase_add_test(t, it_resists_compression_too);
+    tcase_add_test(t, it_swings_as_a_damped_spring);
+    tcase_add_test(t, between_two_bodies_the_reduced_mass_counts);
+    tcase_add_test(t, there_is_no_angular_constraint);
+    tcase_add_test(t, a_rod_keeps_its_length);
+    tcase_add_test(t, a_rod_of_another_length);
+    tcase_add_test(t, a_string_pulls_and_does_not_push);
+    tcase_add_test(t, a_taut_string_swings_like_a_rod);
+    tcase_add_test(t, an_elastic_stretches_and_cannot_be_compressed);
+    tcase_add_test(t, the_threshold_makes_a_spring_a_rod);
+    tcase_add_test(t, a_winch);
+    tcase_add_test(t, the_ends_move_with_the_bodies);
+}
+
+TEST_MAIN("Spring", tests)

@@ -1,0 +1,145 @@
+/* AutoDisable: bodies that have come to rest cost nothing (Dynamics guide, chapter 4, "Enabling/Disabling Bodies").
+ *
+ * A partition whose bodies have been slower than the thresholds, and less accelerated, is disabled: it is not simulated
+ * until something wakes it. Here boxes are dropped onto the floor. They turn grey as they come to rest, and get their
+ * colour back when they are kicked, or when the threshold is so low that they are never slow enough.
+ */
+#include "box_on_plane.h"
+#include "MeViewer.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { ROWS = 4, COLUMNS = 6, BOXES = ROWS * COLUMNS };
+
+static const MeReal step = (MeReal)(1.0 / 60);                         /* s */
+static const MeReal size[3] = {(MeReal)0.8, (MeReal)0.5, (MeReal)0.6}; /* m */
+static const Plane floorPlane = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
+static const MeReal usualThreshold = (MeReal)0.02; /* m²/s², the guide's default */
+
+static MdtWorldID world;
+static BoxOnPlane box[BOXES];
+static int next; /* to be kicked */
+
+static RRender *rc;
+static RGraphic *boxG[BOXES];
+
+/* Above its place, turned a little, each one differently. */
+static void MEAPI Reset(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
+    for (int i = 0; i < BOXES; i++) {
+        const MeReal turn = (MeReal)(0.1 * (i * 7 % 5 - 2)), x = (MeReal)(i % COLUMNS), z = (MeReal)(i / COLUMNS);
+        MdtBodySetPosition(box[i].body, (x - (MeReal)2.5) * (MeReal)1.5, (MeReal)0.6 + (MeReal)0.35 * (x + z),
+                           (z - (MeReal)1.5) * (MeReal)1.5);
+        MdtBodySetQuaternion(box[i].body, 1, turn, turn / 2, turn / 3);
+        MdtBodySetLinearVelocity(box[i].body, 0, 0, 0);
+        MdtBodySetAngularVelocity(box[i].body, 0, 0, 0);
+        MdtBodyEnable(box[i].body);
+    }
+    next = 0;
+}
+
+/* An impulse wakes a body that would move for it. */
+static void MEAPI kick(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
+    MdtBodyAddImpulse(box[next].body, 0, 3, 0);
+    next = (next + 1) % BOXES;
+}
+
+/* The thresholds are squares: 0.02 m²/s² is 14 cm/s. */
+static void setThreshold(MeReal value) {
+    MdtWorldSetAutoDisableVelocityThreshold(world, value);
+}
+
+static void MEAPI raise(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
+    setThreshold(usualThreshold);
+}
+
+static void MEAPI lower(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
+    setThreshold(0); /* nothing is slower than that */
+    for (int i = 0; i < BOXES; i++)
+        MdtBodyEnable(box[i].body);
+}
+
+static void showBoxes(void) {
+    for (int i = 0; i < BOXES; i++)
+        RGraphicSetColor(boxG[i], RPalette[MdtBodyIsEnabled(box[i].body) ? i % 7 : 7]);
+}
+
+static void showFigures(void) {
+    char text[120];
+    snprintf(text, sizeof text, "enabled %d of %d bodies    velocity threshold %.3f m²/s²",
+             MdtWorldGetEnabledBodies(world), BOXES, (double)MdtWorldGetAutoDisableVelocityThreshold(world));
+    RRenderSetStatusText(rc, text);
+}
+
+static void MEAPI Tick(RRender *context) {
+    (void)context;
+    for (int i = 0; i < BOXES; i++)
+        if (MdtBodyIsEnabled(box[i].body)) /* a box at rest has still the contacts of its last step */
+            boxTouchPlane(&box[i], &floorPlane);
+    MdtWorldStep(world, step);
+    showBoxes();
+    showFigures();
+}
+
+static void MEAPI_CDECL cleanup(void) {
+    RRenderContextDestroy(rc);
+    MdtWorldDestroy(world);
+}
+
+static void createDynamics(void) {
+    world = MdtWorldCreate(BOXES, BOXES * 9); /* a group and up to eight contacts for each box */
+    MdtWorldSetGravity(world, 0, (MeReal)-9.8, 0);
+    for (int i = 0; i < BOXES; i++) {
+        boxCreate(&box[i], world, size, 1);
+        MdtContactParamsSetType(&box[i].params, MdtContactTypeFriction2D);
+        MdtContactParamsSetFrictionModel(&box[i].params, MdtFrictionModelCone);
+        MdtContactParamsSetFrictionCoeffecient(&box[i].params, (MeReal)0.6);
+    }
+}
+
+static void createGraphics(void) {
+    const float ground[4] = {.82f, .83f, .80f, 1};
+    const AcmeVector3 lookAt = {0, .6f, 0};
+    for (int i = 0; i < BOXES; i++)
+        boxG[i] = RGraphicBoxCreate(rc, (float)size[0], (float)size[1], (float)size[2], RPalette[i % 7],
+                                    MdtBodyGetTransformPtr(box[i].body));
+    RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
+    RCameraSetLookAt(rc, lookAt);
+    RCameraSetView(rc, 13, .4f, .4f);
+}
+
+static void createControls(void) {
+    static const char *const help[] = {
+        "Boxes that have come to rest turn grey and cost nothing.",
+        "$ACTION2 - start again",
+        "$ACTION3 - kick the next one",
+        "$DOWN - a threshold of 0 keeps all of them awake",
+        "$UP - the usual threshold",
+    };
+    RRenderSetWindowTitle(rc, "Karma tutorial: AutoDisable");
+    RRenderSetAppName(rc, "AutoDisable");
+    RRenderCreateUserHelp(rc, help, 5);
+    RRenderSetActionNCallBack(rc, 2, Reset, 0);
+    RRenderSetActionNCallBack(rc, 3, kick, 0);
+    RRenderSetUpCallBack(rc, raise, 0);
+    RRenderSetDownCallBack(rc, lower, 0);
+}
+
+int MEAPI_CDECL main(int argc, const char **argv) {
+    MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
+    rc = RRenderContextCreate(options, 0, 1);
+    MeCommandLineOptionsDestroy(options);
+    if (!rc)
+        return 1;
+    createDynamics();
+    createGraphics();
+    createControls();
+    Reset(rc, 0);
+
+    atexit(cleanup);
+    RRun(rc, Tick); /* does not return */
+    return 0;
+}
