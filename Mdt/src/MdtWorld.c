@@ -46,6 +46,7 @@ static void freeWorld(MdtWorldID w) {
         if (arrays[i])
             MeMemoryAPI.destroy(arrays[i]);
     MeChunkTerm(&w->scratch);
+    MdtKeaCacheDestroy(w->keaCache);
     mdt_poolTerm(&w->bodyPool);
     mdt_poolTerm(&w->constraintPool);
     w->magic = 0;
@@ -83,6 +84,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     }
     memset(w, 0, sizeof *w);
     MeChunkInit(&w->scratch, 16);
+    w->keaCache = MdtKeaCacheCreate();
     if (!allocateParts(w, maxBodies, maxConstraints)) {
         freeWorld(w);
         MeFatalError(0, "MdtWorldCreate: no memory for %u bodies and %u constraints", maxBodies, maxConstraints);

@@ -129,6 +129,8 @@ struct MdtBaseConstraint {
     MdtContactID nextContact;
 
     int firstRow, numRows; /* in this step */
+    double warm[MdtBclGETMAXROWS]; /* N, of the rows in the last step, */
+    int numWarm;                   /* if there are as many */
     MeBool isDropped;      /* in this step: left out to keep the partition within the cap on its rows */
     double importance;     /* in this step, while rows are being dropped, */
     int rank;              /* and its place before sorting by it */
@@ -223,6 +225,7 @@ struct MdtWorld {
     double lastStep; /* s, 0 before the first */
     int degenerate;  /* how often a joint came to stand where its rows lose their meaning */
     MeChunk scratch;
+    MdtKeaCache *keaCache;
 
     /* this step's partitions: partition p has the bodies bodyOf[bodyStart[p] .. bodyStart[p+1]) and so on */
     int numPartitions;

@@ -71,6 +71,7 @@ static void setPart(Partition *p, double part) {
     p->parameters.softening = gamma > 0 ? n * n * p->parameters.gamma / gamma : n;
     p->parameters.epsilon = p->parameters.softening * (double)p->world->epsilon;
     p->kea.parameters.stepsize = part;
+    p->kea.parameters.gamma = p->parameters.gamma;
     p->kea.parameters.maxIterations = p->world->maxLcpIterations;
 }
 
@@ -103,9 +104,12 @@ static void setContext(const Partition *p, MdtConstraintID c, MdtBclContext *x) 
 
 /* The rows speak of the velocity of one side against the other; of the world's it is known. */
 static void subtractWorldVelocity(MdtConstraintID c, MdtKeaRow *row) {
+    double rate = 0;
     for (int k = 0; k < 2; k++)
         if (row->body[k] == MdtBclNO_BODY)
-            row->target -= keaDot(row->J[k].lin, c->worldVelocity.lin) + keaDot(row->J[k].ang, c->worldVelocity.ang);
+            rate += keaDot(row->J[k].lin, c->worldVelocity.lin) + keaDot(row->J[k].ang, c->worldVelocity.ang);
+    row->target -= rate;
+    row->rebound -= rate;
 }
 
 /* Once when a joint comes there, not at every step that it stays. */
@@ -141,8 +145,11 @@ static void fillRows(Partition *p) {
         setContext(p, c, &x);
         if (c->numRows > 0)
             c->type->fill(&c->bcl, &x, kea->rows + c->firstRow);
-        for (int r = 0; r < c->numRows; r++)
-            subtractWorldVelocity(c, &kea->rows[c->firstRow + r]);
+        for (int r = 0; r < c->numRows; r++) {
+            MdtKeaRow *row = &kea->rows[c->firstRow + r];
+            subtractWorldVelocity(c, row);
+            row->force = c->numWarm == c->numRows ? c->warm[r] : row->force;
+        }
         kea->numRows += c->numRows;
         MEASSERT(kea->numRows <= kea->maxRows);
     }
@@ -157,6 +164,28 @@ static void makeRows(Partition *p) {
     fillRows(p);
     if (p->number < w->sizeLogLength)
         w->sizeLog[p->number] = p->kea.numRows;
+}
+
+/* Rows of joints move with the bodies; contacts stay as they were found. */
+static void MEAPI jointJacobians(void *context, const MdtKeaTransformation poses[]) {
+    const Partition *p = context;
+    MdtKeaRow rows[MdtBclGETMAXROWS];
+    MdtBclContext x;
+    for (int i = 0; i < p->numConstraints; i++) {
+        MdtConstraintID c = p->constraints[i];
+        if (c->numRows == 0 || c->type == MdtBclTypeOf(MdtBclCONTACT))
+            continue;
+        setContext(p, c, &x);
+        for (int k = 0; k < 2; k++)
+            if (c->side[k].body)
+                x.pose[k] = &poses[c->side[k].body->index];
+        c->type->fill(&c->bcl, &x, rows);
+        for (int r = 0; r < c->numRows; r++) {
+            MdtKeaRow *row = &p->kea.rows[c->firstRow + r];
+            memcpy(row->J, rows[r].J, sizeof row->J);
+            memcpy(row->arm, rows[r].arm, sizeof row->arm);
+        }
+    }
 }
 
 static void MEAPI positionErrors(void *context, const MdtKeaTransformation poses[], double errors[]) {
@@ -205,6 +234,9 @@ static void unpackConstraints(Partition *p) {
         const MdtKeaRow *rows = p->kea.rows + c->firstRow;
         for (int r = 0; r < c->numRows; r++)
             addForces(c, &rows[r], p->parameters.stepsize / p->h);
+        c->numWarm = c->numRows;
+        for (int r = 0; r < c->numRows; r++)
+            c->warm[r] = rows[r].force;
         if (c->group)
             addToGroup(c, rows, p->parameters.stepsize / p->h);
         setContext(p, c, &x);
@@ -255,10 +287,10 @@ static void stopBodies(Partition *p) {
 static void warnOfSolver(const Partition *p) {
     if (p->kea.report.capped)
         MeWarning(2,
-                  "MdtWorldStep: partition %d (%d rows) used up its pivoting iterations, the forces are inexact; "
-                  "raise MdtWorldSetMaxLCPIterations or epsilon",
+                  "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
+                  "inexact; raise MdtWorldSetMaxLCPIterations or epsilon",
                   p->number, p->kea.numRows);
-    if (p->kea.report.regularized)
+    if (p->kea.report.conflicting)
         MeDebug(2, "MdtWorldStep: partition %d (%d rows) has contradictory constraints, a compromise was taken",
                 p->number, p->kea.numRows);
 }
@@ -359,6 +391,8 @@ static void stepPartition(Partition *p) {
     MdtKeaVelocity *start = NULL;
     p->kea.maxRows = mostRows(p);
     p->kea.errors = positionErrors;
+    p->kea.jacobians = jointJacobians;
+    p->kea.cache = p->world->keaCache;
     p->kea.context = p;
     void *scratch = takeScratch(p, &start);
     if (!scratch)

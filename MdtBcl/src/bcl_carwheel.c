@@ -99,10 +99,19 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     e[0] = keaDot(a.o, a.d);
     e[1] = keaDot(a.t, a.d);
     e[2] = keaDot(a.s, a.h);
-    if (c->of.wheel.rows & LOCK)
-        e[3] = keaDot(a.t, a.h);
-    else if (c->of.wheel.rows & STEER)
-        e[3] = remainder(wheelAngle(&a) - c->of.wheel.startAngle, 6.283185307179586476925);
+    const MdtBclCarWheel *w = &c->of.wheel;
+    const double height = keaDot(a.s, a.d);
+    e += 3;
+    if (w->rows & LOCK)
+        *e++ = keaDot(a.t, a.h);
+    else if (w->rows & STEER)
+        *e++ = remainder(wheelAngle(&a) - w->startAngle, 6.283185307179586476925);
+    if (w->rows & SUSPEND)
+        e++;
+    if (w->rows & LOW)
+        *e++ = height - (double)w->low;
+    if (w->rows & HIGH)
+        *e++ = (double)w->high - height;
 }
 
 static void motorRow(const MdtBclMotor *motor, MdtKeaRow *row) {
@@ -136,6 +145,7 @@ static void stopRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axe
     row->error = side == 0 ? height - (double)w->low : (double)w->high - height;
     row->target = row->error > 0 ? -row->error / h : -x->parameters.gamma * row->error / h;
     row->lower = 0;
+    row->position = METRUE;
     row->softness += x->parameters.softening * fmax((double)w->softness, 0);
 }
 

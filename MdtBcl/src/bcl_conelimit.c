@@ -72,8 +72,6 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     MdtKeaRow row;
     angleRow(c, x, &row);
     bcl_limitFill(&c->of.cone.limit, x, &row, rows);
-    if (!c->isDegenerate)
-        bcl_limitMeetAtEnd(&c->of.cone.limit, rows);
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {

@@ -41,6 +41,7 @@ static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, con
         keaScale(row->J[k].lin, k == 0 ? 1 : -1, d);
         keaCross(row->J[k].ang, arm, row->J[k].lin);
     }
+    row->contact = x->firstRow;
 }
 
 /* At the start of a step the contact is as its maker set it: the surface points lie half the depth on either side. */
@@ -101,8 +102,10 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
     row->error = -depth;
     row->target = depth > 0 ? x->parameters.gamma * depth / h : depth / h;
     const MeBool isHit = h * predicted < depth && rate < -fmax((double)p->velThreshold, bcl_ownChange(row, x));
-    if ((p->options & MdtBclContactOptionBounce) && isHit)
-        row->target = fmax(row->target, -fmin((double)p->restitution, 1) * rate);
+    if ((p->options & MdtBclContactOptionBounce) && isHit && p->restitution > 0) {
+        row->bounces = METRUE;
+        row->rebound = -fmin((double)p->restitution, 1) * rate;
+    }
     if (p->options & MdtBclContactOptionSoft)
         row->softness += x->parameters.softening * fmax((double)p->softness, 0);
     row->lower = p->options & MdtBclContactOptionAdhesive ? -bcl_boundOf(p->max_adhesive_force) : 0;

@@ -19,15 +19,16 @@ static void reset(MdtBclConstraint *c) {
 static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
     bcl_startRow(row, x);
     keaApply(row->J[0].ang, x->pose[0]->R, c->frame[0].primary);
+    keaScale(row->J[0].ang, 1 / keaLength(row->J[0].ang), row->J[0].ang);
     keaScale(row->J[1].ang, -1, row->J[0].ang);
 }
 
 /* The angle as counted on from the last one; `turned` is how far it is thought to have gone since. */
-static double measure(const MdtBclConstraint *c, const MdtBclContext *x, double turned) {
+static double measure(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double turned) {
     double u0[3], u1[3], a1[3], across[3];
-    keaApply(u0, x->pose[0]->R, c->frame[0].ortho);
-    keaApply(u1, x->pose[1]->R, c->frame[1].ortho);
-    keaApply(a1, x->pose[1]->R, c->frame[1].primary);
+    keaApply(u0, pose[0]->R, c->frame[0].ortho);
+    keaApply(u1, pose[1]->R, c->frame[1].ortho);
+    keaApply(a1, pose[1]->R, c->frame[1].primary);
     keaCross(across, a1, u1);
     const double angle = atan2(keaDot(u0, across), keaDot(u0, u1));
     if (!c->of.limit.isMeasured)
@@ -39,13 +40,15 @@ static double measure(const MdtBclConstraint *c, const MdtBclContext *x, double 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtKeaRow row;
     angleRow(c, x, &row);
-    const double angle = bcl_limitIsMeasured(&c->of.limit) ? measure(c, x, 0) : 0;
+    const double angle = bcl_limitIsMeasured(&c->of.limit) ? measure(c, x->pose, 0) : 0;
     return 5 + bcl_limitPrepare(&c->of.limit, x, &row, angle);
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     bcl_pointErrors(c, pose, e);
     bcl_alignErrors(c, pose, e + 3);
+    if (c->of.limit.rows)
+        bcl_limitErrors(&c->of.limit, measure(c, pose, 0), e + 5);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
@@ -64,7 +67,7 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     }
     angleRow(c, x, &row);
     const double rate = bcl_rate(&row, x->velocity);
-    bcl_limitReadBack(&c->of.limit, measure(c, x, rate * x->parameters.stepsize), rate, rows + 5);
+    bcl_limitReadBack(&c->of.limit, measure(c, x->pose, rate * x->parameters.stepsize), rate, rows + 5);
 }
 
 const MdtBclType bcl_hinge = {.name = "Hinge",

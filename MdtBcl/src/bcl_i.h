@@ -94,9 +94,7 @@ void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKe
 void bcl_limitReadBack(MdtBclLimit *limit, double measured, double rate, const MdtKeaRow rows[]);
 MeBool bcl_limitIsMeasured(const MdtBclLimit *limit);
 
-/* For a coordinate whose row turns with the bodies: marks the rows of hard stops to be met where the bodies arrive, and
- * the errors of all the limit's rows were the coordinate (without offset) this one. Both return the number of rows. */
-int bcl_limitMeetAtEnd(const MdtBclLimit *limit, MdtKeaRow rows[]);
+/* The errors of the limit's rows were the coordinate (without offset) this one. Returns the number of rows. */
 int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]);
 
 #endif

@@ -93,6 +93,7 @@ static void motorRow(const MdtBclLimit *limit, MdtKeaRow *row) {
 static void lockRow(const MdtBclLimit *limit, const MdtBclContext *x, MdtKeaRow *row) {
     row->error = limit->measured + (double)limit->offset - (double)limit->lock;
     row->target = -x->parameters.gamma * row->error / x->parameters.stepsize;
+    row->position = METRUE;
     row->upper = bcl_boundOf(limit->lockForce);
     row->lower = -row->upper;
 }
@@ -101,9 +102,11 @@ static void hardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtK
     const double h = x->parameters.stepsize, z = row->error;
     row->target = z > 0 ? -z / h : -x->parameters.gamma * z / h;
     const double rate = bcl_rate(row, x->velocity), predicted = bcl_rate(row, x->predicted);
-    const MeBool isHit = z + h * predicted < 0 && rate < -bcl_ownChange(row, x);
-    if (isHit && stop->restitution > 0)
-        row->target = fmax(row->target, -fmin((double)stop->restitution, 1) * rate);
+    row->position = METRUE;
+    if (stop->restitution > 0 && z + h * predicted < 0 && rate < -bcl_ownChange(row, x)) {
+        row->bounces = METRUE;
+        row->rebound = -fmin((double)stop->restitution, 1) * rate;
+    }
 }
 
 static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, MdtKeaRow *row) {
@@ -133,16 +136,12 @@ void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKe
     }
 }
 
-int bcl_limitMeetAtEnd(const MdtBclLimit *limit, MdtKeaRow rows[]) {
-    int n = (limit->rows & (MOTOR | LOCK)) != 0;
-    for (int side = 0; side < 2; side++)
-        if (limit->rows & (side == 0 ? LOWER : UPPER))
-            rows[n++].position = isHard(limit, side);
-    return n;
-}
-
 int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]) {
-    int n = (limit->rows & (MOTOR | LOCK)) != 0;
+    int n = 0;
+    if (limit->rows & LOCK)
+        errors[0] = measured + (double)limit->offset - (double)limit->lock;
+    if (limit->rows & (MOTOR | LOCK))
+        n++;
     for (int side = 0; side < 2; side++)
         if (limit->rows & (side == 0 ? LOWER : UPPER))
             errors[n++] = distanceFrom(limit, side, measured);

@@ -53,6 +53,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     e[0] = keaDot(axes[1], d);
     e[1] = keaDot(axes[2], d);
     bcl_turnErrors(c, pose, NULL, e + 2);
+    bcl_limitErrors(&c->of.limit, displacement(c, pose), e + 5);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {

@@ -14,7 +14,7 @@ void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x) {
     row->softness = x->parameters.epsilon;
     row->lower = -HUGE_VAL;
     row->upper = HUGE_VAL;
-    row->normal = row->partner = -1;
+    row->normal = row->partner = row->contact = -1;
 }
 
 void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error) {
@@ -79,6 +79,7 @@ void bcl_pointRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow 
         for (int k = 0; k < 2; k++) {
             rows[i].J[k].lin[i] = k == 0 ? 1 : -1;
             keaCross(rows[i].J[k].ang, arm[k], rows[i].J[k].lin);
+            keaCopy(rows[i].arm[k], arm[k]);
         }
         bcl_aimAtZero(&rows[i], x, errors[i]);
     }
@@ -109,6 +110,7 @@ void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const doubl
         }
         keaScale(row->J[k].lin, k == 0 ? 1 : -1, d);
         keaCross(row->J[k].ang, arm, row->J[k].lin);
+        keaCopy(row->arm[k], arm);
     }
 }
 

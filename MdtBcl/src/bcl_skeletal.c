@@ -181,13 +181,9 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     }
     coneRow(c, x, &p, &row);
     bcl_limitFill(&s->cone, x, &row, rows);
-    if (!c->isDegenerate)
-        bcl_limitMeetAtEnd(&s->cone, rows);
     rows += s->cone.rows != 0;
     turnRow(c, x, p.twist, &row);
     bcl_limitFill(&s->turn, x, &row, rows);
-    if (!c->isDegenerate)
-        bcl_limitMeetAtEnd(&s->turn, rows);
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {

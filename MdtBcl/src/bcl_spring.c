@@ -92,8 +92,6 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     const double e = strain(&s->limit, s->length);
     if (s->kind == MdtBclDistanceLimits) {
         bcl_limitFill(&s->limit, x, &row, rows);
-        if (!c->isDegenerate)
-            bcl_limitMeetAtEnd(&s->limit, rows);
         return;
     }
     rows[0] = row;

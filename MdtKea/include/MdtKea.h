@@ -61,6 +61,7 @@ typedef struct MdtKeaBody {
     /* load of this step, set by the owner */
     double force[3];  /**< N, gravity included */
     double torque[3]; /**< N m, about the centre of mass */
+    double acceleration[6]; /**< m/s², rad/s² (world), of the last step: a guess for this one, which may be 0 */
 } MdtKeaBody;
 
 /** Where a body is: world = R x + pos. */
@@ -102,38 +103,47 @@ typedef int MdtKeaBodyIndexPair[2]; /**< Indices of the system's bodies, or MdtK
 typedef struct MdtKeaRow {
     MdtKeaJBlockPair J;
     MdtKeaBodyIndexPair body;
-    double error;    /**< φ, m: how far the bodies are from obeying the row (reports, position rows) */
-    double target;   /**< s, m/s: the velocity that the row aims at */
-    double softness; /**< E, 1/kg: ε, or the row's own compliance */
-    double lower;    /**< N, -HUGE_VAL where there is none */
-    double upper;    /**< N, HUGE_VAL where there is none */
-    double friction; /**< μ of a row that `normal` limits, else unused */
-    int normal;      /**< -1, or the index of the row whose force times μ bounds this one, both ways */
-    int partner; /**< -1, or the index of the other friction row of a cone: (λ_1/μ_1)² + (λ_2/μ_2)² <= λ_normal² */
-    MeBool
-        position;  /**< The error at the end of the step is checked and corrected, while the force is within bounds. */
-    MeBool spring; /**< A damped spring; its target is the rate at which it is at rest, and softness is not read. */
+    double arm[2][3]; /**< m, where a position or spring row pulls, from the centre of mass; 0 for an angular row */
+    double error;     /**< φ, m: how far the bodies are from obeying the row (position rows, springs, contacts) */
+    double target;    /**< s, m/s: the velocity that the row aims at */
+    double rebound;   /**< m/s: the velocity at the end of the step of a stop or contact that was hit, >= 0 */
+    double softness;  /**< E, 1/kg: ε, or the row's own compliance */
+    double lower;     /**< N, -HUGE_VAL where there is none */
+    double upper;     /**< N, HUGE_VAL where there is none */
+    double friction;  /**< μ of a row that `normal` limits, else unused */
+    int normal;       /**< -1, or the index of the row whose force times μ bounds this one, both ways */
+    int partner;      /**< -1, or the index of the other friction row of a cone: |λ| <= μ λ_normal for the two */
+    int contact;      /**< -1, or the index of the normal row of the contact that this row is part of */
+    MeBool isOpen;    /**< of a contact: it is known not to act in this step */
+    MeBool position;  /**< φ is met at the end of the step, as MdtKeaErrorFn tells it; else the velocity is */
+    MeBool spring;    /**< A damped spring; its target is the rate at which it is at rest, and softness is not read. */
+    MeBool bounces;   /**< `rebound` is wanted */
     double stiffness; /**< N/m of a spring, >= 0 */
     double damping;   /**< N s/m of a spring, >= 0 */
-    double force;     /**< λ, N: the answer */
+    double force;     /**< λ, N: the answer; before, a guess at it, such as the last step's */
 } MdtKeaRow;
 
 /** What holds for the whole system. Epsilon and gamma are in the rows already. */
 typedef struct MdtKeaParameters {
-    double stepsize;   /**< s */
-    int maxIterations; /**< pivoting iterations of one solve; 0: Kea's own choice */
+    double stepsize;    /**< s */
+    double gamma;       /**< the part of a position error that the step takes away, 0..1 */
+    int maxIterations;  /**< Newton iterations of one inner problem; 0: Kea's own choice */
+    MeBool timed;       /**< contacts are met in time: bodies move with their mean velocities throughout */
+    MeBool dissipative; /**< backward Euler for all bodies: for motion too violent to be followed */
 } MdtKeaParameters;
 
 /** How a solve went. */
 typedef struct MdtKeaReport {
-    int passes;         /**< solves: first, and again for friction bounds and position errors */
-    int pivots;         /**< block or single exchanges in all passes */
-    int factorizations; /**< Cholesky factorizations in all passes */
-    MeBool capped;      /**< the pivoting stopped at its cap: the forces are within bounds, but not exact */
-    MeBool regularized; /**< conflicting rows: a compromise was taken */
-    MeBool violent;  /**< the bodies turn too far for the position rows in a step of this length: take shorter ones */
-    double residual; /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
-    double error;    /**< m: the largest error left in a position row, against what it asked for */
+    int passes;          /**< linearizations: 0 where the last step's answer still held */
+    int iterations;      /**< of Newton's method in all passes */
+    int factorizations;  /**< of sparse matrices */
+    int stages;          /**< velocity stages, 0 or 1 */
+    int freezes;         /**< passes whose friction bounds were not renewed, since that did not settle */
+    MeBool capped;       /**< passes ran out: the forces are within bounds, but not exact */
+    MeBool violent;      /**< the motion could not be followed in a step of this length: take shorter ones */
+    MeBool conflicting;  /**< rows contradict each other: a compromise was taken */
+    double residual;     /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
+    double error;        /**< m: the largest error left in a position row, against what it asked for */
 } MdtKeaReport;
 
 /**
@@ -142,14 +152,25 @@ typedef struct MdtKeaReport {
  */
 typedef void(MEAPI *MdtKeaErrorFn)(void *context, const MdtKeaTransformation poses[], double errors[]);
 
+/**
+ * Writes J and arm of the system's rows that move with the bodies, were they at `poses`, whose matrices may be means of
+ * rotations. Called by MdtKeaSolve, with errors.
+ */
+typedef void(MEAPI *MdtKeaJacobianFn)(void *context, const MdtKeaTransformation poses[]);
+
+/** What Kea keeps from step to step, for speed only: the structure of matrices that have come up (MdtKeaCacheCreate). */
+typedef struct MdtKeaCache MdtKeaCache;
+
 /** One partition in one step. Fill in the first group, call MdtKeaInit, and read or write the rest. */
 typedef struct MdtKeaSystem {
     MdtKeaParameters parameters;
     int numBodies;
     MdtKeaBody *const *bodies; /**< numBodies pointers */
     int maxRows;               /**< room for rows */
-    MdtKeaErrorFn errors;      /**< may be null: then no row is treated as a position row */
-    void *context;             /**< for errors */
+    MdtKeaErrorFn errors;       /**< may be null where no row is a position row */
+    MdtKeaJacobianFn jacobians; /**< may be null: then J stays as it is */
+    void *context;              /**< for both */
+    MdtKeaCache *cache;         /**< of one system at a time */
 
     MdtKeaTransformation *pose;       /**< by body, at the start; after MdtKeaIntegrate at the end */
     MdtKeaVelocity *velocity;         /**< by body, at the start; after MdtKeaIntegrate at the end */
@@ -160,6 +181,11 @@ typedef struct MdtKeaSystem {
     MdtKeaReport report;     /**< set by MdtKeaSolve */
     struct MdtKeaWork *work; /**< Kea's own */
 } MdtKeaSystem;
+
+/** A cache for systems that are solved one after the other. Null when there is no memory. */
+MEPUBLIC MdtKeaCache *MEAPI MdtKeaCacheCreate(void);
+/** Destroys a cache; null is left alone. */
+MEPUBLIC void MEAPI MdtKeaCacheDestroy(MdtKeaCache *cache);
 
 /** Bytes of scratch memory that a system of this size needs (MdtKeaInit). */
 MEPUBLIC size_t MEAPI MdtKeaScratchSize(int numBodies, int maxRows);

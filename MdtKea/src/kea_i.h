@@ -1,54 +1,98 @@
-/* Inside Kea: the working data of a system and the functions that its files share. */
+/* Inside Kea: the working data of a step and the functions that its files share.
+ *
+ *     kea_solve.c      one step: passes of linearization, then the velocity stage
+ *     kea_scheme.c     where unknown velocities take the bodies, the momentum that is missing, its derivative
+ *     kea_rows.c       what a row asks of the unknowns
+ *     kea_problem.c    the inner problem: bodies with a quadratic metric, rows with bounds and cones
+ *     kea_velocity.c   velocities that joints and contacts allow where the bodies have arrived
+ *     kea_factor.c     sparse factorization
+ *     kea_rotation.c   inertia, free rotation
+ *     kea_system.c     memory, predictions, integration
+ */
 #ifndef KEA_I_H
 #define KEA_I_H
 
 #include "MdtKea.h"
 #include "MdtKeaMath.h"
-#include "kea_mlcp_i.h"
+#include "kea_problem_i.h"
 
 /* The state of a body at the end of the step, while the step is being found. */
 typedef struct KeaEnd {
     double position[3], quaternion[4], velocity[3], angularMomentum[3];
 } KeaEnd;
 
+/* A body on its way through a step. */
+typedef struct KeaBody {
+    double theta;           /* 1/2: midpoint rule; 1: backward Euler */
+    double size;            /* m, radius of gyration */
+    MeBool isSpatial;       /* its angular velocity changes in the world's axes: no gyroscopic term */
+    double axes[3][3];      /* principal axes at the start, as columns */
+    double spin[3];         /* rad/s at the start, in principal axes; of a spatial body in the world's */
+    double inertia[3][3];   /* kg m², world, at the start; of a spatial body */
+    double freeVelocity[3]; /* at the end, without rows */
+    double freeMomentum[3]; /* angular, at the end, without rows */
+    double scale;           /* N s: what an impulse is compared with */
+    double u[6];            /* the unknown: m/s and rad/s with which it moves through the step */
+    double endAxes[3][3];
+    double endVelocity[6];  /* m/s, rad/s (world) */
+    MeBool isFree;          /* no row acts on it: it moves as a free body */
+} KeaBody;
+
 typedef struct MdtKeaWork {
-    double (*freeMomentum)[3];     /* by body: angular momentum at the end without constraints */
-    double (*freeVelocity)[3];     /* by body: velocity at the end without constraints */
-    KeaEnd *end;                   /* by body */
-    MdtKeaTransformation *endPose; /* by body */
-    MdtKeaJBlockPair *response;    /* by row: M⁻¹ Jᵀ, the acceleration per unit of the row's force */
-    double *freeRate;              /* by row: J v*, m/s */
-    double *shift;                 /* by row: what the nonlinear correction adds to the target, m/s */
-    double *errors;                /* by row: φ at the end */
-    double *matrix;                /* rows x rows: A */
-    KeaMlcp mlcp;
+    KeaBody *body;
+    KeaEnd *end;
+    MdtKeaTransformation *endPose, *meanPose; /* by body */
+    double *errors;                           /* by row: φ at the end */
+    double (*added)[6];                       /* by body: what the velocity stage has found */
+    KeaProblem problem;
 } MdtKeaWork;
+
+/* ---- kea_rotation.c ---- */
 
 /* The orientation q1 after h seconds of free rotation from q0 with the angular momentum L (world, constant). */
 void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3], double h, double q1[4]);
-
 /* The angular velocity (world) of a body at orientation q with angular momentum L, and the other way round. */
 void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double L[3], double w[3]);
 void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double w[3], double L[3]);
-
-/* The inverse inertia tensor in world axes at orientation q. */
+/* The inertia tensor, and its inverse, in world axes at orientation q. */
+void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]);
 void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double inverse[3][3]);
+/* Eigenvalues of a symmetric matrix, left on the diagonal of S, and eigenvectors, as the columns of V. */
+void kea_eigen(double S[3][3], double V[3][3]);
 
-/* Fills response, freeRate and matrix from the rows. */
-void kea_assemble(MdtKeaSystem *system);
+/* ---- kea_scheme.c ---- */
 
-/* Friction (kea_friction.c): the bounds of the first solve; new ones from its answer. Returns whether one moved that
- * matters. */
-double kea_firstFrictionBound(const MdtKeaSystem *system, const MdtKeaRow *row);
-MeBool kea_renewFriction(MdtKeaSystem *system);
+/* What is fixed through the step. */
+void kea_beginBodies(MdtKeaSystem *s);
+/* The first guess of the unknowns; needs theta. */
+void kea_guessMotion(MdtKeaSystem *s);
+/* Where u takes the bodies: ends and poses. */
+void kea_moveBodies(MdtKeaSystem *s);
+/* Metric and load of the problem: the momentum that rows must give, and how it changes with u. */
+void kea_linearizeBodies(MdtKeaSystem *s);
+/* Bodies that no row acts on take the free motion instead. */
+void kea_moveFreely(MdtKeaSystem *s);
+/* The inertia tensor (world) where the body has arrived. */
+void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]);
+void kea_invert(double inverse[3][3], const double M[3][3]);
 
-/* The velocity that row i is left with against its target, m/s: zero where the force is free. */
-double kea_slip(const MdtKeaSystem *system, int i);
+/* ---- kea_rows.c ---- */
 
-/* Gives the rows that are springs their targets and softnesses; after kea_assemble. */
-void kea_makeSprings(MdtKeaSystem *system);
+/* Reach, theta, and what of the problem's rows stays as it is. */
+void kea_beginRows(MdtKeaSystem *s);
+/* Jacobians at these poses. */
+void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[]);
+/* What each row still asks for; after kea_linearizeBodies. */
+void kea_linearizeRows(MdtKeaSystem *s, int pass);
+/* The largest error of a position row, relative to its size. */
+double kea_positionError(MdtKeaSystem *s);
+/* Contacts that were thought out of reach and are reached. Returns whether there were any. */
+MeBool kea_admitContacts(MdtKeaSystem *s);
+/* The rate of a row at the end. */
+double kea_endRate(const MdtKeaSystem *s, int i);
 
-/* Where the bodies end with the forces now in rows[].force: work->end and work->endPose. */
-void kea_moveWithForces(MdtKeaSystem *system);
+/* ---- kea_velocity.c ---- */
+
+void kea_velocityStage(MdtKeaSystem *s);
 
 #endif

@@ -133,6 +133,19 @@ void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double invers
     }
 }
 
+void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]) {
+    double qp[4], R[3][3];
+    toPrincipal(body, q, qp, R);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j <= i; j++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++)
+                sum += R[i][k] * R[j][k] * body->moments[k];
+            inertia[i][j] = inertia[j][i] = sum;
+        }
+    }
+}
+
 void MEAPI MdtKeaBodyGetAngularVelocity(const MdtKeaBody *body, double w[3]) {
     kea_angularVelocity(body, body->quaternion, body->angularMomentum, w);
 }
@@ -162,6 +175,20 @@ static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
     }
 }
 
+void kea_eigen(double S[3][3], double V[3][3]) {
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            V[i][j] = i == j;
+    for (int sweep = 0; sweep < 12; sweep++) { /* 4 or 5 suffice: convergence is quadratic */
+        const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
+        if (off <= 1e-32 * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]))
+            break;
+        jacobiRotate(S, V, 0, 1);
+        jacobiRotate(S, V, 0, 2);
+        jacobiRotate(S, V, 1, 2);
+    }
+}
+
 static MeBool isSymmetricAndFinite(const double inertia[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
@@ -176,15 +203,11 @@ static MeBool isSymmetricAndFinite(const double inertia[3][3]) {
 MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) {
     if (!isSymmetricAndFinite(inertia))
         return MEFALSE;
-    double S[3][3], V[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double S[3][3], V[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             S[i][j] = 0.5 * (inertia[i][j] + inertia[j][i]);
-    for (int sweep = 0; sweep < 12; sweep++) { /* 4 or 5 suffice: convergence is quadratic */
-        jacobiRotate(S, V, 0, 1);
-        jacobiRotate(S, V, 0, 2);
-        jacobiRotate(S, V, 1, 2);
-    }
+    kea_eigen(S, V);
     const double largest = fmax(S[0][0], fmax(S[1][1], S[2][2]));
     for (int i = 0; i < 3; i++)
         if (!(S[i][i] > 1e-12 * largest))

@@ -1,4 +1,4 @@
-/* The system of one partition: memory, predictions, A = J M⁻¹ Jᵀ, and where given forces take the bodies. */
+/* The system of one partition: memory, what would be without rows, and the end of the step. */
 #include "kea_i.h"
 #include <stdint.h>
 #include <string.h>
@@ -14,16 +14,13 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     s->work = work;
     if (!work)
         work = &measured;
-    work->freeMomentum = kea_carve(arena, n, sizeof *work->freeMomentum);
-    work->freeVelocity = kea_carve(arena, n, sizeof *work->freeVelocity);
+    work->body = kea_carve(arena, n, sizeof *work->body);
     work->end = kea_carve(arena, n, sizeof *work->end);
     work->endPose = kea_carve(arena, n, sizeof *work->endPose);
-    work->response = kea_carve(arena, m, sizeof *work->response);
-    work->freeRate = kea_carve(arena, m, sizeof(double));
-    work->shift = kea_carve(arena, m, sizeof(double));
+    work->meanPose = kea_carve(arena, n, sizeof *work->meanPose);
     work->errors = kea_carve(arena, m, sizeof(double));
-    work->matrix = kea_carve(arena, m * m, sizeof(double));
-    kea_mlcpInit(&work->mlcp, s->maxRows, work->matrix, arena);
+    work->added = kea_carve(arena, n, sizeof *work->added);
+    kea_problemLayOut(&work->problem, s->numBodies, s->maxRows, arena);
 }
 
 size_t MEAPI MdtKeaScratchSize(int numBodies, int maxRows) {
@@ -58,17 +55,15 @@ static void advance(double r[3], const double v[3], const double a[3], double sc
         r[i] = keep * v[i] + h * gain * scale * a[i];
 }
 
-/* Velocity and momentum at the end of the step without constraints, and the rates that they mean at the start's pose:
- * the forces of the rows change the momenta of just this pose, so that rows solved for it hold whatever the free body
- * would have done. */
+/* Velocity and momentum at the end of the step without rows, and the rates that they mean at the start's pose. */
 static void predict(MdtKeaSystem *s, int i) {
     const MdtKeaBody *body = s->bodies[i];
-    MdtKeaWork *work = s->work;
+    KeaBody *b = &s->work->body[i];
     const double h = s->parameters.stepsize;
-    advance(work->freeVelocity[i], body->velocity, body->force, body->invMass, body->linearDamping, h);
-    advance(work->freeMomentum[i], body->angularMomentum, body->torque, 1, body->angularDamping, h);
-    keaCopy(s->predicted[i].lin, work->freeVelocity[i]);
-    kea_angularVelocity(body, body->quaternion, work->freeMomentum[i], s->predicted[i].ang);
+    advance(b->freeVelocity, body->velocity, body->force, body->invMass, body->linearDamping, h);
+    advance(b->freeMomentum, body->angularMomentum, body->torque, 1, body->angularDamping, h);
+    keaCopy(s->predicted[i].lin, b->freeVelocity);
+    kea_angularVelocity(body, body->quaternion, b->freeMomentum, s->predicted[i].ang);
 }
 
 void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
@@ -87,115 +82,56 @@ void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
     }
 }
 
-static void respond(MdtKeaJBlock *response, const MdtKeaJBlock *J, const MdtKeaInverseMassMatrix *m) {
-    keaScale(response->lin, m->mass, J->lin);
-    keaApply(response->ang, (const double(*)[3])m->inertia, J->ang);
+/* Within the range of MeReal, which programs read the state in; false for NaN. */
+static MeBool isInRange(const double *v, int n) {
+    for (int i = 0; i < n; i++)
+        if (!(fabs(v[i]) <= (double)MEINFINITY))
+            return MEFALSE;
+    return METRUE;
 }
 
-/* J_i M⁻¹ J_jᵀ: the sum over the bodies that both rows act on. */
-static double coupling(const MdtKeaRow *row, const MdtKeaRow *other, const MdtKeaJBlockPair response) {
-    double sum = 0;
-    for (int k = 0; k < 2; k++)
-        for (int l = 0; l < 2; l++)
-            if (row->body[k] >= 0 && row->body[k] == other->body[l])
-                sum += keaDot(row->J[k].lin, response[l].lin) + keaDot(row->J[k].ang, response[l].ang);
-    return sum;
+static MeBool mayCommit(const MdtKeaBody *body, const KeaEnd *end) {
+    double w[3];
+    if (!isInRange(end->position, 3) || !isInRange(end->quaternion, 4) || !isInRange(end->velocity, 3) ||
+        !isInRange(end->angularMomentum, 3))
+        return MEFALSE;
+    kea_angularVelocity(body, end->quaternion, end->angularMomentum, w);
+    return isInRange(w, 3);
 }
 
-void kea_assemble(MdtKeaSystem *s) {
-    MdtKeaWork *work = s->work;
-    const int m = s->numRows;
-    for (int i = 0; i < m; i++) {
-        const MdtKeaRow *row = &s->rows[i];
-        work->freeRate[i] = 0;
-        for (int k = 0; k < 2; k++) {
-            if (row->body[k] < 0)
-                continue;
-            const MdtKeaVelocity *v = &s->predicted[row->body[k]];
-            work->freeRate[i] += keaDot(row->J[k].lin, v->lin) + keaDot(row->J[k].ang, v->ang);
-            respond(&work->response[i][k], &row->J[k], &s->invMass[row->body[k]]);
-        }
-        for (int j = 0; j <= i; j++) {
-            const double a = coupling(row, &s->rows[j], work->response[j]);
-            work->matrix[i * m + j] = work->matrix[j * m + i] = a;
-        }
+static void noteAcceleration(MdtKeaBody *body, const KeaEnd *end, double h) {
+    double before[3], after[3];
+    MdtKeaBodyGetAngularVelocity(body, before);
+    kea_angularVelocity(body, end->quaternion, end->angularMomentum, after);
+    for (int i = 0; i < 3; i++) {
+        body->acceleration[i] = (end->velocity[i] - body->velocity[i]) / h;
+        body->acceleration[3 + i] = (after[i] - before[i]) / h;
     }
 }
 
-/* How far the springs of the system move row i in a step: h² Σ |A_ij| kp_j for the stiffness, h Σ |A_ij| kd_j for the
- * damping. By Gershgorin's theorem no combination of the springs is stiffer than the largest of these. */
-static void springiness(const MdtKeaSystem *s, int i, double *stiff, double *damped) {
-    const double h = s->parameters.stepsize, *A = s->work->matrix + (size_t)i * (size_t)s->numRows;
-    *stiff = *damped = 0;
-    for (int j = 0; j < s->numRows; j++) {
-        if (!s->rows[j].spring)
-            continue;
-        *stiff += h * h * fabs(A[j]) * s->rows[j].stiffness;
-        *damped += h * fabs(A[j]) * s->rows[j].damping;
-    }
+static void commit(MdtKeaBody *body, const KeaEnd *end, double h) {
+    double w[3];
+    noteAcceleration(body, end, h);
+    const MeBool steady = !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
+    if (steady)
+        kea_angularVelocity(body, body->quaternion, end->angularMomentum, w);
+    keaCopy(body->position, end->position);
+    memcpy(body->quaternion, end->quaternion, sizeof body->quaternion);
+    keaCopy(body->velocity, end->velocity);
+    keaCopy(body->angularMomentum, end->angularMomentum);
+    if (steady)
+        MdtKeaBodySetAngularVelocity(body, w);
 }
 
-static double rateNow(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    double rate = 0;
-    for (int k = 0; k < 2; k++) {
-        if (row->body[k] < 0)
-            continue;
-        const MdtKeaVelocity *v = &s->velocity[row->body[k]];
-        rate += keaDot(row->J[k].lin, v->lin) + keaDot(row->J[k].ang, v->ang);
-    }
-    return rate;
-}
-
-/* λ = -kp (φ + a h u⁺) - kd ((1 - b) u + b u⁺) with u the rate, as a row u⁺ = s - h E λ:
- *     C = a h kp + b kd,   s = -(kp φ + (1 - b) kd u) / C,   E = 1 / (h C).
- * a = 0, b = 1/2 is the spring of the leapfrog and of the midpoint rule: no numerical damping, frequency and decay
- * right to second order. Where that would be unstable, for stiff springs on light bodies, a and b grow towards 1, the
- * backward Euler rule, which no stiffness makes gain energy. With K and D the springiness of the row, a and b are the
- * least that bring K / (1 + a K) <= 1 and (1 - b) D <= 1; the leapfrog itself is stable up to K = 4. */
-static void makeSpring(const MdtKeaSystem *s, int i) {
-    MdtKeaRow *row = &s->rows[i];
-    const double h = s->parameters.stepsize, kp = row->stiffness, kd = row->damping, rest = row->target;
-    double K, D;
-    springiness(s, i, &K, &D);
-    const double a = K > 1 ? 1 - 1 / K : 1e-9; /* not 0: a row without compliance has no E */
-    const double b = D > 2 ? 1 - 1 / D : 0.5;
-    const double C = a * h * kp + b * kd;
-    if (!(C > 0)) { /* neither stiffness nor damping: no force */
-        row->lower = row->upper = 0;
-        return;
-    }
-    row->target = rest - (kp * row->error + (1 - b) * kd * (rateNow(s, row) - rest)) / C;
-    row->softness = 1 / (h * C);
-}
-
-void kea_makeSprings(MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].spring)
-            makeSpring(s, i);
-}
-
-void kea_moveWithForces(MdtKeaSystem *s) {
-    MdtKeaWork *work = s->work;
-    const double h = s->parameters.stepsize;
+MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        if (!mayCommit(s->bodies[i], &s->work->end[i]))
+            return MEFALSE;
     for (int i = 0; i < s->numBodies; i++) {
-        keaCopy(work->end[i].velocity, work->freeVelocity[i]);
-        keaCopy(work->end[i].angularMomentum, work->freeMomentum[i]);
+        commit(s->bodies[i], &s->work->end[i], s->parameters.stepsize);
+        s->pose[i] = s->work->endPose[i];
+        keaCopy(s->velocity[i].lin, s->bodies[i]->velocity);
+        MdtKeaBodyGetAngularVelocity(s->bodies[i], s->velocity[i].ang);
     }
-    for (int i = 0; i < s->numRows; i++) {
-        const MdtKeaRow *row = &s->rows[i];
-        for (int k = 0; k < 2; k++) {
-            if (row->body[k] < 0)
-                continue;
-            keaAddScaled(work->end[row->body[k]].velocity, h * row->force, work->response[i][k].lin);
-            keaAddScaled(work->end[row->body[k]].angularMomentum, h * row->force, row->J[k].ang);
-        }
-    }
-    for (int i = 0; i < s->numBodies; i++) {
-        const MdtKeaBody *body = s->bodies[i];
-        KeaEnd *end = &work->end[i];
-        keaCopy(end->position, body->position);
-        keaAddScaled(end->position, h, end->velocity);
-        kea_rotateFree(body, body->quaternion, end->angularMomentum, h, end->quaternion);
-        setPose(&work->endPose[i], end->position, end->quaternion);
-    }
+    return METRUE;
 }

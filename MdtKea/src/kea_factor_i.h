@@ -1,0 +1,50 @@
+/* Inside Kea: sparse factorization of matrices of small dense blocks, whose structure is a graph.
+ *
+ * Node i of the graph has size[i] unknowns (1..KEA_FACTOR_MAX_BLOCK); an edge (i, j) says that the blocks A_ij and A_ji
+ * are there. Kea uses it for bodies (6 each, edges are rows that join two bodies) and for constraints (their rows,
+ * edges are shared bodies). The order of elimination and the structure of the factor depend on the graph alone and are
+ * found once, by kea_factorCreate; numbers are filled in and factored as often as they change.
+ */
+#ifndef KEA_FACTOR_I_H
+#define KEA_FACTOR_I_H
+
+#include "MePrecision.h"
+#include <stddef.h>
+
+enum { KEA_FACTOR_MAX_BLOCK = 12 };
+
+typedef struct KeaFactor KeaFactor;
+
+/* Orders and analyses a graph; its memory comes from MeMemory. Edges are unique, i != j, in any order; the result
+ * depends on nothing else (same graph, same bits). Null when there is no memory. */
+KeaFactor *kea_factorCreate(int numNodes, const int size[], int numEdges, const int (*edges)[2]);
+void kea_factorDestroy(KeaFactor *f);
+/* Whether f was created for this very graph. */
+MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int numEdges, const int (*edges)[2]);
+
+/* Sets every block of the matrix to zero. */
+void kea_factorClear(KeaFactor *f);
+/* The blocks of the matrix, row-major, to be added to. Of an edge e = (i, j): `upper` is A_ij, size[i] rows by size[j]
+ * columns; `lower` is A_ji, and is read by kea_factorLU only. */
+double *kea_factorDiagonal(KeaFactor *f, int node);
+double *kea_factorUpper(KeaFactor *f, int edge);
+double *kea_factorLower(KeaFactor *f, int edge);
+
+/* Where the unknowns of a node start in vectors; of numNodes: how many there are in all. */
+int kea_factorOffset(const KeaFactor *f, int node);
+
+/* A = L Lᵀ of a symmetric matrix, of which the diagonal blocks (lower triangles) and `upper` are read. False where A is
+ * not positive definite in the arithmetic: a pivot below `least` (relative to the diagonal entry that it started from,
+ * e.g. 1e-14). The matrix itself is kept, and may be changed and factored again. */
+MeBool kea_factorCholesky(KeaFactor *f, double least);
+/* A = L U of a matrix whose structure is symmetric but whose numbers are not, without pivoting between blocks (within a
+ * diagonal block rows are exchanged). False where a pivot vanishes. */
+MeBool kea_factorLU(KeaFactor *f, double least);
+/* x := A⁻¹ x, by the last factorization. */
+void kea_factorSolve(const KeaFactor *f, double x[]);
+
+/* What one Cholesky factorization costs, and how many doubles the factor has: for choosing between two graphs. */
+double kea_factorFlops(const KeaFactor *f);
+size_t kea_factorEntries(const KeaFactor *f);
+
+#endif

@@ -1,0 +1,501 @@
+/* Newton's method for the inner problem (kea_problem_i.h).
+ *
+ * Per row, y = (r - J d + N p0) / (E + N), and p is y within its bounds: p = clamp(y), or for two rows that share a cone
+ * of the radius R, p = y min(1, R/|y|). The gradient is B d + g - Jᵀ p, its derivative
+ *
+ *     H = B + Jᵀ D J,    D = 1/(E + N) within the bounds, 0 at them,
+ *                        D = R/|y| (1 - ŷ ŷᵀ) / (E + N) on the cone.
+ *
+ * With R fixed this is convex: H is positive definite whatever rows there are, and the step along -H⁻¹ (gradient) is as
+ * long as is best. Coupled, R = μ p of the normal row at every moment: then D has the further block μ ŷ / (E + N) from
+ * the normal row to the friction rows, H is not symmetric, and the step is shortened until the gradient falls.
+ */
+#include "kea_problem_i.h"
+#include "MdtKeaMath.h"
+#include <float.h>
+#include <string.h>
+
+enum { MAX_CONVEX = 60, MAX_COUPLED = 12 };
+static const double tolerance = 1e-10; /* of the scale of momenta */
+static const double leastPivot = 1e-15;
+
+void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *arena) {
+    const size_t n = (size_t)numBodies, m = (size_t)maxRows;
+    q->row = kea_carve(arena, m, sizeof *q->row);
+    q->metric = kea_carve(arena, n, sizeof *q->metric);
+    q->load = kea_carve(arena, n, sizeof *q->load);
+    q->d = kea_carve(arena, n, sizeof *q->d);
+    q->gradient = kea_carve(arena, n, sizeof *q->gradient);
+    q->along = kea_carve(arena, n, sizeof *q->along);
+    q->scale = kea_carve(arena, n, sizeof(double));
+    q->length = kea_carve(arena, n, sizeof(double));
+    q->allowed = kea_carve(arena, n, sizeof(double));
+    q->x = kea_carve(arena, 6 * n, sizeof(double));
+    q->edges = kea_carve(arena, m, sizeof *q->edges);
+    q->table = kea_carve(arena, 4 * m + 4, sizeof(int));
+}
+
+/* ---- the graph ---- */
+
+/* The number of the edge between two bodies; new ones are appended. `table` is a hash with open addressing. */
+static int edgeOf(KeaProblem *q, int a, int b, unsigned int mask) {
+    const int low = a < b ? a : b, high = a < b ? b : a;
+    unsigned int at = ((unsigned int)low * 2654435761u) ^ ((unsigned int)high * 40503u);
+    for (at = (at ^ (at >> 15)) & mask; q->table[at] >= 0; at = (at + 1) & mask) {
+        const int e = q->table[at];
+        if (q->edges[e][0] == low && q->edges[e][1] == high)
+            return e;
+    }
+    q->table[at] = q->numEdges;
+    q->edges[q->numEdges][0] = low;
+    q->edges[q->numEdges][1] = high;
+    return q->numEdges++;
+}
+
+static void findEdges(KeaProblem *q) {
+    unsigned int slots = 1;
+    while (slots <= 2 * (unsigned int)q->numRows)
+        slots *= 2;
+    memset(q->table, 0xff, slots * sizeof *q->table);
+    q->numEdges = 0;
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i], *before = row - 1;
+        if (row->body[0] < 0 || row->body[1] < 0)
+            row->edge = -1;
+        else if (i > 0 && before->body[0] == row->body[0] && before->body[1] == row->body[1])
+            row->edge = before->edge;
+        else
+            row->edge = edgeOf(q, row->body[0], row->body[1], slots - 1);
+    }
+}
+
+MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
+    findEdges(q);
+    memset(&q->counts, 0, sizeof q->counts);
+    q->isFactored = MEFALSE;
+    q->hasFriction = q->hasBounds = MEFALSE;
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        q->hasFriction = q->hasFriction || row->normal >= 0;
+        q->hasBounds = q->hasBounds || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
+    }
+    q->factor = kea_cacheFind(cache, q->numBodies, q->numEdges, (const int(*)[2])q->edges);
+    return q->factor != NULL;
+}
+
+/* ---- small parts ---- */
+
+static double dot6(const double a[6], const double b[6]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4] + a[5] * b[5];
+}
+
+static void addScaled6(double r[6], double s, const double a[6]) {
+    for (int i = 0; i < 6; i++)
+        r[i] += s * a[i];
+}
+
+static void applyMetric(double r[6], const KeaMetric *B, const double d[6]) {
+    for (int i = 0; i < 3; i++)
+        r[i] = B->linear * d[i];
+    keaApply(r + 3, B->angular, d + 3);
+}
+
+static double rateOf(const KeaProblemRow *row, const double J[2][6], double (*const v)[6]) {
+    double sum = 0;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            sum += dot6(J[k], v[row->body[k]]);
+    return sum;
+}
+
+static double softness(const KeaProblemRow *row) {
+    return row->E + row->N;
+}
+
+void kea_problemMeasure(KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        row->size = 0;
+        for (int k = 0; k < 2; k++) {
+            if (row->body[k] < 0)
+                continue;
+            const KeaMetric *B = &q->metric[row->body[k]];
+            double turn[3];
+            keaApply(turn, B->inverse, row->J[k] + 3);
+            row->size += keaDot(row->J[k], row->J[k]) / B->linear + keaDot(row->J[k] + 3, turn);
+            row->weight[k] = keaLength(row->J[k]) + keaLength(row->J[k] + 3) / q->length[row->body[k]];
+        }
+    }
+}
+
+/* ---- forces ---- */
+
+static double clampTo(double y, double lower, double upper, KeaRowState *state) {
+    *state = y > lower && y < upper ? KEA_HELD : KEA_IDLE;
+    return y < lower ? lower : y > upper ? upper : y;
+}
+
+static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
+    const double size = hypot(a->y, b->y);
+    const MeBool holds = size < a->radius;
+    const double share = holds ? 1 : a->radius / size;
+    a->p = a->y * (size > 0 ? share : 0);
+    b->p = b->y * (size > 0 ? share : 0);
+    a->state = b->state = holds ? KEA_HELD : KEA_SLIPS;
+}
+
+/* y, p and states of all rows at d + step * along. */
+static void setForces(KeaProblem *q, double step, MeBool coupled) {
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        if (!row->isOff)
+            row->y = (row->N * row->p0 + row->r - row->Jd - step * row->Je) / softness(row);
+    }
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        if (row->isOff)
+            continue;
+        if (row->normal < 0) {
+            row->p = clampTo(row->y, row->lower, row->upper, &row->state);
+            continue;
+        }
+        if (coupled)
+            row->radius = row->friction * fmax(q->row[row->normal].p, 0);
+        if (row->partner > i) {
+            q->row[row->partner].radius = row->radius;
+            setCone(row, &q->row[row->partner]);
+        } else if (row->partner < 0) {
+            row->p = clampTo(row->y, fmax(row->lower, -row->radius), fmin(row->upper, row->radius), &row->state);
+            if (row->state == KEA_IDLE && fabs(row->p) >= row->radius)
+                row->state = KEA_SLIPS;
+        }
+    }
+}
+
+/* The gradient, and by how much it is too large: 1 is what is tolerated. A p that is known to rounding of r and J d only
+ * is not asked for more. */
+static double gradientError(KeaProblem *q, double step) {
+    double worst = 0;
+    for (int b = 0; b < q->numBodies; b++) {
+        double *g = q->gradient[b], d[6];
+        for (int i = 0; i < 6; i++)
+            d[i] = q->d[b][i] + step * q->along[b][i];
+        applyMetric(g, &q->metric[b], d);
+        addScaled6(g, 1, q->load[b]);
+        q->allowed[b] = tolerance * q->scale[b];
+    }
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        const double rounding = 8 * DBL_EPSILON * (fabs(row->r) + fabs(row->Jd)) / softness(row);
+        for (int k = 0; k < 2; k++) {
+            if (row->body[k] < 0)
+                continue;
+            addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
+            q->allowed[row->body[k]] +=
+                row->weight[k] * (tolerance * fabs(row->p) + (row->isOff || row->state == KEA_IDLE ? 0 : rounding));
+        }
+    }
+    for (int b = 0; b < q->numBodies; b++) {
+        const double *g = q->gradient[b];
+        const double size = fmax(keaLength(g), keaLength(g + 3) / q->length[b]);
+        worst = fmax(worst, size / (q->allowed[b] + DBL_MIN));
+    }
+    return worst;
+}
+
+/* ---- the matrix ---- */
+
+static void addOuter(double *block, double w, const double a[6], const double b[6]) {
+    for (int i = 0; i < 6; i++) {
+        const double s = w * a[i];
+        for (int j = 0; j < 6; j++)
+            block[6 * i + j] += s * b[j];
+    }
+}
+
+/* w aᵀ b over the bodies of the rows; they are the same. */
+static void addRows(KeaProblem *q, const KeaProblemRow *row, double w, double (*const a)[6], double (*const b)[6],
+                    MeBool isSymmetric) {
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            addOuter(kea_factorDiagonal(q->factor, row->body[k]), w, a[k], b[k]);
+    if (row->edge < 0)
+        return;
+    const int low = row->body[0] < row->body[1] ? 0 : 1;
+    addOuter(kea_factorUpper(q->factor, row->edge), w, a[low], b[!low]);
+    if (!isSymmetric)
+        addOuter(kea_factorLower(q->factor, row->edge), w, a[!low], b[low]);
+}
+
+static void combine(double r[2][6], double s, double (*const a)[6], double t, double (*const b)[6]) {
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 6; i++)
+            r[k][i] = s * a[k][i] + t * b[k][i];
+}
+
+/* A sliding row or cone; `lopsided`: with what the normal force does to it. */
+static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool lopsided) {
+    KeaProblemRow *normal = &q->row[row->normal], *other = row->partner >= 0 ? &q->row[row->partner] : row;
+    const MeBool isCone = other != row;
+    const double size = isCone ? hypot(row->y, other->y) : fabs(row->y);
+    double slip[2][6];
+    if (size == 0)
+        return;
+    if (isCone) {
+        combine(slip, -other->y / size, row->J, row->y / size, other->J);
+        addRows(q, row, row->radius / size / softness(row), slip, slip, !lopsided);
+        combine(slip, row->y / size, row->J, other->y / size, other->J);
+    } else {
+        combine(slip, row->y / size, row->J, 0, row->J);
+    }
+    if (lopsided && !normal->isOff && normal->state == KEA_HELD)
+        addRows(q, row, row->friction / softness(normal), slip, normal->J, MEFALSE);
+}
+
+static MeBool slidesUnderLoad(const KeaProblem *q) {
+    for (int i = 0; q->hasFriction && i < q->numRows; i++)
+        if (q->row[i].state == KEA_SLIPS && !q->row[i].isOff && q->row[q->row[i].normal].state == KEA_HELD)
+            return METRUE;
+    return MEFALSE;
+}
+
+static void fillMatrix(KeaProblem *q, MeBool lopsided) {
+    kea_factorClear(q->factor);
+    for (int b = 0; b < q->numBodies; b++) {
+        double *block = kea_factorDiagonal(q->factor, b);
+        const KeaMetric *B = &q->metric[b];
+        for (int i = 0; i < 3; i++) {
+            block[7 * i] = B->linear;
+            for (int j = 0; j < 3; j++)
+                block[6 * (i + 3) + j + 3] = B->angular[i][j];
+        }
+    }
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        if (row->isOff || row->state == KEA_IDLE)
+            continue;
+        if (row->state == KEA_HELD)
+            addRows(q, row, 1 / softness(row), row->J, row->J, !lopsided);
+        else if (row->partner < 0 || row->partner > i)
+            addSliding(q, row, lopsided);
+    }
+}
+
+static MeBool factor(KeaProblem *q, MeBool coupled) {
+    const MeBool lopsided = coupled && slidesUnderLoad(q);
+    fillMatrix(q, lopsided);
+    q->counts.factorizations++;
+    q->isLopsided = lopsided;
+    for (int i = 0; i < q->numRows; i++)
+        memcpy(q->row[i].factored, q->row[i].J, sizeof q->row[i].J);
+    q->isFactored = lopsided ? kea_factorLU(q->factor, leastPivot) : kea_factorCholesky(q->factor, leastPivot);
+    return q->isFactored;
+}
+
+/* along := H⁻¹ (sign * gradient). */
+static void solveFor(KeaProblem *q, double sign) {
+    for (int b = 0; b < q->numBodies; b++) {
+        double *x = q->x + kea_factorOffset(q->factor, b);
+        for (int i = 0; i < 6; i++)
+            x[i] = sign * q->gradient[b][i];
+    }
+    kea_factorSolve(q->factor, q->x);
+    for (int b = 0; b < q->numBodies; b++)
+        memcpy(q->along[b], q->x + kea_factorOffset(q->factor, b), sizeof q->along[b]);
+}
+
+static void findDirection(KeaProblem *q) {
+    solveFor(q, -1);
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].Je = rateOf(&q->row[i], (const double(*)[6])q->row[i].J, q->along);
+}
+
+static void take(KeaProblem *q, double step) {
+    for (int b = 0; b < q->numBodies; b++)
+        addScaled6(q->d[b], step, q->along[b]);
+    for (int i = 0; i < q->numRows; i++) {
+        q->row[i].Jd += step * q->row[i].Je;
+        q->row[i].Je = 0;
+    }
+    memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
+}
+
+/* ---- how far along ---- */
+
+/* The derivative of the convex function along the direction. */
+static double slopeAt(KeaProblem *q, double constant, double linear, double step) {
+    setForces(q, step, MEFALSE);
+    double slope = constant + step * linear;
+    for (int i = 0; i < q->numRows; i++)
+        slope -= q->row[i].p * q->row[i].Je;
+    return slope;
+}
+
+/* Where the derivative vanishes, to a thousandth of what it was: mostly the full step. */
+static double bestStep(KeaProblem *q) {
+    double constant = 0, linear = 0, Bd[6];
+    for (int b = 0; b < q->numBodies; b++) {
+        applyMetric(Bd, &q->metric[b], q->d[b]);
+        addScaled6(Bd, 1, q->load[b]);
+        constant += dot6(Bd, q->along[b]);
+        applyMetric(Bd, &q->metric[b], q->along[b]);
+        linear += dot6(Bd, q->along[b]);
+    }
+    const double start = slopeAt(q, constant, linear, 0), enough = 1e-3 * fabs(start);
+    double low = 0, high = 1, atLow = start, atHigh = slopeAt(q, constant, linear, 1);
+    while (atHigh < -enough && high < 64) {
+        low = high, atLow = atHigh;
+        high *= 2;
+        atHigh = slopeAt(q, constant, linear, high);
+    }
+    double step = high, at = atHigh;
+    for (int i = 0; i < 40 && fabs(at) > enough && high > low; i++) {
+        step = i % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * atLow / (atLow - atHigh);
+        at = slopeAt(q, constant, linear, step);
+        if (at < 0)
+            low = step, atLow = at;
+        else
+            high = step, atHigh = at;
+    }
+    return step;
+}
+
+/* ---- the iteration ---- */
+
+static MeBool isBounded(const KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++)
+        if (!q->row[i].isOff && q->row[i].state != KEA_HELD)
+            return METRUE;
+    return MEFALSE;
+}
+
+static MeBool solveConvex(KeaProblem *q) {
+    double before = HUGE_VAL;
+    setForces(q, 0, MEFALSE);
+    for (int i = 0; i < (q->maxIterations > 0 ? q->maxIterations : MAX_CONVEX); i++) {
+        const double error = gradientError(q, 0);
+        if (error < 1 || (error < 1e5 && error > 0.3 * before))
+            return METRUE; /* found, or as far as rounding allows */
+        before = error;
+        q->counts.iterations++;
+        if (!factor(q, MEFALSE))
+            return MEFALSE;
+        findDirection(q);
+        const double step = bestStep(q);
+        take(q, step);
+        setForces(q, 0, MEFALSE);
+    }
+    return gradientError(q, 0) < 1e5;
+}
+
+static MeBool solveCoupled(KeaProblem *q) {
+    setForces(q, 0, METRUE);
+    double error = gradientError(q, 0);
+    for (int i = 0; i < MAX_COUPLED && error >= 1; i++) {
+        q->counts.iterations++;
+        if (!factor(q, METRUE))
+            return MEFALSE;
+        findDirection(q);
+        double step = 1, next = 0;
+        for (int half = 0; half < 4; half++, step *= 0.5) {
+            setForces(q, step, METRUE);
+            next = gradientError(q, step);
+            if (next < 0.9 * error)
+                break;
+        }
+        if (!(next < 0.9 * error)) {
+            setForces(q, 0, METRUE);
+            return error < 1e3; /* rounding */
+        }
+        take(q, step);
+        error = next;
+    }
+    return error < 1e3;
+}
+
+MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].Jd = q->row[i].Je = 0;
+    memset(q->d, 0, (size_t)q->numBodies * sizeof *q->d);
+    memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
+    return coupled ? solveCoupled(q) : solveConvex(q);
+}
+
+/* With the Jacobian F of the last factorization in place of J, where it multiplies what is new:
+ *
+ *     B d - Fᵀ Δp = Jᵀ p - g,   F d + (E + N) Δp = r - E p.
+ *
+ * False: a bound is in the way, and nothing was changed. */
+MeBool kea_problemSolveAgain(KeaProblem *q) {
+    if (!q->isFactored || q->isLopsided || isBounded(q))
+        return MEFALSE;
+    kea_problemError(q);
+    for (int b = 0; b < q->numBodies; b++)
+        for (int i = 0; i < 6; i++)
+            q->gradient[b][i] = -q->gradient[b][i];
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        for (int k = 0; k < 2 && !row->isOff; k++)
+            if (row->body[k] >= 0)
+                addScaled6(q->gradient[row->body[k]], (row->r - row->E * row->p) / softness(row), row->factored[k]);
+    }
+    solveFor(q, 1);
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        if (row->isOff)
+            continue;
+        row->y = row->p + (row->r - row->E * row->p - rateOf(row, (const double(*)[6])row->factored, q->along)) / softness(row);
+        if (!(row->y > row->lower && row->y < row->upper))
+            return MEFALSE;
+    }
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].p = q->row[i].isOff ? q->row[i].p : q->row[i].y;
+    take(q, 1);
+    return METRUE;
+}
+
+double kea_problemError(KeaProblem *q) {
+    memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
+    for (int b = 0; b < q->numBodies; b++)
+        memset(q->d[b], 0, sizeof q->d[b]);
+    return gradientError(q, 0);
+}
+
+void kea_problemRenewRadii(KeaProblem *q, double share) {
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        if (row->normal >= 0)
+            row->radius += share * (row->friction * fmax(q->row[row->normal].p, 0) - row->radius);
+    }
+}
+
+static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
+    const KeaProblemRow *other = &q->row[row->partner];
+    const double radius = row->friction * fmax(q->row[row->normal].p, 0);
+    const double a = row->p - slip[0] / row->size, b = other->p - slip[1] / row->size, size = hypot(a, b);
+    const double share = size > radius ? radius / size : 1;
+    return row->size * hypot(row->p - share * a, other->p - share * b);
+}
+
+double kea_problemResidual(const KeaProblem *q) {
+    double worst = 0;
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        if (row->isOff || row->size == 0 || (row->partner >= 0 && row->partner < i))
+            continue;
+        const double missing[2] = {row->Jd + row->E * row->p - row->r,
+                                   row->partner >= 0 ? q->row[row->partner].Jd +
+                                                           q->row[row->partner].E * q->row[row->partner].p -
+                                                           q->row[row->partner].r
+                                                     : 0};
+        if (row->partner >= 0) {
+            worst = fmax(worst, conePart(q, row, missing));
+            continue;
+        }
+        const double bound = row->normal >= 0 ? row->friction * fmax(q->row[row->normal].p, 0) : HUGE_VAL;
+        const double wanted = fmin(fmax(row->p - missing[0] / row->size, fmax(row->lower, -bound)),
+                                   fmin(row->upper, bound));
+        worst = fmax(worst, row->size * fabs(row->p - wanted));
+    }
+    return worst;
+}

@@ -1,0 +1,92 @@
+/* Inside Kea: the problem that every pass of a step, and every impact, comes down to.
+ *
+ * Bodies i with unknowns d_i (6), a metric B_i (symmetric, positive) and a load g_i; rows with p within bounds:
+ *
+ *     B d + g = Jᵀ p,       J d + E p = r   where p is within its bounds,
+ *
+ * p at a bound where J d + E p - r has the sign that the bound allows. Bounds of friction rows are μ times the p of
+ * their normal row; two friction rows may share a cone. Without friction this is the minimum of a convex function.
+ *
+ * Rows that are rigid, E = 0, or redundant make no trouble: the method works on the bodies' side, with a softness N of
+ * its own that it takes out again (a proximal point: (E + N) p = r - J d + N p0, then p0 := p).
+ */
+#ifndef KEA_PROBLEM_I_H
+#define KEA_PROBLEM_I_H
+
+#include "MdtKea.h"
+#include "kea_arena_i.h"
+#include "kea_factor_i.h"
+
+typedef struct KeaMetric {
+    double linear;        /* kg, times the unit matrix */
+    double angular[3][3]; /* kg m² */
+    double inverse[3][3]; /* of angular */
+} KeaMetric;
+
+typedef enum KeaRowState { KEA_IDLE, KEA_HELD, KEA_SLIPS } KeaRowState; /* at a bound; within; on the cone */
+
+typedef struct KeaProblemRow {
+    double J[2][6];
+    double factored[2][6]; /* J in the last factorization */
+    int body[2]; /* MdtKeaWORLD: none */
+    int edge;    /* of the graph, -1: one body */
+    int normal, partner;
+    double friction;
+    double lower, upper; /* N s */
+    double E;            /* 1/kg */
+    double N;            /* 1/kg, the method's own softness */
+    double r;            /* m/s */
+    double p0, p;        /* N s */
+    double y;            /* N s, what p would be without bounds */
+    double radius;       /* N s, of the cone, or the friction bound */
+    double Jd, Je;       /* along d, along the search direction */
+    double size;         /* J B⁻¹ Jᵀ, 1/kg */
+    double weight[2];    /* by body: the momentum, in its scale, that a unit of p gives */
+    MeBool isOff;        /* takes no part: p stays what it is */
+    KeaRowState state;
+} KeaProblemRow;
+
+typedef struct KeaCounts {
+    int iterations, factorizations, freezes;
+} KeaCounts;
+
+typedef struct KeaProblem {
+    int numBodies, numRows;
+    KeaProblemRow *row;
+    KeaMetric *metric;                  /* by body */
+    double (*load)[6], (*d)[6];         /* g, d */
+    double (*gradient)[6], (*along)[6]; /* of the last iteration */
+    double *scale, *length;             /* by body: N s, m, what gradients are compared with */
+    double *allowed;                    /* by body: N s, of its gradient */
+    double *x;                          /* unknowns as the factor has them */
+    int (*edges)[2];
+    int numEdges;
+    int *table; /* hash of edges, 4 per row */
+    KeaFactor *factor;
+    MeBool isLopsided; /* ... and not symmetric */
+    MeBool isFactored;  /* the factor is that of a matrix near the one that is wanted */
+    MeBool hasFriction; /* friction that depends on normal forces */
+    MeBool hasBounds;   /* of any kind */
+    int maxIterations;
+    KeaCounts counts;
+} KeaProblem;
+
+void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *arena);
+/* Finds the graph of the rows and its factor in the cache. False: no memory. */
+MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache);
+/* Sizes of the rows, from the metric. */
+void kea_problemMeasure(KeaProblem *q);
+/* Solves with the friction bounds in `radius`; or, coupled, with those of the solution itself. False: not converged. */
+MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
+/* One step of Newton's method with the matrix of the last factorization. False: bounds are in the way. */
+MeBool kea_problemSolveAgain(KeaProblem *q);
+/* How far the rows' laws are from being kept by d and p, m/s. */
+double kea_problemResidual(const KeaProblem *q);
+/* How far B d + g is from Jᵀ p, in tolerances. */
+double kea_problemError(KeaProblem *q);
+/* Sets every friction bound to μ p of its normal row. */
+void kea_problemRenewRadii(KeaProblem *q, double share);
+
+KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, int numEdges, const int (*edges)[2]);
+
+#endif

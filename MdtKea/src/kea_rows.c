@@ -1,0 +1,280 @@
+/* What the rows of a system ask of the unknowns of a step (kea_scheme.c), pass by pass.
+ *
+ * With d what a pass adds to u, p the impulses, φ_k and v_k⁺ what the last pass came to, every row is J d + E p = r:
+ *
+ *   position:  φ⁺ = φ_0 + h (s - E p)             r = s - (φ_k - φ_0)/h
+ *   spring:    p = -h [kp φ_0 + (θ h kp + kd)(J u - s)],  1/E = θ h² kp + h kd,   r = s - J u_k - E h kp φ_0
+ *   velocity:  J v⁺ = s - E p, v⁺ = v + (u - v)/θ     r = θ (s - J v_k⁺), E := θ E
+ *
+ * θ is a choice of each body's. It is 1 where a contact can act or a limit does, so that they hold v⁺ and not only the
+ * mean of the step, and where a spring is too stiff to be followed; it is one and the same for the two bodies of a
+ * velocity row, which would not be symmetric otherwise.
+ */
+#include "kea_i.h"
+
+/* The method's own softness, relative to the row's A_ii. With less, contacts that come and go take more iterations; with
+ * more, heavy bodies on light ones take more passes. */
+static const double rigidJoint = 1e-8, rigidLimit = 1e-6;
+static const double rigidContact[3] = {1e-4, 1e-5, 1e-6}; /* by pass */
+
+static const double nearby = 1e-3; /* of a body's size: a contact that is no further away may act */
+
+static MeBool isOneSided(const MdtKeaRow *row) {
+    return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
+}
+
+static double rateOf(const MdtKeaSystem *s, const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] < 0)
+            continue;
+        const MdtKeaVelocity *v = &velocity[row->body[k]];
+        rate += keaDot(row->J[k].lin, v->lin) + keaDot(row->J[k].ang, v->ang);
+    }
+    (void)s;
+    return rate;
+}
+
+/* ---- theta ---- */
+
+/* Whether the normal row of a contact may carry something in this step. */
+static MeBool isWithinReach(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double size = 0;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            size = fmax(size, s->work->body[row->body[k]].size);
+    const double speed = fmin(rateOf(s, row, s->velocity), rateOf(s, row, s->predicted));
+    return row->force != 0 || row->lower < 0 || row->error < nearby * size ||
+           row->error + 1.5 * s->parameters.stepsize * speed < 0;
+}
+
+static void setTheta(MdtKeaSystem *s, const MdtKeaRow *row) {
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            s->work->body[row->body[k]].theta = 1;
+}
+
+static double thetaOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double theta = 0.5;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            theta = fmax(theta, s->work->body[row->body[k]].theta);
+    return theta;
+}
+
+static MeBool hasOneTheta(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    return row->body[0] < 0 || row->body[1] < 0 ||
+           s->work->body[row->body[0]].theta == s->work->body[row->body[1]].theta;
+}
+
+static double inverseMassOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double sum = 0, turn[3];
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] < 0)
+            continue;
+        const MdtKeaInverseMassMatrix *m = &s->invMass[row->body[k]];
+        keaApply(turn, m->inertia, row->J[k].ang);
+        sum += m->mass * keaDot(row->J[k].lin, row->J[k].lin) + keaDot(turn, row->J[k].ang);
+    }
+    return sum;
+}
+
+static MeBool isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    const double h = s->parameters.stepsize;
+    return row->spring && h * h * row->stiffness * inverseMassOf(s, row) > 4;
+}
+
+static void spreadTheta(MdtKeaSystem *s) {
+    for (MeBool changed = METRUE; changed;) {
+        changed = MEFALSE;
+        for (int i = 0; i < s->numRows; i++) {
+            const MdtKeaRow *row = &s->rows[i];
+            if (row->position || row->spring || s->work->problem.row[i].isOff || hasOneTheta(s, row))
+                continue;
+            setTheta(s, row);
+            changed = METRUE;
+        }
+    }
+}
+
+static void chooseTheta(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        s->work->body[i].theta = s->parameters.dissipative ? 1 : 0.5;
+    for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        const MeBool holds = (row->contact == i || row->position) && isOneSided(row) && !s->work->problem.row[i].isOff;
+        if (holds || isTooStiff(s, row))
+            setTheta(s, row);
+    }
+    spreadTheta(s);
+}
+
+/* ---- begin ---- */
+
+static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    if (row->contact >= 0)
+        return s->rows[row->contact].isOpen || !isWithinReach(s, &s->rows[row->contact]);
+    return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
+}
+
+void kea_beginRows(MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        KeaProblemRow *p = &s->work->problem.row[i];
+        p->body[0] = row->body[0];
+        p->body[1] = row->body[1];
+        p->normal = row->normal;
+        p->partner = row->partner;
+        p->friction = row->friction;
+        p->lower = h * row->lower;
+        p->upper = h * row->upper;
+        p->isOff = isIdle(s, row);
+        p->p = p->p0 = p->isOff ? 0 : fmin(fmax(h * row->force, p->lower), p->upper);
+        p->state = KEA_HELD;
+        p->radius = row->normal >= 0 ? row->friction * fmax(s->work->problem.row[row->normal].p, 0) : 0;
+    }
+    chooseTheta(s);
+}
+
+MeBool kea_admitContacts(MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    MeBool admitted = MEFALSE;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->contact != i || !s->work->problem.row[i].isOff || row->isOpen)
+            continue;
+        if (row->error + h * kea_endRate(s, i) >= 0)
+            continue;
+        for (int k = i; k < s->numRows && s->rows[k].contact == i; k++)
+            s->work->problem.row[k].isOff = MEFALSE;
+        setTheta(s, row);
+        admitted = METRUE;
+    }
+    if (admitted)
+        spreadTheta(s);
+    return admitted;
+}
+
+/* ---- every pass ---- */
+
+static void copyJacobian(KeaProblemRow *p, const MdtKeaRow *row) {
+    for (int k = 0; k < 2; k++) {
+        keaCopy(p->J[k], row->J[k].lin);
+        keaCopy(p->J[k] + 3, row->J[k].ang);
+    }
+}
+
+void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[]) {
+    if (s->jacobians)
+        s->jacobians(s->context, poses);
+    for (int i = 0; i < s->numRows; i++)
+        copyJacobian(&s->work->problem.row[i], &s->rows[i]);
+}
+
+double kea_endRate(const MdtKeaSystem *s, int i) {
+    const KeaProblemRow *p = &s->work->problem.row[i];
+    double rate = 0;
+    for (int k = 0; k < 2; k++) {
+        if (p->body[k] < 0)
+            continue;
+        const double *v = s->work->body[p->body[k]].endVelocity;
+        rate += keaDot(p->J[k], v) + keaDot(p->J[k] + 3, v + 3);
+    }
+    return rate;
+}
+
+static double meanRate(const MdtKeaSystem *s, const KeaProblemRow *p) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++) {
+        if (p->body[k] < 0)
+            continue;
+        const double *u = s->work->body[p->body[k]].u;
+        rate += keaDot(p->J[k], u) + keaDot(p->J[k] + 3, u + 3);
+    }
+    return rate;
+}
+
+static void springRow(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProblemRow *p) {
+    const double h = s->parameters.stepsize, theta = thetaOf(s, row);
+    p->E = 1 / (theta * h * h * row->stiffness + h * row->damping);
+    p->r = row->target - meanRate(s, p) - p->E * h * row->stiffness * row->error;
+    p->N = 0;
+}
+
+static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
+    const MdtKeaRow *row = &s->rows[i];
+    const double h = s->parameters.stepsize;
+    p->E = row->softness;
+    p->r = row->target - (s->work->errors[i] - row->error) / h;
+    p->N = (isOneSided(row) ? rigidLimit : rigidJoint) * p->size;
+}
+
+static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p, int pass) {
+    const MdtKeaRow *row = &s->rows[i];
+    const double theta = thetaOf(s, row);
+    p->E = theta * row->softness;
+    p->r = theta * (row->target - kea_endRate(s, i));
+    p->N = (row->contact >= 0 ? rigidContact[pass < 2 ? pass : 2] : rigidLimit) * p->size;
+}
+
+/* On a cone both rows have one softness, or the direction of friction would not be that of the slip. */
+static void shareSoftness(KeaProblemRow *a, KeaProblemRow *b) {
+    a->N = b->N = 0.5 * (a->N + b->N);
+}
+
+void kea_linearizeRows(MdtKeaSystem *s, int pass) {
+    KeaProblem *q = &s->work->problem;
+    kea_problemMeasure(q);
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        KeaProblemRow *p = &q->row[i];
+        p->p0 = p->p;
+        p->Jd = 0;
+        if (p->size == 0)
+            p->isOff = METRUE;
+        if (row->spring)
+            springRow(s, row, p);
+        else if (row->position)
+            positionRow(s, i, p);
+        else
+            velocityRow(s, i, p, pass);
+    }
+    for (int i = 0; i < s->numRows; i++)
+        if (q->row[i].partner > i)
+            shareSoftness(&q->row[i], &q->row[q->row[i].partner]);
+}
+
+/* ---- how well ---- */
+
+/* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies
+ * move, and, for the rounding of places far from the origin, a little of their distance. */
+static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    const double h = s->parameters.stepsize;
+    double size = fabs(row->error);
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] < 0)
+            continue;
+        const KeaBody *b = &s->work->body[row->body[k]];
+        size += keaLength(row->J[k].ang) + h * keaLength(b->u) + 1e-4 * keaLength(s->work->end[row->body[k]].position);
+    }
+    return size;
+}
+
+double kea_positionError(MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    double worst = 0;
+    s->report.error = 0;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        const KeaProblemRow *p = &s->work->problem.row[i];
+        if (!row->position || p->isOff)
+            continue;
+        const double missing = h * (p->r - p->E * p->p);
+        if ((p->p >= p->upper && missing > 0) || (p->p <= p->lower && missing < 0))
+            continue;
+        s->report.error = fmax(s->report.error, fabs(missing));
+        worst = fmax(worst, fabs(missing) / (sizeOfRow(s, row) + 1e-300));
+    }
+    return worst;
+}

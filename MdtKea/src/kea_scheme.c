@@ -1,0 +1,299 @@
+/* The scheme of a step: where unknown velocities take the bodies, and what momentum that costs.
+ *
+ * Per body, u = (v_m, w_m) moves it through the step, and θ is 1/2 (midpoint rule) or 1 (backward Euler):
+ *
+ *     x⁺ = x + h v_m               v⁺ = v + (v_m - v)/θ
+ *     q⁺ = cay(h w_m) q            W⁺ = W + (Rᵀ w_m - W)/θ           W: in the body, cay(a) = (1, a/2) normalized
+ *     momentum:  m v⁺ - m v_free = Σ p,    R⁺ I W⁺ - L_free = Σ r_m x p,
+ *
+ * with what v and L would be at the end without rows. Rows act on the mean of the poses, R_m = (R + R⁺)/2, for which
+ *
+ *     R⁺ - R = h [w_m]x R_m        exactly, so that φ⁺ - φ = h J_m u for every φ that is quadratic in the poses:
+ *
+ * rigid joints do no work at all, and the energy changes only by
+ *
+ *     E⁺ - E = -Σ (θ - 1/2) |v⁺ - v|²_M  +  the work of loads, springs, motors and contacts
+ *
+ * (Simo & Wong 1991; Gonzalez 2000). Where θ = 1/2 it is kept; where θ = 1, at bodies that touch something, it falls.
+ *
+ * The derivative of the momentum is M/θ and the geometric stiffness: an impulse P at the arm r, which turns with the
+ * body, costs (h/2) [P]x[r]x. Its symmetric part keeps the problem convex once it is clamped to positive values.
+ *
+ * A body whose moments are equal, or that has no Coriolis term, changes its angular velocity in the world's axes,
+ * w⁺ = w + (w_m - w)/θ, which is the same identity with less work.
+ */
+#include "kea_i.h"
+#include <float.h>
+#include <string.h>
+
+static void toPrincipal(const MdtKeaBody *body, const double q[4], double axes[3][3]) {
+    double qp[4];
+    keaQuaternionProduct(qp, q, body->principal);
+    keaQuaternionToMatrix(axes, qp);
+}
+
+static MeBool hasEqualMoments(const double I[3]) {
+    const double most = fmax(I[0], fmax(I[1], I[2])), least = fmin(I[0], fmin(I[1], I[2]));
+    return most - least < 1e-9 * most;
+}
+
+static void fromAngular(const MdtKeaBody *body, KeaBody *b) {
+    double L[3];
+    toPrincipal(body, body->quaternion, b->axes);
+    b->isSpatial = hasEqualMoments(body->moments) || !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
+    if (b->isSpatial) {
+        kea_inertia(body, body->quaternion, b->inertia);
+        MdtKeaBodyGetAngularVelocity(body, b->spin);
+        return;
+    }
+    keaApplyTransposed(L, (const double(*)[3])b->axes, body->angularMomentum);
+    for (int i = 0; i < 3; i++)
+        b->spin[i] = L[i] / body->moments[i];
+}
+
+/* What impulses of the step are compared with: the loads', and a little of the momentum. */
+static double scaleOf(const MdtKeaBody *body, const KeaBody *b, double size) {
+    double dv[3], dL[3];
+    keaSubtract(dv, b->freeVelocity, body->velocity);
+    keaSubtract(dL, b->freeMomentum, body->angularMomentum);
+    const double momentum = keaLength(body->velocity) / body->invMass + keaLength(body->angularMomentum) / size;
+    return keaLength(dv) / body->invMass + keaLength(dL) / size + 1e-4 * momentum + DBL_MIN;
+}
+
+/* The first guess: the acceleration of the last step goes on, unless that was a jerk. */
+static void guess(const MdtKeaBody *body, const MdtKeaVelocity *v, KeaBody *b, double h) {
+    const double jerk = 30, *a = body->acceleration;
+    const double change = h * (keaLength(a) + b->size * keaLength(a + 3)) / body->invMass;
+    const double step = change < jerk * b->scale ? b->theta * h : 0;
+    for (int i = 0; i < 3; i++) {
+        b->u[i] = v->lin[i] + step * a[i];
+        b->u[3 + i] = v->ang[i] + step * a[3 + i];
+    }
+}
+
+void kea_beginBodies(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    for (int i = 0; i < s->numBodies; i++) {
+        const MdtKeaBody *body = s->bodies[i];
+        KeaBody *b = &s->work->body[i];
+        const double *I = body->moments;
+        b->size = sqrt(fmax(I[0], fmax(I[1], I[2])) * body->invMass);
+        b->isFree = MEFALSE;
+        fromAngular(body, b);
+        q->scale[i] = b->scale = scaleOf(body, b, b->size);
+        q->length[i] = b->size;
+    }
+}
+
+void kea_guessMotion(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        guess(s->bodies[i], &s->velocity[i], &s->work->body[i], s->parameters.stepsize);
+}
+
+/* ---- motion ---- */
+
+static void cayley(double turn[4], const double u[6], double h) {
+    turn[0] = 1;
+    keaScale(turn + 1, 0.5 * h, u + 3);
+    keaQuaternionNormalize(turn);
+}
+
+static void turnBody(const MdtKeaBody *body, KeaBody *b, KeaEnd *end, double h) {
+    double turn[4], w[3], L[3];
+    cayley(turn, b->u, h);
+    keaQuaternionProduct(end->quaternion, turn, body->quaternion);
+    keaQuaternionNormalize(end->quaternion);
+    toPrincipal(body, end->quaternion, b->endAxes);
+    if (b->isSpatial) {
+        for (int i = 0; i < 3; i++)
+            b->endVelocity[3 + i] = b->spin[i] + (b->u[3 + i] - b->spin[i]) / b->theta;
+        kea_angularMomentum(body, end->quaternion, b->endVelocity + 3, end->angularMomentum);
+        return;
+    }
+    keaApplyTransposed(w, (const double(*)[3])b->axes, b->u + 3);
+    for (int i = 0; i < 3; i++) {
+        w[i] = b->spin[i] + (w[i] - b->spin[i]) / b->theta;
+        L[i] = body->moments[i] * w[i];
+    }
+    keaApply(b->endVelocity + 3, (const double(*)[3])b->endAxes, w);
+    keaApply(end->angularMomentum, (const double(*)[3])b->endAxes, L);
+}
+
+static void setPoses(MdtKeaSystem *s, int i) {
+    MdtKeaTransformation *end = &s->work->endPose[i], *mean = &s->work->meanPose[i];
+    const MdtKeaTransformation *start = &s->pose[i];
+    keaCopy(end->pos, s->work->end[i].position);
+    keaQuaternionToMatrix(end->R, s->work->end[i].quaternion);
+    for (int r = 0; r < 3; r++) {
+        mean->pos[r] = 0.5 * (start->pos[r] + end->pos[r]);
+        for (int c = 0; c < 3; c++)
+            mean->R[r][c] = 0.5 * (start->R[r][c] + end->R[r][c]);
+    }
+}
+
+void kea_moveBodies(MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    for (int i = 0; i < s->numBodies; i++) {
+        const MdtKeaBody *body = s->bodies[i];
+        KeaBody *b = &s->work->body[i];
+        KeaEnd *end = &s->work->end[i];
+        keaCopy(end->position, body->position);
+        keaAddScaled(end->position, h, b->u);
+        for (int k = 0; k < 3; k++)
+            b->endVelocity[k] = end->velocity[k] = body->velocity[k] + (b->u[k] - body->velocity[k]) / b->theta;
+        turnBody(body, b, end, h);
+        setPoses(s, i);
+    }
+}
+
+/* ---- momentum and its derivative ---- */
+
+static void setLoad(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double load[6]) {
+    for (int i = 0; i < 3; i++)
+        load[i] = (end->velocity[i] - b->freeVelocity[i]) / body->invMass;
+    if (b->isSpatial) { /* I (w⁺ - w) with the inertia of the start */
+        double dw[3];
+        keaSubtract(dw, b->endVelocity + 3, b->spin);
+        keaApply(load + 3, (const double(*)[3])b->inertia, dw);
+        keaAddScaled(load + 3, -1, b->freeMomentum);
+        keaAddScaled(load + 3, 1, body->angularMomentum);
+    } else {
+        keaSubtract(load + 3, end->angularMomentum, b->freeMomentum);
+    }
+}
+
+/* A I Aᵀ with the mean of the principal axes. */
+static void meanInertia(const MdtKeaBody *body, const KeaBody *b, double inertia[3][3]) {
+    if (b->isSpatial) {
+        memcpy(inertia, b->inertia, sizeof b->inertia);
+        return;
+    }
+    double A[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            A[i][k] = 0.5 * (b->axes[i][k] + b->endAxes[i][k]);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j <= i; j++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++)
+                sum += A[i][k] * body->moments[k] * A[j][k];
+            inertia[i][j] = inertia[j][i] = sum;
+        }
+    }
+}
+
+/* K += (h/2) of the symmetric part of -[P]x[r]x = (P·r) 1 - r Pᵀ. */
+static void addStiffness(double K[3][3], const double P[3], const double r[3], double h) {
+    const double Pr = keaDot(P, r);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            K[i][j] += 0.5 * h * ((i == j ? Pr : 0) - 0.5 * (r[i] * P[j] + r[j] * P[i]));
+}
+
+static void clampPositive(double K[3][3]) {
+    double V[3][3], S[3][3];
+    memcpy(S, K, sizeof S);
+    kea_eigen(S, V);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j <= i; j++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++)
+                sum += V[i][k] * fmax(S[k][k], 0) * V[j][k];
+            K[i][j] = K[j][i] = sum;
+        }
+    }
+}
+
+static double largest(const double K[3][3]) {
+    double most = 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            most = fmax(most, fabs(K[i][j]));
+    return most;
+}
+
+void kea_invert(double inverse[3][3], const double M[3][3]) {
+    double c[3][3];
+    for (int i = 0; i < 3; i++)
+        keaCross(c[i], M[(i + 1) % 3], M[(i + 2) % 3]);
+    const double det = keaDot(M[0], c[0]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            inverse[i][j] = c[j][i] / det;
+}
+
+/* The stiffness of all rows on each body, gathered in metric[].angular. */
+static void gatherStiffness(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    const double h = s->parameters.stepsize;
+    for (int b = 0; b < s->numBodies; b++)
+        memset(q->metric[b].angular, 0, sizeof q->metric[b].angular);
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (!row->position && !row->spring)
+            continue;
+        for (int k = 0; k < 2; k++) {
+            double P[3];
+            if (row->body[k] < 0)
+                continue;
+            keaScale(P, q->row[i].p, row->J[k].lin);
+            addStiffness(q->metric[row->body[k]].angular, P, row->arm[k], h);
+        }
+    }
+}
+
+/* A stiffness that is small against the inertia is left out: Newton's method converges as well without. */
+static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
+    const double *I = body->moments, negligible = 0.01 * fmin(I[0], fmin(I[1], I[2])) / b->theta;
+    double inertia[3][3];
+    meanInertia(body, b, inertia);
+    if (largest((const double(*)[3])B->angular) > negligible)
+        clampPositive(B->angular);
+    else
+        memset(B->angular, 0, sizeof B->angular);
+    B->linear = 1 / (body->invMass * b->theta);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            B->angular[i][j] += inertia[i][j] / b->theta;
+    kea_invert(B->inverse, (const double(*)[3])B->angular);
+}
+
+void kea_linearizeBodies(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    gatherStiffness(s);
+    for (int i = 0; i < s->numBodies; i++) {
+        const KeaBody *b = &s->work->body[i];
+        setLoad(s->bodies[i], b, &s->work->end[i], q->load[i]);
+        setMetric(s->bodies[i], b, &q->metric[i]);
+    }
+}
+
+void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]) {
+    if (s->work->body[i].isSpatial)
+        memcpy(inertia, s->work->body[i].inertia, sizeof s->work->body[i].inertia);
+    else
+        kea_inertia(s->bodies[i], s->work->end[i].quaternion, inertia);
+}
+
+/* ---- free motion ---- */
+
+/* Half the loads, free flight and rotation, the other half: of second order, and exact where loads are constant. */
+void kea_moveFreely(MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    for (int i = 0; i < s->numBodies; i++) {
+        const MdtKeaBody *body = s->bodies[i];
+        KeaEnd *end = &s->work->end[i];
+        const KeaBody *b = &s->work->body[i];
+        double L[3];
+        if (!b->isFree)
+            continue;
+        for (int k = 0; k < 3; k++) {
+            end->position[k] = body->position[k] + 0.5 * h * (body->velocity[k] + b->freeVelocity[k]);
+            L[k] = 0.5 * (body->angularMomentum[k] + b->freeMomentum[k]);
+        }
+        keaCopy(end->velocity, b->freeVelocity);
+        keaCopy(end->angularMomentum, b->freeMomentum);
+        kea_rotateFree(body, body->quaternion, L, h, end->quaternion);
+        setPoses(s, i);
+    }
+}

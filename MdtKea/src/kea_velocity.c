@@ -1,0 +1,175 @@
+/* The velocity stage: the velocities at the end that joints, limits, motors and contacts allow where the bodies have
+ * arrived, nearest to those that the positions came with.
+ *
+ *     min 1/2 |v - v⁺|²_M   over what the rows allow:   M (v - v⁺) = Jᵀ (p - p_1),  J at the end,
+ *
+ * where bounds and cones hold for the whole impulse p of the step: the stage may take some of p_1 back, as when a push
+ * out of an overlap is not to go on as a motion. Energy can only fall, and what a rebound gives back is part of what
+ * was there.
+ *
+ *   rigid joint  J v = 0        soft joint  J v + ε'/(1 - γ') p = -γ' φ⁺ / ((1 - γ') h)       motor  J v = s
+ *   contact, limit: J v >= 0, or >= the rebound; only those that carry something; springs stay as they are.
+ *
+ * It is what makes impacts plastic that come through joints, and what quiets the undamped velocities of the midpoint
+ * rule after a jerk. In calm motion there is nothing to do, and it is left out: done always, it would cost energy.
+ */
+#include "kea_i.h"
+#include <string.h>
+
+enum { MAX_PASSES = 6 };
+static const double calm = 0.05;      /* of a step's change of speed by the loads */
+static const double tolerance = 1e-9; /* of the speed at which the stage starts */
+
+static double loadSpeed(const MdtKeaSystem *s) {
+    double speed = 0;
+    for (int i = 0; i < s->numBodies; i++) {
+        const KeaBody *b = &s->work->body[i];
+        double change[3];
+        keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
+        speed = fmax(speed, keaLength(change));
+    }
+    return speed;
+}
+
+static MeBool isOneSided(const MdtKeaRow *row) {
+    return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
+}
+
+static void softTarget(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProblemRow *p, double error) {
+    const double gamma = s->parameters.gamma, h = s->parameters.stepsize;
+    p->E = row->softness / (1 - gamma);
+    p->r = -gamma * error / ((1 - gamma) * h);
+}
+
+/* What the target of a joint asks for besides taking its error away: attachments, or the world, that move. */
+static double drift(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    return row->target + s->parameters.gamma * row->error / s->parameters.stepsize;
+}
+
+/* The row's law for the velocity, as what is to be added to the one at the end. */
+static void setRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
+    const MdtKeaRow *row = &s->rows[i];
+    const MeBool isSoft = row->softness > 0 && row->position && !isOneSided(row);
+    p->p0 = p->p;
+    p->Jd = 0;
+    p->E = p->r = 0;
+    p->N = (row->position && !isOneSided(row) ? 1e-8 : 1e-6) * p->size;
+    if (row->spring || (isSoft && s->parameters.gamma >= 1) || p->size == 0)
+        p->isOff = METRUE;
+    else if (isSoft)
+        softTarget(s, row, p, s->work->errors[i]);
+    else if (row->position ? isOneSided(row) : row->contact == i)
+        p->r = row->rebound;
+    else if (!row->position)
+        p->r = row->target, p->E = row->softness;
+    if (row->contact >= 0 ? s->work->problem.row[row->contact].p == 0 : row->position && isOneSided(row) && p->p == 0)
+        p->isOff = METRUE;
+    if (row->position && !isOneSided(row))
+        p->r += drift(s, row);
+    p->r -= kea_endRate(s, i);
+}
+
+static void setMetric(MdtKeaSystem *s, int i) {
+    KeaMetric *B = &s->work->problem.metric[i];
+    B->linear = 1 / s->bodies[i]->invMass;
+    kea_endInertia(s, i, B->angular);
+    kea_invert(B->inverse, (const double(*)[3])B->angular);
+}
+
+/* Jᵀ p_1: what the rows have given already. */
+static void setLoads(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    for (int i = 0; i < s->numBodies; i++)
+        memset(q->load[i], 0, sizeof q->load[i]);
+    for (int i = 0; i < s->numRows; i++) {
+        const KeaProblemRow *p = &q->row[i];
+        for (int k = 0; k < 2; k++)
+            for (int c = 0; c < 6 && p->body[k] >= 0; c++)
+                q->load[p->body[k]][c] += p->p * p->J[k][c];
+    }
+}
+
+static void setProblem(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    kea_refreshRows(s, s->work->endPose);
+    for (int i = 0; i < s->numBodies; i++)
+        setMetric(s, i);
+    kea_problemMeasure(q);
+    for (int i = 0; i < s->numRows; i++)
+        setRow(s, i, &q->row[i]);
+    for (int i = 0; i < s->numRows; i++)
+        if (q->row[i].partner > i)
+            q->row[i].N = q->row[q->row[i].partner].N = fmax(q->row[i].N, q->row[q->row[i].partner].N);
+    setLoads(s);
+}
+
+/* What the passes have found goes into the targets, so that every pass asks for the rest. */
+static void carryOn(KeaProblem *q, double (*total)[6]) {
+    for (int b = 0; b < q->numBodies; b++) {
+        double push[3];
+        keaApply(push, q->metric[b].angular, q->d[b] + 3);
+        for (int i = 0; i < 3; i++) {
+            total[b][i] += q->d[b][i];
+            total[b][3 + i] += q->d[b][3 + i];
+            q->load[b][i] += q->metric[b].linear * q->d[b][i];
+            q->load[b][3 + i] += push[i];
+        }
+    }
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *p = &q->row[i];
+        p->r -= p->Jd;
+        p->Jd = 0;
+        p->p0 = p->p;
+    }
+}
+
+static void addVelocities(MdtKeaSystem *s, double (*const added)[6]) {
+    for (int i = 0; i < s->numBodies; i++) {
+        double dL[3];
+        keaApply(dL, s->work->problem.metric[i].angular, added[i] + 3);
+        keaAddScaled(s->work->end[i].velocity, 1, added[i]);
+        keaAddScaled(s->work->end[i].angularMomentum, 1, dL);
+        for (int k = 0; k < 6; k++)
+            s->work->body[i].endVelocity[k] += added[i][k];
+    }
+}
+
+/* Whether there can be anything to do: midpoint bodies, rebounds, contacts that push out of an overlap. */
+static MeBool mayBeNeeded(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        if (s->work->body[i].theta < 1)
+            return METRUE;
+    for (int i = 0; i < s->numRows; i++)
+        if (s->work->problem.row[i].p > 0 && (s->rows[i].bounces || (s->rows[i].contact == i && s->rows[i].target > 0)))
+            return METRUE;
+    return MEFALSE;
+}
+
+static MeBool rebounds(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->work->problem.row[i].p > 0 && s->rows[i].bounces)
+            return METRUE;
+    return MEFALSE;
+}
+
+void kea_velocityStage(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    if (!mayBeNeeded(s))
+        return;
+    const MeBool isNeeded = rebounds(s);
+    setProblem(s);
+    const double start = kea_problemResidual(q);
+    if (!isNeeded && start < calm * loadSpeed(s))
+        return;
+    memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
+    s->report.stages++;
+    double residual = start;
+    for (int pass = 0; pass < MAX_PASSES && residual > tolerance * start; pass++) {
+        kea_problemRenewRadii(q, 1);
+        if (pass == 0 || !kea_problemSolve(q, METRUE))
+            kea_problemSolve(q, MEFALSE);
+        carryOn(q, s->work->added);
+        residual = kea_problemResidual(q);
+    }
+    addVelocities(s, s->work->added);
+}
