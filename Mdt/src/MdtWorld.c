@@ -85,6 +85,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     memset(w, 0, sizeof *w);
     MeChunkInit(&w->scratch, 16);
     w->keaCache = MdtKeaCacheCreate();
+    w->timedBodies = MDT_TIMED_BODIES;
     if (!allocateParts(w, maxBodies, maxConstraints)) {
         freeWorld(w);
         MeFatalError(0, "MdtWorldCreate: no memory for %u bodies and %u constraints", maxBodies, maxConstraints);

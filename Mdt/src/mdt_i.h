@@ -129,8 +129,8 @@ struct MdtBaseConstraint {
     MdtContactID nextContact;
 
     int firstRow, numRows; /* in this step */
-    double warm[MdtBclGETMAXROWS]; /* N, of the rows in the last step, */
-    int numWarm;                   /* if there are as many */
+    double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
+    int numWarm;                                             /* if there are as many */
     MeBool isDropped;      /* in this step: left out to keep the partition within the cap on its rows */
     double importance;     /* in this step, while rows are being dropped, */
     int rank;              /* and its place before sorting by it */
@@ -203,6 +203,8 @@ int mdt_capRows(MdtWorldID w, MdtConstraintID constraints[], int count, int rows
 /* Resets a limit and copies the public properties of another, which may be itself. */
 void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
 
+enum { MDT_TIMED_BODIES = 8 };
+
 /* ---- worlds -------------------------------------------------------------------------------------------------- */
 
 struct MdtWorld {
@@ -211,6 +213,7 @@ struct MdtWorld {
     MdtPartitionParams rest;
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
+    int timedBodies;                      /* most bodies of a partition whose contacts are met in time */
     int maxMatrixSize;                    /* rows of a partition */
     MdtContactImportanceCBPtr importance; /* null: depth */
     MdtConstraintID *ranking;             /* room for all contacts, to rank them */

@@ -149,6 +149,7 @@ static void fillRows(Partition *p) {
             MdtKeaRow *row = &kea->rows[c->firstRow + r];
             subtractWorldVelocity(c, row);
             row->force = c->numWarm == c->numRows ? c->warm[r] : row->force;
+            row->ripple = c->numWarm == c->numRows ? c->ripple[r] : 0;
         }
         kea->numRows += c->numRows;
         MEASSERT(kea->numRows <= kea->maxRows);
@@ -234,9 +235,10 @@ static void unpackConstraints(Partition *p) {
         const MdtKeaRow *rows = p->kea.rows + c->firstRow;
         for (int r = 0; r < c->numRows; r++)
             addForces(c, &rows[r], p->parameters.stepsize / p->h);
-        c->numWarm = c->numRows;
+        const MeBool isLong = p->parameters.stepsize > 0.1 * p->h; /* the forces of a shorter part are no guess */
+        c->numWarm = isLong ? c->numRows : 0;
         for (int r = 0; r < c->numRows; r++)
-            c->warm[r] = rows[r].force;
+            c->warm[r] = rows[r].force, c->ripple[r] = rows[r].ripple;
         if (c->group)
             addToGroup(c, rows, p->parameters.stepsize / p->h);
         setContext(p, c, &x);
@@ -355,11 +357,29 @@ static void *takeScratch(Partition *p, MdtKeaVelocity **start) {
     return scratch;
 }
 
+/* Impacts at the start of a part: their impulses count as forces of the whole step. */
+static void meet(Partition *p, void *scratch) {
+    if (!MdtKeaMeets(&p->kea))
+        return;
+    MdtKeaImpact(&p->kea);
+    for (int i = 0; i < p->numConstraints; i++) {
+        MdtConstraintID c = p->constraints[i];
+        for (int r = 0; r < c->numRows; r++)
+            addForces(c, &p->kea.rows[c->firstRow + r], 1 / p->h);
+        if (c->group)
+            addToGroup(c, p->kea.rows + c->firstRow, 1 / p->h);
+    }
+    MdtKeaInit(&p->kea, scratch);
+    makeRows(p);
+}
+
 static void solvePart(Partition *p, void *scratch, double part) {
     MeProfileStartSection("Rows", 0);
     setPart(p, part);
     MdtKeaInit(&p->kea, scratch);
     makeRows(p);
+    if (p->kea.parameters.timed)
+        meet(p, scratch);
     MeProfileEndSection("Rows");
     MeProfileStartSection("Solve", 0);
     MdtKeaSolve(&p->kea);
@@ -387,6 +407,34 @@ static MeBool takePart(Partition *p, void *scratch, double part, int halvings) {
     return integratePart(p);
 }
 
+/* The step of a partition whose contacts are met in time: up to the next event, and on. When there are too many of
+ * them, the rest is taken as it is elsewhere. */
+static MeBool takeInTime(Partition *p, void *scratch) {
+    enum { MAX_EVENTS = 8 };
+    const double least = 1e-9;
+    double rest = p->h;
+    for (int events = 0; rest > least * p->h; events++) {
+        p->kea.parameters.timed = events < MAX_EVENTS;
+        solvePart(p, scratch, rest);
+        if (p->kea.parameters.timed && p->kea.report.event < rest * (1 - least))
+            solvePart(p, scratch, fmax(p->kea.report.event, least * p->h));
+        rest -= p->parameters.stepsize;
+        if (!integratePart(p))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+/* Few bodies that only touch. */
+static MeBool isTimed(const Partition *p) {
+    if (p->numBodies > p->world->timedBodies || p->numConstraints == 0)
+        return MEFALSE;
+    for (int i = 0; i < p->numConstraints; i++)
+        if (p->constraints[i]->type != MdtBclTypeOf(MdtBclCONTACT))
+            return MEFALSE;
+    return METRUE;
+}
+
 static void stepPartition(Partition *p) {
     MdtKeaVelocity *start = NULL;
     p->kea.maxRows = mostRows(p);
@@ -400,7 +448,7 @@ static void stepPartition(Partition *p) {
     packBodies(p);
     rememberVelocities(p, start);
     clearForces(p);
-    if (takePart(p, scratch, p->h, 0))
+    if (isTimed(p) ? takeInTime(p, scratch) : takePart(p, scratch, p->h, 0))
         unpackBodies(p, start);
     MeChunkPutMem(&p->world->scratch, scratch);
 }

@@ -31,8 +31,14 @@ static double measure(const MdtBclConstraint *c, const MdtKeaTransformation *con
 }
 
 static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
+    double across[3];
     bcl_startRow(row, x);
-    keaCopy(row->J[1].ang, c->of.cone.normal);
+    measure(c, x->pose, across);
+    const double sine = keaLength(across);
+    if (sine > BCL_PARALLEL)
+        keaScale(row->J[1].ang, 1 / sine, across);
+    else
+        keaCopy(row->J[1].ang, c->of.cone.normal);
     keaScale(row->J[0].ang, -1, row->J[1].ang);
 }
 

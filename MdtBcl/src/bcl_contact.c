@@ -101,6 +101,10 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
     const double rate = bcl_rate(row, x->velocity), predicted = bcl_rate(row, x->predicted);
     row->error = -depth;
     row->target = depth > 0 ? x->parameters.gamma * depth / h : depth / h;
+    if (p->options & MdtBclContactOptionBounce) {
+        row->restitution = fmin((double)p->restitution, 1);
+        row->threshold = p->velThreshold;
+    }
     const MeBool isHit = h * predicted < depth && rate < -fmax((double)p->velThreshold, bcl_ownChange(row, x));
     if ((p->options & MdtBclContactOptionBounce) && isHit && p->restitution > 0) {
         row->bounces = METRUE;

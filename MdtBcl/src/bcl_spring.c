@@ -55,7 +55,14 @@ static MdtBclDistanceKind kindOf(const MdtBclLimit *limit) {
 }
 
 static void distanceRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
-    bcl_alongRow(c, x, c->of.distance.direction, NO_CARRIER, row);
+    double d[3];
+    bcl_separation(c, x->pose, d);
+    const double length = keaLength(d);
+    if (length < noLength)
+        keaCopy(d, c->of.distance.direction);
+    else
+        keaScale(d, 1 / length, d);
+    bcl_alongRow(c, x, d, NO_CARRIER, row);
 }
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {

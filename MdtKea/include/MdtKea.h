@@ -118,8 +118,13 @@ typedef struct MdtKeaRow {
     MeBool position;  /**< φ is met at the end of the step, as MdtKeaErrorFn tells it; else the velocity is */
     MeBool spring;    /**< A damped spring; its target is the rate at which it is at rest, and softness is not read. */
     MeBool bounces;   /**< `rebound` is wanted */
+    double restitution; /**< of a contact that is met in time, 0..1, */
+    double threshold;   /**< m/s: for speeds above this */
+    MeBool isForced;    /**< Kea's own: a friction row that slides in a known direction, */
+    double forced;      /**< whose force is this times the bound */
     double stiffness; /**< N/m of a spring, >= 0 */
     double damping;   /**< N s/m of a spring, >= 0 */
+    double ripple;    /**< m/s: what the last step left of the row's velocity at its end, and this step leaves */
     double force;     /**< λ, N: the answer; before, a guess at it, such as the last step's */
 } MdtKeaRow;
 
@@ -142,6 +147,7 @@ typedef struct MdtKeaReport {
     MeBool capped;       /**< passes ran out: the forces are within bounds, but not exact */
     MeBool violent;      /**< the motion could not be followed in a step of this length: take shorter ones */
     MeBool conflicting;  /**< rows contradict each other: a compromise was taken */
+    double event;        /**< s: when something happens in a timed step that divides it; the step's length if nothing */
     double residual;     /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
     double error;        /**< m: the largest error left in a position row, against what it asked for */
 } MdtKeaReport;
@@ -209,6 +215,19 @@ MEPUBLIC void MEAPI MdtKeaSolve(MdtKeaSystem *system);
  * be finite, in MeReal, no body is changed, and false is returned.
  */
 MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
+
+/**
+ * Whether bodies meet, at the start of the step, faster than they can go on (contacts that touch; timed systems). The
+ * rows are filled; nothing is changed.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
+
+/**
+ * An impact at the start of the step: changes the velocities of the bodies so that those that touch part with their
+ * restitution times the speed with which they met, waves through rows of bodies and impacts at several points
+ * included, never gaining energy. Writes the impulses, N s, into rows[i].force.
+ */
+MEPUBLIC void MEAPI MdtKeaImpact(MdtKeaSystem *system);
 
 /** The angular velocity of a body, rad/s, world frame. */
 MEPUBLIC void MEAPI MdtKeaBodyGetAngularVelocity(const MdtKeaBody *body, double w[3]);

@@ -44,6 +44,8 @@ typedef struct MdtKeaWork {
     MdtKeaTransformation *endPose, *meanPose; /* by body */
     double *errors;                           /* by row: φ at the end */
     double (*added)[6];                       /* by body: what the velocity stage has found */
+    double (*plastic)[6], *wanted, speed;     /* of impacts */
+    char *takesPart;
     KeaProblem problem;
 } MdtKeaWork;
 
@@ -70,6 +72,8 @@ void kea_guessMotion(MdtKeaSystem *s);
 void kea_moveBodies(MdtKeaSystem *s);
 /* Metric and load of the problem: the momentum that rows must give, and how it changes with u. */
 void kea_linearizeBodies(MdtKeaSystem *s);
+/* Velocities at the end from the impulses, so that momentum is kept whatever else is left over. */
+void kea_balanceMomentum(MdtKeaSystem *s);
 /* Bodies that no row acts on take the free motion instead. */
 void kea_moveFreely(MdtKeaSystem *s);
 /* The inertia tensor (world) where the body has arrived. */
@@ -90,6 +94,17 @@ double kea_positionError(MdtKeaSystem *s);
 MeBool kea_admitContacts(MdtKeaSystem *s);
 /* The rate of a row at the end. */
 double kea_endRate(const MdtKeaSystem *s, int i);
+
+/* ---- kea_timed.c ---- */
+
+/* Which contacts are closed. */
+void kea_timedBegin(MdtKeaSystem *s);
+/* When something happens within the step (HUGE_VAL: nothing); `mustRepeat`: only after another solve is it known, in
+ * which contacts that stop slide on. kea_releaseSlides takes that back. */
+double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat);
+void kea_releaseSlides(MdtKeaSystem *s);
+/* Moves bodies out of each other, without velocity. */
+void kea_project(MdtKeaSystem *s);
 
 /* ---- kea_velocity.c ---- */
 

@@ -14,6 +14,8 @@
 #include "MdtKeaMath.h"
 #include <float.h>
 #include <string.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 enum { MAX_CONVEX = 60, MAX_COUPLED = 12 };
 static const double tolerance = 1e-10; /* of the scale of momenta */
@@ -25,6 +27,7 @@ void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *aren
     q->metric = kea_carve(arena, n, sizeof *q->metric);
     q->load = kea_carve(arena, n, sizeof *q->load);
     q->d = kea_carve(arena, n, sizeof *q->d);
+    q->kept = kea_carve(arena, n, sizeof *q->kept);
     q->gradient = kea_carve(arena, n, sizeof *q->gradient);
     q->along = kea_carve(arena, n, sizeof *q->along);
     q->scale = kea_carve(arena, n, sizeof(double));
@@ -72,7 +75,6 @@ static void findEdges(KeaProblem *q) {
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
     findEdges(q);
     memset(&q->counts, 0, sizeof q->counts);
-    q->isFactored = MEFALSE;
     q->hasFriction = q->hasBounds = MEFALSE;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
@@ -100,11 +102,11 @@ static void applyMetric(double r[6], const KeaMetric *B, const double d[6]) {
     keaApply(r + 3, B->angular, d + 3);
 }
 
-static double rateOf(const KeaProblemRow *row, const double J[2][6], double (*const v)[6]) {
+static double rateAlong(const KeaProblemRow *row, double (*const v)[6]) {
     double sum = 0;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
-            sum += dot6(J[k], v[row->body[k]]);
+            sum += dot6(row->J[k], v[row->body[k]]);
     return sum;
 }
 
@@ -161,7 +163,10 @@ static void setForces(KeaProblem *q, double step, MeBool coupled) {
         }
         if (coupled)
             row->radius = row->friction * fmax(q->row[row->normal].p, 0);
-        if (row->partner > i) {
+        if (row->isForced) {
+            row->p = row->forced * row->radius;
+            row->state = KEA_SLIPS;
+        } else if (row->partner > i) {
             q->row[row->partner].radius = row->radius;
             setCone(row, &q->row[row->partner]);
         } else if (row->partner < 0) {
@@ -233,8 +238,18 @@ static void combine(double r[2][6], double s, double (*const a)[6], double t, do
             r[k][i] = s * a[k][i] + t * b[k][i];
 }
 
+static void addForced(KeaProblem *q, KeaProblemRow *row, MeBool lopsided) {
+    KeaProblemRow *normal = &q->row[row->normal];
+    if (lopsided && !normal->isOff && normal->state == KEA_HELD)
+        addRows(q, row, row->forced * row->friction / softness(normal), row->J, normal->J, MEFALSE);
+}
+
 /* A sliding row or cone; `lopsided`: with what the normal force does to it. */
 static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool lopsided) {
+    if (row->isForced) {
+        addForced(q, row, lopsided);
+        return;
+    }
     KeaProblemRow *normal = &q->row[row->normal], *other = row->partner >= 0 ? &q->row[row->partner] : row;
     const MeBool isCone = other != row;
     const double size = isCone ? hypot(row->y, other->y) : fabs(row->y);
@@ -276,7 +291,7 @@ static void fillMatrix(KeaProblem *q, MeBool lopsided) {
             continue;
         if (row->state == KEA_HELD)
             addRows(q, row, 1 / softness(row), row->J, row->J, !lopsided);
-        else if (row->partner < 0 || row->partner > i)
+        else if (row->partner < 0 || row->partner > i || row->isForced)
             addSliding(q, row, lopsided);
     }
 }
@@ -285,29 +300,20 @@ static MeBool factor(KeaProblem *q, MeBool coupled) {
     const MeBool lopsided = coupled && slidesUnderLoad(q);
     fillMatrix(q, lopsided);
     q->counts.factorizations++;
-    q->isLopsided = lopsided;
-    for (int i = 0; i < q->numRows; i++)
-        memcpy(q->row[i].factored, q->row[i].J, sizeof q->row[i].J);
-    q->isFactored = lopsided ? kea_factorLU(q->factor, leastPivot) : kea_factorCholesky(q->factor, leastPivot);
-    return q->isFactored;
+    return lopsided ? kea_factorLU(q->factor, leastPivot) : kea_factorCholesky(q->factor, leastPivot);
 }
 
-/* along := H⁻¹ (sign * gradient). */
-static void solveFor(KeaProblem *q, double sign) {
+static void findDirection(KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++) {
         double *x = q->x + kea_factorOffset(q->factor, b);
         for (int i = 0; i < 6; i++)
-            x[i] = sign * q->gradient[b][i];
+            x[i] = -q->gradient[b][i];
     }
     kea_factorSolve(q->factor, q->x);
     for (int b = 0; b < q->numBodies; b++)
         memcpy(q->along[b], q->x + kea_factorOffset(q->factor, b), sizeof q->along[b]);
-}
-
-static void findDirection(KeaProblem *q) {
-    solveFor(q, -1);
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].Je = rateOf(&q->row[i], (const double(*)[6])q->row[i].J, q->along);
+        q->row[i].Je = rateAlong(&q->row[i], q->along);
 }
 
 static void take(KeaProblem *q, double step) {
@@ -362,13 +368,6 @@ static double bestStep(KeaProblem *q) {
 
 /* ---- the iteration ---- */
 
-static MeBool isBounded(const KeaProblem *q) {
-    for (int i = 0; i < q->numRows; i++)
-        if (!q->row[i].isOff && q->row[i].state != KEA_HELD)
-            return METRUE;
-    return MEFALSE;
-}
-
 static MeBool solveConvex(KeaProblem *q) {
     double before = HUGE_VAL;
     setForces(q, 0, MEFALSE);
@@ -405,6 +404,7 @@ static MeBool solveCoupled(KeaProblem *q) {
         }
         if (!(next < 0.9 * error)) {
             setForces(q, 0, METRUE);
+            if (getenv("KEA_TRACE")) printf("    coupled stuck it %d error %g next %g\n", i, error, next);
             return error < 1e3; /* rounding */
         }
         take(q, step);
@@ -413,45 +413,48 @@ static MeBool solveCoupled(KeaProblem *q) {
     return error < 1e3;
 }
 
+/* How far the friction bounds are from μ times the normal forces. */
+static double radiusError(const KeaProblem *q) {
+    double worst = 0;
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        if (row->normal < 0 || row->isOff)
+            continue;
+        const double wanted = row->friction * fmax(q->row[row->normal].p, 0);
+        if (row->state == KEA_SLIPS || hypot(row->p, row->partner >= 0 ? q->row[row->partner].p : 0) > wanted)
+            worst = fmax(worst, fabs(row->radius - wanted) / (wanted + 1e-3 * fabs(q->row[row->normal].p) + DBL_MIN));
+    }
+    return worst;
+}
+
+static void keep(KeaProblem *q) {
+    memcpy(q->kept, q->d, (size_t)q->numBodies * sizeof *q->d);
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].keptJd = q->row[i].Jd, q->row[i].keptRadius = q->row[i].radius;
+}
+
+static void restore(KeaProblem *q) {
+    memcpy(q->d, q->kept, (size_t)q->numBodies * sizeof *q->d);
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].Jd = q->row[i].keptJd, q->row[i].radius = q->row[i].keptRadius, q->row[i].Je = 0;
+    setForces(q, 0, MEFALSE);
+}
+
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
+    const double agree = 1e-12;
     for (int i = 0; i < q->numRows; i++)
         q->row[i].Jd = q->row[i].Je = 0;
     memset(q->d, 0, (size_t)q->numBodies * sizeof *q->d);
     memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
-    return coupled ? solveCoupled(q) : solveConvex(q);
-}
-
-/* With the Jacobian F of the last factorization in place of J, where it multiplies what is new:
- *
- *     B d - Fᵀ Δp = Jᵀ p - g,   F d + (E + N) Δp = r - E p.
- *
- * False: a bound is in the way, and nothing was changed. */
-MeBool kea_problemSolveAgain(KeaProblem *q) {
-    if (!q->isFactored || q->isLopsided || isBounded(q))
+    if (!solveConvex(q))
         return MEFALSE;
-    kea_problemError(q);
-    for (int b = 0; b < q->numBodies; b++)
-        for (int i = 0; i < 6; i++)
-            q->gradient[b][i] = -q->gradient[b][i];
-    for (int i = 0; i < q->numRows; i++) {
-        const KeaProblemRow *row = &q->row[i];
-        for (int k = 0; k < 2 && !row->isOff; k++)
-            if (row->body[k] >= 0)
-                addScaled6(q->gradient[row->body[k]], (row->r - row->E * row->p) / softness(row), row->factored[k]);
-    }
-    solveFor(q, 1);
-    for (int i = 0; i < q->numRows; i++) {
-        KeaProblemRow *row = &q->row[i];
-        if (row->isOff)
-            continue;
-        row->y = row->p + (row->r - row->E * row->p - rateOf(row, (const double(*)[6])row->factored, q->along)) / softness(row);
-        if (!(row->y > row->lower && row->y < row->upper))
-            return MEFALSE;
-    }
-    for (int i = 0; i < q->numRows; i++)
-        q->row[i].p = q->row[i].isOff ? q->row[i].p : q->row[i].y;
-    take(q, 1);
-    return METRUE;
+    if (!coupled || !q->hasFriction || radiusError(q) < agree)
+        return METRUE;
+    keep(q);
+    if (solveCoupled(q))
+        return METRUE;
+    restore(q);
+    return MEFALSE;
 }
 
 double kea_problemError(KeaProblem *q) {
@@ -469,6 +472,21 @@ void kea_problemRenewRadii(KeaProblem *q, double share) {
     }
 }
 
+void kea_problemCarryOn(KeaProblem *q, double (*total)[6]) {
+    for (int b = 0; b < q->numBodies; b++) {
+        double push[6];
+        applyMetric(push, &q->metric[b], q->d[b]);
+        addScaled6(total[b], 1, q->d[b]);
+        addScaled6(q->load[b], 1, push);
+    }
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        row->r -= row->Jd;
+        row->Jd = 0;
+        row->p0 = row->p;
+    }
+}
+
 static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
     const KeaProblemRow *other = &q->row[row->partner];
     const double radius = row->friction * fmax(q->row[row->normal].p, 0);
@@ -481,7 +499,13 @@ double kea_problemResidual(const KeaProblem *q) {
     double worst = 0;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
-        if (row->isOff || row->size == 0 || (row->partner >= 0 && row->partner < i))
+        if (row->isOff || row->isElsewhere || row->size == 0)
+            continue;
+        if (row->isForced) {
+            const double wanted = row->forced * row->friction * fmax(q->row[row->normal].p, 0);
+            worst = fmax(worst, row->size * fabs(row->p - wanted));
+        }
+        if (row->isForced || (row->partner >= 0 && row->partner < i))
             continue;
         const double missing[2] = {row->Jd + row->E * row->p - row->r,
                                    row->partner >= 0 ? q->row[row->partner].Jd +

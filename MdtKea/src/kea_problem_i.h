@@ -27,7 +27,6 @@ typedef enum KeaRowState { KEA_IDLE, KEA_HELD, KEA_SLIPS } KeaRowState; /* at a 
 
 typedef struct KeaProblemRow {
     double J[2][6];
-    double factored[2][6]; /* J in the last factorization */
     int body[2]; /* MdtKeaWORLD: none */
     int edge;    /* of the graph, -1: one body */
     int normal, partner;
@@ -39,15 +38,19 @@ typedef struct KeaProblemRow {
     double p0, p;        /* N s */
     double y;            /* N s, what p would be without bounds */
     double radius;       /* N s, of the cone, or the friction bound */
+    double keptJd, keptRadius;
     double Jd, Je;       /* along d, along the search direction */
     double size;         /* J B⁻¹ Jᵀ, 1/kg */
     double weight[2];    /* by body: the momentum, in its scale, that a unit of p gives */
+    MeBool isForced;     /* p is `forced` times the friction bound: the direction of sliding is known */
+    double forced;
+    MeBool isElsewhere;  /* its law is checked by others (kea_problemResidual) */
     MeBool isOff;        /* takes no part: p stays what it is */
     KeaRowState state;
 } KeaProblemRow;
 
 typedef struct KeaCounts {
-    int iterations, factorizations, freezes;
+    int iterations, factorizations, freezes, stuck;
 } KeaCounts;
 
 typedef struct KeaProblem {
@@ -55,6 +58,7 @@ typedef struct KeaProblem {
     KeaProblemRow *row;
     KeaMetric *metric;                  /* by body */
     double (*load)[6], (*d)[6];         /* g, d */
+    double (*kept)[6];                  /* d before the friction bounds were coupled */
     double (*gradient)[6], (*along)[6]; /* of the last iteration */
     double *scale, *length;             /* by body: N s, m, what gradients are compared with */
     double *allowed;                    /* by body: N s, of its gradient */
@@ -63,8 +67,6 @@ typedef struct KeaProblem {
     int numEdges;
     int *table; /* hash of edges, 4 per row */
     KeaFactor *factor;
-    MeBool isLopsided; /* ... and not symmetric */
-    MeBool isFactored;  /* the factor is that of a matrix near the one that is wanted */
     MeBool hasFriction; /* friction that depends on normal forces */
     MeBool hasBounds;   /* of any kind */
     int maxIterations;
@@ -76,12 +78,13 @@ void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *aren
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache);
 /* Sizes of the rows, from the metric. */
 void kea_problemMeasure(KeaProblem *q);
-/* Solves with the friction bounds in `radius`; or, coupled, with those of the solution itself. False: not converged. */
+/* Solves with the friction bounds in `radius`; coupled, goes on to those of the solution itself. False: that did not
+ * converge, and the solution is the one with `radius`. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
-/* One step of Newton's method with the matrix of the last factorization. False: bounds are in the way. */
-MeBool kea_problemSolveAgain(KeaProblem *q);
 /* How far the rows' laws are from being kept by d and p, m/s. */
 double kea_problemResidual(const KeaProblem *q);
+/* Adds d to `total` and makes it part of the load and the targets: the next solve asks for what is left. */
+void kea_problemCarryOn(KeaProblem *q, double (*total)[6]);
 /* How far B d + g is from Jᵀ p, in tolerances. */
 double kea_problemError(KeaProblem *q);
 /* Sets every friction bound to μ p of its normal row. */

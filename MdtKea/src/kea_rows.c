@@ -15,7 +15,7 @@
 /* The method's own softness, relative to the row's A_ii. With less, contacts that come and go take more iterations; with
  * more, heavy bodies on light ones take more passes. */
 static const double rigidJoint = 1e-8, rigidLimit = 1e-6;
-static const double rigidContact[3] = {1e-4, 1e-5, 1e-6}; /* by pass */
+static const double rigidContact[] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}; /* by pass */
 
 static const double nearby = 1e-3; /* of a body's size: a contact that is no further away may act */
 
@@ -113,7 +113,7 @@ static void chooseTheta(MdtKeaSystem *s) {
 
 static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (row->contact >= 0)
-        return s->rows[row->contact].isOpen || !isWithinReach(s, &s->rows[row->contact]);
+        return s->rows[row->contact].isOpen || (!s->parameters.timed && !isWithinReach(s, &s->rows[row->contact]));
     return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
 }
 
@@ -132,6 +132,9 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->isOff = isIdle(s, row);
         p->p = p->p0 = p->isOff ? 0 : fmin(fmax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
+        p->isElsewhere = row->position;
+        p->isForced = row->isForced;
+        p->forced = row->forced;
         p->radius = row->normal >= 0 ? row->friction * fmax(s->work->problem.row[row->normal].p, 0) : 0;
     }
     chooseTheta(s);
@@ -214,8 +217,8 @@ static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p, int pass
     const MdtKeaRow *row = &s->rows[i];
     const double theta = thetaOf(s, row);
     p->E = theta * row->softness;
-    p->r = theta * (row->target - kea_endRate(s, i));
-    p->N = (row->contact >= 0 ? rigidContact[pass < 2 ? pass : 2] : rigidLimit) * p->size;
+    p->r = theta * ((s->parameters.timed && row->contact == i ? 0 : row->target) - kea_endRate(s, i));
+    p->N = (row->contact >= 0 ? rigidContact[pass < 5 ? pass : 5] : rigidLimit) * p->size;
 }
 
 /* On a cone both rows have one softness, or the direction of friction would not be that of the slip. */

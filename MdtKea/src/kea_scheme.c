@@ -78,7 +78,7 @@ void kea_beginBodies(MdtKeaSystem *s) {
         KeaBody *b = &s->work->body[i];
         const double *I = body->moments;
         b->size = sqrt(fmax(I[0], fmax(I[1], I[2])) * body->invMass);
-        b->isFree = MEFALSE;
+        b->isFree = METRUE;
         fromAngular(body, b);
         q->scale[i] = b->scale = scaleOf(body, b, b->size);
         q->length[i] = b->size;
@@ -265,6 +265,29 @@ void kea_linearizeBodies(MdtKeaSystem *s) {
         const KeaBody *b = &s->work->body[i];
         setLoad(s->bodies[i], b, &s->work->end[i], q->load[i]);
         setMetric(s->bodies[i], b, &q->metric[i]);
+    }
+}
+
+void kea_balanceMomentum(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++) {
+        const KeaBody *b = &s->work->body[i];
+        keaCopy(s->work->end[i].velocity, b->freeVelocity);
+        keaCopy(s->work->end[i].angularMomentum, b->freeMomentum);
+    }
+    for (int i = 0; i < s->numRows; i++) {
+        const KeaProblemRow *p = &s->work->problem.row[i];
+        for (int k = 0; k < 2; k++) {
+            if (p->body[k] < 0)
+                continue;
+            KeaEnd *end = &s->work->end[p->body[k]];
+            keaAddScaled(end->velocity, p->p * s->bodies[p->body[k]]->invMass, p->J[k]);
+            keaAddScaled(end->angularMomentum, p->p, p->J[k] + 3);
+        }
+    }
+    for (int i = 0; i < s->numBodies; i++) {
+        const KeaEnd *end = &s->work->end[i];
+        keaCopy(s->work->body[i].endVelocity, end->velocity);
+        kea_angularVelocity(s->bodies[i], end->quaternion, end->angularMomentum, s->work->body[i].endVelocity + 3);
     }
 }
 

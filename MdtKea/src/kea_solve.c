@@ -13,11 +13,10 @@
 #include <stdlib.h>
 
 enum { MAX_PASSES = 12, FREEZE = 6 };
-static const double positionTolerance = 1e-9;  /* of a row's size */
-static const double velocityTolerance = 1e-8;  /* of the partition's speed */
-static const double momentumTolerance = 1e4;   /* of what the inner problem tolerates */
-static const double looseTolerance = 1e3;      /* times these: good enough when passes have run out */
-static const double goodContraction = 0.05;    /* of a pass with an old factor, to go on with it */
+static const double positionTolerance = 1e-10; /* of a row's size */
+static const double velocityTolerance = 1e-9;  /* of the partition's speed */
+static const double momentumTolerance = 1e2;   /* of what the inner problem tolerates */
+static const double looseTolerance = 1e5;      /* times these: good enough when passes have run out */
 
 typedef struct Errors {
     double position, velocity, momentum, worst; /* in tolerances */
@@ -50,9 +49,7 @@ static Errors errorsOf(MdtKeaSystem *s, double speed) {
     e.position = kea_positionError(s) / positionTolerance;
     e.velocity = kea_problemResidual(&s->work->problem) / (velocityTolerance * speed);
     e.momentum = kea_problemError(&s->work->problem) / momentumTolerance;
-    e.worst = fmax(e.position, e.momentum);
-    if (s->work->problem.hasBounds)
-        e.worst = fmax(e.worst, e.velocity);
+    e.worst = fmax(e.position, fmax(e.momentum, e.velocity));
     return e;
 }
 
@@ -63,30 +60,19 @@ static void takePass(MdtKeaSystem *s) {
             s->work->body[i].u[k] += q->d[i][k];
 }
 
-/* Friction: first with the bounds of the last step, then with those of the solution; should that fail, with bounds that
- * follow it, which in the end are left where they are. */
-static void solvePass(MdtKeaSystem *s, int pass, double contraction) {
+/* Friction bounds follow the normal forces; should that not settle, they are left where they are in the end. */
+static void solvePass(MdtKeaSystem *s, int pass) {
     KeaProblem *q = &s->work->problem;
-    if (contraction < goodContraction && kea_problemSolveAgain(q))
-        return;
-    if (!q->hasFriction || pass == 0) {
-        kea_problemSolve(q, MEFALSE);
-        return;
-    }
-    if (q->counts.freezes == 0 && kea_problemSolve(q, METRUE))
-        return;
-    for (int i = 0; i < q->numRows; i++)
-        q->row[i].p = q->row[i].p0;
-    if (pass < FREEZE)
-        kea_problemRenewRadii(q, 0.5);
-    else
-        q->counts.freezes++;
-    kea_problemSolve(q, MEFALSE);
+    const MeBool isFrozen = pass >= FREEZE && q->counts.stuck > 0;
+    if (!isFrozen)
+        kea_problemRenewRadii(q, q->counts.stuck > 0 ? 0.5 : 1);
+    q->counts.freezes += isFrozen;
+    if (!kea_problemSolve(q, !isFrozen))
+        q->counts.stuck++;
 }
 
 static void takePasses(MdtKeaSystem *s) {
     const double speed = speedOf(s);
-    double before = HUGE_VAL, contraction = 1;
     Errors e = {0, 0, 0, HUGE_VAL};
     for (int pass = 0;; pass++) {
         linearize(s, pass);
@@ -94,15 +80,13 @@ static void takePasses(MdtKeaSystem *s) {
         if (getenv("KEA_TRACE")) printf("  pass %d pos %.2e vel %.2e mom %.2e  it %d fac %d\n", pass, e.position, e.velocity, e.momentum, s->work->problem.counts.iterations, s->work->problem.counts.factorizations);
         if (e.worst < 1 || pass == MAX_PASSES)
             break;
-        contraction = pass > 0 ? e.worst / before : 1;
-        before = e.worst;
-        solvePass(s, pass, contraction);
+        solvePass(s, pass);
         takePass(s);
         kea_admitContacts(s);
         s->report.passes++;
     }
     s->report.violent = e.position > looseTolerance || e.momentum > looseTolerance;
-    s->report.capped = e.worst >= 1;
+    s->report.capped = e.worst >= looseTolerance;
     s->report.residual = e.velocity * velocityTolerance * speed;
 }
 
@@ -123,23 +107,55 @@ static void returnForces(MdtKeaSystem *s) {
         s->rows[i].force = s->work->problem.row[i].p / s->parameters.stepsize;
 }
 
+/* Passes from the last answer. */
+static void solveMotion(MdtKeaSystem *s) {
+    kea_beginRows(s);
+    kea_guessMotion(s);
+    takePasses(s);
+    kea_balanceMomentum(s);
+}
+
+/* A stop needs a second solve, in which what stops slides on; should it not stop within the step after all, the first
+ * solution was right. */
+static void solveInTime(MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize, late = 1e-6;
+    MeBool mustRepeat, isNew;
+    double event = kea_firstEvent(s, &mustRepeat);
+    if (mustRepeat) {
+        solveMotion(s);
+        event = kea_firstEvent(s, &isNew);
+        if (event > h * (1 + late)) {
+            kea_releaseSlides(s);
+            solveMotion(s);
+        }
+    }
+    s->report.event = fmin(event, h);
+}
+
 void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     memset(&s->report, 0, sizeof s->report);
+    s->report.event = s->parameters.stepsize;
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
     q->maxIterations = s->parameters.maxIterations;
     kea_beginBodies(s);
+    if (s->parameters.timed)
+        kea_timedBegin(s);
     kea_beginRows(s);
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
-        kea_guessMotion(s);
-        takePasses(s);
-        kea_velocityStage(s);
+        solveMotion(s);
+        if (s->parameters.timed)
+            solveInTime(s);
+        setFree(s);
+        if (s->parameters.timed)
+            kea_project(s);
+        else
+            kea_velocityStage(s);
         returnForces(s);
         s->report.iterations = q->counts.iterations;
         s->report.factorizations = q->counts.factorizations;
         s->report.freezes = q->counts.freezes;
     }
-    setFree(s);
     kea_moveFreely(s);
 }

@@ -20,6 +20,9 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->meanPose = kea_carve(arena, n, sizeof *work->meanPose);
     work->errors = kea_carve(arena, m, sizeof(double));
     work->added = kea_carve(arena, n, sizeof *work->added);
+    work->plastic = kea_carve(arena, n, sizeof *work->plastic);
+    work->wanted = kea_carve(arena, 2 * m, sizeof(double));
+    work->takesPart = kea_carve(arena, m, 1);
     kea_problemLayOut(&work->problem, s->numBodies, s->maxRows, arena);
 }
 

@@ -35,37 +35,40 @@ static MeBool isOneSided(const MdtKeaRow *row) {
     return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
 }
 
-static void softTarget(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProblemRow *p, double error) {
-    const double gamma = s->parameters.gamma, h = s->parameters.stepsize;
-    p->E = row->softness / (1 - gamma);
-    p->r = -gamma * error / ((1 - gamma) * h);
-}
-
 /* What the target of a joint asks for besides taking its error away: attachments, or the world, that move. */
 static double drift(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return row->target + s->parameters.gamma * row->error / s->parameters.stepsize;
 }
 
+/* The joint's error goes on to be taken away at the same rate: what γ leaves of it, φ⁺ = (1 - γ) φ, asks for γ φ / h. */
+static void jointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
+    const MdtKeaRow *row = &s->rows[i];
+    const double gamma = s->parameters.gamma, h = s->parameters.stepsize, moves = drift(s, row);
+    p->r = moves;
+    if (gamma >= 1)
+        return;
+    p->E = row->softness / (1 - gamma);
+    p->r -= gamma * (s->work->errors[i] - h * moves) / ((1 - gamma) * h);
+}
+
 /* The row's law for the velocity, as what is to be added to the one at the end. */
 static void setRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
-    const MeBool isSoft = row->softness > 0 && row->position && !isOneSided(row);
+    const MeBool isStop = row->contact == i || (row->position && isOneSided(row));
     p->p0 = p->p;
-    p->Jd = 0;
-    p->E = p->r = 0;
+    p->Jd = p->E = p->r = 0;
+    p->isElsewhere = MEFALSE;
     p->N = (row->position && !isOneSided(row) ? 1e-8 : 1e-6) * p->size;
-    if (row->spring || (isSoft && s->parameters.gamma >= 1) || p->size == 0)
+    if (row->spring || p->size == 0)
         p->isOff = METRUE;
-    else if (isSoft)
-        softTarget(s, row, p, s->work->errors[i]);
-    else if (row->position ? isOneSided(row) : row->contact == i)
+    else if (isStop)
         p->r = row->rebound;
-    else if (!row->position)
+    else if (row->position)
+        jointLaw(s, i, p);
+    else
         p->r = row->target, p->E = row->softness;
-    if (row->contact >= 0 ? s->work->problem.row[row->contact].p == 0 : row->position && isOneSided(row) && p->p == 0)
+    if (row->contact >= 0 ? s->work->problem.row[row->contact].p == 0 : isStop && p->p == 0)
         p->isOff = METRUE;
-    if (row->position && !isOneSided(row))
-        p->r += drift(s, row);
     p->r -= kea_endRate(s, i);
 }
 
@@ -103,26 +106,6 @@ static void setProblem(MdtKeaSystem *s) {
     setLoads(s);
 }
 
-/* What the passes have found goes into the targets, so that every pass asks for the rest. */
-static void carryOn(KeaProblem *q, double (*total)[6]) {
-    for (int b = 0; b < q->numBodies; b++) {
-        double push[3];
-        keaApply(push, q->metric[b].angular, q->d[b] + 3);
-        for (int i = 0; i < 3; i++) {
-            total[b][i] += q->d[b][i];
-            total[b][3 + i] += q->d[b][3 + i];
-            q->load[b][i] += q->metric[b].linear * q->d[b][i];
-            q->load[b][3 + i] += push[i];
-        }
-    }
-    for (int i = 0; i < q->numRows; i++) {
-        KeaProblemRow *p = &q->row[i];
-        p->r -= p->Jd;
-        p->Jd = 0;
-        p->p0 = p->p;
-    }
-}
-
 static void addVelocities(MdtKeaSystem *s, double (*const added)[6]) {
     for (int i = 0; i < s->numBodies; i++) {
         double dL[3];
@@ -145,31 +128,62 @@ static MeBool mayBeNeeded(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-static MeBool rebounds(const MdtKeaSystem *s) {
+/* Rebounds, and joints that are moved, whose velocity is known. */
+static MeBool mustBe(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        if (s->work->problem.row[i].p > 0 && s->rows[i].bounces)
+        if ((s->work->problem.row[i].p > 0 && s->rows[i].bounces) ||
+            (s->rows[i].position && !isOneSided(&s->rows[i]) && drift(s, &s->rows[i]) != 0))
             return METRUE;
     return MEFALSE;
+}
+
+static void solveStage(MdtKeaSystem *s, double start) {
+    KeaProblem *q = &s->work->problem;
+    memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
+    s->report.stages++;
+    double residual = start;
+    for (int pass = 0; pass < MAX_PASSES && residual > tolerance * start; pass++) {
+        kea_problemRenewRadii(q, 1);
+        kea_problemSolve(q, METRUE);
+        kea_problemCarryOn(q, s->work->added);
+        residual = kea_problemResidual(q);
+    }
+    addVelocities(s, s->work->added);
+}
+
+static double leftOver(const KeaProblemRow *p) {
+    return p->E * p->p - p->r;
+}
+
+/* The undamped velocity of the midpoint rule changes its sign at every step; what motion itself leaves does not. */
+static MeBool alternates(const MdtKeaSystem *s, double residual) {
+    const double noise = 1e-6;
+    if (residual < noise * loadSpeed(s))
+        return MEFALSE;
+    for (int i = 0; i < s->numRows; i++) {
+        const double now = leftOver(&s->work->problem.row[i]), before = s->rows[i].ripple;
+        const MeBool counts = s->rows[i].position && !s->work->problem.row[i].isOff;
+        if (counts && now * before < 0 && fabs(now + before) < 0.5 * fabs(now - before) && fabs(now) > 0.1 * residual)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
+    for (int i = 0; i < s->numRows; i++)
+        s->rows[i].ripple = isQuieted ? 0 : leftOver(&s->work->problem.row[i]);
 }
 
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     if (!mayBeNeeded(s))
         return;
-    const MeBool isNeeded = rebounds(s);
+    const MeBool isHit = mustBe(s);
     setProblem(s);
     const double start = kea_problemResidual(q);
-    if (!isNeeded && start < calm * loadSpeed(s))
-        return;
-    memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
-    s->report.stages++;
-    double residual = start;
-    for (int pass = 0; pass < MAX_PASSES && residual > tolerance * start; pass++) {
-        kea_problemRenewRadii(q, 1);
-        if (pass == 0 || !kea_problemSolve(q, METRUE))
-            kea_problemSolve(q, MEFALSE);
-        carryOn(q, s->work->added);
-        residual = kea_problemResidual(q);
-    }
-    addVelocities(s, s->work->added);
+    const MeBool isNeeded = isHit || start > calm * loadSpeed(s) || alternates(s, start);
+    noteRipples(s, isNeeded);
+    if (isNeeded)
+        solveStage(s, start);
+    kea_refreshRows(s, s->work->meanPose);
 }
