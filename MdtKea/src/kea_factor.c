@@ -1,17 +1,495 @@
+/* Numbers of a sparse factor (kea_factor_i.h).
+ *
+ * A = L U, by blocks, left-looking: when the turn of node j comes, it gathers from every earlier node k that has j in
+ * its structure,
+ *
+ *     A_jj -= L_jk U_kj,    A_ji -= L_jk U_ki,    A_ij -= L_ik U_kj     for i after j in the structure of k,
+ *
+ * factors A_jj, and divides by it: U_ji = L_jj⁻¹ A_ji, L_ij = A_ij U_jj⁻¹. A column of L is kept as its transpose, so
+ * that all products are sums of Xᵀ Y, row by row. Of a symmetric matrix L = Uᵀ: only U is kept.
+ */
 #include "kea_factor_i.h"
 #include "MeMemory.h"
+#include "kea_arena_i.h"
+#include "kea_order_i.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-struct KeaFactor { int n,N,m; int *size,*off; int (*edges)[2]; double *diag[20000]; double *up[60000],*lo[60000]; double *A; int lu; };
-KeaFactor *kea_factorCreate(int n,const int size[],int m,const int (*e)[2]){ KeaFactor*f=calloc(1,sizeof*f); f->n=n;f->m=m;f->size=malloc(sizeof(int)*(n+1));f->off=malloc(sizeof(int)*(n+1));f->edges=malloc(sizeof(int)*2*(m+1)); int o=0; for(int i=0;i<n;i++){f->size[i]=size[i];f->off[i]=o;o+=size[i];f->diag[i]=calloc(size[i]*size[i],8);} f->off[n]=o;f->N=o; memcpy(f->edges,e,sizeof(int)*2*m); for(int i=0;i<m;i++){int s=size[e[i][0]]*size[e[i][1]];f->up[i]=calloc(s,8);f->lo[i]=calloc(s,8);} f->A=calloc((size_t)o*o,8); return f;}
-void kea_factorDestroy(KeaFactor*f){ for(int i=0;i<f->n;i++)free(f->diag[i]); for(int i=0;i<f->m;i++){free(f->up[i]);free(f->lo[i]);} free(f->A);free(f->size);free(f->off);free(f->edges);free(f);}
-MeBool kea_factorMatches(const KeaFactor*f,int n,const int*size,int m,const int(*e)[2]){ return f->n==n&&f->m==m&&!memcmp(f->size,size,4*n)&&!memcmp(f->edges,e,8*m);}
-void kea_factorClear(KeaFactor*f){for(int i=0;i<f->n;i++)memset(f->diag[i],0,8*f->size[i]*f->size[i]);for(int i=0;i<f->m;i++){int s=f->size[f->edges[i][0]]*f->size[f->edges[i][1]];memset(f->up[i],0,8*s);memset(f->lo[i],0,8*s);}}
-double*kea_factorDiagonal(KeaFactor*f,int i){return f->diag[i];} double*kea_factorUpper(KeaFactor*f,int i){return f->up[i];} double*kea_factorLower(KeaFactor*f,int i){return f->lo[i];}
-int kea_factorOffset(const KeaFactor*f,int i){return f->off[i];}
-static void load(KeaFactor*f,int lu){int N=f->N;memset(f->A,0,(size_t)N*N*8);for(int k=0;k<f->n;k++){int s=f->size[k],o=f->off[k];for(int i=0;i<s;i++)for(int j=0;j<s;j++)f->A[(o+i)*N+o+j]=f->diag[k][i*s+j];}for(int e=0;e<f->m;e++){int a=f->edges[e][0],b=f->edges[e][1],sa=f->size[a],sb=f->size[b];for(int i=0;i<sa;i++)for(int j=0;j<sb;j++){f->A[(f->off[a]+i)*N+f->off[b]+j]=f->up[e][i*sb+j];f->A[(f->off[b]+j)*N+f->off[a]+i]=lu?f->lo[e][j*sa+i]:f->up[e][i*sb+j];}}}
-MeBool kea_factorCholesky(KeaFactor*f,double least){load(f,0);f->lu=0;int N=f->N;double*A=f->A;for(int j=0;j<N;j++){double d0=A[j*N+j],d=d0;for(int k=0;k<j;k++)d-=A[j*N+k]*A[j*N+k];if(!(d>least*d0))return 0;d=sqrt(d);A[j*N+j]=d;for(int i=j+1;i<N;i++){double s=A[i*N+j];for(int k=0;k<j;k++)s-=A[i*N+k]*A[j*N+k];A[i*N+j]=s/d;}}return 1;}
-MeBool kea_factorLU(KeaFactor*f,double least){load(f,1);f->lu=1;int N=f->N;double*A=f->A;for(int k=0;k<N;k++){if(!(fabs(A[k*N+k])>0))return 0;for(int i=k+1;i<N;i++){double l=A[i*N+k]/=A[k*N+k];if(l!=0)for(int j=k+1;j<N;j++)A[i*N+j]-=l*A[k*N+j];}}(void)least;return 1;}
-void kea_factorSolve(const KeaFactor*f,double*x){int N=f->N;double*A=f->A;if(f->lu){for(int i=0;i<N;i++)for(int k=0;k<i;k++)x[i]-=A[i*N+k]*x[k];for(int i=N-1;i>=0;i--){for(int k=i+1;k<N;k++)x[i]-=A[i*N+k]*x[k];x[i]/=A[i*N+i];}}else{for(int i=0;i<N;i++){for(int k=0;k<i;k++)x[i]-=A[i*N+k]*x[k];x[i]/=A[i*N+i];}for(int i=N-1;i>=0;i--){for(int k=i+1;k<N;k++)x[i]-=A[k*N+i]*x[k];x[i]/=A[i*N+i];}}}
-double kea_factorFlops(const KeaFactor*f){(void)f;return 0;} size_t kea_factorEntries(const KeaFactor*f){(void)f;return 0;}
+
+typedef struct Entry {
+    int row;     /* its turn */
+    size_t at;   /* where the block is, in upper and lower */
+    int edge;    /* of the graph, or -1: it came into being */
+    MeBool flip; /* A_ij of the edge is the lower block */
+} Entry;
+
+/* That node k, at its entry e, has this one in its structure. */
+typedef struct Source {
+    int turn, entry;
+} Source;
+
+struct KeaFactor {
+    int numNodes, numEdges;
+    int *size, *offset; /* by node */
+    int (*edges)[2];
+    int *node; /* by turn */
+    int *start;
+    Entry *entry; /* of turn t: entry[start[t] .. start[t + 1]) */
+    int *sourceStart;
+    Source *source;
+    int *place;          /* by turn: the entry of the column that is being made, scratch */
+    size_t *diagonalAt;  /* by node */
+    size_t *edgeAt;      /* by edge */
+    double *diagonal, *upperInput, *lowerInput;
+    double *pivot;       /* by node: the factors of the diagonal block */
+    int *exchange;       /* by unknown: the row exchanges within a block */
+    double *upper, *lower;
+    size_t diagonalSize, inputSize, factorSize;
+    double flops;
+    MeBool isSymmetric;
+    char *memory;
+};
+
+/* ---- creation ---- */
+
+static void layOut(KeaFactor *f, int numEntries, KeaArena *a) {
+    const size_t n = (size_t)f->numNodes, m = (size_t)f->numEdges, k = (size_t)numEntries;
+    f->size = kea_carve(a, n, sizeof(int));
+    f->offset = kea_carve(a, n + 1, sizeof(int));
+    f->edges = kea_carve(a, m, sizeof *f->edges);
+    f->node = kea_carve(a, n, sizeof(int));
+    f->start = kea_carve(a, n + 1, sizeof(int));
+    f->entry = kea_carve(a, k, sizeof *f->entry);
+    f->sourceStart = kea_carve(a, n + 1, sizeof(int));
+    f->source = kea_carve(a, k, sizeof *f->source);
+    f->place = kea_carve(a, n, sizeof(int));
+    f->diagonalAt = kea_carve(a, n, sizeof(size_t));
+    f->edgeAt = kea_carve(a, m, sizeof(size_t));
+}
+
+static void layOutNumbers(KeaFactor *f, size_t unknowns, KeaArena *a) {
+    f->diagonal = kea_carve(a, f->diagonalSize, sizeof(double));
+    f->upperInput = kea_carve(a, f->inputSize, sizeof(double));
+    f->lowerInput = kea_carve(a, f->inputSize, sizeof(double));
+    f->pivot = kea_carve(a, f->diagonalSize, sizeof(double));
+    f->exchange = kea_carve(a, unknowns, sizeof(int));
+    f->upper = kea_carve(a, f->factorSize, sizeof(double));
+    f->lower = kea_carve(a, f->factorSize, sizeof(double));
+}
+
+/* Sizes that follow from the structure; the work of a Cholesky factorization: the squares of its columns' lengths. */
+static int measure(KeaFactor *f, const KeaOrder *o, const int size[], const int (*edges)[2]) {
+    int entries = 0;
+    for (int i = 0; i < f->numNodes; i++) {
+        double length = 0;
+        for (int k = 0; k < o->degree[i]; k++) {
+            f->factorSize += (size_t)(size[i] * size[o->structure[i][k]]);
+            length += size[o->structure[i][k]];
+        }
+        for (int r = 0; r < size[i]; r++)
+            f->flops += (length + r + 1) * (length + r + 1);
+        f->diagonalSize += (size_t)(size[i] * size[i]);
+        entries += o->degree[i];
+    }
+    for (int e = 0; e < f->numEdges; e++)
+        f->inputSize += (size_t)(size[edges[e][0]] * size[edges[e][1]]);
+    return entries;
+}
+
+static void copyGraph(KeaFactor *f, const int size[], const int (*edges)[2]) {
+    size_t diagonal = 0, input = 0;
+    f->offset[0] = 0;
+    for (int i = 0; i < f->numNodes; i++) {
+        f->size[i] = size[i];
+        f->offset[i + 1] = f->offset[i] + size[i];
+        f->diagonalAt[i] = diagonal;
+        diagonal += (size_t)(size[i] * size[i]);
+    }
+    for (int e = 0; e < f->numEdges; e++) {
+        f->edges[e][0] = edges[e][0];
+        f->edges[e][1] = edges[e][1];
+        f->edgeAt[e] = input;
+        input += (size_t)(size[edges[e][0]] * size[edges[e][1]]);
+    }
+}
+
+/* Columns in the order of turns, rows by turn; place[] holds the turns of nodes meanwhile. */
+static void copyStructure(KeaFactor *f, const KeaOrder *o) {
+    size_t at = 0;
+    int n = 0;
+    for (int t = 0; t < f->numNodes; t++)
+        f->place[o->node[t]] = t;
+    for (int t = 0; t < f->numNodes; t++) {
+        const int i = f->node[t] = o->node[t];
+        f->start[t] = n;
+        for (int k = 0; k < o->degree[i]; k++) {
+            int hole = n++;
+            const int row = f->place[o->structure[i][k]];
+            for (; hole > f->start[t] && f->entry[hole - 1].row > row; hole--)
+                f->entry[hole] = f->entry[hole - 1];
+            f->entry[hole] = (Entry){.row = row, .edge = -1};
+        }
+        for (int e = f->start[t]; e < n; e++) {
+            f->entry[e].at = at;
+            at += (size_t)(f->size[i] * f->size[o->node[f->entry[e].row]]);
+        }
+    }
+    f->start[f->numNodes] = n;
+}
+
+static void placeEdges(KeaFactor *f) {
+    for (int e = 0; e < f->numEdges; e++) {
+        const int a = f->place[f->edges[e][0]], b = f->place[f->edges[e][1]];
+        const int column = a < b ? a : b, row = a < b ? b : a;
+        int low = f->start[column], high = f->start[column + 1] - 1;
+        while (low < high) {
+            const int middle = (low + high) / 2;
+            if (f->entry[middle].row < row)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        f->entry[low].edge = e;
+        f->entry[low].flip = a > b;
+    }
+}
+
+static void listSources(KeaFactor *f) {
+    memset(f->sourceStart, 0, (size_t)(f->numNodes + 1) * sizeof(int));
+    for (int e = 0; e < f->start[f->numNodes]; e++)
+        f->sourceStart[f->entry[e].row + 1]++;
+    for (int t = 0; t < f->numNodes; t++)
+        f->sourceStart[t + 1] += f->sourceStart[t];
+    memcpy(f->place, f->sourceStart, (size_t)f->numNodes * sizeof(int));
+    for (int t = 0; t < f->numNodes; t++)
+        for (int e = f->start[t]; e < f->start[t + 1]; e++)
+            f->source[f->place[f->entry[e].row]++] = (Source){t, e};
+}
+
+KeaFactor *kea_factorCreate(int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
+    KeaOrder o;
+    KeaFactor plan = {.numNodes = numNodes, .numEdges = numEdges};
+    if (!kea_orderCreate(&o, numNodes, size, numEdges, edges))
+        return NULL;
+    const int entries = measure(&plan, &o, size, edges);
+    size_t unknowns = 0;
+    for (int i = 0; i < numNodes; i++)
+        unknowns += (size_t)size[i];
+    KeaArena arena = {NULL, 0};
+    kea_carve(&arena, 1, sizeof plan);
+    layOut(&plan, entries, &arena);
+    layOutNumbers(&plan, unknowns, &arena);
+    char *memory = MeMemoryAPI.create(arena.used);
+    KeaFactor *f = (KeaFactor *)(void *)memory;
+    if (f) {
+        arena = (KeaArena){memory, 0};
+        kea_carve(&arena, 1, sizeof *f);
+        *f = plan;
+        layOut(f, entries, &arena);
+        layOutNumbers(f, unknowns, &arena);
+        copyGraph(f, size, edges);
+        copyStructure(f, &o);
+        placeEdges(f);
+        listSources(f);
+    }
+    kea_orderDestroy(&o);
+    return f;
+}
+
+void kea_factorDestroy(KeaFactor *f) {
+    MeMemoryAPI.destroy(f);
+}
+
+MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
+    return f->numNodes == numNodes && f->numEdges == numEdges &&
+           memcmp(f->size, size, (size_t)numNodes * sizeof(int)) == 0 &&
+           (numEdges == 0 || memcmp(f->edges, edges, (size_t)numEdges * sizeof *edges) == 0);
+}
+
+/* ---- the matrix ---- */
+
+void kea_factorClear(KeaFactor *f) {
+    memset(f->diagonal, 0, f->diagonalSize * sizeof(double));
+    memset(f->upperInput, 0, f->inputSize * sizeof(double));
+    memset(f->lowerInput, 0, f->inputSize * sizeof(double));
+}
+
+double *kea_factorDiagonal(KeaFactor *f, int node) {
+    return f->diagonal + f->diagonalAt[node];
+}
+
+double *kea_factorUpper(KeaFactor *f, int edge) {
+    return f->upperInput + f->edgeAt[edge];
+}
+
+double *kea_factorLower(KeaFactor *f, int edge) {
+    return f->lowerInput + f->edgeAt[edge];
+}
+
+int kea_factorOffset(const KeaFactor *f, int node) {
+    return f->offset[node];
+}
+
+double kea_factorFlops(const KeaFactor *f) {
+    return f->flops;
+}
+
+size_t kea_factorEntries(const KeaFactor *f) {
+    return f->diagonalSize + f->factorSize;
+}
+
+/* ---- blocks ---- */
+
+static inline void subtractProductOf(double *restrict C, const double *restrict X, const double *restrict Y, int inner,
+                                     int rows, int columns) {
+    for (int p = 0; p < inner; p++) {
+        for (int i = 0; i < rows; i++) {
+            const double x = X[p * rows + i];
+            for (int j = 0; j < columns; j++)
+                C[i * columns + j] -= x * Y[p * columns + j];
+        }
+    }
+}
+
+/* C -= Xᵀ Y; X has `inner` rows. */
+static void subtractProduct(double *C, const double *X, const double *Y, int inner, int rows, int columns) {
+    if (inner == 6 && rows == 6 && columns == 6)
+        subtractProductOf(C, X, Y, 6, 6, 6);
+    else if (inner == 3 && rows == 3 && columns == 3)
+        subtractProductOf(C, X, Y, 3, 3, 3);
+    else
+        subtractProductOf(C, X, Y, inner, rows, columns);
+}
+
+static void transpose(double *r, const double *a, int rows, int columns) {
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++)
+            r[j * rows + i] = a[i * columns + j];
+}
+
+/* D = Uᵀ U in place, the upper triangle; its diagonal is kept inverted. */
+static MeBool choleskyOf(double *D, int n, double least) {
+    for (int k = 0; k < n; k++) {
+        const double start = D[k * n + k];
+        double d = start;
+        for (int p = 0; p < k; p++)
+            d -= D[p * n + k] * D[p * n + k];
+        if (!(d > least * start))
+            return MEFALSE;
+        const double inverse = 1 / sqrt(d);
+        D[k * n + k] = inverse;
+        for (int j = k + 1; j < n; j++) {
+            double sum = D[k * n + j];
+            for (int p = 0; p < k; p++)
+                sum -= D[p * n + k] * D[p * n + j];
+            D[k * n + j] = sum * inverse;
+        }
+    }
+    return METRUE;
+}
+
+/* P D = L U in place, L with a unit diagonal; the diagonal of U is kept inverted. */
+static MeBool luOf(double *D, int n, int exchange[], double least) {
+    double largest = 0;
+    for (int i = 0; i < n * n; i++)
+        largest = fmax(largest, fabs(D[i]));
+    for (int k = 0; k < n; k++) {
+        int best = k;
+        for (int i = k + 1; i < n; i++)
+            best = fabs(D[i * n + k]) > fabs(D[best * n + k]) ? i : best;
+        exchange[k] = best;
+        if (!(fabs(D[best * n + k]) > least * largest))
+            return MEFALSE;
+        for (int j = 0; j < n && best != k; j++) {
+            const double t = D[k * n + j];
+            D[k * n + j] = D[best * n + j];
+            D[best * n + j] = t;
+        }
+        const double inverse = 1 / D[k * n + k];
+        for (int i = k + 1; i < n; i++) {
+            const double factor = D[i * n + k] *= inverse;
+            for (int j = k + 1; j < n; j++)
+                D[i * n + j] -= factor * D[k * n + j];
+        }
+        D[k * n + k] = inverse;
+    }
+    return METRUE;
+}
+
+static inline void divideUpperOf(double *restrict B, const double *restrict D, int n, int columns) {
+    for (int r = 0; r < n; r++) {
+        for (int p = 0; p < r; p++) {
+            const double u = D[p * n + r];
+            for (int j = 0; j < columns; j++)
+                B[r * columns + j] -= u * B[p * columns + j];
+        }
+        for (int j = 0; j < columns; j++)
+            B[r * columns + j] *= D[r * n + r];
+    }
+}
+
+/* B := U⁻ᵀ B, U the upper triangle of D with its diagonal inverted. */
+static void divideUpper(double *B, const double *D, int n, int columns) {
+    if (n == 6 && columns == 6)
+        divideUpperOf(B, D, 6, 6);
+    else
+        divideUpperOf(B, D, n, columns);
+}
+
+/* B := L⁻¹ P B. */
+static void divideLower(double *B, const double *D, const int exchange[], int n, int columns) {
+    for (int r = 0; r < n; r++) {
+        for (int j = 0; j < columns && exchange[r] != r; j++) {
+            const double t = B[r * columns + j];
+            B[r * columns + j] = B[exchange[r] * columns + j];
+            B[exchange[r] * columns + j] = t;
+        }
+    }
+    for (int r = 0; r < n; r++)
+        for (int p = 0; p < r; p++)
+            for (int j = 0; j < columns; j++)
+                B[r * columns + j] -= D[r * n + p] * B[p * columns + j];
+}
+
+/* ---- factorization ---- */
+
+static int sizeOfRow(const KeaFactor *f, const Entry *e) {
+    return f->size[f->node[e->row]];
+}
+
+static void loadColumn(KeaFactor *f, int t) {
+    const int j = f->node[t], n = f->size[j];
+    memcpy(f->pivot + f->diagonalAt[j], f->diagonal + f->diagonalAt[j], (size_t)(n * n) * sizeof(double));
+    for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+        const Entry *e = &f->entry[k];
+        const int m = sizeOfRow(f, e);
+        const size_t bytes = (size_t)(n * m) * sizeof(double);
+        f->place[e->row] = k;
+        if (e->edge < 0) {
+            memset(f->upper + e->at, 0, bytes);
+            if (!f->isSymmetric)
+                memset(f->lower + e->at, 0, bytes);
+            continue;
+        }
+        const double *upper = f->upperInput + f->edgeAt[e->edge], *lower = f->lowerInput + f->edgeAt[e->edge];
+        /* the block of rows j, columns i; of the symmetric matrix it is the transpose of the given one if flipped */
+        if (!e->flip)
+            memcpy(f->upper + e->at, upper, bytes);
+        else if (f->isSymmetric)
+            transpose(f->upper + e->at, upper, m, n);
+        else
+            memcpy(f->upper + e->at, lower, bytes);
+        if (!f->isSymmetric)
+            transpose(f->lower + e->at, e->flip ? upper : lower, m, n);
+    }
+}
+
+static void gather(KeaFactor *f, int t) {
+    const int j = f->node[t], n = f->size[j];
+    const double *left = f->isSymmetric ? f->upper : f->lower;
+    for (int s = f->sourceStart[t]; s < f->sourceStart[t + 1]; s++) {
+        const int k = f->source[s].turn, first = f->source[s].entry, inner = f->size[f->node[k]];
+        const Entry *own = &f->entry[first];
+        subtractProduct(f->pivot + f->diagonalAt[j], left + own->at, f->upper + own->at, inner, n, n);
+        for (int e = first + 1; e < f->start[k + 1]; e++) {
+            const Entry *other = &f->entry[e], *target = &f->entry[f->place[other->row]];
+            const int m = sizeOfRow(f, other);
+            subtractProduct(f->upper + target->at, left + own->at, f->upper + other->at, inner, n, m);
+            if (!f->isSymmetric)
+                subtractProduct(f->lower + target->at, f->upper + own->at, f->lower + other->at, inner, n, m);
+        }
+    }
+}
+
+static MeBool divide(KeaFactor *f, int t, double least) {
+    const int j = f->node[t], n = f->size[j];
+    double *D = f->pivot + f->diagonalAt[j];
+    int *exchange = f->exchange + f->offset[j];
+    if (!(f->isSymmetric ? choleskyOf(D, n, least) : luOf(D, n, exchange, least)))
+        return MEFALSE;
+    for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+        const Entry *e = &f->entry[k];
+        const int m = sizeOfRow(f, e);
+        if (f->isSymmetric) {
+            divideUpper(f->upper + e->at, D, n, m);
+        } else {
+            divideLower(f->upper + e->at, D, exchange, n, m);
+            divideUpper(f->lower + e->at, D, n, m);
+        }
+    }
+    return METRUE;
+}
+
+static MeBool factorize(KeaFactor *f, double least) {
+    for (int t = 0; t < f->numNodes; t++) {
+        loadColumn(f, t);
+        gather(f, t);
+        if (!divide(f, t, least))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+MeBool kea_factorCholesky(KeaFactor *f, double least) {
+    f->isSymmetric = METRUE;
+    return factorize(f, least);
+}
+
+MeBool kea_factorLU(KeaFactor *f, double least) {
+    f->isSymmetric = MEFALSE;
+    return factorize(f, least);
+}
+
+/* ---- solution ---- */
+
+/* x_i -= Xᵀ x_j. */
+static void subtractTransposed(double *xi, const double *X, const double *xj, int n, int m) {
+    for (int p = 0; p < n; p++)
+        for (int i = 0; i < m; i++)
+            xi[i] -= X[p * m + i] * xj[p];
+}
+
+static void solveUpper(const double *D, double *x, int n) {
+    for (int r = n - 1; r >= 0; r--) {
+        for (int p = r + 1; p < n; p++)
+            x[r] -= D[r * n + p] * x[p];
+        x[r] *= D[r * n + r];
+    }
+}
+
+static void forward(const KeaFactor *f, double x[]) {
+    const double *left = f->isSymmetric ? f->upper : f->lower;
+    for (int t = 0; t < f->numNodes; t++) {
+        const int j = f->node[t], n = f->size[j];
+        const double *D = f->pivot + f->diagonalAt[j];
+        double *xj = x + f->offset[j];
+        if (f->isSymmetric)
+            divideUpper(xj, D, n, 1);
+        else
+            divideLower(xj, D, f->exchange + f->offset[j], n, 1);
+        for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+            const Entry *e = &f->entry[k];
+            subtractTransposed(x + f->offset[f->node[e->row]], left + e->at, xj, n, sizeOfRow(f, e));
+        }
+    }
+}
+
+static void backward(const KeaFactor *f, double x[]) {
+    for (int t = f->numNodes - 1; t >= 0; t--) {
+        const int j = f->node[t], n = f->size[j];
+        double *xj = x + f->offset[j];
+        for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+            const Entry *e = &f->entry[k];
+            const double *U = f->upper + e->at, *xi = x + f->offset[f->node[e->row]];
+            const int m = sizeOfRow(f, e);
+            for (int p = 0; p < n; p++)
+                for (int i = 0; i < m; i++)
+                    xj[p] -= U[p * m + i] * xi[i];
+        }
+        solveUpper(f->pivot + f->diagonalAt[j], xj, n);
+    }
+}
+
+void kea_factorSolve(const KeaFactor *f, double x[]) {
+    forward(f, x);
+    backward(f, x);
+}
