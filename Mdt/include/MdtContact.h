@@ -56,6 +56,12 @@ MEPUBLIC void MEAPI MdtContactGetNormal(const MdtContactID c, MeVector3 v);
 /** m; positive where the bodies overlap, negative for a gap, which the contact lets the bodies close and no more. */
 MEPUBLIC void MEAPI MdtContactSetPenetration(const MdtContactID c, const MeReal p);
 MEPUBLIC MeReal MEAPI MdtContactGetPenetration(const MdtContactID c);
+/**
+ * m, >= 0: the surface of the body of this side is a sphere of that radius there, and rolls on; 0, the default: it is a
+ * corner, an edge or a face, which turns with the body. Matters only within a step that is divided.
+ */
+MEPUBLIC void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius);
+MEPUBLIC MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyindex);
 /** The primary direction, at right angles to the normal (the part along the normal is taken off). Needed only where
  *  friction differs with direction; else one is chosen. The secondary direction is normal x primary. */
 MEPUBLIC void MEAPI MdtContactSetDirection(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);

@@ -143,8 +143,23 @@ MEPUBLIC void MEAPI MdtWorldResetForces(const MdtWorldID w);
 /** The world's density of 1 massScale per lengthScale cubed, kg/m³. */
 MEPUBLIC MeReal MEAPI MdtWorldGetDefaultDensity(const MdtWorldID w);
 
-/** @name The cap on a partition's pivoting iterations. 0, the default, leaves it to Kea.
- *  When it stops a solve short, the forces are within their bounds, but inexact, and a warning says so.
+/**
+ * Into how many equal parts a step divides itself, 1..1000, by default 1. Collision is not asked in between, loads and
+ * contacts stay; epsilon and gamma keep their meaning for the whole step. Errors fall with the square of the number.
+ */
+MEPUBLIC void MEAPI MdtWorldSetSubSteps(const MdtWorldID w, const int n);
+MEPUBLIC int MEAPI MdtWorldGetSubSteps(const MdtWorldID w);
+
+/**
+ * Partitions of up to this many bodies that only touch, without joints, meet their contacts in time: bodies move with
+ * their mean velocities, and a step is divided where bodies collide or come to stick. By default 8; 0: none. Larger
+ * partitions take each step at once, which is right to first order and never gains energy.
+ */
+MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies);
+MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
+
+/** @name The cap on the Newton iterations of a partition's solve (Karma: pivoting iterations). 0, the default, leaves it
+ *  to Kea. When it stops a solve short, the forces are within their bounds, but inexact, and a warning says so.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi);
 MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);

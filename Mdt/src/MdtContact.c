@@ -119,6 +119,17 @@ MeReal MEAPI MdtContactGetPenetration(const MdtContactID c) {
     return contact ? (MeReal)contact->penetration : 0;
 }
 
+void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius) {
+    MdtBclContact *contact = contactOf(c, __func__);
+    if (contact && mdt_isSide(__func__, bodyindex) && mdt_isAtLeast(__func__, "the radius", radius, 0))
+        contact->radius[bodyindex] = radius;
+}
+
+MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyindex) {
+    const MdtBclContact *contact = contactOf(c, __func__);
+    return contact && mdt_isSide(__func__, bodyindex) ? (MeReal)contact->radius[bodyindex] : 0;
+}
+
 void MEAPI MdtContactSetDirection(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
     MdtBclContact *contact = contactOf(c, __func__);
     double direction[3];

@@ -86,6 +86,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     MeChunkInit(&w->scratch, 16);
     w->keaCache = MdtKeaCacheCreate();
     w->timedBodies = MDT_TIMED_BODIES;
+    w->subSteps = 1;
     if (!allocateParts(w, maxBodies, maxConstraints)) {
         freeWorld(w);
         MeFatalError(0, "MdtWorldCreate: no memory for %u bodies and %u constraints", maxBodies, maxConstraints);
@@ -303,6 +304,35 @@ MeReal MEAPI MdtWorldGetDefaultDensity(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
     const MeReal l = w->params.lengthScale;
     return w->params.massScale / (l * l * l);
+}
+
+static MeBool isCount(const char *caller, int n, int least, int most) {
+    if (n >= least && n <= most)
+        return METRUE;
+    MeWarning(1, "%s: %d is not between %d and %d; nothing is changed", caller, n, least, most);
+    return MEFALSE;
+}
+
+void MEAPI MdtWorldSetSubSteps(const MdtWorldID w, const int n) {
+    MDT_NEED_WORLD(w, );
+    if (isCount(__func__, n, 1, 1000))
+        w->subSteps = n;
+}
+
+int MEAPI MdtWorldGetSubSteps(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 1);
+    return w->subSteps;
+}
+
+void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies) {
+    MDT_NEED_WORLD(w, );
+    if (isCount(__func__, bodies, 0, INT_MAX))
+        w->timedBodies = bodies;
+}
+
+int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->timedBodies;
 }
 
 void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi) {

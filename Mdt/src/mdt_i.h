@@ -213,6 +213,7 @@ struct MdtWorld {
     MdtPartitionParams rest;
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
+    int subSteps;
     int timedBodies;                      /* most bodies of a partition whose contacts are met in time */
     int maxMatrixSize;                    /* rows of a partition */
     MdtContactImportanceCBPtr importance; /* null: depth */

@@ -109,7 +109,7 @@ static void subtractWorldVelocity(MdtConstraintID c, MdtKeaRow *row) {
         if (row->body[k] == MdtBclNO_BODY)
             rate += keaDot(row->J[k].lin, c->worldVelocity.lin) + keaDot(row->J[k].ang, c->worldVelocity.ang);
     row->target -= rate;
-    row->rebound -= rate;
+    row->drift -= rate;
 }
 
 /* Once when a joint comes there, not at every step that it stays. */
@@ -407,17 +407,17 @@ static MeBool takePart(Partition *p, void *scratch, double part, int halvings) {
     return integratePart(p);
 }
 
-/* The step of a partition whose contacts are met in time: up to the next event, and on. When there are too many of
+/* A part of the step of a partition whose contacts are met in time: up to the next event, and on. When there are too many of
  * them, the rest is taken as it is elsewhere. */
-static MeBool takeInTime(Partition *p, void *scratch) {
+static MeBool takeInTime(Partition *p, void *scratch, double part) {
     enum { MAX_EVENTS = 8 };
     const double least = 1e-9;
-    double rest = p->h;
-    for (int events = 0; rest > least * p->h; events++) {
+    double rest = part;
+    for (int events = 0; rest > least * part; events++) {
         p->kea.parameters.timed = events < MAX_EVENTS;
         solvePart(p, scratch, rest);
         if (p->kea.parameters.timed && p->kea.report.event < rest * (1 - least))
-            solvePart(p, scratch, fmax(p->kea.report.event, least * p->h));
+            solvePart(p, scratch, fmax(p->kea.report.event, least * part));
         rest -= p->parameters.stepsize;
         if (!integratePart(p))
             return MEFALSE;
@@ -430,7 +430,17 @@ static MeBool isTimed(const Partition *p) {
     if (p->numBodies > p->world->timedBodies || p->numConstraints == 0)
         return MEFALSE;
     for (int i = 0; i < p->numConstraints; i++)
-        if (p->constraints[i]->type != MdtBclTypeOf(MdtBclCONTACT))
+        if (p->constraints[i]->type != MdtBclTypeOf(MdtBclCONTACT) &&
+            p->constraints[i]->type != MdtBclTypeOf(MdtBclCONTACTGROUP))
+            return MEFALSE;
+    return METRUE;
+}
+
+static MeBool takeSubSteps(Partition *p, void *scratch) {
+    const int n = p->world->subSteps;
+    const MeBool timed = isTimed(p);
+    for (int i = 0; i < n; i++)
+        if (!(timed ? takeInTime(p, scratch, p->h / n) : takePart(p, scratch, p->h / n, 0)))
             return MEFALSE;
     return METRUE;
 }
@@ -448,7 +458,7 @@ static void stepPartition(Partition *p) {
     packBodies(p);
     rememberVelocities(p, start);
     clearForces(p);
-    if (isTimed(p) ? takeInTime(p, scratch) : takePart(p, scratch, p->h, 0))
+    if (takeSubSteps(p, scratch))
         unpackBodies(p, start);
     MeChunkPutMem(&p->world->scratch, scratch);
 }

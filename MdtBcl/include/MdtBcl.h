@@ -48,9 +48,10 @@ typedef struct MdtBclContact {
     double normal[3];    /**< unit, the way the first body is pushed */
     double direction[3]; /**< unit, primary direction, at right angles to the normal */
     double penetration;  /**< m, positive: overlap; negative: gap */
+    double radius[2];    /**< m, of the spheres that the two surfaces are there; 0: a corner, an edge, a face */
     MdtBclContactParams params;
     /* Kept by the library. */
-    double anchor[2][3]; /**< m, the surface points of the two bodies, in the frames of their centres of mass */
+    double anchor[2][3]; /**< m, the surface points of the two bodies, or the centres of the spheres, in their frames */
     double point[3];     /**< m, position, and */
     double depth;        /**< m, penetration: as set, then carried along with the bodies through a divided step */
     double normalForce;  /**< N, of the last step */

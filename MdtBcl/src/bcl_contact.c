@@ -44,14 +44,15 @@ static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, con
     row->contact = x->firstRow;
 }
 
-/* At the start of a step the contact is as its maker set it: the surface points lie half the depth on either side. */
+/* At the start of a step the contact is as its maker set it: the surface points lie half the depth on either side. What
+ * moves with a body is the point, or, of a round surface, the centre of its sphere. */
 static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
     keaCopy(contact->point, contact->position);
     contact->depth = contact->penetration;
     for (int k = 0; k < 2; k++) {
         double arm[3];
         keaSubtract(arm, contact->point, x->pose[k]->pos);
-        keaAddScaled(arm, (k == 0 ? -0.5 : 0.5) * contact->depth, contact->normal);
+        keaAddScaled(arm, (k == 0 ? 1 : -1) * (contact->radius[k] - 0.5 * contact->depth), contact->normal);
         keaApplyTransposed(contact->anchor[k], x->pose[k]->R, arm);
     }
 }
@@ -62,6 +63,7 @@ static void carryContact(MdtBclContact *contact, const MdtBclContext *x) {
     for (int k = 0; k < 2; k++) {
         keaApply(p[k], x->pose[k]->R, contact->anchor[k]);
         keaAddScaled(p[k], 1, x->pose[k]->pos);
+        keaAddScaled(p[k], (k == 0 ? -1 : 1) * contact->radius[k], contact->normal);
     }
     keaSubtract(between, p[1], p[0]);
     contact->depth = keaDot(contact->normal, between);

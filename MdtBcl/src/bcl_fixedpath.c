@@ -46,7 +46,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     bcl_pointRows(c, x, rows);
     for (int i = 0; i < 3; i++)
-        rows[i].target -= c->of.path.start[i];
+        rows[i].target -= c->of.path.start[i], rows[i].drift -= c->of.path.start[i];
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {

@@ -69,7 +69,8 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     for (int i = 0; i < 3; i++) {
         bcl_alongRow(c, x, axes[i], 1, &rows[i]);
         bcl_aimAtZero(&rows[i], x, keaDot(axes[i], d));
-        rows[3 + i].target += r->way[i] / x->parameters.stepsize;
+        rows[3 + i].drift = r->way[i] / x->parameters.stepsize;
+        rows[3 + i].target += rows[3 + i].drift;
         rows[i].upper = bcl_boundOf(r->linear[i]);
         rows[i].lower = -rows[i].upper;
         rows[3 + i].upper = bcl_boundOf(r->angular[i]) / fmax(keaLength(rows[3 + i].J[0].ang), 1e-3);

@@ -106,6 +106,7 @@ typedef struct MdtKeaRow {
     double arm[2][3]; /**< m, where a position or spring row pulls, from the centre of mass; 0 for an angular row */
     double error;     /**< φ, m: how far the bodies are from obeying the row (position rows, springs, contacts) */
     double target;    /**< s, m/s: the velocity that the row aims at */
+    double drift;     /**< m/s: the part of the target that takes no error away: attachments, or the world, that move */
     double rebound;   /**< m/s: the velocity at the end of the step of a stop or contact that was hit, >= 0 */
     double softness;  /**< E, 1/kg: ε, or the row's own compliance */
     double lower;     /**< N, -HUGE_VAL where there is none */

@@ -467,8 +467,10 @@ double kea_problemError(KeaProblem *q) {
 void kea_problemRenewRadii(KeaProblem *q, double share) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
-        if (row->normal >= 0)
-            row->radius += share * (row->friction * fmax(q->row[row->normal].p, 0) - row->radius);
+        if (row->normal < 0)
+            continue;
+        const double bound = row->friction * fmax(q->row[row->normal].p, 0);
+        row->radius = share < 1 && row->radius < HUGE_VAL ? row->radius + share * (bound - row->radius) : bound;
     }
 }
 

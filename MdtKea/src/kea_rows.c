@@ -117,6 +117,11 @@ static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
 }
 
+/* Of a contact that has not carried anything yet friction holds at first: if it slides, this is what tells where to. */
+static double firstBound(const KeaProblemRow *normal, const MdtKeaRow *row) {
+    return normal->p > 0 ? row->friction * normal->p : HUGE_VAL;
+}
+
 void kea_beginRows(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     for (int i = 0; i < s->numRows; i++) {
@@ -135,7 +140,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->isElsewhere = row->position;
         p->isForced = row->isForced;
         p->forced = row->forced;
-        p->radius = row->normal >= 0 ? row->friction * fmax(s->work->problem.row[row->normal].p, 0) : 0;
+        p->radius = row->normal >= 0 ? firstBound(&s->work->problem.row[row->normal], row) : 0;
     }
     chooseTheta(s);
 }
@@ -205,19 +210,34 @@ static void springRow(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProblemRow
     p->N = 0;
 }
 
+/* A row's A_ii without lever arms, so that joints that share a load share it evenly. */
+static double ownSize(const MdtKeaSystem *s, const KeaProblemRow *p) {
+    double sum = 0;
+    for (int k = 0; k < 2; k++)
+        if (p->body[k] >= 0)
+            sum += keaDot(p->J[k], p->J[k]) / s->work->problem.metric[p->body[k]].linear;
+    return sum > 0 ? sum : p->size;
+}
+
 static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize;
     p->E = row->softness;
     p->r = row->target - (s->work->errors[i] - row->error) / h;
-    p->N = (isOneSided(row) ? rigidLimit : rigidJoint) * p->size;
+    p->N = (isOneSided(row) ? rigidLimit : rigidJoint) * ownSize(s, p);
+}
+
+/* A contact that is met in time keeps no velocity from being pushed apart (kea_project does that), but a soft one sinks
+ * only until γ of its overlap balances its load. */
+static double timedTarget(const MdtKeaRow *row, const KeaProblemRow *p) {
+    return row->drift + fmin(fmax(row->target - row->drift, 0), row->softness * fmax(p->p, 0));
 }
 
 static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p, int pass) {
     const MdtKeaRow *row = &s->rows[i];
     const double theta = thetaOf(s, row);
     p->E = theta * row->softness;
-    p->r = theta * ((s->parameters.timed && row->contact == i ? 0 : row->target) - kea_endRate(s, i));
+    p->r = theta * ((s->parameters.timed && row->contact == i ? timedTarget(row, p) : row->target) - kea_endRate(s, i));
     p->N = (row->contact >= 0 ? rigidContact[pass < 5 ? pass : 5] : rigidLimit) * p->size;
 }
 

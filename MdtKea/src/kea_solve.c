@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { MAX_PASSES = 12, FREEZE = 6 };
+enum { MAX_PASSES = 16, HALVE = 6, FREEZE = 12 };
 static const double positionTolerance = 1e-10; /* of a row's size */
 static const double velocityTolerance = 1e-9;  /* of the partition's speed */
 static const double momentumTolerance = 1e2;   /* of what the inner problem tolerates */
@@ -64,8 +64,8 @@ static void takePass(MdtKeaSystem *s) {
 static void solvePass(MdtKeaSystem *s, int pass) {
     KeaProblem *q = &s->work->problem;
     const MeBool isFrozen = pass >= FREEZE && q->counts.stuck > 0;
-    if (!isFrozen)
-        kea_problemRenewRadii(q, q->counts.stuck > 0 ? 0.5 : 1);
+    if (!isFrozen && pass > 0)
+        kea_problemRenewRadii(q, pass < HALVE ? 1 : 0.5);
     q->counts.freezes += isFrozen;
     if (!kea_problemSolve(q, !isFrozen))
         q->counts.stuck++;
@@ -148,9 +148,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
         if (s->parameters.timed)
             solveInTime(s);
         setFree(s);
-        if (s->parameters.timed)
-            kea_project(s);
-        else
+        if (!s->parameters.timed)
             kea_velocityStage(s);
         returnForces(s);
         s->report.iterations = q->counts.iterations;
@@ -158,4 +156,6 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
         s->report.freezes = q->counts.freezes;
     }
     kea_moveFreely(s);
+    if (s->parameters.timed && s->numRows > 0)
+        kea_project(s);
 }

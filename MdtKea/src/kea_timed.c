@@ -34,7 +34,7 @@ static double rateOf(const MdtKeaSystem *s, int i) {
         if (row->body[k] >= 0)
             rate += keaDot(row->J[k].lin, s->velocity[row->body[k]].lin) +
                     keaDot(row->J[k].ang, s->velocity[row->body[k]].ang);
-    return row->contact == i ? rate + row->target : rate;
+    return row->contact == i ? rate + row->target - row->drift : rate;
 }
 
 /* m/s: by how much the loads change speeds in a step; without loads, a little of the speeds. */
@@ -84,7 +84,7 @@ static double firstImpact(const MdtKeaSystem *s) {
         const MdtKeaRow *row = &s->rows[i];
         if (row->contact != i || !row->isOpen)
             continue;
-        const double a = rateOf(s, i), b = (kea_endRate(s, i) - a) / h;
+        const double a = rateOf(s, i), b = (kea_endRate(s, i) - row->drift - a) / h;
         first = fmin(first, timeOfFall(row->error, a, b));
     }
     return first;
@@ -222,7 +222,8 @@ static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesP
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &q->row[i];
         p->isOff = s->rows[i].contact < 0 || !takesPart[s->rows[i].contact] || p->size == 0;
-        p->p = p->p0 = p->radius = 0;
+        p->p = p->p0 = 0;
+        p->radius = HUGE_VAL;
         p->Jd = 0;
         p->r = (s->rows[i].contact == i ? wanted[i] : 0) - rateOf(s, i);
     }
@@ -236,7 +237,8 @@ static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesP
         for (int i = 0; i < s->numRows; i++)
             if (q->row[i].partner > i)
                 q->row[i].N = q->row[q->row[i].partner].N = fmax(q->row[i].N, q->row[q->row[i].partner].N);
-        kea_problemRenewRadii(q, 1);
+        if (pass > 0)
+            kea_problemRenewRadii(q, pass < 6 ? 1 : 0.5);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, change);
         const double residual = kea_problemResidual(q);
@@ -370,8 +372,13 @@ static MeBool mustBeMovedOut(const MdtKeaSystem *s, int i, double *error) {
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             size = fmin(size, s->work->body[row->body[k]].size);
-    *error = row->error + 0.5 * s->parameters.stepsize * (rateOf(s, i) + kea_endRate(s, i));
+    *error = row->error + 0.5 * s->parameters.stepsize * (rateOf(s, i) + kea_endRate(s, i) - row->drift);
     return row->contact == i && !row->isOpen && *error < -touches * size;
+}
+
+/* What a soft contact keeps of γ times its overlap. */
+static double sagOf(const MdtKeaSystem *s, int i) {
+    return s->parameters.stepsize * s->rows[i].softness * s->work->problem.row[i].p;
 }
 
 static void displace(MdtKeaSystem *s) {
@@ -409,8 +416,8 @@ void kea_project(MdtKeaSystem *s) {
     MeBool isNeeded = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         s->work->takesPart[i] = mustBeMovedOut(s, i, &error);
-        wanted[i] = s->work->takesPart[i] ? -s->parameters.gamma * error : 0;
-        isNeeded = isNeeded || s->work->takesPart[i];
+        wanted[i] = s->work->takesPart[i] ? fmax(-s->parameters.gamma * error - sagOf(s, i), 0) : 0;
+        isNeeded = isNeeded || wanted[i] > 0;
     }
     if (!isNeeded)
         return;

@@ -35,20 +35,15 @@ static MeBool isOneSided(const MdtKeaRow *row) {
     return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
 }
 
-/* What the target of a joint asks for besides taking its error away: attachments, or the world, that move. */
-static double drift(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    return row->target + s->parameters.gamma * row->error / s->parameters.stepsize;
-}
-
 /* The joint's error goes on to be taken away at the same rate: what γ leaves of it, φ⁺ = (1 - γ) φ, asks for γ φ / h. */
 static void jointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
-    const double gamma = s->parameters.gamma, h = s->parameters.stepsize, moves = drift(s, row);
-    p->r = moves;
+    const double gamma = s->parameters.gamma, h = s->parameters.stepsize;
+    p->r = row->drift;
     if (gamma >= 1)
         return;
     p->E = row->softness / (1 - gamma);
-    p->r -= gamma * (s->work->errors[i] - h * moves) / ((1 - gamma) * h);
+    p->r -= gamma * (s->work->errors[i] - h * row->drift) / ((1 - gamma) * h);
 }
 
 /* The row's law for the velocity, as what is to be added to the one at the end. */
@@ -62,7 +57,7 @@ static void setRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     if (row->spring || p->size == 0)
         p->isOff = METRUE;
     else if (isStop)
-        p->r = row->rebound;
+        p->r = row->drift + row->rebound;
     else if (row->position)
         jointLaw(s, i, p);
     else
@@ -132,7 +127,7 @@ static MeBool mayBeNeeded(const MdtKeaSystem *s) {
 static MeBool mustBe(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if ((s->work->problem.row[i].p > 0 && s->rows[i].bounces) ||
-            (s->rows[i].position && !isOneSided(&s->rows[i]) && drift(s, &s->rows[i]) != 0))
+            (s->rows[i].position && !isOneSided(&s->rows[i]) && s->rows[i].drift != 0))
             return METRUE;
     return MEFALSE;
 }
