@@ -14,6 +14,14 @@ static inline double keaDot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/** The larger, and the smaller, of two numbers; unlike fmax and fmin they are no calls. */
+static inline double keaMax(double a, double b) {
+    return a > b ? a : b;
+}
+static inline double keaMin(double a, double b) {
+    return a < b ? a : b;
+}
+
 static inline double keaLength(const double a[3]) {
     return sqrt(keaDot(a, a));
 }

@@ -43,6 +43,7 @@ typedef struct MdtKeaWork {
     KeaEnd *end;
     MdtKeaTransformation *endPose, *meanPose; /* by body */
     double *errors;                           /* by row: φ at the end */
+    MdtKeaJBlockPair *keptJ;                  /* by row */
     double (*added)[6];                       /* by body: what the velocity stage has found */
     double (*plastic)[6], *wanted, speed;     /* of impacts */
     char *takesPart;
@@ -59,6 +60,8 @@ void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double
 /* The inertia tensor, and its inverse, in world axes at orientation q. */
 void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]);
 void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double inverse[3][3]);
+/* The smallest eigenvalue of a symmetric matrix. */
+double kea_leastEigenvalue(const double S[3][3]);
 /* Eigenvalues of a symmetric matrix, left on the diagonal of S, and eigenvectors, as the columns of V. */
 void kea_eigen(double S[3][3], double V[3][3]);
 
@@ -86,6 +89,9 @@ void kea_invert(double inverse[3][3], const double M[3][3]);
 void kea_beginRows(MdtKeaSystem *s);
 /* Jacobians at these poses. */
 void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[]);
+/* Keeps the rows' Jacobians while others take their place, and brings them back. */
+void kea_keepRows(MdtKeaSystem *s);
+void kea_recallRows(MdtKeaSystem *s);
 /* What each row still asks for; after kea_linearizeBodies. */
 void kea_linearizeRows(MdtKeaSystem *s, int pass);
 /* The largest error of a position row, relative to its size. */

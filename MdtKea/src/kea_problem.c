@@ -162,7 +162,7 @@ static void setForces(KeaProblem *q, double step, MeBool coupled) {
             continue;
         }
         if (coupled)
-            row->radius = row->friction * fmax(q->row[row->normal].p, 0);
+            row->radius = row->friction * keaMax(q->row[row->normal].p, 0);
         if (row->isForced) {
             row->p = row->forced * row->radius;
             row->state = KEA_SLIPS;
@@ -170,7 +170,7 @@ static void setForces(KeaProblem *q, double step, MeBool coupled) {
             q->row[row->partner].radius = row->radius;
             setCone(row, &q->row[row->partner]);
         } else if (row->partner < 0) {
-            row->p = clampTo(row->y, fmax(row->lower, -row->radius), fmin(row->upper, row->radius), &row->state);
+            row->p = clampTo(row->y, keaMax(row->lower, -row->radius), keaMin(row->upper, row->radius), &row->state);
             if (row->state == KEA_IDLE && fabs(row->p) >= row->radius)
                 row->state = KEA_SLIPS;
         }
@@ -202,8 +202,8 @@ static double gradientError(KeaProblem *q, double step) {
     }
     for (int b = 0; b < q->numBodies; b++) {
         const double *g = q->gradient[b];
-        const double size = fmax(keaLength(g), keaLength(g + 3) / q->length[b]);
-        worst = fmax(worst, size / (q->allowed[b] + DBL_MIN));
+        const double size = keaMax(keaLength(g), keaLength(g + 3) / q->length[b]);
+        worst = keaMax(worst, size / (q->allowed[b] + DBL_MIN));
     }
     return worst;
 }
@@ -340,6 +340,8 @@ static double slopeAt(KeaProblem *q, double constant, double linear, double step
 /* Where the derivative vanishes, to a thousandth of what it was: mostly the full step. */
 static double bestStep(KeaProblem *q) {
     double constant = 0, linear = 0, Bd[6];
+    if (!q->hasBounds)
+        return 1;
     for (int b = 0; b < q->numBodies; b++) {
         applyMetric(Bd, &q->metric[b], q->d[b]);
         addScaled6(Bd, 1, q->load[b]);
@@ -383,6 +385,8 @@ static MeBool solveConvex(KeaProblem *q) {
         const double step = bestStep(q);
         take(q, step);
         setForces(q, 0, MEFALSE);
+        if (!q->hasBounds)
+            return METRUE; /* it was linear */
     }
     return gradientError(q, 0) < 1e5;
 }
@@ -420,9 +424,9 @@ static double radiusError(const KeaProblem *q) {
         const KeaProblemRow *row = &q->row[i];
         if (row->normal < 0 || row->isOff)
             continue;
-        const double wanted = row->friction * fmax(q->row[row->normal].p, 0);
+        const double wanted = row->friction * keaMax(q->row[row->normal].p, 0);
         if (row->state == KEA_SLIPS || hypot(row->p, row->partner >= 0 ? q->row[row->partner].p : 0) > wanted)
-            worst = fmax(worst, fabs(row->radius - wanted) / (wanted + 1e-3 * fabs(q->row[row->normal].p) + DBL_MIN));
+            worst = keaMax(worst, fabs(row->radius - wanted) / (wanted + 1e-3 * fabs(q->row[row->normal].p) + DBL_MIN));
     }
     return worst;
 }
@@ -469,7 +473,7 @@ void kea_problemRenewRadii(KeaProblem *q, double share) {
         KeaProblemRow *row = &q->row[i];
         if (row->normal < 0)
             continue;
-        const double bound = row->friction * fmax(q->row[row->normal].p, 0);
+        const double bound = row->friction * keaMax(q->row[row->normal].p, 0);
         row->radius = share < 1 && row->radius < HUGE_VAL ? row->radius + share * (bound - row->radius) : bound;
     }
 }
@@ -491,7 +495,7 @@ void kea_problemCarryOn(KeaProblem *q, double (*total)[6]) {
 
 static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
     const KeaProblemRow *other = &q->row[row->partner];
-    const double radius = row->friction * fmax(q->row[row->normal].p, 0);
+    const double radius = row->friction * keaMax(q->row[row->normal].p, 0);
     const double a = row->p - slip[0] / row->size, b = other->p - slip[1] / row->size, size = hypot(a, b);
     const double share = size > radius ? radius / size : 1;
     return row->size * hypot(row->p - share * a, other->p - share * b);
@@ -504,8 +508,8 @@ double kea_problemResidual(const KeaProblem *q) {
         if (row->isOff || row->isElsewhere || row->size == 0)
             continue;
         if (row->isForced) {
-            const double wanted = row->forced * row->friction * fmax(q->row[row->normal].p, 0);
-            worst = fmax(worst, row->size * fabs(row->p - wanted));
+            const double wanted = row->forced * row->friction * keaMax(q->row[row->normal].p, 0);
+            worst = keaMax(worst, row->size * fabs(row->p - wanted));
         }
         if (row->isForced || (row->partner >= 0 && row->partner < i))
             continue;
@@ -515,13 +519,13 @@ double kea_problemResidual(const KeaProblem *q) {
                                                            q->row[row->partner].r
                                                      : 0};
         if (row->partner >= 0) {
-            worst = fmax(worst, conePart(q, row, missing));
+            worst = keaMax(worst, conePart(q, row, missing));
             continue;
         }
-        const double bound = row->normal >= 0 ? row->friction * fmax(q->row[row->normal].p, 0) : HUGE_VAL;
-        const double wanted = fmin(fmax(row->p - missing[0] / row->size, fmax(row->lower, -bound)),
-                                   fmin(row->upper, bound));
-        worst = fmax(worst, row->size * fabs(row->p - wanted));
+        const double bound = row->normal >= 0 ? row->friction * keaMax(q->row[row->normal].p, 0) : HUGE_VAL;
+        const double wanted = keaMin(keaMax(row->p - missing[0] / row->size, keaMax(row->lower, -bound)),
+                                   keaMin(row->upper, bound));
+        worst = keaMax(worst, row->size * fabs(row->p - wanted));
     }
     return worst;
 }

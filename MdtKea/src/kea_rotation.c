@@ -189,6 +189,20 @@ void kea_eigen(double S[3][3], double V[3][3]) {
     }
 }
 
+/* Trigonometric solution of the characteristic equation (Smith 1961). */
+double kea_leastEigenvalue(const double S[3][3]) {
+    const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
+    const double a = S[0][0] - mean, b = S[1][1] - mean, c = S[2][2] - mean;
+    const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
+    const double p = sqrt((a * a + b * b + c * c + 2 * off) / 6);
+    if (!(p > 0))
+        return mean;
+    const double det = a * (b * c - S[1][2] * S[1][2]) - S[0][1] * (S[0][1] * c - S[1][2] * S[0][2]) +
+                       S[0][2] * (S[0][1] * S[1][2] - b * S[0][2]);
+    const double r = keaMax(-1, keaMin(1, det / (2 * p * p * p)));
+    return mean + 2 * p * cos(acos(r) / 3 + 2.094395102393195492);
+}
+
 static MeBool isSymmetricAndFinite(const double inertia[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {

@@ -11,6 +11,7 @@
  * velocity row, which would not be symmetric otherwise.
  */
 #include "kea_i.h"
+#include <string.h>
 
 /* The method's own softness, relative to the row's A_ii. With less, contacts that come and go take more iterations; with
  * more, heavy bodies on light ones take more passes. */
@@ -42,8 +43,8 @@ static MeBool isWithinReach(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double size = 0;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
-            size = fmax(size, s->work->body[row->body[k]].size);
-    const double speed = fmin(rateOf(s, row, s->velocity), rateOf(s, row, s->predicted));
+            size = keaMax(size, s->work->body[row->body[k]].size);
+    const double speed = keaMin(rateOf(s, row, s->velocity), rateOf(s, row, s->predicted));
     return row->force != 0 || row->lower < 0 || row->error < nearby * size ||
            row->error + 1.5 * s->parameters.stepsize * speed < 0;
 }
@@ -58,7 +59,7 @@ static double thetaOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double theta = 0.5;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
-            theta = fmax(theta, s->work->body[row->body[k]].theta);
+            theta = keaMax(theta, s->work->body[row->body[k]].theta);
     return theta;
 }
 
@@ -135,7 +136,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->lower = h * row->lower;
         p->upper = h * row->upper;
         p->isOff = isIdle(s, row);
-        p->p = p->p0 = p->isOff ? 0 : fmin(fmax(h * row->force, p->lower), p->upper);
+        p->p = p->p0 = p->isOff ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
         p->isElsewhere = row->position;
         p->isForced = row->isForced;
@@ -178,6 +179,16 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[]) {
         s->jacobians(s->context, poses);
     for (int i = 0; i < s->numRows; i++)
         copyJacobian(&s->work->problem.row[i], &s->rows[i]);
+}
+
+void kea_keepRows(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        memcpy(s->work->keptJ[i], s->rows[i].J, sizeof s->rows[i].J);
+}
+
+void kea_recallRows(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        memcpy(s->rows[i].J, s->work->keptJ[i], sizeof s->rows[i].J);
 }
 
 double kea_endRate(const MdtKeaSystem *s, int i) {
@@ -230,7 +241,7 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
 /* A contact that is met in time keeps no velocity from being pushed apart (kea_project does that), but a soft one sinks
  * only until γ of its overlap balances its load. */
 static double timedTarget(const MdtKeaRow *row, const KeaProblemRow *p) {
-    return row->drift + fmin(fmax(row->target - row->drift, 0), row->softness * fmax(p->p, 0));
+    return row->drift + keaMin(keaMax(row->target - row->drift, 0), row->softness * keaMax(p->p, 0));
 }
 
 static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p, int pass) {
@@ -296,8 +307,8 @@ double kea_positionError(MdtKeaSystem *s) {
         const double missing = h * (p->r - p->E * p->p);
         if ((p->p >= p->upper && missing > 0) || (p->p <= p->lower && missing < 0))
             continue;
-        s->report.error = fmax(s->report.error, fabs(missing));
-        worst = fmax(worst, fabs(missing) / (sizeOfRow(s, row) + 1e-300));
+        s->report.error = keaMax(s->report.error, fabs(missing));
+        worst = keaMax(worst, fabs(missing) / (sizeOfRow(s, row) + 1e-300));
     }
     return worst;
 }

@@ -33,7 +33,7 @@ static void toPrincipal(const MdtKeaBody *body, const double q[4], double axes[3
 }
 
 static MeBool hasEqualMoments(const double I[3]) {
-    const double most = fmax(I[0], fmax(I[1], I[2])), least = fmin(I[0], fmin(I[1], I[2]));
+    const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
     return most - least < 1e-9 * most;
 }
 
@@ -77,7 +77,7 @@ void kea_beginBodies(MdtKeaSystem *s) {
         const MdtKeaBody *body = s->bodies[i];
         KeaBody *b = &s->work->body[i];
         const double *I = body->moments;
-        b->size = sqrt(fmax(I[0], fmax(I[1], I[2])) * body->invMass);
+        b->size = sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
         b->isFree = METRUE;
         fromAngular(body, b);
         q->scale[i] = b->scale = scaleOf(body, b, b->size);
@@ -190,15 +190,18 @@ static void addStiffness(double K[3][3], const double P[3], const double r[3], d
             K[i][j] += 0.5 * h * ((i == j ? Pr : 0) - 0.5 * (r[i] * P[j] + r[j] * P[i]));
 }
 
-static void clampPositive(double K[3][3]) {
+/* What is negative by less than `harmless` may stay: it is Newton's own. */
+static void clampPositive(double K[3][3], double harmless) {
     double V[3][3], S[3][3];
+    if (kea_leastEigenvalue((const double(*)[3])K) > -harmless)
+        return;
     memcpy(S, K, sizeof S);
     kea_eigen(S, V);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j <= i; j++) {
             double sum = 0;
             for (int k = 0; k < 3; k++)
-                sum += V[i][k] * fmax(S[k][k], 0) * V[j][k];
+                sum += V[i][k] * keaMax(S[k][k], 0) * V[j][k];
             K[i][j] = K[j][i] = sum;
         }
     }
@@ -208,7 +211,7 @@ static double largest(const double K[3][3]) {
     double most = 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            most = fmax(most, fabs(K[i][j]));
+            most = keaMax(most, fabs(K[i][j]));
     return most;
 }
 
@@ -244,11 +247,11 @@ static void gatherStiffness(MdtKeaSystem *s) {
 
 /* A stiffness that is small against the inertia is left out: Newton's method converges as well without. */
 static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
-    const double *I = body->moments, negligible = 0.01 * fmin(I[0], fmin(I[1], I[2])) / b->theta;
+    const double *I = body->moments, least = keaMin(I[0], keaMin(I[1], I[2])) / b->theta;
     double inertia[3][3];
     meanInertia(body, b, inertia);
-    if (largest((const double(*)[3])B->angular) > negligible)
-        clampPositive(B->angular);
+    if (largest((const double(*)[3])B->angular) > 0.01 * least)
+        clampPositive(B->angular, 0.5 * least);
     else
         memset(B->angular, 0, sizeof B->angular);
     B->linear = 1 / (body->invMass * b->theta);

@@ -13,9 +13,9 @@
 #include <stdlib.h>
 
 enum { MAX_PASSES = 16, HALVE = 6, FREEZE = 12 };
-static const double positionTolerance = 1e-10; /* of a row's size */
+static const double positionTolerance = 3e-9;  /* of a row's size */
 static const double velocityTolerance = 1e-9;  /* of the partition's speed */
-static const double momentumTolerance = 1e2;   /* of what the inner problem tolerates */
+static const double momentumTolerance = 2e3;   /* of what the inner problem tolerates */
 static const double looseTolerance = 1e5;      /* times these: good enough when passes have run out */
 
 typedef struct Errors {
@@ -29,7 +29,7 @@ static double speedOf(const MdtKeaSystem *s) {
         const KeaBody *b = &s->work->body[i];
         double change[3];
         keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
-        speed = fmax(speed, keaLength(change) + 0.1 * keaLength(b->freeVelocity) +
+        speed = keaMax(speed, keaLength(change) + 0.1 * keaLength(b->freeVelocity) +
                                 0.1 * b->size * keaLength(s->predicted[i].ang));
     }
     return speed + 1e-300;
@@ -49,7 +49,7 @@ static Errors errorsOf(MdtKeaSystem *s, double speed) {
     e.position = kea_positionError(s) / positionTolerance;
     e.velocity = kea_problemResidual(&s->work->problem) / (velocityTolerance * speed);
     e.momentum = kea_problemError(&s->work->problem) / momentumTolerance;
-    e.worst = fmax(e.position, fmax(e.momentum, e.velocity));
+    e.worst = keaMax(e.position, keaMax(e.momentum, e.velocity));
     return e;
 }
 
@@ -129,7 +129,7 @@ static void solveInTime(MdtKeaSystem *s) {
             solveMotion(s);
         }
     }
-    s->report.event = fmin(event, h);
+    s->report.event = keaMin(event, h);
 }
 
 void MEAPI MdtKeaSolve(MdtKeaSystem *s) {

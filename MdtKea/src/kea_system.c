@@ -19,6 +19,7 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->endPose = kea_carve(arena, n, sizeof *work->endPose);
     work->meanPose = kea_carve(arena, n, sizeof *work->meanPose);
     work->errors = kea_carve(arena, m, sizeof(double));
+    work->keptJ = kea_carve(arena, m, sizeof *work->keptJ);
     work->added = kea_carve(arena, n, sizeof *work->added);
     work->plastic = kea_carve(arena, n, sizeof *work->plastic);
     work->wanted = kea_carve(arena, 2 * m, sizeof(double));
@@ -94,27 +95,27 @@ static MeBool isInRange(const double *v, int n) {
 }
 
 static MeBool mayCommit(const MdtKeaBody *body, const KeaEnd *end) {
-    double w[3];
     if (!isInRange(end->position, 3) || !isInRange(end->quaternion, 4) || !isInRange(end->velocity, 3) ||
         !isInRange(end->angularMomentum, 3))
         return MEFALSE;
-    kea_angularVelocity(body, end->quaternion, end->angularMomentum, w);
-    return isInRange(w, 3);
+    const double *I = body->moments; /* |w| <= |L| / the least moment */
+    return keaLength(end->angularMomentum) / keaMin(I[0], keaMin(I[1], I[2])) <= (double)MEINFINITY;
 }
 
-static void noteAcceleration(MdtKeaBody *body, const KeaEnd *end, double h) {
-    double before[3], after[3];
-    MdtKeaBodyGetAngularVelocity(body, before);
-    kea_angularVelocity(body, end->quaternion, end->angularMomentum, after);
+/* `start` becomes the velocity at the end. */
+static void noteAcceleration(MdtKeaBody *body, MdtKeaVelocity *start, double h) {
+    double w[3];
+    MdtKeaBodyGetAngularVelocity(body, w);
     for (int i = 0; i < 3; i++) {
-        body->acceleration[i] = (end->velocity[i] - body->velocity[i]) / h;
-        body->acceleration[3 + i] = (after[i] - before[i]) / h;
+        body->acceleration[i] = (body->velocity[i] - start->lin[i]) / h;
+        body->acceleration[3 + i] = (w[i] - start->ang[i]) / h;
+        start->lin[i] = body->velocity[i];
+        start->ang[i] = w[i];
     }
 }
 
-static void commit(MdtKeaBody *body, const KeaEnd *end, double h) {
+static void commit(MdtKeaBody *body, const KeaEnd *end) {
     double w[3];
-    noteAcceleration(body, end, h);
     const MeBool steady = !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
     if (steady)
         kea_angularVelocity(body, body->quaternion, end->angularMomentum, w);
@@ -131,10 +132,9 @@ MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
         if (!mayCommit(s->bodies[i], &s->work->end[i]))
             return MEFALSE;
     for (int i = 0; i < s->numBodies; i++) {
-        commit(s->bodies[i], &s->work->end[i], s->parameters.stepsize);
+        commit(s->bodies[i], &s->work->end[i]);
+        noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
         s->pose[i] = s->work->endPose[i];
-        keaCopy(s->velocity[i].lin, s->bodies[i]->velocity);
-        MdtKeaBodyGetAngularVelocity(s->bodies[i], s->velocity[i].ang);
     }
     return METRUE;
 }

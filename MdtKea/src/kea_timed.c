@@ -43,17 +43,17 @@ static double loadSpeed(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++) {
         double dv[3];
         keaSubtract(dv, s->work->body[i].freeVelocity, s->bodies[i]->velocity);
-        change = fmax(change, keaLength(dv));
-        speed = fmax(speed, keaLength(s->bodies[i]->velocity) + s->work->body[i].size * keaLength(s->velocity[i].ang));
+        change = keaMax(change, keaLength(dv));
+        speed = keaMax(speed, keaLength(s->bodies[i]->velocity) + s->work->body[i].size * keaLength(s->velocity[i].ang));
     }
-    return fmax(change, 1e-6 * speed);
+    return keaMax(change, 1e-6 * speed);
 }
 
 static MeBool isTouching(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double size = HUGE_VAL;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
-            size = fmin(size, s->work->body[row->body[k]].size);
+            size = keaMin(size, s->work->body[row->body[k]].size);
     return row->error < touches * size;
 }
 
@@ -68,7 +68,7 @@ void kea_timedBegin(MdtKeaSystem *s) {
 
 /* When φ + a t + b t²/2 falls through zero; HUGE_VAL: never. */
 static double timeOfFall(double gap, double a, double b) {
-    gap = fmax(gap, 0);
+    gap = keaMax(gap, 0);
     const double root = a * a - 2 * b * gap;
     if (root < 0)
         return HUGE_VAL;
@@ -85,7 +85,7 @@ static double firstImpact(const MdtKeaSystem *s) {
         if (row->contact != i || !row->isOpen)
             continue;
         const double a = rateOf(s, i), b = (kea_endRate(s, i) - row->drift - a) / h;
-        first = fmin(first, timeOfFall(row->error, a, b));
+        first = keaMin(first, timeOfFall(row->error, a, b));
     }
     return first;
 }
@@ -147,7 +147,7 @@ static double firstStop(const MdtKeaSystem *s) {
         const Slip slip = slipOf(s, i);
         const double end = (slip.start[0] * slip.end[0] + slip.start[1] * slip.end[1]) / slip.size;
         if (end < slip.size)
-            first = fmin(first, h * slip.size / (slip.size - end));
+            first = keaMin(first, h * slip.size / (slip.size - end));
     }
     return first;
 }
@@ -155,7 +155,7 @@ static double firstStop(const MdtKeaSystem *s) {
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     const double gate = slides * loadSpeed(s);
     *mustRepeat = forceSlides(s, gate);
-    return fmin(firstImpact(s), firstStop(s));
+    return keaMin(firstImpact(s), firstStop(s));
 }
 
 void kea_releaseSlides(MdtKeaSystem *s) {
@@ -180,7 +180,7 @@ static void setMetric(MdtKeaSystem *s, int i) {
     B->linear = 1 / s->bodies[i]->invMass;
     kea_inertia(s->bodies[i], s->bodies[i]->quaternion, B->angular);
     kea_invert(B->inverse, (const double(*)[3])B->angular);
-    q->length[i] = sqrt(fmax(I[0], fmax(I[1], I[2])) * s->bodies[i]->invMass);
+    q->length[i] = sqrt(keaMax(I[0], keaMax(I[1], I[2])) * s->bodies[i]->invMass);
     q->scale[i] = B->linear * (keaLength(s->velocity[i].lin) + q->length[i] * keaLength(s->velocity[i].ang)) + 1e-300;
     memset(q->load[i], 0, sizeof q->load[i]);
 }
@@ -196,7 +196,7 @@ static void setRow(MdtKeaSystem *s, int i) {
     p->normal = row->normal;
     p->partner = row->partner;
     p->friction = row->friction;
-    p->lower = row->normal >= 0 ? -HUGE_VAL : fmin(s->parameters.stepsize * row->lower, 0);
+    p->lower = row->normal >= 0 ? -HUGE_VAL : keaMin(s->parameters.stepsize * row->lower, 0);
     p->upper = row->normal >= 0 ? HUGE_VAL : s->parameters.stepsize * row->upper;
     p->E = row->contact == i ? 0 : row->softness;
     p->p = p->p0 = 0;
@@ -233,10 +233,10 @@ static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesP
     }
     for (int pass = 0; pass < MAX_IMPACT_PASSES; pass++) {
         for (int i = 0; i < s->numRows; i++)
-            q->row[i].N = fmax(1e-4 * pow(10, -pass), 1e-9) * q->row[i].size;
+            q->row[i].N = keaMax(1e-4 * pow(10, -pass), 1e-9) * q->row[i].size;
         for (int i = 0; i < s->numRows; i++)
             if (q->row[i].partner > i)
-                q->row[i].N = q->row[q->row[i].partner].N = fmax(q->row[i].N, q->row[q->row[i].partner].N);
+                q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
         if (pass > 0)
             kea_problemRenewRadii(q, pass < 6 ? 1 : 0.5);
         kea_problemSolve(q, METRUE);
@@ -280,7 +280,7 @@ static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plasticChange)
     }
     c[0] = kineticEnergy(s) - before;
     const double root = c[1] * c[1] - 4 * c[0] * c[2];
-    const double a = c[2] > 0 && root > 0 ? fmin(fmax((-c[1] + sqrt(root)) / (2 * c[2]), 0), 1) : 0;
+    const double a = c[2] > 0 && root > 0 ? keaMin(keaMax((-c[1] + sqrt(root)) / (2 * c[2]), 0), 1) : 0;
     for (int b = 0; b < s->numBodies; b++) {
         for (int k = 0; k < 3; k++) {
             s->velocity[b].lin[k] += a * (elastic[b][k] - plasticChange[b][k]);
@@ -306,7 +306,7 @@ static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double
             continue;
         const double speed = -rateOf(s, i);
         takesPart[i] = speed > slowest;
-        if (takesPart[i] && row->restitution > 0 && speed > fmax(row->threshold, gate)) {
+        if (takesPart[i] && row->restitution > 0 && speed > keaMax(row->threshold, gate)) {
             wanted[i] = row->restitution * speed;
             rebounds = METRUE;
         }
@@ -347,14 +347,14 @@ void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
     const double gate = plastic * loadSpeed(s);
     s->work->speed = 0;
     for (int b = 0; b < s->numBodies; b++)
-        s->work->speed = fmax(s->work->speed, keaLength(s->velocity[b].lin));
+        s->work->speed = keaMax(s->work->speed, keaLength(s->velocity[b].lin));
     setProblem(s);
     if (!kea_problemBegin(&s->work->problem, s->cache))
         return;
     kea_problemMeasure(&s->work->problem);
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
-    const double slowest = fmax(1e-9 * loadSpeed(s), simultaneous * s->work->speed);
+    const double slowest = keaMax(1e-9 * loadSpeed(s), simultaneous * s->work->speed);
     for (int round = 0; round < MAX_ROUNDS && chooseMeeting(s, slowest, gate, wanted, takesPart); round++)
         takeRound(s, wanted, takesPart);
     touchAll(s, wanted, takesPart);
@@ -371,7 +371,7 @@ static MeBool mustBeMovedOut(const MdtKeaSystem *s, int i, double *error) {
     double size = HUGE_VAL;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
-            size = fmin(size, s->work->body[row->body[k]].size);
+            size = keaMin(size, s->work->body[row->body[k]].size);
     *error = row->error + 0.5 * s->parameters.stepsize * (rateOf(s, i) + kea_endRate(s, i) - row->drift);
     return row->contact == i && !row->isOpen && *error < -touches * size;
 }
@@ -416,7 +416,7 @@ void kea_project(MdtKeaSystem *s) {
     MeBool isNeeded = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         s->work->takesPart[i] = mustBeMovedOut(s, i, &error);
-        wanted[i] = s->work->takesPart[i] ? fmax(-s->parameters.gamma * error - sagOf(s, i), 0) : 0;
+        wanted[i] = s->work->takesPart[i] ? keaMax(-s->parameters.gamma * error - sagOf(s, i), 0) : 0;
         isNeeded = isNeeded || wanted[i] > 0;
     }
     if (!isNeeded)

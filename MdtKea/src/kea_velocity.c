@@ -26,7 +26,7 @@ static double loadSpeed(const MdtKeaSystem *s) {
         const KeaBody *b = &s->work->body[i];
         double change[3];
         keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
-        speed = fmax(speed, keaLength(change));
+        speed = keaMax(speed, keaLength(change));
     }
     return speed;
 }
@@ -97,7 +97,7 @@ static void setProblem(MdtKeaSystem *s) {
         setRow(s, i, &q->row[i]);
     for (int i = 0; i < s->numRows; i++)
         if (q->row[i].partner > i)
-            q->row[i].N = q->row[q->row[i].partner].N = fmax(q->row[i].N, q->row[q->row[i].partner].N);
+            q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
     setLoads(s);
 }
 
@@ -174,11 +174,12 @@ void kea_velocityStage(MdtKeaSystem *s) {
     if (!mayBeNeeded(s))
         return;
     const MeBool isHit = mustBe(s);
+    kea_keepRows(s);
     setProblem(s);
     const double start = kea_problemResidual(q);
     const MeBool isNeeded = isHit || start > calm * loadSpeed(s) || alternates(s, start);
     noteRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start);
-    kea_refreshRows(s, s->work->meanPose);
+    kea_recallRows(s);
 }
