@@ -1,179 +1,127 @@
-/* Random scenes of bodies tied by joints of all kinds, well or badly set up: whatever happens, every body stays finite,
- * and the same scene gives the same bits. */
-#include "scene.h"
+/* Stability as a property: none of 1000 random scenes (random_scene.h), all of them shaken, has a number that is not
+ * finite, an energy that grows without a motor, or a joint that stays open (random_judge.h).
+ *
+ *     test_Mdt_RandomScenes                       the tests
+ *     test_Mdt_RandomScenes --survey COUNT [FIRST] what goes wrong in so many seeds, and how often
+ *     test_Mdt_RandomScenes --seed SEED            one scene, step by step
+ */
+#include "random_judge.h"
 
-enum { BODIES = 6, JOINTS = 8 };
+/* A sanitizer makes a step ten times as long, so that build runs every tenth scene. */
+#ifdef __has_feature
+#if __has_feature(address_sanitizer)
+#define IS_SANITIZED
+#endif
+#endif
+#ifdef __SANITIZE_ADDRESS__
+#define IS_SANITIZED
+#endif
+#ifdef IS_SANITIZED
+enum { SCENES = 1000, STRIDE = 10 };
+#else
+enum { SCENES = 1000, STRIDE = 1 };
+#endif
 
-static unsigned long long seed;
+/* ---- the survey ---- */
 
-static double uniform(double from, double to) {
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return from + (to - from) * (double)(seed >> 11) / (double)(1ULL << 53);
+static void printFaults(FILE *file, const RandomVerdict *v) {
+    for (int i = 0; i < FAULTS; i++)
+        if (v->fault[i].is) {
+            fprintf(file, " | %s %.3g from step %d", random_faultName[i], v->fault[i].amount, v->fault[i].step);
+            if (i == FAULT_GAP)
+                fprintf(file, " (joint %d)", v->fault[i].joint);
+        }
+    fputc('\n', file);
 }
 
-/* One number after the other: the order in which a compiler evaluates arguments is its own. */
-static void vector(MeReal v[3], double size) {
-    for (int i = 0; i < 3; i++)
-        v[i] = (MeReal)uniform(-size, size);
+/* What the scene is, in the words of a table. */
+static void printScene(FILE *file, unsigned long long seed) {
+    static RandomScene s;
+    random_sceneMake(&s, seed);
+    fprintf(file, "seed %llu: 1/%.0f s, %s of %d%s%s%s, masses 1:%.2g, %.2g m/s", s.seed, 1 / s.step, s.topology,
+            s.bodies, s.isOneKind && s.joints > 0 ? " by " : "", s.isOneKind && s.joints > 0 ? s.joint[0].kind : "",
+            s.hasGround ? ", ground" : "", s.ratio, s.shaking);
+    random_sceneDestroy(&s);
 }
 
-static int pick(int n) {
-    return (int)uniform(0, n);
-}
-
-static MdtConstraintID makeJoint(MdtWorldID w, int kind) {
-    switch (kind) {
-    case 0:
-        return MdtBSJointQuaConstraint(MdtBSJointCreate(w));
-    case 1:
-        return MdtHingeQuaConstraint(MdtHingeCreate(w));
-    case 2:
-        return MdtPrismaticQuaConstraint(MdtPrismaticCreate(w));
-    case 3:
-        return MdtUniversalQuaConstraint(MdtUniversalCreate(w));
-    case 4:
-        return MdtAngular3QuaConstraint(MdtAngular3Create(w));
-    case 5:
-        return MdtCarWheelQuaConstraint(MdtCarWheelCreate(w));
-    case 6:
-        return MdtLinear1QuaConstraint(MdtLinear1Create(w));
-    case 7:
-        return MdtLinear2QuaConstraint(MdtLinear2Create(w));
-    case 8:
-        return MdtFixedPathQuaConstraint(MdtFixedPathCreate(w));
-    case 9:
-        return MdtRPROJointQuaConstraint(MdtRPROJointCreate(w));
-    case 10:
-        return MdtSpringQuaConstraint(MdtSpringCreate(w));
-    case 11:
-        return MdtSpring6QuaConstraint(MdtSpring6Create(w));
-    case 12:
-        return MdtConeLimitQuaConstraint(MdtConeLimitCreate(w));
-    case 13:
-        return MdtSkeletalQuaConstraint(MdtSkeletalCreate(w));
-    default:
-        return MdtFPFOJointQuaConstraint(MdtFPFOJointCreate(w));
-    }
-}
-
-enum { KINDS = 15 };
-
-static void setUp(MdtConstraintID c) {
-    MdtHingeID hinge = MdtConstraintDCastHinge(c);
-    MdtPrismaticID slider = MdtConstraintDCastPrismatic(c);
-    MdtSpring6ID springs = MdtConstraintDCastSpring6(c);
-    MdtConeLimitID cone = MdtConstraintDCastConeLimit(c);
-    MdtCarWheelID wheel = MdtConstraintDCastCarWheel(c);
-    if (hinge || slider) {
-        MdtLimitID limit = hinge ? MdtHingeGetLimit(hinge) : MdtPrismaticGetLimit(slider);
-        MdtSingleLimitID low = MdtLimitGetLowerLimit(limit), high = MdtLimitGetUpperLimit(limit);
-        MdtSingleLimitSetStop(low, (MeReal)uniform(-1, 0));
-        MdtSingleLimitSetStop(high, (MeReal)uniform(0, 1));
-        MdtSingleLimitSetRestitution(low, (MeReal)uniform(0, 1));
-        MdtSingleLimitSetStiffness(high, (MeReal)uniform(0, 1e4));
-        MdtLimitActivateLimits(limit, pick(2));
-    }
-    if (springs)
+static int survey(unsigned long long count, unsigned long long first) {
+    int bad = 0, failed[FAULTS] = {0}, grown[3] = {0}, open[3] = {0};
+    for (unsigned long long seed = first; seed < first + count; seed++) {
+        RandomVerdict v;
+        random_judge(seed, &v, NULL);
+        for (int i = 0; i < FAULTS; i++)
+            failed[i] += v.fault[i].is;
         for (int i = 0; i < 3; i++) {
-            MdtSpring6SetLinearStiffness(springs, i, (MeReal)uniform(0, 1e5));
-            MdtSpring6SetAngularStiffness(springs, i, (MeReal)uniform(0, 1e4));
-            MdtSpring6SetLinearDamping(springs, i, (MeReal)uniform(0, 10));
+            grown[i] += v.growth > pow(10, i - 2);
+            open[i] += v.gap > pow(10, i - 3);
         }
-    if (cone)
-        MdtConeLimitSetConeHalfAngle(cone, (MeReal)uniform(0, 3));
-    if (wheel) {
-        const double kp = uniform(0, 1e5), kd = uniform(0, 100), softness = uniform(0, .01);
-        MdtCarWheelSetSuspension(wheel, (MeReal)kp, (MeReal)kd, (MeReal)softness, (MeReal)-.3, (MeReal).3, 0);
+        if (random_worstFault(&v) < 0)
+            continue;
+        bad++;
+        printScene(stdout, seed);
+        printFaults(stdout, &v);
     }
+    printf("%d of %llu scenes failed:", bad, count);
+    for (int i = 0; i < FAULTS; i++)
+        printf(" %s %d%s", random_faultName[i], failed[i], i + 1 < FAULTS ? "," : "\n");
+    printf("energy grew by 1 %% in %d, 10 %% in %d, 100 %% in %d; ", grown[0], grown[1], grown[2]);
+    printf("a joint was ever open by 0.001 of the size in %d, 0.01 in %d, 0.1 in %d\n", open[0], open[1], open[2]);
+    return bad ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
-static MdtWorldID makeScene(unsigned long long number, MdtBodyID body[BODIES], MeBool fitting) {
-    seed = number * 7919 + 17;
-    MdtWorldID w = scene_world(BODIES, JOINTS, 0);
-    MdtWorldSetEpsilon(w, pick(2) ? 0 : (MeReal)1e-4);
-    for (int i = 0; i < BODIES; i++) {
-        MeReal at[3], turn[3], v[3], spin[3];
-        double edge[3];
-        for (int k = 0; k < 3; k++)
-            edge[k] = uniform(.2, 2);
-        const double mass = pow(10, uniform(-2, 3));
-        vector(at, 3);
-        vector(turn, 1);
-        vector(v, 3);
-        vector(spin, 5);
-        body[i] = scene_box(w, mass, edge, at[0], at[1], at[2]);
-        MdtBodySetQuaternion(body[i], 1, turn[0], turn[1], turn[2]);
-        MdtBodySetAngularVelocity(body[i], spin[0], spin[1], spin[2]);
-        MdtBodySetLinearVelocity(body[i], v[0], v[1], v[2]);
-    }
-    for (int i = 0; i < JOINTS; i++) {
-        const int a = pick(BODIES), b = pick(BODIES);
-        MdtConstraintID c = makeJoint(w, pick(KINDS));
-        MdtConstraintSetBodies(c, body[a], a == b ? 0 : body[b]);
-        if (fitting) {
-            MeReal at[3], axis[3];
-            vector(at, 2);
-            vector(axis, 1);
-            MdtConstraintSetPosition(c, at[0], at[1], at[2]);
-            MdtConstraintSetAxis(c, axis[0], axis[1], 1);
-        }
-        setUp(c);
-        MdtConstraintEnable(c);
-    }
-    return w;
+static int show(unsigned long long seed) {
+    RandomVerdict v;
+    random_judge(seed, &v, stdout);
+    printf("growth %.3g, widest gap %.3g (joint %d)", v.growth, v.gap, v.gapJoint);
+    printFaults(stdout, &v);
+    return random_worstFault(&v) < 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-static double energyOf(MdtBodyID body[BODIES]) {
-    double sum = 0;
-    for (int i = 0; i < BODIES; i++)
-        sum += MdtBodyGetKineticEnergy(body[i]);
-    return sum;
-}
+/* ---- the tests ---- */
 
-static MeBool isFiniteScene(MdtBodyID body[BODIES]) {
-    for (int i = 0; i < BODIES; i++) {
-        MeReal *tm = &MdtBodyGetTransformPtr(body[i])[0][0];
-        for (int k = 0; k < 16; k++)
-            if (!isfinite(tm[k]))
-                return MEFALSE;
+START_TEST(none_of_1000_random_scenes_goes_wrong) {
+    int bad = 0;
+    for (unsigned long long seed = 0; seed < SCENES; seed += STRIDE) {
+        RandomVerdict v;
+        random_judge(seed, &v, NULL);
+        if (random_worstFault(&v) < 0)
+            continue;
+        bad++;
+        printScene(stderr, seed);
+        printFaults(stderr, &v);
     }
-    return isfinite(energyOf(body));
-}
-
-START_TEST(scenes_that_do_not_fit_stay_finite) {
-    MdtBodyID body[BODIES];
-    messages_catch(); /* degenerate joints warn */
-    for (unsigned long long n = 0; n < 20; n++) {
-        MdtWorldID w = makeScene(n, body, MEFALSE);
-        for (int i = 0; i < 40; i++) {
-            MdtWorldStep(w, FRAME);
-            ck_assert_msg(isFiniteScene(body), "scene %llu is not finite after %d steps", n, i + 1);
-        }
-        MdtWorldDestroy(w);
-    }
-    messages_release();
+    ck_assert_msg(bad == 0, "%d scenes went wrong", bad);
 }
 END_TEST
 
 START_TEST(the_same_scene_gives_the_same_bits) {
-    MdtBodyID a[BODIES], b[BODIES];
+    static RandomScene s[2];
     messages_catch();
-    for (unsigned long long n = 500; n < 505; n++) {
-        MdtWorldID w[2] = {makeScene(n, a, METRUE), makeScene(n, b, METRUE)};
-        steps(w[0], 40, FRAME);
-        steps(w[1], 40, FRAME);
-        for (int i = 0; i < BODIES; i++)
-            ck_assert_mem_eq(MdtBodyGetTransformPtr(a[i]), MdtBodyGetTransformPtr(b[i]), sizeof(MeMatrix4));
-        MdtWorldDestroy(w[0]);
-        MdtWorldDestroy(w[1]);
+    for (unsigned long long seed = 500; seed < 510; seed++) {
+        for (int k = 0; k < 2; k++) {
+            random_sceneMake(&s[k], seed);
+            for (int i = 0; i < 40; i++)
+                random_sceneStep(&s[k], i);
+        }
+        for (int i = 0; i < s[0].bodies; i++)
+            ck_assert_mem_eq(MdtBodyGetTransformPtr(s[0].body[i].id), MdtBodyGetTransformPtr(s[1].body[i].id),
+                             sizeof(MeMatrix4));
+        for (int k = 0; k < 2; k++)
+            random_sceneDestroy(&s[k]);
     }
     messages_release();
 }
 END_TEST
 
 static void tests(TCase *t) {
-    tcase_add_test(t, scenes_that_do_not_fit_stay_finite);
+    tcase_add_test(t, none_of_1000_random_scenes_goes_wrong);
     tcase_add_test(t, the_same_scene_gives_the_same_bits);
 }
 
-TEST_MAIN("RandomScenes", tests)
+int main(int argc, char **argv) {
+    if (argc >= 3 && strcmp(argv[1], "--survey") == 0)
+        return survey(strtoull(argv[2], NULL, 10), argc > 3 ? strtoull(argv[3], NULL, 10) : 0);
+    if (argc == 3 && strcmp(argv[1], "--seed") == 0)
+        return show(strtoull(argv[2], NULL, 10));
+    return test_main("RandomScenes", tests);
+}
