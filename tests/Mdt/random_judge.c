@@ -1,24 +1,11 @@
 /* See random_judge.h. */
 #include "random_judge.h"
 
-const char *const random_faultName[FAULTS] = {"not finite", "energy", "motor", "gap", "sunk", "capped"};
+const char *const random_faultName[FAULTS] = {"not finite", "energy", "motor", "spike", "gap", "sunk", "capped"};
 
 typedef struct {
     double low, high, kinetic;
 } Energy;
-
-/* What the judge keeps of a scene under way. */
-typedef struct {
-    RandomScene scene;
-    RandomVerdict *verdict;
-    FILE *log;
-    int step;
-    double least, scale; /* J: the least energy since the last kick, motors' gifts included; what growth is of */
-    double stretch[RANDOM_JOINTS]; /* m, that epsilon allows */
-    double gap[RANDOM_JOINTS];     /* m */
-    int open[RANDOM_JOINTS];       /* steps */
-    int sunk[RANDOM_BODIES];       /* steps */
-} Judge;
 
 /* ---- what the library says ---- */
 
@@ -34,8 +21,8 @@ static void onWarning(const int level, const char *const format, va_list ap) {
 
 /* ---- verdicts ---- */
 
-static void blame(Judge *j, RandomFaultKind kind, double amount, int joint) {
-    RandomFault *f = &j->verdict->fault[kind];
+static void blame(RandomJudge *j, RandomFaultKind kind, double amount, int joint) {
+    RandomFault *f = &j->verdict.fault[kind];
     if (!f->is)
         f->step = j->step;
     if (!f->is || amount > f->amount) {
@@ -43,13 +30,6 @@ static void blame(Judge *j, RandomFaultKind kind, double amount, int joint) {
         f->joint = joint;
     }
     f->is = METRUE;
-}
-
-int random_worstFault(const RandomVerdict *verdict) {
-    for (int i = 0; i < FAULTS; i++)
-        if (verdict->fault[i].is)
-            return i;
-    return -1;
 }
 
 /* ---- finite ---- */
@@ -65,7 +45,7 @@ static MeBool isFiniteBody(const RandomBody *b) {
     return isfinite(keaDot(v, v) + keaDot(w, w));
 }
 
-static MeBool isFiniteScene(const Judge *j) {
+static MeBool isFiniteScene(const RandomJudge *j) {
     for (int i = 0; i < j->scene.bodies; i++)
         if (!isFiniteBody(&j->scene.body[i]))
             return MEFALSE;
@@ -112,15 +92,12 @@ static double stretchOf(const RandomScene *s, const RandomJoint *j, double befor
     return (1 - s->gamma) * before + s->step * s->step * s->epsilon * (keaLength(f) + j->size * keaLength(t));
 }
 
-static void judgeGap(Judge *j, int i, MeBool wasKicked) {
+static void judgeGap(RandomJudge *j, int i, MeBool wasKicked) {
     const RandomJoint *joint = &j->scene.joint[i];
     j->gap[i] = gapOf(joint);
     j->stretch[i] = stretchOf(&j->scene, joint, j->stretch[i]);
     const double size = joint->size, beyond = (j->gap[i] - j->stretch[i]) / size;
-    if (beyond > j->verdict->gap) {
-        j->verdict->gap = beyond;
-        j->verdict->gapJoint = i;
-    }
+    j->verdict.gap = fmax(j->verdict.gap, beyond);
     j->open[i] = beyond > RANDOM_GAP && !wasKicked ? j->open[i] + 1 : 0;
     if (j->open[i] >= RANDOM_PATIENCE)
         blame(j, FAULT_GAP, beyond, i);
@@ -128,7 +105,7 @@ static void judgeGap(Judge *j, int i, MeBool wasKicked) {
 
 /* ---- the ground ---- */
 
-static void judgeDepth(Judge *j, int i, MeBool wasKicked) {
+static void judgeDepth(RandomJudge *j, int i, MeBool wasKicked) {
     const RandomScene *s = &j->scene;
     const RandomBody *b = &s->body[i];
     double corner[8][3], depth = 0, mass = 0;
@@ -171,14 +148,14 @@ static void addSprings(RandomJoint *j, Energy *e) {
     keaCopy(j->store.strain, strain);
 }
 
-static void addStretch(const Judge *j, int i, Energy *e) {
+static void addStretch(const RandomJudge *j, int i, Energy *e) {
     const RandomScene *s = &j->scene;
     const double x = fmin(j->gap[i], j->stretch[i]);
     if (s->epsilon > 0)
         e->high += .5 * s->gamma / (s->epsilon * s->step * s->step) * x * x;
 }
 
-static Energy energyOf(Judge *j) {
+static Energy energyOf(RandomJudge *j) {
     RandomScene *s = &j->scene;
     Energy e = {0, 0, 0};
     for (int i = 0; i < s->bodies; i++)
@@ -213,24 +190,34 @@ static double scaleOf(const RandomScene *s, double kinetic) {
     return scale;
 }
 
-static void judgeEnergy(Judge *j, const Energy *e, MeBool wasKicked) {
+/* A growth that lasts is the least over its steps. */
+static void judgeGrowth(RandomJudge *j, double growth, RandomFaultKind kind) {
+    if (growth > RANDOM_SPIKE)
+        blame(j, FAULT_SPIKE, growth, -1);
+    j->lasting = j->grownFor > 0 ? fmin(j->lasting, growth) : growth;
+    j->grownFor = growth > RANDOM_GROWTH ? j->grownFor + 1 : 0;
+    if (j->grownFor < RANDOM_LASTING)
+        return;
+    j->verdict.growth = fmax(j->verdict.growth, j->lasting);
+    blame(j, kind, j->lasting, -1);
+}
+
+static void judgeEnergy(RandomJudge *j, const Energy *e, MeBool wasKicked) {
     const double power = powerOf(&j->scene);
     if (wasKicked) {
         j->least = e->high;
         j->scale = scaleOf(&j->scene, e->kinetic);
+        j->grownFor = 0;
         return;
     }
     j->least += j->scene.step * power;
-    const double growth = (e->low - j->least) / j->scale;
-    j->verdict->growth = fmax(j->verdict->growth, growth);
-    if (growth > RANDOM_GROWTH)
-        blame(j, power > 0 ? FAULT_MOTOR : FAULT_ENERGY, growth, -1);
+    judgeGrowth(j, (e->low - j->least) / j->scale, power > 0 ? FAULT_MOTOR : FAULT_ENERGY);
     j->least = fmin(j->least, e->high);
 }
 
 /* ---- a scene ---- */
 
-static void logStep(const Judge *j, const Energy *e, MeBool wasKicked) {
+static void logStep(const RandomJudge *j, const Energy *e, MeBool wasKicked) {
     int widest = 0;
     for (int i = 0; i < j->scene.joints; i++)
         if (j->gap[i] / j->scene.joint[i].size > j->gap[widest] / j->scene.joint[widest].size)
@@ -242,16 +229,8 @@ static void logStep(const Judge *j, const Energy *e, MeBool wasKicked) {
     fprintf(j->log, "%d contacts\n", j->scene.contacts);
 }
 
-static MeBool judgeStep(Judge *j) {
+static void judgeScene(RandomJudge *j, MeBool wasKicked) {
     RandomScene *s = &j->scene;
-    const MeBool wasKicked = random_sceneStep(s, j->step);
-    if (!isFiniteScene(j) || stopped) {
-        blame(j, FAULT_NOT_FINITE, 0, -1);
-        return MEFALSE;
-    }
-    if (capped)
-        blame(j, FAULT_CAPPED, 0, -1);
-    capped = 0;
     for (int i = 0; i < s->joints; i++)
         judgeGap(j, i, wasKicked);
     for (int i = 0; s->hasGround && i < s->bodies; i++)
@@ -260,23 +239,43 @@ static MeBool judgeStep(Judge *j) {
     judgeEnergy(j, &e, wasKicked);
     if (j->log)
         logStep(j, &e, wasKicked);
-    return METRUE;
 }
 
-void random_judge(unsigned long long seed, RandomVerdict *verdict, FILE *log) {
-    static Judge judge;
-    Judge *j = &judge;
-    MeHandler before = MeSetWarningHandler(onWarning);
+void random_judgeBegin(RandomJudge *j, unsigned long long seed, FILE *log) {
     memset(j, 0, sizeof *j);
-    memset(verdict, 0, sizeof *verdict);
-    stopped = capped = 0;
-    j->verdict = verdict;
     j->log = log;
     random_sceneMake(&j->scene, seed);
     if (log)
         random_sceneDescribe(&j->scene, log);
-    for (j->step = 0; j->step < j->scene.duration && judgeStep(j);)
-        j->step++;
-    random_sceneDestroy(&j->scene);
+}
+
+MeBool random_judgeStep(RandomJudge *j) {
+    stopped = capped = 0;
+    MeHandler before = MeSetWarningHandler(onWarning);
+    const MeBool wasKicked = random_sceneStep(&j->scene, j->step);
     MeSetWarningHandler(before);
+    if (capped)
+        blame(j, FAULT_CAPPED, capped, -1);
+    if (stopped || !isFiniteScene(j)) {
+        blame(j, FAULT_NOT_FINITE, stopped, -1);
+        return MEFALSE;
+    }
+    judgeScene(j, wasKicked);
+    return ++j->step < j->scene.duration;
+}
+
+void random_judgeEnd(RandomJudge *j) {
+    random_sceneDestroy(&j->scene);
+}
+
+MeBool random_judge(RandomJudge *j, unsigned long long seed, FILE *log) {
+    MeBool isGood = METRUE;
+    random_judgeBegin(j, seed, log);
+    while (random_judgeStep(j))
+        continue;
+    random_judgeEnd(j);
+    for (int i = 0; i < FAULTS; i++)
+        if (j->verdict.fault[i].is)
+            isGood = MEFALSE;
+    return isGood;
 }

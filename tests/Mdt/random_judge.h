@@ -2,8 +2,9 @@
  *
  *   not finite  a number of a body is not, or the library had to stop bodies because one was about to be.
  *   energy      without a motor, and since the last kick, the energy has grown by more than RANDOM_GROWTH of the scene's
- *               energy: the sum of m g size, and the kinetic energy after the kick. With motors it may also grow by what
- *               they can give, force times speed (motor).
+ *               energy, the sum of m g size and the kinetic energy after the kick, and stays so for RANDOM_LASTING steps.
+ *   motor       the same with motors, when it has grown by more than they can give: force times speed.
+ *   spike       the energy has grown by more than RANDOM_SPIKE, for however short.
  *   gap         a joint is further open than RANDOM_GAP of its smaller body's size, and what epsilon lets its force
  *               stretch it, in each of RANDOM_PATIENCE steps.
  *   sunk        a corner is deeper in the ground than RANDOM_DEPTH of its body's size, for as long.
@@ -19,6 +20,8 @@
 #include "random_scene.h"
 
 #define RANDOM_GROWTH   1e-2
+#define RANDOM_LASTING  10 /* steps */
+#define RANDOM_SPIKE    1e-1
 #define RANDOM_GAP      1e-3
 #define RANDOM_DEPTH    1e-2
 #define RANDOM_PATIENCE 30 /* steps */
@@ -27,6 +30,7 @@ typedef enum {
     FAULT_NOT_FINITE,
     FAULT_ENERGY,
     FAULT_MOTOR,
+    FAULT_SPIKE,
     FAULT_GAP,
     FAULT_SUNK,
     FAULT_CAPPED,
@@ -44,15 +48,31 @@ typedef struct {
 
 typedef struct {
     RandomFault fault[FAULTS];
-    double growth; /* the largest, of the scene's energy */
-    double gap;    /* the widest ever, of the size */
-    int gapJoint;
+    double growth; /* the largest that lasted, of the scene's energy */
+    double gap;    /* the widest ever, of the size, without what epsilon allows */
 } RandomVerdict;
 
-/* Makes the scene, runs it, and destroys it. With a log, every step gets a line. */
-void random_judge(unsigned long long seed, RandomVerdict *verdict, FILE *log);
+/* A scene under way. */
+typedef struct {
+    RandomScene scene;
+    RandomVerdict verdict;
+    FILE *log; /* gets a line for every step; may be null */
+    int step;
+    double least, scale;           /* J: the least energy since the last kick, motors' gifts included; what it is of */
+    int grownFor;                  /* steps */
+    double lasting;                /* the least growth of these */
+    double stretch[RANDOM_JOINTS]; /* m, that epsilon allows */
+    double gap[RANDOM_JOINTS];     /* m */
+    int open[RANDOM_JOINTS];       /* steps */
+    int sunk[RANDOM_BODIES];       /* steps */
+} RandomJudge;
 
-/* The first fault, or -1. */
-int random_worstFault(const RandomVerdict *verdict);
+void random_judgeBegin(RandomJudge *j, unsigned long long seed, FILE *log);
+/* False: it is over. */
+MeBool random_judgeStep(RandomJudge *j);
+void random_judgeEnd(RandomJudge *j);
+
+/* The whole of it. True: nothing went wrong. */
+MeBool random_judge(RandomJudge *j, unsigned long long seed, FILE *log);
 
 #endif

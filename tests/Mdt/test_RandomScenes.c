@@ -6,6 +6,7 @@
  *     test_Mdt_RandomScenes --seed SEED            one scene, step by step
  */
 #include "random_judge.h"
+#include <time.h>
 
 /* A sanitizer makes a step ten times as long, so that build runs every tenth scene. */
 #ifdef __has_feature
@@ -22,59 +23,103 @@ enum { SCENES = 1000, STRIDE = 10 };
 enum { SCENES = 1000, STRIDE = 1 };
 #endif
 
-/* ---- the survey ---- */
+/* A chain of balls in free air, without motors. */
+enum { GOOD_SEED = 228 };
 
-static void printFaults(FILE *file, const RandomVerdict *v) {
-    for (int i = 0; i < FAULTS; i++)
-        if (v->fault[i].is) {
-            fprintf(file, " | %s %.3g from step %d", random_faultName[i], v->fault[i].amount, v->fault[i].step);
-            if (i == FAULT_GAP)
-                fprintf(file, " (joint %d)", v->fault[i].joint);
-        }
+static RandomJudge judge;
+
+/* ---- words ---- */
+
+/* One line: the scene, and its faults. It still describes a scene that is over, but for its world. */
+static void printFaults(FILE *file, const RandomJudge *j) {
+    const RandomScene *s = &j->scene;
+    fprintf(file, "seed %llu: 1/%.0f s, %s of %d%s%s%s, epsilon %g, masses 1:%.2g, %.2g m/s", s->seed, 1 / s->step,
+            s->topology, s->bodies, s->isOneKind ? " by " : "", s->isOneKind ? s->joint[0].kind : "",
+            s->hasGround ? ", ground" : "", s->epsilon, s->ratio, s->shaking);
+    for (int i = 0; i < FAULTS; i++) {
+        const RandomFault *f = &j->verdict.fault[i];
+        if (!f->is)
+            continue;
+        fprintf(file, " | %s %.3g from step %d", random_faultName[i], f->amount, f->step);
+        if (f->joint >= 0)
+            fprintf(file, " (%s %d)", s->joint[f->joint].kind, f->joint);
+    }
     fputc('\n', file);
 }
 
-/* What the scene is, in the words of a table. */
-static void printScene(FILE *file, unsigned long long seed) {
-    static RandomScene s;
-    random_sceneMake(&s, seed);
-    fprintf(file, "seed %llu: 1/%.0f s, %s of %d%s%s%s, masses 1:%.2g, %.2g m/s", s.seed, 1 / s.step, s.topology,
-            s.bodies, s.isOneKind && s.joints > 0 ? " by " : "", s.isOneKind && s.joints > 0 ? s.joint[0].kind : "",
-            s.hasGround ? ", ground" : "", s.ratio, s.shaking);
-    random_sceneDestroy(&s);
+static int show(unsigned long long seed) {
+    const MeBool isGood = random_judge(&judge, seed, stdout);
+    printFaults(stdout, &judge);
+    return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+/* ---- the survey ---- */
+
+enum { SLOWEST = 5 };
+
+typedef struct {
+    int bad, failed[FAULTS];
+    int grown[4], open[4]; /* by more than so many powers of ten */
+    double seconds;
+    long bodySteps;
+    struct {
+        unsigned long long seed;
+        double microseconds; /* per body and step */
+    } slow[SLOWEST];
+} Survey;
+
+static void noteSpeed(Survey *v, const RandomScene *s, double seconds) {
+    double microseconds = 1e6 * seconds / (s->bodies * s->duration);
+    unsigned long long seed = s->seed;
+    v->seconds += seconds;
+    v->bodySteps += (long)s->bodies * s->duration;
+    for (int i = 0; i < SLOWEST; i++)
+        if (microseconds > v->slow[i].microseconds) {
+            const double m = v->slow[i].microseconds;
+            const unsigned long long other = v->slow[i].seed;
+            v->slow[i].microseconds = microseconds;
+            v->slow[i].seed = seed;
+            microseconds = m;
+            seed = other;
+        }
+}
+
+static void note(Survey *v, const RandomJudge *j, MeBool isGood) {
+    v->bad += !isGood;
+    for (int i = 0; i < FAULTS; i++)
+        v->failed[i] += j->verdict.fault[i].is;
+    for (int i = 0; i < 4; i++) {
+        v->grown[i] += j->verdict.growth > pow(10, i - 2);
+        v->open[i] += j->verdict.gap > pow(10, i - 3);
+    }
+}
+
+static void printSurvey(const Survey *v, unsigned long long count) {
+    printf("\n%d of %llu scenes went wrong:", v->bad, count);
+    for (int i = 0; i < FAULTS; i++)
+        printf(" %s %d%s", random_faultName[i], v->failed[i], i + 1 < FAULTS ? "," : "\n");
+    printf("energy grew, and stayed so, by 0.01 of itself in %d, 0.1 in %d, 1 in %d, 10 in %d\n", v->grown[0],
+           v->grown[1], v->grown[2], v->grown[3]);
+    printf("a joint was open, if only for a step, by 0.001 of its size in %d, 0.01 in %d, 0.1 in %d, 1 in %d\n",
+           v->open[0], v->open[1], v->open[2], v->open[3]);
+    printf("%.1f s, %.1f us per body and step; slowest:", v->seconds, 1e6 * v->seconds / (double)v->bodySteps);
+    for (int i = 0; i < SLOWEST; i++)
+        printf(" seed %llu %.0f us%s", v->slow[i].seed, v->slow[i].microseconds, i + 1 < SLOWEST ? "," : "\n");
 }
 
 static int survey(unsigned long long count, unsigned long long first) {
-    int bad = 0, failed[FAULTS] = {0}, grown[3] = {0}, open[3] = {0};
+    Survey v = {0};
     for (unsigned long long seed = first; seed < first + count; seed++) {
-        RandomVerdict v;
-        random_judge(seed, &v, NULL);
-        for (int i = 0; i < FAULTS; i++)
-            failed[i] += v.fault[i].is;
-        for (int i = 0; i < 3; i++) {
-            grown[i] += v.growth > pow(10, i - 2);
-            open[i] += v.gap > pow(10, i - 3);
-        }
-        if (random_worstFault(&v) < 0)
-            continue;
-        bad++;
-        printScene(stdout, seed);
-        printFaults(stdout, &v);
+        const clock_t start = clock();
+        const MeBool isGood = random_judge(&judge, seed, NULL);
+        noteSpeed(&v, &judge.scene, (double)(clock() - start) / CLOCKS_PER_SEC);
+        note(&v, &judge, isGood);
+        if (!isGood)
+            printFaults(stdout, &judge);
+        fflush(stdout);
     }
-    printf("%d of %llu scenes failed:", bad, count);
-    for (int i = 0; i < FAULTS; i++)
-        printf(" %s %d%s", random_faultName[i], failed[i], i + 1 < FAULTS ? "," : "\n");
-    printf("energy grew by 1 %% in %d, 10 %% in %d, 100 %% in %d; ", grown[0], grown[1], grown[2]);
-    printf("a joint was ever open by 0.001 of the size in %d, 0.01 in %d, 0.1 in %d\n", open[0], open[1], open[2]);
-    return bad ? EXIT_FAILURE : EXIT_SUCCESS;
-}
-
-static int show(unsigned long long seed) {
-    RandomVerdict v;
-    random_judge(seed, &v, stdout);
-    printf("growth %.3g, widest gap %.3g (joint %d)", v.growth, v.gap, v.gapJoint);
-    printFaults(stdout, &v);
-    return random_worstFault(&v) < 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    printSurvey(&v, count);
+    return v.bad ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
 /* ---- the tests ---- */
@@ -82,15 +127,50 @@ static int show(unsigned long long seed) {
 START_TEST(none_of_1000_random_scenes_goes_wrong) {
     int bad = 0;
     for (unsigned long long seed = 0; seed < SCENES; seed += STRIDE) {
-        RandomVerdict v;
-        random_judge(seed, &v, NULL);
-        if (random_worstFault(&v) < 0)
+        if (random_judge(&judge, seed, NULL))
             continue;
         bad++;
-        printScene(stderr, seed);
-        printFaults(stderr, &v);
+        printFaults(stderr, &judge);
     }
     ck_assert_msg(bad == 0, "%d scenes went wrong", bad);
+}
+END_TEST
+
+/* A joint that lets go, unknown to the judge. */
+START_TEST(the_judge_sees_an_open_joint) {
+    random_judgeBegin(&judge, GOOD_SEED, NULL);
+    do {
+        if (judge.step == judge.scene.duration - RANDOM_CALM)
+            MdtConstraintDisable(judge.scene.joint[0].id);
+    } while (random_judgeStep(&judge));
+    random_judgeEnd(&judge);
+    ck_assert(judge.verdict.fault[FAULT_GAP].is);
+    ck_assert_int_eq(judge.verdict.fault[FAULT_GAP].joint, 0);
+}
+END_TEST
+
+/* Velocities that grow by a thousandth a step, unknown to the judge. */
+START_TEST(the_judge_sees_energy_from_nowhere) {
+    random_judgeBegin(&judge, GOOD_SEED, NULL);
+    do {
+        for (int i = 0; i < judge.scene.bodies; i++) {
+            MdtBodyID b = judge.scene.body[i].id;
+            MeVector3 v, w;
+            MdtBodyGetLinearVelocity(b, v);
+            MdtBodyGetAngularVelocity(b, w);
+            const MeReal more = (MeReal)1.001;
+            MdtBodySetLinearVelocity(b, more * v[0], more * v[1], more * v[2]);
+            MdtBodySetAngularVelocity(b, more * w[0], more * w[1], more * w[2]);
+        }
+    } while (random_judgeStep(&judge));
+    random_judgeEnd(&judge);
+    ck_assert(judge.verdict.fault[FAULT_ENERGY].is);
+    ck_assert(!judge.verdict.fault[FAULT_GAP].is);
+}
+END_TEST
+
+START_TEST(the_judge_has_nothing_to_say_of_a_good_scene) {
+    ck_assert(random_judge(&judge, GOOD_SEED, NULL));
 }
 END_TEST
 
@@ -114,6 +194,9 @@ START_TEST(the_same_scene_gives_the_same_bits) {
 END_TEST
 
 static void tests(TCase *t) {
+    tcase_add_test(t, the_judge_has_nothing_to_say_of_a_good_scene);
+    tcase_add_test(t, the_judge_sees_an_open_joint);
+    tcase_add_test(t, the_judge_sees_energy_from_nowhere);
     tcase_add_test(t, none_of_1000_random_scenes_goes_wrong);
     tcase_add_test(t, the_same_scene_gives_the_same_bits);
 }
