@@ -706,8 +706,8 @@ static double leanOf(const RandomJoint *j) {
     return atan2(keaLength(across), keaDot(a, b));
 }
 
-static double distanceOf(const RandomJoint *j) {
-    double p[2][3], d[3], axis[3];
+static double distanceOf(RandomJoint *j) {
+    double p[2][3], *d = j->store.reach, axis[3];
     for (int k = 0; k < 2; k++)
         measure_pointOut(idOf(j->body[k]), j->store.at[k], p[k]);
     keaSubtract(d, p[0], p[1]);
@@ -739,7 +739,7 @@ static void turnOf(RandomJoint *j, double turn[3]) {
     keaScale(turn, sine > 0 ? (d[0] < 0 ? -angle : angle) / sine : 0, d + 1);
 }
 
-static double coordinateOf(const RandomJoint *j) {
+static double coordinateOf(RandomJoint *j) {
     switch (j->store.kind) {
     case STORE_ANGLE:
         return angleOf(j);
@@ -750,26 +750,24 @@ static double coordinateOf(const RandomJoint *j) {
     }
 }
 
+void random_strainAt(const RandomStore *store, double coordinate, double strain[3]) {
+    const MeBool isPlain = store->stop[0] == store->stop[1] && store->stiffness[0] == store->stiffness[1];
+    const double x = coordinate - store->stop[0], y = coordinate - store->stop[1];
+    strain[0] = isPlain ? x : fmin(x, 0);
+    strain[1] = isPlain ? 0 : fmax(y, 0);
+    strain[2] = 0;
+}
+
 void random_strainOf(RandomJoint *j, double strain[3], double stiffness[3]) {
     RandomStore *store = &j->store;
     keaZero(strain);
     for (int i = 0; i < 3; i++)
         stiffness[i] = store->stiffness[store->kind == STORE_TURN ? 0 : i == 1];
-    if (store->kind == STORE_NONE)
-        return;
     if (store->kind == STORE_TURN) {
         turnOf(j, strain);
-        return;
-    }
-    store->coordinate = coordinateOf(j);
-    strain[0] = store->coordinate - store->stop[0];
-    strain[1] = store->coordinate - store->stop[1];
-    const MeBool isPlain = store->stop[0] == store->stop[1] && store->stiffness[0] == store->stiffness[1];
-    if (isPlain)
-        strain[1] = 0;
-    else {
-        strain[0] = fmin(strain[0], 0);
-        strain[1] = fmax(strain[1], 0);
+    } else if (store->kind != STORE_NONE) {
+        store->coordinate = coordinateOf(j);
+        random_strainAt(store, store->coordinate, strain);
     }
 }
 

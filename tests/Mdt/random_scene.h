@@ -61,6 +61,7 @@ typedef struct {
     double stiffness[2];
     double coordinate; /* last measured; angles count full turns */
     double strain[3];  /* at the end of the last step */
+    double reach[3];   /* STORE_DISTANCE: from point 1 to point 0, last measured */
 } RandomStore;
 
 typedef struct {
@@ -116,5 +117,8 @@ int random_cornersOf(const RandomBody *b, double corner[8][3]);
 /* How far the springs of a joint's store are strained now, and their stiffnesses. Each call goes on from the last one in
  * counting turns. */
 void random_strainOf(RandomJoint *j, double strain[3], double stiffness[3]);
+
+/* The same at a coordinate, for stores that have one. */
+void random_strainAt(const RandomStore *store, double coordinate, double strain[3]);
 
 #endif
