@@ -203,16 +203,23 @@ static double scaleOf(const RandomScene *s, double kinetic) {
     return scale;
 }
 
-/* A growth that lasts is the least over its steps. */
+static double lastingGrowth(const RandomJudge *j) {
+    double least = HUGE_VAL;
+    for (int i = 0; i < RANDOM_LASTING; i++)
+        least = fmin(least, j->growth[i]);
+    return least;
+}
+
 static void judgeGrowth(RandomJudge *j, double growth, RandomFaultKind kind) {
     if (growth > RANDOM_SPIKE)
         blame(j, FAULT_SPIKE, growth, -1);
-    j->lasting = j->grownFor > 0 ? fmin(j->lasting, growth) : growth;
-    j->grownFor = growth > RANDOM_GROWTH ? j->grownFor + 1 : 0;
-    if (j->grownFor < RANDOM_LASTING)
+    j->growth[j->calm++ % RANDOM_LASTING] = growth;
+    if (j->calm < RANDOM_LASTING)
         return;
-    j->verdict.growth = fmax(j->verdict.growth, j->lasting);
-    blame(j, kind, j->lasting, -1);
+    const double lasting = lastingGrowth(j);
+    j->verdict.growth = fmax(j->verdict.growth, lasting);
+    if (lasting > RANDOM_GROWTH)
+        blame(j, kind, lasting, -1);
 }
 
 static void judgeEnergy(RandomJudge *j, const Energy *e, MeBool wasKicked) {
@@ -220,7 +227,7 @@ static void judgeEnergy(RandomJudge *j, const Energy *e, MeBool wasKicked) {
     if (wasKicked) {
         j->least = e->high;
         j->scale = scaleOf(&j->scene, e->kinetic);
-        j->grownFor = 0;
+        j->calm = 0;
         return;
     }
     j->least += j->scene.step * power;
@@ -230,16 +237,21 @@ static void judgeEnergy(RandomJudge *j, const Energy *e, MeBool wasKicked) {
 
 /* ---- a scene ---- */
 
-static void logStep(const RandomJudge *j, const Energy *e, MeBool wasKicked) {
+static int widestJoint(const RandomJudge *j) {
     int widest = 0;
     for (int i = 0; i < j->scene.joints; i++)
         if (j->gap[i] / j->scene.joint[i].size > j->gap[widest] / j->scene.joint[widest].size)
             widest = i;
-    fprintf(j->log,
-            "%4d%s energy %.6g to %.6g, kinetic %.6g, growth %.3g; gap %.3g of the size (joint %d, allowed %.3g); ",
-            j->step, wasKicked ? "*" : " ", e->low, e->high, e->kinetic, (e->low - j->least) / j->scale,
-            j->gap[widest] / j->scene.joint[widest].size, widest, j->stretch[widest] / j->scene.joint[widest].size);
-    fprintf(j->log, "%d contacts\n", j->scene.contacts);
+    return widest;
+}
+
+static void logStep(const RandomJudge *j, const Energy *e, MeBool wasKicked) {
+    const int i = widestJoint(j);
+    const double size = j->scene.joint[i].size;
+    fprintf(j->log, "%4d%s energy %.6g to %.6g, kinetic %.6g, growth %.3g; ", j->step, wasKicked ? "*" : " ", e->low,
+            e->high, e->kinetic, (e->low - j->least) / j->scale);
+    fprintf(j->log, "gap %.3g of the size (joint %d, allowed %.3g); %d contacts\n", j->gap[i] / size, i,
+            j->stretch[i] / size, j->scene.contacts);
 }
 
 static void judgeScene(RandomJudge *j, MeBool wasKicked) {

@@ -1,8 +1,9 @@
 /* Runs a random scene and says what went wrong in it.
  *
  *   not finite  a number of a body is not, or the library had to stop bodies because one was about to be.
- *   energy      without a motor, and since the last kick, the energy has grown by more than RANDOM_GROWTH of the scene's
- *               energy, the sum of m g size and the kinetic energy after the kick, and stays so for RANDOM_LASTING steps.
+ *   energy      without a motor, and since the last kick, the energy has grown by more than RANDOM_GROWTH of the
+ *               scene's energy (the sum of m g size, and the kinetic energy after the kick) in each of the last
+ *               RANDOM_LASTING steps. The growth that counts is the least of them.
  *   motor       the same with motors, when it has grown by more than they can give: force times speed.
  *   spike       the energy has grown by more than RANDOM_SPIKE, for however short.
  *   gap         a joint is further open than RANDOM_GAP of its smaller body's size, and what epsilon lets its force
@@ -10,8 +11,8 @@
  *   sunk        a corner is deeper in the ground than RANDOM_DEPTH of its body's size, for as long.
  *   capped      the library says that its solver gave up.
  *
- * Energy is measured where it is exact for the leapfrog: velocities are those of the middle of the step, so the heights
- * are too; a spring has between k/2 x y and k/4 (x² + y²) with x and y its strains before and after the step, the first
+ * Energy is measured where it is exact for the leapfrog: velocities are those of the middle of the step, so the
+ * heights are too; a spring has between k/2 x y and k/4 (x² + y²) with x and y its strains before and after the step, the first
  * for the leapfrog, the second for an implicit spring. Growth counts from the larger to the smaller of the two. A joint
  * that epsilon lets stretch counts as a spring of gamma / (epsilon h²). */
 #ifndef RANDOM_JUDGE_H
@@ -59,8 +60,8 @@ typedef struct {
     FILE *log; /* gets a line for every step; may be null */
     int step;
     double least, scale;           /* J: the least energy since the last kick, motors' gifts included; what it is of */
-    int grownFor;                  /* steps */
-    double lasting;                /* the least growth of these */
+    double growth[RANDOM_LASTING]; /* of the last steps, in turn */
+    int calm;                      /* steps since the last kick */
     double stretch[RANDOM_JOINTS]; /* m, that epsilon allows */
     double gap[RANDOM_JOINTS];     /* m */
     int open[RANDOM_JOINTS];       /* steps */

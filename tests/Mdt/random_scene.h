@@ -114,8 +114,8 @@ void random_sceneDescribe(const RandomScene *s, FILE *file);
 /* The lowest points of a body that can touch the ground: corners of a box, or the one of a sphere. Returns how many. */
 int random_cornersOf(const RandomBody *b, double corner[8][3]);
 
-/* How far the springs of a joint's store are strained now, and their stiffnesses. Each call goes on from the last one in
- * counting turns. */
+/* How far the springs of a joint's store are strained now, and their stiffnesses. Each call goes on from the last one
+ * in counting turns. */
 void random_strainOf(RandomJoint *j, double strain[3], double stiffness[3]);
 
 /* The same at a coordinate, for stores that have one. */

@@ -1,5 +1,5 @@
-/* Random scenes of bodies tied by joints of all kinds that do not fit: whatever happens, every body stays finite. Scenes
- * that fit are those of test_RandomScenes.c. */
+/* Random scenes of bodies tied by joints of all kinds that do not fit: whatever happens, every body stays finite.
+ * Scenes that fit are those of test_RandomScenes.c. */
 #include "scene.h"
 
 enum { BODIES = 6, JOINTS = 8 };

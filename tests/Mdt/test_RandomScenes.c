@@ -8,7 +8,7 @@
 #include "random_judge.h"
 #include <time.h>
 
-/* A sanitizer makes a step ten times as long, so that build runs every tenth scene. */
+/* A sanitizer makes a step many times as long, so that build runs every tenth scene. */
 #ifdef __has_feature
 #if __has_feature(address_sanitizer)
 #define IS_SANITIZED
