@@ -12,9 +12,9 @@
  *   capped      the library says that its solver gave up.
  *
  * Energy is measured where it is exact for the leapfrog: velocities are those of the middle of the step, so the
- * heights are too; a spring has between k/2 x y and k/4 (x² + y²) with x and y its strains before and after the step, the first
- * for the leapfrog, the second for an implicit spring. Growth counts from the larger to the smaller of the two. A joint
- * that epsilon lets stretch counts as a spring of gamma / (epsilon h²). */
+ * heights are too; a spring has between k/2 x y and k/4 (x² + y²) with x and y its strains before and after the step,
+ * the first for the leapfrog, the second for an implicit spring. Growth counts from the larger to the smaller of the
+ * two. A joint that epsilon lets stretch counts as a spring of gamma / (epsilon h²). */
 #ifndef RANDOM_JUDGE_H
 #define RANDOM_JUDGE_H
 
