@@ -1,179 +1,210 @@
-/* Random scenes of bodies tied by joints of all kinds, well or badly set up: whatever happens, every body stays finite,
- * and the same scene gives the same bits. */
-#include "scene.h"
+/* Stability as a property: none of 1000 random scenes (random_scene.h), all of them shaken, has a number that is not
+ * finite, an energy that grows without a motor, or a joint that stays open (random_judge.h).
+ *
+ *     test_Mdt_RandomScenes                       the tests
+ *     test_Mdt_RandomScenes --survey COUNT [FIRST] what goes wrong in so many seeds, and how often
+ *     test_Mdt_RandomScenes --seed SEED            one scene, step by step
+ */
+#include "random_judge.h"
+#include <time.h>
 
-enum { BODIES = 6, JOINTS = 8 };
+/* A sanitizer makes a step many times as long, so that build runs every tenth scene. */
+#ifdef __has_feature
+#if __has_feature(address_sanitizer)
+#define IS_SANITIZED
+#endif
+#endif
+#ifdef __SANITIZE_ADDRESS__
+#define IS_SANITIZED
+#endif
+#ifdef IS_SANITIZED
+enum { SCENES = 1000, STRIDE = 10 };
+#else
+enum { SCENES = 1000, STRIDE = 1 };
+#endif
 
-static unsigned long long seed;
+/* A chain of balls in free air, without motors. */
+enum { GOOD_SEED = 228 };
 
-static double uniform(double from, double to) {
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return from + (to - from) * (double)(seed >> 11) / (double)(1ULL << 53);
-}
+static RandomJudge judge;
 
-/* One number after the other: the order in which a compiler evaluates arguments is its own. */
-static void vector(MeReal v[3], double size) {
-    for (int i = 0; i < 3; i++)
-        v[i] = (MeReal)uniform(-size, size);
-}
+/* ---- words ---- */
 
-static int pick(int n) {
-    return (int)uniform(0, n);
-}
-
-static MdtConstraintID makeJoint(MdtWorldID w, int kind) {
-    switch (kind) {
-    case 0:
-        return MdtBSJointQuaConstraint(MdtBSJointCreate(w));
-    case 1:
-        return MdtHingeQuaConstraint(MdtHingeCreate(w));
-    case 2:
-        return MdtPrismaticQuaConstraint(MdtPrismaticCreate(w));
-    case 3:
-        return MdtUniversalQuaConstraint(MdtUniversalCreate(w));
-    case 4:
-        return MdtAngular3QuaConstraint(MdtAngular3Create(w));
-    case 5:
-        return MdtCarWheelQuaConstraint(MdtCarWheelCreate(w));
-    case 6:
-        return MdtLinear1QuaConstraint(MdtLinear1Create(w));
-    case 7:
-        return MdtLinear2QuaConstraint(MdtLinear2Create(w));
-    case 8:
-        return MdtFixedPathQuaConstraint(MdtFixedPathCreate(w));
-    case 9:
-        return MdtRPROJointQuaConstraint(MdtRPROJointCreate(w));
-    case 10:
-        return MdtSpringQuaConstraint(MdtSpringCreate(w));
-    case 11:
-        return MdtSpring6QuaConstraint(MdtSpring6Create(w));
-    case 12:
-        return MdtConeLimitQuaConstraint(MdtConeLimitCreate(w));
-    case 13:
-        return MdtSkeletalQuaConstraint(MdtSkeletalCreate(w));
-    default:
-        return MdtFPFOJointQuaConstraint(MdtFPFOJointCreate(w));
+/* One line: the scene, and its faults. It still describes a scene that is over, but for its world. */
+static void printFaults(FILE *file, const RandomJudge *j) {
+    const RandomScene *s = &j->scene;
+    fprintf(file, "seed %llu: 1/%.0f s, %s of %d%s%s%s, epsilon %g, masses 1:%.2g, %.2g m/s", s->seed, 1 / s->step,
+            s->topology, s->bodies, s->isOneKind ? " by " : "", s->isOneKind ? s->joint[0].kind : "",
+            s->hasGround ? ", ground" : "", s->epsilon, s->ratio, s->shaking);
+    for (int i = 0; i < FAULTS; i++) {
+        const RandomFault *f = &j->verdict.fault[i];
+        if (!f->is)
+            continue;
+        fprintf(file, " | %s %.3g from step %d", random_faultName[i], f->amount, f->step);
+        if (f->joint >= 0)
+            fprintf(file, " (%s %d)", s->joint[f->joint].kind, f->joint);
     }
+    fputc('\n', file);
 }
 
-enum { KINDS = 15 };
+static int show(unsigned long long seed) {
+    const MeBool isGood = random_judge(&judge, seed, stdout);
+    printFaults(stdout, &judge);
+    return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
+}
 
-static void setUp(MdtConstraintID c) {
-    MdtHingeID hinge = MdtConstraintDCastHinge(c);
-    MdtPrismaticID slider = MdtConstraintDCastPrismatic(c);
-    MdtSpring6ID springs = MdtConstraintDCastSpring6(c);
-    MdtConeLimitID cone = MdtConstraintDCastConeLimit(c);
-    MdtCarWheelID wheel = MdtConstraintDCastCarWheel(c);
-    if (hinge || slider) {
-        MdtLimitID limit = hinge ? MdtHingeGetLimit(hinge) : MdtPrismaticGetLimit(slider);
-        MdtSingleLimitID low = MdtLimitGetLowerLimit(limit), high = MdtLimitGetUpperLimit(limit);
-        MdtSingleLimitSetStop(low, (MeReal)uniform(-1, 0));
-        MdtSingleLimitSetStop(high, (MeReal)uniform(0, 1));
-        MdtSingleLimitSetRestitution(low, (MeReal)uniform(0, 1));
-        MdtSingleLimitSetStiffness(high, (MeReal)uniform(0, 1e4));
-        MdtLimitActivateLimits(limit, pick(2));
-    }
-    if (springs)
-        for (int i = 0; i < 3; i++) {
-            MdtSpring6SetLinearStiffness(springs, i, (MeReal)uniform(0, 1e5));
-            MdtSpring6SetAngularStiffness(springs, i, (MeReal)uniform(0, 1e4));
-            MdtSpring6SetLinearDamping(springs, i, (MeReal)uniform(0, 10));
+/* ---- the survey ---- */
+
+enum { SLOWEST = 5 };
+
+typedef struct {
+    int bad, failed[FAULTS];
+    int grown[4], open[4]; /* by more than so many powers of ten */
+    double seconds;
+    long bodySteps;
+    struct {
+        unsigned long long seed;
+        double microseconds; /* per body and step */
+    } slow[SLOWEST];
+} Survey;
+
+static void noteSpeed(Survey *v, const RandomScene *s, double seconds) {
+    double microseconds = 1e6 * seconds / (s->bodies * s->duration);
+    unsigned long long seed = s->seed;
+    v->seconds += seconds;
+    v->bodySteps += (long)s->bodies * s->duration;
+    for (int i = 0; i < SLOWEST; i++)
+        if (microseconds > v->slow[i].microseconds) {
+            const double m = v->slow[i].microseconds;
+            const unsigned long long other = v->slow[i].seed;
+            v->slow[i].microseconds = microseconds;
+            v->slow[i].seed = seed;
+            microseconds = m;
+            seed = other;
         }
-    if (cone)
-        MdtConeLimitSetConeHalfAngle(cone, (MeReal)uniform(0, 3));
-    if (wheel) {
-        const double kp = uniform(0, 1e5), kd = uniform(0, 100), softness = uniform(0, .01);
-        MdtCarWheelSetSuspension(wheel, (MeReal)kp, (MeReal)kd, (MeReal)softness, (MeReal)-.3, (MeReal).3, 0);
+}
+
+static void note(Survey *v, const RandomJudge *j, MeBool isGood) {
+    v->bad += !isGood;
+    for (int i = 0; i < FAULTS; i++)
+        v->failed[i] += j->verdict.fault[i].is;
+    for (int i = 0; i < 4; i++) {
+        v->grown[i] += j->verdict.growth > pow(10, i - 2);
+        v->open[i] += j->verdict.gap > pow(10, i - 3);
     }
 }
 
-static MdtWorldID makeScene(unsigned long long number, MdtBodyID body[BODIES], MeBool fitting) {
-    seed = number * 7919 + 17;
-    MdtWorldID w = scene_world(BODIES, JOINTS, 0);
-    MdtWorldSetEpsilon(w, pick(2) ? 0 : (MeReal)1e-4);
-    for (int i = 0; i < BODIES; i++) {
-        MeReal at[3], turn[3], v[3], spin[3];
-        double edge[3];
-        for (int k = 0; k < 3; k++)
-            edge[k] = uniform(.2, 2);
-        const double mass = pow(10, uniform(-2, 3));
-        vector(at, 3);
-        vector(turn, 1);
-        vector(v, 3);
-        vector(spin, 5);
-        body[i] = scene_box(w, mass, edge, at[0], at[1], at[2]);
-        MdtBodySetQuaternion(body[i], 1, turn[0], turn[1], turn[2]);
-        MdtBodySetAngularVelocity(body[i], spin[0], spin[1], spin[2]);
-        MdtBodySetLinearVelocity(body[i], v[0], v[1], v[2]);
+static void printSurvey(const Survey *v, unsigned long long count) {
+    printf("\n%d of %llu scenes went wrong:", v->bad, count);
+    for (int i = 0; i < FAULTS; i++)
+        printf(" %s %d%s", random_faultName[i], v->failed[i], i + 1 < FAULTS ? "," : "\n");
+    printf("energy grew, and stayed so, by 0.01 of itself in %d, 0.1 in %d, 1 in %d, 10 in %d\n", v->grown[0],
+           v->grown[1], v->grown[2], v->grown[3]);
+    printf("a joint was open, if only for a step, by 0.001 of its size in %d, 0.01 in %d, 0.1 in %d, 1 in %d\n",
+           v->open[0], v->open[1], v->open[2], v->open[3]);
+    printf("%.1f s, %.1f us per body and step; slowest:", v->seconds, 1e6 * v->seconds / (double)v->bodySteps);
+    for (int i = 0; i < SLOWEST; i++)
+        printf(" seed %llu %.0f us%s", v->slow[i].seed, v->slow[i].microseconds, i + 1 < SLOWEST ? "," : "\n");
+}
+
+static int survey(unsigned long long count, unsigned long long first) {
+    Survey v = {0};
+    for (unsigned long long seed = first; seed < first + count; seed++) {
+        const clock_t start = clock();
+        const MeBool isGood = random_judge(&judge, seed, NULL);
+        noteSpeed(&v, &judge.scene, (double)(clock() - start) / CLOCKS_PER_SEC);
+        note(&v, &judge, isGood);
+        if (!isGood)
+            printFaults(stdout, &judge);
+        fflush(stdout);
     }
-    for (int i = 0; i < JOINTS; i++) {
-        const int a = pick(BODIES), b = pick(BODIES);
-        MdtConstraintID c = makeJoint(w, pick(KINDS));
-        MdtConstraintSetBodies(c, body[a], a == b ? 0 : body[b]);
-        if (fitting) {
-            MeReal at[3], axis[3];
-            vector(at, 2);
-            vector(axis, 1);
-            MdtConstraintSetPosition(c, at[0], at[1], at[2]);
-            MdtConstraintSetAxis(c, axis[0], axis[1], 1);
+    printSurvey(&v, count);
+    return v.bad ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+/* ---- the tests ---- */
+
+START_TEST(none_of_1000_random_scenes_goes_wrong) {
+    int bad = 0;
+    for (unsigned long long seed = 0; seed < SCENES; seed += STRIDE) {
+        if (random_judge(&judge, seed, NULL))
+            continue;
+        bad++;
+        printFaults(stderr, &judge);
+    }
+    ck_assert_msg(bad == 0, "%d scenes went wrong", bad);
+}
+END_TEST
+
+/* A joint that lets go, unknown to the judge. */
+START_TEST(the_judge_sees_an_open_joint) {
+    random_judgeBegin(&judge, GOOD_SEED, NULL);
+    do {
+        if (judge.step == judge.scene.duration - RANDOM_CALM)
+            MdtConstraintDisable(judge.scene.joint[0].id);
+    } while (random_judgeStep(&judge));
+    random_judgeEnd(&judge);
+    ck_assert(judge.verdict.fault[FAULT_GAP].is);
+    ck_assert_int_eq(judge.verdict.fault[FAULT_GAP].joint, 0);
+}
+END_TEST
+
+/* Velocities that grow by a thousandth a step, unknown to the judge. */
+START_TEST(the_judge_sees_energy_from_nowhere) {
+    random_judgeBegin(&judge, GOOD_SEED, NULL);
+    do {
+        for (int i = 0; i < judge.scene.bodies; i++) {
+            MdtBodyID b = judge.scene.body[i].id;
+            MeVector3 v, w;
+            MdtBodyGetLinearVelocity(b, v);
+            MdtBodyGetAngularVelocity(b, w);
+            const MeReal more = (MeReal)1.001;
+            MdtBodySetLinearVelocity(b, more * v[0], more * v[1], more * v[2]);
+            MdtBodySetAngularVelocity(b, more * w[0], more * w[1], more * w[2]);
         }
-        setUp(c);
-        MdtConstraintEnable(c);
-    }
-    return w;
+    } while (random_judgeStep(&judge));
+    random_judgeEnd(&judge);
+    ck_assert(judge.verdict.fault[FAULT_ENERGY].is);
+    ck_assert(!judge.verdict.fault[FAULT_GAP].is);
 }
+END_TEST
 
-static double energyOf(MdtBodyID body[BODIES]) {
-    double sum = 0;
-    for (int i = 0; i < BODIES; i++)
-        sum += MdtBodyGetKineticEnergy(body[i]);
-    return sum;
-}
-
-static MeBool isFiniteScene(MdtBodyID body[BODIES]) {
-    for (int i = 0; i < BODIES; i++) {
-        MeReal *tm = &MdtBodyGetTransformPtr(body[i])[0][0];
-        for (int k = 0; k < 16; k++)
-            if (!isfinite(tm[k]))
-                return MEFALSE;
-    }
-    return isfinite(energyOf(body));
-}
-
-START_TEST(scenes_that_do_not_fit_stay_finite) {
-    MdtBodyID body[BODIES];
-    messages_catch(); /* degenerate joints warn */
-    for (unsigned long long n = 0; n < 20; n++) {
-        MdtWorldID w = makeScene(n, body, MEFALSE);
-        for (int i = 0; i < 40; i++) {
-            MdtWorldStep(w, FRAME);
-            ck_assert_msg(isFiniteScene(body), "scene %llu is not finite after %d steps", n, i + 1);
-        }
-        MdtWorldDestroy(w);
-    }
-    messages_release();
+START_TEST(the_judge_has_nothing_to_say_of_a_good_scene) {
+    ck_assert(random_judge(&judge, GOOD_SEED, NULL));
 }
 END_TEST
 
 START_TEST(the_same_scene_gives_the_same_bits) {
-    MdtBodyID a[BODIES], b[BODIES];
+    static RandomScene s[2];
     messages_catch();
-    for (unsigned long long n = 500; n < 505; n++) {
-        MdtWorldID w[2] = {makeScene(n, a, METRUE), makeScene(n, b, METRUE)};
-        steps(w[0], 40, FRAME);
-        steps(w[1], 40, FRAME);
-        for (int i = 0; i < BODIES; i++)
-            ck_assert_mem_eq(MdtBodyGetTransformPtr(a[i]), MdtBodyGetTransformPtr(b[i]), sizeof(MeMatrix4));
-        MdtWorldDestroy(w[0]);
-        MdtWorldDestroy(w[1]);
+    for (unsigned long long seed = 500; seed < 510; seed++) {
+        for (int k = 0; k < 2; k++) {
+            random_sceneMake(&s[k], seed);
+            for (int i = 0; i < 40; i++)
+                random_sceneStep(&s[k], i);
+        }
+        for (int i = 0; i < s[0].bodies; i++)
+            ck_assert_mem_eq(MdtBodyGetTransformPtr(s[0].body[i].id), MdtBodyGetTransformPtr(s[1].body[i].id),
+                             sizeof(MeMatrix4));
+        for (int k = 0; k < 2; k++)
+            random_sceneDestroy(&s[k]);
     }
     messages_release();
 }
 END_TEST
 
 static void tests(TCase *t) {
-    tcase_add_test(t, scenes_that_do_not_fit_stay_finite);
+    tcase_add_test(t, the_judge_has_nothing_to_say_of_a_good_scene);
+    tcase_add_test(t, the_judge_sees_an_open_joint);
+    tcase_add_test(t, the_judge_sees_energy_from_nowhere);
+    tcase_add_test(t, none_of_1000_random_scenes_goes_wrong);
     tcase_add_test(t, the_same_scene_gives_the_same_bits);
 }
 
-TEST_MAIN("RandomScenes", tests)
+int main(int argc, char **argv) {
+    if (argc >= 3 && strcmp(argv[1], "--survey") == 0)
+        return survey(strtoull(argv[2], NULL, 10), argc > 3 ? strtoull(argv[3], NULL, 10) : 0);
+    if (argc == 3 && strcmp(argv[1], "--seed") == 0)
+        return show(strtoull(argv[2], NULL, 10));
+    return test_main("RandomScenes", tests);
+}
