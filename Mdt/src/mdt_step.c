@@ -148,6 +148,7 @@ static void fillRows(Partition *p) {
         for (int r = 0; r < c->numRows; r++) {
             MdtKeaRow *row = &kea->rows[c->firstRow + r];
             subtractWorldVelocity(c, row);
+            row->owner = i;
             row->force = c->numWarm == c->numRows ? c->warm[r] : row->force;
             row->ripple = c->numWarm == c->numRows ? c->ripple[r] : 0;
         }

@@ -114,6 +114,7 @@ typedef struct MdtKeaRow {
     double friction;  /**< μ of a row that `normal` limits, else unused */
     int normal;       /**< -1, or the index of the row whose force times μ bounds this one, both ways */
     int partner;      /**< -1, or the index of the other friction row of a cone: |λ| <= μ λ_normal for the two */
+    int owner;        /**< a number that the rows of one constraint have in common */
     int contact;      /**< -1, or the index of the normal row of the contact that this row is part of */
     MeBool isOpen;    /**< of a contact: it is known not to act in this step */
     MeBool position;  /**< φ is met at the end of the step, as MdtKeaErrorFn tells it; else the velocity is */

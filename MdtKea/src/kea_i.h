@@ -47,6 +47,7 @@ typedef struct MdtKeaWork {
     double (*added)[6];                       /* by body: what the velocity stage has found */
     double (*plastic)[6], *wanted, speed;     /* of impacts */
     char *takesPart;
+    int *parent; /* by body, and one more */
     KeaProblem problem;
 } MdtKeaWork;
 
@@ -98,6 +99,9 @@ void kea_linearizeRows(MdtKeaSystem *s, int pass);
 double kea_positionError(MdtKeaSystem *s);
 /* Contacts that were thought out of reach and are reached. Returns whether there were any. */
 MeBool kea_admitContacts(MdtKeaSystem *s);
+/* After every pass: which joints did not yield; whether they miss their aims by more than this. */
+void kea_noteStubborn(MdtKeaSystem *s);
+MeBool kea_isConflicting(const MdtKeaSystem *s, double tolerance);
 /* The rate of a row at the end. */
 double kea_endRate(const MdtKeaSystem *s, int i);
 
@@ -111,6 +115,11 @@ double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat);
 void kea_releaseSlides(MdtKeaSystem *s);
 /* Moves bodies out of each other, without velocity. */
 void kea_project(MdtKeaSystem *s);
+
+/* ---- kea_share.c ---- */
+
+/* Of impulses that do the same, the smallest; the metric is lost. */
+void kea_shareForces(MdtKeaSystem *s);
 
 /* ---- kea_velocity.c ---- */
 

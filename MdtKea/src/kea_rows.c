@@ -138,6 +138,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->isOff = isIdle(s, row);
         p->p = p->p0 = p->isOff ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
+        p->isStubborn = MEFALSE;
         p->isElsewhere = row->position;
         p->isForced = row->isForced;
         p->forced = row->forced;
@@ -308,7 +309,28 @@ double kea_positionError(MdtKeaSystem *s) {
         if ((p->p >= p->upper && missing > 0) || (p->p <= p->lower && missing < 0))
             continue;
         s->report.error = keaMax(s->report.error, fabs(missing));
+        if (p->isStubborn)
+            continue;
         worst = keaMax(worst, fabs(missing) / (sizeOfRow(s, row) + 1e-300));
     }
     return worst;
+}
+
+/* Joints that contradict each other: what a pass asked of them, it did not get, whatever their impulses. */
+void kea_noteStubborn(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++) {
+        KeaProblemRow *p = &s->work->problem.row[i];
+        const double asked = p->r - p->E * p->p0;
+        p->isStubborn = s->rows[i].position && !isOneSided(&s->rows[i]) && fabs(asked - p->Jd) > 0.5 * fabs(asked);
+    }
+}
+
+MeBool kea_isConflicting(const MdtKeaSystem *s, double tolerance) {
+    for (int i = 0; i < s->numRows; i++) {
+        const KeaProblemRow *p = &s->work->problem.row[i];
+        const double missing = s->parameters.stepsize * fabs(p->r - p->E * p->p);
+        if (p->isStubborn && !p->isOff && missing > tolerance * sizeOfRow(s, &s->rows[i]))
+            return METRUE;
+    }
+    return MEFALSE;
 }

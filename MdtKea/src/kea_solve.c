@@ -81,10 +81,12 @@ static void takePasses(MdtKeaSystem *s) {
         if (e.worst < 1 || pass == MAX_PASSES)
             break;
         solvePass(s, pass);
+        kea_noteStubborn(s);
         takePass(s);
         kea_admitContacts(s);
         s->report.passes++;
     }
+    s->report.conflicting = kea_isConflicting(s, positionTolerance);
     s->report.violent = e.position > looseTolerance || e.momentum > looseTolerance;
     s->report.capped = e.worst >= looseTolerance;
     s->report.residual = e.velocity * velocityTolerance * speed;
@@ -150,6 +152,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
         setFree(s);
         if (!s->parameters.timed)
             kea_velocityStage(s);
+        kea_shareForces(s);
         returnForces(s);
         s->report.iterations = q->counts.iterations;
         s->report.factorizations = q->counts.factorizations;

@@ -24,6 +24,7 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->plastic = kea_carve(arena, n, sizeof *work->plastic);
     work->wanted = kea_carve(arena, 2 * m, sizeof(double));
     work->takesPart = kea_carve(arena, m, 1);
+    work->parent = kea_carve(arena, n + 1, sizeof(int));
     kea_problemLayOut(&work->problem, s->numBodies, s->maxRows, arena);
 }
 

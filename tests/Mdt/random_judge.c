@@ -130,35 +130,19 @@ static void addBody(const RandomScene *s, RandomBody *b, Energy *e) {
     kinetic = .5 * b->mass * keaDot(v, v);
     for (int i = 0; i < 3; i++)
         kinetic += .5 * b->moment[i] * local[i] * local[i];
-    const double before = b->potential;
-    b->potential = b->mass * s->gravity * p[1];
     e->kinetic += kinetic;
-    e->low += kinetic + .5 * (before + b->potential);
-    e->high += kinetic + .5 * (before + b->potential);
+    kinetic += b->mass * s->gravity * p[1];
+    e->low += kinetic;
+    e->high += kinetic;
 }
 
-/* Of a distance, the strains of the way from end to end that is half way between two others. */
-static void strainBetween(const RandomStore *s, const double before[3], double strain[3]) {
-    double middle[3];
-    keaScale(middle, .5, before);
-    keaAddScaled(middle, .5, s->reach);
-    random_strainAt(s, keaLength(middle), strain);
-}
-
-/* With x and y the strains and m the one between: k/2 x y = k m² - k/4 (x² + y²) where m = (x + y) / 2. A spring that
- * turns far in a step has another m, and the product of the two ways in place of that of their lengths. */
 static void addSprings(RandomJoint *j, Energy *e) {
-    double strain[3], k[3], between[3], before[3];
-    keaCopy(before, j->store.reach);
+    double strain[3], k[3];
     random_strainOf(j, strain, k);
-    strainBetween(&j->store, before, between);
     for (int i = 0; i < 3; i++) {
-        const double x = j->store.strain[i], y = strain[i], m = between[i], mean = .25 * k[i] * (x * x + y * y);
-        const double product = .5 * k[i] * x * y, turned = k[i] * m * m - mean;
-        e->low += j->store.kind == STORE_DISTANCE ? fmin(product, turned) : product;
-        e->high += mean;
+        e->low += .5 * k[i] * strain[i] * strain[i];
+        e->high += .5 * k[i] * strain[i] * strain[i];
     }
-    keaCopy(j->store.strain, strain);
 }
 
 static void addStretch(const RandomJudge *j, int i, Energy *e) {
