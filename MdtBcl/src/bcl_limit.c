@@ -5,7 +5,8 @@
  *   hard:  J v⁺ >= -z/h while z > 0 (it may arrive), >= -γ z/h beyond, and >= -e J v when e > 0 and the stop is hit
  *          faster than one step's own acceleration explains (otherwise a load at rest on the stop would rattle). The
  *          rebound comes in the step that would pass the stop, which it therefore never does.
- *   soft:  beyond the stop a damped spring that only pushes, λ = -kp z - kd J v >= 0; Kea finds its row.
+ *   soft:  beyond the stop a damped spring that only pushes, λ = -kp z - kd J v >= 0; Kea finds its row. In the step
+ *          that comes to it the spring is there already, without damping, so that no way is passed for nothing.
  * The motor is a row J v⁺ = desired velocity with |λ| <= fmax. The lock, which takes its place, is the row of a joint,
  * J v⁺ = -γ (position - lock) / h with |λ| <= its force.
  */
@@ -58,8 +59,8 @@ static double fastestTowards(const MdtBclLimit *limit, int side, double rate, do
 static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double h) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
     const double z = distanceToStop(limit, side);
-    if (!isHard(limit, side))
-        return z < 0 && (stop->stiffness > 0 || stop->damping > 0);
+    if (!isHard(limit, side) && !(stop->stiffness > 0))
+        return z < 0 && stop->damping > 0;
     return z <= 0 || limit->stopForce[side] > 0 || z + 2 * h * fastestTowards(limit, side, rate, predicted) < 0;
 }
 
@@ -117,7 +118,7 @@ static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, 
     if (isHard(limit, side))
         hardStop(&limit->limit[side], x, row);
     else
-        bcl_makeSpring(row, row->error, limit->limit[side].stiffness, limit->limit[side].damping);
+        bcl_makeSpring(row, row->error, limit->limit[side].stiffness, row->error > 0 ? 0 : (double)limit->limit[side].damping);
 }
 
 void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]) {

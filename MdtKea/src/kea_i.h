@@ -104,6 +104,8 @@ void kea_noteStubborn(MdtKeaSystem *s);
 MeBool kea_isConflicting(const MdtKeaSystem *s, double tolerance);
 /* The rate of a row at the end. */
 double kea_endRate(const MdtKeaSystem *s, int i);
+/* The rate of a row through the step. */
+double kea_meanRate(const MdtKeaSystem *s, int i);
 
 /* ---- kea_timed.c ---- */
 

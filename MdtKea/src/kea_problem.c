@@ -478,6 +478,19 @@ void kea_problemRenewRadii(KeaProblem *q, double share) {
     }
 }
 
+double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]) {
+    double Ba[6];
+    applyMetric(Ba, B, a);
+    return 0.5 * dot6(Ba, b);
+}
+
+double kea_largestRoot(const double c[3]) {
+    const double root = c[1] * c[1] - 4 * c[0] * c[2];
+    if (c[0] + c[1] + c[2] <= 0)
+        return 1;
+    return c[2] > 0 && root > 0 ? keaMin(keaMax((-c[1] + sqrt(root)) / (2 * c[2]), 0), 1) : 0;
+}
+
 void kea_problemCarryOn(KeaProblem *q, double (*total)[6]) {
     for (int b = 0; b < q->numBodies; b++) {
         double push[6];

@@ -88,6 +88,10 @@ double kea_problemResidual(const KeaProblem *q);
 void kea_problemCarryOn(KeaProblem *q, double (*total)[6]);
 /* How far B d + g is from Jᵀ p, in tolerances. */
 double kea_problemError(KeaProblem *q);
+/* The product of two velocities in a metric, halved: of one with itself its kinetic energy. */
+double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
+/* The largest a in [0, 1] with c[0] + c[1] a + c[2] a² <= 0; 0 if there is none. */
+double kea_largestRoot(const double c[3]);
 /* Sets every friction bound to μ p of its normal row. */
 void kea_problemRenewRadii(KeaProblem *q, double share);
 

@@ -3,7 +3,8 @@
  * With d what a pass adds to u, p the impulses, φ_k and v_k⁺ what the last pass came to, every row is J d + E p = r:
  *
  *   position:  φ⁺ = φ_0 + h (s - E p)             r = s - (φ_k - φ_0)/h
- *   spring:    p = -h [kp φ_0 + (θ h kp + kd)(J u - s)],  1/E = θ h² kp + h kd,   r = s - J u_k - E h kp φ_0
+ *   spring:    p = -h [kp φ_0 + (θ h kp + kd)(J u - s)],  1/E = θ h² kp + h kd,   r = s - J u_k - E h kp φ_0;
+ *              one that only pushes and has the way φ_0 > 0 left is not strained at the start: (1 - θ) φ_0 less
  *   velocity:  J v⁺ = s - E p, v⁺ = v + (u - v)/θ     r = θ (s - J v_k⁺), E := θ E
  *
  * θ is a choice of each body's. It is 1 where a contact can act or a limit does, so that they hold v⁺ and not only the
@@ -204,7 +205,8 @@ double kea_endRate(const MdtKeaSystem *s, int i) {
     return rate;
 }
 
-static double meanRate(const MdtKeaSystem *s, const KeaProblemRow *p) {
+double kea_meanRate(const MdtKeaSystem *s, int i) {
+    const KeaProblemRow *p = &s->work->problem.row[i];
     double rate = 0;
     for (int k = 0; k < 2; k++) {
         if (p->body[k] < 0)
@@ -215,10 +217,12 @@ static double meanRate(const MdtKeaSystem *s, const KeaProblemRow *p) {
     return rate;
 }
 
-static void springRow(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProblemRow *p) {
+static void springRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
+    const MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize, theta = thetaOf(s, row);
+    const double slack = row->lower == 0 ? keaMax(row->error, 0) : 0;
     p->E = 1 / (theta * h * h * row->stiffness + h * row->damping);
-    p->r = row->target - meanRate(s, p) - p->E * h * row->stiffness * row->error;
+    p->r = row->target - kea_meanRate(s, i) - p->E * h * row->stiffness * (row->error - (1 - theta) * slack);
     p->N = 0;
 }
 
@@ -269,7 +273,7 @@ void kea_linearizeRows(MdtKeaSystem *s, int pass) {
         if (p->size == 0)
             p->isOff = METRUE;
         if (row->spring)
-            springRow(s, row, p);
+            springRow(s, i, p);
         else if (row->position)
             positionRow(s, i, p);
         else

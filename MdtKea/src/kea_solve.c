@@ -16,7 +16,7 @@ enum { MAX_PASSES = 16, HALVE = 6, FREEZE = 12 };
 static const double positionTolerance = 3e-9;  /* of a row's size */
 static const double velocityTolerance = 1e-9;  /* of the partition's speed */
 static const double momentumTolerance = 2e3;   /* of what the inner problem tolerates */
-static const double looseTolerance = 1e5;      /* times these: good enough when passes have run out */
+static const double looseMotion = 300, looseVelocity = 1e5; /* times these: good enough when passes have run out */
 
 typedef struct Errors {
     double position, velocity, momentum, worst; /* in tolerances */
@@ -67,8 +67,7 @@ static void solvePass(MdtKeaSystem *s, int pass) {
     if (!isFrozen && pass > 0)
         kea_problemRenewRadii(q, pass < HALVE ? 1 : 0.5);
     q->counts.freezes += isFrozen;
-    if (!kea_problemSolve(q, !isFrozen))
-        q->counts.stuck++;
+    q->counts.stuck = !kea_problemSolve(q, !isFrozen) || isFrozen;
 }
 
 static void takePasses(MdtKeaSystem *s) {
@@ -87,8 +86,8 @@ static void takePasses(MdtKeaSystem *s) {
         s->report.passes++;
     }
     s->report.conflicting = kea_isConflicting(s, positionTolerance);
-    s->report.violent = e.position > looseTolerance || e.momentum > looseTolerance;
-    s->report.capped = e.worst >= looseTolerance;
+    s->report.violent = e.position > looseMotion || e.momentum > looseMotion;
+    s->report.capped = s->report.violent || e.velocity > looseVelocity;
     s->report.residual = e.velocity * velocityTolerance * speed;
 }
 

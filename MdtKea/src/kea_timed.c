@@ -248,7 +248,7 @@ static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesP
     }
 }
 
-static void addChange(MdtKeaSystem *s, double (*const change)[6], double sign) {
+static void addChange(MdtKeaSystem *s, double (*change)[6], double sign) {
     for (int b = 0; b < s->numBodies; b++) {
         keaAddScaled(s->velocity[b].lin, sign, change[b]);
         keaAddScaled(s->velocity[b].ang, sign, change[b] + 3);
@@ -256,35 +256,39 @@ static void addChange(MdtKeaSystem *s, double (*const change)[6], double sign) {
 }
 
 static double kineticEnergy(const MdtKeaSystem *s) {
-    double sum = 0, L[3];
+    double sum = 0, v[6];
     for (int b = 0; b < s->numBodies; b++) {
-        const KeaMetric *B = &s->work->problem.metric[b];
-        keaApply(L, B->angular, s->velocity[b].ang);
-        sum += 0.5 * B->linear * keaDot(s->velocity[b].lin, s->velocity[b].lin) + 0.5 * keaDot(L, s->velocity[b].ang);
+        keaCopy(v, s->velocity[b].lin);
+        keaCopy(v + 3, s->velocity[b].ang);
+        sum += kea_energyOf(&s->work->problem.metric[b], v, v);
     }
     return sum;
 }
 
-/* The largest share a in [0, 1] for which (1 - a) plastic + a elastic has the energy of before at most. */
-static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plasticChange)[6], double before) {
-    double c[3] = {0, 0, 0}, step[6], Bs[6];
-    addChange(s, plasticChange, 1);
+/* The largest share a in [0, 1] for which v + a (elastic - plastic), v with the plastic change, has this energy at most. */
+static double elasticShare(MdtKeaSystem *s, double (*elastic)[6], double (*plasticChange)[6], double most) {
+    double c[3] = {-most, 0, 0}, step[6], v[6];
     for (int b = 0; b < s->numBodies; b++) {
         const KeaMetric *B = &s->work->problem.metric[b];
+        keaCopy(v, s->velocity[b].lin);
+        keaCopy(v + 3, s->velocity[b].ang);
         for (int k = 0; k < 6; k++)
             step[k] = elastic[b][k] - plasticChange[b][k];
-        keaScale(Bs, B->linear, step);
-        keaApply(Bs + 3, B->angular, step + 3);
-        c[1] += keaDot(Bs, s->velocity[b].lin) + keaDot(Bs + 3, s->velocity[b].ang);
-        c[2] += 0.5 * (keaDot(Bs, step) + keaDot(Bs + 3, step + 3));
+        c[0] += kea_energyOf(B, v, v);
+        c[1] += 2 * kea_energyOf(B, v, step);
+        c[2] += kea_energyOf(B, step, step);
     }
-    c[0] = kineticEnergy(s) - before;
-    const double root = c[1] * c[1] - 4 * c[0] * c[2];
-    const double a = c[2] > 0 && root > 0 ? keaMin(keaMax((-c[1] + sqrt(root)) / (2 * c[2]), 0), 1) : 0;
+    return kea_largestRoot(c);
+}
+
+/* The velocities get the plastic change, and as much of the elastic one as energy allows. */
+static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plasticChange)[6], double before) {
+    addChange(s, plasticChange, 1);
+    const double share = elasticShare(s, elastic, plasticChange, before);
     for (int b = 0; b < s->numBodies; b++) {
         for (int k = 0; k < 3; k++) {
-            s->velocity[b].lin[k] += a * (elastic[b][k] - plasticChange[b][k]);
-            s->velocity[b].ang[k] += a * (elastic[b][3 + k] - plasticChange[b][3 + k]);
+            s->velocity[b].lin[k] += share * (elastic[b][k] - plasticChange[b][k]);
+            s->velocity[b].ang[k] += share * (elastic[b][3 + k] - plasticChange[b][3 + k]);
         }
     }
 }
@@ -330,7 +334,7 @@ static void takeRound(MdtKeaSystem *s, const double wanted[], const char takesPa
 static void touchAll(MdtKeaSystem *s, double wanted[], char takesPart[]) {
     for (int i = 0; i < s->numRows; i++) {
         wanted[i] = 0;
-        takesPart[i] = s->rows[i].contact == i && isTouching(s, &s->rows[i]);
+        takesPart[i] = (char)(s->rows[i].contact == i && isTouching(s, &s->rows[i]));
     }
 }
 
@@ -415,7 +419,7 @@ void kea_project(MdtKeaSystem *s) {
     double *wanted = s->work->wanted, error;
     MeBool isNeeded = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
-        s->work->takesPart[i] = mustBeMovedOut(s, i, &error);
+        s->work->takesPart[i] = (char)mustBeMovedOut(s, i, &error);
         wanted[i] = s->work->takesPart[i] ? keaMax(-s->parameters.gamma * error - sagOf(s, i), 0) : 0;
         isNeeded = isNeeded || wanted[i] > 0;
     }
@@ -426,7 +430,7 @@ void kea_project(MdtKeaSystem *s) {
     for (int b = 0; b < s->numBodies; b++)
         setMetric(s, b);
     for (int i = 0; i < s->numRows; i++) {
-        s->work->takesPart[i] = s->rows[i].contact == i && !s->rows[i].isOpen;
+        s->work->takesPart[i] = (char)(s->rows[i].contact == i && !s->rows[i].isOpen);
         setRow(s, i);
         q->row[i].isElsewhere = s->rows[i].contact != i;
     }

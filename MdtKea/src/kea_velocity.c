@@ -101,7 +101,7 @@ static void setProblem(MdtKeaSystem *s) {
     setLoads(s);
 }
 
-static void addVelocities(MdtKeaSystem *s, double (*const added)[6]) {
+static void addVelocities(MdtKeaSystem *s, double (*added)[6]) {
     for (int i = 0; i < s->numBodies; i++) {
         double dL[3];
         keaApply(dL, s->work->problem.metric[i].angular, added[i] + 3);
@@ -132,17 +132,89 @@ static MeBool mustBe(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-static void solveStage(MdtKeaSystem *s, double start) {
+/* The change of velocities that the rows ask for. */
+static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
     KeaProblem *q = &s->work->problem;
-    memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
-    s->report.stages++;
+    memset(added, 0, (size_t)s->numBodies * sizeof *added);
     double residual = start;
     for (int pass = 0; pass < MAX_PASSES && residual > tolerance * start; pass++) {
         kea_problemRenewRadii(q, 1);
         kea_problemSolve(q, METRUE);
-        kea_problemCarryOn(q, s->work->added);
+        kea_problemCarryOn(q, added);
         residual = kea_problemResidual(q);
     }
+}
+
+static MeBool rebounds(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].bounces && !s->work->problem.row[i].isOff)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* The energy that there can be: what the step started with, and what loads, springs and motors have done in it. */
+static double energyAllowed(const MdtKeaSystem *s) {
+    double sum = 0;
+    for (int b = 0; b < s->numBodies; b++) {
+        const MdtKeaBody *body = s->bodies[b];
+        const double *u = s->work->body[b].u;
+        double dv[3], dL[3];
+        keaSubtract(dv, s->work->body[b].freeVelocity, body->velocity);
+        keaSubtract(dL, s->work->body[b].freeMomentum, body->angularMomentum);
+        sum += 0.5 * (keaDot(body->velocity, body->velocity) / body->invMass +
+                      keaDot(body->angularMomentum, s->velocity[b].ang));
+        sum += keaDot(dv, u) / body->invMass + keaDot(dL, u + 3);
+    }
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact < 0 && !s->rows[i].position)
+            sum += s->work->problem.row[i].p * kea_meanRate(s, i);
+    return sum;
+}
+
+/* Restitution and friction together, or restitution at several points, can ask for energy that is not there (Newton's
+ * law has that flaw): then part of the rebound is taken back. */
+static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
+    KeaProblem *q = &s->work->problem;
+    double c[3] = {-allowed * (1 + 1e-12), 0, 0}, v[6], step[6];
+    for (int i = 0; i < s->numRows; i++)
+        q->row[i].p = q->row[i].p0 = s->work->wanted[i];
+    setProblem(s);
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].bounces && !q->row[i].isOff)
+            q->row[i].r -= s->rows[i].rebound;
+    solveRows(s, start, s->work->plastic);
+    for (int b = 0; b < s->numBodies; b++) {
+        for (int k = 0; k < 6; k++) {
+            v[k] = s->work->body[b].endVelocity[k] + s->work->plastic[b][k];
+            step[k] = s->work->added[b][k] - s->work->plastic[b][k];
+        }
+        c[0] += kea_energyOf(&q->metric[b], v, v);
+        c[1] += 2 * kea_energyOf(&q->metric[b], v, step);
+        c[2] += kea_energyOf(&q->metric[b], step, step);
+    }
+    const double share = kea_largestRoot(c);
+    for (int b = 0; b < s->numBodies; b++)
+        for (int k = 0; k < 6; k++)
+            s->work->added[b][k] = s->work->plastic[b][k] + share * (s->work->added[b][k] - s->work->plastic[b][k]);
+}
+
+static double energyWith(const MdtKeaSystem *s, double (*added)[6]) {
+    double sum = 0, v[6];
+    for (int b = 0; b < s->numBodies; b++) {
+        for (int k = 0; k < 6; k++)
+            v[k] = s->work->body[b].endVelocity[k] + added[b][k];
+        sum += kea_energyOf(&s->work->problem.metric[b], v, v);
+    }
+    return sum;
+}
+
+static void solveStage(MdtKeaSystem *s, double start, double allowed) {
+    for (int i = 0; i < s->numRows; i++)
+        s->work->wanted[i] = s->work->problem.row[i].p;
+    s->report.stages++;
+    solveRows(s, start, s->work->added);
+    if (rebounds(s) && energyWith(s, s->work->added) > allowed)
+        limitEnergy(s, start, allowed);
     addVelocities(s, s->work->added);
 }
 
@@ -174,12 +246,13 @@ void kea_velocityStage(MdtKeaSystem *s) {
     if (!mayBeNeeded(s))
         return;
     const MeBool isHit = mustBe(s);
+    const double allowed = energyAllowed(s);
     kea_keepRows(s);
     setProblem(s);
     const double start = kea_problemResidual(q);
     const MeBool isNeeded = isHit || start > calm * loadSpeed(s) || alternates(s, start);
     noteRipples(s, isNeeded);
     if (isNeeded)
-        solveStage(s, start);
+        solveStage(s, start, allowed);
     kea_recallRows(s);
 }
