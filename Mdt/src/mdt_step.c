@@ -22,7 +22,7 @@ typedef struct Partition {
     MdtKeaSystem kea;
 } Partition;
 
-enum { MAX_HALVINGS = 4 };
+enum { MAX_HALVINGS = 6 };
 
 static Partition partitionNumber(MdtWorldID w, int number, double h) {
     const int bodies = w->bodyStart[number], constraints = w->constraintStart[number];

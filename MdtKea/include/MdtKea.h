@@ -136,7 +136,6 @@ typedef struct MdtKeaParameters {
     double gamma;       /**< the part of a position error that the step takes away, 0..1 */
     int maxIterations;  /**< Newton iterations of one inner problem; 0: Kea's own choice */
     MeBool timed;       /**< contacts are met in time: bodies move with their mean velocities throughout */
-    MeBool dissipative; /**< backward Euler for all bodies: for motion too violent to be followed */
 } MdtKeaParameters;
 
 /** How a solve went. */

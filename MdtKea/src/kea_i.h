@@ -44,6 +44,7 @@ typedef struct MdtKeaWork {
     MdtKeaTransformation *endPose, *meanPose; /* by body */
     double *errors;                           /* by row: φ at the end */
     MdtKeaJBlockPair *keptJ;                  /* by row */
+    double (*bestU)[6], *bestP;               /* by body, by row: of the best pass so far */
     double (*added)[6];                       /* by body: what the velocity stage has found */
     double (*plastic)[6], *wanted, speed;     /* of impacts */
     char *takesPart;

@@ -101,7 +101,7 @@ static void spreadTheta(MdtKeaSystem *s) {
 
 static void chooseTheta(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
-        s->work->body[i].theta = s->parameters.dissipative ? 1 : 0.5;
+        s->work->body[i].theta = 0.5;
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
         const MdtKeaRow *row = &s->rows[i];
         const MeBool holds = (row->contact == i || row->position) && isOneSided(row) && !s->work->problem.row[i].isOff;

@@ -70,13 +70,33 @@ static void solvePass(MdtKeaSystem *s, int pass) {
     q->counts.stuck = !kea_problemSolve(q, !isFrozen) || isFrozen;
 }
 
+static void keepBest(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        memcpy(s->work->bestU[i], s->work->body[i].u, sizeof s->work->bestU[i]);
+    for (int i = 0; i < s->numRows; i++)
+        s->work->bestP[i] = s->work->problem.row[i].p;
+}
+
+static void takeBest(MdtKeaSystem *s, int pass) {
+    for (int i = 0; i < s->numBodies; i++)
+        memcpy(s->work->body[i].u, s->work->bestU[i], sizeof s->work->bestU[i]);
+    for (int i = 0; i < s->numRows; i++)
+        s->work->problem.row[i].p = s->work->bestP[i];
+    linearize(s, pass);
+}
+
 static void takePasses(MdtKeaSystem *s) {
     const double speed = speedOf(s);
+    double best = HUGE_VAL;
     Errors e = {0, 0, 0, HUGE_VAL};
     for (int pass = 0;; pass++) {
         linearize(s, pass);
         e = errorsOf(s, speed);
         if (getenv("KEA_TRACE")) printf("  pass %d pos %.2e vel %.2e mom %.2e  it %d fac %d\n", pass, e.position, e.velocity, e.momentum, s->work->problem.counts.iterations, s->work->problem.counts.factorizations);
+        if (e.worst < best) {
+            best = e.worst;
+            keepBest(s);
+        }
         if (e.worst < 1 || pass == MAX_PASSES)
             break;
         solvePass(s, pass);
@@ -84,6 +104,10 @@ static void takePasses(MdtKeaSystem *s) {
         takePass(s);
         kea_admitContacts(s);
         s->report.passes++;
+    }
+    if (!(e.worst <= best)) {
+        takeBest(s, MAX_PASSES);
+        e = errorsOf(s, speed);
     }
     s->report.conflicting = kea_isConflicting(s, positionTolerance);
     s->report.violent = e.position > looseMotion || e.momentum > looseMotion;

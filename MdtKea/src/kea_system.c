@@ -20,6 +20,8 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->meanPose = kea_carve(arena, n, sizeof *work->meanPose);
     work->errors = kea_carve(arena, m, sizeof(double));
     work->keptJ = kea_carve(arena, m, sizeof *work->keptJ);
+    work->bestU = kea_carve(arena, n, sizeof *work->bestU);
+    work->bestP = kea_carve(arena, m, sizeof(double));
     work->added = kea_carve(arena, n, sizeof *work->added);
     work->plastic = kea_carve(arena, n, sizeof *work->plastic);
     work->wanted = kea_carve(arena, 2 * m, sizeof(double));
