@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_TEXT = 1 << 15 };
+enum { MAX_TEXT = 1 << 17 };
 
 struct EngineWorld {
     int setting, numBodies;
@@ -136,14 +136,25 @@ static mjModel *compile(const char *text, size_t length) {
     return model;
 }
 
-/* Only free bodies start with a velocity: linear in the world's axes, angular in the body's. */
+/* Linear in the world's axes, angular in the body's, against the parent's. */
 static void setVelocity(EngineWorld *w, int i) {
     const SceneState *s = &w->bodies[i].start;
-    double *at = w->data->qvel + w->model->body_dofadr[w->ids[i]];
-    if (w->joints[i])
-        return;
-    memcpy(at, s->velocity, sizeof s->velocity);
-    scene_rotateBack(s->quaternion, s->spin, at + 3);
+    const SceneJoint *j = w->joints[i];
+    double *at = w->data->qvel + w->model->body_dofadr[w->ids[i]], spin[3], local[3];
+    for (int c = 0; c < 3; c++)
+        spin[c] = s->spin[c] - (j && j->parent != SCENE_WORLD ? w->bodies[j->parent].start.spin[c] : 0);
+    scene_rotateBack(s->quaternion, spin, local);
+    if (!j)
+        memcpy(at, s->velocity, sizeof s->velocity);
+    if (j && j->kind == SCENE_HINGE)
+        at[0] = scene_dot(spin, j->axis);
+    else
+        memcpy(j ? at : at + 3, local, sizeof local);
+}
+
+/* It stays until it is set anew. */
+static void setForce(EngineWorld *w, int i) {
+    memcpy(w->data->xfrc_applied + 6 * w->ids[i], w->bodies[i].force, sizeof w->bodies[i].force);
 }
 
 static void makeModel(EngineWorld *w) {
@@ -156,6 +167,7 @@ static void makeModel(EngineWorld *w) {
         snprintf(name, sizeof name, "b%d", i);
         w->ids[i] = mj_name2id(w->model, mjOBJ_BODY, name);
         setVelocity(w, i);
+        setForce(w, i);
     }
 }
 
