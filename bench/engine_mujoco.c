@@ -241,6 +241,7 @@ const Engine engine_mujoco = {
     .about = "double precision; its defaults: Newton, friction pyramid, soft contacts; joints are coordinates; no "
              "restitution",
     .settings = settings,
+    .maxLinks = 90, /* its reader of XML nests to 100 */
     .create = create,
     .addGround = addGround,
     .addBody = addBody,
