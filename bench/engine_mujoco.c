@@ -105,7 +105,10 @@ static void sayChildren(EngineWorld *w, int parent) {
 static void sayModel(EngineWorld *w) {
     say(w, "<mujoco><option integrator='%s'", settings[w->setting]);
     sayNumbers(w, "gravity", w->gravity, 3);
-    say(w, "/><worldbody>");
+    say(w, "/>");
+    if (w->collides) /* else bodies fall through the ground where the default 500 rows are used up */
+        say(w, "<size nconmax='%d' njmax='%d'/>", 100 + 16 * w->numBodies, 500 + 64 * w->numBodies);
+    say(w, "<worldbody>");
     if (w->hasGround) /* its normal is its z-axis */
         say(w, "<geom type='plane' size='1 1 1' zaxis='0 1 0' friction='0 .005 .0001'/>");
     sayChildren(w, SCENE_WORLD);
@@ -223,10 +226,11 @@ static void getState(EngineWorld *w, int body, SceneState *s) {
     memcpy(s->velocity, motion + 3, sizeof s->velocity);
 }
 
-/* It starts anew from the first pose after a number that is none or too large. */
+/* It starts anew from the first pose after a number that is none or too large, and leaves out what it has no room for. */
 static bool hasGivenUp(EngineWorld *w) {
     const mjWarningStat *warnings = w->data->warning;
-    return warnings[mjWARN_BADQPOS].number || warnings[mjWARN_BADQVEL].number || warnings[mjWARN_BADQACC].number;
+    return warnings[mjWARN_CONTACTFULL].number || warnings[mjWARN_CNSTRFULL].number ||
+           warnings[mjWARN_BADQPOS].number || warnings[mjWARN_BADQVEL].number || warnings[mjWARN_BADQACC].number;
 }
 
 static void destroy(EngineWorld *w) {

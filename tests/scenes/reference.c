@@ -63,6 +63,38 @@ double reference_stop(double speed, double friction, double gravity) {
     return speed * speed / (2 * friction * gravity);
 }
 
+/* A block of 1 kg on its edge: its tilt, the rate of it, and the speed of the edge. */
+typedef struct Tripping {
+    double tilt, rate, speed;
+} Tripping;
+
+/* The edge is r sin a ahead of the centre and r cos a below it, a = upright - tilt. On it act N upward and -mu N:
+ *     I d(rate)/dt = -N (r sin a - mu r cos a),  N = g + r sin a d(rate)/dt - r cos a rate². */
+static Tripping trippingRate(Tripping t, double r, double upright, double friction, double gravity) {
+    const double across = r * sin(upright - t.tilt), below = r * cos(upright - t.tilt), inertia = r * r / 3;
+    const double arm = friction * below - across;
+    const double turn = arm * (gravity - below * t.rate * t.rate) / (inertia - arm * across);
+    const double normal = gravity + across * turn - below * t.rate * t.rate;
+    return (Tripping){t.rate, turn, -friction * normal - below * turn - across * t.rate * t.rate};
+}
+
+static Tripping along(Tripping t, Tripping rate, double h) {
+    return (Tripping){t.tilt + h * rate.tilt, t.rate + h * rate.rate, t.speed + h * rate.speed};
+}
+
+/* The midpoint rule while it slips; then energy says whether the centre passes over the edge. */
+bool reference_topples(double halfWidth, double halfHeight, double speed, double friction, double gravity) {
+    const double r = hypot(halfWidth, halfHeight), upright = atan2(halfWidth, halfHeight), h = 1e-5;
+    Tripping t = {0, 0, speed};
+    if (friction * halfHeight <= halfWidth)
+        return false;
+    while (t.speed > 0 && t.tilt < upright) {
+        const Tripping middle = along(t, trippingRate(t, r, upright, friction, gravity), h / 2);
+        t = along(t, trippingRate(middle, r, upright, friction, gravity), h);
+    }
+    return t.tilt >= upright || 2. / 3 * r * r * t.rate * t.rate > gravity * r * (1 - cos(upright - t.tilt));
+}
+
 /* Of a solid ball, 5/7 of the momentum about the point of contact is in the rolling, and the spin has 2/5 of it. */
 double reference_rollingSpeed(double speed, double surface) {
     return (5 * speed + 2 * surface) / 7;

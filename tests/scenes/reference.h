@@ -2,6 +2,8 @@
 #ifndef SCENES_REFERENCE_H
 #define SCENES_REFERENCE_H
 
+#include <stdbool.h>
+
 /* s, of a pendulum that is let go at `amplitude` [rad] and whose small swings have the angular frequency `omega`. */
 double reference_pendulumPeriod(double amplitude, double omega);
 
@@ -18,6 +20,10 @@ double reference_slide(double along, double across, double friction, double time
 
 /* m, on the flat, with `speed` at the start, until it stands. */
 double reference_stop(double speed, double friction, double gravity);
+
+/* Whether a block that slides so on a face of this half width trips over its front edge: in the plane, the edge slips
+ * until it stands, and from then on the block turns about it. */
+bool reference_topples(double halfWidth, double halfHeight, double speed, double friction, double gravity);
 
 /* A ball that is put on a level ground with `speed`, its spin that of one that rolls with the speed `surface`: it
  * slips, then rolls. */

@@ -15,12 +15,33 @@ static void buildTumbling(const Scene *s, SceneWorld *w) {
     b->start.spin[1] = 5;
 }
 
+/* The angular velocity about the middle axis, and its rate by Euler's equations. */
+static void middleSpin(const SceneBody *b, const SceneState *s, double *spin, double *rate) {
+    double inertia[3], w[3];
+    scene_inertia(b, inertia);
+    scene_rotateBack(s->quaternion, s->spin, w);
+    *spin = w[1];
+    *rate = (inertia[2] - inertia[0]) * w[2] * w[0] / inertia[1];
+}
+
+/* The part of a span h where the cubic with these values and rates at its ends is 0. */
+static double cubicZero(double a, double rateA, double b, double rateB, double h) {
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; i++) {
+        const double s = (low + high) / 2, r = 1 - s;
+        const double value = r * r * (a * (1 + 2 * s) + rateA * h * s) + s * s * (b * (1 + 2 * r) - rateB * h * r);
+        *(value * a > 0 ? &low : &high) = s;
+    }
+    return low;
+}
+
 static void watchTumbling(SceneTrace *t, const SceneWorld *w, const SceneState states[], double time) {
-    double now[3], before[3];
-    scene_rotateBack(states[0].quaternion, states[0].spin, now);
-    scene_rotateBack(t->last[0].quaternion, t->last[0].spin, before);
-    if (time > 0 && now[1] * before[1] < 0 && t->events[0]++ == 0)
-        t->firstEvent = t->lastTime + (time - t->lastTime) * before[1] / (before[1] - now[1]);
+    const double h = time - t->lastTime;
+    double now, before, rates[2];
+    middleSpin(&w->bodies[0], &t->last[0], &before, &rates[0]);
+    middleSpin(&w->bodies[0], &states[0], &now, &rates[1]);
+    if (time > 0 && now * before < 0 && t->events[0]++ == 0)
+        t->firstEvent = t->lastTime + h * cubicZero(before, rates[0], now, rates[1], h);
     scenes_note(t, 0, scene_energy(w, states) / t->energy - 1);
 }
 
