@@ -1,5 +1,6 @@
 /* Contacts of a scene's bodies, for an engine that has no collision of its own: spheres and the corners of boxes with
- * the ground, and faces of boxes with each other. Edges against edges are not looked for: no scene needs them. */
+ * the ground, spheres with each other, and faces of boxes with each other. Edges against edges, and spheres against
+ * boxes, are not looked for: no scene needs them. */
 #ifndef SCENES_CONTACTS_H
 #define SCENES_CONTACTS_H
 
