@@ -91,6 +91,8 @@ static void placeContact(MdtContactID c, const SceneContact *from) {
     MdtContactSetPosition(c, (MeReal)from->point[0], (MeReal)from->point[1], (MeReal)from->point[2]);
     MdtContactSetNormal(c, (MeReal)from->normal[0], (MeReal)from->normal[1], (MeReal)from->normal[2]);
     MdtContactSetPenetration(c, (MeReal)from->depth);
+    for (unsigned int k = 0; k < 2; k++)
+        MdtContactSetRadius(c, k, (MeReal)from->radius[k]);
 }
 
 static void measureArm(const EngineWorld *w, const SceneContact *from, double arm[3]) {

@@ -95,7 +95,7 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[]);
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);
 /* What each row still asks for; after kea_linearizeBodies. */
-void kea_linearizeRows(MdtKeaSystem *s, int pass);
+void kea_linearizeRows(MdtKeaSystem *s);
 /* The largest error of a position row, relative to its size. */
 double kea_positionError(MdtKeaSystem *s);
 /* Contacts that were thought out of reach and are reached. Returns whether there were any. */

@@ -51,7 +51,7 @@ typedef struct KeaProblemRow {
 } KeaProblemRow;
 
 typedef struct KeaCounts {
-    int iterations, factorizations, freezes, stuck;
+    int iterations, factorizations, freezes, stuck, level;
 } KeaCounts;
 
 typedef struct KeaProblem {

@@ -17,7 +17,7 @@
 /* The method's own softness, relative to the row's A_ii. With less, contacts that come and go take more iterations; with
  * more, heavy bodies on light ones take more passes. */
 static const double rigidJoint = 1e-8, rigidLimit = 1e-6;
-static const double rigidContact[] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}; /* by pass */
+static const double rigidContact[] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}; /* by pass that went well */
 
 static const double nearby = 1e-3; /* of a body's size: a contact that is no further away may act */
 
@@ -25,7 +25,7 @@ static MeBool isOneSided(const MdtKeaRow *row) {
     return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
 }
 
-static double rateOf(const MdtKeaSystem *s, const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
+static double rateOf(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
     double rate = 0;
     for (int k = 0; k < 2; k++) {
         if (row->body[k] < 0)
@@ -33,7 +33,6 @@ static double rateOf(const MdtKeaSystem *s, const MdtKeaRow *row, const MdtKeaVe
         const MdtKeaVelocity *v = &velocity[row->body[k]];
         rate += keaDot(row->J[k].lin, v->lin) + keaDot(row->J[k].ang, v->ang);
     }
-    (void)s;
     return rate;
 }
 
@@ -45,7 +44,7 @@ static MeBool isWithinReach(const MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             size = keaMax(size, s->work->body[row->body[k]].size);
-    const double speed = keaMin(rateOf(s, row, s->velocity), rateOf(s, row, s->predicted));
+    const double speed = keaMin(rateOf(row, s->velocity), rateOf(row, s->predicted));
     return row->force != 0 || row->lower < 0 || row->error < nearby * size ||
            row->error + 1.5 * s->parameters.stepsize * speed < 0;
 }
@@ -119,9 +118,16 @@ static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
 }
 
-/* Of a contact that has not carried anything yet friction holds at first: if it slides, this is what tells where to. */
-static double firstBound(const KeaProblemRow *normal, const MdtKeaRow *row) {
-    return normal->p > 0 ? row->friction * normal->p : HUGE_VAL;
+/* A contact that has not carried anything yet starts as if friction held, which tells where it slides to if it does not;
+ * but where its slip is more than friction could stop, as if there were none. */
+static double firstBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    const KeaProblemRow *normal = &s->work->problem.row[row->normal];
+    if (normal->p > 0)
+        return row->friction * normal->p;
+    const double along = rateOf(row, s->predicted) - row->target;
+    const double across = row->partner >= 0 ? rateOf(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
+    const double approach = -rateOf(&s->rows[row->normal], s->predicted);
+    return hypot(along, across) > row->friction * keaMax(approach, 0) ? 0 : HUGE_VAL;
 }
 
 void kea_beginRows(MdtKeaSystem *s) {
@@ -143,7 +149,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->isElsewhere = row->position;
         p->isForced = row->isForced;
         p->forced = row->forced;
-        p->radius = row->normal >= 0 ? firstBound(&s->work->problem.row[row->normal], row) : 0;
+        p->radius = row->normal >= 0 ? firstBound(s, row) : 0;
     }
     chooseTheta(s);
 }
@@ -249,12 +255,13 @@ static double timedTarget(const MdtKeaRow *row, const KeaProblemRow *p) {
     return row->drift + keaMin(keaMax(row->target - row->drift, 0), row->softness * keaMax(p->p, 0));
 }
 
-static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p, int pass) {
+static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
+    const int level = s->work->problem.counts.level;
     const MdtKeaRow *row = &s->rows[i];
     const double theta = thetaOf(s, row);
     p->E = theta * row->softness;
     p->r = theta * ((s->parameters.timed && row->contact == i ? timedTarget(row, p) : row->target) - kea_endRate(s, i));
-    p->N = (row->contact >= 0 ? rigidContact[pass < 5 ? pass : 5] : rigidLimit) * p->size;
+    p->N = (row->contact >= 0 ? rigidContact[level < 5 ? level : 5] : rigidLimit) * p->size;
 }
 
 /* On a cone both rows have one softness, or the direction of friction would not be that of the slip. */
@@ -262,7 +269,7 @@ static void shareSoftness(KeaProblemRow *a, KeaProblemRow *b) {
     a->N = b->N = 0.5 * (a->N + b->N);
 }
 
-void kea_linearizeRows(MdtKeaSystem *s, int pass) {
+void kea_linearizeRows(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     kea_problemMeasure(q);
     for (int i = 0; i < s->numRows; i++) {
@@ -277,7 +284,7 @@ void kea_linearizeRows(MdtKeaSystem *s, int pass) {
         else if (row->position)
             positionRow(s, i, p);
         else
-            velocityRow(s, i, p, pass);
+            velocityRow(s, i, p);
     }
     for (int i = 0; i < s->numRows; i++)
         if (q->row[i].partner > i)

@@ -35,13 +35,13 @@ static double speedOf(const MdtKeaSystem *s) {
     return speed + 1e-300;
 }
 
-static void linearize(MdtKeaSystem *s, int pass) {
+static void linearize(MdtKeaSystem *s) {
     kea_moveBodies(s);
     kea_refreshRows(s, s->work->meanPose);
     if (s->errors)
         s->errors(s->context, s->work->endPose, s->work->errors);
     kea_linearizeBodies(s);
-    kea_linearizeRows(s, pass);
+    kea_linearizeRows(s);
 }
 
 static Errors errorsOf(MdtKeaSystem *s, double speed) {
@@ -68,6 +68,7 @@ static void solvePass(MdtKeaSystem *s, int pass) {
         kea_problemRenewRadii(q, pass < HALVE ? 1 : 0.5);
     q->counts.freezes += isFrozen;
     q->counts.stuck = !kea_problemSolve(q, !isFrozen) || isFrozen;
+    q->counts.level += !q->counts.stuck || isFrozen;
 }
 
 static void keepBest(MdtKeaSystem *s) {
@@ -77,12 +78,12 @@ static void keepBest(MdtKeaSystem *s) {
         s->work->bestP[i] = s->work->problem.row[i].p;
 }
 
-static void takeBest(MdtKeaSystem *s, int pass) {
+static void takeBest(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         memcpy(s->work->body[i].u, s->work->bestU[i], sizeof s->work->bestU[i]);
     for (int i = 0; i < s->numRows; i++)
         s->work->problem.row[i].p = s->work->bestP[i];
-    linearize(s, pass);
+    linearize(s);
 }
 
 static void takePasses(MdtKeaSystem *s) {
@@ -90,7 +91,7 @@ static void takePasses(MdtKeaSystem *s) {
     double best = HUGE_VAL;
     Errors e = {0, 0, 0, HUGE_VAL};
     for (int pass = 0;; pass++) {
-        linearize(s, pass);
+        linearize(s);
         e = errorsOf(s, speed);
         if (getenv("KEA_TRACE")) printf("  pass %d pos %.2e vel %.2e mom %.2e  it %d fac %d\n", pass, e.position, e.velocity, e.momentum, s->work->problem.counts.iterations, s->work->problem.counts.factorizations);
         if (e.worst < best) {
@@ -106,7 +107,7 @@ static void takePasses(MdtKeaSystem *s) {
         s->report.passes++;
     }
     if (!(e.worst <= best)) {
-        takeBest(s, MAX_PASSES);
+        takeBest(s);
         e = errorsOf(s, speed);
     }
     s->report.conflicting = kea_isConflicting(s, positionTolerance);

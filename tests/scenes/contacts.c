@@ -22,6 +22,8 @@ static void add(Found *f, const SceneWorld *w, int body, int other, const double
     memcpy(c->point, point, sizeof c->point);
     memcpy(c->normal, normal, sizeof c->normal);
     c->depth = depth;
+    c->radius[0] = a->shape == SCENE_SPHERE ? a->half[0] : 0;
+    c->radius[1] = b && b->shape == SCENE_SPHERE ? b->half[0] : 0;
     c->friction = b ? fmax(a->friction, b->friction) : a->friction;
     c->restitution = b ? fmax(a->restitution, b->restitution) : a->restitution;
 }

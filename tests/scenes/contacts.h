@@ -17,6 +17,7 @@ typedef struct SceneContact {
     double point[3];  /* m */
     double normal[3]; /* unit, the way the first body is pushed */
     double depth;     /* m, negative for a gap */
+    double radius[2]; /* m, of the two surfaces where they are spheres; 0: corners and faces */
     double friction, restitution;
 } SceneContact;
 
