@@ -226,7 +226,7 @@ static void getState(EngineWorld *w, int body, SceneState *s) {
     memcpy(s->velocity, motion + 3, sizeof s->velocity);
 }
 
-/* It starts anew from the first pose after a number that is none or too large, and leaves out what it has no room for. */
+/* It starts anew from the first pose after a number that is none or too large, and leaves out what has no room. */
 static bool hasGivenUp(EngineWorld *w) {
     const mjWarningStat *warnings = w->data->warning;
     return warnings[mjWARN_CONTACTFULL].number || warnings[mjWARN_CNSTRFULL].number ||
