@@ -402,6 +402,7 @@ static MeBool integratePart(Partition *p) {
 
 /* Takes one part of the step, in halves where its motion is violent. False: the bodies were stopped. */
 static MeBool takePart(Partition *p, void *scratch, double part, int halvings) {
+    p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
     solvePart(p, scratch, part);
     if (p->kea.report.violent && halvings < MAX_HALVINGS)
         return takePart(p, scratch, 0.5 * part, halvings + 1) && takePart(p, scratch, 0.5 * part, halvings + 1);

@@ -135,6 +135,7 @@ typedef struct MdtKeaParameters {
     double stepsize;    /**< s */
     double gamma;       /**< the part of a position error that the step takes away, 0..1 */
     int maxIterations;  /**< Newton iterations of one inner problem; 0: Kea's own choice */
+    MeBool mayRefuse;   /**< a step in which bodies turn too far may be reported as violent without being solved */
     MeBool timed;       /**< contacts are met in time: bodies move with their mean velocities throughout */
 } MdtKeaParameters;
 
