@@ -123,7 +123,7 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
     const MeBool isHit = h * predicted < depth && rate < -fmax((double)p->velThreshold, bcl_ownChange(row, x));
     if ((p->options & MdtBclContactOptionBounce) && isHit && p->restitution > 0) {
         row->bounces = METRUE;
-        row->rebound = -fmin((double)p->restitution, 1) * rate;
+        row->rebound = fmin((double)p->restitution, 1) * bcl_speedOfArrival(row, x, -depth);
     }
     if (p->options & MdtBclContactOptionSoft)
         row->softness += x->parameters.softening * fmax((double)p->softness, 0);

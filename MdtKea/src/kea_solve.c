@@ -13,10 +13,10 @@
 #include <stdlib.h>
 
 enum { MAX_PASSES = 16, HALVE = 6, FREEZE = 12 };
-static const double positionTolerance = 3e-9;  /* of a row's size */
+static const double positionTolerance = 1e-10; /* of a row's size */
 static const double velocityTolerance = 1e-9;  /* of the partition's speed */
-static const double momentumTolerance = 2e3;   /* of what the inner problem tolerates */
-static const double looseMotion = 300, looseVelocity = 1e5; /* times these: good enough when passes have run out */
+static const double momentumTolerance = 1e2;   /* of what the inner problem tolerates */
+static const double looseMotion = 1e4, looseVelocity = 1e5; /* times these: good enough when passes have run out */
 
 typedef struct Errors {
     double position, velocity, momentum, worst; /* in tolerances */
