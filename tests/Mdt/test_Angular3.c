@@ -77,7 +77,7 @@ START_TEST(it_gives_no_force) {
         assert_vec3_near(f, 0, 0, 0, 0);
     }
     measure_position(a, p);
-    assert_near(p[0], 61. / 120, TOL(1e-6, 1e-8));
+    assert_near(p[0], .5, TOL(1e-6, 1e-8)); /* exact under a constant force */
     measure_rate(a, rate);
     measure_rate(b, other);
     assert_vec3_near(rate, 0, 0, 1 / .5, TOL(1e-3, 1e-3)); /* 1 N m for 1 s on 0.2 + 0.3 */
@@ -130,7 +130,7 @@ START_TEST(rotation_disabled_again) {
     MdtBodySetAngularVelocity(b, 0, 0, 1);
     steps(w, 60, FRAME);
     measure_rotation(b, R);
-    assert_near(atan2(R[1][0], R[0][0]), 1, TOL(1e-5, 1e-7));
+    assert_near(atan2(R[1][0], R[0][0]), 60 * midpoint_turn(1, FRAME), TOL(1e-6, 1e-7));
     MdtAngular3EnableRotation(j, 0);
     steps(w, 200, FRAME);
     measure_rotation(b, R);
@@ -165,9 +165,7 @@ START_TEST(the_angular_spring_swings) {
                 swing_add(&swing, atan2(axis[1], axis[0]));
             }
             ck_assert_int_eq(swing.crossings, 11);
-            const double discrete = w0 * h * w0 * h / 20 + 1e-4;
-            assert_near_rel(swing_frequency(&swing, h), sqrt(w0 * w0 - decay * decay), discrete + TOL(1e-4, 1e-5));
-            assert_near(swing_decay(&swing, h), decay, 2 * discrete * (decay + .02) + TOL(1e-3, 1e-5));
+            swing_check(&swing, w0, decay, h, TOL(1e-5, 1e-8));
             MdtWorldDestroy(w);
         }
 }
