@@ -138,12 +138,13 @@ static inline double midpoint_decay(double w, double decay, double h) {
     return log((even + decay * h) / (even - decay * h)) / (2 * h);
 }
 
-/* A swing as the midpoint rule has it, and no more but what lines and parabolas through samples of it leave, at its first
- * and its last crossing or peak; `noise` is what the samples lack, relative to the swing. */
+/* A swing as the midpoint rule has it, but for what lines and parabolas through samples of it leave at its first and its
+ * last crossing or peak, and for `noise`: what the samples lack, relative to the swing, and of a swing of θ that turns
+ * a body, (w θ h)²/32, by which the way of tan(angle/2) differs. */
 static inline void swing_check(const Swing *s, double w, double decay, double h, double noise) {
     const double wh = w * h, n = s->crossings - 1, lines = .0102 * pow(wh, 3) + .08 * decay * h * wh;
     assert_near_rel(swing_frequency(s, h), midpoint_frequency(w, decay, h), lines / n + noise);
-    assert_near(swing_decay(s, h), midpoint_decay(w, decay, h), (.01 * pow(wh, 4) / n + noise) * w);
+    assert_near(swing_decay(s, h), midpoint_decay(w, decay, h), ((.01 * wh * wh + .12 * decay * h) * wh * wh / n + noise) * w);
 }
 
 /* The angle by which a body in joints goes on that turns steadily: tan(angle/2) = rate h/2. */

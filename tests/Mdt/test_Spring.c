@@ -105,7 +105,7 @@ START_TEST(it_swings_as_a_damped_spring) {
                 swing_add(&swing, lengthOf(s) - rest);
             }
             ck_assert_int_eq(swing.crossings, 12);
-            swing_check(&swing, w0, decay, h, TOL(1e-5, 1e-8));
+            swing_check(&swing, w0, decay, h, TOL(2e-5, 1e-8)); /* 0.3 mm are left of 20 cm, in single precision */
             MdtWorldDestroy(s.world);
         }
 }

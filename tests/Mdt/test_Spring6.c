@@ -113,7 +113,7 @@ static void swingAt(int axis, double k, double c, MeBool isAngular) {
         swing_add(&swing, isAngular ? turnAbout(s, axis) : offsetAlong(s, axis));
     }
     ck_assert_int_eq(swing.crossings, 11);
-    swing_check(&swing, w0, decay, h, TOL(1e-5, 1e-8));
+    swing_check(&swing, w0, decay, h, TOL(2e-5, 2e-7));
     MdtWorldDestroy(s.world);
 }
 
