@@ -144,7 +144,8 @@ static inline double midpoint_decay(double w, double decay, double h) {
 static inline void swing_check(const Swing *s, double w, double decay, double h, double noise) {
     const double wh = w * h, n = s->crossings - 1, lines = .0102 * pow(wh, 3) + .08 * decay * h * wh;
     assert_near_rel(swing_frequency(s, h), midpoint_frequency(w, decay, h), lines / n + noise);
-    assert_near(swing_decay(s, h), midpoint_decay(w, decay, h), ((.01 * wh * wh + .12 * decay * h) * wh * wh / n + noise) * w);
+    assert_near(swing_decay(s, h), midpoint_decay(w, decay, h),
+                ((.01 * wh * wh + .12 * decay * h) * wh * wh / n + noise) * w);
 }
 
 /* The angle by which a body in joints goes on that turns steadily: tan(angle/2) = rate h/2. */
