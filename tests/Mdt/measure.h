@@ -138,9 +138,9 @@ static inline double midpoint_decay(double w, double decay, double h) {
     return log((even + decay * h) / (even - decay * h)) / (2 * h);
 }
 
-/* A swing as the midpoint rule has it, but for what lines and parabolas through samples of it leave at its first and its
- * last crossing or peak, and for `noise`: what the samples lack, relative to the swing, and of a swing of θ that turns
- * a body, (w θ h)²/32, by which the way of tan(angle/2) differs. */
+/* A swing as the midpoint rule has it, but for what lines and parabolas through samples of it leave at its first and
+ * its last crossing or peak, and for `noise`: what the samples lack, relative to the swing, and of a swing of θ that
+ * turns a body, (w θ h)²/32, by which the way of tan(angle/2) differs. */
 static inline void swing_check(const Swing *s, double w, double decay, double h, double noise) {
     const double wh = w * h, n = s->crossings - 1, lines = .0102 * pow(wh, 3) + .08 * decay * h * wh;
     assert_near_rel(swing_frequency(s, h), midpoint_frequency(w, decay, h), lines / n + noise);

@@ -191,7 +191,8 @@ START_TEST(the_angular_spring_gives_way_by_torque_over_stiffness) {
 }
 END_TEST
 
-/* T = -k θ however far it is turned, θ in the middle of the step: θ + h w/4 with w = h T/I at its end. About an axis across the free one, and without a free one about any. */
+/* T = -k θ however far it is turned, θ in the middle of the step: θ + h w/4 with w = h T/I at its end. About
+ * an axis across the free one, and without a free one about any. */
 START_TEST(the_angular_spring_is_linear_in_the_angle) {
     for (int rotates = 0; rotates < 2; rotates++)
         for (int degrees = 30; degrees <= 150; degrees += 30) {

@@ -7,8 +7,8 @@ static const double pi = 3.14159265358979323846;
 /* Turning steadily, the bar keeps its rate, to what the solver leaves. */
 static const double steady = TOL(5e-6, 1e-7);
 
-/* A step with a stop within reach is taken by backward Euler, whose chord h v is shorter than the arc: the centre is left
- * with the velocity sin(φ)/(2 h) of w/2, tan φ/2 = w h/2, and three quarters of the momentum are its. */
+/* A step with a stop within reach is taken by backward Euler, whose chord h v is shorter than the arc: the centre is
+ * left with the velocity sin(φ)/(2 h) of w/2, tan φ/2 = w h/2, and three quarters of the momentum are its. */
 static double startError(double rate) {
     const double turn = rate * (double)FRAME;
     return fabs(rate) * .75 * (1 - 1 / (1 + .25 * turn * turn)) + steady;
