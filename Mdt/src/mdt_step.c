@@ -186,6 +186,8 @@ static void MEAPI jointJacobians(void *context, const MdtKeaTransformation poses
             MdtKeaRow *row = &p->kea.rows[c->firstRow + r];
             memcpy(row->J, rows[r].J, sizeof row->J);
             memcpy(row->arm, rows[r].arm, sizeof row->arm);
+            row->lower = rows[r].lower;
+            row->upper = rows[r].upper;
         }
     }
 }

@@ -21,8 +21,12 @@ static const double rigidContact[] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}; /* by
 
 static const double nearby = 1e-3; /* of a body's size: a contact that is no further away may act */
 
+/* Stops, and joints that are about to give way; those whose strength is far off hold as if they had no bound. */
 static MeBool isOneSided(const MdtKeaRow *row) {
-    return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
+    const double near = 0.5;
+    if (row->lower == -HUGE_VAL || row->upper == HUGE_VAL)
+        return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
+    return row->force > near * row->upper || row->force < near * row->lower;
 }
 
 static double rateOf(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
@@ -103,7 +107,8 @@ static void chooseTheta(MdtKeaSystem *s) {
         s->work->body[i].theta = 0.5;
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const MeBool holds = (row->contact == i || row->position) && isOneSided(row) && !s->work->problem.row[i].isOff;
+        const MeBool holds = row->contact == i ? !s->work->problem.row[i].isOff
+                                               : row->position && isOneSided(row) && row->force != 0;
         if (holds || isTooStiff(s, row))
             setTheta(s, row);
     }
@@ -111,6 +116,16 @@ static void chooseTheta(MdtKeaSystem *s) {
 }
 
 /* ---- begin ---- */
+
+static void copyRow(KeaProblemRow *p, const MdtKeaRow *row, double h) {
+    p->lower = h * row->lower;
+    p->upper = h * row->upper;
+    for (int k = 0; k < 2; k++) {
+        keaCopy(p->J[k], row->J[k].lin);
+        keaCopy(p->J[k] + 3, row->J[k].ang);
+    }
+}
+
 
 static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (row->contact >= 0)
@@ -140,8 +155,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->normal = row->normal;
         p->partner = row->partner;
         p->friction = row->friction;
-        p->lower = h * row->lower;
-        p->upper = h * row->upper;
+        copyRow(p, row, h);
         p->isOff = isIdle(s, row);
         p->p = p->p0 = p->isOff ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
@@ -159,6 +173,10 @@ MeBool kea_admitContacts(MdtKeaSystem *s) {
     MeBool admitted = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
+        if (row->position && isOneSided(row) && s->work->problem.row[i].p != 0 && thetaOf(s, row) < 1) {
+            setTheta(s, row);
+            admitted = METRUE;
+        }
         if (row->contact != i || !s->work->problem.row[i].isOff || row->isOpen)
             continue;
         if (row->error + h * kea_endRate(s, i) >= 0)
@@ -175,18 +193,11 @@ MeBool kea_admitContacts(MdtKeaSystem *s) {
 
 /* ---- every pass ---- */
 
-static void copyJacobian(KeaProblemRow *p, const MdtKeaRow *row) {
-    for (int k = 0; k < 2; k++) {
-        keaCopy(p->J[k], row->J[k].lin);
-        keaCopy(p->J[k] + 3, row->J[k].ang);
-    }
-}
-
 void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[]) {
     if (s->jacobians)
         s->jacobians(s->context, poses);
     for (int i = 0; i < s->numRows; i++)
-        copyJacobian(&s->work->problem.row[i], &s->rows[i]);
+        copyRow(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
 }
 
 void kea_keepRows(MdtKeaSystem *s) {
@@ -252,6 +263,8 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
 /* A contact that is met in time keeps no velocity from being pushed apart (kea_project does that), but a soft one sinks
  * only until γ of its overlap balances its load. */
 static double timedTarget(const MdtKeaRow *row, const KeaProblemRow *p) {
+    if (row->lower < 0) /* it may pull */
+        return row->target;
     return row->drift + keaMin(keaMax(row->target - row->drift, 0), row->softness * keaMax(p->p, 0));
 }
 
@@ -294,7 +307,7 @@ void kea_linearizeRows(MdtKeaSystem *s) {
 /* ---- how well ---- */
 
 /* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies
- * move, and, for the rounding of places far from the origin, a little of their distance. */
+ * move, a little of their size and, for the rounding of places far from the origin, of their distance. */
 static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const double h = s->parameters.stepsize;
     double size = fabs(row->error);
@@ -302,7 +315,8 @@ static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
         if (row->body[k] < 0)
             continue;
         const KeaBody *b = &s->work->body[row->body[k]];
-        size += keaLength(row->J[k].ang) + h * keaLength(b->u) + 1e-4 * keaLength(s->work->end[row->body[k]].position);
+        size += keaLength(row->J[k].ang) + h * keaLength(b->u) + 1e-2 * b->size +
+                1e-4 * keaLength(s->work->end[row->body[k]].position);
     }
     return size;
 }

@@ -22,7 +22,7 @@ typedef struct Errors {
     double position, velocity, momentum, worst; /* in tolerances */
 } Errors;
 
-/* m/s: what velocities are compared with. */
+/* m/s: what velocities are compared with: those of the bodies, and what loads, springs and motors do to them. */
 static double speedOf(const MdtKeaSystem *s) {
     double speed = 0;
     for (int i = 0; i < s->numBodies; i++) {
@@ -32,6 +32,9 @@ static double speedOf(const MdtKeaSystem *s) {
         speed = keaMax(speed, keaLength(change) + 0.1 * keaLength(b->freeVelocity) +
                                 0.1 * b->size * keaLength(s->predicted[i].ang));
     }
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact < 0 && !s->rows[i].position)
+            speed = keaMax(speed, s->work->problem.row[i].size * fabs(s->work->problem.row[i].p));
     return speed + 1e-300;
 }
 
@@ -87,11 +90,11 @@ static void takeBest(MdtKeaSystem *s) {
 }
 
 static void takePasses(MdtKeaSystem *s) {
-    const double speed = speedOf(s);
-    double best = HUGE_VAL;
+    double speed = 0, best = HUGE_VAL;
     Errors e = {0, 0, 0, HUGE_VAL};
     for (int pass = 0;; pass++) {
         linearize(s);
+        speed = keaMax(speed, speedOf(s));
         e = errorsOf(s, speed);
         if (getenv("KEA_TRACE")) printf("  pass %d pos %.2e vel %.2e mom %.2e  it %d fac %d\n", pass, e.position, e.velocity, e.momentum, s->work->problem.counts.iterations, s->work->problem.counts.factorizations);
         if (e.worst < best) {

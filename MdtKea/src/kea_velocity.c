@@ -32,7 +32,7 @@ static double loadSpeed(const MdtKeaSystem *s) {
 }
 
 static MeBool isOneSided(const MdtKeaRow *row) {
-    return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
+    return (row->lower > -HUGE_VAL) != (row->upper < HUGE_VAL);
 }
 
 /* The joint's error goes on to be taken away at the same rate: what γ leaves of it, φ⁺ = (1 - γ) φ, asks for γ φ / h. */
