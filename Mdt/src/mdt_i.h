@@ -131,6 +131,7 @@ struct MdtBaseConstraint {
     int firstRow, numRows; /* in this step */
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
     int numWarm;                                             /* if there are as many */
+    MeBool isDegenerate, wasDegenerate; /* in this step, in the last one */
     MeBool isDropped;      /* in this step: left out to keep the partition within the cap on its rows */
     double importance;     /* in this step, while rows are being dropped, */
     int rank;              /* and its place before sorting by it */

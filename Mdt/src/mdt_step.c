@@ -19,6 +19,7 @@ typedef struct Partition {
     double h;                          /* s, the whole step */
     MdtBclSolverParameters parameters; /* of the part of it that is being taken */
     double elapsed;                    /* s, before that part */
+    MeBool isDegenerate;               /* some joint was in this step */
     MdtKeaSystem kea;
 } Partition;
 
@@ -112,8 +113,14 @@ static void subtractWorldVelocity(MdtConstraintID c, MdtKeaRow *row) {
     row->drift -= rate;
 }
 
-/* Once when a joint comes there, not at every step that it stays. */
-static void warnOfDegenerate(MdtConstraintID c) {
+/* Once when a joint comes there, not at every step, or part of one, that it stays. */
+static void noteDegenerate(Partition *p, MdtConstraintID c) {
+    p->isDegenerate = p->isDegenerate || c->bcl.isDegenerate;
+    if (!c->bcl.isDegenerate || c->isDegenerate)
+        return;
+    c->isDegenerate = METRUE;
+    if (c->wasDegenerate)
+        return;
     c->world->degenerate++;
     MeWarning(2, "MdtWorldStep: a %s (sort key %d) cannot work as it stands: %s", c->type->name, c->link.sortKey,
               c->type->degenerate);
@@ -124,13 +131,11 @@ static int countRows(Partition *p) {
     int rows = 0;
     for (int i = 0; i < p->numConstraints; i++) {
         MdtConstraintID c = p->constraints[i];
-        const MeBool was = c->bcl.isDegenerate;
         setContext(p, c, &x);
         c->isDropped = MEFALSE;
         c->numRows = c->type->prepare(&c->bcl, &x);
         MEASSERT(c->numRows >= 0 && c->numRows <= c->type->maxRows);
-        if (c->bcl.isDegenerate && !was)
-            warnOfDegenerate(c);
+        noteDegenerate(p, c);
         rows += c->numRows;
     }
     return rows;
@@ -207,8 +212,10 @@ static void MEAPI positionErrors(void *context, const MdtKeaTransformation poses
 
 /* ---- unpack ---- */
 
-static void clearForces(Partition *p) {
+static void beginConstraints(Partition *p) {
     for (int i = 0; i < p->numConstraints; i++) {
+        p->constraints[i]->wasDegenerate = p->constraints[i]->isDegenerate;
+        p->constraints[i]->isDegenerate = MEFALSE;
         memset(&p->constraints[i]->force, 0, sizeof p->constraints[i]->force);
         keaZero(p->constraints[i]->normalForce);
     }
@@ -290,7 +297,7 @@ static void stopBodies(Partition *p) {
 }
 
 static void warnOfSolver(const Partition *p) {
-    if (p->kea.report.capped)
+    if (p->kea.report.capped && !p->isDegenerate) /* that has been said */
         MeWarning(2,
                   "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
                   "inexact; raise MdtWorldSetMaxLCPIterations or epsilon",
@@ -461,7 +468,7 @@ static void stepPartition(Partition *p) {
         return;
     packBodies(p);
     rememberVelocities(p, start);
-    clearForces(p);
+    beginConstraints(p);
     if (takeSubSteps(p, scratch))
         unpackBodies(p, start);
     MeChunkPutMem(&p->world->scratch, scratch);
