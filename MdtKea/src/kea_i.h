@@ -4,6 +4,7 @@
  *     kea_scheme.c     where unknown velocities take the bodies, the momentum that is missing, its derivative
  *     kea_rows.c       what a row asks of the unknowns
  *     kea_problem.c    the inner problem: bodies with a quadratic metric, rows with bounds and cones
+ *     kea_dual.c       the same by the joints' side
  *     kea_velocity.c   velocities that joints and contacts allow where the bodies have arrived
  *     kea_factor.c     sparse factorization
  *     kea_rotation.c   inertia, free rotation
@@ -38,6 +39,16 @@ typedef struct KeaBody {
     MeBool isFree;          /* no row acts on it: it moves as a free body */
 } KeaBody;
 
+/* The graph of joints (kea_dual.c). */
+typedef struct KeaDual {
+    KeaFactor *factor; /* null: the bodies' side is taken */
+    int numNodes, numEdges;
+    int *start, *size;              /* by node: its rows */
+    int (*edges)[2], (*side)[2];    /* of an edge: its nodes, and on which side each has the shared body */
+    int *first, (*next)[2];         /* by body, by node and side: lists of 2 node + side */
+    double *x;                      /* by row */
+} KeaDual;
+
 typedef struct MdtKeaWork {
     KeaBody *body;
     KeaEnd *end;
@@ -50,6 +61,7 @@ typedef struct MdtKeaWork {
     char *takesPart;
     int *parent; /* by body, and one more */
     KeaProblem problem;
+    KeaDual dual;
 } MdtKeaWork;
 
 /* ---- kea_rotation.c ---- */
@@ -119,7 +131,17 @@ void kea_releaseSlides(MdtKeaSystem *s);
 /* Moves bodies out of each other, without velocity. */
 void kea_project(MdtKeaSystem *s);
 
+/* ---- kea_dual.c ---- */
+
+/* Decides for a side. */
+void kea_dualBegin(MdtKeaSystem *s);
+/* Solves the inner problem by the joints' side. False: that is not possible here. */
+MeBool kea_dualSolve(MdtKeaSystem *s);
+
 /* ---- kea_share.c ---- */
+
+/* Whether joints, and the world, make a loop. */
+MeBool kea_hasLoops(const MdtKeaSystem *s);
 
 /* Of impulses that do the same, the smallest; the metric is lost. */
 void kea_shareForces(MdtKeaSystem *s);

@@ -81,7 +81,7 @@ MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
         q->hasFriction = q->hasFriction || row->normal >= 0;
         q->hasBounds = q->hasBounds || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
     }
-    q->factor = kea_cacheFind(cache, q->numBodies, q->numEdges, (const int(*)[2])q->edges);
+    q->factor = kea_cacheFind(cache, q->numBodies, NULL, q->numEdges, (const int(*)[2])q->edges);
     return q->factor != NULL;
 }
 

@@ -95,6 +95,8 @@ double kea_largestRoot(const double c[3]);
 /* Sets every friction bound to μ p of its normal row. */
 void kea_problemRenewRadii(KeaProblem *q, double share);
 
-KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, int numEdges, const int (*edges)[2]);
+/* The factor of a graph, made if there is none; sizes null: 6 of every node. */
+KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size[], int numEdges,
+                         const int (*edges)[2]);
 
 #endif

@@ -21,7 +21,7 @@ static int rootOf(int parent[], int i) {
 }
 
 /* A union-find over the bodies and the world, behind the last of them. */
-static MeBool hasLoops(const MdtKeaSystem *s) {
+MeBool kea_hasLoops(const MdtKeaSystem *s) {
     int *parent = s->work->parent, owner = -1;
     for (int i = 0; i <= s->numBodies; i++)
         parent[i] = i;
@@ -82,7 +82,7 @@ static void setProblem(MdtKeaSystem *s) {
 void kea_shareForces(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const MeBool hadBounds = q->hasBounds;
-    if (!hasLoops(s))
+    if (!kea_hasLoops(s))
         return;
     for (int i = 0; i < s->numRows; i++)
         s->work->errors[i] = q->row[i].p;

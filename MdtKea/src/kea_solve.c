@@ -66,6 +66,8 @@ static void takePass(MdtKeaSystem *s) {
 /* Friction bounds follow the normal forces; should that not settle, they are left where they are in the end. */
 static void solvePass(MdtKeaSystem *s, int pass) {
     KeaProblem *q = &s->work->problem;
+    if (kea_dualSolve(s))
+        return;
     const MeBool isFrozen = pass >= FREEZE && q->counts.stuck > 0;
     if (!isFrozen && pass > 0)
         kea_problemRenewRadii(q, pass < HALVE ? 1 : 0.5);
@@ -192,6 +194,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
         return;
     }
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
+        kea_dualBegin(s);
         solveMotion(s);
         if (s->parameters.timed)
             solveInTime(s);

@@ -27,6 +27,13 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->wanted = kea_carve(arena, 2 * m, sizeof(double));
     work->takesPart = kea_carve(arena, m, 1);
     work->parent = kea_carve(arena, n + 1, sizeof(int));
+    work->dual.start = kea_carve(arena, m + 1, sizeof(int));
+    work->dual.size = kea_carve(arena, m, sizeof(int));
+    work->dual.edges = kea_carve(arena, m, sizeof *work->dual.edges);
+    work->dual.side = kea_carve(arena, m, sizeof *work->dual.side);
+    work->dual.first = kea_carve(arena, n, sizeof(int));
+    work->dual.next = kea_carve(arena, m, sizeof *work->dual.next);
+    work->dual.x = kea_carve(arena, m, sizeof(double));
     kea_problemLayOut(&work->problem, s->numBodies, s->maxRows, arena);
 }
 
