@@ -194,8 +194,8 @@ static double sizeOf(double (*part)(MdtBodyID, int), MdtBodyID b) {
 /* Ch. 3: force and torque of the last step, in the world's frame. Those on the two bodies are action and reaction: the
  * forces are opposite, and together with the torques have no moment about where the bodies were in the mean of the step
  * (a contact: where it was found); and they are what changed the momenta, F h = m Δv and T h = I Δω (these bodies are
- * spheres). The latter is so but for the part of a jerk that acts where the bodies have arrived: its arm and its
- * direction have turned on by up to ω h/2 from the mean ones, with which it is reported. */
+ * spheres). The latter is so but for the part of a jerk that acts where the bodies have arrived: its direction has
+ * turned on by up to ω h/2 from the mean one, with which it is reported, and its arm has moved by up to v h/2 too. */
 START_TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
     Zoo z = makeZoo();
     const double start[2][3] = {{0, 0, 0}, {1, .5, 0}}, mass[2] = {1, 2}, h = (double)FRAME, reach = sqrt(1.25);
@@ -205,6 +205,7 @@ START_TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
         MdtConstraintEnable(z.constraint[i]);
         double v[2][3], w[2][3], at[2][3], moment[3] = {0}, sum[3] = {0}, size = 0;
         double rate = fmax(sizeOf(spin, z.a), sizeOf(spin, z.b));
+        const double speed = sizeOf(velocity, z.a) + sizeOf(velocity, z.b);
         for (int k = 0; k < 2; k++)
             for (int axis = 0; axis < 3; axis++) {
                 v[k][axis] = velocity(k ? z.b : z.a, axis);
@@ -220,7 +221,8 @@ START_TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
             MeVector3 f, t;
             MdtConstraintGetForce(z.constraint[i], k, f);
             MdtConstraintGetTorque(z.constraint[i], k, t);
-            const double turn = isContact ? 0 : rate * h / 2, F = sqrt(dot(f, f)), L = sqrt(dot(t, t));
+            const double turn = isContact ? 0 : rate * h / 2, shift = isContact ? 0 : speed * h / 2;
+            const double F = sqrt(dot(f, f)), L = sqrt(dot(t, t));
             for (int axis = 0; axis < 3; axis++) {
                 const int p = (axis + 1) % 3, q = (axis + 2) % 3;
                 const MdtBodyID b = k ? z.b : z.a;
@@ -230,7 +232,7 @@ START_TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
                 assert_near((double)f[axis] * h, mass[k] * (velocity(b, axis) - v[k][axis]),
                             TOL(2e-6, 1e-12) + turn * F * h);
                 assert_near((double)t[axis] * h, .4 * (spin(b, axis) - w[k][axis]),
-                            TOL(2e-6, 1e-12) + turn * (F * reach + L) * h);
+                            TOL(2e-6, 1e-12) + (turn * (F * reach + L) + shift * F) * h);
             }
         }
         ck_assert_msg(size > 1, "%s did nothing", z.name[i]);
