@@ -124,6 +124,8 @@ START_TEST(impacts_below_the_threshold_do_not_bounce) {
 END_TEST
 
 START_TEST(a_bouncing_ball_comes_to_rest_and_stays) {
+    /* an overlap that counts as touching is left as it is: a part of the ball's size, sqrt(I/m) */
+    const double touching = TOL(1e-5, 1e-7) * sqrt(.4);
     Ball s = makeBall(3, 9.81);
     MdtWorldSetEpsilon(s.world, (MeReal)MDTWORLD_DEFAULT_EPSILON); /* the sag that keeps the contact overlapping */
     MdtContactParamsSetRestitution(&s.params, (MeReal).6);
@@ -132,7 +134,7 @@ START_TEST(a_bouncing_ball_comes_to_rest_and_stays) {
     for (int i = 0; i < 300; i++) {
         stepBall(&s, FRAME);
         assert_near(speedOf(&s), 0, 1e-5);
-        assert_near(heightOf(&s), -1e-4 * 9.81 * (double)FRAME * (double)FRAME / .2, 1e-7);
+        assert_near(heightOf(&s), -1e-4 * 9.81 * (double)FRAME * (double)FRAME / .2, touching);
     }
     MdtWorldDestroy(s.world);
 }
@@ -144,6 +146,9 @@ static void pushFor(Ball *s, int n, double fx, double fz) {
         stepBall(s, FRAME);
     }
 }
+
+/* Kea stops when every row is met to 1e-9 of the partition's speed, the loads' change of it and a tenth of the whole. */
+#define SOLVER_ERROR(acceleration) (1.1e-9 * (acceleration) * (double)FRAME)
 
 /* A body whose contact is at its centre, so that friction does not turn it. */
 static Ball makeBlock(double gravity) {
@@ -269,7 +274,8 @@ START_TEST(slip_velocity_is_slip_times_force_at_once) {
         const double lag = slips[k] / (double)FRAME / (1 + slips[k] / (double)FRAME);
         pushFor(&s, 1, 3, 0);
         velocityOf(&s, v);
-        assert_near_rel(v[0], 3 * slips[k] * (1 - lag), TOL(1e-5, 1e-9));
+        const double first = 3 * slips[k] * (1 - lag);
+        assert_near(v[0], first, TOL(1e-5 * first, SOLVER_ERROR(9.81 + 3)));
         pushFor(&s, 2000, 3, -1);
         velocityOf(&s, v);
         assert_near_rel(v[0], 3 * slips[k], TOL(1e-5, 1e-6));
@@ -306,7 +312,7 @@ START_TEST(a_contact_does_not_pull_unless_it_is_adhesive) {
     stepBall(&s, FRAME);
     assert_near(speedOf(&s), 0, 1e-7);
     MdtContactGetForce(s.contact, 0, f);
-    assert_vec3_near(f, 0, -4, 0, TOL(1e-5, 1e-9));
+    assert_vec3_near(f, 0, -4, 0, TOL(1e-5, SOLVER_ERROR(4) / (double)FRAME));
     MdtBodyAddForce(s.body, 0, 7, 0);
     stepBall(&s, FRAME);
     assert_near(speedOf(&s), 2 * (double)FRAME, 1e-6);

@@ -35,23 +35,38 @@ static void evolve(int n, double h) {
         MdtWorldStep(world, (MeReal)h);
 }
 
-/* Where a ball thrown at (0, 0) with (3, 4) is after one second. */
+/* How far a ball on a spring, with 1 m to swing and 3 rad/s, is from where it should be after one second. */
 static double missAfterASecond(int steps) {
-    begin(10);
-    MdtBodyID ball = newBody(1, 0, 0);
-    MdtBodySetLinearVelocity(ball, 3, 4, 0);
+    begin(0);
+    MdtBodyID ball = newBody(1, 3, 0);
+    MdtSpringID spring = MdtSpringCreate(world);
+    MdtSpringSetBodies(spring, ball, 0);
+    MdtSpringSetPosition(spring, 0, 3, 0, 0);
+    MdtSpringSetPosition(spring, 1, 0, 0, 0);
+    MdtSpringSetNaturalLength(spring, 2);
+    MdtSpringSetStiffness(spring, 9);
+    MdtSpringSetDamping(spring, 0);
+    MdtSpringEnable(spring);
     evolve(steps, 1. / steps);
-    const double miss = fabs(coordinate(ball, 1) - (4 - 5.));
+    const double miss = fabs(coordinate(ball, 0) - (2 + cos(3.)));
     end();
     return miss;
 }
 
 /* "Integrators and First Order Effects", "Background": "as the step size h is changed, the behavior changes"; the
- * difference from the physical model "increases as h increases", here in proportion. */
+ * difference from the physical model "increases as h increases", here with its square: the spring's frequency is
+ * (2/h) atan(ω h/2). A ball that is thrown is where it should be. */
 START_TEST(first_order_effects) {
-    const double coarse = missAfterASecond(30), fine = missAfterASecond(60), finest = missAfterASecond(240);
-    assert_near(coarse / fine, 2, .02);
+    const double coarse = missAfterASecond(30), fine = missAfterASecond(60), finest = missAfterASecond(120);
+    assert_near(coarse, fabs(cos(60 * atan(3. / 60)) - cos(3.)), TOL(1e-6, 1e-9));
+    assert_near(coarse / fine, 4, .04);
     assert_near(fine / finest, 4, .04);
+    begin(10);
+    MdtBodyID ball = newBody(1, 0, 0);
+    MdtBodySetLinearVelocity(ball, 3, 4, 0);
+    evolve(30, 1. / 30);
+    assert_position(ball, 3, 4 - 5, 0, TOL(2e-6, 1e-12));
+    end();
 }
 END_TEST
 
@@ -142,12 +157,12 @@ START_TEST(meaning_of_epsilon) {
             MdtWorldSetEpsilon(world, (MeReal)epsilons[e]);
             MdtBodyID body = newBody(masses[m], 0, 0);
             MdtContactID contact = scene_contact(world, body, 0, 0, 0, 0);
-            for (int i = 0; i < 3000; i++) {
+            for (int i = 0; i < 10000; i++) { /* the softest takes 2 (1 + epsilon m) / gamma = 1010 steps for 1/e */
                 MdtContactSetPenetration(contact, (MeReal)-coordinate(body, 1));
                 evolve(1, 1. / 60);
             }
             const double depth = epsilons[e] * masses[m] * 10 / 3600 / .2;
-            assert_near(-coordinate(body, 1), depth, 2e-2 * depth + 1e-8);
+            assert_near(-coordinate(body, 1), depth, 1e-4 * depth + TOL(2e-6, 1e-8));
             end();
         }
 }
@@ -253,8 +268,8 @@ START_TEST(numerical_scaling) {
                     crossing = (n - x / (x - last)) * h; /* a quarter of the period, pi/2 / omega */
                 last = x;
             }
-            /* the first order of the integrator, half a step of 0.02 / omega, and 0.02 % for the amplitude */
-            assert_near_rel(crossing * omega, PI / 2, 1e-2);
+            /* (omega h)²/12 = 3e-5 of the integrator, 0.05²/16 of the amplitude, and 5e-5 of the bob's own inertia */
+            assert_near_rel(crossing * omega, PI / 2 * (1 + .05 * .05 / 16 + 5e-5), 1e-4);
             end();
         }
 }
