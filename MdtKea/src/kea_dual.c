@@ -32,20 +32,22 @@ static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
     return METRUE;
 }
 
-/* Joints that share a body, by way of a list of the nodes of every body. False: there are too many. */
+/* Joints that share a body, by way of a list of the nodes of every body. False: there are too many, or two share both. */
 static MeBool findEdges(MdtKeaSystem *s, KeaDual *d) {
     d->numEdges = 0;
     for (int b = 0; b < s->numBodies; b++)
         d->first[b] = -1;
     for (int n = 0; n < d->numNodes; n++) {
         const KeaProblemRow *row = &s->work->problem.row[d->start[n]];
+        d->met[n] = -1;
         for (int k = 0; k < 2; k++) {
             const int b = row->body[k];
             if (b < 0)
                 continue;
             for (int m = d->first[b]; m >= 0; m = d->next[m / 2][m % 2]) {
-                if (d->numEdges == s->maxRows)
+                if (d->numEdges == s->maxRows || d->met[m / 2] == n)
                     return MEFALSE;
+                d->met[m / 2] = n;
                 d->edges[d->numEdges][0] = m / 2;
                 d->edges[d->numEdges][1] = n;
                 d->side[d->numEdges][0] = m % 2;

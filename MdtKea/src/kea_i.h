@@ -45,6 +45,7 @@ typedef struct KeaDual {
     int numNodes, numEdges;
     int *start, *size;              /* by node: its rows */
     int (*edges)[2], (*side)[2];    /* of an edge: its nodes, and on which side each has the shared body */
+    int *met;                       /* by node: the last one that it was joined with */
     int *first, (*next)[2];         /* by body, by node and side: lists of 2 node + side */
     double *x;                      /* by row */
 } KeaDual;

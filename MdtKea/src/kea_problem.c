@@ -509,7 +509,8 @@ void kea_problemCarryOn(KeaProblem *q, double (*total)[6]) {
 static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
     const KeaProblemRow *other = &q->row[row->partner];
     const double radius = row->friction * keaMax(q->row[row->normal].p, 0);
-    const double a = row->p - slip[0] / row->size, b = other->p - slip[1] / row->size, size = hypot(a, b);
+    const double unit = row->size + row->E; /* a soft row's impulse hardly moves */
+    const double a = row->p - slip[0] / unit, b = other->p - slip[1] / unit, size = hypot(a, b);
     const double share = size > radius ? radius / size : 1;
     return row->size * hypot(row->p - share * a, other->p - share * b);
 }
@@ -536,7 +537,7 @@ double kea_problemResidual(const KeaProblem *q) {
             continue;
         }
         const double bound = row->normal >= 0 ? row->friction * keaMax(q->row[row->normal].p, 0) : HUGE_VAL;
-        const double wanted = keaMin(keaMax(row->p - missing[0] / row->size, keaMax(row->lower, -bound)),
+        const double wanted = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
                                    keaMin(row->upper, bound));
         worst = keaMax(worst, row->size * fabs(row->p - wanted));
     }

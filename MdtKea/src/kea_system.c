@@ -31,6 +31,7 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->dual.size = kea_carve(arena, m, sizeof(int));
     work->dual.edges = kea_carve(arena, m, sizeof *work->dual.edges);
     work->dual.side = kea_carve(arena, m, sizeof *work->dual.side);
+    work->dual.met = kea_carve(arena, m, sizeof(int));
     work->dual.first = kea_carve(arena, n, sizeof(int));
     work->dual.next = kea_carve(arena, m, sizeof *work->dual.next);
     work->dual.x = kea_carve(arena, m, sizeof(double));
