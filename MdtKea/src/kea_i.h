@@ -63,6 +63,7 @@ typedef struct MdtKeaWork {
     int *parent; /* by body, and one more */
     KeaProblem problem;
     KeaDual dual;
+    MeBool hasLoops; /* of joints */
 } MdtKeaWork;
 
 /* ---- kea_rotation.c ---- */

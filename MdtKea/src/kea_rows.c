@@ -15,8 +15,9 @@
 #include <string.h>
 
 /* The method's own softness, relative to the row's A_ii. With less, contacts that come and go take more iterations; with
- * more, heavy bodies on light ones take more passes. */
-static const double rigidJoint = 1e-8, rigidLimit = 1e-6;
+ * more, heavy bodies on light ones take more passes. Joints that make loops contradict each other, if only by rounding,
+ * and answer with impulses of the error over h N: they get more. */
+static const double rigidJoint = 1e-8, rigidLoop = 1e-6, rigidLimit = 1e-6;
 static const double rigidContact[] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}; /* by pass that went well */
 
 static const double nearby = 1e-3; /* of a body's size: a contact that is no further away may act */
@@ -257,7 +258,7 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const double h = s->parameters.stepsize;
     p->E = row->softness;
     p->r = row->target - (s->work->errors[i] - row->error) / h;
-    p->N = (isOneSided(row) ? rigidLimit : rigidJoint) * ownSize(s, p);
+    p->N = (isOneSided(row) ? rigidLimit : s->work->hasLoops ? rigidLoop : rigidJoint) * ownSize(s, p);
 }
 
 /* A contact that is met in time keeps no velocity from being pushed apart (kea_project does that), but a soft one sinks

@@ -82,7 +82,7 @@ static void setProblem(MdtKeaSystem *s) {
 void kea_shareForces(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const MeBool hadBounds = q->hasBounds;
-    if (!kea_hasLoops(s))
+    if (!s->work->hasLoops)
         return;
     for (int i = 0; i < s->numRows; i++)
         s->work->errors[i] = q->row[i].p;

@@ -194,6 +194,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
         return;
     }
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
+        s->work->hasLoops = kea_hasLoops(s);
         kea_dualBegin(s);
         solveMotion(s);
         if (s->parameters.timed)

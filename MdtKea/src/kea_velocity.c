@@ -241,6 +241,19 @@ static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
         s->rows[i].ripple = isQuieted ? 0 : leftOver(&s->work->problem.row[i]);
 }
 
+/* The last resort of a step whose motion was not found: at least it is no faster than energy allows. */
+static void slowDown(MdtKeaSystem *s, double allowed) {
+    memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
+    const double energy = energyWith(s, s->work->added);
+    if (energy <= allowed)
+        return;
+    const double less = sqrt(keaMax(allowed, 0) / energy) - 1;
+    for (int b = 0; b < s->numBodies; b++)
+        for (int k = 0; k < 6; k++)
+            s->work->added[b][k] = less * s->work->body[b].endVelocity[k];
+    addVelocities(s, s->work->added);
+}
+
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     if (!mayBeNeeded(s))
@@ -254,5 +267,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
     noteRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start, allowed);
+    if (s->report.capped)
+        slowDown(s, allowed);
     kea_recallRows(s);
 }
