@@ -91,6 +91,15 @@ static void takeBest(MdtKeaSystem *s) {
     linearize(s);
 }
 
+/* The Cayley map turns a body by less than half a turn, however fast it is: near that, the velocity means nothing. */
+static MeBool turnsOver(const MdtKeaSystem *s) {
+    const double most = 2.5; /* rad as the velocity has it, 1.8 as the body turns */
+    for (int i = 0; i < s->numBodies; i++)
+        if (s->parameters.stepsize * keaLength(s->work->body[i].u + 3) > most)
+            return METRUE;
+    return MEFALSE;
+}
+
 static void takePasses(MdtKeaSystem *s) {
     double speed = 0, best = HUGE_VAL;
     Errors e = {0, 0, 0, HUGE_VAL};
@@ -116,7 +125,7 @@ static void takePasses(MdtKeaSystem *s) {
         e = errorsOf(s, speed);
     }
     s->report.conflicting = kea_isConflicting(s, positionTolerance);
-    s->report.violent = e.position > looseMotion || e.momentum > looseMotion;
+    s->report.violent = e.position > looseMotion || e.momentum > looseMotion || turnsOver(s);
     s->report.capped = s->report.violent || e.velocity > looseVelocity;
     s->report.residual = e.velocity * velocityTolerance * speed;
 }

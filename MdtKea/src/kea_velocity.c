@@ -224,7 +224,7 @@ static double leftOver(const KeaProblemRow *p) {
 
 /* The undamped velocity of the midpoint rule changes its sign at every step; what motion itself leaves does not. */
 static MeBool alternates(const MdtKeaSystem *s, double residual) {
-    const double noise = 1e-6;
+    const double noise = 1e-9;
     if (residual < noise * loadSpeed(s))
         return MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
