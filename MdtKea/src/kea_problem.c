@@ -514,8 +514,8 @@ static double conePart(const KeaProblem *q, const KeaProblemRow *row, const doub
     return row->size * hypot(row->p - share * a, other->p - share * b);
 }
 
-double kea_problemResidual(const KeaProblem *q) {
-    double worst = 0;
+double kea_problemResidual(const KeaProblem *q, double *impulse) {
+    double worst = 0, most = 0;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         if (row->isOff || row->isElsewhere || row->size == 0)
@@ -523,6 +523,7 @@ double kea_problemResidual(const KeaProblem *q) {
         if (row->isForced) {
             const double wanted = row->forced * row->friction * keaMax(q->row[row->normal].p, 0);
             worst = keaMax(worst, row->size * fabs(row->p - wanted));
+            most = keaMax(most, fabs(row->p - wanted));
         }
         if (row->isForced || (row->partner >= 0 && row->partner < i))
             continue;
@@ -532,13 +533,18 @@ double kea_problemResidual(const KeaProblem *q) {
                                                            q->row[row->partner].r
                                                      : 0};
         if (row->partner >= 0) {
-            worst = keaMax(worst, conePart(q, row, missing));
+            const double part = conePart(q, row, missing);
+            worst = keaMax(worst, part);
+            most = keaMax(most, part / row->size);
             continue;
         }
         const double bound = row->normal >= 0 ? row->friction * keaMax(q->row[row->normal].p, 0) : HUGE_VAL;
         const double wanted = keaMin(keaMax(row->p - missing[0] / row->size, keaMax(row->lower, -bound)),
                                    keaMin(row->upper, bound));
         worst = keaMax(worst, row->size * fabs(row->p - wanted));
+        most = keaMax(most, fabs(row->p - wanted));
     }
+    if (impulse)
+        *impulse = most;
     return worst;
 }

@@ -20,6 +20,7 @@ static const double looseMotion = 300, looseVelocity = 1e5; /* times these: good
 
 typedef struct Errors {
     double position, velocity, momentum, worst; /* in tolerances */
+    double impulse;                             /* N s, that the velocity would take */
 } Errors;
 
 /* m/s: what velocities are compared with. */
@@ -47,7 +48,7 @@ static void linearize(MdtKeaSystem *s) {
 static Errors errorsOf(MdtKeaSystem *s, double speed) {
     Errors e;
     e.position = kea_positionError(s) / positionTolerance;
-    e.velocity = kea_problemResidual(&s->work->problem) / (velocityTolerance * speed);
+    e.velocity = kea_problemResidual(&s->work->problem, &e.impulse) / (velocityTolerance * speed);
     e.momentum = kea_problemError(&s->work->problem) / momentumTolerance;
     e.worst = keaMax(e.position, keaMax(e.momentum, e.velocity));
     return e;
@@ -89,7 +90,7 @@ static void takeBest(MdtKeaSystem *s) {
 static void takePasses(MdtKeaSystem *s) {
     const double speed = speedOf(s);
     double best = HUGE_VAL;
-    Errors e = {0, 0, 0, HUGE_VAL};
+    Errors e = {.worst = HUGE_VAL};
     for (int pass = 0;; pass++) {
         linearize(s);
         e = errorsOf(s, speed);
@@ -114,6 +115,7 @@ static void takePasses(MdtKeaSystem *s) {
     s->report.violent = e.position > looseMotion || e.momentum > looseMotion;
     s->report.capped = s->report.violent || e.velocity > looseVelocity;
     s->report.residual = e.velocity * velocityTolerance * speed;
+    s->report.force = e.impulse / s->parameters.stepsize;
 }
 
 static void setFree(MdtKeaSystem *s) {
@@ -188,6 +190,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
         s->report.violent = METRUE;
         return;
     }
+    s->report.capped = s->numRows > 0; /* until they are solved: there may be no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
         solveMotion(s);
         if (s->parameters.timed)
