@@ -21,6 +21,7 @@ typedef struct Partition {
     double elapsed;                    /* s, before that part */
     MeBool isDegenerate;               /* some joint was in this step */
     MdtKeaSystem kea;
+    MdtReport *report; /* null: it is off */
 } Partition;
 
 enum { MAX_HALVINGS = 6 };
@@ -372,6 +373,8 @@ static void meet(Partition *p, void *scratch) {
     if (!MdtKeaMeets(&p->kea))
         return;
     MdtKeaImpact(&p->kea);
+    if (p->report)
+        mdt_reportImpact(p->report);
     for (int i = 0; i < p->numConstraints; i++) {
         MdtConstraintID c = p->constraints[i];
         for (int r = 0; r < c->numRows; r++)
@@ -384,6 +387,8 @@ static void meet(Partition *p, void *scratch) {
 }
 
 static void solvePart(Partition *p, void *scratch, double part) {
+    if (p->report && p->elapsed > 0)
+        mdt_reportLap(p->world, p->report, MdtReportStageIntegrate);
     MeProfileStartSection("Rows", 0);
     setPart(p, part);
     MdtKeaInit(&p->kea, scratch);
@@ -391,14 +396,20 @@ static void solvePart(Partition *p, void *scratch, double part) {
     if (p->kea.parameters.timed)
         meet(p, scratch);
     MeProfileEndSection("Rows");
+    if (p->report && p->kea.numRows > 0)
+        mdt_reportLap(p->world, p->report, MdtReportStageRows);
     MeProfileStartSection("Solve", 0);
     MdtKeaSolve(&p->kea);
     MeProfileEndSection("Solve");
+    if (p->report)
+        mdt_reportSolve(p->world, p->report, &p->kea);
 }
 
 static MeBool integratePart(Partition *p) {
     MeProfileStartSection("Integrate", 0);
     const MeBool isFinite = MdtKeaIntegrate(&p->kea);
+    if (p->report)
+        mdt_reportPart(p->report, &p->kea, p->constraints, p->numConstraints, isFinite);
     if (isFinite)
         unpackConstraints(p);
     else
@@ -413,8 +424,11 @@ static MeBool integratePart(Partition *p) {
 static MeBool takePart(Partition *p, void *scratch, double part, int halvings) {
     p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
     solvePart(p, scratch, part);
-    if (p->kea.report.violent && halvings < MAX_HALVINGS)
+    if (p->kea.report.violent && halvings < MAX_HALVINGS) {
+        if (p->report)
+            mdt_reportDivision(p->report);
         return takePart(p, scratch, 0.5 * part, halvings + 1) && takePart(p, scratch, 0.5 * part, halvings + 1);
+    }
     return integratePart(p);
 }
 
@@ -427,8 +441,11 @@ static MeBool takeInTime(Partition *p, void *scratch, double part) {
     for (int events = 0; rest > least * part; events++) {
         p->kea.parameters.timed = events < MAX_EVENTS;
         solvePart(p, scratch, rest);
-        if (p->kea.parameters.timed && p->kea.report.event < rest * (1 - least))
+        if (p->kea.parameters.timed && p->kea.report.event < rest * (1 - least)) {
+            if (p->report)
+                mdt_reportEvent(p->report);
             solvePart(p, scratch, fmax(p->kea.report.event, least * part));
+        }
         rest -= p->parameters.stepsize;
         if (!integratePart(p))
             return MEFALSE;
@@ -507,10 +524,13 @@ static void stepPartitions(MdtWorldID w, double h, MeBool safely) {
             p.h = safeStep(&p);
         if (w->partitionCb)
             showPartition(w, i);
+        p.report = w->isReported ? mdt_reportOf(w, i) : NULL;
         if (isToRest(w, &p))
             putToSleep(&p);
         else
             stepPartition(&p);
+        if (p.report)
+            mdt_reportEnd(w, p.report, i);
     }
 }
 
@@ -521,6 +541,8 @@ static void stepWorld(MdtWorldID w, double h, MeBool safely) {
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
     mdt_partitionsUpdate(w);
+    if (w->isReported)
+        mdt_reportStep(w);
     MeProfileEndSection("Partition");
     stepPartitions(w, h, safely);
     MeProfileEndSection("Dynamics");

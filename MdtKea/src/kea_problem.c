@@ -14,8 +14,6 @@
 #include "MdtKeaMath.h"
 #include <float.h>
 #include <string.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { MAX_CONVEX = 60, MAX_COUPLED = 12 };
 static const double tolerance = 1e-10; /* of the scale of momenta */
@@ -408,7 +406,6 @@ static MeBool solveCoupled(KeaProblem *q) {
         }
         if (!(next < 0.9 * error)) {
             setForces(q, 0, METRUE);
-            if (getenv("KEA_TRACE")) printf("    coupled stuck it %d error %g next %g\n", i, error, next);
             return error < 1e3; /* rounding */
         }
         take(q, step);
@@ -515,8 +512,8 @@ static double conePart(const KeaProblem *q, const KeaProblemRow *row, const doub
     return row->size * hypot(row->p - share * a, other->p - share * b);
 }
 
-double kea_problemResidual(const KeaProblem *q) {
-    double worst = 0;
+double kea_problemResidual(const KeaProblem *q, double *impulse) {
+    double worst = 0, most = 0;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         if (row->isOff || row->isElsewhere || row->size == 0)
@@ -524,6 +521,7 @@ double kea_problemResidual(const KeaProblem *q) {
         if (row->isForced) {
             const double wanted = row->forced * row->friction * keaMax(q->row[row->normal].p, 0);
             worst = keaMax(worst, row->size * fabs(row->p - wanted));
+            most = keaMax(most, fabs(row->p - wanted));
         }
         if (row->isForced || (row->partner >= 0 && row->partner < i))
             continue;
@@ -533,13 +531,18 @@ double kea_problemResidual(const KeaProblem *q) {
                                                            q->row[row->partner].r
                                                      : 0};
         if (row->partner >= 0) {
-            worst = keaMax(worst, conePart(q, row, missing));
+            const double part = conePart(q, row, missing);
+            worst = keaMax(worst, part);
+            most = keaMax(most, part / row->size);
             continue;
         }
         const double bound = row->normal >= 0 ? row->friction * keaMax(q->row[row->normal].p, 0) : HUGE_VAL;
         const double wanted = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
                                    keaMin(row->upper, bound));
         worst = keaMax(worst, row->size * fabs(row->p - wanted));
+        most = keaMax(most, fabs(row->p - wanted));
     }
+    if (impulse)
+        *impulse = most;
     return worst;
 }

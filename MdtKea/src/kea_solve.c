@@ -9,8 +9,6 @@
  */
 #include "kea_i.h"
 #include <string.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { MAX_PASSES = 16, HALVE = 6, FREEZE = 12 };
 static const double positionTolerance = 1e-10; /* of a row's size */
@@ -20,6 +18,7 @@ static const double looseMotion = 1e4, looseVelocity = 1e5; /* times these: good
 
 typedef struct Errors {
     double position, velocity, momentum, worst; /* in tolerances */
+    double impulse;                             /* N s, that the velocity would take */
 } Errors;
 
 /* m/s: what velocities are compared with: those of the bodies, and what loads, springs and motors do to them. */
@@ -50,7 +49,7 @@ static void linearize(MdtKeaSystem *s) {
 static Errors errorsOf(MdtKeaSystem *s, double speed) {
     Errors e;
     e.position = kea_positionError(s) / positionTolerance;
-    e.velocity = kea_problemResidual(&s->work->problem) / (velocityTolerance * speed);
+    e.velocity = kea_problemResidual(&s->work->problem, &e.impulse) / (velocityTolerance * speed);
     e.momentum = kea_problemError(&s->work->problem) / momentumTolerance;
     e.worst = keaMax(e.position, keaMax(e.momentum, e.velocity));
     return e;
@@ -102,12 +101,11 @@ static MeBool turnsOver(const MdtKeaSystem *s) {
 
 static void takePasses(MdtKeaSystem *s) {
     double speed = 0, best = HUGE_VAL;
-    Errors e = {0, 0, 0, HUGE_VAL};
+    Errors e = {.worst = HUGE_VAL};
     for (int pass = 0;; pass++) {
         linearize(s);
         speed = keaMax(speed, speedOf(s));
         e = errorsOf(s, speed);
-        if (getenv("KEA_TRACE")) printf("  pass %d pos %.2e vel %.2e mom %.2e  it %d fac %d\n", pass, e.position, e.velocity, e.momentum, s->work->problem.counts.iterations, s->work->problem.counts.factorizations);
         if (e.worst < best) {
             best = e.worst;
             keepBest(s);
@@ -128,6 +126,7 @@ static void takePasses(MdtKeaSystem *s) {
     s->report.violent = e.position > looseMotion || e.momentum > looseMotion || turnsOver(s);
     s->report.capped = s->report.violent || e.velocity > looseVelocity;
     s->report.residual = e.velocity * velocityTolerance * speed;
+    s->report.force = e.impulse / s->parameters.stepsize;
 }
 
 static void setFree(MdtKeaSystem *s) {
@@ -202,6 +201,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
         s->report.violent = METRUE;
         return;
     }
+    s->report.capped = s->numRows > 0; /* until they are solved: there may be no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
         s->work->hasLoops = kea_hasLoops(s);
         kea_dualBegin(s);

@@ -75,6 +75,8 @@ static void predict(MdtKeaSystem *s, int i) {
     const MdtKeaBody *body = s->bodies[i];
     KeaBody *b = &s->work->body[i];
     const double h = s->parameters.stepsize;
+    const double *I = body->moments;
+    b->size = sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
     advance(b->freeVelocity, body->velocity, body->force, body->invMass, body->linearDamping, h);
     advance(b->freeMomentum, body->angularMomentum, body->torque, 1, body->angularDamping, h);
     keaCopy(s->predicted[i].lin, b->freeVelocity);

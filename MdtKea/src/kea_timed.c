@@ -245,7 +245,7 @@ static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesP
             kea_problemRenewRadii(q, pass < 6 ? 1 : 0.5);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, change);
-        const double residual = kea_problemResidual(q);
+        const double residual = kea_problemResidual(q, NULL);
         start = start < 0 ? residual : start;
         if (pass > 0 && residual <= 1e-12 * (start + s->work->speed))
             break;
@@ -439,6 +439,8 @@ void kea_project(MdtKeaSystem *s) {
         q->row[i].isElsewhere = s->rows[i].contact != i;
     }
     solveDisplacement(s, wanted);
+    s->report.iterations = q->counts.iterations;
+    s->report.factorizations = q->counts.factorizations;
     for (int i = 0; i < s->numRows; i++)
         q->row[i].p = s->work->errors[i];
     displace(s);

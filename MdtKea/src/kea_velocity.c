@@ -141,7 +141,7 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
         kea_problemRenewRadii(q, 1);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, added);
-        residual = kea_problemResidual(q);
+        residual = kea_problemResidual(q, NULL);
     }
 }
 
@@ -262,7 +262,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
     const double allowed = energyAllowed(s);
     kea_keepRows(s);
     setProblem(s);
-    const double start = kea_problemResidual(q);
+    const double start = kea_problemResidual(q, NULL);
     const MeBool isNeeded = isHit || start > calm * loadSpeed(s) || alternates(s, start);
     noteRipples(s, isNeeded);
     if (isNeeded)
