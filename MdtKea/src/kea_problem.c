@@ -195,7 +195,7 @@ static double gradientError(KeaProblem *q, double step) {
                 continue;
             addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
             q->allowed[row->body[k]] +=
-                row->weight[k] * (tolerance * fabs(row->p) + (row->isOff || row->state == KEA_IDLE ? 0 : rounding));
+                row->weight[k] * (tolerance * fabs(row->p) + (row->isOff || row->state != KEA_HELD ? 0 : rounding));
         }
     }
     for (int b = 0; b < q->numBodies; b++) {
@@ -335,7 +335,8 @@ static double slopeAt(KeaProblem *q, double constant, double linear, double step
     return slope;
 }
 
-/* Where the derivative vanishes, to a thousandth of what it was: mostly the full step. */
+/* Where the derivative vanishes, to a thousandth of what it was: mostly the full step. A rigid row that is bounded on
+ * both sides makes it jump within a very short way, so what the secant does not halve, the next point does. */
 static double bestStep(KeaProblem *q) {
     double constant = 0, linear = 0, Bd[6];
     if (!q->hasBounds)
@@ -355,13 +356,16 @@ static double bestStep(KeaProblem *q) {
         atHigh = slopeAt(q, constant, linear, high);
     }
     double step = high, at = atHigh;
-    for (int i = 0; i < 40 && fabs(at) > enough && high > low; i++) {
-        step = i % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * atLow / (atLow - atHigh);
+    MeBool isSlow = MEFALSE;
+    for (int i = 0; i < 100 && fabs(at) > enough && high > low; i++) {
+        const double width = high - low;
+        step = isSlow ? 0.5 * (low + high) : low + width * atLow / (atLow - atHigh);
         at = slopeAt(q, constant, linear, step);
         if (at < 0)
             low = step, atLow = at;
         else
             high = step, atHigh = at;
+        isSlow = high - low > 0.5 * width;
     }
     return step;
 }

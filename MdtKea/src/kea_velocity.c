@@ -104,7 +104,7 @@ static void setProblem(MdtKeaSystem *s) {
 static void addVelocities(MdtKeaSystem *s, double (*added)[6]) {
     for (int i = 0; i < s->numBodies; i++) {
         double dL[3];
-        keaApply(dL, s->work->problem.metric[i].angular, added[i] + 3);
+        keaApply(dL, (const double(*)[3])s->work->problem.metric[i].angular, added[i] + 3);
         keaAddScaled(s->work->end[i].velocity, 1, added[i]);
         keaAddScaled(s->work->end[i].angularMomentum, 1, dL);
         for (int k = 0; k < 6; k++)
