@@ -527,10 +527,10 @@ START_TEST(the_cache_survives_lack_of_memory) {
     for (int k = 1; !f; k++) {
         MdtKeaCache *cache = MdtKeaCacheCreate();
         failAt = calls + k;
-        f = kea_cacheFind(cache, g.numNodes, g.numEdges, g.edges);
+        f = kea_cacheFind(cache, g.numNodes, NULL, g.numEdges, g.edges);
         failAt = 0;
         if (!f) /* the same, once there is memory */
-            ck_assert_ptr_nonnull(kea_cacheFind(cache, g.numNodes, g.numEdges, g.edges));
+            ck_assert_ptr_nonnull(kea_cacheFind(cache, g.numNodes, NULL, g.numEdges, g.edges));
         MdtKeaCacheDestroy(cache);
         ck_assert_int_eq(blocks, 0);
         ck_assert_int_lt(k, 1000);
@@ -546,15 +546,15 @@ START_TEST(the_cache_keeps_what_was_used_last) {
     MdtKeaCache *cache = MdtKeaCacheCreate();
     KeaFactor *last = NULL;
     for (int n = 2; n < 102; n++) {
-        last = kea_cacheFind(cache, n, 1, edges);
+        last = kea_cacheFind(cache, n, NULL, 1, edges);
         ck_assert(kea_factorOffset(last, n) == 6 * n);
     }
     const int before = calls;
-    ck_assert_ptr_eq(kea_cacheFind(cache, 101, 1, edges), last);
+    ck_assert_ptr_eq(kea_cacheFind(cache, 101, NULL, 1, edges), last);
     for (int n = 90; n < 102; n++)
-        ck_assert_int_eq(kea_factorOffset(kea_cacheFind(cache, n, 1, edges), n), 6 * n);
+        ck_assert_int_eq(kea_factorOffset(kea_cacheFind(cache, n, NULL, 1, edges), n), 6 * n);
     ck_assert_int_eq(calls, before);
-    ck_assert_int_eq(kea_factorOffset(kea_cacheFind(cache, 2, 1, edges), 2), 12);
+    ck_assert_int_eq(kea_factorOffset(kea_cacheFind(cache, 2, NULL, 1, edges), 2), 12);
     ck_assert_int_gt(calls, before);
     MdtKeaCacheDestroy(cache);
     ck_assert_int_eq(blocks, 0);
