@@ -11,20 +11,22 @@
 
 static const double regular = 1e-13; /* of a row's A_ii: rows of one joint may coincide but for rounding */
 
+static MeBool areOfOneJoint(const MdtKeaRow *a, const MdtKeaRow *b) {
+    return a->owner == b->owner && a->body[0] == b->body[0] && a->body[1] == b->body[1];
+}
+
 /* Runs of rows of one constraint are the nodes. False: something is bounded. */
 static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
-    int owner = -1;
     d->numNodes = 0;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         if (row->contact >= 0 || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL ||
             s->work->problem.row[i].isOff)
             return MEFALSE;
-        if (row->owner != owner) {
+        if (i == 0 || !areOfOneJoint(row, row - 1)) {
             d->start[d->numNodes] = i;
             d->size[d->numNodes++] = 0;
         }
-        owner = row->owner;
         if (++d->size[d->numNodes - 1] > KEA_FACTOR_MAX_BLOCK)
             return MEFALSE;
     }

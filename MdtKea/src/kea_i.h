@@ -115,7 +115,7 @@ double kea_positionError(MdtKeaSystem *s);
 /* Contacts that were thought out of reach and are reached. Returns whether there were any. */
 MeBool kea_admitContacts(MdtKeaSystem *s);
 /* After every pass: which joints did not yield; whether they miss their aims by more than this. */
-void kea_noteStubborn(MdtKeaSystem *s);
+void kea_noteStubborn(MdtKeaSystem *s, double tolerance);
 MeBool kea_isConflicting(const MdtKeaSystem *s, double tolerance);
 /* The rate of a row at the end. */
 double kea_endRate(const MdtKeaSystem *s, int i);

@@ -158,7 +158,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->friction = row->friction;
         copyRow(p, row, h);
         p->isOff = isIdle(s, row);
-        p->p = p->p0 = p->isOff ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
+        p->p = p->p0 = p->isOff || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
         p->isStubborn = MEFALSE;
         p->isElsewhere = row->position;
@@ -342,12 +342,15 @@ double kea_positionError(MdtKeaSystem *s) {
     return worst;
 }
 
-/* Joints that contradict each other: what a pass asked of them, it did not get, whatever their impulses. */
-void kea_noteStubborn(MdtKeaSystem *s) {
+/* Joints that contradict each other: what a pass asked of them, it did not get, whatever their impulses. Who asked for
+ * nothing that counts, and got a little from the method's softness, does not. */
+void kea_noteStubborn(MdtKeaSystem *s, double tolerance) {
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &s->work->problem.row[i];
         const double asked = p->r - p->E * p->p0;
-        p->isStubborn = s->rows[i].position && !isOneSided(&s->rows[i]) && fabs(asked - p->Jd) > 0.5 * fabs(asked);
+        const MeBool asks = s->parameters.stepsize * fabs(asked) > tolerance * sizeOfRow(s, &s->rows[i]);
+        p->isStubborn = asks && s->rows[i].position && !isOneSided(&s->rows[i]) &&
+                        fabs(asked - p->Jd) > 0.5 * fabs(asked);
     }
 }
 

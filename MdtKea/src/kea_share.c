@@ -22,14 +22,16 @@ static int rootOf(int parent[], int i) {
 
 /* A union-find over the bodies and the world, behind the last of them. */
 MeBool kea_hasLoops(const MdtKeaSystem *s) {
-    int *parent = s->work->parent, owner = -1;
+    int *parent = s->work->parent, owner = 0;
+    MeBool isFirst = METRUE;
     for (int i = 0; i <= s->numBodies; i++)
         parent[i] = i;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (!row->position || row->owner == owner)
+        if (!row->position || (!isFirst && row->owner == owner))
             continue;
         owner = row->owner;
+        isFirst = MEFALSE;
         const int a = rootOf(parent, row->body[0] < 0 ? s->numBodies : row->body[0]);
         const int b = rootOf(parent, row->body[1] < 0 ? s->numBodies : row->body[1]);
         if (a == b)

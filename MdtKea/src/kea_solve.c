@@ -113,7 +113,7 @@ static void takePasses(MdtKeaSystem *s) {
         if (e.worst < 1 || pass == MAX_PASSES)
             break;
         solvePass(s, pass);
-        kea_noteStubborn(s);
+        kea_noteStubborn(s, positionTolerance);
         takePass(s);
         kea_admitContacts(s);
         s->report.passes++;
