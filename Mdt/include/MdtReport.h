@@ -60,12 +60,14 @@ typedef struct MdtReport {
     MeReal jointError;    /**< m: largest error left in a joint against what this step asked (angular: rad) */
     MeReal jointGap;      /**< m: how far the bodies of a joint are from where it holds them, at the end of the step */
     MeReal jointTurn;     /**< rad: the same for joints that hold directions */
-    MeReal penetration;   /**< m: of the deepest contact as the step began, 0 where none is deep */
+    MeReal penetration;   /**< m: of the deepest contact as the step began, 0 where none is deep, or at rest */
     /* energy at the end of the step */
     MeReal kineticEnergy;   /**< J, of the bodies */
     MeReal potentialEnergy; /**< J, in the world's gravity, 0 at the origin; of gravity only, not of springs */
     /* cost */
-    MeReal time[MdtReportStages]; /**< s, by MdtReportStage, on a monotonic clock */
+    /** s, by MdtReportStage, on a monotonic clock. Of small partitions, one in sixteen is timed by itself; the others are
+     *  timed together, and their time is divided as that one's was and by bodies and rows. Sums are measured. */
+    MeReal time[MdtReportStages];
 } MdtReport;
 
 /**
