@@ -34,8 +34,8 @@ typedef enum MdtReportStage {
 
 /**
  * Of one partition, or of all partitions of a step: counts, energies and times are sums, errors are maxima. Solves
- * count that were thrown away, because their part of the step was divided; their errors do not. The work of impacts shows
- * in the time only.
+ * count that were thrown away, because their part of the step was divided; their errors do not. The work of impacts
+ * shows in the time only.
  */
 typedef struct MdtReport {
     /* what was solved */
@@ -83,7 +83,8 @@ MEPUBLIC MeBool MEAPI MdtWorldReportIsEnabled(const MdtWorldID w);
 
 /**
  * Writes the report of the world's last step to @a report: sums and maxima over its partitions. MEFALSE and zeros when
- * the report is off, or no step was taken since it was enabled. Called during a step, it tells of the partitions so far.
+ * the report is off, or no step was taken since it was enabled. Called during a step, it tells of the
+ * partitions so far.
  */
 MEPUBLIC MeBool MEAPI MdtWorldGetReport(const MdtWorldID w, MdtReport *report);
 /** The number of partitions of the last step; 0 where MdtWorldGetReport returns MEFALSE. */
