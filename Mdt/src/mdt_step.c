@@ -533,6 +533,8 @@ static void stepPartitions(MdtWorldID w, double h, MeBool safely) {
         if (p.report)
             mdt_reportEnd(w, p.report, i);
     }
+    if (w->isReported)
+        mdt_reportStepEnd(w);
 }
 
 static void stepWorld(MdtWorldID w, double h, MeBool safely) {
