@@ -15,7 +15,7 @@ def check():
     near(figure(status(15), 'free'), lean(RATE * 15 / 60), 0.05, 'the free one in its first flight')
     near(figure(status(15), 'height'), 6 * 0.25 - 9.8 * 0.25**2 / 2, 0.006, 'the height')
     for frames in 2, 5, 9, 14:
-        near(figure(status(frames, STIFF), 'springy'), lean(rocking(frames)), 0.05, f'the springy one after {frames} steps')
+        near(figure(status(frames, STIFF), 'springy'), lean(rocking(frames)), 0.05, f'the springy one after {frames}')
     assert figure(status(1200), 'springy') < 0.1, 'the rocking did not die away'
 
 
