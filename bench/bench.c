@@ -217,6 +217,13 @@ static void printHead(const Scene *s) {
     printf("%12s%12s\n", "median us", "worst us");
 }
 
+static void printGoals(const Scene *s) {
+    printf("%-28s", "goal");
+    for (int k = 0; k < SCENE_MAX_ERRORS && s->errors[k].name; k++)
+        printf("%15.2g", s->errors[k].goal);
+    putchar('\n');
+}
+
 static void printErrors(const Scene *s, const RunResult *result) {
     char text[32];
     for (int k = 0; k < SCENE_MAX_ERRORS; k++) {
@@ -307,6 +314,7 @@ static void benchScene(const Options *o, const Scene *s, FILE *csv, FILE *markdo
     const int n = makeRows(o, rows);
     runRows(o, s, rows, n);
     printHead(s);
+    printGoals(s);
     for (int i = 0; i < n; i++) {
         printRow(s, &rows[i]);
         if (csv)
@@ -322,7 +330,8 @@ static void printLegend(void) {
          "worst frame. '-': the engine has nothing for it; 'fails T': broke, fell or gave up after T simulated "
          "seconds;\n"
          "'too slow T': no time was left after T; 'none': what was to be measured did not happen; sub: steps per "
-         "frame.");
+         "frame;\n"
+         "goal: what Karma is to reach with one step per frame.");
     for (int e = 0; engines[e]; e++)
         printf("* %s %s: %s.\n", engines[e]->name, engines[e]->version, engines[e]->about);
     for (int i = 0; absent[i]; i++)

@@ -37,6 +37,7 @@ struct EngineWorld {
     btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
     std::vector<std::unique_ptr<btCollisionShape>> shapes;
     std::vector<std::unique_ptr<btRigidBody>> bodies;
+    std::vector<btVector3> forces; /* N */
     std::vector<std::unique_ptr<btTypedConstraint>> joints;
     std::unique_ptr<btRigidBody> ground;
 
@@ -86,6 +87,7 @@ void addBody(EngineWorld *w, const SceneBody *b) {
     w->shapes.push_back(shapeOf(b));
     w->bodies.push_back(
         std::make_unique<btRigidBody>(btScalar(b->mass), nullptr, w->shapes.back().get(), vector(inertia)));
+    w->forces.push_back(vector(b->force));
     btRigidBody *body = w->bodies.back().get();
     place(body, &b->start);
     body->setFriction(btScalar(b->friction));
@@ -121,6 +123,8 @@ void addJoint(EngineWorld *w, const SceneJoint *j) {
 }
 
 void step(EngineWorld *w, double h) {
+    for (size_t i = 0; i < w->bodies.size(); i++)
+        w->bodies[i]->applyCentralForce(w->forces[i]); /* the last step has taken them away */
     w->world.stepSimulation(btScalar(h), 0);
 }
 

@@ -1,16 +1,27 @@
-/* Karma, rigid (epsilon 0). It has no collision yet: its contacts are the scene's. */
+/* Karma, rigid (epsilon 0). It has no collision yet: its contacts are the scene's. One that lasts from step to step
+ * stays the same object, so that Karma may start from its last forces. */
 #include "engine.h"
 
 #include "Mdt.h"
 #include "MeVersion.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
+
+typedef struct Contact {
+    MdtContactID id; /* null: none */
+    int body, other;
+    double arm[3]; /* m, of the point against the first body's centre, in the world's axes */
+} Contact;
 
 struct EngineWorld {
     MdtWorldID world;
     MdtBodyID bodies[SCENE_MAX_BODIES];
+    double sizes[SCENE_MAX_BODIES];     /* m, smallest half edges */
+    double forces[SCENE_MAX_BODIES][3]; /* N */
     int numBodies;
-    MdtContactID contacts[SCENE_MAX_CONTACTS];
+    Contact contacts[SCENE_MAX_CONTACTS];
     int numContacts;
 };
 
@@ -35,6 +46,8 @@ static void addBody(EngineWorld *w, const SceneBody *b) {
     double inertia[3];
     scene_inertia(b, inertia);
     const MeMatrix3 tensor = {{(MeReal)inertia[0], 0, 0}, {0, (MeReal)inertia[1], 0}, {0, 0, (MeReal)inertia[2]}};
+    memcpy(w->forces[w->numBodies], b->force, sizeof b->force);
+    w->sizes[w->numBodies] = fmin(b->half[0], fmin(b->half[1], b->half[2]));
     const MdtBodyID body = w->bodies[w->numBodies++] = MdtBodyCreate(w->world);
     MdtBodySetMass(body, (MeReal)b->mass);
     MdtBodySetInertiaTensor(body, tensor);
@@ -63,9 +76,6 @@ static void addJoint(EngineWorld *w, const SceneJoint *j) {
 static MdtContactID makeContact(const EngineWorld *w, const SceneContact *from) {
     const MdtContactID c = MdtContactCreate(w->world);
     MdtContactSetBodies(c, bodyAt(w, from->body), bodyAt(w, from->other));
-    MdtContactSetPosition(c, (MeReal)from->point[0], (MeReal)from->point[1], (MeReal)from->point[2]);
-    MdtContactSetNormal(c, (MeReal)from->normal[0], (MeReal)from->normal[1], (MeReal)from->normal[2]);
-    MdtContactSetPenetration(c, (MeReal)from->depth);
     const MdtContactParamsID p = MdtContactGetParams(c);
     if (from->friction > 0) {
         MdtContactParamsSetType(p, MdtContactTypeFriction2D);
@@ -77,16 +87,78 @@ static MdtContactID makeContact(const EngineWorld *w, const SceneContact *from) 
     return c;
 }
 
-static void setContacts(EngineWorld *w, const SceneContact contacts[], int n) {
-    while (w->numContacts > 0)
-        MdtContactDestroy(w->contacts[--w->numContacts]);
-    while (w->numContacts < n) {
-        w->contacts[w->numContacts] = makeContact(w, &contacts[w->numContacts]);
-        w->numContacts++;
+static void placeContact(MdtContactID c, const SceneContact *from) {
+    MdtContactSetPosition(c, (MeReal)from->point[0], (MeReal)from->point[1], (MeReal)from->point[2]);
+    MdtContactSetNormal(c, (MeReal)from->normal[0], (MeReal)from->normal[1], (MeReal)from->normal[2]);
+    MdtContactSetPenetration(c, (MeReal)from->depth);
+    for (unsigned int k = 0; k < 2; k++)
+        MdtContactSetRadius(c, k, (MeReal)from->radius[k]);
+}
+
+static void measureArm(const EngineWorld *w, const SceneContact *from, double arm[3]) {
+    MeVector3 centre;
+    MdtBodyGetPosition(w->bodies[from->body], centre);
+    for (int i = 0; i < 3; i++)
+        arm[i] = from->point[i] - (double)centre[i];
+}
+
+static double distance(const double a[3], const double b[3]) {
+    const double off[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return sqrt(scene_dot(off, off));
+}
+
+/* Takes, of the old contacts that nobody has taken yet, the nearest of these bodies, if it is not too far: it is left
+ * without its id. Returns null if there is none. */
+static MdtContactID takeOld(Contact old[], int n, const Contact *like, double reach) {
+    int best = -1;
+    for (int i = 0; i < n; i++) {
+        if (!old[i].id || old[i].body != like->body || old[i].other != like->other)
+            continue;
+        const double d = distance(old[i].arm, like->arm);
+        if (d < reach) {
+            reach = d;
+            best = i;
+        }
     }
+    if (best < 0)
+        return 0;
+    const MdtContactID id = old[best].id;
+    old[best].id = 0;
+    return id;
+}
+
+static void destroyLeft(const Contact old[], int n) {
+    for (int i = 0; i < n; i++)
+        if (old[i].id)
+            MdtContactDestroy(old[i].id);
+}
+
+/* New ones are made last, when there is room for them, and in their order: so the world's order depends on nothing but
+ * what has happened. */
+static void setContacts(EngineWorld *w, const SceneContact contacts[], int n) {
+    Contact next[SCENE_MAX_CONTACTS];
+    for (int i = 0; i < n; i++) {
+        const SceneContact *from = &contacts[i];
+        next[i] = (Contact){.body = from->body, .other = from->other};
+        measureArm(w, from, next[i].arm);
+        next[i].id = takeOld(w->contacts, w->numContacts, &next[i], .3 * w->sizes[from->body]);
+    }
+    destroyLeft(w->contacts, w->numContacts);
+    for (int i = 0; i < n; i++) {
+        if (!next[i].id)
+            next[i].id = makeContact(w, &contacts[i]);
+        placeContact(next[i].id, &contacts[i]);
+        w->contacts[i] = next[i];
+    }
+    w->numContacts = n;
 }
 
 static void step(EngineWorld *w, double h) {
+    for (int i = 0; i < w->numBodies; i++) {
+        const double *f = w->forces[i];
+        if (scene_dot(f, f) > 0)
+            MdtBodyAddForce(w->bodies[i], (MeReal)f[0], (MeReal)f[1], (MeReal)f[2]);
+    }
     MdtWorldStep(w->world, (MeReal)h);
 }
 

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_TEXT = 1 << 15 };
+enum { MAX_TEXT = 1 << 17 };
 
 struct EngineWorld {
     int setting, numBodies;
@@ -105,7 +105,10 @@ static void sayChildren(EngineWorld *w, int parent) {
 static void sayModel(EngineWorld *w) {
     say(w, "<mujoco><option integrator='%s'", settings[w->setting]);
     sayNumbers(w, "gravity", w->gravity, 3);
-    say(w, "/><worldbody>");
+    say(w, "/>");
+    if (w->collides) /* else bodies fall through the ground where the default 500 rows are used up */
+        say(w, "<size nconmax='%d' njmax='%d'/>", 100 + 16 * w->numBodies, 500 + 64 * w->numBodies);
+    say(w, "<worldbody>");
     if (w->hasGround) /* its normal is its z-axis */
         say(w, "<geom type='plane' size='1 1 1' zaxis='0 1 0' friction='0 .005 .0001'/>");
     sayChildren(w, SCENE_WORLD);
@@ -136,14 +139,25 @@ static mjModel *compile(const char *text, size_t length) {
     return model;
 }
 
-/* Only free bodies start with a velocity: linear in the world's axes, angular in the body's. */
+/* Linear in the world's axes, angular in the body's, against the parent's. */
 static void setVelocity(EngineWorld *w, int i) {
     const SceneState *s = &w->bodies[i].start;
-    double *at = w->data->qvel + w->model->body_dofadr[w->ids[i]];
-    if (w->joints[i])
-        return;
-    memcpy(at, s->velocity, sizeof s->velocity);
-    scene_rotateBack(s->quaternion, s->spin, at + 3);
+    const SceneJoint *j = w->joints[i];
+    double *at = w->data->qvel + w->model->body_dofadr[w->ids[i]], spin[3], local[3];
+    for (int c = 0; c < 3; c++)
+        spin[c] = s->spin[c] - (j && j->parent != SCENE_WORLD ? w->bodies[j->parent].start.spin[c] : 0);
+    scene_rotateBack(s->quaternion, spin, local);
+    if (!j)
+        memcpy(at, s->velocity, sizeof s->velocity);
+    if (j && j->kind == SCENE_HINGE)
+        at[0] = scene_dot(spin, j->axis);
+    else
+        memcpy(j ? at : at + 3, local, sizeof local);
+}
+
+/* It stays until it is set anew. */
+static void setForce(EngineWorld *w, int i) {
+    memcpy(w->data->xfrc_applied + 6 * w->ids[i], w->bodies[i].force, sizeof w->bodies[i].force);
 }
 
 static void makeModel(EngineWorld *w) {
@@ -156,6 +170,7 @@ static void makeModel(EngineWorld *w) {
         snprintf(name, sizeof name, "b%d", i);
         w->ids[i] = mj_name2id(w->model, mjOBJ_BODY, name);
         setVelocity(w, i);
+        setForce(w, i);
     }
 }
 
@@ -211,10 +226,11 @@ static void getState(EngineWorld *w, int body, SceneState *s) {
     memcpy(s->velocity, motion + 3, sizeof s->velocity);
 }
 
-/* It starts anew from the first pose after a number that is none or too large. */
+/* It starts anew from the first pose after a number that is none or too large, and leaves out what has no room. */
 static bool hasGivenUp(EngineWorld *w) {
     const mjWarningStat *warnings = w->data->warning;
-    return warnings[mjWARN_BADQPOS].number || warnings[mjWARN_BADQVEL].number || warnings[mjWARN_BADQACC].number;
+    return warnings[mjWARN_CONTACTFULL].number || warnings[mjWARN_CNSTRFULL].number ||
+           warnings[mjWARN_BADQPOS].number || warnings[mjWARN_BADQVEL].number || warnings[mjWARN_BADQACC].number;
 }
 
 static void destroy(EngineWorld *w) {
@@ -229,6 +245,7 @@ const Engine engine_mujoco = {
     .about = "double precision; its defaults: Newton, friction pyramid, soft contacts; joints are coordinates; no "
              "restitution",
     .settings = settings,
+    .maxLinks = 90, /* its reader of XML nests to 100 */
     .create = create,
     .addGround = addGround,
     .addBody = addBody,

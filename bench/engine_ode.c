@@ -5,6 +5,7 @@
 #include <ode/ode.h>
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { MAX_POINTS = 8 }; /* of a pair of shapes */
 
@@ -15,6 +16,7 @@ struct EngineWorld {
     void (*advance)(dWorldID, double);
     int numBodies;
     dBodyID bodies[SCENE_MAX_BODIES];
+    double forces[SCENE_MAX_BODIES][3]; /* N */
 };
 
 static void stepExactly(dWorldID w, double h) {
@@ -65,6 +67,7 @@ static void addShape(EngineWorld *w, dBodyID body, const SceneBody *b) {
 
 static void addBody(EngineWorld *w, const SceneBody *b) {
     const SceneState *s = &b->start;
+    memcpy(w->forces[w->numBodies], b->force, sizeof b->force);
     const dBodyID body = w->bodies[w->numBodies++] = dBodyCreate(w->world);
     dMass mass;
     if (b->shape == SCENE_SPHERE)
@@ -115,6 +118,9 @@ static void meet(void *data, dGeomID g1, dGeomID g2) {
 }
 
 static void step(EngineWorld *w, double h) {
+    for (int i = 0; i < w->numBodies; i++)
+        if (scene_dot(w->forces[i], w->forces[i]) > 0)
+            dBodyAddForce(w->bodies[i], w->forces[i][0], w->forces[i][1], w->forces[i][2]);
     if (w->space)
         dSpaceCollide(w->space, w, meet);
     w->advance(w->world, h);

@@ -24,7 +24,7 @@ static double now(void) {
 }
 
 bool run_isPossible(const Scene *scene, const Engine *engine) {
-    return engine->bounces || !scene->bounces;
+    return (engine->bounces || !scene->bounces) && (!engine->maxLinks || scene->count <= engine->maxLinks);
 }
 
 static void populate(Run *r, int setting) {

@@ -23,6 +23,7 @@
 #include "MdtPartition.h"
 #include "MdtPrismatic.h"
 #include "MdtRPROJoint.h"
+#include "MdtReport.h"
 #include "MdtSkeletal.h"
 #include "MdtSpring.h"
 #include "MdtSpring6.h"

@@ -41,7 +41,7 @@ static void freeWorld(MdtWorldID w) {
     for (MdtLink *link = w->constraints.first; link; link = link->next)
         mdt_constraintFree(link->owner);
     void *arrays[] = {w->bodyOf,          w->constraintOf, w->keaOf,      w->bodyStart,
-                      w->constraintStart, w->ranking,      w->output.info};
+                      w->constraintStart, w->ranking,      w->output.info, w->reports};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         if (arrays[i])
             MeMemoryAPI.destroy(arrays[i]);
@@ -87,6 +87,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     w->keaCache = MdtKeaCacheCreate();
     w->timedBodies = MDT_TIMED_BODIES;
     w->subSteps = 1;
+    w->numReports = MDT_NO_REPORTS;
     if (!allocateParts(w, maxBodies, maxConstraints)) {
         freeWorld(w);
         MeFatalError(0, "MdtWorldCreate: no memory for %u bodies and %u constraints", maxBodies, maxConstraints);

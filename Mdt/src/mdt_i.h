@@ -131,6 +131,7 @@ struct MdtBaseConstraint {
     int firstRow, numRows; /* in this step */
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
     int numWarm;                                             /* if there are as many */
+    MeBool isDegenerate, wasDegenerate; /* in this step, in the last one */
     MeBool isDropped;      /* in this step: left out to keep the partition within the cap on its rows */
     double importance;     /* in this step, while rows are being dropped, */
     int rank;              /* and its place before sorting by it */
@@ -203,7 +204,7 @@ int mdt_capRows(MdtWorldID w, MdtConstraintID constraints[], int count, int rows
 /* Resets a limit and copies the public properties of another, which may be itself. */
 void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
 
-enum { MDT_TIMED_BODIES = 8 };
+enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
 
 /* ---- worlds -------------------------------------------------------------------------------------------------- */
 
@@ -238,11 +239,35 @@ struct MdtWorld {
     MdtKeaBody **keaOf; /* parallel to bodyOf */
     int *bodyStart, *constraintStart;
 
+    MeBool isReported;
+    MdtReport *reports; /* by partition of the last step; null until the report is enabled for the first time */
+    int numReports;     /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
+    MeU64 lap;          /* ticks, when the stage began that is being timed */
+
     struct MdtWorld *nextLive; /* in the check build's list of worlds */
 };
 
 /* Finds the partitions of this step, waking what is tied to something awake (mdt_partition.c). */
 void mdt_partitionsUpdate(MdtWorldID w);
+
+/* ---- the report (mdt_report.c); r is never null, a step that is not reported asks for nothing ------------------ */
+
+/* A step begins, its partitions are known. */
+void mdt_reportStep(MdtWorldID w);
+/* The place for a partition's report, and a fresh lap where a program's callback took time; null: there is none. */
+MdtReport *mdt_reportOf(MdtWorldID w, int partition);
+/* The stage ends. */
+void mdt_reportLap(MdtWorldID w, MdtReport *r, MdtReportStage stage);
+/* Bodies met as a part began; a part ends early, where something happens; the step is halved. */
+void mdt_reportImpact(MdtReport *r);
+void mdt_reportEvent(MdtReport *r);
+void mdt_reportDivision(MdtReport *r);
+/* What a solve cost; its stage ends. */
+void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtKeaSystem *kea);
+/* A part was integrated: its errors, before anything is read back. */
+void mdt_reportPart(MdtReport *r, const MdtKeaSystem *kea, MdtConstraintID constraints[], int count, MeBool isFinite);
+/* The partition is done, or was put to rest. */
+void mdt_reportEnd(MdtWorldID w, MdtReport *r, int partition);
 
 /* ---- checks -------------------------------------------------------------------------------------------------- */
 

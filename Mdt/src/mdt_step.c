@@ -19,10 +19,12 @@ typedef struct Partition {
     double h;                          /* s, the whole step */
     MdtBclSolverParameters parameters; /* of the part of it that is being taken */
     double elapsed;                    /* s, before that part */
+    MeBool isDegenerate;               /* some joint was in this step */
     MdtKeaSystem kea;
+    MdtReport *report; /* null: it is off */
 } Partition;
 
-enum { MAX_HALVINGS = 4 };
+enum { MAX_HALVINGS = 6 };
 
 static Partition partitionNumber(MdtWorldID w, int number, double h) {
     const int bodies = w->bodyStart[number], constraints = w->constraintStart[number];
@@ -112,8 +114,14 @@ static void subtractWorldVelocity(MdtConstraintID c, MdtKeaRow *row) {
     row->drift -= rate;
 }
 
-/* Once when a joint comes there, not at every step that it stays. */
-static void warnOfDegenerate(MdtConstraintID c) {
+/* Once when a joint comes there, not at every step, or part of one, that it stays. */
+static void noteDegenerate(Partition *p, MdtConstraintID c) {
+    p->isDegenerate = p->isDegenerate || c->bcl.isDegenerate;
+    if (!c->bcl.isDegenerate || c->isDegenerate)
+        return;
+    c->isDegenerate = METRUE;
+    if (c->wasDegenerate)
+        return;
     c->world->degenerate++;
     MeWarning(2, "MdtWorldStep: a %s (sort key %d) cannot work as it stands: %s", c->type->name, c->link.sortKey,
               c->type->degenerate);
@@ -124,13 +132,11 @@ static int countRows(Partition *p) {
     int rows = 0;
     for (int i = 0; i < p->numConstraints; i++) {
         MdtConstraintID c = p->constraints[i];
-        const MeBool was = c->bcl.isDegenerate;
         setContext(p, c, &x);
         c->isDropped = MEFALSE;
         c->numRows = c->type->prepare(&c->bcl, &x);
         MEASSERT(c->numRows >= 0 && c->numRows <= c->type->maxRows);
-        if (c->bcl.isDegenerate && !was)
-            warnOfDegenerate(c);
+        noteDegenerate(p, c);
         rows += c->numRows;
     }
     return rows;
@@ -186,6 +192,8 @@ static void MEAPI jointJacobians(void *context, const MdtKeaTransformation poses
             MdtKeaRow *row = &p->kea.rows[c->firstRow + r];
             memcpy(row->J, rows[r].J, sizeof row->J);
             memcpy(row->arm, rows[r].arm, sizeof row->arm);
+            row->lower = rows[r].lower;
+            row->upper = rows[r].upper;
         }
     }
 }
@@ -205,8 +213,10 @@ static void MEAPI positionErrors(void *context, const MdtKeaTransformation poses
 
 /* ---- unpack ---- */
 
-static void clearForces(Partition *p) {
+static void beginConstraints(Partition *p) {
     for (int i = 0; i < p->numConstraints; i++) {
+        p->constraints[i]->wasDegenerate = p->constraints[i]->isDegenerate;
+        p->constraints[i]->isDegenerate = MEFALSE;
         memset(&p->constraints[i]->force, 0, sizeof p->constraints[i]->force);
         keaZero(p->constraints[i]->normalForce);
     }
@@ -288,7 +298,7 @@ static void stopBodies(Partition *p) {
 }
 
 static void warnOfSolver(const Partition *p) {
-    if (p->kea.report.capped)
+    if (p->kea.report.capped && !p->isDegenerate) /* that has been said */
         MeWarning(2,
                   "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
                   "inexact; raise MdtWorldSetMaxLCPIterations or epsilon",
@@ -363,6 +373,8 @@ static void meet(Partition *p, void *scratch) {
     if (!MdtKeaMeets(&p->kea))
         return;
     MdtKeaImpact(&p->kea);
+    if (p->report)
+        mdt_reportImpact(p->report);
     for (int i = 0; i < p->numConstraints; i++) {
         MdtConstraintID c = p->constraints[i];
         for (int r = 0; r < c->numRows; r++)
@@ -375,6 +387,8 @@ static void meet(Partition *p, void *scratch) {
 }
 
 static void solvePart(Partition *p, void *scratch, double part) {
+    if (p->report && p->elapsed > 0)
+        mdt_reportLap(p->world, p->report, MdtReportStageIntegrate);
     MeProfileStartSection("Rows", 0);
     setPart(p, part);
     MdtKeaInit(&p->kea, scratch);
@@ -382,14 +396,20 @@ static void solvePart(Partition *p, void *scratch, double part) {
     if (p->kea.parameters.timed)
         meet(p, scratch);
     MeProfileEndSection("Rows");
+    if (p->report && p->kea.numRows > 0)
+        mdt_reportLap(p->world, p->report, MdtReportStageRows);
     MeProfileStartSection("Solve", 0);
     MdtKeaSolve(&p->kea);
     MeProfileEndSection("Solve");
+    if (p->report)
+        mdt_reportSolve(p->world, p->report, &p->kea);
 }
 
 static MeBool integratePart(Partition *p) {
     MeProfileStartSection("Integrate", 0);
     const MeBool isFinite = MdtKeaIntegrate(&p->kea);
+    if (p->report)
+        mdt_reportPart(p->report, &p->kea, p->constraints, p->numConstraints, isFinite);
     if (isFinite)
         unpackConstraints(p);
     else
@@ -402,9 +422,13 @@ static MeBool integratePart(Partition *p) {
 
 /* Takes one part of the step, in halves where its motion is violent. False: the bodies were stopped. */
 static MeBool takePart(Partition *p, void *scratch, double part, int halvings) {
+    p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
     solvePart(p, scratch, part);
-    if (p->kea.report.violent && halvings < MAX_HALVINGS)
+    if (p->kea.report.violent && halvings < MAX_HALVINGS) {
+        if (p->report)
+            mdt_reportDivision(p->report);
         return takePart(p, scratch, 0.5 * part, halvings + 1) && takePart(p, scratch, 0.5 * part, halvings + 1);
+    }
     return integratePart(p);
 }
 
@@ -417,8 +441,11 @@ static MeBool takeInTime(Partition *p, void *scratch, double part) {
     for (int events = 0; rest > least * part; events++) {
         p->kea.parameters.timed = events < MAX_EVENTS;
         solvePart(p, scratch, rest);
-        if (p->kea.parameters.timed && p->kea.report.event < rest * (1 - least))
+        if (p->kea.parameters.timed && p->kea.report.event < rest * (1 - least)) {
+            if (p->report)
+                mdt_reportEvent(p->report);
             solvePart(p, scratch, fmax(p->kea.report.event, least * part));
+        }
         rest -= p->parameters.stepsize;
         if (!integratePart(p))
             return MEFALSE;
@@ -458,7 +485,7 @@ static void stepPartition(Partition *p) {
         return;
     packBodies(p);
     rememberVelocities(p, start);
-    clearForces(p);
+    beginConstraints(p);
     if (takeSubSteps(p, scratch))
         unpackBodies(p, start);
     MeChunkPutMem(&p->world->scratch, scratch);
@@ -497,10 +524,13 @@ static void stepPartitions(MdtWorldID w, double h, MeBool safely) {
             p.h = safeStep(&p);
         if (w->partitionCb)
             showPartition(w, i);
+        p.report = w->isReported ? mdt_reportOf(w, i) : NULL;
         if (isToRest(w, &p))
             putToSleep(&p);
         else
             stepPartition(&p);
+        if (p.report)
+            mdt_reportEnd(w, p.report, i);
     }
 }
 
@@ -511,6 +541,8 @@ static void stepWorld(MdtWorldID w, double h, MeBool safely) {
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
     mdt_partitionsUpdate(w);
+    if (w->isReported)
+        mdt_reportStep(w);
     MeProfileEndSection("Partition");
     stepPartitions(w, h, safely);
     MeProfileEndSection("Dynamics");

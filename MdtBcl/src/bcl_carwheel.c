@@ -131,6 +131,7 @@ static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const
         keaAddScaled(axis, -slant / size, a->h);
         spinRow(x, axis, row);
         motorRow(&c->of.wheel.steering, row);
+        row->drift = row->target;
         row->position = !c->isDegenerate;
     }
 }

@@ -57,8 +57,18 @@ static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
     }
 }
 
+/* Whose point it is where the bodies slide past each other: that of a round surface rather than another, of a body
+ * rather than the world's. */
+enum { BOTH = 2 };
+static int ownerOf(const MdtBclContact *contact, const MdtBclContext *x) {
+    if ((contact->radius[0] > 0) != (contact->radius[1] > 0))
+        return contact->radius[0] > 0 ? 0 : 1;
+    return x->body[1] == MdtBclNO_BODY ? 0 : x->body[0] == MdtBclNO_BODY ? 1 : BOTH;
+}
+
 /* Within a divided step the surface points move with their bodies: depth = n·(p_1 - p_0). */
 static void carryContact(MdtBclContact *contact, const MdtBclContext *x) {
+    const int owner = ownerOf(contact, x);
     double p[2][3], between[3];
     for (int k = 0; k < 2; k++) {
         keaApply(p[k], x->pose[k]->R, contact->anchor[k]);
@@ -67,8 +77,11 @@ static void carryContact(MdtBclContact *contact, const MdtBclContext *x) {
     }
     keaSubtract(between, p[1], p[0]);
     contact->depth = keaDot(contact->normal, between);
-    keaCopy(contact->point, p[0]);
-    keaAddScaled(contact->point, 0.5, between);
+    for (int i = 0; i < 3; i++) {
+        const double off = 0.5 * contact->depth * contact->normal[i];
+        const double on[2] = {p[0][i] + off, p[1][i] - off};
+        contact->point[i] = owner == BOTH ? 0.5 * (on[0] + on[1]) : on[owner];
+    }
 }
 
 static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
@@ -110,7 +123,7 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
     const MeBool isHit = h * predicted < depth && rate < -fmax((double)p->velThreshold, bcl_ownChange(row, x));
     if ((p->options & MdtBclContactOptionBounce) && isHit && p->restitution > 0) {
         row->bounces = METRUE;
-        row->rebound = -fmin((double)p->restitution, 1) * rate;
+        row->rebound = fmin((double)p->restitution, 1) * bcl_speedOfArrival(row, x, -depth);
     }
     if (p->options & MdtBclContactOptionSoft)
         row->softness += x->parameters.softening * fmax((double)p->softness, 0);

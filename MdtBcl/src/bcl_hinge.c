@@ -67,7 +67,7 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     }
     angleRow(c, x, &row);
     const double rate = bcl_rate(&row, x->velocity);
-    bcl_limitReadBack(&c->of.limit, measure(c, x->pose, rate * x->parameters.stepsize), rate, rows + 5);
+    bcl_limitReadBack(&c->of.limit, measure(c, x->pose, 2 * atan(0.5 * rate * x->parameters.stepsize)), rate, rows + 5);
 }
 
 const MdtBclType bcl_hinge = {.name = "Hinge",

@@ -4,7 +4,8 @@
  * keeps z from falling.
  *   hard:  J v⁺ >= -z/h while z > 0 (it may arrive), >= -γ z/h beyond, and >= -e J v when e > 0 and the stop is hit
  *          faster than one step's own acceleration explains (otherwise a load at rest on the stop would rattle). The
- *          rebound comes in the step that would pass the stop, which it therefore never does.
+ *          rebound comes in the step that would pass the stop, which it therefore never does: at its end the stop is
+ *          reached, and left with e times the speed of the arrival.
  *   soft:  beyond the stop a damped spring that only pushes, λ = -kp z - kd J v >= 0; Kea finds its row. In the step
  *          that comes to it the spring is there already, without damping, so that no way is passed for nothing.
  * The motor is a row J v⁺ = desired velocity with |λ| <= fmax. The lock, which takes its place, is the row of a joint,
@@ -106,7 +107,7 @@ static void hardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtK
     row->position = METRUE;
     if (stop->restitution > 0 && z + h * predicted < 0 && rate < -bcl_ownChange(row, x)) {
         row->bounces = METRUE;
-        row->rebound = -fmin((double)stop->restitution, 1) * rate;
+        row->rebound = fmin((double)stop->restitution, 1) * bcl_speedOfArrival(row, x, z);
     }
 }
 

@@ -36,6 +36,11 @@ double bcl_ownChange(const MdtKeaRow *row, const MdtBclContext *x) {
     return margin * fmax(fabs(loads), x->parameters.stepsize * fabs(bcl_rate(row, x->acceleration)));
 }
 
+double bcl_speedOfArrival(const MdtKeaRow *row, const MdtBclContext *x, double z) {
+    const double rate = bcl_rate(row, x->velocity), acceleration = bcl_rate(row, x->acceleration);
+    return sqrt(rate * rate + 2 * fmax(z, 0) * fmax(-acceleration, 0));
+}
+
 void bcl_makeSpring(MdtKeaRow *row, double error, double stiffness, double damping) {
     row->spring = METRUE;
     row->error = error;

@@ -135,8 +135,8 @@ typedef struct MdtKeaParameters {
     double stepsize;    /**< s */
     double gamma;       /**< the part of a position error that the step takes away, 0..1 */
     int maxIterations;  /**< Newton iterations of one inner problem; 0: Kea's own choice */
+    MeBool mayRefuse;   /**< a step in which bodies turn too far may be reported as violent without being solved */
     MeBool timed;       /**< contacts are met in time: bodies move with their mean velocities throughout */
-    MeBool dissipative; /**< backward Euler for all bodies: for motion too violent to be followed */
 } MdtKeaParameters;
 
 /** How a solve went. */
@@ -151,6 +151,7 @@ typedef struct MdtKeaReport {
     MeBool conflicting;  /**< rows contradict each other: a compromise was taken */
     double event;        /**< s: when something happens in a timed step that divides it; the step's length if nothing */
     double residual;     /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
+    double force;        /**< N: the largest change of a row's force that such a violation asks for */
     double error;        /**< m: the largest error left in a position row, against what it asked for */
 } MdtKeaReport;
 

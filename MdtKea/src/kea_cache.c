@@ -50,14 +50,15 @@ static MeBool makeSizes(MdtKeaCache *c, int n) {
     return METRUE;
 }
 
-KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, int numEdges, const int (*edges)[2]) {
+KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
     Entry *oldest = &c->entry[0];
-    if (!makeSizes(c, numNodes))
+    if (!size && !makeSizes(c, numNodes))
         return NULL;
+    size = size ? size : c->size;
     c->clock++;
     for (int i = 0; i < MAX_FACTORS; i++) {
         Entry *e = &c->entry[i];
-        if (e->factor && kea_factorMatches(e->factor, numNodes, c->size, numEdges, edges)) {
+        if (e->factor && kea_factorMatches(e->factor, numNodes, size, numEdges, edges)) {
             e->used = c->clock;
             return e->factor;
         }
@@ -66,7 +67,7 @@ KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, int numEdges, const int (
     }
     if (oldest->factor)
         kea_factorDestroy(oldest->factor);
-    oldest->factor = kea_factorCreate(numNodes, c->size, numEdges, edges);
+    oldest->factor = kea_factorCreate(numNodes, size, numEdges, edges);
     oldest->used = c->clock;
     return oldest->factor;
 }

@@ -33,9 +33,9 @@ double *kea_factorLower(KeaFactor *f, int edge);
 /* Where the unknowns of a node start in vectors; of numNodes: how many there are in all. */
 int kea_factorOffset(const KeaFactor *f, int node);
 
-/* A = L Lᵀ of a symmetric matrix, of which the diagonal blocks (lower triangles) and `upper` are read. False where A is
- * not positive definite in the arithmetic: a pivot below `least` (relative to the diagonal entry that it started from,
- * e.g. 1e-14). The matrix itself is kept, and may be changed and factored again. */
+/* A = L Lᵀ of a symmetric matrix, of which the diagonal blocks (upper triangles) and `upper` are read. False where A is
+ * not positive definite in the arithmetic: a pivot below `least`, e.g. 1e-14, relative to its diagonal entry as it was
+ * when the turn of its block came. The matrix itself is kept, and may be changed and factored again. */
 MeBool kea_factorCholesky(KeaFactor *f, double least);
 /* A = L U of a matrix whose structure is symmetric but whose numbers are not, without pivoting between blocks (within a
  * diagonal block rows are exchanged). False where a pivot vanishes. */

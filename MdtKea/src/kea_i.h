@@ -4,6 +4,7 @@
  *     kea_scheme.c     where unknown velocities take the bodies, the momentum that is missing, its derivative
  *     kea_rows.c       what a row asks of the unknowns
  *     kea_problem.c    the inner problem: bodies with a quadratic metric, rows with bounds and cones
+ *     kea_dual.c       the same by the joints' side
  *     kea_velocity.c   velocities that joints and contacts allow where the bodies have arrived
  *     kea_factor.c     sparse factorization
  *     kea_rotation.c   inertia, free rotation
@@ -38,17 +39,31 @@ typedef struct KeaBody {
     MeBool isFree;          /* no row acts on it: it moves as a free body */
 } KeaBody;
 
+/* The graph of joints (kea_dual.c). */
+typedef struct KeaDual {
+    KeaFactor *factor; /* null: the bodies' side is taken */
+    int numNodes, numEdges;
+    int *start, *size;              /* by node: its rows */
+    int (*edges)[2], (*side)[2];    /* of an edge: its nodes, and on which side each has the shared body */
+    int *met;                       /* by node: the last one that it was joined with */
+    int *first, (*next)[2];         /* by body, by node and side: lists of 2 node + side */
+    double *x;                      /* by row */
+} KeaDual;
+
 typedef struct MdtKeaWork {
     KeaBody *body;
     KeaEnd *end;
     MdtKeaTransformation *endPose, *meanPose; /* by body */
     double *errors;                           /* by row: φ at the end */
     MdtKeaJBlockPair *keptJ;                  /* by row */
+    double (*bestU)[6], *bestP;               /* by body, by row: of the best pass so far */
     double (*added)[6];                       /* by body: what the velocity stage has found */
     double (*plastic)[6], *wanted, speed;     /* of impacts */
     char *takesPart;
     int *parent; /* by body, and one more */
     KeaProblem problem;
+    KeaDual dual;
+    MeBool hasLoops; /* of joints */
 } MdtKeaWork;
 
 /* ---- kea_rotation.c ---- */
@@ -94,7 +109,7 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[]);
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);
 /* What each row still asks for; after kea_linearizeBodies. */
-void kea_linearizeRows(MdtKeaSystem *s, int pass);
+void kea_linearizeRows(MdtKeaSystem *s);
 /* The largest error of a position row, relative to its size. */
 double kea_positionError(MdtKeaSystem *s);
 /* Contacts that were thought out of reach and are reached. Returns whether there were any. */
@@ -118,7 +133,17 @@ void kea_releaseSlides(MdtKeaSystem *s);
 /* Moves bodies out of each other, without velocity. */
 void kea_project(MdtKeaSystem *s);
 
+/* ---- kea_dual.c ---- */
+
+/* Decides for a side. */
+void kea_dualBegin(MdtKeaSystem *s);
+/* Solves the inner problem by the joints' side. False: that is not possible here. */
+MeBool kea_dualSolve(MdtKeaSystem *s);
+
 /* ---- kea_share.c ---- */
+
+/* Whether joints, and the world, make a loop. */
+MeBool kea_hasLoops(const MdtKeaSystem *s);
 
 /* Of impulses that do the same, the smallest; the metric is lost. */
 void kea_shareForces(MdtKeaSystem *s);

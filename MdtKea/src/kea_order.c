@@ -12,7 +12,7 @@
 typedef struct Node {
     int *neighbour; /* sorted */
     int degree, room;
-    int weight;         /* unknowns of the neighbours */
+    int weight;         /* unknowns of the neighbours; of a leaf 1 */
     int next, previous; /* among the nodes of one weight */
 } Node;
 
@@ -40,12 +40,22 @@ static void dequeue(Queue *q, Node node[], int i) {
         q->first[node[i].weight] = node[i].next;
 }
 
+/* MeMemory's destroy is not given nulls. */
+static void release(void *block) {
+    if (block)
+        MeMemoryAPI.destroy(block);
+}
+
+/* Without MeMemory's resize, which programs that replace create and destroy may leave as it is. */
 static MeBool reserve(Node *n, int degree) {
     if (degree <= n->room)
         return METRUE;
-    int *larger = MeMemoryAPI.resize(n->neighbour, (size_t)(2 * degree) * sizeof *larger);
+    int *larger = MeMemoryAPI.create((size_t)(2 * degree) * sizeof *larger);
     if (!larger)
         return MEFALSE;
+    if (n->neighbour)
+        memcpy(larger, n->neighbour, (size_t)n->degree * sizeof *larger);
+    release(n->neighbour);
     n->neighbour = larger;
     n->room = 2 * degree;
     return METRUE;
@@ -94,8 +104,11 @@ static MeBool absorb(Node node[], int i, int v, int *scratch) {
     return METRUE;
 }
 
+/* A leaf joins nothing: it comes before all that do, however large its neighbour is. */
 static int weigh(const Node *n, const int size[]) {
     int sum = 0;
+    if (n->degree == 1)
+        return 1;
     for (int k = 0; k < n->degree; k++)
         sum += size[n->neighbour[k]];
     return sum;
@@ -161,10 +174,10 @@ MeBool kea_orderCreate(KeaOrder *o, int numNodes, const int size[], int numEdges
         isDone = readGraph(node, numNodes, numEdges, edges) && orderNodes(o, node, &q, size, scratch);
     }
     for (int i = 0; node && i < numNodes; i++)
-        MeMemoryAPI.destroy(node[i].neighbour);
-    MeMemoryAPI.destroy(node);
-    MeMemoryAPI.destroy(q.first);
-    MeMemoryAPI.destroy(scratch);
+        release(node[i].neighbour);
+    release(node);
+    release(q.first);
+    release(scratch);
     if (!isDone)
         kea_orderDestroy(o);
     return isDone;
@@ -172,9 +185,9 @@ MeBool kea_orderCreate(KeaOrder *o, int numNodes, const int size[], int numEdges
 
 void kea_orderDestroy(KeaOrder *o) {
     for (int i = 0; o->structure && i < o->numNodes; i++)
-        MeMemoryAPI.destroy(o->structure[i]);
-    MeMemoryAPI.destroy(o->structure);
-    MeMemoryAPI.destroy(o->node);
-    MeMemoryAPI.destroy(o->degree);
+        release(o->structure[i]);
+    release(o->structure);
+    release(o->node);
+    release(o->degree);
     memset(o, 0, sizeof *o);
 }

@@ -14,8 +14,6 @@
 #include "MdtKeaMath.h"
 #include <float.h>
 #include <string.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { MAX_CONVEX = 60, MAX_COUPLED = 12 };
 static const double tolerance = 1e-10; /* of the scale of momenta */
@@ -81,7 +79,7 @@ MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
         q->hasFriction = q->hasFriction || row->normal >= 0;
         q->hasBounds = q->hasBounds || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
     }
-    q->factor = kea_cacheFind(cache, q->numBodies, q->numEdges, (const int(*)[2])q->edges);
+    q->factor = kea_cacheFind(cache, q->numBodies, NULL, q->numEdges, (const int(*)[2])q->edges);
     return q->factor != NULL;
 }
 
@@ -197,7 +195,7 @@ static double gradientError(KeaProblem *q, double step) {
                 continue;
             addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
             q->allowed[row->body[k]] +=
-                row->weight[k] * (tolerance * fabs(row->p) + (row->isOff || row->state == KEA_IDLE ? 0 : rounding));
+                row->weight[k] * (tolerance * fabs(row->p) + (row->isOff || row->state != KEA_HELD ? 0 : rounding));
         }
     }
     for (int b = 0; b < q->numBodies; b++) {
@@ -337,7 +335,8 @@ static double slopeAt(KeaProblem *q, double constant, double linear, double step
     return slope;
 }
 
-/* Where the derivative vanishes, to a thousandth of what it was: mostly the full step. */
+/* Where the derivative vanishes, to a thousandth of what it was: mostly the full step. A rigid row that is bounded on
+ * both sides makes it jump within a very short way, so what the secant does not halve, the next point does. */
 static double bestStep(KeaProblem *q) {
     double constant = 0, linear = 0, Bd[6];
     if (!q->hasBounds)
@@ -357,13 +356,16 @@ static double bestStep(KeaProblem *q) {
         atHigh = slopeAt(q, constant, linear, high);
     }
     double step = high, at = atHigh;
-    for (int i = 0; i < 40 && fabs(at) > enough && high > low; i++) {
-        step = i % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * atLow / (atLow - atHigh);
+    MeBool isSlow = MEFALSE;
+    for (int i = 0; i < 100 && fabs(at) > enough && high > low; i++) {
+        const double width = high - low;
+        step = isSlow ? 0.5 * (low + high) : low + width * atLow / (atLow - atHigh);
         at = slopeAt(q, constant, linear, step);
         if (at < 0)
             low = step, atLow = at;
         else
             high = step, atHigh = at;
+        isSlow = high - low > 0.5 * width;
     }
     return step;
 }
@@ -408,7 +410,6 @@ static MeBool solveCoupled(KeaProblem *q) {
         }
         if (!(next < 0.9 * error)) {
             setForces(q, 0, METRUE);
-            if (getenv("KEA_TRACE")) printf("    coupled stuck it %d error %g next %g\n", i, error, next);
             return error < 1e3; /* rounding */
         }
         take(q, step);
@@ -509,13 +510,14 @@ void kea_problemCarryOn(KeaProblem *q, double (*total)[6]) {
 static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
     const KeaProblemRow *other = &q->row[row->partner];
     const double radius = row->friction * keaMax(q->row[row->normal].p, 0);
-    const double a = row->p - slip[0] / row->size, b = other->p - slip[1] / row->size, size = hypot(a, b);
+    const double unit = row->size + row->E; /* a soft row's impulse hardly moves */
+    const double a = row->p - slip[0] / unit, b = other->p - slip[1] / unit, size = hypot(a, b);
     const double share = size > radius ? radius / size : 1;
     return row->size * hypot(row->p - share * a, other->p - share * b);
 }
 
-double kea_problemResidual(const KeaProblem *q) {
-    double worst = 0;
+double kea_problemResidual(const KeaProblem *q, double *impulse) {
+    double worst = 0, most = 0;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         if (row->isOff || row->isElsewhere || row->size == 0)
@@ -523,6 +525,7 @@ double kea_problemResidual(const KeaProblem *q) {
         if (row->isForced) {
             const double wanted = row->forced * row->friction * keaMax(q->row[row->normal].p, 0);
             worst = keaMax(worst, row->size * fabs(row->p - wanted));
+            most = keaMax(most, fabs(row->p - wanted));
         }
         if (row->isForced || (row->partner >= 0 && row->partner < i))
             continue;
@@ -532,13 +535,18 @@ double kea_problemResidual(const KeaProblem *q) {
                                                            q->row[row->partner].r
                                                      : 0};
         if (row->partner >= 0) {
-            worst = keaMax(worst, conePart(q, row, missing));
+            const double part = conePart(q, row, missing);
+            worst = keaMax(worst, part);
+            most = keaMax(most, part / row->size);
             continue;
         }
         const double bound = row->normal >= 0 ? row->friction * keaMax(q->row[row->normal].p, 0) : HUGE_VAL;
-        const double wanted = keaMin(keaMax(row->p - missing[0] / row->size, keaMax(row->lower, -bound)),
+        const double wanted = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
                                    keaMin(row->upper, bound));
         worst = keaMax(worst, row->size * fabs(row->p - wanted));
+        most = keaMax(most, fabs(row->p - wanted));
     }
+    if (impulse)
+        *impulse = most;
     return worst;
 }

@@ -51,7 +51,7 @@ typedef struct KeaProblemRow {
 } KeaProblemRow;
 
 typedef struct KeaCounts {
-    int iterations, factorizations, freezes, stuck;
+    int iterations, factorizations, freezes, stuck, level;
 } KeaCounts;
 
 typedef struct KeaProblem {
@@ -82,8 +82,8 @@ void kea_problemMeasure(KeaProblem *q);
 /* Solves with the friction bounds in `radius`; coupled, goes on to those of the solution itself. False: that did not
  * converge, and the solution is the one with `radius`. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
-/* How far the rows' laws are from being kept by d and p, m/s. */
-double kea_problemResidual(const KeaProblem *q);
+/* How far the rows' laws are from being kept by d and p, m/s; and in impulses, N s, if asked for. */
+double kea_problemResidual(const KeaProblem *q, double *impulse);
 /* Adds d to `total` and makes it part of the load and the targets: the next solve asks for what is left. */
 void kea_problemCarryOn(KeaProblem *q, double (*total)[6]);
 /* How far B d + g is from Jᵀ p, in tolerances. */
@@ -95,6 +95,8 @@ double kea_largestRoot(const double c[3]);
 /* Sets every friction bound to μ p of its normal row. */
 void kea_problemRenewRadii(KeaProblem *q, double share);
 
-KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, int numEdges, const int (*edges)[2]);
+/* The factor of a graph, made if there is none; sizes null: 6 of every node. */
+KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size[], int numEdges,
+                         const int (*edges)[2]);
 
 #endif

@@ -15,17 +15,22 @@
 #include <string.h>
 
 /* The method's own softness, relative to the row's A_ii. With less, contacts that come and go take more iterations; with
- * more, heavy bodies on light ones take more passes. */
-static const double rigidJoint = 1e-8, rigidLimit = 1e-6;
-static const double rigidContact[] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}; /* by pass */
+ * more, heavy bodies on light ones take more passes. Joints that make loops contradict each other, if only by rounding,
+ * and answer with impulses of the error over h N: they get more. */
+static const double rigidJoint = 1e-8, rigidLoop = 1e-6, rigidLimit = 1e-6;
+static const double rigidContact[] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}; /* by pass that went well */
 
 static const double nearby = 1e-3; /* of a body's size: a contact that is no further away may act */
 
+/* Stops, and joints that are about to give way; those whose strength is far off hold as if they had no bound. */
 static MeBool isOneSided(const MdtKeaRow *row) {
-    return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
+    const double near = 0.5;
+    if (row->lower == -HUGE_VAL || row->upper == HUGE_VAL)
+        return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
+    return row->force > near * row->upper || row->force < near * row->lower;
 }
 
-static double rateOf(const MdtKeaSystem *s, const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
+static double rateOf(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
     double rate = 0;
     for (int k = 0; k < 2; k++) {
         if (row->body[k] < 0)
@@ -33,7 +38,6 @@ static double rateOf(const MdtKeaSystem *s, const MdtKeaRow *row, const MdtKeaVe
         const MdtKeaVelocity *v = &velocity[row->body[k]];
         rate += keaDot(row->J[k].lin, v->lin) + keaDot(row->J[k].ang, v->ang);
     }
-    (void)s;
     return rate;
 }
 
@@ -45,7 +49,7 @@ static MeBool isWithinReach(const MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             size = keaMax(size, s->work->body[row->body[k]].size);
-    const double speed = keaMin(rateOf(s, row, s->velocity), rateOf(s, row, s->predicted));
+    const double speed = keaMin(rateOf(row, s->velocity), rateOf(row, s->predicted));
     return row->force != 0 || row->lower < 0 || row->error < nearby * size ||
            row->error + 1.5 * s->parameters.stepsize * speed < 0;
 }
@@ -101,10 +105,11 @@ static void spreadTheta(MdtKeaSystem *s) {
 
 static void chooseTheta(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
-        s->work->body[i].theta = s->parameters.dissipative ? 1 : 0.5;
+        s->work->body[i].theta = 0.5;
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const MeBool holds = (row->contact == i || row->position) && isOneSided(row) && !s->work->problem.row[i].isOff;
+        const MeBool holds = row->contact == i ? !s->work->problem.row[i].isOff
+                                               : row->position && isOneSided(row) && row->force != 0;
         if (holds || isTooStiff(s, row))
             setTheta(s, row);
     }
@@ -113,15 +118,32 @@ static void chooseTheta(MdtKeaSystem *s) {
 
 /* ---- begin ---- */
 
+static void copyRow(KeaProblemRow *p, const MdtKeaRow *row, double h) {
+    p->lower = h * row->lower;
+    p->upper = h * row->upper;
+    for (int k = 0; k < 2; k++) {
+        keaCopy(p->J[k], row->J[k].lin);
+        keaCopy(p->J[k] + 3, row->J[k].ang);
+    }
+}
+
+
 static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (row->contact >= 0)
         return s->rows[row->contact].isOpen || (!s->parameters.timed && !isWithinReach(s, &s->rows[row->contact]));
     return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
 }
 
-/* Of a contact that has not carried anything yet friction holds at first: if it slides, this is what tells where to. */
-static double firstBound(const KeaProblemRow *normal, const MdtKeaRow *row) {
-    return normal->p > 0 ? row->friction * normal->p : HUGE_VAL;
+/* A contact that has not carried anything yet starts as if friction held, which tells where it slides to if it does not;
+ * but where its slip is more than friction could stop, as if there were none. */
+static double firstBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    const KeaProblemRow *normal = &s->work->problem.row[row->normal];
+    if (normal->p > 0)
+        return row->friction * normal->p;
+    const double along = rateOf(row, s->predicted) - row->target;
+    const double across = row->partner >= 0 ? rateOf(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
+    const double approach = -rateOf(&s->rows[row->normal], s->predicted);
+    return hypot(along, across) > row->friction * keaMax(approach, 0) ? 0 : HUGE_VAL;
 }
 
 void kea_beginRows(MdtKeaSystem *s) {
@@ -134,8 +156,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->normal = row->normal;
         p->partner = row->partner;
         p->friction = row->friction;
-        p->lower = h * row->lower;
-        p->upper = h * row->upper;
+        copyRow(p, row, h);
         p->isOff = isIdle(s, row);
         p->p = p->p0 = p->isOff ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
@@ -143,7 +164,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->isElsewhere = row->position;
         p->isForced = row->isForced;
         p->forced = row->forced;
-        p->radius = row->normal >= 0 ? firstBound(&s->work->problem.row[row->normal], row) : 0;
+        p->radius = row->normal >= 0 ? firstBound(s, row) : 0;
     }
     chooseTheta(s);
 }
@@ -153,6 +174,10 @@ MeBool kea_admitContacts(MdtKeaSystem *s) {
     MeBool admitted = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
+        if (row->position && isOneSided(row) && s->work->problem.row[i].p != 0 && thetaOf(s, row) < 1) {
+            setTheta(s, row);
+            admitted = METRUE;
+        }
         if (row->contact != i || !s->work->problem.row[i].isOff || row->isOpen)
             continue;
         if (row->error + h * kea_endRate(s, i) >= 0)
@@ -169,18 +194,11 @@ MeBool kea_admitContacts(MdtKeaSystem *s) {
 
 /* ---- every pass ---- */
 
-static void copyJacobian(KeaProblemRow *p, const MdtKeaRow *row) {
-    for (int k = 0; k < 2; k++) {
-        keaCopy(p->J[k], row->J[k].lin);
-        keaCopy(p->J[k] + 3, row->J[k].ang);
-    }
-}
-
 void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[]) {
     if (s->jacobians)
         s->jacobians(s->context, poses);
     for (int i = 0; i < s->numRows; i++)
-        copyJacobian(&s->work->problem.row[i], &s->rows[i]);
+        copyRow(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
 }
 
 void kea_keepRows(MdtKeaSystem *s) {
@@ -240,21 +258,24 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const double h = s->parameters.stepsize;
     p->E = row->softness;
     p->r = row->target - (s->work->errors[i] - row->error) / h;
-    p->N = (isOneSided(row) ? rigidLimit : rigidJoint) * ownSize(s, p);
+    p->N = (isOneSided(row) ? rigidLimit : s->work->hasLoops ? rigidLoop : rigidJoint) * ownSize(s, p);
 }
 
 /* A contact that is met in time keeps no velocity from being pushed apart (kea_project does that), but a soft one sinks
  * only until γ of its overlap balances its load. */
 static double timedTarget(const MdtKeaRow *row, const KeaProblemRow *p) {
+    if (row->lower < 0) /* it may pull */
+        return row->target;
     return row->drift + keaMin(keaMax(row->target - row->drift, 0), row->softness * keaMax(p->p, 0));
 }
 
-static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p, int pass) {
+static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
+    const int level = s->work->problem.counts.level;
     const MdtKeaRow *row = &s->rows[i];
     const double theta = thetaOf(s, row);
     p->E = theta * row->softness;
     p->r = theta * ((s->parameters.timed && row->contact == i ? timedTarget(row, p) : row->target) - kea_endRate(s, i));
-    p->N = (row->contact >= 0 ? rigidContact[pass < 5 ? pass : 5] : rigidLimit) * p->size;
+    p->N = (row->contact >= 0 ? rigidContact[level < 5 ? level : 5] : rigidLimit) * p->size;
 }
 
 /* On a cone both rows have one softness, or the direction of friction would not be that of the slip. */
@@ -262,7 +283,7 @@ static void shareSoftness(KeaProblemRow *a, KeaProblemRow *b) {
     a->N = b->N = 0.5 * (a->N + b->N);
 }
 
-void kea_linearizeRows(MdtKeaSystem *s, int pass) {
+void kea_linearizeRows(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     kea_problemMeasure(q);
     for (int i = 0; i < s->numRows; i++) {
@@ -277,7 +298,7 @@ void kea_linearizeRows(MdtKeaSystem *s, int pass) {
         else if (row->position)
             positionRow(s, i, p);
         else
-            velocityRow(s, i, p, pass);
+            velocityRow(s, i, p);
     }
     for (int i = 0; i < s->numRows; i++)
         if (q->row[i].partner > i)
@@ -287,7 +308,7 @@ void kea_linearizeRows(MdtKeaSystem *s, int pass) {
 /* ---- how well ---- */
 
 /* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies
- * move, and, for the rounding of places far from the origin, a little of their distance. */
+ * move, a little of their size and, for the rounding of places far from the origin, of their distance. */
 static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const double h = s->parameters.stepsize;
     double size = fabs(row->error);
@@ -295,7 +316,8 @@ static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
         if (row->body[k] < 0)
             continue;
         const KeaBody *b = &s->work->body[row->body[k]];
-        size += keaLength(row->J[k].ang) + h * keaLength(b->u) + 1e-4 * keaLength(s->work->end[row->body[k]].position);
+        size += keaLength(row->J[k].ang) + h * keaLength(b->u) + 1e-2 * b->size +
+                1e-4 * keaLength(s->work->end[row->body[k]].position);
     }
     return size;
 }

@@ -76,8 +76,6 @@ void kea_beginBodies(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++) {
         const MdtKeaBody *body = s->bodies[i];
         KeaBody *b = &s->work->body[i];
-        const double *I = body->moments;
-        b->size = sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
         b->isFree = METRUE;
         fromAngular(body, b);
         q->scale[i] = b->scale = scaleOf(body, b, b->size);

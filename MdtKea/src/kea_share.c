@@ -12,7 +12,7 @@
 #include "kea_i.h"
 #include <string.h>
 
-static const double regular = 1e-9;
+static const double regular = 1e-12;
 
 static int rootOf(int parent[], int i) {
     while (parent[i] != i)
@@ -21,7 +21,7 @@ static int rootOf(int parent[], int i) {
 }
 
 /* A union-find over the bodies and the world, behind the last of them. */
-static MeBool hasLoops(const MdtKeaSystem *s) {
+MeBool kea_hasLoops(const MdtKeaSystem *s) {
     int *parent = s->work->parent, owner = -1;
     for (int i = 0; i <= s->numBodies; i++)
         parent[i] = i;
@@ -39,10 +39,10 @@ static MeBool hasLoops(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Joints only: what is bounded has found its value. */
+/* Rigid joints only: what is bounded or soft has found its value. */
 static MeBool takesPart(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
-    return row->position && row->lower == -HUGE_VAL && row->upper == HUGE_VAL && !s->work->problem.row[i].isOff;
+    return row->position && row->softness == 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL && !s->work->problem.row[i].isOff;
 }
 
 static double weightOf(const MdtKeaSystem *s, int i) {
@@ -82,7 +82,7 @@ static void setProblem(MdtKeaSystem *s) {
 void kea_shareForces(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const MeBool hadBounds = q->hasBounds;
-    if (!hasLoops(s))
+    if (!s->work->hasLoops)
         return;
     for (int i = 0; i < s->numRows; i++)
         s->work->errors[i] = q->row[i].p;

@@ -20,11 +20,21 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->meanPose = kea_carve(arena, n, sizeof *work->meanPose);
     work->errors = kea_carve(arena, m, sizeof(double));
     work->keptJ = kea_carve(arena, m, sizeof *work->keptJ);
+    work->bestU = kea_carve(arena, n, sizeof *work->bestU);
+    work->bestP = kea_carve(arena, m, sizeof(double));
     work->added = kea_carve(arena, n, sizeof *work->added);
     work->plastic = kea_carve(arena, n, sizeof *work->plastic);
     work->wanted = kea_carve(arena, 2 * m, sizeof(double));
     work->takesPart = kea_carve(arena, m, 1);
     work->parent = kea_carve(arena, n + 1, sizeof(int));
+    work->dual.start = kea_carve(arena, m + 1, sizeof(int));
+    work->dual.size = kea_carve(arena, m, sizeof(int));
+    work->dual.edges = kea_carve(arena, m, sizeof *work->dual.edges);
+    work->dual.side = kea_carve(arena, m, sizeof *work->dual.side);
+    work->dual.met = kea_carve(arena, m, sizeof(int));
+    work->dual.first = kea_carve(arena, n, sizeof(int));
+    work->dual.next = kea_carve(arena, m, sizeof *work->dual.next);
+    work->dual.x = kea_carve(arena, m, sizeof(double));
     kea_problemLayOut(&work->problem, s->numBodies, s->maxRows, arena);
 }
 
@@ -65,6 +75,8 @@ static void predict(MdtKeaSystem *s, int i) {
     const MdtKeaBody *body = s->bodies[i];
     KeaBody *b = &s->work->body[i];
     const double h = s->parameters.stepsize;
+    const double *I = body->moments;
+    b->size = sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
     advance(b->freeVelocity, body->velocity, body->force, body->invMass, body->linearDamping, h);
     advance(b->freeMomentum, body->angularMomentum, body->torque, 1, body->angularDamping, h);
     keaCopy(s->predicted[i].lin, b->freeVelocity);

@@ -19,6 +19,7 @@ enum { MAX_ROUNDS = 60, MAX_IMPACT_PASSES = 14 };
 static const double parts = 0.03;         /* of a step's change of speed by the loads: faster is open */
 static const double slides = 0.03;        /* the same: faster is a slide that can stop */
 static const double slow = 1e-6;          /* the same: meeting more slowly is no impact */
+static const double sinks = 0.05;         /* the same, in a soft contact */
 static const double plastic = 0.5;        /* the same: meeting more slowly does not rebound */
 static const double simultaneous = 1e-9;  /* of the partition's speed */
 #ifdef _ME_API_DOUBLE
@@ -166,10 +167,12 @@ void kea_releaseSlides(MdtKeaSystem *s) {
 /* ---- impacts ---- */
 
 MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
-    const double speed = slow * loadSpeed(s);
-    for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact == i && isTouching(s, &s->rows[i]) && rateOf(s, i) < -speed)
+    const double speed = loadSpeed(s);
+    for (int i = 0; i < s->numRows; i++) {
+        const double gate = (s->rows[i].softness > 0 ? sinks : slow) * speed;
+        if (s->rows[i].contact == i && isTouching(s, &s->rows[i]) && rateOf(s, i) < -gate)
             return METRUE;
+    }
     return MEFALSE;
 }
 
@@ -196,8 +199,9 @@ static void setRow(MdtKeaSystem *s, int i) {
     p->normal = row->normal;
     p->partner = row->partner;
     p->friction = row->friction;
-    p->lower = row->normal >= 0 ? -HUGE_VAL : keaMin(s->parameters.stepsize * row->lower, 0);
-    p->upper = row->normal >= 0 ? HUGE_VAL : s->parameters.stepsize * row->upper;
+    /* a force of given strength does nothing in an instant */
+    p->lower = row->normal >= 0 || row->lower == -HUGE_VAL ? -HUGE_VAL : 0;
+    p->upper = row->normal >= 0 || row->upper == HUGE_VAL ? HUGE_VAL : 0;
     p->E = row->contact == i ? 0 : row->softness;
     p->p = p->p0 = 0;
     p->isForced = p->isElsewhere = MEFALSE;
@@ -241,7 +245,7 @@ static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesP
             kea_problemRenewRadii(q, pass < 6 ? 1 : 0.5);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, change);
-        const double residual = kea_problemResidual(q);
+        const double residual = kea_problemResidual(q, NULL);
         start = start < 0 ? residual : start;
         if (pass > 0 && residual <= 1e-12 * (start + s->work->speed))
             break;
@@ -435,6 +439,8 @@ void kea_project(MdtKeaSystem *s) {
         q->row[i].isElsewhere = s->rows[i].contact != i;
     }
     solveDisplacement(s, wanted);
+    s->report.iterations = q->counts.iterations;
+    s->report.factorizations = q->counts.factorizations;
     for (int i = 0; i < s->numRows; i++)
         q->row[i].p = s->work->errors[i];
     displace(s);

@@ -32,7 +32,7 @@ static double loadSpeed(const MdtKeaSystem *s) {
 }
 
 static MeBool isOneSided(const MdtKeaRow *row) {
-    return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
+    return (row->lower > -HUGE_VAL) != (row->upper < HUGE_VAL);
 }
 
 /* The joint's error goes on to be taken away at the same rate: what γ leaves of it, φ⁺ = (1 - γ) φ, asks for γ φ / h. */
@@ -104,7 +104,7 @@ static void setProblem(MdtKeaSystem *s) {
 static void addVelocities(MdtKeaSystem *s, double (*added)[6]) {
     for (int i = 0; i < s->numBodies; i++) {
         double dL[3];
-        keaApply(dL, s->work->problem.metric[i].angular, added[i] + 3);
+        keaApply(dL, (const double(*)[3])s->work->problem.metric[i].angular, added[i] + 3);
         keaAddScaled(s->work->end[i].velocity, 1, added[i]);
         keaAddScaled(s->work->end[i].angularMomentum, 1, dL);
         for (int k = 0; k < 6; k++)
@@ -141,7 +141,7 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
         kea_problemRenewRadii(q, 1);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, added);
-        residual = kea_problemResidual(q);
+        residual = kea_problemResidual(q, NULL);
     }
 }
 
@@ -224,7 +224,7 @@ static double leftOver(const KeaProblemRow *p) {
 
 /* The undamped velocity of the midpoint rule changes its sign at every step; what motion itself leaves does not. */
 static MeBool alternates(const MdtKeaSystem *s, double residual) {
-    const double noise = 1e-6;
+    const double noise = 1e-9;
     if (residual < noise * loadSpeed(s))
         return MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
@@ -241,6 +241,19 @@ static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
         s->rows[i].ripple = isQuieted ? 0 : leftOver(&s->work->problem.row[i]);
 }
 
+/* The last resort of a step whose motion was not found: at least it is no faster than energy allows. */
+static void slowDown(MdtKeaSystem *s, double allowed) {
+    memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
+    const double energy = energyWith(s, s->work->added);
+    if (energy <= allowed)
+        return;
+    const double less = sqrt(keaMax(allowed, 0) / energy) - 1;
+    for (int b = 0; b < s->numBodies; b++)
+        for (int k = 0; k < 6; k++)
+            s->work->added[b][k] = less * s->work->body[b].endVelocity[k];
+    addVelocities(s, s->work->added);
+}
+
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     if (!mayBeNeeded(s))
@@ -249,10 +262,12 @@ void kea_velocityStage(MdtKeaSystem *s) {
     const double allowed = energyAllowed(s);
     kea_keepRows(s);
     setProblem(s);
-    const double start = kea_problemResidual(q);
+    const double start = kea_problemResidual(q, NULL);
     const MeBool isNeeded = isHit || start > calm * loadSpeed(s) || alternates(s, start);
     noteRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start, allowed);
+    if (s->report.capped)
+        slowDown(s, allowed);
     kea_recallRows(s);
 }

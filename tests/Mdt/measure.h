@@ -127,6 +127,32 @@ static inline double swing_decay(const Swing *s, double h) {
     return (s->firstPeak - s->lastPeak) / ((s->lastPeakAt - s->firstPeakAt) * h);
 }
 
+/* What the midpoint rule makes of x'' = -w² x - 2 decay x': its factor from step to step is (1 + s h/2) / (1 - s h/2),
+ * s = -decay ± i sqrt(w² - decay²); frequency and decay of the swing are those of its logarithm over h. */
+static inline double midpoint_frequency(double w, double decay, double h) {
+    return atan2(h * sqrt(w * w - decay * decay), 1 - .25 * w * w * h * h) / h;
+}
+
+static inline double midpoint_decay(double w, double decay, double h) {
+    const double even = 1 + .25 * w * w * h * h;
+    return log((even + decay * h) / (even - decay * h)) / (2 * h);
+}
+
+/* A swing as the midpoint rule has it, but for what lines and parabolas through samples of it leave at its first and
+ * its last crossing or peak, and for `noise`: what the samples lack, relative to the swing, and of a swing of θ that
+ * turns a body, (w θ h)²/32, by which the way of tan(angle/2) differs. */
+static inline void swing_check(const Swing *s, double w, double decay, double h, double noise) {
+    const double wh = w * h, n = s->crossings - 1, lines = .0102 * pow(wh, 3) + .08 * decay * h * wh;
+    assert_near_rel(swing_frequency(s, h), midpoint_frequency(w, decay, h), lines / n + noise);
+    assert_near(swing_decay(s, h), midpoint_decay(w, decay, h),
+                ((.01 * wh * wh + .12 * decay * h) * wh * wh / n + noise) * w);
+}
+
+/* The angle by which a body in joints goes on that turns steadily: tan(angle/2) = rate h/2. */
+static inline double midpoint_turn(double rate, double h) {
+    return 2 * atan(.5 * rate * h);
+}
+
 /* Numbers from -1 to 1, the same in every run. */
 typedef struct {
     unsigned long long state;

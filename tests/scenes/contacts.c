@@ -1,4 +1,5 @@
-/* Contacts of a scene's bodies: corners and spheres on the ground, and faces of boxes clipped against each other. */
+/* Contacts of a scene's bodies: corners and spheres on the ground, spheres against each other, and faces of boxes
+ * clipped against each other. */
 #include "contacts.h"
 
 #include <math.h>
@@ -21,6 +22,8 @@ static void add(Found *f, const SceneWorld *w, int body, int other, const double
     memcpy(c->point, point, sizeof c->point);
     memcpy(c->normal, normal, sizeof c->normal);
     c->depth = depth;
+    c->radius[0] = a->shape == SCENE_SPHERE ? a->half[0] : 0;
+    c->radius[1] = b && b->shape == SCENE_SPHERE ? b->half[0] : 0;
     c->friction = b ? fmax(a->friction, b->friction) : a->friction;
     c->restitution = b ? fmax(a->restitution, b->restitution) : a->restitution;
 }
@@ -59,6 +62,22 @@ static void boxOnGround(Found *f, const SceneWorld *w, int i, const SceneState *
         if (depth > -reach)
             add(f, w, i, SCENE_WORLD, p, up, depth);
     }
+}
+
+/* Spheres */
+
+static void sphereOnSphere(Found *f, const SceneWorld *w, int i, int j, const SceneState states[], double reach) {
+    const double *a = states[i].position, *b = states[j].position;
+    const double radii[2] = {w->bodies[i].half[0], w->bodies[j].half[0]};
+    double normal[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, point[3];
+    const double distance = size(normal), depth = radii[0] + radii[1] - distance;
+    if (depth <= -reach || distance <= 0)
+        return;
+    for (int c = 0; c < 3; c++) {
+        normal[c] /= distance;
+        point[c] = b[c] + (radii[1] - depth / 2) * normal[c];
+    }
+    add(f, w, i, j, point, normal, depth);
 }
 
 /* Boxes */
@@ -173,6 +192,24 @@ static void boxOnBox(Found *f, const SceneWorld *w, int i, int j, const SceneSta
     }
 }
 
+/* Pairs */
+
+static double radiusAround(const SceneBody *b) {
+    return b->shape == SCENE_SPHERE ? b->half[0] : size(b->half);
+}
+
+static void pair(Found *f, const SceneWorld *w, int i, int j, const SceneState states[], double reach) {
+    const SceneBody *a = &w->bodies[i], *b = &w->bodies[j];
+    const double *x = states[i].position, *y = states[j].position, off[3] = {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+    const double limit = radiusAround(a) + radiusAround(b) + reach;
+    if (scene_dot(off, off) > limit * limit)
+        return;
+    if (a->shape == SCENE_BOX && b->shape == SCENE_BOX)
+        boxOnBox(f, w, i, j, states, reach);
+    if (a->shape == SCENE_SPHERE && b->shape == SCENE_SPHERE)
+        sphereOnSphere(f, w, i, j, states, reach);
+}
+
 int scene_contacts(const SceneWorld *w, const SceneState states[], double h,
                    SceneContact contacts[SCENE_MAX_CONTACTS]) {
     Found f = {contacts, 0};
@@ -183,7 +220,6 @@ int scene_contacts(const SceneWorld *w, const SceneState states[], double h,
     }
     for (int i = 0; i < w->numBodies; i++)
         for (int j = i + 1; j < w->numBodies; j++)
-            if (w->bodies[i].shape == SCENE_BOX && w->bodies[j].shape == SCENE_BOX)
-                boxOnBox(&f, w, i, j, states, reach[i] + reach[j]);
+            pair(&f, w, i, j, states, reach[i] + reach[j]);
     return f.count;
 }

@@ -1,5 +1,6 @@
 /* Contacts of a scene's bodies, for an engine that has no collision of its own: spheres and the corners of boxes with
- * the ground, and faces of boxes with each other. Edges against edges are not looked for: no scene needs them. */
+ * the ground, spheres with each other, and faces of boxes with each other. Edges against edges, and spheres against
+ * boxes, are not looked for: no scene needs them. */
 #ifndef SCENES_CONTACTS_H
 #define SCENES_CONTACTS_H
 
@@ -16,6 +17,7 @@ typedef struct SceneContact {
     double point[3];  /* m */
     double normal[3]; /* unit, the way the first body is pushed */
     double depth;     /* m, negative for a gap */
+    double radius[2]; /* m, of the two surfaces where they are spheres; 0: corners and faces */
     double friction, restitution;
 } SceneContact;
 

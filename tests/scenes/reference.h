@@ -1,6 +1,8 @@
-/* The right answers of the scenes: closed forms, and Euler's equations integrated until they converge. */
+/* The right answers of the scenes: closed forms, and equations of motion integrated until they converge. */
 #ifndef SCENES_REFERENCE_H
 #define SCENES_REFERENCE_H
+
+#include <stdbool.h>
 
 /* s, of a pendulum that is let go at `amplitude` [rad] and whose small swings have the angular frequency `omega`. */
 double reference_pendulumPeriod(double amplitude, double omega);
@@ -16,8 +18,20 @@ ReferenceTumbling reference_tumbling(const double inertia[3], const double spin[
 /* m, down a slope whose gravity has the parts `along` and `across` [m/s²], from rest; 0 if friction holds. */
 double reference_slide(double along, double across, double friction, double time);
 
-/* A ball that is put on a level ground with `speed` and no spin slips, then rolls. */
-double reference_rollingSpeed(double speed);
-double reference_rollingDistance(double speed, double friction, double gravity, double time);
+/* m, on the flat, with `speed` at the start, until it stands. */
+double reference_stop(double speed, double friction, double gravity);
+
+/* Whether a block that slides so on a face of this half width trips over its front edge: in the plane, the edge slips
+ * until it stands, and from then on the block turns about it. */
+bool reference_topples(double halfWidth, double halfHeight, double speed, double friction, double gravity);
+
+/* A ball that is put on a level ground with `speed`, its spin that of one that rolls with the speed `surface`: it
+ * slips, then rolls. */
+double reference_rollingSpeed(double speed, double surface);
+double reference_rollingDistance(double speed, double surface, double friction, double gravity, double time);
+
+/* Moves a heavy symmetric top on by `time`: the unit vector along its axis, and its angular momentum about the pivot.
+ * `across` is the moment of inertia about the pivot at right angles to the axis, `weight` m g l [N m], gravity -y. */
+void reference_top(double axisAndMomentum[6], double across, double weight, double time);
 
 #endif

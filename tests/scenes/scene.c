@@ -112,10 +112,3 @@ double scene_gap(const SceneWorld *w, const SceneState states[]) {
     }
     return worst;
 }
-
-const Scene *scene_find(const char *name) {
-    for (int i = 0; scenes[i]; i++)
-        if (strcmp(scenes[i]->name, name) == 0)
-            return scenes[i];
-    return NULL;
-}

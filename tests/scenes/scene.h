@@ -14,7 +14,7 @@ extern "C" {
 #define SCENE_FRAME (1.0 / 60) /* s, one picture of a game */
 #define SCENE_WORLD (-1)       /* in place of a body's index */
 
-enum { SCENE_MAX_BODIES = 24, SCENE_MAX_JOINTS = 24, SCENE_MAX_ERRORS = 3 };
+enum { SCENE_MAX_BODIES = 128, SCENE_MAX_JOINTS = 128, SCENE_MAX_ERRORS = 3 };
 
 typedef struct SceneState {
     double position[3];   /* m, of the centre of mass */
@@ -31,6 +31,7 @@ typedef struct SceneBody {
     double half[3]; /* m, half edges; a sphere's radius, three times */
     double mass;    /* kg */
     double friction, restitution;
+    double force[3]; /* N, that pushes its centre of mass all the time */
     SceneState start;
 } SceneBody;
 
@@ -59,6 +60,9 @@ typedef struct SceneTrace {
     double lastTime;                    /* s, of the states that were seen last, */
     SceneState last[SCENE_MAX_BODIES];  /* and these */
     double before[SCENE_MAX_BODIES][3]; /* m, positions a frame before that */
+    double marked[SCENE_MAX_BODIES][3]; /* m, positions at some time */
+    double sums[2][2];                  /* of weights, and of something with these weights, in two spans of time */
+    double reference[6];                /* a state that is integrated along with the scene */
     int events[2];                      /* crossings, flips, bounces of the first and of the second body */
     double firstEvent, lastEvent;       /* s */
     double top[2][2];                   /* m, the tops of the first two bounces, by body */
@@ -68,6 +72,7 @@ typedef struct SceneTrace {
 typedef struct SceneError {
     const char *name; /* with its unit, or none for a ratio; null: there are no more */
     double fails;     /* an error this large means that the scene has failed */
+    double goal;      /* what Karma is to reach with one step per frame; where it does, the tests assert it */
 } SceneError;
 
 typedef struct Scene Scene;
@@ -75,6 +80,7 @@ struct Scene {
     const char *name;
     const char *text; /* what happens, and what the errors are */
     double parameter; /* mass [kg] where several scenes are alike */
+    int count;        /* of links, where several are alike */
     double duration;  /* s, at most */
     bool bounces;     /* needs restitution */
     SceneError errors[SCENE_MAX_ERRORS];

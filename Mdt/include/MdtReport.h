@@ -1,0 +1,98 @@
+/** @file MdtReport.h
+ *  The report of a step: what was solved, in which way, what it cost, and how far off the result is. The engine tells its
+ *  own error.
+ *
+ *  Off by default: then nothing is computed, and the report is zero. A simulation is the same, bit for bit, with it and
+ *  without. Units are SI, the frame is the world's.
+ *
+ *  Bad input: a null or destroyed world, a null place for the report, and a partition that there is not get a warning and
+ *  MEFALSE, 0, or a report of zeros.
+ */
+#ifndef MDTREPORT_H
+#define MDTREPORT_H
+
+#include "MdtTypes.h"
+
+ME_BEGIN_C
+
+/** How a partition was stepped, in the order of effort: a world's way is the last of its partitions'. */
+typedef enum MdtReportWay {
+    MdtReportWayNone,    /**< put to rest, or without rows: free motion */
+    MdtReportWayKept,    /**< the last step's answer still held: nothing was factored */
+    MdtReportWayExact,   /**< solved */
+    MdtReportWayTimed,   /**< bodies met or came to stick, at the moment when they did (MdtWorldSetTimedContacts) */
+    MdtReportWayDivided, /**< the step was halved, because motion in it was violent */
+} MdtReportWay;
+
+/** What time is told of. */
+typedef enum MdtReportStage {
+    MdtReportStageRows,      /**< making rows of constraints, and the impacts at the start of a part */
+    MdtReportStageSolve,     /**< finding their forces */
+    MdtReportStageIntegrate, /**< moving the bodies, free motion included; reading back; making the report */
+    MdtReportStages,         /**< how many there are */
+} MdtReportStage;
+
+/**
+ * Of one partition, or of all partitions of a step: counts, energies and times are sums, errors are maxima. Solves count
+ * that were thrown away, because their part of the step was divided; their errors do not. The work of impacts shows in
+ * the time only.
+ */
+typedef struct MdtReport {
+    /* what was solved */
+    int bodies; /**< those that are at rest are in no partition; in the step that puts them to rest they still are */
+    int constraints; /**< joints and contacts, contact groups, and the contacts in them */
+    int rows;        /**< of a divided step: the most of any part */
+    /* in which way */
+    MdtReportWay way;
+    int parts;          /**< that the step was taken in: 1 if it was not divided, 0 of a partition put to rest */
+    int events;         /**< how often a step was divided where bodies met or came to stick */
+    int passes;         /**< linearizations */
+    int iterations;     /**< of Newton's method (Karma: pivots) */
+    int factorizations; /**< of sparse matrices */
+    int stages;         /**< velocity stages */
+    int freezes;        /**< passes whose friction bounds were not renewed, since that did not settle */
+    int fallbacks; /**< parts whose forces are within bounds, but inexact, or whose bodies were stopped; warned of */
+    int conflicts; /**< parts with constraints that contradict each other: a compromise was taken */
+    /* how far off */
+    MeReal
+        residualVelocity; /**< m/s: largest velocity of a row that its force should have prevented (angular: rad/s) */
+    MeReal residualForce; /**< N: largest change of a row's force that would prevent it (angular: N m) */
+    MeReal jointError;    /**< m: largest error left in a joint against what this step asked (angular: rad) */
+    MeReal jointGap;      /**< m: how far the bodies of a joint are from where it holds them, at the end of the step */
+    MeReal jointTurn;     /**< rad: the same for joints that hold directions */
+    MeReal penetration;   /**< m: of the deepest contact as the step began, 0 where none is deep */
+    /* energy at the end of the step */
+    MeReal kineticEnergy;   /**< J, of the bodies */
+    MeReal potentialEnergy; /**< J, in the world's gravity, 0 at the origin; of gravity only, not of springs */
+    /* cost */
+    MeReal time[MdtReportStages]; /**< s, by MdtReportStage, on a monotonic clock */
+} MdtReport;
+
+/**
+ * From the next step on, steps are reported. What is reported already is kept. Memory is allocated the first time, for
+ * as many partitions as the world may have bodies, and lives as long as the world; should there be none, a fatal error
+ * is reported and the report stays off.
+ */
+MEPUBLIC void MEAPI MdtWorldEnableReport(const MdtWorldID w);
+/** Steps are not reported any more; what was reported is gone. */
+MEPUBLIC void MEAPI MdtWorldDisableReport(const MdtWorldID w);
+/** Whether steps are reported. */
+MEPUBLIC MeBool MEAPI MdtWorldReportIsEnabled(const MdtWorldID w);
+
+/**
+ * Writes the report of the world's last step to @a report: sums and maxima over its partitions. MEFALSE and zeros when the
+ * report is off, or no step was taken since it was enabled. Called during a step, it tells of the partitions so far.
+ */
+MEPUBLIC MeBool MEAPI MdtWorldGetReport(const MdtWorldID w, MdtReport *report);
+/** The number of partitions of the last step; 0 where MdtWorldGetReport returns MEFALSE. */
+MEPUBLIC int MEAPI MdtWorldGetReportCount(const MdtWorldID w);
+/**
+ * Writes the report of one partition of the last step, 0 <= @a partition < MdtWorldGetReportCount, to @a report; the
+ * numbers are those that MdtBodyGetPartition tells. MEFALSE and zeros when the report is off, or no step was taken since
+ * it was enabled, which is no misuse.
+ */
+MEPUBLIC MeBool MEAPI MdtWorldGetPartitionReport(const MdtWorldID w, const int partition, MdtReport *report);
+
+ME_END_C
+
+#endif

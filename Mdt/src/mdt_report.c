@@ -1,0 +1,242 @@
+/* The report of a step (MdtReport.h): what mdt_step.c tells while it steps, and what programs ask for.
+ *
+ * Time is told in laps: each reading of the clock ends one stage and begins the next.
+ */
+#include "mdt_i.h"
+#include "MeProfile.h"
+#include <string.h>
+
+/* ---- on and off ---- */
+
+void MEAPI MdtWorldEnableReport(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, );
+    if (w->isReported)
+        return;
+    const size_t count = w->bodyPool.count > 0 ? (size_t)w->bodyPool.count : 1;
+    if (!w->reports)
+        w->reports = MeMemoryAPI.create(count * sizeof *w->reports);
+    if (!w->reports) {
+        MeFatalError(0, "MdtWorldEnableReport: no memory for the reports of %u partitions", (unsigned int)count);
+        return;
+    }
+    w->isReported = METRUE;
+    w->numReports = MDT_NO_REPORTS;
+}
+
+/* The memory stays: a program's callback may be in the middle of a step. */
+void MEAPI MdtWorldDisableReport(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, );
+    w->isReported = MEFALSE;
+    w->numReports = MDT_NO_REPORTS;
+}
+
+MeBool MEAPI MdtWorldReportIsEnabled(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, MEFALSE);
+    return w->isReported;
+}
+
+/* ---- what a step tells ---- */
+
+static MeU64 ticksNow(void) {
+    MeProfileTimerResult t;
+    MeProfileGetTimerValue(&t);
+    return t.ticks;
+}
+
+void mdt_reportStep(MdtWorldID w) {
+    w->numReports = w->numPartitions;
+    memset(w->reports, 0, (size_t)w->numReports * sizeof *w->reports);
+    w->lap = ticksNow();
+}
+
+MdtReport *mdt_reportOf(MdtWorldID w, int partition) {
+    if (partition >= w->numReports)
+        return NULL;
+    if (w->partitionCb) /* its time is the program's */
+        w->lap = ticksNow();
+    return &w->reports[partition];
+}
+
+void mdt_reportLap(MdtWorldID w, MdtReport *r, MdtReportStage stage) {
+    const MeU64 now = ticksNow();
+    r->time[stage] += (MeReal)((double)(now - w->lap) / (double)MeProfileGetClockSpeed());
+    w->lap = now;
+}
+
+static void keepMost(MeReal *most, double x) {
+    if ((MeReal)x > *most)
+        *most = (MeReal)x;
+}
+
+static void keepWay(MdtReport *r, MdtReportWay way) {
+    if (way > r->way)
+        r->way = way;
+}
+
+void mdt_reportImpact(MdtReport *r) {
+    keepWay(r, MdtReportWayTimed);
+}
+
+void mdt_reportEvent(MdtReport *r) {
+    r->events++;
+    keepWay(r, MdtReportWayTimed);
+}
+
+void mdt_reportDivision(MdtReport *r) {
+    keepWay(r, MdtReportWayDivided);
+}
+
+void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtKeaSystem *kea) {
+    if (kea->numRows == 0)
+        return;
+    mdt_reportLap(w, r, MdtReportStageSolve);
+    r->rows = kea->numRows > r->rows ? kea->numRows : r->rows;
+    r->passes += kea->report.passes;
+    r->iterations += kea->report.iterations;
+    r->factorizations += kea->report.factorizations;
+    r->stages += kea->report.stages;
+    r->freezes += kea->report.freezes;
+    keepWay(r, kea->report.factorizations > 0 ? MdtReportWayExact : MdtReportWayKept);
+}
+
+static void addSquare(double *sum, double x) {
+    *sum += x * x;
+}
+
+/* The rows of a joint are at right angles to each other, so what they lack adds up like a vector. Attachments that move
+ * take their drift along. */
+static void measureJoint(MdtReport *r, MdtConstraintID c, const MdtKeaSystem *kea) {
+    const MdtKeaRow *rows = kea->rows + c->firstRow;
+    const MdtKeaTransformation *pose[2];
+    double errors[MdtBclGETMAXROWS], gap = 0, turn = 0;
+    for (int k = 0; k < 2; k++)
+        pose[k] = c->side[k].body ? &kea->pose[c->side[k].body->index] : &MdtBclWorldPose;
+    c->type->errors(&c->bcl, pose, errors);
+    for (int i = 0; i < c->numRows; i++) {
+        const MeBool isLinear =
+            keaDot(rows[i].J[0].lin, rows[i].J[0].lin) + keaDot(rows[i].J[1].lin, rows[i].J[1].lin) > 0;
+        if (rows[i].position)
+            addSquare(isLinear ? &gap : &turn, errors[i] - kea->parameters.stepsize * rows[i].drift);
+    }
+    keepMost(&r->jointGap, sqrt(gap));
+    keepMost(&r->jointTurn, sqrt(turn));
+}
+
+void mdt_reportPart(MdtReport *r, const MdtKeaSystem *kea, MdtConstraintID constraints[], int count, MeBool isFinite) {
+    r->parts++;
+    r->fallbacks += kea->report.capped || !isFinite;
+    r->conflicts += kea->report.conflicting;
+    keepMost(&r->residualVelocity, kea->report.residual);
+    keepMost(&r->residualForce, kea->report.force);
+    keepMost(&r->jointError, kea->report.error);
+    r->jointGap = r->jointTurn = 0;
+    for (int i = 0; i < count; i++)
+        if (constraints[i]->numRows > 0 && constraints[i]->type->errors)
+            measureJoint(r, constraints[i], kea);
+}
+
+/* With the angular velocity that programs see: in single precision it has as many digits as the report. */
+static double kineticEnergyOf(const MdtBody *b) {
+    double w[3];
+    mdt_fromReal(w, b->angularVelocity);
+    return 0.5 * (b->mass * keaDot(b->kea.velocity, b->kea.velocity) + keaDot(w, b->kea.angularMomentum));
+}
+
+static void reportEnergy(MdtReport *r, MdtBodyID const bodies[], int count, const MeReal gravity[]) {
+    double kinetic = 0, potential = 0, g[3];
+    mdt_fromReal(g, gravity);
+    for (int i = 0; i < count; i++) {
+        kinetic += kineticEnergyOf(bodies[i]);
+        potential -= bodies[i]->mass * keaDot(g, bodies[i]->kea.position);
+    }
+    r->kineticEnergy = (MeReal)kinetic;
+    r->potentialEnergy = (MeReal)potential;
+}
+
+void mdt_reportEnd(MdtWorldID w, MdtReport *r, int partition) {
+    const int body = w->bodyStart[partition], constraint = w->constraintStart[partition];
+    r->bodies = w->bodyStart[partition + 1] - body;
+    r->constraints = w->constraintStart[partition + 1] - constraint;
+    for (int i = 0; i < r->constraints; i++) {
+        const MdtBclConstraint *c = &w->constraintOf[constraint + i]->bcl;
+        if (c->type == MdtBclCONTACT)
+            keepMost(&r->penetration, c->of.contact.penetration);
+    }
+    reportEnergy(r, w->bodyOf + body, r->bodies, w->params.gravity);
+    mdt_reportLap(w, r, MdtReportStageIntegrate);
+}
+
+/* ---- what programs ask for ---- */
+
+static void addCounts(MdtReport *sum, const MdtReport *r) {
+    sum->bodies += r->bodies;
+    sum->constraints += r->constraints;
+    sum->rows += r->rows;
+    sum->parts += r->parts;
+    sum->events += r->events;
+    sum->passes += r->passes;
+    sum->iterations += r->iterations;
+    sum->factorizations += r->factorizations;
+    sum->stages += r->stages;
+    sum->freezes += r->freezes;
+    sum->fallbacks += r->fallbacks;
+    sum->conflicts += r->conflicts;
+}
+
+static void keepErrors(MdtReport *most, const MdtReport *r) {
+    keepWay(most, r->way);
+    keepMost(&most->residualVelocity, (double)r->residualVelocity);
+    keepMost(&most->residualForce, (double)r->residualForce);
+    keepMost(&most->jointError, (double)r->jointError);
+    keepMost(&most->jointGap, (double)r->jointGap);
+    keepMost(&most->jointTurn, (double)r->jointTurn);
+    keepMost(&most->penetration, (double)r->penetration);
+}
+
+static void sumReports(MdtReport *sum, const MdtReport reports[], int count) {
+    double kinetic = 0, potential = 0, time[MdtReportStages] = {0};
+    for (int i = 0; i < count; i++) {
+        addCounts(sum, &reports[i]);
+        keepErrors(sum, &reports[i]);
+        kinetic += (double)reports[i].kineticEnergy;
+        potential += (double)reports[i].potentialEnergy;
+        for (int k = 0; k < MdtReportStages; k++)
+            time[k] += (double)reports[i].time[k];
+    }
+    sum->kineticEnergy = (MeReal)kinetic;
+    sum->potentialEnergy = (MeReal)potential;
+    for (int k = 0; k < MdtReportStages; k++)
+        sum->time[k] = (MeReal)time[k];
+}
+
+/* A place to write to, which is zeroed: the neutral result. */
+static MeBool isReport(const char *caller, MdtReport *r) {
+    if (!mdt_isPointer(caller, "the report", r))
+        return MEFALSE;
+    memset(r, 0, sizeof *r);
+    return METRUE;
+}
+
+MeBool MEAPI MdtWorldGetReport(const MdtWorldID w, MdtReport *report) {
+    if (!isReport(__func__, report) || !mdt_isWorld(w, __func__) || w->numReports == MDT_NO_REPORTS)
+        return MEFALSE;
+    sumReports(report, w->reports, w->numReports);
+    return METRUE;
+}
+
+int MEAPI MdtWorldGetReportCount(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->numReports == MDT_NO_REPORTS ? 0 : w->numReports;
+}
+
+MeBool MEAPI MdtWorldGetPartitionReport(const MdtWorldID w, const int partition, MdtReport *report) {
+    if (!isReport(__func__, report) || !mdt_isWorld(w, __func__) || w->numReports == MDT_NO_REPORTS)
+        return MEFALSE;
+    if (partition < 0 || partition >= w->numReports) {
+        MeWarning(1, "MdtWorldGetPartitionReport: there is no partition %d, the last step had %d", partition,
+                  w->numReports);
+        return MEFALSE;
+    }
+    *report = w->reports[partition];
+    return METRUE;
+}

@@ -1,0 +1,163 @@
+/* The joints' side of the inner problem: where nothing is bounded and no joints make loops, the impulses are the fewer
+ * unknowns. With p = p_0 + Δp,
+ *
+ *     (J B⁻¹ Jᵀ + E) Δp = r - E p_0 - J B⁻¹ (Jᵀ p_0 - g),      d = B⁻¹ (Jᵀ p - g).
+ *
+ * The matrix has a block for every joint, coupled where two joints share a body: of a chain of ball joints it is
+ * factored with a seventh of the work that the bodies' side takes. Which side is cheaper follows from the two graphs.
+ */
+#include "kea_i.h"
+#include <string.h>
+
+static const double regular = 1e-13; /* of a row's A_ii: rows of one joint may coincide but for rounding */
+
+/* Runs of rows of one constraint are the nodes. False: something is bounded. */
+static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
+    int owner = -1;
+    d->numNodes = 0;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->contact >= 0 || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL ||
+            s->work->problem.row[i].isOff)
+            return MEFALSE;
+        if (row->owner != owner) {
+            d->start[d->numNodes] = i;
+            d->size[d->numNodes++] = 0;
+        }
+        owner = row->owner;
+        if (++d->size[d->numNodes - 1] > KEA_FACTOR_MAX_BLOCK)
+            return MEFALSE;
+    }
+    d->start[d->numNodes] = s->numRows;
+    return METRUE;
+}
+
+/* Joints that share a body, by way of a list of the nodes of every body. False: there are too many, or two share both. */
+static MeBool findEdges(MdtKeaSystem *s, KeaDual *d) {
+    d->numEdges = 0;
+    for (int b = 0; b < s->numBodies; b++)
+        d->first[b] = -1;
+    for (int n = 0; n < d->numNodes; n++) {
+        const KeaProblemRow *row = &s->work->problem.row[d->start[n]];
+        d->met[n] = -1;
+        for (int k = 0; k < 2; k++) {
+            const int b = row->body[k];
+            if (b < 0)
+                continue;
+            for (int m = d->first[b]; m >= 0; m = d->next[m / 2][m % 2]) {
+                if (d->numEdges == s->maxRows || d->met[m / 2] == n)
+                    return MEFALSE;
+                d->met[m / 2] = n;
+                d->edges[d->numEdges][0] = m / 2;
+                d->edges[d->numEdges][1] = n;
+                d->side[d->numEdges][0] = m % 2;
+                d->side[d->numEdges++][1] = k;
+            }
+        }
+        for (int k = 0; k < 2; k++) {
+            if (row->body[k] < 0)
+                continue;
+            d->next[n][k] = d->first[row->body[k]];
+            d->first[row->body[k]] = 2 * n + k;
+        }
+    }
+    return METRUE;
+}
+
+void kea_dualBegin(MdtKeaSystem *s) {
+    KeaDual *d = &s->work->dual;
+    d->factor = NULL;
+    if (s->work->hasLoops || !findNodes(s, d) || !findEdges(s, d))
+        return;
+    KeaFactor *factor = kea_cacheFind(s->cache, d->numNodes, d->size, d->numEdges, (const int(*)[2])d->edges);
+    if (factor && kea_factorFlops(factor) < kea_factorFlops(s->work->problem.factor))
+        d->factor = factor;
+}
+
+/* ---- a solve ---- */
+
+static void respond(const KeaMetric *B, double r[6], const double J[6]) {
+    keaScale(r, 1 / B->linear, J);
+    keaApply(r + 3, B->inverse, J + 3);
+}
+
+static double dot6(const double a[6], const double b[6]) {
+    return keaDot(a, b) + keaDot(a + 3, b + 3);
+}
+
+static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
+    double *block = kea_factorDiagonal(d->factor, n), response[6];
+    const int size = d->size[n], start = d->start[n];
+    for (int i = 0; i < size; i++) {
+        const KeaProblemRow *a = &q->row[start + i];
+        for (int k = 0; k < 2; k++) {
+            if (a->body[k] < 0)
+                continue;
+            respond(&q->metric[a->body[k]], response, a->J[k]);
+            for (int j = 0; j < size; j++)
+                block[i * size + j] += dot6(response, q->row[start + j].J[k]);
+        }
+        block[i * size + i] += a->E + regular * a->size;
+    }
+}
+
+static void fillEdge(KeaProblem *q, KeaDual *d, int e) {
+    const int m = d->edges[e][0], n = d->edges[e][1], k = d->side[e][0], l = d->side[e][1];
+    const KeaMetric *B = &q->metric[q->row[d->start[m]].body[k]];
+    double *block = kea_factorUpper(d->factor, e), response[6];
+    for (int i = 0; i < d->size[m]; i++) {
+        respond(B, response, q->row[d->start[m] + i].J[k]);
+        for (int j = 0; j < d->size[n]; j++)
+            block[i * d->size[n] + j] += dot6(response, q->row[d->start[n] + j].J[l]);
+    }
+}
+
+static MeBool factorize(KeaProblem *q, KeaDual *d) {
+    kea_factorClear(d->factor);
+    for (int n = 0; n < d->numNodes; n++)
+        fillDiagonal(q, d, n);
+    for (int e = 0; e < d->numEdges; e++)
+        fillEdge(q, d, e);
+    q->counts.factorizations++;
+    return kea_factorCholesky(d->factor, 1e-15);
+}
+
+/* d := B⁻¹ (Jᵀ p - g), with p that are there. */
+static void setMotion(KeaProblem *q) {
+    for (int b = 0; b < q->numBodies; b++)
+        for (int i = 0; i < 6; i++)
+            q->gradient[b][i] = -q->load[b][i];
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        for (int k = 0; k < 2; k++)
+            for (int c = 0; c < 6 && row->body[k] >= 0; c++)
+                q->gradient[row->body[k]][c] += row->p * row->J[k][c];
+    }
+    for (int b = 0; b < q->numBodies; b++)
+        respond(&q->metric[b], q->d[b], q->gradient[b]);
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        row->Jd = 0;
+        for (int k = 0; k < 2; k++)
+            if (row->body[k] >= 0)
+                row->Jd += dot6(row->J[k], q->d[row->body[k]]);
+    }
+}
+
+MeBool kea_dualSolve(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    KeaDual *d = &s->work->dual;
+    if (!d->factor || !factorize(q, d))
+        return MEFALSE;
+    q->counts.iterations++;
+    setMotion(q);
+    for (int i = 0; i < q->numRows; i++)
+        d->x[i] = q->row[i].r - q->row[i].E * q->row[i].p - q->row[i].Jd;
+    kea_factorSolve(d->factor, d->x);
+    for (int i = 0; i < q->numRows; i++) {
+        q->row[i].p += d->x[i];
+        q->row[i].state = KEA_HELD;
+    }
+    setMotion(q);
+    return METRUE;
+}

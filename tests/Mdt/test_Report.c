@@ -1,0 +1,575 @@
+/* The report of a step: each figure against what is known, or measured from what programs see. */
+#include "MeProfile.h"
+#include "measure.h"
+
+static MdtWorldID reportedWorld(unsigned int bodies, unsigned int constraints, double gravity) {
+    MdtWorldID w = scene_world(bodies, constraints, gravity);
+    MdtWorldEnableReport(w);
+    return w;
+}
+
+static MdtReport reportOf(MdtWorldID w) {
+    MdtReport r;
+    ck_assert(MdtWorldGetReport(w, &r));
+    return r;
+}
+
+/* A contact with the floor at y = 0 under one point of a body. */
+static MdtContactID touch(MdtBodyID b, double x, double z, double depth) {
+    MdtContactID c = MdtContactCreate(MdtBodyGetWorld(b), b, 0);
+    MdtContactSetPosition(c, (MeReal)x, 0, (MeReal)z);
+    MdtContactSetNormal(c, 0, 1, 0);
+    MdtContactSetPenetration(c, (MeReal)depth);
+    MdtContactEnable(c);
+    return c;
+}
+
+/* ---- energy ---- */
+
+START_TEST(a_falling_body_has_the_energies_of_the_closed_form) {
+    MdtWorldID w = reportedWorld(1, 0, 10);
+    MdtBodyID b = scene_body(w, 3, 1, 7, 2);
+    MdtBodySetLinearVelocity(b, 2, 0, 0);
+    for (int i = 1; i <= 30; i++) {
+        MdtWorldStep(w, FRAME);
+        const double t = i * (double)FRAME;
+        const MdtReport r = reportOf(w);
+        assert_near_rel(r.kineticEnergy, 1.5 * (4 + 100 * t * t), TOL(1e-6, 1e-13));
+        assert_near_rel(r.potentialEnergy, 30 * (7 - 5 * t * t), TOL(1e-6, 1e-13));
+    }
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(turning_is_kinetic_energy_and_gravity_may_point_anywhere) {
+    MdtWorldID w = reportedWorld(2, 0, 0);
+    const double edge[3] = {1, 2, 3};
+    MdtBodyID a = scene_box(w, 2, edge, 1, 2, 3), b = scene_body(w, 5, -4, 0, 0);
+    MdtWorldSetGravity(w, 3, -2, 1);
+    MdtBodySetAngularVelocity(a, 1, 2, -1);
+    MdtBodySetAngularVelocity(b, 3, 0, 0);
+    MdtWorldStep(w, FRAME);
+    MeVector3 p, q;
+    MdtBodyGetCenterOfMassPosition(a, p);
+    MdtBodyGetCenterOfMassPosition(b, q);
+    const double kinetic = (double)MdtBodyGetKineticEnergy(a) + (double)MdtBodyGetKineticEnergy(b);
+    const double potential = -2 * (3 * (double)p[0] - 2 * (double)p[1] + (double)p[2]) -
+                             5 * (3 * (double)q[0] - 2 * (double)q[1] + (double)q[2]);
+    const MdtReport r = reportOf(w);
+    ck_assert_double_gt(kinetic, 5);
+    assert_near_rel(r.kineticEnergy, kinetic, TOL(1e-6, 1e-13));
+    assert_near_rel(r.potentialEnergy, potential, TOL(1e-6, 1e-13));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* ---- errors ---- */
+
+/* With gamma = 0 a joint keeps its error; with a fraction it keeps the rest, however the gap lies. */
+START_TEST(a_joint_that_is_apart_tells_its_gap) {
+    const double gammas[] = {0, .25, 1};
+    for (int i = 0; i < 3; i++) {
+        MdtWorldID w = reportedWorld(1, 1, 0);
+        MdtBodyID b = scene_body(w, 2, 0, 0, 0);
+        MdtBSJointID j = MdtBSJointCreate(w);
+        MdtWorldSetGamma(w, (MeReal)gammas[i]);
+        MdtWorldSetEpsilon(w, 0);
+        MdtBSJointSetBodies(j, b, 0);
+        MdtBSJointSetPosition(j, 0, 0, 0);
+        MdtBSJointEnable(j);
+        MdtBodySetPosition(b, (MeReal).03, (MeReal).04, (MeReal).12);
+        MdtWorldStep(w, FRAME);
+        const MdtReport r = reportOf(w);
+        assert_near(r.jointGap, .13 * (1 - gammas[i]), TOL(1e-7, 1e-9));
+        assert_near(r.jointError, 0, 1e-8);
+        assert_near(r.jointTurn, 0, 0);
+        ck_assert_int_eq(r.rows, 3);
+        ck_assert_int_eq(r.fallbacks, 0);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+START_TEST(an_axis_that_is_off_tells_its_angle) {
+    HingedBar s = scene_hingedBar(0);
+    MeReal half = (MeReal).05; /* the bar is turned by 0.1 rad about x: its axis leaves z */
+    MdtWorldEnableReport(s.world);
+    MdtWorldSetGamma(s.world, 0);
+    MdtBodySetQuaternion(s.bar, MeCos(half), MeSin(half), 0, 0);
+    MdtWorldStep(s.world, FRAME);
+    const MdtReport r = reportOf(s.world);
+    assert_near(r.jointTurn, .1, 2e-4); /* its sine */
+    assert_near(r.jointGap, 0, TOL(1e-7, 1e-9));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* Attachments and worlds that move are followed: that is no gap. */
+START_TEST(a_joint_that_is_led_along_has_no_gap) {
+    MdtWorldID w = reportedWorld(1, 1, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    MdtFixedPathID j = MdtFixedPathCreate(w);
+    MeVector3 p;
+    MdtWorldSetEpsilon(w, 0);
+    MdtFixedPathSetBodies(j, b, 0);
+    MdtFixedPathSetPosition(j, 0, 0, 0, 0);
+    MdtFixedPathSetPosition(j, 1, 0, 0, 0);
+    MdtFixedPathSetVelocity(j, 1, 3, 0, 0);
+    MdtFixedPathEnable(j);
+    MdtWorldStep(w, FRAME);
+    MdtBodyGetPosition(b, p);
+    assert_near(fabs((double)p[0]), 3 * (double)FRAME, TOL(1e-6, 1e-8));
+    const MdtReport r = reportOf(w);
+    assert_near(r.jointGap, 0, TOL(1e-7, 1e-8));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(the_deepest_contact_is_told_as_it_was_when_the_step_began) {
+    MdtWorldID w = reportedWorld(2, 4, 10);
+    MdtBodyID a = scene_body(w, 1, 0, 1, 0), b = scene_body(w, 1, 5, 1, 0);
+    touch(a, 0, 0, .01);
+    touch(b, 5, 0, .03);
+    MdtContactSetPenetration(touch(b, 5.5, 0, 0), (MeReal)-.5);
+    MdtWorldStep(w, FRAME);
+    assert_near(reportOf(w).penetration, .03, TOL(1e-8, 1e-15));
+    MdtReport r;
+    ck_assert(MdtWorldGetPartitionReport(w, MdtBodyGetPartition(a), &r));
+    assert_near(r.penetration, .01, TOL(1e-8, 1e-15));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Two joints hold a body to places 2 m apart: a compromise, with half of it left in each. */
+START_TEST(joints_that_contradict_each_other_are_told) {
+    MdtWorldID w = reportedWorld(1, 2, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    MdtWorldSetEpsilon(w, 0);
+    MdtWorldSetGamma(w, 1);
+    for (int i = 0; i < 2; i++) {
+        MdtBSJointID j = MdtBSJointCreate(w);
+        MdtBSJointSetBodies(j, b, 0);
+        MdtBodySetPosition(b, (MeReal)(i ? 1 : -1), 0, 0);
+        MdtBSJointSetPosition(j, 0, 0, 0);
+        MdtBSJointEnable(j);
+    }
+    MdtBodySetPosition(b, 0, 0, 0);
+    MdtWorldStep(w, FRAME);
+    const MdtReport r = reportOf(w);
+    ck_assert_int_gt(r.conflicts, 0);
+    assert_near(r.jointGap, 1, 1e-3);
+    assert_near(r.jointError, 1, 1e-3);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* A solve that is stopped short says by how much it fails, in velocity and in force. */
+START_TEST(a_solve_that_is_stopped_short_tells_its_residual) {
+    enum { BODIES = 12 };
+    MdtReport r = {0};
+    for (int cap = 0; cap <= 1; cap++) {
+        MdtWorldID w = reportedWorld(BODIES, 4 * BODIES, 10);
+        const double edge[3] = {1, 1, 1};
+        MdtWorldSetMaxLCPIterations(w, cap);
+        MdtWorldSetEpsilon(w, 0);
+        MdtBodyID below = 0;
+        for (int i = 0; i < BODIES; i++) {
+            MdtBodyID b = scene_box(w, i % 2 ? 100 : 1, edge, .1 * (i % 3), i + .5, 0);
+            MdtBodySetLinearVelocity(b, (MeReal)(i % 2 ? 3 : -2), -1, 0);
+            for (int k = 0; k < 4; k++) {
+                MdtContactID c = MdtContactCreate(w, b, below);
+                MdtContactSetPosition(c, (MeReal)(k & 1 ? .5 : -.4), (MeReal)i, (MeReal)(k & 2 ? .5 : -.5));
+                MdtContactSetNormal(c, 0, 1, 0);
+                MdtBclContactParams *params = MdtContactGetParams(c);
+                MdtContactParamsSetType(params, MdtContactTypeFriction2D);
+                MdtContactParamsSetFriction(params, (MeReal).5);
+                MdtContactEnable(c);
+            }
+            below = b;
+        }
+        messages_catch();
+        MdtWorldStep(w, FRAME);
+        messages_release();
+        r = reportOf(w);
+        ck_assert_int_eq(r.fallbacks > 0, caught.warnings > 0);
+        ck_assert_int_eq(r.fallbacks > 0, cap);
+        if (!cap) {
+            assert_below(r.residualVelocity, 1e-5);
+            assert_below(r.residualForce, 1e-1); /* of weights of 7 kN */
+        }
+        MdtWorldDestroy(w);
+    }
+    ck_assert_double_gt(r.residualVelocity, 1e-4);
+    /* A row between bodies of 1 kg and of 100 kg weighs 0.2 kg at least, 1 kg at most. */
+    ck_assert_double_gt((double)(r.residualForce * FRAME), .1 * (double)r.residualVelocity);
+}
+END_TEST
+
+/* ---- counting ---- */
+
+START_TEST(bodies_constraints_and_rows_are_counted_by_partition) {
+    MdtWorldID w = reportedWorld(5, 8, 10);
+    MdtBodyID b[5];
+    for (int i = 0; i < 5; i++)
+        b[i] = scene_body(w, 1, 4 * i, 1, 0);
+    MdtBSJointID j = MdtBSJointCreate(w); /* 0 and 1 */
+    MdtBSJointSetBodies(j, b[0], b[1]);
+    MdtBSJointEnable(j);
+    MdtHingeID h = MdtHingeCreate(w); /* 1 and the world */
+    MdtHingeSetBodies(h, b[1], 0);
+    MdtHingeEnable(h);
+    touch(b[2], 8, 0, 0); /* without friction: one row */
+    MdtBodyDisable(b[4]);
+    MdtWorldStep(w, FRAME);
+    ck_assert_int_eq(MdtWorldGetReportCount(w), 3);
+    const int expected[3][3] = {{2, 2, 8}, {1, 1, 1}, {1, 0, 0}};
+    double kinetic = 0;
+    for (int i = 0; i < 3; i++) {
+        MdtReport r;
+        ck_assert(MdtWorldGetPartitionReport(w, MdtBodyGetPartition(b[i == 0 ? 0 : i + 1]), &r));
+        ck_assert_int_eq(r.bodies, expected[i][0]);
+        ck_assert_int_eq(r.constraints, expected[i][1]);
+        ck_assert_int_eq(r.rows, expected[i][2]);
+        kinetic += (double)r.kineticEnergy;
+    }
+    const MdtReport sum = reportOf(w);
+    ck_assert_int_eq(sum.bodies, 4);
+    ck_assert_int_eq(sum.constraints, 3);
+    ck_assert_int_eq(sum.rows, 9);
+    assert_near_rel(sum.kineticEnergy, kinetic, TOL(1e-6, 1e-14));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(time_is_told_by_stage_and_is_less_than_the_clock_says) {
+    HingedBar s = scene_hingedBar(10);
+    MdtWorldEnableReport(s.world);
+    MeProfileTimerResult before, after;
+    MeProfileGetTimerValue(&before);
+    MdtWorldStep(s.world, FRAME);
+    MeProfileGetTimerValue(&after);
+    const double whole = (double)(after.ticks - before.ticks) / (double)MeProfileGetClockSpeed();
+    const MdtReport r = reportOf(s.world);
+    double sum = 0;
+    for (int i = 0; i < MdtReportStages; i++) {
+        ck_assert_double_gt((double)r.time[i], 0);
+        sum += (double)r.time[i];
+    }
+    assert_below(sum, whole * (1 + 1e-6));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* ---- ways ---- */
+
+START_TEST(free_flight_has_no_way) {
+    MdtWorldID w = reportedWorld(1, 0, 10);
+    scene_body(w, 1, 0, 0, 0);
+    MdtWorldStep(w, FRAME);
+    const MdtReport r = reportOf(w);
+    ck_assert_int_eq(r.way, MdtReportWayNone);
+    ck_assert_int_eq(r.parts, 1);
+    ck_assert_int_eq(r.passes, 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(a_partition_that_is_put_to_rest_has_no_way_and_no_part) {
+    MdtWorldID w = reportedWorld(1, 0, 0);
+    MdtWorldSetAutoDisable(w, 1);
+    MdtBodyID b = scene_body(w, 2, 0, 3, 0);
+    MdtReport r;
+    for (int i = 0; i < 60 && MdtBodyIsEnabled(b); i++)
+        MdtWorldStep(w, FRAME);
+    ck_assert(!MdtBodyIsEnabled(b));
+    r = reportOf(w);
+    ck_assert_int_eq(r.bodies, 1);
+    ck_assert_int_eq(r.parts, 0);
+    ck_assert_int_eq(r.way, MdtReportWayNone);
+    MdtWorldStep(w, FRAME);
+    r = reportOf(w);
+    ck_assert_int_eq(r.bodies, 0);
+    ck_assert_int_eq(MdtWorldGetReportCount(w), 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(the_answer_for_a_box_at_rest_is_kept) {
+    MdtWorldID w = reportedWorld(1, 4, 10);
+    const double edge[3] = {1, 1, 1};
+    MdtBodyID b = scene_box(w, 1, edge, 0, .5, 0);
+    MdtWorldSetEpsilon(w, 0);
+    for (int k = 0; k < 4; k++)
+        touch(b, k & 1 ? .5 : -.5, k & 2 ? .5 : -.5, 0);
+    steps(w, 10, FRAME);
+    const MdtReport r = reportOf(w);
+    ck_assert_int_eq(r.way, MdtReportWayKept);
+    ck_assert_int_eq(r.factorizations, 0);
+    ck_assert_int_eq(r.rows, 4);
+    assert_near(r.kineticEnergy, 0, 1e-12);
+    assert_near(r.potentialEnergy, 5, TOL(1e-6, 1e-9));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(a_pendulum_is_solved) {
+    HingedBar s = scene_hingedBar(10);
+    MdtWorldEnableReport(s.world);
+    const double before = (double)MdtBodyGetKineticEnergy(s.bar);
+    for (int i = 0; i < 20; i++) {
+        MdtWorldStep(s.world, FRAME);
+        const MdtReport r = reportOf(s.world);
+        ck_assert_int_eq(r.way, MdtReportWayExact);
+        ck_assert_int_gt(r.passes, 0);
+        ck_assert_int_gt(r.iterations, 0);
+        ck_assert_int_gt(r.factorizations, 0);
+        ck_assert_int_eq(r.parts, 1);
+        ck_assert_int_eq(r.fallbacks + r.conflicts + r.events, 0);
+        assert_below(r.residualVelocity, 1e-6);
+        assert_below(r.residualForce, 1e-4);
+        assert_below(r.jointGap, 1e-7);
+        assert_near(r.kineticEnergy + r.potentialEnergy, before, 2e-3); /* of 5 J that fall */
+    }
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_ball_that_bounces_is_timed) {
+    MdtWorldID w = reportedWorld(1, 1, 10);
+    MdtBodyID b = scene_body(w, 1, 0, .5 + .05, 0);
+    MdtBodySetLinearVelocity(b, 0, -6, 0); /* half a step to the floor */
+    MdtContactID c = touch(b, 0, 0, -.05);
+    MdtContactParamsSetRestitution(MdtContactGetParams(c), 1);
+    MdtWorldStep(w, FRAME);
+    const MdtReport r = reportOf(w);
+    ck_assert_int_eq(r.way, MdtReportWayTimed);
+    ck_assert_int_eq(r.events, 1);
+    ck_assert_int_eq(r.parts, 2);
+    assert_near_rel(r.kineticEnergy + r.potentialEnergy, 18 + 5.5, TOL(1e-6, 1e-9));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* Links that whirl against each other by more than a step can follow. */
+static MdtWorldID violentChain(void) {
+    MdtWorldID w = reportedWorld(4, 4, 10);
+    const double edge[3] = {1, .1, .1};
+    MdtBodyID last = 0;
+    for (int i = 0; i < 4; i++) {
+        MdtBodyID b = scene_box(w, 1, edge, i + .5, 0, 0);
+        MdtBSJointID j = MdtBSJointCreate(w);
+        MdtBSJointSetBodies(j, b, last);
+        MdtBSJointSetPosition(j, (MeReal)i, 0, 0);
+        MdtBSJointEnable(j);
+        MdtBodySetAngularVelocity(b, 0, (MeReal)(i % 2 ? 150 : -150), (MeReal)(i % 2 ? -150 : 150));
+        last = b;
+    }
+    return w;
+}
+
+START_TEST(a_violent_chain_divides_its_step) {
+    MdtWorldID w = violentChain();
+    MdtWorldStep(w, FRAME);
+    const MdtReport r = reportOf(w);
+    ck_assert_int_eq(r.way, MdtReportWayDivided);
+    ck_assert_int_gt(r.parts, 1);
+    ck_assert_int_eq(r.rows, 12);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(a_world_goes_the_way_of_the_most_effort) {
+    MdtWorldID w = violentChain();
+    MdtReport r;
+    MdtWorldSetSubSteps(w, 2);
+    MdtWorldStep(w, FRAME);
+    ck_assert_int_eq(reportOf(w).way, MdtReportWayDivided);
+    MdtWorldDestroy(w);
+    w = reportedWorld(2, 1, 10);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    scene_body(w, 1, 9, 0, 0);
+    MdtBSJointID j = MdtBSJointCreate(w);
+    MdtBSJointSetBodies(j, b, 0);
+    MdtBSJointSetPosition(j, 1, 0, 0);
+    MdtBSJointEnable(j);
+    MdtWorldSetSubSteps(w, 2);
+    MdtWorldStep(w, FRAME);
+    ck_assert_int_eq(reportOf(w).way, MdtReportWayExact);
+    ck_assert(MdtWorldGetPartitionReport(w, 1, &r));
+    ck_assert_int_eq(r.way, MdtReportWayNone);
+    ck_assert_int_eq(r.parts, 2);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* ---- on and off ---- */
+
+static void assert_zero(const MdtReport *r) {
+    static const MdtReport zero;
+    ck_assert(memcmp(r, &zero, sizeof zero) == 0);
+}
+
+START_TEST(off_it_is_zero) {
+    MdtWorldID w = scene_world(1, 0, 10);
+    MdtReport r;
+    scene_body(w, 1, 0, 1, 0);
+    messages_catch();
+    for (int i = 0; i < 3; i++) {
+        ck_assert_int_eq(MdtWorldReportIsEnabled(w), i == 1); /* never on; on, but no step yet; off again */
+        memset(&r, 1, sizeof r);
+        ck_assert(!MdtWorldGetReport(w, &r));
+        assert_zero(&r);
+        memset(&r, 1, sizeof r);
+        ck_assert(!MdtWorldGetPartitionReport(w, 0, &r));
+        assert_zero(&r);
+        ck_assert_int_eq(MdtWorldGetReportCount(w), 0);
+        if (i == 0) {
+            MdtWorldStep(w, FRAME);
+            MdtWorldEnableReport(w);
+        } else {
+            MdtWorldStep(w, FRAME);
+            ck_assert_int_eq(MdtWorldGetReportCount(w), i == 1);
+            MdtWorldDisableReport(w);
+        }
+    }
+    assert_silent();
+    messages_release();
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(bad_input_is_warned_of) {
+    MdtWorldID w = reportedWorld(1, 0, 10);
+    MdtReport r;
+    scene_body(w, 1, 0, 1, 0);
+    MdtWorldStep(w, FRAME);
+    messages_catch();
+    MdtWorldEnableReport(NULL);
+    assert_warned("MdtWorldEnableReport");
+    MdtWorldDisableReport(NULL);
+    assert_warned("MdtWorldDisableReport");
+    ck_assert(!MdtWorldReportIsEnabled(NULL));
+    assert_warned("MdtWorldReportIsEnabled");
+    ck_assert_int_eq(MdtWorldGetReportCount(NULL), 0);
+    assert_warned("MdtWorldGetReportCount");
+    ck_assert(!MdtWorldGetReport(w, NULL));
+    assert_warned("MdtWorldGetReport");
+    ck_assert(!MdtWorldGetPartitionReport(w, 0, NULL));
+    assert_warned("MdtWorldGetPartitionReport");
+    memset(&r, 1, sizeof r);
+    ck_assert(!MdtWorldGetReport(NULL, &r));
+    assert_warned("MdtWorldGetReport");
+    assert_zero(&r);
+    memset(&r, 1, sizeof r);
+    ck_assert(!MdtWorldGetPartitionReport(NULL, 0, &r));
+    assert_warned("MdtWorldGetPartitionReport");
+    assert_zero(&r);
+    for (int i = -1; i <= 1; i += 2) {
+        memset(&r, 1, sizeof r);
+        ck_assert(!MdtWorldGetPartitionReport(w, i, &r));
+        assert_warned("MdtWorldGetPartitionReport");
+        assert_zero(&r);
+    }
+    messages_release();
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* A program's callback may switch it in the middle of a step. */
+static void MEAPI toggle(MdtPartitionOutput *po, void *data) {
+    int *calls = data;
+    if (++*calls % 3 == 0)
+        MdtWorldDisableReport(po->world);
+    else if (*calls % 3 == 1)
+        MdtWorldEnableReport(po->world);
+    MdtReport r;
+    MdtWorldGetReport(po->world, &r);
+}
+
+START_TEST(it_may_be_switched_during_a_step) {
+    MdtWorldID w = reportedWorld(4, 0, 10);
+    int calls = 0;
+    for (int i = 0; i < 4; i++)
+        scene_body(w, 1, 3 * i, 0, 0);
+    MdtWorldSetPartitionCB(w, toggle, &calls);
+    messages_catch();
+    steps(w, 5, FRAME);
+    assert_silent();
+    messages_release();
+    ck_assert_int_eq(calls, 20);
+    MdtWorldSetPartitionCB(w, 0, 0);
+    MdtWorldEnableReport(w);
+    MdtWorldStep(w, FRAME);
+    ck_assert_int_eq(reportOf(w).bodies, 4);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+static MdtWorldID mixedScene(MdtBodyID b[4]) {
+    MdtWorldID w = scene_world(4, 8, 10);
+    const double edge[3] = {1, .1, .1};
+    for (int i = 0; i < 3; i++) {
+        b[i] = scene_box(w, 1 + i, edge, i + .5, 3, 0);
+        MdtBSJointID j = MdtBSJointCreate(w);
+        MdtBSJointSetBodies(j, b[i], i ? b[i - 1] : 0);
+        MdtBSJointSetPosition(j, (MeReal)i, 3, 0);
+        MdtBSJointEnable(j);
+        MdtBodySetAngularVelocity(b[i], 0, (MeReal)(i % 2 ? 150 : -150), 20);
+    }
+    b[3] = scene_body(w, 1, 9, .6, 0);
+    MdtContactID c = touch(b[3], 9, 0, -.1);
+    MdtContactParamsSetRestitution(MdtContactGetParams(c), (MeReal).5);
+    return w;
+}
+
+START_TEST(the_simulation_is_the_same_bit_for_bit) {
+    MdtBodyID with[4], without[4];
+    MdtWorldID a = mixedScene(with), b = mixedScene(without);
+    MdtWorldEnableReport(a);
+    int most = 0;
+    for (int i = 0; i < 60; i++) {
+        MdtWorldStep(a, FRAME);
+        MdtWorldStep(b, FRAME);
+        const int way = (int)reportOf(a).way;
+        most = way > most ? way : most;
+        for (int k = 0; k < 4; k++) {
+            ck_assert(memcmp(MdtBodyGetTransformPtr(with[k]), MdtBodyGetTransformPtr(without[k]), sizeof(MeMatrix4)) ==
+                      0);
+            MeVector3 v[2], u[2];
+            MdtBodyGetLinearVelocity(with[k], v[0]), MdtBodyGetAngularVelocity(with[k], v[1]);
+            MdtBodyGetLinearVelocity(without[k], u[0]), MdtBodyGetAngularVelocity(without[k], u[1]);
+            for (int n = 0; n < 2; n++)
+                ck_assert(memcmp(v[n], u[n], 3 * sizeof(MeReal)) == 0);
+        }
+    }
+    ck_assert_int_eq(most, MdtReportWayDivided);
+    MdtWorldDestroy(a);
+    MdtWorldDestroy(b);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, a_falling_body_has_the_energies_of_the_closed_form);
+    tcase_add_test(t, turning_is_kinetic_energy_and_gravity_may_point_anywhere);
+    tcase_add_test(t, a_joint_that_is_apart_tells_its_gap);
+    tcase_add_test(t, an_axis_that_is_off_tells_its_angle);
+    tcase_add_test(t, a_joint_that_is_led_along_has_no_gap);
+    tcase_add_test(t, the_deepest_contact_is_told_as_it_was_when_the_step_began);
+    tcase_add_test(t, joints_that_contradict_each_other_are_told);
+    tcase_add_test(t, a_solve_that_is_stopped_short_tells_its_residual);
+    tcase_add_test(t, bodies_constraints_and_rows_are_counted_by_partition);
+    tcase_add_test(t, time_is_told_by_stage_and_is_less_than_the_clock_says);
+    tcase_add_test(t, free_flight_has_no_way);
+    tcase_add_test(t, a_partition_that_is_put_to_rest_has_no_way_and_no_part);
+    tcase_add_test(t, the_answer_for_a_box_at_rest_is_kept);
+    tcase_add_test(t, a_pendulum_is_solved);
+    tcase_add_test(t, a_ball_that_bounces_is_timed);
+    tcase_add_test(t, a_violent_chain_divides_its_step);
+    tcase_add_test(t, a_world_goes_the_way_of_the_most_effort);
+    tcase_add_test(t, off_it_is_zero);
+    tcase_add_test(t, bad_input_is_warned_of);
+    tcase_add_test(t, it_may_be_switched_during_a_step);
+    tcase_add_test(t, the_simulation_is_the_same_bit_for_bit);
+}
+
+TEST_MAIN("MdtReport", tests)

@@ -1,0 +1,584 @@
+/* The sparse factor (kea_factor_i.h) against dense elimination: solutions, structure, cost, and lack of memory. */
+#include "kea_factor_i.h"
+#include "MeMemory.h"
+#include "kea_problem_i.h"
+#include "karma_test.h"
+
+enum { MOST_NODES = 24, MOST_EDGES = MOST_NODES * MOST_NODES / 2, MOST = MOST_NODES * KEA_FACTOR_MAX_BLOCK };
+
+/* A small generator of its own, so that a failure can be repeated from the printed seed. */
+static unsigned long long state;
+
+static double uniform(double low, double high) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return low + (high - low) * (double)(state >> 11) / 9007199254740992.0;
+}
+
+static int below(int n) {
+    return (int)uniform(0, n);
+}
+
+/* ---- graphs ---- */
+
+typedef struct {
+    int numNodes, numEdges;
+    int size[MOST_NODES], edges[MOST_EDGES][2];
+} Graph;
+
+static void join(Graph *g, int a, int b) {
+    for (int e = 0; e < g->numEdges; e++)
+        if ((g->edges[e][0] == a && g->edges[e][1] == b) || (g->edges[e][0] == b && g->edges[e][1] == a))
+            return;
+    if (a == b)
+        return;
+    const int swap = below(2);
+    g->edges[g->numEdges][swap] = a;
+    g->edges[g->numEdges++][!swap] = b;
+}
+
+typedef enum { CHAIN, TREE, STAR, LOOP, RANDOM, KINDS } Kind;
+
+/* Nodes in no order that would help; sizes 1 to 12. */
+static void makeGraph(Graph *g, Kind kind, int numNodes) {
+    int label[MOST_NODES];
+    g->numNodes = numNodes;
+    g->numEdges = 0;
+    for (int i = 0; i < numNodes; i++) {
+        const int other = below(i + 1);
+        label[i] = label[other];
+        label[other] = i;
+        g->size[i] = 1 + below(KEA_FACTOR_MAX_BLOCK);
+    }
+    for (int i = 1; i < numNodes && kind != RANDOM; i++)
+        join(g, label[i], label[kind == STAR ? 0 : kind == TREE ? below(i) : i - 1]);
+    if (kind == LOOP)
+        join(g, label[0], label[numNodes - 1]);
+    for (int i = 0; i < 2 * numNodes && kind == RANDOM; i++)
+        join(g, below(numNodes), below(numNodes));
+}
+
+static KeaFactor *create(const Graph *g) {
+    KeaFactor *f = kea_factorCreate(g->numNodes, g->size, g->numEdges, g->edges);
+    ck_assert_ptr_nonnull(f);
+    kea_factorClear(f);
+    return f;
+}
+
+/* ---- dense reference ---- */
+
+typedef struct {
+    int n;
+    double A[MOST][MOST];
+} Dense;
+
+static Dense dense, eliminated;
+
+static void addBlock(double *block, double w, const double *a, const double *b, int rows, int columns) {
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++)
+            block[i * columns + j] += w * a[i] * b[j];
+}
+
+/* A sum of squares over the edges and something on the diagonal; `skew`: a part that is not symmetric, which leaves
+ * x·Ax > 0. The lower triangles of the diagonal blocks are as they should be. */
+static void fill(KeaFactor *f, const Graph *g, double skew) {
+    double a[KEA_FACTOR_MAX_BLOCK], b[KEA_FACTOR_MAX_BLOCK];
+    for (int i = 0; i < g->numNodes; i++)
+        for (int k = 0; k < g->size[i]; k++)
+            kea_factorDiagonal(f, i)[k * (g->size[i] + 1)] += uniform(0.5, 2);
+    for (int e = 0; e < g->numEdges; e++) {
+        const int i = g->edges[e][0], j = g->edges[e][1], n = g->size[i], m = g->size[j];
+        for (int k = 0; k < 3; k++) {
+            for (int c = 0; c < KEA_FACTOR_MAX_BLOCK; c++) {
+                a[c] = uniform(-1, 1);
+                b[c] = uniform(-1, 1);
+            }
+            addBlock(kea_factorDiagonal(f, i), 1, a, a, n, n);
+            addBlock(kea_factorDiagonal(f, j), 1, b, b, m, m);
+            addBlock(kea_factorUpper(f, e), 1 + skew, a, b, n, m);
+            addBlock(kea_factorLower(f, e), 1 - skew, b, a, m, n);
+        }
+    }
+}
+
+static void toDense(KeaFactor *f, const Graph *g) {
+    memset(&dense, 0, sizeof dense);
+    dense.n = kea_factorOffset(f, g->numNodes);
+    for (int i = 0; i < g->numNodes; i++)
+        for (int r = 0; r < g->size[i]; r++)
+            for (int c = 0; c < g->size[i]; c++)
+                dense.A[kea_factorOffset(f, i) + r][kea_factorOffset(f, i) + c] =
+                    kea_factorDiagonal(f, i)[r * g->size[i] + c];
+    for (int e = 0; e < g->numEdges; e++) {
+        const int i = g->edges[e][0], j = g->edges[e][1], n = g->size[i], m = g->size[j];
+        for (int r = 0; r < n; r++)
+            for (int c = 0; c < m; c++) {
+                dense.A[kea_factorOffset(f, i) + r][kea_factorOffset(f, j) + c] = kea_factorUpper(f, e)[r * m + c];
+                dense.A[kea_factorOffset(f, j) + c][kea_factorOffset(f, i) + r] = kea_factorLower(f, e)[c * n + r];
+            }
+    }
+}
+
+/* x := A⁻¹ x by elimination with pivoting. */
+static void solveDense(double *x) {
+    const int n = dense.n;
+    eliminated = dense;
+    for (int c = 0; c < n; c++) {
+        int best = c;
+        for (int i = c + 1; i < n; i++)
+            best = fabs(eliminated.A[i][c]) > fabs(eliminated.A[best][c]) ? i : best;
+        for (int j = 0; j < n; j++) {
+            const double t = eliminated.A[c][j];
+            eliminated.A[c][j] = eliminated.A[best][j];
+            eliminated.A[best][j] = t;
+        }
+        const double t = x[c];
+        x[c] = x[best];
+        x[best] = t;
+        for (int i = c + 1; i < n; i++) {
+            const double share = eliminated.A[i][c] / eliminated.A[c][c];
+            for (int j = c; j < n && share != 0; j++)
+                eliminated.A[i][j] -= share * eliminated.A[c][j];
+            x[i] -= share * x[c];
+        }
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        for (int j = i + 1; j < n; j++)
+            x[i] -= eliminated.A[i][j] * x[j];
+        x[i] /= eliminated.A[i][i];
+    }
+}
+
+static double sizeOf(const double *x, int n) {
+    double most = 0;
+    for (int i = 0; i < n; i++)
+        most = fmax(most, fabs(x[i]));
+    return most;
+}
+
+/* The last factorization against elimination, for a random right-hand side. */
+static void assertSolves(KeaFactor *f, const Graph *g, const char *what, unsigned seed) {
+    double x[MOST], y[MOST];
+    toDense(f, g);
+    for (int i = 0; i < dense.n; i++)
+        x[i] = y[i] = uniform(-1, 1);
+    kea_factorSolve(f, x);
+    solveDense(y);
+    for (int i = 0; i < dense.n; i++)
+        ck_assert_msg(fabs(x[i] - y[i]) <= 1e-11 * sizeOf(y, dense.n),
+                      "%s, seed %u, unknown %d of %d: %.17g, not %.17g", what, seed, i, dense.n, x[i], y[i]);
+}
+
+/* ---- solutions ---- */
+
+START_TEST(cholesky_solves_as_elimination_does) {
+    for (unsigned seed = 1; seed <= 150; seed++) {
+        Graph g;
+        state = seed;
+        makeGraph(&g, (Kind)(seed % KINDS), 1 + below(12));
+        KeaFactor *f = create(&g);
+        fill(f, &g, 0);
+        ck_assert_msg(kea_factorCholesky(f, 1e-14), "seed %u", seed);
+        assertSolves(f, &g, "Cholesky", seed);
+        kea_factorDestroy(f);
+    }
+}
+END_TEST
+
+START_TEST(lu_solves_as_elimination_does) {
+    for (unsigned seed = 1; seed <= 150; seed++) {
+        Graph g;
+        state = seed * 7919;
+        makeGraph(&g, (Kind)(seed % KINDS), 1 + below(12));
+        KeaFactor *f = create(&g);
+        fill(f, &g, uniform(-2, 2));
+        ck_assert_msg(kea_factorLU(f, 1e-14), "seed %u", seed);
+        assertSolves(f, &g, "LU", seed);
+        kea_factorDestroy(f);
+    }
+}
+END_TEST
+
+/* The blocks of 6 that Kea's bodies have, and of 3, take paths of their own. */
+START_TEST(equal_blocks_solve_as_elimination_does) {
+    for (unsigned seed = 1; seed <= 60; seed++) {
+        Graph g;
+        state = seed * 104729;
+        makeGraph(&g, (Kind)(seed % KINDS), 2 + below(MOST_NODES - 1));
+        for (int i = 0; i < g.numNodes; i++)
+            g.size[i] = seed % 2 ? 6 : 3;
+        KeaFactor *f = create(&g);
+        fill(f, &g, seed % 3 ? 0 : 0.7);
+        ck_assert_msg(seed % 3 ? kea_factorCholesky(f, 1e-14) : kea_factorLU(f, 1e-14), "seed %u", seed);
+        assertSolves(f, &g, seed % 3 ? "Cholesky" : "LU", seed);
+        kea_factorDestroy(f);
+    }
+}
+END_TEST
+
+/* What Cholesky's factorization does not read may hold anything. */
+START_TEST(cholesky_reads_upper_parts_only) {
+    Graph g;
+    double x[MOST], y[MOST];
+    state = 5;
+    makeGraph(&g, RANDOM, 10);
+    KeaFactor *f = create(&g);
+    fill(f, &g, 0);
+    const int n = kea_factorOffset(f, g.numNodes);
+    for (int i = 0; i < n; i++)
+        x[i] = y[i] = uniform(-1, 1);
+    ck_assert(kea_factorCholesky(f, 1e-14));
+    kea_factorSolve(f, x);
+    for (int e = 0; e < g.numEdges; e++)
+        for (int k = 0; k < g.size[g.edges[e][0]] * g.size[g.edges[e][1]]; k++)
+            kea_factorLower(f, e)[k] = (double)NAN;
+    for (int i = 0; i < g.numNodes; i++)
+        for (int r = 0; r < g.size[i]; r++)
+            for (int c = 0; c < r; c++)
+                kea_factorDiagonal(f, i)[r * g.size[i] + c] = (double)NAN;
+    ck_assert(kea_factorCholesky(f, 1e-14));
+    kea_factorSolve(f, y);
+    ck_assert_int_eq(memcmp(x, y, (size_t)n * sizeof *x), 0);
+    kea_factorDestroy(f);
+}
+END_TEST
+
+/* ---- what cannot be factored ---- */
+
+/* One diagonal entry is made too small; afterwards the matrix, put right again, is factored as before. */
+START_TEST(not_positive_definite_is_told_and_the_matrix_kept) {
+    for (unsigned seed = 1; seed <= 100; seed++) {
+        Graph g;
+        double x[MOST], y[MOST];
+        state = seed * 31;
+        makeGraph(&g, (Kind)(seed % KINDS), 1 + below(10));
+        KeaFactor *f = create(&g);
+        fill(f, &g, 0);
+        const int n = kea_factorOffset(f, g.numNodes), node = below(g.numNodes), row = below(g.size[node]);
+        for (int i = 0; i < n; i++)
+            x[i] = y[i] = uniform(-1, 1);
+        ck_assert(kea_factorCholesky(f, 1e-14));
+        kea_factorSolve(f, x);
+        double *entry = kea_factorDiagonal(f, node) + row * (g.size[node] + 1), kept = *entry;
+        *entry = -0.01;
+        ck_assert_msg(!kea_factorCholesky(f, 1e-14), "seed %u", seed);
+        *entry = (double)NAN;
+        ck_assert_msg(!kea_factorCholesky(f, 1e-14), "seed %u", seed);
+        *entry = kept;
+        ck_assert(kea_factorCholesky(f, 1e-14));
+        kea_factorSolve(f, y);
+        ck_assert_msg(memcmp(x, y, (size_t)n * sizeof *x) == 0, "seed %u", seed);
+        kea_factorDestroy(f);
+    }
+}
+END_TEST
+
+/* Indefinite, though every diagonal block is positive: 1 and 1 joined by 2. */
+START_TEST(indefinite_between_blocks_is_told) {
+    const int size[] = {1, 1}, edges[][2] = {{1, 0}};
+    KeaFactor *f = kea_factorCreate(2, size, 1, edges);
+    kea_factorClear(f);
+    kea_factorDiagonal(f, 0)[0] = kea_factorDiagonal(f, 1)[0] = 1;
+    kea_factorUpper(f, 0)[0] = kea_factorLower(f, 0)[0] = 2;
+    ck_assert(!kea_factorCholesky(f, 1e-14));
+    ck_assert(kea_factorLU(f, 1e-14)); /* [1 2; 2 1] (x, y) = (5, 4): x = 1, y = 2 */
+    double x[] = {5, 4};
+    kea_factorSolve(f, x);
+    assert_near(x[0], 1, 1e-15);
+    assert_near(x[1], 2, 1e-15);
+    kea_factorDestroy(f);
+}
+END_TEST
+
+START_TEST(singular_blocks_are_told) {
+    const int size[] = {2};
+    KeaFactor *f = kea_factorCreate(1, size, 0, NULL);
+    double *D = kea_factorDiagonal(f, 0), x[] = {3, 7};
+    kea_factorClear(f);
+    ck_assert(!kea_factorCholesky(f, 1e-14) && !kea_factorLU(f, 1e-14));
+    D[0] = D[1] = D[2] = D[3] = 1;
+    ck_assert(!kea_factorCholesky(f, 1e-14) && !kea_factorLU(f, 1e-14));
+    D[3] = 1 + 1e-15;
+    ck_assert(!kea_factorCholesky(f, 1e-14) && !kea_factorLU(f, 1e-14));
+    D[0] = D[3] = 0; /* rows are exchanged */
+    ck_assert(!kea_factorCholesky(f, 1e-14) && kea_factorLU(f, 1e-14));
+    kea_factorSolve(f, x);
+    ck_assert(x[0] == 7 && x[1] == 3);
+    kea_factorDestroy(f);
+}
+END_TEST
+
+/* ---- structure ---- */
+
+/* In trees nothing comes into being: the factor has the blocks of the matrix. */
+START_TEST(trees_are_factored_without_fill) {
+    for (unsigned seed = 1; seed <= 300; seed++) {
+        Graph g;
+        state = seed * 1299709;
+        makeGraph(&g, seed % 3 == 0 ? CHAIN : seed % 3 == 1 ? TREE : STAR, 1 + below(MOST_NODES));
+        size_t entries = 0;
+        for (int i = 0; i < g.numNodes; i++)
+            entries += (size_t)(g.size[i] * g.size[i]);
+        for (int e = 0; e < g.numEdges; e++)
+            entries += (size_t)(g.size[g.edges[e][0]] * g.size[g.edges[e][1]]);
+        KeaFactor *f = create(&g);
+        ck_assert_msg(kea_factorEntries(f) == entries, "seed %u: %zu, not %zu", seed, kea_factorEntries(f), entries);
+        kea_factorDestroy(f);
+    }
+}
+END_TEST
+
+/* A ring of n nodes is a triangle at last: n - 3 blocks come into being. */
+START_TEST(rings_fill_one_block_a_node) {
+    for (int n = 3; n <= MOST_NODES; n++) {
+        Graph g;
+        state = (unsigned)n;
+        makeGraph(&g, LOOP, n);
+        for (int i = 0; i < n; i++)
+            g.size[i] = 6;
+        KeaFactor *f = create(&g);
+        ck_assert_uint_eq(kea_factorEntries(f), (size_t)(36 * (n + n + n - 3)));
+        kea_factorDestroy(f);
+    }
+}
+END_TEST
+
+/* The chain 0 - 1 - 2 ..., all blocks of 6. */
+static KeaFactor *longChain(int n) {
+    int *size = malloc((size_t)n * sizeof *size), (*edges)[2] = malloc((size_t)n * sizeof *edges);
+    for (int i = 0; i < n; i++) {
+        size[i] = 6;
+        edges[i][0] = i;
+        edges[i][1] = i + 1;
+    }
+    KeaFactor *f = kea_factorCreate(n, size, n - 1, (const int(*)[2])edges);
+    ck_assert_ptr_nonnull(f);
+    free(size);
+    free(edges);
+    kea_factorClear(f);
+    return f;
+}
+
+static double chainFlops(int n) {
+    KeaFactor *f = longChain(n);
+    const double flops = kea_factorFlops(f);
+    kea_factorDestroy(f);
+    return flops;
+}
+
+START_TEST(chains_cost_the_same_for_every_node) {
+    const double step = chainFlops(101) - chainFlops(100);
+    ck_assert(step == 7 * 7 + 8 * 8 + 9 * 9 + 10 * 10 + 11 * 11 + 12 * 12);
+    ck_assert(chainFlops(1000) - chainFlops(100) == 900 * step);
+}
+END_TEST
+
+/* The second difference 2 x_i - x_{i-1} - x_{i+1} and a hundredth of x_i, by blocks: A x = b for a known x. */
+START_TEST(ten_thousand_nodes_in_a_chain) {
+    enum { N = 10000 };
+    static double x[6 * N], b[6 * N];
+    KeaFactor *f = longChain(N);
+    ck_assert_uint_eq(kea_factorEntries(f), 36 * (N + N - 1));
+    for (int i = 0; i < 6 * N; i++)
+        x[i] = sin(0.37 * i);
+    for (int i = 0; i < N; i++) {
+        for (int k = 0; k < 6; k++) {
+            kea_factorDiagonal(f, i)[7 * k] = 2.01;
+            if (i + 1 < N)
+                kea_factorUpper(f, i)[7 * k] = -1;
+            b[6 * i + k] = 2.01 * x[6 * i + k] - (i > 0 ? x[6 * i - 6 + k] : 0) - (i + 1 < N ? x[6 * i + 6 + k] : 0);
+        }
+    }
+    ck_assert(kea_factorCholesky(f, 1e-14));
+    kea_factorSolve(f, b);
+    for (int i = 0; i < 6 * N; i++)
+        assert_near(b[i], x[i], 1e-11);
+    kea_factorDestroy(f);
+}
+END_TEST
+
+START_TEST(a_factor_matches_its_own_graph_only) {
+    const int size[] = {6, 3, 6}, otherSize[] = {6, 6, 3};
+    const int edges[][2] = {{0, 1}, {2, 1}}, flipped[][2] = {{0, 1}, {1, 2}}, elsewhere[][2] = {{0, 1}, {0, 2}};
+    KeaFactor *f = kea_factorCreate(3, size, 2, edges), *lone = kea_factorCreate(2, size, 0, NULL);
+    ck_assert(kea_factorMatches(f, 3, size, 2, edges));
+    ck_assert(!kea_factorMatches(f, 2, size, 1, edges));
+    ck_assert(!kea_factorMatches(f, 3, size, 1, edges));
+    ck_assert(!kea_factorMatches(f, 3, otherSize, 2, edges));
+    ck_assert(!kea_factorMatches(f, 3, size, 2, flipped));
+    ck_assert(!kea_factorMatches(f, 3, size, 2, elsewhere));
+    ck_assert(kea_factorMatches(lone, 2, size, 0, NULL) && kea_factorMatches(lone, 2, size, 0, edges));
+    ck_assert(!kea_factorMatches(lone, 3, size, 0, NULL));
+    kea_factorDestroy(f);
+    kea_factorDestroy(lone);
+}
+END_TEST
+
+static void solveInto(double *x, const Graph *g, unsigned seed, const int *original, MeBool flip) {
+    KeaFactor *f = create(g);
+    state = seed;
+    for (int i = 0; i < g->numNodes; i++)
+        for (int k = 0; k < g->size[i]; k++)
+            kea_factorDiagonal(f, i)[k * (g->size[i] + 1)] = 60 + uniform(0, 1);
+    for (int e = 0; e < g->numEdges; e++) { /* the block of an edge is that of its number before they were mixed */
+        const int n = g->size[g->edges[e][0]], m = g->size[g->edges[e][1]];
+        for (int r = 0; r < n; r++)
+            for (int c = 0; c < m; c++)
+                kea_factorUpper(f, e)[r * m + c] = sin(original[e] + (flip ? 0.7 * c + 0.3 * r : 0.7 * r + 0.3 * c));
+    }
+    ck_assert(kea_factorCholesky(f, 1e-14));
+    for (int i = 0; i < kea_factorOffset(f, g->numNodes); i++)
+        x[i] = cos(i);
+    kea_factorSolve(f, x);
+    kea_factorDestroy(f);
+}
+
+/* The order of elimination depends on the graph, not on how its edges are listed. */
+START_TEST(one_graph_gives_the_same_bits) {
+    for (unsigned seed = 1; seed <= 50; seed++) {
+        Graph g, mixed;
+        double x[MOST] = {0}, y[MOST] = {0};
+        int original[MOST_EDGES], same[MOST_EDGES];
+        state = seed * 17;
+        makeGraph(&g, (Kind)(seed % KINDS), 2 + below(MOST_NODES - 1));
+        mixed = g;
+        for (int e = 0; e < g.numEdges; e++)
+            original[e] = same[e] = e;
+        for (int e = g.numEdges - 1; e > 0; e--) {
+            const int other = below(e + 1), t = original[e];
+            original[e] = original[other];
+            original[other] = t;
+        }
+        for (int e = 0; e < g.numEdges; e++) {
+            mixed.edges[e][0] = g.edges[original[e]][1];
+            mixed.edges[e][1] = g.edges[original[e]][0];
+        }
+        solveInto(x, &g, seed, same, MEFALSE);
+        solveInto(y, &g, seed, same, MEFALSE);
+        ck_assert_msg(memcmp(x, y, sizeof x) == 0, "twice, seed %u", seed);
+        solveInto(y, &mixed, seed, original, METRUE);
+        ck_assert_msg(memcmp(x, y, sizeof x) == 0, "mixed, seed %u", seed);
+    }
+}
+END_TEST
+
+/* ---- memory ---- */
+
+static MeMemoryAPIStruct real;
+static int calls, failAt, blocks;
+
+static void *MEAPI scarce(size_t bytes) {
+    if (++calls == failAt)
+        return NULL;
+    blocks++;
+    return real.create(bytes);
+}
+
+static void MEAPI giveBack(void *const block) {
+    ck_assert_msg(block != NULL, "a null was destroyed");
+    blocks--;
+    real.destroy(block);
+}
+
+static void *MEAPI noResize(void *const block, size_t bytes) {
+    (void)block;
+    (void)bytes;
+    ck_abort_msg("resize was called");
+    return NULL;
+}
+
+static void makeScarce(void) {
+    real = MeMemoryAPI;
+    MeMemoryAPI.create = scarce;
+    MeMemoryAPI.destroy = giveBack;
+    MeMemoryAPI.resize = noResize;
+    blocks = calls = failAt = 0;
+}
+
+START_TEST(lack_of_memory_gives_null_and_no_leak) {
+    Graph g;
+    state = 3;
+    makeGraph(&g, RANDOM, MOST_NODES);
+    makeScarce();
+    KeaFactor *f = NULL;
+    int failures = 0;
+    for (failAt = 1; !f; failAt++, failures++) {
+        calls = 0;
+        f = kea_factorCreate(g.numNodes, g.size, g.numEdges, g.edges);
+        ck_assert_int_eq(blocks, f ? 1 : 0);
+        ck_assert_int_lt(failures, 1000);
+    }
+    ck_assert_int_ge(failures, 2 + MOST_NODES); /* the neighbours of every node are a block */
+    kea_factorDestroy(f);
+    ck_assert_int_eq(blocks, 0);
+    MeMemoryAPI = real;
+}
+END_TEST
+
+START_TEST(the_cache_survives_lack_of_memory) {
+    Graph g;
+    state = 4;
+    makeGraph(&g, LOOP, 12);
+    makeScarce();
+    failAt = 1;
+    ck_assert_ptr_null(MdtKeaCacheCreate());
+    failAt = 0;
+    KeaFactor *f = NULL;
+    for (int k = 1; !f; k++) {
+        MdtKeaCache *cache = MdtKeaCacheCreate();
+        failAt = calls + k;
+        f = kea_cacheFind(cache, g.numNodes, NULL, g.numEdges, g.edges);
+        failAt = 0;
+        if (!f) /* the same, once there is memory */
+            ck_assert_ptr_nonnull(kea_cacheFind(cache, g.numNodes, NULL, g.numEdges, g.edges));
+        MdtKeaCacheDestroy(cache);
+        ck_assert_int_eq(blocks, 0);
+        ck_assert_int_lt(k, 1000);
+    }
+    MeMemoryAPI = real;
+}
+END_TEST
+
+/* More graphs than the cache has room for: the last ones are found again, and the first is made anew. */
+START_TEST(the_cache_keeps_what_was_used_last) {
+    const int edges[][2] = {{0, 1}};
+    makeScarce();
+    MdtKeaCache *cache = MdtKeaCacheCreate();
+    KeaFactor *last = NULL;
+    for (int n = 2; n < 102; n++) {
+        last = kea_cacheFind(cache, n, NULL, 1, edges);
+        ck_assert(kea_factorOffset(last, n) == 6 * n);
+    }
+    const int before = calls;
+    ck_assert_ptr_eq(kea_cacheFind(cache, 101, NULL, 1, edges), last);
+    for (int n = 90; n < 102; n++)
+        ck_assert_int_eq(kea_factorOffset(kea_cacheFind(cache, n, NULL, 1, edges), n), 6 * n);
+    ck_assert_int_eq(calls, before);
+    ck_assert_int_eq(kea_factorOffset(kea_cacheFind(cache, 2, NULL, 1, edges), 2), 12);
+    ck_assert_int_gt(calls, before);
+    MdtKeaCacheDestroy(cache);
+    ck_assert_int_eq(blocks, 0);
+    MeMemoryAPI = real;
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, cholesky_solves_as_elimination_does);
+    tcase_add_test(t, lu_solves_as_elimination_does);
+    tcase_add_test(t, equal_blocks_solve_as_elimination_does);
+    tcase_add_test(t, cholesky_reads_upper_parts_only);
+    tcase_add_test(t, not_positive_definite_is_told_and_the_matrix_kept);
+    tcase_add_test(t, indefinite_between_blocks_is_told);
+    tcase_add_test(t, singular_blocks_are_told);
+    tcase_add_test(t, trees_are_factored_without_fill);
+    tcase_add_test(t, rings_fill_one_block_a_node);
+    tcase_add_test(t, chains_cost_the_same_for_every_node);
+    tcase_add_test(t, ten_thousand_nodes_in_a_chain);
+    tcase_add_test(t, a_factor_matches_its_own_graph_only);
+    tcase_add_test(t, one_graph_gives_the_same_bits);
+    tcase_add_test(t, lack_of_memory_gives_null_and_no_leak);
+    tcase_add_test(t, the_cache_survives_lack_of_memory);
+    tcase_add_test(t, the_cache_keeps_what_was_used_last);
+}
+
+TEST_MAIN("factor", tests)

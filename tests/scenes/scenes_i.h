@@ -1,0 +1,22 @@
+/* What the files of scenes share. */
+#ifndef SCENES_I_H
+#define SCENES_I_H
+
+#include "scene.h"
+
+#define GRAVITY 9.81
+#define PI      3.14159265358979323846
+
+void scenes_setDown(SceneWorld *w);
+/* A larger error replaces the worst one; so does one that is no number. */
+void scenes_note(SceneTrace *t, int which, double error);
+void scenes_copyWorst(const SceneTrace *t, const SceneWorld *w, double errors[SCENE_MAX_ERRORS]);
+
+extern const Scene scenes_pendulum, scenes_hinge, scenes_top;
+extern const Scene scenes_chain10, scenes_chain100, scenes_chain1000, scenes_chain1e5, scenes_chain100Links;
+extern const Scene scenes_levelChain, scenes_levelChain1000;
+extern const Scene scenes_tumbling, scenes_projectile, scenes_bounce, scenes_cradle;
+extern const Scene scenes_heavy100, scenes_heavy1e4, scenes_heavy1e6, scenes_tower, scenes_shakenTower;
+extern const Scene scenes_incline, scenes_isotropy, scenes_rolling, scenes_backspin, scenes_block;
+
+#endif
