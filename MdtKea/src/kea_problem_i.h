@@ -82,7 +82,8 @@ void kea_problemMeasure(KeaProblem *q);
 /* Solves with the friction bounds in `radius`; coupled, goes on to those of the solution itself. False: that did not
  * converge, and the solution is the one with `radius`. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
-/* How far the rows' laws are from being kept by d and p, m/s; and in impulses, N s, if asked for. */
+/* How far the rows' laws are from being kept by d and p, m/s, without what their own softness takes; and in impulses,
+ * N s, if asked for. */
 double kea_problemResidual(const KeaProblem *q, double *impulse);
 /* Adds d to `total` and makes it part of the load and the targets: the next solve asks for what is left. */
 void kea_problemCarryOn(KeaProblem *q, double (*total)[6]);

@@ -34,7 +34,7 @@ typedef enum {
     FAULT_SPIKE,
     FAULT_GAP,
     FAULT_SUNK,
-    FAULT_CAPPED,
+    FAULT_CAPPED, /* the library said itself that a step was inexact: told, and no fault of the scene's */
     FAULTS
 } RandomFaultKind;
 
