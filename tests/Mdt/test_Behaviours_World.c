@@ -47,7 +47,7 @@ END_TEST
 
 /* Dynamics guide ch. 5, "Background": the integrator's inaccuracy lets energy fall rather than rise, for the forces of
  * constraints. Here it does not rise: over 60 s at 30 Hz a swinging pair of bars has at most the energy that it began
- * with, but for what the joints' tolerance of 3e-9 of a row's size is worth. */
+ * with, but for what the joints' tolerance of 1e-10 of a row's size is worth. */
 START_TEST(constraint_forces_do_not_add_energy) {
     const double edge[3] = {1, .1, .1}, h = 1.0 / 30;
     MdtWorldID w = scene_world(2, 2, 10);
