@@ -72,9 +72,12 @@ START_TEST(bounces_rise_to_the_square_of_the_restitution) {
             for (int bounce = 0; bounce < 3; bounce++) {
                 const double top = nextTop(&s, (MeReal)5e-4);
                 wanted *= es[k] * es[k];
-                /* the impact is met within one step of the way: v h (1 - e²), each bounce on top of the last */
-                assert_near(top, wanted, 6.3 * 5e-4 * (1 - es[k] * es[k]) + .01 * wanted);
-                wanted = top;
+                /* a contact that is there before the impact is met in time, and the top lies between two pictures; one
+                 * that comes after it is met within one step of the way: v h (1 - e²), each bounce on top of the last */
+                assert_near(top, wanted,
+                            early ? 9.81 / 8 * 5e-4 * 5e-4 + TOL(2e-6, 1e-9)
+                                  : 6.3 * 5e-4 * (1 - es[k] * es[k]) + .01 * wanted);
+                wanted = early ? wanted : top;
             }
             MdtWorldDestroy(s.world);
         }
@@ -96,16 +99,25 @@ START_TEST(bounce_heights_converge_at_first_order) {
 }
 END_TEST
 
+static double energyOf(const Ball *s) {
+    return 9.81 * heightOf(s) + speedOf(s) * speedOf(s) / 2;
+}
+
 START_TEST(a_lossless_bounce_neither_gains_nor_loses) {
-    Ball s = makeBall(5.5, 9.81);
-    MdtContactParamsSetRestitution(&s.params, 1);
-    const double first = nextTop(&s, FRAME);
-    for (int i = 0; i < 10; i++) {
-        const double top = nextTop(&s, FRAME);
-        assert_below(top, 5 + 1e-5);
-        assert_near(top, first, 9.81 * (double)FRAME * (double)FRAME); /* tops lie between two pictures */
+    for (int early = 0; early < 2; early++) {
+        Ball s = makeBall(5.5, 9.81);
+        s.early = early;
+        MdtContactParamsSetRestitution(&s.params, 1);
+        const double first = nextTop(&s, FRAME);
+        for (int i = 0; i < 10; i++) {
+            const double top = nextTop(&s, FRAME), energy = energyOf(&s);
+            assert_below(top, 5 + 1e-5);
+            assert_near(top, first, 9.81 * (double)FRAME * (double)FRAME); /* tops lie between two pictures */
+            if (early)
+                assert_near(energy, 9.81 * 5, TOL(1e-4, 1e-9));
+        }
+        MdtWorldDestroy(s.world);
     }
-    MdtWorldDestroy(s.world);
 }
 END_TEST
 
