@@ -58,7 +58,8 @@ MEPUBLIC void MEAPI MdtContactSetPenetration(const MdtContactID c, const MeReal 
 MEPUBLIC MeReal MEAPI MdtContactGetPenetration(const MdtContactID c);
 /**
  * m, >= 0: the surface of the body of this side is a sphere of that radius there, and rolls on; 0, the default: it is a
- * corner, an edge or a face, which turns with the body. Matters only within a step that is divided.
+ * corner, an edge or a face, which turns with the body, or a ball where the normal goes through the body's centre.
+ * Matters only within a step that is divided.
  */
 MEPUBLIC void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius);
 MEPUBLIC MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyindex);

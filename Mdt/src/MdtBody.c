@@ -25,6 +25,18 @@ static void getFrame(MdtBodyID b, double p[3], double q[4]) {
     keaSubtract(p, b->kea.position, offset);
 }
 
+/* What the last step did is no guess any more for a body that moves otherwise now, */
+static void forgetMotion(MdtBodyID b) {
+    memset(b->kea.acceleration, 0, sizeof b->kea.acceleration);
+}
+
+/* nor are the forces at a body that is elsewhere: what is put back as it was goes on as it did. */
+static void forgetForces(MdtBodyID b) {
+    forgetMotion(b);
+    for (MdtAttachment *a = b->attachments; a; a = a->next)
+        mdt_constraintForget(a->constraint);
+}
+
 /* Places the frame; the velocities stay, so the angular momentum turns along. */
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     double w[3], offset[3];
@@ -36,6 +48,7 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     keaQuaternionProduct(b->kea.quaternion, q, b->centreTurn);
     keaQuaternionNormalize(b->kea.quaternion);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
+    forgetForces(b);
     mdt_bodyShow(b);
 }
 
@@ -81,6 +94,7 @@ void mdt_bodyAcceptVelocities(MdtBodyID b) {
         mdt_fromReal(w, b->angularVelocity);
         if (angular)
             MdtKeaBodySetAngularVelocity(&b->kea, w);
+        forgetMotion(b);
     }
     mdt_bodyShow(b);
 }
@@ -199,6 +213,7 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
     if (b->flags & MDT_ENABLED)
         return;
     b->flags |= MDT_ENABLED;
+    forgetMotion(b);
     b->enabledTime = 0;
     b->enabledSteps = 0;
     b->world->enabledBodies++;
@@ -485,6 +500,7 @@ void MEAPI MdtBodySetLinearVelocity(const MdtBodyID b, const MeReal dx, const Me
     const double v[3] = {dx, dy, dz};
     mdt_bodyAcceptVelocities(b);
     keaCopy(b->kea.velocity, v);
+    forgetMotion(b);
     mdt_bodyShow(b);
     mdt_bodyWakeIfAsleep(b);
 }
@@ -508,6 +524,7 @@ void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const M
     const double w[3] = {wx, wy, wz};
     mdt_bodyAcceptVelocities(b);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
+    forgetMotion(b);
     mdt_bodyShow(b);
     mdt_bodyWakeIfAsleep(b);
 }

@@ -59,6 +59,12 @@ void MEAPI MdtConstraintDestroy(const MdtConstraintID c) {
     mdt_constraintTerm(c);
 }
 
+void mdt_constraintForget(MdtConstraintID c) {
+    c->numWarm = 0;
+    if (c->type == MdtBclTypeOf(MdtBclCONTACT))
+        c->bcl.of.contact.normalForce = 0;
+}
+
 void MEAPI MdtConstraintEnable(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, );
     if ((c->flags & MDT_ENABLED) || c->group)
@@ -68,6 +74,7 @@ void MEAPI MdtConstraintEnable(const MdtConstraintID c) {
         return;
     }
     c->flags |= MDT_ENABLED;
+    mdt_constraintForget(c);
     c->world->enabledConstraints++;
 }
 
@@ -161,6 +168,7 @@ static void tellAxesSet(MdtConstraintID c, const MdtBclFrame before[2]) {
 void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1) {
     attach(c, 0, b0);
     attach(c, 1, b1);
+    mdt_constraintForget(c);
     tellAttached(c);
 }
 

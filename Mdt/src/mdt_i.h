@@ -171,6 +171,8 @@ void mdt_constraintDetach(MdtConstraintID c, int side);
 void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]);
 /* The body's centre of mass was moved within it: the attachment stays where it is in the world. */
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after);
+/* The forces of the last step are no guess for the next. */
+void mdt_constraintForget(MdtConstraintID c);
 void mdt_constraintTerm(MdtConstraintID c);
 void mdt_constraintFree(MdtConstraintID c); /* memory that it has outside of its record */
 

@@ -44,6 +44,15 @@ static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, con
     row->contact = x->firstRow;
 }
 
+/* As it was set; else, where the normal goes through the body's centre, as of a ball. */
+static double radiusOf(const MdtBclContact *contact, const MdtBclContext *x, int k, const double arm[3]) {
+    double across[3];
+    keaCross(across, arm, contact->normal);
+    if (contact->radius[k] > 0 || x->body[k] == MdtBclNO_BODY || keaLength(across) > 1e-6 * keaLength(arm))
+        return contact->radius[k];
+    return keaLength(arm);
+}
+
 /* At the start of a step the contact is as its maker set it: the surface points lie half the depth on either side. What
  * moves with a body is the point, or, of a round surface, the centre of its sphere. */
 static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
@@ -52,7 +61,8 @@ static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
     for (int k = 0; k < 2; k++) {
         double arm[3];
         keaSubtract(arm, contact->point, x->pose[k]->pos);
-        keaAddScaled(arm, (k == 0 ? 1 : -1) * (contact->radius[k] - 0.5 * contact->depth), contact->normal);
+        contact->round[k] = radiusOf(contact, x, k, arm);
+        keaAddScaled(arm, (k == 0 ? 1 : -1) * (contact->round[k] - 0.5 * contact->depth), contact->normal);
         keaApplyTransposed(contact->anchor[k], x->pose[k]->R, arm);
     }
 }
@@ -61,8 +71,8 @@ static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
  * rather than the world's. */
 enum { BOTH = 2 };
 static int ownerOf(const MdtBclContact *contact, const MdtBclContext *x) {
-    if ((contact->radius[0] > 0) != (contact->radius[1] > 0))
-        return contact->radius[0] > 0 ? 0 : 1;
+    if ((contact->round[0] > 0) != (contact->round[1] > 0))
+        return contact->round[0] > 0 ? 0 : 1;
     return x->body[1] == MdtBclNO_BODY ? 0 : x->body[0] == MdtBclNO_BODY ? 1 : BOTH;
 }
 
@@ -73,7 +83,7 @@ static void carryContact(MdtBclContact *contact, const MdtBclContext *x) {
     for (int k = 0; k < 2; k++) {
         keaApply(p[k], x->pose[k]->R, contact->anchor[k]);
         keaAddScaled(p[k], 1, x->pose[k]->pos);
-        keaAddScaled(p[k], (k == 0 ? -1 : 1) * contact->radius[k], contact->normal);
+        keaAddScaled(p[k], (k == 0 ? -1 : 1) * contact->round[k], contact->normal);
     }
     keaSubtract(between, p[1], p[0]);
     contact->depth = keaDot(contact->normal, between);

@@ -213,6 +213,7 @@ static void setProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
+    q->maxIterations = s->parameters.maxIterations;
     for (int i = 0; i < s->numBodies; i++)
         setMetric(s, i);
     for (int i = 0; i < s->numRows; i++)
