@@ -1,8 +1,9 @@
 /* How the time of a hanging chain grows with its links: 1 kg each, 1000 kg at the end, one step of 1/60 s per frame.
  *
- *     chains [--budget SECONDS] [LINKS ...]         10 100 1000 10000 if not given
+ *     chains [--budget SECONDS] [--report] [LINKS ...]         10 100 1000 10000 if not given
  *
- * A chain that would take longer than the budget, by what the shorter ones took, is left out. */
+ * A chain that would take longer than the budget, by what the shorter ones took, is left out. With --report, what the
+ * report of a step costs (MdtReport.h): frames with it and without take turns, and their medians are compared. */
 #define _POSIX_C_SOURCE 199309L /* clock_gettime */
 #include "Mdt.h"
 
@@ -12,7 +13,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { FRAMES = 60, MAX_SIZES = 16 };
+enum { FRAMES = 60, REPORT_FRAMES = 1200, MAX_SIZES = 16 };
 static const double linkLength = .5, linkWidth = .1, ballMass = 1000, ballRadius = .5, gravity = 9.81;
 static const double shake = .2; /* rad/s, of the links' spins at the start */
 
@@ -128,6 +129,11 @@ static int compare(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+static double median(double times[], int n) {
+    qsort(times, (size_t)n, sizeof *times, compare);
+    return times[n / 2];
+}
+
 /* As many frames as there is time for, at least one. */
 static Cost measure(int links, double budget) {
     Chain c = makeChain(links);
@@ -143,12 +149,33 @@ static Cost measure(int links, double budget) {
         cost.energy = fmax(cost.energy, fabs(energyOf(&c) - before));
     }
     cost.energy /= (links + ballMass) * gravity * linkLength;
-    qsort(times, (size_t)n, sizeof *times, compare);
-    cost.frame = times[n / 2];
+    cost.frame = median(times, n);
     printf("%8d%14.1f%14.3g%14.3g%8d\n", links, 1e6 * cost.frame, cost.gap, cost.energy, n);
     fflush(stdout);
     destroyChain(&c);
     return cost;
+}
+
+/* Pairs of frames, one of them reported, the first and the second in turn. */
+static void measureReport(int links, double budget) {
+    static double times[2][REPORT_FRAMES];
+    Chain c = makeChain(links);
+    double all = 0;
+    int n = 0;
+    for (; n < REPORT_FRAMES && (n == 0 || all < budget); n++)
+        for (int turn = 0; turn < 2; turn++) {
+            const int isOn = (n + turn) % 2;
+            if (isOn)
+                MdtWorldEnableReport(c.world);
+            const double start = now();
+            MdtWorldStep(c.world, (MeReal)(1.0 / 60));
+            all += times[isOn][n] = now() - start;
+            MdtWorldDisableReport(c.world);
+        }
+    const double off = median(times[0], n), on = median(times[1], n);
+    printf("%8d%14.1f%14.1f%14.2f%8d\n", links, 1e6 * off, 1e6 * on, 100 * (on / off - 1), n);
+    fflush(stdout);
+    destroyChain(&c);
 }
 
 /* s, of one frame: the time grows by the power that it last grew by, or by the third. */
@@ -162,22 +189,31 @@ static double forecast(const Cost *last, const Cost *before, int links) {
 }
 
 static void usage(void) {
-    fputs("usage: chains [--budget SECONDS] [LINKS ...]\n", stderr);
+    fputs("usage: chains [--budget SECONDS] [--report] [LINKS ...]\n", stderr);
     exit(2);
 }
 
 int main(int argc, char *argv[]) {
     int sizes[MAX_SIZES] = {10, 100, 1000, 10000}, count = 4, given = 0;
     double budget = 60;
+    int isReport = 0;
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--budget") == 0 && i + 1 < argc)
             budget = atof(argv[++i]);
+        else if (strcmp(argv[i], "--report") == 0)
+            isReport = 1;
         else if (atoi(argv[i]) > 0 && given < MAX_SIZES)
             sizes[given++] = atoi(argv[i]);
         else
             usage();
     }
     count = given ? given : count;
+    if (isReport) {
+        printf("the report of a step\n%8s%14s%14s%14s%8s\n", "links", "off us", "on us", "cost %", "pairs");
+        for (int i = 0; i < count; i++)
+            measureReport(sizes[i], budget);
+        return 0;
+    }
     printf("%s precision; 1000 kg at the end; gap: the largest in %d frames; energy: its largest error / (all weights "
            "x length of a link)\n%8s%14s%14s%14s%8s\n",
            sizeof(MeReal) == sizeof(double) ? "double" : "single", FRAMES, "links", "us/frame", "gap m", "energy",

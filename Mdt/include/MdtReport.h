@@ -1,12 +1,12 @@
 /** @file MdtReport.h
- *  The report of a step: what was solved, in which way, what it cost, and how far off the result is. The engine tells its
- *  own error.
+ *  The report of a step: what was solved, in which way, what it cost, and how far off the result is. The engine tells
+ *  its own error.
  *
  *  Off by default: then nothing is computed, and the report is zero. A simulation is the same, bit for bit, with it and
  *  without. Units are SI, the frame is the world's.
  *
- *  Bad input: a null or destroyed world, a null place for the report, and a partition that there is not get a warning and
- *  MEFALSE, 0, or a report of zeros.
+ *  Bad input: a null or destroyed world, a null place for the report, and a partition that there is not get a warning
+ *  and MEFALSE, 0, or a report of zeros.
  */
 #ifndef MDTREPORT_H
 #define MDTREPORT_H
@@ -33,9 +33,9 @@ typedef enum MdtReportStage {
 } MdtReportStage;
 
 /**
- * Of one partition, or of all partitions of a step: counts, energies and times are sums, errors are maxima. Solves count
- * that were thrown away, because their part of the step was divided; their errors do not. The work of impacts shows in
- * the time only.
+ * Of one partition, or of all partitions of a step: counts, energies and times are sums, errors are maxima. Solves
+ * count that were thrown away, because their part of the step was divided; their errors do not. The work of impacts
+ * shows in the time only.
  */
 typedef struct MdtReport {
     /* what was solved */
@@ -60,12 +60,14 @@ typedef struct MdtReport {
     MeReal jointError;    /**< m: largest error left in a joint against what this step asked (angular: rad) */
     MeReal jointGap;      /**< m: how far the bodies of a joint are from where it holds them, at the end of the step */
     MeReal jointTurn;     /**< rad: the same for joints that hold directions */
-    MeReal penetration;   /**< m: of the deepest contact as the step began, 0 where none is deep */
+    MeReal penetration;   /**< m: of the deepest contact as the step began, 0 where none is deep, or at rest */
     /* energy at the end of the step */
     MeReal kineticEnergy;   /**< J, of the bodies */
     MeReal potentialEnergy; /**< J, in the world's gravity, 0 at the origin; of gravity only, not of springs */
     /* cost */
-    MeReal time[MdtReportStages]; /**< s, by MdtReportStage, on a monotonic clock */
+    /** s, by MdtReportStage, on a monotonic clock. Of small partitions, one in sixteen is timed by itself; the others
+     *  are timed together, and their time is divided as that one's was and by bodies and rows. Sums are measured. */
+    MeReal time[MdtReportStages];
 } MdtReport;
 
 /**
@@ -80,16 +82,17 @@ MEPUBLIC void MEAPI MdtWorldDisableReport(const MdtWorldID w);
 MEPUBLIC MeBool MEAPI MdtWorldReportIsEnabled(const MdtWorldID w);
 
 /**
- * Writes the report of the world's last step to @a report: sums and maxima over its partitions. MEFALSE and zeros when the
- * report is off, or no step was taken since it was enabled. Called during a step, it tells of the partitions so far.
+ * Writes the report of the world's last step to @a report: sums and maxima over its partitions. MEFALSE and zeros when
+ * the report is off, or no step was taken since it was enabled. Called during a step, it tells of the
+ * partitions so far.
  */
 MEPUBLIC MeBool MEAPI MdtWorldGetReport(const MdtWorldID w, MdtReport *report);
 /** The number of partitions of the last step; 0 where MdtWorldGetReport returns MEFALSE. */
 MEPUBLIC int MEAPI MdtWorldGetReportCount(const MdtWorldID w);
 /**
  * Writes the report of one partition of the last step, 0 <= @a partition < MdtWorldGetReportCount, to @a report; the
- * numbers are those that MdtBodyGetPartition tells. MEFALSE and zeros when the report is off, or no step was taken since
- * it was enabled, which is no misuse.
+ * numbers are those that MdtBodyGetPartition tells. MEFALSE and zeros when the report is off, or no step was taken
+ * since it was enabled, which is no misuse.
  */
 MEPUBLIC MeBool MEAPI MdtWorldGetPartitionReport(const MdtWorldID w, const int partition, MdtReport *report);
 

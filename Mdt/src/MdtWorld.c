@@ -40,7 +40,7 @@ static void *allocate(size_t count, size_t size) {
 static void freeWorld(MdtWorldID w) {
     for (MdtLink *link = w->constraints.first; link; link = link->next)
         mdt_constraintFree(link->owner);
-    void *arrays[] = {w->bodyOf,          w->constraintOf, w->keaOf,      w->bodyStart,
+    void *arrays[] = {w->bodyOf,          w->constraintOf, w->keaOf,       w->bodyStart,
                       w->constraintStart, w->ranking,      w->output.info, w->reports};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         if (arrays[i])

@@ -243,6 +243,9 @@ struct MdtWorld {
     MdtReport *reports; /* by partition of the last step; null until the report is enabled for the first time */
     int numReports;     /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
     MeU64 lap;          /* ticks, when the stage began that is being timed */
+    MeBool isTimedByStage;              /* of the partition that is being stepped */
+    int firstUntimed;                   /* partitions from this one on have no time yet */
+    double stageShare[MdtReportStages]; /* how a small partition's time divides, as last seen; 0: none was */
 
     struct MdtWorld *nextLive; /* in the check build's list of worlds */
 };
@@ -254,7 +257,7 @@ void mdt_partitionsUpdate(MdtWorldID w);
 
 /* A step begins, its partitions are known. */
 void mdt_reportStep(MdtWorldID w);
-/* The place for a partition's report, and a fresh lap where a program's callback took time; null: there is none. */
+/* The place for a partition's report; null: there is none. */
 MdtReport *mdt_reportOf(MdtWorldID w, int partition);
 /* The stage ends. */
 void mdt_reportLap(MdtWorldID w, MdtReport *r, MdtReportStage stage);
@@ -268,6 +271,8 @@ void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtKeaSystem *kea);
 void mdt_reportPart(MdtReport *r, const MdtKeaSystem *kea, MdtConstraintID constraints[], int count, MeBool isFinite);
 /* The partition is done, or was put to rest. */
 void mdt_reportEnd(MdtWorldID w, MdtReport *r, int partition);
+/* All partitions are done. */
+void mdt_reportStepEnd(MdtWorldID w);
 
 /* ---- checks -------------------------------------------------------------------------------------------------- */
 

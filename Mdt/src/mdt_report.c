@@ -1,10 +1,14 @@
 /* The report of a step (MdtReport.h): what mdt_step.c tells while it steps, and what programs ask for.
  *
- * Time is told in laps: each reading of the clock ends one stage and begins the next.
+ * Time is told in laps: each reading of the clock ends one stage and begins the next. Small partitions are stepped in
+ * less than a microsecond, so that reading it for each stage would show: one of them in sixteen is timed by stage, and
+ * the others together.
  */
 #include "mdt_i.h"
 #include "MeProfile.h"
 #include <string.h>
+
+enum { SMALL = 16, GROUP = 16 }; /* bodies and constraints; partitions */
 
 /* ---- on and off ---- */
 
@@ -46,21 +50,72 @@ static MeU64 ticksNow(void) {
 void mdt_reportStep(MdtWorldID w) {
     w->numReports = w->numPartitions;
     memset(w->reports, 0, (size_t)w->numReports * sizeof *w->reports);
+    w->firstUntimed = 0;
     w->lap = ticksNow();
+}
+
+/* s, since the last lap. */
+static double lapTime(MdtWorldID w) {
+    const MeU64 start = w->lap;
+    w->lap = ticksNow();
+    return (double)(w->lap - start) / (double)MeProfileGetClockSpeed();
+}
+
+void mdt_reportLap(MdtWorldID w, MdtReport *r, MdtReportStage stage) {
+    if (w->isTimedByStage)
+        r->time[stage] += (MeReal)lapTime(w);
+}
+
+/* What a callback takes before a partition is the program's time. */
+static MeBool isTimedByStage(const MdtWorld *w, int partition) {
+    const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
+    const int constraints = w->constraintStart[partition + 1] - w->constraintStart[partition];
+    return w->partitionCb || partition % GROUP == 0 || bodies + constraints > SMALL ||
+           (constraints > 0 && w->stageShare[MdtReportStageSolve] == 0);
+}
+
+static double workOf(const MdtReport *r) {
+    return r->bodies + r->rows;
+}
+
+static void addShares(MdtReport *r, double time, const double share[]) {
+    static const double free[MdtReportStages] = {[MdtReportStageIntegrate] = 1};
+    for (int i = 0; i < MdtReportStages; i++)
+        r->time[i] = (MeReal)(time * (r->rows > 0 ? share[i] : free[i]));
+}
+
+/* Divides the time since the last lap among the partitions before this one that were not timed by stage. */
+static void shareTime(MdtWorldID w, int end) {
+    const double time = lapTime(w);
+    double work = 0;
+    for (int i = w->firstUntimed; i < end; i++)
+        work += workOf(&w->reports[i]);
+    for (int i = w->firstUntimed; i < end; i++)
+        addShares(&w->reports[i], time * workOf(&w->reports[i]) / work, w->stageShare);
+    w->firstUntimed = end;
 }
 
 MdtReport *mdt_reportOf(MdtWorldID w, int partition) {
     if (partition >= w->numReports)
         return NULL;
-    if (w->partitionCb) /* its time is the program's */
-        w->lap = ticksNow();
+    w->isTimedByStage = isTimedByStage(w, partition);
+    if (w->isTimedByStage)
+        shareTime(w, partition);
     return &w->reports[partition];
 }
 
-void mdt_reportLap(MdtWorldID w, MdtReport *r, MdtReportStage stage) {
-    const MeU64 now = ticksNow();
-    r->time[stage] += (MeReal)((double)(now - w->lap) / (double)MeProfileGetClockSpeed());
-    w->lap = now;
+/* How a small partition's time divides. */
+static void keepShares(MdtWorldID w, const MdtReport *r) {
+    double sum = 0;
+    for (int i = 0; i < MdtReportStages; i++)
+        sum += (double)r->time[i];
+    for (int i = 0; i < MdtReportStages && sum > 0; i++)
+        w->stageShare[i] = (double)r->time[i] / sum;
+}
+
+void mdt_reportStepEnd(MdtWorldID w) {
+    if (w->firstUntimed < w->numReports)
+        shareTime(w, w->numReports);
 }
 
 static void keepMost(MeReal *most, double x) {
@@ -130,9 +185,12 @@ void mdt_reportPart(MdtReport *r, const MdtKeaSystem *kea, MdtConstraintID const
     keepMost(&r->residualForce, kea->report.force);
     keepMost(&r->jointError, kea->report.error);
     r->jointGap = r->jointTurn = 0;
-    for (int i = 0; i < count; i++)
-        if (constraints[i]->numRows > 0 && constraints[i]->type->errors)
+    for (int i = 0; i < count; i++) {
+        if (constraints[i]->bcl.type == MdtBclCONTACT)
+            keepMost(&r->penetration, constraints[i]->bcl.of.contact.penetration);
+        else if (constraints[i]->numRows > 0 && constraints[i]->type->errors)
             measureJoint(r, constraints[i], kea);
+    }
 }
 
 /* With the angular velocity that programs see: in single precision it has as many digits as the report. */
@@ -154,16 +212,16 @@ static void reportEnergy(MdtReport *r, MdtBodyID const bodies[], int count, cons
 }
 
 void mdt_reportEnd(MdtWorldID w, MdtReport *r, int partition) {
-    const int body = w->bodyStart[partition], constraint = w->constraintStart[partition];
+    const int body = w->bodyStart[partition];
     r->bodies = w->bodyStart[partition + 1] - body;
-    r->constraints = w->constraintStart[partition + 1] - constraint;
-    for (int i = 0; i < r->constraints; i++) {
-        const MdtBclConstraint *c = &w->constraintOf[constraint + i]->bcl;
-        if (c->type == MdtBclCONTACT)
-            keepMost(&r->penetration, c->of.contact.penetration);
-    }
+    r->constraints = w->constraintStart[partition + 1] - w->constraintStart[partition];
     reportEnergy(r, w->bodyOf + body, r->bodies, w->params.gravity);
     mdt_reportLap(w, r, MdtReportStageIntegrate);
+    if (!w->isTimedByStage)
+        return;
+    w->firstUntimed = partition + 1;
+    if (r->rows > 0 && r->bodies + r->constraints <= SMALL)
+        keepShares(w, r);
 }
 
 /* ---- what programs ask for ---- */

@@ -299,10 +299,11 @@ static void stopBodies(Partition *p) {
 
 static void warnOfSolver(const Partition *p) {
     if (p->kea.report.capped && !p->isDegenerate) /* that has been said */
-        MeWarning(2,
-                  "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
-                  "inexact; raise MdtWorldSetMaxLCPIterations or epsilon",
-                  p->number, p->kea.numRows);
+        MeWarning(
+            2,
+            "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
+            "inexact; raise MdtWorldSetMaxLCPIterations or epsilon",
+            p->number, p->kea.numRows);
     if (p->kea.report.conflicting)
         MeDebug(2, "MdtWorldStep: partition %d (%d rows) has contradictory constraints, a compromise was taken",
                 p->number, p->kea.numRows);
@@ -532,6 +533,8 @@ static void stepPartitions(MdtWorldID w, double h, MeBool safely) {
         if (p.report)
             mdt_reportEnd(w, p.report, i);
     }
+    if (w->isReported)
+        mdt_reportStepEnd(w);
 }
 
 static void stepWorld(MdtWorldID w, double h, MeBool safely) {

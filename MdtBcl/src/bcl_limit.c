@@ -119,7 +119,8 @@ static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, 
     if (isHard(limit, side))
         hardStop(&limit->limit[side], x, row);
     else
-        bcl_makeSpring(row, row->error, limit->limit[side].stiffness, row->error > 0 ? 0 : (double)limit->limit[side].damping);
+        bcl_makeSpring(row, row->error, limit->limit[side].stiffness,
+                       row->error > 0 ? 0 : (double)limit->limit[side].damping);
 }
 
 void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]) {

@@ -59,8 +59,8 @@ typedef struct MdtKeaBody {
     double angularDamping; /**< 1/s: dL/dt = -d L */
     int flags;             /**< MdtKeaBodyFlag */
     /* load of this step, set by the owner */
-    double force[3];  /**< N, gravity included */
-    double torque[3]; /**< N m, about the centre of mass */
+    double force[3];        /**< N, gravity included */
+    double torque[3];       /**< N m, about the centre of mass */
     double acceleration[6]; /**< m/s², rad/s² (world), of the last step: a guess for this one, which may be 0 */
 } MdtKeaBody;
 
@@ -124,35 +124,35 @@ typedef struct MdtKeaRow {
     double threshold;   /**< m/s: for speeds above this */
     MeBool isForced;    /**< Kea's own: a friction row that slides in a known direction, */
     double forced;      /**< whose force is this times the bound */
-    double stiffness; /**< N/m of a spring, >= 0 */
-    double damping;   /**< N s/m of a spring, >= 0 */
-    double ripple;    /**< m/s: what the last step left of the row's velocity at its end, and this step leaves */
-    double force;     /**< λ, N: the answer; before, a guess at it, such as the last step's */
+    double stiffness;   /**< N/m of a spring, >= 0 */
+    double damping;     /**< N s/m of a spring, >= 0 */
+    double ripple;      /**< m/s: what the last step left of the row's velocity at its end, and this step leaves */
+    double force;       /**< λ, N: the answer; before, a guess at it, such as the last step's */
 } MdtKeaRow;
 
 /** What holds for the whole system. Epsilon and gamma are in the rows already. */
 typedef struct MdtKeaParameters {
-    double stepsize;    /**< s */
-    double gamma;       /**< the part of a position error that the step takes away, 0..1 */
-    int maxIterations;  /**< Newton iterations of one inner problem; 0: Kea's own choice */
-    MeBool mayRefuse;   /**< a step in which bodies turn too far may be reported as violent without being solved */
-    MeBool timed;       /**< contacts are met in time: bodies move with their mean velocities throughout */
+    double stepsize;   /**< s */
+    double gamma;      /**< the part of a position error that the step takes away, 0..1 */
+    int maxIterations; /**< Newton iterations of one inner problem; 0: Kea's own choice */
+    MeBool mayRefuse;  /**< a step in which bodies turn too far may be reported as violent without being solved */
+    MeBool timed;      /**< contacts are met in time: bodies move with their mean velocities throughout */
 } MdtKeaParameters;
 
 /** How a solve went. */
 typedef struct MdtKeaReport {
-    int passes;          /**< linearizations: 0 where the last step's answer still held */
-    int iterations;      /**< of Newton's method in all passes */
-    int factorizations;  /**< of sparse matrices */
-    int stages;          /**< velocity stages, 0 or 1 */
-    int freezes;         /**< passes whose friction bounds were not renewed, since that did not settle */
-    MeBool capped;       /**< passes ran out: the forces are within bounds, but not exact */
-    MeBool violent;      /**< the motion could not be followed in a step of this length: take shorter ones */
-    MeBool conflicting;  /**< rows contradict each other: a compromise was taken */
-    double event;        /**< s: when something happens in a timed step that divides it; the step's length if nothing */
-    double residual;     /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
-    double force;        /**< N: the largest change of a row's force that such a violation asks for */
-    double error;        /**< m: the largest error left in a position row, against what it asked for */
+    int passes;         /**< linearizations: 0 where the last step's answer still held */
+    int iterations;     /**< of Newton's method in all passes */
+    int factorizations; /**< of sparse matrices */
+    int stages;         /**< velocity stages, 0 or 1 */
+    int freezes;        /**< passes whose friction bounds were not renewed, since that did not settle */
+    MeBool capped;      /**< passes ran out: the forces are within bounds, but not exact */
+    MeBool violent;     /**< the motion could not be followed in a step of this length: take shorter ones */
+    MeBool conflicting; /**< rows contradict each other: a compromise was taken */
+    double event;       /**< s: when something happens in a timed step that divides it; the step's length if nothing */
+    double residual;    /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
+    double force;       /**< N: the largest change of a row's force that such a violation asks for */
+    double error;       /**< m: the largest error left in a position row, against what it asked for */
 } MdtKeaReport;
 
 /**
@@ -174,8 +174,8 @@ typedef struct MdtKeaCache MdtKeaCache;
 typedef struct MdtKeaSystem {
     MdtKeaParameters parameters;
     int numBodies;
-    MdtKeaBody *const *bodies; /**< numBodies pointers */
-    int maxRows;               /**< room for rows */
+    MdtKeaBody *const *bodies;  /**< numBodies pointers */
+    int maxRows;                /**< room for rows */
     MdtKeaErrorFn errors;       /**< may be null where no row is a position row */
     MdtKeaJacobianFn jacobians; /**< may be null: then J stays as it is */
     void *context;              /**< for both */

@@ -36,12 +36,12 @@ struct KeaFactor {
     Entry *entry; /* of turn t: entry[start[t] .. start[t + 1]) */
     int *sourceStart;
     Source *source;
-    int *place;          /* by turn: the entry of the column that is being made, scratch */
-    size_t *diagonalAt;  /* by node */
-    size_t *edgeAt;      /* by edge */
+    int *place;         /* by turn: the entry of the column that is being made, scratch */
+    size_t *diagonalAt; /* by node */
+    size_t *edgeAt;     /* by edge */
     double *diagonal, *upperInput, *lowerInput;
-    double *pivot;       /* by node: the factors of the diagonal block */
-    int *exchange;       /* by unknown: the row exchanges within a block */
+    double *pivot; /* by node: the factors of the diagonal block */
+    int *exchange; /* by unknown: the row exchanges within a block */
     double *upper, *lower;
     size_t diagonalSize, inputSize, factorSize;
     double flops;

@@ -35,19 +35,19 @@ typedef struct KeaBody {
     double scale;           /* N s: what an impulse is compared with */
     double u[6];            /* the unknown: m/s and rad/s with which it moves through the step */
     double endAxes[3][3];
-    double endVelocity[6];  /* m/s, rad/s (world) */
-    MeBool isFree;          /* no row acts on it: it moves as a free body */
+    double endVelocity[6]; /* m/s, rad/s (world) */
+    MeBool isFree;         /* no row acts on it: it moves as a free body */
 } KeaBody;
 
 /* The graph of joints (kea_dual.c). */
 typedef struct KeaDual {
     KeaFactor *factor; /* null: the bodies' side is taken */
     int numNodes, numEdges;
-    int *start, *size;              /* by node: its rows */
-    int (*edges)[2], (*side)[2];    /* of an edge: its nodes, and on which side each has the shared body */
-    int *met;                       /* by node: the last one that it was joined with */
-    int *first, (*next)[2];         /* by body, by node and side: lists of 2 node + side */
-    double *x;                      /* by row */
+    int *start, *size;           /* by node: its rows */
+    int (*edges)[2], (*side)[2]; /* of an edge: its nodes, and on which side each has the shared body */
+    int *met;                    /* by node: the last one that it was joined with */
+    int *first, (*next)[2];      /* by body, by node and side: lists of 2 node + side */
+    double *x;                   /* by row */
 } KeaDual;
 
 typedef struct MdtKeaWork {

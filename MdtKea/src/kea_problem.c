@@ -530,10 +530,10 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
         if (row->isForced || (row->partner >= 0 && row->partner < i))
             continue;
         const double missing[2] = {row->Jd + row->E * row->p - row->r,
-                                   row->partner >= 0 ? q->row[row->partner].Jd +
-                                                           q->row[row->partner].E * q->row[row->partner].p -
-                                                           q->row[row->partner].r
-                                                     : 0};
+                                   row->partner >= 0
+                                       ? q->row[row->partner].Jd + q->row[row->partner].E * q->row[row->partner].p -
+                                             q->row[row->partner].r
+                                       : 0};
         if (row->partner >= 0) {
             const double part = conePart(q, row, missing);
             worst = keaMax(worst, part);
@@ -542,7 +542,7 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
         }
         const double bound = row->normal >= 0 ? row->friction * keaMax(q->row[row->normal].p, 0) : HUGE_VAL;
         const double wanted = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
-                                   keaMin(row->upper, bound));
+                                     keaMin(row->upper, bound));
         worst = keaMax(worst, row->size * fabs(row->p - wanted));
         most = keaMax(most, fabs(row->p - wanted));
     }

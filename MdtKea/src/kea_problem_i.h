@@ -39,14 +39,14 @@ typedef struct KeaProblemRow {
     double y;            /* N s, what p would be without bounds */
     double radius;       /* N s, of the cone, or the friction bound */
     double keptJd, keptRadius;
-    double Jd, Je;       /* along d, along the search direction */
-    double size;         /* J B⁻¹ Jᵀ, 1/kg */
-    double weight[2];    /* by body: the momentum, in its scale, that a unit of p gives */
-    MeBool isForced;     /* p is `forced` times the friction bound: the direction of sliding is known */
+    double Jd, Je;    /* along d, along the search direction */
+    double size;      /* J B⁻¹ Jᵀ, 1/kg */
+    double weight[2]; /* by body: the momentum, in its scale, that a unit of p gives */
+    MeBool isForced;  /* p is `forced` times the friction bound: the direction of sliding is known */
     double forced;
-    MeBool isStubborn;   /* a joint that did not yield in the last pass */
-    MeBool isElsewhere;  /* its law is checked by others (kea_problemResidual) */
-    MeBool isOff;        /* takes no part: p stays what it is */
+    MeBool isStubborn;  /* a joint that did not yield in the last pass */
+    MeBool isElsewhere; /* its law is checked by others (kea_problemResidual) */
+    MeBool isOff;       /* takes no part: p stays what it is */
     KeaRowState state;
 } KeaProblemRow;
 

@@ -108,8 +108,8 @@ static void chooseTheta(MdtKeaSystem *s) {
         s->work->body[i].theta = 0.5;
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const MeBool holds = row->contact == i ? !s->work->problem.row[i].isOff
-                                               : row->position && isOneSided(row) && row->force != 0;
+        const MeBool holds =
+            row->contact == i ? !s->work->problem.row[i].isOff : row->position && isOneSided(row) && row->force != 0;
         if (holds || isTooStiff(s, row))
             setTheta(s, row);
     }
@@ -127,7 +127,6 @@ static void copyRow(KeaProblemRow *p, const MdtKeaRow *row, double h) {
     }
 }
 
-
 static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (row->contact >= 0)
         return s->rows[row->contact].isOpen || (!s->parameters.timed && !isWithinReach(s, &s->rows[row->contact]));
@@ -141,7 +140,8 @@ static double firstBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (normal->p > 0)
         return row->friction * normal->p;
     const double along = rateOf(row, s->predicted) - row->target;
-    const double across = row->partner >= 0 ? rateOf(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
+    const double across =
+        row->partner >= 0 ? rateOf(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
     const double approach = -rateOf(&s->rows[row->normal], s->predicted);
     return hypot(along, across) > row->friction * keaMax(approach, 0) ? 0 : HUGE_VAL;
 }

@@ -44,7 +44,8 @@ MeBool kea_hasLoops(const MdtKeaSystem *s) {
 /* Rigid joints only: what is bounded or soft has found its value. */
 static MeBool takesPart(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
-    return row->position && row->softness == 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL && !s->work->problem.row[i].isOff;
+    return row->position && row->softness == 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL &&
+           !s->work->problem.row[i].isOff;
 }
 
 static double weightOf(const MdtKeaSystem *s, int i) {

@@ -11,9 +11,9 @@
 #include <string.h>
 
 enum { MAX_PASSES = 16, HALVE = 6, FREEZE = 12 };
-static const double positionTolerance = 1e-10; /* of a row's size */
-static const double velocityTolerance = 1e-9;  /* of the partition's speed */
-static const double momentumTolerance = 1e2;   /* of what the inner problem tolerates */
+static const double positionTolerance = 1e-10;              /* of a row's size */
+static const double velocityTolerance = 1e-9;               /* of the partition's speed */
+static const double momentumTolerance = 1e2;                /* of what the inner problem tolerates */
 static const double looseMotion = 1e4, looseVelocity = 1e5; /* times these: good enough when passes have run out */
 
 typedef struct Errors {
@@ -29,7 +29,7 @@ static double speedOf(const MdtKeaSystem *s) {
         double change[3];
         keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
         speed = keaMax(speed, keaLength(change) + 0.1 * keaLength(b->freeVelocity) +
-                                0.1 * b->size * keaLength(s->predicted[i].ang));
+                                  0.1 * b->size * keaLength(s->predicted[i].ang));
     }
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0 && !s->rows[i].position)

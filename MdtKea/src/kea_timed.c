@@ -16,12 +16,12 @@
 #include <string.h>
 
 enum { MAX_ROUNDS = 60, MAX_IMPACT_PASSES = 14 };
-static const double parts = 0.03;         /* of a step's change of speed by the loads: faster is open */
-static const double slides = 0.03;        /* the same: faster is a slide that can stop */
-static const double slow = 1e-6;          /* the same: meeting more slowly is no impact */
-static const double sinks = 0.05;         /* the same, in a soft contact */
-static const double plastic = 0.5;        /* the same: meeting more slowly does not rebound */
-static const double simultaneous = 1e-9;  /* of the partition's speed */
+static const double parts = 0.03;        /* of a step's change of speed by the loads: faster is open */
+static const double slides = 0.03;       /* the same: faster is a slide that can stop */
+static const double slow = 1e-6;         /* the same: meeting more slowly is no impact */
+static const double sinks = 0.05;        /* the same, in a soft contact */
+static const double plastic = 0.5;       /* the same: meeting more slowly does not rebound */
+static const double simultaneous = 1e-9; /* of the partition's speed */
 #ifdef _ME_API_DOUBLE
 static const double touches = 1e-7; /* of the smaller body's size */
 #else
@@ -45,7 +45,8 @@ static double loadSpeed(const MdtKeaSystem *s) {
         double dv[3];
         keaSubtract(dv, s->work->body[i].freeVelocity, s->bodies[i]->velocity);
         change = keaMax(change, keaLength(dv));
-        speed = keaMax(speed, keaLength(s->bodies[i]->velocity) + s->work->body[i].size * keaLength(s->velocity[i].ang));
+        speed =
+            keaMax(speed, keaLength(s->bodies[i]->velocity) + s->work->body[i].size * keaLength(s->velocity[i].ang));
     }
     return keaMax(change, 1e-6 * speed);
 }

@@ -272,25 +272,26 @@ START_TEST(a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one) {
 }
 END_TEST
 
-/* γ of the way to the lock a step, up to its force; the motor rests meanwhile. */
+/* γ of the way to the lock a step, up to its force; the motor rests meanwhile. The first step starts at rest and must be
+ * twice as fast at its end as in its mean: 2 m γ z / h² = 1440 N. */
 START_TEST(the_lock_draws_to_its_place_and_holds) {
     Cart s = makeCart();
     MdtWorldSetGamma(s.world, (MeReal).25);
     MdtLimitSetLimitedForceMotor(s.limit, -3, 100);
-    MdtLimitSetLock(s.limit, (MeReal).4, 1000);
+    MdtLimitSetLock(s.limit, (MeReal).4, 2000);
     ck_assert(MdtLimitIsLocked(s.limit));
     for (int i = 1; i <= 40; i++) {
         MdtWorldStep(s.world, FRAME);
         assert_near(wayOf(s, NULL), .4 * (1 - pow(.75, i)), TOL(2e-6, 1e-8));
     }
     for (int i = 0; i < 60; i++) {
-        push(s, 900);
+        push(s, 1800);
         MdtWorldStep(s.world, FRAME);
     }
-    assert_near(wayOf(s, NULL), .4, TOL(2e-6, 1e-5));
-    push(s, 1100); /* more than it holds */
+    assert_near(wayOf(s, NULL), .4, TOL(2e-6, 1e-8));
+    push(s, 2200); /* more than it holds */
     MdtWorldStep(s.world, FRAME);
-    assert_near(speedOf(s), 100 / mass / 60, TOL(1e-5, 1e-3));
+    assert_near(speedOf(s), 200 / mass / 60, TOL(1e-5, 1e-7));
     MdtLimitActivateLock(s.limit, 0);
     steps(s.world, 60, FRAME);
     assert_near(speedOf(s), -3, TOL(1e-5, 1e-8)); /* the motor again */

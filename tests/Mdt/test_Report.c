@@ -260,6 +260,40 @@ START_TEST(time_is_told_by_stage_and_is_less_than_the_clock_says) {
 }
 END_TEST
 
+/* Small ones are timed together, and each has its part. */
+START_TEST(every_one_of_many_partitions_has_a_time) {
+    enum { MANY = 40 };
+    MdtWorldID w = reportedWorld(MANY, MANY, 10);
+    for (int i = 0; i < MANY; i++) {
+        MdtBodyID b = scene_body(w, 1, 3 * i, 0, 0);
+        if (i % 3 == 0)
+            continue;
+        MdtBSJointID j = MdtBSJointCreate(w);
+        MdtBSJointSetBodies(j, b, 0);
+        MdtBSJointSetPosition(j, (MeReal)(3 * i + 1), 0, 0);
+        MdtBSJointEnable(j);
+    }
+    MeProfileTimerResult before, after;
+    MeProfileGetTimerValue(&before);
+    MdtWorldStep(w, FRAME);
+    MeProfileGetTimerValue(&after);
+    double sum = 0;
+    ck_assert_int_eq(MdtWorldGetReportCount(w), MANY);
+    for (int i = 0; i < MANY; i++) {
+        MdtReport r;
+        ck_assert(MdtWorldGetPartitionReport(w, i, &r));
+        for (int k = 0; k < MdtReportStages; k++) {
+            ck_assert_int_eq(r.time[k] > 0, r.rows > 0 || k == MdtReportStageIntegrate);
+            sum += (double)r.time[k];
+        }
+    }
+    const MdtReport all = reportOf(w);
+    assert_near_rel(all.time[0] + all.time[1] + all.time[2], sum, TOL(1e-6, 1e-14));
+    assert_below(sum * (double)MeProfileGetClockSpeed(), (double)(after.ticks - before.ticks) * (1 + 1e-6));
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 /* ---- ways ---- */
 
 START_TEST(free_flight_has_no_way) {
@@ -559,6 +593,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_solve_that_is_stopped_short_tells_its_residual);
     tcase_add_test(t, bodies_constraints_and_rows_are_counted_by_partition);
     tcase_add_test(t, time_is_told_by_stage_and_is_less_than_the_clock_says);
+    tcase_add_test(t, every_one_of_many_partitions_has_a_time);
     tcase_add_test(t, free_flight_has_no_way);
     tcase_add_test(t, a_partition_that_is_put_to_rest_has_no_way_and_no_part);
     tcase_add_test(t, the_answer_for_a_box_at_rest_is_kept);

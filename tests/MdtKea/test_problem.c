@@ -373,7 +373,8 @@ static void compareWithEnumeration(unsigned count, MeBool isSoft, MeBool isRedun
         } else {
             assertRates(p, 1e-9, what, seed);
             assertBalance(1e-9, what, seed);
-            ck_assert_msg(kea_problemResidual(&q, NULL) < 1e-9, "%s, seed %u: %g", what, seed, kea_problemResidual(&q, NULL));
+            ck_assert_msg(kea_problemResidual(&q, NULL) < 1e-9, "%s, seed %u: %g", what, seed,
+                          kea_problemResidual(&q, NULL));
             if (isSoft)
                 assertForces(p, 1e-9, what, seed);
         }

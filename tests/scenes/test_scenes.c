@@ -2,6 +2,7 @@
 #include "karma_test.h"
 #include "reference.h"
 #include "run.h"
+#include "scenes_i.h"
 
 #ifdef _ME_API_DOUBLE
 #define KARMA &engine_karma_double
@@ -361,7 +362,30 @@ START_TEST(runs_are_alike) {
 }
 END_TEST
 
+/* Not with sanitizers: it would take minutes. */
+#if defined __SANITIZE_ADDRESS__
+#define IS_SLOW 1
+#elif defined __has_feature
+#if __has_feature(address_sanitizer)
+#define IS_SLOW 1
+#endif
+#endif
+
+#ifndef IS_SLOW
+START_TEST(a_shaken_tower_stands_for_ten_minutes) {
+    const RunResult r = run_scene(&scenes_longTower, KARMA, 0, 1, 1e9);
+    ck_assert_int_eq(r.outcome, RUN_HOLDS);
+    assert_near(r.errors[0], 0, 0);
+    assert_below(r.errors[1], TOL(1e-5, 1e-8));
+    assert_below(r.errors[2], TOL(1e-5, 1e-7));
+}
+END_TEST
+#endif
+
 static void tests(TCase *t) {
+#ifndef IS_SLOW
+    tcase_add_test(t, a_shaken_tower_stands_for_ten_minutes);
+#endif
     tcase_add_test(t, pendulum_periods_are_the_elliptic_integral);
     tcase_add_test(t, tumbling_flips_when_the_literature_says);
     tcase_add_test(t, slides_and_rolls_are_the_closed_forms);

@@ -9,7 +9,7 @@ def check():
         slope, e = math.radians(tilt), math.radians(53)
         for frames in 20, 50, 75:
             line = status(frames, keys)
-            up = speed * math.sin(e) * frames / 60 - 9.8 * math.sin(slope) / 3600 * frames * (frames + 1) / 2
+            up = speed * math.sin(e) * frames / 60 - 9.8 * math.sin(slope) * (frames / 60) ** 2 / 2
             near(figure(line, 'across'), speed * math.cos(e) * frames / 60, 0.002, 'the way across')
             near(figure(line, 'up'), up, 0.002, 'the way up the slope')
             near(figure(line, 'rises'), up, 0.002, "the rail bead's way")
