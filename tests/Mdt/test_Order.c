@@ -1,0 +1,290 @@
+/* How errors fall with the length of the step: convergence orders, sub-steps, and what a load does to a soft joint. */
+#include "measure.h"
+
+enum { MOST = 16 };
+
+/* ---- references ---- */
+
+typedef void (*Rates)(const double y[], double rates[]);
+
+/* Runge and Kutta's method of order 4 with steps so short that its own error is rounding. */
+static void integrate(int n, Rates rates, double duration, int count, double y[]) {
+    const double h = duration / count, weight[] = {1. / 6, 1. / 3, 1. / 3, 1. / 6}, reach[] = {0, .5, .5, 1};
+    for (int i = 0; i < count; i++) {
+        double k[4][MOST], at[MOST], next[MOST];
+        memcpy(next, y, (size_t)n * sizeof *y);
+        for (int stage = 0; stage < 4; stage++) {
+            for (int c = 0; c < n; c++)
+                at[c] = y[c] + (stage > 0 ? h * reach[stage] * k[stage - 1][c] : 0);
+            rates(at, k[stage]);
+            for (int c = 0; c < n; c++)
+                next[c] += h * weight[stage] * k[stage][c];
+        }
+        memcpy(y, next, (size_t)n * sizeof *y);
+    }
+}
+
+/* ---- orders ---- */
+
+/* A scene after `duration` in steps of h, each divided into `parts`: what is measured, and how many numbers. */
+typedef int (*Run)(double duration, double h, int parts, double result[]);
+
+static double distance(int n, const double *a, const double *b) {
+    double most = 0;
+    for (int i = 0; i < n; i++)
+        most = fmax(most, fabs(a[i] - b[i]));
+    return most;
+}
+
+static double errorOf(Run run, double duration, double h, int parts, const double *reference) {
+    double result[MOST];
+    const int n = run(duration, h, parts, result);
+    return distance(n, result, reference);
+}
+
+/* Every halving divides the error by 2^order. */
+static void assertOrder(const char *what, Run run, double duration, double h, double order, double within,
+                        const double *reference) {
+    double before = errorOf(run, duration, h, 1, reference);
+    for (int i = 0; i < 2; i++) {
+        const double now = errorOf(run, duration, h *= .5, 1, reference), measured = log2(before / now);
+        ck_assert_msg(fabs(measured - order) <= within, "%s, h = 1/%g: order %g, error %g", what, 1 / h, measured, now);
+        before = now;
+    }
+}
+
+/* n parts of a step are as good as n steps, but for what Kea is content with at every step. */
+static void assertPartsAreSteps(const char *what, Run run, double duration, double h, const double *reference) {
+    for (int parts = 2; parts <= 8; parts *= 2) {
+        const double divided = errorOf(run, duration, h, parts, reference);
+        const double shorter = errorOf(run, duration, h / parts, 1, reference);
+        ck_assert_msg(fabs(divided - shorter) <= TOL(1e-3, 1e-4) * shorter, "%s, %d parts: %g, not %g", what, parts,
+                      divided, shorter);
+    }
+}
+
+/* ---- scenes ---- */
+
+static const double g = 9.8125; /* m/s², the same in both precisions */
+
+static void run(MdtWorldID w, double duration, double h, int parts) {
+    MdtWorldSetSubSteps(w, parts);
+    steps(w, (int)lround(duration / h), (MeReal)h);
+}
+
+/* The bar, let go when it is level: the angle from there. */
+static int pendulum(double duration, double h, int parts, double result[]) {
+    HingedBar s = scene_hingedBar(g);
+    double p[3];
+    run(s.world, duration, h, parts);
+    measure_position(s.bar, p);
+    result[0] = atan2(-p[1], p[0]);
+    MdtWorldDestroy(s.world);
+    return 1;
+}
+
+static void pendulumRates(const double y[], double rates[]) {
+    const double inertia = .25 + (1 + 1e-6) / 12;
+    rates[0] = y[1];
+    rates[1] = .5 * g / inertia * cos(y[0]);
+}
+
+/* Another bar at the end of the first. */
+static int doublePendulum(double duration, double h, int parts, double result[]) {
+    const double edge[3] = {1, 1e-3, 1e-3};
+    HingedBar s = scene_hingedBar(g);
+    MdtBodyID second = scene_box(s.world, 1, edge, 1.5, 0, 0);
+    MdtHingeID joint = MdtHingeCreate(s.world);
+    MdtHingeSetBodies(joint, second, s.bar);
+    MdtHingeSetPosition(joint, 1, 0, 0);
+    MdtHingeSetAxis(joint, 0, 0, 1);
+    MdtHingeEnable(joint);
+    run(s.world, duration, h, parts);
+    measure_position(s.bar, result);
+    measure_position(second, result + 3);
+    MdtWorldDestroy(s.world);
+    return 6;
+}
+
+/* Lagrange's equations of the two bars, angles from level, downwards: mass 1, length 1, inertia I about the centre.
+ * T = (I + 5/4) a'²/2 + (I + 1/4) b'²/2 + cos(a - b) a' b'/2,   V = -g (3/2 sin a + 1/2 sin b) */
+static void doublePendulumRates(const double y[], double rates[]) {
+    const double I = (1 + 1e-6) / 12, c = .5 * cos(y[0] - y[1]), s = .5 * sin(y[0] - y[1]);
+    const double A = I + 1.25, B = I + .25, det = A * B - c * c;
+    const double p = -s * y[3] * y[3] + 1.5 * g * cos(y[0]), q = s * y[2] * y[2] + .5 * g * cos(y[1]);
+    rates[0] = y[2];
+    rates[1] = y[3];
+    rates[2] = (B * p - c * q) / det;
+    rates[3] = (A * q - c * p) / det;
+}
+
+enum { LINKS = 3 };
+static const double stiffness = 100, damping = .5, rest = .75;
+
+/* Bodies of the mass 1 in a row on springs, the first on the world; they are thrown across it. */
+static int springChain(double duration, double h, int parts, double result[]) {
+    MdtWorldID w = scene_world(LINKS, LINKS, 0);
+    MdtBodyID body[LINKS];
+    for (int i = 0; i < LINKS; i++) {
+        body[i] = scene_body(w, 1, i + 1, 0, 0);
+        MdtBodySetLinearVelocity(body[i], 0, (MeReal)(i + 1), 0);
+        MdtSpringID spring = MdtSpringCreate(w);
+        MdtSpringSetBodies(spring, body[i], i > 0 ? body[i - 1] : 0);
+        MdtSpringSetPosition(spring, 0, (MeReal)(i + 1), 0, 0);
+        MdtSpringSetPosition(spring, 1, (MeReal)i, 0, 0);
+        MdtSpringSetNaturalLength(spring, (MeReal)rest);
+        MdtSpringSetStiffness(spring, (MeReal)stiffness);
+        MdtSpringSetDamping(spring, (MeReal)damping);
+        MdtSpringEnable(spring);
+    }
+    run(w, duration, h, parts);
+    for (int i = 0; i < LINKS; i++) {
+        double p[3];
+        measure_position(body[i], p);
+        result[2 * i] = p[0];
+        result[2 * i + 1] = p[1];
+    }
+    MdtWorldDestroy(w);
+    return 2 * LINKS;
+}
+
+static void springChainRates(const double y[], double rates[]) {
+    const double *v = y + 2 * LINKS;
+    memcpy(rates, v, 2 * LINKS * sizeof *v);
+    memset(rates + 2 * LINKS, 0, 2 * LINKS * sizeof *v);
+    for (int i = 0; i < LINKS; i++) {
+        double way[2], speed[2];
+        for (int c = 0; c < 2; c++) {
+            way[c] = y[2 * i + c] - (i > 0 ? y[2 * i - 2 + c] : 0);
+            speed[c] = v[2 * i + c] - (i > 0 ? v[2 * i - 2 + c] : 0);
+        }
+        const double length = hypot(way[0], way[1]), rate = (way[0] * speed[0] + way[1] * speed[1]) / length;
+        const double pull = (stiffness * (length - rest) + damping * rate) / length;
+        for (int c = 0; c < 2; c++) {
+            rates[2 * LINKS + 2 * i + c] -= pull * way[c];
+            if (i > 0)
+                rates[2 * LINKS + 2 * i - 2 + c] += pull * way[c];
+        }
+    }
+}
+
+static const double moments[3] = {1, 2, 3.5}, spin[3] = {1, 2, .5};
+
+/* A body with three moments of inertia turns without a load: its axes. */
+static int freeRotation(double duration, double h, int parts, double result[]) {
+    MdtWorldID w = scene_world(1, 0, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    MeMatrix3 inertia = {{0}};
+    double R[3][3];
+    for (int i = 0; i < 3; i++)
+        inertia[i][i] = (MeReal)moments[i];
+    MdtBodySetInertiaTensor(b, inertia);
+    MdtBodySetAngularVelocity(b, (MeReal)spin[0], (MeReal)spin[1], (MeReal)spin[2]);
+    run(w, duration, h, parts);
+    measure_rotation(b, R);
+    memcpy(result, R, sizeof R);
+    MdtWorldDestroy(w);
+    return 9;
+}
+
+/* Euler's equations, and R' = R [ω]x. */
+static void freeRotationRates(const double y[], double rates[]) {
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        rates[9 + i] = (moments[j] - moments[k]) / moments[i] * y[9 + j] * y[9 + k];
+        for (int r = 0; r < 3; r++)
+            rates[3 * r + i] = y[3 * r + j] * y[9 + k] - y[3 * r + k] * y[9 + j];
+    }
+}
+
+/* ---- tests ---- */
+
+static void pendulumReference(double duration, double *angle) {
+    double y[MOST] = {0};
+    integrate(2, pendulumRates, duration, 20000, y);
+    *angle = y[0];
+}
+
+START_TEST(a_pendulum_from_level_is_of_order_2) {
+    double angle;
+    pendulumReference(1.5, &angle);
+    assertOrder("pendulum", pendulum, 1.5, 1. / 64, 2, .02, &angle);
+    assertPartsAreSteps("pendulum", pendulum, 1.5, 1. / 32, &angle);
+    assert_below(errorOf(pendulum, 1.5, 1. / 64, 1, &angle), 5e-3);
+}
+END_TEST
+
+static void doublePendulumReference(double duration, double place[6]) {
+    double y[MOST] = {0};
+    integrate(4, doublePendulumRates, duration, 20000, y);
+    const double p[] = {.5 * cos(y[0]), -.5 * sin(y[0]), 0, cos(y[0]) + .5 * cos(y[1]), -sin(y[0]) - .5 * sin(y[1]), 0};
+    memcpy(place, p, sizeof p);
+}
+
+START_TEST(a_double_pendulum_is_of_order_2) {
+    double place[6];
+    doublePendulumReference(1, place);
+    assertOrder("double pendulum", doublePendulum, 1, 1. / 128, 2, .02, place);
+    assertPartsAreSteps("double pendulum", doublePendulum, 1, 1. / 64, place);
+}
+END_TEST
+
+START_TEST(a_chain_of_springs_is_of_order_2) {
+    double y[MOST] = {1, 0, 2, 0, 3, 0, 0, 1, 0, 2, 0, 3};
+    integrate(4 * LINKS, springChainRates, 1, 20000, y);
+    assertOrder("springs", springChain, 1, 1. / 128, 2, .02, y);
+    assertPartsAreSteps("springs", springChain, 1, 1. / 64, y);
+}
+END_TEST
+
+START_TEST(free_rotation_is_of_order_4) {
+    double y[MOST] = {1, 0, 0, 0, 1, 0, 0, 0, 1, spin[0], spin[1], spin[2]};
+    integrate(12, freeRotationRates, 128, 100000, y);
+    assertOrder("rotation", freeRotation, 128, 1. / 4, 4, .1, y);
+    assertPartsAreSteps("rotation", freeRotation, 128, 1, y);
+}
+END_TEST
+
+/* A load F on a joint comes to rest ε F h²/γ away, h the whole step, in however many parts it is done. Kea is content with
+ * an error of 1e-12 of a body's size (the radius of gyration), of which a part of the step takes only `share` away. */
+START_TEST(the_sag_of_a_load_is_epsilon_force_over_gamma) {
+    const double loads[] = {10, 100}, lengths[] = {1. / 30, 1. / 60}, gammas[] = {.2, 1}, epsilons[] = {.1, 1e-4};
+    for (int k = 0; k < 64; k++) {
+        const int parts = 1 << (k & 3);
+        const double F = loads[k >> 2 & 1];
+        const MeReal h = (MeReal)lengths[k >> 3 & 1], gamma = (MeReal)gammas[k >> 4 & 1];
+        const MeReal epsilon = (MeReal)epsilons[k >> 5 & 1];
+        MdtWorldID w = scene_world(1, 1, F);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MdtBSJointID joint = MdtBSJointCreate(w);
+        double p[3];
+        MeMatrix3 inertia;
+        MdtBodyGetInertiaTensor(b, inertia);
+        const double size = sqrt((double)inertia[0][0]);
+        MdtWorldSetEpsilon(w, epsilon);
+        MdtWorldSetGamma(w, gamma);
+        MdtWorldSetSubSteps(w, parts);
+        MdtBSJointSetBodies(joint, b, 0);
+        MdtBSJointSetPosition(joint, 0, 0, 0);
+        MdtBSJointEnable(joint);
+        steps(w, 1000, h);
+        measure_position(b, p);
+        const double sag = (double)epsilon * F * (double)h * (double)h / (double)gamma;
+        const double share = 1 - pow(1 - (double)gamma, 1. / parts), allowed = 1e-6 * sag + 1e-12 * size / share;
+        ck_assert_msg(fabs(-p[1] - sag) <= allowed, "ε %g, γ %g, h 1/%g, F %g, %d parts: %.9g, not %.9g (off by %.2g)",
+                      (double)epsilon, (double)gamma, 1 / (double)h, F, parts, -p[1], sag, -p[1] / sag - 1);
+        ck_assert(p[0] == 0 && p[2] == 0);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, a_pendulum_from_level_is_of_order_2);
+    tcase_add_test(t, a_double_pendulum_is_of_order_2);
+    tcase_add_test(t, a_chain_of_springs_is_of_order_2);
+    tcase_add_test(t, free_rotation_is_of_order_4);
+    tcase_add_test(t, the_sag_of_a_load_is_epsilon_force_over_gamma);
+}
+
+TEST_MAIN("Order", tests)
