@@ -690,8 +690,9 @@ END_TEST
  * steps and 1.7 s. */
 static const double sameWay = TOL(1e-5, 1e-6);
 
-/* Skeletal measures its swing and twist at the mean of the poses, which is no rotation, by (w h)²/8, where w is how fast
- * the two turn against each other: from one side and from the other its stops turn them by that share differently. */
+/* Skeletal measures its swing and twist at the mean of the poses, which is no rotation, by (w h)²/8, where w is how
+ * fast the two turn against each other: from one side and from the other its stops turn them by that share differently.
+ */
 static double meanTurn(const Pair *s, int step, double *fastest) {
     double w[2][3];
     for (int k = 0; k < 2; k++)
