@@ -109,7 +109,8 @@ static void chooseTheta(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
         const MdtKeaRow *row = &s->rows[i];
         const MeBool holds =
-            row->contact == i ? !s->work->problem.row[i].isOff : row->position && isOneSided(row) && row->force != 0;
+            row->contact == i ? !s->work->problem.row[i].isOff : row->position && isOneSided(row) && row->force != 0 &&
+                                                     rateOf(row, s->velocity) <= 0;
         if (holds || isTooStiff(s, row))
             setTheta(s, row);
     }
@@ -174,7 +175,8 @@ MeBool kea_admitContacts(MdtKeaSystem *s) {
     MeBool admitted = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (row->position && isOneSided(row) && s->work->problem.row[i].p != 0 && thetaOf(s, row) < 1) {
+        if (row->position && isOneSided(row) && !row->bounces && s->work->problem.row[i].p != 0 &&
+            thetaOf(s, row) < 1) {
             setTheta(s, row);
             admitted = METRUE;
         }

@@ -238,7 +238,13 @@ START_TEST(forces_are_the_last_step_s_and_opposite_on_the_two_bodies) {
         }
         ck_assert_msg(size > 1, "%s did nothing", z.name[i]);
         assert_vec3_near(sum, 0, 0, 0, TOL(1e-5, 1e-12) * size);
+<<<<<<< HEAD
         assert_vec3_near(moment, 0, 0, 0, TOL(1e-5, 2e-10) * size); /* joints are met to 1e-10 of their size, 2 m */
+=======
+        /* the sides' points are apart by up to ε F h² where the joint gives way, half of it in the mean */
+        const double sag = (double)MdtWorldGetEpsilon(z.world) * size * h * h;
+        assert_vec3_near(moment, 0, 0, 0, TOL(1e-5, 1e-12) * size + sag * size);
+>>>>>>> tests3
         MdtConstraintDisable(z.constraint[i]);
     }
     MdtWorldDestroy(z.world);

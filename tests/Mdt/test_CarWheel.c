@@ -229,8 +229,8 @@ START_TEST(the_steering_motor_moves_and_stops) {
     const double speed = .5, force = .02, h = FRAME;
     MdtCarWheelSetSteeringLimitedForceMotor(c.joint, (MeReal)speed, (MeReal)force);
     /* At its speed the motor drives the angle itself: the mean rate is the one whose midpoint turn is that, and the
-     * velocity stage gives the speed. After a step at its strength a joint is taken by backward Euler: the wheel turns by
-     * the rate that it gets. */
+     * velocity stage gives the speed. After a step at its strength a joint is taken by backward Euler: the wheel turns
+     * by the rate that it gets. */
     const double driven = 2 * tan(.5 * speed * h) / h, gain = force / wheelInertia * h;
     double angle = 0, rate = 0, used = 0;
     for (int n = 1; n <= 240; n++) {

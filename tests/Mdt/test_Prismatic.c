@@ -272,8 +272,8 @@ START_TEST(a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one) {
 }
 END_TEST
 
-/* γ of the way to the lock a step, up to its force; the motor rests meanwhile. The first step starts at rest and must be
- * twice as fast at its end as in its mean: 2 m γ z / h² = 1440 N. */
+/* γ of the way to the lock a step, up to its force; the motor rests meanwhile. The first step starts at rest and must
+ * be twice as fast at its end as in its mean: 2 m γ z / h² = 1440 N. */
 START_TEST(the_lock_draws_to_its_place_and_holds) {
     Cart s = makeCart();
     MdtWorldSetGamma(s.world, (MeReal).25);

@@ -16,6 +16,7 @@ def check():
         for k, stiffness, damping in (0, strong, 0), (1, strong, 4), (2, 0.4 * strong, 4):
             depth, height = soft(drop, stiffness, damping)
             near(pressed[k], depth, 0.01, f'how far the spring {k} is pressed')
+<<<<<<< HEAD
             near(rebounds[3 + k], height, 0.01 + undamped(height, damping), f'the rebound from the spring {k}')
     low = figures(status(300, '3@1'), 'rebounds')  # the strong springs are stiffer than the threshold, so hard: 0.7
     for height in low[3:5]:
@@ -27,10 +28,24 @@ def check():
 def undamped(height, damping):
     """The step that comes to a soft stop has the spring, but no damping yet: so much speed, squared, is not lost."""
     return height * 2 * damping * STEP
+=======
+            near(rebounds[3 + k], *undamped(height, damping), f'the rebound from the spring {k}')
+    low = figures(status(300, '3@1'), 'rebounds')  # the strong springs are stiffer than the threshold, so hard: 0.7
+    for height in low[3:5]:
+        near(height, 0.49 * 2, 0.03, 'the rebound of a spring that counts as hard')
+    near(low[5], *undamped(soft(2, 80, 4)[1], 4), 'the rebound from the spring below the threshold')
+>>>>>>> tests3
 
 
 def figures(line, name):
     return [float(x) for x in re.search(re.escape(name) + r' \(m\):((?: [0-9.]+)+)', line).group(1).split()]
+
+
+def undamped(height, damping):
+    """-> the height and its tolerance, where the step that comes to the stop has no damping: for 1 kg, that is up to
+    damping x step of the speed."""
+    more = height * damping * STEP
+    return height + more, more + 0.01
 
 
 def soft(drop, k, c, h=1e-5):
