@@ -103,8 +103,8 @@ void kea_invert(double inverse[3][3], const double M[3][3]);
 
 /* Reach, theta, and what of the problem's rows stays as it is. */
 void kea_beginRows(MdtKeaSystem *s);
-/* Jacobians at these poses. */
-void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[]);
+/* Jacobians at these poses, and bounds that depend on them. */
+void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool withBounds);
 /* Keeps the rows' Jacobians while others take their place, and brings them back. */
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);

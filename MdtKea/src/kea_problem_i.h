@@ -44,9 +44,9 @@ typedef struct KeaProblemRow {
     double weight[2]; /* by body: the momentum, in its scale, that a unit of p gives */
     MeBool isForced;  /* p is `forced` times the friction bound: the direction of sliding is known */
     double forced;
-    MeBool isStubborn;  /* a joint that did not yield in the last pass */
-    MeBool isElsewhere; /* its law is checked by others (kea_problemResidual) */
-    MeBool isOff;       /* takes no part: p stays what it is */
+    MeBool resists, isStubborn; /* a joint that did not yield in the last pass, in the last two */
+    MeBool isElsewhere;         /* its law is checked by others (kea_problemResidual) */
+    MeBool isOff;               /* takes no part: p stays what it is */
     KeaRowState state;
 } KeaProblemRow;
 

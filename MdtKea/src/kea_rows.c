@@ -50,8 +50,8 @@ static MeBool isWithinReach(const MdtKeaSystem *s, const MdtKeaRow *row) {
         if (row->body[k] >= 0)
             size = keaMax(size, s->work->body[row->body[k]].size);
     const double speed = keaMin(rateOf(row, s->velocity), rateOf(row, s->predicted));
-    return row->force != 0 || row->lower < 0 || row->error < nearby * size ||
-           row->error + 1.5 * s->parameters.stepsize * speed < 0;
+    const double h = s->parameters.stepsize, gap = row->error + h * keaMax(speed, 0); /* at best, if it is being left */
+    return row->lower < 0 || gap < nearby * size || row->error + 1.5 * h * speed < 0;
 }
 
 static void setTheta(MdtKeaSystem *s, const MdtKeaRow *row) {
@@ -108,9 +108,9 @@ static void chooseTheta(MdtKeaSystem *s) {
         s->work->body[i].theta = 0.5;
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const MeBool holds =
-            row->contact == i ? !s->work->problem.row[i].isOff : row->position && isOneSided(row) && row->force != 0 &&
-                                                     rateOf(row, s->velocity) <= 0;
+        const MeBool holds = row->contact == i
+                                 ? !s->work->problem.row[i].isOff
+                                 : row->position && isOneSided(row) && row->force != 0 && rateOf(row, s->velocity) <= 0;
         if (holds || isTooStiff(s, row))
             setTheta(s, row);
     }
@@ -119,9 +119,12 @@ static void chooseTheta(MdtKeaSystem *s) {
 
 /* ---- begin ---- */
 
-static void copyRow(KeaProblemRow *p, const MdtKeaRow *row, double h) {
+static void copyBounds(KeaProblemRow *p, const MdtKeaRow *row, double h) {
     p->lower = h * row->lower;
     p->upper = h * row->upper;
+}
+
+static void copyJacobian(KeaProblemRow *p, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++) {
         keaCopy(p->J[k], row->J[k].lin);
         keaCopy(p->J[k] + 3, row->J[k].ang);
@@ -157,11 +160,12 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->normal = row->normal;
         p->partner = row->partner;
         p->friction = row->friction;
-        copyRow(p, row, h);
+        copyBounds(p, row, h);
+        copyJacobian(p, row);
         p->isOff = isIdle(s, row);
         p->p = p->p0 = p->isOff || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
-        p->isStubborn = MEFALSE;
+        p->isStubborn = p->resists = MEFALSE;
         p->isElsewhere = row->position;
         p->isForced = row->isForced;
         p->forced = row->forced;
@@ -196,11 +200,13 @@ MeBool kea_admitContacts(MdtKeaSystem *s) {
 
 /* ---- every pass ---- */
 
-void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[]) {
+void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool withBounds) {
     if (s->jacobians)
         s->jacobians(s->context, poses);
     for (int i = 0; i < s->numRows; i++)
-        copyRow(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
+        copyJacobian(&s->work->problem.row[i], &s->rows[i]);
+    for (int i = 0; withBounds && i < s->numRows; i++)
+        copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
 }
 
 void kea_keepRows(MdtKeaSystem *s) {
@@ -351,8 +357,10 @@ void kea_noteStubborn(MdtKeaSystem *s, double tolerance) {
         KeaProblemRow *p = &s->work->problem.row[i];
         const double asked = p->r - p->E * p->p0;
         const MeBool asks = s->parameters.stepsize * fabs(asked) > tolerance * sizeOfRow(s, &s->rows[i]);
-        p->isStubborn = asks && s->rows[i].position && !isOneSided(&s->rows[i]) &&
-                        fabs(asked - p->Jd) > 0.5 * fabs(asked);
+        const MeBool resists =
+            asks && s->rows[i].position && !isOneSided(&s->rows[i]) && fabs(asked - p->Jd) > 0.5 * fabs(asked);
+        p->isStubborn = resists && p->resists;
+        p->resists = resists;
     }
 }
 

@@ -39,7 +39,7 @@ static double speedOf(const MdtKeaSystem *s) {
 
 static void linearize(MdtKeaSystem *s) {
     kea_moveBodies(s);
-    kea_refreshRows(s, s->work->meanPose);
+    kea_refreshRows(s, s->work->meanPose, METRUE);
     if (s->errors)
         s->errors(s->context, s->work->endPose, s->work->errors);
     kea_linearizeBodies(s);

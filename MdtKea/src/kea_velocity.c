@@ -89,7 +89,7 @@ static void setLoads(MdtKeaSystem *s) {
 
 static void setProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    kea_refreshRows(s, s->work->endPose);
+    kea_refreshRows(s, s->work->endPose, MEFALSE); /* the impulse is one of the whole step */
     for (int i = 0; i < s->numBodies; i++)
         setMetric(s, i);
     kea_problemMeasure(q);

@@ -22,11 +22,11 @@ enum { ANGLE, REST, TORQUE, OVERSHOOT, GAP, GAP_AFTER, GAIN, BOUNDS };
 static const Bound bounds[BOUNDS] = {
     [ANGLE] = {"angle against 45 degrees, at rest, rad", 1e-6, 1e-9},
     [REST] = {"speed at rest, rad/s", 2e-8, 2e-8},
-    [TORQUE] = {"a torque at rest, relative", 1e-6, 1e-9},
+    [TORQUE] = {"a torque at rest, relative", 1e-6, 5e-8},
     [OVERSHOOT] = {"angle beyond the stop at any time, rad", 1e-6, 1e-8},
     [GAP] = {"gap of the hinge before the cube, m", 1e-6, 1e-9},
     [GAP_AFTER] = {"gap of the hinge from then on, m", 1e-4, 1e-4},
-    [GAIN] = {"energy that nothing has brought, J", 1e-3, 1e-9},
+    [GAIN] = {"energy that nothing has brought, J", 1e-3, 1e-8},
 };
 
 typedef struct Arm {
