@@ -21,7 +21,7 @@ typedef struct Bound {
 enum { ANGLE, REST, TORQUE, OVERSHOOT, GAP, GAP_AFTER, GAIN, BOUNDS };
 static const Bound bounds[BOUNDS] = {
     [ANGLE] = {"angle against 45 degrees, at rest, rad", 1e-6, 1e-9},
-    [REST] = {"speed at rest, rad/s", 2e-8, 2e-8},
+    [REST] = {"speed at rest, rad/s", 1e-7, 1e-7},
     [TORQUE] = {"a torque at rest, relative", 1e-6, 5e-8},
     [OVERSHOOT] = {"angle beyond the stop at any time, rad", 1e-6, 1e-8},
     [GAP] = {"gap of the hinge before the cube, m", 1e-6, 1e-9},
