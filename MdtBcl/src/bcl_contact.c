@@ -16,6 +16,13 @@
 
 enum { PRIMARY = 1, SECONDARY = 2 };
 
+/* Of what programs say of a contact. */
+#ifdef _ME_API_DOUBLE
+static const double rounding = 1e-12;
+#else
+static const double rounding = 1e-6;
+#endif
+
 void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params) {
     memset(params, 0, sizeof *params);
     params->type = MdtContactTypeFrictionZero;
@@ -48,7 +55,8 @@ static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, con
 static double radiusOf(const MdtBclContact *contact, const MdtBclContext *x, int k, const double arm[3]) {
     double across[3];
     keaCross(across, arm, contact->normal);
-    if (contact->radius[k] > 0 || x->body[k] == MdtBclNO_BODY || keaLength(across) > 1e-6 * keaLength(arm))
+    const double aside = rounding * (keaLength(arm) + keaLength(contact->point));
+    if (contact->radius[k] > 0 || x->body[k] == MdtBclNO_BODY || keaLength(across) > aside)
         return contact->radius[k];
     return keaLength(arm);
 }

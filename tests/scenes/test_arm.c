@@ -22,7 +22,7 @@ enum { ANGLE, REST, TORQUE, OVERSHOOT, GAP, GAP_AFTER, GAIN, BOUNDS };
 static const Bound bounds[BOUNDS] = {
     [ANGLE] = {"angle against 45 degrees, at rest, rad", 1e-6, 1e-9},
     [REST] = {"speed at rest, rad/s", 1e-7, 1e-7},
-    [TORQUE] = {"a torque at rest, relative", 1e-6, 5e-8},
+    [TORQUE] = {"a torque at rest, relative", 1e-6, 5e-7},
     [OVERSHOOT] = {"angle beyond the stop at any time, rad", 1e-6, 1e-8},
     [GAP] = {"gap of the hinge before the cube, m", 1e-6, 1e-9},
     [GAP_AFTER] = {"gap of the hinge from then on, m", 1e-4, 1e-4},
