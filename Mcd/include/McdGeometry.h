@@ -1,0 +1,63 @@
+/** @file McdGeometry.h
+ *  What all geometries have (User Guide ch. 4, "Explanation of Model, Geometry, and Body").
+ *
+ *  A geometry is a shape without a place. Models and aggregates share it and count as references; it is destroyed after
+ *  them. A change of its size counts from the next update of its models on.
+ */
+#ifndef MCDGEOMETRY_H
+#define MCDGEOMETRY_H
+
+#include "McdGeometryTypes.h"
+
+ME_BEGIN_C
+
+/** Destroys a geometry. One that models or aggregates still use gets a warning and stays. Null does nothing. */
+MEPUBLIC void MEAPI McdGeometryDestroy(McdGeometryID g);
+/** Is it a live geometry of a registered type? */
+MEPUBLIC MeBool MEAPI McdGeometryIsValid(McdGeometryID g);
+/** A statement: warns if it is not. */
+#define MCDGEOMETRY_CHECK_ISVALID(g) ((void)(McdGeometryIsValid(g) || (MeWarning(0, "%s is no geometry", #g), 0)))
+
+/** The type's number. -1 for what is no geometry. */
+MEPUBLIC int MEAPI McdGeometryGetType(const McdGeometryID g);
+/** The same. */
+MEPUBLIC int MEAPI McdGeometryGetTypeId(const McdGeometryID g);
+/** The type's name. */
+MEPUBLIC char *MEAPI McdGeometryGetTypeName(const McdGeometryID g);
+/** The framework it belongs to. */
+MEPUBLIC McdFrameworkID MEAPI McdGeometryGetFramework(const McdGeometryID g);
+/** How a line segment meets models of it, or null. */
+MEPUBLIC McdLineSegIntersectFnPtr MEAPI McdGeometryGetLineSegIntersectFnPtr(McdGeometryID g);
+
+/** The box along the world's axes around the geometry at @a tm. */
+MEPUBLIC void MEAPI McdGeometryGetAABB(McdGeometryID g, const MeMatrix4 tm, MeVector3 minCorner, MeVector3 maxCorner);
+/** A sphere around the geometry, in its own frame. */
+MEPUBLIC void MEAPI McdGeometryGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius);
+/** The point of the geometry at @a tm that is farthest in the world direction @a inDir. */
+MEPUBLIC void MEAPI McdGeometryMaximumPoint(McdGeometryID g, const MeMatrix4 tm, MeReal *const inDir,
+                                            MeReal *const outPoint);
+/**
+ * The mass properties for unit density: relativeTransform gets the centre of mass (and axes, the geometry's own), in
+ * the geometry's frame; inertiaMatrix the inertia about that centre along those axes (m^5); volume (m^3) is the mass.
+ * Returns 0 for geometries without: planes, triangle lists, height fields, null.
+ */
+MEPUBLIC MeI16 MEAPI McdGeometryGetMassProperties(McdGeometryID g, MeMatrix4 relativeTransform, MeMatrix3 inertiaMatrix,
+                                                  MeReal *volume);
+/** Draws the geometry at @a tm by MeDebugDrawAPI. */
+MEPUBLIC void MEAPI McdGeometryDebugDraw(const McdGeometryID g, const MeMatrix4Ptr tm, const MeReal colour[3]);
+
+/** @name For geometry types of a program
+ *  @{ */
+/** Makes the head of a geometry that begins at @a g, of a registered type. */
+MEPUBLIC void MEAPI McdGeometryInit(McdGeometryID g, McdFramework *frame, MeI16 typeId);
+/** Undoes that. */
+MEPUBLIC void MEAPI McdGeometryDeinit(McdGeometryID g);
+MEPUBLIC int MEAPI McdGeometryGetReferenceCount(const McdGeometryID g);
+MEPUBLIC void MEAPI McdGeometrySetReferenceCount(McdGeometryID g, int refCount);
+MEPUBLIC void MEAPI McdGeometryIncrementReferenceCount(McdGeometryID g);
+MEPUBLIC void MEAPI McdGeometryDecrementReferenceCount(McdGeometryID g);
+/** @} */
+
+ME_END_C
+
+#endif

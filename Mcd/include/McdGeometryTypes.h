@@ -1,0 +1,84 @@
+/** @file McdGeometryTypes.h
+ *  The built-in geometry types, and the triangles that programs hand over (User Guide ch. 4, "Geometrical Types and
+ *  Their Interactions").
+ */
+#ifndef MCDGEOMETRYTYPES_H
+#define MCDGEOMETRYTYPES_H
+
+#include "McdCTypes.h"
+
+ME_BEGIN_C
+
+/** The built-in types. The first numbers are Karma's; the types of a program follow kMcdGeometryBuiltInTypes. */
+enum {
+    kMcdGeometryTypeNull = 0,
+    kMcdGeometryTypeSphere = 1,
+    kMcdGeometryTypeBox = 2,
+    kMcdGeometryTypePlane = 3,
+    kMcdGeometryTypeCylinder = 4,
+    kMcdGeometryTypeSphyl = 5,
+    kMcdGeometryTypeTriangleList = 6,
+    kMcdGeometryTypeConvexMesh = 7,
+    kMcdGeometryTypeAggregate = 8,
+    kMcdGeometryBuiltInTypes = 9 /**< The types of Karma 1.2; those after it are additions. */
+};
+enum {
+    kMcdGeometryTypeCone = 9,
+    kMcdGeometryTypeRGHeightField = 10,
+    kMcdGeometryFirstUserType = 16 /**< A program's own types are numbered from here. */
+};
+
+typedef McdGeometryID McdNullID;
+typedef McdGeometryID McdSphereID;
+typedef McdGeometryID McdBoxID;
+typedef McdGeometryID McdPlaneID;
+typedef McdGeometryID McdCylinderID;
+typedef McdGeometryID McdSphylID;
+typedef McdGeometryID McdConeID;
+typedef McdGeometryID McdConvexMeshID;
+typedef McdGeometryID McdTriangleListID;
+typedef McdGeometryID McdRGHeightFieldID;
+typedef McdGeometryID McdAggregateID;
+
+typedef struct McdNull McdNull;
+typedef struct McdSphere McdSphere;
+typedef struct McdBox McdBox;
+typedef struct McdPlane McdPlane;
+typedef struct McdCylinder McdCylinder;
+typedef struct McdSphyl McdSphyl;
+typedef struct McdCone McdCone;
+typedef struct McdConvexMesh McdConvexMesh;
+typedef struct McdTriangleList McdTriangleList;
+typedef struct McdRGHeightField McdRGHeightField;
+typedef struct McdAggregate McdAggregate;
+
+/** How contacts with a triangle are made (User Guide ch. 4, "Triangle List"). */
+typedef enum McdTriangleFlags {
+    kMcdTriangleUseSmallestPenetration = 1, /**< The normal is the shortest way out; else the triangle's. */
+    kMcdTriangleTwoSided = 2,               /**< Both sides are outside; else the normal is turned to the given one. */
+    kMcdTriangleUseEdge0 = 4,               /**< The edge from vertex 0 to 1 is sharp: contacts may be made there. */
+    kMcdTriangleUseEdge1 = 8,               /**< The edge from vertex 1 to 2. */
+    kMcdTriangleUseEdge2 = 16,              /**< The edge from vertex 2 to 0. */
+    kMcdTriangleUseEdges = 28,              /**< All edges. */
+    kMcdTriangleStandard = 31               /**< All of these. */
+} McdTriangleFlags;
+
+/** A triangle as a triangle list's callback gives it. All in the list's own frame. */
+typedef struct _McdUserTriangle McdUserTriangle;
+struct _McdUserTriangle {
+    MeVector3 *vertices[3]; /**< Corners; must stay until the intersection is done. */
+    MeVector3 *normal;      /**< Outward, length 1. Null: from the corners, by the right-hand rule. */
+    McdTriangleFlags flags; /**< A sum of McdTriangleFlags. */
+    void *triangleData;     /**< The program's. */
+};
+
+/**
+ * Writes at most maxTriangles triangles that are within radius of pos (in the list's frame) and returns how many.
+ * The pair's second model, or its first, has the triangle list.
+ */
+typedef int(MEAPI *McdTriangleListFnPtr)(McdModelPair *modelTriListPair, McdUserTriangle *triangle, MeVector3 pos,
+                                         MeReal radius, int maxTriangles);
+
+ME_END_C
+
+#endif

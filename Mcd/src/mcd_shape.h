@@ -1,0 +1,86 @@
+/* Inside Mcd: convex shapes at a place, in double, as the nearfield sees them.
+ *
+ * A shape is a core and a rounding: all points within `rounding` of the core. A sphere's core is a point, a sphyl's a
+ * segment, a fat convex mesh's the mesh; all others have rounding 0. Coordinates are the world's axes with the origin
+ * moved near the pair (mcd_pairOrigin), so that nothing is lost far from the world's origin.
+ *
+ * Normals point from the second shape (b) to the first (a): the way in which a is pushed.
+ */
+#ifndef MCD_SHAPE_H
+#define MCD_SHAPE_H
+
+#include "mcd_i.h"
+
+/* A convex polyhedron in its own frame, made by mcd_hullCreate. Faces are convex polygons, counter-clockwise from
+ * outside, coplanar triangles merged. */
+typedef struct McdHullFace {
+    double normal[3]; /* outward, length 1 */
+    double offset;    /* normal . x = offset on the face */
+    int first, count; /* its corners: faceVertex[first .. first + count - 1] */
+} McdHullFace;
+
+typedef struct McdHull {
+    int vertexCount, faceCount, edgeCount;
+    double (*vertex)[3];
+    McdHullFace *face;
+    int *faceVertex;
+    int (*edge)[2];      /* vertices; each edge once */
+    int (*edgeFace)[2];  /* the faces left and right of edge[0] -> edge[1], seen from outside */
+    int *neighbourFirst; /* vertexCount + 1 indices into neighbour: the vertices joined to a vertex by edges */
+    int *neighbour;
+    double centre[3], extent; /* the mean of the vertices; the largest distance of a vertex from it */
+} McdHull;
+
+enum { MCD_SHAPE_TRIANGLE = -2 }; /* the type of a triangle, which is no geometry of its own */
+
+typedef struct McdShape {
+    int type;          /* kMcdGeometryType..., or MCD_SHAPE_TRIANGLE */
+    double axis[3][3]; /* rows: its own axes */
+    double place[3];   /* its own origin */
+    double size[3];    /* box: half sizes. cylinder: radius, -, half height. sphyl: -, -, half height of the core.
+                           cone: lower radius, -, length; its core lies between z = -length/4 and 3/4 length,
+                           the tip above, so that the centre of mass is at the origin */
+    double rounding;   /* see above */
+    const McdHull *hull;
+    double corner[3][3]; /* triangle: its corners, in the coordinates of the query */
+    double extent;       /* no point is farther than this from `place`: tolerances are relative to it */
+} McdShape;
+
+/* What pairs share as their coordinates' origin: the middle of the overlap of their boxes. */
+void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3]);
+/* The convex shape of an instance; false for geometries that are none (plane, lists, aggregates, null). */
+MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape);
+/* The same, at another transform than the instance's present one. */
+MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape);
+void mcd_triangleShape(const double corners[3][3], McdShape *shape);
+
+/* The point of the core farthest in a direction of any length. */
+void mcd_coreSupport(const McdShape *s, const double direction[3], double point[3]);
+/* The same with the rounding; direction has length 1. */
+void mcd_support(const McdShape *s, const double direction[3], double point[3]);
+
+/* ---- manifolds ------------------------------------------------------------------------------------------------ */
+
+enum { MCD_MANIFOLD_POINTS = 4 };
+
+typedef struct McdManifoldPoint {
+    double position[3]; /* half-way between both surfaces */
+    double separation;  /* along the normal; negative: penetration */
+    MeU32 feature;      /* which features touch: a pure function of the shapes' topology */
+} McdManifoldPoint;
+
+struct McdManifold {
+    double normal[3]; /* from b to a, length 1 */
+    int count;
+    McdManifoldPoint point[MCD_MANIFOLD_POINTS];
+};
+
+/* Contacts of two convex shapes whose gap is at most margin. Returns the count; 0 if they are farther apart. Every
+ * pair of types is served, through the grid in mcd_grid.c. */
+int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdManifold *m);
+/* Contacts with the half-space below the plane normal . x = offset: b is the half-space. */
+int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m);
+/* The signed distance of two convex shapes (negative: depth), the nearest points on both surfaces, and the normal. */
+double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]);
+
+#endif
