@@ -37,9 +37,9 @@ typedef struct McdShape {
     int type;          /* kMcdGeometryType..., or MCD_SHAPE_TRIANGLE */
     double axis[3][3]; /* rows: its own axes */
     double place[3];   /* its own origin */
-    double size[3];    /* box: half sizes. cylinder: radius, -, half height. sphyl: -, -, half height of the core.
-                           cone: lower radius, -, length; its core lies between z = -length/4 and 3/4 length,
-                           the tip above, so that the centre of mass is at the origin */
+    double size[3];    /* box: half sizes. cylinder: radius, radius, half height. sphyl: -, -, half height of the core.
+                            cone: lower radius, upper radius, length; it lies between z = -low and length - low */
+    double low;        /* cone: how far its base is below its origin */
     double rounding;   /* see above */
     const McdHull *hull;
     double corner[3][3]; /* triangle: its corners, in the coordinates of the query */

@@ -1,0 +1,71 @@
+/* Inside Mcd: what the built-in geometries are made of. */
+#ifndef MCD_GEOMETRIES_H
+#define MCD_GEOMETRIES_H
+
+#include "mcd_shape.h"
+
+struct McdNull {
+    McdGeometry head;
+};
+
+struct McdSphere {
+    McdGeometry head;
+    MeReal radius;
+};
+
+struct McdBox {
+    McdGeometry head;
+    MeVector3 radii; /* half of its size along each axis */
+};
+
+struct McdPlane { /* z = 0 of its frame; below it is inside */
+    McdGeometry head;
+};
+
+struct McdCylinder { /* about z, its middle at the origin */
+    McdGeometry head;
+    MeReal radius, halfHeight;
+};
+
+struct McdSphyl { /* a cylinder about z between two half balls */
+    McdGeometry head;
+    MeReal radius, halfHeight; /* of the cylinder, without the balls */
+};
+
+struct McdCone { /* about z, maybe cut off at the top; its centre of mass at the origin */
+    McdGeometry head;
+    MeReal length, lowerRadius, upperRadius;
+    MeReal lowerHeight; /* from the base up to the centre of mass */
+};
+
+struct McdConvexMesh {
+    McdGeometry head;
+    McdHull *hull;
+    MeReal fatness; /* all points within it of the hull belong to the shape */
+};
+
+struct McdTriangleList {
+    McdGeometry head;
+    MeVector3 min, max;
+    int maxTriangles;
+    McdTriangleListFnPtr generate;
+    void *userData;
+};
+
+typedef struct McdAggregateElement {
+    McdGeometryID geometry;
+    MeMatrix4Ptr relTM; /* the program's */
+} McdAggregateElement;
+
+struct McdAggregate {
+    McdGeometry head;
+    int count, max;
+    McdAggregateElement *element;
+};
+
+/* Qhull's hull of some points, in their own coordinates; null, with a warning that names the function, for points that
+ * span no volume (flat, collinear, fewer than four, NaN). */
+McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *function);
+void mcd_hullDestroy(McdHull *hull);
+
+#endif
