@@ -47,7 +47,7 @@ typedef MeI16 McdGeometryType;
 struct _McdGeometry {
     MeU32 magic;           /**< Says that this is a live geometry. Written by McdGeometryInit and McdGeometryDeinit. */
     McdGeometryType type;  /**< Read it by McdGeometryGetType. */
-    int referenceCount;    /**< How many models and aggregates use it. */
+    int referenceCount;    /**< How many instances (of models) and aggregates' elements use it. */
     McdFramework *frame;   /**< What it belongs to. */
     McdGeometry *previous; /**< The framework's list of geometries. */
     McdGeometry *next;
@@ -60,8 +60,7 @@ struct _McdModel {
 
 /** What one pair of models is asked for, see McdFrameworkSetDefaultRequestPtr and McdModelPairSetRequestPtr. */
 struct _McdRequest {
-    int contactMaxCount;  /**< At most so many contacts per pair, 1 or more; default 20. */
-    int faceNormalsFirst; /**< When contacts are left out, those on faces stay first; default 1. */
+    int contactMaxCount; /**< At most so many contacts per pair, 1 or more; default 20. */
 };
 
 /** Where a pair is in its life (User Guide ch. 4, "Testing for Collisions"). */
