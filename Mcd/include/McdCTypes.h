@@ -145,7 +145,7 @@ struct _McdLineSegIntersectResult {
     MeReal distance;    /**< From the first end of the segment. */
 };
 
-/** The nearest points of two models, see McdModelPairGetDistance. */
+/** The nearest points of two models, see McdDistance. */
 struct McdDistanceResult {
     MeReal distance;     /**< Between the surfaces; negative where they penetrate, and then the depth. */
     MeVector3 position1; /**< The point on the first model, world frame. */
