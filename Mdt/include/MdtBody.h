@@ -159,6 +159,9 @@ MEPUBLIC void MEAPI MdtBodySetNoFastSpinAxis(const MdtBodyID b);
 MEPUBLIC MdtWorldID MEAPI MdtBodyGetWorld(const MdtBodyID b);
 MEPUBLIC void MEAPI MdtBodySetUserData(const MdtBodyID b, void *d);
 MEPUBLIC void *MEAPI MdtBodyGetUserData(const MdtBodyID b);
+/** What stands for the body in collision: the Simulation Toolkit's, see McdModelSetBody. Default null. */
+MEPUBLIC void MEAPI MdtBodySetModel(const MdtBodyID b, void *model);
+MEPUBLIC void *MEAPI MdtBodyGetModel(const MdtBodyID b);
 /** Bodies are simulated in the order of their keys (0 .. 2^31-1), those of equal keys in the order of creation
  *  (Dynamics guide ch. 4, "Sort Keys"). Default 0. A negative key gets a warning. */
 MEPUBLIC void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key);

@@ -63,6 +63,9 @@ MEPUBLIC MeReal MEAPI MdtContactGetPenetration(const MdtContactID c);
  */
 MEPUBLIC void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius);
 MEPUBLIC MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyindex);
+/** A number by which the maker of contacts knows this one again in the next step. Nothing else uses it. Default 0. */
+MEPUBLIC void MEAPI MdtContactSetFeature(const MdtContactID c, const MeU32 feature);
+MEPUBLIC MeU32 MEAPI MdtContactGetFeature(const MdtContactID c);
 /** The primary direction, at right angles to the normal (the part along the normal is taken off). Needed only where
  *  friction differs with direction; else one is chosen. The secondary direction is normal x primary. */
 MEPUBLIC void MEAPI MdtContactSetDirection(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);

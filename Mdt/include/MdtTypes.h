@@ -90,6 +90,8 @@ typedef void(MEAPI *MdtPartitionEndCB)(MdtPartitionOutput *po, void *pcbdata);
 typedef MeReal(MEAPI *MdtContactImportanceCBPtr)(const MdtContactID c);
 
 /** Called for each constraint; @a ccbdata is what the caller passed. The constraint may be destroyed. */
+/** Called when a body has been enabled, or disabled: by the program, or by the world. It must not destroy it. */
+typedef void(MEAPI *MdtBodyHandler)(const MdtBodyID b);
 typedef void(MEAPI *MdtConstraintIteratorCBPtr)(const MdtConstraintID c, void *ccbdata);
 
 ME_END_C

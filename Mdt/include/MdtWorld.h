@@ -158,6 +158,10 @@ MEPUBLIC int MEAPI MdtWorldGetSubSteps(const MdtWorldID w);
 MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies);
 MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
 
+/** Calls these when a body gets enabled and disabled, by the program, by rest or by being woken; null: nothing. The
+ *  Simulation Toolkit freezes and unfreezes collision models so (User Guide ch. 5). */
+MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
+
 /** @name The cap on the Newton iterations of a partition's solve (Karma: pivoting iterations). 0, the default, leaves it
  *  to Kea. When it stops a solve short, the forces are within their bounds, but inexact, and a warning says so.
  *  @{ */

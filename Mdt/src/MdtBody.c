@@ -194,6 +194,7 @@ MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
     w->bodies.isSorted = MEFALSE;
     copy->world = w;
     copy->attachments = NULL;
+    copy->model = NULL;
     copy->flags &= ~(MDT_ENABLED | MDT_ASLEEP);
     copy->partition = -1;
     if (b->flags & MDT_ENABLED)
@@ -217,6 +218,8 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
     b->enabledTime = 0;
     b->enabledSteps = 0;
     b->world->enabledBodies++;
+    if (b->world->bodyEnabled)
+        b->world->bodyEnabled(b);
 }
 
 void MEAPI MdtBodyDisable(const MdtBodyID b) {
@@ -229,6 +232,8 @@ void MEAPI MdtBodyDisable(const MdtBodyID b) {
     b->enabledSteps = 0;
     b->partition = -1;
     b->world->enabledBodies--;
+    if (b->world->bodyDisabled)
+        b->world->bodyDisabled(b);
 }
 
 MeBool MEAPI MdtBodyIsEnabled(const MdtBodyID b) {

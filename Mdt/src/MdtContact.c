@@ -193,6 +193,17 @@ void MEAPI MdtContactGetRelativeVelocity(const MdtContactID c, MeVector3 v) {
         v[i] = of[0][i] - of[1][i];
 }
 
+void MEAPI MdtContactSetFeature(const MdtContactID c, const MeU32 feature) {
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    if (base)
+        base->feature = feature;
+}
+
+MeU32 MEAPI MdtContactGetFeature(const MdtContactID c) {
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    return base ? base->feature : 0;
+}
+
 /* ---- the list ---- */
 
 void MEAPI MdtContactSetNext(const MdtContactID c, const MdtContactID nc) {

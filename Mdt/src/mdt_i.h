@@ -73,7 +73,7 @@ struct MdtBody {
     MdtWorldID world;
     int flags;
     MdtAttachment *attachments; /* its constraints */
-    void *userData;
+    void *userData, *model;
 
     MdtKeaBody kea;              /* the centre of mass, in double: what counts */
     double centre[3];            /* m, of mass, in the body's frame */
@@ -127,6 +127,7 @@ struct MdtBaseConstraint {
     MdtKeaVelocity worldVelocity;
     MdtKeaForcePair force; /* in the last step */
     MdtContactID nextContact;
+    MeU32 feature; /* of a contact: its maker's */
 
     int firstRow, numRows; /* in this step */
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
@@ -222,6 +223,7 @@ struct MdtWorld {
     MdtContactImportanceCBPtr importance; /* null: depth */
     MdtConstraintID *ranking;             /* room for all contacts, to rank them */
     int *sizeLog, sizeLogLength;          /* the program's, null: none */
+    MdtBodyHandler bodyEnabled, bodyDisabled; /* null: none */
     MdtPartitionEndCB partitionCb;        /* null: the world puts partitions to rest by itself */
     void *partitionCbData;
     MdtPartitionOutput output;
