@@ -56,7 +56,9 @@ struct _McdGeometry {
 
 /** A model. The rest of it is hidden; use the functions of McdModel.h. */
 struct _McdModel {
-    void *mBody; /**< What McdModelSetBodyData stored: with the Simulation Toolkit, the MdtBodyID. Null by default. */
+    void *mBody;       /**< What McdModelSetBodyData stored: with the Simulation Toolkit, the MdtBodyID. Null by default. */
+    McdModel *mOfBody; /**< The Simulation Toolkit's: the next model of the same body. */
+    void(MEAPI *mLeave)(McdModel *); /**< The Simulation Toolkit's: called before the model is destroyed or reset. */
 };
 
 /** What one pair of models is asked for, see McdFrameworkSetDefaultRequestPtr and McdModelPairSetRequestPtr. */

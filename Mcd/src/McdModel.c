@@ -105,6 +105,12 @@ static void freeRelative(McdModelRecord *m) {
     m->ownsRelative = MEFALSE;
 }
 
+/* Tells whoever keeps models by body. */
+static void leaveBody(McdModelRecord *m) {
+    if (m->model.mLeave)
+        m->model.mLeave(&m->model);
+}
+
 void MEAPI McdModelDestroy(McdModelID cm) {
     McdModelRecord *m = cm ? mcd_modelCheck(cm, "McdModelDestroy") : 0;
     if (!m)
@@ -113,6 +119,7 @@ void MEAPI McdModelDestroy(McdModelID cm) {
         MeWarning(1, "McdModelDestroy: the model is still in a space: see McdSpaceRemoveModel");
         return;
     }
+    leaveBody(m);
     freeRelative(m);
     dropGeometry(m);
     recordToPool(m);
@@ -122,6 +129,7 @@ void MEAPI McdModelReset(McdModelID cm) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelReset");
     if (!m)
         return;
+    leaveBody(m);
     freeRelative(m);
     setDefaults(m);
     if (!m->space)

@@ -801,6 +801,16 @@ void MEAPI MdtBodySetUserData(const MdtBodyID b, void *d) {
     b->userData = d;
 }
 
+void MEAPI MdtBodySetModel(const MdtBodyID b, void *model) {
+    MDT_NEED_BODY(b, );
+    b->model = model;
+}
+
+void *MEAPI MdtBodyGetModel(const MdtBodyID b) {
+    MDT_NEED_BODY(b, NULL);
+    return b->model;
+}
+
 void *MEAPI MdtBodyGetUserData(const MdtBodyID b) {
     MDT_NEED_BODY(b, NULL);
     return b->userData;

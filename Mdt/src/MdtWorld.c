@@ -246,6 +246,12 @@ void MEAPI MdtWorldSetMinSafeTime(const MdtWorldID w, const MeReal t) {
         w->minSafeTime = t;
 }
 
+void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled) {
+    MDT_NEED_WORLD(w, );
+    w->bodyEnabled = enabled;
+    w->bodyDisabled = disabled;
+}
+
 MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
     return w->minSafeTime;

@@ -1,0 +1,15 @@
+/** @file Mst.h
+ *  All of the Simulation Toolkit, and what it joins (User Guide ch. 5, "The Bridge").
+ */
+#ifndef MST_H
+#define MST_H
+
+#include "Mcd.h"
+#include "Mdt.h"
+#include "MstBridge.h"
+#include "MstModelDynamics.h"
+#include "MstTypes.h"
+#include "MstUniverse.h"
+#include "MstUtils.h"
+
+#endif

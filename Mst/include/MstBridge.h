@@ -1,0 +1,65 @@
+/** @file MstBridge.h
+ *  The bridge: models that touch become contacts of their bodies (User Guide ch. 5, "Building a Bridge").
+ *
+ *  A material table says for each pair of materials what contacts are like, and who wants to see them. Where models
+ *  touch, a contact group joins their bodies until the models are no longer near each other; its contacts are made anew
+ *  every step, but one that touches with the same features as before stays the same object, with the force that it had.
+ */
+#ifndef MSTBRIDGE_H
+#define MSTBRIDGE_H
+
+#include "MdtContactParams.h"
+#include "MstTypes.h"
+
+ME_BEGIN_C
+
+/** Creates a bridge for at most maxMaterials materials (1 or more; 0 counts as 1 and warns), the default one included. */
+MEPUBLIC MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMaterials);
+/** Destroys a bridge; contact groups stay the world's. Null does nothing. */
+MEPUBLIC void MEAPI MstBridgeDestroy(const MstBridgeID b);
+
+/** @name Materials
+ *  All pairs are unordered: (m1, m2) is (m2, m1). An unknown material gets a warning and counts as the default one.
+ *  @{ */
+/** The material that every model has at first. */
+#define MstBridgeGetDefaultMaterial() ((MstMaterialID)0)
+/** A new material; the default one, with a warning that names maxMaterials, if there is no more room. */
+MEPUBLIC MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b);
+/** The parameters that contacts of the pair get from now on. They belong to the bridge. */
+MEPUBLIC MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b, const MstMaterialID m1,
+                                                            const MstMaterialID m2);
+/** The callbacks of a pair of materials; null: none. */
+MEPUBLIC void MEAPI MstBridgeSetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
+                                            const MstIntersectCBPtr cb);
+MEPUBLIC MstIntersectCBPtr MEAPI MstBridgeGetIntersectCB(const MstBridgeID b, const MstMaterialID m1,
+                                                         const MstMaterialID m2);
+MEPUBLIC void MEAPI MstBridgeSetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
+                                             const MstPerContactCBPtr cb);
+MEPUBLIC MstPerContactCBPtr MEAPI MstBridgeGetPerContactCB(const MstBridgeID b, const MstMaterialID m1,
+                                                           const MstMaterialID m2);
+MEPUBLIC void MEAPI MstBridgeSetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
+                                          const MstPerPairCBPtr cb);
+MEPUBLIC MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const MstMaterialID m1,
+                                                     const MstMaterialID m2);
+/** @} */
+
+/** @name Each step
+ *  Both end the space's change block and begin the next one.
+ *  @{ */
+/** Makes the contacts of all pairs of the space: transitions, then collisions, until all pairs are done. */
+MEPUBLIC void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w);
+/** Handles hello and goodbye pairs only: after models were put into the space or taken out. */
+MEPUBLIC void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w);
+/** @} */
+
+/** @name Buffers
+ *  @{ */
+/** How many collision contacts a pair may have: 1 or more; default 40. */
+MEPUBLIC void MEAPI MstBridgeSetContactBufferSize(const MstBridgeID b, const unsigned int s);
+/** How many pairs are handled at once: 8 or more; default 1000. */
+MEPUBLIC void MEAPI MstBridgeSetModelPairBufferSize(const MstBridgeID b, const unsigned int s);
+/** @} */
+
+ME_END_C
+
+#endif

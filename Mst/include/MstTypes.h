@@ -1,0 +1,65 @@
+/** @file MstTypes.h
+ *  The types of the Simulation Toolkit (User Guide ch. 5, "Creating a Universe").
+ */
+#ifndef MSTTYPES_H
+#define MSTTYPES_H
+
+#include "McdCTypes.h"
+#include "MdtTypes.h"
+
+ME_BEGIN_C
+
+typedef unsigned int MstMaterialID; /**< Of a model: 0 is the default material. */
+typedef struct MstBridge MstBridge;
+typedef MstBridge *MstBridgeID;
+typedef struct MstUniverse MstUniverse;
+typedef MstUniverse *MstUniverseID;
+
+/** Sees the collision contacts of a pair, and may change them or take some away (contactCount). */
+typedef void(MEAPI *MstIntersectCBPtr)(McdIntersectResult *result);
+/** Sees each collision contact and the dynamics contact made of it; 0 deletes the latter. */
+typedef MeBool(MEAPI *MstPerContactCBPtr)(McdIntersectResult *result, McdContact *colC, MdtContactID dynC);
+/** Sees all dynamics contacts of a pair; 0 deletes them. */
+typedef MeBool(MEAPI *MstPerPairCBPtr)(McdIntersectResult *result, MdtContactGroupID c);
+
+/** What holds where models of two materials touch. */
+typedef struct MstMaterialPair {
+    MdtBclContactParams params;    /**< Copied into each contact. */
+    MstIntersectCBPtr intersectCb; /**< Null: none. */
+    MstPerContactCBPtr perContactCb;
+    MstPerPairCBPtr perPairCb;
+} MstMaterialPair;
+
+/** The bridge. The rest of it is hidden; use the functions of MstBridge.h. */
+struct MstBridge {
+    McdModelPairContainer *pairs; /**< Where pairs are while they are handled. */
+};
+
+/** How much there may be in a universe. */
+typedef struct MstUniverseSizes {
+    unsigned int dynamicBodiesMaxCount;              /**< Bodies. */
+    unsigned int dynamicConstraintsMaxCount;         /**< Joints, contact groups and contacts together. */
+    unsigned int collisionUserGeometryTypesMaxCount; /**< The program's own geometry types. */
+    unsigned int collisionModelsMaxCount;            /**< Models. */
+    unsigned int collisionPairsMaxCount;             /**< Pairs of models near each other at a time. */
+    unsigned int collisionGeometryInstancesMaxCount; /**< Children of all aggregate models together. */
+    unsigned int materialsMaxCount;                  /**< Materials, the default one included: at least 1. */
+    MeReal lengthScale;                              /**< m, of a medium-sized object. */
+    MeReal massScale;                                /**< kg, the same. */
+} MstUniverseSizes;
+
+/** 100 bodies, 500 constraints, 0 types, 100 models, 500 pairs, 100 instances, 10 materials, scales of 1. */
+extern MEPUBLIC const MstUniverseSizes MstUniverseDefaultSizes;
+
+/** A universe: collision and dynamics with what joins them. */
+struct MstUniverse {
+    MdtWorldID world;       /**< Dynamics. */
+    McdFrameworkID frame;   /**< Geometry types, geometries and models. */
+    McdSpaceID space;       /**< The farfield. */
+    MstBridgeID bridge;     /**< What makes contacts of touching pairs. */
+    MstUniverseSizes sizes; /**< As given to MstUniverseCreate. */
+};
+
+ME_END_C
+
+#endif
