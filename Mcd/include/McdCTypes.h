@@ -35,6 +35,7 @@ typedef McdContact *McdContactID;
 typedef struct _McdRequest McdRequest;
 typedef McdRequest *McdRequestID;
 typedef struct _McdIntersectResult McdIntersectResult;
+typedef McdIntersectResult McdInteractionResult; /**< As a sample of the guide calls it. */
 typedef struct _McdSafeTimeResult McdSafeTimeResult;
 typedef struct _McdLineSegIntersectResult McdLineSegIntersectResult;
 typedef struct McdDistanceResult McdDistanceResult;
@@ -47,7 +48,7 @@ typedef MeI16 McdGeometryType;
 struct _McdGeometry {
     MeU32 magic;           /**< Says that this is a live geometry. Written by McdGeometryInit and McdGeometryDeinit. */
     McdGeometryType type;  /**< Read it by McdGeometryGetType. */
-    int referenceCount;    /**< How many models and aggregates use it. */
+    int referenceCount;    /**< How many instances (of models) and aggregates' elements use it. */
     McdFramework *frame;   /**< What it belongs to. */
     McdGeometry *previous; /**< The framework's list of geometries. */
     McdGeometry *next;
@@ -60,8 +61,7 @@ struct _McdModel {
 
 /** What one pair of models is asked for, see McdFrameworkSetDefaultRequestPtr and McdModelPairSetRequestPtr. */
 struct _McdRequest {
-    int contactMaxCount;  /**< At most so many contacts per pair, 1 or more; default 20. */
-    int faceNormalsFirst; /**< When contacts are left out, those on faces stay first; default 1. */
+    int contactMaxCount; /**< At most so many contacts per pair, 1 or more; default 20. */
 };
 
 /** Where a pair is in its life (User Guide ch. 4, "Testing for Collisions"). */
@@ -146,7 +146,7 @@ struct _McdLineSegIntersectResult {
     MeReal distance;    /**< From the first end of the segment. */
 };
 
-/** The nearest points of two models, see McdModelPairGetDistance. */
+/** The nearest points of two models, see McdDistance. */
 struct McdDistanceResult {
     MeReal distance;     /**< Between the surfaces; negative where they penetrate, and then the depth. */
     MeVector3 position1; /**< The point on the first model, world frame. */

@@ -57,6 +57,11 @@ MEPUBLIC MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPai
  */
 MEPUBLIC MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result);
 /**
+ * How far apart the models are, and their nearest points. Returns 1 for models made of convex parts and planes; 0, with
+ * a result of zeros, for triangle lists, height fields and null. Needs no interaction and no McdHello. Beyond Karma.
+ */
+MEPUBLIC MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result);
+/**
  * Intersects the segment from inOrig to inDest (world) with a model. Returns 1 and fills the result for the first point
  * where the segment enters the model, else 0. If inOrig is inside: distance 0, position inOrig, normal undefined.
  */

@@ -21,6 +21,11 @@
 
 enum { MCD_GEOMETRY = 0x4d47454f, MCD_MODEL = 0x4d4d4f44, MCD_FRAMEWORK = 0x4d465257, MCD_SPACE = 0x4d535043 };
 
+/* A transform for functions that only read it: before C23, C does not convert the pointer by itself. */
+static inline const MeVector4 *mcd_const(MeMatrix4Ptr tm) {
+    return (const MeVector4 *)tm;
+}
+
 /* ---- instances ----------------------------------------------------------------------------------------------- */
 
 struct _McdGeometryInstance {
@@ -44,6 +49,11 @@ static inline MeMatrix4Ptr mcd_instanceTM(McdGeometryInstanceID ins) {
 MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins); /* false when the pool is empty */
 void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins);
 void mcd_instancePlaceChildren(McdGeometryInstance *ins); /* from its own transform, all the way down */
+
+/* The material that counts: its own or an ancestor's. */
+unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins);
+/* Is it an instance of a live model? Warns if not. */
+MeBool mcd_instanceCheck(const McdGeometryInstance *ins, const char *function);
 
 /* ---- models -------------------------------------------------------------------------------------------------- */
 
@@ -76,6 +86,10 @@ static inline McdModelRecord *mcd_record(McdModelID cm) {
 McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function);
 /* Does a come before b: by sort key, then creation? */
 MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b);
+/* Renews children and boxes from the present transform, without the program's callback. */
+void mcd_modelRefresh(McdModelRecord *m);
+/* Has it a transform of finite numbers? */
+MeBool mcd_modelIsPlaced(const McdModelRecord *m);
 /* Writes where the model will be after time: its transform moved by its velocities (exact screw-free rotation). */
 void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm);
 /* Takes a model out of whatever space it is in, at once; McdFrameworkDestroyAllModelsAndGeometries needs it. The space
@@ -111,7 +125,8 @@ struct _McdFramework {
     McdGridCell *grid; /* typeCount x typeCount */
     int modelMax, modelCount, instanceMax, instanceCount, geometryCount;
     McdModelRecord *models; /* the pool */
-    McdModelRecord *firstModel, *lastModel, *freeModel;
+    McdModelRecord *firstModel, *lastModel;
+    McdModelRecord *firstFree, *lastFree; /* freed ones are reused last, so that stale handles are noticed */
     McdGeometryInstance *instances, *freeInstance;
     McdGeometry *firstGeometry, *lastGeometry;
     unsigned long serial;

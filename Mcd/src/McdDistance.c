@@ -1,0 +1,96 @@
+/* How far apart two models are: the least over the pairs of their convex parts. */
+#include "mcd_shape.h"
+#include <string.h>
+
+/* A nearest pair so far. */
+typedef struct Nearest {
+    double distance, onA[3], onB[3], normal[3];
+    MeBool isFound;
+} Nearest;
+
+static void take(Nearest *nearest, double distance, const double onA[3], const double onB[3], const double normal[3]) {
+    if (nearest->isFound && distance >= nearest->distance)
+        return;
+    nearest->isFound = METRUE;
+    nearest->distance = distance;
+    memcpy(nearest->onA, onA, sizeof nearest->onA);
+    memcpy(nearest->onB, onB, sizeof nearest->onB);
+    memcpy(nearest->normal, normal, sizeof nearest->normal);
+}
+
+/* A convex shape above a plane's half-space. */
+static void measurePlane(const McdShape *a, McdGeometryInstance *plane, const double origin[3], MeBool isTurned,
+                         Nearest *nearest) {
+    const MeMatrix4Ptr tm = mcd_instanceTM(plane);
+    double n[3], back[3], onA[3], onB[3], distance = 0;
+    for (int i = 0; i < 3; i++) {
+        n[i] = (double)tm[2][i];
+        back[i] = -n[i];
+    }
+    mcd_support(a, back, onA);
+    for (int i = 0; i < 3; i++)
+        distance += n[i] * (onA[i] + origin[i] - (double)tm[3][i]);
+    for (int i = 0; i < 3; i++)
+        onB[i] = onA[i] - distance * n[i];
+    if (isTurned)
+        take(nearest, distance, onB, onA, back);
+    else
+        take(nearest, distance, onA, onB, n);
+}
+
+/* False if one of the parts is neither convex nor a plane. */
+static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3], Nearest *nearest) {
+    McdShape shapeA, shapeB;
+    double onA[3], onB[3], normal[3];
+    const MeBool isConvexA = mcd_shapeOf(a, origin, &shapeA), isConvexB = mcd_shapeOf(b, origin, &shapeB);
+    if (isConvexA && isConvexB) {
+        const double distance = mcd_convexDistance(&shapeA, &shapeB, onA, onB, normal);
+        take(nearest, distance, onA, onB, normal);
+        return METRUE;
+    }
+    if (isConvexA && b->geometry->type == kMcdGeometryTypePlane)
+        measurePlane(&shapeA, b, origin, MEFALSE, nearest);
+    else if (isConvexB && a->geometry->type == kMcdGeometryTypePlane)
+        measurePlane(&shapeB, a, origin, METRUE, nearest);
+    else
+        return MEFALSE;
+    return METRUE;
+}
+
+static MeBool measure(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3], Nearest *nearest) {
+    MeBool isGood = METRUE;
+    if (a->geometry->type == kMcdGeometryTypeAggregate) {
+        for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
+            isGood = measure(child, b, origin, nearest) && isGood;
+        return isGood;
+    }
+    if (b->geometry->type == kMcdGeometryTypeAggregate) {
+        for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
+            isGood = measure(a, child, origin, nearest) && isGood;
+        return isGood;
+    }
+    return measureParts(a, b, origin, nearest);
+}
+
+MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
+    Nearest nearest = {0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, MEFALSE};
+    double origin[3];
+    if (!p || !result || !mcd_modelCheck(p->model1, "McdDistance") || !mcd_modelCheck(p->model2, "McdDistance"))
+        return MEFALSE;
+    memset(result, 0, sizeof *result);
+    McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
+    if (!mcd_modelIsPlaced(a) || !mcd_modelIsPlaced(b)) {
+        MeWarning(1, "McdDistance: a model has no transform, or one that is not finite");
+        return MEFALSE;
+    }
+    mcd_pairOrigin(&a->instance, &b->instance, origin);
+    if (!measure(&a->instance, &b->instance, origin, &nearest) || !nearest.isFound)
+        return MEFALSE;
+    result->distance = (MeReal)nearest.distance;
+    for (int i = 0; i < 3; i++) {
+        result->position1[i] = (MeReal)(nearest.onA[i] + origin[i]);
+        result->position2[i] = (MeReal)(nearest.onB[i] + origin[i]);
+        result->normal[i] = (MeReal)nearest.normal[i];
+    }
+    return METRUE;
+}

@@ -1,0 +1,189 @@
+/* What all geometries have: a head, a type, references; and questions that their type's functions answer. */
+#include "mcd_i.h"
+#include <string.h>
+
+/* ---- life ---------------------------------------------------------------------------------------------------- */
+
+static MeBool isLive(const McdGeometry *g) {
+    return g && g->magic == MCD_GEOMETRY;
+}
+
+MeBool MEAPI McdGeometryIsValid(McdGeometryID g) {
+    return isLive(g) && McdFrameworkTypeIsRegistered(g->frame, g->type);
+}
+
+static MeBool checkLive(const McdGeometry *g, const char *function) {
+    if (!isLive(g))
+        MeWarning(1, "%s: %p is no geometry", function, (const void *)g);
+    return isLive(g);
+}
+
+const McdTypeRecord *mcd_geometryType(McdGeometryID g, const char *function) {
+    return checkLive(g, function) ? &g->frame->types[g->type] : 0;
+}
+
+MeBool mcd_geometryIs(McdGeometryID g, McdGeometryType type, const char *function) {
+    if (!checkLive(g, function))
+        return MEFALSE;
+    if (g->type == type)
+        return METRUE;
+    MeWarning(1, "%s: the geometry is a %s", function, McdGeometryGetTypeName(g));
+    return MEFALSE;
+}
+
+void MEAPI McdGeometryInit(McdGeometryID g, McdFramework *frame, MeI16 typeId) {
+    if (!g || !mcd_frameCheck(frame, "McdGeometryInit"))
+        return;
+    if (!McdFrameworkTypeIsRegistered(frame, typeId)) {
+        MeWarning(1, "McdGeometryInit: geometry type %d is not registered", typeId);
+        return;
+    }
+    memset(g, 0, sizeof *g);
+    g->magic = MCD_GEOMETRY;
+    g->type = typeId;
+    g->frame = frame;
+    g->previous = frame->lastGeometry;
+    *(g->previous ? &g->previous->next : &frame->firstGeometry) = g;
+    frame->lastGeometry = g;
+    frame->geometryCount++;
+}
+
+void MEAPI McdGeometryDeinit(McdGeometryID g) {
+    if (!checkLive(g, "McdGeometryDeinit"))
+        return;
+    McdFramework *frame = g->frame;
+    *(g->previous ? &g->previous->next : &frame->firstGeometry) = g->next;
+    *(g->next ? &g->next->previous : &frame->lastGeometry) = g->previous;
+    frame->geometryCount--;
+    g->magic = 0;
+}
+
+void *mcd_geometryCreate(McdFramework *frame, McdGeometryType type, size_t size, const char *function) {
+    if (!mcd_frameCheck(frame, function))
+        return 0;
+    if (!frame->types[type].isRegistered) {
+        MeWarning(1, "%s: register its geometry type first, for example by McdPrimitivesRegisterTypes", function);
+        return 0;
+    }
+    McdGeometry *g = MeMemoryAPI.create(size);
+    if (!g) {
+        MeFatalError(1, "%s: no memory", function);
+        return 0;
+    }
+    memset(g, 0, size);
+    McdGeometryInit(g, frame, type);
+    return g;
+}
+
+void MEAPI McdGeometryDestroy(McdGeometryID g) {
+    if (!g || !checkLive(g, "McdGeometryDestroy"))
+        return;
+    if (g->referenceCount > 0) {
+        MeWarning(1, "McdGeometryDestroy: %d models or aggregates still use the %s", g->referenceCount,
+                  McdGeometryGetTypeName(g));
+        return;
+    }
+    const McdGeometryDestroyFnPtr destroy = g->frame->types[g->type].destroy;
+    McdGeometryDeinit(g);
+    if (destroy)
+        destroy(g);
+    else
+        MeMemoryAPI.destroy(g);
+}
+
+/* ---- references ---------------------------------------------------------------------------------------------- */
+
+int MEAPI McdGeometryGetReferenceCount(const McdGeometryID g) {
+    return checkLive(g, "McdGeometryGetReferenceCount") ? g->referenceCount : 0;
+}
+
+void MEAPI McdGeometrySetReferenceCount(McdGeometryID g, int refCount) {
+    if (checkLive(g, "McdGeometrySetReferenceCount"))
+        g->referenceCount = MeMAX(refCount, 0);
+}
+
+void MEAPI McdGeometryIncrementReferenceCount(McdGeometryID g) {
+    if (checkLive(g, "McdGeometryIncrementReferenceCount"))
+        g->referenceCount++;
+}
+
+void MEAPI McdGeometryDecrementReferenceCount(McdGeometryID g) {
+    if (checkLive(g, "McdGeometryDecrementReferenceCount"))
+        g->referenceCount = MeMAX(g->referenceCount - 1, 0);
+}
+
+/* ---- questions ----------------------------------------------------------------------------------------------- */
+
+int MEAPI McdGeometryGetType(const McdGeometryID g) {
+    return checkLive(g, "McdGeometryGetType") ? g->type : -1;
+}
+
+int MEAPI McdGeometryGetTypeId(const McdGeometryID g) {
+    return checkLive(g, "McdGeometryGetTypeId") ? g->type : -1;
+}
+
+char *MEAPI McdGeometryGetTypeName(const McdGeometryID g) {
+    return checkLive(g, "McdGeometryGetTypeName") ? McdFrameworkGetTypeName(g->frame, g->type) : (char *)"(none)";
+}
+
+McdFrameworkID MEAPI McdGeometryGetFramework(const McdGeometryID g) {
+    return checkLive(g, "McdGeometryGetFramework") ? g->frame : 0;
+}
+
+McdLineSegIntersectFnPtr MEAPI McdGeometryGetLineSegIntersectFnPtr(McdGeometryID g) {
+    const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryGetLineSegIntersectFnPtr");
+    return type ? type->lineSegment : 0;
+}
+
+/* A childless instance of the geometry, for functions that want one. */
+static McdGeometryInstance standIn(McdGeometryID g, const MeMatrix4 tm) {
+    McdGeometryInstance ins;
+    memset(&ins, 0, sizeof ins);
+    ins.geometry = g;
+    ins.tm = (MeMatrix4Ptr)tm;
+    return ins;
+}
+
+void MEAPI McdGeometryGetAABB(McdGeometryID g, const MeMatrix4 tm, MeVector3 minCorner, MeVector3 maxCorner) {
+    const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryGetAABB");
+    MeVector3Set(minCorner, 0, 0, 0);
+    MeVector3Set(maxCorner, 0, 0, 0);
+    if (!type || !type->getAABB || !tm)
+        return;
+    McdGeometryInstance ins = standIn(g, tm);
+    type->getAABB(&ins, 0, METRUE);
+    MeVector3Copy(minCorner, ins.min);
+    MeVector3Copy(maxCorner, ins.max);
+}
+
+void MEAPI McdGeometryGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryGetBSphere");
+    MeVector3Set(center, 0, 0, 0);
+    *radius = 0;
+    if (type && type->getBSphere)
+        type->getBSphere(g, center, radius);
+}
+
+void MEAPI McdGeometryMaximumPoint(McdGeometryID g, const MeMatrix4 tm, MeReal *const inDir, MeReal *const outPoint) {
+    const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryMaximumPoint");
+    MeVector3Set(outPoint, 0, 0, 0);
+    if (!type || !type->maximumPoint || !tm)
+        return;
+    McdGeometryInstance ins = standIn(g, tm);
+    type->maximumPoint(&ins, inDir, outPoint);
+}
+
+MeI16 MEAPI McdGeometryGetMassProperties(McdGeometryID g, MeMatrix4 relativeTransform, MeMatrix3 inertiaMatrix,
+                                         MeReal *volume) {
+    const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryGetMassProperties");
+    MeMatrix4TMMakeIdentity(relativeTransform);
+    memset(inertiaMatrix, 0, sizeof(MeMatrix3));
+    *volume = 0;
+    return type && type->getMassProperties ? type->getMassProperties(g, relativeTransform, inertiaMatrix, volume) : 0;
+}
+
+void MEAPI McdGeometryDebugDraw(const McdGeometryID g, const MeMatrix4Ptr tm, const MeReal colour[3]) {
+    const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryDebugDraw");
+    if (type && type->debugDraw && tm)
+        type->debugDraw(g, mcd_const(tm), colour);
+}

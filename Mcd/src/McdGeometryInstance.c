@@ -1,0 +1,217 @@
+/* Instances: geometries at places, and the trees that aggregates make of them. */
+#include "mcd_geometries.h"
+#include <string.h>
+
+MeBool mcd_instanceCheck(const McdGeometryInstance *ins, const char *function) {
+    const McdModelRecord *m = ins && ins->model ? mcd_record(ins->model) : 0;
+    if (m && m->magic == MCD_MODEL)
+        return METRUE;
+    MeWarning(1, "%s: %p is no instance of a model", function, (const void *)ins);
+    return MEFALSE;
+}
+
+/* ---- the tree ------------------------------------------------------------------------------------------------- */
+
+static McdGeometryInstance *instanceFromPool(McdFramework *frame) {
+    McdGeometryInstance *ins = frame->freeInstance;
+    if (!ins)
+        return 0;
+    frame->freeInstance = ins->nextSibling;
+    frame->instanceCount++;
+    memset(ins, 0, sizeof *ins);
+    ins->material = -1;
+    return ins;
+}
+
+static void instanceToPool(McdFramework *frame, McdGeometryInstance *ins) {
+    memset(ins, 0, sizeof *ins);
+    ins->nextSibling = frame->freeInstance;
+    frame->freeInstance = ins;
+    frame->instanceCount--;
+}
+
+void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins) {
+    while (ins->firstChild) {
+        McdGeometryInstance *child = ins->firstChild;
+        ins->firstChild = child->nextSibling;
+        mcd_instanceFreeChildren(frame, child);
+        McdGeometryDecrementReferenceCount(child->geometry);
+        instanceToPool(frame, child);
+    }
+}
+
+MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins) {
+    if (ins->geometry->type != kMcdGeometryTypeAggregate)
+        return METRUE;
+    const McdAggregate *aggregate = (const McdAggregate *)ins->geometry;
+    McdGeometryInstance **end = &ins->firstChild;
+    for (int i = 0; i < aggregate->count; i++) {
+        McdGeometryInstance *child = instanceFromPool(frame);
+        if (child) {
+            child->geometry = aggregate->element[i].geometry;
+            McdGeometryIncrementReferenceCount(child->geometry);
+            child->model = ins->model;
+            child->parent = ins;
+            child->element = i;
+            *end = child;
+            end = &child->nextSibling;
+        }
+        if (!child || !mcd_instanceMakeChildren(frame, child)) {
+            mcd_instanceFreeChildren(frame, ins);
+            return MEFALSE;
+        }
+    }
+    return METRUE;
+}
+
+void mcd_instancePlaceChildren(McdGeometryInstance *ins) {
+    const McdAggregate *aggregate = (const McdAggregate *)ins->geometry;
+    const MeMatrix4Ptr tm = mcd_instanceTM(ins);
+    for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling) {
+        const MeMatrix4Ptr relative = aggregate->element[child->element].relTM;
+        MeMatrix4TMCompound(child->placed, mcd_const(relative), mcd_const(tm));
+        if (child->tm)
+            memcpy(child->tm, child->placed, sizeof child->placed);
+        mcd_instancePlaceChildren(child);
+    }
+}
+
+McdGeometryInstanceID MEAPI McdGeometryInstanceGetChild(McdGeometryInstanceID ins, int i) {
+    if (!mcd_instanceCheck(ins, "McdGeometryInstanceGetChild"))
+        return 0;
+    McdGeometryInstance *child = ins->firstChild;
+    while (child && child->element != i)
+        child = child->nextSibling;
+    return child;
+}
+
+int MEAPI McdGeometryInstanceGetChildCount(McdGeometryInstanceID ins) {
+    int count = 0;
+    if (mcd_instanceCheck(ins, "McdGeometryInstanceGetChildCount"))
+        for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
+            count++;
+    return count;
+}
+
+McdGeometryInstanceID MEAPI McdGeometryInstanceGetParent(McdGeometryInstanceID ins) {
+    return mcd_instanceCheck(ins, "McdGeometryInstanceGetParent") ? ins->parent : 0;
+}
+
+McdModelID MEAPI McdGeometryInstanceGetModel(McdGeometryInstanceID ins) {
+    return mcd_instanceCheck(ins, "McdGeometryInstanceGetModel") ? ins->model : 0;
+}
+
+/* ---- geometry, place, material --------------------------------------------------------------------------------- */
+
+McdGeometryID MEAPI McdGeometryInstanceGetGeometry(McdGeometryInstanceID ins) {
+    return mcd_instanceCheck(ins, "McdGeometryInstanceGetGeometry") ? ins->geometry : 0;
+}
+
+void MEAPI McdGeometryInstanceSetGeometry(McdGeometryInstanceID ins, McdGeometryID g) {
+    if (!mcd_instanceCheck(ins, "McdGeometryInstanceSetGeometry") ||
+        !mcd_geometryType(g, "McdGeometryInstanceSetGeometry"))
+        return;
+    if (g->type == kMcdGeometryTypeAggregate || ins->geometry->type == kMcdGeometryTypeAggregate) {
+        MeWarning(1, "McdGeometryInstanceSetGeometry: aggregates are set by McdModelSetGeometry");
+        return;
+    }
+    McdGeometryDecrementReferenceCount(ins->geometry);
+    McdGeometryIncrementReferenceCount(g);
+    ins->geometry = g;
+}
+
+McdGeometryType MEAPI McdGeometryInstanceGetGeometryType(McdGeometryInstanceID ins) {
+    return mcd_instanceCheck(ins, "McdGeometryInstanceGetGeometryType") ? ins->geometry->type : (McdGeometryType)-1;
+}
+
+MeMatrix4Ptr MEAPI McdGeometryInstanceGetTransformPtr(const McdGeometryInstanceID ins) {
+    return mcd_instanceCheck(ins, "McdGeometryInstanceGetTransformPtr") ? ins->tm : 0;
+}
+
+void MEAPI McdGeometryInstanceSetTransformPtr(const McdGeometryInstanceID ins, const MeMatrix4Ptr geometryTM) {
+    if (mcd_instanceCheck(ins, "McdGeometryInstanceSetTransformPtr"))
+        ins->tm = geometryTM;
+}
+
+unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins) {
+    while (ins->material < 0 && ins->parent)
+        ins = ins->parent;
+    return ins->material < 0 ? 0 : (unsigned int)ins->material;
+}
+
+unsigned int MEAPI McdGeometryInstanceGetMaterial(McdGeometryInstanceID ins) {
+    return mcd_instanceCheck(ins, "McdGeometryInstanceGetMaterial") ? mcd_instanceMaterial(ins) : 0;
+}
+
+void MEAPI McdGeometryInstanceSetMaterial(McdGeometryInstanceID ins, int material) {
+    if (!mcd_instanceCheck(ins, "McdGeometryInstanceSetMaterial"))
+        return;
+    if (material < (ins->parent ? -1 : 0))
+        MeWarning(1, "McdGeometryInstanceSetMaterial: material is %d", material);
+    else
+        ins->material = material;
+}
+
+void MEAPI McdGeometryInstanceReset(McdGeometryInstanceID ins) {
+    if (!mcd_instanceCheck(ins, "McdGeometryInstanceReset"))
+        return;
+    ins->tm = 0;
+    ins->material = ins->parent ? -1 : 0;
+}
+
+/* ---- extent ---------------------------------------------------------------------------------------------------- */
+
+void MEAPI McdGeometryInstanceGetAABB(McdGeometryInstanceID ins, MeVector3 minCorner, MeVector3 maxCorner) {
+    static const MeVector3 origin = {0, 0, 0};
+    const MeBool isGood = mcd_instanceCheck(ins, "McdGeometryInstanceGetAABB");
+    MeVector3Copy(minCorner, isGood ? ins->min : origin);
+    MeVector3Copy(maxCorner, isGood ? ins->max : origin);
+}
+
+void MEAPI McdGeometryInstanceSetAABB(McdGeometryInstanceID ins, const MeVector3 minCorner, const MeVector3 maxCorner) {
+    if (!ins) {
+        MeWarning(1, "McdGeometryInstanceSetAABB: no instance");
+        return;
+    }
+    MeVector3Copy(ins->min, minCorner);
+    MeVector3Copy(ins->max, maxCorner);
+}
+
+void MEAPI McdGeometryInstanceUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
+    if (!mcd_instanceCheck(ins, "McdGeometryInstanceUpdateAABB") || !mcd_instanceTM(ins))
+        return;
+    const McdTypeRecord *type = mcd_geometryType(ins->geometry, "McdGeometryInstanceUpdateAABB");
+    if (type && type->getAABB)
+        type->getAABB(ins, finalTM, tight);
+}
+
+MeBool MEAPI McdGeometryInstanceOverlap(McdGeometryInstanceID a, McdGeometryInstanceID b) {
+    if (!mcd_instanceCheck(a, "McdGeometryInstanceOverlap") || !mcd_instanceCheck(b, "McdGeometryInstanceOverlap"))
+        return MEFALSE;
+    for (int i = 0; i < 3; i++)
+        if (a->min[i] > b->max[i] || b->min[i] > a->max[i])
+            return MEFALSE;
+    return METRUE;
+}
+
+void MEAPI McdGeometryInstanceGetBSphere(const McdGeometryInstanceID ins, MeVector3 center, MeReal *radius) {
+    MeVector3Set(center, 0, 0, 0);
+    *radius = 0;
+    if (!mcd_instanceCheck(ins, "McdGeometryInstanceGetBSphere"))
+        return;
+    MeVector3 local;
+    McdGeometryGetBSphere(ins->geometry, local, radius);
+    if (mcd_instanceTM(ins))
+        MeMatrix4TMTransform(center, mcd_const(mcd_instanceTM(ins)), local);
+    else
+        MeVector3Copy(center, local);
+}
+
+void MEAPI McdGeometryInstanceMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
+    MeVector3Set(outPoint, 0, 0, 0);
+    if (!mcd_instanceCheck(ins, "McdGeometryInstanceMaximumPoint") || !mcd_instanceTM(ins))
+        return;
+    const McdTypeRecord *type = mcd_geometryType(ins->geometry, "McdGeometryInstanceMaximumPoint");
+    if (type && type->maximumPoint)
+        type->maximumPoint(ins, inDir, outPoint);
+}

@@ -1,0 +1,282 @@
+/* What can be asked of a pair of models: the framework's table says who answers. */
+#include "mcd_i.h"
+
+static MeBool checkPair(const McdModelPair *p, const char *function) {
+    if (p)
+        return mcd_modelCheck(p->model1, function) && mcd_modelCheck(p->model2, function);
+    MeWarning(1, "%s: no pair", function);
+    return MEFALSE;
+}
+
+static McdGeometryType typeOf(McdModelID cm) {
+    return mcd_record(cm)->instance.geometry->type;
+}
+
+static McdGridCell *cellOf(McdModelID m1, McdModelID m2) {
+    McdFramework *frame = mcd_record(m1)->frame;
+    return &frame->grid[typeOf(m1) * frame->typeCount + typeOf(m2)];
+}
+
+/* How the pair interacts; null if it does not. isTurned: as the pair of model2 and model1. */
+static const McdInteractions *interactionOf(const McdModelPair *p, MeBool *isTurned) {
+    const McdGridCell *straight = cellOf(p->model1, p->model2), *turned = cellOf(p->model2, p->model1);
+    *isTurned = !straight->isSet;
+    if (straight->isSet)
+        return &straight->interactions;
+    return turned->isSet ? &turned->interactions : 0;
+}
+
+static McdModelPair turn(const McdModelPair *p) {
+    McdModelPair turned = *p;
+    turned.model1 = p->model2;
+    turned.model2 = p->model1;
+    return turned;
+}
+
+/* ---- hello, goodbye ---------------------------------------------------------------------------------------------- */
+
+/* Planes, lists and fields stand still as a rule: the guide has no tests between them, and nobody misses any. */
+static MeBool isTerrain(McdModelID cm) {
+    const McdGeometryType type = typeOf(cm);
+    return type == kMcdGeometryTypePlane || type == kMcdGeometryTypeTriangleList ||
+           type == kMcdGeometryTypeRGHeightField || type == kMcdGeometryTypeNull;
+}
+
+static void noteMissing(McdModelPair *p) {
+    McdGridCell *cell = cellOf(p->model1, p->model2);
+    if ((isTerrain(p->model1) && isTerrain(p->model2)) || typeOf(p->model1) == kMcdGeometryTypeNull ||
+        typeOf(p->model2) == kMcdGeometryTypeNull)
+        return;
+    if (cell->warned++ == 0)
+        MeWarning(2, "McdHello: no interaction of %s and %s is registered: they will not touch",
+                  McdGeometryGetTypeName(McdModelGetGeometry(p->model1)),
+                  McdGeometryGetTypeName(McdModelGetGeometry(p->model2)));
+}
+
+void MEAPI McdHello(McdModelPair *p) {
+    MeBool isTurned;
+    if (!checkPair(p, "McdHello"))
+        return;
+    const McdInteractions *interaction = interactionOf(p, &isTurned);
+    if (!interaction) {
+        noteMissing(p);
+        return;
+    }
+    if (!interaction->helloFn)
+        return;
+    McdModelPair asked = isTurned ? turn(p) : *p;
+    interaction->helloFn(&asked);
+    p->cache = asked.cache;
+}
+
+void MEAPI McdGoodbye(McdModelPair *p) {
+    MeBool isTurned;
+    if (!checkPair(p, "McdGoodbye"))
+        return;
+    const McdInteractions *interaction = interactionOf(p, &isTurned);
+    if (interaction && interaction->goodbyeFn) {
+        McdModelPair asked = isTurned ? turn(p) : *p;
+        interaction->goodbyeFn(&asked);
+    }
+    p->cache = 0;
+}
+
+void MEAPI McdHelloEach(McdModelPairContainer *pairs) {
+    if (!pairs) {
+        MeWarning(1, "McdHelloEach: no container");
+        return;
+    }
+    for (int i = pairs->helloFirst; i < pairs->helloEnd; i++)
+        McdHello(pairs->array[i]);
+}
+
+void MEAPI McdGoodbyeEach(McdModelPairContainer *pairs) {
+    if (!pairs) {
+        MeWarning(1, "McdGoodbyeEach: no container");
+        return;
+    }
+    for (int i = pairs->goodbyeFirst; i < pairs->goodbyeEnd; i++)
+        McdGoodbye(pairs->array[i]);
+}
+
+/* ---- contacts ----------------------------------------------------------------------------------------------------- */
+
+MeBool MEAPI McdNearby(McdModelPair *p) {
+    if (!checkPair(p, "McdNearby"))
+        return MEFALSE;
+    const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
+    const MeReal margin = a->tolerance + b->tolerance;
+    for (int i = 0; i < 3; i++)
+        if (a->instance.min[i] - margin > b->instance.max[i] || b->instance.min[i] - margin > a->instance.max[i])
+            return MEFALSE;
+    return METRUE;
+}
+
+static void clearResult(McdIntersectResult *result, McdModelPair *p) {
+    result->pair = p;
+    result->contactCount = result->touch = 0;
+    MeVector3Set(result->normal, 0, 0, 0);
+}
+
+static MeBool checkResult(const McdIntersectResult *result, const char *function) {
+    if (result && result->contacts && result->contactMaxCount > 0)
+        return METRUE;
+    MeWarning(1, "%s: the result has no place for contacts: set contacts and contactMaxCount", function);
+    return MEFALSE;
+}
+
+/* Contacts of the turned pair, turned back. */
+static void turnContacts(McdIntersectResult *result) {
+    MeVector3MultiplyScalar(result->normal, result->normal, -1);
+    for (int i = 0; i < result->contactCount; i++) {
+        McdContact *c = &result->contacts[i];
+        const McdGeometryInstanceID instance = c->instance1;
+        const int element = c->element1;
+        MeVector3MultiplyScalar(c->normal, c->normal, -1);
+        c->instance1 = c->instance2;
+        c->instance2 = instance;
+        c->element1 = c->element2;
+        c->element2 = element;
+    }
+}
+
+static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
+    const int max = result->contactMaxCount;
+    result->contactMaxCount = MeMIN(max, MeMAX(McdModelPairGetRequestPtr(p)->contactMaxCount, 1));
+    if (isTurned) {
+        McdModelPair asked = turn(p);
+        intersect(&asked, result);
+        turnContacts(result);
+    } else {
+        intersect(p, result);
+    }
+    result->pair = p;
+    result->contactMaxCount = max;
+}
+
+static MeBool arePlaced(const McdModelPair *p, const char *function) {
+    if (mcd_modelIsPlaced(mcd_record(p->model1)) && mcd_modelIsPlaced(mcd_record(p->model2)))
+        return METRUE;
+    MeWarning(1, "%s: a model has no transform, or one that is not finite: they do not touch", function);
+    return MEFALSE;
+}
+
+MeBool MEAPI(McdIntersect)(McdModelPair *p, McdIntersectResult *result) {
+    MeBool isTurned;
+    if (!checkPair(p, "McdIntersect") || !checkResult(result, "McdIntersect"))
+        return MEFALSE;
+    clearResult(result, p);
+    const McdInteractions *interaction = interactionOf(p, &isTurned);
+    if (!interaction || !interaction->intersectFn)
+        return MEFALSE;
+    if (!arePlaced(p, "McdIntersect"))
+        return METRUE;
+    runIntersect(interaction->intersectFn, p, isTurned, result);
+    if (mcd_record(p->model1)->intersect)
+        mcd_record(p->model1)->intersect(p->model1, result);
+    if (mcd_record(p->model2)->intersect)
+        mcd_record(p->model2)->intersect(p->model2, result);
+    return METRUE;
+}
+
+MeBool MEAPI McdIntersectAt(McdModelPair *p, McdIntersectResult *result, MeReal time) {
+    if (!checkPair(p, "McdIntersectAt") || !checkResult(result, "McdIntersectAt"))
+        return MEFALSE;
+    clearResult(result, p);
+    if (!MeRealIsValid(time)) {
+        MeWarning(1, "McdIntersectAt: time is not finite");
+        return MEFALSE;
+    }
+    if (!arePlaced(p, "McdIntersectAt"))
+        return METRUE;
+    McdModelRecord *models[2] = {mcd_record(p->model1), mcd_record(p->model2)};
+    MeMatrix4 then[2];
+    MeMatrix4Ptr now[2];
+    for (int i = 0; i < 2; i++) {
+        mcd_modelPlaceAt(models[i], time, then[i]);
+        now[i] = models[i]->instance.tm;
+        models[i]->instance.tm = then[i];
+        mcd_modelRefresh(models[i]);
+    }
+    const MeBool answer = (McdIntersect)(p, result);
+    for (int i = 0; i < 2; i++) {
+        models[i]->instance.tm = now[i];
+        mcd_modelRefresh(models[i]);
+    }
+    return answer;
+}
+
+MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPairContainerIterator *pairsIter,
+                              McdIntersectResult *resultArray, int resultArraySize, int *resultCount,
+                              McdContact *contactArray, int contactArraySize, int *contactCount) {
+    if (resultCount)
+        *resultCount = 0;
+    if (contactCount)
+        *contactCount = 0;
+    if (!pairs || !pairsIter || !resultArray || !resultCount || !contactArray || !contactCount) {
+        MeWarning(1, "McdIntersectEach: an argument is null");
+        return MEFALSE;
+    }
+    while (pairsIter->next < pairs->stayingEnd) {
+        McdModelPair *p = pairs->array[pairsIter->next];
+        const int wanted = McdModelPairGetRequestPtr(p)->contactMaxCount;
+        const int room = contactArraySize - *contactCount;
+        if (*resultCount == resultArraySize || (room<wanted && * resultCount> 0))
+            return METRUE;
+        McdIntersectResult *result = &resultArray[*resultCount];
+        result->contacts = contactArray + *contactCount;
+        result->contactMaxCount = MeMIN(room, wanted);
+        pairsIter->next++;
+        if (!(McdIntersect)(p, result))
+            continue;
+        *contactCount += result->contactCount;
+        ++*resultCount;
+    }
+    return MEFALSE;
+}
+
+/* ---- time, lines -------------------------------------------------------------------------------------------------- */
+
+MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
+    MeBool isTurned;
+    if (!result || !checkPair(p, "McdSafeTime"))
+        return MEFALSE;
+    result->pair = p;
+    result->time = maxTime;
+    MeVector3Set(result->normal, 0, 0, 0);
+    MeVector3Set(result->position, 0, 0, 0);
+    if (!(maxTime >= 0) || !MeRealIsValid(maxTime)) {
+        MeWarning(1, "McdSafeTime: maxTime is %g: it must be >= 0", (double)maxTime);
+        result->time = 0;
+        return MEFALSE;
+    }
+    const McdInteractions *interaction = interactionOf(p, &isTurned);
+    if (!interaction || !interaction->safeTimeFn || !arePlaced(p, "McdSafeTime"))
+        return MEFALSE;
+    McdModelPair asked = isTurned ? turn(p) : *p;
+    const MeBool answer = interaction->safeTimeFn(&asked, maxTime, result);
+    if (isTurned)
+        MeVector3MultiplyScalar(result->normal, result->normal, -1);
+    result->pair = p;
+    return answer != 0;
+}
+
+static MeBool isFinitePoint(const MeReal *p) {
+    return p && MeRealIsValid(p[0]) && MeRealIsValid(p[1]) && MeRealIsValid(p[2]);
+}
+
+unsigned int MEAPI McdLineSegIntersect(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                                       McdLineSegIntersectResult *outOverlap) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdLineSegIntersect");
+    if (!m || !outOverlap)
+        return 0;
+    if (!isFinitePoint(inOrig) || !isFinitePoint(inDest)) {
+        MeWarning(1, "McdLineSegIntersect: an end of the segment is not finite");
+        return 0;
+    }
+    const McdLineSegIntersectFnPtr intersect = m->frame->types[m->instance.geometry->type].lineSegment;
+    if (!intersect || !mcd_modelIsPlaced(m) || !intersect(cm, inOrig, inDest, outOverlap))
+        return 0;
+    outOverlap->model = cm;
+    return 1;
+}

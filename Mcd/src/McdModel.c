@@ -1,0 +1,478 @@
+/* Models: geometries at places, which collide. */
+#include "mcd_i.h"
+#include <string.h>
+
+McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function) {
+    McdModelRecord *m = mcd_record(cm);
+    if (m && m->magic == MCD_MODEL)
+        return m;
+    MeWarning(1, "%s: %p is no model", function, (void *)cm);
+    return 0;
+}
+
+MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b) {
+    return a->sortKey != b->sortKey ? a->sortKey < b->sortKey : a->serial < b->serial;
+}
+
+/* ---- life ---------------------------------------------------------------------------------------------------- */
+
+/* Everything but its geometry, its space and its place in the framework. */
+static void setDefaults(McdModelRecord *m) {
+    m->model.mBody = 0;
+    m->instance.tm = 0;
+    m->instance.material = 0;
+    m->relTM = m->refTM = 0;
+    m->ownsRelative = MEFALSE;
+    m->linearVelocity = m->angularVelocity = 0;
+    m->tolerance = m->frame->tolerance;
+    m->isSwept = MEFALSE;
+    m->requestId = McdModelGetDefaultRequestID();
+    m->update = 0;
+    m->intersect = 0;
+    m->userData = 0;
+}
+
+static McdModelRecord *recordFromPool(McdFramework *frame) {
+    McdModelRecord *m = frame->firstFree;
+    frame->firstFree = m->next;
+    if (!frame->firstFree)
+        frame->lastFree = 0;
+    memset(m, 0, sizeof *m);
+    m->frame = frame;
+    m->serial = ++frame->serial;
+    m->magic = MCD_MODEL;
+    m->previous = frame->lastModel;
+    *(m->previous ? &m->previous->next : &frame->firstModel) = m;
+    frame->lastModel = m;
+    frame->modelCount++;
+    return m;
+}
+
+static void recordToPool(McdModelRecord *m) {
+    McdFramework *frame = m->frame;
+    *(m->previous ? &m->previous->next : &frame->firstModel) = m->next;
+    *(m->next ? &m->next->previous : &frame->lastModel) = m->previous;
+    frame->modelCount--;
+    m->magic = 0;
+    m->next = 0;
+    *(frame->lastFree ? &frame->lastFree->next : &frame->firstFree) = m;
+    frame->lastFree = m;
+}
+
+/* Makes g the geometry of a model without one. False, with a warning, if there are too few child instances. */
+static MeBool takeGeometry(McdModelRecord *m, McdGeometryID g, const char *function) {
+    m->instance.geometry = g;
+    m->instance.model = &m->model;
+    if (!mcd_instanceMakeChildren(m->frame, &m->instance)) {
+        MeWarning(1, "%s: no child instances left for the aggregate: McdInit's instanceCount is %d", function,
+                  m->frame->instanceMax);
+        m->instance.geometry = 0;
+        return MEFALSE;
+    }
+    McdGeometryIncrementReferenceCount(g);
+    return METRUE;
+}
+
+static void dropGeometry(McdModelRecord *m) {
+    mcd_instanceFreeChildren(m->frame, &m->instance);
+    McdGeometryDecrementReferenceCount(m->instance.geometry);
+    m->instance.geometry = 0;
+}
+
+McdModelID MEAPI McdModelCreate(McdGeometryID g) {
+    if (!mcd_geometryType(g, "McdModelCreate"))
+        return 0;
+    McdFramework *frame = g->frame;
+    if (!frame->firstFree) {
+        MeWarning(1, "McdModelCreate: there are %d models already: raise McdInit's modelCount", frame->modelMax);
+        return 0;
+    }
+    McdModelRecord *m = recordFromPool(frame);
+    if (!takeGeometry(m, g, "McdModelCreate")) {
+        recordToPool(m);
+        return 0;
+    }
+    setDefaults(m);
+    return &m->model;
+}
+
+static void freeRelative(McdModelRecord *m) {
+    if (!m->ownsRelative)
+        return;
+    MeMemoryAPI.destroy(m->relTM);
+    MeMemoryAPI.destroy(m->instance.tm);
+    m->instance.tm = 0;
+    m->ownsRelative = MEFALSE;
+}
+
+void MEAPI McdModelDestroy(McdModelID cm) {
+    McdModelRecord *m = cm ? mcd_modelCheck(cm, "McdModelDestroy") : 0;
+    if (!m)
+        return;
+    if (m->space) {
+        MeWarning(1, "McdModelDestroy: the model is still in a space: see McdSpaceRemoveModel");
+        return;
+    }
+    freeRelative(m);
+    dropGeometry(m);
+    recordToPool(m);
+}
+
+void MEAPI McdModelReset(McdModelID cm) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelReset");
+    if (!m)
+        return;
+    freeRelative(m);
+    setDefaults(m);
+    if (!m->space)
+        m->sortKey = 0;
+}
+
+MeBool MEAPI McdModelIsValid(McdModelID cm) {
+    return cm && mcd_record(cm)->magic == MCD_MODEL;
+}
+
+/* ---- shape ---------------------------------------------------------------------------------------------------- */
+
+McdGeometryID MEAPI McdModelGetGeometry(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetGeometry");
+    return m ? m->instance.geometry : 0;
+}
+
+void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetGeometry");
+    if (!m || !mcd_geometryType(g, "McdModelSetGeometry"))
+        return;
+    if (m->space) {
+        MeWarning(1, "McdModelSetGeometry: the model is in a space: take it out first");
+        return;
+    }
+    const McdGeometryID old = m->instance.geometry;
+    dropGeometry(m);
+    if (!takeGeometry(m, g, "McdModelSetGeometry"))
+        takeGeometry(m, old, "McdModelSetGeometry");
+}
+
+McdGeometryType MEAPI McdModelGetGeometryType(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetGeometryType");
+    return m ? m->instance.geometry->type : (McdGeometryType)-1;
+}
+
+McdGeometryInstanceID MEAPI McdModelGetGeometryInstance(McdModelID cm) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetGeometryInstance");
+    return m ? &m->instance : 0;
+}
+
+void MEAPI McdModelGetAABB(McdModelID cm, MeVector3 minCorner, MeVector3 maxCorner) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetAABB");
+    MeVector3Set(minCorner, 0, 0, 0);
+    MeVector3Set(maxCorner, 0, 0, 0);
+    if (m)
+        McdGeometryInstanceGetAABB(&m->instance, minCorner, maxCorner);
+}
+
+void MEAPI McdModelGetBSphere(McdModelID cm, MeVector3 center, MeReal *radius) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetBSphere");
+    MeVector3Set(center, 0, 0, 0);
+    *radius = 0;
+    if (m)
+        McdGeometryInstanceGetBSphere(&m->instance, center, radius);
+}
+
+/* ---- place ----------------------------------------------------------------------------------------------------- */
+
+MeMatrix4Ptr MEAPI McdModelGetTransformPtr(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetTransformPtr");
+    return m ? m->instance.tm : 0;
+}
+
+void MEAPI McdModelSetTransformPtr(const McdModelID cm, const MeMatrix4Ptr geometryTM) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetTransformPtr");
+    if (!m)
+        return;
+    freeRelative(m);
+    m->relTM = m->refTM = 0;
+    m->instance.tm = geometryTM;
+}
+
+static void compound(McdModelRecord *m) {
+    if (m->relTM && m->refTM && m->instance.tm)
+        MeMatrix4TMCompound(m->instance.tm, mcd_const(m->relTM), mcd_const(m->refTM));
+}
+
+void MEAPI McdModelSetRelativeTransformPtrs(McdModelID cm, MeMatrix4 relTM, MeMatrix4 refTM, MeMatrix4 compoundTM,
+                                            MeBool own) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetRelativeTransformPtrs");
+    if (!m)
+        return;
+    if (!relTM || !refTM || !compoundTM) {
+        MeWarning(1, "McdModelSetRelativeTransformPtrs: a transform is null");
+        return;
+    }
+    freeRelative(m);
+    m->relTM = relTM;
+    m->refTM = refTM;
+    m->instance.tm = compoundTM;
+    m->ownsRelative = own;
+    compound(m);
+}
+
+void MEAPI McdModelGetRelativeTransformPtrs(McdModelID cm, MeMatrix4Ptr *relTM, MeMatrix4Ptr *refTM) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetRelativeTransformPtrs");
+    *relTM = m ? m->relTM : 0;
+    *refTM = m ? m->refTM : 0;
+}
+
+void MEAPI McdModelSetRelativeTransform(McdModelID cm, MeMatrix4 relTM) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetRelativeTransform");
+    if (!m)
+        return;
+    const MeMatrix4Ptr reference = m->refTM ? m->refTM : m->instance.tm;
+    if (!relTM) {
+        McdModelSetTransformPtr(cm, reference);
+        return;
+    }
+    if (!reference) {
+        MeWarning(1, "McdModelSetRelativeTransform: set a transform first: it becomes the reference");
+        return;
+    }
+    MeMatrix4Ptr copy = MeMemoryAPI.create(sizeof(MeMatrix4)), product = MeMemoryAPI.create(sizeof(MeMatrix4));
+    if (!copy || !product) {
+        MeFatalError(1, "McdModelSetRelativeTransform: no memory");
+        MeMemoryAPI.destroy(copy);
+        MeMemoryAPI.destroy(product);
+        return;
+    }
+    MeMatrix4Copy(copy, mcd_const(relTM));
+    McdModelSetRelativeTransformPtrs(cm, copy, reference, product, METRUE);
+}
+
+MeMatrix4Ptr MEAPI McdModelGetRelativeTransform(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetRelativeTransform");
+    return m ? m->relTM : 0;
+}
+
+void MEAPI McdModelCompoundTransforms(McdModelID cm) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelCompoundTransforms");
+    if (m)
+        compound(m);
+}
+
+void MEAPI McdModelSetLinearVelocityPtr(McdModelID cm, MeReal *velocity) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetLinearVelocityPtr");
+    if (m)
+        m->linearVelocity = velocity;
+}
+
+void MEAPI McdModelSetAngularVelocityPtr(McdModelID cm, MeReal *velocity) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetAngularVelocityPtr");
+    if (m)
+        m->angularVelocity = velocity;
+}
+
+MeReal *MEAPI McdModelGetLinearVelocityPtr(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetLinearVelocityPtr");
+    return m ? m->linearVelocity : 0;
+}
+
+MeReal *MEAPI McdModelGetAngularVelocityPtr(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetAngularVelocityPtr");
+    return m ? m->angularVelocity : 0;
+}
+
+MeBool mcd_modelIsPlaced(const McdModelRecord *m) {
+    MeReal sum = 0; /* not finite if one of them is not; 0 times anything finite is 0 */
+    if (!m->instance.tm)
+        return MEFALSE;
+    for (int i = 0; i < 4; i++)
+        sum += 0 * m->instance.tm[i][0] + 0 * m->instance.tm[i][1] + 0 * m->instance.tm[i][2];
+    return sum == 0;
+}
+
+void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm) {
+    static const MeVector3 still = {0, 0, 0};
+    MeMatrix4TMUpdateFromVelocities(tm, 0, (MeReal)time, m->linearVelocity ? m->linearVelocity : still,
+                                    m->angularVelocity ? m->angularVelocity : still, mcd_const(m->instance.tm));
+}
+
+/* ---- updating --------------------------------------------------------------------------------------------------- */
+
+/* Boxes of children first: an aggregate's box is made from theirs. */
+static void updateBoxes(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM) {
+    for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
+        updateBoxes(child, 0);
+    McdGeometryInstanceUpdateAABB(ins, finalTM, METRUE);
+}
+
+void mcd_modelRefresh(McdModelRecord *m) {
+    mcd_instancePlaceChildren(&m->instance);
+    updateBoxes(&m->instance, 0);
+}
+
+static MeBool isPlaced(McdModelRecord *m, const char *function) {
+    if (m->update)
+        m->update(&m->model);
+    if (!m->instance.tm) {
+        MeWarning(1, "%s: the model has no transform: see McdModelSetTransformPtr", function);
+        return MEFALSE;
+    }
+    compound(m);
+    mcd_instancePlaceChildren(&m->instance);
+    return METRUE;
+}
+
+void MEAPI McdModelUpdate(McdModelID cm) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelUpdate");
+    if (m && isPlaced(m, "McdModelUpdate"))
+        updateBoxes(&m->instance, 0);
+}
+
+/* How far a point of the model leaves the straight line between its two ends while the model turns by an angle:
+ * r (1 - cos(angle / 2)), r the farthest distance of a point from the transform's origin; more than half a turn: r. */
+static MeReal bulge(const McdModelRecord *m, MeReal duration) {
+    MeVector3 centre;
+    MeReal radius;
+    if (!m->angularVelocity)
+        return 0;
+    McdGeometryGetBSphere(m->instance.geometry, centre, &radius);
+    const MeReal angle = MeVector3Magnitude(m->angularVelocity) * MeFabs(duration);
+    const MeReal reach = MeVector3Magnitude(centre) + radius;
+    return angle < ME_PI ? reach * (1 - MeCos(angle / 2)) : reach;
+}
+
+void MEAPI McdModelUpdatePath(McdModelID cm, MeReal motionDuration) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelUpdatePath");
+    if (!m || !isPlaced(m, "McdModelUpdatePath"))
+        return;
+    MeMatrix4 finalTM;
+    mcd_modelPlaceAt(m, motionDuration, finalTM);
+    updateBoxes(&m->instance, finalTM);
+    const MeReal more = bulge(m, motionDuration);
+    for (int i = 0; i < 3; i++) {
+        m->instance.min[i] -= more;
+        m->instance.max[i] += more;
+    }
+}
+
+void MEAPI McdModelUpdatePathCompatible(McdModelID cm, MeReal dummy) {
+    (void)dummy;
+    McdModelUpdate(cm);
+}
+
+void MEAPI McdModelSetUpdateCallback(McdModelID cm, McdModelUpdateFnPtr f) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetUpdateCallback");
+    if (m)
+        m->update = f;
+}
+
+McdModelUpdateFnPtr MEAPI McdModelGetUpdateCallback(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetUpdateCallback");
+    return m ? m->update : 0;
+}
+
+/* ---- collision -------------------------------------------------------------------------------------------------- */
+
+McdSpaceID MEAPI McdModelGetSpace(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetSpace");
+    return m ? m->space : 0;
+}
+
+void MEAPI McdModelSetMaterial(McdModelID cm, int material) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetMaterial");
+    if (m)
+        McdGeometryInstanceSetMaterial(&m->instance, material);
+}
+
+unsigned int MEAPI McdModelGetMaterial(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetMaterial");
+    return m ? mcd_instanceMaterial(&m->instance) : 0;
+}
+
+void MEAPI McdModelSetContactTolerance(McdModelID cm, MeReal tolerance) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetContactTolerance");
+    if (!m)
+        return;
+    if (!(tolerance >= 0) || !MeRealIsValid(tolerance))
+        MeWarning(1, "McdModelSetContactTolerance: tolerance is %g: it must be >= 0", (double)tolerance);
+    else
+        m->tolerance = tolerance;
+}
+
+MeReal MEAPI McdModelGetContactTolerance(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetContactTolerance");
+    return m ? m->tolerance : 0;
+}
+
+void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetSwept");
+    if (m)
+        m->isSwept = swept != 0;
+}
+
+MeBool MEAPI McdModelIsSwept(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsSwept");
+    return m && m->isSwept;
+}
+
+void MEAPI McdModelSetSortKey(McdModelID cm, MeI16 key) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetSortKey");
+    if (!m)
+        return;
+    if (key < 0)
+        MeWarning(1, "McdModelSetSortKey: key is %d: it must be 0 .. 32767", key);
+    else if (m->space)
+        MeWarning(1, "McdModelSetSortKey: the model is in a space, whose pairs are in the order of keys");
+    else
+        m->sortKey = key;
+}
+
+MeI16 MEAPI McdModelGetSortKey(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetSortKey");
+    return m ? m->sortKey : 0;
+}
+
+void MEAPI McdModelSetRequestID(McdModelID cm, int requestId) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetRequestID");
+    if (m)
+        m->requestId = requestId;
+}
+
+int MEAPI McdModelGetRequestID(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetRequestID");
+    return m ? m->requestId : McdModelGetDefaultRequestID();
+}
+
+void MEAPI McdModelSetIntersectCallback(McdModelID cm, McdModelIntersectFnPtr fn) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetIntersectCallback");
+    if (m)
+        m->intersect = fn;
+}
+
+McdModelIntersectFnPtr MEAPI McdModelGetIntersectCallback(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetIntersectCallback");
+    return m ? m->intersect : 0;
+}
+
+/* ---- the program's ---------------------------------------------------------------------------------------------- */
+
+void MEAPI McdModelSetUserData(McdModelID cm, void *data) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetUserData");
+    if (m)
+        m->userData = data;
+}
+
+void *MEAPI McdModelGetUserData(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetUserData");
+    return m ? m->userData : 0;
+}
+
+void MEAPI McdModelSetBodyData(McdModelID cm, void *body) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetBodyData");
+    if (m)
+        m->model.mBody = body;
+}
+
+void *MEAPI McdModelGetBodyData(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetBodyData");
+    return m ? m->model.mBody : 0;
+}

@@ -1,0 +1,207 @@
+/* Continuous collision: how long two models may move before they touch, and how far apart they are.
+ *
+ * Conservative advancement (Mirtich): for a fixed direction n the separation s = min a.n - max b.n of two rigid shapes
+ * shrinks no faster than
+ *     mu = -(va - vb).n + |n x wa| Ra + |n x wb| Rb,
+ * R the largest distance of a point from the shape's origin, because (w x r).n = r.(n x w) and |r| does not change. So
+ * s / mu is a time without touch. Within one direction only support points are needed; when s gets small against the
+ * true distance, the direction is found anew.
+ */
+#include "mcd_geometries.h"
+#include "mcd_motion.h"
+#include <string.h>
+
+enum { DIRECTIONS = 64, ADVANCES = 32 };
+
+/* A shape and how it moves. */
+typedef struct Mover {
+    McdShape start;
+    double velocity[3], spin[3];
+    double reach;
+} Mover;
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(double out[3], const double a[3], const double b[3]) {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static double length(const double a[3]) {
+    return sqrt(dot(a, a));
+}
+
+/* Rodrigues: v turned about the unit axis. */
+static void turnVector(double v[3], const double axis[3], double sine, double cosine) {
+    double side[3];
+    cross(side, axis, v);
+    const double along = dot(axis, v) * (1 - cosine);
+    for (int i = 0; i < 3; i++)
+        v[i] = cosine * v[i] + sine * side[i] + along * axis[i];
+}
+
+void mcd_shapeMove(const McdShape *s, const double velocity[3], const double spin[3], double time, McdShape *moved) {
+    *moved = *s;
+    for (int i = 0; i < 3; i++)
+        moved->place[i] += time * velocity[i];
+    const double rate = length(spin);
+    if (rate == 0)
+        return;
+    const double axis[3] = {spin[0] / rate, spin[1] / rate, spin[2] / rate};
+    for (int i = 0; i < 3; i++)
+        turnVector(moved->axis[i], axis, sin(rate * time), cos(rate * time));
+}
+
+static void getVelocities(const McdModelRecord *m, double velocity[3], double spin[3]) {
+    for (int i = 0; i < 3; i++) {
+        velocity[i] = m->linearVelocity ? (double)m->linearVelocity[i] : 0;
+        spin[i] = m->angularVelocity ? (double)m->angularVelocity[i] : 0;
+    }
+}
+
+static MeBool moverOf(McdModelID cm, const double origin[3], Mover *mover) {
+    McdModelRecord *m = mcd_record(cm);
+    getVelocities(m, mover->velocity, mover->spin);
+    if (!mcd_shapeOf(&m->instance, origin, &mover->start))
+        return MEFALSE;
+    mover->reach = mover->start.extent;
+    return METRUE;
+}
+
+/* The fastest that any point of the mover gets along n. */
+static double speedAlong(const Mover *m, const double n[3]) {
+    double lever[3];
+    cross(lever, n, m->spin);
+    return dot(m->velocity, n) + length(lever) * m->reach;
+}
+
+/* min a.n - max b.n at a time. */
+static double separationAlong(const Mover *a, const Mover *b, const double n[3], double time) {
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    double low[3], high[3];
+    McdShape moved;
+    mcd_shapeMove(&a->start, a->velocity, a->spin, time, &moved);
+    mcd_support(&moved, back, low);
+    mcd_shapeMove(&b->start, b->velocity, b->spin, time, &moved);
+    mcd_support(&moved, n, high);
+    return dot(low, n) - dot(high, n);
+}
+
+/* Follows one direction, along which the separation at `time` is s, as long as that helps; returns the new time. */
+static double advanceAlong(const Mover *a, const Mover *b, const double n[3], double s, double target, double time,
+                           double maxTime) {
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    const double closing = speedAlong(a, back) + speedAlong(b, n);
+    for (int i = 0; i < ADVANCES && s > target / 2 && time < maxTime; i++) {
+        if (closing <= 0)
+            return maxTime;
+        time += s / closing;
+        s = separationAlong(a, b, n, MeMIN(time, maxTime));
+    }
+    return MeMIN(time, maxTime);
+}
+
+/* The first time at which the movers are within target of each other, or maxTime; n is the normal then. */
+static double firstTouch(const Mover *a, const Mover *b, double target, double maxTime, double n[3], double at[3],
+                         MeBool *touches) {
+    double time = 0;
+    *touches = MEFALSE;
+    for (int i = 0; i < DIRECTIONS; i++) {
+        McdShape movedA, movedB;
+        double onA[3], onB[3];
+        mcd_shapeMove(&a->start, a->velocity, a->spin, time, &movedA);
+        mcd_shapeMove(&b->start, b->velocity, b->spin, time, &movedB);
+        const double distance = mcd_convexDistance(&movedA, &movedB, onA, onB, n);
+        for (int k = 0; k < 3; k++)
+            at[k] = (onA[k] + onB[k]) / 2;
+        *touches = distance <= target;
+        if (*touches || time >= maxTime)
+            return time;
+        time = advanceAlong(a, b, n, distance, target, time, maxTime);
+    }
+    *touches = METRUE; /* still closing in: the time is safe, if early */
+    return time;
+}
+
+static void reportTouch(McdSafeTimeResult *result, double time, MeBool touches, const double n[3], const double at[3],
+                        const double origin[3]) {
+    result->time = (MeReal)time;
+    for (int i = 0; i < 3; i++) {
+        result->normal[i] = touches ? (MeReal)n[i] : 0;
+        result->position[i] = (MeReal)(origin[i] + at[i]);
+    }
+}
+
+int MEAPI mcd_safeTimeConvex(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
+    double origin[3], n[3], at[3];
+    Mover a, b;
+    MeBool touches;
+    mcd_pairOrigin(&mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance, origin);
+    if (!moverOf(p->model1, origin, &a) || !moverOf(p->model2, origin, &b))
+        return 0;
+    const double target = MCD_TOUCH * MeMIN(a.reach, b.reach);
+    const double time = firstTouch(&a, &b, target, (double)maxTime, n, at, &touches);
+    reportTouch(result, time, touches, n, at, origin);
+    return 1;
+}
+
+/* ---- planes -------------------------------------------------------------------------------------------------------- */
+
+/* The half-space of a plane model at a time. */
+static void planeAt(McdModelRecord *plane, const double origin[3], double time, double n[3], double *offset) {
+    MeMatrix4 tm;
+    mcd_modelPlaceAt(plane, time, tm);
+    *offset = 0;
+    for (int i = 0; i < 3; i++) {
+        n[i] = (double)tm[2][i];
+        *offset += n[i] * ((double)tm[3][i] - origin[i]);
+    }
+}
+
+static double heightAbove(const Mover *a, const double n[3], double offset, double time, double at[3]) {
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    McdShape moved;
+    mcd_shapeMove(&a->start, a->velocity, a->spin, time, &moved);
+    mcd_support(&moved, back, at);
+    return dot(at, n) - offset;
+}
+
+/* How fast a shape and a moving plane can close in, to the end of the motion. While the plane turns at rate w, the height
+ * n.(x - p) changes by up to w |x - p| more, and n itself does not stay. */
+static double closingSpeed(const Mover *a, const McdModelRecord *plane, const double origin[3], const double n[3],
+                           double maxTime) {
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    double velocity[3], spin[3], arm[3];
+    getVelocities(plane, velocity, spin);
+    if (length(spin) == 0)
+        return speedAlong(a, back) + dot(velocity, n);
+    for (int i = 0; i < 3; i++)
+        arm[i] = a->start.place[i] + origin[i] - (double)plane->instance.tm[3][i];
+    const double straight = length(a->velocity) + length(velocity);
+    return straight + length(a->spin) * a->reach + length(spin) * (length(arm) + a->reach + straight * maxTime);
+}
+
+int MEAPI mcd_safeTimePlane(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
+    McdModelRecord *shape = mcd_record(p->model1), *plane = mcd_record(p->model2);
+    double origin[3], n[3], at[3], offset, time = 0;
+    Mover a;
+    mcd_pairOrigin(&shape->instance, &shape->instance, origin);
+    if (!moverOf(p->model1, origin, &a))
+        return 0;
+    const double target = MCD_TOUCH * a.reach;
+    for (int i = 0; i < DIRECTIONS * ADVANCES; i++) {
+        planeAt(plane, origin, time, n, &offset);
+        const double height = heightAbove(&a, n, offset, time, at);
+        if (height <= target || time >= (double)maxTime) {
+            reportTouch(result, time, height <= target, n, at, origin);
+            return 1;
+        }
+        const double closing = closingSpeed(&a, plane, origin, n, (double)maxTime);
+        time = closing > 0 ? MeMIN(time + height / closing, (double)maxTime) : (double)maxTime;
+    }
+    reportTouch(result, time, METRUE, n, at, origin);
+    return 1;
+}

@@ -1,0 +1,57 @@
+/* How interactions fill a McdIntersectResult. */
+#include "mcd_shape.h"
+
+double mcd_pairMargin(const McdModelPair *p) {
+    return (double)mcd_record(p->model1)->tolerance + (double)mcd_record(p->model2)->tolerance;
+}
+
+void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {
+    result->pair = p;
+    result->contactCount = 0;
+    result->touch = 0;
+    MeVector3Set(result->normal, 0, 0, 0);
+}
+
+/* A place for a contact of that separation: a new one, or that of the shallowest if it is shallower. */
+static McdContact *placeFor(McdIntersectResult *result, MeReal separation) {
+    if (result->contactCount < result->contactMaxCount)
+        return &result->contacts[result->contactCount++];
+    McdContact *shallowest = 0;
+    for (int i = 0; i < result->contactCount; i++)
+        if (!shallowest || result->contacts[i].separation > shallowest->separation)
+            shallowest = &result->contacts[i];
+    return shallowest && shallowest->separation > separation ? shallowest : 0;
+}
+
+void mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3], McdGeometryInstanceID ins1,
+                   McdGeometryInstanceID ins2, int element1, int element2) {
+    for (int i = 0; i < m->count; i++) {
+        const McdManifoldPoint *point = &m->point[i];
+        McdContact *c = placeFor(result, (MeReal)point->separation);
+        if (!c)
+            continue;
+        for (int k = 0; k < 3; k++) {
+            c->position[k] = (MeReal)(origin[k] + point->position[k]);
+            c->normal[k] = (MeReal)m->normal[k];
+        }
+        c->separation = (MeReal)point->separation;
+        c->feature = point->feature;
+        c->instance1 = ins1;
+        c->instance2 = ins2;
+        c->element1 = element1;
+        c->element2 = element2;
+    }
+}
+
+int mcd_resultEnd(McdIntersectResult *result) {
+    MeVector3 sum = {0, 0, 0};
+    for (int i = 0; i < result->contactCount; i++)
+        MeVector3Add(sum, sum, result->contacts[i].normal);
+    const MeReal length = MeVector3Magnitude(sum);
+    if (length > ME_SMALL_EPSILON)
+        MeVector3MultiplyScalar(result->normal, sum, 1 / length);
+    else if (result->contactCount) /* they cancel: the first stands for them */
+        MeVector3Copy(result->normal, result->contacts[0].normal);
+    result->touch = result->contactCount > 0;
+    return result->touch;
+}
