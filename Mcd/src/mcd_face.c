@@ -14,7 +14,7 @@ static const double slack = 2e-7;
 /* Lines that cross at less than this angle touch along a length. */
 static const double parallelSine = .05;
 /* Surfaces steeper than this against the normal have no heights. */
-static const double leastSlope = 1e-3;
+static const double leastSlope = 1e-2;
 
 /* A feature's number: what it is, on which face, which of its corners (McdFace). */
 enum { CORNER = 0, EDGE = 1, INSIDE = 2, SUPPORT = 3 };
@@ -505,8 +505,11 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
         count = commonSpots(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, spot);
     count = dropIdle(spot, count, coreMargin, v.slack);
     double deepest = INFINITY;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
+        /* Nothing is deeper than the cores are; on a steep face it seems so where the slack let it stand out. */
+        spot[i].a = MeMAX(spot[i].a, spot[i].b + p->separation);
         deepest = MeMIN(deepest, spot[i].a - spot[i].b);
+    }
     if (!(deepest <= p->separation + v.slack) && p->separation <= coreMargin)
         spot[count++] = supportSpot(&v, p, code(SUPPORT, faceA->id, 0) << 16 | code(SUPPORT, faceB->id, 0));
     if (count > MCD_MANIFOLD_POINTS)
