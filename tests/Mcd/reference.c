@@ -410,17 +410,19 @@ double reference_axes(const McdShape *a, const McdShape *b, double normal[3]) {
     return best - a->rounding - b->rounding;
 }
 
-/* Moves a direction to better ones around it, ever nearer. */
+/* Moves a direction to better ones around it, ever nearer, looking along other lines before it comes nearer: what it
+ * climbs has sharp ridges. */
 static void search(const McdShape *a, const McdShape *b, double reach, double *best, double normal[3]) {
-    for (double r = reach; r > 1e-9;) {
+    int failures = 0;
+    for (double r = reach, turn = 0; r > 1e-9; turn += .07) {
         double u[3], w[3], n[3];
         const double before = *best;
         mcd_basis(normal, u, w);
         double next[3];
         mcd_copy(next, normal);
         for (int i = 0; i < 16; i++) {
-            mcd_mad(n, normal, r * cos(i * pi / 8 + r), u);
-            mcd_mad(n, n, r * sin(i * pi / 8 + r), w);
+            mcd_mad(n, normal, r * cos(i * pi / 8 + turn), u);
+            mcd_mad(n, n, r * sin(i * pi / 8 + turn), w);
             mcd_scale(n, n, 1 / mcd_length(n));
             const double s = reference_along(a, b, n);
             if (s > *best) {
@@ -429,8 +431,12 @@ static void search(const McdShape *a, const McdShape *b, double reach, double *b
             }
         }
         mcd_copy(normal, next);
-        if (!(*best > before + 1e-12 * a->extent))
-            r *= .6;
+        if (*best > before + 1e-12 * a->extent) {
+            failures = 0;
+        } else if (++failures == 5) {
+            failures = 0;
+            r *= .5;
+        }
     }
 }
 
