@@ -71,6 +71,26 @@ static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], M
     p->separation = s;
 }
 
+/* Two lines on round sides: the normal is across both, or, where they are parallel, from axis to axis. The search for
+ * it ends where the depth is exact enough; its own error is the square root of that. */
+static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
+                           McdProximity *p, double least) {
+    double u[3], w[3], n[3];
+    mcd_sub(u, faceA->point[1], faceA->point[0]);
+    mcd_sub(w, faceB->point[1], faceB->point[0]);
+    const double squared = mcd_dot(u, u), other = mcd_dot(w, w);
+    mcd_cross(n, u, w);
+    if (mcd_dot(n, n) < 1e-6 * squared * other) {
+        mcd_sub(n, a->place, b->place);
+        mcd_mad(n, n, -mcd_dot(n, u) / squared, u);
+    }
+    const double length = mcd_length(n);
+    if (!(length > 0))
+        return;
+    mcd_scale(n, n, (mcd_dot(n, p->normal) < 0 ? -1 : 1) / length);
+    tryNormal(a, b, n, p, least);
+}
+
 /* A normal that is a face's to within rounding becomes it, so that it is the same from step to step. */
 static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                         McdProximity *p) {
@@ -78,6 +98,10 @@ static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *fac
     const double turned[3] = {-faceA->normal[0], -faceA->normal[1], -faceA->normal[2]};
     const int first = faceA->count >= faceB->count; /* a polygon's normal is firmer than a line's */
     double best[3];
+    if (faceA->count == 2 && faceB->count == 2) {
+        tryAcrossLines(a, b, faceA, faceB, p, least);
+        return;
+    }
     mcd_copy(best, p->normal);
     tryNormal(a, b, first ? turned : faceB->normal, p, least);
     if (mcd_distanceSquared(best, p->normal) == 0)
@@ -110,6 +134,12 @@ static MeBool isPoint(const McdShape *s) {
     return s->type == kMcdGeometryTypeSphere;
 }
 
+static void facesAlong(const McdShape *a, const McdShape *b, const double n[3], McdFace *faceA, McdFace *faceB) {
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    mcd_faceToward(a, back, faceA);
+    mcd_faceToward(b, n, faceB);
+}
+
 static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     McdProximity p;
     McdFace faceA, faceB;
@@ -119,10 +149,10 @@ static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdMa
         return 0;
     if (isPoint(a) || isPoint(b))
         return mcd_pointManifold(a, b, &p, 0, margin, m);
-    const double back[3] = {-p.normal[0], -p.normal[1], -p.normal[2]};
-    mcd_faceToward(a, back, &faceA);
-    mcd_faceToward(b, p.normal, &faceB);
+    facesAlong(a, b, p.normal, &faceA, &faceB);
     preferFaces(a, b, &faceA, &faceB, &p);
+    if (faceA.count == 2 || faceB.count == 2) /* lines go with the normal */
+        facesAlong(a, b, p.normal, &faceA, &faceB);
     return mcd_facesManifold(a, b, &faceA, &faceB, &p, margin, m);
 }
 
