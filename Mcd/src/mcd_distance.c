@@ -592,9 +592,18 @@ static Guess makeGuess(const Pair *p) {
     return g;
 }
 
+void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p) {
+    const Pair pair = makePair(a, b);
+    const Guess g = makeGuess(&pair);
+    p->isGuess = 1;
+    p->separation = g.separation;
+    mcd_copy(p->normal, g.normal);
+}
+
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const Pair pair = makePair(a, b);
     const Guess guess = makeGuess(&pair);
+    p->isGuess = 0;
     if (guess.separation > limit)
         return 0;
     Simplex s = {.count = 0};

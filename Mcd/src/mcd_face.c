@@ -498,6 +498,15 @@ int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *
     return 1;
 }
 
+/* Is a spot's height on a face as exact as its place? Not where the face rises more than it goes across; the ends of a
+ * line are. */
+static MeBool isExact(const Outline *o, MeU32 feature) {
+    if (o->count > 2)
+        return o->slopeX * o->slopeX + o->slopeY * o->slopeY < 1;
+    const double x = o->x[1] - o->x[0], y = o->y[1] - o->y[0], z = o->z[1] - o->z[0];
+    return feature >> 14 == CORNER || z * z < x * x + y * y;
+}
+
 /* The deepest spot; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so, where the
  * slack lets it stand out. */
 static int leastSeparated(Spot *spot, int count, double separation) {
@@ -524,6 +533,9 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     count = dropIdle(spot, count, coreMargin, v.slack);
     const int least = leastSeparated(spot, count, p->separation);
     const double short_ = least < 0 ? INFINITY : spot[least].a - spot[least].b - p->separation;
+    if (p->isGuess && !(short_ <= v.slack && isExact(&outA, spot[least].feature >> 16) &&
+                        isExact(&outB, spot[least].feature & 0xffff)))
+        return 0;
     /* A face that is preferred although another normal is slightly better has its farthest corner beside the other. */
     if (short_ <= preference * mcd_pairSize(a, b))
         spot[least].a = spot[least].b + p->separation;

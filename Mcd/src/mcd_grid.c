@@ -125,6 +125,7 @@ static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdP
         return 0;
     mcd_scale(p->normal, turned.normal, -1);
     p->separation = turned.separation;
+    p->isGuess = 0;
     mcd_copy(p->onA, turned.onB);
     mcd_copy(p->onB, turned.onA);
     return 1;
@@ -140,20 +141,47 @@ static void facesAlong(const McdShape *a, const McdShape *b, const double n[3], 
     mcd_faceToward(b, n, faceB);
 }
 
-static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
-    McdProximity p;
+static MeBool areBoxes(const McdShape *a, const McdShape *b) {
+    return a->type == kMcdGeometryTypeBox && b->type == kMcdGeometryTypeBox;
+}
+
+/* A guess, or, of boxes that overlap, the answer; false if it shows that they are too far apart. */
+static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    const double reach = a->extent + b->extent + MeMAX(limit, 0);
+    if (!(mcd_distanceSquared(a->place, b->place) <= reach * reach))
+        return 0;
+    if (areBoxes(a, b))
+        return mcd_boxBoxProximity(a, b, limit, p);
+    mcd_guessProximity(a, b, p);
+    return p->separation <= limit;
+}
+
+static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
     McdFace faceA, faceB;
+    facesAlong(a, b, p->normal, &faceA, &faceB);
+    if (!p->isGuess) {
+        preferFaces(a, b, &faceA, &faceB, p);
+        if (faceA.count == 2 || faceB.count == 2) /* lines go with the normal */
+            facesAlong(a, b, p->normal, &faceA, &faceB);
+    }
+    return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
+}
+
+/* Of what is a little apart, or round and a little within, a face's normal mostly needs no more than being tried. */
+static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
+    const double limit = margin + a->rounding + b->rounding;
+    McdProximity p;
     m->count = 0;
     mcd_set(m->normal, 0, 0, 1);
-    if (!proximity(a, b, margin + a->rounding + b->rounding, &p))
-        return 0;
     if (isPoint(a) || isPoint(b))
-        return mcd_pointManifold(a, b, &p, 0, margin, m);
-    facesAlong(a, b, p.normal, &faceA, &faceB);
-    preferFaces(a, b, &faceA, &faceB, &p);
-    if (faceA.count == 2 || faceB.count == 2) /* lines go with the normal */
-        facesAlong(a, b, p.normal, &faceA, &faceB);
-    return mcd_facesManifold(a, b, &faceA, &faceB, &p, margin, m);
+        return proximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : 0;
+    if (!guess(a, b, limit, &p))
+        return 0;
+    if (p.separation > 0 && alongFaces(a, b, margin, &p, m))
+        return m->count;
+    if (p.isGuess && !proximity(a, b, limit, &p))
+        return 0;
+    return alongFaces(a, b, margin, &p, m);
 }
 
 static void mirror(McdManifold *m) {
