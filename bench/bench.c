@@ -1,13 +1,14 @@
 /* Speed against error: the scenes in Karma and its peers, interleaved, as tables and as CSV. */
 #include "run.h"
 
+#include <dlfcn.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_SUBSTEPS = 8, MAX_ROWS = 64, RUNS = 5 };
+enum { MAX_SUBSTEPS = 8, MAX_ROWS = 64, RUNS = 5, MAX_ENGINES = 8 };
 
 typedef struct Options {
     bool quick;
@@ -25,7 +26,7 @@ typedef struct Row {
     RunResult runs[RUNS];
 } Row;
 
-static const Engine *const engines[] = {
+static const Engine *engines[MAX_ENGINES + 1] = {
     &engine_karma_single,
     &engine_karma_double,
 #ifdef BENCH_ODE
@@ -60,6 +61,7 @@ static void usage(FILE *to) {
           "  --quick            fewer runs of slow rows, and no run of more than some seconds\n"
           "  --scene NAME       only this scene (see --list)\n"
           "  --engine NAME      only engines whose names begin so\n"
+          "  --peer FILE        also the engine of that shared library, see engine.h\n"
           "  --substeps N,...   steps per frame of 1/60 s, at most 8 numbers; 1,4 if not given\n"
           "  --csv FILE         also write all figures there\n"
           "  --markdown FILE    also write a table of the first errors and the median times there\n"
@@ -70,6 +72,20 @@ static void usage(FILE *to) {
 static void list(void) {
     for (int i = 0; scenes[i]; i++)
         printf("%s: %s.\n", scenes[i]->name, scenes[i]->text);
+}
+
+/* A peer from outside: a shared library with an Engine called `engine`. False, with a message, if it is none. */
+static bool addPeer(const char *file) {
+    int n = 0;
+    while (engines[n])
+        n++;
+    void *library = dlopen(file, RTLD_NOW);
+    const Engine *peer = library ? dlsym(library, "engine") : NULL;
+    if (!peer)
+        fprintf(stderr, "%s: %s\n", file, dlerror());
+    if (peer && n < MAX_ENGINES)
+        engines[n] = peer;
+    return peer && n < MAX_ENGINES;
 }
 
 static bool readSubsteps(Options *o, const char *text) {
@@ -105,6 +121,8 @@ static int readOption(Options *o, const char *name, const char *value) {
         o->engine = value;
         return 2;
     }
+    if (strcmp(name, "--peer") == 0)
+        return addPeer(value) ? 2 : 0;
     if (strcmp(name, "--csv") == 0) {
         o->csv = value;
         return 2;

@@ -1,4 +1,7 @@
-/* What a scene needs of a physics engine, and no more. One file per engine fills in an Engine. */
+/* What a scene needs of a physics engine, and no more. One file per engine fills in an Engine.
+ *
+ * An engine that Debian does not package stays outside: `bench --peer FILE` takes a shared library that shows an Engine
+ * called `engine`, and the functions of tests/scenes/scene.h are there for it. */
 #ifndef BENCH_ENGINE_H
 #define BENCH_ENGINE_H
 

@@ -35,6 +35,7 @@ typedef McdContact *McdContactID;
 typedef struct _McdRequest McdRequest;
 typedef McdRequest *McdRequestID;
 typedef struct _McdIntersectResult McdIntersectResult;
+typedef McdIntersectResult McdInteractionResult; /**< As a sample of the guide calls it. */
 typedef struct _McdSafeTimeResult McdSafeTimeResult;
 typedef struct _McdLineSegIntersectResult McdLineSegIntersectResult;
 typedef struct McdDistanceResult McdDistanceResult;

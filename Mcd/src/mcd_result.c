@@ -12,6 +12,10 @@ void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {
     MeVector3Set(result->normal, 0, 0, 0);
 }
 
+MeU32 mcd_featureMix(MeU32 feature, MeU32 part) {
+    return (feature ^ part) * 0x9e3779b1u + (feature >> 15);
+}
+
 /* A place for a contact of that separation: a new one, or that of the shallowest if it is shallower. */
 static McdContact *placeFor(McdIntersectResult *result, MeReal separation) {
     if (result->contactCount < result->contactMaxCount)
@@ -36,6 +40,10 @@ void mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const doubl
         }
         c->separation = (MeReal)point->separation;
         c->feature = point->feature;
+        if (element1 >= 0)
+            c->feature = mcd_featureMix(c->feature, 2 * (MeU32)element1);
+        if (element2 >= 0)
+            c->feature = mcd_featureMix(c->feature, 2 * (MeU32)element2 + 1);
         c->instance1 = ins1;
         c->instance2 = ins2;
         c->element1 = element1;

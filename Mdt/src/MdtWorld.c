@@ -243,8 +243,7 @@ int MEAPI MdtWorldGetAutoDisableAliveWindow(const MdtWorldID w) {
 void MEAPI MdtWorldSetMinSafeTime(const MdtWorldID w, const MeReal t) {
     MDT_NEED_WORLD(w, );
     if (mdt_isPositive(__func__, "the safe time", t))
-        w->maxMatrixSize = MDTMAXMATRIXSIZE_MAX;
-    w->minSafeTime = t;
+        w->minSafeTime = t;
 }
 
 MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w) {

@@ -264,6 +264,21 @@ START_TEST(safe_time_shortens_the_step_of_a_partition) {
 }
 END_TEST
 
+START_TEST(the_least_safe_time_is_a_setting_of_its_own) {
+    MdtWorldID w = MdtWorldCreate(1, 0);
+    MdtWorldSetMaxMatrixSize(w, 12);
+    MdtWorldSetMinSafeTime(w, (MeReal).25);
+    ck_assert(MdtWorldGetMinSafeTime(w) == (MeReal).25);
+    ck_assert_int_eq(MdtWorldGetMaxMatrixSize(w), 12);
+    messages_catch();
+    MdtWorldSetMinSafeTime(w, -1);
+    assert_warned("safe time");
+    ck_assert(MdtWorldGetMinSafeTime(w) == (MeReal).25);
+    messages_release();
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, a_new_world_has_the_guide_s_defaults);
     tcase_add_test(t, both_forms_of_creation);
@@ -277,6 +292,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, all_constraints_may_be_destroyed_while_walking);
     tcase_add_test(t, forces_of_all_bodies_may_be_reset);
     tcase_add_test(t, safe_time_shortens_the_step_of_a_partition);
+    tcase_add_test(t, the_least_safe_time_is_a_setting_of_its_own);
 }
 
 TEST_MAIN("World", tests)
