@@ -1,7 +1,7 @@
 /* The height field: triangles over a regular grid. */
 #include "McdRGHeightField.h"
 #include "MeDebugDraw.h"
-#include "mcd_box.h"
+#include "mcd_bounds.h"
 #include "mcd_geometries.h"
 #include <math.h>
 #include <string.h>
@@ -38,8 +38,7 @@ McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeRea
                   (const void *)heights, xCount, yCount, (double)xStep, (double)yStep, (double)x0, (double)y0);
         return 0;
     }
-    McdRGHeightField *f =
-        mcd_geometryCreate(frame, kMcdGeometryTypeRGHeightField, sizeof *f, "McdRGHeightFieldCreate");
+    McdRGHeightField *f = mcd_geometryCreate(frame, kMcdGeometryTypeRGHeightField, sizeof *f, "McdRGHeightFieldCreate");
     if (!f)
         return 0;
     f->height = heights;
@@ -328,9 +327,9 @@ static MeBool walk(const McdRGHeightField *f, const double from[3], const double
         MeBool isHit = MEFALSE;
         for (int beside = 0; beside < 9; beside++) {
             const int i = cell[0] + beside % 3 - 1, j = cell[1] + beside / 3 - 1;
-            double here, hit[3];
-            if (i < 0 || j < 0 || i > points[0] - 2 || j > points[1] - 2 ||
-                !meetCell(f, i, j, from, to, &here, hit) || (isHit && here >= *part))
+            double here = 0, hit[3];
+            if (i < 0 || j < 0 || i > points[0] - 2 || j > points[1] - 2 || !meetCell(f, i, j, from, to, &here, hit) ||
+                (isHit && here >= *part))
                 continue;
             isHit = METRUE;
             *part = here;

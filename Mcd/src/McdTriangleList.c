@@ -1,7 +1,7 @@
 /* The triangle list: a box, and a callback that knows what is in it. */
 #include "McdTriangleList.h"
 #include "MeDebugDraw.h"
-#include "mcd_box.h"
+#include "mcd_bounds.h"
 #include "mcd_geometries.h"
 #include <math.h>
 #include <string.h>
@@ -179,8 +179,10 @@ static int find(McdTriangleList *list, McdModelPair *p, const double centre[3], 
         list->generate(p, list->found, pos, (MeReal)(radius * (1 + 8 * (double)ME_SMALL_EPSILON)), list->maxTriangles);
     if (count >= list->maxTriangles && !list->hasWarned) {
         list->hasWarned = METRUE;
-        MeWarning(2, "McdTriangleList: the callback gave %d triangles, as many as there is place for: contacts may be "
-                     "missing; raise McdTriangleListCreate's triangleMaxCount", count);
+        MeWarning(2,
+                  "McdTriangleList: the callback gave %d triangles, as many as there is place for: contacts may be "
+                  "missing; raise McdTriangleListCreate's triangleMaxCount",
+                  count);
     }
     return MeCLAMP(count, 0, list->maxTriangles);
 }

@@ -14,8 +14,8 @@
 /* ---- memory ------------------------------------------------------------------------------------------------------ */
 
 void mcd_meshFree(McdMesh *mesh) {
-    void *block[] = {mesh->triangle, mesh->place,   mesh->order,        mesh->firstOf, mesh->usersOf,
-                     mesh->contact,  mesh->cluster, mesh->merged, mesh->contactOrder, mesh->spots,   mesh->kept};
+    void *block[] = {mesh->triangle, mesh->place,  mesh->order,        mesh->firstOf, mesh->usersOf, mesh->contact,
+                     mesh->cluster,  mesh->merged, mesh->contactOrder, mesh->spots,   mesh->kept};
     for (size_t i = 0; i < sizeof block / sizeof *block; i++)
         if (block[i])
             MeMemoryAPI.destroy(block[i]);
@@ -37,7 +37,8 @@ static MeBool grow(void **block, size_t used, size_t bytes) {
     return METRUE;
 }
 
-#define GROW(pointer, used, count) grow((void **)&(pointer), (size_t)(used) * sizeof *(pointer), (size_t)(count) * sizeof *(pointer))
+#define GROW(pointer, used, count)                                                                                     \
+    grow((void **)&(pointer), (size_t)(used) * sizeof *(pointer), (size_t)(count) * sizeof *(pointer))
 
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles) {
     if (triangles <= mesh->max)
@@ -55,8 +56,8 @@ static MeBool reserveContacts(McdMesh *mesh, int contacts) {
         return METRUE;
     const int n = mesh->contactCount, max = MeMAX(contacts, 2 * mesh->contactMax + 64);
     McdSpot *spots = mesh->spots;
-    if (!GROW(mesh->contact, n, max) || !GROW(mesh->cluster, 0, max) || !GROW(mesh->merged, 0, max) || !GROW(mesh->contactOrder, 0, max) ||
-        !GROW(spots, 0, max))
+    if (!GROW(mesh->contact, n, max) || !GROW(mesh->cluster, 0, max) || !GROW(mesh->merged, 0, max) ||
+        !GROW(mesh->contactOrder, 0, max) || !GROW(spots, 0, max))
         return MEFALSE;
     mesh->spots = spots;
     if (!GROW(mesh->kept, 0, max))

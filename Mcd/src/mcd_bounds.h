@@ -1,6 +1,6 @@
 /* Inside Mcd: what geometries that have a box in their own frame do with it, and line segments in that frame. */
-#ifndef MCD_BOX_H
-#define MCD_BOX_H
+#ifndef MCD_BOUNDS_H
+#define MCD_BOUNDS_H
 
 #include "mcd_i.h"
 

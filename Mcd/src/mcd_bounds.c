@@ -1,5 +1,5 @@
 /* Boxes in a geometry's own frame, and line segments there. */
-#include "mcd_box.h"
+#include "mcd_bounds.h"
 #include "MeDebugDraw.h"
 #include <math.h>
 
@@ -78,8 +78,8 @@ int mcd_segmentHit(MeMatrix4Ptr tm, const MeReal *from, const MeReal *to, double
         const double along = (double)to[i] - (double)from[i];
         length += along * along;
         hit->position[i] = (MeReal)((double)from[i] + part * along);
-        hit->normal[i] = (MeReal)(normal[0] * (double)tm[0][i] + normal[1] * (double)tm[1][i] +
-                                  normal[2] * (double)tm[2][i]);
+        hit->normal[i] =
+            (MeReal)(normal[0] * (double)tm[0][i] + normal[1] * (double)tm[1][i] + normal[2] * (double)tm[2][i]);
     }
     hit->distance = (MeReal)(part * sqrt(length));
     return 1;
