@@ -392,7 +392,8 @@ static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double
     mcd_faceToward(&q->shape, back, &face);
     p.count = face.count;
     memcpy(p.point, face.point, (size_t)face.count * sizeof *p.point);
-    memcpy(p.name, face.name, (size_t)face.count * sizeof *p.name);
+    for (int i = 0; i < face.count; i++)
+        p.name[i] = mix(face.id, face.name[i]);
     cutByTriangle(t, normal, 1e-9 * q->shape.extent, &p);
     MeBool any = MEFALSE;
     for (int i = 0; i < p.count; i++) {
