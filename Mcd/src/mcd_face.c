@@ -11,10 +11,12 @@
 /* What rounding does to places, relative to the smaller shape: corners that stand out by less are inside, separations
  * that differ by less are the same. Depths are promised to 1e-6. */
 static const double slack = 2e-7;
+/* What preferring a face over a slightly better normal does to separations. */
+static const double preference = 1e-5;
 /* Lines that cross at less than this angle touch along a length. */
 static const double parallelSine = .05;
 /* Surfaces steeper than this against the normal have no heights. */
-static const double leastSlope = 1e-3;
+static const double leastSlope = 1e-2;
 
 /* A feature's number: what it is, on which face, which of its corners (McdFace). */
 enum { CORNER = 0, EDGE = 1, INSIDE = 2, SUPPORT = 3 };
@@ -492,6 +494,18 @@ int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *
     return 1;
 }
 
+/* The deepest spot; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so, where the
+ * slack lets it stand out. */
+static int leastSeparated(Spot *spot, int count, double separation) {
+    int least = -1;
+    for (int i = 0; i < count; i++) {
+        spot[i].a = MeMAX(spot[i].a, spot[i].b + separation);
+        if (least < 0 || spot[i].a - spot[i].b < spot[least].a - spot[least].b)
+            least = i;
+    }
+    return least;
+}
+
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                       const McdProximity *p, double margin, McdManifold *m) {
     Spot spot[MAX_SPOTS];
@@ -504,10 +518,12 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     if (makeOutline(&v, faceA, 1, &outA) && makeOutline(&v, faceB, 0, &outB))
         count = commonSpots(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, spot);
     count = dropIdle(spot, count, coreMargin, v.slack);
-    double deepest = INFINITY;
-    for (int i = 0; i < count; i++)
-        deepest = MeMIN(deepest, spot[i].a - spot[i].b);
-    if (!(deepest <= p->separation + v.slack) && p->separation <= coreMargin)
+    const int least = leastSeparated(spot, count, p->separation);
+    const double short_ = least < 0 ? INFINITY : spot[least].a - spot[least].b - p->separation;
+    /* A face that is preferred although another normal is slightly better has its farthest corner beside the other. */
+    if (short_ <= preference * mcd_pairSize(a, b))
+        spot[least].a = spot[least].b + p->separation;
+    else if (p->separation <= coreMargin)
         spot[count++] = supportSpot(&v, p, code(SUPPORT, faceA->id, 0) << 16 | code(SUPPORT, faceB->id, 0));
     if (count > MCD_MANIFOLD_POINTS)
         count = keepFour(spot, count, v.slack);
