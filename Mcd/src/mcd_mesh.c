@@ -6,6 +6,13 @@
 
 /* Directions that differ by less (rad) are one. */
 #define SAME_DIRECTION 1e-4
+/* A neighbour rises above a plane if its angle (rad) with it is larger; much smaller than SAME_DIRECTION, so that a normal
+ * which is no face's is noticed. */
+#define RISES 1e-6
+/* Corners whose heights over a plane differ by a smaller part of their distance are equally high. */
+#define SAME_HEIGHT 1e-5
+/* What is over a triangle, relative to the shape's extent: neighbours overlap by that, so that nothing slips between. */
+#define OVER 1e-9
 /* A triangle whose height is a smaller part of its longest side has no area. */
 #define NO_HEIGHT 1e-7
 /* Normals within this cosine of each other make one manifold: 1.1 degrees. */
@@ -220,7 +227,8 @@ static void joinCorners(McdMesh *mesh) {
 /* ---- which normals are the surface's -------------------------------------------------------------------------------- */
 
 typedef enum Verdict {
-    OUTSIDE,  /* a normal of the surface */
+    ON_FACE,  /* the triangle's own */
+    OUTSIDE,  /* another one of the surface */
     INSIDE,   /* a neighbour rises above it */
     NOT_SHARP /* there is no neighbour, but the edge gives no normals */
 } Verdict;
@@ -237,7 +245,7 @@ static int farthestCorners(const McdMeshTriangle *t, const double direction[3]) 
         }
     }
     for (int i = 0; i < 3; i++)
-        if (most - height[i] <= SAME_DIRECTION * sqrt(mcd_distanceSquared(t->corner[i], t->corner[top])))
+        if (most - height[i] <= SAME_HEIGHT * sqrt(mcd_distanceSquared(t->corner[i], t->corner[top])))
             mask |= 1 << i;
     return mask;
 }
@@ -258,7 +266,7 @@ static MeBool risesFrom(const McdMeshTriangle *t, int v, int other, const double
             mcd_sub(e, t->corner[third], t->corner[at]);
             mcd_mad(d, d, -mcd_dot(d, e) / mcd_dot(e, e), e);
         }
-        if (mcd_dot(d, normal) > SAME_DIRECTION * mcd_length(d))
+        if (mcd_dot(d, normal) > RISES * mcd_length(d))
             return METRUE;
     }
     return MEFALSE;
@@ -295,7 +303,7 @@ static Verdict judge(const McdMesh *mesh, const McdMeshTriangle *t, const double
         if (mask == 1 << i)
             return judgeAt(mesh, t, t->vertex[i], -1, edgeIsSharp(t, i) && edgeIsSharp(t, last), normal);
     }
-    return OUTSIDE; /* the face itself */
+    return ON_FACE;
 }
 
 /* ---- contacts of one triangle ----------------------------------------------------------------------------------------- */
@@ -383,8 +391,9 @@ static void cutByTriangle(const McdMeshTriangle *t, const double normal[3], doub
     }
 }
 
-/* Contacts along a triangle's normal (either side's). False if there are none. */
-static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]) {
+/* Contacts along a triangle's normal (either side's), of what is over it or within the tolerance of that. False if there
+ * are none. */
+static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
     McdFace face;
     Polygon p;
     double back[3];
@@ -394,7 +403,7 @@ static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double
     memcpy(p.point, face.point, (size_t)face.count * sizeof *p.point);
     for (int i = 0; i < face.count; i++)
         p.name[i] = mix(face.id, face.name[i]);
-    cutByTriangle(t, normal, 1e-9 * q->shape.extent, &p);
+    cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
     MeBool any = MEFALSE;
     for (int i = 0; i < p.count; i++) {
         double off[3], at[3];
@@ -437,16 +446,21 @@ static void touchTriangle(McdMeshQuery *q, const McdMeshTriangle *t) {
     mcd_scale(face, t->normal, side);
     const double towards = mcd_dot(m.normal, face);
     const MeBool shortest = (t->flags & kMcdTriangleUseSmallestPenetration) != 0;
-    const MeBool isFace = mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION;
-    const Verdict verdict = isFace ? OUTSIDE : judge(q->mesh, t, m.normal);
+    const Verdict verdict = judge(q->mesh, t, m.normal);
+    const MeBool isFace = mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION ||
+                          (verdict == ON_FACE && towards > 0);
     if (verdict == NOT_SHARP && towards < .5) /* pushed from the side, where there is nothing to push */
         return;
     const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && towards < -SAME_DIRECTION;
     if (isFace || !shortest || verdict != OUTSIDE || isFromBehind) {
-        if ((isFace || side * height >= 0) && touchAlong(q, t, face))
+        if ((isFace || side * height >= 0) && touchAlong(q, t, face, OVER))
             return;
-        if (!isFace || (!shortest && verdict != OUTSIDE))
+        /* a normal that is the face's to within the tolerance belongs to a point that is so far beside the face */
+        if (isFace && touchAlong(q, t, face, SAME_DIRECTION))
             return;
+        if (!isFace)
+            return;
+        mcd_copy(m.normal, face);
     }
     addManifold(q, t, &m);
 }
@@ -468,7 +482,7 @@ static void bringBack(McdMeshQuery *q) {
     for (int i = 0; nearest && i < q->mesh->count; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
         if (mcd_dot(t->normal, nearest->normal) > SAME_MANIFOLD && touches(q, t, &m))
-            touchAlong(q, t, t->normal);
+            touchAlong(q, t, t->normal, OVER);
     }
 }
 
