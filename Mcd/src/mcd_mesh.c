@@ -115,6 +115,8 @@ static int comparePlaces(const McdMesh *mesh, int a, int b) {
 
 static int compareContacts(const McdMesh *mesh, int a, int b) {
     const McdMeshContact *x = &mesh->contact[a], *y = &mesh->contact[b];
+    if (x->isCut != y->isCut)
+        return x->isCut - y->isCut;
     if (x->feature != y->feature)
         return x->feature < y->feature ? -1 : 1;
     const int order = comparePoints(x->position, y->position);
@@ -317,7 +319,7 @@ static MeU32 sectorOf(const double normal[3]) {
 }
 
 static void addContact(McdMeshQuery *q, const McdMeshTriangle *t, const double position[3], const double normal[3],
-                       double separation, MeU32 feature) {
+                       double separation, MeU32 feature, MeBool isCut) {
     McdMesh *mesh = q->mesh;
     if (!reserveContacts(mesh, mesh->contactCount + 1))
         return;
@@ -327,6 +329,7 @@ static void addContact(McdMeshQuery *q, const McdMeshTriangle *t, const double p
     c->separation = separation;
     c->feature = mix(feature, sectorOf(normal));
     c->element = t->element;
+    c->isCut = isCut;
 }
 
 /* Of the edge or corner that is farthest along the normal; the same for all triangles that share it. */
@@ -342,18 +345,21 @@ static MeU32 featureToward(const McdMeshTriangle *t, const double normal[3]) {
 static void addManifold(McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
     const MeU32 feature = featureToward(t, m->normal);
     for (int i = 0; i < m->count; i++)
-        addContact(q, t, m->point[i].position, m->normal, m->point[i].separation, mix(feature, m->point[i].feature));
+        addContact(q, t, m->point[i].position, m->normal, m->point[i].separation, mix(feature, m->point[i].feature),
+                   METRUE);
 }
 
 typedef struct Polygon {
     int count;
     double point[MCD_FACE_POINTS + 4][3];
     MeU32 name[MCD_FACE_POINTS + 4];
+    MeBool isCut[MCD_FACE_POINTS + 4]; /* no corner of the shape's face */
 } Polygon;
 
-static void appendPoint(Polygon *p, const double point[3], MeU32 name) {
+static void appendPoint(Polygon *p, const double point[3], MeU32 name, MeBool isCut) {
     if (p->count == MCD_FACE_POINTS + 4)
         return;
+    p->isCut[p->count] = isCut;
     mcd_copy(p->point[p->count], point);
     p->name[p->count++] = name;
 }
@@ -366,13 +372,13 @@ static void cut(const Polygon *in, const double inward[3], double offset, double
         const int next = (i + 1) % in->count;
         const double a = mcd_dot(in->point[i], inward) - offset, b = mcd_dot(in->point[next], inward) - offset;
         if (a >= -tolerance)
-            appendPoint(out, in->point[i], in->name[i]);
+            appendPoint(out, in->point[i], in->name[i], in->isCut[i]);
         if ((a >= -tolerance) == (b >= -tolerance) || (in->count == 2 && i == 1))
             continue;
         double d[3], at[3];
         mcd_sub(d, in->point[next], in->point[i]);
         mcd_mad(at, in->point[i], MeCLAMP(a / (a - b), 0, 1), d);
-        appendPoint(out, at, mix(in->name[i] + in->name[next], edgeName));
+        appendPoint(out, at, mix(in->name[i] + in->name[next], edgeName), METRUE);
     }
 }
 
@@ -401,8 +407,10 @@ static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double
     mcd_faceToward(&q->shape, back, &face);
     p.count = face.count;
     memcpy(p.point, face.point, (size_t)face.count * sizeof *p.point);
-    for (int i = 0; i < face.count; i++)
+    for (int i = 0; i < face.count; i++) {
         p.name[i] = mix(face.id, face.name[i]);
+        p.isCut[i] = MEFALSE;
+    }
     cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
     MeBool any = MEFALSE;
     for (int i = 0; i < p.count; i++) {
@@ -412,7 +420,7 @@ static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double
         if (separation > q->margin)
             continue;
         mcd_mad(at, p.point[i], -(q->shape.rounding + separation / 2), normal);
-        addContact(q, t, at, normal, separation, p.name[i]);
+        addContact(q, t, at, normal, separation, p.name[i], p.isCut[i]);
         any = METRUE;
     }
     return any;
@@ -470,7 +478,7 @@ static void touchTriangle(McdMeshQuery *q, const McdMeshTriangle *t) {
 static void bringBack(McdMeshQuery *q) {
     const McdMeshTriangle *nearest = 0;
     McdManifold m;
-    double least = q->radius / 2;
+    double least = fmin(q->radius, q->shape.extent) / 2;
     for (int i = 0; i < q->mesh->count; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
         const double behind = -heightOfCentre(q, t);
@@ -488,16 +496,24 @@ static void bringBack(McdMeshQuery *q) {
 
 /* ---- manifolds ----------------------------------------------------------------------------------------------------------- */
 
-/* Moves contacts with nearly the normal of the first one from contactOrder to the cluster; returns how many. */
-static int takeCluster(McdMesh *mesh, int *left) {
+static MeBool isThere(const McdMesh *mesh, int count, const McdMeshContact *c, double same) {
+    for (int i = 0; i < count; i++)
+        if (mcd_distanceSquared(mesh->cluster[i].position, c->position) <= same * same)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Moves contacts with nearly the normal of the first one from contactOrder to the cluster, one for each place; returns
+ * how many. */
+static int takeCluster(McdMesh *mesh, int *left, double same) {
     const McdMeshContact *first = &mesh->contact[mesh->contactOrder[0]];
     int count = 0, rest = 0;
     for (int i = 0; i < *left; i++) {
         const McdMeshContact *c = &mesh->contact[mesh->contactOrder[i]];
-        if (i == 0 || mcd_dot(c->normal, first->normal) > SAME_MANIFOLD)
-            mesh->cluster[count++] = *c;
-        else
+        if (i > 0 && mcd_dot(c->normal, first->normal) <= SAME_MANIFOLD)
             mesh->contactOrder[rest++] = mesh->contactOrder[i];
+        else if (!isThere(mesh, count, c, same))
+            mesh->cluster[count++] = *c;
     }
     *left = rest;
     return count;
@@ -526,7 +542,7 @@ static void merge(McdMeshQuery *q, int max) {
     sortIndices(mesh, compareContacts, mesh->contactOrder, left);
     McdMeshContact *out = mesh->merged;
     while (left) {
-        const int size = takeCluster(mesh, &left);
+        const int size = takeCluster(mesh, &left, same);
         const int keptCount = spreadOut(mesh, mesh->cluster, size, MCD_MANIFOLD_POINTS, same);
         memcpy(out + count, mesh->cluster, (size_t)keptCount * sizeof *out);
         count += keptCount;

@@ -23,6 +23,7 @@ typedef struct McdMeshContact {
     double position[3], normal[3], separation;
     MeU32 feature;
     int element;
+    int isCut; /* no corner of the shape: a point that others may replace */
 } McdMeshContact;
 
 /* Memory for queries, kept between them; zeroed at first. It belongs to a geometry. */
