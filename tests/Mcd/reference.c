@@ -7,7 +7,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-const char *const shape_name[SHAPE_KINDS] = {"sphere", "sphyl", "box", "cylinder", "cone", "hull", "fat hull", "triangle"};
+const char *const shape_name[SHAPE_KINDS] = {"sphere", "sphyl", "box",      "cylinder",
+                                             "cone",   "hull",  "fat hull", "triangle"};
 
 /* ---- random ---------------------------------------------------------------------------------------------------- */
 
@@ -304,14 +305,12 @@ static void makeSolid(const McdShape *s, Solid *x) {
     }
 }
 
-void reference_support(const McdShape *s, const double n[3], double out[3]) {
-    Solid x;
-    makeSolid(s, &x);
+static void support(const McdShape *s, const Solid *x, const double n[3], double out[3]) {
     double d[3], best = -INFINITY;
-    for (int i = 0; i < x.corners; i++)
-        if (mcd_dot(x.corner[i], n) > best) {
-            best = mcd_dot(x.corner[i], n);
-            mcd_copy(out, x.corner[i]);
+    for (int i = 0; i < x->corners; i++)
+        if (mcd_dot(x->corner[i], n) > best) {
+            best = mcd_dot(x->corner[i], n);
+            mcd_copy(out, x->corner[i]);
         }
     for (int i = 0; i < 3; i++)
         d[i] = mcd_dot(s->axis[i], n);
@@ -330,7 +329,7 @@ void reference_support(const McdShape *s, const double n[3], double out[3]) {
         height[1] = s->size[2];
         height[0] = -height[1];
     }
-    for (int i = 0; i < 2 && !x.corners; i++) {
+    for (int i = 0; i < 2 && !x->corners; i++) {
         const double own[3] = {across > 0 ? radius[i] * d[0] / across : 0, across > 0 ? radius[i] * d[1] / across : 0,
                                height[i]};
         double p[3];
@@ -343,24 +342,49 @@ void reference_support(const McdShape *s, const double n[3], double out[3]) {
     mcd_mad(out, out, s->rounding, n);
 }
 
-double reference_along(const McdShape *a, const McdShape *b, const double n[3]) {
+void reference_support(const McdShape *s, const double n[3], double out[3]) {
+    Solid x;
+    makeSolid(s, &x);
+    support(s, &x, n, out);
+}
+
+/* Two shapes, made ready for many questions. */
+typedef struct Both {
+    const McdShape *a, *b;
+    Solid x, y;
+} Both;
+
+static void makeBoth(const McdShape *a, const McdShape *b, Both *both) {
+    both->a = a;
+    both->b = b;
+    makeSolid(a, &both->x);
+    makeSolid(b, &both->y);
+}
+
+static double along(const Both *both, const double n[3]) {
     const double back[3] = {-n[0], -n[1], -n[2]};
     double x[3], y[3];
-    reference_support(a, back, x);
-    reference_support(b, n, y);
+    support(both->a, &both->x, back, x);
+    support(both->b, &both->y, n, y);
     return mcd_dot(x, n) - mcd_dot(y, n);
+}
+
+double reference_along(const McdShape *a, const McdShape *b, const double n[3]) {
+    Both both;
+    makeBoth(a, b, &both);
+    return along(&both, n);
 }
 
 /* ---- directions -------------------------------------------------------------------------------------------------- */
 
-static void tryDirection(const McdShape *a, const McdShape *b, const double d[3], double *best, double normal[3]) {
+static void tryDirection(const Both *both, const double d[3], double *best, double normal[3]) {
     const double length = mcd_length(d);
     if (!(length > 1e-12))
         return;
     for (int sign = -1; sign < 2; sign += 2) {
         double n[3];
         mcd_scale(n, d, sign / length);
-        const double s = reference_along(a, b, n);
+        const double s = along(both, n);
         if (s > *best) {
             *best = s;
             mcd_copy(normal, n);
@@ -412,7 +436,7 @@ double reference_axes(const McdShape *a, const McdShape *b, double normal[3]) {
 
 /* Moves a direction to better ones around it, ever nearer, looking along other lines before it comes nearer: what it
  * climbs has sharp ridges. */
-static void search(const McdShape *a, const McdShape *b, double reach, double *best, double normal[3]) {
+static void search(const Both *both, double reach, double *best, double normal[3]) {
     int failures = 0;
     for (double r = reach, turn = 0; r > 1e-9; turn += .07) {
         double u[3], w[3], n[3];
@@ -424,14 +448,14 @@ static void search(const McdShape *a, const McdShape *b, double reach, double *b
             mcd_mad(n, normal, r * cos(i * pi / 8 + turn), u);
             mcd_mad(n, n, r * sin(i * pi / 8 + turn), w);
             mcd_scale(n, n, 1 / mcd_length(n));
-            const double s = reference_along(a, b, n);
+            const double s = along(both, n);
             if (s > *best) {
                 *best = s;
                 mcd_copy(next, n);
             }
         }
         mcd_copy(normal, next);
-        if (*best > before + 1e-12 * a->extent) {
+        if (*best > before + 1e-12 * both->a->extent) {
             failures = 0;
         } else if (++failures == 5) {
             failures = 0;
@@ -442,26 +466,27 @@ static void search(const McdShape *a, const McdShape *b, double reach, double *b
 
 double reference_distance(const McdShape *a, const McdShape *b, int directions, double normal[3]) {
     enum { BEST = 4 };
-    Solid x, y;
+    Both pair;
+    const Both *both = &pair;
+    const Solid *x = &pair.x, *y = &pair.y;
     double d[3], best = -INFINITY;
     double top[BEST], topNormal[BEST][3];
-    makeSolid(a, &x);
-    makeSolid(b, &y);
+    makeBoth(a, b, &pair);
     for (int i = 0; i < BEST; i++)
         top[i] = -INFINITY;
     mcd_sub(d, a->place, b->place);
-    tryDirection(a, b, d, &best, normal);
-    for (int i = 0; i < x.normals + y.normals; i++)
-        tryDirection(a, b, i < x.normals ? x.normal[i] : y.normal[i - x.normals], &best, normal);
-    for (int i = 0; i < x.edges; i++)
-        for (int j = 0; j < y.edges && x.edges * y.edges < 200; j++) {
-            mcd_cross(d, x.edge[i], y.edge[j]);
-            tryDirection(a, b, d, &best, normal);
+    tryDirection(both, d, &best, normal);
+    for (int i = 0; i < x->normals + y->normals; i++)
+        tryDirection(both, i < x->normals ? x->normal[i] : y->normal[i - x->normals], &best, normal);
+    for (int i = 0; i < x->edges; i++)
+        for (int j = 0; j < y->edges && x->edges * y->edges < 200; j++) {
+            mcd_cross(d, x->edge[i], y->edge[j]);
+            tryDirection(both, d, &best, normal);
         }
     for (int i = 0; i < directions; i++) {
         const double z = 1 - (2 * i + 1.) / directions, k = sqrt(1 - z * z), angle = i * 2.39996322972865332;
         mcd_set(d, k * cos(angle), k * sin(angle), z);
-        const double s = reference_along(a, b, d);
+        const double s = along(both, d);
         int place = -1;
         for (int j = 0; j < BEST; j++) /* near one of the best: instead of it; else instead of the worst */
             if (top[j] > -INFINITY && mcd_dot(topNormal[j], d) > .9)
@@ -478,13 +503,13 @@ double reference_distance(const McdShape *a, const McdShape *b, int directions, 
         }
     }
     for (int j = 0; j < BEST; j++) {
-        search(a, b, .1, &top[j], topNormal[j]);
+        search(both, .1, &top[j], topNormal[j]);
         if (top[j] > best) {
             best = top[j];
             mcd_copy(normal, topNormal[j]);
         }
     }
-    search(a, b, .01, &best, normal);
+    search(both, .01, &best, normal);
     return best;
 }
 

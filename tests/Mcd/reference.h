@@ -12,12 +12,21 @@
 typedef struct Random {
     unsigned long long state;
 } Random;
-double random_unit(Random *r);                               /* 0 .. 1 */
+double random_unit(Random *r); /* 0 .. 1 */
 double random_between(Random *r, double low, double high);
 void random_direction(Random *r, double out[3]);
 
-enum { SHAPE_SPHERE, SHAPE_SPHYL, SHAPE_BOX, SHAPE_CYLINDER, SHAPE_CONE, SHAPE_HULL, SHAPE_FAT_HULL, SHAPE_TRIANGLE,
-       SHAPE_KINDS };
+enum {
+    SHAPE_SPHERE,
+    SHAPE_SPHYL,
+    SHAPE_BOX,
+    SHAPE_CYLINDER,
+    SHAPE_CONE,
+    SHAPE_HULL,
+    SHAPE_FAT_HULL,
+    SHAPE_TRIANGLE,
+    SHAPE_KINDS
+};
 extern const char *const shape_name[SHAPE_KINDS];
 
 /* Its own axes along the coordinates', at the origin. */

@@ -20,8 +20,8 @@ static double deepest(const McdManifold *m) {
 typedef struct Pose {
     McdShape a, b;
     double size, margin;
-    int up;           /* the axis of b along which a stands on it, in other poses than ANY */
-    MeBool isFull;    /* a stands with its whole middle on b: a full manifold is due */
+    int up;        /* the axis of b along which a stands on it, in other poses than ANY */
+    MeBool isFull; /* a stands with its whole middle on b: a full manifold is due */
 } Pose;
 
 /* a on a face of b: a little in it or above it, moved aside by part of their sizes; then both turned alike. */

@@ -27,13 +27,14 @@ static void assertSound(const McdShape *a, const McdShape *b, double margin, con
     ck_assert_int_ge(m->count, 1);
     ck_assert_int_le(m->count, MCD_MANIFOLD_POINTS);
     const double off = (deepest(m) - n) / size;
-    ck_assert_msg(fabs(off) <= depthError + 1e-13 * large / size, "%s: separation %.12g, along its normal %.12g, off by %g", what,
-                  deepest(m), n, off);
+    ck_assert_msg(fabs(off) <= depthError + 1e-13 * large / size,
+                  "%s: separation %.12g, along its normal %.12g, off by %g", what, deepest(m), n, off);
     for (int i = 0; i < m->count; i++) {
         ck_assert(isfinite(m->point[i].position[0] + m->point[i].position[1] + m->point[i].position[2]));
         ck_assert_double_le(m->point[i].separation, margin);
         for (int j = 0; j < i; j++)
-            ck_assert_msg(m->point[i].feature != m->point[j].feature, "%s: two points with feature %08x", what, m->point[i].feature);
+            ck_assert_msg(m->point[i].feature != m->point[j].feature, "%s: two points with feature %08x", what,
+                          m->point[i].feature);
     }
 }
 
@@ -55,8 +56,8 @@ static void placePair(McdShape *a, McdShape *b, int pose, double margin, Random 
                    random_between(r, -.3, .3) * b->extent);
     }
     /* Out of the other along n, then in again a little or much. */
-    const double in = random_unit(r) < .7 ? random_between(r, -margin, .05 * sizeOf(a, b))
-                                          : random_between(r, 0, sizeOf(a, b));
+    const double in =
+        random_unit(r) < .7 ? random_between(r, -margin, .05 * sizeOf(a, b)) : random_between(r, 0, sizeOf(a, b));
     const double k = -reference_along(a, b, n) - in;
     shape_move(a, k * n[0], k * n[1], k * n[2]);
     Random same = *r;
@@ -76,7 +77,10 @@ static void comparePair(int kindA, int kindB, int pose, double scale, MeBool sla
     const double size = sizeOf(&a, &b), margin = .01 * size;
     placePair(&a, &b, pose, margin, r);
     snprintf(what, sizeof what, "%s, %s, %s%s, scale %g", shape_name[kindA], shape_name[kindB],
-             pose == ALIGNED ? "aligned" : pose == TILTED ? "tilted" : "any", slab ? ", slab" : "", scale);
+             pose == ALIGNED  ? "aligned"
+             : pose == TILTED ? "tilted"
+                              : "any",
+             slab ? ", slab" : "", scale);
     const double expected = reference_distance(&a, &b, 400, n);
     const int count = mcd_convexManifold(&a, &b, margin, &m);
     if (expected > margin) {
@@ -89,9 +93,8 @@ static void comparePair(int kindA, int kindB, int pose, double scale, MeBool sla
         return;
     assertSound(&a, &b, margin, &m);
     worst = fmax(worst, (expected - deepest(&m)) / size);
-    ck_assert_msg(deepest(&m) >= expected - depthError * size, "%s: %.12g instead of %.12g, off by %g of size",
-                  what, deepest(&m), expected,
-                  (expected - deepest(&m)) / size);
+    ck_assert_msg(deepest(&m) >= expected - depthError * size, "%s: %.12g instead of %.12g, off by %g of size", what,
+                  deepest(&m), expected, (expected - deepest(&m)) / size);
 }
 
 START_TEST(depths_are_those_of_the_reference) {
@@ -101,8 +104,11 @@ START_TEST(depths_are_those_of_the_reference) {
             worst = -INFINITY;
             const int count = getenv("NEARFIELD_POSES") ? atoi(getenv("NEARFIELD_POSES")) : 60;
             for (int k = 0; k < count; k++)
-                comparePair(k & 1 ? i : j, k & 1 ? j : i, k % POSES, k % 7 == 0 ? 1e-3 : k % 7 == 1 ? 1e3 : 1, k % 5 == 0,
-                            &r);
+                comparePair(k & 1 ? i : j, k & 1 ? j : i, k % POSES,
+                            k % 7 == 0   ? 1e-3
+                            : k % 7 == 1 ? 1e3
+                                         : 1,
+                            k % 5 == 0, &r);
             if (getenv("NEARFIELD_POSES"))
                 printf("%-9s %-9s worst %.2g\n", shape_name[i], shape_name[j], worst);
         }
