@@ -46,7 +46,7 @@ void MEAPI McduDebugDrawAggregate(const McdAggregateID agg, const MeMatrix4 tm, 
 }
 
 void MEAPI McduDebugDrawModel(const McdModelID model, McduDebugDrawFlags flags, const MeReal colour[3]) {
-    const McdModelRecord *m = mcd_modelCheck(model, "McduDebugDrawModel");
+    McdModelRecord *m = mcd_modelCheck(model, "McduDebugDrawModel");
     if (!m || !mcd_modelIsPlaced(m))
         return;
     if (flags & kMcduDebugDrawAABB)
