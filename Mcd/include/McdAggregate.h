@@ -51,7 +51,7 @@ MEPUBLIC char *MEAPI McdAggregateGetTypeName(McdGeometryID g);
 MEPUBLIC void MEAPI McdAggregateDestroy(McdGeometryID g);
 /** Renews the boxes of all children, and makes a box around them; a point for an aggregate without elements. */
 MEPUBLIC void MEAPI McdAggregateUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight);
-/** A ball around the elements' balls. */
+/** The smaller one of a ball around the elements' balls and one around the box. */
 MEPUBLIC void MEAPI McdAggregateGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius);
 MEPUBLIC void MEAPI McdAggregateMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint);
 /** The sum of the elements; where they overlap, the overlap counts twice. Elements without a volume count for nothing;

@@ -211,10 +211,9 @@ static void ballOf(const McdAggregate *a, int i, MeVector3 centre, MeReal *radiu
     MeMatrix4TMTransform(centre, mcd_const(a->element[i].relTM), local);
 }
 
-void MEAPI McdAggregateGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
-    const McdAggregate *a = (const McdAggregate *)g;
+static MeReal ballAroundBalls(const McdAggregate *a, MeVector3 center) {
     MeVector3 c, low = {0, 0, 0}, high = {0, 0, 0};
-    MeReal r;
+    MeReal r, radius = 0;
     for (int i = 0; i < a->count; i++) { /* its middle is that of the balls' box */
         ballOf(a, i, c, &r);
         for (int k = 0; k < 3; k++) {
@@ -224,10 +223,28 @@ void MEAPI McdAggregateGetBSphere(const McdGeometryID g, MeVector3 center, MeRea
     }
     for (int k = 0; k < 3; k++)
         center[k] = low[k] / 2 + high[k] / 2;
-    *radius = 0;
     for (int i = 0; i < a->count; i++) {
         ballOf(a, i, c, &r);
-        *radius = MeMAX(*radius, MeVector3Distance(c, center) + r);
+        radius = MeMAX(radius, MeVector3Distance(c, center) + r);
+    }
+    return radius;
+}
+
+static MeReal ballAroundBox(McdGeometryID g, MeVector3 center) {
+    MeVector3 low, high;
+    McdGeometryGetAABB(g, identity, low, high);
+    for (int k = 0; k < 3; k++)
+        center[k] = low[k] / 2 + high[k] / 2;
+    return MeVector3Distance(high, center);
+}
+
+void MEAPI McdAggregateGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    MeVector3 middle;
+    *radius = ballAroundBalls((const McdAggregate *)g, center);
+    const MeReal other = ballAroundBox(g, middle);
+    if (((const McdAggregate *)g)->count && other < *radius) {
+        MeVector3Copy(center, middle);
+        *radius = other;
     }
 }
 

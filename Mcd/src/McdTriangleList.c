@@ -1,8 +1,8 @@
 /* The triangle list: a box, and a callback that knows what is in it. */
 #include "McdTriangleList.h"
-#include "MeDebugDraw.h"
 #include "mcd_bounds.h"
 #include "mcd_geometries.h"
+#include "mcd_local.h"
 #include <math.h>
 #include <string.h>
 
@@ -173,10 +173,12 @@ void MEAPI McdTriangleListRegisterType(McdFramework *frame) {
 /* What the callback has near a point of the list's frame; never more than there is place for. */
 static int find(McdTriangleList *list, McdModelPair *p, const double centre[3], double radius) {
     MeVector3 pos = {(MeReal)centre[0], (MeReal)centre[1], (MeReal)centre[2]};
+    double reach = radius; /* with what rounding takes from it */
+    for (int i = 0; i < 3; i++)
+        reach += fabs((double)pos[i] - centre[i]);
     if (!list->generate)
         return 0;
-    const int count =
-        list->generate(p, list->found, pos, (MeReal)(radius * (1 + 8 * (double)ME_SMALL_EPSILON)), list->maxTriangles);
+    const int count = list->generate(p, list->found, pos, mcd_roundUp(reach), list->maxTriangles);
     if (count >= list->maxTriangles && !list->hasWarned) {
         list->hasWarned = METRUE;
         MeWarning(2,

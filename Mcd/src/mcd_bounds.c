@@ -1,6 +1,7 @@
 /* Boxes in a geometry's own frame, and line segments there. */
 #include "mcd_bounds.h"
 #include "MeDebugDraw.h"
+#include "mcd_local.h"
 #include <math.h>
 
 static void cornerOf(const MeReal *min, const MeReal *max, int k, MeVector3 corner) {
@@ -9,14 +10,13 @@ static void cornerOf(const MeReal *min, const MeReal *max, int k, MeVector3 corn
 
 static void boxAt(const MeReal *min, const MeReal *max, MeMatrix4Ptr tm, MeVector3 low, MeVector3 high) {
     for (int i = 0; i < 3; i++) {
-        MeReal middle = tm[3][i], reach = 0;
+        double middle = (double)tm[3][i], reach = 0;
         for (int k = 0; k < 3; k++) {
-            middle += tm[k][i] * (min[k] + max[k]) / 2;
-            reach += MeFabs(tm[k][i]) * (max[k] - min[k]) / 2;
+            middle += (double)tm[k][i] * ((double)min[k] + (double)max[k]) / 2;
+            reach += fabs((double)tm[k][i]) * ((double)max[k] - (double)min[k]) / 2;
         }
-        reach += 4 * ME_SMALL_EPSILON * (MeFabs(middle) + reach);
-        low[i] = middle - reach;
-        high[i] = middle + reach;
+        low[i] = mcd_roundDown(middle - reach);
+        high[i] = mcd_roundUp(middle + reach);
     }
 }
 

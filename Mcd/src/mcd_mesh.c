@@ -455,8 +455,8 @@ static void touchTriangle(McdMeshQuery *q, const McdMeshTriangle *t) {
     const double towards = mcd_dot(m.normal, face);
     const MeBool shortest = (t->flags & kMcdTriangleUseSmallestPenetration) != 0;
     const Verdict verdict = judge(q->mesh, t, m.normal);
-    const MeBool isFace = mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION ||
-                          (verdict == ON_FACE && towards > 0);
+    const MeBool isFace =
+        mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION || (verdict == ON_FACE && towards > 0);
     if (verdict == NOT_SHARP && towards < .5) /* pushed from the side, where there is nothing to push */
         return;
     const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && towards < -SAME_DIRECTION;

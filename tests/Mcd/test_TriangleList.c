@@ -191,10 +191,21 @@ static void makeStep(void) {
     for (int j = -8; j < 8; j++)
         for (int k = 0; k < 16; k++) {
             const double s = .25, y = j * s;
-            const double from[2] = {k < 8 ? (k - 8) * s : k < 12 ? 0 : (k - 12) * s, k < 8 ? 0 : k < 12 ? -(k - 8) * s : -1};
-            const double to[2] = {k < 8 ? (k - 7) * s : k < 12 ? 0 : (k - 11) * s, k < 8 ? 0 : k < 12 ? -(k - 7) * s : -1};
+            const double from[2] = {k < 8    ? (k - 8) * s
+                                    : k < 12 ? 0
+                                             : (k - 12) * s,
+                                    k < 8    ? 0
+                                    : k < 12 ? -(k - 8) * s
+                                             : -1};
+            const double to[2] = {k < 8    ? (k - 7) * s
+                                  : k < 12 ? 0
+                                           : (k - 11) * s,
+                                  k < 8    ? 0
+                                  : k < 12 ? -(k - 7) * s
+                                           : -1};
             const int a = terrain_vertex(&ground, from[0], y, from[1]), b = terrain_vertex(&ground, to[0], y, to[1]);
-            const int c = terrain_vertex(&ground, to[0], y + s, to[1]), d = terrain_vertex(&ground, from[0], y + s, from[1]);
+            const int c = terrain_vertex(&ground, to[0], y + s, to[1]),
+                      d = terrain_vertex(&ground, from[0], y + s, from[1]);
             terrain_triangle(&ground, a, b, c, ONE_SIDED);
             terrain_triangle(&ground, a, c, d, ONE_SIDED);
         }
