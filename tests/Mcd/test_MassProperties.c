@@ -106,6 +106,16 @@ START_TEST(closed_forms) {
 }
 END_TEST
 
+/* The integral of x^2 over a box with half sizes a, b, c and all within r of it: box, faces, edges, corners. */
+static double fatSquare(double a, double b, double c, double r) {
+    const double pi = 3.14159265358979323846;
+    const double faces = 8 * b * c * (pow(a + r, 3) - pow(a, 3)) / 3 + 8 * r * (a * c + a * b) * a * a / 3;
+    const double quarter = a * a * pi * r * r / 4 + 2 * a * r * r * r / 3 + pi * pow(r, 4) / 16;
+    const double edges = pi * r * r * 2 * a * a * a / 3 + 8 * (b + c) * quarter;
+    const double corners = 8 * (a * a * pi * pow(r, 3) / 6 + 2 * a * pi * pow(r, 4) / 16 + pi * pow(r, 5) / 30);
+    return 8 * a * b * c * a * a / 3 + faces + edges + corners;
+}
+
 /* V = abc + 2 r (ab + bc + ca) + pi r^2 (a + b + c) + 4/3 pi r^3; and for a hull that is next to nothing, a ball's. */
 START_TEST(a_fat_box_by_steiners_formula) {
     McdFrameworkID f = framework();
@@ -118,6 +128,9 @@ START_TEST(a_fat_box_by_steiners_formula) {
                         a * b * c + 2 * rr * (a * b + b * c + c * a) + pi * rr * rr * (a + b + c) +
                             4. / 3 * pi * rr * rr * rr,
                         TOL(1e-7, 1e-14));
+        const double square[3] = {fatSquare(.5, 1, 1.5, rr), fatSquare(1, 1.5, .5, rr), fatSquare(1.5, .5, 1, rr)};
+        for (int k = 0; k < 3; k++)
+            assert_near_rel(m.inertia[k][k], square[(k + 1) % 3] + square[(k + 2) % 3], TOL(1e-7, 1e-14));
         McdGeometryDestroy(g);
     }
     McdGeometryID point = boxMesh(f, half, 1e-7, 1e7), ball = McdSphereCreate(f, 1);
