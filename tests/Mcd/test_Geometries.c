@@ -1,6 +1,7 @@
 /* The geometries: sizes in and out, boxes, spheres and farthest points around each, drawing, and bad input. */
 #include "MeDebugDraw.h"
 #include "McduDebugDraw.h"
+#include "McdSpace.h"
 #include "shapes.h"
 
 static const double tolerance = TOL(2e-6, 1e-13);
@@ -239,6 +240,40 @@ START_TEST(all_can_be_drawn) {
 }
 END_TEST
 
+START_TEST(a_space_is_drawn_model_by_model) {
+    McdFrameworkID f = framework();
+    const MeReal red[3] = {1, 0, 0};
+    const MeDebugLineFuncPtr before = MeDebugDrawAPI.line;
+    McdSpaceID space = McdSpaceAxisSortCreate(f, McdAllAxes, 4, 4);
+    McdGeometryID g = McdBoxCreate(f, 1, 1, 1);
+    McdModelID m[2];
+    MeMatrix4 tm;
+    MeMatrix4TMMakeIdentity(tm);
+    MeDebugDrawAPI.line = countLine;
+    for (int i = 0; i < 2; i++) {
+        m[i] = McdModelCreate(g);
+        McdModelSetTransformPtr(m[i], tm);
+        McdModelUpdate(m[i]);
+        McdSpaceInsertModel(space, m[i]);
+    }
+    McdSpaceFreezeModel(m[0]);
+    lines = 0;
+    McduDebugDrawSpace(space, kMcduDebugDrawDetail, red);
+    ck_assert_int_eq(lines, 24);
+    McduDebugDrawSpace(space, (McduDebugDrawFlags)(kMcduDebugDrawDetail | kMcduDebugDrawEnabledOnly), red);
+    ck_assert_int_eq(lines, 36);
+    lines = 0;
+    for (int i = 0; i < 2; i++) {
+        McdSpaceRemoveModel(m[i]);
+        McdModelDestroy(m[i]);
+    }
+    McdSpaceDestroy(space);
+    McdGeometryDestroy(g);
+    MeDebugDrawAPI.line = before;
+    McdTerm(f);
+}
+END_TEST
+
 START_TEST(bad_sizes_are_refused) {
     messages_catch();
     McdFrameworkID f = framework();
@@ -363,6 +398,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_box_around_two_places);
     tcase_add_test(t, a_level_plane_ends_at_its_height);
     tcase_add_test(t, all_can_be_drawn);
+    tcase_add_test(t, a_space_is_drawn_model_by_model);
     tcase_add_test(t, bad_sizes_are_refused);
     tcase_add_test(t, bad_meshes_are_refused);
     tcase_add_test(t, wrong_types_are_refused);
