@@ -106,7 +106,7 @@ int main(int argc, char **argv) {
             printf("%-9s %-9s", shape_name[i], shape_name[j]);
             for (int pose = 0; pose < POSES; pose++) {
                 Random r = {.state = 1};
-                int contacts;
+                int contacts = 0;
                 for (int k = 0; k < PAIRS; k++)
                     makePair(&a[k], &b[k], i, j, pose, &r);
                 const double t = timePairs(rounds, &contacts);

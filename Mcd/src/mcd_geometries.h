@@ -41,7 +41,8 @@ struct McdCone { /* about z, maybe cut off at the top; its centre of mass at the
 struct McdConvexMesh {
     McdGeometry head;
     McdHull *hull;
-    MeReal fatness; /* all points within it of the hull belong to the shape */
+    MeReal fatness;   /* all points within it of the hull belong to the shape */
+    MeVector3 *shown; /* the hull's vertices as programs see them */
 };
 
 struct McdTriangleList {

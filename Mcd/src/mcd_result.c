@@ -40,10 +40,6 @@ void mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const doubl
         }
         c->separation = (MeReal)point->separation;
         c->feature = point->feature;
-        if (element1 >= 0)
-            c->feature = mcd_featureMix(c->feature, 2 * (MeU32)element1);
-        if (element2 >= 0)
-            c->feature = mcd_featureMix(c->feature, 2 * (MeU32)element2 + 1);
         c->instance1 = ins1;
         c->instance2 = ins2;
         c->element1 = element1;
