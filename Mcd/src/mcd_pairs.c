@@ -415,6 +415,7 @@ void mcd_pairsBegin(McdSpace *s) {
 
 void mcd_pairsEnd(McdSpace *s) {
     mcd_pairsTidy(s);
+    mcd_treeSettle(s->tree);
     for (int i = 0; i < s->dirtyCount; i++)
         if (s->proxy[s->dirty[i]].isMoved && s->proxy[s->dirty[i]].hasBox)
             findLinks(s, s->dirty[i]);

@@ -8,7 +8,7 @@
 #include "McdSphere.h"
 #include "karma_test.h"
 
-enum { BALLS = 150, QUERIES = 300 };
+enum { BALLS = 150, QUERIES = 1000 };
 
 static McdFrameworkID frame;
 static McdSpaceID space;
