@@ -1,7 +1,7 @@
 /** @file McdQuery.h
  *  Questions to a space beyond line segments: what is here, what is nearest, what is in the way. Not in Karma 1.2.
  *
- *  All are legal outside change blocks only (elsewhere: a warning and 0), ask models where their transforms are now, and
+ *  All are legal outside change blocks only (elsewhere: a warning and 0), ask models where their transforms are, and
  *  find them by their boxes of the last update. A geometry that asks is convex (sphere, box, cylinder, sphyl, cone,
  *  convex mesh); it needs no model. It meets models of convex geometries and planes, and aggregates of these; triangle
  *  lists and height fields are not met. Where a filter is given, only models for which it returns non-zero are looked

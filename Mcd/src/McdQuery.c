@@ -9,7 +9,7 @@
 enum { MAX_ADVANCES = 100 };
 static const double touching = 1e-7; /* of the sizes: so near, shapes count as touching; 1e-6 in single */
 
-/* ---- what all have ------------------------------------------------------------------------------------------------- */
+/* ---- what all have ----------------------------------------------------------------------------------------------- */
 
 typedef struct Query {
     const McdSpace *space;
@@ -130,7 +130,7 @@ static void toWorld(const Query *q, const double point[3], MeVector3 out) {
         out[i] = (MeReal)(point[i] + q->origin[i]);
 }
 
-/* ---- overlaps ------------------------------------------------------------------------------------------------------ */
+/* ---- overlaps ---------------------------------------------------------------------------------------------------- */
 
 /* Into its place in the order; once. */
 static void addToList(Query *q, McdModelID cm) {
@@ -217,7 +217,7 @@ int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegInters
     return q.count;
 }
 
-/* ---- the nearest ----------------------------------------------------------------------------------------------------- */
+/* ---- the nearest ------------------------------------------------------------------------------------------------- */
 
 typedef struct Closest {
     Query q;
@@ -280,7 +280,7 @@ int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 
     return 1;
 }
 
-/* ---- casts ------------------------------------------------------------------------------------------------------------ */
+/* ---- casts ------------------------------------------------------------------------------------------------------- */
 
 typedef struct Cast {
     Query q;

@@ -1,8 +1,8 @@
-/* Spaces: change blocks, models and their boxes, and handing over pairs. What pairs there are is found in mcd_pairs.c. */
+/* Spaces: change blocks, models and their boxes, handing over pairs. Which pairs there are is found in mcd_pairs.c. */
 #include "mcd_space_i.h"
 #include <string.h>
 
-/* ---- checks --------------------------------------------------------------------------------------------------------- */
+/* ---- checks ------------------------------------------------------------------------------------------------------ */
 
 MeBool mcd_spaceCheck(McdSpaceID s, const char *function) {
     if (s && s->magic == MCD_SPACE)
@@ -54,7 +54,7 @@ static int indexOf(const McdSpace *s, const McdProxy *p) {
     return (int)(p - s->proxy);
 }
 
-/* ---- life ----------------------------------------------------------------------------------------------------------- */
+/* ---- life -------------------------------------------------------------------------------------------------------- */
 
 static void *createArray(int count, size_t size) {
     void *array = MeMemoryAPI.create((size_t)count * size);
@@ -176,7 +176,7 @@ McdSpacePoolErrorFnPtr MEAPI McdSpaceGetPoolFullHandler(McdSpaceID space) {
     return mcd_spaceCheck(space, "McdSpaceGetPoolFullHandler") ? space->poolFull : 0;
 }
 
-/* ---- change blocks --------------------------------------------------------------------------------------------------- */
+/* ---- change blocks ----------------------------------------------------------------------------------------------- */
 
 void MEAPI McdSpaceBeginChanges(McdSpaceID space) {
     if (mcd_spaceIsReady(space, "McdSpaceBeginChanges"))
@@ -192,7 +192,7 @@ int MEAPI McdSpaceIsChanging(McdSpaceID space) {
     return mcd_spaceCheck(space, "McdSpaceIsChanging") && space->isChanging;
 }
 
-/* ---- boxes ------------------------------------------------------------------------------------------------------------- */
+/* ---- boxes ------------------------------------------------------------------------------------------------------- */
 
 static float outward(double x, double side) {
     const double cut = x > MCD_TREE_REACH ? MCD_TREE_REACH : x < -MCD_TREE_REACH ? -MCD_TREE_REACH : x;
@@ -357,7 +357,7 @@ static void updateProxy(McdSpace *s, McdProxy *p, MeReal duration) {
     takeBox(s, p);
 }
 
-/* ---- updating ------------------------------------------------------------------------------------------------------------ */
+/* ---- updating ---------------------------------------------------------------------------------------------------- */
 
 static void updateAll(McdSpace *s, MeReal duration) {
     const MeBool isAlone = !s->isChanging;
@@ -439,7 +439,7 @@ MeBool MEAPI McdSpaceIsFrozen(McdModelID cm) {
     return McdSpaceModelIsFrozen(cm);
 }
 
-/* ---- models --------------------------------------------------------------------------------------------------------------- */
+/* ---- models ------------------------------------------------------------------------------------------------------ */
 
 static MeBool canInsert(McdSpaceID s, McdModelID cm, const char *function) {
     if (!checkInside(s, function) || !mcd_modelCheck(cm, function))
@@ -563,7 +563,7 @@ MeBool MEAPI McdSpaceGetModel(McdSpaceID s, McdSpaceModelIterator *it, McdModelI
     return *cm != 0;
 }
 
-/* ---- pairs that never collide ----------------------------------------------------------------------------------------------- */
+/* ---- pairs that never collide ------------------------------------------------------------------------------------ */
 
 /* The proxies of two different models in the same space. */
 static MeBool proxiesOf(McdModelID cm1, McdModelID cm2, McdProxy **p1, McdProxy **p2, const char *function) {
@@ -609,7 +609,7 @@ void MEAPI McdSpaceSetModelCullingParameters(McdSpaceID s, McdModelID cm, McdCul
         setCulling(s, p, table, cullingIndex, cullingID, "McdSpaceSetModelCullingParameters");
 }
 
-/* ---- handing over pairs ------------------------------------------------------------------------------------------------------ */
+/* ---- handing over pairs ------------------------------------------------------------------------------------------ */
 
 void MEAPI McdSpacePairIteratorBegin(McdSpaceID s, McdSpacePairIterator *iter) {
     if (!iter) {
@@ -696,7 +696,7 @@ int MEAPI McdSpaceGetNextTransitions(McdSpaceID s, McdModelPairContainer *c) {
     return getNext(s, c, MEFALSE, "McdSpaceGetTransitions");
 }
 
-/* ---- queries ------------------------------------------------------------------------------------------------------------------ */
+/* ---- queries ----------------------------------------------------------------------------------------------------- */
 
 void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3], McdTreeVisit visit, void *context) {
     McdTreeBox box;
