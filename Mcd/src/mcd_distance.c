@@ -18,6 +18,8 @@
 
 /* Relative to the smaller shape; the second is what the larger one's coordinates can resolve. */
 static const double tolerance = 1e-9, resolution = 1e-14;
+/* A face's normal is taken if no other can be better by more than this: half of what mcd_grid.c gives faces anyway. */
+static const double guessTolerance = 1e-7;
 enum { WALK_STEPS = 96 };
 
 /* A point of M, and where it comes from. */
@@ -27,12 +29,17 @@ typedef struct Corner {
 
 typedef struct Pair {
     const McdShape *a, *b;
-    double tolerance; /* length */
+    double tolerance, guessTolerance; /* lengths */
 } Pair;
+
+/* A direction that may be the normal, and the separation along it. */
+typedef struct Guess {
+    double normal[3], separation;
+} Guess;
 
 static Pair makePair(const McdShape *a, const McdShape *b) {
     const double small = mcd_pairSize(a, b), large = MeMAX(a->extent, b->extent);
-    return (Pair){a, b, MeMAX(tolerance * small, resolution * large)};
+    return (Pair){a, b, MeMAX(tolerance * small, resolution * large), guessTolerance * small};
 }
 
 /* M's farthest point in a direction. */
@@ -381,9 +388,16 @@ static void keepIfBetter(Polytope *t, const Facet *f, double support) {
     memcpy(t->from, f->corner, sizeof t->from);
 }
 
+/* The guess, and the facet nearest to it. */
+static void keepGuess(Polytope *t, const Guess *guess, const Facet *f) {
+    t->support = -guess->separation;
+    mcd_scale(t->normal, guess->normal, -1);
+    memcpy(t->from, f->corner, sizeof t->from);
+}
+
 /* Grows the polytope until no facet is nearer than the best supporting plane. Where rounding spoils its shape it stops,
  * with the best plane so far: a true bound, if not the least. */
-static void expand(const Pair *p, Polytope *t) {
+static void expand(const Pair *p, const Guess *guess, Polytope *t) {
     int seen[MAX_FACETS];
     t->support = INFINITY;
     for (int round = 0; t->cornerCount < MAX_CORNERS; round++) {
@@ -393,6 +407,10 @@ static void expand(const Pair *p, Polytope *t) {
         const Facet f = t->facet[nearest];
         if (t->support - f.offset <= p->tolerance)
             return;
+        if (-guess->separation - f.offset <= p->guessTolerance) {
+            keepGuess(t, guess, &f);
+            return;
+        }
         const int corner = t->cornerCount;
         farthest(p, f.normal, &t->corner[corner]);
         const double *w = t->corner[corner].w, support = mcd_dot(f.normal, w);
@@ -535,18 +553,59 @@ static void reportOverlap(const Polytope *t, McdProximity *out) {
     out->separation = -t->support;
 }
 
-static void overlap(const Pair *p, const Simplex *s, McdProximity *out) {
+static void overlap(const Pair *p, const Simplex *s, const Guess *guess, McdProximity *out) {
     Polytope t;
     if (!startPolytope(p, s, &t)) {
         reportFlat(p, &t, out);
         return;
     }
-    expand(p, &t);
+    expand(p, guess, &t);
     reportOverlap(&t, out);
+}
+
+/* ---- a guess: the faces' normals ------------------------------------------------------------------------------- */
+
+static void tryAxis(const Pair *p, const double axis[3], const double apart[3], Guess *g) {
+    double n[3];
+    mcd_scale(n, axis, mcd_dot(axis, apart) < 0 ? -1 : 1);
+    const double s = mcd_separationAlong(p->a, p->b, n);
+    if (s <= g->separation)
+        return;
+    g->separation = s;
+    mcd_copy(g->normal, n);
+}
+
+/* A box's axes and the axis of a cylinder or cone: what stands has its normal there. */
+static void guessFrom(const Pair *p, const McdShape *s, const double apart[3], Guess *g) {
+    const MeBool isBox = s->type == kMcdGeometryTypeBox;
+    for (int i = 0; i < 3; i++)
+        if (isBox || (i == 2 && (s->type == kMcdGeometryTypeCylinder || s->type == kMcdGeometryTypeCone)))
+            tryAxis(p, s->axis[i], apart, g);
+}
+
+static Guess makeGuess(const Pair *p) {
+    Guess g = {.separation = -INFINITY};
+    double apart[3];
+    mcd_sub(apart, p->a->place, p->b->place);
+    guessFrom(p, p->a, apart, &g);
+    guessFrom(p, p->b, apart, &g);
+    return g;
+}
+
+void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p) {
+    const Pair pair = makePair(a, b);
+    const Guess g = makeGuess(&pair);
+    p->isGuess = 1;
+    p->separation = g.separation;
+    mcd_copy(p->normal, g.normal);
 }
 
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const Pair pair = makePair(a, b);
+    const Guess guess = makeGuess(&pair);
+    p->isGuess = 0;
+    if (guess.separation > limit)
+        return 0;
     Simplex s = {.count = 0};
     switch (walk(&pair, limit, &s)) {
     case FAR:
@@ -555,7 +614,7 @@ MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, Mcd
         reportApart(&s, p);
         break;
     case TOUCHING:
-        overlap(&pair, &s, p);
+        overlap(&pair, &s, &guess, p);
         break;
     }
     return p->separation <= limit;

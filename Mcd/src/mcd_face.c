@@ -67,7 +67,7 @@ static void discFace(const McdShape *s, const double d[3], double radius, double
                                        0,  -.3826834323650898, -.7071067811865476, -.9238795325112867,
                                        -1, -.9238795325112867, -.7071067811865476, -.3826834323650898,
                                        0,  .3826834323650898,  .7071067811865476,  .9238795325112867};
-    const double across = hypot(d[0], d[1]), x = across > 0 ? d[0] / across : 1,
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
                  y = across > 0 ? side * d[1] / across : 0;
     setNormal(s, f, 0, 0, side);
     f->id = side > 0;
@@ -95,7 +95,8 @@ static void discFace(const McdShape *s, const double d[3], double radius, double
 
 /* The line on the side of a cylinder or cone that lies towards (x, y); its normal rises by `rise` over 1. */
 static void sideLine(const McdShape *s, const double d[3], const double radius[2], const double height[2], McdFace *f) {
-    const double across = hypot(d[0], d[1]), x = across > 0 ? d[0] / across : 1, y = across > 0 ? d[1] / across : 0;
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
+                 y = across > 0 ? d[1] / across : 0;
     const double long_ = hypot(height[1] - height[0], radius[0] - radius[1]);
     const double out = (height[1] - height[0]) / long_, up = (radius[0] - radius[1]) / long_;
     setNormal(s, f, out * x, out * y, up);
@@ -109,7 +110,7 @@ static void sideLine(const McdShape *s, const double d[3], const double radius[2
 static void roundFace(const McdShape *s, const double d[3], double lower, double upper, double bottom, double top,
                       McdFace *f) {
     const double radius[2] = {lower, upper}, height[2] = {bottom, top};
-    const double across = hypot(d[0], d[1]), long_ = hypot(top - bottom, lower - upper);
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), long_ = hypot(top - bottom, lower - upper);
     const double side = (across * (top - bottom) + d[2] * (lower - upper)) / long_;
     if (d[2] > side && upper > 0)
         discFace(s, d, upper, top, 1, f);
@@ -120,7 +121,7 @@ static void roundFace(const McdShape *s, const double d[3], double lower, double
 }
 
 static void coreLine(const McdShape *s, const double d[3], McdFace *f) {
-    const double across = hypot(d[0], d[1]);
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
     if (across > 0)
         setNormal(s, f, d[0] / across, d[1] / across, 0);
     addPoint(s, f, 0, 0, -s->size[2], 0);
@@ -266,7 +267,7 @@ static int cutByEdge(const Spot *in, int count, MeBool isClosed, const Outline *
                      Spot *out) {
     const int next = (j + 1) % b->count;
     double ex = b->x[next] - b->x[j], ey = b->y[next] - b->y[j];
-    const double length = hypot(ex, ey);
+    const double length = sqrt(ex * ex + ey * ey);
     int made = 0;
     if (!(length > 0)) {
         memcpy(out, in, (size_t)count * sizeof *in);
@@ -380,8 +381,9 @@ static int commonSpots(const Outline *a, const Outline *b, double bend, double s
 
 /* ---- which of them ------------------------------------------------------------------------------------------------ */
 
-static double across(const Spot *p, const Spot *q) {
-    return hypot(p->x - q->x, p->y - q->y);
+static double acrossSquared(const Spot *p, const Spot *q) {
+    const double x = p->x - q->x, y = p->y - q->y;
+    return x * x + y * y;
 }
 
 /* Leaves out those that are farther apart than the margin, and those at the place of another. */
@@ -390,7 +392,7 @@ static int dropIdle(Spot *spot, int count, double margin, double slack_) {
     for (int i = 0; i < count; i++) {
         MeBool isNew = spot[i].a - spot[i].b <= margin;
         for (int j = 0; j < kept && isNew; j++)
-            isNew = across(&spot[i], &spot[j]) > 4 * slack_;
+            isNew = acrossSquared(&spot[i], &spot[j]) > 16 * slack_ * slack_;
         if (isNew)
             spot[kept++] = spot[i];
     }
@@ -418,12 +420,14 @@ static int keepFour(Spot *spot, int count, double slack_) {
     chosen[made++] = deepestOf(spot, count, slack_);
     const Spot first = spot[chosen[0]];
     double most = 0;
-    for (int i = 0; i < count; i++)
-        if (across(&spot[i], &first) > most + slack_) {
-            most = across(&spot[i], &first);
+    for (int i = 0; i < count; i++) {
+        const double distance = sqrt(acrossSquared(&spot[i], &first));
+        if (distance > most + slack_) {
+            most = distance;
             chosen[1] = i;
             made = 2;
         }
+    }
     if (made == 2) {
         const Spot second = spot[chosen[1]];
         double side[2] = {4 * slack_ * most, 4 * slack_ * most};
@@ -494,6 +498,15 @@ int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *
     return 1;
 }
 
+/* Is a spot's height on a face as exact as its place? Not where the face rises more than it goes across; the ends of a
+ * line are. */
+static MeBool isExact(const Outline *o, MeU32 feature) {
+    if (o->count > 2)
+        return o->slopeX * o->slopeX + o->slopeY * o->slopeY < 1;
+    const double x = o->x[1] - o->x[0], y = o->y[1] - o->y[0], z = o->z[1] - o->z[0];
+    return feature >> 14 == CORNER || z * z < x * x + y * y;
+}
+
 /* The deepest spot; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so, where the
  * slack lets it stand out. */
 static int leastSeparated(Spot *spot, int count, double separation) {
@@ -520,6 +533,9 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     count = dropIdle(spot, count, coreMargin, v.slack);
     const int least = leastSeparated(spot, count, p->separation);
     const double short_ = least < 0 ? INFINITY : spot[least].a - spot[least].b - p->separation;
+    if (p->isGuess && !(short_ <= v.slack && isExact(&outA, spot[least].feature >> 16) &&
+                        isExact(&outB, spot[least].feature & 0xffff)))
+        return 0;
     /* A face that is preferred although another normal is slightly better has its farthest corner beside the other. */
     if (short_ <= preference * mcd_pairSize(a, b))
         spot[least].a = spot[least].b + p->separation;

@@ -71,6 +71,26 @@ static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], M
     p->separation = s;
 }
 
+/* Two lines on round sides: the normal is across both, or, where they are parallel, from axis to axis. The search for
+ * it ends where the depth is exact enough; its own error is the square root of that. */
+static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
+                           McdProximity *p, double least) {
+    double u[3], w[3], n[3];
+    mcd_sub(u, faceA->point[1], faceA->point[0]);
+    mcd_sub(w, faceB->point[1], faceB->point[0]);
+    const double squared = mcd_dot(u, u), other = mcd_dot(w, w);
+    mcd_cross(n, u, w);
+    if (mcd_dot(n, n) < 1e-6 * squared * other) {
+        mcd_sub(n, a->place, b->place);
+        mcd_mad(n, n, -mcd_dot(n, u) / squared, u);
+    }
+    const double length = mcd_length(n);
+    if (!(length > 0))
+        return;
+    mcd_scale(n, n, (mcd_dot(n, p->normal) < 0 ? -1 : 1) / length);
+    tryNormal(a, b, n, p, least);
+}
+
 /* A normal that is a face's to within rounding becomes it, so that it is the same from step to step. */
 static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                         McdProximity *p) {
@@ -78,6 +98,10 @@ static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *fac
     const double turned[3] = {-faceA->normal[0], -faceA->normal[1], -faceA->normal[2]};
     const int first = faceA->count >= faceB->count; /* a polygon's normal is firmer than a line's */
     double best[3];
+    if (faceA->count == 2 && faceB->count == 2) {
+        tryAcrossLines(a, b, faceA, faceB, p, least);
+        return;
+    }
     mcd_copy(best, p->normal);
     tryNormal(a, b, first ? turned : faceB->normal, p, least);
     if (mcd_distanceSquared(best, p->normal) == 0)
@@ -101,6 +125,7 @@ static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdP
         return 0;
     mcd_scale(p->normal, turned.normal, -1);
     p->separation = turned.separation;
+    p->isGuess = 0;
     mcd_copy(p->onA, turned.onB);
     mcd_copy(p->onB, turned.onA);
     return 1;
@@ -110,20 +135,53 @@ static MeBool isPoint(const McdShape *s) {
     return s->type == kMcdGeometryTypeSphere;
 }
 
-static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
-    McdProximity p;
+static void facesAlong(const McdShape *a, const McdShape *b, const double n[3], McdFace *faceA, McdFace *faceB) {
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    mcd_faceToward(a, back, faceA);
+    mcd_faceToward(b, n, faceB);
+}
+
+static MeBool areBoxes(const McdShape *a, const McdShape *b) {
+    return a->type == kMcdGeometryTypeBox && b->type == kMcdGeometryTypeBox;
+}
+
+/* A guess, or, of boxes that overlap, the answer; false if it shows that they are too far apart. */
+static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    const double reach = a->extent + b->extent + MeMAX(limit, 0);
+    if (!(mcd_distanceSquared(a->place, b->place) <= reach * reach))
+        return 0;
+    if (areBoxes(a, b))
+        return mcd_boxBoxProximity(a, b, limit, p);
+    mcd_guessProximity(a, b, p);
+    return p->separation <= limit;
+}
+
+static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
     McdFace faceA, faceB;
+    facesAlong(a, b, p->normal, &faceA, &faceB);
+    if (!p->isGuess) {
+        preferFaces(a, b, &faceA, &faceB, p);
+        if (faceA.count == 2 || faceB.count == 2) /* lines go with the normal */
+            facesAlong(a, b, p->normal, &faceA, &faceB);
+    }
+    return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
+}
+
+/* Of what is a little apart, or round and a little within, a face's normal mostly needs no more than being tried. */
+static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
+    const double limit = margin + a->rounding + b->rounding;
+    McdProximity p;
     m->count = 0;
     mcd_set(m->normal, 0, 0, 1);
-    if (!proximity(a, b, margin + a->rounding + b->rounding, &p))
-        return 0;
     if (isPoint(a) || isPoint(b))
-        return mcd_pointManifold(a, b, &p, 0, margin, m);
-    const double back[3] = {-p.normal[0], -p.normal[1], -p.normal[2]};
-    mcd_faceToward(a, back, &faceA);
-    mcd_faceToward(b, p.normal, &faceB);
-    preferFaces(a, b, &faceA, &faceB, &p);
-    return mcd_facesManifold(a, b, &faceA, &faceB, &p, margin, m);
+        return proximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : 0;
+    if (!guess(a, b, limit, &p))
+        return 0;
+    if (p.separation > 0 && alongFaces(a, b, margin, &p, m))
+        return m->count;
+    if (p.isGuess && !proximity(a, b, limit, &p))
+        return 0;
+    return alongFaces(a, b, margin, &p, m);
 }
 
 static void mirror(McdManifold *m) {

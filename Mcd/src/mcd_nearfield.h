@@ -10,6 +10,7 @@ typedef struct McdProximity {
     double normal[3];      /* from b to a, length 1 */
     double separation;     /* of the cores along it; negative: depth */
     double onA[3], onB[3]; /* points of the cores that are so far apart */
+    MeBool isGuess;        /* only the first two: the cores are at least so far apart, if not negative */
 } McdProximity;
 
 /* The smaller one's size: what errors are measured by. */
@@ -22,6 +23,9 @@ double mcd_separationAlong(const McdShape *a, const McdShape *b, const double n[
 
 /* The signed distance of the cores; false if it is more than limit. */
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+/* The best normal among those of a box's faces and a cylinder's or cone's discs, as a guess; a separation of -INFINITY if
+ * there are none. */
+void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p);
 /* The same for two boxes, where they overlap; else a face's normal along which they are apart. */
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 /* For cores that are points or segments, and for a point and a box or cylinder. */
@@ -45,7 +49,8 @@ typedef struct McdFace {
 void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f);
 
 /* Contacts along a normal between the cores' faces that look at each other, at least the proximity's own points.
- * Returns the count; the roundings are taken into account. */
+ * Returns the count; the roundings are taken into account. For a guess it is 0 unless the faces are as near to each
+ * other as it says; then it was right. */
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                       const McdProximity *p, double margin, McdManifold *m);
 /* One contact, at the proximity's own points. */

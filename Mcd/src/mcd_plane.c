@@ -5,7 +5,7 @@
 
 int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m) {
     const double back[3] = {-normal[0], -normal[1], -normal[2]};
-    McdProximity p;
+    McdProximity p = {.isGuess = 0};
     McdFace face, ground = {.count = 4};
     double u[3], w[3];
     mcd_copy(p.normal, normal);

@@ -13,6 +13,7 @@ static MeBool fromPoints(const McdShape *a, const McdShape *b, const double acro
     mcd_sub(d, p->onA, p->onB);
     const double distance = mcd_length(d);
     p->separation = distance;
+    p->isGuess = 0;
     if (distance > touching * mcd_pairSize(a, b))
         mcd_scale(p->normal, d, 1 / distance);
     else
@@ -88,6 +89,7 @@ static MeBool report(const McdShape *a, const McdShape *b, const double normal[3
     mcd_mad(p->onB, b->place, 1, d);
     mcd_copy(p->onA, a->place);
     p->separation = separation;
+    p->isGuess = 0;
     return separation <= limit;
 }
 
