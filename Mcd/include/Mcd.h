@@ -26,6 +26,7 @@
 #include "McdNull.h"
 #include "McdPlane.h"
 #include "McdPrimitives.h"
+#include "McdQuery.h"
 #include "McdRGHeightField.h"
 #include "McdSpace.h"
 #include "McdSphere.h"
