@@ -144,6 +144,20 @@ const McdHull *hull_pyramids(int sides, double radius, double halfHeight) {
     return finish(h);
 }
 
+const McdHull *hull_points(int count, const double radii[3], Random *r) {
+    static McdHull *made[STORE];
+    static int next;
+    double point[MAX_SIDES][3];
+    for (int i = 0; i < count; i++) {
+        random_direction(r, point[i]);
+        for (int k = 0; k < 3; k++)
+            point[i][k] *= radii[k];
+    }
+    if (made[next % STORE])
+        mcd_hullDestroy(made[next % STORE]);
+    return made[next++ % STORE] = mcd_hullCreate((const double(*)[3])point, count, "hull_points");
+}
+
 /* ---- shapes ------------------------------------------------------------------------------------------------------ */
 
 static void start(McdShape *s, int type) {
@@ -222,9 +236,12 @@ void shape_random(McdShape *s, int kind, double scale, MeBool slab, Random *r) {
         mcd_triangleShape((const double(*)[3])corners, s);
         break;
     }
-    default:
-        shape_hull(s, isPrism ? hull_prism(sides, x[0], x[2]) : hull_pyramids(sides, x[0], x[2]),
-                   kind == SHAPE_FAT_HULL ? .1 * x[2] : 0);
+    default: {
+        const McdHull *hull = sides > 16 ? hull_points(sides, x, r)
+                              : isPrism  ? hull_prism(sides, x[0], x[2])
+                                         : hull_pyramids(sides, x[0], x[2]);
+        shape_hull(s, hull, kind == SHAPE_FAT_HULL ? .1 * x[2] : 0);
+    }
     }
 }
 

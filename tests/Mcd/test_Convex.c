@@ -102,7 +102,7 @@ START_TEST(depths_are_those_of_the_reference) {
         for (int j = i; j < SHAPE_KINDS; j++) {
             Random r = {.state = (unsigned long long)(1000 + 100 * i + j)};
             worst = -INFINITY;
-            const int count = getenv("NEARFIELD_POSES") ? atoi(getenv("NEARFIELD_POSES")) : 60;
+            const int count = getenv("NEARFIELD_POSES") ? atoi(getenv("NEARFIELD_POSES")) : 100;
             for (int k = 0; k < count; k++)
                 comparePair(k & 1 ? i : j, k & 1 ? j : i, k % POSES,
                             k % 7 == 0   ? 1e-3
