@@ -8,9 +8,8 @@
  * polyhedra both meet exactly, on a facet of M; for round shapes at `tolerance`.
  *
  * libccd does the same, but its expansion leaves exactly aligned cubes without a normal and gets a quarter of the depths
- * of nearly aligned ones wrong (facets that share a plane), and its distance stops at a relative 1e-6 of no fixed
- * meaning, without a bound; so this is our own, in which a facet plane is never taken on trust: what is returned was
- * measured by a support point.
+ * of nearly aligned ones wrong, so this is our own: what is returned was measured by a support point, never taken from
+ * a facet's plane alone. The walk comes with it, as it hands its last simplex over.
  */
 #include "mcd_nearfield.h"
 

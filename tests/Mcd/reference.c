@@ -32,7 +32,13 @@ void random_direction(Random *r, double out[3]) {
 
 /* ---- hulls ------------------------------------------------------------------------------------------------------- */
 
-enum { STORE = 64, MAX_SIDES = 24, MAX_VERTICES = 2 * MAX_SIDES, MAX_FACES = 2 * MAX_SIDES, MAX_EDGES = 3 * MAX_SIDES };
+enum {
+    STORE = 2048,
+    MAX_SIDES = 24,
+    MAX_VERTICES = 2 * MAX_SIDES,
+    MAX_FACES = 2 * MAX_SIDES,
+    MAX_EDGES = 3 * MAX_SIDES
+};
 
 typedef struct StoredHull {
     McdHull hull;

@@ -38,7 +38,7 @@ void shape_sphere(McdShape *s, double radius);
 void shape_hull(McdShape *s, const McdHull *hull, double fatness);
 /* Of a kind, with sizes from .3 to 1 times a scale; slab: one of them a fiftieth. */
 void shape_random(McdShape *s, int kind, double scale, MeBool slab, Random *r);
-/* A prism or a double pyramid over a polygon; from a store of 64, the oldest is used again. */
+/* A prism or a double pyramid over a polygon; from a store of 2048, the oldest is used again. */
 const McdHull *hull_prism(int sides, double radius, double halfHeight);
 const McdHull *hull_pyramids(int sides, double radius, double halfHeight);
 
