@@ -127,8 +127,8 @@ static McdGeometryID makeField(void) {
 
 static void createGeometries(void) {
     frame = McdInit(0, 2, MOST_PARTS, 1);
-    McdPrimitivesRegisterTypes(frame);
-    McdPrimitivesRegisterInteractions(frame);
+    McdAllRegisterTypes(frame);
+    McdAllRegisterInteractions(frame);
     geometry[BALL] = McdSphereCreate(frame, (MeReal)0.7);
     geometry[BOX] = McdBoxCreate(frame, (MeReal)1.6, 1, (MeReal)1.2);
     geometry[CYLINDER] = McdCylinderCreate(frame, (MeReal)0.6, (MeReal)1.4);
