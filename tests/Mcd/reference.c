@@ -10,7 +10,7 @@ static const double pi = 3.14159265358979323846;
 const char *const shape_name[SHAPE_KINDS] = {"sphere", "sphyl", "box",      "cylinder",
                                              "cone",   "hull",  "fat hull", "triangle"};
 
-/* ---- random ---------------------------------------------------------------------------------------------------- */
+/* ---- random ------------------------------------------------------------------------------------------ */
 
 double random_unit(Random *r) {
     if (!r->state)
@@ -30,7 +30,7 @@ void random_direction(Random *r, double out[3]) {
     mcd_set(out, k * cos(angle), k * sin(angle), z);
 }
 
-/* ---- hulls ------------------------------------------------------------------------------------------------------- */
+/* ---- hulls --------------------------------------------------------------------------------------------- */
 
 enum {
     STORE = 2048,
@@ -164,7 +164,7 @@ const McdHull *hull_points(int count, const double radii[3], Random *r) {
     return made[next++ % STORE] = mcd_hullCreate((const double(*)[3])point, count, "hull_points");
 }
 
-/* ---- shapes ------------------------------------------------------------------------------------------------------ */
+/* ---- shapes -------------------------------------------------------------------------------------------- */
 
 static void start(McdShape *s, int type) {
     memset(s, 0, sizeof *s);
@@ -284,7 +284,7 @@ void shape_move(McdShape *s, double x, double y, double z) {
         mcd_mad(s->corner[i], s->corner[i], 1, d);
 }
 
-/* ---- polyhedra: corners, face normals, edges ----------------------------------------------------------------------- */
+/* ---- polyhedra: corners, face normals, edges ------------------------------------------------------------- */
 
 typedef struct Solid {
     int corners, normals, edges;
@@ -398,7 +398,7 @@ double reference_along(const McdShape *a, const McdShape *b, const double n[3]) 
     return along(&both, n);
 }
 
-/* ---- directions -------------------------------------------------------------------------------------------------- */
+/* ---- directions ---------------------------------------------------------------------------------------- */
 
 static void tryDirection(const Both *both, const double d[3], double *best, double normal[3]) {
     const double length = mcd_length(d);

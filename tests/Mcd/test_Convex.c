@@ -120,7 +120,7 @@ START_TEST(depths_are_those_of_the_reference) {
 }
 END_TEST
 
-/* ---- properties ---------------------------------------------------------------------------------------------------- */
+/* ---- properties ------------------------------------------------------------------------------------------ */
 
 /* A pair of the kinds that overlaps or nearly touches, any way. */
 static double anyPair(McdShape *a, McdShape *b, Random *r) {
@@ -242,7 +242,7 @@ START_TEST(the_distance_is_that_of_its_points) {
 }
 END_TEST
 
-/* ---- what lies on a face, or a plane ------------------------------------------------------------------------------- */
+/* ---- what lies on a face, or a plane --------------------------------------------------------------------- */
 
 static const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
 static const double right = 1.57079632679489662;
@@ -343,7 +343,7 @@ START_TEST(one_cylinder_on_another) {
 }
 END_TEST
 
-/* ---- where there is no direction, or no number --------------------------------------------------------------------- */
+/* ---- where there is no direction, or no number ----------------------------------------------------------- */
 
 static void assertAnswer(const McdShape *a, const McdShape *b, double separation) {
     McdManifold m;
