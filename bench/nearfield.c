@@ -29,7 +29,7 @@ static double now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* a on top of b, a hundredth of their sizes in it, or, apart, half of that above. */
+/* a on top of b, a hundredth of their sizes in it, or, apart, half of that above; any: deep in it. */
 static void makePair(McdShape *x, McdShape *y, int kindX, int kindY, int pose, Random *r) {
     const double up[3] = {0, 0, 1};
     double axis[3];
@@ -43,7 +43,7 @@ static void makePair(McdShape *x, McdShape *y, int kindX, int kindY, int pose, R
         shape_rotateRandomly(y, r);
     }
     shape_move(x, random_between(r, -.3, .3), random_between(r, -.3, .3), 0);
-    shape_move(x, 0, 0, (pose == APART ? .005 : -.01) - reference_along(x, y, up));
+    shape_move(x, 0, 0, (pose == APART ? .005 : pose == ANY ? -.4 : -.01) - reference_along(x, y, up));
     random_direction(r, axis);
     shape_rotate(x, axis, 1);
     shape_rotate(y, axis, 1);

@@ -237,12 +237,12 @@ typedef struct Facet {
     double normal[3]; /* outward, length 1 */
     double offset;    /* of its plane from the origin, along the normal; negative if the origin is outside */
     int seen;         /* the round in which the new corner was above it */
-    MeBool isLive;
 } Facet;
 
 typedef struct Polytope {
     Corner corner[MAX_CORNERS];
     Facet facet[MAX_FACETS];
+    double offset[MAX_FACETS]; /* of the live ones; infinite for the others: what is searched every round */
     int cornerCount, facetCount, freeCount, freeFacet[MAX_FACETS], startsAt[MAX_CORNERS];
     double epsilon;
     /* The best direction so far. */
@@ -251,7 +251,8 @@ typedef struct Polytope {
 } Polytope;
 
 /* Makes the facet's plane; false if its corners are on a line. */
-static MeBool makePlane(Polytope *t, Facet *f) {
+static MeBool makePlane(Polytope *t, int index) {
+    Facet *f = &t->facet[index];
     const double *p = t->corner[f->corner[0]].w, *q = t->corner[f->corner[1]].w, *r = t->corner[f->corner[2]].w;
     double pq[3], pr[3], qr[3];
     mcd_sub(pq, q, p);
@@ -270,6 +271,7 @@ static MeBool makePlane(Polytope *t, Facet *f) {
         return 0;
     mcd_scale(f->normal, f->normal, 1 / length);
     f->offset = (mcd_dot(f->normal, p) + mcd_dot(f->normal, q) + mcd_dot(f->normal, r)) / 3;
+    t->offset[index] = f->offset;
     return 1;
 }
 
@@ -277,7 +279,7 @@ static int newFacet(Polytope *t, int i, int j, int k) {
     if (!t->freeCount && t->facetCount == MAX_FACETS)
         return -1;
     const int index = t->freeCount ? t->freeFacet[--t->freeCount] : t->facetCount++;
-    t->facet[index] = (Facet){.corner = {i, j, k}, .seen = -1, .isLive = 1};
+    t->facet[index] = (Facet){.corner = {i, j, k}, .seen = -1};
     return index;
 }
 
@@ -304,7 +306,7 @@ static MeBool makeTetrahedron(Polytope *t) {
         t->corner[2] = swap;
     }
     for (int i = 0; i < 4; i++)
-        if (!makePlane(t, &t->facet[newFacet(t, corners[i][0], corners[i][1], corners[i][2])]))
+        if (!makePlane(t, newFacet(t, corners[i][0], corners[i][1], corners[i][2])))
             return 0;
     for (int i = 0; i < 4; i++)
         for (int edge = 0; edge < 3; edge++)
@@ -342,7 +344,7 @@ static MeBool coverRim(Polytope *t, const int *seen, int count, int round, int c
             if (t->facet[outside].seen == round)
                 continue;
             const int g = newFacet(t, from, to, corner);
-            if (g < 0 || t->startsAt[from] >= 0 || !makePlane(t, &t->facet[g]))
+            if (g < 0 || t->startsAt[from] >= 0 || !makePlane(t, g))
                 return 0;
             link(t, g, 0, outside);
             t->startsAt[from] = g;
@@ -364,7 +366,7 @@ static MeBool coverRim(Polytope *t, const int *seen, int count, int round, int c
 
 static void removeSeen(Polytope *t, const int *seen, int count) {
     for (int i = 0; i < count; i++) {
-        t->facet[seen[i]].isLive = 0;
+        t->offset[seen[i]] = INFINITY;
         t->freeFacet[t->freeCount++] = seen[i];
     }
 }
@@ -373,16 +375,14 @@ static int nearestFacet(const Polytope *t) {
     int best = -1;
     double least = INFINITY;
     for (int i = 0; i < t->facetCount; i++)
-        if (t->facet[i].isLive && t->facet[i].offset < least) {
-            least = t->facet[i].offset;
+        if (t->offset[i] < least) {
+            least = t->offset[i];
             best = i;
         }
     return best;
 }
 
-static void keepIfBetter(Polytope *t, const Facet *f, double support) {
-    if (support >= t->support)
-        return;
+static void keep(Polytope *t, const Facet *f, double support) {
     t->support = support;
     mcd_copy(t->normal, f->normal);
     memcpy(t->from, f->corner, sizeof t->from);
@@ -395,7 +395,7 @@ static void keepGuess(Polytope *t, const Guess *guess, const Facet *f) {
     memcpy(t->from, f->corner, sizeof t->from);
 }
 
-/* Grows the polytope until no facet is nearer than the best supporting plane. Where rounding spoils its shape it stops,
+/* Grows the polytope until the plane of its nearest facet supports M. Where rounding spoils its shape it stops,
  * with the best plane so far: a true bound, if not the least. */
 static void expand(const Pair *p, const Guess *guess, Polytope *t) {
     int seen[MAX_FACETS];
@@ -405,18 +405,19 @@ static void expand(const Pair *p, const Guess *guess, Polytope *t) {
         if (nearest < 0)
             return;
         const Facet f = t->facet[nearest];
-        if (t->support - f.offset <= p->tolerance)
-            return;
-        if (-guess->separation - f.offset <= p->guessTolerance) {
+        if (-guess->separation - f.offset <= p->guessTolerance && mcd_dot(guess->normal, f.normal) < -.99) {
             keepGuess(t, guess, &f);
             return;
         }
         const int corner = t->cornerCount;
         farthest(p, f.normal, &t->corner[corner]);
         const double *w = t->corner[corner].w, support = mcd_dot(f.normal, w);
-        keepIfBetter(t, &f, support);
-        if (support - f.offset <= p->tolerance)
+        if (support - f.offset <= p->tolerance) {
+            keep(t, &f, support);
             return;
+        }
+        if (support < t->support)
+            keep(t, &f, support);
         const int count = markSeen(t, nearest, round, w, seen);
         t->cornerCount++;
         if (!coverRim(t, seen, count, round, corner))

@@ -197,7 +197,7 @@ void shape_random(McdShape *s, int kind, double scale, MeBool slab, Random *r) {
         x[i] = scale * random_between(r, .3, 1);
     if (slab)
         x[2] = fmax(x[0], x[1]) / 50;
-    const int sides = 3 + (int)(10 * random_unit(r));
+    const int sides = 3 + (int)((MAX_SIDES - 2) * random_unit(r));
     const MeBool isPrism = random_unit(r) < .5;
     switch (kind) {
     case SHAPE_SPHERE:

@@ -188,6 +188,55 @@ START_TEST(turning_both_turns_the_contacts) {
 }
 END_TEST
 
+START_TEST(supports_are_the_farthest_points) {
+    Random r = {.state = 10};
+    for (int i = 0; i < 20000; i++) {
+        McdShape s;
+        double n[3], point[3], expected[3];
+        shape_random(&s, i % SHAPE_KINDS, 1, i % 3 == 0, &r);
+        shape_rotateRandomly(&s, &r);
+        random_direction(&r, n);
+        mcd_support(&s, n, point);
+        reference_support(&s, n, expected);
+        assert_near(mcd_dot(point, n), mcd_dot(expected, n), 1e-14);
+    }
+}
+END_TEST
+
+START_TEST(the_distance_is_that_of_its_points) {
+    Random r = {.state = 11};
+    for (int i = 0; i < 4000; i++) {
+        McdShape a, b;
+        double onA[3], onB[3], n[3], d[3];
+        const double size = anyPair(&a, &b, &r), k = random_between(&r, -.5, 2);
+        double away[3];
+        random_direction(&r, away);
+        shape_move(&a, k * away[0], k * away[1], k * away[2]);
+        const double distance = mcd_convexDistance(&a, &b, onA, onB, n);
+        ck_assert(isfinite(distance));
+        assert_near(mcd_length(n), 1, 1e-12);
+        ck_assert_msg(fabs(reference_along(&a, &b, n) - distance) < depthError * size, "%s", what);
+        mcd_sub(d, onA, onB);
+        ck_assert_msg(fabs(mcd_dot(d, n) - distance) < depthError * size, "%s: %g, its points %g", what, distance,
+                      mcd_dot(d, n));
+        if (distance > .01)
+            ck_assert_msg(fabs(mcd_length(d) - distance) < depthError * size, "%s: %g, its points %g", what, distance,
+                          mcd_length(d));
+        if (a.type != kMcdGeometryTypeBox || b.type != kMcdGeometryTypeBox || distance > 0) {
+            /* each point is on or in its shape: no direction shows it outside */
+            for (int c = 0; c < 64; c++) {
+                double e[3], top[3];
+                random_direction(&r, e);
+                reference_support(&a, e, top);
+                ck_assert_msg(mcd_dot(onA, e) < mcd_dot(top, e) + 1e-5 * size, "%s", what);
+                reference_support(&b, e, top);
+                ck_assert_msg(mcd_dot(onB, e) < mcd_dot(top, e) + 1e-5 * size, "%s", what);
+            }
+        }
+    }
+}
+END_TEST
+
 /* ---- what lies on a face, or a plane ------------------------------------------------------------------------------- */
 
 static const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
@@ -383,6 +432,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, pushed_out_by_the_depth_they_only_touch);
     tcase_add_test(t, swapping_the_shapes_turns_the_contacts_round);
     tcase_add_test(t, turning_both_turns_the_contacts);
+    tcase_add_test(t, supports_are_the_farthest_points);
+    tcase_add_test(t, the_distance_is_that_of_its_points);
     tcase_add_test(t, standing_and_lying);
     tcase_add_test(t, a_cone_lies_on_its_side);
     tcase_add_test(t, one_cylinder_on_another);
