@@ -38,6 +38,8 @@ void MEAPI McdAggregateDestroy(McdGeometryID g) {
         MeMemoryAPI.destroy(a->element);
     if (a->contact)
         MeMemoryAPI.destroy(a->contact);
+    if (a->choice)
+        MeMemoryAPI.destroy(a->choice);
     MeMemoryAPI.destroy(a);
 }
 
