@@ -1,6 +1,7 @@
 /* Aggregates: what they are made of, and how the whole follows from the parts. */
 #include "McdAggregate.h"
 #include "mcd_geometries.h"
+#include "mcd_local.h"
 #include <math.h>
 #include <string.h>
 
@@ -38,6 +39,8 @@ void MEAPI McdAggregateDestroy(McdGeometryID g) {
         MeMemoryAPI.destroy(a->element);
     if (a->contact)
         MeMemoryAPI.destroy(a->contact);
+    if (a->choice)
+        MeMemoryAPI.destroy(a->choice);
     MeMemoryAPI.destroy(a);
 }
 
@@ -167,6 +170,8 @@ static void addBox(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *
 }
 
 void MEAPI McdAggregateUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
+    if (!mcd_instanceIs(ins, kMcdGeometryTypeAggregate, "McdAggregateUpdateAABB"))
+        return;
     Extent e = {{0, 0, 0}, {0, 0, 0}, MEFALSE, tight};
     const MeReal *place = mcd_instanceTM(ins)[3];
     forEachPart(ins, finalTM, addBox, &e);
@@ -199,6 +204,8 @@ static void addPoint(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void
 }
 
 void MEAPI McdAggregateMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
+    if (!mcd_instanceIs(ins, kMcdGeometryTypeAggregate, "McdAggregateMaximumPoint"))
+        return;
     Farthest f = {inDir, outPoint, 0, MEFALSE};
     MeVector3Copy(outPoint, mcd_instanceTM(ins)[3]);
     forEachPart(ins, 0, addPoint, &f);
@@ -239,6 +246,8 @@ static MeReal ballAroundBox(McdGeometryID g, MeVector3 center) {
 }
 
 void MEAPI McdAggregateGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateGetBSphere"))
+        return;
     MeVector3 middle;
     *radius = ballAroundBalls((const McdAggregate *)g, center);
     const MeReal other = ballAroundBox(g, middle);
@@ -287,6 +296,8 @@ static void addMass(Mass *sum, const McdAggregateElement *element) {
 }
 
 MeI16 MEAPI McdAggregateGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateGetMassProperties"))
+        return 0;
     const McdAggregate *a = (const McdAggregate *)g;
     Mass sum;
     memset(&sum, 0, sizeof sum);
@@ -311,6 +322,8 @@ MeI16 MEAPI McdAggregateGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMa
 /* ---- the type ---------------------------------------------------------------------------------------------------------- */
 
 void MEAPI McdAggregateDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateDebugDraw"))
+        return;
     const McdAggregate *a = (const McdAggregate *)g;
     for (int i = 0; i < a->count; i++) {
         MeMatrix4 place;

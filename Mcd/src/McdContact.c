@@ -121,7 +121,7 @@ static void includeDeepest(const McdSpot *spot, int count, int *kept, int keptCo
             place = i;
         }
     }
-    if (spot[deepest].separation < lowest - 1e-4 * sqrt(size))
+    if (spot[deepest].separation < lowest - 1e-7 * sqrt(size))
         kept[place] = deepest;
 }
 
@@ -240,12 +240,24 @@ static int choose(const Workplace *w, const McdContact *contacts, int count, int
     return chosenCount;
 }
 
+size_t mcd_simplifyBytes(int count) {
+    return (size_t)count * (sizeof(McdSpot) + 3 * sizeof(int));
+}
+
+int mcd_simplify(const McdContact *from, int count, McdContact *to, int wanted, const MeReal *faceNormal, double same,
+                 void *memory) {
+    McdSpot *spot = memory;
+    int *index = (int *)(spot + count);
+    const Workplace w = {spot, index, index + count, index + 2 * count};
+    const int chosenCount = choose(&w, from, count, wanted, faceNormal, same);
+    for (int i = 0; i < chosenCount; i++)
+        to[i] = from[w.chosen[i]]; /* chosen ascends: nothing is overwritten before it is read */
+    return chosenCount;
+}
+
 int MEAPI McdContactSimplify(const MeReal *avgNormal, McdContact *contacts_src, const int nContacts_src,
                              McdContact *contacts_dst, const int nContacts_dest, const int faceNormalsFirst,
                              const MeReal scale) {
-    enum { FEW = 64 };
-    McdSpot fewSpots[FEW];
-    int fewIndices[3 * FEW];
     if (nContacts_src == 0)
         return 0;
     if (!contacts_src || !contacts_dst || nContacts_src < 0 || nContacts_dest < 0) {
@@ -253,26 +265,14 @@ int MEAPI McdContactSimplify(const MeReal *avgNormal, McdContact *contacts_src, 
                   nContacts_dest, (void *)contacts_dst);
         return 0;
     }
-    Workplace w = {fewSpots, fewIndices, fewIndices + FEW, fewIndices + 2 * FEW};
-    void *memory = 0;
-    if (nContacts_src > FEW) {
-        const size_t n = (size_t)nContacts_src;
-        memory = MeMemoryAPI.create(n * (sizeof(McdSpot) + 3 * sizeof(int)));
-        if (!memory) {
-            MeFatalError(1, "McdContactSimplify: no memory");
-            return 0;
-        }
-        w.spot = memory;
-        w.from = (int *)(w.spot + n);
-        w.kept = w.from + n;
-        w.chosen = w.kept + n;
+    void *memory = MeMemoryAPI.create(mcd_simplifyBytes(nContacts_src));
+    if (!memory) {
+        MeFatalError(1, "McdContactSimplify: no memory");
+        return 0;
     }
     const double same = 1e-6 * (scale > 0 && MeRealIsValid(scale) ? (double)scale : 1);
-    const int chosenCount =
-        choose(&w, contacts_src, nContacts_src, nContacts_dest, faceNormalsFirst ? avgNormal : 0, same);
-    for (int i = 0; i < chosenCount; i++)
-        contacts_dst[i] = contacts_src[w.chosen[i]]; /* chosen ascends: nothing is overwritten before it is read */
-    if (memory)
-        MeMemoryAPI.destroy(memory);
+    const int chosenCount = mcd_simplify(contacts_src, nContacts_src, contacts_dst, nContacts_dest,
+                                         faceNormalsFirst ? avgNormal : 0, same, memory);
+    MeMemoryAPI.destroy(memory);
     return chosenCount;
 }

@@ -3,6 +3,7 @@
 #include "MeDebugDraw.h"
 #include "mcd_bounds.h"
 #include "mcd_geometries.h"
+#include "mcd_local.h"
 #include <math.h>
 #include <string.h>
 
@@ -160,6 +161,8 @@ static void boxOf(const McdRGHeightField *f, MeVector3 min, MeVector3 max) {
 }
 
 void MEAPI McdRGHeightFieldUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
+    if (!mcd_instanceIs(ins, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldUpdateAABB"))
+        return;
     MeVector3 min, max;
     (void)tight;
     boxOf((const McdRGHeightField *)ins->geometry, min, max);
@@ -167,12 +170,16 @@ void MEAPI McdRGHeightFieldUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4
 }
 
 void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldGetBSphere"))
+        return;
     MeVector3 min, max;
     boxOf((const McdRGHeightField *)g, min, max);
     mcd_boxBSphere(min, max, center, radius);
 }
 
 void MEAPI McdRGHeightFieldMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
+    if (!mcd_instanceIs(ins, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldMaximumPoint"))
+        return;
     MeVector3 min, max;
     boxOf((const McdRGHeightField *)ins->geometry, min, max);
     mcd_boxMaximumPoint(ins, min, max, inDir, outPoint);
@@ -202,6 +209,8 @@ static void drawLine(const McdRGHeightField *f, const MeMatrix4 tm, int i, int j
 }
 
 void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldDebugDraw"))
+        return;
     const McdRGHeightField *f = (const McdRGHeightField *)g;
     for (int j = 0; j < f->yCount; j++)
         for (int i = 0; i < f->xCount; i++) {
@@ -242,6 +251,8 @@ static void gather(McdMeshQuery *q) {
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
     McdRGHeightField *f = (McdRGHeightField *)mcd_record(p->model2)->instance.geometry;
+    if (!mcd_geometryIs(&f->head, kMcdGeometryTypeRGHeightField, "Mcd...RGHeightFieldIntersect"))
+        return 0;
     return mcd_meshIntersect(p, result, &f->mesh, gather);
 }
 

@@ -133,17 +133,23 @@ char *MEAPI McdTriangleListGetTypeName(McdGeometryID g) {
 }
 
 void MEAPI McdTriangleListUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
+    if (!mcd_instanceIs(ins, kMcdGeometryTypeTriangleList, "McdTriangleListUpdateAABB"))
+        return;
     const McdTriangleList *list = (const McdTriangleList *)ins->geometry;
     (void)tight;
     mcd_boxUpdateAABB(ins, list->min, list->max, finalTM);
 }
 
 void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListGetBSphere"))
+        return;
     const McdTriangleList *list = (const McdTriangleList *)g;
     mcd_boxBSphere(list->min, list->max, center, radius);
 }
 
 void MEAPI McdTriangleListMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
+    if (!mcd_instanceIs(ins, kMcdGeometryTypeTriangleList, "McdTriangleListMaximumPoint"))
+        return;
     const McdTriangleList *list = (const McdTriangleList *)ins->geometry;
     mcd_boxMaximumPoint(ins, list->min, list->max, inDir, outPoint);
 }
@@ -157,6 +163,8 @@ MeI16 MEAPI McdTriangleListGetMassProperties(McdGeometryID g, MeMatrix4 relTM, M
 }
 
 void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListDebugDraw"))
+        return;
     const McdTriangleList *list = (const McdTriangleList *)g;
     mcd_boxDebugDraw(list->min, list->max, tm, colour);
 }
@@ -219,6 +227,8 @@ static void gather(McdMeshQuery *q) {
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
     McdTriangleList *list = (McdTriangleList *)mcd_record(p->model2)->instance.geometry;
+    if (!mcd_geometryIs(&list->head, kMcdGeometryTypeTriangleList, "Mcd...TriangleListIntersect"))
+        return 0;
     return mcd_meshIntersect(p, result, &list->mesh, gather);
 }
 

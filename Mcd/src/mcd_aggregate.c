@@ -1,7 +1,7 @@
 /* How aggregates interact: part with part, by whatever the parts' types have in the framework's table. */
 #include "McdAggregate.h"
-#include "McdContact.h"
 #include "mcd_geometries.h"
+#include "mcd_spread.h"
 #include <string.h>
 
 /* A model that stands for one part of a model: at the part's place, with the model's everything else. */
@@ -98,15 +98,21 @@ static MeBool makeRoom(McdAggregate *a, int count, int needed) {
         return METRUE;
     const int max = MeMAX(needed, 2 * a->contactMax);
     McdContact *larger = MeMemoryAPI.create((size_t)max * sizeof *larger);
-    if (!larger) {
+    void *choice = larger ? MeMemoryAPI.create(mcd_simplifyBytes(max)) : 0;
+    if (!choice) {
+        if (larger)
+            MeMemoryAPI.destroy(larger);
         MeFatalError(1, "McdIntersect: no memory for %d contacts of an aggregate", max);
         return MEFALSE;
     }
     if (count)
         memcpy(larger, a->contact, (size_t)count * sizeof *larger);
-    if (a->contact)
+    if (a->contact) {
         MeMemoryAPI.destroy(a->contact);
+        MeMemoryAPI.destroy(a->choice);
+    }
     a->contact = larger;
+    a->choice = choice;
     a->contactMax = max;
     return METRUE;
 }
@@ -151,8 +157,8 @@ static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     mcd_resultBegin(result, p);
     meetModels(&m);
     if (g.count > result->contactMaxCount)
-        g.count = McdContactSimplify(0, g.owner->contact, g.count, g.owner->contact, result->contactMaxCount, 0,
-                                     mcd_record(p->model1)->frame->lengthScale);
+        g.count = mcd_simplify(g.owner->contact, g.count, g.owner->contact, result->contactMaxCount, 0,
+                               1e-6 * (double)mcd_record(p->model1)->frame->lengthScale, g.owner->choice);
     if (g.count)
         memcpy(result->contacts, g.owner->contact, (size_t)g.count * sizeof *result->contacts);
     result->contactCount = g.count;

@@ -76,6 +76,7 @@ struct McdAggregate {
     int count, max;
     McdAggregateElement *element;
     McdContact *contact; /* memory for queries, kept between them */
+    void *choice;        /* mcd_simplifyBytes(contactMax) */
     int contactMax;
 };
 

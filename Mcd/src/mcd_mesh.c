@@ -397,33 +397,54 @@ static void cutByTriangle(const McdMeshTriangle *t, const double normal[3], doub
     }
 }
 
-/* Contacts along a triangle's normal (either side's), of what is over it or within the tolerance of that. False if there
- * are none. */
-static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
+/* The shape's face that looks along a direction, as a polygon. */
+static void polygonToward(const McdShape *shape, const double direction[3], Polygon *p) {
     McdFace face;
-    Polygon p;
-    double back[3];
-    mcd_scale(back, normal, -1);
-    mcd_faceToward(&q->shape, back, &face);
-    p.count = face.count;
-    memcpy(p.point, face.point, (size_t)face.count * sizeof *p.point);
-    for (int i = 0; i < face.count; i++) {
-        p.name[i] = mix(face.id, face.name[i]);
-        p.isCut[i] = MEFALSE;
-    }
-    cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
+    mcd_faceToward(shape, direction, &face);
+    p->count = 0;
+    for (int i = 0; i < face.count; i++)
+        appendPoint(p, face.point[i], mix(face.id, face.name[i]), MEFALSE);
+}
+
+/* The shape's farthest point in a direction, which need not be on that face. */
+static void pointToward(const McdShape *shape, const double direction[3], Polygon *p) {
+    double point[3];
+    mcd_coreSupport(shape, direction, point);
+    p->count = 0;
+    appendPoint(p, point, 0, MEFALSE);
+}
+
+/* Adds the points that are within the margin; false if there are none. *least is the least separation so far: what is
+ * not below it is left out if onlyBelow. */
+static MeBool addAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const Polygon *p,
+                       MeBool onlyBelow, double *least) {
     MeBool any = MEFALSE;
-    for (int i = 0; i < p.count; i++) {
+    for (int i = 0; i < p->count; i++) {
         double off[3], at[3];
-        mcd_sub(off, p.point[i], t->corner[0]);
-        const double height = mcd_dot(off, normal), separation = height - q->shape.rounding;
-        if (separation > q->margin)
+        mcd_sub(off, p->point[i], t->corner[0]);
+        const double separation = mcd_dot(off, normal) - q->shape.rounding;
+        if (separation > q->margin || (onlyBelow && separation >= *least - OVER * q->shape.extent))
             continue;
-        mcd_mad(at, p.point[i], -(q->shape.rounding + separation / 2), normal);
-        addContact(q, t, at, normal, separation, p.name[i], p.isCut[i]);
+        mcd_mad(at, p->point[i], -(q->shape.rounding + separation / 2), normal);
+        addContact(q, t, at, normal, separation, p->name[i], p->isCut[i]);
+        *least = fmin(*least, separation);
         any = METRUE;
     }
     return any;
+}
+
+/* Contacts along a triangle's normal (either side's), of what is over it or within the tolerance of that. False if there
+ * are none. */
+static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
+    Polygon p;
+    double back[3], least = INFINITY;
+    mcd_scale(back, normal, -1);
+    polygonToward(&q->shape, back, &p);
+    cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
+    const MeBool any = addAlong(q, t, normal, &p, MEFALSE, &least);
+    pointToward(&q->shape, back, &p);
+    cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
+    return addAlong(q, t, normal, &p, METRUE, &least) || any;
 }
 
 /* The side on which contacts are: 1 is the normal's. */

@@ -128,7 +128,8 @@ static inline McdTriangleListID terrain_list(McdFrameworkID f, Terrain *t) {
 typedef struct Probe {
     McdModelID model, ground;
     MeMatrix4 tm, groundTM;
-    McdModelPairID pair;
+    McdModelPair made;
+    McdModelPairID pair; /* made */
     McdContact contact[TERRAIN_CONTACTS];
     McdIntersectResult result;
 } Probe;
@@ -140,7 +141,10 @@ static inline void probe_init(Probe *p, McdGeometryID g, McdGeometryID ground) {
     MeMatrix4TMMakeIdentity(p->groundTM);
     McdModelSetTransformPtr(p->model, p->tm);
     McdModelSetTransformPtr(p->ground, p->groundTM);
-    p->pair = McdModelPairCreate(p->model, p->ground);
+    memset(&p->made, 0, sizeof p->made);
+    p->made.model1 = p->model;
+    p->made.model2 = p->ground;
+    p->pair = &p->made;
     McdHello(p->pair);
     p->result.contacts = p->contact;
     p->result.contactMaxCount = TERRAIN_CONTACTS;
@@ -160,7 +164,6 @@ static inline int probe_at(Probe *p, double x, double y, double z) {
 
 static inline void probe_term(Probe *p) {
     McdGoodbye(p->pair);
-    McdModelPairDestroy(p->pair);
     McdModelDestroy(p->model);
     McdModelDestroy(p->ground);
 }

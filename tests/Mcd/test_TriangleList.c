@@ -47,28 +47,60 @@ static void randomTurn(MeMatrix4 tm) {
 
 /* ---- surfaces that are flat ----------------------------------------------------------------------------------------- */
 
-/* How far the lowest point of a box of half sizes a is below its centre. */
-static double reachOfBox(const MeMatrix4 tm, const double a[3]) {
-    return a[0] * fabs((double)tm[0][2]) + a[1] * fabs((double)tm[1][2]) + a[2] * fabs((double)tm[2][2]);
+static McdGeometryID makeShape(int kind, double size) {
+    const MeReal s = (MeReal)size;
+    MeVector3 p[9];
+    for (int i = 0; i < 8; i++)
+        MeVector3Set(p[i], i & 1 ? s : -s / 2, i & 2 ? s / 2 : -s, i & 4 ? s / 3 : -s / 2);
+    MeVector3Set(p[8], 0, 0, s);
+    switch (kind) {
+    case 0:
+        return McdSphereCreate(frame, s / 2);
+    case 1:
+        return McdBoxCreate(frame, s, s * (MeReal).6, s * (MeReal)1.6);
+    case 2:
+        return McdCylinderCreate(frame, s / 2, s);
+    case 3:
+        return McdSphylCreate(frame, s / 3, s);
+    case 4:
+        return McdConeCreate(frame, s, s / 2);
+    default:
+        return McdConvexMeshCreateHull(frame, (const MeVector3 *)p, 9, kind == 5 ? 0 : s / 10);
+    }
 }
 
-START_TEST(a_box_at_any_angle_is_on_a_plane) {
-    const double half[3] = {.5, .3, .8};
+/* On a grid of triangles as on a plane: the lowest point is the deepest, and the normal is the plane's. */
+static void onPlane(int kind, double size) {
+    MeReal down[3] = {0, 0, -1};
+    MeVector3 lowest;
     begin();
-    terrain_grid(&ground, 20, .23, 0, ONE_SIDED);
-    probe_init(&probe, McdBoxCreate(frame, 1, (MeReal).6, (MeReal)1.6), terrain_list(frame, &ground));
+    terrain_grid(&ground, 20, .23 * size, 0, ONE_SIDED);
+    probe_init(&probe, makeShape(kind, size), terrain_list(frame, &ground));
+    McdModelSetContactTolerance(probe.model, (MeReal)(.01 * size));
+    McdModelSetContactTolerance(probe.ground, 0);
     seed = 1;
-    for (int i = 0; i < 2000; i++) {
+    for (int i = 0; i < 300; i++) {
         randomTurn(probe.tm);
-        const double reach = reachOfBox((const MeVector4 *)probe.tm, half), depth = .25 * random01() * reach;
-        ck_assert_int_gt(probe_at(&probe, random01() - .5, random01() - .5, reach - depth), 0);
-        assert_near(deepest(&probe), -depth, TOL(2e-6, 1e-9));
+        MeMatrix4TMSetPosition(probe.tm, (MeReal)(size * (random01() - .5)), (MeReal)(size * (random01() - .5)), 0);
+        McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
+        probe.tm[3][2] = (MeReal)(-(double)lowest[2] - size * (.15 * random01() - .005));
+        McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
+        ck_assert_int_gt(probe_test(&probe), 0);
+        assert_near(deepest(&probe), lowest[2], size * TOL(2e-6, 1e-9));
         for (int k = 0; k < probe.result.contactCount; k++)
             assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(1e-6, 1e-9));
         ck_assert_int_le(probe.result.contactCount, 4);
     }
     probe_term(&probe);
     end();
+}
+
+START_TEST(a_flat_grid_is_a_plane) {
+    for (int kind = 0; kind < 7; kind++) {
+        onPlane(kind, 1);
+        onPlane(kind, 1e-3);
+        onPlane(kind, 1e3);
+    }
 }
 END_TEST
 
@@ -532,7 +564,7 @@ START_TEST(bad_input) {
 END_TEST
 
 static void tests(TCase *t) {
-    tcase_add_test(t, a_box_at_any_angle_is_on_a_plane);
+    tcase_add_test(t, a_flat_grid_is_a_plane);
     tcase_add_test(t, a_box_on_its_face_has_its_four_corners);
     tcase_add_test(t, features_stay_while_sliding_and_in_any_order);
     tcase_add_test(t, in_a_valley_only_the_faces_push);
