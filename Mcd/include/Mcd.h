@@ -27,6 +27,7 @@
 #include "McdPlane.h"
 #include "McdPrimitives.h"
 #include "McdQuery.h"
+#include "McdQuery.h"
 #include "McdRGHeightField.h"
 #include "McdSpace.h"
 #include "McdSphere.h"
