@@ -1,8 +1,8 @@
 /* What the farfield of moving boxes costs: boxes of 1 m at random places in a cube, some of which move.
  *
- *     farfield [--boxes N] [--moving PERCENT] [--steps N]         10000, 5, 600 if not given
+ *     farfield [--boxes N] [--moving PERCENT] [--speed V] [--steps N]         10000, 5, 5, 600 if not given
  *
- * The same boxes move all the time, at 5 m/s and steps of 1/60 s, and turn back at the walls. A step is: renew the
+ * The same boxes move all the time, at V m/s and steps of 1/60 s, and turn back at the walls. A step is: renew the
  * boxes of those that moved, end the block, get the pairs. "all": by McdSpaceUpdateAll, which renews every box. */
 #define _POSIX_C_SOURCE 199309L /* clock_gettime */
 #include "McdFrame.h"
@@ -18,7 +18,8 @@
 #include <string.h>
 #include <time.h>
 
-static const double speed = 5, stepTime = 1.0 / 60, perBox = 2.7; /* m/s, s, m^3 of the cube */
+static double speed = 5;                               /* m/s */
+static const double stepTime = 1.0 / 60, perBox = 2.7; /* s, m^3 of the cube */
 
 static double now(void) {
     struct timespec t;
@@ -225,7 +226,7 @@ static double measure(int boxes, double percent, int isAll) {
 }
 
 static void usage(void) {
-    fputs("usage: farfield [--boxes N] [--moving PERCENT] [--steps N]\n", stderr);
+    fputs("usage: farfield [--boxes N] [--moving PERCENT] [--speed V] [--steps N]\n", stderr);
     exit(2);
 }
 
@@ -237,6 +238,8 @@ int main(int argc, char *argv[]) {
             boxes = atoi(argv[i + 1]);
         else if (strcmp(argv[i], "--moving") == 0)
             percent = atof(argv[i + 1]);
+        else if (strcmp(argv[i], "--speed") == 0)
+            speed = atof(argv[i + 1]);
         else if (strcmp(argv[i], "--steps") == 0)
             steps = atoi(argv[i + 1]);
         else
@@ -246,9 +249,10 @@ int main(int argc, char *argv[]) {
     MeMemoryAPI.create = countingCreate;
     MeMemoryAPI.resize = countingResize;
     MeMemoryAPI.destroy = countingDestroy;
-    printf("%s precision; %d boxes, %g %% moving; bytes: of the space, without the tree\n%-8s%10s%10s%12s%12s%12s\n",
-           sizeof(MeReal) == sizeof(double) ? "double" : "single", boxes, percent, "", "us/step", "pairs", "changes",
-           "bytes/model", "making ms");
+    printf("%s precision; %d boxes, %g %% moving at %g m/s; bytes: of the space, without the "
+           "tree\n%-8s%10s%10s%12s%12s%12s\n",
+           sizeof(MeReal) == sizeof(double) ? "double" : "single", boxes, percent, speed, "", "us/step", "pairs",
+           "changes", "bytes/model", "making ms");
     measure(boxes, percent, 0);
     measure(boxes, percent, 1);
     return 0;

@@ -3,14 +3,14 @@
  *  Interactions").
  *
  *  Each pair of types has three functions:
- *  - McdXYRegisterInteraction has pairs of an X and a Y (and of a Y and an X) of a framework interact. Returns 1; 0, with
- *    a warning, if the framework is none. Both types should be registered.
+ *  - McdXYRegisterInteraction has pairs of an X and a Y (and of a Y and an X) of a framework interact. Returns 1; 0,
+ *    with a warning, if the framework is none. Both types should be registered.
  *  - McdXYIntersect finds the contacts of one pair, whose first model is an X and whose second is a Y: at most 4, well
  *    spread over what the two surfaces have in common, with the normal that pushes the first model out by the shortest
  *    way. Returns 1 if there are any. Other types, or a transform that is not finite, get a warning and 0.
  *  - McdXYSafeTime finds how long the pair may move, see McdSafeTime.
- *  McdIntersect and McdSafeTime call what is registered; the functions can also be called alone, with models that are up
- *  to date (McdInteractions.h).
+ *  McdIntersect and McdSafeTime call what is registered; the functions can also be called alone, with models that are
+ *  up to date (McdInteractions.h).
  *
  *  Where two shapes touch in one point only, or are concentric, and no way out is shorter than another, the normal is a
  *  fixed direction of the shapes: never zero.

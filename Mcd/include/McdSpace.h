@@ -97,7 +97,8 @@ MEPUBLIC MeBool MEAPI McdSpaceGetModel(McdSpaceID s, McdSpaceModelIterator *it, 
 /** @} */
 
 /** @name Updating
- *  A model without a transform, or with one that is not finite, gets one warning and keeps its old box until it is good.
+ *  A model without a transform, or with one that is not finite, gets one warning and keeps its old box until it has a
+ *  good one.
  *  @{ */
 /** Renews the boxes of all models that are not frozen. Legal anywhere, see above. */
 MEPUBLIC void MEAPI McdSpaceUpdateAll(McdSpaceID s);
@@ -146,7 +147,7 @@ MEPUBLIC void MEAPI McdSpacePairIteratorBegin(McdSpaceID s, McdSpacePairIterator
  * Fills a container (what was in it is dropped) with the pairs that come after the iterator: goodbye pairs first, then
  * hello and staying ones. Non-zero if there are more: use these, and call again. Outside only.
  *
- * The guide's samples leave out the iterator; then each step begins at the first pair, and goes on while there are more.
+ * The guide's samples leave out the iterator; then each step begins at the first pair and goes on while there are more.
  */
 MEPUBLIC int MEAPI McdSpaceGetPairs(McdSpaceID s, McdSpacePairIterator *iter, McdModelPairContainer *c);
 /** The same without staying pairs. */

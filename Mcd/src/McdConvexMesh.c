@@ -361,13 +361,13 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
     return angle;
 }
 
-/* A vertex v has the sector x = v + z n of a ball, where n is in the spherical polygon P between the faces' normals, whose
+/* A vertex v has the sector x = v + z n of a ball, where n is in the spherical polygon between the faces' normals, whose
  * sides cross the edges at right angles. With e the edge's direction away from v, which is the outward normal of the
- * polygon's side, and N the integral of n along that side (the one above),
+ * polygon's side,
  *     int 1 = 2 pi - the sum of the faces' angles at v,
  *     int n = -1/2 sum angle e,                          from div(a - (a.n) n) = -2 a.n
- *     3 int n n^T = (int 1) I - sum e N^T,               from div((b.n)(a - (a.n) n)) = a.b - 3 (a.n)(b.n).
- * What depends on int 1 is added corner by corner, the rest edge by edge. */
+ * and n n^T summed over all vertices is that of a whole sphere, (int 1)/3 I. What depends on int 1 is added corner by
+ * corner. What depends on int n cancels at both ends of an edge, but for int (v n^T + n v^T), added edge by edge. */
 static void addSolidAngle(Moments *s, const double v[3], double angle, double r) {
     const double ball = r * r * r / 3, fifth = r * r * r * r * r / 5;
     s->m += angle * ball;
@@ -405,26 +405,12 @@ static void addCorners(Moments *s, const McdHull *h, double r) {
 }
 
 static void addSides(Moments *s, const McdHull *h, int edge, double angle, double r) {
-    const double quarter = r * r * r * r / 4, fifth = r * r * r * r * r / 5;
-    const double *a = h->face[h->edgeFace[edge][0]].normal, *other = h->face[h->edgeFace[edge][1]].normal;
-    double end[2][3], e[3], normals[3];
-    vertexAt(h, h->edge[edge][0], end[0]);
-    vertexAt(h, h->edge[edge][1], end[1]);
-    double length = 0;
+    double a[3], b[3], along[3];
+    vertexAt(h, h->edge[edge][0], a);
+    vertexAt(h, h->edge[edge][1], b);
     for (int k = 0; k < 3; k++)
-        length += (end[1][k] - end[0][k]) * (end[1][k] - end[0][k]);
-    length = sqrt(length);
-    for (int k = 0; k < 3; k++) {
-        e[k] = (end[1][k] - end[0][k]) / length;
-        normals[k] = tan(angle / 2) * (a[k] + other[k]); /* along the arc's chord's bisector, 2 sin(angle/2) long */
-    }
-    for (int i = 0; i < 2; i++) {
-        addFirst(s, -quarter * angle / 2, e);
-        addOuter(s, -quarter * angle, end[i], e);
-        addOuter(s, -fifth / 3, e, normals);
-        for (int k = 0; k < 3; k++)
-            e[k] = -e[k];
-    }
+        along[k] = b[k] - a[k];
+    addOuter(s, angle * r * r * r * r / 4 / sqrt(dot(along, along)), along, along);
 }
 
 static Moments momentsOf(const McdHull *h, double r) {

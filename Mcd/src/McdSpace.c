@@ -1,8 +1,8 @@
-/* Spaces: change blocks, models and their boxes, and handing over pairs. What pairs there are is found in mcd_pairs.c. */
+/* Spaces: change blocks, models and their boxes, handing over pairs. Which pairs there are is found in mcd_pairs.c. */
 #include "mcd_space_i.h"
 #include <string.h>
 
-/* ---- checks --------------------------------------------------------------------------------------------------------- */
+/* ---- checks ------------------------------------------------------------------------------------------------------ */
 
 MeBool mcd_spaceCheck(McdSpaceID s, const char *function) {
     if (s && s->magic == MCD_SPACE)
@@ -54,7 +54,7 @@ static int indexOf(const McdSpace *s, const McdProxy *p) {
     return (int)(p - s->proxy);
 }
 
-/* ---- life ----------------------------------------------------------------------------------------------------------- */
+/* ---- life -------------------------------------------------------------------------------------------------------- */
 
 static void *createArray(int count, size_t size) {
     void *array = MeMemoryAPI.create((size_t)count * size);
@@ -176,7 +176,7 @@ McdSpacePoolErrorFnPtr MEAPI McdSpaceGetPoolFullHandler(McdSpaceID space) {
     return mcd_spaceCheck(space, "McdSpaceGetPoolFullHandler") ? space->poolFull : 0;
 }
 
-/* ---- change blocks --------------------------------------------------------------------------------------------------- */
+/* ---- change blocks ----------------------------------------------------------------------------------------------- */
 
 void MEAPI McdSpaceBeginChanges(McdSpaceID space) {
     if (mcd_spaceIsReady(space, "McdSpaceBeginChanges"))
@@ -192,7 +192,7 @@ int MEAPI McdSpaceIsChanging(McdSpaceID space) {
     return mcd_spaceCheck(space, "McdSpaceIsChanging") && space->isChanging;
 }
 
-/* ---- boxes ------------------------------------------------------------------------------------------------------------- */
+/* ---- boxes ------------------------------------------------------------------------------------------------------- */
 
 static float outward(double x, double side) {
     const double cut = x > MCD_TREE_REACH ? MCD_TREE_REACH : x < -MCD_TREE_REACH ? -MCD_TREE_REACH : x;
@@ -207,46 +207,50 @@ void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box) {
     }
 }
 
-static MeReal largestSide(const McdProxy *p) {
-    const MeReal x = p->max[0] - p->min[0], y = p->max[1] - p->min[1], z = p->max[2] - p->min[2];
-    return x > y ? (x > z ? x : z) : (y > z ? y : z);
+static double largestSide(const McdProxy *p) {
+    const double x = (double)p->max[0] - (double)p->min[0], y = (double)p->max[1] - (double)p->min[1];
+    return fmax(fmax(x, y), (double)p->max[2] - (double)p->min[2]);
 }
 
-/* How far the fat box is from the exact one, beside what is for the motion. The last term: rounding. */
-static double fatMargin(const McdProxy *p, double side) {
-    double far = 0;
-    for (int i = 0; i < 3; i++)
-        far = fmax(far, fmax(fabs((double)p->min[i]), fabs((double)p->max[i])));
-    return .1 * side + 1.0001 * (double)p->tolerance + 4 * (double)ME_EPSILON * far;
+static MeBool isWithoutBounds(const McdProxy *p) {
+    return !(largestSide(p) < 1e-6 * MCD_TREE_REACH);
+}
+
+/* What the fat box is measured by: the model's size, or, where that is without bounds, that of a medium-sized one. */
+static double sizeOf(const McdProxy *p) {
+    return isWithoutBounds(p) ? (double)p->model->frame->lengthScale : largestSide(p);
+}
+
+/* How far the fat box is from the exact one, beside what is for the motion and for rounding. */
+static double fatMargin(const McdProxy *p, double size) {
+    return .1 * size + 1.0001 * (double)p->tolerance;
 }
 
 /* The model will move on as it moved in the last step: where it will be in four more is in, but not more than twice
  * its size. */
 static void fatten(McdProxy *p, const double moved[3]) {
-    const double side = (double)largestSide(p), margin = fatMargin(p, side);
+    const double size = sizeOf(p), margin = fatMargin(p, size), rounding = 4 * (double)ME_EPSILON;
     double min[3], max[3];
     for (int i = 0; i < 3; i++) {
-        const double ahead = fmax(-2 * side, fmin(4 * moved[i], 2 * side));
-        min[i] = (double)p->min[i] - margin + fmin(ahead, 0);
-        max[i] = (double)p->max[i] + margin + fmax(ahead, 0);
+        const double ahead = fmax(-2 * size, fmin(4 * moved[i], 2 * size));
+        const double low = (double)p->min[i], high = (double)p->max[i];
+        min[i] = low - rounding * fabs(low) - margin + fmin(ahead, 0);
+        max[i] = high + rounding * fabs(high) + margin + fmax(ahead, 0);
     }
     mcd_treeBox(min, max, &p->fat);
 }
 
 /* Is the exact box, grown by the tolerance, still in the fat one, and the fat one not far too large for it? */
 static MeBool isFatBoxGood(const McdProxy *p) {
-    const double side = (double)largestSide(p), tolerance = 1.00001 * (double)p->tolerance;
-    const double most = 4 * (side + 2 * fatMargin(p, side));
+    const double size = sizeOf(p), tolerance = 1.00001 * (double)p->tolerance;
+    const double most = isWithoutBounds(p) ? INFINITY : 4 * (size + 2 * fatMargin(p, size));
     for (int i = 0; i < 3; i++) {
         const double low = (double)p->fat.min[i], high = (double)p->fat.max[i];
-        if ((double)p->min[i] - tolerance < low || (double)p->max[i] + tolerance > high || high - low > most)
+        if (fmax((double)p->min[i] - tolerance, -MCD_TREE_REACH) < low ||
+            fmin((double)p->max[i] + tolerance, MCD_TREE_REACH) > high || high - low > most)
             return MEFALSE;
     }
     return METRUE;
-}
-
-static MeBool isWithoutBounds(const McdProxy *p) {
-    return !((double)largestSide(p) < 1e-6 * MCD_TREE_REACH);
 }
 
 static void dropUnbounded(McdSpace *s, McdProxy *p) {
@@ -353,7 +357,7 @@ static void updateProxy(McdSpace *s, McdProxy *p, MeReal duration) {
     takeBox(s, p);
 }
 
-/* ---- updating ------------------------------------------------------------------------------------------------------------ */
+/* ---- updating ---------------------------------------------------------------------------------------------------- */
 
 static void updateAll(McdSpace *s, MeReal duration) {
     const MeBool isAlone = !s->isChanging;
@@ -435,7 +439,7 @@ MeBool MEAPI McdSpaceIsFrozen(McdModelID cm) {
     return McdSpaceModelIsFrozen(cm);
 }
 
-/* ---- models --------------------------------------------------------------------------------------------------------------- */
+/* ---- models ------------------------------------------------------------------------------------------------------ */
 
 static MeBool canInsert(McdSpaceID s, McdModelID cm, const char *function) {
     if (!checkInside(s, function) || !mcd_modelCheck(cm, function))
@@ -559,7 +563,7 @@ MeBool MEAPI McdSpaceGetModel(McdSpaceID s, McdSpaceModelIterator *it, McdModelI
     return *cm != 0;
 }
 
-/* ---- pairs that never collide ----------------------------------------------------------------------------------------------- */
+/* ---- pairs that never collide ------------------------------------------------------------------------------------ */
 
 /* The proxies of two different models in the same space. */
 static MeBool proxiesOf(McdModelID cm1, McdModelID cm2, McdProxy **p1, McdProxy **p2, const char *function) {
@@ -605,7 +609,7 @@ void MEAPI McdSpaceSetModelCullingParameters(McdSpaceID s, McdModelID cm, McdCul
         setCulling(s, p, table, cullingIndex, cullingID, "McdSpaceSetModelCullingParameters");
 }
 
-/* ---- handing over pairs ------------------------------------------------------------------------------------------------------ */
+/* ---- handing over pairs ------------------------------------------------------------------------------------------ */
 
 void MEAPI McdSpacePairIteratorBegin(McdSpaceID s, McdSpacePairIterator *iter) {
     if (!iter) {
@@ -692,7 +696,7 @@ int MEAPI McdSpaceGetNextTransitions(McdSpaceID s, McdModelPairContainer *c) {
     return getNext(s, c, MEFALSE, "McdSpaceGetTransitions");
 }
 
-/* ---- queries ------------------------------------------------------------------------------------------------------------------ */
+/* ---- queries ----------------------------------------------------------------------------------------------------- */
 
 void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3], McdTreeVisit visit, void *context) {
     McdTreeBox box;

@@ -2,15 +2,14 @@
  * a convex set in which the origin lies if and only if the cores overlap.
  *
  * Apart, the distance is that of the origin from M, by Gilbert, Johnson and Keerthi's walk over simplices within M.
- * Overlapping, the depth is the distance to the nearest point of M's surface: a polytope within M grows, by M's farthest
- * point over the facet nearest to the origin, until no facet is left that could be nearer than what was found. So the
- * result is bounded from both sides: by the nearest facet from below and by a supporting plane of M from above. For
- * polyhedra both meet exactly, on a facet of M; for round shapes at `tolerance`.
+ * Overlapping, the depth is the distance to the nearest point of M's surface: a polytope within M grows, by M's
+ * farthest point over the facet nearest to the origin, until no facet is left that could be nearer than what was found.
+ * So the result is bounded from both sides: by the nearest facet from below and by a supporting plane of M from above.
+ * For polyhedra both meet exactly, on a facet of M; for round shapes at `tolerance`.
  *
- * libccd does the same, but its expansion leaves exactly aligned cubes without a normal and gets a quarter of the depths
- * of nearly aligned ones wrong (facets that share a plane), and its distance stops at a relative 1e-6 of no fixed
- * meaning, without a bound; so this is our own, in which a facet plane is never taken on trust: what is returned was
- * measured by a support point.
+ * libccd does the same, but its expansion leaves exactly aligned cubes without a normal and gets a quarter of the
+ * depths of nearly aligned ones wrong, so this is our own: what is returned was measured by a support point, never
+ * taken from a facet's plane alone. The walk comes with it, as it hands its last simplex over.
  */
 #include "mcd_nearfield.h"
 

@@ -24,7 +24,7 @@ static MeU32 code(MeU32 kind, MeU32 face, MeU32 name) {
     return kind << 14 | (face & 0xff) << 6 | (name & 0x3f);
 }
 
-/* ---- faces ---------------------------------------------------------------------------------------------------- */
+/* ---- faces ------------------------------------------------------------------------------------------ */
 
 static void addPoint(const McdShape *s, McdFace *f, double x, double y, double z, MeU32 name) {
     double *p = f->point[f->count];
@@ -198,7 +198,7 @@ void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
     }
 }
 
-/* ---- what they have in common ----------------------------------------------------------------------------------- */
+/* ---- what they have in common ------------------------------------------------------------------------- */
 
 /* A point in the plane across the normal, with its heights on both surfaces. */
 typedef struct Spot {
@@ -379,7 +379,7 @@ static int commonSpots(const Outline *a, const Outline *b, double bend, double s
     return count;
 }
 
-/* ---- which of them ------------------------------------------------------------------------------------------------ */
+/* ---- which of them -------------------------------------------------------------------------------------- */
 
 static double acrossSquared(const Spot *p, const Spot *q) {
     const double x = p->x - q->x, y = p->y - q->y;
@@ -452,7 +452,7 @@ static int keepFour(Spot *spot, int count, double slack_) {
     return made;
 }
 
-/* ---- manifolds ---------------------------------------------------------------------------------------------------- */
+/* ---- manifolds ------------------------------------------------------------------------------------------ */
 
 static void addContact(const McdShape *a, const McdShape *b, const View *v, const Spot *s, McdManifold *m) {
     const double za = s->a - a->rounding, zb = s->b + b->rounding;

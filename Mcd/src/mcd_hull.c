@@ -587,33 +587,42 @@ static void fillVertices(McdHull *h, const Plan *p, const Cloud *c, const double
         h->extent = fmax(h->extent, distance(h->vertex[i], h->centre));
 }
 
-/* The plane of a face: Newell's normal, and so far out that all the facets' corners are behind it. */
-static void fillPlane(McdHullFace *face, const McdHull *h, const Facets *f, const Cloud *c, const Regions *r,
-                      int region) {
+static void fillNormal(McdHullFace *face, const McdHull *h, const Cloud *c, const double spare[3]) {
     newell((const double(*)[3])h->vertex, h->faceVertex + face->first, face->count, face->normal);
     const double size = sqrt(dot(face->normal, face->normal));
     for (int k = 0; k < 3; k++) /* a sliver has no area to speak of, but Qhull's normal */
-        face->normal[k] = size > 1e-12 * c->scale * c->scale ? face->normal[k] / size : f->normal[region][k];
-    double out = -DBL_MAX;
-    for (int i = 0; i < f->cornerCount; i++)
-        if (r->of[f->face[i]] == region)
-            out = fmax(out, dot(face->normal, c->point[f->vertex[i]]));
-    face->offset = dot(face->normal, c->centre) + c->scale * out;
-    for (int i = 0; i < face->count; i++)
-        face->offset = fmax(face->offset, dot(face->normal, h->vertex[h->faceVertex[face->first + i]]));
+        face->normal[k] = size > 1e-12 * c->scale * c->scale ? face->normal[k] / size : spare[k];
+}
+
+/* Planes are so far out that all corners of their facets are behind them, those that vanished too. */
+static void fillOffsets(McdHull *h, const Facets *f, const Cloud *c, const Regions *r, const int *faceOf) {
+    for (int i = 0; i < h->faceCount; i++)
+        h->face[i].offset = -DBL_MAX;
+    for (int i = 0; i < f->cornerCount; i++) {
+        McdHullFace *face = &h->face[faceOf[r->of[f->face[i]]]];
+        face->offset = fmax(face->offset, dot(face->normal, c->point[f->vertex[i]]));
+    }
+    for (int i = 0; i < h->faceCount; i++) {
+        McdHullFace *face = &h->face[i];
+        face->offset = dot(face->normal, c->centre) + c->scale * face->offset;
+        for (int k = 0; k < face->count; k++)
+            face->offset = fmax(face->offset, dot(face->normal, h->vertex[h->faceVertex[face->first + k]]));
+    }
 }
 
 static void fillFaces(McdHull *h, const Plan *p, const Facets *f, const Cloud *c, const Regions *r, const Loops *l) {
-    int corners = 0;
+    int corners = 0, *faceOf = r->stack; /* of a region, by now */
     for (int i = 0; i < p->faces; i++) {
         const int region = p->region[i];
         McdHullFace *face = &h->face[i];
+        faceOf[region] = i;
         face->first = corners;
         face->count = l->size[region];
         for (int k = 0, corner = l->start[region]; k < face->count; k++, corner = l->next[corner])
             h->faceVertex[corners++] = p->number[f->vertex[corner]];
-        fillPlane(face, h, f, c, r, region);
+        fillNormal(face, h, c, f->normal[region]);
     }
+    fillOffsets(h, f, c, r, faceOf);
 }
 
 typedef struct HullEdge {
@@ -672,7 +681,7 @@ static void fillNeighbours(McdHull *h) {
 static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Regions *r, Loops *l,
                           const double (*point)[3]) {
     Plan p;
-    if (!makePlan(w, f, c, l, &p))
+    if (!makePlan(w, f, c, l, &p) || p.faces < 4)
         return NULL;
     McdHull *h = allocateHull(w, p.vertices, p.faces, p.corners);
     if (!h)
@@ -693,7 +702,7 @@ static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Region
 static MeBool isThick(const McdHull *h, const Cloud *c) {
     for (int i = 0; i < h->faceCount; i++) {
         double width = 0;
-        for (int k = 0; k < h->vertexCount; k++)
+        for (int k = 0; k < h->vertexCount && width < leastThickness * c->scale; k++)
             width = fmax(width, h->face[i].offset - dot(h->face[i].normal, h->vertex[k]));
         if (width < leastThickness * c->scale)
             return 0;

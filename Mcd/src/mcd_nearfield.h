@@ -23,8 +23,8 @@ double mcd_separationAlong(const McdShape *a, const McdShape *b, const double n[
 
 /* The signed distance of the cores; false if it is more than limit. */
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
-/* The best normal among those of a box's faces and a cylinder's or cone's discs, as a guess; a separation of -INFINITY if
- * there are none. */
+/* The best normal among those of a box's faces and a cylinder's or cone's discs, as a guess; a separation of -INFINITY
+ * if there are none. */
 void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p);
 /* The same for two boxes, where they overlap; else a face's normal along which they are apart. */
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);

@@ -3,7 +3,7 @@
 #include "McdInteractions.h"
 #include <string.h>
 
-/* ---- memory ------------------------------------------------------------------------------------------------------- */
+/* ---- memory ------------------------------------------------------------------------------------------------------ */
 
 /* Makes room for one more. False, after MeFatalError, if there is no memory; all is as it was then. */
 static MeBool grow(void **array, int *max, size_t size) {
@@ -89,7 +89,7 @@ static void givePair(McdSpace *s, McdPairRecord *record) {
     s->freePair = record;
 }
 
-/* ---- links -------------------------------------------------------------------------------------------------------- */
+/* ---- links ------------------------------------------------------------------------------------------------------- */
 
 static MeU32 hashOf(int a, int b) {
     const MeU64 key = (MeU64)(MeU32)(a < b ? a : b) << 32 | (MeU32)(a < b ? b : a);
@@ -208,7 +208,7 @@ static int nextLink(const McdSpace *s, int i, int proxy) {
     return s->link[i].next[s->link[i].proxy[1] == proxy];
 }
 
-/* ---- judging ------------------------------------------------------------------------------------------------------ */
+/* ---- judging ----------------------------------------------------------------------------------------------------- */
 
 static MeBool isCulled(const McdProxy *a, const McdProxy *b) {
     return a->table && a->table == b->table && a->cullingID == b->cullingID &&
@@ -275,7 +275,7 @@ static void judge(McdSpace *s, int i) {
         dropLink(s, i);
 }
 
-/* ---- finding ------------------------------------------------------------------------------------------------------ */
+/* ---- finding ----------------------------------------------------------------------------------------------------- */
 
 typedef struct Search {
     McdSpace *space;
@@ -312,7 +312,7 @@ static void judgeLinksOf(McdSpace *s, int proxy) {
     }
 }
 
-/* ---- lists -------------------------------------------------------------------------------------------------------- */
+/* ---- lists ------------------------------------------------------------------------------------------------------- */
 
 /* Last step's hellos stay. From the back, so that nothing is overwritten before it was moved. */
 static void helloBecomesStaying(McdSpace *s) {
@@ -397,7 +397,7 @@ static void giveRoom(McdSpace *s) {
     s->wanted.count = 0;
 }
 
-/* ---- the block ----------------------------------------------------------------------------------------------------- */
+/* ---- the block --------------------------------------------------------------------------------------------------- */
 
 void mcd_proxyTouch(McdSpace *s, int proxy) {
     if (s->proxy[proxy].isDirty)
@@ -415,6 +415,7 @@ void mcd_pairsBegin(McdSpace *s) {
 
 void mcd_pairsEnd(McdSpace *s) {
     mcd_pairsTidy(s);
+    mcd_treeSettle(s->tree);
     for (int i = 0; i < s->dirtyCount; i++)
         if (s->proxy[s->dirty[i]].isMoved && s->proxy[s->dirty[i]].hasBox)
             findLinks(s, s->dirty[i]);
@@ -521,7 +522,7 @@ void mcd_pairsDestroy(McdSpace *s) {
     MeMemoryAPI.destroy(s->wanted.entry);
 }
 
-/* ---- pairs that never collide --------------------------------------------------------------------------------------- */
+/* ---- pairs that never collide ------------------------------------------------------------------------------------ */
 
 MeBool mcd_pairsDisable(McdSpace *s, int a, int b) {
     int i = findLink(s, a, b);

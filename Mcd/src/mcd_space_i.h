@@ -1,8 +1,8 @@
 /* Inside Mcd: what spaces are made of.
  *
  * A model in a space is a proxy: its box of the last update, and a fat box around that which is in the tree. A link
- * joins two proxies whose fat boxes overlap, or that are disabled; links are found by a hash table and hang in a list at
- * each of their proxies. A link whose exact boxes overlap has a pair, which is what programs see.
+ * joins two proxies whose fat boxes overlap, or that are disabled; links are found by a hash table and hang in a list
+ * at each of their proxies. A link whose exact boxes overlap has a pair, which is what programs see.
  *
  * At the end of a block only what changed is looked at: proxies that left their fat box are looked up in the tree for
  * new links, and the links of proxies that changed at all are judged anew.
@@ -96,7 +96,7 @@ MeBool mcd_spaceCheck(McdSpaceID s, const char *function);
 /* Is it a space outside a change block? Ends the first block, if McdSpaceUpdateAll was called in it. */
 MeBool mcd_spaceIsReady(McdSpaceID s, const char *function);
 
-/* ---- links and pairs (mcd_pairs.c) -------------------------------------------------------------------------------- */
+/* ---- links and pairs (mcd_pairs.c) ------------------------------------------------------------------------------- */
 
 void mcd_proxyTouch(McdSpace *s, int proxy);        /* its links are to be judged at the end of the block */
 void mcd_pairsForgetProxy(McdSpace *s, int proxy);  /* drops its links; its pairs say goodbye */
@@ -109,7 +109,7 @@ void mcd_pairsBegin(McdSpace *s);                            /* a block begins: 
 void mcd_pairsEnd(McdSpace *s);                              /* a block ends: finds the pairs */
 void mcd_pairsDestroy(McdSpace *s);
 
-/* ---- queries ------------------------------------------------------------------------------------------------------ */
+/* ---- queries ----------------------------------------------------------------------------------------------------- */
 
 /* Calls visit for each model that may overlap a box (world); of those in the tree and those without bounds. */
 void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3], McdTreeVisit visit, void *context);

@@ -16,11 +16,14 @@ using Node = Nodes::NodeType;
 
 struct McdTree {
     Nodes nodes;
+    bool isDeep = false; /* some leaf is */
 };
 
 namespace {
 
-const int spareDepth = 40; /* levels beyond twice those of a balanced tree */
+/* Levels beyond twice those of a balanced tree: from here on the tree is to be made anew, before it is asked; and at
+ * the latest here, as boxes that come in order make it a list. */
+const int spareDepth = 40, mostSpareDepth = 1000;
 
 Node *nodeOf(McdTreeLeaf *leaf) {
     return reinterpret_cast<Node *>(leaf);
@@ -34,20 +37,24 @@ Box boxOf(const McdTreeBox &b) {
     return Box(fcl::Vector3<float>(b.min[0], b.min[1], b.min[2]), fcl::Vector3<float>(b.max[0], b.max[1], b.max[2]));
 }
 
-bool isTooDeep(const McdTree &tree, const Node *leaf) {
+void balance(McdTree &tree) noexcept {
+    tree.isDeep = false;
+    try {
+        tree.nodes.balanceTopdown();
+    } catch (...) { /* no memory for the list of leaves: nothing was changed then; the nodes are those it had */
+    }
+}
+
+void checkDepth(McdTree &tree, const Node *leaf) noexcept {
     int depth = 0, balanced = 0;
     for (const Node *n = leaf->parent; n; n = n->parent)
         depth++;
     for (std::size_t size = tree.nodes.size(); size > 1; size /= 2)
         balanced++;
-    return depth > 2 * balanced + spareDepth;
-}
-
-void balance(McdTree &tree) noexcept {
-    try {
-        tree.nodes.balanceTopdown();
-    } catch (...) { /* no memory for the list of leaves: nothing was changed then; the nodes are those it had */
-    }
+    if (depth > 2 * balanced + mostSpareDepth)
+        balance(tree);
+    else
+        tree.isDeep = tree.isDeep || depth > 2 * balanced + spareDepth;
 }
 
 bool overlaps(const Box &a, const McdTreeBox &b) {
@@ -134,8 +141,7 @@ void mcd_treeDestroy(McdTree *tree) {
 McdTreeLeaf *mcd_treeInsert(McdTree *tree, const McdTreeBox *box, int item) {
     try {
         Node *leaf = tree->nodes.insert(boxOf(*box), reinterpret_cast<void *>(static_cast<std::intptr_t>(item)));
-        if (isTooDeep(*tree, leaf))
-            balance(*tree);
+        checkDepth(*tree, leaf);
         return reinterpret_cast<McdTreeLeaf *>(leaf);
     } catch (...) {
         return nullptr;
@@ -149,8 +155,7 @@ void mcd_treeMove(McdTree *tree, McdTreeLeaf *leaf, const McdTreeBox *box) {
         tree->nodes.update(node); /* out and in again; reuses the node above, so there is nothing to allocate */
     } catch (...) {
     }
-    if (isTooDeep(*tree, node))
-        balance(*tree);
+    checkDepth(*tree, node);
 }
 
 void mcd_treeRemove(McdTree *tree, McdTreeLeaf *leaf) {
@@ -159,6 +164,11 @@ void mcd_treeRemove(McdTree *tree, McdTreeLeaf *leaf) {
 
 void mcd_treeBalance(McdTree *tree) {
     balance(*tree);
+}
+
+void mcd_treeSettle(McdTree *tree) {
+    if (tree->isDeep)
+        balance(*tree);
 }
 
 size_t mcd_treeBytesPerItem(void) {

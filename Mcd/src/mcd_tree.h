@@ -28,6 +28,8 @@ void mcd_treeMove(McdTree *tree, McdTreeLeaf *leaf, const McdTreeBox *box);
 void mcd_treeRemove(McdTree *tree, McdTreeLeaf *leaf);
 /* Makes the tree anew from the top down: after many insertions. */
 void mcd_treeBalance(McdTree *tree);
+/* The same if it got too deep; before it is asked. */
+void mcd_treeSettle(McdTree *tree);
 size_t mcd_treeBytesPerItem(void); /* what an item takes: its leaf and the node above */
 
 /* Calls visit for each item whose box overlaps, until it returns false. */

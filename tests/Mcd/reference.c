@@ -10,7 +10,7 @@ static const double pi = 3.14159265358979323846;
 const char *const shape_name[SHAPE_KINDS] = {"sphere", "sphyl", "box",      "cylinder",
                                              "cone",   "hull",  "fat hull", "triangle"};
 
-/* ---- random ---------------------------------------------------------------------------------------------------- */
+/* ---- random ------------------------------------------------------------------------------------------ */
 
 double random_unit(Random *r) {
     if (!r->state)
@@ -30,9 +30,15 @@ void random_direction(Random *r, double out[3]) {
     mcd_set(out, k * cos(angle), k * sin(angle), z);
 }
 
-/* ---- hulls ------------------------------------------------------------------------------------------------------- */
+/* ---- hulls --------------------------------------------------------------------------------------------- */
 
-enum { STORE = 64, MAX_SIDES = 24, MAX_VERTICES = 2 * MAX_SIDES, MAX_FACES = 2 * MAX_SIDES, MAX_EDGES = 3 * MAX_SIDES };
+enum {
+    STORE = 2048,
+    MAX_SIDES = 24,
+    MAX_VERTICES = 2 * MAX_SIDES,
+    MAX_FACES = 2 * MAX_SIDES,
+    MAX_EDGES = 3 * MAX_SIDES
+};
 
 typedef struct StoredHull {
     McdHull hull;
@@ -144,7 +150,21 @@ const McdHull *hull_pyramids(int sides, double radius, double halfHeight) {
     return finish(h);
 }
 
-/* ---- shapes ------------------------------------------------------------------------------------------------------ */
+const McdHull *hull_points(int count, const double radii[3], Random *r) {
+    static McdHull *made[STORE];
+    static int next;
+    double point[MAX_SIDES][3];
+    for (int i = 0; i < count; i++) {
+        random_direction(r, point[i]);
+        for (int k = 0; k < 3; k++)
+            point[i][k] *= radii[k];
+    }
+    if (made[next % STORE])
+        mcd_hullDestroy(made[next % STORE]);
+    return made[next++ % STORE] = mcd_hullCreate((const double(*)[3])point, count, "hull_points");
+}
+
+/* ---- shapes -------------------------------------------------------------------------------------------- */
 
 static void start(McdShape *s, int type) {
     memset(s, 0, sizeof *s);
@@ -222,9 +242,12 @@ void shape_random(McdShape *s, int kind, double scale, MeBool slab, Random *r) {
         mcd_triangleShape((const double(*)[3])corners, s);
         break;
     }
-    default:
-        shape_hull(s, isPrism ? hull_prism(sides, x[0], x[2]) : hull_pyramids(sides, x[0], x[2]),
-                   kind == SHAPE_FAT_HULL ? .1 * x[2] : 0);
+    default: {
+        const McdHull *hull = sides > 16 ? hull_points(sides, x, r)
+                              : isPrism  ? hull_prism(sides, x[0], x[2])
+                                         : hull_pyramids(sides, x[0], x[2]);
+        shape_hull(s, hull, kind == SHAPE_FAT_HULL ? .1 * x[2] : 0);
+    }
     }
 }
 
@@ -261,7 +284,7 @@ void shape_move(McdShape *s, double x, double y, double z) {
         mcd_mad(s->corner[i], s->corner[i], 1, d);
 }
 
-/* ---- polyhedra: corners, face normals, edges ----------------------------------------------------------------------- */
+/* ---- polyhedra: corners, face normals, edges ------------------------------------------------------------- */
 
 typedef struct Solid {
     int corners, normals, edges;
@@ -375,7 +398,7 @@ double reference_along(const McdShape *a, const McdShape *b, const double n[3]) 
     return along(&both, n);
 }
 
-/* ---- directions -------------------------------------------------------------------------------------------------- */
+/* ---- directions ---------------------------------------------------------------------------------------- */
 
 static void tryDirection(const Both *both, const double d[3], double *best, double normal[3]) {
     const double length = mcd_length(d);

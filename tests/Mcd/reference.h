@@ -6,7 +6,7 @@
 #ifndef REFERENCE_H
 #define REFERENCE_H
 
-#include "mcd_shape.h"
+#include "mcd_geometries.h"
 
 /* xorshift64*: the same on every machine. */
 typedef struct Random {
@@ -38,9 +38,12 @@ void shape_sphere(McdShape *s, double radius);
 void shape_hull(McdShape *s, const McdHull *hull, double fatness);
 /* Of a kind, with sizes from .3 to 1 times a scale; slab: one of them a fiftieth. */
 void shape_random(McdShape *s, int kind, double scale, MeBool slab, Random *r);
-/* A prism or a double pyramid over a polygon; from a store of 64, the oldest is used again. */
+/* A prism or a double pyramid over a polygon; from a store of 2048, the oldest is used again. */
 const McdHull *hull_prism(int sides, double radius, double halfHeight);
 const McdHull *hull_pyramids(int sides, double radius, double halfHeight);
+
+/* Qhull's, of that many points on an ellipsoid. */
+const McdHull *hull_points(int count, const double radii[3], Random *r);
 
 void shape_rotate(McdShape *s, const double axis[3], double angle); /* about the coordinates' origin */
 void shape_rotateRandomly(McdShape *s, Random *r);

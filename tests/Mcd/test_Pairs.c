@@ -325,10 +325,29 @@ START_TEST(warm_steps_allocate_nothing) {
 }
 END_TEST
 
+/* Boxes that come in order would make the tree a list. */
+START_TEST(models_in_a_row) {
+    static Yard y;
+    yardMake(&y);
+    for (int i = 0; i < CRATES; i++)
+        yardPut(&y, 1, (MeReal).75 * (MeReal)i, 0, 0);
+    assert_step(&y, CRATES - 1, 0, 0);
+    for (int i = 0; i < CRATES; i += 2)
+        yardMove(&y, i, (MeReal).75 * (MeReal)i, 5, 0);
+    assert_step(&y, 0, 0, CRATES - 1);
+    for (int i = CRATES - 2; i >= 0; i -= 2)
+        yardMove(&y, i, (MeReal).75 * (MeReal)i, 0, 0);
+    assert_step(&y, CRATES - 1, 0, 0);
+    yardDestroy(&y);
+    assert_silent();
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_loop_test(t, the_same_as_all_pairs_one_by_one, 0, 6);
     tcase_add_test(t, twice_the_same);
     tcase_add_test(t, sort_keys_make_the_order);
+    tcase_add_test(t, models_in_a_row);
     tcase_add_test(t, warm_steps_allocate_nothing);
 }
 TEST_MAIN("McdSpace pairs", tests)

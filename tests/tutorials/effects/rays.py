@@ -2,6 +2,7 @@ import math
 
 from tutorial import figure, near, status
 
+USES = ['Mcd']  # of the libraries above MeGlobals
 LAMP, RANGE, RAYS, BALL = (0, 0), 9, 90, 0.15
 CONE = math.atan(0.9 / 2)  # between its axis and its side
 
