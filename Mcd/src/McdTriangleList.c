@@ -215,9 +215,8 @@ static const double *normalOf(const McdUserTriangle *t, double normal[3]) {
 
 static void gather(McdMeshQuery *q) {
     McdTriangleList *list = (McdTriangleList *)mcd_record(q->pair->model2)->instance.geometry;
-    double centre[3], corner[3][3], normal[3];
-    const double radius = mcd_meshBall(q, centre);
-    const int count = find(list, q->pair, centre, radius);
+    double corner[3][3], normal[3];
+    const int count = find(list, q->pair, q->ball, q->ballRadius);
     if (!mcd_meshReserve(q->mesh, count))
         return;
     for (int i = 0; i < count; i++)

@@ -296,10 +296,29 @@ static MeBool edgeIsSharp(const McdMeshTriangle *t, int edge) {
     return (t->flags & kMcdTriangleUseEdge0 << edge) != 0;
 }
 
-static Verdict judge(const McdMesh *mesh, const McdMeshTriangle *t, const double normal[3]) {
+/* Is the edge or corner where the shape was looked for? Of others, the neighbours may be missing. */
+static MeBool isWhereLooked(const McdMeshQuery *q, const McdMeshTriangle *t, int from, int to) {
+    const double(*place)[3] = (const double(*)[3]) & q->mesh->place[3 * (t - q->mesh->triangle)];
+    double along[3], off[3];
+    for (int i = 0; i < 3; i++)
+        if (fmin(place[from][i], place[to][i]) > q->high[i] || fmax(place[from][i], place[to][i]) < q->low[i])
+            return MEFALSE;
+    mcd_sub(along, place[to], place[from]);
+    mcd_sub(off, q->ball, place[from]);
+    const double square = mcd_dot(along, along);
+    if (square > 0)
+        mcd_mad(off, off, -MeCLAMP(mcd_dot(off, along) / square, 0, 1), along);
+    return mcd_dot(off, off) <= q->ballRadius * q->ballRadius;
+}
+
+static Verdict judge(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]) {
+    const McdMesh *mesh = q->mesh;
     const int mask = farthestCorners(t, normal);
     for (int i = 0; i < 3; i++) {
         const int next = (i + 1) % 3, last = (i + 2) % 3;
+        if ((mask == (1 << i | 1 << next) && !isWhereLooked(q, t, i, next)) ||
+            (mask == 1 << i && !isWhereLooked(q, t, i, i)))
+            return INSIDE;
         if (mask == (1 << i | 1 << next))
             return judgeAt(mesh, t, t->vertex[i], t->vertex[next], edgeIsSharp(t, i), normal);
         if (mask == 1 << i)
@@ -475,7 +494,7 @@ static void touchTriangle(McdMeshQuery *q, const McdMeshTriangle *t) {
     mcd_scale(face, t->normal, side);
     const double towards = mcd_dot(m.normal, face);
     const MeBool shortest = (t->flags & kMcdTriangleUseSmallestPenetration) != 0;
-    const Verdict verdict = judge(q->mesh, t, m.normal);
+    const Verdict verdict = judge(q, t, m.normal);
     const MeBool isFace =
         mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION || (verdict == ON_FACE && towards > 0);
     if (verdict == NOT_SHARP && towards < .5) /* pushed from the side, where there is nothing to push */
@@ -621,13 +640,14 @@ static void boundShape(McdMeshQuery *q) {
     q->radius = sqrt(sum);
 }
 
-double mcd_meshBall(const McdMeshQuery *q, double centre[3]) {
+/* A ball around the shape and the margin: the smaller one of two that are at hand. */
+static void findBall(McdMeshQuery *q) {
     double off[3];
     const MeBool isCompact = q->shape.extent < q->radius;
     mcd_sub(off, isCompact ? q->shape.place : q->centre, q->place);
     for (int i = 0; i < 3; i++)
-        centre[i] = mcd_dot(off, q->axis[i]);
-    return (isCompact ? q->shape.extent : q->radius) + q->margin;
+        q->ball[i] = mcd_dot(off, q->axis[i]);
+    q->ballRadius = (isCompact ? q->shape.extent : q->radius) + q->margin;
 }
 
 int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh, McdMeshGather gather) {
@@ -642,6 +662,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh
         return 0;
     placeMesh(&q, ins2);
     boundShape(&q);
+    findBall(&q);
     mesh->count = mesh->contactCount = mesh->skipped = 0;
     gather(&q);
     if (mesh->skipped)

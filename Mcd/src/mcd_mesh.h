@@ -49,6 +49,7 @@ typedef struct McdMeshQuery {
     double low[3], high[3];      /* the shape's box in the mesh's frame, with the margin */
     double centre[3];            /* the middle of that box, in the query's coordinates */
     double radius;               /* from there to the box' corners */
+    double ball[3], ballRadius;  /* around the shape and the margin, in the mesh's frame */
 } McdMeshQuery;
 
 /* Adds the triangles that may be near the box. */
@@ -63,8 +64,6 @@ void mcd_meshFree(McdMesh *mesh);
  * not near, has no area, or has NaN is left out. */
 void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, int element);
 
-/* A ball around the shape and the margin, in the mesh's frame: the smaller one of two that are at hand. */
-double mcd_meshBall(const McdMeshQuery *q, double centre[3]);
 /* The unit normal of a triangle, by the right-hand rule or, if one is given, on its side; false without area. */
 MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]);
 /* Where a segment enters a triangle's front (either side if both count): false if it does not. All in one frame. */
