@@ -25,8 +25,8 @@
 
 ME_BEGIN_C
 
-/** Axes, to be added up. */
-enum { McdXAxis = 1, McdYAxis = 2, McdZAxis = 4, McdAllAxes = 7 };
+/** Axes, to be added up: 1, 2, 4, and all of them. */
+extern MEPUBLIC const int McdXAxis, McdYAxis, McdZAxis, McdAllAxes;
 
 /** Where McdSpaceGetPairs is; set by McdSpacePairIteratorBegin. */
 typedef struct McdSpacePairIterator {

@@ -2,6 +2,8 @@
 #include "mcd_space_i.h"
 #include <string.h>
 
+const int McdXAxis = 1, McdYAxis = 2, McdZAxis = 4, McdAllAxes = 7;
+
 /* ---- checks ------------------------------------------------------------------------------------------------------ */
 
 MeBool mcd_spaceCheck(McdSpaceID s, const char *function) {
@@ -75,7 +77,7 @@ static void freeSpace(McdSpace *s) {
 }
 
 static MeBool checkSizes(McdFrameworkID frame, int axes, int objectCount, int pairCount) {
-    if ((size_t)frame <= McdAllAxes && frame) {
+    if ((size_t)frame <= (size_t)McdAllAxes && frame) {
         MeWarning(1,
                   "McdSpaceAxisSortCreate: the framework is %d: the arguments are framework, axes, objectCount, "
                   "pairCount; Karma 1.0's form had no framework",
