@@ -71,7 +71,7 @@ START_TEST(boxes_are_exact_and_grown_by_tolerances) {
 END_TEST
 
 START_TEST(only_the_axes_that_were_asked_for_are_tested) {
-    static const int axes[3] = {McdXAxis, McdYAxis | McdZAxis, McdZAxis};
+    const int axes[3] = {McdXAxis, McdYAxis | McdZAxis, McdZAxis};
     static const int expected[3] = {0, 1, 1};
     for (int i = 0; i < 3; i++) {
         yardMakeWith(y, axes[i], 10, 10);
