@@ -24,7 +24,7 @@ function(karma_library name)
   add_library(${name}_objects OBJECT ${sources} ${headers})
   target_include_directories(${name}_objects
     PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
-  target_link_libraries(${name}_objects PRIVATE karma_settings)
+  target_link_libraries(${name}_objects PRIVATE karma_settings INTERFACE ${ARG_SYSTEM})
   target_compile_options(${name}_objects PRIVATE ${KARMA_LIBRARY_OPTIONS})
   if(KARMA_PRECISION STREQUAL double)
     target_compile_definitions(${name}_objects PUBLIC _ME_API_DOUBLE=1)

@@ -74,7 +74,7 @@ MEPUBLIC MeBool MEAPI McdFrameworkTypeIsRegistered(McdFrameworkID frame, int typ
 /** May there be such a type? */
 MEPUBLIC MeBool MEAPI McdFrameworkTypeIsValid(McdFrameworkID frame, int typeId);
 /** The name of a type, "(not registered)" if it is not. */
-MEPUBLIC char *MEAPI McdFrameworkGetTypeName(McdFrameworkID frame, int typeId);
+MEPUBLIC const char *MEAPI McdFrameworkGetTypeName(McdFrameworkID frame, int typeId);
 /** Writes the registered types by MeInfo. */
 MEPUBLIC void MEAPI McdFrameworkShowTypes(McdFrameworkID frame);
 /** @} */

@@ -23,7 +23,7 @@ MEPUBLIC int MEAPI McdGeometryGetType(const McdGeometryID g);
 /** The same. */
 MEPUBLIC int MEAPI McdGeometryGetTypeId(const McdGeometryID g);
 /** The type's name. */
-MEPUBLIC char *MEAPI McdGeometryGetTypeName(const McdGeometryID g);
+MEPUBLIC const char *MEAPI McdGeometryGetTypeName(const McdGeometryID g);
 /** The framework it belongs to. */
 MEPUBLIC McdFrameworkID MEAPI McdGeometryGetFramework(const McdGeometryID g);
 /** How a line segment meets models of it, or null. */

@@ -212,9 +212,9 @@ MeBool MEAPI McdFrameworkTypeIsRegistered(McdFrameworkID frame, int typeId) {
     return McdFrameworkTypeIsValid(frame, typeId) && frame->types[typeId].isRegistered;
 }
 
-char *MEAPI McdFrameworkGetTypeName(McdFrameworkID frame, int typeId) {
+const char *MEAPI McdFrameworkGetTypeName(McdFrameworkID frame, int typeId) {
     const McdTypeRecord *type = typeRecord(frame, typeId, "McdFrameworkGetTypeName");
-    return (char *)(type && type->isRegistered ? type->name : "(not registered)");
+    return type && type->isRegistered ? type->name : "(not registered)";
 }
 
 void MEAPI McdFrameworkShowTypes(McdFrameworkID frame) {

@@ -122,8 +122,8 @@ int MEAPI McdGeometryGetTypeId(const McdGeometryID g) {
     return checkLive(g, "McdGeometryGetTypeId") ? g->type : -1;
 }
 
-char *MEAPI McdGeometryGetTypeName(const McdGeometryID g) {
-    return checkLive(g, "McdGeometryGetTypeName") ? McdFrameworkGetTypeName(g->frame, g->type) : (char *)"(none)";
+const char *MEAPI McdGeometryGetTypeName(const McdGeometryID g) {
+    return checkLive(g, "McdGeometryGetTypeName") ? McdFrameworkGetTypeName(g->frame, g->type) : "(none)";
 }
 
 McdFrameworkID MEAPI McdGeometryGetFramework(const McdGeometryID g) {

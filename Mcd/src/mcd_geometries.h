@@ -2,6 +2,7 @@
 #ifndef MCD_GEOMETRIES_H
 #define MCD_GEOMETRIES_H
 
+#include "mcd_mesh.h"
 #include "mcd_shape.h"
 
 struct McdNull {
@@ -41,7 +42,8 @@ struct McdCone { /* about z, maybe cut off at the top; its centre of mass at the
 struct McdConvexMesh {
     McdGeometry head;
     McdHull *hull;
-    MeReal fatness; /* all points within it of the hull belong to the shape */
+    MeReal fatness;   /* all points within it of the hull belong to the shape */
+    MeVector3 *shown; /* the hull's vertices as programs see them */
 };
 
 struct McdTriangleList {
@@ -50,6 +52,18 @@ struct McdTriangleList {
     int maxTriangles;
     McdTriangleListFnPtr generate;
     void *userData;
+    McdUserTriangle *found; /* place for maxTriangles */
+    MeBool hasWarned;       /* that they are too few */
+    McdMesh mesh;
+};
+
+struct McdRGHeightField { /* a grid along x and y, two triangles a cell, outside is up */
+    McdGeometry head;
+    const MeReal *height; /* the program's: row after row of x */
+    int xCount, yCount;
+    MeReal xStep, yStep, x0, y0;
+    MeReal low, high; /* of all heights, as of the last look */
+    McdMesh mesh;
 };
 
 typedef struct McdAggregateElement {
@@ -61,6 +75,9 @@ struct McdAggregate {
     McdGeometry head;
     int count, max;
     McdAggregateElement *element;
+    McdContact *contact; /* memory for queries, kept between them */
+    void *choice;        /* mcd_simplifyBytes(contactMax) */
+    int contactMax;
 };
 
 /* Qhull's hull of some points, in their own coordinates; null, with a warning that names the function, for points that

@@ -154,6 +154,8 @@ void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p);
 /* Adds a manifold whose points are relative to origin. Where there is no more place, shallower contacts give way. */
 void mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3], McdGeometryInstanceID ins1,
                    McdGeometryInstanceID ins2, int element1, int element2);
+/* A feature's number within a part of an aggregate. */
+MeU32 mcd_featureMix(MeU32 feature, MeU32 part);
 int mcd_resultEnd(McdIntersectResult *result); /* the mean normal; 1 if there are contacts */
 /* The gap up to which a pair of models makes contacts. */
 double mcd_pairMargin(const McdModelPair *p);

@@ -12,6 +12,10 @@ void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {
     MeVector3Set(result->normal, 0, 0, 0);
 }
 
+MeU32 mcd_featureMix(MeU32 feature, MeU32 part) {
+    return (feature ^ part) * 0x9e3779b1u + (feature >> 15);
+}
+
 /* A place for a contact of that separation: a new one, or that of the shallowest if it is shallower. */
 static McdContact *placeFor(McdIntersectResult *result, MeReal separation) {
     if (result->contactCount < result->contactMaxCount)

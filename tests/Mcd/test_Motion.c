@@ -10,8 +10,8 @@ static MeVector3 velocity[2], spin[2];
 
 static void setUp(void) {
     frame = McdInit(0, 2, 8, 1);
-    McdPrimitivesRegisterTypes(frame);
-    McdPrimitivesRegisterInteractions(frame);
+    McdAllRegisterTypes(frame);
+    McdAllRegisterInteractions(frame);
     for (int i = 0; i < 2; i++) {
         MeMatrix4TMMakeIdentity(place[i]);
         MeVector3Set(velocity[i], 0, 0, 0);

@@ -91,7 +91,7 @@ START_TEST(one_body_is_driven_in_another) {
     MdtRPROJointSetAttachmentPosition(j, (MeReal).5, 0, 0, 1);
     MdtRPROJointEnable(j);
     MdtBodySetAngularVelocity(b, 1, -2, 1);
-    double q[4], p[2][3], L[2][3], momentum[3], spin[3];
+    double q[4], p[2][3], L[2][3], momentum[3] = {0, 0, 0}, spin[3] = {0, 0, 0};
     const double arm[2][3] = {{-.5, 0, 0}, {.5, 0, 0}};
     for (int i = 0; i < 300; i++) {
         turnedBy(rate, i * h, straight, q);

@@ -18,21 +18,23 @@ sys.dont_write_bytecode = True
 from tutorial import SIZE, look, picture, program, status
 
 
-def check_all():
+def check_all(effect):
     end = status(600)
     assert end == status(600), 'two runs end differently'
     assert not re.search(r'\b(nan|inf)\b', end, re.I), f'not finite: {end}'
     look('size', picture('all.png', 30), '%dx%d' % SIZE)
     look('help', 'all.png', picture('help.png', 30, '-key', 'F1@20'))
     symbols = subprocess.run(['nm', program], capture_output=True, text=True, check=True).stdout
-    assert not re.search(r' [TtUu] (Mcd|Mst)[A-Z]', symbols), 'it contains collision, which it does not use'
+    for library in {'Mdt', 'Mcd', 'Mst'} - set(getattr(effect, 'USES', ['Mdt'])):
+        assert not re.search(f' [TtUu] {library}[A-Z]', symbols), f'it contains {library}, which it does not use'
 
 
 with tempfile.TemporaryDirectory() as directory:
     os.chdir(directory)
     try:
-        check_all()
-        importlib.import_module('effects.' + os.path.basename(program)).check()
+        effect = importlib.import_module('effects.' + os.path.basename(program))
+        check_all(effect)
+        effect.check()
     except AssertionError as failure:
         print('FAILED:', failure)
         sys.exit(1)

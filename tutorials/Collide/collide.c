@@ -64,7 +64,7 @@ static void makeTriangles(void) {
     }
 }
 
-/* Hands over the triangles near a place: here those whose corners span it. */
+/* Hands over the triangles near a place: those whose boxes, seen from above, come near. */
 static int MEAPI getTriangles(McdModelPair *p, McdUserTriangle *triangle, MeVector3 position, MeReal radius, int most) {
     int count = 0;
     (void)p;
@@ -127,8 +127,8 @@ static McdGeometryID makeField(void) {
 
 static void createGeometries(void) {
     frame = McdInit(0, 2, MOST_PARTS, 1);
-    McdPrimitivesRegisterTypes(frame);
-    McdPrimitivesRegisterInteractions(frame);
+    McdAllRegisterTypes(frame);
+    McdAllRegisterInteractions(frame);
     geometry[BALL] = McdSphereCreate(frame, (MeReal)0.7);
     geometry[BOX] = McdBoxCreate(frame, (MeReal)1.6, 1, (MeReal)1.2);
     geometry[CYLINDER] = McdCylinderCreate(frame, (MeReal)0.6, (MeReal)1.4);
@@ -170,10 +170,25 @@ static McdModelID makeModel(McdModelID old, int kind, MeMatrix4Ptr tm) {
     return made;
 }
 
+/* How high the fixed model is, where the driven one starts. */
+static MeReal top(void) {
+    MeVector3 low, high;
+    if (fixedKind == PLANE)
+        return 0;
+    if (fixedKind == LIST || fixedKind == FIELD)
+        return groundAt(GRID / 2, GRID / 2);
+    McdGeometryGetAABB(geometry[fixedKind], (const MeVector4 *)fixedTM, low, high);
+    return high[1];
+}
+
+/* Upright, and 5 cm deep in a fixed model that is flat on top. */
 static void standDriven(void) {
     MeMatrix3 R;
+    MeVector3 low, high;
     MeMatrix3MakeRotationX(R, -ME_PI / 2);
-    MeMatrix4TMMakeFromRotationAndPosition(drivenTM, R, (MeReal)0.3, (MeReal)1.05, (MeReal)0.2);
+    MeMatrix4TMMakeFromRotationAndPosition(drivenTM, R, (MeReal)0.3, 0, (MeReal)0.2);
+    McdGeometryGetAABB(geometry[drivenKind], (const MeVector4 *)drivenTM, low, high);
+    drivenTM[3][1] = top() - low[1] - (MeReal)0.05;
 }
 
 /* Geometries about z stand up; a list is given upright, and so is everything that looks the same either way. */
@@ -184,7 +199,7 @@ static void standFixed(void) {
 }
 
 static void chooseDriven(int kind) {
-    static const float blue[4] = {.25f, .45f, .85f, .55f};
+    static const float blue[4] = {.25f, .45f, .85f, .4f};
     drivenKind = kind;
     standDriven();
     driven = makeModel(driven, kind, drivenTM);
@@ -193,7 +208,7 @@ static void chooseDriven(int kind) {
 }
 
 static void chooseFixed(int kind) {
-    static const float orange[4] = {.95f, .60f, .20f, .55f}, sand[4] = {.85f, .75f, .55f, 1};
+    static const float orange[4] = {.95f, .60f, .20f, .4f}, sand[4] = {.85f, .75f, .55f, 1};
     fixedKind = kind;
     standFixed();
     fixed = makeModel(fixed, kind, fixedTM);
@@ -223,6 +238,7 @@ static void MEAPI nextDriven(RRender *context, void *userdata) {
 static void MEAPI nextFixed(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     chooseFixed((fixedKind + 1) % KINDS);
+    standDriven();
     makePair();
 }
 
@@ -324,7 +340,7 @@ static void drawContact(const McdContact *c) {
 }
 
 static void draw(void) {
-    static const float apart[4] = {.25f, .45f, .85f, .55f}, touching[4] = {.85f, .25f, .25f, .55f};
+    static const float apart[4] = {.25f, .45f, .85f, .4f}, touching[4] = {.85f, .25f, .25f, .4f};
     RLineRemoveAll(rc);
     for (int i = 0; i < touch.contactCount; i++)
         drawContact(&contact[i]);
@@ -341,7 +357,7 @@ static double deepestSeparation(void) {
 }
 
 static void showFigures(void) {
-    char text[200], contacts[60] = "no contact", distance[40] = "";
+    char text[400], contacts[200] = "no contact", distance[40] = "";
     if (touch.contactCount)
         snprintf(contacts, sizeof contacts, "contacts %d    deepest %.4f m    normal (%.3f %.3f %.3f)",
                  touch.contactCount, deepestSeparation(), (double)touch.normal[0], (double)touch.normal[1],
@@ -408,8 +424,8 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     if (!rc)
         return 1;
     createGeometries();
-    chooseDriven(BOX);
     chooseFixed(BOX);
+    chooseDriven(BOX);
     makePair();
     createGraphics();
     createControls();

@@ -81,8 +81,8 @@ static void place(int i) {
 /* Nothing moves: the models are updated once, and frozen. */
 static void createRoom(void) {
     frame = McdInit(0, MODELS, 0, 1);
-    McdPrimitivesRegisterTypes(frame);
-    McdPrimitivesRegisterInteractions(frame);
+    McdAllRegisterTypes(frame);
+    McdAllRegisterInteractions(frame);
     space = McdSpaceAxisSortCreate(frame, McdAllAxes, MODELS, MODELS * MODELS);
     ball = McdSphereCreate(frame, thickness);
     for (int i = 0; i < MODELS; i++) {

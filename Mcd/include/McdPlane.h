@@ -1,0 +1,28 @@
+/** @file McdPlane.h
+ *  Planes (User Guide ch. 4, "Geometrical Types and Their Interactions"): z = 0 of the geometry's frame. Whatever is
+ *  below is inside. A plane's box is as large as numbers allow in each direction but the ones that the normal excludes;
+ *  it has no mass properties and nothing to draw but a square about its origin.
+ */
+#ifndef MCDPLANE_H
+#define MCDPLANE_H
+
+#include "McdGeometryDeclare.h"
+
+ME_BEGIN_C
+
+/** Creates a plane; null, with a warning, if the type is not registered. McdGeometryDestroy destroys it. */
+MEPUBLIC McdPlaneID MEAPI McdPlaneCreate(McdFramework *frame);
+/** The normal of the plane at @a tm (world, length 1): the z axis of tm. */
+MEPUBLIC void MEAPI McdPlaneGetNormal(const McdGeometry *g, const MeMatrix4 tm, MeVector3 normal);
+/** How far a point (world) is above the plane at @a tm (m); negative: below. */
+MEPUBLIC MeReal MEAPI McdPlaneGetDistanceToPoint(const McdGeometry *g, const MeMatrix4 tm, const MeVector3 point);
+
+/** @name What every geometry type has, see McdGeometryDeclare.h
+ *  @{ */
+MCD_DECLARE_GEOMETRY_TYPE(Plane);
+MCD_DECLARE_LINE_SEGMENT(Plane);
+/** @} */
+
+ME_END_C
+
+#endif

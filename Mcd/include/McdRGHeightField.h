@@ -1,0 +1,90 @@
+/** @file McdRGHeightField.h
+ *  Terrain as heights over a regular grid: a triangle list's use without its callback (User Guide ch. 4, "Constructing
+ *  an Immovable Model, such as a Terrain"). Karma had the type; its creation is designed here.
+ *
+ *  The grid lies along x and y of the field's frame, z is up: point (i, j), 0 <= i < xCount, 0 <= j < yCount, is at
+ *  (x0 + i xStep, y0 + j yStep, heights[j xCount + i]). The cell of (i, j) and (i+1, j+1) has two triangles on either
+ *  side of the line between these points: element 2 (j (xCount - 1) + i) on the side of (i+1, j), and the next number
+ *  on that of (i, j+1). A triangle with a corner that is NaN is a hole.
+ *
+ *  Up is outside. Contacts are as those of a triangle list with kMcdTriangleUseSmallestPenetration and all edges sharp:
+ *  nothing is felt of flat and concave edges. A model whose middle has got below the surface, while nothing else
+ *  touches it, is brought back up if the middle is no deeper than half of the model's radius.
+ */
+#ifndef MCDRGHEIGHTFIELD_H
+#define MCDRGHEIGHTFIELD_H
+
+#include "McdGeometryTypes.h"
+
+ME_BEGIN_C
+
+/** Registers the geometry type, on which McdRGHeightFieldCreate depends. */
+MEPUBLIC void MEAPI McdRGHeightFieldRegisterType(McdFramework *frame);
+/**
+ * Creates a height field.
+ * @param heights       xCount yCount heights (m), row after row of x. Kept by pointer, and read in every query.
+ * @param xCount,yCount points along x and y: 2 or more.
+ * @param xStep,yStep   the distance of points (m): > 0.
+ * @param x0,y0         where the first point is (m).
+ * @return null, with a warning, if an argument is out of range or the type is not registered.
+ */
+MEPUBLIC McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeReal *heights, int xCount,
+                                                         int yCount, MeReal xStep, MeReal yStep, MeReal x0, MeReal y0);
+
+/** @name What it is made of
+ *  A geometry that is no height field gets a warning, and a result of 0 or null.
+ *  @{ */
+MEPUBLIC const MeReal *MEAPI McdRGHeightFieldGetHeights(McdRGHeightFieldID g);
+/** Other heights, by pointer. */
+MEPUBLIC void MEAPI McdRGHeightFieldSetHeights(McdRGHeightFieldID g, const MeReal *heights);
+/** To be called after heights have changed: looks for the lowest and the highest one, for the box. The models are to be
+ *  updated after it. */
+MEPUBLIC void MEAPI McdRGHeightFieldUpdateHeights(McdRGHeightFieldID g);
+MEPUBLIC void MEAPI McdRGHeightFieldGetCounts(McdRGHeightFieldID g, int *xCount, int *yCount);
+MEPUBLIC void MEAPI McdRGHeightFieldGetSteps(McdRGHeightFieldID g, MeReal *xStep, MeReal *yStep);
+MEPUBLIC void MEAPI McdRGHeightFieldGetOrigin(McdRGHeightFieldID g, MeReal *x0, MeReal *y0);
+/** The height of the surface at (x, y) of its own frame, and its normal unless that is null. 0, and no change, where
+ *  there is no surface. */
+MEPUBLIC MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x, MeReal y, MeReal *height,
+                                                  MeVector3 normal);
+/** @} */
+
+/** @name The type's functions
+ *  @{ */
+MEPUBLIC MeI16 MEAPI McdRGHeightFieldGetTypeId(void);
+MEPUBLIC char *MEAPI McdRGHeightFieldGetTypeName(McdGeometryID g);
+MEPUBLIC void MEAPI McdRGHeightFieldDestroy(McdGeometryID g);
+MEPUBLIC void MEAPI McdRGHeightFieldUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight);
+MEPUBLIC void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius);
+/** The farthest corner of its box. */
+MEPUBLIC void MEAPI McdRGHeightFieldMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir,
+                                                 MeReal *const outPoint);
+/** Returns 0: a surface has none. */
+MEPUBLIC MeI16 MEAPI McdRGHeightFieldGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume);
+/** Draws the lines of the grid. */
+MEPUBLIC void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]);
+/** @} */
+
+/** @name Interactions
+ *  Each finds contacts of a pair whose first model is convex and whose second is a height field; the
+ *  RegisterInteraction functions put it in the framework's table and return 1.
+ *  @{ */
+MEPUBLIC int MEAPI McdSphereRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+MEPUBLIC int MEAPI McdBoxRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+MEPUBLIC int MEAPI McdCylinderRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+MEPUBLIC int MEAPI McdSphylRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+MEPUBLIC int MEAPI McdConvexMeshRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+MEPUBLIC int MEAPI McdConeRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+MEPUBLIC MeBool MEAPI McdSphereRGHeightFieldRegisterInteraction(McdFramework *frame);
+MEPUBLIC MeBool MEAPI McdBoxRGHeightFieldRegisterInteraction(McdFramework *frame);
+MEPUBLIC MeBool MEAPI McdCylinderRGHeightFieldRegisterInteraction(McdFramework *frame);
+MEPUBLIC MeBool MEAPI McdSphylRGHeightFieldRegisterInteraction(McdFramework *frame);
+MEPUBLIC MeBool MEAPI McdConvexMeshRGHeightFieldRegisterInteraction(McdFramework *frame);
+MEPUBLIC MeBool MEAPI McdConeRGHeightFieldRegisterInteraction(McdFramework *frame);
+/** Has line segments meet height fields, from above. */
+MEPUBLIC void MEAPI McdRGHeightFieldLineSegmentRegisterInteraction(McdFramework *frame);
+/** @} */
+
+ME_END_C
+
+#endif

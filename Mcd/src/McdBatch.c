@@ -1,0 +1,57 @@
+/* Many pairs at once: McdIntersectEach and its iterator. */
+#include "McdBatch.h"
+#include "mcd_i.h"
+
+struct McdBatchContext {
+    const McdModelPairContainer *pairs; /* null: none is begun */
+    McdModelPairContainerIterator at;
+};
+
+static MeBool check(const McdBatchContext *context, const char *function) {
+    if (!context)
+        MeWarning(1, "%s: no context", function);
+    return context != 0;
+}
+
+McdBatchContext *MEAPI McdBatchContextCreate(McdFramework *frame) {
+    if (!mcd_frameCheck(frame, "McdBatchContextCreate"))
+        return 0;
+    McdBatchContext *context = MeMemoryAPI.create(sizeof *context);
+    if (!context) {
+        MeFatalError(1, "McdBatchContextCreate: no memory");
+        return 0;
+    }
+    context->pairs = 0;
+    return context;
+}
+
+void MEAPI McdBatchContextDestroy(McdBatchContext *context) {
+    if (context)
+        MeMemoryAPI.destroy(context);
+}
+
+void MEAPI McdBatchContextReset(McdBatchContext *context) {
+    if (check(context, "McdBatchContextReset"))
+        context->pairs = 0;
+}
+
+void MEAPI McdBatchContextRelease(McdBatchContext *context) {
+    if (check(context, "McdBatchContextRelease"))
+        context->pairs = 0;
+}
+
+MeBool MEAPI McdBatchIntersectEach(McdBatchContext *context, McdModelPairContainer *pairs,
+                                   McdIntersectResult *resultArray, int *resultCount, int resultMaxCount,
+                                   McdContact *contactArray, int *contactCount, int contactMaxCount) {
+    if (!check(context, "McdBatchIntersectEach"))
+        return MEFALSE;
+    if (pairs && context->pairs != pairs) {
+        context->pairs = pairs;
+        context->at.next = pairs->helloFirst;
+    }
+    const MeBool isMore = McdIntersectEach(pairs, &context->at, resultArray, resultMaxCount, resultCount, contactArray,
+                                           contactMaxCount, contactCount);
+    if (!isMore)
+        context->pairs = 0;
+    return isMore;
+}

@@ -1,0 +1,103 @@
+/* Boxes. */
+#include "McdBox.h"
+#include "mcd_local.h"
+
+static const McdBox *get(const McdGeometry *g) {
+    return (const McdBox *)g;
+}
+
+static void support(const McdGeometry *g, const double d[3], double point[3]) {
+    for (int k = 0; k < 3; k++)
+        point[k] = d[k] < 0 ? -(double)get(g)->radii[k] : (double)get(g)->radii[k];
+}
+
+static void clip(const McdGeometry *g, McdClip *c) {
+    for (int k = 0; k < 3; k++) {
+        double normal[3] = {0, 0, 0};
+        for (int side = -1; side <= 1; side += 2) {
+            normal[k] = side;
+            mcd_clipHalfSpace(c, normal, (double)get(g)->radii[k]);
+        }
+    }
+}
+
+MCD_DEFINE_GEOMETRY_TYPE(Box)
+MCD_DEFINE_DESTROY(Box)
+MCD_DEFINE_LINE_SEGMENT(Box)
+
+static MeBool sizesAreGood(MeReal dx, MeReal dy, MeReal dz, const char *function) {
+    return mcd_sizeIsGood(dx, "length along x", function) && mcd_sizeIsGood(dy, "length along y", function) &&
+           mcd_sizeIsGood(dz, "length along z", function);
+}
+
+McdBoxID MEAPI McdBoxCreate(McdFramework *frame, MeReal dx, MeReal dy, MeReal dz) {
+    if (!sizesAreGood(dx, dy, dz, "McdBoxCreate"))
+        return 0;
+    McdBox *b = mcd_geometryCreate(frame, kMcdGeometryTypeBox, sizeof *b, "McdBoxCreate");
+    if (b)
+        MeVector3Set(b->radii, dx / 2, dy / 2, dz / 2);
+    return (McdBoxID)b;
+}
+
+void MEAPI McdBoxSetDimensions(McdGeometryID g, MeReal dx, MeReal dy, MeReal dz) {
+    if (mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxSetDimensions") &&
+        sizesAreGood(dx, dy, dz, "McdBoxSetDimensions"))
+        MeVector3Set(((McdBox *)g)->radii, dx / 2, dy / 2, dz / 2);
+}
+
+void MEAPI McdBoxGetDimensions(McdGeometryID g, MeReal *dx, MeReal *dy, MeReal *dz) {
+    const MeBool isBox = mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetDimensions");
+    *dx = isBox ? 2 * get(g)->radii[0] : 0;
+    *dy = isBox ? 2 * get(g)->radii[1] : 0;
+    *dz = isBox ? 2 * get(g)->radii[2] : 0;
+}
+
+MeReal *MEAPI McdBoxGetRadii(McdBoxID g) {
+    return mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetRadii") ? ((McdBox *)g)->radii : 0;
+}
+
+void MEAPI McdBoxGetXYAABB(McdBoxID g, MeMatrix4 tm, MeReal bounds[4]) {
+    MeVectorSetZero(bounds, 4);
+    if (mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetXYAABB"))
+        mcd_localXYAABB(g, tm, bounds, support);
+}
+
+void MEAPI McdBoxMaximumPointLocal(McdBoxID g, MeReal *inDir, MeReal *outPoint) {
+    const MeBool isBox = mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxMaximumPointLocal");
+    for (int k = 0; k < 3; k++)
+        outPoint[k] = !isBox ? 0 : inDir[k] < 0 ? -get(g)->radii[k] : get(g)->radii[k];
+}
+
+void MEAPI McdBoxGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    MeVector3Set(center, 0, 0, 0);
+    *radius = 0;
+    if (!mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetBSphere"))
+        return;
+    const double x = (double)get(g)->radii[0], y = (double)get(g)->radii[1], z = (double)get(g)->radii[2];
+    *radius = mcd_roundUp(sqrt(x * x + y * y + z * z));
+}
+
+/* I_xx = m (y^2 + z^2)/3 with half the edges' lengths. */
+MeI16 MEAPI McdBoxGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetMassProperties"))
+        return 0;
+    const double x = (double)get(g)->radii[0], y = (double)get(g)->radii[1], z = (double)get(g)->radii[2];
+    const double mass = 8 * x * y * z;
+    mcd_massDiagonal(relTM, inertia, volume, mass, mass * (y * y + z * z) / 3, mass * (z * z + x * x) / 3,
+                     mass * (x * x + y * y) / 3);
+    return 1;
+}
+
+/* Each edge joins two corners whose numbers differ in one bit. */
+void MEAPI McdBoxDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxDebugDraw"))
+        return;
+    double corner[8][3];
+    for (int i = 0; i < 8; i++)
+        for (int k = 0; k < 3; k++)
+            corner[i][k] = (i >> k & 1) ? (double)get(g)->radii[k] : -(double)get(g)->radii[k];
+    for (int i = 0; i < 8; i++)
+        for (int k = 0; k < 3; k++)
+            if (!(i >> k & 1))
+                mcd_drawLine(tm, colour, corner[i], corner[i | 1 << k]);
+}

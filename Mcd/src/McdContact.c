@@ -1,0 +1,278 @@
+/* The one choice of contacts: few that support as well as many. */
+#include "McdContact.h"
+#include "mcd_i.h"
+#include "mcd_spread.h"
+#include <math.h>
+#include <string.h>
+
+static void difference(const double a[3], const double b[3], double out[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = a[i] - b[i];
+}
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3]) {
+    const double c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    memcpy(out, c, sizeof c);
+}
+
+/* ---- spots of one normal ----------------------------------------------------------------------------------------- */
+
+static int farthestFrom(const McdSpot *spot, int count, const double place[3]) {
+    int best = 0;
+    double most = -1;
+    for (int i = 0; i < count; i++) {
+        double d[3];
+        difference(spot[i].position, place, d);
+        if (dot(d, d) > most) {
+            most = dot(d, d);
+            best = i;
+        }
+    }
+    return best;
+}
+
+static int deepestOf(const McdSpot *spot, int count) {
+    int best = 0;
+    for (int i = 1; i < count; i++)
+        if (spot[i].separation < spot[best].separation)
+            best = i;
+    return best;
+}
+
+/* Twice the area of the triangle of two spots and a third, seen along the normal: positive on the left of a -> b. */
+static double areaBeside(const McdSpot *a, const McdSpot *b, const McdSpot *c, const double normal[3]) {
+    double ab[3], ac[3], n[3];
+    difference(b->position, a->position, ab);
+    difference(c->position, a->position, ac);
+    cross(ab, ac, n);
+    return dot(n, normal);
+}
+
+/* The spot farthest to one side (sign) of the line from a to b. */
+static int farthestBeside(const McdSpot *spot, int count, int a, int b, double sign, double *area) {
+    int best = a;
+    *area = 0;
+    for (int i = 0; i < count; i++) {
+        const double here = sign * areaBeside(&spot[a], &spot[b], &spot[i], spot[a].normal);
+        if (here > *area) {
+            *area = here;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* Up to four corners of what the spots cover: two ends, and the farthest on either side; if there is nothing on the
+ * second side, the largest addition across the two other sides of the triangle. */
+static int corners(const McdSpot *spot, int count, int wanted, double same, int *kept) {
+    double mean[3] = {0, 0, 0}, ab[3];
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++)
+            mean[k] += spot[i].position[k] / count;
+    const int a = farthestFrom(spot, count, mean), b = farthestFrom(spot, count, spot[a].position);
+    difference(spot[b].position, spot[a].position, ab);
+    const double length = sqrt(dot(ab, ab));
+    kept[0] = a;
+    if (wanted == 1 || length <= same)
+        return 1;
+    kept[1] = b;
+    if (wanted == 2)
+        return 2;
+    double left, right;
+    const int l = farthestBeside(spot, count, a, b, 1, &left), r = farthestBeside(spot, count, a, b, -1, &right);
+    const double least = MeMAX(same, 1e-6 * length) * length;
+    const int first = left >= right ? l : r, second = left >= right ? r : l;
+    if (MeMAX(left, right) <= least)
+        return 2;
+    kept[2] = first;
+    if (wanted == 3)
+        return 3;
+    if (MeMIN(left, right) > least) {
+        kept[3] = second;
+        return 4;
+    }
+    const double outward = left >= right ? -1 : 1; /* a, b, first turn left if left: outside is right of each side */
+    double across[2];
+    const int beyond[2] = {farthestBeside(spot, count, b, first, outward, &across[0]),
+                           farthestBeside(spot, count, first, a, outward, &across[1])};
+    const int better = across[1] > across[0];
+    if (across[better] <= least)
+        return 3;
+    kept[3] = beyond[better];
+    return 4;
+}
+
+/* A spot in the middle that is deeper than all that are kept takes the place of the nearest. */
+static void includeDeepest(const McdSpot *spot, int count, int *kept, int keptCount) {
+    const int deepest = deepestOf(spot, count);
+    double lowest = spot[kept[0]].separation, size = 0, nearest = INFINITY;
+    int place = 0;
+    for (int i = 0; i < keptCount; i++) {
+        double d[3];
+        difference(spot[kept[i]].position, spot[deepest].position, d);
+        lowest = fmin(lowest, spot[kept[i]].separation);
+        size = fmax(size, dot(d, d));
+        if (dot(d, d) < nearest) {
+            nearest = dot(d, d);
+            place = i;
+        }
+    }
+    if (spot[deepest].separation < lowest - 1e-7 * sqrt(size))
+        kept[place] = deepest;
+}
+
+/* ---- any spots ---------------------------------------------------------------------------------------------------- */
+
+static double differenceSquared(const McdSpot *a, const McdSpot *b, double size) {
+    double d[3], n[3];
+    difference(a->position, b->position, d);
+    difference(a->normal, b->normal, n);
+    return dot(d, d) + size * size * dot(n, n);
+}
+
+static double sizeOf(const McdSpot *spot, int count) {
+    double d[3];
+    difference(spot[farthestFrom(spot, count, spot[0].position)].position, spot[0].position, d);
+    return sqrt(dot(d, d));
+}
+
+static int addMostDifferent(const McdSpot *spot, int count, int wanted, double same, int *kept, int keptCount) {
+    const double size = fmax(sizeOf(spot, count), same);
+    while (keptCount < wanted) {
+        int best = -1;
+        double most = same * same;
+        for (int i = 0; i < count; i++) {
+            double least = INFINITY;
+            for (int k = 0; k < keptCount && least > most; k++)
+                least = fmin(least, differenceSquared(&spot[i], &spot[kept[k]], size));
+            if (least > most) {
+                most = least;
+                best = i;
+            }
+        }
+        if (best < 0)
+            break;
+        kept[keptCount++] = best;
+    }
+    return keptCount;
+}
+
+static MeBool haveOneNormal(const McdSpot *spot, int count) {
+    for (int i = 1; i < count; i++)
+        if (dot(spot[i].normal, spot[0].normal) < .9998) /* 1.1 degrees */
+            return MEFALSE;
+    return METRUE;
+}
+
+static void ascending(int *kept, int count) {
+    for (int i = 1; i < count; i++)
+        for (int k = i; k > 0 && kept[k] < kept[k - 1]; k--) {
+            const int swap = kept[k];
+            kept[k] = kept[k - 1];
+            kept[k - 1] = swap;
+        }
+}
+
+int mcd_spread(const McdSpot *spot, int count, int wanted, double same, int *kept) {
+    int keptCount;
+    if (count <= 0 || wanted <= 0)
+        return 0;
+    if (haveOneNormal(spot, count)) {
+        keptCount = corners(spot, count, MeMIN(wanted, 4), same, kept);
+        includeDeepest(spot, count, kept, keptCount);
+        if (wanted > 4)
+            keptCount = addMostDifferent(spot, count, wanted, same, kept, keptCount);
+    } else {
+        kept[0] = deepestOf(spot, count);
+        keptCount = addMostDifferent(spot, count, wanted, same, kept, 1);
+    }
+    ascending(kept, keptCount);
+    return keptCount;
+}
+
+/* ---- contacts ----------------------------------------------------------------------------------------------------- */
+
+static McdSpot spotOf(const McdContact *c, const McdContact *reference) {
+    McdSpot s;
+    for (int i = 0; i < 3; i++) {
+        s.position[i] = (double)c->position[i] - (double)reference->position[i];
+        s.normal[i] = (double)c->normal[i];
+    }
+    s.separation = (double)c->separation;
+    return s;
+}
+
+static MeBool isOnFace(const McdContact *c, const MeReal *normal) {
+    return MeVector3Dot(c->normal, normal) > (MeReal).99;
+}
+
+/* Spots of the contacts that are, or are not, on faces; `from` says which contacts they are. */
+static int gatherSpots(const McdContact *contacts, int count, const MeReal *normal, MeBool onFaces, McdSpot *spot,
+                       int *from) {
+    int n = 0;
+    for (int i = 0; i < count; i++)
+        if (!normal || isOnFace(&contacts[i], normal) == onFaces) {
+            spot[n] = spotOf(&contacts[i], &contacts[0]);
+            from[n++] = i;
+        }
+    return n;
+}
+
+typedef struct Workplace {
+    McdSpot *spot;
+    int *from, *kept, *chosen; /* `count` of each */
+} Workplace;
+
+static int choose(const Workplace *w, const McdContact *contacts, int count, int wanted, const MeReal *normal,
+                  double same) {
+    int chosenCount = 0;
+    for (int pass = 0; pass < (normal ? 2 : 1) && chosenCount < wanted; pass++) {
+        const int n = gatherSpots(contacts, count, normal, pass == 0, w->spot, w->from);
+        const int keptCount = mcd_spread(w->spot, n, wanted - chosenCount, same, w->kept);
+        for (int i = 0; i < keptCount; i++)
+            w->chosen[chosenCount++] = w->from[w->kept[i]];
+    }
+    ascending(w->chosen, chosenCount);
+    return chosenCount;
+}
+
+size_t mcd_simplifyBytes(int count) {
+    return (size_t)count * (sizeof(McdSpot) + 3 * sizeof(int));
+}
+
+int mcd_simplify(const McdContact *from, int count, McdContact *to, int wanted, const MeReal *faceNormal, double same,
+                 void *memory) {
+    McdSpot *spot = memory;
+    int *index = (int *)(spot + count);
+    const Workplace w = {spot, index, index + count, index + 2 * count};
+    const int chosenCount = choose(&w, from, count, wanted, faceNormal, same);
+    for (int i = 0; i < chosenCount; i++)
+        to[i] = from[w.chosen[i]]; /* chosen ascends: nothing is overwritten before it is read */
+    return chosenCount;
+}
+
+int MEAPI McdContactSimplify(const MeReal *avgNormal, McdContact *contacts_src, const int nContacts_src,
+                             McdContact *contacts_dst, const int nContacts_dest, const int faceNormalsFirst,
+                             const MeReal scale) {
+    if (nContacts_src == 0)
+        return 0;
+    if (!contacts_src || !contacts_dst || nContacts_src < 0 || nContacts_dest < 0) {
+        MeWarning(1, "McdContactSimplify: %d contacts at %p, %d at %p", nContacts_src, (void *)contacts_src,
+                  nContacts_dest, (void *)contacts_dst);
+        return 0;
+    }
+    void *memory = MeMemoryAPI.create(mcd_simplifyBytes(nContacts_src));
+    if (!memory) {
+        MeFatalError(1, "McdContactSimplify: no memory");
+        return 0;
+    }
+    const double same = 1e-6 * (scale > 0 && MeRealIsValid(scale) ? (double)scale : 1);
+    const int chosenCount = mcd_simplify(contacts_src, nContacts_src, contacts_dst, nContacts_dest,
+                                         faceNormalsFirst ? avgNormal : 0, same, memory);
+    MeMemoryAPI.destroy(memory);
+    return chosenCount;
+}

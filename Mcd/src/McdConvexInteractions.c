@@ -1,0 +1,147 @@
+/* The interactions of convex geometries with each other and with planes. */
+#include "McdConvexInteractions.h"
+#include "mcd_geometries.h"
+#include "mcd_motion.h"
+#include "mcd_vector.h"
+
+static MeBool hasTypes(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
+    if (!p || !result) {
+        MeWarning(1, "%s: no %s", function, p ? "result" : "pair");
+        return 0;
+    }
+    mcd_resultBegin(result, p);
+    const McdModelRecord *m1 = mcd_modelCheck(p->model1, function), *m2 = mcd_modelCheck(p->model2, function);
+    if (!m1 || !m2)
+        return 0;
+    if (m1->instance.geometry->type == type1 && m2->instance.geometry->type == type2)
+        return 1;
+    MeWarning(1, "%s: the models' geometries are of other types, or in the other order", function);
+    return 0;
+}
+
+static int notPlaced(const char *function) {
+    MeWarning(1, "%s: a model has no transform, or one that is not finite", function);
+    return 0;
+}
+
+static int convexIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
+    if (!hasTypes(p, result, type1, type2, function))
+        return 0;
+    McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
+    double origin[3];
+    McdShape a, b;
+    McdManifold m;
+    mcd_pairOrigin(ins1, ins2, origin);
+    if (!mcd_shapeOf(ins1, origin, &a) || !mcd_shapeOf(ins2, origin, &b))
+        return notPlaced(function);
+    if (mcd_convexManifold(&a, &b, mcd_pairMargin(p), &m))
+        mcd_resultAdd(result, &m, origin, ins1, ins2, -1, -1);
+    return mcd_resultEnd(result);
+}
+
+/* The plane's normal, and how high it is over the origin. */
+static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double normal[3], double *offset) {
+    *offset = 0;
+    if (!tm)
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        normal[i] = (double)tm[2][i];
+        *offset += normal[i] * ((double)tm[3][i] - origin[i]);
+    }
+    return isfinite(*offset) && isfinite(mcd_dot(normal, normal));
+}
+
+static void turnManifold(McdManifold *m) {
+    mcd_scale(m->normal, m->normal, -1);
+    for (int i = 0; i < m->count; i++)
+        m->point[i].feature = m->point[i].feature << 16 | m->point[i].feature >> 16;
+}
+
+static int planeIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
+    if (!hasTypes(p, result, type1, type2, function))
+        return 0;
+    McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
+    const MeBool isTurned = type1 == kMcdGeometryTypePlane;
+    double origin[3], normal[3], offset;
+    McdShape a;
+    McdManifold m;
+    mcd_pairOrigin(ins1, ins2, origin);
+    if (!mcd_shapeOf(isTurned ? ins2 : ins1, origin, &a) ||
+        !planeAt(mcd_instanceTM(isTurned ? ins1 : ins2), origin, normal, &offset))
+        return notPlaced(function);
+    if (mcd_planeManifold(&a, normal, offset, mcd_pairMargin(p), &m)) {
+        if (isTurned)
+            turnManifold(&m);
+        mcd_resultAdd(result, &m, origin, ins1, ins2, -1, -1);
+    }
+    return mcd_resultEnd(result);
+}
+
+static MeBool registerPair(McdFramework *frame, int type1, int type2, McdIntersectFn intersect, McdSafeTimeFn safeTime,
+                           const char *function) {
+    McdInteractions interactions = {.intersectFn = intersect, .safeTimeFn = safeTime};
+    if (!mcd_frameCheck(frame, function))
+        return 0;
+    McdFrameworkSetInteractions(frame, type1, type2, &interactions);
+    return 1;
+}
+
+/* The three functions of a pair. */
+#define DEFINE_PAIR(X, Y, intersect, safeTime)                                                                         \
+    int MEAPI Mcd##X##Y##Intersect(McdModelPair *p, McdIntersectResult *result) {                                      \
+        return intersect(p, result, kMcdGeometryType##X, kMcdGeometryType##Y, "Mcd" #X #Y "Intersect");                \
+    }                                                                                                                  \
+    int MEAPI Mcd##X##Y##SafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {                        \
+        return safeTime(p, maxTime, result);                                                                           \
+    }                                                                                                                  \
+    MeBool MEAPI Mcd##X##Y##RegisterInteraction(McdFramework *frame) {                                                 \
+        return registerPair(frame, kMcdGeometryType##X, kMcdGeometryType##Y, Mcd##X##Y##Intersect,                     \
+                            Mcd##X##Y##SafeTime, "Mcd" #X #Y "RegisterInteraction");                                   \
+    }
+#define DEFINE_CONVEX(X, Y) DEFINE_PAIR(X, Y, convexIntersect, mcd_safeTimeConvex)
+#define DEFINE_PLANE(X, Y)  DEFINE_PAIR(X, Y, planeIntersect, mcd_safeTimePlane)
+
+DEFINE_CONVEX(Sphere, Sphere)
+DEFINE_CONVEX(Box, Sphere)
+DEFINE_CONVEX(Box, Box)
+DEFINE_CONVEX(Box, Cylinder)
+DEFINE_CONVEX(Cylinder, Sphere)
+DEFINE_CONVEX(Cylinder, Cylinder)
+DEFINE_CONVEX(Sphyl, Sphere)
+DEFINE_CONVEX(Sphyl, Box)
+DEFINE_CONVEX(Sphyl, Cylinder)
+DEFINE_CONVEX(Sphyl, Sphyl)
+DEFINE_CONVEX(Cone, Sphere)
+DEFINE_CONVEX(Cone, Box)
+DEFINE_CONVEX(Cone, Cylinder)
+DEFINE_CONVEX(Cone, Sphyl)
+DEFINE_CONVEX(Cone, Cone)
+DEFINE_CONVEX(Cone, ConvexMesh)
+DEFINE_CONVEX(Sphere, ConvexMesh)
+DEFINE_CONVEX(Box, ConvexMesh)
+DEFINE_CONVEX(Cylinder, ConvexMesh)
+DEFINE_CONVEX(Sphyl, ConvexMesh)
+DEFINE_CONVEX(ConvexMesh, ConvexMesh)
+DEFINE_PLANE(Sphere, Plane)
+DEFINE_PLANE(Box, Plane)
+DEFINE_PLANE(Cylinder, Plane)
+DEFINE_PLANE(Sphyl, Plane)
+DEFINE_PLANE(Cone, Plane)
+DEFINE_PLANE(ConvexMesh, Plane)
+DEFINE_PLANE(Plane, ConvexMesh)
+
+MeBool MEAPI McdConvexMeshPrimitivesRegisterInteractions(McdFramework *frame) {
+    return McdSphereConvexMeshRegisterInteraction(frame) && McdBoxConvexMeshRegisterInteraction(frame) &&
+           McdCylinderConvexMeshRegisterInteraction(frame) && McdSphylConvexMeshRegisterInteraction(frame) &&
+           McdConvexMeshPlaneRegisterInteraction(frame) && McdConvexMeshConvexMeshRegisterInteraction(frame);
+}
+
+MeBool MEAPI McdConvexMeshRegisterBoxAndSphereFns(McdFramework *frame) {
+    return McdSphereConvexMeshRegisterInteraction(frame) && McdBoxConvexMeshRegisterInteraction(frame);
+}
+
+MeBool MEAPI McdConePrimitivesRegisterInteractions(McdFramework *frame) {
+    return McdConeSphereRegisterInteraction(frame) && McdConeBoxRegisterInteraction(frame) &&
+           McdConeCylinderRegisterInteraction(frame) && McdConeSphylRegisterInteraction(frame) &&
+           McdConePlaneRegisterInteraction(frame) && McdConeConeRegisterInteraction(frame);
+}

@@ -1,0 +1,447 @@
+/* Convex meshes: a hull, and all points within the fatness of it.
+ *
+ * A fat mesh is the hull, a prism on each face, a sector of a cylinder along each edge and a sector of a ball at each
+ * vertex. Line segments and mass properties go by these parts.
+ */
+#include "McdConvexMesh.h"
+#include "mcd_local.h"
+#include <string.h>
+
+static const McdConvexMesh *get(const McdGeometry *g) {
+    return (const McdConvexMesh *)g;
+}
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3]) {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static void support(const McdGeometry *g, const double d[3], double point[3]) {
+    const McdHull *h = get(g)->hull;
+    int best = 0;
+    for (int i = 1; i < h->vertexCount; i++)
+        if (dot(d, h->vertex[i]) > dot(d, h->vertex[best]))
+            best = i;
+    const double length = sqrt(dot(d, d)), out = length > 0 ? (double)get(g)->fatness / length : 0;
+    for (int k = 0; k < 3; k++)
+        point[k] = h->vertex[best][k] + out * d[k];
+}
+
+/* ---- line segments ------------------------------------------------------------------------------------------------- */
+
+static void clipByFaces(McdClip *c, const McdHull *h, double fatness) {
+    for (int i = 0; i < h->faceCount && !mcd_clipIsEmpty(c); i++)
+        mcd_clipHalfSpace(c, h->face[i].normal, h->face[i].offset + fatness);
+}
+
+/* The prism of height fatness on a face: between the face and its outer copy, within the borders. */
+static void clipByPrism(McdClip *c, const McdHull *h, const McdHullFace *face, double fatness) {
+    const int *v = h->faceVertex + face->first;
+    const double inward[3] = {-face->normal[0], -face->normal[1], -face->normal[2]};
+    mcd_clipHalfSpace(c, face->normal, face->offset + fatness);
+    mcd_clipHalfSpace(c, inward, -face->offset);
+    for (int i = 0; i < face->count && !mcd_clipIsEmpty(c); i++) {
+        const double *a = h->vertex[v[i]], *b = h->vertex[v[(i + 1) % face->count]];
+        const double along[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        double out[3];
+        cross(along, face->normal, out);
+        const double length = sqrt(dot(out, out));
+        for (int k = 0; k < 3; k++)
+            out[k] /= length;
+        mcd_clipHalfSpace(c, out, dot(out, a));
+    }
+}
+
+/* The parts' union is convex, so that a line is in it from where it enters the first to where it leaves the last. */
+static void clipFat(McdClip *c, const McdHull *h, double fatness) {
+    const McdClip line = *c;
+    clipByFaces(c, h, fatness); /* all of it is within */
+    if (mcd_clipIsEmpty(c) || c->in > 1 || c->out < 0)
+        return;
+    *c = line;
+    clipByFaces(c, h, 0);
+    for (int i = 0; i < h->faceCount; i++) {
+        McdClip part = line;
+        clipByPrism(&part, h, &h->face[i], fatness);
+        mcd_clipUnion(c, &part);
+    }
+    for (int i = 0; i < h->edgeCount; i++) {
+        McdClip part = line;
+        mcd_clipCapsule(&part, h->vertex[h->edge[i][0]], h->vertex[h->edge[i][1]], fatness);
+        mcd_clipUnion(c, &part);
+    }
+}
+
+static void clip(const McdGeometry *g, McdClip *c) {
+    if (get(g)->fatness > 0)
+        clipFat(c, get(g)->hull, (double)get(g)->fatness);
+    else
+        clipByFaces(c, get(g)->hull, 0);
+}
+
+MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh)
+MCD_DEFINE_LINE_SEGMENT(ConvexMesh)
+
+/* ---- life ------------------------------------------------------------------------------------------------------------ */
+
+static MeBool isMesh(McdGeometryID g, const char *function) {
+    return mcd_geometryIs(g, kMcdGeometryTypeConvexMesh, function);
+}
+
+void MEAPI McdConvexMeshDestroy(McdConvexMeshID g) {
+    if (!g)
+        return;
+    mcd_hullDestroy(((McdConvexMesh *)g)->hull);
+    MeMemoryAPI.destroy(((McdConvexMesh *)g)->shown);
+    MeMemoryAPI.destroy(g);
+}
+
+/* The vertices as programs see them. */
+static MeVector3 *copyVertices(const McdHull *h, const char *function) {
+    MeVector3 *v = (MeVector3 *)MeMemoryAPI.create((size_t)h->vertexCount * sizeof *v);
+    if (!v) {
+        MeFatalError(1, "%s: no memory", function);
+        return 0;
+    }
+    for (int i = 0; i < h->vertexCount; i++)
+        MeVector3Set(v[i], (MeReal)h->vertex[i][0], (MeReal)h->vertex[i][1], (MeReal)h->vertex[i][2]);
+    return v;
+}
+
+static McdConvexMeshID createFrom(McdFramework *frame, const double (*point)[3], int count, MeReal fatness,
+                                  const char *function) {
+    McdHull *hull = mcd_hullCreate(point, count, function);
+    MeVector3 *shown = hull ? copyVertices(hull, function) : 0;
+    McdConvexMesh *m = shown ? mcd_geometryCreate(frame, kMcdGeometryTypeConvexMesh, sizeof *m, function) : 0;
+    if (m) {
+        m->hull = hull;
+        m->shown = shown;
+        m->fatness = fatness;
+        return (McdConvexMeshID)m;
+    }
+    if (shown)
+        MeMemoryAPI.destroy(shown);
+    mcd_hullDestroy(hull);
+    return 0;
+}
+
+McdConvexMeshID MEAPI McdConvexMeshCreateHull(McdFramework *frame, const MeVector3 *vertices, int vertexCount,
+                                              MeReal fatnessRadius) {
+    if (!mcd_frameCheck(frame, "McdConvexMeshCreateHull"))
+        return 0;
+    if (!vertices || vertexCount < 4) {
+        MeWarning(1, "McdConvexMeshCreateHull: a hull has at least 4 vertices, not %d", vertices ? vertexCount : 0);
+        return 0;
+    }
+    if (fatnessRadius != 0 && !mcd_sizeIsGood(fatnessRadius, "fatness", "McdConvexMeshCreateHull"))
+        return 0;
+    double(*point)[3] = (double(*)[3])MeMemoryAPI.create((size_t)vertexCount * sizeof *point);
+    if (!point) {
+        MeFatalError(1, "McdConvexMeshCreateHull: no memory");
+        return 0;
+    }
+    for (int i = 0; i < vertexCount; i++)
+        for (int k = 0; k < 3; k++)
+            point[i][k] = (double)vertices[i][k];
+    McdConvexMeshID g =
+        createFrom(frame, (const double(*)[3])point, vertexCount, fatnessRadius, "McdConvexMeshCreateHull");
+    MeMemoryAPI.destroy(point);
+    return g;
+}
+
+/* Rings of corners at latitudes of both half balls, and the poles. */
+McdConvexMeshID MEAPI McdConvexMeshCreateSphyl(McdFramework *frame, MeReal radius, MeReal height) {
+    enum { AROUND = 16, RINGS = 4 };
+    double point[2 * (AROUND * RINGS + 1)][3];
+    int n = 0;
+    if (!mcd_frameCheck(frame, "McdConvexMeshCreateSphyl") ||
+        !mcd_sizeIsGood(radius, "radius", "McdConvexMeshCreateSphyl") ||
+        !mcd_sizeIsGood(height, "height", "McdConvexMeshCreateSphyl"))
+        return 0;
+    const double r = (double)radius, h = (double)height / 2;
+    for (int side = -1; side <= 1; side += 2) {
+        for (int i = 0; i < RINGS; i++)
+            for (int j = 0; j < AROUND; j++, n++) {
+                const double up = i * MCD_PI / (2 * RINGS), around = j * 2 * MCD_PI / AROUND;
+                point[n][0] = r * cos(up) * cos(around);
+                point[n][1] = r * cos(up) * sin(around);
+                point[n][2] = side * (h + r * sin(up));
+            }
+        point[n][0] = point[n][1] = 0;
+        point[n++][2] = side * (h + r);
+    }
+    return createFrom(frame, (const double(*)[3])point, n, 0, "McdConvexMeshCreateSphyl");
+}
+
+/* ---- polygons ---------------------------------------------------------------------------------------------------------- */
+
+MeReal MEAPI McdConvexMeshGetFatness(McdConvexMeshID mesh) {
+    return isMesh(mesh, "McdConvexMeshGetFatness") ? get(mesh)->fatness : 0;
+}
+
+int MEAPI McdConvexMeshGetPolygonCount(McdConvexMeshID g) {
+    return isMesh(g, "McdConvexMeshGetPolygonCount") ? get(g)->hull->faceCount : 0;
+}
+
+static const McdHullFace *faceOf(McdConvexMeshID g, int polyID, const char *function) {
+    if (!isMesh(g, function))
+        return 0;
+    if (polyID >= 0 && polyID < get(g)->hull->faceCount)
+        return &get(g)->hull->face[polyID];
+    MeWarning(1, "%s: there is no polygon %d", function, polyID);
+    return 0;
+}
+
+int MEAPI McdConvexMeshGetPolygonVertexCount(McdConvexMeshID g, int polyID) {
+    const McdHullFace *f = faceOf(g, polyID, "McdConvexMeshGetPolygonVertexCount");
+    return f ? f->count : 0;
+}
+
+void MEAPI McdConvexMeshGetPolygonNormal(McdConvexMeshID g, int polyID, MeVector3 normal) {
+    const McdHullFace *f = faceOf(g, polyID, "McdConvexMeshGetPolygonNormal");
+    for (int k = 0; k < 3; k++)
+        normal[k] = f ? (MeReal)f->normal[k] : 0;
+}
+
+static const MeReal *vertexOf(McdConvexMeshID g, int polyID, int vertexID, const char *function) {
+    const McdHullFace *f = faceOf(g, polyID, function);
+    if (f && vertexID >= 0 && vertexID < f->count)
+        return get(g)->shown[get(g)->hull->faceVertex[f->first + vertexID]];
+    if (f)
+        MeWarning(1, "%s: polygon %d has no vertex %d", function, polyID, vertexID);
+    return 0;
+}
+
+void MEAPI McdConvexMeshGetPolygonVertex(McdConvexMeshID g, int polyID, int vertexID, MeVector3 vertex) {
+    const MeReal *v = vertexOf(g, polyID, vertexID, "McdConvexMeshGetPolygonVertex");
+    MeVector3Set(vertex, v ? v[0] : 0, v ? v[1] : 0, v ? v[2] : 0);
+}
+
+const MeReal *MEAPI McdConvexMeshGetPolygonVertexPtr(McdConvexMeshID g, int polyID, int vertexID) {
+    return vertexOf(g, polyID, vertexID, "McdConvexMeshGetPolygonVertexPtr");
+}
+
+void MEAPI McdConvexMeshGetXYAABB(McdConvexMeshID g, MeMatrix4 tm, MeReal bounds[4]) {
+    MeVectorSetZero(bounds, 4);
+    if (isMesh(g, "McdConvexMeshGetXYAABB"))
+        mcd_localXYAABB(g, tm, bounds, support);
+}
+
+/* ---- what it is like --------------------------------------------------------------------------------------------------- */
+
+void MEAPI McdConvexMeshGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    MeVector3Set(center, 0, 0, 0);
+    *radius = 0;
+    if (!isMesh(g, "McdConvexMeshGetBSphere"))
+        return;
+    const McdHull *h = get(g)->hull;
+    double most = 0;
+    for (int k = 0; k < 3; k++)
+        center[k] = (MeReal)h->centre[k];
+    for (int i = 0; i < h->vertexCount; i++) {
+        double d[3];
+        for (int k = 0; k < 3; k++)
+            d[k] = h->vertex[i][k] - (double)center[k];
+        most = MeMAX(most, dot(d, d));
+    }
+    *radius = mcd_roundUp(sqrt(most) * (1 + 4 * DBL_EPSILON) + (double)get(g)->fatness);
+}
+
+void MEAPI McdConvexMeshDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!isMesh(g, "McdConvexMeshDebugDraw"))
+        return;
+    const McdHull *h = get(g)->hull;
+    for (int i = 0; i < h->edgeCount; i++)
+        mcd_drawLine(tm, colour, h->vertex[h->edge[i][0]], h->vertex[h->edge[i][1]]);
+}
+
+/* ---- mass: integrals of 1, x and x x^T over each part -------------------------------------------------------------------- */
+
+typedef struct Moments {
+    double m, first[3], second[3][3];
+} Moments;
+
+/* Adds w a b^T, or rather its symmetric part. */
+static void addOuter(Moments *s, double w, const double a[3], const double b[3]) {
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            s->second[i][j] += w * (a[i] * b[j] + a[j] * b[i]) / 2;
+}
+
+static void addFirst(Moments *s, double w, const double a[3]) {
+    for (int k = 0; k < 3; k++)
+        s->first[k] += w * a[k];
+}
+
+/* A simplex of n corners and content m: first m/n sum v, second m/(n (n + 1)) (sum v v^T + (sum v)(sum v)^T). */
+static void addSimplex(Moments *s, double m, const double (*corner)[3], int n) {
+    double sum[3] = {0, 0, 0};
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < 3; k++)
+            sum[k] += corner[i][k];
+        addOuter(s, m / (n * (n + 1)), corner[i], corner[i]);
+    }
+    s->m += m;
+    addFirst(s, m / n, sum);
+    addOuter(s, m / (n * (n + 1)), sum, sum);
+}
+
+/* A vertex, from the hull's centre. */
+static void vertexAt(const McdHull *h, int vertex, double out[3]) {
+    for (int k = 0; k < 3; k++)
+        out[k] = h->vertex[vertex][k] - h->centre[k];
+}
+
+/* The triangles of a face, or with the centre, the tetrahedra on it. */
+static void addFace(Moments *s, const McdHull *h, const McdHullFace *f, MeBool isSolid) {
+    const int *v = h->faceVertex + f->first;
+    for (int i = 1; i + 1 < f->count; i++) {
+        double t[4][3] = {{0}}, u[3], w[3], n[3];
+        vertexAt(h, v[0], t[0]);
+        vertexAt(h, v[i], t[1]);
+        vertexAt(h, v[i + 1], t[2]);
+        for (int k = 0; k < 3; k++) {
+            u[k] = t[1][k] - t[0][k];
+            w[k] = t[2][k] - t[0][k];
+        }
+        cross(u, w, n);
+        if (isSolid)
+            addSimplex(s, dot(n, t[0]) / 6, (const double(*)[3])t, 4);
+        else
+            addSimplex(s, dot(n, f->normal) / 2, (const double(*)[3])t, 3);
+    }
+}
+
+/* x = y + z n, y on the face and 0 <= z <= r. */
+static void addPrism(Moments *s, const McdHull *h, const McdHullFace *f, double r) {
+    Moments face = {0};
+    addFace(&face, h, f, 0);
+    s->m += r * face.m;
+    addFirst(s, r, face.first);
+    addFirst(s, face.m * r * r / 2, f->normal);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            s->second[i][j] += r * face.second[i][j];
+    addOuter(s, r * r, face.first, f->normal);
+    addOuter(s, face.m * r * r * r / 3, f->normal, f->normal);
+}
+
+/* x = y + z n, y on the edge, 0 <= z <= r, and n between the normals of both faces: n = a cos t + b sin t, 0 <= t <= angle.
+ * Returns the angle. */
+static double addSector(Moments *s, const McdHull *h, int edge, double r) {
+    double p[3], q[3], middle[3], along[3], side[3], b[3], normals[3];
+    const double *a = h->face[h->edgeFace[edge][0]].normal, *other = h->face[h->edgeFace[edge][1]].normal;
+    vertexAt(h, h->edge[edge][0], p);
+    vertexAt(h, h->edge[edge][1], q);
+    cross(a, other, side);
+    const double sine = sqrt(dot(side, side)), angle = atan2(sine, dot(a, other));
+    double length2 = 0;
+    for (int k = 0; k < 3; k++) {
+        middle[k] = (p[k] + q[k]) / 2;
+        along[k] = q[k] - p[k];
+        length2 += along[k] * along[k];
+        b[k] = sine > 0 ? (other[k] - dot(a, other) * a[k]) / sine : 0;
+        normals[k] = sin(angle) * a[k] + (1 - cos(angle)) * b[k]; /* the integral of n */
+    }
+    const double length = sqrt(length2), disc = angle * r * r / 2, ring = r * r * r / 3, quarter = r * r * r * r / 4;
+    s->m += length * disc;
+    addFirst(s, length * disc, middle);
+    addFirst(s, length * ring, normals);
+    addOuter(s, length * disc, middle, middle);
+    addOuter(s, length * disc / 12, along, along);
+    addOuter(s, 2 * length * ring, middle, normals);
+    addOuter(s, length * quarter * (angle / 2 + sin(2 * angle) / 4), a, a);
+    addOuter(s, length * quarter * (angle / 2 - sin(2 * angle) / 4), b, b);
+    addOuter(s, length * quarter * sin(angle) * sin(angle), a, b);
+    return angle;
+}
+
+/* A vertex v has the sector x = v + z n of a ball, where n is in the spherical polygon between the faces' normals, whose
+ * sides cross the edges at right angles. With e the edge's direction away from v, which is the outward normal of the
+ * polygon's side,
+ *     int 1 = 2 pi - the sum of the faces' angles at v,
+ *     int n = -1/2 sum angle e,                          from div(a - (a.n) n) = -2 a.n
+ * and n n^T summed over all vertices is that of a whole sphere, (int 1)/3 I. What depends on int 1 is added corner by
+ * corner. What depends on int n cancels at both ends of an edge, but for int (v n^T + n v^T), added edge by edge. */
+static void addSolidAngle(Moments *s, const double v[3], double angle, double r) {
+    const double ball = r * r * r / 3, fifth = r * r * r * r * r / 5;
+    s->m += angle * ball;
+    addFirst(s, angle * ball, v);
+    addOuter(s, angle * ball, v, v);
+    for (int k = 0; k < 3; k++)
+        s->second[k][k] += fifth * angle / 3;
+}
+
+static double angleAt(const McdHull *h, const int *corner, int count, int i) {
+    double p[3], q[3], v[3], n[3];
+    vertexAt(h, corner[i], v);
+    vertexAt(h, corner[(i + 1) % count], p);
+    vertexAt(h, corner[(i + count - 1) % count], q);
+    for (int k = 0; k < 3; k++) {
+        p[k] -= v[k];
+        q[k] -= v[k];
+    }
+    cross(p, q, n);
+    return atan2(sqrt(dot(n, n)), dot(p, q));
+}
+
+static void addCorners(Moments *s, const McdHull *h, double r) {
+    double v[3];
+    for (int i = 0; i < h->vertexCount; i++) {
+        vertexAt(h, i, v);
+        addSolidAngle(s, v, 2 * MCD_PI, r);
+    }
+    for (int i = 0; i < h->faceCount; i++)
+        for (int k = 0; k < h->face[i].count; k++) {
+            const int *corner = h->faceVertex + h->face[i].first;
+            vertexAt(h, corner[k], v);
+            addSolidAngle(s, v, -angleAt(h, corner, h->face[i].count, k), r);
+        }
+}
+
+static void addSides(Moments *s, const McdHull *h, int edge, double angle, double r) {
+    double a[3], b[3], along[3];
+    vertexAt(h, h->edge[edge][0], a);
+    vertexAt(h, h->edge[edge][1], b);
+    for (int k = 0; k < 3; k++)
+        along[k] = b[k] - a[k];
+    addOuter(s, angle * r * r * r * r / 4 / sqrt(dot(along, along)), along, along);
+}
+
+static Moments momentsOf(const McdHull *h, double r) {
+    Moments s = {0};
+    for (int i = 0; i < h->faceCount; i++)
+        addFace(&s, h, &h->face[i], 1);
+    if (r > 0) {
+        for (int i = 0; i < h->faceCount; i++)
+            addPrism(&s, h, &h->face[i], r);
+        for (int i = 0; i < h->edgeCount; i++)
+            addSides(&s, h, i, addSector(&s, h, i, r), r);
+        addCorners(&s, h, r);
+    }
+    return s;
+}
+
+MeI16 MEAPI McdConvexMeshGetMassProperties(McdConvexMeshID mesh, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
+    if (!isMesh(mesh, "McdConvexMeshGetMassProperties"))
+        return 0;
+    const McdHull *h = get(mesh)->hull;
+    Moments s = momentsOf(h, (double)get(mesh)->fatness);
+    double centre[3], offset[3], inertia[3][3];
+    for (int k = 0; k < 3; k++) {
+        offset[k] = s.first[k] / s.m;
+        centre[k] = h->centre[k] + offset[k];
+    }
+    addOuter(&s, -s.m, offset, offset);
+    const double trace = s.second[0][0] + s.second[1][1] + s.second[2][2];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            inertia[i][j] = (i == j ? trace : 0) - s.second[i][j];
+    mcd_massProperties(relTM, m, volume, s.m, centre, inertia);
+    return 1;
+}

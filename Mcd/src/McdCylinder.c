@@ -1,0 +1,117 @@
+/* Cylinders about z. */
+#include "McdCylinder.h"
+#include "mcd_local.h"
+
+static const McdCylinder *get(const McdGeometry *g) {
+    return (const McdCylinder *)g;
+}
+
+static void support(const McdGeometry *g, const double d[3], double point[3]) {
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), r = (double)get(g)->radius;
+    point[0] = across > 0 ? r * d[0] / across : 0;
+    point[1] = across > 0 ? r * d[1] / across : 0;
+    point[2] = d[2] < 0 ? -(double)get(g)->halfHeight : (double)get(g)->halfHeight;
+}
+
+static void clip(const McdGeometry *g, McdClip *c) {
+    const double origin[3] = {0, 0, 0}, up[3] = {0, 0, 1}, down[3] = {0, 0, -1};
+    mcd_clipHalfSpace(c, up, (double)get(g)->halfHeight);
+    mcd_clipHalfSpace(c, down, (double)get(g)->halfHeight);
+    mcd_clipCylinder(c, origin, up, (double)get(g)->radius);
+}
+
+MCD_DEFINE_GEOMETRY_TYPE(Cylinder)
+MCD_DEFINE_DESTROY(Cylinder)
+MCD_DEFINE_LINE_SEGMENT(Cylinder)
+
+static MeBool sizesAreGood(MeReal r, MeReal h, const char *function) {
+    return mcd_sizeIsGood(r, "radius", function) && mcd_sizeIsGood(h, "height", function);
+}
+
+McdCylinderID MEAPI McdCylinderCreate(McdFramework *frame, MeReal r, MeReal h) {
+    if (!sizesAreGood(r, h, "McdCylinderCreate"))
+        return 0;
+    McdCylinder *c = mcd_geometryCreate(frame, kMcdGeometryTypeCylinder, sizeof *c, "McdCylinderCreate");
+    if (c) {
+        c->radius = r;
+        c->halfHeight = h / 2;
+    }
+    return (McdCylinderID)c;
+}
+
+static MeBool isCylinder(McdGeometryID g, const char *function) {
+    return mcd_geometryIs(g, kMcdGeometryTypeCylinder, function);
+}
+
+MeReal MEAPI McdCylinderGetRadius(McdCylinderID g) {
+    return isCylinder(g, "McdCylinderGetRadius") ? get(g)->radius : 0;
+}
+
+MeReal MEAPI McdCylinderGetHeight(McdCylinderID g) {
+    return isCylinder(g, "McdCylinderGetHeight") ? 2 * get(g)->halfHeight : 0;
+}
+
+MeReal MEAPI McdCylinderGetHalfHeight(McdCylinderID g) {
+    return isCylinder(g, "McdCylinderGetHalfHeight") ? get(g)->halfHeight : 0;
+}
+
+void MEAPI McdCylinderSetRadius(McdCylinderID g, MeReal r) {
+    if (isCylinder(g, "McdCylinderSetRadius") && mcd_sizeIsGood(r, "radius", "McdCylinderSetRadius"))
+        ((McdCylinder *)g)->radius = r;
+}
+
+void MEAPI McdCylinderSetHeight(McdCylinderID g, MeReal h) {
+    if (isCylinder(g, "McdCylinderSetHeight") && mcd_sizeIsGood(h, "height", "McdCylinderSetHeight"))
+        ((McdCylinder *)g)->halfHeight = h / 2;
+}
+
+void MEAPI McdCylinderSetGeometricalParameters(McdCylinderID g, MeReal inRadius, MeReal inHeight) {
+    if (!isCylinder(g, "McdCylinderSetGeometricalParameters") ||
+        !sizesAreGood(inRadius, inHeight, "McdCylinderSetGeometricalParameters"))
+        return;
+    ((McdCylinder *)g)->radius = inRadius;
+    ((McdCylinder *)g)->halfHeight = inHeight / 2;
+}
+
+void MEAPI McdCylinderGetXYAABB(McdGeometry *g, MeMatrix4 tm, MeReal bounds[4]) {
+    MeVectorSetZero(bounds, 4);
+    if (isCylinder(g, "McdCylinderGetXYAABB"))
+        mcd_localXYAABB(g, tm, bounds, support);
+}
+
+void MEAPI McdCylinderMaximumPointLocal(McdGeometry *g, MeReal *const inDir, MeReal *const outPoint) {
+    double d[3], p[3] = {0, 0, 0};
+    for (int k = 0; k < 3; k++)
+        d[k] = (double)inDir[k];
+    if (isCylinder(g, "McdCylinderMaximumPointLocal"))
+        support(g, d, p);
+    MeVector3Set(outPoint, (MeReal)p[0], (MeReal)p[1], (MeReal)p[2]);
+}
+
+void MEAPI McdCylinderGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    MeVector3Set(center, 0, 0, 0);
+    *radius = 0;
+    if (!isCylinder(g, "McdCylinderGetBSphere"))
+        return;
+    const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
+    *radius = mcd_roundUp(sqrt(r * r + h * h));
+}
+
+/* I_zz = m r^2/2, I_xx = m (r^2/4 + h^2/3) with half the height. */
+MeI16 MEAPI McdCylinderGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    if (!isCylinder(g, "McdCylinderGetMassProperties"))
+        return 0;
+    const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
+    const double mass = MCD_PI * r * r * 2 * h, across = mass * (r * r / 4 + h * h / 3);
+    mcd_massDiagonal(relTM, inertia, volume, mass, across, across, mass * r * r / 2);
+    return 1;
+}
+
+void MEAPI McdCylinderDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!isCylinder(g, "McdCylinderDebugDraw"))
+        return;
+    const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
+    mcd_drawCircle(tm, colour, h, r);
+    mcd_drawCircle(tm, colour, -h, r);
+    mcd_drawSides(tm, colour, -h, r, h, r);
+}

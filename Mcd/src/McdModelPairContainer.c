@@ -1,0 +1,149 @@
+/* Places for the pairs that a space hands over. */
+#include "McdModelPairContainer.h"
+#include "MeMemory.h"
+#include "MeMessage.h"
+#include <string.h>
+
+static MeBool check(const McdModelPairContainer *c, const char *function) {
+    if (c && c->array)
+        return METRUE;
+    MeWarning(1, "%s: no container", function);
+    return MEFALSE;
+}
+
+McdModelPairContainer *MEAPI McdModelPairContainerCreate(int size) {
+    if (size < 1) {
+        MeWarning(1, "McdModelPairContainerCreate: size is %d: it must be 1 or more", size);
+        return 0;
+    }
+    McdModelPairContainer *c = MeMemoryAPI.create(sizeof *c + (size_t)size * sizeof(McdModelPair *));
+    if (!c) {
+        MeFatalError(1, "McdModelPairContainerCreate: no memory");
+        return 0;
+    }
+    McdModelPairContainerInit(c, (McdModelPair **)(void *)(c + 1), size);
+    return c;
+}
+
+void MEAPI McdModelPairContainerDestroy(McdModelPairContainer *a) {
+    MeMemoryAPI.destroy(a);
+}
+
+void MEAPI McdModelPairContainerInit(McdModelPairContainer *c, McdModelPair **array, int size) {
+    if (!c) {
+        MeWarning(1, "McdModelPairContainerInit: no container");
+        return;
+    }
+    if (!array || size < 1) {
+        MeWarning(1, "McdModelPairContainerInit: no array, or its size, %d, is below 1", size);
+        memset(c, 0, sizeof *c);
+        return;
+    }
+    c->array = array;
+    c->size = size;
+    McdModelPairContainerReset(c);
+}
+
+void MEAPI McdModelPairContainerReset(McdModelPairContainer *c) {
+    if (!check(c, "McdModelPairContainerReset"))
+        return;
+    c->goodbyeFirst = c->goodbyeEnd = 0;
+    c->helloFirst = c->helloEnd = c->stayingFirst = c->stayingEnd = (c->size + 1) / 2;
+}
+
+MeBool MEAPI McdModelPairContainerInsertHelloPair(McdModelPairContainer *c, McdModelPairID p) {
+    if (!check(c, "McdModelPairContainerInsertHelloPair") || c->helloFirst == c->goodbyeEnd)
+        return MEFALSE;
+    c->array[--c->helloFirst] = p;
+    return METRUE;
+}
+
+MeBool MEAPI McdModelPairContainerInsertStayingPair(McdModelPairContainer *c, McdModelPairID p) {
+    if (!check(c, "McdModelPairContainerInsertStayingPair") || c->stayingEnd == c->size)
+        return MEFALSE;
+    c->array[c->stayingEnd++] = p;
+    return METRUE;
+}
+
+MeBool MEAPI McdModelPairContainerInsertGoodbyePair(McdModelPairContainer *c, McdModelPairID p) {
+    if (!check(c, "McdModelPairContainerInsertGoodbyePair") || c->goodbyeEnd == c->helloFirst)
+        return MEFALSE;
+    c->array[c->goodbyeEnd++] = p;
+    return METRUE;
+}
+
+/* Moves array[first .. last - 1] by one place. */
+static void shift(McdModelPairContainer *c, int first, int last, int by) {
+    memmove(c->array + first + by, c->array + first, (size_t)(last - first) * sizeof *c->array);
+}
+
+void MEAPI McdModelPairContainerRemovePair(McdModelPairContainer *c, McdModelPairID *p) {
+    if (!check(c, "McdModelPairContainerRemovePair"))
+        return;
+    int at = 0;
+    while (at < c->size && c->array + at != p)
+        at++;
+    if (at >= c->goodbyeFirst && at < c->goodbyeEnd)
+        shift(c, at + 1, c->goodbyeEnd--, -1);
+    else if (at >= c->helloFirst && at < c->helloEnd)
+        shift(c, c->helloFirst++, at, 1);
+    else if (at >= c->stayingFirst && at < c->stayingEnd)
+        shift(c, at + 1, c->stayingEnd--, -1);
+    else
+        MeWarning(1, "McdModelPairContainerRemovePair: that is no place of a pair in the container");
+}
+
+static McdModelPair **part(McdModelPairContainer *c, int first, int end, int *count) {
+    if (count)
+        *count = end - first;
+    return c->array + first;
+}
+
+static McdModelPair **none(int *count) {
+    if (count)
+        *count = 0;
+    return 0;
+}
+
+McdModelPair **MEAPI McdModelPairContainerGetHelloArray(McdModelPairContainer *c, int *count) {
+    return check(c, "McdModelPairContainerGetHelloArray") ? part(c, c->helloFirst, c->helloEnd, count) : none(count);
+}
+
+McdModelPair **MEAPI McdModelPairContainerGetStayingArray(McdModelPairContainer *c, int *count) {
+    return check(c, "McdModelPairContainerGetStayingArray") ? part(c, c->stayingFirst, c->stayingEnd, count)
+                                                            : none(count);
+}
+
+McdModelPair **MEAPI McdModelPairContainerGetGoodbyeArray(McdModelPairContainer *c, int *count) {
+    return check(c, "McdModelPairContainerGetGoodbyeArray") ? part(c, c->goodbyeFirst, c->goodbyeEnd, count)
+                                                            : none(count);
+}
+
+int MEAPI McdModelPairContainerGetHelloCount(McdModelPairContainer *c) {
+    return check(c, "McdModelPairContainerGetHelloCount") ? c->helloEnd - c->helloFirst : 0;
+}
+
+int MEAPI McdModelPairContainerGetStayingCount(McdModelPairContainer *c) {
+    return check(c, "McdModelPairContainerGetStayingCount") ? c->stayingEnd - c->stayingFirst : 0;
+}
+
+int MEAPI McdModelPairContainerGetGoodbyeCount(McdModelPairContainer *c) {
+    return check(c, "McdModelPairContainerGetGoodbyeCount") ? c->goodbyeEnd - c->goodbyeFirst : 0;
+}
+
+void MEAPI McdModelPairContainerIteratorInit(McdModelPairContainerIterator *it, McdModelPairContainer *c) {
+    if (!it)
+        MeWarning(1, "McdModelPairContainerIteratorInit: no iterator");
+    else
+        it->next = check(c, "McdModelPairContainerIteratorInit") ? c->helloFirst : 0;
+}
+
+void MEAPI McdModelPairContainerPrintStats(McdModelPairContainer *c) {
+    if (check(c, "McdModelPairContainerPrintStats"))
+        MeInfo(1, "pairs: %d hello, %d staying, %d goodbye, place for %d", c->helloEnd - c->helloFirst,
+               c->stayingEnd - c->stayingFirst, c->goodbyeEnd - c->goodbyeFirst, c->size);
+}
+
+void MEAPI McdPairContainerPrintStats(McdModelPairContainer *c) {
+    McdModelPairContainerPrintStats(c);
+}

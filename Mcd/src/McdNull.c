@@ -1,0 +1,36 @@
+/* The geometry without extent. */
+#include "McdNull.h"
+#include "mcd_local.h"
+
+static void support(const McdGeometry *g, const double direction[3], double point[3]) {
+    (void)g;
+    (void)direction;
+    point[0] = point[1] = point[2] = 0;
+}
+
+MCD_DEFINE_GEOMETRY_TYPE(Null)
+MCD_DEFINE_DESTROY(Null)
+
+McdNullID MEAPI McdNullCreate(McdFramework *frame) {
+    return (McdNullID)mcd_geometryCreate(frame, kMcdGeometryTypeNull, sizeof(McdNull), "McdNullCreate");
+}
+
+void MEAPI McdNullGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    (void)g;
+    MeVector3Set(center, 0, 0, 0);
+    *radius = 0;
+}
+
+MeI16 MEAPI McdNullGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    (void)g;
+    (void)relTM;
+    (void)inertia;
+    (void)volume;
+    return 0;
+}
+
+void MEAPI McdNullDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    (void)g;
+    (void)tm;
+    (void)colour;
+}

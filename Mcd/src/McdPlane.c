@@ -1,0 +1,116 @@
+/* Planes: z = 0, and all below is inside. */
+#include "McdPlane.h"
+#include "mcd_local.h"
+
+/* As far as planes reach: sums and differences of such numbers are finite. */
+static const double reach = (double)(MEINFINITY / 4);
+
+/* Of an endless shape there is no farthest point; this one is in the right direction. */
+static void support(const McdGeometry *g, const double d[3], double point[3]) {
+    (void)g;
+    point[0] = d[0] > 0 ? reach : d[0] < 0 ? -reach : 0;
+    point[1] = d[1] > 0 ? reach : d[1] < 0 ? -reach : 0;
+    point[2] = d[2] < 0 ? -reach : 0;
+}
+
+static void clip(const McdGeometry *g, McdClip *c) {
+    const double up[3] = {0, 0, 1};
+    (void)g;
+    mcd_clipHalfSpace(c, up, 0);
+}
+
+MCD_DEFINE_DESTROY(Plane)
+MCD_DEFINE_LINE_SEGMENT(Plane)
+
+MeI16 MEAPI McdPlaneGetTypeId(void) {
+    return kMcdGeometryTypePlane;
+}
+
+char *MEAPI McdPlaneGetTypeName(const McdGeometryID g) {
+    static char name[] = "Plane";
+    (void)g;
+    return name;
+}
+
+void MEAPI McdPlaneRegisterType(McdFramework *frame) {
+    if (mcd_frameCheck(frame, "McdPlaneRegisterType"))
+        McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypePlane, McdPlaneGetTypeName(0), McdPlaneDestroy,
+                                         McdPlaneUpdateAABB, McdPlaneGetBSphere, McdPlaneMaximumPoint,
+                                         McdPlaneGetMassProperties, McdPlaneDebugDraw);
+}
+
+McdPlaneID MEAPI McdPlaneCreate(McdFramework *frame) {
+    return (McdPlaneID)mcd_geometryCreate(frame, kMcdGeometryTypePlane, sizeof(McdPlane), "McdPlaneCreate");
+}
+
+void MEAPI McdPlaneGetNormal(const McdGeometry *g, const MeMatrix4 tm, MeVector3 normal) {
+    (void)g;
+    MeVector3Copy(normal, tm[2]);
+}
+
+MeReal MEAPI McdPlaneGetDistanceToPoint(const McdGeometry *g, const MeMatrix4 tm, const MeVector3 point) {
+    double distance = 0;
+    (void)g;
+    for (int k = 0; k < 3; k++)
+        distance += (double)tm[2][k] * ((double)point[k] - (double)tm[3][k]);
+    return (MeReal)distance;
+}
+
+void MEAPI McdPlaneGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    (void)g;
+    MeVector3Set(center, 0, 0, 0);
+    *radius = (MeReal)reach;
+}
+
+MeI16 MEAPI McdPlaneGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    (void)g;
+    (void)relTM;
+    (void)inertia;
+    (void)volume;
+    return 0;
+}
+
+void MEAPI McdPlaneMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
+    MeVector3Set(outPoint, 0, 0, 0);
+    if (!mcd_instanceIs(ins, kMcdGeometryTypePlane, "McdPlaneMaximumPoint"))
+        return;
+    mcd_localMaximumPoint(ins, inDir, outPoint, support);
+    for (int k = 0; k < 3; k++)
+        outPoint[k] = MeCLAMP(outPoint[k], -(MeReal)reach, (MeReal)reach);
+}
+
+/* A plane along two of the world's axes ends at the third one's coordinate, on one side; others reach everywhere. */
+static void boxAt(const MeVector4 *tm, double low[3], double high[3]) {
+    for (int i = 0; i < 3; i++) {
+        const double n = (double)tm[2][i];
+        const MeBool isAlong = tm[2][(i + 1) % 3] == 0 && tm[2][(i + 2) % 3] == 0;
+        low[i] = isAlong && n < 0 ? (double)tm[3][i] : -reach;
+        high[i] = isAlong && n > 0 ? (double)tm[3][i] : reach;
+    }
+}
+
+void MEAPI McdPlaneUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
+    (void)tight;
+    if (!mcd_instanceIs(ins, kMcdGeometryTypePlane, "McdPlaneUpdateAABB"))
+        return;
+    double low[3], high[3], finalLow[3], finalHigh[3];
+    const MeVector4 *tm = mcd_const(mcd_instanceTM(ins));
+    boxAt(tm, low, high);
+    boxAt(finalTM ? mcd_const(finalTM) : tm, finalLow, finalHigh);
+    MeVector3 min, max;
+    for (int i = 0; i < 3; i++) {
+        min[i] = (MeReal)MeMIN(low[i], finalLow[i]);
+        max[i] = (MeReal)MeMAX(high[i], finalHigh[i]);
+    }
+    McdGeometryInstanceSetAABB(ins, min, max);
+}
+
+/* A square of 2 by 2 and its normal. */
+void MEAPI McdPlaneDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    const double corner[4][3] = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, origin[3] = {0, 0, 0},
+                 up[3] = {0, 0, 1};
+    (void)g;
+    for (int i = 0; i < 4; i++)
+        mcd_drawLine(tm, colour, corner[i], corner[(i + 1) % 4]);
+    mcd_drawLine(tm, colour, origin, up);
+}

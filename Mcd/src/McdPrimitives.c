@@ -1,0 +1,43 @@
+/* Sphere, box, plane, cylinder and sphyl at once. */
+#include "McdPrimitives.h"
+#include "McdConvexInteractions.h"
+#include "mcd_i.h"
+
+unsigned int MEAPI McdPrimitivesGetTypeCount(void) {
+    return 5;
+}
+
+void MEAPI McdPrimitivesRegisterTypes(McdFramework *frame) {
+    if (!mcd_frameCheck(frame, "McdPrimitivesRegisterTypes"))
+        return;
+    McdSphereRegisterType(frame);
+    McdBoxRegisterType(frame);
+    McdPlaneRegisterType(frame);
+    McdCylinderRegisterType(frame);
+    McdSphylRegisterType(frame);
+}
+
+MeBool MEAPI McdPrimitivesRegisterInteractions(McdFramework *frame) {
+    if (!mcd_frameCheck(frame, "McdPrimitivesRegisterInteractions"))
+        return MEFALSE;
+    McdSphereSphereRegisterInteraction(frame);
+    McdBoxSphereRegisterInteraction(frame);
+    McdBoxBoxRegisterInteraction(frame);
+    McdBoxCylinderRegisterInteraction(frame);
+    McdCylinderSphereRegisterInteraction(frame);
+    McdCylinderCylinderRegisterInteraction(frame);
+    McdSphylSphereRegisterInteraction(frame);
+    McdSphylBoxRegisterInteraction(frame);
+    McdSphylCylinderRegisterInteraction(frame);
+    McdSphylSphylRegisterInteraction(frame);
+    McdSpherePlaneRegisterInteraction(frame);
+    McdBoxPlaneRegisterInteraction(frame);
+    McdCylinderPlaneRegisterInteraction(frame);
+    McdSphylPlaneRegisterInteraction(frame);
+    McdSphereLineSegmentRegisterInteraction(frame);
+    McdBoxLineSegmentRegisterInteraction(frame);
+    McdPlaneLineSegmentRegisterInteraction(frame);
+    McdCylinderLineSegmentRegisterInteraction(frame);
+    McdSphylLineSegmentRegisterInteraction(frame);
+    return METRUE;
+}

@@ -1,0 +1,388 @@
+/* Questions to a space beyond line segments: overlaps, nearest models, casts. */
+#include "McdQuery.h"
+#include "McdGeometry.h"
+#include "mcd_shape.h"
+#include "mcd_space_i.h"
+#include "mcd_vector.h"
+#include <string.h>
+
+enum { MAX_ADVANCES = 100 };
+static const double touching = 1e-7; /* of the sizes: so near, shapes count as touching; 1e-6 in single */
+
+/* ---- what all have ----------------------------------------------------------------------------------------------- */
+
+typedef struct Query {
+    const McdSpace *space;
+    McdLineSegIntersectEnableCallback filter;
+    void *filterData;
+    McdModelID self; /* is not met */
+    double origin[3];
+    McdShape shape; /* what asks, relative to the origin */
+    double min[3], max[3];
+    McdModelID *list; /* overlaps */
+    int count, listSize;
+} Query;
+
+/* One part of a model next to the shape that asks. */
+typedef struct Gap {
+    McdGeometryInstance *part;
+    double distance, onShape[3], onPart[3], normal[3];
+} Gap;
+
+static McdModelID modelOf(const Query *q, int proxy) {
+    return &q->space->proxy[proxy].model->model;
+}
+
+static MeBool isAsked(const Query *q, McdModelID cm) {
+    return cm != q->self && (!q->filter || q->filter(cm, q->filterData));
+}
+
+static MeBool areFinite(const MeReal *x, int count) {
+    for (int i = 0; i < count; i++)
+        if (!MeRealIsValid(x[i]))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* Makes the shape of a geometry at a place. */
+static MeBool setShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const char *function) {
+    MeVector3 low, high;
+    if (!mcd_geometryType(g, function))
+        return MEFALSE;
+    for (int i = 0; tm && i < 4; i++)
+        if (!areFinite(tm[i], 3))
+            tm = 0;
+    if (!tm) {
+        MeWarning(1, "%s: the transform is null or not finite", function);
+        return MEFALSE;
+    }
+    for (int i = 0; i < 3; i++)
+        q->origin[i] = (double)tm[3][i];
+    if (!mcd_shapeAt(g, tm, q->origin, &q->shape)) {
+        MeWarning(1, "%s: the geometry is not convex: %s", function, McdGeometryGetTypeName(g));
+        return MEFALSE;
+    }
+    McdGeometryGetAABB(g, tm, low, high);
+    for (int i = 0; i < 3; i++) {
+        q->min[i] = (double)low[i];
+        q->max[i] = (double)high[i];
+    }
+    return METRUE;
+}
+
+/* A convex shape above a plane. */
+static void measurePlane(const Query *q, const McdShape *shape, Gap *gap) {
+    const MeMatrix4Ptr tm = mcd_instanceTM(gap->part);
+    double down[3];
+    gap->distance = 0;
+    for (int i = 0; i < 3; i++) {
+        gap->normal[i] = (double)tm[2][i];
+        down[i] = -gap->normal[i];
+    }
+    mcd_support(shape, down, gap->onShape);
+    for (int i = 0; i < 3; i++)
+        gap->distance += gap->normal[i] * (gap->onShape[i] + q->origin[i] - (double)tm[3][i]);
+    mcd_mad(gap->onPart, gap->onShape, -gap->distance, gap->normal);
+}
+
+/* False for what is neither convex nor a plane. */
+static MeBool measure(const Query *q, const McdShape *shape, Gap *gap) {
+    McdShape part;
+    if (gap->part->geometry->type == kMcdGeometryTypePlane) {
+        measurePlane(q, shape, gap);
+        return METRUE;
+    }
+    if (!mcd_shapeOf(gap->part, q->origin, &part))
+        return MEFALSE;
+    gap->distance = mcd_convexDistance(shape, &part, gap->onShape, gap->onPart, gap->normal);
+    return METRUE;
+}
+
+/* The next part of a model: a leaf of its tree of instances. */
+static McdGeometryInstance *firstLeaf(McdGeometryInstance *ins) {
+    while (ins->firstChild)
+        ins = ins->firstChild;
+    return ins;
+}
+
+static McdGeometryInstance *nextLeaf(McdGeometryInstance *ins) {
+    while (ins && !ins->nextSibling)
+        ins = ins->parent;
+    return ins && ins->parent ? firstLeaf(ins->nextSibling) : 0;
+}
+
+/* The nearest part of a model; false if it has none that can be asked. */
+static MeBool nearestPart(const Query *q, McdModelID cm, Gap *nearest) {
+    Gap gap;
+    MeBool isFound = MEFALSE;
+    if (!mcd_modelIsPlaced(mcd_record(cm)))
+        return MEFALSE;
+    for (gap.part = firstLeaf(&mcd_record(cm)->instance); gap.part; gap.part = nextLeaf(gap.part))
+        if (measure(q, &q->shape, &gap) && (!isFound || gap.distance < nearest->distance)) {
+            *nearest = gap;
+            isFound = METRUE;
+        }
+    return isFound;
+}
+
+static void toWorld(const Query *q, const double point[3], MeVector3 out) {
+    for (int i = 0; i < 3; i++)
+        out[i] = (MeReal)(point[i] + q->origin[i]);
+}
+
+/* ---- overlaps ---------------------------------------------------------------------------------------------------- */
+
+/* Into its place in the order; once. */
+static void addToList(Query *q, McdModelID cm) {
+    int at = 0;
+    while (at < q->count && mcd_modelPrecedes(mcd_record(q->list[at]), mcd_record(cm)))
+        at++;
+    if (at == q->listSize || (at < q->count && q->list[at] == cm))
+        return;
+    if (q->count < q->listSize)
+        q->count++;
+    memmove(q->list + at + 1, q->list + at, (size_t)(q->count - at - 1) * sizeof *q->list);
+    q->list[at] = cm;
+}
+
+static MeBool checkList(McdSpaceID s, const McdModelID *list, int size, const char *function) {
+    if (!mcd_spaceIsReady(s, function))
+        return MEFALSE;
+    if (list && size > 0)
+        return METRUE;
+    MeWarning(1, "%s: no place for results", function);
+    return MEFALSE;
+}
+
+static MeBool visitBox(void *context, int proxy) {
+    Query *q = context;
+    const McdProxy *p = &q->space->proxy[proxy];
+    for (int i = 0; i < 3; i++)
+        if ((double)p->min[i] > q->max[i] || (double)p->max[i] < q->min[i])
+            return METRUE;
+    if (isAsked(q, modelOf(q, proxy)))
+        addToList(q, modelOf(q, proxy));
+    return METRUE;
+}
+
+int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const MeVector3 maxCorner,
+                             McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,
+                             int listSize) {
+    Query q = {.space = space, .filter = filter, .filterData = filterData, .list = list, .listSize = listSize};
+    if (!checkList(space, list, listSize, "McdSpaceOverlapBox"))
+        return 0;
+    if (!minCorner || !maxCorner || !areFinite(minCorner, 3) || !areFinite(maxCorner, 3)) {
+        MeWarning(1, "McdSpaceOverlapBox: a corner is null or not finite");
+        return 0;
+    }
+    for (int i = 0; i < 3; i++) {
+        q.min[i] = (double)minCorner[i];
+        q.max[i] = (double)maxCorner[i];
+    }
+    mcd_spaceOverlap(space, q.min, q.max, visitBox, &q);
+    return q.count;
+}
+
+static MeBool visitOverlap(void *context, int proxy) {
+    Query *q = context;
+    Gap gap;
+    const McdModelID cm = modelOf(q, proxy);
+    if (isAsked(q, cm) && nearestPart(q, cm, &gap) && gap.distance <= 0)
+        addToList(q, cm);
+    return METRUE;
+}
+
+int MEAPI McdSpaceOverlapGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm,
+                                  McdLineSegIntersectEnableCallback filter, void *filterData, McdModelID *list,
+                                  int listSize) {
+    Query q = {.space = space, .filter = filter, .filterData = filterData, .list = list, .listSize = listSize};
+    if (!checkList(space, list, listSize, "McdSpaceOverlapGeometry") || !setShape(&q, g, tm, "McdSpaceOverlapGeometry"))
+        return 0;
+    mcd_spaceOverlap(space, q.min, q.max, visitOverlap, &q);
+    return q.count;
+}
+
+int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegIntersectEnableCallback filter,
+                               void *filterData, McdModelID *list, int listSize) {
+    Query q = {
+        .space = space, .filter = filter, .filterData = filterData, .self = cm, .list = list, .listSize = listSize};
+    McdModelRecord *m = mcd_modelCheck(cm, "McdSpaceOverlapModel");
+    if (!m || !checkList(space, list, listSize, "McdSpaceOverlapModel"))
+        return 0;
+    for (McdGeometryInstance *part = firstLeaf(&m->instance); part; part = nextLeaf(part)) {
+        if (!setShape(&q, part->geometry, mcd_const(mcd_instanceTM(part)), "McdSpaceOverlapModel"))
+            break;
+        mcd_spaceOverlap(space, q.min, q.max, visitOverlap, &q);
+    }
+    return q.count;
+}
+
+/* ---- the nearest ------------------------------------------------------------------------------------------------- */
+
+typedef struct Closest {
+    Query q;
+    McdModelID model;
+    Gap gap;
+} Closest;
+
+static MeBool visitClosest(void *context, int proxy) {
+    Closest *c = context;
+    Gap gap;
+    const McdModelID cm = modelOf(&c->q, proxy);
+    if (!isAsked(&c->q, cm) || !nearestPart(&c->q, cm, &gap))
+        return METRUE;
+    const MeBool isFirst =
+        c->model && gap.distance == c->gap.distance && mcd_modelPrecedes(mcd_record(cm), mcd_record(c->model));
+    if (!c->model || gap.distance < c->gap.distance || isFirst) {
+        c->model = cm;
+        c->gap = gap;
+    }
+    return METRUE;
+}
+
+/* Looks farther and farther away until nothing nearer can be farther out. */
+static void search(Closest *c, double most) {
+    double reach = fmin(c->q.shape.extent, most);
+    for (;;) {
+        double min[3], max[3];
+        for (int i = 0; i < 3; i++) {
+            min[i] = c->q.min[i] - reach;
+            max[i] = c->q.max[i] + reach;
+        }
+        c->model = 0;
+        mcd_spaceOverlap(c->q.space, min, max, visitClosest, c);
+        if ((c->model && c->gap.distance <= reach) || reach >= fmin(most, MCD_TREE_REACH))
+            return;
+        reach = fmin(most, c->model ? c->gap.distance * 1.0001 : 4 * reach);
+    }
+}
+
+int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, MeReal maxDistance,
+                             McdLineSegIntersectEnableCallback filter, void *filterData, McdClosestResult *result) {
+    Closest c = {.q = {.space = space, .filter = filter, .filterData = filterData}};
+    if (!mcd_spaceIsReady(space, "McdSpaceGetClosest") || !setShape(&c.q, g, tm, "McdSpaceGetClosest"))
+        return 0;
+    if (!(maxDistance >= 0) || !result) {
+        MeWarning(1, "McdSpaceGetClosest: maxDistance is %g: it must be >= 0; or there is no result",
+                  (double)maxDistance);
+        return 0;
+    }
+    search(&c, (double)maxDistance);
+    if (!c.model || c.gap.distance > (double)maxDistance)
+        return 0;
+    result->model = c.model;
+    result->instance = c.gap.part;
+    result->distance = (MeReal)c.gap.distance;
+    toWorld(&c.q, c.gap.onShape, result->position1);
+    toWorld(&c.q, c.gap.onPart, result->position2);
+    for (int i = 0; i < 3; i++)
+        result->normal[i] = (MeReal)c.gap.normal[i];
+    return 1;
+}
+
+/* ---- casts ------------------------------------------------------------------------------------------------------- */
+
+typedef struct Cast {
+    Query q;
+    double by[3], fraction;
+    McdModelID model;
+    Gap gap;
+} Cast;
+
+/* Conservative advancement: while a gap is open, there is a plane across it, and both stay apart at least until the
+ * motion has closed that gap along the plane's normal. False if they do not meet up to fraction. */
+static MeBool advance(const Cast *c, double last, Gap *gap, double *fraction) {
+    const double enough = (sizeof(MeReal) == sizeof(double) ? 1 : 10) * touching * c->q.shape.extent;
+    McdShape moved = c->q.shape;
+    double t = 0;
+    for (int i = 0; i < MAX_ADVANCES; i++) {
+        mcd_mad(moved.place, c->q.shape.place, t, c->by);
+        if (!measure(&c->q, &moved, gap))
+            return MEFALSE;
+        const double closing = -mcd_dot(gap->normal, c->by);
+        if (gap->distance < -enough || (gap->distance <= enough && closing > 0))
+            break;
+        if (closing <= 0 || t + gap->distance / closing > last)
+            return MEFALSE;
+        t += gap->distance / closing;
+    }
+    *fraction = t;
+    return METRUE;
+}
+
+static double visitCast(void *context, int proxy, double last) {
+    Cast *c = context;
+    const McdModelID cm = modelOf(&c->q, proxy);
+    Gap gap;
+    double t;
+    if (!isAsked(&c->q, cm) || !mcd_modelIsPlaced(mcd_record(cm)))
+        return last;
+    for (gap.part = firstLeaf(&mcd_record(cm)->instance); gap.part; gap.part = nextLeaf(gap.part)) {
+        if (!advance(c, c->fraction, &gap, &t))
+            continue;
+        const MeBool isFirst =
+            !c->model || t < c->fraction || (cm != c->model && mcd_modelPrecedes(mcd_record(cm), mcd_record(c->model)));
+        if (!isFirst)
+            continue;
+        c->model = cm;
+        c->gap = gap;
+        c->fraction = t;
+    }
+    return c->fraction;
+}
+
+static MeBool checkCast(McdSpaceID s, const MeReal *by, const McdCastResult *result, const char *function) {
+    if (!mcd_spaceIsReady(s, function))
+        return MEFALSE;
+    if (by && areFinite(by, 3) && result)
+        return METRUE;
+    MeWarning(1, "%s: the displacement is null or not finite, or there is no result", function);
+    return MEFALSE;
+}
+
+int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, const MeVector3 displacement,
+                               McdLineSegIntersectEnableCallback filter, void *filterData, McdCastResult *result) {
+    Cast c = {.q = {.space = space, .filter = filter, .filterData = filterData}, .fraction = 1};
+    double middle[3], half[3];
+    if (!checkCast(space, displacement, result, "McdSpaceCastGeometry") ||
+        !setShape(&c.q, g, tm, "McdSpaceCastGeometry"))
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        c.by[i] = (double)displacement[i];
+        middle[i] = (c.q.min[i] + c.q.max[i]) / 2;
+        half[i] = (c.q.max[i] - c.q.min[i]) / 2 * (1 + 8 * (double)ME_EPSILON);
+    }
+    mcd_spaceCast(space, middle, c.by, half, 1, visitCast, &c);
+    if (!c.model)
+        return 0;
+    result->model = c.model;
+    result->instance = c.gap.part;
+    result->fraction = (MeReal)c.fraction;
+    toWorld(&c.q, c.gap.onPart, result->position);
+    for (int i = 0; i < 3; i++)
+        result->normal[i] = (MeReal)c.gap.normal[i];
+    return 1;
+}
+
+int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const MeVector3 displacement,
+                          McdLineSegIntersectEnableCallback filter, void *filterData, McdCastResult *result) {
+    McdLineSegIntersectResult hit;
+    MeVector3 start, end;
+    if (!checkCast(space, displacement, result, "McdSpaceCastRay"))
+        return 0;
+    if (!from || !areFinite(from, 3)) {
+        MeWarning(1, "McdSpaceCastRay: the start is null or not finite");
+        return 0;
+    }
+    MeVector3Copy(start, from);
+    MeVector3Add(end, start, displacement);
+    if (!McdSpaceGetLineSegFirstEnabledIntersection(space, start, end, filter, filterData, &hit))
+        return 0;
+    const MeReal length = MeVector3Magnitude(displacement);
+    result->model = hit.model;
+    result->instance = McdModelGetGeometryInstance(hit.model);
+    result->fraction = length > 0 ? MeMIN(hit.distance / length, 1) : 0;
+    MeVector3Copy(result->position, hit.position);
+    MeVector3Copy(result->normal, hit.normal);
+    return 1;
+}

@@ -1,0 +1,373 @@
+/* The height field: triangles over a regular grid. */
+#include "McdRGHeightField.h"
+#include "MeDebugDraw.h"
+#include "mcd_bounds.h"
+#include "mcd_geometries.h"
+#include "mcd_local.h"
+#include <math.h>
+#include <string.h>
+
+static McdRGHeightField *fieldOf(McdGeometryID g, const char *function) {
+    return mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, function) ? (McdRGHeightField *)g : 0;
+}
+
+/* ---- life -------------------------------------------------------------------------------------------------------- */
+
+static void findExtremes(McdRGHeightField *f) {
+    MeBool any = MEFALSE;
+    f->low = f->high = 0;
+    for (int i = 0; i < f->xCount * f->yCount; i++) {
+        const MeReal z = f->height[i];
+        if (!MeRealIsValid(z))
+            continue;
+        f->low = any ? MeMIN(f->low, z) : z;
+        f->high = any ? MeMAX(f->high, z) : z;
+        any = METRUE;
+    }
+}
+
+static MeBool isGrid(int xCount, int yCount, MeReal xStep, MeReal yStep, MeReal x0, MeReal y0) {
+    return xCount >= 2 && yCount >= 2 && xCount <= 1000000000 / yCount && xStep > 0 && yStep > 0 &&
+           MeRealIsValid(xStep * (MeReal)xCount) && MeRealIsValid(yStep * (MeReal)yCount) && MeRealIsValid(x0) &&
+           MeRealIsValid(y0);
+}
+
+McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeReal *heights, int xCount, int yCount,
+                                                MeReal xStep, MeReal yStep, MeReal x0, MeReal y0) {
+    if (!heights || !isGrid(xCount, yCount, xStep, yStep, x0, y0)) {
+        MeWarning(1, "McdRGHeightFieldCreate: heights at %p, %d x %d points (> 1), steps %g, %g (> 0), from (%g, %g)",
+                  (const void *)heights, xCount, yCount, (double)xStep, (double)yStep, (double)x0, (double)y0);
+        return 0;
+    }
+    McdRGHeightField *f = mcd_geometryCreate(frame, kMcdGeometryTypeRGHeightField, sizeof *f, "McdRGHeightFieldCreate");
+    if (!f)
+        return 0;
+    f->height = heights;
+    f->xCount = xCount;
+    f->yCount = yCount;
+    f->xStep = xStep;
+    f->yStep = yStep;
+    f->x0 = x0;
+    f->y0 = y0;
+    findExtremes(f);
+    return &f->head;
+}
+
+void MEAPI McdRGHeightFieldDestroy(McdGeometryID g) {
+    mcd_meshFree(&((McdRGHeightField *)g)->mesh);
+    MeMemoryAPI.destroy(g);
+}
+
+/* ---- what it is made of -------------------------------------------------------------------------------------------- */
+
+const MeReal *MEAPI McdRGHeightFieldGetHeights(McdRGHeightFieldID g) {
+    const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetHeights");
+    return f ? f->height : 0;
+}
+
+void MEAPI McdRGHeightFieldSetHeights(McdRGHeightFieldID g, const MeReal *heights) {
+    McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldSetHeights");
+    if (!f)
+        return;
+    if (!heights) {
+        MeWarning(1, "McdRGHeightFieldSetHeights: heights is null");
+        return;
+    }
+    f->height = heights;
+    findExtremes(f);
+}
+
+void MEAPI McdRGHeightFieldUpdateHeights(McdRGHeightFieldID g) {
+    McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldUpdateHeights");
+    if (f)
+        findExtremes(f);
+}
+
+void MEAPI McdRGHeightFieldGetCounts(McdRGHeightFieldID g, int *xCount, int *yCount) {
+    const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetCounts");
+    *xCount = f ? f->xCount : 0;
+    *yCount = f ? f->yCount : 0;
+}
+
+void MEAPI McdRGHeightFieldGetSteps(McdRGHeightFieldID g, MeReal *xStep, MeReal *yStep) {
+    const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetSteps");
+    *xStep = f ? f->xStep : 0;
+    *yStep = f ? f->yStep : 0;
+}
+
+void MEAPI McdRGHeightFieldGetOrigin(McdRGHeightFieldID g, MeReal *x0, MeReal *y0) {
+    const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetOrigin");
+    *x0 = f ? f->x0 : 0;
+    *y0 = f ? f->y0 : 0;
+}
+
+/* ---- cells --------------------------------------------------------------------------------------------------------- */
+
+static void pointOf(const McdRGHeightField *f, int i, int j, double point[3]) {
+    point[0] = (double)f->x0 + i * (double)f->xStep;
+    point[1] = (double)f->y0 + j * (double)f->yStep;
+    point[2] = (double)f->height[(size_t)j * (size_t)f->xCount + (size_t)i];
+}
+
+/* half 0 is on the side of (i + 1, j), half 1 on that of (i, j + 1); counter-clockwise from above. */
+static void triangleOf(const McdRGHeightField *f, int i, int j, int half, double corner[3][3]) {
+    pointOf(f, i, j, corner[0]);
+    pointOf(f, i + 1, j + half, corner[1]);
+    pointOf(f, i + 1 - half, j + 1, corner[2]);
+}
+
+static int elementOf(const McdRGHeightField *f, int i, int j, int half) {
+    return 2 * (j * (f->xCount - 1) + i) + half;
+}
+
+/* The cell in which a coordinate is, clamped to the grid. */
+static int cellAt(double x, double x0, double step, int points) {
+    const double cell = floor((x - x0) / step);
+    return cell < 0 ? 0 : cell > points - 2 ? points - 2 : (int)cell;
+}
+
+MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x, MeReal y, MeReal *height, MeVector3 normal) {
+    const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetHeightAt");
+    if (!f || !MeRealIsValid(x) || !MeRealIsValid(y))
+        return MEFALSE;
+    const double u = ((double)x - (double)f->x0) / (double)f->xStep, v = ((double)y - (double)f->y0) / (double)f->yStep;
+    if (u < 0 || v < 0 || u > f->xCount - 1 || v > f->yCount - 1)
+        return MEFALSE;
+    const int i = cellAt(u, 0, 1, f->xCount), j = cellAt(v, 0, 1, f->yCount);
+    double corner[3][3], n[3];
+    triangleOf(f, i, j, v - j > u - i, corner);
+    if (!mcd_triangleNormal((const double(*)[3])corner, 0, n))
+        return MEFALSE;
+    *height = (MeReal)(corner[0][2] - (n[0] * ((double)x - corner[0][0]) + n[1] * ((double)y - corner[0][1])) / n[2]);
+    if (normal)
+        MeVector3Set(normal, (MeReal)n[0], (MeReal)n[1], (MeReal)n[2]);
+    return METRUE;
+}
+
+/* ---- the type's functions ------------------------------------------------------------------------------------------- */
+
+MeI16 MEAPI McdRGHeightFieldGetTypeId(void) {
+    return kMcdGeometryTypeRGHeightField;
+}
+
+char *MEAPI McdRGHeightFieldGetTypeName(McdGeometryID g) {
+    (void)g;
+    return (char *)"RGHeightField";
+}
+
+static void boxOf(const McdRGHeightField *f, MeVector3 min, MeVector3 max) {
+    MeVector3Set(min, f->x0, f->y0, f->low);
+    MeVector3Set(max, f->x0 + (MeReal)(f->xCount - 1) * f->xStep, f->y0 + (MeReal)(f->yCount - 1) * f->yStep, f->high);
+}
+
+void MEAPI McdRGHeightFieldUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
+    if (!mcd_instanceIs(ins, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldUpdateAABB"))
+        return;
+    MeVector3 min, max;
+    (void)tight;
+    boxOf((const McdRGHeightField *)ins->geometry, min, max);
+    mcd_boxUpdateAABB(ins, min, max, finalTM);
+}
+
+void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldGetBSphere"))
+        return;
+    MeVector3 min, max;
+    boxOf((const McdRGHeightField *)g, min, max);
+    mcd_boxBSphere(min, max, center, radius);
+}
+
+void MEAPI McdRGHeightFieldMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
+    if (!mcd_instanceIs(ins, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldMaximumPoint"))
+        return;
+    MeVector3 min, max;
+    boxOf((const McdRGHeightField *)ins->geometry, min, max);
+    mcd_boxMaximumPoint(ins, min, max, inDir, outPoint);
+}
+
+MeI16 MEAPI McdRGHeightFieldGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
+    (void)g;
+    MeMatrix4TMMakeIdentity(relTM);
+    memset(m, 0, sizeof(MeMatrix3));
+    *volume = 0;
+    return 0;
+}
+
+static void drawLine(const McdRGHeightField *f, const MeMatrix4 tm, int i, int j, int i2, int j2,
+                     const MeReal colour[3]) {
+    const int at[2][2] = {{i, j}, {i2, j2}};
+    MeVector3 ends[2];
+    for (int e = 0; e < 2; e++) {
+        double point[3];
+        pointOf(f, at[e][0], at[e][1], point);
+        if (!isfinite(point[2]))
+            return;
+        const MeVector3 local = {(MeReal)point[0], (MeReal)point[1], (MeReal)point[2]};
+        MeMatrix4TMTransform(ends[e], tm, local);
+    }
+    MeDebugDrawAPI.line(ends[0], ends[1], colour[0], colour[1], colour[2]);
+}
+
+void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldDebugDraw"))
+        return;
+    const McdRGHeightField *f = (const McdRGHeightField *)g;
+    for (int j = 0; j < f->yCount; j++)
+        for (int i = 0; i < f->xCount; i++) {
+            if (i + 1 < f->xCount)
+                drawLine(f, tm, i, j, i + 1, j, colour);
+            if (j + 1 < f->yCount)
+                drawLine(f, tm, i, j, i, j + 1, colour);
+        }
+}
+
+void MEAPI McdRGHeightFieldRegisterType(McdFramework *frame) {
+    McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypeRGHeightField, McdRGHeightFieldGetTypeName(0),
+                                     McdRGHeightFieldDestroy, McdRGHeightFieldUpdateAABB, McdRGHeightFieldGetBSphere,
+                                     McdRGHeightFieldMaximumPoint, McdRGHeightFieldGetMassProperties,
+                                     McdRGHeightFieldDebugDraw);
+}
+
+/* ---- interactions ----------------------------------------------------------------------------------------------------- */
+
+/* Cells whose corners touch the box count too: their triangles are neighbours. */
+static void gather(McdMeshQuery *q) {
+    const McdRGHeightField *f = (const McdRGHeightField *)mcd_record(q->pair->model2)->instance.geometry;
+    const double x0 = (double)f->x0, y0 = (double)f->y0, dx = (double)f->xStep, dy = (double)f->yStep;
+    const int i0 = cellAt(q->low[0] - 1e-6 * dx, x0, dx, f->xCount);
+    const int i1 = cellAt(q->high[0] + 1e-6 * dx, x0, dx, f->xCount);
+    const int j0 = cellAt(q->low[1] - 1e-6 * dy, y0, dy, f->yCount);
+    const int j1 = cellAt(q->high[1] + 1e-6 * dy, y0, dy, f->yCount);
+    for (int j = j0; j <= j1; j++)
+        for (int i = i0; i <= i1; i++)
+            for (int half = 0; half < 2; half++) {
+                double corner[3][3];
+                triangleOf(f, i, j, half, corner);
+                if (isfinite(corner[0][2] + corner[1][2] + corner[2][2]))
+                    mcd_meshAdd(q, (const double(*)[3])corner, 0,
+                                kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges, elementOf(f, i, j, half));
+            }
+}
+
+static int intersect(McdModelPair *p, McdIntersectResult *result) {
+    McdRGHeightField *f = (McdRGHeightField *)mcd_record(p->model2)->instance.geometry;
+    if (!mcd_geometryIs(&f->head, kMcdGeometryTypeRGHeightField, "Mcd...RGHeightFieldIntersect"))
+        return 0;
+    return mcd_meshIntersect(p, result, &f->mesh, gather);
+}
+
+static MeBool registerInteraction(McdFramework *frame, McdGeometryType type, McdIntersectFn function) {
+    McdInteractions interactions = {0, 0, function, 0};
+    McdFrameworkSetInteractions(frame, type, kMcdGeometryTypeRGHeightField, &interactions);
+    return frame != 0;
+}
+
+#define INTERACTION(shape)                                                                                             \
+    int MEAPI Mcd##shape##RGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result) {                        \
+        return intersect(p, result);                                                                                   \
+    }                                                                                                                  \
+    MeBool MEAPI Mcd##shape##RGHeightFieldRegisterInteraction(McdFramework *frame) {                                   \
+        return registerInteraction(frame, kMcdGeometryType##shape, Mcd##shape##RGHeightFieldIntersect);                \
+    }
+INTERACTION(Sphere)
+INTERACTION(Box)
+INTERACTION(Cylinder)
+INTERACTION(Sphyl)
+INTERACTION(ConvexMesh)
+INTERACTION(Cone)
+
+/* ---- line segments ------------------------------------------------------------------------------------------------------- */
+
+/* Tests both triangles of a cell. */
+static MeBool meetCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3], double *part,
+                       double normal[3]) {
+    MeBool isHit = MEFALSE;
+    for (int half = 0; half < 2; half++) {
+        double corner[3][3], own[3], here, hit[3];
+        triangleOf(f, i, j, half, corner);
+        if (mcd_triangleNormal((const double(*)[3])corner, 0, own) &&
+            mcd_segmentTriangle((const double(*)[3])corner, own, MEFALSE, from, to, &here, hit) &&
+            (!isHit || here < *part)) {
+            *part = here;
+            memcpy(normal, hit, 3 * sizeof *normal);
+            isHit = METRUE;
+        }
+    }
+    return isHit;
+}
+
+/* The part of the segment within the grid's rectangle, as [*enter, *leave] of 0 .. 1; false if there is none. */
+static MeBool clipToGrid(const McdRGHeightField *f, const double from[3], const double to[3], double *enter,
+                         double *leave) {
+    const double low[2] = {(double)f->x0, (double)f->y0};
+    const double high[2] = {low[0] + (f->xCount - 1) * (double)f->xStep, low[1] + (f->yCount - 1) * (double)f->yStep};
+    *enter = 0;
+    *leave = 1;
+    for (int k = 0; k < 2; k++) {
+        const double along = to[k] - from[k];
+        if (along == 0) {
+            if (from[k] < low[k] || from[k] > high[k])
+                return MEFALSE;
+            continue;
+        }
+        const double a = (low[k] - from[k]) / along, b = (high[k] - from[k]) / along;
+        *enter = fmax(*enter, fmin(a, b));
+        *leave = fmin(*leave, fmax(a, b));
+    }
+    return *enter <= *leave;
+}
+
+/* Where the segment leaves cell c of an axis. */
+static double exitOf(double x, double along, double x0, double step, int c) {
+    return along == 0 ? INFINITY : (x0 + (c + (along > 0)) * step - x) / along;
+}
+
+/* Cell by cell along the segment. Where it runs along a line of the grid, rounding must not let it slip through: the
+ * cells beside are tested as well. */
+static MeBool walk(const McdRGHeightField *f, const double from[3], const double to[3], double *part,
+                   double normal[3]) {
+    const double origin[2] = {(double)f->x0, (double)f->y0}, step[2] = {(double)f->xStep, (double)f->yStep};
+    const int points[2] = {f->xCount, f->yCount};
+    double enter, leave;
+    int cell[2];
+    if (!clipToGrid(f, from, to, &enter, &leave))
+        return MEFALSE;
+    for (int k = 0; k < 2; k++)
+        cell[k] = cellAt(from[k] + enter * (to[k] - from[k]), origin[k], step[k], points[k]);
+    for (;;) {
+        MeBool isHit = MEFALSE;
+        for (int beside = 0; beside < 9; beside++) {
+            const int i = cell[0] + beside % 3 - 1, j = cell[1] + beside / 3 - 1;
+            double here = 0, hit[3];
+            if (i < 0 || j < 0 || i > points[0] - 2 || j > points[1] - 2 || !meetCell(f, i, j, from, to, &here, hit) ||
+                (isHit && here >= *part))
+                continue;
+            isHit = METRUE;
+            *part = here;
+            memcpy(normal, hit, 3 * sizeof *normal);
+        }
+        if (isHit)
+            return METRUE;
+        double next[2];
+        for (int k = 0; k < 2; k++)
+            next[k] = exitOf(from[k], to[k] - from[k], origin[k], step[k], cell[k]);
+        const int k = next[1] < next[0];
+        cell[k] += to[k] > from[k] ? 1 : -1;
+        if (next[k] > leave || cell[k] < 0 || cell[k] > points[k] - 2)
+            return MEFALSE;
+    }
+}
+
+static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                             McdLineSegIntersectResult *outOverlap) {
+    const McdGeometryInstance *ins = &mcd_record(cm)->instance;
+    double from[3], to[3], part, normal[3];
+    mcd_toLocal(ins->tm, inOrig, from);
+    mcd_toLocal(ins->tm, inDest, to);
+    return walk((const McdRGHeightField *)ins->geometry, from, to, &part, normal) &&
+           mcd_segmentHit(ins->tm, inOrig, inDest, part, normal, outOverlap);
+}
+
+void MEAPI McdRGHeightFieldLineSegmentRegisterInteraction(McdFramework *frame) {
+    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeRGHeightField, meetSegment);
+}

@@ -1,0 +1,824 @@
+/* Spaces: change blocks, models and their boxes, handing over pairs. Which pairs there are is found in mcd_pairs.c. */
+#include "mcd_space_i.h"
+#include <string.h>
+
+const int McdXAxis = 1, McdYAxis = 2, McdZAxis = 4, McdAllAxes = 7;
+
+/* ---- checks ------------------------------------------------------------------------------------------------------ */
+
+MeBool mcd_spaceCheck(McdSpaceID s, const char *function) {
+    if (s && s->magic == MCD_SPACE)
+        return METRUE;
+    MeWarning(1, "%s: %p is no space", function, (void *)s);
+    return MEFALSE;
+}
+
+/* A space inside a change block. */
+static MeBool checkInside(McdSpaceID s, const char *function) {
+    if (!mcd_spaceCheck(s, function))
+        return MEFALSE;
+    if (!s->isChanging)
+        MeWarning(1, "%s: legal only inside a change block: see McdSpaceBeginChanges", function);
+    return s->isChanging;
+}
+
+static void endBlock(McdSpace *s) {
+    mcd_pairsEnd(s);
+    s->isChanging = s->isFirstBlock = s->isUpdated = MEFALSE;
+    s->step++;
+    McdSpacePairIteratorBegin(s, &s->own);
+}
+
+static void beginBlock(McdSpace *s) {
+    s->isChanging = METRUE;
+    mcd_pairsBegin(s);
+}
+
+MeBool mcd_spaceIsReady(McdSpaceID s, const char *function) {
+    if (!mcd_spaceCheck(s, function))
+        return MEFALSE;
+    if (s->isFirstBlock && s->isUpdated)
+        endBlock(s);
+    if (s->isChanging)
+        MeWarning(1, "%s: legal only outside change blocks: see McdSpaceEndChanges", function);
+    return !s->isChanging;
+}
+
+/* The proxy of a model that is in a space. */
+static McdProxy *proxyOf(McdModelID cm, const char *function) {
+    McdModelRecord *m = mcd_modelCheck(cm, function);
+    if (m && !m->space)
+        MeWarning(1, "%s: the model is in no space", function);
+    return m && m->space ? m->proxy : 0;
+}
+
+static int indexOf(const McdSpace *s, const McdProxy *p) {
+    return (int)(p - s->proxy);
+}
+
+/* ---- life -------------------------------------------------------------------------------------------------------- */
+
+static void *createArray(int count, size_t size) {
+    void *array = MeMemoryAPI.create((size_t)count * size);
+    if (array)
+        memset(array, 0, (size_t)count * size);
+    return array;
+}
+
+static void freeSpace(McdSpace *s) {
+    mcd_pairsDestroy(s);
+    if (s->tree)
+        mcd_treeDestroy(s->tree);
+    MeMemoryAPI.destroy(s->proxy);
+    MeMemoryAPI.destroy(s->dirty);
+    MeMemoryAPI.destroy(s->unbounded);
+    s->magic = 0;
+    MeMemoryAPI.destroy(s);
+}
+
+static MeBool checkSizes(McdFrameworkID frame, int axes, int objectCount, int pairCount) {
+    if ((size_t)frame <= (size_t)McdAllAxes && frame) {
+        MeWarning(1,
+                  "McdSpaceAxisSortCreate: the framework is %d: the arguments are framework, axes, objectCount, "
+                  "pairCount; Karma 1.0's form had no framework",
+                  (int)(size_t)frame);
+        return MEFALSE;
+    }
+    if (!mcd_frameCheck(frame, "McdSpaceAxisSortCreate"))
+        return MEFALSE;
+    if (axes < 1 || axes > McdAllAxes)
+        MeWarning(1, "McdSpaceAxisSortCreate: axes is %d: a sum of McdXAxis, McdYAxis, McdZAxis", axes);
+    else if (objectCount < 1)
+        MeWarning(1, "McdSpaceAxisSortCreate: objectCount is %d: it must be 1 or more", objectCount);
+    else if (pairCount < 1)
+        MeWarning(1, "McdSpaceAxisSortCreate: pairCount is %d: it must be 1 or more", pairCount);
+    else
+        return METRUE;
+    return MEFALSE;
+}
+
+static McdSpace *makeSpace(int objectCount) {
+    McdSpace *s = createArray(1, sizeof *s);
+    if (!s)
+        return 0;
+    s->proxy = createArray(objectCount, sizeof *s->proxy);
+    s->dirty = createArray(objectCount, sizeof *s->dirty);
+    s->unbounded = createArray(objectCount, sizeof *s->unbounded);
+    s->tree = mcd_treeCreate();
+    if (s->proxy && s->dirty && s->unbounded && s->tree)
+        return s;
+    freeSpace(s);
+    return 0;
+}
+
+static void releaseModel(McdSpace *s, McdProxy *p);
+
+/* What the framework calls for a model that goes with it. */
+static void forget(McdModelID cm) {
+    McdModelRecord *m = mcd_record(cm);
+    McdProxy *p = m->proxy;
+    if (!m->space)
+        return;
+    mcd_pairsEraseProxy(m->space, indexOf(m->space, p));
+    releaseModel(m->space, p);
+}
+
+McdSpaceID MEAPI McdSpaceAxisSortCreate(McdFrameworkID framework, int axes, int objectCount, int pairCount) {
+    if (!checkSizes(framework, axes, objectCount, pairCount))
+        return 0;
+    McdSpace *s = makeSpace(objectCount);
+    if (!s) {
+        MeFatalError(1, "McdSpaceAxisSortCreate: no memory");
+        return 0;
+    }
+    s->magic = MCD_SPACE;
+    s->frame = framework;
+    s->axes = axes;
+    s->objectMax = objectCount;
+    s->pairMax = pairCount;
+    s->isChanging = s->isFirstBlock = METRUE;
+    s->step = MCD_SPACE; /* a number that an iterator which was never set will hardly have */
+    s->firstProxy = s->lastProxy = s->freeLink = MCD_NONE;
+    for (int i = 0; i < objectCount; i++)
+        s->proxy[i].next = i + 1 < objectCount ? i + 1 : MCD_NONE;
+    mcd_spaceForget = forget;
+    framework->spaceCount++;
+    return s;
+}
+
+void MEAPI McdSpaceDestroy(McdSpaceID s) {
+    if (!s || !mcd_spaceCheck(s, "McdSpaceDestroy"))
+        return;
+    while (s->firstProxy != MCD_NONE)
+        forget(&s->proxy[s->firstProxy].model->model);
+    s->frame->spaceCount--;
+    freeSpace(s);
+}
+
+void MEAPI McdSpaceBuild(McdSpaceID s) {
+    if (mcd_spaceCheck(s, "McdSpaceBuild"))
+        mcd_treeBalance(s->tree);
+}
+
+void MEAPI McdSpaceSetUserData(McdSpaceID s, void *data) {
+    if (mcd_spaceCheck(s, "McdSpaceSetUserData"))
+        s->userData = data;
+}
+
+void *MEAPI McdSpaceGetUserData(McdSpaceID s) {
+    return mcd_spaceCheck(s, "McdSpaceGetUserData") ? s->userData : 0;
+}
+
+void MEAPI McdSpaceSetPoolFullHandler(McdSpaceID space, McdSpacePoolErrorFnPtr handler) {
+    if (mcd_spaceCheck(space, "McdSpaceSetPoolFullHandler"))
+        space->poolFull = handler;
+}
+
+McdSpacePoolErrorFnPtr MEAPI McdSpaceGetPoolFullHandler(McdSpaceID space) {
+    return mcd_spaceCheck(space, "McdSpaceGetPoolFullHandler") ? space->poolFull : 0;
+}
+
+/* ---- change blocks ----------------------------------------------------------------------------------------------- */
+
+void MEAPI McdSpaceBeginChanges(McdSpaceID space) {
+    if (mcd_spaceIsReady(space, "McdSpaceBeginChanges"))
+        beginBlock(space);
+}
+
+void MEAPI McdSpaceEndChanges(McdSpaceID space) {
+    if (checkInside(space, "McdSpaceEndChanges"))
+        endBlock(space);
+}
+
+int MEAPI McdSpaceIsChanging(McdSpaceID space) {
+    return mcd_spaceCheck(space, "McdSpaceIsChanging") && space->isChanging;
+}
+
+/* ---- boxes ------------------------------------------------------------------------------------------------------- */
+
+static float outward(double x, double side) {
+    const double cut = x > MCD_TREE_REACH ? MCD_TREE_REACH : x < -MCD_TREE_REACH ? -MCD_TREE_REACH : x;
+    const float f = (float)cut;
+    return side * ((double)f - cut) >= 0 ? f : nextafterf(f, side > 0 ? INFINITY : -INFINITY);
+}
+
+void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box) {
+    for (int i = 0; i < 3; i++) {
+        box->min[i] = outward(min[i], -1);
+        box->max[i] = outward(max[i], 1);
+    }
+}
+
+static double largestSide(const McdProxy *p) {
+    const double x = (double)p->max[0] - (double)p->min[0], y = (double)p->max[1] - (double)p->min[1];
+    return fmax(fmax(x, y), (double)p->max[2] - (double)p->min[2]);
+}
+
+static MeBool isWithoutBounds(const McdProxy *p) {
+    return !(largestSide(p) < 1e-6 * MCD_TREE_REACH);
+}
+
+/* What the fat box is measured by: the model's size, or, where that is without bounds, that of a medium-sized one. */
+static double sizeOf(const McdProxy *p) {
+    return isWithoutBounds(p) ? (double)p->model->frame->lengthScale : largestSide(p);
+}
+
+/* How far the fat box is from the exact one, beside what is for the motion and for rounding. */
+static double fatMargin(const McdProxy *p, double size) {
+    return .1 * size + 1.0001 * (double)p->tolerance;
+}
+
+/* The model will move on as it moved in the last step: where it will be in four more is in, but not more than twice
+ * its size. */
+static void fatten(McdProxy *p, const double moved[3]) {
+    const double size = sizeOf(p), margin = fatMargin(p, size), rounding = 4 * (double)ME_EPSILON;
+    double min[3], max[3];
+    for (int i = 0; i < 3; i++) {
+        const double ahead = fmax(-2 * size, fmin(4 * moved[i], 2 * size));
+        const double low = (double)p->min[i], high = (double)p->max[i];
+        min[i] = low - rounding * fabs(low) - margin + fmin(ahead, 0);
+        max[i] = high + rounding * fabs(high) + margin + fmax(ahead, 0);
+    }
+    mcd_treeBox(min, max, &p->fat);
+}
+
+/* Is the exact box, grown by the tolerance, still in the fat one, and the fat one not far too large for it? */
+static MeBool isFatBoxGood(const McdProxy *p) {
+    const double size = sizeOf(p), tolerance = 1.00001 * (double)p->tolerance;
+    const double most = isWithoutBounds(p) ? INFINITY : 4 * (size + 2 * fatMargin(p, size));
+    for (int i = 0; i < 3; i++) {
+        const double low = (double)p->fat.min[i], high = (double)p->fat.max[i];
+        if (fmax((double)p->min[i] - tolerance, -MCD_TREE_REACH) < low ||
+            fmin((double)p->max[i] + tolerance, MCD_TREE_REACH) > high || high - low > most)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+static void dropUnbounded(McdSpace *s, McdProxy *p) {
+    int at = 0;
+    if (!p->isUnbounded)
+        return;
+    while (s->unbounded[at] != indexOf(s, p))
+        at++;
+    memmove(s->unbounded + at, s->unbounded + at + 1, (size_t)(--s->unboundedCount - at) * sizeof *s->unbounded);
+    p->isUnbounded = MEFALSE;
+}
+
+static void dropLeaf(McdSpace *s, McdProxy *p) {
+    if (p->leaf)
+        mcd_treeRemove(s->tree, p->leaf);
+    p->leaf = 0;
+}
+
+/* A box without bounds would spoil the tree: there are few of them, and they are asked one by one. */
+static void putUnbounded(McdSpace *s, McdProxy *p) {
+    dropLeaf(s, p);
+    if (!p->isUnbounded)
+        s->unbounded[s->unboundedCount++] = indexOf(s, p);
+    p->isUnbounded = METRUE;
+}
+
+static void putInTree(McdSpace *s, McdProxy *p) {
+    dropUnbounded(s, p);
+    if (p->leaf)
+        mcd_treeMove(s->tree, p->leaf, &p->fat);
+    else
+        p->leaf = mcd_treeInsert(s->tree, &p->fat, indexOf(s, p));
+    if (!p->leaf) {
+        MeFatalError(1, "McdSpaceUpdateModel: no memory for the tree of boxes");
+        putUnbounded(s, p); /* slower, and right */
+    }
+}
+
+/* Takes the model's box over. */
+static void takeBox(McdSpace *s, McdProxy *p) {
+    const McdModelRecord *m = p->model;
+    double moved[3] = {0, 0, 0};
+    MeBool isSame = p->hasBox && p->tolerance == m->tolerance;
+    for (int i = 0; i < 3; i++) {
+        isSame = isSame && p->min[i] == m->instance.min[i] && p->max[i] == m->instance.max[i];
+        if (p->hasBox)
+            moved[i] = (double)m->instance.min[i] - (double)p->min[i];
+    }
+    if (isSame)
+        return;
+    MeVector3Copy(p->min, m->instance.min);
+    MeVector3Copy(p->max, m->instance.max);
+    p->tolerance = m->tolerance;
+    mcd_proxyTouch(s, indexOf(s, p));
+    const MeBool hadBox = p->hasBox;
+    p->hasBox = METRUE;
+    if (hadBox && isFatBoxGood(p))
+        return;
+    fatten(p, moved);
+    p->isMoved = METRUE;
+    if (isWithoutBounds(p))
+        putUnbounded(s, p);
+    else
+        putInTree(s, p);
+}
+
+static MeBool isBox(const McdModelRecord *m) {
+    for (int i = 0; i < 3; i++)
+        if (!(m->instance.min[i] <= m->instance.max[i]))
+            return MEFALSE;
+    return METRUE;
+}
+
+static void warnOfTransform(McdProxy *p, const char *what) {
+    if (!p->isWarned)
+        MeWarning(1, "McdSpaceUpdateModel: a model's transform %s; it keeps its old box", what);
+    p->isWarned = METRUE;
+}
+
+static void updateBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
+    if (s->update)
+        s->update(&m->model, duration);
+    else if (m->isSwept && duration != 0)
+        McdModelUpdatePath(&m->model, duration);
+    else
+        McdModelUpdate(&m->model);
+}
+
+/* With the warning that belongs to it, where a transform is bad. */
+static void updateProxy(McdSpace *s, McdProxy *p, MeReal duration) {
+    McdModelRecord *m = p->model;
+    if (!m->instance.tm && !m->update && !s->update) {
+        warnOfTransform(p, "is not set");
+        return;
+    }
+    updateBox(s, m, duration);
+    if (!m->instance.tm || !mcd_modelIsPlaced(m) || !isBox(m)) {
+        warnOfTransform(p, m->instance.tm ? "or box is not finite" : "is not set");
+        MeVector3Copy(m->instance.min, p->min);
+        MeVector3Copy(m->instance.max, p->max);
+        return;
+    }
+    p->isWarned = MEFALSE;
+    takeBox(s, p);
+}
+
+/* ---- updating ---------------------------------------------------------------------------------------------------- */
+
+static void updateAll(McdSpace *s, MeReal duration) {
+    const MeBool isAlone = !s->isChanging;
+    const int before = s->proxyCount;
+    if (isAlone)
+        beginBlock(s);
+    for (int i = s->firstProxy; i != MCD_NONE; i = s->proxy[i].next)
+        if (!s->proxy[i].isFrozen)
+            updateProxy(s, &s->proxy[i], duration);
+    MEASSERT(before == s->proxyCount); /* no callback changes which models there are */
+    (void)before;
+    s->isUpdated = METRUE;
+    if (isAlone)
+        endBlock(s);
+}
+
+void MEAPI McdSpaceUpdateAll(McdSpaceID s) {
+    if (mcd_spaceCheck(s, "McdSpaceUpdateAll"))
+        updateAll(s, 0);
+}
+
+void MEAPI McdSpacePathUpdateAll(McdSpaceID s, MeReal duration) {
+    if (!mcd_spaceCheck(s, "McdSpacePathUpdateAll"))
+        return;
+    if (!(duration >= 0) || !MeRealIsValid(duration)) {
+        MeWarning(1, "McdSpacePathUpdateAll: duration is %g: it must be >= 0", (double)duration);
+        duration = 0;
+    }
+    updateAll(s, duration);
+}
+
+void MEAPI McdSpaceUpdateModels(McdSpaceID s) {
+    if (checkInside(s, "McdSpaceUpdateModels"))
+        updateAll(s, 0);
+}
+
+void MEAPI McdSpaceUpdateModel(McdModelID cm) {
+    McdProxy *p = proxyOf(cm, "McdSpaceUpdateModel");
+    if (!p || !checkInside(p->model->space, "McdSpaceUpdateModel"))
+        return;
+    if (p->isFrozen)
+        MeWarning(1, "McdSpaceUpdateModel: the model is frozen: see McdSpaceUnfreezeModel");
+    else
+        updateProxy(p->model->space, p, 0);
+}
+
+void MEAPI McdSpaceSetAABBFn(McdSpaceID s, McdSpaceUpdateAABBFnPtr updateAABBFn) {
+    if (mcd_spaceIsReady(s, "McdSpaceSetAABBFn"))
+        s->update = updateAABBFn;
+}
+
+static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
+    McdProxy *p = proxyOf(cm, function);
+    if (!p)
+        return MEFALSE;
+    if (p->isFrozen == isFrozen)
+        return METRUE;
+    p->isFrozen = isFrozen;
+    if (!isFrozen)
+        p->isMoved = METRUE; /* links between frozen models were not kept */
+    mcd_proxyTouch(p->model->space, indexOf(p->model->space, p));
+    return METRUE;
+}
+
+MeBool MEAPI McdSpaceFreezeModel(McdModelID cm) {
+    return setFrozen(cm, METRUE, "McdSpaceFreezeModel");
+}
+
+MeBool MEAPI McdSpaceUnfreezeModel(McdModelID cm) {
+    return setFrozen(cm, MEFALSE, "McdSpaceUnfreezeModel");
+}
+
+MeBool MEAPI McdSpaceModelIsFrozen(McdModelID cm) {
+    const McdProxy *p = proxyOf(cm, "McdSpaceModelIsFrozen");
+    return p && p->isFrozen;
+}
+
+MeBool MEAPI McdSpaceIsFrozen(McdModelID cm) {
+    return McdSpaceModelIsFrozen(cm);
+}
+
+/* ---- models ------------------------------------------------------------------------------------------------------ */
+
+static MeBool canInsert(McdSpaceID s, McdModelID cm, const char *function) {
+    if (!checkInside(s, function) || !mcd_modelCheck(cm, function))
+        return MEFALSE;
+    if (mcd_record(cm)->space)
+        MeWarning(1, "%s: the model is in a space already", function);
+    else if (mcd_record(cm)->frame != s->frame)
+        MeWarning(1, "%s: the model belongs to another framework", function);
+    else if (s->proxyCount == s->objectMax)
+        MeWarning(1, "%s: there are %d models already: raise McdSpaceAxisSortCreate's objectCount", function,
+                  s->objectMax);
+    else
+        return METRUE;
+    return MEFALSE;
+}
+
+static McdProxy *takeProxy(McdSpace *s) {
+    const int i = s->freeProxy;
+    McdProxy *p = &s->proxy[i];
+    s->freeProxy = p->next;
+    s->proxyCount++;
+    memset(p, 0, sizeof *p);
+    p->firstLink = p->next = MCD_NONE;
+    p->previous = s->lastProxy;
+    *(p->previous == MCD_NONE ? &s->firstProxy : &s->proxy[p->previous].next) = i;
+    s->lastProxy = i;
+    return p;
+}
+
+/* Of a model without links. */
+static void releaseModel(McdSpace *s, McdProxy *p) {
+    dropLeaf(s, p);
+    dropUnbounded(s, p);
+    p->model->space = 0;
+    p->model->proxy = 0;
+    p->model = 0;
+    *(p->previous == MCD_NONE ? &s->firstProxy : &s->proxy[p->previous].next) = p->next;
+    *(p->next == MCD_NONE ? &s->lastProxy : &s->proxy[p->next].previous) = p->previous;
+    p->next = s->freeProxy;
+    s->freeProxy = indexOf(s, p);
+    s->proxyCount--;
+}
+
+/* A model that was never updated has a box of zeros. */
+static MeBool wasUpdated(const McdModelRecord *m) {
+    static const MeVector3 zero = {0, 0, 0};
+    return isBox(m) && (memcmp(m->instance.min, zero, sizeof zero) || memcmp(m->instance.max, zero, sizeof zero));
+}
+
+static void insert(McdSpace *s, McdModelRecord *m) {
+    McdProxy *p = takeProxy(s);
+    p->model = m;
+    p->order = (MeU64)(MeU16)m->sortKey << 48 | ((MeU64)m->serial & 0xffffffffffffull);
+    m->space = s;
+    m->proxy = p;
+    if (wasUpdated(m))
+        takeBox(s, p);
+}
+
+MeBool MEAPI McdSpaceInsertModel(McdSpaceID s, McdModelID cm) {
+    const MeBool isGood = canInsert(s, cm, "McdSpaceInsertModel");
+    if (isGood)
+        insert(s, mcd_record(cm));
+    return isGood;
+}
+
+static void setCulling(McdSpace *s, McdProxy *p, McdCullingTable *table, int index, int id, const char *function) {
+    if (table && (index < 0 || index >= McdCullingTableGetSize(table))) {
+        MeWarning(1, "%s: cullingIndex is %d: the table is for 0 .. %d", function, index,
+                  McdCullingTableGetSize(table) - 1);
+        return;
+    }
+    p->table = table;
+    p->cullingIndex = index;
+    p->cullingID = id;
+    mcd_proxyTouch(s, indexOf(s, p));
+}
+
+MeBool MEAPI McdSpaceInsertModelWithCulling(McdSpaceID s, McdModelID cm, McdCullingTable *table, int cullingIndex,
+                                            int cullingID) {
+    if (!canInsert(s, cm, "McdSpaceInsertModelWithCulling"))
+        return MEFALSE;
+    insert(s, mcd_record(cm));
+    setCulling(s, mcd_record(cm)->proxy, table, cullingIndex, cullingID, "McdSpaceInsertModelWithCulling");
+    return METRUE;
+}
+
+MeBool MEAPI McdSpaceRemoveModel(McdModelID cm) {
+    McdProxy *p = proxyOf(cm, "McdSpaceRemoveModel");
+    if (!p || !checkInside(p->model->space, "McdSpaceRemoveModel"))
+        return MEFALSE;
+    McdSpace *s = p->model->space;
+    mcd_pairsForgetProxy(s, indexOf(s, p));
+    releaseModel(s, p);
+    return METRUE;
+}
+
+int MEAPI McdSpaceGetModelCount(McdSpaceID space) {
+    return mcd_spaceCheck(space, "McdSpaceGetModelCount") ? space->proxyCount : 0;
+}
+
+static McdModelID modelAt(const McdSpace *s, int proxy) {
+    return proxy == MCD_NONE ? 0 : &s->proxy[proxy].model->model;
+}
+
+void MEAPI McdSpaceModelIteratorBegin(McdSpaceID s, McdSpaceModelIterator *it) {
+    if (!it)
+        MeWarning(1, "McdSpaceModelIteratorBegin: no iterator");
+    else
+        it->next = mcd_spaceCheck(s, "McdSpaceModelIteratorBegin") ? modelAt(s, s->firstProxy) : 0;
+}
+
+MeBool MEAPI McdSpaceGetModel(McdSpaceID s, McdSpaceModelIterator *it, McdModelID *cm) {
+    if (!mcd_spaceCheck(s, "McdSpaceGetModel") || !it || !cm) {
+        if (!it || !cm)
+            MeWarning(1, "McdSpaceGetModel: no iterator, or no place for the model");
+        return MEFALSE;
+    }
+    *cm = it->next && mcd_record(it->next)->space == s ? it->next : 0;
+    it->next = *cm ? modelAt(s, ((const McdProxy *)mcd_record(*cm)->proxy)->next) : 0;
+    return *cm != 0;
+}
+
+/* ---- pairs that never collide ------------------------------------------------------------------------------------ */
+
+/* The proxies of two different models in the same space. */
+static MeBool proxiesOf(McdModelID cm1, McdModelID cm2, McdProxy **p1, McdProxy **p2, const char *function) {
+    *p1 = proxyOf(cm1, function);
+    *p2 = *p1 ? proxyOf(cm2, function) : 0;
+    if (!*p2)
+        return MEFALSE;
+    if (cm1 != cm2 && (*p1)->model->space == (*p2)->model->space)
+        return METRUE;
+    MeWarning(1, "%s: it must be two models of one space", function);
+    return MEFALSE;
+}
+
+MeBool MEAPI McdSpaceDisablePair(McdModelID cm1, McdModelID cm2) {
+    McdProxy *a, *b;
+    if (!proxiesOf(cm1, cm2, &a, &b, "McdSpaceDisablePair") || !checkInside(a->model->space, "McdSpaceDisablePair"))
+        return MEFALSE;
+    return mcd_pairsDisable(a->model->space, indexOf(a->model->space, a), indexOf(a->model->space, b));
+}
+
+MeBool MEAPI McdSpaceEnablePair(McdModelID cm1, McdModelID cm2) {
+    McdProxy *a, *b;
+    if (!proxiesOf(cm1, cm2, &a, &b, "McdSpaceEnablePair") || !checkInside(a->model->space, "McdSpaceEnablePair"))
+        return MEFALSE;
+    mcd_pairsEnable(a->model->space, indexOf(a->model->space, a), indexOf(a->model->space, b));
+    return METRUE;
+}
+
+MeBool MEAPI McdSpacePairIsEnabled(McdModelID cm1, McdModelID cm2) {
+    McdProxy *a, *b;
+    return proxiesOf(cm1, cm2, &a, &b, "McdSpacePairIsEnabled") &&
+           mcd_pairsAreEnabled(a->model->space, indexOf(a->model->space, a), indexOf(a->model->space, b));
+}
+
+void MEAPI McdSpaceSetModelCullingParameters(McdSpaceID s, McdModelID cm, McdCullingTable *table, int cullingIndex,
+                                             int cullingID) {
+    McdProxy *p = proxyOf(cm, "McdSpaceSetModelCullingParameters");
+    if (!p || !checkInside(s, "McdSpaceSetModelCullingParameters"))
+        return;
+    if (p->model->space != s)
+        MeWarning(1, "McdSpaceSetModelCullingParameters: the model is in another space");
+    else
+        setCulling(s, p, table, cullingIndex, cullingID, "McdSpaceSetModelCullingParameters");
+}
+
+/* ---- handing over pairs ------------------------------------------------------------------------------------------ */
+
+void MEAPI McdSpacePairIteratorBegin(McdSpaceID s, McdSpacePairIterator *iter) {
+    if (!iter) {
+        MeWarning(1, "McdSpacePairIteratorBegin: no iterator");
+        return;
+    }
+    memset(iter, 0, sizeof *iter);
+    if (mcd_spaceIsReady(s, "McdSpacePairIteratorBegin"))
+        iter->step = s->step;
+}
+
+static int min(int a, int b) {
+    return a < b ? a : b;
+}
+
+static int max(int a, int b) {
+    return a > b ? a : b;
+}
+
+/* Copies count pairs of a list from *from on to array[at]. */
+static void copyPairs(McdModelPairContainer *c, int at, const McdPairList *list, int *from, int count) {
+    for (int i = 0; i < count; i++)
+        c->array[at + i] = &list->entry[*from + i].record->pair;
+    *from += count;
+}
+
+/* Goodbye and hello pairs share the front, staying pairs have the back; the middle is where all fit, or half-way. */
+static int fill(const McdSpace *s, McdSpacePairIterator *it, McdModelPairContainer *c, MeBool withStaying) {
+    const int goodbye = s->goodbye.count - it->goodbye, hello = s->hello.count - it->hello;
+    const int staying = withStaying ? s->staying.count - it->staying : 0;
+    const int middle = min(goodbye + hello, max((c->size + 1) / 2, c->size - staying));
+    c->goodbyeEnd = min(goodbye, middle);
+    c->helloEnd = c->stayingFirst = middle;
+    c->helloFirst = middle - min(hello, middle - c->goodbyeEnd);
+    c->stayingEnd = middle + min(staying, c->size - middle);
+    copyPairs(c, 0, &s->goodbye, &it->goodbye, c->goodbyeEnd);
+    copyPairs(c, c->helloFirst, &s->hello, &it->hello, middle - c->helloFirst);
+    copyPairs(c, middle, &s->staying, &it->staying, c->stayingEnd - middle);
+    return it->goodbye < s->goodbye.count || it->hello < s->hello.count ||
+           (withStaying && it->staying < s->staying.count);
+}
+
+static int getPairs(McdSpaceID s, McdSpacePairIterator *it, McdModelPairContainer *c, MeBool withStaying,
+                    const char *function) {
+    if (c && c->array && c->size > 0)
+        McdModelPairContainerReset(c);
+    if (!mcd_spaceIsReady(s, function))
+        return 0;
+    if (!it || !c || !c->array || c->size < 1) {
+        MeWarning(1, "%s: no iterator, or no container", function);
+        return 0;
+    }
+    if (it->step != s->step) {
+        MeWarning(1, "%s: the iterator is of another step: see McdSpacePairIteratorBegin", function);
+        return 0;
+    }
+    mcd_pairsTidy(s);
+    return fill(s, it, c, withStaying);
+}
+
+int MEAPI(McdSpaceGetPairs)(McdSpaceID s, McdSpacePairIterator *iter, McdModelPairContainer *c) {
+    return getPairs(s, iter, c, METRUE, "McdSpaceGetPairs");
+}
+
+int MEAPI(McdSpaceGetTransitions)(McdSpaceID s, McdSpacePairIterator *iter, McdModelPairContainer *c) {
+    return getPairs(s, iter, c, MEFALSE, "McdSpaceGetTransitions");
+}
+
+/* With the space's own iterator, which begins again when all was handed over. */
+static int getNext(McdSpaceID s, McdModelPairContainer *c, MeBool withStaying, const char *function) {
+    if (!mcd_spaceIsReady(s, function))
+        return 0;
+    const int isMore = getPairs(s, &s->own, c, withStaying, function);
+    if (!isMore)
+        McdSpacePairIteratorBegin(s, &s->own);
+    return isMore;
+}
+
+int MEAPI McdSpaceGetNextPairs(McdSpaceID s, McdModelPairContainer *c) {
+    return getNext(s, c, METRUE, "McdSpaceGetPairs");
+}
+
+int MEAPI McdSpaceGetNextTransitions(McdSpaceID s, McdModelPairContainer *c) {
+    return getNext(s, c, MEFALSE, "McdSpaceGetTransitions");
+}
+
+/* ---- queries ----------------------------------------------------------------------------------------------------- */
+
+void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3], McdTreeVisit visit, void *context) {
+    McdTreeBox box;
+    mcd_treeBox(min, max, &box);
+    for (int i = 0; i < s->unboundedCount; i++)
+        if (!visit(context, s->unbounded[i]))
+            return;
+    mcd_treeQuery(s->tree, &box, visit, context);
+}
+
+void mcd_spaceCast(const McdSpace *s, const double from[3], const double by[3], const double half[3], double fraction,
+                   McdTreeCastVisit visit, void *context) {
+    for (int i = 0; i < s->unboundedCount; i++)
+        if (mcd_treeCastBox(&s->proxy[s->unbounded[i]].fat, from, by, half, fraction))
+            fraction = visit(context, s->unbounded[i], fraction);
+    mcd_treeCast(s->tree, from, by, half, fraction, visit, context);
+}
+
+typedef struct Segment {
+    const McdSpace *space;
+    MeReal *from, *to;
+    double length;
+    McdLineSegIntersectEnableCallback filter;
+    void *filterData;
+    McdLineSegIntersectResult *list;
+    int count, max;
+} Segment;
+
+/* Is a before b? */
+static MeBool isNearer(const McdLineSegIntersectResult *a, const McdLineSegIntersectResult *b) {
+    return a->distance != b->distance ? a->distance < b->distance
+                                      : mcd_modelPrecedes(mcd_record(a->model), mcd_record(b->model));
+}
+
+static void addHit(Segment *q, const McdLineSegIntersectResult *hit) {
+    if (q->count == q->max && !isNearer(hit, &q->list[q->max - 1]))
+        return;
+    int at = q->count < q->max ? q->count++ : q->max - 1;
+    for (; at > 0 && isNearer(hit, &q->list[at - 1]); at--)
+        q->list[at] = q->list[at - 1];
+    q->list[at] = *hit;
+}
+
+/* How far the segment is of interest: what is not nearer than the last of a full list is not. A little more, for
+ * rounding. */
+static double reach(const Segment *q) {
+    if (q->count < q->max || q->length == 0)
+        return 1;
+    return fmin(1, (double)q->list[q->max - 1].distance / q->length * (1 + 16 * (double)ME_EPSILON) +
+                       16 * (double)ME_EPSILON);
+}
+
+static double meetModel(void *context, int proxy, double fraction) {
+    Segment *q = context;
+    const McdModelID cm = modelAt(q->space, proxy);
+    McdLineSegIntersectResult hit;
+    if (mcd_record(cm)->instance.geometry->type == kMcdGeometryTypeTriangleList ||
+        (q->filter && !q->filter(cm, q->filterData)) || !McdLineSegIntersect(cm, q->from, q->to, &hit))
+        return fraction;
+    hit.model = cm;
+    addHit(q, &hit);
+    return reach(q);
+}
+
+static MeBool checkSegment(McdSpaceID s, const MeReal *from, const MeReal *to, const char *function) {
+    if (!mcd_spaceIsReady(s, function))
+        return MEFALSE;
+    for (int i = 0; from && to && i < 3; i++)
+        if (!MeRealIsValid(from[i]) || !MeRealIsValid(to[i]))
+            from = 0;
+    if (from && to)
+        return METRUE;
+    MeWarning(1, "%s: an end of the segment is null or not finite", function);
+    return MEFALSE;
+}
+
+static int intersect(Segment *q) {
+    const double still[3] = {0, 0, 0};
+    double from[3], by[3];
+    for (int i = 0; i < 3; i++) {
+        from[i] = (double)q->from[i];
+        by[i] = (double)q->to[i] - from[i];
+    }
+    q->length = sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+    mcd_spaceCast(q->space, from, by, still, 1, meetModel, q);
+    return q->count;
+}
+
+static int firstIntersection(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
+                             void *filterData, McdLineSegIntersectResult *result, const char *function) {
+    Segment q = {s, from, to, 0, filter, filterData, result, 0, 1};
+    if (!checkSegment(s, from, to, function))
+        return 0;
+    if (!result) {
+        MeWarning(1, "%s: no place for the result", function);
+        return 0;
+    }
+    return intersect(&q);
+}
+
+int MEAPI McdSpaceGetLineSegFirstIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
+                                              McdLineSegIntersectResult *outResult) {
+    return firstIntersection(space, inOrig, inDest, 0, 0, outResult, "McdSpaceGetLineSegFirstIntersection");
+}
+
+int MEAPI McdSpaceGetLineSegFirstEnabledIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
+                                                     McdLineSegIntersectEnableCallback filterCB, void *filterData,
+                                                     McdLineSegIntersectResult *outResult) {
+    return firstIntersection(space, inOrig, inDest, filterCB, filterData, outResult,
+                             "McdSpaceGetLineSegFirstEnabledIntersection");
+}
+
+int MEAPI McdSpaceGetLineSegIntersections(McdSpaceID space, MeReal *inOrig, MeReal *inDest,
+                                          McdLineSegIntersectResult *outList, int inMaxListSize) {
+    Segment q = {space, inOrig, inDest, 0, 0, 0, outList, 0, inMaxListSize};
+    if (!checkSegment(space, inOrig, inDest, "McdSpaceGetLineSegIntersections"))
+        return 0;
+    if (!outList || inMaxListSize < 1) {
+        MeWarning(1, "McdSpaceGetLineSegIntersections: no place for results");
+        return 0;
+    }
+    return intersect(&q);
+}

@@ -1,0 +1,88 @@
+/* Sphyls: a cylinder about z between two half balls. */
+#include "McdSphyl.h"
+#include "mcd_local.h"
+
+static const McdSphyl *get(const McdGeometry *g) {
+    return (const McdSphyl *)g;
+}
+
+static void support(const McdGeometry *g, const double d[3], double point[3]) {
+    const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    for (int k = 0; k < 3; k++)
+        point[k] = length > 0 ? (double)get(g)->radius * d[k] / length : 0;
+    point[2] += d[2] < 0 ? -(double)get(g)->halfHeight : (double)get(g)->halfHeight;
+}
+
+/* What a line has in common with the sphyl is what it has in common with its three parts. */
+static void clip(const McdGeometry *g, McdClip *c) {
+    const double h = (double)get(g)->halfHeight, low[3] = {0, 0, -h}, high[3] = {0, 0, h};
+    mcd_clipCapsule(c, low, high, (double)get(g)->radius);
+}
+
+MCD_DEFINE_GEOMETRY_TYPE(Sphyl)
+MCD_DEFINE_DESTROY(Sphyl)
+MCD_DEFINE_LINE_SEGMENT(Sphyl)
+
+McdSphylID MEAPI McdSphylCreate(McdFramework *frame, MeReal r, MeReal h) {
+    if (!mcd_sizeIsGood(r, "radius", "McdSphylCreate") || !mcd_sizeIsGood(h, "height", "McdSphylCreate"))
+        return 0;
+    McdSphyl *s = mcd_geometryCreate(frame, kMcdGeometryTypeSphyl, sizeof *s, "McdSphylCreate");
+    if (s) {
+        s->radius = r;
+        s->halfHeight = h / 2;
+    }
+    return (McdSphylID)s;
+}
+
+static MeBool isSphyl(McdGeometryID g, const char *function) {
+    return mcd_geometryIs(g, kMcdGeometryTypeSphyl, function);
+}
+
+MeReal MEAPI McdSphylGetRadius(McdSphylID s) {
+    return isSphyl(s, "McdSphylGetRadius") ? get(s)->radius : 0;
+}
+
+MeReal MEAPI McdSphylGetHeight(McdSphylID s) {
+    return isSphyl(s, "McdSphylGetHeight") ? 2 * get(s)->halfHeight : 0;
+}
+
+void MEAPI McdSphylSetRadius(McdSphylID s, MeReal r) {
+    if (isSphyl(s, "McdSphylSetRadius") && mcd_sizeIsGood(r, "radius", "McdSphylSetRadius"))
+        ((McdSphyl *)s)->radius = r;
+}
+
+void MEAPI McdSphylSetHeight(McdSphylID s, MeReal h) {
+    if (isSphyl(s, "McdSphylSetHeight") && mcd_sizeIsGood(h, "height", "McdSphylSetHeight"))
+        ((McdSphyl *)s)->halfHeight = h / 2;
+}
+
+void MEAPI McdSphylGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    MeVector3Set(center, 0, 0, 0);
+    *radius = isSphyl(g, "McdSphylGetBSphere") ? mcd_roundUp((double)get(g)->radius + (double)get(g)->halfHeight) : 0;
+}
+
+/* The half balls have their centres of mass 3/8 r beyond the cylinder, and m 2/5 r^2 about their flat sides' middles:
+ * I_xx of both about the origin is m (2/5 r^2 + h^2 + 3/4 h r). */
+MeI16 MEAPI McdSphylGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {
+    if (!isSphyl(g, "McdSphylGetMassProperties"))
+        return 0;
+    const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
+    const double middle = MCD_PI * r * r * 2 * h, ends = 4. / 3 * MCD_PI * r * r * r;
+    const double across = middle * (r * r / 4 + h * h / 3) + ends * (.4 * r * r + h * h + .75 * h * r);
+    mcd_massDiagonal(relTM, inertia, volume, middle + ends, across, across, middle * r * r / 2 + .4 * ends * r * r);
+    return 1;
+}
+
+void MEAPI McdSphylDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!isSphyl(g, "McdSphylDebugDraw"))
+        return;
+    const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
+    mcd_drawCircle(tm, colour, h, r);
+    mcd_drawCircle(tm, colour, -h, r);
+    mcd_drawSides(tm, colour, -h, r, h, r);
+    for (int side = -1; side <= 1; side += 2) {
+        const double centre[3] = {0, 0, side * h}, x[3] = {r, 0, 0}, y[3] = {0, r, 0}, z[3] = {0, 0, side * r};
+        mcd_drawArc(tm, colour, centre, x, z, MCD_DRAW_SIDES / 2);
+        mcd_drawArc(tm, colour, centre, y, z, MCD_DRAW_SIDES / 2);
+    }
+}

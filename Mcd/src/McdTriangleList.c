@@ -1,0 +1,291 @@
+/* The triangle list: a box, and a callback that knows what is in it. */
+#include "McdTriangleList.h"
+#include "mcd_bounds.h"
+#include "mcd_geometries.h"
+#include "mcd_local.h"
+#include <math.h>
+#include <string.h>
+
+static McdTriangleList *listOf(McdGeometryID g, const char *function) {
+    return mcd_geometryIs(g, kMcdGeometryTypeTriangleList, function) ? (McdTriangleList *)g : 0;
+}
+
+/* ---- life -------------------------------------------------------------------------------------------------------- */
+
+static MeBool isBox(const MeReal *min, const MeReal *max) {
+    for (int i = 0; min && max && i < 3; i++)
+        if (!(min[i] <= max[i]) || !MeRealIsValid(min[i]) || !MeRealIsValid(max[i]))
+            return MEFALSE;
+    return min && max;
+}
+
+/* Place for what the callback hands over; false if there is no memory. */
+static MeBool makeRoom(McdTriangleList *list, int count) {
+    McdUserTriangle *found = MeMemoryAPI.create((size_t)count * sizeof *found);
+    if (!found) {
+        MeFatalError(1, "McdTriangleListCreate: no memory for %d triangles", count);
+        return MEFALSE;
+    }
+    if (list->found)
+        MeMemoryAPI.destroy(list->found);
+    list->found = found;
+    list->maxTriangles = count;
+    list->hasWarned = MEFALSE;
+    return METRUE;
+}
+
+McdTriangleListID MEAPI McdTriangleListCreate(McdFramework *frame, MeVector3 min, MeVector3 max, int triangleMaxCount,
+                                              McdTriangleListFnPtr f) {
+    if (!isBox(min, max) || triangleMaxCount < 1) {
+        MeWarning(1, "McdTriangleListCreate: the box needs min <= max; triangleMaxCount is %d (> 0)", triangleMaxCount);
+        return 0;
+    }
+    McdTriangleList *list =
+        mcd_geometryCreate(frame, kMcdGeometryTypeTriangleList, sizeof *list, "McdTriangleListCreate");
+    if (!list)
+        return 0;
+    if (!makeRoom(list, triangleMaxCount)) {
+        McdGeometryDestroy(&list->head);
+        return 0;
+    }
+    MeVector3Copy(list->min, min);
+    MeVector3Copy(list->max, max);
+    list->generate = f;
+    return &list->head;
+}
+
+void MEAPI McdTriangleListDestroy(McdGeometryID g) {
+    McdTriangleList *list = (McdTriangleList *)g;
+    if (list->found)
+        MeMemoryAPI.destroy(list->found);
+    mcd_meshFree(&list->mesh);
+    MeMemoryAPI.destroy(list);
+}
+
+/* ---- what it is made of -------------------------------------------------------------------------------------------- */
+
+void MEAPI McdTriangleListGetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max) {
+    const McdTriangleList *list = listOf(g, "McdTriangleListGetBoundingBox");
+    MeVector3Set(min, 0, 0, 0);
+    MeVector3Set(max, 0, 0, 0);
+    if (!list)
+        return;
+    MeVector3Copy(min, list->min);
+    MeVector3Copy(max, list->max);
+}
+
+void MEAPI McdTriangleListSetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max) {
+    McdTriangleList *list = listOf(g, "McdTriangleListSetBoundingBox");
+    if (!list)
+        return;
+    if (!isBox(min, max)) {
+        MeWarning(1, "McdTriangleListSetBoundingBox: the box needs min <= max");
+        return;
+    }
+    MeVector3Copy(list->min, min);
+    MeVector3Copy(list->max, max);
+}
+
+McdTriangleListFnPtr MEAPI McdTriangleListGetGenerator(McdTriangleListID g) {
+    const McdTriangleList *list = listOf(g, "McdTriangleListGetGenerator");
+    return list ? list->generate : 0;
+}
+
+void MEAPI McdTriangleListSetGenerator(McdTriangleListID g, McdTriangleListFnPtr f) {
+    McdTriangleList *list = listOf(g, "McdTriangleListSetGenerator");
+    if (list)
+        list->generate = f;
+}
+
+int MEAPI McdTriangleListGetMaxTriangles(McdTriangleListID g) {
+    const McdTriangleList *list = listOf(g, "McdTriangleListGetMaxTriangles");
+    return list ? list->maxTriangles : 0;
+}
+
+void MEAPI McdTriangleListSetMaxTriangles(McdTriangleListID g, int max) {
+    McdTriangleList *list = listOf(g, "McdTriangleListSetMaxTriangles");
+    if (list && max < 1)
+        MeWarning(1, "McdTriangleListSetMaxTriangles: max is %d (> 0)", max);
+    else if (list)
+        makeRoom(list, max);
+}
+
+void *MEAPI McdTriangleListGetUserData(McdTriangleListID g) {
+    const McdTriangleList *list = listOf(g, "McdTriangleListGetUserData");
+    return list ? list->userData : 0;
+}
+
+void MEAPI McdTriangleListSetUserData(McdTriangleListID g, void *data) {
+    McdTriangleList *list = listOf(g, "McdTriangleListSetUserData");
+    if (list)
+        list->userData = data;
+}
+
+/* ---- the type's functions ------------------------------------------------------------------------------------------- */
+
+MeI16 MEAPI McdTriangleListGetTypeId(void) {
+    return kMcdGeometryTypeTriangleList;
+}
+
+char *MEAPI McdTriangleListGetTypeName(McdGeometryID g) {
+    (void)g;
+    return (char *)"TriangleList";
+}
+
+void MEAPI McdTriangleListUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
+    if (!mcd_instanceIs(ins, kMcdGeometryTypeTriangleList, "McdTriangleListUpdateAABB"))
+        return;
+    const McdTriangleList *list = (const McdTriangleList *)ins->geometry;
+    (void)tight;
+    mcd_boxUpdateAABB(ins, list->min, list->max, finalTM);
+}
+
+void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListGetBSphere"))
+        return;
+    const McdTriangleList *list = (const McdTriangleList *)g;
+    mcd_boxBSphere(list->min, list->max, center, radius);
+}
+
+void MEAPI McdTriangleListMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
+    if (!mcd_instanceIs(ins, kMcdGeometryTypeTriangleList, "McdTriangleListMaximumPoint"))
+        return;
+    const McdTriangleList *list = (const McdTriangleList *)ins->geometry;
+    mcd_boxMaximumPoint(ins, list->min, list->max, inDir, outPoint);
+}
+
+MeI16 MEAPI McdTriangleListGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
+    (void)g;
+    MeMatrix4TMMakeIdentity(relTM);
+    memset(m, 0, sizeof(MeMatrix3));
+    *volume = 0;
+    return 0;
+}
+
+void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
+    if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListDebugDraw"))
+        return;
+    const McdTriangleList *list = (const McdTriangleList *)g;
+    mcd_boxDebugDraw(list->min, list->max, tm, colour);
+}
+
+void MEAPI McdTriangleListRegisterType(McdFramework *frame) {
+    McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypeTriangleList, McdTriangleListGetTypeName(0),
+                                     McdTriangleListDestroy, McdTriangleListUpdateAABB, McdTriangleListGetBSphere,
+                                     McdTriangleListMaximumPoint, McdTriangleListGetMassProperties,
+                                     McdTriangleListDebugDraw);
+}
+
+/* ---- triangles -------------------------------------------------------------------------------------------------------- */
+
+/* What the callback has near a point of the list's frame; never more than there is place for. */
+static int find(McdTriangleList *list, McdModelPair *p, const double centre[3], double radius) {
+    MeVector3 pos = {(MeReal)centre[0], (MeReal)centre[1], (MeReal)centre[2]};
+    double reach = radius; /* with what rounding takes from it */
+    for (int i = 0; i < 3; i++)
+        reach += fabs((double)pos[i] - centre[i]);
+    if (!list->generate)
+        return 0;
+    const int count = list->generate(p, list->found, pos, mcd_roundUp(reach), list->maxTriangles);
+    if (count >= list->maxTriangles && !list->hasWarned) {
+        list->hasWarned = METRUE;
+        MeWarning(2,
+                  "McdTriangleList: the callback gave %d triangles, as many as there is place for: contacts may be "
+                  "missing; raise McdTriangleListCreate's triangleMaxCount",
+                  count);
+    }
+    return MeCLAMP(count, 0, list->maxTriangles);
+}
+
+static MeBool cornersOf(const McdUserTriangle *t, double corner[3][3]) {
+    for (int i = 0; i < 3; i++) {
+        if (!t->vertices[i])
+            return MEFALSE;
+        for (int k = 0; k < 3; k++)
+            corner[i][k] = (double)(*t->vertices[i])[k];
+    }
+    return METRUE;
+}
+
+static const double *normalOf(const McdUserTriangle *t, double normal[3]) {
+    for (int k = 0; t->normal && k < 3; k++)
+        normal[k] = (double)(*t->normal)[k];
+    return t->normal ? normal : 0;
+}
+
+static void gather(McdMeshQuery *q) {
+    McdTriangleList *list = (McdTriangleList *)mcd_record(q->pair->model2)->instance.geometry;
+    double corner[3][3], normal[3];
+    const int count = find(list, q->pair, q->ball, q->ballRadius);
+    if (!mcd_meshReserve(q->mesh, count))
+        return;
+    for (int i = 0; i < count; i++)
+        if (cornersOf(&list->found[i], corner))
+            mcd_meshAdd(q, (const double(*)[3])corner, normalOf(&list->found[i], normal), (int)list->found[i].flags, i);
+}
+
+static int intersect(McdModelPair *p, McdIntersectResult *result) {
+    McdTriangleList *list = (McdTriangleList *)mcd_record(p->model2)->instance.geometry;
+    if (!mcd_geometryIs(&list->head, kMcdGeometryTypeTriangleList, "Mcd...TriangleListIntersect"))
+        return 0;
+    return mcd_meshIntersect(p, result, &list->mesh, gather);
+}
+
+/* ---- interactions ----------------------------------------------------------------------------------------------------- */
+
+static MeBool registerInteraction(McdFramework *frame, McdGeometryType type, McdIntersectFn function) {
+    McdInteractions interactions = {0, 0, function, 0};
+    McdFrameworkSetInteractions(frame, type, kMcdGeometryTypeTriangleList, &interactions);
+    return frame != 0;
+}
+
+#define INTERACTION(shape)                                                                                             \
+    int MEAPI Mcd##shape##TriangleListIntersect(McdModelPair *p, McdIntersectResult *result) {                         \
+        return intersect(p, result);                                                                                   \
+    }                                                                                                                  \
+    MeBool MEAPI Mcd##shape##TriangleListRegisterInteraction(McdFramework *frame) {                                    \
+        return registerInteraction(frame, kMcdGeometryType##shape, Mcd##shape##TriangleListIntersect);                 \
+    }
+INTERACTION(Sphere)
+INTERACTION(Box)
+INTERACTION(Cylinder)
+INTERACTION(Sphyl)
+INTERACTION(ConvexMesh)
+INTERACTION(Cone)
+
+/* ---- line segments ------------------------------------------------------------------------------------------------------- */
+
+static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                             McdLineSegIntersectResult *outOverlap) {
+    const McdGeometryInstance *ins = &mcd_record(cm)->instance;
+    McdTriangleList *list = (McdTriangleList *)ins->geometry;
+    double from[3], to[3], middle[3], normal[3] = {0, 0, 1}, least = 2;
+    mcd_toLocal(ins->tm, inOrig, from);
+    mcd_toLocal(ins->tm, inDest, to);
+    double length = 0;
+    for (int i = 0; i < 3; i++) {
+        middle[i] = (from[i] + to[i]) / 2;
+        length += (to[i] - from[i]) * (to[i] - from[i]);
+    }
+    McdModelPair pair;
+    memset(&pair, 0, sizeof pair);
+    pair.model1 = pair.model2 = cm;
+    const int count = find(list, &pair, middle, sqrt(length) / 2);
+    for (int i = 0; i < count; i++) {
+        double corner[3][3], own[3], given[3], part, hit[3];
+        const McdUserTriangle *t = &list->found[i];
+        if (!cornersOf(t, corner) || !mcd_triangleNormal((const double(*)[3])corner, normalOf(t, given), own))
+            continue;
+        if (mcd_segmentTriangle((const double(*)[3])corner, own, (t->flags & kMcdTriangleTwoSided) != 0, from, to,
+                                &part, hit) &&
+            part < least) {
+            least = part;
+            memcpy(normal, hit, sizeof normal);
+        }
+    }
+    return least <= 1 && mcd_segmentHit(ins->tm, inOrig, inDest, least, normal, outOverlap);
+}
+
+void MEAPI McdTriangleListLineSegmentRegisterInteraction(McdFramework *frame) {
+    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeTriangleList, meetSegment);
+}

@@ -1,0 +1,56 @@
+/* Drawing of boxes, geometries and models, line by line. */
+#include "McduDebugDraw.h"
+#include "mcd_local.h"
+
+void MEAPI McduDebugDrawAABB(const MeVector3 min, const MeVector3 max, const MeReal colour[3]) {
+    static const MeMatrix4 world = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    double corner[8][3];
+    for (int i = 0; i < 8; i++)
+        for (int k = 0; k < 3; k++)
+            corner[i][k] = (double)((i >> k & 1) ? max[k] : min[k]);
+    for (int i = 0; i < 8; i++)
+        for (int k = 0; k < 3; k++)
+            if (!(i >> k & 1))
+                mcd_drawLine(world, colour, corner[i], corner[i | 1 << k]);
+}
+
+void MEAPI McduDebugDrawGeometry(const McdGeometryID geometry, const MeMatrix4Ptr tm, const MeReal colour[3]) {
+    McdGeometryDebugDraw(geometry, tm, colour);
+}
+
+/* By the type's registered function, so that no type is linked that the program does not use. */
+static void drawTyped(McdGeometryID g, McdGeometryType type, const MeVector4 *tm, const MeReal colour[3],
+                      const char *function) {
+    if (mcd_geometryIs(g, type, function))
+        McdGeometryDebugDraw(g, (MeMatrix4Ptr)tm, colour);
+}
+
+void MEAPI McduDebugDrawSphere(const McdSphereID sphere, const MeMatrix4 tm, const MeReal colour[3]) {
+    drawTyped(sphere, kMcdGeometryTypeSphere, tm, colour, "McduDebugDrawSphere");
+}
+
+void MEAPI McduDebugDrawBox(const McdBoxID box, const MeMatrix4 tm, const MeReal colour[3]) {
+    drawTyped(box, kMcdGeometryTypeBox, tm, colour, "McduDebugDrawBox");
+}
+
+void MEAPI McduDebugDrawCylinder(const McdCylinderID cyl, const MeMatrix4 tm, const MeReal colour[3]) {
+    drawTyped(cyl, kMcdGeometryTypeCylinder, tm, colour, "McduDebugDrawCylinder");
+}
+
+void MEAPI McduDebugDrawConvex(const McdConvexMeshID convex, const MeMatrix4 tm, const MeReal colour[3]) {
+    drawTyped(convex, kMcdGeometryTypeConvexMesh, tm, colour, "McduDebugDrawConvex");
+}
+
+void MEAPI McduDebugDrawAggregate(const McdAggregateID agg, const MeMatrix4 tm, const MeReal colour[3]) {
+    drawTyped(agg, kMcdGeometryTypeAggregate, tm, colour, "McduDebugDrawAggregate");
+}
+
+void MEAPI McduDebugDrawModel(const McdModelID model, McduDebugDrawFlags flags, const MeReal colour[3]) {
+    McdModelRecord *m = mcd_modelCheck(model, "McduDebugDrawModel");
+    if (!m || !mcd_modelIsPlaced(m))
+        return;
+    if (flags & kMcduDebugDrawAABB)
+        McduDebugDrawAABB(m->instance.min, m->instance.max, colour);
+    if (flags & kMcduDebugDrawDetail)
+        McdGeometryDebugDraw(m->instance.geometry, mcd_instanceTM(&m->instance), colour);
+}

@@ -1,0 +1,17 @@
+/* Drawing of all models of a space: a file of its own, so that drawing a model does not link spaces. */
+#include "McduDebugDraw.h"
+#include "McdSpace.h"
+#include "mcd_i.h"
+
+void MEAPI McduDebugDrawSpace(const McdSpaceID space, McduDebugDrawFlags flags, const MeReal colour[3]) {
+    McdSpaceModelIterator it;
+    McdModelID model;
+    if (!space) {
+        MeWarning(1, "McduDebugDrawSpace: no space");
+        return;
+    }
+    McdSpaceModelIteratorBegin(space, &it);
+    while (McdSpaceGetModel(space, &it, &model))
+        if (!(flags & kMcduDebugDrawEnabledOnly) || !McdSpaceModelIsFrozen(model))
+            McduDebugDrawModel(model, flags, colour);
+}

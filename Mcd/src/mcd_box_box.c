@@ -1,0 +1,147 @@
+/* Two boxes by the separating-axis theorem: of the 15 directions across their faces and across pairs of their edges,
+ * the one along which they overlap least is the shortest way apart. */
+#include "mcd_nearfield.h"
+
+/* Faces win against edges that are better by less, relative to the smaller box: so a resting box keeps its face. */
+static const double faceBias = 2e-7;
+/* Edges closer to parallel than this (sine) give no direction that the faces don't. */
+static const double parallelSine = 1e-7;
+
+/* Both boxes in the axes of the first. */
+typedef struct Boxes {
+    const double *sizeA, *sizeB;
+    double apart[3];    /* from b's centre to a's */
+    double turn[3][3];  /* turn[i][j]: a's axis i . b's axis j */
+    double steep[3][3]; /* |turn| */
+} Boxes;
+
+typedef struct Best {
+    double separation, axis[3]; /* in a's axes, from b to a */
+    int edgeA, edgeB;           /* -1: a face */
+} Best;
+
+static void compare(const McdShape *a, const McdShape *b, Boxes *x) {
+    double d[3];
+    mcd_sub(d, a->place, b->place);
+    x->sizeA = a->size;
+    x->sizeB = b->size;
+    for (int i = 0; i < 3; i++) {
+        x->apart[i] = mcd_dot(a->axis[i], d);
+        for (int j = 0; j < 3; j++) {
+            x->turn[i][j] = mcd_dot(a->axis[i], b->axis[j]);
+            x->steep[i][j] = fabs(x->turn[i][j]);
+        }
+    }
+}
+
+static MeBool facesOfA(const Boxes *x, double limit, Best *best) {
+    for (int i = 0; i < 3; i++) {
+        const double s = fabs(x->apart[i]) - x->sizeA[i] - mcd_dot(x->steep[i], x->sizeB);
+        if (s > limit)
+            return 0;
+        if (s > best->separation) {
+            *best = (Best){s, {0, 0, 0}, -1, -1};
+            best->axis[i] = x->apart[i] < 0 ? -1 : 1;
+        }
+    }
+    return 1;
+}
+
+static MeBool facesOfB(const Boxes *x, double limit, double bias, Best *best) {
+    for (int j = 0; j < 3; j++) {
+        const double axis[3] = {x->turn[0][j], x->turn[1][j], x->turn[2][j]};
+        const double steep[3] = {x->steep[0][j], x->steep[1][j], x->steep[2][j]};
+        const double along = mcd_dot(x->apart, axis);
+        const double s = fabs(along) - x->sizeB[j] - mcd_dot(steep, x->sizeA);
+        if (s > limit)
+            return 0;
+        if (s > best->separation + bias) {
+            *best = (Best){s, {0, 0, 0}, -1, -1};
+            mcd_scale(best->axis, axis, along < 0 ? -1 : 1);
+        }
+    }
+    return 1;
+}
+
+/* The direction e_i x b_j, whose length is the sine of their angle. */
+static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
+    const double faces = best->separation + bias;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            const double y = -x->turn[i2][j], z = x->turn[i1][j], sine = sqrt(y * y + z * z);
+            if (sine < parallelSine)
+                continue;
+            const double along = x->apart[i1] * y + x->apart[i2] * z;
+            const double reach = x->sizeA[i1] * x->steep[i2][j] + x->sizeA[i2] * x->steep[i1][j] +
+                                 x->sizeB[j1] * x->steep[i][j2] + x->sizeB[j2] * x->steep[i][j1];
+            const double s = (fabs(along) - reach) / sine;
+            if (s > limit)
+                return 0;
+            if (s > best->separation && s > faces) {
+                const double k = (along < 0 ? -1 : 1) / sine;
+                *best = (Best){s, {0, 0, 0}, i, j};
+                best->axis[i1] = y * k;
+                best->axis[i2] = z * k;
+            }
+        }
+    return 1;
+}
+
+/* The middle of the edge of a box that is farthest in a direction, along axis k. */
+static void edgeMiddle(const McdShape *s, const double direction[3], int k, double out[3]) {
+    mcd_copy(out, s->place);
+    for (int i = 0; i < 3; i++)
+        if (i != k)
+            mcd_mad(out, out, copysign(s->size[i], mcd_dot(s->axis[i], direction)), s->axis[i]);
+}
+
+/* The nearest points of both edges' lines. */
+static void crossEdges(const McdShape *a, const McdShape *b, const Best *best, McdProximity *p) {
+    const double *u = a->axis[best->edgeA], *w = b->axis[best->edgeB];
+    const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
+    double from[3], to[3], d[3];
+    edgeMiddle(a, back, best->edgeA, from);
+    edgeMiddle(b, p->normal, best->edgeB, to);
+    mcd_sub(d, to, from);
+    const double c = mcd_dot(u, w), du = mcd_dot(d, u), dw = mcd_dot(d, w), sine2 = 1 - c * c;
+    const double la = a->size[best->edgeA], lb = b->size[best->edgeB];
+    const double s = sine2 > 0 ? (du - c * dw) / sine2 : 0, t = sine2 > 0 ? (c * du - dw) / sine2 : 0;
+    mcd_mad(p->onA, from, MeCLAMP(s, -la, la), u);
+    mcd_mad(p->onB, to, MeCLAMP(t, -lb, lb), w);
+}
+
+/* The farthest corner of the one over the other's face. */
+static void cornerOverFace(const McdShape *a, const McdShape *b, McdProximity *p) {
+    const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
+    double steepA = 0, steepB = 0;
+    for (int i = 0; i < 3; i++) {
+        steepA = MeMAX(steepA, fabs(mcd_dot(a->axis[i], p->normal)));
+        steepB = MeMAX(steepB, fabs(mcd_dot(b->axis[i], p->normal)));
+    }
+    if (steepA >= steepB) {
+        mcd_coreSupport(b, p->normal, p->onB);
+        mcd_mad(p->onA, p->onB, p->separation, p->normal);
+    } else {
+        mcd_coreSupport(a, back, p->onA);
+        mcd_mad(p->onB, p->onA, -p->separation, p->normal);
+    }
+}
+
+MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    Boxes x;
+    Best best = {-INFINITY, {0, 0, 0}, -1, -1};
+    const double bias = faceBias * mcd_pairSize(a, b);
+    compare(a, b, &x);
+    if (!facesOfA(&x, limit, &best) || !facesOfB(&x, limit, bias, &best) || !edges(&x, limit, bias, &best))
+        return 0;
+    for (int i = 0; i < 3; i++)
+        p->normal[i] = a->axis[0][i] * best.axis[0] + a->axis[1][i] * best.axis[1] + a->axis[2][i] * best.axis[2];
+    p->separation = best.separation;
+    p->isGuess = best.separation > 0;
+    if (best.edgeA >= 0)
+        crossEdges(a, b, &best, p);
+    else
+        cornerOverFace(a, b, p);
+    return isfinite(best.separation) != 0;
+}

@@ -1,0 +1,621 @@
+/* The signed distance of two convex cores: both are one question about their difference M = { x - y : x in A, y in B },
+ * a convex set in which the origin lies if and only if the cores overlap.
+ *
+ * Apart, the distance is that of the origin from M, by Gilbert, Johnson and Keerthi's walk over simplices within M.
+ * Overlapping, the depth is the distance to the nearest point of M's surface: a polytope within M grows, by M's
+ * farthest point over the facet nearest to the origin, until no facet is left that could be nearer than what was found.
+ * So the result is bounded from both sides: by the nearest facet from below and by a supporting plane of M from above.
+ * For polyhedra both meet exactly, on a facet of M; for round shapes at `tolerance`.
+ *
+ * libccd does the same, but its expansion leaves exactly aligned cubes without a normal and gets a quarter of the
+ * depths of nearly aligned ones wrong, so this is our own: what is returned was measured by a support point, never
+ * taken from a facet's plane alone. The walk comes with it, as it hands its last simplex over.
+ */
+#include "mcd_nearfield.h"
+
+#include <string.h>
+
+/* Relative to the smaller shape; the second is what the larger one's coordinates can resolve. */
+static const double tolerance = 1e-9, resolution = 1e-14;
+/* A face's normal is taken if no other can be better by more than this: half of what mcd_grid.c gives faces anyway. */
+static const double guessTolerance = 1e-7;
+enum { WALK_STEPS = 96 };
+
+/* A point of M, and where it comes from. */
+typedef struct Corner {
+    double w[3], a[3], b[3];
+} Corner;
+
+typedef struct Pair {
+    const McdShape *a, *b;
+    double tolerance, guessTolerance; /* lengths */
+} Pair;
+
+/* A direction that may be the normal, and the separation along it. */
+typedef struct Guess {
+    double normal[3], separation;
+} Guess;
+
+static Pair makePair(const McdShape *a, const McdShape *b) {
+    const double small = mcd_pairSize(a, b), large = MeMAX(a->extent, b->extent);
+    return (Pair){a, b, MeMAX(tolerance * small, resolution * large), guessTolerance * small};
+}
+
+/* M's farthest point in a direction. */
+static void farthest(const Pair *p, const double direction[3], Corner *c) {
+    const double back[3] = {-direction[0], -direction[1], -direction[2]};
+    mcd_coreSupport(p->a, direction, c->a);
+    mcd_coreSupport(p->b, back, c->b);
+    mcd_sub(c->w, c->a, c->b);
+}
+
+double mcd_separationAlong(const McdShape *a, const McdShape *b, const double n[3]) {
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    double x[3], y[3];
+    mcd_coreSupport(a, back, x);
+    mcd_coreSupport(b, n, y);
+    mcd_sub(x, x, y);
+    return mcd_dot(x, n);
+}
+
+/* ---- apart ------------------------------------------------------------------------------------------------- */
+
+typedef struct Simplex {
+    int count;
+    Corner corner[4];
+    double weight[4]; /* of the corners in the point nearest to the origin */
+    double nearest[3];
+    double squared; /* its distance from the origin */
+    MeBool inside;  /* the origin is within the tetrahedron */
+} Simplex;
+
+/* What is known of the nearest point of some of a simplex's corners. */
+typedef struct Candidate {
+    int count, corner[3];
+    double weight[3], point[3], squared;
+} Candidate;
+
+static void offer(Candidate *best, const Candidate *c) {
+    if (c->squared < best->squared)
+        *best = *c;
+}
+
+static void offerCorner(const Simplex *s, int i, Candidate *best) {
+    Candidate c = {.count = 1, .corner = {i}, .weight = {1}};
+    mcd_copy(c.point, s->corner[i].w);
+    c.squared = mcd_dot(c.point, c.point);
+    offer(best, &c);
+}
+
+static void offerEdge(const Simplex *s, int i, int j, Candidate *best) {
+    const double *p = s->corner[i].w, *q = s->corner[j].w;
+    double along[3];
+    mcd_sub(along, q, p);
+    const double squared = mcd_dot(along, along), t = -mcd_dot(p, along) / squared;
+    if (!(squared > 0) || !(t > 0 && t < 1))
+        return;
+    Candidate c = {.count = 2, .corner = {i, j}, .weight = {1 - t, t}};
+    mcd_mad(c.point, p, t, along);
+    c.squared = mcd_dot(c.point, c.point);
+    offer(best, &c);
+}
+
+/* The origin's foot on the triangle's plane is inside if all three parts of the area have the same sign. */
+static void offerFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
+    const double *p = s->corner[i].w, *q = s->corner[j].w, *r = s->corner[k].w;
+    double pq[3], pr[3], n[3], x[3], part[3];
+    mcd_sub(pq, q, p);
+    mcd_sub(pr, r, p);
+    mcd_cross(n, pq, pr);
+    mcd_cross(x, q, r);
+    part[0] = mcd_dot(n, x);
+    mcd_cross(x, r, p);
+    part[1] = mcd_dot(n, x);
+    mcd_cross(x, p, q);
+    part[2] = mcd_dot(n, x);
+    const double all = part[0] + part[1] + part[2], squared = mcd_dot(n, n);
+    if (!(part[0] > 0 && part[1] > 0 && part[2] > 0) || !(squared > 0))
+        return;
+    Candidate c = {.count = 3, .corner = {i, j, k}};
+    for (int l = 0; l < 3; l++)
+        c.weight[l] = part[l] / all;
+    mcd_scale(c.point, n, mcd_dot(n, p) / squared);
+    c.squared = mcd_dot(c.point, c.point);
+    offer(best, &c);
+}
+
+/* Is the origin on the same side of each face as the corner opposite? */
+static MeBool holdsOrigin(const Simplex *s) {
+    const double *p = s->corner[0].w, *q = s->corner[1].w, *r = s->corner[2].w, *t = s->corner[3].w;
+    double qr[3], rt[3], tq[3], part[4];
+    mcd_cross(qr, q, r);
+    mcd_cross(rt, r, t);
+    mcd_cross(tq, t, q);
+    part[0] = mcd_dot(q, rt);
+    part[1] = -mcd_dot(p, rt);
+    part[2] = -mcd_dot(p, tq);
+    part[3] = -mcd_dot(p, qr);
+    const double sign = part[0] + part[1] + part[2] + part[3] < 0 ? -1 : 1;
+    return part[0] * sign > 0 && part[1] * sign > 0 && part[2] * sign > 0 && part[3] * sign > 0;
+}
+
+/* Finds the nearest point among all parts of the simplex that have its newest, last corner, and keeps that part: the
+ * parts without it were beaten by the point from which the newest corner was looked for. */
+static void reduce(Simplex *s) {
+    const int last = s->count - 1;
+    Candidate best = {.squared = INFINITY};
+    s->inside = s->count == 4 && holdsOrigin(s);
+    if (s->inside)
+        return;
+    offerCorner(s, last, &best);
+    for (int i = 0; i < last; i++) {
+        offerEdge(s, last, i, &best);
+        for (int j = i + 1; j < last; j++)
+            offerFacet(s, last, i, j, &best);
+    }
+    Corner kept[3];
+    for (int i = 0; i < best.count; i++) {
+        kept[i] = s->corner[best.corner[i]];
+        s->weight[i] = best.weight[i];
+    }
+    memcpy(s->corner, kept, (size_t)best.count * sizeof *kept);
+    s->count = best.count;
+    mcd_copy(s->nearest, best.point);
+    s->squared = best.squared;
+}
+
+static MeBool isCorner(const Simplex *s, const Corner *c) {
+    for (int i = 0; i < s->count; i++)
+        if (mcd_distanceSquared(s->corner[i].w, c->w) == 0)
+            return 1;
+    return 0;
+}
+
+static void startWalk(const Pair *p, Simplex *s) {
+    double v[3];
+    mcd_sub(v, p->b->place, p->a->place);
+    if (!(mcd_dot(v, v) > 0))
+        mcd_set(v, 1, 0, 0);
+    farthest(p, v, &s->corner[0]);
+    s->count = 1;
+    reduce(s);
+}
+
+typedef enum { FAR, APART, TOUCHING } Walk;
+
+/* Walks until the nearest point's own plane supports M. */
+static Walk walk(const Pair *p, double limit, Simplex *s) {
+    startWalk(p, s);
+    for (int step = 0; step < WALK_STEPS; step++) {
+        const double distance = sqrt(s->squared);
+        if (!(distance > p->tolerance))
+            return TOUCHING;
+        Simplex next = *s;
+        Corner *c = &next.corner[next.count];
+        const double d[3] = {-s->nearest[0], -s->nearest[1], -s->nearest[2]};
+        farthest(p, d, c);
+        const double bound = -mcd_dot(d, c->w) / distance; /* no point of M is nearer than that */
+        if (bound > limit)
+            return FAR;
+        if (distance - bound <= .1 * p->tolerance || isCorner(s, c))
+            return APART;
+        next.count++;
+        reduce(&next);
+        if (!next.inside && next.squared >= s->squared)
+            return APART; /* rounding: it gets no nearer */
+        *s = next;
+        if (s->inside)
+            return TOUCHING;
+    }
+    return APART;
+}
+
+static void weighted(const Corner *const corner[], const double *weight, int count, McdProximity *p) {
+    mcd_set(p->onA, 0, 0, 0);
+    mcd_set(p->onB, 0, 0, 0);
+    for (int i = 0; i < count; i++) {
+        mcd_mad(p->onA, p->onA, weight[i], corner[i]->a);
+        mcd_mad(p->onB, p->onB, weight[i], corner[i]->b);
+    }
+}
+
+static void reportApart(const Simplex *s, McdProximity *p) {
+    const Corner *corner[3] = {&s->corner[0], &s->corner[1], &s->corner[2]};
+    weighted(corner, s->weight, s->count, p);
+    p->separation = sqrt(s->squared);
+    mcd_scale(p->normal, s->nearest, 1 / p->separation);
+}
+
+/* ---- overlapping: a polytope within M ------------------------------------------------------------------------ */
+
+enum { MAX_CORNERS = 200, MAX_FACETS = 2 * MAX_CORNERS };
+
+typedef struct Facet {
+    int corner[3];    /* counter-clockwise from outside */
+    int neighbour[3]; /* across the edge from corner i to i + 1 */
+    double normal[3]; /* outward, length 1 */
+    double offset;    /* of its plane from the origin, along the normal; negative if the origin is outside */
+    int seen;         /* the round in which the new corner was above it */
+} Facet;
+
+typedef struct Polytope {
+    Corner corner[MAX_CORNERS];
+    Facet facet[MAX_FACETS];
+    double offset[MAX_FACETS]; /* of the live ones; infinite for the others: what is searched every round */
+    int cornerCount, facetCount, freeCount, freeFacet[MAX_FACETS], startsAt[MAX_CORNERS];
+    double epsilon;
+    /* The best direction so far. */
+    double normal[3], support;
+    int from[3]; /* the facet that it came from */
+} Polytope;
+
+/* Makes the facet's plane; false if its corners are on a line. */
+static MeBool makePlane(Polytope *t, int index) {
+    Facet *f = &t->facet[index];
+    const double *p = t->corner[f->corner[0]].w, *q = t->corner[f->corner[1]].w, *r = t->corner[f->corner[2]].w;
+    double pq[3], pr[3], qr[3];
+    mcd_sub(pq, q, p);
+    mcd_sub(pr, r, p);
+    mcd_sub(qr, r, q);
+    /* Of the two edges at the corner opposite to the longest one. */
+    const double a = mcd_dot(pq, pq), b = mcd_dot(qr, qr), c = mcd_dot(pr, pr);
+    if (c >= a && c >= b)
+        mcd_cross(f->normal, pq, qr);
+    else if (b >= a)
+        mcd_cross(f->normal, pq, pr);
+    else
+        mcd_cross(f->normal, pr, qr);
+    const double length = mcd_length(f->normal);
+    if (!(length > 1e-30 * MeMAX(a, MeMAX(b, c))) || !(length > 0))
+        return 0;
+    mcd_scale(f->normal, f->normal, 1 / length);
+    f->offset = (mcd_dot(f->normal, p) + mcd_dot(f->normal, q) + mcd_dot(f->normal, r)) / 3;
+    t->offset[index] = f->offset;
+    return 1;
+}
+
+static int newFacet(Polytope *t, int i, int j, int k) {
+    if (!t->freeCount && t->facetCount == MAX_FACETS)
+        return -1;
+    const int index = t->freeCount ? t->freeFacet[--t->freeCount] : t->facetCount++;
+    t->facet[index] = (Facet){.corner = {i, j, k}, .seen = -1};
+    return index;
+}
+
+static void link(Polytope *t, int f, int edge, int g) {
+    const int from = t->facet[f].corner[edge], to = t->facet[f].corner[(edge + 1) % 3];
+    for (int i = 0; i < 3; i++)
+        if (t->facet[g].corner[i] == to && t->facet[g].corner[(i + 1) % 3] == from) {
+            t->facet[f].neighbour[edge] = g;
+            t->facet[g].neighbour[i] = f;
+        }
+}
+
+/* The first four corners, turned so that all facets look outward. */
+static MeBool makeTetrahedron(Polytope *t) {
+    static const int corners[4][3] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    double x[3], y[3], z[3], n[3];
+    mcd_sub(x, t->corner[1].w, t->corner[0].w);
+    mcd_sub(y, t->corner[2].w, t->corner[0].w);
+    mcd_sub(z, t->corner[3].w, t->corner[0].w);
+    mcd_cross(n, x, y);
+    if (mcd_dot(n, z) > 0) {
+        const Corner swap = t->corner[1];
+        t->corner[1] = t->corner[2];
+        t->corner[2] = swap;
+    }
+    for (int i = 0; i < 4; i++)
+        if (!makePlane(t, newFacet(t, corners[i][0], corners[i][1], corners[i][2])))
+            return 0;
+    for (int i = 0; i < 4; i++)
+        for (int edge = 0; edge < 3; edge++)
+            for (int j = 0; j < 4; j++)
+                if (j != i)
+                    link(t, i, edge, j);
+    return 1;
+}
+
+/* Marks the facets that the new corner is above: those around the first that are joined to it. */
+static int markSeen(Polytope *t, int first, int round, const double w[3], int *seen) {
+    int count = 0;
+    seen[count++] = first;
+    t->facet[first].seen = round;
+    for (int i = 0; i < count; i++)
+        for (int edge = 0; edge < 3; edge++) {
+            const int g = t->facet[seen[i]].neighbour[edge];
+            if (t->facet[g].seen != round && mcd_dot(t->facet[g].normal, w) - t->facet[g].offset > t->epsilon) {
+                t->facet[g].seen = round;
+                seen[count++] = g;
+            }
+        }
+    return count;
+}
+
+/* Joins the new corner to the rim of what it sees; false if the rim is no simple loop, or a new facet has no plane. */
+static MeBool coverRim(Polytope *t, const int *seen, int count, int round, int corner) {
+    int made = 0, first = -1;
+    for (int i = 0; i < t->cornerCount; i++)
+        t->startsAt[i] = -1;
+    for (int i = 0; i < count; i++)
+        for (int edge = 0; edge < 3; edge++) {
+            const Facet *f = &t->facet[seen[i]];
+            const int outside = f->neighbour[edge], from = f->corner[edge], to = f->corner[(edge + 1) % 3];
+            if (t->facet[outside].seen == round)
+                continue;
+            const int g = newFacet(t, from, to, corner);
+            if (g < 0 || t->startsAt[from] >= 0 || !makePlane(t, g))
+                return 0;
+            link(t, g, 0, outside);
+            t->startsAt[from] = g;
+            first = g;
+            made++;
+        }
+    int g = first, walked = 0;
+    do {
+        const int next = g < 0 ? -1 : t->startsAt[t->facet[g].corner[1]];
+        if (next < 0)
+            return 0;
+        t->facet[g].neighbour[1] = next;
+        t->facet[next].neighbour[2] = g;
+        g = next;
+        walked++;
+    } while (g != first && walked <= made);
+    return walked == made;
+}
+
+static void removeSeen(Polytope *t, const int *seen, int count) {
+    for (int i = 0; i < count; i++) {
+        t->offset[seen[i]] = INFINITY;
+        t->freeFacet[t->freeCount++] = seen[i];
+    }
+}
+
+static int nearestFacet(const Polytope *t) {
+    int best = -1;
+    double least = INFINITY;
+    for (int i = 0; i < t->facetCount; i++)
+        if (t->offset[i] < least) {
+            least = t->offset[i];
+            best = i;
+        }
+    return best;
+}
+
+static void keep(Polytope *t, const Facet *f, double support) {
+    t->support = support;
+    mcd_copy(t->normal, f->normal);
+    memcpy(t->from, f->corner, sizeof t->from);
+}
+
+/* The guess, and the facet nearest to it. */
+static void keepGuess(Polytope *t, const Guess *guess, const Facet *f) {
+    t->support = -guess->separation;
+    mcd_scale(t->normal, guess->normal, -1);
+    memcpy(t->from, f->corner, sizeof t->from);
+}
+
+/* Grows the polytope until the plane of its nearest facet supports M. Where rounding spoils its shape it stops,
+ * with the best plane so far: a true bound, if not the least. */
+static void expand(const Pair *p, const Guess *guess, Polytope *t) {
+    int seen[MAX_FACETS];
+    t->support = INFINITY;
+    for (int round = 0; t->cornerCount < MAX_CORNERS; round++) {
+        const int nearest = nearestFacet(t);
+        if (nearest < 0)
+            return;
+        const Facet f = t->facet[nearest];
+        if (-guess->separation - f.offset <= p->guessTolerance && mcd_dot(guess->normal, f.normal) < -.99) {
+            keepGuess(t, guess, &f);
+            return;
+        }
+        const int corner = t->cornerCount;
+        farthest(p, f.normal, &t->corner[corner]);
+        const double *w = t->corner[corner].w, support = mcd_dot(f.normal, w);
+        if (support - f.offset <= p->tolerance) {
+            keep(t, &f, support);
+            return;
+        }
+        if (support < t->support)
+            keep(t, &f, support);
+        const int count = markSeen(t, nearest, round, w, seen);
+        t->cornerCount++;
+        if (!coverRim(t, seen, count, round, corner))
+            return;
+        removeSeen(t, seen, count);
+    }
+}
+
+/* ---- overlapping: the first tetrahedron ---------------------------------------------------------------------- */
+
+/* How far w is from the point, line or plane of the first corners. */
+static double awayFrom(const Polytope *t, const double w[3]) {
+    const double *p = t->corner[0].w;
+    double x[3], y[3], z[3], n[3];
+    mcd_sub(x, w, p);
+    if (t->cornerCount == 1)
+        return mcd_length(x);
+    mcd_sub(y, t->corner[1].w, p);
+    mcd_cross(n, y, x);
+    if (t->cornerCount == 2)
+        return mcd_length(n) / mcd_length(y);
+    mcd_sub(z, t->corner[2].w, p);
+    mcd_cross(n, y, z);
+    return fabs(mcd_dot(n, x)) / mcd_length(n);
+}
+
+/* Directions away from the first corners: any; across a line; across a plane. */
+static int directionsAway(const Polytope *t, double d[6][3]) {
+    double x[3], y[3], u[3], w[3];
+    mcd_set(u, 1, 0, 0);
+    mcd_set(w, 0, 1, 0);
+    mcd_set(x, 0, 0, 1);
+    int count = 3;
+    if (t->cornerCount > 1) {
+        mcd_sub(x, t->corner[1].w, t->corner[0].w);
+        mcd_scale(x, x, 1 / mcd_length(x));
+        mcd_basis(x, u, w);
+        count = 2;
+    }
+    if (t->cornerCount > 2) {
+        mcd_sub(y, t->corner[2].w, t->corner[0].w);
+        mcd_cross(u, x, y);
+        mcd_scale(u, u, 1 / mcd_length(u));
+        count = 1;
+    }
+    const double *base[3] = {u, w, x};
+    for (int i = 0; i < count; i++) {
+        mcd_copy(d[2 * i], base[i]);
+        mcd_scale(d[2 * i + 1], base[i], -1);
+    }
+    return 2 * count;
+}
+
+/* The farthest from the first corners that M has; false if that is nothing. */
+static MeBool addFarthest(const Pair *p, Polytope *t) {
+    double d[6][3], most = 0;
+    const int count = directionsAway(t, d);
+    for (int i = 0; i < count; i++) {
+        Corner c;
+        farthest(p, d[i], &c);
+        const double away = awayFrom(t, c.w);
+        if (away > most) {
+            most = away;
+            t->corner[t->cornerCount] = c;
+        }
+    }
+    if (!(most > 2 * p->tolerance))
+        return 0;
+    t->cornerCount++;
+    return 1;
+}
+
+/* M is a point, line or plane polygon, to within the tolerance: the shortest way out is across it. Which of all such
+ * directions it is, is a convention: for a plane the better one, else that from the first shape's origin to the plane's
+ * side where corners turn counter-clockwise; for a line or a point the first that is across. */
+static void reportFlat(const Pair *p, const Polytope *t, McdProximity *out) {
+    double d[6][3], least = INFINITY;
+    const int count = directionsAway(t, d);
+    for (int i = 0; i < count; i++) {
+        const double s = mcd_separationAlong(p->a, p->b, d[i]);
+        if (i == 0 || s > out->separation + p->tolerance) {
+            out->separation = s;
+            mcd_copy(out->normal, d[i]);
+        }
+    }
+    /* A point of M near the origin: by its edges and facets. */
+    Simplex s = {.count = 0};
+    Simplex best = {.count = 0};
+    for (int i = 0; i < t->cornerCount; i++) {
+        s.corner[s.count++] = t->corner[i];
+        reduce(&s);
+        if (s.squared < least) {
+            least = s.squared;
+            best = s;
+        }
+    }
+    const Corner *corner[3] = {&best.corner[0], &best.corner[1], &best.corner[2]};
+    weighted(corner, best.weight, best.count, out);
+}
+
+/* From corners that the walk has found, which surround the origin, as far as they are apart from each other. */
+static MeBool startPolytope(const Pair *p, const Simplex *s, Polytope *t) {
+    t->cornerCount = t->facetCount = t->freeCount = 0;
+    t->epsilon = .1 * p->tolerance;
+    for (int i = 0; i < s->count; i++)
+        if (!t->cornerCount || awayFrom(t, s->corner[i].w) > .02 * mcd_pairSize(p->a, p->b))
+            t->corner[t->cornerCount++] = s->corner[i];
+    while (t->cornerCount < 4)
+        if (!addFarthest(p, t))
+            return 0;
+    return makeTetrahedron(t);
+}
+
+/* The origin's foot on the facet that the result came from. */
+static void reportOverlap(const Polytope *t, McdProximity *out) {
+    Simplex s = {.count = 3};
+    double foot[3];
+    for (int i = 0; i < 3; i++)
+        s.corner[i] = t->corner[t->from[i]];
+    mcd_scale(foot, t->normal, mcd_dot(t->normal, s.corner[0].w));
+    for (int i = 0; i < 3; i++)
+        mcd_sub(s.corner[i].w, s.corner[i].w, foot);
+    /* All its parts have to be looked at, not only those with the last corner. */
+    Simplex best = {.squared = INFINITY};
+    for (int turn = 0; turn < 3; turn++) {
+        Simplex part = {.count = 3, .corner = {s.corner[turn], s.corner[(turn + 1) % 3], s.corner[(turn + 2) % 3]}};
+        reduce(&part);
+        if (part.squared < best.squared)
+            best = part;
+    }
+    const Corner *corner[3] = {&best.corner[0], &best.corner[1], &best.corner[2]};
+    weighted(corner, best.weight, best.count, out);
+    mcd_scale(out->normal, t->normal, -1);
+    out->separation = -t->support;
+}
+
+static void overlap(const Pair *p, const Simplex *s, const Guess *guess, McdProximity *out) {
+    Polytope t;
+    if (!startPolytope(p, s, &t)) {
+        reportFlat(p, &t, out);
+        return;
+    }
+    expand(p, guess, &t);
+    reportOverlap(&t, out);
+}
+
+/* ---- a guess: the faces' normals ------------------------------------------------------------------------------- */
+
+static void tryAxis(const Pair *p, const double axis[3], const double apart[3], Guess *g) {
+    double n[3];
+    mcd_scale(n, axis, mcd_dot(axis, apart) < 0 ? -1 : 1);
+    const double s = mcd_separationAlong(p->a, p->b, n);
+    if (s <= g->separation)
+        return;
+    g->separation = s;
+    mcd_copy(g->normal, n);
+}
+
+/* A box's axes and the axis of a cylinder or cone: what stands has its normal there. */
+static void guessFrom(const Pair *p, const McdShape *s, const double apart[3], Guess *g) {
+    const MeBool isBox = s->type == kMcdGeometryTypeBox;
+    for (int i = 0; i < 3; i++)
+        if (isBox || (i == 2 && (s->type == kMcdGeometryTypeCylinder || s->type == kMcdGeometryTypeCone)))
+            tryAxis(p, s->axis[i], apart, g);
+}
+
+static Guess makeGuess(const Pair *p) {
+    Guess g = {.separation = -INFINITY};
+    double apart[3];
+    mcd_sub(apart, p->a->place, p->b->place);
+    guessFrom(p, p->a, apart, &g);
+    guessFrom(p, p->b, apart, &g);
+    return g;
+}
+
+void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p) {
+    const Pair pair = makePair(a, b);
+    const Guess g = makeGuess(&pair);
+    p->isGuess = 1;
+    p->separation = g.separation;
+    mcd_copy(p->normal, g.normal);
+}
+
+MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    const Pair pair = makePair(a, b);
+    const Guess guess = makeGuess(&pair);
+    p->isGuess = 0;
+    if (guess.separation > limit)
+        return 0;
+    Simplex s = {.count = 0};
+    switch (walk(&pair, limit, &s)) {
+    case FAR:
+        return 0;
+    case APART:
+        reportApart(&s, p);
+        break;
+    case TOUCHING:
+        overlap(&pair, &s, &guess, p);
+        break;
+    }
+    return p->separation <= limit;
+}

@@ -1,0 +1,549 @@
+/* Contact points where two faces look at each other.
+ *
+ * Seen along the normal, both faces are points, lines or convex polygons in the plane across it. The points of contact
+ * are the corners of what they have in common; each has a height on either surface, whose difference is its separation.
+ * Where faces are flat that difference is linear, so that the deepest point is among these corners.
+ */
+#include "mcd_nearfield.h"
+
+#include <string.h>
+
+/* What rounding does to places, relative to the smaller shape: corners that stand out by less are inside, separations
+ * that differ by less are the same. Depths are promised to 1e-6. */
+static const double slack = 2e-7;
+/* What preferring a face over a slightly better normal does to separations. */
+static const double preference = 1e-5;
+/* Lines that cross at less than this angle touch along a length. */
+static const double parallelSine = .05;
+/* Surfaces steeper than this against the normal have no heights. */
+static const double leastSlope = 1e-2;
+
+/* A feature's number: what it is, on which face, which of its corners (McdFace). */
+enum { CORNER = 0, EDGE = 1, INSIDE = 2, SUPPORT = 3 };
+static MeU32 code(MeU32 kind, MeU32 face, MeU32 name) {
+    return kind << 14 | (face & 0xff) << 6 | (name & 0x3f);
+}
+
+/* ---- faces ------------------------------------------------------------------------------------------ */
+
+static void addPoint(const McdShape *s, McdFace *f, double x, double y, double z, MeU32 name) {
+    double *p = f->point[f->count];
+    for (int i = 0; i < 3; i++)
+        p[i] = s->place[i] + (s->axis[0][i] * x + s->axis[1][i] * y + s->axis[2][i] * z);
+    f->name[f->count++] = name;
+}
+
+static void setNormal(const McdShape *s, McdFace *f, double x, double y, double z) {
+    for (int i = 0; i < 3; i++)
+        f->normal[i] = s->axis[0][i] * x + s->axis[1][i] * y + s->axis[2][i] * z;
+}
+
+static void boxFace(const McdShape *s, const double d[3], McdFace *f) {
+    static const double round[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    int k = 0;
+    for (int i = 1; i < 3; i++)
+        if (fabs(d[i]) > fabs(d[k]))
+            k = i;
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const double side = d[k] < 0 ? -1 : 1;
+    double n[3] = {0, 0, 0};
+    n[k] = side;
+    setNormal(s, f, n[0], n[1], n[2]);
+    f->id = (MeU32)(2 * k + (side > 0));
+    for (int corner = 0; corner < 4; corner++) {
+        double p[3];
+        p[k] = side * s->size[k];
+        p[i] = round[corner][0] * side * s->size[i]; /* mirrored, so that the order turns with the side */
+        p[j] = round[corner][1] * s->size[j];
+        addPoint(s, f, p[0], p[1], p[2], (MeU32)corner);
+    }
+}
+
+/* The rim of a disc at a height, counter-clockwise seen from the side of z = side. Its farthest point is put among the
+ * fixed ones where it is farther than they are. */
+static void discFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
+    enum { RIM = 16, FARTHEST = 63 };
+    static const double cosine[RIM] = {1,  .9238795325112867,  .7071067811865476,  .3826834323650898,
+                                       0,  -.3826834323650898, -.7071067811865476, -.9238795325112867,
+                                       -1, -.9238795325112867, -.7071067811865476, -.3826834323650898,
+                                       0,  .3826834323650898,  .7071067811865476,  .9238795325112867};
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
+                 y = across > 0 ? side * d[1] / across : 0;
+    setNormal(s, f, 0, 0, side);
+    f->id = side > 0;
+    int after = 0; /* the fixed point before the farthest */
+    double most = -2;
+    for (int i = 0; i < RIM; i++) {
+        const int next = (i + 1) % RIM;
+        const double here = cosine[i] * x + cosine[(i + 12) % RIM] * y;
+        const double middle = here + cosine[next] * x + cosine[(next + 12) % RIM] * y;
+        if (middle > most) {
+            most = middle;
+            after = i;
+        }
+    }
+    for (int i = 0; i < RIM; i++) {
+        addPoint(s, f, radius * cosine[i], side * radius * cosine[(i + 12) % RIM], height, (MeU32)i);
+        if (i != after)
+            continue;
+        const double here = cosine[i] * x + cosine[(i + 12) % RIM] * y;
+        const double next = cosine[(i + 1) % RIM] * x + cosine[(i + 13) % RIM] * y;
+        if ((1 - MeMAX(here, next)) * across > slack)
+            addPoint(s, f, radius * x, side * radius * y, height, FARTHEST);
+    }
+}
+
+/* The line on the side of a cylinder or cone that lies towards (x, y); its normal rises by `rise` over 1. */
+static void sideLine(const McdShape *s, const double d[3], const double radius[2], const double height[2], McdFace *f) {
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
+                 y = across > 0 ? d[1] / across : 0;
+    const double long_ = hypot(height[1] - height[0], radius[0] - radius[1]);
+    const double out = (height[1] - height[0]) / long_, up = (radius[0] - radius[1]) / long_;
+    setNormal(s, f, out * x, out * y, up);
+    f->id = 2;
+    f->bend = (radius[0] + radius[1]) / 2;
+    for (int i = 0; i < 2; i++)
+        addPoint(s, f, radius[i] * x, radius[i] * y, height[i], (MeU32)i);
+}
+
+/* Of both discs and the side, what looks most that way. */
+static void roundFace(const McdShape *s, const double d[3], double lower, double upper, double bottom, double top,
+                      McdFace *f) {
+    const double radius[2] = {lower, upper}, height[2] = {bottom, top};
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), long_ = hypot(top - bottom, lower - upper);
+    const double side = (across * (top - bottom) + d[2] * (lower - upper)) / long_;
+    if (d[2] > side && upper > 0)
+        discFace(s, d, upper, top, 1, f);
+    else if (-d[2] > side && lower > 0)
+        discFace(s, d, lower, bottom, -1, f);
+    else
+        sideLine(s, d, radius, height, f);
+}
+
+static void coreLine(const McdShape *s, const double d[3], McdFace *f) {
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
+    if (across > 0)
+        setNormal(s, f, d[0] / across, d[1] / across, 0);
+    addPoint(s, f, 0, 0, -s->size[2], 0);
+    addPoint(s, f, 0, 0, s->size[2], 1);
+}
+
+static void hullFace(const McdShape *s, const double d[3], McdFace *f) {
+    const McdHull *h = s->hull;
+    int best = 0;
+    double most = -INFINITY;
+    for (int i = 0; i < h->faceCount; i++) {
+        const double x = mcd_dot(h->face[i].normal, d);
+        if (x > most) {
+            most = x;
+            best = i;
+        }
+    }
+    const McdHullFace *face = &h->face[best];
+    /* Of more corners than there is place for, some all round it. */
+    const int count = MeMIN(face->count, MCD_FACE_POINTS - 1);
+    setNormal(s, f, face->normal[0], face->normal[1], face->normal[2]);
+    f->id = (MeU32)best;
+    for (int i = 0; i < count; i++) {
+        const double *v = h->vertex[h->faceVertex[face->first + i * face->count / count]];
+        addPoint(s, f, v[0], v[1], v[2], (MeU32)i);
+    }
+}
+
+static void triangleFace(const McdShape *s, const double d[3], McdFace *f) {
+    double x[3], y[3], n[3];
+    mcd_sub(x, s->corner[1], s->corner[0]);
+    mcd_sub(y, s->corner[2], s->corner[0]);
+    mcd_cross(n, x, y);
+    const double length = mcd_length(n);
+    const MeBool isBack = mcd_dot(n, d) < 0;
+    if (length > 0)
+        mcd_scale(f->normal, n, (isBack ? -1 : 1) / length);
+    f->id = (MeU32)isBack;
+    for (int i = 0; i < 3; i++) {
+        const int corner = isBack ? 2 - i : i;
+        mcd_copy(f->point[f->count], s->corner[corner]);
+        f->name[f->count++] = (MeU32)corner;
+    }
+}
+
+void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
+    const double d[3] = {mcd_dot(s->axis[0], direction), mcd_dot(s->axis[1], direction),
+                         mcd_dot(s->axis[2], direction)};
+    f->count = 0;
+    f->id = 0;
+    f->bend = 0;
+    mcd_set(f->normal, 0, 0, 0);
+    switch (s->type) {
+    case kMcdGeometryTypeBox:
+        boxFace(s, d, f);
+        break;
+    case kMcdGeometryTypeCylinder:
+        roundFace(s, d, s->size[0], s->size[0], -s->size[2], s->size[2], f);
+        break;
+    case kMcdGeometryTypeCone:
+        roundFace(s, d, s->size[0], s->size[1], -s->low, s->size[2] - s->low, f);
+        break;
+    case kMcdGeometryTypeSphyl:
+        coreLine(s, d, f);
+        break;
+    case kMcdGeometryTypeConvexMesh:
+        hullFace(s, d, f);
+        break;
+    case MCD_SHAPE_TRIANGLE:
+        triangleFace(s, direction, f);
+        break;
+    default:
+        addPoint(s, f, 0, 0, 0, 0);
+    }
+}
+
+/* ---- what they have in common ------------------------------------------------------------------------- */
+
+/* A point in the plane across the normal, with its heights on both surfaces. */
+typedef struct Spot {
+    double x, y, a, b;
+    MeU32 feature, edge; /* edge: code of that which begins here, and whether it is b's */
+    MeBool edgeIsB;
+    int index; /* of the corner of b's where that edge begins */
+} Spot;
+
+enum { MAX_SPOTS = 2 * MCD_FACE_POINTS };
+
+/* A face as seen along the normal: counter-clockwise, with heights. */
+typedef struct Outline {
+    int count;
+    double x[MCD_FACE_POINTS], y[MCD_FACE_POINTS], z[MCD_FACE_POINTS];
+    MeU32 name[MCD_FACE_POINTS], id;
+    double slopeX, slopeY; /* of a polygon's plane */
+} Outline;
+
+typedef struct View {
+    double u[3], w[3];
+    const double *n;
+    double slack; /* length */
+} View;
+
+static double planeHeight(const Outline *o, double x, double y) {
+    return o->z[0] + o->slopeX * (x - o->x[0]) + o->slopeY * (y - o->y[0]);
+}
+
+/* False for a polygon that is seen from its edge. */
+static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Outline *o) {
+    o->count = f->count;
+    o->id = f->id;
+    o->slopeX = o->slopeY = 0;
+    for (int i = 0; i < f->count; i++) {
+        const int from = isMirrored ? f->count - 1 - i : i;
+        o->x[i] = mcd_dot(v->u, f->point[from]);
+        o->y[i] = mcd_dot(v->w, f->point[from]);
+        o->z[i] = mcd_dot(v->n, f->point[from]);
+        o->name[i] = f->name[from];
+    }
+    if (f->count < 3)
+        return 1;
+    const double up = mcd_dot(f->normal, v->n);
+    if (!(fabs(up) > leastSlope))
+        return 0;
+    o->slopeX = -mcd_dot(f->normal, v->u) / up;
+    o->slopeY = -mcd_dot(f->normal, v->w) / up;
+    return 1;
+}
+
+static Spot cross(const Spot *p, const Spot *q, double dp, double dq, const Outline *b, int j) {
+    const double t = dp / (dp - dq);
+    Spot s = {.x = p->x + t * (q->x - p->x), .y = p->y + t * (q->y - p->y), .a = p->a + t * (q->a - p->a)};
+    if (p->edgeIsB) { /* a corner of b's */
+        const int corner = j == (p->index + 1) % b->count ? j : p->index;
+        s.feature = code(CORNER, b->id, b->name[corner]);
+    } else {
+        s.feature = p->edge << 16 | code(EDGE, b->id, b->name[j]);
+    }
+    return s;
+}
+
+/* Cuts off what is outside of b's edge from corner j on (Sutherland and Hodgman). */
+static int cutByEdge(const Spot *in, int count, MeBool isClosed, const Outline *b, int j, double slack_, MeU32 insideA,
+                     Spot *out) {
+    const int next = (j + 1) % b->count;
+    double ex = b->x[next] - b->x[j], ey = b->y[next] - b->y[j];
+    const double length = sqrt(ex * ex + ey * ey);
+    int made = 0;
+    if (!(length > 0)) {
+        memcpy(out, in, (size_t)count * sizeof *in);
+        return count;
+    }
+    ex /= length;
+    ey /= length;
+    for (int i = 0; i < count; i++) {
+        const Spot *p = &in[i], *q = &in[(i + 1) % count];
+        /* Positive inside. */
+        const double dp = ex * (p->y - b->y[j]) - ey * (p->x - b->x[j]) + slack_;
+        const double dq = ex * (q->y - b->y[j]) - ey * (q->x - b->x[j]) + slack_;
+        if (dp >= 0)
+            out[made++] = *p;
+        if ((!isClosed && i == count - 1) || (dp >= 0) == (dq >= 0) || made == MAX_SPOTS - 1)
+            continue;
+        Spot s = cross(p, q, dp, dq, b, j);
+        s.edge = dp >= 0 ? 0 : p->edge;
+        s.edgeIsB = dp >= 0 ? 1 : p->edgeIsB;
+        s.index = dp >= 0 ? j : p->index;
+        if (p->edgeIsB)
+            s.feature |= insideA << 16;
+        out[made++] = s;
+    }
+    return made;
+}
+
+static int startSpots(const Outline *a, const Outline *b, Spot *spot) {
+    for (int i = 0; i < a->count; i++)
+        spot[i] = (Spot){.x = a->x[i],
+                         .y = a->y[i],
+                         .a = a->z[i],
+                         .feature = code(CORNER, a->id, a->name[i]) << 16 | code(INSIDE, b->id, 0),
+                         .edge = code(EDGE, a->id, a->name[i])};
+    return a->count;
+}
+
+/* A polygon or line cut by a polygon. */
+static int clip(const Outline *a, const Outline *b, double slack_, Spot *spot) {
+    Spot other[MAX_SPOTS];
+    Spot *from = spot, *to = other;
+    int count = startSpots(a, b, spot);
+    for (int j = 0; j < b->count && count; j++) {
+        count = cutByEdge(from, count, a->count > 2, b, j, slack_, code(INSIDE, a->id, 0), to);
+        Spot *const swap = from;
+        from = to;
+        to = swap;
+    }
+    if (from != spot)
+        memcpy(spot, from, (size_t)count * sizeof *spot);
+    for (int i = 0; i < count; i++) {
+        if (a->count > 2)
+            spot[i].a = planeHeight(a, spot[i].x, spot[i].y);
+        spot[i].b = planeHeight(b, spot[i].x, spot[i].y);
+    }
+    return count;
+}
+
+static void turnSpots(Spot *spot, int count) {
+    for (int i = 0; i < count; i++) {
+        const double a = spot[i].a;
+        spot[i].a = spot[i].b;
+        spot[i].b = a;
+        spot[i].feature = spot[i].feature << 16 | spot[i].feature >> 16;
+    }
+}
+
+/* Lines that lie nearly the same way touch where they are beside each other: both ends of that. The surfaces bend away
+ * across the lines, by bend - sqrt(bend^2 - offset^2). */
+static int overlapLines(const Outline *a, const Outline *b, double bend, Spot *spot) {
+    double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0];
+    double bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
+    const double la = hypot(ax, ay), lb = hypot(bx, by);
+    if (!(la > 0 && lb > 0) || fabs(ax * by - ay * bx) > parallelSine * la * lb)
+        return 0;
+    ax /= la;
+    ay /= la;
+    const double t0 = (b->x[0] - a->x[0]) * ax + (b->y[0] - a->y[0]) * ay;
+    const double t1 = (b->x[1] - a->x[0]) * ax + (b->y[1] - a->y[0]) * ay;
+    const double begin = MeMAX(0, MeMIN(t0, t1)), end = MeMIN(la, MeMAX(t0, t1));
+    if (!(begin < end))
+        return 0;
+    for (int i = 0; i < 2; i++) {
+        const double t = i ? end : begin, tb = (t - t0) / (t1 - t0), ta = t / la;
+        const double x = a->x[0] + t * ax, y = a->y[0] + t * ay;
+        const double offset = hypot(b->x[0] + tb * bx - x, b->y[0] + tb * by - y);
+        const double away = offset < bend ? bend - sqrt(bend * bend - offset * offset) : bend;
+        const MeBool isA = i ? end == la : begin == 0;
+        const MeU32 nameA = isA ? code(CORNER, a->id, a->name[i]) : code(INSIDE, a->id, 0);
+        const MeU32 nameB = isA ? code(INSIDE, b->id, 0) : code(CORNER, b->id, b->name[i ? t1 < t0 ? 0 : 1 : t1 < t0]);
+        spot[i] = (Spot){.x = x + (b->x[0] + tb * bx - x) / 2,
+                         .y = y + (b->y[0] + tb * by - y) / 2,
+                         .a = a->z[0] + ta * (a->z[1] - a->z[0]) + away,
+                         .b = b->z[0] + tb * (b->z[1] - b->z[0]),
+                         .feature = nameA << 16 | nameB};
+    }
+    return 2;
+}
+
+static int commonSpots(const Outline *a, const Outline *b, double bend, double slack_, Spot *spot) {
+    if (a->count < 2 || b->count < 2)
+        return 0;
+    if (b->count > 2)
+        return clip(a, b, slack_, spot);
+    if (a->count == 2)
+        return overlapLines(a, b, bend, spot);
+    const int count = clip(b, a, slack_, spot);
+    turnSpots(spot, count);
+    return count;
+}
+
+/* ---- which of them -------------------------------------------------------------------------------------- */
+
+static double acrossSquared(const Spot *p, const Spot *q) {
+    const double x = p->x - q->x, y = p->y - q->y;
+    return x * x + y * y;
+}
+
+/* Leaves out those that are farther apart than the margin, and those at the place of another. */
+static int dropIdle(Spot *spot, int count, double margin, double slack_) {
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+        MeBool isNew = spot[i].a - spot[i].b <= margin;
+        for (int j = 0; j < kept && isNew; j++)
+            isNew = acrossSquared(&spot[i], &spot[j]) > 16 * slack_ * slack_;
+        if (isNew)
+            spot[kept++] = spot[i];
+    }
+    return kept;
+}
+
+static double depthOf(const Spot *s) {
+    return s->b - s->a;
+}
+
+/* Ties go to the first, so that a body at rest keeps its points. */
+static int deepestOf(const Spot *spot, int count, double slack_) {
+    double most = -INFINITY;
+    for (int i = 0; i < count; i++)
+        most = MeMAX(most, depthOf(&spot[i]));
+    for (int i = 0; i < count; i++)
+        if (depthOf(&spot[i]) >= most - slack_)
+            return i;
+    return 0;
+}
+
+/* Four well-spread ones: the deepest, the farthest from it, and the farthest from their line on either side. */
+static int keepFour(Spot *spot, int count, double slack_) {
+    int chosen[4], made = 0;
+    chosen[made++] = deepestOf(spot, count, slack_);
+    const Spot first = spot[chosen[0]];
+    double most = 0;
+    for (int i = 0; i < count; i++) {
+        const double distance = sqrt(acrossSquared(&spot[i], &first));
+        if (distance > most + slack_) {
+            most = distance;
+            chosen[1] = i;
+            made = 2;
+        }
+    }
+    if (made == 2) {
+        const Spot second = spot[chosen[1]];
+        double side[2] = {4 * slack_ * most, 4 * slack_ * most};
+        int best[2] = {-1, -1};
+        for (int i = 0; i < count; i++) {
+            const double area =
+                (second.x - first.x) * (spot[i].y - first.y) - (second.y - first.y) * (spot[i].x - first.x);
+            const int which = area < 0;
+            if (fabs(area) > side[which] * (1 + 1e-6)) {
+                side[which] = fabs(area);
+                best[which] = i;
+            }
+        }
+        for (int i = 0; i < 2; i++)
+            if (best[i] >= 0)
+                chosen[made++] = best[i];
+    }
+    Spot kept[4];
+    for (int i = 0; i < made; i++)
+        kept[i] = spot[chosen[i]];
+    memcpy(spot, kept, (size_t)made * sizeof *spot);
+    return made;
+}
+
+/* ---- manifolds ------------------------------------------------------------------------------------------ */
+
+static void addContact(const McdShape *a, const McdShape *b, const View *v, const Spot *s, McdManifold *m) {
+    const double za = s->a - a->rounding, zb = s->b + b->rounding;
+    McdManifoldPoint *p = &m->point[m->count++];
+    for (int i = 0; i < 3; i++)
+        p->position[i] = v->u[i] * s->x + v->w[i] * s->y + v->n[i] * ((za + zb) / 2);
+    p->separation = za - zb;
+    p->feature = s->feature;
+}
+
+/* The proximity's own points: the deepest, whatever the faces are. */
+static Spot supportSpot(const View *v, const McdProximity *p, MeU32 feature) {
+    double middle[3];
+    for (int i = 0; i < 3; i++)
+        middle[i] = (p->onA[i] + p->onB[i]) / 2;
+    const double z = mcd_dot(v->n, middle);
+    return (Spot){.x = mcd_dot(v->u, middle),
+                  .y = mcd_dot(v->w, middle),
+                  .a = z + p->separation / 2,
+                  .b = z - p->separation / 2,
+                  .feature = feature};
+}
+
+static View makeView(const McdShape *a, const McdShape *b, const McdProximity *p) {
+    View v = {.n = p->normal, .slack = slack * mcd_pairSize(a, b)};
+    mcd_basis(p->normal, v.u, v.w);
+    return v;
+}
+
+static void startManifold(McdManifold *m, const double normal[3]) {
+    mcd_copy(m->normal, normal);
+    m->count = 0;
+}
+
+int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *p, MeU32 feature, double margin,
+                      McdManifold *m) {
+    startManifold(m, p->normal);
+    if (!(p->separation - a->rounding - b->rounding <= margin))
+        return 0;
+    const View v = makeView(a, b, p);
+    const Spot s = supportSpot(&v, p, feature);
+    addContact(a, b, &v, &s, m);
+    return 1;
+}
+
+/* Is a spot's height on a face as exact as its place? Not where the face rises more than it goes across; the ends of a
+ * line are. */
+static MeBool isExact(const Outline *o, MeU32 feature) {
+    if (o->count > 2)
+        return o->slopeX * o->slopeX + o->slopeY * o->slopeY < 1;
+    const double x = o->x[1] - o->x[0], y = o->y[1] - o->y[0], z = o->z[1] - o->z[0];
+    return feature >> 14 == CORNER || z * z < x * x + y * y;
+}
+
+/* The deepest spot; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so, where the
+ * slack lets it stand out. */
+static int leastSeparated(Spot *spot, int count, double separation) {
+    int least = -1;
+    for (int i = 0; i < count; i++) {
+        spot[i].a = MeMAX(spot[i].a, spot[i].b + separation);
+        if (least < 0 || spot[i].a - spot[i].b < spot[least].a - spot[least].b)
+            least = i;
+    }
+    return least;
+}
+
+int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
+                      const McdProximity *p, double margin, McdManifold *m) {
+    Spot spot[MAX_SPOTS];
+    Outline outA, outB;
+    const View v = makeView(a, b, p);
+    const double coreMargin = margin + a->rounding + b->rounding;
+    int count = 0;
+    startManifold(m, p->normal);
+    /* b's face looks along the normal, so that its corners turn counter-clockwise; a's looks the other way. */
+    if (makeOutline(&v, faceA, 1, &outA) && makeOutline(&v, faceB, 0, &outB))
+        count = commonSpots(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, spot);
+    count = dropIdle(spot, count, coreMargin, v.slack);
+    const int least = leastSeparated(spot, count, p->separation);
+    const double short_ = least < 0 ? INFINITY : spot[least].a - spot[least].b - p->separation;
+    if (p->isGuess && !(short_ <= v.slack && isExact(&outA, spot[least].feature >> 16) &&
+                        isExact(&outB, spot[least].feature & 0xffff)))
+        return 0;
+    /* A face that is preferred although another normal is slightly better has its farthest corner beside the other. */
+    if (short_ <= preference * mcd_pairSize(a, b))
+        spot[least].a = spot[least].b + p->separation;
+    else if (p->separation <= coreMargin)
+        spot[count++] = supportSpot(&v, p, code(SUPPORT, faceA->id, 0) << 16 | code(SUPPORT, faceB->id, 0));
+    if (count > MCD_MANIFOLD_POINTS)
+        count = keepFour(spot, count, v.slack);
+    for (int i = 0; i < count; i++)
+        addContact(a, b, &v, &spot[i], m);
+    return m->count;
+}

@@ -1,0 +1,214 @@
+/* Which pair of convex shapes is served by what: the one table of the nearfield.
+ *
+ * A cell finds the normal, by closed form where there is a short one; the faces along it give the contacts, the same
+ * way for all pairs (mcd_face.c). What is empty is served by the cell across the diagonal, with the shapes swapped. */
+#include "mcd_nearfield.h"
+
+typedef MeBool (*Proximity)(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+
+/* Boxes that are apart may be nearest at their corners, of which the separating axes know nothing. */
+static MeBool boxBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    if (!mcd_boxBoxProximity(a, b, limit, p))
+        return 0;
+    return p->separation <= 0 || mcd_coreProximity(a, b, limit, p);
+}
+
+enum { SPHERE, SPHYL, BOX, CYLINDER, CONE, HULL, TRIANGLE, KINDS, NO_KIND = -1 };
+
+#define POINTS   mcd_pointPoint
+#define SEGMENT  mcd_pointSegment
+#define SEGMENTS mcd_segmentSegment
+#define CLAMPED  mcd_pointBox
+#define INTUBE   mcd_pointCylinder
+#define AXES     boxBox
+#define GENERAL  mcd_coreProximity
+/* clang-format off */
+static const Proximity grid[KINDS][KINDS] = {
+    /*              SPHERE   SPHYL     BOX      CYLINDER  CONE     HULL     TRIANGLE */
+    /* SPHERE   */ {POINTS,  SEGMENT,  CLAMPED, INTUBE,   GENERAL, GENERAL, GENERAL},
+    /* SPHYL    */ {0,       SEGMENTS, GENERAL, GENERAL,  GENERAL, GENERAL, GENERAL},
+    /* BOX      */ {0,       0,        AXES,    GENERAL,  GENERAL, GENERAL, GENERAL},
+    /* CYLINDER */ {0,       0,        0,       GENERAL,  GENERAL, GENERAL, GENERAL},
+    /* CONE     */ {0,       0,        0,       0,        GENERAL, GENERAL, GENERAL},
+    /* HULL     */ {0,       0,        0,       0,        0,       GENERAL, GENERAL},
+    /* TRIANGLE */ {0,       0,        0,       0,        0,       0,       GENERAL},
+};
+/* clang-format on */
+
+static int kindOf(const McdShape *s) {
+    switch (s->type) {
+    case kMcdGeometryTypeSphere:
+        return SPHERE;
+    case kMcdGeometryTypeSphyl:
+        return SPHYL;
+    case kMcdGeometryTypeBox:
+        return BOX;
+    case kMcdGeometryTypeCylinder:
+        return CYLINDER;
+    case kMcdGeometryTypeCone:
+        return CONE;
+    case kMcdGeometryTypeConvexMesh:
+        return HULL;
+    case MCD_SHAPE_TRIANGLE:
+        return TRIANGLE;
+    default:
+        return NO_KIND;
+    }
+}
+
+/* ---- the face's normal instead of one that is as good --------------------------------------------------------- */
+
+/* Of the smaller shape; see mcd_box_box.c. */
+static const double faceBias = 2e-7;
+
+static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], McdProximity *p, double least) {
+    if (!(mcd_dot(n, p->normal) > .9))
+        return;
+    const double s = mcd_separationAlong(a, b, n);
+    if (!(s >= least))
+        return;
+    mcd_copy(p->normal, n);
+    p->separation = s;
+}
+
+/* Two lines on round sides: the normal is across both, or, where they are parallel, from axis to axis. The search for
+ * it ends where the depth is exact enough; its own error is the square root of that. */
+static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
+                           McdProximity *p, double least) {
+    double u[3], w[3], n[3];
+    mcd_sub(u, faceA->point[1], faceA->point[0]);
+    mcd_sub(w, faceB->point[1], faceB->point[0]);
+    const double squared = mcd_dot(u, u), other = mcd_dot(w, w);
+    mcd_cross(n, u, w);
+    if (mcd_dot(n, n) < 1e-6 * squared * other) {
+        mcd_sub(n, a->place, b->place);
+        mcd_mad(n, n, -mcd_dot(n, u) / squared, u);
+    }
+    const double length = mcd_length(n);
+    if (!(length > 0))
+        return;
+    mcd_scale(n, n, (mcd_dot(n, p->normal) < 0 ? -1 : 1) / length);
+    tryNormal(a, b, n, p, least);
+}
+
+/* A normal that is a face's to within rounding becomes it, so that it is the same from step to step. */
+static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
+                        McdProximity *p) {
+    const double least = p->separation - faceBias * mcd_pairSize(a, b);
+    const double turned[3] = {-faceA->normal[0], -faceA->normal[1], -faceA->normal[2]};
+    const int first = faceA->count >= faceB->count; /* a polygon's normal is firmer than a line's */
+    double best[3];
+    if (faceA->count == 2 && faceB->count == 2) {
+        tryAcrossLines(a, b, faceA, faceB, p, least);
+        return;
+    }
+    mcd_copy(best, p->normal);
+    tryNormal(a, b, first ? turned : faceB->normal, p, least);
+    if (mcd_distanceSquared(best, p->normal) == 0)
+        tryNormal(a, b, first ? faceB->normal : turned, p, least);
+}
+
+/* ---- what the others call ------------------------------------------------------------------------------------- */
+
+/* The normal is the other shape's outward: from b to a. */
+static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    const int i = kindOf(a), j = kindOf(b);
+    const double reach = a->extent + b->extent + MeMAX(limit, 0);
+    if (i == NO_KIND || j == NO_KIND)
+        return 0;
+    if (!(mcd_distanceSquared(a->place, b->place) <= reach * reach))
+        return 0;
+    if (grid[i][j])
+        return grid[i][j](a, b, limit, p);
+    McdProximity turned;
+    if (!grid[j][i](b, a, limit, &turned))
+        return 0;
+    mcd_scale(p->normal, turned.normal, -1);
+    p->separation = turned.separation;
+    p->isGuess = 0;
+    mcd_copy(p->onA, turned.onB);
+    mcd_copy(p->onB, turned.onA);
+    return 1;
+}
+
+static MeBool isPoint(const McdShape *s) {
+    return s->type == kMcdGeometryTypeSphere;
+}
+
+static void facesAlong(const McdShape *a, const McdShape *b, const double n[3], McdFace *faceA, McdFace *faceB) {
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    mcd_faceToward(a, back, faceA);
+    mcd_faceToward(b, n, faceB);
+}
+
+static MeBool areBoxes(const McdShape *a, const McdShape *b) {
+    return a->type == kMcdGeometryTypeBox && b->type == kMcdGeometryTypeBox;
+}
+
+/* A guess, or, of boxes that overlap, the answer; false if it shows that they are too far apart. */
+static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    const double reach = a->extent + b->extent + MeMAX(limit, 0);
+    if (!(mcd_distanceSquared(a->place, b->place) <= reach * reach))
+        return 0;
+    if (areBoxes(a, b))
+        return mcd_boxBoxProximity(a, b, limit, p);
+    mcd_guessProximity(a, b, p);
+    return p->separation <= limit;
+}
+
+static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
+    McdFace faceA, faceB;
+    facesAlong(a, b, p->normal, &faceA, &faceB);
+    if (!p->isGuess) {
+        preferFaces(a, b, &faceA, &faceB, p);
+        if (faceA.count == 2 || faceB.count == 2) /* lines go with the normal */
+            facesAlong(a, b, p->normal, &faceA, &faceB);
+    }
+    return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
+}
+
+/* Of what is a little apart, or round and a little within, a face's normal mostly needs no more than being tried. */
+static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
+    const double limit = margin + a->rounding + b->rounding;
+    McdProximity p;
+    m->count = 0;
+    mcd_set(m->normal, 0, 0, 1);
+    if (isPoint(a) || isPoint(b))
+        return proximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : 0;
+    if (!guess(a, b, limit, &p))
+        return 0;
+    if (p.separation > 0 && alongFaces(a, b, margin, &p, m))
+        return m->count;
+    if (p.isGuess && !proximity(a, b, limit, &p))
+        return 0;
+    return alongFaces(a, b, margin, &p, m);
+}
+
+static void mirror(McdManifold *m) {
+    mcd_scale(m->normal, m->normal, -1);
+    for (int i = 0; i < m->count; i++)
+        m->point[i].feature = m->point[i].feature << 16 | m->point[i].feature >> 16;
+}
+
+int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
+    if (kindOf(a) <= kindOf(b))
+        return manifoldOf(a, b, margin, m);
+    const int count = manifoldOf(b, a, margin, m);
+    mirror(m);
+    return count;
+}
+
+double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]) {
+    McdProximity p;
+    const int i = kindOf(a), j = kindOf(b);
+    if (i == NO_KIND || j == NO_KIND || !proximity(a, b, INFINITY, &p)) {
+        mcd_copy(onA, a->place);
+        mcd_copy(onB, b->place);
+        mcd_set(normal, 0, 0, 1);
+        return INFINITY;
+    }
+    mcd_mad(onA, p.onA, -a->rounding, p.normal);
+    mcd_mad(onB, p.onB, b->rounding, p.normal);
+    mcd_copy(normal, p.normal);
+    return p.separation - a->rounding - b->rounding;
+}

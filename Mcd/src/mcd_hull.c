@@ -1,0 +1,754 @@
+/* The convex hull of some points, by Qhull: polygons, edges, and which vertices are joined.
+ *
+ * Qhull works on points that are centred and scaled to unit size, so that a hull of 1 mm is made like one of 1 km. What
+ * it returns is made simpler by a tolerance that is well below what collision resolves: points that are the same become
+ * one, facets that lie in one plane become one polygon, and vertices within a face or an edge vanish. Then everything
+ * is put into an order that depends on the order of the points only.
+ */
+#define _POSIX_C_SOURCE 200809L /* fmemopen */
+#include "mcd_geometries.h"
+
+#include <float.h>
+#include <limits.h>
+#include <setjmp.h>
+#include <stdio.h>
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpedantic"
+#pragma GCC diagnostic ignored "-Wconversion"
+#endif
+#include "libqhull_r/qhull_ra.h"
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+/* Lengths relative to half the largest side of the box around the points. Single precision leaves about 1e-7 of noise
+ * in the coordinates of a face's corners. */
+static const double flatness = 3e-7;       /* what is as near as this to a plane or a line lies in it */
+static const double leastThickness = 1e-6; /* thinner things have no inside */
+
+/* ---- memory for the time of making a hull ---------------------------------------------------------------------- */
+
+typedef struct Block {
+    struct Block *next;
+    double contents[];
+} Block;
+
+typedef struct Work {
+    const char *function; /* for messages */
+    Block *blocks;
+    MeBool isExhausted;
+} Work;
+
+static void *take(Work *w, size_t count, size_t size) {
+    Block *b = (Block *)MeMemoryAPI.create(sizeof(Block) + count * size);
+    if (!b) {
+        if (!w->isExhausted)
+            MeFatalError(0, "%s: no memory for the hull", w->function);
+        w->isExhausted = 1;
+        return NULL;
+    }
+    b->next = w->blocks;
+    w->blocks = b;
+    return b->contents;
+}
+
+static void giveBack(Work *w) {
+    while (w->blocks) {
+        Block *b = w->blocks;
+        w->blocks = b->next;
+        MeMemoryAPI.destroy(b);
+    }
+}
+
+/* ---- vectors --------------------------------------------------------------------------------------------------- */
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static double distance(const double a[3], const double b[3]) {
+    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return sqrt(dot(d, d));
+}
+
+/* How far p is from the line from a to b, where a and b are not the same. */
+static double distanceToLine(const double p[3], const double a[3], const double b[3]) {
+    const double along[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, r[3] = {p[0] - a[0], p[1] - a[1], p[2] - a[2]};
+    const double t = dot(r, along) / dot(along, along);
+    const double off[3] = {r[0] - t * along[0], r[1] - t * along[1], r[2] - t * along[2]};
+    return sqrt(dot(off, off));
+}
+
+/* ---- points: checked, scaled, each once ------------------------------------------------------------------------- */
+
+typedef struct Cloud {
+    int count;
+    double (*point)[3]; /* centred and scaled */
+    int *source;        /* which of the given points it is */
+    double centre[3], scale;
+} Cloud;
+
+static MeBool pointsAreFinite(const double (*point)[3], int count, const char *function) {
+    for (int i = 0; i < count; i++)
+        if (!isfinite(point[i][0]) || !isfinite(point[i][1]) || !isfinite(point[i][2])) {
+            MeWarning(0, "%s: vertex %d is not finite", function, i);
+            return 0;
+        }
+    return 1;
+}
+
+static MeBool findScale(Cloud *c, const double (*point)[3], int count, const char *function) {
+    c->scale = 0;
+    for (int k = 0; k < 3; k++) {
+        double low = point[0][k], high = low;
+        for (int i = 1; i < count; i++) {
+            low = fmin(low, point[i][k]);
+            high = fmax(high, point[i][k]);
+        }
+        c->centre[k] = low / 2 + high / 2;
+        c->scale = fmax(c->scale, high / 2 - low / 2);
+    }
+    if (c->scale > 1e-30 && c->scale < 1e30)
+        return 1;
+    MeWarning(0, c->scale > 1 ? "%s: the vertices are too far apart" : "%s: all vertices are in one place", function);
+    return 0;
+}
+
+typedef struct Sortable {
+    double x;
+    int index;
+} Sortable;
+
+static int byX(const void *a, const void *b) {
+    const Sortable *p = (const Sortable *)a, *q = (const Sortable *)b;
+    if (p->x != q->x)
+        return p->x < q->x ? -1 : 1;
+    return (p->index > q->index) - (p->index < q->index);
+}
+
+/* Marks each point that is the same as an earlier one. */
+static void markCopies(const double (*p)[3], Sortable *order, int count, char *isCopy) {
+    for (int i = 0; i < count; i++) {
+        order[i] = (Sortable){p[i][0], i};
+        isCopy[i] = 0;
+    }
+    qsort(order, (size_t)count, sizeof *order, byX);
+    for (int i = 0; i < count; i++)
+        for (int j = i + 1; j < count && order[j].x - order[i].x <= flatness; j++) {
+            const int a = order[i].index, b = order[j].index;
+            if (!isCopy[a] && !isCopy[b] && distance(p[a], p[b]) <= flatness)
+                isCopy[a > b ? a : b] = 1;
+        }
+}
+
+static MeBool makeCloud(Work *w, Cloud *c, const double (*point)[3], int count) {
+    if (!findScale(c, point, count, w->function))
+        return 0;
+    c->point = (double(*)[3])take(w, (size_t)count, sizeof *c->point);
+    c->source = (int *)take(w, (size_t)count, sizeof *c->source);
+    Sortable *order = (Sortable *)take(w, (size_t)count, sizeof *order);
+    char *isCopy = (char *)take(w, (size_t)count, 1);
+    if (w->isExhausted)
+        return 0;
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++)
+            c->point[i][k] = (point[i][k] - c->centre[k]) / c->scale;
+    markCopies((const double(*)[3])c->point, order, count, isCopy);
+    c->count = 0;
+    for (int i = 0; i < count; i++)
+        if (!isCopy[i]) {
+            memcpy(c->point[c->count], c->point[i], sizeof c->point[i]);
+            c->source[c->count++] = i;
+        }
+    return 1;
+}
+
+/* ---- Qhull's facets --------------------------------------------------------------------------------------------- */
+
+/* Polygons that make up a closed surface, counter-clockwise from outside. */
+typedef struct Facets {
+    int count, cornerCount;
+    int faceMax, cornerMax;
+    int *first;  /* count + 1 indices into the corners */
+    int *vertex; /* of each corner: a point of the cloud */
+    int *face;   /* of each corner */
+    int *twin;   /* of each corner: the corner at the other end of the edge that begins here, in the next face */
+    double (*normal)[3];
+    double *area;
+} Facets;
+
+static int nextCorner(const Facets *f, int corner) {
+    const int face = f->face[corner];
+    return corner + 1 < f->first[face + 1] ? corner + 1 : f->first[face];
+}
+
+/* A convex surface on n points has at most 2 n - 4 faces and 3 n - 6 edges. */
+static MeBool makeRoom(Work *w, Facets *f, int points) {
+    f->faceMax = 2 * points;
+    f->cornerMax = 6 * points;
+    f->first = (int *)take(w, (size_t)f->faceMax + 1, sizeof(int));
+    f->normal = (double(*)[3])take(w, (size_t)f->faceMax, sizeof *f->normal);
+    f->area = (double *)take(w, (size_t)f->faceMax, sizeof(double));
+    f->vertex = (int *)take(w, (size_t)f->cornerMax, sizeof(int));
+    f->face = (int *)take(w, (size_t)f->cornerMax, sizeof(int));
+    f->twin = (int *)take(w, (size_t)f->cornerMax, sizeof(int));
+    return !w->isExhausted;
+}
+
+/* Twice the area of a polygon, as a vector along its normal (Newell). */
+static void newell(const double (*point)[3], const int *vertex, int count, double out[3]) {
+    out[0] = out[1] = out[2] = 0;
+    for (int i = 0; i < count; i++) {
+        double a[3], b[3];
+        for (int k = 0; k < 3; k++) { /* relative to a corner, which keeps the digits of small faces */
+            a[k] = point[vertex[i]][k] - point[vertex[0]][k];
+            b[k] = point[vertex[(i + 1) % count]][k] - point[vertex[0]][k];
+        }
+        out[0] += a[1] * b[2] - a[2] * b[1];
+        out[1] += a[2] * b[0] - a[0] * b[2];
+        out[2] += a[0] * b[1] - a[1] * b[0];
+    }
+}
+
+static void reverse(int *v, int count) {
+    for (int i = 0, j = count - 1; i < j; i++, j--) {
+        const int t = v[i];
+        v[i] = v[j];
+        v[j] = t;
+    }
+}
+
+/* Takes one facet over; false if there is no place for it, which means that Qhull's result is broken. */
+static MeBool addFacet(Facets *f, const Cloud *c, qhT *qh, facetT *facet) {
+    setT *corners = qh_facet3vertex(qh, facet);
+    const int size = qh_setsize(qh, corners);
+    MeBool fits = f->count < f->faceMax && f->cornerCount + size <= f->cornerMax && size >= 3;
+    if (fits) {
+        int *v = f->vertex + f->cornerCount;
+        for (int i = 0; i < size; i++)
+            v[i] = qh_pointid(qh, ((vertexT *)corners->e[i].p)->point);
+        double area[3];
+        newell((const double(*)[3])c->point, v, size, area);
+        if (dot(area, facet->normal) < 0)
+            reverse(v, size);
+        for (int i = 0; i < size; i++)
+            f->face[f->cornerCount + i] = f->count;
+        memcpy(f->normal[f->count], facet->normal, sizeof f->normal[0]);
+        f->area[f->count] = sqrt(dot(area, area)) / 2;
+        f->cornerCount += size;
+        f->first[++f->count] = f->cornerCount;
+    }
+    qh_settempfree(qh, &corners);
+    return fits;
+}
+
+/* Qhull leaves by longjmp where something goes wrong, and must find someone to jump to while its result is read. */
+static MeBool readFacets(Facets *f, const Cloud *c, qhT *qh) {
+    f->count = f->cornerCount = 0;
+    f->first[0] = 0;
+    if (setjmp(qh->errexit))
+        return 0;
+    qh->NOerrexit = False;
+    facetT *facet;
+    FORALLfacets if (!addFacet(f, c, qh, facet)) return 0;
+    return 1;
+}
+
+static MeBool runQhull(Facets *f, const Cloud *c, char *options) {
+    char text[1024]; /* Qhull's messages end here */
+    FILE *sink = fmemopen(text, sizeof text, "w");
+    qhT *qh = (qhT *)MeMemoryAPI.create(sizeof *qh);
+    MeBool works = 0;
+    if (sink && qh) {
+        int curlong, totlong;
+        qh_zero(qh, sink);
+        works = qh_new_qhull(qh, 3, c->count, c->point[0], False, options, NULL, sink) == 0 && readFacets(f, c, qh);
+        qh->NOerrexit = True;
+        qh_freeqhull(qh, !qh_ALL);
+        qh_memfreeshort(qh, &curlong, &totlong);
+    }
+    if (qh)
+        MeMemoryAPI.destroy(qh);
+    if (sink)
+        fclose(sink);
+    return works;
+}
+
+/* ---- which facets meet at which edge ------------------------------------------------------------------------------ */
+
+typedef struct EdgeKey {
+    int low, high, corner;
+} EdgeKey;
+
+static int byVertices(const void *a, const void *b) {
+    const EdgeKey *p = (const EdgeKey *)a, *q = (const EdgeKey *)b;
+    if (p->low != q->low)
+        return p->low < q->low ? -1 : 1;
+    if (p->high != q->high)
+        return p->high < q->high ? -1 : 1;
+    return (p->corner > q->corner) - (p->corner < q->corner);
+}
+
+/* Finds the twins; false if the surface is not closed. */
+static MeBool joinFacets(Work *w, Facets *f) {
+    EdgeKey *key = (EdgeKey *)take(w, (size_t)f->cornerCount, sizeof *key);
+    if (!key || f->cornerCount % 2)
+        return 0;
+    for (int i = 0; i < f->cornerCount; i++) {
+        const int a = f->vertex[i], b = f->vertex[nextCorner(f, i)];
+        key[i] = (EdgeKey){a < b ? a : b, a < b ? b : a, i};
+    }
+    qsort(key, (size_t)f->cornerCount, sizeof *key, byVertices);
+    for (int i = 0; i < f->cornerCount; i += 2) {
+        const int a = key[i].corner, b = key[i + 1].corner;
+        if (key[i].low != key[i + 1].low || key[i].high != key[i + 1].high || f->vertex[a] == f->vertex[b])
+            return 0;
+        if (i > 0 && key[i].low == key[i - 1].low && key[i].high == key[i - 1].high)
+            return 0;
+        f->twin[a] = b;
+        f->twin[b] = a;
+    }
+    return 1;
+}
+
+/* ---- facets in one plane become one face -------------------------------------------------------------------------- */
+
+typedef struct Regions {
+    int *of; /* of each facet: the facet that its region grew from */
+    int *stack;
+} Regions;
+
+static MeBool isWithin(const Facets *f, const Cloud *c, int face, int seed) {
+    const double *n = f->normal[seed], *origin = c->point[f->vertex[f->first[seed]]];
+    for (int i = f->first[face]; i < f->first[face + 1]; i++)
+        if (fabs(dot(n, c->point[f->vertex[i]]) - dot(n, origin)) > flatness)
+            return 0;
+    return dot(f->normal[face], n) > 0;
+}
+
+static void growRegion(const Facets *f, const Cloud *c, Regions *r, int seed) {
+    int top = 0;
+    r->of[seed] = seed;
+    r->stack[top++] = seed;
+    while (top > 0) {
+        const int face = r->stack[--top];
+        for (int i = f->first[face]; i < f->first[face + 1]; i++) {
+            const int other = f->face[f->twin[i]];
+            if (r->of[other] < 0 && isWithin(f, c, other, seed)) {
+                r->of[other] = seed;
+                r->stack[top++] = other;
+            }
+        }
+    }
+}
+
+/* The larger facets first: their planes are known best. */
+static MeBool makeRegions(Work *w, const Facets *f, const Cloud *c, Regions *r) {
+    Sortable *order = (Sortable *)take(w, (size_t)f->count, sizeof *order);
+    r->of = (int *)take(w, (size_t)f->count, sizeof(int));
+    r->stack = (int *)take(w, (size_t)f->count, sizeof(int));
+    if (w->isExhausted)
+        return 0;
+    for (int i = 0; i < f->count; i++) {
+        r->of[i] = -1;
+        order[i] = (Sortable){-f->area[i], i};
+    }
+    qsort(order, (size_t)f->count, sizeof *order, byX);
+    for (int i = 0; i < f->count; i++)
+        if (r->of[order[i].index] < 0)
+            growRegion(f, c, r, order[i].index);
+    return 1;
+}
+
+/* The corners around each region, linked. */
+typedef struct Loops {
+    int *next, *previous; /* of a facet's corner: the corner after it around the region; -1: not on a border */
+    int *start;           /* of a region: one of its corners; -1: no region */
+    int *size;
+    int *degree; /* of a vertex: how many loops it is in */
+} Loops;
+
+static MeBool isBorder(const Facets *f, const Regions *r, int corner) {
+    return r->of[f->face[corner]] != r->of[f->face[f->twin[corner]]];
+}
+
+static int nextBorder(const Facets *f, const Regions *r, int corner) {
+    int next = nextCorner(f, corner);
+    while (!isBorder(f, r, next))
+        next = nextCorner(f, f->twin[next]);
+    return next;
+}
+
+/* Links the border that goes through a corner; its length. */
+static int linkLoop(const Facets *f, const Regions *r, Loops *l, int start) {
+    int corner = start, size = 0;
+    do {
+        const int next = nextBorder(f, r, corner);
+        l->next[corner] = next;
+        l->previous[next] = corner;
+        corner = next;
+        size++;
+    } while (corner != start);
+    return size;
+}
+
+/* Links the borders; where a region has not just one, which passes each vertex once, its facets part again. */
+static MeBool linkLoops(const Facets *f, Regions *r, Loops *l, int *seen, int pointCount) {
+    MeBool isSound = 1;
+    for (int i = 0; i < f->count; i++)
+        l->start[i] = -1;
+    for (int i = 0; i < f->cornerCount; i++)
+        l->next[i] = -1;
+    for (int i = 0; i < pointCount; i++)
+        seen[i] = -1;
+    for (int i = 0; i < f->cornerCount; i++) {
+        const int region = r->of[f->face[i]];
+        if (!isBorder(f, r, i) || l->next[i] >= 0 || region < 0)
+            continue;
+        MeBool isSimple = l->start[region] < 0;
+        l->start[region] = i;
+        l->size[region] = linkLoop(f, r, l, i);
+        for (int k = 0, corner = i; k < l->size[region]; k++, corner = l->next[corner]) {
+            isSimple = isSimple && seen[f->vertex[corner]] != region;
+            seen[f->vertex[corner]] = region;
+        }
+        if (!isSimple) {
+            isSound = 0;
+            for (int k = 0; k < f->count; k++)
+                if (r->of[k] == region)
+                    r->stack[k] = 1;
+        }
+    }
+    return isSound;
+}
+
+static MeBool makeLoops(Work *w, const Facets *f, const Cloud *c, Regions *r, Loops *l) {
+    int *seen = (int *)take(w, (size_t)c->count, sizeof(int));
+    l->next = (int *)take(w, (size_t)f->cornerCount, sizeof(int));
+    l->previous = (int *)take(w, (size_t)f->cornerCount, sizeof(int));
+    l->start = (int *)take(w, (size_t)f->count, sizeof(int));
+    l->size = (int *)take(w, (size_t)f->count, sizeof(int));
+    l->degree = (int *)take(w, (size_t)c->count, sizeof(int));
+    if (w->isExhausted)
+        return 0;
+    memset(r->stack, 0, (size_t)f->count * sizeof(int)); /* from here on: which facets part */
+    if (linkLoops(f, r, l, seen, c->count))
+        return 1;
+    for (int i = 0; i < f->count; i++)
+        if (r->stack[i])
+            r->of[i] = i;
+    return linkLoops(f, r, l, seen, c->count); /* a facet of Qhull's that is no loop itself means a broken hull */
+}
+
+/* ---- vertices within edges vanish ---------------------------------------------------------------------------------- */
+
+static void countDegrees(const Facets *f, const Cloud *c, Loops *l) {
+    memset(l->degree, 0, (size_t)c->count * sizeof(int));
+    for (int i = 0; i < f->count; i++)
+        for (int k = 0, corner = l->start[i]; l->start[i] >= 0 && k < l->size[i]; k++, corner = l->next[corner])
+            l->degree[f->vertex[corner]]++;
+}
+
+static MeBool isWithinEdge(const Facets *f, const Cloud *c, const Loops *l, int corner) {
+    const double *a = c->point[f->vertex[l->previous[corner]]], *b = c->point[f->vertex[l->next[corner]]];
+    return l->degree[f->vertex[corner]] == 2 && distanceToLine(c->point[f->vertex[corner]], a, b) <= flatness;
+}
+
+static void unlinkCorner(const Facets *f, const Regions *r, Loops *l, int corner) {
+    const int region = r->of[f->face[corner]];
+    l->next[l->previous[corner]] = l->next[corner];
+    l->previous[l->next[corner]] = l->previous[corner];
+    if (l->start[region] == corner)
+        l->start[region] = l->next[corner];
+    l->size[region]--;
+}
+
+/* A corner of each vertex's two loops, or -1. */
+static void findCorners(const Facets *f, const Loops *l, int (*corner)[2], int pointCount) {
+    for (int i = 0; i < pointCount; i++)
+        corner[i][0] = corner[i][1] = -1;
+    for (int i = 0; i < f->count; i++)
+        for (int k = 0, at = l->start[i]; l->start[i] >= 0 && k < l->size[i]; k++, at = l->next[at]) {
+            int *of = corner[f->vertex[at]];
+            of[of[0] >= 0] = at;
+        }
+}
+
+static MeBool straightenEdges(Work *w, const Facets *f, const Cloud *c, const Regions *r, Loops *l) {
+    int(*corner)[2] = (int(*)[2])take(w, (size_t)c->count, sizeof *corner);
+    if (!corner)
+        return 0;
+    countDegrees(f, c, l);
+    findCorners(f, l, corner, c->count);
+    for (int v = 0; v < c->count; v++) {
+        const int a = corner[v][0], b = corner[v][1];
+        if (l->degree[v] != 2 || l->size[r->of[f->face[a]]] <= 3 || l->size[r->of[f->face[b]]] <= 3)
+            continue;
+        if (isWithinEdge(f, c, l, a)) {
+            unlinkCorner(f, r, l, a);
+            unlinkCorner(f, r, l, b);
+            l->degree[v] = 0;
+        }
+    }
+    return 1;
+}
+
+/* ---- the hull, in an order of its own ------------------------------------------------------------------------------- */
+
+/* One block of memory: the hull, then its arrays, those of doubles first. */
+static McdHull *allocateHull(Work *w, int vertices, int faces, int corners) {
+    const size_t v = (size_t)vertices, n = (size_t)faces, e = (size_t)corners / 2;
+    const size_t bytes = sizeof(McdHull) + v * sizeof(double[3]) + n * sizeof(McdHullFace) +
+                         (2 * e + 4 * e + v + 1 + 2 * e) * sizeof(int);
+    McdHull *h = (McdHull *)MeMemoryAPI.create(bytes);
+    if (!h) {
+        MeFatalError(0, "%s: no memory for the hull", w->function);
+        return NULL;
+    }
+    h->vertexCount = vertices;
+    h->faceCount = faces;
+    h->edgeCount = corners / 2;
+    h->vertex = (double(*)[3])(h + 1);
+    h->face = (McdHullFace *)(h->vertex + v);
+    h->faceVertex = (int *)(h->face + n);
+    h->edge = (int(*)[2])(h->faceVertex + 2 * e);
+    h->edgeFace = h->edge + e;
+    h->neighbourFirst = (int *)(h->edgeFace + e);
+    h->neighbour = h->neighbourFirst + v + 1;
+    return h;
+}
+
+/* What becomes of the loops: which vertices are used, what numbers they get, and the faces in order. */
+typedef struct Plan {
+    int vertices, faces, corners;
+    int *number; /* of a point of the cloud: its vertex in the hull */
+    int *region; /* of a face */
+} Plan;
+
+/* Each loop begins at its first vertex. */
+static void beginAtFirstVertex(const Facets *f, Loops *l, int region) {
+    int best = l->start[region];
+    for (int k = 0, corner = best; k < l->size[region]; k++, corner = l->next[corner])
+        if (f->vertex[corner] < f->vertex[best])
+            best = corner;
+    l->start[region] = best;
+}
+
+/* Three vertices tell faces apart: two faces share an edge at most. */
+typedef struct FaceKey {
+    int v[3], region;
+} FaceKey;
+
+static int byCorners(const void *a, const void *b) {
+    const FaceKey *p = (const FaceKey *)a, *q = (const FaceKey *)b;
+    for (int i = 0; i < 3; i++)
+        if (p->v[i] != q->v[i])
+            return p->v[i] < q->v[i] ? -1 : 1;
+    return (p->region > q->region) - (p->region < q->region);
+}
+
+static MeBool makePlan(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan *p) {
+    FaceKey *key = (FaceKey *)take(w, (size_t)f->count, sizeof *key);
+    p->number = (int *)take(w, (size_t)c->count, sizeof(int));
+    p->region = (int *)take(w, (size_t)f->count, sizeof(int));
+    if (w->isExhausted)
+        return 0;
+    p->vertices = p->faces = p->corners = 0;
+    for (int i = 0; i < f->count; i++)
+        if (l->start[i] >= 0) {
+            beginAtFirstVertex(f, l, i);
+            const int a = l->start[i], b = l->next[a];
+            key[p->faces++] = (FaceKey){{f->vertex[a], f->vertex[b], f->vertex[l->next[b]]}, i};
+            p->corners += l->size[i];
+        }
+    qsort(key, (size_t)p->faces, sizeof *key, byCorners);
+    for (int i = 0; i < p->faces; i++)
+        p->region[i] = key[i].region;
+    countDegrees(f, c, l);
+    for (int i = 0; i < c->count; i++)
+        p->number[i] = l->degree[i] > 0 ? p->vertices++ : -1;
+    return 1;
+}
+
+static void fillVertices(McdHull *h, const Plan *p, const Cloud *c, const double (*point)[3]) {
+    for (int i = 0; i < c->count; i++)
+        if (p->number[i] >= 0)
+            memcpy(h->vertex[p->number[i]], point[c->source[i]], sizeof h->vertex[0]);
+    for (int k = 0; k < 3; k++) {
+        h->centre[k] = 0;
+        for (int i = 0; i < h->vertexCount; i++)
+            h->centre[k] += (h->vertex[i][k] - c->centre[k]) / h->vertexCount;
+        h->centre[k] += c->centre[k];
+    }
+    h->extent = 0;
+    for (int i = 0; i < h->vertexCount; i++)
+        h->extent = fmax(h->extent, distance(h->vertex[i], h->centre));
+}
+
+static void fillNormal(McdHullFace *face, const McdHull *h, const Cloud *c, const double spare[3]) {
+    newell((const double(*)[3])h->vertex, h->faceVertex + face->first, face->count, face->normal);
+    const double size = sqrt(dot(face->normal, face->normal));
+    for (int k = 0; k < 3; k++) /* a sliver has no area to speak of, but Qhull's normal */
+        face->normal[k] = size > 1e-12 * c->scale * c->scale ? face->normal[k] / size : spare[k];
+}
+
+/* Planes are so far out that all corners of their facets are behind them, those that vanished too. */
+static void fillOffsets(McdHull *h, const Facets *f, const Cloud *c, const Regions *r, const int *faceOf) {
+    for (int i = 0; i < h->faceCount; i++)
+        h->face[i].offset = -DBL_MAX;
+    for (int i = 0; i < f->cornerCount; i++) {
+        McdHullFace *face = &h->face[faceOf[r->of[f->face[i]]]];
+        face->offset = fmax(face->offset, dot(face->normal, c->point[f->vertex[i]]));
+    }
+    for (int i = 0; i < h->faceCount; i++) {
+        McdHullFace *face = &h->face[i];
+        face->offset = dot(face->normal, c->centre) + c->scale * face->offset;
+        for (int k = 0; k < face->count; k++)
+            face->offset = fmax(face->offset, dot(face->normal, h->vertex[h->faceVertex[face->first + k]]));
+    }
+}
+
+static void fillFaces(McdHull *h, const Plan *p, const Facets *f, const Cloud *c, const Regions *r, const Loops *l) {
+    int corners = 0, *faceOf = r->stack; /* of a region, by now */
+    for (int i = 0; i < p->faces; i++) {
+        const int region = p->region[i];
+        McdHullFace *face = &h->face[i];
+        faceOf[region] = i;
+        face->first = corners;
+        face->count = l->size[region];
+        for (int k = 0, corner = l->start[region]; k < face->count; k++, corner = l->next[corner])
+            h->faceVertex[corners++] = p->number[f->vertex[corner]];
+        fillNormal(face, h, c, f->normal[region]);
+    }
+    fillOffsets(h, f, c, r, faceOf);
+}
+
+typedef struct HullEdge {
+    int low, high, face;
+    MeBool rises; /* the face's border runs from low to high */
+} HullEdge;
+
+static int byEnds(const void *a, const void *b) {
+    const HullEdge *p = (const HullEdge *)a, *q = (const HullEdge *)b;
+    if (p->low != q->low)
+        return p->low < q->low ? -1 : 1;
+    if (p->high != q->high)
+        return p->high < q->high ? -1 : 1;
+    return (int)q->rises - (int)p->rises;
+}
+
+/* Edges in the order of their vertices; the face whose border runs along with an edge is on its left. */
+static MeBool fillEdges(Work *w, McdHull *h) {
+    HullEdge *half = (HullEdge *)take(w, 2 * (size_t)h->edgeCount, sizeof *half);
+    if (!half)
+        return 0;
+    int n = 0;
+    for (int i = 0; i < h->faceCount; i++)
+        for (int k = 0; k < h->face[i].count; k++) {
+            const int *v = h->faceVertex + h->face[i].first, a = v[k], b = v[(k + 1) % h->face[i].count];
+            half[n++] = (HullEdge){a < b ? a : b, a < b ? b : a, i, a < b};
+        }
+    qsort(half, (size_t)n, sizeof *half, byEnds);
+    for (int i = 0; i < h->edgeCount; i++) {
+        const HullEdge *p = &half[2 * i], *q = p + 1;
+        if (p->low != q->low || p->high != q->high || !p->rises || q->rises)
+            return 0;
+        h->edge[i][0] = p->low;
+        h->edge[i][1] = p->high;
+        h->edgeFace[i][0] = p->face;
+        h->edgeFace[i][1] = q->face;
+    }
+    return 1;
+}
+
+static void fillNeighbours(McdHull *h) {
+    int *first = h->neighbourFirst;
+    memset(first, 0, ((size_t)h->vertexCount + 1) * sizeof *first);
+    for (int i = 0; i < h->edgeCount; i++) {
+        first[h->edge[i][0]]++;
+        first[h->edge[i][1]]++;
+    }
+    for (int i = 0; i < h->vertexCount; i++)
+        first[i + 1] += first[i];
+    for (int i = h->edgeCount - 1; i >= 0; i--) { /* backwards from the ends, which leaves the beginnings */
+        h->neighbour[--first[h->edge[i][0]]] = h->edge[i][1];
+        h->neighbour[--first[h->edge[i][1]]] = h->edge[i][0];
+    }
+}
+
+static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Regions *r, Loops *l,
+                          const double (*point)[3]) {
+    Plan p;
+    if (!makePlan(w, f, c, l, &p) || p.faces < 4)
+        return NULL;
+    McdHull *h = allocateHull(w, p.vertices, p.faces, p.corners);
+    if (!h)
+        return NULL;
+    fillVertices(h, &p, c, point);
+    fillFaces(h, &p, f, c, r, l);
+    if (!fillEdges(w, h) || h->vertexCount - h->edgeCount + h->faceCount != 2) {
+        mcd_hullDestroy(h);
+        return NULL;
+    }
+    fillNeighbours(h);
+    return h;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------------------------------ */
+
+/* The least width is across a face or between two edges; the faces' own tell as much as is needed here. */
+static MeBool isThick(const McdHull *h, const Cloud *c) {
+    for (int i = 0; i < h->faceCount; i++) {
+        double width = 0;
+        for (int k = 0; k < h->vertexCount && width < leastThickness * c->scale; k++)
+            width = fmax(width, h->face[i].offset - dot(h->face[i].normal, h->vertex[k]));
+        if (width < leastThickness * c->scale)
+            return 0;
+    }
+    return 1;
+}
+
+static McdHull *hullOfCloud(Work *w, const Cloud *c, const double (*point)[3], char *options) {
+    Facets f;
+    Regions r;
+    Loops l;
+    if (!makeRoom(w, &f, c->count) || !runQhull(&f, c, options) || !joinFacets(w, &f) || !makeRegions(w, &f, c, &r) ||
+        !makeLoops(w, &f, c, &r, &l) || !straightenEdges(w, &f, c, &r, &l))
+        return NULL;
+    McdHull *h = buildHull(w, &f, c, &r, &l, point);
+    if (h && !isThick(h, c)) {
+        mcd_hullDestroy(h);
+        h = NULL;
+    }
+    return h;
+}
+
+McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *function) {
+    if (!point || count < 4 || count > INT_MAX / 64) {
+        MeWarning(0, "%s: a hull has at least 4 vertices, not %d", function, point ? count : 0);
+        return NULL;
+    }
+    if (!pointsAreFinite(point, count, function))
+        return NULL;
+    Work w = {function, NULL, 0};
+    Cloud c;
+    McdHull *h = NULL;
+    if (makeCloud(&w, &c, point, count)) {
+        char plain[] = "qhull Pp", joggled[] = "qhull QJ Pp"; /* the second way always makes triangles */
+        if (c.count >= 4)
+            h = hullOfCloud(&w, &c, point, plain);
+        if (c.count >= 4 && !h && !w.isExhausted)
+            h = hullOfCloud(&w, &c, point, joggled);
+        if (!h && !w.isExhausted)
+            MeWarning(0, "%s: the vertices span no volume", function);
+    }
+    giveBack(&w);
+    return h;
+}
+
+void mcd_hullDestroy(McdHull *hull) {
+    if (hull)
+        MeMemoryAPI.destroy(hull);
+}

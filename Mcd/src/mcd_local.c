@@ -1,0 +1,314 @@
+/* What the geometry types share: from the geometry's own frame, in double, to the world and MeReal. */
+#include "mcd_local.h"
+#include "MeDebugDraw.h"
+#include <string.h>
+
+/* ---- sizes ----------------------------------------------------------------------------------------------------- */
+
+MeBool mcd_sizeIsGood(MeReal size, const char *what, const char *function) {
+    if (size > 0 && size <= MEINFINITY / 4)
+        return METRUE;
+    MeWarning(1, "%s: the %s is %g, not a number > 0", function, what, (double)size);
+    return MEFALSE;
+}
+
+MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const char *function) {
+    if (ins && mcd_instanceTM(ins))
+        return mcd_geometryIs(ins->geometry, type, function);
+    MeWarning(1, ins ? "%s: the instance has no transform" : "%s: no instance", function);
+    return MEFALSE;
+}
+
+MeReal mcd_roundUp(double x) {
+    const MeReal r = (MeReal)x;
+    if ((double)r >= x)
+        return r;
+#ifdef _ME_API_DOUBLE
+    return r;
+#else
+    return nextafterf(r, FLT_MAX);
+#endif
+}
+
+MeReal mcd_roundDown(double x) {
+    return -mcd_roundUp(-x);
+}
+
+/* ---- boxes and farthest points ------------------------------------------------------------------------------------ */
+
+/* The extent along world axis i of the geometry at tm: sum of tm[j][i] x_j, which a direction in its frame measures.
+ * What double may have lost on the way is added. */
+static void extentAlong(const McdGeometry *g, const MeVector4 *tm, int i, McdLocalSupportFn support, double *low,
+                        double *high) {
+    const double d[3] = {(double)tm[0][i], (double)tm[1][i], (double)tm[2][i]}, back[3] = {-d[0], -d[1], -d[2]};
+    const double place = (double)tm[3][i];
+    double most[3], least[3], slack = fabs(place);
+    support(g, d, most);
+    support(g, back, least);
+    for (int k = 0; k < 3; k++)
+        slack += fabs(d[k] * most[k]) + fabs(d[k] * least[k]);
+    slack *= 4 * DBL_EPSILON;
+    *low = place + d[0] * least[0] + d[1] * least[1] + d[2] * least[2] - slack;
+    *high = place + d[0] * most[0] + d[1] * most[1] + d[2] * most[2] + slack;
+}
+
+void mcd_localUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, McdLocalSupportFn support) {
+    MeVector3 min, max;
+    for (int i = 0; i < 3; i++) {
+        double low, high, finalLow, finalHigh;
+        extentAlong(ins->geometry, mcd_const(mcd_instanceTM(ins)), i, support, &low, &high);
+        if (finalTM) {
+            extentAlong(ins->geometry, mcd_const(finalTM), i, support, &finalLow, &finalHigh);
+            low = MeMIN(low, finalLow);
+            high = MeMAX(high, finalHigh);
+        }
+        min[i] = mcd_roundDown(low);
+        max[i] = mcd_roundUp(high);
+    }
+    McdGeometryInstanceSetAABB(ins, min, max);
+}
+
+void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support) {
+    for (int i = 0; i < 2; i++) {
+        double low, high;
+        extentAlong(g, mcd_const(tm), i, support, &low, &high);
+        bounds[2 * i] = mcd_roundDown(low);
+        bounds[2 * i + 1] = mcd_roundUp(high);
+    }
+}
+
+void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, MeReal *point,
+                           McdLocalSupportFn support) {
+    const MeMatrix4Ptr tm = mcd_instanceTM(ins);
+    double d[3], p[3];
+    for (int j = 0; j < 3; j++) {
+        d[j] = 0;
+        for (int i = 0; i < 3; i++)
+            d[j] += (double)tm[j][i] * (double)direction[i];
+    }
+    support(ins->geometry, d, p);
+    for (int i = 0; i < 3; i++)
+        point[i] =
+            (MeReal)((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] + (double)tm[3][i]);
+}
+
+/* ---- line segments ------------------------------------------------------------------------------------------------- */
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+void mcd_clipBegin(McdClip *c, const double from[3], const double along[3]) {
+    for (int k = 0; k < 3; k++) {
+        c->from[k] = from[k];
+        c->along[k] = along[k];
+        c->normal[k] = 0;
+    }
+    c->in = -HUGE_VAL;
+    c->out = HUGE_VAL;
+}
+
+MeBool mcd_clipIsEmpty(const McdClip *c) {
+    return !(c->in <= c->out);
+}
+
+void mcd_clipAt(const McdClip *c, double t, double point[3]) {
+    for (int k = 0; k < 3; k++)
+        point[k] = c->from[k] + t * c->along[k];
+}
+
+static void clipAway(McdClip *c) {
+    c->in = HUGE_VAL;
+    c->out = -HUGE_VAL;
+}
+
+void mcd_clipInterval(McdClip *c, double in, double out, const double normal[3]) {
+    if (in > c->in) {
+        c->in = in;
+        for (int k = 0; k < 3; k++)
+            c->normal[k] = normal[k];
+    }
+    c->out = MeMIN(c->out, out);
+}
+
+void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset) {
+    const double gap = offset - dot(normal, c->from), speed = dot(normal, c->along);
+    if (speed < 0)
+        mcd_clipInterval(c, gap / speed, HUGE_VAL, normal);
+    else if (speed > 0)
+        mcd_clipInterval(c, -HUGE_VAL, gap / speed, normal);
+    else if (gap < 0)
+        clipAway(c);
+}
+
+/* r and v are the line relative to a centre: |r + t v| <= radius. Measured from the point nearest to the centre, which
+ * keeps the digits of a line that begins far away. */
+static void clipRound(McdClip *c, const double r[3], const double v[3], double radius) {
+    const double vv = dot(v, v), nearest = vv > 0 ? -dot(r, v) / vv : 0;
+    double p[3], normal[3];
+    for (int k = 0; k < 3; k++)
+        p[k] = r[k] + nearest * v[k];
+    const double inside = radius * radius - dot(p, p);
+    if (inside < 0) {
+        clipAway(c);
+    } else if (vv > 0) {
+        const double half = sqrt(inside / vv);
+        for (int k = 0; k < 3; k++)
+            normal[k] = (p[k] - half * v[k]) / radius;
+        mcd_clipInterval(c, nearest - half, nearest + half, normal);
+    }
+}
+
+void mcd_clipBall(McdClip *c, const double centre[3], double radius) {
+    const double r[3] = {c->from[0] - centre[0], c->from[1] - centre[1], c->from[2] - centre[2]};
+    clipRound(c, r, c->along, radius);
+}
+
+void mcd_clipCylinder(McdClip *c, const double point[3], const double axis[3], double radius) {
+    double r[3], v[3];
+    for (int k = 0; k < 3; k++)
+        r[k] = c->from[k] - point[k];
+    const double ra = dot(r, axis), va = dot(c->along, axis);
+    for (int k = 0; k < 3; k++) {
+        r[k] -= ra * axis[k];
+        v[k] = c->along[k] - va * axis[k];
+    }
+    clipRound(c, r, v, radius);
+}
+
+void mcd_clipUnion(McdClip *c, const McdClip *other) {
+    if (mcd_clipIsEmpty(other))
+        return;
+    if (mcd_clipIsEmpty(c)) {
+        *c = *other;
+        return;
+    }
+    if (other->in < c->in) {
+        c->in = other->in;
+        memcpy(c->normal, other->normal, sizeof c->normal);
+    }
+    c->out = MeMAX(c->out, other->out);
+}
+
+void mcd_clipCapsule(McdClip *c, const double a[3], const double b[3], double radius) {
+    double axis[3], back[3];
+    for (int k = 0; k < 3; k++)
+        axis[k] = b[k] - a[k];
+    const double length = sqrt(dot(axis, axis));
+    for (int k = 0; k < 3; k++) {
+        axis[k] /= length;
+        back[k] = -axis[k];
+    }
+    McdClip first = *c, second = *c;
+    mcd_clipHalfSpace(c, axis, dot(axis, b));
+    mcd_clipHalfSpace(c, back, -dot(axis, a));
+    mcd_clipCylinder(c, a, axis, radius);
+    mcd_clipBall(&first, a, radius);
+    mcd_clipBall(&second, b, radius);
+    mcd_clipUnion(c, &first);
+    mcd_clipUnion(c, &second);
+}
+
+static void toLocal(const MeVector4 *tm, const double v[3], double out[3]) {
+    for (int j = 0; j < 3; j++)
+        out[j] = (double)tm[j][0] * v[0] + (double)tm[j][1] * v[1] + (double)tm[j][2] * v[2];
+}
+
+static void writeHit(McdLineSegIntersectResult *result, McdModelID cm, const MeVector4 *tm, const MeReal *from,
+                     const double way[3], const McdClip *c) {
+    const MeBool isInside = c->in <= 0;
+    const double t = isInside ? 0 : c->in, length = sqrt(dot(way, way));
+    result->model = cm;
+    result->distance = (MeReal)(t * length);
+    for (int i = 0; i < 3; i++) {
+        const double n =
+            (double)tm[0][i] * c->normal[0] + (double)tm[1][i] * c->normal[1] + (double)tm[2][i] * c->normal[2];
+        result->position[i] = (MeReal)((double)from[i] + t * way[i]);
+        result->normal[i] = isInside ? 0 : (MeReal)n;
+    }
+}
+
+int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, McdLineSegIntersectResult *result,
+                         McdLocalClipFn clip) {
+    McdGeometryInstance *ins = &mcd_record(cm)->instance;
+    if (!mcd_instanceTM(ins))
+        return 0;
+    const MeVector4 *tm = mcd_const(mcd_instanceTM(ins));
+    double way[3], start[3], localStart[3], localWay[3];
+    for (int i = 0; i < 3; i++) {
+        way[i] = (double)to[i] - (double)from[i];
+        start[i] = (double)from[i] - (double)tm[3][i];
+    }
+    toLocal(tm, start, localStart);
+    toLocal(tm, way, localWay);
+    McdClip c;
+    mcd_clipBegin(&c, localStart, localWay);
+    clip(ins->geometry, &c);
+    if (mcd_clipIsEmpty(&c) || c.in > 1 || c.out < 0)
+        return 0;
+    writeHit(result, cm, tm, from, way, &c);
+    return 1;
+}
+
+/* ---- mass ----------------------------------------------------------------------------------------------------------- */
+
+void mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
+                        double moment[3][3]) {
+    MeMatrix4TMMakeIdentity(relTM);
+    *volume = (MeReal)mass;
+    for (int i = 0; i < 3; i++) {
+        relTM[3][i] = (MeReal)centre[i];
+        for (int j = 0; j < 3; j++)
+            inertia[i][j] = (MeReal)moment[i][j];
+    }
+}
+
+void mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z) {
+    const double centre[3] = {0, 0, 0};
+    double moment[3][3] = {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
+    mcd_massProperties(relTM, inertia, volume, mass, centre, moment);
+}
+
+/* ---- drawing --------------------------------------------------------------------------------------------------------- */
+
+static void toWorld(const MeVector4 *tm, const double p[3], MeVector3 out) {
+    for (int i = 0; i < 3; i++)
+        out[i] =
+            (MeReal)((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] + (double)tm[3][i]);
+}
+
+void mcd_drawLine(const MeVector4 *tm, const MeReal colour[3], const double a[3], const double b[3]) {
+    MeVector3 start, end;
+    toWorld(tm, a, start);
+    toWorld(tm, b, end);
+    MeDebugDrawAPI.line(start, end, colour[0], colour[1], colour[2]);
+}
+
+void mcd_drawArc(const MeVector4 *tm, const MeReal colour[3], const double centre[3], const double u[3],
+                 const double v[3], int pieces) {
+    const double step = 2 * MCD_PI / MCD_DRAW_SIDES;
+    double last[3] = {0, 0, 0};
+    for (int n = 0; n <= pieces; n++) {
+        double p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = centre[k] + cos(n * step) * u[k] + sin(n * step) * v[k];
+        if (n > 0)
+            mcd_drawLine(tm, colour, last, p);
+        for (int k = 0; k < 3; k++)
+            last[k] = p[k];
+    }
+}
+
+void mcd_drawCircle(const MeVector4 *tm, const MeReal colour[3], double z, double radius) {
+    const double centre[3] = {0, 0, z}, u[3] = {radius, 0, 0}, v[3] = {0, radius, 0};
+    mcd_drawArc(tm, colour, centre, u, v, MCD_DRAW_SIDES);
+}
+
+void mcd_drawSides(const MeVector4 *tm, const MeReal colour[3], double z1, double radius1, double z2, double radius2) {
+    const double way[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    for (int i = 0; i < 4; i++) {
+        const double a[3] = {radius1 * way[i][0], radius1 * way[i][1], z1};
+        const double b[3] = {radius2 * way[i][0], radius2 * way[i][1], z2};
+        mcd_drawLine(tm, colour, a, b);
+    }
+}

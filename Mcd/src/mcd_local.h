@@ -1,0 +1,127 @@
+/* Inside Mcd: what the geometry types share. Each says, in its own frame and in double, where its farthest point in a
+ * direction is and where a line passes through it; boxes, farthest points and line segments in the world follow. */
+#ifndef MCD_LOCAL_H
+#define MCD_LOCAL_H
+
+#include "mcd_geometries.h"
+
+#define MCD_PI 3.14159265358979323846
+
+/* ---- sizes ----------------------------------------------------------------------------------------------------- */
+
+/* Is it a number > 0 and not infinite? Warns with the function's name if not. */
+MeBool mcd_sizeIsGood(MeReal size, const char *what, const char *function);
+/* Is the instance one of a live geometry of that type, and placed? Warns if not. */
+MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const char *function);
+/* The least number that is not below x, and the greatest that is not above. */
+MeReal mcd_roundUp(double x);
+MeReal mcd_roundDown(double x);
+
+/* ---- boxes and farthest points ------------------------------------------------------------------------------------ */
+
+/* The geometry's point farthest in a direction of any length; any point for none. */
+typedef void (*McdLocalSupportFn)(const McdGeometry *g, const double direction[3], double point[3]);
+
+void mcd_localUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, McdLocalSupportFn support);
+void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, MeReal *point,
+                           McdLocalSupportFn support);
+void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support);
+
+/* ---- line segments ------------------------------------------------------------------------------------------------- */
+
+/* A line from + t along, and the part of it, in <= t <= out, that is in all the solids that it was clipped by. The
+ * normal is that of the surface at t = in. An empty part has in > out. */
+typedef struct McdClip {
+    double from[3], along[3];
+    double in, out;
+    double normal[3];
+} McdClip;
+
+void mcd_clipBegin(McdClip *c, const double from[3], const double along[3]);
+MeBool mcd_clipIsEmpty(const McdClip *c);
+void mcd_clipInterval(McdClip *c, double in, double out, const double normal[3]); /* the normal belongs to in */
+void mcd_clipHalfSpace(McdClip *c, const double normal[3], double offset);        /* normal . x <= offset; length 1 */
+void mcd_clipBall(McdClip *c, const double centre[3], double radius);
+void mcd_clipCylinder(McdClip *c, const double point[3], const double axis[3], double radius); /* endless; length 1 */
+/* All points within radius of the segment from a to b, which has a length. */
+void mcd_clipCapsule(McdClip *c, const double a[3], const double b[3], double radius);
+/* What of the line is in either of two solids, whose union is convex. */
+void mcd_clipUnion(McdClip *c, const McdClip *other);
+void mcd_clipAt(const McdClip *c, double t, double point[3]);
+
+/* Clips the line, which comes unclipped, by the geometry. */
+typedef void (*McdLocalClipFn)(const McdGeometry *g, McdClip *c);
+
+/* What McdLineSegIntersectFnPtr asks for. */
+int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, McdLineSegIntersectResult *result,
+                         McdLocalClipFn clip);
+
+/* ---- mass ----------------------------------------------------------------------------------------------------------- */
+
+/* Fills what McdGeometryGetMassPropertiesFnPtr asks for, from a volume, the centre of mass and the inertia about it. */
+void mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
+                        double moment[3][3]);
+/* The same, for a shape whose centre is its origin and that has no products of inertia. */
+void mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z);
+
+/* ---- drawing --------------------------------------------------------------------------------------------------------- */
+
+enum { MCD_DRAW_SIDES = 16 }; /* of a circle */
+
+void mcd_drawLine(const MeVector4 *tm, const MeReal colour[3], const double a[3], const double b[3]);
+/* A part of an ellipse from angle 0: centre + u cos + v sin, in some of MCD_DRAW_SIDES pieces. */
+void mcd_drawArc(const MeVector4 *tm, const MeReal colour[3], const double centre[3], const double u[3],
+                 const double v[3], int pieces);
+/* A circle about the z axis. */
+void mcd_drawCircle(const MeVector4 *tm, const MeReal colour[3], double z, double radius);
+/* Four lines between two such circles. */
+void mcd_drawSides(const MeVector4 *tm, const MeReal colour[3], double z1, double radius1, double z2, double radius2);
+
+/* ---- what all types' files define alike ------------------------------------------------------------------------------ */
+
+/* The functions of McdGeometryDeclare.h that go by the file's static `support`; the type's own file has the rest. */
+#define MCD_DEFINE_GEOMETRY_TYPE(Type)                                                                                 \
+    void MEAPI Mcd##Type##RegisterType(McdFramework *frame) {                                                          \
+        if (mcd_frameCheck(frame, "Mcd" #Type "RegisterType"))                                                         \
+            McdFrameworkRegisterGeometryType(                                                                          \
+                frame, kMcdGeometryType##Type, Mcd##Type##GetTypeName(0), Mcd##Type##Destroy, Mcd##Type##UpdateAABB,   \
+                Mcd##Type##GetBSphere, Mcd##Type##MaximumPoint, Mcd##Type##GetMassProperties, Mcd##Type##DebugDraw);   \
+    }                                                                                                                  \
+    MeI16 MEAPI Mcd##Type##GetTypeId(void) {                                                                           \
+        return kMcdGeometryType##Type;                                                                                 \
+    }                                                                                                                  \
+    char *MEAPI Mcd##Type##GetTypeName(const McdGeometryID g) {                                                        \
+        static char name[] = #Type;                                                                                    \
+        (void)g;                                                                                                       \
+        return name;                                                                                                   \
+    }                                                                                                                  \
+    void MEAPI Mcd##Type##MaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {       \
+        MeVector3Set(outPoint, 0, 0, 0);                                                                               \
+        if (mcd_instanceIs(ins, kMcdGeometryType##Type, "Mcd" #Type "MaximumPoint"))                                   \
+            mcd_localMaximumPoint(ins, inDir, outPoint, support);                                                      \
+    }                                                                                                                  \
+    void MEAPI Mcd##Type##UpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {            \
+        (void)tight;                                                                                                   \
+        if (mcd_instanceIs(ins, kMcdGeometryType##Type, "Mcd" #Type "UpdateAABB"))                                     \
+            mcd_localUpdateAABB(ins, finalTM, support);                                                                \
+    }
+
+/* The head is undone before: there is nothing to check. */
+#define MCD_DEFINE_DESTROY(Type)                                                                                       \
+    void MEAPI Mcd##Type##Destroy(McdGeometryID g) {                                                                   \
+        if (g)                                                                                                         \
+            MeMemoryAPI.destroy(g);                                                                                    \
+    }
+
+/* Goes by the file's static `clip`. */
+#define MCD_DEFINE_LINE_SEGMENT(Type)                                                                                  \
+    static int MEAPI lineSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,                      \
+                                 McdLineSegIntersectResult *outOverlap) {                                              \
+        return mcd_localLineSegment(cm, inOrig, inDest, outOverlap, clip);                                             \
+    }                                                                                                                  \
+    void MEAPI Mcd##Type##LineSegmentRegisterInteraction(McdFramework *frame) {                                        \
+        if (mcd_frameCheck(frame, "Mcd" #Type "LineSegmentRegisterInteraction"))                                       \
+            McdFrameworkSetLineSegInteraction(frame, kMcdGeometryType##Type, lineSegment);                             \
+    }
+
+#endif

@@ -1,0 +1,708 @@
+/* Contacts of a convex shape with a surface of triangles, none of them at edges that are inside the surface. */
+#include "mcd_mesh.h"
+#include "mcd_nearfield.h"
+#include "mcd_spread.h"
+#include <string.h>
+
+/* Directions that differ by less (rad) are one. */
+#define SAME_DIRECTION 1e-4
+/* A neighbour rises above a plane if its angle (rad) with it is larger; much smaller than SAME_DIRECTION, so that a normal
+ * which is no face's is noticed. */
+#define RISES 1e-6
+/* Corners whose heights over a plane differ by a smaller part of their distance are equally high. */
+#define SAME_HEIGHT 1e-5
+/* What is over a triangle, relative to the shape's extent: neighbours overlap by that, so that nothing slips between. */
+#define OVER 1e-9
+/* A triangle whose height is a smaller part of its longest side has no area. */
+#define NO_HEIGHT 1e-7
+/* Normals within this cosine of each other make one manifold: 1.1 degrees. */
+#define SAME_MANIFOLD .9998
+
+/* ---- memory ------------------------------------------------------------------------------------------------------ */
+
+void mcd_meshFree(McdMesh *mesh) {
+    void *block[] = {mesh->triangle, mesh->place,  mesh->order,        mesh->firstOf, mesh->usersOf, mesh->contact,
+                     mesh->cluster,  mesh->merged, mesh->contactOrder, mesh->spots,   mesh->kept};
+    for (size_t i = 0; i < sizeof block / sizeof *block; i++)
+        if (block[i])
+            MeMemoryAPI.destroy(block[i]);
+    memset(mesh, 0, sizeof *mesh);
+}
+
+/* A larger block with the same beginning; the old one, and false, if there is no memory. */
+static MeBool grow(void **block, size_t used, size_t bytes) {
+    void *larger = MeMemoryAPI.create(bytes);
+    if (!larger) {
+        MeFatalError(1, "McdIntersect: no memory for %lu bytes of triangles and contacts", (unsigned long)bytes);
+        return MEFALSE;
+    }
+    if (*block) {
+        memcpy(larger, *block, used);
+        MeMemoryAPI.destroy(*block);
+    }
+    *block = larger;
+    return METRUE;
+}
+
+#define GROW(pointer, used, count)                                                                                     \
+    grow((void **)&(pointer), (size_t)(used) * sizeof *(pointer), (size_t)(count) * sizeof *(pointer))
+
+MeBool mcd_meshReserve(McdMesh *mesh, int triangles) {
+    if (triangles <= mesh->max)
+        return METRUE;
+    const int n = mesh->count, max = MeMAX(triangles, 2 * mesh->max);
+    if (!GROW(mesh->triangle, n, max) || !GROW(mesh->place, 3 * n, 3 * max) || !GROW(mesh->order, 0, 3 * max) ||
+        !GROW(mesh->firstOf, 0, 3 * max + 1) || !GROW(mesh->usersOf, 0, 3 * max))
+        return MEFALSE;
+    mesh->max = max;
+    return METRUE;
+}
+
+static MeBool reserveContacts(McdMesh *mesh, int contacts) {
+    if (contacts <= mesh->contactMax)
+        return METRUE;
+    const int n = mesh->contactCount, max = MeMAX(contacts, 2 * mesh->contactMax + 64);
+    McdSpot *spots = mesh->spots;
+    if (!GROW(mesh->contact, n, max) || !GROW(mesh->cluster, 0, max) || !GROW(mesh->merged, 0, max) ||
+        !GROW(mesh->contactOrder, 0, max) || !GROW(spots, 0, max))
+        return MEFALSE;
+    mesh->spots = spots;
+    if (!GROW(mesh->kept, 0, max))
+        return MEFALSE;
+    mesh->contactMax = max;
+    return METRUE;
+}
+
+/* ---- order --------------------------------------------------------------------------------------------------------- */
+
+typedef int (*Compare)(const McdMesh *mesh, int a, int b);
+
+static void siftDown(const McdMesh *mesh, Compare compare, int *index, int root, int end) {
+    for (int child = 2 * root + 1; child < end; root = child, child = 2 * root + 1) {
+        if (child + 1 < end && compare(mesh, index[child], index[child + 1]) < 0)
+            child++;
+        if (compare(mesh, index[root], index[child]) >= 0)
+            return;
+        const int swap = index[root];
+        index[root] = index[child];
+        index[child] = swap;
+    }
+}
+
+/* By a heap: qsort may allocate. */
+static void sortIndices(const McdMesh *mesh, Compare compare, int *index, int count) {
+    for (int i = count / 2 - 1; i >= 0; i--)
+        siftDown(mesh, compare, index, i, count);
+    for (int end = count - 1; end > 0; end--) {
+        const int swap = index[0];
+        index[0] = index[end];
+        index[end] = swap;
+        siftDown(mesh, compare, index, 0, end);
+    }
+}
+
+static int comparePoints(const double a[3], const double b[3]) {
+    for (int i = 0; i < 3; i++)
+        if (a[i] != b[i])
+            return a[i] < b[i] ? -1 : 1;
+    return 0;
+}
+
+static int comparePlaces(const McdMesh *mesh, int a, int b) {
+    const int order = comparePoints(mesh->place[a], mesh->place[b]);
+    return order ? order : a - b;
+}
+
+static int compareContacts(const McdMesh *mesh, int a, int b) {
+    const McdMeshContact *x = &mesh->contact[a], *y = &mesh->contact[b];
+    if (x->isCut != y->isCut)
+        return x->isCut - y->isCut;
+    if (x->feature != y->feature)
+        return x->feature < y->feature ? -1 : 1;
+    const int order = comparePoints(x->position, y->position);
+    return order ? order : a - b;
+}
+
+/* ---- triangles ----------------------------------------------------------------------------------------------------- */
+
+static MeU32 mix(MeU32 a, MeU32 b) {
+    MeU32 h = a * 0x9e3779b1u ^ (b + 0x85ebca6bu + (a << 6) + (a >> 2));
+    h ^= h >> 15;
+    h *= 0x2c1b3c6du;
+    return h ^ h >> 13;
+}
+
+static MeU32 keyOf(const double place[3]) {
+    MeU32 key = 1;
+    for (int i = 0; i < 3; i++) {
+        const double value = place[i] + 0.0; /* -0 is 0 */
+        MeU32 half[2];
+        memcpy(half, &value, sizeof value);
+        key = mix(mix(key, half[0]), half[1]);
+    }
+    return key;
+}
+
+static MeBool isNearBox(const McdMeshQuery *q, const double corner[3][3]) {
+    for (int i = 0; i < 3; i++) {
+        const double low = fmin(corner[0][i], fmin(corner[1][i], corner[2][i]));
+        const double high = fmax(corner[0][i], fmax(corner[1][i], corner[2][i]));
+        if (!(low <= q->high[i] && high >= q->low[i]))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+static MeBool areFinite(const double corner[3][3]) {
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            if (!isfinite(corner[i][k]))
+                return MEFALSE;
+    return METRUE;
+}
+
+/* The unit normal by the right-hand rule; false if there is no area. */
+static MeBool normalOf(const double corner[3][3], double normal[3]) {
+    double e[3][3], longest = 0;
+    for (int i = 0; i < 3; i++) {
+        mcd_sub(e[i], corner[(i + 1) % 3], corner[i]);
+        longest = fmax(longest, mcd_dot(e[i], e[i]));
+    }
+    mcd_cross(normal, e[0], e[1]);
+    const double area = mcd_length(normal);
+    if (!(area > NO_HEIGHT * longest))
+        return MEFALSE;
+    mcd_scale(normal, normal, 1 / area);
+    return METRUE;
+}
+
+MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]) {
+    if (!areFinite(corner) || !normalOf(corner, normal))
+        return MEFALSE;
+    if (given && mcd_dot(given, normal) < 0)
+        mcd_scale(normal, normal, -1);
+    return METRUE;
+}
+
+static void toQuery(const McdMeshQuery *q, const double in[3], double out[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = q->place[i] + in[0] * q->axis[0][i] + in[1] * q->axis[1][i] + in[2] * q->axis[2][i];
+}
+
+void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, int element) {
+    McdMesh *mesh = q->mesh;
+    double own[3];
+    if (!mcd_triangleNormal(corner, normal, own)) {
+        mesh->skipped++;
+        return;
+    }
+    if (!isNearBox(q, corner) || !mcd_meshReserve(mesh, mesh->count + 1))
+        return;
+    McdMeshTriangle *t = &mesh->triangle[mesh->count];
+    for (int i = 0; i < 3; i++) {
+        t->normal[i] = own[0] * q->axis[0][i] + own[1] * q->axis[1][i] + own[2] * q->axis[2][i];
+        mcd_copy(mesh->place[3 * mesh->count + i], corner[i]);
+        toQuery(q, corner[i], t->corner[i]);
+        t->key[i] = keyOf(corner[i]);
+    }
+    t->flags = flags;
+    t->element = element;
+    mesh->count++;
+}
+
+/* Numbers the corners, and lists the triangles at each. */
+static void joinCorners(McdMesh *mesh) {
+    int vertex = -1;
+    for (int i = 0; i < 3 * mesh->count; i++)
+        mesh->order[i] = i;
+    sortIndices(mesh, comparePlaces, mesh->order, 3 * mesh->count);
+    for (int i = 0; i < 3 * mesh->count; i++) {
+        const int here = mesh->order[i];
+        if (i == 0 || comparePoints(mesh->place[here], mesh->place[mesh->order[i - 1]]) != 0)
+            mesh->firstOf[++vertex] = i;
+        mesh->triangle[here / 3].vertex[here % 3] = vertex;
+        mesh->usersOf[i] = here / 3;
+    }
+    mesh->firstOf[vertex + 1] = 3 * mesh->count;
+}
+
+/* ---- which normals are the surface's -------------------------------------------------------------------------------- */
+
+typedef enum Verdict {
+    ON_FACE,  /* the triangle's own */
+    OUTSIDE,  /* another one of the surface */
+    INSIDE,   /* a neighbour rises above it */
+    NOT_SHARP /* there is no neighbour, but the edge gives no normals */
+} Verdict;
+
+/* The corners that are farthest in the direction, to within the tolerance: a sum of 1, 2, 4. */
+static int farthestCorners(const McdMeshTriangle *t, const double direction[3]) {
+    double height[3], most = -INFINITY;
+    int mask = 0, top = 0;
+    for (int i = 0; i < 3; i++) {
+        height[i] = mcd_dot(t->corner[i], direction);
+        if (height[i] > most) {
+            most = height[i];
+            top = i;
+        }
+    }
+    for (int i = 0; i < 3; i++)
+        if (most - height[i] <= SAME_HEIGHT * sqrt(mcd_distanceSquared(t->corner[i], t->corner[top])))
+            mask |= 1 << i;
+    return mask;
+}
+
+/* Does the triangle rise above the plane through its vertex v (and other, if that is not -1)? */
+static MeBool risesFrom(const McdMeshTriangle *t, int v, int other, const double normal[3]) {
+    int at = 0;
+    while (t->vertex[at] != v)
+        at++;
+    for (int k = 1; k < 3; k++) {
+        const int far = (at + k) % 3, third = (at + 3 - k) % 3;
+        double d[3];
+        if (t->vertex[far] == other)
+            continue;
+        mcd_sub(d, t->corner[far], t->corner[at]);
+        if (other >= 0) { /* straight away from the edge */
+            double e[3];
+            mcd_sub(e, t->corner[third], t->corner[at]);
+            mcd_mad(d, d, -mcd_dot(d, e) / mcd_dot(e, e), e);
+        }
+        if (mcd_dot(d, normal) > RISES * mcd_length(d))
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+static MeBool hasVertex(const McdMeshTriangle *t, int v) {
+    return t->vertex[0] == v || t->vertex[1] == v || t->vertex[2] == v;
+}
+
+static Verdict judgeAt(const McdMesh *mesh, const McdMeshTriangle *t, int v, int other, MeBool isSharp,
+                       const double normal[3]) {
+    MeBool hasNeighbour = MEFALSE;
+    for (int i = mesh->firstOf[v]; i < mesh->firstOf[v + 1]; i++) {
+        const McdMeshTriangle *neighbour = &mesh->triangle[mesh->usersOf[i]];
+        if (neighbour == t || (other >= 0 && !hasVertex(neighbour, other)))
+            continue;
+        hasNeighbour = METRUE;
+        if (risesFrom(neighbour, v, other, normal))
+            return INSIDE;
+    }
+    return isSharp ? OUTSIDE : hasNeighbour ? INSIDE : NOT_SHARP;
+}
+
+static MeBool edgeIsSharp(const McdMeshTriangle *t, int edge) {
+    return (t->flags & kMcdTriangleUseEdge0 << edge) != 0;
+}
+
+/* Is the edge or corner where the shape was looked for? Of others, the neighbours may be missing. */
+static MeBool isWhereLooked(const McdMeshQuery *q, const McdMeshTriangle *t, int from, int to) {
+    const double(*place)[3] = (const double(*)[3]) & q->mesh->place[3 * (t - q->mesh->triangle)];
+    double along[3], off[3];
+    for (int i = 0; i < 3; i++)
+        if (fmin(place[from][i], place[to][i]) > q->high[i] || fmax(place[from][i], place[to][i]) < q->low[i])
+            return MEFALSE;
+    mcd_sub(along, place[to], place[from]);
+    mcd_sub(off, q->ball, place[from]);
+    const double square = mcd_dot(along, along);
+    if (square > 0)
+        mcd_mad(off, off, -MeCLAMP(mcd_dot(off, along) / square, 0, 1), along);
+    return mcd_dot(off, off) <= q->ballRadius * q->ballRadius;
+}
+
+static Verdict judge(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]) {
+    const McdMesh *mesh = q->mesh;
+    const int mask = farthestCorners(t, normal);
+    for (int i = 0; i < 3; i++) {
+        const int next = (i + 1) % 3, last = (i + 2) % 3;
+        if ((mask == (1 << i | 1 << next) && !isWhereLooked(q, t, i, next)) ||
+            (mask == 1 << i && !isWhereLooked(q, t, i, i)))
+            return INSIDE;
+        if (mask == (1 << i | 1 << next))
+            return judgeAt(mesh, t, t->vertex[i], t->vertex[next], edgeIsSharp(t, i), normal);
+        if (mask == 1 << i)
+            return judgeAt(mesh, t, t->vertex[i], -1, edgeIsSharp(t, i) && edgeIsSharp(t, last), normal);
+    }
+    return ON_FACE;
+}
+
+/* ---- contacts of one triangle ----------------------------------------------------------------------------------------- */
+
+/* Which way a normal points, roughly: tells contacts of one corner with two faces from each other. */
+static MeU32 sectorOf(const double normal[3]) {
+    MeU32 sector = 0;
+    for (int i = 0; i < 3; i++)
+        sector = 32 * sector + (MeU32)(int)floor(normal[i] * 8 + 8.5);
+    return sector;
+}
+
+static void addContact(McdMeshQuery *q, const McdMeshTriangle *t, const double position[3], const double normal[3],
+                       double separation, MeU32 feature, MeBool isCut) {
+    McdMesh *mesh = q->mesh;
+    if (!reserveContacts(mesh, mesh->contactCount + 1))
+        return;
+    McdMeshContact *c = &mesh->contact[mesh->contactCount++];
+    mcd_copy(c->position, position);
+    mcd_copy(c->normal, normal);
+    c->separation = separation;
+    c->feature = mix(feature, sectorOf(normal));
+    c->element = t->element;
+    c->isCut = isCut;
+}
+
+/* Of the edge or corner that is farthest along the normal; the same for all triangles that share it. */
+static MeU32 featureToward(const McdMeshTriangle *t, const double normal[3]) {
+    const int mask = farthestCorners(t, normal);
+    MeU32 sum = 0;
+    for (int i = 0; i < 3; i++)
+        if (mask & 1 << i)
+            sum += t->key[i];
+    return sum;
+}
+
+static void addManifold(McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
+    const MeU32 feature = featureToward(t, m->normal);
+    for (int i = 0; i < m->count; i++)
+        addContact(q, t, m->point[i].position, m->normal, m->point[i].separation, mix(feature, m->point[i].feature),
+                   METRUE);
+}
+
+typedef struct Polygon {
+    int count;
+    double point[MCD_FACE_POINTS + 4][3];
+    MeU32 name[MCD_FACE_POINTS + 4];
+    MeBool isCut[MCD_FACE_POINTS + 4]; /* no corner of the shape's face */
+} Polygon;
+
+static void appendPoint(Polygon *p, const double point[3], MeU32 name, MeBool isCut) {
+    if (p->count == MCD_FACE_POINTS + 4)
+        return;
+    p->isCut[p->count] = isCut;
+    mcd_copy(p->point[p->count], point);
+    p->name[p->count++] = name;
+}
+
+/* Cuts off what is beyond the plane inward . x = offset; keeps points, lines and polygons what they are. */
+static void cut(const Polygon *in, const double inward[3], double offset, double tolerance, MeU32 edgeName,
+                Polygon *out) {
+    out->count = 0;
+    for (int i = 0; i < in->count; i++) {
+        const int next = (i + 1) % in->count;
+        const double a = mcd_dot(in->point[i], inward) - offset, b = mcd_dot(in->point[next], inward) - offset;
+        if (a >= -tolerance)
+            appendPoint(out, in->point[i], in->name[i], in->isCut[i]);
+        if ((a >= -tolerance) == (b >= -tolerance) || (in->count == 2 && i == 1))
+            continue;
+        double d[3], at[3];
+        mcd_sub(d, in->point[next], in->point[i]);
+        mcd_mad(at, in->point[i], MeCLAMP(a / (a - b), 0, 1), d);
+        appendPoint(out, at, mix(in->name[i] + in->name[next], edgeName), METRUE);
+    }
+}
+
+/* The part of the shape's face that looks at the triangle and is above (or below) it, seen along the normal. */
+static void cutByTriangle(const McdMeshTriangle *t, const double normal[3], double tolerance, Polygon *p) {
+    Polygon rest;
+    for (int i = 0; i < 3 && p->count; i++) {
+        const int next = (i + 1) % 3, last = (i + 2) % 3;
+        double edge[3], inward[3], across[3];
+        mcd_sub(edge, t->corner[next], t->corner[i]);
+        mcd_cross(inward, normal, edge);
+        mcd_sub(across, t->corner[last], t->corner[i]);
+        mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
+        cut(p, inward, mcd_dot(t->corner[i], inward), tolerance, t->key[i] + t->key[next], &rest);
+        *p = rest;
+    }
+}
+
+/* The shape's face that looks along a direction, as a polygon. */
+static void polygonToward(const McdShape *shape, const double direction[3], Polygon *p) {
+    McdFace face;
+    mcd_faceToward(shape, direction, &face);
+    p->count = 0;
+    for (int i = 0; i < face.count; i++)
+        appendPoint(p, face.point[i], mix(face.id, face.name[i]), MEFALSE);
+}
+
+/* The shape's farthest point in a direction, which need not be on that face. */
+static void pointToward(const McdShape *shape, const double direction[3], Polygon *p) {
+    double point[3];
+    mcd_coreSupport(shape, direction, point);
+    p->count = 0;
+    appendPoint(p, point, 0, MEFALSE);
+}
+
+/* Adds the points that are within the margin; false if there are none. *least is the least separation so far: what is
+ * not below it is left out if onlyBelow. */
+static MeBool addAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const Polygon *p,
+                       MeBool onlyBelow, double *least) {
+    MeBool any = MEFALSE;
+    for (int i = 0; i < p->count; i++) {
+        double off[3], at[3];
+        mcd_sub(off, p->point[i], t->corner[0]);
+        const double separation = mcd_dot(off, normal) - q->shape.rounding;
+        if (separation > q->margin || (onlyBelow && separation >= *least - OVER * q->shape.extent))
+            continue;
+        mcd_mad(at, p->point[i], -(q->shape.rounding + separation / 2), normal);
+        addContact(q, t, at, normal, separation, p->name[i], p->isCut[i]);
+        *least = fmin(*least, separation);
+        any = METRUE;
+    }
+    return any;
+}
+
+/* Contacts along a triangle's normal (either side's), of what is over it or within the tolerance of that. False if there
+ * are none. */
+static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
+    Polygon p;
+    double back[3], least = INFINITY;
+    mcd_scale(back, normal, -1);
+    polygonToward(&q->shape, back, &p);
+    cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
+    const MeBool any = addAlong(q, t, normal, &p, MEFALSE, &least);
+    pointToward(&q->shape, back, &p);
+    cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
+    return addAlong(q, t, normal, &p, METRUE, &least) || any;
+}
+
+/* The side on which contacts are: 1 is the normal's. */
+static double sideOf(const McdMeshTriangle *t, double towards, double centreHeight) {
+    if (!(t->flags & kMcdTriangleTwoSided))
+        return 1;
+    return (fabs(towards) > .5 ? towards : centreHeight) < 0 ? -1 : 1;
+}
+
+static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
+    double off[3];
+    mcd_sub(off, q->centre, t->corner[0]);
+    return mcd_dot(off, t->normal);
+}
+
+static MeBool touches(const McdMeshQuery *q, const McdMeshTriangle *t, McdManifold *m) {
+    McdShape triangle;
+    mcd_triangleShape(t->corner, &triangle);
+    return mcd_convexManifold(&q->shape, &triangle, q->margin, m) > 0;
+}
+
+static void touchTriangle(McdMeshQuery *q, const McdMeshTriangle *t) {
+    McdManifold m;
+    if (!touches(q, t, &m))
+        return;
+    const double height = heightOfCentre(q, t), side = sideOf(t, mcd_dot(m.normal, t->normal), height);
+    double face[3];
+    mcd_scale(face, t->normal, side);
+    const double towards = mcd_dot(m.normal, face);
+    const MeBool shortest = (t->flags & kMcdTriangleUseSmallestPenetration) != 0;
+    const Verdict verdict = judge(q, t, m.normal);
+    const MeBool isFace =
+        mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION || (verdict == ON_FACE && towards > 0);
+    if (verdict == NOT_SHARP && towards < .5) /* pushed from the side, where there is nothing to push */
+        return;
+    const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && towards < -SAME_DIRECTION;
+    if (isFace || !shortest || verdict != OUTSIDE || isFromBehind) {
+        if ((isFace || side * height >= 0) && touchAlong(q, t, face, OVER))
+            return;
+        /* a normal that is the face's to within the tolerance belongs to a point that is so far beside the face */
+        if (isFace && touchAlong(q, t, face, SAME_DIRECTION))
+            return;
+        if (!isFace)
+            return;
+        mcd_copy(m.normal, face);
+    }
+    addManifold(q, t, &m);
+}
+
+/* Nothing touches with its middle in front: the shape may have gone through. It is brought back to the front of the
+ * nearest triangle whose plane its middle is not farther behind than half of its radius. */
+static void bringBack(McdMeshQuery *q) {
+    const McdMeshTriangle *nearest = 0;
+    McdManifold m;
+    double least = fmin(q->radius, q->shape.extent) / 2;
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        const double behind = -heightOfCentre(q, t);
+        if (t->flags & kMcdTriangleTwoSided || behind < 0 || behind >= least || !touches(q, t, &m))
+            continue;
+        least = behind;
+        nearest = t;
+    }
+    for (int i = 0; nearest && i < q->mesh->count; i++) {
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        if (mcd_dot(t->normal, nearest->normal) > SAME_MANIFOLD && touches(q, t, &m))
+            touchAlong(q, t, t->normal, OVER);
+    }
+}
+
+/* ---- manifolds ----------------------------------------------------------------------------------------------------------- */
+
+static MeBool isThere(const McdMesh *mesh, int count, const McdMeshContact *c, double same) {
+    for (int i = 0; i < count; i++)
+        if (mcd_distanceSquared(mesh->cluster[i].position, c->position) <= same * same)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Moves contacts with nearly the normal of the first one from contactOrder to the cluster, one for each place; returns
+ * how many. */
+static int takeCluster(McdMesh *mesh, int *left, double same) {
+    const McdMeshContact *first = &mesh->contact[mesh->contactOrder[0]];
+    int count = 0, rest = 0;
+    for (int i = 0; i < *left; i++) {
+        const McdMeshContact *c = &mesh->contact[mesh->contactOrder[i]];
+        if (i > 0 && mcd_dot(c->normal, first->normal) <= SAME_MANIFOLD)
+            mesh->contactOrder[rest++] = mesh->contactOrder[i];
+        else if (!isThere(mesh, count, c, same))
+            mesh->cluster[count++] = *c;
+    }
+    *left = rest;
+    return count;
+}
+
+static int spreadOut(McdMesh *mesh, McdMeshContact *contact, int count, int wanted, double same) {
+    McdSpot *spot = mesh->spots;
+    for (int i = 0; i < count; i++) {
+        mcd_copy(spot[i].position, contact[i].position);
+        mcd_copy(spot[i].normal, contact[i].normal);
+        spot[i].separation = contact[i].separation;
+    }
+    const int keptCount = mcd_spread(spot, count, wanted, same, mesh->kept);
+    for (int i = 0; i < keptCount; i++)
+        contact[i] = contact[mesh->kept[i]];
+    return keptCount;
+}
+
+/* Up to four contacts for each normal, and no more in all than the result has place for. */
+static void merge(McdMeshQuery *q, int max) {
+    McdMesh *mesh = q->mesh;
+    const double same = 1e-6 * q->shape.extent;
+    int left = mesh->contactCount, count = 0;
+    for (int i = 0; i < left; i++)
+        mesh->contactOrder[i] = i;
+    sortIndices(mesh, compareContacts, mesh->contactOrder, left);
+    McdMeshContact *out = mesh->merged;
+    while (left) {
+        const int size = takeCluster(mesh, &left, same);
+        const int keptCount = spreadOut(mesh, mesh->cluster, size, MCD_MANIFOLD_POINTS, same);
+        memcpy(out + count, mesh->cluster, (size_t)keptCount * sizeof *out);
+        count += keptCount;
+    }
+    if (count > max)
+        count = spreadOut(mesh, out, count, max, same);
+    mesh->merged = mesh->contact;
+    mesh->contact = out;
+    mesh->contactCount = count;
+}
+
+static void handOver(McdMeshQuery *q, McdIntersectResult *result) {
+    McdGeometryInstance *ins1 = &mcd_record(q->pair->model1)->instance;
+    McdGeometryInstance *ins2 = &mcd_record(q->pair->model2)->instance;
+    for (int i = 0; i < q->mesh->contactCount; i++) {
+        const McdMeshContact *c = &q->mesh->contact[i];
+        McdManifold m;
+        m.count = 1;
+        mcd_copy(m.normal, c->normal);
+        mcd_copy(m.point[0].position, c->position);
+        m.point[0].separation = c->separation;
+        m.point[0].feature = c->feature;
+        mcd_resultAdd(result, &m, q->origin, ins1, ins2, -1, c->element);
+    }
+}
+
+/* ---- the query ------------------------------------------------------------------------------------------------------------- */
+
+static void placeMesh(McdMeshQuery *q, const McdGeometryInstance *ins) {
+    const MeMatrix4Ptr tm = mcd_instanceTM((McdGeometryInstance *)ins);
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            q->axis[i][k] = (double)tm[i][k];
+        q->place[i] = (double)tm[3][i] - q->origin[i];
+    }
+}
+
+static void boundShape(McdMeshQuery *q) {
+    double sum = 0;
+    mcd_copy(q->centre, q->place);
+    for (int i = 0; i < 3; i++) {
+        double back[3], far[3], near[3];
+        mcd_scale(back, q->axis[i], -1);
+        mcd_support(&q->shape, q->axis[i], far);
+        mcd_support(&q->shape, back, near);
+        mcd_sub(far, far, q->place);
+        mcd_sub(near, near, q->place);
+        const double low = mcd_dot(near, q->axis[i]), high = mcd_dot(far, q->axis[i]);
+        const double grow = q->margin + 1e-9 * q->shape.extent;
+        mcd_mad(q->centre, q->centre, (low + high) / 2, q->axis[i]);
+        sum += (high - low) * (high - low) / 4;
+        q->low[i] = low - grow;
+        q->high[i] = high + grow;
+    }
+    q->radius = sqrt(sum);
+}
+
+/* A ball around the shape and the margin: the smaller one of two that are at hand. */
+static void findBall(McdMeshQuery *q) {
+    double off[3];
+    const MeBool isCompact = q->shape.extent < q->radius;
+    mcd_sub(off, isCompact ? q->shape.place : q->centre, q->place);
+    for (int i = 0; i < 3; i++)
+        q->ball[i] = mcd_dot(off, q->axis[i]);
+    q->ballRadius = (isCompact ? q->shape.extent : q->radius) + q->margin;
+}
+
+int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh, McdMeshGather gather) {
+    McdMeshQuery q;
+    McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
+    mcd_resultBegin(result, p);
+    q.pair = p;
+    q.mesh = mesh;
+    q.margin = mcd_pairMargin(p);
+    mcd_pairOrigin(ins1, ins2, q.origin);
+    if (!mcd_shapeOf(ins1, q.origin, &q.shape))
+        return 0;
+    placeMesh(&q, ins2);
+    boundShape(&q);
+    findBall(&q);
+    mesh->count = mesh->contactCount = mesh->skipped = 0;
+    gather(&q);
+    if (mesh->skipped)
+        MeDebug(3, "McdIntersect: %d triangles without area were skipped", mesh->skipped);
+    if (!mesh->count)
+        return 0;
+    joinCorners(mesh);
+    for (int i = 0; i < mesh->count; i++)
+        touchTriangle(&q, &mesh->triangle[i]);
+    if (!mesh->contactCount)
+        bringBack(&q);
+    merge(&q, result->contactMaxCount);
+    handOver(&q, result);
+    return mcd_resultEnd(result);
+}
+
+/* ---- segments ------------------------------------------------------------------------------------------------------------ */
+
+MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
+                           const double to[3], double *part, double hitNormal[3]) {
+    double along[3], off[3], at[3];
+    mcd_sub(along, to, from);
+    mcd_sub(off, from, corner[0]);
+    const double fall = -mcd_dot(along, normal), height = mcd_dot(off, normal);
+    const double side = fall < 0 ? -1 : 1;
+    if (fall == 0 || (side < 0 && !twoSided) || side * height < 0 || side * height > side * fall)
+        return MEFALSE;
+    *part = height / fall;
+    mcd_mad(at, from, *part, along);
+    for (int i = 0; i < 3; i++) {
+        const int next = (i + 1) % 3, last = (i + 2) % 3;
+        double edge[3], inward[3], across[3], here[3];
+        mcd_sub(edge, corner[next], corner[i]);
+        mcd_cross(inward, normal, edge);
+        mcd_sub(across, corner[last], corner[i]);
+        mcd_sub(here, at, corner[i]);
+        const double width = mcd_dot(across, inward), inside = mcd_dot(here, inward) * (width < 0 ? -1 : 1);
+        if (inside < -1e-12 * fabs(width)) /* an edge belongs to both of its triangles */
+            return MEFALSE;
+    }
+    mcd_scale(hitNormal, normal, side);
+    return METRUE;
+}

@@ -1,0 +1,73 @@
+/* Inside Mcd: contacts of a convex shape with triangles that join up to a surface.
+ *
+ * Whoever has triangles (a list's callback, a height field's grid) adds those near the shape; mcd_meshIntersect does the
+ * rest. Which normals a contact may have follows from the neighbours: a normal at an edge or a corner is one of the
+ * surface's only if no triangle that meets there rises above the plane through it. All others are contacts inside the
+ * surface, and get the face's normal. Neighbours are found by equal coordinates of their corners.
+ */
+#ifndef MCD_MESH_H
+#define MCD_MESH_H
+
+#include "mcd_shape.h"
+
+typedef struct McdMeshTriangle {
+    double corner[3][3]; /* in the query's coordinates */
+    double normal[3];
+    int vertex[3]; /* numbers of the corners: equal places, equal numbers */
+    MeU32 key[3];  /* of the corners: from their coordinates in the mesh's frame */
+    int flags;     /* McdTriangleFlags */
+    int element;
+} McdMeshTriangle;
+
+typedef struct McdMeshContact {
+    double position[3], normal[3], separation;
+    MeU32 feature;
+    int element;
+    int isCut; /* no corner of the shape: a point that others may replace */
+} McdMeshContact;
+
+/* Memory for queries, kept between them; zeroed at first. It belongs to a geometry. */
+typedef struct McdMesh {
+    int count, max; /* triangles */
+    McdMeshTriangle *triangle;
+    double (*place)[3];             /* their corners in the mesh's frame, three each */
+    int *order, *firstOf, *usersOf; /* 3 max: corners sorted by place; 3 max + 1: where a vertex' triangles begin */
+    int contactCount, contactMax;
+    McdMeshContact *contact, *cluster, *merged;
+    int *contactOrder;
+    void *spots; /* McdSpot */
+    int *kept;
+    int skipped; /* triangles without area */
+} McdMesh;
+
+typedef struct McdMeshQuery {
+    McdModelPair *pair; /* model1 is the convex one */
+    McdMesh *mesh;
+    McdShape shape;
+    double margin, origin[3];
+    double axis[3][3], place[3]; /* the mesh's frame, place relative to the origin */
+    double low[3], high[3];      /* the shape's box in the mesh's frame, with the margin */
+    double centre[3];            /* the middle of that box, in the query's coordinates */
+    double radius;               /* from there to the box' corners */
+    double ball[3], ballRadius;  /* around the shape and the margin, in the mesh's frame */
+} McdMeshQuery;
+
+/* Adds the triangles that may be near the box. */
+typedef void (*McdMeshGather)(McdMeshQuery *q);
+
+/* The interaction of a convex model with a mesh: 1 if there are contacts. */
+int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh, McdMeshGather gather);
+/* Has it place for so many triangles? If not, it gets it; false, after a fatal error, if there is no memory. */
+MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
+void mcd_meshFree(McdMesh *mesh);
+/* For gather functions: corners in the mesh's frame; the normal, which may be null, says which side is outside. What is
+ * not near, has no area, or has NaN is left out. */
+void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, int element);
+
+/* The unit normal of a triangle, by the right-hand rule or, if one is given, on its side; false without area. */
+MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]);
+/* Where a segment enters a triangle's front (either side if both count): false if it does not. All in one frame. */
+MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
+                           const double to[3], double *part, double hitNormal[3]);
+
+#endif

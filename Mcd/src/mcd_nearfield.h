@@ -1,0 +1,60 @@
+/* Inside Mcd's nearfield: what finding the normal, and finding the points along it, share. */
+#ifndef MCD_NEARFIELD_H
+#define MCD_NEARFIELD_H
+
+#include "mcd_shape.h"
+#include "mcd_vector.h"
+
+/* How two cores are to each other. */
+typedef struct McdProximity {
+    double normal[3];      /* from b to a, length 1 */
+    double separation;     /* of the cores along it; negative: depth */
+    double onA[3], onB[3]; /* points of the cores that are so far apart */
+    MeBool isGuess;        /* only the first two: the cores are at least so far apart, if not negative */
+} McdProximity;
+
+/* The smaller one's size: what errors are measured by. */
+static inline double mcd_pairSize(const McdShape *a, const McdShape *b) {
+    return a->extent < b->extent ? a->extent : b->extent;
+}
+
+/* How far b's core stays below a's along the unit vector n; the largest over all n is the signed distance. */
+double mcd_separationAlong(const McdShape *a, const McdShape *b, const double n[3]);
+
+/* The signed distance of the cores; false if it is more than limit. */
+MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+/* The best normal among those of a box's faces and a cylinder's or cone's discs, as a guess; a separation of -INFINITY
+ * if there are none. */
+void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p);
+/* The same for two boxes, where they overlap; else a face's normal along which they are apart. */
+MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+/* For cores that are points or segments, and for a point and a box or cylinder. */
+MeBool mcd_pointPoint(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+MeBool mcd_pointSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+MeBool mcd_segmentSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+MeBool mcd_pointBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+MeBool mcd_pointCylinder(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+
+/* The part of a core's surface that looks in a direction: a point, a line, or a convex polygon, counter-clockwise from
+ * outside. A disc is a polygon of 16 corners on its rim, and of the rim's farthest point if that is none of them. */
+enum { MCD_FACE_POINTS = 64 };
+typedef struct McdFace {
+    int count;
+    double normal[3]; /* outward, length 1; of a line: the surface's there; of a point: 0 */
+    double bend;      /* of a line: the radius of the surface about it, across */
+    MeU32 id;         /* which face of the shape */
+    double point[MCD_FACE_POINTS][3];
+    MeU32 name[MCD_FACE_POINTS]; /* which corner; an edge goes by the corner where it begins */
+} McdFace;
+void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f);
+
+/* Contacts along a normal between the cores' faces that look at each other, at least the proximity's own points.
+ * Returns the count; the roundings are taken into account. For a guess it is 0 unless the faces are as near to each
+ * other as it says; then it was right. */
+int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
+                      const McdProximity *p, double margin, McdManifold *m);
+/* One contact, at the proximity's own points. */
+int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *p, MeU32 feature, double margin,
+                      McdManifold *m);
+
+#endif

@@ -1,0 +1,549 @@
+/* Links and pairs of a space: who is near whom, and what that means for the lists of pairs. */
+#include "mcd_space_i.h"
+#include "McdInteractions.h"
+#include <string.h>
+
+/* ---- memory ------------------------------------------------------------------------------------------------------ */
+
+/* Makes room for one more. False, after MeFatalError, if there is no memory; all is as it was then. */
+static MeBool grow(void **array, int *max, size_t size) {
+    const int more = *max ? 2 * *max : 64;
+    void *bigger = MeMemoryAPI.resize(*array, (size_t)more * size);
+    if (!bigger) {
+        MeFatalError(1, "McdSpaceEndChanges: no memory for pairs");
+        return MEFALSE;
+    }
+    *array = bigger;
+    *max = more;
+    return METRUE;
+}
+
+static MeBool listAdd(McdPairList *list, const McdPairEntry *entry) {
+    void *array = list->entry;
+    if (list->count == list->max && !grow(&array, &list->max, sizeof *list->entry))
+        return MEFALSE;
+    list->entry = array;
+    list->entry[list->count++] = *entry;
+    return METRUE;
+}
+
+static MeBool precedes(const McdPairEntry *a, const McdPairEntry *b) {
+    return a->order2 != b->order2 ? a->order2 < b->order2 : a->order1 < b->order1;
+}
+
+static void siftDown(McdPairEntry *entry, int at, int count) {
+    const McdPairEntry moved = entry[at];
+    for (int child = 2 * at + 1; child < count; child = 2 * at + 1) {
+        if (child + 1 < count && precedes(&entry[child], &entry[child + 1]))
+            child++;
+        if (!precedes(&moved, &entry[child]))
+            break;
+        entry[at] = entry[child];
+        at = child;
+    }
+    entry[at] = moved;
+}
+
+/* Heapsort: in place, without memory of its own. */
+static void listSort(McdPairList *list) {
+    McdPairEntry *entry = list->entry;
+    for (int i = list->count / 2 - 1; i >= 0; i--)
+        siftDown(entry, i, list->count);
+    for (int last = list->count - 1; last > 0; last--) {
+        const McdPairEntry greatest = entry[0];
+        entry[0] = entry[last];
+        entry[last] = greatest;
+        siftDown(entry, 0, last);
+    }
+}
+
+static MeBool makePairBlock(McdSpace *s) {
+    void *blocks = MeMemoryAPI.resize(s->block, ((size_t)s->blockCount + 1) * sizeof *s->block);
+    if (blocks)
+        s->block = blocks;
+    McdPairRecord *record = blocks ? MeMemoryAPI.create(MCD_PAIR_BLOCK * sizeof *record) : 0;
+    if (!record) {
+        MeFatalError(1, "McdSpaceEndChanges: no memory for pairs");
+        return MEFALSE;
+    }
+    memset(record, 0, MCD_PAIR_BLOCK * sizeof *record);
+    s->block[s->blockCount++] = record;
+    for (int i = MCD_PAIR_BLOCK - 1; i >= 0; i--) {
+        record[i].nextFree = s->freePair;
+        s->freePair = &record[i];
+    }
+    return METRUE;
+}
+
+static McdPairRecord *takePair(McdSpace *s) {
+    if (!s->freePair && !makePairBlock(s))
+        return 0;
+    McdPairRecord *record = s->freePair;
+    s->freePair = record->nextFree;
+    return record;
+}
+
+static void givePair(McdSpace *s, McdPairRecord *record) {
+    memset(record, 0, sizeof *record);
+    record->nextFree = s->freePair;
+    s->freePair = record;
+}
+
+/* ---- links ------------------------------------------------------------------------------------------------------- */
+
+static MeU32 hashOf(int a, int b) {
+    const MeU64 key = (MeU64)(MeU32)(a < b ? a : b) << 32 | (MeU32)(a < b ? b : a);
+    return (MeU32)(key * 0x9e3779b97f4a7c15ull >> 32);
+}
+
+static int *bucket(const McdSpace *s, int a, int b) {
+    return &s->hash[hashOf(a, b) & (MeU32)(s->hashSize - 1)];
+}
+
+static int findLink(const McdSpace *s, int a, int b) {
+    if (!s->hashSize)
+        return MCD_NONE;
+    for (int i = *bucket(s, a, b); i != MCD_NONE; i = s->link[i].nextInHash) {
+        const int *p = s->link[i].proxy;
+        if ((p[0] == a && p[1] == b) || (p[0] == b && p[1] == a))
+            return i;
+    }
+    return MCD_NONE;
+}
+
+static void hashIn(McdSpace *s, int i) {
+    int *head = bucket(s, s->link[i].proxy[0], s->link[i].proxy[1]);
+    s->link[i].nextInHash = *head;
+    *head = i;
+}
+
+static void hashOut(McdSpace *s, int i) {
+    int *at = bucket(s, s->link[i].proxy[0], s->link[i].proxy[1]);
+    while (*at != i)
+        at = &s->link[*at].nextInHash;
+    *at = s->link[i].nextInHash;
+}
+
+static MeBool growHash(McdSpace *s) {
+    const int size = s->hashSize ? 2 * s->hashSize : 128;
+    void *hash = MeMemoryAPI.resize(s->hash, (size_t)size * sizeof *s->hash);
+    if (!hash) {
+        MeFatalError(1, "McdSpaceEndChanges: no memory for pairs");
+        return MEFALSE;
+    }
+    s->hash = hash;
+    s->hashSize = size;
+    for (int i = 0; i < size; i++)
+        s->hash[i] = MCD_NONE;
+    for (int i = 0; i < s->linkMax; i++)
+        if (s->link[i].proxy[0] != MCD_NONE)
+            hashIn(s, i);
+    return METRUE;
+}
+
+static MeBool growLinks(McdSpace *s) {
+    const int first = s->linkMax;
+    void *array = s->link;
+    if (!grow(&array, &s->linkMax, sizeof *s->link))
+        return MEFALSE;
+    s->link = array;
+    for (int i = s->linkMax - 1; i >= first; i--) {
+        s->link[i].proxy[0] = MCD_NONE;
+        s->link[i].nextInHash = s->freeLink;
+        s->freeLink = i;
+    }
+    return METRUE;
+}
+
+/* Hangs a link into the list of its proxy number `end`. */
+static void hang(McdSpace *s, int i, int end) {
+    McdProxy *p = &s->proxy[s->link[i].proxy[end]];
+    const int next = p->firstLink;
+    s->link[i].previous[end] = MCD_NONE;
+    s->link[i].next[end] = next;
+    if (next != MCD_NONE)
+        s->link[next].previous[s->link[next].proxy[1] == s->link[i].proxy[end]] = i;
+    p->firstLink = i;
+}
+
+static void unhang(McdSpace *s, int i, int end) {
+    const int proxy = s->link[i].proxy[end], previous = s->link[i].previous[end], next = s->link[i].next[end];
+    if (previous == MCD_NONE)
+        s->proxy[proxy].firstLink = next;
+    else
+        s->link[previous].next[s->link[previous].proxy[1] == proxy] = next;
+    if (next != MCD_NONE)
+        s->link[next].previous[s->link[next].proxy[1] == proxy] = previous;
+}
+
+static int makeLink(McdSpace *s, int a, int b) {
+    if ((s->freeLink == MCD_NONE && !growLinks(s)) || (s->linkCount >= s->hashSize && !growHash(s)))
+        return MCD_NONE;
+    const int i = s->freeLink;
+    McdLink *link = &s->link[i];
+    s->freeLink = link->nextInHash;
+    s->linkCount++;
+    memset(link, 0, sizeof *link);
+    const int isTurned = s->proxy[a].order < s->proxy[b].order;
+    link->proxy[0] = isTurned ? b : a;
+    link->proxy[1] = isTurned ? a : b;
+    hashIn(s, i);
+    hang(s, i, 0);
+    hang(s, i, 1);
+    return i;
+}
+
+static void dropLink(McdSpace *s, int i) {
+    MEASSERT(!s->link[i].record && !s->link[i].isWaiting);
+    hashOut(s, i);
+    unhang(s, i, 0);
+    unhang(s, i, 1);
+    s->link[i].proxy[0] = MCD_NONE;
+    s->link[i].nextInHash = s->freeLink;
+    s->freeLink = i;
+    s->linkCount--;
+}
+
+static int nextLink(const McdSpace *s, int i, int proxy) {
+    return s->link[i].next[s->link[i].proxy[1] == proxy];
+}
+
+/* ---- judging ----------------------------------------------------------------------------------------------------- */
+
+static MeBool isCulled(const McdProxy *a, const McdProxy *b) {
+    return a->table && a->table == b->table && a->cullingID == b->cullingID &&
+           McdCullingTableGet(a->table, (MeU32)a->cullingIndex, (MeU32)b->cullingIndex);
+}
+
+/* As McdNearby says, on the axes of the space. */
+static MeBool isNear(const McdSpace *s, const McdProxy *a, const McdProxy *b) {
+    const MeReal margin = a->tolerance + b->tolerance;
+    if (!a->hasBox || !b->hasBox)
+        return MEFALSE;
+    for (int i = 0; i < 3; i++)
+        if (s->axes & 1 << i && (a->min[i] - margin > b->max[i] || b->min[i] - margin > a->max[i]))
+            return MEFALSE;
+    return METRUE;
+}
+
+static MeBool fatBoxesOverlap(const McdSpace *s, const McdProxy *a, const McdProxy *b) {
+    for (int i = 0; i < 3; i++)
+        if (s->axes & 1 << i && (a->fat.min[i] > b->fat.max[i] || b->fat.min[i] > a->fat.max[i]))
+            return MEFALSE;
+    return METRUE;
+}
+
+static McdPairEntry entryOf(const McdSpace *s, int i) {
+    const McdLink *link = &s->link[i];
+    return (McdPairEntry){.order2 = s->proxy[link->proxy[1]].order, .order1 = s->proxy[link->proxy[0]].order};
+}
+
+static void sayGoodbye(McdSpace *s, int i) {
+    McdLink *link = &s->link[i];
+    McdPairEntry entry = entryOf(s, i);
+    entry.record = link->record;
+    link->record->pair.phase = kMcdFFStateGoodbye;
+    link->record = 0;
+    s->liveCount--;
+    listAdd(&s->goodbye, &entry);
+}
+
+static void stopWaiting(McdSpace *s, int i) {
+    if (s->link[i].isWaiting)
+        s->waitingCount--;
+    s->link[i].isWaiting = MEFALSE;
+}
+
+static void judge(McdSpace *s, int i) {
+    McdLink *link = &s->link[i];
+    const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
+    const MeBool areFrozen = a->isFrozen && b->isFrozen;
+    if (!link->isDisabled && !areFrozen && isNear(s, a, b) && !isCulled(a, b)) {
+        if (!link->record && !link->isWaiting) {
+            link->isWaiting = METRUE;
+            s->waitingCount++;
+            McdPairEntry entry = entryOf(s, i);
+            entry.link = i;
+            listAdd(&s->wanted, &entry);
+        }
+        return;
+    }
+    if (link->record)
+        sayGoodbye(s, i);
+    stopWaiting(s, i);
+    if (!link->isDisabled && (areFrozen || !fatBoxesOverlap(s, a, b)))
+        dropLink(s, i);
+}
+
+/* ---- finding ----------------------------------------------------------------------------------------------------- */
+
+typedef struct Search {
+    McdSpace *space;
+    int proxy;
+} Search;
+
+static MeBool meet(void *context, int other) {
+    const Search *search = context;
+    McdSpace *s = search->space;
+    const McdProxy *a = &s->proxy[search->proxy], *b = &s->proxy[other];
+    if (other == search->proxy || (a->isFrozen && b->isFrozen) || findLink(s, search->proxy, other) != MCD_NONE)
+        return METRUE;
+    return makeLink(s, search->proxy, other) != MCD_NONE;
+}
+
+static void findLinks(McdSpace *s, int proxy) {
+    McdTreeBox box = s->proxy[proxy].fat;
+    Search search = {s, proxy};
+    for (int i = 0; i < 3; i++)
+        if (!(s->axes & 1 << i)) {
+            box.min[i] = (float)-MCD_TREE_REACH;
+            box.max[i] = (float)MCD_TREE_REACH;
+        }
+    mcd_treeQuery(s->tree, &box, meet, &search);
+    for (int i = 0; i < s->unboundedCount; i++)
+        if (fatBoxesOverlap(s, &s->proxy[proxy], &s->proxy[s->unbounded[i]]))
+            meet(&search, s->unbounded[i]);
+}
+
+static void judgeLinksOf(McdSpace *s, int proxy) {
+    for (int i = s->proxy[proxy].firstLink, next; i != MCD_NONE; i = next) {
+        next = nextLink(s, i, proxy);
+        judge(s, i);
+    }
+}
+
+/* ---- lists ------------------------------------------------------------------------------------------------------- */
+
+/* Last step's hellos stay. From the back, so that nothing is overwritten before it was moved. */
+static void helloBecomesStaying(McdSpace *s) {
+    int from = s->staying.count, add = s->hello.count;
+    for (int i = 0; i < add; i++) {
+        McdModelPair *pair = &s->hello.entry[i].record->pair;
+        if (pair->phase == kMcdFFStateHello) /* else it says goodbye already */
+            pair->phase = kMcdFFStateStaying;
+        if (!listAdd(&s->staying, &s->hello.entry[i]))
+            add = i;
+    }
+    McdPairEntry *entry = s->staying.entry;
+    for (int to = s->staying.count - 1; add > 0; to--)
+        entry[to] =
+            from > 0 && precedes(&s->hello.entry[add - 1], &entry[from - 1]) ? entry[--from] : s->hello.entry[--add];
+    s->hello.count = 0;
+}
+
+/* Both lists are in order. */
+static void dropGoodbyesFromStaying(McdSpace *s) {
+    McdPairEntry *entry = s->staying.entry;
+    int kept = 0, g = 0;
+    if (!s->goodbye.count)
+        return;
+    for (int i = 0; i < s->staying.count; i++) {
+        while (g < s->goodbye.count && precedes(&s->goodbye.entry[g], &entry[i]))
+            g++;
+        if (g == s->goodbye.count || s->goodbye.entry[g].record != entry[i].record)
+            entry[kept++] = entry[i];
+    }
+    s->staying.count = kept;
+}
+
+static void sayHello(McdSpace *s, McdPairEntry entry) {
+    McdLink *link = &s->link[entry.link];
+    McdPairRecord *record = takePair(s);
+    if (!record)
+        return;
+    record->pair.model1 = &s->proxy[link->proxy[0]].model->model;
+    record->pair.model2 = &s->proxy[link->proxy[1]].model->model;
+    record->pair.phase = kMcdFFStateHello;
+    entry.record = record;
+    if (!listAdd(&s->hello, &entry)) {
+        givePair(s, record);
+        return;
+    }
+    stopWaiting(s, (int)(link - s->link));
+    link->record = record;
+    s->liveCount++;
+}
+
+static void refuse(McdSpace *s, int first) {
+    MeWarning(1, "McdSpaceEndChanges: no room for %d more pairs: raise McdSpaceAxisSortCreate's pairCount, which is %d",
+              s->wanted.count - first, s->pairMax);
+    for (int i = first; s->poolFull && i < s->wanted.count; i++) {
+        const McdLink *link = &s->link[s->wanted.entry[i].link];
+        s->poolFull(&s->proxy[link->proxy[0]].model->model, &s->proxy[link->proxy[1]].model->model);
+    }
+}
+
+/* Those that found no room before ask again, with the new ones, in order. */
+static void addWaiting(McdSpace *s) {
+    s->wanted.count = 0;
+    for (int i = 0; i < s->linkMax; i++)
+        if (s->link[i].proxy[0] != MCD_NONE && s->link[i].isWaiting) {
+            McdPairEntry entry = entryOf(s, i);
+            entry.link = i;
+            listAdd(&s->wanted, &entry);
+        }
+}
+
+static void giveRoom(McdSpace *s) {
+    const int newCount = s->wanted.count;
+    if (s->waitingCount > newCount)
+        addWaiting(s);
+    listSort(&s->wanted);
+    int i = 0;
+    for (; i < s->wanted.count && s->liveCount < s->pairMax; i++)
+        sayHello(s, s->wanted.entry[i]);
+    if (i < s->wanted.count && newCount)
+        refuse(s, i);
+    s->wanted.count = 0;
+}
+
+/* ---- the block --------------------------------------------------------------------------------------------------- */
+
+void mcd_proxyTouch(McdSpace *s, int proxy) {
+    if (s->proxy[proxy].isDirty)
+        return;
+    s->proxy[proxy].isDirty = METRUE;
+    s->dirty[s->dirtyCount++] = proxy;
+}
+
+void mcd_pairsBegin(McdSpace *s) {
+    mcd_pairsTidy(s);
+    for (int i = 0; i < s->goodbye.count; i++)
+        givePair(s, s->goodbye.entry[i].record);
+    s->goodbye.count = 0;
+}
+
+void mcd_pairsEnd(McdSpace *s) {
+    mcd_pairsTidy(s);
+    mcd_treeSettle(s->tree);
+    for (int i = 0; i < s->dirtyCount; i++)
+        if (s->proxy[s->dirty[i]].isMoved && s->proxy[s->dirty[i]].hasBox)
+            findLinks(s, s->dirty[i]);
+    helloBecomesStaying(s);
+    for (int i = 0; i < s->dirtyCount; i++) {
+        judgeLinksOf(s, s->dirty[i]);
+        s->proxy[s->dirty[i]].isDirty = s->proxy[s->dirty[i]].isMoved = MEFALSE;
+    }
+    s->dirtyCount = 0;
+    listSort(&s->goodbye);
+    dropGoodbyesFromStaying(s);
+    giveRoom(s);
+}
+
+static void undirty(McdSpace *s, int proxy) {
+    int at = 0;
+    if (!s->proxy[proxy].isDirty)
+        return;
+    while (s->dirty[at] != proxy)
+        at++;
+    s->dirty[at] = s->dirty[--s->dirtyCount];
+    s->proxy[proxy].isDirty = MEFALSE;
+}
+
+void mcd_pairsForgetProxy(McdSpace *s, int proxy) {
+    while (s->proxy[proxy].firstLink != MCD_NONE) {
+        const int i = s->proxy[proxy].firstLink;
+        if (s->link[i].record)
+            sayGoodbye(s, i);
+        stopWaiting(s, i);
+        dropLink(s, i);
+    }
+    undirty(s, proxy);
+}
+
+/* Ends what a program may have begun with a pair. The lists are tidied later, once for many pairs. */
+static void erase(McdSpace *s, McdPairRecord *record) {
+    if (record->pair.cache)
+        McdGoodbye(&record->pair);
+    record->pair.phase = kMcdFFStateInactive;
+    s->isStale = METRUE;
+}
+
+static void tidyList(McdSpace *s, McdPairList *list) {
+    int kept = 0;
+    for (int i = 0; i < list->count; i++) {
+        McdPairRecord *record = list->entry[i].record;
+        if (record->pair.phase == kMcdFFStateInactive)
+            givePair(s, record);
+        else
+            list->entry[kept++] = list->entry[i];
+    }
+    list->count = kept;
+}
+
+void mcd_pairsTidy(McdSpace *s) {
+    if (!s->isStale)
+        return;
+    tidyList(s, &s->hello);
+    tidyList(s, &s->staying);
+    tidyList(s, &s->goodbye);
+    s->isStale = MEFALSE;
+}
+
+/* Of pairs that said goodbye there is nothing but the list. Inside a block they are in the other lists too. */
+static void eraseGoodbyesOf(McdSpace *s, McdModelID cm) {
+    int kept = 0;
+    for (int i = 0; i < s->goodbye.count; i++) {
+        McdPairRecord *record = s->goodbye.entry[i].record;
+        const MeBool isHis = record->pair.model1 == cm || record->pair.model2 == cm;
+        if (!isHis || !s->isChanging)
+            s->goodbye.entry[kept++] = s->goodbye.entry[i];
+        if (isHis)
+            erase(s, record);
+    }
+    s->goodbye.count = kept;
+}
+
+void mcd_pairsEraseProxy(McdSpace *s, int proxy) {
+    for (int i = s->proxy[proxy].firstLink; i != MCD_NONE; i = nextLink(s, i, proxy)) {
+        if (!s->link[i].record)
+            continue;
+        erase(s, s->link[i].record);
+        s->link[i].record = 0;
+        s->liveCount--;
+    }
+    eraseGoodbyesOf(s, &s->proxy[proxy].model->model);
+    mcd_pairsForgetProxy(s, proxy);
+}
+
+void mcd_pairsDestroy(McdSpace *s) {
+    for (int b = 0; b < s->blockCount; b++) {
+        for (int i = 0; i < MCD_PAIR_BLOCK; i++)
+            if (s->block[b][i].pair.cache && s->block[b][i].pair.phase != kMcdFFStateGoodbye)
+                McdGoodbye(&s->block[b][i].pair);
+        MeMemoryAPI.destroy(s->block[b]);
+    }
+    MeMemoryAPI.destroy(s->block);
+    MeMemoryAPI.destroy(s->link);
+    MeMemoryAPI.destroy(s->hash);
+    MeMemoryAPI.destroy(s->hello.entry);
+    MeMemoryAPI.destroy(s->staying.entry);
+    MeMemoryAPI.destroy(s->goodbye.entry);
+    MeMemoryAPI.destroy(s->wanted.entry);
+}
+
+/* ---- pairs that never collide ------------------------------------------------------------------------------------ */
+
+MeBool mcd_pairsDisable(McdSpace *s, int a, int b) {
+    int i = findLink(s, a, b);
+    if (i == MCD_NONE)
+        i = makeLink(s, a, b);
+    if (i == MCD_NONE)
+        return MEFALSE;
+    s->link[i].isDisabled = METRUE;
+    mcd_proxyTouch(s, a);
+    return METRUE;
+}
+
+void mcd_pairsEnable(McdSpace *s, int a, int b) {
+    const int i = findLink(s, a, b);
+    if (i == MCD_NONE)
+        return;
+    s->link[i].isDisabled = MEFALSE;
+    mcd_proxyTouch(s, a);
+}
+
+MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b) {
+    const int i = findLink(s, a, b);
+    return !(i != MCD_NONE && s->link[i].isDisabled) && !isCulled(&s->proxy[a], &s->proxy[b]);
+}

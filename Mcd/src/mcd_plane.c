@@ -1,0 +1,35 @@
+/* Contacts with a half-space: the face that looks at it, and its deepest point. */
+#include "mcd_nearfield.h"
+
+#include <string.h>
+
+int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m) {
+    const double back[3] = {-normal[0], -normal[1], -normal[2]};
+    McdProximity p = {.isGuess = 0};
+    McdFace face, ground = {.count = 4};
+    double u[3], w[3];
+    mcd_copy(p.normal, normal);
+    mcd_coreSupport(a, back, p.onA);
+    p.separation = mcd_dot(p.onA, normal) - offset;
+    mcd_mad(p.onB, p.onA, -p.separation, normal);
+    if (!(p.separation - a->rounding <= margin)) {
+        m->count = 0;
+        mcd_copy(m->normal, normal);
+        return 0;
+    }
+    mcd_faceToward(a, back, &face);
+    /* A square of the plane, wider than the shape, below it. */
+    mcd_basis(normal, u, w);
+    mcd_copy(ground.normal, normal);
+    McdShape square;
+    memset(&square, 0, sizeof square);
+    square.extent = a->extent;
+    for (int i = 0; i < 4; i++) {
+        double *corner = ground.point[i];
+        mcd_mad(corner, a->place, offset - mcd_dot(a->place, normal), normal);
+        mcd_mad(corner, corner, (i == 0 || i == 3 ? -4 : 4) * a->extent, u);
+        mcd_mad(corner, corner, (i < 2 ? -4 : 4) * a->extent, w);
+        ground.name[i] = (MeU32)i;
+    }
+    return mcd_facesManifold(a, &square, &face, &ground, &p, margin, m);
+}

@@ -1,0 +1,143 @@
+/* Cores that are points or segments, in closed form: those of spheres and sphyls, against each other, boxes and
+ * cylinders. Where cores touch, no direction is shorter than another: the normal is then a fixed one across them. */
+#include "mcd_nearfield.h"
+
+/* Relative to the smaller shape: nearer cores touch. */
+static const double touching = 1e-12;
+
+static const double up[3] = {0, 0, 1};
+
+/* From the nearest points; across where these are one. */
+static MeBool fromPoints(const McdShape *a, const McdShape *b, const double across[3], double limit, McdProximity *p) {
+    double d[3];
+    mcd_sub(d, p->onA, p->onB);
+    const double distance = mcd_length(d);
+    p->separation = distance;
+    p->isGuess = 0;
+    if (distance > touching * mcd_pairSize(a, b))
+        mcd_scale(p->normal, d, 1 / distance);
+    else
+        mcd_copy(p->normal, across);
+    return distance <= limit;
+}
+
+MeBool mcd_pointPoint(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    mcd_copy(p->onA, a->place);
+    mcd_copy(p->onB, b->place);
+    return fromPoints(a, b, up, limit, p);
+}
+
+MeBool mcd_pointSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    double d[3];
+    mcd_sub(d, a->place, b->place);
+    const double t = mcd_dot(d, b->axis[2]), half = b->size[2];
+    mcd_copy(p->onA, a->place);
+    mcd_mad(p->onB, b->place, MeCLAMP(t, -half, half), b->axis[2]);
+    return fromPoints(a, b, b->axis[0], limit, p);
+}
+
+/* The nearest point of the other segment to the point s along the first, and the other way round, until both hold:
+ * for the lines at once, then with their ends. */
+static void nearestOfSegments(const McdShape *a, const McdShape *b, double *s, double *t) {
+    double d[3];
+    mcd_sub(d, a->place, b->place);
+    const double c = mcd_dot(a->axis[2], b->axis[2]), da = mcd_dot(d, a->axis[2]), db = mcd_dot(d, b->axis[2]);
+    const double ha = a->size[2], hb = b->size[2], sine2 = 1 - c * c;
+    if (sine2 > 1e-14) {
+        *s = (c * db - da) / sine2;
+    } else { /* parallel: the middle of what is beside each other */
+        const double low = MeMAX(-ha, -da - hb), high = MeMIN(ha, -da + hb);
+        *s = (low + high) / 2;
+    }
+    *s = MeCLAMP(*s, -ha, ha);
+    *t = MeCLAMP(db + c * *s, -hb, hb);
+    *s = MeCLAMP(c * *t - da, -ha, ha);
+}
+
+MeBool mcd_segmentSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    double s, t, across[3];
+    nearestOfSegments(a, b, &s, &t);
+    mcd_mad(p->onA, a->place, s, a->axis[2]);
+    mcd_mad(p->onB, b->place, t, b->axis[2]);
+    mcd_cross(across, a->axis[2], b->axis[2]);
+    const double length = mcd_length(across);
+    if (length > 1e-6)
+        mcd_scale(across, across, 1 / length);
+    else
+        mcd_copy(across, b->axis[0]);
+    return fromPoints(a, b, across, limit, p);
+}
+
+static void ownPlace(const McdShape *a, const McdShape *b, double x[3]) {
+    double d[3];
+    mcd_sub(d, a->place, b->place);
+    for (int i = 0; i < 3; i++)
+        x[i] = mcd_dot(b->axis[i], d);
+}
+
+static void fromOwn(const McdShape *b, const double x[3], double out[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = b->axis[0][i] * x[0] + b->axis[1][i] * x[1] + b->axis[2][i] * x[2];
+}
+
+/* Both in b's axes: the way out and the nearest point of its surface. */
+static MeBool report(const McdShape *a, const McdShape *b, const double normal[3], const double nearest[3],
+                     double separation, double limit, McdProximity *p) {
+    double d[3];
+    fromOwn(b, normal, p->normal);
+    fromOwn(b, nearest, d);
+    mcd_mad(p->onB, b->place, 1, d);
+    mcd_copy(p->onA, a->place);
+    p->separation = separation;
+    p->isGuess = 0;
+    return separation <= limit;
+}
+
+/* From a point outside to the nearest one of the shape; false if that is no direction. */
+static MeBool isOutside(const McdShape *a, const McdShape *b, const double x[3], const double nearest[3], double n[3],
+                        double *distance) {
+    mcd_sub(n, x, nearest);
+    *distance = mcd_length(n);
+    if (!(*distance > touching * mcd_pairSize(a, b)))
+        return 0;
+    mcd_scale(n, n, 1 / *distance);
+    return 1;
+}
+
+MeBool mcd_pointBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    double x[3], nearest[3], n[3], distance;
+    int k = 0;
+    ownPlace(a, b, x);
+    for (int i = 0; i < 3; i++) {
+        nearest[i] = MeCLAMP(x[i], -b->size[i], b->size[i]);
+        if (fabs(x[i]) - b->size[i] > fabs(x[k]) - b->size[k])
+            k = i;
+    }
+    if (!isOutside(a, b, x, nearest, n, &distance)) {
+        mcd_set(n, 0, 0, 0);
+        n[k] = x[k] < 0 ? -1 : 1;
+        nearest[k] = n[k] * b->size[k];
+        distance = fabs(x[k]) - b->size[k];
+    }
+    return report(a, b, n, nearest, distance, limit, p);
+}
+
+MeBool mcd_pointCylinder(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    double x[3], nearest[3], n[3], distance;
+    ownPlace(a, b, x);
+    const double radius = b->size[0], half = b->size[2], across = hypot(x[0], x[1]);
+    const double k = across > radius ? radius / across : 1;
+    mcd_set(nearest, x[0] * k, x[1] * k, MeCLAMP(x[2], -half, half));
+    if (!isOutside(a, b, x, nearest, n, &distance)) {
+        if (fabs(x[2]) - half >= across - radius) { /* through a disc */
+            mcd_set(n, 0, 0, x[2] < 0 ? -1 : 1);
+            nearest[2] = n[2] * half;
+            distance = fabs(x[2]) - half;
+        } else { /* through the side; from the axis, along x */
+            mcd_set(n, across > 0 ? x[0] / across : 1, across > 0 ? x[1] / across : 0, 0);
+            mcd_set(nearest, n[0] * radius, n[1] * radius, nearest[2]);
+            distance = across - radius;
+        }
+    }
+    return report(a, b, n, nearest, distance, limit, p);
+}

@@ -1,0 +1,122 @@
+/* Inside Mcd: what spaces are made of.
+ *
+ * A model in a space is a proxy: its box of the last update, and a fat box around that which is in the tree. A link
+ * joins two proxies whose fat boxes overlap, or that are disabled; links are found by a hash table and hang in a list
+ * at each of their proxies. A link whose exact boxes overlap has a pair, which is what programs see.
+ *
+ * At the end of a block only what changed is looked at: proxies that left their fat box are looked up in the tree for
+ * new links, and the links of proxies that changed at all are judged anew.
+ *
+ * Proxies and links are known by their index; pairs and programs' pointers never move.
+ */
+#ifndef MCD_SPACE_I_H
+#define MCD_SPACE_I_H
+
+#include "McdSpace.h"
+#include "mcd_i.h"
+#include "mcd_tree.h"
+
+enum { MCD_NONE = -1, MCD_PAIR_BLOCK = 128 };
+
+typedef struct McdProxy {
+    McdModelRecord *model; /* null: free */
+    McdTreeLeaf *leaf;     /* null: no box yet, or without bounds */
+    MeU64 order;           /* the model's place in the order of pairs: sort key, then creation */
+    MeReal min[3], max[3], tolerance;
+    McdTreeBox fat;
+    McdCullingTable *table;
+    int cullingIndex, cullingID;
+    int firstLink;
+    int previous, next; /* in the order of insertion; next also links the free ones */
+    MeBool hasBox, isFrozen, isUnbounded;
+    MeBool isDirty;  /* its links are to be judged */
+    MeBool isMoved;  /* its fat box is new: look for links */
+    MeBool isWarned; /* of its transform */
+} McdProxy;
+
+typedef struct McdPairRecord McdPairRecord;
+struct McdPairRecord {
+    McdModelPair pair; /* what programs see: first */
+    McdPairRecord *nextFree;
+};
+
+typedef struct McdPairEntry {
+    MeU64 order2, order1; /* of model2 and model1 */
+    union {
+        McdPairRecord *record;
+        int link;
+    };
+} McdPairEntry;
+
+typedef struct McdPairList {
+    McdPairEntry *entry;
+    int count, max;
+} McdPairList;
+
+typedef struct McdLink {
+    int proxy[2]; /* proxy[0] comes later in the order: it is model1; MCD_NONE: the link is free */
+    int previous[2], next[2];
+    int nextInHash;               /* also links the free ones */
+    MeBool isDisabled, isWaiting; /* waiting for room among the pairs */
+    McdPairRecord *record;
+} McdLink;
+
+struct _McdSpace {
+    MeU32 magic;
+    McdFramework *frame;
+    int axes, objectMax, pairMax;
+    MeBool isChanging;
+    MeBool isFirstBlock, isUpdated; /* the block that creation opened; McdSpaceUpdateAll was called in it */
+    MeU32 step;
+    McdSpaceUpdateAABBFnPtr update;
+    McdSpacePoolErrorFnPtr poolFull;
+    void *userData;
+
+    McdProxy *proxy; /* objectMax */
+    int proxyCount, firstProxy, lastProxy, freeProxy;
+    int *dirty, dirtyCount;         /* proxies; objectMax */
+    int *unbounded, unboundedCount; /* proxies that are in no tree; objectMax */
+    McdTree *tree;
+
+    McdLink *link;
+    int linkMax, freeLink, linkCount;
+    int *hash, hashSize; /* a power of 2, or 0 */
+
+    McdPairRecord **block; /* of MCD_PAIR_BLOCK pairs */
+    int blockCount, liveCount, waitingCount;
+    McdPairRecord *freePair;
+    MeBool isStale; /* there are erased pairs in the lists: their phase is kMcdFFStateInactive */
+    McdPairList hello, staying, goodbye, wanted;
+    McdSpacePairIterator own; /* of the calls without an iterator */
+};
+
+/* ---- proxies (McdSpace.c) ---------------------------------------------------------------------------------------- */
+
+MeBool mcd_spaceCheck(McdSpaceID s, const char *function);
+/* Is it a space outside a change block? Ends the first block, if McdSpaceUpdateAll was called in it. */
+MeBool mcd_spaceIsReady(McdSpaceID s, const char *function);
+
+/* ---- links and pairs (mcd_pairs.c) ------------------------------------------------------------------------------- */
+
+void mcd_proxyTouch(McdSpace *s, int proxy);        /* its links are to be judged at the end of the block */
+void mcd_pairsForgetProxy(McdSpace *s, int proxy);  /* drops its links; its pairs say goodbye */
+void mcd_pairsEraseProxy(McdSpace *s, int proxy);   /* drops its links and its pairs, which say nothing */
+void mcd_pairsTidy(McdSpace *s);                    /* takes erased pairs out of the lists */
+MeBool mcd_pairsDisable(McdSpace *s, int a, int b); /* false: no memory */
+void mcd_pairsEnable(McdSpace *s, int a, int b);
+MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b); /* neither disabled nor culled */
+void mcd_pairsBegin(McdSpace *s);                            /* a block begins: goodbyes become invalid */
+void mcd_pairsEnd(McdSpace *s);                              /* a block ends: finds the pairs */
+void mcd_pairsDestroy(McdSpace *s);
+
+/* ---- queries ----------------------------------------------------------------------------------------------------- */
+
+/* Calls visit for each model that may overlap a box (world); of those in the tree and those without bounds. */
+void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3], McdTreeVisit visit, void *context);
+/* The same for a moving box, see mcd_treeCast. */
+void mcd_spaceCast(const McdSpace *s, const double from[3], const double by[3], const double half[3], double fraction,
+                   McdTreeCastVisit visit, void *context);
+/* Outward to float. */
+void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box);
+
+#endif

@@ -1,0 +1,58 @@
+/* Inside Mcd: three-dimensional vectors in double. */
+#ifndef MCD_VECTOR_H
+#define MCD_VECTOR_H
+
+#include <math.h>
+
+static inline double mcd_dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline void mcd_set(double out[3], double x, double y, double z) {
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+}
+
+static inline void mcd_copy(double out[3], const double a[3]) {
+    mcd_set(out, a[0], a[1], a[2]);
+}
+
+static inline void mcd_scale(double out[3], const double a[3], double k) {
+    mcd_set(out, a[0] * k, a[1] * k, a[2] * k);
+}
+
+static inline void mcd_sub(double out[3], const double a[3], const double b[3]) {
+    mcd_set(out, a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/* a + k b */
+static inline void mcd_mad(double out[3], const double a[3], double k, const double b[3]) {
+    mcd_set(out, a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]);
+}
+
+static inline void mcd_cross(double out[3], const double a[3], const double b[3]) {
+    mcd_set(out, a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+}
+
+static inline double mcd_length(const double a[3]) {
+    return sqrt(mcd_dot(a, a));
+}
+
+static inline double mcd_distanceSquared(const double a[3], const double b[3]) {
+    double d[3];
+    mcd_sub(d, a, b);
+    return mcd_dot(d, d);
+}
+
+/* Two directions that make a right-handed frame (u, w, n) with the unit vector n. */
+static inline void mcd_basis(const double n[3], double u[3], double w[3]) {
+    if (fabs(n[0]) < .6)
+        mcd_set(u, 0, n[2], -n[1]);
+    else
+        mcd_set(u, -n[2], 0, n[0]);
+    mcd_scale(u, u, 1 / mcd_length(u));
+    mcd_cross(w, n, u);
+}
+
+#endif

@@ -1,0 +1,194 @@
+/* Pairs in batches, requests by table, and the choice of contacts. */
+#include "McdBatch.h"
+#include "McdContact.h"
+#include "McdPlane.h"
+#include "McdPrimitives.h"
+#include "McduRequestTable.h"
+#include "terrain.h"
+
+enum { PAIRS = 7 };
+static McdFrameworkID frame;
+static McdModelPair pairs[PAIRS], *array[PAIRS];
+static MeMatrix4 tm[PAIRS], groundTM;
+static McdModelPairContainer container;
+
+/* Boxes on a plane, four contacts each; the third one is high above it. */
+static void begin(void) {
+    frame = McdInit(0, PAIRS + 1, 0, 1);
+    McdPrimitivesRegisterTypes(frame);
+    McdPrimitivesRegisterInteractions(frame);
+    McdModelID plane = McdModelCreate(McdPlaneCreate(frame));
+    McdGeometryID box = McdBoxCreate(frame, 1, 1, 1);
+    MeMatrix4TMMakeIdentity(groundTM);
+    McdModelSetTransformPtr(plane, groundTM);
+    McdModelUpdate(plane);
+    memset(pairs, 0, sizeof pairs);
+    for (int i = 0; i < PAIRS; i++) {
+        McdModelID m = McdModelCreate(box);
+        MeMatrix4TMMakeIdentity(tm[i]);
+        MeMatrix4TMSetPosition(tm[i], (MeReal)(2 * i), 0, i == 3 ? 9 : (MeReal).5);
+        McdModelSetTransformPtr(m, tm[i]);
+        McdModelUpdate(m);
+        pairs[i].model1 = m;
+        pairs[i].model2 = plane;
+        array[i] = &pairs[i];
+        McdHello(&pairs[i]);
+    }
+    const McdModelPairContainer c = {array, PAIRS, 0, 0, 0, 2, 2, PAIRS};
+    container = c;
+}
+
+static void end(void) {
+    McdFrameworkDestroyAllModelsAndGeometries(frame);
+    McdTerm(frame);
+}
+
+START_TEST(all_pairs_come_once) {
+    McdIntersectResult result[PAIRS];
+    McdContact contact[100];
+    int results, contacts, calls = 0, met = 0;
+    begin();
+    McdBatchContext *context = McdBatchContextCreate(frame);
+    ck_assert(!McdBatchIntersectEach(context, &container, result, &results, PAIRS, contact, &contacts, 200));
+    for (int round = 0; round < 2; round++) { /* three results, or 45 contacts, at a time */
+        MeBool isMore;
+        met = calls = 0;
+        do {
+            isMore = McdBatchIntersectEach(context, &container, result, &results, 3, contact, &contacts, 45);
+            int used = 0;
+            for (int i = 0; i < results; i++, met++) {
+                ck_assert_ptr_eq(result[i].pair, &pairs[met]);
+                ck_assert_ptr_eq(result[i].contacts, contact + used);
+                ck_assert_int_eq(result[i].contactCount, met == 3 ? 0 : 4);
+                used += result[i].contactCount;
+            }
+            ck_assert_int_eq(contacts, used);
+            calls++;
+        } while (isMore && calls < 20);
+        ck_assert_int_eq(met, PAIRS);
+        ck_assert_int_eq(calls, 3);
+    }
+    McdBatchIntersectEach(context, &container, result, &results, 3, contact, &contacts, 100);
+    McdBatchContextReset(context);
+    McdBatchIntersectEach(context, &container, result, &results, 3, contact, &contacts, 100);
+    ck_assert_ptr_eq(result[0].pair, &pairs[0]);
+    messages_catch();
+    McdBatchContextRelease(context);
+    McdBatchContextDestroy(context);
+    McdBatchContextDestroy(0);
+    assert_silent();
+    ck_assert(!McdBatchIntersectEach(0, &container, result, &results, 3, contact, &contacts, 100));
+    assert_warned("McdBatchIntersectEach");
+    ck_assert_ptr_null(McdBatchContextCreate(0));
+    assert_warned("McdBatchContextCreate");
+    messages_release();
+    end();
+}
+END_TEST
+
+START_TEST(requests_by_table) {
+    McdRequest few = {2}, many = {50}, got = {0};
+    begin();
+    messages_catch();
+    ck_assert_ptr_null(McduRequestTableGetRequestPtr(0, 0));
+    assert_warned("McduRequestTableInit");
+    ck_assert(!McduRequestTableInit(0, 0));
+    assert_warned("idMaxCount");
+    ck_assert(McduRequestTableInit(3, &many));
+    McduRequestTableSetRequest(2, 1, &few);
+    ck_assert_int_eq(McduRequestTableGetRequestPtr(1, 2)->contactMaxCount, 2);
+    ck_assert_int_eq(McduRequestTableGetRequestPtr(2, 2)->contactMaxCount, 50);
+    McdModelSetRequestID(pairs[0].model1, 1);
+    McdModelSetRequestID(pairs[0].model2, 2);
+    McduRequestTableGetRequest(&pairs[0], &got);
+    ck_assert_int_eq(got.contactMaxCount, 2);
+    McduHelloRequestTableCB(&pairs[0]);
+    McdContact contact[10];
+    McdIntersectResult result = {0};
+    result.contacts = contact;
+    result.contactMaxCount = 10;
+    ck_assert(McdIntersect(&pairs[0], &result));
+    ck_assert_int_eq(result.contactCount, 2);
+    assert_silent();
+    McduRequestTableSetRequest(3, 0, &few);
+    assert_warned("request ids");
+    ck_assert_int_eq(McduRequestTableGetRequestPtr(-1, 0)->contactMaxCount, 50);
+    assert_warned("request ids");
+    McduRequestTableSetRequest(1, 2, 0);
+    ck_assert_int_eq(McduRequestTableGetRequestPtr(2, 1)->contactMaxCount, 50);
+    McduRequestTableTerm();
+    McduRequestTableTerm();
+    assert_silent();
+    messages_release();
+    end();
+}
+END_TEST
+
+/* ---- the choice of contacts ------------------------------------------------------------------------------------------- */
+
+static void contactAt(McdContact *c, double x, double y, double separation, double nx) {
+    memset(c, 0, sizeof *c);
+    MeVector3Set(c->position, (MeReal)x, (MeReal)y, 0);
+    MeVector3Set(c->normal, (MeReal)nx, 0, (MeReal)sqrt(1 - nx * nx));
+    c->separation = (MeReal)separation;
+}
+
+static int has(const McdContact *c, int count, double x, double y) {
+    for (int i = 0; i < count; i++)
+        if (fabs((double)c[i].position[0] - x) + fabs((double)c[i].position[1] - y) < 1e-6)
+            return 1;
+    return 0;
+}
+
+START_TEST(corners_of_a_slab_stay) {
+    McdContact all[101 * 3], few[101 * 3];
+    for (int i = 0; i <= 100; i++)
+        for (int j = 0; j < 3; j++)
+            contactAt(&all[3 * i + j], .5 * i, .5 * j, -.01, 0);
+    ck_assert_int_eq(McdContactSimplify(0, all, 303, few, 4, 0, 1), 4);
+    ck_assert(has(few, 4, 0, 0) && has(few, 4, 50, 0) && has(few, 4, 0, 1) && has(few, 4, 50, 1));
+    all[151].separation = (MeReal)-1; /* deep in the middle */
+    ck_assert_int_eq(McdContactSimplify(0, all, 303, few, 4, 0, 1), 4);
+    ck_assert(has(few, 4, 25, .5));
+    ck_assert_int_eq(McdContactSimplify(0, all, 303, few, 10, 0, 1), 10);
+    ck_assert(has(few, 10, 25, .5) && has(few, 10, 50, 1));
+    ck_assert_int_eq(McdContactSimplify(0, all, 303, all, 4, 0, 1), 4); /* in place */
+    ck_assert(has(all, 4, 25, .5));
+}
+END_TEST
+
+START_TEST(points_lines_and_normals) {
+    McdContact all[20], few[20];
+    const MeReal up[3] = {0, 0, 1};
+    for (int i = 0; i < 10; i++)
+        contactAt(&all[i], 1, 2, -.01, 0);
+    ck_assert_int_eq(McdContactSimplify(0, all, 10, few, 4, 0, 1), 1);
+    for (int i = 0; i < 10; i++)
+        contactAt(&all[i], i, 2. * i, -.01, 0);
+    ck_assert_int_eq(McdContactSimplify(0, all, 10, few, 4, 0, 1), 2);
+    ck_assert(has(few, 2, 0, 0) && has(few, 2, 9, 18));
+    for (int i = 10; i < 14; i++)
+        contactAt(&all[i], 5, i, -.02, .6);
+    const int count = McdContactSimplify(up, all, 14, few, 3, 1, 1);
+    ck_assert_int_eq(count, 3); /* both ends of the faces' line, then one of the others */
+    ck_assert(has(few, 3, 0, 0) && has(few, 3, 9, 18));
+    assert_near(few[2].normal[0], .6, 1e-6);
+    ck_assert_int_eq(McdContactSimplify(up, all, 14, few, 3, 0, 1), 3);
+    ck_assert(fabs((double)few[1].separation + .02) < 1e-6 || fabs((double)few[2].separation + .02) < 1e-6);
+    messages_catch();
+    ck_assert_int_eq(McdContactSimplify(up, all, 0, few, 3, 0, 1), 0);
+    ck_assert_int_eq(McdContactSimplify(up, all, 3, few, 0, 0, 1), 0);
+    assert_silent();
+    ck_assert_int_eq(McdContactSimplify(up, 0, 3, few, 3, 0, 1), 0);
+    assert_warned("McdContactSimplify");
+    messages_release();
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, all_pairs_come_once);
+    tcase_add_test(t, requests_by_table);
+    tcase_add_test(t, corners_of_a_slab_stay);
+    tcase_add_test(t, points_lines_and_normals);
+}
+TEST_MAIN("McdBatch", tests)

@@ -1,0 +1,451 @@
+/* Pairs of convex shapes of all kinds against a slow reference (HARD-CASES: exact depths, full manifolds). */
+#include "karma_test.h"
+#include "mcd_vector.h"
+#include "reference.h"
+
+/* Of the smaller shape's extent. */
+static const double depthError = 1e-6;
+
+static double sizeOf(const McdShape *a, const McdShape *b) {
+    return fmin(a->extent, b->extent);
+}
+
+static char what[80]; /* is being compared */
+
+static double deepest(const McdManifold *m) {
+    double s = INFINITY;
+    for (int i = 0; i < m->count; i++)
+        s = fmin(s, m->point[i].separation);
+    return s;
+}
+
+/* What holds of every manifold. */
+static void assertSound(const McdShape *a, const McdShape *b, double margin, const McdManifold *m) {
+    const double size = sizeOf(a, b), large = fmax(a->extent, b->extent);
+    const double n = reference_along(a, b, m->normal);
+    assert_near(mcd_length(m->normal), 1, 1e-12);
+    ck_assert_int_ge(m->count, 1);
+    ck_assert_int_le(m->count, MCD_MANIFOLD_POINTS);
+    const double off = (deepest(m) - n) / size;
+    ck_assert_msg(fabs(off) <= depthError + 1e-13 * large / size,
+                  "%s: separation %.12g, along its normal %.12g, off by %g", what, deepest(m), n, off);
+    for (int i = 0; i < m->count; i++) {
+        ck_assert(isfinite(m->point[i].position[0] + m->point[i].position[1] + m->point[i].position[2]));
+        ck_assert_double_le(m->point[i].separation, margin);
+        for (int j = 0; j < i; j++)
+            ck_assert_msg(m->point[i].feature != m->point[j].feature, "%s: two points with feature %08x", what,
+                          m->point[i].feature);
+    }
+}
+
+/* How a pair lies: alike, alike to a milliradian, or any way; overlapping, b's centre within a. */
+enum { ALIGNED, TILTED, ANY, POSES };
+
+static void placePair(McdShape *a, McdShape *b, int pose, double margin, Random *r) {
+    double axis[3], n[3];
+    random_direction(r, axis);
+    if (pose == TILTED)
+        shape_rotate(a, axis, random_between(r, 0, 1e-3));
+    if (pose == ANY) {
+        shape_rotateRandomly(a, r);
+        random_direction(r, n);
+    } else {
+        mcd_set(n, 0, 0, 0);
+        n[(int)(3 * random_unit(r))] = random_unit(r) < .5 ? -1 : 1;
+        shape_move(a, random_between(r, -.3, .3) * b->extent, random_between(r, -.3, .3) * b->extent,
+                   random_between(r, -.3, .3) * b->extent);
+    }
+    /* Out of the other along n, then in again a little or much. */
+    const double in =
+        random_unit(r) < .7 ? random_between(r, -margin, .05 * sizeOf(a, b)) : random_between(r, 0, sizeOf(a, b));
+    const double k = -reference_along(a, b, n) - in;
+    shape_move(a, k * n[0], k * n[1], k * n[2]);
+    Random same = *r;
+    shape_rotateRandomly(a, r);
+    *r = same;
+    shape_rotateRandomly(b, r);
+}
+
+static double worst;
+
+static MeBool isSolid(const McdShape *s) {
+    return s->type == kMcdGeometryTypeBox || s->type == kMcdGeometryTypeConvexMesh || s->type == MCD_SHAPE_TRIANGLE;
+}
+
+static void comparePair(int kindA, int kindB, int pose, double scale, MeBool slab, Random *r) {
+    McdShape a, b;
+    McdManifold m;
+    double n[3];
+    shape_random(&a, kindA, scale, slab, r);
+    shape_random(&b, kindB, scale, slab && random_unit(r) < .5, r);
+    const double size = sizeOf(&a, &b), margin = .01 * size;
+    placePair(&a, &b, pose, margin, r);
+    snprintf(what, sizeof what, "%s, %s, %s%s, scale %g", shape_name[kindA], shape_name[kindB],
+             pose == ALIGNED  ? "aligned"
+             : pose == TILTED ? "tilted"
+                              : "any",
+             slab ? ", slab" : "", scale);
+    const double searched = reference_distance(&a, &b, 400, n);
+    const double expected = isSolid(&a) && isSolid(&b) ? fmax(searched, reference_axes(&a, &b, n)) : searched;
+    const int count = mcd_convexManifold(&a, &b, margin, &m);
+    if (expected > margin) {
+        ck_assert_int_eq(count, 0);
+        return;
+    }
+    if (expected < margin - depthError * size)
+        ck_assert_msg(count > 0, "%s: no contact at %g", what, expected);
+    if (!count)
+        return;
+    assertSound(&a, &b, margin, &m);
+    worst = fmax(worst, (expected - deepest(&m)) / size);
+    ck_assert_msg(deepest(&m) >= expected - depthError * size, "%s: %.12g instead of %.12g, off by %g of size", what,
+                  deepest(&m), expected, (expected - deepest(&m)) / size);
+}
+
+START_TEST(depths_are_those_of_the_reference) {
+    for (int i = 0; i < SHAPE_KINDS; i++)
+        for (int j = i; j < SHAPE_KINDS; j++) {
+            Random r = {.state = (unsigned long long)(1000 + 100 * i + j)};
+            worst = -INFINITY;
+            const int count = getenv("NEARFIELD_POSES") ? atoi(getenv("NEARFIELD_POSES")) : 100;
+            for (int k = 0; k < count; k++)
+                comparePair(k & 1 ? i : j, k & 1 ? j : i, k % POSES,
+                            k % 7 == 0   ? 1e-3
+                            : k % 7 == 1 ? 1e3
+                                         : 1,
+                            k % 5 == 0, &r);
+            if (getenv("NEARFIELD_POSES"))
+                printf("%-9s %-9s worst %.2g\n", shape_name[i], shape_name[j], worst);
+        }
+}
+END_TEST
+
+/* ---- properties ------------------------------------------------------------------------------------------ */
+
+/* A pair of the kinds that overlaps or nearly touches, any way. */
+static double anyPair(McdShape *a, McdShape *b, Random *r) {
+    const int i = (int)(SHAPE_KINDS * random_unit(r)), j = (int)(SHAPE_KINDS * random_unit(r));
+    const int pose = (int)(POSES * random_unit(r));
+    shape_random(a, i, 1, random_unit(r) < .2, r);
+    shape_random(b, j, 1, 0, r);
+    placePair(a, b, pose, .01, r);
+    snprintf(what, sizeof what, "%s, %s, pose %d", shape_name[i], shape_name[j], pose);
+    return sizeOf(a, b);
+}
+
+START_TEST(pushed_out_by_the_depth_they_only_touch) {
+    Random r = {.state = 7};
+    for (int i = 0; i < 4000; i++) {
+        McdShape a, b;
+        McdManifold m;
+        const double size = anyPair(&a, &b, &r);
+        if (!mcd_convexManifold(&a, &b, 0, &m))
+            continue;
+        const double k = -deepest(&m);
+        shape_move(&a, k * m.normal[0], k * m.normal[1], k * m.normal[2]);
+        mcd_convexManifold(&a, &b, .01 * size, &m);
+        ck_assert_msg(m.count > 0 && fabs(deepest(&m)) < depthError * size, "%s: %g after", what,
+                      m.count ? deepest(&m) : INFINITY);
+    }
+}
+END_TEST
+
+START_TEST(swapping_the_shapes_turns_the_contacts_round) {
+    Random r = {.state = 8};
+    for (int i = 0; i < 4000; i++) {
+        McdShape a, b;
+        McdManifold m, n;
+        const double size = anyPair(&a, &b, &r);
+        mcd_convexManifold(&a, &b, .01 * size, &m);
+        mcd_convexManifold(&b, &a, .01 * size, &n);
+        ck_assert_msg((m.count > 0) == (n.count > 0), "%s: %d and %d points", what, m.count, n.count);
+        if (!m.count)
+            continue;
+        ck_assert_msg(fabs(deepest(&m) - deepest(&n)) < depthError * size, "%s: %.10g and %.10g", what, deepest(&m),
+                      deepest(&n));
+        if (a.type == b.type)
+            continue; /* of two ways out that are as short, the first shape's may be taken */
+        for (int k = 0; k < 3; k++)
+            ck_assert_double_eq(m.normal[k], -n.normal[k]);
+        for (int k = 0; k < m.count; k++)
+            assert_near(mcd_distanceSquared(m.point[k].position, n.point[k].position), 0, 0);
+    }
+}
+END_TEST
+
+START_TEST(turning_both_turns_the_contacts) {
+    Random r = {.state = 9};
+    for (int i = 0; i < 4000; i++) {
+        McdShape a, b;
+        McdManifold m, n;
+        const double size = anyPair(&a, &b, &r);
+        double axis[3];
+        mcd_convexManifold(&a, &b, .01 * size, &m);
+        random_direction(&r, axis);
+        shape_rotate(&a, axis, 2);
+        shape_rotate(&b, axis, 2);
+        shape_move(&a, 3, 4, 5);
+        shape_move(&b, 3, 4, 5);
+        mcd_convexManifold(&a, &b, .01 * size, &n);
+        if (m.count && deepest(&m) < .009 * size)
+            ck_assert_msg(n.count && fabs(deepest(&m) - deepest(&n)) < depthError * size, "%s", what);
+    }
+}
+END_TEST
+
+START_TEST(supports_are_the_farthest_points) {
+    Random r = {.state = 10};
+    for (int i = 0; i < 20000; i++) {
+        McdShape s;
+        double n[3], point[3], expected[3];
+        shape_random(&s, i % SHAPE_KINDS, 1, i % 3 == 0, &r);
+        shape_rotateRandomly(&s, &r);
+        random_direction(&r, n);
+        mcd_support(&s, n, point);
+        reference_support(&s, n, expected);
+        assert_near(mcd_dot(point, n), mcd_dot(expected, n), 1e-14);
+    }
+}
+END_TEST
+
+START_TEST(the_distance_is_that_of_its_points) {
+    Random r = {.state = 11};
+    for (int i = 0; i < 4000; i++) {
+        McdShape a, b;
+        double onA[3], onB[3], n[3], d[3];
+        const double size = anyPair(&a, &b, &r), k = random_between(&r, -.5, 2);
+        double away[3];
+        random_direction(&r, away);
+        shape_move(&a, k * away[0], k * away[1], k * away[2]);
+        const double distance = mcd_convexDistance(&a, &b, onA, onB, n);
+        ck_assert(isfinite(distance));
+        assert_near(mcd_length(n), 1, 1e-12);
+        ck_assert_msg(fabs(reference_along(&a, &b, n) - distance) < depthError * size, "%s", what);
+        mcd_sub(d, onA, onB);
+        ck_assert_msg(fabs(mcd_dot(d, n) - distance) < depthError * size, "%s: %g, its points %g", what, distance,
+                      mcd_dot(d, n));
+        if (distance > .01)
+            ck_assert_msg(fabs(mcd_length(d) - distance) < depthError * size, "%s: %g, its points %g", what, distance,
+                          mcd_length(d));
+        if (a.type != kMcdGeometryTypeBox || b.type != kMcdGeometryTypeBox || distance > 0) {
+            /* each point is on or in its shape: no direction shows it outside */
+            for (int c = 0; c < 64; c++) {
+                double e[3], top[3];
+                random_direction(&r, e);
+                reference_support(&a, e, top);
+                ck_assert_msg(mcd_dot(onA, e) < mcd_dot(top, e) + 1e-5 * size, "%s", what);
+                reference_support(&b, e, top);
+                ck_assert_msg(mcd_dot(onB, e) < mcd_dot(top, e) + 1e-5 * size, "%s", what);
+            }
+        }
+    }
+}
+END_TEST
+
+/* ---- what lies on a face, or a plane --------------------------------------------------------------------- */
+
+static const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
+static const double right = 1.57079632679489662;
+
+/* On a big box, and on the ground, whose tops are z = 0. */
+static void assertStands(const McdShape *a, double margin, int points, double depth, double spread) {
+    McdShape ground;
+    McdManifold m;
+    for (int isPlane = 0; isPlane < 2; isPlane++) {
+        shape_box(&ground, 9, 9, 1);
+        shape_move(&ground, 0, 0, -1);
+        if (isPlane)
+            mcd_planeManifold(a, z, 0, margin, &m);
+        else
+            mcd_convexManifold(a, &ground, margin, &m);
+        ck_assert_int_eq(m.count, points);
+        assert_vec3_near(m.normal, 0, 0, 1, 1e-12);
+        assert_near(-deepest(&m), depth, 1e-7);
+        for (int i = 0; i < points; i++) {
+            assert_near(m.point[i].position[2], m.point[i].separation / 2, 1e-7);
+            for (int j = 0; j < i; j++) {
+                ck_assert_double_ge(sqrt(mcd_distanceSquared(m.point[i].position, m.point[j].position)), spread);
+                ck_assert_uint_ne(m.point[i].feature, m.point[j].feature);
+            }
+        }
+    }
+}
+
+START_TEST(standing_and_lying) {
+    for (int tilt = 0; tilt < 3; tilt++) {
+        McdShape s;
+        const double angle = tilt == 0 ? 0 : tilt == 1 ? 1e-7 : 1e-3, margin = .01;
+        shape_cylinder(&s, .5, 1);
+        shape_rotate(&s, x, angle);
+        shape_move(&s, 0, 0, .999);
+        assertStands(&s, margin, 4, .001 + cos(angle) - 1 + .5 * sin(angle), .4);
+        shape_cylinder(&s, .5, 1);
+        shape_rotate(&s, x, right + angle);
+        shape_move(&s, 0, 0, .499);
+        assertStands(&s, margin, 2, .001 + .5 * (cos(angle) - 1) + sin(angle), 1.9);
+        shape_sphyl(&s, .5, 1);
+        shape_rotate(&s, x, right + angle);
+        shape_move(&s, 0, 0, .499);
+        assertStands(&s, margin, 2, .001 + sin(angle), 1.9);
+        shape_cone(&s, .5, 0, 1.5);
+        shape_rotate(&s, x, angle);
+        shape_move(&s, 0, 0, .499);
+        assertStands(&s, margin, 4, .001 + .5 * (cos(angle) - 1) + .5 * sin(angle), .4);
+        shape_hull(&s, hull_prism(6, .5, .5), 0);
+        shape_rotate(&s, y, angle);
+        shape_move(&s, 0, 0, .499);
+        assertStands(&s, margin, 4, .001 + .5 * (cos(angle) - 1) + .5 * sin(angle), .4);
+        shape_hull(&s, hull_prism(6, .5, .5), .1);
+        shape_rotate(&s, y, angle);
+        shape_move(&s, 0, 0, .599);
+        assertStands(&s, margin, 4, .001 + .5 * (cos(angle) - 1) + .5 * sin(angle), .4);
+        shape_box(&s, .5, .5, .5);
+        shape_rotate(&s, y, angle);
+        shape_move(&s, 0, 0, .499);
+        assertStands(&s, margin, 4, .001 + .5 * (cos(angle) - 1) + .5 * sin(angle), .9);
+    }
+}
+END_TEST
+
+START_TEST(a_cone_lies_on_its_side) {
+    McdShape s;
+    shape_cone(&s, .5, 0, 1.5);
+    /* The normal of the side that looks to -y, (0, -cos, sin), down. */
+    shape_rotate(&s, x, right + atan2(.5, 1.5));
+    const double down[3] = {0, 0, -1};
+    double low[3];
+    mcd_support(&s, down, low);
+    shape_move(&s, 0, 0, -low[2] - .001);
+    assertStands(&s, .01, 2, .001, 1.5);
+}
+END_TEST
+
+START_TEST(one_cylinder_on_another) {
+    McdShape a, b;
+    McdManifold m;
+    shape_cylinder(&a, .3, 1);
+    shape_cylinder(&b, .5, 1);
+    shape_move(&a, 0, 0, 1.999);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, .01, &m), 4);
+    assert_vec3_near(m.normal, 0, 0, 1, 0);
+    shape_cylinder(&a, .3, 1); /* lying along it */
+    shape_move(&a, .799, 0, .5);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, .01, &m), 2);
+    assert_vec3_near(m.normal, 1, 0, 0, 1e-9);
+    for (int i = 0; i < 2; i++)
+        assert_vec3_near(m.point[i].position, .4995, 0, i ? -.5 : 1, 1e-9);
+    shape_cylinder(&a, .3, 1); /* lying across it */
+    shape_rotate(&a, y, right);
+    shape_move(&a, 0, .799, 0);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, .01, &m), 1);
+    assert_vec3_near(m.normal, 0, 1, 0, 1e-6);
+    assert_near(m.point[0].separation, -.001, 1e-8);
+}
+END_TEST
+
+/* ---- where there is no direction, or no number ----------------------------------------------------------- */
+
+static void assertAnswer(const McdShape *a, const McdShape *b, double separation) {
+    McdManifold m;
+    ck_assert_msg(mcd_convexManifold(a, b, 1e-6, &m) > 0, "types %d and %d", a->type, b->type);
+    assert_near(mcd_length(m.normal), 1, 1e-12);
+    ck_assert_msg(fabs(deepest(&m) - separation) < 1e-7, "types %d and %d: %.9g, expected %.9g", a->type, b->type,
+                  deepest(&m), separation);
+}
+
+START_TEST(concentric_shapes_have_a_normal) {
+    McdShape s[SHAPE_KINDS];
+    const double corners[3][3] = {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}};
+    shape_sphere(&s[SHAPE_SPHERE], .5);
+    shape_sphyl(&s[SHAPE_SPHYL], .5, 1);
+    shape_box(&s[SHAPE_BOX], .5, .5, .5);
+    shape_cylinder(&s[SHAPE_CYLINDER], .5, .5);
+    shape_cone(&s[SHAPE_CONE], .5, .25, .75);
+    shape_hull(&s[SHAPE_HULL], hull_prism(4, .5, .25), 0);
+    shape_hull(&s[SHAPE_FAT_HULL], hull_prism(4, .5, .25), .1);
+    mcd_triangleShape(corners, &s[SHAPE_TRIANGLE]);
+    for (int i = 0; i < SHAPE_KINDS; i++)
+        for (int j = 0; j < SHAPE_KINDS; j++) {
+            double n[3];
+            assertAnswer(&s[i], &s[j], reference_distance(&s[i], &s[j], 2000, n));
+        }
+}
+END_TEST
+
+START_TEST(flat_differences_have_a_normal_across) {
+    const double corners[3][3] = {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}};
+    McdShape triangle, other;
+    McdManifold m;
+    mcd_triangleShape(corners, &triangle);
+    shape_sphere(&other, .5); /* its centre in the triangle */
+    assertAnswer(&other, &triangle, -.5);
+    mcd_convexManifold(&other, &triangle, 0, &m);
+    assert_near(fabs(m.normal[2]), 1, 1e-12);
+    shape_sphyl(&other, .5, 1);
+    shape_rotate(&other, x, right); /* in its plane */
+    assertAnswer(&other, &triangle, -.5);
+    mcd_convexManifold(&other, &triangle, 0, &m);
+    assert_near(fabs(m.normal[2]), 1, 1e-12);
+    McdShape crossing;
+    shape_sphyl(&crossing, .5, 1);
+    shape_rotate(&crossing, y, right);
+    assertAnswer(&other, &crossing, -1);
+    mcd_convexManifold(&other, &crossing, 0, &m);
+    assert_near(fabs(m.normal[2]), 1, 1e-12);
+    assertAnswer(&other, &other, -1); /* parallel, the same */
+}
+END_TEST
+
+START_TEST(what_is_no_number_touches_nothing) {
+    for (int i = 0; i < SHAPE_KINDS; i++)
+        for (int j = 0; j < SHAPE_KINDS; j++)
+            for (int bad = 0; bad < 4; bad++) {
+                Random r = {.state = 3};
+                McdShape a, b;
+                McdManifold m;
+                shape_random(&a, i, 1, 0, &r);
+                shape_random(&b, j, 1, 0, &r);
+                (bad & 1 ? &a : &b)->place[bad & 2 ? 1 : 2] = bad & 2 ? NAN : INFINITY;
+                ck_assert_int_eq(mcd_convexManifold(&a, &b, .01, &m), 0);
+            }
+}
+END_TEST
+
+/* A plane, a thin cone, a needle, a sheet: sizes that differ by millions. */
+START_TEST(sizes_that_differ_much) {
+    for (int i = 0; i < SHAPE_KINDS; i++)
+        for (int j = 0; j < SHAPE_KINDS; j++) {
+            Random r = {.state = 5};
+            McdShape a, b;
+            McdManifold m;
+            shape_random(&a, i, 1e-3, 0, &r);
+            shape_random(&b, j, 1e3, 0, &r);
+            const double k = -reference_along(&a, &b, z) - 1e-4;
+            shape_move(&a, 0, 0, k);
+            mcd_convexManifold(&a, &b, 1e-5, &m);
+            for (int c = 0; c < m.count; c++)
+                ck_assert(isfinite(m.point[c].separation) && m.point[c].separation <= 1e-5);
+            if (m.count)
+                assert_near(reference_along(&a, &b, m.normal), deepest(&m), 1e-6 * a.extent);
+        }
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_set_timeout(t, 0);
+    tcase_add_test(t, depths_are_those_of_the_reference);
+    tcase_add_test(t, pushed_out_by_the_depth_they_only_touch);
+    tcase_add_test(t, swapping_the_shapes_turns_the_contacts_round);
+    tcase_add_test(t, turning_both_turns_the_contacts);
+    tcase_add_test(t, supports_are_the_farthest_points);
+    tcase_add_test(t, the_distance_is_that_of_its_points);
+    tcase_add_test(t, standing_and_lying);
+    tcase_add_test(t, a_cone_lies_on_its_side);
+    tcase_add_test(t, one_cylinder_on_another);
+    tcase_add_test(t, concentric_shapes_have_a_normal);
+    tcase_add_test(t, flat_differences_have_a_normal_across);
+    tcase_add_test(t, what_is_no_number_touches_nothing);
+    tcase_add_test(t, sizes_that_differ_much);
+}
+
+TEST_MAIN("Convex", tests)

@@ -1,0 +1,246 @@
+/* The interactions of convex geometries and planes, as programs call them. The geometries are made by hand. */
+#include "McdConvexInteractions.h"
+#include "karma_test.h"
+#include "mcd_geometries.h"
+#include "reference.h"
+
+#include <string.h>
+
+static McdFrameworkID frame;
+static MeMatrix4 place[2];
+static McdContact contacts[8];
+static McdIntersectResult result;
+
+static void MEAPI boxAround(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
+    const MeMatrix4Ptr tm = McdGeometryInstanceGetTransformPtr(ins);
+    MeVector3 low, high;
+    (void)finalTM;
+    (void)tight;
+    for (int i = 0; i < 3; i++) {
+        low[i] = tm[3][i] - 2;
+        high[i] = tm[3][i] + 2;
+    }
+    McdGeometryInstanceSetAABB(ins, low, high);
+}
+
+static void MEAPI destroy(McdGeometryID g) {
+    MeMemoryAPI.destroy(g);
+}
+
+static void setUp(void) {
+    frame = McdInit(0, 4, 0, 1);
+    static char name[] = "test";
+    for (McdGeometryType type = 1; type <= kMcdGeometryTypeCone; type++)
+        McdFrameworkRegisterGeometryType(frame, type, name, destroy, boxAround, 0, 0, 0, 0);
+    for (int i = 0; i < 2; i++)
+        MeMatrix4TMMakeIdentity(place[i]);
+    result = (McdIntersectResult){.contacts = contacts, .contactMaxCount = 8};
+}
+
+static void tearDown(void) {
+    McdFrameworkDestroyAllModelsAndGeometries(frame);
+    McdTerm(frame);
+}
+
+/* Each is 1 high over its middle. */
+static McdGeometryID create(McdGeometryType type) {
+    static const size_t size[] = {
+        [kMcdGeometryTypeSphere] = sizeof(McdSphere), [kMcdGeometryTypeBox] = sizeof(McdBox),
+        [kMcdGeometryTypePlane] = sizeof(McdPlane),   [kMcdGeometryTypeCylinder] = sizeof(McdCylinder),
+        [kMcdGeometryTypeSphyl] = sizeof(McdSphyl),   [kMcdGeometryTypeConvexMesh] = sizeof(McdConvexMesh),
+        [kMcdGeometryTypeCone] = sizeof(McdCone)};
+    const McdGeometryID g = mcd_geometryCreate(frame, type, size[type], "test");
+    switch (type) {
+    case kMcdGeometryTypeSphere:
+        ((McdSphere *)g)->radius = 1;
+        break;
+    case kMcdGeometryTypeBox:
+        for (int i = 0; i < 3; i++)
+            ((McdBox *)g)->radii[i] = 1;
+        break;
+    case kMcdGeometryTypeCylinder:
+        ((McdCylinder *)g)->radius = ((McdCylinder *)g)->halfHeight = 1;
+        break;
+    case kMcdGeometryTypeSphyl:
+        ((McdSphyl *)g)->radius = ((McdSphyl *)g)->halfHeight = (MeReal).5;
+        break;
+    case kMcdGeometryTypeConvexMesh:
+        ((McdConvexMesh *)g)->hull = (McdHull *)hull_prism(4, 1, 1);
+        break;
+    case kMcdGeometryTypeCone: /* cut off, so that it stands on its top too */
+        ((McdCone *)g)->length = 2;
+        ((McdCone *)g)->lowerRadius = ((McdCone *)g)->lowerHeight = 1;
+        ((McdCone *)g)->upperRadius = (MeReal).5;
+        break;
+    default:
+        break;
+    }
+    return g;
+}
+
+static McdModelID model(McdGeometryType type, int which, double z) {
+    const McdModelID m = McdModelCreate(create(type));
+    place[which][3][2] = (MeReal)z;
+    McdModelSetTransformPtr(m, place[which]);
+    McdModelSetContactTolerance(m, (MeReal).01);
+    McdModelUpdate(m);
+    return m;
+}
+
+typedef struct Entry {
+    McdGeometryType type1, type2;
+    MeBool(MEAPI *registerIt)(McdFramework *frame);
+    McdIntersectFn intersect;
+    int points;
+} Entry;
+
+#define ENTRY(X, Y, points)                                                                                            \
+    { kMcdGeometryType##X, kMcdGeometryType##Y, Mcd##X##Y##RegisterInteraction, Mcd##X##Y##Intersect, points }
+static const Entry entry[] = {
+    ENTRY(Sphere, Sphere, 1),       ENTRY(Box, Sphere, 1),        ENTRY(Box, Box, 4),
+    ENTRY(Box, Cylinder, 4),        ENTRY(Cylinder, Sphere, 1),   ENTRY(Cylinder, Cylinder, 4),
+    ENTRY(Sphyl, Sphere, 1),        ENTRY(Sphyl, Box, 1),         ENTRY(Sphyl, Cylinder, 1),
+    ENTRY(Sphyl, Sphyl, 1),         ENTRY(Cone, Sphere, 1),       ENTRY(Cone, Box, 4),
+    ENTRY(Cone, Cylinder, 4),       ENTRY(Cone, Sphyl, 1),        ENTRY(Cone, Cone, 4),
+    ENTRY(Cone, ConvexMesh, 4),     ENTRY(Sphere, ConvexMesh, 1), ENTRY(Box, ConvexMesh, 4),
+    ENTRY(Cylinder, ConvexMesh, 4), ENTRY(Sphyl, ConvexMesh, 1),  ENTRY(ConvexMesh, ConvexMesh, 4),
+    ENTRY(Sphere, Plane, 1),        ENTRY(Box, Plane, 4),         ENTRY(Cylinder, Plane, 4),
+    ENTRY(Sphyl, Plane, 1),         ENTRY(Cone, Plane, 4),        ENTRY(ConvexMesh, Plane, 4),
+    ENTRY(Plane, ConvexMesh, 4),
+};
+enum { ENTRIES = sizeof entry / sizeof *entry };
+
+/* The first stands on the second, .005 above it; a plane turned over stands on the other. */
+static McdModelPair standing(const Entry *e) {
+    const double height = (e->type1 == kMcdGeometryTypePlane || e->type2 == kMcdGeometryTypePlane ? 1 : 2) + .005;
+    McdModelPair p = {.model1 = model(e->type1, 0, height), .model2 = model(e->type2, 1, 0)};
+    if (e->type1 == kMcdGeometryTypePlane) { /* about x */
+        place[0][1][1] = place[0][2][2] = -1;
+        McdModelUpdate(p.model1);
+    }
+    return p;
+}
+
+static void assertStanding(McdModelPair *p, const Entry *e, double direction) {
+    ck_assert_int_eq(result.touch, 1);
+    ck_assert_int_eq(result.contactCount, e->points);
+    assert_vec3_near(result.normal, 0, 0, direction, TOL(1e-6, 1e-9));
+    for (int i = 0; i < e->points; i++) {
+        assert_near(contacts[i].separation, .005, TOL(1e-6, 1e-9));
+        assert_vec3_near(contacts[i].normal, 0, 0, direction, TOL(1e-6, 1e-9));
+        assert_near(contacts[i].position[2], 1.0025, TOL(1e-6, 1e-9));
+        ck_assert_ptr_eq(contacts[i].instance1, McdModelGetGeometryInstance(p->model1));
+        ck_assert_ptr_eq(contacts[i].instance2, McdModelGetGeometryInstance(p->model2));
+        ck_assert_int_eq(contacts[i].element1, -1);
+    }
+}
+
+START_TEST(all_pairs_stand) {
+    for (int i = 0; i < ENTRIES; i++) {
+        setUp();
+        const Entry *e = &entry[i];
+        McdModelPair p = standing(e);
+        if (e->type2 == kMcdGeometryTypePlane)
+            place[0][3][2] = (MeReal)1.005;
+        const MeBool isOnPlane = e->type2 == kMcdGeometryTypePlane;
+        ck_assert_int_eq(e->intersect(&p, &result), 1);
+        if (isOnPlane)
+            for (int k = 0; k < result.contactCount; k++)
+                contacts[k].position[2] += 1; /* its ground is 1 lower than a shape's top */
+        assertStanding(&p, e, 1);
+        tearDown();
+    }
+}
+END_TEST
+
+START_TEST(registered_pairs_are_served_either_way_round) {
+    for (int i = 0; i < ENTRIES; i++) {
+        setUp();
+        const Entry *e = &entry[i];
+        McdModelPair p = standing(e);
+        ck_assert_int_eq(e->registerIt(frame), 1);
+        McdHello(&p);
+        ck_assert_int_eq(McdIntersect(&p, &result), 1);
+        ck_assert_int_eq(result.contactCount, e->points);
+        McdGoodbye(&p);
+        McdModelPair turned = {.model1 = p.model2, .model2 = p.model1};
+        McdHello(&turned);
+        ck_assert_int_eq(McdIntersect(&turned, &result), 1);
+        ck_assert_int_eq(result.contactCount, e->points);
+        assert_vec3_near(result.normal, 0, 0, -1, TOL(1e-6, 1e-9));
+        McdGoodbye(&turned);
+        tearDown();
+    }
+}
+END_TEST
+
+START_TEST(groups_register_their_pairs) {
+    static const int primitive[] = {kMcdGeometryTypeSphere, kMcdGeometryTypeBox, kMcdGeometryTypeCylinder,
+                                    kMcdGeometryTypeSphyl, kMcdGeometryTypePlane};
+    static const int mesh = kMcdGeometryTypeConvexMesh, cone = kMcdGeometryTypeCone;
+    setUp();
+    ck_assert_int_eq(McdConvexMeshRegisterBoxAndSphereFns(frame), 1);
+    ck_assert_ptr_nonnull(McdFrameworkGetInteractions(frame, kMcdGeometryTypeBox, mesh));
+    ck_assert_ptr_null(McdFrameworkGetInteractions(frame, kMcdGeometryTypeCylinder, mesh));
+    ck_assert_int_eq(McdConvexMeshPrimitivesRegisterInteractions(frame), 1);
+    ck_assert_int_eq(McdConePrimitivesRegisterInteractions(frame), 1);
+    for (int i = 0; i < 5; i++) {
+        ck_assert(McdFrameworkGetInteractions(frame, primitive[i], mesh) ||
+                  McdFrameworkGetInteractions(frame, mesh, primitive[i]));
+        ck_assert_ptr_nonnull(McdFrameworkGetInteractions(frame, cone, primitive[i]));
+    }
+    ck_assert_ptr_nonnull(McdFrameworkGetInteractions(frame, mesh, mesh));
+    ck_assert_ptr_nonnull(McdFrameworkGetInteractions(frame, cone, cone));
+    tearDown();
+}
+END_TEST
+
+START_TEST(far_from_the_origin_contacts_are_as_good) {
+    setUp();
+    McdModelPair p = standing(&entry[2]);
+    for (int i = 0; i < 2; i++)
+        place[i][3][0] += 16384;
+    McdModelUpdate(p.model1);
+    McdModelUpdate(p.model2);
+    ck_assert_int_eq(McdBoxBoxIntersect(&p, &result), 1);
+    ck_assert_int_eq(result.contactCount, 4);
+    for (int i = 0; i < 4; i++)
+        assert_near(contacts[i].separation, .005, TOL(1e-6, 1e-9));
+    tearDown();
+}
+END_TEST
+
+START_TEST(misuse_is_named) {
+    setUp();
+    McdModelPair p = standing(&entry[1]);
+    McdModelPair turned = {.model1 = p.model2, .model2 = p.model1};
+    messages_catch();
+    ck_assert_int_eq(McdBoxSphereIntersect(&turned, &result), 0);
+    assert_warned("McdBoxSphereIntersect");
+    ck_assert_int_eq(McdBoxSphereIntersect(0, &result), 0);
+    assert_warned("McdBoxSphereIntersect");
+    ck_assert_int_eq(McdBoxSphereIntersect(&p, 0), 0);
+    assert_warned("McdBoxSphereIntersect");
+    place[1][2][2] = (MeReal)NAN;
+    ck_assert_int_eq(McdBoxSphereIntersect(&p, &result), 0);
+    assert_warned("McdBoxSphereIntersect");
+    ck_assert_int_eq(result.contactCount, 0);
+    place[1][2][2] = 1;
+    ck_assert_int_eq(McdBoxSphereIntersect(&p, &result), 1);
+    assert_silent();
+    ck_assert_int_eq(McdBoxSphereRegisterInteraction(0), 0);
+    assert_warned("McdBoxSphereRegisterInteraction");
+    messages_release();
+    tearDown();
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, all_pairs_stand);
+    tcase_add_test(t, registered_pairs_are_served_either_way_round);
+    tcase_add_test(t, groups_register_their_pairs);
+    tcase_add_test(t, far_from_the_origin_contacts_are_as_good);
+    tcase_add_test(t, misuse_is_named);
+}
+
+TEST_MAIN("ConvexInteractions", tests)

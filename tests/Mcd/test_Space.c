@@ -1,0 +1,574 @@
+/* The rules of spaces, one by one (User Guide ch. 4). */
+#include "crates.h"
+
+static Yard yard, *const y = &yard;
+
+START_TEST(starts_inside_a_block) {
+    yardMake(y);
+    ck_assert_int_ne(McdSpaceIsChanging(y->space), 0);
+    McdSpaceEndChanges(y->space);
+    ck_assert_int_eq(McdSpaceIsChanging(y->space), 0);
+    McdSpaceBeginChanges(y->space);
+    ck_assert_int_ne(McdSpaceIsChanging(y->space), 0);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(pairs_say_hello_stay_and_say_goodbye) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, (MeReal).9, 0, 0);
+    yardStep(y);
+    assert_pairs(y, 1, 0, 0);
+    McdModelPair *pair = y->pairs->array[y->pairs->helloFirst];
+    ck_assert_ptr_eq(pair->model1, b);
+    ck_assert_ptr_eq(pair->model2, a);
+    ck_assert_int_eq(pair->phase, kMcdFFStateHello);
+    pair->userData = y;
+    for (int i = 0; i < 3; i++) {
+        McdSpaceBeginChanges(y->space);
+        yardMove(y, 1, (MeReal).9 + (MeReal)i / 100, 0, 0);
+        yardStep(y);
+        assert_pairs(y, 0, 1, 0);
+        ck_assert_ptr_eq(y->pairs->array[y->pairs->stayingFirst], pair);
+        ck_assert_int_eq(pair->phase, kMcdFFStateStaying);
+        ck_assert_ptr_eq(pair->userData, y);
+    }
+    McdSpaceBeginChanges(y->space);
+    yardMove(y, 1, 2, 0, 0);
+    yardStep(y);
+    assert_pairs(y, 0, 0, 1);
+    ck_assert_ptr_eq(y->pairs->array[0], pair);
+    ck_assert_int_eq(pair->phase, kMcdFFStateGoodbye);
+    ck_assert_ptr_eq(pair->model1, b);
+    McdSpaceBeginChanges(y->space);
+    assert_step(y, 0, 0, 0);
+    yardMove(y, 1, 0, 0, 0);
+    yardStep(y);
+    assert_pairs(y, 1, 0, 0);
+    ck_assert_ptr_null(y->pairs->array[y->pairs->helloFirst]->userData);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(boxes_are_exact_and_grown_by_tolerances) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, (MeReal)1.0625, 0, 0);
+    assert_step(y, 0, 0, 0); /* their fat boxes overlap */
+    McdModelSetContactTolerance(a, (MeReal).03125);
+    McdModelSetContactTolerance(b, (MeReal).03125);
+    assert_step(y, 0, 0, 0); /* not updated */
+    McdSpaceUpdateModel(a);
+    McdSpaceUpdateModel(b);
+    assert_step(y, 1, 0, 0); /* just touching */
+    McdModelSetContactTolerance(a, 0);
+    McdSpaceUpdateModel(a);
+    assert_step(y, 0, 0, 1);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(only_the_axes_that_were_asked_for_are_tested) {
+    const int axes[3] = {McdXAxis, McdYAxis | McdZAxis, McdZAxis};
+    static const int expected[3] = {0, 1, 1};
+    for (int i = 0; i < 3; i++) {
+        yardMakeWith(y, axes[i], 10, 10);
+        yardPut(y, 1, 0, 0, 0);
+        yardPut(y, 1, 500, 0, 0);
+        assert_step(y, expected[i], 0, 0);
+        yardMove(y, 1, 501, 0, 0);
+        assert_step(y, 0, expected[i], 0);
+        yardMove(y, 1, 501, 0, 3);
+        assert_step(y, 0, 0, expected[i]);
+        yardDestroy(y);
+    }
+    assert_silent();
+}
+END_TEST
+
+START_TEST(insertion_does_not_update) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardCrate(y, 1, 0, 0, 0), c = yardCrate(y, 1, 0, 0, 0);
+    McdModelUpdate(c);
+    ck_assert(McdSpaceInsertModel(y->space, b));
+    ck_assert(McdSpaceInsertModel(y->space, c));
+    ck_assert_ptr_eq(McdModelGetSpace(c), y->space);
+    ck_assert_int_eq(McdSpaceGetModelCount(y->space), 3);
+    assert_step(y, 1, 0, 0); /* a and c: b has no box yet */
+    McdSpaceUpdateModel(b);
+    assert_step(y, 2, 1, 0);
+    messages_catch();
+    ck_assert(!McdSpaceInsertModel(y->space, a));
+    assert_warned("already");
+    yardDestroy(y);
+}
+END_TEST
+
+START_TEST(what_is_not_updated_keeps_its_box) {
+    yardMake(y);
+    yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 0, 0, 0);
+    assert_step(y, 1, 0, 0);
+    MeMatrix4TMSetPosition(y->tm[1], 5, 0, 0);
+    assert_step(y, 0, 1, 0);
+    McdSpaceUpdateAll(y->space);
+    assert_step(y, 0, 0, 1);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(removal_says_goodbye) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 0, 0, 0);
+    assert_step(y, 3, 0, 0);
+    ck_assert(McdSpaceRemoveModel(a));
+    ck_assert_ptr_null(McdModelGetSpace(a));
+    assert_step(y, 0, 1, 2);
+    assert_step(y, 0, 1, 0);
+    ck_assert(McdSpaceInsertModel(y->space, a));
+    assert_step(y, 2, 1, 0);
+    ck_assert(McdSpaceRemoveModel(a)); /* out and in again in one block: its old pairs go, and new ones come */
+    ck_assert(McdSpaceInsertModel(y->space, a));
+    assert_step(y, 2, 1, 2);
+    assert_step(y, 0, 3, 0);
+    messages_catch();
+    ck_assert(McdSpaceRemoveModel(a));
+    ck_assert(!McdSpaceRemoveModel(a));
+    assert_warned("McdSpaceRemoveModel");
+    yardDestroy(y);
+}
+END_TEST
+
+START_TEST(frozen_models_have_no_pairs_among_them) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 0, 0, 0);
+    ck_assert(!McdSpaceModelIsFrozen(a));
+    assert_step(y, 3, 0, 0);
+    ck_assert(McdSpaceFreezeModel(a));
+    ck_assert(McdSpaceModelIsFrozen(a) && McdSpaceIsFrozen(a));
+    assert_step(y, 0, 3, 0);
+    ck_assert(McdSpaceFreezeModel(b));
+    assert_step(y, 0, 2, 1);
+    assert_step(y, 0, 2, 0);
+    ck_assert(McdSpaceUnfreezeModel(a));
+    assert_step(y, 1, 2, 0);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(frozen_models_keep_their_boxes) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 0, 0, 0);
+    McdSpaceFreezeModel(a);
+    MeMatrix4TMSetPosition(y->tm[0], 9, 0, 0);
+    McdSpaceUpdateAll(y->space);
+    assert_step(y, 1, 0, 0);
+    messages_catch();
+    McdSpaceUpdateModel(a);
+    assert_warned("frozen");
+    McdSpaceUnfreezeModel(a);
+    McdSpaceUpdateModel(a);
+    assert_step(y, 0, 0, 1);
+    McdSpaceEndChanges(y->space); /* freezing is legal outside, and counts from the next block on */
+    ck_assert(McdSpaceFreezeModel(a) && McdSpaceUnfreezeModel(a));
+    McdSpaceBeginChanges(y->space);
+    assert_silent();
+    yardDestroy(y);
+}
+END_TEST
+
+START_TEST(disabled_pairs_say_goodbye_and_come_back) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0), c = yardPut(y, 1, 50, 0, 0);
+    assert_step(y, 1, 0, 0);
+    ck_assert(McdSpacePairIsEnabled(a, b));
+    ck_assert(McdSpaceDisablePair(b, a));
+    ck_assert(!McdSpacePairIsEnabled(a, b));
+    assert_step(y, 0, 0, 1);
+    yardMove(y, 1, 30, 0, 0);
+    assert_step(y, 0, 0, 0);
+    yardMove(y, 1, 0, 0, 0);
+    assert_step(y, 0, 0, 0);
+    ck_assert(McdSpaceEnablePair(a, b));
+    assert_step(y, 1, 0, 0);
+    ck_assert(McdSpaceDisablePair(a, c)); /* before they meet */
+    yardMove(y, 2, 0, 0, 0);
+    assert_step(y, 1, 1, 0);
+    ck_assert(McdSpaceRemoveModel(c) && McdSpaceInsertModel(y->space, c)); /* forgotten */
+    ck_assert(McdSpacePairIsEnabled(a, c));
+    assert_step(y, 2, 1, 1);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(culling_tables_disable) {
+    yardMake(y);
+    McdCullingTable *table = McdCullingTableCreate(3), *other = McdCullingTableCreate(3);
+    McdCullingTableSet(table, 2, 1, 1);
+    McdCullingTableSet(other, 2, 1, 1);
+    const McdModelID a = yardCrate(y, 1, 0, 0, 0), b = yardCrate(y, 1, 0, 0, 0);
+    ck_assert(McdSpaceInsertModelWithCulling(y->space, a, table, 1, 7));
+    ck_assert(McdSpaceInsertModelWithCulling(y->space, b, table, 2, 7));
+    McdSpaceUpdateAll(y->space);
+    assert_step(y, 0, 0, 0);
+    ck_assert(!McdSpacePairIsEnabled(a, b));
+    McdSpaceSetModelCullingParameters(y->space, b, table, 2, 8); /* another ID */
+    assert_step(y, 1, 0, 0);
+    McdSpaceSetModelCullingParameters(y->space, b, table, 2, 7);
+    assert_step(y, 0, 0, 1);
+    McdSpaceSetModelCullingParameters(y->space, b, other, 2, 7); /* another table */
+    assert_step(y, 1, 0, 0);
+    McdSpaceSetModelCullingParameters(y->space, b, table, 0, 7); /* a flag that is not set */
+    assert_step(y, 0, 1, 0);
+    McdSpaceSetModelCullingParameters(y->space, b, table, 2, 7);
+    assert_step(y, 0, 0, 1);
+    McdSpaceSetModelCullingParameters(y->space, b, 0, 0, 0); /* none */
+    assert_step(y, 1, 0, 0);
+    assert_silent();
+    messages_catch();
+    McdSpaceSetModelCullingParameters(y->space, b, table, 3, 7);
+    assert_warned("cullingIndex");
+    yardDestroy(y);
+    McdCullingTableDestroy(table);
+    McdCullingTableDestroy(other);
+}
+END_TEST
+
+static int refused;
+static void MEAPI countRefused(McdModelID a, McdModelID b) {
+    ck_assert_ptr_ne(a, b);
+    refused++;
+}
+
+START_TEST(pairs_without_room_come_when_there_is_some) {
+    yardMakeWith(y, McdAllAxes, 10, 4);
+    messages_catch();
+    refused = 0;
+    McdSpaceSetPoolFullHandler(y->space, countRefused);
+    ck_assert_ptr_eq((void *)McdSpaceGetPoolFullHandler(y->space), (void *)countRefused);
+    for (int i = 0; i < 4; i++)
+        yardPut(y, 1, 0, 0, 0);
+    assert_step(y, 4, 0, 0);
+    assert_warned("pairCount");
+    ck_assert_int_eq(refused, 2);
+    assert_step(y, 0, 4, 0);
+    ck_assert_int_eq(refused, 2);
+    yardMove(y, 0, 9, 0, 0); /* its three pairs go, and two were waiting */
+    assert_step(y, 2, 1, 3);
+    assert_step(y, 0, 3, 0);
+    assert_silent();
+    yardDestroy(y);
+}
+END_TEST
+
+START_TEST(full_spaces_say_so) {
+    yardMakeWith(y, McdAllAxes, 2, 4);
+    yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 0, 0, 0);
+    const McdModelID c = yardCrate(y, 1, 0, 0, 0);
+    messages_catch();
+    ck_assert(!McdSpaceInsertModel(y->space, c));
+    assert_warned("objectCount");
+    McdSpaceRemoveModel(y->model[0]);
+    ck_assert(McdSpaceInsertModel(y->space, c));
+    assert_silent();
+    yardDestroy(y);
+}
+END_TEST
+
+START_TEST(functions_are_legal_inside_or_outside) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0), c = yardCrate(y, 1, 0, 0, 0);
+    MeVector3 from = {0, 0, 0}, to = {1, 0, 0};
+    McdLineSegIntersectResult hit;
+    McdSpacePairIterator it;
+    messages_catch();
+    McdSpaceBeginChanges(y->space);
+    assert_warned("McdSpaceBeginChanges");
+    McdSpacePairIteratorBegin(y->space, &it);
+    assert_warned("McdSpacePairIteratorBegin");
+    ck_assert_int_eq(McdSpaceGetPairs(y->space, &it, y->pairs), 0);
+    assert_warned("McdSpaceGetPairs");
+    ck_assert_int_eq(McdSpaceGetTransitions(y->space, &it, y->pairs), 0);
+    assert_warned("McdSpaceGetTransitions");
+    ck_assert_int_eq(McdSpaceGetLineSegFirstIntersection(y->space, from, to, &hit), 0);
+    assert_warned("McdSpaceGetLineSegFirstIntersection");
+    ck_assert_int_eq(McdSpaceGetLineSegIntersections(y->space, from, to, &hit, 1), 0);
+    assert_warned("McdSpaceGetLineSegIntersections");
+    McdSpaceSetAABBFn(y->space, McdModelUpdatePathCompatible);
+    assert_warned("McdSpaceSetAABBFn");
+    McdSpaceEndChanges(y->space);
+    assert_silent();
+    McdSpaceEndChanges(y->space);
+    assert_warned("McdSpaceEndChanges");
+    ck_assert(!McdSpaceInsertModel(y->space, c));
+    assert_warned("McdSpaceInsertModel");
+    ck_assert(!McdSpaceInsertModelWithCulling(y->space, c, 0, 0, 0));
+    assert_warned("McdSpaceInsertModelWithCulling");
+    ck_assert(!McdSpaceRemoveModel(a));
+    assert_warned("McdSpaceRemoveModel");
+    McdSpaceUpdateModel(a);
+    assert_warned("McdSpaceUpdateModel");
+    McdSpaceUpdateModels(y->space);
+    assert_warned("McdSpaceUpdateModels");
+    ck_assert(!McdSpaceDisablePair(a, b));
+    assert_warned("McdSpaceDisablePair");
+    ck_assert(!McdSpaceEnablePair(a, b));
+    assert_warned("McdSpaceEnablePair");
+    McdSpaceSetModelCullingParameters(y->space, a, 0, 0, 0);
+    assert_warned("McdSpaceSetModelCullingParameters");
+    ck_assert_int_eq(McdSpaceGetModelCount(y->space), 2);
+    McdSpaceBeginChanges(y->space);
+    assert_step(y, 0, 1, 0); /* none of it did anything */
+    yardDestroy(y);
+}
+END_TEST
+
+START_TEST(updating_all_outside_is_a_block_of_its_own) {
+    McdSpacePairIterator it;
+    yardMake(y);
+    yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 0, 0, 0);
+    McdSpaceBuild(y->space);
+    for (int i = 0; i < 3; i++) { /* a program that never ends a block: the first one ends here too */
+        McdSpaceUpdateAll(y->space);
+        McdSpacePairIteratorBegin(y->space, &it);
+        ck_assert_int_eq(McdSpaceGetPairs(y->space, &it, y->pairs), 0);
+        assert_pairs(y, i == 0, i > 0, 0);
+        ck_assert_int_eq(McdSpaceIsChanging(y->space), 0);
+    }
+    MeMatrix4TMSetPosition(y->tm[0], 3, 0, 0);
+    McdSpaceUpdateAll(y->space);
+    McdSpacePairIteratorBegin(y->space, &it);
+    ck_assert_int_eq(McdSpaceGetPairs(y->space, &it, y->pairs), 0);
+    assert_pairs(y, 0, 0, 1);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+static int updates;
+static void MEAPI farAway(McdModelID m, MeReal duration) {
+    const MeVector3 low = {100, 100, 100}, high = {101, 101, 101};
+    (void)duration;
+    updates++;
+    McdGeometryInstanceSetAABB(McdModelGetGeometryInstance(m), low, high);
+}
+
+START_TEST(programs_may_make_the_boxes) {
+    yardMake(y);
+    yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 50, 0, 0);
+    assert_step(y, 0, 0, 0);
+    McdSpaceEndChanges(y->space);
+    updates = 0;
+    McdSpaceSetAABBFn(y->space, farAway);
+    McdSpaceUpdateAll(y->space);
+    McdSpaceBeginChanges(y->space);
+    ck_assert_int_eq(updates, 2);
+    assert_step(y, 0, 1, 0);
+    McdSpaceEndChanges(y->space);
+    McdSpaceSetAABBFn(y->space, 0);
+    McdSpaceBeginChanges(y->space);
+    McdSpaceUpdateAll(y->space);
+    assert_step(y, 0, 0, 1);
+    ck_assert_int_eq(updates, 2);
+    assert_silent();
+    yardDestroy(y);
+}
+END_TEST
+
+START_TEST(swept_models_have_boxes_around_their_motion) {
+    MeVector3 fast = {100, 0, 0};
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 5, 0, 0);
+    McdModelSetLinearVelocityPtr(a, fast);
+    assert_step(y, 0, 0, 0);
+    McdSpacePathUpdateAll(y->space, (MeReal).1);
+    assert_step(y, 0, 0, 0);
+    McdModelSetSwept(a, 1);
+    McdSpacePathUpdateAll(y->space, (MeReal).1);
+    assert_step(y, 1, 0, 0);
+    McdSpaceUpdateAll(y->space);
+    assert_step(y, 0, 0, 1);
+    messages_catch();
+    McdSpacePathUpdateAll(y->space, NAN);
+    assert_warned("duration");
+    yardDestroy(y);
+}
+END_TEST
+
+START_TEST(bad_transforms_warn_once_and_keep_the_box) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0);
+    assert_step(y, 1, 0, 0);
+    messages_catch();
+    y->tm[0][3][1] = (MeReal)NAN;
+    McdSpaceUpdateAll(y->space);
+    assert_warned("finite");
+    McdModelSetTransformPtr(b, 0);
+    McdSpaceUpdateModel(b);
+    assert_warned("transform");
+    for (int i = 0; i < 3; i++) {
+        McdSpaceUpdateAll(y->space);
+        assert_step(y, 0, 1, 0);
+    }
+    assert_silent();
+    MeVector3 low, high;
+    McdModelGetAABB(a, low, high);
+    assert_vec3_near(low, -.5, -.5, -.5, 0);
+    y->tm[0][3][1] = 7;
+    McdSpaceUpdateAll(y->space);
+    assert_step(y, 0, 0, 1);
+    y->tm[0][3][1] = (MeReal)INFINITY;
+    McdSpaceUpdateAll(y->space);
+    assert_warned("finite");
+    yardDestroy(y);
+}
+END_TEST
+
+START_TEST(boxes_without_bounds_meet_everything) {
+    yardMake(y);
+    yardPut(y, (MeReal)1e12, 0, 0, (MeReal)-5e11);
+    for (int i = 0; i < 10; i++)
+        yardPut(y, 1, (MeReal)(100 * i), 0, (MeReal)(i % 2 ? 0 : 1e6));
+    assert_step(y, 5, 0, 0);
+    McdSpaceRemoveModel(y->model[0]);
+    assert_step(y, 0, 0, 5);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(models_are_listed_in_the_order_of_insertion) {
+    McdSpaceModelIterator it;
+    McdModelID m;
+    int n = 0;
+    yardMake(y);
+    for (int i = 0; i < 5; i++)
+        yardPut(y, 1, 0, 0, 0);
+    McdSpaceRemoveModel(y->model[1]);
+    McdSpaceInsertModel(y->space, y->model[1]);
+    static const int order[5] = {0, 2, 3, 4, 1};
+    McdSpaceModelIteratorBegin(y->space, &it);
+    while (McdSpaceGetModel(y->space, &it, &m)) {
+        ck_assert_ptr_eq(m, y->model[order[n++]]);
+        ck_assert(McdSpaceRemoveModel(m)); /* the one just got may go */
+    }
+    ck_assert_int_eq(n, 5);
+    ck_assert_ptr_null(m);
+    ck_assert_int_eq(McdSpaceGetModelCount(y->space), 0);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(the_framework_takes_models_out) {
+    yardMake(y);
+    for (int i = 0; i < 20; i++)
+        yardPut(y, 1, 0, 0, 0);
+    assert_step(y, 190, 0, 0);
+    McdSpaceEndChanges(y->space);
+    McdFrameworkDestroyAllModelsAndGeometries(y->frame);
+    ck_assert_int_eq(McdSpaceGetModelCount(y->space), 0);
+    ck_assert_int_eq(McdSpaceGetPairs(y->space, y->pairs), 0);
+    assert_pairs(y, 0, 0, 0);
+    McdSpaceBeginChanges(y->space);
+    assert_step(y, 0, 0, 0);
+    y->count = 0;
+    yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 0, 0, 0);
+    assert_step(y, 1, 0, 0);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(destroying_a_space_frees_its_models) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, 0, 0, 0);
+    assert_step(y, 1, 0, 0);
+    McdSpaceDestroy(y->space);
+    ck_assert_ptr_null(McdModelGetSpace(a));
+    y->space = McdSpaceAxisSortCreate(y->frame, McdAllAxes, 5, 5);
+    ck_assert(McdSpaceInsertModel(y->space, a));
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(bad_arguments_warn) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), loose = yardCrate(y, 1, 0, 0, 0);
+    McdModelID m;
+    messages_catch();
+    ck_assert_ptr_null(McdSpaceAxisSortCreate(0, McdAllAxes, 5, 5));
+    assert_warned("McdSpaceAxisSortCreate");
+    ck_assert_ptr_null(McdSpaceAxisSortCreate((McdFrameworkID)(size_t)McdAllAxes, 50, 100, 1)); /* Karma 1.0's form */
+    assert_warned("1.0");
+    ck_assert_ptr_null(McdSpaceAxisSortCreate(y->frame, 0, 5, 5));
+    assert_warned("axes");
+    ck_assert_ptr_null(McdSpaceAxisSortCreate(y->frame, 8, 5, 5));
+    assert_warned("axes");
+    ck_assert_ptr_null(McdSpaceAxisSortCreate(y->frame, 7, 0, 5));
+    assert_warned("objectCount");
+    ck_assert_ptr_null(McdSpaceAxisSortCreate(y->frame, 7, 5, -1));
+    assert_warned("pairCount");
+    McdSpaceUpdateAll(0);
+    assert_warned("McdSpaceUpdateAll");
+    ck_assert(!McdSpaceInsertModel(y->space, 0));
+    assert_warned("McdSpaceInsertModel");
+    ck_assert(!McdSpaceFreezeModel(loose));
+    assert_warned("no space");
+    ck_assert(!McdSpaceDisablePair(a, a));
+    assert_warned("two models");
+    ck_assert(!McdSpacePairIsEnabled(a, loose));
+    assert_warned("no space");
+    ck_assert(!McdSpaceGetModel(y->space, 0, &m));
+    assert_warned("McdSpaceGetModel");
+    McdSpaceDestroy(0);
+    assert_silent();
+    int mine;
+    McdSpaceSetUserData(y->space, &mine);
+    ck_assert_ptr_eq(McdSpaceGetUserData(y->space), &mine);
+    yardDestroy(y);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, starts_inside_a_block);
+    tcase_add_test(t, pairs_say_hello_stay_and_say_goodbye);
+    tcase_add_test(t, boxes_are_exact_and_grown_by_tolerances);
+    tcase_add_test(t, only_the_axes_that_were_asked_for_are_tested);
+    tcase_add_test(t, insertion_does_not_update);
+    tcase_add_test(t, what_is_not_updated_keeps_its_box);
+    tcase_add_test(t, removal_says_goodbye);
+    tcase_add_test(t, frozen_models_have_no_pairs_among_them);
+    tcase_add_test(t, frozen_models_keep_their_boxes);
+    tcase_add_test(t, disabled_pairs_say_goodbye_and_come_back);
+    tcase_add_test(t, culling_tables_disable);
+    tcase_add_test(t, pairs_without_room_come_when_there_is_some);
+    tcase_add_test(t, full_spaces_say_so);
+    tcase_add_test(t, functions_are_legal_inside_or_outside);
+    tcase_add_test(t, updating_all_outside_is_a_block_of_its_own);
+    tcase_add_test(t, programs_may_make_the_boxes);
+    tcase_add_test(t, swept_models_have_boxes_around_their_motion);
+    tcase_add_test(t, bad_transforms_warn_once_and_keep_the_box);
+    tcase_add_test(t, boxes_without_bounds_meet_everything);
+    tcase_add_test(t, models_are_listed_in_the_order_of_insertion);
+    tcase_add_test(t, the_framework_takes_models_out);
+    tcase_add_test(t, destroying_a_space_frees_its_models);
+    tcase_add_test(t, bad_arguments_warn);
+}
+TEST_MAIN("McdSpace", tests)

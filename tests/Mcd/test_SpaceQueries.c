@@ -1,0 +1,127 @@
+/* Line segments through a space, against every model one by one. */
+#include "crates.h"
+
+enum { COUNT = 300 };
+static Yard yard, *const y = &yard;
+static unsigned long long seed = 3;
+
+static double randomUpTo(double most) {
+    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
+    return most * (double)(seed >> 11) / 9007199254740992.0;
+}
+
+static void makeYard(void) {
+    yardMake(y);
+    for (int i = 0; i < COUNT; i++)
+        yardPut(y, (MeReal)(.2 + randomUpTo(i % 20 ? 1.5 : 6)), (MeReal)randomUpTo(15), (MeReal)randomUpTo(15),
+                (MeReal)randomUpTo(15));
+    yardPut(y, (MeReal)1e12, 7, 7, (MeReal)-5e11 - 40); /* a floor without bounds, far below */
+    McdSpaceEndChanges(y->space);
+}
+
+static int MEAPI everyThird(McdModelID m, void *data) {
+    ck_assert_ptr_eq(data, y);
+    for (int i = 0; i < y->count; i += 3)
+        if (y->model[i] == m)
+            return 1;
+    return 0;
+}
+
+/* By distance, then creation; returns how many. */
+static int oneByOne(MeReal *from, MeReal *to, int isFiltered, McdLineSegIntersectResult *list) {
+    int n = 0;
+    for (int i = 0; i < y->count; i++) {
+        McdLineSegIntersectResult hit;
+        if ((isFiltered && i % 3) || !McdLineSegIntersect(y->model[i], from, to, &hit))
+            continue;
+        int at = n++;
+        for (; at > 0 && list[at - 1].distance > hit.distance; at--)
+            list[at] = list[at - 1];
+        list[at] = hit;
+    }
+    return n;
+}
+
+START_TEST(as_every_model_one_by_one) {
+    static McdLineSegIntersectResult expected[COUNT + 1], got[COUNT + 1], first;
+    int all = 0;
+    makeYard();
+    for (int n = 0; n < 2000; n++) {
+        MeVector3 from, to;
+        for (int k = 0; k < 3; k++) {
+            from[k] = (MeReal)(randomUpTo(30) - 7);
+            to[k] = n % 5 == k ? from[k] : (MeReal)(randomUpTo(30) - 7);
+        }
+        if (n % 50 == 0)
+            to[2] = -1000;
+        const int count = oneByOne(from, to, 0, expected);
+        all += count;
+        for (int max = 1; max <= COUNT + 1; max += COUNT / 3) {
+            const int found = McdSpaceGetLineSegIntersections(y->space, from, to, got, max);
+            ck_assert_int_eq(found, count < max ? count : max);
+            for (int i = 0; i < found; i++) {
+                ck_assert_ptr_eq(got[i].model, expected[i].model);
+                ck_assert(got[i].distance == expected[i].distance);
+            }
+        }
+        ck_assert_int_eq(McdSpaceGetLineSegFirstIntersection(y->space, from, to, &first), count > 0);
+        ck_assert(!count || first.model == expected[0].model);
+        const int filtered = oneByOne(from, to, 1, expected);
+        ck_assert_int_eq(McdSpaceGetLineSegFirstEnabledIntersection(y->space, from, to, everyThird, y, &first),
+                         filtered > 0);
+        ck_assert(!filtered || first.model == expected[0].model);
+    }
+    ck_assert_int_gt(all, 2000);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(starts_inside_a_model) {
+    MeVector3 from = {0, 0, 0}, to = {5, 0, 0};
+    McdLineSegIntersectResult hit[2];
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 3, 0, 0);
+    McdSpaceEndChanges(y->space);
+    ck_assert_int_eq(McdSpaceGetLineSegIntersections(y->space, from, to, hit, 2), 2);
+    ck_assert_ptr_eq(hit[0].model, a);
+    ck_assert(hit[0].distance == 0);
+    assert_vec3_near(hit[0].position, 0, 0, 0, 0);
+    ck_assert_ptr_eq(hit[1].model, b);
+    assert_near(hit[1].distance, 2.5, TOL(1e-6, 1e-14));
+    ck_assert_int_eq(McdSpaceGetLineSegFirstIntersection(y->space, to, to, hit), 0); /* of no length */
+    ck_assert_int_eq(McdSpaceGetLineSegFirstIntersection(y->space, from, from, hit), 1);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(bad_input) {
+    MeVector3 from = {0, 0, 0}, to = {5, 0, 0}, wrong = {0, (MeReal)NAN, 0};
+    McdLineSegIntersectResult hit;
+    yardMake(y);
+    yardPut(y, 1, 0, 0, 0);
+    McdSpaceEndChanges(y->space);
+    messages_catch();
+    ck_assert_int_eq(McdSpaceGetLineSegFirstIntersection(y->space, from, wrong, &hit), 0);
+    assert_warned("finite");
+    ck_assert_int_eq(McdSpaceGetLineSegFirstIntersection(y->space, 0, to, &hit), 0);
+    assert_warned("null");
+    ck_assert_int_eq(McdSpaceGetLineSegFirstIntersection(y->space, from, to, 0), 0);
+    assert_warned("result");
+    ck_assert_int_eq(McdSpaceGetLineSegIntersections(y->space, from, to, &hit, 0), 0);
+    assert_warned("result");
+    ck_assert_int_eq(McdSpaceGetLineSegIntersections(0, from, to, &hit, 1), 0);
+    assert_warned("no space");
+    ck_assert_int_eq(McdSpaceGetLineSegFirstIntersection(y->space, from, to, &hit), 1);
+    assert_silent();
+    yardDestroy(y);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, as_every_model_one_by_one);
+    tcase_add_test(t, starts_inside_a_model);
+    tcase_add_test(t, bad_input);
+}
+TEST_MAIN("McdSpace queries", tests)

@@ -1,0 +1,586 @@
+/* Triangle lists: contacts with single triangles as the flags say, and with surfaces as if they were one piece. */
+#include "terrain.h"
+
+enum { ONE_SIDED = kMcdTriangleStandard & ~kMcdTriangleTwoSided };
+
+static Terrain ground;
+static McdFrameworkID frame;
+static Probe probe;
+
+static void begin(void) {
+    frame = terrain_framework();
+    memset(&ground, 0, sizeof ground);
+}
+
+static void end(void) {
+    McdFrameworkDestroyAllModelsAndGeometries(frame);
+    McdTerm(frame);
+}
+
+static double deepest(const Probe *p) {
+    double least = INFINITY;
+    for (int i = 0; i < p->result.contactCount; i++)
+        least = fmin(least, (double)p->contact[i].separation);
+    return least;
+}
+
+static int hasNormal(const Probe *p, double x, double y, double z) {
+    for (int i = 0; i < p->result.contactCount; i++) {
+        const MeReal *n = p->contact[i].normal;
+        if (fabs((double)n[0] - x) + fabs((double)n[1] - y) + fabs((double)n[2] - z) < TOL(1e-5, 1e-8))
+            return 1;
+    }
+    return 0;
+}
+
+static unsigned int seed;
+static double random01(void) {
+    seed = seed * 1664525u + 1013904223u;
+    return (double)(seed >> 8) / 16777216.0;
+}
+
+static void randomTurn(MeMatrix4 tm) {
+    MeMatrix3 r;
+    MeMatrix3FromEulerAngles(r, (MeReal)(6.3 * random01()), (MeReal)(6.3 * random01()), (MeReal)(6.3 * random01()));
+    MeMatrix4TMSetRotation(tm, (const MeVector3 *)r);
+}
+
+/* ---- surfaces that are flat ----------------------------------------------------------------------------------------- */
+
+static McdGeometryID makeShape(int kind, double size) {
+    const MeReal s = (MeReal)size;
+    MeVector3 p[9];
+    for (int i = 0; i < 8; i++)
+        MeVector3Set(p[i], i & 1 ? s : -s / 2, i & 2 ? s / 2 : -s, i & 4 ? s / 3 : -s / 2);
+    MeVector3Set(p[8], 0, 0, s);
+    switch (kind) {
+    case 0:
+        return McdSphereCreate(frame, s / 2);
+    case 1:
+        return McdBoxCreate(frame, s, s * (MeReal).6, s * (MeReal)1.6);
+    case 2:
+        return McdCylinderCreate(frame, s / 2, s);
+    case 3:
+        return McdSphylCreate(frame, s / 3, s);
+    case 4:
+        return McdConeCreate(frame, s, s / 2);
+    default:
+        return McdConvexMeshCreateHull(frame, (const MeVector3 *)p, 9, kind == 5 ? 0 : s / 10);
+    }
+}
+
+/* On a grid of triangles as on a plane: the lowest point is the deepest, and the normal is the plane's. */
+static void onPlane(int kind, double size) {
+    MeReal down[3] = {0, 0, -1};
+    MeVector3 lowest;
+    begin();
+    terrain_grid(&ground, 20, .23 * size, 0, ONE_SIDED);
+    probe_init(&probe, makeShape(kind, size), terrain_list(frame, &ground));
+    McdModelSetContactTolerance(probe.model, (MeReal)(.01 * size));
+    McdModelSetContactTolerance(probe.ground, 0);
+    seed = 1;
+    for (int i = 0; i < 300; i++) {
+        randomTurn(probe.tm);
+        MeMatrix4TMSetPosition(probe.tm, (MeReal)(size * (random01() - .5)), (MeReal)(size * (random01() - .5)), 0);
+        McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
+        probe.tm[3][2] = (MeReal)(-(double)lowest[2] - size * (.15 * random01() - .005));
+        McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
+        ck_assert_int_gt(probe_test(&probe), 0);
+        assert_near(deepest(&probe), lowest[2], size * TOL(2e-6, 1e-9));
+        for (int k = 0; k < probe.result.contactCount; k++)
+            assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(1e-6, 1e-9));
+        ck_assert_int_le(probe.result.contactCount, 4);
+    }
+    probe_term(&probe);
+    end();
+}
+
+START_TEST(a_flat_grid_is_a_plane) {
+    for (int kind = 0; kind < 7; kind++) {
+        if (kind == 4) /* its rim overhangs: deep in, its lowest point may be under a triangle that it does not touch */
+            continue;
+        onPlane(kind, 1);
+        onPlane(kind, 1e-3);
+        onPlane(kind, 1e3);
+    }
+}
+END_TEST
+
+START_TEST(a_box_on_its_face_has_its_four_corners) {
+    begin();
+    terrain_grid(&ground, 20, .23, 0, ONE_SIDED);
+    probe_init(&probe, McdBoxCreate(frame, 1, 1, 1), terrain_list(frame, &ground));
+    seed = 2;
+    for (int i = 0; i < 200; i++) {
+        const double x = random01(), y = random01();
+        ck_assert_int_eq(probe_at(&probe, x, y, .499), 4);
+        for (int k = 0; k < 4; k++) {
+            const McdContact *c = &probe.contact[k];
+            assert_near(fabs((double)c->position[0] - x), .5, TOL(1e-6, 1e-9));
+            assert_near(fabs((double)c->position[1] - y), .5, TOL(1e-6, 1e-9));
+            assert_near(c->position[2], -.0005, TOL(1e-6, 1e-9));
+            assert_near(c->separation, -.001, TOL(1e-6, 1e-9));
+            ck_assert_int_eq(c->element1, -1);
+            ck_assert_int_ge(c->element2, 0);
+        }
+    }
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+START_TEST(features_stay_while_sliding_and_in_any_order) {
+    MeU32 feature[4];
+    begin();
+    terrain_grid(&ground, 20, .23, 0, ONE_SIDED);
+    probe_init(&probe, McdBoxCreate(frame, 1, 1, 1), terrain_list(frame, &ground));
+    for (int i = 0; i < 100; i++) {
+        ground.backwards = i % 2;
+        ck_assert_int_eq(probe_at(&probe, .011 * i, .007 * i, .5), 4);
+        for (int k = 0; k < 4; k++) {
+            if (i == 0)
+                feature[k] = probe.contact[k].feature;
+            ck_assert_uint_eq(probe.contact[k].feature, feature[k]);
+            for (int other = 0; other < k; other++)
+                ck_assert_uint_ne(feature[other], feature[k]);
+        }
+    }
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+/* ---- folds ------------------------------------------------------------------------------------------------------------ */
+
+static double valley(double x, double y) {
+    (void)y;
+    return fabs(x);
+}
+
+static double ridge(double x, double y) {
+    (void)y;
+    return -fabs(x);
+}
+
+static const double slope = 0.70710678118654752;
+
+START_TEST(in_a_valley_only_the_faces_push) {
+    begin();
+    terrain_grid(&ground, 20, .25, valley, kMcdTriangleStandard & ~kMcdTriangleTwoSided);
+    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), terrain_list(frame, &ground));
+    for (int i = -40; i <= 40; i++) {
+        const double x = .01 * i;
+        ck_assert_int_gt(probe_at(&probe, x, .013 * i, sqrt(.5) + fabs(x)), 0);
+        for (int k = 0; k < probe.result.contactCount; k++)
+            assert_near(fabs((double)probe.contact[k].normal[0]), slope, TOL(1e-6, 1e-9));
+        assert_near(deepest(&probe), 0, TOL(1e-6, 1e-9));
+        ck_assert_int_le(probe.result.contactCount, 2);
+        ck_assert(i != 0 || (probe.result.contactCount == 2 && hasNormal(&probe, slope, 0, slope)));
+    }
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+START_TEST(over_a_ridge_the_normal_turns_smoothly) {
+    double last = -1;
+    begin();
+    terrain_grid(&ground, 20, .25, ridge, ONE_SIDED);
+    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), terrain_list(frame, &ground));
+    for (int i = -60; i <= 60; i++) { /* at the height of the surface offset by the radius */
+        const double x = .01 * i, flat = .5 * slope;
+        const double z = fabs(x) < flat ? sqrt(.25 - x * x) : .5 / slope - fabs(x);
+        ck_assert_int_gt(probe_at(&probe, x, .013 * i, z - .001), 0);
+        assert_near(deepest(&probe), fabs(x) < flat ? -.001 * z / .5 : -.001 * slope, TOL(3e-6, 3e-6));
+        const double expected = fabs(x) < flat ? x / .5 : x > 0 ? slope : -slope;
+        for (int k = 0; k < probe.result.contactCount; k++)
+            assert_near(probe.contact[k].normal[0], expected, 2e-3);
+        ck_assert(last < (double)probe.contact[0].normal[0] + 1e-3);
+        last = (double)probe.contact[0].normal[0];
+    }
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+START_TEST(a_box_balances_on_a_ridge) {
+    begin();
+    terrain_grid(&ground, 20, .25, ridge, ONE_SIDED);
+    probe_init(&probe, McdBoxCreate(frame, 2, 1, (MeReal).2), terrain_list(frame, &ground));
+    for (int i = -10; i <= 10; i++) {
+        ck_assert_int_eq(probe_at(&probe, .03 * i, .017 * i, .099), 2);
+        for (int k = 0; k < 2; k++) {
+            assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(1e-6, 1e-9));
+            assert_near(probe.contact[k].separation, -.001, TOL(1e-6, 1e-9));
+            assert_near(fabs((double)probe.contact[k].position[1] - .017 * i), .5, TOL(1e-5, 1e-6));
+        }
+    }
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+/* A floor at height 0 for x < 0, a wall down to a lower floor at -1. */
+static void makeStep(void) {
+    for (int j = -8; j < 8; j++)
+        for (int k = 0; k < 16; k++) {
+            const double s = .25, y = j * s;
+            const double from[2] = {k < 8    ? (k - 8) * s
+                                    : k < 12 ? 0
+                                             : (k - 12) * s,
+                                    k < 8    ? 0
+                                    : k < 12 ? -(k - 8) * s
+                                             : -1};
+            const double to[2] = {k < 8    ? (k - 7) * s
+                                  : k < 12 ? 0
+                                           : (k - 11) * s,
+                                  k < 8    ? 0
+                                  : k < 12 ? -(k - 7) * s
+                                           : -1};
+            const int a = terrain_vertex(&ground, from[0], y, from[1]), b = terrain_vertex(&ground, to[0], y, to[1]);
+            const int c = terrain_vertex(&ground, to[0], y + s, to[1]),
+                      d = terrain_vertex(&ground, from[0], y + s, from[1]);
+            terrain_triangle(&ground, a, b, c, ONE_SIDED);
+            terrain_triangle(&ground, a, c, d, ONE_SIDED);
+        }
+}
+
+START_TEST(at_a_step_nothing_hooks) {
+    begin();
+    makeStep();
+    probe_init(&probe, McdBoxCreate(frame, 1, 1, 1), terrain_list(frame, &ground));
+    for (int i = 0; i < 50; i++) { /* on the upper floor, over the edge by less and more than it sinks in */
+        ck_assert_int_gt(probe_at(&probe, -.51 + .0203 * i * (i > 0), .1, .499), 0);
+        for (int k = 0; k < probe.result.contactCount; k++)
+            assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(1e-6, 1e-9));
+        assert_near(deepest(&probe), -.001, TOL(1e-6, 1e-9));
+    }
+    for (int i = 0; i < 20; i++) { /* on the lower floor, against the wall, taller and smaller than it */
+        MeMatrix4TMMakeIdentity(probe.tm);
+        const double z = -.5 + .0001 * i;
+        ck_assert_int_gt(probe_at(&probe, .499, .1, z - .001), 0);
+        for (int k = 0; k < probe.result.contactCount; k++) {
+            const MeReal *n = probe.contact[k].normal;
+            assert_near(fmax((double)n[0], (double)n[2]), 1, TOL(1e-6, 1e-9));
+            ck_assert((double)probe.contact[k].separation > -.0011);
+        }
+        ck_assert(hasNormal(&probe, 1, 0, 0) && hasNormal(&probe, 0, 0, 1));
+    }
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+/* ---- bumpy ground --------------------------------------------------------------------------------------------------- */
+
+static double bumps(double x, double y) {
+    return .2 * sin(2.1 * x + .3) * cos(1.7 * y) + .05 * sin(9 * x) * sin(7 * y + 1);
+}
+
+/* The nearest point of a triangle, by its seven cases (Ericson, Real-Time Collision Detection, 5.1.5). */
+static double distanceToTriangle(const double p[3], double c[3][3]) {
+    double best = INFINITY, n[3], e[2][3], d[3];
+    for (int k = 0; k < 3; k++) {
+        e[0][k] = c[1][k] - c[0][k];
+        e[1][k] = c[2][k] - c[0][k];
+        d[k] = p[k] - c[0][k];
+    }
+    for (int k = 0; k < 3; k++)
+        n[k] = e[0][(k + 1) % 3] * e[1][(k + 2) % 3] - e[0][(k + 2) % 3] * e[1][(k + 1) % 3];
+    const double nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2], h = (d[0] * n[0] + d[1] * n[1] + d[2] * n[2]) / nn;
+    int inside = 1;
+    for (int i = 0; i < 3; i++) {
+        double a[3], q[3], dot = 0, len = 0, off = 0;
+        for (int k = 0; k < 3; k++) {
+            a[k] = c[(i + 1) % 3][k] - c[i][k];
+            q[k] = p[k] - c[i][k];
+            dot += a[k] * q[k];
+            len += a[k] * a[k];
+        }
+        const double t = fmin(1, fmax(0, dot / len));
+        for (int k = 0; k < 3; k++)
+            off += (q[k] - t * a[k]) * (q[k] - t * a[k]);
+        best = fmin(best, sqrt(off));
+        const double side = n[0] * (a[1] * q[2] - a[2] * q[1]) + n[1] * (a[2] * q[0] - a[0] * q[2]) +
+                            n[2] * (a[0] * q[1] - a[1] * q[0]);
+        inside = inside && side >= 0;
+    }
+    return inside ? fabs(h) * sqrt(nn) : best;
+}
+
+static double distanceToGround(const double p[3]) {
+    double least = INFINITY;
+    for (int i = 0; i < ground.triangleCount; i++) {
+        double c[3][3];
+        for (int v = 0; v < 3; v++)
+            for (int k = 0; k < 3; k++)
+                c[v][k] = (double)ground.vertex[ground.triangle[i][v]][k];
+        least = fmin(least, distanceToTriangle(p, c));
+    }
+    return least;
+}
+
+START_TEST(a_ball_on_bumpy_ground_touches_its_nearest_point) {
+    begin();
+    terrain_grid(&ground, 16, .25, bumps, ONE_SIDED);
+    probe_init(&probe, McdSphereCreate(frame, (MeReal).4), terrain_list(frame, &ground));
+    seed = 3;
+    for (int i = 0; i < 1000; i++) {
+        const double x = 3 * (random01() - .5), y = 3 * (random01() - .5);
+        double p[3] = {(double)(MeReal)x, (double)(MeReal)y, (double)(MeReal)(bumps(x, y) + .25 + .2 * random01())};
+        const double distance = distanceToGround(p);
+        probe_at(&probe, p[0], p[1], p[2]);
+        if (distance > .42 - 1e-5)
+            continue;
+        assert_near(deepest(&probe), distance - .4, TOL(2e-6, 1e-9));
+        for (int k = 0; k < probe.result.contactCount; k++) { /* all of them are on the ball and true */
+            const McdContact *c = &probe.contact[k];
+            double off = 0;
+            for (int m = 0; m < 3; m++)
+                off += ((double)c->position[m] - p[m]) * (double)c->normal[m];
+            assert_near(off, -.4 - (double)c->separation / 2, TOL(2e-6, 1e-9));
+            ck_assert((double)c->normal[2] > .5);
+        }
+    }
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+/* ---- one triangle, its flags ------------------------------------------------------------------------------------------ */
+
+static void oneTriangle(int flags) {
+    terrain_triangle(&ground, terrain_vertex(&ground, -1, -1, 0), terrain_vertex(&ground, 1, -1, 0),
+                     terrain_vertex(&ground, -1, 1, 0), flags);
+}
+
+static int ballOver(int flags, double x, double y, double z) {
+    begin();
+    oneTriangle(flags);
+    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), terrain_list(frame, &ground));
+    return probe_at(&probe, x, y, z);
+}
+
+START_TEST(flags) {
+    const int smallest = kMcdTriangleUseSmallestPenetration, both = kMcdTriangleTwoSided;
+    ck_assert_int_eq(ballOver(kMcdTriangleStandard, -.5, -.5, .4), 1);
+    assert_vec3_near(probe.contact[0].normal, 0, 0, 1, 0);
+    assert_vec3_near(probe.contact[0].position, -.5, -.5, -.05, TOL(1e-6, 1e-12));
+    assert_vec3_near(probe.result.normal, 0, 0, 1, TOL(1e-6, 1e-12));
+    ck_assert_int_eq(probe.result.touch, 1);
+    end();
+    ck_assert_int_eq(ballOver(kMcdTriangleStandard, -.5, -.5, -.4), 1); /* two sides */
+    assert_vec3_near(probe.contact[0].normal, 0, 0, -1, 0);
+    end();
+    ck_assert_int_eq(ballOver(ONE_SIDED, -.5, -.5, -.1), 1); /* brought back */
+    assert_vec3_near(probe.contact[0].normal, 0, 0, 1, 0);
+    assert_near(probe.contact[0].separation, -.6, TOL(1e-6, 1e-12));
+    end();
+    ck_assert_int_eq(ballOver(ONE_SIDED, -.5, -.5, -.45), 0); /* comes from behind */
+    end();
+    /* Beside the edge from vertex 2 to 0, at x = -1: 0.3 out, 0.3 up. */
+    ck_assert_int_eq(ballOver(kMcdTriangleStandard, -1.3, -.5, .3), 1);
+    assert_vec3_near(probe.contact[0].normal, -slope, 0, slope, TOL(1e-6, 1e-9));
+    assert_near(probe.contact[0].separation, .3 / slope - .5, TOL(1e-6, 1e-9));
+    end();
+    ck_assert_int_eq(ballOver(smallest | both | kMcdTriangleUseEdge0 | kMcdTriangleUseEdge1, -1.3, -.5, .3), 0);
+    end();
+    ck_assert_int_eq(ballOver(smallest | both | kMcdTriangleUseEdge2, -1.3, -.5, .3), 1);
+    end();
+    ck_assert_int_eq(ballOver(both | kMcdTriangleUseEdges, -1.3, -.5, .3), 0); /* the face's normal only */
+    end();
+    ck_assert_int_eq(ballOver(0, -.9, -.5, .3), 1);
+    assert_vec3_near(probe.contact[0].normal, 0, 0, 1, 0);
+    end();
+}
+END_TEST
+
+static MeVector3 downward = {0, 0, -1};
+static MeVector3 nowhere = {0, 0, 0};
+static MeVector3 *given;
+
+static int MEAPI findWithNormal(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 pos, MeReal radius, int max) {
+    const int count = terrain_find(pair, triangle, pos, radius, max);
+    for (int i = 0; i < count; i++)
+        triangle[i].normal = given;
+    return count;
+}
+
+START_TEST(the_given_normal_says_which_side_is_outside) {
+    ballOver(ONE_SIDED, 0, 0, 0);
+    McdTriangleListSetGenerator(McdModelGetGeometry(probe.ground), findWithNormal);
+    given = &downward;
+    ck_assert_int_eq(probe_at(&probe, -.5, -.5, -.4), 1);
+    assert_vec3_near(probe.contact[0].normal, 0, 0, -1, 0);
+    ck_assert_int_eq(probe_at(&probe, -.5, -.5, .4), 0);
+    given = &nowhere; /* says nothing */
+    ck_assert_int_eq(probe_at(&probe, -.5, -.5, .4), 1);
+    end();
+}
+END_TEST
+
+/* ---- the list ---------------------------------------------------------------------------------------------------------- */
+
+START_TEST(the_list_may_stand_anywhere) {
+    begin();
+    terrain_grid(&ground, 10, .5, 0, ONE_SIDED);
+    probe_init(&probe, McdBoxCreate(frame, 1, 1, 1), terrain_list(frame, &ground));
+    MeMatrix4TMFromEulerAnglesAndPosition(probe.groundTM, 1, 2, 3, 40, -30, 20);
+    MeMatrix4 rel;
+    MeMatrix4TMMakeIdentity(rel);
+    MeMatrix4TMSetPosition(rel, (MeReal).3, (MeReal)-.2, (MeReal).499);
+    MeMatrix4TMCompound(probe.tm, (const MeVector4 *)rel, (const MeVector4 *)probe.groundTM);
+    ck_assert_int_eq(probe_test(&probe), 4);
+    for (int k = 0; k < 4; k++) {
+        for (int i = 0; i < 3; i++)
+            assert_near(probe.contact[k].normal[i], probe.groundTM[2][i], TOL(1e-6, 1e-12));
+        assert_near(probe.contact[k].separation, -.001, TOL(1e-5, 1e-9));
+    }
+    McdModelPairID turned = McdModelPairCreate(probe.ground, probe.model);
+    ck_assert(McdIntersect(turned, &probe.result)); /* turned round: terrain_find wants the list second */
+    ck_assert_int_eq(probe.result.contactCount, 4);
+    for (int i = 0; i < 3; i++)
+        assert_near(probe.contact[0].normal[i], -(double)probe.groundTM[2][i], TOL(1e-6, 1e-12));
+    ck_assert_ptr_eq(probe.contact[0].instance1, McdModelGetGeometryInstance(probe.ground));
+    McdModelPairDestroy(turned);
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+START_TEST(triangles_without_area_do_nothing) {
+    begin();
+    messages_catch();
+    oneTriangle(ONE_SIDED);
+    const int a = terrain_vertex(&ground, -1, -1, 0), b = terrain_vertex(&ground, 1, 1, 0);
+    terrain_triangle(&ground, a, b, a, ONE_SIDED);
+    terrain_triangle(&ground, a, b, terrain_vertex(&ground, 0, 0, 0), ONE_SIDED);
+    terrain_triangle(&ground, a, b, terrain_vertex(&ground, 0, NAN, 0), ONE_SIDED);
+    terrain_triangle(&ground, a, b, terrain_vertex(&ground, INFINITY, 0, 0), ONE_SIDED);
+    MeVector3 min = {-1, -1, 0}, max = {1, 1, 0};
+    McdTriangleListID list = McdTriangleListCreate(frame, min, max, 10, terrain_find);
+    McdTriangleListSetUserData(list, &ground);
+    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), list);
+    ck_assert_int_eq(probe_at(&probe, -.5, -.5, .4), 1);
+    assert_near(probe.contact[0].separation, -.1, TOL(1e-6, 1e-12));
+    assert_silent();
+    messages_release();
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+START_TEST(too_many_triangles_are_told_once) {
+    begin();
+    messages_catch();
+    terrain_grid(&ground, 10, .1, 0, ONE_SIDED);
+    McdTriangleListID list = terrain_list(frame, &ground);
+    McdTriangleListSetMaxTriangles(list, 7);
+    ck_assert_int_eq(McdTriangleListGetMaxTriangles(list), 7);
+    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), list);
+    probe_at(&probe, 0, 0, (MeReal).4);
+    assert_warned("triangleMaxCount");
+    probe_at(&probe, 0, 0, (MeReal).4);
+    assert_silent();
+    messages_release();
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+START_TEST(the_result_has_no_more_than_fit) {
+    begin();
+    terrain_grid(&ground, 20, .1, bumps, ONE_SIDED);
+    probe_init(&probe, McdBoxCreate(frame, 1, 1, 1), terrain_list(frame, &ground));
+    const int all = probe_at(&probe, 0, 0, (MeReal).4);
+    const double depth = deepest(&probe);
+    ck_assert_int_gt(all, 6);
+    ck_assert_int_le(all, 20); /* the default request's */
+    for (int max = 1; max < 6; max++) {
+        probe.result.contactMaxCount = max;
+        ck_assert_int_eq(probe_test(&probe), max);
+        assert_near(deepest(&probe), depth, TOL(1e-6, 1e-12));
+    }
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
+START_TEST(line_segments_pass_unless_asked_for) {
+    MeReal from[3] = {(MeReal)-.5, (MeReal)-.5, 1}, to[3] = {(MeReal)-.5, (MeReal)-.5, -3};
+    McdLineSegIntersectResult hit;
+    ballOver(ONE_SIDED, 5, 5, 5);
+    ck_assert_uint_eq(McdLineSegIntersect(probe.ground, from, to, &hit), 0);
+    McdTriangleListLineSegmentRegisterInteraction(frame);
+    ck_assert_uint_eq(McdLineSegIntersect(probe.ground, from, to, &hit), 1);
+    assert_near(hit.distance, 1, TOL(1e-6, 1e-12));
+    assert_vec3_near(hit.position, -.5, -.5, 0, TOL(1e-6, 1e-12));
+    assert_vec3_near(hit.normal, 0, 0, 1, 0);
+    ck_assert_ptr_eq(hit.model, probe.ground);
+    ck_assert_uint_eq(McdLineSegIntersect(probe.ground, to, from, &hit), 0); /* from behind */
+    ground.flags[0] = kMcdTriangleStandard;
+    ck_assert_uint_eq(McdLineSegIntersect(probe.ground, to, from, &hit), 1);
+    assert_near(hit.distance, 3, TOL(1e-6, 1e-12));
+    assert_vec3_near(hit.normal, 0, 0, -1, 0);
+    from[0] = to[0] = (MeReal).9;
+    ck_assert_uint_eq(McdLineSegIntersect(probe.ground, from, to, &hit), 0);
+    end();
+}
+END_TEST
+
+START_TEST(bad_input) {
+    MeVector3 min = {0, 0, 0}, max = {1, 1, 1}, bad = {1, NAN, 1};
+    begin();
+    messages_catch();
+    ck_assert_ptr_null(McdTriangleListCreate(frame, min, bad, 10, terrain_find));
+    assert_warned("McdTriangleListCreate");
+    ck_assert_ptr_null(McdTriangleListCreate(frame, max, min, 10, terrain_find));
+    assert_warned("min <= max");
+    ck_assert_ptr_null(McdTriangleListCreate(frame, min, max, 0, terrain_find));
+    assert_warned("triangleMaxCount");
+    McdTriangleListID list = McdTriangleListCreate(frame, min, max, 10, 0);
+    McdTriangleListSetMaxTriangles(list, 0);
+    assert_warned("McdTriangleListSetMaxTriangles");
+    McdTriangleListSetBoundingBox(list, max, min);
+    assert_warned("McdTriangleListSetBoundingBox");
+    McdGeometryID ball = McdSphereCreate(frame, 1);
+    ck_assert_ptr_null(McdTriangleListGetUserData(ball));
+    assert_warned("McdTriangleListGetUserData");
+    probe_init(&probe, ball, list); /* no callback: no contacts */
+    ck_assert_int_eq(probe_at(&probe, 0, 0, 0), 0);
+    MeVector3 low, high;
+    McdTriangleListGetBoundingBox(list, low, high);
+    assert_vec3_near(high, 1, 1, 1, 0);
+    MeMatrix4 tm;
+    MeMatrix3 inertia;
+    MeReal volume;
+    ck_assert_int_eq(McdGeometryGetMassProperties(list, tm, inertia, &volume), 0);
+    assert_silent();
+    McdFrameworkID empty = McdInit(0, 1, 0, 1);
+    ck_assert_ptr_null(McdTriangleListCreate(empty, min, max, 1, 0));
+    assert_warned("register");
+    McdTerm(empty);
+    messages_release();
+    end();
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, a_flat_grid_is_a_plane);
+    tcase_add_test(t, a_box_on_its_face_has_its_four_corners);
+    tcase_add_test(t, features_stay_while_sliding_and_in_any_order);
+    tcase_add_test(t, in_a_valley_only_the_faces_push);
+    tcase_add_test(t, over_a_ridge_the_normal_turns_smoothly);
+    tcase_add_test(t, a_box_balances_on_a_ridge);
+    tcase_add_test(t, at_a_step_nothing_hooks);
+    tcase_add_test(t, a_ball_on_bumpy_ground_touches_its_nearest_point);
+    tcase_add_test(t, flags);
+    tcase_add_test(t, the_given_normal_says_which_side_is_outside);
+    tcase_add_test(t, the_list_may_stand_anywhere);
+    tcase_add_test(t, triangles_without_area_do_nothing);
+    tcase_add_test(t, too_many_triangles_are_told_once);
+    tcase_add_test(t, the_result_has_no_more_than_fit);
+    tcase_add_test(t, line_segments_pass_unless_asked_for);
+    tcase_add_test(t, bad_input);
+}
+TEST_MAIN("McdTriangleList", tests)
