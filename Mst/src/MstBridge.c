@@ -24,6 +24,7 @@ static void freeAll(MstBridgeRecord *b) {
         McdModelPairContainerDestroy(b->bridge.pairs);
     MeMemoryAPI.destroy(b->materials);
     MeMemoryAPI.destroy(b->contacts);
+    MeMemoryAPI.destroy(b->done);
     MeMemoryAPI.destroy(b);
 }
 
@@ -48,8 +49,9 @@ MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMa
     b->contactMax = MST_CONTACTS;
     b->materials = MeMemoryAPI.create(pairCount(b->materialMax) * sizeof *b->materials);
     b->contacts = MeMemoryAPI.create(b->contactMax * sizeof *b->contacts);
+    b->done = MeMemoryAPI.create(b->contactMax * sizeof *b->done);
     b->bridge.pairs = McdModelPairContainerCreate(MST_PAIRS);
-    if (!b->materials || !b->contacts || !b->bridge.pairs) {
+    if (!b->materials || !b->contacts || !b->done || !b->bridge.pairs) {
         freeAll(b);
         MeFatalError(1, "MstBridgeCreate: no memory for %u materials", maxMaterials);
         return 0;
@@ -215,12 +217,17 @@ void MEAPI MstBridgeSetContactBufferSize(const MstBridgeID b, const unsigned int
     if (!record)
         return;
     McdContact *contacts = s ? MeMemoryAPI.create(s * sizeof *contacts) : 0;
-    if (!contacts) {
+    MdtContactID *done = s ? MeMemoryAPI.create(s * sizeof *done) : 0;
+    if (!contacts || !done) {
         MeWarning(1, "MstBridgeSetContactBufferSize: %u contacts are too few, or too many for the memory", s);
+        MeMemoryAPI.destroy(contacts);
+        MeMemoryAPI.destroy(done);
         return;
     }
     MeMemoryAPI.destroy(record->contacts);
+    MeMemoryAPI.destroy(record->done);
     record->contacts = contacts;
+    record->done = done;
     record->contactMax = s;
 }
 

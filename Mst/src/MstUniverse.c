@@ -1,7 +1,7 @@
 /* Universes: collision and dynamics in one. */
 #include "MstUniverse.h"
 #include "McdFrame.h"
-#include "McdPrimitives.h"
+#include "McdAll.h"
 #include "MdtWorld.h"
 #include "MeMemory.h"
 #include "MeMessage.h"
@@ -43,8 +43,8 @@ static void createCollision(MstUniverse *u) {
                        (int)sizes->collisionGeometryInstancesMaxCount, sizes->lengthScale);
     if (!u->frame)
         return;
-    McdPrimitivesRegisterTypes(u->frame);
-    McdPrimitivesRegisterInteractions(u->frame);
+    McdAllRegisterTypes(u->frame);
+    McdAllRegisterInteractions(u->frame);
     u->space = McdSpaceAxisSortCreate(u->frame, McdAllAxes, (int)sizes->collisionModelsMaxCount,
                                       (int)sizes->collisionPairsMaxCount);
 }

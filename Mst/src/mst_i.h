@@ -17,6 +17,7 @@ typedef struct MstBridgeRecord {
     unsigned int materialMax, materialCount;
     MstMaterialPair *materials; /* of the pair (m1 >= m2): materials[m1 (m1 + 1) / 2 + m2] */
     McdContact *contacts;       /* of the pair that is being handled */
+    MdtContactID *done;         /* what they have become */
     unsigned int contactMax;
 } MstBridgeRecord;
 

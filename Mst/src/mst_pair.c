@@ -39,19 +39,19 @@ static MdtContactGroupID ensureGroup(McdModelPair *p, MdtWorldID w) {
     return group;
 }
 
-/* A contact of the group that has the feature and was not taken yet in this step; taken ones have the mark. */
-static MdtContactID findContact(MdtContactGroupID group, MeU32 feature, MdtContactID end) {
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c && c != end;
-         c = MdtContactGroupGetNextContact(group, c))
-        if (MdtContactGetFeature(c) == feature)
-            return c;
-    return 0;
+static MeBool isAmong(MdtContactID c, const MdtContactID *list, int count) {
+    for (int i = 0; i < count; i++)
+        if (list[i] == c)
+            return METRUE;
+    return MEFALSE;
 }
 
-/* Moves a contact to the end of the list, with all that it remembers. */
-static void moveToEnd(MdtContactGroupID group, MdtContactID c) {
-    MdtContactGroupRemoveContact(group, c);
-    MdtContactGroupAppendContact(group, c);
+/* A contact of the group with the feature that is not one of those. */
+static MdtContactID findContact(MdtContactGroupID group, MeU32 feature, const MdtContactID *done, int count) {
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
+        if (MdtContactGetFeature(c) == feature && !isAmong(c, done, count))
+            return c;
+    return 0;
 }
 
 static void setContact(MdtContactID c, const McdContact *from, MeBool isTurned, const MstMaterialPair *materials) {
@@ -69,33 +69,32 @@ static MstMaterialPair *materialsOf(MstBridgeRecord *b, const McdContact *c) {
                             McdGeometryInstanceGetMaterial(c->instance2));
 }
 
-static void destroyUpTo(MdtContactGroupID group, MdtContactID end) {
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c && c != end;
-         c = MdtContactGroupGetFirstContact(group))
-        MdtContactGroupDestroyContact(group, c);
+static void destroyOthers(MdtContactGroupID group, const MdtContactID *done, int count) {
+    MdtContactID next;
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = next) {
+        next = MdtContactGroupGetNextContact(group, c);
+        if (!isAmong(c, done, count))
+            MdtContactGroupDestroyContact(group, c);
+    }
 }
 
-/* The group's contacts become those of the result, in its order: ones with the same feature are kept, the rest made new
- * or destroyed. Ones that are done stand behind those of the last step, from `firstNew` on. */
+/* The group's contacts become those of the result: ones with the same feature stay the same object, with the force that
+ * they had; the rest is made new, or destroyed. */
 static void renewContacts(MstBridgeRecord *b, MdtContactGroupID group, McdIntersectResult *result, MeBool isTurned) {
-    MdtContactID firstNew = 0;
+    int count = 0;
     for (int i = 0; i < result->contactCount; i++) {
         McdContact *from = &result->contacts[i];
         const MstMaterialPair *materials = materialsOf(b, from);
-        MdtContactID c = findContact(group, from->feature, firstNew);
-        if (c)
-            moveToEnd(group, c);
-        else
+        MdtContactID c = findContact(group, from->feature, b->done, count);
+        if (!c)
             c = MdtContactGroupCreateContact(group);
         if (!c)
             break; /* the world is full, and has said so */
         setContact(c, from, isTurned, materials);
-        if (materials->perContactCb && !materials->perContactCb(result, from, c))
-            MdtContactGroupDestroyContact(group, c);
-        else if (!firstNew)
-            firstNew = c;
+        if (!materials->perContactCb || materials->perContactCb(result, from, c))
+            b->done[count++] = c;
     }
-    destroyUpTo(group, firstNew);
+    destroyOthers(group, b->done, count);
 }
 
 void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
