@@ -1,0 +1,239 @@
+/* The bridge: the material table, its callbacks, contact groups from touch to goodbye. */
+#include "Mst.h"
+#include "karma_test.h"
+
+static MstUniverseID u;
+static MeMatrix4 ground;
+static McdModelID floorModel, ball;
+static int called;
+static MeBool answer;
+
+static void setUp(void) {
+    u = MstUniverseCreate(0);
+    MeMatrix4TMMakeIdentity(ground);
+    floorModel = MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 1), 1);
+    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal).99);
+    called = 0;
+    answer = METRUE;
+}
+
+static void tearDown(void) {
+    MstUniverseDestroy(u);
+}
+
+static void step(void) {
+    MstUniverseStep(u, (MeReal)(1. / 60));
+}
+
+static MdtContactID onlyContact(void) {
+    MdtContactID c = MdtBodyGetFirstContact(McdModelGetBody(ball));
+    ck_assert(!c || !MdtBodyGetNextContact(McdModelGetBody(ball), c));
+    return c;
+}
+
+/* ---- materials ------------------------------------------------------------------------------------------------------- */
+
+START_TEST(materials_are_numbered_from_the_default_one) {
+    ck_assert_uint_eq(MstBridgeGetDefaultMaterial(), 0);
+    for (unsigned int i = 1; i < 10; i++)
+        ck_assert_uint_eq(MstBridgeGetNewMaterial(u->bridge), i);
+    messages_catch();
+    ck_assert_uint_eq(MstBridgeGetNewMaterial(u->bridge), 0);
+    assert_warned("materialsMaxCount");
+    messages_release();
+}
+END_TEST
+
+START_TEST(pairs_of_materials_are_unordered) {
+    MstMaterialID a = MstBridgeGetNewMaterial(u->bridge), b = MstBridgeGetNewMaterial(u->bridge);
+    ck_assert_ptr_eq(MstBridgeGetContactParams(u->bridge, a, b), MstBridgeGetContactParams(u->bridge, b, a));
+    ck_assert_ptr_ne(MstBridgeGetContactParams(u->bridge, a, b), MstBridgeGetContactParams(u->bridge, a, a));
+    ck_assert_ptr_ne(MstBridgeGetContactParams(u->bridge, a, 0), MstBridgeGetContactParams(u->bridge, b, 0));
+    messages_catch();
+    ck_assert_ptr_eq(MstBridgeGetContactParams(u->bridge, 7, 0), MstBridgeGetContactParams(u->bridge, 0, 0));
+    assert_warned("no material 7");
+    messages_release();
+}
+END_TEST
+
+START_TEST(a_contact_has_its_materials_parameters) {
+    MstMaterialID rubber = MstBridgeGetNewMaterial(u->bridge);
+    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, rubber, 0), (MeReal).75);
+    McdModelSetMaterial(ball, (int)rubber);
+    step();
+    assert_near(MdtContactParamsGetRestitution(MdtContactGetParams(onlyContact())), .75, 1e-7);
+}
+END_TEST
+
+START_TEST(bad_bridges_are_refused) {
+    messages_catch();
+    MstBridgeDestroy(0);
+    assert_silent();
+    ck_assert_ptr_null(MstBridgeGetContactParams(0, 0, 0));
+    assert_warned("no bridge");
+    MstBridgeID b = MstBridgeCreate(u->frame, 0);
+    assert_warned("maxMaterials");
+    ck_assert_uint_eq(MstBridgeGetNewMaterial(b), 0);
+    assert_warned("maxMaterials");
+    MstBridgeSetContactBufferSize(b, 0);
+    assert_warned("0 contacts");
+    MstBridgeSetModelPairBufferSize(b, 1);
+    assert_warned("1 pairs");
+    MstBridgeDestroy(b);
+    messages_release();
+}
+END_TEST
+
+/* ---- contacts ---------------------------------------------------------------------------------------------------------- */
+
+START_TEST(a_touch_makes_a_contact_of_its_depth) {
+    MeVector3 p, n;
+    step();
+    MdtContactID c = onlyContact();
+    MdtContactGetPosition(c, p);
+    MdtContactGetNormal(c, n);
+    assert_vec3_near(p, 0, 0, -.005, 1e-6);
+    assert_vec3_near(n, 0, 0, 1, 1e-6);
+    assert_near(MdtContactGetPenetration(c), .01, 1e-6);
+    ck_assert_ptr_eq(MdtContactGetBody(c, 0), McdModelGetBody(ball));
+    ck_assert_ptr_null(MdtContactGetBody(c, 1));
+    ck_assert(MdtContactGroupIsEnabled(MdtContactGetContactGroup(c)));
+}
+END_TEST
+
+START_TEST(a_contact_that_lasts_is_the_same_object) {
+    step();
+    MdtContactID c = onlyContact();
+    for (int i = 0; i < 5; i++)
+        step();
+    ck_assert_ptr_eq(onlyContact(), c);
+}
+END_TEST
+
+START_TEST(the_group_stays_without_touch_and_goes_at_goodbye) {
+    step();
+    MdtContactGroupID group = MdtContactGetContactGroup(onlyContact());
+    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)1.015); /* boxes near, to within the tolerances */
+    McdModelSetContactTolerance(ball, (MeReal).02);
+    McdModelSetContactTolerance(floorModel, 0);
+    step();
+    McdModelSetContactTolerance(ball, (MeReal).001);
+    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)1.0005);
+    step();
+    ck_assert_int_eq(MdtWorldGetTotalConstraints(u->world) > 0, 1);
+    ck_assert_ptr_nonnull(group);
+    McdModelDynamicsSetPosition(ball, 0, 0, 3);
+    step();
+    ck_assert_int_eq(MdtWorldGetTotalConstraints(u->world), 0);
+}
+END_TEST
+
+/* A plane's model comes first in the pair or second: the body is pushed out either way. */
+START_TEST(only_the_second_model_having_a_body_is_as_good) {
+    static MeMatrix4 tm;
+    MstModelAndBodyDestroy(ball);
+    MstFixedModelDestroy(floorModel);
+    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 1), 1);
+    McdModelDynamicsSetPosition(ball, 0, 0, (MeReal).99);
+    MeMatrix4TMMakeIdentity(tm);
+    floorModel = MstFixedModelCreate(u, McdPlaneCreate(u->frame), tm);
+    step();
+    MeVector3 n;
+    MdtContactGetNormal(onlyContact(), n);
+    assert_vec3_near(n, 0, 0, 1, 1e-6);
+    ck_assert_ptr_eq(MdtContactGetBody(onlyContact(), 0), McdModelGetBody(ball));
+}
+END_TEST
+
+/* ---- callbacks ----------------------------------------------------------------------------------------------------------- */
+
+static void MEAPI cull(McdIntersectResult *result) {
+    called++;
+    ck_assert(result->pair->model1 == ball || result->pair->model2 == ball);
+    if (!answer)
+        result->contactCount = 0;
+}
+
+START_TEST(the_intersect_callback_may_cull) {
+    MstBridgeSetIntersectCB(u->bridge, 0, 0, cull);
+    ck_assert(MstBridgeGetIntersectCB(u->bridge, 0, 0) == cull);
+    step();
+    ck_assert(called == 1 && onlyContact());
+    answer = MEFALSE;
+    step();
+    ck_assert(called == 2 && !onlyContact());
+}
+END_TEST
+
+static MeBool MEAPI perContact(McdIntersectResult *result, McdContact *colC, MdtContactID dynC) {
+    called++;
+    ck_assert(result->contactCount == 1 && colC == result->contacts);
+    MdtContactParamsSetRestitution(MdtContactGetParams(dynC), (MeReal).5);
+    return answer;
+}
+
+START_TEST(the_per_contact_callback_may_change_and_delete) {
+    MstBridgeSetPerContactCB(u->bridge, 0, 0, perContact);
+    ck_assert(MstBridgeGetPerContactCB(u->bridge, 0, 0) == perContact);
+    step();
+    ck_assert_int_eq(called, 1);
+    assert_near(MdtContactParamsGetRestitution(MdtContactGetParams(onlyContact())), .5, 1e-7);
+    answer = MEFALSE;
+    step();
+    ck_assert(!onlyContact());
+}
+END_TEST
+
+static MeBool MEAPI perPair(McdIntersectResult *result, MdtContactGroupID group) {
+    called++;
+    ck_assert(MdtContactGroupGetCount(group) == result->contactCount);
+    return answer;
+}
+
+START_TEST(the_per_pair_callback_may_delete_all) {
+    MstBridgeSetPerPairCB(u->bridge, 0, 0, perPair);
+    ck_assert(MstBridgeGetPerPairCB(u->bridge, 0, 0) == perPair);
+    step();
+    ck_assert(called == 1 && onlyContact());
+    answer = MEFALSE;
+    step();
+    ck_assert(!onlyContact());
+    answer = METRUE;
+    step();
+    ck_assert(onlyContact() && called == 3);
+}
+END_TEST
+
+/* The guide's own loop, with the transitions' short form. */
+START_TEST(the_loop_may_be_the_programs) {
+    McdSpacePairIterator iterator;
+    McdSpaceUpdateAll(u->space);
+    McdSpaceEndChanges(u->space);
+    McdSpacePairIteratorBegin(u->space, &iterator);
+    McdModelPairContainerReset(u->bridge->pairs);
+    ck_assert(!McdSpaceGetPairs(u->space, &iterator, u->bridge->pairs));
+    MstHandleTransitions(u->bridge->pairs);
+    MstHandleCollisions(u->bridge->pairs, u->space, u->world, u->bridge);
+    McdSpaceBeginChanges(u->space);
+    ck_assert(onlyContact());
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setUp, tearDown);
+    tcase_add_test(t, materials_are_numbered_from_the_default_one);
+    tcase_add_test(t, pairs_of_materials_are_unordered);
+    tcase_add_test(t, a_contact_has_its_materials_parameters);
+    tcase_add_test(t, bad_bridges_are_refused);
+    tcase_add_test(t, a_touch_makes_a_contact_of_its_depth);
+    tcase_add_test(t, a_contact_that_lasts_is_the_same_object);
+    tcase_add_test(t, the_group_stays_without_touch_and_goes_at_goodbye);
+    tcase_add_test(t, only_the_second_model_having_a_body_is_as_good);
+    tcase_add_test(t, the_intersect_callback_may_cull);
+    tcase_add_test(t, the_per_contact_callback_may_change_and_delete);
+    tcase_add_test(t, the_per_pair_callback_may_delete_all);
+    tcase_add_test(t, the_loop_may_be_the_programs);
+}
+
+TEST_MAIN("Bridge", tests)

@@ -1,0 +1,268 @@
+/* Universes: what they are made of, the guide's programs, and stacks that stand and go to sleep. */
+#include "Mst.h"
+#include "karma_test.h"
+
+static MstUniverseID u;
+static MeMatrix4 ground;
+
+static void setUp(void) {
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    sizes.dynamicConstraintsMaxCount = 1000;
+    u = MstUniverseCreate(&sizes);
+    MdtWorldSetGravity(MstUniverseGetWorld(u), 0, 0, (MeReal)-9.81);
+    MeMatrix4TMMakeIdentity(ground);
+}
+
+static void tearDown(void) {
+    MstUniverseDestroy(u);
+}
+
+static McdModelID makeGround(void) {
+    return MstFixedModelCreate(u, McdPlaneCreate(MstUniverseGetFramework(u)), ground);
+}
+
+static McdModelID makeBox(double size, double x, double y, double z) {
+    const MeReal s = (MeReal)size;
+    McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(MstUniverseGetFramework(u), s, s, s), 1);
+    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    return m;
+}
+
+static double heightOf(McdModelID m) {
+    MeVector3 p;
+    McdModelDynamicsGetPosition(m, p);
+    return (double)p[2];
+}
+
+static void run(double seconds) {
+    for (int i = 0; i < (int)(60 * seconds); i++)
+        MstUniverseStep(u, (MeReal)(1. / 60));
+}
+
+static void setFriction(double coefficient, double restitution) {
+    MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
+    MdtContactParamsSetType(p, MdtContactTypeFriction2D);
+    MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
+    MdtContactParamsSetFrictionCoeffecient(p, (MeReal)coefficient);
+    MdtContactParamsSetRestitution(p, (MeReal)restitution);
+}
+
+/* ---- what it is made of --------------------------------------------------------------------------------------------- */
+
+START_TEST(the_default_sizes_are_the_guides) {
+    const MstUniverseSizes *s = &MstUniverseDefaultSizes;
+    ck_assert(s->dynamicBodiesMaxCount == 100 && s->dynamicConstraintsMaxCount == 500);
+    ck_assert(s->collisionUserGeometryTypesMaxCount == 0 && s->collisionModelsMaxCount == 100);
+    ck_assert(s->collisionPairsMaxCount == 500 && s->collisionGeometryInstancesMaxCount == 100);
+    ck_assert(s->materialsMaxCount == 10 && s->lengthScale == 1 && s->massScale == 1);
+}
+END_TEST
+
+START_TEST(its_parts_are_there) {
+    ck_assert_ptr_eq(MstUniverseGetWorld(u), u->world);
+    ck_assert_ptr_eq(MstUniverseGetFramework(u), u->frame);
+    ck_assert_ptr_eq(MstUniverseGetSpace(u), u->space);
+    ck_assert_ptr_eq(MstUniverseGetBridge(u), u->bridge);
+    ck_assert_int_eq(MdtWorldGetMaxBodies(u->world), 100);
+    ck_assert_int_eq(MdtWorldGetMaxConstraints(u->world), 1000);
+    ck_assert(u->sizes.collisionModelsMaxCount == 100 && McdSpaceIsChanging(u->space));
+    MstUniverseID other = MstUniverseCreate(0);
+    ck_assert_int_eq(MdtWorldGetMaxConstraints(other->world), 500);
+    MstUniverseDestroy(other);
+}
+END_TEST
+
+START_TEST(bad_sizes_make_no_universe) {
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    sizes.collisionModelsMaxCount = 0;
+    messages_catch();
+    ck_assert_ptr_null(MstUniverseCreate(&sizes));
+    assert_warned("could not be created");
+    MstUniverseDestroy(0);
+    assert_silent();
+    MstUniverseStep(0, 1);
+    assert_warned("no universe");
+    messages_release();
+}
+END_TEST
+
+/* User Guide ch. 4, "Making a Model with a Box Geometry": density 1, 2 x 1 x 3. */
+START_TEST(a_box_model_has_the_mass_of_its_geometry) {
+    MeMatrix3 inertia;
+    McdGeometryID boxGeom = McdBoxCreate(u->frame, 2, 1, 3);
+    McdModelID boxModel = MstModelAndBodyCreate(u, boxGeom, 1), boxModel2 = MstModelAndBodyCreate(u, boxGeom, 2);
+    MdtBodyID body = McdModelGetBody(boxModel);
+    ck_assert(MdtBodyIsEnabled(body) && McdModelGetSpace(boxModel) == u->space);
+    assert_near(MdtBodyGetMass(body), 6, 1e-6);
+    assert_near(MdtBodyGetMass(McdModelGetBody(boxModel2)), 12, 1e-6);
+    MdtBodyGetInertiaTensor(body, inertia);
+    assert_near(inertia[0][0], 6 * (1 + 9) / 12., 1e-5);
+    assert_near(inertia[1][1], 6 * (4 + 9) / 12., 1e-5);
+    assert_near(inertia[2][2], 6 * (4 + 1) / 12., 1e-5);
+    assert_near(inertia[0][1], 0, 1e-6);
+}
+END_TEST
+
+START_TEST(a_model_and_its_body_go_together) {
+    McdModelID floor = makeGround(), box = makeBox(1, 0, 0, .5);
+    run(.1);
+    ck_assert_int_gt(MdtWorldGetTotalConstraints(u->world), 0);
+    MstModelAndBodyDestroy(box);
+    ck_assert(MdtWorldGetTotalConstraints(u->world) == 0 && MdtWorldGetTotalBodies(u->world) == 0);
+    ck_assert_int_eq(McdFrameworkGetModelCount(u->frame), 1);
+    box = makeBox(1, 0, 0, .5);
+    run(.1);
+    MstFixedModelDestroy(floor);
+    ck_assert_int_eq(MdtWorldGetTotalConstraints(u->world), 0);
+    run(.5);
+    assert_below(heightOf(box), 0);
+}
+END_TEST
+
+START_TEST(the_step_may_be_driven_by_hand) {
+    MstUniverseID other = MstUniverseCreate(0);
+    MeMatrix4 tm;
+    double height[2];
+    for (int k = 0; k < 2; k++) {
+        MstUniverseID universe = k ? other : u;
+        MeMatrix4Ptr at = k ? tm : ground;
+        MdtWorldSetGravity(universe->world, 0, 0, (MeReal)-9.81);
+        MeMatrix4TMMakeIdentity(at);
+        MstFixedModelCreate(universe, McdPlaneCreate(universe->frame), at);
+        McdModelID m = MstModelAndBodyCreate(universe, McdSphereCreate(universe->frame, 1), 1);
+        McdModelDynamicsSetPosition(m, 0, 0, 2);
+        for (int i = 0; i < 60; i++) {
+            if (k) {
+                McdSpaceUpdateAll(universe->space);
+                MstBridgeUpdateContacts(universe->bridge, universe->space, universe->world);
+                MdtWorldStep(universe->world, (MeReal)(1. / 60));
+            } else {
+                MstUniverseStep(universe, (MeReal)(1. / 60));
+            }
+        }
+        height[k] = heightOf(m);
+    }
+    ck_assert(height[0] == height[1]);
+    MstUniverseDestroy(other);
+}
+END_TEST
+
+/* ---- scenes --------------------------------------------------------------------------------------------------------- */
+
+START_TEST(a_box_rests_on_the_floor_and_goes_to_sleep) {
+    makeGround();
+    McdModelID box = makeBox(1, 0, 0, .6);
+    run(3);
+    assert_near(heightOf(box), .5, 1e-3);
+    ck_assert(!McdModelDynamicsIsEnabled(box) && McdSpaceModelIsFrozen(box));
+    MdtBodyEnable(McdModelGetBody(box));
+    ck_assert(!McdSpaceModelIsFrozen(box));
+}
+END_TEST
+
+START_TEST(a_tower_stands) {
+    MdtWorldSetEpsilon(u->world, 0);
+    MdtWorldSetAutoDisable(u->world, 0);
+    setFriction(.5, 0);
+    makeGround();
+    McdModelID box[10];
+    for (int i = 0; i < 10; i++)
+        box[i] = makeBox(1, .02 * (i % 3), .02 * (i % 2), .5 + 1.01 * i);
+    run(10);
+    for (int i = 0; i < 10; i++)
+        assert_near(heightOf(box[i]), .5 + i, 1e-3);
+    MeVector3 before, after;
+    McdModelDynamicsGetPosition(box[9], before);
+    run(10);
+    McdModelDynamicsGetPosition(box[9], after);
+    assert_vec3_near(after, (double)before[0], (double)before[1], (double)before[2], 1e-4);
+}
+END_TEST
+
+/* All of it sleeps; then a ball hits the uppermost box, and what it pushes wakes. */
+START_TEST(what_sleeps_wakes_when_it_is_hit) {
+    setFriction(.5, 0);
+    makeGround();
+    McdModelID box[3];
+    for (int i = 0; i < 3; i++)
+        box[i] = makeBox(1, 0, 0, .5 + i);
+    run(3);
+    ck_assert_int_eq(MdtWorldGetEnabledBodies(u->world), 0);
+    McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).3), 5);
+    McdModelDynamicsSetPosition(ball, -2, 0, (MeReal)2.6);
+    McdModelDynamicsSetLinearVelocity(ball, 8, 0, 1);
+    run(.6);
+    MeVector3 p;
+    McdModelDynamicsGetPosition(box[2], p);
+    ck_assert((double)p[0] > .1);
+    ck_assert(McdModelDynamicsIsEnabled(box[2]));
+    run(10);
+    ck_assert_int_eq(MdtWorldGetEnabledBodies(u->world), 0);
+}
+END_TEST
+
+/* Restitution 1: User Guide ch. 5, the ball that is very bouncy. */
+START_TEST(a_bouncy_ball_comes_back) {
+    MstMaterialID ballMaterial = MstBridgeGetNewMaterial(u->bridge), floorMaterial = MstBridgeGetNewMaterial(u->bridge);
+    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, ballMaterial, floorMaterial), 1);
+    McdModelID floor = makeGround(), ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal).5), 1);
+    McdModelSetMaterial(ball, (int)ballMaterial);
+    McdModelSetMaterial(floor, (int)floorMaterial);
+    McdModelDynamicsSetPosition(ball, 0, 0, 2);
+    double top = 0;
+    for (int i = 0; i < 240; i++) {
+        MstUniverseStep(u, (MeReal)(1. / 60));
+        if (i > 60)
+            top = fmax(top, heightOf(ball));
+    }
+    assert_near(top, 2, .01);
+}
+END_TEST
+
+static double stackAndHash(void) {
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    static MeMatrix4 tm;
+    sizes.dynamicConstraintsMaxCount = 1000;
+    MstUniverseID universe = MstUniverseCreate(&sizes);
+    MdtWorldSetGravity(universe->world, 0, 0, (MeReal)-9.81);
+    MeMatrix4TMMakeIdentity(tm);
+    MstFixedModelCreate(universe, McdPlaneCreate(universe->frame), tm);
+    McdModelID m[12];
+    double hash = 0;
+    for (int i = 0; i < 12; i++) {
+        McdGeometryID g =
+            i % 3 ? McdBoxCreate(universe->frame, 1, 1, 1) : McdCylinderCreate(universe->frame, (MeReal).5, 1);
+        m[i] = MstModelAndBodyCreate(universe, g, 1);
+        McdModelDynamicsSetPosition(m[i], (MeReal)(.3 * (i % 4)), (MeReal)(.2 * (i % 5)), (MeReal)(.6 + 1.1 * i));
+    }
+    for (int i = 0; i < 300; i++)
+        MstUniverseStep(universe, (MeReal)(1. / 60));
+    for (int i = 0; i < 12; i++)
+        for (int k = 0; k < 3; k++)
+            hash = hash * 1.618 + (double)McdModelGetTransformPtr(m[i])[3][k];
+    MstUniverseDestroy(universe);
+    return hash;
+}
+
+START_TEST(the_same_heap_gives_the_same_bits) {
+    const double first = stackAndHash(), second = stackAndHash();
+    ck_assert(isfinite(first) && first == second);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setUp, tearDown);
+    tcase_add_test(t, the_default_sizes_are_the_guides);
+    tcase_add_test(t, its_parts_are_there);
+    tcase_add_test(t, bad_sizes_make_no_universe);
+    tcase_add_test(t, a_box_model_has_the_mass_of_its_geometry);
+    tcase_add_test(t, a_model_and_its_body_go_together);
+    tcase_add_test(t, the_step_may_be_driven_by_hand);
+    tcase_add_test(t, a_box_rests_on_the_floor_and_goes_to_sleep);
+    tcase_add_test(t, a_tower_stands);
+    tcase_add_test(t, what_sleeps_wakes_when_it_is_hit);
+    tcase_add_test(t, a_bouncy_ball_comes_back);
+    tcase_add_test(t, the_same_heap_gives_the_same_bits);
+}
+
+TEST_MAIN("Universe", tests)
