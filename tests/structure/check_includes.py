@@ -10,8 +10,9 @@ ALLOWED = {  # library: the libraries whose public headers it may include
     'MdtBcl': ['MdtKea', 'MeGlobals'],
     'Mdt': ['MdtBcl', 'MdtKea', 'MeGlobals'],
     'Mcd': ['MeGlobals'],
+    'Mst': ['Mcd', 'Mdt', 'MdtBcl', 'MdtKea', 'MeGlobals'],
     'MeViewer': ['MeGlobals'],
-    'tutorials': ['Mdt', 'MdtBcl', 'MdtKea', 'Mcd', 'MeGlobals', 'MeViewer'],
+    'tutorials': ['Mdt', 'MdtBcl', 'MdtKea', 'Mcd', 'Mst', 'MeGlobals', 'MeViewer'],
 }
 
 top = pathlib.Path(sys.argv[1])
