@@ -419,7 +419,7 @@ static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
         return METRUE;
     p->isFrozen = isFrozen;
     if (!isFrozen)
-        p->isMoved = METRUE; /* links between frozen models were not kept */
+        p->isMoved = METRUE; /* links between frozen models were kept only where they have a pair */
     mcd_proxyTouch(p->model->space, indexOf(p->model->space, p));
     return METRUE;
 }

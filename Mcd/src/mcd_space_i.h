@@ -2,7 +2,9 @@
  *
  * A model in a space is a proxy: its box of the last update, and a fat box around that which is in the tree. A link
  * joins two proxies whose fat boxes overlap, or that are disabled; links are found by a hash table and hang in a list
- * at each of their proxies. A link whose exact boxes overlap has a pair, which is what programs see.
+ * at each of their proxies. A link whose exact boxes overlap has a pair, which is what programs see. Pairs of two
+ * frozen models are silent: they hang at their links and are in no list, so that they cost no time. Links between frozen
+ * models that have no pair are dropped, and found again when one of them is unfrozen.
  *
  * At the end of a block only what changed is looked at: proxies that left their fat box are looked up in the tree for
  * new links, and the links of proxies that changed at all are judged anew.
@@ -38,6 +40,7 @@ typedef struct McdPairRecord McdPairRecord;
 struct McdPairRecord {
     McdModelPair pair; /* what programs see: first */
     McdPairRecord *nextFree;
+    MeBool wasSilent; /* when it said goodbye: it is among the goodbyes only */
 };
 
 typedef struct McdPairEntry {
@@ -58,6 +61,7 @@ typedef struct McdLink {
     int previous[2], next[2];
     int nextInHash;               /* also links the free ones */
     MeBool isDisabled, isWaiting; /* waiting for room among the pairs */
+    MeBool isSilent;              /* its pair stays, but both models are frozen: it is in no list */
     McdPairRecord *record;
 } McdLink;
 
@@ -87,7 +91,8 @@ struct _McdSpace {
     McdPairRecord *freePair;
     MeBool isStale; /* there are erased pairs in the lists: their phase is kMcdFFStateInactive */
     McdPairList hello, staying, goodbye, wanted;
-    McdSpacePairIterator own; /* of the calls without an iterator */
+    McdPairList silenced, woken; /* of the block that ends: out of, and back to, the staying ones */
+    McdSpacePairIterator own;    /* of the calls without an iterator */
 };
 
 /* ---- proxies (McdSpace.c) ---------------------------------------------------------------------------------------- */
