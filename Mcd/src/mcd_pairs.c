@@ -326,23 +326,58 @@ static void findLinks(McdSpace *s, int proxy) {
 
 static void judgeLinksOf(McdSpace *s, int proxy) {
     for (int i = s->proxy[proxy].firstLink, next; i != MCD_NONE; i = next) {
+        const int first = s->link[i].proxy[0];
         next = nextLink(s, i, proxy);
-        judge(s, i);
+        if (first == proxy || !s->proxy[first].isDirty) /* else it is judged from there */
+            judge(s, i);
     }
+}
+
+/* Each link of the dirty proxies once. Where many are dirty, links are taken as they lie in memory, which is faster. */
+static void judgeLinks(McdSpace *s) {
+    if (s->dirtyCount > s->proxyCount / 4) {
+        for (int i = 0; i < s->linkMax; i++) {
+            const int *p = s->link[i].proxy;
+            if (p[0] != MCD_NONE && (s->proxy[p[0]].isDirty || s->proxy[p[1]].isDirty))
+                judge(s, i);
+        }
+        return;
+    }
+    for (int i = 0; i < s->dirtyCount; i++)
+        judgeLinksOf(s, s->dirty[i]);
 }
 
 /* ---- lists ------------------------------------------------------------------------------------------------------- */
 
-/* Merges another list, in order too, into the staying pairs. From the back, so that nothing is overwritten before it was
- * moved. */
+/* Where in entry[first .. end - 1], which are in order, the first is that does not precede another one. */
+static int placeOf(const McdPairEntry *entry, int first, int end, const McdPairEntry *other) {
+    while (first < end) {
+        const int middle = first + (end - first) / 2;
+        if (precedes(&entry[middle], other))
+            first = middle + 1;
+        else
+            end = middle;
+    }
+    return first;
+}
+
+static void moveEntries(McdPairEntry *entry, int to, int from, int count) {
+    memmove(entry + to, entry + from, (size_t)count * sizeof *entry);
+}
+
+/* Merges another list, in order too, into the staying pairs: from the back, whole stretches at a time. */
 static void addToStaying(McdSpace *s, McdPairList *list) {
-    int from = s->staying.count, add = list->count;
+    int end = s->staying.count, add = list->count;
     for (int i = 0; i < add; i++)
         if (!listAdd(&s->staying, &list->entry[i]))
             add = i;
     McdPairEntry *entry = s->staying.entry;
-    for (int to = s->staying.count - 1; add > 0; to--)
-        entry[to] = from > 0 && precedes(&list->entry[add - 1], &entry[from - 1]) ? entry[--from] : list->entry[--add];
+    for (; add > 0; add--) {
+        const int at = placeOf(entry, 0, end, &list->entry[add - 1]);
+        moveEntries(entry, at + add, at, end - at);
+        entry[at + add - 1] = list->entry[add - 1];
+        end = at;
+    }
     list->count = 0;
 }
 
@@ -358,16 +393,19 @@ static void helloBecomesStaying(McdSpace *s) {
 /* Both lists are in order. */
 static void dropFromStaying(McdSpace *s, const McdPairList *dropped) {
     McdPairEntry *entry = s->staying.entry;
-    int kept = 0, d = 0;
-    if (!dropped->count)
-        return;
-    for (int i = 0; i < s->staying.count; i++) {
-        while (d < dropped->count && precedes(&dropped->entry[d], &entry[i]))
-            d++;
-        if (d == dropped->count || dropped->entry[d].record != entry[i].record)
-            entry[kept++] = entry[i];
+    const int end = s->staying.count;
+    int kept = 0, from = 0;
+    for (int i = 0; i < dropped->count; i++) {
+        const int at = placeOf(entry, from, end, &dropped->entry[i]);
+        if (at == end || entry[at].record != dropped->entry[i].record)
+            continue;
+        moveEntries(entry, kept, from, at - from);
+        kept += at - from;
+        from = at + 1;
     }
-    s->staying.count = kept;
+    if (from > kept)
+        moveEntries(entry, kept, from, end - from);
+    s->staying.count -= from - kept;
 }
 
 static void renewStaying(McdSpace *s) {
@@ -454,10 +492,9 @@ void mcd_pairsEnd(McdSpace *s) {
         if (s->proxy[s->dirty[i]].isMoved && s->proxy[s->dirty[i]].hasBox)
             findLinks(s, s->dirty[i]);
     helloBecomesStaying(s);
-    for (int i = 0; i < s->dirtyCount; i++) {
-        judgeLinksOf(s, s->dirty[i]);
+    judgeLinks(s);
+    for (int i = 0; i < s->dirtyCount; i++)
         s->proxy[s->dirty[i]].isDirty = s->proxy[s->dirty[i]].isMoved = MEFALSE;
-    }
     s->dirtyCount = 0;
     renewStaying(s);
     giveRoom(s);

@@ -21,17 +21,19 @@
 enum { MCD_NONE = -1, MCD_PAIR_BLOCK = 128 };
 
 typedef struct McdProxy {
-    McdModelRecord *model; /* null: free */
-    McdTreeLeaf *leaf;     /* null: no box yet, or without bounds */
-    MeU64 order;           /* the model's place in the order of pairs: sort key, then creation */
+    /* what judging a link needs comes first, to be read at once */
     MeReal min[3], max[3], tolerance;
+    MeBool hasBox, isFrozen;
+    MeBool isDirty; /* its links are to be judged */
     McdTreeBox fat;
     McdCullingTable *table;
     int cullingIndex, cullingID;
     int firstLink;
-    int previous, next; /* in the order of insertion; next also links the free ones */
-    MeBool hasBox, isFrozen, isUnbounded;
-    MeBool isDirty;  /* its links are to be judged */
+    int previous, next;    /* in the order of insertion; next also links the free ones */
+    McdModelRecord *model; /* null: free */
+    McdTreeLeaf *leaf;     /* null: no box yet, or without bounds */
+    MeU64 order;           /* the model's place in the order of pairs: sort key, then creation */
+    MeBool isUnbounded;
     MeBool isMoved;  /* its fat box is new: look for links */
     MeBool isWarned; /* of its transform */
 } McdProxy;
