@@ -57,9 +57,26 @@ typedef int(MEAPI *McdLineSegIntersectEnableCallback)(McdModelID, void *filterDa
  *                    gets a warning, is told to the pool-full handler, and says hello when there is room.
  * @return null, with a warning, if an argument is out of range. McdSpaceDestroy destroys it, before McdTerm.
  *
- * Karma 1.0's form, without a framework and with a 1 at the end, also has four arguments; it gets a warning.
+ * Karma 1.1 had a fifth argument, which is ignored. Karma 1.0's form, without a framework and with a 1 at the end, has
+ * four as well; it gets a warning.
  */
 MEPUBLIC McdSpaceID MEAPI McdSpaceAxisSortCreate(McdFrameworkID framework, int axes, int objectCount, int pairCount);
+#ifdef __cplusplus
+ME_END_C
+inline McdSpaceID McdSpaceAxisSortCreate(McdFrameworkID framework, int axes, int objectCount, int pairCount, int) {
+    return McdSpaceAxisSortCreate(framework, axes, objectCount, pairCount);
+}
+ME_BEGIN_C
+#else
+#define MCD_SIXTH(a, b, c, d, e, f, ...)              f
+#define McdSpaceAxisSortCreateWith4(f, a, o, p)       (McdSpaceAxisSortCreate)((f), (a), (o), (p))
+#define McdSpaceAxisSortCreateWith5(f, a, o, p, last) ((void)(last), (McdSpaceAxisSortCreate)((f), (a), (o), (p)))
+#define McdSpaceAxisSortCreate(...)                                                                                    \
+    MCD_SIXTH(__VA_ARGS__, McdSpaceAxisSortCreateWith5, McdSpaceAxisSortCreateWith4,                                   \
+              McdSpaceAxisSortCreate_takes_4_or_5_arguments, McdSpaceAxisSortCreate_takes_4_or_5_arguments,            \
+              McdSpaceAxisSortCreate_takes_4_or_5_arguments, 0)                                                        \
+    (__VA_ARGS__)
+#endif
 /** Destroys a space. Models in it leave it, and its pairs are gone. Null does nothing. Legal anywhere. */
 MEPUBLIC void MEAPI McdSpaceDestroy(McdSpaceID s);
 /** Says that most models are in: puts the tree of boxes in good order. Legal anywhere, needed nowhere. */

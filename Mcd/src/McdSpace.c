@@ -123,7 +123,7 @@ static void forget(McdModelID cm) {
     releaseModel(m->space, p);
 }
 
-McdSpaceID MEAPI McdSpaceAxisSortCreate(McdFrameworkID framework, int axes, int objectCount, int pairCount) {
+McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int objectCount, int pairCount) {
     if (!checkSizes(framework, axes, objectCount, pairCount))
         return 0;
     McdSpace *s = makeSpace(objectCount);

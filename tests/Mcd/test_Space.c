@@ -699,6 +699,21 @@ START_TEST(bad_arguments_warn) {
 }
 END_TEST
 
+START_TEST(the_form_of_karma_1_1_has_an_argument_more) {
+    yardMake(y);
+    int evaluated = 0;
+    const McdSpaceID s = McdSpaceAxisSortCreate(y->frame, McdAllAxes, 5, 7, ++evaluated);
+    ck_assert_ptr_nonnull(s);
+    ck_assert_int_eq(evaluated, 1);
+    McdSpaceDestroy(s);
+    messages_catch();
+    ck_assert_ptr_null(McdSpaceAxisSortCreate(y->frame, McdAllAxes, 5, 0, 1));
+    assert_warned("pairCount");
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, starts_inside_a_block);
     tcase_add_test(t, pairs_say_hello_stay_and_say_goodbye);
@@ -728,6 +743,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, models_are_listed_in_the_order_of_insertion);
     tcase_add_test(t, the_framework_takes_models_out);
     tcase_add_test(t, destroying_a_space_frees_its_models);
+    tcase_add_test(t, the_form_of_karma_1_1_has_an_argument_more);
     tcase_add_test(t, bad_arguments_warn);
 }
 TEST_MAIN("McdSpace", tests)
