@@ -205,7 +205,8 @@ ME_BEGIN_C
 
 /** @name Line segments
  *  From inOrig to inDest, world frame (User Guide ch. 4, "Querying Line Segment Intersections"). A model is met at most
- *  once, where the segment enters it, as McdLineSegIntersect says. Outside only.
+ *  once, where the segment enters it, as McdLineSegIntersect says; triangle lists only after
+ *  McdTriangleListLineSegmentRegisterInteraction. Outside only.
  *  @{ */
 /** The nearest model that is met; of several at the same distance, the one first in order. 1 if there is one. */
 MEPUBLIC int MEAPI McdSpaceGetLineSegFirstIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,

@@ -755,8 +755,7 @@ static double meetModel(void *context, int proxy, double fraction) {
     Segment *q = context;
     const McdModelID cm = modelAt(q->space, proxy);
     McdLineSegIntersectResult hit;
-    if (mcd_record(cm)->instance.geometry->type == kMcdGeometryTypeTriangleList ||
-        (q->filter && !q->filter(cm, q->filterData)) || !McdLineSegIntersect(cm, q->from, q->to, &hit))
+    if ((q->filter && !q->filter(cm, q->filterData)) || !McdLineSegIntersect(cm, q->from, q->to, &hit))
         return fraction;
     hit.model = cm;
     addHit(q, &hit);
