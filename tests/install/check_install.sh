@@ -42,7 +42,7 @@ for p in single double; do
     suffix=
     [ $p = double ] && suffix=-double
     quietly cc -std=c11 -Wall -Werror "$consumer/consumer.c" -o "$scratch/by-pkgconfig-$p" \
-        $(pkg-config --cflags --libs karma-mdt$suffix)
+        $(pkg-config --cflags --libs karma-mdt$suffix karma-mcd$suffix)
     quietly "$scratch/by-pkgconfig-$p"
 done
 suffix=
@@ -54,8 +54,8 @@ if [ "$viewer" = 1 ]; then
 fi
 
 echo "a mixture of precisions does not link"
-if cc -std=c11 $(pkg-config --cflags karma-mdt) "$consumer/consumer.c" -o "$scratch/mixed" \
-    $(pkg-config --libs karma-mdt-double) >"$scratch/log" 2>&1; then
+if cc -std=c11 $(pkg-config --cflags karma-mdt karma-mcd) "$consumer/consumer.c" -o "$scratch/mixed" \
+    $(pkg-config --libs karma-mdt-double karma-mcd-double) >"$scratch/log" 2>&1; then
     echo "FAILED: a single-precision program links with double-precision libraries"
     exit 1
 fi

@@ -9,8 +9,9 @@ ALLOWED = {  # library: the libraries whose public headers it may include
     'MdtKea': ['MeGlobals'],
     'MdtBcl': ['MdtKea', 'MeGlobals'],
     'Mdt': ['MdtBcl', 'MdtKea', 'MeGlobals'],
+    'Mcd': ['MeGlobals'],
     'MeViewer': ['MeGlobals'],
-    'tutorials': ['Mdt', 'MdtBcl', 'MdtKea', 'MeGlobals', 'MeViewer'],
+    'tutorials': ['Mdt', 'MdtBcl', 'MdtKea', 'Mcd', 'MeGlobals', 'MeViewer'],
 }
 
 top = pathlib.Path(sys.argv[1])
@@ -21,7 +22,7 @@ for library in ALLOWED:
 
 wrong = []
 for library, others in ALLOWED.items():
-    files = [f for f in (top / library).rglob('*') if f.suffix in ('.c', '.h')]
+    files = [f for f in (top / library).rglob('*') if f.suffix in ('.c', '.cpp', '.h')]
     if not files:
         wrong.append(f'{library}: no sources found')
     for file in files:
