@@ -29,10 +29,12 @@ typedef struct McdProxy {
     McdCullingTable *table;
     int cullingIndex, cullingID;
     int firstLink;
-    int previous, next;    /* in the order of insertion; next also links the free ones */
-    McdModelRecord *model; /* null: free */
-    McdTreeLeaf *leaf;     /* null: no box yet, or without bounds */
-    MeU64 order;           /* the model's place in the order of pairs: sort key, then creation */
+    int previous, next;           /* in the order of insertion; next also links the free ones */
+    int previousAwake, nextAwake; /* among those that are updated */
+    McdModelRecord *model;        /* null: free */
+    McdTreeLeaf *leaf;            /* null: no box yet, or without bounds */
+    MeU64 order;                  /* the model's place in the order of pairs: sort key, then creation */
+    MeBool isAwake;               /* is it among those? Frozen ones are until the next update finds them there */
     MeBool isUnbounded;
     MeBool isMoved;  /* its fat box is new: look for links */
     MeBool isWarned; /* of its transform */
@@ -80,6 +82,7 @@ struct _McdSpace {
 
     McdProxy *proxy; /* objectMax */
     int proxyCount, firstProxy, lastProxy, freeProxy;
+    int firstAwake, lastAwake;      /* what is updated: frozen models cost no time */
     int *dirty, dirtyCount;         /* proxies; objectMax */
     int *unbounded, unboundedCount; /* proxies that are in no tree; objectMax */
     McdTree *tree;

@@ -338,6 +338,61 @@ START_TEST(frozen_models_keep_their_boxes) {
 }
 END_TEST
 
+static int updated[CRATES];
+
+static void MEAPI countUpdate(McdModelID m, MeReal duration) {
+    int i = 0;
+    (void)duration;
+    while (y->model[i] != m)
+        i++;
+    updated[i]++;
+    McdModelUpdate(m);
+    McdSpaceFreezeModel(m); /* a callback may do that */
+    if (updated[i] != 3)
+        McdSpaceUnfreezeModel(m);
+}
+
+/* Models are updated as often as they are not frozen, whatever is frozen, removed and put in before. */
+START_TEST(frozen_models_are_not_updated) {
+    enum { COUNT = 7 };
+    static const int freeze[] = {3, 0, 6, 5, 4, 2, 1};
+    yardMake(y);
+    for (int i = 0; i < COUNT; i++)
+        yardPut(y, 1, (MeReal)(3 * i), 0, 0);
+    McdSpaceEndChanges(y->space);
+    McdSpaceSetAABBFn(y->space, countUpdate);
+    memset(updated, 0, sizeof updated);
+    for (int n = 0; n < COUNT; n++) {
+        int expected[COUNT];
+        for (int i = 0; i < COUNT; i++)
+            expected[i] = updated[i] + !McdSpaceModelIsFrozen(y->model[i]);
+        McdSpaceUpdateAll(y->space);
+        for (int i = 0; i < COUNT; i++)
+            ck_assert_int_eq(updated[i], expected[i]);
+        McdSpaceBeginChanges(y->space);
+        if (n % 2)
+            ck_assert(McdSpaceRemoveModel(y->model[freeze[n]]) && McdSpaceInsertModel(y->space, y->model[freeze[n]]));
+        ck_assert(McdSpaceFreezeModel(y->model[freeze[n]]));
+        ck_assert(n % 3 || McdSpaceUnfreezeModel(y->model[freeze[n / 2]]));
+        McdSpaceEndChanges(y->space);
+    }
+    for (int i = 0; i < COUNT; i++)
+        McdSpaceFreezeModel(y->model[i]);
+    const int before = updated[0];
+    McdSpaceUpdateAll(y->space);
+    ck_assert_int_eq(updated[0], before);
+    for (int i = 0; i < COUNT; i++) {
+        updated[i] = 10;
+        McdSpaceUnfreezeModel(y->model[i]);
+    }
+    McdSpaceUpdateAll(y->space);
+    for (int i = 0; i < COUNT; i++)
+        ck_assert_int_eq(updated[i], 11);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
 START_TEST(disabled_pairs_say_goodbye_and_come_back) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0), c = yardPut(y, 1, 50, 0, 0);
@@ -730,6 +785,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, pairs_of_frozen_models_go_with_their_models);
     tcase_add_test(t, pairs_of_frozen_models_keep_their_place);
     tcase_add_test(t, frozen_models_keep_their_boxes);
+    tcase_add_test(t, frozen_models_are_not_updated);
     tcase_add_test(t, disabled_pairs_say_goodbye_and_come_back);
     tcase_add_test(t, culling_tables_disable);
     tcase_add_test(t, pairs_without_room_come_when_there_is_some);
