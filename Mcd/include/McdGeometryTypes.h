@@ -74,7 +74,9 @@ struct _McdUserTriangle {
 
 /**
  * Writes at most maxTriangles triangles that are within radius of pos (in the list's frame) and returns how many.
- * The pair's second model, or its first, has the triangle list.
+ * The pair's second model has the triangle list; where it is a part of an aggregate, that model stands for the part. The
+ * first one is the model near it; for line segments, and for geometries that ask without a model (McdQuery.h), it is the
+ * same as the second. In contacts the pair's phase and data are those of the models' pair; else they are zero.
  */
 typedef int(MEAPI *McdTriangleListFnPtr)(McdModelPair *modelTriListPair, McdUserTriangle *triangle, MeVector3 pos,
                                          MeReal radius, int maxTriangles);

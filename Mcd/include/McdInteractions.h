@@ -57,8 +57,9 @@ MEPUBLIC MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPai
  */
 MEPUBLIC MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result);
 /**
- * How far apart the models are, and their nearest points. Returns 1 for models made of convex parts and planes; 0, with
- * a result of zeros, for triangle lists, height fields and null. Needs no interaction and no McdHello. Beyond Karma.
+ * How far apart the models are, and their nearest points. Returns 1 where one is made of convex parts and the other one
+ * of convex parts, planes, triangle lists and height fields, which count as surfaces with nothing inside; 0, with a
+ * result of zeros, for all else. Needs no interaction and no McdHello. Beyond Karma.
  */
 MEPUBLIC MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result);
 /**

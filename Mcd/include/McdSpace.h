@@ -16,6 +16,11 @@
  *  not find it near any more; it is the same McdModelPair throughout, and invalid from the next McdSpaceBeginChanges
  *  (or McdSpaceUpdateAll) after its goodbye. model1 is the one with the greater sort key, or created later. Each list
  *  comes in the order of model2, then model1, by sort keys, then creation.
+ *
+ *  A pair whose models are both frozen stays in silence: it is not reported, takes no time, and is kept as it is (its
+ *  userData, responseData, cache) until one of the models is unfrozen; then it is reported as staying again, or says
+ *  goodbye if they are not near any more. Removal of a model and disabling have it say goodbye as ever. Two models that
+ *  are frozen before they are found near say hello when one of them is unfrozen.
  */
 #ifndef MCDSPACE_H
 #define MCDSPACE_H
@@ -48,13 +53,30 @@ typedef int(MEAPI *McdLineSegIntersectEnableCallback)(McdModelID, void *filterDa
  * Creates an empty space, inside a change block.
  * @param axes        the sum of the axes on which boxes are compared; on the others all models count as overlapping.
  * @param objectCount how many models it can hold, 1 or more.
- * @param pairCount   how many pairs can be near at one time, 1 or more; what does not fit gets a warning, is told to
- *                    the pool-full handler, and says hello when there is room.
+ * @param pairCount   how many pairs there can be at one time, those in silence included, 1 or more; what does not fit
+ *                    gets a warning, is told to the pool-full handler, and says hello when there is room.
  * @return null, with a warning, if an argument is out of range. McdSpaceDestroy destroys it, before McdTerm.
  *
- * Karma 1.0's form, without a framework and with a 1 at the end, also has four arguments; it gets a warning.
+ * Karma 1.1 had a fifth argument, which is ignored. Karma 1.0's form, without a framework and with a 1 at the end, has
+ * four as well; it gets a warning.
  */
 MEPUBLIC McdSpaceID MEAPI McdSpaceAxisSortCreate(McdFrameworkID framework, int axes, int objectCount, int pairCount);
+#ifdef __cplusplus
+ME_END_C
+inline McdSpaceID McdSpaceAxisSortCreate(McdFrameworkID framework, int axes, int objectCount, int pairCount, int) {
+    return McdSpaceAxisSortCreate(framework, axes, objectCount, pairCount);
+}
+ME_BEGIN_C
+#else
+#define MCD_SIXTH(a, b, c, d, e, f, ...)              f
+#define McdSpaceAxisSortCreateWith4(f, a, o, p)       (McdSpaceAxisSortCreate)((f), (a), (o), (p))
+#define McdSpaceAxisSortCreateWith5(f, a, o, p, last) ((void)(last), (McdSpaceAxisSortCreate)((f), (a), (o), (p)))
+#define McdSpaceAxisSortCreate(...)                                                                                    \
+    MCD_SIXTH(__VA_ARGS__, McdSpaceAxisSortCreateWith5, McdSpaceAxisSortCreateWith4,                                   \
+              McdSpaceAxisSortCreate_takes_4_or_5_arguments, McdSpaceAxisSortCreate_takes_4_or_5_arguments,            \
+              McdSpaceAxisSortCreate_takes_4_or_5_arguments, 0)                                                        \
+    (__VA_ARGS__)
+#endif
 /** Destroys a space. Models in it leave it, and its pairs are gone. Null does nothing. Legal anywhere. */
 MEPUBLIC void MEAPI McdSpaceDestroy(McdSpaceID s);
 /** Says that most models are in: puts the tree of boxes in good order. Legal anywhere, needed nowhere. */
@@ -112,7 +134,7 @@ MEPUBLIC void MEAPI McdSpaceUpdateModel(McdModelID cm);
 MEPUBLIC void MEAPI McdSpaceSetAABBFn(McdSpaceID s, McdSpaceUpdateAABBFnPtr updateAABBFn);
 /**
  * Says that a model does not move: it is not updated any more and keeps its box; pairs of two frozen models are not
- * reported, those there are say goodbye at the end of the next block. Does not update it. 1 if the model is in a space.
+ * reported, see above. Counts from the end of the next block on. Does not update it. 1 if the model is in a space.
  * Legal anywhere.
  */
 MEPUBLIC MeBool MEAPI McdSpaceFreezeModel(McdModelID cm);
@@ -183,7 +205,8 @@ ME_BEGIN_C
 
 /** @name Line segments
  *  From inOrig to inDest, world frame (User Guide ch. 4, "Querying Line Segment Intersections"). A model is met at most
- *  once, where the segment enters it, as McdLineSegIntersect says. Outside only.
+ *  once, where the segment enters it, as McdLineSegIntersect says; triangle lists only after
+ *  McdTriangleListLineSegmentRegisterInteraction. Outside only.
  *  @{ */
 /** The nearest model that is met; of several at the same distance, the one first in order. 1 if there is one. */
 MEPUBLIC int MEAPI McdSpaceGetLineSegFirstIntersection(McdSpaceID space, MeReal *inOrig, MeReal *inDest,

@@ -1,5 +1,5 @@
-/* How far apart two models are: the least over the pairs of their convex parts. */
-#include "mcd_shape.h"
+/* How far apart two models are: the least over the pairs of their convex parts, triangles among them. */
+#include "mcd_mesh.h"
 #include <string.h>
 
 /* A nearest pair so far. */
@@ -38,7 +38,20 @@ static void measurePlane(const McdShape *a, McdGeometryInstance *plane, const do
         take(nearest, distance, onA, onB, n);
 }
 
-/* False if one of the parts is neither convex nor a plane. */
+/* A convex shape and a list or height field. */
+static void measureMesh(const McdShape *a, McdModelID asker, McdGeometryInstance *mesh, const double origin[3],
+                        MeBool isTurned, Nearest *nearest) {
+    double distance, onA[3], onB[3], n[3];
+    if (!mcd_meshNearest(a, mesh, asker, origin, INFINITY, &distance, onA, onB, n))
+        return;
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    if (isTurned)
+        take(nearest, distance, onB, onA, back);
+    else
+        take(nearest, distance, onA, onB, n);
+}
+
+/* False if none of the parts is convex, or the other one is null. */
 static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3], Nearest *nearest) {
     McdShape shapeA, shapeB;
     double onA[3], onB[3], normal[3];
@@ -52,6 +65,10 @@ static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const
         measurePlane(&shapeA, b, origin, MEFALSE, nearest);
     else if (isConvexB && a->geometry->type == kMcdGeometryTypePlane)
         measurePlane(&shapeB, a, origin, METRUE, nearest);
+    else if (isConvexA && mcd_isMesh(b))
+        measureMesh(&shapeA, a->model, b, origin, MEFALSE, nearest);
+    else if (isConvexB && mcd_isMesh(a))
+        measureMesh(&shapeB, b->model, a, origin, METRUE, nearest);
     else
         return MEFALSE;
     return METRUE;

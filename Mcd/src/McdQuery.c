@@ -1,12 +1,12 @@
 /* Questions to a space beyond line segments: overlaps, nearest models, casts. */
 #include "McdQuery.h"
 #include "McdGeometry.h"
-#include "mcd_shape.h"
+#include "mcd_mesh.h"
 #include "mcd_space_i.h"
 #include "mcd_vector.h"
 #include <string.h>
 
-enum { MAX_ADVANCES = 100 };
+enum { MAX_ADVANCES = 100, MAX_PIECES = 64 };
 static const double touching = 1e-7; /* of the sizes: so near, shapes count as touching; 1e-6 in single */
 
 /* ---- what all have ----------------------------------------------------------------------------------------------- */
@@ -19,6 +19,7 @@ typedef struct Query {
     double origin[3];
     McdShape shape; /* what asks, relative to the origin */
     double min[3], max[3];
+    double reach;     /* triangles farther away do not count */
     McdModelID *list; /* overlaps */
     int count, listSize;
 } Query;
@@ -85,16 +86,30 @@ static void measurePlane(const Query *q, const McdShape *shape, Gap *gap) {
     mcd_mad(gap->onPart, gap->onShape, -gap->distance, gap->normal);
 }
 
-/* False for what is neither convex nor a plane. */
-static MeBool measure(const Query *q, const McdShape *shape, Gap *gap) {
-    McdShape part;
-    if (gap->part->geometry->type == kMcdGeometryTypePlane) {
+static MeBool isPlane(const McdGeometryInstance *part) {
+    return part->geometry->type == kMcdGeometryTypePlane;
+}
+
+/* other: the part's shape, or one triangle of it; null for planes. */
+static void measure(const Query *q, const McdShape *shape, const McdShape *other, Gap *gap) {
+    if (other)
+        gap->distance = mcd_convexDistance(shape, other, gap->onShape, gap->onPart, gap->normal);
+    else
         measurePlane(q, shape, gap);
-        return METRUE;
-    }
-    if (!mcd_shapeOf(gap->part, q->origin, &part))
+}
+
+/* False for a part that is too far away or cannot be asked. */
+static MeBool measurePart(const Query *q, Gap *gap) {
+    McdShape other;
+    if (mcd_isMesh(gap->part))
+        return mcd_meshNearest(&q->shape, gap->part, q->self, q->origin, q->reach, &gap->distance, gap->onShape,
+                               gap->onPart, gap->normal);
+    if (isPlane(gap->part))
+        measure(q, &q->shape, 0, gap);
+    else if (mcd_shapeOf(gap->part, q->origin, &other))
+        measure(q, &q->shape, &other, gap);
+    else
         return MEFALSE;
-    gap->distance = mcd_convexDistance(shape, &part, gap->onShape, gap->onPart, gap->normal);
     return METRUE;
 }
 
@@ -118,7 +133,7 @@ static MeBool nearestPart(const Query *q, McdModelID cm, Gap *nearest) {
     if (!mcd_modelIsPlaced(mcd_record(cm)))
         return MEFALSE;
     for (gap.part = firstLeaf(&mcd_record(cm)->instance); gap.part; gap.part = nextLeaf(gap.part))
-        if (measure(q, &q->shape, &gap) && (!isFound || gap.distance < nearest->distance)) {
+        if (measurePart(q, &gap) && (!isFound || gap.distance < nearest->distance)) {
             *nearest = gap;
             isFound = METRUE;
         }
@@ -250,6 +265,7 @@ static void search(Closest *c, double most) {
             max[i] = c->q.max[i] + reach;
         }
         c->model = 0;
+        c->q.reach = reach;
         mcd_spaceOverlap(c->q.space, min, max, visitClosest, c);
         if ((c->model && c->gap.distance <= reach) || reach >= fmin(most, MCD_TREE_REACH))
             return;
@@ -289,16 +305,19 @@ typedef struct Cast {
     Gap gap;
 } Cast;
 
+static double touch(const Cast *c) {
+    return (sizeof(MeReal) == sizeof(double) ? 1 : 10) * touching * c->q.shape.extent;
+}
+
 /* Conservative advancement: while a gap is open, there is a plane across it, and both stay apart at least until the
  * motion has closed that gap along the plane's normal. False if they do not meet up to fraction. */
-static MeBool advance(const Cast *c, double last, Gap *gap, double *fraction) {
-    const double enough = (sizeof(MeReal) == sizeof(double) ? 1 : 10) * touching * c->q.shape.extent;
+static MeBool advance(const Cast *c, const McdShape *other, double last, Gap *gap, double *fraction) {
+    const double enough = touch(c);
     McdShape moved = c->q.shape;
     double t = 0;
     for (int i = 0; i < MAX_ADVANCES; i++) {
         mcd_mad(moved.place, c->q.shape.place, t, c->by);
-        if (!measure(&c->q, &moved, gap))
-            return MEFALSE;
+        measure(&c->q, &moved, other, gap);
         const double closing = -mcd_dot(gap->normal, c->by);
         if (gap->distance < -enough || (gap->distance <= enough && closing > 0))
             break;
@@ -310,23 +329,101 @@ static MeBool advance(const Cast *c, double last, Gap *gap, double *fraction) {
     return METRUE;
 }
 
+static void take(Cast *c, McdModelID cm, const Gap *gap, double t) {
+    const MeBool isFirst =
+        !c->model || t < c->fraction || (cm != c->model && mcd_modelPrecedes(mcd_record(cm), mcd_record(c->model)));
+    if (!isFirst)
+        return;
+    c->model = cm;
+    c->gap = *gap;
+    c->fraction = t;
+}
+
+static void castAt(Cast *c, McdModelID cm, McdGeometryInstance *part, const McdShape *other) {
+    Gap gap;
+    double t;
+    gap.part = part;
+    if (advance(c, other, c->fraction, &gap, &t))
+        take(c, cm, &gap, t);
+}
+
+/* ---- casts onto triangles */
+
+typedef struct MeshCast {
+    Cast *cast;
+    McdModelID model;
+    McdGeometryInstance *part;
+} MeshCast;
+
+static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdShape *triangle) {
+    const MeshCast *m = context;
+    Cast *c = m->cast;
+    Gap gap;
+    double fraction;
+    gap.part = m->part;
+    if (!advance(c, triangle, c->fraction, &gap, &fraction))
+        return METRUE;
+    const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && mcd_dot(t->normal, c->by) > 0;
+    if (!isFromBehind || (fraction == 0 && gap.distance < -touch(c)))
+        take(c, m->model, &gap, fraction);
+    return METRUE;
+}
+
+/* The part of the motion, from *enter to *leave, in which the shape's box meets that of the mesh; false: none. */
+static MeBool clip(const Cast *c, McdGeometryInstance *part, double *enter, double *leave) {
+    double low[3], high[3];
+    mcd_meshBounds(part, c->q.origin, low, high);
+    *enter = 0;
+    *leave = c->fraction;
+    for (int i = 0; i < 3; i++) {
+        const double from = low[i] - (c->q.max[i] - c->q.origin[i]) - touch(c);
+        const double to = high[i] - (c->q.min[i] - c->q.origin[i]) + touch(c);
+        if (c->by[i] == 0 && (from > 0 || to < 0))
+            return MEFALSE;
+        if (c->by[i] == 0)
+            continue;
+        *enter = fmax(*enter, fmin(from / c->by[i], to / c->by[i]));
+        *leave = fmin(*leave, fmax(from / c->by[i], to / c->by[i]));
+    }
+    return *enter <= *leave;
+}
+
+/* Piece by piece, so that the box around a piece has few triangles that are not near the way. */
+static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *part) {
+    MeshCast m = {c, cm, part};
+    double enter, leave;
+    if (!clip(c, part, &enter, &leave))
+        return;
+    const double length = mcd_length(c->by) * (leave - enter);
+    const int pieces = (int)fmax(1, fmin(MAX_PIECES, length / (2 * c->q.shape.extent)));
+    for (int n = 0; n < pieces; n++) {
+        const double from = enter + (leave - enter) * n / pieces, to = enter + (leave - enter) * (n + 1) / pieces;
+        double low[3], high[3];
+        if (from > c->fraction)
+            return;
+        for (int i = 0; i < 3; i++) {
+            low[i] = c->q.min[i] - c->q.origin[i] + fmin(from * c->by[i], to * c->by[i]) - touch(c);
+            high[i] = c->q.max[i] - c->q.origin[i] + fmax(from * c->by[i], to * c->by[i]) + touch(c);
+        }
+        mcd_meshForEachNear(part, c->q.self, c->q.origin, low, high, visitTriangle, &m);
+    }
+}
+
+/* ---- casts onto models */
+
 static double visitCast(void *context, int proxy, double last) {
     Cast *c = context;
     const McdModelID cm = modelOf(&c->q, proxy);
-    Gap gap;
-    double t;
+    McdShape other;
     if (!isAsked(&c->q, cm) || !mcd_modelIsPlaced(mcd_record(cm)))
         return last;
-    for (gap.part = firstLeaf(&mcd_record(cm)->instance); gap.part; gap.part = nextLeaf(gap.part)) {
-        if (!advance(c, c->fraction, &gap, &t))
-            continue;
-        const MeBool isFirst =
-            !c->model || t < c->fraction || (cm != c->model && mcd_modelPrecedes(mcd_record(cm), mcd_record(c->model)));
-        if (!isFirst)
-            continue;
-        c->model = cm;
-        c->gap = gap;
-        c->fraction = t;
+    for (McdGeometryInstance *part = firstLeaf(&mcd_record(cm)->instance); part; part = nextLeaf(part)) {
+        if (mcd_isMesh(part))
+            castMesh(c, cm, part);
+        else if (isPlane(part))
+            castAt(c, cm, part, 0);
+        else if (mcd_shapeOf(part, c->q.origin, &other))
+            castAt(c, cm, part, &other);
     }
     return c->fraction;
 }

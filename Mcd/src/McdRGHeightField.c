@@ -11,6 +11,8 @@ static McdRGHeightField *fieldOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, function) ? (McdRGHeightField *)g : 0;
 }
 
+static void gather(McdMeshQuery *q);
+
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
 static void findExtremes(McdRGHeightField *f) {
@@ -49,6 +51,7 @@ McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeRea
     f->yStep = yStep;
     f->x0 = x0;
     f->y0 = y0;
+    f->mesh.gather = gather;
     findExtremes(f);
     return &f->head;
 }

@@ -123,7 +123,7 @@ static void forget(McdModelID cm) {
     releaseModel(m->space, p);
 }
 
-McdSpaceID MEAPI McdSpaceAxisSortCreate(McdFrameworkID framework, int axes, int objectCount, int pairCount) {
+McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int objectCount, int pairCount) {
     if (!checkSizes(framework, axes, objectCount, pairCount))
         return 0;
     McdSpace *s = makeSpace(objectCount);
@@ -138,7 +138,7 @@ McdSpaceID MEAPI McdSpaceAxisSortCreate(McdFrameworkID framework, int axes, int 
     s->pairMax = pairCount;
     s->isChanging = s->isFirstBlock = METRUE;
     s->step = MCD_SPACE; /* a number that an iterator which was never set will hardly have */
-    s->firstProxy = s->lastProxy = s->freeLink = MCD_NONE;
+    s->firstProxy = s->lastProxy = s->firstAwake = s->lastAwake = s->freeLink = MCD_NONE;
     for (int i = 0; i < objectCount; i++)
         s->proxy[i].next = i + 1 < objectCount ? i + 1 : MCD_NONE;
     mcd_spaceForget = forget;
@@ -361,15 +361,36 @@ static void updateProxy(McdSpace *s, McdProxy *p, MeReal duration) {
 
 /* ---- updating ---------------------------------------------------------------------------------------------------- */
 
+/* To the end of those that are updated. */
+static void wake(McdSpace *s, McdProxy *p) {
+    if (p->isAwake)
+        return;
+    p->isAwake = METRUE;
+    p->nextAwake = MCD_NONE;
+    p->previousAwake = s->lastAwake;
+    *(p->previousAwake == MCD_NONE ? &s->firstAwake : &s->proxy[p->previousAwake].nextAwake) = indexOf(s, p);
+    s->lastAwake = indexOf(s, p);
+}
+
+static void rest(McdSpace *s, McdProxy *p) {
+    if (!p->isAwake)
+        return;
+    p->isAwake = MEFALSE;
+    *(p->previousAwake == MCD_NONE ? &s->firstAwake : &s->proxy[p->previousAwake].nextAwake) = p->nextAwake;
+    *(p->nextAwake == MCD_NONE ? &s->lastAwake : &s->proxy[p->nextAwake].previousAwake) = p->previousAwake;
+}
+
 static void updateAll(McdSpace *s, MeReal duration) {
     const MeBool isAlone = !s->isChanging;
     const int before = s->proxyCount;
     if (isAlone)
         beginBlock(s);
-    for (int i = s->firstProxy; i != MCD_NONE; i = s->proxy[i].next)
-        if (!s->proxy[i].isFrozen)
-            updateProxy(s, &s->proxy[i], duration);
-    MEASSERT(before == s->proxyCount); /* no callback changes which models there are */
+    for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
+        if (s->proxy[i].isFrozen)
+            rest(s, &s->proxy[i]);
+        else
+            updateProxy(s, &s->proxy[i], duration); /* whose callback may freeze and unfreeze models */
+    MEASSERT(before == s->proxyCount);              /* no callback changes which models there are */
     (void)before;
     s->isUpdated = METRUE;
     if (isAlone)
@@ -418,8 +439,10 @@ static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
     if (p->isFrozen == isFrozen)
         return METRUE;
     p->isFrozen = isFrozen;
-    if (!isFrozen)
-        p->isMoved = METRUE; /* links between frozen models were not kept */
+    if (!isFrozen) {
+        wake(p->model->space, p);
+        p->isMoved = METRUE; /* links between frozen models were kept only where they have a pair */
+    }
     mcd_proxyTouch(p->model->space, indexOf(p->model->space, p));
     return METRUE;
 }
@@ -468,6 +491,7 @@ static McdProxy *takeProxy(McdSpace *s) {
     p->previous = s->lastProxy;
     *(p->previous == MCD_NONE ? &s->firstProxy : &s->proxy[p->previous].next) = i;
     s->lastProxy = i;
+    wake(s, p);
     return p;
 }
 
@@ -475,6 +499,7 @@ static McdProxy *takeProxy(McdSpace *s) {
 static void releaseModel(McdSpace *s, McdProxy *p) {
     dropLeaf(s, p);
     dropUnbounded(s, p);
+    rest(s, p);
     p->model->space = 0;
     p->model->proxy = 0;
     p->model = 0;
@@ -755,8 +780,7 @@ static double meetModel(void *context, int proxy, double fraction) {
     Segment *q = context;
     const McdModelID cm = modelAt(q->space, proxy);
     McdLineSegIntersectResult hit;
-    if (mcd_record(cm)->instance.geometry->type == kMcdGeometryTypeTriangleList ||
-        (q->filter && !q->filter(cm, q->filterData)) || !McdLineSegIntersect(cm, q->from, q->to, &hit))
+    if ((q->filter && !q->filter(cm, q->filterData)) || !McdLineSegIntersect(cm, q->from, q->to, &hit))
         return fraction;
     hit.model = cm;
     addHit(q, &hit);

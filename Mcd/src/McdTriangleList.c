@@ -10,6 +10,8 @@ static McdTriangleList *listOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeTriangleList, function) ? (McdTriangleList *)g : 0;
 }
 
+static void gather(McdMeshQuery *q);
+
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
 static MeBool isBox(const MeReal *min, const MeReal *max) {
@@ -51,6 +53,7 @@ McdTriangleListID MEAPI McdTriangleListCreate(McdFramework *frame, MeVector3 min
     MeVector3Copy(list->min, min);
     MeVector3Copy(list->max, max);
     list->generate = f;
+    list->mesh.gather = gather;
     return &list->head;
 }
 

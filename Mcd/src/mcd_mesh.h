@@ -26,7 +26,9 @@ typedef struct McdMeshContact {
     int isCut; /* no corner of the shape: a point that others may replace */
 } McdMeshContact;
 
-/* Memory for queries, kept between them; zeroed at first. It belongs to a geometry. */
+struct McdMeshQuery;
+
+/* Memory for queries, kept between them; zeroed at first, but for gather. It belongs to a geometry. */
 typedef struct McdMesh {
     int count, max; /* triangles */
     McdMeshTriangle *triangle;
@@ -37,7 +39,8 @@ typedef struct McdMesh {
     int *contactOrder;
     void *spots; /* McdSpot */
     int *kept;
-    int skipped; /* triangles without area */
+    int skipped;                            /* triangles without area */
+    void (*gather)(struct McdMeshQuery *q); /* the geometry's McdMeshGather */
 } McdMesh;
 
 typedef struct McdMeshQuery {
@@ -63,6 +66,21 @@ void mcd_meshFree(McdMesh *mesh);
 /* For gather functions: corners in the mesh's frame; the normal, which may be null, says which side is outside. What is
  * not near, has no area, or has NaN is left out. */
 void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, int element);
+
+/* ---- queries (mcd_mesh_query.c) ----------------------------------------------------------------------------------- */
+
+/* Is it the instance of a list or a height field? */
+MeBool mcd_isMesh(const McdGeometryInstance *ins);
+/* The box around the whole mesh, relative to origin. */
+void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low[3], double high[3]);
+/* Calls visit for each triangle near a box, until it returns false; the shape and the box are in the world's axes,
+ * relative to origin. asker: model1 of the pair that a list's callback gets; null: the list's own model. */
+typedef MeBool (*McdMeshVisit)(void *context, const McdMeshTriangle *t, const McdShape *triangle);
+void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const double origin[3], const double low[3],
+                         const double high[3], McdMeshVisit visit, void *context);
+/* As mcd_convexDistance, to the nearest triangle; false if there is none up to most, which may be INFINITY. */
+MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
+                       double most, double *distance, double onShape[3], double onMesh[3], double normal[3]);
 
 /* The unit normal of a triangle, by the right-hand rule or, if one is given, on its side; false without area. */
 MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]);

@@ -243,9 +243,20 @@ static void sayGoodbye(McdSpace *s, int i) {
     McdPairEntry entry = entryOf(s, i);
     entry.record = link->record;
     link->record->pair.phase = kMcdFFStateGoodbye;
+    link->record->wasSilent = link->isSilent;
     link->record = 0;
+    link->isSilent = MEFALSE;
     s->liveCount--;
     listAdd(&s->goodbye, &entry);
+}
+
+/* Between staying pairs and silent ones. */
+static void setSilent(McdSpace *s, int i, MeBool isSilent) {
+    McdLink *link = &s->link[i];
+    McdPairEntry entry = entryOf(s, i);
+    entry.record = link->record;
+    if (link->isSilent != isSilent && listAdd(isSilent ? &s->silenced : &s->woken, &entry))
+        link->isSilent = isSilent;
 }
 
 static void stopWaiting(McdSpace *s, int i) {
@@ -254,18 +265,26 @@ static void stopWaiting(McdSpace *s, int i) {
     s->link[i].isWaiting = MEFALSE;
 }
 
+static void askForRoom(McdSpace *s, int i) {
+    McdPairEntry entry = entryOf(s, i);
+    entry.link = i;
+    s->link[i].isWaiting = METRUE;
+    s->waitingCount++;
+    listAdd(&s->wanted, &entry);
+}
+
 static void judge(McdSpace *s, int i) {
     McdLink *link = &s->link[i];
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
     const MeBool areFrozen = a->isFrozen && b->isFrozen;
-    if (!link->isDisabled && !areFrozen && isNear(s, a, b) && !isCulled(a, b)) {
-        if (!link->record && !link->isWaiting) {
-            link->isWaiting = METRUE;
-            s->waitingCount++;
-            McdPairEntry entry = entryOf(s, i);
-            entry.link = i;
-            listAdd(&s->wanted, &entry);
-        }
+    const MeBool isPair = !link->isDisabled && isNear(s, a, b) && !isCulled(a, b);
+    if (isPair && link->record) {
+        setSilent(s, i, areFrozen);
+        return;
+    }
+    if (isPair && !areFrozen) {
+        if (!link->isWaiting)
+            askForRoom(s, i);
         return;
     }
     if (link->record)
@@ -307,43 +326,96 @@ static void findLinks(McdSpace *s, int proxy) {
 
 static void judgeLinksOf(McdSpace *s, int proxy) {
     for (int i = s->proxy[proxy].firstLink, next; i != MCD_NONE; i = next) {
+        const int first = s->link[i].proxy[0];
         next = nextLink(s, i, proxy);
-        judge(s, i);
+        if (first == proxy || !s->proxy[first].isDirty) /* else it is judged from there */
+            judge(s, i);
     }
+}
+
+/* Each link of the dirty proxies once. Where many are dirty, links are taken as they lie in memory, which is faster. */
+static void judgeLinks(McdSpace *s) {
+    if (s->dirtyCount > s->proxyCount / 4) {
+        for (int i = 0; i < s->linkMax; i++) {
+            const int *p = s->link[i].proxy;
+            if (p[0] != MCD_NONE && (s->proxy[p[0]].isDirty || s->proxy[p[1]].isDirty))
+                judge(s, i);
+        }
+        return;
+    }
+    for (int i = 0; i < s->dirtyCount; i++)
+        judgeLinksOf(s, s->dirty[i]);
 }
 
 /* ---- lists ------------------------------------------------------------------------------------------------------- */
 
-/* Last step's hellos stay. From the back, so that nothing is overwritten before it was moved. */
+/* Where in entry[first .. end - 1], which are in order, the first is that does not precede another one. */
+static int placeOf(const McdPairEntry *entry, int first, int end, const McdPairEntry *other) {
+    while (first < end) {
+        const int middle = first + (end - first) / 2;
+        if (precedes(&entry[middle], other))
+            first = middle + 1;
+        else
+            end = middle;
+    }
+    return first;
+}
+
+static void moveEntries(McdPairEntry *entry, int to, int from, int count) {
+    memmove(entry + to, entry + from, (size_t)count * sizeof *entry);
+}
+
+/* Merges another list, in order too, into the staying pairs: from the back, whole stretches at a time. */
+static void addToStaying(McdSpace *s, McdPairList *list) {
+    int end = s->staying.count, add = list->count;
+    for (int i = 0; i < add; i++)
+        if (!listAdd(&s->staying, &list->entry[i]))
+            add = i;
+    McdPairEntry *entry = s->staying.entry;
+    for (; add > 0; add--) {
+        const int at = placeOf(entry, 0, end, &list->entry[add - 1]);
+        moveEntries(entry, at + add, at, end - at);
+        entry[at + add - 1] = list->entry[add - 1];
+        end = at;
+    }
+    list->count = 0;
+}
+
 static void helloBecomesStaying(McdSpace *s) {
-    int from = s->staying.count, add = s->hello.count;
-    for (int i = 0; i < add; i++) {
+    for (int i = 0; i < s->hello.count; i++) {
         McdModelPair *pair = &s->hello.entry[i].record->pair;
         if (pair->phase == kMcdFFStateHello) /* else it says goodbye already */
             pair->phase = kMcdFFStateStaying;
-        if (!listAdd(&s->staying, &s->hello.entry[i]))
-            add = i;
     }
-    McdPairEntry *entry = s->staying.entry;
-    for (int to = s->staying.count - 1; add > 0; to--)
-        entry[to] =
-            from > 0 && precedes(&s->hello.entry[add - 1], &entry[from - 1]) ? entry[--from] : s->hello.entry[--add];
-    s->hello.count = 0;
+    addToStaying(s, &s->hello);
 }
 
 /* Both lists are in order. */
-static void dropGoodbyesFromStaying(McdSpace *s) {
+static void dropFromStaying(McdSpace *s, const McdPairList *dropped) {
     McdPairEntry *entry = s->staying.entry;
-    int kept = 0, g = 0;
-    if (!s->goodbye.count)
-        return;
-    for (int i = 0; i < s->staying.count; i++) {
-        while (g < s->goodbye.count && precedes(&s->goodbye.entry[g], &entry[i]))
-            g++;
-        if (g == s->goodbye.count || s->goodbye.entry[g].record != entry[i].record)
-            entry[kept++] = entry[i];
+    const int end = s->staying.count;
+    int kept = 0, from = 0;
+    for (int i = 0; i < dropped->count; i++) {
+        const int at = placeOf(entry, from, end, &dropped->entry[i]);
+        if (at == end || entry[at].record != dropped->entry[i].record)
+            continue;
+        moveEntries(entry, kept, from, at - from);
+        kept += at - from;
+        from = at + 1;
     }
-    s->staying.count = kept;
+    if (from > kept)
+        moveEntries(entry, kept, from, end - from);
+    s->staying.count -= from - kept;
+}
+
+static void renewStaying(McdSpace *s) {
+    listSort(&s->goodbye);
+    listSort(&s->silenced);
+    listSort(&s->woken);
+    dropFromStaying(s, &s->goodbye);
+    dropFromStaying(s, &s->silenced);
+    s->silenced.count = 0;
+    addToStaying(s, &s->woken);
 }
 
 static void sayHello(McdSpace *s, McdPairEntry entry) {
@@ -420,13 +492,11 @@ void mcd_pairsEnd(McdSpace *s) {
         if (s->proxy[s->dirty[i]].isMoved && s->proxy[s->dirty[i]].hasBox)
             findLinks(s, s->dirty[i]);
     helloBecomesStaying(s);
-    for (int i = 0; i < s->dirtyCount; i++) {
-        judgeLinksOf(s, s->dirty[i]);
+    judgeLinks(s);
+    for (int i = 0; i < s->dirtyCount; i++)
         s->proxy[s->dirty[i]].isDirty = s->proxy[s->dirty[i]].isMoved = MEFALSE;
-    }
     s->dirtyCount = 0;
-    listSort(&s->goodbye);
-    dropGoodbyesFromStaying(s);
+    renewStaying(s);
     giveRoom(s);
 }
 
@@ -452,11 +522,14 @@ void mcd_pairsForgetProxy(McdSpace *s, int proxy) {
 }
 
 /* Ends what a program may have begun with a pair. The lists are tidied later, once for many pairs. */
-static void erase(McdSpace *s, McdPairRecord *record) {
+static void erase(McdSpace *s, McdPairRecord *record, MeBool isInLists) {
     if (record->pair.cache)
         McdGoodbye(&record->pair);
     record->pair.phase = kMcdFFStateInactive;
-    s->isStale = METRUE;
+    if (isInLists)
+        s->isStale = METRUE;
+    else
+        givePair(s, record);
 }
 
 static void tidyList(McdSpace *s, McdPairList *list) {
@@ -480,16 +553,17 @@ void mcd_pairsTidy(McdSpace *s) {
     s->isStale = MEFALSE;
 }
 
-/* Of pairs that said goodbye there is nothing but the list. Inside a block they are in the other lists too. */
+/* Of pairs that said goodbye there is nothing but the list. Inside a block they are in the other lists too, unless they
+ * were silent. */
 static void eraseGoodbyesOf(McdSpace *s, McdModelID cm) {
     int kept = 0;
     for (int i = 0; i < s->goodbye.count; i++) {
         McdPairRecord *record = s->goodbye.entry[i].record;
         const MeBool isHis = record->pair.model1 == cm || record->pair.model2 == cm;
-        if (!isHis || !s->isChanging)
+        if (!isHis || !s->isChanging || record->wasSilent)
             s->goodbye.entry[kept++] = s->goodbye.entry[i];
         if (isHis)
-            erase(s, record);
+            erase(s, record, METRUE);
     }
     s->goodbye.count = kept;
 }
@@ -498,8 +572,9 @@ void mcd_pairsEraseProxy(McdSpace *s, int proxy) {
     for (int i = s->proxy[proxy].firstLink; i != MCD_NONE; i = nextLink(s, i, proxy)) {
         if (!s->link[i].record)
             continue;
-        erase(s, s->link[i].record);
+        erase(s, s->link[i].record, !s->link[i].isSilent);
         s->link[i].record = 0;
+        s->link[i].isSilent = MEFALSE;
         s->liveCount--;
     }
     eraseGoodbyesOf(s, &s->proxy[proxy].model->model);
@@ -520,6 +595,8 @@ void mcd_pairsDestroy(McdSpace *s) {
     MeMemoryAPI.destroy(s->staying.entry);
     MeMemoryAPI.destroy(s->goodbye.entry);
     MeMemoryAPI.destroy(s->wanted.entry);
+    MeMemoryAPI.destroy(s->silenced.entry);
+    MeMemoryAPI.destroy(s->woken.entry);
 }
 
 /* ---- pairs that never collide ------------------------------------------------------------------------------------ */

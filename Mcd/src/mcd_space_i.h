@@ -2,7 +2,9 @@
  *
  * A model in a space is a proxy: its box of the last update, and a fat box around that which is in the tree. A link
  * joins two proxies whose fat boxes overlap, or that are disabled; links are found by a hash table and hang in a list
- * at each of their proxies. A link whose exact boxes overlap has a pair, which is what programs see.
+ * at each of their proxies. A link whose exact boxes overlap has a pair, which is what programs see. Pairs of two
+ * frozen models are silent: they hang at their links and are in no list, so that they cost no time. Links between frozen
+ * models that have no pair are dropped, and found again when one of them is unfrozen.
  *
  * At the end of a block only what changed is looked at: proxies that left their fat box are looked up in the tree for
  * new links, and the links of proxies that changed at all are judged anew.
@@ -19,17 +21,21 @@
 enum { MCD_NONE = -1, MCD_PAIR_BLOCK = 128 };
 
 typedef struct McdProxy {
-    McdModelRecord *model; /* null: free */
-    McdTreeLeaf *leaf;     /* null: no box yet, or without bounds */
-    MeU64 order;           /* the model's place in the order of pairs: sort key, then creation */
+    /* what judging a link needs comes first, to be read at once */
     MeReal min[3], max[3], tolerance;
+    MeBool hasBox, isFrozen;
+    MeBool isDirty; /* its links are to be judged */
     McdTreeBox fat;
     McdCullingTable *table;
     int cullingIndex, cullingID;
     int firstLink;
-    int previous, next; /* in the order of insertion; next also links the free ones */
-    MeBool hasBox, isFrozen, isUnbounded;
-    MeBool isDirty;  /* its links are to be judged */
+    int previous, next;           /* in the order of insertion; next also links the free ones */
+    int previousAwake, nextAwake; /* among those that are updated */
+    McdModelRecord *model;        /* null: free */
+    McdTreeLeaf *leaf;            /* null: no box yet, or without bounds */
+    MeU64 order;                  /* the model's place in the order of pairs: sort key, then creation */
+    MeBool isAwake;               /* is it among those? Frozen ones are until the next update finds them there */
+    MeBool isUnbounded;
     MeBool isMoved;  /* its fat box is new: look for links */
     MeBool isWarned; /* of its transform */
 } McdProxy;
@@ -38,6 +44,7 @@ typedef struct McdPairRecord McdPairRecord;
 struct McdPairRecord {
     McdModelPair pair; /* what programs see: first */
     McdPairRecord *nextFree;
+    MeBool wasSilent; /* when it said goodbye: it is among the goodbyes only */
 };
 
 typedef struct McdPairEntry {
@@ -58,6 +65,7 @@ typedef struct McdLink {
     int previous[2], next[2];
     int nextInHash;               /* also links the free ones */
     MeBool isDisabled, isWaiting; /* waiting for room among the pairs */
+    MeBool isSilent;              /* its pair stays, but both models are frozen: it is in no list */
     McdPairRecord *record;
 } McdLink;
 
@@ -74,6 +82,7 @@ struct _McdSpace {
 
     McdProxy *proxy; /* objectMax */
     int proxyCount, firstProxy, lastProxy, freeProxy;
+    int firstAwake, lastAwake;      /* what is updated: frozen models cost no time */
     int *dirty, dirtyCount;         /* proxies; objectMax */
     int *unbounded, unboundedCount; /* proxies that are in no tree; objectMax */
     McdTree *tree;
@@ -87,7 +96,8 @@ struct _McdSpace {
     McdPairRecord *freePair;
     MeBool isStale; /* there are erased pairs in the lists: their phase is kMcdFFStateInactive */
     McdPairList hello, staying, goodbye, wanted;
-    McdSpacePairIterator own; /* of the calls without an iterator */
+    McdPairList silenced, woken; /* of the block that ends: out of, and back to, the staying ones */
+    McdSpacePairIterator own;    /* of the calls without an iterator */
 };
 
 /* ---- proxies (McdSpace.c) ---------------------------------------------------------------------------------------- */

@@ -9,6 +9,7 @@
 #include <fcl/broadphase/detail/hierarchy_tree.h>
 #include <fcl/math/bv/AABB.h>
 #include <new>
+#include <vector>
 
 using Box = fcl::AABB<float>;
 using Nodes = fcl::detail::HierarchyTree<Box>;
@@ -37,11 +38,55 @@ Box boxOf(const McdTreeBox &b) {
     return Box(fcl::Vector3<float>(b.min[0], b.min[1], b.min[2]), fcl::Vector3<float>(b.max[0], b.max[1], b.max[2]));
 }
 
+/* Puts a tree's nodes in good order from the top down, halving the leaves across the longest side. FCL's own
+ * balanceTopdown frees the nodes and makes new ones: without memory there would be no tree left. */
+class Balancing {
+    std::vector<Node *> leaf, inner;
+    std::size_t used = 0; /* of the inner ones */
+
+    /* Leaves first .. last - 1. */
+    Node *make(std::size_t first, std::size_t last) {
+        if (last - first == 1)
+            return leaf[first];
+        Node *n = inner[used++];
+        n->bv = leaf[first]->bv;
+        for (std::size_t i = first + 1; i < last; i++)
+            n->bv += leaf[i]->bv;
+        const Box &b = n->bv;
+        const int longest = b.width() >= b.height() && b.width() >= b.depth() ? 0 : b.height() >= b.depth() ? 1 : 2;
+        const std::size_t middle = first + (last - first) / 2;
+        const auto at = [&](std::size_t i) { return leaf.begin() + static_cast<std::ptrdiff_t>(i); };
+        std::nth_element(at(first), at(middle), at(last), [longest](const Node *x, const Node *y) {
+            return x->bv.min_[longest] + x->bv.max_[longest] < y->bv.min_[longest] + y->bv.max_[longest];
+        });
+        n->children[0] = make(first, middle);
+        n->children[1] = make(middle, last);
+        n->children[0]->parent = n->children[1]->parent = n;
+        return n;
+    }
+
+  public:
+    /* All the memory there will be; throws if there is none, and nothing was changed. */
+    explicit Balancing(std::size_t leaves) {
+        leaf.reserve(leaves);
+        inner.reserve(leaves);
+    }
+    void run(Node *root) {
+        inner.push_back(root);
+        for (std::size_t i = 0; i < inner.size(); i++)
+            for (Node *child : inner[i]->children)
+                (child->isLeaf() ? leaf : inner).push_back(child);
+        make(0, leaf.size()); /* takes inner nodes in their order: the root is the root again */
+    }
+};
+
 void balance(McdTree &tree) noexcept {
     tree.isDeep = false;
+    if (tree.nodes.size() < 3)
+        return;
     try {
-        tree.nodes.balanceTopdown();
-    } catch (...) { /* no memory for the list of leaves: nothing was changed then; the nodes are those it had */
+        Balancing(tree.nodes.size()).run(tree.nodes.getRoot());
+    } catch (...) { /* no memory: slower, and right */
     }
 }
 

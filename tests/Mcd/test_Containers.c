@@ -1,4 +1,5 @@
 /* Containers of pairs, by hand and as spaces fill them; culling tables. */
+#include "McdModelPair.h"
 #include "crates.h"
 
 START_TEST(by_hand) {
@@ -112,6 +113,46 @@ START_TEST(the_form_without_an_iterator) {
 }
 END_TEST
 
+/* As in the guide's sample: a pair of a program's own, in a container that a space filled and that was reset, at the
+ * place below the first hello pair. */
+START_TEST(pairs_of_a_programs_own) {
+    static const int size[] = {1, 2, 3, 10};
+    for (int n = 0; n < 4; n++) {
+        static Yard y;
+        McdSpacePairIterator it;
+        int count;
+        yardMake(&y);
+        for (int i = 0; i < 3; i++)
+            yardPut(&y, 1, 0, 0, 0);
+        const McdModelID mine = yardCrate(&y, 1, 0, 0, 0); /* in no space */
+        McdModelPairContainer *c = McdModelPairContainerCreate(size[n]);
+        McdSpaceEndChanges(y.space);
+        McdSpacePairIteratorBegin(y.space, &it);
+        while (McdSpaceGetPairs(y.space, &it, c))
+            ;
+        McdModelPairContainerReset(c);
+        const McdModelPairID pair = McdModelPairCreate(mine, y.model[0]);
+        c->helloFirst = c->helloFirst - 1;
+        ck_assert_int_ge(c->helloFirst, c->goodbyeEnd);
+        c->array[c->helloFirst] = pair;
+        ck_assert_ptr_eq(McdModelPairContainerGetHelloArray(c, &count)[0], pair);
+        ck_assert_int_eq(count, 1);
+        ck_assert_int_eq(McdModelPairContainerGetStayingCount(c) + McdModelPairContainerGetGoodbyeCount(c), 0);
+        McdModelPairDestroy(pair);
+        McdSpaceBeginChanges(y.space); /* which knows nothing of it */
+        McdSpaceEndChanges(y.space);
+        McdSpacePairIteratorBegin(y.space, &it);
+        int staying = 0;
+        for (int isMore = 1; isMore; staying += McdModelPairContainerGetStayingCount(c))
+            isMore = McdSpaceGetPairs(y.space, &it, c);
+        ck_assert_int_eq(staying, 3);
+        McdModelPairContainerDestroy(c);
+        yardDestroy(&y);
+    }
+    assert_silent();
+}
+END_TEST
+
 START_TEST(bad_input) {
     static Yard y;
     McdModelPairContainer c;
@@ -176,6 +217,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, by_hand);
     tcase_add_test(t, overflow_hands_over_everything);
     tcase_add_test(t, the_form_without_an_iterator);
+    tcase_add_test(t, pairs_of_a_programs_own);
     tcase_add_test(t, bad_input);
     tcase_add_test(t, culling_tables_are_symmetric);
 }

@@ -144,7 +144,7 @@ START_TEST(removal_says_goodbye) {
 }
 END_TEST
 
-START_TEST(frozen_models_have_no_pairs_among_them) {
+START_TEST(pairs_of_frozen_models_are_not_reported) {
     yardMake(y);
     const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0);
     yardPut(y, 1, 0, 0, 0);
@@ -154,12 +154,165 @@ START_TEST(frozen_models_have_no_pairs_among_them) {
     ck_assert(McdSpaceModelIsFrozen(a) && McdSpaceIsFrozen(a));
     assert_step(y, 0, 3, 0);
     ck_assert(McdSpaceFreezeModel(b));
-    assert_step(y, 0, 2, 1);
+    assert_step(y, 0, 2, 0);
     assert_step(y, 0, 2, 0);
     ck_assert(McdSpaceUnfreezeModel(a));
-    assert_step(y, 1, 2, 0);
+    assert_step(y, 0, 3, 0);
     yardDestroy(y);
     assert_silent();
+}
+END_TEST
+
+/* Two crates that overlap, their pair with a program's data, both frozen for a step. Inside a block. */
+static McdModelPair *asleep(void *data) {
+    yardMake(y);
+    yardPut(y, 1, 0, 0, 0);
+    yardPut(y, 1, (MeReal).5, 0, 0);
+    yardStep(y);
+    assert_pairs(y, 1, 0, 0);
+    McdModelPair *pair = y->pairs->array[y->pairs->helloFirst];
+    pair->userData = data;
+    McdSpaceFreezeModel(y->model[0]);
+    McdSpaceFreezeModel(y->model[1]);
+    McdSpaceBeginChanges(y->space);
+    assert_step(y, 0, 0, 0);
+    ck_assert_ptr_eq(pair->userData, data);
+    ck_assert_int_eq(pair->phase, kMcdFFStateStaying);
+    return pair;
+}
+
+/* The step has that pair, of that phase, and no other. */
+static void assertOnly(const McdModelPair *pair, McdModelPairPhase phase) {
+    const int isStaying = phase == kMcdFFStateStaying;
+    yardStep(y);
+    assert_pairs(y, 0, isStaying, !isStaying);
+    ck_assert_ptr_eq(y->pairs->array[isStaying ? y->pairs->stayingFirst : y->pairs->goodbyeFirst], pair);
+    ck_assert_int_eq(pair->phase, phase);
+    McdSpaceBeginChanges(y->space);
+}
+
+START_TEST(pairs_of_frozen_models_stay) {
+    int data;
+    McdModelPair *pair = asleep(&data);
+    for (int i = 0; i < 4; i++) { /* either one, and again */
+        McdSpaceUnfreezeModel(y->model[i & 1]);
+        assertOnly(pair, kMcdFFStateStaying);
+        ck_assert_ptr_eq(pair->userData, &data);
+        McdSpaceFreezeModel(y->model[i & 1]);
+        assert_step(y, 0, 0, 0);
+    }
+    McdSpaceUnfreezeModel(y->model[0]); /* and back, within a block */
+    McdSpaceFreezeModel(y->model[0]);
+    assert_step(y, 0, 0, 0);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(pairs_of_frozen_models_say_goodbye_when_they_moved) {
+    McdModelPair *pair = asleep(0);
+    MeMatrix4TMSetPosition(y->tm[1], 5, 0, 0);
+    McdSpaceUpdateAll(y->space);
+    assert_step(y, 0, 0, 0); /* its box is as it was */
+    McdSpaceUnfreezeModel(y->model[1]);
+    McdSpaceUpdateAll(y->space);
+    assertOnly(pair, kMcdFFStateGoodbye);
+    assert_step(y, 0, 0, 0);
+    yardMove(y, 1, 0, 0, 0);
+    assert_step(y, 1, 0, 0);
+    yardMove(y, 1, 5, 0, 0); /* away and frozen in one block */
+    McdSpaceFreezeModel(y->model[1]);
+    assert_step(y, 0, 0, 1);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(pairs_of_frozen_models_say_goodbye_when_they_are_cut) {
+    McdModelPair *pair = asleep(0);
+    ck_assert(McdSpaceRemoveModel(y->model[0]));
+    assertOnly(pair, kMcdFFStateGoodbye);
+    assert_step(y, 0, 0, 0);
+    yardDestroy(y);
+
+    pair = asleep(0); /* removed and put in again */
+    ck_assert(McdSpaceRemoveModel(y->model[0]) && McdSpaceInsertModel(y->space, y->model[0]));
+    yardStep(y);
+    assert_pairs(y, 1, 0, 1);
+    ck_assert_ptr_eq(y->pairs->array[y->pairs->goodbyeFirst], pair);
+    ck_assert_ptr_ne(y->pairs->array[y->pairs->helloFirst], pair);
+    yardDestroy(y);
+
+    pair = asleep(0);
+    ck_assert(McdSpaceDisablePair(y->model[0], y->model[1]));
+    assertOnly(pair, kMcdFFStateGoodbye);
+    ck_assert(McdSpaceEnablePair(y->model[0], y->model[1]));
+    assert_step(y, 0, 0, 0);
+    McdSpaceUnfreezeModel(y->model[0]);
+    assert_step(y, 1, 0, 0);
+    yardDestroy(y);
+
+    pair = asleep(0);
+    McdCullingTable *table = McdCullingTableCreate(1);
+    McdCullingTableSet(table, 0, 0, 1);
+    for (int i = 0; i < 2; i++)
+        McdSpaceSetModelCullingParameters(y->space, y->model[i], table, 0, 0);
+    assertOnly(pair, kMcdFFStateGoodbye);
+    yardDestroy(y);
+    McdCullingTableDestroy(table);
+    assert_silent();
+}
+END_TEST
+
+START_TEST(models_that_were_frozen_when_they_met_say_hello_when_one_is_unfrozen) {
+    yardMake(y);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0);
+    McdSpaceFreezeModel(a);
+    McdSpaceFreezeModel(b);
+    assert_step(y, 0, 0, 0);
+    McdSpaceUnfreezeModel(b);
+    assert_step(y, 1, 0, 0);
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
+/* The framework erases the pairs of its models, silent ones as well; their memory serves the next ones. */
+START_TEST(pairs_of_frozen_models_go_with_their_models) {
+    for (int isRemoved = 0; isRemoved < 2; isRemoved++) {
+        McdModelPair *pair = asleep(0);
+        if (isRemoved) /* it said goodbye in this block already */
+            McdSpaceRemoveModel(y->model[0]);
+        McdFrameworkDestroyAllModelsAndGeometries(y->frame);
+        y->count = 0;
+        yardPut(y, 1, 0, 0, 0);
+        yardPut(y, 1, 0, 0, 0);
+        yardStep(y);
+        assert_pairs(y, 1, 0, 0);
+        ck_assert_ptr_eq(y->pairs->array[y->pairs->helloFirst], pair);
+        yardDestroy(y);
+    }
+    assert_silent();
+}
+END_TEST
+
+/* Silent pairs need their place: with room for one, another pair waits until it says goodbye. */
+START_TEST(pairs_of_frozen_models_keep_their_place) {
+    yardMakeWith(y, McdAllAxes, 10, 1);
+    const McdModelID a = yardPut(y, 1, 0, 0, 0), b = yardPut(y, 1, 0, 0, 0);
+    assert_step(y, 1, 0, 0);
+    McdSpaceFreezeModel(a);
+    McdSpaceFreezeModel(b);
+    assert_step(y, 0, 0, 0);
+    yardPut(y, 1, 9, 0, 0);
+    yardPut(y, 1, 9, 0, 0);
+    messages_catch();
+    assert_step(y, 0, 0, 0);
+    assert_warned("pairCount");
+    McdSpaceRemoveModel(a);
+    assert_step(y, 1, 0, 1);
+    assert_silent();
+    yardDestroy(y);
 }
 END_TEST
 
@@ -182,6 +335,61 @@ START_TEST(frozen_models_keep_their_boxes) {
     McdSpaceBeginChanges(y->space);
     assert_silent();
     yardDestroy(y);
+}
+END_TEST
+
+static int updated[CRATES];
+
+static void MEAPI countUpdate(McdModelID m, MeReal duration) {
+    int i = 0;
+    (void)duration;
+    while (y->model[i] != m)
+        i++;
+    updated[i]++;
+    McdModelUpdate(m);
+    McdSpaceFreezeModel(m); /* a callback may do that */
+    if (updated[i] != 3)
+        McdSpaceUnfreezeModel(m);
+}
+
+/* Models are updated as often as they are not frozen, whatever is frozen, removed and put in before. */
+START_TEST(frozen_models_are_not_updated) {
+    enum { COUNT = 7 };
+    static const int freeze[] = {3, 0, 6, 5, 4, 2, 1};
+    yardMake(y);
+    for (int i = 0; i < COUNT; i++)
+        yardPut(y, 1, (MeReal)(3 * i), 0, 0);
+    McdSpaceEndChanges(y->space);
+    McdSpaceSetAABBFn(y->space, countUpdate);
+    memset(updated, 0, sizeof updated);
+    for (int n = 0; n < COUNT; n++) {
+        int expected[COUNT];
+        for (int i = 0; i < COUNT; i++)
+            expected[i] = updated[i] + !McdSpaceModelIsFrozen(y->model[i]);
+        McdSpaceUpdateAll(y->space);
+        for (int i = 0; i < COUNT; i++)
+            ck_assert_int_eq(updated[i], expected[i]);
+        McdSpaceBeginChanges(y->space);
+        if (n % 2)
+            ck_assert(McdSpaceRemoveModel(y->model[freeze[n]]) && McdSpaceInsertModel(y->space, y->model[freeze[n]]));
+        ck_assert(McdSpaceFreezeModel(y->model[freeze[n]]));
+        ck_assert(n % 3 || McdSpaceUnfreezeModel(y->model[freeze[n / 2]]));
+        McdSpaceEndChanges(y->space);
+    }
+    for (int i = 0; i < COUNT; i++)
+        McdSpaceFreezeModel(y->model[i]);
+    const int before = updated[0];
+    McdSpaceUpdateAll(y->space);
+    ck_assert_int_eq(updated[0], before);
+    for (int i = 0; i < COUNT; i++) {
+        updated[i] = 10;
+        McdSpaceUnfreezeModel(y->model[i]);
+    }
+    McdSpaceUpdateAll(y->space);
+    for (int i = 0; i < COUNT; i++)
+        ck_assert_int_eq(updated[i], 11);
+    yardDestroy(y);
+    assert_silent();
 }
 END_TEST
 
@@ -546,6 +754,21 @@ START_TEST(bad_arguments_warn) {
 }
 END_TEST
 
+START_TEST(the_form_of_karma_1_1_has_an_argument_more) {
+    yardMake(y);
+    int evaluated = 0;
+    const McdSpaceID s = McdSpaceAxisSortCreate(y->frame, McdAllAxes, 5, 7, ++evaluated);
+    ck_assert_ptr_nonnull(s);
+    ck_assert_int_eq(evaluated, 1);
+    McdSpaceDestroy(s);
+    messages_catch();
+    ck_assert_ptr_null(McdSpaceAxisSortCreate(y->frame, McdAllAxes, 5, 0, 1));
+    assert_warned("pairCount");
+    yardDestroy(y);
+    assert_silent();
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, starts_inside_a_block);
     tcase_add_test(t, pairs_say_hello_stay_and_say_goodbye);
@@ -554,8 +777,15 @@ static void tests(TCase *t) {
     tcase_add_test(t, insertion_does_not_update);
     tcase_add_test(t, what_is_not_updated_keeps_its_box);
     tcase_add_test(t, removal_says_goodbye);
-    tcase_add_test(t, frozen_models_have_no_pairs_among_them);
+    tcase_add_test(t, pairs_of_frozen_models_are_not_reported);
+    tcase_add_test(t, pairs_of_frozen_models_stay);
+    tcase_add_test(t, pairs_of_frozen_models_say_goodbye_when_they_moved);
+    tcase_add_test(t, pairs_of_frozen_models_say_goodbye_when_they_are_cut);
+    tcase_add_test(t, models_that_were_frozen_when_they_met_say_hello_when_one_is_unfrozen);
+    tcase_add_test(t, pairs_of_frozen_models_go_with_their_models);
+    tcase_add_test(t, pairs_of_frozen_models_keep_their_place);
     tcase_add_test(t, frozen_models_keep_their_boxes);
+    tcase_add_test(t, frozen_models_are_not_updated);
     tcase_add_test(t, disabled_pairs_say_goodbye_and_come_back);
     tcase_add_test(t, culling_tables_disable);
     tcase_add_test(t, pairs_without_room_come_when_there_is_some);
@@ -569,6 +799,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, models_are_listed_in_the_order_of_insertion);
     tcase_add_test(t, the_framework_takes_models_out);
     tcase_add_test(t, destroying_a_space_frees_its_models);
+    tcase_add_test(t, the_form_of_karma_1_1_has_an_argument_more);
     tcase_add_test(t, bad_arguments_warn);
 }
 TEST_MAIN("McdSpace", tests)

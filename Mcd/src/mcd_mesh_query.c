@@ -1,0 +1,178 @@
+/* The triangles of lists and height fields near a box, and the one nearest to a convex shape: for queries, which take
+ * each triangle as a convex shape of its own. */
+#include "mcd_geometries.h"
+#include "mcd_vector.h"
+#include <string.h>
+
+static McdMesh *meshOf(McdGeometryID g) {
+    return g->type == kMcdGeometryTypeTriangleList    ? &((McdTriangleList *)g)->mesh
+           : g->type == kMcdGeometryTypeRGHeightField ? &((McdRGHeightField *)g)->mesh
+                                                      : 0;
+}
+
+MeBool mcd_isMesh(const McdGeometryInstance *ins) {
+    return meshOf(ins->geometry) != 0;
+}
+
+void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low[3], double high[3]) {
+    MeVector3 min, max;
+    McdGeometryGetAABB(ins->geometry, mcd_const(mcd_instanceTM(ins)), min, max);
+    for (int i = 0; i < 3; i++) {
+        const double rounding = 16 * (double)ME_EPSILON * (fabs((double)min[i]) + fabs((double)max[i]));
+        low[i] = (double)min[i] - origin[i] - rounding;
+        high[i] = (double)max[i] - origin[i] + rounding;
+    }
+}
+
+static MeBool overlap(const double low1[3], const double high1[3], const double low2[3], const double high2[3]) {
+    for (int i = 0; i < 3; i++)
+        if (low1[i] > high2[i] || low2[i] > high1[i])
+            return MEFALSE;
+    return METRUE;
+}
+
+/* What the callback of a list gets: its model, or where that is an aggregate, one that stands for this part of it. */
+static void makePair(McdGeometryInstance *ins, McdModelID asker, McdModelRecord *standIn, McdModelPair *pair) {
+    memset(pair, 0, sizeof *pair);
+    pair->model2 = ins->model;
+    if (ins->parent) {
+        *standIn = *mcd_record(ins->model);
+        standIn->instance = *ins;
+        standIn->instance.parent = standIn->instance.nextSibling = 0;
+        standIn->instance.model = &standIn->model;
+        standIn->instance.tm = mcd_instanceTM(ins);
+        pair->model2 = &standIn->model;
+    }
+    pair->model1 = asker ? asker : pair->model2;
+}
+
+/* Where the mesh is, and the box in the mesh's frame: as large as it must be to hold the given one. */
+static void place(McdMeshQuery *q, const McdGeometryInstance *ins, const double low[3], const double high[3]) {
+    const MeMatrix4Ptr tm = mcd_instanceTM((McdGeometryInstance *)ins);
+    double middle[3], sum = 0;
+    for (int i = 0; i < 3; i++)
+        q->place[i] = (double)tm[3][i] - q->origin[i];
+    for (int i = 0; i < 3; i++)
+        middle[i] = (low[i] + high[i]) / 2 - q->place[i];
+    for (int i = 0; i < 3; i++) {
+        double half = 0;
+        for (int k = 0; k < 3; k++) {
+            q->axis[i][k] = (double)tm[i][k];
+            half += fabs(q->axis[i][k]) * (high[k] - low[k]) / 2;
+        }
+        q->ball[i] = mcd_dot(q->axis[i], middle);
+        half += 4 * (double)ME_EPSILON * (half + mcd_length(middle)); /* the axes' own rounding */
+        q->low[i] = q->ball[i] - half;
+        q->high[i] = q->ball[i] + half;
+        sum += half * half;
+    }
+    q->ballRadius = sqrt(sum);
+}
+
+void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const double origin[3], const double low[3],
+                         const double high[3], McdMeshVisit visit, void *context) {
+    McdMeshQuery q;
+    McdModelRecord standIn;
+    McdModelPair pair;
+    double boundsLow[3], boundsHigh[3];
+    McdMesh *mesh = meshOf(ins->geometry);
+    mcd_meshBounds(ins, origin, boundsLow, boundsHigh);
+    if (!overlap(low, high, boundsLow, boundsHigh))
+        return;
+    memset(&q, 0, sizeof q);
+    makePair(ins, asker, &standIn, &pair);
+    q.pair = &pair;
+    q.mesh = mesh;
+    mcd_copy(q.origin, origin);
+    place(&q, ins, low, high);
+    mesh->count = 0;
+    mesh->gather(&q);
+    for (int i = 0; i < mesh->count; i++) {
+        McdShape shape;
+        mcd_triangleShape((const double(*)[3])mesh->triangle[i].corner, &shape);
+        if (!visit(context, &mesh->triangle[i], &shape))
+            return;
+    }
+}
+
+/* ---- the nearest -------------------------------------------------------------------------------------------------- */
+
+typedef struct Nearest {
+    const McdShape *shape;
+    double low[3], high[3]; /* its box */
+    double distance, onShape[3], onMesh[3], normal[3];
+} Nearest;
+
+static void boundShape(const McdShape *shape, double low[3], double high[3]) {
+    for (int i = 0; i < 3; i++) {
+        double along[3] = {0, 0, 0}, point[3];
+        along[i] = 1;
+        mcd_support(shape, along, point);
+        high[i] = point[i];
+        along[i] = -1;
+        mcd_support(shape, along, point);
+        low[i] = point[i];
+    }
+}
+
+/* Between the triangle's box and that of the shape; 0 where they overlap. */
+static double gapOfBoxes(const Nearest *n, const McdMeshTriangle *t) {
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        const double low = fmin(t->corner[0][i], fmin(t->corner[1][i], t->corner[2][i]));
+        const double high = fmax(t->corner[0][i], fmax(t->corner[1][i], t->corner[2][i]));
+        const double gap = fmax(0, fmax(low - n->high[i], n->low[i] - high));
+        sum += gap * gap;
+    }
+    return sqrt(sum);
+}
+
+static MeBool visitNearest(void *context, const McdMeshTriangle *t, const McdShape *triangle) {
+    Nearest *n = context;
+    double onShape[3], onMesh[3], normal[3];
+    if (gapOfBoxes(n, t) > fmax(n->distance, 0))
+        return METRUE;
+    const double distance = mcd_convexDistance(n->shape, triangle, onShape, onMesh, normal);
+    if (distance >= n->distance)
+        return METRUE;
+    n->distance = distance;
+    mcd_copy(n->onShape, onShape);
+    mcd_copy(n->onMesh, onMesh);
+    mcd_copy(n->normal, normal);
+    return METRUE;
+}
+
+/* Looks farther and farther away until nothing nearer can be farther out. */
+static void search(Nearest *n, McdGeometryInstance *ins, McdModelID asker, const double origin[3], double most) {
+    double boundsLow[3], boundsHigh[3], low[3], high[3];
+    double reach = isfinite(most) ? most : n->shape->extent;
+    mcd_meshBounds(ins, origin, boundsLow, boundsHigh);
+    for (;;) {
+        MeBool isAll = METRUE;
+        for (int i = 0; i < 3; i++) {
+            low[i] = n->low[i] - reach;
+            high[i] = n->high[i] + reach;
+            isAll = isAll && low[i] <= boundsLow[i] && high[i] >= boundsHigh[i];
+        }
+        n->distance = INFINITY;
+        mcd_meshForEachNear(ins, asker, origin, low, high, visitNearest, n);
+        if (n->distance <= reach || reach >= most || isAll)
+            return;
+        reach = fmin(most, isfinite(n->distance) ? n->distance * 1.0001 : 4 * reach);
+    }
+}
+
+MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
+                       double most, double *distance, double onShape[3], double onMesh[3], double normal[3]) {
+    Nearest n;
+    n.shape = shape;
+    boundShape(shape, n.low, n.high);
+    search(&n, ins, asker, origin, most);
+    if (!isfinite(n.distance) || n.distance > most)
+        return MEFALSE;
+    *distance = n.distance;
+    mcd_copy(onShape, n.onShape);
+    mcd_copy(onMesh, n.onMesh);
+    mcd_copy(normal, n.normal);
+    return METRUE;
+}
