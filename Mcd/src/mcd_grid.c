@@ -167,7 +167,7 @@ static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdPr
     return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
 }
 
-/* Of what is a little apart, or round and a little within, a face's normal mostly needs no more than being tried. */
+/* Of what stands, or is a little above what it stood on, a face's normal mostly needs no more than being tried. */
 static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     const double limit = margin + a->rounding + b->rounding;
     McdProximity p;
@@ -177,7 +177,7 @@ static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdMa
         return proximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : 0;
     if (!guess(a, b, limit, &p))
         return 0;
-    if (p.separation > 0 && alongFaces(a, b, margin, &p, m))
+    if ((p.separation > 0 || (p.isGuess && mcd_isLeastDepth(a, b, &p))) && alongFaces(a, b, margin, &p, m))
         return m->count;
     if (p.isGuess && !proximity(a, b, limit, &p))
         return 0;
