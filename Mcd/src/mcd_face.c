@@ -269,19 +269,42 @@ static Spot cross(const Spot *p, const Spot *q, double dp, double dq, const Outl
     return s;
 }
 
-/* How far spots are inside of b's edge from corner j on; the least of them. */
-static double insideEdge(const Spot *spot, int count, const Outline *b, int j, double slack_, double *inside) {
+typedef struct Circle {
+    double x, y, radius;
+} Circle;
+
+/* Around an outline's corners, if that is worth the while. */
+static Circle circleAround(const Outline *o) {
+    Circle c = {0, 0, INFINITY};
+    double most = 0;
+    if (o->count <= 4)
+        return c;
+    for (int i = 0; i < o->count; i++) {
+        c.x += o->x[i] / o->count;
+        c.y += o->y[i] / o->count;
+    }
+    for (int i = 0; i < o->count; i++) {
+        const double x = o->x[i] - c.x, y = o->y[i] - c.y;
+        most = MeMAX(most, x * x + y * y);
+    }
+    c.radius = sqrt(most);
+    return c;
+}
+
+/* How far spots are inside of b's edge from corner j on, times its length; false if none is outside. A circle around
+ * them mostly shows that. */
+static MeBool isEdgeCutting(const Spot *spot, int count, const Circle *around, const Outline *b, int j, double slack_,
+                            double *inside) {
     const int next = j + 1 < b->count ? j + 1 : 0;
-    const double ex = b->x[next] - b->x[j], ey = b->y[next] - b->y[j], squared = ex * ex + ey * ey;
+    const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
     double least = INFINITY;
-    if (!(squared > 0))
-        return 0;
-    const double length = sqrt(squared), x = ex / length, y = ey / length;
+    if (ex * (around->y - y) - ey * (around->x - x) >= around->radius * length)
+        return 0; /* of no length, too */
     for (int i = 0; i < count; i++) {
-        inside[i] = x * (spot[i].y - b->y[j]) - y * (spot[i].x - b->x[j]) + slack_;
+        inside[i] = ex * (spot[i].y - y) - ey * (spot[i].x - x) + slack_ * length;
         least = MeMIN(least, inside[i]);
     }
-    return least;
+    return !(least >= 0);
 }
 
 /* Cuts off what is outside of that edge (Sutherland and Hodgman). */
@@ -322,9 +345,10 @@ static int clip(const Outline *a, const Outline *b, double slack_, Spot *spot) {
     Spot other[MAX_SPOTS];
     Spot *from = spot, *to = other;
     double inside[MAX_SPOTS];
+    const Circle around = circleAround(a);
     int count = startSpots(a, b, spot);
     for (int j = 0; j < b->count && count; j++) {
-        if (insideEdge(from, count, b, j, slack_, inside) >= 0)
+        if (!isEdgeCutting(from, count, &around, b, j, slack_, inside))
             continue;
         count = cutByEdge(from, count, a->count > 2, inside, b, j, code(INSIDE, a->id, 0), to);
         Spot *const swap = from;
@@ -404,12 +428,13 @@ static double acrossSquared(const Spot *p, const Spot *q) {
     return x * x + y * y;
 }
 
-/* Leaves out those that are farther apart than the margin, and those at the place of another. */
+/* Leaves out those that are farther apart than the margin, and those at the place of another: of many, which go round,
+ * of the one before or the first. */
 static int dropIdle(Spot *spot, int count, double margin, double slack_) {
     int kept = 0;
     for (int i = 0; i < count; i++) {
         MeBool isNew = spot[i].a - spot[i].b <= margin;
-        for (int j = 0; j < kept && isNew; j++)
+        for (int j = 0; j < kept && isNew; j = j == 0 && count > 8 && kept > 1 ? kept - 1 : j + 1)
             isNew = acrossSquared(&spot[i], &spot[j]) > 16 * slack_ * slack_;
         if (isNew)
             spot[kept++] = spot[i];

@@ -159,7 +159,7 @@ static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProxi
 static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
     McdFace faceA, faceB;
     facesAlong(a, b, p->normal, &faceA, &faceB);
-    if (!p->isGuess) {
+    if (!p->isGuess && !(areBoxes(a, b) && p->separation <= 0)) { /* boxes that overlap have preferred them */
         preferFaces(a, b, &faceA, &faceB, p);
         if (faceA.count == 2 || faceB.count == 2) /* lines go with the normal */
             facesAlong(a, b, p->normal, &faceA, &faceB);
