@@ -46,16 +46,17 @@ static void boxFace(const McdShape *s, const double d[3], McdFace *f) {
             k = i;
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const double side = d[k] < 0 ? -1 : 1;
-    double n[3] = {0, 0, 0};
-    n[k] = side;
-    setNormal(s, f, n[0], n[1], n[2]);
+    double middle[3], u[3], w[3];
+    mcd_scale(f->normal, s->axis[k], side);
+    mcd_mad(middle, s->place, s->size[k], f->normal);
+    mcd_scale(u, s->axis[i], side * s->size[i]); /* mirrored, so that the order turns with the side */
+    mcd_scale(w, s->axis[j], s->size[j]);
     f->id = (MeU32)(2 * k + (side > 0));
+    f->count = 4;
     for (int corner = 0; corner < 4; corner++) {
-        double p[3];
-        p[k] = side * s->size[k];
-        p[i] = round[corner][0] * side * s->size[i]; /* mirrored, so that the order turns with the side */
-        p[j] = round[corner][1] * s->size[j];
-        addPoint(s, f, p[0], p[1], p[2], (MeU32)corner);
+        for (int c = 0; c < 3; c++)
+            f->point[corner][c] = middle[c] + (round[corner][0] * u[c] + round[corner][1] * w[c]);
+        f->name[corner] = (MeU32)corner;
     }
 }
 
