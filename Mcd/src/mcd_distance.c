@@ -618,7 +618,8 @@ static void aroundFace(const Pair *p, const double d[3], double corner[4][3]) {
     }
 }
 
-/* How far inside of the plane through an edge of the pyramid's base, counter-clockwise, and its tip the origin is. */
+/* How far inside of the plane through an edge of the pyramid's base, counter-clockwise, and its tip the origin is;
+ * infinite for an edge of no length. */
 static double insideSide(const double from[3], const double to[3], const double tip[3]) {
     double along[3], up[3], n[3];
     mcd_sub(along, to, from);
@@ -640,10 +641,13 @@ MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity
         return 0;
     aroundFace(&pair, down, base);
     farthest(&pair, p->normal, &tip);
-    for (int i = 0; i < 4; i++)
-        if (!(mcd_dot(base[i], down) >= radius && insideSide(base[i], base[(i + 1) % 4], tip.w) >= radius))
+    double least = INFINITY; /* and stays that if the base is a point */
+    for (int i = 0; i < 4; i++) {
+        if (!(mcd_dot(base[i], down) >= radius))
             return 0;
-    return 1;
+        least = MeMIN(least, insideSide(base[i], base[(i + 1) % 4], tip.w));
+    }
+    return least >= radius && least < INFINITY;
 }
 
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
