@@ -18,11 +18,13 @@
 /* Normals within this cosine of each other make one manifold: 1.1 degrees. */
 #define SAME_MANIFOLD .9998
 
+enum { NOT_KNOWN, CLOSED, OPEN }; /* McdMesh.fan */
+
 /* ---- memory ------------------------------------------------------------------------------------------------------ */
 
 void mcd_meshFree(McdMesh *mesh) {
-    void *block[] = {mesh->triangle, mesh->place,  mesh->order,        mesh->firstOf, mesh->usersOf, mesh->contact,
-                     mesh->cluster,  mesh->merged, mesh->contactOrder, mesh->spots,   mesh->kept};
+    void *block[] = {mesh->triangle, mesh->place,   mesh->order,  mesh->firstOf,      mesh->usersOf, mesh->fan,
+                     mesh->contact,  mesh->cluster, mesh->merged, mesh->contactOrder, mesh->spots,   mesh->kept};
     for (size_t i = 0; i < sizeof block / sizeof *block; i++)
         if (block[i])
             MeMemoryAPI.destroy(block[i]);
@@ -52,7 +54,7 @@ MeBool mcd_meshReserve(McdMesh *mesh, int triangles) {
         return METRUE;
     const int n = mesh->count, max = MeMAX(triangles, 2 * mesh->max);
     if (!GROW(mesh->triangle, n, max) || !GROW(mesh->place, 3 * n, 3 * max) || !GROW(mesh->order, 0, 3 * max) ||
-        !GROW(mesh->firstOf, 0, 3 * max + 1) || !GROW(mesh->usersOf, 0, 3 * max))
+        !GROW(mesh->firstOf, 0, 3 * max + 1) || !GROW(mesh->usersOf, 0, 3 * max) || !GROW(mesh->fan, 0, 3 * max))
         return MEFALSE;
     mesh->max = max;
     return METRUE;
@@ -224,6 +226,8 @@ static void joinCorners(McdMesh *mesh) {
         mesh->usersOf[i] = here / 3;
     }
     mesh->firstOf[vertex + 1] = 3 * mesh->count;
+    for (int i = 0; i <= vertex; i++)
+        mesh->fan[i] = NOT_KNOWN;
 }
 
 /* ---- which normals are the surface's -------------------------------------------------------------------------------- */
@@ -327,6 +331,67 @@ static Verdict judge(const McdMeshQuery *q, const McdMeshTriangle *t, const doub
     return ON_FACE;
 }
 
+/* ---- where there is but one plane ------------------------------------------------------------------------------------- */
+
+static MeBool areParallel(const double a[3], const double b[3]) {
+    return mcd_distanceSquared(a, b) < RISES * RISES;
+}
+
+/* Does the triangle's border run from one vertex straight to the other? */
+static MeBool hasSide(const McdMeshTriangle *t, int from, int to) {
+    for (int i = 0; i < 3; i++)
+        if (t->vertex[i] == from && t->vertex[(i + 1) % 3] == to)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Is there a triangle with the same normal on the other side of the triangle's side from one vertex to the other? */
+static MeBool goesOnBeyond(const McdMesh *mesh, const McdMeshTriangle *t, int from, int to) {
+    for (int i = mesh->firstOf[from]; i < mesh->firstOf[from + 1]; i++) {
+        const McdMeshTriangle *neighbour = &mesh->triangle[mesh->usersOf[i]];
+        if (neighbour != t && hasSide(neighbour, to, from) && areParallel(neighbour->normal, t->normal))
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+/* Do triangles in one plane surround the vertex? */
+static MeBool fanIsClosed(const McdMesh *mesh, int v) {
+    const McdMeshTriangle *first = &mesh->triangle[mesh->usersOf[mesh->firstOf[v]]];
+    for (int i = mesh->firstOf[v]; i < mesh->firstOf[v + 1]; i++) {
+        const McdMeshTriangle *t = &mesh->triangle[mesh->usersOf[i]];
+        if (!areParallel(t->normal, first->normal))
+            return MEFALSE;
+        for (int k = 0; k < 3; k++) {
+            const int from = t->vertex[k], to = t->vertex[(k + 1) % 3];
+            if ((from == v || to == v) && !goesOnBeyond(mesh, t, from, to))
+                return MEFALSE;
+        }
+    }
+    return METRUE;
+}
+
+static MeBool isSurrounded(McdMesh *mesh, int v) {
+    if (mesh->fan[v] == NOT_KNOWN)
+        mesh->fan[v] = fanIsClosed(mesh, v) ? CLOSED : OPEN;
+    return mesh->fan[v] == CLOSED;
+}
+
+/* Would judge() call every normal but the face's INSIDE? */
+static MeBool isFlat(const McdMeshQuery *q, const McdMeshTriangle *t) {
+    for (int i = 0; i < 3; i++) {
+        const int next = (i + 1) % 3;
+        if (isSurrounded(q->mesh, t->vertex[i]))
+            continue;
+        if (isWhereLooked(q, t, i, i))
+            return MEFALSE;
+        if (!isSurrounded(q->mesh, t->vertex[next]) && isWhereLooked(q, t, i, next) &&
+            !goesOnBeyond(q->mesh, t, t->vertex[i], t->vertex[next]))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
 /* ---- contacts of one triangle ----------------------------------------------------------------------------------------- */
 
 /* Which way a normal points, roughly: tells contacts of one corner with two faces from each other. */
@@ -401,18 +466,25 @@ static void cut(const Polygon *in, const double inward[3], double offset, double
     }
 }
 
+/* The unit vector across edge i, in the triangle's plane, towards its inside. */
+static void inwardOf(const McdMeshTriangle *t, int i, double inward[3]) {
+    double edge[3], across[3];
+    mcd_sub(edge, t->corner[(i + 1) % 3], t->corner[i]);
+    mcd_cross(inward, t->normal, edge);
+    mcd_sub(across, t->corner[(i + 2) % 3], t->corner[i]);
+    mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
+}
+
 /* The part of the shape's face that looks at the triangle and is above (or below) it, seen along the normal. */
-static void cutByTriangle(const McdMeshTriangle *t, const double normal[3], double tolerance, Polygon *p) {
-    Polygon rest;
-    for (int i = 0; i < 3 && p->count; i++) {
-        const int next = (i + 1) % 3, last = (i + 2) % 3;
-        double edge[3], inward[3], across[3];
-        mcd_sub(edge, t->corner[next], t->corner[i]);
-        mcd_cross(inward, normal, edge);
-        mcd_sub(across, t->corner[last], t->corner[i]);
-        mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
-        cut(p, inward, mcd_dot(t->corner[i], inward), tolerance, t->key[i] + t->key[next], &rest);
-        *p = rest;
+static void cutByTriangle(const McdMeshTriangle *t, double tolerance, const Polygon *p, Polygon *part) {
+    Polygon a, b;
+    const Polygon *from[3] = {p, &a, &b};
+    Polygon *to[3] = {&a, &b, part};
+    part->count = 0;
+    for (int i = 0; i < 3 && from[i]->count; i++) {
+        double inward[3];
+        inwardOf(t, i, inward);
+        cut(from[i], inward, mcd_dot(t->corner[i], inward), tolerance, t->key[i] + t->key[(i + 1) % 3], to[i]);
     }
 }
 
@@ -455,15 +527,15 @@ static MeBool addAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double n
 /* Contacts along a triangle's normal (either side's), of what is over it or within the tolerance of that. False if there
  * are none. */
 static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
-    Polygon p;
+    Polygon p, part;
     double back[3], least = INFINITY;
     mcd_scale(back, normal, -1);
     polygonToward(&q->shape, back, &p);
-    cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
-    const MeBool any = addAlong(q, t, normal, &p, MEFALSE, &least);
+    cutByTriangle(t, tolerance * q->shape.extent, &p, &part);
+    const MeBool any = addAlong(q, t, normal, &part, MEFALSE, &least);
     pointToward(&q->shape, back, &p);
-    cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
-    return addAlong(q, t, normal, &p, METRUE, &least) || any;
+    cutByTriangle(t, tolerance * q->shape.extent, &p, &part);
+    return addAlong(q, t, normal, &part, METRUE, &least) || any;
 }
 
 /* The side on which contacts are: 1 is the normal's. */
@@ -479,16 +551,68 @@ static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
     return mcd_dot(off, t->normal);
 }
 
+/* From the middle of the shape's box to its farthest point in a direction of length 1, at most. */
+static double reachAlong(const McdMeshQuery *q, const double direction[3]) {
+    double sum = 0;
+    for (int i = 0; i < 3; i++)
+        sum += q->half[i] * fabs(mcd_dot(q->shape.axis[i], direction));
+    return sum;
+}
+
+/* Is a part of the shape's box over the triangle, or below it, or nearly? */
+static MeBool isAbove(const McdMeshQuery *q, const McdMeshTriangle *t) {
+    for (int i = 0; i < 3; i++) {
+        double inward[3], off[3];
+        inwardOf(t, i, inward);
+        mcd_sub(off, q->box, t->corner[i]);
+        if (mcd_dot(off, inward) + reachAlong(q, inward) < -q->margin - OVER * q->shape.extent)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+/* The heights over the triangle's plane between which the shape is. */
+static void heightsOver(const McdMeshQuery *q, const McdMeshTriangle *t, double *low, double *high) {
+    double back[3], point[3], off[3];
+    mcd_scale(back, t->normal, -1);
+    mcd_support(&q->shape, back, point);
+    mcd_sub(off, point, t->corner[0]);
+    *low = mcd_dot(off, t->normal);
+    mcd_support(&q->shape, t->normal, point);
+    mcd_sub(off, point, t->corner[0]);
+    *high = mcd_dot(off, t->normal);
+}
+
+/* Is the triangle within the shape's box, or no farther from it than the margin? */
+static MeBool isNearShape(const McdMeshQuery *q, const McdMeshTriangle *t) {
+    for (int i = 0; i < 3; i++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int k = 0; k < 3; k++) {
+            double off[3];
+            mcd_sub(off, t->corner[k], q->box);
+            low = fmin(low, mcd_dot(off, q->shape.axis[i]));
+            high = fmax(high, mcd_dot(off, q->shape.axis[i]));
+        }
+        const double reach = q->half[i] + q->margin + OVER * q->shape.extent;
+        if (low > reach || high < -reach)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
 static MeBool touches(const McdMeshQuery *q, const McdMeshTriangle *t, McdManifold *m) {
     McdShape triangle;
+    if (!isNearShape(q, t))
+        return MEFALSE;
     mcd_triangleShape(t->corner, &triangle);
     return mcd_convexManifold(&q->shape, &triangle, q->margin, m) > 0;
 }
 
-static void touchTriangle(McdMeshQuery *q, const McdMeshTriangle *t) {
+/* The normals are searched for. False if the shape does not touch the triangle. */
+static MeBool touchAnyWay(McdMeshQuery *q, McdMeshTriangle *t) {
     McdManifold m;
     if (!touches(q, t, &m))
-        return;
+        return MEFALSE;
     const double height = heightOfCentre(q, t), side = sideOf(t, mcd_dot(m.normal, t->normal), height);
     double face[3];
     mcd_scale(face, t->normal, side);
@@ -498,19 +622,147 @@ static void touchTriangle(McdMeshQuery *q, const McdMeshTriangle *t) {
     const MeBool isFace =
         mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION || (verdict == ON_FACE && towards > 0);
     if (verdict == NOT_SHARP && towards < .5) /* pushed from the side, where there is nothing to push */
-        return;
+        return METRUE;
     const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && towards < -SAME_DIRECTION;
     if (isFace || !shortest || verdict != OUTSIDE || isFromBehind) {
-        if ((isFace || side * height >= 0) && touchAlong(q, t, face, OVER))
-            return;
+        if (isFace || side * height >= 0)
+            t->facing = (int)side;
+        if (t->facing && touchAlong(q, t, face, OVER))
+            return METRUE;
         /* a normal that is the face's to within the tolerance belongs to a point that is so far beside the face */
         if (isFace && touchAlong(q, t, face, SAME_DIRECTION))
-            return;
+            return METRUE;
         if (!isFace)
-            return;
+            return METRUE;
         mcd_copy(m.normal, face);
     }
     addManifold(q, t, &m);
+    return METRUE;
+}
+
+/* ---- contacts along the face's normal ---------------------------------------------------------------------------- */
+
+/* The part of the way between two points that is over the triangle, as 0 <= in <= out <= 1; false if none is. */
+static MeBool partOver(const McdMeshTriangle *t, const double from[3], const double to[3], double tolerance, double *in,
+                       double *out) {
+    *in = 0;
+    *out = 1;
+    for (int i = 0; i < 3; i++) {
+        double inward[3], off[3];
+        inwardOf(t, i, inward);
+        mcd_sub(off, from, t->corner[i]);
+        const double a = mcd_dot(off, inward) + tolerance;
+        mcd_sub(off, to, t->corner[i]);
+        const double b = mcd_dot(off, inward) + tolerance;
+        if (a < 0 && b < 0)
+            return MEFALSE;
+        if (a < 0)
+            *in = fmax(*in, a / (a - b));
+        if (b < 0)
+            *out = fmin(*out, a / (a - b));
+    }
+    return *in <= *out;
+}
+
+static MeBool areInOnePlane(const McdMeshQuery *q, const McdMeshTriangle *a, const McdMeshTriangle *b) {
+    double off[3];
+    if (1 - fabs(mcd_dot(a->normal, b->normal)) > RISES * RISES)
+        return MEFALSE;
+    mcd_sub(off, b->corner[0], a->corner[0]);
+    return fabs(mcd_dot(off, a->normal)) <= RISES * q->shape.extent;
+}
+
+/* Is all the way over triangles in t's plane, the last of which pushes along that normal? */
+static MeBool isWayOver(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const double from[3],
+                        const double to[3]) {
+    double reached = 0, in, out;
+    const double tolerance = OVER * q->shape.extent;
+    if (t->facing && partOver(t, to, to, tolerance, &in, &out))
+        return METRUE;
+    for (MeBool isFarther = METRUE; isFarther;) {
+        isFarther = MEFALSE;
+        for (int i = 0; i < q->mesh->count; i++) {
+            const McdMeshTriangle *other = &q->mesh->triangle[i];
+            if ((!other->facing && !other->isPending) || !areInOnePlane(q, t, other) ||
+                !partOver(other, from, to, tolerance, &in, &out) || in > reached)
+                continue;
+            if (out == 1 && other->facing * mcd_dot(other->normal, normal) > 0)
+                return METRUE;
+            isFarther = isFarther || out > reached;
+            reached = fmax(reached, out);
+        }
+    }
+    return MEFALSE;
+}
+
+/* Does the shape come through the surface to the point of contact? */
+static MeBool isReached(const McdMeshQuery *q, const McdMeshTriangle *t, const McdMeshContact *c) {
+    double foot[3], point[3], highest[3], through[3], off[3];
+    if (c->separation >= 0)
+        return t->facing != 0;
+    mcd_support(&q->shape, c->normal, highest);
+    mcd_sub(off, highest, t->corner[0]);
+    const double height = mcd_dot(off, c->normal);
+    if (height <= 0)
+        return MEFALSE;
+    mcd_mad(foot, c->position, -c->separation / 2, c->normal);
+    mcd_mad(point, c->position, c->separation / 2, c->normal);
+    mcd_sub(off, highest, point);
+    mcd_mad(through, point, c->separation / (c->separation - height), off);
+    return isWayOver(q, t, c->normal, foot, through);
+}
+
+/* Contacts of a triangle whose neighbours leave no normal but its own; or of one which the shape does not touch, but may
+ * be below. */
+static void touchFace(McdMeshQuery *q, const McdMeshTriangle *t) {
+    McdMesh *mesh = q->mesh;
+    McdManifold m;
+    double face[3];
+    const int first = mesh->contactCount;
+    int count = first, isTouched = -1;
+    mcd_scale(face, t->normal, t->facing < 0 ? -1 : 1);
+    touchAlong(q, t, face, OVER);
+    for (int i = first; i < mesh->contactCount; i++) {
+        if (!isReached(q, t, &mesh->contact[i])) {
+            if (isTouched < 0)
+                isTouched = t->facing && touches(q, t, &m);
+            if (!isTouched)
+                continue;
+        }
+        mesh->contact[count++] = mesh->contact[i];
+    }
+    mesh->contactCount = count;
+}
+
+/* The first look at a triangle: what is far is neither facing nor pending. */
+static void classify(McdMeshQuery *q, McdMeshTriangle *t) {
+    double low, high;
+    t->facing = 0;
+    t->isPending = MEFALSE;
+    if (!isAbove(q, t))
+        return;
+    heightsOver(q, t, &low, &high);
+    if (low > q->margin || high < -q->margin)
+        return;
+    t->isPending = METRUE;
+    if (t->flags & kMcdTriangleTwoSided)
+        t->facing = !isFlat(q, t) ? 0 : low + high < 0 ? -1 : 1;
+    else
+        t->facing = heightOfCentre(q, t) >= 0 && isFlat(q, t);
+}
+
+static void touchTriangles(McdMeshQuery *q) {
+    McdMesh *mesh = q->mesh;
+    for (int i = 0; i < mesh->count; i++)
+        classify(q, &mesh->triangle[i]);
+    for (int i = 0; i < mesh->count; i++) {
+        McdMeshTriangle *t = &mesh->triangle[i];
+        if (t->isPending && !t->facing)
+            t->isPending = !touchAnyWay(q, t);
+    }
+    for (int i = 0; i < mesh->count; i++)
+        if (mesh->triangle[i].isPending)
+            touchFace(q, &mesh->triangle[i]);
 }
 
 /* Nothing touches with its middle in front: the shape may have gone through. It is brought back to the front of the
@@ -620,6 +872,22 @@ static void placeMesh(McdMeshQuery *q, const McdGeometryInstance *ins) {
     }
 }
 
+/* The shape's box along its own axes. */
+static void boxShape(McdMeshQuery *q) {
+    mcd_copy(q->box, q->shape.place);
+    for (int i = 0; i < 3; i++) {
+        double back[3], far[3], near[3];
+        mcd_scale(back, q->shape.axis[i], -1);
+        mcd_support(&q->shape, q->shape.axis[i], far);
+        mcd_support(&q->shape, back, near);
+        mcd_sub(far, far, q->shape.place);
+        mcd_sub(near, near, q->shape.place);
+        const double low = mcd_dot(near, q->shape.axis[i]), high = mcd_dot(far, q->shape.axis[i]);
+        mcd_mad(q->box, q->box, (low + high) / 2, q->shape.axis[i]);
+        q->half[i] = (high - low) / 2;
+    }
+}
+
 static void boundShape(McdMeshQuery *q) {
     double sum = 0;
     mcd_copy(q->centre, q->place);
@@ -662,6 +930,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh
         return 0;
     placeMesh(&q, ins2);
     boundShape(&q);
+    boxShape(&q);
     findBall(&q);
     mesh->count = mesh->contactCount = mesh->skipped = 0;
     gather(&q);
@@ -670,8 +939,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh
     if (!mesh->count)
         return 0;
     joinCorners(mesh);
-    for (int i = 0; i < mesh->count; i++)
-        touchTriangle(&q, &mesh->triangle[i]);
+    touchTriangles(&q);
     if (!mesh->contactCount)
         bringBack(&q);
     merge(&q, result->contactMaxCount);
