@@ -23,8 +23,9 @@ enum { NOT_KNOWN, CLOSED, OPEN }; /* McdMesh.fan */
 /* ---- memory ------------------------------------------------------------------------------------------------------ */
 
 void mcd_meshFree(McdMesh *mesh) {
-    void *block[] = {mesh->triangle, mesh->place,   mesh->order,  mesh->firstOf,      mesh->usersOf, mesh->fan,
-                     mesh->contact,  mesh->cluster, mesh->merged, mesh->contactOrder, mesh->spots,   mesh->kept};
+    void *block[] = {mesh->triangle,     mesh->place, mesh->slot,    mesh->cornerOf, mesh->firstOf,
+                     mesh->usersOf,      mesh->fan,   mesh->contact, mesh->cluster,  mesh->merged,
+                     mesh->contactOrder, mesh->spots, mesh->kept};
     for (size_t i = 0; i < sizeof block / sizeof *block; i++)
         if (block[i])
             MeMemoryAPI.destroy(block[i]);
@@ -53,8 +54,9 @@ MeBool mcd_meshReserve(McdMesh *mesh, int triangles) {
     if (triangles <= mesh->max)
         return METRUE;
     const int n = mesh->count, max = MeMAX(triangles, 2 * mesh->max);
-    if (!GROW(mesh->triangle, n, max) || !GROW(mesh->place, 3 * n, 3 * max) || !GROW(mesh->order, 0, 3 * max) ||
-        !GROW(mesh->firstOf, 0, 3 * max + 1) || !GROW(mesh->usersOf, 0, 3 * max) || !GROW(mesh->fan, 0, 3 * max))
+    if (!GROW(mesh->triangle, n, max) || !GROW(mesh->place, 3 * n, 3 * max) || !GROW(mesh->cornerOf, 0, 3 * max) ||
+        !GROW(mesh->firstOf, 0, 3 * max + 1) || !GROW(mesh->usersOf, 0, 3 * max) || !GROW(mesh->fan, 0, 3 * max) ||
+        !GROW(mesh->slot, 0, 12 * max))
         return MEFALSE;
     mesh->max = max;
     return METRUE;
@@ -108,11 +110,6 @@ static int comparePoints(const double a[3], const double b[3]) {
         if (a[i] != b[i])
             return a[i] < b[i] ? -1 : 1;
     return 0;
-}
-
-static int comparePlaces(const McdMesh *mesh, int a, int b) {
-    const int order = comparePoints(mesh->place[a], mesh->place[b]);
-    return order ? order : a - b;
 }
 
 static int compareContacts(const McdMesh *mesh, int a, int b) {
@@ -212,22 +209,49 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
     mesh->count++;
 }
 
-/* Numbers the corners, and lists the triangles at each. */
-static void joinCorners(McdMesh *mesh) {
-    int vertex = -1;
+/* A power of 2 that leaves half of the slots empty. */
+static int slotCount(const McdMesh *mesh) {
+    int count = 1;
+    while (count < 6 * mesh->count)
+        count *= 2;
+    return count;
+}
+
+/* The number of the vertex at a corner, a new one if there is none yet: -1 is an empty slot. */
+static int vertexAt(McdMesh *mesh, int slots, int corner, int *vertexCount) {
+    const MeU32 mask = (MeU32)slots - 1;
+    MeU32 at = mesh->triangle[corner / 3].key[corner % 3] & mask;
+    for (; mesh->slot[at] >= 0; at = (at + 1) & mask)
+        if (comparePoints(mesh->place[mesh->cornerOf[mesh->slot[at]]], mesh->place[corner]) == 0)
+            return mesh->slot[at];
+    mesh->cornerOf[*vertexCount] = corner;
+    return mesh->slot[at] = (*vertexCount)++;
+}
+
+/* Numbers the corners in the order in which they come. Returns how many vertices there are. */
+static int numberCorners(McdMesh *mesh) {
+    const int slots = slotCount(mesh);
+    int vertexCount = 0;
+    for (int i = 0; i < slots; i++)
+        mesh->slot[i] = -1;
     for (int i = 0; i < 3 * mesh->count; i++)
-        mesh->order[i] = i;
-    sortIndices(mesh, comparePlaces, mesh->order, 3 * mesh->count);
-    for (int i = 0; i < 3 * mesh->count; i++) {
-        const int here = mesh->order[i];
-        if (i == 0 || comparePoints(mesh->place[here], mesh->place[mesh->order[i - 1]]) != 0)
-            mesh->firstOf[++vertex] = i;
-        mesh->triangle[here / 3].vertex[here % 3] = vertex;
-        mesh->usersOf[i] = here / 3;
-    }
-    mesh->firstOf[vertex + 1] = 3 * mesh->count;
-    for (int i = 0; i <= vertex; i++)
-        mesh->fan[i] = NOT_KNOWN;
+        mesh->triangle[i / 3].vertex[i % 3] = vertexAt(mesh, slots, i, &vertexCount);
+    return vertexCount;
+}
+
+/* Lists the triangles at each vertex. */
+static void joinCorners(McdMesh *mesh) {
+    const int vertexCount = numberCorners(mesh);
+    for (int v = 0; v <= vertexCount; v++)
+        mesh->firstOf[v] = 0;
+    for (int i = 0; i < 3 * mesh->count; i++)
+        mesh->firstOf[mesh->triangle[i / 3].vertex[i % 3]]++;
+    for (int v = 1; v <= vertexCount; v++) /* now where each ends; filling moves that to where it begins */
+        mesh->firstOf[v] += mesh->firstOf[v - 1];
+    for (int i = 3 * mesh->count - 1; i >= 0; i--)
+        mesh->usersOf[--mesh->firstOf[mesh->triangle[i / 3].vertex[i % 3]]] = i / 3;
+    for (int v = 0; v < vertexCount; v++)
+        mesh->fan[v] = NOT_KNOWN;
 }
 
 /* ---- which normals are the surface's -------------------------------------------------------------------------------- */
@@ -751,10 +775,73 @@ static void classify(McdMeshQuery *q, McdMeshTriangle *t) {
         t->facing = heightOfCentre(q, t) >= 0 && isFlat(q, t);
 }
 
+/* The first triangle that there is something to do about, if all of them are in one plane and push the same way. */
+static const McdMeshTriangle *onlyPlane(const McdMeshQuery *q) {
+    const McdMeshTriangle *first = 0;
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        double off[3];
+        if (!t->isPending)
+            continue;
+        if (!first)
+            first = t;
+        mcd_sub(off, t->corner[0], first->corner[0]);
+        if (!t->facing || t->facing != first->facing || !areParallel(t->normal, first->normal) ||
+            fabs(mcd_dot(off, first->normal)) > OVER * q->shape.extent)
+            return 0;
+    }
+    return first;
+}
+
+static const McdMeshTriangle *triangleBelow(const McdMeshQuery *q, const double point[3]) {
+    double in, out;
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        if (t->isPending && partOver(t, point, point, OVER * q->shape.extent, &in, &out))
+            return t;
+    }
+    return 0;
+}
+
+/* Contacts of the points that are within the margin of the plane; false if there is no surface below one of them. */
+static MeBool addOverPlane(McdMeshQuery *q, const double normal[3], const Polygon *p, MeBool onlyBelow, double *least) {
+    for (int i = 0; i < p->count; i++) {
+        Polygon one = {.count = 0};
+        const McdMeshTriangle *t = triangleBelow(q, p->point[i]);
+        if (!t)
+            return MEFALSE;
+        appendPoint(&one, p->point[i], p->name[i], MEFALSE);
+        addAlong(q, t, normal, &one, onlyBelow, least);
+    }
+    return METRUE;
+}
+
+/* Where all of the surface is one plane, and its borders are elsewhere, contacts are those with the plane: no point at
+ * an edge is farther out than the corners of the shape's face. False if it is not so. */
+static MeBool touchPlane(McdMeshQuery *q) {
+    const McdMeshTriangle *t = onlyPlane(q);
+    Polygon p;
+    double face[3], back[3], least = INFINITY;
+    if (!t)
+        return MEFALSE;
+    mcd_scale(face, t->normal, t->facing);
+    mcd_scale(back, face, -1);
+    polygonToward(&q->shape, back, &p);
+    if (addOverPlane(q, face, &p, MEFALSE, &least)) {
+        pointToward(&q->shape, back, &p);
+        if (addOverPlane(q, face, &p, METRUE, &least))
+            return METRUE;
+    }
+    q->mesh->contactCount = 0;
+    return MEFALSE;
+}
+
 static void touchTriangles(McdMeshQuery *q) {
     McdMesh *mesh = q->mesh;
     for (int i = 0; i < mesh->count; i++)
         classify(q, &mesh->triangle[i]);
+    if (touchPlane(q))
+        return;
     for (int i = 0; i < mesh->count; i++) {
         McdMeshTriangle *t = &mesh->triangle[i];
         if (t->isPending && !t->facing)

@@ -37,9 +37,10 @@ typedef struct McdMeshContact {
 typedef struct McdMesh {
     int count, max; /* triangles */
     McdMeshTriangle *triangle;
-    double (*place)[3];             /* their corners in the mesh's frame, three each */
-    int *order, *firstOf, *usersOf; /* 3 max: corners sorted by place; 3 max + 1: where a vertex' triangles begin */
-    int *fan;                       /* 3 max: is a vertex surrounded by triangles in one plane? */
+    double (*place)[3];     /* their corners in the mesh's frame, three each */
+    int *firstOf, *usersOf; /* 3 max + 1: where a vertex' triangles begin in the other, 3 max */
+    int *cornerOf, *slot;   /* 3 max: a corner at the vertex; 12 max: where to find it */
+    int *fan;               /* 3 max: is a vertex surrounded by triangles in one plane? */
     int contactCount, contactMax;
     McdMeshContact *contact, *cluster, *merged;
     int *contactOrder;
