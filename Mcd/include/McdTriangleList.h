@@ -8,7 +8,9 @@
  *    are made. At an edge or corner that triangles share (corners at exactly equal coordinates) only those normals are
  *    made that are between the faces' normals on the outside of a convex fold. Flat and concave ones have none,
  *    whatever the flags say: a model slides over them as if they were not there. Corners that lie on another
- *    triangle's edge are not shared.
+ *    triangle's edge are not shared: there each side has a border. Nothing falls through, as both sides reach the line,
+ *    but where UseEdge makes that border sharp, a model that is in it with a corner is pushed sideways too, at times
+ *    nothing but sideways for a step. Split such edges, or leave their UseEdge flag out.
  *  - TwoSided: both sides are outside. Else the side to which the triangle's normal points is: contacts push that way.
  *    A model whose middle has got behind, while nothing else touches it, is brought back if the middle is no farther
  *    behind than half of the model's radius; deeper ones, and those that come from behind, pass.

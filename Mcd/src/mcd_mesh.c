@@ -700,15 +700,12 @@ static MeBool areInOnePlane(const McdMeshQuery *q, const McdMeshTriangle *a, con
 static MeBool isWayOver(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const double from[3],
                         const double to[3]) {
     double reached = 0, in, out;
-    const double tolerance = OVER * q->shape.extent;
-    if (t->facing && partOver(t, to, to, tolerance, &in, &out))
-        return METRUE;
     for (MeBool isFarther = METRUE; isFarther;) {
         isFarther = MEFALSE;
         for (int i = 0; i < q->mesh->count; i++) {
             const McdMeshTriangle *other = &q->mesh->triangle[i];
             if ((!other->facing && !other->isPending) || !areInOnePlane(q, t, other) ||
-                !partOver(other, from, to, tolerance, &in, &out) || in > reached)
+                !partOver(other, from, to, OVER * q->shape.extent, &in, &out) || in > reached)
                 continue;
             if (out == 1 && other->facing * mcd_dot(other->normal, normal) > 0)
                 return METRUE;
@@ -719,41 +716,83 @@ static MeBool isWayOver(const McdMeshQuery *q, const McdMeshTriangle *t, const d
     return MEFALSE;
 }
 
-/* Does the shape come through the surface to the point of contact? */
-static MeBool isReached(const McdMeshQuery *q, const McdMeshTriangle *t, const McdMeshContact *c) {
-    double foot[3], point[3], highest[3], through[3], off[3];
-    if (c->separation >= 0)
-        return t->facing != 0;
+static void footOf(const McdMeshContact *c, double foot[3]) {
+    mcd_mad(foot, c->position, -c->separation / 2, c->normal);
+}
+
+/* Where the line from a point of contact, which is below the plane, to the shape's highest point comes through the
+ * plane; false if all of the shape is below. */
+static MeBool comesThrough(const McdMeshQuery *q, const McdMeshContact *c, double through[3]) {
+    double foot[3], point[3], highest[3], off[3];
+    footOf(c, foot);
+    mcd_mad(point, c->position, c->separation / 2, c->normal);
     mcd_support(&q->shape, c->normal, highest);
-    mcd_sub(off, highest, t->corner[0]);
+    mcd_sub(off, highest, foot);
     const double height = mcd_dot(off, c->normal);
     if (height <= 0)
         return MEFALSE;
-    mcd_mad(foot, c->position, -c->separation / 2, c->normal);
-    mcd_mad(point, c->position, c->separation / 2, c->normal);
     mcd_sub(off, highest, point);
     mcd_mad(through, point, c->separation / (c->separation - height), off);
-    return isWayOver(q, t, c->normal, foot, through);
+    return METRUE;
 }
 
-/* Contacts of a triangle whose neighbours leave no normal but its own; or of one which the shape does not touch, but may
- * be below. */
-static void touchFace(McdMeshQuery *q, const McdMeshTriangle *t) {
-    McdMesh *mesh = q->mesh;
+/* Does the shape touch the triangle, over or below which contacts are? */
+static MeBool touchesAt(const McdMeshQuery *q, const McdMeshTriangle *t, int first) {
     McdManifold m;
+    for (int i = first; i < q->mesh->contactCount; i++) {
+        const McdMeshContact *c = &q->mesh->contact[i];
+        double through[3], in, out;
+        if (c->separation >= 0 ||
+            (comesThrough(q, c, through) && partOver(t, through, through, OVER * q->shape.extent, &in, &out)))
+            return METRUE;
+    }
+    return first < q->mesh->contactCount && touches(q, t, &m);
+}
+
+/* The normal is the face's, as the neighbours leave no other. False if the shape does not touch the triangle. */
+static MeBool touchFlat(McdMeshQuery *q, const McdMeshTriangle *t) {
+    const int first = q->mesh->contactCount;
     double face[3];
-    const int first = mesh->contactCount;
-    int count = first, isTouched = -1;
-    mcd_scale(face, t->normal, t->facing < 0 ? -1 : 1);
+    mcd_scale(face, t->normal, t->facing);
     touchAlong(q, t, face, OVER);
+    if (touchesAt(q, t, first))
+        return METRUE;
+    q->mesh->contactCount = first;
+    return MEFALSE;
+}
+
+/* The least separation of the first contacts from the triangle's plane. */
+static double leastFrom(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], int count) {
+    double least = INFINITY;
+    for (int i = 0; i < count; i++) {
+        const McdMeshContact *c = &q->mesh->contact[i];
+        double off[3];
+        footOf(c, off);
+        mcd_sub(off, off, t->corner[0]);
+        if (c->separation < least && areParallel(c->normal, normal) &&
+            fabs(mcd_dot(off, normal)) <= RISES * q->shape.extent)
+            least = c->separation;
+    }
+    return least;
+}
+
+/* What is below a triangle that the shape does not touch, if it is as deep as all else below that plane, and the shape
+ * comes through the surface to there. */
+static void reachBelow(McdMeshQuery *q, const McdMeshTriangle *t) {
+    McdMesh *mesh = q->mesh;
+    double face[3], foot[3], through[3];
+    const int first = mesh->contactCount;
+    int count = first;
+    mcd_scale(face, t->normal, t->facing < 0 ? -1 : 1);
+    if (!touchAlong(q, t, face, OVER))
+        return;
+    const double deep = leastFrom(q, t, face, first) + OVER * q->shape.extent;
     for (int i = first; i < mesh->contactCount; i++) {
-        if (!isReached(q, t, &mesh->contact[i])) {
-            if (isTouched < 0)
-                isTouched = t->facing && touches(q, t, &m);
-            if (!isTouched)
-                continue;
-        }
-        mesh->contact[count++] = mesh->contact[i];
+        const McdMeshContact *c = &mesh->contact[i];
+        footOf(c, foot);
+        if (c->separation < 0 && c->separation <= deep && comesThrough(q, c, through) &&
+            isWayOver(q, t, face, foot, through))
+            mesh->contact[count++] = *c;
     }
     mesh->contactCount = count;
 }
@@ -844,12 +883,12 @@ static void touchTriangles(McdMeshQuery *q) {
         return;
     for (int i = 0; i < mesh->count; i++) {
         McdMeshTriangle *t = &mesh->triangle[i];
-        if (t->isPending && !t->facing)
-            t->isPending = !touchAnyWay(q, t);
+        if (t->isPending)
+            t->isPending = t->facing ? !touchFlat(q, t) : !touchAnyWay(q, t);
     }
     for (int i = 0; i < mesh->count; i++)
         if (mesh->triangle[i].isPending)
-            touchFace(q, &mesh->triangle[i]);
+            reachBelow(q, &mesh->triangle[i]);
 }
 
 /* Nothing touches with its middle in front: the shape may have gone through. It is brought back to the front of the

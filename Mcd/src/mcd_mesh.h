@@ -23,7 +23,7 @@ typedef struct McdMeshTriangle {
     int flags;     /* McdTriangleFlags */
     int element;
     int facing;       /* contacts are along its normal: 1, or -1 for the other way; 0: not, or not known */
-    MeBool isPending; /* what is along its normal is still to be looked for */
+    MeBool isPending; /* the shape may be below it, but was not yet found to touch it */
 } McdMeshTriangle;
 
 typedef struct McdMeshContact {

@@ -82,13 +82,22 @@ static McdGeometryID makeShape(int kind, double size) {
     }
 }
 
+/* Pushes only up. With it, the surface is not just one plane. */
+static void addLowTriangle(double size) {
+    const double z = -.01 * size, r = .3 * size;
+    terrain_triangle(&ground, terrain_vertex(&ground, -r, -r, z), terrain_vertex(&ground, r, -r, z),
+                     terrain_vertex(&ground, 0, r, z), 0);
+}
+
 /* On a grid of triangles as on a plane: the lowest point is the deepest, and the normal is the plane's. */
-static void onPlane(int kind, double size) {
+static void onPlane(int kind, double size, int isAlone) {
     MeReal down[3] = {0, 0, -1}, up[3] = {0, 0, 1};
     MeVector3 lowest, highest;
     begin();
     seed = (unsigned int)kind;
     terrain_grid(&ground, 20, .23 * size, 0, ONE_SIDED);
+    if (!isAlone)
+        addLowTriangle(size);
     probe_init(&probe, makeShape(kind, size), terrain_list(frame, &ground));
     McdModelSetContactTolerance(probe.model, (MeReal)(.01 * size));
     McdModelSetContactTolerance(probe.ground, 0);
@@ -113,9 +122,10 @@ static void onPlane(int kind, double size) {
 
 START_TEST(a_flat_grid_is_a_plane) {
     for (int kind = 0; kind < 40; kind++) {
-        onPlane(kind, 1);
-        onPlane(kind, 1e-3);
-        onPlane(kind, 1e3);
+        onPlane(kind, 1, 1);
+        onPlane(kind, 1e-3, 1);
+        onPlane(kind, 1e3, 1);
+        onPlane(kind, 1, 0);
     }
 }
 END_TEST
@@ -503,6 +513,70 @@ START_TEST(the_list_may_stand_anywhere) {
 }
 END_TEST
 
+/* Cells of .4 at x < 0, of .2 at x > 0: on the line between them every other corner is on an edge. */
+static void makeSeam(void) {
+    for (int side = 0; side < 2; side++) {
+        const double cell = side ? .2 : .4;
+        const int n = side ? 20 : 10, first = ground.vertexCount;
+        for (int j = 0; j <= n; j++)
+            for (int i = 0; i <= n; i++)
+                terrain_vertex(&ground, (side ? 0 : -4) + i * cell, -2 + j * cell, 0);
+        for (int j = 0; j < n; j++)
+            for (int i = 0; i < n; i++) {
+                const int a = first + j * (n + 1) + i;
+                terrain_triangle(&ground, a, a + 1, a + n + 2, ONE_SIDED);
+                terrain_triangle(&ground, a, a + n + 2, a + n + 1, ONE_SIDED);
+            }
+    }
+}
+
+static double lowestOf(const Probe *p) {
+    MeReal down[3] = {0, 0, -1};
+    MeVector3 lowest;
+    McdGeometryMaximumPoint(McdModelGetGeometry(p->model), (const MeVector4 *)p->tm, down, lowest);
+    return (double)lowest[2];
+}
+
+/* Out along each contact by what of its depth the others have left. */
+static void pushOut(Probe *p) {
+    double way[3] = {0, 0, 0};
+    for (int i = 0; i < p->result.contactCount; i++) {
+        const McdContact *c = &p->contact[i];
+        double left = -(double)c->separation;
+        for (int k = 0; k < 3; k++)
+            left -= way[k] * (double)c->normal[k];
+        for (int k = 0; k < 3 && left > 0; k++)
+            way[k] += left * (double)c->normal[k];
+    }
+    for (int k = 0; k < 3; k++)
+        p->tm[3][k] += (MeReal)way[k];
+}
+
+START_TEST(nothing_falls_through_where_corners_meet_edges) {
+    for (int kind = 0; kind < 12; kind++) {
+        begin();
+        seed = (unsigned int)kind;
+        makeSeam();
+        probe_init(&probe, makeShape(kind, 1), terrain_list(frame, &ground));
+        for (int i = 0; i < 30; i++) {
+            randomTurn(probe.tm);
+            MeMatrix4TMSetPosition(probe.tm, (MeReal)(.6 * (random01() - .5)), (MeReal)(2 * (random01() - .5)), 0);
+            probe.tm[3][2] = (MeReal)(.01 - lowestOf(&probe));
+            for (int step = 0; step < 60; step++) {
+                probe.tm[3][2] -= (MeReal).02;
+                probe_test(&probe);
+                for (int k = 0; k < probe.result.contactCount; k++)
+                    ck_assert(probe.contact[k].normal[2] > (MeReal)-1e-6);
+                pushOut(&probe);
+                ck_assert(lowestOf(&probe) > -.021);
+            }
+        }
+        probe_term(&probe);
+        end();
+    }
+}
+END_TEST
+
 START_TEST(triangles_without_area_do_nothing) {
     begin();
     messages_catch();
@@ -633,6 +707,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, flags);
     tcase_add_test(t, the_given_normal_says_which_side_is_outside);
     tcase_add_test(t, the_list_may_stand_anywhere);
+    tcase_add_test(t, nothing_falls_through_where_corners_meet_edges);
     tcase_add_test(t, triangles_without_area_do_nothing);
     tcase_add_test(t, too_many_triangles_are_told_once);
     tcase_add_test(t, the_result_has_no_more_than_fit);
