@@ -11,6 +11,8 @@
 #define RISES 1e-6
 /* Corners whose heights over a plane differ by a smaller part of their distance are equally high. */
 #define SAME_HEIGHT 1e-5
+/* How far beside a border the surface is looked for, relative to the shape's extent. */
+#define BESIDE 1e-5
 /* What is over a triangle, relative to the shape's extent: neighbours overlap by that, so that nothing slips between. */
 #define OVER 1e-9
 /* A triangle whose height is a smaller part of its longest side has no area. */
@@ -632,6 +634,69 @@ static MeBool touches(const McdMeshQuery *q, const McdMeshTriangle *t, McdManifo
     return mcd_convexManifold(&q->shape, &triangle, q->margin, m) > 0;
 }
 
+/* The part of the way between two points that is over the triangle, as 0 <= in <= out <= 1; false if none is. */
+static MeBool partOver(const McdMeshTriangle *t, const double from[3], const double to[3], double tolerance, double *in,
+                       double *out) {
+    *in = 0;
+    *out = 1;
+    for (int i = 0; i < 3; i++) {
+        double inward[3], off[3];
+        inwardOf(t, i, inward);
+        mcd_sub(off, from, t->corner[i]);
+        const double a = mcd_dot(off, inward) + tolerance;
+        mcd_sub(off, to, t->corner[i]);
+        const double b = mcd_dot(off, inward) + tolerance;
+        if (a < 0 && b < 0)
+            return MEFALSE;
+        if (a < 0)
+            *in = fmax(*in, a / (a - b));
+        if (b < 0)
+            *out = fmin(*out, a / (a - b));
+    }
+    return *in <= *out;
+}
+
+static MeBool sharesBorder(const McdMeshTriangle *t, const McdMeshTriangle *other, int mask) {
+    for (int i = 0; i < 3; i++)
+        if (mask & 1 << i && !hasVertex(other, t->vertex[i]))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* Does the surface go on beside the triangle, above the plane across the normal, although no corner is shared there? A
+ * corner of it is on the triangle's edge, or the other way round. Looked for a small step beyond the border, beside the
+ * contact. */
+static MeBool goesOnBeside(const McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
+    const McdManifoldPoint *p = &m->point[0];
+    const double step = BESIDE * q->shape.extent;
+    const int mask = farthestCorners(t, m->normal);
+    double at[3], out[3], away = -INFINITY, in, end;
+    for (int i = 1; i < m->count; i++)
+        if (m->point[i].separation < p->separation)
+            p = &m->point[i];
+    mcd_mad(out, m->normal, -mcd_dot(m->normal, t->normal), t->normal);
+    mcd_scale(out, out, 1 / mcd_length(out));
+    mcd_sub(at, p->position, t->corner[0]);
+    mcd_mad(at, p->position, -mcd_dot(at, t->normal), t->normal);
+    for (int i = 0; i < 3; i++)
+        away = fmax(away, mcd_dot(t->corner[i], out));
+    mcd_mad(at, at, away - mcd_dot(at, out) + step, out);
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *other = &q->mesh->triangle[i];
+        double off[3], d[3];
+        mcd_sub(off, at, other->corner[0]);
+        const double height = mcd_dot(off, other->normal);
+        if (other == t || fabs(height) > step || sharesBorder(t, other, mask) ||
+            !partOver(other, at, at, OVER * q->shape.extent, &in, &end))
+            continue;
+        mcd_scale(d, out, step);
+        mcd_mad(d, d, -height, other->normal);
+        if (mcd_dot(d, m->normal) > SAME_DIRECTION * step)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
 /* The normals are searched for. False if the shape does not touch the triangle. */
 static MeBool touchAnyWay(McdMeshQuery *q, McdMeshTriangle *t) {
     McdManifold m;
@@ -642,7 +707,9 @@ static MeBool touchAnyWay(McdMeshQuery *q, McdMeshTriangle *t) {
     mcd_scale(face, t->normal, side);
     const double towards = mcd_dot(m.normal, face);
     const MeBool shortest = (t->flags & kMcdTriangleUseSmallestPenetration) != 0;
-    const Verdict verdict = judge(q, t, m.normal);
+    Verdict verdict = judge(q, t, m.normal);
+    if ((verdict == OUTSIDE || verdict == NOT_SHARP) && goesOnBeside(q, t, &m))
+        verdict = INSIDE;
     const MeBool isFace =
         mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION || (verdict == ON_FACE && towards > 0);
     if (verdict == NOT_SHARP && towards < .5) /* pushed from the side, where there is nothing to push */
@@ -665,28 +732,6 @@ static MeBool touchAnyWay(McdMeshQuery *q, McdMeshTriangle *t) {
 }
 
 /* ---- contacts along the face's normal ---------------------------------------------------------------------------- */
-
-/* The part of the way between two points that is over the triangle, as 0 <= in <= out <= 1; false if none is. */
-static MeBool partOver(const McdMeshTriangle *t, const double from[3], const double to[3], double tolerance, double *in,
-                       double *out) {
-    *in = 0;
-    *out = 1;
-    for (int i = 0; i < 3; i++) {
-        double inward[3], off[3];
-        inwardOf(t, i, inward);
-        mcd_sub(off, from, t->corner[i]);
-        const double a = mcd_dot(off, inward) + tolerance;
-        mcd_sub(off, to, t->corner[i]);
-        const double b = mcd_dot(off, inward) + tolerance;
-        if (a < 0 && b < 0)
-            return MEFALSE;
-        if (a < 0)
-            *in = fmax(*in, a / (a - b));
-        if (b < 0)
-            *out = fmin(*out, a / (a - b));
-    }
-    return *in <= *out;
-}
 
 static MeBool areInOnePlane(const McdMeshQuery *q, const McdMeshTriangle *a, const McdMeshTriangle *b) {
     double off[3];

@@ -3,7 +3,8 @@
  * Whoever has triangles (a list's callback, a height field's grid) adds those near the shape; mcd_meshIntersect does the
  * rest. Which normals a contact may have follows from the neighbours: a normal at an edge or a corner is one of the
  * surface's only if no triangle that meets there rises above the plane through it. All others are contacts inside the
- * surface, and get the face's normal. Neighbours are found by equal coordinates of their corners.
+ * surface, and get the face's normal. Neighbours are found by equal coordinates of their corners; where
+ * there is none, beside the contact.
  *
  * Where a triangle lies flat among its neighbours, the face's normal is the only one: no other is searched for. There,
  * a point below the surface counts if the shape comes to it through the surface: seen along the normal, the way from
