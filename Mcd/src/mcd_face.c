@@ -458,7 +458,10 @@ static int deepestOf(const Spot *spot, int count, double slack_) {
     return 0;
 }
 
-/* Four well-spread ones: the deepest, the farthest from it, and the farthest from their line on either side. */
+/* Four well-spread ones: the deepest, the farthest from it, and the farthest from their line on either side.
+ *
+ * Not mcd_spread: here all is in one plane, the slack decides between spots that are as good, so that a body at rest
+ * keeps its points, and mcd_spread's look at all of them from every side would cost a pair a fifth more time. */
 static int keepFour(Spot *spot, int count, double slack_) {
     int chosen[4], made = 0;
     chosen[made++] = deepestOf(spot, count, slack_);
