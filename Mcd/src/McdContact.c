@@ -207,6 +207,7 @@ static McdSpot spotOf(const McdContact *c, const McdContact *reference) {
         s.normal[i] = (double)c->normal[i];
     }
     s.separation = (double)c->separation;
+    s.apart = 0;
     return s;
 }
 
