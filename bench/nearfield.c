@@ -1,9 +1,10 @@
 /* What a pair of convex shapes costs: nanoseconds per pair of kinds, standing on each other, tilted a little, lying any
- * way, and a little apart; and ODE's boxes, where it is installed.
+ * way, and a little apart; for comparison, ODE's boxes, where it is installed, and FCL's boxes and cylinders.
  *
  *     nearfield [--rounds COUNT] */
 #define _POSIX_C_SOURCE 199309L /* clock_gettime */
 #include "mcd_vector.h"
+#include "nearfield_fcl.h"
 #include "reference.h"
 
 #include <stdio.h>
@@ -95,6 +96,29 @@ static double timeOde(int rounds) {
 }
 #endif
 
+static PeerShape peer(const McdShape *s) {
+    PeerShape p = {.isCylinder = s->type == kMcdGeometryTypeCylinder};
+    mcd_copy(p.size, s->size);
+    mcd_copy(p.place, s->place);
+    memcpy(p.axis, s->axis, sizeof p.axis);
+    return p;
+}
+
+static double timeFcl(int rounds, int *contacts) {
+    double best = INFINITY;
+    fcl_clear();
+    for (int k = 0; k < PAIRS; k++) {
+        const PeerShape x = peer(&a[k]), y = peer(&b[k]);
+        fcl_add(&x, &y);
+    }
+    for (int i = 0; i < rounds; i++) {
+        const double begin = now();
+        *contacts = fcl_collideAll();
+        best = fmin(best, (now() - begin) / PAIRS);
+    }
+    return best;
+}
+
 int main(int argc, char **argv) {
     const int rounds = argc > 2 && !strcmp(argv[1], "--rounds") ? atoi(argv[2]) : 20;
     printf("%-9s %-9s", "", "");
@@ -115,6 +139,10 @@ int main(int argc, char **argv) {
                 if (i == SHAPE_BOX && j == SHAPE_BOX)
                     printf(" (ODE %.0f)", 1e9 * timeOde(rounds));
 #endif
+                if (i == SHAPE_BOX && (j == SHAPE_BOX || j == SHAPE_CYLINDER)) {
+                    const double fcl = timeFcl(rounds, &contacts);
+                    printf(" (FCL %.0f %.1f)", 1e9 * fcl, (double)contacts / PAIRS);
+                }
             }
             printf("\n");
         }

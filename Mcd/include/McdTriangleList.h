@@ -7,8 +7,9 @@
  *  - UseEdge0 .. 2: the edge is sharp: there, and at the corners between two sharp edges, normals other than the face's
  *    are made. At an edge or corner that triangles share (corners at exactly equal coordinates) only those normals are
  *    made that are between the faces' normals on the outside of a convex fold. Flat and concave ones have none,
- *    whatever the flags say: a model slides over them as if they were not there. Corners that lie on another
- *    triangle's edge are not shared.
+ *    whatever the flags say: a model slides over them as if they were not there. Where a corner lies on another
+ *    triangle's edge, the surface is looked for beside the contact: if it rises there above the plane across the
+ *    normal, the face's normal is made. In folds that is less exact; better split such edges there.
  *  - TwoSided: both sides are outside. Else the side to which the triangle's normal points is: contacts push that way.
  *    A model whose middle has got behind, while nothing else touches it, is brought back if the middle is no farther
  *    behind than half of the model's radius; deeper ones, and those that come from behind, pass.

@@ -140,23 +140,27 @@ static double sizeOf(const McdSpot *spot, int count) {
     return sqrt(dot(d, d));
 }
 
-static int addMostDifferent(const McdSpot *spot, int count, int wanted, double same, int *kept, int keptCount) {
+/* Counts one that is chosen now. */
+static void updateApart(McdSpot *spot, int count, const McdSpot *chosen, double size) {
+    for (int i = 0; i < count; i++)
+        spot[i].apart = fmin(spot[i].apart, differenceSquared(&spot[i], chosen, size));
+}
+
+static int addMostDifferent(McdSpot *spot, int count, int wanted, double same, int *kept, int keptCount) {
     const double size = fmax(sizeOf(spot, count), same);
+    for (int i = 0; i < count; i++)
+        spot[i].apart = INFINITY;
+    for (int k = 0; k < keptCount; k++)
+        updateApart(spot, count, &spot[kept[k]], size);
     while (keptCount < wanted) {
-        int best = -1;
-        double most = same * same;
-        for (int i = 0; i < count; i++) {
-            double least = INFINITY;
-            for (int k = 0; k < keptCount && least > most; k++)
-                least = fmin(least, differenceSquared(&spot[i], &spot[kept[k]], size));
-            if (least > most) {
-                most = least;
+        int best = 0;
+        for (int i = 1; i < count; i++)
+            if (spot[i].apart > spot[best].apart)
                 best = i;
-            }
-        }
-        if (best < 0)
+        if (!(spot[best].apart > same * same))
             break;
         kept[keptCount++] = best;
+        updateApart(spot, count, &spot[best], size);
     }
     return keptCount;
 }
@@ -177,7 +181,7 @@ static void ascending(int *kept, int count) {
         }
 }
 
-int mcd_spread(const McdSpot *spot, int count, int wanted, double same, int *kept) {
+int mcd_spread(McdSpot *spot, int count, int wanted, double same, int *kept) {
     int keptCount;
     if (count <= 0 || wanted <= 0)
         return 0;
@@ -203,6 +207,7 @@ static McdSpot spotOf(const McdContact *c, const McdContact *reference) {
         s.normal[i] = (double)c->normal[i];
     }
     s.separation = (double)c->separation;
+    s.apart = 0;
     return s;
 }
 

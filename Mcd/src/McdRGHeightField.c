@@ -1,7 +1,6 @@
 /* The height field: triangles over a regular grid. */
 #include "McdRGHeightField.h"
 #include "MeDebugDraw.h"
-#include "mcd_bounds.h"
 #include "mcd_geometries.h"
 #include "mcd_local.h"
 #include <math.h>
@@ -149,28 +148,18 @@ MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x, MeReal 
 
 /* ---- the type's functions ------------------------------------------------------------------------------------------- */
 
-MeI16 MEAPI McdRGHeightFieldGetTypeId(void) {
-    return kMcdGeometryTypeRGHeightField;
-}
-
-char *MEAPI McdRGHeightFieldGetTypeName(McdGeometryID g) {
-    (void)g;
-    return (char *)"RGHeightField";
-}
-
 static void boxOf(const McdRGHeightField *f, MeVector3 min, MeVector3 max) {
     MeVector3Set(min, f->x0, f->y0, f->low);
     MeVector3Set(max, f->x0 + (MeReal)(f->xCount - 1) * f->xStep, f->y0 + (MeReal)(f->yCount - 1) * f->yStep, f->high);
 }
 
-void MEAPI McdRGHeightFieldUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
-    if (!mcd_instanceIs(ins, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldUpdateAABB"))
-        return;
+static void support(const McdGeometry *g, const double direction[3], double point[3]) {
     MeVector3 min, max;
-    (void)tight;
-    boxOf((const McdRGHeightField *)ins->geometry, min, max);
-    mcd_boxUpdateAABB(ins, min, max, finalTM);
+    boxOf((const McdRGHeightField *)g, min, max);
+    mcd_boxSupport(min, max, direction, point);
 }
+
+MCD_DEFINE_GEOMETRY_TYPE(RGHeightField)
 
 void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldGetBSphere"))
@@ -178,14 +167,6 @@ void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, M
     MeVector3 min, max;
     boxOf((const McdRGHeightField *)g, min, max);
     mcd_boxBSphere(min, max, center, radius);
-}
-
-void MEAPI McdRGHeightFieldMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
-    if (!mcd_instanceIs(ins, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldMaximumPoint"))
-        return;
-    MeVector3 min, max;
-    boxOf((const McdRGHeightField *)ins->geometry, min, max);
-    mcd_boxMaximumPoint(ins, min, max, inDir, outPoint);
 }
 
 MeI16 MEAPI McdRGHeightFieldGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
@@ -222,13 +203,6 @@ void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, 
             if (j + 1 < f->yCount)
                 drawLine(f, tm, i, j, i, j + 1, colour);
         }
-}
-
-void MEAPI McdRGHeightFieldRegisterType(McdFramework *frame) {
-    McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypeRGHeightField, McdRGHeightFieldGetTypeName(0),
-                                     McdRGHeightFieldDestroy, McdRGHeightFieldUpdateAABB, McdRGHeightFieldGetBSphere,
-                                     McdRGHeightFieldMaximumPoint, McdRGHeightFieldGetMassProperties,
-                                     McdRGHeightFieldDebugDraw);
 }
 
 /* ---- interactions ----------------------------------------------------------------------------------------------------- */
@@ -365,10 +339,10 @@ static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *
                              McdLineSegIntersectResult *outOverlap) {
     const McdGeometryInstance *ins = &mcd_record(cm)->instance;
     double from[3], to[3], part, normal[3];
-    mcd_toLocal(ins->tm, inOrig, from);
-    mcd_toLocal(ins->tm, inDest, to);
+    mcd_toLocal(mcd_const(ins->tm), inOrig, from);
+    mcd_toLocal(mcd_const(ins->tm), inDest, to);
     return walk((const McdRGHeightField *)ins->geometry, from, to, &part, normal) &&
-           mcd_segmentHit(ins->tm, inOrig, inDest, part, normal, outOverlap);
+           mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, part, normal, outOverlap);
 }
 
 void MEAPI McdRGHeightFieldLineSegmentRegisterInteraction(McdFramework *frame) {

@@ -1,6 +1,5 @@
 /* The triangle list: a box, and a callback that knows what is in it. */
 #include "McdTriangleList.h"
-#include "mcd_bounds.h"
 #include "mcd_geometries.h"
 #include "mcd_local.h"
 #include <math.h>
@@ -126,35 +125,18 @@ void MEAPI McdTriangleListSetUserData(McdTriangleListID g, void *data) {
 
 /* ---- the type's functions ------------------------------------------------------------------------------------------- */
 
-MeI16 MEAPI McdTriangleListGetTypeId(void) {
-    return kMcdGeometryTypeTriangleList;
+static void support(const McdGeometry *g, const double direction[3], double point[3]) {
+    const McdTriangleList *list = (const McdTriangleList *)g;
+    mcd_boxSupport(list->min, list->max, direction, point);
 }
 
-char *MEAPI McdTriangleListGetTypeName(McdGeometryID g) {
-    (void)g;
-    return (char *)"TriangleList";
-}
-
-void MEAPI McdTriangleListUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
-    if (!mcd_instanceIs(ins, kMcdGeometryTypeTriangleList, "McdTriangleListUpdateAABB"))
-        return;
-    const McdTriangleList *list = (const McdTriangleList *)ins->geometry;
-    (void)tight;
-    mcd_boxUpdateAABB(ins, list->min, list->max, finalTM);
-}
+MCD_DEFINE_GEOMETRY_TYPE(TriangleList)
 
 void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListGetBSphere"))
         return;
     const McdTriangleList *list = (const McdTriangleList *)g;
     mcd_boxBSphere(list->min, list->max, center, radius);
-}
-
-void MEAPI McdTriangleListMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
-    if (!mcd_instanceIs(ins, kMcdGeometryTypeTriangleList, "McdTriangleListMaximumPoint"))
-        return;
-    const McdTriangleList *list = (const McdTriangleList *)ins->geometry;
-    mcd_boxMaximumPoint(ins, list->min, list->max, inDir, outPoint);
 }
 
 MeI16 MEAPI McdTriangleListGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
@@ -169,14 +151,7 @@ void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatrix4 tm, c
     if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListDebugDraw"))
         return;
     const McdTriangleList *list = (const McdTriangleList *)g;
-    mcd_boxDebugDraw(list->min, list->max, tm, colour);
-}
-
-void MEAPI McdTriangleListRegisterType(McdFramework *frame) {
-    McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypeTriangleList, McdTriangleListGetTypeName(0),
-                                     McdTriangleListDestroy, McdTriangleListUpdateAABB, McdTriangleListGetBSphere,
-                                     McdTriangleListMaximumPoint, McdTriangleListGetMassProperties,
-                                     McdTriangleListDebugDraw);
+    mcd_drawBox(tm, colour, list->min, list->max);
 }
 
 /* ---- triangles -------------------------------------------------------------------------------------------------------- */
@@ -263,8 +238,8 @@ static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *
     const McdGeometryInstance *ins = &mcd_record(cm)->instance;
     McdTriangleList *list = (McdTriangleList *)ins->geometry;
     double from[3], to[3], middle[3], normal[3] = {0, 0, 1}, least = 2;
-    mcd_toLocal(ins->tm, inOrig, from);
-    mcd_toLocal(ins->tm, inDest, to);
+    mcd_toLocal(mcd_const(ins->tm), inOrig, from);
+    mcd_toLocal(mcd_const(ins->tm), inDest, to);
     double length = 0;
     for (int i = 0; i < 3; i++) {
         middle[i] = (from[i] + to[i]) / 2;
@@ -286,7 +261,7 @@ static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *
             memcpy(normal, hit, sizeof normal);
         }
     }
-    return least <= 1 && mcd_segmentHit(ins->tm, inOrig, inDest, least, normal, outOverlap);
+    return least <= 1 && mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, least, normal, outOverlap);
 }
 
 void MEAPI McdTriangleListLineSegmentRegisterInteraction(McdFramework *frame) {

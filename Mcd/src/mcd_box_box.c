@@ -65,21 +65,26 @@ static MeBool facesOfB(const Boxes *x, double limit, double bias, Best *best) {
 
 /* The direction e_i x b_j, whose length is the sine of their angle. */
 static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
-    const double faces = best->separation + bias;
+    double least = best->separation + bias; /* to be better than */
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            const double y = -x->turn[i2][j], z = x->turn[i1][j], sine = sqrt(y * y + z * z);
-            if (sine < parallelSine)
+            const double y = -x->turn[i2][j], z = x->turn[i1][j], squared = y * y + z * z;
+            if (squared < parallelSine * parallelSine)
                 continue;
             const double along = x->apart[i1] * y + x->apart[i2] * z;
             const double reach = x->sizeA[i1] * x->steep[i2][j] + x->sizeA[i2] * x->steep[i1][j] +
                                  x->sizeB[j1] * x->steep[i][j2] + x->sizeB[j2] * x->steep[i][j1];
-            const double s = (fabs(along) - reach) / sine;
+            const double gap = fabs(along) - reach;
+            /* gap <= least * sine, without the root */
+            if (gap < 0 && (least >= 0 || gap * gap >= least * least * squared))
+                continue;
+            const double sine = sqrt(squared), s = gap / sine;
             if (s > limit)
                 return 0;
-            if (s > best->separation && s > faces) {
+            if (s > least) {
                 const double k = (along < 0 ? -1 : 1) / sine;
+                least = s;
                 *best = (Best){s, {0, 0, 0}, i, j};
                 best->axis[i1] = y * k;
                 best->axis[i2] = z * k;

@@ -600,6 +600,56 @@ void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p) {
     mcd_copy(p->normal, g.normal);
 }
 
+/* M's farthest points almost along d, a little to four sides: of a face across d, corners on all sides. */
+static void aroundFace(const Pair *p, const double d[3], double corner[4][3]) {
+    /* What is not across d is lower by at most this part of its size. */
+    static const double aside = 1e-8;
+    /* Turned from the axes, along which a box's corners are as far as each other. */
+    static const double turn[4][2] = {{1, .45}, {-.45, 1}, {-1, -.45}, {.45, -1}};
+    double u[3], w[3];
+    mcd_basis(d, u, w);
+    for (int i = 0; i < 4; i++) {
+        Corner c;
+        double e[3];
+        mcd_mad(e, d, aside * turn[i][0], u);
+        mcd_mad(e, e, aside * turn[i][1], w);
+        farthest(p, e, &c);
+        mcd_copy(corner[i], c.w);
+    }
+}
+
+/* How far inside of the plane through an edge of the pyramid's base, counter-clockwise, and its tip the origin is;
+ * infinite for an edge of no length. */
+static double insideSide(const double from[3], const double to[3], const double tip[3]) {
+    double along[3], up[3], n[3];
+    mcd_sub(along, to, from);
+    mcd_sub(up, tip, from);
+    mcd_cross(n, up, along);
+    const double squared = mcd_dot(n, n);
+    return squared > 0 ? mcd_dot(n, from) / sqrt(squared) : INFINITY;
+}
+
+/* The guess is right if M holds a ball around the origin that reaches as far: one that is within the pyramid over M's face
+ * there, with its tip on M's other side, is. */
+MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p) {
+    const Pair pair = makePair(a, b);
+    const double down[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
+    const double radius = -p->separation - pair.guessTolerance;
+    double base[4][3];
+    Corner tip;
+    if (!(radius > pair.guessTolerance && radius < INFINITY))
+        return 0;
+    aroundFace(&pair, down, base);
+    farthest(&pair, p->normal, &tip);
+    double least = INFINITY; /* and stays that if the base is a point */
+    for (int i = 0; i < 4; i++) {
+        if (!(mcd_dot(base[i], down) >= radius))
+            return 0;
+        least = MeMIN(least, insideSide(base[i], base[(i + 1) % 4], tip.w));
+    }
+    return least >= radius && least < INFINITY;
+}
+
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const Pair pair = makePair(a, b);
     const Guess guess = makeGuess(&pair);

@@ -46,17 +46,28 @@ static void boxFace(const McdShape *s, const double d[3], McdFace *f) {
             k = i;
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const double side = d[k] < 0 ? -1 : 1;
-    double n[3] = {0, 0, 0};
-    n[k] = side;
-    setNormal(s, f, n[0], n[1], n[2]);
+    double middle[3], u[3], w[3];
+    mcd_scale(f->normal, s->axis[k], side);
+    mcd_mad(middle, s->place, s->size[k], f->normal);
+    mcd_scale(u, s->axis[i], side * s->size[i]); /* mirrored, so that the order turns with the side */
+    mcd_scale(w, s->axis[j], s->size[j]);
     f->id = (MeU32)(2 * k + (side > 0));
+    f->count = 4;
     for (int corner = 0; corner < 4; corner++) {
-        double p[3];
-        p[k] = side * s->size[k];
-        p[i] = round[corner][0] * side * s->size[i]; /* mirrored, so that the order turns with the side */
-        p[j] = round[corner][1] * s->size[j];
-        addPoint(s, f, p[0], p[1], p[2], (MeU32)corner);
+        for (int c = 0; c < 3; c++)
+            f->point[corner][c] = middle[c] + (round[corner][0] * u[c] + round[corner][1] * w[c]);
+        f->name[corner] = (MeU32)corner;
     }
+}
+
+/* In which of the 16 parts of a turn, counted from x on, a direction lies. */
+static int sectorOf(double x, double y) {
+    static const double tangent = .41421356237309503; /* of a 16th of a turn */
+    const double ax = fabs(x), ay = fabs(y);
+    const int quarter = (ay > tangent * ax) + (ay > ax) + (tangent * ay > ax);
+    if (y >= 0)
+        return x >= 0 ? quarter : 7 - quarter;
+    return x < 0 ? 8 + quarter : 15 - quarter;
 }
 
 /* The rim of a disc at a height, counter-clockwise seen from the side of z = side. Its farthest point is put among the
@@ -69,25 +80,22 @@ static void discFace(const McdShape *s, const double d[3], double radius, double
                                        0,  .3826834323650898,  .7071067811865476,  .9238795325112867};
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
                  y = across > 0 ? side * d[1] / across : 0;
+    const int after = sectorOf(x, y), before = (after + 1) % RIM; /* the fixed points beside the farthest */
+    double centre[3], u[3], w[3];
     setNormal(s, f, 0, 0, side);
     f->id = side > 0;
-    int after = 0; /* the fixed point before the farthest */
-    double most = -2;
+    mcd_mad(centre, s->place, height, s->axis[2]);
+    mcd_scale(u, s->axis[0], radius);
+    mcd_scale(w, s->axis[1], side * radius);
     for (int i = 0; i < RIM; i++) {
-        const int next = (i + 1) % RIM;
-        const double here = cosine[i] * x + cosine[(i + 12) % RIM] * y;
-        const double middle = here + cosine[next] * x + cosine[(next + 12) % RIM] * y;
-        if (middle > most) {
-            most = middle;
-            after = i;
-        }
-    }
-    for (int i = 0; i < RIM; i++) {
-        addPoint(s, f, radius * cosine[i], side * radius * cosine[(i + 12) % RIM], height, (MeU32)i);
+        const double c = cosine[i], n = cosine[(i + 12) % RIM];
+        double *p = f->point[f->count];
+        for (int k = 0; k < 3; k++)
+            p[k] = centre[k] + (u[k] * c + w[k] * n);
+        f->name[f->count++] = (MeU32)i;
         if (i != after)
             continue;
-        const double here = cosine[i] * x + cosine[(i + 12) % RIM] * y;
-        const double next = cosine[(i + 1) % RIM] * x + cosine[(i + 13) % RIM] * y;
+        const double here = c * x + n * y, next = cosine[before] * x + cosine[(before + 12) % RIM] * y;
         if ((1 - MeMAX(here, next)) * across > slack)
             addPoint(s, f, radius * x, side * radius * y, height, FARTHEST);
     }
@@ -262,24 +270,52 @@ static Spot cross(const Spot *p, const Spot *q, double dp, double dq, const Outl
     return s;
 }
 
-/* Cuts off what is outside of b's edge from corner j on (Sutherland and Hodgman). */
-static int cutByEdge(const Spot *in, int count, MeBool isClosed, const Outline *b, int j, double slack_, MeU32 insideA,
-                     Spot *out) {
-    const int next = (j + 1) % b->count;
-    double ex = b->x[next] - b->x[j], ey = b->y[next] - b->y[j];
-    const double length = sqrt(ex * ex + ey * ey);
-    int made = 0;
-    if (!(length > 0)) {
-        memcpy(out, in, (size_t)count * sizeof *in);
-        return count;
+typedef struct Circle {
+    double x, y, radius;
+} Circle;
+
+/* Around an outline's corners, if that is worth the while. */
+static Circle circleAround(const Outline *o) {
+    Circle c = {0, 0, INFINITY};
+    double most = 0;
+    if (o->count <= 4)
+        return c;
+    for (int i = 0; i < o->count; i++) {
+        c.x += o->x[i] / o->count;
+        c.y += o->y[i] / o->count;
     }
-    ex /= length;
-    ey /= length;
+    for (int i = 0; i < o->count; i++) {
+        const double x = o->x[i] - c.x, y = o->y[i] - c.y;
+        most = MeMAX(most, x * x + y * y);
+    }
+    c.radius = sqrt(most);
+    return c;
+}
+
+/* How far spots are inside of b's edge from corner j on, times its length; false if none is outside. A circle around
+ * them mostly shows that. */
+static MeBool isEdgeCutting(const Spot *spot, int count, const Circle *around, const Outline *b, int j, double slack_,
+                            double *inside) {
+    const int next = j + 1 < b->count ? j + 1 : 0;
+    const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
+    double least = INFINITY;
+    if (ex * (around->y - y) - ey * (around->x - x) >= around->radius * length)
+        return 0; /* of no length, too */
     for (int i = 0; i < count; i++) {
-        const Spot *p = &in[i], *q = &in[(i + 1) % count];
-        /* Positive inside. */
-        const double dp = ex * (p->y - b->y[j]) - ey * (p->x - b->x[j]) + slack_;
-        const double dq = ex * (q->y - b->y[j]) - ey * (q->x - b->x[j]) + slack_;
+        inside[i] = ex * (spot[i].y - y) - ey * (spot[i].x - x) + slack_ * length;
+        least = MeMIN(least, inside[i]);
+    }
+    return !(least >= 0);
+}
+
+/* Cuts off what is outside of that edge (Sutherland and Hodgman). */
+static int cutByEdge(const Spot *in, int count, MeBool isClosed, const double *inside, const Outline *b, int j,
+                     MeU32 insideA, Spot *out) {
+    int made = 0;
+    for (int i = 0; i < count; i++) {
+        const int next = i + 1 < count ? i + 1 : 0;
+        const Spot *p = &in[i], *q = &in[next];
+        const double dp = inside[i], dq = inside[next];
         if (dp >= 0)
             out[made++] = *p;
         if ((!isClosed && i == count - 1) || (dp >= 0) == (dq >= 0) || made == MAX_SPOTS - 1)
@@ -309,9 +345,13 @@ static int startSpots(const Outline *a, const Outline *b, Spot *spot) {
 static int clip(const Outline *a, const Outline *b, double slack_, Spot *spot) {
     Spot other[MAX_SPOTS];
     Spot *from = spot, *to = other;
+    double inside[MAX_SPOTS];
+    const Circle around = circleAround(a);
     int count = startSpots(a, b, spot);
     for (int j = 0; j < b->count && count; j++) {
-        count = cutByEdge(from, count, a->count > 2, b, j, slack_, code(INSIDE, a->id, 0), to);
+        if (!isEdgeCutting(from, count, &around, b, j, slack_, inside))
+            continue;
+        count = cutByEdge(from, count, a->count > 2, inside, b, j, code(INSIDE, a->id, 0), to);
         Spot *const swap = from;
         from = to;
         to = swap;
@@ -370,10 +410,13 @@ static int overlapLines(const Outline *a, const Outline *b, double bend, Spot *s
 static int commonSpots(const Outline *a, const Outline *b, double bend, double slack_, Spot *spot) {
     if (a->count < 2 || b->count < 2)
         return 0;
-    if (b->count > 2)
+    if (b->count > 2 && b->count <= MeMAX(a->count, 4))
         return clip(a, b, slack_, spot);
-    if (a->count == 2)
+    if (a->count == 2 && b->count == 2)
         return overlapLines(a, b, bend, spot);
+    if (a->count == 2)
+        return clip(a, b, slack_, spot);
+    /* The one with fewer corners cuts: fewer passes over the other's. */
     const int count = clip(b, a, slack_, spot);
     turnSpots(spot, count);
     return count;
@@ -386,12 +429,13 @@ static double acrossSquared(const Spot *p, const Spot *q) {
     return x * x + y * y;
 }
 
-/* Leaves out those that are farther apart than the margin, and those at the place of another. */
+/* Leaves out those that are farther apart than the margin, and those at the place of another: of many, which go round,
+ * of the one before or the first. */
 static int dropIdle(Spot *spot, int count, double margin, double slack_) {
     int kept = 0;
     for (int i = 0; i < count; i++) {
         MeBool isNew = spot[i].a - spot[i].b <= margin;
-        for (int j = 0; j < kept && isNew; j++)
+        for (int j = 0; j < kept && isNew; j = j == 0 && count > 8 && kept > 1 ? kept - 1 : j + 1)
             isNew = acrossSquared(&spot[i], &spot[j]) > 16 * slack_ * slack_;
         if (isNew)
             spot[kept++] = spot[i];
@@ -414,16 +458,20 @@ static int deepestOf(const Spot *spot, int count, double slack_) {
     return 0;
 }
 
-/* Four well-spread ones: the deepest, the farthest from it, and the farthest from their line on either side. */
+/* Four well-spread ones: the deepest, the farthest from it, and the farthest from their line on either side.
+ *
+ * Not mcd_spread: here all is in one plane, the slack decides between spots that are as good, so that a body at rest
+ * keeps its points, and mcd_spread's look at all of them from every side would cost a pair a fifth more time. */
 static int keepFour(Spot *spot, int count, double slack_) {
     int chosen[4], made = 0;
     chosen[made++] = deepestOf(spot, count, slack_);
     const Spot first = spot[chosen[0]];
-    double most = 0;
+    double most = 0, enough = slack_ * slack_; /* (most + slack)^2 */
     for (int i = 0; i < count; i++) {
-        const double distance = sqrt(acrossSquared(&spot[i], &first));
-        if (distance > most + slack_) {
-            most = distance;
+        const double squared = acrossSquared(&spot[i], &first);
+        if (squared > enough) {
+            most = sqrt(squared);
+            enough = (most + slack_) * (most + slack_);
             chosen[1] = i;
             made = 2;
         }

@@ -159,7 +159,7 @@ static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProxi
 static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
     McdFace faceA, faceB;
     facesAlong(a, b, p->normal, &faceA, &faceB);
-    if (!p->isGuess) {
+    if (!p->isGuess && !(areBoxes(a, b) && p->separation <= 0)) { /* boxes that overlap have preferred them */
         preferFaces(a, b, &faceA, &faceB, p);
         if (faceA.count == 2 || faceB.count == 2) /* lines go with the normal */
             facesAlong(a, b, p->normal, &faceA, &faceB);
@@ -167,7 +167,7 @@ static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdPr
     return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
 }
 
-/* Of what is a little apart, or round and a little within, a face's normal mostly needs no more than being tried. */
+/* Of what stands, or is a little above what it stood on, a face's normal mostly needs no more than being tried. */
 static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     const double limit = margin + a->rounding + b->rounding;
     McdProximity p;
@@ -177,7 +177,7 @@ static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdMa
         return proximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : 0;
     if (!guess(a, b, limit, &p))
         return 0;
-    if (p.separation > 0 && alongFaces(a, b, margin, &p, m))
+    if ((p.separation > 0 || (p.isGuess && mcd_isLeastDepth(a, b, &p))) && alongFaces(a, b, margin, &p, m))
         return m->count;
     if (p.isGuess && !proximity(a, b, limit, &p))
         return 0;

@@ -151,7 +151,8 @@ MeBool mcd_geometryIs(McdGeometryID g, McdGeometryType type, const char *functio
 /* How interactions fill a result: begin, add, end. */
 typedef struct McdManifold McdManifold; /* mcd_shape.h */
 void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p);
-/* Adds a manifold whose points are relative to origin. Where there is no more place, shallower contacts give way. */
+/* Adds a manifold whose points are relative to origin. If there is place for some of
+ * them only, those that mcd_spread chooses. */
 void mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3], McdGeometryInstanceID ins1,
                    McdGeometryInstanceID ins2, int element1, int element2);
 /* A feature's number within a part of an aggregate. */

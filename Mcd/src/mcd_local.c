@@ -92,6 +92,20 @@ void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, M
             (MeReal)((double)tm[0][i] * p[0] + (double)tm[1][i] * p[1] + (double)tm[2][i] * p[2] + (double)tm[3][i]);
 }
 
+void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction[3], double point[3]) {
+    for (int i = 0; i < 3; i++)
+        point[i] = (double)(direction[i] > 0 ? max[i] : min[i]);
+}
+
+void mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center, MeReal *radius) {
+    MeReal sum = 0;
+    for (int i = 0; i < 3; i++) {
+        center[i] = (min[i] + max[i]) / 2;
+        sum += (max[i] - min[i]) * (max[i] - min[i]);
+    }
+    *radius = MeSqrt(sum) / 2;
+}
+
 /* ---- line segments ------------------------------------------------------------------------------------------------- */
 
 static double dot(const double a[3], const double b[3]) {
@@ -214,18 +228,25 @@ static void toLocal(const MeVector4 *tm, const double v[3], double out[3]) {
         out[j] = (double)tm[j][0] * v[0] + (double)tm[j][1] * v[1] + (double)tm[j][2] * v[2];
 }
 
-static void writeHit(McdLineSegIntersectResult *result, McdModelID cm, const MeVector4 *tm, const MeReal *from,
-                     const double way[3], const McdClip *c) {
-    const MeBool isInside = c->in <= 0;
-    const double t = isInside ? 0 : c->in, length = sqrt(dot(way, way));
-    result->model = cm;
-    result->distance = (MeReal)(t * length);
+void mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]) {
+    double off[3];
+    for (int i = 0; i < 3; i++)
+        off[i] = (double)world[i] - (double)tm[3][i];
+    toLocal(tm, off, local);
+}
+
+int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double part, const double normal[3],
+                   McdLineSegIntersectResult *hit) {
+    double length = 0;
     for (int i = 0; i < 3; i++) {
-        const double n =
-            (double)tm[0][i] * c->normal[0] + (double)tm[1][i] * c->normal[1] + (double)tm[2][i] * c->normal[2];
-        result->position[i] = (MeReal)((double)from[i] + t * way[i]);
-        result->normal[i] = isInside ? 0 : (MeReal)n;
+        const double along = (double)to[i] - (double)from[i];
+        length += along * along;
+        hit->position[i] = (MeReal)((double)from[i] + part * along);
+        hit->normal[i] =
+            (MeReal)((double)tm[0][i] * normal[0] + (double)tm[1][i] * normal[1] + (double)tm[2][i] * normal[2]);
     }
+    hit->distance = (MeReal)(part * sqrt(length));
+    return 1;
 }
 
 int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, McdLineSegIntersectResult *result,
@@ -234,20 +255,19 @@ int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, Mc
     if (!mcd_instanceTM(ins))
         return 0;
     const MeVector4 *tm = mcd_const(mcd_instanceTM(ins));
-    double way[3], start[3], localStart[3], localWay[3];
-    for (int i = 0; i < 3; i++) {
+    const double inside[3] = {0, 0, 0};
+    double way[3], localStart[3], localWay[3];
+    for (int i = 0; i < 3; i++)
         way[i] = (double)to[i] - (double)from[i];
-        start[i] = (double)from[i] - (double)tm[3][i];
-    }
-    toLocal(tm, start, localStart);
+    mcd_toLocal(tm, from, localStart);
     toLocal(tm, way, localWay);
     McdClip c;
     mcd_clipBegin(&c, localStart, localWay);
     clip(ins->geometry, &c);
     if (mcd_clipIsEmpty(&c) || c.in > 1 || c.out < 0)
         return 0;
-    writeHit(result, cm, tm, from, way, &c);
-    return 1;
+    result->model = cm;
+    return mcd_segmentHit(tm, from, to, MeMAX(c.in, 0), c.in > 0 ? c.normal : inside, result);
 }
 
 /* ---- mass ----------------------------------------------------------------------------------------------------------- */
@@ -282,6 +302,20 @@ void mcd_drawLine(const MeVector4 *tm, const MeReal colour[3], const double a[3]
     toWorld(tm, a, start);
     toWorld(tm, b, end);
     MeDebugDrawAPI.line(start, end, colour[0], colour[1], colour[2]);
+}
+
+void mcd_drawBox(const MeVector4 *tm, const MeReal colour[3], const MeReal *min, const MeReal *max) {
+    for (int k = 0; k < 8; k++)
+        for (int bit = 1; bit < 8; bit *= 2) {
+            double a[3], b[3];
+            if (k & bit)
+                continue;
+            for (int i = 0; i < 3; i++) {
+                a[i] = (double)(k & 1 << i ? max[i] : min[i]);
+                b[i] = (double)((k | bit) & 1 << i ? max[i] : min[i]);
+            }
+            mcd_drawLine(tm, colour, a, b);
+        }
 }
 
 void mcd_drawArc(const MeVector4 *tm, const MeReal colour[3], const double centre[3], const double u[3],

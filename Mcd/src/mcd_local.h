@@ -27,6 +27,10 @@ void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, M
                            McdLocalSupportFn support);
 void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support);
 
+/* For geometries of which a box in their own frame is all that is known. */
+void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction[3], double point[3]);
+void mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center, MeReal *radius);
+
 /* ---- line segments ------------------------------------------------------------------------------------------------- */
 
 /* A line from + t along, and the part of it, in <= t <= out, that is in all the solids that it was clipped by. The
@@ -49,6 +53,12 @@ void mcd_clipCapsule(McdClip *c, const double a[3], const double b[3], double ra
 void mcd_clipUnion(McdClip *c, const McdClip *other);
 void mcd_clipAt(const McdClip *c, double t, double point[3]);
 
+/* A world point in the frame at tm. */
+void mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]);
+/* Fills the result, but for the model, for a hit at a part of the segment, with a normal in the frame at tm. Returns 1. */
+int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double part, const double normal[3],
+                   McdLineSegIntersectResult *hit);
+
 /* Clips the line, which comes unclipped, by the geometry. */
 typedef void (*McdLocalClipFn)(const McdGeometry *g, McdClip *c);
 
@@ -69,6 +79,7 @@ void mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double
 enum { MCD_DRAW_SIDES = 16 }; /* of a circle */
 
 void mcd_drawLine(const MeVector4 *tm, const MeReal colour[3], const double a[3], const double b[3]);
+void mcd_drawBox(const MeVector4 *tm, const MeReal colour[3], const MeReal *min, const MeReal *max);
 /* A part of an ellipse from angle 0: centre + u cos + v sin, in some of MCD_DRAW_SIDES pieces. */
 void mcd_drawArc(const MeVector4 *tm, const MeReal colour[3], const double centre[3], const double u[3],
                  const double v[3], int pieces);

@@ -11,6 +11,8 @@
 #define RISES 1e-6
 /* Corners whose heights over a plane differ by a smaller part of their distance are equally high. */
 #define SAME_HEIGHT 1e-5
+/* How far beside a border the surface is looked for, relative to the shape's extent. */
+#define BESIDE 1e-5
 /* What is over a triangle, relative to the shape's extent: neighbours overlap by that, so that nothing slips between. */
 #define OVER 1e-9
 /* A triangle whose height is a smaller part of its longest side has no area. */
@@ -18,11 +20,14 @@
 /* Normals within this cosine of each other make one manifold: 1.1 degrees. */
 #define SAME_MANIFOLD .9998
 
+enum { NOT_KNOWN, CLOSED, OPEN }; /* McdMesh.fan */
+
 /* ---- memory ------------------------------------------------------------------------------------------------------ */
 
 void mcd_meshFree(McdMesh *mesh) {
-    void *block[] = {mesh->triangle, mesh->place,  mesh->order,        mesh->firstOf, mesh->usersOf, mesh->contact,
-                     mesh->cluster,  mesh->merged, mesh->contactOrder, mesh->spots,   mesh->kept};
+    void *block[] = {mesh->triangle,     mesh->place, mesh->slot,    mesh->cornerOf, mesh->firstOf,
+                     mesh->usersOf,      mesh->fan,   mesh->contact, mesh->cluster,  mesh->merged,
+                     mesh->contactOrder, mesh->spots, mesh->kept};
     for (size_t i = 0; i < sizeof block / sizeof *block; i++)
         if (block[i])
             MeMemoryAPI.destroy(block[i]);
@@ -51,8 +56,9 @@ MeBool mcd_meshReserve(McdMesh *mesh, int triangles) {
     if (triangles <= mesh->max)
         return METRUE;
     const int n = mesh->count, max = MeMAX(triangles, 2 * mesh->max);
-    if (!GROW(mesh->triangle, n, max) || !GROW(mesh->place, 3 * n, 3 * max) || !GROW(mesh->order, 0, 3 * max) ||
-        !GROW(mesh->firstOf, 0, 3 * max + 1) || !GROW(mesh->usersOf, 0, 3 * max))
+    if (!GROW(mesh->triangle, n, max) || !GROW(mesh->place, 3 * n, 3 * max) || !GROW(mesh->cornerOf, 0, 3 * max) ||
+        !GROW(mesh->firstOf, 0, 3 * max + 1) || !GROW(mesh->usersOf, 0, 3 * max) || !GROW(mesh->fan, 0, 3 * max) ||
+        !GROW(mesh->slot, 0, 12 * max))
         return MEFALSE;
     mesh->max = max;
     return METRUE;
@@ -106,11 +112,6 @@ static int comparePoints(const double a[3], const double b[3]) {
         if (a[i] != b[i])
             return a[i] < b[i] ? -1 : 1;
     return 0;
-}
-
-static int comparePlaces(const McdMesh *mesh, int a, int b) {
-    const int order = comparePoints(mesh->place[a], mesh->place[b]);
-    return order ? order : a - b;
 }
 
 static int compareContacts(const McdMesh *mesh, int a, int b) {
@@ -210,20 +211,49 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
     mesh->count++;
 }
 
-/* Numbers the corners, and lists the triangles at each. */
-static void joinCorners(McdMesh *mesh) {
-    int vertex = -1;
+/* A power of 2 that leaves half of the slots empty. */
+static int slotCount(const McdMesh *mesh) {
+    int count = 1;
+    while (count < 6 * mesh->count)
+        count *= 2;
+    return count;
+}
+
+/* The number of the vertex at a corner, a new one if there is none yet: -1 is an empty slot. */
+static int vertexAt(McdMesh *mesh, int slots, int corner, int *vertexCount) {
+    const MeU32 mask = (MeU32)slots - 1;
+    MeU32 at = mesh->triangle[corner / 3].key[corner % 3] & mask;
+    for (; mesh->slot[at] >= 0; at = (at + 1) & mask)
+        if (comparePoints(mesh->place[mesh->cornerOf[mesh->slot[at]]], mesh->place[corner]) == 0)
+            return mesh->slot[at];
+    mesh->cornerOf[*vertexCount] = corner;
+    return mesh->slot[at] = (*vertexCount)++;
+}
+
+/* Numbers the corners in the order in which they come. Returns how many vertices there are. */
+static int numberCorners(McdMesh *mesh) {
+    const int slots = slotCount(mesh);
+    int vertexCount = 0;
+    for (int i = 0; i < slots; i++)
+        mesh->slot[i] = -1;
     for (int i = 0; i < 3 * mesh->count; i++)
-        mesh->order[i] = i;
-    sortIndices(mesh, comparePlaces, mesh->order, 3 * mesh->count);
-    for (int i = 0; i < 3 * mesh->count; i++) {
-        const int here = mesh->order[i];
-        if (i == 0 || comparePoints(mesh->place[here], mesh->place[mesh->order[i - 1]]) != 0)
-            mesh->firstOf[++vertex] = i;
-        mesh->triangle[here / 3].vertex[here % 3] = vertex;
-        mesh->usersOf[i] = here / 3;
-    }
-    mesh->firstOf[vertex + 1] = 3 * mesh->count;
+        mesh->triangle[i / 3].vertex[i % 3] = vertexAt(mesh, slots, i, &vertexCount);
+    return vertexCount;
+}
+
+/* Lists the triangles at each vertex. */
+static void joinCorners(McdMesh *mesh) {
+    const int vertexCount = numberCorners(mesh);
+    for (int v = 0; v <= vertexCount; v++)
+        mesh->firstOf[v] = 0;
+    for (int i = 0; i < 3 * mesh->count; i++)
+        mesh->firstOf[mesh->triangle[i / 3].vertex[i % 3]]++;
+    for (int v = 1; v <= vertexCount; v++) /* now where each ends; filling moves that to where it begins */
+        mesh->firstOf[v] += mesh->firstOf[v - 1];
+    for (int i = 3 * mesh->count - 1; i >= 0; i--)
+        mesh->usersOf[--mesh->firstOf[mesh->triangle[i / 3].vertex[i % 3]]] = i / 3;
+    for (int v = 0; v < vertexCount; v++)
+        mesh->fan[v] = NOT_KNOWN;
 }
 
 /* ---- which normals are the surface's -------------------------------------------------------------------------------- */
@@ -327,6 +357,67 @@ static Verdict judge(const McdMeshQuery *q, const McdMeshTriangle *t, const doub
     return ON_FACE;
 }
 
+/* ---- where there is but one plane ------------------------------------------------------------------------------------- */
+
+static MeBool areParallel(const double a[3], const double b[3]) {
+    return mcd_distanceSquared(a, b) < RISES * RISES;
+}
+
+/* Does the triangle's border run from one vertex straight to the other? */
+static MeBool hasSide(const McdMeshTriangle *t, int from, int to) {
+    for (int i = 0; i < 3; i++)
+        if (t->vertex[i] == from && t->vertex[(i + 1) % 3] == to)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Is there a triangle with the same normal on the other side of the triangle's side from one vertex to the other? */
+static MeBool goesOnBeyond(const McdMesh *mesh, const McdMeshTriangle *t, int from, int to) {
+    for (int i = mesh->firstOf[from]; i < mesh->firstOf[from + 1]; i++) {
+        const McdMeshTriangle *neighbour = &mesh->triangle[mesh->usersOf[i]];
+        if (neighbour != t && hasSide(neighbour, to, from) && areParallel(neighbour->normal, t->normal))
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+/* Do triangles in one plane surround the vertex? */
+static MeBool fanIsClosed(const McdMesh *mesh, int v) {
+    const McdMeshTriangle *first = &mesh->triangle[mesh->usersOf[mesh->firstOf[v]]];
+    for (int i = mesh->firstOf[v]; i < mesh->firstOf[v + 1]; i++) {
+        const McdMeshTriangle *t = &mesh->triangle[mesh->usersOf[i]];
+        if (!areParallel(t->normal, first->normal))
+            return MEFALSE;
+        for (int k = 0; k < 3; k++) {
+            const int from = t->vertex[k], to = t->vertex[(k + 1) % 3];
+            if ((from == v || to == v) && !goesOnBeyond(mesh, t, from, to))
+                return MEFALSE;
+        }
+    }
+    return METRUE;
+}
+
+static MeBool isSurrounded(McdMesh *mesh, int v) {
+    if (mesh->fan[v] == NOT_KNOWN)
+        mesh->fan[v] = fanIsClosed(mesh, v) ? CLOSED : OPEN;
+    return mesh->fan[v] == CLOSED;
+}
+
+/* Would judge() call every normal but the face's INSIDE? */
+static MeBool isFlat(const McdMeshQuery *q, const McdMeshTriangle *t) {
+    for (int i = 0; i < 3; i++) {
+        const int next = (i + 1) % 3;
+        if (isSurrounded(q->mesh, t->vertex[i]))
+            continue;
+        if (isWhereLooked(q, t, i, i))
+            return MEFALSE;
+        if (!isSurrounded(q->mesh, t->vertex[next]) && isWhereLooked(q, t, i, next) &&
+            !goesOnBeyond(q->mesh, t, t->vertex[i], t->vertex[next]))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
 /* ---- contacts of one triangle ----------------------------------------------------------------------------------------- */
 
 /* Which way a normal points, roughly: tells contacts of one corner with two faces from each other. */
@@ -401,18 +492,25 @@ static void cut(const Polygon *in, const double inward[3], double offset, double
     }
 }
 
+/* The unit vector across edge i, in the triangle's plane, towards its inside. */
+static void inwardOf(const McdMeshTriangle *t, int i, double inward[3]) {
+    double edge[3], across[3];
+    mcd_sub(edge, t->corner[(i + 1) % 3], t->corner[i]);
+    mcd_cross(inward, t->normal, edge);
+    mcd_sub(across, t->corner[(i + 2) % 3], t->corner[i]);
+    mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
+}
+
 /* The part of the shape's face that looks at the triangle and is above (or below) it, seen along the normal. */
-static void cutByTriangle(const McdMeshTriangle *t, const double normal[3], double tolerance, Polygon *p) {
-    Polygon rest;
-    for (int i = 0; i < 3 && p->count; i++) {
-        const int next = (i + 1) % 3, last = (i + 2) % 3;
-        double edge[3], inward[3], across[3];
-        mcd_sub(edge, t->corner[next], t->corner[i]);
-        mcd_cross(inward, normal, edge);
-        mcd_sub(across, t->corner[last], t->corner[i]);
-        mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
-        cut(p, inward, mcd_dot(t->corner[i], inward), tolerance, t->key[i] + t->key[next], &rest);
-        *p = rest;
+static void cutByTriangle(const McdMeshTriangle *t, double tolerance, const Polygon *p, Polygon *part) {
+    Polygon a, b;
+    const Polygon *from[3] = {p, &a, &b};
+    Polygon *to[3] = {&a, &b, part};
+    part->count = 0;
+    for (int i = 0; i < 3 && from[i]->count; i++) {
+        double inward[3];
+        inwardOf(t, i, inward);
+        cut(from[i], inward, mcd_dot(t->corner[i], inward), tolerance, t->key[i] + t->key[(i + 1) % 3], to[i]);
     }
 }
 
@@ -455,15 +553,15 @@ static MeBool addAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double n
 /* Contacts along a triangle's normal (either side's), of what is over it or within the tolerance of that. False if there
  * are none. */
 static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
-    Polygon p;
+    Polygon p, part;
     double back[3], least = INFINITY;
     mcd_scale(back, normal, -1);
     polygonToward(&q->shape, back, &p);
-    cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
-    const MeBool any = addAlong(q, t, normal, &p, MEFALSE, &least);
+    cutByTriangle(t, tolerance * q->shape.extent, &p, &part);
+    const MeBool any = addAlong(q, t, normal, &part, MEFALSE, &least);
     pointToward(&q->shape, back, &p);
-    cutByTriangle(t, normal, tolerance * q->shape.extent, &p);
-    return addAlong(q, t, normal, &p, METRUE, &least) || any;
+    cutByTriangle(t, tolerance * q->shape.extent, &p, &part);
+    return addAlong(q, t, normal, &part, METRUE, &least) || any;
 }
 
 /* The side on which contacts are: 1 is the normal's. */
@@ -479,38 +577,363 @@ static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
     return mcd_dot(off, t->normal);
 }
 
+/* From the middle of the shape's box to its farthest point in a direction of length 1, at most. */
+static double reachAlong(const McdMeshQuery *q, const double direction[3]) {
+    double sum = 0;
+    for (int i = 0; i < 3; i++)
+        sum += q->half[i] * fabs(mcd_dot(q->shape.axis[i], direction));
+    return sum;
+}
+
+/* Is a part of the shape's box over the triangle, or below it, or nearly? */
+static MeBool isAbove(const McdMeshQuery *q, const McdMeshTriangle *t) {
+    for (int i = 0; i < 3; i++) {
+        double inward[3], off[3];
+        inwardOf(t, i, inward);
+        mcd_sub(off, q->box, t->corner[i]);
+        if (mcd_dot(off, inward) + reachAlong(q, inward) < -q->margin - OVER * q->shape.extent)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+/* The heights over the triangle's plane between which the shape is. */
+static void heightsOver(const McdMeshQuery *q, const McdMeshTriangle *t, double *low, double *high) {
+    double back[3], point[3], off[3];
+    mcd_scale(back, t->normal, -1);
+    mcd_support(&q->shape, back, point);
+    mcd_sub(off, point, t->corner[0]);
+    *low = mcd_dot(off, t->normal);
+    mcd_support(&q->shape, t->normal, point);
+    mcd_sub(off, point, t->corner[0]);
+    *high = mcd_dot(off, t->normal);
+}
+
+/* Is the triangle within the shape's box, or no farther from it than the margin? */
+static MeBool isNearShape(const McdMeshQuery *q, const McdMeshTriangle *t) {
+    for (int i = 0; i < 3; i++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int k = 0; k < 3; k++) {
+            double off[3];
+            mcd_sub(off, t->corner[k], q->box);
+            low = fmin(low, mcd_dot(off, q->shape.axis[i]));
+            high = fmax(high, mcd_dot(off, q->shape.axis[i]));
+        }
+        const double reach = q->half[i] + q->margin + OVER * q->shape.extent;
+        if (low > reach || high < -reach)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
 static MeBool touches(const McdMeshQuery *q, const McdMeshTriangle *t, McdManifold *m) {
     McdShape triangle;
+    if (!isNearShape(q, t))
+        return MEFALSE;
     mcd_triangleShape(t->corner, &triangle);
     return mcd_convexManifold(&q->shape, &triangle, q->margin, m) > 0;
 }
 
-static void touchTriangle(McdMeshQuery *q, const McdMeshTriangle *t) {
+/* The part of the way between two points that is over the triangle, as 0 <= in <= out <= 1; false if none is. */
+static MeBool partOver(const McdMeshTriangle *t, const double from[3], const double to[3], double tolerance, double *in,
+                       double *out) {
+    *in = 0;
+    *out = 1;
+    for (int i = 0; i < 3; i++) {
+        double inward[3], off[3];
+        inwardOf(t, i, inward);
+        mcd_sub(off, from, t->corner[i]);
+        const double a = mcd_dot(off, inward) + tolerance;
+        mcd_sub(off, to, t->corner[i]);
+        const double b = mcd_dot(off, inward) + tolerance;
+        if (a < 0 && b < 0)
+            return MEFALSE;
+        if (a < 0)
+            *in = fmax(*in, a / (a - b));
+        if (b < 0)
+            *out = fmin(*out, a / (a - b));
+    }
+    return *in <= *out;
+}
+
+static MeBool sharesBorder(const McdMeshTriangle *t, const McdMeshTriangle *other, int mask) {
+    for (int i = 0; i < 3; i++)
+        if (mask & 1 << i && !hasVertex(other, t->vertex[i]))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* Does the surface go on beside the triangle, above the plane across the normal, although no corner is shared there? A
+ * corner of it is on the triangle's edge, or the other way round. Looked for a small step beyond the border, beside the
+ * contact. */
+static MeBool goesOnBeside(const McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
+    const McdManifoldPoint *p = &m->point[0];
+    const double step = BESIDE * q->shape.extent;
+    const int mask = farthestCorners(t, m->normal);
+    double at[3], out[3], away = -INFINITY, in, end;
+    for (int i = 1; i < m->count; i++)
+        if (m->point[i].separation < p->separation)
+            p = &m->point[i];
+    mcd_mad(out, m->normal, -mcd_dot(m->normal, t->normal), t->normal);
+    mcd_scale(out, out, 1 / mcd_length(out));
+    mcd_sub(at, p->position, t->corner[0]);
+    mcd_mad(at, p->position, -mcd_dot(at, t->normal), t->normal);
+    for (int i = 0; i < 3; i++)
+        away = fmax(away, mcd_dot(t->corner[i], out));
+    mcd_mad(at, at, away - mcd_dot(at, out) + step, out);
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *other = &q->mesh->triangle[i];
+        double off[3], d[3];
+        mcd_sub(off, at, other->corner[0]);
+        const double height = mcd_dot(off, other->normal);
+        if (other == t || fabs(height) > step || sharesBorder(t, other, mask) ||
+            !partOver(other, at, at, OVER * q->shape.extent, &in, &end))
+            continue;
+        mcd_scale(d, out, step);
+        mcd_mad(d, d, -height, other->normal);
+        if (mcd_dot(d, m->normal) > SAME_DIRECTION * step)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+/* The normals are searched for. False if the shape does not touch the triangle. */
+static MeBool touchAnyWay(McdMeshQuery *q, McdMeshTriangle *t) {
     McdManifold m;
     if (!touches(q, t, &m))
-        return;
+        return MEFALSE;
     const double height = heightOfCentre(q, t), side = sideOf(t, mcd_dot(m.normal, t->normal), height);
     double face[3];
     mcd_scale(face, t->normal, side);
     const double towards = mcd_dot(m.normal, face);
     const MeBool shortest = (t->flags & kMcdTriangleUseSmallestPenetration) != 0;
-    const Verdict verdict = judge(q, t, m.normal);
+    Verdict verdict = judge(q, t, m.normal);
+    if ((verdict == OUTSIDE || verdict == NOT_SHARP) && goesOnBeside(q, t, &m))
+        verdict = INSIDE;
     const MeBool isFace =
         mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION || (verdict == ON_FACE && towards > 0);
     if (verdict == NOT_SHARP && towards < .5) /* pushed from the side, where there is nothing to push */
-        return;
+        return METRUE;
     const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && towards < -SAME_DIRECTION;
     if (isFace || !shortest || verdict != OUTSIDE || isFromBehind) {
-        if ((isFace || side * height >= 0) && touchAlong(q, t, face, OVER))
-            return;
+        if (isFace || side * height >= 0)
+            t->facing = (int)side;
+        if (t->facing && touchAlong(q, t, face, OVER))
+            return METRUE;
         /* a normal that is the face's to within the tolerance belongs to a point that is so far beside the face */
         if (isFace && touchAlong(q, t, face, SAME_DIRECTION))
-            return;
+            return METRUE;
         if (!isFace)
-            return;
+            return METRUE;
         mcd_copy(m.normal, face);
     }
     addManifold(q, t, &m);
+    return METRUE;
+}
+
+/* ---- contacts along the face's normal ---------------------------------------------------------------------------- */
+
+static MeBool areInOnePlane(const McdMeshQuery *q, const McdMeshTriangle *a, const McdMeshTriangle *b) {
+    double off[3];
+    if (1 - fabs(mcd_dot(a->normal, b->normal)) > RISES * RISES)
+        return MEFALSE;
+    mcd_sub(off, b->corner[0], a->corner[0]);
+    return fabs(mcd_dot(off, a->normal)) <= RISES * q->shape.extent;
+}
+
+/* Is all the way over triangles in t's plane, the last of which pushes along that normal? */
+static MeBool isWayOver(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const double from[3],
+                        const double to[3]) {
+    double reached = 0, in, out;
+    for (MeBool isFarther = METRUE; isFarther;) {
+        isFarther = MEFALSE;
+        for (int i = 0; i < q->mesh->count; i++) {
+            const McdMeshTriangle *other = &q->mesh->triangle[i];
+            if ((!other->facing && !other->isPending) || !areInOnePlane(q, t, other) ||
+                !partOver(other, from, to, OVER * q->shape.extent, &in, &out) || in > reached)
+                continue;
+            if (out == 1 && other->facing * mcd_dot(other->normal, normal) > 0)
+                return METRUE;
+            isFarther = isFarther || out > reached;
+            reached = fmax(reached, out);
+        }
+    }
+    return MEFALSE;
+}
+
+static void footOf(const McdMeshContact *c, double foot[3]) {
+    mcd_mad(foot, c->position, -c->separation / 2, c->normal);
+}
+
+/* Where the line from a point of contact, which is below the plane, to the shape's highest point comes through the
+ * plane; false if all of the shape is below. */
+static MeBool comesThrough(const McdMeshQuery *q, const McdMeshContact *c, double through[3]) {
+    double foot[3], point[3], highest[3], off[3];
+    footOf(c, foot);
+    mcd_mad(point, c->position, c->separation / 2, c->normal);
+    mcd_support(&q->shape, c->normal, highest);
+    mcd_sub(off, highest, foot);
+    const double height = mcd_dot(off, c->normal);
+    if (height <= 0)
+        return MEFALSE;
+    mcd_sub(off, highest, point);
+    mcd_mad(through, point, c->separation / (c->separation - height), off);
+    return METRUE;
+}
+
+/* Does the shape touch the triangle, over or below which contacts are? */
+static MeBool touchesAt(const McdMeshQuery *q, const McdMeshTriangle *t, int first) {
+    McdManifold m;
+    for (int i = first; i < q->mesh->contactCount; i++) {
+        const McdMeshContact *c = &q->mesh->contact[i];
+        double through[3], in, out;
+        if (c->separation >= 0 ||
+            (comesThrough(q, c, through) && partOver(t, through, through, OVER * q->shape.extent, &in, &out)))
+            return METRUE;
+    }
+    return first < q->mesh->contactCount && touches(q, t, &m);
+}
+
+/* The normal is the face's, as the neighbours leave no other. False if the shape does not touch the triangle. */
+static MeBool touchFlat(McdMeshQuery *q, const McdMeshTriangle *t) {
+    const int first = q->mesh->contactCount;
+    double face[3];
+    mcd_scale(face, t->normal, t->facing);
+    touchAlong(q, t, face, OVER);
+    if (touchesAt(q, t, first))
+        return METRUE;
+    q->mesh->contactCount = first;
+    return MEFALSE;
+}
+
+/* The least separation of the first contacts from the triangle's plane. */
+static double leastFrom(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], int count) {
+    double least = INFINITY;
+    for (int i = 0; i < count; i++) {
+        const McdMeshContact *c = &q->mesh->contact[i];
+        double off[3];
+        footOf(c, off);
+        mcd_sub(off, off, t->corner[0]);
+        if (c->separation < least && areParallel(c->normal, normal) &&
+            fabs(mcd_dot(off, normal)) <= RISES * q->shape.extent)
+            least = c->separation;
+    }
+    return least;
+}
+
+/* What is below a triangle that the shape does not touch, if it is as deep as all else below that plane, and the shape
+ * comes through the surface to there. */
+static void reachBelow(McdMeshQuery *q, const McdMeshTriangle *t) {
+    McdMesh *mesh = q->mesh;
+    double face[3], foot[3], through[3];
+    const int first = mesh->contactCount;
+    int count = first;
+    mcd_scale(face, t->normal, t->facing < 0 ? -1 : 1);
+    if (!touchAlong(q, t, face, OVER))
+        return;
+    const double deep = leastFrom(q, t, face, first) + OVER * q->shape.extent;
+    for (int i = first; i < mesh->contactCount; i++) {
+        const McdMeshContact *c = &mesh->contact[i];
+        footOf(c, foot);
+        if (c->separation < 0 && c->separation <= deep && comesThrough(q, c, through) &&
+            isWayOver(q, t, face, foot, through))
+            mesh->contact[count++] = *c;
+    }
+    mesh->contactCount = count;
+}
+
+/* The first look at a triangle: what is far is neither facing nor pending. */
+static void classify(McdMeshQuery *q, McdMeshTriangle *t) {
+    double low, high;
+    t->facing = 0;
+    t->isPending = MEFALSE;
+    if (!isAbove(q, t))
+        return;
+    heightsOver(q, t, &low, &high);
+    if (low > q->margin || high < -q->margin)
+        return;
+    t->isPending = METRUE;
+    if (t->flags & kMcdTriangleTwoSided)
+        t->facing = !isFlat(q, t) ? 0 : low + high < 0 ? -1 : 1;
+    else
+        t->facing = heightOfCentre(q, t) >= 0 && isFlat(q, t);
+}
+
+/* The first triangle that there is something to do about, if all of them are in one plane and push the same way. */
+static const McdMeshTriangle *onlyPlane(const McdMeshQuery *q) {
+    const McdMeshTriangle *first = 0;
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        double off[3];
+        if (!t->isPending)
+            continue;
+        if (!first)
+            first = t;
+        mcd_sub(off, t->corner[0], first->corner[0]);
+        if (!t->facing || t->facing != first->facing || !areParallel(t->normal, first->normal) ||
+            fabs(mcd_dot(off, first->normal)) > OVER * q->shape.extent)
+            return 0;
+    }
+    return first;
+}
+
+static const McdMeshTriangle *triangleBelow(const McdMeshQuery *q, const double point[3]) {
+    double in, out;
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        if (t->isPending && partOver(t, point, point, OVER * q->shape.extent, &in, &out))
+            return t;
+    }
+    return 0;
+}
+
+/* Contacts of the points that are within the margin of the plane; false if there is no surface below one of them. */
+static MeBool addOverPlane(McdMeshQuery *q, const double normal[3], const Polygon *p, MeBool onlyBelow, double *least) {
+    for (int i = 0; i < p->count; i++) {
+        Polygon one = {.count = 0};
+        const McdMeshTriangle *t = triangleBelow(q, p->point[i]);
+        if (!t)
+            return MEFALSE;
+        appendPoint(&one, p->point[i], p->name[i], MEFALSE);
+        addAlong(q, t, normal, &one, onlyBelow, least);
+    }
+    return METRUE;
+}
+
+/* Where all of the surface is one plane, and its borders are elsewhere, contacts are those with the plane: no point at
+ * an edge is farther out than the corners of the shape's face. False if it is not so. */
+static MeBool touchPlane(McdMeshQuery *q) {
+    const McdMeshTriangle *t = onlyPlane(q);
+    Polygon p;
+    double face[3], back[3], least = INFINITY;
+    if (!t)
+        return MEFALSE;
+    mcd_scale(face, t->normal, t->facing);
+    mcd_scale(back, face, -1);
+    polygonToward(&q->shape, back, &p);
+    if (addOverPlane(q, face, &p, MEFALSE, &least)) {
+        pointToward(&q->shape, back, &p);
+        if (addOverPlane(q, face, &p, METRUE, &least))
+            return METRUE;
+    }
+    q->mesh->contactCount = 0;
+    return MEFALSE;
+}
+
+static void touchTriangles(McdMeshQuery *q) {
+    McdMesh *mesh = q->mesh;
+    for (int i = 0; i < mesh->count; i++)
+        classify(q, &mesh->triangle[i]);
+    if (touchPlane(q))
+        return;
+    for (int i = 0; i < mesh->count; i++) {
+        McdMeshTriangle *t = &mesh->triangle[i];
+        if (t->isPending)
+            t->isPending = t->facing ? !touchFlat(q, t) : !touchAnyWay(q, t);
+    }
+    for (int i = 0; i < mesh->count; i++)
+        if (mesh->triangle[i].isPending)
+            reachBelow(q, &mesh->triangle[i]);
 }
 
 /* Nothing touches with its middle in front: the shape may have gone through. It is brought back to the front of the
@@ -620,6 +1043,22 @@ static void placeMesh(McdMeshQuery *q, const McdGeometryInstance *ins) {
     }
 }
 
+/* The shape's box along its own axes. */
+static void boxShape(McdMeshQuery *q) {
+    mcd_copy(q->box, q->shape.place);
+    for (int i = 0; i < 3; i++) {
+        double back[3], far[3], near[3];
+        mcd_scale(back, q->shape.axis[i], -1);
+        mcd_support(&q->shape, q->shape.axis[i], far);
+        mcd_support(&q->shape, back, near);
+        mcd_sub(far, far, q->shape.place);
+        mcd_sub(near, near, q->shape.place);
+        const double low = mcd_dot(near, q->shape.axis[i]), high = mcd_dot(far, q->shape.axis[i]);
+        mcd_mad(q->box, q->box, (low + high) / 2, q->shape.axis[i]);
+        q->half[i] = (high - low) / 2;
+    }
+}
+
 static void boundShape(McdMeshQuery *q) {
     double sum = 0;
     mcd_copy(q->centre, q->place);
@@ -662,6 +1101,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh
         return 0;
     placeMesh(&q, ins2);
     boundShape(&q);
+    boxShape(&q);
     findBall(&q);
     mesh->count = mesh->contactCount = mesh->skipped = 0;
     gather(&q);
@@ -670,8 +1110,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh
     if (!mesh->count)
         return 0;
     joinCorners(mesh);
-    for (int i = 0; i < mesh->count; i++)
-        touchTriangle(&q, &mesh->triangle[i]);
+    touchTriangles(&q);
     if (!mesh->contactCount)
         bringBack(&q);
     merge(&q, result->contactMaxCount);

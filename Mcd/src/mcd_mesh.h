@@ -3,7 +3,13 @@
  * Whoever has triangles (a list's callback, a height field's grid) adds those near the shape; mcd_meshIntersect does the
  * rest. Which normals a contact may have follows from the neighbours: a normal at an edge or a corner is one of the
  * surface's only if no triangle that meets there rises above the plane through it. All others are contacts inside the
- * surface, and get the face's normal. Neighbours are found by equal coordinates of their corners.
+ * surface, and get the face's normal. Neighbours are found by equal coordinates of their corners; where
+ * there is none, beside the contact.
+ *
+ * Where a triangle lies flat among its neighbours, the face's normal is the only one: no other is searched for. There,
+ * a point below the surface counts if the shape comes to it through the surface: seen along the normal, the way from
+ * the point to where the line from there to the shape's highest point comes through is all over the same plane. That the
+ * shape touches the triangle over the point is not asked: an overhang is below triangles that it does not touch.
  */
 #ifndef MCD_MESH_H
 #define MCD_MESH_H
@@ -17,6 +23,8 @@ typedef struct McdMeshTriangle {
     MeU32 key[3];  /* of the corners: from their coordinates in the mesh's frame */
     int flags;     /* McdTriangleFlags */
     int element;
+    int facing;       /* contacts are along its normal: 1, or -1 for the other way; 0: not, or not known */
+    MeBool isPending; /* the shape may be below it, but was not yet found to touch it */
 } McdMeshTriangle;
 
 typedef struct McdMeshContact {
@@ -32,8 +40,10 @@ struct McdMeshQuery;
 typedef struct McdMesh {
     int count, max; /* triangles */
     McdMeshTriangle *triangle;
-    double (*place)[3];             /* their corners in the mesh's frame, three each */
-    int *order, *firstOf, *usersOf; /* 3 max: corners sorted by place; 3 max + 1: where a vertex' triangles begin */
+    double (*place)[3];     /* their corners in the mesh's frame, three each */
+    int *firstOf, *usersOf; /* 3 max + 1: where a vertex' triangles begin in the other, 3 max */
+    int *cornerOf, *slot;   /* 3 max: a corner at the vertex; 12 max: where to find it */
+    int *fan;               /* 3 max: is a vertex surrounded by triangles in one plane? */
     int contactCount, contactMax;
     McdMeshContact *contact, *cluster, *merged;
     int *contactOrder;
@@ -53,6 +63,7 @@ typedef struct McdMeshQuery {
     double centre[3];            /* the middle of that box, in the query's coordinates */
     double radius;               /* from there to the box' corners */
     double ball[3], ballRadius;  /* around the shape and the margin, in the mesh's frame */
+    double box[3], half[3];      /* the middle of the shape's box along its own axes, and half of its sizes */
 } McdMeshQuery;
 
 /* Adds the triangles that may be near the box. */

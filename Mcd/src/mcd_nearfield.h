@@ -26,7 +26,9 @@ MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, Mcd
 /* The best normal among those of a box's faces and a cylinder's or cone's discs, as a guess; a separation of -INFINITY
  * if there are none. */
 void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p);
-/* The same for two boxes, where they overlap; else a face's normal along which they are apart. */
+/* Is the guess of cores that overlap the answer? What is not soon seen to be is not. */
+MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p);
+/* For two boxes the answer, where they overlap; else a face's normal along which they are apart. */
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 /* For cores that are points or segments, and for a point and a box or cylinder. */
 MeBool mcd_pointPoint(const McdShape *a, const McdShape *b, double limit, McdProximity *p);

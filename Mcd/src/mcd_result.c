@@ -1,5 +1,7 @@
 /* How interactions fill a McdIntersectResult. */
 #include "mcd_shape.h"
+#include "mcd_spread.h"
+#include "mcd_vector.h"
 
 double mcd_pairMargin(const McdModelPair *p) {
     return (double)mcd_record(p->model1)->tolerance + (double)mcd_record(p->model2)->tolerance;
@@ -16,24 +18,25 @@ MeU32 mcd_featureMix(MeU32 feature, MeU32 part) {
     return (feature ^ part) * 0x9e3779b1u + (feature >> 15);
 }
 
-/* A place for a contact of that separation: a new one, or that of the shallowest if it is shallower. */
-static McdContact *placeFor(McdIntersectResult *result, MeReal separation) {
-    if (result->contactCount < result->contactMaxCount)
-        return &result->contacts[result->contactCount++];
-    McdContact *shallowest = 0;
-    for (int i = 0; i < result->contactCount; i++)
-        if (!shallowest || result->contacts[i].separation > shallowest->separation)
-            shallowest = &result->contacts[i];
-    return shallowest && shallowest->separation > separation ? shallowest : 0;
+/* Which of the manifold's points there is place for, as ascending indices; returns how many. */
+static int choose(const McdManifold *m, int place, int kept[MCD_MANIFOLD_POINTS]) {
+    McdSpot spot[MCD_MANIFOLD_POINTS];
+    for (int i = 0; i < m->count; i++) {
+        kept[i] = i;
+        mcd_copy(spot[i].position, m->point[i].position);
+        mcd_copy(spot[i].normal, m->normal);
+        spot[i].separation = m->point[i].separation;
+    }
+    return place >= m->count ? m->count : mcd_spread(spot, m->count, place, 0, kept);
 }
 
 void mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3], McdGeometryInstanceID ins1,
                    McdGeometryInstanceID ins2, int element1, int element2) {
-    for (int i = 0; i < m->count; i++) {
-        const McdManifoldPoint *point = &m->point[i];
-        McdContact *c = placeFor(result, (MeReal)point->separation);
-        if (!c)
-            continue;
+    int kept[MCD_MANIFOLD_POINTS];
+    const int count = choose(m, result->contactMaxCount - result->contactCount, kept);
+    for (int i = 0; i < count; i++) {
+        const McdManifoldPoint *point = &m->point[kept[i]];
+        McdContact *c = &result->contacts[result->contactCount++];
         for (int k = 0; k < 3; k++) {
             c->position[k] = (MeReal)(origin[k] + point->position[k]);
             c->normal[k] = (MeReal)m->normal[k];

@@ -20,6 +20,24 @@ void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, doub
 
 /* ---- from geometries --------------------------------------------------------------------------------------- */
 
+/* What single precision has rounded becomes as square as double can tell, so that a box's faces are across its axes:
+ * R + (I - R R^T) R / 2, one step towards the nearest rotation. Other matrices are left as they are. */
+static void squareAxes(double axis[3][3]) {
+    static const double rounded = 1e-5, square = 1e-13;
+    double off[3][3], old[3][3], most = 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j <= i; j++) {
+            off[i][j] = off[j][i] = (i == j) - mcd_dot(axis[i], axis[j]);
+            most = MeMAX(most, fabs(off[i][j]));
+        }
+    if (most < square || most > rounded)
+        return;
+    memcpy(old, axis, sizeof old);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            mcd_mad(axis[i], axis[i], off[i][j] / 2, old[j]);
+}
+
 static MeBool place(McdShape *s, const MeMatrix4 tm, const double origin[3]) {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
@@ -30,7 +48,10 @@ static MeBool place(McdShape *s, const MeMatrix4 tm, const double origin[3]) {
         s->place[i] = (double)tm[3][i] - origin[i];
         sum += fabs(s->place[i]);
     }
-    return isfinite(sum);
+    if (!isfinite(sum))
+        return 0;
+    squareAxes(s->axis);
+    return 1;
 }
 
 static void setSize(McdShape *s, double x, double y, double z) {

@@ -68,6 +68,13 @@ static void placePair(McdShape *a, McdShape *b, int pose, double margin, Random 
 
 static double worst;
 
+/* The reference is a lower bound: what it finds nearer may be shown to be farther by a direction that it missed. */
+static MeBool isShownApart(const McdShape *a, const McdShape *b, double margin) {
+    double onA[3], onB[3], n[3];
+    mcd_convexDistance(a, b, onA, onB, n);
+    return reference_along(a, b, n) > margin;
+}
+
 static MeBool isSolid(const McdShape *s) {
     return s->type == kMcdGeometryTypeBox || s->type == kMcdGeometryTypeConvexMesh || s->type == MCD_SHAPE_TRIANGLE;
 }
@@ -93,7 +100,7 @@ static void comparePair(int kindA, int kindB, int pose, double scale, MeBool sla
         return;
     }
     if (expected < margin - depthError * size)
-        ck_assert_msg(count > 0, "%s: no contact at %g", what, expected);
+        ck_assert_msg(count > 0 || isShownApart(&a, &b, margin), "%s: no contact at %g", what, expected);
     if (!count)
         return;
     assertSound(&a, &b, margin, &m);
@@ -102,19 +109,27 @@ static void comparePair(int kindA, int kindB, int pose, double scale, MeBool sla
                   deepest(&m), expected, (expected - deepest(&m)) / size);
 }
 
+/* For long runs: NEARFIELD_POSES=60000 poses of each pair, a third of them of each kind, NEARFIELD_PAIR=hull-hull only. */
+static int posesOf(int i, int j) {
+    const char *const poses = getenv("NEARFIELD_POSES"), *const only = getenv("NEARFIELD_PAIR");
+    char pair[40];
+    snprintf(pair, sizeof pair, "%s-%s", shape_name[i], shape_name[j]);
+    return only && strcmp(only, pair) ? 0 : poses ? atoi(poses) : 100;
+}
+
 START_TEST(depths_are_those_of_the_reference) {
     for (int i = 0; i < SHAPE_KINDS; i++)
         for (int j = i; j < SHAPE_KINDS; j++) {
             Random r = {.state = (unsigned long long)(1000 + 100 * i + j)};
+            const int count = posesOf(i, j);
             worst = -INFINITY;
-            const int count = getenv("NEARFIELD_POSES") ? atoi(getenv("NEARFIELD_POSES")) : 100;
             for (int k = 0; k < count; k++)
                 comparePair(k & 1 ? i : j, k & 1 ? j : i, k % POSES,
                             k % 7 == 0   ? 1e-3
                             : k % 7 == 1 ? 1e3
                                          : 1,
                             k % 5 == 0, &r);
-            if (getenv("NEARFIELD_POSES"))
+            if (count && getenv("NEARFIELD_POSES"))
                 printf("%-9s %-9s worst %.2g\n", shape_name[i], shape_name[j], worst);
         }
 }

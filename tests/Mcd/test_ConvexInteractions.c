@@ -153,6 +153,35 @@ START_TEST(all_pairs_stand) {
 }
 END_TEST
 
+START_TEST(where_there_is_little_place_the_ends_are_kept) {
+    setUp();
+    McdModelPair p = standing(&entry[2]);
+    MeMatrix3 tilt;
+    MeMatrix3FromEulerAngles(tilt, 0, (MeReal).001, 0); /* the edge at x = 1 is lowest */
+    MeMatrix4TMSetRotation(place[0], (const MeVector3 *)tilt);
+    for (int max = 0; max < 5; max++) {
+        result.contactMaxCount = max;
+        ck_assert_int_eq(entry[2].intersect(&p, &result), max > 0);
+        ck_assert_int_eq(result.contactCount, max);
+        MeReal least = 1, distance = 0;
+        for (int i = 0; i < max; i++) {
+            least = MeMIN(least, contacts[i].separation);
+            for (int k = 0; k < i; k++) {
+                MeVector3 apart;
+                MeVector3Subtract(apart, contacts[i].position, contacts[k].position);
+                ck_assert(MeVector3Magnitude(apart) > (MeReal)1.9);
+                distance = MeMAX(distance, MeVector3Magnitude(apart));
+            }
+        }
+        if (max)
+            assert_near(least, .004, TOL(2e-6, 2e-6));
+        if (max > 1)
+            ck_assert(distance > (MeReal)2.8);
+    }
+    tearDown();
+}
+END_TEST
+
 START_TEST(registered_pairs_are_served_either_way_round) {
     for (int i = 0; i < ENTRIES; i++) {
         setUp();
@@ -237,6 +266,7 @@ END_TEST
 
 static void tests(TCase *t) {
     tcase_add_test(t, all_pairs_stand);
+    tcase_add_test(t, where_there_is_little_place_the_ends_are_kept);
     tcase_add_test(t, registered_pairs_are_served_either_way_round);
     tcase_add_test(t, groups_register_their_pairs);
     tcase_add_test(t, far_from_the_origin_contacts_are_as_good);

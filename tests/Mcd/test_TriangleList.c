@@ -47,9 +47,22 @@ static void randomTurn(MeMatrix4 tm) {
 
 /* ---- surfaces that are flat ----------------------------------------------------------------------------------------- */
 
+/* Long, flat, with sharp corners: whatever comes. */
+static McdGeometryID randomHull(int number, double size) {
+    MeVector3 p[12];
+    const int count = 4 + number % 9;
+    const double width = .2 + .8 * random01();
+    for (int i = 0; i < count; i++)
+        MeVector3Set(p[i], (MeReal)(size * (random01() - .5)), (MeReal)(size * width * (random01() - .5)),
+                     (MeReal)(size * (random01() - .5)));
+    return McdConvexMeshCreateHull(frame, (const MeVector3 *)p, count, 0);
+}
+
 static McdGeometryID makeShape(int kind, double size) {
     const MeReal s = (MeReal)size;
     MeVector3 p[9];
+    if (kind >= 7)
+        return randomHull(kind - 7, size);
     for (int i = 0; i < 8; i++)
         MeVector3Set(p[i], i & 1 ? s : -s / 2, i & 2 ? s / 2 : -s, i & 4 ? s / 3 : -s / 2);
     MeVector3Set(p[8], 0, 0, s);
@@ -69,12 +82,22 @@ static McdGeometryID makeShape(int kind, double size) {
     }
 }
 
+/* Pushes only up. With it, the surface is not just one plane. */
+static void addLowTriangle(double size) {
+    const double z = -.01 * size, r = .3 * size;
+    terrain_triangle(&ground, terrain_vertex(&ground, -r, -r, z), terrain_vertex(&ground, r, -r, z),
+                     terrain_vertex(&ground, 0, r, z), 0);
+}
+
 /* On a grid of triangles as on a plane: the lowest point is the deepest, and the normal is the plane's. */
-static void onPlane(int kind, double size) {
-    MeReal down[3] = {0, 0, -1};
-    MeVector3 lowest;
+static void onPlane(int kind, double size, int isAlone) {
+    MeReal down[3] = {0, 0, -1}, up[3] = {0, 0, 1};
+    MeVector3 lowest, highest;
     begin();
+    seed = (unsigned int)kind;
     terrain_grid(&ground, 20, .23 * size, 0, ONE_SIDED);
+    if (!isAlone)
+        addLowTriangle(size);
     probe_init(&probe, makeShape(kind, size), terrain_list(frame, &ground));
     McdModelSetContactTolerance(probe.model, (MeReal)(.01 * size));
     McdModelSetContactTolerance(probe.ground, 0);
@@ -83,7 +106,9 @@ static void onPlane(int kind, double size) {
         randomTurn(probe.tm);
         MeMatrix4TMSetPosition(probe.tm, (MeReal)(size * (random01() - .5)), (MeReal)(size * (random01() - .5)), 0);
         McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
-        probe.tm[3][2] = (MeReal)(-(double)lowest[2] - size * (.15 * random01() - .005));
+        McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, up, highest);
+        const double deep = fmin(.15 * size, .45 * (double)(highest[2] - lowest[2])); /* its middle stays in front */
+        probe.tm[3][2] = (MeReal)(-(double)lowest[2] - deep * random01() + .005 * size);
         McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
         ck_assert_int_gt(probe_test(&probe), 0);
         assert_near(deepest(&probe), lowest[2], size * TOL(2e-6, 1e-9));
@@ -96,13 +121,53 @@ static void onPlane(int kind, double size) {
 }
 
 START_TEST(a_flat_grid_is_a_plane) {
-    for (int kind = 0; kind < 7; kind++) {
-        if (kind == 4) /* its rim overhangs: deep in, its lowest point may be under a triangle that it does not touch */
-            continue;
-        onPlane(kind, 1);
-        onPlane(kind, 1e-3);
-        onPlane(kind, 1e3);
+    for (int kind = 0; kind < 40; kind++) {
+        onPlane(kind, 1, 1);
+        onPlane(kind, 1e-3, 1);
+        onPlane(kind, 1e3, 1);
+        onPlane(kind, 1, 0);
     }
+}
+END_TEST
+
+/* A pole leans in a hole of the ground: it touches the border, and its lower end is under the ground beyond. */
+START_TEST(what_is_under_the_ground_through_a_hole_is_not_pushed_up) {
+    MeReal down[3] = {0, 0, -1};
+    MeVector3 lowest;
+    MeMatrix3 r;
+    begin();
+    terrain_grid(&ground, 20, .2, 0, ONE_SIDED);
+    int kept = 0;
+    for (int i = 0; i < ground.triangleCount; i++) { /* the hole is 1.2 x 1.2 around the origin */
+        double x = 0, y = 0;
+        for (int c = 0; c < 3; c++) {
+            x += (double)ground.vertex[ground.triangle[i][c]][0] / 3;
+            y += (double)ground.vertex[ground.triangle[i][c]][1] / 3;
+        }
+        if (fabs(x) < .6 && fabs(y) < .6)
+            continue;
+        memmove(ground.triangle[kept], ground.triangle[i], sizeof ground.triangle[i]);
+        ground.flags[kept++] = ground.flags[i];
+    }
+    ground.triangleCount = kept;
+    probe_init(&probe, McdBoxCreate(frame, (MeReal).2, (MeReal).2, 4), terrain_list(frame, &ground));
+    McdModelSetContactTolerance(probe.model, (MeReal).01);
+    MeMatrix3FromEulerAngles(r, 0, (MeReal)1, 0);
+    MeMatrix4TMSetRotation(probe.tm, (const MeVector3 *)r);
+    int touching = 0;
+    for (int i = 0; i < 200; i++) {
+        /* the end that is above leans on the border at one side, the other end is below that at the other side */
+        MeMatrix4TMSetPosition(probe.tm, (MeReal)(.4 + .15 * random01()), (MeReal)(.8 * (random01() - .5)),
+                               (MeReal)(.1 * random01()));
+        McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
+        ck_assert(fabs((double)lowest[0]) > .7 && lowest[2] < (MeReal)-.5);
+        touching += probe_test(&probe) > 0;
+        for (int k = 0; k < probe.result.contactCount; k++)
+            ck_assert(probe.contact[k].separation > (MeReal)-.3);
+    }
+    ck_assert_int_gt(touching, 20);
+    probe_term(&probe);
+    end();
 }
 END_TEST
 
@@ -448,6 +513,70 @@ START_TEST(the_list_may_stand_anywhere) {
 }
 END_TEST
 
+/* Cells of .4 at x < 0, of .2 at x > 0: on the line between them every other corner is on an edge. */
+static void makeSeam(int use) {
+    for (int side = 0; side < 2; side++) {
+        const double cell = side ? .2 : .4;
+        const int n = side ? 20 : 10, first = ground.vertexCount;
+        for (int j = 0; j <= n; j++)
+            for (int i = 0; i <= n; i++)
+                terrain_vertex(&ground, (side ? 0 : -4) + i * cell, -2 + j * cell, 0);
+        for (int j = 0; j < n; j++)
+            for (int i = 0; i < n; i++) {
+                const int a = first + j * (n + 1) + i;
+                terrain_triangle(&ground, a, a + 1, a + n + 2, use);
+                terrain_triangle(&ground, a, a + n + 2, a + n + 1, use);
+            }
+    }
+}
+
+static double lowestOf(const Probe *p) {
+    MeReal down[3] = {0, 0, -1};
+    MeVector3 lowest;
+    McdGeometryMaximumPoint(McdModelGetGeometry(p->model), (const MeVector4 *)p->tm, down, lowest);
+    return (double)lowest[2];
+}
+
+/* Out along each contact by what of its depth the others have left. */
+static void pushOut(Probe *p) {
+    double way[3] = {0, 0, 0};
+    for (int i = 0; i < p->result.contactCount; i++) {
+        const McdContact *c = &p->contact[i];
+        double left = -(double)c->separation;
+        for (int k = 0; k < 3; k++)
+            left -= way[k] * (double)c->normal[k];
+        for (int k = 0; k < 3 && left > 0; k++)
+            way[k] += left * (double)c->normal[k];
+    }
+    for (int k = 0; k < 3; k++)
+        p->tm[3][k] += (MeReal)way[k];
+}
+
+START_TEST(nothing_falls_through_where_corners_meet_edges) {
+    for (int kind = 0; kind < 24; kind++) {
+        begin();
+        seed = (unsigned int)kind;
+        makeSeam(kind % 2 ? ONE_SIDED : kMcdTriangleUseSmallestPenetration);
+        probe_init(&probe, makeShape(kind / 2, 1), terrain_list(frame, &ground));
+        for (int i = 0; i < 30; i++) {
+            randomTurn(probe.tm);
+            MeMatrix4TMSetPosition(probe.tm, (MeReal)(.6 * (random01() - .5)), (MeReal)(2 * (random01() - .5)), 0);
+            probe.tm[3][2] = (MeReal)(.01 - lowestOf(&probe));
+            for (int step = 0; step < 60; step++) {
+                probe.tm[3][2] -= (MeReal).02;
+                probe_test(&probe);
+                for (int k = 0; k < probe.result.contactCount; k++)
+                    assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(1e-6, 1e-9));
+                pushOut(&probe);
+                assert_near(fmin(lowestOf(&probe), 0), 0, TOL(2e-6, 1e-9));
+            }
+        }
+        probe_term(&probe);
+        end();
+    }
+}
+END_TEST
+
 START_TEST(triangles_without_area_do_nothing) {
     begin();
     messages_catch();
@@ -567,6 +696,7 @@ END_TEST
 
 static void tests(TCase *t) {
     tcase_add_test(t, a_flat_grid_is_a_plane);
+    tcase_add_test(t, what_is_under_the_ground_through_a_hole_is_not_pushed_up);
     tcase_add_test(t, a_box_on_its_face_has_its_four_corners);
     tcase_add_test(t, features_stay_while_sliding_and_in_any_order);
     tcase_add_test(t, in_a_valley_only_the_faces_push);
@@ -577,6 +707,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, flags);
     tcase_add_test(t, the_given_normal_says_which_side_is_outside);
     tcase_add_test(t, the_list_may_stand_anywhere);
+    tcase_add_test(t, nothing_falls_through_where_corners_meet_edges);
     tcase_add_test(t, triangles_without_area_do_nothing);
     tcase_add_test(t, too_many_triangles_are_told_once);
     tcase_add_test(t, the_result_has_no_more_than_fit);

@@ -43,7 +43,7 @@ static const struct {
 } room[MODELS] = {
     {kMcdGeometryTypeBox, {1, 2, 1}, 3, 1, (MeReal)0.4, MEFALSE},
     {kMcdGeometryTypeBox, {4, 2, (MeReal)0.2}, 0, -4, 0, MEFALSE},
-    {kMcdGeometryTypeSphere, {1, 0, 0}, -3, -1, 0, MEFALSE},
+    {kMcdGeometryTypeSphere, {1, 0, 0}, -3, (MeReal)-0.9, 0, MEFALSE},
     {kMcdGeometryTypeSphyl, {(MeReal)0.5, 1, 0}, -2, 3, 0, MEFALSE},
     {kMcdGeometryTypeCylinder, {(MeReal)0.6, 2, 0}, 2, (MeReal)-2.4, 0, MEFALSE},
     {kMcdGeometryTypeCone, {2, (MeReal)0.9, 0}, 1, 4, 0, MEFALSE},

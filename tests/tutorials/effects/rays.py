@@ -8,7 +8,7 @@ CONE = math.atan(0.9 / 2)  # between its axis and its side
 
 # What the room is like at the height of the lamp, seen from above: circles (x, z, radius) and rectangles
 # (x, z, half width, half depth, turn), each with whether it is glass.
-CIRCLES = [(-3, -1, 1, False), (-2, 3, 0.5, False), (2, -2.4, 0.6, False), (5, -2, 0.5, False)]
+CIRCLES = [(-3, -0.9, 1, False), (-2, 3, 0.5, False), (2, -2.4, 0.6, False), (5, -2, 0.5, False)]
 RECTANGLES = [(3, 1, 0.5, 0.5, 0.4, False), (0, -4, 2, 0.1, 0, False), (1.8, 0.8, 0.05, 1.5, 0.4, True),
               (-1.2, 1.8, 1.5, 0.05, -0.3, True)]
 CONE_AT = (1, 4, 0.9 * 3 / 4)  # its height's centre of mass is at a quarter
