@@ -130,6 +130,13 @@ MEPUBLIC void MEAPI McdSpacePathUpdateAll(McdSpaceID s, MeReal duration);
 MEPUBLIC void MEAPI McdSpaceUpdateModels(McdSpaceID s);
 /** Renews one model's box; an error for a frozen one. Inside only. */
 MEPUBLIC void MEAPI McdSpaceUpdateModel(McdModelID cm);
+/**
+ * How far ahead pairs and contacts are made, s, >= 0; default 0, as in Karma. A dynamics step long, it brings contacts of
+ * models that would meet within the step: with a gap, before they penetrate. A model looks no farther than the radius of
+ * the sphere around it; faster ones want McdSafeTime. Counts from the models' next update on. Legal anywhere. Beyond Karma.
+ */
+MEPUBLIC void MEAPI McdSpaceSetLookAhead(McdSpaceID s, MeReal duration);
+MEPUBLIC MeReal MEAPI McdSpaceGetLookAhead(McdSpaceID s);
 /** What renews boxes; null: McdModelUpdate (McdModelUpdatePath for swept models). Outside only. */
 MEPUBLIC void MEAPI McdSpaceSetAABBFn(McdSpaceID s, McdSpaceUpdateAABBFnPtr updateAABBFn);
 /**

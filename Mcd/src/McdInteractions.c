@@ -105,7 +105,7 @@ MeBool MEAPI McdNearby(McdModelPair *p) {
     if (!checkPair(p, "McdNearby"))
         return MEFALSE;
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
-    const MeReal margin = a->tolerance + b->tolerance;
+    const MeReal margin = mcd_modelReach(a) + mcd_modelReach(b);
     for (int i = 0; i < 3; i++)
         if (a->instance.min[i] - margin > b->instance.max[i] || b->instance.min[i] - margin > a->instance.max[i])
             return MEFALSE;

@@ -295,7 +295,7 @@ static void putInTree(McdSpace *s, McdProxy *p) {
 static void takeBox(McdSpace *s, McdProxy *p) {
     const McdModelRecord *m = p->model;
     double moved[3] = {0, 0, 0};
-    MeBool isSame = p->hasBox && p->tolerance == m->tolerance;
+    MeBool isSame = p->hasBox && p->tolerance == mcd_modelReach(m);
     for (int i = 0; i < 3; i++) {
         isSame = isSame && p->min[i] == m->instance.min[i] && p->max[i] == m->instance.max[i];
         if (p->hasBox)
@@ -305,7 +305,7 @@ static void takeBox(McdSpace *s, McdProxy *p) {
         return;
     MeVector3Copy(p->min, m->instance.min);
     MeVector3Copy(p->max, m->instance.max);
-    p->tolerance = m->tolerance;
+    p->tolerance = mcd_modelReach(m);
     mcd_proxyTouch(s, indexOf(s, p));
     const MeBool hadBox = p->hasBox;
     p->hasBox = METRUE;
@@ -341,6 +341,33 @@ static void updateBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
         McdModelUpdate(&m->model);
 }
 
+static void lookNowhere(McdModelRecord *m) {
+    m->lookAhead = m->ahead = m->turnAhead = 0;
+}
+
+static MeReal rateOf(const MeReal *velocity) {
+    return velocity ? MeVector3Magnitude(velocity) : 0;
+}
+
+/* How far the model may get in the time that the space looks ahead: no farther than its own radius, or things that it
+ * would pass by would be in its way. */
+static void lookAhead(const McdSpace *s, McdModelRecord *m) {
+    MeVector3 centre;
+    MeReal radius;
+    lookNowhere(m);
+    if (!(s->lookAhead > 0) || (!m->linearVelocity && !m->angularVelocity))
+        return;
+    McdGeometryGetBSphere(m->instance.geometry, centre, &radius);
+    const MeReal reach = MeVector3Magnitude(centre) + radius;
+    const MeReal turn = s->lookAhead * rateOf(m->angularVelocity) * reach;
+    const MeReal way = s->lookAhead * rateOf(m->linearVelocity);
+    m->lookAhead = s->lookAhead;
+    m->turnAhead = MeMIN(turn, radius);
+    m->ahead = MeMIN(way + turn, radius);
+    if (!MeRealIsValid(m->ahead) || !MeRealIsValid(m->turnAhead))
+        lookNowhere(m);
+}
+
 /* With the warning that belongs to it, where a transform is bad. */
 static void updateProxy(McdSpace *s, McdProxy *p, MeReal duration) {
     McdModelRecord *m = p->model;
@@ -356,6 +383,7 @@ static void updateProxy(McdSpace *s, McdProxy *p, MeReal duration) {
         return;
     }
     p->isWarned = MEFALSE;
+    lookAhead(s, m);
     takeBox(s, p);
 }
 
@@ -395,6 +423,19 @@ static void updateAll(McdSpace *s, MeReal duration) {
     s->isUpdated = METRUE;
     if (isAlone)
         endBlock(s);
+}
+
+void MEAPI McdSpaceSetLookAhead(McdSpaceID s, MeReal duration) {
+    if (!mcd_spaceCheck(s, "McdSpaceSetLookAhead"))
+        return;
+    if (!(duration >= 0) || !MeRealIsValid(duration))
+        MeWarning(1, "McdSpaceSetLookAhead: duration is %g: it must be >= 0", (double)duration);
+    else
+        s->lookAhead = duration;
+}
+
+MeReal MEAPI McdSpaceGetLookAhead(McdSpaceID s) {
+    return mcd_spaceCheck(s, "McdSpaceGetLookAhead") ? s->lookAhead : 0;
 }
 
 void MEAPI McdSpaceUpdateAll(McdSpaceID s) {
@@ -439,7 +480,10 @@ static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
     if (p->isFrozen == isFrozen)
         return METRUE;
     p->isFrozen = isFrozen;
-    if (!isFrozen) {
+    if (isFrozen) { /* it does not move */
+        lookNowhere(p->model);
+        p->tolerance = mcd_modelReach(p->model);
+    } else {
         wake(p->model->space, p);
         p->isMoved = METRUE; /* links between frozen models were kept only where they have a pair */
     }
@@ -500,6 +544,7 @@ static void releaseModel(McdSpace *s, McdProxy *p) {
     dropLeaf(s, p);
     dropUnbounded(s, p);
     rest(s, p);
+    lookNowhere(p->model);
     p->model->space = 0;
     p->model->proxy = 0;
     p->model = 0;

@@ -68,6 +68,7 @@ typedef struct McdModelRecord {
     MeBool ownsRelative;
     MeReal *linearVelocity, *angularVelocity;
     MeReal tolerance;
+    MeReal lookAhead, ahead, turnAhead; /* s; m, how far it may get in that time, and by turning alone */
     MeBool isSwept;
     MeI16 sortKey;
     int requestId;
@@ -158,7 +159,11 @@ void mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const doubl
 /* A feature's number within a part of an aggregate. */
 MeU32 mcd_featureMix(MeU32 feature, MeU32 part);
 int mcd_resultEnd(McdIntersectResult *result); /* the mean normal; 1 if there are contacts */
-/* The gap up to which a pair of models makes contacts. */
+/* How far a model may touch: its tolerance, and the way that it may get before it is asked again. */
+static inline MeReal mcd_modelReach(const McdModelRecord *m) {
+    return m->tolerance + m->ahead;
+}
+/* The gap up to which a pair of models makes contacts: its tolerances, and the way that the two may get nearer. */
 double mcd_pairMargin(const McdModelPair *p);
 
 #endif

@@ -3,8 +3,23 @@
 #include "mcd_spread.h"
 #include "mcd_vector.h"
 
+/* How much the gap of two models may shrink before they are asked again. */
+static double approach(const McdModelRecord *a, const McdModelRecord *b) {
+    const double time = fmax((double)a->lookAhead, (double)b->lookAhead), most = (double)a->ahead + (double)b->ahead;
+    double square = 0;
+    if (!(most > 0))
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        const double va = a->linearVelocity ? (double)a->linearVelocity[i] : 0;
+        const double vb = b->linearVelocity ? (double)b->linearVelocity[i] : 0;
+        square += (va - vb) * (va - vb);
+    }
+    return fmin(most, time * sqrt(square) + (double)a->turnAhead + (double)b->turnAhead);
+}
+
 double mcd_pairMargin(const McdModelPair *p) {
-    return (double)mcd_record(p->model1)->tolerance + (double)mcd_record(p->model2)->tolerance;
+    const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
+    return (double)a->tolerance + (double)b->tolerance + approach(a, b);
 }
 
 void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {

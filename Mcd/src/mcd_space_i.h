@@ -22,7 +22,7 @@ enum { MCD_NONE = -1, MCD_PAIR_BLOCK = 128 };
 
 typedef struct McdProxy {
     /* what judging a link needs comes first, to be read at once */
-    MeReal min[3], max[3], tolerance;
+    MeReal min[3], max[3], tolerance; /* that, and how far it looks ahead */
     MeBool hasBox, isFrozen;
     MeBool isDirty; /* its links are to be judged */
     McdTreeBox fat;
@@ -76,6 +76,7 @@ struct _McdSpace {
     MeBool isChanging;
     MeBool isFirstBlock, isUpdated; /* the block that creation opened; McdSpaceUpdateAll was called in it */
     MeU32 step;
+    MeReal lookAhead; /* s */
     McdSpaceUpdateAABBFnPtr update;
     McdSpacePoolErrorFnPtr poolFull;
     void *userData;

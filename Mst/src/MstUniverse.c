@@ -69,6 +69,7 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
         destroyParts(u);
         return 0;
     }
+    McdSpaceSetLookAhead(u->space, (MeReal)(1. / 60)); /* until a step says how long it is */
     MstSetWorldHandlers(u->world);
     return u;
 }
@@ -81,6 +82,7 @@ void MEAPI MstUniverseDestroy(const MstUniverseID u) {
 void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     if (!isUniverse(u, "MstUniverseStep"))
         return;
+    McdSpaceSetLookAhead(u->space, step);
     McdSpaceUpdateAll(u->space);
     MstBridgeUpdateContacts(u->bridge, u->space, u->world);
     MdtWorldStep(u->world, step);
