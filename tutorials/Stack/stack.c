@@ -1,0 +1,70 @@
+/* Stack: a tower of boxes (User Guide, chapter 5, "The Bridge").
+ *
+ * Collision finds where boxes touch, the bridge makes contacts of that, dynamics holds them. The tower stands, goes to
+ * sleep, and costs nothing then; a ball wakes what it hits. Watch the number of bodies that are awake.
+ */
+#include "play.h"
+#include <stdio.h>
+
+enum { BOXES = 20 };
+
+static McdModelID box[BOXES], ball;
+
+/* Not quite straight, as a child builds. */
+static void MEAPI Reset(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
+    for (int i = 0; i < BOXES; i++)
+        playPlace(box[i], (MeReal)(0.03 * (i % 3 - 1)), (MeReal)(0.5 + 1.005 * i), (MeReal)(0.03 * (i % 2)), 1,
+                  (MeReal)(0.05 * (i % 5 - 2)));
+    playPlace(ball, -8, (MeReal)0.8, 0, 0, 0);
+}
+
+static void MEAPI throwBall(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
+    playPlace(ball, -8, 6, 0, 0, 0);
+    MdtBodySetLinearVelocity(McdModelGetBody(ball), 16, 2, 0);
+}
+
+static double topOf(McdModelID m) {
+    MeVector3 p;
+    McdModelDynamicsGetPosition(m, p);
+    return (double)p[1] + .5;
+}
+
+static void MEAPI Tick(RRender *context) {
+    char text[160];
+    (void)context;
+    MstUniverseStep(playUniverse, playFrame);
+    snprintf(text, sizeof text, "top at %.4f m    awake %d of %d    contacts and groups %d    motion %.3f J",
+             topOf(box[BOXES - 1]), playAwake(), BOXES + 1, MdtWorldGetTotalConstraints(playUniverse->world),
+             playEnergy());
+    RRenderSetStatusText(playRc, text);
+}
+
+static void createModels(void) {
+    McdFrameworkID frame = playUniverse->frame;
+    static const float iron[4] = {.30f, .32f, .36f, 1};
+    const McdGeometryID cube = McdBoxCreate(frame, 1, 1, 1);
+    playFloor();
+    for (int i = 0; i < BOXES; i++)
+        box[i] = playModel(cube, 1, 0, 0, 0, RPalette[i % 6]);
+    ball = playModel(McdSphereCreate(frame, (MeReal)0.8), 5, 0, 0, 0, iron);
+}
+
+int MEAPI_CDECL main(int argc, const char **argv) {
+    static const char *const help[] = {
+        "Twenty boxes, and a ball that you may throw.",
+        "$ACTION2 - build the tower again",
+        "$ACTION3 - throw the ball",
+    };
+    if (!playStart(argc, argv, "Stack", BOXES + 1))
+        return 1;
+    createModels();
+    playHelp(help, 3);
+    RRenderSetActionNCallBack(playRc, 2, Reset, 0);
+    RRenderSetActionNCallBack(playRc, 3, throwBall, 0);
+    playCamera(0, 9, 0, 36, .5f, .2f);
+    Reset(playRc, 0);
+    playRun(Tick);
+    return 0;
+}

@@ -1,0 +1,113 @@
+#include "play.h"
+#include "geometry_graphic.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+RRender *playRc;
+MstUniverseID playUniverse;
+const MeReal playFrame = (MeReal)(1.0 / 60);
+
+static MeMatrix4 floorTM;
+
+static void MEAPI_CDECL cleanup(void) {
+    RRenderContextDestroy(playRc);
+    MstUniverseDestroy(playUniverse);
+}
+
+static void setDefaults(void) {
+    MdtContactParamsID p = playContact(0, 0);
+    MdtContactParamsSetType(p, MdtContactTypeFriction2D);
+    MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
+    MdtContactParamsSetFrictionCoeffecient(p, (MeReal)0.5);
+    MdtWorldSetGravity(playUniverse->world, 0, (MeReal)-9.81, 0);
+    MdtWorldSetEpsilon(playUniverse->world, 0);
+}
+
+MeBool playStart(int argc, const char **argv, const char *name, int models) {
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
+    char title[80];
+    playRc = RRenderContextCreate(options, 0, 1);
+    MeCommandLineOptionsDestroy(options);
+    if (!playRc)
+        return MEFALSE;
+    snprintf(title, sizeof title, "Karma tutorial: %s", name);
+    RRenderSetWindowTitle(playRc, title);
+    RRenderSetAppName(playRc, name);
+    sizes.dynamicBodiesMaxCount = (unsigned int)models;
+    sizes.collisionModelsMaxCount = (unsigned int)models + 16;
+    sizes.collisionGeometryInstancesMaxCount = 8 * (unsigned int)models;
+    sizes.collisionPairsMaxCount = 16 * (unsigned int)models + 64;
+    sizes.dynamicConstraintsMaxCount = 40 * (unsigned int)models + 64;
+    playUniverse = MstUniverseCreate(&sizes);
+    if (!playUniverse)
+        return MEFALSE;
+    setDefaults();
+    atexit(cleanup);
+    return METRUE;
+}
+
+void playHelp(const char *const help[], int lines) {
+    RRenderCreateUserHelp(playRc, help, lines);
+}
+
+void playCamera(float x, float y, float z, float distance, float angle, float elevation) {
+    const AcmeVector3 at = {x, y, z};
+    RCameraSetLookAt(playRc, at);
+    RCameraSetView(playRc, distance, angle, elevation);
+}
+
+void playRun(RMainLoopCallBackNoData tick) {
+    RRun(playRc, tick);
+}
+
+McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal z, const float color[4]) {
+    const McdModelID m = MstModelAndBodyCreate(playUniverse, g, density);
+    if (!m)
+        return 0;
+    McdModelDynamicsSetPosition(m, x, y, z);
+    geometryGraphic(playRc, g, color, McdModelGetTransformPtr(m));
+    return m;
+}
+
+McdModelID playFixed(McdGeometryID g, MeMatrix4Ptr tm, const float color[4]) {
+    const McdModelID m = MstFixedModelCreate(playUniverse, g, tm);
+    if (m && color)
+        geometryGraphic(playRc, g, color, tm);
+    return m;
+}
+
+McdModelID playFloor(void) {
+    static const float ground[4] = {.82f, .83f, .80f, 1};
+    MeMatrix3 R;
+    MeMatrix3MakeRotationX(R, -ME_PI / 2); /* the plane's z becomes y */
+    MeMatrix4TMMakeFromRotationAndPosition(floorTM, R, 0, 0, 0);
+    RGraphicGroundPlaneCreate(playRc, 60, 2, ground, 0);
+    return playFixed(McdPlaneCreate(playUniverse->frame), floorTM, 0);
+}
+
+void playPlace(McdModelID m, MeReal x, MeReal y, MeReal z, int axis, MeReal angle) {
+    const MdtBodyID b = McdModelGetBody(m);
+    MeReal q[4] = {MeCos(angle / 2), 0, 0, 0};
+    q[1 + axis] = MeSin(angle / 2);
+    MdtBodySetPosition(b, x, y, z);
+    MdtBodySetQuaternion(b, q[0], q[1], q[2], q[3]);
+    MdtBodySetLinearVelocity(b, 0, 0, 0);
+    MdtBodySetAngularVelocity(b, 0, 0, 0);
+    MdtBodyEnable(b);
+}
+
+MdtContactParamsID playContact(MstMaterialID m1, MstMaterialID m2) {
+    return MstBridgeGetContactParams(playUniverse->bridge, m1, m2);
+}
+
+double playEnergy(void) {
+    double sum = 0;
+    for (MdtBodyID b = MdtBodyGetFirst(playUniverse->world); b; b = MdtBodyGetNext(b))
+        sum += (double)MdtBodyGetKineticEnergy(b);
+    return sum;
+}
+
+int playAwake(void) {
+    return MdtWorldGetEnabledBodies(playUniverse->world);
+}
