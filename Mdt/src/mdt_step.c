@@ -433,19 +433,39 @@ static MeBool takePart(Partition *p, void *scratch, double part, int halvings) {
     return integratePart(p);
 }
 
+/* Was the part solved, or so nearly that what is wrong with velocities takes nothing farther than 1e-7 of a step's fall, as
+ * in parts that are short against rounding? The program's own cap on the iterations is its own affair. */
+static MeBool isFollowed(const Partition *p) {
+    const MeReal *g = p->world->params.gravity;
+    const double fall = sqrt((double)(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])) * p->h * p->h;
+    const double way = p->kea.report.residual * p->parameters.stepsize;
+    return !p->kea.report.capped || p->kea.parameters.maxIterations > 0 || way < 1e-7 * fall;
+}
+
+/* Up to the next event, at most for `rest`. False where that could not be followed. */
+static MeBool solveToEvent(Partition *p, void *scratch, double rest, double least) {
+    p->kea.parameters.timed = METRUE;
+    solvePart(p, scratch, rest);
+    if (!isFollowed(p))
+        return MEFALSE;
+    if (p->kea.report.event >= rest - least)
+        return METRUE;
+    if (p->report)
+        mdt_reportEvent(p->report);
+    solvePart(p, scratch, fmax(p->kea.report.event, least));
+    return isFollowed(p);
+}
+
 /* A part of the step of a partition whose contacts are met in time: up to the next event, and on. When there are too many of
- * them, the rest is taken as it is elsewhere. */
+ * them, or they cannot be followed so exactly, the rest is taken as it is elsewhere. */
 static MeBool takeInTime(Partition *p, void *scratch, double part) {
     enum { MAX_EVENTS = 8 };
-    const double least = 1e-9;
+    const double least = 1e-9 * part;
     double rest = part;
-    for (int events = 0; rest > least * part; events++) {
-        p->kea.parameters.timed = events < MAX_EVENTS;
-        solvePart(p, scratch, rest);
-        if (p->kea.parameters.timed && p->kea.report.event < rest * (1 - least)) {
-            if (p->report)
-                mdt_reportEvent(p->report);
-            solvePart(p, scratch, fmax(p->kea.report.event, least * part));
+    for (int events = 0; rest > least; events++) {
+        if (events == MAX_EVENTS || !solveToEvent(p, scratch, rest, least)) {
+            p->kea.parameters.timed = MEFALSE;
+            return takePart(p, scratch, rest, 0);
         }
         rest -= p->parameters.stepsize;
         if (!integratePart(p))
