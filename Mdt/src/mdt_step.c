@@ -297,13 +297,19 @@ static void stopBodies(Partition *p) {
     }
 }
 
+/* What an inexact solve is, the report says (MdtReport's fallbacks). A warning is for what somebody can mend: motion that the
+ * step is too long for, or a cap that the program has set. */
 static void warnOfSolver(const Partition *p) {
-    if (p->kea.report.capped && !p->isDegenerate) /* that has been said */
+    const MeBool isMendable = p->kea.report.violent || p->kea.parameters.maxIterations > 0;
+    if (p->kea.report.capped && !p->isDegenerate && isMendable) /* degenerate: that has been said */
         MeWarning(
             2,
             "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
             "inexact; raise MdtWorldSetMaxLCPIterations or epsilon",
             p->number, p->kea.numRows);
+    else if (p->kea.report.capped)
+        MeDebug(2, "MdtWorldStep: partition %d (%d rows): the friction of redundant contacts did not settle", p->number,
+                p->kea.numRows);
     if (p->kea.report.conflicting)
         MeDebug(2, "MdtWorldStep: partition %d (%d rows) has contradictory constraints, a compromise was taken",
                 p->number, p->kea.numRows);

@@ -349,6 +349,8 @@ static double bestStep(KeaProblem *q) {
         linear += dot6(Bd, q->along[b]);
     }
     const double start = slopeAt(q, constant, linear, 0), enough = 1e-3 * fabs(start);
+    if (!(start < 0))
+        return 0; /* downhill by rounding only: there is nothing left to gain */
     double low = 0, high = 1, atLow = start, atHigh = slopeAt(q, constant, linear, 1);
     while (atHigh < -enough && high < 64) {
         low = high, atLow = atHigh;

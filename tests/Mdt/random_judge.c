@@ -1,5 +1,6 @@
 /* See random_judge.h. */
 #include "random_judge.h"
+#include "MdtReport.h"
 
 const char *const random_faultName[FAULTS] = {"not finite", "energy", "motor", "spike", "gap", "sunk", "capped"};
 
@@ -9,14 +10,13 @@ typedef struct {
 
 /* ---- what the library says ---- */
 
-static int stopped, capped;
+static int stopped;
 
 static void onWarning(const int level, const char *const format, va_list ap) {
     char text[512];
     (void)level;
     vsnprintf(text, sizeof text, format, ap);
     stopped += strstr(text, "finite") != NULL;
-    capped += strstr(text, "inexact") != NULL;
 }
 
 /* ---- verdicts ---- */
@@ -254,17 +254,19 @@ void random_judgeBegin(RandomJudge *j, unsigned long long seed, FILE *log) {
     memset(j, 0, sizeof *j);
     j->log = log;
     random_sceneMake(&j->scene, seed);
+    MdtWorldEnableReport(j->scene.world);
     if (log)
         random_sceneDescribe(&j->scene, log);
 }
 
 MeBool random_judgeStep(RandomJudge *j) {
-    stopped = capped = 0;
+    MdtReport report;
+    stopped = 0;
     MeHandler before = MeSetWarningHandler(onWarning);
     const MeBool wasKicked = random_sceneStep(&j->scene, j->step);
     MeSetWarningHandler(before);
-    if (capped)
-        blame(j, FAULT_CAPPED, capped, -1);
+    if (MdtWorldGetReport(j->scene.world, &report) && report.fallbacks)
+        blame(j, FAULT_CAPPED, report.fallbacks, -1);
     if (stopped || !isFiniteScene(j)) {
         blame(j, FAULT_NOT_FINITE, stopped, -1);
         return MEFALSE;
