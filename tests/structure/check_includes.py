@@ -12,7 +12,8 @@ ALLOWED = {  # library: the libraries whose public headers it may include
     'Mcd': ['MeGlobals'],
     'Mst': ['Mcd', 'Mdt', 'MdtBcl', 'MdtKea', 'MeGlobals'],
     'MeViewer': ['MeGlobals'],
-    'tutorials': ['Mdt', 'MdtBcl', 'MdtKea', 'Mcd', 'Mst', 'MeGlobals', 'MeViewer'],
+    'MeApp': ['Mst', 'Mcd', 'Mdt', 'MdtBcl', 'MdtKea', 'MeGlobals', 'MeViewer'],
+    'tutorials': ['Mdt', 'MdtBcl', 'MdtKea', 'Mcd', 'Mst', 'MeGlobals', 'MeViewer', 'MeApp'],
 }
 
 top = pathlib.Path(sys.argv[1])

@@ -8,8 +8,12 @@ MstUniverseID playUniverse;
 const MeReal playFrame = (MeReal)(1.0 / 60);
 
 static MeMatrix4 floorTM;
+static MeApp *app;
+static MeBool showContacts;
+static RMainLoopCallBackNoData programTick;
 
 static void MEAPI_CDECL cleanup(void) {
+    MeAppDestroy(app);
     RRenderContextDestroy(playRc);
     MstUniverseDestroy(playUniverse);
 }
@@ -21,6 +25,27 @@ static void setDefaults(void) {
     MdtContactParamsSetFrictionCoeffecient(p, (MeReal)0.5);
     MdtWorldSetGravity(playUniverse->world, 0, (MeReal)-9.81, 0);
     MdtWorldSetEpsilon(playUniverse->world, 0);
+}
+
+static void MEAPI toggleContacts(RRender *rc, void *userdata) {
+    (void)rc, (void)userdata;
+    showContacts = !showContacts;
+    MeAppToggleDrawContacts(app, showContacts);
+    MeAppDrawContacts(app);
+}
+
+/* The mouse, and the contacts: hidden at first. */
+static MeBool createHelpers(int contacts) {
+    static float orange[4] = {1, .45f, 0, 1};
+    app = MeAppCreateFromUniverse(playUniverse, playRc);
+    if (!app)
+        return MEFALSE;
+    MeAppDrawContactsInit(app, orange, contacts);
+    MeAppToggleDrawContacts(app, MEFALSE);
+    RRenderSetMouseCallBackWithText(playRc, MeAppMousePickCB, app, "pull what the mouse points at");
+    RRenderSetActionNKey(playRc, 5, 'c');
+    RRenderSetActionNCallBackWithText(playRc, 5, toggleContacts, 0, "show contacts, or hide them");
+    return METRUE;
 }
 
 MeBool playStart(int argc, const char **argv, const char *name, int models) {
@@ -44,7 +69,7 @@ MeBool playStart(int argc, const char **argv, const char *name, int models) {
         return MEFALSE;
     setDefaults();
     atexit(cleanup);
-    return METRUE;
+    return createHelpers((int)sizes.dynamicConstraintsMaxCount);
 }
 
 void playHelp(const char *const help[], int lines) {
@@ -57,8 +82,14 @@ void playCamera(float x, float y, float z, float distance, float angle, float el
     RCameraSetView(playRc, distance, angle, elevation);
 }
 
+static void MEAPI tickWithHelpers(RRender *rc) {
+    MeAppStep(app);
+    programTick(rc);
+}
+
 void playRun(RMainLoopCallBackNoData tick) {
-    RRun(playRc, tick);
+    programTick = tick;
+    RRun(playRc, tickWithHelpers);
 }
 
 McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal z, const float color[4]) {

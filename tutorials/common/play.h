@@ -1,11 +1,13 @@
 /* A universe on the screen: what the tutorials of collision and dynamics together have in common.
  *
  * y is up, gravity 9.81 m/s². There is one of everything, so that a tutorial shows what it is about. Models have graphics
- * that follow them; all of it is given back when the program ends.
+ * that follow them; all of it is given back when the program ends. The mouse pulls bodies, and the key C (action 5) shows
+ * contacts: every tutorial has both, and its help says so.
  */
 #ifndef PLAY_H
 #define PLAY_H
 
+#include "MeApp.h"
 #include "MeViewer.h"
 #include "Mst.h"
 
@@ -20,7 +22,7 @@ MeBool playStart(int argc, const char **argv, const char *name, int models);
 void playHelp(const char *const help[], int lines);
 /* The camera: what it looks at, how far away, from which angles (rad). */
 void playCamera(float x, float y, float z, float distance, float angle, float elevation);
-/* Calls tick before every frame, until the user leaves; does not return. */
+/* Calls tick before every frame, until the user leaves; does not return. Before it, the mouse pulls (MeAppStep). */
 void playRun(RMainLoopCallBackNoData tick);
 
 /* A model with an enabled body of a density (kg/m³), its middle at a place, and its graphic. Null if there is no room. */

@@ -1,0 +1,44 @@
+/** @file MeAppTypes.h
+ *  The types of MeApp. All members may be read at any time; the functions of MeApp.h write them.
+ */
+#ifndef MEAPPTYPES_H
+#define MEAPPTYPES_H
+
+#include "MeViewerTypes.h"
+#include "MstTypes.h"
+
+ME_BEGIN_C
+
+/** What the mouse holds. */
+typedef struct MeAppMousePickInfo {
+    McdModelID model;   /**< Null: nothing; then the rest has no meaning. */
+    MdtBodyID body;     /**< The model's. */
+    MeVector3 relative; /**< Where it is held, in the body's frame. */
+    MeVector3 target;   /**< Where it is pulled to, world frame: under the mouse, as deep in the picture as it was. */
+    int x, y;           /**< The mouse, pixels from the window's upper left corner, y down. */
+    RNativeLine *line;  /**< The spring. In the context's list while something is held. */
+} MeAppMousePickInfo;
+
+/** How contacts are drawn. */
+typedef struct MeAppContactDrawInfo {
+    MeBool draw;         /**< Are they drawn? */
+    MeReal length;       /**< Of a line, m. */
+    int max;             /**< Lines there are. */
+    int count;           /**< Lines in the context's list: the first so many. */
+    RNativeLine **lines; /**< All lines; null before MeAppDrawContactsInit. */
+} MeAppContactDrawInfo;
+
+/** A demonstration program's helpers. Created by MeAppCreate. */
+typedef struct MeApp {
+    MdtWorldID world;
+    McdSpaceID space;
+    RRender *rc;
+    MstUniverseID universe; /**< Null if it was created from a world and a space. */
+    MeReal lengthScale;     /**< m, of a medium-sized object: the universe's, else 1. */
+    MeAppMousePickInfo pick;
+    MeAppContactDrawInfo *contacts; /**< Never null. */
+} MeApp;
+
+ME_END_C
+
+#endif

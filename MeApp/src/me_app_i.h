@@ -1,0 +1,20 @@
+/* Inside MeApp: what its files share. */
+#ifndef ME_APP_I_H
+#define ME_APP_I_H
+
+#include "MeApp.h"
+
+/* Not null; else a warning. */
+MeBool meapp_check(const MeApp *app, const char *function);
+
+/* A line that is in no list yet; null, after a fatal error, without memory. */
+RNativeLine *meapp_lineCreate(RRender *rc, const float color[4]);
+/* Puts a line's ends somewhere and has it drawn. */
+void meapp_lineShow(RRender *rc, RNativeLine *line, const MeVector3 start, const MeVector3 end);
+/* Has it no longer drawn. */
+void meapp_lineHide(RNativeLine *line);
+
+/* Frees the lines of the contacts. */
+void meapp_contactsFree(MeAppContactDrawInfo *info);
+
+#endif
