@@ -1,0 +1,15 @@
+from tutorial import figure, near, status
+
+USES = ['Mdt', 'Mcd', 'Mst']
+
+
+def check():
+    """The pyramid stands and sleeps, with a weight on it too; awake, the report tells of small errors."""
+    for keys in '', '3@100':
+        line = status(500, keys)
+        near(figure(line, 'top at'), 6, 0.001, 'the top')
+        assert figure(line, 'awake') == 0 and figure(line, 'rows') == 0, line
+    line = status(300, '4@5')
+    near(figure(line, 'top at'), 6, 0.001, 'the top')
+    assert figure(line, 'rows') > 500 and figure(line, 'iterations') > 0, line
+    assert figure(line, 'residual') < 1e-4 and figure(line, 'deepest') < 0.1, line
