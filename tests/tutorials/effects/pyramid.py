@@ -11,5 +11,5 @@ def check():
         assert figure(line, 'awake') == 0 and figure(line, 'rows') == 0, line
     line = status(300, '4@5')
     near(figure(line, 'top at'), 6, 0.001, 'the top')
-    assert figure(line, 'rows') > 500 and figure(line, 'iterations') > 0, line
+    assert figure(line, 'rows') > 500, line  # iterations may be 0: where the last answer holds, nothing is solved
     assert figure(line, 'residual') < 1e-4 and figure(line, 'deepest') < 0.1, line
