@@ -1,4 +1,4 @@
-/* Karma, rigid (epsilon 0). It has no collision yet: its contacts are the scene's. One that lasts from step to step
+/* Karma, rigid (epsilon 0). Its contacts are the scene's, not Mcd's: dynamics is compared. One that lasts from step to step
  * stays the same object, so that Karma may start from its last forces. */
 #include "engine.h"
 
@@ -200,7 +200,7 @@ const Engine ENGINE_KARMA = {
     .name = NAME,
     .version = ME_VERSION_STRING,
     .about = ABOUT
-    "; epsilon 0, gamma .2, the friction cone; no collision yet: contacts by the scene's code, ahead of touch",
+    "; epsilon 0, gamma .2, the friction cone; contacts by the scene's code, not by Mcd, ahead of touch",
     .settings = settings,
     .bounces = true,
     .create = create,

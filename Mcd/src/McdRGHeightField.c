@@ -233,25 +233,7 @@ static int intersect(McdModelPair *p, McdIntersectResult *result) {
     return mcd_meshIntersect(p, result, &f->mesh, gather);
 }
 
-static MeBool registerInteraction(McdFramework *frame, McdGeometryType type, McdIntersectFn function) {
-    McdInteractions interactions = {0, 0, function, 0};
-    McdFrameworkSetInteractions(frame, type, kMcdGeometryTypeRGHeightField, &interactions);
-    return frame != 0;
-}
-
-#define INTERACTION(shape)                                                                                             \
-    int MEAPI Mcd##shape##RGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result) {                        \
-        return intersect(p, result);                                                                                   \
-    }                                                                                                                  \
-    MeBool MEAPI Mcd##shape##RGHeightFieldRegisterInteraction(McdFramework *frame) {                                   \
-        return registerInteraction(frame, kMcdGeometryType##shape, Mcd##shape##RGHeightFieldIntersect);                \
-    }
-INTERACTION(Sphere)
-INTERACTION(Box)
-INTERACTION(Cylinder)
-INTERACTION(Sphyl)
-INTERACTION(ConvexMesh)
-INTERACTION(Cone)
+MCD_MESH_INTERACTIONS(RGHeightField, intersect)
 
 /* ---- line segments ------------------------------------------------------------------------------------------------------- */
 

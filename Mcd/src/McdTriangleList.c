@@ -211,25 +211,7 @@ static int intersect(McdModelPair *p, McdIntersectResult *result) {
 
 /* ---- interactions ----------------------------------------------------------------------------------------------------- */
 
-static MeBool registerInteraction(McdFramework *frame, McdGeometryType type, McdIntersectFn function) {
-    McdInteractions interactions = {0, 0, function, 0};
-    McdFrameworkSetInteractions(frame, type, kMcdGeometryTypeTriangleList, &interactions);
-    return frame != 0;
-}
-
-#define INTERACTION(shape)                                                                                             \
-    int MEAPI Mcd##shape##TriangleListIntersect(McdModelPair *p, McdIntersectResult *result) {                         \
-        return intersect(p, result);                                                                                   \
-    }                                                                                                                  \
-    MeBool MEAPI Mcd##shape##TriangleListRegisterInteraction(McdFramework *frame) {                                    \
-        return registerInteraction(frame, kMcdGeometryType##shape, Mcd##shape##TriangleListIntersect);                 \
-    }
-INTERACTION(Sphere)
-INTERACTION(Box)
-INTERACTION(Cylinder)
-INTERACTION(Sphyl)
-INTERACTION(ConvexMesh)
-INTERACTION(Cone)
+MCD_MESH_INTERACTIONS(TriangleList, intersect)
 
 /* ---- line segments ------------------------------------------------------------------------------------------------------- */
 

@@ -1145,3 +1145,11 @@ MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], Me
     mcd_scale(hitNormal, normal, side);
     return METRUE;
 }
+
+/* ---- the framework's table ----------------------------------------------------------------------------------------- */
+
+MeBool mcd_meshRegister(McdFramework *frame, McdGeometryType type, McdGeometryType meshType, McdIntersectFn function) {
+    McdInteractions interactions = {0, 0, function, 0};
+    McdFrameworkSetInteractions(frame, type, meshType, &interactions);
+    return frame != 0;
+}

@@ -99,4 +99,22 @@ MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double
 MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
                            const double to[3], double *part, double hitNormal[3]);
 
+/* Puts an interaction of a convex type with a mesh's into the framework's table. */
+MeBool mcd_meshRegister(McdFramework *frame, McdGeometryType type, McdGeometryType meshType, McdIntersectFn function);
+/* Defines Mcd<shape><mesh>Intersect and ...RegisterInteraction for all convex shapes. */
+#define MCD_MESH_INTERACTION(shape, mesh, intersect)                                                                   \
+    int MEAPI Mcd##shape##mesh##Intersect(McdModelPair *p, McdIntersectResult *result) {                               \
+        return intersect(p, result);                                                                                   \
+    }                                                                                                                  \
+    MeBool MEAPI Mcd##shape##mesh##RegisterInteraction(McdFramework *frame) {                                          \
+        return mcd_meshRegister(frame, kMcdGeometryType##shape, kMcdGeometryType##mesh, Mcd##shape##mesh##Intersect);  \
+    }
+#define MCD_MESH_INTERACTIONS(mesh, intersect)                                                                         \
+    MCD_MESH_INTERACTION(Sphere, mesh, intersect)                                                                      \
+    MCD_MESH_INTERACTION(Box, mesh, intersect)                                                                         \
+    MCD_MESH_INTERACTION(Cylinder, mesh, intersect)                                                                    \
+    MCD_MESH_INTERACTION(Sphyl, mesh, intersect)                                                                       \
+    MCD_MESH_INTERACTION(ConvexMesh, mesh, intersect)                                                                  \
+    MCD_MESH_INTERACTION(Cone, mesh, intersect)
+
 #endif

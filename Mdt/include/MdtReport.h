@@ -51,7 +51,8 @@ typedef struct MdtReport {
     int factorizations; /**< of sparse matrices */
     int stages;         /**< velocity stages */
     int freezes;        /**< passes whose friction bounds were not renewed, since that did not settle */
-    int fallbacks; /**< parts whose forces are within bounds, but inexact, or whose bodies were stopped; warned of */
+    int fallbacks; /**< parts whose forces are within bounds, but inexact, or whose bodies were stopped; there is a
+                        warning too where the step is too long or the program has capped the iterations */
     int conflicts; /**< parts with constraints that contradict each other: a compromise was taken */
     /* how far off */
     MeReal
