@@ -123,6 +123,13 @@ static void forget(McdModelID cm) {
     releaseModel(m->space, p);
 }
 
+static void takeFilter(McdModelID cm) {
+    McdModelRecord *m = mcd_record(cm);
+    McdProxy *p = m->proxy;
+    p->filter = m->filter;
+    mcd_proxyTouch(m->space, indexOf(m->space, p));
+}
+
 McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int objectCount, int pairCount) {
     if (!checkSizes(framework, axes, objectCount, pairCount))
         return 0;
@@ -142,6 +149,7 @@ McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int
     for (int i = 0; i < objectCount; i++)
         s->proxy[i].next = i + 1 < objectCount ? i + 1 : MCD_NONE;
     mcd_spaceForget = forget;
+    mcd_spaceFilter = takeFilter;
     framework->spaceCount++;
     return s;
 }
@@ -564,6 +572,7 @@ static MeBool wasUpdated(const McdModelRecord *m) {
 static void insert(McdSpace *s, McdModelRecord *m) {
     McdProxy *p = takeProxy(s);
     p->model = m;
+    p->filter = m->filter;
     p->order = (MeU64)(MeU16)m->sortKey << 48 | ((MeU64)m->serial & 0xffffffffffffull);
     m->space = s;
     m->proxy = p;

@@ -184,6 +184,15 @@ MEPUBLIC void MEAPI MdtWorldSetContactImportanceCB(const MdtWorldID w, MdtContac
 MEPUBLIC void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, const int logSize);
 /** @} */
 
+/** @name Joints that break (MdtConstraintSetBreakLimits)
+ *  @{ */
+/** Those that broke in the last step, by sort keys, then creation; null in the place of one that was destroyed since. The
+ *  array is the world's, and valid until the next step. @a count gets how many there are. */
+MEPUBLIC const MdtConstraintID *MEAPI MdtWorldGetBrokenJoints(const MdtWorldID w, int *count);
+/** Called for each of them at the end of the step, in that order; null, the default: nothing. */
+MEPUBLIC void MEAPI MdtWorldSetBreakCB(const MdtWorldID w, MdtBreakCBPtr cb);
+/** @} */
+
 ME_END_C
 
 #endif

@@ -129,13 +129,13 @@ struct MdtBaseConstraint {
     MdtContactID nextContact;
     MeU32 feature; /* of a contact: its maker's */
 
-    int firstRow, numRows; /* in this step */
+    int firstRow, numRows;                                   /* in this step */
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
     int numWarm;                                             /* if there are as many */
-    MeBool isDegenerate, wasDegenerate; /* in this step, in the last one */
-    MeBool isDropped;      /* in this step: left out to keep the partition within the cap on its rows */
-    double importance;     /* in this step, while rows are being dropped, */
-    int rank;              /* and its place before sorting by it */
+    MeBool isDegenerate, wasDegenerate;                      /* in this step, in the last one */
+    MeBool isDropped;  /* in this step: left out to keep the partition within the cap on its rows */
+    double importance; /* in this step, while rows are being dropped, */
+    int rank;          /* and its place before sorting by it */
 
     /* contact groups (MdtContactGroup.c): what a contact knows, what a group knows */
     MdtConstraintID group, nextInGroup, previousInGroup;
@@ -143,7 +143,8 @@ struct MdtBaseConstraint {
     int numContacts, numKept; /* kept: not dropped in this step */
     MeBool isSwapped;
     void *generator;
-    double normalForce[3]; /* N, the sum over the contacts in the last step */
+    MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
+    double normalForce[3];          /* N, the sum over the contacts in the last step */
 };
 
 /* Whether the solver is to look at a constraint by itself: the contacts of a group follow their group. */
@@ -218,21 +219,25 @@ struct MdtWorld {
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
     int subSteps;
-    int timedBodies;                      /* most bodies of a partition whose contacts are met in time */
-    int maxMatrixSize;                    /* rows of a partition */
-    MdtContactImportanceCBPtr importance; /* null: depth */
-    MdtConstraintID *ranking;             /* room for all contacts, to rank them */
-    int *sizeLog, sizeLogLength;          /* the program's, null: none */
+    int timedBodies;                          /* most bodies of a partition whose contacts are met in time */
+    int maxMatrixSize;                        /* rows of a partition */
+    MdtContactImportanceCBPtr importance;     /* null: depth */
+    MdtConstraintID *ranking;                 /* room for all contacts, to rank them */
+    int *sizeLog, sizeLogLength;              /* the program's, null: none */
     MdtBodyHandler bodyEnabled, bodyDisabled; /* null: none */
-    MdtPartitionEndCB partitionCb;        /* null: the world puts partitions to rest by itself */
+    MdtPartitionEndCB partitionCb;            /* null: the world puts partitions to rest by itself */
     void *partitionCbData;
     MdtPartitionOutput output;
     MdtPool bodyPool, constraintPool;
     MdtList bodies, constraints;
     unsigned long nextSerial;
     int enabledBodies, enabledConstraints;
-    double lastStep; /* s, 0 before the first */
-    int degenerate;  /* how often a joint came to stand where its rows lose their meaning */
+    int breakable;           /* constraints with a limit */
+    MdtConstraintID *broken; /* in the last step; room for all constraints */
+    int numBroken;
+    MdtBreakCBPtr breakCb; /* null: none */
+    double lastStep;       /* s, 0 before the first */
+    int degenerate;        /* how often a joint came to stand where its rows lose their meaning */
     MeChunk scratch;
     MdtKeaCache *keaCache;
 
@@ -244,11 +249,11 @@ struct MdtWorld {
     int *bodyStart, *constraintStart;
 
     MeBool isReported;
-    MdtReport *reports; /* by partition of the last step; null until the report is enabled for the first time */
-    int numReports;     /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
-    MeU64 lap;          /* ticks, when the stage began that is being timed */
-    MeBool isTimedByStage;              /* of the partition that is being stepped */
-    int firstUntimed;                   /* partitions from this one on have no time yet */
+    MdtReport *reports;    /* by partition of the last step; null until the report is enabled for the first time */
+    int numReports;        /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
+    MeU64 lap;             /* ticks, when the stage began that is being timed */
+    MeBool isTimedByStage; /* of the partition that is being stepped */
+    int firstUntimed;      /* partitions from this one on have no time yet */
     double stageShare[MdtReportStages]; /* how a small partition's time divides, as last seen; 0: none was */
 
     struct MdtWorld *nextLive; /* in the check build's list of worlds */
@@ -256,6 +261,13 @@ struct MdtWorld {
 
 /* Finds the partitions of this step, waking what is tied to something awake (mdt_partition.c). */
 void mdt_partitionsUpdate(MdtWorldID w);
+
+/* ---- joints that break (mdt_break.c) ---- */
+
+/* A step begins; it ends; a constraint is destroyed. */
+void mdt_breakBegin(MdtWorldID w);
+void mdt_breakEnd(MdtWorldID w);
+void mdt_breakForget(MdtConstraintID c);
 
 /* ---- the report (mdt_report.c); r is never null, a step that is not reported asks for nothing ------------------ */
 

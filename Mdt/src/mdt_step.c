@@ -569,12 +569,14 @@ static void stepWorld(MdtWorldID w, double h, MeBool safely) {
     w->lastStep = h;
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
+    mdt_breakBegin(w);
     mdt_partitionsUpdate(w);
     if (w->isReported)
         mdt_reportStep(w);
     MeProfileEndSection("Partition");
     stepPartitions(w, h, safely);
     MeProfileEndSection("Dynamics");
+    mdt_breakEnd(w);
 }
 
 void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize) {

@@ -16,7 +16,8 @@ ME_BEGIN_C
 MEPUBLIC MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes);
 /** Destroys a universe with all bodies, constraints, models and geometries in it. Null does nothing. */
 MEPUBLIC void MEAPI MstUniverseDestroy(const MstUniverseID u);
-/** The next step (s): McdSpaceUpdateAll, MstBridgeUpdateContacts and MdtWorldStep, which a program may also call. */
+/** The next step (s): McdSpaceUpdateAll, MstBridgeUpdateContacts, MdtWorldStep and MstBridgeUpdateEvents, which a program
+ *  may also call. */
 MEPUBLIC void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step);
 MEPUBLIC MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u);
 MEPUBLIC McdFrameworkID MEAPI MstUniverseGetFramework(const MstUniverseID u);

@@ -25,6 +25,7 @@ static void freeAll(MstBridgeRecord *b) {
     MeMemoryAPI.destroy(b->materials);
     MeMemoryAPI.destroy(b->contacts);
     MeMemoryAPI.destroy(b->done);
+    mst_eventsTerm(b);
     MeMemoryAPI.destroy(b);
 }
 
@@ -144,6 +145,18 @@ MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const MstMateri
     return pair ? pair->perPairCb : 0;
 }
 
+void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
+                               const MstTouchCBPtr cb) {
+    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetTouchCB");
+    if (pair)
+        pair->touchCb = cb;
+}
+
+MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
+    const MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetTouchCB");
+    return pair ? pair->touchCb : 0;
+}
+
 /* ---- each step ------------------------------------------------------------------------------------------------- */
 
 void MEAPI MstHandleTransitionsOf(McdModelPairContainer *pairs) {
@@ -181,8 +194,10 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
 void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
     McdSpacePairIterator iterator;
     int isMore;
-    if (!mst_bridgeCheck(b, "MstBridgeUpdateContacts"))
+    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
+    if (!record)
         return;
+    mst_eventsBegin(record);
     McdSpaceEndChanges(s);
     McdSpacePairIteratorBegin(s, &iterator);
     do {

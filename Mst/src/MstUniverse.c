@@ -1,5 +1,6 @@
 /* Universes: collision and dynamics in one. */
 #include "MstUniverse.h"
+#include "MstEvents.h"
 #include "McdFrame.h"
 #include "McdAll.h"
 #include "MdtWorld.h"
@@ -86,6 +87,11 @@ void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     McdSpaceUpdateAll(u->space);
     MstBridgeUpdateContacts(u->bridge, u->space, u->world);
     MdtWorldStep(u->world, step);
+    MstBridgeUpdateEvents(u->bridge, u->world, step);
+}
+
+const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count) {
+    return MstBridgeGetEvents(isUniverse(u, "MstUniverseGetEvents") ? u->bridge : 0, count);
 }
 
 MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u) {
