@@ -95,10 +95,17 @@ MEPUBLIC void MEAPI McdModelSetContactTolerance(McdModelID cm, MeReal tolerance)
 MEPUBLIC MeReal MEAPI McdModelGetContactTolerance(McdModelID cm);
 /**
  * Fast models: whether the space looks ahead along the motion of this model, so that it meets what it would jump over
- * (see McdSpacePathUpdateAll and McdSafeTime). Default: no.
+ * (see McdSpacePathUpdateAll and McdSafeTime). In a universe, MstUniverseStep moves it continuously then: up to what it
+ * meets, and on from there. Default: no.
  */
 MEPUBLIC void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept);
 MEPUBLIC MeBool MEAPI McdModelIsSwept(McdModelID cm);
+/**
+ * Of a model that is swept and, as of its space's last update, so fast that in the time that the space looks ahead some
+ * point of it may get farther than half of its thickness: how near it must be to have contacts, m. Whom it meets on
+ * its way, and when, McdSafeTime says. 0: it is not fast. Beyond Karma.
+ */
+MEPUBLIC MeReal MEAPI McdModelGetFastMargin(McdModelID cm);
 /**
  * A sensor tells what overlaps it and pushes nothing: the Simulation Toolkit makes events of its pairs (MstEvents.h) and
  * no contacts. Default: no. Legal anywhere. Beyond Karma.

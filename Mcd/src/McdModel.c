@@ -31,7 +31,7 @@ static void setDefaults(McdModelRecord *m) {
     m->ownsRelative = MEFALSE;
     m->linearVelocity = m->angularVelocity = 0;
     m->tolerance = m->frame->tolerance;
-    m->isSwept = m->isSensor = MEFALSE;
+    m->isSwept = m->isSensor = m->isFast = MEFALSE;
     setFilter(m, (McdFilter){.category = 1, .mask = 0xffffffffu, .group = 0});
     m->requestId = McdModelGetDefaultRequestID();
     m->update = 0;
@@ -431,6 +431,11 @@ void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept) {
 MeBool MEAPI McdModelIsSwept(McdModelID cm) {
     const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsSwept");
     return m && m->isSwept;
+}
+
+MeReal MEAPI McdModelGetFastMargin(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFastMargin");
+    return m && m->isFast ? m->ahead : 0;
 }
 
 void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor) {

@@ -1,5 +1,6 @@
 /* Spaces: change blocks, models and their boxes, handing over pairs. Which pairs there are is found in mcd_pairs.c. */
 #include "mcd_space_i.h"
+#include "mcd_motion.h"
 #include <string.h>
 
 const int McdXAxis = 1, McdYAxis = 2, McdZAxis = 4, McdAllAxes = 7;
@@ -351,10 +352,35 @@ static void updateBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
 
 static void lookNowhere(McdModelRecord *m) {
     m->lookAhead = m->ahead = m->turnAhead = 0;
+    m->isFast = MEFALSE;
 }
 
 static MeReal rateOf(const MeReal *velocity) {
     return velocity ? MeVector3Magnitude(velocity) : 0;
+}
+
+/* Half of its least extent along its own axes. */
+static MeReal thicknessOf(McdModelRecord *m, MeReal most) {
+    MeReal least = most;
+    for (int i = 0; i < 3; i++) {
+        MeVector3 axis, back, high, low;
+        MeVector3Copy(axis, m->instance.tm[i]);
+        MeVector3MultiplyScalar(back, axis, -1);
+        McdGeometryInstanceMaximumPoint(&m->instance, axis, high);
+        McdGeometryInstanceMaximumPoint(&m->instance, back, low);
+        MeVector3Subtract(high, high, low);
+        least = MeMIN(least, MeVector3Dot(high, axis) / 2);
+    }
+    return MeMAX(least, 0);
+}
+
+/* A swept model that gets far is asked when it touches (McdSafeTime), and has contacts only when it is there: ahead of
+ * time, they would speak of where it is now, not of where it comes to. */
+static void sweep(McdModelRecord *m, MeReal reach, MeReal way, MeReal turn) {
+    const MeReal thickness = thicknessOf(m, reach);
+    m->isFast = way + turn > thickness;
+    m->ahead = m->isFast ? MeMAX((MeReal)0.02 * thickness, (MeReal)(3 * MCD_TOUCH) * reach) : way + turn;
+    m->turnAhead = MeMIN(turn, m->ahead);
 }
 
 /* How far the model may get in the time that the space looks ahead: no farther than its own radius, or things that it
@@ -372,6 +398,8 @@ static void lookAhead(const McdSpace *s, McdModelRecord *m) {
     m->lookAhead = s->lookAhead;
     m->turnAhead = MeMIN(turn, radius);
     m->ahead = MeMIN(way + turn, radius);
+    if (m->isSwept)
+        sweep(m, reach, way, turn);
     if (!MeRealIsValid(m->ahead) || !MeRealIsValid(m->turnAhead))
         lookNowhere(m);
 }

@@ -76,6 +76,7 @@ typedef struct McdModelRecord {
     MeReal tolerance;
     MeReal lookAhead, ahead, turnAhead; /* s; m, how far it may get in that time, and by turning alone */
     MeBool isSwept, isSensor;
+    MeBool isFast; /* in the time that the space looks ahead */
     McdFilter filter;
     MeI16 sortKey;
     int requestId;

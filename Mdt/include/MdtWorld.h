@@ -55,6 +55,16 @@ MEPUBLIC void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize);
  * least by MdtWorldGetMinSafeTime and at most by @a stepSize.
  */
 MEPUBLIC void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize);
+/**
+ * Moves the partitions that MdtWorldStepSafeTime has left behind on, by what their bodies lack (MdtBodyGetLag), at most by
+ * the shortest of their safe times, which may be 0. Forces that were added for the step act in the rest of it as well. A
+ * partition in which an awake body is not behind stays where it is; bodies that it wakes are behind as it is. It puts
+ * nothing to rest, calls no partition callback, and leaves the report as it was. What is lacking when the next step
+ * begins is lost. Returns how many partitions it moved. Beyond Karma.
+ */
+MEPUBLIC int MEAPI MdtWorldStepRest(const MdtWorldID w);
+/** How many bodies are behind. Beyond Karma. */
+MEPUBLIC int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w);
 
 /** Gravity, m/s², world frame. Default 0. Bodies at rest are not woken: enable them when it changes. */
 MEPUBLIC void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal gy, const MeReal gz);

@@ -89,8 +89,9 @@ static void breakJoints(MdtWorldID w) {
 }
 
 void mdt_breakEnd(MdtWorldID w) {
+    const int before = w->numBroken; /* in earlier parts of the step */
     breakJoints(w);
-    for (int i = 0; i < w->numBroken && w->breakCb; i++)
+    for (int i = before; i < w->numBroken && w->breakCb; i++)
         if (w->broken[i])
             w->breakCb(w->broken[i]);
 }

@@ -75,14 +75,16 @@ struct MdtBody {
     MdtAttachment *attachments; /* its constraints */
     void *userData, *model;
 
-    MdtKeaBody kea;              /* the centre of mass, in double: what counts */
-    double centre[3];            /* m, of mass, in the body's frame */
-    double centreTurn[4];        /* w x y z, axes of the centre of mass to the body's frame */
-    double force[3], torque[3];  /* N, N m, added since the last step */
-    double impulse[3], twist[3]; /* N s, N m s, the same */
-    MdtKeaVelocity acceleration; /* m/s², rad/s², in the last step */
-    double mass;                 /* kg */
-    double inertia[3][3];        /* kg m², as set */
+    MdtKeaBody kea;                     /* the centre of mass, in double: what counts */
+    double centre[3];                   /* m, of mass, in the body's frame */
+    double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
+    double force[3], torque[3];         /* N, N m, added since the last step */
+    double impulse[3], twist[3];        /* N s, N m s, the same */
+    double lastForce[3], lastTorque[3]; /* N, N m, those that the step in progress began with */
+    double lag, part;                   /* s: that it is behind its world; that it was moved on last */
+    MdtKeaVelocity acceleration;        /* m/s², rad/s², in the last step */
+    double mass;                        /* kg */
+    double inertia[3][3];               /* kg m², as set */
     MeReal linearDamping, angularDamping, safeTime;
     MeVector3 fastSpinAxis;
     double enabledTime; /* s */
@@ -103,6 +105,7 @@ void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were w
 void mdt_bodyWakeIfAsleep(MdtBodyID b);
 void mdt_bodySleep(MdtBodyID b);
 MeBool mdt_bodyIsPushedAwake(MdtBodyID b); /* asleep, and the waiting forces would move it */
+void mdt_bodyKeepForces(MdtBodyID b);      /* those that the step began with act in the rest of it, too */
 void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */
 void mdt_bodyTerm(MdtBodyID b);            /* lets go of constraints, returns the record */
 

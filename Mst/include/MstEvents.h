@@ -41,10 +41,10 @@ MEPUBLIC void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID
                                         const MstTouchCBPtr cb);
 MEPUBLIC MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2);
 /**
- * Makes the list after a step of the world (s), and calls the callbacks: for programs that do by hand what
+ * Makes the list after a step of the world, and calls the callbacks: for programs that do by hand what
  * MstUniverseStep does; after MdtWorldStep. Without it there are no events.
  */
-MEPUBLIC void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w, const MeReal step);
+MEPUBLIC void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w);
 
 ME_END_C
 

@@ -26,6 +26,7 @@ static void freeAll(MstBridgeRecord *b) {
     MeMemoryAPI.destroy(b->contacts);
     MeMemoryAPI.destroy(b->done);
     mst_eventsTerm(b);
+    MeMemoryAPI.destroy(b->hurried);
     MeMemoryAPI.destroy(b);
 }
 
@@ -183,12 +184,11 @@ static MeBool isAsleep(McdModelID m) {
 void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
                                const MstBridgeID b) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
-    (void)s;
     if (!record || !pairs)
         return;
     for (int i = pairs->helloFirst; i < pairs->stayingEnd; i++)
         if (!isAsleep(pairs->array[i]->model1) || !isAsleep(pairs->array[i]->model2))
-            mst_pairCollide(record, pairs->array[i], w);
+            mst_pairCollide(record, pairs->array[i], s, w);
 }
 
 void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
@@ -197,7 +197,10 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
     if (!record)
         return;
-    mst_eventsBegin(record);
+    if (record->part == 0)
+        mst_eventsBegin(record);
+    mst_hurryNobody(record);
+    record->ahead = McdSpaceGetLookAhead(s);
     McdSpaceEndChanges(s);
     McdSpacePairIteratorBegin(s, &iterator);
     do {

@@ -187,12 +187,25 @@ static MeBool list(MstTouch *t) {
     return METRUE;
 }
 
+/* How far the pair's bodies are behind their world: those that are tied move together. */
+static MeReal lagOf(const McdModelPair *p) {
+    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
+    const MeReal lag1 = body1 ? MdtBodyGetLag(body1) : 0, lag2 = body2 ? MdtBodyGetLag(body2) : 0;
+    return MeMAX(lag1, lag2);
+}
+
 /* The touch of a pair that was looked at, listed for this step; null where there is nothing to tell. */
 static MstTouch *noted(MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
     const MeBool isSpaces = p->phase != kMcdFFStateInactive; /* a program's own pair may go at any time, unnoticed */
     MstTouch *t = isSpaces && (hasContacts || p->touch) ? ensureTouch(b, p) : 0;
-    if (!t || !list(t))
+    if (!t || t->isListed) { /* in a later part of the step */
+        if (t)
+            t->hasContacts = t->hasContacts || hasContacts;
+        return t;
+    }
+    if (!list(t))
         return 0;
+    t->lag = b->part == 0 ? MEINFINITY : lagOf(p);
     t->hasContacts = hasContacts;
     t->isSensor = isSensor;
     t->material[0] = McdModelGetMaterial(p->model1);
@@ -213,8 +226,7 @@ static void velocityAt(McdModelID m, MeVector3 point, MeVector3 velocity) {
         MeVector3Copy(velocity, linear);
 }
 
-/* How fast the models come nearer at a point, along the way in which the first one is pushed. */
-static MeReal approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal) {
+MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal) {
     MeVector3 v1, v2;
     velocityAt(p->model1, point, v1);
     velocityAt(p->model2, point, v2);
@@ -229,11 +241,11 @@ static void noteContact(MstTouch *t, MeVector3 position, const MeVector3 normal,
         MeVector3Copy(t->normal, normal);
     }
     if (!t->isTouching)
-        t->approachSpeed = MeMAX(t->approachSpeed, approachAt(t->pair, position, normal));
+        t->approachSpeed = MeMAX(t->approachSpeed, mst_approachAt(t->pair, position, normal));
 }
 
 /* A group's normals push its first body; where the first model has none, that is the second model's. */
-static void normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal) {
+void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal) {
     MdtContactGetNormal(c, normal);
     if (!McdModelGetBody(p->model1))
         MeVector3MultiplyScalar(normal, normal, -1);
@@ -248,7 +260,7 @@ void mst_touchNote(MstBridgeRecord *b, McdModelPair *p) {
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
         MeVector3 position, normal;
         MdtContactGetPosition(c, position);
-        normalOf(p, c, normal);
+        mst_normalOf(p, c, normal);
         noteContact(t, position, normal, -MdtContactGetPenetration(c));
     }
 }
@@ -263,11 +275,14 @@ void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersect
 
 /* ---- after the step -------------------------------------------------------------------------------------------- */
 
-/* Adds what the contacts did in a time. */
-static void gather(MstTouch *t, MeReal time) {
+/* Adds what the contacts did since the last time. */
+static void gather(MstTouch *t) {
     const MdtContactGroupID group = t->pair->responseData;
-    if (!group || !t->hasContacts)
+    const MeReal before = t->lag;
+    t->lag = lagOf(t->pair);
+    if (!group || MdtContactGroupGetCount(group) == 0 || !(t->lag < before))
         return;
+    const MeReal time = MdtBodyGetPart(MdtContactGroupGetBody(group, 0));
     t->impulse += time * MdtContactGroupGetNormalForce(group);
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
         MeVector3 force, normal;
@@ -278,8 +293,14 @@ static void gather(MstTouch *t, MeReal time) {
             continue;
         t->largestImpulse = impulse;
         MdtContactGetPosition(c, t->position);
-        normalOf(t->pair, c, t->normal);
+        mst_normalOf(t->pair, c, t->normal);
     }
+}
+
+void mst_eventsGather(MstBridgeRecord *b) {
+    for (int i = 0; i < b->events.listedCount; i++)
+        if (b->events.listed[i])
+            gather(b->events.listed[i]);
 }
 
 static MeBool touches(const MstTouch *t) {
@@ -344,17 +365,16 @@ static void callBack(MstBridgeRecord *b) {
     }
 }
 
-void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w, const MeReal step) {
+void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateEvents");
     if (!record)
         return;
     MstEvents *e = &record->events;
+    mst_eventsGather(record);
     takeEnded(e);
     for (int i = 0; i < e->listedCount; i++) {
-        if (!e->listed[i])
-            continue;
-        gather(e->listed[i], step);
-        tellChange(e, e->listed[i]);
+        if (e->listed[i])
+            tellChange(e, e->listed[i]);
     }
     unlistAll(e);
     tellBreaks(e, w);

@@ -71,6 +71,7 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
         return 0;
     }
     McdSpaceSetLookAhead(u->space, (MeReal)(1. / 60)); /* until a step says how long it is */
+    MdtWorldSetMinSafeTime(u->world, (MeReal)1e-9);    /* what is fast is stopped where it touches */
     MstSetWorldHandlers(u->world);
     return u;
 }
@@ -84,10 +85,10 @@ void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     if (!isUniverse(u, "MstUniverseStep"))
         return;
     McdSpaceSetLookAhead(u->space, step);
-    McdSpaceUpdateAll(u->space);
+    McdSpacePathUpdateAll(u->space, step);
     MstBridgeUpdateContacts(u->bridge, u->space, u->world);
-    MdtWorldStep(u->world, step);
-    MstBridgeUpdateEvents(u->bridge, u->world, step);
+    mst_stepWorld(u, step);
+    MstBridgeUpdateEvents(u->bridge, u->world);
 }
 
 const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count) {

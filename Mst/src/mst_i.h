@@ -32,6 +32,7 @@ struct MstTouch {
     MeBool isSensor;
     /* of this step: */
     MeBool isListed, hasContacts;
+    MeReal lag; /* s, of its bodies when its impulse was last added to; MEINFINITY: the step is whole yet */
     MeReal separation, tolerance;   /* the least of its contacts as the step began; of both models */
     MeReal approachSpeed;           /* the largest */
     MeReal impulse, largestImpulse; /* of all contacts, of one */
@@ -65,6 +66,10 @@ struct MstBridgeRecord {
     MdtContactID *done;         /* what they have become */
     unsigned int contactMax;
     MstEvents events;
+    MdtBodyID *hurried; /* bodies that have a safe time in this part of the step */
+    int hurriedCount, hurriedMax;
+    MeReal ahead; /* s, the longest that a model may move in this part of the step */
+    int part;     /* of the step: 0 is the first, in which all bodies move */
 };
 
 /* The record of a live bridge; null, with a warning, for anything else. */
@@ -80,8 +85,27 @@ void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersect
 void MEAPI mst_touchForget(McdModelPair *p);
 void mst_eventsTerm(MstBridgeRecord *b);
 
+/* How fast the models come nearer at a point, along the way in which the first one is pushed. */
+MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal);
+/* A contact's normal as it pushes the first model, whichever body its group has first. */
+void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
+
+/* Adds what contacts did in the part of the step just done. */
+void mst_eventsGather(MstBridgeRecord *b);
+
+/* Continuous motion (mst_continuous.c). May the pair have contacts in this part of the step? */
+MeBool mst_mayMeet(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s);
+/* If a model of the pair is fast: gives its bodies a safe time, where they meet now or later in the step. */
+void mst_followFast(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w, MeBool hasContacts);
+/* A part of the step begins: no body has a safe time. */
+void mst_hurryNobody(MstBridgeRecord *b);
+/* The world's step after the contacts were made: in parts, where something fast meets something. */
+void mst_stepWorld(MstUniverse *u, MeReal step);
+/* The pair's bodies are one partition, whether they touch or not. */
+void mst_pairTie(McdModelPair *p, MdtWorldID w);
+
 /* Makes the contacts of a pair whose models may touch. */
-void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w);
+void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w);
 /* Destroys the contacts of a pair. */
 void mst_pairForget(McdModelPair *p);
 

@@ -44,6 +44,12 @@ static MdtContactGroupID ensureGroup(McdModelPair *p, MdtWorldID w) {
     return group;
 }
 
+void mst_pairTie(McdModelPair *p, MdtWorldID w) {
+    const MdtContactGroupID group = ensureGroup(p, w);
+    if (group)
+        MdtContactGroupEnable(group);
+}
+
 static MeBool isAmong(MdtContactID c, const MdtContactID *list, int count) {
     for (int i = 0; i < count; i++)
         if (list[i] == c)
@@ -130,8 +136,10 @@ static void meetBodies(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, McdInt
         emptyGroup(p);
 }
 
-void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
+void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w) {
     McdIntersectResult result;
+    if (b->part > 0 && !mst_mayMeet(b, p, s))
+        return;
     memset(&result, 0, sizeof result);
     result.contacts = b->contacts;
     result.contactMaxCount = (int)b->contactMax;
@@ -143,4 +151,5 @@ void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
         return;
     meetBodies(b, p, w, &result);
     mst_touchNote(b, p);
+    mst_followFast(b, p, s, w, result.contactCount > 0);
 }

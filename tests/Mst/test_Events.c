@@ -306,7 +306,7 @@ START_TEST(the_list_may_be_made_by_hand) {
         MdtWorldStep(u->world, (MeReal)STEP);
         if (i == 1) /* a program that does not want them does not ask */
             continue;
-        MstBridgeUpdateEvents(u->bridge, u->world, (MeReal)STEP);
+        MstBridgeUpdateEvents(u->bridge, u->world);
         onlyEvent(i == 0 ? MstEventBegin : MstEventPersist);
     }
 }
@@ -563,7 +563,7 @@ START_TEST(bad_arguments_warn) {
     assert_warned("no bridge");
     ck_assert_ptr_null(MstUniverseGetEvents(0, 0));
     assert_warned("no bridge");
-    MstBridgeUpdateEvents(0, u->world, 1);
+    MstBridgeUpdateEvents(0, u->world);
     assert_warned("no bridge");
     MstBridgeSetTouchCB(0, 0, 0, countCalls);
     assert_warned("no bridge");
