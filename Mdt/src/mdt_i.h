@@ -264,6 +264,8 @@ struct MdtWorld {
 
 /* Finds the partitions of this step, waking what is tied to something awake (mdt_partition.c). */
 void mdt_partitionsUpdate(MdtWorldID w);
+/* What programs see of one; it is not disabled. */
+MdtPartitionInfo mdt_partitionInfo(MdtWorldID w, int p);
 
 /* ---- joints that break (mdt_break.c) ---- */
 

@@ -528,12 +528,8 @@ static double safeStep(const Partition *p) {
 
 /* What a program's callback sees: the partitions up to this one. */
 static void showPartition(MdtWorldID w, int number) {
-    const Partition p = partitionNumber(w, number, 0);
     MdtPartitionOutput *po = &w->output;
-    po->info[number] = (MdtPartitionInfo){.firstBody = w->bodyStart[number],
-                                          .numBodies = p.numBodies,
-                                          .firstConstraint = w->constraintStart[number],
-                                          .numConstraints = p.numConstraints};
+    po->info[number] = mdt_partitionInfo(w, number);
     po->numPartitions = number + 1;
     w->partitionCb(po, w->partitionCbData);
 }
