@@ -109,6 +109,21 @@ static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
     return model == MdtFrictionModelBox ? bound > 0 : coefficient > 0;
 }
 
+/* m/s: the fastest that the bodies may come together in this step, negative where they do. What is predicted knows only
+ * loads; other contacts may hold either body, so that its velocity stays: of two that stand on each other, the lower one
+ * does not fall. */
+static double fastestApproach(const MdtKeaRow *normal, const MdtBclContext *x) {
+    double sum = 0;
+    for (int k = 0; k < 2; k++) {
+        const MdtKeaVelocity *const may[2] = {x->predicted[k], x->velocity[k]};
+        double rate[2];
+        for (int i = 0; i < 2; i++)
+            rate[i] = keaDot(normal->J[k].lin, may[i]->lin) + keaDot(normal->J[k].ang, may[i]->ang);
+        sum += fmin(rate[0], rate[1]);
+    }
+    return sum;
+}
+
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclContact *contact = &c->of.contact;
     MdtKeaRow normal;
@@ -117,8 +132,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     else
         anchorContact(contact, x);
     contactRow(contact, x, contact->normal, &normal);
-    const double approach = bcl_rate(&normal, x->predicted);
-    const MeBool touches = contact->depth >= 0 || x->parameters.stepsize * approach < contact->depth;
+    const MeBool touches = contact->depth >= 0 || x->parameters.stepsize * fastestApproach(&normal, x) < contact->depth;
     contact->rows = 0;
     if (touches && contact->params.type >= MdtContactTypeFriction1D && frictionActs(&contact->params, 0))
         contact->rows |= PRIMARY;
