@@ -1,0 +1,26 @@
+/* The hard cases through the whole pipeline: Mcd finds the contacts, the bridge makes them, Mdt solves. Scenes and references
+ * are those of tests/scenes; here stand the errors that are kept at 60 Hz, one step a frame, and at four. Every step is
+ * exact by its own report, and every run has the same bits twice. */
+#ifndef CASES_H
+#define CASES_H
+
+#include "bounds.h"
+#include "karma_test.h"
+
+#ifdef _ME_API_DOUBLE
+#define UNIVERSE &engine_universe_double
+#else
+#define UNIVERSE &engine_universe_single
+#endif
+
+#define assert_cases(bounds)                                                                                           \
+    do {                                                                                                               \
+        messages_catch();                                                                                              \
+        const int broken_ =                                                                                            \
+            bounds_countBrokenCases(bounds, (int)(sizeof(bounds) / sizeof *(bounds)), UNIVERSE, ENGINE_STRICT);        \
+        messages_release();                                                                                            \
+        assert_silent();                                                                                               \
+        ck_assert_msg(broken_ == 0, "%d errors are too large", broken_);                                               \
+    } while (0)
+
+#endif
