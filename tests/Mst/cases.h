@@ -13,14 +13,17 @@
 #define UNIVERSE &engine_universe_single
 #endif
 
-#define assert_cases(bounds)                                                                                           \
+#define assert_kept(count, bounds)                                                                                     \
     do {                                                                                                               \
         messages_catch();                                                                                              \
-        const int broken_ =                                                                                            \
-            bounds_countBrokenCases(bounds, (int)(sizeof(bounds) / sizeof *(bounds)), UNIVERSE, ENGINE_STRICT);        \
+        const int broken_ = count(bounds, (int)(sizeof(bounds) / sizeof *(bounds)), UNIVERSE, ENGINE_STRICT);          \
         messages_release();                                                                                            \
         assert_silent();                                                                                               \
         ck_assert_msg(broken_ == 0, "%d errors are too large", broken_);                                               \
     } while (0)
+
+#define assert_cases(bounds) assert_kept(bounds_countBrokenCases, bounds)
+/* One run each: for what takes long. */
+#define assert_once(bounds) assert_kept(bounds_countBroken, bounds)
 
 #endif
