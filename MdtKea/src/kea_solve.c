@@ -96,11 +96,26 @@ static void takeBest(MdtKeaSystem *s) {
     linearize(s);
 }
 
+/* Whether it matters how a body is turned: not for a ball whose contacts all push towards its centre. */
+static MeBool feelsItsTurn(const MdtKeaSystem *s, int body) {
+    const double rounding = 1e-5; /* of what single precision says of contacts */
+    if (!s->work->body[body].isSpatial)
+        return METRUE;
+    for (int i = 0; i < s->numRows; i++)
+        for (int k = 0; k < 2; k++) {
+            const int normal = s->rows[i].contact;
+            if (s->rows[i].body[k] == body &&
+                (normal < 0 || keaLength(s->rows[normal].J[k].ang) > rounding * s->work->body[body].size))
+                return METRUE;
+        }
+    return MEFALSE;
+}
+
 /* The Cayley map turns a body by less than half a turn, however fast it is: near that, the velocity means nothing. */
 static MeBool turnsOver(const MdtKeaSystem *s) {
     const double most = 2.5; /* rad as the velocity has it, 1.8 as the body turns */
     for (int i = 0; i < s->numBodies; i++)
-        if (s->parameters.stepsize * keaLength(s->work->body[i].u + 3) > most)
+        if (s->parameters.stepsize * keaLength(s->work->body[i].u + 3) > most && feelsItsTurn(s, i))
             return METRUE;
     return MEFALSE;
 }
