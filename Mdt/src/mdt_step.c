@@ -543,12 +543,8 @@ static double safeStep(const Partition *p) {
 
 /* What a program's callback sees: the partitions up to this one. */
 static void showPartition(MdtWorldID w, int number) {
-    const Partition p = partitionNumber(w, number, 0);
     MdtPartitionOutput *po = &w->output;
-    po->info[number] = (MdtPartitionInfo){.firstBody = w->bodyStart[number],
-                                          .numBodies = p.numBodies,
-                                          .firstConstraint = w->constraintStart[number],
-                                          .numConstraints = p.numConstraints};
+    po->info[number] = mdt_partitionInfo(w, number);
     po->numPartitions = number + 1;
     w->partitionCb(po, w->partitionCbData);
 }
@@ -559,6 +555,14 @@ static MeBool isToRest(MdtWorldID w, const Partition *p) {
     return w->rest.autoDisable && isAtRest(p);
 }
 
+/* The partition is moved on by p->h, of what it lacks. */
+static void setLag(const Partition *p, double lack) {
+    for (int i = 0; i < p->numBodies; i++) {
+        p->bodies[i]->lag = lack - p->h;
+        p->bodies[i]->part = p->h;
+    }
+}
+
 static void stepPartitions(MdtWorldID w, double h, MeBool safely) {
     for (int i = 0; i < w->numPartitions; i++) {
         Partition p = partitionNumber(w, i, h);
@@ -567,6 +571,7 @@ static void stepPartitions(MdtWorldID w, double h, MeBool safely) {
         if (w->partitionCb)
             showPartition(w, i);
         p.report = w->isReported ? mdt_reportOf(w, i) : NULL;
+        setLag(&p, h);
         if (isToRest(w, &p))
             putToSleep(&p);
         else
@@ -584,12 +589,14 @@ static void stepWorld(MdtWorldID w, double h, MeBool safely) {
     w->lastStep = h;
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
+    mdt_breakBegin(w);
     mdt_partitionsUpdate(w);
     if (w->isReported)
         mdt_reportStep(w);
     MeProfileEndSection("Partition");
     stepPartitions(w, h, safely);
     MeProfileEndSection("Dynamics");
+    mdt_breakEnd(w);
 }
 
 void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize) {
@@ -602,4 +609,49 @@ void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize) {
     MDT_NEED_WORLD(w, );
     if (mdt_isPositive(__func__, "the step size", stepSize))
         stepWorld(w, (double)stepSize, METRUE);
+}
+
+/* ---- the rest of a step ---- */
+
+/* What all bodies of the partition lack, but for those that have just been woken; 0: one of them lacks nothing. */
+static double lagOf(const Partition *p) {
+    double least = INFINITY;
+    for (int i = 0; i < p->numBodies; i++)
+        if (p->bodies[i]->enabledSteps > 0)
+            least = fmin(least, p->bodies[i]->lag);
+    return least < INFINITY ? least : 0;
+}
+
+static MeBool stepRest(MdtWorldID w, int number) {
+    enum { PARTS = 1000000000 }; /* a shorter part than one of these is none */
+    Partition p = partitionNumber(w, number, 0);
+    const double lag = lagOf(&p);
+    p.h = lag;
+    for (int i = 0; i < p.numBodies; i++)
+        p.h = fmin(p.h, (double)p.bodies[i]->safeTime);
+    if (!(p.h * PARTS > lag))
+        return MEFALSE;
+    for (int i = 0; i < p.numBodies; i++)
+        mdt_bodyKeepForces(p.bodies[i]);
+    stepPartition(&p);
+    setLag(&p, lag);
+    return METRUE;
+}
+
+int MEAPI MdtWorldStepRest(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    int moved = 0;
+    mdt_partitionsUpdate(w);
+    for (int i = 0; i < w->numPartitions; i++)
+        moved += stepRest(w, i);
+    mdt_breakEnd(w);
+    return moved;
+}
+
+int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    int count = 0;
+    for (MdtLink *link = w->bodies.first; link; link = link->next)
+        count += ((MdtBodyID)link->owner)->lag > 0;
+    return count;
 }
