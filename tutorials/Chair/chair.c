@@ -27,28 +27,19 @@ static void addPart(McdAggregateID whole, int i, McdGeometryID g, MeReal x, MeRe
     McdAggregateAddElement(whole, g, part[i]);
 }
 
-/* Moves the parts so that the centre of mass is the origin. */
-static void centre(McdAggregateID whole) {
-    MeMatrix4 own;
-    MeMatrix3 inertia;
-    MeReal volume;
-    McdGeometryGetMassProperties(whole, own, inertia, &volume);
-    for (int i = 0; i < PARTS; i++)
-        MeVector3Subtract(part[i][3], part[i][3], own[3]);
-    feet = own[3][1];
-}
-
 /* Upright: the feet at y = 0, the back at the side of -x. */
 static McdGeometryID createGeometry(void) {
     const McdFrameworkID frame = playUniverse->frame;
     const McdAggregateID whole = McdAggregateCreate(frame, PARTS);
     const McdGeometryID leg = McdCylinderCreate(frame, legRadius, legHeight);
     const MeReal side = (MeReal)0.42;
+    MeVector3 centre;
     addPart(whole, 0, McdBoxCreate(frame, 1, (MeReal)0.12, 1), 0, legHeight + (MeReal)0.06, 0);
     addPart(whole, BACK, McdBoxCreate(frame, (MeReal)0.1, 1, 1), (MeReal)-0.45, legHeight + (MeReal)0.62, 0);
     for (int i = FIRST_LEG; i < PARTS; i++)
         addPart(whole, i, leg, i & 1 ? side : -side, legHeight / 2, i & 2 ? side : -side);
-    centre(whole);
+    playCentre(whole, centre);
+    feet = centre[1];
     return whole;
 }
 
