@@ -460,7 +460,8 @@ static MeBool isFollowed(const Partition *p) {
     const MeReal *g = p->world->params.gravity;
     const double fall = sqrt((double)(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])) * p->h * p->h;
     const double way = p->kea.report.residual * p->parameters.stepsize;
-    return !p->kea.report.capped || p->kea.parameters.maxIterations > 0 || way < 1e-7 * fall;
+    const MeBool isNear = !p->kea.report.violent && way < 1e-7 * fall; /* violent: the motion itself was not found */
+    return !p->kea.report.capped || p->kea.parameters.maxIterations > 0 || isNear;
 }
 
 /* Up to the next event, at most for `rest`. False where that could not be followed. */
@@ -477,6 +478,14 @@ static MeBool solveToEvent(Partition *p, void *scratch, double rest, double leas
     return isFollowed(p);
 }
 
+/* The same, nearer by halves while the motion is violent. */
+static MeBool solveToEventOrHalf(Partition *p, void *scratch, double rest, double least) {
+    for (double ahead = rest; !solveToEvent(p, scratch, ahead, least); ahead *= 0.5)
+        if (!p->kea.report.violent || ahead < 0.2 * rest)
+            return MEFALSE;
+    return METRUE;
+}
+
 /* A part of the step of a partition whose contacts are met in time: up to the next event, and on. When there are too many of
  * them, or they cannot be followed so exactly, the rest is taken as it is elsewhere. */
 static MeBool takeInTime(Partition *p, void *scratch, double part) {
@@ -484,7 +493,7 @@ static MeBool takeInTime(Partition *p, void *scratch, double part) {
     const double least = 1e-9 * part;
     double rest = part;
     for (int events = 0; rest > least; events++) {
-        if (events == MAX_EVENTS || !solveToEvent(p, scratch, rest, least)) {
+        if (events == MAX_EVENTS || !solveToEventOrHalf(p, scratch, rest, least)) {
             p->kea.parameters.timed = MEFALSE;
             return takePart(p, scratch, rest, 0);
         }

@@ -113,6 +113,18 @@ void playRun(RMainLoopCallBackNoData tick) {
     RRun(playRc, tickWithHelpers);
 }
 
+void playCentre(McdAggregateID whole, MeVector3 was) {
+    MeMatrix4 own;
+    MeMatrix3 inertia;
+    MeReal volume;
+    McdGeometryGetMassProperties(whole, own, inertia, &volume);
+    MeVector3Copy(was, own[3]);
+    for (int i = 0; i < McdAggregateGetElementCount(whole); i++) {
+        MeMatrix4Ptr part = McdAggregateGetElementTransformPtr(whole, i);
+        MeVector3Subtract(part[3], part[3], was);
+    }
+}
+
 McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal z, const float color[4]) {
     const McdModelID m = MstModelAndBodyCreate(playUniverse, g, density);
     if (!m)

@@ -26,6 +26,9 @@ void playCamera(float x, float y, float z, float distance, float angle, float el
  * so many frames (-frames) ends on a hash of all bodies' state: the same program gives the same. */
 void playRun(RMainLoopCallBackNoData tick);
 
+/* Moves an aggregate's parts, whose transforms are the program's, so that its centre of mass is its origin, where Karma
+ * keeps a body's. Tells where it was. */
+void playCentre(McdAggregateID whole, MeVector3 was);
 /* A model with an enabled body of a density (kg/m³), its middle at a place, and its graphic. Null if there is no room. */
 McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal z, const float color[4]);
 /* A model that does not move, at a transform that is kept. */
