@@ -84,22 +84,10 @@ static MeReal torqueAt(MeReal turns) {
 
 /* ---- the driver ------------------------------------------------------------------------------------------------- */
 
-/* Where the next point of the course lies, as the driver sees it: forward and to the left (m). */
-static void seeTarget(MeReal seen[2]) {
-    MeMatrix4Ptr tm = MdtBodyGetTransformPtr(body());
-    const MeVector3 way = {course[target][0] - tm[3][0], 0, course[target][1] - tm[3][2]};
-    seen[0] = MeVector3Dot(way, tm[0]);
-    seen[1] = -MeVector3Dot(way, tm[2]);
-    if (seen[0] * seen[0] + seen[1] * seen[1] < 36)
-        target = (target + 1) % COURSE;
-}
-
-/* Round the circle through the car and the point ahead, at 9 m/s, slower in bends. */
+/* Round the course at 9 m/s, slower in bends. */
 static MeReal driveCourse(int *pedal) {
-    MeReal seen[2];
-    seeTarget(seen);
     *pedal = speedOf() < 9 - 8 * MeFabs(steering);
-    return MeAtan(wheelbase * 2 * seen[1] / (seen[0] * seen[0] + seen[1] * seen[1]));
+    return MeAtan(wheelbase * driveAlong(body(), course, COURSE, &target));
 }
 
 /* The fastest bend costs 7 m/s² to the side. */

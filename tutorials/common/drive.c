@@ -62,6 +62,18 @@ int driveLeft(void) {
     return (heldFor[LEFT] > 0) - (heldFor[RIGHT] > 0);
 }
 
+/* ---- course --------------------------------------------------------------------------------------------------- */
+
+/* An arc that begins straight ahead and ends at (x, y), y to the left, has the curvature 2 y / (x² + y²). */
+MeReal driveAlong(MdtBodyID body, const MeReal (*course)[2], int points, int *next) {
+    MeMatrix4Ptr tm = MdtBodyGetTransformPtr(body);
+    const MeVector3 way = {course[*next][0] - tm[3][0], 0, course[*next][1] - tm[3][2]};
+    const MeReal toLeft = -MeVector3Dot(way, tm[2]), square = MeVector3Dot(way, way);
+    if (square < 36)
+        *next = (*next + 1) % points;
+    return 2 * toLeft / MeMAX(square, 1);
+}
+
 /* ---- camera --------------------------------------------------------------------------------------------------- */
 
 /* Anticlockwise from x as seen from above; as it was while the body looks straight up or down. */

@@ -1,16 +1,11 @@
 import math
 import re
 
-from tutorial import figure, near, status
+from tutorial import figure, held, near, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
 BASE, RADIUS, MASS, INERTIA = 2.4, 0.36, 1000 + 4 * 20, 4 * 0.4 * 20 * 0.36**2  # m, m, kg, kg m^2
 MANUAL = '3@1'  # stands still, and waits for the driver
-
-
-def held(key, first, last):
-    """-> what to press to hold a key: a press counts for 26 frames."""
-    return ','.join(f'{key}@{frame}' for frame in range(first, last - 25, 24))
 
 
 def springs(line):
