@@ -81,6 +81,7 @@ struct MdtBody {
     double force[3], torque[3];  /* N, N m, added since the last step */
     double impulse[3], twist[3]; /* N s, N m s, the same */
     MdtKeaVelocity acceleration; /* m/s², rad/s², in the last step */
+    double push[3];              /* m/s: its way in the last step beyond its velocity: out of an overlap */
     double mass;                 /* kg */
     double inertia[3][3];        /* kg m², as set */
     MeReal linearDamping, angularDamping, safeTime;

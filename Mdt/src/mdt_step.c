@@ -24,6 +24,12 @@ typedef struct Partition {
     MdtReport *report; /* null: it is off */
 } Partition;
 
+/* A body as the step begins. */
+typedef struct Start {
+    MdtKeaVelocity velocity;
+    double position[3];
+} Start;
+
 enum { MAX_HALVINGS = 6 };
 
 static Partition partitionNumber(MdtWorldID w, int number, double h) {
@@ -40,13 +46,19 @@ static Partition partitionNumber(MdtWorldID w, int number, double h) {
 
 /* ---- rest ---- */
 
+/* A body that is still coming out of an overlap has no velocity, but it is under way. */
+static MeBool isPushedOut(MdtBodyID b, const MdtPartitionParams *rest) {
+    const double slow = 1e-4; /* of vel_thresh: squares of velocities */
+    return keaDot(b->push, b->push) > slow * (double)rest->vel_thresh;
+}
+
 static MeBool isAtRest(const Partition *p) {
     const MdtPartitionParams *rest = &p->world->rest;
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
         const MeBool isYoung =
             rest->alive_window < 0 ? b->enabledTime < (double)rest->alive_time : b->enabledSteps < rest->alive_window;
-        if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest))
+        if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || isPushedOut(b, rest))
             return MEFALSE;
     }
     return METRUE;
@@ -265,19 +277,22 @@ static void velocityOf(MdtBodyID b, MdtKeaVelocity *v) {
     MdtKeaBodyGetAngularVelocity(&b->kea, v->ang);
 }
 
-static void rememberVelocities(Partition *p, MdtKeaVelocity start[]) {
-    for (int i = 0; i < p->numBodies; i++)
-        velocityOf(p->bodies[i], &start[i]);
+static void rememberStart(Partition *p, Start start[]) {
+    for (int i = 0; i < p->numBodies; i++) {
+        velocityOf(p->bodies[i], &start[i].velocity);
+        keaCopy(start[i].position, p->bodies[i]->kea.position);
+    }
 }
 
-static void unpackBodies(Partition *p, const MdtKeaVelocity start[]) {
+static void unpackBodies(Partition *p, const Start start[]) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
         MdtKeaVelocity end;
         velocityOf(b, &end);
         for (int k = 0; k < 3; k++) {
-            b->acceleration.lin[k] = (end.lin[k] - start[i].lin[k]) / p->h;
-            b->acceleration.ang[k] = (end.ang[k] - start[i].ang[k]) / p->h;
+            b->acceleration.lin[k] = (end.lin[k] - start[i].velocity.lin[k]) / p->h;
+            b->acceleration.ang[k] = (end.ang[k] - start[i].velocity.ang[k]) / p->h;
+            b->push[k] = (b->kea.position[k] - start[i].position[k]) / p->h - end.lin[k];
         }
         b->enabledTime += p->h;
         b->enabledSteps++;
@@ -362,8 +377,8 @@ static int mostRows(const Partition *p) {
     return rows;
 }
 
-/* Room for Kea's arrays and, behind them, the velocities at the start. */
-static void *takeScratch(Partition *p, MdtKeaVelocity **start) {
+/* Room for Kea's arrays and, behind them, the state at the start. */
+static void *takeScratch(Partition *p, Start **start) {
     const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows);
     const size_t total = bytes + (size_t)p->numBodies * sizeof **start;
     char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->world->scratch, (int)total) : NULL;
@@ -371,7 +386,7 @@ static void *takeScratch(Partition *p, MdtKeaVelocity **start) {
         MeWarning(2, "MdtWorldStep: partition %d (%d bodies, %d rows) is too large for the solver and is not moved",
                   p->number, p->numBodies, p->kea.maxRows);
     else
-        *start = (MdtKeaVelocity *)(void *)(scratch + bytes);
+        *start = (Start *)(void *)(scratch + bytes);
     return scratch;
 }
 
@@ -501,7 +516,7 @@ static MeBool takeSubSteps(Partition *p, void *scratch) {
 }
 
 static void stepPartition(Partition *p) {
-    MdtKeaVelocity *start = NULL;
+    Start *start = NULL;
     p->kea.maxRows = mostRows(p);
     p->kea.errors = positionErrors;
     p->kea.jacobians = jointJacobians;
@@ -511,7 +526,7 @@ static void stepPartition(Partition *p) {
     if (!scratch)
         return;
     packBodies(p);
-    rememberVelocities(p, start);
+    rememberStart(p, start);
     beginConstraints(p);
     if (takeSubSteps(p, scratch))
         unpackBodies(p, start);

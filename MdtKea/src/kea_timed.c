@@ -104,7 +104,7 @@ static Slip slipOf(const MdtKeaSystem *s, int i) {
         slip.start[k] = rateOf(s, slip.row[k]);
         slip.end[k] = kea_endRate(s, slip.row[k]) - s->rows[slip.row[k]].target;
     }
-    slip.size = hypot(slip.start[0], slip.start[1]);
+    slip.size = keaHypotenuse(slip.start[0], slip.start[1]);
     return slip;
 }
 
@@ -117,7 +117,7 @@ static MeBool canStop(const MdtKeaSystem *s, int i, double gate) {
 
 static MeBool hasStopped(const MdtKeaSystem *s, const Slip *slip) {
     const KeaProblemRow *p = &s->work->problem.row[slip->row[0]];
-    const double force = hypot(p->p, slip->row[1] >= 0 ? s->work->problem.row[slip->row[1]].p : 0);
+    const double force = keaHypotenuse(p->p, slip->row[1] >= 0 ? s->work->problem.row[slip->row[1]].p : 0);
     const MeBool sticks = force < (1 - 1e-7) * p->friction * s->work->problem.row[p->normal].p;
     return sticks || slip->start[0] * slip->end[0] + slip->start[1] * slip->end[1] < 0;
 }
@@ -244,7 +244,7 @@ static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesP
             if (q->row[i].partner > i)
                 q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
         if (pass > 0)
-            kea_problemRenewRadii(q, pass < 6 ? 1 : 0.5);
+            kea_problemApproachRadii(q, pass < 6 ? 1 : 0.5, pass > 6);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, change);
         const double residual = kea_problemResidual(q, NULL);
