@@ -307,9 +307,11 @@ typedef struct {
     int64_t deadline; /* Nanoseconds: when the next frame begins. */
     int64_t progress; /* When progress was last shown. */
     bool progressShown;
+    bool isDrawn; /* This frame. */
 } RLoop;
 
 void r_frame(RRender *rc, const RTick *tick); /* One turn of the main loop; tick may be null. */
+void r_drawNow(RRender *rc); /* This frame, if it has not been drawn yet. */
 bool r_loopEnded(const RRender *rc);
 void r_afterCallBack(const RRender *rc); /* Ends the program if the context has been destroyed meanwhile. */
 int64_t r_now(void);                     /* Nanoseconds of a clock that only goes forward. */
