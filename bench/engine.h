@@ -35,7 +35,11 @@ typedef struct Engine {
     void (*destroy)(EngineWorld *w);
 } Engine;
 
-extern const Engine engine_karma_single, engine_karma_double;
+/* A setting of universes that is not among the listed ones, for tests: a step that is not exact counts as giving up. */
+#define ENGINE_STRICT 1
+
+extern const Engine engine_karma_single, engine_karma_double;       /* with contacts made by the scene's code */
+extern const Engine engine_universe_single, engine_universe_double; /* Mcd's contacts, through the bridge */
 extern const Engine engine_ode, engine_bullet, engine_mujoco;
 
 #ifdef __cplusplus

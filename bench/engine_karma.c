@@ -1,6 +1,7 @@
 /* Karma, rigid (epsilon 0). Its contacts are the scene's, not Mcd's: dynamics is compared. One that lasts from step to step
  * stays the same object, so that Karma may start from its last forces. */
 #include "engine.h"
+#include "karma_body.h"
 
 #include "Mdt.h"
 #include "MeVersion.h"
@@ -31,9 +32,7 @@ static EngineWorld *create(int setting, const double gravity[3], bool collides) 
     if (!w)
         abort();
     w->world = MdtWorldCreate(SCENE_MAX_BODIES, SCENE_MAX_JOINTS + (collides ? SCENE_MAX_CONTACTS : 0));
-    MdtWorldSetAutoDisable(w->world, 0);
-    MdtWorldSetEpsilon(w->world, 0);
-    MdtWorldSetGravity(w->world, (MeReal)gravity[0], (MeReal)gravity[1], (MeReal)gravity[2]);
+    karma_setWorld(w->world, gravity);
     return w;
 }
 
@@ -42,7 +41,6 @@ static void addGround(EngineWorld *w) {
 }
 
 static void addBody(EngineWorld *w, const SceneBody *b) {
-    const SceneState *s = &b->start;
     double inertia[3];
     scene_inertia(b, inertia);
     const MeMatrix3 tensor = {{(MeReal)inertia[0], 0, 0}, {0, (MeReal)inertia[1], 0}, {0, 0, (MeReal)inertia[2]}};
@@ -51,12 +49,7 @@ static void addBody(EngineWorld *w, const SceneBody *b) {
     const MdtBodyID body = w->bodies[w->numBodies++] = MdtBodyCreate(w->world);
     MdtBodySetMass(body, (MeReal)b->mass);
     MdtBodySetInertiaTensor(body, tensor);
-    MdtBodySetPosition(body, (MeReal)s->position[0], (MeReal)s->position[1], (MeReal)s->position[2]);
-    MdtBodySetQuaternion(body, (MeReal)s->quaternion[0], (MeReal)s->quaternion[1], (MeReal)s->quaternion[2],
-                         (MeReal)s->quaternion[3]);
-    MdtBodySetLinearVelocity(body, (MeReal)s->velocity[0], (MeReal)s->velocity[1], (MeReal)s->velocity[2]);
-    MdtBodySetAngularVelocity(body, (MeReal)s->spin[0], (MeReal)s->spin[1], (MeReal)s->spin[2]);
-    MdtBodyEnable(body);
+    karma_setState(body, &b->start);
 }
 
 static MdtBodyID bodyAt(const EngineWorld *w, int index) {
@@ -64,25 +57,13 @@ static MdtBodyID bodyAt(const EngineWorld *w, int index) {
 }
 
 static void addJoint(EngineWorld *w, const SceneJoint *j) {
-    const MdtConstraintID c = j->kind == SCENE_HINGE ? MdtHingeQuaConstraint(MdtHingeCreate(w->world))
-                                                     : MdtBSJointQuaConstraint(MdtBSJointCreate(w->world));
-    MdtConstraintSetBodies(c, bodyAt(w, j->child), bodyAt(w, j->parent));
-    MdtConstraintSetPosition(c, (MeReal)j->point[0], (MeReal)j->point[1], (MeReal)j->point[2]);
-    if (j->kind == SCENE_HINGE)
-        MdtConstraintSetAxis(c, (MeReal)j->axis[0], (MeReal)j->axis[1], (MeReal)j->axis[2]);
-    MdtConstraintEnable(c);
+    karma_join(w->world, bodyAt(w, j->child), bodyAt(w, j->parent), j);
 }
 
 static MdtContactID makeContact(const EngineWorld *w, const SceneContact *from) {
     const MdtContactID c = MdtContactCreate(w->world);
     MdtContactSetBodies(c, bodyAt(w, from->body), bodyAt(w, from->other));
-    const MdtContactParamsID p = MdtContactGetParams(c);
-    if (from->friction > 0) {
-        MdtContactParamsSetType(p, MdtContactTypeFriction2D);
-        MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-        MdtContactParamsSetFrictionCoeffecient(p, (MeReal)from->friction);
-    }
-    MdtContactParamsSetRestitution(p, (MeReal)from->restitution);
+    karma_setSurface(MdtContactGetParams(c), from->friction, from->restitution);
     MdtContactEnable(c);
     return c;
 }
@@ -154,28 +135,13 @@ static void setContacts(EngineWorld *w, const SceneContact contacts[], int n) {
 }
 
 static void step(EngineWorld *w, double h) {
-    for (int i = 0; i < w->numBodies; i++) {
-        const double *f = w->forces[i];
-        if (scene_dot(f, f) > 0)
-            MdtBodyAddForce(w->bodies[i], (MeReal)f[0], (MeReal)f[1], (MeReal)f[2]);
-    }
+    for (int i = 0; i < w->numBodies; i++)
+        karma_push(w->bodies[i], w->forces[i]);
     MdtWorldStep(w->world, (MeReal)h);
 }
 
 static void getState(EngineWorld *w, int body, SceneState *s) {
-    MeVector3 position, velocity, spin;
-    MeVector4 quaternion;
-    MdtBodyGetPosition(w->bodies[body], position);
-    MdtBodyGetQuaternion(w->bodies[body], quaternion);
-    MdtBodyGetLinearVelocity(w->bodies[body], velocity);
-    MdtBodyGetAngularVelocity(w->bodies[body], spin);
-    s->quaternion[0] = (double)quaternion[0];
-    for (int i = 0; i < 3; i++) {
-        s->position[i] = (double)position[i];
-        s->quaternion[i + 1] = (double)quaternion[i + 1];
-        s->velocity[i] = (double)velocity[i];
-        s->spin[i] = (double)spin[i];
-    }
+    karma_getState(w->bodies[body], s);
 }
 
 static void destroy(EngineWorld *w) {
@@ -199,8 +165,7 @@ MEPUBLIC extern const Engine ENGINE_KARMA;
 const Engine ENGINE_KARMA = {
     .name = NAME,
     .version = ME_VERSION_STRING,
-    .about = ABOUT
-    "; epsilon 0, gamma .2, the friction cone; contacts by the scene's code, not by Mcd, ahead of touch",
+    .about = ABOUT "; epsilon 0, gamma .2, the friction cone; contacts by the scene's code, not by Mcd, ahead of touch",
     .settings = settings,
     .bounces = true,
     .create = create,

@@ -4,6 +4,8 @@
 
 #include "engine.h"
 
+#include <stdint.h>
+
 typedef enum RunOutcome {
     RUN_HOLDS,
     RUN_FAILS,    /* an error passed its bound, or is no number, or the engine gave up */
@@ -14,6 +16,7 @@ typedef struct RunResult {
     RunOutcome outcome;
     double simulated; /* s */
     double errors[SCENE_MAX_ERRORS];
+    uint64_t hash;        /* of the states after every frame, bit for bit */
     double median, worst; /* µs of a frame, contacts made by hand included */
 } RunResult;
 

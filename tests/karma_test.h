@@ -24,6 +24,15 @@
 #define TOL(single, double_) (single)
 #endif
 
+/* With sanitizers what takes seconds takes minutes: long runs are left out where this is defined. */
+#if defined __SANITIZE_ADDRESS__
+#define TEST_IS_SLOW 1
+#elif defined __has_feature
+#if __has_feature(address_sanitizer)
+#define TEST_IS_SLOW 1
+#endif
+#endif
+
 /* |actual - expected| <= tolerance (absolute); prints all three. NaN fails. */
 #define assert_near(actual, expected, tolerance)                                                                       \
     do {                                                                                                               \

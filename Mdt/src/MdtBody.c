@@ -139,7 +139,7 @@ static void setDefaults(MdtBodyID b) {
     for (int i = 0; i < 3; i++)
         b->inertia[i][i] = MDTBODY_DEFAULT_INERTIA * m * l * l;
     setKeaInertia(b);
-    double *sums[] = {b->force, b->torque, b->impulse, b->twist, b->acceleration.lin, b->acceleration.ang};
+    double *sums[] = {b->force, b->torque, b->impulse, b->twist, b->acceleration.lin, b->acceleration.ang, b->push};
     for (size_t i = 0; i < sizeof sums / sizeof *sums; i++)
         keaZero(sums[i]);
     b->linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING;
@@ -272,6 +272,7 @@ void mdt_bodySleep(MdtBodyID b) {
     MdtKeaBodySetAngularVelocity(&b->kea, none);
     keaZero(b->acceleration.lin);
     keaZero(b->acceleration.ang);
+    keaZero(b->push);
     mdt_bodyShow(b);
 }
 

@@ -66,10 +66,16 @@ static MeBool layIntoPlane(const double normal[3], double direction[3]) {
     return METRUE;
 }
 
-/* The axis that is most across the normal gives the direction, so that it is the same from step to step. */
+/* An axis across the normal gives the direction: x, or z, or y, if it is clearly more across than those before it. Of two
+ * that are alike, as on level ground, rounding must not choose another one in the next step: friction forces are kept as
+ * numbers along it. */
 static void chooseDirection(MdtBclContact *contact) {
-    const double *n = contact->normal, a[3] = {fabs(n[0]), fabs(n[1]), fabs(n[2])};
-    const int least = a[0] <= a[1] && a[0] <= a[2] ? 0 : a[2] <= a[1] ? 2 : 1;
+    static const int order[] = {0, 2, 1};
+    const double *n = contact->normal, clearly = 0.1;
+    int least = order[0];
+    for (int i = 1; i < 3; i++)
+        if (fabs(n[order[i]]) < fabs(n[least]) - clearly)
+            least = order[i];
     keaZero(contact->direction);
     contact->direction[least] = 1;
     layIntoPlane(n, contact->direction);

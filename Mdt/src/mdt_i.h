@@ -83,6 +83,7 @@ struct MdtBody {
     double lastForce[3], lastTorque[3]; /* N, N m, those that the step in progress began with */
     double lag, part;                   /* s: that it is behind its world; that it was moved on last */
     MdtKeaVelocity acceleration;        /* m/s², rad/s², in the last step */
+    double push[3];                     /* m/s: its way in the last step beyond its velocity: out of an overlap */
     double mass;                        /* kg */
     double inertia[3][3];               /* kg m², as set */
     MeReal linearDamping, angularDamping, safeTime;

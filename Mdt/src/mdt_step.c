@@ -24,6 +24,12 @@ typedef struct Partition {
     MdtReport *report; /* null: it is off */
 } Partition;
 
+/* A body as the step begins. */
+typedef struct Start {
+    MdtKeaVelocity velocity;
+    double position[3];
+} Start;
+
 enum { MAX_HALVINGS = 6 };
 
 static Partition partitionNumber(MdtWorldID w, int number, double h) {
@@ -40,13 +46,19 @@ static Partition partitionNumber(MdtWorldID w, int number, double h) {
 
 /* ---- rest ---- */
 
+/* A body that is still coming out of an overlap has no velocity, but it is under way. */
+static MeBool isPushedOut(MdtBodyID b, const MdtPartitionParams *rest) {
+    const double slow = 1e-4; /* of vel_thresh: squares of velocities */
+    return keaDot(b->push, b->push) > slow * (double)rest->vel_thresh;
+}
+
 static MeBool isAtRest(const Partition *p) {
     const MdtPartitionParams *rest = &p->world->rest;
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
         const MeBool isYoung =
             rest->alive_window < 0 ? b->enabledTime < (double)rest->alive_time : b->enabledSteps < rest->alive_window;
-        if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest))
+        if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || isPushedOut(b, rest))
             return MEFALSE;
     }
     return METRUE;
@@ -265,19 +277,22 @@ static void velocityOf(MdtBodyID b, MdtKeaVelocity *v) {
     MdtKeaBodyGetAngularVelocity(&b->kea, v->ang);
 }
 
-static void rememberVelocities(Partition *p, MdtKeaVelocity start[]) {
-    for (int i = 0; i < p->numBodies; i++)
-        velocityOf(p->bodies[i], &start[i]);
+static void rememberStart(Partition *p, Start start[]) {
+    for (int i = 0; i < p->numBodies; i++) {
+        velocityOf(p->bodies[i], &start[i].velocity);
+        keaCopy(start[i].position, p->bodies[i]->kea.position);
+    }
 }
 
-static void unpackBodies(Partition *p, const MdtKeaVelocity start[]) {
+static void unpackBodies(Partition *p, const Start start[]) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
         MdtKeaVelocity end;
         velocityOf(b, &end);
         for (int k = 0; k < 3; k++) {
-            b->acceleration.lin[k] = (end.lin[k] - start[i].lin[k]) / p->h;
-            b->acceleration.ang[k] = (end.ang[k] - start[i].ang[k]) / p->h;
+            b->acceleration.lin[k] = (end.lin[k] - start[i].velocity.lin[k]) / p->h;
+            b->acceleration.ang[k] = (end.ang[k] - start[i].velocity.ang[k]) / p->h;
+            b->push[k] = (b->kea.position[k] - start[i].position[k]) / p->h - end.lin[k];
         }
         b->enabledTime += p->h;
         b->enabledSteps++;
@@ -362,8 +377,8 @@ static int mostRows(const Partition *p) {
     return rows;
 }
 
-/* Room for Kea's arrays and, behind them, the velocities at the start. */
-static void *takeScratch(Partition *p, MdtKeaVelocity **start) {
+/* Room for Kea's arrays and, behind them, the state at the start. */
+static void *takeScratch(Partition *p, Start **start) {
     const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows);
     const size_t total = bytes + (size_t)p->numBodies * sizeof **start;
     char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->world->scratch, (int)total) : NULL;
@@ -371,7 +386,7 @@ static void *takeScratch(Partition *p, MdtKeaVelocity **start) {
         MeWarning(2, "MdtWorldStep: partition %d (%d bodies, %d rows) is too large for the solver and is not moved",
                   p->number, p->numBodies, p->kea.maxRows);
     else
-        *start = (MdtKeaVelocity *)(void *)(scratch + bytes);
+        *start = (Start *)(void *)(scratch + bytes);
     return scratch;
 }
 
@@ -445,7 +460,8 @@ static MeBool isFollowed(const Partition *p) {
     const MeReal *g = p->world->params.gravity;
     const double fall = sqrt((double)(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])) * p->h * p->h;
     const double way = p->kea.report.residual * p->parameters.stepsize;
-    return !p->kea.report.capped || p->kea.parameters.maxIterations > 0 || way < 1e-7 * fall;
+    const MeBool isNear = !p->kea.report.violent && way < 1e-7 * fall; /* violent: the motion itself was not found */
+    return !p->kea.report.capped || p->kea.parameters.maxIterations > 0 || isNear;
 }
 
 /* Up to the next event, at most for `rest`. False where that could not be followed. */
@@ -462,6 +478,14 @@ static MeBool solveToEvent(Partition *p, void *scratch, double rest, double leas
     return isFollowed(p);
 }
 
+/* The same, nearer by halves while the motion is violent. */
+static MeBool solveToEventOrHalf(Partition *p, void *scratch, double rest, double least) {
+    for (double ahead = rest; !solveToEvent(p, scratch, ahead, least); ahead *= 0.5)
+        if (!p->kea.report.violent || ahead < 0.2 * rest)
+            return MEFALSE;
+    return METRUE;
+}
+
 /* A part of the step of a partition whose contacts are met in time: up to the next event, and on. When there are too many of
  * them, or they cannot be followed so exactly, the rest is taken as it is elsewhere. */
 static MeBool takeInTime(Partition *p, void *scratch, double part) {
@@ -469,7 +493,7 @@ static MeBool takeInTime(Partition *p, void *scratch, double part) {
     const double least = 1e-9 * part;
     double rest = part;
     for (int events = 0; rest > least; events++) {
-        if (events == MAX_EVENTS || !solveToEvent(p, scratch, rest, least)) {
+        if (events == MAX_EVENTS || !solveToEventOrHalf(p, scratch, rest, least)) {
             p->kea.parameters.timed = MEFALSE;
             return takePart(p, scratch, rest, 0);
         }
@@ -501,7 +525,7 @@ static MeBool takeSubSteps(Partition *p, void *scratch) {
 }
 
 static void stepPartition(Partition *p) {
-    MdtKeaVelocity *start = NULL;
+    Start *start = NULL;
     p->kea.maxRows = mostRows(p);
     p->kea.errors = positionErrors;
     p->kea.jacobians = jointJacobians;
@@ -511,7 +535,7 @@ static void stepPartition(Partition *p) {
     if (!scratch)
         return;
     packBodies(p);
-    rememberVelocities(p, start);
+    rememberStart(p, start);
     beginConstraints(p);
     if (takeSubSteps(p, scratch))
         unpackBodies(p, start);

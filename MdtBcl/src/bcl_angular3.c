@@ -55,7 +55,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
 /* The rotation vector from the primary axis of frame 1 to that of frame 0, in the axes of frame 0: it has no first
  * component. Opposite axes have no direction to turn back in; then it is 0. */
 static void leaning(double axes[3][3], const double to[3], double rotation[3]) {
-    const double y = keaDot(axes[1], to), z = keaDot(axes[2], to), sine = hypot(y, z);
+    const double y = keaDot(axes[1], to), z = keaDot(axes[2], to), sine = keaHypotenuse(y, z);
     const double scale = sine > 0 ? atan2(sine, keaDot(axes[0], to)) / sine : 0;
     rotation[0] = 0;
     rotation[1] = scale * z;

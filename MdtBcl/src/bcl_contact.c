@@ -16,11 +16,12 @@
 
 enum { PRIMARY = 1, SECONDARY = 2 };
 
-/* Of what programs say of a contact. */
+/* Of what programs say of a contact; of a place that they read, relative to how far it is from the origin: half a unit of
+ * its last digit. */
 #ifdef _ME_API_DOUBLE
-static const double rounding = 1e-12;
+static const double rounding = 1e-12, placeRounding = 1.2e-16;
 #else
-static const double rounding = 1e-6;
+static const double rounding = 1e-6, placeRounding = 6e-8;
 #endif
 
 void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params) {
@@ -61,11 +62,30 @@ static double radiusOf(const MdtBclContact *contact, const MdtBclContext *x, int
     return keaLength(arm);
 }
 
+/* The depth, or gap, but for what may be the rounding of its bodies' places and turns, as far as these move the surfaces
+ * along the normal: each step's noise would else move what rests, and the last answer would not hold. */
+static double beyondRounding(const MdtBclContact *contact, const MdtBclContext *x) {
+    const double *n = contact->normal, depth = contact->penetration;
+    double extent = 0;
+    for (int k = 0; k < 2; k++) {
+        const double *place = x->pose[k]->pos;
+        double arm[3], across[3];
+        if (x->body[k] == MdtBclNO_BODY)
+            continue;
+        keaSubtract(arm, contact->position, place);
+        keaCross(across, arm, n);
+        extent += keaLength(across);
+        for (int i = 0; i < 3; i++)
+            extent += fabs(n[i] * place[i]);
+    }
+    return copysign(fmax(fabs(depth) - placeRounding * extent, 0), depth);
+}
+
 /* At the start of a step the contact is as its maker set it: the surface points lie half the depth on either side. What
  * moves with a body is the point, or, of a round surface, the centre of its sphere. */
 static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
     keaCopy(contact->point, contact->position);
-    contact->depth = contact->penetration;
+    contact->depth = beyondRounding(contact, x);
     for (int k = 0; k < 2; k++) {
         double arm[3];
         keaSubtract(arm, contact->point, x->pose[k]->pos);
@@ -109,6 +129,21 @@ static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
     return model == MdtFrictionModelBox ? bound > 0 : coefficient > 0;
 }
 
+/* m/s: the fastest that the bodies may come together in this step, negative where they do. What is predicted knows only
+ * loads; other contacts may hold either body, so that its velocity stays: of two that stand on each other, the lower one
+ * does not fall. */
+static double fastestApproach(const MdtKeaRow *normal, const MdtBclContext *x) {
+    double sum = 0;
+    for (int k = 0; k < 2; k++) {
+        const MdtKeaVelocity *const may[2] = {x->predicted[k], x->velocity[k]};
+        double rate[2];
+        for (int i = 0; i < 2; i++)
+            rate[i] = keaDot(normal->J[k].lin, may[i]->lin) + keaDot(normal->J[k].ang, may[i]->ang);
+        sum += fmin(rate[0], rate[1]);
+    }
+    return sum;
+}
+
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclContact *contact = &c->of.contact;
     MdtKeaRow normal;
@@ -117,8 +152,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     else
         anchorContact(contact, x);
     contactRow(contact, x, contact->normal, &normal);
-    const double approach = bcl_rate(&normal, x->predicted);
-    const MeBool touches = contact->depth >= 0 || x->parameters.stepsize * approach < contact->depth;
+    const MeBool touches = contact->depth >= 0 || x->parameters.stepsize * fastestApproach(&normal, x) < contact->depth;
     contact->rows = 0;
     if (touches && contact->params.type >= MdtContactTypeFriction1D && frictionActs(&contact->params, 0))
         contact->rows |= PRIMARY;

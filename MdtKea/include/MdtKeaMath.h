@@ -26,6 +26,11 @@ static inline double keaLength(const double a[3]) {
     return sqrt(keaDot(a, a));
 }
 
+/** Faster than hypot, and the same bits with every C library. */
+static inline double keaHypotenuse(double a, double b) {
+    return sqrt(a * a + b * b);
+}
+
 static inline void keaCopy(double r[3], const double a[3]) {
     r[0] = a[0], r[1] = a[1], r[2] = a[2];
 }

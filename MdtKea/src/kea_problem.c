@@ -136,7 +136,7 @@ static double clampTo(double y, double lower, double upper, KeaRowState *state) 
 }
 
 static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
-    const double size = hypot(a->y, b->y);
+    const double size = keaHypotenuse(a->y, b->y);
     const MeBool holds = size < a->radius;
     const double share = holds ? 1 : a->radius / size;
     a->p = a->y * (size > 0 ? share : 0);
@@ -250,7 +250,7 @@ static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool lopsided) {
     }
     KeaProblemRow *normal = &q->row[row->normal], *other = row->partner >= 0 ? &q->row[row->partner] : row;
     const MeBool isCone = other != row;
-    const double size = isCone ? hypot(row->y, other->y) : fabs(row->y);
+    const double size = isCone ? keaHypotenuse(row->y, other->y) : fabs(row->y);
     double slip[2][6];
     if (size == 0)
         return;
@@ -428,7 +428,7 @@ static double radiusError(const KeaProblem *q) {
         if (row->normal < 0 || row->isOff)
             continue;
         const double wanted = row->friction * keaMax(q->row[row->normal].p, 0);
-        if (row->state == KEA_SLIPS || hypot(row->p, row->partner >= 0 ? q->row[row->partner].p : 0) > wanted)
+        if (row->state == KEA_SLIPS || keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0) > wanted)
             worst = keaMax(worst, fabs(row->radius - wanted) / (wanted + 1e-3 * fabs(q->row[row->normal].p) + DBL_MIN));
     }
     return worst;
@@ -471,13 +471,50 @@ double kea_problemError(KeaProblem *q) {
     return gradientError(q, 0);
 }
 
-void kea_problemRenewRadii(KeaProblem *q, double share) {
+/* By how much a friction bound is to grow. */
+static double missingRadius(const KeaProblem *q, const KeaProblemRow *row) {
+    return row->friction * keaMax(q->row[row->normal].p, 0) - row->radius;
+}
+
+void kea_problemRenewRadii(KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++)
+        if (q->row[i].normal >= 0)
+            q->row[i].radius = q->row[i].friction * keaMax(q->row[q->row[i].normal].p, 0);
+}
+
+/* How much of the last step towards the fixed point to take back: t = f·Δf / |Δf|², f what is missing, Δf its change. */
+static double secant(const KeaProblem *q) {
+    const double least = -4, most = 0.9; /* a straight line is not to be trusted farther */
+    double above = 0, below = 0;
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        if (row->normal < 0 || !isfinite(row->radius) || !isfinite(row->lastMissing))
+            continue;
+        const double f = missingRadius(q, row), change = f - row->lastMissing;
+        above += f * change;
+        below += change * change;
+    }
+    return below > 0 ? keaMin(keaMax(above / below, least), most) : 0;
+}
+
+/* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a memory of one step. */
+void kea_problemApproachRadii(KeaProblem *q, double share, MeBool isAccelerated) {
+    const double t = isAccelerated ? secant(q) : 0;
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         if (row->normal < 0)
             continue;
-        const double bound = row->friction * keaMax(q->row[row->normal].p, 0);
-        row->radius = share < 1 && row->radius < HUGE_VAL ? row->radius + share * (bound - row->radius) : bound;
+        const double f = missingRadius(q, row), radius = row->radius;
+        if (!isfinite(radius)) {
+            row->radius = row->friction * keaMax(q->row[row->normal].p, 0);
+        } else {
+            row->radius += share * f;
+            if (t != 0 && isfinite(row->lastRadius))
+                row->radius -= t * (radius - row->lastRadius + share * (f - row->lastMissing));
+            row->radius = keaMax(row->radius, 0);
+        }
+        row->lastRadius = radius;
+        row->lastMissing = f;
     }
 }
 
@@ -513,9 +550,9 @@ static double conePart(const KeaProblem *q, const KeaProblemRow *row, const doub
     const KeaProblemRow *other = &q->row[row->partner];
     const double radius = row->friction * keaMax(q->row[row->normal].p, 0);
     const double unit = row->size + row->E; /* a soft row's impulse hardly moves */
-    const double a = row->p - slip[0] / unit, b = other->p - slip[1] / unit, size = hypot(a, b);
+    const double a = row->p - slip[0] / unit, b = other->p - slip[1] / unit, size = keaHypotenuse(a, b);
     const double share = size > radius ? radius / size : 1;
-    return row->size * hypot(row->p - share * a, other->p - share * b);
+    return row->size * keaHypotenuse(row->p - share * a, other->p - share * b);
 }
 
 double kea_problemResidual(const KeaProblem *q, double *impulse) {

@@ -39,6 +39,7 @@ typedef struct KeaProblemRow {
     double y;            /* N s, what p would be without bounds */
     double radius;       /* N s, of the cone, or the friction bound */
     double keptJd, keptRadius;
+    double lastRadius, lastMissing; /* N s, of the last approach to the bounds that the normal forces give */
     double Jd, Je;    /* along d, along the search direction */
     double size;      /* J B⁻¹ Jᵀ, 1/kg */
     double weight[2]; /* by body: the momentum, in its scale, that a unit of p gives */
@@ -94,7 +95,9 @@ double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
 /* The largest a in [0, 1] with c[0] + c[1] a + c[2] a² <= 0; 0 if there is none. */
 double kea_largestRoot(const double c[3]);
 /* Sets every friction bound to μ p of its normal row. */
-void kea_problemRenewRadii(KeaProblem *q, double share);
+void kea_problemRenewRadii(KeaProblem *q);
+/* Takes every friction bound a share of the way there; `isAccelerated`: with what the last call has taught. */
+void kea_problemApproachRadii(KeaProblem *q, double share, MeBool isAccelerated);
 
 /* The factor of a graph, made if there is none; sizes null: 6 of every node. */
 KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size[], int numEdges,

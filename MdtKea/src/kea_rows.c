@@ -141,13 +141,13 @@ static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
  * but where its slip is more than friction could stop, as if there were none. */
 static double firstBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const KeaProblemRow *normal = &s->work->problem.row[row->normal];
-    if (normal->p > 0)
-        return row->friction * normal->p;
+    if (normal->p > 0 || row->isForced) /* forced: where it slides to is known */
+        return row->friction * keaMax(normal->p, 0);
     const double along = rateOf(row, s->predicted) - row->target;
     const double across =
         row->partner >= 0 ? rateOf(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
     const double approach = -rateOf(&s->rows[row->normal], s->predicted);
-    return hypot(along, across) > row->friction * keaMax(approach, 0) ? 0 : HUGE_VAL;
+    return keaHypotenuse(along, across) > row->friction * keaMax(approach, 0) ? 0 : HUGE_VAL;
 }
 
 void kea_beginRows(MdtKeaSystem *s) {

@@ -10,7 +10,7 @@
 #include "kea_i.h"
 #include <string.h>
 
-enum { MAX_PASSES = 16, HALVE = 6, FREEZE = 12 };
+enum { HALVE = 6, FREEZE = 12, GIVE_UP = 60, AFTER = 4 };
 static const double positionTolerance = 1e-10;              /* of a row's size */
 static const double velocityTolerance = 1e-9;               /* of the partition's speed */
 static const double momentumTolerance = 1e2;                /* of what the inner problem tolerates */
@@ -62,14 +62,20 @@ static void takePass(MdtKeaSystem *s) {
             s->work->body[i].u[k] += q->d[i][k];
 }
 
-/* Friction bounds follow the normal forces; should that not settle, they are left where they are in the end. */
-static void solvePass(MdtKeaSystem *s, int pass) {
+/* A program that caps iterations is in a hurry. */
+static int lastRenewal(const MdtKeaSystem *s) {
+    return s->parameters.maxIterations > 0 ? FREEZE : GIVE_UP;
+}
+
+/* Friction bounds follow the normal forces, later on more carefully; should that not settle, they are left where they are once the answer is good
+ * enough, or in the end. */
+static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough) {
     KeaProblem *q = &s->work->problem;
     if (kea_dualSolve(s))
         return;
-    const MeBool isFrozen = pass >= FREEZE && q->counts.stuck > 0;
+    const MeBool isFrozen = q->counts.stuck > 0 && pass >= (isGoodEnough ? FREEZE : lastRenewal(s));
     if (!isFrozen && pass > 0)
-        kea_problemRenewRadii(q, pass < HALVE ? 1 : 0.5);
+        kea_problemApproachRadii(q, pass < HALVE ? 1 : 0.5, pass > HALVE);
     q->counts.freezes += isFrozen;
     q->counts.stuck = !kea_problemSolve(q, !isFrozen) || isFrozen;
     q->counts.level += !q->counts.stuck || isFrozen;
@@ -90,16 +96,32 @@ static void takeBest(MdtKeaSystem *s) {
     linearize(s);
 }
 
+/* Whether it matters how a body is turned: not for a ball whose contacts all push towards its centre. */
+static MeBool feelsItsTurn(const MdtKeaSystem *s, int body) {
+    const double rounding = 1e-5; /* of what single precision says of contacts */
+    if (!s->work->body[body].isSpatial)
+        return METRUE;
+    for (int i = 0; i < s->numRows; i++)
+        for (int k = 0; k < 2; k++) {
+            const int normal = s->rows[i].contact;
+            if (s->rows[i].body[k] == body &&
+                (normal < 0 || keaLength(s->rows[normal].J[k].ang) > rounding * s->work->body[body].size))
+                return METRUE;
+        }
+    return MEFALSE;
+}
+
 /* The Cayley map turns a body by less than half a turn, however fast it is: near that, the velocity means nothing. */
 static MeBool turnsOver(const MdtKeaSystem *s) {
     const double most = 2.5; /* rad as the velocity has it, 1.8 as the body turns */
     for (int i = 0; i < s->numBodies; i++)
-        if (s->parameters.stepsize * keaLength(s->work->body[i].u + 3) > most)
+        if (s->parameters.stepsize * keaLength(s->work->body[i].u + 3) > most && feelsItsTurn(s, i))
             return METRUE;
     return MEFALSE;
 }
 
 static void takePasses(MdtKeaSystem *s) {
+    const int last = lastRenewal(s) + AFTER;
     double speed = 0, best = HUGE_VAL;
     Errors e = {.worst = HUGE_VAL};
     for (int pass = 0;; pass++) {
@@ -110,9 +132,9 @@ static void takePasses(MdtKeaSystem *s) {
             best = e.worst;
             keepBest(s);
         }
-        if (e.worst < 1 || pass == MAX_PASSES)
+        if (e.worst < 1 || pass == last)
             break;
-        solvePass(s, pass);
+        solvePass(s, pass, e.velocity < looseVelocity);
         kea_noteStubborn(s, positionTolerance);
         takePass(s);
         kea_admitContacts(s);

@@ -138,7 +138,7 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
     memset(added, 0, (size_t)s->numBodies * sizeof *added);
     double residual = start;
     for (int pass = 0; pass < MAX_PASSES && residual > tolerance * start; pass++) {
-        kea_problemRenewRadii(q, 1);
+        kea_problemRenewRadii(q);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, added);
         residual = kea_problemResidual(q, NULL);

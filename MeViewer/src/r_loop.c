@@ -36,10 +36,16 @@ static void callTick(RRender *rc, const RTick *tick) {
     v->loop.ticks++;
 }
 
-static void draw(RRender *rc) {
+/* Nobody sees the frames of an off-screen buffer but those that a picture is made of; a profile wants them all. */
+static bool isSeen(const struct RViewer *v) {
+    return v->backend->type != kROSMesa || v->profiling;
+}
+
+void r_drawNow(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
-    if (!v->backend->draws)
+    if (!v->backend->draws || v->loop.isDrawn)
         return;
+    v->loop.isDrawn = true;
     if (v->profiling)
         MeProfileStartSection("Render", 0);
     r_drawFrame(rc);
@@ -57,7 +63,11 @@ void r_frame(RRender *rc, const RTick *tick) {
     r_inputFrame(rc);
     if (!v->loop.quit) { /* After that there may be no window any more. */
         callTick(rc, tick);
-        draw(rc);
+        v->loop.isDrawn = false;
+        if (isSeen(v))
+            r_drawNow(rc);
+        else
+            RRenderUpdateProjectionMatrices(rc);
         r_pictureFrame(rc);
     }
     if (profiling) {

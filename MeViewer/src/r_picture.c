@@ -15,6 +15,7 @@ static bool save(RRender *rc, const char *path) {
         MeWarning(1, "no picture %s: nothing is drawn with -null", path);
         return false;
     }
+    r_drawNow(rc);
     if (!r_drawRead(rc, &picture)) {
         MeWarning(1, "no picture %s: nothing has been drawn, or the window is closed", path);
         return false;

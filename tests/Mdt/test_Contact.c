@@ -190,6 +190,50 @@ START_TEST(box_friction_of_10_holds_9_and_lets_11_slide_with_1) {
 END_TEST
 
 /* The box model bounds each direction by itself: 9 along both is 12.7 together and still holds. */
+/* A place 50 m up is rounded by half of 4e-6 m, or 7e-15 m; what is deeper is pushed out. */
+START_TEST(what_may_be_rounding_of_places_moves_nothing) {
+    const double depths[] = {TOL(2e-6, 4e-15), TOL(1e-4, 1e-6)};
+    for (int k = 0; k < 2; k++) {
+        MeVector3 v;
+        MdtWorldID w = scene_world(1, 1, 10);
+        MdtWorldSetEpsilon(w, 0);
+        MdtWorldSetTimedContacts(w, 0); /* as in larger partitions */
+        MdtBodyID b = scene_body(w, 1, 0, 50, 0);
+        MdtContactID c = MdtContactCreate(w);
+        MdtContactSetBodies(c, b, 0);
+        MdtContactSetPosition(c, 0, (MeReal)49.5, 0);
+        MdtContactSetPenetration(c, (MeReal)depths[k]);
+        MdtContactEnable(c);
+        MdtWorldStep(w, FRAME);
+        MdtBodyGetLinearVelocity(b, v);
+        const double pushed = .2 * depths[k] / (double)FRAME;
+        assert_near(v[1], k == 0 ? 0 : pushed, k == 0 ? TOL(1e-7, 1e-9) : .05 * pushed);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* Else the forces of the last step, which are numbers along the direction, would be no guess for the next. */
+START_TEST(the_primary_direction_does_not_hang_on_rounding) {
+    static const MeReal axes[3][3] = {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+    const MeReal noise = TOL((MeReal)1e-6, (MeReal)1e-12);
+    MdtWorldID w = MdtWorldCreate(1, 1);
+    MdtContactID c = MdtContactCreate(w);
+    for (int k = 0; k < 3; k++) {
+        MeVector3 before, now;
+        MdtContactSetNormal(c, axes[k][0], axes[k][1], axes[k][2]);
+        MdtContactGetDirection(c, before);
+        for (int i = 0; i < 27; i++) {
+            MdtContactSetNormal(c, axes[k][0] + noise * (MeReal)(i % 3 - 1),
+                                axes[k][1] + noise * (MeReal)(i / 3 % 3 - 1), axes[k][2] + noise * (MeReal)(i / 9 - 1));
+            MdtContactGetDirection(c, now);
+            assert_vec3_near(now, before[0], before[1], before[2], 3 * (double)noise);
+        }
+    }
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 START_TEST(box_friction_is_a_box) {
     Ball s = makeBlock(9.81);
     MeVector3 v;
@@ -510,6 +554,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, impacts_below_the_threshold_do_not_bounce);
     tcase_add_test(t, a_bouncing_ball_comes_to_rest_and_stays);
     tcase_add_test(t, box_friction_of_10_holds_9_and_lets_11_slide_with_1);
+    tcase_add_test(t, what_may_be_rounding_of_places_moves_nothing);
+    tcase_add_test(t, the_primary_direction_does_not_hang_on_rounding);
     tcase_add_test(t, box_friction_is_a_box);
     tcase_add_test(t, frictionless_and_infinite_friction);
     tcase_add_test(t, friction_1d_acts_along_the_primary_direction);

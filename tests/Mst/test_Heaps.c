@@ -1,12 +1,15 @@
-/* Towers that a ball brings down: nothing leaves the finite numbers, and few steps are inexact. */
+/* Towers that a ball brings down, heaps that fall and go to sleep: nothing leaves the finite numbers, few steps are
+ * inexact, and what sleeps does not sleep inside something. */
 #include "Mst.h"
 #include "karma_test.h"
 
-enum { BOXES = 20, TOWERS = 8, STEPS = 500, THROW = 100, IN_STEPS = 50 };
+enum { BOXES = 20, TOWERS = 8, STEPS = 500, THROW = 100, IN_STEPS = 50, CUBES = 60 };
 
 static MstUniverseID u;
 static McdModelID box[BOXES], ball;
 static MeMatrix4 floorTM;
+static MdtBodyID body[CUBES];
+static int numBodies;
 
 static void place(McdModelID m, double x, double y, double z, double turn) {
     MdtBodyID b = McdModelGetBody(m);
@@ -19,7 +22,10 @@ static void place(McdModelID m, double x, double y, double z, double turn) {
 
 static void makeWorld(void) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
-    sizes.dynamicConstraintsMaxCount = 2000;
+    MeMatrix3 R;
+    numBodies = 0;
+    sizes.dynamicConstraintsMaxCount = 4000;
+    sizes.collisionPairsMaxCount = 2000;
     u = MstUniverseCreate(&sizes);
     MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
     MdtWorldSetEpsilon(u->world, 0);
@@ -28,13 +34,12 @@ static void makeWorld(void) {
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
     MdtContactParamsSetFrictionCoeffecient(p, (MeReal).5);
-}
-
-static void makeModels(void) {
-    MeMatrix3 R;
     MeMatrix3MakeRotationX(R, -ME_PI / 2);
     MeMatrix4TMMakeFromRotationAndPosition(floorTM, R, 0, 0, 0);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
+}
+
+static void makeModels(void) {
     McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
     for (int i = 0; i < BOXES; i++) {
         box[i] = MstModelAndBodyCreate(u, cube, 1);
@@ -78,7 +83,79 @@ START_TEST(towers_come_down_in_finite_numbers) {
 }
 END_TEST
 
+static MdtBodyID makeCube(McdGeometryID cube) {
+    return body[numBodies++] = McdModelGetBody(MstModelAndBodyCreate(u, cube, 1));
+}
+
+/* How deep the deepest contact is, awake or asleep. */
+static double deepest(void) {
+    MdtReport report;
+    for (int i = 0; i < numBodies; i++)
+        MdtBodyEnable(body[i]);
+    MstUniverseStep(u, (MeReal)1e-5);
+    ck_assert(MdtWorldGetReport(u->world, &report));
+    return (double)report.penetration;
+}
+
+START_TEST(nothing_falls_asleep_inside_something) {
+    makeWorld();
+    McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int i = 0; i < 5; i++)
+        MdtBodySetPosition(makeCube(cube), (MeReal)(3 * i), (MeReal)(.5 - .01 * i), 0);
+    for (int i = 0; i < 200; i++)
+        MstUniverseStep(u, (MeReal)(1. / 60));
+    ck_assert_int_eq(MdtWorldGetEnabledBodies(u->world), 0);
+    const double deep = deepest();
+    ck_assert_msg(deep < 5e-4, "%g m deep", deep);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+static unsigned int seed;
+static double chance(double from, double to) {
+    seed = seed * 1664525u + 1013904223u;
+    return from + (to - from) * (seed >> 8) / (1 << 24);
+}
+
+/* Cubes turned any way, thrown onto each other. */
+static void makeHeap(void) {
+    McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    seed = 1;
+    for (int i = 0; i < CUBES; i++) {
+        MdtBodyID b = makeCube(cube);
+        MeVector4 q;
+        MdtBodySetPosition(b, (MeReal)chance(-2, 2), (MeReal)(2 + 1.2 * (i / 4)), (MeReal)chance(-2, 2));
+        for (int k = 0; k < 4; k++)
+            q[k] = (MeReal)chance(-.5, .5);
+        MdtBodySetQuaternion(b, q[0], q[1], q[2], q[3]);
+    }
+}
+
+START_TEST(a_heap_settles_and_sleeps) {
+    enum { MOST = 900 };
+    int inexact = 0, steps = 0;
+    messages_catch();
+    makeWorld();
+    makeHeap();
+    for (; steps < MOST && (steps == 0 || MdtWorldGetEnabledBodies(u->world) > 0); steps++) {
+        MdtReport report;
+        MstUniverseStep(u, (MeReal)(1. / 60));
+        ck_assert(MdtWorldGetReport(u->world, &report));
+        inexact += report.fallbacks > 0;
+    }
+    ck_assert_int_eq(caught.warnings, 0);
+    messages_release();
+    printf("%d cubes sleep after %d steps, %d of them inexact\n", CUBES, steps, inexact);
+    ck_assert_int_lt(steps, MOST);
+    ck_assert_int_le(inexact, steps / IN_STEPS);
+    ck_assert(deepest() < 5e-4);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
 static void tests(TCase *t) {
+    tcase_add_test(t, nothing_falls_asleep_inside_something);
+    tcase_add_test(t, a_heap_settles_and_sleeps);
     tcase_add_test(t, towers_come_down_in_finite_numbers);
 }
 

@@ -14,7 +14,7 @@ extern "C" {
 #define SCENE_FRAME (1.0 / 60) /* s, one picture of a game */
 #define SCENE_WORLD (-1)       /* in place of a body's index */
 
-enum { SCENE_MAX_BODIES = 128, SCENE_MAX_JOINTS = 128, SCENE_MAX_ERRORS = 3 };
+enum { SCENE_MAX_BODIES = 320, SCENE_MAX_JOINTS = 128, SCENE_MAX_ERRORS = 3 };
 
 typedef struct SceneState {
     double position[3];   /* m, of the centre of mass */
@@ -83,6 +83,7 @@ struct Scene {
     int count;        /* of links, where several are alike */
     double duration;  /* s, at most */
     bool bounces;     /* needs restitution */
+    bool hasEdges;    /* edges meet faces: needs an engine that finds contacts itself (contacts.h does not) */
     SceneError errors[SCENE_MAX_ERRORS];
     void (*build)(const Scene *scene, SceneWorld *world);
     void (*observe)(SceneTrace *trace, const SceneWorld *world, const SceneState states[], double time);

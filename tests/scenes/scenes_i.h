@@ -16,7 +16,11 @@ extern const Scene scenes_pendulum, scenes_hinge, scenes_top;
 extern const Scene scenes_chain10, scenes_chain100, scenes_chain1000, scenes_chain1e5, scenes_chain100Links;
 extern const Scene scenes_levelChain, scenes_levelChain1000;
 extern const Scene scenes_tumbling, scenes_projectile, scenes_bounce, scenes_cradle;
-extern const Scene scenes_heavy100, scenes_heavy1e4, scenes_heavy1e6, scenes_tower, scenes_shakenTower, scenes_longTower;
+extern const Scene scenes_heavy100, scenes_heavy1e4, scenes_heavy1e6, scenes_tower, scenes_shakenTower,
+    scenes_longTower;
+extern const Scene scenes_towerCentimetre, scenes_towerDecimetre, scenes_towerMetre, scenes_towerTen,
+    scenes_towerHundred;
+extern const Scene scenes_cards, scenes_longCards, scenes_heap;
 extern const Scene scenes_incline, scenes_isotropy, scenes_rolling, scenes_backspin, scenes_block;
 
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Stacks of cubes of 1 m */
+/* Stacks of cubes, of 1 m but where another size is given */
 
 static void addCube(SceneWorld *w, double mass, double y) {
     scene_addBox(w, mass, 1, 1, 1, 0, y, 0)->friction = .5;
@@ -39,6 +39,41 @@ static void watchHeavyOnLight(SceneTrace *t, const SceneWorld *w, const SceneSta
     }
 const Scene scenes_heavy100 = HEAVY_ON_LIGHT("100", 100), scenes_heavy1e4 = HEAVY_ON_LIGHT("1e4", 1e4),
             scenes_heavy1e6 = HEAVY_ON_LIGHT("1e6", 1e6);
+
+/* Ten cubes of one size: what holds must not depend on metres. */
+
+enum { SIZED_STOREYS = 10 };
+
+/* As dense as water. */
+static void buildSizedTower(const Scene *s, SceneWorld *w) {
+    const double size = s->parameter, mass = 1000 * size * size * size;
+    scenes_setDown(w);
+    w->collides = true;
+    for (int i = 0; i < SIZED_STOREYS; i++)
+        scene_addBox(w, mass, size, size, size, 0, (i + .5) * size, 0)->friction = .5;
+}
+
+static void watchSizedTower(SceneTrace *t, const SceneWorld *w, const SceneState states[], double time) {
+    const double size = 2 * w->bodies[0].half[0];
+    (void)time;
+    for (int i = 0; i < w->numBodies; i++) {
+        scenes_note(t, 0, (w->bodies[i].start.position[1] - states[i].position[1]) / size);
+        scenes_note(t, 1, hypot(states[i].position[0], states[i].position[2]) / size);
+    }
+}
+
+#define SIZED_TOWER(label, size)                                                                                       \
+    {                                                                                                                  \
+        .name = "tower-" label "m",                                                                                    \
+        .text =                                                                                                        \
+            "10 cubes of " label " m, as dense as water, on each other, 30 s: largest sink and largest way to the "    \
+            "side, of a cube's size",                                                                                  \
+        .parameter = size, .duration = 30, .errors = {{"sink", .7, 1e-3}, {"side", .5, 1e-3}},                         \
+        .build = buildSizedTower, .observe = watchSizedTower, .measure = scenes_copyWorst,                             \
+    }
+const Scene scenes_towerCentimetre = SIZED_TOWER(".01", .01), scenes_towerDecimetre = SIZED_TOWER(".1", .1),
+            scenes_towerMetre = SIZED_TOWER("1", 1), scenes_towerTen = SIZED_TOWER("10", 10),
+            scenes_towerHundred = SIZED_TOWER("100", 100);
 
 enum { STOREYS = 20 };
 

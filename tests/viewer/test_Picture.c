@@ -20,11 +20,16 @@ static void stop(void) {
     messages_release();
 }
 
+static void drawFrame(void) {
+    r_frame(rc, NULL);
+    r_drawNow(rc);
+}
+
 /* Draws n frames and reads the last one. */
 static RPicture shoot(int n) {
     RPicture p;
     while (n-- > 0)
-        r_frame(rc, NULL);
+        drawFrame();
     ck_assert(r_drawRead(rc, &p));
     return p;
 }
@@ -340,14 +345,14 @@ START_TEST(vertices_may_change) {
     r_free(p.rgba);
     for (int i = 0; i < 100; i++) { /* Another mesh in every frame: old ones are forgotten. */
         g->m_pVertices[0].m_X = (AcmeReal)i;
-        r_frame(rc, NULL);
+        drawFrame();
     }
     g->m_pObject->m_nNumVertices = 0;
-    r_frame(rc, NULL);
+    drawFrame();
     assert_silent();
     g->m_pObject->m_nNumVertices = g->m_nMaxNumVertices + 3;
-    r_frame(rc, NULL);
-    r_frame(rc, NULL);
+    drawFrame();
+    drawFrame();
     ck_assert_int_eq(caught.warnings, 1);
     assert_warned("vertices");
     stop();

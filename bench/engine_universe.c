@@ -1,0 +1,153 @@
+/* Karma as programs use it: a universe, whose contacts Mcd finds and the bridge makes; rigid (epsilon 0). Every friction
+ * and restitution that there is among the bodies becomes a material. */
+#include "engine.h"
+#include "karma_body.h"
+
+#include "MeVersion.h"
+#include "Mst.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { MAX_MATERIALS = 16, CONTACTS_PER_BODY = 40, PAIRS_PER_BODY = 16 };
+
+struct EngineWorld {
+    MstUniverseID universe;
+    MeMatrix4 ground;
+    MdtBodyID bodies[SCENE_MAX_BODIES];
+    double forces[SCENE_MAX_BODIES][3]; /* N */
+    int numBodies;
+    const SceneBody *materials[MAX_MATERIALS]; /* a body of each; null: the ground's, which has no friction */
+    int numMaterials;
+    bool isStrict, hasFallenBack;
+};
+
+static EngineWorld *create(int setting, const double gravity[3], bool collides) {
+    (void)collides;
+    EngineWorld *w = calloc(1, sizeof *w);
+    if (!w)
+        abort();
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    sizes.dynamicBodiesMaxCount = SCENE_MAX_BODIES;
+    sizes.collisionModelsMaxCount = SCENE_MAX_BODIES + 1;
+    sizes.collisionPairsMaxCount = PAIRS_PER_BODY * SCENE_MAX_BODIES;
+    sizes.dynamicConstraintsMaxCount = CONTACTS_PER_BODY * SCENE_MAX_BODIES;
+    sizes.materialsMaxCount = MAX_MATERIALS;
+    w->universe = MstUniverseCreate(&sizes);
+    w->numMaterials = 1;
+    w->isStrict = setting == ENGINE_STRICT;
+    karma_setWorld(w->universe->world, gravity);
+    if (w->isStrict)
+        MdtWorldEnableReport(w->universe->world);
+    return w;
+}
+
+/* A plane's normal is the z of its transform. */
+static void addGround(EngineWorld *w) {
+    MeMatrix3 upright;
+    MeMatrix3MakeRotationX(upright, -ME_PI / 2);
+    MeMatrix4TMMakeFromRotationAndPosition(w->ground, upright, 0, 0, 0);
+    MstFixedModelCreate(w->universe, McdPlaneCreate(w->universe->frame), w->ground);
+}
+
+/* Where two touch, the larger friction and the larger restitution hold. */
+static void mixMaterials(const EngineWorld *w, int m1, int m2) {
+    const SceneBody *a = w->materials[m1], *b = w->materials[m2];
+    karma_setSurface(MstBridgeGetContactParams(w->universe->bridge, (MstMaterialID)m1, (MstMaterialID)m2),
+                     fmax(a ? a->friction : 0, b ? b->friction : 0),
+                     fmax(a ? a->restitution : 0, b ? b->restitution : 0));
+}
+
+static int materialOf(EngineWorld *w, const SceneBody *b) {
+    for (int i = 1; i < w->numMaterials; i++)
+        if (w->materials[i]->friction == b->friction && w->materials[i]->restitution == b->restitution)
+            return i;
+    const int material = (int)MstBridgeGetNewMaterial(w->universe->bridge);
+    w->materials[material] = b;
+    w->numMaterials = material + 1;
+    for (int i = 0; i <= material; i++)
+        mixMaterials(w, material, i);
+    return material;
+}
+
+static McdGeometryID shapeOf(const EngineWorld *w, const SceneBody *b) {
+    const McdFrameworkID frame = w->universe->frame;
+    if (b->shape == SCENE_SPHERE)
+        return McdSphereCreate(frame, (MeReal)b->half[0]);
+    return McdBoxCreate(frame, (MeReal)(2 * b->half[0]), (MeReal)(2 * b->half[1]), (MeReal)(2 * b->half[2]));
+}
+
+static double volumeOf(const SceneBody *b) {
+    const double cuboid = b->half[0] * b->half[1] * b->half[2];
+    return b->shape == SCENE_SPHERE ? 4 * (double)ME_PI / 3 * cuboid : 8 * cuboid;
+}
+
+static void addBody(EngineWorld *w, const SceneBody *b) {
+    const McdModelID m = MstModelAndBodyCreate(w->universe, shapeOf(w, b), (MeReal)(b->mass / volumeOf(b)));
+    McdModelSetMaterial(m, materialOf(w, b));
+    for (int i = 0; i < 3; i++)
+        w->forces[w->numBodies][i] = b->force[i];
+    w->bodies[w->numBodies++] = McdModelGetBody(m);
+    karma_setState(McdModelGetBody(m), &b->start);
+}
+
+static MdtBodyID bodyAt(const EngineWorld *w, int index) {
+    return index == SCENE_WORLD ? 0 : w->bodies[index];
+}
+
+static void addJoint(EngineWorld *w, const SceneJoint *j) {
+    karma_join(w->universe->world, bodyAt(w, j->child), bodyAt(w, j->parent), j);
+}
+
+static void step(EngineWorld *w, double h) {
+    for (int i = 0; i < w->numBodies; i++)
+        karma_push(w->bodies[i], w->forces[i]);
+    MstUniverseStep(w->universe, (MeReal)h);
+    if (w->isStrict) {
+        MdtReport report;
+        MdtWorldGetReport(w->universe->world, &report);
+        w->hasFallenBack |= report.fallbacks > 0;
+    }
+}
+
+static void getState(EngineWorld *w, int body, SceneState *s) {
+    karma_getState(w->bodies[body], s);
+}
+
+static bool hasGivenUp(EngineWorld *w) {
+    return w->hasFallenBack;
+}
+
+static void destroy(EngineWorld *w) {
+    MstUniverseDestroy(w->universe);
+    free(w);
+}
+
+static const char *const settings[] = {"universe", NULL};
+
+#ifdef _ME_API_DOUBLE
+#define NAME            "Karma double"
+#define ABOUT           "double precision"
+#define ENGINE_UNIVERSE engine_universe_double
+#else
+#define NAME            "Karma single"
+#define ABOUT           "single precision"
+#define ENGINE_UNIVERSE engine_universe_single
+#endif
+
+MEPUBLIC extern const Engine ENGINE_UNIVERSE;
+const Engine ENGINE_UNIVERSE = {
+    .name = NAME,
+    .version = ME_VERSION_STRING,
+    .about = ABOUT "; epsilon 0, gamma .2, the friction cone; contacts by Mcd, ahead of touch, through the bridge",
+    .settings = settings,
+    .bounces = true,
+    .create = create,
+    .addGround = addGround,
+    .addBody = addBody,
+    .addJoint = addJoint,
+    .step = step,
+    .getState = getState,
+    .hasGivenUp = hasGivenUp,
+    .destroy = destroy,
+};

@@ -1,0 +1,66 @@
+/* What Karma's engines have in common: the states of bodies, the forces on them, and joints. */
+#ifndef BENCH_KARMA_BODY_H
+#define BENCH_KARMA_BODY_H
+
+#include "scene.h"
+
+#include "Mdt.h"
+
+static inline void karma_setState(MdtBodyID body, const SceneState *s) {
+    MdtBodySetPosition(body, (MeReal)s->position[0], (MeReal)s->position[1], (MeReal)s->position[2]);
+    MdtBodySetQuaternion(body, (MeReal)s->quaternion[0], (MeReal)s->quaternion[1], (MeReal)s->quaternion[2],
+                         (MeReal)s->quaternion[3]);
+    MdtBodySetLinearVelocity(body, (MeReal)s->velocity[0], (MeReal)s->velocity[1], (MeReal)s->velocity[2]);
+    MdtBodySetAngularVelocity(body, (MeReal)s->spin[0], (MeReal)s->spin[1], (MeReal)s->spin[2]);
+    MdtBodyEnable(body);
+}
+
+static inline void karma_getState(MdtBodyID body, SceneState *s) {
+    MeVector3 position, velocity, spin;
+    MeVector4 quaternion;
+    MdtBodyGetPosition(body, position);
+    MdtBodyGetQuaternion(body, quaternion);
+    MdtBodyGetLinearVelocity(body, velocity);
+    MdtBodyGetAngularVelocity(body, spin);
+    s->quaternion[0] = (double)quaternion[0];
+    for (int i = 0; i < 3; i++) {
+        s->position[i] = (double)position[i];
+        s->quaternion[i + 1] = (double)quaternion[i + 1];
+        s->velocity[i] = (double)velocity[i];
+        s->spin[i] = (double)spin[i];
+    }
+}
+
+static inline void karma_push(MdtBodyID body, const double force[3]) {
+    if (scene_dot(force, force) > 0)
+        MdtBodyAddForce(body, (MeReal)force[0], (MeReal)force[1], (MeReal)force[2]);
+}
+
+/* Nothing comes to rest, and everything is rigid. */
+static inline void karma_setWorld(MdtWorldID world, const double gravity[3]) {
+    MdtWorldSetAutoDisable(world, 0);
+    MdtWorldSetEpsilon(world, 0);
+    MdtWorldSetGravity(world, (MeReal)gravity[0], (MeReal)gravity[1], (MeReal)gravity[2]);
+}
+
+static inline void karma_join(MdtWorldID world, MdtBodyID child, MdtBodyID parent, const SceneJoint *j) {
+    const MdtConstraintID c = j->kind == SCENE_HINGE ? MdtHingeQuaConstraint(MdtHingeCreate(world))
+                                                     : MdtBSJointQuaConstraint(MdtBSJointCreate(world));
+    MdtConstraintSetBodies(c, child, parent);
+    MdtConstraintSetPosition(c, (MeReal)j->point[0], (MeReal)j->point[1], (MeReal)j->point[2]);
+    if (j->kind == SCENE_HINGE)
+        MdtConstraintSetAxis(c, (MeReal)j->axis[0], (MeReal)j->axis[1], (MeReal)j->axis[2]);
+    MdtConstraintEnable(c);
+}
+
+/* The friction cone, and how much it bounces. */
+static inline void karma_setSurface(MdtContactParamsID p, double friction, double restitution) {
+    if (friction > 0) {
+        MdtContactParamsSetType(p, MdtContactTypeFriction2D);
+        MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
+        MdtContactParamsSetFrictionCoeffecient(p, (MeReal)friction);
+    }
+    MdtContactParamsSetRestitution(p, (MeReal)restitution);
+}
+
+#endif

@@ -1,0 +1,29 @@
+/* The hard cases through the whole pipeline: Mcd finds the contacts, the bridge makes them, Mdt solves. Scenes and references
+ * are those of tests/scenes; here stand the errors that are kept at 60 Hz, one step a frame, and at four. Every step is
+ * exact by its own report, and every run has the same bits twice. */
+#ifndef CASES_H
+#define CASES_H
+
+#include "bounds.h"
+#include "karma_test.h"
+
+#ifdef _ME_API_DOUBLE
+#define UNIVERSE &engine_universe_double
+#else
+#define UNIVERSE &engine_universe_single
+#endif
+
+#define assert_kept(count, bounds)                                                                                     \
+    do {                                                                                                               \
+        messages_catch();                                                                                              \
+        const int broken_ = count(bounds, (int)(sizeof(bounds) / sizeof *(bounds)), UNIVERSE, ENGINE_STRICT);          \
+        messages_release();                                                                                            \
+        assert_silent();                                                                                               \
+        ck_assert_msg(broken_ == 0, "%d errors are too large", broken_);                                               \
+    } while (0)
+
+#define assert_cases(bounds) assert_kept(bounds_countBrokenCases, bounds)
+/* One run each: for what takes long. */
+#define assert_once(bounds) assert_kept(bounds_countBroken, bounds)
+
+#endif
