@@ -56,8 +56,8 @@ struct _McdGeometry {
 
 /** A model. The rest of it is hidden; use the functions of McdModel.h. */
 struct _McdModel {
-    void *mBody;       /**< What McdModelSetBodyData stored: with the Simulation Toolkit, the MdtBodyID. Null by default. */
-    McdModel *mOfBody; /**< The Simulation Toolkit's: the next model of the same body. */
+    void *mBody; /**< What McdModelSetBodyData stored: with the Simulation Toolkit, the MdtBodyID. Null by default. */
+    McdModel *mOfBody;               /**< The Simulation Toolkit's: the next model of the same body. */
     void(MEAPI *mLeave)(McdModel *); /**< The Simulation Toolkit's: called before the model is destroyed or reset. */
 };
 
@@ -86,6 +86,8 @@ struct _McdModelPair {
     void *responseData;      /**< Collision response's: the Simulation Toolkit keeps its contact group here. */
     McdModelPairPhase phase; /**< Set by the space. */
     void *cache;             /**< What McdHello prepared; private to the interaction. */
+    void *touch;             /**< The Simulation Toolkit's: what its events know of the pair. */
+    void(MEAPI *forget)(McdModelPair *); /**< The Simulation Toolkit's: called before the space takes the pair back. */
 };
 
 /**

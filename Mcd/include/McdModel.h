@@ -24,6 +24,8 @@ MEPUBLIC void MEAPI McdModelDestroy(McdModelID cm);
 MEPUBLIC void MEAPI McdModelReset(McdModelID cm);
 /** Is it a live model? */
 MEPUBLIC MeBool MEAPI McdModelIsValid(McdModelID cm);
+/** The how-manieth model of its framework it is, from 1 on: no two models ever have the same. 0 for what is no model. */
+MEPUBLIC MeU64 MEAPI McdModelGetSerial(McdModelID cm);
 /** @} */
 
 /** @name Shape
@@ -93,10 +95,34 @@ MEPUBLIC void MEAPI McdModelSetContactTolerance(McdModelID cm, MeReal tolerance)
 MEPUBLIC MeReal MEAPI McdModelGetContactTolerance(McdModelID cm);
 /**
  * Fast models: whether the space looks ahead along the motion of this model, so that it meets what it would jump over
- * (see McdSpacePathUpdateAll and McdSafeTime). Default: no.
+ * (see McdSpacePathUpdateAll and McdSafeTime). In a universe, MstUniverseStep moves it continuously then: up to what it
+ * meets, and on from there. Default: no.
  */
 MEPUBLIC void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept);
 MEPUBLIC MeBool MEAPI McdModelIsSwept(McdModelID cm);
+/**
+ * Of a model that is swept and, as of its space's last update, so fast that in the time that the space looks ahead some
+ * point of it may get farther than half of its thickness: how near it must be to have contacts, m. Whom it meets on
+ * its way, and when, McdSafeTime says. 0: it is not fast. Beyond Karma.
+ */
+MEPUBLIC MeReal MEAPI McdModelGetFastMargin(McdModelID cm);
+/**
+ * A sensor tells what overlaps it and pushes nothing: the Simulation Toolkit makes events of its pairs (MstEvents.h) and
+ * no contacts. Default: no. Legal anywhere. Beyond Karma.
+ */
+MEPUBLIC void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor);
+MEPUBLIC MeBool MEAPI McdModelIsSensor(McdModelID cm);
+/**
+ * Which models it meets: two make a pair only if each one's category has a bit that is in the other one's mask. Default:
+ * category 1, mask 0xffffffff. Two models of the same group, if that is not 0, go by the group alone: a positive one always
+ * makes pairs, a negative one never. Default 0. Legal anywhere; in a space from the end of the next change block on, where
+ * pairs say hello or goodbye; pairs of two frozen models say nothing before one is unfrozen, but for goodbyes. Beyond Karma.
+ */
+MEPUBLIC void MEAPI McdModelSetFilter(McdModelID cm, MeU32 category, MeU32 mask);
+MEPUBLIC void MEAPI McdModelSetFilterGroup(McdModelID cm, int group);
+MEPUBLIC MeU32 MEAPI McdModelGetFilterCategory(McdModelID cm);
+MEPUBLIC MeU32 MEAPI McdModelGetFilterMask(McdModelID cm);
+MEPUBLIC int MEAPI McdModelGetFilterGroup(McdModelID cm);
 /** 0 .. 32767: pairs come in the order of sort keys, then of creation. Default 0. Not while in a space. */
 MEPUBLIC void MEAPI McdModelSetSortKey(McdModelID cm, MeI16 key);
 MEPUBLIC MeI16 MEAPI McdModelGetSortKey(McdModelID cm);

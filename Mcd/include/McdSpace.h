@@ -160,7 +160,7 @@ MEPUBLIC MeBool MEAPI McdSpaceIsFrozen(McdModelID cm);
 MEPUBLIC MeBool MEAPI McdSpaceDisablePair(McdModelID cm1, McdModelID cm2);
 /** The opposite. */
 MEPUBLIC MeBool MEAPI McdSpaceEnablePair(McdModelID cm1, McdModelID cm2);
-/** 0 for pairs that are disabled or culled, and for models that are not in the same space. Legal anywhere. */
+/** 0 for pairs that are disabled, culled or filtered (McdModelSetFilter), and for models that are not in the same space. Legal anywhere. */
 MEPUBLIC MeBool MEAPI McdSpacePairIsEnabled(McdModelID cm1, McdModelID cm2);
 /** Two models act as disabled if they have the same table and ID and the table's flag for their indices is set. Null
  *  as table: none. An index that the table does not have gets a warning. Inside only. */

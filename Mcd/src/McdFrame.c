@@ -10,6 +10,7 @@ struct McdTermActionLink {
 static const McdRequest builtInRequest = {20};
 
 void (*mcd_spaceForget)(McdModelID cm) = 0;
+void (*mcd_spaceFilter)(McdModelID cm) = 0;
 
 MeBool mcd_frameCheck(McdFrameworkID frame, const char *function) {
     if (frame && frame->magic == MCD_FRAMEWORK)

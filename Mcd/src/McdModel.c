@@ -16,6 +16,12 @@ MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b) {
 
 /* ---- life ---------------------------------------------------------------------------------------------------- */
 
+static void setFilter(McdModelRecord *m, McdFilter filter) {
+    m->filter = filter;
+    if (m->space)
+        mcd_spaceFilter(&m->model);
+}
+
 /* Everything but its geometry, its space and its place in the framework. */
 static void setDefaults(McdModelRecord *m) {
     m->model.mBody = 0;
@@ -25,7 +31,8 @@ static void setDefaults(McdModelRecord *m) {
     m->ownsRelative = MEFALSE;
     m->linearVelocity = m->angularVelocity = 0;
     m->tolerance = m->frame->tolerance;
-    m->isSwept = MEFALSE;
+    m->isSwept = m->isSensor = m->isFast = MEFALSE;
+    setFilter(m, (McdFilter){.category = 1, .mask = 0xffffffffu, .group = 0});
     m->requestId = McdModelGetDefaultRequestID();
     m->update = 0;
     m->intersect = 0;
@@ -138,6 +145,10 @@ void MEAPI McdModelReset(McdModelID cm) {
 
 MeBool MEAPI McdModelIsValid(McdModelID cm) {
     return cm && mcd_record(cm)->magic == MCD_MODEL;
+}
+
+MeU64 MEAPI McdModelGetSerial(McdModelID cm) {
+    return McdModelIsValid(cm) ? mcd_record(cm)->serial : 0;
 }
 
 /* ---- shape ---------------------------------------------------------------------------------------------------- */
@@ -420,6 +431,49 @@ void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept) {
 MeBool MEAPI McdModelIsSwept(McdModelID cm) {
     const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsSwept");
     return m && m->isSwept;
+}
+
+MeReal MEAPI McdModelGetFastMargin(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFastMargin");
+    return m && m->isFast ? m->ahead : 0;
+}
+
+void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetSensor");
+    if (m)
+        m->isSensor = sensor != 0;
+}
+
+MeBool MEAPI McdModelIsSensor(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsSensor");
+    return m && m->isSensor;
+}
+
+void MEAPI McdModelSetFilter(McdModelID cm, MeU32 category, MeU32 mask) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetFilter");
+    if (m)
+        setFilter(m, (McdFilter){.category = category, .mask = mask, .group = m->filter.group});
+}
+
+void MEAPI McdModelSetFilterGroup(McdModelID cm, int group) {
+    McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetFilterGroup");
+    if (m)
+        setFilter(m, (McdFilter){.category = m->filter.category, .mask = m->filter.mask, .group = group});
+}
+
+MeU32 MEAPI McdModelGetFilterCategory(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFilterCategory");
+    return m ? m->filter.category : 0;
+}
+
+MeU32 MEAPI McdModelGetFilterMask(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFilterMask");
+    return m ? m->filter.mask : 0;
+}
+
+int MEAPI McdModelGetFilterGroup(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFilterGroup");
+    return m ? m->filter.group : 0;
 }
 
 void MEAPI McdModelSetSortKey(McdModelID cm, MeI16 key) {

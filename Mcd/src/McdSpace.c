@@ -1,5 +1,6 @@
 /* Spaces: change blocks, models and their boxes, handing over pairs. Which pairs there are is found in mcd_pairs.c. */
 #include "mcd_space_i.h"
+#include "mcd_motion.h"
 #include <string.h>
 
 const int McdXAxis = 1, McdYAxis = 2, McdZAxis = 4, McdAllAxes = 7;
@@ -123,6 +124,13 @@ static void forget(McdModelID cm) {
     releaseModel(m->space, p);
 }
 
+static void takeFilter(McdModelID cm) {
+    McdModelRecord *m = mcd_record(cm);
+    McdProxy *p = m->proxy;
+    p->filter = m->filter;
+    mcd_proxyTouch(m->space, indexOf(m->space, p));
+}
+
 McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int objectCount, int pairCount) {
     if (!checkSizes(framework, axes, objectCount, pairCount))
         return 0;
@@ -142,6 +150,7 @@ McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int
     for (int i = 0; i < objectCount; i++)
         s->proxy[i].next = i + 1 < objectCount ? i + 1 : MCD_NONE;
     mcd_spaceForget = forget;
+    mcd_spaceFilter = takeFilter;
     framework->spaceCount++;
     return s;
 }
@@ -343,10 +352,35 @@ static void updateBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
 
 static void lookNowhere(McdModelRecord *m) {
     m->lookAhead = m->ahead = m->turnAhead = 0;
+    m->isFast = MEFALSE;
 }
 
 static MeReal rateOf(const MeReal *velocity) {
     return velocity ? MeVector3Magnitude(velocity) : 0;
+}
+
+/* Half of its least extent along its own axes. */
+static MeReal thicknessOf(McdModelRecord *m, MeReal most) {
+    MeReal least = most;
+    for (int i = 0; i < 3; i++) {
+        MeVector3 axis, back, high, low;
+        MeVector3Copy(axis, m->instance.tm[i]);
+        MeVector3MultiplyScalar(back, axis, -1);
+        McdGeometryInstanceMaximumPoint(&m->instance, axis, high);
+        McdGeometryInstanceMaximumPoint(&m->instance, back, low);
+        MeVector3Subtract(high, high, low);
+        least = MeMIN(least, MeVector3Dot(high, axis) / 2);
+    }
+    return MeMAX(least, 0);
+}
+
+/* A swept model that gets far is asked when it touches (McdSafeTime), and has contacts only when it is there: ahead of
+ * time, they would speak of where it is now, not of where it comes to. */
+static void sweep(McdModelRecord *m, MeReal reach, MeReal way, MeReal turn) {
+    const MeReal thickness = thicknessOf(m, reach);
+    m->isFast = way + turn > thickness;
+    m->ahead = m->isFast ? MeMAX((MeReal)0.02 * thickness, (MeReal)(3 * MCD_TOUCH) * reach) : way + turn;
+    m->turnAhead = MeMIN(turn, m->ahead);
 }
 
 /* How far the model may get in the time that the space looks ahead: no farther than its own radius, or things that it
@@ -364,6 +398,8 @@ static void lookAhead(const McdSpace *s, McdModelRecord *m) {
     m->lookAhead = s->lookAhead;
     m->turnAhead = MeMIN(turn, radius);
     m->ahead = MeMIN(way + turn, radius);
+    if (m->isSwept)
+        sweep(m, reach, way, turn);
     if (!MeRealIsValid(m->ahead) || !MeRealIsValid(m->turnAhead))
         lookNowhere(m);
 }
@@ -564,6 +600,7 @@ static MeBool wasUpdated(const McdModelRecord *m) {
 static void insert(McdSpace *s, McdModelRecord *m) {
     McdProxy *p = takeProxy(s);
     p->model = m;
+    p->filter = m->filter;
     p->order = (MeU64)(MeU16)m->sortKey << 48 | ((MeU64)m->serial & 0xffffffffffffull);
     m->space = s;
     m->proxy = p;

@@ -57,6 +57,12 @@ MeBool mcd_instanceCheck(const McdGeometryInstance *ins, const char *function);
 
 /* ---- models -------------------------------------------------------------------------------------------------- */
 
+/* Which models meet, see McdModelSetFilter. */
+typedef struct McdFilter {
+    MeU32 category, mask;
+    int group;
+} McdFilter;
+
 typedef struct McdModelRecord {
     McdModel model; /* what programs see: first */
     MeU32 magic;
@@ -69,7 +75,9 @@ typedef struct McdModelRecord {
     MeReal *linearVelocity, *angularVelocity;
     MeReal tolerance;
     MeReal lookAhead, ahead, turnAhead; /* s; m, how far it may get in that time, and by turning alone */
-    MeBool isSwept;
+    MeBool isSwept, isSensor;
+    MeBool isFast; /* in the time that the space looks ahead */
+    McdFilter filter;
     MeI16 sortKey;
     int requestId;
     McdModelUpdateFnPtr update;
@@ -96,6 +104,8 @@ void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm);
 /* Takes a model out of whatever space it is in, at once; McdFrameworkDestroyAllModelsAndGeometries needs it. The space
  * sets this hook when one is created, so that a program without spaces does not link them. */
 extern void (*mcd_spaceForget)(McdModelID cm);
+/* The same for a model in a space whose filter is another one now. */
+extern void (*mcd_spaceFilter)(McdModelID cm);
 
 /* ---- frameworks ---------------------------------------------------------------------------------------------- */
 

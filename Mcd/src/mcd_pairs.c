@@ -83,7 +83,13 @@ static McdPairRecord *takePair(McdSpace *s) {
     return record;
 }
 
+static void forgetPair(McdPairRecord *record) {
+    if (record->pair.forget)
+        record->pair.forget(&record->pair);
+}
+
 static void givePair(McdSpace *s, McdPairRecord *record) {
+    forgetPair(record);
     memset(record, 0, sizeof *record);
     record->nextFree = s->freePair;
     s->freePair = record;
@@ -215,6 +221,13 @@ static MeBool isCulled(const McdProxy *a, const McdProxy *b) {
            McdCullingTableGet(a->table, (MeU32)a->cullingIndex, (MeU32)b->cullingIndex);
 }
 
+/* As McdModelSetFilter says. */
+static MeBool areFiltered(const McdFilter *a, const McdFilter *b) {
+    if (a->group != 0 && a->group == b->group)
+        return a->group < 0;
+    return !(a->category & b->mask) || !(b->category & a->mask);
+}
+
 /* As McdNearby says, on the axes of the space. */
 static MeBool isNear(const McdSpace *s, const McdProxy *a, const McdProxy *b) {
     const MeReal margin = a->tolerance + b->tolerance;
@@ -277,7 +290,8 @@ static void judge(McdSpace *s, int i) {
     McdLink *link = &s->link[i];
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
     const MeBool areFrozen = a->isFrozen && b->isFrozen;
-    const MeBool isPair = !link->isDisabled && isNear(s, a, b) && !isCulled(a, b);
+    const MeBool isPair =
+        !link->isDisabled && isNear(s, a, b) && !isCulled(a, b) && !areFiltered(&a->filter, &b->filter);
     if (isPair && link->record) {
         setSilent(s, i, areFrozen);
         return;
@@ -583,9 +597,11 @@ void mcd_pairsEraseProxy(McdSpace *s, int proxy) {
 
 void mcd_pairsDestroy(McdSpace *s) {
     for (int b = 0; b < s->blockCount; b++) {
-        for (int i = 0; i < MCD_PAIR_BLOCK; i++)
+        for (int i = 0; i < MCD_PAIR_BLOCK; i++) {
             if (s->block[b][i].pair.cache && s->block[b][i].pair.phase != kMcdFFStateGoodbye)
                 McdGoodbye(&s->block[b][i].pair);
+            forgetPair(&s->block[b][i]);
+        }
         MeMemoryAPI.destroy(s->block[b]);
     }
     MeMemoryAPI.destroy(s->block);
@@ -622,5 +638,6 @@ void mcd_pairsEnable(McdSpace *s, int a, int b) {
 
 MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b) {
     const int i = findLink(s, a, b);
-    return !(i != MCD_NONE && s->link[i].isDisabled) && !isCulled(&s->proxy[a], &s->proxy[b]);
+    return !(i != MCD_NONE && s->link[i].isDisabled) && !isCulled(&s->proxy[a], &s->proxy[b]) &&
+           !areFiltered(&s->proxy[a].filter, &s->proxy[b].filter);
 }

@@ -19,6 +19,8 @@ static double approach(const McdModelRecord *a, const McdModelRecord *b) {
 
 double mcd_pairMargin(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
+    if (a->isFast || b->isFast) /* what is there now: what comes, McdSafeTime says */
+        return fmax(a->isFast ? (double)a->ahead : 0, b->isFast ? (double)b->ahead : 0);
     return (double)a->tolerance + (double)b->tolerance + approach(a, b);
 }
 

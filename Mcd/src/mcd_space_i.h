@@ -28,6 +28,7 @@ typedef struct McdProxy {
     McdTreeBox fat;
     McdCullingTable *table;
     int cullingIndex, cullingID;
+    McdFilter filter; /* the model's */
     int firstLink;
     int previous, next;           /* in the order of insertion; next also links the free ones */
     int previousAwake, nextAwake; /* among those that are updated */
@@ -115,7 +116,7 @@ void mcd_pairsEraseProxy(McdSpace *s, int proxy);   /* drops its links and its p
 void mcd_pairsTidy(McdSpace *s);                    /* takes erased pairs out of the lists */
 MeBool mcd_pairsDisable(McdSpace *s, int a, int b); /* false: no memory */
 void mcd_pairsEnable(McdSpace *s, int a, int b);
-MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b); /* neither disabled nor culled */
+MeBool mcd_pairsAreEnabled(const McdSpace *s, int a, int b); /* neither disabled, culled nor filtered */
 void mcd_pairsBegin(McdSpace *s);                            /* a block begins: goodbyes become invalid */
 void mcd_pairsEnd(McdSpace *s);                              /* a block ends: finds the pairs */
 void mcd_pairsDestroy(McdSpace *s);

@@ -168,10 +168,16 @@ MEPUBLIC void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key);
 MEPUBLIC MeI32 MEAPI MdtBodyGetSortKey(const MdtBodyID b);
 /** The number of the partition that the body was in during the last step; -1: it was not simulated. */
 MEPUBLIC int MEAPI MdtBodyGetPartition(const MdtBodyID b);
+/** How many bodies that partition has; 0: it was in none. Beyond Karma. */
+MEPUBLIC int MEAPI MdtBodyGetPartitionSize(const MdtBodyID b);
 /** Seconds for which the body may move before it could hit something; used by MdtWorldStepSafeTime. Default MEINFINITY.
  *  */
 MEPUBLIC void MEAPI MdtBodySetSafeTime(const MdtBodyID b, const MeReal t);
 MEPUBLIC MeReal MEAPI MdtBodyGetSafeTime(const MdtBodyID b);
+/** How far the body is behind its world, s: what MdtWorldStepSafeTime left for MdtWorldStepRest. Beyond Karma. */
+MEPUBLIC MeReal MEAPI MdtBodyGetLag(const MdtBodyID b);
+/** By how much the body was moved on last, s: a step, or a part of one. The forces of its constraints are of that time. */
+MEPUBLIC MeReal MEAPI MdtBodyGetPart(const MdtBodyID b);
 /** Writes the body's properties with MeLog. */
 MEPUBLIC void MEAPI MdtBodyLog(const MdtBodyID b);
 /** All bodies of a world, in the order of simulation; null after the last. */

@@ -94,6 +94,9 @@ typedef MeReal(MEAPI *MdtContactImportanceCBPtr)(const MdtContactID c);
 typedef void(MEAPI *MdtBodyHandler)(const MdtBodyID b);
 typedef void(MEAPI *MdtConstraintIteratorCBPtr)(const MdtConstraintID c, void *ccbdata);
 
+/** Called for a joint that broke in the step just done; it may be destroyed, as may anything else. */
+typedef void(MEAPI *MdtBreakCBPtr)(const MdtConstraintID c);
+
 ME_END_C
 
 #endif

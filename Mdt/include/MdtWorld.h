@@ -55,6 +55,16 @@ MEPUBLIC void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize);
  * least by MdtWorldGetMinSafeTime and at most by @a stepSize.
  */
 MEPUBLIC void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize);
+/**
+ * Moves the partitions that MdtWorldStepSafeTime has left behind on, by what their bodies lack (MdtBodyGetLag), at most by
+ * the shortest of their safe times, which may be 0. Forces that were added for the step act in the rest of it as well. A
+ * partition in which an awake body is not behind stays where it is; bodies that it wakes are behind as it is. It puts
+ * nothing to rest, calls no partition callback, and leaves the report as it was. What is lacking when the next step
+ * begins is lost. Returns how many partitions it moved. Beyond Karma.
+ */
+MEPUBLIC int MEAPI MdtWorldStepRest(const MdtWorldID w);
+/** How many bodies are behind. Beyond Karma. */
+MEPUBLIC int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w);
 
 /** Gravity, m/s², world frame. Default 0. Bodies at rest are not woken: enable them when it changes. */
 MEPUBLIC void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal gy, const MeReal gz);
@@ -182,6 +192,15 @@ MEPUBLIC void MEAPI MdtWorldSetContactImportanceCB(const MdtWorldID w, MdtContac
 /** Every step writes the rows of partition i to @a sizeLog[i], for the first @a logSize partitions, and 0 behind the
  *  last. The array is the program's and must live until the log is set anew; null, or a size of 0, ends it. */
 MEPUBLIC void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, const int logSize);
+/** @} */
+
+/** @name Joints that break (MdtConstraintSetBreakLimits)
+ *  @{ */
+/** Those that broke in the last step, by sort keys, then creation; null in the place of one that was destroyed since. The
+ *  array is the world's, and valid until the next step. @a count gets how many there are. */
+MEPUBLIC const MdtConstraintID *MEAPI MdtWorldGetBrokenJoints(const MdtWorldID w, int *count);
+/** Called for each of them at the end of the step, in that order; null, the default: nothing. */
+MEPUBLIC void MEAPI MdtWorldSetBreakCB(const MdtWorldID w, MdtBreakCBPtr cb);
 /** @} */
 
 ME_END_C

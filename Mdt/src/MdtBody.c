@@ -228,6 +228,7 @@ void MEAPI MdtBodyDisable(const MdtBodyID b) {
     if (!(b->flags & MDT_ENABLED))
         return;
     b->flags &= ~MDT_ENABLED;
+    b->lag = 0;
     b->enabledTime = 0;
     b->enabledSteps = 0;
     b->partition = -1;
@@ -299,7 +300,14 @@ MeBool mdt_bodyIsPushedAwake(MdtBodyID b) {
            keaLength(b->kea.velocity) > 0 || keaLength(b->kea.angularMomentum) > 0;
 }
 
+void mdt_bodyKeepForces(MdtBodyID b) {
+    keaAddScaled(b->force, 1, b->lastForce);
+    keaAddScaled(b->torque, 1, b->lastTorque);
+}
+
 void mdt_bodyPack(MdtBodyID b) {
+    keaCopy(b->lastForce, b->force);
+    keaCopy(b->lastTorque, b->torque);
     mdt_bodyAcceptVelocities(b);
     keaAddScaled(b->kea.velocity, b->kea.invMass, b->impulse);
     keaAddScaled(b->kea.angularMomentum, 1, b->twist);
@@ -828,6 +836,12 @@ MeI32 MEAPI MdtBodyGetSortKey(const MdtBodyID b) {
     return b->link.sortKey;
 }
 
+int MEAPI MdtBodyGetPartitionSize(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    const int p = b->partition;
+    return p >= 0 && p < b->world->numPartitions ? b->world->bodyStart[p + 1] - b->world->bodyStart[p] : 0;
+}
+
 int MEAPI MdtBodyGetPartition(const MdtBodyID b) {
     MDT_NEED_BODY(b, -1);
     return b->partition;
@@ -837,6 +851,16 @@ void MEAPI MdtBodySetSafeTime(const MdtBodyID b, const MeReal t) {
     MDT_NEED_BODY(b, );
     if (mdt_isAtLeast(__func__, "the safe time", t, 0))
         b->safeTime = t;
+}
+
+MeReal MEAPI MdtBodyGetLag(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return (MeReal)b->lag;
+}
+
+MeReal MEAPI MdtBodyGetPart(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return (MeReal)b->part;
 }
 
 MeReal MEAPI MdtBodyGetSafeTime(const MdtBodyID b) {

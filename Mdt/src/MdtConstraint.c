@@ -17,6 +17,7 @@ MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const c
     c->type = MdtBclTypeOf(type);
     c->bcl.type = type;
     c->side[0].constraint = c->side[1].constraint = c;
+    c->breakForce = c->breakTorque = MEINFINITY;
     c->type->reset(&c->bcl);
     mdt_listAppend(&w->constraints, &c->link, c, w->nextSerial++);
     return c;
@@ -36,6 +37,7 @@ void mdt_constraintTerm(MdtConstraintID c) {
     mdt_constraintDetach(c, 0);
     mdt_constraintDetach(c, 1);
     mdt_constraintFree(c);
+    mdt_breakForget(c);
     mdt_listRemove(&c->world->constraints, &c->link);
     mdt_poolPut(&c->world->constraintPool, c);
 }
@@ -84,6 +86,9 @@ void MEAPI MdtConstraintDisable(const MdtConstraintID c) {
         return;
     c->flags &= ~MDT_ENABLED;
     c->world->enabledConstraints--;
+    for (int k = 0; k < 2; k++) /* what it held in its sleep has to be looked at */
+        if (c->side[k].body)
+            mdt_bodyWakeIfAsleep(c->side[k].body);
 }
 
 MeBool MEAPI MdtConstraintIsEnabled(const MdtConstraintID c) {

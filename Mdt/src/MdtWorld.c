@@ -40,8 +40,8 @@ static void *allocate(size_t count, size_t size) {
 static void freeWorld(MdtWorldID w) {
     for (MdtLink *link = w->constraints.first; link; link = link->next)
         mdt_constraintFree(link->owner);
-    void *arrays[] = {w->bodyOf,          w->constraintOf, w->keaOf,       w->bodyStart,
-                      w->constraintStart, w->ranking,      w->output.info, w->reports};
+    void *arrays[] = {w->bodyOf,  w->constraintOf, w->keaOf,   w->bodyStart, w->constraintStart,
+                      w->ranking, w->output.info,  w->reports, w->broken};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         if (arrays[i])
             MeMemoryAPI.destroy(arrays[i]);
@@ -60,11 +60,12 @@ static MeBool allocateParts(MdtWorldID w, size_t bodies, size_t constraints) {
     w->bodyStart = allocate(bodies + 1, sizeof *w->bodyStart);
     w->constraintStart = allocate(bodies + 1, sizeof *w->constraintStart);
     w->ranking = allocate(constraints, sizeof *w->ranking);
+    w->broken = allocate(constraints, sizeof *w->broken);
     w->output.info = allocate(bodies, sizeof *w->output.info);
     w->output.world = w;
     w->output.bodies = w->bodyOf;
     w->output.constraints = w->constraintOf;
-    return w->bodyOf && w->keaOf && w->constraintOf && w->bodyStart && w->constraintStart && w->ranking &&
+    return w->bodyOf && w->keaOf && w->constraintOf && w->bodyStart && w->constraintStart && w->ranking && w->broken &&
            w->output.info && mdt_poolInit(&w->bodyPool, (int)bodies, sizeof(MdtBody)) &&
            mdt_poolInit(&w->constraintPool, (int)constraints, sizeof(MdtBaseConstraint));
 }

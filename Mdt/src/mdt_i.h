@@ -75,15 +75,17 @@ struct MdtBody {
     MdtAttachment *attachments; /* its constraints */
     void *userData, *model;
 
-    MdtKeaBody kea;              /* the centre of mass, in double: what counts */
-    double centre[3];            /* m, of mass, in the body's frame */
-    double centreTurn[4];        /* w x y z, axes of the centre of mass to the body's frame */
-    double force[3], torque[3];  /* N, N m, added since the last step */
-    double impulse[3], twist[3]; /* N s, N m s, the same */
-    MdtKeaVelocity acceleration; /* m/s², rad/s², in the last step */
-    double push[3];              /* m/s: its way in the last step beyond its velocity: out of an overlap */
-    double mass;                 /* kg */
-    double inertia[3][3];        /* kg m², as set */
+    MdtKeaBody kea;                     /* the centre of mass, in double: what counts */
+    double centre[3];                   /* m, of mass, in the body's frame */
+    double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
+    double force[3], torque[3];         /* N, N m, added since the last step */
+    double impulse[3], twist[3];        /* N s, N m s, the same */
+    double lastForce[3], lastTorque[3]; /* N, N m, those that the step in progress began with */
+    double lag, part;                   /* s: that it is behind its world; that it was moved on last */
+    MdtKeaVelocity acceleration;        /* m/s², rad/s², in the last step */
+    double push[3];                     /* m/s: its way in the last step beyond its velocity: out of an overlap */
+    double mass;                        /* kg */
+    double inertia[3][3];               /* kg m², as set */
     MeReal linearDamping, angularDamping, safeTime;
     MeVector3 fastSpinAxis;
     double enabledTime; /* s */
@@ -104,6 +106,7 @@ void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were w
 void mdt_bodyWakeIfAsleep(MdtBodyID b);
 void mdt_bodySleep(MdtBodyID b);
 MeBool mdt_bodyIsPushedAwake(MdtBodyID b); /* asleep, and the waiting forces would move it */
+void mdt_bodyKeepForces(MdtBodyID b);      /* those that the step began with act in the rest of it, too */
 void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */
 void mdt_bodyTerm(MdtBodyID b);            /* lets go of constraints, returns the record */
 
@@ -130,13 +133,13 @@ struct MdtBaseConstraint {
     MdtContactID nextContact;
     MeU32 feature; /* of a contact: its maker's */
 
-    int firstRow, numRows; /* in this step */
+    int firstRow, numRows;                                   /* in this step */
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
     int numWarm;                                             /* if there are as many */
-    MeBool isDegenerate, wasDegenerate; /* in this step, in the last one */
-    MeBool isDropped;      /* in this step: left out to keep the partition within the cap on its rows */
-    double importance;     /* in this step, while rows are being dropped, */
-    int rank;              /* and its place before sorting by it */
+    MeBool isDegenerate, wasDegenerate;                      /* in this step, in the last one */
+    MeBool isDropped;  /* in this step: left out to keep the partition within the cap on its rows */
+    double importance; /* in this step, while rows are being dropped, */
+    int rank;          /* and its place before sorting by it */
 
     /* contact groups (MdtContactGroup.c): what a contact knows, what a group knows */
     MdtConstraintID group, nextInGroup, previousInGroup;
@@ -144,7 +147,8 @@ struct MdtBaseConstraint {
     int numContacts, numKept; /* kept: not dropped in this step */
     MeBool isSwapped;
     void *generator;
-    double normalForce[3]; /* N, the sum over the contacts in the last step */
+    MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
+    double normalForce[3];          /* N, the sum over the contacts in the last step */
 };
 
 /* Whether the solver is to look at a constraint by itself: the contacts of a group follow their group. */
@@ -219,21 +223,25 @@ struct MdtWorld {
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
     int subSteps;
-    int timedBodies;                      /* most bodies of a partition whose contacts are met in time */
-    int maxMatrixSize;                    /* rows of a partition */
-    MdtContactImportanceCBPtr importance; /* null: depth */
-    MdtConstraintID *ranking;             /* room for all contacts, to rank them */
-    int *sizeLog, sizeLogLength;          /* the program's, null: none */
+    int timedBodies;                          /* most bodies of a partition whose contacts are met in time */
+    int maxMatrixSize;                        /* rows of a partition */
+    MdtContactImportanceCBPtr importance;     /* null: depth */
+    MdtConstraintID *ranking;                 /* room for all contacts, to rank them */
+    int *sizeLog, sizeLogLength;              /* the program's, null: none */
     MdtBodyHandler bodyEnabled, bodyDisabled; /* null: none */
-    MdtPartitionEndCB partitionCb;        /* null: the world puts partitions to rest by itself */
+    MdtPartitionEndCB partitionCb;            /* null: the world puts partitions to rest by itself */
     void *partitionCbData;
     MdtPartitionOutput output;
     MdtPool bodyPool, constraintPool;
     MdtList bodies, constraints;
     unsigned long nextSerial;
     int enabledBodies, enabledConstraints;
-    double lastStep; /* s, 0 before the first */
-    int degenerate;  /* how often a joint came to stand where its rows lose their meaning */
+    int breakable;           /* constraints with a limit */
+    MdtConstraintID *broken; /* in the last step; room for all constraints */
+    int numBroken;
+    MdtBreakCBPtr breakCb; /* null: none */
+    double lastStep;       /* s, 0 before the first */
+    int degenerate;        /* how often a joint came to stand where its rows lose their meaning */
     MeChunk scratch;
     MdtKeaCache *keaCache;
 
@@ -245,11 +253,11 @@ struct MdtWorld {
     int *bodyStart, *constraintStart;
 
     MeBool isReported;
-    MdtReport *reports; /* by partition of the last step; null until the report is enabled for the first time */
-    int numReports;     /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
-    MeU64 lap;          /* ticks, when the stage began that is being timed */
-    MeBool isTimedByStage;              /* of the partition that is being stepped */
-    int firstUntimed;                   /* partitions from this one on have no time yet */
+    MdtReport *reports;    /* by partition of the last step; null until the report is enabled for the first time */
+    int numReports;        /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
+    MeU64 lap;             /* ticks, when the stage began that is being timed */
+    MeBool isTimedByStage; /* of the partition that is being stepped */
+    int firstUntimed;      /* partitions from this one on have no time yet */
     double stageShare[MdtReportStages]; /* how a small partition's time divides, as last seen; 0: none was */
 
     struct MdtWorld *nextLive; /* in the check build's list of worlds */
@@ -257,6 +265,15 @@ struct MdtWorld {
 
 /* Finds the partitions of this step, waking what is tied to something awake (mdt_partition.c). */
 void mdt_partitionsUpdate(MdtWorldID w);
+/* What programs see of one; it is not disabled. */
+MdtPartitionInfo mdt_partitionInfo(MdtWorldID w, int p);
+
+/* ---- joints that break (mdt_break.c) ---- */
+
+/* A step begins; it ends; a constraint is destroyed. */
+void mdt_breakBegin(MdtWorldID w);
+void mdt_breakEnd(MdtWorldID w);
+void mdt_breakForget(MdtConstraintID c);
 
 /* ---- the report (mdt_report.c); r is never null, a step that is not reported asks for nothing ------------------ */
 

@@ -5,6 +5,7 @@
  * same scene is solved in the same order every time.
  */
 #include "mdt_i.h"
+#include "MeDict.h"
 
 static MdtBodyID rootOf(MdtBodyID b) {
     while (b->setParent != b) {
@@ -116,4 +117,58 @@ void mdt_partitionsUpdate(MdtWorldID w) {
     numberPartitions(w);
     countConstraints(w);
     sortIntoPartitions(w);
+}
+
+MdtPartitionInfo mdt_partitionInfo(MdtWorldID w, int p) {
+    return (MdtPartitionInfo){.firstBody = w->bodyStart[p],
+                              .numBodies = w->bodyStart[p + 1] - w->bodyStart[p],
+                              .firstConstraint = w->constraintStart[p],
+                              .numConstraints = w->constraintStart[p + 1] - w->constraintStart[p]};
+}
+
+/* ---- for programs (MdtPartition.h) ---- */
+
+/* The world of the first body in the list; null: there is none. */
+static MdtWorldID worldOf(MeDict *list) {
+    for (MeDictNode *node = list ? MeDictFirst(list) : NULL; node; node = MeDictNext(list, node))
+        if (mdt_isBody(MeDictNodeGet(node), "MdtUpdatePartitions"))
+            return ((MdtBodyID)MeDictNodeGet(node))->world;
+    return NULL;
+}
+
+/* isDisabled says, for the moment, that a partition was not asked for. */
+static void chooseListed(MdtWorldID w, MeDict *list) {
+    for (int p = 0; p < w->numPartitions; p++)
+        w->output.info[p].isDisabled = METRUE;
+    for (MeDictNode *node = MeDictFirst(list); node; node = MeDictNext(list, node)) {
+        const MdtBodyID b = MeDictNodeGet(node);
+        if (!mdt_isBody(b, "MdtUpdatePartitions"))
+            continue;
+        if (b->world != w)
+            MeWarning(1, "MdtUpdatePartitions: a body belongs to another world; it is left out");
+        else if (b->partition >= 0)
+            w->output.info[b->partition].isDisabled = MEFALSE;
+    }
+}
+
+void MEAPI MdtUpdatePartitions(MeDict *enabledBodyList, MdtPartitionOutput *po, const MdtPartitionEndCB pcb,
+                               void *pcbdata) {
+    if (!mdt_isPointer(__func__, "the partition output", po) ||
+        !mdt_isPointer(__func__, "the list of bodies", enabledBodyList))
+        return;
+    const MdtWorldID w = worldOf(enabledBodyList);
+    po->numPartitions = 0;
+    if (!w)
+        return;
+    mdt_partitionsUpdate(w);
+    chooseListed(w, enabledBodyList);
+    *po = w->output;
+    po->numPartitions = 0;
+    for (int p = 0; p < w->numPartitions; p++) {
+        if (w->output.info[p].isDisabled)
+            continue;
+        po->info[po->numPartitions++] = mdt_partitionInfo(w, p);
+        if (pcb)
+            pcb(po, pcbdata);
+    }
 }

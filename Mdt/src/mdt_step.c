@@ -460,7 +460,8 @@ static MeBool isFollowed(const Partition *p) {
     const MeReal *g = p->world->params.gravity;
     const double fall = sqrt((double)(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])) * p->h * p->h;
     const double way = p->kea.report.residual * p->parameters.stepsize;
-    return !p->kea.report.capped || p->kea.parameters.maxIterations > 0 || way < 1e-7 * fall;
+    const MeBool isNear = !p->kea.report.violent && way < 1e-7 * fall; /* violent: the motion itself was not found */
+    return !p->kea.report.capped || p->kea.parameters.maxIterations > 0 || isNear;
 }
 
 /* Up to the next event, at most for `rest`. False where that could not be followed. */
@@ -477,6 +478,14 @@ static MeBool solveToEvent(Partition *p, void *scratch, double rest, double leas
     return isFollowed(p);
 }
 
+/* The same, nearer by halves while the motion is violent. */
+static MeBool solveToEventOrHalf(Partition *p, void *scratch, double rest, double least) {
+    for (double ahead = rest; !solveToEvent(p, scratch, ahead, least); ahead *= 0.5)
+        if (!p->kea.report.violent || ahead < 0.2 * rest)
+            return MEFALSE;
+    return METRUE;
+}
+
 /* A part of the step of a partition whose contacts are met in time: up to the next event, and on. When there are too many of
  * them, or they cannot be followed so exactly, the rest is taken as it is elsewhere. */
 static MeBool takeInTime(Partition *p, void *scratch, double part) {
@@ -484,7 +493,7 @@ static MeBool takeInTime(Partition *p, void *scratch, double part) {
     const double least = 1e-9 * part;
     double rest = part;
     for (int events = 0; rest > least; events++) {
-        if (events == MAX_EVENTS || !solveToEvent(p, scratch, rest, least)) {
+        if (events == MAX_EVENTS || !solveToEventOrHalf(p, scratch, rest, least)) {
             p->kea.parameters.timed = MEFALSE;
             return takePart(p, scratch, rest, 0);
         }
@@ -543,12 +552,8 @@ static double safeStep(const Partition *p) {
 
 /* What a program's callback sees: the partitions up to this one. */
 static void showPartition(MdtWorldID w, int number) {
-    const Partition p = partitionNumber(w, number, 0);
     MdtPartitionOutput *po = &w->output;
-    po->info[number] = (MdtPartitionInfo){.firstBody = w->bodyStart[number],
-                                          .numBodies = p.numBodies,
-                                          .firstConstraint = w->constraintStart[number],
-                                          .numConstraints = p.numConstraints};
+    po->info[number] = mdt_partitionInfo(w, number);
     po->numPartitions = number + 1;
     w->partitionCb(po, w->partitionCbData);
 }
@@ -559,6 +564,14 @@ static MeBool isToRest(MdtWorldID w, const Partition *p) {
     return w->rest.autoDisable && isAtRest(p);
 }
 
+/* The partition is moved on by p->h, of what it lacks. */
+static void setLag(const Partition *p, double lack) {
+    for (int i = 0; i < p->numBodies; i++) {
+        p->bodies[i]->lag = lack - p->h;
+        p->bodies[i]->part = p->h;
+    }
+}
+
 static void stepPartitions(MdtWorldID w, double h, MeBool safely) {
     for (int i = 0; i < w->numPartitions; i++) {
         Partition p = partitionNumber(w, i, h);
@@ -567,6 +580,7 @@ static void stepPartitions(MdtWorldID w, double h, MeBool safely) {
         if (w->partitionCb)
             showPartition(w, i);
         p.report = w->isReported ? mdt_reportOf(w, i) : NULL;
+        setLag(&p, h);
         if (isToRest(w, &p))
             putToSleep(&p);
         else
@@ -584,12 +598,14 @@ static void stepWorld(MdtWorldID w, double h, MeBool safely) {
     w->lastStep = h;
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
+    mdt_breakBegin(w);
     mdt_partitionsUpdate(w);
     if (w->isReported)
         mdt_reportStep(w);
     MeProfileEndSection("Partition");
     stepPartitions(w, h, safely);
     MeProfileEndSection("Dynamics");
+    mdt_breakEnd(w);
 }
 
 void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize) {
@@ -602,4 +618,49 @@ void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize) {
     MDT_NEED_WORLD(w, );
     if (mdt_isPositive(__func__, "the step size", stepSize))
         stepWorld(w, (double)stepSize, METRUE);
+}
+
+/* ---- the rest of a step ---- */
+
+/* What all bodies of the partition lack, but for those that have just been woken; 0: one of them lacks nothing. */
+static double lagOf(const Partition *p) {
+    double least = INFINITY;
+    for (int i = 0; i < p->numBodies; i++)
+        if (p->bodies[i]->enabledSteps > 0)
+            least = fmin(least, p->bodies[i]->lag);
+    return least < INFINITY ? least : 0;
+}
+
+static MeBool stepRest(MdtWorldID w, int number) {
+    enum { PARTS = 1000000000 }; /* a shorter part than one of these is none */
+    Partition p = partitionNumber(w, number, 0);
+    const double lag = lagOf(&p);
+    p.h = lag;
+    for (int i = 0; i < p.numBodies; i++)
+        p.h = fmin(p.h, (double)p.bodies[i]->safeTime);
+    if (!(p.h * PARTS > lag))
+        return MEFALSE;
+    for (int i = 0; i < p.numBodies; i++)
+        mdt_bodyKeepForces(p.bodies[i]);
+    stepPartition(&p);
+    setLag(&p, lag);
+    return METRUE;
+}
+
+int MEAPI MdtWorldStepRest(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    int moved = 0;
+    mdt_partitionsUpdate(w);
+    for (int i = 0; i < w->numPartitions; i++)
+        moved += stepRest(w, i);
+    mdt_breakEnd(w);
+    return moved;
+}
+
+int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    int count = 0;
+    for (MdtLink *link = w->bodies.first; link; link = link->next)
+        count += ((MdtBodyID)link->owner)->lag > 0;
+    return count;
 }

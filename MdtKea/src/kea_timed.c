@@ -254,21 +254,29 @@ static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesP
     }
 }
 
-static void addChange(MdtKeaSystem *s, double (*change)[6], double sign) {
+static void addChange(MdtKeaSystem *s, double (*change)[6]) {
     for (int b = 0; b < s->numBodies; b++) {
-        keaAddScaled(s->velocity[b].lin, sign, change[b]);
-        keaAddScaled(s->velocity[b].ang, sign, change[b] + 3);
+        keaAddScaled(s->velocity[b].lin, 1, change[b]);
+        keaAddScaled(s->velocity[b].ang, 1, change[b] + 3);
     }
 }
 
-static double kineticEnergy(const MdtKeaSystem *s) {
+/* The kinetic energy with a change of the velocities; null: without. */
+static double kineticEnergy(const MdtKeaSystem *s, double (*change)[6]) {
     double sum = 0, v[6];
     for (int b = 0; b < s->numBodies; b++) {
         keaCopy(v, s->velocity[b].lin);
         keaCopy(v + 3, s->velocity[b].ang);
+        for (int k = 0; change && k < 6; k++)
+            v[k] += change[b][k];
         sum += kea_energyOf(&s->work->problem.metric[b], v, v);
     }
     return sum;
+}
+
+/* False too where the change is not finite: friction bounds need not settle. */
+static MeBool isAffordable(const MdtKeaSystem *s, double (*change)[6]) {
+    return kineticEnergy(s, change) <= kineticEnergy(s, NULL) * (1 + 1e-12);
 }
 
 /* The largest share a in [0, 1] for which v + a (elastic - plastic), v with the plastic change, has this energy at most. */
@@ -288,10 +296,12 @@ static double elasticShare(MdtKeaSystem *s, double (*elastic)[6], double (*plast
 }
 
 /* The velocities get the plastic change, and as much of the elastic one as energy allows. */
-static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plasticChange)[6], double before) {
-    addChange(s, plasticChange, 1);
-    const double share = elasticShare(s, elastic, plasticChange, before);
-    for (int b = 0; b < s->numBodies; b++) {
+static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plasticChange)[6]) {
+    const double before = kineticEnergy(s, NULL);
+    const MeBool isFinite = isfinite(kineticEnergy(s, elastic)) ? METRUE : MEFALSE;
+    addChange(s, plasticChange);
+    const double share = isFinite ? elasticShare(s, elastic, plasticChange, before) : 0;
+    for (int b = 0; share > 0 && b < s->numBodies; b++) {
         for (int k = 0; k < 3; k++) {
             s->velocity[b].lin[k] += share * (elastic[b][k] - plasticChange[b][k]);
             s->velocity[b].ang[k] += share * (elastic[b][3 + k] - plasticChange[b][3 + k]);
@@ -324,17 +334,21 @@ static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double
     return rebounds;
 }
 
-static void takeRound(MdtKeaSystem *s, const double wanted[], const char takesPart[]) {
-    const double before = kineticEnergy(s);
+/* False: there is no change that energy allows, and the contacts are left to the step. */
+static MeBool takeRound(MdtKeaSystem *s, const double wanted[], const char takesPart[]) {
     solveRound(s, wanted, takesPart, s->work->added);
-    keepImpulses(s);
-    addChange(s, s->work->added, 1);
-    if (kineticEnergy(s) <= before * (1 + 1e-12))
-        return;
-    addChange(s, s->work->added, -1);
+    if (isAffordable(s, s->work->added)) {
+        keepImpulses(s);
+        addChange(s, s->work->added);
+        return METRUE;
+    }
     memset(s->work->wanted + s->numRows, 0, (size_t)s->numRows * sizeof(double));
     solveRound(s, s->work->wanted + s->numRows, takesPart, s->work->plastic);
-    blend(s, s->work->added, s->work->plastic, before);
+    if (!isAffordable(s, s->work->plastic))
+        return MEFALSE;
+    keepImpulses(s);
+    blend(s, s->work->added, s->work->plastic);
+    return METRUE;
 }
 
 static void touchAll(MdtKeaSystem *s, double wanted[], char takesPart[]) {
@@ -366,11 +380,10 @@ void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
         s->rows[i].force = 0;
     const double slowest = keaMax(1e-9 * loadSpeed(s), simultaneous * s->work->speed);
     for (int round = 0; round < MAX_ROUNDS && chooseMeeting(s, slowest, gate, wanted, takesPart); round++)
-        takeRound(s, wanted, takesPart);
+        if (!takeRound(s, wanted, takesPart))
+            break;
     touchAll(s, wanted, takesPart);
-    solveRound(s, wanted, takesPart, s->work->added);
-    keepImpulses(s);
-    addChange(s, s->work->added, 1);
+    takeRound(s, wanted, takesPart);
     commitVelocities(s);
 }
 

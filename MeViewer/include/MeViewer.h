@@ -291,9 +291,9 @@ MEPUBLIC void MEAPI RLightSwitchOff(RRender *rc, RRenderLight light);
 /** @} */
 
 /** @name Textures
- *  Up to 25. A texture is a .bmp file of 24 bits, given by name without the extension. It is looked for in the
- *  working directory, in $KARMA_TEXTURES, and in `textures` and `../textures`, and is read when it is first drawn.
- *  Two are built in: "checkerboard" and "font".
+ *  Up to 100; the guide's viewer had 25. A texture is a .bmp file of 24 bits or, beyond Karma, a .png file, given by name without the extension. It
+ *  is looked for in the working directory, in $KARMA_TEXTURES, and in `textures` and `../textures`, and is read when it
+ *  is first drawn. Two are built in: "checkerboard" and "font".
  *  @{ */
 /** The texture's number, the same for the same name; -1 if all are in use. */
 MEPUBLIC int MEAPI RRenderTextureCreate(RRender *rc, const char *filename);

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { HEADER = 54, MAX_SIZE = 4096 };
+enum { HEADER = 54 };
 
 static uint32_t number(const uint8_t *at, int bytes) {
     uint32_t value = 0;
@@ -39,7 +39,7 @@ static const char *readFile(FILE *file, RPicture *p) {
     const int32_t width = (int32_t)number(header + 18, 4), height = (int32_t)number(header + 22, 4);
     if (number(header + 28, 2) != 24 || number(header + 30, 4) != 0)
         return "only uncompressed .bmp files of 24 bits are read";
-    if (width < 1 || width > MAX_SIZE || height == 0 || height > MAX_SIZE || height < -MAX_SIZE)
+    if (width < 1 || width > R_MAX_PICTURE || height == 0 || height > R_MAX_PICTURE || height < -R_MAX_PICTURE)
         return "its size is not between 1 and 4096";
     p->width = width;
     p->height = height < 0 ? -height : height;

@@ -179,7 +179,8 @@ void r_lightsUpdate(RRender *rc); /* Takes over what the force-update flags say 
 
 /* ---- Textures (r_texture.c) ---- */
 
-#define R_MAX_TEXTURES 25
+#define R_MAX_TEXTURES 100
+#define R_MAX_PICTURE  4096 /* Pixels, of a side of a texture from a file. */
 
 typedef struct {
     int width, height;
@@ -193,7 +194,9 @@ typedef struct {
 
 /* Built in or from a file; warns if there is none. The caller frees picture->rgba. */
 bool r_texturePicture(const char *name, RPicture *picture);
-bool r_bmpRead(const char *path, RPicture *picture); /* Warns if it is there but cannot be used. */
+/* These warn if the file is there but cannot be used. The caller frees picture->rgba. */
+bool r_bmpRead(const char *path, RPicture *picture);
+bool r_pngRead(const char *path, RPicture *picture); /* r_png.c */
 void r_texturesFree(RTextures *textures);
 
 /* ---- Pictures as files (r_png.c) ---- */
@@ -311,7 +314,7 @@ typedef struct {
 } RLoop;
 
 void r_frame(RRender *rc, const RTick *tick); /* One turn of the main loop; tick may be null. */
-void r_drawNow(RRender *rc); /* This frame, if it has not been drawn yet. */
+void r_drawNow(RRender *rc);                  /* This frame, if it has not been drawn yet. */
 bool r_loopEnded(const RRender *rc);
 void r_afterCallBack(const RRender *rc); /* Ends the program if the context has been destroyed meanwhile. */
 int64_t r_now(void);                     /* Nanoseconds of a clock that only goes forward. */

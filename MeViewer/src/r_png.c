@@ -1,4 +1,4 @@
-/* Writes .png files. */
+/* Writes and reads .png files. */
 #include "r_i.h"
 
 #include <png.h>
@@ -64,4 +64,35 @@ bool r_writePng(const char *path, const RPicture *picture) {
     if (!written)
         MeWarning(1, "the picture %s cannot be written: %s", path, trouble);
     return written;
+}
+
+/* Any kind of .png file comes out as red, green, blue, alpha; a picture larger than a texture may be is refused. */
+static const char *readImage(FILE *file, RPicture *p, png_image *image) {
+    if (!png_image_begin_read_from_stdio(image, file))
+        return image->message;
+    if (image->width > R_MAX_PICTURE || image->height > R_MAX_PICTURE)
+        return "its size is not between 1 and 4096";
+    image->format = PNG_FORMAT_RGBA;
+    p->width = (int)image->width;
+    p->height = (int)image->height;
+    p->rgba = r_alloc(PNG_IMAGE_SIZE(*image));
+    if (!p->rgba)
+        return "there is no memory for it";
+    if (png_image_finish_read(image, NULL, p->rgba, 0, NULL))
+        return NULL;
+    r_free(p->rgba);
+    return image->message;
+}
+
+bool r_pngRead(const char *path, RPicture *picture) {
+    png_image image = {.version = PNG_IMAGE_VERSION};
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return false;
+    const char *trouble = readImage(file, picture, &image);
+    fclose(file);
+    if (trouble)
+        MeWarning(1, "the texture %s cannot be used: %s", path, trouble);
+    png_image_free(&image);
+    return !trouble;
 }

@@ -70,19 +70,32 @@ static bool fontPicture(RPicture *p) {
     return true;
 }
 
+/* The file of a texture in a directory: .bmp, or else .png. */
+static bool readFrom(const char *place, const char *name, RPicture *picture) {
+    static const struct {
+        const char *ending;
+        bool (*read)(const char *path, RPicture *picture);
+    } kinds[] = {{"bmp", r_bmpRead}, {"png", r_pngRead}};
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        char path[1024];
+        if (snprintf(path, sizeof path, "%s/%s.%s", place, name, kinds[i].ending) < (int)sizeof path &&
+            kinds[i].read(path, picture))
+            return true;
+    }
+    return false;
+}
+
 bool r_texturePicture(const char *name, RPicture *picture) {
     if (strcmp(name, "checkerboard") == 0)
         return checkerboard(picture);
     if (strcmp(name, "font") == 0)
         return fontPicture(picture);
     const char *const places[] = {".", getenv("KARMA_TEXTURES"), "textures", "../textures"};
-    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
-        char path[1024];
-        if (!places[i] || !*places[i])
-            continue;
-        if (snprintf(path, sizeof path, "%s/%s.bmp", places[i], name) < (int)sizeof path && r_bmpRead(path, picture))
+    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++)
+        if (places[i] && *places[i] && readFrom(places[i], name, picture))
             return true;
-    }
-    MeWarning(1, "the texture %s.bmp is not in ., $KARMA_TEXTURES, textures or ../textures; drawing without it", name);
+    MeWarning(1,
+              "there is no texture %s.bmp or %s.png in ., $KARMA_TEXTURES, textures or ../textures; drawing without it",
+              name, name);
     return false;
 }

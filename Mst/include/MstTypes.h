@@ -22,12 +22,38 @@ typedef MeBool(MEAPI *MstPerContactCBPtr)(McdIntersectResult *result, McdContact
 /** Sees all dynamics contacts of a pair; 0 deletes them. */
 typedef MeBool(MEAPI *MstPerPairCBPtr)(McdIntersectResult *result, MdtContactGroupID c);
 
+/** What has happened, see MstEvent. */
+typedef enum MstEventKind {
+    MstEventBegin = 0,   /**< Two models touch that did not in the step before. */
+    MstEventPersist = 1, /**< They touch still. */
+    MstEventEnd = 2,     /**< They do not any more. */
+    MstEventBreak = 3    /**< A joint broke (MdtConstraintSetBreakLimits). */
+} MstEventKind;
+
+/** Something that happened in a step. World frame, SI or the program's units. */
+typedef struct MstEvent {
+    MstEventKind kind;
+    McdModelID model1,
+        model2; /**< In the order of McdModelPair; null for one that was destroyed since, and for breaks. */
+    MstMaterialID material1, material2; /**< Of the models, as they were when they touched last. */
+    MeBool isSensor;                    /**< One of them is a sensor: they overlap, and nothing is pushed. */
+    MeReal impulse;        /**< N s: the normal one of all their contacts in the step. 0 for sensors and ends. */
+    MeReal approachSpeed;  /**< m/s, at the fastest contact before it was met; of begins only. */
+    MeVector3 position;    /**< Of the contact with the largest impulse, the deepest for sensors; 0 for ends. */
+    MeVector3 normal;      /**< There, length 1: the way in which model1 is pushed; 0 for ends. */
+    MdtConstraintID joint; /**< The one that broke; null for others, and if it was destroyed since. */
+} MstEvent;
+
+/** Sees the begin, persist and end events of a pair of materials. */
+typedef void(MEAPI *MstTouchCBPtr)(const MstEvent *event);
+
 /** What holds where models of two materials touch. */
 typedef struct MstMaterialPair {
     MdtBclContactParams params;    /**< Copied into each contact. */
     MstIntersectCBPtr intersectCb; /**< Null: none. */
     MstPerContactCBPtr perContactCb;
     MstPerPairCBPtr perPairCb;
+    MstTouchCBPtr touchCb;
 } MstMaterialPair;
 
 /** The bridge. The rest of it is hidden; use the functions of MstBridge.h. */

@@ -16,7 +16,9 @@ ME_BEGIN_C
 MEPUBLIC MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes);
 /** Destroys a universe with all bodies, constraints, models and geometries in it. Null does nothing. */
 MEPUBLIC void MEAPI MstUniverseDestroy(const MstUniverseID u);
-/** The next step (s): McdSpaceUpdateAll, MstBridgeUpdateContacts and MdtWorldStep, which a program may also call. */
+/** The next step (s): McdSpaceUpdateAll, MstBridgeUpdateContacts, MdtWorldStep and MstBridgeUpdateEvents, which a program
+ *  may also call; swept models (McdModelSetSwept) are moved continuously, up to what they meet and on from there. Its
+ *  world's least safe time is 1e-9 s. */
 MEPUBLIC void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step);
 MEPUBLIC MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u);
 MEPUBLIC McdFrameworkID MEAPI MstUniverseGetFramework(const MstUniverseID u);

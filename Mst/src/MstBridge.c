@@ -25,6 +25,8 @@ static void freeAll(MstBridgeRecord *b) {
     MeMemoryAPI.destroy(b->materials);
     MeMemoryAPI.destroy(b->contacts);
     MeMemoryAPI.destroy(b->done);
+    mst_eventsTerm(b);
+    MeMemoryAPI.destroy(b->hurried);
     MeMemoryAPI.destroy(b);
 }
 
@@ -144,6 +146,18 @@ MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const MstMateri
     return pair ? pair->perPairCb : 0;
 }
 
+void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
+                               const MstTouchCBPtr cb) {
+    MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetTouchCB");
+    if (pair)
+        pair->touchCb = cb;
+}
+
+MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {
+    const MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeGetTouchCB");
+    return pair ? pair->touchCb : 0;
+}
+
 /* ---- each step ------------------------------------------------------------------------------------------------- */
 
 void MEAPI MstHandleTransitionsOf(McdModelPairContainer *pairs) {
@@ -170,19 +184,23 @@ static MeBool isAsleep(McdModelID m) {
 void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
                                const MstBridgeID b) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
-    (void)s;
     if (!record || !pairs)
         return;
     for (int i = pairs->helloFirst; i < pairs->stayingEnd; i++)
         if (!isAsleep(pairs->array[i]->model1) || !isAsleep(pairs->array[i]->model2))
-            mst_pairCollide(record, pairs->array[i], w);
+            mst_pairCollide(record, pairs->array[i], s, w);
 }
 
 void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
     McdSpacePairIterator iterator;
     int isMore;
-    if (!mst_bridgeCheck(b, "MstBridgeUpdateContacts"))
+    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
+    if (!record)
         return;
+    if (record->part == 0)
+        mst_eventsBegin(record);
+    mst_hurryNobody(record);
+    record->ahead = McdSpaceGetLookAhead(s);
     McdSpaceEndChanges(s);
     McdSpacePairIteratorBegin(s, &iterator);
     do {

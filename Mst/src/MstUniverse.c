@@ -1,5 +1,6 @@
 /* Universes: collision and dynamics in one. */
 #include "MstUniverse.h"
+#include "MstEvents.h"
 #include "McdFrame.h"
 #include "McdAll.h"
 #include "MdtWorld.h"
@@ -70,6 +71,7 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
         return 0;
     }
     McdSpaceSetLookAhead(u->space, (MeReal)(1. / 60)); /* until a step says how long it is */
+    MdtWorldSetMinSafeTime(u->world, (MeReal)1e-9);    /* what is fast is stopped where it touches */
     MstSetWorldHandlers(u->world);
     return u;
 }
@@ -83,9 +85,14 @@ void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     if (!isUniverse(u, "MstUniverseStep"))
         return;
     McdSpaceSetLookAhead(u->space, step);
-    McdSpaceUpdateAll(u->space);
+    McdSpacePathUpdateAll(u->space, step);
     MstBridgeUpdateContacts(u->bridge, u->space, u->world);
-    MdtWorldStep(u->world, step);
+    mst_stepWorld(u, step);
+    MstBridgeUpdateEvents(u->bridge, u->world);
+}
+
+const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count) {
+    return MstBridgeGetEvents(isUniverse(u, "MstUniverseGetEvents") ? u->bridge : 0, count);
 }
 
 MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u) {

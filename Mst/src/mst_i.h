@@ -4,13 +4,59 @@
 
 #include "McdModelPairContainer.h"
 #include "McdSpace.h"
+#include "MdtConstraint.h"
 #include "MstBridge.h"
+#include "MstEvents.h"
 #include "MstModelDynamics.h"
 #include "MstUtils.h"
 
 enum { MST_BRIDGE = 0x4d425244, MST_UNIVERSE = 0x4d554e49, MST_CONTACTS = 40, MST_PAIRS = 1000 };
 
-typedef struct MstBridgeRecord {
+typedef struct MstBridgeRecord MstBridgeRecord;
+typedef struct MstTouch MstTouch;
+
+/* A model that may have been destroyed since. */
+typedef struct MstModelRef {
+    McdModelID model;
+    MeU64 serial;
+} MstModelRef;
+
+/* What events know of a pair: from its first contact until the space takes the pair back. */
+struct MstTouch {
+    MstBridgeRecord *bridge;
+    McdModelPair *pair;
+    MstTouch *previous, *next; /* of the bridge's; next also links the free ones */
+    MstModelRef model[2];
+    MstMaterialID material[2];
+    MeBool isTouching; /* as of the last step */
+    MeBool isSensor;
+    /* of this step: */
+    MeBool isListed, hasContacts;
+    MeReal lag; /* s, of its bodies when its impulse was last added to; MEINFINITY: the step is whole yet */
+    MeReal separation, tolerance;   /* the least of its contacts as the step began; of both models */
+    MeReal approachSpeed;           /* the largest */
+    MeReal impulse, largestImpulse; /* of all contacts, of one */
+    MeVector3 position, normal;     /* of that one; of sensors the deepest */
+};
+
+/* Events, and for each the serials of its two models: whether a handle still means the same one. */
+typedef struct MstEventList {
+    MstEvent *event;
+    MeU64 (*serial)[2];
+    int count, max;
+} MstEventList;
+
+/* What a bridge knows of touches. */
+typedef struct MstEvents {
+    MstTouch *first, *free; /* of all pairs that have or had contacts */
+    MstTouch **listed;      /* those of this step, in the order of the space's pairs */
+    int listedCount, listedMax;
+    MstEventList done, ended; /* of the step just done, and ends since then */
+    MdtWorldID world;         /* whose joints broke */
+    int firstBreak;           /* from this event on */
+} MstEvents;
+
+struct MstBridgeRecord {
     MstBridge bridge; /* what programs see: first */
     MeU32 magic;
     McdFrameworkID frame;
@@ -19,15 +65,47 @@ typedef struct MstBridgeRecord {
     McdContact *contacts;       /* of the pair that is being handled */
     MdtContactID *done;         /* what they have become */
     unsigned int contactMax;
-} MstBridgeRecord;
+    MstEvents events;
+    MdtBodyID *hurried; /* bodies that have a safe time in this part of the step */
+    int hurriedCount, hurriedMax;
+    MeReal ahead; /* s, the longest that a model may move in this part of the step */
+    int part;     /* of the step: 0 is the first, in which all bodies move */
+};
 
 /* The record of a live bridge; null, with a warning, for anything else. */
 MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function);
 /* What holds between two materials; unknown ones count as the default one. */
 MstMaterialPair *mst_materialPair(MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2);
 
+/* Touches (MstEvents.c): a step begins; a pair has been looked at, with or without contacts; all is forgotten. */
+void mst_eventsBegin(MstBridgeRecord *b);
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p);
+void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
+/* Ends the touch of a pair that goes. */
+void MEAPI mst_touchForget(McdModelPair *p);
+void mst_eventsTerm(MstBridgeRecord *b);
+
+/* How fast the models come nearer at a point, along the way in which the first one is pushed. */
+MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal);
+/* A contact's normal as it pushes the first model, whichever body its group has first. */
+void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
+
+/* Adds what contacts did in the part of the step just done. */
+void mst_eventsGather(MstBridgeRecord *b);
+
+/* Continuous motion (mst_continuous.c). May the pair have contacts in this part of the step? */
+MeBool mst_mayMeet(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s);
+/* If a model of the pair is fast: gives its bodies a safe time, where they meet now or later in the step. */
+void mst_followFast(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w, MeBool hasContacts);
+/* A part of the step begins: no body has a safe time. */
+void mst_hurryNobody(MstBridgeRecord *b);
+/* The world's step after the contacts were made: in parts, where something fast meets something. */
+void mst_stepWorld(MstUniverse *u, MeReal step);
+/* The pair's bodies are one partition, whether they touch or not. */
+void mst_pairTie(McdModelPair *p, MdtWorldID w);
+
 /* Makes the contacts of a pair whose models may touch. */
-void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w);
+void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w);
 /* Destroys the contacts of a pair. */
 void mst_pairForget(McdModelPair *p);
 

@@ -10,10 +10,15 @@
 #include "mst_i.h"
 #include <string.h>
 
-void mst_pairForget(McdModelPair *p) {
+static void destroyGroup(McdModelPair *p) {
     if (p->responseData)
         MdtContactGroupDestroy((MdtContactGroupID)p->responseData);
     p->responseData = 0;
+}
+
+void mst_pairForget(McdModelPair *p) {
+    destroyGroup(p);
+    mst_touchForget(p);
 }
 
 /* The group stays, empty. */
@@ -37,6 +42,12 @@ static MdtContactGroupID ensureGroup(McdModelPair *p, MdtWorldID w) {
         MdtContactGroupSetGenerator(group, p);
     p->responseData = group;
     return group;
+}
+
+void mst_pairTie(McdModelPair *p, MdtWorldID w) {
+    const MdtContactGroupID group = ensureGroup(p, w);
+    if (group)
+        MdtContactGroupEnable(group);
 }
 
 static MeBool isAmong(MdtContactID c, const MdtContactID *list, int count) {
@@ -97,28 +108,48 @@ static void renewContacts(MstBridgeRecord *b, MdtContactGroupID group, McdInters
     destroyOthers(group, b->done, count);
 }
 
-void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w) {
-    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
-    McdIntersectResult result;
-    if (!body1 && !body2)
+/* Overlap is told, and nothing is pushed. Two sensors do not see each other. */
+static void meetSensor(MstBridgeRecord *b, McdModelPair *p, McdIntersectResult *result) {
+    destroyGroup(p);
+    if (McdModelIsSensor(p->model1) && McdModelIsSensor(p->model2))
         return;
-    memset(&result, 0, sizeof result);
-    result.contacts = b->contacts;
-    result.contactMaxCount = (int)b->contactMax;
-    if (!McdIntersect(p, &result))
-        return;
+    if (McdIntersect(p, result))
+        mst_touchNoteSensor(b, p, result);
+}
+
+static void meetBodies(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, McdIntersectResult *result) {
     const MstMaterialPair *materials =
         mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2));
-    if (result.touch && materials->intersectCb)
-        materials->intersectCb(&result);
-    MdtContactGroupID group = result.contactCount > 0 ? ensureGroup(p, w) : 0;
+    if (!McdIntersect(p, result))
+        return;
+    if (result->touch && materials->intersectCb)
+        materials->intersectCb(result);
+    MdtContactGroupID group = result->contactCount > 0 ? ensureGroup(p, w) : 0;
     if (!group) {
         emptyGroup(p);
         return;
     }
-    renewContacts(b, group, &result, !body1);
+    renewContacts(b, group, result, !McdModelGetBody(p->model1));
     if (MdtContactGroupGetCount(group) > 0)
         MdtContactGroupEnable(group);
-    if (materials->perPairCb && !materials->perPairCb(&result, group))
+    if (materials->perPairCb && !materials->perPairCb(result, group))
         emptyGroup(p);
+}
+
+void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w) {
+    McdIntersectResult result;
+    if (b->part > 0 && !mst_mayMeet(b, p, s))
+        return;
+    memset(&result, 0, sizeof result);
+    result.contacts = b->contacts;
+    result.contactMaxCount = (int)b->contactMax;
+    if (McdModelIsSensor(p->model1) || McdModelIsSensor(p->model2)) {
+        meetSensor(b, p, &result);
+        return;
+    }
+    if (!McdModelGetBody(p->model1) && !McdModelGetBody(p->model2))
+        return;
+    meetBodies(b, p, w, &result);
+    mst_touchNote(b, p);
+    mst_followFast(b, p, s, w, result.contactCount > 0);
 }

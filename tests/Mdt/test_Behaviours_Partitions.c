@@ -46,6 +46,59 @@ START_TEST(forces_do_not_join_bodies) {
 }
 END_TEST
 
+static int MEAPI compareNumbers(const void *a, const void *b) {
+    return *(const int *)a - *(const int *)b;
+}
+
+static void MEAPI countPartitions(MdtPartitionOutput *po, void *count) {
+    ck_assert_int_eq(po->numPartitions, ++*(int *)count);
+}
+
+/* User Guide ch. 2, "MdtUpdatePartitions": partitions are found from the enabled bodies; a disabled body that is tied to one
+ * is enabled. Here: a chain of two of which one is disabled, one alone, one that is not asked for, one disabled alone. */
+START_TEST(partitions_are_found_from_a_list_of_bodies) {
+    static const int key[5] = {3, 1, 4, 2, 5};
+    MdtWorldID w = scene_world(5, 1, 10);
+    MdtBodyID b[5];
+    MeDict list;
+    MeDictNode node[5];
+    MdtPartitionOutput po;
+    int called = 0;
+    MeDictInit(&list, 5, compareNumbers);
+    for (int i = 0; i < 5; i++) {
+        b[i] = scene_body(w, 1, 2. * i, 0, 0);
+        MeDictNodeInit(&node[i], b[i]);
+        if (i != 2)
+            MeDictInsert(&list, &node[i], &key[i]);
+    }
+    MdtBSJointID joint = MdtBSJointCreate(w);
+    MdtBSJointSetBodies(joint, b[0], b[3]);
+    MdtBSJointEnable(joint);
+    MdtBodyDisable(b[3]);
+    MdtBodyDisable(b[4]);
+    MdtUpdatePartitions(&list, &po, countPartitions, &called);
+    ck_assert(called == 2 && po.numPartitions == 2 && po.world == w);
+    ck_assert(MdtBodyIsEnabled(b[3]) && !MdtBodyIsEnabled(b[4]));
+    ck_assert(po.info[0].numBodies == 2 && po.info[0].numConstraints == 1 && !po.info[0].isDisabled);
+    ck_assert(po.bodies[po.info[0].firstBody] == b[0] && po.bodies[po.info[0].firstBody + 1] == b[3]);
+    ck_assert(po.constraints[po.info[0].firstConstraint] == MdtBSJointQuaConstraint(joint));
+    ck_assert(po.info[1].numBodies == 1 && po.bodies[po.info[1].firstBody] == b[1]);
+    MdtWorldStep(w, FRAME);
+    messages_catch();
+    MdtUpdatePartitions(0, &po, 0, 0);
+    assert_warned("list of bodies");
+    MdtUpdatePartitions(&list, 0, 0, 0);
+    assert_warned("partition output");
+    while (!MeDictIsEmpty(&list))
+        MeDictDelete(&list, MeDictFirst(&list));
+    MdtUpdatePartitions(&list, &po, 0, 0);
+    ck_assert_int_eq(po.numPartitions, 0);
+    assert_silent();
+    messages_release();
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 /* How many steps until the body is disabled; `most` when it is not. */
 static int stepsAwake(MdtWorldID w, MdtBodyID b, int most) {
     int n = 0;
@@ -125,6 +178,7 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_test(t, two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one);
     tcase_add_test(t, forces_do_not_join_bodies);
+    tcase_add_test(t, partitions_are_found_from_a_list_of_bodies);
     tcase_add_test(t, an_awakened_body_is_kept_alive_for_the_window);
     tcase_add_test(t, a_partition_is_disabled_in_one_step);
     tcase_add_test(t, higher_thresholds_disable_sooner);

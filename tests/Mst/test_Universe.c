@@ -245,6 +245,25 @@ START_TEST(a_fast_ball_rebounds_at_the_floor) {
 }
 END_TEST
 
+/* Clubs of unequal moments that spin at 80 rad/s and strike the floor: where a step met in time does not find their
+ * motion, it is taken in parts, and nobody need be warned. */
+START_TEST(what_spins_fast_may_strike) {
+    const McdGeometryID g = McdBoxCreate(u->frame, (MeReal).12, (MeReal).4, (MeReal).06);
+    setFriction(.3, .3);
+    makeGround();
+    messages_catch();
+    for (int i = 0; i < 8; i++) {
+        McdModelID club = MstModelAndBodyCreate(u, g, 700);
+        McdModelDynamicsSetPosition(club, (MeReal)(2 * i), 0, (MeReal).3);
+        McdModelDynamicsSetAngularVelocity(club, (MeReal)(76 - 10 * i), (MeReal)(5 + i), (MeReal)(10 * i - 30));
+        McdModelDynamicsSetLinearVelocity(club, 1, (MeReal)(.2 * i), -2);
+    }
+    run(4);
+    assert_silent();
+    messages_release();
+}
+END_TEST
+
 static double stackAndHash(void) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
     static MeMatrix4 tm;
@@ -289,6 +308,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, what_sleeps_wakes_when_it_is_hit);
     tcase_add_test(t, a_bouncy_ball_comes_back);
     tcase_add_test(t, a_fast_ball_rebounds_at_the_floor);
+    tcase_add_test(t, what_spins_fast_may_strike);
     tcase_add_test(t, the_same_heap_gives_the_same_bits);
 }
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """One tutorial without a window: what holds for all of them, then the effect that this one promises.
 
-usage: check_tutorial.py <program> <png_check>
+usage: check_tutorial.py <program> <png_check> <frames>
 
-For all: 600 frames without a warning, the same end twice, a picture of its own, F1 shows the help, and it contains no
+For all: so many frames (or FRAMES of effects/<name>.py, if that is fewer) without a warning, the same end twice, a picture of its own, F1 shows the help, and it contains no
 more of Karma than it uses. The effect is checked by check() in effects/<name>.py, most often by the figures of the status
 line, which a run without a window prints at its end.
 """
@@ -19,8 +19,9 @@ from tutorial import SIZE, look, picture, program, status
 
 
 def check_all(effect):
-    end = status(600)
-    assert end == status(600), 'two runs end differently'
+    frames = min(int(sys.argv[3]), getattr(effect, 'FRAMES', sys.maxsize))
+    end = status(frames)
+    assert end == status(frames), 'two runs end differently'
     assert not re.search(r'\b(nan|inf)\b', end, re.I), f'not finite: {end}'
     look('size', picture('all.png', 30), '%dx%d' % SIZE)
     look('help', 'all.png', picture('help.png', 30, '-key', 'F1@20'))

@@ -21,6 +21,11 @@ def status(frames, keys=''):
     return run('-null', '-frames', str(frames), *(['-key', keys] if keys else []))
 
 
+def held(key, first, last):
+    """-> what to press to hold an arrow key: for tutorials that drive, a press counts for 26 frames."""
+    return ','.join(f'{key}@{frame}' for frame in range(first, last - 25, 24))
+
+
 def figure(line, name):
     """-> the number that stands after a name in a status line."""
     found = re.search(re.escape(name) + r' ([-+]?[0-9.]+(?:e[-+]?[0-9]+)?)', line)

@@ -1,4 +1,4 @@
-/* Files: .ASE objects, .bmp textures, .png pictures. */
+/* Files: .ASE objects, .bmp and .png textures, .png pictures. */
 #define _DEFAULT_SOURCE /* mkdtemp, setenv */
 #include <unistd.h>
 
@@ -160,6 +160,26 @@ START_TEST(bmp_broken) {
 }
 END_TEST
 
+START_TEST(png_as_a_texture) {
+    uint8_t pixels[2 * 2 * 4] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 8, 7, 255};
+    const RPicture written = {2, 2, pixels};
+    RPicture p;
+    ck_assert(r_writePng("test_Files.png", &written));
+    ck_assert(r_texturePicture("test_Files", &p));
+    ck_assert(p.width == 2 && p.height == 2);
+    ck_assert_mem_eq(p.rgba, pixels, sizeof pixels);
+    r_free(p.rgba);
+    ck_assert_int_eq(truncate("test_Files.png", 60), 0);
+    ck_assert(!r_pngRead("test_Files.png", &p));
+    assert_warned("test_Files.png");
+    makeBmp("test_Files.png", 24, 2, 78);
+    ck_assert(!r_pngRead("test_Files.png", &p));
+    assert_warned("test_Files.png");
+    remove("test_Files.png");
+    ck_assert(!r_pngRead("test_Files.png", &p));
+}
+END_TEST
+
 START_TEST(textures_in_their_own_directory) {
     char directory[] = "test_Files.XXXXXX", path[64];
     RPicture p;
@@ -211,6 +231,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, ase_normalized);
     tcase_add_test(t, bmp);
     tcase_add_test(t, bmp_broken);
+    tcase_add_test(t, png_as_a_texture);
     tcase_add_test(t, textures_in_their_own_directory);
     tcase_add_test(t, built_in_textures);
     tcase_add_test(t, png);

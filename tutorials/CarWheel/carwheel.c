@@ -13,6 +13,7 @@
 #include "Mdt.h"
 #include "MeViewer.h"
 #include "RGeometryUtils.h"
+#include "parts.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -310,32 +311,24 @@ static void createDynamics(void) {
     applySuspension();
 }
 
-static void boxAt(float lx, float ly, float lz, MeReal x, MeReal y, MeReal z, const float *color, MeMatrix4Ptr tm) {
-    const MeVector3 offset = {x, y, z};
-    RGraphicTranslateVertices(rc, RGraphicBoxCreate(rc, lx, ly, lz, color, tm), offset);
-}
-
-/* Wheels with a bar across, so that one sees them turn; springs and their mounts. */
+/* Wheels, springs and their mounts. */
 static void createWheelGraphics(void) {
-    const float dark[4] = {.22f, .23f, .25f, 1}, pale[4] = {.80f, .81f, .82f, 1};
     for (int i = 0; i < WHEELS; i++) {
-        MeMatrix4Ptr tm = MdtBodyGetTransformPtr(wheel[i]);
-        RGraphicCylinderCreate(rc, (float)radius, .3f, dark, tm);
-        RGraphicCylinderCreate(rc, (float)radius * .6f, .31f, pale, tm);
-        boxAt((float)radius * 1.1f, .1f, .33f, 0, 0, 0, dark, tm);
+        partWheel(rc, (float)radius, .3f, MdtBodyGetTransformPtr(wheel[i]));
         for (int k = 0; k < RINGS; k++)
             RGraphicTorusCreate(rc, .07f, .12f, RPalette[4], ringTM[i][k]);
-        boxAt(.3f, .06f, (float)track * .8f, wheelX(i), (MeReal)0.36, 0, RPalette[7], MdtBodyGetTransformPtr(chassis));
+        partBox(rc, .3f, .06f, (float)track * .8f, wheelX(i), (MeReal)0.36, 0, RPalette[7],
+                MdtBodyGetTransformPtr(chassis));
     }
 }
 
 static void createChassisGraphics(void) {
     MeMatrix4Ptr tm = MdtBodyGetTransformPtr(chassis);
-    boxAt(3.1f, .3f, .9f, 0, 0, 0, RPalette[0], tm);
-    boxAt(1.7f, .26f, .9f, (MeReal)-0.55, (MeReal)0.28, 0, RPalette[0], tm);
-    boxAt(1.1f, .42f, .84f, (MeReal)-0.55, (MeReal)0.62, 0, RPalette[5], tm);
-    boxAt(1.2f, .05f, .92f, (MeReal)-0.55, (MeReal)0.85, 0, RPalette[0], tm);
-    boxAt(.06f, .14f, .7f, (MeReal)1.56, (MeReal)0.05, 0, RPalette[4], tm);
+    partBox(rc, 3.1f, .3f, .9f, 0, 0, 0, RPalette[0], tm);
+    partBox(rc, 1.7f, .26f, .9f, (MeReal)-0.55, (MeReal)0.28, 0, RPalette[0], tm);
+    partBox(rc, 1.1f, .42f, .84f, (MeReal)-0.55, (MeReal)0.62, 0, RPalette[5], tm);
+    partBox(rc, 1.2f, .05f, .92f, (MeReal)-0.55, (MeReal)0.85, 0, RPalette[0], tm);
+    partBox(rc, .06f, .14f, .7f, (MeReal)1.56, (MeReal)0.05, 0, RPalette[4], tm);
 }
 
 /* A point of the route, so many metres from the start of the first straight. */

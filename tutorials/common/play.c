@@ -1,4 +1,5 @@
 #include "play.h"
+#include "MeMessage.h"
 #include "geometry_graphic.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +13,27 @@ static MeApp *app;
 static MeBool showContacts;
 static RMainLoopCallBackNoData programTick;
 
+/* FNV-1a over every bit of where the bodies are and how they move: two runs that end alike were alike. */
+static MeU32 hashOf(const void *data, size_t size, MeU32 hash) {
+    for (const unsigned char *byte = data; size > 0; size--)
+        hash = (hash ^ *byte++) * 16777619u;
+    return hash;
+}
+
+static MeU32 stateHash(void) {
+    MeU32 hash = 2166136261u;
+    for (MdtBodyID b = MdtBodyGetFirst(playUniverse->world); b; b = MdtBodyGetNext(b)) {
+        MeVector3 v[2];
+        MdtBodyGetLinearVelocity(b, v[0]);
+        MdtBodyGetAngularVelocity(b, v[1]);
+        hash = hashOf(v, sizeof v, hashOf(MdtBodyGetTransformPtr(b), sizeof(MeMatrix4), hash));
+    }
+    return hash;
+}
+
 static void MEAPI_CDECL cleanup(void) {
+    if (playRc->m_Options.m_nFrames > 0)
+        MeInfo(0, "state %08x", (unsigned int)stateHash());
     MeAppDestroy(app);
     RRenderContextDestroy(playRc);
     MstUniverseDestroy(playUniverse);
@@ -90,6 +111,18 @@ static void MEAPI tickWithHelpers(RRender *rc) {
 void playRun(RMainLoopCallBackNoData tick) {
     programTick = tick;
     RRun(playRc, tickWithHelpers);
+}
+
+void playCentre(McdAggregateID whole, MeVector3 was) {
+    MeMatrix4 own;
+    MeMatrix3 inertia;
+    MeReal volume;
+    McdGeometryGetMassProperties(whole, own, inertia, &volume);
+    MeVector3Copy(was, own[3]);
+    for (int i = 0; i < McdAggregateGetElementCount(whole); i++) {
+        MeMatrix4Ptr part = McdAggregateGetElementTransformPtr(whole, i);
+        MeVector3Subtract(part[3], part[3], was);
+    }
 }
 
 McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal z, const float color[4]) {

@@ -22,9 +22,13 @@ MeBool playStart(int argc, const char **argv, const char *name, int models);
 void playHelp(const char *const help[], int lines);
 /* The camera: what it looks at, how far away, from which angles (rad). */
 void playCamera(float x, float y, float z, float distance, float angle, float elevation);
-/* Calls tick before every frame, until the user leaves; does not return. Before it, the mouse pulls (MeAppStep). */
+/* Calls tick before every frame, until the user leaves; does not return. Before it, the mouse pulls (MeAppStep). A run of
+ * so many frames (-frames) ends on a hash of all bodies' state: the same program gives the same. */
 void playRun(RMainLoopCallBackNoData tick);
 
+/* Moves an aggregate's parts, whose transforms are the program's, so that its centre of mass is its origin, where Karma
+ * keeps a body's. Tells where it was. */
+void playCentre(McdAggregateID whole, MeVector3 was);
 /* A model with an enabled body of a density (kg/m³), its middle at a place, and its graphic. Null if there is no room. */
 McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal z, const float color[4]);
 /* A model that does not move, at a transform that is kept. */

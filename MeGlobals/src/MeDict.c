@@ -1,0 +1,353 @@
+/* Dictionaries: a treap (Seidel, Aragon). By keys a search tree, by priorities, which are drawn, a heap: so it is as deep as a
+ * tree whose nodes came in any order, O(log n), whatever the order was. The numbers that are drawn are the same in every run. */
+#include "MeDict.h"
+#include "MeMemory.h"
+#include "MeMessage.h"
+#include <string.h>
+
+static MeBool isGiven(const void *p, const char *what, const char *function) {
+    if (!p)
+        MeWarning(1, "%s: no %s", function, what);
+    return p != NULL;
+}
+
+/* ---- life ------------------------------------------------------------------------------------------------------ */
+
+MeDict *MEAPI MeDictInit(MeDict *dict, unsigned long maxcount, MeDictCompareFn compare) {
+    if (!isGiven(dict, "dictionary", __func__) || !isGiven((const void *)(size_t)compare, "comparison", __func__))
+        return NULL;
+    memset(dict, 0, sizeof *dict);
+    dict->maxCount = maxcount;
+    dict->compare = compare;
+    dict->seed = 1;
+    return dict;
+}
+
+MeDict *MEAPI MeDictCreate(unsigned long maxcount, MeDictCompareFn compare) {
+    if (!isGiven((const void *)(size_t)compare, "comparison", __func__))
+        return NULL;
+    MeDict *dict = MeMemoryAPI.create(sizeof *dict);
+    if (!dict) {
+        MeFatalError(1, "MeDictCreate: no memory");
+        return NULL;
+    }
+    MeDictInit(dict, maxcount, compare);
+    dict->isCreated = METRUE;
+    return dict;
+}
+
+void MEAPI MeDictDestroy(MeDict *dict) {
+    if (!isGiven(dict, "dictionary", __func__))
+        return;
+    if (!dict->isCreated) {
+        MeWarning(1, "MeDictDestroy: MeDictCreate has not made this dictionary");
+        return;
+    }
+    if (dict->count)
+        MeWarning(1, "MeDictDestroy: there are %lu nodes in it", dict->count);
+    while (dict->root)
+        MeDictDelete(dict, dict->root);
+    MeMemoryAPI.destroy(dict);
+}
+
+void MEAPI MeDictAllowDupes(MeDict *dict) {
+    if (isGiven(dict, "dictionary", __func__))
+        dict->allowsDupes = METRUE;
+}
+
+void MEAPI MeDictSetAllocator(MeDict *dict, MeDictAllocFn alloc, MeDictFreeFn freeNode, void *context) {
+    if (!isGiven(dict, "dictionary", __func__))
+        return;
+    if (!alloc != !freeNode) {
+        MeWarning(1, "MeDictSetAllocator: one of the two functions is null; nothing is changed");
+        return;
+    }
+    dict->alloc = alloc;
+    dict->free = freeNode;
+    dict->context = context;
+}
+
+/* ---- nodes ----------------------------------------------------------------------------------------------------- */
+
+MeDictNode *MEAPI MeDictNodeInit(MeDictNode *node, void *data) {
+    if (!isGiven(node, "node", __func__))
+        return NULL;
+    memset(node, 0, sizeof *node);
+    node->data = data;
+    return node;
+}
+
+MeDictNode *MEAPI MeDictNodeCreate(void *data) {
+    MeDictNode *node = MeMemoryAPI.create(sizeof *node);
+    if (!node) {
+        MeFatalError(1, "MeDictNodeCreate: no memory");
+        return NULL;
+    }
+    return MeDictNodeInit(node, data);
+}
+
+void MEAPI MeDictNodeDestroy(MeDictNode *node) {
+    if (!isGiven(node, "node", __func__))
+        return;
+    if (node->dict)
+        MeWarning(1, "MeDictNodeDestroy: the node is in a dictionary: see MeDictDelete");
+    else
+        MeMemoryAPI.destroy(node);
+}
+
+void *MEAPI MeDictNodeGet(MeDictNode *node) {
+    return isGiven(node, "node", __func__) ? node->data : NULL;
+}
+
+void MEAPI MeDictNodePut(MeDictNode *node, void *data) {
+    if (isGiven(node, "node", __func__))
+        node->data = data;
+}
+
+const void *MEAPI MeDictNodeGetKey(MeDictNode *node) {
+    return isGiven(node, "node", __func__) ? node->key : NULL;
+}
+
+int MEAPI MeDictNodeIsInADict(MeDictNode *node) {
+    return isGiven(node, "node", __func__) && node->dict;
+}
+
+/* ---- the tree -------------------------------------------------------------------------------------------------- */
+
+/* Where the pointer to a node stands. */
+static MeDictNode **placeOf(MeDict *dict, MeDictNode *node) {
+    MeDictNode *parent = node->parent;
+    return parent ? &parent->child[parent->child[1] == node] : &dict->root;
+}
+
+/* A node takes the place of its parent, which becomes its child on the other side. */
+static void rotateUp(MeDict *dict, MeDictNode *node) {
+    MeDictNode *parent = node->parent;
+    const int side = parent->child[1] == node;
+    MeDictNode *inner = node->child[!side];
+    *placeOf(dict, parent) = node;
+    node->parent = parent->parent;
+    node->child[!side] = parent;
+    parent->parent = node;
+    parent->child[side] = inner;
+    if (inner)
+        inner->parent = parent;
+}
+
+/* Knuth's generator, its upper half folded in. */
+static MeU32 draw(MeDict *dict) {
+    dict->seed = dict->seed * 1664525u + 1013904223u;
+    return dict->seed ^ dict->seed >> 16;
+}
+
+static void hang(MeDict *dict, MeDictNode *node) {
+    MeDictNode **place = &dict->root, *parent = NULL;
+    while (*place) {
+        parent = *place;
+        place = &parent->child[dict->compare(node->key, parent->key) >= 0];
+    }
+    *place = node;
+    node->parent = parent;
+    node->priority = draw(dict);
+    while (node->parent && node->parent->priority < node->priority)
+        rotateUp(dict, node);
+}
+
+/* Down to the leaves, and off. */
+static void unhang(MeDict *dict, MeDictNode *node) {
+    while (node->child[0] || node->child[1]) {
+        MeDictNode *left = node->child[0], *right = node->child[1];
+        rotateUp(dict, !left || (right && right->priority > left->priority) ? right : left);
+    }
+    *placeOf(dict, node) = NULL;
+    node->parent = NULL;
+}
+
+static MeDictNode *farthest(MeDictNode *node, int side) {
+    while (node && node->child[side])
+        node = node->child[side];
+    return node;
+}
+
+static MeDictNode *neighbour(MeDictNode *node, int side) {
+    if (node->child[side])
+        return farthest(node->child[side], !side);
+    while (node->parent && node->parent->child[side] == node)
+        node = node->parent;
+    return node->parent;
+}
+
+/* The last node whose key is before that one, or not after it; null: all are behind. */
+static MeDictNode *lastBefore(MeDict *dict, const void *key, MeBool orEqual) {
+    MeDictNode *found = NULL;
+    for (MeDictNode *node = dict->root; node;) {
+        const int order = dict->compare(node->key, key);
+        const MeBool isBefore = orEqual ? order <= 0 : order < 0;
+        found = isBefore ? node : found;
+        node = node->child[isBefore];
+    }
+    return found;
+}
+
+/* ---- in and out ------------------------------------------------------------------------------------------------ */
+
+static MeBool mayInsert(MeDict *dict, MeDictNode *node, const void *key) {
+    if (!isGiven(dict, "dictionary", "MeDictInsert") || !isGiven(node, "node", "MeDictInsert"))
+        return MEFALSE;
+    if (node->dict)
+        MeWarning(1, "MeDictInsert: the node is in a dictionary already");
+    else if (dict->count >= dict->maxCount)
+        MeWarning(1, "MeDictInsert: there are %lu nodes already: raise MeDictInit's maxcount", dict->count);
+    else if (!dict->allowsDupes && MeDictLookup(dict, key))
+        MeWarning(1, "MeDictInsert: there is a node with that key: see MeDictAllowDupes");
+    else
+        return METRUE;
+    return MEFALSE;
+}
+
+void MEAPI MeDictInsert(MeDict *dict, MeDictNode *node, const void *key) {
+    if (!mayInsert(dict, node, key))
+        return;
+    node->child[0] = node->child[1] = NULL;
+    node->key = key;
+    node->dict = dict;
+    dict->count++;
+    hang(dict, node);
+}
+
+static void freeNode(MeDict *dict, MeDictNode *node) {
+    if (dict->free)
+        dict->free(node, dict->context);
+    else
+        MeDictNodeDestroy(node);
+}
+
+int MEAPI MeDictAllocInsert(MeDict *dict, const void *key, void *data) {
+    if (!isGiven(dict, "dictionary", __func__))
+        return 0;
+    MeDictNode *node = dict->alloc ? dict->alloc(dict->context) : MeDictNodeCreate(data);
+    if (!node)
+        return 0;
+    node->data = data;
+    MeDictInsert(dict, node, key);
+    const MeBool isIn = node->dict == dict;
+    if (!isIn)
+        freeNode(dict, node);
+    return isIn;
+}
+
+MeDictNode *MEAPI MeDictDelete(MeDict *dict, MeDictNode *node) {
+    if (!isGiven(dict, "dictionary", __func__) || !isGiven(node, "node", __func__))
+        return NULL;
+    if (node->dict != dict) {
+        MeWarning(1, "MeDictDelete: the node is not in this dictionary");
+        return NULL;
+    }
+    unhang(dict, node);
+    node->dict = NULL;
+    node->key = NULL;
+    dict->count--;
+    return node;
+}
+
+void MEAPI MeDictDeleteFree(MeDict *dict, MeDictNode *node) {
+    if (MeDictDelete(dict, node))
+        freeNode(dict, node);
+}
+
+void MEAPI MeDictFreeNodes(MeDict *dict) {
+    while (isGiven(dict, "dictionary", __func__) && dict->root)
+        MeDictDeleteFree(dict, dict->root);
+}
+
+/* ---- finding --------------------------------------------------------------------------------------------------- */
+
+MeDictNode *MEAPI MeDictLookup(MeDict *dict, const void *key) {
+    MeDictNode *node = MeDictLowerBound(dict, key);
+    return node && dict->compare(node->key, key) == 0 ? node : NULL;
+}
+
+MeDictNode *MEAPI MeDictLowerBound(MeDict *dict, const void *key) {
+    if (!isGiven(dict, "dictionary", __func__))
+        return NULL;
+    MeDictNode *before = lastBefore(dict, key, MEFALSE);
+    return before ? neighbour(before, 1) : farthest(dict->root, 0);
+}
+
+MeDictNode *MEAPI MeDictUpperBound(MeDict *dict, const void *key) {
+    return isGiven(dict, "dictionary", __func__) ? lastBefore(dict, key, METRUE) : NULL;
+}
+
+MeDictNode *MEAPI MeDictFirst(MeDict *dict) {
+    return isGiven(dict, "dictionary", __func__) ? farthest(dict->root, 0) : NULL;
+}
+
+MeDictNode *MEAPI MeDictLast(MeDict *dict) {
+    return isGiven(dict, "dictionary", __func__) ? farthest(dict->root, 1) : NULL;
+}
+
+static MeDictNode *beside(MeDict *dict, MeDictNode *node, int side, const char *function) {
+    if (!isGiven(dict, "dictionary", function) || !isGiven(node, "node", function))
+        return NULL;
+    if (node->dict == dict)
+        return neighbour(node, side);
+    MeWarning(1, "%s: the node is not in this dictionary", function);
+    return NULL;
+}
+
+MeDictNode *MEAPI MeDictNext(MeDict *dict, MeDictNode *node) {
+    return beside(dict, node, 1, __func__);
+}
+
+MeDictNode *MEAPI MeDictPrev(MeDict *dict, MeDictNode *node) {
+    return beside(dict, node, 0, __func__);
+}
+
+unsigned long MEAPI MeDictCount(MeDict *dict) {
+    return isGiven(dict, "dictionary", __func__) ? dict->count : 0;
+}
+
+int MEAPI MeDictIsEmpty(MeDict *dict) {
+    return isGiven(dict, "dictionary", __func__) && dict->count == 0;
+}
+
+int MEAPI MeDictIsFull(MeDict *dict) {
+    return isGiven(dict, "dictionary", __func__) && dict->count >= dict->maxCount;
+}
+
+int MEAPI MeDictContains(MeDict *dict, MeDictNode *node) {
+    return isGiven(dict, "dictionary", __func__) && isGiven(node, "node", __func__) && node->dict == dict;
+}
+
+void MEAPI MeDictProcess(MeDict *dict, void *context, MeDictProcessFn f) {
+    if (!isGiven(dict, "dictionary", __func__) || !isGiven((const void *)(size_t)f, "function", __func__))
+        return;
+    for (MeDictNode *node = farthest(dict->root, 0), *next; node; node = next) {
+        next = neighbour(node, 1);
+        f(dict, node, context);
+    }
+}
+
+/* ---- checking -------------------------------------------------------------------------------------------------- */
+
+static MeBool isSound(const MeDict *dict, const MeDictNode *node) {
+    for (int side = 0; side < 2; side++) {
+        const MeDictNode *child = node->child[side];
+        if (child && (child->parent != node || child->priority > node->priority))
+            return MEFALSE;
+    }
+    return node->dict == dict;
+}
+
+int MEAPI MeDictVerify(MeDict *dict) {
+    unsigned long count = 0;
+    if (!isGiven(dict, "dictionary", __func__))
+        return 0;
+    for (MeDictNode *node = farthest(dict->root, 0), *last = NULL; node; last = node, node = neighbour(node, 1)) {
+        const int order = last ? dict->compare(last->key, node->key) : -1;
+        if (!isSound(dict, node) || order > 0 || (order == 0 && !dict->allowsDupes))
+            return 0;
+        count++;
+    }
+    return count == dict->count;
+}

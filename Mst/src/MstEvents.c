@@ -1,0 +1,393 @@
+/* Events: what touches, from step to step.
+ *
+ * A pair has a touch from its first contact until the space takes the pair back. While contacts are made, the touches of
+ * the step are listed; after the step, the forces of their contacts say which of them touch, and what is new about that.
+ */
+#include "MstEvents.h"
+#include "MdtBody.h"
+#include "MdtContact.h"
+#include "MdtContactGroup.h"
+#include "MdtWorld.h"
+#include "MeMemory.h"
+#include "MeMessage.h"
+#include "mst_i.h"
+#include <string.h>
+
+/* ---- memory ---------------------------------------------------------------------------------------------------- */
+
+/* An array with room for count elements; null, after MeFatalError, if there is no memory: the old one stays. */
+static void *grown(void *array, int count, size_t size) {
+    void *bigger = MeMemoryAPI.resize(array, (size_t)count * size);
+    if (!bigger)
+        MeFatalError(1, "MstBridgeUpdateEvents: no memory for events");
+    return bigger;
+}
+
+static MeBool hasRoom(MstEventList *list) {
+    if (list->count < list->max)
+        return METRUE;
+    const int more = list->max ? 2 * list->max : 64;
+    MstEvent *event = grown(list->event, more, sizeof *event);
+    if (event)
+        list->event = event;
+    MeU64(*serial)[2] = event ? grown(list->serial, more, sizeof *serial) : 0;
+    if (serial)
+        list->serial = serial, list->max = more;
+    return serial != 0;
+}
+
+static void add(MstEventList *list, const MstEvent *event, const MeU64 serial[2]) {
+    if (!hasRoom(list))
+        return;
+    list->event[list->count] = *event;
+    memcpy(list->serial[list->count++], serial, sizeof *list->serial);
+}
+
+static void freeList(MstEventList *list) {
+    MeMemoryAPI.destroy(list->event);
+    MeMemoryAPI.destroy(list->serial);
+}
+
+/* ---- touches --------------------------------------------------------------------------------------------------- */
+
+static MstTouch *takeTouch(MstBridgeRecord *b) {
+    MstEvents *e = &b->events;
+    MstTouch *t = e->free;
+    if (t)
+        e->free = t->next;
+    else
+        t = MeMemoryAPI.create(sizeof *t);
+    if (!t) {
+        MeFatalError(1, "MstBridgeUpdateContacts: no memory for events");
+        return 0;
+    }
+    memset(t, 0, sizeof *t);
+    t->bridge = b;
+    t->next = e->first;
+    if (e->first)
+        e->first->previous = t;
+    e->first = t;
+    return t;
+}
+
+static void giveTouch(MstTouch *t) {
+    MstEvents *e = &t->bridge->events;
+    *(t->previous ? &t->previous->next : &e->first) = t->next;
+    if (t->next)
+        t->next->previous = t->previous;
+    t->next = e->free;
+    e->free = t;
+}
+
+/* The touch of a pair; null if it has none and there is no memory. */
+static MstTouch *ensureTouch(MstBridgeRecord *b, McdModelPair *p) {
+    const McdModelID model[2] = {p->model1, p->model2};
+    MstTouch *t = p->touch ? p->touch : takeTouch(b);
+    if (!t || p->touch)
+        return t;
+    t->pair = p;
+    for (int k = 0; k < 2; k++) {
+        t->model[k].model = model[k];
+        t->model[k].serial = McdModelGetSerial(model[k]);
+    }
+    p->touch = t;
+    p->forget = mst_touchForget;
+    return t;
+}
+
+static MstEvent eventOf(const MstTouch *t, MstEventKind kind) {
+    MstEvent event;
+    memset(&event, 0, sizeof event);
+    event.kind = kind;
+    event.model1 = t->model[0].model;
+    event.model2 = t->model[1].model;
+    event.material1 = t->material[0];
+    event.material2 = t->material[1];
+    event.isSensor = t->isSensor;
+    if (kind == MstEventEnd)
+        return event;
+    event.impulse = t->impulse;
+    event.approachSpeed = kind == MstEventBegin ? t->approachSpeed : 0;
+    MeVector3Copy(event.position, t->position);
+    MeVector3Copy(event.normal, t->normal);
+    return event;
+}
+
+static void tell(MstEventList *list, const MstTouch *t, MstEventKind kind) {
+    const MstEvent event = eventOf(t, kind);
+    const MeU64 serial[2] = {t->model[0].serial, t->model[1].serial};
+    add(list, &event, serial);
+}
+
+static void unlist(MstTouch *t) {
+    MstEvents *e = &t->bridge->events;
+    for (int i = 0; i < e->listedCount; i++)
+        if (e->listed[i] == t)
+            e->listed[i] = 0;
+}
+
+void MEAPI mst_touchForget(McdModelPair *p) {
+    MstTouch *t = p->touch;
+    if (!t)
+        return;
+    p->touch = 0;
+    p->forget = 0;
+    if (t->isTouching)
+        tell(&t->bridge->events.ended, t, MstEventEnd);
+    if (t->isListed)
+        unlist(t);
+    giveTouch(t);
+}
+
+static void freeTouches(MstTouch *t) {
+    for (MstTouch *next; t; t = next) {
+        next = t->next;
+        MeMemoryAPI.destroy(t);
+    }
+}
+
+void mst_eventsTerm(MstBridgeRecord *b) {
+    MstEvents *e = &b->events;
+    for (MstTouch *t = e->first; t; t = t->next) {
+        t->pair->touch = 0;
+        t->pair->forget = 0;
+    }
+    freeTouches(e->first);
+    freeTouches(e->free);
+    freeList(&e->done);
+    freeList(&e->ended);
+    MeMemoryAPI.destroy(e->listed);
+}
+
+/* ---- before the step ------------------------------------------------------------------------------------------- */
+
+static void unlistAll(MstEvents *e) {
+    for (int i = 0; i < e->listedCount; i++)
+        if (e->listed[i])
+            e->listed[i]->isListed = MEFALSE;
+    e->listedCount = 0;
+}
+
+void mst_eventsBegin(MstBridgeRecord *b) {
+    unlistAll(&b->events);
+}
+
+static MeBool list(MstTouch *t) {
+    MstEvents *e = &t->bridge->events;
+    if (e->listedCount == e->listedMax) {
+        const int more = e->listedMax ? 2 * e->listedMax : 64;
+        MstTouch **listed = grown(e->listed, more, sizeof(MstTouch *));
+        if (!listed)
+            return MEFALSE;
+        e->listed = listed;
+        e->listedMax = more;
+    }
+    e->listed[e->listedCount++] = t;
+    t->isListed = METRUE;
+    return METRUE;
+}
+
+/* How far the pair's bodies are behind their world: those that are tied move together. */
+static MeReal lagOf(const McdModelPair *p) {
+    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
+    const MeReal lag1 = body1 ? MdtBodyGetLag(body1) : 0, lag2 = body2 ? MdtBodyGetLag(body2) : 0;
+    return MeMAX(lag1, lag2);
+}
+
+/* The touch of a pair that was looked at, listed for this step; null where there is nothing to tell. */
+static MstTouch *noted(MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
+    const MeBool isSpaces = p->phase != kMcdFFStateInactive; /* a program's own pair may go at any time, unnoticed */
+    MstTouch *t = isSpaces && (hasContacts || p->touch) ? ensureTouch(b, p) : 0;
+    if (!t || t->isListed) { /* in a later part of the step */
+        if (t)
+            t->hasContacts = t->hasContacts || hasContacts;
+        return t;
+    }
+    if (!list(t))
+        return 0;
+    t->lag = b->part == 0 ? MEINFINITY : lagOf(p);
+    t->hasContacts = hasContacts;
+    t->isSensor = isSensor;
+    t->material[0] = McdModelGetMaterial(p->model1);
+    t->material[1] = McdModelGetMaterial(p->model2);
+    t->tolerance = McdModelGetContactTolerance(p->model1) + McdModelGetContactTolerance(p->model2);
+    t->separation = MEINFINITY;
+    t->approachSpeed = t->impulse = t->largestImpulse = 0;
+    return t;
+}
+
+static void velocityAt(McdModelID m, MeVector3 point, MeVector3 velocity) {
+    const MdtBodyID body = McdModelGetBody(m);
+    const MeReal *linear = McdModelGetLinearVelocityPtr(m);
+    MeVector3Set(velocity, 0, 0, 0);
+    if (body)
+        MdtBodyGetVelocityAtPoint(body, point, velocity);
+    else if (linear)
+        MeVector3Copy(velocity, linear);
+}
+
+MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal) {
+    MeVector3 v1, v2;
+    velocityAt(p->model1, point, v1);
+    velocityAt(p->model2, point, v2);
+    MeVector3Subtract(v1, v1, v2);
+    return -MeVector3Dot(v1, normal);
+}
+
+static void noteContact(MstTouch *t, MeVector3 position, const MeVector3 normal, MeReal separation) {
+    if (separation < t->separation) {
+        t->separation = separation;
+        MeVector3Copy(t->position, position);
+        MeVector3Copy(t->normal, normal);
+    }
+    if (!t->isTouching)
+        t->approachSpeed = MeMAX(t->approachSpeed, mst_approachAt(t->pair, position, normal));
+}
+
+/* A group's normals push its first body; where the first model has none, that is the second model's. */
+void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal) {
+    MdtContactGetNormal(c, normal);
+    if (!McdModelGetBody(p->model1))
+        MeVector3MultiplyScalar(normal, normal, -1);
+}
+
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p) {
+    const MdtContactGroupID group = p->responseData;
+    const MeBool hasContacts = group && MdtContactGroupGetCount(group) > 0;
+    MstTouch *t = noted(b, p, hasContacts, MEFALSE);
+    if (!t || !hasContacts)
+        return;
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
+        MeVector3 position, normal;
+        MdtContactGetPosition(c, position);
+        mst_normalOf(p, c, normal);
+        noteContact(t, position, normal, -MdtContactGetPenetration(c));
+    }
+}
+
+void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
+    MstTouch *t = noted(b, p, result->contactCount > 0, METRUE);
+    if (!t)
+        return;
+    for (int i = 0; i < result->contactCount; i++)
+        noteContact(t, result->contacts[i].position, result->contacts[i].normal, result->contacts[i].separation);
+}
+
+/* ---- after the step -------------------------------------------------------------------------------------------- */
+
+/* Adds what the contacts did since the last time. */
+static void gather(MstTouch *t) {
+    const MdtContactGroupID group = t->pair->responseData;
+    const MeReal before = t->lag;
+    t->lag = lagOf(t->pair);
+    if (!group || MdtContactGroupGetCount(group) == 0 || !(t->lag < before))
+        return;
+    const MeReal time = MdtBodyGetPart(MdtContactGroupGetBody(group, 0));
+    t->impulse += time * MdtContactGroupGetNormalForce(group);
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
+        MeVector3 force, normal;
+        MdtContactGetNormal(c, normal);
+        MdtContactGetForce(c, 0, force);
+        const MeReal impulse = time * MeVector3Dot(force, normal);
+        if (impulse <= t->largestImpulse)
+            continue;
+        t->largestImpulse = impulse;
+        MdtContactGetPosition(c, t->position);
+        mst_normalOf(t->pair, c, t->normal);
+    }
+}
+
+void mst_eventsGather(MstBridgeRecord *b) {
+    for (int i = 0; i < b->events.listedCount; i++)
+        if (b->events.listed[i])
+            gather(b->events.listed[i]);
+}
+
+static MeBool touches(const MstTouch *t) {
+    if (!t->hasContacts)
+        return MEFALSE;
+    return t->impulse > 0 || t->separation <= 0 || (t->isTouching && !t->isSensor && t->separation <= t->tolerance);
+}
+
+static void tellChange(MstEvents *e, MstTouch *t) {
+    const MeBool was = t->isTouching, is = touches(t);
+    t->isTouching = is;
+    if (is)
+        tell(&e->done, t, was ? MstEventPersist : MstEventBegin);
+    else if (was)
+        tell(&e->done, t, MstEventEnd);
+}
+
+static void takeEnded(MstEvents *e) {
+    e->done.count = 0;
+    for (int i = 0; i < e->ended.count; i++)
+        add(&e->done, &e->ended.event[i], e->ended.serial[i]);
+    e->ended.count = 0;
+}
+
+static void tellBreaks(MstEvents *e, MdtWorldID w) {
+    static const MeU64 none[2] = {0, 0};
+    int count;
+    const MdtConstraintID *broken = MdtWorldGetBrokenJoints(w, &count);
+    e->world = w;
+    e->firstBreak = e->done.count;
+    for (int i = 0; i < count; i++) {
+        MstEvent event;
+        memset(&event, 0, sizeof event);
+        event.kind = MstEventBreak;
+        event.joint = broken[i];
+        add(&e->done, &event, none);
+    }
+}
+
+static McdModelID ifAlive(McdModelID m, MeU64 serial) {
+    return McdModelGetSerial(m) == serial ? m : 0;
+}
+
+/* Nulls what was destroyed since. Breaks come last, in the order of the world's list. */
+static void refresh(MstEvents *e, int i) {
+    MstEvent *event = &e->done.event[i];
+    if (event->kind == MstEventBreak) {
+        event->joint = MdtWorldGetBrokenJoints(e->world, 0)[i - e->firstBreak];
+        return;
+    }
+    event->model1 = ifAlive(event->model1, e->done.serial[i][0]);
+    event->model2 = ifAlive(event->model2, e->done.serial[i][1]);
+}
+
+static void callBack(MstBridgeRecord *b) {
+    for (int i = 0; i < b->events.firstBreak; i++) {
+        refresh(&b->events, i);
+        const MstEvent *event = &b->events.done.event[i];
+        const MstTouchCBPtr cb = mst_materialPair(b, event->material1, event->material2)->touchCb;
+        if (cb)
+            cb(event);
+    }
+}
+
+void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
+    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateEvents");
+    if (!record)
+        return;
+    MstEvents *e = &record->events;
+    mst_eventsGather(record);
+    takeEnded(e);
+    for (int i = 0; i < e->listedCount; i++) {
+        if (e->listed[i])
+            tellChange(e, e->listed[i]);
+    }
+    unlistAll(e);
+    tellBreaks(e, w);
+    callBack(record);
+}
+
+const MstEvent *MEAPI MstBridgeGetEvents(const MstBridgeID b, int *count) {
+    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeGetEvents");
+    if (count)
+        *count = record ? record->events.done.count : 0;
+    if (!record)
+        return 0;
+    for (int i = 0; i < record->events.done.count; i++)
+        refresh(&record->events, i);
+    return record->events.done.event;
+}

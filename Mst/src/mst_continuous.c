@@ -1,0 +1,208 @@
+/* Continuous motion: fast models are stopped where they touch, and go on from there.
+ *
+ * A step is taken in parts. In the first all bodies move, but the partition of a fast model that would meet something only up
+ * to there; the others are done then. In each further part the ones that are behind get new contacts, and move on to the next
+ * impact or to the end of the step. A pair of bodies that will meet is tied into one partition before it touches, so that
+ * both are at the same time when they do. The impact itself is a short part too, as nobody has looked at where the body
+ * goes after it.
+ *
+ * What is behind must not push what is done: it would move for longer than the step. Where it meets such a body it waits, and
+ * the rest of its step is lost; so it is after the last part.
+ *
+ * A large partition is not held back by what hits it, which would cost as many solves of it: the fast body waits for it and
+ * meets it in the next step, which is not divided either. What is fast and belongs to a large partition is followed in
+ * the first parts only.
+ */
+#include "McdGeometry.h"
+#include "McdInteractions.h"
+#include "McdQuery.h"
+#include "MdtBody.h"
+#include "MdtContact.h"
+#include "MdtContactGroup.h"
+#include "MdtWorld.h"
+#include "MeMemory.h"
+#include "MeMessage.h"
+#include "MstUniverse.h"
+#include "mst_i.h"
+
+enum {
+    PARTS = 16,
+    HEAVY = 32,      /* bodies of a partition that is not divided for others */
+    HEAVY_PARTS = 2, /* more than these, for its own */
+};
+
+/* ---- safe times ------------------------------------------------------------------------------------------------ */
+
+void mst_hurryNobody(MstBridgeRecord *b) {
+    for (int i = 0; i < b->hurriedCount; i++)
+        MdtBodySetSafeTime(b->hurried[i], MEINFINITY);
+    b->hurriedCount = 0;
+}
+
+static MeBool hasRoom(MstBridgeRecord *b) {
+    if (b->hurriedCount < b->hurriedMax)
+        return METRUE;
+    const int more = b->hurriedMax ? 2 * b->hurriedMax : 32;
+    MdtBodyID *hurried = MeMemoryAPI.resize(b->hurried, (size_t)more * sizeof(MdtBodyID));
+    if (!hurried) {
+        MeFatalError(1, "MstBridgeUpdateContacts: no memory for fast bodies");
+        return MEFALSE;
+    }
+    b->hurried = hurried;
+    b->hurriedMax = more;
+    return METRUE;
+}
+
+static void hurry(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
+    if (!body || !hasRoom(b))
+        return;
+    MdtBodySetSafeTime(body, MeMIN(time, MdtBodyGetSafeTime(body)));
+    b->hurried[b->hurriedCount++] = body;
+}
+
+/* ---- when they meet -------------------------------------------------------------------------------------------- */
+
+static MeBool isSurface(McdModelID m) {
+    const McdGeometryType type = McdModelGetGeometryType(m);
+    return type == kMcdGeometryTypeTriangleList || type == kMcdGeometryTypeRGHeightField;
+}
+
+static MeBool isConvex(McdModelID m) {
+    const McdGeometryType type = McdModelGetGeometryType(m);
+    return type == kMcdGeometryTypeSphere || type == kMcdGeometryTypeBox || type == kMcdGeometryTypeCylinder ||
+           type == kMcdGeometryTypeSphyl || type == kMcdGeometryTypeCone || type == kMcdGeometryTypeConvexMesh;
+}
+
+static int MEAPI isThatOne(McdModelID m, void *wanted) {
+    return m == (McdModelID)wanted;
+}
+
+static void addWay(MeVector3 way, McdModelID m, MeReal time) {
+    const MeReal *velocity = McdModelGetLinearVelocityPtr(m);
+    for (int i = 0; velocity && i < 3; i++)
+        way[i] += time * velocity[i];
+}
+
+/* McdSafeTime does not know surfaces of triangles: there the shape is cast along its way, without its turning. It is stopped
+ * a little before. */
+static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, MeReal most) {
+    enum { STOP = 1000 };
+    McdCastResult hit;
+    MeVector3 way = {0, 0, 0}, centre;
+    MeReal radius;
+    addWay(way, shape, most);
+    addWay(way, surface, -most);
+    const MeReal length = MeVector3Magnitude(way);
+    if (!(length > 0) ||
+        !McdSpaceCastGeometry(s, McdModelGetGeometry(shape), (const MeVector4 *)McdModelGetTransformPtr(shape), way,
+                              isThatOne, surface, &hit))
+        return most;
+    McdModelGetBSphere(shape, centre, &radius);
+    return MeMAX(hit.fraction - radius / (STOP * length), 0) * most;
+}
+
+static MeReal timeToTouch(McdModelPair *p, McdSpaceID s, MeReal most) {
+    McdSafeTimeResult safe;
+    if (isSurface(p->model2) && isConvex(p->model1))
+        return timeToSurface(p->model1, p->model2, s, most);
+    if (isSurface(p->model1) && isConvex(p->model2))
+        return timeToSurface(p->model2, p->model1, s, most);
+    return McdSafeTime(p, most, &safe) ? safe.time : most;
+}
+
+static MeReal lagOf(MdtBodyID body) {
+    return body ? MdtBodyGetLag(body) : 0;
+}
+
+static MeReal marginOf(const McdModelPair *p) {
+    return MeMAX(McdModelGetFastMargin(p->model1), McdModelGetFastMargin(p->model2));
+}
+
+static MeReal approachOf(const McdModelPair *p) {
+    const MdtContactGroupID group = p->responseData;
+    MdtContactID c = group ? MdtContactGroupGetFirstContact(group) : 0;
+    MeReal most = 0;
+    for (; c; c = MdtContactGroupGetNextContact(group, c)) {
+        MeVector3 position, normal;
+        MdtContactGetPosition(c, position);
+        mst_normalOf(p, c, normal);
+        most = MeMAX(most, mst_approachAt(p, position, normal));
+    }
+    return most;
+}
+
+/* An impact takes a part of its own, twice as long as it takes to close the gap: where the body goes after it is looked at
+ * in the next part. Not so where the pair slides or rests, and its motion remains what it is. */
+static MeReal timeOfImpact(const McdModelPair *p, MeReal most) {
+    const MeReal approach = approachOf(p), margin = marginOf(p);
+    return approach * most > 4 * margin ? 2 * margin / approach : most;
+}
+
+static MeBool isHeavy(MdtBodyID body) {
+    return body && MdtBodyGetPartitionSize(body) > HEAVY;
+}
+
+static void stopAt(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal time) {
+    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
+    const MeBool stops1 = !isHeavy(body1) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model1) > 0);
+    const MeBool stops2 = !isHeavy(body2) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model2) > 0);
+    if (body1 && body2 && stops1 && stops2)
+        mst_pairTie(p, w);
+    if (stops1)
+        hurry(b, body1, time);
+    if (stops2)
+        hurry(b, body2, time);
+}
+
+void mst_followFast(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w, MeBool hasContacts) {
+    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
+    if (!(marginOf(p) > 0))
+        return;
+    const MeReal most = b->part == 0 ? b->ahead : MeMAX(lagOf(body1), lagOf(body2));
+    if (hasContacts && (isHeavy(body1) || isHeavy(body2)))
+        return;
+    const MeReal time = hasContacts ? timeOfImpact(p, most) : timeToTouch(p, s, most);
+    if (time < most)
+        stopAt(b, p, w, time);
+}
+
+/* ---- the parts after the first --------------------------------------------------------------------------------- */
+
+/* Has the body done its step, so that it must not be pushed? */
+static MeBool isDone(MdtBodyID body) {
+    return body && MdtBodyIsEnabled(body) && !(MdtBodyGetLag(body) > 0);
+}
+
+MeBool mst_mayMeet(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s) {
+    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
+    const MeBool isBehind1 = lagOf(body1) > 0, isBehind2 = lagOf(body2) > 0;
+    if ((!isBehind1 && !isBehind2) || McdModelIsSensor(p->model1) || McdModelIsSensor(p->model2))
+        return MEFALSE;
+    if (!isDone(body1) && !isDone(body2))
+        return METRUE;
+    if (McdModelGetFastMargin(isBehind1 ? p->model1 : p->model2) > 0)
+        hurry(b, isBehind1 ? body1 : body2, timeToTouch(p, s, MeMAX(lagOf(body1), lagOf(body2))));
+    return MEFALSE;
+}
+
+/* 0: nothing can move on. */
+static int stepRest(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
+    mst_eventsGather(b);
+    McdSpacePathUpdateAll(u->space, step);
+    MstBridgeUpdateContacts(u->bridge, u->space, u->world);
+    return MdtWorldStepRest(u->world);
+}
+
+void mst_stepWorld(MstUniverse *u, MeReal step) {
+    MstBridgeRecord *b = (MstBridgeRecord *)u->bridge;
+    if (b->hurriedCount == 0) {
+        MdtWorldStep(u->world, step);
+        return;
+    }
+    MdtWorldStepSafeTime(u->world, step);
+    for (b->part = 1; b->part < PARTS && MdtWorldGetLaggingBodies(u->world) > 0; b->part++)
+        if (!stepRest(u, b, step))
+            break;
+    b->part = 0;
+    mst_hurryNobody(b);
+}

@@ -1,0 +1,383 @@
+/* Continuous motion: what is fast meets what is in its way, in time, and all of the step is simulated. */
+#include "Mst.h"
+#include "karma_test.h"
+
+#define STEP (1. / 60)
+
+static MstUniverseID u;
+static MeMatrix4 place;
+static MeU32 seed;
+
+static void setUp(void) {
+    u = MstUniverseCreate(0);
+    MdtWorldSetGravity(u->world, 0, 0, 0);
+    MdtWorldSetAutoDisable(u->world, 0);
+    MeMatrix4TMMakeIdentity(place);
+    seed = 1;
+}
+
+static void tearDown(void) {
+    MstUniverseDestroy(u);
+}
+
+static double fraction(void) {
+    seed = seed * 1664525u + 1013904223u;
+    return seed / 4294967296.;
+}
+
+static double between(double low, double high) {
+    return low + (high - low) * fraction();
+}
+
+static void step(void) {
+    MstUniverseStep(u, (MeReal)STEP);
+}
+
+static void setRestitution(double e) {
+    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)e);
+}
+
+static McdModelID makeBall(double radius) {
+    McdModelID m = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal)radius), 1000);
+    McdModelSetSwept(m, METRUE);
+    return m;
+}
+
+static void put(McdModelID m, const double at[3], const double velocity[3]) {
+    McdModelDynamicsSetPosition(m, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
+    McdModelDynamicsSetLinearVelocity(m, (MeReal)velocity[0], (MeReal)velocity[1], (MeReal)velocity[2]);
+}
+
+static void velocityOf(McdModelID m, double v[3]) {
+    MeVector3 real;
+    McdModelDynamicsGetLinearVelocity(m, real);
+    for (int i = 0; i < 3; i++)
+        v[i] = (double)real[i];
+}
+
+static double coordinate(McdModelID m, int axis) {
+    MeVector3 p;
+    McdModelDynamicsGetPosition(m, p);
+    return (double)p[axis];
+}
+
+/* ---- bullets --------------------------------------------------------------------------------------------------------- */
+
+/* A shot at the plane x = 0 from the side of negative x. Returns whether it went through; else all of its velocity is as
+ * restitution has it, and it is where it came to in the time. */
+static MeBool shoot(McdModelID ball, double radius, double wall, double e) {
+    const double speed = between(50, 1500), distance = between(1, 40);
+    const double to[3] = {0, between(-3, 3), between(-3, 3)};
+    const double from[3] = {-distance, to[1] + between(-.8, .8) * distance, to[2] + between(-.8, .8) * distance};
+    double v[3], now[3], way = 0;
+    for (int i = 0; i < 3; i++)
+        way += (to[i] - from[i]) * (to[i] - from[i]);
+    for (int i = 0; i < 3; i++)
+        v[i] = speed * (to[i] - from[i]) / sqrt(way);
+    put(ball, from, v);
+    int steps = 0;
+    memcpy(now, v, sizeof now);
+    for (; now[0] > 0 && coordinate(ball, 0) < 0 && steps < 100; steps++) {
+        step();
+        velocityOf(ball, now);
+    }
+    if (coordinate(ball, 0) > 0)
+        return METRUE;
+    assert_near_rel(now[0], -e * v[0], TOL(1e-5, 1e-12));
+    assert_near(now[1], v[1], speed * TOL(1e-6, 1e-12));
+    assert_near(now[2], v[2], speed * TOL(1e-6, 1e-12));
+    const double met = (distance - radius - wall) / v[0]; /* s, and the time after it is not lost */
+    assert_near(coordinate(ball, 0), -radius - wall - e * v[0] * (steps * STEP - met), 1e-5 * (1 + distance));
+    return MEFALSE;
+}
+
+START_TEST(no_bullet_tunnels_a_wall_of_two_centimetres) {
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
+    McdModelID ball = makeBall(.05);
+    setRestitution(.5);
+    for (int i = 0; i < 1000; i++)
+        ck_assert_msg(!shoot(ball, .05, .01, .5), "shot %d", i);
+}
+END_TEST
+
+START_TEST(without_the_switch_they_tunnel) {
+    int tunnels = 0;
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
+    for (int i = 0; i < 100; i++) {
+        McdModelID ball = makeBall(.05);
+        McdModelSetSwept(ball, MEFALSE);
+        const double from[3] = {between(-40, -1), 0, 0}, v[3] = {between(50, 1500), 0, 0};
+        put(ball, from, v);
+        for (int k = 0; k < 60; k++)
+            step();
+        tunnels += coordinate(ball, 0) > 0;
+        MstModelAndBodyDestroy(ball);
+    }
+    ck_assert_int_gt(tunnels, 80);
+}
+END_TEST
+
+/* The wall is a sheet of two triangles, or a field on its side; both face -x. */
+static MeReal heights[9 * 9];
+static MeVector3 corner[4] = {{0, -4, -4}, {0, 4, -4}, {0, 4, 4}, {0, -4, 4}};
+
+static int MEAPI sheet(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 pos, MeReal radius, int max) {
+    static const int of[2][3] = {{0, 2, 1}, {0, 3, 2}};
+    (void)pair, (void)pos, (void)radius;
+    for (int i = 0; i < 2 && i < max; i++) {
+        memset(&triangle[i], 0, sizeof triangle[i]);
+        for (int c = 0; c < 3; c++)
+            triangle[i].vertices[c] = &corner[of[i][c]];
+        triangle[i].flags = kMcdTriangleStandard;
+    }
+    return MeMIN(2, max);
+}
+
+START_TEST(no_bullet_tunnels_a_triangle_list) {
+    MeVector3 low = {0, -4, -4}, high = {0, 4, 4};
+    MstFixedModelCreate(u, McdTriangleListCreate(u->frame, low, high, 8, sheet), place);
+    McdModelID ball = makeBall(.05);
+    setRestitution(.5);
+    for (int i = 0; i < 1000; i++)
+        ck_assert_msg(!shoot(ball, .05, 0, .5), "shot %d", i);
+}
+END_TEST
+
+START_TEST(no_bullet_tunnels_a_height_field) {
+    memset(heights, 0, sizeof heights);
+    MeVector3Set(place[0], 0, 0, 1); /* its z is the world's -x */
+    MeVector3Set(place[1], 0, 1, 0);
+    MeVector3Set(place[2], -1, 0, 0);
+    MstFixedModelCreate(u, McdRGHeightFieldCreate(u->frame, heights, 9, 9, 1, 1, -4, -4), place);
+    McdModelID ball = makeBall(.05);
+    setRestitution(.5);
+    for (int i = 0; i < 1000; i++)
+        ck_assert_msg(!shoot(ball, .05, 0, .5), "shot %d", i);
+}
+END_TEST
+
+/* Between two walls 1 m apart, at 137 m/s: three impacts in a step. */
+START_TEST(a_bullet_meets_several_walls_in_a_step) {
+    static MeMatrix4 other;
+    setRestitution(1);
+    MeMatrix4TMMakeIdentity(other);
+    other[3][0] = 1;
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), other);
+    McdModelID ball = makeBall(.05);
+    const double from[3] = {.5, 0, 0}, v[3] = {137, 0, 0}, room = 1 - .02 - .1;
+    put(ball, from, v);
+    for (int i = 1; i <= 60; i++) {
+        step();
+        const double path = fmod(137 * STEP * i + room / 2, 2 * room); /* to and fro */
+        const double expected = .06 + (path < room ? path : 2 * room - path);
+        assert_near(coordinate(ball, 0), expected, TOL(5e-4, 1e-4));
+    }
+}
+END_TEST
+
+/* ---- rods ------------------------------------------------------------------------------------------------------------ */
+
+/* Which side of the rod's middle line the post at (d, 0) is on; 0: the rod does not reach it. */
+static double sideOf(McdModelID rod, double d) {
+    const MeMatrix4Ptr tm = McdModelGetTransformPtr(rod);
+    const double x = d - (double)tm[3][0], y = -(double)tm[3][1];
+    const double along = fabs((double)tm[0][0] * x + (double)tm[0][1] * y);
+    return along < 1 ? (double)tm[0][0] * y - (double)tm[0][1] * x : 0;
+}
+
+/* 2 m, 2 x 2 cm; 60 rad/s, so 1 rad a step; the post 2 cm thick. */
+static MeBool spin(MeBool isHinged) {
+    const double d = between(.2, .95), angle = between(.15, ME_PI - .15);
+    MeBool isThrough = MEFALSE;
+    place[3][0] = (MeReal)d;
+    MstFixedModelCreate(u, McdCylinderCreate(u->frame, (MeReal).01, 4), place);
+    McdModelID rod = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 2, (MeReal).02, (MeReal).02), 1000);
+    McdModelSetSwept(rod, METRUE);
+    McdModelDynamicsSetQuaternion(rod, (MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2));
+    McdModelDynamicsSetAngularVelocity(rod, 0, 0, 60);
+    if (isHinged) {
+        MdtHingeID hinge = MdtHingeCreate(u->world);
+        MdtHingeSetBodies(hinge, McdModelGetBody(rod), 0);
+        MdtHingeSetPosition(hinge, 0, 0, 0);
+        MdtHingeSetAxis(hinge, 0, 0, 1);
+        MdtHingeEnable(hinge);
+    }
+    for (int i = 0; i < 60; i++) {
+        const double before = sideOf(rod, d);
+        step();
+        isThrough = isThrough || before * sideOf(rod, d) < 0;
+    }
+    return isThrough;
+}
+
+START_TEST(no_rod_tunnels_a_post) {
+    for (int i = 0; i < 300; i++) {
+        tearDown();
+        u = MstUniverseCreate(0);
+        MdtWorldSetGravity(u->world, 0, 0, 0);
+        MeMatrix4TMMakeIdentity(place);
+        setRestitution(1);
+        ck_assert_msg(!spin(i % 2), "rod %d", i);
+    }
+}
+END_TEST
+
+/* ---- bodies among themselves ------------------------------------------------------------------------------------------- */
+
+/* A bullet of m at v sticks to a plate of M: both go on at m v / (m + M). */
+START_TEST(a_bullet_pushes_a_plate) {
+    McdModelID plate = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, (MeReal).02, 4, 4), 100);
+    McdModelID ball = makeBall(.05);
+    const double m = (double)MdtBodyGetMass(McdModelGetBody(ball)), M = (double)MdtBodyGetMass(McdModelGetBody(plate));
+    const double from[3] = {-7, 0, 0}, v[3] = {900, 0, 0};
+    double after[3];
+    put(ball, from, v);
+    for (int i = 0; i < 30; i++)
+        step();
+    velocityOf(plate, after);
+    assert_near_rel(after[0], m * 900 / (m + M), TOL(1e-5, 1e-8));
+    velocityOf(ball, after);
+    assert_near_rel(after[0], m * 900 / (m + M), TOL(1e-5, 1e-8));
+    const double met = (7 - .06) / 900;
+    assert_near_rel(coordinate(plate, 0), (30 * STEP - met) * m * 900 / (m + M), TOL(1e-4, 1e-5));
+}
+END_TEST
+
+START_TEST(bullets_meet_each_other) {
+    McdModelID a = makeBall(.05), b = makeBall(.05);
+    const double left[3] = {-9, 0, 0}, right[3] = {9, .02, 0}, v[3] = {700, 0, 0}, back[3] = {-800, 0, 0};
+    double va[3], vb[3];
+    setRestitution(1);
+    put(a, left, v);
+    put(b, right, back);
+    for (int i = 0; i < 3; i++)
+        step();
+    velocityOf(a, va);
+    velocityOf(b, vb);
+    ck_assert(va[0] < 0 && vb[0] > 0);
+    for (int i = 0; i < 3; i++)
+        assert_near(va[i] + vb[i], v[i] + back[i], TOL(1e-3, 1e-9));
+    assert_near_rel(va[0] * va[0] + va[1] * va[1] + vb[0] * vb[0] + vb[1] * vb[1], 700. * 700 + 800. * 800,
+                    TOL(1e-5, 1e-9));
+}
+END_TEST
+
+/* A wall of boxes that sleeps: the bullet wakes it, and loses what the boxes gain. */
+START_TEST(a_bullet_breaks_a_sleeping_stack) {
+    McdModelID box[9];
+    double momentum = 0, v[3];
+    MdtWorldSetGravity(u->world, 0, 0, -10);
+    MdtWorldSetAutoDisable(u->world, 1);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), place);
+    McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int i = 0; i < 9; i++) {
+        box[i] = MstModelAndBodyCreate(u, cube, 10);
+        const double at[3] = {0, i % 3 - 1., i / 3 + .5}, still[3] = {0, 0, 0};
+        put(box[i], at, still);
+    }
+    for (int i = 0; i < 300; i++)
+        step();
+    ck_assert(!McdModelDynamicsIsEnabled(box[4]));
+    McdModelID ball = makeBall(.05);
+    const double from[3] = {-20, .3, 1.4}, fast[3] = {600, 0, 0};
+    put(ball, from, fast);
+    for (int i = 0; i < 3; i++)
+        step();
+    ck_assert(McdModelDynamicsIsEnabled(box[4]));
+    for (int i = 0; i < 9; i++) {
+        velocityOf(box[i], v);
+        momentum += v[0] * (double)MdtBodyGetMass(McdModelGetBody(box[i]));
+    }
+    velocityOf(ball, v);
+    const double m = (double)MdtBodyGetMass(McdModelGetBody(ball));
+    assert_near_rel(momentum + m * v[0], m * 600, 1e-2);     /* what friction with the floor took */
+    const MeMatrix4Ptr tm = McdModelGetTransformPtr(box[4]); /* in its frame the ball is before its face */
+    double x = 0;
+    for (int i = 0; i < 3; i++)
+        x += (coordinate(ball, i) - coordinate(box[4], i)) * (double)tm[0][i];
+    assert_below(x, -.5);
+}
+END_TEST
+
+/* ---- the step ---------------------------------------------------------------------------------------------------------- */
+
+/* A ball that is thrown on the floor, with its weight, an added force and a restitution. */
+START_TEST(forces_act_in_all_parts_of_a_step) {
+    const double from[3] = {0, 0, 20}, v[3] = {0, 0, -30}, time = 100 * STEP;
+    setRestitution(.8);
+    MdtWorldSetGravity(u->world, 0, 0, -10);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), place);
+    McdModelID ball = makeBall(.05);
+    put(ball, from, v);
+    for (int i = 0; i < 100; i++) {
+        McdModelDynamicsAddForce(ball, 0, 0, -10);
+        step();
+    }
+    const double g = 10 + 10 / (double)MdtBodyGetMass(McdModelGetBody(ball));
+    const double speed = sqrt(30 * 30 + 2 * g * (20 - .05)), rest = time - (speed - 30) / g;
+    const double early = g / 2 * STEP * STEP; /* the impact is looked for with the velocity at the step's begin */
+    assert_near(coordinate(ball, 2), .05 + .8 * speed * rest - g / 2 * rest * rest, early);
+}
+END_TEST
+
+START_TEST(an_impact_in_the_middle_of_a_step_is_one_event) {
+    MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal).02, 8, 8), place);
+    McdModelID ball = makeBall(.05);
+    const double from[3] = {-5, 0, 0}, v[3] = {400, 0, 0}, m = (double)MdtBodyGetMass(McdModelGetBody(ball));
+    int count;
+    setRestitution(.5);
+    put(ball, from, v);
+    step();
+    const MstEvent *event = MstUniverseGetEvents(u, &count);
+    ck_assert(count == 1 && event->kind == MstEventBegin);
+    assert_near_rel(event->impulse, 1.5 * 400 * m, TOL(1e-5, 1e-9));
+    assert_near_rel(event->approachSpeed, 400, 1e-6);
+    assert_vec3_near(event->position, -.01, 0, 0, 1e-3);
+    assert_vec3_near(event->normal, -1, 0, 0, 1e-6);
+    step();
+    ck_assert(MstUniverseGetEvents(u, &count)->kind == MstEventEnd && count == 1);
+}
+END_TEST
+
+START_TEST(it_is_the_same_twice) {
+    double end[2][3];
+    for (int run = 0; run < 2; run++) {
+        tearDown();
+        setUp();
+        setRestitution(.9);
+        MdtWorldSetGravity(u->world, 0, 0, -10);
+        MstFixedModelCreate(u, McdPlaneCreate(u->frame), place);
+        McdModelID ball = 0;
+        for (int i = 0; i < 30; i++) {
+            ball = makeBall(.1);
+            const double at[3] = {between(-2, 2), between(-2, 2), between(1, 5)};
+            const double v[3] = {between(-200, 200), between(-200, 200), between(-200, 0)};
+            put(ball, at, v);
+        }
+        for (int i = 0; i < 20; i++)
+            step();
+        for (int i = 0; i < 3; i++)
+            end[run][i] = coordinate(ball, i);
+    }
+    ck_assert(memcmp(end[0], end[1], sizeof end[0]) == 0);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setUp, tearDown);
+    tcase_add_test(t, no_bullet_tunnels_a_wall_of_two_centimetres);
+    tcase_add_test(t, without_the_switch_they_tunnel);
+    tcase_add_test(t, no_bullet_tunnels_a_triangle_list);
+    tcase_add_test(t, no_bullet_tunnels_a_height_field);
+    tcase_add_test(t, a_bullet_meets_several_walls_in_a_step);
+    tcase_add_test(t, no_rod_tunnels_a_post);
+    tcase_add_test(t, a_bullet_pushes_a_plate);
+    tcase_add_test(t, bullets_meet_each_other);
+    tcase_add_test(t, a_bullet_breaks_a_sleeping_stack);
+    tcase_add_test(t, forces_act_in_all_parts_of_a_step);
+    tcase_add_test(t, an_impact_in_the_middle_of_a_step_is_one_event);
+    tcase_add_test(t, it_is_the_same_twice);
+}
+
+TEST_MAIN("MstContinuous", tests)

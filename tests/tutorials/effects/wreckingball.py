@@ -1,0 +1,14 @@
+from tutorial import figure, near, status
+
+USES = ['Mdt', 'Mcd', 'Mst']
+
+
+def check():
+    """The wall stands until the ball comes, and not after it; the joints of the chain stay closed in the blow."""
+    before, after = status(60), status(600)
+    assert figure(before, 'bricks standing') == 30, before
+    assert figure(after, 'bricks standing') <= 20, after
+    for line in before, after:
+        assert figure(line, 'joints open at most') < 0.02, line
+    near(figure(after, 'ball'), 2000 * 4 / 3 * 3.14159265 * 0.8 ** 3, 0.6, 'the mass of the ball')
+    assert figure(status(2400), 'awake') <= 13, 'the bricks do not come to rest'
