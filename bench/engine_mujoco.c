@@ -245,7 +245,7 @@ const Engine engine_mujoco = {
     .about = "double precision; its defaults: Newton, friction pyramid, soft contacts; joints are coordinates; no "
              "restitution",
     .settings = settings,
-    .maxLinks = 90, /* its reader of XML nests to 100 */
+    .maxLinks = 90, /* its reader of XML nests to 100; of 300 boxes its dense matrix finds no memory */
     .create = create,
     .addGround = addGround,
     .addBody = addBody,

@@ -287,7 +287,7 @@ END_TEST
 
 START_TEST(bad_pairs_and_results_are_refused) {
     McdModelID a = modelAt(blobCreate(frame, BLOB, 1, 0), 0, 0), b = modelAt(blobCreate(frame, BLOB, 1, 0), 1, 1);
-    McdModelPair p = {a, b, 0, 0, 0, kMcdFFStateInactive, 0};
+    McdModelPair p = {.model1 = a, .model2 = b, .phase = kMcdFFStateInactive};
     McdIntersectResult result = emptyResult(), placeless = {0};
     messages_catch();
     setInteraction(BLOB, BLOB);

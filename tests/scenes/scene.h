@@ -80,7 +80,7 @@ struct Scene {
     const char *name;
     const char *text; /* what happens, and what the errors are */
     double parameter; /* mass [kg] where several scenes are alike */
-    int count;        /* of links, where several are alike */
+    int count;        /* of links, where several are alike; of the boxes of a heap */
     double duration;  /* s, at most */
     bool bounces;     /* needs restitution */
     bool hasEdges;    /* edges meet faces: needs an engine that finds contacts itself (contacts.h does not) */

@@ -177,6 +177,7 @@ const Scene scenes_heap = {
     .name = "heap",
     .text = "300 boxes of 1 x .8 x .6 m, turned any way, fall on each other, mu .5, 10 s: how deep any two are in each "
             "other, at most and at the end, largest speed at the end",
+    .count = LAYER * LAYER * LAYERS,
     .duration = 10,
     .hasEdges = true,
     .errors = {{"worst m", .8, 1e-2}, {"at end m", .8, 1e-3}, {"speed m/s", INFINITY, .1}},
