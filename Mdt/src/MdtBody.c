@@ -49,6 +49,8 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     keaQuaternionNormalize(b->kea.quaternion);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
     forgetForces(b);
+    b->enabledTime = 0; /* how it rested where it was says nothing of how it does here */
+    b->enabledSteps = 0;
     mdt_bodyShow(b);
 }
 

@@ -68,6 +68,26 @@ START_TEST(a_resting_body_is_disabled_after_the_alive_window) {
 }
 END_TEST
 
+/* It has rested for almost as long as it takes; then the program takes it elsewhere, where nothing holds it. */
+START_TEST(a_body_that_is_put_elsewhere_is_not_at_rest) {
+    MdtWorldID w = scene_world(1, 1, 10);
+    MdtWorldSetAutoDisable(w, 1);
+    MdtWorldSetAutoDisableAliveWindow(w, 10);
+    MdtBodyID b = restingBody(w);
+    MeVector3 p;
+    for (int i = 0; i < 10; i++)
+        MdtWorldStep(w, FRAME);
+    ck_assert(MdtBodyIsEnabled(b));
+    MdtBodyDestroyConstraints(b);
+    MdtBodySetPosition(b, 0, 5, 0);
+    for (int i = 0; i < 60; i++)
+        MdtWorldStep(w, FRAME);
+    MdtBodyGetPosition(b, p);
+    assert_near(p[1], 0, .1);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 START_TEST(auto_disable_can_be_switched_off) {
     MdtWorldID w = scene_world(1, 1, 10);
     MdtBodyID b = restingBody(w);
@@ -215,6 +235,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, constraints_join_bodies_and_the_world_joins_nothing);
     tcase_add_test(t, an_enabled_body_wakes_what_is_tied_to_it);
     tcase_add_test(t, a_resting_body_is_disabled_after_the_alive_window);
+    tcase_add_test(t, a_body_that_is_put_elsewhere_is_not_at_rest);
     tcase_add_test(t, auto_disable_can_be_switched_off);
     tcase_add_test(t, each_threshold_keeps_a_body_awake);
     tcase_add_test(t, a_partition_rests_as_a_whole);

@@ -44,6 +44,9 @@ for p in single double; do
     quietly cc -std=c11 -Wall -Werror "$consumer/consumer.c" -o "$scratch/by-pkgconfig-$p" \
         $(pkg-config --cflags --libs karma-mdt$suffix karma-mcd$suffix)
     quietly "$scratch/by-pkgconfig-$p"
+    quietly cc -std=c11 -Wall -Werror "$consumer/boxes.c" -o "$scratch/boxes-$p" \
+        $(pkg-config --cflags --libs karma-mst$suffix) -lm
+    quietly "$scratch/boxes-$p"
 done
 suffix=
 [ "$precision" = double ] && suffix=-double

@@ -130,8 +130,12 @@ McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal
     if (!m)
         return 0;
     McdModelDynamicsSetPosition(m, x, y, z);
-    geometryGraphic(playRc, g, color, McdModelGetTransformPtr(m));
+    McdModelSetUserData(m, geometryGraphic(playRc, g, color, McdModelGetTransformPtr(m)));
     return m;
+}
+
+void playColor(McdModelID m, const float color[4]) {
+    RGraphicSetColor(McdModelGetUserData(m), color);
 }
 
 McdModelID playFixed(McdGeometryID g, MeMatrix4Ptr tm, const float color[4]) {

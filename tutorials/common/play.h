@@ -31,6 +31,8 @@ void playRun(RMainLoopCallBackNoData tick);
 void playCentre(McdAggregateID whole, MeVector3 was);
 /* A model with an enabled body of a density (kg/m³), its middle at a place, and its graphic. Null if there is no room. */
 McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal z, const float color[4]);
+/* Another colour for such a model's graphic, which is its user data. */
+void playColor(McdModelID m, const float color[4]);
 /* A model that does not move, at a transform that is kept. */
 McdModelID playFixed(McdGeometryID g, MeMatrix4Ptr tm, const float color[4]);
 /* The floor: the plane y = 0. */

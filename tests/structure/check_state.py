@@ -1,0 +1,31 @@
+#!/usr/bin/env python3
+"""Does a library of the simulation keep anything that a step reads outside of worlds, frameworks and universes?
+
+What a step depends on must be reachable from the universe and belong to it, so that a program can have several, step them in
+any order, and one day take one back in time. Variables of the library itself are listed here, with what they are for.
+"""
+import subprocess
+import sys
+
+ALLOWED = {
+    'liveWorlds': 'which handles are alive', 'liveFrames': 'which handles are alive',
+    'listIsTaken': 'guards that list',
+    'table': 'the requests that the program has numbered', 'idCount': 'how many there are',
+    'mcd_spaceForget': 'the farfield, where a program links it', 'mcd_spaceFilter': 'the same',
+    'name.0': 'names of geometry types',
+    '_ZStL8__ioinit': "the C++ library's", 'DW.ref.__gxx_personality_v0': "the C++ library's",
+}
+
+library = sys.argv[1]
+listing = subprocess.run(['objdump', '-t', library], capture_output=True, text=True, check=True).stdout
+found = set()
+for line in listing.splitlines():
+    part = line.split()
+    if len(part) < 5 or part[-3] == '*UND*' or ' d ' in line or ' df ' in line:
+        continue
+    section = next((p for p in part if p.startswith(('.data', '.bss', '*COM*'))), '')
+    if section and not section.startswith('.data.rel.ro'):
+        found.add(part[-1])
+wrong = sorted(found - set(ALLOWED))
+print('\n'.join(f'{library} has the variable {s}' for s in wrong) or f'variables: {", ".join(sorted(found)) or "none"}')
+sys.exit(bool(wrong) or not listing)
