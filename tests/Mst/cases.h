@@ -22,8 +22,12 @@
         ck_assert_msg(broken_ == 0, "%d errors are too large", broken_);                                               \
     } while (0)
 
-#define assert_cases(bounds) assert_kept(bounds_countBrokenCases, bounds)
-/* One run each: for what takes long. */
+/* One run each: for what takes long, and with sanitizers. */
 #define assert_once(bounds) assert_kept(bounds_countBroken, bounds)
+#ifdef TEST_IS_SLOW
+#define assert_cases(bounds) assert_once(bounds)
+#else
+#define assert_cases(bounds) assert_kept(bounds_countBrokenCases, bounds)
+#endif
 
 #endif
