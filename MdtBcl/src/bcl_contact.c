@@ -52,14 +52,15 @@ static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, con
     row->contact = x->firstRow;
 }
 
-/* As it was set; else, where the normal goes through the body's centre, as of a ball. */
+/* As it was set; else, where the normal goes through the body's centre, as of a ball: what is between the centre and the
+ * surface, which is half the depth beyond the point. */
 static double radiusOf(const MdtBclContact *contact, const MdtBclContext *x, int k, const double arm[3]) {
     double across[3];
     keaCross(across, arm, contact->normal);
     const double aside = rounding * (keaLength(arm) + keaLength(contact->point));
     if (contact->radius[k] > 0 || x->body[k] == MdtBclNO_BODY || keaLength(across) > aside)
         return contact->radius[k];
-    return keaLength(arm);
+    return keaLength(arm) + 0.5 * contact->depth;
 }
 
 /* The depth, or gap, but for what may be the rounding of its bodies' places and turns, as far as these move the surfaces

@@ -295,8 +295,33 @@ START_TEST(the_same_heap_gives_the_same_bits) {
 }
 END_TEST
 
+/* 9 cm at 20 and 100 m/s: 3.7 and 18 rad in a step, which is divided. It neither sinks, nor jumps, nor changes its speed. */
+START_TEST(a_ball_rolls_on_however_fast_it_turns) {
+    for (int k = 0; k < 2; k++) {
+        const double speed = k ? 100 : 20, radius = .09;
+        MeVector3 v;
+        tearDown();
+        setUp();
+        setFriction(.5, 0);
+        makeGround();
+        MdtWorldSetEpsilon(u->world, 0);
+        McdModelID ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, (MeReal)radius), 500);
+        McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)radius);
+        McdModelDynamicsSetLinearVelocity(ball, (MeReal)speed, 0, 0);
+        McdModelDynamicsSetAngularVelocity(ball, 0, (MeReal)(speed / radius), 0);
+        for (int i = 0; i < 300; i++) {
+            MstUniverseStep(u, (MeReal)(1. / 60));
+            assert_near(heightOf(ball), radius, TOL(2e-4, 1e-9));
+        }
+        McdModelDynamicsGetLinearVelocity(ball, v);
+        assert_near_rel(v[0], speed, TOL(1e-4, 1e-9));
+    }
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_checked_fixture(t, setUp, tearDown);
+    tcase_add_test(t, a_ball_rolls_on_however_fast_it_turns);
     tcase_add_test(t, the_default_sizes_are_the_guides);
     tcase_add_test(t, its_parts_are_there);
     tcase_add_test(t, bad_sizes_make_no_universe);
