@@ -52,6 +52,12 @@ typedef struct McdTriangleList McdTriangleList;
 typedef struct McdRGHeightField McdRGHeightField;
 typedef struct McdAggregate McdAggregate;
 
+/** A triangle list: what programs may write of it (User Guide ch. 8). The rest of it is hidden. */
+struct McdTriangleList {
+    McdGeometry head;     /**< Not for programs. */
+    int triangleMaxCount; /**< As McdTriangleListSetMaxTriangles sets it; heeded when triangles are next asked for. */
+};
+
 /** How contacts with a triangle are made (User Guide ch. 4, "Triangle List"). */
 typedef enum McdTriangleFlags {
     kMcdTriangleUseSmallestPenetration = 1, /**< The normal is the shortest way out; else the triangle's. */

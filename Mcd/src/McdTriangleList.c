@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-static McdTriangleList *listOf(McdGeometryID g, const char *function) {
-    return mcd_geometryIs(g, kMcdGeometryTypeTriangleList, function) ? (McdTriangleList *)g : 0;
+static McdTriangleListRecord *listOf(McdGeometryID g, const char *function) {
+    return mcd_geometryIs(g, kMcdGeometryTypeTriangleList, function) ? (McdTriangleListRecord *)g : 0;
 }
 
 static void gather(McdMeshQuery *q);
@@ -21,7 +21,7 @@ static MeBool isBox(const MeReal *min, const MeReal *max) {
 }
 
 /* Place for what the callback hands over; false if there is no memory. */
-static MeBool makeRoom(McdTriangleList *list, int count) {
+static MeBool makeRoom(McdTriangleListRecord *list, int count) {
     McdUserTriangle *found = MeMemoryAPI.create((size_t)count * sizeof *found);
     if (!found) {
         MeFatalError(1, "McdTriangleListCreate: no memory for %d triangles", count);
@@ -30,7 +30,7 @@ static MeBool makeRoom(McdTriangleList *list, int count) {
     if (list->found)
         MeMemoryAPI.destroy(list->found);
     list->found = found;
-    list->maxTriangles = count;
+    list->list.triangleMaxCount = list->room = count;
     list->hasWarned = MEFALSE;
     return METRUE;
 }
@@ -41,23 +41,23 @@ McdTriangleListID MEAPI McdTriangleListCreate(McdFramework *frame, MeVector3 min
         MeWarning(1, "McdTriangleListCreate: the box needs min <= max; triangleMaxCount is %d (> 0)", triangleMaxCount);
         return 0;
     }
-    McdTriangleList *list =
+    McdTriangleListRecord *list =
         mcd_geometryCreate(frame, kMcdGeometryTypeTriangleList, sizeof *list, "McdTriangleListCreate");
     if (!list)
         return 0;
     if (!makeRoom(list, triangleMaxCount)) {
-        McdGeometryDestroy(&list->head);
+        McdGeometryDestroy(&list->list.head);
         return 0;
     }
     MeVector3Copy(list->min, min);
     MeVector3Copy(list->max, max);
     list->generate = f;
     list->mesh.gather = gather;
-    return &list->head;
+    return &list->list.head;
 }
 
 void MEAPI McdTriangleListDestroy(McdGeometryID g) {
-    McdTriangleList *list = (McdTriangleList *)g;
+    McdTriangleListRecord *list = (McdTriangleListRecord *)g;
     if (list->found)
         MeMemoryAPI.destroy(list->found);
     mcd_meshFree(&list->mesh);
@@ -67,7 +67,7 @@ void MEAPI McdTriangleListDestroy(McdGeometryID g) {
 /* ---- what it is made of -------------------------------------------------------------------------------------------- */
 
 void MEAPI McdTriangleListGetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max) {
-    const McdTriangleList *list = listOf(g, "McdTriangleListGetBoundingBox");
+    const McdTriangleListRecord *list = listOf(g, "McdTriangleListGetBoundingBox");
     MeVector3Set(min, 0, 0, 0);
     MeVector3Set(max, 0, 0, 0);
     if (!list)
@@ -77,7 +77,7 @@ void MEAPI McdTriangleListGetBoundingBox(McdTriangleListID g, MeVector3 min, MeV
 }
 
 void MEAPI McdTriangleListSetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max) {
-    McdTriangleList *list = listOf(g, "McdTriangleListSetBoundingBox");
+    McdTriangleListRecord *list = listOf(g, "McdTriangleListSetBoundingBox");
     if (!list)
         return;
     if (!isBox(min, max)) {
@@ -89,23 +89,23 @@ void MEAPI McdTriangleListSetBoundingBox(McdTriangleListID g, MeVector3 min, MeV
 }
 
 McdTriangleListFnPtr MEAPI McdTriangleListGetGenerator(McdTriangleListID g) {
-    const McdTriangleList *list = listOf(g, "McdTriangleListGetGenerator");
+    const McdTriangleListRecord *list = listOf(g, "McdTriangleListGetGenerator");
     return list ? list->generate : 0;
 }
 
 void MEAPI McdTriangleListSetGenerator(McdTriangleListID g, McdTriangleListFnPtr f) {
-    McdTriangleList *list = listOf(g, "McdTriangleListSetGenerator");
+    McdTriangleListRecord *list = listOf(g, "McdTriangleListSetGenerator");
     if (list)
         list->generate = f;
 }
 
 int MEAPI McdTriangleListGetMaxTriangles(McdTriangleListID g) {
-    const McdTriangleList *list = listOf(g, "McdTriangleListGetMaxTriangles");
-    return list ? list->maxTriangles : 0;
+    const McdTriangleListRecord *list = listOf(g, "McdTriangleListGetMaxTriangles");
+    return list ? list->list.triangleMaxCount : 0;
 }
 
 void MEAPI McdTriangleListSetMaxTriangles(McdTriangleListID g, int max) {
-    McdTriangleList *list = listOf(g, "McdTriangleListSetMaxTriangles");
+    McdTriangleListRecord *list = listOf(g, "McdTriangleListSetMaxTriangles");
     if (list && max < 1)
         MeWarning(1, "McdTriangleListSetMaxTriangles: max is %d (> 0)", max);
     else if (list)
@@ -113,12 +113,12 @@ void MEAPI McdTriangleListSetMaxTriangles(McdTriangleListID g, int max) {
 }
 
 void *MEAPI McdTriangleListGetUserData(McdTriangleListID g) {
-    const McdTriangleList *list = listOf(g, "McdTriangleListGetUserData");
+    const McdTriangleListRecord *list = listOf(g, "McdTriangleListGetUserData");
     return list ? list->userData : 0;
 }
 
 void MEAPI McdTriangleListSetUserData(McdTriangleListID g, void *data) {
-    McdTriangleList *list = listOf(g, "McdTriangleListSetUserData");
+    McdTriangleListRecord *list = listOf(g, "McdTriangleListSetUserData");
     if (list)
         list->userData = data;
 }
@@ -126,7 +126,7 @@ void MEAPI McdTriangleListSetUserData(McdTriangleListID g, void *data) {
 /* ---- the type's functions ------------------------------------------------------------------------------------------- */
 
 static void support(const McdGeometry *g, const double direction[3], double point[3]) {
-    const McdTriangleList *list = (const McdTriangleList *)g;
+    const McdTriangleListRecord *list = (const McdTriangleListRecord *)g;
     mcd_boxSupport(list->min, list->max, direction, point);
 }
 
@@ -135,7 +135,7 @@ MCD_DEFINE_GEOMETRY_TYPE(TriangleList)
 void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListGetBSphere"))
         return;
-    const McdTriangleList *list = (const McdTriangleList *)g;
+    const McdTriangleListRecord *list = (const McdTriangleListRecord *)g;
     mcd_boxBSphere(list->min, list->max, center, radius);
 }
 
@@ -150,29 +150,41 @@ MeI16 MEAPI McdTriangleListGetMassProperties(McdGeometryID g, MeMatrix4 relTM, M
 void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListDebugDraw"))
         return;
-    const McdTriangleList *list = (const McdTriangleList *)g;
+    const McdTriangleListRecord *list = (const McdTriangleListRecord *)g;
     mcd_drawBox(tm, colour, list->min, list->max);
 }
 
 /* ---- triangles -------------------------------------------------------------------------------------------------------- */
 
+/* Programs may have written another number. */
+static void takeMaxCount(McdTriangleListRecord *list) {
+    const int count = list->list.triangleMaxCount;
+    if (count == list->room)
+        return;
+    if (count < 1)
+        MeWarning(1, "McdTriangleList: triangleMaxCount is %d (> 0); it stays %d", count, list->room);
+    if (count < 1 || !makeRoom(list, count))
+        list->list.triangleMaxCount = list->room;
+}
+
 /* What the callback has near a point of the list's frame; never more than there is place for. */
-static int find(McdTriangleList *list, McdModelPair *p, const double centre[3], double radius) {
+static int find(McdTriangleListRecord *list, McdModelPair *p, const double centre[3], double radius) {
     MeVector3 pos = {(MeReal)centre[0], (MeReal)centre[1], (MeReal)centre[2]};
     double reach = radius; /* with what rounding takes from it */
     for (int i = 0; i < 3; i++)
         reach += fabs((double)pos[i] - centre[i]);
     if (!list->generate)
         return 0;
-    const int count = list->generate(p, list->found, pos, mcd_roundUp(reach), list->maxTriangles);
-    if (count >= list->maxTriangles && !list->hasWarned) {
+    takeMaxCount(list);
+    const int count = list->generate(p, list->found, pos, mcd_roundUp(reach), list->room);
+    if (count >= list->room && !list->hasWarned) {
         list->hasWarned = METRUE;
         MeWarning(2,
                   "McdTriangleList: the callback gave %d triangles, as many as there is place for: contacts may be "
                   "missing; raise McdTriangleListCreate's triangleMaxCount",
                   count);
     }
-    return MeCLAMP(count, 0, list->maxTriangles);
+    return MeCLAMP(count, 0, list->room);
 }
 
 static MeBool cornersOf(const McdUserTriangle *t, double corner[3][3]) {
@@ -192,7 +204,7 @@ static const double *normalOf(const McdUserTriangle *t, double normal[3]) {
 }
 
 static void gather(McdMeshQuery *q) {
-    McdTriangleList *list = (McdTriangleList *)mcd_record(q->pair->model2)->instance.geometry;
+    McdTriangleListRecord *list = (McdTriangleListRecord *)mcd_record(q->pair->model2)->instance.geometry;
     double corner[3][3], normal[3];
     const int count = find(list, q->pair, q->ball, q->ballRadius);
     if (!mcd_meshReserve(q->mesh, count))
@@ -203,8 +215,8 @@ static void gather(McdMeshQuery *q) {
 }
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
-    McdTriangleList *list = (McdTriangleList *)mcd_record(p->model2)->instance.geometry;
-    if (!mcd_geometryIs(&list->head, kMcdGeometryTypeTriangleList, "Mcd...TriangleListIntersect"))
+    McdTriangleListRecord *list = (McdTriangleListRecord *)mcd_record(p->model2)->instance.geometry;
+    if (!mcd_geometryIs(&list->list.head, kMcdGeometryTypeTriangleList, "Mcd...TriangleListIntersect"))
         return 0;
     return mcd_meshIntersect(p, result, &list->mesh, gather);
 }
@@ -218,7 +230,7 @@ MCD_MESH_INTERACTIONS(TriangleList, intersect)
 static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
                              McdLineSegIntersectResult *outOverlap) {
     const McdGeometryInstance *ins = &mcd_record(cm)->instance;
-    McdTriangleList *list = (McdTriangleList *)ins->geometry;
+    McdTriangleListRecord *list = (McdTriangleListRecord *)ins->geometry;
     double from[3], to[3], middle[3], normal[3] = {0, 0, 1}, least = 2;
     mcd_toLocal(mcd_const(ins->tm), inOrig, from);
     mcd_toLocal(mcd_const(ins->tm), inDest, to);

@@ -46,16 +46,16 @@ struct McdConvexMesh {
     MeVector3 *shown; /* the hull's vertices as programs see them */
 };
 
-struct McdTriangleList {
-    McdGeometry head;
+typedef struct McdTriangleListRecord {
+    McdTriangleList list; /* what programs see: first */
     MeVector3 min, max;
-    int maxTriangles;
+    int room; /* of `found` */
     McdTriangleListFnPtr generate;
     void *userData;
-    McdUserTriangle *found; /* place for maxTriangles */
-    MeBool hasWarned;       /* that they are too few */
+    McdUserTriangle *found;
+    MeBool hasWarned; /* that there is too little */
     McdMesh mesh;
-};
+} McdTriangleListRecord;
 
 struct McdRGHeightField { /* a grid along x and y, two triangles a cell, outside is up */
     McdGeometry head;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 static McdMesh *meshOf(McdGeometryID g) {
-    return g->type == kMcdGeometryTypeTriangleList    ? &((McdTriangleList *)g)->mesh
+    return g->type == kMcdGeometryTypeTriangleList    ? &((McdTriangleListRecord *)g)->mesh
            : g->type == kMcdGeometryTypeRGHeightField ? &((McdRGHeightField *)g)->mesh
                                                       : 0;
 }

@@ -617,6 +617,30 @@ START_TEST(too_many_triangles_are_told_once) {
 }
 END_TEST
 
+/* As the User Guide's chapter 8 does it. */
+START_TEST(the_number_of_triangles_may_be_written) {
+    begin();
+    messages_catch();
+    terrain_grid(&ground, 10, .1, 0, ONE_SIDED);
+    McdTriangleListID list = terrain_list(frame, &ground);
+    ((McdTriangleList *)list)->triangleMaxCount = 7;
+    ck_assert_int_eq(McdTriangleListGetMaxTriangles(list), 7);
+    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), list);
+    probe_at(&probe, 0, 0, (MeReal).4);
+    assert_warned("triangleMaxCount");
+    ((McdTriangleList *)list)->triangleMaxCount = 1000;
+    ck_assert_int_gt(probe_at(&probe, 0, 0, (MeReal).4), 0);
+    assert_silent();
+    ((McdTriangleList *)list)->triangleMaxCount = 0;
+    ck_assert_int_gt(probe_at(&probe, 0, 0, (MeReal).4), 0);
+    assert_warned("triangleMaxCount is 0");
+    ck_assert_int_eq(McdTriangleListGetMaxTriangles(list), 1000);
+    messages_release();
+    probe_term(&probe);
+    end();
+}
+END_TEST
+
 START_TEST(the_result_has_no_more_than_fit) {
     begin();
     terrain_grid(&ground, 20, .1, bumps, ONE_SIDED);
@@ -710,6 +734,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, nothing_falls_through_where_corners_meet_edges);
     tcase_add_test(t, triangles_without_area_do_nothing);
     tcase_add_test(t, too_many_triangles_are_told_once);
+    tcase_add_test(t, the_number_of_triangles_may_be_written);
     tcase_add_test(t, the_result_has_no_more_than_fit);
     tcase_add_test(t, line_segments_pass_unless_asked_for);
     tcase_add_test(t, bad_input);
