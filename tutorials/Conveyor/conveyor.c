@@ -1,12 +1,12 @@
-/* Conveyor: four belts carry boxes round and round (User Guide, chapter 5, "Callback Functions"; Dynamics guide, chapter 3,
- * "Slip: An Alternate Way to Model Friction", where slide is explained).
+/* Conveyor: four belts carry boxes round and round (User Guide, chapter 5, "Callback Functions"; Dynamics guide,
+ * chapter 3, "Slip: An Alternate Way to Model Friction", where slide is explained).
  *
- * A belt does not move: only its surface does. Its contacts say so: MdtContactParamsSetPrimarySlide gives the speed of the
- * surface, MdtContactSetDirection the way. The bridge makes contacts anew in every step, so both are set in the callback
- * that it calls for each contact of boxes and belts. Friction does the rest: it drags a box along until both have the same
- * speed, and at a corner, where one belt takes over from another, it turns the way of the box.
+ * A belt does not move: only its surface does. Its contacts say so: MdtContactParamsSetPrimarySlide gives the speed of
+ * the surface, MdtContactSetDirection the way. The bridge makes contacts anew in every step, so both are set in the
+ * callback that it calls for each contact of boxes and belts. Friction does the rest: it drags a box along until both have
+ * the same speed, and at a corner, where one belt takes over from another, it turns the way of the box.
  *
- * Watch the status line: the slowest and the fastest box, in laps, and the speed of boxes on the straight.
+ * Watch the status line: the speed of boxes on the straight, and the laps of the slowest and of the fastest one.
  */
 #include "play.h"
 #include <math.h>
@@ -136,7 +136,7 @@ static void createBoxes(MstMaterialID card) {
     }
 }
 
-/* Turns against the clock seen from below are laps: the belts run from z towards x, from x towards -z. */
+/* The belts run from z towards x, and from x towards -z: that way round a lap counts. */
 static void countLaps(void) {
     for (int i = 0; i < BOXES; i++) {
         const double now = angleOf(box[i]);

@@ -1,9 +1,9 @@
 /* Tumbler: boxes in a turning drum (User Guide, chapter 5; Dynamics guide, chapter 3, "MdtHinge" and "Joint Limit").
  *
- * The drum is a body: an aggregate of boards, ends and four paddles, on a hinge with the world, turned by the hinge's motor.
- * The motor has a limited torque: with too little, the drum stands still and the heap with it. The boxes are lifted on the
- * rising side and fall down again, all in one heap that never comes to rest, with friction at every contact: the hardest
- * thing for a solver. From 1.8 rad/s on (the square root of g over the radius) they stay at the wall.
+ * The drum is a body: an aggregate of boards, ends and four paddles, on a hinge with the world, turned by the hinge's
+ * motor. The motor has a limited torque: with too little, the drum stands still and the heap with it. The boxes are
+ * lifted on the rising side and fall down again, all in one heap that never comes to rest, with friction at every
+ * contact: the hardest thing for a solver. From 1.8 rad/s on (the square root of g over the radius) they stay at the wall.
  *
  * Watch the status line: the drum's speed against the wanted one, the torque that the heap asks of the motor, and that no
  * box gets out.
@@ -112,7 +112,7 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     }
 }
 
-/* Smooth wood. A tenth of the default softness (Dynamics guide, chapter 5): rigid boxes cost twice as much to solve for. */
+/* Smooth wood. A tenth of the default softness (Dynamics guide, chapter 5): rigid boxes cost twice as much. */
 static void createBoxes(void) {
     MdtContactParamsSetFrictionCoeffecient(playContact(0, 0), (MeReal)0.3);
     MdtWorldSetEpsilon(playUniverse->world, (MeReal)1e-5);

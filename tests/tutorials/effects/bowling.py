@@ -12,7 +12,7 @@ def throw(way, presses, frame):
 
 
 def check():
-    """The pins stand; the ball slides, then rolls, as the textbook says; a hook bends its way; pins fall and lie still."""
+    """The ball slides, then rolls, as the textbook says; a hook bends its way; pins stand, fall, and lie still."""
     slides = status(30)
     near(figure(slides, 'm to go,'), SPEED - FRICTION * 9.81 * 0.5, 0.002, 'the speed after half a second')
     assert figure(slides, 'slip') > 1, slides

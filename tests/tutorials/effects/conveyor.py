@@ -4,7 +4,7 @@ USES = ['Mdt', 'Mcd', 'Mst']
 
 
 def check():
-    """Belts carry boxes at their speed, hand them on at the corners, all the way round; they sleep when the belts stand still."""
+    """Belts carry boxes at their speed, hand them on at corners, all the way round; they sleep where belts stand."""
     line = status(60)
     near(figure(line, 'on the straight'), 1.5, 0.001, 'the speed of boxes')
     end = status(3600)
