@@ -39,7 +39,8 @@ MEPUBLIC void MEAPI MdtBodyDisable(const MdtBodyID b);
 MEPUBLIC MeBool MEAPI MdtBodyIsEnabled(const MdtBodyID b);
 /** Seconds for which the body has been enabled. */
 MEPUBLIC MeReal MEAPI MdtBodyGetEnabledTime(const MdtBodyID b);
-/** True when a speed or acceleration of the body is at or above its threshold. */
+/** True when a speed or acceleration of the body is at or above its threshold. The acceleration does not count of a body
+ *  whose speeds have been below their thresholds for half a second: it trembles in its place. */
 MEPUBLIC MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *params);
 /** @} */
 

@@ -144,6 +144,7 @@ static void setDefaults(MdtBodyID b) {
         keaZero(sums[i]);
     b->linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING;
     b->angularDamping = MDTBODY_DEFAULT_ANGULAR_DAMPING;
+    b->slowTime = 0;
     b->safeTime = MEINFINITY;
     MdtBodySetNoFastSpinAxis(b);
     mdt_bodyShow(b);
@@ -249,17 +250,34 @@ MeReal MEAPI MdtBodyGetEnabledTime(const MdtBodyID b) {
     return (MeReal)b->enabledTime;
 }
 
+static MeBool isFast(const MdtBody *b, const MdtPartitionParams *params) {
+    double w[3];
+    MdtKeaBodyGetAngularVelocity(&b->kea, w);
+    return keaDot(b->kea.velocity, b->kea.velocity) >= (double)params->vel_thresh ||
+           keaDot(w, w) >= (double)params->velrot_thresh;
+}
+
+static MeBool isAccelerated(const MdtBody *b, const MdtPartitionParams *params) {
+    return keaDot(b->acceleration.lin, b->acceleration.lin) >= (double)params->acc_thresh ||
+           keaDot(b->acceleration.ang, b->acceleration.ang) >= (double)params->accrot_thresh;
+}
+
+void mdt_bodyNoteSlow(MdtBodyID b, double h) {
+    b->slowTime = isFast(b, &b->world->rest) ? 0 : b->slowTime + h;
+}
+
+/* What is accelerated in truth does not stay slow: it trembles in its place. */
+static MeBool trembles(const MdtBody *b) {
+    const double longEnough = 0.5; /* s: at the default thresholds, twice what it takes from rest to the fast ones */
+    return b->slowTime > longEnough;
+}
+
 MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *params) {
     MDT_NEED_BODY(b, 0);
     if (!mdt_isPointer(__func__, "the thresholds", params))
         return MEFALSE;
-    double w[3];
     mdt_bodyAcceptVelocities(b);
-    MdtKeaBodyGetAngularVelocity(&b->kea, w);
-    return keaDot(b->kea.velocity, b->kea.velocity) >= (double)params->vel_thresh ||
-           keaDot(w, w) >= (double)params->velrot_thresh ||
-           keaDot(b->acceleration.lin, b->acceleration.lin) >= (double)params->acc_thresh ||
-           keaDot(b->acceleration.ang, b->acceleration.ang) >= (double)params->accrot_thresh;
+    return isFast(b, params) || (isAccelerated(b, params) && !trembles(b));
 }
 
 /* ---- sleeping and waking ---- */
@@ -273,6 +291,7 @@ void mdt_bodySleep(MdtBodyID b) {
     keaZero(b->acceleration.lin);
     keaZero(b->acceleration.ang);
     keaZero(b->push);
+    b->slowTime = 0;
     mdt_bodyShow(b);
 }
 

@@ -83,6 +83,7 @@ struct MdtBody {
     double lastForce[3], lastTorque[3]; /* N, N m, those that the step in progress began with */
     double lag, part;                   /* s: that it is behind its world; that it was moved on last */
     MdtKeaVelocity acceleration;        /* m/s², rad/s², in the last step */
+    double slowTime;                    /* s, for which its velocities have been below the thresholds of rest */
     double push[3];                     /* m/s: its way in the last step beyond its velocity: out of an overlap */
     double mass;                        /* kg */
     double inertia[3][3];               /* kg m², as set */
@@ -105,6 +106,7 @@ void mdt_bodyShow(MdtBodyID b);             /* refreshes what programs see from 
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
 void mdt_bodyWakeIfAsleep(MdtBodyID b);
 void mdt_bodySleep(MdtBodyID b);
+void mdt_bodyNoteSlow(MdtBodyID b, double h); /* after a step of h seconds */
 MeBool mdt_bodyIsPushedAwake(MdtBodyID b); /* asleep, and the waiting forces would move it */
 void mdt_bodyKeepForces(MdtBodyID b);      /* those that the step began with act in the rest of it, too */
 void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */

@@ -296,6 +296,7 @@ static void unpackBodies(Partition *p, const Start start[]) {
         }
         b->enabledTime += p->h;
         b->enabledSteps++;
+        mdt_bodyNoteSlow(b, p->h);
         mdt_bodyShow(b);
     }
 }

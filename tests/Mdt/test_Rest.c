@@ -231,7 +231,33 @@ START_TEST(a_contact_with_a_moving_body_wakes_a_sleeper) {
 }
 END_TEST
 
+/* Pushed to and fro, or always one way, harder than the threshold of accelerations. */
+static int stepsAwake(MdtWorldID w, MdtBodyID b, MeBool toAndFro) {
+    int i = 0;
+    for (; i < 100 && MdtBodyIsEnabled(b); i++) {
+        MdtBodyAddForce(b, (MeReal)(toAndFro && i % 2 ? -1.2 : 1.2), 0, 0);
+        MdtWorldStep(w, FRAME);
+    }
+    return i;
+}
+
+START_TEST(what_trembles_is_put_to_rest_and_what_starts_is_not) {
+    for (int toAndFro = 0; toAndFro < 2; toAndFro++) {
+        MdtWorldID w = scene_world(1, 1, 0);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MdtWorldSetAutoDisable(w, 1);
+        const int steps = stepsAwake(w, b, toAndFro);
+        if (toAndFro)
+            ck_assert_msg(30 <= steps && steps <= 33, "asleep after %d steps", steps);
+        else
+            ck_assert_int_eq(steps, 100);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
 static void tests(TCase *t) {
+    tcase_add_test(t, what_trembles_is_put_to_rest_and_what_starts_is_not);
     tcase_add_test(t, constraints_join_bodies_and_the_world_joins_nothing);
     tcase_add_test(t, an_enabled_body_wakes_what_is_tied_to_it);
     tcase_add_test(t, a_resting_body_is_disabled_after_the_alive_window);

@@ -114,8 +114,11 @@ static void createModels(void) {
     setMaterial(wood, wood, (MeReal)0.2, (MeReal)0.6);
     setMaterial(resin, wood, (MeReal)0.2, (MeReal)0.7);
     setMaterial(resin, 0, oil, 0);
+    /* rad²/s²: small things turn fast while they move slowly */
+    MdtWorldSetAutoDisableAngularVelocityThreshold(playUniverse->world, (MeReal)0.2);
     for (int i = 0; i < PINS; i++) {
         pin[i] = playModel(g, 750, 0, 0, 0, white);
+        McdModelDynamicsSetDamping(pin[i], (MeReal)0.1, (MeReal)0.5); /* lying round things would roll on for ever */
         McdModelSetMaterial(pin[i], (int)wood);
     }
     ball = playModel(McdSphereCreate(playUniverse->frame, ballRadius), 1300, 0, 0, 0, RPalette[3]);
