@@ -284,6 +284,17 @@ static void rememberStart(Partition *p, Start start[]) {
     }
 }
 
+/* Bodies move with their velocity at the end of the step, or with its mean. */
+static void notePush(MdtBodyID b, const Start *start, const MdtKeaVelocity *end, double h) {
+    double beyondEnd[3], beyondMean[3];
+    for (int k = 0; k < 3; k++) {
+        const double way = (b->kea.position[k] - start->position[k]) / h;
+        beyondEnd[k] = way - end->lin[k];
+        beyondMean[k] = way - 0.5 * (start->velocity.lin[k] + end->lin[k]);
+    }
+    keaCopy(b->push, keaLength(beyondEnd) < keaLength(beyondMean) ? beyondEnd : beyondMean);
+}
+
 static void unpackBodies(Partition *p, const Start start[]) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
@@ -292,8 +303,8 @@ static void unpackBodies(Partition *p, const Start start[]) {
         for (int k = 0; k < 3; k++) {
             b->acceleration.lin[k] = (end.lin[k] - start[i].velocity.lin[k]) / p->h;
             b->acceleration.ang[k] = (end.ang[k] - start[i].velocity.ang[k]) / p->h;
-            b->push[k] = (b->kea.position[k] - start[i].position[k]) / p->h - end.lin[k];
         }
+        notePush(b, &start[i], &end, p->h);
         b->enabledTime += p->h;
         b->enabledSteps++;
         mdt_bodyNoteSlow(b, p->h);
