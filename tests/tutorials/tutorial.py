@@ -1,4 +1,5 @@
 """What the effects of tutorials are checked with. The program is the first argument of check_tutorial.py."""
+import functools
 import math
 import os
 import re
@@ -16,8 +17,9 @@ def run(*arguments):
     return done.stdout
 
 
-def status(frames, keys=''):
-    """-> the status line after so many frames."""
+@functools.lru_cache(None)
+def status(frames, keys='', again=False):
+    """-> the status line after so many frames. The same is run but once, unless again."""
     return run('-null', '-frames', str(frames), *(['-key', keys] if keys else []))
 
 
