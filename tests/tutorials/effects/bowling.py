@@ -1,6 +1,7 @@
 from tutorial import figure, near, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
+IS_LONG = True
 
 RADIUS, FRICTION, SPEED, WAY = 0.108, 0.2, 7, 13  # m, m/s, m: as the tutorial has them
 

@@ -4,6 +4,7 @@ import re
 from tutorial import figure, held, near, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
+IS_LONG = True
 BASE, RADIUS, MASS, INERTIA = 2.4, 0.36, 1000 + 4 * 20, 4 * 0.4 * 20 * 0.36**2  # m, m, kg, kg m^2
 MANUAL = '3@1'  # stands still, and waits for the driver
 

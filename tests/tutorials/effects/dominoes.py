@@ -1,6 +1,7 @@
 from tutorial import figure, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
+IS_LONG = True
 FRAMES = 300  # all five hundred take a minute to fall, and longer than that to compute
 
 

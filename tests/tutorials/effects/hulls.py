@@ -1,6 +1,7 @@
 from tutorial import figure, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
+IS_LONG = True
 # Tetrahedron, cube, octahedron, dodecahedron, icosahedron; table, 16 triangles round it and 8 to the point of the gem;
 # 2 n - 4 triangles of the pebble's 50 points; 6 sides and 12 triangles of the crystal.
 FACES = 'faces 4 6 8 12 20 25 96 18 '

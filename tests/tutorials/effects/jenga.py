@@ -1,6 +1,7 @@
 from tutorial import figure, near, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
+IS_LONG = True
 HEIGHT, WEIGHT = 18 * 0.15, 600 * 0.25 * 0.15 * 0.75 * 9.81  # m, N of a plank
 
 

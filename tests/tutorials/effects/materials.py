@@ -3,6 +3,7 @@ import math
 from tutorial import figure, near, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
+IS_LONG = True
 SLOPE, GRAVITY = 0.36, 9.81
 
 

@@ -3,6 +3,7 @@ import math
 from tutorial import figure, held, near, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
+IS_LONG = True
 MANUAL = '3@1'  # stands still, and waits for the rider
 RADIUS, WHEEL_INERTIA, DENSITY = 0.25, 0.25, 600  # m, kg m^2, kg/m^3
 LIMBS = [(0.12, 0.7, 0.439), (0.16, 0.6, 0.432), (0.2, 0.36, 0.532), (0.2, 0.18, 0.245)] + 2 * [

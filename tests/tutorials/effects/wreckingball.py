@@ -1,6 +1,7 @@
 from tutorial import figure, near, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
+IS_LONG = True
 
 
 def check():
