@@ -1,15 +1,16 @@
-/* Bridge: planks joined by hinges hang between two banks, and boxes fall on them (User Guide, chapter 5).
+/* Bridge: planks on ropes hang between two banks, and boxes fall on them (User Guide, chapter 5).
  *
- * A hinge between the banks and the outer planks, and one between any two that are neighbours, along the planks' edges:
- * the bridge bends, but it does not twist. It gives under each box that lands, and hangs still in the end. Watch how far
- * the hinges open, and how low the bridge hangs.
+ * Neighbouring planks have a hinge along their edges: the bridge bends, but it does not twist. Two ropes at each end tie it to
+ * posts: a rope is a spring joint whose upper stop is hard and whose lower one does nothing (tutorial Spring), so it pulls
+ * and cannot push, and the bridge may swing. It gives under each box that lands, and hangs still in the end. Watch how far
+ * the hinges open, how much longer the ropes get, and how low the bridge hangs.
  *
  * Planks that are hinged nearly touch; McdSpaceDisablePair keeps them from colliding.
  */
 #include "play.h"
 #include <stdio.h>
 
-enum { PLANKS = 14, BOXES = 8 };
+enum { PLANKS = 14, BOXES = 8, ROPES = 4 };
 
 static const MeReal pitch = (MeReal)0.9;                                      /* m, from hinge to hinge */
 static const MeReal plankSize[3] = {(MeReal)0.84, (MeReal)0.14, (MeReal)2.4}; /* m */
@@ -17,9 +18,11 @@ static const MeReal bankHeight = 4;                                           /*
 static const MeReal endAngle = (MeReal)0.5;                                   /* rad, of the slope at the banks */
 
 static McdModelID plank[PLANKS], box[BOXES];
-static MdtHingeID hinge[PLANKS + 1];
-static MeVector3 start[PLANKS + 1]; /* where the hinges are, at first */
-static MeReal widest;               /* m, that a hinge was open */
+static const MeReal ropeLength = (MeReal)0.6, ropeAside = (MeReal)1.1; /* m; from the middle of the bridge */
+static MeVector3 start[PLANKS + 1]; /* where the planks' edges are, at first; hinges at all but the outer ones */
+static MeVector3 post[ROPES];       /* where the ropes are tied to */
+static RNativeLine *rope[ROPES];
+static MeReal widest, longest; /* m: that a hinge was open, that a rope was longer */
 
 /* ---- the bridge ------------------------------------------------------------------------------------------------- */
 
@@ -43,16 +46,80 @@ static void placePlanks(void) {
         playPlace(plank[i], (start[i][0] + start[i + 1][0]) / 2, (start[i][1] + start[i + 1][1]) / 2, 0, 2, slopeOf(i));
 }
 
-/* Number i has plank i on its right; the outer ones have a bank, which is the world, on one side. */
-static void createHinge(int i, McdModelID a, McdModelID b) {
-    hinge[i] = MdtHingeCreate(playUniverse->world);
-    MdtHingeSetBodies(hinge[i], McdModelGetBody(a), b ? McdModelGetBody(b) : 0);
-    MdtHingeSetPosition(hinge[i], start[i][0], start[i][1], start[i][2]);
-    MdtHingeSetAxis(hinge[i], 0, 0, 1);
-    MdtHingeEnable(hinge[i]);
-    if (b)
-        McdSpaceDisablePair(a, b);
+static void createHinge(const MeVector3 at, McdModelID a, McdModelID b) {
+    const MdtHingeID hinge = MdtHingeCreate(playUniverse->world);
+    MdtHingeSetBodies(hinge, McdModelGetBody(a), McdModelGetBody(b));
+    MdtHingeSetPosition(hinge, at[0], at[1], at[2]);
+    MdtHingeSetAxis(hinge, 0, 0, 1);
+    MdtHingeEnable(hinge);
+    McdSpaceDisablePair(a, b);
 }
+
+/* ---- the ropes -------------------------------------------------------------------------------------------------- */
+
+/* Ropes 0 and 1 are at the left end, 2 and 3 at the right one. */
+static McdModelID endOf(int i) {
+    return plank[i < 2 ? 0 : PLANKS - 1];
+}
+
+/* The corner of the outer plank that a rope holds. */
+static void cornerOf(int i, MeVector3 p) {
+    const MeMatrix4Ptr tm = McdModelGetTransformPtr(endOf(i));
+    const MeReal along = (i < 2 ? -pitch : pitch) / 2, aside = i & 1 ? ropeAside : -ropeAside;
+    for (int k = 0; k < 3; k++)
+        p[k] = tm[3][k] + along * tm[0][k] + aside * tm[2][k];
+}
+
+/* It cannot get longer; shorter than it is, it is slack. */
+static void createRope(int i) {
+    const MdtSpringID joint = MdtSpringCreate(playUniverse->world);
+    const MdtSingleLimitID slack = MdtLimitGetLowerLimit(MdtSpringGetLimit(joint));
+    const MdtSingleLimitID taut = MdtLimitGetUpperLimit(MdtSpringGetLimit(joint));
+    MeVector3 corner;
+    cornerOf(i, corner);
+    MdtSpringSetBodies(joint, McdModelGetBody(endOf(i)), 0);
+    MdtSpringSetPosition(joint, 0, corner[0], corner[1], corner[2]);
+    MdtSpringSetPosition(joint, 1, post[i][0], post[i][1], post[i][2]);
+    MdtSpringSetNaturalLength(joint, ropeLength);
+    MdtSingleLimitSetStiffness(slack, 0);
+    MdtSingleLimitSetDamping(slack, 0);
+    MdtSingleLimitSetStiffness(taut, MEINFINITY);
+    MdtSingleLimitSetRestitution(taut, 0);
+    MdtSpringEnable(joint);
+}
+
+/* Tied to posts that stand in the line of the outer planks. */
+static void createRopes(void) {
+    static MeMatrix4 postTM[ROPES];
+    static const float wood[4] = {.45f, .32f, .20f, 1}, hemp[4] = {.35f, .25f, .12f, 1};
+    static const AcmeVector3 zero = {0, 0, 0};
+    const McdGeometryID g = McdCylinderCreate(playUniverse->frame, (MeReal)0.12, (MeReal)0.9);
+    MeMatrix3 upright;
+    MeMatrix3MakeRotationX(upright, -ME_PI / 2);
+    for (int i = 0; i < ROPES; i++) {
+        cornerOf(i, post[i]);
+        post[i][0] += (i < 2 ? -1 : 1) * ropeLength * MeCos(slopeOf(0));
+        post[i][1] -= ropeLength * MeSin(slopeOf(0));
+        MeMatrix4TMMakeFromRotationAndPosition(postTM[i], upright, post[i][0], post[i][1] - (MeReal)0.2, post[i][2]);
+        playFixed(g, postTM[i], wood);
+        createRope(i);
+        rope[i] = RNLineCreate(playRc, zero, zero, hemp, 0);
+    }
+}
+
+static void drawRopes(void) {
+    for (int i = 0; i < ROPES; i++) {
+        MeVector3 corner, way;
+        cornerOf(i, corner);
+        MeVector3Subtract(way, corner, post[i]);
+        longest = MeMAX(longest, MeVector3Magnitude(way) - ropeLength);
+        const AcmeVector3 ends[2] = {{(AcmeReal)post[i][0], (AcmeReal)post[i][1], (AcmeReal)post[i][2]},
+                                     {(AcmeReal)corner[0], (AcmeReal)corner[1], (AcmeReal)corner[2]}};
+        RNLineMoveEnds(rope[i], ends[0], ends[1]);
+    }
+}
+
+/* ---- the bridge and its banks ----------------------------------------------------------------------------------- */
 
 static void createBridge(void) {
     static const float wood[2][4] = {{.72f, .52f, .33f, 1}, {.63f, .44f, .27f, 1}};
@@ -61,10 +128,9 @@ static void createBridge(void) {
     for (int i = 0; i < PLANKS; i++)
         plank[i] = playModel(g, 500, 0, 0, 0, wood[i & 1]);
     placePlanks();
-    createHinge(0, plank[0], 0);
     for (int i = 1; i < PLANKS; i++)
-        createHinge(i, plank[i], plank[i - 1]);
-    createHinge(PLANKS, plank[PLANKS - 1], 0);
+        createHinge(start[i], plank[i], plank[i - 1]);
+    createRopes();
 }
 
 static void createBanks(void) {
@@ -86,14 +152,11 @@ static void edgeOf(McdModelID m, MeReal side, MeVector3 p) {
         p[k] = tm[3][k] + side * pitch / 2 * tm[0][k];
 }
 
+/* Of the hinge on the left of a plank. */
 static MeReal openingOf(int i) {
     MeVector3 left, right;
-    MeVector3Copy(left, start[i]);
-    MeVector3Copy(right, start[i]);
-    if (i > 0)
-        edgeOf(plank[i - 1], 1, left);
-    if (i < PLANKS)
-        edgeOf(plank[i], -1, right);
+    edgeOf(plank[i - 1], 1, left);
+    edgeOf(plank[i], -1, right);
     MeVector3Subtract(left, left, right);
     return MeVector3Magnitude(left);
 }
@@ -135,25 +198,27 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     placePlanks();
     placeBoxes();
-    widest = 0;
+    widest = longest = 0;
 }
 
 static void MEAPI Tick(RRender *context) {
-    char text[160];
+    char text[200];
     (void)context;
     MstUniverseStep(playUniverse, playFrame);
-    for (int i = 0; i <= PLANKS; i++)
+    for (int i = 1; i < PLANKS; i++)
         widest = MeMAX(widest, openingOf(i));
+    drawRopes();
     snprintf(
         text, sizeof text,
-        "boxes carried %d of %d    lowest plank at %.3f m    hinges open at most %.3f mm    awake %d    motion %.3f J",
-        countCarried(), BOXES, lowest(), 1000 * (double)widest, playAwake(), playEnergy());
+        "boxes carried %d of %d    lowest plank at %.3f m    hinges open at most %.3f mm    ropes longer by %.3f mm    "
+        "awake %d    motion %.3f J",
+        countCarried(), BOXES, lowest(), 1000 * (double)widest, 1000 * (double)longest, playAwake(), playEnergy());
     RRenderSetStatusText(playRc, text);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {
     static const char *const help[] = {
-        "A bridge of planks, and boxes that fall on it.",
+        "A bridge of planks on ropes, and boxes that fall on it.",
         "$ACTION2 - once more",
     };
     if (!playStart(argc, argv, "Bridge", PLANKS + BOXES))
