@@ -6,7 +6,7 @@ usage: check_tutorial.py <program> <png_check> <frames>
 For all: so many frames (or FRAMES of effects/<name>.py, if that is fewer) without a warning, the same end twice, a picture of its own, F1 shows the help, and it contains no
 more of Karma than it uses. The effect is checked by check() in effects/<name>.py, most often by the figures of the status
 line, which a run without a window prints at its end. Effects that take long (IS_LONG) are not checked where frames are
-fewer than 3600.
+fewer than 600.
 """
 import importlib
 import os
@@ -41,7 +41,7 @@ with tempfile.TemporaryDirectory() as directory:
     try:
         effect = importlib.import_module('effects.' + os.path.basename(program))
         check_all(effect)
-        if getattr(effect, 'IS_LONG', False) and int(sys.argv[3]) < 3600:
+        if getattr(effect, 'IS_LONG', False) and int(sys.argv[3]) < 600:
             press_all()
         else:
             effect.check()
