@@ -3,10 +3,10 @@
 
 usage: check_tutorial.py <program> <png_check> <frames>
 
-For all: so many frames (or FRAMES of effects/<name>.py, if that is fewer) without a warning, the same end twice, a picture of its own, F1 shows the help, and it contains no
-more of Karma than it uses. The effect is checked by check() in effects/<name>.py, most often by the figures of the status
-line, which a run without a window prints at its end. Effects that take long (IS_LONG) are not checked where frames are
-fewer than 600.
+For all: so many frames (or FRAMES of effects/<name>.py, if that is fewer) without a warning, the same end twice, a picture of
+its own, F1 shows the help, and it contains no more of Karma than it uses. The effect is checked by check() in
+effects/<name>.py, most often by the figures of the status line, which a run without a window prints at its end. Effects that
+take long (IS_LONG) are not checked where frames are fewer than 600.
 """
 import importlib
 import os
