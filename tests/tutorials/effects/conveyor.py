@@ -2,6 +2,7 @@ from tutorial import figure, near, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
 IS_LONG = True
+FRAMES = 600  # twice; the minute is run below
 
 
 def check():
