@@ -125,7 +125,7 @@ static void createModels(void) {
 
 int MEAPI_CDECL main(int argc, const char **argv) {
     static const char *const help[] = {
-        "A house of cards: friction alone holds it.",
+        "A house of cards, held by friction alone.",
         "$ACTION2 - build it again",
         "$ACTION3 - throw the ball",
         "$ACTION4 - pull a card out of the lowest storey",
