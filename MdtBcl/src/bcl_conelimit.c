@@ -61,6 +61,11 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     const MeBool hasPlane = sine > BCL_PARALLEL;
     if (hasPlane)
         keaScale(cone->normal, 1 / sine, across);
+    if (!hasPlane && angle < (double)cone->limit.limit[1].stop) { /* in the middle of the cone: it has nothing to do */
+        c->isDegenerate = MEFALSE;
+        cone->limit.rows = 0;
+        return 0;
+    }
     setStop(cone);
     angleRow(c, x, &row);
     const int rows = bcl_limitPrepare(&cone->limit, x, &row, angle);

@@ -13,3 +13,4 @@ def check():
     assert figure(end, 'now by') < 0.001 and figure(end, 'awake') == 0, end
     assert figure(end, 'lowest head at') < 1.5, end  # from 4.9 m and more
     assert figure(thrown, 'motion') > 1000, thrown
+    status(230, 'Enter@200')  # built again in the midst of motion, without a warning
