@@ -2,7 +2,7 @@ from tutorial import figure, near, status
 
 USES = ['Mdt', 'Mcd', 'Mst']
 IS_LONG = True
-FRAMES = 150  # every one solves for a thousand rows
+FRAMES = 100  # every one solves for a thousand rows
 
 
 def check():
