@@ -4,6 +4,9 @@
  *  They are for broken invariants, not for bad input, which gets a MeWarning. They are compiled in while
  *  Karma is built with KARMA_CHECK=1, and in programs (which do not set KARMA_CHECK) unless NDEBUG is
  *  defined, as for assert(). Otherwise they evaluate nothing.
+ *
+ *  MEVALIDATE is for checks that cost more than what they check, such as walking a list: they are compiled in where
+ *  KARMA_VALIDATE is defined too.
  */
 #ifndef MEASSERT_H
 #define MEASSERT_H
@@ -23,7 +26,16 @@
 /** MeFatalError with the place and the text of @a P, should it be false. */
 #define MEASSERT(P) ((P) ? (void)0 : MeFatalError(0, "%s:%d: not true: %s", __FILE__, __LINE__, #P))
 #else
-#define MEASSERT(P) ((void)sizeof((P) ? 1 : 0))
+#define MEASSERT(P) ((void)(0 && (P))) /* named, so that no compiler takes what only checks use for forgotten */
+#endif
+
+#if ME_ASSERT_ENABLED && defined(KARMA_VALIDATE)
+#define ME_VALIDATE_ENABLED 1
+/** MEASSERT of something that takes long to find out. */
+#define MEVALIDATE(P) MEASSERT(P)
+#else
+#define ME_VALIDATE_ENABLED 0
+#define MEVALIDATE(P) ((void)(0 && (P)))
 #endif
 
 /** MEASSERT that the pointer @a P is a multiple of @a A bytes. */

@@ -11,8 +11,11 @@
 #define MEDICT_H
 
 #include "MePrecision.h"
+#include <limits.h>
 
 ME_BEGIN_C
+
+#define DICTCOUNT_T_MAX ULONG_MAX /**< As a maxcount: no limit. */
 
 typedef struct MeDict MeDict;
 typedef struct MeDictNode MeDictNode;
@@ -45,12 +48,23 @@ struct MeDict {
     MeBool allowsDupes, isCreated;
 };
 
+/** A dictionary that is being filled in order. Its members are private. */
+typedef struct MeDictLoad {
+    MeDict *dict;
+    MeDictNode *last;
+} MeDictLoad;
+
 /** @name Life
  *  @{ */
 /** Makes an empty dictionary of memory that is the program's, for at most maxcount nodes. Null for a null argument. */
 MEPUBLIC MeDict *MEAPI MeDictInit(MeDict *dict, unsigned long maxcount, MeDictCompareFn compare);
 /** The same in memory of its own; null, after MeFatalError, if there is none. MeDictDestroy gives it back. */
 MEPUBLIC MeDict *MEAPI MeDictCreate(unsigned long maxcount, MeDictCompareFn compare);
+/** Makes an empty dictionary of memory that is the program's, with the limit, the order, the allocator and the leave for equal
+ *  keys of another one. */
+MEPUBLIC void MEAPI MeDictInitLike(MeDict *dict, const MeDict *like);
+/** Have two dictionaries the same order, the same allocator, and the same leave for equal keys? */
+MEPUBLIC int MEAPI MeDictSimilar(const MeDict *dict1, const MeDict *dict2);
 /** Destroys a dictionary that MeDictCreate made. One that is not empty gets a warning; its nodes are in none then. */
 MEPUBLIC void MEAPI MeDictDestroy(MeDict *dict);
 /** Lets several nodes have the same key; later ones come after earlier ones. Default: not. */
@@ -85,6 +99,19 @@ MEPUBLIC MeDictNode *MEAPI MeDictDelete(MeDict *dict, MeDictNode *node);
 MEPUBLIC void MEAPI MeDictDeleteFree(MeDict *dict, MeDictNode *node);
 /** MeDictDeleteFree of all nodes. */
 MEPUBLIC void MEAPI MeDictFreeNodes(MeDict *dict);
+MEPUBLIC void MEAPI MeDictFree(MeDict *dict); /**< The same. */
+/**
+ * Moves the nodes of source to dict, which must be similar (MeDictSimilar), else it warns and moves none. Nodes whose keys are
+ * in dict already stay in source, unless equal keys are allowed; and, with a warning, those for which dict is too full.
+ */
+MEPUBLIC void MEAPI MeDictMerge(MeDict *dict, MeDict *source);
+/** Begins to fill an empty dictionary with nodes in the order of their keys, which takes constant time for each. One that is
+ *  not empty gets a warning; nothing is put in then. */
+MEPUBLIC void MEAPI MeDictLoadBegin(MeDictLoad *load, MeDict *dict);
+/** Puts the next node in. A key before that of the last one gets a warning, as does what MeDictInsert warns of. */
+MEPUBLIC void MEAPI MeDictLoadNext(MeDictLoad *load, MeDictNode *node, const void *key);
+/** Ends that. */
+MEPUBLIC void MEAPI MeDictLoadEnd(MeDictLoad *load);
 /** @} */
 
 /** @name Finding

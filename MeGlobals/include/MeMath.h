@@ -31,12 +31,19 @@
  *
  *  C before C23 lets a MeMatrix3 or MeMatrix4 be passed as a const one only as an extension. All compilers
  *  have it; gcc -Wpedantic mentions it.
+ *
+ *  The header brings messages, assertions and the C library's headers along, which programs take from here.
  */
 #ifndef MEMATH_H
 #define MEMATH_H
 
+#include "MeAssert.h"
+#include "MeMessage.h"
 #include "MePrecision.h"
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 ME_BEGIN_C
 

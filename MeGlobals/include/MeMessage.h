@@ -29,6 +29,12 @@ typedef void(MEAPI *MeHandler)(const int level, const char *const format, va_lis
 /** Prints a finished text, e.g. "Karma warning: ...", which ends without a newline. */
 typedef void(MEAPI *MeShow)(const int level, const char *const string);
 
+/** Runs a statement that reports something, such as a call of MeInfo, in every build. */
+#define ME_REPORT(...)                                                                                                 \
+    do {                                                                                                               \
+        __VA_ARGS__;                                                                                                   \
+    } while (0)
+
 /** Something that the user may like to know. Shown on stdout by default. */
 MEPUBLIC void MEAPI_CDECL MeInfo(const int level, const char *const format, ...) ME_PRINTF_LIKE(2, 3);
 /** Something that the developer of Karma or of a program may like to know. Not shown by default (MeDebugLevel). */

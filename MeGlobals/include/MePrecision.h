@@ -62,13 +62,16 @@ typedef MeVector3 *MeMatrix3Ptr;
 typedef MeVector4 *MeMatrix4Ptr;
 
 typedef float AcmeReal; /**< The viewer's number: float in both precisions. */
-typedef AcmeReal AcmeVector3[4];
+typedef AcmeReal AcmeVector3[3];
 
 /** Declares @a V of type @a T, aligned to @a N bytes: `static MeALIGNDATA(MeMatrix4, identity, 16) = {...};` */
 #if defined(__GNUC__)
 #define MeALIGNDATA(T, V, N) T V __attribute__((aligned(N)))
+/** Before or after a declaration, aligns what it declares to @a N bytes: `MeALIGNTO(16) static MeMatrix4 identity;` */
+#define MeALIGNTO(N) __attribute__((aligned(N)))
 #else
 #define MeALIGNDATA(T, V, N) T V
+#define MeALIGNTO(N)
 #endif
 
 #ifdef _ME_API_DOUBLE

@@ -1,6 +1,7 @@
 /* A growing scratch buffer. */
 #include "MeChunk.h"
 
+#include "MeAssert.h"
 #include "MeMath.h"
 #include "MeMemory_i.h"
 #include "MeMessage.h"
@@ -19,6 +20,7 @@ static MeBool isPowerOfTwo(int n) {
 }
 
 static void freeMemory(MeChunk *chunk) {
+    MEASSERT((chunk->mem == NULL) == (chunk->size == 0));
     if (chunk->mem != NULL)
         MeMemoryAPI.destroyAligned(chunk->mem);
     chunk->mem = NULL;
@@ -27,6 +29,7 @@ static void freeMemory(MeChunk *chunk) {
 
 /* Makes room for `size` bytes; false if out of memory. */
 static MeBool reserve(MeChunk *chunk, int size, const char *function) {
+    MEASSERT(!chunk->inUse);
     if (chunk->mem != NULL && chunk->size >= size)
         return METRUE;
     int newSize = MeMAX(chunk->size, firstSize);
@@ -37,6 +40,8 @@ static MeBool reserve(MeChunk *chunk, int size, const char *function) {
     if (chunk->mem == NULL)
         return MEFALSE;
     chunk->size = newSize;
+    MEASSERT(chunk->size >= size);
+    MEASSERTALIGNED(chunk->mem, chunk->alignment);
     return METRUE;
 }
 
@@ -94,6 +99,7 @@ void *MEAPI MeChunkGetMem(MeChunk *chunk, int size) {
         return NULL;
     chunk->maxSize = MeMAX(chunk->maxSize, size);
     chunk->inUse = METRUE;
+    MEASSERT(chunk->mem != NULL && chunk->size >= size);
     return chunk->mem;
 }
 

@@ -1,6 +1,7 @@
 /* Options: one block of memory with the struct, the pointers to the words that are left, and all words. */
 #include "MeCommandLine.h"
 
+#include "MeAssert.h"
 #include "MeMath.h"
 #include "MeMemory_i.h"
 #include "MeMessage.h"
@@ -99,6 +100,7 @@ void MEAPI MeCommandLineOptionsEat(MeCommandLineOptions *options, const int *eat
         if (options->argv[i] != NULL)
             options->argv[kept++] = options->argv[i];
     }
+    MEASSERT(kept >= 1 && kept <= options->argc); /* the program's name stays */
     options->argc = kept;
     options->argv[kept] = NULL;
 }
@@ -132,6 +134,7 @@ static char *takeValue(MeCommandLineOptions *options, const char *arg, MeBool ea
         return NULL;
     char *const rest = restOfOption(options->argv[pos], arg);
     char *const next = options->argv[pos + 1];
+    MEASSERT(rest != NULL && options->argv[options->argc] == NULL);
     char *value = NULL;
     if (*rest == '=')
         value = rest + 1;

@@ -1,6 +1,7 @@
 /* Dictionaries: a treap (Seidel, Aragon). By keys a search tree, by priorities, which are drawn, a heap: so it is as deep as a
  * tree whose nodes came in any order, O(log n), whatever the order was. The numbers that are drawn are the same in every run. */
 #include "MeDict.h"
+#include "MeAssert.h"
 #include "MeMemory.h"
 #include "MeMessage.h"
 #include <string.h>
@@ -34,6 +35,26 @@ MeDict *MEAPI MeDictCreate(unsigned long maxcount, MeDictCompareFn compare) {
     MeDictInit(dict, maxcount, compare);
     dict->isCreated = METRUE;
     return dict;
+}
+
+void MEAPI MeDictInitLike(MeDict *dict, const MeDict *like) {
+    if (!isGiven(dict, "dictionary", __func__) || !isGiven(like, "dictionary to be like", __func__))
+        return;
+    const MeDict model = *like; /* which may be this one */
+    memset(dict, 0, sizeof *dict);
+    dict->maxCount = model.maxCount;
+    dict->compare = model.compare;
+    dict->alloc = model.alloc;
+    dict->free = model.free;
+    dict->context = model.context;
+    dict->allowsDupes = model.allowsDupes;
+    dict->seed = 1;
+}
+
+int MEAPI MeDictSimilar(const MeDict *dict1, const MeDict *dict2) {
+    return isGiven(dict1, "dictionary", __func__) && isGiven(dict2, "second dictionary", __func__) &&
+           dict1->compare == dict2->compare && dict1->alloc == dict2->alloc && dict1->free == dict2->free &&
+           dict1->context == dict2->context && !dict1->allowsDupes == !dict2->allowsDupes;
 }
 
 void MEAPI MeDictDestroy(MeDict *dict) {
@@ -140,12 +161,9 @@ static MeU32 draw(MeDict *dict) {
     return dict->seed ^ dict->seed >> 16;
 }
 
-static void hang(MeDict *dict, MeDictNode *node) {
-    MeDictNode **place = &dict->root, *parent = NULL;
-    while (*place) {
-        parent = *place;
-        place = &parent->child[dict->compare(node->key, parent->key) >= 0];
-    }
+/* A leaf rises to where its priority is at most its parent's. */
+static void hangAt(MeDict *dict, MeDictNode *node, MeDictNode *parent, MeDictNode **place) {
+    MEASSERT(*place == NULL);
     *place = node;
     node->parent = parent;
     node->priority = draw(dict);
@@ -153,8 +171,18 @@ static void hang(MeDict *dict, MeDictNode *node) {
         rotateUp(dict, node);
 }
 
+static void hang(MeDict *dict, MeDictNode *node) {
+    MeDictNode **place = &dict->root, *parent = NULL;
+    while (*place) {
+        parent = *place;
+        place = &parent->child[dict->compare(node->key, parent->key) >= 0];
+    }
+    hangAt(dict, node, parent, place);
+}
+
 /* Down to the leaves, and off. */
 static void unhang(MeDict *dict, MeDictNode *node) {
+    MEASSERT(dict->count > 0 && dict->root != NULL);
     while (node->child[0] || node->child[1]) {
         MeDictNode *left = node->child[0], *right = node->child[1];
         rotateUp(dict, !left || (right && right->priority > left->priority) ? right : left);
@@ -191,27 +219,32 @@ static MeDictNode *lastBefore(MeDict *dict, const void *key, MeBool orEqual) {
 
 /* ---- in and out ------------------------------------------------------------------------------------------------ */
 
-static MeBool mayInsert(MeDict *dict, MeDictNode *node, const void *key) {
-    if (!isGiven(dict, "dictionary", "MeDictInsert") || !isGiven(node, "node", "MeDictInsert"))
-        return MEFALSE;
+static MeBool hasRoom(MeDict *dict, const MeDictNode *node, const char *function) {
     if (node->dict)
-        MeWarning(1, "MeDictInsert: the node is in a dictionary already");
+        MeWarning(1, "%s: the node is in a dictionary already", function);
     else if (dict->count >= dict->maxCount)
-        MeWarning(1, "MeDictInsert: there are %lu nodes already: raise MeDictInit's maxcount", dict->count);
-    else if (!dict->allowsDupes && MeDictLookup(dict, key))
-        MeWarning(1, "MeDictInsert: there is a node with that key: see MeDictAllowDupes");
+        MeWarning(1, "%s: there are %lu nodes already: raise MeDictInit's maxcount", function, dict->count);
     else
         return METRUE;
     return MEFALSE;
 }
 
-void MEAPI MeDictInsert(MeDict *dict, MeDictNode *node, const void *key) {
-    if (!mayInsert(dict, node, key))
-        return;
+static void own(MeDict *dict, MeDictNode *node, const void *key) {
     node->child[0] = node->child[1] = NULL;
     node->key = key;
     node->dict = dict;
     dict->count++;
+    MEASSERT(dict->count <= dict->maxCount);
+}
+
+void MEAPI MeDictInsert(MeDict *dict, MeDictNode *node, const void *key) {
+    if (!isGiven(dict, "dictionary", __func__) || !isGiven(node, "node", __func__) || !hasRoom(dict, node, __func__))
+        return;
+    if (!dict->allowsDupes && MeDictLookup(dict, key)) {
+        MeWarning(1, "MeDictInsert: there is a node with that key: see MeDictAllowDupes");
+        return;
+    }
+    own(dict, node, key);
     hang(dict, node);
 }
 
@@ -258,6 +291,67 @@ void MEAPI MeDictDeleteFree(MeDict *dict, MeDictNode *node) {
 void MEAPI MeDictFreeNodes(MeDict *dict) {
     while (isGiven(dict, "dictionary", __func__) && dict->root)
         MeDictDeleteFree(dict, dict->root);
+}
+
+void MEAPI MeDictFree(MeDict *dict) {
+    if (isGiven(dict, "dictionary", __func__))
+        MeDictFreeNodes(dict);
+}
+
+void MEAPI MeDictMerge(MeDict *dict, MeDict *source) {
+    if (!isGiven(dict, "dictionary", __func__) || !isGiven(source, "source", __func__) || dict == source)
+        return;
+    if (!MeDictSimilar(dict, source)) {
+        MeWarning(1, "MeDictMerge: the dictionaries are not similar: see MeDictSimilar");
+        return;
+    }
+    for (MeDictNode *node = farthest(source->root, 0), *next; node; node = next) {
+        const void *key = node->key;
+        next = neighbour(node, 1);
+        if (!dict->allowsDupes && MeDictLookup(dict, key))
+            continue;
+        if (dict->count >= dict->maxCount) {
+            MeWarning(1, "MeDictMerge: there are %lu nodes already: raise MeDictInit's maxcount", dict->count);
+            return;
+        }
+        MeDictDelete(source, node);
+        MeDictInsert(dict, node, key);
+    }
+    MEVALIDATE(MeDictVerify(dict) && MeDictVerify(source));
+}
+
+void MEAPI MeDictLoadBegin(MeDictLoad *load, MeDict *dict) {
+    if (!isGiven(load, "load", __func__) || !isGiven(dict, "dictionary", __func__))
+        return;
+    if (dict->count)
+        MeWarning(1, "MeDictLoadBegin: there are %lu nodes in the dictionary", dict->count);
+    load->dict = dict->count ? NULL : dict;
+    load->last = NULL;
+}
+
+void MEAPI MeDictLoadNext(MeDictLoad *load, MeDictNode *node, const void *key) {
+    if (!isGiven(load, "load", __func__) || !isGiven(load->dict, "empty dictionary: see MeDictLoadBegin", __func__) ||
+        !isGiven(node, "node", __func__) || !hasRoom(load->dict, node, __func__))
+        return;
+    MeDict *dict = load->dict;
+    MeDictNode *last = load->last;
+    const int order = last ? dict->compare(last->key, key) : -1;
+    if (order > 0 || (order == 0 && !dict->allowsDupes)) {
+        MeWarning(1, "MeDictLoadNext: the key is not after that of the last node");
+        return;
+    }
+    MEASSERT(last == farthest(dict->root, 1));
+    own(dict, node, key);
+    hangAt(dict, node, last, last ? &last->child[1] : &dict->root);
+    load->last = node;
+}
+
+void MEAPI MeDictLoadEnd(MeDictLoad *load) {
+    if (!isGiven(load, "load", __func__))
+        return;
+    MEVALIDATE(!load->dict || MeDictVerify(load->dict));
+    load->dict = NULL;
+    load->last = NULL;
 }
 
 /* ---- finding --------------------------------------------------------------------------------------------------- */

@@ -1,7 +1,7 @@
 /* Numbers, vectors, matrices of any size, packed triangles. */
 #include "MeMath_i.h"
 
-#include "MeMessage.h"
+#include "MeAssert.h"
 #include <stdint.h>
 #include <string.h>
 
@@ -33,6 +33,7 @@ static uint64_t nextRandom(void) {
 MeReal MEAPI MeRealRandomInRange(MeReal start, MeReal end) {
     const double u = (double)(nextRandom() >> 11) * 0x1p-53;
     const MeReal x = (MeReal)((1 - u) * (double)start + u * (double)end);
+    MEASSERT(u >= 0 && u < 1);
     return MeCLAMP(x, MeMIN(start, end), MeMAX(start, end));
 }
 
@@ -104,6 +105,7 @@ MeReal me_normalize(MeReal *v, int n) {
     const MeReal length = MeSqrt(sum);
     for (int i = 0; i < n; i++)
         v[i] /= length;
+    MEVALIDATE(MeFabs(sumOfSquares(v, n) - 1) < 16 * ME_EPSILON);
     return length;
 }
 

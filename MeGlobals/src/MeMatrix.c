@@ -175,6 +175,7 @@ void MEAPI MeMatrix3LUDecompose(MeMatrix3 L, MeMatrix3 U, const MeMatrix3 a, uns
     MeVectorSetZero((MeReal *)L, 9);
     for (unsigned int k = 0; k < 3; k++) {
         const unsigned int pivot = pivotRow(U, weight, k);
+        MEASSERT(pivot >= k && pivot < 3);
         SwappedRow[k] = pivot;
         MeVector3Swap(U[k], U[pivot]);
         MeVector3Swap(L[k], L[pivot]);

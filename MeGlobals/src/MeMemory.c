@@ -1,9 +1,11 @@
 /* The default memory functions, and this library's use of those that are set. */
 #include "MeMemory_i.h"
 
+#include "MeInternal.h"
 #include "MeMessage.h"
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* malloc may answer a request for nothing with null, which here is to mean that there is no memory. */
 static size_t atLeastOne(size_t bytes) {
@@ -45,4 +47,60 @@ void *me_create(size_t bytes, const char *asker) {
 
 void *me_createAligned(size_t bytes, unsigned int alignment, const char *asker) {
     return checked(MeMemoryAPI.createAligned(bytes, alignment), bytes, asker);
+}
+
+/* ---- for all libraries (MeInternal.h) ---- */
+
+/* 0 if it is more than a size_t holds. */
+static size_t bytesOf(size_t count, size_t size) {
+    return size > 0 && count > (SIZE_MAX - 1) / size ? 0 : atLeastOne(count * size);
+}
+
+static void *reported(void *block, size_t count, size_t size, const char *function, const char *what) {
+    if (block == NULL)
+        MeFatalError(0, "%s: no memory for %s (%zu times %zu bytes)", MeCallerName(function), what, count, size);
+    return block;
+}
+
+void *MEAPI MeMemoryTake(size_t count, size_t size, const char *function, const char *what) {
+    const size_t bytes = bytesOf(count, size);
+    return reported(bytes > 0 ? MeMemoryAPI.create(bytes) : NULL, count, size, function, what);
+}
+
+void *MEAPI MeMemoryTakeZeroed(size_t count, size_t size, const char *function, const char *what) {
+    void *const block = MeMemoryTake(count, size, function, what);
+    if (block != NULL)
+        memset(block, 0, bytesOf(count, size));
+    return block;
+}
+
+MeBool MEAPI MeMemoryGrow(void *block, size_t used, size_t count, size_t size, const char *function, const char *what) {
+    void *old, *const larger = MeMemoryTake(count, size, function, what);
+    if (larger == NULL)
+        return MEFALSE;
+    memcpy(&old, block, sizeof old); /* the pointer is of any type: read and written as bytes */
+    if (old != NULL && used > 0)
+        memcpy(larger, old, used * size);
+    memcpy(block, &larger, sizeof larger);
+    MeMemoryGive(old);
+    return METRUE;
+}
+
+void MEAPI MeMemoryGive(void *block) {
+    if (block != NULL)
+        MeMemoryAPI.destroy(block);
+}
+
+void *MEAPI MeMemoryTakeAligned(size_t count, size_t size, unsigned int alignment, const char *function,
+                                const char *what) {
+    const size_t bytes = bytesOf(count, size);
+    void *const block = bytes > 0 ? MeMemoryAPI.createAligned(bytes, alignment) : NULL;
+    if (block != NULL)
+        memset(block, 0, bytes);
+    return reported(block, count, size, function, what);
+}
+
+void MEAPI MeMemoryGiveAligned(void *block) {
+    if (block != NULL)
+        MeMemoryAPI.destroyAligned(block);
 }

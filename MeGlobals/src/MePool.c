@@ -1,6 +1,7 @@
 /* Pools of records of one size. */
 #include "MePool.h"
 
+#include "MeAssert.h"
 #include "MeMath.h"
 #include "MeMemory_i.h"
 #include "MeMessage.h"
@@ -45,6 +46,7 @@ static MeBool initCommon(MePool *pool, const struct MePoolAPI *api, int structSi
 /* ---- fixed ---- */
 
 static void *recordAt(const MePool *pool, int i) {
+    MEASSERT(i >= 0 && i < pool->u.fixed.count);
     return pool->u.fixed.memory + (size_t)i * (size_t)pool->stride;
 }
 
@@ -64,6 +66,7 @@ static void pushFree(MePool *pool, void *record) {
 
 static void *popFree(MePool *pool) {
     void *const record = pool->u.fixed.firstFree;
+    MEASSERT(indexOf(pool, record) >= 0 && !pool->u.fixed.isOut[indexOf(pool, record)]);
     memcpy(&pool->u.fixed.firstFree, record, sizeof(void *));
     return record;
 }
@@ -114,6 +117,7 @@ static void *MEAPI fixedGetStruct(MePool *pool) {
     void *const record = popFree(pool);
     pool->u.fixed.isOut[indexOf(pool, record)] = 1;
     pool->used++;
+    MEASSERT((pool->used == pool->u.fixed.count) == (pool->u.fixed.firstFree == NULL));
     return record;
 }
 
@@ -127,6 +131,7 @@ static void MEAPI fixedPutStruct(MePool *pool, void *record) {
     }
     pool->u.fixed.isOut[i] = 0;
     pool->used--;
+    MEASSERT(pool->used >= 0);
     pushFree(pool, record);
 }
 
@@ -189,6 +194,7 @@ static void *MEAPI mallocGetStruct(MePool *pool) {
         list->first->previous = link;
     list->first = link;
     pool->used++;
+    MEASSERTALIGNED((char *)link + list->header, pool->alignment);
     return (char *)link + list->header;
 }
 
@@ -197,6 +203,7 @@ static void MEAPI mallocPutStruct(MePool *pool, void *record) {
         return;
     MePoolMalloc *const list = &pool->u.allocated;
     MePoolMallocLink *const link = (void *)((char *)record - list->header);
+    MEASSERT(link->previous != NULL ? link->previous->next == link : list->first == link);
     if (link->next != NULL)
         link->next->previous = link->previous;
     if (link->previous != NULL)
@@ -204,6 +211,7 @@ static void MEAPI mallocPutStruct(MePool *pool, void *record) {
     else
         list->first = link->next;
     pool->used--;
+    MEASSERT((pool->used == 0) == (list->first == NULL));
     MeMemoryAPI.destroyAligned(link);
 }
 

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 199309L /* clock_gettime */
 #include "MeProfile_i.h"
 
+#include "MeAssert.h"
 #include "MeMath.h"
 #include "MeMemory_i.h"
 #include "MeMessage.h"
@@ -66,6 +67,7 @@ MeSection *me_sectionCreate(MeSection *parent, const char *name) {
     if (parent == NULL)
         return s;
     s->depth = parent->depth + 1;
+    MEASSERT((parent->firstChild == NULL) == (parent->lastChild == NULL));
     if (parent->lastChild != NULL)
         parent->lastChild->next = s;
     else
@@ -106,6 +108,7 @@ MeSection *me_sectionNext(MeSection *section) {
 /* Makes room for another event; false when there is none to be had. */
 static MeBool growLog(void) {
     MeProfileState *const p = &me_profile;
+    MEASSERT(p->numEvents <= p->maxEvents);
     if (p->numEvents < p->maxEvents)
         return METRUE;
     if (p->maxEvents == mostEvents) {
@@ -130,6 +133,7 @@ static MeBool growLog(void) {
 static void countTime(MeSection *s, uint64_t now) {
     MeProfileState *const p = &me_profile;
     const uint64_t elapsed = now - s->start;
+    MEASSERT(now >= s->start);
     s->total.time += elapsed;
     if (p->isInFrame)
         s->thisFrame.time += elapsed;
@@ -146,6 +150,7 @@ static void countTimeOfAllInProgress(uint64_t now) {
 }
 
 static void beginCall(MeSection *s, MeBool isAutoStop, uint64_t now) {
+    MEASSERT(s->parent == me_profile.current);
     s->start = now;
     s->isAutoStop = isAutoStop;
     s->total.calls++;
@@ -156,6 +161,7 @@ static void beginCall(MeSection *s, MeBool isAutoStop, uint64_t now) {
 
 static void endCurrentCall(uint64_t now) {
     MeSection *const s = me_profile.current;
+    MEASSERT(s->parent != NULL); /* the root is no call */
     countTime(s, now);
     me_profile.current = s->parent;
 }

@@ -1,7 +1,7 @@
 /* Rotations as quaternions (w, x, y, z). */
 #include "MeMath_i.h"
 
-#include "MeMessage.h"
+#include "MeAssert.h"
 
 /* ---- making ---- */
 
@@ -29,6 +29,12 @@ void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 x, const MeReal a) {
  * For unit vectors a, b with the angle 2t between them, |a + b| = 2 cos t and |a - b| = 2 sin t, and the axis
  * is along (a - b) x (a + b). All of these are exact to rounding for any angle, unlike a . b and a x b.
  */
+static MeBool turnsTo(const MeVector4 q, const MeVector3 from, const MeVector3 to) {
+    MeVector3 turned;
+    MeQuaternionRotateVector3(turned, q, from);
+    return MeVector3Distance(turned, to) < ME_MEDIUM_EPSILON;
+}
+
 void MEAPI MeQuaternionForRotation(MeVector4 q, const MeVector3 v1, const MeVector3 v2) {
     MeVector3 a, b, sum, difference, axis, unused;
     MeVector3Copy(a, v1);
@@ -48,6 +54,7 @@ void MEAPI MeQuaternionForRotation(MeVector4 q, const MeVector3 v1, const MeVect
     MeVector3Cross(axis, difference, sum);
     MeQuaternionSet(q, length, axis[0], axis[1], axis[2]);
     me_normalize(q, 4);
+    MEVALIDATE(turnsTo(q, a, b));
 }
 
 /* Shepperd's method: start from the largest of w, x, y, z (times 4 of it), and nothing cancels. */
@@ -67,6 +74,7 @@ void MEAPI MeQuaternionFromTM(MeVector4 q, const MeMatrix4 tm) {
     me_normalize(q, 4);
     if (q[0] < 0)
         MeVector4Scale(q, -1);
+    MEASSERT(!(q[0] < 0));
 }
 
 /* ---- using ---- */
@@ -118,6 +126,7 @@ void MEAPI MeQuaternionSlerp(MeVector4 q, const MeVector4 from, const MeVector4 
     if (MeVector4Dot(from, to) < 0)
         MeVector4Scale(end, -1);
     const MeReal angle = angleBetween(from, end), s = MeSin(angle);
+    MEASSERT(!(MeVector4Dot(from, end) < 0)); /* the shorter way round */
     const MeReal a = s > 0 ? MeSin((1 - howFar) * angle) / s : 1 - howFar;
     const MeReal b = s > 0 ? MeSin(howFar * angle) / s : howFar;
     for (int i = 0; i < 4; i++)

@@ -1,0 +1,11 @@
+/* Finding files, for this library. */
+#ifndef MEFILE_I_H
+#define MEFILE_I_H
+
+#include "MeSimpleFile.h"
+
+/* MeOpen and MeOpenWithSearch; warnings name the function that asked. */
+int me_open(const char *filename, MeOpenMode_enum mode, const char *function);
+int me_openWithSearch(const char *filename, MeOpenMode_enum mode, const char *function);
+
+#endif

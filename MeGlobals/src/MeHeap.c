@@ -1,0 +1,100 @@
+/* Binary heaps (Williams, Heapsort, CACM 1964): item i is not after items 2 i + 1 and 2 i + 2. */
+#include "MeHeap.h"
+
+#include "MeAssert.h"
+#include "MeMemory_i.h"
+#include <string.h>
+
+static MeBool isHeap(const MeHeap *h, const char *function) {
+    if (!h) {
+        MeWarning(1, "%s: the heap is null", function);
+        return MEFALSE;
+    }
+    MEASSERT(h->count >= 0 && h->count <= h->capacity);
+    return METRUE;
+}
+
+MeHeap *MEAPI MeHeapCreate(int capacity, MeHeapComparisonFnPtr cmp) {
+    if (capacity < 1 || !cmp) {
+        MeWarning(1, "MeHeapCreate: capacity is %d, which must be 1 or more; the comparison is %s", capacity,
+                  cmp ? "given" : "null");
+        return NULL;
+    }
+    MeHeap *h = me_create(sizeof *h + (size_t)capacity * sizeof(void *), __func__);
+    if (!h)
+        return NULL;
+    MeHeapInit(h, (void **)(h + 1), capacity, cmp);
+    h->isCreated = METRUE;
+    return h;
+}
+
+void MEAPI MeHeapInit(MeHeap *h, void **memory, int capacity, MeHeapComparisonFnPtr cmp) {
+    if (!isHeap(h ? &(MeHeap){0} : NULL, __func__))
+        return;
+    memset(h, 0, sizeof *h);
+    if (!memory || capacity < 1 || !cmp) {
+        MeWarning(1, "MeHeapInit: memory is %p, capacity is %d, which must be 1 or more; the comparison is %s",
+                  (void *)memory, capacity, cmp ? "given" : "null");
+        return;
+    }
+    h->item = memory;
+    h->capacity = capacity;
+    h->compare = cmp;
+}
+
+void MEAPI MeHeapDestroy(MeHeap *h) {
+    if (!isHeap(h, __func__))
+        return;
+    if (h->isCreated)
+        MeMemoryAPI.destroy(h);
+    else
+        MeWarning(1, "MeHeapDestroy: MeHeapCreate has not made this heap");
+}
+
+/* Does item i come out before item k? */
+static MeBool isBefore(const MeHeap *h, int i, int k) {
+    return h->compare(h->item[i], h->item[k]) < 0;
+}
+
+static void swap(MeHeap *h, int i, int k) {
+    void *item = h->item[i];
+    h->item[i] = h->item[k];
+    h->item[k] = item;
+}
+
+static MeBool isInOrder(const MeHeap *h) {
+    for (int i = 1; i < h->count; i++)
+        if (isBefore(h, i, (i - 1) / 2))
+            return MEFALSE;
+    return METRUE;
+}
+
+int MEAPI MeHeapPush(MeHeap *h, void *item) {
+    if (!isHeap(h, __func__))
+        return 0;
+    if (h->count >= h->capacity) {
+        MeWarning(1, "MeHeapPush: there are %d items already: raise MeHeapCreate's capacity", h->count);
+        return 0;
+    }
+    h->item[h->count] = item;
+    for (int i = h->count++; i > 0 && isBefore(h, i, (i - 1) / 2); i = (i - 1) / 2)
+        swap(h, i, (i - 1) / 2);
+    MEVALIDATE(isInOrder(h));
+    return 1;
+}
+
+void *MEAPI MeHeapPop(MeHeap *h) {
+    if (!isHeap(h, __func__) || h->count == 0)
+        return NULL;
+    void *least = h->item[0];
+    h->item[0] = h->item[--h->count];
+    for (int i = 0, child = 1; child < h->count; i = child, child = 2 * i + 1) {
+        if (child + 1 < h->count && isBefore(h, child + 1, child))
+            child++;
+        if (!isBefore(h, child, i))
+            break;
+        swap(h, i, child);
+    }
+    MEVALIDATE(isInOrder(h));
+    return least;
+}

@@ -1,0 +1,115 @@
+/* Numbers for things: a bit for each. */
+#include "MeIDPool.h"
+
+#include "MeAssert.h"
+#include "MeMath.h"
+#include "MeMemory_i.h"
+#include <limits.h>
+#include <string.h>
+
+enum { BITS = 32, MOST = INT_MAX / BITS * BITS }; /* whole words, in an int */
+
+static MeBool isPool(const MeIDPool *pool, const char *function) {
+    if (!pool) {
+        MeWarning(1, "%s: the pool is null", function);
+        return MEFALSE;
+    }
+    MEASSERT(pool->count >= 0 && pool->firstFree >= 0 && pool->firstFree <= BITS * pool->words);
+    return METRUE;
+}
+
+static MeBool isTaken(const MeIDPool *pool, int id) {
+    return id >= 0 && id / BITS < pool->words && (pool->taken[id / BITS] >> id % BITS & 1);
+}
+
+static int countTaken(const MeIDPool *pool) {
+    int count = 0;
+    for (int id = 0; id < BITS * pool->words; id++)
+        count += isTaken(pool, id);
+    return count;
+}
+
+MeIDPool *MEAPI MeIDPoolCreate(void) {
+    MeIDPool *pool = me_create(sizeof *pool, __func__);
+    if (pool)
+        memset(pool, 0, sizeof *pool);
+    return pool;
+}
+
+void MEAPI MeIDPoolDestroy(MeIDPool *pool) {
+    if (!isPool(pool, __func__))
+        return;
+    if (pool->taken)
+        MeMemoryAPI.destroy(pool->taken);
+    MeMemoryAPI.destroy(pool);
+}
+
+void MEAPI MeIDPoolReset(MeIDPool *pool) {
+    if (!isPool(pool, __func__))
+        return;
+    if (pool->words)
+        memset(pool->taken, 0, (size_t)pool->words * sizeof *pool->taken);
+    pool->firstFree = pool->count = 0;
+}
+
+static MeBool growTo(MeIDPool *pool, int words, const char *function) {
+    if (words <= pool->words)
+        return METRUE;
+    MeU32 *taken = me_create((size_t)words * sizeof *taken, function);
+    if (!taken)
+        return MEFALSE;
+    memset(taken, 0, (size_t)words * sizeof *taken);
+    if (pool->words) {
+        memcpy(taken, pool->taken, (size_t)pool->words * sizeof *taken);
+        MeMemoryAPI.destroy(pool->taken);
+    }
+    pool->taken = taken;
+    pool->words = words;
+    return METRUE;
+}
+
+void MEAPI MeIDPoolCopy(MeIDPool *to, MeIDPool *from) {
+    if (!isPool(to, __func__) || !isPool(from, __func__) || to == from || !growTo(to, from->words, __func__))
+        return;
+    MeIDPoolReset(to);
+    if (from->words)
+        memcpy(to->taken, from->taken, (size_t)from->words * sizeof *to->taken);
+    to->firstFree = from->firstFree;
+    to->count = from->count;
+}
+
+int MEAPI MeIDPoolRequestID(MeIDPool *pool) {
+    if (!isPool(pool, __func__))
+        return -1;
+    const int id = pool->firstFree;
+    if (id >= MOST) {
+        MeWarning(1, "MeIDPoolRequestID: all %d numbers are taken", MOST);
+        return -1;
+    }
+    if (id / BITS >= pool->words && !growTo(pool, MeMIN(MeMAX(2 * pool->words, 1), MOST / BITS), __func__))
+        return -1;
+    MEASSERT(!isTaken(pool, id));
+    pool->taken[id / BITS] |= (MeU32)1 << id % BITS;
+    pool->count++;
+    while (pool->firstFree < BITS * pool->words && isTaken(pool, pool->firstFree))
+        pool->firstFree++;
+    MEASSERT(isTaken(pool, id) && !isTaken(pool, pool->firstFree));
+    return id;
+}
+
+void MEAPI MeIDPoolReturnID(MeIDPool *pool, int id) {
+    if (!isPool(pool, __func__))
+        return;
+    if (!isTaken(pool, id)) {
+        MeWarning(1, "MeIDPoolReturnID: %d is not taken", id);
+        return;
+    }
+    pool->taken[id / BITS] &= ~((MeU32)1 << id % BITS);
+    pool->count--;
+    pool->firstFree = MeMIN(pool->firstFree, id);
+    MEVALIDATE(countTaken(pool) == pool->count);
+}
+
+MeBool MEAPI MeIDPoolIsEmpty(MeIDPool *pool) {
+    return isPool(pool, __func__) && pool->count >= MOST;
+}

@@ -1,0 +1,117 @@
+/* Sets: dictionaries whose keys are the items. */
+#include "MeSet.h"
+
+#include "MeAssert.h"
+#include "MeMath.h"
+#include "MeMemory_i.h"
+#include <limits.h>
+#include <string.h>
+
+static MeBool isSet(const MeSet *s, const char *function) {
+    if (!s) {
+        MeWarning(1, "%s: the set is null", function);
+        return MEFALSE;
+    }
+    MEASSERT((s->dict.count == 0) == (s->dict.root == NULL));
+    MEASSERT(s->isCreated || (int)s->dict.count == s->pool.used);
+    return METRUE;
+}
+
+static MeBool isCompared(MeDictCompareFn cmp, const char *function) {
+    if (!cmp)
+        MeWarning(1, "%s: the comparison is null", function);
+    return cmp != NULL;
+}
+
+MeSet *MEAPI MeSetCreate(MeDictCompareFn cmp) {
+    if (!isCompared(cmp, __func__))
+        return NULL;
+    MeSet *s = me_create(sizeof *s, __func__);
+    if (!s)
+        return NULL;
+    memset(s, 0, sizeof *s);
+    MeDictInit(&s->dict, INT_MAX, cmp);
+    s->isCreated = METRUE;
+    return s;
+}
+
+/* Without a comparison nothing can be in it. */
+static int MEAPI allAlike(const void *key1, const void *key2) {
+    (void)key1;
+    (void)key2;
+    return 0;
+}
+
+void MEAPI MeSetInit(MeSet *s, MeDictNode *nodemem, int maxnode, MeDictCompareFn cmp) {
+    if (!s) {
+        MeWarning(1, "MeSetInit: the set is null");
+        return;
+    }
+    memset(s, 0, sizeof *s);
+    MePoolxInit(&s->pool, nodemem, sizeof(MeDictNode), isCompared(cmp, __func__) ? maxnode : 0);
+    MeDictInit(&s->dict, (unsigned long)s->pool.count, cmp ? cmp : allAlike);
+    MePoolxUseWithDict(&s->pool, &s->dict);
+}
+
+void MEAPI MeSetDestroy(MeSet *s) {
+    if (!isSet(s, __func__))
+        return;
+    MeDictFreeNodes(&s->dict);
+    s->next = NULL;
+    if (s->isCreated)
+        MeMemoryAPI.destroy(s);
+}
+
+int MEAPI MeSetAdd(MeSet *s, void *item) {
+    if (!isSet(s, __func__) || MeDictLookup(&s->dict, item))
+        return 0;
+    if (MeDictIsFull(&s->dict)) {
+        MeWarning(1, "MeSetAdd: there are %d items already: raise MeSetInit's maxnode", (int)s->dict.count);
+        return 0;
+    }
+    s->next = NULL;
+    return MeDictAllocInsert(&s->dict, item, item);
+}
+
+static void *takeOut(MeSet *s, MeDictNode *node) {
+    if (!node)
+        return NULL;
+    void *item = MeDictNodeGet(node);
+    s->next = NULL;
+    MeDictDeleteFree(&s->dict, node);
+    return item;
+}
+
+int MEAPI MeSetRemove(MeSet *s, void *item) {
+    MeDictNode *node = isSet(s, __func__) ? MeDictLookup(&s->dict, item) : NULL;
+    if (node)
+        takeOut(s, node);
+    return node != NULL;
+}
+
+int MEAPI MeSetContains(MeSet *s, void *item) {
+    return isSet(s, __func__) && MeDictLookup(&s->dict, item) != NULL;
+}
+
+int MEAPI MeSetSize(MeSet *s) {
+    return isSet(s, __func__) ? (int)s->dict.count : 0;
+}
+
+int MEAPI MeSetIsFull(MeSet *s) {
+    return isSet(s, __func__) && MeDictIsFull(&s->dict);
+}
+
+void *MEAPI MeSetPop(MeSet *s) {
+    return isSet(s, __func__) ? takeOut(s, MeDictLast(&s->dict)) : NULL;
+}
+
+void *MEAPI MeSetPopFirst(MeSet *s) {
+    return isSet(s, __func__) ? takeOut(s, MeDictFirst(&s->dict)) : NULL;
+}
+
+void *MEAPI MeSetIteratorNext(MeSet *s) {
+    if (!isSet(s, __func__))
+        return NULL;
+    s->next = s->next ? MeDictNext(&s->dict, s->next) : MeDictFirst(&s->dict);
+    return s->next ? MeDictNodeGet(s->next) : NULL;
+}
