@@ -2,25 +2,36 @@
  *  Kea, the solver and integrator (Dynamics guide ch. 5; User Guide ch. 2, "Kea").
  *
  *  Kea knows arrays only: bodies with masses and states, and constraint rows. It knows nothing of joints, contacts
- *  or worlds. One system is one partition: n bodies and m rows. A step of length h is
+ *  or worlds. One system is one partition: n bodies and m rows. The unknown of a body is the velocity u = (v_m, w_m) with
+ *  which it moves through a step of length h, and θ is 1/2 (midpoint rule) or, where a contact or a stop may act, 1:
  *
- *      v⁺ = v* + h M⁻¹ Jᵀ λ              v*: what the velocities would be without constraints
- *      J v⁺ = s - h E λ                   s: the row's target, E: its softness, λ: its force
- *      lower <= λ <= upper
+ *      x⁺ = x + h v_m,   q⁺ = cay(h w_m) q,   v⁺ = v + (v_m - v)/θ
+ *      M (v⁺ - v_free) = Σ Jᵀ p               v_free: at the end without rows; p = h λ: the row's impulse, λ its force
+ *      lower <= λ <= upper,  |λ| <= μ λ_normal or its cone
  *
- *  where a row whose force is at a bound lets its velocity go the way that the bound allows. In matrix form this is
+ *  Rows act on the mean of the poses at the start and the end, for which φ⁺ - φ = h J u. A row whose force is within its
+ *  bounds keeps its law; at a bound its velocity goes the way that the bound allows:
  *
- *      (A + E) λ = b + w,   A = J M⁻¹ Jᵀ,   b = (s - J v*) / h
- *      w >= 0 where λ is at its lower bound, w <= 0 at its upper bound, w = 0 between.
+ *      velocity row (contacts, motors)    J v⁺ = s - h E λ
+ *      `position` row (joints, stops)     φ(x⁺) = φ(x) + h (s - h E λ)
+ *      `spring` row                       λ = -stiffness φ - damping (J u - s)
  *
  *  For a joint row s = -γ φ / h and E = ε, which is the guide's (A + εI) x = b: γ is the fraction of the position
  *  error φ that one step takes away, ε [1/kg] the compliance: a joint that carries the weight F sags by ε F h² / γ.
  *  ε = 0 means rigid. What regularization the factorization needs is internal, relative, and taken out again.
  *
- *  Rows marked `position` are met where the bodies arrive, not only to first order: φ(x⁺) = φ(x) + h (s - h E λ).
+ *  What the positions came to with a jerk, the velocity stage makes right: the velocities nearest to v⁺ that joints, stops and
+ *  contacts allow where the bodies have arrived. A timed system (MdtKeaParameters) has θ = 1/2 throughout, impacts of its own,
+ *  and no velocity stage.
  *
- *  A row marked `spring` is a damped spring, λ = -stiffness φ - damping J v, whose s and E Kea finds by itself, since
- *  what is stable depends on the other springs of the system (kea_system.c).
+ *      MdtKeaInit       reads bodies, parameters, numBodies, maxRows; writes pose, velocity, predicted, invMass, numRows = 0
+ *      (the owner)      writes rows, numRows
+ *      MdtKeaMeets      reads rows; writes nothing
+ *      MdtKeaImpact     reads rows, parameters; writes velocities of bodies, rows[].force (N s), report.work and .limited;
+ *                       MdtKeaInit and the rows are wanted again after it
+ *      MdtKeaSolve      reads all of these; calls errors and jacobians, by which J, arm and bounds of rows move; writes
+ *                       rows[].force and .ripple, and report
+ *      MdtKeaIntegrate  writes the state and the acceleration of bodies, pose and velocity of the end
  *
  *  Everything here is double, in single-precision builds too: positions, orientations and momenta keep their digits
  *  over long runs.
@@ -38,9 +49,9 @@ ME_BEGIN_C
 #define MdtKeaWORLD             (-1) /**< In place of a body's index: the world, which does not move. */
 
 typedef enum MdtKeaBodyFlag {
-    MdtKeaBodyFlagUseFastSpin = 1,      /**< Kept for programs that ask; the rotation is exact without it. */
-    MdtKeaBodyFlagIsConstrained = 2,    /**< Some row acts on the body in this step. */
-    MdtKeaBodyFlagIsNonSpherical = 4,   /**< The full inertia tensor is used. */
+    MdtKeaBodyFlagUseFastSpin = 1,      /**< Kept for programs, as MdtBodySetFastSpin sets it; Kea does not read it. */
+    MdtKeaBodyFlagIsConstrained = 2,    /**< Kept for programs; Kea does not read it. */
+    MdtKeaBodyFlagIsNonSpherical = 4,   /**< Kept for programs, and for Mdt; Kea takes the moments as they are. */
     MdtKeaBodyFlagAddCoriolisForce = 8, /**< Free rotation keeps the angular momentum, not the angular velocity. */
 } MdtKeaBodyFlag;
 
@@ -122,6 +133,7 @@ typedef struct MdtKeaRow {
     MeBool bounces;   /**< `rebound` is wanted */
     double restitution; /**< of a contact that is met in time, 0..1, */
     double threshold;   /**< m/s: for speeds above this */
+    double radius[2];   /**< m, of a contact's normal row: of either body's surface where that is round, else 0 */
     MeBool isForced;    /**< Kea's own: a friction row that slides in a known direction, */
     double forced;      /**< whose force is this times the bound */
     double stiffness;   /**< N/m of a spring, >= 0 */
@@ -134,8 +146,10 @@ typedef struct MdtKeaRow {
 typedef struct MdtKeaParameters {
     double stepsize;   /**< s */
     double gamma;      /**< the part of a position error that the step takes away, 0..1 */
-    int maxIterations; /**< Newton iterations of one inner problem; 0: Kea's own choice */
+    int maxIterations; /**< Newton iterations of the whole solve; 0: as many as it takes */
+    double maxWork;    /**< multiplications of the whole solve, roughly; 0: as many as it takes */
     MeBool mayRefuse;  /**< a step in which bodies turn too far may be reported as violent without being solved */
+    MeBool isPart;     /**< of a step that the bodies do not take together: energy from errors of joints is not given */
     MeBool timed;      /**< contacts are met in time: bodies move with their mean velocities throughout */
 } MdtKeaParameters;
 
@@ -146,8 +160,13 @@ typedef struct MdtKeaReport {
     int factorizations; /**< of sparse matrices */
     int stages;         /**< velocity stages, 0 or 1 */
     int freezes;        /**< passes whose friction bounds were not renewed, since that did not settle */
-    MeBool capped;      /**< passes ran out: the forces are within bounds, but not exact */
+    double work;        /**< multiplications, roughly: of factorizations, and of visits of rows */
+    double least;       /**< the same, of one linearization: no solve can do with less than a few of these */
+    MeBool limited;     /**< the work or the iterations that it was given ran out: the best answer so far, see capped */
+    MeBool capped;      /**< passes, work or iterations ran out: the forces are within bounds, but not exact, and the
+                             bodies have no more energy than loads, springs and motors explain */
     MeBool violent;     /**< the motion could not be followed in a step of this length: take shorter ones */
+    MeBool refused;     /**< `violent` without having been solved, see MdtKeaParameters.mayRefuse */
     MeBool conflicting; /**< rows contradict each other: a compromise was taken */
     double event;       /**< s: when something happens in a timed step that divides it; the step's length if nothing */
     double residual;    /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
@@ -228,7 +247,7 @@ MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
 /**
  * An impact at the start of the step: changes the velocities of the bodies so that those that touch part with their
  * restitution times the speed with which they met, waves through rows of bodies and impacts at several points
- * included, never gaining energy. Writes the impulses, N s, into rows[i].force.
+ * included, never gaining energy. Writes the impulses, N s, into rows[i].force, and what it has cost into the report.
  */
 MEPUBLIC void MEAPI MdtKeaImpact(MdtKeaSystem *system);
 

@@ -1,8 +1,8 @@
 /* Factors for the graphs that have come up: a partition whose bodies are joined as before finds its own again, and so
  * do all partitions that look alike. The least recently used one makes room. */
 #include "kea_problem_i.h"
-#include "MeMemory.h"
-#include <string.h>
+#include "MeAssert.h"
+#include "MeInternal.h"
 
 enum { MAX_FACTORS = 64 };
 
@@ -18,10 +18,7 @@ struct MdtKeaCache {
 };
 
 MdtKeaCache *MEAPI MdtKeaCacheCreate(void) {
-    MdtKeaCache *c = MeMemoryAPI.create(sizeof *c);
-    if (c)
-        memset(c, 0, sizeof *c);
-    return c;
+    return MeMemoryTakeZeroed(1, sizeof(MdtKeaCache), "MdtKeaCacheCreate", "the cache of factors");
 }
 
 void MEAPI MdtKeaCacheDestroy(MdtKeaCache *c) {
@@ -30,23 +27,18 @@ void MEAPI MdtKeaCacheDestroy(MdtKeaCache *c) {
     for (int i = 0; i < MAX_FACTORS; i++)
         if (c->entry[i].factor)
             kea_factorDestroy(c->entry[i].factor);
-    if (c->size)
-        MeMemoryAPI.destroy(c->size);
-    MeMemoryAPI.destroy(c);
+    MeMemoryGive(c->size);
+    MeMemoryGive(c);
 }
 
 static MeBool makeSizes(MdtKeaCache *c, int n) {
     if (c->room >= n)
         return METRUE;
-    int *size = MeMemoryAPI.create((size_t)(2 * n) * sizeof *size);
-    if (!size)
+    if (!MeMemoryGrow(&c->size, 0, (size_t)(2 * n), sizeof *c->size, "MdtKeaSolve", "sizes of a graph"))
         return MEFALSE;
-    if (c->size)
-        MeMemoryAPI.destroy(c->size);
-    c->size = size;
     c->room = 2 * n;
     for (int i = 0; i < c->room; i++)
-        size[i] = 6;
+        c->size[i] = 6;
     return METRUE;
 }
 

@@ -7,6 +7,7 @@
  * factored with a seventh of the work that the bodies' side takes. Which side is cheaper follows from the two graphs.
  */
 #include "kea_i.h"
+#include "MeAssert.h"
 #include <string.h>
 
 static const double regular = 1e-13; /* of a row's A_ii: rows of one joint may coincide but for rounding */
@@ -31,6 +32,7 @@ static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
             return MEFALSE;
     }
     d->start[d->numNodes] = s->numRows;
+    MEASSERT(d->numNodes <= s->numRows);
     return METRUE;
 }
 
@@ -49,6 +51,7 @@ static MeBool findEdges(MdtKeaSystem *s, KeaDual *d) {
             for (int m = d->first[b]; m >= 0; m = d->next[m / 2][m % 2]) {
                 if (d->numEdges == s->maxRows || d->met[m / 2] == n)
                     return MEFALSE;
+                MEASSERT(m / 2 < n);
                 d->met[m / 2] = n;
                 d->edges[d->numEdges][0] = m / 2;
                 d->edges[d->numEdges][1] = n;
@@ -121,6 +124,8 @@ static MeBool factorize(KeaProblem *q, KeaDual *d) {
     for (int e = 0; e < d->numEdges; e++)
         fillEdge(q, d, e);
     q->counts.factorizations++;
+    kea_problemSpend(q, kea_factorFlops(d->factor) + 2.0 * (double)kea_factorEntries(d->factor) +
+                            (double)q->numRows * (KEA_ASSEMBLY + 2 * KEA_VISIT));
     return kea_factorCholesky(d->factor, 1e-15);
 }
 
@@ -149,7 +154,7 @@ static void setMotion(KeaProblem *q) {
 MeBool kea_dualSolve(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     KeaDual *d = &s->work->dual;
-    if (!d->factor || !factorize(q, d))
+    if (!d->factor || !kea_problemAffords(q, MEFALSE) || !factorize(q, d))
         return MEFALSE;
     q->counts.iterations++;
     setMotion(q);

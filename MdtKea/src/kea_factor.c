@@ -9,7 +9,8 @@
  * that all products are sums of Xᵀ Y, row by row. Of a symmetric matrix L = Uᵀ: only U is kept.
  */
 #include "kea_factor_i.h"
-#include "MeMemory.h"
+#include "MeAssert.h"
+#include "MeInternal.h"
 #include "kea_arena_i.h"
 #include "kea_order_i.h"
 #include <math.h>
@@ -165,6 +166,19 @@ static void listSources(KeaFactor *f) {
             f->source[f->place[f->entry[e].row]++] = (Source){t, e};
 }
 
+/* Rows of a column come after it, in the order of their turns; blocks do not overlap. */
+static inline MeBool hasSortedColumns(const KeaFactor *f) {
+    size_t at = 0;
+    for (int t = 0; t < f->numNodes; t++)
+        for (int e = f->start[t]; e < f->start[t + 1]; e++) {
+            const int before = e > f->start[t] ? f->entry[e - 1].row : t;
+            if (f->entry[e].row <= before || f->entry[e].row >= f->numNodes || f->entry[e].at != at)
+                return MEFALSE;
+            at += (size_t)(f->size[f->node[t]] * f->size[f->node[f->entry[e].row]]);
+        }
+    return at == f->factorSize;
+}
+
 KeaFactor *kea_factorCreate(int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
     KeaOrder o;
     KeaFactor plan = {.numNodes = numNodes, .numEdges = numEdges};
@@ -178,7 +192,7 @@ KeaFactor *kea_factorCreate(int numNodes, const int size[], int numEdges, const 
     kea_carve(&arena, 1, sizeof plan);
     layOut(&plan, entries, &arena);
     layOutNumbers(&plan, unknowns, &arena);
-    char *memory = MeMemoryAPI.create(arena.used);
+    char *memory = MeMemoryTake(1, arena.used, "MdtKeaSolve", "a factor");
     KeaFactor *f = (KeaFactor *)(void *)memory;
     if (f) {
         arena = (KeaArena){memory, 0};
@@ -190,13 +204,14 @@ KeaFactor *kea_factorCreate(int numNodes, const int size[], int numEdges, const 
         copyStructure(f, &o);
         placeEdges(f);
         listSources(f);
+        MEVALIDATE(hasSortedColumns(f));
     }
     kea_orderDestroy(&o);
     return f;
 }
 
 void kea_factorDestroy(KeaFactor *f) {
-    MeMemoryAPI.destroy(f);
+    MeMemoryGive(f);
 }
 
 MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
@@ -214,10 +229,12 @@ void kea_factorClear(KeaFactor *f) {
 }
 
 double *kea_factorDiagonal(KeaFactor *f, int node) {
+    MEASSERT(node >= 0 && node < f->numNodes);
     return f->diagonal + f->diagonalAt[node];
 }
 
 double *kea_factorUpper(KeaFactor *f, int edge) {
+    MEASSERT(edge >= 0 && edge < f->numEdges);
     return f->upperInput + f->edgeAt[edge];
 }
 
@@ -275,6 +292,7 @@ static MeBool choleskyOf(double *D, int n, double least) {
             d -= D[p * n + k] * D[p * n + k];
         if (!(d > least * start))
             return MEFALSE;
+        MEASSERT(d > 0);
         const double inverse = 1 / sqrt(d);
         D[k * n + k] = inverse;
         for (int j = k + 1; j < n; j++) {

@@ -81,6 +81,13 @@ double kea_leastEigenvalue(const double S[3][3]);
 /* Eigenvalues of a symmetric matrix, left on the diagonal of S, and eigenvectors, as the columns of V. */
 void kea_eigen(double S[3][3], double V[3][3]);
 
+/* ---- kea_solve.c ---- */
+
+/* What the solve may cost: this share of the means, the rest is for what comes after. */
+void kea_setMeans(MdtKeaSystem *s, double share);
+/* Writes what it has cost. */
+void kea_reportWork(MdtKeaSystem *s);
+
 /* ---- kea_scheme.c ---- */
 
 /* What is fixed through the step. */

@@ -5,7 +5,8 @@
  * are the structure of its column in the factor.
  */
 #include "kea_order_i.h"
-#include "MeMemory.h"
+#include "MeAssert.h"
+#include "MeInternal.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -40,23 +41,12 @@ static void dequeue(Queue *q, Node node[], int i) {
         q->first[node[i].weight] = node[i].next;
 }
 
-/* MeMemory's destroy is not given nulls. */
-static void release(void *block) {
-    if (block)
-        MeMemoryAPI.destroy(block);
-}
-
-/* Without MeMemory's resize, which programs that replace create and destroy may leave as it is. */
 static MeBool reserve(Node *n, int degree) {
     if (degree <= n->room)
         return METRUE;
-    int *larger = MeMemoryAPI.create((size_t)(2 * degree) * sizeof *larger);
-    if (!larger)
+    if (!MeMemoryGrow(&n->neighbour, (size_t)n->degree, (size_t)(2 * degree), sizeof *n->neighbour, "MdtKeaSolve",
+                      "the neighbours in a graph"))
         return MEFALSE;
-    if (n->neighbour)
-        memcpy(larger, n->neighbour, (size_t)n->degree * sizeof *larger);
-    release(n->neighbour);
-    n->neighbour = larger;
     n->room = 2 * degree;
     return METRUE;
 }
@@ -67,9 +57,12 @@ static int compare(const void *a, const void *b) {
 }
 
 static MeBool readGraph(Node node[], int numNodes, int numEdges, const int (*edges)[2]) {
-    for (int e = 0; e < numEdges; e++)
+    for (int e = 0; e < numEdges; e++) {
+        MEASSERT(edges[e][0] >= 0 && edges[e][0] < numNodes && edges[e][1] >= 0 && edges[e][1] < numNodes);
+        MEASSERT(edges[e][0] != edges[e][1]);
         for (int k = 0; k < 2; k++)
             node[edges[e][k]].room++;
+    }
     for (int i = 0; i < numNodes; i++) {
         const int room = node[i].room;
         node[i].room = 0;
@@ -146,6 +139,18 @@ static MeBool orderNodes(KeaOrder *o, Node node[], Queue *q, const int size[], i
     return METRUE;
 }
 
+/* Every node has its turn once. */
+static inline MeBool isPermutation(const KeaOrder *o) {
+    double sum = 0, squares = 0, n = o->numNodes;
+    for (int k = 0; k < o->numNodes; k++) {
+        if (o->node[k] < 0 || o->node[k] >= o->numNodes || !o->structure[o->node[k]])
+            return MEFALSE;
+        sum += o->node[k];
+        squares += (double)o->node[k] * o->node[k];
+    }
+    return sum == n * (n - 1) / 2 && (n > 1e4 || squares == (n - 1) * n * (2 * n - 1) / 6);
+}
+
 static int sumOf(int n, const int size[]) {
     int sum = 0;
     for (int i = 0; i < n; i++)
@@ -153,31 +158,32 @@ static int sumOf(int n, const int size[]) {
     return sum;
 }
 
+static void *take(size_t count, size_t size) {
+    return MeMemoryTakeZeroed(count, size, "MdtKeaSolve", "the order of elimination");
+}
+
 MeBool kea_orderCreate(KeaOrder *o, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
     const size_t n = (size_t)numNodes, weights = (size_t)sumOf(numNodes, size) + 1;
     MeBool isDone = MEFALSE;
     memset(o, 0, sizeof *o);
     o->numNodes = numNodes;
-    o->node = MeMemoryAPI.create(n * sizeof(int) + 1);
-    o->degree = MeMemoryAPI.create(n * sizeof(int) + 1);
-    o->structure = MeMemoryAPI.create(n * sizeof(int *) + 1);
-    Node *node = MeMemoryAPI.create(n * sizeof *node + 1);
-    Queue q = {.first = MeMemoryAPI.create(weights * sizeof(int)), .least = (int)weights - 1};
-    int *scratch = MeMemoryAPI.create((n + 1) * sizeof(int));
-    if (o->structure)
-        memset(o->structure, 0, n * sizeof(int *));
-    if (node)
-        memset(node, 0, n * sizeof *node);
+    o->node = take(n, sizeof *o->node);
+    o->degree = take(n, sizeof *o->degree);
+    o->structure = take(n, sizeof *o->structure);
+    Node *node = take(n, sizeof *node);
+    Queue q = {.first = take(weights, sizeof *q.first), .least = (int)weights - 1};
+    int *scratch = take(n + 1, sizeof *scratch);
     if (o->node && o->degree && o->structure && node && q.first && scratch) {
         for (size_t w = 0; w < weights; w++)
             q.first[w] = -1;
         isDone = readGraph(node, numNodes, numEdges, edges) && orderNodes(o, node, &q, size, scratch);
     }
     for (int i = 0; node && i < numNodes; i++)
-        release(node[i].neighbour);
-    release(node);
-    release(q.first);
-    release(scratch);
+        MeMemoryGive(node[i].neighbour);
+    MeMemoryGive(node);
+    MeMemoryGive(q.first);
+    MeMemoryGive(scratch);
+    MEASSERT(!isDone || isPermutation(o));
     if (!isDone)
         kea_orderDestroy(o);
     return isDone;
@@ -185,9 +191,9 @@ MeBool kea_orderCreate(KeaOrder *o, int numNodes, const int size[], int numEdges
 
 void kea_orderDestroy(KeaOrder *o) {
     for (int i = 0; o->structure && i < o->numNodes; i++)
-        release(o->structure[i]);
-    release(o->structure);
-    release(o->node);
-    release(o->degree);
+        MeMemoryGive(o->structure[i]);
+    MeMemoryGive(o->structure);
+    MeMemoryGive(o->node);
+    MeMemoryGive(o->degree);
     memset(o, 0, sizeof *o);
 }

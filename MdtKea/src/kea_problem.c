@@ -12,6 +12,7 @@
  */
 #include "kea_problem_i.h"
 #include "MdtKeaMath.h"
+#include "MeAssert.h"
 #include <float.h>
 #include <string.h>
 
@@ -68,6 +69,7 @@ static void findEdges(KeaProblem *q) {
         else
             row->edge = edgeOf(q, row->body[0], row->body[1], slots - 1);
     }
+    MEASSERT(q->numEdges <= q->numRows);
 }
 
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
@@ -81,6 +83,31 @@ MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
     }
     q->factor = kea_cacheFind(cache, q->numBodies, NULL, q->numEdges, (const int(*)[2])q->edges);
     return q->factor != NULL;
+}
+
+/* ---- work ---- */
+
+void kea_problemSpend(KeaProblem *q, double work) {
+    MEASSERT(work >= 0);
+    q->counts.work += work;
+}
+
+/* One iteration: the matrix and its factors, a solution with them, and some visits of each row: gradient, forces, and the
+ * line search, which takes about five. */
+static double workOfIteration(const KeaProblem *q, MeBool lopsided) {
+    enum { VISITS = 8 };
+    return (lopsided ? 2 : 1) * kea_factorFlops(q->factor) + 2.0 * (double)kea_factorEntries(q->factor) +
+           (double)q->numRows * (KEA_ASSEMBLY + VISITS * KEA_VISIT);
+}
+
+MeBool kea_problemHasMeans(const KeaProblem *q, MeBool lopsided) {
+    return !(q->maxIterations > 0 && q->counts.iterations >= q->maxIterations) &&
+           !(q->maxWork > 0 && q->counts.work + workOfIteration(q, lopsided) > q->maxWork);
+}
+
+MeBool kea_problemAffords(KeaProblem *q, MeBool lopsided) {
+    q->counts.isLimited = q->counts.isLimited || !kea_problemHasMeans(q, lopsided);
+    return !q->counts.isLimited;
 }
 
 /* ---- small parts ---- */
@@ -115,6 +142,8 @@ static double softness(const KeaProblemRow *row) {
 void kea_problemMeasure(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
+        MEASSERT(row->normal < i && row->partner < q->numRows && row->body[0] < q->numBodies &&
+                 row->body[1] < q->numBodies);
         row->size = 0;
         for (int k = 0; k < 2; k++) {
             if (row->body[k] < 0)
@@ -129,6 +158,11 @@ void kea_problemMeasure(KeaProblem *q) {
 }
 
 /* ---- forces ---- */
+
+/* What the normal force makes of a friction bound. */
+static double radiusOf(const KeaProblem *q, const KeaProblemRow *row) {
+    return row->friction * keaMax(q->row[row->normal].p, 0);
+}
 
 static double clampTo(double y, double lower, double upper, KeaRowState *state) {
     *state = y > lower && y < upper ? KEA_HELD : KEA_IDLE;
@@ -160,7 +194,7 @@ static void setForces(KeaProblem *q, double step, MeBool coupled) {
             continue;
         }
         if (coupled)
-            row->radius = row->friction * keaMax(q->row[row->normal].p, 0);
+            row->radius = radiusOf(q, row);
         if (row->isForced) {
             row->p = row->forced * row->radius;
             row->state = KEA_SLIPS;
@@ -294,10 +328,24 @@ static void fillMatrix(KeaProblem *q, MeBool lopsided) {
     }
 }
 
+/* Impulses are within their bounds, and those of friction within their radius. */
+static inline MeBool areWithinBounds(const KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        const double size = keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0);
+        if (row->isOff || isnan(row->p))
+            continue;
+        if (row->normal < 0 ? row->p < row->lower || row->p > row->upper : size > row->radius * (1 + 1e-9) + DBL_MIN)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
 static MeBool factor(KeaProblem *q, MeBool coupled) {
     const MeBool lopsided = coupled && slidesUnderLoad(q);
     fillMatrix(q, lopsided);
     q->counts.factorizations++;
+    kea_problemSpend(q, workOfIteration(q, lopsided));
     return lopsided ? kea_factorLU(q->factor, leastPivot) : kea_factorCholesky(q->factor, leastPivot);
 }
 
@@ -374,13 +422,16 @@ static double bestStep(KeaProblem *q) {
 
 /* ---- the iteration ---- */
 
+/* False: it was not found, or not in what work there is. */
 static MeBool solveConvex(KeaProblem *q) {
     double before = HUGE_VAL;
     setForces(q, 0, MEFALSE);
-    for (int i = 0; i < (q->maxIterations > 0 ? q->maxIterations : MAX_CONVEX); i++) {
+    for (int i = 0; i < MAX_CONVEX; i++) {
         const double error = gradientError(q, 0);
         if (error < 1 || (error < 1e5 && error > 0.3 * before))
             return METRUE; /* found, or as far as rounding allows */
+        if (!kea_problemAffords(q, MEFALSE))
+            return MEFALSE;
         before = error;
         q->counts.iterations++;
         if (!factor(q, MEFALSE))
@@ -399,6 +450,8 @@ static MeBool solveCoupled(KeaProblem *q) {
     setForces(q, 0, METRUE);
     double error = gradientError(q, 0);
     for (int i = 0; i < MAX_COUPLED && error >= 1; i++) {
+        if (!kea_problemAffords(q, METRUE))
+            return MEFALSE;
         q->counts.iterations++;
         if (!factor(q, METRUE))
             return MEFALSE;
@@ -427,7 +480,7 @@ static double radiusError(const KeaProblem *q) {
         const KeaProblemRow *row = &q->row[i];
         if (row->normal < 0 || row->isOff)
             continue;
-        const double wanted = row->friction * keaMax(q->row[row->normal].p, 0);
+        const double wanted = radiusOf(q, row);
         if (row->state == KEA_SLIPS || keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0) > wanted)
             worst = keaMax(worst, fabs(row->radius - wanted) / (wanted + 1e-3 * fabs(q->row[row->normal].p) + DBL_MIN));
     }
@@ -453,7 +506,11 @@ MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
         q->row[i].Jd = q->row[i].Je = 0;
     memset(q->d, 0, (size_t)q->numBodies * sizeof *q->d);
     memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
-    if (!solveConvex(q))
+    const MeBool isFound = !q->counts.isLimited && solveConvex(q);
+    if (q->counts.isLimited)
+        kea_problemSweep(q);
+    MEVALIDATE(areWithinBounds(q));
+    if (!isFound)
         return MEFALSE;
     if (!coupled || !q->hasFriction || radiusError(q) < agree)
         return METRUE;
@@ -471,15 +528,10 @@ double kea_problemError(KeaProblem *q) {
     return gradientError(q, 0);
 }
 
-/* By how much a friction bound is to grow. */
-static double missingRadius(const KeaProblem *q, const KeaProblemRow *row) {
-    return row->friction * keaMax(q->row[row->normal].p, 0) - row->radius;
-}
-
 void kea_problemRenewRadii(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         if (q->row[i].normal >= 0)
-            q->row[i].radius = q->row[i].friction * keaMax(q->row[q->row[i].normal].p, 0);
+            q->row[i].radius = radiusOf(q, &q->row[i]);
 }
 
 /* How much of the last step towards the fixed point to take back: t = f·Δf / |Δf|², f what is missing, Δf its change. */
@@ -490,7 +542,7 @@ static double secant(const KeaProblem *q) {
         const KeaProblemRow *row = &q->row[i];
         if (row->normal < 0 || !isfinite(row->radius) || !isfinite(row->lastMissing))
             continue;
-        const double f = missingRadius(q, row), change = f - row->lastMissing;
+        const double f = radiusOf(q, row) - row->radius, change = f - row->lastMissing;
         above += f * change;
         below += change * change;
     }
@@ -504,15 +556,11 @@ void kea_problemApproachRadii(KeaProblem *q, double share, MeBool isAccelerated)
         KeaProblemRow *row = &q->row[i];
         if (row->normal < 0)
             continue;
-        const double f = missingRadius(q, row), radius = row->radius;
-        if (!isfinite(radius)) {
-            row->radius = row->friction * keaMax(q->row[row->normal].p, 0);
-        } else {
-            row->radius += share * f;
-            if (t != 0 && isfinite(row->lastRadius))
-                row->radius -= t * (radius - row->lastRadius + share * (f - row->lastMissing));
-            row->radius = keaMax(row->radius, 0);
-        }
+        const double radius = row->radius, wanted = radiusOf(q, row), f = wanted - radius;
+        double next = isfinite(radius) ? radius + share * f : wanted;
+        if (t != 0 && isfinite(radius) && isfinite(row->lastRadius))
+            next -= t * (radius - row->lastRadius + share * (f - row->lastMissing));
+        row->radius = keaMax(next, 0);
         row->lastRadius = radius;
         row->lastMissing = f;
     }
@@ -548,7 +596,7 @@ void kea_problemCarryOn(KeaProblem *q, double (*total)[6]) {
 
 static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
     const KeaProblemRow *other = &q->row[row->partner];
-    const double radius = row->friction * keaMax(q->row[row->normal].p, 0);
+    const double radius = radiusOf(q, row);
     const double unit = row->size + row->E; /* a soft row's impulse hardly moves */
     const double a = row->p - slip[0] / unit, b = other->p - slip[1] / unit, size = keaHypotenuse(a, b);
     const double share = size > radius ? radius / size : 1;
@@ -562,7 +610,7 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
         if (row->isOff || row->isElsewhere || row->size == 0)
             continue;
         if (row->isForced) {
-            const double wanted = row->forced * row->friction * keaMax(q->row[row->normal].p, 0);
+            const double wanted = row->forced * radiusOf(q, row);
             worst = keaMax(worst, row->size * fabs(row->p - wanted));
             most = keaMax(most, fabs(row->p - wanted));
         }
@@ -579,7 +627,7 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
             most = keaMax(most, part / row->size);
             continue;
         }
-        const double bound = row->normal >= 0 ? row->friction * keaMax(q->row[row->normal].p, 0) : HUGE_VAL;
+        const double bound = row->normal >= 0 ? radiusOf(q, row) : HUGE_VAL;
         const double wanted = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
                                      keaMin(row->upper, bound));
         worst = keaMax(worst, row->size * fabs(row->p - wanted));

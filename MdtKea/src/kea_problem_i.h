@@ -40,10 +40,10 @@ typedef struct KeaProblemRow {
     double radius;       /* N s, of the cone, or the friction bound */
     double keptJd, keptRadius;
     double lastRadius, lastMissing; /* N s, of the last approach to the bounds that the normal forces give */
-    double Jd, Je;    /* along d, along the search direction */
-    double size;      /* J B⁻¹ Jᵀ, 1/kg */
-    double weight[2]; /* by body: the momentum, in its scale, that a unit of p gives */
-    MeBool isForced;  /* p is `forced` times the friction bound: the direction of sliding is known */
+    double Jd, Je;                  /* along d, along the search direction */
+    double size;                    /* J B⁻¹ Jᵀ, 1/kg */
+    double weight[2];               /* by body: the momentum, in its scale, that a unit of p gives */
+    MeBool isForced;                /* p is `forced` times the friction bound: the direction of sliding is known */
     double forced;
     MeBool resists, isStubborn; /* a joint that did not yield in the last pass, in the last two */
     MeBool isElsewhere;         /* its law is checked by others (kea_problemResidual) */
@@ -53,7 +53,13 @@ typedef struct KeaProblemRow {
 
 typedef struct KeaCounts {
     int iterations, factorizations, freezes, stuck, level;
+    double work;      /* multiplications */
+    MeBool isLimited; /* the work or the iterations have run out: from there on, solves are by sweeps */
 } KeaCounts;
+
+/* Multiplications per row, as counted: of a visit (J d of two bodies, bounds, Jᵀ p), of its part of the matrix (three 6x6
+ * blocks), of a linearization (its Jacobian, error, target); per body of a linearization. */
+enum { KEA_VISIT = 32, KEA_ASSEMBLY = 108, KEA_LINEARIZATION = 256 };
 
 typedef struct KeaProblem {
     int numBodies, numRows;
@@ -71,7 +77,8 @@ typedef struct KeaProblem {
     KeaFactor *factor;
     MeBool hasFriction; /* friction that depends on normal forces */
     MeBool hasBounds;   /* of any kind */
-    int maxIterations;
+    int maxIterations;  /* of all solves together; 0: no cap */
+    double maxWork;     /* the same; 0: no cap */
     KeaCounts counts;
 } KeaProblem;
 
@@ -81,8 +88,17 @@ MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache);
 /* Sizes of the rows, from the metric. */
 void kea_problemMeasure(KeaProblem *q);
 /* Solves with the friction bounds in `radius`; coupled, goes on to those of the solution itself. False: that did not
- * converge, and the solution is the one with `radius`. */
+ * converge, and the solution is the one with `radius`; or work or iterations ran out, and it is by sweeps. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
+/* Whether there is work, and an iteration, left for one more of Newton's; the second notes that the solve is limited from now
+ * on if there is not. */
+MeBool kea_problemHasMeans(const KeaProblem *q, MeBool lopsided);
+MeBool kea_problemAffords(KeaProblem *q, MeBool lopsided);
+void kea_problemSpend(KeaProblem *q, double work);
+/* ---- kea_sweep.c ---- */
+/* Solves by sweeps, in what work is left, but at least a few (kea_sweep.c). Needs the metric's inverse and the sizes. */
+void kea_problemSweep(KeaProblem *q);
+/* ---- kea_problem.c ---- */
 /* How far the rows' laws are from being kept by d and p, m/s, without what their own softness takes; and in impulses,
  * N s, if asked for. */
 double kea_problemResidual(const KeaProblem *q, double *impulse);

@@ -12,6 +12,7 @@
  * velocity row, which would not be symmetric otherwise.
  */
 #include "kea_i.h"
+#include "MeAssert.h"
 #include <string.h>
 
 /* The method's own softness, relative to the row's A_ii. With less, contacts that come and go take more iterations; with
@@ -155,6 +156,10 @@ void kea_beginRows(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         KeaProblemRow *p = &s->work->problem.row[i];
+        MEASSERT(row->body[0] < s->numBodies && row->body[1] < s->numBodies && row->body[0] != row->body[1]);
+        MEASSERT(!(row->softness < 0) && (row->normal >= 0 || row->isForced || !(row->lower > row->upper)));
+        MEASSERT(row->normal < 0 || (s->rows[row->normal].normal < 0 && row->friction >= 0));
+        MEASSERT(row->partner < 0 || s->rows[row->partner].partner == i);
         p->body[0] = row->body[0];
         p->body[1] = row->body[1];
         p->normal = row->normal;

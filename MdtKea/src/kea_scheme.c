@@ -23,6 +23,7 @@
  * w⁺ = w + (w_m - w)/θ, which is the same identity with less work.
  */
 #include "kea_i.h"
+#include "MeAssert.h"
 #include <float.h>
 #include <string.h>
 
@@ -76,6 +77,7 @@ void kea_beginBodies(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++) {
         const MdtKeaBody *body = s->bodies[i];
         KeaBody *b = &s->work->body[i];
+        MEASSERT(body->invMass > 0 && body->moments[0] > 0 && body->moments[1] > 0 && body->moments[2] > 0);
         b->isFree = METRUE;
         fromAngular(body, b);
         q->scale[i] = b->scale = scaleOf(body, b, b->size);
@@ -252,6 +254,7 @@ static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
         clampPositive(B->angular, 0.5 * least);
     else
         memset(B->angular, 0, sizeof B->angular);
+    MEASSERT(b->theta >= 0.5 && b->theta <= 1);
     B->linear = 1 / (body->invMass * b->theta);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)

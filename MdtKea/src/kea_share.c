@@ -85,8 +85,8 @@ static void setProblem(MdtKeaSystem *s) {
 void kea_shareForces(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const MeBool hadBounds = q->hasBounds;
-    if (!s->work->hasLoops)
-        return;
+    if (!s->work->hasLoops || !kea_problemHasMeans(q, MEFALSE))
+        return; /* forces that do the same are as good */
     for (int i = 0; i < s->numRows; i++)
         s->work->errors[i] = q->row[i].p;
     setProblem(s);

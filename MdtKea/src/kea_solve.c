@@ -8,12 +8,15 @@
  * bounds. Where the last answer still holds, no pass is needed and nothing is factored.
  */
 #include "kea_i.h"
+#include "MeAssert.h"
 #include <string.h>
 
-enum { HALVE = 6, FREEZE = 12, GIVE_UP = 60, AFTER = 4 };
-static const double positionTolerance = 1e-10;              /* of a row's size */
-static const double velocityTolerance = 1e-9;               /* of the partition's speed */
-static const double momentumTolerance = 1e2;                /* of what the inner problem tolerates */
+enum { HALVE = 6, FREEZE = 12, GIVE_UP = 60, AFTER = 4, LATE_PASSES = 2 };
+static const double positionTolerance = 1e-10; /* of a row's size */
+static const double velocityTolerance = 1e-9;  /* of the partition's speed */
+static const double momentumTolerance = 1e2;   /* of what the inner problem tolerates */
+static const double forMotion = 0.9; /* of the work; the rest is kept for the velocities and positions at the end, */
+static const double forFriction = 0.375; /* and after this, bounds that do not settle stay where they are */
 static const double looseMotion = 1e4, looseVelocity = 1e5; /* times these: good enough when passes have run out */
 
 typedef struct Errors {
@@ -37,6 +40,30 @@ static double speedOf(const MdtKeaSystem *s) {
     return speed + 1e-300;
 }
 
+/* ---- means ---- */
+
+static double workOfLinearization(const MdtKeaSystem *s) {
+    return KEA_LINEARIZATION * ((double)s->numRows + s->numBodies);
+}
+
+void kea_setMeans(MdtKeaSystem *s, double share) {
+    s->work->problem.maxIterations = s->parameters.maxIterations;
+    s->work->problem.maxWork = share * s->parameters.maxWork;
+    s->work->problem.counts.isLimited = MEFALSE;
+}
+
+void kea_reportWork(MdtKeaSystem *s) {
+    const KeaCounts *counts = &s->work->problem.counts;
+    s->report.iterations = counts->iterations;
+    s->report.factorizations = counts->factorizations;
+    s->report.freezes = counts->freezes;
+    s->report.work = counts->work;
+    if (counts->isLimited) /* since the last kea_setMeans */
+        s->report.limited = s->report.capped = METRUE;
+}
+
+/* ---- passes ---- */
+
 static void linearize(MdtKeaSystem *s) {
     kea_moveBodies(s);
     kea_refreshRows(s, s->work->meanPose, METRUE);
@@ -44,6 +71,7 @@ static void linearize(MdtKeaSystem *s) {
         s->errors(s->context, s->work->endPose, s->work->errors);
     kea_linearizeBodies(s);
     kea_linearizeRows(s);
+    kea_problemSpend(&s->work->problem, workOfLinearization(s));
 }
 
 static Errors errorsOf(MdtKeaSystem *s, double speed) {
@@ -62,19 +90,21 @@ static void takePass(MdtKeaSystem *s) {
             s->work->body[i].u[k] += q->d[i][k];
 }
 
-/* A program that caps iterations is in a hurry. */
-static int lastRenewal(const MdtKeaSystem *s) {
-    return s->parameters.maxIterations > 0 ? FREEZE : GIVE_UP;
+/* The work goes on friction bounds that do not settle. */
+static MeBool isLate(const MdtKeaSystem *s) {
+    return s->parameters.maxWork > 0 && s->work->problem.counts.work > forFriction * s->parameters.maxWork;
 }
 
-/* Friction bounds follow the normal forces, later on more carefully; should that not settle, they are left where they are once the answer is good
- * enough, or in the end. */
+/* Friction bounds follow the normal forces, later on more carefully; should that not settle, they are left where they are
+ * once the answer is good enough, or in the end. */
 static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough) {
     KeaProblem *q = &s->work->problem;
     if (kea_dualSolve(s))
         return;
-    const MeBool isFrozen = q->counts.stuck > 0 && pass >= (isGoodEnough ? FREEZE : lastRenewal(s));
-    if (!isFrozen && pass > 0)
+    const MeBool isFrozen = q->counts.stuck > 0 && (pass >= (isGoodEnough ? FREEZE : GIVE_UP) || isLate(s));
+    if (isFrozen && q->counts.freezes == 0)
+        kea_problemRenewRadii(q);
+    else if (!isFrozen && pass > 0)
         kea_problemApproachRadii(q, pass < HALVE ? 1 : 0.5, pass > HALVE);
     q->counts.freezes += isFrozen;
     q->counts.stuck = !kea_problemSolve(q, !isFrozen) || isFrozen;
@@ -96,16 +126,20 @@ static void takeBest(MdtKeaSystem *s) {
     linearize(s);
 }
 
+/* Does the body roll on the contact, about its own centre? */
+static MeBool isCentred(const MdtKeaRow *normal, int k) {
+    const double off = 1e-3; /* of the radius: by so little its places of contact go astray while it turns */
+    return normal->radius[k] > 0 && keaLength(normal->J[k].ang) <= off * normal->radius[k];
+}
+
 /* Whether it matters how a body is turned: not for a ball whose contacts all push towards its centre. */
 static MeBool feelsItsTurn(const MdtKeaSystem *s, int body) {
-    const double rounding = 1e-5; /* of what single precision says of contacts */
     if (!s->work->body[body].isSpatial)
         return METRUE;
     for (int i = 0; i < s->numRows; i++)
         for (int k = 0; k < 2; k++) {
             const int normal = s->rows[i].contact;
-            if (s->rows[i].body[k] == body &&
-                (normal < 0 || keaLength(s->rows[normal].J[k].ang) > rounding * s->work->body[body].size))
+            if (s->rows[i].body[k] == body && (normal < 0 || !isCentred(&s->rows[normal], k)))
                 return METRUE;
         }
     return MEFALSE;
@@ -120,33 +154,99 @@ static MeBool turnsOver(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
+/* The coupled problem of contradictory rows may be singular: its step is then no number, and no pass can follow it. */
+static MeBool isStepFinite(const KeaProblem *q) {
+    for (int i = 0; i < q->numBodies; i++)
+        for (int k = 0; k < 6; k++)
+            if (!isfinite(q->d[i][k]))
+                return MEFALSE;
+    return METRUE;
+}
+
+/* m per unit of a row's coordinate: an angle moves a body's parts by its size. */
+static double lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double size = 0;
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] >= 0 && keaDot(row->J[k].lin, row->J[k].lin) > 0)
+            return 1;
+        size = row->body[k] >= 0 ? keaMax(size, s->work->body[row->body[k]].size) : size;
+    }
+    return size;
+}
+
+/* Has an answer that was not found taken the bodies where no motion goes? Mean velocities lie between those at the start and
+ * those at the end, and have less energy than the whole partition at the greatest speed that anything in it has or wants. */
+static MeBool isRunaway(const MdtKeaSystem *s) {
+    const double room = 10; /* an answer cut short may overshoot: what follows is limited to the energy that there is */
+    double energy = 0, mass = 0, speed = 0;
+    for (int b = 0; b < s->numBodies; b++) {
+        const KeaBody *body = &s->work->body[b];
+        const double u = keaLength(body->u) + body->size * keaLength(body->u + 3), m = 1 / s->bodies[b]->invMass;
+        speed = keaMax(speed, keaLength(s->bodies[b]->velocity) + keaLength(body->freeVelocity) +
+                                  body->size * keaLength(s->velocity[b].ang));
+        energy += m * u * u;
+        mass += m;
+    }
+    for (int i = 0; i < s->numRows; i++)
+        speed = keaMax(speed, fabs(s->rows[i].target) * lengthOf(s, &s->rows[i]));
+    return !(energy <= room * mass * speed * speed);
+}
+
+/* The last resort: the bodies move as if there were no rows. Joints open by no more than a step's way. */
+static void letGo(MdtKeaSystem *s) {
+    for (int b = 0; b < s->numBodies; b++) {
+        KeaBody *body = &s->work->body[b];
+        for (int k = 0; k < 3; k++) {
+            const double v = s->bodies[b]->velocity[k], w = s->velocity[b].ang[k];
+            body->u[k] = v + body->theta * (body->freeVelocity[k] - v);
+            body->u[3 + k] = w + body->theta * (s->predicted[b].ang[k] - w);
+        }
+    }
+    for (int i = 0; i < s->numRows; i++)
+        s->work->problem.row[i].p = 0;
+    linearize(s);
+}
+
 static void takePasses(MdtKeaSystem *s) {
-    const int last = lastRenewal(s) + AFTER;
+    const int last = GIVE_UP + AFTER;
+    const KeaProblem *q = &s->work->problem;
+    MeBool ranOut = MEFALSE;
     double speed = 0, best = HUGE_VAL;
     Errors e = {.worst = HUGE_VAL};
     for (int pass = 0;; pass++) {
         linearize(s);
         speed = keaMax(speed, speedOf(s));
         e = errorsOf(s, speed);
-        if (e.worst < best) {
+        if (e.worst < best || pass == 0) {
             best = e.worst;
             keepBest(s);
         }
-        if (e.worst < 1 || pass == last)
+        ranOut = q->counts.isLimited || (isLate(s) && q->counts.freezes >= LATE_PASSES);
+        if (e.worst < 1 || pass == last || ranOut)
             break;
         solvePass(s, pass, e.velocity < looseVelocity);
+        if (!isStepFinite(q)) {
+            e.worst = HUGE_VAL;
+            break;
+        }
         kea_noteStubborn(s, positionTolerance);
         takePass(s);
         kea_admitContacts(s);
         s->report.passes++;
     }
-    if (!(e.worst <= best)) {
+    if (!(e.worst <= best) && !(ranOut && e.position <= looseMotion)) {
         takeBest(s);
         e = errorsOf(s, speed);
     }
+    if (!(e.worst < 1) && isRunaway(s)) {
+        letGo(s);
+        e = errorsOf(s, speed);
+    }
     s->report.conflicting = kea_isConflicting(s, positionTolerance);
-    s->report.violent = e.position > looseMotion || e.momentum > looseMotion || turnsOver(s);
-    s->report.capped = s->report.violent || e.velocity > looseVelocity;
+    const MeBool isMissed = !(e.position <= looseMotion && e.momentum <= looseMotion) || turnsOver(s);
+    s->report.violent = isMissed && !ranOut;
+    s->report.capped = isMissed || !(e.velocity <= looseVelocity);
+    s->report.limited = s->report.capped && ranOut;
     s->report.residual = e.velocity * velocityTolerance * speed;
     s->report.force = e.impulse / s->parameters.stepsize;
 }
@@ -163,9 +263,13 @@ static void setFree(MdtKeaSystem *s) {
     }
 }
 
+/* Bounds may move with the bodies (MdtKeaJacobianFn): the last pass has met those of the pass before. */
 static void returnForces(MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++)
-        s->rows[i].force = s->work->problem.row[i].p / s->parameters.stepsize;
+    for (int i = 0; i < s->numRows; i++) {
+        const KeaProblemRow *p = &s->work->problem.row[i];
+        const double within = p->normal >= 0 ? p->p : keaMin(keaMax(p->p, p->lower), p->upper);
+        s->rows[i].force = within / s->parameters.stepsize;
+    }
 }
 
 /* Passes from the last answer. */
@@ -191,6 +295,7 @@ static void solveInTime(MdtKeaSystem *s) {
         }
     }
     s->report.event = keaMin(event, h);
+    MEASSERT(s->report.event >= 0);
 }
 
 /* The midpoint rule follows a body whose moments differ only as long as it does not turn far in a step: a fast top would
@@ -210,36 +315,39 @@ static MeBool turnsTooFar(const MdtKeaSystem *s) {
 
 void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
+    MEASSERT(s->parameters.stepsize > 0 && s->parameters.gamma >= 0 && s->parameters.gamma <= 1);
+    MEASSERT(s->numRows >= 0 && s->numRows <= s->maxRows);
     memset(&s->report, 0, sizeof s->report);
+    memset(&q->counts, 0, sizeof q->counts);
     s->report.event = s->parameters.stepsize;
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
-    q->maxIterations = s->parameters.maxIterations;
+    s->report.least = workOfLinearization(s);
     kea_beginBodies(s);
     if (s->parameters.timed)
         kea_timedBegin(s);
     kea_beginRows(s);
     if (s->parameters.mayRefuse && s->numRows > 0 && turnsTooFar(s)) {
-        s->report.violent = METRUE;
+        s->report.violent = s->report.refused = METRUE;
         return;
     }
     s->report.capped = s->numRows > 0; /* until they are solved: there may be no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
+        kea_setMeans(s, forMotion);
         s->work->hasLoops = kea_hasLoops(s);
         kea_dualBegin(s);
         solveMotion(s);
         if (s->parameters.timed)
             solveInTime(s);
         setFree(s);
+        kea_setMeans(s, 1);
         if (!s->parameters.timed)
             kea_velocityStage(s);
         kea_shareForces(s);
         returnForces(s);
-        s->report.iterations = q->counts.iterations;
-        s->report.factorizations = q->counts.factorizations;
-        s->report.freezes = q->counts.freezes;
     }
     kea_moveFreely(s);
-    if (s->parameters.timed && s->numRows > 0)
+    if (s->parameters.timed && s->numRows > 0 && q->factor) /* null: there was no memory */
         kea_project(s);
+    kea_reportWork(s);
 }

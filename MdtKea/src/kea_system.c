@@ -1,5 +1,6 @@
 /* The system of one partition: memory, what would be without rows, and the end of the step. */
 #include "kea_i.h"
+#include "MeAssert.h"
 #include <stdint.h>
 #include <string.h>
 
@@ -65,6 +66,7 @@ static void setPose(MdtKeaTransformation *pose, const double position[3], const 
 /* The solution of dv/dt = a - d v after h seconds; without damping exactly v + h a. */
 static void advance(double r[3], const double v[3], const double a[3], double scale, double damping, double h) {
     const double x = damping * h;
+    MEASSERT(x >= 0);
     const double keep = exp(-x), gain = x > 0 ? -expm1(-x) / x : 1;
     for (int i = 0; i < 3; i++)
         r[i] = keep * v[i] + h * gain * scale * a[i];
@@ -85,6 +87,7 @@ static void predict(MdtKeaSystem *s, int i) {
 
 void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
     KeaArena arena = {scratch, 0};
+    MEASSERTALIGNED(scratch, 16);
     s->numRows = 0;
     memset(&s->report, 0, sizeof s->report);
     layOut(s, &arena);
@@ -145,6 +148,8 @@ MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
         if (!mayCommit(s->bodies[i], &s->work->end[i]))
             return MEFALSE;
     for (int i = 0; i < s->numBodies; i++) {
+        MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
+                      s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < 1e-9);
         commit(s->bodies[i], &s->work->end[i]);
         noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
         s->pose[i] = s->work->endPose[i];

@@ -13,19 +13,20 @@
  * a round with restitution gains energy, it is blended with the plastic one.
  */
 #include "kea_i.h"
+#include "MeAssert.h"
 #include <string.h>
 
 enum { MAX_ROUNDS = 60, MAX_IMPACT_PASSES = 14 };
 static const double parts = 0.03;        /* of a step's change of speed by the loads: faster is open */
 static const double slides = 0.03;       /* the same: faster is a slide that can stop */
 static const double slow = 1e-6;         /* the same: meeting more slowly is no impact */
-static const double sinks = 0.05;        /* the same, in a soft contact */
+static const double sinks = 0.05;        /* the same, in a soft contact, at most */
 static const double plastic = 0.5;       /* the same: meeting more slowly does not rebound */
 static const double simultaneous = 1e-9; /* of the partition's speed */
 #ifdef _ME_API_DOUBLE
 static const double touches = 1e-7; /* of the smaller body's size */
 #else
-static const double touches = 1e-5; /* the same; the geometry comes in single precision */
+static const double touches = 1e-5; /* the same; programs place bodies in single precision */
 #endif
 
 static double rateOf(const MdtKeaSystem *s, int i) {
@@ -167,10 +168,19 @@ void kea_releaseSlides(MdtKeaSystem *s) {
 
 /* ---- impacts ---- */
 
+/* kg */
+static double totalMass(const MdtKeaSystem *s) {
+    double sum = 0;
+    for (int i = 0; i < s->numBodies; i++)
+        sum += 1 / s->bodies[i]->invMass;
+    return sum;
+}
+
+/* A soft contact gives way to its load, J v⁺ = -h E λ, where λ is no more than the weight of all: that is no impact. */
 MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
-    const double speed = loadSpeed(s);
+    const double speed = loadSpeed(s), mass = totalMass(s);
     for (int i = 0; i < s->numRows; i++) {
-        const double gate = (s->rows[i].softness > 0 ? sinks : slow) * speed;
+        const double gate = keaMin(slow + s->rows[i].softness * mass, sinks) * speed;
         if (s->rows[i].contact == i && isTouching(s, &s->rows[i]) && rateOf(s, i) < -gate)
             return METRUE;
     }
@@ -213,7 +223,6 @@ static void setProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
-    q->maxIterations = s->parameters.maxIterations;
     for (int i = 0; i < s->numBodies; i++)
         setMetric(s, i);
     for (int i = 0; i < s->numRows; i++)
@@ -249,7 +258,7 @@ static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesP
         kea_problemCarryOn(q, change);
         const double residual = kea_problemResidual(q, NULL);
         start = start < 0 ? residual : start;
-        if (pass > 0 && residual <= 1e-12 * (start + s->work->speed))
+        if ((pass > 0 && residual <= 1e-12 * (start + s->work->speed)) || q->counts.isLimited)
             break;
     }
 }
@@ -298,6 +307,7 @@ static double elasticShare(MdtKeaSystem *s, double (*elastic)[6], double (*plast
 /* The velocities get the plastic change, and as much of the elastic one as energy allows. */
 static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plasticChange)[6]) {
     const double before = kineticEnergy(s, NULL);
+    MEASSERT(isAffordable(s, plasticChange));
     const MeBool isFinite = isfinite(kineticEnergy(s, elastic)) ? METRUE : MEFALSE;
     addChange(s, plasticChange);
     const double share = isFinite ? elasticShare(s, elastic, plasticChange, before) : 0;
@@ -307,6 +317,7 @@ static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plasticChange)
             s->velocity[b].ang[k] += share * (elastic[b][3 + k] - plasticChange[b][3 + k]);
         }
     }
+    MEASSERT(kineticEnergy(s, NULL) <= before * (1 + 1e-9));
 }
 
 static void keepImpulses(MdtKeaSystem *s) {
@@ -326,6 +337,7 @@ static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double
             continue;
         const double speed = -rateOf(s, i);
         takesPart[i] = speed > slowest;
+        MEASSERT(row->restitution >= 0 && row->restitution <= 1);
         if (takesPart[i] && row->restitution > 0 && speed > keaMax(row->threshold, gate)) {
             wanted[i] = row->restitution * speed;
             rebounds = METRUE;
@@ -375,16 +387,20 @@ void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
     setProblem(s);
     if (!kea_problemBegin(&s->work->problem, s->cache))
         return;
+    kea_setMeans(s, 1);
+    const double before = kineticEnergy(s, NULL);
     kea_problemMeasure(&s->work->problem);
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
     const double slowest = keaMax(1e-9 * loadSpeed(s), simultaneous * s->work->speed);
     for (int round = 0; round < MAX_ROUNDS && chooseMeeting(s, slowest, gate, wanted, takesPart); round++)
-        if (!takeRound(s, wanted, takesPart))
+        if (!takeRound(s, wanted, takesPart) || s->work->problem.counts.isLimited)
             break;
     touchAll(s, wanted, takesPart);
     takeRound(s, wanted, takesPart);
+    MEASSERT(!(kineticEnergy(s, NULL) > before * (1 + 1e-9)));
     commitVelocities(s);
+    kea_reportWork(s);
 }
 
 /* ---- positions ---- */
@@ -424,7 +440,7 @@ static void solveDisplacement(MdtKeaSystem *s, const double wanted[]) {
         q->row[i].isOff = !s->work->takesPart[i];
         q->row[i].r = wanted[i];
     }
-    for (int pass = 0; pass < 3; pass++) {
+    for (int pass = 0; pass < 3 && !q->counts.isLimited; pass++) {
         for (int i = 0; i < s->numRows; i++)
             q->row[i].N = 1e-5 * q->row[i].size;
         kea_problemSolve(q, MEFALSE);
@@ -453,9 +469,8 @@ void kea_project(MdtKeaSystem *s) {
         setRow(s, i);
         q->row[i].isElsewhere = s->rows[i].contact != i;
     }
+    kea_problemMeasure(q);
     solveDisplacement(s, wanted);
-    s->report.iterations = q->counts.iterations;
-    s->report.factorizations = q->counts.factorizations;
     for (int i = 0; i < s->numRows; i++)
         q->row[i].p = s->work->errors[i];
     displace(s);

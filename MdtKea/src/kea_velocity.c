@@ -14,6 +14,7 @@
  * rule after a jerk. In calm motion there is nothing to do, and it is left out: done always, it would cost energy.
  */
 #include "kea_i.h"
+#include "MeAssert.h"
 #include <string.h>
 
 enum { MAX_PASSES = 6 };
@@ -141,7 +142,7 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
         kea_problemRenewRadii(q);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, added);
-        residual = kea_problemResidual(q, NULL);
+        residual = q->counts.isLimited ? 0 : kea_problemResidual(q, NULL);
     }
 }
 
@@ -193,6 +194,7 @@ static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
         c[2] += kea_energyOf(&q->metric[b], step, step);
     }
     const double share = kea_largestRoot(c);
+    MEASSERT(share >= 0 && share <= 1);
     for (int b = 0; b < s->numBodies; b++)
         for (int k = 0; k < 6; k++)
             s->work->added[b][k] = s->work->plastic[b][k] + share * (s->work->added[b][k] - s->work->plastic[b][k]);
@@ -241,22 +243,45 @@ static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
         s->rows[i].ripple = isQuieted ? 0 : leftOver(&s->work->problem.row[i]);
 }
 
+/* Answers that are not the motion: cut short, or a compromise between joints that contradict each other, each of which takes
+ * its error away at the cost of the others'. Parts of a step by safe times are watched as well, and so is what took many
+ * passes: rows that contradict each other may be found to agree in a motion that has a hundred times the energy. */
+static MeBool mustBeSlowed(const MdtKeaSystem *s) {
+    enum { MANY_PASSES = 12 }; /* others take 3 to 6 */
+    return s->report.capped || s->report.conflicting || s->report.passes > MANY_PASSES ||
+           s->work->problem.counts.isLimited || s->parameters.isPart;
+}
+
+/* At the end, of the bodies that no row acts on; they keep it. */
+static double freeEnergy(const MdtKeaSystem *s) {
+    double sum = 0;
+    for (int b = 0; b < s->numBodies; b++)
+        if (s->work->body[b].isFree)
+            sum +=
+                kea_energyOf(&s->work->problem.metric[b], s->work->body[b].endVelocity, s->work->body[b].endVelocity);
+    return sum;
+}
+
 /* The last resort of a step whose motion was not found: at least it is no faster than energy allows. */
 static void slowDown(MdtKeaSystem *s, double allowed) {
     memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
     const double energy = energyWith(s, s->work->added);
     if (energy <= allowed)
         return;
-    const double less = sqrt(keaMax(allowed, 0) / energy) - 1;
+    const double kept = freeEnergy(s);
+    if (!(energy > kept)) /* nothing but free bodies moves */
+        return;
+    const double less = sqrt(keaMax(allowed - kept, 0) / (energy - kept)) - 1;
     for (int b = 0; b < s->numBodies; b++)
         for (int k = 0; k < 6; k++)
-            s->work->added[b][k] = less * s->work->body[b].endVelocity[k];
+            s->work->added[b][k] = s->work->body[b].isFree ? 0 : less * s->work->body[b].endVelocity[k];
+    MEASSERT(!(energyWith(s, s->work->added) > keaMax(allowed, kept) + 1e-9 * energy));
     addVelocities(s, s->work->added);
 }
 
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    if (!mayBeNeeded(s))
+    if (!mayBeNeeded(s) && !mustBeSlowed(s))
         return;
     const MeBool isHit = mustBe(s);
     const double allowed = energyAllowed(s);
@@ -267,7 +292,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
     noteRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start, allowed);
-    if (s->report.capped)
+    if (mustBeSlowed(s))
         slowDown(s, allowed);
     kea_recallRows(s);
 }
