@@ -1,10 +1,12 @@
 /** @file Mdt.h
- *  Karma Dynamics: everything a program needs to simulate rigid bodies (Dynamics guide). */
+ *  Karma Dynamics: everything a program needs to simulate rigid bodies (Dynamics guide), with
+ *  the constraint library and what programs use of MeGlobals. */
 #ifndef MDT_H
 #define MDT_H
 
 #include "MdtAngular3.h"
 #include "MdtBSJoint.h"
+#include "MdtBcl.h"
 #include "MdtBody.h"
 #include "MdtCarWheel.h"
 #include "MdtConeLimit.h"
@@ -32,5 +34,10 @@
 #include "MdtUserConstraint.h"
 #include "MdtUtilities.h"
 #include "MdtWorld.h"
+#include "MeChunk.h"
+#include "MeMath.h"
+#include "MeMemory.h"
+#include "MeMessage.h"
+#include "MePool.h"
 
 #endif

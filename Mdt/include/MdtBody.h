@@ -10,6 +10,10 @@
  *  or a velocity, and when a force, torque or impulse would move it faster than the thresholds of rest allow. A body
  *  that the program itself has disabled, or never enabled, waits: forces on it add up until it is enabled.
  *
+ *  Positions have a bound in every coordinate: 2^24 times the world's length scale in single precision, 2^53 in double,
+ *  MdtBodyGetPositionBound. There, neighbouring numbers are as far apart as things are large. A body that gets there is
+ *  stopped at the bound, in every step in which it would go on; a warning says so once. No position beyond is taken.
+ *
  *  Bad input (a null or destroyed body, a number that is not finite, a mass or an inertia that is not positive) gets a
  *  warning and changes nothing; accessors then return zeros.
  */
@@ -25,8 +29,11 @@ ME_BEGIN_C
 /** Creates a body with default properties (MdtDefaults.h), disabled, at the origin. The world owns it. Returns null,
  *  with a warning that names MdtWorldCreate's maxBodies, when the world is full. Dynamics guide ch. 2. */
 MEPUBLIC MdtBodyID MEAPI MdtBodyCreate(const MdtWorldID w);
-/** Destroys a body. Its constraints are disabled and let go of it; they remain for the program to destroy. */
+/** Destroys a body. Its constraints are disabled and let go of it; they remain for the program to destroy. A body that has
+ *  gone with its world is left alone, in all builds; that is said while there is another world. */
 MEPUBLIC void MEAPI MdtBodyDestroy(const MdtBodyID b);
+/** Is it a live body? Nothing is read through the handle, which may be that of a body or world long gone. Beyond Karma. */
+MEPUBLIC MeBool MEAPI MdtBodyIsValid(const MdtBodyID b);
 /** Creates in @a w, which may be another world, a body with all properties of @a b but its constraints. */
 MEPUBLIC MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w);
 /** Sets mass, state, damping and accumulated forces to their defaults. Constraints, user data, sort key and whether the
@@ -49,6 +56,8 @@ MEPUBLIC MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionP
  *  @{ */
 MEPUBLIC void MEAPI MdtBodySetPosition(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtBodyGetPosition(const MdtBodyID b, MeVector3 p);
+/** m, > 0: no coordinate of a body's centre of mass gets beyond, either way. Beyond Karma. */
+MEPUBLIC MeReal MEAPI MdtBodyGetPositionBound(const MdtBodyID b);
 /** (qw, qx, qy, qz), body to world; it is normalized. The frame's origin stays where it is. */
 MEPUBLIC void MEAPI MdtBodySetQuaternion(const MdtBodyID b, const MeReal qw, const MeReal qx, const MeReal qy,
                                          const MeReal qz);

@@ -23,6 +23,9 @@ ME_BEGIN_C
  *  @{ */
 /** Destroys a constraint; it is disabled first. */
 MEPUBLIC void MEAPI MdtConstraintDestroy(const MdtConstraintID c);
+/** Is it a live constraint, contact or contact group? Nothing is read through the handle, whose world may be long gone.
+ *  Beyond Karma. */
+MEPUBLIC MeBool MEAPI MdtConstraintIsValid(const MdtConstraintID c);
 /** Lets the constraint act. One that is not attached to a body gets a warning and stays disabled. */
 MEPUBLIC void MEAPI MdtConstraintEnable(const MdtConstraintID c);
 /** Has it act no more. Bodies that slept with it wake; so they do when it is destroyed. */

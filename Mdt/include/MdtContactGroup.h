@@ -51,6 +51,10 @@ MEPUBLIC MeBool MEAPI MdtContactGroupIsSwapped(MdtContactGroupID g);
  *  @{ */
 MEPUBLIC void MEAPI MdtContactGroupSetGenerator(MdtContactGroupID g, void *generator);
 MEPUBLIC void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID group);
+/** Where its maker keeps the group: *@a holder is set to null when the group is destroyed, by whomever, so that nothing
+ *  new in the same place is taken for it. It must live as long as the group, or until another holder, or null, is set.
+ *  Beyond Karma. */
+MEPUBLIC void MEAPI MdtContactGroupSetHolder(MdtContactGroupID g, void **holder);
 /** @} */
 
 /* What every constraint has, under this joint's name: see the end of MdtConstraint.h. Force and torque are the sums

@@ -7,17 +7,19 @@
 #ifndef MDTDEFAULTS_H
 #define MDTDEFAULTS_H
 
-#define MDTWORLD_DEFAULT_GRAVITY_X         0
-#define MDTWORLD_DEFAULT_GRAVITY_Y         0
-#define MDTWORLD_DEFAULT_GRAVITY_Z         0
-#define MDTWORLD_DEFAULT_EPSILON           0.0001 /**< 1/kg, for a mass scale of 1 kg */
-#define MDTWORLD_DEFAULT_GAMMA             0.2    /**< of an error a step */
-#define MDTWORLD_DEFAULT_MIN_SAFETIME      0.001  /**< s */
-#define MDTWORLD_DEFAULT_VEL_THRESH        0.02   /**< m²/s², for a length scale of 1 m */
-#define MDTWORLD_DEFAULT_VELROT_THRESH     0.001  /**< rad²/s² */
-#define MDTWORLD_DEFAULT_ACC_THRESH        0.5    /**< m²/s⁴, for a length scale of 1 m */
-#define MDTWORLD_DEFAULT_ACCROT_THRESH     0.002  /**< rad²/s⁴ */
-#define MDTWORLD_DEFAULT_ALIVE_TIME_THRESH 0.2    /**< s */
+#define MDTWORLD_DEFAULT_GRAVITY_X 0
+#define MDTWORLD_DEFAULT_GRAVITY_Y 0
+#define MDTWORLD_DEFAULT_GRAVITY_Z 0
+#define MDTWORLD_DEFAULT_EPSILON                                                                                       \
+    0.0001 /**< 1/kg, for a mass scale of 1 kg; of worlds that programs make themselves (MstUniverseCreate) */
+#define MDTWORLD_DEFAULT_GAMMA             0.2   /**< of an error a step */
+#define MDTWORLD_DEFAULT_MIN_SAFETIME      0.001 /**< s */
+#define MDTWORLD_DEFAULT_VEL_THRESH        0.02  /**< m²/s², for a length scale of 1 m */
+#define MDTWORLD_DEFAULT_VELROT_THRESH     0.001 /**< rad²/s² */
+#define MDTWORLD_DEFAULT_ACC_THRESH        0.5   /**< m²/s⁴, for a length scale of 1 m */
+#define MDTWORLD_DEFAULT_ACCROT_THRESH     0.002 /**< rad²/s⁴ */
+#define MDTWORLD_DEFAULT_ALIVE_TIME_THRESH 0.2   /**< s */
+#define MDTWORLD_DEFAULT_WORK_BUDGET       1000   /**< millions of multiplications, of a partition in a step */
 
 #define MDTMAXMATRIXSIZE_MAX 2147483647 /**< rows of a partition: no cap */
 

@@ -22,6 +22,7 @@ typedef enum MdtReportWay {
     MdtReportWayExact,   /**< solved */
     MdtReportWayTimed,   /**< bodies met or came to stick, at the moment when they did (MdtWorldSetTimedContacts) */
     MdtReportWayDivided, /**< the step was halved, because motion in it was violent */
+    MdtReportWayLimited, /**< work or iterations ran out (MdtWorldSetWorkBudget, MdtWorldSetMaxLCPIterations) */
 } MdtReportWay;
 
 /** What time is told of. */
@@ -51,9 +52,11 @@ typedef struct MdtReport {
     int factorizations; /**< of sparse matrices */
     int stages;         /**< velocity stages */
     int freezes;        /**< passes whose friction bounds were not renewed, since that did not settle */
-    int fallbacks; /**< parts whose forces are within bounds, but inexact, or whose bodies were stopped; there is a
+    int fallbacks;      /**< parts whose forces are within bounds, but inexact, or whose bodies were stopped; there is a
                         warning too where the step is too long or the program has capped the iterations */
-    int conflicts; /**< parts with constraints that contradict each other: a compromise was taken */
+    int conflicts;      /**< parts with constraints that contradict each other: a compromise was taken */
+    int limited; /**< parts whose work or iterations ran out: the best answer so far was taken, and counts as a fallback */
+    MeReal work; /**< millions of multiplications, as MdtWorldSetWorkBudget counts them; that of impacts included */
     /* how far off */
     MeReal
         residualVelocity; /**< m/s: largest velocity of a row that its force should have prevented (angular: rad/s) */
@@ -73,8 +76,8 @@ typedef struct MdtReport {
 
 /**
  * From the next step on, steps are reported. What is reported already is kept. Memory is allocated the first time, for
- * as many partitions as the world may have bodies, and lives as long as the world; should there be none, a fatal error
- * is reported and the report stays off.
+ * as many partitions as the world may have bodies (of a world without a limit: when a step needs it), and lives as long as the
+ * world; should there be none, a fatal error is reported and the report stays off, or there is none of that step.
  */
 MEPUBLIC void MEAPI MdtWorldEnableReport(const MdtWorldID w);
 /** Steps are not reported any more; what was reported is gone. */

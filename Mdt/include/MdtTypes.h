@@ -79,6 +79,12 @@ typedef struct MdtPartitionParams {
     int alive_window;     /**< the same in steps; -1: alive_time counts */
 } MdtPartitionParams;
 
+/** What of a step is drawn (MdtWorldSetDebugDrawing); a sum. */
+typedef enum MdtDebugDrawOptions {
+    MdtDebugDrawContacts = 1,    /**< A yellow line of .3 m along the normal of each contact. */
+    MdtDebugDrawContactForce = 2 /**< A red line along each contact's force: .1 m for 1 m/s² of its first body's. */
+} MdtDebugDrawOptions;
+
 /** The partitions of a step (MdtPartition.h). */
 typedef struct MdtPartitionOutput MdtPartitionOutput;
 

@@ -16,12 +16,14 @@ ME_BEGIN_C
  * Creates a world with room for @a maxBodies bodies and @a maxConstraints joints and contacts.
  *
  * @a lengthScale [m] and @a massScale [kg] say how large and heavy a typical object is: the defaults of bodies and the
- * thresholds of resting are scaled by them, and epsilon by 1/massScale. Both forms of the guides compile:
+ * thresholds of resting are scaled by them, and epsilon by 1/massScale: 0.0001 for 1 kg, as the Dynamics guide has it. (A
+ * universe's world is stiffer: MstUniverseCreate.) Both forms of the guides compile:
  * MdtWorldCreate(maxBodies, maxConstraints), with scales of 1, and the form with all four. Scales that are not positive
  * and finite get a warning and count as 1.
  *
  * Returns the world, or null when there is no memory. Destroy it with MdtWorldDestroy. All memory for bodies and
- * constraints is allocated here, through MeMemoryAPI. Dynamics guide ch. 2, "Initializing the World".
+ * constraints is allocated here, through MeMemoryAPI. With MeNoLimit the world begins without and grows when it is full;
+ * handles and pointers stay, and the results are the same. Dynamics guide ch. 2, "Initializing the World".
  */
 #ifdef __cplusplus
 MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const unsigned int maxConstraints,
@@ -40,6 +42,13 @@ MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const uns
 
 /** Destroys a world with all its bodies and constraints; their handles end with it. Dynamics guide ch. 2. */
 MEPUBLIC void MEAPI MdtWorldDestroy(const MdtWorldID w);
+/** Destroys all bodies and constraints of a world. Its parameters and callbacks stay. Not from within a step's callback. */
+MEPUBLIC void MEAPI MdtWorldReset(const MdtWorldID w);
+/** The same; gravity, epsilon, gamma, the largest matrix, the least safe time and auto-disabling are then those of a new world
+ *  of the same length and mass scales. Not from within a step's callback. */
+MEPUBLIC void MEAPI MdtWorldReCreate(const MdtWorldID w);
+/** How many bytes of scratch memory the world's steps have taken at most. */
+MEPUBLIC int MEAPI MdtWorldGetMaxMemoryPoolUsed(const MdtWorldID w);
 
 /**
  * Moves the world on by @a stepSize seconds: partitions it, puts resting partitions to sleep, finds the forces of the
@@ -71,15 +80,22 @@ MEPUBLIC void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, cons
 MEPUBLIC void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g);
 
 /** @name Epsilon and gamma (Dynamics guide ch. 5, "The Meaning of Epsilon and Gamma")
- *  Epsilon [1/kg], >= 0: the compliance of joints and contacts. A load F sags by epsilon F h² / gamma; 0 is rigid.
- *  Default 0.0001 / massScale. Gamma, 0..1: the fraction of a joint's error that one step removes. Default 0.2.
+ *  Epsilon [1/kg], >= 0: the compliance of joints and of contacts along their normals. A load F sags by epsilon F h² /
+ *  gamma, h the step: at 60 Hz and the defaults by 1.4 mm for each tonne; 0 is rigid. Default 0.0001 / massScale; a
+ *  universe sets its own (MstUniverseCreate). A value that a program sets is absolute, whatever the scales are.
+ *
+ *  Friction, motors and brakes have no epsilon: on a row without a position it would be viscosity, and what they can hold
+ *  would creep. What is to give way there is said with slip (MdtContactParamsSetPrimarySlip) or friction.
+ *
+ *  Gamma, 0..1: the fraction of a joint's error that one step removes. Default 0.2.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetEpsilon(const MdtWorldID w, const MeReal e);
 MEPUBLIC MeReal MEAPI MdtWorldGetEpsilon(const MdtWorldID w);
 MEPUBLIC void MEAPI MdtWorldSetGamma(const MdtWorldID w, const MeReal g);
 MEPUBLIC MeReal MEAPI MdtWorldGetGamma(const MdtWorldID w);
 /** Sets gamma for steps of @a aTimeStep so that errors die in the same time as with @a aGamma at @a aRefStep:
- *  1 - (1 - aGamma)^(aTimeStep / aRefStep). Times in seconds, positive. */
+ *  1 - (1 - aGamma)^(aTimeStep / aRefStep), since T / h steps leave (1 - gamma)^(T / h) of an error after the time T.
+ *  Times in seconds, positive. Call it again when the step changes. */
 MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const MeReal aGamma, const MeReal aRefStep,
                                                     const MeReal aTimeStep);
 /** @} */
@@ -136,8 +152,8 @@ MEPUBLIC MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w);
 
 /** @name Counting
  *  @{ */
-MEPUBLIC int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w);
-MEPUBLIC int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w);
+MEPUBLIC int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w);      /**< Or MeNoLimit. */
+MEPUBLIC int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w); /**< The same. */
 MEPUBLIC int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w);
 MEPUBLIC int MEAPI MdtWorldGetTotalConstraints(const MdtWorldID w);
 MEPUBLIC int MEAPI MdtWorldGetEnabledBodies(const MdtWorldID w);
@@ -172,11 +188,35 @@ MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
  *  Simulation Toolkit freezes and unfreezes collision models so (User Guide ch. 5). */
 MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
 
-/** @name The cap on the Newton iterations of a partition's solve (Karma: pivoting iterations). 0, the default, leaves it
- *  to Kea. When it stops a solve short, the forces are within their bounds, but inexact, and a warning says so.
+/** @name The cap on the Newton iterations of a partition's step (Karma: pivoting iterations). 0, the default: no cap, and
+ *  the work budget alone bounds the step. With fewer iterations a step costs less and is softer, as with a smaller budget of
+ *  work: forces are within their bounds, but inexact, energy is not gained, and a warning says so. Each part that a step
+ *  is divided into (MdtReport) has one iteration at least.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi);
 MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
+/** @} */
+
+/** @name The budget of work: what a partition may cost in a step at most
+ *
+ *  In millions of multiplications as Kea counts them, of sparse factorizations and of visits of rows: the same on every
+ *  machine, so that results are, and about a millisecond each on one core of 2020. All that a step of a partition does draws
+ *  from the same budget: sub-steps, halves of violent motion, events, impacts. Of a step that is taken in parts by safe times,
+ *  each part has its share, at least a sixteenth.
+ *
+ *  After three eighths, friction bounds that do not settle are left where they are; at its end the best answer so far is made
+ *  one that keeps momentum and bounds by some sweeps over the rows. Bodies then move softer than they should: contacts
+ *  give way by a part of the step's motion, joints open, and both are taken back in later steps (gamma); energy is never
+ *  gained beyond what loads, springs and motors give. MdtReport tells (`way`, `limited`, `fallbacks`).
+ *
+ *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
+ *
+ *  Default 40, 2.3 times what the costliest step of the hard cases in docs/solver.md takes: 17 (100 links with 1e5 kg); of those
+ *  with friction 14 (a shaken tower of 20 cubes), 1.1 times less than three eighths. One Newton iteration of 30 boxes in a
+ *  heap is 0.1. 0: no bound. Beyond Karma.
+ *  @{ */
+MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work);
+MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
 /** @} */
 
 /** @name The cap on a partition's rows (Dynamics guide ch. 4, "Limiting the Matrix Size") A partition with more rows
@@ -202,6 +242,12 @@ MEPUBLIC const MdtConstraintID *MEAPI MdtWorldGetBrokenJoints(const MdtWorldID w
 /** Called for each of them at the end of the step, in that order; null, the default: nothing. */
 MEPUBLIC void MEAPI MdtWorldSetBreakCB(const MdtWorldID w, MdtBreakCBPtr cb);
 /** @} */
+
+/**
+ * What each step draws when it ends, by MeDebugDrawAPI (MeDebugDraw.h); a viewer's context shows it until the next tick.
+ * A sum of options; 0, the default: nothing. Other values get a warning and change nothing.
+ */
+MEPUBLIC void MEAPI MdtWorldSetDebugDrawing(const MdtWorldID w, const MdtDebugDrawOptions drawOptions);
 
 ME_END_C
 

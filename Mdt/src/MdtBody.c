@@ -6,19 +6,19 @@
 /* ---- poses: the body's frame (p, q) and the centre of mass (x, qc) with the offset (c, t) between them:
  *          x = p + R(q) c,   qc = q t ---- */
 
-static void frameQuaternion(MdtBodyID b, double q[4]) {
+static void frameQuaternion(const MdtBody *b, double q[4]) {
     double back[4];
     keaQuaternionConjugate(back, b->centreTurn);
     keaQuaternionProduct(q, b->kea.quaternion, back);
 }
 
-static void offsetOfCentre(MdtBodyID b, const double q[4], double offset[3]) {
+static void offsetOfCentre(const MdtBody *b, const double q[4], double offset[3]) {
     double R[3][3];
     keaQuaternionToMatrix(R, q);
     keaApply(offset, (const double(*)[3])R, b->centre);
 }
 
-static void getFrame(MdtBodyID b, double p[3], double q[4]) {
+static void getFrame(const MdtBody *b, double p[3], double q[4]) {
     double offset[3];
     frameQuaternion(b, q);
     offsetOfCentre(b, q, offset);
@@ -37,6 +37,12 @@ static void forgetForces(MdtBodyID b) {
         mdt_constraintForget(a->constraint);
 }
 
+/* It begins to be watched for rest anew. */
+static void forgetRest(MdtBodyID b) {
+    b->enabledTime = b->slowTime = 0;
+    b->enabledSteps = 0;
+}
+
 /* Places the frame; the velocities stay, so the angular momentum turns along. */
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     double w[3], offset[3];
@@ -49,8 +55,7 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     keaQuaternionNormalize(b->kea.quaternion);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
     forgetForces(b);
-    b->enabledTime = 0; /* how it rested where it was says nothing of how it does here */
-    b->enabledSteps = 0;
+    forgetRest(b); /* how it rested where it was says nothing of how it does here */
     mdt_bodyShow(b);
 }
 
@@ -69,6 +74,7 @@ static void writeTransform(MeMatrix4 tm, const double p[3], const double q[4]) {
 void mdt_bodyShow(MdtBodyID b) {
     double p[3], q[4], w[3];
     getFrame(b, p, q);
+    MEASSERT(isfinite((double)(MeReal)keaLength(b->kea.position)));
     writeTransform(b->transform, p, q);
     writeTransform(b->centreTransform, b->kea.position, b->kea.quaternion);
     MdtKeaBodyGetAngularVelocity(&b->kea, w);
@@ -76,6 +82,63 @@ void mdt_bodyShow(MdtBodyID b) {
     mdt_toReal(b->angularVelocity, w);
     memcpy(b->shownVelocity, b->velocity, sizeof b->velocity);
     memcpy(b->shownAngularVelocity, b->angularVelocity, sizeof b->angularVelocity);
+}
+
+void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]) {
+    double p[3], q[4], R[3][3], off[3], local[3];
+    getFrame(b, p, q);
+    keaQuaternionToMatrix(R, q);
+    for (int i = 0; i < 3; i++)
+        off[i] = point[i] - (double)b->transform[3][i];
+    for (int i = 0; i < 3; i++)
+        local[i] = off[0] * (double)b->transform[i][0] + off[1] * (double)b->transform[i][1] +
+                   off[2] * (double)b->transform[i][2];
+    keaApply(lost, (const double(*)[3])R, local);
+    for (int i = 0; i < 3; i++)
+        lost[i] += p[i] - point[i];
+}
+
+/* Half the spacing of numbers there is half the length scale. */
+static double positionBound(const MdtBody *b) {
+    return fmin(2 / (double)ME_EPSILON * (double)b->world->params.lengthScale, (double)MEINFINITY / 4);
+}
+
+MeReal MEAPI MdtBodyGetPositionBound(const MdtBodyID b) {
+    MDT_NEED_BODY(b, 0);
+    return (MeReal)positionBound(b);
+}
+
+void mdt_bodyKeepWithinReach(MdtBodyID b) {
+    static const double none[3] = {0, 0, 0};
+    const double most = positionBound(b);
+    double *at = b->kea.position;
+    if (fabs(at[0]) < most && fabs(at[1]) < most && fabs(at[2]) < most)
+        return;
+    for (int i = 0; i < 3; i++)
+        at[i] = fmin(fmax(at[i], -most), most);
+    keaZero(b->kea.velocity);
+    MdtKeaBodySetAngularVelocity(&b->kea, none);
+    forgetMotion(b);
+    if (!(b->flags & MDT_FAR))
+        MeWarning(2,
+                  "MdtWorldStep: a body (sort key %d) has come to %g m, where positions have no digits left, and is "
+                  "stopped; disable or destroy what leaves the scene",
+                  b->link.sortKey, most);
+    b->flags |= MDT_FAR;
+}
+
+/* Is it a place for a body? */
+static MeBool isPlace(const char *caller, MdtBodyID b, MeReal x, MeReal y, MeReal z) {
+    const double most = positionBound(b);
+    if (!mdt_isFinite3(caller, "the position", x, y, z))
+        return MEFALSE;
+    if (fabs((double)x) <= most && fabs((double)y) <= most && fabs((double)z) <= most) {
+        b->flags &= ~MDT_FAR;
+        return METRUE;
+    }
+    MeWarning(1, "%s: (%g, %g, %g) is farther away than %g m (MdtBodyGetPositionBound); nothing is changed", caller,
+              (double)x, (double)y, (double)z, most);
+    return MEFALSE;
 }
 
 static MeBool isFinite3(const MeReal *v) {
@@ -154,12 +217,9 @@ static void setDefaults(MdtBodyID b) {
 
 MdtBodyID MEAPI MdtBodyCreate(const MdtWorldID w) {
     MDT_NEED_WORLD(w, NULL);
-    MdtBodyID b = mdt_poolGet(&w->bodyPool, MDT_BODY);
-    if (!b) {
-        MeWarning(1, "MdtBodyCreate: the world has its %d bodies; raise maxBodies of MdtWorldCreate",
-                  w->bodyPool.count);
+    MdtBodyID b = mdt_poolGet(&w->bodyPool, MDT_BODY, __func__);
+    if (!b)
         return NULL;
-    }
     b->world = w;
     b->partition = -1;
     setDefaults(b);
@@ -174,13 +234,14 @@ void mdt_bodyTerm(MdtBodyID b) {
         MdtConstraintDisable(c);
         mdt_constraintDetach(c, c->side[0].body == b ? 0 : 1);
     }
+    MEASSERT(!b->attachments && !(b->flags & (MDT_ENABLED | MDT_ASLEEP)));
     mdt_listRemove(&b->world->bodies, &b->link);
     mdt_poolPut(&b->world->bodyPool, b);
 }
 
 void MEAPI MdtBodyDestroy(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
-    mdt_bodyTerm(b);
+    if (mdt_mayDestroyBody(b, __func__))
+        mdt_bodyTerm(b);
 }
 
 MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
@@ -218,9 +279,9 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
         return;
     b->flags |= MDT_ENABLED;
     forgetMotion(b);
-    b->enabledTime = 0;
-    b->enabledSteps = 0;
+    forgetRest(b);
     b->world->enabledBodies++;
+    MEASSERT(b->world->enabledBodies <= b->world->bodies.count);
     if (b->world->bodyEnabled)
         b->world->bodyEnabled(b);
 }
@@ -232,10 +293,10 @@ void MEAPI MdtBodyDisable(const MdtBodyID b) {
         return;
     b->flags &= ~MDT_ENABLED;
     b->lag = 0;
-    b->enabledTime = 0;
-    b->enabledSteps = 0;
+    forgetRest(b);
     b->partition = -1;
     b->world->enabledBodies--;
+    MEASSERT(b->world->enabledBodies >= 0);
     if (b->world->bodyDisabled)
         b->world->bodyDisabled(b);
 }
@@ -291,7 +352,6 @@ void mdt_bodySleep(MdtBodyID b) {
     keaZero(b->acceleration.lin);
     keaZero(b->acceleration.ang);
     keaZero(b->push);
-    b->slowTime = 0;
     mdt_bodyShow(b);
 }
 
@@ -327,6 +387,10 @@ void mdt_bodyKeepForces(MdtBodyID b) {
 }
 
 void mdt_bodyPack(MdtBodyID b) {
+    MEASSERT(b->mass > 0 && b->kea.invMass > 0 && (b->flags & MDT_ENABLED));
+    MEASSERT(isfinite(keaDot(b->kea.position, b->kea.position)));
+    MEASSERT(fabs(1 - sqrt(keaDot(b->kea.quaternion + 1, b->kea.quaternion + 1) +
+                           b->kea.quaternion[0] * b->kea.quaternion[0])) < 1e-6);
     keaCopy(b->lastForce, b->force);
     keaCopy(b->lastTorque, b->torque);
     mdt_bodyAcceptVelocities(b);
@@ -344,7 +408,7 @@ void mdt_bodyPack(MdtBodyID b) {
 
 void MEAPI MdtBodySetPosition(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z) {
     MDT_NEED_BODY(b, );
-    if (!mdt_isFinite3(__func__, "the position", x, y, z))
+    if (!isPlace(__func__, b, x, y, z))
         return;
     const double to[3] = {x, y, z};
     double p[3], q[4];
@@ -443,7 +507,8 @@ static MeBool splitTransform(const char *caller, const MeMatrix4 tm, double p[3]
 void MEAPI MdtBodySetTransform(const MdtBodyID b, const MeMatrix4 tm) {
     MDT_NEED_BODY(b, );
     double p[3], q[4];
-    if (!mdt_isPointer(__func__, "the transform", tm) || !splitTransform(__func__, tm, p, q))
+    if (!mdt_isPointer(__func__, "the transform", tm) || !splitTransform(__func__, tm, p, q) ||
+        !isPlace(__func__, b, tm[3][0], tm[3][1], tm[3][2]))
         return;
     setFrame(b, p, q);
     mdt_bodyWakeIfAsleep(b);
@@ -506,8 +571,7 @@ void MEAPI MdtBodyGetCenterOfMassRelativeTransform(const MdtBodyID b, MeMatrix4 
 
 void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos) {
     MDT_NEED_BODY(b, );
-    if (!mdt_isPointer(__func__, "the position", pos) ||
-        !mdt_isFinite3(__func__, "the position", pos[0], pos[1], pos[2]))
+    if (!mdt_isPointer(__func__, "the position", pos) || !isPlace(__func__, b, pos[0], pos[1], pos[2]))
         return;
     mdt_fromReal(b->kea.position, pos);
     mdt_bodyAcceptVelocities(b);
@@ -955,9 +1019,14 @@ void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPt
     MDT_NEED_BODY(b, );
     if (!mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
         return;
-    for (MdtAttachment *at = b->attachments, *next; at; at = next) {
-        next = at->next;
-        cb(at->constraint, ccbdata);
+    for (MdtAttachment *at = b->attachments; at;) {
+        const MdtConstraintID c = at->constraint;
+        const unsigned long serial = c->link.serial;
+        MdtAttachment *next = at->next, *beyond = next; /* its contacts go with a group that the callback destroys */
+        while (beyond && beyond->constraint->group == c)
+            beyond = beyond->next;
+        cb(c, ccbdata);
+        at = c->record.magic == MDT_CONSTRAINT && c->link.serial == serial ? next : beyond;
     }
 }
 

@@ -1,4 +1,5 @@
 /* What all constraints have: bodies, frames, forces read back. */
+#include "MeAssert.h"
 #include "mdt_i.h"
 #include <string.h>
 
@@ -7,12 +8,9 @@
 MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const char *caller) {
     if (!mdt_isWorld(w, caller))
         return NULL;
-    MdtConstraintID c = mdt_poolGet(&w->constraintPool, MDT_CONSTRAINT);
-    if (!c) {
-        MeWarning(1, "%s: the world has its %d constraints; raise maxConstraints of MdtWorldCreate", caller,
-                  w->constraintPool.count);
+    MdtConstraintID c = mdt_poolGet(&w->constraintPool, MDT_CONSTRAINT, caller);
+    if (!c)
         return NULL;
-    }
     c->world = w;
     c->type = MdtBclTypeOf(type);
     c->bcl.type = type;
@@ -24,18 +22,19 @@ MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const c
 }
 
 void mdt_constraintFree(MdtConstraintID c) {
-    if (c->bcl.type == MdtBclUSER && c->bcl.of.user.rows)
-        MeMemoryAPI.destroy(c->bcl.of.user.rows);
+    if (c->bcl.type == MdtBclUSER)
+        MeMemoryGive(c->bcl.of.user.rows);
 }
 
 void mdt_constraintTerm(MdtConstraintID c) {
     if (c->bcl.type == MdtBclCONTACTGROUP)
-        mdt_groupDestroyContacts(c);
+        mdt_groupTerm(c);
     if (c->group)
         mdt_groupForget(c);
     MdtConstraintDisable(c);
     mdt_constraintDetach(c, 0);
     mdt_constraintDetach(c, 1);
+    MEASSERT(!c->side[0].body && !c->side[1].body && !c->group && !(c->flags & MDT_ENABLED));
     mdt_constraintFree(c);
     mdt_breakForget(c);
     mdt_listRemove(&c->world->constraints, &c->link);
@@ -86,6 +85,7 @@ void MEAPI MdtConstraintDisable(const MdtConstraintID c) {
         return;
     c->flags &= ~MDT_ENABLED;
     c->world->enabledConstraints--;
+    MEASSERT(c->world->enabledConstraints >= 0);
     for (int k = 0; k < 2; k++) /* what it held in its sleep has to be looked at */
         if (c->side[k].body)
             mdt_bodyWakeIfAsleep(c->side[k].body);
@@ -102,6 +102,8 @@ void mdt_constraintDetach(MdtConstraintID c, int side) {
     MdtAttachment *at = &c->side[side];
     if (!at->body)
         return;
+    MEASSERT(at->previous ? at->previous->next == at : at->body->attachments == at);
+    MEASSERT(!at->next || at->next->previous == at);
     if (at->previous)
         at->previous->next = at->next;
     else
@@ -118,10 +120,12 @@ static void attach(MdtConstraintID c, int side, MdtBodyID b) {
     at->body = b;
     if (!b)
         return;
+    MEASSERT(!at->next && !at->previous && at->constraint == c && b->world == c->world);
     at->next = b->attachments;
     if (at->next)
         at->next->previous = at;
     b->attachments = at;
+    MEVALIDATE(mdt_attachmentsAreLinked(b));
 }
 
 static MeBool mayAttach(MdtConstraintID c, MdtBodyID b, const char *caller) {

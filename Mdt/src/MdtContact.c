@@ -1,4 +1,5 @@
 /* Contacts: geometry, parameters, the list that their maker keeps. */
+#include "MeAssert.h"
 #include "mdt_i.h"
 #include <string.h>
 
@@ -107,6 +108,8 @@ void MEAPI MdtContactSetNormal(const MdtContactID c, const MeReal x, const MeRea
         return;
     keaCopy(contact->normal, normal);
     fitDirection(contact);
+    MEASSERT(fabs(keaDot(contact->normal, contact->direction)) < 1e-6);
+    MEASSERT(fabs(1 - keaLength(contact->direction)) < 1e-6);
 }
 
 void MEAPI MdtContactGetNormal(const MdtContactID c, MeVector3 v) {
@@ -123,6 +126,33 @@ void MEAPI MdtContactSetPenetration(const MdtContactID c, const MeReal p) {
 MeReal MEAPI MdtContactGetPenetration(const MdtContactID c) {
     const MdtBclContact *contact = contactOf(c, __func__);
     return contact ? (MeReal)contact->penetration : 0;
+}
+
+/* How much of a body's displacement its contact's position follows: that of the one that rolls, or moves at all. */
+static double shareOf(const MdtBaseConstraint *base, int k) {
+    const double *radius = base->bcl.of.contact.radius;
+    if (base->side[0].body && base->side[1].body && (radius[0] > 0) != (radius[1] > 0))
+        return radius[k] > 0;
+    return base->side[1 - k].body ? 0.5 : 1;
+}
+
+void MEAPI MdtContactSetExact(const MdtContactID c, const double position[3], const double penetration) {
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    if (!base || !mdt_isPointer(__func__, "the position", position) ||
+        !mdt_isFinite3(__func__, "the position", (MeReal)position[0], (MeReal)position[1], (MeReal)position[2]) ||
+        !mdt_isFinite(__func__, "the penetration", (MeReal)penetration))
+        return;
+    MdtBclContact *contact = &base->bcl.of.contact;
+    keaCopy(contact->position, position);
+    contact->penetration = penetration;
+    for (int k = 0; k < 2; k++) {
+        double lost[3];
+        if (!base->side[k].body)
+            continue;
+        mdt_bodyLostByRounding(base->side[k].body, position, lost);
+        keaAddScaled(contact->position, shareOf(base, k), lost);
+        contact->penetration -= (k == 0 ? 1 : -1) * keaDot(contact->normal, lost);
+    }
 }
 
 void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius) {

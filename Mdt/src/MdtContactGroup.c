@@ -1,4 +1,5 @@
 /* Contact groups: the list of contacts that a group owns. */
+#include "MeAssert.h"
 #include "mdt_i.h"
 
 MdtContactGroupID MEAPI MdtContactGroupCreate(const MdtWorldID w) {
@@ -35,6 +36,7 @@ static MdtConstraintID memberOf(MdtConstraintID group, const MdtContactID c, con
 /* ---- the list ---- */
 
 static void append(MdtConstraintID group, MdtConstraintID contact) {
+    MEASSERT(!contact->group && contact->world == group->world);
     MdtConstraintDisable(contact);
     contact->group = group;
     contact->previousInGroup = group->lastContact;
@@ -46,6 +48,7 @@ static void append(MdtConstraintID group, MdtConstraintID contact) {
     group->lastContact = contact;
     group->numContacts++;
     mdt_constraintAttach(contact, group->side[0].body, group->side[1].body);
+    MEVALIDATE(mdt_groupIsLinked(group));
 }
 
 void mdt_groupForget(MdtConstraintID contact) {
@@ -60,6 +63,8 @@ void mdt_groupForget(MdtConstraintID contact) {
         group->lastContact = contact->previousInGroup;
     contact->group = contact->nextInGroup = contact->previousInGroup = NULL;
     group->numContacts--;
+    MEASSERT(group->numContacts >= 0 && !group->firstContact == !group->numContacts);
+    MEVALIDATE(mdt_groupIsLinked(group));
 }
 
 void mdt_groupDestroyContacts(MdtConstraintID group) {
@@ -67,9 +72,18 @@ void mdt_groupDestroyContacts(MdtConstraintID group) {
         mdt_constraintTerm(group->firstContact);
 }
 
+void mdt_groupTerm(MdtConstraintID group) {
+    mdt_groupDestroyContacts(group);
+    MEASSERT(!group->firstContact && !group->lastContact && group->numContacts == 0);
+    if (group->holder)
+        *group->holder = NULL;
+    group->holder = NULL;
+}
+
 void mdt_groupAttachContacts(MdtConstraintID group) {
     for (MdtConstraintID c = group->firstContact; c; c = c->nextInGroup)
         mdt_constraintAttach(c, group->side[0].body, group->side[1].body);
+    MEVALIDATE(mdt_groupIsLinked(group));
 }
 
 MdtContactID MEAPI MdtContactGroupGetFirstContact(MdtContactGroupID c) {
@@ -135,6 +149,12 @@ void MEAPI MdtContactGroupSetGenerator(MdtContactGroupID g, void *generator) {
     MdtConstraintID group = groupOf(g, __func__);
     if (group)
         group->generator = generator;
+}
+
+void MEAPI MdtContactGroupSetHolder(MdtContactGroupID g, void **holder) {
+    MdtConstraintID group = groupOf(g, __func__);
+    if (group)
+        group->holder = holder;
 }
 
 void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID group) {

@@ -24,6 +24,63 @@ void MEAPI MdtContactParamsReset(const MdtContactParamsID p) {
         MdtBclContactParamsReset(p);
 }
 
+/* ---- the usual surface ---- */
+
+void MEAPI MdtContactParamsSetSurface(const MdtContactParamsID p, MeReal friction, MeReal restitution) {
+    if (!isParams(p, __func__) || !mdt_isAtLeast(__func__, "the friction coefficient", friction, 0))
+        return;
+    if (!(restitution >= 0 && restitution <= 1)) {
+        MeWarning(1, "MdtContactParamsSetSurface: the restitution %g is not between 0 and 1; nothing is changed",
+                  (double)restitution);
+        return;
+    }
+    MdtContactParamsSetType(p, friction > 0 ? MdtContactTypeFriction2D : MdtContactTypeFrictionZero);
+    MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
+    MdtContactParamsSetFrictionCoeffecient(p, friction);
+    MdtContactParamsSetRestitution(p, restitution);
+}
+
+enum { WITHOUT_TYPE = 1, WITHOUT_MODEL = 2, WITHOUT_COEFFICIENT = 4, WITHOUT_BOUND = 8 };
+
+static const struct {
+    int problem;
+    const char *text;
+} surfaceTexts[] = {
+    {WITHOUT_TYPE, "has a friction coefficient or model, but no friction: MdtContactParamsSetType was not called"},
+    {WITHOUT_MODEL, "has a friction coefficient, which its friction model, the box, does not use"},
+    {WITHOUT_COEFFICIENT, "has a friction model that wants a coefficient, and none: there is no friction"},
+    {WITHOUT_BOUND, "has friction without bound: nothing slides. If that is meant, call "
+                    "MdtContactParamsSetFriction(params, MEINFINITY)"},
+};
+
+static int problemOf(const MdtBclContactParams *p, MdtFrictionModel model, MeReal coefficient, MeReal bound) {
+    if (p->type == MdtContactTypeFrictionZero)
+        return !(p->options & MdtBclContactOptionTypeSet) && (model != MdtFrictionModelBox || coefficient > 0)
+                   ? WITHOUT_TYPE
+                   : 0;
+    if (model != MdtFrictionModelBox)
+        return coefficient > 0 ? 0 : WITHOUT_COEFFICIENT;
+    if (p->options & (MdtBclContactOptionBoundSet | MdtBclContactOptionSlip1 | MdtBclContactOptionSlip2))
+        return 0; /* what slips does slide */
+    return coefficient > 0 ? WITHOUT_MODEL : bound < MEINFINITY ? 0 : WITHOUT_BOUND;
+}
+
+void mdt_checkSurface(MdtConstraintID contact) {
+    if (contact->bcl.type != MdtBclCONTACT)
+        return;
+    const MdtBclContactParams *p = &contact->bcl.of.contact.params;
+    int problem = problemOf(p, p->model1, p->FrictionCoefficient, p->friction1);
+    if (!problem && p->type != MdtContactTypeFriction1D)
+        problem = problemOf(p, p->model2, p->FrictionCoefficient2, p->friction2);
+    if (!problem || (contact->world->surfaceWarnings & problem))
+        return;
+    contact->world->surfaceWarnings |= problem;
+    for (size_t i = 0; i < sizeof surfaceTexts / sizeof *surfaceTexts; i++)
+        if (surfaceTexts[i].problem == problem)
+            MeWarning(2, "MdtWorldStep: a contact %s; MdtContactParamsSetSurface sets all that friction needs",
+                      surfaceTexts[i].text);
+}
+
 /* ---- kind of friction ---- */
 
 void MEAPI MdtContactParamsSetType(const MdtContactParamsID p, MdtContactType t) {
@@ -31,8 +88,10 @@ void MEAPI MdtContactParamsSetType(const MdtContactParamsID p, MdtContactType t)
         return;
     if (t < MdtContactTypeFrictionZero || t > MdtContactTypeFriction2D)
         MeWarning(1, "MdtContactParamsSetType: there is no contact type %d; nothing is changed", (int)t);
-    else
+    else {
         p->type = t;
+        setOption(p, MdtBclContactOptionTypeSet, METRUE);
+    }
 }
 
 MdtContactType MEAPI MdtContactParamsGetType(const MdtContactParamsID p) {
@@ -77,11 +136,13 @@ void MEAPI MdtContactParamsSetFriction(const MdtContactParamsID p, MeReal f) {
 }
 
 void MEAPI MdtContactParamsSetPrimaryFriction(const MdtContactParamsID p, MeReal f) {
-    setAtLeast0(p, FIELD(p, friction1), f, __func__, "the friction");
+    if (setAtLeast0(p, FIELD(p, friction1), f, __func__, "the friction"))
+        setOption(p, MdtBclContactOptionBoundSet, METRUE);
 }
 
 void MEAPI MdtContactParamsSetSecondaryFriction(const MdtContactParamsID p, MeReal f) {
-    setAtLeast0(p, FIELD(p, friction2), f, __func__, "the friction");
+    if (setAtLeast0(p, FIELD(p, friction2), f, __func__, "the friction"))
+        setOption(p, MdtBclContactOptionBoundSet, METRUE);
 }
 
 MeReal MEAPI MdtContactParamsGetPrimaryFriction(const MdtContactParamsID p) {

@@ -7,10 +7,9 @@ MdtUserConstraintID MEAPI MdtUserConstraintCreate(const MdtWorldID w) {
     if (!c)
         return NULL;
     c->bcl.of.user.owner = c;
-    c->bcl.of.user.rows = MeMemoryAPI.create(MdtBclGETMAXROWSUSER * sizeof(MdtKeaRow));
+    c->bcl.of.user.rows = MeMemoryTake(MdtBclGETMAXROWSUSER, sizeof(MdtKeaRow), __func__, "rows");
     if (c->bcl.of.user.rows)
         return (MdtUserConstraintID)c;
-    MeFatalError(1, "MdtUserConstraintCreate: out of memory");
     MdtConstraintDestroy(c);
     return NULL;
 }

@@ -1,7 +1,9 @@
 /* Worlds: creation, parameters, counting. The step itself is in mdt_step.c. */
 #include "mdt_i.h"
+#include "MdtInternal.h"
+#include "MeAssert.h"
+#include "MeMath.h"
 #include <limits.h>
-#include <string.h>
 
 static const double usualStep = 1.0 / 60; /* s, for converting alive windows before the first step */
 
@@ -23,6 +25,7 @@ static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
     w->epsilon = (MeReal)MDTWORLD_DEFAULT_EPSILON / massScale;
     w->gamma = (MeReal)MDTWORLD_DEFAULT_GAMMA;
     w->maxMatrixSize = MDTMAXMATRIXSIZE_MAX;
+    w->workBudget = MDTWORLD_DEFAULT_WORK_BUDGET;
     w->minSafeTime = (MeReal)MDTWORLD_DEFAULT_MIN_SAFETIME;
     w->rest.autoDisable = METRUE;
     w->rest.vel_thresh = (MeReal)MDTWORLD_DEFAULT_VEL_THRESH * square;
@@ -33,77 +36,132 @@ static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
     w->rest.alive_window = -1;
 }
 
-static void *allocate(size_t count, size_t size) {
-    return MeMemoryAPI.create(count > 0 ? count * size : size);
-}
-
 static void freeWorld(MdtWorldID w) {
-    for (MdtLink *link = w->constraints.first; link; link = link->next)
+    for (MdtLink *link = w->bodies.first; link; link = link->next)
+        MeHandleLeave(&((MdtBodyID)link->owner)->record.handle);
+    for (MdtLink *link = w->constraints.first; link; link = link->next) {
         mdt_constraintFree(link->owner);
+        MeHandleLeave(&((MdtConstraintID)link->owner)->record.handle);
+    }
     void *arrays[] = {w->bodyOf,  w->constraintOf, w->keaOf,   w->bodyStart, w->constraintStart,
                       w->ranking, w->output.info,  w->reports, w->broken};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
-        if (arrays[i])
-            MeMemoryAPI.destroy(arrays[i]);
+        MeMemoryGive(arrays[i]);
     MeChunkTerm(&w->scratch);
     MdtKeaCacheDestroy(w->keaCache);
     mdt_poolTerm(&w->bodyPool);
     mdt_poolTerm(&w->constraintPool);
     w->magic = 0;
-    MeMemoryAPI.destroy(w);
+    MeMemoryGive(w);
 }
 
-static MeBool allocateParts(MdtWorldID w, size_t bodies, size_t constraints) {
-    w->bodyOf = allocate(bodies, sizeof *w->bodyOf);
-    w->keaOf = allocate(bodies, sizeof *w->keaOf);
-    w->constraintOf = allocate(constraints, sizeof *w->constraintOf);
-    w->bodyStart = allocate(bodies + 1, sizeof *w->bodyStart);
-    w->constraintStart = allocate(bodies + 1, sizeof *w->constraintStart);
-    w->ranking = allocate(constraints, sizeof *w->ranking);
-    w->broken = allocate(constraints, sizeof *w->broken);
-    w->output.info = allocate(bodies, sizeof *w->output.info);
+/* Nothing in them is kept. */
+static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
+    const size_t n = (size_t)MeMAX(bodies, 2 * w->bodyRoom);
+    if (bodies <= w->bodyRoom)
+        return METRUE;
+    if (!MeMemoryGrow(&w->bodyOf, 0, n, sizeof *w->bodyOf, caller, "the bodies of a step") ||
+        !MeMemoryGrow(&w->keaOf, 0, n, sizeof *w->keaOf, caller, "the bodies of a step") ||
+        !MeMemoryGrow(&w->bodyStart, 0, n + 1, sizeof *w->bodyStart, caller, "partitions") ||
+        !MeMemoryGrow(&w->constraintStart, 0, n + 1, sizeof *w->constraintStart, caller, "partitions") ||
+        !MeMemoryGrow(&w->output.info, 0, n, sizeof *w->output.info, caller, "partitions"))
+        return MEFALSE;
+    w->bodyRoom = (int)n;
+    MEASSERT(w->bodyRoom >= bodies);
+    return METRUE;
+}
+
+/* Joints that broke are kept: there may be more in the rest of the step. */
+static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *caller) {
+    const size_t n = (size_t)MeMAX(constraints, 2 * w->constraintRoom), broken = (size_t)w->numBroken;
+    if (constraints <= w->constraintRoom)
+        return METRUE;
+    if (!MeMemoryGrow(&w->constraintOf, 0, n, sizeof *w->constraintOf, caller, "the constraints of a step") ||
+        !MeMemoryGrow(&w->ranking, 0, n, sizeof *w->ranking, caller, "ranking contacts") ||
+        !MeMemoryGrow(&w->broken, broken, n, sizeof *w->broken, caller, "broken joints"))
+        return MEFALSE;
+    w->constraintRoom = (int)n;
+    return METRUE;
+}
+
+MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller) {
+    const MeBool isDone =
+        reserveBodies(w, MeMAX(bodies, 1), caller) && reserveConstraints(w, MeMAX(constraints, 1), caller);
     w->output.world = w;
     w->output.bodies = w->bodyOf;
     w->output.constraints = w->constraintOf;
-    return w->bodyOf && w->keaOf && w->constraintOf && w->bodyStart && w->constraintStart && w->ranking && w->broken &&
-           w->output.info && mdt_poolInit(&w->bodyPool, (int)bodies, sizeof(MdtBody)) &&
-           mdt_poolInit(&w->constraintPool, (int)constraints, sizeof(MdtBaseConstraint));
+    return isDone;
+}
+
+static MeBool allocateParts(MdtWorldID w, int bodies, int constraints, const char *caller) {
+    w->bodyPool = (MdtPool){.recordSize = sizeof(MdtBody),
+                            .what = "bodies",
+                            .limit = {.most = bodies, .name = "MdtWorldCreate's maxBodies"}};
+    w->constraintPool = (MdtPool){.recordSize = sizeof(MdtBaseConstraint),
+                                  .what = "constraints",
+                                  .limit = {.most = constraints, .name = "MdtWorldCreate's maxConstraints"}};
+    w->keaCache = MdtKeaCacheCreate();
+    return w->keaCache && mdt_poolInit(&w->bodyPool, caller) && mdt_poolInit(&w->constraintPool, caller) &&
+           mdt_worldReserve(w, bodies == MeNoLimit ? 0 : bodies, constraints == MeNoLimit ? 0 : constraints, caller);
 }
 
 MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned int maxConstraints,
                                  const MeReal lengthScale, const MeReal massScale) {
     const unsigned int most = INT_MAX / 4;
-    if (maxBodies > most || maxConstraints > most) {
+    if ((maxBodies > most && maxBodies != MeNoLimit) || (maxConstraints > most && maxConstraints != MeNoLimit)) {
         MeWarning(1, "MdtWorldCreate: %u bodies and %u constraints are more than the %u that a world can have",
                   maxBodies, maxConstraints, most);
         return NULL;
     }
-    MdtWorldID w = MeMemoryAPI.create(sizeof *w);
-    if (!w) {
-        MeFatalError(0, "MdtWorldCreate: no memory for a world");
+    MdtWorldID w = MeMemoryTakeZeroed(1, sizeof *w, "MdtWorldCreate", "a world");
+    if (!w)
         return NULL;
-    }
-    memset(w, 0, sizeof *w);
     MeChunkInit(&w->scratch, 16);
-    w->keaCache = MdtKeaCacheCreate();
     w->timedBodies = MDT_TIMED_BODIES;
     w->subSteps = 1;
     w->numReports = MDT_NO_REPORTS;
-    if (!allocateParts(w, maxBodies, maxConstraints)) {
+    if (!allocateParts(w, (int)maxBodies, (int)maxConstraints, "MdtWorldCreate")) {
         freeWorld(w);
-        MeFatalError(0, "MdtWorldCreate: no memory for %u bodies and %u constraints", maxBodies, maxConstraints);
         return NULL;
     }
     w->magic = MDT_WORLD;
     setDefaults(w, scaleOr1("length", lengthScale), scaleOr1("mass", massScale));
-    mdt_registerWorld(w);
+    MeHandleEnter(&w->handle, w, MDT_WORLD);
+    mdt_countWorlds(1);
     return w;
+}
+
+void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies, const char *constraints) {
+    MDT_NEED_WORLD(w, );
+    MeLimitRename(&w->bodyPool.limit, bodies);
+    MeLimitRename(&w->constraintPool.limit, constraints);
 }
 
 void MEAPI MdtWorldDestroy(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
-    mdt_forgetWorld(w);
+    MeHandleLeave(&w->handle);
+    mdt_countWorlds(-1);
     freeWorld(w);
+}
+
+void MEAPI MdtWorldReset(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, );
+    for (MdtConstraintID c = MdtConstraintGetFirst(w); c; c = MdtConstraintGetFirst(w))
+        MdtConstraintDestroy(c);
+    for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetFirst(w))
+        MdtBodyDestroy(b);
+    MEASSERT(w->bodyPool.used == 0 && w->constraintPool.used == 0);
+}
+
+void MEAPI MdtWorldReCreate(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, );
+    MdtWorldReset(w);
+    setDefaults(w, w->params.lengthScale, w->params.massScale);
+}
+
+int MEAPI MdtWorldGetMaxMemoryPoolUsed(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return MeChunkGetMaxSize(&w->scratch);
 }
 
 void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal gy, const MeReal gz) {
@@ -260,12 +318,12 @@ MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w) {
 
 int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->bodyPool.count;
+    return w->bodyPool.limit.most;
 }
 
 int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->constraintPool.count;
+    return w->constraintPool.limit.most;
 }
 
 int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w) {
@@ -351,6 +409,17 @@ void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi) {
 int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
     return w->maxLcpIterations;
+}
+
+void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isAtLeast(__func__, "the work", work, 0))
+        w->workBudget = work;
+}
+
+MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return w->workBudget;
 }
 
 /* ---- the cap on the rows ---- */

@@ -1,4 +1,5 @@
 /* Joints that break: whose force, or torque about their position, was larger in a step than they bear. */
+#include "MeAssert.h"
 #include "mdt_i.h"
 
 /* ---- limits ---- */
@@ -84,6 +85,7 @@ static void breakJoints(MdtWorldID w) {
         if (!isBreakable(c) || !wasStepped(c) || !isOverloaded(c))
             continue;
         MdtConstraintDisable(c);
+        MEASSERT(c->bcl.type != MdtBclCONTACT && c->bcl.type != MdtBclCONTACTGROUP);
         w->broken[w->numBroken++] = c;
     }
 }
@@ -98,6 +100,7 @@ void mdt_breakEnd(MdtWorldID w) {
 
 void mdt_breakForget(MdtConstraintID c) {
     c->world->breakable -= isBreakable(c);
+    MEASSERT(c->world->breakable >= 0);
     for (int i = 0; i < c->world->numBroken; i++)
         if (c->world->broken[i] == c)
             c->world->broken[i] = NULL;

@@ -4,7 +4,9 @@
  * deepest; with a callback of the program, by its importance instead of depth and kind. Joints are never touched, and a
  * contact group keeps one contact.
  */
+#include "MeAssert.h"
 #include "mdt_i.h"
+#include "MeAssert.h"
 
 /* Contacts that are worth as much go in the order of simulation. */
 static MeBool isBefore(const MdtBaseConstraint *a, const MdtBaseConstraint *b) {
@@ -68,10 +70,12 @@ static int dropContacts(MdtWorldID w, int n, int rows, int most, MeBool (*isOfKi
         MdtConstraintID c = w->ranking[i];
         if (c->isDropped || !isOfKind(c) || (c->group && c->group->numKept == 1))
             continue;
+        MEASSERT(c->numRows <= 1 && (!c->group || c->group->numKept > 1));
         c->isDropped = METRUE;
         c->numRows = 0;
         if (c->group)
             c->group->numKept--;
+        MEASSERT(!c->group || c->group->numKept > 0);
         rows--;
     }
     return rows;
@@ -88,6 +92,7 @@ static MeBool isAny(const MdtBaseConstraint *c) {
 
 int mdt_capRows(MdtWorldID w, MdtConstraintID constraints[], int count, int rows, int most) {
     const int n = rankContacts(w, constraints, count);
+    MEASSERT(n <= count);
     rows = dropFriction(w, n, rows, most);
     if (w->importance)
         return dropContacts(w, n, rows, most, isAny);

@@ -1,11 +1,15 @@
 /* Is this handle alive, is this number a number? Every warning about misuse comes from here.
  *
  * A handle points to a record whose magic says what it is and that it lives. Records of destroyed bodies and
- * constraints stay in their world's pool, so the magic can be read. The check build also knows which worlds live and
- * asks whether the pointer is a record of one of them, so that nothing is read through a handle of a destroyed world.
+ * constraints stay in their world's pool, so the magic can be read. All live objects are also in a table (MeInternal.h):
+ * the check build looks every handle up there, so that nothing is read through one of a destroyed world. In all builds
+ * that is done with a body that is to be destroyed: programs may end their objects in any order.
  */
 #include "mdt_i.h"
+#include "MdtBody.h"
+#include "MdtConstraint.h"
 #include "MeMath.h"
+#include <stdatomic.h>
 
 static void warnAbout(const char *caller, const char *what, MeBool isNull) {
     if (isNull)
@@ -14,86 +18,71 @@ static void warnAbout(const char *caller, const char *what, MeBool isNull) {
         MeWarning(1, "%s: the %s has been destroyed, or never was one", caller, what);
 }
 
+static atomic_int liveWorlds;
+
+void mdt_countWorlds(int change) {
+    atomic_fetch_add(&liveWorlds, change);
+}
+
 #if KARMA_CHECK
-#include <stdatomic.h>
-
-static MdtWorldID liveWorlds;
-static atomic_flag listIsTaken = ATOMIC_FLAG_INIT;
-
-static void takeList(void) {
-    while (atomic_flag_test_and_set(&listIsTaken)) {
-    }
-}
-
-static void releaseList(void) {
-    atomic_flag_clear(&listIsTaken);
-}
-
-void mdt_registerWorld(MdtWorldID w) {
-    takeList();
-    w->nextLive = liveWorlds;
-    liveWorlds = w;
-    releaseList();
-}
-
-void mdt_forgetWorld(MdtWorldID w) {
-    takeList();
-    for (MdtWorldID *at = &liveWorlds; *at; at = &(*at)->nextLive) {
-        if (*at == w) {
-            *at = w->nextLive;
-            break;
-        }
-    }
-    releaseList();
-}
-
-/* Whether the pointer is a live world, or a record of the kind in one. */
-static MeBool isKnown(const void *p, unsigned int magic) {
-    MeBool found = MEFALSE;
-    takeList();
-    for (MdtWorldID w = liveWorlds; w && !found; w = w->nextLive) {
-        if (magic == MDT_WORLD)
-            found = w == p;
-        else
-            found = mdt_poolOwns(magic == MDT_BODY ? &w->bodyPool : &w->constraintPool, p);
-    }
-    releaseList();
-    return found;
-}
+#define IS_KNOWN(p, magic) MeHandleIsLive((p), (magic))
 #else
-void mdt_registerWorld(MdtWorldID w) {
-    (void)w;
-}
-
-void mdt_forgetWorld(MdtWorldID w) {
-    (void)w;
-}
-
-static MeBool isKnown(const void *p, unsigned int magic) {
-    (void)p, (void)magic;
-    return METRUE;
-}
+#define IS_KNOWN(p, magic) METRUE
 #endif
 
+MeBool MEAPI MdtBodyIsValid(const MdtBodyID b) {
+    return b && MeHandleIsLive(b, MDT_BODY) && b->record.magic == MDT_BODY;
+}
+
+MeBool MEAPI MdtConstraintIsValid(const MdtConstraintID c) {
+    return c && MeHandleIsLive(c, MDT_CONSTRAINT) && c->record.magic == MDT_CONSTRAINT;
+}
+
+MeBool mdt_mayDestroyBody(const MdtBody *b, const char *caller) {
+    if (MdtBodyIsValid((MdtBodyID)b))
+        return METRUE;
+    if (!b || atomic_load(&liveWorlds))
+        warnAbout(caller, "body", b == NULL);
+    return MEFALSE;
+}
+
 MeBool mdt_isWorld(const MdtWorld *w, const char *caller) {
-    if (w && isKnown(w, MDT_WORLD) && w->magic == MDT_WORLD)
+    if (w && IS_KNOWN(w, MDT_WORLD) && w->magic == MDT_WORLD)
         return METRUE;
     warnAbout(caller, "world", w == NULL);
     return MEFALSE;
 }
 
 MeBool mdt_isBody(const MdtBody *b, const char *caller) {
-    if (b && isKnown(b, MDT_BODY) && b->record.magic == MDT_BODY)
+    if (b && IS_KNOWN(b, MDT_BODY) && b->record.magic == MDT_BODY)
         return METRUE;
     warnAbout(caller, "body", b == NULL);
     return MEFALSE;
 }
 
 MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller) {
-    if (c && isKnown(c, MDT_CONSTRAINT) && c->record.magic == MDT_CONSTRAINT)
+    if (c && IS_KNOWN(c, MDT_CONSTRAINT) && c->record.magic == MDT_CONSTRAINT)
         return METRUE;
     warnAbout(caller, "constraint", c == NULL);
     return MEFALSE;
+}
+
+MeBool mdt_attachmentsAreLinked(const MdtBody *b) {
+    const MdtAttachment *previous = NULL;
+    for (const MdtAttachment *at = b->attachments; at; previous = at, at = at->next)
+        if (at->body != b || at->previous != previous || at->constraint->record.magic != MDT_CONSTRAINT)
+            return MEFALSE;
+    return METRUE;
+}
+
+MeBool mdt_groupIsLinked(const MdtBaseConstraint *group) {
+    const MdtBaseConstraint *previous = NULL;
+    int count = 0;
+    for (const MdtBaseConstraint *c = group->firstContact; c; previous = c, c = c->nextInGroup, count++)
+        if (c->group != group || c->previousInGroup != previous || c->side[0].body != group->side[0].body ||
+            c->side[1].body != group->side[1].body)
+            return MEFALSE;
+    return previous == group->lastContact && count == group->numContacts;
 }
 
 MeBool mdt_isFinite(const char *caller, const char *what, MeReal x) {

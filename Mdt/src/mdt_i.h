@@ -1,6 +1,6 @@
 /* Inside Mdt: what worlds, bodies and constraints are made of, and what the files of this library share.
  *
- * Ownership: a world owns two pools of records, bodies and constraints, allocated once. Live records are linked into
+ * Ownership: a world owns two pools of records, bodies and constraints, which never move. Live records are linked into
  * the world's lists in the order of simulation: sort key, then creation. A constraint is also linked into the lists of
  * its bodies. The state of a body that counts is the double one in `kea`; what programs point at is refreshed from it.
  */
@@ -11,7 +11,7 @@
 #include "MdtBcl.h"
 #include "MdtKeaMath.h"
 #include "MeChunk.h"
-#include "MeMemory.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
 
 /* ---- records and pools --------------------------------------------------------------------------------------- */
@@ -20,23 +20,28 @@
 typedef struct MdtRecord {
     unsigned int magic;     /* MDT_BODY or MDT_CONSTRAINT; anything else: not in use */
     struct MdtRecord *free; /* next in the pool's free list */
+    MeHandle handle;        /* in the check build */
 } MdtRecord;
 
 enum { MDT_WORLD = 0x4b57524c, MDT_BODY = 0x4b424459, MDT_CONSTRAINT = 0x4b435354 };
 
-/* Records of one size. Freed ones are reused last, so that a stale handle is noticed for as long as possible. */
+/* Records of one size, in one block, or, where there is no limit to them, in blocks of which each is as large as all before
+ * it together. Freed ones are reused last, so that a stale handle is noticed for as long as possible. */
 typedef struct MdtPool {
-    char *memory;
+    void *blocks; /* each begins with a pointer to the one before it */
     size_t recordSize;
-    int count, used;
+    MeLimit limit;
+    const char *what; /* "bodies" */
+    int room, used;   /* records in all blocks */
     MdtRecord *firstFree, *lastFree;
 } MdtPool;
 
-MeBool mdt_poolInit(MdtPool *pool, int count, size_t recordSize);
+/* Before the first record; recordSize, what and limit are set. Takes all memory that there will be, if there is a limit. */
+MeBool mdt_poolInit(MdtPool *pool, const char *caller);
 void mdt_poolTerm(MdtPool *pool);
-void *mdt_poolGet(MdtPool *pool, unsigned int magic); /* zeroed but for its head; null when the pool is empty */
+/* Zeroed but for its head; null, with a message that names the caller, when there is no room. */
+void *mdt_poolGet(MdtPool *pool, unsigned int magic, const char *caller);
 void mdt_poolPut(MdtPool *pool, void *record);
-MeBool mdt_poolOwns(const MdtPool *pool, const void *record);
 
 /* ---- the list of a world's bodies, or constraints ------------------------------------------------------------ */
 
@@ -65,6 +70,7 @@ typedef struct MdtAttachment MdtAttachment;
 enum {
     MDT_ENABLED = 1, /* takes part in the simulation */
     MDT_ASLEEP = 2,  /* was disabled by the world, not by the program */
+    MDT_FAR = 4,     /* has come to the bound of positions, and said so */
 };
 
 struct MdtBody {
@@ -102,15 +108,18 @@ struct MdtBody {
     MeBool setIsAwake;         /* of a set's root: some body of it is enabled */
 };
 
-void mdt_bodyShow(MdtBodyID b);             /* refreshes what programs see from what counts */
+void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from what counts */
+/* How far the body's point at a world position that was found by its shown transform is from there, m. */
+void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]);
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
+void mdt_bodyKeepWithinReach(MdtBodyID b);  /* stops a body that has come to the bound of positions */
 void mdt_bodyWakeIfAsleep(MdtBodyID b);
 void mdt_bodySleep(MdtBodyID b);
 void mdt_bodyNoteSlow(MdtBodyID b, double h); /* after a step of h seconds */
-MeBool mdt_bodyIsPushedAwake(MdtBodyID b); /* asleep, and the waiting forces would move it */
-void mdt_bodyKeepForces(MdtBodyID b);      /* those that the step began with act in the rest of it, too */
-void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */
-void mdt_bodyTerm(MdtBodyID b);            /* lets go of constraints, returns the record */
+MeBool mdt_bodyIsPushedAwake(MdtBodyID b);    /* asleep, and the waiting forces would move it */
+void mdt_bodyKeepForces(MdtBodyID b);         /* those that the step began with act in the rest of it, too */
+void mdt_bodyPack(MdtBodyID b);               /* loads of this step into kea; empties the accumulators */
+void mdt_bodyTerm(MdtBodyID b);               /* lets go of constraints, returns the record */
 
 /* ---- constraints --------------------------------------------------------------------------------------------- */
 
@@ -149,6 +158,7 @@ struct MdtBaseConstraint {
     int numContacts, numKept; /* kept: not dropped in this step */
     MeBool isSwapped;
     void *generator;
+    void **holder;                  /* who keeps the group, and is told when it goes; null: nobody */
     MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
     double normalForce[3];          /* N, the sum over the contacts in the last step */
 };
@@ -174,6 +184,9 @@ void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side,
 /* A vector at right angles to p. */
 void mdt_chooseOrthogonal(const double p[3], double o[3]);
 void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1);
+/* Are the lists of a body's constraints, a group's contacts and a world's records linked both ways, with right counts? */
+MeBool mdt_attachmentsAreLinked(const MdtBody *b);
+MeBool mdt_groupIsLinked(const MdtBaseConstraint *group);
 void mdt_constraintDetach(MdtConstraintID c, int side);
 /* Where both sides are now: a body's centre of mass, or the world. */
 void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]);
@@ -187,6 +200,7 @@ void mdt_constraintFree(MdtConstraintID c); /* memory that it has outside of its
 /* Contact groups: lets go of a contact's group; destroys a group's contacts; attaches them as the group is attached. */
 void mdt_groupForget(MdtConstraintID contact);
 void mdt_groupDestroyContacts(MdtConstraintID group);
+void mdt_groupTerm(MdtConstraintID group); /* destroys its contacts, and tells its holder */
 void mdt_groupAttachContacts(MdtConstraintID group);
 
 /* Leaves out rows of contacts until the constraints have at most `most`, in the documented order (mdt_cap.c). */
@@ -211,6 +225,9 @@ int mdt_capRows(MdtWorldID w, MdtConstraintID constraints[], int count, int rows
         return mdt_constraintCast(c, TYPE, __func__);                                                                  \
     }
 
+/* Warns, once a world, of a contact whose friction cannot act, or has no bound, and was not asked for like that. */
+void mdt_checkSurface(MdtConstraintID contact);
+
 /* Resets a limit and copies the public properties of another, which may be itself. */
 void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
 
@@ -224,11 +241,12 @@ struct MdtWorld {
     MdtPartitionParams rest;
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
+    MeReal workBudget; /* millions of multiplications of a partition's step; 0: no bound */
     int subSteps;
     int timedBodies;                          /* most bodies of a partition whose contacts are met in time */
     int maxMatrixSize;                        /* rows of a partition */
     MdtContactImportanceCBPtr importance;     /* null: depth */
-    MdtConstraintID *ranking;                 /* room for all contacts, to rank them */
+    MdtConstraintID *ranking;                 /* constraintRoom, to rank contacts */
     int *sizeLog, sizeLogLength;              /* the program's, null: none */
     MdtBodyHandler bodyEnabled, bodyDisabled; /* null: none */
     MdtPartitionEndCB partitionCb;            /* null: the world puts partitions to rest by itself */
@@ -239,14 +257,17 @@ struct MdtWorld {
     unsigned long nextSerial;
     int enabledBodies, enabledConstraints;
     int breakable;           /* constraints with a limit */
-    MdtConstraintID *broken; /* in the last step; room for all constraints */
+    MdtConstraintID *broken; /* in the last step; constraintRoom */
     int numBroken;
     MdtBreakCBPtr breakCb; /* null: none */
     double lastStep;       /* s, 0 before the first */
+    int surfaceWarnings;   /* MdtContactParams.c: which were given */
     int degenerate;        /* how often a joint came to stand where its rows lose their meaning */
     MeChunk scratch;
     MdtKeaCache *keaCache;
 
+    /* Arrays of a step have room for so many; they are made larger before a step only (mdt_worldReserve). */
+    int bodyRoom, constraintRoom;
     /* this step's partitions: partition p has the bodies bodyOf[bodyStart[p] .. bodyStart[p+1]) and so on */
     int numPartitions;
     MdtBodyID *bodyOf;
@@ -254,21 +275,30 @@ struct MdtWorld {
     MdtKeaBody **keaOf; /* parallel to bodyOf */
     int *bodyStart, *constraintStart;
 
+    MdtDebugDrawOptions debugDraw; /* 0: nothing */
+
     MeBool isReported;
     MdtReport *reports;    /* by partition of the last step; null until the report is enabled for the first time */
+    int reportRoom;
     int numReports;        /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
     MeU64 lap;             /* ticks, when the stage began that is being timed */
     MeBool isTimedByStage; /* of the partition that is being stepped */
     int firstUntimed;      /* partitions from this one on have no time yet */
     double stageShare[MdtReportStages]; /* how a small partition's time divides, as last seen; 0: none was */
 
-    struct MdtWorld *nextLive; /* in the check build's list of worlds */
+    MeHandle handle;
 };
+
+/* Room for so many bodies and constraints in the arrays of a step. False: no memory. */
+MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller);
 
 /* Finds the partitions of this step, waking what is tied to something awake (mdt_partition.c). */
 void mdt_partitionsUpdate(MdtWorldID w);
 /* What programs see of one; it is not disabled. */
 MdtPartitionInfo mdt_partitionInfo(MdtWorldID w, int p);
+
+/* Draws what the program has asked for (mdt_debug.c). */
+void mdt_debugDraw(MdtWorldID w);
 
 /* ---- joints that break (mdt_break.c) ---- */
 
@@ -318,9 +348,10 @@ MeBool mdt_isResult(const char *caller, MeReal *result, int n);
 void mdt_setAtLeast0(const char *caller, const char *what, MeReal *place, MeReal x);
 /* Stores an angle, clamped to 0..pi; a warning for one that is not finite. */
 void mdt_setAngle(const char *caller, const char *what, MeReal *place, MeReal x);
-/* The check build's list of live worlds. */
-void mdt_registerWorld(MdtWorldID w);
-void mdt_forgetWorld(MdtWorldID w);
+/* Warns of one that has gone while any world lives, and of null. */
+MeBool mdt_mayDestroyBody(const MdtBody *b, const char *caller);
+/* How many worlds live: one more, or one less. */
+void mdt_countWorlds(int change);
 
 #define MDT_NEED_WORLD(w, otherwise)                                                                                   \
     do {                                                                                                               \

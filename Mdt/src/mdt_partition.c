@@ -4,7 +4,9 @@
  * Partitions are numbered by their first body, and their bodies and constraints keep the world's order, so that the
  * same scene is solved in the same order every time.
  */
+#include "MeAssert.h"
 #include "mdt_i.h"
+#include "MeAssert.h"
 #include "MeDict.h"
 
 static MdtBodyID rootOf(MdtBodyID b) {
@@ -90,6 +92,7 @@ static void sortIntoPartitions(MdtWorldID w) {
         if (b->partition < 0)
             continue;
         const int at = w->bodyStart[b->partition]++;
+        MEASSERT(at < w->bodyStart[b->partition + 1] || b->partition + 1 == w->numPartitions);
         w->bodyOf[at] = b;
         w->keaOf[at] = &b->kea;
     }
@@ -107,9 +110,36 @@ static void sortIntoPartitions(MdtWorldID w) {
         w->constraintStart[p] = w->constraintStart[p - 1];
     }
     w->bodyStart[0] = w->constraintStart[0] = 0;
+    MEASSERT(w->bodyStart[w->numPartitions] <= w->bodies.count);
+    MEASSERT(w->constraintStart[w->numPartitions] <= w->constraints.count);
+}
+
+/* There are none, and nothing moves. */
+static void dropPartitions(MdtWorldID w) {
+    w->numPartitions = 0;
+    for (MdtLink *link = w->bodies.first; link; link = link->next)
+        ((MdtBodyID)link->owner)->partition = -1;
+}
+
+/* Has every partition its own bodies, and only constraints that act on one of them? */
+static MeBool areSeparate(const MdtWorld *w) {
+    for (int p = 0; p < w->numPartitions; p++) {
+        for (int i = w->bodyStart[p]; i < w->bodyStart[p + 1]; i++)
+            if (w->bodyOf[i]->partition != p)
+                return MEFALSE;
+        for (int i = w->constraintStart[p]; i < w->constraintStart[p + 1]; i++)
+            for (int k = 0; k < 2; k++)
+                if (w->constraintOf[i]->side[k].body && w->constraintOf[i]->side[k].body->partition != p)
+                    return MEFALSE;
+    }
+    return METRUE;
 }
 
 void mdt_partitionsUpdate(MdtWorldID w) {
+    if (!mdt_worldReserve(w, w->bodies.count, w->constraints.count, "MdtWorldStep")) {
+        dropPartitions(w);
+        return;
+    }
     mdt_listSort(&w->bodies);
     mdt_listSort(&w->constraints);
     startSets(w);
@@ -117,6 +147,9 @@ void mdt_partitionsUpdate(MdtWorldID w) {
     numberPartitions(w);
     countConstraints(w);
     sortIntoPartitions(w);
+    MEASSERT(w->bodyStart[w->numPartitions] <= w->bodies.count);
+    MEASSERT(w->constraintStart[w->numPartitions] <= w->constraints.count);
+    MEVALIDATE(areSeparate(w));
 }
 
 MdtPartitionInfo mdt_partitionInfo(MdtWorldID w, int p) {

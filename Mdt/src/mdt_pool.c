@@ -1,63 +1,99 @@
 /* Pools of records, and the sorted lists of what is in use. */
+#include "MeAssert.h"
 #include "mdt_i.h"
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
-MeBool mdt_poolInit(MdtPool *pool, int count, size_t recordSize) {
-    memset(pool, 0, sizeof *pool);
-    pool->recordSize = (recordSize + 15) & ~(size_t)15;
-    pool->count = count;
-    if (count == 0)
-        return METRUE;
-    pool->memory = MeMemoryAPI.createAligned((size_t)count * pool->recordSize, 16);
-    if (!pool->memory)
+enum { ALIGNMENT = 16, FIRST_BLOCK = 64 };
+
+static size_t roundUp(size_t size) {
+    return (size + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);
+}
+
+static void append(MdtPool *pool, MdtRecord *record) {
+    if (pool->lastFree)
+        pool->lastFree->free = record;
+    else
+        pool->firstFree = record;
+    pool->lastFree = record;
+}
+
+static MeBool addBlock(MdtPool *pool, int count, const char *caller) {
+    const size_t head = roundUp(sizeof(void *)), wanted = (size_t)count;
+    const size_t bytes = wanted <= (SIZE_MAX - head) / pool->recordSize ? head + wanted * pool->recordSize : SIZE_MAX;
+    char *block = MeMemoryTakeAligned(bytes, 1, ALIGNMENT, caller, pool->what);
+    if (!block)
         return MEFALSE;
-    memset(pool->memory, 0, (size_t)count * pool->recordSize);
+    memcpy(block, &pool->blocks, sizeof pool->blocks);
+    pool->blocks = block;
     for (int i = 0; i < count; i++)
-        mdt_poolPut(pool, pool->memory + (size_t)i * pool->recordSize);
-    pool->used = 0;
+        append(pool, (MdtRecord *)(void *)(block + head + (size_t)i * pool->recordSize));
+    pool->room += count;
     return METRUE;
 }
 
+MeBool mdt_poolInit(MdtPool *pool, const char *caller) {
+    pool->recordSize = roundUp(pool->recordSize);
+    return pool->limit.most == 0 || pool->limit.most == MeNoLimit || addBlock(pool, pool->limit.most, caller);
+}
+
 void mdt_poolTerm(MdtPool *pool) {
-    if (pool->memory)
-        MeMemoryAPI.destroyAligned(pool->memory);
+    while (pool->blocks) {
+        void *block = pool->blocks;
+        memcpy(&pool->blocks, block, sizeof pool->blocks);
+        MeMemoryGiveAligned(block);
+    }
     memset(pool, 0, sizeof *pool);
 }
 
-void *mdt_poolGet(MdtPool *pool, unsigned int magic) {
-    MdtRecord *record = pool->firstFree;
-    if (!record)
+static MeBool makeRoom(MdtPool *pool, const char *caller) {
+    char what[40];
+    MEASSERT(pool->used == pool->room);
+    if (pool->limit.most == MeNoLimit)
+        return addBlock(pool, pool->room > 0 ? pool->room : FIRST_BLOCK, caller);
+    snprintf(what, sizeof what, "more %s", pool->what);
+    MeLimitWarn(&pool->limit, caller, what);
+    return MEFALSE;
+}
+
+void *mdt_poolGet(MdtPool *pool, unsigned int magic, const char *caller) {
+    if (!pool->firstFree && !makeRoom(pool, caller))
         return NULL;
+    MdtRecord *record = pool->firstFree;
+    MEASSERT(record->magic == 0 && pool->used < pool->room);
     pool->firstFree = record->free;
     if (!pool->firstFree)
         pool->lastFree = NULL;
     memset(record, 0, pool->recordSize);
     record->magic = magic;
+    MeHandleEnter(&record->handle, record, magic);
     pool->used++;
     return record;
 }
 
 void mdt_poolPut(MdtPool *pool, void *freed) {
     MdtRecord *record = freed;
+    MEASSERT(record->magic != 0 && pool->used > 0);
+    MeHandleLeave(&record->handle);
     record->magic = 0;
     record->free = NULL;
-    if (pool->lastFree)
-        pool->lastFree->free = record;
-    else
-        pool->firstFree = record;
-    pool->lastFree = record;
+    append(pool, record);
     pool->used--;
-}
-
-MeBool mdt_poolOwns(const MdtPool *pool, const void *record) {
-    const uintptr_t at = (uintptr_t)record, start = (uintptr_t)pool->memory;
-    const size_t size = (size_t)pool->count * pool->recordSize;
-    return pool->memory && at >= start && at - start < size && (at - start) % pool->recordSize == 0;
 }
 
 static MeBool isBefore(const MdtLink *a, const MdtLink *b) {
     return a->sortKey != b->sortKey ? a->sortKey < b->sortKey : a->serial < b->serial;
+}
+
+/* Every link's neighbours know it; the count is right; so is the order, if it is said to be. */
+static MeBool isConsistent(const MdtList *list) {
+    int count = 0;
+    const MdtLink *previous = NULL;
+    for (const MdtLink *link = list->first; link; previous = link, link = link->next, count++)
+        if (link->previous != previous || (previous && list->isSorted && !isBefore(previous, link)))
+            return MEFALSE;
+    return list->last == previous && list->count == count;
 }
 
 void mdt_listAppend(MdtList *list, MdtLink *link, void *owner, unsigned long serial) {
@@ -74,9 +110,12 @@ void mdt_listAppend(MdtList *list, MdtLink *link, void *owner, unsigned long ser
     }
     list->last = link;
     list->count++;
+    MEASSERT(list->first && !list->last->next);
 }
 
 void mdt_listRemove(MdtList *list, MdtLink *link) {
+    MEASSERT(list->count > 0 && (link->previous ? link->previous->next : list->first) == link);
+    MEASSERT((link->next ? link->next->previous : list->last) == link);
     if (link->previous)
         link->previous->next = link->next;
     else
@@ -130,6 +169,7 @@ static int mergeRuns(MdtLink **first, int length) {
 }
 
 void mdt_listSort(MdtList *list) {
+    MEVALIDATE(isConsistent(list));
     if (list->isSorted)
         return;
     for (int length = 1; mergeRuns(&list->first, length) > 1; length *= 2) {
@@ -141,4 +181,5 @@ void mdt_listSort(MdtList *list) {
     }
     list->last = previous;
     list->isSorted = METRUE;
+    MEVALIDATE(isConsistent(list));
 }

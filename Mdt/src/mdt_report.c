@@ -5,6 +5,8 @@
  * the others together.
  */
 #include "mdt_i.h"
+#include "MeAssert.h"
+#include "MeMath.h"
 #include "MeProfile.h"
 #include <string.h>
 
@@ -12,17 +14,22 @@ enum { SMALL = 16, GROUP = 16 }; /* bodies and constraints; partitions */
 
 /* ---- on and off ---- */
 
+/* One for each partition. */
+static MeBool reserveReports(MdtWorldID w, int count, const char *caller) {
+    if (count <= w->reportRoom)
+        return METRUE;
+    if (!MeMemoryGrow(&w->reports, 0, (size_t)count, sizeof *w->reports, caller, "reports of partitions"))
+        return MEFALSE;
+    w->reportRoom = count;
+    return METRUE;
+}
+
 void MEAPI MdtWorldEnableReport(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
     if (w->isReported)
         return;
-    const size_t count = w->bodyPool.count > 0 ? (size_t)w->bodyPool.count : 1;
-    if (!w->reports)
-        w->reports = MeMemoryAPI.create(count * sizeof *w->reports);
-    if (!w->reports) {
-        MeFatalError(0, "MdtWorldEnableReport: no memory for the reports of %u partitions", (unsigned int)count);
+    if (!reserveReports(w, MeMAX(w->bodyRoom, 1), __func__))
         return;
-    }
     w->isReported = METRUE;
     w->numReports = MDT_NO_REPORTS;
 }
@@ -48,6 +55,10 @@ static MeU64 ticksNow(void) {
 }
 
 void mdt_reportStep(MdtWorldID w) {
+    if (!reserveReports(w, w->bodyRoom, "MdtWorldStep")) {
+        w->numReports = MDT_NO_REPORTS;
+        return;
+    }
     w->numReports = w->numPartitions;
     memset(w->reports, 0, (size_t)w->numReports * sizeof *w->reports);
     w->firstUntimed = 0;
@@ -96,6 +107,7 @@ static void shareTime(MdtWorldID w, int end) {
 }
 
 MdtReport *mdt_reportOf(MdtWorldID w, int partition) {
+    MEASSERT(partition >= 0 && partition < w->numPartitions);
     if (partition >= w->numReports)
         return NULL;
     w->isTimedByStage = isTimedByStage(w, partition);
@@ -109,6 +121,7 @@ static void keepShares(MdtWorldID w, const MdtReport *r) {
     double sum = 0;
     for (int i = 0; i < MdtReportStages; i++)
         sum += (double)r->time[i];
+    MEASSERT(sum >= 0);
     for (int i = 0; i < MdtReportStages && sum > 0; i++)
         w->stageShare[i] = (double)r->time[i] / sum;
 }
@@ -178,9 +191,13 @@ static void measureJoint(MdtReport *r, MdtConstraintID c, const MdtKeaSystem *ke
 }
 
 void mdt_reportPart(MdtReport *r, const MdtKeaSystem *kea, MdtConstraintID constraints[], int count, MeBool isFinite) {
+    MEASSERT(kea->report.capped || !kea->report.limited);
     r->parts++;
     r->fallbacks += kea->report.capped || !isFinite;
     r->conflicts += kea->report.conflicting;
+    r->limited += kea->report.limited;
+    if (kea->report.limited)
+        keepWay(r, MdtReportWayLimited);
     keepMost(&r->residualVelocity, kea->report.residual);
     keepMost(&r->residualForce, kea->report.force);
     keepMost(&r->jointError, kea->report.error);
@@ -239,6 +256,8 @@ static void addCounts(MdtReport *sum, const MdtReport *r) {
     sum->freezes += r->freezes;
     sum->fallbacks += r->fallbacks;
     sum->conflicts += r->conflicts;
+    sum->limited += r->limited;
+    sum->work += r->work;
 }
 
 static void keepErrors(MdtReport *most, const MdtReport *r) {

@@ -7,6 +7,7 @@
 #include "mdt_i.h"
 #include "MeAssert.h"
 #include "MeProfile.h"
+#include <float.h>
 #include <limits.h>
 #include <string.h>
 
@@ -16,9 +17,12 @@ typedef struct Partition {
     int number, numBodies, numConstraints;
     MdtBodyID *bodies;
     MdtConstraintID *constraints;
-    double h;                          /* s, the whole step */
+    double h;                          /* s, by which it is moved on */
+    double whole;                      /* s, the step that the program asked for, of which h may be a part */
     MdtBclSolverParameters parameters; /* of the part of it that is being taken */
     double elapsed;                    /* s, before that part */
+    double work;                       /* multiplications that it may still cost; NO_BOUND: any number */
+    int iterations;                    /* of Newton's method, the same; 0: any number */
     MeBool isDegenerate;               /* some joint was in this step */
     MdtKeaSystem kea;
     MdtReport *report; /* null: it is off */
@@ -31,10 +35,11 @@ typedef struct Start {
 } Start;
 
 enum { MAX_HALVINGS = 6 };
+#define NO_BOUND DBL_MAX
 
 static Partition partitionNumber(MdtWorldID w, int number, double h) {
     const int bodies = w->bodyStart[number], constraints = w->constraintStart[number];
-    Partition p = {.world = w, .number = number, .h = h};
+    Partition p = {.world = w, .number = number, .h = h, .whole = w->lastStep};
     p.numBodies = w->bodyStart[number + 1] - bodies;
     p.numConstraints = w->constraintStart[number + 1] - constraints;
     p.bodies = w->bodyOf + bodies;
@@ -76,21 +81,25 @@ static void addGravity(MdtWorldID w, MdtBodyID b) {
         b->kea.force[i] += b->mass * (double)w->params.gravity[i];
 }
 
-/* A part of h / n takes the n-th part of a step's relaxation, and a load sags as it would in a whole one:
- *     1 - γ = (1 - γ')^n,   ε' F (h/n)² / γ' = ε F h² / γ. */
+/* A part of H / n takes the n-th part of a step's relaxation, and a load sags as it would in a whole one:
+ *     1 - γ = (1 - γ')^n,   ε' F (H/n)² / γ' = ε F H² / γ.
+ * H is the step that the program asked for: a partition that its safe time moves on by less takes that share of an error away,
+ * however short it is, at the same speed γ φ / H. */
 static void setPart(Partition *p, double part) {
-    const double n = p->h / part, gamma = p->world->gamma;
+    MEASSERT(part > 0 && part <= p->h * (1 + 1e-9) && p->h <= p->whole * (1 + 1e-9));
+    const double n = p->whole / part, gamma = p->world->gamma;
     p->parameters.stepsize = part;
     p->parameters.gamma = n > 1 ? 1 - pow(1 - gamma, 1 / n) : gamma;
     p->parameters.softening = gamma > 0 ? n * n * p->parameters.gamma / gamma : n;
     p->parameters.epsilon = p->parameters.softening * (double)p->world->epsilon;
     p->kea.parameters.stepsize = part;
     p->kea.parameters.gamma = p->parameters.gamma;
-    p->kea.parameters.maxIterations = p->world->maxLcpIterations;
+    p->kea.parameters.isPart = p->h < p->whole;
 }
 
 static void packBodies(Partition *p) {
     for (int i = 0; i < p->numBodies; i++) {
+        MEASSERT(p->bodies[i]->partition == p->number && (p->bodies[i]->flags & MDT_ENABLED));
         p->bodies[i]->index = i;
         mdt_bodyPack(p->bodies[i]);
         addGravity(p->world, p->bodies[i]);
@@ -149,6 +158,7 @@ static int countRows(Partition *p) {
         c->numRows = c->type->prepare(&c->bcl, &x);
         MEASSERT(c->numRows >= 0 && c->numRows <= c->type->maxRows);
         noteDegenerate(p, c);
+        mdt_checkSurface(c);
         rows += c->numRows;
     }
     return rows;
@@ -308,6 +318,7 @@ static void unpackBodies(Partition *p, const Start start[]) {
         b->enabledTime += p->h;
         b->enabledSteps++;
         mdt_bodyNoteSlow(b, p->h);
+        mdt_bodyKeepWithinReach(b);
         mdt_bodyShow(b);
     }
 }
@@ -332,8 +343,11 @@ static void warnOfSolver(const Partition *p) {
         MeWarning(
             2,
             "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
-            "inexact; raise MdtWorldSetMaxLCPIterations or epsilon",
+            "inexact; raise MdtWorldSetMaxLCPIterations or epsilon, or take shorter steps",
             p->number, p->kea.numRows);
+    else if (p->kea.report.limited)
+        MeDebug(2, "MdtWorldStep: partition %d (%d rows) has used up its work (MdtWorldSetWorkBudget)", p->number,
+                p->kea.numRows);
     else if (p->kea.report.capped)
         MeDebug(2, "MdtWorldStep: partition %d (%d rows): the friction of redundant contacts did not settle", p->number,
                 p->kea.numRows);
@@ -402,11 +416,55 @@ static void *takeScratch(Partition *p, Start **start) {
     return scratch;
 }
 
+/* ---- what a step may cost ----
+ *
+ * A partition's step has one budget of work (MdtWorldSetWorkBudget) and of iterations (MdtWorldSetMaxLCPIterations). Every
+ * solve draws from it: of whole steps, sub-steps, halves, events and impacts, those that are thrown away included. When it
+ * is used up, Kea answers by sweeps, and the step is divided no further. */
+
+/* A part by safe time gets its share of the budget; the bridge may take 16 of them (mst_continuous.c). */
+static void beginBudget(Partition *p) {
+    const double budget = (double)p->world->workBudget, least = 1. / 16;
+    p->work = budget > 0 ? 1e6 * budget * fmax(p->h / p->whole, least) : NO_BOUND;
+    p->iterations = p->world->maxLcpIterations;
+}
+
+/* What is left is kept for later but for this share; the caller gives it back. */
+static double keepWork(Partition *p, double share) {
+    const double kept = p->work < NO_BOUND ? (1 - share) * p->work : 0;
+    p->work -= kept;
+    return kept;
+}
+
+/* The least of either is not none, which would mean any number. */
+static void setMeans(Partition *p) {
+    p->kea.parameters.maxWork = p->work < NO_BOUND ? fmax(p->work, 1) : 0;
+    p->kea.parameters.maxIterations = p->world->maxLcpIterations == 0 ? 0 : p->iterations > 1 ? p->iterations : 1;
+}
+
+static void drawMeans(Partition *p) {
+    const MdtKeaReport *cost = &p->kea.report;
+    MEASSERT(cost->work >= 0 && cost->iterations >= 0);
+    p->work = p->work < NO_BOUND ? fmax(p->work - cost->work, 0) : NO_BOUND;
+    MEASSERT(p->work >= 0 && p->work <= NO_BOUND);
+    p->iterations -= p->iterations < cost->iterations ? p->iterations : cost->iterations;
+    if (p->report)
+        p->report->work += (MeReal)(1e-6 * cost->work);
+}
+
+/* Whether both halves of the part would have enough for some passes. */
+static MeBool mayDivide(const Partition *p, int halvings) {
+    enum { PASSES = 8 };
+    return halvings < MAX_HALVINGS && p->work > 2 * PASSES * p->kea.report.least;
+}
+
 /* Impacts at the start of a part: their impulses count as forces of the whole step. */
 static void meet(Partition *p, void *scratch) {
     if (!MdtKeaMeets(&p->kea))
         return;
+    setMeans(p);
     MdtKeaImpact(&p->kea);
+    drawMeans(p);
     if (p->report)
         mdt_reportImpact(p->report);
     for (int i = 0; i < p->numConstraints; i++) {
@@ -433,7 +491,9 @@ static void solvePart(Partition *p, void *scratch, double part) {
     if (p->report && p->kea.numRows > 0)
         mdt_reportLap(p->world, p->report, MdtReportStageRows);
     MeProfileStartSection("Solve", 0);
+    setMeans(p);
     MdtKeaSolve(&p->kea);
+    drawMeans(p);
     MeProfileEndSection("Solve");
     if (p->report)
         mdt_reportSolve(p->world, p->report, &p->kea);
@@ -450,6 +510,7 @@ static MeBool integratePart(Partition *p) {
         stopBodies(p);
     warnOfSolver(p);
     p->elapsed += p->parameters.stepsize;
+    MEASSERT(p->elapsed <= p->h * (1 + 1e-6));
     MeProfileEndSection("Integrate");
     return isFinite;
 }
@@ -458,22 +519,26 @@ static MeBool integratePart(Partition *p) {
 static MeBool takePart(Partition *p, void *scratch, double part, int halvings) {
     p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
     solvePart(p, scratch, part);
-    if (p->kea.report.violent && halvings < MAX_HALVINGS) {
-        if (p->report)
-            mdt_reportDivision(p->report);
-        return takePart(p, scratch, 0.5 * part, halvings + 1) && takePart(p, scratch, 0.5 * part, halvings + 1);
-    }
-    return integratePart(p);
+    if (!p->kea.report.violent)
+        return integratePart(p);
+    if (!mayDivide(p, halvings))
+        return p->kea.report.refused ? takePart(p, scratch, part, MAX_HALVINGS) : integratePart(p);
+    if (p->report)
+        mdt_reportDivision(p->report);
+    const double kept = keepWork(p, 0.5);
+    const MeBool isTaken = takePart(p, scratch, 0.5 * part, halvings + 1);
+    p->work += kept;
+    return isTaken && takePart(p, scratch, 0.5 * part, halvings + 1);
 }
 
 /* Was the part solved, or so nearly that what is wrong with velocities takes nothing farther than 1e-7 of a step's fall, as
- * in parts that are short against rounding? The program's own cap on the iterations is its own affair. */
+ * in parts that are short against rounding? */
 static MeBool isFollowed(const Partition *p) {
     const MeReal *g = p->world->params.gravity;
     const double fall = sqrt((double)(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])) * p->h * p->h;
     const double way = p->kea.report.residual * p->parameters.stepsize;
     const MeBool isNear = !p->kea.report.violent && way < 1e-7 * fall; /* violent: the motion itself was not found */
-    return !p->kea.report.capped || p->kea.parameters.maxIterations > 0 || isNear;
+    return !p->kea.report.capped || (isNear && !p->kea.report.limited);
 }
 
 /* Up to the next event, at most for `rest`. False where that could not be followed. */
@@ -530,9 +595,12 @@ static MeBool isTimed(const Partition *p) {
 static MeBool takeSubSteps(Partition *p, void *scratch) {
     const int n = p->world->subSteps;
     const MeBool timed = isTimed(p);
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < n; i++) {
+        const double kept = keepWork(p, 1. / (n - i));
         if (!(timed ? takeInTime(p, scratch, p->h / n) : takePart(p, scratch, p->h / n, 0)))
             return MEFALSE;
+        p->work += kept;
+    }
     return METRUE;
 }
 
@@ -549,6 +617,7 @@ static void stepPartition(Partition *p) {
     packBodies(p);
     rememberStart(p, start);
     beginConstraints(p);
+    beginBudget(p);
     if (takeSubSteps(p, scratch))
         unpackBodies(p, start);
     MeChunkPutMem(&p->world->scratch, scratch);
@@ -578,6 +647,7 @@ static MeBool isToRest(MdtWorldID w, const Partition *p) {
 
 /* The partition is moved on by p->h, of what it lacks. */
 static void setLag(const Partition *p, double lack) {
+    MEASSERT(lack >= p->h);
     for (int i = 0; i < p->numBodies; i++) {
         p->bodies[i]->lag = lack - p->h;
         p->bodies[i]->part = p->h;
@@ -617,6 +687,8 @@ static void stepWorld(MdtWorldID w, double h, MeBool safely) {
     MeProfileEndSection("Partition");
     stepPartitions(w, h, safely);
     MeProfileEndSection("Dynamics");
+    if (w->debugDraw)
+        mdt_debugDraw(w);
     mdt_breakEnd(w);
 }
 
@@ -643,14 +715,20 @@ static double lagOf(const Partition *p) {
     return least < INFINITY ? least : 0;
 }
 
+/* Is the part too short to be taken? A velocity that is found from positions has their rounding over the part: 2^-53 of 1 km in
+ * 2^-14 of 1/60 s is 1e-7 m/s. A body that passes its own size in a hundredth of the step moves by less than 1 % of it. */
+static MeBool isTooShort(const Partition *p) {
+    enum { PARTS = 1 << 14 };
+    return !(p->h * PARTS > p->whole);
+}
+
 static MeBool stepRest(MdtWorldID w, int number) {
-    enum { PARTS = 1000000000 }; /* a shorter part than one of these is none */
     Partition p = partitionNumber(w, number, 0);
     const double lag = lagOf(&p);
     p.h = lag;
     for (int i = 0; i < p.numBodies; i++)
         p.h = fmin(p.h, (double)p.bodies[i]->safeTime);
-    if (!(p.h * PARTS > lag))
+    if (isTooShort(&p))
         return MEFALSE;
     for (int i = 0; i < p.numBodies; i++)
         mdt_bodyKeepForces(p.bodies[i]);

@@ -52,7 +52,6 @@ typedef struct MdtBclContact {
     MdtBclContactParams params;
     /* Kept by the library. */
     double anchor[2][3]; /**< m, the surface points of the two bodies, or the centres of the spheres, in their frames */
-    double round[2];     /**< m, radius, as known in this step */
     double point[3];     /**< m, position, and */
     double depth;        /**< m, penetration: as set, then carried along with the bodies through a divided step */
     double normalForce;  /**< N, of the last step */

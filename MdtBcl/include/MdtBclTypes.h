@@ -89,6 +89,8 @@ typedef enum MdtBclContactOption {
     MdtBclContactOptionSlip2 = 32,             /**< slip2 */
     MdtBclContactOptionSlide1 = 64,            /**< slide1 */
     MdtBclContactOptionSlide2 = 128,           /**< slide2 */
+    MdtBclContactOptionTypeSet = 512,          /**< the type was chosen, not left at its default */
+    MdtBclContactOptionBoundSet = 1024,        /**< friction1 or friction2 was */
     MdtBclContactOptionUseWorldVelocity = 256, /**< the world's velocity at the contact was set */
 } MdtBclContactOption;
 
@@ -98,11 +100,17 @@ typedef struct MdtBclContactParams {
     MdtFrictionModel model1;     /**< along the primary direction */
     MdtFrictionModel model2;     /**< along the secondary direction */
     int options;                 /**< MdtBclContactOption, or-ed */
-    MeReal FrictionCoefficient;  /**< of the normal-force model, along the primary direction */
-    MeReal FrictionCoefficient2; /**< the same along the secondary direction */
+    union {
+        MeReal FrictionCoefficient; /**< of the normal-force model, along the primary direction */
+        MeReal frictioncoeff1;      /**< the same member under the name that 1.2 gave it */
+    };
+    union {
+        MeReal FrictionCoefficient2; /**< the same along the secondary direction */
+        MeReal frictioncoeff2;       /**< the same member under the name that 1.2 gave it */
+    };
     MeReal restitution;          /**< 0..1 */
     MeReal velThreshold;         /**< m/s, slower impacts do not bounce */
-    MeReal softness;             /**< 1/kg, added to the world's epsilon at this contact */
+    MeReal softness;             /**< 1/kg, added to the world's epsilon along this contact's normal */
     MeReal max_adhesive_force;   /**< N, how hard the contact may pull */
     MeReal friction1;            /**< N, bound of the box model, primary direction; MEINFINITY: none */
     MeReal friction2;            /**< N, the same along the secondary direction */

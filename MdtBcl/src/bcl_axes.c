@@ -2,6 +2,7 @@
 #include "bcl_i.h"
 
 void bcl_axes(double axes[3][3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose) {
+    MEVALIDATE(bcl_isFrame(&c->frame[k]));
     keaApply(axes[0], pose->R, c->frame[k].primary);
     keaApply(axes[1], pose->R, c->frame[k].ortho);
     keaCross(axes[2], axes[0], axes[1]);
@@ -29,6 +30,7 @@ void bcl_alignRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow 
         bcl_dotRow(x, axes[1 + i], a, &rows[i]);
         bcl_aimAtZero(&rows[i], x, keaDot(axes[1 + i], a));
     }
+    MEVALIDATE(bcl_areRows(rows, 2));
 }
 
 void bcl_alignErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[2]) {
@@ -64,6 +66,7 @@ MeBool bcl_isHalfATurn(const double turn[4]) {
 
 void bcl_rotationVector(const double turn[4], double rotation[3]) {
     const double sine = keaLength(turn + 1);
+    MEASSERT(turn[0] >= 0); /* the shorter way round */
     keaScale(rotation, sine > 0 ? 2 * atan2(sine, turn[0]) / sine : 2, turn + 1);
 }
 
@@ -110,6 +113,7 @@ void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const doubl
         keaScale(rows[i].J[1].ang, -1, rows[i].J[0].ang);
         bcl_aimAtZero(&rows[i], x, 2 * v[i]);
     }
+    MEVALIDATE(bcl_areRows(rows, 3));
 }
 
 void bcl_matchAxes(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {

@@ -81,16 +81,20 @@ static int choose(const MdtBclConstraint *c, const MdtBclContext *x, const Axes 
     return w->rolling.force > 0 ? rows | ROLL : rows;
 }
 
+static int countRows(const MdtBclCarWheel *w) {
+    int count = 3;
+    for (int row = STEER; row <= ROLL; row *= 2)
+        count += (w->rows & row) != 0;
+    return count;
+}
+
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     Axes a;
     axesOf(c, x->pose, &a);
     c->of.wheel.rows = choose(c, x, &a);
     c->of.wheel.startAngle = wheelAngle(&a);
     c->isDegenerate = keaDot(a.s, a.h) * keaDot(a.s, a.h) > 0.99;
-    int count = 3;
-    for (int row = STEER; row <= ROLL; row *= 2)
-        count += (c->of.wheel.rows & row) != 0;
-    return count;
+    return countRows(&c->of.wheel);
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
@@ -114,12 +118,6 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
         *e++ = (double)w->high - height;
 }
 
-static void motorRow(const MdtBclMotor *motor, MdtKeaRow *row) {
-    row->target = motor->velocity;
-    row->upper = bcl_boundOf(motor->force);
-    row->lower = -row->upper;
-}
-
 static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a, MdtKeaRow *row) {
     if (c->of.wheel.rows & LOCK) {
         bcl_dotRow(x, a->t, a->h, row);
@@ -130,7 +128,7 @@ static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const
         keaScale(axis, 1 / size, a->s);
         keaAddScaled(axis, -slant / size, a->h);
         spinRow(x, axis, row);
-        motorRow(&c->of.wheel.steering, row);
+        bcl_makeMotor(row, c->of.wheel.steering.velocity, c->of.wheel.steering.force);
         row->drift = row->target;
         row->position = !c->isDegenerate;
     }
@@ -152,6 +150,7 @@ static void stopRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axe
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     const MdtBclCarWheel *w = &c->of.wheel;
+    MdtKeaRow *const first = rows;
     Axes a;
     axesOf(c, x->pose, &a);
     wheelRow(c, x, a.o, rows);
@@ -171,14 +170,17 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
             stopRow(c, x, &a, side, rows++);
     if (w->rows & ROLL) {
         spinRow(x, a.h, rows);
-        motorRow(&w->rolling, rows);
+        bcl_makeMotor(rows++, w->rolling.velocity, w->rolling.force);
     }
+    MEASSERT(rows - first == countRows(w));
+    MEVALIDATE(bcl_areRows(first, countRows(w)));
 }
 
 static void readStops(MdtBclCarWheel *w, const MdtKeaRow rows[]) {
     rows += 3 + ((w->rows & (STEER | LOCK)) != 0) + ((w->rows & SUSPEND) != 0);
     w->stopForce[0] = w->rows & LOW ? (rows++)->force : 0;
     w->stopForce[1] = w->rows & HIGH ? rows->force : 0;
+    MEASSERT(w->stopForce[0] >= 0 && w->stopForce[1] >= 0); /* stops push */
 }
 
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {

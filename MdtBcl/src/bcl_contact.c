@@ -7,7 +7,8 @@
  *   normal:   φ = -penetration.   J v⁺ >= γ penetration / h where the bodies overlap, >= -gap / h where they do not,
  *             and >= -e J v when they meet faster than velThreshold and than one step's own acceleration explains.
  *             λ >= -max_adhesive_force.   E = ε + softness.
- *   friction: J v⁺ = slide - slip λ, |λ| <= friction (box) or μ λ_n (normal force).   E = slip / h, or ε without slip.
+ *   friction: J v⁺ = slide - slip λ, |λ| <= friction (box) or μ λ_n (normal force).   E = slip / h, without ε: on a row
+ *             without a position that would be viscosity, and what friction holds would creep by h ε λ a second.
  *             Cone, in both directions: λ_1² + λ_2² <= (μ λ_n)², with the primary coefficient.
  *             Only where the bodies touch, or will within the step.
  */
@@ -16,12 +17,11 @@
 
 enum { PRIMARY = 1, SECONDARY = 2 };
 
-/* Of what programs say of a contact; of a place that they read, relative to how far it is from the origin: half a unit of
- * its last digit. */
+/* Collision sees the bodies' transforms as programs do, in MeReal: half a unit of the last digit. */
 #ifdef _ME_API_DOUBLE
-static const double rounding = 1e-12, placeRounding = 1.2e-16;
+static const double poseRounding = 1.2e-16;
 #else
-static const double rounding = 1e-6, placeRounding = 6e-8;
+static const double poseRounding = 6e-8;
 #endif
 
 void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params) {
@@ -52,19 +52,8 @@ static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, con
     row->contact = x->firstRow;
 }
 
-/* As it was set; else, where the normal goes through the body's centre, as of a ball: what is between the centre and the
- * surface, which is half the depth beyond the point. */
-static double radiusOf(const MdtBclContact *contact, const MdtBclContext *x, int k, const double arm[3]) {
-    double across[3];
-    keaCross(across, arm, contact->normal);
-    const double aside = rounding * (keaLength(arm) + keaLength(contact->point));
-    if (contact->radius[k] > 0 || x->body[k] == MdtBclNO_BODY || keaLength(across) > aside)
-        return contact->radius[k];
-    return keaLength(arm) + 0.5 * contact->depth;
-}
-
-/* The depth, or gap, but for what may be the rounding of its bodies' places and turns, as far as these move the surfaces
- * along the normal: each step's noise would else move what rests, and the last answer would not hold. */
+/* The depth, or gap, but for what may be the rounding of the transforms that it was found from, as far as that moves the
+ * surfaces along the normal: the noise of each step would else move what rests, and the last answer would not hold. */
 static double beyondRounding(const MdtBclContact *contact, const MdtBclContext *x) {
     const double *n = contact->normal, depth = contact->penetration;
     double extent = 0;
@@ -79,7 +68,7 @@ static double beyondRounding(const MdtBclContact *contact, const MdtBclContext *
         for (int i = 0; i < 3; i++)
             extent += fabs(n[i] * place[i]);
     }
-    return copysign(fmax(fabs(depth) - placeRounding * extent, 0), depth);
+    return copysign(fmax(fabs(depth) - poseRounding * extent, 0), depth);
 }
 
 /* At the start of a step the contact is as its maker set it: the surface points lie half the depth on either side. What
@@ -87,11 +76,11 @@ static double beyondRounding(const MdtBclContact *contact, const MdtBclContext *
 static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
     keaCopy(contact->point, contact->position);
     contact->depth = beyondRounding(contact, x);
+    MEASSERT(bcl_isUnit(contact->normal) && isfinite(contact->depth));
     for (int k = 0; k < 2; k++) {
         double arm[3];
         keaSubtract(arm, contact->point, x->pose[k]->pos);
-        contact->round[k] = radiusOf(contact, x, k, arm);
-        keaAddScaled(arm, (k == 0 ? 1 : -1) * (contact->round[k] - 0.5 * contact->depth), contact->normal);
+        keaAddScaled(arm, (k == 0 ? 1 : -1) * (contact->radius[k] - 0.5 * contact->depth), contact->normal);
         keaApplyTransposed(contact->anchor[k], x->pose[k]->R, arm);
     }
 }
@@ -100,8 +89,8 @@ static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
  * rather than the world's. */
 enum { BOTH = 2 };
 static int ownerOf(const MdtBclContact *contact, const MdtBclContext *x) {
-    if ((contact->round[0] > 0) != (contact->round[1] > 0))
-        return contact->round[0] > 0 ? 0 : 1;
+    if ((contact->radius[0] > 0) != (contact->radius[1] > 0))
+        return contact->radius[0] > 0 ? 0 : 1;
     return x->body[1] == MdtBclNO_BODY ? 0 : x->body[0] == MdtBclNO_BODY ? 1 : BOTH;
 }
 
@@ -112,7 +101,7 @@ static void carryContact(MdtBclContact *contact, const MdtBclContext *x) {
     for (int k = 0; k < 2; k++) {
         keaApply(p[k], x->pose[k]->R, contact->anchor[k]);
         keaAddScaled(p[k], 1, x->pose[k]->pos);
-        keaAddScaled(p[k], (k == 0 ? -1 : 1) * contact->round[k], contact->normal);
+        keaAddScaled(p[k], (k == 0 ? -1 : 1) * contact->radius[k], contact->normal);
     }
     keaSubtract(between, p[1], p[0]);
     contact->depth = keaDot(contact->normal, between);
@@ -168,6 +157,8 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
     contactRow(contact, x, contact->normal, row);
     const double rate = bcl_rate(row, x->velocity), predicted = bcl_rate(row, x->predicted);
     row->error = -depth;
+    for (int k = 0; k < 2; k++)
+        row->radius[k] = contact->radius[k];
     row->target = depth > 0 ? x->parameters.gamma * depth / h : depth / h;
     if (p->options & MdtBclContactOptionBounce) {
         row->restitution = fmin((double)p->restitution, 1);
@@ -181,6 +172,7 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
     if (p->options & MdtBclContactOptionSoft)
         row->softness += x->parameters.softening * fmax((double)p->softness, 0);
     row->lower = p->options & MdtBclContactOptionAdhesive ? -bcl_boundOf(p->max_adhesive_force) : 0;
+    MEASSERT(row->lower <= 0 && row->softness >= 0);
     row->force = contact->normalForce;
 }
 
@@ -188,16 +180,17 @@ static void frictionRow(const MdtBclContact *contact, const MdtBclContext *x, in
     const MdtBclContactParams *p = &contact->params;
     const MeBool slips = p->options & (direction == 0 ? MdtBclContactOptionSlip1 : MdtBclContactOptionSlip2);
     const MeBool slides = p->options & (direction == 0 ? MdtBclContactOptionSlide1 : MdtBclContactOptionSlide2);
-    const double slip = slips ? (double)(direction == 0 ? p->slip1 : p->slip2) : 0;
+    const double slip =
+        slips ? fmax((double)(direction == 0 ? p->slip1 : p->slip2), 0) : 0; /* 0 for what is no number */
     double d[3];
     if (direction == 0)
         keaCopy(d, contact->direction);
     else
         keaCross(d, contact->normal, contact->direction);
+    MEASSERT(bcl_isUnit(d));
     contactRow(contact, x, d, row);
     row->target = slides ? (double)(direction == 0 ? p->slide1 : p->slide2) : 0;
-    if (slip > 0)
-        row->softness = slip / x->parameters.stepsize;
+    row->softness = slip / x->parameters.stepsize;
     if ((direction == 0 ? p->model1 : p->model2) != MdtFrictionModelBox) {
         row->normal = x->firstRow;
         row->friction = direction == 0 ? p->FrictionCoefficient : p->FrictionCoefficient2;
@@ -228,6 +221,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
     (void)x;
     c->of.contact.normalForce = rows[0].force;
+    MEASSERT(isfinite(rows[0].force) && rows[0].force >= 1.000001 * rows[0].lower);
 }
 
 const MdtBclType bcl_contact = {.name = "Contact",

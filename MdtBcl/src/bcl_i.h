@@ -4,6 +4,7 @@
 
 #include "MdtBcl.h"
 #include "MdtKeaMath.h"
+#include "MeAssert.h"
 #include "MeMath.h"
 
 extern const MdtBclType bcl_bsJoint, bcl_hinge, bcl_prismatic, bcl_carWheel, bcl_contact, bcl_contactGroup,
@@ -22,11 +23,23 @@ void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x);
 /* Makes a row pull its error back: s = -γ φ / h, checked at the step's end. */
 void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error);
 
+/* What must be true of rows whatever a program writes into public parameters (which may make errors and targets infinite):
+ * Jacobians are finite, bounds leave room for a force, and no compliance, spring or friction feeds energy. */
+MeBool bcl_areRows(const MdtKeaRow rows[], int count);
+
+/* Length 1, and at right angles: as the setters leave axes. */
+MeBool bcl_isUnit(const double d[3]);
+MeBool bcl_isFrame(const MdtBclFrame *frame);
+
 /* The rate J v of a row with the given velocities. */
 double bcl_rate(const MdtKeaRow *row, const MdtKeaVelocity *const velocity[2]);
 
 /* Makes a row a damped spring with this error. */
 void bcl_makeSpring(MdtKeaRow *row, double error, double stiffness, double damping);
+
+/* Makes a row a motor, or a brake: this velocity as far as the force allows. ε would be viscosity on a row that has no
+ * position to pull back: a brake, as friction, holds what it can hold. */
+void bcl_makeMotor(MdtKeaRow *row, MeReal velocity, MeReal force);
 
 /* Whether stiffness and damping describe a spring: infinite ones mean a rigid joint or a hard stop. */
 MeBool bcl_isSpring(MeReal stiffness, MeReal damping);

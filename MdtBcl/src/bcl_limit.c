@@ -8,8 +8,8 @@
  *          reached, and left with e times the speed of the arrival.
  *   soft:  beyond the stop a damped spring that only pushes, λ = -kp z - kd J v >= 0; Kea finds its row. In the step
  *          that comes to it the spring is there already, without damping, so that no way is passed for nothing.
- * The motor is a row J v⁺ = desired velocity with |λ| <= fmax. The lock, which takes its place, is the row of a joint,
- * J v⁺ = -γ (position - lock) / h with |λ| <= its force.
+ * The motor is a row J v⁺ = desired velocity with |λ| <= fmax, without ε, so that a brake holds. The lock, which takes
+ * its place, is the row of a joint, J v⁺ = -γ (position - lock) / h with |λ| <= its force.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -72,6 +72,7 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
     limit->measured = measured;
     limit->isMeasured = METRUE;
     const double rate = bcl_rate(coordinate, x->velocity), predicted = bcl_rate(coordinate, x->predicted);
+    MEASSERT(isfinite(measured) && isfinite(rate) && isfinite(predicted));
     int count = 0;
     if (limit->bLocked || (limit->bPowered && limit->fmax > 0)) {
         limit->rows |= limit->bLocked ? LOCK : MOTOR;
@@ -84,12 +85,6 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
         }
     }
     return count;
-}
-
-static void motorRow(const MdtBclLimit *limit, MdtKeaRow *row) {
-    row->target = limit->desired_vel;
-    row->upper = bcl_boundOf(limit->fmax);
-    row->lower = -row->upper;
 }
 
 static void lockRow(const MdtBclLimit *limit, const MdtBclContext *x, MdtKeaRow *row) {
@@ -123,10 +118,16 @@ static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, 
                        row->error > 0 ? 0 : (double)limit->limit[side].damping);
 }
 
+/* Of those that bcl_limitPrepare chose. */
+static int countRows(const MdtBclLimit *limit) {
+    return ((limit->rows & (MOTOR | LOCK)) != 0) + ((limit->rows & LOWER) != 0) + ((limit->rows & UPPER) != 0);
+}
+
 void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, MdtKeaRow rows[]) {
+    MdtKeaRow *const first = rows;
     if (limit->rows & MOTOR) {
         *rows = *coordinate;
-        motorRow(limit, rows++);
+        bcl_makeMotor(rows++, limit->desired_vel, limit->fmax);
     } else if (limit->rows & LOCK) {
         *rows = *coordinate;
         lockRow(limit, x, rows++);
@@ -137,6 +138,8 @@ void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKe
             stopRow(limit, side, x, rows++);
         }
     }
+    MEASSERT(rows - first == countRows(limit));
+    MEVALIDATE(bcl_areRows(first, countRows(limit)));
 }
 
 int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]) {
@@ -148,6 +151,7 @@ int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]) 
     for (int side = 0; side < 2; side++)
         if (limit->rows & (side == 0 ? LOWER : UPPER))
             errors[n++] = distanceFrom(limit, side, measured);
+    MEASSERT(n == countRows(limit));
     return n;
 }
 
@@ -160,4 +164,5 @@ void bcl_limitReadBack(MdtBclLimit *limit, double measured, double rate, const M
         rows++;
     limit->stopForce[0] = limit->rows & LOWER ? (rows++)->force : 0;
     limit->stopForce[1] = limit->rows & UPPER ? rows->force : 0;
+    MEASSERT(limit->stopForce[0] >= 0 && limit->stopForce[1] >= 0); /* stops push */
 }

@@ -7,7 +7,39 @@ void bcl_resetFrames(MdtBclConstraint *c) {
     c->frame[0] = c->frame[1] = standard;
 }
 
+static MeBool isFinite3(const double v[3]) {
+    return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
+}
+
+static MeBool isRow(const MdtKeaRow *row) {
+    for (int k = 0; k < 2; k++)
+        if (!isFinite3(row->J[k].lin) || !isFinite3(row->J[k].ang) || !isFinite3(row->arm[k]))
+            return MEFALSE;
+    return row->lower <= row->upper && row->softness >= 0 && row->stiffness >= 0 && row->damping >= 0 &&
+           row->friction >= 0;
+}
+
+MeBool bcl_areRows(const MdtKeaRow rows[], int count) {
+    for (int i = 0; i < count; i++)
+        if (!isRow(&rows[i]))
+            return MEFALSE;
+    return METRUE;
+}
+
+static const double axisTolerance = 1e-5; /* they may have come in single precision */
+
+MeBool bcl_isUnit(const double d[3]) {
+    return fabs(keaDot(d, d) - 1) < axisTolerance;
+}
+
+MeBool bcl_isFrame(const MdtBclFrame *frame) {
+    return bcl_isUnit(frame->primary) && bcl_isUnit(frame->ortho) &&
+           fabs(keaDot(frame->primary, frame->ortho)) < axisTolerance;
+}
+
 void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x) {
+    MEASSERT(x->parameters.stepsize > 0 && x->parameters.epsilon >= 0);
+    MEASSERT(x->body[0] != MdtBclNO_BODY || x->body[1] != MdtBclNO_BODY);
     memset(row, 0, sizeof *row);
     row->body[0] = x->body[0];
     row->body[1] = x->body[1];
@@ -18,6 +50,7 @@ void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x) {
 }
 
 void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error) {
+    MEASSERT(x->parameters.gamma >= 0 && x->parameters.gamma <= 1);
     row->error = error;
     row->target = -x->parameters.gamma * error / x->parameters.stepsize;
     row->position = METRUE;
@@ -38,6 +71,7 @@ double bcl_ownChange(const MdtKeaRow *row, const MdtBclContext *x) {
 
 double bcl_speedOfArrival(const MdtKeaRow *row, const MdtBclContext *x, double z) {
     const double rate = bcl_rate(row, x->velocity), acceleration = bcl_rate(row, x->acceleration);
+    MEASSERT(isfinite(rate) && isfinite(acceleration));
     return sqrt(rate * rate + 2 * fmax(z, 0) * fmax(-acceleration, 0));
 }
 
@@ -46,6 +80,14 @@ void bcl_makeSpring(MdtKeaRow *row, double error, double stiffness, double dampi
     row->error = error;
     row->stiffness = fmax(stiffness, 0);
     row->damping = fmax(damping, 0);
+}
+
+void bcl_makeMotor(MdtKeaRow *row, MeReal velocity, MeReal force) {
+    MEASSERT(!row->position); /* a velocity is all that a motor knows */
+    row->target = velocity;
+    row->upper = bcl_boundOf(force);
+    row->lower = -row->upper;
+    row->softness = 0;
 }
 
 MeBool bcl_isSpring(MeReal stiffness, MeReal damping) {
@@ -88,6 +130,7 @@ void bcl_pointRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow 
         }
         bcl_aimAtZero(&rows[i], x, errors[i]);
     }
+    MEVALIDATE(bcl_areRows(rows, 3));
 }
 
 void bcl_pointErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[3]) {
@@ -117,6 +160,7 @@ void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const doubl
         keaCross(row->J[k].ang, arm, row->J[k].lin);
         keaCopy(row->arm[k], arm);
     }
+    MEVALIDATE(bcl_areRows(row, 1));
 }
 
 void bcl_matchPositions(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {

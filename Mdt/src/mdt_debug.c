@@ -1,0 +1,65 @@
+/* Draws what a step did, by MeDebugDrawAPI: contacts and their forces. */
+#include "MdtConstraint.h"
+#include "MdtContact.h"
+#include "MdtContactGroup.h"
+#include "MdtWorld.h"
+#include "MeDebugDraw.h"
+#include "MeMath.h"
+#include "mdt_i.h"
+
+/* A force is drawn as the acceleration that it gives its contact's first body: .1 m for 1 m/s², so that what carries a
+ * body's weight is about a metre long, whatever the mass. */
+#define METRES_PER_ACCELERATION ((MeReal)0.1)
+/* A contact without force is drawn this long along its normal, m. */
+#define NORMAL_LENGTH ((MeReal)0.3)
+
+static void drawFrom(const MeVector3 start, const MeVector3 direction, MeReal length, const MeReal colour[3]) {
+    MeVector3 from, to;
+    MeVector3Copy(from, start);
+    MeVector3ScaleAndAdd(to, direction, length, start);
+    MeDebugDrawAPI.line(from, to, colour[0], colour[1], colour[2]);
+}
+
+static void drawContact(MdtContactID c, int options) {
+    static const MeReal yellow[3] = {1, 1, 0}, red[3] = {1, 0, 0};
+    const MdtConstraintID constraint = MdtContactQuaConstraint(c);
+    const MdtBodyID body = MdtConstraintGetBody(constraint, 0);
+    MeVector3 position, v;
+    MdtContactGetPosition(c, position);
+    if (options & MdtDebugDrawContacts) {
+        MdtContactGetNormal(c, v);
+        drawFrom(position, v, NORMAL_LENGTH, yellow);
+    }
+    if ((options & MdtDebugDrawContactForce) && body) {
+        MdtConstraintGetForce(constraint, 0, v);
+        drawFrom(position, v, METRES_PER_ACCELERATION / MdtBodyGetMass(body), red);
+    }
+}
+
+/* The contacts of a group, or a contact that is in none. */
+static void drawConstraint(MdtConstraintID constraint, int options) {
+    const MdtContactGroupID group = MdtConstraintDCastContactGroup(constraint);
+    const MdtContactID single = group ? 0 : MdtConstraintDCastContact(constraint);
+    if (single && !MdtContactGetContactGroup(single))
+        drawContact(single, options);
+    if (!group)
+        return;
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
+        drawContact(c, options);
+}
+
+void mdt_debugDraw(MdtWorldID w) {
+    for (MdtConstraintID c = MdtConstraintGetFirst(w); c; c = MdtConstraintGetNext(c))
+        drawConstraint(c, (int)w->debugDraw);
+}
+
+void MEAPI MdtWorldSetDebugDrawing(const MdtWorldID w, const MdtDebugDrawOptions drawOptions) {
+    MDT_NEED_WORLD(w, );
+    if ((unsigned)drawOptions & ~(unsigned)(MdtDebugDrawContacts | MdtDebugDrawContactForce))
+        MeWarning(1,
+                  "MdtWorldSetDebugDrawing: drawOptions is %d: it must be a sum of MdtDebugDrawContacts and "
+                  "MdtDebugDrawContactForce",
+                  (int)drawOptions);
+    else
+        w->debugDraw = drawOptions;
+}
