@@ -25,8 +25,7 @@ MEPUBLIC void MEAPI McdAggregateRegisterType(McdFramework *frame);
 MEPUBLIC McdAggregateID MEAPI McdAggregateCreate(McdFramework *frame, int maxChildren);
 /**
  * Adds an element; it counts as a reference to @a geom.
- * @param relTM where the element is, in the aggregate's frame. Kept by pointer, and read whenever a model is updated.
- *              Null: where the aggregate is.
+ * @param relTM where the element is, in the aggregate's frame: copied. Null: where the aggregate is.
  * @return the element's number. -1, with a warning, where there is no place left, for what is no geometry of the same
  *         framework, and for an aggregate that has this one as a part.
  */
@@ -40,7 +39,8 @@ MEPUBLIC int MEAPI McdAggregateGetElementCount(McdAggregateID a);
 MEPUBLIC int MEAPI McdAggregateGetElementCountMax(McdAggregateID a);
 /** An element's geometry; null, with a warning, where there is none. */
 MEPUBLIC McdGeometryID MEAPI McdAggregateGetElementGeometry(McdAggregateID a, int i);
-/** The pointer that was given for an element; null, with a warning, where there is none. */
+/** Where an element is, in the aggregate's frame: a pointer to the aggregate's copy, good until an element is removed. What
+ *  is written there counts when models are next updated. Null, with a warning, where there is no such element. */
 MEPUBLIC MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID a, int i);
 
 /** @name The type's functions

@@ -6,7 +6,14 @@
  *  are near each other; an interaction turns such a pair into contacts.
  *
  *  Lengths are in the program's unit (m), transforms are MeMatrix4 as in MeMath.h: rigid, no scale. Whoever creates
- *  something destroys it; what is destroyed too early, or used too late, gets a warning and a neutral result.
+ *  something destroys it.
+ *  - What is destroyed too early (a geometry that models use, a framework that has spaces) is kept, with a warning.
+ *  - Frameworks, geometries, models, spaces and instances that have gone may be handed to any function in check builds
+ *    (KARMA_CHECK): it gives a warning and a neutral result. In other builds that is undefined, except that the
+ *    functions which destroy do nothing.
+ *  - So things may go in any order: McdTerm ends what is left in the framework, and destroying a geometry or a model after
+ *    it is harmless, in all builds; it is said while there is another framework, to which the handle might belong. (An
+ *    address that was given to a new object since is that object.)
  */
 #ifndef MCDCTYPES_H
 #define MCDCTYPES_H
@@ -52,6 +59,7 @@ struct _McdGeometry {
     McdFramework *frame;   /**< What it belongs to. */
     McdGeometry *previous; /**< The framework's list of geometries. */
     McdGeometry *next;
+    void *handle[3]; /**< Makes it known while it lives. */
 };
 
 /** A model. The rest of it is hidden; use the functions of McdModel.h. */
@@ -64,6 +72,10 @@ struct _McdModel {
 /** What one pair of models is asked for, see McdFrameworkSetDefaultRequestPtr and McdModelPairSetRequestPtr. */
 struct _McdRequest {
     int contactMaxCount; /**< At most so many contacts per pair, 1 or more; default 20. */
+    /** If true and there are more contacts than that: those whose normals are within 8 degrees of the mean normal are kept
+     *  before those at edges and corners (McdContactSimplify). That asks for four times as many contacts first, in memory of
+     *  the call. Default: false. */
+    MeBool faceNormalsFirst;
 };
 
 /** Where a pair is in its life (User Guide ch. 4, "Testing for Collisions"). */
@@ -85,7 +97,7 @@ struct _McdModelPair {
     void *userData;          /**< The program's. */
     void *responseData;      /**< Collision response's: the Simulation Toolkit keeps its contact group here. */
     McdModelPairPhase phase; /**< Set by the space. */
-    void *cache;             /**< What McdHello prepared; private to the interaction. */
+    void *m_cachedData;      /**< What the interaction's hello function prepared, its own; null: nothing. */
     void *touch;             /**< The Simulation Toolkit's: what its events know of the pair. */
     void(MEAPI *forget)(McdModelPair *); /**< The Simulation Toolkit's: called before the space takes the pair back. */
 };
@@ -111,16 +123,31 @@ struct _McdModelPairContainerIterator {
     int next; /**< Index into the container's array. */
 };
 
+/** Which element of a geometry it is, or what the program knows about it. */
+typedef union McdElementData {
+    void *ptr; /**< The program's. */
+    int tag;   /**< A number. */
+} McdElementData;
+
 /** One point where two models touch, or nearly do. */
 struct _McdContact {
     MeVector3 position; /**< World frame: half-way between the two surfaces. */
     MeVector3 normal;   /**< World frame, length 1: the way in which the first model is pushed by the second. */
     MeReal separation;  /**< Along the normal: positive for a gap, negative for a penetration. */
-    MeU32 feature;      /**< Which features touch: the same number for the same ones from step to step. */
+    MeU32 feature;      /**< Which features touch: the same number for the same ones from step to step, in one result none
+                             twice. Of two convex geometries with at most 256 faces each, or one and a plane, other
+                             features have other numbers; else (larger hulls, triangles, parts of aggregates) the number
+                             is a hash, and two features of a pair share one with a probability of 2e-10. */
     McdGeometryInstanceID instance1; /**< The part of the first model: its own instance, or an aggregate's child. */
     McdGeometryInstanceID instance2; /**< The part of the second model. */
-    int element1; /**< Triangle of the part, as its list or field counts them; -1 for other geometries. */
-    int element2; /**< The same for the second model's part. */
+    /** What touches of the first model's part: the McdUserTriangle.triangleData of a triangle list's triangle, the tag of a
+     *  height field's (McdRGHeightField.h); for other geometries a null ptr. */
+    McdElementData element1;
+    McdElementData element2; /**< The same for the second model's part. */
+    int dims; /**< The dimension of the region in which the parts touch: 0 in a point, 1 along a line, 2 over an area. */
+    double exactSeparation; /**< separation as it was before MeReal rounded it: see McdContactGetSeparation. */
+    double exactPosition[3]; /**< The same of position: see McdContactGetPosition. */
+    double radius[2];        /**< Of either model's surface, where it is round: see McdContactGetRadius. */
 };
 
 /** What McdIntersect finds. Set the first three members before the call. */

@@ -1,5 +1,6 @@
 /** @file McdContact.h
- *  Fewer contacts for nearly the same support (User Guide ch. 4, "Testing for Collisions").
+ *  What a contact knows beyond its members, and fewer contacts for nearly the same support (User Guide ch. 4, "Testing
+ *  for Collisions").
  */
 #ifndef MCDCONTACT_H
 #define MCDCONTACT_H
@@ -7,6 +8,32 @@
 #include "McdCTypes.h"
 
 ME_BEGIN_C
+
+/**
+ * The separation (m) in double precision, as it was found: in single precision, McdContact.separation is that number
+ * rounded. Where a program has made the contact, or written another separation into it, that one. 0, with a warning,
+ * for null. Beyond Karma.
+ */
+MEPUBLIC double MEAPI McdContactGetSeparation(const McdContact *c);
+/**
+ * The position (m, world) in double precision; where a program has made the contact, or written another position into it,
+ * that one. For null: a warning, and position is left alone. Beyond Karma.
+ */
+MEPUBLIC void MEAPI McdContactGetPosition(const McdContact *c, double position[3]);
+/**
+ * How round the surface of a model is at the contact: the radius (m) of the ball, or of the circle across a line of
+ * touch, that its surface is there. When the model turns about the middle of that circle, which is
+ *     on the surface of the first model:   position + (separation / 2 + radius) normal
+ *     on the surface of the second model:  position - (separation / 2 + radius) normal,
+ * the surface rolls: the place of contact does not go with it, nor do separation and normal change.
+ * - sphere, both ends and the side of a sphyl: the radius; fat convex mesh: its fatness;
+ * - side of a cylinder or cone, where the normal is across it to within .05 rad: the radius there, for a cone along its
+ *   normal (from the surface to its axis);
+ * - 0 for all else: faces, edges, corners, rims of discs, planes, triangles.
+ * @param side 0: the first model (instance1); 1: the second. For another, and for null: 0, with a warning.
+ * 0 too where a program has made the contact, or written another separation into it. Beyond Karma.
+ */
+MEPUBLIC double MEAPI McdContactGetRadius(const McdContact *c, int side);
 
 /**
  * Chooses at most @a nContacts_dest contacts that support as well as all of them do: spread out as far as possible,

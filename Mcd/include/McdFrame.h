@@ -5,19 +5,22 @@
  *  Only what is registered is linked and run: the Mcd*RegisterType and Mcd*RegisterInteraction functions bring in one
  *  type or pair each, those of McdPrimitives.h many. A pair without an interaction never touches; asking for it gets
  *  one warning per pair of types.
+ *
+ *  Programs include this header for all of collision: at its end it brings Mcd.h.
  */
 #ifndef MCDFRAME_H
 #define MCDFRAME_H
 
 #include "McdGeometryTypes.h"
+#include "MeMemory.h"
 
 ME_BEGIN_C
 
 /**
  * Creates a framework.
  * @param geoTypeMaxCount how many types of its own the program will register, 0 or more.
- * @param modelCount      how many models there may be, 1 or more.
- * @param instanceCount   how many children all aggregate models may have together, 0 or more.
+ * @param modelCount      how many models there may be, 1 or more, or MeNoLimit.
+ * @param instanceCount   how many children all aggregate models may have together, 0 or more, or MeNoLimit.
  * @param lengthScale     the length of a medium-sized object; the default contact tolerance is .01 of it.
  * @return null, with a warning, if an argument is out of range. McdTerm destroys it.
  *
@@ -117,5 +120,8 @@ MEPUBLIC MeReal MEAPI McdFrameworkGetLengthScale(McdFrameworkID frame);
 /** @} */
 
 ME_END_C
+
+/* After the declarations, since its headers need them. */
+#include "Mcd.h"
 
 #endif

@@ -10,7 +10,7 @@
  *  The others are what McdGeometry.h and McdGeometryInstance.h call for any type: use those instead. A geometry of
  *  another type, or an instance of one, gets a warning, and results are 0.
  *  @verbatim
- *  Mcd...Destroy               Frees the memory, when the head is undone already.
+ *  Mcd...Destroy               McdGeometryDestroy for a geometry of that type. What has gone already is left alone.
  *  Mcd...GetBSphere            A sphere around the geometry, in its own frame.
  *  Mcd...GetMassProperties     As McdGeometryGetMassProperties, which sets everything to 0 before.
  *  Mcd...MaximumPoint          The instance's point (world) that is farthest in a direction (world, any length).
@@ -24,7 +24,7 @@
 #ifndef MCDGEOMETRYDECLARE_H
 #define MCDGEOMETRYDECLARE_H
 
-#include "McdFrame.h"
+#include "McdGeometryTypes.h"
 
 /** All but Destroy, GetMassProperties and the line segment's. */
 #define MCD_DECLARE_GEOMETRY_QUERIES(Type)                                                                             \
@@ -47,5 +47,8 @@
 /** The line segment's. */
 #define MCD_DECLARE_LINE_SEGMENT(Type)                                                                                 \
     MEPUBLIC void MEAPI Mcd##Type##LineSegmentRegisterInteraction(McdFramework *frame)
+
+/* After the macros: it brings the headers of all primitives, which use them. */
+#include "McdFrame.h"
 
 #endif

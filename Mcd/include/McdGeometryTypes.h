@@ -52,12 +52,6 @@ typedef struct McdTriangleList McdTriangleList;
 typedef struct McdRGHeightField McdRGHeightField;
 typedef struct McdAggregate McdAggregate;
 
-/** A triangle list: what programs may write of it (User Guide ch. 8). The rest of it is hidden. */
-struct McdTriangleList {
-    McdGeometry head;     /**< Not for programs. */
-    int triangleMaxCount; /**< As McdTriangleListSetMaxTriangles sets it; heeded when triangles are next asked for. */
-};
-
 /** How contacts with a triangle are made (User Guide ch. 4, "Triangle List"). */
 typedef enum McdTriangleFlags {
     kMcdTriangleUseSmallestPenetration = 1, /**< The normal is the shortest way out; else the triangle's. */
@@ -75,7 +69,16 @@ struct _McdUserTriangle {
     MeVector3 *vertices[3]; /**< Corners; must stay until the intersection is done. */
     MeVector3 *normal;      /**< Outward, length 1. Null: from the corners, by the right-hand rule. */
     McdTriangleFlags flags; /**< A sum of McdTriangleFlags. */
-    void *triangleData;     /**< The program's. */
+    /** The program's; contacts with the triangle have it (McdContact.element1 or element2). A null ptr unless it is set. */
+    McdElementData triangleData;
+};
+
+/** A triangle list: what programs may use of it (User Guide ch. 8). The rest of it is hidden. */
+struct McdTriangleList {
+    McdGeometry head;      /**< Not for programs. */
+    int triangleMaxCount;  /**< As McdTriangleListSetMaxTriangles sets it; heeded when triangles are next asked for. */
+    McdUserTriangle *list; /**< The list's: where the callback writes; what it wrote last stays there. */
+    void *userData;        /**< The program's: see McdTriangleListSetUserData. */
 };
 
 /**

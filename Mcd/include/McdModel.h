@@ -18,7 +18,8 @@ ME_BEGIN_C
  * is no geometry and when McdInit's modelCount, or for aggregates its instanceCount, is reached.
  */
 MEPUBLIC McdModelID MEAPI McdModelCreate(McdGeometryID g);
-/** Destroys a model. One in a space gets a warning and stays: take it out first. Null does nothing. */
+/** Destroys a model, taking it out of its space if it is in one: its pairs end at once, without a goodbye. Null, and a model
+ *  that has gone with its framework, does nothing (see McdCTypes.h). */
 MEPUBLIC void MEAPI McdModelDestroy(McdModelID cm);
 /** As new, but for its geometry and its space. */
 MEPUBLIC void MEAPI McdModelReset(McdModelID cm);
@@ -31,7 +32,7 @@ MEPUBLIC MeU64 MEAPI McdModelGetSerial(McdModelID cm);
 /** @name Shape
  *  @{ */
 MEPUBLIC McdGeometryID MEAPI McdModelGetGeometry(McdModelID cm);
-/** Another geometry, for a model that is in no space. */
+/** Another geometry of the same framework, for a model that is in no space; others are refused with a warning. */
 MEPUBLIC void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g);
 MEPUBLIC McdGeometryType MEAPI McdModelGetGeometryType(McdModelID cm);
 MEPUBLIC McdGeometryInstanceID MEAPI McdModelGetGeometryInstance(McdModelID cm);

@@ -52,13 +52,13 @@ typedef int(MEAPI *McdLineSegIntersectEnableCallback)(McdModelID, void *filterDa
 /**
  * Creates an empty space, inside a change block.
  * @param axes        the sum of the axes on which boxes are compared; on the others all models count as overlapping.
- * @param objectCount how many models it can hold, 1 or more.
- * @param pairCount   how many pairs there can be at one time, those in silence included, 1 or more; what does not fit
- *                    gets a warning, is told to the pool-full handler, and says hello when there is room.
+ * @param objectCount how many models it can hold, 1 or more, or MeNoLimit.
+ * @param pairCount   how many pairs there can be at one time, those in silence included, 1 or more, or MeNoLimit; what
+ *                    does not fit gets a warning, is told to the pool-full handler, and says hello when there is room.
  * @return null, with a warning, if an argument is out of range. McdSpaceDestroy destroys it, before McdTerm.
  *
  * Karma 1.1 had a fifth argument, which is ignored. Karma 1.0's form, without a framework and with a 1 at the end, has
- * four as well; it gets a warning.
+ * four as well; it gets a warning unless KarmaClassic.h is included.
  */
 MEPUBLIC McdSpaceID MEAPI McdSpaceAxisSortCreate(McdFrameworkID framework, int axes, int objectCount, int pairCount);
 #ifdef __cplusplus
@@ -156,7 +156,7 @@ MEPUBLIC MeBool MEAPI McdSpaceIsFrozen(McdModelID cm);
 /** @name Pairs that never collide
  *  @{ */
 /** The pair says goodbye and is not reported until it is enabled, or one of the models has left the space. 1 if both
- *  are in the same space. Inside only. */
+ *  are in the same space, and for a model and itself, which never meet. Inside only. */
 MEPUBLIC MeBool MEAPI McdSpaceDisablePair(McdModelID cm1, McdModelID cm2);
 /** The opposite. */
 MEPUBLIC MeBool MEAPI McdSpaceEnablePair(McdModelID cm1, McdModelID cm2);

@@ -15,7 +15,7 @@
  *    behind than half of the model's radius; deeper ones, and those that come from behind, pass.
  *
  *  Contacts of triangles in one plane become one manifold of at most four. McdContact.element1 or element2 is the
- *  triangle's place among those that the callback gave. Features do not depend on that place.
+ *  triangle's triangleData. Features do not depend on it, nor on the order in which triangles are given.
  *  Triangles without area, or with coordinates that are not finite, are skipped; MeDebug counts them.
  */
 #ifndef MCDTRIANGLELIST_H

@@ -21,28 +21,26 @@ McdAggregateID MEAPI McdAggregateCreate(McdFramework *frame, int maxChildren) {
     McdAggregate *a = mcd_geometryCreate(frame, kMcdGeometryTypeAggregate, sizeof *a, "McdAggregateCreate");
     if (!a)
         return 0;
-    a->element = MeMemoryAPI.create((size_t)maxChildren * sizeof *a->element);
+    a->element = MeMemoryTake((size_t)maxChildren, sizeof *a->element, "McdAggregateCreate", "elements");
     if (!a->element) {
         McdGeometryDestroy(&a->head);
-        MeFatalError(1, "McdAggregateCreate: no memory for %d elements", maxChildren);
         return 0;
     }
     a->max = maxChildren;
     return &a->head;
 }
 
-void MEAPI McdAggregateDestroy(McdGeometryID g) {
+static void MEAPI release(McdGeometryID g) {
     McdAggregate *a = (McdAggregate *)g;
     for (int i = 0; i < a->count; i++)
         McdGeometryDecrementReferenceCount(a->element[i].geometry);
-    if (a->element)
-        MeMemoryAPI.destroy(a->element);
-    if (a->contact)
-        MeMemoryAPI.destroy(a->contact);
-    if (a->choice)
-        MeMemoryAPI.destroy(a->choice);
-    MeMemoryAPI.destroy(a);
+    MeMemoryGive(a->element);
+    MeMemoryGive(a->contact);
+    MeMemoryGive(a->choice);
+    MeMemoryGive(a);
 }
+
+MCD_DEFINE_DESTROY(Aggregate)
 
 /* ---- elements ------------------------------------------------------------------------------------------------------ */
 
@@ -66,15 +64,16 @@ int MEAPI McdAggregateAddElement(McdAggregateID id, McdGeometryID geom, MeMatrix
         MeWarning(1, "McdAggregateAddElement: there are %d elements: raise McdAggregateCreate's maxChildren", a->max);
         return -1;
     }
-    if (geom->frame != a->head.frame || isPartOf(a, geom)) {
-        MeWarning(1, "McdAggregateAddElement: %s",
-                  geom->frame != a->head.frame ? "the geometry belongs to another framework"
-                                               : "the aggregate would be its own part");
+    if (!mcd_geometryBelongs(geom, a->head.frame, "McdAggregateAddElement"))
+        return -1;
+    if (isPartOf(a, geom)) {
+        MeWarning(1, "McdAggregateAddElement: the aggregate would be its own part");
         return -1;
     }
-    const McdAggregateElement element = {geom, relTM ? relTM : (MeMatrix4Ptr)identity};
+    McdAggregateElement *element = &a->element[a->count];
+    element->geometry = geom;
+    MeMatrix4Copy(element->relTM, relTM ? mcd_const(relTM) : identity);
     McdGeometryIncrementReferenceCount(geom);
-    a->element[a->count] = element;
     return a->count++;
 }
 
@@ -119,8 +118,8 @@ McdGeometryID MEAPI McdAggregateGetElementGeometry(McdAggregateID id, int i) {
 }
 
 MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID id, int i) {
-    const McdAggregateElement *element = elementOf(id, i, "McdAggregateGetElementTransformPtr");
-    return element && element->relTM != (MeMatrix4Ptr)identity ? element->relTM : 0;
+    McdAggregateElement *element = elementOf(id, i, "McdAggregateGetElementTransformPtr");
+    return element ? element->relTM : 0;
 }
 
 /* ---- parts of an instance --------------------------------------------------------------------------------------------- */
@@ -286,7 +285,7 @@ static void addMass(Mass *sum, const McdAggregateElement *element) {
     MeReal volume;
     if (!McdGeometryGetMassProperties(element->geometry, own, inertia, &volume))
         return;
-    MeMatrix4TMCompound(tm, mcd_const(own), mcd_const(element->relTM));
+    MeMatrix4TMCompound(tm, mcd_const(own), element->relTM);
     const double place[3] = {(double)tm[3][0], (double)tm[3][1], (double)tm[3][2]};
     sum->volume += (double)volume;
     for (int i = 0; i < 3; i++)
@@ -342,7 +341,7 @@ char *MEAPI McdAggregateGetTypeName(McdGeometryID g) {
 }
 
 void MEAPI McdAggregateRegisterType(McdFramework *frame) {
-    McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypeAggregate, McdAggregateGetTypeName(0), McdAggregateDestroy,
+    McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypeAggregate, McdAggregateGetTypeName(0), release,
                                      McdAggregateUpdateAABB, McdAggregateGetBSphere, McdAggregateMaximumPoint,
                                      McdAggregateGetMassProperties, McdAggregateDebugDraw);
 }

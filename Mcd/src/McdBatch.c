@@ -16,18 +16,11 @@ static MeBool check(const McdBatchContext *context, const char *function) {
 McdBatchContext *MEAPI McdBatchContextCreate(McdFramework *frame) {
     if (!mcd_frameCheck(frame, "McdBatchContextCreate"))
         return 0;
-    McdBatchContext *context = MeMemoryAPI.create(sizeof *context);
-    if (!context) {
-        MeFatalError(1, "McdBatchContextCreate: no memory");
-        return 0;
-    }
-    context->pairs = 0;
-    return context;
+    return MeMemoryTakeZeroed(1, sizeof(McdBatchContext), "McdBatchContextCreate", "a context");
 }
 
 void MEAPI McdBatchContextDestroy(McdBatchContext *context) {
-    if (context)
-        MeMemoryAPI.destroy(context);
+    MeMemoryGive(context);
 }
 
 void MEAPI McdBatchContextReset(McdBatchContext *context) {

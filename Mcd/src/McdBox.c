@@ -21,8 +21,7 @@ static void clip(const McdGeometry *g, McdClip *c) {
     }
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Box)
-MCD_DEFINE_DESTROY(Box)
+MCD_DEFINE_GEOMETRY_TYPE(Box, mcd_geometryFree)
 MCD_DEFINE_LINE_SEGMENT(Box)
 
 static MeBool sizesAreGood(MeReal dx, MeReal dy, MeReal dz, const char *function) {

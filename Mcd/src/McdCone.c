@@ -82,8 +82,7 @@ static void clip(const McdGeometry *g, McdClip *c) {
     clipSide(c, &e, MeCLAMP(nearest, c->in, c->out));
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Cone)
-MCD_DEFINE_DESTROY(Cone)
+MCD_DEFINE_GEOMETRY_TYPE(Cone, mcd_geometryFree)
 MCD_DEFINE_LINE_SEGMENT(Cone)
 
 /* ---- sizes ----------------------------------------------------------------------------------------------------------- */

@@ -1,9 +1,39 @@
-/* The one choice of contacts: few that support as well as many. */
+/* What contacts know, and the one choice of contacts: few that support as well as many. */
 #include "McdContact.h"
 #include "mcd_i.h"
 #include "mcd_spread.h"
 #include <math.h>
 #include <string.h>
+
+/* Programs may have written another separation since; what was found then holds no more. */
+static MeBool isAsFound(const McdContact *c) {
+    return (MeReal)c->exactSeparation == c->separation;
+}
+
+double MEAPI McdContactGetSeparation(const McdContact *c) {
+    if (!c) {
+        MeWarning(1, "McdContactGetSeparation: no contact");
+        return 0;
+    }
+    return isAsFound(c) ? c->exactSeparation : (double)c->separation;
+}
+
+void MEAPI McdContactGetPosition(const McdContact *c, double position[3]) {
+    if (!c || !position) {
+        MeWarning(1, "McdContactGetPosition: no %s", c ? "place for the position" : "contact");
+        return;
+    }
+    for (int i = 0; i < 3; i++)
+        position[i] = (MeReal)c->exactPosition[i] == c->position[i] ? c->exactPosition[i] : (double)c->position[i];
+}
+
+double MEAPI McdContactGetRadius(const McdContact *c, int side) {
+    if (!c || side < 0 || side > 1) {
+        MeWarning(1, "McdContactGetRadius: %s", c ? "side must be 0, for the first model, or 1" : "no contact");
+        return 0;
+    }
+    return isAsFound(c) ? c->radius[side] : 0;
+}
 
 static void difference(const double a[3], const double b[3], double out[3]) {
     for (int i = 0; i < 3; i++)
@@ -195,6 +225,7 @@ int mcd_spread(McdSpot *spot, int count, int wanted, double same, int *kept) {
         keptCount = addMostDifferent(spot, count, wanted, same, kept, 1);
     }
     ascending(kept, keptCount);
+    MEASSERT(keptCount >= 1 && keptCount <= wanted && kept[0] >= 0 && kept[keptCount - 1] < count);
     return keptCount;
 }
 
@@ -270,14 +301,12 @@ int MEAPI McdContactSimplify(const MeReal *avgNormal, McdContact *contacts_src, 
                   nContacts_dest, (void *)contacts_dst);
         return 0;
     }
-    void *memory = MeMemoryAPI.create(mcd_simplifyBytes(nContacts_src));
-    if (!memory) {
-        MeFatalError(1, "McdContactSimplify: no memory");
+    void *memory = MeMemoryTake(1, mcd_simplifyBytes(nContacts_src), "McdContactSimplify", "the choice of contacts");
+    if (!memory)
         return 0;
-    }
     const double same = 1e-6 * (scale > 0 && MeRealIsValid(scale) ? (double)scale : 1);
     const int chosenCount = mcd_simplify(contacts_src, nContacts_src, contacts_dst, nContacts_dest,
                                          faceNormalsFirst ? avgNormal : 0, same, memory);
-    MeMemoryAPI.destroy(memory);
+    MeMemoryGive(memory);
     return chosenCount;
 }

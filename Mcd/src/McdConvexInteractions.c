@@ -1,8 +1,10 @@
 /* The interactions of convex geometries with each other and with planes. */
 #include "McdConvexInteractions.h"
+#include "McdPlaneIntersect.h"
 #include "mcd_geometries.h"
 #include "mcd_motion.h"
 #include "mcd_vector.h"
+#include <string.h>
 
 static MeBool hasTypes(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
     if (!p || !result) {
@@ -35,7 +37,7 @@ static int convexIntersect(McdModelPair *p, McdIntersectResult *result, int type
     if (!mcd_shapeOf(ins1, origin, &a) || !mcd_shapeOf(ins2, origin, &b))
         return notPlaced(function);
     if (mcd_convexManifold(&a, &b, mcd_pairMargin(p), &m))
-        mcd_resultAdd(result, &m, origin, ins1, ins2, -1, -1);
+        mcd_resultAdd(result, &m, origin, ins1, ins2);
     return mcd_resultEnd(result);
 }
 
@@ -49,12 +51,6 @@ static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double norm
         *offset += normal[i] * ((double)tm[3][i] - origin[i]);
     }
     return isfinite(*offset) && isfinite(mcd_dot(normal, normal));
-}
-
-static void turnManifold(McdManifold *m) {
-    mcd_scale(m->normal, m->normal, -1);
-    for (int i = 0; i < m->count; i++)
-        m->point[i].feature = m->point[i].feature << 16 | m->point[i].feature >> 16;
 }
 
 static int planeIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
@@ -71,10 +67,46 @@ static int planeIntersect(McdModelPair *p, McdIntersectResult *result, int type1
         return notPlaced(function);
     if (mcd_planeManifold(&a, normal, offset, mcd_pairMargin(p), &m)) {
         if (isTurned)
-            turnManifold(&m);
-        mcd_resultAdd(result, &m, origin, ins1, ins2, -1, -1);
+            mcd_manifoldTurn(&m);
+        mcd_resultAdd(result, &m, origin, ins1, ins2);
     }
     return mcd_resultEnd(result);
+}
+
+/* ---- a plane with any convex type --------------------------------------------------------------------------------- */
+
+static int typeOfModel(McdModelID m, const char *function) {
+    const McdModelRecord *record = mcd_modelCheck(m, function);
+    return record ? record->instance.geometry->type : -1;
+}
+
+static int planeWithAny(McdModelPair *p, McdIntersectResult *result, const char *function) {
+    if (!p || !result)
+        return hasTypes(p, result, 0, 0, function);
+    const int type1 = typeOfModel(p->model1, function), type2 = typeOfModel(p->model2, function);
+    if ((type1 == kMcdGeometryTypePlane) != (type2 == kMcdGeometryTypePlane))
+        return planeIntersect(p, result, type1, type2, function);
+    mcd_resultBegin(result, p);
+    if (type1 >= 0 && type2 >= 0)
+        MeWarning(1, "%s: one of the two models must be a plane", function);
+    return 0;
+}
+
+int MEAPI McdPlaneIntersect(McdModelPair *p, McdIntersectResult *result) {
+    return planeWithAny(p, result, "McdPlaneIntersect");
+}
+
+int MEAPI McdPlaneIntersectTest(McdModelID modplane, McdModelID mod, McdIntersectResult *result) {
+    McdModelPair p;
+    memset(&p, 0, sizeof p);
+    p.model1 = modplane;
+    p.model2 = mod;
+    if (typeOfModel(modplane, "McdPlaneIntersectTest") != kMcdGeometryTypePlane)
+        MeWarning(1, "McdPlaneIntersectTest: the first model must be a plane");
+    const int answer = planeWithAny(&p, result, "McdPlaneIntersectTest");
+    if (result)
+        result->pair = NULL;
+    return answer;
 }
 
 static MeBool registerPair(McdFramework *frame, int type1, int type2, McdIntersectFn intersect, McdSafeTimeFn safeTime,
@@ -129,12 +161,6 @@ DEFINE_PLANE(Sphyl, Plane)
 DEFINE_PLANE(Cone, Plane)
 DEFINE_PLANE(ConvexMesh, Plane)
 DEFINE_PLANE(Plane, ConvexMesh)
-
-MeBool MEAPI McdConvexMeshPrimitivesRegisterInteractions(McdFramework *frame) {
-    return McdSphereConvexMeshRegisterInteraction(frame) && McdBoxConvexMeshRegisterInteraction(frame) &&
-           McdCylinderConvexMeshRegisterInteraction(frame) && McdSphylConvexMeshRegisterInteraction(frame) &&
-           McdConvexMeshPlaneRegisterInteraction(frame) && McdConvexMeshConvexMeshRegisterInteraction(frame);
-}
 
 MeBool MEAPI McdConvexMeshRegisterBoxAndSphereFns(McdFramework *frame) {
     return McdSphereConvexMeshRegisterInteraction(frame) && McdBoxConvexMeshRegisterInteraction(frame);

@@ -4,6 +4,8 @@
  * vertex. Line segments and mass properties go by these parts.
  */
 #include "McdConvexMesh.h"
+#include "McdConvexInteractions.h"
+#include "McdTriangleList.h"
 #include "mcd_local.h"
 #include <string.h>
 
@@ -84,7 +86,13 @@ static void clip(const McdGeometry *g, McdClip *c) {
         clipByFaces(c, get(g)->hull, 0);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh)
+static void MEAPI release(McdGeometryID g) {
+    mcd_hullDestroy(((McdConvexMesh *)g)->hull);
+    MeMemoryGive(((McdConvexMesh *)g)->shown);
+    MeMemoryGive(g);
+}
+
+MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh, release)
 MCD_DEFINE_LINE_SEGMENT(ConvexMesh)
 
 /* ---- life ------------------------------------------------------------------------------------------------------------ */
@@ -93,22 +101,10 @@ static MeBool isMesh(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeConvexMesh, function);
 }
 
-void MEAPI McdConvexMeshDestroy(McdConvexMeshID g) {
-    if (!g)
-        return;
-    mcd_hullDestroy(((McdConvexMesh *)g)->hull);
-    MeMemoryAPI.destroy(((McdConvexMesh *)g)->shown);
-    MeMemoryAPI.destroy(g);
-}
-
 /* The vertices as programs see them. */
 static MeVector3 *copyVertices(const McdHull *h, const char *function) {
-    MeVector3 *v = (MeVector3 *)MeMemoryAPI.create((size_t)h->vertexCount * sizeof *v);
-    if (!v) {
-        MeFatalError(1, "%s: no memory", function);
-        return 0;
-    }
-    for (int i = 0; i < h->vertexCount; i++)
+    MeVector3 *v = (MeVector3 *)MeMemoryTake((size_t)h->vertexCount, sizeof *v, function, "vertices");
+    for (int i = 0; v && i < h->vertexCount; i++)
         MeVector3Set(v[i], (MeReal)h->vertex[i][0], (MeReal)h->vertex[i][1], (MeReal)h->vertex[i][2]);
     return v;
 }
@@ -124,8 +120,7 @@ static McdConvexMeshID createFrom(McdFramework *frame, const double (*point)[3],
         m->fatness = fatness;
         return (McdConvexMeshID)m;
     }
-    if (shown)
-        MeMemoryAPI.destroy(shown);
+    MeMemoryGive(shown);
     mcd_hullDestroy(hull);
     return 0;
 }
@@ -140,17 +135,16 @@ McdConvexMeshID MEAPI McdConvexMeshCreateHull(McdFramework *frame, const MeVecto
     }
     if (fatnessRadius != 0 && !mcd_sizeIsGood(fatnessRadius, "fatness", "McdConvexMeshCreateHull"))
         return 0;
-    double(*point)[3] = (double(*)[3])MeMemoryAPI.create((size_t)vertexCount * sizeof *point);
-    if (!point) {
-        MeFatalError(1, "McdConvexMeshCreateHull: no memory");
+    double(*point)[3] =
+        (double(*)[3])MeMemoryTake((size_t)vertexCount, sizeof *point, "McdConvexMeshCreateHull", "vertices");
+    if (!point)
         return 0;
-    }
     for (int i = 0; i < vertexCount; i++)
         for (int k = 0; k < 3; k++)
             point[i][k] = (double)vertices[i][k];
     McdConvexMeshID g =
         createFrom(frame, (const double(*)[3])point, vertexCount, fatnessRadius, "McdConvexMeshCreateHull");
-    MeMemoryAPI.destroy(point);
+    MeMemoryGive(point);
     return g;
 }
 
@@ -444,4 +438,14 @@ MeI16 MEAPI McdConvexMeshGetMassProperties(McdConvexMeshID mesh, MeMatrix4 relTM
             inertia[i][j] = (i == j ? trace : 0) - s.second[i][j];
     mcd_massProperties(relTM, m, volume, s.m, centre, inertia);
     return 1;
+}
+
+/* ---- interactions --------------------------------------------------------------------------------------------------- */
+
+/* Here, so that programs without meshes do not link the triangle list. */
+MeBool MEAPI McdConvexMeshPrimitivesRegisterInteractions(McdFramework *frame) {
+    return McdSphereConvexMeshRegisterInteraction(frame) && McdBoxConvexMeshRegisterInteraction(frame) &&
+           McdCylinderConvexMeshRegisterInteraction(frame) && McdSphylConvexMeshRegisterInteraction(frame) &&
+           McdConvexMeshPlaneRegisterInteraction(frame) && McdConvexMeshConvexMeshRegisterInteraction(frame) &&
+           McdConvexMeshTriangleListRegisterInteraction(frame);
 }

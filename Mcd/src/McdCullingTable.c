@@ -1,6 +1,6 @@
 /* Tables of which kinds of models do not collide: one bit for each unordered pair of indices. */
 #include "McdCullingTable.h"
-#include "MeMemory.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
 #include <string.h>
 
@@ -35,18 +35,14 @@ McdCullingTable *MEAPI McdCullingTableCreate(int size) {
     }
     const MeU32 last = (MeU32)size - 1;
     const size_t bytes = sizeof(McdCullingTable) + bitOf(last, last) / 8 + 1;
-    McdCullingTable *table = MeMemoryAPI.create(bytes);
-    if (!table) {
-        MeFatalError(1, "McdCullingTableCreate: no memory");
-        return 0;
-    }
-    memset(table, 0, bytes);
-    table->size = (MeU32)size;
+    McdCullingTable *table = MeMemoryTakeZeroed(1, bytes, "McdCullingTableCreate", "a culling table");
+    if (table)
+        table->size = (MeU32)size;
     return table;
 }
 
 void MEAPI McdCullingTableDestroy(McdCullingTable *const table) {
-    MeMemoryAPI.destroy(table);
+    MeMemoryGive(table);
 }
 
 void MEAPI McdCullingTableSet(McdCullingTable *const table, MeU32 a, MeU32 b, MeBool flag) {

@@ -20,8 +20,7 @@ static void clip(const McdGeometry *g, McdClip *c) {
     mcd_clipCylinder(c, origin, up, (double)get(g)->radius);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Cylinder)
-MCD_DEFINE_DESTROY(Cylinder)
+MCD_DEFINE_GEOMETRY_TYPE(Cylinder, mcd_geometryFree)
 MCD_DEFINE_LINE_SEGMENT(Cylinder)
 
 static MeBool sizesAreGood(MeReal r, MeReal h, const char *function) {

@@ -54,6 +54,8 @@ static void measureMesh(const McdShape *a, McdModelID asker, McdGeometryInstance
 /* False if none of the parts is convex, or the other one is null. */
 static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3], Nearest *nearest) {
     McdShape shapeA, shapeB;
+    if (!mcd_instanceIsPlaced(a) || !mcd_instanceIsPlaced(b))
+        return MEFALSE;
     double onA[3], onB[3], normal[3];
     const MeBool isConvexA = mcd_shapeOf(a, origin, &shapeA), isConvexB = mcd_shapeOf(b, origin, &shapeB);
     if (isConvexA && isConvexB) {
@@ -103,10 +105,10 @@ MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
     mcd_pairOrigin(&a->instance, &b->instance, origin);
     if (!measure(&a->instance, &b->instance, origin, &nearest) || !nearest.isFound)
         return MEFALSE;
-    result->distance = (MeReal)nearest.distance;
+    result->distance = mcd_real(nearest.distance);
     for (int i = 0; i < 3; i++) {
-        result->position1[i] = (MeReal)(nearest.onA[i] + origin[i]);
-        result->position2[i] = (MeReal)(nearest.onB[i] + origin[i]);
+        result->position1[i] = mcd_real(nearest.onA[i] + origin[i]);
+        result->position2[i] = mcd_real(nearest.onB[i] + origin[i]);
         result->normal[i] = (MeReal)nearest.normal[i];
     }
     return METRUE;

@@ -1,5 +1,8 @@
 /* The framework: types, interactions, defaults, and the end of everything in it. */
 #include "mcd_i.h"
+#include "McdInternal.h"
+#include <stdatomic.h>
+#include <stdint.h>
 #include <string.h>
 
 struct McdTermActionLink {
@@ -7,43 +10,111 @@ struct McdTermActionLink {
     McdTermActionLink *next; /* registered before */
 };
 
-static const McdRequest builtInRequest = {20};
+static const McdRequest builtInRequest = {20, MEFALSE};
 
-void (*mcd_spaceForget)(McdModelID cm) = 0;
-void (*mcd_spaceFilter)(McdModelID cm) = 0;
+/* ---- handles ------------------------------------------------------------------------------------------------- */
+
+static atomic_int liveFrames;
+
+void mcd_warnGone(const void *p, const char *what, const char *function) {
+    if (p)
+        MeWarning(1, "%s: %p is no %s: it has been destroyed, or never was one", function, p, what);
+    else
+        MeWarning(1, "%s: null is no %s", function, what);
+}
+
+MeBool mcd_mayDestroy(const void *p, unsigned int kind, const char *what, const char *function) {
+    if (!p)
+        return MEFALSE;
+    if (MeHandleIsLive(p, kind))
+        return METRUE;
+    if (atomic_load(&liveFrames))
+        mcd_warnGone(p, what, function);
+    return MEFALSE;
+}
 
 MeBool mcd_frameCheck(McdFrameworkID frame, const char *function) {
-    if (frame && frame->magic == MCD_FRAMEWORK)
+    if (frame && MCD_IS_KNOWN(frame, MCD_FRAMEWORK) && frame->magic == MCD_FRAMEWORK)
         return METRUE;
-    MeWarning(1, "%s: %p is no collision framework", function, (void *)frame);
+    mcd_warnGone(frame, "collision framework", function);
     return MEFALSE;
 }
 
 /* ---- life ---------------------------------------------------------------------------------------------------- */
 
-static void *createZeroed(size_t count, size_t size) {
-    void *memory = MeMemoryAPI.create(count * size + 1);
-    if (memory)
-        memset(memory, 0, count * size);
-    return memory;
+static void freeBlocks(McdPoolBlock *block) {
+    for (McdPoolBlock *next; block; block = next) {
+        next = block->next;
+        MeMemoryGive(block);
+    }
 }
 
-static void freeTables(McdFramework *frame) {
-    MeMemoryAPI.destroy(frame->types);
-    MeMemoryAPI.destroy(frame->grid);
-    MeMemoryAPI.destroy(frame->models);
-    MeMemoryAPI.destroy(frame->instances);
-    MeMemoryAPI.destroy(frame);
+static void freeFramework(McdFramework *frame) {
+    MeMemoryGive(frame->types);
+    MeMemoryGive(frame->grid);
+    freeBlocks(frame->modelBlocks);
+    freeBlocks(frame->instanceBlocks);
+    MeMemoryGive(frame);
 }
 
-static void linkPools(McdFramework *frame) {
-    for (int i = 0; i + 1 < frame->modelMax; i++)
-        frame->models[i].next = &frame->models[i + 1];
-    frame->firstFree = frame->models;
-    frame->lastFree = &frame->models[frame->modelMax - 1];
-    for (int i = 0; i + 1 < frame->instanceMax; i++)
-        frame->instances[i].nextSibling = &frame->instances[i + 1];
-    frame->freeInstance = frame->instanceMax ? frame->instances : 0;
+/* The records of a new block; null if there is no memory. */
+static void *addBlock(McdPoolBlock **blocks, int count, size_t size, const char *function, const char *what) {
+    McdPoolBlock *block = 0;
+    if ((size_t)count <= (SIZE_MAX - sizeof *block) / size)
+        block = MeMemoryTakeZeroed(1, sizeof *block + (size_t)count * size, function, what);
+    else
+        MeFatalError(0, "%s: no memory for %s (%d times %zu bytes)", function, what, count, size);
+    if (!block)
+        return 0;
+    block->next = *blocks;
+    *blocks = block;
+    return block + 1;
+}
+
+static MeBool addModels(McdFramework *frame, int count, const char *function) {
+    McdModelRecord *record = addBlock(&frame->modelBlocks, count, sizeof *record, function, "models");
+    if (!record)
+        return MEFALSE;
+    for (int i = 0; i + 1 < count; i++)
+        record[i].next = &record[i + 1];
+    *(frame->lastFree ? &frame->lastFree->next : &frame->firstFree) = record;
+    frame->lastFree = &record[count - 1];
+    frame->modelRoom += count;
+    return METRUE;
+}
+
+static MeBool addInstances(McdFramework *frame, int count, const char *function) {
+    McdGeometryInstance *ins = addBlock(&frame->instanceBlocks, count, sizeof *ins, function, "parts of aggregates");
+    if (!ins)
+        return MEFALSE;
+    for (int i = 0; i + 1 < count; i++)
+        ins[i].nextSibling = &ins[i + 1];
+    ins[count - 1].nextSibling = frame->freeInstance;
+    frame->freeInstance = ins;
+    frame->instanceRoom += count;
+    return METRUE;
+}
+
+/* Each block is as large as all before it together. */
+static int roomToAdd(int room) {
+    enum { FIRST_BLOCK = 64 };
+    return room ? room : FIRST_BLOCK;
+}
+
+MeBool mcd_frameAddModels(McdFramework *frame, const char *function) {
+    MEASSERT(!frame->firstFree && frame->modelCount == frame->modelRoom);
+    if (frame->modelLimit.most == MeNoLimit)
+        return addModels(frame, roomToAdd(frame->modelRoom), function);
+    MeLimitWarn(&frame->modelLimit, function, "more models");
+    return MEFALSE;
+}
+
+MeBool mcd_frameAddInstances(McdFramework *frame, const char *function) {
+    MEASSERT(!frame->freeInstance && frame->instanceCount == frame->instanceRoom);
+    if (frame->instanceLimit.most == MeNoLimit)
+        return addInstances(frame, roomToAdd(frame->instanceRoom), function);
+    MeLimitWarn(&frame->instanceLimit, function, "the parts of an aggregate");
+    return MEFALSE;
 }
 
 static MeBool sizesAreGood(int types, int models, int instances, MeReal lengthScale) {
@@ -62,30 +133,38 @@ static MeBool sizesAreGood(int types, int models, int instances, MeReal lengthSc
 McdFrameworkID MEAPI(McdInit)(int geoTypeMaxCount, int modelCount, int instanceCount, MeReal lengthScale) {
     if (!sizesAreGood(geoTypeMaxCount, modelCount, instanceCount, lengthScale))
         return 0;
-    McdFramework *frame = createZeroed(1, sizeof *frame);
-    if (!frame) {
-        MeFatalError(1, "McdInit: no memory");
+    McdFramework *frame = MeMemoryTakeZeroed(1, sizeof *frame, "McdInit", "a framework");
+    if (!frame)
+        return 0;
+    const size_t types = (size_t)(kMcdGeometryFirstUserType + geoTypeMaxCount);
+    frame->typeCount = (int)types;
+    frame->typeLimit = (MeLimit){.most = geoTypeMaxCount, .name = "McdInit's geoTypeMaxCount"};
+    frame->modelLimit = (MeLimit){.most = modelCount, .name = "McdInit's modelCount"};
+    frame->instanceLimit = (MeLimit){.most = instanceCount, .name = "McdInit's instanceCount"};
+    frame->types = MeMemoryTakeZeroed(types, sizeof *frame->types, "McdInit", "geometry types");
+    frame->grid = MeMemoryTakeZeroed(types * types, sizeof *frame->grid, "McdInit", "interactions");
+    if (!frame->types || !frame->grid || (modelCount != MeNoLimit && !addModels(frame, modelCount, "McdInit")) ||
+        (instanceCount && instanceCount != MeNoLimit && !addInstances(frame, instanceCount, "McdInit"))) {
+        freeFramework(frame);
         return 0;
     }
-    frame->typeCount = kMcdGeometryFirstUserType + geoTypeMaxCount;
-    frame->modelMax = modelCount;
-    frame->instanceMax = instanceCount;
-    frame->types = createZeroed((size_t)frame->typeCount, sizeof *frame->types);
-    frame->grid = createZeroed((size_t)frame->typeCount * (size_t)frame->typeCount, sizeof *frame->grid);
-    frame->models = createZeroed((size_t)modelCount, sizeof *frame->models);
-    frame->instances = createZeroed((size_t)instanceCount, sizeof *frame->instances);
-    if (!frame->types || !frame->grid || !frame->models || !frame->instances) {
-        freeTables(frame);
-        MeFatalError(1, "McdInit: no memory for %d models and %d instances", modelCount, instanceCount);
-        return 0;
-    }
-    linkPools(frame);
     frame->lengthScale = lengthScale;
     frame->tolerance = (MeReal)0.01 * lengthScale;
     frame->builtInRequest = builtInRequest;
     frame->defaultRequest = &frame->builtInRequest;
     frame->magic = MCD_FRAMEWORK;
+    MeHandleEnter(&frame->handle, frame, MCD_FRAMEWORK);
+    atomic_fetch_add(&liveFrames, 1);
     return frame;
+}
+
+void MEAPI McdFrameworkRenameLimits(McdFrameworkID frame, const char *types, const char *models,
+                                    const char *instances) {
+    if (!mcd_frameCheck(frame, "McdFrameworkRenameLimits"))
+        return;
+    MeLimitRename(&frame->typeLimit, types);
+    MeLimitRename(&frame->modelLimit, models);
+    MeLimitRename(&frame->instanceLimit, instances);
 }
 
 McdFrameworkID MEAPI McdInitUnscaled(int geoTypeMaxCount, int modelCount, int instanceCount) {
@@ -110,10 +189,7 @@ void MEAPI McdFrameworkDestroyAllModelsAndGeometries(McdFrameworkID frame) {
     if (!mcd_frameCheck(frame, "McdFrameworkDestroyAllModelsAndGeometries"))
         return;
     while (frame->lastModel) {
-        McdModelRecord *m = frame->lastModel;
-        if (m->space)
-            mcd_spaceForget(&m->model);
-        McdModelDestroy(&m->model);
+        McdModelDestroy(&frame->lastModel->model);
     }
     destroyGeometries(frame);
 }
@@ -123,12 +199,14 @@ static void runTermActions(McdFramework *frame) {
         McdTermActionLink *link = frame->termActions;
         frame->termActions = link->next;
         link->action(frame);
-        MeMemoryAPI.destroy(link);
+        MeMemoryGive(link);
     }
 }
 
 void MEAPI McdTerm(McdFrameworkID frame) {
-    if (!mcd_frameCheck(frame, "McdTerm"))
+    if (!frame)
+        mcd_warnGone(frame, "collision framework", "McdTerm");
+    if (!mcd_mayDestroy(frame, MCD_FRAMEWORK, "collision framework", "McdTerm"))
         return;
     if (frame->spaceCount) {
         MeWarning(1, "McdTerm: %d spaces are left; destroy them first. Nothing was destroyed", frame->spaceCount);
@@ -138,18 +216,19 @@ void MEAPI McdTerm(McdFrameworkID frame) {
     if (frame->modelCount || frame->geometryCount)
         MeWarning(2, "McdTerm: %d models and %d geometries were left", frame->modelCount, frame->geometryCount);
     McdFrameworkDestroyAllModelsAndGeometries(frame);
+    MEASSERT(!frame->modelCount && !frame->instanceCount && !frame->geometryCount);
     frame->magic = 0;
-    freeTables(frame);
+    MeHandleLeave(&frame->handle);
+    atomic_fetch_sub(&liveFrames, 1);
+    freeFramework(frame);
 }
 
 void MEAPI McdFrameworkRegisterTermAction(McdFrameworkID frame, McdTermAction action) {
     if (!mcd_frameCheck(frame, "McdFrameworkRegisterTermAction") || !action)
         return;
-    McdTermActionLink *link = MeMemoryAPI.create(sizeof *link);
-    if (!link) {
-        MeFatalError(1, "McdFrameworkRegisterTermAction: no memory");
+    McdTermActionLink *link = MeMemoryTake(1, sizeof *link, "McdFrameworkRegisterTermAction", "an action");
+    if (!link)
         return;
-    }
     link->action = action;
     link->next = frame->termActions;
     frame->termActions = link;
@@ -175,8 +254,8 @@ static McdTypeRecord *typeRecord(McdFramework *frame, int typeId, const char *fu
         return 0;
     if (typeId >= 0 && typeId < frame->typeCount)
         return &frame->types[typeId];
-    MeWarning(1, "%s: there is no geometry type %d: own types are %d .. %d, see McdInit's geoTypeMaxCount", function,
-              typeId, kMcdGeometryFirstUserType, frame->typeCount - 1);
+    MeWarning(1, "%s: there is no geometry type %d: own types are from %d on, %d of them: see %s", function, typeId,
+              kMcdGeometryFirstUserType, frame->typeLimit.most, frame->typeLimit.name);
     return 0;
 }
 

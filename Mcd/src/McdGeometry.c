@@ -4,18 +4,34 @@
 
 /* ---- life ---------------------------------------------------------------------------------------------------- */
 
+/* Programs see the head of a geometry, and not what a handle is made of. */
+_Static_assert(sizeof(MeHandle) <= sizeof(((McdGeometry *)0)->handle), "McdGeometry has place for its handle");
+
+static MeHandle *handleOf(McdGeometry *g) {
+    return (MeHandle *)(void *)g->handle;
+}
+
 static MeBool isLive(const McdGeometry *g) {
-    return g && g->magic == MCD_GEOMETRY;
+    return g && MCD_IS_KNOWN(g, MCD_GEOMETRY) && g->magic == MCD_GEOMETRY;
 }
 
 MeBool MEAPI McdGeometryIsValid(McdGeometryID g) {
-    return isLive(g) && McdFrameworkTypeIsRegistered(g->frame, g->type);
+    return g && MeHandleIsLive(g, MCD_GEOMETRY) && McdFrameworkTypeIsRegistered(g->frame, g->type);
 }
 
 static MeBool checkLive(const McdGeometry *g, const char *function) {
-    if (!isLive(g))
-        MeWarning(1, "%s: %p is no geometry", function, (const void *)g);
-    return isLive(g);
+    if (isLive(g))
+        return METRUE;
+    mcd_warnGone(g, "geometry", function);
+    return MEFALSE;
+}
+
+MeBool mcd_geometryBelongs(McdGeometryID g, const McdFramework *frame, const char *function) {
+    if (g->frame == frame)
+        return METRUE;
+    MeWarning(1, "%s: the %s belongs to another framework: make one in the model's", function,
+              McdGeometryGetTypeName(g));
+    return MEFALSE;
 }
 
 const McdTypeRecord *mcd_geometryType(McdGeometryID g, const char *function) {
@@ -46,6 +62,7 @@ void MEAPI McdGeometryInit(McdGeometryID g, McdFramework *frame, MeI16 typeId) {
     *(g->previous ? &g->previous->next : &frame->firstGeometry) = g;
     frame->lastGeometry = g;
     frame->geometryCount++;
+    MeHandleEnter(handleOf(g), g, MCD_GEOMETRY);
 }
 
 void MEAPI McdGeometryDeinit(McdGeometryID g) {
@@ -55,7 +72,9 @@ void MEAPI McdGeometryDeinit(McdGeometryID g) {
     *(g->previous ? &g->previous->next : &frame->firstGeometry) = g->next;
     *(g->next ? &g->next->previous : &frame->lastGeometry) = g->previous;
     frame->geometryCount--;
+    MEASSERT(frame->geometryCount >= 0 && !frame->firstGeometry == !frame->geometryCount);
     g->magic = 0;
+    MeHandleLeave(handleOf(g));
 }
 
 void *mcd_geometryCreate(McdFramework *frame, McdGeometryType type, size_t size, const char *function) {
@@ -65,18 +84,15 @@ void *mcd_geometryCreate(McdFramework *frame, McdGeometryType type, size_t size,
         MeWarning(1, "%s: register its geometry type first, for example by McdPrimitivesRegisterTypes", function);
         return 0;
     }
-    McdGeometry *g = MeMemoryAPI.create(size);
-    if (!g) {
-        MeFatalError(1, "%s: no memory", function);
+    McdGeometry *g = MeMemoryTakeZeroed(1, size, function, "a geometry");
+    if (!g)
         return 0;
-    }
-    memset(g, 0, size);
     McdGeometryInit(g, frame, type);
     return g;
 }
 
 void MEAPI McdGeometryDestroy(McdGeometryID g) {
-    if (!g || !checkLive(g, "McdGeometryDestroy"))
+    if (!mcd_mayDestroy(g, MCD_GEOMETRY, "geometry", "McdGeometryDestroy"))
         return;
     if (g->referenceCount > 0) {
         MeWarning(1, "McdGeometryDestroy: %d models or aggregates still use the %s", g->referenceCount,
@@ -88,7 +104,16 @@ void MEAPI McdGeometryDestroy(McdGeometryID g) {
     if (destroy)
         destroy(g);
     else
-        MeMemoryAPI.destroy(g);
+        MeMemoryGive(g);
+}
+
+void mcd_geometryDestroyAs(McdGeometryID g, McdGeometryType type, const char *function) {
+    if (mcd_mayDestroy(g, MCD_GEOMETRY, "geometry", function) && mcd_geometryIs(g, type, function))
+        McdGeometryDestroy(g);
+}
+
+void MEAPI mcd_geometryFree(McdGeometryID g) {
+    MeMemoryGive(g);
 }
 
 /* ---- references ---------------------------------------------------------------------------------------------- */

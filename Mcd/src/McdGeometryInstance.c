@@ -3,27 +3,31 @@
 #include <string.h>
 
 MeBool mcd_instanceCheck(const McdGeometryInstance *ins, const char *function) {
-    const McdModelRecord *m = ins && ins->model ? mcd_record(ins->model) : 0;
+    const MeBool isKnown = ins && MCD_IS_KNOWN(ins, MCD_INSTANCE);
+    const McdModelRecord *m = isKnown && ins->model ? mcd_record(ins->model) : 0;
     if (m && m->magic == MCD_MODEL)
         return METRUE;
-    MeWarning(1, "%s: %p is no instance of a model", function, (const void *)ins);
+    mcd_warnGone(ins, "instance of a model", function);
     return MEFALSE;
 }
 
 /* ---- the tree ------------------------------------------------------------------------------------------------- */
 
-static McdGeometryInstance *instanceFromPool(McdFramework *frame) {
-    McdGeometryInstance *ins = frame->freeInstance;
-    if (!ins)
+static McdGeometryInstance *instanceFromPool(McdFramework *frame, const char *function) {
+    if (!frame->freeInstance && !mcd_frameAddInstances(frame, function))
         return 0;
+    McdGeometryInstance *ins = frame->freeInstance;
     frame->freeInstance = ins->nextSibling;
     frame->instanceCount++;
     memset(ins, 0, sizeof *ins);
     ins->material = -1;
+    mcd_instanceEnter(ins);
     return ins;
 }
 
 static void instanceToPool(McdFramework *frame, McdGeometryInstance *ins) {
+    MEASSERT(frame->instanceCount > 0 && !ins->firstChild);
+    mcd_instanceLeave(ins);
     memset(ins, 0, sizeof *ins);
     ins->nextSibling = frame->freeInstance;
     frame->freeInstance = ins;
@@ -35,18 +39,19 @@ void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins) {
         McdGeometryInstance *child = ins->firstChild;
         ins->firstChild = child->nextSibling;
         mcd_instanceFreeChildren(frame, child);
+        MEASSERT(child->parent == ins && child->model == ins->model && child->geometry->referenceCount > 0);
         McdGeometryDecrementReferenceCount(child->geometry);
         instanceToPool(frame, child);
     }
 }
 
-MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins) {
+MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, const char *function) {
     if (ins->geometry->type != kMcdGeometryTypeAggregate)
         return METRUE;
     const McdAggregate *aggregate = (const McdAggregate *)ins->geometry;
     McdGeometryInstance **end = &ins->firstChild;
     for (int i = 0; i < aggregate->count; i++) {
-        McdGeometryInstance *child = instanceFromPool(frame);
+        McdGeometryInstance *child = instanceFromPool(frame, function);
         if (child) {
             child->geometry = aggregate->element[i].geometry;
             McdGeometryIncrementReferenceCount(child->geometry);
@@ -56,7 +61,7 @@ MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins) {
             *end = child;
             end = &child->nextSibling;
         }
-        if (!child || !mcd_instanceMakeChildren(frame, child)) {
+        if (!child || !mcd_instanceMakeChildren(frame, child, function)) {
             mcd_instanceFreeChildren(frame, ins);
             return MEFALSE;
         }
@@ -68,6 +73,7 @@ void mcd_instancePlaceChildren(McdGeometryInstance *ins) {
     const McdAggregate *aggregate = (const McdAggregate *)ins->geometry;
     const MeMatrix4Ptr tm = mcd_instanceTM(ins);
     for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling) {
+        MEASSERT(child->element < aggregate->count && aggregate->element[child->element].geometry == child->geometry);
         const MeMatrix4Ptr relative = aggregate->element[child->element].relTM;
         MeMatrix4TMCompound(child->placed, mcd_const(relative), mcd_const(tm));
         if (child->tm)
@@ -109,7 +115,8 @@ McdGeometryID MEAPI McdGeometryInstanceGetGeometry(McdGeometryInstanceID ins) {
 
 void MEAPI McdGeometryInstanceSetGeometry(McdGeometryInstanceID ins, McdGeometryID g) {
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceSetGeometry") ||
-        !mcd_geometryType(g, "McdGeometryInstanceSetGeometry"))
+        !mcd_geometryType(g, "McdGeometryInstanceSetGeometry") ||
+        !mcd_geometryBelongs(g, mcd_record(ins->model)->frame, "McdGeometryInstanceSetGeometry"))
         return;
     if (g->type == kMcdGeometryTypeAggregate || ins->geometry->type == kMcdGeometryTypeAggregate) {
         MeWarning(1, "McdGeometryInstanceSetGeometry: aggregates are set by McdModelSetGeometry");
@@ -129,8 +136,12 @@ MeMatrix4Ptr MEAPI McdGeometryInstanceGetTransformPtr(const McdGeometryInstanceI
 }
 
 void MEAPI McdGeometryInstanceSetTransformPtr(const McdGeometryInstanceID ins, const MeMatrix4Ptr geometryTM) {
-    if (mcd_instanceCheck(ins, "McdGeometryInstanceSetTransformPtr"))
+    if (!mcd_instanceCheck(ins, "McdGeometryInstanceSetTransformPtr"))
+        return;
+    if (ins->parent)
         ins->tm = geometryTM;
+    else
+        McdModelSetTransformPtr(ins->model, geometryTM);
 }
 
 unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins) {
@@ -155,7 +166,7 @@ void MEAPI McdGeometryInstanceSetMaterial(McdGeometryInstanceID ins, int materia
 void MEAPI McdGeometryInstanceReset(McdGeometryInstanceID ins) {
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceReset"))
         return;
-    ins->tm = 0;
+    McdGeometryInstanceSetTransformPtr(ins, 0);
     ins->material = ins->parent ? -1 : 0;
 }
 

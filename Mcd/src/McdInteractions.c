@@ -1,4 +1,5 @@
 /* What can be asked of a pair of models: the framework's table says who answers. */
+#include "McdContact.h"
 #include "mcd_i.h"
 
 static MeBool checkPair(const McdModelPair *p, const char *function) {
@@ -66,7 +67,7 @@ void MEAPI McdHello(McdModelPair *p) {
         return;
     McdModelPair asked = isTurned ? turn(p) : *p;
     interaction->helloFn(&asked);
-    p->cache = asked.cache;
+    p->m_cachedData = asked.m_cachedData;
 }
 
 void MEAPI McdGoodbye(McdModelPair *p) {
@@ -78,7 +79,7 @@ void MEAPI McdGoodbye(McdModelPair *p) {
         McdModelPair asked = isTurned ? turn(p) : *p;
         interaction->goodbyeFn(&asked);
     }
-    p->cache = 0;
+    p->m_cachedData = 0;
 }
 
 void MEAPI McdHelloEach(McdModelPairContainer *pairs) {
@@ -131,8 +132,11 @@ static void turnContacts(McdIntersectResult *result) {
     for (int i = 0; i < result->contactCount; i++) {
         McdContact *c = &result->contacts[i];
         const McdGeometryInstanceID instance = c->instance1;
-        const int element = c->element1;
+        const McdElementData element = c->element1;
+        const double radius = c->radius[0];
         MeVector3MultiplyScalar(c->normal, c->normal, -1);
+        c->radius[0] = c->radius[1];
+        c->radius[1] = radius;
         c->instance1 = c->instance2;
         c->instance2 = instance;
         c->element1 = c->element2;
@@ -140,9 +144,21 @@ static void turnContacts(McdIntersectResult *result) {
     }
 }
 
-static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
-    const int max = result->contactMaxCount;
-    result->contactMaxCount = MeMIN(max, MeMAX(McdModelPairGetRequestPtr(p)->contactMaxCount, 1));
+/* An interaction of a program's own knows nothing of the members that it cannot know. */
+static void completeContacts(McdFramework *frame, McdIntersectResult *result) {
+    for (int i = 0; i < result->contactCount && !frame->knowsSurfaces; i++) {
+        McdContact *c = &result->contacts[i];
+        c->exactSeparation = (double)c->separation;
+        for (int k = 0; k < 3; k++)
+            c->exactPosition[k] = (double)c->position[k];
+        c->radius[0] = c->radius[1] = 0;
+    }
+    frame->knowsSurfaces = METRUE; /* of an aggregate's parts, and so of the aggregate */
+}
+
+static void callIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
+    McdFramework *frame = mcd_record(p->model1)->frame;
+    frame->knowsSurfaces = MEFALSE;
     if (isTurned) {
         McdModelPair asked = turn(p);
         intersect(&asked, result);
@@ -150,7 +166,36 @@ static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTur
     } else {
         intersect(p, result);
     }
+    completeContacts(frame, result);
     result->pair = p;
+}
+
+/* For McdRequest.faceNormalsFirst: asks for more contacts than wanted, and keeps those on faces before the others. */
+static void intersectFacesFirst(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned,
+                                McdIntersectResult *result) {
+    enum { MORE = 4 }; /* so that a manifold of four points is in them where one contact is wanted */
+    const int wanted = result->contactMaxCount;
+    McdContact *kept = result->contacts;
+    McdContact *all = MeMemoryTake(MORE * (size_t)wanted, sizeof *all, "McdIntersect", "a request's contacts");
+    if (!all)
+        return;
+    result->contacts = all;
+    result->contactMaxCount = MORE * wanted;
+    callIntersect(intersect, p, isTurned, result);
+    result->contactCount = McdContactSimplify(result->normal, all, result->contactCount, kept, wanted, METRUE,
+                                              mcd_record(p->model1)->frame->lengthScale);
+    result->contacts = kept;
+    MeMemoryGive(all);
+}
+
+static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
+    const McdRequest *request = McdModelPairGetRequestPtr(p);
+    const int max = result->contactMaxCount;
+    result->contactMaxCount = MeMIN(max, MeMAX(request->contactMaxCount, 1));
+    if (request->faceNormalsFirst)
+        intersectFacesFirst(intersect, p, isTurned, result);
+    else
+        callIntersect(intersect, p, isTurned, result);
     result->contactMaxCount = max;
 }
 
@@ -237,6 +282,19 @@ MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPairContaine
 
 /* ---- time, lines -------------------------------------------------------------------------------------------------- */
 
+static MeBool areVelocitiesGood(const McdModelPair *p, const char *function) {
+    const McdModelRecord *m[2] = {mcd_record(p->model1), mcd_record(p->model2)};
+    for (int i = 0; i < 2; i++) {
+        const MeReal *velocity[2] = {m[i]->linearVelocity, m[i]->angularVelocity};
+        for (int k = 0; k < 2; k++)
+            if (velocity[k] && !mcd_areNear(velocity[k], 3)) {
+                MeWarning(1, "%s: a model's velocity is not finite, or beyond %g", function, (double)FLT_MAX);
+                return MEFALSE;
+            }
+    }
+    return METRUE;
+}
+
 MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
     MeBool isTurned;
     if (!result || !checkPair(p, "McdSafeTime"))
@@ -251,7 +309,8 @@ MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *res
         return MEFALSE;
     }
     const McdInteractions *interaction = interactionOf(p, &isTurned);
-    if (!interaction || !interaction->safeTimeFn || !arePlaced(p, "McdSafeTime"))
+    if (!interaction || !interaction->safeTimeFn || !arePlaced(p, "McdSafeTime") ||
+        !areVelocitiesGood(p, "McdSafeTime"))
         return MEFALSE;
     McdModelPair asked = isTurned ? turn(p) : *p;
     const MeBool answer = interaction->safeTimeFn(&asked, maxTime, result);
@@ -261,8 +320,8 @@ MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *res
     return answer != 0;
 }
 
-static MeBool isFinitePoint(const MeReal *p) {
-    return p && MeRealIsValid(p[0]) && MeRealIsValid(p[1]) && MeRealIsValid(p[2]);
+static MeBool isPoint(const MeReal *p) {
+    return p && mcd_areNear(p, 3);
 }
 
 unsigned int MEAPI McdLineSegIntersect(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
@@ -270,8 +329,8 @@ unsigned int MEAPI McdLineSegIntersect(const McdModelID cm, MeReal *const inOrig
     McdModelRecord *m = mcd_modelCheck(cm, "McdLineSegIntersect");
     if (!m || !outOverlap)
         return 0;
-    if (!isFinitePoint(inOrig) || !isFinitePoint(inDest)) {
-        MeWarning(1, "McdLineSegIntersect: an end of the segment is not finite");
+    if (!isPoint(inOrig) || !isPoint(inDest)) {
+        MeWarning(1, "McdLineSegIntersect: an end of the segment is null, not finite, or beyond %g", (double)FLT_MAX);
         return 0;
     }
     const McdLineSegIntersectFnPtr intersect = m->frame->types[m->instance.geometry->type].lineSegment;

@@ -4,9 +4,9 @@
 
 McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function) {
     McdModelRecord *m = mcd_record(cm);
-    if (m && m->magic == MCD_MODEL)
+    if (m && MCD_IS_KNOWN(m, MCD_MODEL) && m->magic == MCD_MODEL)
         return m;
-    MeWarning(1, "%s: %p is no model", function, (void *)cm);
+    mcd_warnGone(cm, "model", function);
     return 0;
 }
 
@@ -19,7 +19,7 @@ MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b) {
 static void setFilter(McdModelRecord *m, McdFilter filter) {
     m->filter = filter;
     if (m->space)
-        mcd_spaceFilter(&m->model);
+        m->frame->spaceFilter(&m->model);
 }
 
 /* Everything but its geometry, its space and its place in the framework. */
@@ -52,6 +52,8 @@ static McdModelRecord *recordFromPool(McdFramework *frame) {
     *(m->previous ? &m->previous->next : &frame->firstModel) = m;
     frame->lastModel = m;
     frame->modelCount++;
+    MeHandleEnter(&m->handle, m, MCD_MODEL);
+    mcd_instanceEnter(&m->instance);
     return m;
 }
 
@@ -60,19 +62,21 @@ static void recordToPool(McdModelRecord *m) {
     *(m->previous ? &m->previous->next : &frame->firstModel) = m->next;
     *(m->next ? &m->next->previous : &frame->lastModel) = m->previous;
     frame->modelCount--;
+    MEASSERT(frame->modelCount >= 0 && !frame->firstModel == !frame->modelCount);
+    MEASSERT(!m->space && !m->instance.geometry && !m->instance.firstChild);
+    MeHandleLeave(&m->handle);
+    mcd_instanceLeave(&m->instance);
     m->magic = 0;
     m->next = 0;
     *(frame->lastFree ? &frame->lastFree->next : &frame->firstFree) = m;
     frame->lastFree = m;
 }
 
-/* Makes g the geometry of a model without one. False, with a warning, if there are too few child instances. */
+/* Makes g the geometry of a model without one. False, with a message, if there are too few child instances. */
 static MeBool takeGeometry(McdModelRecord *m, McdGeometryID g, const char *function) {
     m->instance.geometry = g;
     m->instance.model = &m->model;
-    if (!mcd_instanceMakeChildren(m->frame, &m->instance)) {
-        MeWarning(1, "%s: no child instances left for the aggregate: McdInit's instanceCount is %d", function,
-                  m->frame->instanceMax);
+    if (!mcd_instanceMakeChildren(m->frame, &m->instance, function)) {
         m->instance.geometry = 0;
         return MEFALSE;
     }
@@ -82,6 +86,7 @@ static MeBool takeGeometry(McdModelRecord *m, McdGeometryID g, const char *funct
 
 static void dropGeometry(McdModelRecord *m) {
     mcd_instanceFreeChildren(m->frame, &m->instance);
+    MEASSERT(m->instance.geometry->referenceCount > 0);
     McdGeometryDecrementReferenceCount(m->instance.geometry);
     m->instance.geometry = 0;
 }
@@ -90,10 +95,8 @@ McdModelID MEAPI McdModelCreate(McdGeometryID g) {
     if (!mcd_geometryType(g, "McdModelCreate"))
         return 0;
     McdFramework *frame = g->frame;
-    if (!frame->firstFree) {
-        MeWarning(1, "McdModelCreate: there are %d models already: raise McdInit's modelCount", frame->modelMax);
+    if (!frame->firstFree && !mcd_frameAddModels(frame, "McdModelCreate"))
         return 0;
-    }
     McdModelRecord *m = recordFromPool(frame);
     if (!takeGeometry(m, g, "McdModelCreate")) {
         recordToPool(m);
@@ -106,8 +109,8 @@ McdModelID MEAPI McdModelCreate(McdGeometryID g) {
 static void freeRelative(McdModelRecord *m) {
     if (!m->ownsRelative)
         return;
-    MeMemoryAPI.destroy(m->relTM);
-    MeMemoryAPI.destroy(m->instance.tm);
+    MeMemoryGive(m->relTM);
+    MeMemoryGive(m->instance.tm);
     m->instance.tm = 0;
     m->ownsRelative = MEFALSE;
 }
@@ -119,13 +122,11 @@ static void leaveBody(McdModelRecord *m) {
 }
 
 void MEAPI McdModelDestroy(McdModelID cm) {
-    McdModelRecord *m = cm ? mcd_modelCheck(cm, "McdModelDestroy") : 0;
-    if (!m)
+    McdModelRecord *m = mcd_record(cm);
+    if (!mcd_mayDestroy(cm, MCD_MODEL, "model", "McdModelDestroy"))
         return;
-    if (m->space) {
-        MeWarning(1, "McdModelDestroy: the model is still in a space: see McdSpaceRemoveModel");
-        return;
-    }
+    if (m->space)
+        m->frame->spaceForget(cm);
     leaveBody(m);
     freeRelative(m);
     dropGeometry(m);
@@ -144,11 +145,50 @@ void MEAPI McdModelReset(McdModelID cm) {
 }
 
 MeBool MEAPI McdModelIsValid(McdModelID cm) {
-    return cm && mcd_record(cm)->magic == MCD_MODEL;
+    return cm && MeHandleIsLive(cm, MCD_MODEL);
 }
 
 MeU64 MEAPI McdModelGetSerial(McdModelID cm) {
     return McdModelIsValid(cm) ? mcd_record(cm)->serial : 0;
+}
+
+McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *part) {
+    static const MeHandle none = {0, 0, 0};
+    const McdModelRecord *m = mcd_record(part->model);
+    if (!part->parent)
+        return part->model;
+    s->record = *m;
+    s->record.handle = none;
+    s->record.instance = *part;
+    s->record.instance.handle = none;
+    s->record.instance.parent = s->record.instance.nextSibling = 0;
+    s->record.instance.model = &s->record.model;
+    s->record.instance.tm = part->placed;
+    s->record.instance.material = (int)mcd_instanceMaterial(part);
+    s->record.relTM = s->record.refTM = 0;
+    s->record.ownsRelative = MEFALSE;
+    s->record.update = 0;
+    s->record.intersect = 0; /* called once for the whole */
+    if (m->linearVelocity && m->angularVelocity) {
+        MeVector3 arm;
+        MeVector3Subtract(arm, part->placed[3], m->instance.tm[3]);
+        MeVector3Cross(s->velocity, m->angularVelocity, arm);
+        MeVector3Add(s->velocity, s->velocity, m->linearVelocity);
+        s->record.linearVelocity = s->velocity;
+    }
+#if KARMA_CHECK
+    MeHandleEnter(&s->record.handle, &s->record, MCD_MODEL);
+#endif
+    mcd_instanceEnter(&s->record.instance);
+    return &s->record.model;
+}
+
+void mcd_standInEnd(McdModelID cm, McdGeometryInstance *part) {
+    McdModelRecord *m = mcd_record(cm);
+    if (cm == part->model)
+        return;
+    MeHandleLeave(&m->handle);
+    mcd_instanceLeave(&m->instance);
 }
 
 /* ---- shape ---------------------------------------------------------------------------------------------------- */
@@ -160,7 +200,7 @@ McdGeometryID MEAPI McdModelGetGeometry(McdModelID cm) {
 
 void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetGeometry");
-    if (!m || !mcd_geometryType(g, "McdModelSetGeometry"))
+    if (!m || !mcd_geometryType(g, "McdModelSetGeometry") || !mcd_geometryBelongs(g, m->frame, "McdModelSetGeometry"))
         return;
     if (m->space) {
         MeWarning(1, "McdModelSetGeometry: the model is in a space: take it out first");
@@ -255,11 +295,11 @@ void MEAPI McdModelSetRelativeTransform(McdModelID cm, MeMatrix4 relTM) {
         MeWarning(1, "McdModelSetRelativeTransform: set a transform first: it becomes the reference");
         return;
     }
-    MeMatrix4Ptr copy = MeMemoryAPI.create(sizeof(MeMatrix4)), product = MeMemoryAPI.create(sizeof(MeMatrix4));
+    MeMatrix4Ptr copy = MeMemoryTake(1, sizeof(MeMatrix4), "McdModelSetRelativeTransform", "a transform");
+    MeMatrix4Ptr product = MeMemoryTake(1, sizeof(MeMatrix4), "McdModelSetRelativeTransform", "a transform");
     if (!copy || !product) {
-        MeFatalError(1, "McdModelSetRelativeTransform: no memory");
-        MeMemoryAPI.destroy(copy);
-        MeMemoryAPI.destroy(product);
+        MeMemoryGive(copy);
+        MeMemoryGive(product);
         return;
     }
     MeMatrix4Copy(copy, mcd_const(relTM));
@@ -300,12 +340,7 @@ MeReal *MEAPI McdModelGetAngularVelocityPtr(McdModelID cm) {
 }
 
 MeBool mcd_modelIsPlaced(const McdModelRecord *m) {
-    MeReal sum = 0; /* not finite if one of them is not; 0 times anything finite is 0 */
-    if (!m->instance.tm)
-        return MEFALSE;
-    for (int i = 0; i < 4; i++)
-        sum += 0 * m->instance.tm[i][0] + 0 * m->instance.tm[i][1] + 0 * m->instance.tm[i][2];
-    return sum == 0;
+    return mcd_isPlace(mcd_const(m->instance.tm));
 }
 
 void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm) {

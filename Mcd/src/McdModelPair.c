@@ -3,7 +3,7 @@
 #include "mcd_i.h"
 #include <string.h>
 
-static MeBool areModels(McdModelID m1, McdModelID m2, const char *function) {
+MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function) {
     if (!mcd_modelCheck(m1, function) || !mcd_modelCheck(m2, function))
         return MEFALSE;
     if (m1 == m2 || mcd_record(m1)->frame != mcd_record(m2)->frame) {
@@ -20,24 +20,20 @@ static MeBool isPair(McdModelPairID p, const char *function) {
 }
 
 McdModelPairID MEAPI McdModelPairCreate(McdModelID m1, McdModelID m2) {
-    if (!areModels(m1, m2, "McdModelPairCreate"))
+    if (!mcd_modelsMakeAPair(m1, m2, "McdModelPairCreate"))
         return 0;
-    McdModelPairID p = MeMemoryAPI.create(sizeof *p);
-    if (!p) {
-        MeFatalError(1, "McdModelPairCreate: no memory");
-        return 0;
-    }
-    memset(p, 0, sizeof *p);
-    McdModelPairReset(p, m1, m2);
+    McdModelPairID p = MeMemoryTake(1, sizeof *p, "McdModelPairCreate", "a pair");
+    if (p)
+        McdModelPairReset(p, m1, m2);
     return p;
 }
 
 void MEAPI McdModelPairDestroy(McdModelPairID p) {
-    MeMemoryAPI.destroy(p);
+    MeMemoryGive(p);
 }
 
 void MEAPI McdModelPairReset(McdModelPairID p, McdModelID m1, McdModelID m2) {
-    if (!isPair(p, "McdModelPairReset") || !areModels(m1, m2, "McdModelPairReset"))
+    if (!isPair(p, "McdModelPairReset") || !mcd_modelsMakeAPair(m1, m2, "McdModelPairReset"))
         return;
     memset(p, 0, sizeof *p);
     p->model1 = m1;

@@ -1,6 +1,6 @@
 /* Places for the pairs that a space hands over. */
 #include "McdModelPairContainer.h"
-#include "MeMemory.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
 #include <string.h>
 
@@ -16,17 +16,15 @@ McdModelPairContainer *MEAPI McdModelPairContainerCreate(int size) {
         MeWarning(1, "McdModelPairContainerCreate: size is %d: it must be 1 or more", size);
         return 0;
     }
-    McdModelPairContainer *c = MeMemoryAPI.create(sizeof *c + (size_t)size * sizeof(McdModelPair *));
-    if (!c) {
-        MeFatalError(1, "McdModelPairContainerCreate: no memory");
-        return 0;
-    }
-    McdModelPairContainerInit(c, (McdModelPair **)(void *)(c + 1), size);
+    McdModelPairContainer *c = MeMemoryTake(1, sizeof *c + (size_t)size * sizeof(McdModelPair *),
+                                            "McdModelPairContainerCreate", "a container of pairs");
+    if (c)
+        McdModelPairContainerInit(c, (McdModelPair **)(void *)(c + 1), size);
     return c;
 }
 
 void MEAPI McdModelPairContainerDestroy(McdModelPairContainer *a) {
-    MeMemoryAPI.destroy(a);
+    MeMemoryGive(a);
 }
 
 void MEAPI McdModelPairContainerInit(McdModelPairContainer *c, McdModelPair **array, int size) {

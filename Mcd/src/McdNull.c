@@ -8,8 +8,7 @@ static void support(const McdGeometry *g, const double direction[3], double poin
     point[0] = point[1] = point[2] = 0;
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Null)
-MCD_DEFINE_DESTROY(Null)
+MCD_DEFINE_GEOMETRY_TYPE(Null, mcd_geometryFree)
 
 McdNullID MEAPI McdNullCreate(McdFramework *frame) {
     return (McdNullID)mcd_geometryCreate(frame, kMcdGeometryTypeNull, sizeof(McdNull), "McdNullCreate");

@@ -34,7 +34,7 @@ char *MEAPI McdPlaneGetTypeName(const McdGeometryID g) {
 
 void MEAPI McdPlaneRegisterType(McdFramework *frame) {
     if (mcd_frameCheck(frame, "McdPlaneRegisterType"))
-        McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypePlane, McdPlaneGetTypeName(0), McdPlaneDestroy,
+        McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypePlane, McdPlaneGetTypeName(0), mcd_geometryFree,
                                          McdPlaneUpdateAABB, McdPlaneGetBSphere, McdPlaneMaximumPoint,
                                          McdPlaneGetMassProperties, McdPlaneDebugDraw);
 }

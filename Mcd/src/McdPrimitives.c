@@ -1,10 +1,11 @@
-/* Sphere, box, plane, cylinder and sphyl at once. */
+/* Sphere, box, plane, cylinder, sphyl and triangle list at once. */
 #include "McdPrimitives.h"
 #include "McdConvexInteractions.h"
+#include "McdTriangleList.h"
 #include "mcd_i.h"
 
 unsigned int MEAPI McdPrimitivesGetTypeCount(void) {
-    return 5;
+    return 6;
 }
 
 void MEAPI McdPrimitivesRegisterTypes(McdFramework *frame) {
@@ -15,6 +16,7 @@ void MEAPI McdPrimitivesRegisterTypes(McdFramework *frame) {
     McdPlaneRegisterType(frame);
     McdCylinderRegisterType(frame);
     McdSphylRegisterType(frame);
+    McdTriangleListRegisterType(frame);
 }
 
 MeBool MEAPI McdPrimitivesRegisterInteractions(McdFramework *frame) {
@@ -34,6 +36,10 @@ MeBool MEAPI McdPrimitivesRegisterInteractions(McdFramework *frame) {
     McdBoxPlaneRegisterInteraction(frame);
     McdCylinderPlaneRegisterInteraction(frame);
     McdSphylPlaneRegisterInteraction(frame);
+    McdSphereTriangleListRegisterInteraction(frame);
+    McdBoxTriangleListRegisterInteraction(frame);
+    McdCylinderTriangleListRegisterInteraction(frame);
+    McdSphylTriangleListRegisterInteraction(frame);
     McdSphereLineSegmentRegisterInteraction(frame);
     McdBoxLineSegmentRegisterInteraction(frame);
     McdPlaneLineSegmentRegisterInteraction(frame);

@@ -38,23 +38,13 @@ static MeBool isAsked(const Query *q, McdModelID cm) {
     return cm != q->self && (!q->filter || q->filter(cm, q->filterData));
 }
 
-static MeBool areFinite(const MeReal *x, int count) {
-    for (int i = 0; i < count; i++)
-        if (!MeRealIsValid(x[i]))
-            return MEFALSE;
-    return METRUE;
-}
-
 /* Makes the shape of a geometry at a place. */
 static MeBool setShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const char *function) {
     MeVector3 low, high;
     if (!mcd_geometryType(g, function))
         return MEFALSE;
-    for (int i = 0; tm && i < 4; i++)
-        if (!areFinite(tm[i], 3))
-            tm = 0;
-    if (!tm) {
-        MeWarning(1, "%s: the transform is null or not finite", function);
+    if (!mcd_isPlace(tm)) {
+        MeWarning(1, "%s: the transform is null, not finite, or beyond %g", function, (double)FLT_MAX);
         return MEFALSE;
     }
     for (int i = 0; i < 3; i++)
@@ -101,6 +91,8 @@ static void measure(const Query *q, const McdShape *shape, const McdShape *other
 /* False for a part that is too far away or cannot be asked. */
 static MeBool measurePart(const Query *q, Gap *gap) {
     McdShape other;
+    if (!mcd_instanceIsPlaced(gap->part))
+        return MEFALSE;
     if (mcd_isMesh(gap->part))
         return mcd_meshNearest(&q->shape, gap->part, q->self, q->origin, q->reach, &gap->distance, gap->onShape,
                                gap->onPart, gap->normal);
@@ -142,7 +134,7 @@ static MeBool nearestPart(const Query *q, McdModelID cm, Gap *nearest) {
 
 static void toWorld(const Query *q, const double point[3], MeVector3 out) {
     for (int i = 0; i < 3; i++)
-        out[i] = (MeReal)(point[i] + q->origin[i]);
+        out[i] = mcd_real(point[i] + q->origin[i]);
 }
 
 /* ---- overlaps ---------------------------------------------------------------------------------------------------- */
@@ -156,6 +148,7 @@ static void addToList(Query *q, McdModelID cm) {
         return;
     if (q->count < q->listSize)
         q->count++;
+    MEASSERT(at < q->count && q->count <= q->listSize);
     memmove(q->list + at + 1, q->list + at, (size_t)(q->count - at - 1) * sizeof *q->list);
     q->list[at] = cm;
 }
@@ -186,8 +179,8 @@ int MEAPI McdSpaceOverlapBox(McdSpaceID space, const MeVector3 minCorner, const 
     Query q = {.space = space, .filter = filter, .filterData = filterData, .list = list, .listSize = listSize};
     if (!checkList(space, list, listSize, "McdSpaceOverlapBox"))
         return 0;
-    if (!minCorner || !maxCorner || !areFinite(minCorner, 3) || !areFinite(maxCorner, 3)) {
-        MeWarning(1, "McdSpaceOverlapBox: a corner is null or not finite");
+    if (!minCorner || !maxCorner || !mcd_areNear(minCorner, 3) || !mcd_areNear(maxCorner, 3)) {
+        MeWarning(1, "McdSpaceOverlapBox: a corner is null, not finite, or beyond %g", (double)FLT_MAX);
         return 0;
     }
     for (int i = 0; i < 3; i++) {
@@ -288,7 +281,7 @@ int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 
         return 0;
     result->model = c.model;
     result->instance = c.gap.part;
-    result->distance = (MeReal)c.gap.distance;
+    result->distance = mcd_real(c.gap.distance);
     toWorld(&c.q, c.gap.onShape, result->position1);
     toWorld(&c.q, c.gap.onPart, result->position2);
     for (int i = 0; i < 3; i++)
@@ -330,6 +323,7 @@ static MeBool advance(const Cast *c, const McdShape *other, double last, Gap *ga
 }
 
 static void take(Cast *c, McdModelID cm, const Gap *gap, double t) {
+    MEASSERT(t >= 0 && t <= c->fraction);
     const MeBool isFirst =
         !c->model || t < c->fraction || (cm != c->model && mcd_modelPrecedes(mcd_record(cm), mcd_record(c->model)));
     if (!isFirst)
@@ -395,7 +389,7 @@ static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *part) {
     if (!clip(c, part, &enter, &leave))
         return;
     const double length = mcd_length(c->by) * (leave - enter);
-    const int pieces = (int)fmax(1, fmin(MAX_PIECES, length / (2 * c->q.shape.extent)));
+    const int pieces = mcd_floorBetween(length / (2 * c->q.shape.extent), 1, MAX_PIECES);
     for (int n = 0; n < pieces; n++) {
         const double from = enter + (leave - enter) * n / pieces, to = enter + (leave - enter) * (n + 1) / pieces;
         double low[3], high[3];
@@ -418,6 +412,8 @@ static double visitCast(void *context, int proxy, double last) {
     if (!isAsked(&c->q, cm) || !mcd_modelIsPlaced(mcd_record(cm)))
         return last;
     for (McdGeometryInstance *part = firstLeaf(&mcd_record(cm)->instance); part; part = nextLeaf(part)) {
+        if (!mcd_instanceIsPlaced(part))
+            continue;
         if (mcd_isMesh(part))
             castMesh(c, cm, part);
         else if (isPlane(part))
@@ -431,9 +427,10 @@ static double visitCast(void *context, int proxy, double last) {
 static MeBool checkCast(McdSpaceID s, const MeReal *by, const McdCastResult *result, const char *function) {
     if (!mcd_spaceIsReady(s, function))
         return MEFALSE;
-    if (by && areFinite(by, 3) && result)
+    if (by && mcd_areNear(by, 3) && result)
         return METRUE;
-    MeWarning(1, "%s: the displacement is null or not finite, or there is no result", function);
+    MeWarning(1, "%s: the displacement is null, not finite, or beyond %g, or there is no result", function,
+              (double)FLT_MAX);
     return MEFALSE;
 }
 
@@ -467,8 +464,8 @@ int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const MeVector
     MeVector3 start, end;
     if (!checkCast(space, displacement, result, "McdSpaceCastRay"))
         return 0;
-    if (!from || !areFinite(from, 3)) {
-        MeWarning(1, "McdSpaceCastRay: the start is null or not finite");
+    if (!from || !mcd_areNear(from, 3)) {
+        MeWarning(1, "McdSpaceCastRay: the start is null, not finite, or beyond %g", (double)FLT_MAX);
         return 0;
     }
     MeVector3Copy(start, from);

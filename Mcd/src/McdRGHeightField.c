@@ -3,6 +3,7 @@
 #include "MeDebugDraw.h"
 #include "mcd_geometries.h"
 #include "mcd_local.h"
+#include "mcd_vector.h"
 #include <math.h>
 #include <string.h>
 
@@ -55,9 +56,9 @@ McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeRea
     return &f->head;
 }
 
-void MEAPI McdRGHeightFieldDestroy(McdGeometryID g) {
+static void MEAPI release(McdGeometryID g) {
     mcd_meshFree(&((McdRGHeightField *)g)->mesh);
-    MeMemoryAPI.destroy(g);
+    MeMemoryGive(g);
 }
 
 /* ---- what it is made of -------------------------------------------------------------------------------------------- */
@@ -113,19 +114,21 @@ static void pointOf(const McdRGHeightField *f, int i, int j, double point[3]) {
 
 /* half 0 is on the side of (i + 1, j), half 1 on that of (i, j + 1); counter-clockwise from above. */
 static void triangleOf(const McdRGHeightField *f, int i, int j, int half, double corner[3][3]) {
+    MEASSERT(i >= 0 && j >= 0 && i < f->xCount - 1 && j < f->yCount - 1);
     pointOf(f, i, j, corner[0]);
     pointOf(f, i + 1, j + half, corner[1]);
     pointOf(f, i + 1 - half, j + 1, corner[2]);
 }
 
-static int elementOf(const McdRGHeightField *f, int i, int j, int half) {
-    return 2 * (j * (f->xCount - 1) + i) + half;
+static McdElementData elementOf(const McdRGHeightField *f, int i, int j, int half) {
+    McdElementData element = {0};
+    element.tag = 2 * (j * (f->xCount - 1) + i) + half;
+    return element;
 }
 
 /* The cell in which a coordinate is, clamped to the grid. */
 static int cellAt(double x, double x0, double step, int points) {
-    const double cell = floor((x - x0) / step);
-    return cell < 0 ? 0 : cell > points - 2 ? points - 2 : (int)cell;
+    return mcd_floorBetween((x - x0) / step, 0, points - 2);
 }
 
 MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x, MeReal y, MeReal *height, MeVector3 normal) {
@@ -159,7 +162,7 @@ static void support(const McdGeometry *g, const double direction[3], double poin
     mcd_boxSupport(min, max, direction, point);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(RGHeightField)
+MCD_DEFINE_GEOMETRY_TYPE(RGHeightField, release)
 
 void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldGetBSphere"))
@@ -321,9 +324,8 @@ static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *
                              McdLineSegIntersectResult *outOverlap) {
     const McdGeometryInstance *ins = &mcd_record(cm)->instance;
     double from[3], to[3], part, normal[3];
-    mcd_toLocal(mcd_const(ins->tm), inOrig, from);
-    mcd_toLocal(mcd_const(ins->tm), inDest, to);
-    return walk((const McdRGHeightField *)ins->geometry, from, to, &part, normal) &&
+    return mcd_toLocal(mcd_const(ins->tm), inOrig, from) && mcd_toLocal(mcd_const(ins->tm), inDest, to) &&
+           walk((const McdRGHeightField *)ins->geometry, from, to, &part, normal) &&
            mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, part, normal, outOverlap);
 }
 

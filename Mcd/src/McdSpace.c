@@ -1,5 +1,6 @@
 /* Spaces: change blocks, models and their boxes, handing over pairs. Which pairs there are is found in mcd_pairs.c. */
 #include "mcd_space_i.h"
+#include "McdInternal.h"
 #include "mcd_motion.h"
 #include <string.h>
 
@@ -8,9 +9,9 @@ const int McdXAxis = 1, McdYAxis = 2, McdZAxis = 4, McdAllAxes = 7;
 /* ---- checks ------------------------------------------------------------------------------------------------------ */
 
 MeBool mcd_spaceCheck(McdSpaceID s, const char *function) {
-    if (s && s->magic == MCD_SPACE)
+    if (s && MCD_IS_KNOWN(s, MCD_SPACE) && s->magic == MCD_SPACE)
         return METRUE;
-    MeWarning(1, "%s: %p is no space", function, (void *)s);
+    mcd_warnGone(s, "space", function);
     return MEFALSE;
 }
 
@@ -59,22 +60,44 @@ static int indexOf(const McdSpace *s, const McdProxy *p) {
 
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
-static void *createArray(int count, size_t size) {
-    void *array = MeMemoryAPI.create((size_t)count * size);
-    if (array)
-        memset(array, 0, (size_t)count * size);
-    return array;
-}
-
 static void freeSpace(McdSpace *s) {
     mcd_pairsDestroy(s);
     if (s->tree)
         mcd_treeDestroy(s->tree);
-    MeMemoryAPI.destroy(s->proxy);
-    MeMemoryAPI.destroy(s->dirty);
-    MeMemoryAPI.destroy(s->unbounded);
+    MeMemoryGive(s->proxy);
+    MeMemoryGive(s->dirty);
+    MeMemoryGive(s->unbounded);
     s->magic = 0;
-    MeMemoryAPI.destroy(s);
+    MeMemoryGive(s);
+}
+
+/* Room for `count` proxies; the new ones are free. */
+static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
+    const size_t room = (size_t)s->proxyRoom, more = (size_t)count;
+    if (!MeMemoryGrow(&s->dirty, room, more, sizeof *s->dirty, function, "models that moved") ||
+        !MeMemoryGrow(&s->unbounded, room, more, sizeof *s->unbounded, function, "models without bounds") ||
+        !MeMemoryGrow(&s->proxy, room, more, sizeof *s->proxy, function, "boxes of models"))
+        return MEFALSE;
+    memset(s->proxy + room, 0, (more - room) * sizeof *s->proxy);
+    for (int i = s->firstProxy; i != MCD_NONE; i = s->proxy[i].next)
+        s->proxy[i].model->proxy = &s->proxy[i];
+    for (int i = s->proxyRoom; i < count; i++)
+        s->proxy[i].next = i + 1 < count ? i + 1 : s->freeProxy;
+    s->freeProxy = s->proxyRoom;
+    s->proxyRoom = count;
+    return METRUE;
+}
+
+/* There is a free proxy then. */
+static MeBool makeRoom(McdSpace *s, const char *function) {
+    enum { FIRST_ROOM = 64 };
+    if (s->freeProxy != MCD_NONE)
+        return METRUE;
+    MEASSERT(s->proxyCount == s->proxyRoom);
+    if (s->modelLimit.most == MeNoLimit)
+        return reserveProxies(s, s->proxyRoom ? 2 * s->proxyRoom : FIRST_ROOM, function);
+    MeLimitWarn(&s->modelLimit, function, "more models");
+    return MEFALSE;
 }
 
 static MeBool checkSizes(McdFrameworkID frame, int axes, int objectCount, int pairCount) {
@@ -99,14 +122,15 @@ static MeBool checkSizes(McdFrameworkID frame, int axes, int objectCount, int pa
 }
 
 static McdSpace *makeSpace(int objectCount) {
-    McdSpace *s = createArray(1, sizeof *s);
+    static const char function[] = "McdSpaceAxisSortCreate";
+    McdSpace *s = MeMemoryTakeZeroed(1, sizeof *s, function, "a space");
     if (!s)
         return 0;
-    s->proxy = createArray(objectCount, sizeof *s->proxy);
-    s->dirty = createArray(objectCount, sizeof *s->dirty);
-    s->unbounded = createArray(objectCount, sizeof *s->unbounded);
+    s->firstProxy = s->lastProxy = s->firstAwake = s->lastAwake = s->freeLink = s->freeProxy = MCD_NONE;
     s->tree = mcd_treeCreate();
-    if (s->proxy && s->dirty && s->unbounded && s->tree)
+    if (!s->tree)
+        MeFatalError(0, "%s: no memory for the tree of boxes", MeCallerName(function));
+    if (s->tree && (objectCount == MeNoLimit || reserveProxies(s, objectCount, function)))
         return s;
     freeSpace(s);
     return 0;
@@ -135,32 +159,37 @@ McdSpaceID MEAPI(McdSpaceAxisSortCreate)(McdFrameworkID framework, int axes, int
     if (!checkSizes(framework, axes, objectCount, pairCount))
         return 0;
     McdSpace *s = makeSpace(objectCount);
-    if (!s) {
-        MeFatalError(1, "McdSpaceAxisSortCreate: no memory");
+    if (!s)
         return 0;
-    }
     s->magic = MCD_SPACE;
     s->frame = framework;
     s->axes = axes;
-    s->objectMax = objectCount;
-    s->pairMax = pairCount;
+    s->modelLimit = (MeLimit){.most = objectCount, .name = "McdSpaceAxisSortCreate's objectCount"};
+    s->pairLimit = (MeLimit){.most = pairCount, .name = "McdSpaceAxisSortCreate's pairCount"};
     s->isChanging = s->isFirstBlock = METRUE;
     s->step = MCD_SPACE; /* a number that an iterator which was never set will hardly have */
-    s->firstProxy = s->lastProxy = s->firstAwake = s->lastAwake = s->freeLink = MCD_NONE;
-    for (int i = 0; i < objectCount; i++)
-        s->proxy[i].next = i + 1 < objectCount ? i + 1 : MCD_NONE;
-    mcd_spaceForget = forget;
-    mcd_spaceFilter = takeFilter;
+    framework->spaceForget = forget;
+    framework->spaceFilter = takeFilter;
     framework->spaceCount++;
+    MeHandleEnter(&s->handle, s, MCD_SPACE);
     return s;
 }
 
+void MEAPI McdSpaceRenameLimits(McdSpaceID s, const char *models, const char *pairs) {
+    if (!mcd_spaceCheck(s, "McdSpaceRenameLimits"))
+        return;
+    MeLimitRename(&s->modelLimit, models);
+    MeLimitRename(&s->pairLimit, pairs);
+}
+
 void MEAPI McdSpaceDestroy(McdSpaceID s) {
-    if (!s || !mcd_spaceCheck(s, "McdSpaceDestroy"))
+    if (!mcd_mayDestroy(s, MCD_SPACE, "space", "McdSpaceDestroy"))
         return;
     while (s->firstProxy != MCD_NONE)
         forget(&s->proxy[s->firstProxy].model->model);
     s->frame->spaceCount--;
+    MEASSERT(s->proxyCount == 0 && s->frame->spaceCount >= 0);
+    MeHandleLeave(&s->handle);
     freeSpace(s);
 }
 
@@ -295,7 +324,7 @@ static void putInTree(McdSpace *s, McdProxy *p) {
     else
         p->leaf = mcd_treeInsert(s->tree, &p->fat, indexOf(s, p));
     if (!p->leaf) {
-        MeFatalError(1, "McdSpaceUpdateModel: no memory for the tree of boxes");
+        MeFatalError(0, "%s: no memory for the tree of boxes", MeCallerName("McdSpaceUpdateModel"));
         putUnbounded(s, p); /* slower, and right */
     }
 }
@@ -444,17 +473,24 @@ static void rest(McdSpace *s, McdProxy *p) {
     *(p->nextAwake == MCD_NONE ? &s->lastAwake : &s->proxy[p->nextAwake].previousAwake) = p->previousAwake;
 }
 
+/* What is frozen is not updated, but for once, where nobody has told yet where it is. */
+static MeBool isToRest(const McdProxy *p) {
+    return p->isFrozen && (p->hasBox || !p->model->instance.tm);
+}
+
 static void updateAll(McdSpace *s, MeReal duration) {
     const MeBool isAlone = !s->isChanging;
     const int before = s->proxyCount;
     if (isAlone)
         beginBlock(s);
+    s->isUpdating = METRUE;
     for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
-        if (s->proxy[i].isFrozen)
+        if (isToRest(&s->proxy[i]))
             rest(s, &s->proxy[i]);
         else
             updateProxy(s, &s->proxy[i], duration); /* whose callback may freeze and unfreeze models */
-    MEASSERT(before == s->proxyCount);              /* no callback changes which models there are */
+    s->isUpdating = MEFALSE;
+    MEASSERT(before == s->proxyCount); /* no callback changes which models there are */
     (void)before;
     s->isUpdated = METRUE;
     if (isAlone)
@@ -553,16 +589,16 @@ static MeBool canInsert(McdSpaceID s, McdModelID cm, const char *function) {
         MeWarning(1, "%s: the model is in a space already", function);
     else if (mcd_record(cm)->frame != s->frame)
         MeWarning(1, "%s: the model belongs to another framework", function);
-    else if (s->proxyCount == s->objectMax)
-        MeWarning(1, "%s: there are %d models already: raise McdSpaceAxisSortCreate's objectCount", function,
-                  s->objectMax);
+    else if (s->isUpdating)
+        MeWarning(1, "%s: not from a callback of an update", function);
     else
-        return METRUE;
+        return makeRoom(s, function);
     return MEFALSE;
 }
 
 static McdProxy *takeProxy(McdSpace *s) {
     const int i = s->freeProxy;
+    MEASSERT(i >= 0 && i < s->proxyRoom && s->proxyCount < s->proxyRoom);
     McdProxy *p = &s->proxy[i];
     s->freeProxy = p->next;
     s->proxyCount++;
@@ -577,6 +613,7 @@ static McdProxy *takeProxy(McdSpace *s) {
 
 /* Of a model without links. */
 static void releaseModel(McdSpace *s, McdProxy *p) {
+    MEASSERT(p->firstLink == MCD_NONE && !p->isDirty && p->model->proxy == p);
     dropLeaf(s, p);
     dropUnbounded(s, p);
     rest(s, p);
@@ -688,6 +725,8 @@ static MeBool proxiesOf(McdModelID cm1, McdModelID cm2, McdProxy **p1, McdProxy 
 
 MeBool MEAPI McdSpaceDisablePair(McdModelID cm1, McdModelID cm2) {
     McdProxy *a, *b;
+    if (cm1 == cm2 && mcd_modelCheck(cm1, "McdSpaceDisablePair")) /* they never meet */
+        return METRUE;
     if (!proxiesOf(cm1, cm2, &a, &b, "McdSpaceDisablePair") || !checkInside(a->model->space, "McdSpaceDisablePair"))
         return MEFALSE;
     return mcd_pairsDisable(a->model->space, indexOf(a->model->space, a), indexOf(a->model->space, b));
@@ -872,12 +911,9 @@ static double meetModel(void *context, int proxy, double fraction) {
 static MeBool checkSegment(McdSpaceID s, const MeReal *from, const MeReal *to, const char *function) {
     if (!mcd_spaceIsReady(s, function))
         return MEFALSE;
-    for (int i = 0; from && to && i < 3; i++)
-        if (!MeRealIsValid(from[i]) || !MeRealIsValid(to[i]))
-            from = 0;
-    if (from && to)
+    if (from && to && mcd_areNear(from, 3) && mcd_areNear(to, 3))
         return METRUE;
-    MeWarning(1, "%s: an end of the segment is null or not finite", function);
+    MeWarning(1, "%s: an end of the segment is null, not finite, or beyond %g", function, (double)FLT_MAX);
     return MEFALSE;
 }
 

@@ -17,8 +17,7 @@ static void clip(const McdGeometry *g, McdClip *c) {
     mcd_clipBall(c, centre, (double)get(g)->radius);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Sphere)
-MCD_DEFINE_DESTROY(Sphere)
+MCD_DEFINE_GEOMETRY_TYPE(Sphere, mcd_geometryFree)
 MCD_DEFINE_LINE_SEGMENT(Sphere)
 
 McdSphereID MEAPI McdSphereCreate(McdFramework *frame, MeReal r) {

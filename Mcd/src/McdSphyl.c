@@ -19,8 +19,7 @@ static void clip(const McdGeometry *g, McdClip *c) {
     mcd_clipCapsule(c, low, high, (double)get(g)->radius);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Sphyl)
-MCD_DEFINE_DESTROY(Sphyl)
+MCD_DEFINE_GEOMETRY_TYPE(Sphyl, mcd_geometryFree)
 MCD_DEFINE_LINE_SEGMENT(Sphyl)
 
 McdSphylID MEAPI McdSphylCreate(McdFramework *frame, MeReal r, MeReal h) {

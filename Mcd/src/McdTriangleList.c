@@ -22,14 +22,12 @@ static MeBool isBox(const MeReal *min, const MeReal *max) {
 
 /* Place for what the callback hands over; false if there is no memory. */
 static MeBool makeRoom(McdTriangleListRecord *list, int count) {
-    McdUserTriangle *found = MeMemoryAPI.create((size_t)count * sizeof *found);
-    if (!found) {
-        MeFatalError(1, "McdTriangleListCreate: no memory for %d triangles", count);
+    /* zeroed: the triangleData of programs that do not set it */
+    McdUserTriangle *found = MeMemoryTakeZeroed((size_t)count, sizeof *found, "McdTriangleListCreate", "triangles");
+    if (!found)
         return MEFALSE;
-    }
-    if (list->found)
-        MeMemoryAPI.destroy(list->found);
-    list->found = found;
+    MeMemoryGive(list->list.list);
+    list->list.list = found;
     list->list.triangleMaxCount = list->room = count;
     list->hasWarned = MEFALSE;
     return METRUE;
@@ -56,12 +54,11 @@ McdTriangleListID MEAPI McdTriangleListCreate(McdFramework *frame, MeVector3 min
     return &list->list.head;
 }
 
-void MEAPI McdTriangleListDestroy(McdGeometryID g) {
+static void MEAPI release(McdGeometryID g) {
     McdTriangleListRecord *list = (McdTriangleListRecord *)g;
-    if (list->found)
-        MeMemoryAPI.destroy(list->found);
+    MeMemoryGive(list->list.list);
     mcd_meshFree(&list->mesh);
-    MeMemoryAPI.destroy(list);
+    MeMemoryGive(list);
 }
 
 /* ---- what it is made of -------------------------------------------------------------------------------------------- */
@@ -114,13 +111,13 @@ void MEAPI McdTriangleListSetMaxTriangles(McdTriangleListID g, int max) {
 
 void *MEAPI McdTriangleListGetUserData(McdTriangleListID g) {
     const McdTriangleListRecord *list = listOf(g, "McdTriangleListGetUserData");
-    return list ? list->userData : 0;
+    return list ? list->list.userData : 0;
 }
 
 void MEAPI McdTriangleListSetUserData(McdTriangleListID g, void *data) {
     McdTriangleListRecord *list = listOf(g, "McdTriangleListSetUserData");
     if (list)
-        list->userData = data;
+        list->list.userData = data;
 }
 
 /* ---- the type's functions ------------------------------------------------------------------------------------------- */
@@ -130,7 +127,7 @@ static void support(const McdGeometry *g, const double direction[3], double poin
     mcd_boxSupport(list->min, list->max, direction, point);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(TriangleList)
+MCD_DEFINE_GEOMETRY_TYPE(TriangleList, release)
 
 void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListGetBSphere"))
@@ -176,7 +173,7 @@ static int find(McdTriangleListRecord *list, McdModelPair *p, const double centr
     if (!list->generate)
         return 0;
     takeMaxCount(list);
-    const int count = list->generate(p, list->found, pos, mcd_roundUp(reach), list->room);
+    const int count = list->generate(p, list->list.list, pos, mcd_roundUp(reach), list->room);
     if (count >= list->room && !list->hasWarned) {
         list->hasWarned = METRUE;
         MeWarning(2,
@@ -209,9 +206,11 @@ static void gather(McdMeshQuery *q) {
     const int count = find(list, q->pair, q->ball, q->ballRadius);
     if (!mcd_meshReserve(q->mesh, count))
         return;
-    for (int i = 0; i < count; i++)
-        if (cornersOf(&list->found[i], corner))
-            mcd_meshAdd(q, (const double(*)[3])corner, normalOf(&list->found[i], normal), (int)list->found[i].flags, i);
+    for (int i = 0; i < count; i++) {
+        const McdUserTriangle *t = &list->list.list[i];
+        if (cornersOf(t, corner))
+            mcd_meshAdd(q, (const double(*)[3])corner, normalOf(t, normal), (int)t->flags, t->triangleData);
+    }
 }
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
@@ -232,8 +231,8 @@ static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *
     const McdGeometryInstance *ins = &mcd_record(cm)->instance;
     McdTriangleListRecord *list = (McdTriangleListRecord *)ins->geometry;
     double from[3], to[3], middle[3], normal[3] = {0, 0, 1}, least = 2;
-    mcd_toLocal(mcd_const(ins->tm), inOrig, from);
-    mcd_toLocal(mcd_const(ins->tm), inDest, to);
+    if (!mcd_toLocal(mcd_const(ins->tm), inOrig, from) || !mcd_toLocal(mcd_const(ins->tm), inDest, to))
+        return 0;
     double length = 0;
     for (int i = 0; i < 3; i++) {
         middle[i] = (from[i] + to[i]) / 2;
@@ -245,7 +244,7 @@ static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *
     const int count = find(list, &pair, middle, sqrt(length) / 2);
     for (int i = 0; i < count; i++) {
         double corner[3][3], own[3], given[3], part, hit[3];
-        const McdUserTriangle *t = &list->found[i];
+        const McdUserTriangle *t = &list->list.list[i];
         if (!cornersOf(t, corner) || !mcd_triangleNormal((const double(*)[3])corner, normalOf(t, given), own))
             continue;
         if (mcd_segmentTriangle((const double(*)[3])corner, own, (t->flags & kMcdTriangleTwoSided) != 0, from, to,

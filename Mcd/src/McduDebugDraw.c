@@ -54,3 +54,9 @@ void MEAPI McduDebugDrawModel(const McdModelID model, McduDebugDrawFlags flags, 
     if (flags & kMcduDebugDrawDetail)
         McdGeometryDebugDraw(m->instance.geometry, mcd_instanceTM(&m->instance), colour);
 }
+
+void MEAPI McdDebugDrawModelAABB(McdModelID cm) {
+    static const MeReal white[3] = {1, 1, 1};
+    if (mcd_modelCheck(cm, "McdDebugDrawModelAABB"))
+        McduDebugDrawModel(cm, kMcduDebugDrawAABB, white);
+}

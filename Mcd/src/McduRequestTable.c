@@ -10,17 +10,15 @@ static int entryCount(void) {
 }
 
 MeBool MEAPI McduRequestTableInit(int idMaxCount, McdRequest *defaultRequest) {
-    const McdRequest builtIn = {20};
+    const McdRequest builtIn = {20, MEFALSE};
     if (idMaxCount < 1 || idMaxCount > 10000) {
         MeWarning(1, "McduRequestTableInit: idMaxCount is %d (1 .. 10000)", idMaxCount);
         return MEFALSE;
     }
     const int count = idMaxCount * (idMaxCount + 1) / 2;
-    McdRequest *made = MeMemoryAPI.create((size_t)(count + 1) * sizeof *made);
-    if (!made) {
-        MeFatalError(1, "McduRequestTableInit: no memory for %d requests", count);
+    McdRequest *made = MeMemoryTake((size_t)count + 1, sizeof *made, "McduRequestTableInit", "requests");
+    if (!made)
         return MEFALSE;
-    }
     for (int i = 0; i <= count; i++)
         made[i] = defaultRequest ? *defaultRequest : builtIn;
     McduRequestTableTerm();
@@ -30,8 +28,7 @@ MeBool MEAPI McduRequestTableInit(int idMaxCount, McdRequest *defaultRequest) {
 }
 
 void MEAPI McduRequestTableTerm(void) {
-    if (table)
-        MeMemoryAPI.destroy(table);
+    MeMemoryGive(table);
     table = 0;
     idCount = 0;
 }

@@ -4,37 +4,6 @@
 #include "mcd_spread.h"
 #include <string.h>
 
-/* A model that stands for one part of a model: at the part's place, with the model's everything else. */
-typedef struct StandIn {
-    McdModelRecord record;
-    MeVector3 velocity; /* of the part's origin */
-} StandIn;
-
-/* The part itself, where it is no child, else the stand-in. */
-static McdModelID standInFor(McdGeometryInstance *part, StandIn *s) {
-    if (!part->parent)
-        return part->model;
-    const McdModelRecord *m = mcd_record(part->model);
-    s->record = *m;
-    s->record.instance = *part;
-    s->record.instance.parent = s->record.instance.nextSibling = 0;
-    s->record.instance.model = &s->record.model;
-    s->record.instance.tm = part->placed;
-    s->record.instance.material = (int)mcd_instanceMaterial(part);
-    s->record.relTM = s->record.refTM = 0;
-    s->record.ownsRelative = MEFALSE;
-    s->record.update = 0;
-    s->record.intersect = 0; /* called once for the whole */
-    if (m->linearVelocity && m->angularVelocity) {
-        MeVector3 arm;
-        MeVector3Subtract(arm, part->placed[3], m->instance.tm[3]);
-        MeVector3Cross(s->velocity, m->angularVelocity, arm);
-        MeVector3Add(s->velocity, s->velocity, m->linearVelocity);
-        s->record.linearVelocity = s->velocity;
-    }
-    return &s->record.model;
-}
-
 /* ---- pairs of parts ----------------------------------------------------------------------------------------------------- */
 
 typedef struct Meeting Meeting;
@@ -57,14 +26,16 @@ static MeBool isAggregate(const McdGeometryInstance *ins) {
 }
 
 static void meetParts(Meeting *m, McdGeometryInstance *a, McdGeometryInstance *b) {
-    StandIn standIn[2];
+    McdStandIn standIn[2];
     McdModelPair parts = *m->pair;
-    parts.model1 = standInFor(a, &standIn[0]);
-    parts.model2 = standInFor(b, &standIn[1]);
-    parts.cache = 0;
+    parts.model1 = mcd_standInBegin(&standIn[0], a);
+    parts.model2 = mcd_standInBegin(&standIn[1], b);
+    parts.m_cachedData = 0;
     McdHello(&parts);
     m->meet(m, &parts, a, b);
     McdGoodbye(&parts);
+    mcd_standInEnd(parts.model1, a);
+    mcd_standInEnd(parts.model2, b);
 }
 
 /* Every two parts, in the order of the elements. */
@@ -97,21 +68,13 @@ static MeBool makeRoom(McdAggregate *a, int count, int needed) {
     if (needed <= a->contactMax)
         return METRUE;
     const int max = MeMAX(needed, 2 * a->contactMax);
-    McdContact *larger = MeMemoryAPI.create((size_t)max * sizeof *larger);
-    void *choice = larger ? MeMemoryAPI.create(mcd_simplifyBytes(max)) : 0;
-    if (!choice) {
-        if (larger)
-            MeMemoryAPI.destroy(larger);
-        MeFatalError(1, "McdIntersect: no memory for %d contacts of an aggregate", max);
+    void *choice = MeMemoryTake(1, mcd_simplifyBytes(max), "McdIntersect", "the choice of an aggregate's contacts");
+    if (!choice || !MeMemoryGrow(&a->contact, (size_t)count, (size_t)max, sizeof *a->contact, "McdIntersect",
+                                 "contacts of an aggregate")) {
+        MeMemoryGive(choice);
         return MEFALSE;
     }
-    if (count)
-        memcpy(larger, a->contact, (size_t)count * sizeof *larger);
-    if (a->contact) {
-        MeMemoryAPI.destroy(a->contact);
-        MeMemoryAPI.destroy(a->choice);
-    }
-    a->contact = larger;
+    MeMemoryGive(a->choice);
     a->choice = choice;
     a->contactMax = max;
     return METRUE;
@@ -121,7 +84,7 @@ static MeBool makeRoom(McdAggregate *a, int count, int needed) {
 static MeU32 pathOf(const McdGeometryInstance *part) {
     MeU32 path = 0;
     for (; part->parent; part = part->parent)
-        path = path * 31 + (MeU32)part->element + 1;
+        path = mcd_featureMix(path, (MeU32)part->element + 1);
     return path;
 }
 
@@ -135,14 +98,15 @@ static void gatherContacts(Meeting *m, McdModelPair *parts, McdGeometryInstance 
     result.contactMaxCount = g->each;
     if (!(McdIntersect)(parts, &result))
         return;
-    const MeU32 path = pathOf(part1) * 0x9e3779b1u ^ pathOf(part2) * 0x85ebca6bu;
+    const MeU32 path = mcd_featureMix(pathOf(part1), pathOf(part2));
     for (int i = 0; i < result.contactCount; i++) {
         McdContact *c = &result.contacts[i];
         c->instance1 = part1;
         c->instance2 = part2;
-        c->feature ^= path;
+        c->feature = mcd_featureMix(c->feature, path);
     }
     g->count += result.contactCount;
+    MEASSERT(g->count <= g->owner->contactMax);
 }
 
 /* An aggregate of the pair, whose memory the query may use. */
@@ -191,11 +155,12 @@ static int firstHit(McdGeometryInstance *ins, MeReal *from, MeReal *to, McdLineS
             hits = firstHit(child, from, to, best, hits);
         return hits;
     }
-    StandIn s;
+    McdStandIn s;
     McdLineSegIntersectResult here;
-    const McdTypeRecord *type = mcd_geometryType(ins->geometry, "McdLineSegIntersect");
-    if (!type || !type->lineSegment || !type->lineSegment(standInFor(ins, &s), from, to, &here) ||
-        (hits && here.distance >= best->distance))
+    const McdModelID part = mcd_standInBegin(&s, ins);
+    const MeBool isHit = McdLineSegIntersect(part, from, to, &here) != 0;
+    mcd_standInEnd(part, ins);
+    if (!isHit || (hits && here.distance >= best->distance))
         return hits;
     *best = here;
     return 1;

@@ -144,6 +144,7 @@ MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, M
         p->normal[i] = a->axis[0][i] * best.axis[0] + a->axis[1][i] * best.axis[1] + a->axis[2][i] * best.axis[2];
     p->separation = best.separation;
     p->isGuess = best.separation > 0;
+    MEASSERT((best.edgeA < 0) == (best.edgeB < 0));
     if (best.edgeA >= 0)
         crossEdges(a, b, &best, p);
     else

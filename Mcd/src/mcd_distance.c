@@ -220,6 +220,7 @@ static void weighted(const Corner *const corner[], const double *weight, int cou
 }
 
 static void reportApart(const Simplex *s, McdProximity *p) {
+    MEASSERT(s->count >= 1 && s->count <= 3 && s->squared > 0);
     const Corner *corner[3] = {&s->corner[0], &s->corner[1], &s->corner[2]};
     weighted(corner, s->weight, s->count, p);
     p->separation = sqrt(s->squared);
@@ -278,6 +279,7 @@ static int newFacet(Polytope *t, int i, int j, int k) {
     if (!t->freeCount && t->facetCount == MAX_FACETS)
         return -1;
     const int index = t->freeCount ? t->freeFacet[--t->freeCount] : t->facetCount++;
+    MEASSERT(index >= 0 && index < t->facetCount && i < t->cornerCount + 1 && j < t->cornerCount + 1 && i != j);
     t->facet[index] = (Facet){.corner = {i, j, k}, .seen = -1};
     return index;
 }

@@ -18,10 +18,21 @@ static const double parallelSine = .05;
 /* Surfaces steeper than this against the normal have no heights. */
 static const double leastSlope = 1e-2;
 
-/* A feature's number: what it is, on which face, which of its corners (McdFace). */
+/* A feature's number: on which face, what it is, which of the face's corners (McdFace). All faces of a hull that memory
+ * can hold have one of their own. */
 enum { CORNER = 0, EDGE = 1, INSIDE = 2, SUPPORT = 3 };
 static MeU32 code(MeU32 kind, MeU32 face, MeU32 name) {
-    return kind << 14 | (face & 0xff) << 6 | (name & 0x3f);
+    MEASSERT(face < 1u << 24 && name < MCD_FACE_POINTS);
+    return face << 8 | kind << 6 | name;
+}
+
+static MeU32 kindOf(MeU32 feature) {
+    return feature >> 6 & 3;
+}
+
+/* What of a meets what of b. */
+static MeU64 meeting(MeU32 a, MeU32 b) {
+    return (MeU64)a << 32 | b;
 }
 
 /* ---- faces ------------------------------------------------------------------------------------------ */
@@ -150,6 +161,7 @@ static void hullFace(const McdShape *s, const double d[3], McdFace *f) {
     const McdHullFace *face = &h->face[best];
     /* Of more corners than there is place for, some all round it. */
     const int count = MeMIN(face->count, MCD_FACE_POINTS - 1);
+    MEASSERT(face->count >= 3 && face->first >= 0);
     setNormal(s, f, face->normal[0], face->normal[1], face->normal[2]);
     f->id = (MeU32)best;
     for (int i = 0; i < count; i++) {
@@ -211,7 +223,8 @@ void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
 /* A point in the plane across the normal, with its heights on both surfaces. */
 typedef struct Spot {
     double x, y, a, b;
-    MeU32 feature, edge; /* edge: code of that which begins here, and whether it is b's */
+    MeU64 feature;
+    MeU32 edge; /* code of that which begins here, and whether it is b's */
     MeBool edgeIsB;
     int index; /* of the corner of b's where that edge begins */
 } Spot;
@@ -265,7 +278,7 @@ static Spot cross(const Spot *p, const Spot *q, double dp, double dq, const Outl
         const int corner = j == (p->index + 1) % b->count ? j : p->index;
         s.feature = code(CORNER, b->id, b->name[corner]);
     } else {
-        s.feature = p->edge << 16 | code(EDGE, b->id, b->name[j]);
+        s.feature = meeting(p->edge, code(EDGE, b->id, b->name[j]));
     }
     return s;
 }
@@ -325,7 +338,7 @@ static int cutByEdge(const Spot *in, int count, MeBool isClosed, const double *i
         s.edgeIsB = dp >= 0 ? 1 : p->edgeIsB;
         s.index = dp >= 0 ? j : p->index;
         if (p->edgeIsB)
-            s.feature |= insideA << 16;
+            s.feature |= meeting(insideA, 0);
         out[made++] = s;
     }
     return made;
@@ -336,7 +349,7 @@ static int startSpots(const Outline *a, const Outline *b, Spot *spot) {
         spot[i] = (Spot){.x = a->x[i],
                          .y = a->y[i],
                          .a = a->z[i],
-                         .feature = code(CORNER, a->id, a->name[i]) << 16 | code(INSIDE, b->id, 0),
+                         .feature = meeting(code(CORNER, a->id, a->name[i]), code(INSIDE, b->id, 0)),
                          .edge = code(EDGE, a->id, a->name[i])};
     return a->count;
 }
@@ -371,7 +384,7 @@ static void turnSpots(Spot *spot, int count) {
         const double a = spot[i].a;
         spot[i].a = spot[i].b;
         spot[i].b = a;
-        spot[i].feature = spot[i].feature << 16 | spot[i].feature >> 16;
+        spot[i].feature = spot[i].feature << 32 | spot[i].feature >> 32;
     }
 }
 
@@ -402,7 +415,7 @@ static int overlapLines(const Outline *a, const Outline *b, double bend, Spot *s
                          .y = y + (b->y[0] + tb * by - y) / 2,
                          .a = a->z[0] + ta * (a->z[1] - a->z[0]) + away,
                          .b = b->z[0] + tb * (b->z[1] - b->z[0]),
-                         .feature = nameA << 16 | nameB};
+                         .feature = meeting(nameA, nameB)};
     }
     return 2;
 }
@@ -509,10 +522,13 @@ static void addContact(const McdShape *a, const McdShape *b, const View *v, cons
         p->position[i] = v->u[i] * s->x + v->w[i] * s->y + v->n[i] * ((za + zb) / 2);
     p->separation = za - zb;
     p->feature = s->feature;
+    const double out[3] = {-v->n[0], -v->n[1], -v->n[2]};
+    p->radius[0] = mcd_surfaceRadius(a, out, p->position);
+    p->radius[1] = mcd_surfaceRadius(b, v->n, p->position);
 }
 
 /* The proximity's own points: the deepest, whatever the faces are. */
-static Spot supportSpot(const View *v, const McdProximity *p, MeU32 feature) {
+static Spot supportSpot(const View *v, const McdProximity *p, MeU64 feature) {
     double middle[3];
     for (int i = 0; i < 3; i++)
         middle[i] = (p->onA[i] + p->onB[i]) / 2;
@@ -535,7 +551,7 @@ static void startManifold(McdManifold *m, const double normal[3]) {
     m->count = 0;
 }
 
-int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *p, MeU32 feature, double margin,
+int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *p, MeU64 feature, double margin,
                       McdManifold *m) {
     startManifold(m, p->normal);
     if (!(p->separation - a->rounding - b->rounding <= margin))
@@ -552,7 +568,7 @@ static MeBool isExact(const Outline *o, MeU32 feature) {
     if (o->count > 2)
         return o->slopeX * o->slopeX + o->slopeY * o->slopeY < 1;
     const double x = o->x[1] - o->x[0], y = o->y[1] - o->y[0], z = o->z[1] - o->z[0];
-    return feature >> 14 == CORNER || z * z < x * x + y * y;
+    return kindOf(feature) == CORNER || z * z < x * x + y * y;
 }
 
 /* The deepest spot; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so, where the
@@ -575,22 +591,26 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     const double coreMargin = margin + a->rounding + b->rounding;
     int count = 0;
     startManifold(m, p->normal);
+    MEASSERT(isfinite(mcd_dot(p->normal, p->normal)) && !isnan(p->separation));
+    MEASSERT(faceA->count > 0 && faceA->count <= MCD_FACE_POINTS && faceB->count > 0 &&
+             faceB->count <= MCD_FACE_POINTS);
     /* b's face looks along the normal, so that its corners turn counter-clockwise; a's looks the other way. */
     if (makeOutline(&v, faceA, 1, &outA) && makeOutline(&v, faceB, 0, &outB))
         count = commonSpots(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, spot);
     count = dropIdle(spot, count, coreMargin, v.slack);
     const int least = leastSeparated(spot, count, p->separation);
     const double short_ = least < 0 ? INFINITY : spot[least].a - spot[least].b - p->separation;
-    if (p->isGuess && !(short_ <= v.slack && isExact(&outA, spot[least].feature >> 16) &&
-                        isExact(&outB, spot[least].feature & 0xffff)))
+    if (p->isGuess && !(short_ <= v.slack && isExact(&outA, (MeU32)(spot[least].feature >> 32)) &&
+                        isExact(&outB, (MeU32)spot[least].feature)))
         return 0;
     /* A face that is preferred although another normal is slightly better has its farthest corner beside the other. */
     if (short_ <= preference * mcd_pairSize(a, b))
         spot[least].a = spot[least].b + p->separation;
     else if (p->separation <= coreMargin)
-        spot[count++] = supportSpot(&v, p, code(SUPPORT, faceA->id, 0) << 16 | code(SUPPORT, faceB->id, 0));
+        spot[count++] = supportSpot(&v, p, meeting(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0)));
     if (count > MCD_MANIFOLD_POINTS)
         count = keepFour(spot, count, v.slack);
+    MEASSERT(count <= MCD_MANIFOLD_POINTS);
     for (int i = 0; i < count; i++)
         addContact(a, b, &v, &spot[i], m);
     return m->count;

@@ -49,10 +49,8 @@ struct McdConvexMesh {
 typedef struct McdTriangleListRecord {
     McdTriangleList list; /* what programs see: first */
     MeVector3 min, max;
-    int room; /* of `found` */
+    int room; /* of list.list */
     McdTriangleListFnPtr generate;
-    void *userData;
-    McdUserTriangle *found;
     MeBool hasWarned; /* that there is too little */
     McdMesh mesh;
 } McdTriangleListRecord;
@@ -68,7 +66,7 @@ struct McdRGHeightField { /* a grid along x and y, two triangles a cell, outside
 
 typedef struct McdAggregateElement {
     McdGeometryID geometry;
-    MeMatrix4Ptr relTM; /* the program's */
+    MeMatrix4 relTM; /* in the aggregate's frame */
 } McdAggregateElement;
 
 struct McdAggregate {

@@ -184,17 +184,12 @@ static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdMa
     return alongFaces(a, b, margin, &p, m);
 }
 
-static void mirror(McdManifold *m) {
-    mcd_scale(m->normal, m->normal, -1);
-    for (int i = 0; i < m->count; i++)
-        m->point[i].feature = m->point[i].feature << 16 | m->point[i].feature >> 16;
-}
-
 int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
+    MEASSERT(a->extent > 0 && b->extent > 0 && a->rounding >= 0 && b->rounding >= 0);
     if (kindOf(a) <= kindOf(b))
         return manifoldOf(a, b, margin, m);
     const int count = manifoldOf(b, a, margin, m);
-    mirror(m);
+    mcd_manifoldTurn(m);
     return count;
 }
 
@@ -210,5 +205,6 @@ double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], d
     mcd_mad(onA, p.onA, -a->rounding, p.normal);
     mcd_mad(onB, p.onB, b->rounding, p.normal);
     mcd_copy(normal, p.normal);
+    MEASSERT(isfinite(mcd_dot(normal, normal)) && !isnan(p.separation));
     return p.separation - a->rounding - b->rounding;
 }

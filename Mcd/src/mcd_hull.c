@@ -42,10 +42,8 @@ typedef struct Work {
 } Work;
 
 static void *take(Work *w, size_t count, size_t size) {
-    Block *b = (Block *)MeMemoryAPI.create(sizeof(Block) + count * size);
+    Block *b = (Block *)MeMemoryTake(1, sizeof(Block) + count * size, w->function, "making the hull");
     if (!b) {
-        if (!w->isExhausted)
-            MeFatalError(0, "%s: no memory for the hull", w->function);
         w->isExhausted = 1;
         return NULL;
     }
@@ -58,7 +56,7 @@ static void giveBack(Work *w) {
     while (w->blocks) {
         Block *b = w->blocks;
         w->blocks = b->next;
-        MeMemoryAPI.destroy(b);
+        MeMemoryGive(b);
     }
 }
 
@@ -256,11 +254,14 @@ static MeBool readFacets(Facets *f, const Cloud *c, qhT *qh) {
     return 1;
 }
 
-static MeBool runQhull(Facets *f, const Cloud *c, char *options) {
+static MeBool runQhull(Work *w, Facets *f, const Cloud *c, char *options) {
     char text[1024]; /* Qhull's messages end here */
     FILE *sink = fmemopen(text, sizeof text, "w");
-    qhT *qh = (qhT *)MeMemoryAPI.create(sizeof *qh);
+    qhT *qh = (qhT *)MeMemoryTake(1, sizeof *qh, w->function, "Qhull");
     MeBool works = 0;
+    w->isExhausted = w->isExhausted || !qh || !sink;
+    if (!sink)
+        MeFatalError(0, "%s: no memory for Qhull's messages", w->function);
     if (sink && qh) {
         int curlong, totlong;
         qh_zero(qh, sink);
@@ -269,8 +270,7 @@ static MeBool runQhull(Facets *f, const Cloud *c, char *options) {
         qh_freeqhull(qh, !qh_ALL);
         qh_memfreeshort(qh, &curlong, &totlong);
     }
-    if (qh)
-        MeMemoryAPI.destroy(qh);
+    MeMemoryGive(qh);
     if (sink)
         fclose(sink);
     return works;
@@ -502,9 +502,9 @@ static McdHull *allocateHull(Work *w, int vertices, int faces, int corners) {
     const size_t v = (size_t)vertices, n = (size_t)faces, e = (size_t)corners / 2;
     const size_t bytes = sizeof(McdHull) + v * sizeof(double[3]) + n * sizeof(McdHullFace) +
                          (2 * e + 4 * e + v + 1 + 2 * e) * sizeof(int);
-    McdHull *h = (McdHull *)MeMemoryAPI.create(bytes);
+    McdHull *h = (McdHull *)MeMemoryTake(1, bytes, w->function, "the hull");
     if (!h) {
-        MeFatalError(0, "%s: no memory for the hull", w->function);
+        w->isExhausted = 1;
         return NULL;
     }
     h->vertexCount = vertices;
@@ -714,8 +714,8 @@ static McdHull *hullOfCloud(Work *w, const Cloud *c, const double (*point)[3], c
     Facets f;
     Regions r;
     Loops l;
-    if (!makeRoom(w, &f, c->count) || !runQhull(&f, c, options) || !joinFacets(w, &f) || !makeRegions(w, &f, c, &r) ||
-        !makeLoops(w, &f, c, &r, &l) || !straightenEdges(w, &f, c, &r, &l))
+    if (!makeRoom(w, &f, c->count) || !runQhull(w, &f, c, options) || !joinFacets(w, &f) ||
+        !makeRegions(w, &f, c, &r) || !makeLoops(w, &f, c, &r, &l) || !straightenEdges(w, &f, c, &r, &l))
         return NULL;
     McdHull *h = buildHull(w, &f, c, &r, &l, point);
     if (h && !isThick(h, c)) {
@@ -749,6 +749,5 @@ McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *functio
 }
 
 void mcd_hullDestroy(McdHull *hull) {
-    if (hull)
-        MeMemoryAPI.destroy(hull);
+    MeMemoryGive(hull);
 }

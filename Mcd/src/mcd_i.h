@@ -16,10 +16,33 @@
 #include "McdModel.h"
 #include "McdModelPair.h"
 #include "MeAssert.h"
-#include "MeMemory.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
+#include <float.h>
 
-enum { MCD_GEOMETRY = 0x4d47454f, MCD_MODEL = 0x4d4d4f44, MCD_FRAMEWORK = 0x4d465257, MCD_SPACE = 0x4d535043 };
+/* ---- handles ------------------------------------------------------------------------------------------------- */
+
+enum {
+    MCD_GEOMETRY = 0x4d47454f,
+    MCD_MODEL = 0x4d4d4f44,
+    MCD_FRAMEWORK = 0x4d465257,
+    MCD_SPACE = 0x4d535043,
+    MCD_INSTANCE = 0x4d494e53
+};
+
+/* A program's pointer is looked up in the table of live objects before anything is read through it: in check builds by
+ * every function, in all builds by those that destroy, so that programs may end their objects in any order. Instances
+ * are in the table in check builds only: nobody destroys them by themselves. */
+#if KARMA_CHECK
+#define MCD_IS_KNOWN(p, kind) MeHandleIsLive((p), (kind))
+#else
+#define MCD_IS_KNOWN(p, kind) METRUE
+#endif
+
+/* "function: 0x123 is no model: ..." */
+void mcd_warnGone(const void *p, const char *what, const char *function);
+/* May it be destroyed? Null and what has gone may not: that gets a warning while there is a framework at all. */
+MeBool mcd_mayDestroy(const void *p, unsigned int kind, const char *what, const char *function);
 
 /* A transform for functions that only read it: before C23, C does not convert the pointer by itself. */
 static inline const MeVector4 *mcd_const(MeMatrix4Ptr tm) {
@@ -39,14 +62,57 @@ struct _McdGeometryInstance {
     MeMatrix4Ptr tm;                  /* set by the program: where a model is, or where a child's place is written */
     MeMatrix4 placed;                 /* a child's transform in the world, as of the last update */
     MeVector3 min, max;               /* world; as of the last update */
+    MeHandle handle;
 };
+
+/* An instance is there from now on, and until then; in check builds. */
+static inline void mcd_instanceEnter(McdGeometryInstance *ins) {
+#if KARMA_CHECK
+    MeHandleEnter(&ins->handle, ins, MCD_INSTANCE);
+#else
+    (void)ins;
+#endif
+}
+
+static inline void mcd_instanceLeave(McdGeometryInstance *ins) {
+    MeHandleLeave(&ins->handle);
+}
 
 /* Where the instance is; null if a model has no transform. */
 static inline MeMatrix4Ptr mcd_instanceTM(McdGeometryInstanceID ins) {
     return ins->parent ? ins->placed : ins->tm;
 }
 
-MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins); /* false when the pool is empty */
+/* Numbers that collision takes from programs, and from products of their transforms, are finite and not beyond the range
+ * of single precision, in double precision too: so no product of eight of them is beyond the range of double. */
+static inline MeBool mcd_areNear(const MeReal *x, int count) {
+    MeBool areNear = METRUE;
+    for (int i = 0; i < count; i++)
+        areNear &= MeFabs(x[i]) <= (MeReal)FLT_MAX; /* false for NaN */
+    return areNear;
+}
+
+/* What programs get: numbers beyond the range of MeReal become its largest. */
+static inline MeReal mcd_real(double x) {
+    return (MeReal)MeCLAMP(x, -(double)MEINFINITY, (double)MEINFINITY);
+}
+
+/* Of a transform whose axes are far from length 1, which are not rigid, that no product overflows is all that is asked. */
+static inline MeBool mcd_isPlace(const MeVector4 *tm) {
+    MeBool areAxes = tm != 0;
+    for (int i = 0; areAxes && i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            areAxes &= MeFabs(tm[i][k]) <= (MeReal)1e6;
+    return areAxes && mcd_areNear(tm[3], 3);
+}
+
+/* Has it a transform that places it? */
+static inline MeBool mcd_instanceIsPlaced(McdGeometryInstanceID ins) {
+    return mcd_isPlace(mcd_const(mcd_instanceTM(ins)));
+}
+
+/* False, with a message that names the function, when the pool is empty. */
+MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, const char *function);
 void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins);
 void mcd_instancePlaceChildren(McdGeometryInstance *ins); /* from its own transform, all the way down */
 
@@ -66,6 +132,7 @@ typedef struct McdFilter {
 typedef struct McdModelRecord {
     McdModel model; /* what programs see: first */
     MeU32 magic;
+    MeHandle handle;
     McdFramework *frame;
     struct McdModelRecord *next, *previous; /* the framework's live models in the order of creation, or free ones */
     unsigned long serial;                   /* counts creations in the framework */
@@ -91,21 +158,26 @@ static inline McdModelRecord *mcd_record(McdModelID cm) {
     return (McdModelRecord *)cm;
 }
 
+/* A model that stands for one part of an aggregate: all of the aggregate's model, but at the part's place. It lives from
+ * mcd_standInBegin to mcd_standInEnd. */
+typedef struct McdStandIn {
+    McdModelRecord record;
+    MeVector3 velocity; /* of the part's origin */
+} McdStandIn;
+/* The part's model itself where the part is no child, else the stand-in. */
+McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *part);
+void mcd_standInEnd(McdModelID cm, McdGeometryInstance *part);
+
 /* The record of a live model; null, with a warning that names the function, for anything else. */
 McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function);
 /* Does a come before b: by sort key, then creation? */
 MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b);
 /* Renews children and boxes from the present transform, without the program's callback. */
 void mcd_modelRefresh(McdModelRecord *m);
-/* Has it a transform of finite numbers? */
+/* Has it a transform that places it, see mcd_areNear? */
 MeBool mcd_modelIsPlaced(const McdModelRecord *m);
 /* Writes where the model will be after time: its transform moved by its velocities (exact screw-free rotation). */
 void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm);
-/* Takes a model out of whatever space it is in, at once; McdFrameworkDestroyAllModelsAndGeometries needs it. The space
- * sets this hook when one is created, so that a program without spaces does not link them. */
-extern void (*mcd_spaceForget)(McdModelID cm);
-/* The same for a model in a space whose filter is another one now. */
-extern void (*mcd_spaceFilter)(McdModelID cm);
 
 /* ---- frameworks ---------------------------------------------------------------------------------------------- */
 
@@ -129,16 +201,24 @@ typedef struct McdGridCell {
 
 typedef struct McdTermActionLink McdTermActionLink;
 
+/* Pools grow by further blocks of records, so that records never move. This is a block's head, the records follow. */
+typedef union McdPoolBlock {
+    union McdPoolBlock *next;
+    max_align_t alignment;
+} McdPoolBlock;
+
 struct _McdFramework {
     MeU32 magic;
+    MeHandle handle;
     int typeCount; /* of the tables: built-in and the program's */
     McdTypeRecord *types;
     McdGridCell *grid; /* typeCount x typeCount */
-    int modelMax, modelCount, instanceMax, instanceCount, geometryCount;
-    McdModelRecord *models; /* the pool */
+    MeLimit typeLimit, modelLimit, instanceLimit;
+    int modelRoom, modelCount, instanceRoom, instanceCount, geometryCount; /* room: records in all blocks of the pool */
+    McdPoolBlock *modelBlocks, *instanceBlocks;
     McdModelRecord *firstModel, *lastModel;
     McdModelRecord *firstFree, *lastFree; /* freed ones are reused last, so that stale handles are noticed */
-    McdGeometryInstance *instances, *freeInstance;
+    McdGeometryInstance *freeInstance;
     McdGeometry *firstGeometry, *lastGeometry;
     unsigned long serial;
     MeReal lengthScale, tolerance;
@@ -146,9 +226,17 @@ struct _McdFramework {
     McdRequest *defaultRequest;
     McdTermActionLink *termActions;
     int spaceCount;
+    MeBool knowsSurfaces; /* the interaction that runs says of its contacts how round the surfaces are */
+    /* Set when a space is created, so that a program without spaces does not link them: takes a model out of the space
+     * that it is in, at once; has the space look at the model's filter, which is another one now. */
+    void (*spaceForget)(McdModelID cm);
+    void (*spaceFilter)(McdModelID cm);
 };
 
 MeBool mcd_frameCheck(McdFrameworkID frame, const char *function);
+/* Makes a pool that is empty larger. False, with a message that names the function, if it must not be, or cannot. */
+MeBool mcd_frameAddModels(McdFramework *frame, const char *function);
+MeBool mcd_frameAddInstances(McdFramework *frame, const char *function);
 /* The record of a live geometry's type, which is registered; null, with a warning, for anything else. */
 const McdTypeRecord *mcd_geometryType(McdGeometryID g, const char *function);
 /* Memory for a geometry that begins with McdGeometry, its head made; null, with a warning, if the type is not registered
@@ -156,19 +244,33 @@ const McdTypeRecord *mcd_geometryType(McdGeometryID g, const char *function);
 void *mcd_geometryCreate(McdFramework *frame, McdGeometryType type, size_t size, const char *function);
 /* Is g a live geometry of that type? Warns with the function's name if not. */
 MeBool mcd_geometryIs(McdGeometryID g, McdGeometryType type, const char *function);
+/* Does it belong to that framework? Warns if not. */
+MeBool mcd_geometryBelongs(McdGeometryID g, const McdFramework *frame, const char *function);
+/* Mcd...Destroy of a type: McdGeometryDestroy of a live geometry of it, nothing for what has gone. */
+void mcd_geometryDestroyAs(McdGeometryID g, McdGeometryType type, const char *function);
+/* What a type without memory of its own registers for its end: the head is undone before. */
+void MEAPI mcd_geometryFree(McdGeometryID g);
 
 /* ---- contacts ------------------------------------------------------------------------------------------------- */
 
 /* How interactions fill a result: begin, add, end. */
 typedef struct McdManifold McdManifold; /* mcd_shape.h */
 void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p);
-/* Adds a manifold whose points are relative to origin. If there is place for some of
- * them only, those that mcd_spread chooses. */
-void mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3], McdGeometryInstanceID ins1,
-                   McdGeometryInstanceID ins2, int element1, int element2);
-/* A feature's number within a part of an aggregate. */
+/* Adds a manifold whose points are relative to origin, and returns its first contact, null for none. If there is place for
+ * some of them only, those that mcd_spread chooses. */
+McdContact *mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3],
+                          McdGeometryInstanceID ins1, McdGeometryInstanceID ins2);
+/* The dimension of a region that so many points of one manifold span: 0 .. 2. */
+static inline int mcd_regionDims(int pointCount) {
+    return MeMIN(pointCount, 3) - 1;
+}
+/* A hash of a feature's number and of what it is a part of. */
 MeU32 mcd_featureMix(MeU32 feature, MeU32 part);
+/* McdContact.feature of two shapes' features: of shapes with at most 256 faces as it is, of others a hash. */
+MeU32 mcd_featureNumber(MeU64 feature);
 int mcd_resultEnd(McdIntersectResult *result); /* the mean normal; 1 if there are contacts */
+/* May these be a pair: two models of one framework? Warns if not. */
+MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
 /* How far a model may touch: its tolerance, and the way that it may get before it is asked again. */
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
     return m->tolerance + m->ahead;

@@ -228,11 +228,12 @@ static void toLocal(const MeVector4 *tm, const double v[3], double out[3]) {
         out[j] = (double)tm[j][0] * v[0] + (double)tm[j][1] * v[1] + (double)tm[j][2] * v[2];
 }
 
-void mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]) {
+MeBool mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]) {
     double off[3];
     for (int i = 0; i < 3; i++)
         off[i] = (double)world[i] - (double)tm[3][i];
     toLocal(tm, off, local);
+    return isfinite(local[0] + local[1] + local[2]);
 }
 
 int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double part, const double normal[3],
@@ -241,25 +242,26 @@ int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, do
     for (int i = 0; i < 3; i++) {
         const double along = (double)to[i] - (double)from[i];
         length += along * along;
-        hit->position[i] = (MeReal)((double)from[i] + part * along);
+        hit->position[i] = mcd_real((double)from[i] + part * along);
         hit->normal[i] =
             (MeReal)((double)tm[0][i] * normal[0] + (double)tm[1][i] * normal[1] + (double)tm[2][i] * normal[2]);
     }
-    hit->distance = (MeReal)(part * sqrt(length));
+    hit->distance = mcd_real(part * sqrt(length));
     return 1;
 }
 
 int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, McdLineSegIntersectResult *result,
                          McdLocalClipFn clip) {
     McdGeometryInstance *ins = &mcd_record(cm)->instance;
-    if (!mcd_instanceTM(ins))
+    if (!mcd_instanceIsPlaced(ins))
         return 0;
     const MeVector4 *tm = mcd_const(mcd_instanceTM(ins));
     const double inside[3] = {0, 0, 0};
     double way[3], localStart[3], localWay[3];
     for (int i = 0; i < 3; i++)
         way[i] = (double)to[i] - (double)from[i];
-    mcd_toLocal(tm, from, localStart);
+    if (!mcd_toLocal(tm, from, localStart))
+        return 0;
     toLocal(tm, way, localWay);
     McdClip c;
     mcd_clipBegin(&c, localStart, localWay);

@@ -53,8 +53,8 @@ void mcd_clipCapsule(McdClip *c, const double a[3], const double b[3], double ra
 void mcd_clipUnion(McdClip *c, const McdClip *other);
 void mcd_clipAt(const McdClip *c, double t, double point[3]);
 
-/* A world point in the frame at tm. */
-void mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]);
+/* A world point in the frame at tm; false if that is not finite. */
+MeBool mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]);
 /* Fills the result, but for the model, for a hit at a part of the segment, with a normal in the frame at tm. Returns 1. */
 int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double part, const double normal[3],
                    McdLineSegIntersectResult *hit);
@@ -90,13 +90,20 @@ void mcd_drawSides(const MeVector4 *tm, const MeReal colour[3], double z1, doubl
 
 /* ---- what all types' files define alike ------------------------------------------------------------------------------ */
 
-/* The functions of McdGeometryDeclare.h that go by the file's static `support`; the type's own file has the rest. */
-#define MCD_DEFINE_GEOMETRY_TYPE(Type)                                                                                 \
+#define MCD_DEFINE_DESTROY(Type)                                                                                       \
+    void MEAPI Mcd##Type##Destroy(McdGeometryID g) {                                                                   \
+        mcd_geometryDestroyAs(g, kMcdGeometryType##Type, "Mcd" #Type "Destroy");                                       \
+    }
+
+/* The functions of McdGeometryDeclare.h that go by the file's static `support`; the type's own file has the rest.
+ * release: frees what a geometry has, and its memory, when its head is undone. */
+#define MCD_DEFINE_GEOMETRY_TYPE(Type, release)                                                                        \
+    MCD_DEFINE_DESTROY(Type)                                                                                           \
     void MEAPI Mcd##Type##RegisterType(McdFramework *frame) {                                                          \
         if (mcd_frameCheck(frame, "Mcd" #Type "RegisterType"))                                                         \
-            McdFrameworkRegisterGeometryType(                                                                          \
-                frame, kMcdGeometryType##Type, Mcd##Type##GetTypeName(0), Mcd##Type##Destroy, Mcd##Type##UpdateAABB,   \
-                Mcd##Type##GetBSphere, Mcd##Type##MaximumPoint, Mcd##Type##GetMassProperties, Mcd##Type##DebugDraw);   \
+            McdFrameworkRegisterGeometryType(frame, kMcdGeometryType##Type, Mcd##Type##GetTypeName(0), release,        \
+                                             Mcd##Type##UpdateAABB, Mcd##Type##GetBSphere, Mcd##Type##MaximumPoint,    \
+                                             Mcd##Type##GetMassProperties, Mcd##Type##DebugDraw);                      \
     }                                                                                                                  \
     MeI16 MEAPI Mcd##Type##GetTypeId(void) {                                                                           \
         return kMcdGeometryType##Type;                                                                                 \
@@ -115,13 +122,6 @@ void mcd_drawSides(const MeVector4 *tm, const MeReal colour[3], double z1, doubl
         (void)tight;                                                                                                   \
         if (mcd_instanceIs(ins, kMcdGeometryType##Type, "Mcd" #Type "UpdateAABB"))                                     \
             mcd_localUpdateAABB(ins, finalTM, support);                                                                \
-    }
-
-/* The head is undone before: there is nothing to check. */
-#define MCD_DEFINE_DESTROY(Type)                                                                                       \
-    void MEAPI Mcd##Type##Destroy(McdGeometryID g) {                                                                   \
-        if (g)                                                                                                         \
-            MeMemoryAPI.destroy(g);                                                                                    \
     }
 
 /* Goes by the file's static `clip`. */

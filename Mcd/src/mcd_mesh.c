@@ -29,28 +29,13 @@ void mcd_meshFree(McdMesh *mesh) {
                      mesh->usersOf,      mesh->fan,   mesh->contact, mesh->cluster,  mesh->merged,
                      mesh->contactOrder, mesh->spots, mesh->kept};
     for (size_t i = 0; i < sizeof block / sizeof *block; i++)
-        if (block[i])
-            MeMemoryAPI.destroy(block[i]);
+        MeMemoryGive(block[i]);
     memset(mesh, 0, sizeof *mesh);
 }
 
-/* A larger block with the same beginning; the old one, and false, if there is no memory. */
-static MeBool grow(void **block, size_t used, size_t bytes) {
-    void *larger = MeMemoryAPI.create(bytes);
-    if (!larger) {
-        MeFatalError(1, "McdIntersect: no memory for %lu bytes of triangles and contacts", (unsigned long)bytes);
-        return MEFALSE;
-    }
-    if (*block) {
-        memcpy(larger, *block, used);
-        MeMemoryAPI.destroy(*block);
-    }
-    *block = larger;
-    return METRUE;
-}
-
 #define GROW(pointer, used, count)                                                                                     \
-    grow((void **)&(pointer), (size_t)(used) * sizeof *(pointer), (size_t)(count) * sizeof *(pointer))
+    MeMemoryGrow(&(pointer), (size_t)(used), (size_t)(count), sizeof *(pointer), "McdIntersect",                       \
+                 "triangles and contacts")
 
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles) {
     if (triangles <= mesh->max)
@@ -190,7 +175,8 @@ static void toQuery(const McdMeshQuery *q, const double in[3], double out[3]) {
         out[i] = q->place[i] + in[0] * q->axis[0][i] + in[1] * q->axis[1][i] + in[2] * q->axis[2][i];
 }
 
-void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, int element) {
+void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags,
+                 McdElementData element) {
     McdMesh *mesh = q->mesh;
     double own[3];
     if (!mcd_triangleNormal(corner, normal, own)) {
@@ -209,6 +195,7 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
     t->flags = flags;
     t->element = element;
     mesh->count++;
+    MEASSERT(mesh->count <= mesh->max && isfinite(mcd_dot(t->normal, t->normal)));
 }
 
 /* A power of 2 that leaves half of the slots empty. */
@@ -252,6 +239,7 @@ static void joinCorners(McdMesh *mesh) {
         mesh->firstOf[v] += mesh->firstOf[v - 1];
     for (int i = 3 * mesh->count - 1; i >= 0; i--)
         mesh->usersOf[--mesh->firstOf[mesh->triangle[i / 3].vertex[i % 3]]] = i / 3;
+    MEASSERT(vertexCount <= 3 * mesh->count && mesh->firstOf[0] == 0 && mesh->firstOf[vertexCount] == 3 * mesh->count);
     for (int v = 0; v < vertexCount; v++)
         mesh->fan[v] = NOT_KNOWN;
 }
@@ -424,7 +412,7 @@ static MeBool isFlat(const McdMeshQuery *q, const McdMeshTriangle *t) {
 static MeU32 sectorOf(const double normal[3]) {
     MeU32 sector = 0;
     for (int i = 0; i < 3; i++)
-        sector = 32 * sector + (MeU32)(int)floor(normal[i] * 8 + 8.5);
+        sector = 32 * sector + (MeU32)mcd_floorBetween(normal[i] * 8 + 8.5, 0, 31);
     return sector;
 }
 
@@ -434,9 +422,13 @@ static void addContact(McdMeshQuery *q, const McdMeshTriangle *t, const double p
     if (!reserveContacts(mesh, mesh->contactCount + 1))
         return;
     McdMeshContact *c = &mesh->contact[mesh->contactCount++];
+    MEASSERT(mesh->contactCount <= mesh->contactMax && separation <= q->margin + OVER * q->shape.extent);
+    MEASSERT(isfinite(mcd_dot(normal, normal)) && !isnan(separation));
     mcd_copy(c->position, position);
     mcd_copy(c->normal, normal);
     c->separation = separation;
+    const double out[3] = {-normal[0], -normal[1], -normal[2]};
+    c->radius = mcd_surfaceRadius(&q->shape, out, position);
     c->feature = mix(feature, sectorOf(normal));
     c->element = t->element;
     c->isCut = isCut;
@@ -455,8 +447,8 @@ static MeU32 featureToward(const McdMeshTriangle *t, const double normal[3]) {
 static void addManifold(McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
     const MeU32 feature = featureToward(t, m->normal);
     for (int i = 0; i < m->count; i++)
-        addContact(q, t, m->point[i].position, m->normal, m->point[i].separation, mix(feature, m->point[i].feature),
-                   METRUE);
+        addContact(q, t, m->point[i].position, m->normal, m->point[i].separation,
+                   mix(feature, mcd_featureNumber(m->point[i].feature)), METRUE);
 }
 
 typedef struct Polygon {
@@ -1007,11 +999,14 @@ static void merge(McdMeshQuery *q, int max) {
     while (left) {
         const int size = takeCluster(mesh, &left, same);
         const int keptCount = spreadOut(mesh, mesh->cluster, size, MCD_MANIFOLD_POINTS, same);
+        for (int i = 0; i < keptCount; i++)
+            mesh->cluster[i].dims = mcd_regionDims(keptCount);
         memcpy(out + count, mesh->cluster, (size_t)keptCount * sizeof *out);
         count += keptCount;
     }
     if (count > max)
         count = spreadOut(mesh, out, count, max, same);
+    MEASSERT(count <= MeMIN(max, mesh->contactCount));
     mesh->merged = mesh->contact;
     mesh->contact = out;
     mesh->contactCount = count;
@@ -1027,8 +1022,14 @@ static void handOver(McdMeshQuery *q, McdIntersectResult *result) {
         mcd_copy(m.normal, c->normal);
         mcd_copy(m.point[0].position, c->position);
         m.point[0].separation = c->separation;
+        m.point[0].radius[0] = c->radius;
+        m.point[0].radius[1] = 0;
         m.point[0].feature = c->feature;
-        mcd_resultAdd(result, &m, q->origin, ins1, ins2, -1, c->element);
+        McdContact *added = mcd_resultAdd(result, &m, q->origin, ins1, ins2);
+        if (added) {
+            added->element2 = c->element;
+            added->dims = c->dims;
+        }
     }
 }
 

@@ -22,15 +22,17 @@ typedef struct McdMeshTriangle {
     int vertex[3]; /* numbers of the corners: equal places, equal numbers */
     MeU32 key[3];  /* of the corners: from their coordinates in the mesh's frame */
     int flags;     /* McdTriangleFlags */
-    int element;
+    McdElementData element;
     int facing;       /* contacts are along its normal: 1, or -1 for the other way; 0: not, or not known */
     MeBool isPending; /* the shape may be below it, but was not yet found to touch it */
 } McdMeshTriangle;
 
 typedef struct McdMeshContact {
     double position[3], normal[3], separation;
+    double radius; /* of the shape's surface there: mcd_surfaceRadius */
     MeU32 feature;
-    int element;
+    McdElementData element;
+    int dims;  /* of the cluster that it is in */
     int isCut; /* no corner of the shape: a point that others may replace */
 } McdMeshContact;
 
@@ -76,7 +78,8 @@ MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
 void mcd_meshFree(McdMesh *mesh);
 /* For gather functions: corners in the mesh's frame; the normal, which may be null, says which side is outside. What is
  * not near, has no area, or has NaN is left out. */
-void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, int element);
+void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags,
+                 McdElementData element);
 
 /* ---- queries (mcd_mesh_query.c) ----------------------------------------------------------------------------------- */
 

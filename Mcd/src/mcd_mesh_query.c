@@ -31,21 +31,6 @@ static MeBool overlap(const double low1[3], const double high1[3], const double 
     return METRUE;
 }
 
-/* What the callback of a list gets: its model, or where that is an aggregate, one that stands for this part of it. */
-static void makePair(McdGeometryInstance *ins, McdModelID asker, McdModelRecord *standIn, McdModelPair *pair) {
-    memset(pair, 0, sizeof *pair);
-    pair->model2 = ins->model;
-    if (ins->parent) {
-        *standIn = *mcd_record(ins->model);
-        standIn->instance = *ins;
-        standIn->instance.parent = standIn->instance.nextSibling = 0;
-        standIn->instance.model = &standIn->model;
-        standIn->instance.tm = mcd_instanceTM(ins);
-        pair->model2 = &standIn->model;
-    }
-    pair->model1 = asker ? asker : pair->model2;
-}
-
 /* Where the mesh is, and the box in the mesh's frame: as large as it must be to hold the given one. */
 static void place(McdMeshQuery *q, const McdGeometryInstance *ins, const double low[3], const double high[3]) {
     const MeMatrix4Ptr tm = mcd_instanceTM((McdGeometryInstance *)ins);
@@ -72,7 +57,7 @@ static void place(McdMeshQuery *q, const McdGeometryInstance *ins, const double 
 void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const double origin[3], const double low[3],
                          const double high[3], McdMeshVisit visit, void *context) {
     McdMeshQuery q;
-    McdModelRecord standIn;
+    McdStandIn standIn;
     McdModelPair pair;
     double boundsLow[3], boundsHigh[3];
     McdMesh *mesh = meshOf(ins->geometry);
@@ -80,13 +65,16 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     if (!overlap(low, high, boundsLow, boundsHigh))
         return;
     memset(&q, 0, sizeof q);
-    makePair(ins, asker, &standIn, &pair);
+    memset(&pair, 0, sizeof pair);
+    pair.model2 = mcd_standInBegin(&standIn, ins); /* what the callback of a list gets */
+    pair.model1 = asker ? asker : pair.model2;
     q.pair = &pair;
     q.mesh = mesh;
     mcd_copy(q.origin, origin);
     place(&q, ins, low, high);
     mesh->count = 0;
     mesh->gather(&q);
+    mcd_standInEnd(pair.model2, ins);
     for (int i = 0; i < mesh->count; i++) {
         McdShape shape;
         mcd_triangleShape((const double(*)[3])mesh->triangle[i].corner, &shape);

@@ -128,6 +128,7 @@ static double firstTouch(const Mover *a, const Mover *b, double target, double m
 
 static void reportTouch(McdSafeTimeResult *result, double time, MeBool touches, const double n[3], const double at[3],
                         const double origin[3]) {
+    MEASSERT(time >= 0 && (!touches || isfinite(length(n))));
     result->time = (MeReal)time;
     for (int i = 0; i < 3; i++) {
         result->normal[i] = touches ? (MeReal)n[i] : 0;

@@ -56,7 +56,7 @@ void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f);
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                       const McdProximity *p, double margin, McdManifold *m);
 /* One contact, at the proximity's own points. */
-int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *p, MeU32 feature, double margin,
+int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *p, MeU64 feature, double margin,
                       McdManifold *m);
 
 #endif

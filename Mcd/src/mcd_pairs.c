@@ -1,30 +1,33 @@
 /* Links and pairs of a space: who is near whom, and what that means for the lists of pairs. */
 #include "mcd_space_i.h"
 #include "McdInteractions.h"
+#include <stdio.h>
 #include <string.h>
 
 /* ---- memory ------------------------------------------------------------------------------------------------------ */
 
-/* Makes room for one more. False, after MeFatalError, if there is no memory; all is as it was then. */
-static MeBool grow(void **array, int *max, size_t size) {
-    const int more = *max ? 2 * *max : 64;
-    void *bigger = MeMemoryAPI.resize(*array, (size_t)more * size);
-    if (!bigger) {
-        MeFatalError(1, "McdSpaceEndChanges: no memory for pairs");
+static const char caller[] = "McdSpaceEndChanges";
+
+/* Room for at least `needed` elements. False, after MeFatalError, if there is no memory; all is as it was then. */
+static MeBool reserve(void *array, int *room, int needed, size_t size, const char *what) {
+    int more = *room ? *room : 64;
+    while (more < needed)
+        more *= 2;
+    if (*room >= needed)
+        return METRUE;
+    if (!MeMemoryGrow(array, (size_t)*room, (size_t)more, size, caller, what))
         return MEFALSE;
-    }
-    *array = bigger;
-    *max = more;
+    *room = more;
     return METRUE;
 }
 
-static MeBool listAdd(McdPairList *list, const McdPairEntry *entry) {
-    void *array = list->entry;
-    if (list->count == list->max && !grow(&array, &list->max, sizeof *list->entry))
-        return MEFALSE;
-    list->entry = array;
+static MeBool reserveList(McdPairList *list, int needed) {
+    return reserve(&list->entry, &list->max, needed, sizeof *list->entry, "lists of pairs");
+}
+
+static void listAdd(McdPairList *list, const McdPairEntry *entry) {
+    MEASSERT(list->count < list->max);
     list->entry[list->count++] = *entry;
-    return METRUE;
 }
 
 static MeBool precedes(const McdPairEntry *a, const McdPairEntry *b) {
@@ -57,16 +60,19 @@ static void listSort(McdPairList *list) {
     }
 }
 
+/* A pair may be in each of these lists once. */
+static MeBool reserveLists(McdSpace *s, int pairs) {
+    return reserveList(&s->hello, pairs) && reserveList(&s->staying, pairs) && reserveList(&s->goodbye, pairs) &&
+           reserveList(&s->silenced, pairs) && reserveList(&s->woken, pairs);
+}
+
 static MeBool makePairBlock(McdSpace *s) {
-    void *blocks = MeMemoryAPI.resize(s->block, ((size_t)s->blockCount + 1) * sizeof *s->block);
-    if (blocks)
-        s->block = blocks;
-    McdPairRecord *record = blocks ? MeMemoryAPI.create(MCD_PAIR_BLOCK * sizeof *record) : 0;
-    if (!record) {
-        MeFatalError(1, "McdSpaceEndChanges: no memory for pairs");
+    if (!reserveLists(s, (s->blockCount + 1) * MCD_PAIR_BLOCK) ||
+        !reserve(&s->block, &s->blockRoom, s->blockCount + 1, sizeof *s->block, "pairs"))
         return MEFALSE;
-    }
-    memset(record, 0, MCD_PAIR_BLOCK * sizeof *record);
+    McdPairRecord *record = MeMemoryTakeZeroed(MCD_PAIR_BLOCK, sizeof *record, caller, "pairs");
+    if (!record)
+        return MEFALSE;
     s->block[s->blockCount++] = record;
     for (int i = MCD_PAIR_BLOCK - 1; i >= 0; i--) {
         record[i].nextFree = s->freePair;
@@ -125,19 +131,17 @@ static void hashIn(McdSpace *s, int i) {
 
 static void hashOut(McdSpace *s, int i) {
     int *at = bucket(s, s->link[i].proxy[0], s->link[i].proxy[1]);
-    while (*at != i)
+    while (*at != i) {
         at = &s->link[*at].nextInHash;
+        MEASSERT(*at != MCD_NONE);
+    }
     *at = s->link[i].nextInHash;
 }
 
 static MeBool growHash(McdSpace *s) {
     const int size = s->hashSize ? 2 * s->hashSize : 128;
-    void *hash = MeMemoryAPI.resize(s->hash, (size_t)size * sizeof *s->hash);
-    if (!hash) {
-        MeFatalError(1, "McdSpaceEndChanges: no memory for pairs");
+    if (!MeMemoryGrow(&s->hash, 0, (size_t)size, sizeof *s->hash, caller, "the table of pairs"))
         return MEFALSE;
-    }
-    s->hash = hash;
     s->hashSize = size;
     for (int i = 0; i < size; i++)
         s->hash[i] = MCD_NONE;
@@ -149,10 +153,10 @@ static MeBool growHash(McdSpace *s) {
 
 static MeBool growLinks(McdSpace *s) {
     const int first = s->linkMax;
-    void *array = s->link;
-    if (!grow(&array, &s->linkMax, sizeof *s->link))
+    if (!reserveList(&s->wanted, first + 1) || /* as large as the links: both double from 64 on */
+        !reserve(&s->link, &s->linkMax, first + 1, sizeof *s->link, "near models"))
         return MEFALSE;
-    s->link = array;
+    MEASSERT(s->wanted.max >= s->linkMax);
     for (int i = s->linkMax - 1; i >= first; i--) {
         s->link[i].proxy[0] = MCD_NONE;
         s->link[i].nextInHash = s->freeLink;
@@ -268,8 +272,9 @@ static void setSilent(McdSpace *s, int i, MeBool isSilent) {
     McdLink *link = &s->link[i];
     McdPairEntry entry = entryOf(s, i);
     entry.record = link->record;
-    if (link->isSilent != isSilent && listAdd(isSilent ? &s->silenced : &s->woken, &entry))
-        link->isSilent = isSilent;
+    if (link->isSilent != isSilent)
+        listAdd(isSilent ? &s->silenced : &s->woken, &entry);
+    link->isSilent = isSilent;
 }
 
 static void stopWaiting(McdSpace *s, int i) {
@@ -313,29 +318,33 @@ static void judge(McdSpace *s, int i) {
 typedef struct Search {
     McdSpace *space;
     int proxy;
+    MeBool isDone; /* false: there was no memory */
 } Search;
 
 static MeBool meet(void *context, int other) {
-    const Search *search = context;
+    Search *search = context;
     McdSpace *s = search->space;
     const McdProxy *a = &s->proxy[search->proxy], *b = &s->proxy[other];
     if (other == search->proxy || (a->isFrozen && b->isFrozen) || findLink(s, search->proxy, other) != MCD_NONE)
         return METRUE;
-    return makeLink(s, search->proxy, other) != MCD_NONE;
+    search->isDone = makeLink(s, search->proxy, other) != MCD_NONE;
+    return search->isDone;
 }
 
-static void findLinks(McdSpace *s, int proxy) {
+/* False: there was no memory for all of them. */
+static MeBool findLinks(McdSpace *s, int proxy) {
     McdTreeBox box = s->proxy[proxy].fat;
-    Search search = {s, proxy};
+    Search search = {s, proxy, METRUE};
     for (int i = 0; i < 3; i++)
         if (!(s->axes & 1 << i)) {
             box.min[i] = (float)-MCD_TREE_REACH;
             box.max[i] = (float)MCD_TREE_REACH;
         }
     mcd_treeQuery(s->tree, &box, meet, &search);
-    for (int i = 0; i < s->unboundedCount; i++)
+    for (int i = 0; i < s->unboundedCount && search.isDone; i++)
         if (fatBoxesOverlap(s, &s->proxy[proxy], &s->proxy[s->unbounded[i]]))
             meet(&search, s->unbounded[i]);
+    return search.isDone;
 }
 
 static void judgeLinksOf(McdSpace *s, int proxy) {
@@ -383,8 +392,7 @@ static void moveEntries(McdPairEntry *entry, int to, int from, int count) {
 static void addToStaying(McdSpace *s, McdPairList *list) {
     int end = s->staying.count, add = list->count;
     for (int i = 0; i < add; i++)
-        if (!listAdd(&s->staying, &list->entry[i]))
-            add = i;
+        listAdd(&s->staying, &list->entry[i]);
     McdPairEntry *entry = s->staying.entry;
     for (; add > 0; add--) {
         const int at = placeOf(entry, 0, end, &list->entry[add - 1]);
@@ -432,27 +440,27 @@ static void renewStaying(McdSpace *s) {
     addToStaying(s, &s->woken);
 }
 
-static void sayHello(McdSpace *s, McdPairEntry entry) {
+/* False: there is no memory; the link goes on waiting. */
+static MeBool sayHello(McdSpace *s, McdPairEntry entry) {
     McdLink *link = &s->link[entry.link];
     McdPairRecord *record = takePair(s);
     if (!record)
-        return;
+        return MEFALSE;
     record->pair.model1 = &s->proxy[link->proxy[0]].model->model;
     record->pair.model2 = &s->proxy[link->proxy[1]].model->model;
     record->pair.phase = kMcdFFStateHello;
     entry.record = record;
-    if (!listAdd(&s->hello, &entry)) {
-        givePair(s, record);
-        return;
-    }
+    listAdd(&s->hello, &entry);
     stopWaiting(s, (int)(link - s->link));
     link->record = record;
     s->liveCount++;
+    return METRUE;
 }
 
 static void refuse(McdSpace *s, int first) {
-    MeWarning(1, "McdSpaceEndChanges: no room for %d more pairs: raise McdSpaceAxisSortCreate's pairCount, which is %d",
-              s->wanted.count - first, s->pairMax);
+    char what[40];
+    snprintf(what, sizeof what, "%d more pairs", s->wanted.count - first);
+    MeLimitWarn(&s->pairLimit, caller, what);
     for (int i = first; s->poolFull && i < s->wanted.count; i++) {
         const McdLink *link = &s->link[s->wanted.entry[i].link];
         s->poolFull(&s->proxy[link->proxy[0]].model->model, &s->proxy[link->proxy[1]].model->model);
@@ -475,10 +483,11 @@ static void giveRoom(McdSpace *s) {
     if (s->waitingCount > newCount)
         addWaiting(s);
     listSort(&s->wanted);
+    const MeLimit *limit = &s->pairLimit;
     int i = 0;
-    for (; i < s->wanted.count && s->liveCount < s->pairMax; i++)
-        sayHello(s, s->wanted.entry[i]);
-    if (i < s->wanted.count && newCount)
+    while (i < s->wanted.count && s->liveCount < limit->most && sayHello(s, s->wanted.entry[i]))
+        i++;
+    if (i < s->wanted.count && newCount && s->liveCount == limit->most)
         refuse(s, i);
     s->wanted.count = 0;
 }
@@ -489,6 +498,7 @@ void mcd_proxyTouch(McdSpace *s, int proxy) {
     if (s->proxy[proxy].isDirty)
         return;
     s->proxy[proxy].isDirty = METRUE;
+    MEASSERT(s->dirtyCount < s->proxyRoom);
     s->dirty[s->dirtyCount++] = proxy;
 }
 
@@ -499,19 +509,87 @@ void mcd_pairsBegin(McdSpace *s) {
     s->goodbye.count = 0;
 }
 
+/* Proxies for whose links there was no memory are looked at again in the next block. */
+static void keepUnfinished(McdSpace *s) {
+    int kept = 0;
+    for (int i = 0; i < s->dirtyCount; i++) {
+        McdProxy *p = &s->proxy[s->dirty[i]];
+        p->isDirty = p->isMoved;
+        if (p->isMoved)
+            s->dirty[kept++] = s->dirty[i];
+    }
+    s->dirtyCount = kept;
+}
+
+/* A link is found, joins two models in their order, and its pair is theirs and lives. */
+static MeBool isLinkGood(const McdSpace *s, int i) {
+    const McdLink *link = &s->link[i];
+    const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
+    if (!a->model || !b->model || !(a->order > b->order) || findLink(s, link->proxy[0], link->proxy[1]) != i)
+        return MEFALSE;
+    if (!link->record)
+        return !link->isSilent;
+    const McdModelPair *pair = &link->record->pair;
+    return pair->model1 == &a->model->model && pair->model2 == &b->model->model && !link->isWaiting &&
+           (pair->phase == kMcdFFStateHello || pair->phase == kMcdFFStateStaying);
+}
+
+static MeBool areLinksGood(const McdSpace *s) {
+    int links = 0, pairs = 0, silent = 0, waiting = 0;
+    for (int i = 0; i < s->linkMax; i++) {
+        if (s->link[i].proxy[0] == MCD_NONE)
+            continue;
+        if (!isLinkGood(s, i))
+            return MEFALSE;
+        links++;
+        pairs += s->link[i].record != 0;
+        silent += s->link[i].isSilent;
+        waiting += s->link[i].isWaiting;
+    }
+    return links == s->linkCount && pairs == s->liveCount && waiting == s->waitingCount &&
+           pairs - silent == s->hello.count + s->staying.count;
+}
+
+/* In order, none twice, and all in that phase. */
+static MeBool isListGood(const McdPairList *list, McdModelPairPhase phase) {
+    for (int i = 0; i < list->count; i++)
+        if (list->entry[i].record->pair.phase != phase || (i && !precedes(&list->entry[i - 1], &list->entry[i])))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* Of proxies: those with a box are in the tree or without bounds, and their fat box holds the exact one. */
+static MeBool areBoxesGood(const McdSpace *s) {
+    int count = 0;
+    for (int i = s->firstProxy; i != MCD_NONE; i = s->proxy[i].next, count++) {
+        const McdProxy *p = &s->proxy[i];
+        if (!p->model || p->model->proxy != p || p->model->space != s || p->hasBox != (p->leaf || p->isUnbounded) ||
+            (p->leaf && p->isUnbounded))
+            return MEFALSE;
+        for (int k = 0; p->hasBox && k < 3; k++)
+            if (fmax((double)p->min[k], -MCD_TREE_REACH) < (double)p->fat.min[k] ||
+                fmin((double)p->max[k], MCD_TREE_REACH) > (double)p->fat.max[k])
+                return MEFALSE;
+    }
+    return count == s->proxyCount && count <= s->proxyRoom;
+}
+
 void mcd_pairsEnd(McdSpace *s) {
     mcd_pairsTidy(s);
     mcd_treeSettle(s->tree);
-    for (int i = 0; i < s->dirtyCount; i++)
-        if (s->proxy[s->dirty[i]].isMoved && s->proxy[s->dirty[i]].hasBox)
-            findLinks(s, s->dirty[i]);
+    for (int i = 0; i < s->dirtyCount; i++) {
+        McdProxy *p = &s->proxy[s->dirty[i]];
+        p->isMoved = p->isMoved && p->hasBox && !findLinks(s, s->dirty[i]);
+    }
     helloBecomesStaying(s);
     judgeLinks(s);
-    for (int i = 0; i < s->dirtyCount; i++)
-        s->proxy[s->dirty[i]].isDirty = s->proxy[s->dirty[i]].isMoved = MEFALSE;
-    s->dirtyCount = 0;
+    keepUnfinished(s);
     renewStaying(s);
     giveRoom(s);
+    MEASSERT(s->liveCount >= 0 && s->liveCount <= s->pairLimit.most && s->waitingCount >= 0);
+    MEVALIDATE(areBoxesGood(s) && areLinksGood(s));
+    MEVALIDATE(isListGood(&s->hello, kMcdFFStateHello) && isListGood(&s->staying, kMcdFFStateStaying) &&
+               isListGood(&s->goodbye, kMcdFFStateGoodbye));
 }
 
 static void undirty(McdSpace *s, int proxy) {
@@ -537,7 +615,8 @@ void mcd_pairsForgetProxy(McdSpace *s, int proxy) {
 
 /* Ends what a program may have begun with a pair. The lists are tidied later, once for many pairs. */
 static void erase(McdSpace *s, McdPairRecord *record, MeBool isInLists) {
-    if (record->pair.cache)
+    forgetPair(record);
+    if (record->pair.m_cachedData)
         McdGoodbye(&record->pair);
     record->pair.phase = kMcdFFStateInactive;
     if (isInLists)
@@ -598,21 +677,19 @@ void mcd_pairsEraseProxy(McdSpace *s, int proxy) {
 void mcd_pairsDestroy(McdSpace *s) {
     for (int b = 0; b < s->blockCount; b++) {
         for (int i = 0; i < MCD_PAIR_BLOCK; i++) {
-            if (s->block[b][i].pair.cache && s->block[b][i].pair.phase != kMcdFFStateGoodbye)
+            if (s->block[b][i].pair.m_cachedData && s->block[b][i].pair.phase != kMcdFFStateGoodbye)
                 McdGoodbye(&s->block[b][i].pair);
+            s->block[b][i].pair.responseData = 0; /* goes with its world, which may have gone before */
             forgetPair(&s->block[b][i]);
         }
-        MeMemoryAPI.destroy(s->block[b]);
+        MeMemoryGive(s->block[b]);
     }
-    MeMemoryAPI.destroy(s->block);
-    MeMemoryAPI.destroy(s->link);
-    MeMemoryAPI.destroy(s->hash);
-    MeMemoryAPI.destroy(s->hello.entry);
-    MeMemoryAPI.destroy(s->staying.entry);
-    MeMemoryAPI.destroy(s->goodbye.entry);
-    MeMemoryAPI.destroy(s->wanted.entry);
-    MeMemoryAPI.destroy(s->silenced.entry);
-    MeMemoryAPI.destroy(s->woken.entry);
+    MeMemoryGive(s->block);
+    MeMemoryGive(s->link);
+    MeMemoryGive(s->hash);
+    McdPairList *list[] = {&s->hello, &s->staying, &s->goodbye, &s->wanted, &s->silenced, &s->woken};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        MeMemoryGive(list[i]->entry);
 }
 
 /* ---- pairs that never collide ------------------------------------------------------------------------------------ */

@@ -31,8 +31,43 @@ void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {
     MeVector3Set(result->normal, 0, 0, 0);
 }
 
+/* The finalizer of MurmurHash3, which is one to one. */
+static MeU64 stir(MeU64 x) {
+    x ^= x >> 33;
+    x *= 0xff51afd7ed558ccdull;
+    x ^= x >> 33;
+    x *= 0xc4ceb9fe1a85ec53ull;
+    return x ^ x >> 33;
+}
+
 MeU32 mcd_featureMix(MeU32 feature, MeU32 part) {
-    return (feature ^ part) * 0x9e3779b1u + (feature >> 15);
+    return (MeU32)stir((MeU64)part << 32 | feature);
+}
+
+MeU32 mcd_featureNumber(MeU64 feature) {
+    const MeU32 a = (MeU32)(feature >> 32), b = (MeU32)feature;
+    return a < 1u << 16 && b < 1u << 16 ? a << 16 | b : (MeU32)stir(feature);
+}
+
+/* Contacts of one result have numbers of their own: where two hashes are the same, the later one gets another. */
+static void tellApart(McdIntersectResult *result) {
+    for (int i = 1; i < result->contactCount; i++)
+        for (int k = 0; k < i; k++)
+            if (result->contacts[k].feature == result->contacts[i].feature) {
+                result->contacts[i].feature = mcd_featureMix(result->contacts[i].feature, 1);
+                k = -1;
+            }
+}
+
+void mcd_manifoldTurn(McdManifold *m) {
+    mcd_scale(m->normal, m->normal, -1);
+    for (int i = 0; i < m->count; i++) {
+        McdManifoldPoint *p = &m->point[i];
+        const double radius = p->radius[0];
+        p->radius[0] = p->radius[1];
+        p->radius[1] = radius;
+        p->feature = p->feature << 32 | p->feature >> 32;
+    }
 }
 
 /* Which of the manifold's points there is place for, as ascending indices; returns how many. */
@@ -47,24 +82,63 @@ static int choose(const McdManifold *m, int place, int kept[MCD_MANIFOLD_POINTS]
     return place >= m->count ? m->count : mcd_spread(spot, m->count, place, 0, kept);
 }
 
-void mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3], McdGeometryInstanceID ins1,
-                   McdGeometryInstanceID ins2, int element1, int element2) {
+McdContact *mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3],
+                          McdGeometryInstanceID ins1, McdGeometryInstanceID ins2) {
+    McdContact *first = &result->contacts[result->contactCount];
     int kept[MCD_MANIFOLD_POINTS];
     const int count = choose(m, result->contactMaxCount - result->contactCount, kept);
+    MEASSERT(m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS && count <= m->count);
     for (int i = 0; i < count; i++) {
         const McdManifoldPoint *point = &m->point[kept[i]];
         McdContact *c = &result->contacts[result->contactCount++];
         for (int k = 0; k < 3; k++) {
-            c->position[k] = (MeReal)(origin[k] + point->position[k]);
+            c->exactPosition[k] = origin[k] + point->position[k];
+            c->position[k] = mcd_real(c->exactPosition[k]);
             c->normal[k] = (MeReal)m->normal[k];
         }
-        c->separation = (MeReal)point->separation;
-        c->feature = point->feature;
+        c->separation = mcd_real(point->separation);
+        c->exactSeparation = point->separation;
+        c->radius[0] = point->radius[0];
+        c->radius[1] = point->radius[1];
+        c->feature = mcd_featureNumber(point->feature);
         c->instance1 = ins1;
         c->instance2 = ins2;
-        c->element1 = element1;
-        c->element2 = element2;
+        c->element1.ptr = c->element2.ptr = 0;
+        c->dims = mcd_regionDims(m->count);
     }
+    return count ? first : 0;
+}
+
+static MeBool isRigid(McdGeometryInstanceID ins) {
+    const MeMatrix4Ptr tm = mcd_instanceTM(ins);
+    for (int i = 0; i < 3; i++)
+        if (!(MeFabs(MeVector3Dot(tm[i], tm[i]) - 1) < (MeReal)1e-4))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* Normals are as long as transforms are rigid. */
+static MeBool isNormalGood(const McdContact *c) {
+    const double n[3] = {(double)c->normal[0], (double)c->normal[1], (double)c->normal[2]};
+    return !isRigid(c->instance1) || !isRigid(c->instance2) || fabs(mcd_length(n) - 1) < 1e-3;
+}
+
+/* What response relies on: numbers, unit normals, each contact within reach, of parts of the pair, and its own feature. */
+static MeBool isContactGood(const McdIntersectResult *result, int i) {
+    const McdContact *c = &result->contacts[i];
+    for (int k = 0; k < i; k++)
+        if (result->contacts[k].feature == c->feature)
+            return MEFALSE;
+    return mcd_areNear(c->position, 3) && isNormalGood(c) && isfinite(c->exactSeparation) && c->radius[0] >= 0 &&
+           c->radius[1] >= 0 && c->instance1->model == result->pair->model1 &&
+           c->instance2->model == result->pair->model2;
+}
+
+static MeBool areContactsGood(const McdIntersectResult *result) {
+    for (int i = 0; i < result->contactCount; i++)
+        if (!isContactGood(result, i))
+            return MEFALSE;
+    return METRUE;
 }
 
 int mcd_resultEnd(McdIntersectResult *result) {
@@ -76,6 +150,10 @@ int mcd_resultEnd(McdIntersectResult *result) {
         MeVector3MultiplyScalar(result->normal, sum, 1 / length);
     else if (result->contactCount) /* they cancel: the first stands for them */
         MeVector3Copy(result->normal, result->contacts[0].normal);
+    MEASSERT(result->contactCount >= 0 && result->contactCount <= result->contactMaxCount);
+    tellApart(result);
+    MEVALIDATE(areContactsGood(result));
     result->touch = result->contactCount > 0;
+    mcd_record(result->pair->model1)->frame->knowsSurfaces = METRUE;
     return result->touch;
 }

@@ -86,7 +86,7 @@ static void setHull(McdShape *s, const McdConvexMesh *g) {
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape) {
     memset(shape, 0, sizeof *shape);
     shape->type = g->type;
-    if (!tm || !place(shape, tm, origin))
+    if (!mcd_isPlace(tm) || !place(shape, tm, origin))
         return 0;
     switch (g->type) {
     case kMcdGeometryTypeSphere:
@@ -224,4 +224,32 @@ void mcd_coreSupport(const McdShape *s, const double d[3], double point[3]) {
 void mcd_support(const McdShape *s, const double direction[3], double point[3]) {
     mcd_coreSupport(s, direction, point);
     mcd_mad(point, point, s->rounding, direction);
+}
+
+/* ---- round surfaces ---------------------------------------------------------------------------------------- */
+
+/* The side of a cylinder or cone: its normal has the same part along the axis everywhere, and meets the axis at the
+ * middle of its curvature across. */
+static double sideRadius(const McdShape *s, double lower, double upper, double bottom, double top,
+                         const double outward[3], const double point[3]) {
+    static const double across = .9987502603949663; /* cos(.05): at a wider angle it is the rim that touches */
+    const double slant = hypot(top - bottom, lower - upper), out = (top - bottom) / slant;
+    const double up = mcd_dot(s->axis[2], outward), aside = sqrt(fmax(1 - up * up, 0));
+    double off[3];
+    if (!(aside * out + up * (lower - upper) / slant >= across))
+        return 0;
+    mcd_sub(off, point, s->place);
+    const double t = MeCLAMP((mcd_dot(off, s->axis[2]) - bottom) / (top - bottom), 0, 1);
+    return (lower + t * (upper - lower)) / out;
+}
+
+double mcd_surfaceRadius(const McdShape *s, const double outward[3], const double point[3]) {
+    switch (s->type) {
+    case kMcdGeometryTypeCylinder:
+        return sideRadius(s, s->size[0], s->size[0], -s->size[2], s->size[2], outward, point);
+    case kMcdGeometryTypeCone:
+        return sideRadius(s, s->size[0], s->size[1], -s->low, s->size[2] - s->low, outward, point);
+    default:
+        return s->rounding;
+    }
 }

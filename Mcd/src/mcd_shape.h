@@ -58,6 +58,9 @@ void mcd_triangleShape(const double corners[3][3], McdShape *shape);
 void mcd_coreSupport(const McdShape *s, const double direction[3], double point[3]);
 /* The same with the rounding; direction has length 1. */
 void mcd_support(const McdShape *s, const double direction[3], double point[3]);
+/* The radius of a round surface at a point of it, the unit vector outward being its normal; 0 where it is not round. See
+ * McdContactGetRadius. */
+double mcd_surfaceRadius(const McdShape *s, const double outward[3], const double point[3]);
 
 /* ---- manifolds ------------------------------------------------------------------------------------------------ */
 
@@ -66,7 +69,8 @@ enum { MCD_MANIFOLD_POINTS = 4 };
 typedef struct McdManifoldPoint {
     double position[3]; /* half-way between both surfaces */
     double separation;  /* along the normal; negative: penetration */
-    MeU32 feature;      /* which features touch: a pure function of the shapes' topology */
+    double radius[2];   /* mcd_surfaceRadius of both shapes */
+    MeU64 feature;      /* which features touch, a's in the upper half: a pure function of the shapes' topology */
 } McdManifoldPoint;
 
 struct McdManifold {
@@ -80,6 +84,8 @@ struct McdManifold {
 int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdManifold *m);
 /* Contacts with the half-space below the plane normal . x = offset: b is the half-space. */
 int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m);
+/* The manifold of the shapes in the other order. */
+void mcd_manifoldTurn(McdManifold *m);
 /* The signed distance of two convex shapes (negative: depth), the nearest points on both surfaces, and the normal. */
 double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]);
 

@@ -9,7 +9,8 @@
  * At the end of a block only what changed is looked at: proxies that left their fat box are looked up in the tree for
  * new links, and the links of proxies that changed at all are judged anew.
  *
- * Proxies and links are known by their index; pairs and programs' pointers never move.
+ * Proxies and links are known by their index, and move when there is no room for more; a model's pointer to its proxy is
+ * set anew then. Pairs never move.
  */
 #ifndef MCD_SPACE_I_H
 #define MCD_SPACE_I_H
@@ -72,9 +73,12 @@ typedef struct McdLink {
 
 struct _McdSpace {
     MeU32 magic;
+    MeHandle handle;
     McdFramework *frame;
-    int axes, objectMax, pairMax;
+    int axes;
+    MeLimit modelLimit, pairLimit;
     MeBool isChanging;
+    MeBool isUpdating; /* callbacks of the program are running */
     MeBool isFirstBlock, isUpdated; /* the block that creation opened; McdSpaceUpdateAll was called in it */
     MeU32 step;
     MeReal lookAhead; /* s */
@@ -82,19 +86,22 @@ struct _McdSpace {
     McdSpacePoolErrorFnPtr poolFull;
     void *userData;
 
-    McdProxy *proxy; /* objectMax */
+    McdProxy *proxy; /* proxyRoom; moves when there is no room for another one */
+    int proxyRoom;
     int proxyCount, firstProxy, lastProxy, freeProxy;
     int firstAwake, lastAwake;      /* what is updated: frozen models cost no time */
-    int *dirty, dirtyCount;         /* proxies; objectMax */
-    int *unbounded, unboundedCount; /* proxies that are in no tree; objectMax */
+    int *dirty, dirtyCount;         /* proxies; proxyRoom */
+    int *unbounded, unboundedCount; /* proxies that are in no tree; proxyRoom */
     McdTree *tree;
 
     McdLink *link;
     int linkMax, freeLink, linkCount;
     int *hash, hashSize; /* a power of 2, or 0 */
 
+    /* All lists of pairs have room for all records in the blocks, and wanted for all links: only making these larger can
+     * fail for want of memory, and then nothing has begun yet. */
     McdPairRecord **block; /* of MCD_PAIR_BLOCK pairs */
-    int blockCount, liveCount, waitingCount;
+    int blockCount, blockRoom, liveCount, waitingCount;
     McdPairRecord *freePair;
     MeBool isStale; /* there are erased pairs in the lists: their phase is kMcdFFStateInactive */
     McdPairList hello, staying, goodbye, wanted;

@@ -1,4 +1,4 @@
-/* Inside Mcd: three-dimensional vectors in double. */
+/* Inside Mcd: three-dimensional vectors in double, and the one way from double to int. */
 #ifndef MCD_VECTOR_H
 #define MCD_VECTOR_H
 
@@ -53,6 +53,11 @@ static inline void mcd_basis(const double n[3], double u[3], double w[3]) {
         mcd_set(u, -n[2], 0, n[0]);
     mcd_scale(u, u, 1 / mcd_length(u));
     mcd_cross(w, n, u);
+}
+
+/* The greatest int that is not above x, as far as it is between low and high; low for what is no number. */
+static inline int mcd_floorBetween(double x, int low, int high) {
+    return !(x > low) ? low : x >= high ? high : (int)floor(x);
 }
 
 #endif

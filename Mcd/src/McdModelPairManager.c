@@ -1,0 +1,259 @@
+/* Pairs of models by their phases: records in a list in the order in which they were activated, found by a hash of the models. */
+#include "McdModelPairManager.h"
+
+#include "McdInteractions.h"
+#include "mcd_i.h"
+#include <stdint.h>
+#include <string.h>
+
+typedef struct Record {
+    McdModelPair pair;             /* first: the record is found by it */
+    struct Record *before, *after; /* of the list; `after` also of the free ones */
+    struct Record *next;           /* with the same hash */
+} Record;
+
+struct McdModelPairManager {
+    int size, used;
+    MeU32 step; /* counts what makes iterators stale */
+    MeBool hasWarned;
+    McdSpacePoolErrorFnPtr poolFull;
+    Record *record, *firstFree, *first, *last;
+    Record **bucket; /* `size` of them */
+};
+
+static MeBool isManager(McdModelPairManagerID manager, const char *function) {
+    if (!manager) {
+        MeWarning(1, "%s: the manager is null", function);
+        return MEFALSE;
+    }
+    MEASSERT(manager->used >= 0 && manager->used <= manager->size);
+    MEASSERT((manager->used == manager->size) == (manager->firstFree == NULL));
+    return METRUE;
+}
+
+/* ---- life -------------------------------------------------------------------------------------------------------- */
+
+McdModelPairManagerID MEAPI McdModelPairManagerCreate(int size) {
+    if (size < 1) {
+        MeWarning(1, "McdModelPairManagerCreate: size is %d, which must be 1 or more", size);
+        return 0;
+    }
+    const size_t bytes = sizeof(McdModelPairManager) + (size_t)size * (sizeof(Record) + sizeof(Record *));
+    McdModelPairManager *manager = MeMemoryAPI.create(bytes);
+    if (!manager) {
+        MeFatalError(1, "McdModelPairManagerCreate: no memory for %d pairs", size);
+        return 0;
+    }
+    memset(manager, 0, bytes);
+    manager->size = size;
+    manager->record = (Record *)(manager + 1);
+    manager->bucket = (Record **)(manager->record + size);
+    for (int i = size; i > 0; i--) {
+        manager->record[i - 1].after = manager->firstFree;
+        manager->firstFree = &manager->record[i - 1];
+    }
+    return manager;
+}
+
+void MEAPI McdModelPairManagerDestroy(McdModelPairManager *manager) {
+    if (!manager)
+        return;
+    for (Record *r = manager->first; r; r = r->after)
+        if (r->pair.m_cachedData)
+            McdGoodbye(&r->pair);
+    MeMemoryAPI.destroy(manager);
+}
+
+/* ---- finding ------------------------------------------------------------------------------------------------------ */
+
+/* The place of the pointer to the pair's record, or where it would be; the order of the models does not matter. */
+static Record **placeOf(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
+    const uintptr_t key = ((uintptr_t)m1 ^ (uintptr_t)m2) / sizeof(McdModelRecord);
+    Record **place = &manager->bucket[key % (uintptr_t)manager->size];
+    for (; *place; place = &(*place)->next) {
+        const McdModelPair *p = &(*place)->pair;
+        if ((p->model1 == m1 && p->model2 == m2) || (p->model1 == m2 && p->model2 == m1))
+            break;
+    }
+    return place;
+}
+
+static MeBool isActive(const Record *r) {
+    return r && r->pair.phase != kMcdFFStateGoodbye;
+}
+
+McdModelPairID MEAPI McdModelPairManagerGetPair(McdModelPairManagerID manager, McdModelID m1, McdModelID m2) {
+    Record *r = isManager(manager, "McdModelPairManagerGetPair") ? *placeOf(manager, m1, m2) : NULL;
+    return isActive(r) ? &r->pair : 0;
+}
+
+int MEAPI McdModelPairManagerGetSize(McdModelPairManagerID manager) {
+    return isManager(manager, "McdModelPairManagerGetSize") ? manager->size : 0;
+}
+
+/* ---- coming and going ---------------------------------------------------------------------------------------------- */
+
+static void tellFull(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
+    if (manager->poolFull)
+        manager->poolFull(m1, m2);
+    else if (!manager->hasWarned)
+        MeWarning(1, "McdModelPairManagerActivate: there are %d pairs: raise McdModelPairManagerCreate's size",
+                  manager->size);
+    manager->hasWarned = METRUE;
+}
+
+static void append(McdModelPairManager *manager, Record *r) {
+    r->before = manager->last;
+    r->after = NULL;
+    *(manager->last ? &manager->last->after : &manager->first) = r;
+    manager->last = r;
+    manager->used++;
+}
+
+MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModelID model1, McdModelID model2) {
+    if (!isManager(manager, "McdModelPairManagerActivate") ||
+        !mcd_modelsMakeAPair(model1, model2, "McdModelPairManagerActivate"))
+        return MEFALSE;
+    Record **place = placeOf(manager, model1, model2), *r = *place;
+    if (isActive(r))
+        return METRUE;
+    if (!r && !manager->firstFree) {
+        tellFull(manager, model1, model2);
+        return MEFALSE;
+    }
+    manager->step++;
+    if (r) {
+        r->pair.phase = kMcdFFStateStaying;
+        return METRUE;
+    }
+    r = manager->firstFree;
+    manager->firstFree = r->after;
+    memset(r, 0, sizeof *r);
+    r->pair.model1 = model1;
+    r->pair.model2 = model2;
+    r->pair.phase = kMcdFFStateHello;
+    *place = r;
+    append(manager, r);
+    return METRUE;
+}
+
+static void drop(McdModelPairManager *manager, Record *r) {
+    Record **place = placeOf(manager, r->pair.model1, r->pair.model2);
+    MEASSERT(*place == r);
+    if (r->pair.m_cachedData)
+        McdGoodbye(&r->pair);
+    *place = r->next;
+    *(r->before ? &r->before->after : &manager->first) = r->after;
+    *(r->after ? &r->after->before : &manager->last) = r->before;
+    r->pair.phase = kMcdFFStateInactive;
+    r->after = manager->firstFree;
+    manager->firstFree = r;
+    manager->used--;
+}
+
+MeBool MEAPI McdModelPairManagerDeactivate(McdModelPairManagerID manager, McdModelID model1, McdModelID model2) {
+    Record *r = isManager(manager, "McdModelPairManagerDeactivate") ? *placeOf(manager, model1, model2) : NULL;
+    if (!isActive(r))
+        return MEFALSE;
+    manager->step++;
+    if (r->pair.phase == kMcdFFStateHello)
+        drop(manager, r);
+    else
+        r->pair.phase = kMcdFFStateGoodbye;
+    return METRUE;
+}
+
+void MEAPI McdModelPairManagerFlush(McdModelPairManagerID manager) {
+    if (!isManager(manager, "McdModelPairManagerFlush"))
+        return;
+    manager->step++;
+    for (Record *r = manager->first, *after; r; r = after) {
+        after = r->after;
+        if (r->pair.phase == kMcdFFStateGoodbye)
+            drop(manager, r);
+        else
+            r->pair.phase = kMcdFFStateStaying;
+    }
+}
+
+/* ---- handing over -------------------------------------------------------------------------------------------------- */
+
+void MEAPI McdModelPairManagerResetIterator(McdModelPairManagerID manager, McdSpacePairIterator *iterator) {
+    if (!isManager(manager, "McdModelPairManagerResetIterator"))
+        return;
+    if (!iterator) {
+        MeWarning(1, "McdModelPairManagerResetIterator: the iterator is null");
+        return;
+    }
+    memset(iterator, 0, sizeof *iterator);
+    iterator->step = manager->step;
+}
+
+/* Puts the pairs of a phase after the first *done ones to array[at ..], at most `room`; returns how many. */
+static int take(const McdModelPairManager *manager, McdModelPairPhase phase, int *done, McdModelPair **array,
+                int room) {
+    int seen = 0, taken = 0;
+    for (Record *r = manager->first; r && taken < room; r = r->after)
+        if (r->pair.phase == phase && seen++ >= *done)
+            array[taken++] = &r->pair;
+    *done += taken;
+    return taken;
+}
+
+static int countOf(const McdModelPairManager *manager, McdModelPairPhase phase) {
+    int count = 0;
+    for (const Record *r = manager->first; r; r = r->after)
+        count += r->pair.phase == phase;
+    return count;
+}
+
+/* Goodbye pairs, then hello pairs, then staying ones: all of one kind before the next. */
+static MeBool fill(const McdModelPairManager *manager, McdSpacePairIterator *it, McdModelPairContainer *c,
+                   MeBool withStaying) {
+    c->goodbyeFirst = 0;
+    c->goodbyeEnd = take(manager, kMcdFFStateGoodbye, &it->goodbye, c->array, c->size);
+    c->helloFirst = c->goodbyeEnd;
+    c->helloEnd =
+        c->helloFirst + take(manager, kMcdFFStateHello, &it->hello, c->array + c->helloFirst, c->size - c->helloFirst);
+    c->stayingFirst = c->stayingEnd = c->helloEnd;
+    if (withStaying)
+        c->stayingEnd +=
+            take(manager, kMcdFFStateStaying, &it->staying, c->array + c->stayingFirst, c->size - c->stayingFirst);
+    MEASSERT(c->stayingEnd <= c->size);
+    return it->goodbye < countOf(manager, kMcdFFStateGoodbye) || it->hello < countOf(manager, kMcdFFStateHello) ||
+           (withStaying && it->staying < countOf(manager, kMcdFFStateStaying));
+}
+
+static MeBool getPairs(McdModelPairManager *manager, McdSpacePairIterator *it, McdModelPairContainer *c,
+                       MeBool withStaying, const char *function) {
+    if (!isManager(manager, function))
+        return MEFALSE;
+    if (!it || !c || !c->array || c->size < 1) {
+        MeWarning(1, "%s: no iterator, or no container", function);
+        return MEFALSE;
+    }
+    McdModelPairContainerReset(c);
+    if (it->step == manager->step)
+        return fill(manager, it, c, withStaying);
+    MeWarning(1, "%s: pairs came or went since McdModelPairManagerResetIterator", function);
+    return MEFALSE;
+}
+
+MeBool MEAPI McdModelPairManagerGetPairs(McdModelPairManagerID manager, McdSpacePairIterator *iterator,
+                                         McdModelPairContainer *container) {
+    return getPairs(manager, iterator, container, METRUE, "McdModelPairManagerGetPairs");
+}
+
+MeBool MEAPI McdModelPairManagerGetTransitions(McdModelPairManagerID manager, McdSpacePairIterator *iterator,
+                                               McdModelPairContainer *container) {
+    return getPairs(manager, iterator, container, MEFALSE, "McdModelPairManagerGetTransitions");
+}
+
+void MEAPI McdModelPairManagerSetPoolFullHandler(McdModelPairManagerID manager, McdSpacePoolErrorFnPtr handler) {
+    if (isManager(manager, "McdModelPairManagerSetPoolFullHandler"))
+        manager->poolFull = handler;
+}
+
+McdSpacePoolErrorFnPtr MEAPI McdModelPairManagerGetPoolFullHandler(McdModelPairManagerID manager) {
+    return isManager(manager, "McdModelPairManagerGetPoolFullHandler") ? manager->poolFull : 0;
+}

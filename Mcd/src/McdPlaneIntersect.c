@@ -1,0 +1,236 @@
+/* Cross-sections: where a plane cuts the edges of a convex body, in order around the middle of these points. */
+#include "McdPlaneIntersect.h"
+
+#include "McdBox.h"
+#include "McdConvexMesh.h"
+#include "McdCylinder.h"
+#include "mcd_i.h"
+#include "mcd_vector.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDES = 32 };                   /* of a cylinder */
+static const double sameCorner = 1e-6; /* relative to the largest distance: corners nearer than that are one */
+
+typedef struct Corner {
+    double position[3], angle;
+} Corner;
+
+typedef struct Slice {
+    double normal[3], dist; /* the plane, in the instance's frame */
+    Corner *corner;
+    int count, room;
+    MeBool isOut;         /* of memory */
+    const char *function; /* that the program called */
+} Slice;
+
+/* ---- collecting ---------------------------------------------------------------------------------------------------- */
+
+static void addCorner(Slice *s, const double position[3]) {
+    if (s->isOut)
+        return;
+    if (s->count == s->room) {
+        const int room = MeMAX(2 * s->room, 32);
+        if (!MeMemoryGrow(&s->corner, (size_t)s->count, (size_t)room, sizeof *s->corner, s->function,
+                          "corners")) {
+            s->isOut = METRUE;
+            return;
+        }
+        s->room = room;
+    }
+    mcd_copy(s->corner[s->count++].position, position);
+}
+
+/* Where an edge passes through the plane; an end in the plane counts. */
+static void cutEdge(Slice *s, const double from[3], const double to[3]) {
+    const double a = mcd_dot(s->normal, from) - s->dist, b = mcd_dot(s->normal, to) - s->dist;
+    if ((a > 0 && b > 0) || (a < 0 && b < 0))
+        return;
+    if (a == b) { /* both in the plane */
+        addCorner(s, from);
+        addCorner(s, to);
+        return;
+    }
+    double along[3], cut[3];
+    mcd_sub(along, to, from);
+    mcd_mad(cut, from, a / (a - b), along);
+    addCorner(s, cut);
+}
+
+static void cutBox(Slice *s, McdGeometryID g) {
+    MeReal size[3];
+    McdBoxGetDimensions(g, &size[0], &size[1], &size[2]);
+    for (int axis = 0; axis < 3; axis++)
+        for (int k = 0; k < 4; k++) {
+            double end[2][3];
+            for (int e = 0; e < 2; e++) {
+                end[e][axis] = (e ? .5 : -.5) * (double)size[axis];
+                end[e][(axis + 1) % 3] = (k & 1 ? .5 : -.5) * (double)size[(axis + 1) % 3];
+                end[e][(axis + 2) % 3] = (k & 2 ? .5 : -.5) * (double)size[(axis + 2) % 3];
+            }
+            cutEdge(s, end[0], end[1]);
+        }
+}
+
+static void cutCylinder(Slice *s, McdGeometryID g, int maxVert) {
+    const double r = (double)McdCylinderGetRadius(g), h = (double)McdCylinderGetHeight(g) / 2;
+    const int sides = MeCLAMP(maxVert - 2, 3, SIDES);
+    for (int i = 0; i < sides; i++) {
+        const double from = 2 * (double)ME_PI * i / sides, to = 2 * (double)ME_PI * (i + 1) / sides;
+        const double low[2][3] = {{r * cos(from), r * sin(from), -h}, {r * cos(to), r * sin(to), -h}};
+        const double high[2][3] = {{low[0][0], low[0][1], h}, {low[1][0], low[1][1], h}};
+        cutEdge(s, low[0], high[0]);
+        cutEdge(s, low[0], low[1]);
+        cutEdge(s, high[0], high[1]);
+    }
+}
+
+static void vertexOf(McdGeometryID g, int polygon, int i, double vertex[3]) {
+    const MeReal *v = McdConvexMeshGetPolygonVertexPtr(g, polygon, i);
+    for (int k = 0; k < 3; k++)
+        vertex[k] = (double)v[k];
+}
+
+static void cutMesh(Slice *s, McdGeometryID g) {
+    for (int polygon = 0; polygon < McdConvexMeshGetPolygonCount(g); polygon++) {
+        const int count = McdConvexMeshGetPolygonVertexCount(g, polygon);
+        for (int i = 0; i < count; i++) {
+            double from[3], to[3];
+            vertexOf(g, polygon, i, from);
+            vertexOf(g, polygon, NextModN(i, count), to);
+            cutEdge(s, from, to);
+        }
+    }
+}
+
+/* ---- in order -------------------------------------------------------------------------------------------------------- */
+
+static int compareAngles(const void *p, const void *q) {
+    const Corner *a = p, *b = q;
+    return (a->angle > b->angle) - (a->angle < b->angle);
+}
+
+/* Leaves out corners that are where another one is. */
+static void mergeCorners(Slice *s) {
+    double largest = 0;
+    int kept = 0;
+    for (int i = 1; i < s->count; i++)
+        largest = fmax(largest, mcd_distanceSquared(s->corner[i].position, s->corner[0].position));
+    const double near = sameCorner * sameCorner * largest;
+    for (int i = 0; i < s->count; i++) {
+        MeBool isNew = METRUE;
+        for (int k = 0; k < kept && isNew; k++)
+            isNew = mcd_distanceSquared(s->corner[i].position, s->corner[k].position) > near;
+        if (isNew)
+            s->corner[kept++] = s->corner[i];
+    }
+    s->count = kept;
+}
+
+static void sortCorners(Slice *s) {
+    const MeVector3 n = {(MeReal)s->normal[0], (MeReal)s->normal[1], (MeReal)s->normal[2]};
+    MeVector3 x, y;
+    double middle[3] = {0, 0, 0};
+    MeVector3PlaneSpace(n, x, y);
+    for (int i = 0; i < s->count; i++)
+        mcd_mad(middle, middle, 1. / s->count, s->corner[i].position);
+    for (int i = 0; i < s->count; i++) {
+        double d[3], across = 0, up = 0;
+        mcd_sub(d, s->corner[i].position, middle);
+        for (int k = 0; k < 3; k++) {
+            across += d[k] * (double)x[k];
+            up += d[k] * (double)y[k];
+        }
+        s->corner[i].angle = atan2(up, across);
+    }
+    qsort(s->corner, (size_t)s->count, sizeof *s->corner, compareAngles);
+}
+
+/* ---- the functions ----------------------------------------------------------------------------------------------------- */
+
+static MeBool isAsked(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, int maxVert, const int *numVert,
+                      MeVector3 *outVert, const char *function) {
+    MeBool isFine = ins && normal && maxVert >= 3 && numVert && outVert && MeRealIsValid(dist);
+    for (int i = 0; isFine && i < 3; i++)
+        isFine = MeRealIsValid(normal[i]);
+    if (!isFine || fabs((double)MeVector3Magnitude(normal) - 1) > 1e-3) {
+        MeWarning(1, "%s: an argument is null or not finite, the normal has not length 1, or maxVert is %d (3 or more)",
+                  function, maxVert);
+        return MEFALSE;
+    }
+    if (!mcd_instanceTM(ins))
+        MeWarning(1, "%s: the instance has no transform", function);
+    return mcd_instanceTM(ins) != NULL;
+}
+
+/* normal . (R x + X) = dist  =>  (R^T normal) . x = dist - normal . X */
+static void placePlane(Slice *s, const MeMatrix4Ptr tm, const MeReal *normal, MeReal dist) {
+    s->dist = (double)dist;
+    for (int i = 0; i < 3; i++) {
+        s->normal[i] = 0;
+        for (int k = 0; k < 3; k++)
+            s->normal[i] += (double)tm[i][k] * (double)normal[k];
+        s->dist -= (double)normal[i] * (double)tm[3][i];
+    }
+}
+
+static void handOver(const Slice *s, const MeMatrix4Ptr tm, int maxVert, int *numVert, MeVector3 *outVert) {
+    const int count = s->count < 3 ? 0 : MeMIN(s->count, maxVert); /* two corners are an edge */
+    for (int i = 0; i < count; i++) {
+        const double *p = s->corner[(int)((long long)i * s->count / count)].position;
+        for (int k = 0; k < 3; k++)
+            outVert[i][k] = (MeReal)((double)tm[3][k] + p[0] * (double)tm[0][k] + p[1] * (double)tm[1][k] +
+                                     p[2] * (double)tm[2][k]);
+    }
+    *numVert = count;
+}
+
+static void slice(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, int maxVert, int *numVert,
+                  MeVector3 *outVert, const char *function) {
+    Slice s = {.function = function};
+    const McdGeometryID g = McdGeometryInstanceGetGeometry(ins);
+    placePlane(&s, mcd_instanceTM(ins), normal, dist);
+    if (g->type == kMcdGeometryTypeBox)
+        cutBox(&s, g);
+    else if (g->type == kMcdGeometryTypeCylinder)
+        cutCylinder(&s, g, maxVert);
+    else if (g->type == kMcdGeometryTypeConvexMesh)
+        cutMesh(&s, g);
+    else
+        MeWarning(1, "%s: the instance is no box, cylinder or convex mesh", function);
+    if (s.count) {
+        mergeCorners(&s);
+        sortCorners(&s);
+        handOver(&s, mcd_instanceTM(ins), maxVert, numVert, outVert);
+    }
+    MeMemoryGive(s.corner);
+}
+
+static void sliceOfType(McdGeometryInstanceID ins, int type, const MeReal *normal, MeReal dist, int maxVert,
+                        int *numVert, MeVector3 *outVert, const char *function) {
+    if (numVert)
+        *numVert = 0;
+    if (isAsked(ins, normal, dist, maxVert, numVert, outVert, function) &&
+        (type < 0 || mcd_geometryIs(McdGeometryInstanceGetGeometry(ins), (McdGeometryType)type, function)))
+        slice(ins, normal, dist, maxVert, numVert, outVert, function);
+}
+
+void MEAPI McdBoxGetSlice(McdGeometryInstanceID ins, const MeVector3 normal, MeReal dist, int maxVert, int *numVert,
+                          MeVector3 *outVert) {
+    sliceOfType(ins, kMcdGeometryTypeBox, normal, dist, maxVert, numVert, outVert, "McdBoxGetSlice");
+}
+
+void MEAPI McdCylinderGetSlice(McdGeometryInstanceID ins, const MeVector3 normal, MeReal dist, int maxVert,
+                               int *numVert, MeVector3 *outVert) {
+    sliceOfType(ins, kMcdGeometryTypeCylinder, normal, dist, maxVert, numVert, outVert, "McdCylinderGetSlice");
+}
+
+void MEAPI McdConvexMeshGetSlice(McdGeometryInstanceID ins, const MeVector3 normal, MeReal dist, int maxVert,
+                                 int *numVert, MeVector3 *outVert) {
+    sliceOfType(ins, kMcdGeometryTypeConvexMesh, normal, dist, maxVert, numVert, outVert, "McdConvexMeshGetSlice");
+}
+
+void MEAPI McdGeometryInstanceGetSlice(McdGeometryInstanceID ins, const MeVector3 normal, MeReal dist, int maxVert,
+                                       int *numVert, MeVector3 *outVert) {
+    sliceOfType(ins, -1, normal, dist, maxVert, numVert, outVert, "McdGeometryInstanceGetSlice");
+}
