@@ -13,7 +13,8 @@
 
 ME_BEGIN_C
 
-/** Creates a bridge for at most maxMaterials materials (1 or more; 0 counts as 1 and warns), the default one included. */
+/** Creates a bridge for at most maxMaterials materials (1 or more, or MeNoLimit; 0 counts as 1 and warns), the default
+ *  one included. Null if there is no memory. */
 MEPUBLIC MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMaterials);
 /** Destroys a bridge; contact groups stay the world's. Null does nothing. */
 MEPUBLIC void MEAPI MstBridgeDestroy(const MstBridgeID b);
@@ -23,7 +24,8 @@ MEPUBLIC void MEAPI MstBridgeDestroy(const MstBridgeID b);
  *  @{ */
 /** The material that every model has at first. */
 #define MstBridgeGetDefaultMaterial() ((MstMaterialID)0)
-/** A new material; the default one, with a warning that names maxMaterials, if there is no more room. */
+/** A new material; the default one, with a warning that names what to raise, if there is no more room. Parameters of other
+ *  materials stay where they are. */
 MEPUBLIC MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b);
 /** The parameters that contacts of the pair get from now on. They belong to the bridge. */
 MEPUBLIC MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b, const MstMaterialID m1,

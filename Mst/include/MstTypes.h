@@ -61,21 +61,26 @@ struct MstBridge {
     McdModelPairContainer *pairs; /**< Where pairs are while they are handled. */
 };
 
-/** How much there may be in a universe. */
+/** How much there may be in a universe. 0 of anything but of geometry types: as much as there is memory for. Pools grow
+ *  when they are full, then, each time to twice their size, and nothing that a program has a pointer to moves; the motion is
+ *  the same, bit by bit, whichever the sizes are. With other sizes memory is taken when the universe is created, and what
+ *  has no room is not made, with a warning that names the member here, once. */
 typedef struct MstUniverseSizes {
     unsigned int dynamicBodiesMaxCount;              /**< Bodies. */
     unsigned int dynamicConstraintsMaxCount;         /**< Joints, contact groups and contacts together. */
-    unsigned int collisionUserGeometryTypesMaxCount; /**< The program's own geometry types. */
+    unsigned int collisionUserGeometryTypesMaxCount; /**< The program's own geometry types; 0: none. */
     unsigned int collisionModelsMaxCount;            /**< Models. */
     unsigned int collisionPairsMaxCount;             /**< Pairs of models near each other at a time. */
     unsigned int collisionGeometryInstancesMaxCount; /**< Children of all aggregate models together. */
-    unsigned int materialsMaxCount;                  /**< Materials, the default one included: at least 1. */
-    MeReal lengthScale;                              /**< m, of a medium-sized object. */
-    MeReal massScale;                                /**< kg, the same. */
+    unsigned int materialsMaxCount;                  /**< Materials, the default one included. */
+    MeReal lengthScale;                              /**< m, of a medium-sized object: tolerances, rest, epsilon. */
+    MeReal massScale;                                /**< kg, the same: the default mass, epsilon. */
 } MstUniverseSizes;
 
 /** 100 bodies, 500 constraints, 0 types, 100 models, 500 pairs, 100 instances, 10 materials, scales of 1. */
 extern MEPUBLIC const MstUniverseSizes MstUniverseDefaultSizes;
+/** No limits: 0 of everything, scales of 1. */
+extern MEPUBLIC const MstUniverseSizes MstUniverseGrowingSizes;
 
 /** A universe: collision and dynamics with what joins them. */
 struct MstUniverse {

@@ -1,5 +1,5 @@
 /** @file MstUniverse.h
- *  Universes: collision and dynamics in one (User Guide ch. 5, "Creating a Universe").
+ *  Universes: collision and dynamics in one (User Guide ch. 5, "Creating a Universe"). Brings all of Mst.h.
  */
 #ifndef MSTUNIVERSE_H
 #define MSTUNIVERSE_H
@@ -10,8 +10,14 @@ ME_BEGIN_C
 
 /**
  * Creates a world, a framework with all geometry types and interactions, a space and a bridge, of the given sizes; null
- * means MstUniverseDefaultSizes. Returns null, with a warning, if a size is out of range. Bodies that are disabled have
+ * means MstUniverseDefaultSizes, and MstUniverseGrowingSizes has no limits. Returns null, with a warning, if a size is out of range. Bodies that are disabled have
  * their models frozen (MstSetWorldHandlers). The space is inside a change block between steps.
+ *
+ * Its world's epsilon follows the scales, 7.2e-12 lengthScale / massScale [1/kg]: at 60 Hz and 10 m/s² a load of a million
+ * times the mass scale makes joints and contacts sag by 1e-7 of the length scale (epsilon F h² / gamma), and a body that
+ * weighs up to 10 000 times the mass scale sags by no more than 1e-9 of it under its own weight. MdtWorldSetEpsilon on
+ * the universe's world takes its place, with its absolute meaning; the Dynamics guide's softer joints and contacts have
+ * MDTWORLD_DEFAULT_EPSILON / massScale.
  */
 MEPUBLIC MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes);
 /** Destroys a universe with all bodies, constraints, models and geometries in it. Null does nothing. */
@@ -26,5 +32,7 @@ MEPUBLIC McdSpaceID MEAPI MstUniverseGetSpace(const MstUniverseID u);
 MEPUBLIC MstBridgeID MEAPI MstUniverseGetBridge(const MstUniverseID u);
 
 ME_END_C
+
+#include "Mst.h"
 
 #endif

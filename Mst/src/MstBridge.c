@@ -1,73 +1,91 @@
 /* The bridge: the material table, and the loop over pairs. */
 #include "McdInteractions.h"
-#include "MeMemory.h"
+#include "MeAssert.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
 #include "mst_i.h"
-#include <string.h>
+#include <limits.h>
+
+void mst_warnGone(const void *p, const char *what, const char *function) {
+    if (p)
+        MeWarning(1, "%s: %p is no %s: it has been destroyed, or never was one", function, p, what);
+    else
+        MeWarning(1, "%s: null is no %s", function, what);
+}
 
 MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function) {
     MstBridgeRecord *record = (MstBridgeRecord *)b;
-    if (record && record->magic == MST_BRIDGE)
+    if (record && MST_IS_KNOWN(b, MST_BRIDGE) && record->magic == MST_BRIDGE)
         return record;
-    MeWarning(1, "%s: %p is no bridge", function, (void *)b);
+    mst_warnGone(b, "bridge", function);
     return 0;
 }
 
 /* ---- life ---------------------------------------------------------------------------------------------------- */
 
-static size_t pairCount(unsigned int materials) {
-    return (size_t)materials * (materials + 1) / 2;
-}
-
 static void freeAll(MstBridgeRecord *b) {
     if (b->bridge.pairs)
         McdModelPairContainerDestroy(b->bridge.pairs);
-    MeMemoryAPI.destroy(b->materials);
-    MeMemoryAPI.destroy(b->contacts);
-    MeMemoryAPI.destroy(b->done);
+    for (unsigned int m = 0; m < b->materialCount; m++)
+        MeMemoryGive(b->materials[m]);
+    MeMemoryGive(b->materials);
+    MeMemoryGive(b->contacts);
+    MeMemoryGive(b->done);
     mst_eventsTerm(b);
-    MeMemoryAPI.destroy(b->hurried);
-    MeMemoryAPI.destroy(b);
+    MeMemoryGive(b->hurried);
+    MeMemoryGive(b);
 }
 
-static void resetMaterials(MstBridgeRecord *b) {
-    memset(b->materials, 0, pairCount(b->materialMax) * sizeof *b->materials);
-    for (size_t i = 0; i < pairCount(b->materialMax); i++)
-        MdtContactParamsReset(&b->materials[i].params);
+/* One more material: a row of pairs, with itself and with all before it, which stays where it is. */
+static MeBool addMaterial(MstBridgeRecord *b, const char *function) {
+    const unsigned int m = b->materialCount, more = m ? 2 * m : 8;
+    if (m == b->materialRoom) {
+        if (!MeMemoryGrow(&b->materials, m, more, sizeof *b->materials, function, "materials"))
+            return MEFALSE;
+        b->materialRoom = more;
+    }
+    MstMaterialPair *row = MeMemoryTakeZeroed((size_t)m + 1, sizeof *row, function, "a material");
+    if (!row)
+        return MEFALSE;
+    for (unsigned int i = 0; i <= m; i++)
+        MdtContactParamsReset(&row[i].params);
+    b->materials[b->materialCount++] = row;
+    return METRUE;
 }
 
 MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMaterials) {
-    if (maxMaterials == 0 || maxMaterials > 10000)
-        MeWarning(1, "MstBridgeCreate: maxMaterials is %u: it must be 1 .. 10000", maxMaterials);
-    MstBridgeRecord *b = MeMemoryAPI.create(sizeof *b);
-    if (!b) {
-        MeFatalError(1, "MstBridgeCreate: no memory");
+    static const char function[] = "MstBridgeCreate";
+    const MeBool isLimited = maxMaterials != MeNoLimit;
+    if (isLimited && (maxMaterials == 0 || maxMaterials > MST_MATERIALS))
+        MeWarning(1, "MstBridgeCreate: maxMaterials is %u: it must be 1 .. %d, or MeNoLimit", maxMaterials,
+                  MST_MATERIALS);
+    MstBridgeRecord *b = MeMemoryTakeZeroed(1, sizeof *b, function, "a bridge");
+    if (!b)
         return 0;
-    }
-    memset(b, 0, sizeof *b);
     b->frame = frame;
-    b->materialMax = MeCLAMP(maxMaterials, 1, 10000);
-    b->materialCount = 1;
+    b->materialLimit = (MeLimit){.most = isLimited ? (int)MeCLAMP(maxMaterials, 1, MST_MATERIALS) : MeNoLimit,
+                                 .name = "MstBridgeCreate's maxMaterials"};
     b->contactMax = MST_CONTACTS;
-    b->materials = MeMemoryAPI.create(pairCount(b->materialMax) * sizeof *b->materials);
-    b->contacts = MeMemoryAPI.create(b->contactMax * sizeof *b->contacts);
-    b->done = MeMemoryAPI.create(b->contactMax * sizeof *b->done);
+    b->contacts = MeMemoryTake(b->contactMax, sizeof *b->contacts, function, "contacts");
+    b->done = MeMemoryTake(b->contactMax, sizeof *b->done, function, "contacts");
     b->bridge.pairs = McdModelPairContainerCreate(MST_PAIRS);
-    if (!b->materials || !b->contacts || !b->done || !b->bridge.pairs) {
+    if (!b->contacts || !b->done || !b->bridge.pairs || !addMaterial(b, function)) {
         freeAll(b);
-        MeFatalError(1, "MstBridgeCreate: no memory for %u materials", maxMaterials);
         return 0;
     }
-    resetMaterials(b);
     b->magic = MST_BRIDGE;
+    MeHandleEnter(&b->handle, b, MST_BRIDGE);
     return &b->bridge;
 }
 
 void MEAPI MstBridgeDestroy(const MstBridgeID b) {
-    MstBridgeRecord *record = b ? mst_bridgeCheck(b, "MstBridgeDestroy") : 0;
-    if (!record)
+    MstBridgeRecord *record = (MstBridgeRecord *)b;
+    if (b && !MeHandleIsLive(b, MST_BRIDGE))
+        mst_warnGone(b, "bridge", "MstBridgeDestroy");
+    if (!b || !MeHandleIsLive(b, MST_BRIDGE))
         return;
     record->magic = 0;
+    MeHandleLeave(&record->handle);
     freeAll(record);
 }
 
@@ -77,14 +95,12 @@ MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeGetNewMaterial");
     if (!record)
         return MstBridgeGetDefaultMaterial();
-    if (record->materialCount == record->materialMax) {
-        MeWarning(1,
-                  "MstBridgeGetNewMaterial: there are %u materials already: raise MstBridgeCreate's maxMaterials, or "
-                  "the universe's materialsMaxCount",
-                  record->materialMax);
+    const MstMaterialID m = record->materialCount;
+    if (m >= (MstMaterialID)record->materialLimit.most) {
+        MeLimitWarn(&record->materialLimit, "MstBridgeGetNewMaterial", "more materials");
         return MstBridgeGetDefaultMaterial();
     }
-    return record->materialCount++;
+    return addMaterial(record, "MstBridgeGetNewMaterial") ? m : MstBridgeGetDefaultMaterial();
 }
 
 static MstMaterialID known(const MstBridgeRecord *b, MstMaterialID m) {
@@ -96,7 +112,8 @@ static MstMaterialID known(const MstBridgeRecord *b, MstMaterialID m) {
 
 MstMaterialPair *mst_materialPair(MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2) {
     const MstMaterialID a = known(b, m1), c = known(b, m2), high = MeMAX(a, c), low = MeMIN(a, c);
-    return &b->materials[(size_t)high * (high + 1) / 2 + low];
+    MEASSERT(high < b->materialCount && b->materialCount <= b->materialRoom);
+    return &b->materials[high][low];
 }
 
 static MstMaterialPair *pairOf(MstBridgeID b, MstMaterialID m1, MstMaterialID m2, const char *function) {
@@ -197,6 +214,7 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
     if (!record)
         return;
+    const char *before = MeCallerSet("MstBridgeUpdateContacts");
     if (record->part == 0)
         mst_eventsBegin(record);
     mst_hurryNobody(record);
@@ -206,10 +224,12 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
     do {
         McdModelPairContainerReset(b->pairs);
         isMore = McdSpaceGetPairs(s, &iterator, b->pairs);
+        MEASSERT(b->pairs->goodbyeEnd <= b->pairs->helloFirst && b->pairs->helloEnd == b->pairs->stayingFirst);
         MstHandleTransitionsOf(b->pairs);
         MstHandleCollisions(b->pairs, s, w, b);
     } while (isMore);
     McdSpaceBeginChanges(s);
+    MeCallerSet(before);
 }
 
 void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
@@ -234,16 +254,18 @@ void MEAPI MstBridgeSetContactBufferSize(const MstBridgeID b, const unsigned int
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeSetContactBufferSize");
     if (!record)
         return;
-    McdContact *contacts = s ? MeMemoryAPI.create(s * sizeof *contacts) : 0;
-    MdtContactID *done = s ? MeMemoryAPI.create(s * sizeof *done) : 0;
-    if (!contacts || !done) {
-        MeWarning(1, "MstBridgeSetContactBufferSize: %u contacts are too few, or too many for the memory", s);
-        MeMemoryAPI.destroy(contacts);
-        MeMemoryAPI.destroy(done);
+    if (!s || s > INT_MAX) {
+        MeWarning(1, "MstBridgeSetContactBufferSize: %u contacts: it must be 1 .. %d", s, INT_MAX);
         return;
     }
-    MeMemoryAPI.destroy(record->contacts);
-    MeMemoryAPI.destroy(record->done);
+    McdContact *contacts = MeMemoryTake(s, sizeof *contacts, "MstBridgeSetContactBufferSize", "contacts");
+    MdtContactID *done = contacts ? MeMemoryTake(s, sizeof *done, "MstBridgeSetContactBufferSize", "contacts") : 0;
+    if (!done) {
+        MeMemoryGive(contacts);
+        return;
+    }
+    MeMemoryGive(record->contacts);
+    MeMemoryGive(record->done);
     record->contacts = contacts;
     record->done = done;
     record->contactMax = s;
@@ -253,11 +275,13 @@ void MEAPI MstBridgeSetModelPairBufferSize(const MstBridgeID b, const unsigned i
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeSetModelPairBufferSize");
     if (!record)
         return;
-    McdModelPairContainer *pairs = s >= 8 && s < 0x7fffffff ? McdModelPairContainerCreate((int)s) : 0;
-    if (!pairs) {
-        MeWarning(1, "MstBridgeSetModelPairBufferSize: %u pairs are too few, or too many for the memory", s);
+    if (s < 8 || s > INT_MAX) {
+        MeWarning(1, "MstBridgeSetModelPairBufferSize: %u pairs: it must be 8 .. %d", s, INT_MAX);
         return;
     }
+    McdModelPairContainer *pairs = McdModelPairContainerCreate((int)s);
+    if (!pairs)
+        return;
     McdModelPairContainerDestroy(record->bridge.pairs);
     record->bridge.pairs = pairs;
 }

@@ -8,32 +8,23 @@
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
 #include "MdtWorld.h"
-#include "MeMemory.h"
+#include "MeAssert.h"
 #include "MeMessage.h"
 #include "mst_i.h"
 #include <string.h>
 
 /* ---- memory ---------------------------------------------------------------------------------------------------- */
 
-/* An array with room for count elements; null, after MeFatalError, if there is no memory: the old one stays. */
-static void *grown(void *array, int count, size_t size) {
-    void *bigger = MeMemoryAPI.resize(array, (size_t)count * size);
-    if (!bigger)
-        MeFatalError(1, "MstBridgeUpdateEvents: no memory for events");
-    return bigger;
-}
-
+/* Room for one more. False, after MeFatalError, if there is no memory: all is as it was then. */
 static MeBool hasRoom(MstEventList *list) {
+    const size_t count = (size_t)list->count, more = count ? 2 * count : 64;
     if (list->count < list->max)
         return METRUE;
-    const int more = list->max ? 2 * list->max : 64;
-    MstEvent *event = grown(list->event, more, sizeof *event);
-    if (event)
-        list->event = event;
-    MeU64(*serial)[2] = event ? grown(list->serial, more, sizeof *serial) : 0;
-    if (serial)
-        list->serial = serial, list->max = more;
-    return serial != 0;
+    if (!MeMemoryGrow(&list->event, count, more, sizeof *list->event, "MstBridgeUpdateEvents", "events") ||
+        !MeMemoryGrow(&list->serial, count, more, sizeof *list->serial, "MstBridgeUpdateEvents", "events"))
+        return MEFALSE;
+    list->max = (int)more;
+    return METRUE;
 }
 
 static void add(MstEventList *list, const MstEvent *event, const MeU64 serial[2]) {
@@ -44,8 +35,8 @@ static void add(MstEventList *list, const MstEvent *event, const MeU64 serial[2]
 }
 
 static void freeList(MstEventList *list) {
-    MeMemoryAPI.destroy(list->event);
-    MeMemoryAPI.destroy(list->serial);
+    MeMemoryGive(list->event);
+    MeMemoryGive(list->serial);
 }
 
 /* ---- touches --------------------------------------------------------------------------------------------------- */
@@ -56,11 +47,9 @@ static MstTouch *takeTouch(MstBridgeRecord *b) {
     if (t)
         e->free = t->next;
     else
-        t = MeMemoryAPI.create(sizeof *t);
-    if (!t) {
-        MeFatalError(1, "MstBridgeUpdateContacts: no memory for events");
+        t = MeMemoryTake(1, sizeof *t, "MstBridgeUpdateContacts", "what touches");
+    if (!t)
         return 0;
-    }
     memset(t, 0, sizeof *t);
     t->bridge = b;
     t->next = e->first;
@@ -72,6 +61,7 @@ static MstTouch *takeTouch(MstBridgeRecord *b) {
 
 static void giveTouch(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
+    MEASSERT((t->previous ? t->previous->next : e->first) == t);
     *(t->previous ? &t->previous->next : &e->first) = t->next;
     if (t->next)
         t->next->previous = t->previous;
@@ -91,7 +81,7 @@ static MstTouch *ensureTouch(MstBridgeRecord *b, McdModelPair *p) {
         t->model[k].serial = McdModelGetSerial(model[k]);
     }
     p->touch = t;
-    p->forget = mst_touchForget;
+    p->forget = mst_pairForget;
     return t;
 }
 
@@ -130,8 +120,8 @@ void MEAPI mst_touchForget(McdModelPair *p) {
     MstTouch *t = p->touch;
     if (!t)
         return;
+    MEASSERT(t->pair == p);
     p->touch = 0;
-    p->forget = 0;
     if (t->isTouching)
         tell(&t->bridge->events.ended, t, MstEventEnd);
     if (t->isListed)
@@ -142,21 +132,19 @@ void MEAPI mst_touchForget(McdModelPair *p) {
 static void freeTouches(MstTouch *t) {
     for (MstTouch *next; t; t = next) {
         next = t->next;
-        MeMemoryAPI.destroy(t);
+        MeMemoryGive(t);
     }
 }
 
 void mst_eventsTerm(MstBridgeRecord *b) {
     MstEvents *e = &b->events;
-    for (MstTouch *t = e->first; t; t = t->next) {
+    for (MstTouch *t = e->first; t; t = t->next)
         t->pair->touch = 0;
-        t->pair->forget = 0;
-    }
     freeTouches(e->first);
     freeTouches(e->free);
     freeList(&e->done);
     freeList(&e->ended);
-    MeMemoryAPI.destroy(e->listed);
+    MeMemoryGive(e->listed);
 }
 
 /* ---- before the step ------------------------------------------------------------------------------------------- */
@@ -176,10 +164,9 @@ static MeBool list(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
     if (e->listedCount == e->listedMax) {
         const int more = e->listedMax ? 2 * e->listedMax : 64;
-        MstTouch **listed = grown(e->listed, more, sizeof(MstTouch *));
-        if (!listed)
+        if (!MeMemoryGrow(&e->listed, (size_t)e->listedCount, (size_t)more, sizeof *e->listed,
+                          "MstBridgeUpdateContacts", "what touches"))
             return MEFALSE;
-        e->listed = listed;
         e->listedMax = more;
     }
     e->listed[e->listedCount++] = t;
@@ -355,6 +342,19 @@ static void refresh(MstEvents *e, int i) {
     event->model2 = ifAlive(event->model2, e->done.serial[i][1]);
 }
 
+/* Every touch knows its neighbours and its pair, which knows it; what is listed says so. */
+static MeBool areTouchesConsistent(const MstEvents *e) {
+    int listed = 0;
+    for (const MstTouch *t = e->first; t; t = t->next) {
+        if (t->pair->touch != t || (t->next && t->next->previous != t))
+            return MEFALSE;
+        listed += t->isListed;
+    }
+    for (int i = 0; i < e->listedCount; i++)
+        listed -= e->listed[i] != 0;
+    return listed == 0 && e->done.count <= e->done.max && e->ended.count <= e->ended.max;
+}
+
 static void callBack(MstBridgeRecord *b) {
     for (int i = 0; i < b->events.firstBreak; i++) {
         refresh(&b->events, i);
@@ -370,6 +370,7 @@ void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
     if (!record)
         return;
     MstEvents *e = &record->events;
+    MEVALIDATE(areTouchesConsistent(e));
     mst_eventsGather(record);
     takeEnded(e);
     for (int i = 0; i < e->listedCount; i++) {

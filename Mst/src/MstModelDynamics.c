@@ -1,5 +1,6 @@
 /* Models with bodies: who belongs to whom. A body knows its first model, a model the next one of its body. */
 #include "MstModelDynamics.h"
+#include "MeAssert.h"
 #include "MeMessage.h"
 
 static MeBool isModel(McdModelID m, const char *function) {
@@ -9,11 +10,24 @@ static MeBool isModel(McdModelID m, const char *function) {
     return MEFALSE;
 }
 
+/* Is the model once in the body's list, and do all models there say that it is their body? */
+static MeBool isOfBody(const McdModel *m, MdtBodyID b) {
+    int found = 0;
+    for (McdModelID other = MdtBodyGetModel(b); other; other = other->mOfBody) {
+        if (other->mBody != b)
+            return MEFALSE;
+        found += other == m;
+    }
+    return found == 1;
+}
+
 /* Takes the model out of its body's list. */
 static void MEAPI leave(McdModel *m) {
     const MdtBodyID b = m->mBody;
-    McdModelID first = MdtBodyGetModel(b);
-    if (first == m)
+    const MeBool isLive = MdtBodyIsValid(b); /* it may have gone with its world */
+    McdModelID first = isLive ? MdtBodyGetModel(b) : 0;
+    MEASSERT(!isLive || isOfBody(m, b));
+    if (isLive && first == m)
         MdtBodySetModel(b, m->mOfBody);
     for (McdModelID other = first; other; other = other->mOfBody)
         if (other->mOfBody == m)
@@ -43,6 +57,7 @@ void MEAPI McdModelSetBody(const McdModelID m, const MdtBodyID b) {
     m->mOfBody = MdtBodyGetModel(b);
     m->mLeave = leave;
     MdtBodySetModel(b, m);
+    MEVALIDATE(isOfBody(m, b));
     McdModelSetTransformPtr(m, MdtBodyGetTransformPtr(b));
     McdModelSetLinearVelocityPtr(m, MdtBodyGetLinearVelocityPtr(b));
     McdModelSetAngularVelocityPtr(m, MdtBodyGetAngularVelocityPtr(b));

@@ -3,23 +3,27 @@
 #include "MstEvents.h"
 #include "McdFrame.h"
 #include "McdAll.h"
+#include "MdtDefaults.h"
 #include "MdtWorld.h"
-#include "MeMemory.h"
+#include "McdInternal.h"
+#include "MdtInternal.h"
+#include "MeAssert.h"
 #include "MeMessage.h"
 #include "mst_i.h"
-#include <string.h>
 
 const MstUniverseSizes MstUniverseDefaultSizes = {100, 500, 0, 100, 500, 100, 10, 1, 1};
+const MstUniverseSizes MstUniverseGrowingSizes = {0, 0, 0, 0, 0, 0, 0, 1, 1};
 
 typedef struct MstUniverseRecord {
     MstUniverse universe; /* what programs see: first */
     MeU32 magic;
+    MeHandle handle;
 } MstUniverseRecord;
 
 static MeBool isUniverse(MstUniverseID u, const char *function) {
-    if (u && ((const MstUniverseRecord *)u)->magic == MST_UNIVERSE)
+    if (u && MST_IS_KNOWN(u, MST_UNIVERSE) && ((const MstUniverseRecord *)u)->magic == MST_UNIVERSE)
         return METRUE;
-    MeWarning(1, "%s: %p is no universe", function, (void *)u);
+    mst_warnGone(u, "universe", function);
     return MEFALSE;
 }
 
@@ -34,42 +38,75 @@ static void destroyParts(MstUniverse *u) {
     MstBridgeDestroy(u->bridge);
     if (u->world)
         MdtWorldDestroy(u->world);
+    MeHandleLeave(&((MstUniverseRecord *)u)->handle);
     ((MstUniverseRecord *)u)->magic = 0;
-    MeMemoryAPI.destroy(u);
+    MeMemoryGive(u);
+}
+
+/* As the parts have it. */
+static unsigned int limitOf(unsigned int size) {
+    return size > 0 ? size : MeNoLimit;
 }
 
 static void createCollision(MstUniverse *u) {
     const MstUniverseSizes *sizes = &u->sizes;
-    u->frame = McdInit((int)sizes->collisionUserGeometryTypesMaxCount, (int)sizes->collisionModelsMaxCount,
-                       (int)sizes->collisionGeometryInstancesMaxCount, sizes->lengthScale);
+    u->frame = McdInit((int)sizes->collisionUserGeometryTypesMaxCount, (int)limitOf(sizes->collisionModelsMaxCount),
+                       (int)limitOf(sizes->collisionGeometryInstancesMaxCount), sizes->lengthScale);
     if (!u->frame)
         return;
     McdAllRegisterTypes(u->frame);
     McdAllRegisterInteractions(u->frame);
-    u->space = McdSpaceAxisSortCreate(u->frame, McdAllAxes, (int)sizes->collisionModelsMaxCount,
-                                      (int)sizes->collisionPairsMaxCount);
+    u->space = McdSpaceAxisSortCreate(u->frame, McdAllAxes, (int)limitOf(sizes->collisionModelsMaxCount),
+                                      (int)limitOf(sizes->collisionPairsMaxCount));
+}
+
+/* A load of a million times the mass scale, under 10 m/s² and in steps of 1/60 s, sags by 1e-7 of the length scale:
+ * epsilon = sag gamma / (F h²). */
+static double epsilonOf(const MstUniverseSizes *sizes) {
+    const double sag = 1e-7 * (double)sizes->lengthScale, F = 10 * 1e6 * (double)sizes->massScale, h = 1. / 60;
+    return sag * MDTWORLD_DEFAULT_GAMMA / (F * h * h);
+}
+
+static void createParts(MstUniverse *u) {
+    const MstUniverseSizes *sizes = &u->sizes;
+    u->world = MdtWorldCreate(limitOf(sizes->dynamicBodiesMaxCount), limitOf(sizes->dynamicConstraintsMaxCount),
+                              sizes->lengthScale, sizes->massScale);
+    if (u->world)
+        createCollision(u);
+    if (u->space)
+        u->bridge = MstBridgeCreate(u->frame, limitOf(sizes->materialsMaxCount));
+}
+
+#define MEMBER(member) "MstUniverseSizes." #member
+
+/* What messages call the limits of the parts. */
+static void nameLimits(MstUniverse *u) {
+    MdtWorldRenameLimits(u->world, MEMBER(dynamicBodiesMaxCount), MEMBER(dynamicConstraintsMaxCount));
+    McdFrameworkRenameLimits(u->frame, MEMBER(collisionUserGeometryTypesMaxCount), MEMBER(collisionModelsMaxCount),
+                             MEMBER(collisionGeometryInstancesMaxCount));
+    McdSpaceRenameLimits(u->space, MEMBER(collisionModelsMaxCount), MEMBER(collisionPairsMaxCount));
+    MeLimitRename(&((MstBridgeRecord *)u->bridge)->materialLimit, MEMBER(materialsMaxCount));
 }
 
 MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
-    MstUniverseRecord *record = MeMemoryAPI.create(sizeof *record);
-    if (!record) {
-        MeFatalError(1, "MstUniverseCreate: no memory");
+    MstUniverseRecord *record = MeMemoryTakeZeroed(1, sizeof *record, "MstUniverseCreate", "a universe");
+    if (!record)
         return 0;
-    }
-    memset(record, 0, sizeof *record);
     MstUniverse *u = &record->universe;
     u->sizes = sizes ? *sizes : MstUniverseDefaultSizes;
-    u->world = MdtWorldCreate(u->sizes.dynamicBodiesMaxCount, u->sizes.dynamicConstraintsMaxCount, u->sizes.lengthScale,
-                              u->sizes.massScale);
-    createCollision(u);
-    if (u->frame)
-        u->bridge = MstBridgeCreate(u->frame, u->sizes.materialsMaxCount);
+    const char *before = MeCallerSet("MstUniverseCreate");
+    createParts(u);
+    MeCallerSet(before);
     record->magic = MST_UNIVERSE;
-    if (!u->world || !u->frame || !u->space || !u->bridge) {
+    MeHandleEnter(&record->handle, record, MST_UNIVERSE);
+    if (!u->bridge) {
         MeWarning(1, "MstUniverseCreate: a part could not be created with these sizes");
         destroyParts(u);
         return 0;
     }
+    MEASSERT(u->world && u->frame && u->space);
+    MdtWorldSetEpsilon(u->world, (MeReal)epsilonOf(&u->sizes));
+    nameLimits(u);
     McdSpaceSetLookAhead(u->space, (MeReal)(1. / 60)); /* until a step says how long it is */
     MdtWorldSetMinSafeTime(u->world, (MeReal)1e-9);    /* what is fast is stopped where it touches */
     MstSetWorldHandlers(u->world);
@@ -77,18 +114,23 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
 }
 
 void MEAPI MstUniverseDestroy(const MstUniverseID u) {
-    if (u && isUniverse(u, "MstUniverseDestroy"))
+    if (u && MeHandleIsLive(u, MST_UNIVERSE))
         destroyParts(u);
+    else if (u)
+        mst_warnGone(u, "universe", "MstUniverseDestroy");
 }
 
 void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     if (!isUniverse(u, "MstUniverseStep"))
         return;
+    const char *before = MeCallerSet("MstUniverseStep");
+    MEASSERT(McdFrameworkGetModelCount(u->frame) >= McdSpaceGetModelCount(u->space));
     McdSpaceSetLookAhead(u->space, step);
     McdSpacePathUpdateAll(u->space, step);
     MstBridgeUpdateContacts(u->bridge, u->space, u->world);
     mst_stepWorld(u, step);
     MstBridgeUpdateEvents(u->bridge, u->world);
+    MeCallerSet(before);
 }
 
 const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count) {

@@ -3,6 +3,7 @@
 #include "McdGeometry.h"
 #include "McdInteractions.h"
 #include "MdtWorld.h"
+#include "MeAssert.h"
 #include "MeMessage.h"
 #include "MstUniverse.h"
 #include "mst_i.h"
@@ -51,40 +52,64 @@ void MEAPI MstAutoSetInertialTensor(const McdModelID model) {
 
 /* ---- models ---------------------------------------------------------------------------------------------------- */
 
-/* Between changes as it was before. */
-static void insertModel(McdSpaceID s, McdModelID m) {
+/* Between changes as it was before. The space is told where a model is, if that is known yet. */
+static MeBool insertModel(McdSpaceID s, McdModelID m, MeBool isPlaced) {
     const MeBool isOpen = McdSpaceIsChanging(s) != 0;
     if (!isOpen)
         McdSpaceBeginChanges(s);
-    if (McdSpaceInsertModel(s, m))
+    const MeBool isIn = McdSpaceInsertModel(s, m);
+    if (isIn && isPlaced)
         McdSpaceUpdateModel(m);
     if (!isOpen)
         McdSpaceEndChanges(s);
+    return isIn;
 }
 
-McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density) {
-    const MdtWorldID w = MstUniverseGetWorld(u);
-    const McdModelID m = w ? McdModelCreate(g) : 0;
-    const MdtBodyID b = m ? MdtBodyCreate(w) : 0;
-    if (!b) {
+/* All of it, or nothing. */
+static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density) {
+    const McdModelID m = McdModelCreate(g);
+    const MdtBodyID b = m ? MdtBodyCreate(u->world) : 0;
+    if (!b || !insertModel(u->space, m, MEFALSE)) {
         McdModelDestroy(m);
+        if (b)
+            MdtBodyDestroy(b);
         return 0;
     }
     McdModelSetBody(m, b);
     MdtBodyEnable(b);
     MstAutoSetMassProperties(b, m, density);
-    insertModel(u->space, m);
+    return m;
+}
+
+McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density) {
+    if (!MstUniverseGetWorld(u))
+        return 0;
+    const char *before = MeCallerSet("MstModelAndBodyCreate");
+    const McdModelID m = createWithBody(u, g, density);
+    MeCallerSet(before);
+    return m;
+}
+
+static McdModelID createFixed(McdSpaceID s, McdGeometryID g, MeMatrix4Ptr transformation) {
+    const McdModelID m = McdModelCreate(g);
+    if (!m)
+        return 0;
+    McdModelSetTransformPtr(m, transformation);
+    if (!insertModel(s, m, METRUE)) {
+        McdModelDestroy(m);
+        return 0;
+    }
+    McdSpaceFreezeModel(m);
     return m;
 }
 
 McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID g, MeMatrix4Ptr transformation) {
     const McdSpaceID s = MstUniverseGetSpace(u);
-    const McdModelID m = s ? McdModelCreate(g) : 0;
-    if (!m)
+    if (!s)
         return 0;
-    McdModelSetTransformPtr(m, transformation);
-    insertModel(s, m);
-    McdSpaceFreezeModel(m);
+    const char *before = MeCallerSet("MstFixedModelCreate");
+    const McdModelID m = createFixed(s, g, transformation);
+    MeCallerSet(before);
     return m;
 }
 
@@ -110,6 +135,7 @@ static void removeModel(McdModelID m) {
         isMore = McdSpaceGetTransitions(s, &iterator, &pairs);
         MstHandleTransitionsOf(&pairs);
     } while (isMore);
+    MEASSERT(!McdModelGetSpace(m));
     if (isOpen)
         McdSpaceBeginChanges(s);
 }

@@ -20,15 +20,16 @@
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
 #include "MdtWorld.h"
-#include "MeMemory.h"
+#include "MeAssert.h"
 #include "MeMessage.h"
 #include "MstUniverse.h"
 #include "mst_i.h"
 
 enum {
     PARTS = 16,
-    HEAVY = 32,      /* bodies of a partition that is not divided for others */
-    HEAVY_PARTS = 2, /* more than these, for its own */
+    HEAVY = 32,         /* bodies of a partition that is not divided for others */
+    HEAVY_PARTS = 2,    /* more than these, for its own */
+    SHORTEST = 1 << 13, /* of a step is the shortest part: longer than what MdtWorldStepRest still takes */
 };
 
 /* ---- safe times ------------------------------------------------------------------------------------------------ */
@@ -43,12 +44,9 @@ static MeBool hasRoom(MstBridgeRecord *b) {
     if (b->hurriedCount < b->hurriedMax)
         return METRUE;
     const int more = b->hurriedMax ? 2 * b->hurriedMax : 32;
-    MdtBodyID *hurried = MeMemoryAPI.resize(b->hurried, (size_t)more * sizeof(MdtBodyID));
-    if (!hurried) {
-        MeFatalError(1, "MstBridgeUpdateContacts: no memory for fast bodies");
+    if (!MeMemoryGrow(&b->hurried, (size_t)b->hurriedCount, (size_t)more, sizeof(MdtBodyID), "MstBridgeUpdateContacts",
+                      "fast bodies"))
         return MEFALSE;
-    }
-    b->hurried = hurried;
     b->hurriedMax = more;
     return METRUE;
 }
@@ -56,6 +54,7 @@ static MeBool hasRoom(MstBridgeRecord *b) {
 static void hurry(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
     if (!body || !hasRoom(b))
         return;
+    MEASSERT(time >= 0 && time <= b->ahead);
     MdtBodySetSafeTime(body, MeMIN(time, MdtBodyGetSafeTime(body)));
     b->hurried[b->hurriedCount++] = body;
 }
@@ -142,6 +141,17 @@ static MeBool isHeavy(MdtBodyID body) {
     return body && MdtBodyGetPartitionSize(body) > HEAVY;
 }
 
+/* In the shortest part a body gets no farther than where its contacts are made ahead of time, or little: what passes 100 of
+ * its own size in a step, 1 % of that size. */
+static MeReal shortestPart(const MstBridgeRecord *b) {
+    return b->ahead / SHORTEST;
+}
+
+/* Nothing is stopped for a rest of the step that would be shorter than a part. */
+static MeBool stopsBefore(const MstBridgeRecord *b, MeReal time, MeReal most) {
+    return most - time > shortestPart(b);
+}
+
 static void stopAt(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal time) {
     const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
     const MeBool stops1 = !isHeavy(body1) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model1) > 0);
@@ -162,8 +172,8 @@ void mst_followFast(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldI
     if (hasContacts && (isHeavy(body1) || isHeavy(body2)))
         return;
     const MeReal time = hasContacts ? timeOfImpact(p, most) : timeToTouch(p, s, most);
-    if (time < most)
-        stopAt(b, p, w, time);
+    if (stopsBefore(b, time, most))
+        stopAt(b, p, w, MeMAX(time, shortestPart(b)));
 }
 
 /* ---- the parts after the first --------------------------------------------------------------------------------- */
@@ -187,6 +197,7 @@ MeBool mst_mayMeet(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s) {
 
 /* 0: nothing can move on. */
 static int stepRest(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
+    MEASSERT(b->part > 0 && b->part < PARTS);
     mst_eventsGather(b);
     McdSpacePathUpdateAll(u->space, step);
     MstBridgeUpdateContacts(u->bridge, u->space, u->world);
@@ -205,4 +216,5 @@ void mst_stepWorld(MstUniverse *u, MeReal step) {
             break;
     b->part = 0;
     mst_hurryNobody(b);
+    MEASSERT(b->hurriedCount == 0);
 }

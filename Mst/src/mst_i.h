@@ -5,12 +5,21 @@
 #include "McdModelPairContainer.h"
 #include "McdSpace.h"
 #include "MdtConstraint.h"
+#include "MeInternal.h"
 #include "MstBridge.h"
 #include "MstEvents.h"
 #include "MstModelDynamics.h"
 #include "MstUtils.h"
 
-enum { MST_BRIDGE = 0x4d425244, MST_UNIVERSE = 0x4d554e49, MST_CONTACTS = 40, MST_PAIRS = 1000 };
+enum { MST_BRIDGE = 0x4d425244, MST_UNIVERSE = 0x4d554e49, MST_CONTACTS = 40, MST_PAIRS = 1000, MST_MATERIALS = 10000 };
+
+/* Whether the pointer is a live object of that kind; check builds only. */
+#if KARMA_CHECK
+#define MST_IS_KNOWN(p, kind) MeHandleIsLive((p), (kind))
+#else
+#define MST_IS_KNOWN(p, kind) METRUE
+#endif
+void mst_warnGone(const void *p, const char *what, const char *function);
 
 typedef struct MstBridgeRecord MstBridgeRecord;
 typedef struct MstTouch MstTouch;
@@ -59,11 +68,13 @@ typedef struct MstEvents {
 struct MstBridgeRecord {
     MstBridge bridge; /* what programs see: first */
     MeU32 magic;
+    MeHandle handle;
     McdFrameworkID frame;
-    unsigned int materialMax, materialCount;
-    MstMaterialPair *materials; /* of the pair (m1 >= m2): materials[m1 (m1 + 1) / 2 + m2] */
-    McdContact *contacts;       /* of the pair that is being handled */
-    MdtContactID *done;         /* what they have become */
+    MeLimit materialLimit;
+    unsigned int materialRoom, materialCount;
+    MstMaterialPair **materials; /* of the pair (m1 >= m2): materials[m1][m2] */
+    McdContact *contacts;        /* of the pair that is being handled */
+    MdtContactID *done;          /* what they have become */
     unsigned int contactMax;
     MstEvents events;
     MdtBodyID *hurried; /* bodies that have a safe time in this part of the step */
@@ -107,6 +118,6 @@ void mst_pairTie(McdModelPair *p, MdtWorldID w);
 /* Makes the contacts of a pair whose models may touch. */
 void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w);
 /* Destroys the contacts of a pair. */
-void mst_pairForget(McdModelPair *p);
+void MEAPI mst_pairForget(McdModelPair *p);
 
 #endif

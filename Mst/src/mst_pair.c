@@ -3,22 +3,45 @@
  * The contact group is kept in the pair's responseData. It pushes the first model's body; where only the second model has
  * a body, that one is the group's first, and normals are turned.
  */
+#include "McdContact.h"
 #include "McdGeometryInstance.h"
 #include "McdInteractions.h"
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
+#include "MeAssert.h"
 #include "mst_i.h"
 #include <string.h>
+
+/* Does the pair's group, if it has one, push the pair's bodies, and know the pair? */
+static MeBool ownsGroup(const McdModelPair *p) {
+    const MdtContactGroupID group = p->responseData;
+    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
+    return !group || (MdtContactGroupGetGenerator(group) == (void *)p &&
+                      MdtContactGroupGetBody(group, 0) == (body1 ? body1 : body2) &&
+                      MdtContactGroupGetBody(group, 1) == (body1 ? body2 : 0));
+}
+
+/* Is every contact that is done a different one of the group, which has no others? */
+static MeBool isGroupOf(MdtContactGroupID group, const MdtContactID *done, int count) {
+    int found = 0;
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
+        for (int i = 0; i < count; i++)
+            found += done[i] == c;
+    return found == count && MdtContactGroupGetCount(group) == count;
+}
 
 static void destroyGroup(McdModelPair *p) {
     if (p->responseData)
         MdtContactGroupDestroy((MdtContactGroupID)p->responseData);
-    p->responseData = 0;
+    MEASSERT(!p->responseData); /* the group has told */
 }
 
-void mst_pairForget(McdModelPair *p) {
+void MEAPI mst_pairForget(McdModelPair *p) {
+    if (!MdtConstraintIsValid(p->responseData)) /* it may have gone with its world */
+        p->responseData = 0;
     destroyGroup(p);
     mst_touchForget(p);
+    p->forget = 0;
 }
 
 /* The group stays, empty. */
@@ -38,9 +61,13 @@ static MdtContactGroupID ensureGroup(McdModelPair *p, MdtWorldID w) {
     const MdtContactGroupID group = MdtContactGroupCreate(w);
     if (group)
         MdtContactGroupSetBodies(group, body1 ? body1 : body2, body1 ? body2 : 0);
-    if (group)
+    if (group) {
         MdtContactGroupSetGenerator(group, p);
+        MdtContactGroupSetHolder(group, &p->responseData);
+    }
     p->responseData = group;
+    p->forget = mst_pairForget;
+    MEASSERT(ownsGroup(p));
     return group;
 }
 
@@ -67,10 +94,13 @@ static MdtContactID findContact(MdtContactGroupID group, MeU32 feature, const Md
 
 static void setContact(MdtContactID c, const McdContact *from, MeBool isTurned, const MstMaterialPair *materials) {
     const MeReal sign = isTurned ? -1 : 1;
+    double position[3];
     MdtContactSetParams(c, (MdtContactParamsID)&materials->params);
-    MdtContactSetPosition(c, from->position[0], from->position[1], from->position[2]);
     MdtContactSetNormal(c, sign * from->normal[0], sign * from->normal[1], sign * from->normal[2]);
-    MdtContactSetPenetration(c, -from->separation);
+    for (int k = 0; k < 2; k++)
+        MdtContactSetRadius(c, (unsigned int)(isTurned ? 1 - k : k), (MeReal)McdContactGetRadius(from, k));
+    McdContactGetPosition(from, position);
+    MdtContactSetExact(c, position, -McdContactGetSeparation(from));
     MdtContactSetFeature(c, from->feature);
 }
 
@@ -105,7 +135,9 @@ static void renewContacts(MstBridgeRecord *b, MdtContactGroupID group, McdInters
         if (!materials->perContactCb || materials->perContactCb(result, from, c))
             b->done[count++] = c;
     }
+    MEASSERT(count <= (int)b->contactMax);
     destroyOthers(group, b->done, count);
+    MEVALIDATE(isGroupOf(group, b->done, count));
 }
 
 /* Overlap is told, and nothing is pushed. Two sensors do not see each other. */
@@ -150,6 +182,7 @@ void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorld
     if (!McdModelGetBody(p->model1) && !McdModelGetBody(p->model2))
         return;
     meetBodies(b, p, w, &result);
+    MEASSERT(result.contactCount <= result.contactMaxCount);
     mst_touchNote(b, p);
     mst_followFast(b, p, s, w, result.contactCount > 0);
 }
