@@ -1,5 +1,6 @@
 /** @file MeApp.h
- *  What demonstration programs share: bodies that the mouse pulls, and contacts that are seen.
+ *  What demonstration programs share: bodies that the mouse pulls, and contacts that are seen. RGeometry.h makes graphics
+ *  of collision geometries. It brings along Mst.h and MeViewer.h.
  *
  *      MeApp *app = MeAppCreateFromUniverse(universe, rc);
  *      RRenderSetMouseCallBack(rc, MeAppMousePickCB, app);
@@ -20,6 +21,8 @@
 #define MEAPP_H
 
 #include "MeAppTypes.h"
+#include "MeViewer.h"
+#include "Mst.h"
 
 ME_BEGIN_C
 

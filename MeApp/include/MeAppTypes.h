@@ -11,8 +11,11 @@ ME_BEGIN_C
 
 /** What the mouse holds. */
 typedef struct MeAppMousePickInfo {
-    McdModelID model;   /**< Null: nothing; then the rest has no meaning. */
-    MdtBodyID body;     /**< The model's. */
+    McdModelID model; /**< Null: nothing; then the rest has no meaning. */
+    union {
+        MdtBodyID body;     /**< The model's; null when nothing is held. */
+        MdtBodyID dragBody; /**< The same; so old programs call it. */
+    };
     MeVector3 relative; /**< Where it is held, in the body's frame. */
     MeVector3 target;   /**< Where it is pulled to, world frame: under the mouse, as deep in the picture as it was. */
     int x, y;           /**< The mouse, pixels from the window's upper left corner, y down. */
@@ -21,7 +24,6 @@ typedef struct MeAppMousePickInfo {
 
 /** How contacts are drawn. */
 typedef struct MeAppContactDrawInfo {
-    MeBool draw;         /**< Are they drawn? */
     MeReal length;       /**< Of a line, m. */
     int max;             /**< Lines there are. */
     int count;           /**< Lines in the context's list: the first so many. */
@@ -35,7 +37,11 @@ typedef struct MeApp {
     RRender *rc;
     MstUniverseID universe; /**< Null if it was created from a world and a space. */
     MeReal lengthScale;     /**< m, of a medium-sized object: the universe's, else 1. */
-    MeAppMousePickInfo pick;
+    union {
+        MeAppMousePickInfo pick;
+        MeAppMousePickInfo mouseInfo; /**< The same; so old programs call it. */
+    };
+    MeBool drawContacts;            /**< Are contacts drawn? MeAppDrawContactsInit and MeAppToggleDrawContacts say. */
     MeAppContactDrawInfo *contacts; /**< Never null. */
 } MeApp;
 

@@ -18,7 +18,8 @@ static void hideFrom(MeAppContactDrawInfo *info, int first) {
 void meapp_contactsFree(MeAppContactDrawInfo *info) {
     for (int i = 0; i < info->max; i++)
         RNLineDestroy(info->lines[i]);
-    MeMemoryAPI.destroy(info->lines);
+    if (info->lines)
+        MeMemoryAPI.destroy(info->lines);
     info->lines = 0;
     info->max = info->count = 0;
 }
@@ -46,12 +47,13 @@ void MEAPI MeAppDrawContactsInit(MeApp *const app, float color[4], int max) {
     }
     while (info->max < max && (info->lines[info->max] = meapp_lineCreate(app->rc, color)) != 0)
         info->max++;
-    info->draw = METRUE;
+    app->drawContacts = METRUE;
 }
 
 static void drawContact(const MeApp *app, MdtContactID c) {
     MeAppContactDrawInfo *info = app->contacts;
     MeVector3 position, normal, start, end;
+    MEASSERT(info->count < info->max);
     MdtContactGetPosition(c, position);
     MdtContactGetNormal(c, normal);
     MeVector3ScaleAndAdd(start, normal, -info->length / 2, position);
@@ -75,7 +77,7 @@ static void drawContactsOf(const MeApp *app, MdtConstraintID constraint) {
 }
 
 void MEAPI MeAppDrawContacts(const MeApp *app) {
-    if (!meapp_check(app, "MeAppDrawContacts") || !app->contacts->draw)
+    if (!meapp_check(app, "MeAppDrawContacts") || !app->drawContacts || !app->contacts->lines)
         return;
     MeAppContactDrawInfo *info = app->contacts;
     const int before = info->count;
@@ -83,6 +85,7 @@ void MEAPI MeAppDrawContacts(const MeApp *app) {
     for (MdtConstraintID c = MdtConstraintGetFirst(app->world); c && info->count < info->max;
          c = MdtConstraintGetNext(c))
         drawContactsOf(app, c);
+    MEASSERT(info->count <= info->max);
     for (int i = info->count; i < before; i++)
         meapp_lineHide(info->lines[i]);
 }
@@ -90,7 +93,7 @@ void MEAPI MeAppDrawContacts(const MeApp *app) {
 void MEAPI MeAppToggleDrawContacts(MeApp *app, MeBool d) {
     if (!meapp_check(app, "MeAppToggleDrawContacts"))
         return;
-    app->contacts->draw = d != 0;
+    app->drawContacts = d != 0;
     if (!d)
         hideFrom(app->contacts, 0);
 }

@@ -112,6 +112,7 @@ static void heldPoint(const MeAppMousePickInfo *pick, MeVector3 p) {
 
 static void hold(MeApp *app, McdModelID model, const MeVector3 pos) {
     MeAppMousePickInfo *pick = &app->pick;
+    MEASSERT(!pick->model && !pick->body && McdModelGetBody(model));
     pick->model = model;
     pick->body = McdModelGetBody(model);
     MeMatrix4TMInverseTransform(pick->relative, (const MeVector4 *)MdtBodyGetTransformPtr(pick->body), pos);
@@ -246,6 +247,7 @@ void MEAPI MeAppUpdateMouseSpring(MeApp *app) {
     pointAsDeepAs(app, app->pick.x, app->pick.y, app->pick.target, target);
     MeVector3Copy(app->pick.target, target);
     heldPoint(&app->pick, at);
+    MEASSERT(MeRealIsValid(MeVector3MagnitudeSqr(at)) && MeRealIsValid(MeVector3MagnitudeSqr(target)));
     MdtBodyEnable(app->pick.body);
     pull(app, at);
     meapp_lineShow(app->rc, app->pick.line, at, target);

@@ -3,9 +3,13 @@
 #define ME_APP_I_H
 
 #include "MeApp.h"
+#include "MeAssert.h"
 
 /* Not null; else a warning. */
 MeBool meapp_check(const MeApp *app, const char *function);
+
+/* A context and a finite colour; else a warning (RGeometry.c). */
+MeBool meapp_canDraw(const char *function, const RRender *rc, const float color[4]);
 
 /* A line that is in no list yet; null, after a fatal error, without memory. */
 RNativeLine *meapp_lineCreate(RRender *rc, const float color[4]);

@@ -14,10 +14,14 @@
  *      RRun(rc, tick);    // does not return
  *
  *  Where it draws is chosen on the command line: `-gl` a window, `-osmesa` an off-screen buffer, `-null` nowhere;
- *  `-help` lists the options. Without a choice it is a window if one can be opened, else the off-screen buffer.
+ *  `-help` lists the options. The environment variable KARMA_VIEWER may hold options too, separated by blanks, for
+ *  programs that do not pass theirs on: KARMA_VIEWER="-null -frames 600". The command line wins over it. Without a
+ *  choice it is a window if one can be opened, else the off-screen buffer.
  *
- *  The world is drawn right-handed, y up. Lengths are the program's own; one cell of the ground's grid is one unit.
- *  2D graphics have the window's lower left corner at (-1, -1) and its upper right corner at (1, 1).
+ *  The world is drawn as it is simulated, right-handed: x to the right, y up and z out of the screen for a camera at
+ *  theta 0. (The User Guide, Preface, excepts its viewer from "right-handed coordinate systems everywhere"; here it is
+ *  no exception. The camera's angles are the guide's, App. B.) Lengths are the program's own; one cell of the ground's
+ *  grid is one unit. 2D graphics have the window's lower left corner at (-1, -1) and its upper right corner at (1, 1).
  *
  *  Bad input (a null context or graphic, a NaN, a size that is not positive, a number out of range) gets a MeWarning
  *  that names function and argument; then the call does nothing and returns 0. This holds for every function here
@@ -26,9 +30,13 @@
 #ifndef MEVIEWER_H
 #define MEVIEWER_H
 
+/* Programs rely on these coming along: transforms, memory, messages, times, options, colours (MeHSVtoRGB). */
 #include "MeCommandLine.h"
-#include "MeMath.h" /* Old programs rely on these two: transforms, and colours (MeHSVtoRGB). */
+#include "MeMath.h"
+#include "MeMemory.h"
+#include "MeMessage.h"
 #include "MeMisc.h"
+#include "MeProfile.h"
 #include "MeViewerTypes.h"
 
 ME_BEGIN_C
@@ -84,10 +92,11 @@ MEPUBLIC void MEAPI RDisplayCommandLineHelp(void);
 extern MEPUBLIC const float RPalette[8][4];
 /** @} */
 
-/** @name The main loop RRun(rc, tick) or RRun(rc, tick, userdata), where tick is `void MEAPI tick(RRender *)` or `void
- *  MEAPI tick(RRender *, void *)`: handles input, calls tick, draws; and so on until the user leaves (Escape, Q, the
- *  window's close button), the program calls RRenderQuit, or the frames of `-frames` are over. Then it calls exit(), so
- *  cleanup belongs into an atexit() handler. RRun itself does not return (App. B, "Terminating the Program").
+/** @name The main loop RRun(rc, tick) or RRun(rc, tick, userdata), where tick is `void MEAPI tick(RRender *)`, `void
+ *  MEAPI tick(RRender *, void *)` or one of the forms at the end of this header: handles input, calls tick, draws; and
+ *  so on until the user leaves (Escape, Q, the window's close button), the program calls RRenderQuit, or the frames of
+ *  `-frames` are over. Then it calls exit(), so cleanup belongs into an atexit() handler. RRun itself does not return
+ *  (App. B, "Terminating the Program").
  *
  *  The exit code is 0; or 2 if warnings were given, when there was no window or `-frames` ended the loop. A window
  *  is drawn 60 times a second; without one, frames follow each other as fast as they can. Without a window, and with
@@ -159,6 +168,20 @@ MEPUBLIC RGraphic *MEAPI RGraphicCreate(RRender *rc, const char *filename, AcmeR
 /** An object from an .ASE file, scaled. Its materials are not read. Null after a warning, if it cannot be read. */
 MEPUBLIC RGraphic *MEAPI RGraphicLoadASE(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
                                          AcmeReal zScale, const float color[4], MeMatrix4Ptr matrix);
+/**
+ * The same without the objects whose name begins with MCD: so modelling programs mark shapes that are there for
+ * collision only (MCDBX_..., MCDSP_..., MCDCX_...).
+ */
+MEPUBLIC RGraphic *MEAPI RGraphicLoadASENoMCD(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
+                                              AcmeReal zScale, const float color[4], MeMatrix4Ptr matrix);
+/** RGraphicLoadASE, then RGraphicTranslateVertices: @a offset is in the graphic's own frame, after the scale. */
+MEPUBLIC RGraphic *MEAPI RGraphicLoadASEwithOffset(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
+                                                   AcmeReal zScale, const float color[4], const MeVector3 offset,
+                                                   MeMatrix4Ptr matrix);
+/** The same of RGraphicLoadASENoMCD. */
+MEPUBLIC RGraphic *MEAPI RGraphicLoadASEwithOffsetNoMcd(RRender *rc, const char *filename, AcmeReal xScale,
+                                                        AcmeReal yScale, AcmeReal zScale, const float color[4],
+                                                        const MeVector3 offset, MeMatrix4Ptr matrix);
 /** An object of @a numVertices vertices (a multiple of 3), all 0, white, in no list. */
 MEPUBLIC RGraphic *MEAPI RGraphicCreateEmpty(int numVertices);
 /**
@@ -200,6 +223,11 @@ MEPUBLIC void MEAPI RGraphicNormalize(RGraphic *rg, int bKeepAspectRatio);
  */
 MEPUBLIC void MEAPI RConvertTriStripToTriList(RGraphic *rg, RObjectVertex *strips, int *stripSize, int *stripStart,
                                               int numStrips);
+/**
+ * Once told a renderer to prepare a graphic. Here each frame finds by itself what has changed, and keeps the rest on
+ * the graphics card: nothing is to be done.
+ */
+MEPUBLIC void MEAPI RGraphicCalcOGLDisplayList(RGraphic *rg);
 /** Copies the transforms that graphics follow into their m_Matrix. Every frame does it. */
 MEPUBLIC void MEAPI RRenderUpdateGraphicMatrices(RRender *rc);
 /** @} */
@@ -224,11 +252,30 @@ MEPUBLIC void MEAPI RLineAdd(RRender *const rc, const AcmeVector3 start, const A
 MEPUBLIC void MEAPI RLineRemoveAll(RRender *rc);
 /** @} */
 
+/** @name Particles
+ *  A particle system draws an equilateral triangle at each of @a numParticles places of the world, turned towards the
+ *  camera. @a positions is kept by pointer, must live as long, and is read every frame; particles that are not finite
+ *  are not drawn. The size is a triangle's side.
+ *  @{ */
+/** A new system in the context's list, which it belongs to. @a tex_filename is a texture's name, or null for none. */
+MEPUBLIC RParticleSystem *MEAPI RParticleSystemCreate(RRender *rc, int numParticles, MeVector3 *positions,
+                                                      const char *tex_filename, const float color[4],
+                                                      AcmeReal tri_size);
+/** The same, in no list, with a texture by number (RRenderTextureCreate); -1 for none. */
+MEPUBLIC RParticleSystem *MEAPI RParticleSystemNew(int numParticles, MeVector3 *positions, int tex_id,
+                                                   const float color[4], AcmeReal size);
+MEPUBLIC void MEAPI RParticleSystemAddToList(RRender *rc, RParticleSystem *ps);
+MEPUBLIC void MEAPI RParticleSystemRemoveFromList(RRender *rc, RParticleSystem *ps);
+/** Frees; if it is still in a list, removes it first. */
+MEPUBLIC void MEAPI RParticleSystemDestroy(RParticleSystem *ps);
+/** @} */
+
 /** @name The camera
  *  It looks at a point from a distance (at least 0.01), in a direction given by two angles in radians: theta in the
  *  xz plane, anticlockwise from the z axis as seen from above, and phi, the elevation above that plane:
  *  position = look-at + distance (cos phi sin theta, sin phi, cos phi cos theta).
- *  At first: distance 10, theta 0, phi 0.2, at the origin. theta is wrapped to -pi..pi, phi is kept in -pi/2..pi/2.
+ *  At first, as in 1.2: distance 15, theta 0, phi 0, at (0, 0, 1); so the camera is at (0, 0, 16) and looks along -z, x
+ *  to the right and y up. theta is wrapped to -pi..pi, phi is kept in -pi/2..pi/2.
  *  `-camera` wins over what the program sets before RRun.
  *  @{ */
 MEPUBLIC void MEAPI RCameraSetLookAt(RRender *rc, const AcmeVector3 lookAt);
@@ -291,9 +338,10 @@ MEPUBLIC void MEAPI RLightSwitchOff(RRender *rc, RRenderLight light);
 /** @} */
 
 /** @name Textures
- *  Up to 100; the guide's viewer had 25. A texture is a .bmp file of 24 bits or, beyond Karma, a .png file, given by name without the extension. It
- *  is looked for in the working directory, in $KARMA_TEXTURES, and in `textures` and `../textures`, and is read when it
- *  is first drawn. Two are built in: "checkerboard" and "font".
+ *  Up to 100; the guide's viewer had 25. A texture is a .bmp file of 24 bits or, beyond Karma, a .png file, given by
+ *  name without the extension. It is looked for in the working directory, in $KARMA_TEXTURES, and in `textures` and
+ *  `../textures`, and is read when it is first drawn; without the file there is a message (MeInfo, once) and no
+ *  texture. Two are built in: "checkerboard" and "font".
  *  @{ */
 /** The texture's number, the same for the same name; -1 if all are in use. */
 MEPUBLIC int MEAPI RRenderTextureCreate(RRender *rc, const char *filename);
@@ -311,9 +359,9 @@ MEPUBLIC int MEAPI RGraphicSetTexture(RRender *rc, RGraphic *rg, const char *fil
  *
  *  RRenderSetUpCallBack(rc, func) or (rc, func, userdata), and so for Down, Left, Right, Up2, Down2, Left2, Right2;
  *  RRenderSetActionNCallBack(rc, N, func) or (rc, N, func, userdata), N from 0 to 5;
- *  func is `void MEAPI func(RRender *, void *)` or `void MEAPI func(RRender *)`, called when the button is pressed, and
- *  again and again while a direction button is held. To remove one, pass a null pointer of either type.
- *  Keys of the actions: 1 Space, 2 Enter, 3 to 5 the digits; 0 has none.
+ *  func is `void MEAPI func(RRender *, void *)`, `void MEAPI func(RRender *)` or one of the forms at the end of this
+ *  header, called when the button is pressed, and again and again while a direction button is held. 0 or NULL removes
+ *  it. Keys of the actions: 1 Space, 2 Enter, 3 to 5 the digits; 0 has none.
  *
  *  RRenderSetMouseCallBack(rc, func) or (rc, func, userdata): func gets the left button's events while neither Ctrl
  *  nor Shift is held; then Ctrl and the left button turn the camera.
@@ -347,7 +395,10 @@ MEPUBLIC void MEAPI RRenderSetActionNCallBackWithText(RRender *rc, int N, RButto
 MEPUBLIC void MEAPI RRenderSetMouseCallBackWithText(RRender *rc, RMouseCallBack func, void *userdata, const char *text);
 MEPUBLIC void MEAPI RRenderSetJoystickCallBackWithText(RRender *rc, RJoystickCallBack func, void *userdata,
                                                        const char *text);
-/** Gives action @a N (2 to 5) another key: a printable ASCII character. Warns if the viewer itself uses that key. */
+/**
+ * Gives action @a N (2 to 5) another key: a printable ASCII character. While the action has a callback, that one is
+ * called and not what the viewer itself does with the key.
+ */
 MEPUBLIC void MEAPI RRenderSetActionNKey(RRender *rc, const unsigned int N, const char key);
 /** @} */
 
@@ -356,7 +407,10 @@ MEPUBLIC void MEAPI RRenderSetActionNKey(RRender *rc, const unsigned int N, cons
  *  @{ */
 /** A menu without entries. It belongs to the context, which destroys it; RMenuDestroy does so earlier. */
 MEPUBLIC RMenu *MEAPI RMenuCreate(RRender *rc, const char *name);
-/** Entries of other menus that lead to this one stay, but do nothing. */
+/**
+ * Entries of other menus that lead to this one stay, but do nothing. One that is there no more,
+ * as after its context has gone, is ignored.
+ */
 MEPUBLIC void MEAPI RMenuDestroy(RMenu *rm);
 MEPUBLIC void MEAPI RMenuDisplay(RMenu *rm);
 MEPUBLIC void MEAPI RRenderSetDefaultMenu(RRender *rc, RMenu *menu);
@@ -392,7 +446,8 @@ MEPUBLIC void MEAPI RParseText(RRender *rc, const char *text_in, char *text_out,
 /**
  * A bar that shows the milliseconds of the profile sections "Collision", "Dynamics" and "Render", the budget of one
  * sixtieth of a second, and frames per second. Starts profiling, if it does not run. It belongs to the context; a
- * second call returns the same. An off-screen buffer shows it only with `-bar`, since it makes pictures differ.
+ * second call returns the same. Without a window it is shown, and something is measured for it, only with `-bar`: it
+ * makes pictures differ, and has every frame drawn.
  */
 MEPUBLIC RPerformanceBar *MEAPI RPerformanceBarCreate(RRender *rc);
 /** Shows these times (seconds) in this frame instead of the measured ones. */
@@ -404,21 +459,64 @@ MEPUBLIC RGraphic *MEAPI RPerformanceBarCreateTicks(RRender *rc);
 
 ME_END_C
 
-/* What follows makes one name serve calls with and without user data, and refuse every other call. */
+/* What follows makes one name serve calls with and without user data, and callbacks of several forms:
+ *
+ *     void f(RRender *, void *)   and with user data of another type, as `int *` or `MyApp *`: get rc and the user data
+ *     void f(RRender *)           gets rc
+ *     void f()                    gets both, which a function without parameters ignores; in C, such a declaration
+ *                                 may stand for any of the three
+ *     0, NULL, nullptr            none
+ *
+ * each also with a result, as int, that is ignored. Whatever cannot be called so does not compile. */
 #ifdef __cplusplus
 
-inline void RRun(RRender *rc, RMainLoopCallBack func, void *userdata = nullptr) {
-    RRunWithData(rc, func, userdata);
-}
-inline void RRun(RRender *rc, RMainLoopCallBackNoData func, void *userdata = nullptr) {
-    RRunWithoutData(rc, func, userdata);
+/* The two forms of a callback, at most one of them not null. */
+struct RButtonCallBackArgument {
+    RButtonPressCallBack func = nullptr;
+    RButtonPressCallBackNoData funcNoData = nullptr;
+
+    RButtonCallBackArgument(decltype(nullptr)) {}
+    template <class Result, class Data>
+    RButtonCallBackArgument(Result(MEAPI *f)(RRender *, Data *))
+        : func(reinterpret_cast<RButtonPressCallBack>(reinterpret_cast<void(MEAPI *)()>(f))) {}
+    template <class Result>
+    RButtonCallBackArgument(Result(MEAPI *f)(RRender *))
+        : funcNoData(reinterpret_cast<RButtonPressCallBackNoData>(reinterpret_cast<void(MEAPI *)()>(f))) {}
+    template <class Result>
+    RButtonCallBackArgument(Result(MEAPI *f)())
+        : func(reinterpret_cast<RButtonPressCallBack>(reinterpret_cast<void(MEAPI *)()>(f))) {}
+    /* A lambda that captures nothing. */
+    template <class Lambda> RButtonCallBackArgument(Lambda f, int Lambda::* = nullptr) : RButtonCallBackArgument(+f) {}
+};
+
+/* Mouse and joystick: Func has fixed parameters and then the user data. */
+template <class Func, class... Fixed> struct RAnalogCallBackArgument {
+    Func func = nullptr;
+
+    RAnalogCallBackArgument(decltype(nullptr)) {}
+    template <class Result, class Data>
+    RAnalogCallBackArgument(Result(MEAPI *f)(RRender *, Fixed..., Data *))
+        : func(reinterpret_cast<Func>(reinterpret_cast<void(MEAPI *)()>(f))) {}
+    template <class Result>
+    RAnalogCallBackArgument(Result(MEAPI *f)()) : func(reinterpret_cast<Func>(reinterpret_cast<void(MEAPI *)()>(f))) {}
+    template <class Lambda> RAnalogCallBackArgument(Lambda f, int Lambda::* = nullptr) : RAnalogCallBackArgument(+f) {}
+};
+using RMouseCallBackArgument =
+    RAnalogCallBackArgument<RMouseCallBack, int, int, int, RMouseButtonWhich, RMouseButtonEvent>;
+using RJoystickCallBackArgument = RAnalogCallBackArgument<RJoystickCallBack, AcmeReal, AcmeReal>;
+
+inline void RRun(RRender *rc, RButtonCallBackArgument tick, void *userdata = nullptr) {
+    if (tick.funcNoData)
+        RRunWithoutData(rc, tick.funcNoData, userdata);
+    else
+        RRunWithData(rc, tick.func, userdata);
 }
 #define R_BUTTON_SETTER(Name)                                                                                          \
-    inline void RRenderSet##Name##CallBack(RRender *rc, RButtonPressCallBack func, void *userdata = nullptr) {         \
-        RRenderSetButtonCallBack(rc, kRButton##Name, func, userdata);                                                  \
-    }                                                                                                                  \
-    inline void RRenderSet##Name##CallBack(RRender *rc, RButtonPressCallBackNoData func, void *userdata = nullptr) {   \
-        RRenderSetButtonCallBackNoData(rc, kRButton##Name, func, userdata);                                            \
+    inline void RRenderSet##Name##CallBack(RRender *rc, RButtonCallBackArgument func, void *userdata = nullptr) {      \
+        if (func.funcNoData)                                                                                           \
+            RRenderSetButtonCallBackNoData(rc, kRButton##Name, func.funcNoData, userdata);                             \
+        else                                                                                                           \
+            RRenderSetButtonCallBack(rc, kRButton##Name, func.func, userdata);                                         \
     }
 R_BUTTON_SETTER(Up)
 R_BUTTON_SETTER(Down)
@@ -429,17 +527,17 @@ R_BUTTON_SETTER(Down2)
 R_BUTTON_SETTER(Left2)
 R_BUTTON_SETTER(Right2)
 #undef R_BUTTON_SETTER
-inline void RRenderSetActionNCallBack(RRender *rc, int N, RButtonPressCallBack func, void *userdata = nullptr) {
-    RRenderSetActionCallBack(rc, N, func, userdata);
+inline void RRenderSetActionNCallBack(RRender *rc, int N, RButtonCallBackArgument func, void *userdata = nullptr) {
+    if (func.funcNoData)
+        RRenderSetActionCallBackNoData(rc, N, func.funcNoData, userdata);
+    else
+        RRenderSetActionCallBack(rc, N, func.func, userdata);
 }
-inline void RRenderSetActionNCallBack(RRender *rc, int N, RButtonPressCallBackNoData func, void *userdata = nullptr) {
-    RRenderSetActionCallBackNoData(rc, N, func, userdata);
+inline void RRenderSetMouseCallBack(RRender *rc, RMouseCallBackArgument func, void *userdata = nullptr) {
+    RRenderSetMouseCallBackWithText(rc, func.func, userdata, nullptr);
 }
-inline void RRenderSetMouseCallBack(RRender *rc, RMouseCallBack func, void *userdata = nullptr) {
-    RRenderSetMouseCallBackWithText(rc, func, userdata, nullptr);
-}
-inline void RRenderSetJoystickCallBack(RRender *rc, RJoystickCallBack func, void *userdata = nullptr) {
-    RRenderSetJoystickCallBackWithText(rc, func, userdata, nullptr);
+inline void RRenderSetJoystickCallBack(RRender *rc, RJoystickCallBackArgument func, void *userdata = nullptr) {
+    RRenderSetJoystickCallBackWithText(rc, func.func, userdata, nullptr);
 }
 
 #else
@@ -450,22 +548,47 @@ inline void RRenderSetJoystickCallBack(RRender *rc, RJoystickCallBack func, void
     R_PICK(__VA_ARGS__, R_COUNT, R_COUNT, R_COUNT, R_COUNT, R_COUNT, with3, with2, R_COUNT, 0)
 #define R_PICK_3_OR_4(with4, with3, ...)                                                                               \
     R_PICK(__VA_ARGS__, R_COUNT, R_COUNT, R_COUNT, R_COUNT, with4, with3, R_COUNT, R_COUNT, 0)
-#define R_COUNT(...)                                                                                                   \
+#define R_MUST(condition, message)                                                                                     \
     ((void)sizeof(struct {                                                                                             \
-        _Static_assert(0, "wrong number of arguments");                                                                \
+        _Static_assert(condition, message);                                                                            \
         int unused;                                                                                                    \
     }))
+#define R_COUNT(...)              R_MUST(0, "wrong number of arguments")
+
+/* One association at a time: `void f()` is compatible with several, which one _Generic does not allow. */
+#define R_IS(func, Type, yes, no) _Generic((func), Type : yes, default : no)
+/* What takes the callback: `func` is called with user data unless it is known to have no parameter for them. */
+#define R_TAKER(func, WithData, NoData, takesWithData, takesNoData)                                                    \
+    R_IS(func, WithData, takesWithData, R_IS(func, NoData, takesNoData, takesWithData))
+/* The callback in the type that its taker has. A null pointer constant stays one. */
+#define R_CALLBACK(func, WithData, NoData)                                                                             \
+    R_IS(func, WithData, func,                                                                                         \
+         R_IS(func, NoData, func,                                                                                      \
+              _Generic((func), int: (func), void *: (func), default: (WithData)(void(MEAPI *)(void))(func))))
+/* Refuses what can not be called with these arguments, by a call that is not made; and integers other than 0. */
+#define R_CHECK(func, WithData, NoData, IntNoData, arguments)                                                          \
+    ((void)sizeof((R_IS(func, WithData, (WithData)0,                                                                   \
+                        _Generic((func), NoData: (WithData)0, IntNoData: (WithData)0,                                  \
+                                 default: _Generic((func), void(MEAPI *)(void): (WithData)0,                           \
+                                                   int(MEAPI *)(void): (WithData)0, int: (WithData)0,                  \
+                                                   void *: (WithData)0, default: (func)))) arguments,                  \
+                   0)),                                                                                                \
+     R_MUST(_Generic((func), int: (func), default: 0) == 0, "a callback is a function, 0 or NULL"))
 
 #define RRun(...)        R_PICK_2_OR_3(R_RUN3, R_RUN2, __VA_ARGS__)(__VA_ARGS__)
 #define R_RUN2(rc, func) R_RUN3(rc, func, 0)
 #define R_RUN3(rc, func, userdata)                                                                                     \
-    _Generic((func), RMainLoopCallBack : RRunWithData, RMainLoopCallBackNoData : RRunWithoutData)(rc, func, userdata)
+    (R_CHECK_BUTTON(func), R_TAKER(func, RMainLoopCallBack, RMainLoopCallBackNoData, RRunWithData, RRunWithoutData)(   \
+                               rc, R_CALLBACK(func, RMainLoopCallBack, RMainLoopCallBackNoData), userdata))
+#define R_CHECK_BUTTON(func)                                                                                           \
+    R_CHECK(func, RButtonPressCallBack, RButtonPressCallBackNoData, int(MEAPI *)(RRender *), ((RRender *)0, (void *)0))
 
 #define R_BUTTON2(which, rc, func) R_BUTTON3(which, rc, func, 0)
 #define R_BUTTON3(which, rc, func, userdata)                                                                           \
-    _Generic((func), RButtonPressCallBack                                                                              \
-             : RRenderSetButtonCallBack, RButtonPressCallBackNoData                                                    \
-             : RRenderSetButtonCallBackNoData)(rc, which, func, userdata)
+    (R_CHECK_BUTTON(func),                                                                                             \
+     R_TAKER(func, RButtonPressCallBack, RButtonPressCallBackNoData, RRenderSetButtonCallBack,                         \
+             RRenderSetButtonCallBackNoData)(                                                                          \
+         rc, which, R_CALLBACK(func, RButtonPressCallBack, RButtonPressCallBackNoData), userdata))
 #define R_BUTTON(which, ...)          R_PICK_2_OR_3(R_BUTTON3, R_BUTTON2, __VA_ARGS__)(which, __VA_ARGS__)
 #define RRenderSetUpCallBack(...)     R_BUTTON(kRButtonUp, __VA_ARGS__)
 #define RRenderSetDownCallBack(...)   R_BUTTON(kRButtonDown, __VA_ARGS__)
@@ -479,18 +602,23 @@ inline void RRenderSetJoystickCallBack(RRender *rc, RJoystickCallBack func, void
 #define RRenderSetActionNCallBack(...) R_PICK_3_OR_4(R_ACTION4, R_ACTION3, __VA_ARGS__)(__VA_ARGS__)
 #define R_ACTION3(rc, N, func)         R_ACTION4(rc, N, func, 0)
 #define R_ACTION4(rc, N, func, userdata)                                                                               \
-    _Generic((func), RButtonPressCallBack                                                                              \
-             : RRenderSetActionCallBack, RButtonPressCallBackNoData                                                    \
-             : RRenderSetActionCallBackNoData)(rc, N, func, userdata)
+    (R_CHECK_BUTTON(func), R_TAKER(func, RButtonPressCallBack, RButtonPressCallBackNoData, RRenderSetActionCallBack,   \
+                                   RRenderSetActionCallBackNoData)(                                                    \
+                               rc, N, R_CALLBACK(func, RButtonPressCallBack, RButtonPressCallBackNoData), userdata))
 
+/* Mouse and joystick: one form, with user data. */
+#define R_ANALOG(rc, func, userdata, Type, takes, arguments)                                                           \
+    (R_CHECK(func, Type, Type, int(MEAPI *)(void), arguments), takes(rc, R_CALLBACK(func, Type, Type), userdata, 0))
 #define RRenderSetMouseCallBack(...) R_PICK_2_OR_3(R_MOUSE3, R_MOUSE2, __VA_ARGS__)(__VA_ARGS__)
 #define R_MOUSE2(rc, func)           R_MOUSE3(rc, func, 0)
 #define R_MOUSE3(rc, func, userdata)                                                                                   \
-    _Generic((func), RMouseCallBack : RRenderSetMouseCallBackWithText)(rc, func, userdata, 0)
+    R_ANALOG(rc, func, userdata, RMouseCallBack, RRenderSetMouseCallBackWithText,                                      \
+             ((RRender *)0, 0, 0, 0, kRLeftButton, kRNewlyPressed, (void *)0))
 #define RRenderSetJoystickCallBack(...) R_PICK_2_OR_3(R_JOYSTICK3, R_JOYSTICK2, __VA_ARGS__)(__VA_ARGS__)
 #define R_JOYSTICK2(rc, func)           R_JOYSTICK3(rc, func, 0)
 #define R_JOYSTICK3(rc, func, userdata)                                                                                \
-    _Generic((func), RJoystickCallBack : RRenderSetJoystickCallBackWithText)(rc, func, userdata, 0)
+    R_ANALOG(rc, func, userdata, RJoystickCallBack, RRenderSetJoystickCallBackWithText,                                \
+             ((RRender *)0, (AcmeReal)0, (AcmeReal)0, (void *)0))
 
 /* C, unlike C++, does not turn char ** into const char *const * by itself. */
 static inline void RUserHelpOfChars(RRender *rc, char *const help[], int arraySize) {

@@ -111,6 +111,8 @@ typedef struct RMenuBaseEntry RMenuBaseEntry;
 typedef struct RPerformanceBar RPerformanceBar;
 typedef RGraphic *RGraphicPtr;
 typedef RNativeLine *RNativeLinePtr;
+typedef struct RParticleSystem RParticleSystem;
+typedef RParticleSystem *RPSystemPtr;
 
 /** @name Callbacks
  *  @{ */
@@ -177,6 +179,16 @@ struct RNativeLine {
     const MeVector4 *m_pLWMatrix; /**< Local to world, read every frame; null is the identity. May be written. */
     RNativeLine *m_pNext;         /**< Next in the context's list. Read only. */
     RRender *m_pRender;           /**< The context whose list it is in; null for none. Read only. */
+};
+
+/** Triangles at the program's positions, turned towards the camera. */
+struct RParticleSystem {
+    int m_nParticles;         /**< Read only. */
+    MeVector3 *m_Positions;   /**< World; the program's, read every frame. May be written. */
+    AcmeReal m_Size;          /**< Side of a triangle. May be written. */
+    RGraphic *m_pGraphic;     /**< What is drawn: its colour and texture may be changed, the rest is the viewer's. */
+    RParticleSystem *m_pNext; /**< Next in the context's list. Read only. */
+    RRender *m_pRender;       /**< The context whose list it is in; null for none. Read only. */
 };
 
 /** A light from infinitely far away. After a change in the main loop, set the context's force-update flag. */
@@ -276,9 +288,10 @@ struct _RRender {
     MeMatrix4 m_CameraMatrix;     /**< World to camera: x right, y up, looking along -z. Read only. */
     MeMatrix4 m_ProjectionMatrix; /**< Camera to clip coordinates. Read only. */
 
-    RGraphic *m_p3DGraphics;     /**< First of the 3D list. Read only. */
-    RGraphic *m_p2DGraphics;     /**< First of the 2D list. Read only. */
-    RNativeLine *m_pNativeLines; /**< First of the native lines. Read only. */
+    RGraphic *m_p3DGraphics;             /**< First of the 3D list. Read only. */
+    RGraphic *m_p2DGraphics;             /**< First of the 2D list. Read only. */
+    RNativeLine *m_pNativeLines;         /**< First of the native lines. Read only. */
+    RParticleSystem *m_pParticleSystems; /**< The first one. Read only. */
 
     int m_bUseAmbientLight;             /**< May be written, as the lights below. */
     AcmeReal m_rgbAmbientLightColor[4]; /**< A change is seen in the next frame. */
@@ -289,12 +302,15 @@ struct _RRender {
     int m_bForceDirectLight2Update;
     int m_bForcePointLightUpdate;
 
-    int m_bPause;                       /**< The tick is not called. Read only: RRenderSetPause. */
-    int m_bShowHelp;                    /**< Read only: RRenderToggleUserHelp. */
-    RRenderCallBacks m_CallBacks;       /**< Read only. */
-    RPerformanceBar *m_pPerformanceBar; /**< Or null. */
-    RMenu *m_pCurrentMenu;              /**< The one shown, or null. */
-    RMenu *m_pDefaultMenu;              /**< The one for the menu key, or null. */
+    int m_bPause;                 /**< The tick is not called. Read only: RRenderSetPause. */
+    int m_bShowHelp;              /**< Read only: RRenderToggleUserHelp. */
+    RRenderCallBacks m_CallBacks; /**< Read only. */
+    union {
+        RPerformanceBar *m_pPerformanceBar; /**< Or null. */
+        RPerformanceBar *m_PerformanceBar;  /**< The same pointer; so old programs call it. */
+    };
+    RMenu *m_pCurrentMenu; /**< The one shown, or null. */
+    RMenu *m_pDefaultMenu; /**< The one for the menu key, or null. */
 
     struct RViewer *m_pViewer; /**< The viewer's own. */
 };

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 typedef struct {
     float v[3];
@@ -22,12 +23,15 @@ typedef struct {
     R_ARRAY(Face) faces;
     Face *normalsOf;  /* The face that *MESH_VERTEXNORMAL lines belong to. */
     int normalsGiven; /* Of it. */
+    bool leftOut;
 } Mesh;
 
 typedef struct {
     const char *at; /* What has not been read yet; ends with a 0. */
     Mesh mesh;
     R_ARRAY(RObjectVertex) out;
+    bool noMcd; /* Objects named MCD... are left out. */
+    bool isMcd; /* The object that is being read is named so. */
     bool broken;
 } Reader;
 
@@ -142,12 +146,23 @@ static void readVertexNormal(Reader *r) {
     m->normalsOf->hasNormals = m->normalsGiven == 3;
 }
 
+/* *NODE_NAME "MCDBX_Wheel": shapes for collision, as modelling programs name them. */
+static void readName(Reader *r) {
+    size_t length;
+    const char *name = nextWord(r, &length);
+    r->isMcd = length > 4 && strncasecmp(name, "\"MCD", 4) == 0;
+}
+
 static const struct {
     const char *keyword;
     void (*read)(Reader *r);
-} statements[] = {
-    {"*MESH_VERTEX", readVertex},     {"*MESH_TVERT", readTextureVertex},   {"*MESH_FACE", readFace},
-    {"*MESH_TFACE", readTextureFace}, {"*MESH_FACENORMAL", readFaceNormal}, {"*MESH_VERTEXNORMAL", readVertexNormal}};
+} statements[] = {{"*NODE_NAME", readName},
+                  {"*MESH_VERTEX", readVertex},
+                  {"*MESH_TVERT", readTextureVertex},
+                  {"*MESH_FACE", readFace},
+                  {"*MESH_TFACE", readTextureFace},
+                  {"*MESH_FACENORMAL", readFaceNormal},
+                  {"*MESH_VERTEXNORMAL", readVertexNormal}};
 
 /* ---- From a mesh to triangles ---- */
 
@@ -174,7 +189,7 @@ static void finishMesh(Reader *r) {
     Mesh *m = &r->mesh;
     if (!r_grow(r->out, 3 * m->faces.count))
         r->broken = true;
-    for (size_t k = 0; !r->broken && k < m->faces.count; k++) {
+    for (size_t k = 0; !m->leftOut && !r->broken && k < m->faces.count; k++) {
         const Face *f = &m->faces.items[k];
         for (int i = 0; i < 3; i++)
             r->broken |= (size_t)f->corner[i] >= m->vertices.count;
@@ -195,8 +210,10 @@ static void readAll(Reader *r) {
         const char *word = nextWord(r, &length);
         if (length == 0)
             break;
-        if (is(word, length, "*MESH"))
+        if (is(word, length, "*MESH")) {
             finishMesh(r);
+            r->mesh.leftOut = r->noMcd && r->isMcd;
+        }
         for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++)
             if (is(word, length, statements[i].keyword))
                 statements[i].read(r);
@@ -222,8 +239,8 @@ static char *readFile(const char *filename) {
     return text;
 }
 
-static RGraphic *readAse(const char *function, const char *filename) {
-    Reader r = {0};
+static RGraphic *readAse(const char *function, const char *filename, bool noMcd) {
+    Reader r = {.noMcd = noMcd};
     RGraphic *rg = NULL;
     char *text = readFile(filename);
     if (!text) {
@@ -257,15 +274,45 @@ static bool scalesAreGood(const char *function, AcmeReal x, AcmeReal y, AcmeReal
     return x != 0 && y != 0 && z != 0;
 }
 
+/* Everything but RGraphicCreate; offset may be null. */
+static RGraphic *load(const char *function, RRender *rc, const char *filename, const AcmeReal scale[3], bool noMcd,
+                      const MeReal *offset, const float color[4], MeMatrix4Ptr matrix) {
+    static const MeVector3 none = {0, 0, 0};
+    if (!r_isContext(rc, function) || !r_isPointer(filename, function, "filename") ||
+        !scalesAreGood(function, scale[0], scale[1], scale[2]))
+        return NULL;
+    RGraphic *rg = readAse(function, filename, noMcd);
+    if (rg) {
+        RGraphicScale(rg, scale[0], scale[1], scale[2]);
+        RGraphicTranslateVertices(rc, rg, offset ? offset : none);
+    }
+    return r_graphicFinish(function, rc, rg, color, matrix, false);
+}
+
 RGraphic *MEAPI RGraphicLoadASE(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale, AcmeReal zScale,
                                 const float color[4], MeMatrix4Ptr matrix) {
-    if (!r_isContext(rc, __func__) || !r_isPointer(filename, __func__, "filename") ||
-        !scalesAreGood(__func__, xScale, yScale, zScale))
+    return load(__func__, rc, filename, (AcmeReal[]){xScale, yScale, zScale}, false, NULL, color, matrix);
+}
+
+RGraphic *MEAPI RGraphicLoadASENoMCD(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
+                                     AcmeReal zScale, const float color[4], MeMatrix4Ptr matrix) {
+    return load(__func__, rc, filename, (AcmeReal[]){xScale, yScale, zScale}, true, NULL, color, matrix);
+}
+
+RGraphic *MEAPI RGraphicLoadASEwithOffset(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
+                                          AcmeReal zScale, const float color[4], const MeVector3 offset,
+                                          MeMatrix4Ptr matrix) {
+    if (!r_isPointer(offset, __func__, "offset"))
         return NULL;
-    RGraphic *rg = readAse(__func__, filename);
-    if (rg)
-        RGraphicScale(rg, xScale, yScale, zScale);
-    return r_graphicFinish(__func__, rc, rg, color, matrix, false);
+    return load(__func__, rc, filename, (AcmeReal[]){xScale, yScale, zScale}, false, offset, color, matrix);
+}
+
+RGraphic *MEAPI RGraphicLoadASEwithOffsetNoMcd(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
+                                               AcmeReal zScale, const float color[4], const MeVector3 offset,
+                                               MeMatrix4Ptr matrix) {
+    if (!r_isPointer(offset, __func__, "offset"))
+        return NULL;
+    return load(__func__, rc, filename, (AcmeReal[]){xScale, yScale, zScale}, true, offset, color, matrix);
 }
 
 RGraphic *MEAPI RGraphicCreate(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale, AcmeReal zScale,
@@ -273,7 +320,7 @@ RGraphic *MEAPI RGraphicCreate(RRender *rc, const char *filename, AcmeReal xScal
     if (!r_isContext(rc, __func__) || !r_isPointer(filename, __func__, "filename") ||
         !scalesAreGood(__func__, xScale, yScale, zScale))
         return NULL;
-    RGraphic *rg = readAse(__func__, filename);
+    RGraphic *rg = readAse(__func__, filename, false);
     if (rg) {
         RGraphicNormalize(rg, bKeepAspectRatio);
         RGraphicScale(rg, xScale, yScale, zScale);

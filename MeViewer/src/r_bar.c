@@ -32,6 +32,17 @@ void r_profileStart(RRender *rc) {
         MeProfileStartTiming((MeProfileTimerMode){kMeProfileCounterModeFlops}, kMeProfileLogTotals);
 }
 
+/* Somebody looks at the bar, or asked for it: only then are frames timed, and all of them drawn. */
+static bool canBeSeen(const RRender *rc) {
+    const RBackend *backend = rc->m_pViewer->backend;
+    return backend && (backend->window || rc->m_Options.m_bBar);
+}
+
+void r_barStart(RRender *rc) {
+    if (rc->m_pPerformanceBar && canBeSeen(rc))
+        r_profileStart(rc);
+}
+
 RPerformanceBar *MEAPI RPerformanceBarCreate(RRender *rc) {
     if (!r_isContext(rc, __func__))
         return NULL;
@@ -42,7 +53,7 @@ RPerformanceBar *MEAPI RPerformanceBarCreate(RRender *rc) {
         return NULL;
     bar->m_bVisible = 1;
     rc->m_pPerformanceBar = bar;
-    r_profileStart(rc);
+    r_barStart(rc);
     return bar;
 }
 
@@ -136,8 +147,7 @@ static float drawLegend(ROverlay *overlay, float x, float y, float size, const f
 }
 
 bool r_barIsShown(const RRender *rc) {
-    return rc->m_pPerformanceBar && rc->m_pPerformanceBar->m_bVisible &&
-           (rc->m_pViewer->backend->window || rc->m_Options.m_bBar);
+    return rc->m_pPerformanceBar && rc->m_pPerformanceBar->m_bVisible && canBeSeen(rc);
 }
 
 void r_barDraw(RRender *rc, ROverlay *overlay) {

@@ -24,6 +24,7 @@ char *r_copyText(const char *text) {
 }
 
 bool r_growBytes(void **items, size_t *capacity, size_t needed, size_t size) {
+    MEASSERT((*items != NULL) == (*capacity > 0));
     if (needed <= *capacity)
         return true;
     size_t more = *capacity ? *capacity * 2 : 16;

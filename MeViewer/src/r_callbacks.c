@@ -138,9 +138,6 @@ void MEAPI RRenderSetActionNKey(RRender *rc, const unsigned int N, const char ke
     }
     const int code = tolower((unsigned char)key);
     int *keys = rc->m_pViewer->input.actionKey;
-    if (r_viewerKeyUse(code))
-        MeWarning(1, "%s: '%c' is the viewer's key for %s; action %u takes it over", __func__, key,
-                  r_viewerKeyUse(code), N);
     for (unsigned i = 0; i < NUM_ACTION_CALLBACKS; i++) {
         if (i != N && keys[i] == code) {
             MeWarning(1, "%s: '%c' was the key of action %u, which has none now", __func__, key, i);

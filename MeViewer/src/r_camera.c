@@ -66,8 +66,8 @@ void MEAPI RCameraUpdate(RRender *rc) {
 }
 
 void r_cameraInit(RRender *rc) {
-    rc->m_CameraDist = 10;
-    rc->m_CameraElevation = 0.2f;
+    rc->m_CameraLookAt[2] = 1; /* As in 1.2: programs zoom and turn relative to this view. */
+    rc->m_CameraDist = 15;
     rc->m_CameraFov = 0.7f;
     update(rc);
 }

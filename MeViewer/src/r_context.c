@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "MeDebugDraw.h"
 #include "MeVersion.h"
 
 /* Okabe and Ito's colours, muted so that none of them shouts. */
@@ -25,6 +26,7 @@ const float RPalette[8][4] = {
 static RRender *contexts;
 static MeHandler handlerBefore;
 static int warnings;
+static MeDebugLineFuncPtr debugLineBefore; /* Of MeDebugDrawAPI; called as well. */
 
 static void countWarning(const int level, const char *const format, va_list ap) {
     warnings++;
@@ -54,8 +56,19 @@ bool r_isContext(const RRender *rc, const char *function) {
     return false;
 }
 
+/* The youngest context shows what Karma draws of itself. */
+static void MEAPI drawDebugLine(MeVector3 start, MeVector3 end, MeReal r, MeReal g, MeReal b) {
+    if (debugLineBefore)
+        debugLineBefore(start, end, r, g, b);
+    if (contexts)
+        r_debugLine(contexts, start, end, r, g, b);
+}
+
 static void addContext(RRender *rc) {
+    MEASSERT(!r_isLive(rc));
     if (!contexts) {
+        debugLineBefore = MeDebugDrawAPI.line;
+        MeDebugDrawAPI.line = drawDebugLine;
         warnings = 0;
         handlerBefore = MeSetWarningHandler(countWarning);
     }
@@ -68,6 +81,8 @@ static void removeContext(RRender *rc) {
     while (*link != rc)
         link = &(*link)->m_pViewer->next;
     *link = rc->m_pViewer->next;
+    if (!contexts && MeDebugDrawAPI.line == drawDebugLine)
+        MeDebugDrawAPI.line = debugLineBefore;
     /* Somebody may have put a handler of their own in front of ours: then that one stays. */
     if (!contexts && MeWarningHandler == countWarning)
         MeSetWarningHandler(handlerBefore);
@@ -190,7 +205,9 @@ int MEAPI RInit(RRender *rc) {
 static void freeState(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
     r_barFree(rc);
+    r_particlesFree(rc); /* Before the graphics, which are theirs. */
     r_graphicFreeAll(rc);
+    MEASSERT(!rc->m_p3DGraphics && !rc->m_p2DGraphics && !v->last3D && !v->last2D);
     r_linesFree(rc);
     r_menusFree(rc);
     r_helpFree(&v->help);

@@ -47,6 +47,8 @@ static void unlinkGraphic(RGraphic *rg) {
     RRender *rc = rg->m_pPart->owner;
     RGraphic **first = rg->m_pPart->is2D ? &rc->m_p2DGraphics : &rc->m_p3DGraphics;
     RGraphic **last = rg->m_pPart->is2D ? &rc->m_pViewer->last2D : &rc->m_pViewer->last3D;
+    MEASSERT(rg->m_pPrev ? rg->m_pPrev->m_pNext == rg : *first == rg);
+    MEASSERT(rg->m_pNext ? rg->m_pNext->m_pPrev == rg : *last == rg);
     *(rg->m_pPrev ? &rg->m_pPrev->m_pNext : first) = rg->m_pNext;
     *(rg->m_pNext ? &rg->m_pNext->m_pPrev : last) = rg->m_pPrev;
     rg->m_pNext = rg->m_pPrev = NULL;
@@ -62,6 +64,7 @@ void MEAPI RGraphicAddToList(RRender *rc, RGraphic *rg, int is2D) {
     }
     RGraphic **first = is2D ? &rc->m_p2DGraphics : &rc->m_p3DGraphics;
     RGraphic **last = is2D ? &rc->m_pViewer->last2D : &rc->m_pViewer->last3D;
+    MEASSERT((*first == NULL) == (*last == NULL) && (!*last || !(*last)->m_pNext));
     rg->m_pPrev = *last;
     rg->m_pNext = NULL;
     *(*last ? &(*last)->m_pNext : first) = rg;
@@ -159,6 +162,10 @@ bool r_graphicTransform(RGraphic *rg, float out[16]) {
         MeWarning(1, "MeViewer: a graphic's transform is not finite: it is not drawn");
     rg->m_pPart->warned = true;
     return false;
+}
+
+void MEAPI RGraphicCalcOGLDisplayList(RGraphic *rg) {
+    (void)r_isGraphic(rg, __func__);
 }
 
 void MEAPI RRenderUpdateGraphicMatrices(RRender *rc) {

@@ -161,6 +161,19 @@ static const char *title(const RRender *rc) {
     return !named && rc->m_pViewer->title ? rc->m_pViewer->title : rc->m_AppName;
 }
 
+/* What is left of a key of the viewer's when an action of the program has its letter; null for nothing. */
+static const char *remainingKey(const RRender *rc, const char *key) {
+    static const struct {
+        const char *key;
+        int letter;
+        const char *rest;
+    } letters[] = {{"P", 'p', NULL}, {"O", 'o', "."}, {"Esc, Q", 'q', "Esc"}};
+    for (size_t i = 0; i < sizeof letters / sizeof letters[0]; i++)
+        if (strcmp(letters[i].key, key) == 0 && r_actionOfKey(rc, letters[i].letter))
+            return letters[i].rest;
+    return key;
+}
+
 static void fillPage(RRender *rc, Page *page, size_t wrap) {
     const RHelp *h = &rc->m_pViewer->help;
     char line[512];
@@ -176,10 +189,11 @@ static void fillPage(RRender *rc, Page *page, size_t wrap) {
         addText(page, "", "This program has no keys of its own.");
     for (size_t i = 0; i < sizeof viewerKeys / sizeof viewerKeys[0]; i++) {
         const bool ctrl = strcmp(viewerKeys[i].key, "Ctrl+drag") == 0, drag = strcmp(viewerKeys[i].key, "Drag") == 0;
-        if (rc->m_CallBacks.m_Mouse.m_Func ? drag : ctrl)
+        const char *key = remainingKey(rc, viewerKeys[i].key);
+        if ((rc->m_CallBacks.m_Mouse.m_Func ? drag : ctrl) || !key)
             continue;
         if (viewerKeys[i].text)
-            addText(page, viewerKeys[i].key, viewerKeys[i].text);
+            addText(page, key, viewerKeys[i].text);
         else
             addHeading(page, rHeading, viewerKeys[i].key);
     }

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "MeAssert.h"
 #include "MeMemory.h"
 #include "MeMessage.h"
 #include "MeViewer.h"
@@ -94,7 +95,7 @@ void r_inputFrame(RRender *rc);                      /* Handles what has come in
 void r_inputFree(RInput *input);
 int r_keyByName(const char *name, size_t length); /* RKEY_NONE if there is no such key. */
 void r_keyName(int key, char *name, size_t size);
-const char *r_viewerKeyUse(int key); /* What the viewer does with a key; null if nothing. */
+const RCallBackDataButton *r_actionOfKey(const RRender *rc, int key); /* The program's action on it, or null. */
 
 /* ---- Camera (r_camera.c) ---- */
 
@@ -151,6 +152,11 @@ void r_graphicFreeAll(RRender *rc);
 bool r_graphicTransform(RGraphic *rg, float out[16]);
 bool r_matrixFloats(const MeVector4 *matrix, float out[16]);
 
+/* ---- Particles (r_particle.c) ---- */
+
+void r_particlesUpdate(RRender *rc); /* Turns all of them towards the camera. */
+void r_particlesFree(RRender *rc);
+
 /* ---- Hashes (r_hash.c) ---- */
 
 uint64_t r_hashWord(uint64_t hash, uint64_t word);                               /* Adds a word to a hash. */
@@ -165,6 +171,9 @@ typedef struct {
 typedef R_ARRAY(RLineSegment) RLineSegments;
 
 void r_linesFree(RRender *rc);
+/* Karma's own drawing (MeDebugDrawAPI): kept until the next tick; nothing is kept before the first. */
+void r_debugLine(RRender *rc, const MeVector3 start, const MeVector3 end, MeReal r, MeReal g, MeReal b);
+void r_debugLinesForget(RRender *rc);
 void r_linesCollect(RRender *rc, RLineSegments *out); /* Everything in the native list and from RLineAdd. */
 
 /* ---- Lights (r_light.c) ---- */
@@ -256,6 +265,7 @@ void r_helpDraw(RRender *rc, ROverlay *overlay, RHelpLayout *layout);
 void r_helpFree(RHelp *help);
 void r_menuDraw(RRender *rc, ROverlay *overlay);
 void r_menusFree(RRender *rc);
+void r_barStart(RRender *rc); /* Begins to measure, if there is a bar that can be seen. */
 bool r_barIsShown(const RRender *rc);
 void r_barDraw(RRender *rc, ROverlay *overlay);
 void r_barFrame(RRender *rc); /* Takes the times of the frame that has ended. */
@@ -341,7 +351,8 @@ struct RViewer {
     int width, height; /* Pixels. */
     RGraphic *last3D, *last2D;
     RGraphic *sky;
-    R_ARRAY(RLineSegment) lines; /* RLineAdd's. */
+    R_ARRAY(RLineSegment) lines;      /* RLineAdd's. */
+    R_ARRAY(RLineSegment) debugLines; /* MeDebugDrawAPI's, since the last tick began. */
     RNativeLine *lastLine;
     RCamera camera;
     RLights lights;

@@ -62,28 +62,6 @@ void r_keyName(int key, char *name, size_t size) {
         snprintf(name, size, "(no key)");
 }
 
-const char *r_viewerKeyUse(int key) {
-    switch (key) {
-    case 'p':
-        return "pause";
-    case 'o':
-    case '.':
-        return "single step";
-    case 'q':
-        return "quit";
-    case 'w':
-        return "Up2";
-    case 's':
-        return "Down2";
-    case 'a':
-        return "Left2";
-    case 'd':
-        return "Right2";
-    default:
-        return NULL;
-    }
-}
-
 /* ---- Events and the script ---- */
 
 void r_inputInit(RInput *input) {
@@ -152,16 +130,13 @@ static void press(RRender *rc, const RCallBackDataButton *b) {
     r_afterCallBack(rc);
 }
 
-/* The action that a key belongs to; false if nothing is to be called. */
-static bool pressAction(RRender *rc, int key) {
+const RCallBackDataButton *r_actionOfKey(const RRender *rc, int key) {
     for (int i = 0; i < NUM_ACTION_CALLBACKS; i++) {
         const RCallBackDataButton *b = &rc->m_CallBacks.m_Action[i];
-        if (rc->m_pViewer->input.actionKey[i] == key && (b->m_Func || b->m_FuncNoData)) {
-            press(rc, b);
-            return true;
-        }
+        if (rc->m_pViewer->input.actionKey[i] == key && (b->m_Func || b->m_FuncNoData))
+            return b;
     }
-    return false;
+    return NULL;
 }
 
 static int buttonOf(int key) {
@@ -287,7 +262,7 @@ static void holdKey(RRender *rc, int key) {
     else if (isArrow(key) && in->heldControl[key] && frames > CAMERA_DELAY)
         orbitKey(rc, key, holdAngle);
     else if (button != kRButtons && !in->heldControl[key] && frames > BUTTON_DELAY && frames % BUTTON_PERIOD == 0 &&
-             !rc->m_pCurrentMenu)
+             !rc->m_pCurrentMenu && !r_actionOfKey(rc, key))
         press(rc, &rc->m_CallBacks.m_Button[button]);
 }
 
@@ -296,6 +271,7 @@ static void keyDown(RRender *rc, int key, int modifiers) {
     const bool control = (modifiers & RCONTROL) != 0;
     if (key <= RKEY_NONE || key >= RKEY_COUNT || in->heldFor[key])
         return;
+    MEASSERT(!in->dragButton || (in->dragButton >= kRLeftButton && in->dragButton <= kRRightButton));
     in->heldFor[key] = 1;
     in->heldControl[key] = control;
     if (key == RKEY_ESCAPE)
@@ -303,9 +279,9 @@ static void keyDown(RRender *rc, int key, int modifiers) {
     else if (isArrow(key) && control)
         orbitKey(rc, key, tapAngle);
     else if (control && key < RKEY_F1)
-        return; /* Ctrl and a letter means nothing here. */
-    else if (pressAction(rc, key))
-        return;
+        return;                      /* Ctrl and a letter means nothing here. */
+    else if (r_actionOfKey(rc, key)) /* Before the viewer's own keys: the program's win. */
+        press(rc, r_actionOfKey(rc, key));
     else if (isArrow(key) && rc->m_pCurrentMenu)
         menuKey(rc, key);
     else if (key == RKEY_PAGE_UP || key == RKEY_PAGE_DOWN)

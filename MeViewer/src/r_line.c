@@ -74,8 +74,11 @@ void MEAPI RNLineAddToList(RRender *rc, RNativeLine *line) {
 static void unlinkLine(RNativeLine *line) {
     RRender *rc = line->m_pRender;
     RNativeLine *before = NULL;
-    for (RNativeLine *l = rc->m_pNativeLines; l != line; l = l->m_pNext)
+    MEASSERT(r_isLive(rc));
+    for (RNativeLine *l = rc->m_pNativeLines; l != line; l = l->m_pNext) {
+        MEASSERT(l); /* A line that names the context is in its list. */
         before = l;
+    }
     *(before ? &before->m_pNext : &rc->m_pNativeLines) = line->m_pNext;
     if (!line->m_pNext)
         rc->m_pViewer->lastLine = before;
@@ -127,10 +130,28 @@ void MEAPI RLineRemoveAll(RRender *rc) {
         rc->m_pViewer->lines.count = 0;
 }
 
+void r_debugLine(RRender *rc, const MeVector3 start, const MeVector3 end, MeReal r, MeReal g, MeReal b) {
+    struct RViewer *v = rc->m_pViewer;
+    RLineSegment s = {.color = {(float)r, (float)g, (float)b, 1}};
+    bool finite = true;
+    for (int i = 0; i < 3; i++) {
+        s.a[i] = (float)start[i];
+        s.b[i] = (float)end[i];
+        finite &= isfinite(s.a[i]) && isfinite(s.b[i]) && isfinite(s.color[i]);
+    }
+    if (finite && v->loop.frames > 0 && r_grow(v->debugLines, 1))
+        v->debugLines.items[v->debugLines.count++] = s;
+}
+
+void r_debugLinesForget(RRender *rc) {
+    rc->m_pViewer->debugLines.count = 0;
+}
+
 void r_linesFree(RRender *rc) {
     while (rc->m_pNativeLines)
         RNLineDestroy(rc->m_pNativeLines);
     r_free(rc->m_pViewer->lines.items);
+    r_free(rc->m_pViewer->debugLines.items);
 }
 
 static bool addSegment(RLineSegments *out, const float m[16], const float a[3], const float b[3],
@@ -157,6 +178,13 @@ static void collectGraphics(RRender *rc, RLineSegments *out) {
     }
 }
 
+static void addSegments(RLineSegments *out, const RLineSegment *segments, size_t count) {
+    if (!count || !r_grow(*out, count))
+        return;
+    memcpy(out->items + out->count, segments, count * sizeof *segments);
+    out->count += count;
+}
+
 void r_linesCollect(RRender *rc, RLineSegments *out) {
     float m[16];
     const struct RViewer *v = rc->m_pViewer;
@@ -164,8 +192,6 @@ void r_linesCollect(RRender *rc, RLineSegments *out) {
         if (r_matrixFloats(l->m_pLWMatrix, m))
             addSegment(out, m, l->m_Vectors.m_Start, l->m_Vectors.m_End, l->m_Color);
     collectGraphics(rc, out);
-    if (v->lines.count && r_grow(*out, v->lines.count)) {
-        memcpy(out->items + out->count, v->lines.items, v->lines.count * sizeof *v->lines.items);
-        out->count += v->lines.count;
-    }
+    addSegments(out, v->lines.items, v->lines.count);
+    addSegments(out, v->debugLines.items, v->debugLines.count);
 }

@@ -28,6 +28,7 @@ static void callTick(RRender *rc, const RTick *tick) {
     v->loop.step = false;
     if (!run || !tick)
         return;
+    r_debugLinesForget(rc);
     if (tick->func)
         tick->func(rc, tick->userdata);
     else
@@ -58,6 +59,7 @@ void r_frame(RRender *rc, const RTick *tick) {
     struct RViewer *v = rc->m_pViewer;
     const bool profiling = v->profiling; /* A callback may start it in the middle of a frame. */
     v->loop.frames++;
+    MEASSERT(r_isLive(rc) && v->backend && v->loop.ticks < v->loop.frames);
     if (profiling)
         MeProfileStartFrame();
     r_inputFrame(rc);
@@ -121,6 +123,7 @@ static void begin(RRender *rc) {
     r_cameraKeepHome(rc);
     if (rc->m_Options.m_bProfile)
         r_profileStart(rc);
+    r_barStart(rc); /* It may have been created before the context was started. */
     v->loop.deadline = v->loop.progress = r_now();
 }
 

@@ -7,12 +7,18 @@
 /* All live menus, of all contexts: a menu that a program destroys after its context is not there any more. */
 static RMenu *menus;
 
-static bool isMenu(const RMenu *rm, const char *function) {
-    if (!r_isPointer(rm, function, "the menu"))
-        return false;
+static bool isLiveMenu(const RMenu *rm) {
     for (const RMenu *m = menus; m; m = m->m_pNext)
         if (m == rm)
             return true;
+    return false;
+}
+
+static bool isMenu(const RMenu *rm, const char *function) {
+    if (!r_isPointer(rm, function, "the menu"))
+        return false;
+    if (isLiveMenu(rm))
+        return true;
     MeWarning(1, "%s: the menu has been destroyed, or is none", function);
     return false;
 }
@@ -59,8 +65,10 @@ static void freeMenu(RMenu *rm) {
 }
 
 void MEAPI RMenuDestroy(RMenu *rm) {
-    if (!isMenu(rm, __func__))
+    /* Programs destroy menus after the context that has taken them along: that deserves no word. */
+    if (!r_isPointer(rm, __func__, "the menu") || !isLiveMenu(rm))
         return;
+    MEASSERT(r_isLive(rm->m_pRender));
     RRender *rc = rm->m_pRender;
     RMenu **link = &menus;
     while (*link != rm)

@@ -179,6 +179,7 @@ static bool build(const RGL *gl, RMesh *mesh, const RObjectVertex *v, int count)
         mesh->indexCount = count;
         findBounds(mesh, v, count);
         mesh->closed = facesAgree(v, count) && isClosed(&places, v, count);
+        MEASSERT(places.count <= vertices.count && vertices.count <= (uint32_t)count);
         upload(gl, mesh, &vertices, indices);
     }
     numberingEnd(&vertices);

@@ -1,20 +1,53 @@
-/* What the command line says: where to draw, how long, and what to keep of it. */
+/* What the command line and $KARMA_VIEWER say: where to draw, how long, and what to keep of it. */
 #include "r_i.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Both sets of options, asked as one. */
+/* All sets of options, asked as one; an earlier set wins. */
+enum { OVERRIDING, PROGRAM, ENVIRONMENT, SETS };
 typedef struct {
-    MeCommandLineOptions *sets[2]; /* The overriding ones first. */
-    bool eat;
+    MeCommandLineOptions *sets[SETS];
+    bool eat[SETS];
 } Source;
+
+/* The words of $KARMA_VIEWER, as if they stood on the command line; null if there are none. */
+static MeCommandLineOptions *environmentOptions(void) {
+    enum { WORDS = 64 };
+    const char *argv[WORDS] = {"KARMA_VIEWER"}, *value = getenv("KARMA_VIEWER");
+    char *text = value ? r_copyText(value) : NULL;
+    int argc = 1;
+    for (char *at = text; at && *at;) {
+        if (isspace((unsigned char)*at)) {
+            *at++ = 0;
+            continue;
+        }
+        if (argc == WORDS) {
+            MeWarning(1, "KARMA_VIEWER: only its first %d words are read", WORDS - 1);
+            break;
+        }
+        argv[argc++] = at;
+        while (*at && !isspace((unsigned char)*at))
+            at++;
+    }
+    MeCommandLineOptions *options = argc > 1 ? MeCommandLineOptionsCreate(argc, argv) : NULL;
+    r_free(text);
+    return options;
+}
+
+/* Nobody else reads these options: what is left of them is a mistake. */
+static void finishEnvironment(MeCommandLineOptions *options) {
+    for (int i = 1; options && i < options->argc; i++)
+        MeWarning(1, "KARMA_VIEWER: %s is not an option of the viewer (-help lists them)", options->argv[i]);
+    MeCommandLineOptionsDestroy(options);
+}
 
 static bool has(const Source *s, const char *name) {
     bool found = false;
-    for (int i = 0; i < 2; i++)
-        if (MeCommandLineOptionsCheckFor(s->sets[i], name, s->eat))
+    for (int i = 0; i < SETS; i++)
+        if (MeCommandLineOptionsCheckFor(s->sets[i], name, s->eat[i]))
             found = true;
     return found;
 }
@@ -22,8 +55,8 @@ static bool has(const Source *s, const char *name) {
 /* The text after an option; false if it is not there. MeGlobals warns when it is missing. */
 static bool getText(const Source *s, const char *name, char *out, size_t size) {
     bool found = false;
-    for (int i = 0; i < 2; i++) {
-        const char *text = MeCommandLineOptionsGetString(s->sets[i], name, s->eat);
+    for (int i = 0; i < SETS; i++) {
+        const char *text = MeCommandLineOptionsGetString(s->sets[i], name, s->eat[i]);
         if (text && !found) {
             found = true;
             if (snprintf(out, size, "%s", text) >= (int)size)
@@ -92,9 +125,9 @@ static int firstPlace(MeCommandLineOptions *options) {
 }
 
 static RRenderType getPlace(const Source *s) {
-    int place = firstPlace(s->sets[0]);
-    if (place < 0)
-        place = firstPlace(s->sets[1]);
+    int place = -1;
+    for (int i = 0; i < SETS && place < 0; i++)
+        place = firstPlace(s->sets[i]);
     for (int i = 0; i < PLACES; i++)
         (void)has(s, places[i].option); /* Eats it. */
     if (place < 0)
@@ -120,12 +153,14 @@ void MEAPI RDisplayCommandLineHelp(void) {
               "  -every N             with -screenshot: every N frames one, FILE-0001.png and so on\n"
               "  -bar                 show the performance bar off-screen too\n"
               "  -profile             print how long everything took\n"
-              "  -help                this text");
+              "  -help                this text\n"
+              "The environment variable KARMA_VIEWER may hold options too; those on the command line win.");
 }
 
 void r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions,
                    bool eat) {
-    const Source source = {{overrideoptions, options}, eat}, *s = &source;
+    MeCommandLineOptions *environment = environmentOptions();
+    const Source source = {{overrideoptions, options, environment}, {eat, eat, true}}, *s = &source;
     if (has(s, "-help")) {
         RDisplayCommandLineHelp();
         exit(EXIT_SUCCESS);
@@ -142,4 +177,5 @@ void r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommand
     out->m_bProfile = has(s, "-profile");
     (void)getText(s, "-screenshot", out->m_Screenshot, sizeof out->m_Screenshot);
     (void)getText(s, "-key", out->m_Keys, sizeof out->m_Keys);
+    finishEnvironment(environment);
 }

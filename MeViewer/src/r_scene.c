@@ -203,6 +203,7 @@ void r_sceneGather(RRender *rc, RDraw *d) {
     RScene *s = &d->scene;
     s->items.count = s->lines.count = 0;
     s->hasGround = false;
+    r_particlesUpdate(rc);
     for (RGraphic *rg = rc->m_p3DGraphics; rg; rg = rg->m_pNext)
         gatherGraphic(rc, d, rg);
     r_linesCollect(rc, &s->lines);

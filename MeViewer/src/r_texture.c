@@ -94,8 +94,8 @@ bool r_texturePicture(const char *name, RPicture *picture) {
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++)
         if (places[i] && *places[i] && readFrom(places[i], name, picture))
             return true;
-    MeWarning(1,
-              "there is no texture %s.bmp or %s.png in ., $KARMA_TEXTURES, textures or ../textures; drawing without it",
-              name, name);
+    /* Programs run without their pictures: that is worth a message, but no trouble that the exit code tells. */
+    MeInfo(0, "there is no texture %s.bmp or %s.png in ., $KARMA_TEXTURES, textures or ../textures; drawing without it",
+           name, name);
     return false;
 }
