@@ -94,9 +94,7 @@ static void createDynamics(void) {
     MdtWorldSetGravity(world, 0, (MeReal)-9.8, 0);
     for (int i = 0; i < BOXES; i++) {
         boxCreate(&box[i], world, size, 1);
-        MdtContactParamsSetType(&box[i].params, MdtContactTypeFriction2D);
-        MdtContactParamsSetFrictionModel(&box[i].params, MdtFrictionModelCone);
-        MdtContactParamsSetFrictionCoeffecient(&box[i].params, (MeReal)0.6);
+        MdtContactParamsSetSurface(&box[i].params, (MeReal)0.6, 0);
     }
 }
 

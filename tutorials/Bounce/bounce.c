@@ -80,6 +80,7 @@ static void createContact(void) {
     MdtContactSetPosition(contact, pos[0], pos[1] - ballRadius, pos[2]);
     MdtContactSetNormal(contact, 0, 1, 0); /* the ball is pushed up */
     MdtContactSetPenetration(contact, penetration);
+    MdtContactSetRadius(contact, 0, ballRadius); /* round: the ball rolls */
 
     MdtContactParamsID params = MdtContactGetParams(contact);
     MdtContactParamsSetType(params, MdtContactTypeFriction2D);

@@ -98,10 +98,7 @@ static void createLane(void) {
 
 static void setMaterial(MstMaterialID a, MstMaterialID b, MeReal friction, MeReal restitution) {
     const MdtContactParamsID p = playContact(a, b);
-    MdtContactParamsSetType(p, MdtContactTypeFriction2D);
-    MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(p, friction);
-    MdtContactParamsSetRestitution(p, restitution);
+    MdtContactParamsSetSurface(p, friction, restitution);
 }
 
 /* The lane, the floor and the walls are of the default material. */

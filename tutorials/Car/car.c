@@ -299,9 +299,7 @@ static void createJoint(int i) {
 static void createCar(void) {
     wheelMaterial = MstBridgeGetNewMaterial(playUniverse->bridge);
     MdtContactParamsID rubber = playContact(wheelMaterial, MstBridgeGetDefaultMaterial());
-    MdtContactParamsSetType(rubber, MdtContactTypeFriction2D);
-    MdtContactParamsSetFrictionModel(rubber, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(rubber, 1);
+    MdtContactParamsSetSurface(rubber, 1, 0);
     createChassis();
     for (int i = 0; i < WHEELS; i++)
         createWheel(i);

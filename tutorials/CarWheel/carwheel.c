@@ -200,11 +200,8 @@ static void createContact(int i) {
     MdtContactSetPosition(contact[i], at[0] - radius * n[0], at[1] - radius * n[1], at[2]);
     MdtContactSetNormal(contact[i], n[0], n[1], n[2]);
     MdtContactSetPenetration(contact[i], penetration);
-
-    MdtContactParamsID params = MdtContactGetParams(contact[i]);
-    MdtContactParamsSetType(params, MdtContactTypeFriction2D);
-    MdtContactParamsSetFrictionModel(params, MdtFrictionModelNormalForce);
-    MdtContactParamsSetFrictionCoeffecient(params, friction);
+    MdtContactSetRadius(contact[i], 0, radius); /* round: the wheel rolls */
+    MdtContactParamsSetSurface(MdtContactGetParams(contact[i]), friction, 0);
     MdtContactEnable(contact[i]);
 }
 

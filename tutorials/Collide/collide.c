@@ -7,7 +7,7 @@
  *   red, orange blue  the models, orange while they do not touch and red while they do
  * Key 5 moves the blue model out, along the normal and by the depth that the library reports: then they only just touch.
  */
-#include "geometry_graphic.h"
+#include "RGeometry.h"
 #include "Mcd.h"
 #include "MeViewer.h"
 #include <stdio.h>
@@ -81,7 +81,7 @@ static int MEAPI getTriangles(McdModelPair *p, McdUserTriangle *triangle, MeVect
             triangle[count].vertices[k] = &corner[i][k];
         triangle[count].normal = 0;
         triangle[count].flags = (McdTriangleFlags)(kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges);
-        triangle[count++].triangleData = 0;
+        triangle[count++].triangleData.ptr = 0;
     }
     return count;
 }
@@ -204,7 +204,7 @@ static void chooseDriven(int kind) {
     standDriven();
     driven = makeModel(driven, kind, drivenTM);
     drop(&drivenGraphic);
-    drivenGraphic = geometryGraphic(rc, geometry[kind], blue, drivenTM);
+    drivenGraphic = RGraphicCreateFromModel(rc, driven, blue);
 }
 
 static void chooseFixed(int kind) {
@@ -216,9 +216,9 @@ static void chooseFixed(int kind) {
     if (kind == LIST || kind == FIELD) { /* the same hills */
         static MeMatrix4 upright;
         MeMatrix4TMMakeIdentity(upright);
-        fixedGraphic = triangleGraphic(rc, corner, TRIANGLES, sand, upright);
+        fixedGraphic = RGraphicTrianglesCreate(rc, corner, TRIANGLES, sand, upright);
     } else {
-        fixedGraphic = geometryGraphic(rc, geometry[kind], kind == PLANE ? sand : orange, fixedTM);
+        fixedGraphic = RGraphicCreateFromModel(rc, fixed, kind == PLANE ? sand : orange);
     }
 }
 

@@ -60,9 +60,7 @@ static MeBool MEAPI carry(McdIntersectResult *result, McdContact *collision, Mdt
 
 static void setMaterial(MstMaterialID a, MstMaterialID b, MeReal friction) {
     const MdtContactParamsID p = playContact(a, b);
-    MdtContactParamsSetType(p, MdtContactTypeFriction2D);
-    MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(p, friction);
+    MdtContactParamsSetSurface(p, friction, 0);
 }
 
 static McdModelID createBlock(MeReal x, MeReal z, MeReal top, MeReal length, MeReal width, const float color[4]) {

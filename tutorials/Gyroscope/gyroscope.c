@@ -207,7 +207,6 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     if (!rc)
         return 1;
     world = MdtWorldCreate(2, 1);
-    MdtWorldSetEpsilon(world, 0);
     createWheel();
     createBox();
     createGraphics();

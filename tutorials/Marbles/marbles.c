@@ -9,7 +9,7 @@
  * Triangles have edges, but marbles do not feel them: in a hollow only the faces push. Watch how smoothly they roll, and
  * the status line, which says how deep the worst one is in the bowl.
  */
-#include "geometry_graphic.h"
+#include "RGeometry.h"
 #include "play.h"
 #include <stdio.h>
 
@@ -55,7 +55,7 @@ static void handOver(McdUserTriangle *t, MeVector3 *corner) {
         t->vertices[k] = &corner[k];
     t->normal = 0;
     t->flags = (McdTriangleFlags)(kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges);
-    t->triangleData = 0;
+    t->triangleData.ptr = 0;
 }
 
 /* The callback: the triangles near a place. */
@@ -77,7 +77,7 @@ static void createBowl(void) {
     makeBowl();
     MeMatrix4TMMakeIdentity(bowlTM);
     playFixed(McdTriangleListCreate(playUniverse->frame, low, high, MOST_AT_ONCE, getTriangles), bowlTM, 0);
-    triangleGraphic(playRc, triangle, TRIANGLES, clay, bowlTM);
+    RGraphicTrianglesCreate(playRc, triangle, TRIANGLES, clay, bowlTM);
 }
 
 /* ---- marbles -------------------------------------------------------------------------------------------------- */
@@ -86,9 +86,7 @@ static void createMarbles(void) {
     const McdGeometryID ball = McdSphereCreate(playUniverse->frame, radius);
     const MstMaterialID glass = MstBridgeGetNewMaterial(playUniverse->bridge);
     const MdtContactParamsID onBowl = playContact(glass, MstBridgeGetDefaultMaterial());
-    MdtContactParamsSetType(onBowl, MdtContactTypeFriction2D);
-    MdtContactParamsSetFrictionModel(onBowl, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(onBowl, (MeReal)0.5);
+    MdtContactParamsSetSurface(onBowl, (MeReal)0.5, 0);
     MdtContactParamsSetType(playContact(glass, glass), MdtContactTypeFrictionZero);
     for (int i = 0; i < MARBLES; i++) {
         marble[i] = playModel(ball, 10, 0, 0, 0, RPalette[i % 6]);

@@ -92,10 +92,9 @@ static void touch(MdtBodyID a, MdtBodyID b, const MeVector3 p, const MeVector3 q
     MdtContactSetPosition(c, (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2);
     MdtContactSetNormal(c, n[0], n[1], n[2]);
     MdtContactSetPenetration(c, 2 * radius - distance);
-    MdtContactParamsID params = MdtContactGetParams(c);
-    MdtContactParamsSetType(params, MdtContactTypeFriction2D);
-    MdtContactParamsSetFrictionModel(params, MdtFrictionModelNormalForce);
-    MdtContactParamsSetFrictionCoeffecient(params, (MeReal)0.5);
+    MdtContactSetRadius(c, 0, radius); /* round: the ball rolls */
+    MdtContactSetRadius(c, 1, radius);
+    MdtContactParamsSetSurface(MdtContactGetParams(c), (MeReal)0.5, 0);
     MdtContactEnable(c);
     contact[contacts++] = c;
 }

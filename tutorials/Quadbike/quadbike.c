@@ -196,7 +196,7 @@ static int MEAPI TriListGeneratorCB(McdModelPair *pair, McdUserTriangle *triangl
                     triangle[count].vertices[k] = terrainCorner(i, j, t, k);
                 triangle[count].normal = 0;
                 triangle[count].flags = (McdTriangleFlags)(kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges);
-                triangle[count].triangleData = 0;
+                triangle[count].triangleData.ptr = 0;
             }
         }
     }
@@ -248,6 +248,7 @@ static void InitialiseMaterials(void) {
     MdtContactParamsSetSoftness(params, (MeReal)0.0001);
     params = MstBridgeGetContactParams(bridge, groundMat, chassisMat);
     MdtContactParamsSetType(params, MdtContactTypeFriction2D);
+    MdtContactParamsSetFriction(params, MEINFINITY); /* the chassis does not slide */
     MdtContactParamsSetSoftness(params, (MeReal)0.0001);
     MstBridgeSetPerContactCB(bridge, wheelMat, groundMat, WheelGroundCB);
 }
@@ -595,7 +596,8 @@ static void CreateRiderGraphics(void) {
 }
 
 static void InitialiseMEWorld(void) {
-    MdtWorldSetEpsilon(playUniverse->world, (MeReal)0.0001);
+    MdtWorldSetEpsilon(playUniverse->world,
+                       (MeReal)0.0001); /* as the User Guide's program has it: its tyres give a little */
     MdtWorldSetGamma(playUniverse->world, playFrame * 10);
     MdtWorldSetGravity(playUniverse->world, 0, -20, 0);
 }

@@ -6,7 +6,7 @@
  *   key 3   glass: the filter callback lets rays through the transparent models
  *   key 4   the rays as thick as a ball: a shape is cast instead
  */
-#include "geometry_graphic.h"
+#include "RGeometry.h"
 #include "Mcd.h"
 #include "MeViewer.h"
 #include <stdio.h>
@@ -257,7 +257,7 @@ static void createGraphics(void) {
     static const float white[4] = {1, .95f, .7f, 1}, ground[4] = {.82f, .83f, .80f, 1};
     const AcmeVector3 lookAt = {0, .3f, 0};
     for (int i = 0; i < MODELS; i++)
-        geometryGraphic(rc, McdModelGetGeometry(model[i]), room[i].isGlass ? glass : stone, tm[i]);
+        RGraphicCreateFromModel(rc, model[i], room[i].isGlass ? glass : stone);
     MeMatrix4TMMakeIdentity(lampTM);
     RGraphicSphereCreate(rc, .12f, white, lampTM);
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, -.4f);

@@ -115,9 +115,7 @@ static void createDynamics(void) {
     MdtWorldSetGravity(world, 0, (MeReal)-9.8, 0);
     for (int i = 0; i < BOXES; i++) {
         boxCreate(&box[i], world, size, 1);
-        MdtContactParamsSetType(&box[i].params, MdtContactTypeFriction2D);
-        MdtContactParamsSetFrictionModel(&box[i].params, MdtFrictionModelNormalForce);
-        MdtContactParamsSetFrictionCoeffecient(&box[i].params, friction[i]);
+        MdtContactParamsSetSurface(&box[i].params, friction[i], 0);
     }
     setSpeed(speed);
 }

@@ -8,7 +8,7 @@
  * Watch the status line: the drum's speed against the wanted one, the torque that the heap asks of the motor, and that no
  * box gets out.
  */
-#include "geometry_graphic.h"
+#include "RGeometry.h"
 #include "play.h"
 #include <math.h>
 #include <stdio.h>
@@ -85,8 +85,8 @@ static void createDrum(void) {
     addEnds();
     drum = MstModelAndBodyCreate(playUniverse, whole, 100);
     McdModelDynamicsSetPosition(drum, 0, height, 0);
-    geometryGraphic(playRc, opaque, wood, McdModelGetTransformPtr(drum));
-    geometryGraphic(playRc, glass, clear, McdModelGetTransformPtr(drum));
+    RGraphicAggregateCreate(playRc, opaque, wood, McdModelGetTransformPtr(drum));
+    RGraphicAggregateCreate(playRc, glass, clear, McdModelGetTransformPtr(drum));
     createMotor();
 }
 
@@ -112,10 +112,9 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     }
 }
 
-/* Smooth wood. A tenth of the default softness (Dynamics guide, chapter 5): rigid boxes cost twice as much. */
+/* Smooth wood. */
 static void createBoxes(void) {
     MdtContactParamsSetFrictionCoeffecient(playContact(0, 0), (MeReal)0.3);
-    MdtWorldSetEpsilon(playUniverse->world, (MeReal)1e-5);
     const McdGeometryID g = McdBoxCreate(playUniverse->frame, side, side, side);
     for (int i = 0; i < BOXES; i++)
         box[i] = playModel(g, 300, 0, 0, 0, RPalette[i % 6]);

@@ -1,6 +1,6 @@
 #include "play.h"
 #include "MeMessage.h"
-#include "geometry_graphic.h"
+#include "RGeometry.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -41,11 +41,8 @@ static void MEAPI_CDECL cleanup(void) {
 
 static void setDefaults(void) {
     MdtContactParamsID p = playContact(0, 0);
-    MdtContactParamsSetType(p, MdtContactTypeFriction2D);
-    MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
-    MdtContactParamsSetFrictionCoeffecient(p, (MeReal)0.5);
+    MdtContactParamsSetSurface(p, (MeReal)0.5, 0);
     MdtWorldSetGravity(playUniverse->world, 0, (MeReal)-9.81, 0);
-    MdtWorldSetEpsilon(playUniverse->world, 0);
 }
 
 static void MEAPI toggleContacts(RRender *rc, void *userdata) {
@@ -130,7 +127,7 @@ McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal
     if (!m)
         return 0;
     McdModelDynamicsSetPosition(m, x, y, z);
-    McdModelSetUserData(m, geometryGraphic(playRc, g, color, McdModelGetTransformPtr(m)));
+    McdModelSetUserData(m, RGraphicCreateFromModel(playRc, m, color));
     return m;
 }
 
@@ -141,7 +138,7 @@ void playColor(McdModelID m, const float color[4]) {
 McdModelID playFixed(McdGeometryID g, MeMatrix4Ptr tm, const float color[4]) {
     const McdModelID m = MstFixedModelCreate(playUniverse, g, tm);
     if (m && color)
-        geometryGraphic(playRc, g, color, tm);
+        RGraphicCreateFromModel(playRc, m, color);
     return m;
 }
 
