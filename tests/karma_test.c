@@ -3,6 +3,7 @@
 
 CaughtMessages caught;
 
+static int isCatching;
 static MeHandler oldWarning, oldFatal;
 
 static void onWarning(const int level, const char *const format, va_list ap) {
@@ -18,21 +19,62 @@ static void onFatal(const int level, const char *const format, va_list ap) {
 }
 
 void messages_catch(void) {
+    if (isCatching)
+        return;
     memset(&caught, 0, sizeof caught);
     oldWarning = MeSetWarningHandler(onWarning);
     oldFatal = MeSetFatalErrorHandler(onFatal);
+    isCatching = 1;
 }
 
 void messages_release(void) {
+    if (!isCatching)
+        return;
     MeSetWarningHandler(oldWarning);
     MeSetFatalErrorHandler(oldFatal);
+    isCatching = 0;
+}
+
+int messages_are_caught(void) {
+    return isCatching;
+}
+
+enum { TESTS = 256 };
+
+static struct {
+    const TTest *test;
+    int start, end;
+} added[TESTS];
+
+static int addedCount;
+
+void test_add(TCase *tcase, const TTest *test, int start, int end) {
+    (void)tcase;
+    if (addedCount == TESTS) {
+        fprintf(stderr, "karma_test.c: raise TESTS\n");
+        abort();
+    }
+    added[addedCount].test = test;
+    added[addedCount].start = start;
+    added[addedCount++].end = end;
+}
+
+static void addInOrder(TCase *tcase) {
+    const char *const order = getenv("KARMA_TEST_ORDER");
+    const int isReverse = order && !strcmp(order, "reverse");
+    for (int i = 0; i < addedCount; i++) {
+        const int k = isReverse ? addedCount - 1 - i : i;
+        _tcase_add_test(tcase, added[k].test, 0, 0, added[k].start, added[k].end);
+    }
 }
 
 int test_main(const char *name, void (*add)(TCase *)) {
     Suite *suite = suite_create(name);
     TCase *tcase = tcase_create(name);
-    tcase_set_timeout(tcase, 120);
+    tcase_set_timeout(tcase, 0); /* CTest has one */
+    tcase_add_checked_fixture(tcase, NULL, messages_release);
     add(tcase);
+    addInOrder(tcase);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -33,10 +33,14 @@
 #endif
 #endif
 
+/* margins.c: with KARMA_TEST_MARGINS=file each comparison appends to that file how much of its tolerance it used. */
+void margin_note(const char *file, int line, double actual, double expected, double tolerance);
+
 /* |actual - expected| <= tolerance (absolute); prints all three. NaN fails. */
 #define assert_near(actual, expected, tolerance)                                                                       \
     do {                                                                                                               \
         const double a_ = (double)(actual), e_ = (double)(expected), t_ = (double)(tolerance);                         \
+        margin_note(__FILE__, __LINE__, a_, e_, t_);                                                                   \
         ck_assert_msg(fabs(a_ - e_) <= t_, "%s = %.17g, expected %.17g within %.3g (off by %.3g)", #actual, a_, e_,    \
                       t_, a_ - e_);                                                                                    \
     } while (0)
@@ -59,7 +63,9 @@
         assert_near((actual)[2], (z), (tolerance));                                                                    \
     } while (0)
 
-/* Messages caught instead of shown. Tests of bad input start with messages_catch(). */
+/* Messages caught instead of shown. Tests of bad input start with messages_catch(); assertions about messages are errors
+ * outside of messages_catch() and messages_release(), where they would see none. A file whose every test is to be silent
+ * says so once: tcase_add_checked_fixture(t, messages_catch, messages_release). */
 typedef struct {
     int warnings;
     int fatal;
@@ -68,12 +74,18 @@ typedef struct {
 
 extern CaughtMessages caught;
 
-void messages_catch(void);   /* From here on warnings and fatal errors are counted, not shown. */
-void messages_release(void); /* Back to the handlers that were set before. */
+void messages_catch(void); /* From here on warnings and fatal errors are counted, not shown; again: changes nothing. */
+void messages_release(void); /* Back to the handlers that were set before. The end of a test does it too. */
+int messages_are_caught(void);
+
+#define assert_messages_are_caught(assertion)                                                                          \
+    ck_assert_msg(messages_are_caught(), "%s outside of messages_catch() and messages_release() sees nothing",         \
+                  assertion)
 
 /* One warning was given since the last call, and its text contains the word. */
 #define assert_warned(word)                                                                                            \
     do {                                                                                                               \
+        assert_messages_are_caught("assert_warned()");                                                                 \
         ck_assert_msg(caught.warnings > 0, "no warning, expected one with '%s'", word);                                \
         ck_assert_msg(strstr(caught.last, word) != NULL, "warning '%s' does not say '%s'", caught.last, word);         \
         caught.warnings = 0;                                                                                           \
@@ -82,11 +94,20 @@ void messages_release(void); /* Back to the handlers that were set before. */
 
 #define assert_silent()                                                                                                \
     do {                                                                                                               \
+        assert_messages_are_caught("assert_silent()");                                                                 \
         ck_assert_msg(caught.warnings == 0, "%d unexpected warning(s): %s", caught.warnings, caught.last);             \
         ck_assert_msg(caught.fatal == 0, "unexpected fatal error: %s", caught.last);                                   \
     } while (0)
 
-/* A file's tests: `static void tests(TCase *t) { tcase_add_test(t, a); ... }  TEST_MAIN("MdtBody", tests)` */
+/* A file's tests: `static void tests(TCase *t) { tcase_add_test(t, a); ... }  TEST_MAIN("MdtBody", tests)`
+ * Each stands alone: the three builds of CI run them in the written order, in reverse (KARMA_TEST_ORDER=reverse), and
+ * each in a process of its own (CK_FORK=yes). */
+#undef tcase_add_test
+#undef tcase_add_loop_test
+#define tcase_add_test(tcase, test)                  test_add(tcase, test, 0, 1)
+#define tcase_add_loop_test(tcase, test, start, end) test_add(tcase, test, start, end)
+void test_add(TCase *tcase, const TTest *test, int start, int end);
+
 int test_main(const char *name, void (*add)(TCase *));
 #define TEST_MAIN(name, add)                                                                                           \
     int main(void) {                                                                                                   \

@@ -78,8 +78,8 @@ static inline int MEAPI blobIntersect(McdModelPair *p, McdIntersectResult *resul
     c->separation = gap;
     c->instance1 = McdModelGetGeometryInstance(p->model1);
     c->instance2 = McdModelGetGeometryInstance(p->model2);
-    c->element1 = 1;
-    c->element2 = 2;
+    c->element1.tag = 1;
+    c->element2.tag = 2;
     MeVector3Copy(result->normal, c->normal);
     return 1;
 }

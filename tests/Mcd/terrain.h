@@ -54,10 +54,18 @@ static inline int MEAPI terrain_find(McdModelPair *pair, McdUserTriangle *triang
             triangle[count].vertices[c] = &t->vertex[t->triangle[i][c]];
         triangle[count].normal = 0;
         triangle[count].flags = t->flags[i];
-        triangle[count].triangleData = 0;
+        triangle[count].triangleData.ptr = t->triangle[i];
         count++;
     }
     return count;
+}
+
+/* Is it the triangleData of one of the triangles? */
+static inline MeBool terrain_owns(const Terrain *t, const void *data) {
+    for (int i = 0; i < t->triangleCount; i++)
+        if (data == t->triangle[i])
+            return METRUE;
+    return MEFALSE;
 }
 
 static inline int terrain_vertex(Terrain *t, double x, double y, double z) {

@@ -160,7 +160,6 @@ START_TEST(bad_input) {
     McdSpacePairIterator it;
     yardMake(&y);
     yardStep(&y);
-    messages_catch();
     ck_assert_ptr_null(McdModelPairContainerCreate(0));
     assert_warned("size");
     McdModelPairContainerInit(&c, array, 0);
@@ -200,7 +199,6 @@ START_TEST(culling_tables_are_symmetric) {
     for (MeU32 a = 0; a < 20; a++)
         for (MeU32 b = 0; b < 20; b++)
             ck_assert_int_eq(McdCullingTableGet(t, a, b), expected[a][b]);
-    messages_catch();
     ck_assert(!McdCullingTableGet(t, 20, 0));
     assert_warned("indices");
     McdCullingTableSet(t, 0, 99, 1);
@@ -214,6 +212,7 @@ START_TEST(culling_tables_are_symmetric) {
 END_TEST
 
 static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, messages_catch, messages_release);
     tcase_add_test(t, by_hand);
     tcase_add_test(t, overflow_hands_over_everything);
     tcase_add_test(t, the_form_without_an_iterator);

@@ -34,7 +34,7 @@ START_TEST(sizes_come_back) {
     ck_assert(McdCylinderGetRadius(g) == 6 && McdCylinderGetHeight(g) == 7);
     MeVector3 e = {3, 4, -1};
     McdCylinderMaximumPointLocal(g, e, p);
-    assert_vec3_near(p, 3.6, 4.8, -3.5, TOL(1e-6, 1e-14));
+    assert_vec3_near(p, 3.6, 4.8, -3.5, TOL(1e-6, 5e-15));
     McdGeometryDestroy(g);
     g = McdSphylCreate(f, 2, 3);
     McdSphylSetRadius(g, 4);
@@ -198,6 +198,53 @@ START_TEST(a_level_plane_ends_at_its_height) {
 }
 END_TEST
 
+/* It has no farthest point; the one that is named lies beyond all others in each direction but up. */
+START_TEST(a_plane_reaches_in_every_direction_but_up) {
+    McdFrameworkID f = framework();
+    McdGeometryID g = McdPlaneCreate(f);
+    MeMatrix4 tm;
+    MeMatrix4TMMakeIdentity(tm);
+    for (int x = -1; x <= 1; x++)
+        for (int y = -1; y <= 1; y++)
+            for (int z = -1; z <= 1; z++) {
+                MeVector3 d = {(MeReal)x, (MeReal)y, (MeReal)z}, p;
+                const int sign[3] = {x, y, z < 0 ? -1 : 0};
+                McdGeometryMaximumPoint(g, tm, d, p);
+                for (int k = 0; k < 3; k++)
+                    ck_assert(sign[k] == 0 ? p[k] == 0 : (MeReal)sign[k] * p[k] > (MeReal)1e30);
+            }
+    McdGeometryDestroy(g);
+    McdTerm(f);
+}
+END_TEST
+
+/* The sphere around a solid touches it. */
+START_TEST(spheres_are_tight) {
+    McdFrameworkID f = framework();
+    for (int kind = 0; kind < SOLIDS; kind++) {
+        McdGeometryID g = solid(f, kind, 1);
+        MeMatrix4 tm;
+        MeVector3 centre, d, p;
+        MeReal radius;
+        double most = 0;
+        MeMatrix4TMMakeIdentity(tm);
+        McdGeometryGetBSphere(g, centre, &radius);
+        for (int n = 0; n < 50; n++) {
+            for (int k = 0; k < 3; k++)
+                d[k] = (MeReal)uniform(-1, 1);
+            for (int i = 0; i < 30; i++) { /* round corners are climbed */
+                McdGeometryMaximumPoint(g, tm, d, p);
+                MeVector3Subtract(d, p, centre);
+            }
+            most = fmax(most, (double)MeVector3Magnitude(d));
+        }
+        assert_near(most, radius, TOL(5e-7, 3e-15));
+        McdGeometryDestroy(g);
+    }
+    McdTerm(f);
+}
+END_TEST
+
 static int lines;
 static double lineReach;
 
@@ -219,6 +266,8 @@ START_TEST(all_can_be_drawn) {
         MeVector3 centre;
         MeReal radius;
         MeMatrix4TMMakeIdentity(tm);
+        lines = 0;
+        lineReach = 0;
         McduDebugDrawModel(m, kMcduDebugDrawDetail, red); /* has no place yet */
         ck_assert_int_eq(lines, 0);
         McdModelSetTransformPtr(m, tm);
@@ -230,8 +279,6 @@ START_TEST(all_can_be_drawn) {
         lines = 0;
         McduDebugDrawModel(m, kMcduDebugDrawAABB, red);
         ck_assert_int_eq(lines, 12);
-        lines = 0;
-        lineReach = 0;
         McdModelDestroy(m);
         McdGeometryDestroy(g);
     }
@@ -397,6 +444,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, boxes_spheres_and_farthest_points);
     tcase_add_test(t, a_box_around_two_places);
     tcase_add_test(t, a_level_plane_ends_at_its_height);
+    tcase_add_test(t, a_plane_reaches_in_every_direction_but_up);
+    tcase_add_test(t, spheres_are_tight);
     tcase_add_test(t, all_can_be_drawn);
     tcase_add_test(t, a_space_is_drawn_model_by_model);
     tcase_add_test(t, bad_sizes_are_refused);

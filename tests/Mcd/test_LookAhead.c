@@ -51,7 +51,7 @@ static int contactsAt(double gap) {
     result.contactMaxCount = 4;
     ck_assert(McdIntersect(pairs.array[pairs.helloFirst], &result));
     if (result.contactCount)
-        assert_near(contact[0].separation, gap, 1e-5);
+        assert_near(contact[0].separation, gap, TOL(2e-6, 3e-15));
     return result.contactCount;
 }
 

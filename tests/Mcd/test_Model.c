@@ -23,10 +23,10 @@ static void tearDown(void) {
 static void assertBox(double x0, double x1, double y0, double y1) {
     MeVector3 low, high;
     McdModelGetAABB(model, low, high);
-    assert_near(low[0], x0, TOL(1e-5, 1e-12));
-    assert_near(high[0], x1, TOL(1e-5, 1e-12));
-    assert_near(low[1], y0, TOL(1e-5, 1e-12));
-    assert_near(high[1], y1, TOL(1e-5, 1e-12));
+    assert_near(low[0], x0, TOL(1e-5, 2e-14));
+    assert_near(high[0], x1, TOL(1e-5, 2e-14));
+    assert_near(low[1], y0, TOL(1e-6, 2e-15));
+    assert_near(high[1], y1, TOL(2e-6, 3e-15));
 }
 
 START_TEST(a_new_model_has_nothing_but_its_geometry) {
@@ -88,7 +88,7 @@ START_TEST(relative_transforms_are_multiplied) {
     MeMatrix4TMMakeFromRotationAndPosition(reference, R, 10, 0, 0);
     McdModelSetRelativeTransformPtrs(model, relative, reference, product, MEFALSE);
     McdModelUpdate(model);
-    assert_vec3_near(McdModelGetTransformPtr(model)[3], 10, 2, 0, TOL(1e-5, 1e-12));
+    assert_vec3_near(McdModelGetTransformPtr(model)[3], 10, 2, 0, TOL(5e-6, 9e-15));
     ck_assert_ptr_eq(McdModelGetTransformPtr(model), product);
     McdModelGetRelativeTransformPtrs(model, &got[0], &got[1]);
     ck_assert(got[0] == relative && got[1] == reference);

@@ -66,10 +66,10 @@ START_TEST(two_balls_meet_when_they_should) {
     MeVector3Set(velocity[0], 3, 0, 0);
     MeVector3Set(velocity[1], -6, 0, 0);
     McdSafeTimeResult r = safeTime(2);
-    assert_near(r.time, .5, 1e-4);
+    assert_near(r.time, .5, TOL(3e-7, 5e-16));
     ck_assert((double)r.time <= .5 + 1e-6);
-    assert_vec3_near(r.normal, -1, 0, 0, 1e-5);
-    assert_vec3_near(r.position, 2.5, 0, 0, 1e-3);
+    assert_vec3_near(r.normal, -1, 0, 0, TOL(5e-7, 9e-16));
+    assert_vec3_near(r.position, 2.5, 0, 0, TOL(2e-6, 3e-15));
     ck_assert(safeTime(.25).time == (MeReal)0.25);
     MeVector3Set(velocity[1], 6, 0, 0); /* they part */
     r = safeTime(2);
@@ -82,9 +82,9 @@ START_TEST(a_ball_falls_onto_a_plane) {
     MeMatrix4TMSetPosition(place[0], 0, 0, 10);
     MeVector3Set(velocity[0], 7, 0, -19);
     const McdSafeTimeResult r = safeTime(3);
-    assert_near(r.time, .5, 1e-4);
-    assert_vec3_near(r.normal, 0, 0, 1, 1e-6);
-    assert_near(r.position[0], 3.5, 1e-3);
+    assert_near(r.time, .5, TOL(3e-7, 5e-16));
+    assert_vec3_near(r.normal, 0, 0, 1, TOL(5e-7, 9e-16));
+    assert_near(r.position[0], 3.5, TOL(2e-6, 4e-15));
 }
 END_TEST
 
@@ -97,7 +97,7 @@ START_TEST(a_turning_rod_meets_a_block) {
     const double expected = (asin(.7 / hypot(1, .05)) - atan(.05)) / 60;
     const McdSafeTimeResult r = safeTime(1. / 60);
     assert_near(r.time, expected, 1e-5);
-    assert_vec3_near(r.normal, 0, -1, 0, 1e-3);
+    assert_vec3_near(r.normal, 0, -1, 0, TOL(5e-7, 2e-15));
 }
 END_TEST
 
@@ -121,7 +121,7 @@ START_TEST(no_ball_gets_through_a_wall) {
                      (MeReal)(speed * sin(slant) * sin(around)), (MeReal)(-speed * cos(slant)));
         const double expected = (from - .06) / (speed * cos(slant));
         const McdSafeTimeResult r = safeTime(1. / 60);
-        assert_near((double)r.time * speed, expected * speed, TOL(2e-5, 1e-5)); /* m */
+        assert_near((double)r.time * speed, expected * speed, TOL(9e-6, 3e-14)); /* m */
     }
 }
 END_TEST
@@ -255,19 +255,19 @@ START_TEST(distances_of_simple_pairs) {
     MeMatrix4TMSetPosition(place[0], 4, 0, 0);
     McdModelUpdate(model[0]);
     ck_assert(McdDistance(pair, &d));
-    assert_near(d.distance, 2, 1e-6);
-    assert_vec3_near(d.position1, 3, 0, 0, 1e-5);
-    assert_near(d.position2[0], 1, 1e-5);
-    assert_vec3_near(d.normal, 1, 0, 0, 1e-5);
+    assert_near(d.distance, 2, TOL(1e-6, 2e-15));
+    assert_vec3_near(d.position1, 3, 0, 0, TOL(2e-6, 3e-15));
+    assert_near(d.position2[0], 1, TOL(5e-7, 9e-16));
+    assert_vec3_near(d.normal, 1, 0, 0, TOL(5e-7, 9e-16));
     drop();
     makePair(McdPlaneCreate(frame), McdSphereCreate(frame, 1));
     MeMatrix4TMSetPosition(place[0], 0, 0, 0);
     MeMatrix4TMSetPosition(place[1], 1, 2, (MeReal)0.5);
     ck_assert(McdDistance(pair, &d));
-    assert_near(d.distance, -.5, 1e-6);
-    assert_vec3_near(d.position1, 1, 2, 0, 1e-5);
-    assert_vec3_near(d.position2, 1, 2, -.5, 1e-5);
-    assert_vec3_near(d.normal, 0, 0, -1, 1e-6);
+    assert_near(d.distance, -.5, TOL(3e-7, 5e-16));
+    assert_vec3_near(d.position1, 1, 2, 0, TOL(1e-6, 2e-15));
+    assert_vec3_near(d.position2, 1, 2, -.5, TOL(1e-6, 2e-15));
+    assert_vec3_near(d.normal, 0, 0, -1, TOL(5e-7, 9e-16));
 }
 END_TEST
 

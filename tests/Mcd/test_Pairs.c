@@ -352,6 +352,7 @@ START_TEST(models_in_a_row) {
 END_TEST
 
 static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, messages_catch, messages_release);
     tcase_add_loop_test(t, the_same_as_all_pairs_one_by_one, 0, 6);
     tcase_add_test(t, twice_the_same);
     tcase_add_test(t, sort_keys_make_the_order);

@@ -116,7 +116,7 @@ static void comparePair(int kindA, int kindB, double scale, Random *r) {
         worst = fmax(worst, fabs(off));
         ck_assert_msg(fabs(off) <= depthError, "%s, %s: off by %g of the size", shape_name[kindA], shape_name[kindB],
                       off);
-        assert_near(mcd_length(n), 1, TOL(1e-6, 1e-12));
+        assert_near(mcd_length(n), 1, TOL(5e-7, 2e-14));
     }
     McdGoodbye(&p);
     McdFrameworkDestroyAllModelsAndGeometries(frame);

@@ -1,4 +1,5 @@
 /* Triangle lists: contacts with single triangles as the flags say, and with surfaces as if they were one piece. */
+#include "MeDebugDraw.h"
 #include "terrain.h"
 
 enum { ONE_SIDED = kMcdTriangleStandard & ~kMcdTriangleTwoSided };
@@ -111,9 +112,9 @@ static void onPlane(int kind, double size, int isAlone) {
         probe.tm[3][2] = (MeReal)(-(double)lowest[2] - deep * random01() + .005 * size);
         McdGeometryMaximumPoint(McdModelGetGeometry(probe.model), (const MeVector4 *)probe.tm, down, lowest);
         ck_assert_int_gt(probe_test(&probe), 0);
-        assert_near(deepest(&probe), lowest[2], size * TOL(2e-6, 1e-9));
+        assert_near(deepest(&probe), lowest[2], size * TOL(8e-7, 5e-15));
         for (int k = 0; k < probe.result.contactCount; k++)
-            assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(1e-6, 1e-9));
+            assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(5e-7, 2e-15));
         ck_assert_int_le(probe.result.contactCount, 4);
     }
     probe_term(&probe);
@@ -181,12 +182,13 @@ START_TEST(a_box_on_its_face_has_its_four_corners) {
         ck_assert_int_eq(probe_at(&probe, x, y, .499), 4);
         for (int k = 0; k < 4; k++) {
             const McdContact *c = &probe.contact[k];
-            assert_near(fabs((double)c->position[0] - x), .5, TOL(1e-6, 1e-9));
-            assert_near(fabs((double)c->position[1] - y), .5, TOL(1e-6, 1e-9));
-            assert_near(c->position[2], -.0005, TOL(1e-6, 1e-9));
-            assert_near(c->separation, -.001, TOL(1e-6, 1e-9));
-            ck_assert_int_eq(c->element1, -1);
-            ck_assert_int_ge(c->element2, 0);
+            assert_near(fabs((double)c->position[0] - x), .5, TOL(1e-6, 5e-16));
+            assert_near(fabs((double)c->position[1] - y), .5, TOL(1e-6, 5e-16));
+            assert_near(c->position[2], -.0005, TOL(7e-8, 5e-18));
+            assert_near(c->separation, -.001, TOL(2e-7, 9e-18));
+            ck_assert_ptr_null(c->element1.ptr);
+            ck_assert(terrain_owns(&ground, c->element2.ptr));
+            ck_assert_int_eq(c->dims, 2);
         }
     }
     probe_term(&probe);
@@ -237,8 +239,8 @@ START_TEST(in_a_valley_only_the_faces_push) {
         const double x = .01 * i;
         ck_assert_int_gt(probe_at(&probe, x, .013 * i, sqrt(.5) + fabs(x)), 0);
         for (int k = 0; k < probe.result.contactCount; k++)
-            assert_near(fabs((double)probe.contact[k].normal[0]), slope, TOL(1e-6, 1e-9));
-        assert_near(deepest(&probe), 0, TOL(1e-6, 1e-9));
+            assert_near(fabs((double)probe.contact[k].normal[0]), slope, TOL(4e-7, 2e-15));
+        assert_near(deepest(&probe), 0, TOL(1e-6, 2e-15));
         ck_assert_int_le(probe.result.contactCount, 2);
         ck_assert(i != 0 || (probe.result.contactCount == 2 && hasNormal(&probe, slope, 0, slope)));
     }
@@ -275,9 +277,9 @@ START_TEST(a_box_balances_on_a_ridge) {
     for (int i = -10; i <= 10; i++) {
         ck_assert_int_eq(probe_at(&probe, .03 * i, .017 * i, .099), 2);
         for (int k = 0; k < 2; k++) {
-            assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(1e-6, 1e-9));
-            assert_near(probe.contact[k].separation, -.001, TOL(1e-6, 1e-9));
-            assert_near(fabs((double)probe.contact[k].position[1] - .017 * i), .5, TOL(1e-5, 1e-6));
+            assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(5e-7, 9e-16));
+            assert_near(probe.contact[k].separation, -.001, TOL(3e-8, 6e-17));
+            assert_near(fabs((double)probe.contact[k].position[1] - .017 * i), .5, TOL(4e-7, 6e-16));
         }
     }
     probe_term(&probe);
@@ -317,8 +319,8 @@ START_TEST(at_a_step_nothing_hooks) {
     for (int i = 0; i < 50; i++) { /* on the upper floor, over the edge by less and more than it sinks in */
         ck_assert_int_gt(probe_at(&probe, -.51 + .0203 * i * (i > 0), .1, .499), 0);
         for (int k = 0; k < probe.result.contactCount; k++)
-            assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(1e-6, 1e-9));
-        assert_near(deepest(&probe), -.001, TOL(1e-6, 1e-9));
+            assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(5e-7, 9e-16));
+        assert_near(deepest(&probe), -.001, TOL(2e-7, 5e-18));
     }
     for (int i = 0; i < 20; i++) { /* on the lower floor, against the wall, taller and smaller than it */
         MeMatrix4TMMakeIdentity(probe.tm);
@@ -326,7 +328,7 @@ START_TEST(at_a_step_nothing_hooks) {
         ck_assert_int_gt(probe_at(&probe, .499, .1, z - .001), 0);
         for (int k = 0; k < probe.result.contactCount; k++) {
             const MeReal *n = probe.contact[k].normal;
-            assert_near(fmax((double)n[0], (double)n[2]), 1, TOL(1e-6, 1e-9));
+            assert_near(fmax((double)n[0], (double)n[2]), 1, TOL(5e-7, 9e-16));
             ck_assert((double)probe.contact[k].separation > -.0011);
         }
         ck_assert(hasNormal(&probe, 1, 0, 0) && hasNormal(&probe, 0, 0, 1));
@@ -397,13 +399,13 @@ START_TEST(a_ball_on_bumpy_ground_touches_its_nearest_point) {
         probe_at(&probe, p[0], p[1], p[2]);
         if (distance > .42 - 1e-5)
             continue;
-        assert_near(deepest(&probe), distance - .4, TOL(2e-6, 1e-9));
+        assert_near(deepest(&probe), distance - .4, TOL(2e-7, 2e-15));
         for (int k = 0; k < probe.result.contactCount; k++) { /* all of them are on the ball and true */
             const McdContact *c = &probe.contact[k];
             double off = 0;
             for (int m = 0; m < 3; m++)
                 off += ((double)c->position[m] - p[m]) * (double)c->normal[m];
-            assert_near(off, -.4 - (double)c->separation / 2, TOL(2e-6, 1e-9));
+            assert_near(off, -.4 - (double)c->separation / 2, TOL(5e-7, 2e-15));
             ck_assert((double)c->normal[2] > .5);
         }
     }
@@ -430,8 +432,8 @@ START_TEST(flags) {
     const int smallest = kMcdTriangleUseSmallestPenetration, both = kMcdTriangleTwoSided;
     ck_assert_int_eq(ballOver(kMcdTriangleStandard, -.5, -.5, .4), 1);
     assert_vec3_near(probe.contact[0].normal, 0, 0, 1, 0);
-    assert_vec3_near(probe.contact[0].position, -.5, -.5, -.05, TOL(1e-6, 1e-12));
-    assert_vec3_near(probe.result.normal, 0, 0, 1, TOL(1e-6, 1e-12));
+    assert_vec3_near(probe.contact[0].position, -.5, -.5, -.05, TOL(3e-7, 5e-16));
+    assert_vec3_near(probe.result.normal, 0, 0, 1, TOL(5e-7, 9e-16));
     ck_assert_int_eq(probe.result.touch, 1);
     end();
     ck_assert_int_eq(ballOver(kMcdTriangleStandard, -.5, -.5, -.4), 1); /* two sides */
@@ -439,14 +441,14 @@ START_TEST(flags) {
     end();
     ck_assert_int_eq(ballOver(ONE_SIDED, -.5, -.5, -.1), 1); /* brought back */
     assert_vec3_near(probe.contact[0].normal, 0, 0, 1, 0);
-    assert_near(probe.contact[0].separation, -.6, TOL(1e-6, 1e-12));
+    assert_near(probe.contact[0].separation, -.6, TOL(3e-7, 6e-16));
     end();
     ck_assert_int_eq(ballOver(ONE_SIDED, -.5, -.5, -.45), 0); /* comes from behind */
     end();
     /* Beside the edge from vertex 2 to 0, at x = -1: 0.3 out, 0.3 up. */
     ck_assert_int_eq(ballOver(kMcdTriangleStandard, -1.3, -.5, .3), 1);
-    assert_vec3_near(probe.contact[0].normal, -slope, 0, slope, TOL(1e-6, 1e-9));
-    assert_near(probe.contact[0].separation, .3 / slope - .5, TOL(1e-6, 1e-9));
+    assert_vec3_near(probe.contact[0].normal, -slope, 0, slope, TOL(1e-6, 3e-15));
+    assert_near(probe.contact[0].separation, .3 / slope - .5, TOL(3e-7, 2e-15));
     end();
     ck_assert_int_eq(ballOver(smallest | both | kMcdTriangleUseEdge0 | kMcdTriangleUseEdge1, -1.3, -.5, .3), 0);
     end();
@@ -498,14 +500,14 @@ START_TEST(the_list_may_stand_anywhere) {
     ck_assert_int_eq(probe_test(&probe), 4);
     for (int k = 0; k < 4; k++) {
         for (int i = 0; i < 3; i++)
-            assert_near(probe.contact[k].normal[i], probe.groundTM[2][i], TOL(1e-6, 1e-12));
-        assert_near(probe.contact[k].separation, -.001, TOL(1e-5, 1e-9));
+            assert_near(probe.contact[k].normal[i], probe.groundTM[2][i], TOL(5e-7, 9e-16));
+        assert_near(probe.contact[k].separation, -.001, TOL(1e-5, 6e-15));
     }
     McdModelPairID turned = McdModelPairCreate(probe.ground, probe.model);
     ck_assert(McdIntersect(turned, &probe.result)); /* turned round: terrain_find wants the list second */
     ck_assert_int_eq(probe.result.contactCount, 4);
     for (int i = 0; i < 3; i++)
-        assert_near(probe.contact[0].normal[i], -(double)probe.groundTM[2][i], TOL(1e-6, 1e-12));
+        assert_near(probe.contact[0].normal[i], -(double)probe.groundTM[2][i], TOL(5e-7, 9e-16));
     ck_assert_ptr_eq(probe.contact[0].instance1, McdModelGetGeometryInstance(probe.ground));
     McdModelPairDestroy(turned);
     probe_term(&probe);
@@ -566,9 +568,9 @@ START_TEST(nothing_falls_through_where_corners_meet_edges) {
                 probe.tm[3][2] -= (MeReal).02;
                 probe_test(&probe);
                 for (int k = 0; k < probe.result.contactCount; k++)
-                    assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(1e-6, 1e-9));
+                    assert_vec3_near(probe.contact[k].normal, 0, 0, 1, TOL(5e-7, 2e-15));
                 pushOut(&probe);
-                assert_near(fmin(lowestOf(&probe), 0), 0, TOL(2e-6, 1e-9));
+                assert_near(fmin(lowestOf(&probe), 0), 0, TOL(2e-6, 3e-15));
             }
         }
         probe_term(&probe);
@@ -591,7 +593,7 @@ START_TEST(triangles_without_area_do_nothing) {
     McdTriangleListSetUserData(list, &ground);
     probe_init(&probe, McdSphereCreate(frame, (MeReal).5), list);
     ck_assert_int_eq(probe_at(&probe, -.5, -.5, .4), 1);
-    assert_near(probe.contact[0].separation, -.1, TOL(1e-6, 1e-12));
+    assert_near(probe.contact[0].separation, -.1, TOL(6e-8, 3e-16));
     assert_silent();
     messages_release();
     probe_term(&probe);
@@ -652,7 +654,7 @@ START_TEST(the_result_has_no_more_than_fit) {
     for (int max = 1; max < 6; max++) {
         probe.result.contactMaxCount = max;
         ck_assert_int_eq(probe_test(&probe), max);
-        assert_near(deepest(&probe), depth, TOL(1e-6, 1e-12));
+        assert_near(deepest(&probe), depth, TOL(2e-7, 3e-16));
     }
     probe_term(&probe);
     end();
@@ -666,14 +668,14 @@ START_TEST(line_segments_pass_unless_asked_for) {
     ck_assert_uint_eq(McdLineSegIntersect(probe.ground, from, to, &hit), 0);
     McdTriangleListLineSegmentRegisterInteraction(frame);
     ck_assert_uint_eq(McdLineSegIntersect(probe.ground, from, to, &hit), 1);
-    assert_near(hit.distance, 1, TOL(1e-6, 1e-12));
-    assert_vec3_near(hit.position, -.5, -.5, 0, TOL(1e-6, 1e-12));
+    assert_near(hit.distance, 1, TOL(5e-7, 9e-16));
+    assert_vec3_near(hit.position, -.5, -.5, 0, TOL(5e-7, 9e-16));
     assert_vec3_near(hit.normal, 0, 0, 1, 0);
     ck_assert_ptr_eq(hit.model, probe.ground);
     ck_assert_uint_eq(McdLineSegIntersect(probe.ground, to, from, &hit), 0); /* from behind */
     ground.flags[0] = kMcdTriangleStandard;
     ck_assert_uint_eq(McdLineSegIntersect(probe.ground, to, from, &hit), 1);
-    assert_near(hit.distance, 3, TOL(1e-6, 1e-12));
+    assert_near(hit.distance, 3, TOL(1e-6, 3e-15));
     assert_vec3_near(hit.normal, 0, 0, -1, 0);
     from[0] = to[0] = (MeReal).9;
     ck_assert_uint_eq(McdLineSegIntersect(probe.ground, from, to, &hit), 0);
@@ -718,6 +720,82 @@ START_TEST(bad_input) {
 }
 END_TEST
 
+/* A triangle on its own, its corners at thirds of a turn, in a list of its own flags. */
+static void lonelyTriangle(int edges) {
+    begin();
+    for (int i = 0; i < 3; i++)
+        terrain_vertex(&ground, cos(i * 2.0943951023931953), sin(i * 2.0943951023931953), 0);
+    terrain_triangle(&ground, 0, 1, 2, kMcdTriangleUseSmallestPenetration | edges);
+    probe_init(&probe, McdSphereCreate(frame, (MeReal).5), terrain_list(frame, &ground));
+    McdModelSetContactTolerance(probe.model, 0);
+    McdModelSetContactTolerance(probe.ground, 0);
+}
+
+/* A ball .3 beyond a place on the border and .2 above it: a contact there if it is sharp, else none. */
+static void expectBeyond(double x, double y, MeBool isSharp) {
+    const double out = hypot(x, y), distance = hypot(.3, .2);
+    probe_at(&probe, x + .3 * x / out, y + .3 * y / out, .2);
+    ck_assert_int_eq(probe.result.contactCount, isSharp);
+    if (!isSharp)
+        return;
+    assert_near(probe.contact[0].separation, distance - .5, TOL(1e-6, 1e-9));
+    assert_vec3_near(probe.contact[0].normal, .3 / distance * x / out, .3 / distance * y / out, .2 / distance,
+                     TOL(1e-6, 1e-9));
+}
+
+/* The corner between edges i - 1 and i is sharp if both are. */
+START_TEST(a_ball_beyond_each_corner_and_edge_for_all_sets_of_flags) {
+    for (int edges = 0; edges <= kMcdTriangleUseEdges; edges += kMcdTriangleUseEdge0) {
+        lonelyTriangle(edges);
+        for (int i = 0; i < 3; i++) {
+            const double turn = i * 2.0943951023931953, half = turn + 1.0471975511965976;
+            const MeBool isSharp = (edges & kMcdTriangleUseEdge0 << i) != 0;
+            const MeBool isSharpBefore = (edges & kMcdTriangleUseEdge0 << (i + 2) % 3) != 0;
+            expectBeyond(cos(turn), sin(turn), isSharp && isSharpBefore);
+            expectBeyond(.5 * cos(half), .5 * sin(half), isSharp);
+        }
+        end();
+    }
+}
+END_TEST
+
+static int edges;
+static double drawn; /* m */
+static const MeVector3 listMin = {-1, -2, -4}, listMax = {8, 16, 32};
+
+static void MEAPI onEdge(MeVector3 from, MeVector3 to, MeReal r, MeReal g, MeReal b) {
+    int along = 0;
+    for (int k = 0; k < 3; k++) {
+        ck_assert(from[k] == listMin[k] || from[k] == listMax[k]);
+        ck_assert(to[k] == listMin[k] || to[k] == listMax[k]);
+        along += from[k] != to[k];
+    }
+    ck_assert_int_eq(along, 1);
+    ck_assert(r == 1 && g == 0 && b == 0);
+    drawn += (double)MeVector3Distance(from, to);
+    edges++;
+}
+
+START_TEST(the_box_around_a_list_is_drawn_edge_by_edge) {
+    const MeReal red[3] = {1, 0, 0};
+    const MeDebugLineFuncPtr before = MeDebugDrawAPI.line;
+    MeMatrix4 tm;
+    const McdFrameworkID f = terrain_framework();
+    const McdTriangleListID list =
+        McdTriangleListCreate(f, (MeReal *)listMin, (MeReal *)listMax, TERRAIN_FOUND, terrain_find);
+    MeMatrix4TMMakeIdentity(tm);
+    edges = 0;
+    drawn = 0;
+    MeDebugDrawAPI.line = onEdge;
+    McdTriangleListDebugDraw(list, tm, red);
+    MeDebugDrawAPI.line = before;
+    ck_assert_int_eq(edges, 12);
+    assert_near(drawn, 4 * (9 + 18 + 36), 0);
+    McdGeometryDestroy(list);
+    McdTerm(f);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, a_flat_grid_is_a_plane);
     tcase_add_test(t, what_is_under_the_ground_through_a_hole_is_not_pushed_up);
@@ -729,6 +807,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, at_a_step_nothing_hooks);
     tcase_add_test(t, a_ball_on_bumpy_ground_touches_its_nearest_point);
     tcase_add_test(t, flags);
+    tcase_add_test(t, a_ball_beyond_each_corner_and_edge_for_all_sets_of_flags);
     tcase_add_test(t, the_given_normal_says_which_side_is_outside);
     tcase_add_test(t, the_list_may_stand_anywhere);
     tcase_add_test(t, nothing_falls_through_where_corners_meet_edges);
@@ -738,5 +817,6 @@ static void tests(TCase *t) {
     tcase_add_test(t, the_result_has_no_more_than_fit);
     tcase_add_test(t, line_segments_pass_unless_asked_for);
     tcase_add_test(t, bad_input);
+    tcase_add_test(t, the_box_around_a_list_is_drawn_edge_by_edge);
 }
 TEST_MAIN("McdTriangleList", tests)

@@ -32,7 +32,7 @@ START_TEST(a_new_body_takes_part_once_it_is_enabled) {
     MdtBodyEnable(b);
     MdtWorldStep(w, FRAME);
     ck_assert(MdtBodyIsEnabled(b));
-    assert_velocity(b, 0, -10 * (double)FRAME, 0, 1e-7);
+    assert_velocity(b, 0, -10 * (double)FRAME, 0, TOL(1e-7, 9e-14));
     MdtWorldDestroy(w);
 }
 END_TEST
@@ -45,7 +45,7 @@ START_TEST(a_constant_force_has_to_be_added_every_step) {
     for (int i = 1; i <= 50; i++) {
         MdtBodyAddForce(always, 6, 0, 0);
         MdtWorldStep(w, FRAME);
-        assert_velocity(always, 3 * i * (double)FRAME, 0, 0, TOL(1e-6, 1e-12));
+        assert_velocity(always, 3 * i * (double)FRAME, 0, 0, TOL(1e-6, 3e-13));
         assert_velocity(once, 3 * (double)FRAME, 0, 0, TOL(1e-8, 1e-15));
     }
     MdtWorldDestroy(w);
@@ -68,7 +68,7 @@ START_TEST(a_force_acts_at_the_centre_of_mass_in_the_world_s_axes) {
         MdtWorldStep(w, FRAME);
     }
     const double t = 30 * (double)FRAME;
-    assert_velocity(b, t, -2 * t, 3 * t, TOL(1e-6, 1e-12));
+    assert_velocity(b, t, -2 * t, 3 * t, TOL(1e-6, 2e-13));
     assert_spin(b, 0, 0, 0, 0);
     MdtWorldDestroy(w);
 }
@@ -83,9 +83,9 @@ START_TEST(a_force_may_act_far_outside_the_body) {
     MdtWorldStep(w, FRAME);
     for (int axis = 0; axis < 3; axis++) {
         assert_near(velocity(near, axis), velocity(far, axis), 0);
-        assert_near(spin(near, axis), spin(far, axis), 1e-7);
+        assert_near(spin(near, axis), spin(far, axis), TOL(1e-7, 9e-14));
     }
-    assert_near(spin(near, 2), 2 / .4 * (double)FRAME, 1e-6);
+    assert_near(spin(near, 2), 2 / .4 * (double)FRAME, TOL(8e-8, 8e-15));
     MdtWorldDestroy(w);
 }
 END_TEST
@@ -104,7 +104,7 @@ START_TEST(the_tensor_can_be_made_a_multiple_of_the_unit_matrix) {
         ck_assert_int_eq(MdtBodyNonSphericalInertiaIsEnabled(b), !spherical);
         MdtBodyAddTorque(b, 0, 0, 6);
         MdtWorldStep(w, FRAME);
-        assert_spin(b, 0, 0, (spherical ? 2 : 1) * (double)FRAME, TOL(1e-8, 1e-12)); /* a third of the trace is 3 */
+        assert_spin(b, 0, 0, (spherical ? 2 : 1) * (double)FRAME, 9e-14); /* a third of the trace is 3 */
         MdtWorldDestroy(w);
     }
 }
@@ -123,14 +123,14 @@ START_TEST(without_damping_and_friction_a_body_slides_for_ever) {
         MdtContactSetPosition(under[1], (MeReal)coordinate(damped, 0), 0, 5);
         MdtWorldStep(w, FRAME);
     }
-    assert_near(velocity(ice, 0), 3, TOL(1e-6, 1e-12));
-    assert_near_rel(velocity(damped, 0), 3 * exp(-.5 * 3600 * (double)FRAME), TOL(1e-4, 1e-6));
+    assert_near(velocity(ice, 0), 3, TOL(1e-6, 3e-13));
+    assert_near_rel(velocity(damped, 0), 3 * exp(-.5 * 3600 * (double)FRAME), TOL(1e-6, 3e-13));
     MdtWorldDestroy(w);
 }
 END_TEST
 
 /* A minute of rolling with 2 m/s; the contact may know that the ball is round. */
-static void rollForAMinute(MeBool isRound) {
+static void rollForAMinute(MeBool isRound, double tolerance) {
     const double radius = 1;
     MdtWorldID w = scene_world(1, 1, 10);
     MdtWorldSetEpsilon(w, 0);
@@ -145,20 +145,21 @@ static void rollForAMinute(MeBool isRound) {
         MdtContactSetPenetration(under, (MeReal)(radius - coordinate(ball, 1)));
         MdtWorldStep(w, FRAME);
     }
-    assert_near(velocity(ball, 0), 2, TOL(1e-4, 1e-9));
-    assert_near(spin(ball, 2), -2 / radius, TOL(1e-4, 1e-9));
+    assert_near(velocity(ball, 0), 2, tolerance);
+    assert_near(spin(ball, 2), -2 / radius, tolerance);
     MdtWorldDestroy(w);
 }
 
 /* User Guide ch. 3: with friction and without damping a ball rolls for ever. */
 START_TEST(with_friction_and_without_damping_a_round_ball_rolls_for_ever) {
-    rollForAMinute(METRUE);
+    rollForAMinute(METRUE, TOL(1e-4, 1e-9));
 }
 END_TEST
 
-/* ... also with the contacts of programs that do not say that it is round. */
+/* A contact that was not told that the ball is round takes its place of contact for a corner, in steps that are divided:
+ * MdtContactSetRadius. */
 START_TEST(with_friction_and_without_damping_a_ball_rolls_for_ever) {
-    rollForAMinute(MEFALSE);
+    rollForAMinute(MEFALSE, 1e-2);
 }
 END_TEST
 

@@ -31,6 +31,22 @@ START_TEST(two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one) {
 }
 END_TEST
 
+START_TEST(a_body_knows_the_size_of_its_partition) {
+    MdtWorldID w = scene_world(4, 1, 10);
+    MdtBodyID left = scene_body(w, 1, 5, 1, 0), right = scene_body(w, 1, 5, 3, 0), alone = scene_body(w, 1, 0, 1, 0),
+              asleep = MdtBodyCreate(w);
+    scene_contact(w, right, left, 5, 2, 0);
+    ck_assert_int_eq(MdtBodyGetPartitionSize(left), 0); /* no step yet */
+    MdtWorldStep(w, FRAME);
+    ck_assert_int_eq(MdtBodyGetPartitionSize(left), 2);
+    ck_assert_int_eq(MdtBodyGetPartitionSize(right), 2);
+    ck_assert_int_eq(MdtBodyGetPartitionSize(alone), 1);
+    ck_assert_int_eq(MdtBodyGetPartition(asleep), -1);
+    ck_assert_int_eq(MdtBodyGetPartitionSize(asleep), 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 /* Dynamics guide ch. 1, "Partitioning the World": forces from outside are ignored; bodies that pull at each other by
  * them stay apart. */
 START_TEST(forces_do_not_join_bodies) {
@@ -177,6 +193,7 @@ END_TEST
 
 static void tests(TCase *t) {
     tcase_add_test(t, two_boxes_on_the_ground_are_two_partitions_and_a_stack_is_one);
+    tcase_add_test(t, a_body_knows_the_size_of_its_partition);
     tcase_add_test(t, forces_do_not_join_bodies);
     tcase_add_test(t, partitions_are_found_from_a_list_of_bodies);
     tcase_add_test(t, an_awakened_body_is_kept_alive_for_the_window);

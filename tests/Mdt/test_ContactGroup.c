@@ -118,7 +118,9 @@ START_TEST(forces_are_the_sums_over_the_contacts) {
     }
     MdtContactGroupGetForce(s.group, 0, f);
     assert_vec3_near(f, sum[0], sum[1], sum[2], TOL(1e-5, 1e-12));
-    assert_vec3_near(f, -3, mass * gravity, 0, TOL(2e-3, 2e-3)); /* epsilon lets the cube creep a little */
+    assert_near(f[0], -3, 2e-4); /* on soft normals the cube begins to lean; friction itself has no epsilon */
+    assert_near(f[1], mass * gravity, 2e-3);
+    assert_near(f[2], 0, TOL(1e-6, 1e-8));
     assert_near(MdtContactGroupGetNormalForce(s.group), mass * gravity, 2e-3);
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtContactGroupQuaConstraint(s.group)), 12);
     MdtContactGroupGetForce(s.group, 1, f);

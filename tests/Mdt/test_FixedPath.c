@@ -98,7 +98,7 @@ START_TEST(a_pendulum_on_a_moving_pivot) {
     }
     assert_below(error[0], 4e-3);
     assert_near(error[0] / error[1], 4, .1); /* of second order */
-    assert_near(error[1] / error[2], 4, .1);
+    assert_near(error[1] / error[2], 4, TOL(.04, .05));
 }
 END_TEST
 
@@ -112,9 +112,9 @@ START_TEST(with_the_velocity_the_body_does_not_lag) {
         setPath(s, u * i * h, u);
         MdtWorldStep(s.world, FRAME);
         measure_position(s.body, p);
-        assert_near(p[0], u * (i + 1) * h, TOL(2e-6, 1e-8));
+        assert_near(p[0], u * (i + 1) * h, TOL(2e-6, 6e-13));
         read_force(MdtFixedPathQuaConstraint(s.joint), 0, f);
-        assert_near(f[0], i == 0 ? 2 * u / h : 0, TOL(2e-3, 1e-6)); /* starting takes an impulse; then nothing */
+        assert_near(f[0], i == 0 ? 2 * u / h : 0, TOL(2e-3, 9e-11)); /* starting takes an impulse; then nothing */
     }
     MdtWorldDestroy(s.world);
 }
@@ -132,7 +132,7 @@ START_TEST(without_the_velocity_it_lags_by_the_relaxation) {
             MdtWorldStep(s.world, FRAME);
         }
         measure_position(s.body, p);
-        assert_near(u * 300 * h - p[0], u * h / gammas[k], TOL(1e-5, 1e-7));
+        assert_near(u * 300 * h - p[0], u * h / gammas[k], TOL(3e-6, 7e-14));
         MdtWorldDestroy(s.world);
     }
 }
@@ -151,7 +151,7 @@ START_TEST(the_force_is_that_of_the_motion) {
         read_force(MdtFixedPathQuaConstraint(s.joint), 0, f);
         if (i > 50) { /* the velocity at the start is that of the middle of a step */
             const double wanted = -2 * amplitude * frequency * frequency * sin(frequency * t);
-            assert_vec3_near(f, wanted, 2 * g, 0, 2 * amplitude * pow(frequency, 3) * h + TOL(2e-2, 1e-4));
+            assert_vec3_near(f, wanted, 2 * g, 0, TOL(2, .3) * amplitude * pow(frequency, 3) * h + TOL(2e-2, 1e-4));
         }
     }
     MdtWorldDestroy(s.world);
@@ -169,7 +169,7 @@ START_TEST(an_accelerated_path_is_followed_to_second_order) {
         MdtWorldStep(s.world, FRAME);
     }
     measure_position(s.body, p);
-    assert_near(.5 * a * 120 * h * 120 * h - p[0], .5 * a * h * h / gamma, TOL(5e-6, 1e-8));
+    assert_near(.5 * a * 120 * h * 120 * h - p[0], .5 * a * h * h / gamma, TOL(2e-6, 7e-14));
     MdtWorldDestroy(s.world);
 }
 END_TEST
@@ -202,12 +202,12 @@ START_TEST(a_path_in_a_turning_body) {
             measure_pointOut(body, local, wanted);
             measure_position(ball, at);
             for (int n = 0; n < 3; n++)
-                assert_near(at[n], wanted[n], TOL(5e-6, 1e-7));
+                assert_near(at[n], wanted[n], TOL(7e-7, 9e-10));
         }
         measure_momentum(body, q[0], M[0]);
         measure_momentum(ball, q[1], M[1]);
         for (int n = 0; n < 3; n++)
-            assert_near(q[0][n] + q[1][n], p[0][n] + p[1][n], TOL(1e-5, 1e-9));
+            assert_near(q[0][n] + q[1][n], p[0][n] + p[1][n], TOL(1e-6, 9e-14));
         MdtWorldDestroy(w);
     }
 }
@@ -221,16 +221,16 @@ START_TEST(the_frame_is_the_body_s_not_its_centre_of_mass_s) {
     MdtBodySetCenterOfMassRelativePosition(s.body, offset);
     MdtFixedPathSetPosition(s.joint, 0, (MeReal).5, (MeReal).1, (MeReal)-.2);
     MdtFixedPathGetPosition(s.joint, 0, back);
-    assert_vec3_near(back, .5, .1, -.2, TOL(1e-6, 1e-12));
+    assert_vec3_near(back, .5, .1, -.2, TOL(5e-7, 5e-14));
     MdtFixedPathSetVelocity(s.joint, 0, 1, 2, 3);
     MdtFixedPathGetVelocity(s.joint, 0, back);
-    assert_vec3_near(back, 1, 2, 3, TOL(1e-6, 1e-12));
+    assert_vec3_near(back, 1, 2, 3, TOL(1e-6, 3e-13));
     MdtFixedPathSetVelocity(s.joint, 0, 0, 0, 0);
     steps(s.world, 100, FRAME);
     MeMatrix4Ptr tm = MdtBodyGetTransformPtr(s.body);
     for (int n = 0; n < 3; n++) {
         const double at = .5 * (double)tm[0][n] + .1 * (double)tm[1][n] - .2 * (double)tm[2][n] + (double)tm[3][n];
-        assert_near(at, 0, TOL(2e-6, 1e-7));
+        assert_near(at, 0, TOL(1e-6, 1e-9));
     }
     MdtWorldDestroy(s.world);
 }
@@ -247,7 +247,7 @@ START_TEST(rotation_is_free) {
         MdtWorldStep(s.world, FRAME);
     }
     measure_rate(s.body, w);
-    assert_vec3_near(w, 1, 2, 3, TOL(1e-6, 1e-9));
+    assert_vec3_near(w, 1, 2, 3, TOL(1e-6, 3e-13));
     MdtWorldDestroy(s.world);
 }
 END_TEST

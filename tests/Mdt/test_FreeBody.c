@@ -37,10 +37,10 @@ START_TEST(damped_projectile_follows_the_exponential) {
     MdtBodyGetLinearVelocity(b, v);
     const double r = exp(-(double)d * h), rn = pow(r, n), sum = .5 * (1 + r) * (1 - rn) / (1 - r);
     const double limit = -(double)g / d;
-    assert_near(v[0], 4 * rn, TOL(1e-6, 1e-13));
+    assert_near(v[0], 4 * rn, TOL(2e-7, 2e-14));
     assert_near(v[1], limit + (6 - limit) * rn, TOL(3e-6, 1e-12));
-    assert_near(p[0], h * 4 * sum, TOL(2e-6, 1e-12));
-    assert_near(p[1], h * (n * limit + (6 - limit) * sum), TOL(2e-5, 1e-11));
+    assert_near(p[0], h * 4 * sum, TOL(2e-6, 5e-13));
+    assert_near(p[1], h * (n * limit + (6 - limit) * sum), TOL(2e-5, 4e-12));
     MdtWorldDestroy(w);
 }
 END_TEST
@@ -130,7 +130,7 @@ START_TEST(bodies_joined_by_joints_keep_their_momenta) {
     MdtBodyAddImpulseAtPosition(c, 0, 1, (MeReal)-.7, (MeReal)2.4, (MeReal).1, 0);
     MdtWorldStep(w, FRAME); /* the impulses act */
     const Momentum before = momentumOf(w);
-    assert_near(before.linear[1], 3, TOL(1e-6, 1e-12));
+    assert_near(before.linear[1], 3, TOL(1e-6, 3e-13));
     steps(w, 600, FRAME);
     assertSameMomentum(before, momentumOf(w), TOL(5e-4, 1e-7));
     MdtWorldDestroy(w);
@@ -159,8 +159,8 @@ START_TEST(middle_axis_tumbling_flips_and_keeps_its_energy) {
         worst = fmax(worst, fabs(MdtBodyGetKineticEnergy(b) / before - 1));
     }
     ck_assert_int_eq(count, 2);
-    assert_near(flips[0], 2.4543, 1e-3);
-    assert_near(flips[1] - flips[0], 4.9085, 2e-3);
+    assert_near(flips[0], 2.4543, 4e-4);
+    assert_near(flips[1] - flips[0], 4.9085, 3e-4);
     assert_below(worst, TOL(2e-6, 1e-8)); /* single: the rounding of what is read back */
     MdtWorldDestroy(w);
 }
@@ -187,7 +187,7 @@ START_TEST(a_tilted_tensor_moves_like_a_tilted_body) {
         MdtWorldStep(w, FRAME);
         MdtBodyGetAngularVelocity(plain, a);
         MdtBodyGetAngularVelocity(tilted, b);
-        assert_vec3_near(b, a[0], a[1], a[2], TOL(1e-4, 1e-12));
+        assert_vec3_near(b, a[0], a[1], a[2], TOL(5e-6, 5e-13));
     }
     MdtWorldDestroy(w);
 }
@@ -205,8 +205,8 @@ START_TEST(fast_spin_is_exact) {
     MeVector4 q;
     MdtBodyGetQuaternion(b, q);
     const double half = .5 * (double)rate * 60 * (double)FRAME;
-    assert_near(fabs((double)q[0]), fabs(cos(half)), TOL(1e-6, 1e-10));
-    assert_near(q[1], 0, 1e-12);
+    assert_near(fabs((double)q[0]), fabs(cos(half)), TOL(5e-7, 6e-13));
+    assert_near(q[1], 0, 9e-14);
     MdtWorldDestroy(w);
 }
 END_TEST
@@ -224,7 +224,7 @@ START_TEST(spherical_inertia_and_no_coriolis_keep_the_angular_velocity) {
         steps(w, 300, FRAME);
         MeVector3 v;
         MdtBodyGetAngularVelocity(b, v);
-        assert_vec3_near(v, 1, 2, 3, TOL(1e-5, 1e-12));
+        assert_vec3_near(v, 1, 2, 3, TOL(3e-6, 1e-12));
         MdtWorldDestroy(w);
     }
 }
@@ -243,11 +243,11 @@ START_TEST(forces_last_a_step_and_impulses_do_not_depend_on_it) {
         steps(w, 3, h[k]);
         MeVector3 v;
         MdtBodyGetLinearVelocity(pushed, v);
-        assert_vec3_near(v, 1.5 * (double)h[k], 2.5 * (double)h[k], 0, 1e-7);
+        assert_vec3_near(v, 1.5 * (double)h[k], 2.5 * (double)h[k], 0, TOL(1e-7, 9e-14));
         MdtBodyGetAngularVelocity(pushed, v);
-        assert_vec3_near(v, 0, 0, .5 * (double)h[k], 1e-7); /* 0.2 / 0.4 */
+        assert_vec3_near(v, 0, 0, .5 * (double)h[k], TOL(1e-7, 9e-14)); /* 0.2 / 0.4 */
         MdtBodyGetLinearVelocity(hit, v);
-        assert_vec3_near(v, 0, 0, 2, 1e-7);
+        assert_vec3_near(v, 0, 0, 2, TOL(1e-7, 2e-13));
         MdtBodyGetForce(pushed, v);
         assert_vec3_near(v, 0, 0, 0, 0);
         MdtWorldDestroy(w);
@@ -262,7 +262,7 @@ START_TEST(force_at_a_position_adds_its_torque) {
     MdtBodyAddForceAtPosition(b, 0, 0, 2, 4, 1, 1);
     MeVector3 t;
     MdtBodyGetTorque(b, t);
-    assert_vec3_near(t, 0, -6, 0, 1e-6);
+    assert_vec3_near(t, 0, -6, 0, TOL(1e-6, 6e-13));
     MdtBodyResetForces(b);
     MdtBodyGetTorque(b, t);
     assert_vec3_near(t, 0, 0, 0, 0);
@@ -287,11 +287,44 @@ START_TEST(damped_flight_converges_at_second_order) {
         MdtWorldDestroy(w);
     }
     assert_near(error[0] / error[1], 4, 1e-2);
-    assert_near(error[1] / error[2], 4, 1e-2);
+    assert_near(error[1] / error[2], 4, TOL(3e-3, 1e-2));
+}
+END_TEST
+
+/* A long body on a ball-and-socket joint, of the size 1 and 2^-10: its moments are 1 and 1e-15 kg m2 then, and it is no
+ * sphere for that. Powers of two round alike, so that all motion is the same to the last digits. */
+START_TEST(a_body_tumbles_alike_at_any_scale) {
+    MeVector3 p[2], spin[2];
+    for (int k = 0; k < 2; k++) {
+        const double size = k ? 1. / 1024 : 1, mass = size * size * size;
+        const double edge[3] = {2 * size, size, .5 * size};
+        MdtWorldID w = MdtWorldCreate(1, 1, (MeReal)size, (MeReal)mass);
+        MdtWorldSetAutoDisable(w, 0);
+        MdtWorldSetEpsilon(w, 0);
+        MdtWorldSetGravity(w, 0, (MeReal)(-10 * size), 0);
+        MdtBodyID b = scene_box(w, mass, edge, size, 0, 0);
+        MdtBSJointID joint = MdtBSJointCreate(w);
+        MdtBSJointSetBodies(joint, b, 0);
+        MdtBSJointSetPosition(joint, 0, 0, 0);
+        MdtBSJointEnable(joint);
+        MdtBodySetAngularVelocity(b, 1, 2, 3);
+        MdtBodySetLinearVelocity(b, 0, (MeReal)(3 * size), (MeReal)(-2 * size));
+        steps(w, 120, FRAME);
+        MdtBodyGetPosition(b, p[k]);
+        MdtBodyGetAngularVelocity(b, spin[k]);
+        for (int i = 0; i < 3; i++)
+            p[k][i] /= (MeReal)size;
+        MdtWorldDestroy(w);
+    }
+    for (int i = 0; i < 3; i++) {
+        assert_near(p[1][i], p[0][i], TOL(1e-6, 1e-11));
+        assert_near(spin[1][i], spin[0][i], TOL(1e-5, 1e-10));
+    }
 }
 END_TEST
 
 static void tests(TCase *t) {
+    tcase_add_test(t, a_body_tumbles_alike_at_any_scale);
     tcase_add_test(t, free_fall_is_the_closed_form_to_rounding);
     tcase_add_test(t, damped_projectile_follows_the_exponential);
     tcase_add_test(t, angular_damping_slows_a_spin_by_the_exponential);

@@ -73,7 +73,7 @@ START_TEST(it_holds_below_and_slides_above_in_every_direction) {
         push(&s, MdtFrictionModelCone, 1.1 * mu * gravity, angle, .3, 30);
         MdtBodyGetLinearVelocity(s.body, v);
         const double speed = .1 * mu * gravity * 30 * (double)FRAME; /* what the friction leaves, straight on */
-        assert_vec3_near(v, speed * cos(angle), 0, speed * sin(angle), 2e-4 * speed + TOL(1e-5, 0));
+        assert_vec3_near(v, speed * cos(angle), 0, speed * sin(angle), TOL(2e-4, 7e-8) * speed + TOL(1e-5, 0));
         MdtWorldDestroy(s.world);
     }
 }
@@ -91,7 +91,7 @@ START_TEST(a_sliding_cube_keeps_its_direction_and_stops) {
         }
         MdtBodyGetPosition(s.body, p);
         const double way = hypot((double)p[0], (double)p[2]);
-        assert_near(way, speed * speed / (2 * mu * gravity), TOL(1e-6, 1e-7)); /* the box model would curve */
+        assert_near(way, speed * speed / (2 * mu * gravity), TOL(1e-6, 4e-9)); /* the box model would curve */
         assert_near((double)p[0] * sin(angle) - (double)p[2] * cos(angle), 0, TOL(1e-6, 1e-7));
         MdtWorldDestroy(s.world);
     }
@@ -136,7 +136,7 @@ START_TEST(a_rolling_ball_needs_two_sevenths_of_the_slope) {
         MdtBodyGetLinearVelocity(b, v);
         const double rolling = gravity * sin(angle) * 5 / 7;
         const double sliding = gravity * (sin(angle) - coefficient * cos(angle));
-        assert_vec3_near(v, k == 0 ? rolling : sliding, 0, 0, TOL(2e-4, 2e-5) * 10);
+        assert_vec3_near(v, k == 0 ? rolling : sliding, 0, 0, TOL(5e-6, 2e-8) * 10);
         MdtWorldDestroy(w);
     }
 }
@@ -179,22 +179,24 @@ START_TEST(a_ball_may_spin_as_fast_as_it_likes) {
         MdtContactID c = MdtContactCreate(w);
         MdtContactSetBodies(c, b, 0);
         MdtContactSetPosition(c, (MeReal)(aside * radius / 2), 0, 0);
+        MdtContactSetRadius(c, 0, (MeReal)radius);
         MdtContactParamsSetType(MdtContactGetParams(c), MdtContactTypeFriction2D);
         MdtContactParamsSetFrictionModel(MdtContactGetParams(c), MdtFrictionModelCone);
         MdtContactParamsSetFrictionCoeffecient(MdtContactGetParams(c), (MeReal)mu);
         MdtContactEnable(c);
         messages_catch();
         MdtWorldStep(w, FRAME);
+        if (!aside)
+            assert_silent();
         messages_release();
         ck_assert(MdtWorldGetReport(w, &report));
         if (aside)
             ck_assert(report.fallbacks > 0 || report.parts > 1);
         else {
-            assert_silent();
             ck_assert_int_eq(report.fallbacks, 0);
             ck_assert_int_eq(report.parts, 1);
             MdtBodyGetLinearVelocity(b, v);
-            assert_near(v[0], -mu * gravity * (double)FRAME, TOL(1e-5, 1e-8));
+            assert_near(v[0], -mu * gravity * (double)FRAME, TOL(2e-7, 1e-8));
         }
         MdtWorldDestroy(w);
     }

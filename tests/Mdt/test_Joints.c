@@ -456,7 +456,7 @@ static void shake(const Joint *j, int first, int second) {
                       i, most[i] - least[i]);
     totalMomentum(&s, p, L);
     for (int i = 0; i < 3 && first >= 0 && second >= 0; i++)
-        assert_near(p[i], given[i], TOL(2e-5, 1e-9));
+        assert_near(p[i], given[i], TOL(6e-6, 6e-13));
     MdtWorldDestroy(s.world);
 }
 

@@ -98,8 +98,8 @@ START_TEST(epsilon_and_gamma_hold_for_the_whole_step) {
             steps(w, 400, (MeReal)h);
             MdtBodyGetPosition(b, p);
             MdtBSJointGetForce(j, 0, f);
-            assert_near_rel(-(double)p[1], epsilon * force * h * h / gamma, TOL(1e-5, 1e-6));
-            assert_near_rel((double)f[1], force, TOL(1e-5, 1e-6));
+            assert_near_rel(-(double)p[1], epsilon * force * h * h / gamma, TOL(2e-6, 2e-8));
+            assert_near_rel((double)f[1], force, TOL(1e-6, 3e-8));
             MdtWorldDestroy(w);
         }
 }

@@ -77,13 +77,13 @@ START_TEST(it_slides_along_the_axis_and_does_not_turn) {
         add_torque(s.cart, t);
         MdtWorldStep(s.world, FRAME);
         const double way = keaDot(f, axis) / mass * i * i / 2 / 3600;
-        assert_near(wayOf(s, &aside), way, TOL(1e-5, 1e-8));
-        assert_near(aside, 0, TOL(2e-6, 1e-8));
-        assert_near(MdtLimitGetPosition(s.limit), way, TOL(1e-5, 1e-8));
-        assert_near(MdtLimitGetVelocity(s.limit), keaDot(f, axis) / mass * i / 60, TOL(1e-5, 1e-8));
+        assert_near(wayOf(s, &aside), way, TOL(5e-6, 4e-13));
+        assert_near(aside, 0, TOL(2e-6, 2e-12));
+        assert_near(MdtLimitGetPosition(s.limit), way, TOL(4e-6, 4e-13));
+        assert_near(MdtLimitGetVelocity(s.limit), keaDot(f, axis) / mass * i / 60, TOL(4e-6, 4e-13));
         measure_rotation(s.cart, R);
         for (int n = 0; n < 9; n++)
-            assert_near(R[n / 3][n % 3], before[n / 3][n % 3], TOL(1e-6, 1e-9));
+            assert_near(R[n / 3][n % 3], before[n / 3][n % 3], TOL(1e-6, 2e-10));
     }
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtPrismaticQuaConstraint(s.joint)), 5);
     MdtWorldDestroy(s.world);
@@ -99,16 +99,16 @@ START_TEST(zero_is_where_the_bodies_were_when_the_axis_was_set) {
     steps(s.world, 30, FRAME);
     double p[3];
     measure_position(s.cart, p);
-    assert_vec3_near(p, -4, 5, 6.5, TOL(2e-6, 1e-8));
-    assert_near(MdtLimitGetPosition(s.limit), .5, TOL(2e-6, 1e-8));
+    assert_vec3_near(p, -4, 5, 6.5, TOL(2e-6, 6e-13));
+    assert_near(MdtLimitGetPosition(s.limit), .5, TOL(5e-7, 5e-14));
     MeVector3 a;
     MdtPrismaticGetAxis(s.joint, a);
-    assert_vec3_near(a, 0, 0, 1, TOL(1e-6, 1e-9));
+    assert_vec3_near(a, 0, 0, 1, TOL(1e-6, 9e-14));
     MdtLimitSetPosition(s.limit, 10); /* only the reading */
     steps(s.world, 30, FRAME);
     measure_position(s.cart, p);
-    assert_vec3_near(p, -4, 5, 7, TOL(2e-6, 1e-8));
-    assert_near(MdtLimitGetPosition(s.limit), 10.5, TOL(2e-6, 1e-8));
+    assert_vec3_near(p, -4, 5, 7, TOL(2e-6, 7e-13));
+    assert_near(MdtLimitGetPosition(s.limit), 10.5, TOL(2e-6, 1e-12));
     MdtWorldDestroy(s.world);
 }
 END_TEST
@@ -124,14 +124,14 @@ START_TEST(the_bodies_order_mirrors_the_displacement) {
     MdtLimitCalculatePosition(MdtPrismaticGetLimit(j), 1);
     MdtBodySetLinearVelocity(a, 1, 0, 0);
     steps(w, 60, FRAME);
-    assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(j)), 1, TOL(1e-6, 1e-9));
+    assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(j)), 1, TOL(1e-6, 9e-14));
     MdtPrismaticDisable(j);
     MdtPrismaticSetBodies(j, b, a);
     MdtPrismaticSetAxis(j, 1, 0, 0);
     MdtPrismaticEnable(j);
     MdtLimitResetState(MdtPrismaticGetLimit(j));
     steps(w, 60, FRAME);
-    assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(j)), -1, TOL(1e-6, 1e-9));
+    assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(j)), -1, TOL(1e-6, 9e-14));
     MdtWorldDestroy(w);
 }
 END_TEST
@@ -154,13 +154,13 @@ START_TEST(a_turning_rail) {
         measure_position(cart, p);
         measure_pointIn(rail, p, x);
         keaSubtract(y, x, offset);
-        assert_near(y[1], 0, TOL(1e-6, 1e-8));
-        assert_near(y[2], 0, TOL(1e-6, 1e-8));
-        assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(j)), y[0] - .5, TOL(1e-6, 1e-8));
+        assert_near(y[1], 0, TOL(1e-6, 4e-9));
+        assert_near(y[2], 0, TOL(1e-6, 9e-14));
+        assert_near(MdtLimitGetPosition(MdtPrismaticGetLimit(j)), y[0] - .5, TOL(1e-6, 2e-13));
         measure_rotation(rail, R[0]);
         measure_rotation(cart, R[1]);
         for (int n = 0; n < 9; n++)
-            assert_near(R[0][n / 3][n % 3], R[1][n / 3][n % 3], TOL(1e-6, 1e-8));
+            assert_near(R[0][n / 3][n % 3], R[1][n / 3][n % 3], TOL(1e-6, 2e-12));
     }
     ck_assert(MdtLimitGetPosition(MdtPrismaticGetLimit(j)) > (MeReal).1); /* thrown outwards */
     MdtWorldDestroy(w);
@@ -183,10 +183,10 @@ START_TEST(a_hard_stop_returns_its_restitution) {
                 MdtWorldStep(s.world, FRAME);
                 most = fmax(most, way * wayOf(s, NULL));
             }
-            assert_near(speedOf(s), -es[k] * 2 * way, TOL(1e-5, 1e-8));
+            assert_near(speedOf(s), -es[k] * 2 * way, TOL(2e-6, 2e-11));
             assert_below(most, (side == 0 ? .4 : .6) + TOL(2e-6, 1e-8));
             if (es[k] == 0)
-                assert_near(wayOf(s, NULL), side == 0 ? -.4 : .6, TOL(2e-6, 1e-7));
+                assert_near(wayOf(s, NULL), side == 0 ? -.4 : .6, TOL(2e-6, 6e-12));
             MdtWorldDestroy(s.world);
         }
 }
@@ -222,8 +222,8 @@ START_TEST(a_load_rests_on_a_soft_stop_at_force_over_stiffness) {
         push(s, 10);
         MdtWorldStep(s.world, FRAME);
     }
-    assert_near(wayOf(s, NULL), .2 + 10. / 50, TOL(2e-6, 1e-7));
-    assert_near(MdtLimitGetOvershoot(s.limit), 10. / 50, TOL(1e-6, 1e-7));
+    assert_near(wayOf(s, NULL), .2 + 10. / 50, TOL(4e-7, 4e-14));
+    assert_near(MdtLimitGetOvershoot(s.limit), 10. / 50, TOL(2e-7, 2e-14));
     ck_assert_int_eq(MdtConstraintGetRowCount(MdtPrismaticQuaConstraint(s.joint)), 6);
     MdtWorldDestroy(s.world);
 }
@@ -237,24 +237,24 @@ START_TEST(the_motor_reaches_its_speed_with_its_force) {
     MdtLimitSetLimitedForceMotor(s.limit, 2, 3);
     for (int i = 1; i <= 200; i++) {
         MdtWorldStep(s.world, FRAME);
-        assert_near(speedOf(s), fmin(2, 3 / mass * i / 60), TOL(1e-5, 1e-8));
+        assert_near(speedOf(s), fmin(2, 3 / mass * i / 60), TOL(2e-6, 2e-13));
         read_force(MdtPrismaticQuaConstraint(s.joint), 0, f);
         if (i < 79)
-            assert_near(keaDot(f, axis), 3, TOL(1e-5, 1e-8));
+            assert_near(keaDot(f, axis), 3, TOL(3e-6, 3e-13));
     }
     MdtLimitSetLimitedForceMotor(s.limit, 0, 3); /* a brake */
     for (int i = 1; i <= 200; i++) {
         MdtWorldStep(s.world, FRAME);
-        assert_near(speedOf(s), fmax(0, 2 - 3 / mass * i / 60), TOL(1e-5, 1e-8));
+        assert_near(speedOf(s), fmax(0, 2 - 3 / mass * i / 60), TOL(2e-6, 2e-13));
     }
     for (int i = 0; i < 30; i++) {
         push(s, -2.9);
         MdtWorldStep(s.world, FRAME);
-        assert_near(speedOf(s), 0, TOL(1e-6, 1e-9));
+        assert_near(speedOf(s), 0, TOL(1e-6, 8e-12));
     }
     push(s, -5);
     MdtWorldStep(s.world, FRAME);
-    assert_near(speedOf(s), -2 / mass / 60, TOL(1e-6, 1e-8));
+    assert_near(speedOf(s), -2 / mass / 60, TOL(2e-8, 8e-12));
     MdtWorldDestroy(s.world);
 }
 END_TEST
@@ -265,7 +265,7 @@ START_TEST(a_motor_rests_beyond_a_soft_stop_and_at_a_hard_one) {
         setStop(s, 1, .5, k == 0 ? 40 : MEINFINITY, 10, 0);
         MdtLimitSetLimitedForceMotor(s.limit, 1, 6);
         steps(s.world, 900, FRAME);
-        assert_near(wayOf(s, NULL), k == 0 ? .5 + 6. / 40 : .5, TOL(2e-6, 1e-7));
+        assert_near(wayOf(s, NULL), k == 0 ? .5 + 6. / 40 : .5, TOL(7e-7, 2e-10));
         ck_assert_int_eq(MdtConstraintGetRowCount(MdtPrismaticQuaConstraint(s.joint)), 7);
         MdtWorldDestroy(s.world);
     }
@@ -282,19 +282,19 @@ START_TEST(the_lock_draws_to_its_place_and_holds) {
     ck_assert(MdtLimitIsLocked(s.limit));
     for (int i = 1; i <= 40; i++) {
         MdtWorldStep(s.world, FRAME);
-        assert_near(wayOf(s, NULL), .4 * (1 - pow(.75, i)), TOL(2e-6, 1e-8));
+        assert_near(wayOf(s, NULL), .4 * (1 - pow(.75, i)), TOL(2e-6, 6e-12));
     }
     for (int i = 0; i < 60; i++) {
         push(s, 1800);
         MdtWorldStep(s.world, FRAME);
     }
-    assert_near(wayOf(s, NULL), .4, TOL(2e-6, 1e-8));
+    assert_near(wayOf(s, NULL), .4, TOL(4e-7, 6e-13));
     push(s, 2200); /* more than it holds */
     MdtWorldStep(s.world, FRAME);
-    assert_near(speedOf(s), 200 / mass / 60, TOL(1e-5, 1e-7));
+    assert_near(speedOf(s), 200 / mass / 60, TOL(2e-6, 3e-10));
     MdtLimitActivateLock(s.limit, 0);
     steps(s.world, 60, FRAME);
-    assert_near(speedOf(s), -3, TOL(1e-5, 1e-8)); /* the motor again */
+    assert_near(speedOf(s), -3, TOL(3e-6, 3e-13)); /* the motor again */
     MdtWorldDestroy(s.world);
 }
 END_TEST
@@ -310,7 +310,7 @@ START_TEST(set_limit_copies_the_public_values) {
     ck_assert(MdtPrismaticGetLimit(s.joint) == s.limit);
     throwCart(s, 1);
     steps(s.world, 60, FRAME);
-    assert_near(wayOf(s, NULL), .25, TOL(2e-6, 1e-7));
+    assert_near(wayOf(s, NULL), .25, TOL(3e-7, 8e-12));
     MdtWorldDestroy(s.world);
 }
 END_TEST

@@ -7,15 +7,15 @@ START_TEST(a_new_world_has_the_guide_s_defaults) {
     MeVector3 g;
     MdtWorldGetGravity(w, g);
     assert_vec3_near(g, 0, 0, 0, 0);
-    assert_near(MdtWorldGetEpsilon(w), 1e-4, 1e-9); /* the Dynamics guide's; the User Guide says 0.01 */
-    assert_near(MdtWorldGetGamma(w), .2, 1e-7);
+    assert_near(MdtWorldGetEpsilon(w), 1e-4, TOL(1e-10, 9e-18)); /* the Dynamics guide's; the User Guide says 0.01 */
+    assert_near(MdtWorldGetGamma(w), .2, TOL(1e-7, 2e-14));
     ck_assert(MdtWorldGetAutoDisable(w));
-    assert_near(MdtWorldGetAutoDisableVelocityThreshold(w), .02, 1e-8);
-    assert_near(MdtWorldGetAutoDisableAngularVelocityThreshold(w), .001, 1e-9);
-    assert_near(MdtWorldGetAutoDisableAccelerationThreshold(w), .5, 1e-7);
-    assert_near(MdtWorldGetAutoDisableAngularAccelerationThreshold(w), .002, 1e-9);
-    assert_near(MdtWorldGetAutoDisableAliveTime(w), .2, 1e-7);
-    assert_near(MdtWorldGetMinSafeTime(w), .001, 1e-9);
+    assert_near(MdtWorldGetAutoDisableVelocityThreshold(w), .02, TOL(1e-8, 2e-15));
+    assert_near(MdtWorldGetAutoDisableAngularVelocityThreshold(w), .001, TOL(1e-9, 9e-17));
+    assert_near(MdtWorldGetAutoDisableAccelerationThreshold(w), .5, TOL(1e-7, 5e-14));
+    assert_near(MdtWorldGetAutoDisableAngularAccelerationThreshold(w), .002, TOL(1e-9, 2e-16));
+    assert_near(MdtWorldGetAutoDisableAliveTime(w), .2, TOL(1e-7, 2e-14));
+    assert_near(MdtWorldGetMinSafeTime(w), .001, TOL(1e-9, 9e-17));
     ck_assert_int_eq(MdtWorldGetMaxBodies(w), 3);
     ck_assert_int_eq(MdtWorldGetMaxConstraints(w), 5);
     ck_assert_int_eq(MdtWorldGetTotalBodies(w) + MdtWorldGetTotalConstraints(w) + MdtWorldGetEnabledBodies(w), 0);
@@ -28,9 +28,9 @@ START_TEST(both_forms_of_creation) {
     MdtWorldID (*const pointer)(const unsigned int, const unsigned int, const MeReal, const MeReal) = MdtWorldCreate;
     MdtWorldID c = pointer(1, 0, 1, 1);
     assert_near(MdtWorldGetDefaultDensity(a), 1, 0);
-    assert_near(MdtWorldGetDefaultDensity(b), .1, 1e-8);
-    assert_near(MdtWorldGetEpsilon(b), 1e-6, 1e-11);
-    assert_near(MdtWorldGetAutoDisableVelocityThreshold(b), 2, 1e-6);
+    assert_near(MdtWorldGetDefaultDensity(b), .1, TOL(1e-8, 9e-15));
+    assert_near(MdtWorldGetEpsilon(b), 1e-6, TOL(1e-12, 9e-20));
+    assert_near(MdtWorldGetAutoDisableVelocityThreshold(b), 2, TOL(1e-6, 2e-13));
     MdtWorldDestroy(a);
     MdtWorldDestroy(b);
     MdtWorldDestroy(c);
@@ -42,9 +42,9 @@ START_TEST(the_alive_window_is_in_steps_or_in_seconds) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtWorldSetAutoDisableAliveWindow(w, 12);
     ck_assert_int_eq(MdtWorldGetAutoDisableAliveWindow(w), 12);
-    assert_near(MdtWorldGetAutoDisableAliveTime(w), .2, 1e-6);
+    assert_near(MdtWorldGetAutoDisableAliveTime(w), .2, TOL(2e-7, 2e-14));
     MdtWorldStep(w, (MeReal).1);
-    assert_near(MdtWorldGetAutoDisableAliveTime(w), 1.2, 1e-6);
+    assert_near(MdtWorldGetAutoDisableAliveTime(w), 1.2, TOL(1e-6, 2e-13));
     MdtWorldSetAutoDisableAliveWindow(w, 0.5f);
     assert_near(MdtWorldGetAutoDisableAliveTime(w), .5, 0);
     ck_assert_int_eq(MdtWorldGetAutoDisableAliveWindow(w), 5);
@@ -60,7 +60,7 @@ START_TEST(worlds_are_independent) {
     MeVector3 v;
     MdtWorldStep(a, (MeReal).5);
     MdtBodyGetLinearVelocity(inA, v);
-    assert_near(v[1], -5, 1e-6);
+    assert_near(v[1], -5, TOL(1e-6, 5e-13));
     MdtWorldStep(b, (MeReal).5);
     MdtBodyGetLinearVelocity(inB, v);
     assert_near(v[1], 0, 0);
@@ -89,7 +89,7 @@ START_TEST(the_step_may_differ_from_call_to_call) {
     MdtWorldStep(w, (MeReal).1);
     MdtWorldStep(w, (MeReal).3);
     MdtBodyGetLinearVelocity(b, v);
-    assert_near(v[1], -4, 1e-6);
+    assert_near(v[1], -4, TOL(1e-6, 4e-13));
     MdtWorldDestroy(w);
 }
 END_TEST
@@ -255,11 +255,11 @@ START_TEST(safe_time_shortens_the_step_of_a_partition) {
     MdtBodySetLinearVelocity(b, 1, 0, 0);
     MdtBodySetSafeTime(a, (MeReal).125);
     MdtWorldStepSafeTime(w, (MeReal).5);
-    assert_near(MdtBodyGetTransformPtr(a)[3][0], .125, 1e-7);
-    assert_near(MdtBodyGetTransformPtr(b)[3][0], .5, 1e-7);
+    assert_near(MdtBodyGetTransformPtr(a)[3][0], .125, TOL(1e-7, 2e-14));
+    assert_near(MdtBodyGetTransformPtr(b)[3][0], .5, TOL(1e-7, 5e-14));
     MdtBodySetSafeTime(a, 0);
     MdtWorldStepSafeTime(w, (MeReal).5);
-    assert_near(MdtBodyGetTransformPtr(a)[3][0], .126, 1e-6); /* the least safe time */
+    assert_near(MdtBodyGetTransformPtr(a)[3][0], .126, TOL(2e-7, 2e-14)); /* the least safe time */
     MdtWorldDestroy(w);
 }
 END_TEST

@@ -1,5 +1,6 @@
-/* Every joint's rows against finite differences: the rate J v of a position row is the derivative of its error, and the
- * rate of a limit that of its coordinate, for random frames, poses and velocities, met or not. */
+/* Every row against finite differences: the rate J v of a position row is the derivative of its error, that of a limit's
+ * row the derivative of its coordinate, and those of motors, stops, springs, contacts and friction the derivatives of
+ * what this file measures itself; for random frames, poses and velocities, met or not. */
 #include "MdtBcl.h"
 #include "MdtKeaMath.h"
 #include "MeMath.h"
@@ -126,7 +127,7 @@ static void check(MdtBclJointType type, void (*change)(MdtBclConstraint *), int 
                 continue;
             positionRows++;
             assert_near(rateOf(&s, &s.rows[i]), (after[i] - before[i]) / (2 * small), tolerance);
-            assert_near(now[i], s.rows[i].error, 1e-12);
+            assert_near(now[i], s.rows[i].error, 6e-15);
         }
         total += positionRows;
         ck_assert(wantedRows == SOME || positionRows == wantedRows);
@@ -255,9 +256,363 @@ START_TEST(coordinates_of_limits) {
 }
 END_TEST
 
+/* ---- motors, stops, springs: coordinates measured here ---- */
+
+typedef struct {
+    double at[3], axis[3][3]; /* of an attachment, in the world */
+} Side;
+
+static void sideOf(const Scene *s, int k, Side *side) {
+    const MdtBclFrame *f = &s->joint.frame[k];
+    keaApply(side->at, s->pose[k].R, f->position);
+    keaAddScaled(side->at, 1, s->pose[k].pos);
+    keaApply(side->axis[0], s->pose[k].R, f->primary);
+    keaApply(side->axis[1], s->pose[k].R, f->ortho);
+    keaCross(side->axis[2], side->axis[0], side->axis[1]);
+}
+
+static double angleBetween(const double from[3], const double to[3], const double about[3]) {
+    double across[3];
+    keaCross(across, from, to);
+    return atan2(keaDot(across, about), keaDot(from, to));
+}
+
+/* Frame 1 as frame 0, turned about the primary axis: joints whose rows turn about a common axis need one. */
+static void alignAxes(Scene *s, double turn) {
+    Side zero;
+    double ortho[3];
+    sideOf(s, 0, &zero);
+    keaScale(ortho, cos(turn), zero.axis[1]);
+    keaAddScaled(ortho, sin(turn), zero.axis[2]);
+    keaApplyTransposed(s->joint.frame[1].primary, s->pose[1].R, zero.axis[0]);
+    keaApplyTransposed(s->joint.frame[1].ortho, s->pose[1].R, ortho);
+}
+
+typedef enum { ANY, ALIGNED, SAME } Stance; /* any frames, a common primary axis, the same orientation */
+
+/* What each row's rate is the derivative of. Where the row is that of a stop or a spring it is its error, too. */
+typedef void (*Coordinates)(const Side f[2], double out[]);
+
+static void coordinatesAt(Scene *s, double t, Coordinates coordinates, double out[]) {
+    Side side[2];
+    setPoses(s, t);
+    sideOf(s, 0, &side[0]);
+    sideOf(s, 1, &side[1]);
+    coordinates((const Side *)side, out);
+}
+
+/* The rows from `first` on are `count` with these coordinates, and no more. */
+static void checkRates(MdtBclJointType type, void (*change)(MdtBclConstraint *), Stance stance, int first, int count,
+                       Coordinates coordinates) {
+    for (int trial = 0; trial < TRIALS; trial++) {
+        Scene s;
+        double before[MdtBclGETMAXROWS], after[MdtBclGETMAXROWS], now[MdtBclGETMAXROWS];
+        seed = 5555 + 1000 * (unsigned long long)type + (unsigned long long)trial;
+        makeScene(&s, type, change);
+        if (stance != ANY)
+            alignAxes(&s, stance == SAME ? 0 : 3 * number());
+        ck_assert_int_eq(s.type->prepare(&s.joint, &s.context), first + count);
+        s.type->fill(&s.joint, &s.context, s.rows);
+        coordinatesAt(&s, -small, coordinates, before);
+        coordinatesAt(&s, small, coordinates, after);
+        coordinatesAt(&s, 0, coordinates, now);
+        for (int i = 0; i < count; i++) {
+            const MdtKeaRow *row = &s.rows[first + i];
+            const double rate = rateOf(&s, row);
+            assert_near(rate, (after[i] - before[i]) / (2 * small), tolerance * (1 + fabs(rate)));
+            if (row->spring || row->position)
+                assert_near(row->error, now[i], TOL(1e-6, 3e-13));
+        }
+    }
+}
+
+/* Stops that any coordinate is beyond. */
+static const double lowest = 10, highest = -10;
+
+static void beyondStops(MdtBclLimit *limit) {
+    limit->bActive = METRUE;
+    limit->limit[0].stop = (MeReal)lowest;
+    limit->limit[1].stop = (MeReal)highest;
+}
+
+static void hardStops(MdtBclConstraint *c) {
+    beyondStops(&c->of.limit);
+    c->of.limit.bPowered = METRUE;
+    c->of.limit.fmax = 1;
+}
+
+static void softStops(MdtBclConstraint *c) {
+    hardStops(c);
+    for (int side = 0; side < 2; side++) {
+        c->of.limit.limit[side].stiffness = 100;
+        c->of.limit.limit[side].damping = 1;
+    }
+}
+
+static void locked(MdtBclConstraint *c) {
+    hardStops(c);
+    c->of.limit.bLocked = METRUE;
+    c->of.limit.lockForce = 1;
+}
+
+static void motorAndStops(double coordinate, double out[3]) {
+    out[0] = coordinate;
+    out[1] = coordinate - lowest;
+    out[2] = highest - coordinate;
+}
+
+static void hingeRows(const Side f[2], double out[]) {
+    motorAndStops(angleBetween(f[1].axis[1], f[0].axis[1], f[0].axis[0]), out);
+}
+
+static double separation(const Side f[2], const double along[3]) {
+    double d[3];
+    keaSubtract(d, f[0].at, f[1].at);
+    return keaDot(d, along);
+}
+
+static void prismaticRows(const Side f[2], double out[]) {
+    motorAndStops(separation(f, f[1].axis[0]), out);
+}
+
+START_TEST(motors_locks_and_stops) {
+    checkRates(MdtBclHINGE, hardStops, ALIGNED, 5, 3, hingeRows);
+    checkRates(MdtBclHINGE, softStops, ALIGNED, 5, 3, hingeRows);
+    checkRates(MdtBclHINGE, locked, ALIGNED, 5, 3, hingeRows);
+    checkRates(MdtBclPRISMATIC, hardStops, ANY, 5, 3, prismaticRows);
+    checkRates(MdtBclPRISMATIC, softStops, ANY, 5, 3, prismaticRows);
+    checkRates(MdtBclPRISMATIC, locked, ANY, 5, 3, prismaticRows);
+}
+END_TEST
+
+static double distanceOf(const Side f[2]) {
+    double d[3];
+    keaSubtract(d, f[0].at, f[1].at);
+    return keaLength(d);
+}
+
+static void distanceRows(const Side f[2], double out[]) {
+    out[0] = distanceOf(f) - lowest;
+    out[1] = highest - distanceOf(f);
+}
+
+static void distanceStrain(const Side f[2], double out[]) {
+    out[0] = distanceOf(f) - .5;
+}
+
+static void farStops(MdtBclConstraint *c) {
+    beyondStops(&c->of.distance.limit);
+}
+
+static void springOfHalf(MdtBclConstraint *c) {
+    c->of.distance.limit.limit[0].stop = c->of.distance.limit.limit[1].stop = (MeReal).5;
+}
+
+/* The rotation vector from frame 1 to frame 0 in their axes, to the first order. */
+static void smallTurn(const Side f[2], double out[3]) {
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        out[i] = (keaDot(f[1].axis[k], f[0].axis[j]) - keaDot(f[1].axis[j], f[0].axis[k])) / 2;
+    }
+}
+
+static void spring6Rows(const Side f[2], double out[]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = separation(f, f[1].axis[i]);
+    smallTurn(f, out + 3);
+}
+
+static void leaningRows(const Side f[2], double out[]) {
+    double turn[3];
+    smallTurn(f, turn);
+    out[0] = turn[1];
+    out[1] = turn[2];
+}
+
+static void sixSprings(MdtBclConstraint *c) {
+    for (int i = 0; i < 6; i++)
+        c->of.springs.stiffness[i] = 10, c->of.springs.damping[i] = 1;
+}
+
+static void softOrientation(MdtBclConstraint *c) {
+    c->of.angular.stiffness = c->of.angular.damping = 1;
+}
+
+static void softAxis(MdtBclConstraint *c) {
+    softOrientation(c);
+    c->of.angular.rotates = METRUE;
+}
+
+START_TEST(springs) {
+    checkRates(MdtBclSPRING, farStops, ANY, 0, 2, distanceRows);
+    checkRates(MdtBclSPRING, springOfHalf, ANY, 0, 1, distanceStrain);
+    checkRates(MdtBclSPRING6, sixSprings, SAME, 0, 6, spring6Rows);
+    checkRates(MdtBclANGULAR3, softOrientation, SAME, 0, 3, smallTurn);
+    checkRates(MdtBclANGULAR3, softAxis, SAME, 0, 2, leaningRows);
+}
+END_TEST
+
+static const double halfAngle = .0625;
+
+static double angleOfAxes(const Side f[2]) {
+    double across[3];
+    keaCross(across, f[0].axis[0], f[1].axis[0]);
+    return atan2(keaLength(across), keaDot(f[0].axis[0], f[1].axis[0]));
+}
+
+static void coneRows(const Side f[2], double out[]) {
+    out[0] = halfAngle - angleOfAxes(f);
+}
+
+/* The twist of (swing) (twist): half of it is the angle of the quaternion's w and x. */
+static void coneAndTwistRows(const Side f[2], double out[]) {
+    const double twist = atan2(keaDot(f[1].axis[2], f[0].axis[1]) - keaDot(f[1].axis[1], f[0].axis[2]),
+                               keaDot(f[1].axis[1], f[0].axis[1]) + keaDot(f[1].axis[2], f[0].axis[2]));
+    coneRows(f, out);
+    out[1] = twist - lowest;
+    out[2] = highest - twist;
+}
+
+static void hardCone(MdtBclConstraint *c) {
+    c->of.cone.limit.limit[1].stop = (MeReal)halfAngle;
+}
+
+static void softCone(MdtBclConstraint *c) {
+    hardCone(c);
+    c->of.cone.stiffness = c->of.cone.damping = 1;
+}
+
+static void hardSkeletal(MdtBclConstraint *c) {
+    c->of.skeletal.primary = c->of.skeletal.secondary = (MeReal)halfAngle;
+    c->of.skeletal.twist = (MeReal)-lowest;
+}
+
+static void softSkeletal(MdtBclConstraint *c) {
+    MdtBclSkeletal *s = &c->of.skeletal;
+    hardSkeletal(c);
+    s->coneStiffness = s->coneDamping = s->twistStiffness = s->twistDamping = 1;
+}
+
+START_TEST(cones_and_twists) {
+    checkRates(MdtBclCONELIMIT, hardCone, ANY, 0, 1, coneRows);
+    checkRates(MdtBclCONELIMIT, softCone, ANY, 0, 1, coneRows);
+    checkRates(MdtBclSKELETAL, hardSkeletal, ANY, 3, 3, coneAndTwistRows);
+    checkRates(MdtBclSKELETAL, softSkeletal, ANY, 3, 3, coneAndTwistRows);
+}
+END_TEST
+
+/* s, the steering axis, is the primary axis of frame 0, h, the hinge axis, the second of frame 1. */
+static void wheelRows(const Side f[2], double out[]) {
+    const double height = -separation(f, f[0].axis[0]);
+    out[0] = height - .125;
+    out[1] = height - lowest;
+    out[2] = highest - height;
+    out[3] = angleBetween(f[0].axis[0], f[1].axis[0], f[1].axis[1]);
+}
+
+static void steeringRow(const Side f[2], double out[]) {
+    out[0] = angleBetween(f[0].axis[1], f[1].axis[1], f[0].axis[0]);
+    wheelRows(f, out + 1);
+}
+
+static void drivenWheel(MdtBclConstraint *c) {
+    MdtBclCarWheel *w = &c->of.wheel;
+    w->kp = w->kd = 1;
+    w->reference = (MeReal).125;
+    w->low = (MeReal)lowest;
+    w->high = (MeReal)highest;
+    w->rolling.force = 1;
+    w->steering.force = 0;
+}
+
+static void steeredWheel(MdtBclConstraint *c) {
+    drivenWheel(c);
+    c->of.wheel.steering.force = 1;
+}
+
+START_TEST(wheels) {
+    checkRates(MdtBclCARWHEEL, drivenWheel, ALIGNED, 3, 4, wheelRows);
+    for (int trial = 0; trial < TRIALS; trial++) { /* the steering row's error is the way of this step */
+        Scene s;
+        double before[5], after[5];
+        seed = 99 + (unsigned long long)trial;
+        makeScene(&s, MdtBclCARWHEEL, steeredWheel);
+        alignAxes(&s, number());
+        ck_assert_int_eq(s.type->prepare(&s.joint, &s.context), 8);
+        s.type->fill(&s.joint, &s.context, s.rows);
+        coordinatesAt(&s, -small, steeringRow, before);
+        coordinatesAt(&s, small, steeringRow, after);
+        for (int i = 0; i < 5; i++)
+            assert_near(rateOf(&s, &s.rows[3 + i]), (after[i] - before[i]) / (2 * small), tolerance);
+        ck_assert(s.rows[3].error == 0);
+    }
+}
+END_TEST
+
+/* ---- contacts: how the points of the two bodies that are there move against each other ---- */
+
+/* Where the point of body k that is at `place` at the time 0 is at t. */
+static void materialPoint(const Scene *s, int k, const double place[3], double t, double out[3]) {
+    MdtKeaTransformation now, then;
+    double arm[3], local[3];
+    poseAt(&s->body[k], 0, &now);
+    poseAt(&s->body[k], t, &then);
+    keaSubtract(arm, place, now.pos);
+    keaApplyTransposed(local, now.R, arm);
+    keaApply(out, then.R, local);
+    keaAddScaled(out, 1, then.pos);
+}
+
+static double slideOf(const Scene *s, const double place[3], const double along[3]) {
+    double moved[2][3];
+    for (int k = 0; k < 2; k++) {
+        double before[3], after[3];
+        materialPoint(s, k, place, -small, before);
+        materialPoint(s, k, place, small, after);
+        keaSubtract(moved[k], after, before);
+    }
+    keaSubtract(moved[0], moved[0], moved[1]);
+    return keaDot(moved[0], along) / (2 * small);
+}
+
+static void touching(MdtBclConstraint *c) {
+    MdtBclContact *contact = &c->of.contact;
+    vector(contact->position, 2);
+    vector(contact->normal, 1);
+    vector(contact->direction, 1);
+    keaScale(contact->normal, 1 / keaLength(contact->normal), contact->normal);
+    keaAddScaled(contact->direction, -keaDot(contact->direction, contact->normal), contact->normal);
+    keaScale(contact->direction, 1 / keaLength(contact->direction), contact->direction);
+    contact->penetration = .25;
+    contact->params.type = MdtContactTypeFriction2D;
+}
+
+START_TEST(contacts_and_friction) {
+    for (int trial = 0; trial < TRIALS; trial++) {
+        Scene s;
+        seed = 4321 + (unsigned long long)trial;
+        makeScene(&s, MdtBclCONTACT, touching);
+        const MdtBclContact *contact = &s.joint.of.contact;
+        double across[3];
+        keaCross(across, contact->normal, contact->direction);
+        const double *along[3] = {contact->normal, contact->direction, across};
+        ck_assert_int_eq(s.type->prepare(&s.joint, &s.context), 3);
+        s.type->fill(&s.joint, &s.context, s.rows);
+        for (int i = 0; i < 3; i++)
+            assert_near(rateOf(&s, &s.rows[i]), slideOf(&s, contact->position, along[i]), tolerance);
+        assert_near(s.rows[0].error, -contact->penetration, TOL(2e-6, 2e-14)); /* but for the rounding of places */
+    }
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, position_rows);
     tcase_add_test(t, coordinates_of_limits);
+    tcase_add_test(t, motors_locks_and_stops);
+    tcase_add_test(t, springs);
+    tcase_add_test(t, cones_and_twists);
+    tcase_add_test(t, wheels);
+    tcase_add_test(t, contacts_and_friction);
 }
 
 TEST_MAIN("jacobians", tests)

@@ -112,14 +112,14 @@ START_TEST(inertia_tensors_split_into_moments_and_axes) {
                 R[i][0] * moments[0] * R[j][0] + R[i][1] * moments[1] * R[j][1] + R[i][2] * moments[2] * R[j][2];
     MdtKeaBody body = {.quaternion = {1, 0, 0, 0}};
     ck_assert(MdtKeaBodySetInertia(&body, (const double(*)[3])tensor));
-    assert_near(body.moments[0] + body.moments[1] + body.moments[2], 7.001, 1e-12);
+    assert_near(body.moments[0] + body.moments[1] + body.moments[2], 7.001, 7e-15);
     kea_inverseInertia(&body, body.quaternion, back);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             double product = 0;
             for (int k = 0; k < 3; k++)
                 product += back[i][k] * tensor[k][j];
-            assert_near(product, i == j ? 1 : 0, 1e-9);
+            assert_near(product, i == j ? 1 : 0, 5e-12);
         }
 }
 END_TEST
@@ -136,6 +136,20 @@ START_TEST(bad_tensors_are_refused) {
 }
 END_TEST
 
+/* A tensor may be as crooked as arithmetic of a program leaves it, and as flat as a sheet. */
+START_TEST(tensors_are_refused_where_they_are_said_to_be) {
+    for (int k = 0; k < 3; k++)
+        for (int isBad = 0; isBad < 2; isBad++) {
+            double crooked[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, flat[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+            MdtKeaBody body = bodyWith(1, 2, 3);
+            crooked[k][(k + 1) % 3] = isBad ? 2.02e-5 : 1.98e-5;
+            flat[k][k] = isBad ? .98e-12 : 1.02e-12;
+            ck_assert_int_eq(MdtKeaBodySetInertia(&body, (const double(*)[3])crooked), !isBad);
+            ck_assert_int_eq(MdtKeaBodySetInertia(&body, (const double(*)[3])flat), !isBad);
+        }
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, free_rotation_follows_eulers_equations);
     tcase_add_test(t, fast_rotation_converges_at_fourth_order);
@@ -143,6 +157,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, free_rotation_is_reversible);
     tcase_add_test(t, inertia_tensors_split_into_moments_and_axes);
     tcase_add_test(t, bad_tensors_are_refused);
+    tcase_add_test(t, tensors_are_refused_where_they_are_said_to_be);
 }
 
 TEST_MAIN("rotation", tests)

@@ -306,11 +306,11 @@ START_TEST(two_bodies_share_an_impulse) {
     MdtKeaSolve(&scene.s);
     ck_assert(scene.body[0].velocity[0] == 4); /* the bodies are only read */
     ck_assert(MdtKeaIntegrate(&scene.s));
-    assert_near(scene.body[0].velocity[0], 1, 1e-9);
-    assert_near(scene.body[1].velocity[0], 1, 1e-9);
+    assert_near(scene.body[0].velocity[0], 1, 9e-14);
+    assert_near(scene.body[1].velocity[0], 1, 9e-14);
     assert_near(scene.body[0].velocity[0] + 3 * scene.body[1].velocity[0], 4, 1e-14);
-    assert_near(row->force, -30, 1e-7);                 /* 3 kg m/s in 0.1 s */
-    assert_near(scene.body[0].position[0], 0.25, 1e-9); /* with the mean of 4 and 1 m/s */
+    assert_near(row->force, -30, 3e-12);                 /* 3 kg m/s in 0.1 s */
+    assert_near(scene.body[0].position[0], 0.25, 2e-13); /* with the mean of 4 and 1 m/s */
     assert_near(scene.s.pose[1].pos[0], scene.body[1].position[0], 0);
     assert_near(scene.s.velocity[1].lin[0], scene.body[1].velocity[0], 0);
     assert_below(scene.s.report.residual, 1e-9);
@@ -356,8 +356,8 @@ START_TEST(velocity_rows_obey_their_law) {
                         force += scene.s.rows[i].force * scene.s.rows[i].J[k].lin[c];
                         torque += scene.s.rows[i].force * scene.s.rows[i].J[k].ang[c];
                     }
-            assert_near(scene.body[0].velocity[c], start[c] + h * force * scene.body[0].invMass, 1e-12);
-            assert_near(scene.body[0].angularMomentum[c], start[3 + c] + h * torque, 1e-12);
+            assert_near(scene.body[0].velocity[c], start[c] + h * force * scene.body[0].invMass, 3e-13);
+            assert_near(scene.body[0].angularMomentum[c], start[3 + c] + h * torque, 3e-13);
         }
         end(&scene);
     }
@@ -446,9 +446,9 @@ START_TEST(position_rows_give_way_at_their_bound) {
         row->upper = 3;
         MdtKeaSolve(&scene.s);
         ck_assert(MdtKeaIntegrate(&scene.s));
-        assert_near(row->force, -3, 1e-12);
+        assert_near(row->force, -3, 3e-13);
     }
-    assert_near(scene.body[0].velocity[0], 0.2 * 7 / 2, 1e-12);
+    assert_near(scene.body[0].velocity[0], 0.2 * 7 / 2, 7e-14);
     end(&scene);
 }
 END_TEST
@@ -469,8 +469,8 @@ START_TEST(friction_is_bounded_by_the_normal_force) {
         MdtKeaSolve(&scene.s);
         ck_assert(MdtKeaIntegrate(&scene.s));
         assert_near(normal->force, 10, 1e-7);
-        assert_near(friction->force, isPushed ? -5 : -4, 1e-7);
-        assert_near(scene.body[0].velocity[0], isPushed ? 0.03 : 0, 1e-9);
+        assert_near(friction->force, isPushed ? -5 : -4, TOL(1e-7, 5e-8));
+        assert_near(scene.body[0].velocity[0], isPushed ? 0.03 : 0, 5e-10);
         assert_near(scene.body[0].velocity[1], 0, 1e-9);
         end(&scene);
     }
@@ -538,7 +538,7 @@ START_TEST(springs_follow_the_midpoint_rule) {
         springStep(k, d, 0, h, x);
         /* u = (v + v⁺)/2:  2 (u - v)/h = -(k (x + h u/2) + d u)/m */
         const double u = (2 * v0 / h - k * x0 / m) / (2 / h + k * h / (2 * m) + d / m);
-        assert_near(x[0], x0 + h * u, 1e-12);
+        assert_near(x[0], x0 + h * u, 4e-13);
         assert_near(x[1], 2 * u - v0, 1e-12 / h);
         if (d == 0)
             assert_near_rel(k * x[0] * x[0] + m * x[1] * x[1], k * x0 * x0 + m * v0 * v0, 1e-12);
@@ -557,8 +557,8 @@ START_TEST(springs_too_stiff_are_damped) {
         double x[2] = {x0, v0};
         springStep(k, d, 0, h, x);
         const double v = (v0 - h * k * x0 / m) / (1 + h * h * k / m + h * d / m);
-        assert_near_rel(x[1], v, 1e-9);
-        assert_near(x[0], x0 + h * v, 1e-9);
+        assert_near_rel(x[1], v, 2e-12);
+        assert_near(x[0], x0 + h * v, TOL(4e-11, 2e-12));
     }
 }
 END_TEST
@@ -571,7 +571,7 @@ START_TEST(a_damper_drags_towards_its_rate) {
     assert_near(x[0], 0.007, 1e-15);
     x[0] = x[1] = 0;
     springStep(0, 5, 0.7, 0.01, x); /* u = v⁺/2: m v⁺/h = d (s - u) */
-    assert_near_rel(x[1], 5 * 0.7 / (2 / 0.01 + 2.5), 1e-12);
+    assert_near_rel(x[1], 5 * 0.7 / (2 / 0.01 + 2.5), 9e-14);
 }
 END_TEST
 
@@ -766,9 +766,12 @@ START_TEST(lack_of_memory_leaves_finite_bodies) {
     addBall(&scene, 1, MdtKeaWORLD, 0);
     init(&scene);
     const MeMemoryFuncPtrCreate real = MeMemoryAPI.create;
+    messages_catch();
     MeMemoryAPI.create = noMemory;
     MdtKeaSolve(&scene.s);
     MeMemoryAPI.create = real;
+    ck_assert_int_ge(caught.fatal, 1);
+    messages_release();
     ck_assert(MdtKeaIntegrate(&scene.s));
     for (int i = 0; i < 2; i++)
         ck_assert(isfinite(keaLength(scene.body[i].position) + keaLength(scene.body[i].velocity)));
@@ -799,7 +802,7 @@ START_TEST(contradictory_joints_are_told) {
         if (apart) { /* half way, for γ's part */
             double errors[6];
             ballErrors(&scene, scene.s.pose, errors);
-            assert_near(errors[0], 0.05 * scene.s.parameters.gamma, 1e-3 * 0.05);
+            assert_near(errors[0], 0.05 * scene.s.parameters.gamma, TOL(2e-7, 5e-12) * 0.05);
         }
         end(&scene);
     }
@@ -850,7 +853,7 @@ START_TEST(nothing_is_factored_at_rest) {
         ck_assert_int_eq(scene.s.report.passes > 0, i == 0);
         ck_assert_int_eq(scene.s.report.factorizations > 0, i == 0);
         ck_assert(MdtKeaIntegrate(&scene.s));
-        assert_near(force[1], 20, 1e-6);
+        assert_near(force[1], 20, TOL(1e-6, 2e-11));
         ck_assert(scene.s.report.event == 0.01 && !scene.s.report.violent && !scene.s.report.conflicting);
     }
     end(&scene);
@@ -883,9 +886,9 @@ START_TEST(impacts_obey_newton) {
         ck_assert(MdtKeaMeets(&scene.s));
         MdtKeaImpact(&scene.s);
         ck_assert(!MdtKeaMeets(&scene.s));
-        assert_near(scene.body[0].velocity[0], 1.5 * (1 - e), 1e-7);
-        assert_near(scene.body[1].velocity[0], 1.5 * (1 + e), 1e-7);
-        assert_near(scene.s.rows[0].force, 1.5 * (1 + e), 1e-7); /* N s */
+        assert_near(scene.body[0].velocity[0], 1.5 * (1 - e), TOL(1e-7, 2e-13));
+        assert_near(scene.body[1].velocity[0], 1.5 * (1 + e), TOL(1e-7, 3e-13));
+        assert_near(scene.s.rows[0].force, 1.5 * (1 + e), TOL(1e-7, 3e-13)); /* N s */
         ck_assert(scene.body[0].position[0] == 0);
         end(&scene);
     }
@@ -897,8 +900,103 @@ START_TEST(the_last_ball_of_a_cradle_leaves_alone) {
     cradle(&scene, 5, 1);
     MdtKeaImpact(&scene.s);
     for (int i = 0; i < 5; i++)
-        assert_near(scene.body[i].velocity[0], i == 4 ? 3 : 0, 1e-6);
+        assert_near(scene.body[i].velocity[0], i == 4 ? 3 : 0, TOL(1e-6, 3e-13));
     end(&scene);
+}
+END_TEST
+
+static double kineticEnergyOf(const MdtKeaBody *b) {
+    double w[3];
+    MdtKeaBodyGetAngularVelocity(b, w);
+    return .5 * (keaDot(b->velocity, b->velocity) / b->invMass + keaDot(w, b->angularMomentum));
+}
+
+/* A contact with the world at an arm, its normal up, with a friction cone. */
+static void addTouch(Scene *scene, const double arm[3], double friction, double restitution) {
+    static const double direction[3][3] = {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+    const int normal = scene->s.numRows;
+    for (int i = 0; i < 3; i++) {
+        MdtKeaRow *row = addRow(scene, 0, MdtKeaWORLD);
+        keaCopy(row->J[0].lin, direction[i]);
+        keaCross(row->J[0].ang, arm, direction[i]);
+        row->contact = normal;
+        row->lower = i ? -HUGE_VAL : 0;
+        row->restitution = restitution;
+        row->normal = i ? normal : -1;
+        row->partner = i ? normal + 3 - i : -1;
+        row->friction = friction;
+    }
+}
+
+/* A ball of r = .5 m and 1 kg that moves by 6 m/s along and falls by v; per unit of mass the impulse along is at most
+ * mu (1 + e) v, and 6 * 2/7 where it comes to roll: 2/7 of the slip. */
+static void bounceBall(double friction, double fall, double v[2]) {
+    static const double below[3] = {0, -.5, 0};
+    Scene scene;
+    double w[3];
+    begin(&scene, 1, 3, 1. / 60, 0);
+    setBody(&scene, 0, 1, .4 * .25, 0);
+    scene.body[0].velocity[0] = 6;
+    scene.body[0].velocity[1] = -fall;
+    scene.body[0].force[1] = -9.81;
+    init(&scene);
+    scene.s.parameters.timed = METRUE;
+    addTouch(&scene, below, friction, .8);
+    MdtKeaImpact(&scene.s);
+    MdtKeaBodyGetAngularVelocity(&scene.body[0], w);
+    assert_near(scene.body[0].velocity[1], .8 * fall, 1e-7);
+    v[0] = scene.body[0].velocity[0];
+    v[1] = -w[2];
+    end(&scene);
+}
+
+START_TEST(impacts_have_friction) {
+    const double fall = sqrt(2 * 9.81 * 1.5);
+    double v[2];
+    bounceBall(.1, fall, v); /* it slides */
+    assert_near(v[0], 6 - .1 * 1.8 * fall, 1e-7);
+    assert_near(v[1], .1 * 1.8 * fall / (.4 * .5), 1e-7);
+    bounceBall(.2, fall, v); /* it comes to roll: 4.2857 m/s and 8.5714 rad/s */
+    assert_near(v[0], 6 * 5. / 7, 1e-7);
+    assert_near(v[1], 6 * 5. / 7 / .5, 1e-7);
+    bounceBall(0, fall, v);
+    assert_near(v[0], 6, 1e-12);
+    assert_near(v[1], 0, 1e-12);
+}
+END_TEST
+
+/* Newton's law with friction can ask for energy that is not there (Kane's paradox): a slanted rod, or a box on some corners.
+ * Then as much of the rebound is given as energy allows: none is gained, and in those cases none is lost. */
+START_TEST(rebounds_with_friction_gain_no_energy) {
+    int limited = 0;
+    for (unsigned seed = 1; seed <= 2000; seed++) {
+        Scene scene;
+        state = seed * 7919;
+        begin(&scene, 1, 9, 1. / 60, 0);
+        setBody(&scene, 0, 1, 1, 0);
+        const double moment[3] = {uniform(.02, .3), uniform(.02, .3), uniform(.02, .3)};
+        double tensor[3][3] = {{moment[0], 0, 0}, {0, moment[1], 0}, {0, 0, moment[2]}}, w[3];
+        MdtKeaBodySetInertia(&scene.body[0], (const double(*)[3])tensor);
+        for (int k = 0; k < 3; k++) {
+            scene.body[0].velocity[k] = uniform(-5, 5) - (k == 1 ? 4 : 0);
+            w[k] = uniform(-8, 8);
+        }
+        MdtKeaBodySetAngularVelocity(&scene.body[0], w);
+        init(&scene);
+        scene.s.parameters.timed = METRUE;
+        for (int i = 0; i < 1 + (int)seed % 3; i++) {
+            const double arm[3] = {uniform(-1, 1), uniform(-1, -.2), uniform(-1, 1)};
+            addTouch(&scene, arm, uniform(.2, 1.5), uniform(.5, 1));
+        }
+        const double before = kineticEnergyOf(&scene.body[0]);
+        const MeBool meets = MdtKeaMeets(&scene.s);
+        MdtKeaImpact(&scene.s);
+        const double after = kineticEnergyOf(&scene.body[0]);
+        ck_assert_msg(after <= before * (1 + 1e-9), "seed %u: %.12g J, before %.12g", seed, after, before);
+        limited += meets && after > before * (1 - 1e-9);
+        end(&scene);
+    }
+    ck_assert_int_ge(limited, 20); /* of those that touch at several points, a restitution below 1 and friction */
 }
 END_TEST
 
@@ -982,6 +1080,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, nothing_is_factored_at_rest);
     tcase_add_test(t, impacts_obey_newton);
     tcase_add_test(t, the_last_ball_of_a_cradle_leaves_alone);
+    tcase_add_test(t, impacts_have_friction);
+    tcase_add_test(t, rebounds_with_friction_gain_no_energy);
     tcase_add_test(t, steps_depend_on_the_system_alone);
     tcase_add_test(t, memory_required_is_that_of_the_largest_partition);
 }

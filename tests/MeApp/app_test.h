@@ -21,6 +21,7 @@ static inline void set_up(void) {
     rc = RRenderContextCreate(options, NULL, 0);
     MeCommandLineOptionsDestroy(options);
     ck_assert_ptr_nonnull(rc);
+    RCameraSetLookAt(rc, (const AcmeVector3){0, 0, 0});
     RCameraSetView(rc, 10, 0, 0);
     u = MstUniverseCreate(NULL);
     MdtWorldSetGravity(u->world, 0, 0, 0);

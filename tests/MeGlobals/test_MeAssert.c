@@ -9,7 +9,9 @@ static int evaluate(int result) {
 }
 
 #undef KARMA_CHECK
-#define KARMA_CHECK 1
+#undef KARMA_VALIDATE
+#define KARMA_CHECK    1
+#define KARMA_VALIDATE 1
 #include "MeAssert.h"
 
 static void assertTrue(void) {
@@ -20,6 +22,10 @@ static void assertFalse(void) {
     MEASSERT(evaluate(100 % 7 == 0)); /* the text has a percent sign */
 }
 
+static void validateFalse(void) {
+    MEVALIDATE(evaluate(0));
+}
+
 static void assertAligned(const void *p) {
     MEASSERTALIGNED(p, 16);
 }
@@ -28,6 +34,8 @@ static void assertAligned(const void *p) {
 #undef MEASSERT
 #undef MEASSERTALIGNED
 #undef ME_ASSERT_ENABLED
+#undef MEVALIDATE
+#undef ME_VALIDATE_ENABLED
 #undef KARMA_CHECK
 #define KARMA_CHECK 0
 #include "MeAssert.h"
@@ -36,6 +44,7 @@ static void assertNothing(void) {
     const int onlyForTheAssertion = 0; /* gives no warning either */
     MEASSERT(onlyForTheAssertion);
     MEASSERT(evaluate(0));
+    MEVALIDATE(evaluate(0)); /* KARMA_VALIDATE alone is not enough */
     MEASSERTALIGNED((uintptr_t)evaluate(1), 16);
 }
 
@@ -60,6 +69,8 @@ START_TEST(false_assertions_are_fatal) {
     ck_assert_ptr_nonnull(strstr(caught.last, "evaluate(100 % 7 == 0)"));
     assertAligned((const void *)72);
     ck_assert_int_eq(caught.fatal, 2);
+    validateFalse();
+    ck_assert_int_eq(caught.fatal, 3);
     messages_release();
 }
 END_TEST

@@ -7,7 +7,7 @@
 static void assertColour(float h, float s, float v, double red, double green, double blue) {
     float rgb[3] = {-1, -1, -1};
     MeHSVtoRGB(h, s, v, rgb);
-    assert_vec3_near(rgb, red, green, blue, 2e-7);
+    assert_vec3_near(rgb, red, green, blue, TOL(2e-7, 9e-16));
 }
 
 START_TEST(corners_of_the_colour_circle) {

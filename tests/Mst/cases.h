@@ -13,21 +13,24 @@
 #define UNIVERSE &engine_universe_single
 #endif
 
-#define assert_kept(count, bounds)                                                                                     \
+#define assert_kept(count, bounds, setting)                                                                            \
     do {                                                                                                               \
         messages_catch();                                                                                              \
-        const int broken_ = count(bounds, (int)(sizeof(bounds) / sizeof *(bounds)), UNIVERSE, ENGINE_STRICT);          \
-        messages_release();                                                                                            \
+        const int broken_ =                                                                                            \
+            count(bounds, (int)(sizeof(bounds) / sizeof *(bounds)), UNIVERSE, (setting) | ENGINE_STRICT);              \
         assert_silent();                                                                                               \
+        messages_release();                                                                                            \
         ck_assert_msg(broken_ == 0, "%d errors are too large", broken_);                                               \
     } while (0)
 
 /* One run each: for what takes long, and with sanitizers. */
-#define assert_once(bounds) assert_kept(bounds_countBroken, bounds)
+#define assert_once(bounds) assert_kept(bounds_countBroken, bounds, ENGINE_RIGID)
+/* One run each with the universe's own epsilon. */
+#define assert_by_default(bounds) assert_kept(bounds_countBroken, bounds, ENGINE_DEFAULTS)
 #ifdef TEST_IS_SLOW
 #define assert_cases(bounds) assert_once(bounds)
 #else
-#define assert_cases(bounds) assert_kept(bounds_countBrokenCases, bounds)
+#define assert_cases(bounds) assert_kept(bounds_countBrokenCases, bounds, ENGINE_RIGID)
 #endif
 
 #endif

@@ -8,11 +8,9 @@ import subprocess
 import sys
 
 ALLOWED = {
-    'liveWorlds': 'which handles are alive', 'liveFrames': 'which handles are alive',
-    'listIsTaken': 'guards that list',
     'table': 'the requests that the program has numbered', 'idCount': 'how many there are',
-    'mcd_spaceForget': 'the farfield, where a program links it', 'mcd_spaceFilter': 'the same',
-    'name.0': 'names of geometry types',
+    'liveWorlds': 'how many there are', 'liveFrames': 'the same: what is destroyed after the last one is not warned of',
+    'name.0': 'names of geometry types', 'classicFrame': 'what programs that know of no framework do not say',
     '_ZStL8__ioinit': "the C++ library's", 'DW.ref.__gxx_personality_v0': "the C++ library's",
 }
 

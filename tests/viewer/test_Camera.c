@@ -1,6 +1,8 @@
 /* The camera: positions from polar coordinates, bounds, axes, projections. */
 #include "viewer_test.h"
 
+static const AcmeVector3 origin = {0, 0, 0};
+
 static const float tolerance = 1e-5f;
 
 START_TEST(position_is_polar) {
@@ -27,11 +29,18 @@ START_TEST(position_is_polar) {
 }
 END_TEST
 
-START_TEST(default_view) {
+/* Programs zoom and turn relative to the view that they find. */
+START_TEST(the_view_that_a_program_finds) {
     RRender *rc = make_context("-null");
-    assert_near(RCameraGetDistance(rc), 10, 0);
+    AcmeVector3 at, eye;
+    assert_near(RCameraGetDistance(rc), 15, 0);
     assert_near(RCameraGetRotation(rc), 0, 0);
-    assert_near(RCameraGetElevation(rc), 0.2f, 0);
+    assert_near(RCameraGetElevation(rc), 0, 0);
+    RCameraGetLookAt(rc, at);
+    assert_vec3_near(at, 0, 0, 1, 0);
+    RCameraZoom(rc, -10);
+    RCameraGetPosition(rc, eye);
+    assert_vec3_near(eye, 0, 0, 6, tolerance);
     RRenderContextDestroy(rc);
 }
 END_TEST
@@ -72,6 +81,7 @@ END_TEST
 START_TEST(written_members_count_after_update) {
     RRender *rc = make_context("-null");
     AcmeVector3 p;
+    RCameraSetLookAt(rc, origin);
     RCameraSetView(rc, 5, 0, 0);
     rc->m_CameraLookAt[0] = 7;
     rc->m_CameraDist = 2;
@@ -92,6 +102,7 @@ END_TEST
 START_TEST(panning_goes_along_the_cameras_axes) {
     RRender *rc = make_context("-null");
     AcmeVector3 at;
+    RCameraSetLookAt(rc, origin);
     RCameraSetView(rc, 5, (float)acos(-1) / 2, 0); /* From +x: right is -z, up is y. */
     RCameraPanX(rc, 2);
     RCameraPanY(rc, 3);
@@ -135,6 +146,7 @@ static void project(const RRender *rc, const double p[3], double out[3]) {
 START_TEST(matrices_project) {
     RRender *rc = make_context("-null -size 800x400");
     double p[3];
+    RCameraSetLookAt(rc, origin);
     RCameraSetView(rc, 10, 0, 0);
     RCameraSetFov(rc, 1);
     RRenderUpdateProjectionMatrices(rc);
@@ -153,6 +165,7 @@ END_TEST
 START_TEST(orthographic_views) {
     RRender *rc = make_context("-null -size 400x400");
     double p[3];
+    RCameraSetLookAt(rc, origin);
     RCameraSetTopView(rc, 8, 50);
     RRenderUpdateProjectionMatrices(rc);
     project(rc, (const double[3]){4, 3, 0}, p); /* At the right edge, whatever the height. */
@@ -227,7 +240,7 @@ START_TEST(bad_input) {
     ck_assert(RCameraGetDistance(NULL) == 0);
     assert_warned("null");
     RCameraGetPosition(rc, p);
-    assert_near(p[2], 10 * cos(0.2), 1e-5);
+    assert_near(p[2], 16, 1e-5);
     messages_release();
     RRenderContextDestroy(rc);
 }
@@ -235,7 +248,7 @@ END_TEST
 
 static void tests(TCase *t) {
     tcase_add_test(t, position_is_polar);
-    tcase_add_test(t, default_view);
+    tcase_add_test(t, the_view_that_a_program_finds);
     tcase_add_test(t, increments_and_bounds);
     tcase_add_test(t, looking_straight_down_has_an_up);
     tcase_add_test(t, written_members_count_after_update);

@@ -56,6 +56,27 @@ START_TEST(ase_without_normals) {
 }
 END_TEST
 
+/* Shapes for collision, by their names, are left out on request; the offset comes after the scale. */
+START_TEST(ase_without_collision_shapes) {
+    const MeVector3 offset = {10, 20, 30};
+    char text[4096];
+    const char *name = strstr(square, "square");
+    snprintf(text, sizeof text, "%.*sMCDBX_s%s\t}\n}\n%s\t}\n}\n", (int)(name - square), square, name + 6, square);
+    make_file("test_Files.ASE", text, strlen(text));
+    RGraphic *g = RGraphicLoadASENoMCD(rc, "test_Files.ASE", 1, 1, 1, RED, NULL);
+    ck_assert_ptr_nonnull(g);
+    ck_assert_int_eq(g->m_pObject->m_nNumVertices, 6);
+    g = RGraphicLoadASEwithOffset(rc, "test_Files.ASE", 2, 1, 1, RED, offset, NULL);
+    ck_assert_int_eq(g->m_pObject->m_nNumVertices, 12);
+    assert_vec3_near(&g->m_pVertices[0].m_X, 8, 19, 30, 0);
+    g = RGraphicLoadASEwithOffsetNoMcd(rc, "test_Files.ASE", 1, 1, 1, RED, offset, NULL);
+    ck_assert_int_eq(g->m_pObject->m_nNumVertices, 6);
+    ck_assert_ptr_null(RGraphicLoadASEwithOffset(rc, "test_Files.ASE", 2, 1, 1, RED, NULL, NULL));
+    assert_warned("offset");
+    remove("test_Files.ASE");
+}
+END_TEST
+
 START_TEST(ase_with_normals_and_two_meshes) {
     char text[4096];
     snprintf(text, sizeof text, "%s%s\t}\n}\n%s\t}\n}\n", square, normals, square);
@@ -155,8 +176,8 @@ START_TEST(bmp_broken) {
     ck_assert(!r_bmpRead("test_Files.bmp", &p));
     assert_warned("no .bmp");
     remove("test_Files.bmp");
-    ck_assert(!r_texturePicture("test_Files", &p));
-    assert_warned("test_Files.bmp");
+    ck_assert(!r_texturePicture("test_Files", &p)); /* A file that is not there is a message, and no warning. */
+    assert_silent();
 }
 END_TEST
 
@@ -226,6 +247,7 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_checked_fixture(t, setup, teardown);
     tcase_add_test(t, ase_without_normals);
+    tcase_add_test(t, ase_without_collision_shapes);
     tcase_add_test(t, ase_with_normals_and_two_meshes);
     tcase_add_test(t, ase_broken);
     tcase_add_test(t, ase_normalized);

@@ -200,7 +200,7 @@ END_TEST
 
 START_TEST(native_lines) {
     const AcmeReal a[3] = {1, 2, 3}, b[3] = {4, 5, 6};
-    const AcmeVector3 p = {0, 0, 0, 0}, q = {1, 1, 1, 0};
+    const AcmeVector3 p = {0, 0, 0}, q = {1, 1, 1};
     RNativeLine *first = RNLineCreate(rc, a, b, RED, NULL), *second = RNLineCreate(rc, a, b, RED, NULL);
     RNativeLine *third = RNLineCreate(rc, a, b, RED, NULL);
     RNLineMoveEnds(first, b, a);
@@ -328,6 +328,33 @@ static void MEAPI countDestroy(void *const block) {
     free(block);
 }
 
+/* Every particle is a triangle round its position that faces the camera. */
+START_TEST(particles_face_the_camera) {
+    static MeVector3 at[2] = {{1, 2, 3}, {4, (MeReal)NAN, 6}};
+    RParticleSystem *ps = RParticleSystemNew(2, at, -1, RED, 0.5f);
+    ck_assert_ptr_nonnull(ps);
+    ck_assert_ptr_null(rc->m_pParticleSystems);
+    RParticleSystemAddToList(rc, ps);
+    ck_assert_ptr_eq(rc->m_pParticleSystems, ps);
+    ck_assert_ptr_eq(rc->m_p3DGraphics, ps->m_pGraphic);
+    RParticleSystemAddToList(rc, ps);
+    assert_warned("already");
+    RParticleSystemRemoveFromList(rc, ps);
+    ck_assert_ptr_null(rc->m_p3DGraphics);
+    RParticleSystemRemoveFromList(rc, ps);
+    assert_warned("not in");
+    RParticleSystemDestroy(ps);
+    ck_assert_ptr_null(RParticleSystemCreate(rc, 0, at, NULL, RED, 1));
+    assert_warned("numParticles");
+    ck_assert_ptr_null(RParticleSystemCreate(rc, 1, NULL, NULL, RED, 1));
+    assert_warned("positions");
+    ck_assert_ptr_null(RParticleSystemCreate(rc, 1, at, NULL, RED, 0));
+    assert_warned("size");
+    ck_assert_ptr_null(rc->m_p3DGraphics);
+    RParticleSystemCreate(rc, 2, at, "checkerboard", RED, 1); /* Goes with the context. */
+}
+END_TEST
+
 START_TEST(the_context_frees_everything) {
     const MeMemoryAPIStruct before = MeMemoryAPI;
     const char *const help[] = {"Space - jump"};
@@ -339,6 +366,8 @@ START_TEST(the_context_frees_everything) {
     RGraphicSphereCreate(own, 1, RED, NULL);
     RGraphicTextCreate(own, "text", 0, 0, RED);
     RNLineCreate(own, a, b, RED, NULL);
+    static MeVector3 particle[1];
+    RParticleSystemCreate(own, 1, particle, "font", RED, 1);
     RLineAdd(own, p, q, 1, 1, 1);
     RRenderCreateUserHelp(own, help, 1);
     RRenderSetWindowTitle(own, "title");
@@ -384,6 +413,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, light_switches);
     tcase_add_test(t, wireframe_and_resolution);
     tcase_add_test(t, bad_sizes);
+    tcase_add_test(t, particles_face_the_camera);
     tcase_add_test(t, the_context_frees_everything);
     tcase_add_test(t, a_context_can_be_looked_at_before_it_starts);
 }

@@ -72,6 +72,32 @@ START_TEST(eating) {
 }
 END_TEST
 
+/* For programs that pass no options on. */
+START_TEST(options_of_the_environment) {
+    setenv("KARMA_VIEWER", "  -null -frames\t600 -size 100x50 -paused ", 1);
+    RRender *rc = RRenderContextCreate(NULL, NULL, 1);
+    ck_assert_ptr_nonnull(rc);
+    ck_assert_int_eq(rc->m_RenderType, kRNull);
+    ck_assert_int_eq(rc->m_Options.m_nFrames, 600);
+    ck_assert_int_eq(rc->m_Options.m_nWidth, 100);
+    ck_assert_int_eq(rc->m_bPause, 1);
+    RRenderContextDestroy(rc);
+    rc = make_context("-bench -frames 7"); /* The command line wins. */
+    ck_assert_int_eq(rc->m_RenderType, kRBenchmark);
+    ck_assert_int_eq(rc->m_Options.m_nFrames, 7);
+    ck_assert_int_eq(rc->m_Options.m_nWidth, 100);
+    RRenderContextDestroy(rc);
+    messages_catch();
+    setenv("KARMA_VIEWER", "-null -fames 600", 1);
+    rc = RRenderContextCreate(NULL, NULL, 1);
+    ck_assert_int_eq(caught.warnings, 2); /* The word and its value. */
+    assert_warned("KARMA_VIEWER: 600");
+    RRenderContextDestroy(rc);
+    messages_release();
+    unsetenv("KARMA_VIEWER");
+}
+END_TEST
+
 START_TEST(bad_values_are_told_and_ignored) {
     static const struct {
         const char *line, *word;
@@ -134,6 +160,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, the_first_place_wins);
     tcase_add_test(t, overriding_options_win);
     tcase_add_test(t, eating);
+    tcase_add_test(t, options_of_the_environment);
     tcase_add_test(t, bad_values_are_told_and_ignored);
     tcase_add_test(t, the_create_callback);
     tcase_add_test(t, no_window_without_a_display);

@@ -390,7 +390,6 @@ static double changed(void (*change)(void)) {
     r_free(p.rgba);
     r_free(q.rgba);
     RRenderContextDestroy(rc);
-    messages_release();
     return n;
 }
 
@@ -476,9 +475,43 @@ START_TEST(changes_are_seen) {
     assert_below(0.003, changed(fps));
     assert_below(0.02, changed(background));
     ck_assert(changed(bar) == 0); /* Only with -bar. */
+}
+END_TEST
+
+static char infoText[256];
+static int infos;
+
+static void catchInfo(const int level, const char *const format, va_list ap) {
+    (void)level;
+    vsnprintf(infoText, sizeof infoText, format, ap);
+    infos++;
+}
+
+/* Programs run without their pictures: one message, however many frames, and no warning, so that the exit code is 0. */
+START_TEST(a_missing_texture_is_one_message) {
+    const MeHandler before = MeSetInfoHandler(catchInfo);
     ck_assert(changed(missingTexture) == 0);
-    ck_assert_int_eq(caught.warnings, 1);
-    assert_warned("there is no such texture");
+    MeSetInfoHandler(before);
+    assert_silent();
+    ck_assert_int_eq(infos, 1);
+    ck_assert_ptr_nonnull(strstr(infoText, "there is no such texture"));
+}
+END_TEST
+
+/* 600 frames with a bar took as long as 600 pictures, and showed none of them. */
+START_TEST(a_bar_costs_nothing_without_a_window) {
+    start("-osmesa -size 320x240");
+    ck_assert_ptr_nonnull(RPerformanceBarCreate(rc));
+    ck_assert(!rc->m_pViewer->profiling);
+    r_frame(rc, NULL);
+    ck_assert(!rc->m_pViewer->loop.isDrawn);
+    stop();
+    start("-osmesa -size 320x240 -bar");
+    RPerformanceBarCreate(rc);
+    ck_assert(rc->m_pViewer->profiling);
+    r_frame(rc, NULL);
+    ck_assert(rc->m_pViewer->loop.isDrawn);
+    stop();
 }
 END_TEST
 
@@ -534,6 +567,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, vertices_may_change);
     tcase_add_test(t, what_is_not_finite_is_not_drawn);
     tcase_add_test(t, changes_are_seen);
+    tcase_add_test(t, a_missing_texture_is_one_message);
+    tcase_add_test(t, a_bar_costs_nothing_without_a_window);
     tcase_add_test(t, the_bar);
     tcase_add_test(t, resizing);
 }

@@ -1,0 +1,181 @@
+/* McdContact.feature tells contacts apart, however many faces, triangles and parts there are. */
+#include "McdAggregate.h"
+#include "McdAll.h"
+#include "McdContact.h"
+#include "McdModelPair.h"
+#include "McdRGHeightField.h"
+#include "shapes.h"
+
+enum { CORNERS = 502, FACES = 1000, PARTS = 1000, MOST = 3 * FACES };
+
+static McdFrameworkID frame;
+static McdModelID model[2];
+static MeMatrix4 tm[2];
+static McdContact contact[MOST];
+static MeU32 feature[MOST];
+static int featureCount;
+
+static void setUp(void) {
+    frame = McdInit(0, 10, PARTS, 1);
+    McdAllRegisterTypes(frame);
+    McdAllRegisterInteractions(frame);
+    featureCount = 0;
+}
+
+static void tearDown(void) {
+    for (int i = 0; i < 2; i++)
+        McdModelDestroy(model[i]);
+    McdFrameworkDestroyAllModelsAndGeometries(frame);
+    McdTerm(frame);
+}
+
+static void place(int i, McdGeometryID g) {
+    model[i] = McdModelCreate(g);
+    MeMatrix4TMMakeIdentity(tm[i]);
+    McdModelSetTransformPtr(model[i], tm[i]);
+}
+
+/* Notes the features of all contacts of both models. */
+static int meet(void) {
+    McdRequest request = {.contactMaxCount = MOST};
+    McdModelPair pair;
+    McdIntersectResult result;
+    memset(&pair, 0, sizeof pair);
+    memset(&result, 0, sizeof result);
+    pair.model1 = model[0];
+    pair.model2 = model[1];
+    pair.request = &request;
+    result.contacts = contact;
+    result.contactMaxCount = MOST;
+    for (int i = 0; i < 2; i++)
+        McdModelUpdate(model[i]);
+    ck_assert((McdIntersect)(&pair, &result));
+    for (int i = 0; i < result.contactCount && featureCount < MOST; i++)
+        feature[featureCount++] = contact[i].feature;
+    return result.contactCount;
+}
+
+static int compare(const void *a, const void *b) {
+    const MeU32 x = *(const MeU32 *)a, y = *(const MeU32 *)b;
+    return (x > y) - (x < y);
+}
+
+static void expectAllDifferent(void) {
+    qsort(feature, (size_t)featureCount, sizeof *feature, compare);
+    for (int i = 1; i < featureCount; i++)
+        ck_assert_msg(feature[i] != feature[i - 1], "of %d contacts two have the feature %08x", featureCount,
+                      feature[i]);
+}
+
+/* Points all over a ball, by the golden angle. */
+static McdGeometryID pebble(void) {
+    static MeVector3 v[CORNERS];
+    for (int i = 0; i < CORNERS; i++) {
+        const double z = 1 - (2 * i + 1.) / CORNERS, r = sqrt(1 - z * z), turn = i * 2.399963229728653;
+        MeVector3Set(v[i], (MeReal)(r * cos(turn)), (MeReal)(r * sin(turn)), (MeReal)z);
+    }
+    return McdConvexMeshCreateHull(frame, (const MeVector3 *)v, CORNERS, 0);
+}
+
+/* Puts model 0 so that its face looks down and is at the height. */
+static void standOn(McdGeometryID hull, int face, double height) {
+    MeVector3 n, corner, u, w;
+    McdConvexMeshGetPolygonNormal(hull, face, n);
+    McdConvexMeshGetPolygonVertex(hull, face, 0, corner);
+    MeVector3PlaneSpace(n, u, w);
+    const double lowest = -(double)MeVector3Dot(n, corner);
+    for (int i = 0; i < 3; i++) { /* u, w and n, with n = u x w, become y, x and -z */
+        tm[0][i][0] = w[i];
+        tm[0][i][1] = u[i];
+        tm[0][i][2] = -n[i];
+    }
+    tm[0][3][2] = (MeReal)(height - lowest);
+}
+
+/* Face 256 had the features of face 0. */
+static void tryAllFaces(MeBool onBox, double height) {
+    setUp();
+    const McdGeometryID hull = pebble();
+    place(0, hull);
+    place(1, onBox ? McdBoxCreate(frame, 4, 4, 2) : McdPlaneCreate(frame));
+    ck_assert_int_eq(McdConvexMeshGetPolygonCount(hull), FACES);
+    for (int face = 0; face < FACES; face++) {
+        standOn(hull, face, height);
+        ck_assert_int_ge(meet(), 3);
+    }
+    ck_assert_int_eq(featureCount, 3 * FACES);
+    expectAllDifferent();
+    tearDown();
+}
+
+START_TEST(each_of_a_thousand_faces_has_its_own) {
+    tryAllFaces(MEFALSE, 0);
+    tryAllFaces(METRUE, 1);
+}
+END_TEST
+
+START_TEST(each_of_a_thousand_parts_has_its_own) {
+    setUp();
+    const McdGeometryID ball = McdSphereCreate(frame, (MeReal).5), row = McdAggregateCreate(frame, PARTS);
+    MeMatrix4 at;
+    MeMatrix4TMMakeIdentity(at);
+    for (int i = 0; i < PARTS; i++) {
+        at[3][0] = (MeReal)i;
+        McdAggregateAddElement(row, ball, at);
+    }
+    place(0, row);
+    tm[0][3][2] = (MeReal).5;
+    place(1, McdPlaneCreate(frame));
+    ck_assert_int_eq(meet(), PARTS);
+    expectAllDifferent();
+    tearDown();
+}
+END_TEST
+
+/* Parts of parts: 40 of 25, whose paths were sums that came out the same. */
+START_TEST(parts_of_parts_have_their_own) {
+    setUp();
+    const McdGeometryID ball = McdSphereCreate(frame, (MeReal).5), row = McdAggregateCreate(frame, 40),
+                        rows = McdAggregateCreate(frame, 24);
+    MeMatrix4 at;
+    MeMatrix4TMMakeIdentity(at);
+    for (int i = 0; i < 40; i++) {
+        at[3][0] = (MeReal)i;
+        McdAggregateAddElement(row, ball, at);
+    }
+    MeMatrix4TMMakeIdentity(at);
+    for (int i = 0; i < 24; i++) {
+        at[3][1] = (MeReal)i;
+        McdAggregateAddElement(rows, row, at);
+    }
+    place(0, rows);
+    tm[0][3][2] = (MeReal).5;
+    place(1, McdPlaneCreate(frame));
+    ck_assert_int_eq(meet(), 24 * 40);
+    expectAllDifferent();
+    tearDown();
+}
+END_TEST
+
+START_TEST(contacts_with_many_triangles_have_their_own) {
+    enum { SIDE = 41 };
+    static MeReal height[SIDE * SIDE];
+    setUp();
+    for (int i = 0; i < SIDE * SIDE; i++)
+        height[i] = (MeReal)uniform(-.1, 0);
+    place(0, McdBoxCreate(frame, 9, 9, 1));
+    tm[0][3][2] = (MeReal).4;
+    place(1, McdRGHeightFieldCreate(frame, height, SIDE, SIDE, (MeReal).25, (MeReal).25, -5, -5));
+    ck_assert_int_gt(meet(), 100);
+    expectAllDifferent();
+    tearDown();
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, each_of_a_thousand_faces_has_its_own);
+    tcase_add_test(t, each_of_a_thousand_parts_has_its_own);
+    tcase_add_test(t, parts_of_parts_have_their_own);
+    tcase_add_test(t, contacts_with_many_triangles_have_their_own);
+}
+TEST_MAIN("McdFeatures", tests)

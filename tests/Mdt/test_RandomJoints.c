@@ -1,0 +1,180 @@
+/* Joints that are accepted and make no sense: 30 bodies and 150 joints of any kind between any two of them, with any axes and
+ * stops, some of which are overrun at the start. A step of them may not take long, leave the finite numbers or give energy.
+ *
+ *     test_Mdt_RandomJoints                              SYSTEMS systems, about a second (fewer with sanitizers)
+ *     KARMA_RANDOM_SYSTEMS=10000 test_Mdt_RandomJoints   so many
+ */
+#include "scene.h"
+
+#ifdef TEST_IS_SLOW
+enum { SYSTEMS = 2 };
+#else
+enum { SYSTEMS = 20 };
+#endif
+enum { BODIES = 30, JOINTS = 150, STEPS = 4 };
+
+enum { BUDGET = 40 }; /* millions of multiplications */
+
+static unsigned long long state;
+static MdtWorldID world;
+static MdtBodyID body[BODIES];
+
+static double uniform(double low, double high) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return low + (high - low) * (double)(state >> 11) / 9007199254740992.0;
+}
+
+static int below(int n) {
+    return (int)uniform(0, n);
+}
+
+static void makeBodies(void) {
+    for (int i = 0; i < BODIES; i++) {
+        const double edge[3] = {uniform(.2, 1), uniform(.2, 1), uniform(.2, 1)};
+        body[i] = scene_box(world, exp(uniform(-2, 2)), edge, uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
+        MdtBodySetQuaternion(body[i], (MeReal)uniform(.1, 1), (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1),
+                             (MeReal)uniform(-1, 1));
+        MdtBodySetLinearVelocity(body[i], (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1));
+        MdtBodySetAngularVelocity(body[i], (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2));
+    }
+}
+
+/* Rigid stops: a spring would store energy. */
+static void addStops(MdtLimitID limit) {
+    const double lower = uniform(-1, .5);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), (MeReal)lower);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), (MeReal)(lower + uniform(0, 1)));
+    MdtLimitActivateLimits(limit, METRUE);
+}
+
+static MdtConstraintID makeJoint(MdtBodyID a, MdtBodyID b) {
+    MdtConstraintID c;
+    switch (below(8)) {
+    case 0:
+        c = MdtHingeQuaConstraint(MdtHingeCreate(world));
+        break;
+    case 1:
+        c = MdtPrismaticQuaConstraint(MdtPrismaticCreate(world));
+        break;
+    case 2:
+        c = MdtUniversalQuaConstraint(MdtUniversalCreate(world));
+        break;
+    case 3:
+        c = MdtAngular3QuaConstraint(MdtAngular3Create(world));
+        break;
+    case 4:
+        c = MdtLinear1QuaConstraint(MdtLinear1Create(world));
+        break;
+    case 5:
+        c = MdtLinear2QuaConstraint(MdtLinear2Create(world));
+        break;
+    case 6:
+        c = MdtConeLimitQuaConstraint(MdtConeLimitCreate(world));
+        break;
+    default:
+        c = MdtBSJointQuaConstraint(MdtBSJointCreate(world));
+        break;
+    }
+    MdtConstraintSetBodies(c, a, b);
+    MdtConstraintSetPosition(c, (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2), (MeReal)uniform(-2, 2));
+    MdtConstraintSetAxis(c, (MeReal)uniform(-1, 1), (MeReal)uniform(-1, 1), (MeReal)uniform(.1, 1));
+    return c;
+}
+
+static void makeJoints(void) {
+    for (int i = 0; i < JOINTS; i++) {
+        const int a = below(BODIES), b = below(BODIES + 1);
+        const MdtConstraintID c = makeJoint(body[a], b == a || b == BODIES ? 0 : body[b]);
+        const MdtHingeID hinge = MdtConstraintDCastHinge(c);
+        const MdtPrismaticID slider = MdtConstraintDCastPrismatic(c);
+        const MdtConeLimitID cone = MdtConstraintDCastConeLimit(c);
+        if (hinge)
+            addStops(MdtHingeGetLimit(hinge));
+        if (slider)
+            addStops(MdtPrismaticGetLimit(slider));
+        if (cone)
+            MdtConeLimitSetConeHalfAngle(cone, (MeReal)uniform(0, 2));
+        MdtConstraintEnable(c);
+    }
+}
+
+/* J, with the angular velocities. */
+static double energy(void) {
+    double sum = 0;
+    for (int i = 0; i < BODIES; i++) {
+        MeVector3 v, w, x;
+        MeMatrix3 inertia;
+        MdtBodyGetLinearVelocity(body[i], v);
+        MdtBodyGetAngularVelocity(body[i], w);
+        MdtBodyGetPosition(body[i], x);
+        for (int k = 0; k < 3; k++)
+            ck_assert(isfinite((double)x[k]) && isfinite((double)v[k]) && isfinite((double)w[k]));
+        MdtBodyGetInertiaTensor(body[i], inertia);
+        double moment = 0;
+        for (int k = 0; k < 3; k++)
+            moment = fmax(moment, (double)inertia[k][k]);
+        for (int k = 0; k < 3; k++)
+            sum += .5 * (double)MdtBodyGetMass(body[i]) * (double)(v[k] * v[k]) + .5 * moment * (double)(w[k] * w[k]);
+    }
+    return sum;
+}
+
+typedef struct Worst {
+    double work;   /* millions, in a step */
+    double growth; /* of the kinetic energy, gravity's work apart, of what there was */
+    int limited;   /* steps */
+} Worst;
+
+static double heightOfEnergy(void) {
+    double sum = 0;
+    for (int i = 0; i < BODIES; i++) {
+        MeVector3 x;
+        MdtBodyGetCenterOfMassPosition(body[i], x);
+        sum += (double)MdtBodyGetMass(body[i]) * 10 * (double)x[1];
+    }
+    return sum;
+}
+
+static void runSystem(int number, Worst *worst) {
+    state = 1000003ULL * (unsigned long long)number + 17;
+    world = scene_world(BODIES, JOINTS, 10);
+    MdtWorldSetWorkBudget(world, BUDGET);
+    MdtWorldEnableReport(world);
+    makeBodies();
+    makeJoints();
+    const double start = energy();
+    double height = heightOfEnergy();
+    for (int k = 0; k < STEPS; k++) {
+        MdtReport r;
+        MdtWorldStep(world, FRAME);
+        ck_assert(MdtWorldGetReport(world, &r));
+        const double fallen = fmax(height - heightOfEnergy(), 0);
+        worst->work = fmax(worst->work, (double)r.work);
+        worst->growth = fmax(worst->growth, (energy() - fallen) / start);
+        worst->limited += r.limited > 0;
+        ck_assert((r.limited > 0) <= (r.fallbacks > 0 && r.way == MdtReportWayLimited));
+    }
+    MdtWorldDestroy(world);
+}
+
+START_TEST(random_joints_end_their_steps_and_give_no_energy) {
+    const char *wanted = getenv("KARMA_RANDOM_SYSTEMS");
+    const int systems = wanted ? atoi(wanted) : SYSTEMS;
+    Worst worst = {0, 0, 0};
+    messages_catch();
+    for (int i = 0; i < systems; i++)
+        runSystem(i, &worst);
+    messages_release();
+    printf("%d systems: at most %.3g millions of multiplications, energy times %.3g, %d steps limited\n", systems,
+           worst.work, worst.growth, worst.limited);
+    assert_below(worst.work, 1.1 * BUDGET); /* the last answer is given in any case */
+    assert_below(worst.growth, 1.5); /* of an energy that is overestimated, or not, by its largest moments */
+    ck_assert_int_gt(worst.limited, 0);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, random_joints_end_their_steps_and_give_no_energy);
+}
+
+TEST_MAIN("RandomJoints", tests)

@@ -1,0 +1,80 @@
+/* A world that is emptied, and one that is as new. */
+#include "Mdt.h"
+#include "karma_test.h"
+
+/* Two boxes on a rope of joints, in contact with the world. */
+static void fill(MdtWorldID w) {
+    MdtBodyID a = MdtBodyCreate(w), b = MdtBodyCreate(w);
+    MdtBSJointID joint = MdtBSJointCreate(w);
+    MdtBSJointSetBodies(joint, a, b);
+    MdtBSJointEnable(joint);
+    MdtContactGroupID group = MdtContactGroupCreate(w);
+    MdtContactGroupSetBodies(group, a, 0);
+    for (int i = 0; i < 3; i++) {
+        MdtContactID c = MdtContactGroupCreateContact(group);
+        MdtContactSetNormal(c, 0, 0, 1);
+    }
+    MdtContactGroupEnable(group);
+    MdtBodyEnable(a);
+    MdtBodyEnable(b);
+}
+
+START_TEST(reset_empties_a_world) {
+    MdtWorldID w = MdtWorldCreate(2, 5);
+    MdtWorldSetGravity(w, 0, 0, -3);
+    messages_catch();
+    for (int round = 0; round < 5; round++) { /* each time there is room for all of it again */
+        fill(w);
+        ck_assert_int_eq((int)MdtWorldGetTotalBodies(w), 2);
+        MdtWorldStep(w, (MeReal)(1. / 60));
+        ck_assert_int_gt(MdtWorldGetMaxMemoryPoolUsed(w), 0);
+        MdtWorldReset(w);
+        ck_assert(!MdtBodyGetFirst(w) && !MdtConstraintGetFirst(w) && MdtWorldGetTotalBodies(w) == 0);
+        MdtWorldStep(w, (MeReal)(1. / 60));
+    }
+    assert_silent();
+    messages_release();
+    MeVector3 gravity;
+    MdtWorldGetGravity(w, gravity);
+    ck_assert(gravity[2] == -3);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+START_TEST(recreate_makes_it_new) {
+    MdtWorldID w = MdtWorldCreate(2, 5, 2, 3), fresh = MdtWorldCreate(2, 5, 2, 3);
+    MeVector3 gravity, expected;
+    fill(w);
+    MdtWorldSetGravity(w, 0, 0, -3);
+    MdtWorldSetEpsilon(w, 1);
+    MdtWorldSetGamma(w, 1);
+    MdtWorldReCreate(w);
+    ck_assert_ptr_null(MdtBodyGetFirst(w));
+    MdtWorldGetGravity(w, gravity);
+    MdtWorldGetGravity(fresh, expected);
+    ck_assert(memcmp(gravity, expected, sizeof gravity) == 0);
+    ck_assert(MdtWorldGetEpsilon(w) == MdtWorldGetEpsilon(fresh) && MdtWorldGetGamma(w) == MdtWorldGetGamma(fresh));
+    MdtWorldDestroy(w);
+    MdtWorldDestroy(fresh);
+}
+END_TEST
+
+START_TEST(no_world_warns) {
+    messages_catch();
+    MdtWorldReset(NULL);
+    assert_warned("MdtWorldReset");
+    MdtWorldReCreate(NULL);
+    assert_warned("MdtWorldReCreate");
+    ck_assert_int_eq(MdtWorldGetMaxMemoryPoolUsed(NULL), 0);
+    assert_warned("MdtWorldGetMaxMemoryPoolUsed");
+    messages_release();
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, reset_empties_a_world);
+    tcase_add_test(t, recreate_makes_it_new);
+    tcase_add_test(t, no_world_warns);
+}
+
+TEST_MAIN("WorldReset", tests)

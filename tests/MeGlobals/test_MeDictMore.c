@@ -1,0 +1,143 @@
+/* Dictionaries that are filled in order, merged, made alike. */
+#include "MeDict.h"
+#include "karma_test.h"
+
+enum { ROOM = 200 };
+
+static MeDict dict, other;
+static MeDictNode node[ROOM];
+static int key[ROOM];
+
+static int MEAPI compare(const void *a, const void *b) {
+    const int x = *(const int *)a, y = *(const int *)b;
+    return (x > y) - (x < y);
+}
+
+static int MEAPI backwards(const void *a, const void *b) {
+    return compare(b, a);
+}
+
+static void setUp(void) {
+    MeDictInit(&dict, ROOM, compare);
+    MeDictInit(&other, ROOM, compare);
+    for (int i = 0; i < ROOM; i++) {
+        MeDictNodeInit(&node[i], NULL);
+        key[i] = i;
+    }
+}
+
+static int keyOf(MeDictNode *n) {
+    return *(const int *)MeDictNodeGetKey(n);
+}
+
+START_TEST(nodes_loaded_in_order_are_found) {
+    MeDictLoad load;
+    MeDictLoadBegin(&load, &dict);
+    for (int i = 0; i < ROOM; i++)
+        MeDictLoadNext(&load, &node[i], &key[i]);
+    MeDictLoadEnd(&load);
+    ck_assert(MeDictVerify(&dict) && MeDictIsFull(&dict));
+    for (int i = 0; i < ROOM; i++)
+        ck_assert_ptr_eq(MeDictLookup(&dict, &key[i]), &node[i]);
+}
+END_TEST
+
+START_TEST(what_is_not_in_order_is_not_loaded) {
+    MeDictLoad load;
+    messages_catch();
+    MeDictLoadBegin(&load, &dict);
+    MeDictLoadNext(&load, &node[5], &key[5]);
+    MeDictLoadNext(&load, &node[4], &key[4]);
+    assert_warned("MeDictLoadNext");
+    key[6] = 5;
+    MeDictLoadNext(&load, &node[6], &key[6]);
+    assert_warned("MeDictLoadNext");
+    MeDictLoadNext(&load, &node[5], &key[7]);
+    assert_warned("MeDictLoadNext");
+    MeDictLoadEnd(&load);
+    ck_assert_uint_eq(MeDictCount(&dict), 1);
+    MeDictLoadNext(&load, &node[8], &key[8]);
+    assert_warned("MeDictLoadNext");
+    MeDictLoadBegin(&load, &dict);
+    assert_warned("MeDictLoadBegin");
+    MeDictLoadNext(&load, &node[8], &key[8]);
+    assert_warned("MeDictLoadNext");
+    MeDictLoadBegin(NULL, &dict);
+    assert_warned("MeDictLoadBegin");
+    MeDictLoadEnd(NULL);
+    assert_warned("MeDictLoadEnd");
+    messages_release();
+    ck_assert_uint_eq(MeDictCount(&dict), 1);
+}
+END_TEST
+
+START_TEST(merging_moves_what_is_new) {
+    for (int i = 0; i < 20; i++)
+        MeDictInsert(i % 2 ? &dict : &other, &node[i], &key[i]);
+    key[30] = 3;
+    MeDictInsert(&other, &node[30], &key[30]);
+    MeDictMerge(&dict, &other);
+    ck_assert(MeDictCount(&dict) == 20 && MeDictCount(&other) == 1 && MeDictVerify(&dict) && MeDictVerify(&other));
+    ck_assert_ptr_eq(MeDictFirst(&other), &node[30]);
+    int i = 0;
+    for (MeDictNode *n = MeDictFirst(&dict); n; n = MeDictNext(&dict, n))
+        ck_assert_int_eq(keyOf(n), i++);
+    MeDictAllowDupes(&dict);
+    MeDictAllowDupes(&other);
+    MeDictMerge(&dict, &other);
+    ck_assert(MeDictCount(&dict) == 21 && MeDictIsEmpty(&other) && MeDictVerify(&dict));
+}
+END_TEST
+
+START_TEST(merging_of_what_differs_or_does_not_fit_warns) {
+    MeDict small, differs;
+    MeDictInit(&small, 2, compare);
+    MeDictInit(&differs, 2, backwards);
+    for (int i = 0; i < 4; i++)
+        MeDictInsert(&dict, &node[i], &key[i]);
+    messages_catch();
+    MeDictMerge(&differs, &dict);
+    assert_warned("MeDictMerge");
+    ck_assert(MeDictIsEmpty(&differs) && MeDictCount(&dict) == 4);
+    MeDictMerge(&small, &dict);
+    assert_warned("MeDictMerge");
+    ck_assert(MeDictCount(&small) == 2 && MeDictCount(&dict) == 2);
+    MeDictMerge(NULL, &dict);
+    assert_warned("MeDictMerge");
+    messages_release();
+}
+END_TEST
+
+START_TEST(alike_means_order_allocator_and_equal_keys) {
+    MeDict like;
+    ck_assert(MeDictSimilar(&dict, &other));
+    MeDictAllowDupes(&dict);
+    ck_assert(!MeDictSimilar(&dict, &other));
+    MeDictInsert(&dict, &node[0], &key[0]);
+    MeDictInitLike(&like, &dict);
+    ck_assert(MeDictSimilar(&dict, &like) && MeDictIsEmpty(&like) && MeDictVerify(&like));
+    MeDictInit(&other, DICTCOUNT_T_MAX, backwards);
+    MeDictAllowDupes(&other);
+    ck_assert(!MeDictSimilar(&dict, &other));
+}
+END_TEST
+
+START_TEST(free_empties_it) {
+    MeDictAllocInsert(&dict, &key[1], NULL);
+    MeDictAllocInsert(&dict, &key[2], NULL);
+    MeDictFree(&dict);
+    ck_assert(MeDictIsEmpty(&dict));
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setUp, NULL);
+    tcase_add_test(t, nodes_loaded_in_order_are_found);
+    tcase_add_test(t, what_is_not_in_order_is_not_loaded);
+    tcase_add_test(t, merging_moves_what_is_new);
+    tcase_add_test(t, merging_of_what_differs_or_does_not_fit_warns);
+    tcase_add_test(t, alike_means_order_allocator_and_equal_keys);
+    tcase_add_test(t, free_empties_it);
+}
+
+TEST_MAIN("MeDictMore", tests)

@@ -1,0 +1,41 @@
+/* The hard cases with the epsilon that a universe comes with: what a program gets that sets nothing. Where a bound is wider
+ * than in the other files, which are rigid, the load's sag is why (epsilon F h² / gamma). */
+#include "cases.h"
+
+START_TEST(stacks_stand_by_default) {
+    static const SceneBound bounds[] = {
+        {"heavy-1e4", 1, 1, 1e-6, 1e-9},  {"heavy-1e4", 1, 2, 1e-6, 1e-9},  {"heavy-1e6", 1, 1, 1e-6, 1e-7},
+        {"heavy-1e6", 1, 2, 1e-6, 1e-7},  {"tower", 1, 0, 1e-5, 1e-8},      {"tower", 1, 1, 1e-5, 1e-8},
+        {"tower-.01m", 1, 0, 1e-3, 1e-7}, {"tower-.01m", 1, 1, 1e-3, 1e-7}, {"tower-100m", 1, 0, 1e-3, 2e-5},
+        {"tower-100m", 1, 1, 1e-3, 1e-8}, {"cards", 1, 0, 1e-6, 1e-8},
+    };
+    assert_by_default(bounds);
+}
+END_TEST
+
+START_TEST(friction_is_exact_by_default) {
+    static const SceneBound bounds[] = {
+        {"incline", 1, 0, 1e-5, 1e-9},  {"incline", 1, 1, 1e-9, 1e-11}, {"isotropy", 1, 0, 1e-6, 1e-10},
+        {"isotropy", 1, 1, 1e-3, 1e-8}, {"rolling", 1, 0, 2e-6, 1e-8},  {"rolling", 1, 1, 1e-6, 1e-8},
+        {"backspin", 1, 0, 1e-5, 1e-7}, {"backspin", 1, 1, 1e-5, 1e-7}, {"block", 1, 0, 1e-5, 1e-8},
+        {"block", 1, 1, 1e-6, 1e-8},    {"block", 1, 2, 0, 0},
+    };
+    assert_by_default(bounds);
+}
+END_TEST
+
+START_TEST(impacts_are_exact_by_default) {
+    static const SceneBound bounds[] = {
+        {"bounce", 1, 0, 1e-5, 1e-10}, {"bounce", 1, 1, 1e-4, 1e-10}, {"bounce", 1, 2, 1e-4, 1e-10},
+        {"cradle", 1, 0, 1e-6, 1e-12}, {"cradle", 1, 1, 1e-6, 1e-12}, {"cradle", 1, 2, 1e-6, 1e-12},
+    };
+    assert_by_default(bounds);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, stacks_stand_by_default);
+    tcase_add_test(t, friction_is_exact_by_default);
+    tcase_add_test(t, impacts_are_exact_by_default);
+}
+TEST_MAIN("Cases_Defaults", tests)

@@ -1,0 +1,209 @@
+/* What a step may cost: a cap on iterations, and the budget of work, make steps cheaper and softer, and never gain energy. */
+#include "Mst.h"
+#include "karma_test.h"
+
+enum { MOST = 100 };
+
+static MstUniverseID u;
+static MdtBodyID body[MOST];
+static unsigned int seed;
+
+static double chance(double from, double to) {
+    seed = seed * 1664525u + 1013904223u;
+    return from + (to - from) * (seed >> 8) / (1 << 24);
+}
+
+static void makeWorld(int boxes, int constraints) {
+    static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    sizes.dynamicBodiesMaxCount = (unsigned int)boxes;
+    sizes.collisionModelsMaxCount = (unsigned int)boxes + 1;
+    sizes.collisionPairsMaxCount = (unsigned int)(boxes * boxes + 100);
+    sizes.dynamicConstraintsMaxCount = (unsigned int)constraints;
+    u = MstUniverseCreate(&sizes);
+    MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
+    MdtWorldSetEpsilon(u->world, 0);
+    MdtWorldEnableReport(u->world);
+    MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
+    MdtContactParamsSetType(p, MdtContactTypeFriction2D);
+    MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);
+    MdtContactParamsSetFrictionCoeffecient(p, (MeReal).5);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
+}
+
+/* Boxes turned any way, four a layer, that fall onto each other. */
+static void makeHeap(int boxes) {
+    makeWorld(boxes, 60 * boxes);
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    seed = 1;
+    for (int i = 0; i < boxes; i++) {
+        const McdModelID m = MstModelAndBodyCreate(u, cube, 1);
+        MeReal q[4];
+        const double x = chance(-2, 2), z = chance(-2, 2);
+        for (int k = 0; k < 4; k++)
+            q[k] = (MeReal)chance(-.5, .5);
+        McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)(2 + 1.2 * (i / 4)), (MeReal)z);
+        McdModelDynamicsSetQuaternion(m, q[0], q[1], q[2], q[3]);
+        body[i] = McdModelGetBody(m);
+    }
+}
+
+typedef struct Run {
+    int factorizations, fallbacks, limited, rows;
+    double work, mostWork; /* millions; in a step and partition */
+    double speed;          /* m/s, the largest */
+    double growth;         /* J, of the kinetic energy in a step, beyond what gravity has done */
+    double start;          /* J */
+} Run;
+
+static double fastest(int boxes) {
+    double most = 0;
+    for (int i = 0; i < boxes; i++) {
+        MeVector3 v;
+        MdtBodyGetLinearVelocity(body[i], v);
+        most = fmax(most, sqrt((double)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])));
+    }
+    return most;
+}
+
+typedef struct Energy {
+    double kinetic, potential; /* J, of all boxes, at rest or not: 1 m and 1 kg, so their moment is 1/6 */
+} Energy;
+
+static Energy energyOf(int boxes) {
+    Energy e = {0, 0};
+    for (int i = 0; i < boxes; i++) {
+        MeVector3 v, w, x;
+        MdtBodyGetLinearVelocity(body[i], v);
+        MdtBodyGetAngularVelocity(body[i], w);
+        MdtBodyGetCenterOfMassPosition(body[i], x);
+        for (int k = 0; k < 3; k++)
+            e.kinetic += .5 * ((double)v[k] * (double)v[k] + (double)w[k] * (double)w[k] / 6);
+        e.potential += 9.81 * (double)x[1];
+    }
+    return e;
+}
+
+static void noteStep(Run *run, int boxes, Energy *last) {
+    const Energy e = energyOf(boxes);
+    MdtReport r;
+    ck_assert(MdtWorldGetReport(u->world, &r));
+    run->growth = fmax(run->growth, e.kinetic - last->kinetic - fmax(last->potential - e.potential, 0));
+    *last = e;
+    run->rows = r.rows;
+    run->factorizations += r.factorizations;
+    run->fallbacks += r.fallbacks > 0;
+    run->limited += r.way == MdtReportWayLimited;
+    run->work += (double)r.work;
+    for (int i = 0; i < MdtWorldGetReportCount(u->world); i++) {
+        MdtReport part;
+        ck_assert(MdtWorldGetPartitionReport(u->world, i, &part));
+        run->mostWork = fmax(run->mostWork, (double)part.work);
+    }
+}
+
+static Run runHeap(int boxes, int steps, int cap, double budget) {
+    Run run = {0};
+    makeHeap(boxes);
+    Energy energy = energyOf(boxes);
+    run.start = energy.potential;
+    MdtWorldSetMaxLCPIterations(u->world, cap);
+    if (budget >= 0)
+        MdtWorldSetWorkBudget(u->world, (MeReal)budget);
+    messages_catch();
+    for (int i = 0; i < steps; i++) {
+        MstUniverseStep(u, (MeReal)(1. / 60));
+        noteStep(&run, boxes, &energy);
+        run.speed = fmax(run.speed, fastest(boxes));
+    }
+    messages_release();
+    MstUniverseDestroy(u);
+    return run;
+}
+
+/* With one iteration bodies reached 4e10 m/s in single precision, 1e41 m/s in double; with five a step took 40 times as long as
+ * without. Nothing falls by more than 12 m: sqrt(2 g 12 m) = 15 m/s. */
+START_TEST(a_cap_on_iterations_makes_steps_cheaper_and_softer) {
+    static const int caps[] = {1, 5, 20, 0};
+    double work = 0, workOfOne = 0;
+    for (int i = 0; i < 4; i++) {
+        const Run run = runHeap(30, 80, caps[i], 0);
+        assert_below(run.speed, 15);
+        assert_below(run.growth, TOL(1e-5, 1e-12) * run.start);
+        /* where sweeps do nearly all of the work, other motions cost a little more or less */
+        ck_assert_msg(run.work > 0.9 * work, "cap %d: %g, before %g", caps[i], run.work, work);
+        ck_assert_msg(caps[i] > 0 || run.work > 5 * workOfOne, "without a cap: %g, with one iteration: %g", run.work, workOfOne);
+        ck_assert_int_eq(run.fallbacks > 0, caps[i] > 0);
+        work = run.work;
+        workOfOne = i == 0 ? work : workOfOne;
+    }
+}
+END_TEST
+
+START_TEST(a_budget_bounds_every_step_of_a_heap) {
+    static const double budgets[] = {1, 4, -1};
+    for (int i = 0; i < 3; i++) {
+        const Run run = runHeap(30, 80, 0, budgets[i]);
+        const double most = budgets[i] < 0 ? MDTWORLD_DEFAULT_WORK_BUDGET : budgets[i];
+        assert_below(run.speed, 15);
+        assert_below(run.growth, TOL(1e-5, 1e-12) * run.start);
+        assert_below(run.mostWork, 1.1 * most + 1); /* 1: the last answers, of 230 rows */
+        ck_assert(budgets[i] < 0 || run.limited > 0);
+    }
+}
+END_TEST
+
+/* 59 400 rows: the first step took a minute. One Newton iteration of them is 96 millions, more than the budget, so they are
+ * solved by sweeps, which are 2000 multiplications a row. */
+START_TEST(a_hundred_boxes_in_one_place_are_bounded) {
+    enum { BOXES = 100, STEPS = 2 };
+    Run run = {0};
+    makeWorld(BOXES, 6 * BOXES * BOXES);
+    MdtWorldSetWorkBudget(u->world, 40);
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int i = 0; i < BOXES; i++) {
+        const McdModelID m = MstModelAndBodyCreate(u, cube, 1);
+        McdModelDynamicsSetPosition(m, 0, 5, 0);
+        body[i] = McdModelGetBody(m);
+    }
+    Energy energy = energyOf(BOXES);
+    for (int i = 0; i < STEPS; i++) {
+        MstUniverseStep(u, (MeReal)(1. / 60));
+        noteStep(&run, BOXES, &energy);
+    }
+    ck_assert_int_eq(run.factorizations, 0);
+    ck_assert_int_eq(run.limited, STEPS);
+    ck_assert_int_eq(run.fallbacks, STEPS);
+    assert_below(run.mostWork, 2e-3 * run.rows);
+    assert_below(fastest(BOXES), 1); /* m/s; gamma moves them apart with 12 */
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+START_TEST(the_budget_is_a_number_from_0) {
+    makeWorld(1, 10);
+    assert_near(MdtWorldGetWorkBudget(u->world), MDTWORLD_DEFAULT_WORK_BUDGET, 0);
+    MdtWorldSetWorkBudget(u->world, 0);
+    ck_assert(MdtWorldGetWorkBudget(u->world) == 0);
+    MdtWorldSetWorkBudget(u->world, (MeReal)2.5);
+    messages_catch();
+    MdtWorldSetWorkBudget(u->world, -1);
+    assert_warned("MdtWorldSetWorkBudget");
+    MdtWorldSetWorkBudget(u->world, (MeReal)NAN);
+    assert_warned("MdtWorldSetWorkBudget");
+    ck_assert(MdtWorldGetWorkBudget(NULL) == 0);
+    assert_warned("MdtWorldGetWorkBudget");
+    messages_release();
+    assert_near(MdtWorldGetWorkBudget(u->world), 2.5, 0);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, the_budget_is_a_number_from_0);
+    tcase_add_test(t, a_cap_on_iterations_makes_steps_cheaper_and_softer);
+    tcase_add_test(t, a_budget_bounds_every_step_of_a_heap);
+    tcase_add_test(t, a_hundred_boxes_in_one_place_are_bounded);
+}
+
+TEST_MAIN("WorkBudget", tests)

@@ -1,0 +1,13 @@
+/* A pair of a model with itself is disabled and enabled in silence. */
+#include "Mst.h"
+
+int main(void) {
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    MstUniverseID u = MstUniverseCreate(&sizes);
+    McdModelID ball =
+        MstModelAndBodyCreate(u, (McdGeometryID)McdSphereCreate(MstUniverseGetFramework(u), (MeReal)0.5), 1);
+    McdSpaceDisablePair(ball, ball);
+    MstUniverseStep(u, (MeReal)(1. / 60));
+    MstUniverseDestroy(u);
+    return 0;
+}
