@@ -4,14 +4,14 @@
  *
  * A chain that would take longer than the budget, by what the shorter ones took, is left out. With --report, what the
  * report of a step costs (MdtReport.h): frames with it and without take turns, and their medians are compared. */
-#define _POSIX_C_SOURCE 199309L /* clock_gettime */
+#include "timing.h"
+
 #include "Mdt.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { FRAMES = 60, REPORT_FRAMES = 1200, MAX_SIZES = 16 };
 static const double linkLength = .5, linkWidth = .1, ballMass = 1000, ballRadius = .5, gravity = 9.81;
@@ -28,12 +28,6 @@ typedef struct Cost {
     int links;
     double frame, all, gap, energy; /* s, s, m, relative */
 } Cost;
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* Building */
 
@@ -122,16 +116,6 @@ static double energyOf(const Chain *c) {
                (double)MdtBodyGetMass(c->bodies[i]) * gravity * (double)p[1];
     }
     return sum;
-}
-
-static int compare(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double times[], int n) {
-    qsort(times, (size_t)n, sizeof *times, compare);
-    return times[n / 2];
 }
 
 /* As many frames as there is time for, at least one. */

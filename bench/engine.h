@@ -35,8 +35,8 @@ typedef struct Engine {
     void (*destroy)(EngineWorld *w);
 } Engine;
 
-/* A setting of universes that is not among the listed ones, for tests: a step that is not exact counts as giving up. */
-#define ENGINE_STRICT 1
+/* Karma's settings; or-ed with ENGINE_STRICT, for tests, a universe's step that is not exact counts as giving up. */
+enum { ENGINE_RIGID, ENGINE_DEFAULTS, ENGINE_STRICT = 16 };
 
 extern const Engine engine_karma_single, engine_karma_double;       /* with contacts made by the scene's code */
 extern const Engine engine_universe_single, engine_universe_double; /* Mcd's contacts, through the bridge */

@@ -1,5 +1,6 @@
-/* Karma, rigid (epsilon 0). Its contacts are the scene's, not Mcd's: dynamics is compared. One that lasts from step to step
- * stays the same object, so that Karma may start from its last forces. */
+/* Karma, rigid (epsilon 0), or with the epsilon of a world that a program makes. Its contacts are the scene's, not
+ * Mcd's: dynamics is compared. One that lasts from step to step stays the same object, so that Karma may start from its
+ * last forces. */
 #include "engine.h"
 #include "karma_body.h"
 
@@ -27,12 +28,11 @@ struct EngineWorld {
 };
 
 static EngineWorld *create(int setting, const double gravity[3], bool collides) {
-    (void)setting;
     EngineWorld *w = calloc(1, sizeof *w);
     if (!w)
         abort();
     w->world = MdtWorldCreate(SCENE_MAX_BODIES, SCENE_MAX_JOINTS + (collides ? SCENE_MAX_CONTACTS : 0));
-    karma_setWorld(w->world, gravity);
+    karma_setWorld(w->world, setting, gravity);
     return w;
 }
 
@@ -149,23 +149,20 @@ static void destroy(EngineWorld *w) {
     free(w);
 }
 
-static const char *const settings[] = {"eps 0", NULL};
+static const char *const settings[] = {[ENGINE_RIGID] = "eps 0", [ENGINE_DEFAULTS] = "eps 1e-4", NULL};
 
 #ifdef _ME_API_DOUBLE
-#define NAME         "Karma double"
-#define ABOUT        "double precision"
 #define ENGINE_KARMA engine_karma_double
 #else
-#define NAME         "Karma single"
-#define ABOUT        "single precision"
 #define ENGINE_KARMA engine_karma_single
 #endif
 
 MEPUBLIC extern const Engine ENGINE_KARMA;
 const Engine ENGINE_KARMA = {
-    .name = NAME,
+    .name = KARMA_NAME,
     .version = ME_VERSION_STRING,
-    .about = ABOUT "; epsilon 0, gamma .2, the friction cone; contacts by the scene's code, not by Mcd, ahead of touch",
+    .about = KARMA_PRECISION "; epsilon 0 or a world's 1e-4, gamma .2, the friction cone; contacts by the scene's "
+                             "code, not by Mcd, ahead of touch",
     .settings = settings,
     .bounces = true,
     .create = create,

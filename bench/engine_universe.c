@@ -1,5 +1,5 @@
-/* Karma as programs use it: a universe, whose contacts Mcd finds and the bridge makes; rigid (epsilon 0). Every friction
- * and restitution that there is among the bodies becomes a material. */
+/* Karma as programs use it: a universe, whose contacts Mcd finds and the bridge makes; rigid (epsilon 0), or with
+ * the epsilon that it comes with. Every friction and restitution that there is among the bodies becomes a material. */
 #include "engine.h"
 #include "karma_body.h"
 
@@ -35,8 +35,8 @@ static EngineWorld *create(int setting, const double gravity[3], bool collides) 
     sizes.materialsMaxCount = MAX_MATERIALS;
     w->universe = MstUniverseCreate(&sizes);
     w->numMaterials = 1;
-    w->isStrict = setting == ENGINE_STRICT;
-    karma_setWorld(w->universe->world, gravity);
+    w->isStrict = (setting & ENGINE_STRICT) != 0;
+    karma_setWorld(w->universe->world, setting & ~ENGINE_STRICT, gravity);
     if (w->isStrict)
         MdtWorldEnableReport(w->universe->world);
     return w;
@@ -123,23 +123,21 @@ static void destroy(EngineWorld *w) {
     free(w);
 }
 
-static const char *const settings[] = {"universe", NULL};
+static const char *const settings[] = {[ENGINE_RIGID] = "eps 0", [ENGINE_DEFAULTS] = "defaults", NULL};
 
 #ifdef _ME_API_DOUBLE
-#define NAME            "Karma double"
-#define ABOUT           "double precision"
 #define ENGINE_UNIVERSE engine_universe_double
 #else
-#define NAME            "Karma single"
-#define ABOUT           "single precision"
 #define ENGINE_UNIVERSE engine_universe_single
 #endif
 
 MEPUBLIC extern const Engine ENGINE_UNIVERSE;
 const Engine ENGINE_UNIVERSE = {
-    .name = NAME,
+    .name = KARMA_NAME,
     .version = ME_VERSION_STRING,
-    .about = ABOUT "; epsilon 0, gamma .2, the friction cone; contacts by Mcd, ahead of touch, through the bridge",
+    .about = KARMA_PRECISION
+    "; epsilon 0 or a universe's 7.2e-11, gamma .2, the friction cone; contacts by Mcd, ahead of touch, "
+    "through the bridge",
     .settings = settings,
     .bounces = true,
     .create = create,

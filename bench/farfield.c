@@ -4,7 +4,8 @@
  *
  * The same boxes move all the time, at V m/s and steps of 1/60 s, and turn back at the walls. A step is: renew the
  * boxes of those that moved, end the block, get the pairs. "all": by McdSpaceUpdateAll, which renews every box. */
-#define _POSIX_C_SOURCE 199309L /* clock_gettime */
+#include "timing.h"
+
 #include "McdFrame.h"
 #include "McdGeometry.h"
 #include "McdGeometryInstance.h"
@@ -16,26 +17,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 static double speed = 5;                               /* m/s */
 static const double stepTime = 1.0 / 60, perBox = 2.7; /* s, m^3 of the cube */
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int compare(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double times[], int n) {
-    qsort(times, (size_t)n, sizeof *times, compare);
-    return times[n / 2];
-}
 
 /* ---- the motion ----------------------------------------------------------------------------------------------- */
 

@@ -2,9 +2,18 @@
 #ifndef BENCH_KARMA_BODY_H
 #define BENCH_KARMA_BODY_H
 
+#include "engine.h"
 #include "scene.h"
 
 #include "Mdt.h"
+
+#ifdef _ME_API_DOUBLE
+#define KARMA_NAME      "Karma double"
+#define KARMA_PRECISION "double precision"
+#else
+#define KARMA_NAME      "Karma single"
+#define KARMA_PRECISION "single precision"
+#endif
 
 static inline void karma_setState(MdtBodyID body, const SceneState *s) {
     MdtBodySetPosition(body, (MeReal)s->position[0], (MeReal)s->position[1], (MeReal)s->position[2]);
@@ -36,10 +45,11 @@ static inline void karma_push(MdtBodyID body, const double force[3]) {
         MdtBodyAddForce(body, (MeReal)force[0], (MeReal)force[1], (MeReal)force[2]);
 }
 
-/* Nothing comes to rest, and everything is rigid. */
-static inline void karma_setWorld(MdtWorldID world, const double gravity[3]) {
+/* Nothing comes to rest. */
+static inline void karma_setWorld(MdtWorldID world, int setting, const double gravity[3]) {
     MdtWorldSetAutoDisable(world, 0);
-    MdtWorldSetEpsilon(world, 0);
+    if (setting == ENGINE_RIGID)
+        MdtWorldSetEpsilon(world, 0);
     MdtWorldSetGravity(world, (MeReal)gravity[0], (MeReal)gravity[1], (MeReal)gravity[2]);
 }
 

@@ -2,7 +2,8 @@
  * rough, as a triangle list and as a height field; lying flat, tilted a little, and lying any way.
  *
  *     meshes [--rounds COUNT] */
-#define _POSIX_C_SOURCE 199309L /* clock_gettime */
+#include "timing.h"
+
 #include "McdBox.h"
 #include "McdCone.h"
 #include "McdConvexMesh.h"
@@ -21,7 +22,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { CELLS = 40, SAMPLES = CELLS + 1, QUERIES = 300, CONTACTS = 64 };
 static const double cell = .37;
@@ -32,12 +32,6 @@ enum { SPHERE, BOX, CYLINDER, SPHYL, CONE, HULL, SHAPES };
 static const char *const shapeName[SHAPES] = {"sphere", "box", "cylinder", "sphyl", "cone", "hull"};
 enum { FLAT, TILTED, ANY, POSES };
 static const char *const poseName[POSES] = {"flat", "tilted", "any"};
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static unsigned int seed;
 static double between(double low, double high) {
@@ -65,7 +59,7 @@ static void addTriangle(McdUserTriangle *t, int a, int b, int c) {
     t->vertices[1] = &vertex[b];
     t->vertices[2] = &vertex[c];
     t->normal = 0;
-    t->triangleData = 0;
+    t->triangleData.ptr = 0;
     t->flags = (McdTriangleFlags)(kMcdTriangleStandard & ~kMcdTriangleTwoSided);
 }
 

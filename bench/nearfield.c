@@ -2,7 +2,8 @@
  * way, and a little apart; for comparison, ODE's boxes, where it is installed, and FCL's boxes and cylinders.
  *
  *     nearfield [--rounds COUNT] */
-#define _POSIX_C_SOURCE 199309L /* clock_gettime */
+#include "timing.h"
+
 #include "mcd_vector.h"
 #include "nearfield_fcl.h"
 #include "reference.h"
@@ -10,7 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #ifdef NEARFIELD_ODE
 #include <ode/ode.h>
@@ -23,12 +23,6 @@ enum { PAIRS = 1000 };
 enum { STANDING, TILTED, ANY, APART, POSES };
 static const char *const poseName[POSES] = {"standing", "tilted", "any", "apart"};
 static McdShape a[PAIRS], b[PAIRS];
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* a on top of b, a hundredth of their sizes in it, or, apart, half of that above; any: deep in it. */
 static void makePair(McdShape *x, McdShape *y, int kindX, int kindY, int pose, Random *r) {

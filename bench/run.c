@@ -1,11 +1,11 @@
 /* One run of a scene in an engine. */
-#define _POSIX_C_SOURCE 199309L /* clock_gettime */
+#include "timing.h"
+
 #include "run.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 typedef struct Run {
     const Scene *scene;
@@ -22,12 +22,6 @@ static void hash(const Run *r, uint64_t *sum) {
     const unsigned char *bytes = (const unsigned char *)r->states;
     for (size_t i = 0; i < (size_t)r->world.numBodies * sizeof r->states[0]; i++)
         *sum = (*sum ^ bytes[i]) * 1099511628211u;
-}
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 bool run_isPossible(const Scene *scene, const Engine *engine) {
@@ -89,14 +83,8 @@ static double frame(Run *r, int substeps) {
     return now() - start;
 }
 
-static int compare(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static void summarize(const Run *r, double times[], int n, RunResult *result) {
-    qsort(times, (size_t)n, sizeof *times, compare);
-    result->median = n ? 1e6 * times[n / 2] : 0;
+    result->median = n ? 1e6 * median(times, n) : 0;
     result->worst = n ? 1e6 * times[n - 1] : 0;
     r->scene->measure(&r->trace, &r->world, result->errors);
     for (int k = 0; k < SCENE_MAX_ERRORS && r->scene->errors[k].name; k++)
