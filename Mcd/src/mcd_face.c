@@ -460,55 +460,83 @@ static double depthOf(const Spot *s) {
     return s->b - s->a;
 }
 
-/* Ties go to the first, so that a body at rest keeps its points. */
-static int deepestOf(const Spot *spot, int count, double slack_) {
-    double most = -INFINITY;
-    for (int i = 0; i < count; i++)
-        most = MeMAX(most, depthOf(&spot[i]));
-    for (int i = 0; i < count; i++)
-        if (depthOf(&spot[i]) >= most - slack_)
-            return i;
-    return 0;
+/* The farthest from a place. Ties go to the first, so that a body at rest keeps its points. */
+static int farthestOf(const Spot *spot, int count, const Spot *from, double slack_) {
+    int best = 0;
+    double enough = slack_ * slack_; /* (most + slack)^2 */
+    for (int i = 0; i < count; i++) {
+        const double squared = acrossSquared(&spot[i], from);
+        if (squared > enough) {
+            const double most = sqrt(squared) + slack_;
+            enough = most * most;
+            best = i;
+        }
+    }
+    return best;
 }
 
-/* Four well-spread ones: the deepest, the farthest from it, and the farthest from their line on either side.
+static Spot middleOf(const Spot *spot, int count) {
+    Spot middle = {.x = 0, .y = 0};
+    for (int i = 0; i < count; i++) {
+        middle.x += spot[i].x / count;
+        middle.y += spot[i].y / count;
+    }
+    return middle;
+}
+
+/* The farthest on either side of the line of two; -1: there is none. */
+static void farthestBeside(const Spot *spot, int count, const Spot *first, const Spot *second, double slack_,
+                           int best[2]) {
+    const double dx = second->x - first->x, dy = second->y - first->y, least = 4 * slack_ * sqrt(dx * dx + dy * dy);
+    double most[2] = {least, least};
+    best[0] = best[1] = -1;
+    for (int i = 0; i < count; i++) {
+        const double area = dx * (spot[i].y - first->y) - dy * (spot[i].x - first->x);
+        const int side = area < 0;
+        if (fabs(area) > most[side] * (1 + 1e-6)) {
+            most[side] = fabs(area);
+            best[side] = i;
+        }
+    }
+}
+
+static int deepestOf(const Spot *spot, int count) {
+    int best = 0;
+    for (int i = 1; i < count; i++)
+        if (depthOf(&spot[i]) > depthOf(&spot[best]))
+            best = i;
+    return best;
+}
+
+/* The deepest takes the place of the nearest, where all that are kept leave more than the slack of it out. */
+static void includeDeepest(const Spot *spot, int count, Spot *kept, int made, double slack_) {
+    const Spot *deepest = &spot[deepestOf(spot, count)];
+    int nearest = 0;
+    for (int i = 0; i < made; i++) {
+        if (depthOf(&kept[i]) >= depthOf(deepest) - slack_)
+            return;
+        if (acrossSquared(&kept[i], deepest) < acrossSquared(&kept[nearest], deepest))
+            nearest = i;
+    }
+    kept[nearest] = *deepest;
+}
+
+/* Four that support as well as all: two ends, and the farthest from their line on either side. What is deepest by no more
+ * than rounding does not decide: it could be the middle of an edge, and a corner would be left without support.
  *
  * Not mcd_spread: here all is in one plane, the slack decides between spots that are as good, so that a body at rest
  * keeps its points, and mcd_spread's look at all of them from every side would cost a pair a fifth more time. */
 static int keepFour(Spot *spot, int count, double slack_) {
-    int chosen[4], made = 0;
-    chosen[made++] = deepestOf(spot, count, slack_);
-    const Spot first = spot[chosen[0]];
-    double most = 0, enough = slack_ * slack_; /* (most + slack)^2 */
-    for (int i = 0; i < count; i++) {
-        const double squared = acrossSquared(&spot[i], &first);
-        if (squared > enough) {
-            most = sqrt(squared);
-            enough = (most + slack_) * (most + slack_);
-            chosen[1] = i;
-            made = 2;
-        }
-    }
-    if (made == 2) {
-        const Spot second = spot[chosen[1]];
-        double side[2] = {4 * slack_ * most, 4 * slack_ * most};
-        int best[2] = {-1, -1};
-        for (int i = 0; i < count; i++) {
-            const double area =
-                (second.x - first.x) * (spot[i].y - first.y) - (second.y - first.y) * (spot[i].x - first.x);
-            const int which = area < 0;
-            if (fabs(area) > side[which] * (1 + 1e-6)) {
-                side[which] = fabs(area);
-                best[which] = i;
-            }
-        }
-        for (int i = 0; i < 2; i++)
-            if (best[i] >= 0)
-                chosen[made++] = best[i];
-    }
+    const Spot middle = middleOf(spot, count);
     Spot kept[4];
-    for (int i = 0; i < made; i++)
-        kept[i] = spot[chosen[i]];
+    int beside[2], made = 0;
+    kept[made++] = spot[farthestOf(spot, count, &middle, slack_)];
+    kept[made++] = spot[farthestOf(spot, count, &kept[0], slack_)];
+    farthestBeside(spot, count, &kept[0], &kept[1], slack_, beside);
+    for (int i = 0; i < 2; i++)
+        if (beside[i] >= 0)
+            kept[made++] = spot[beside[i]];
+    includeDeepest(spot, count, kept, made, slack_);
     memcpy(spot, kept, (size_t)made * sizeof *spot);
     return made;
 }

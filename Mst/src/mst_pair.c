@@ -6,6 +6,7 @@
 #include "McdContact.h"
 #include "McdGeometryInstance.h"
 #include "McdInteractions.h"
+#include "MdtBody.h"
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
 #include "MeAssert.h"
@@ -84,13 +85,61 @@ static MeBool isAmong(MdtContactID c, const MdtContactID *list, int count) {
     return MEFALSE;
 }
 
-/* A contact of the group with the feature that is not one of those. */
-static MdtContactID findContact(MdtContactGroupID group, MeU32 feature, const MdtContactID *done, int count) {
+/* ---- which contact of the last step a point continues -------------------------------------------------------------- */
+
+/* The group's contact with the feature that no point has yet. */
+static MdtContactID contactOfFeature(MdtContactGroupID group, MeU32 feature, const MdtContactID *taken, int count) {
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
-        if (MdtContactGetFeature(c) == feature && !isAmong(c, done, count))
+        if (MdtContactGetFeature(c) == feature && !isAmong(c, taken, count))
             return c;
     return 0;
 }
+
+/* Square of the distance from where a contact has been carried to since it was found, by the body that it pushes. */
+static MeReal distanceFrom(MdtContactID c, const MstBridgeRecord *b, const MeVector3 point) {
+    MeVector3 place, velocity;
+    MdtContactGetPosition(c, place);
+    MdtBodyGetVelocityAtPoint(MdtContactGetBody(c, 0), place, velocity);
+    MeVector3MultiplyScalar(velocity, velocity, b->ahead);
+    MeVector3Add(place, place, velocity);
+    MeVector3Subtract(place, place, point);
+    return MeVector3Dot(place, place);
+}
+
+/* Of all points without a contact, and all contacts of the group that no point has, the two that are nearest to each other:
+ * they become one. False: there are none. */
+static MeBool matchNearest(MstBridgeRecord *b, MdtContactGroupID group, const McdIntersectResult *result) {
+    MdtContactID nearest = 0;
+    MeReal least = MEINFINITY;
+    int point = 0;
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
+        if (isAmong(c, b->done, result->contactCount))
+            continue;
+        for (int i = 0; i < result->contactCount; i++) {
+            const MeReal distance = b->done[i] ? MEINFINITY : distanceFrom(c, b, result->contacts[i].position);
+            if (distance < least) {
+                least = distance;
+                nearest = c;
+                point = i;
+            }
+        }
+    }
+    if (nearest)
+        b->done[point] = nearest;
+    return nearest != 0;
+}
+
+/* b->done[i] becomes the contact that point i of the result continues, or null. Features of boxes that lie flat on each
+ * other change with their last bits, corner for edge, while the points stay where they are and go on carrying what they
+ * carried: what is left over after the features continues the nearest of the old contacts that are left. */
+static void matchContacts(MstBridgeRecord *b, MdtContactGroupID group, const McdIntersectResult *result) {
+    for (int i = 0; i < result->contactCount; i++)
+        b->done[i] = contactOfFeature(group, result->contacts[i].feature, b->done, i);
+    while (matchNearest(b, group, result))
+        ;
+}
+
+/* ---- contacts ------------------------------------------------------------------------------------------------------ */
 
 static void setContact(MdtContactID c, const McdContact *from, MeBool isTurned, const MstMaterialPair *materials) {
     const MeReal sign = isTurned ? -1 : 1;
@@ -119,16 +168,15 @@ static void destroyOthers(MdtContactGroupID group, const MdtContactID *done, int
     }
 }
 
-/* The group's contacts become those of the result: ones with the same feature stay the same object, with the force that
- * they had; the rest is made new, or destroyed. */
+/* The group's contacts become those of the result. A point that continues one stays the same object, with the force that it
+ * had; the rest is made new, or destroyed. */
 static void renewContacts(MstBridgeRecord *b, MdtContactGroupID group, McdIntersectResult *result, MeBool isTurned) {
     int count = 0;
+    matchContacts(b, group, result);
     for (int i = 0; i < result->contactCount; i++) {
         McdContact *from = &result->contacts[i];
         const MstMaterialPair *materials = materialsOf(b, from);
-        MdtContactID c = findContact(group, from->feature, b->done, count);
-        if (!c)
-            c = MdtContactGroupCreateContact(group);
+        const MdtContactID c = b->done[i] ? b->done[i] : MdtContactGroupCreateContact(group);
         if (!c)
             break; /* the world is full, and has said so */
         setContact(c, from, isTurned, materials);

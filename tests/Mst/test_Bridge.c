@@ -111,6 +111,55 @@ START_TEST(a_contact_that_lasts_is_the_same_object) {
 }
 END_TEST
 
+enum { CORNERS = 4, CROSSINGS = 8 };
+
+typedef struct Seen {
+    MdtContactID contact;
+    MeU32 feature;
+    MeVector3 place;
+} Seen;
+
+static int contactsOf(MdtBodyID body, Seen seen[], int most) {
+    int count = 0;
+    for (MdtContactID c = MdtBodyGetFirstContact(body); c; c = MdtBodyGetNextContact(body, c)) {
+        ck_assert_int_lt(count, most);
+        seen[count].contact = c;
+        seen[count].feature = MdtContactGetFeature(c);
+        MdtContactGetPosition(c, seen[count++].place);
+    }
+    return count;
+}
+
+/* Two equal cubes, one on the other. Turned by a hundredth, two edges cross two others where each corner lay before. */
+START_TEST(a_contact_goes_on_as_the_nearest_point_where_its_feature_changes) {
+    static MeMatrix4 below = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {9, 0, 5, 1}};
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    const McdModelID box = MstModelAndBodyCreate(u, cube, 1);
+    const MeReal half = (MeReal).005;
+    Seen before[CORNERS], after[CROSSINGS];
+    int kept = 0, changed = 0;
+    MstFixedModelCreate(u, cube, below);
+    McdModelDynamicsSetPosition(box, 9, 0, (MeReal)5.999);
+    step();
+    ck_assert_int_eq(contactsOf(McdModelGetBody(box), before, CORNERS), CORNERS);
+    McdModelDynamicsSetQuaternion(box, MeCos(half), 0, 0, MeSin(half));
+    step();
+    const int count = contactsOf(McdModelGetBody(box), after, CROSSINGS);
+    for (int i = 0; i < CORNERS; i++)
+        for (int k = 0; k < count; k++) {
+            MeVector3 way;
+            MeVector3Subtract(way, after[k].place, before[i].place);
+            if (before[i].contact != after[k].contact)
+                continue;
+            ck_assert(MeVector3Magnitude(way) < (MeReal).02); /* half an edge turns by .005 */
+            changed += before[i].feature != after[k].feature;
+            kept++;
+        }
+    ck_assert_int_eq(kept, CORNERS);
+    ck_assert_int_gt(changed, 0);
+}
+END_TEST
+
 START_TEST(the_group_stays_without_touch_and_goes_at_goodbye) {
     step();
     MdtContactGroupID group = MdtContactGetContactGroup(onlyContact());
@@ -262,6 +311,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, bad_bridges_are_refused);
     tcase_add_test(t, a_touch_makes_a_contact_of_its_depth);
     tcase_add_test(t, a_contact_that_lasts_is_the_same_object);
+    tcase_add_test(t, a_contact_goes_on_as_the_nearest_point_where_its_feature_changes);
     tcase_add_test(t, the_group_stays_without_touch_and_goes_at_goodbye);
     tcase_add_test(t, a_group_that_the_program_destroys_is_not_the_pairs_any_more);
     tcase_add_test(t, only_the_second_model_having_a_body_is_as_good);
