@@ -12,6 +12,9 @@ ME_BEGIN_C
  *  Strings that stay. Each limit is spoken of once then. */
 MEPUBLIC void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies, const char *constraints);
 
+/** Whether that is a world, and a living one. */
+MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
+
 ME_END_C
 
 #endif

@@ -5,6 +5,7 @@
  * the check build looks every handle up there, so that nothing is read through one of a destroyed world. In all builds
  * that is done with a body that is to be destroyed: programs may end their objects in any order.
  */
+#include "MdtInternal.h"
 #include "mdt_i.h"
 #include "MdtBody.h"
 #include "MdtConstraint.h"
@@ -29,6 +30,10 @@ void mdt_countWorlds(int change) {
 #else
 #define IS_KNOWN(p, magic) METRUE
 #endif
+
+MeBool MEAPI MdtWorldIsValid(const MdtWorldID w) {
+    return w && MeHandleIsLive(w, MDT_WORLD) && w->magic == MDT_WORLD;
+}
 
 MeBool MEAPI MdtBodyIsValid(const MdtBodyID b) {
     return b && MeHandleIsLive(b, MDT_BODY) && b->record.magic == MDT_BODY;

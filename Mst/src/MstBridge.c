@@ -166,8 +166,10 @@ MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const MstMateri
 void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                const MstTouchCBPtr cb) {
     MstMaterialPair *pair = pairOf(b, m1, m2, "MstBridgeSetTouchCB");
-    if (pair)
-        pair->touchCb = cb;
+    if (!pair)
+        return;
+    ((MstBridgeRecord *)b)->events.callbacks += (cb != 0) - (pair->touchCb != 0);
+    pair->touchCb = cb;
 }
 
 MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2) {

@@ -2,11 +2,15 @@
  *
  * A pair has a touch from its first contact until the space takes the pair back. While contacts are made, the touches of
  * the step are listed; after the step, the forces of their contacts say which of them touch, and what is new about that.
+ *
+ * The list of events is made when somebody asks for it, or has a callback, or destroys what it is about. When nobody has
+ * until the next step begins, only whether each pair touches is kept: most pairs go on touching, and nobody wants to know.
  */
 #include "MstEvents.h"
 #include "MdtBody.h"
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
+#include "MdtInternal.h"
 #include "MdtWorld.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
@@ -116,19 +120,6 @@ static void unlist(MstTouch *t) {
             e->listed[i] = 0;
 }
 
-void MEAPI mst_touchForget(McdModelPair *p) {
-    MstTouch *t = p->touch;
-    if (!t)
-        return;
-    MEASSERT(t->pair == p);
-    p->touch = 0;
-    if (t->isTouching)
-        tell(&t->bridge->events.ended, t, MstEventEnd);
-    if (t->isListed)
-        unlist(t);
-    giveTouch(t);
-}
-
 static void freeTouches(MstTouch *t) {
     for (MstTouch *next; t; t = next) {
         next = t->next;
@@ -156,9 +147,6 @@ static void unlistAll(MstEvents *e) {
     e->listedCount = 0;
 }
 
-void mst_eventsBegin(MstBridgeRecord *b) {
-    unlistAll(&b->events);
-}
 
 static MeBool list(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
@@ -198,7 +186,7 @@ static MstTouch *noted(MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts, 
     t->material[0] = McdModelGetMaterial(p->model1);
     t->material[1] = McdModelGetMaterial(p->model2);
     t->tolerance = McdModelGetContactTolerance(p->model1) + McdModelGetContactTolerance(p->model2);
-    t->separation = MEINFINITY;
+    t->separation = t->deepest = MEINFINITY;
     t->approachSpeed = t->impulse = t->largestImpulse = 0;
     return t;
 }
@@ -221,9 +209,11 @@ MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 no
     return -MeVector3Dot(v1, normal);
 }
 
+/* The deepest contact is where it touches, until forces say better. */
 static void noteContact(MstTouch *t, MeVector3 position, const MeVector3 normal, MeReal separation) {
-    if (separation < t->separation) {
-        t->separation = separation;
+    t->separation = MeMIN(t->separation, separation);
+    if (separation < t->deepest) {
+        t->deepest = separation;
         MeVector3Copy(t->position, position);
         MeVector3Copy(t->normal, normal);
     }
@@ -238,18 +228,38 @@ void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal) {
         MeVector3MultiplyScalar(normal, normal, -1);
 }
 
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p) {
+static void noteGroup(MstTouch *t, MdtContactGroupID group) {
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
+        MeVector3 position, normal;
+        MdtContactGetPosition(c, position);
+        mst_normalOf(t->pair, c, normal);
+        noteContact(t, position, normal, -MdtContactGetPenetration(c));
+    }
+}
+
+/* Of the contacts found, or of those that callbacks have left. */
+static MeReal leastSeparation(MdtContactGroupID group, const McdIntersectResult *result) {
+    MeReal least = MEINFINITY;
+    if (MdtContactGroupGetCount(group) == result->contactCount) {
+        for (int i = 0; i < result->contactCount; i++)
+            least = MeMIN(least, result->contacts[i].separation);
+        return least;
+    }
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
+        least = MeMIN(least, -MdtContactGetPenetration(c));
+    return least;
+}
+
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
     const MdtContactGroupID group = p->responseData;
     const MeBool hasContacts = group && MdtContactGroupGetCount(group) > 0;
     MstTouch *t = noted(b, p, hasContacts, MEFALSE);
     if (!t || !hasContacts)
         return;
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
-        MeVector3 position, normal;
-        MdtContactGetPosition(c, position);
-        mst_normalOf(p, c, normal);
-        noteContact(t, position, normal, -MdtContactGetPenetration(c));
-    }
+    if (!t->isTouching) /* how fast they come is known now only */
+        noteGroup(t, group);
+    else
+        t->separation = MeMIN(t->separation, leastSeparation(group, result));
 }
 
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
@@ -267,6 +277,8 @@ static void gather(MstTouch *t) {
     const MdtContactGroupID group = t->pair->responseData;
     const MeReal before = t->lag;
     t->lag = lagOf(t->pair);
+    if (group && t->isTouching && !t->isSensor)
+        noteGroup(t, group);
     if (!group || MdtContactGroupGetCount(group) == 0 || !(t->lag < before))
         return;
     const MeReal time = MdtBodyGetPart(MdtContactGroupGetBody(group, 0));
@@ -290,6 +302,11 @@ void mst_eventsGather(MstBridgeRecord *b) {
             gather(b->events.listed[i]);
 }
 
+/* Do forces make no difference to whether it touches? */
+static MeBool isDecided(const MstTouch *t) {
+    return !t->hasContacts || t->isSensor || t->separation <= (t->isTouching ? t->tolerance : 0);
+}
+
 static MeBool touches(const MstTouch *t) {
     if (!t->hasContacts)
         return MEFALSE;
@@ -306,7 +323,6 @@ static void tellChange(MstEvents *e, MstTouch *t) {
 }
 
 static void takeEnded(MstEvents *e) {
-    e->done.count = 0;
     for (int i = 0; i < e->ended.count; i++)
         add(&e->done, &e->ended.event[i], e->ended.serial[i]);
     e->ended.count = 0;
@@ -365,25 +381,76 @@ static void callBack(MstBridgeRecord *b) {
     }
 }
 
+/* Makes the list of the step that is done, unless there is one, or its world is gone. */
+static void makeList(MstBridgeRecord *b) {
+    MstEvents *e = &b->events;
+    const MeBool isToDo = e->isPending && MdtWorldIsValid(e->world);
+    e->isPending = MEFALSE;
+    if (!isToDo)
+        return;
+    MEVALIDATE(areTouchesConsistent(e));
+    mst_eventsGather(b);
+    takeEnded(e);
+    for (int i = 0; i < e->listedCount; i++)
+        if (e->listed[i])
+            tellChange(e, e->listed[i]);
+    unlistAll(e);
+    tellBreaks(e, e->world);
+}
+
+void MEAPI mst_touchForget(McdModelPair *p) {
+    MstTouch *t = p->touch;
+    if (!t)
+        return;
+    makeList(t->bridge);
+    MEASSERT(t->pair == p);
+    p->touch = 0;
+    if (t->isTouching)
+        tell(&t->bridge->events.ended, t, MstEventEnd);
+    if (t->isListed)
+        unlist(t);
+    giveTouch(t);
+}
+
+/* Nobody has asked: what touches is kept, and no more. */
+static void skipList(MstBridgeRecord *b) {
+    MstEvents *e = &b->events;
+    const MeBool areForcesKnown = MdtWorldIsValid(e->world);
+    for (int i = 0; i < e->listedCount; i++) {
+        MstTouch *t = e->listed[i];
+        if (t && areForcesKnown && !isDecided(t))
+            gather(t);
+        if (t)
+            t->isTouching = touches(t);
+    }
+    unlistAll(e);
+    e->ended.count = 0;
+    e->isPending = MEFALSE;
+}
+
 void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateEvents");
     if (!record)
         return;
-    MstEvents *e = &record->events;
-    MEVALIDATE(areTouchesConsistent(e));
-    mst_eventsGather(record);
-    takeEnded(e);
-    for (int i = 0; i < e->listedCount; i++) {
-        if (e->listed[i])
-            tellChange(e, e->listed[i]);
+    record->events.done.count = record->events.firstBreak = 0;
+    record->events.world = w;
+    record->events.isPending = METRUE;
+    if (record->events.callbacks > 0) {
+        makeList(record);
+        callBack(record);
     }
-    unlistAll(e);
-    tellBreaks(e, w);
-    callBack(record);
+}
+
+void mst_eventsBegin(MstBridgeRecord *b) {
+    if (b->events.isPending)
+        skipList(b);
+    unlistAll(&b->events);
 }
 
 const MstEvent *MEAPI MstBridgeGetEvents(const MstBridgeID b, int *count) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeGetEvents");
+    if (record)
+        makeList(record);
     if (count)
         *count = record ? record->events.done.count : 0;
     if (!record)

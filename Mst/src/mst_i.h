@@ -43,7 +43,9 @@ struct MstTouch {
     MeBool isListed, hasContacts;
     MeReal lag; /* s, of its bodies when its impulse was last added to; MEINFINITY: the step is whole yet */
     MeReal separation, tolerance;   /* the least of its contacts as the step began; of both models */
+    /* the same, but of a touch that goes on not before somebody asks: */
     MeReal approachSpeed;           /* the largest */
+    MeReal deepest;                 /* the separation there, while no force says which place matters most */
     MeReal impulse, largestImpulse; /* of all contacts, of one */
     MeVector3 position, normal;     /* of that one; of sensors the deepest */
 };
@@ -60,6 +62,8 @@ typedef struct MstEvents {
     MstTouch *first, *free; /* of all pairs that have or had contacts */
     MstTouch **listed;      /* those of this step, in the order of the space's pairs */
     int listedCount, listedMax;
+    MeBool isPending;         /* the step is done, and its list has not been made: nobody has asked */
+    int callbacks;            /* material pairs that have one: the list is made at once */
     MstEventList done, ended; /* of the step just done, and ends since then */
     MdtWorldID world;         /* whose joints broke */
     int firstBreak;           /* from this event on */
@@ -90,7 +94,7 @@ MstMaterialPair *mst_materialPair(MstBridgeRecord *b, MstMaterialID m1, MstMater
 
 /* Touches (MstEvents.c): a step begins; a pair has been looked at, with or without contacts; all is forgotten. */
 void mst_eventsBegin(MstBridgeRecord *b);
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p);
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
 /* Ends the touch of a pair that goes. */
 void MEAPI mst_touchForget(McdModelPair *p);

@@ -40,8 +40,8 @@ static void destroyGroup(McdModelPair *p) {
 void MEAPI mst_pairForget(McdModelPair *p) {
     if (!MdtConstraintIsValid(p->responseData)) /* it may have gone with its world */
         p->responseData = 0;
+    mst_touchForget(p); /* while its forces can be read */
     destroyGroup(p);
-    mst_touchForget(p);
     p->forget = 0;
 }
 
@@ -231,6 +231,6 @@ void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorld
         return;
     meetBodies(b, p, w, &result);
     MEASSERT(result.contactCount <= result.contactMaxCount);
-    mst_touchNote(b, p);
+    mst_touchNote(b, p, &result);
     mst_followFast(b, p, s, w, result.contactCount > 0);
 }

@@ -312,6 +312,57 @@ START_TEST(the_list_may_be_made_by_hand) {
 }
 END_TEST
 
+enum { DROPPED = 30, ASKED_STEPS = 200 };
+
+/* Balls and boxes that fall onto each other and bounce, one of them through a zone. */
+static void makeCrowd(void) {
+    const McdGeometryID shape[2] = {McdSphereCreate(u->frame, (MeReal).5), McdBoxCreate(u->frame, 1, 1, 1)};
+    setRestitution(.4);
+    makeZone(0, 0, 3);
+    for (int i = 0; i < DROPPED; i++) {
+        const McdModelID m = MstModelAndBodyCreate(u, shape[i % 2], 1);
+        McdModelDynamicsSetPosition(m, (MeReal)(.31 * (i % 3)), (MeReal)(.23 * (i % 2)), (MeReal)(2 + 1.1 * i));
+    }
+}
+
+/* The events of every tenth step, as numbers; whether the others' were asked for must not matter. */
+static int playCrowd(MeBool asksAlways, double *told, int most) {
+    int count = 0;
+    tearDown();
+    setUp();
+    makeCrowd();
+    for (int i = 1; i <= ASKED_STEPS; i++) {
+        step();
+        if (i % 10 == 0)
+            for (int k = 0; k < eventCount(); k++) {
+                const MstEvent *e = event(k);
+                ck_assert_int_le(count + 10, most);
+                told[count++] = (double)e->kind;
+                told[count++] = (double)e->impulse;
+                told[count++] = (double)e->approachSpeed;
+                told[count++] = (double)e->isSensor;
+                for (int j = 0; j < 3; j++) {
+                    told[count++] = (double)e->position[j];
+                    told[count++] = (double)e->normal[j];
+                }
+            }
+        else if (asksAlways)
+            eventCount();
+    }
+    return count;
+}
+
+START_TEST(the_list_is_the_same_whether_or_not_earlier_ones_were_asked_for) {
+    enum { MOST = 100000 };
+    static double always[MOST], sometimes[MOST];
+    const int count = playCrowd(METRUE, always, MOST);
+    ck_assert_int_gt(count, 1000);
+    ck_assert_int_eq(playCrowd(MEFALSE, sometimes, MOST), count);
+    for (int i = 0; i < count; i++)
+        ck_assert_msg(always[i] == sometimes[i], "number %d: %.17g, and %.17g", i, always[i], sometimes[i]);
+}
+END_TEST
+
 /* ---- sensors --------------------------------------------------------------------------------------------------------- */
 
 START_TEST(a_sensor_tells_what_passes_and_does_not_push) {
@@ -646,6 +697,7 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_test(t, a_break_and_a_touch_in_one_step);
     tcase_add_test(t, a_sensor_in_a_divided_step);
+    tcase_add_test(t, the_list_is_the_same_whether_or_not_earlier_ones_were_asked_for);
     tcase_add_checked_fixture(t, setUp, tearDown);
     tcase_add_test(t, a_bounce_is_a_begin_with_its_impulse_and_an_end);
     tcase_add_test(t, a_resting_ball_carries_its_weight_every_step);
