@@ -86,6 +86,14 @@ typedef enum McdModelPairPhase {
     kMcdFFStateGoodbye = 3   /**< Near before, and not now. */
 } McdModelPairPhase;
 
+/** Mcd's: what the last test of a pair depended on. Zeros: there was none. */
+typedef struct McdTest {
+    MeU64 stamp1, stamp2; /**< Of the models: others wherever a model moves, or has another shape. */
+    double margin;        /**< m, up to which gap contacts are made. */
+    int contactMaxCount;
+    MeBool faceNormalsFirst;
+} McdTest;
+
 /**
  * Two models that are, or may be, near each other. A space owns its pairs; a program may have its own, zeroed
  * (calloc) but for the models, or made by McdModelPairCreate.
@@ -100,6 +108,7 @@ struct _McdModelPair {
     void *m_cachedData;      /**< What the interaction's hello function prepared, its own; null: nothing. */
     void *touch;             /**< The Simulation Toolkit's: what its events know of the pair. */
     void(MEAPI *forget)(McdModelPair *); /**< The Simulation Toolkit's: called before the space takes the pair back. */
+    McdTest test;                        /**< Mcd's own. */
 };
 
 /**

@@ -17,6 +17,16 @@ MEPUBLIC void MEAPI McdFrameworkRenameLimits(McdFrameworkID frame, const char *t
 MEPUBLIC void MEAPI McdSpaceRenameLimits(McdSpaceID s, const char *models, const char *pairs);
 /** @} */
 
+/** @name Tests that need not be made again
+ *  @{ */
+/** Would McdIntersect find what it found when this was last asked of the pair? True where both models are convex or planes,
+ *  under the library's own interaction and without a callback, and have the same places, sizes and margins to the last bit.
+ *  The caller tests the pair where it is false. */
+MEPUBLIC MeBool MEAPI McdModelPairIsAsTested(McdModelPair *p);
+/** What was found has been given away: the next answer is false. */
+MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
+/** @} */
+
 ME_END_C
 
 #endif

@@ -115,6 +115,7 @@ static MeBool registerPair(McdFramework *frame, int type1, int type2, McdInterse
     if (!mcd_frameCheck(frame, function))
         return 0;
     McdFrameworkSetInteractions(frame, type1, type2, &interactions);
+    frame->grid[type1 * frame->typeCount + type2].convex = intersect;
     return 1;
 }
 

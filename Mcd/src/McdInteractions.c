@@ -27,6 +27,12 @@ static const McdInteractions *interactionOf(const McdModelPair *p, MeBool *isTur
     return turned->isSet ? &turned->interactions : 0;
 }
 
+MeBool mcd_interactionIsBuiltIn(const McdModelPair *p) {
+    const McdGridCell *straight = cellOf(p->model1, p->model2), *turned = cellOf(p->model2, p->model1);
+    const McdGridCell *cell = straight->isSet ? straight : turned;
+    return cell->isSet && cell->convex && cell->interactions.intersectFn == cell->convex;
+}
+
 static McdModelPair turn(const McdModelPair *p) {
     McdModelPair turned = *p;
     turned.model1 = p->model2;

@@ -129,6 +129,13 @@ typedef struct McdFilter {
     int group;
 } McdFilter;
 
+/* What a test reads of a model (mcd_tested.c). */
+typedef struct McdSeen {
+    const McdGeometry *geometry;
+    MeMatrix4 tm;
+    MeU64 parameters[4]; /* what the geometry has beyond its head */
+} McdSeen;
+
 typedef struct McdModelRecord {
     McdModel model; /* what programs see: first */
     MeU32 magic;
@@ -152,6 +159,8 @@ typedef struct McdModelRecord {
     void *userData;
     McdSpaceID space;
     void *proxy; /* the space's record of the model */
+    McdSeen seen; /* when the model was last looked at for a test, */
+    MeU64 stamp;  /* and since when it has been like that; 0: never */
 } McdModelRecord;
 
 static inline McdModelRecord *mcd_record(McdModelID cm) {
@@ -196,7 +205,8 @@ typedef struct McdTypeRecord {
 typedef struct McdGridCell {
     MeBool isSet;
     int warned;
-    McdInteractions interactions;
+    McdInteractions interactions; /* a program may write them */
+    McdIntersectFn convex;        /* the library's, whose contacts depend on nothing but the two models; null: there is none */
 } McdGridCell;
 
 typedef struct McdTermActionLink McdTermActionLink;
@@ -226,6 +236,7 @@ struct _McdFramework {
     McdRequest *defaultRequest;
     McdTermActionLink *termActions;
     int spaceCount;
+    MeU64 lastStamp; /* counts changes of models that tests have met */
     MeBool knowsSurfaces; /* the interaction that runs says of its contacts how round the surfaces are */
     /* Set when a space is created, so that a program without spaces does not link them: takes a model out of the space
      * that it is in, at once; has the space look at the model's filter, which is another one now. */
@@ -275,6 +286,8 @@ MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
     return m->tolerance + m->ahead;
 }
+/* Do the pair's models interact as the library has it, not by a function of the program's? */
+MeBool mcd_interactionIsBuiltIn(const McdModelPair *p);
 /* The gap up to which a pair of models makes contacts: its tolerances, and the way that the two may get nearer. */
 double mcd_pairMargin(const McdModelPair *p);
 

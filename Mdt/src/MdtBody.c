@@ -1,4 +1,5 @@
 /* Rigid bodies: properties, state, forces. */
+#include "MdtInternal.h"
 #include "mdt_i.h"
 #include "MeAssert.h"
 #include <string.h>
@@ -71,9 +72,18 @@ static void writeTransform(MeMatrix4 tm, const double p[3], const double q[4]) {
     tm[3][3] = 1;
 }
 
+static void noteMove(MdtBodyID b, const double p[3], const double q[4]) {
+    if (memcmp(b->shownPlace, p, sizeof b->shownPlace) == 0 && memcmp(b->shownTurn, q, sizeof b->shownTurn) == 0)
+        return;
+    memcpy(b->shownPlace, p, sizeof b->shownPlace);
+    memcpy(b->shownTurn, q, sizeof b->shownTurn);
+    b->moves++;
+}
+
 void mdt_bodyShow(MdtBodyID b) {
     double p[3], q[4], w[3];
     getFrame(b, p, q);
+    noteMove(b, p, q);
     MEASSERT(isfinite((double)(MeReal)keaLength(b->kea.position)));
     writeTransform(b->transform, p, q);
     writeTransform(b->centreTransform, b->kea.position, b->kea.quaternion);
@@ -82,6 +92,11 @@ void mdt_bodyShow(MdtBodyID b) {
     mdt_toReal(b->angularVelocity, w);
     memcpy(b->shownVelocity, b->velocity, sizeof b->velocity);
     memcpy(b->shownAngularVelocity, b->angularVelocity, sizeof b->angularVelocity);
+}
+
+unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b) {
+    MEASSERT(b);
+    return b->moves;
 }
 
 void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]) {

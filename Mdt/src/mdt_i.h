@@ -102,6 +102,9 @@ struct MdtBody {
     MeVector3 velocity, angularVelocity;           /* what programs see of the velocities, and may write */
     MeVector3 shownVelocity, shownAngularVelocity; /* the same as last written by us: a difference is theirs */
 
+    double shownPlace[3], shownTurn[4]; /* of the frame, as last shown: by setters, and at a step's end; */
+    unsigned long moves;                /* counts how often they were others */
+
     int partition;             /* in this step; -1: none */
     int index;                 /* in Kea's arrays, in this step */
     struct MdtBody *setParent; /* union-find, in this step */

@@ -250,6 +250,16 @@ static MeReal leastSeparation(MdtContactGroupID group, const McdIntersectResult 
     return least;
 }
 
+void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p) {
+    MstTouch *t = p->touch;
+    const MeReal separation = t->separation;
+    if (!noted(b, p, METRUE, MEFALSE))
+        return;
+    t->separation = MeMIN(t->separation, separation);
+    if (!t->isTouching)
+        noteGroup(t, p->responseData);
+}
+
 void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
     const MdtContactGroupID group = p->responseData;
     const MeBool hasContacts = group && MdtContactGroupGetCount(group) > 0;

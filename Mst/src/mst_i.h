@@ -11,6 +11,7 @@
 #include "MstModelDynamics.h"
 #include "MstUtils.h"
 
+enum { MST_UNKNOWN = -1 };
 enum { MST_BRIDGE = 0x4d425244, MST_UNIVERSE = 0x4d554e49, MST_CONTACTS = 40, MST_PAIRS = 1000, MST_MATERIALS = 10000 };
 
 /* Whether the pointer is a live object of that kind; check builds only. */
@@ -38,6 +39,9 @@ struct MstTouch {
     MstModelRef model[2];
     MstMaterialID material[2];
     MeBool isTouching; /* as of the last step */
+    /* as of the last test of the pair: */
+    unsigned long moves[2]; /* of its bodies */
+    int found;              /* contacts; MST_UNKNOWN: not all that were found became contacts */
     MeBool isSensor;
     /* of this step: */
     MeBool isListed, hasContacts;
@@ -95,6 +99,8 @@ MstMaterialPair *mst_materialPair(MstBridgeRecord *b, MstMaterialID m1, MstMater
 /* Touches (MstEvents.c): a step begins; a pair has been looked at, with or without contacts; all is forgotten. */
 void mst_eventsBegin(MstBridgeRecord *b);
 void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
+/* The pair is as it was when that was last noted. */
+void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p);
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
 /* Ends the touch of a pair that goes. */
 void MEAPI mst_touchForget(McdModelPair *p);

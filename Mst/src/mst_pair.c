@@ -6,9 +6,11 @@
 #include "McdContact.h"
 #include "McdGeometryInstance.h"
 #include "McdInteractions.h"
+#include "McdInternal.h"
 #include "MdtBody.h"
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
+#include "MdtInternal.h"
 #include "MeAssert.h"
 #include "mst_i.h"
 #include <string.h>
@@ -197,9 +199,56 @@ static void meetSensor(MstBridgeRecord *b, McdModelPair *p, McdIntersectResult *
         mst_touchNoteSensor(b, p, result);
 }
 
-static void meetBodies(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, McdIntersectResult *result) {
-    const MstMaterialPair *materials =
-        mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2));
+/* ---- pairs that are as they were ----------------------------------------------------------------------------------- */
+
+static unsigned long movesOf(McdModelID m) {
+    const MdtBodyID body = McdModelGetBody(m);
+    return body ? MdtBodyGetMoves(body) : 0;
+}
+
+/* What the contacts were made from; to be asked again where callbacks, or want of room, left some out. */
+static void remember(McdModelPair *p, const McdIntersectResult *result) {
+    MstTouch *t = p->touch;
+    const MdtContactGroupID group = p->responseData;
+    if (!t)
+        return;
+    t->moves[0] = movesOf(p->model1);
+    t->moves[1] = movesOf(p->model2);
+    t->found = group && MdtContactGroupGetCount(group) == result->contactCount ? result->contactCount : MST_UNKNOWN;
+}
+
+/* Has the pair all the contacts that it had when it was tested, and did its bodies stay there, to the last bit? */
+static MeBool hasItsContacts(const McdModelPair *p) {
+    const MstTouch *t = p->touch;
+    const MdtContactGroupID group = p->responseData;
+    return t && !t->isSensor && group && MdtContactGroupGetCount(group) == t->found &&
+           t->moves[0] == movesOf(p->model1) && t->moves[1] == movesOf(p->model2);
+}
+
+/* Would the pair's test give what there is? Callbacks are called in every step, and what is fast is looked at in each. */
+static MeBool isAsItWas(const McdModelPair *p, const MstMaterialPair *materials, MeBool isAsTested) {
+    const MdtContactGroupID group = p->responseData;
+    if (!isAsTested || materials->intersectCb || materials->perContactCb || materials->perPairCb ||
+        McdModelGetFastMargin(p->model1) > 0 || McdModelGetFastMargin(p->model2) > 0)
+        return MEFALSE;
+    return !group || MdtContactGroupGetCount(group) == 0 ? !p->touch : hasItsContacts(p);
+}
+
+/* The materials may be others. */
+static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials) {
+    const MdtContactGroupID group = p->responseData;
+    if (!group || MdtContactGroupGetCount(group) == 0)
+        return;
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
+        MdtContactSetParams(c, &materials->params);
+    MdtContactGroupEnable(group);
+    mst_touchNoteAgain(b, p);
+}
+
+/* ---- pairs that have to be tested ---------------------------------------------------------------------------------- */
+
+static void meetBodies(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MstMaterialPair *materials,
+                       McdIntersectResult *result) {
     if (!McdIntersect(p, result))
         return;
     if (result->touch && materials->intersectCb)
@@ -216,21 +265,32 @@ static void meetBodies(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, McdInt
         emptyGroup(p);
 }
 
-void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w) {
+static McdIntersectResult emptyResult(const MstBridgeRecord *b) {
     McdIntersectResult result;
-    if (b->part > 0 && !mst_mayMeet(b, p, s))
-        return;
     memset(&result, 0, sizeof result);
     result.contacts = b->contacts;
     result.contactMaxCount = (int)b->contactMax;
+    return result;
+}
+
+void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w) {
+    McdIntersectResult result = emptyResult(b);
+    if (b->part > 0 && !mst_mayMeet(b, p, s))
+        return;
     if (McdModelIsSensor(p->model1) || McdModelIsSensor(p->model2)) {
         meetSensor(b, p, &result);
         return;
     }
     if (!McdModelGetBody(p->model1) && !McdModelGetBody(p->model2))
         return;
-    meetBodies(b, p, w, &result);
+    MstMaterialPair *materials = mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2));
+    if (isAsItWas(p, materials, McdModelPairIsAsTested(p))) {
+        keepContacts(b, p, materials);
+        return;
+    }
+    meetBodies(b, p, w, materials, &result);
     MEASSERT(result.contactCount <= result.contactMaxCount);
     mst_touchNote(b, p, &result);
+    remember(p, &result);
     mst_followFast(b, p, s, w, result.contactCount > 0);
 }

@@ -1,0 +1,185 @@
+/* Which pairs need not be tested again: those whose test would read the same bits. */
+#include "McdAggregate.h"
+#include "McdAll.h"
+#include "McdInternal.h"
+#include "shapes.h"
+
+typedef struct Probe {
+    McdFrameworkID frame;
+    McdGeometryID shape[2];
+    McdModelID model[2];
+    MeMatrix4 tm[2];
+    McdModelPair pair;
+} Probe;
+
+static Probe p;
+
+static void place(int which, McdGeometryID g) {
+    p.shape[which] = g;
+    p.model[which] = McdModelCreate(g);
+    MeMatrix4TMMakeIdentity(p.tm[which]);
+    p.tm[which][3][2] = (MeReal)which;
+    McdModelSetTransformPtr(p.model[which], p.tm[which]);
+    McdModelUpdate(p.model[which]);
+}
+
+static void meet(McdGeometryID first, McdGeometryID second) {
+    place(0, first);
+    place(1, second);
+    memset(&p.pair, 0, sizeof p.pair);
+    p.pair.model1 = p.model[0];
+    p.pair.model2 = p.model[1];
+}
+
+static void setUp(void) {
+    p.frame = McdInit(0, 100, 100, 1);
+    McdAllRegisterTypes(p.frame);
+    McdAllRegisterInteractions(p.frame);
+}
+
+static void tearDown(void) {
+    McdFrameworkDestroyAllModelsAndGeometries(p.frame);
+    McdTerm(p.frame);
+}
+
+static MeBool isAsTested(void) {
+    return McdModelPairIsAsTested(&p.pair);
+}
+
+/* What has just been changed is seen, once. */
+static void assertChanged(const char *what) {
+    ck_assert_msg(!isAsTested(), "%s: not seen", what);
+    ck_assert_msg(isAsTested(), "%s: seen twice", what);
+}
+
+static void meetBoxes(void) {
+    meet(McdBoxCreate(p.frame, 1, 1, 1), McdBoxCreate(p.frame, 1, 2, 1));
+    assertChanged("a new pair");
+}
+
+/* ---- what is the same ------------------------------------------------------------------------------------------------- */
+
+START_TEST(convex_shapes_and_planes_that_stay_are_as_tested) {
+    static const MeReal tip[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+    const McdGeometryID shape[] = {McdSphereCreate(p.frame, 1),           McdBoxCreate(p.frame, 1, 1, 1),
+                                   McdCylinderCreate(p.frame, 1, 1),      McdSphylCreate(p.frame, 1, 1),
+                                   McdConeCreate(p.frame, 1, 1),          McdPlaneCreate(p.frame),
+                                   McdConvexMeshCreateHull(p.frame, tip, 4, 0)};
+    for (int i = 0; i < 7; i++)
+        for (int k = 0; k < 7; k++) {
+            meet(shape[i], shape[k]);
+            if (shape[i] == shape[5] && shape[k] == shape[5])
+                ck_assert(!isAsTested() && !isAsTested()); /* two planes do not interact */
+            else
+                assertChanged("a new pair");
+        }
+}
+END_TEST
+
+/* ---- what is not ------------------------------------------------------------------------------------------------------ */
+
+START_TEST(the_last_bit_of_a_place_counts) {
+    meetBoxes();
+    for (int which = 0; which < 2; which++)
+        for (int row = 0; row < 4; row++)
+            for (int i = 0; i < 3; i++) {
+                const MeReal before = p.tm[which][row][i];
+                p.tm[which][row][i] = before + (before == 0 ? (MeReal)1e-30 : before * ME_EPSILON);
+                assertChanged("an ulp");
+                p.tm[which][row][i] = before;
+                assertChanged("and back");
+            }
+}
+END_TEST
+
+START_TEST(every_size_counts) {
+    meet(McdSphereCreate(p.frame, 1), McdBoxCreate(p.frame, 1, 1, 1));
+    isAsTested();
+    McdSphereSetRadius(p.shape[0], (MeReal)1.1);
+    assertChanged("a radius");
+    McdBoxSetDimensions(p.shape[1], 1, 1, 2);
+    assertChanged("a box");
+    McdBoxGetRadii(p.shape[1])[0] = 3;
+    assertChanged("a box, through its pointer");
+    meet(McdCylinderCreate(p.frame, 1, 1), McdSphylCreate(p.frame, 1, 1));
+    isAsTested();
+    McdCylinderSetRadius(p.shape[0], 2);
+    assertChanged("a cylinder's radius");
+    McdCylinderSetHeight(p.shape[0], 2);
+    assertChanged("a cylinder's height");
+    McdSphylSetRadius(p.shape[1], 2);
+    assertChanged("a sphyl's radius");
+    McdSphylSetHeight(p.shape[1], 2);
+    assertChanged("a sphyl's height");
+    meet(McdConeCreate(p.frame, 1, 1), McdPlaneCreate(p.frame));
+    isAsTested();
+    McdConeSetGeometricalParameters(p.shape[0], 1, 1, (MeReal).5);
+    assertChanged("a cone's top");
+}
+END_TEST
+
+START_TEST(another_shape_counts) {
+    meetBoxes();
+    McdModelSetGeometry(p.model[0], McdBoxCreate(p.frame, 1, 1, 1));
+    assertChanged("a shape of the same size");
+}
+END_TEST
+
+START_TEST(margins_and_requests_count) {
+    McdRequest request;
+    meetBoxes();
+    McdModelSetContactTolerance(p.model[1], (MeReal).3);
+    assertChanged("a tolerance");
+    request = *McdModelPairGetRequestPtr(&p.pair);
+    McdModelPairSetRequestPtr(&p.pair, &request);
+    ck_assert(isAsTested());
+    request.contactMaxCount = 1;
+    assertChanged("a request's count");
+    request.faceNormalsFirst = METRUE;
+    assertChanged("a request's choice");
+    McdModelPairForgetTest(&p.pair);
+    assertChanged("what was given away");
+}
+END_TEST
+
+static void MEAPI onIntersect(McdModelID m, McdIntersectResult *result) {
+    (void)m, (void)result;
+}
+
+static int MEAPI ownIntersect(McdModelPair *pair, McdIntersectResult *result) {
+    (void)pair, (void)result;
+    return 0;
+}
+
+START_TEST(what_a_program_answers_is_always_asked) {
+    meetBoxes();
+    McdModelSetIntersectCallback(p.model[0], onIntersect);
+    ck_assert(!isAsTested() && !isAsTested());
+    McdModelSetIntersectCallback(p.model[0], 0);
+    isAsTested();
+    ck_assert(isAsTested());
+    McdFrameworkGetInteractions(p.frame, kMcdGeometryTypeBox, kMcdGeometryTypeBox)->intersectFn = ownIntersect;
+    ck_assert(!isAsTested() && !isAsTested());
+}
+END_TEST
+
+START_TEST(what_is_made_of_parts_is_always_tested) {
+    const McdAggregateID both = McdAggregateCreate(p.frame, 2);
+    McdAggregateAddElement(both, McdBoxCreate(p.frame, 1, 1, 1), p.tm[0]);
+    meet(both, McdBoxCreate(p.frame, 1, 1, 1));
+    ck_assert(!isAsTested() && !isAsTested());
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setUp, tearDown);
+    tcase_add_test(t, convex_shapes_and_planes_that_stay_are_as_tested);
+    tcase_add_test(t, the_last_bit_of_a_place_counts);
+    tcase_add_test(t, every_size_counts);
+    tcase_add_test(t, another_shape_counts);
+    tcase_add_test(t, margins_and_requests_count);
+    tcase_add_test(t, what_a_program_answers_is_always_asked);
+    tcase_add_test(t, what_is_made_of_parts_is_always_tested);
+}
+
+TEST_MAIN("Tested", tests)
