@@ -32,6 +32,57 @@ static MdtContactID onlyContact(void) {
     return c;
 }
 
+/* ---- pairs that stand still -------------------------------------------------------------------------------------------- */
+
+enum { TOWER = 6, STILL_STEPS = 200, HIT = 60, CHANGE = 120 };
+
+static void MEAPI goOn(McdIntersectResult *result) {
+    (void)result;
+    called++;
+}
+
+/* A tower that touches without weight, so that nothing moves to the last bit, until a ball hits it; later one of its boxes
+ * grows, and friction goes. A callback has every pair tested in every step. */
+static void playTower(MeBool isTested, MeVector3 place[TOWER + 1]) {
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1), other = McdBoxCreate(u->frame, 1, 1, 1);
+    McdModelID model[TOWER + 1];
+    if (isTested)
+        MstBridgeSetIntersectCB(u->bridge, 0, 0, goOn);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, (MeReal).3);
+    MdtWorldSetAutoDisable(u->world, MEFALSE);
+    for (int i = 0; i < TOWER; i++) {
+        model[i] = MstModelAndBodyCreate(u, i == 2 ? other : cube, 1);
+        McdModelDynamicsSetPosition(model[i], 20, 0, (MeReal)(.5 + i));
+    }
+    model[TOWER] = ball;
+    McdModelDynamicsSetPosition(ball, 10, 0, (MeReal)2.2);
+    McdModelDynamicsSetLinearVelocity(ball, (MeReal)(8.5 / (HIT / 60.)), 0, 0);
+    for (int i = 0; i < STILL_STEPS; i++) {
+        if (i == CHANGE)
+            McdBoxGetRadii(other)[2] = (MeReal).52;
+        if (i == CHANGE + 10)
+            MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).01, 0);
+        step();
+    }
+    for (int i = 0; i <= TOWER; i++)
+        McdModelDynamicsGetPosition(model[i], place[i]);
+}
+
+START_TEST(what_is_not_tested_again_goes_on_as_if_it_were) {
+    MeVector3 tested[TOWER + 1], kept[TOWER + 1];
+    playTower(METRUE, tested);
+    ck_assert_int_gt(called, STILL_STEPS);
+    tearDown();
+    setUp();
+    playTower(MEFALSE, kept);
+    for (int i = 0; i <= TOWER; i++)
+        ck_assert_msg(memcmp(tested[i], kept[i], sizeof kept[i]) == 0, "%d: (%g, %g, %g), and (%g, %g, %g)", i,
+                      (double)tested[i][0], (double)tested[i][1], (double)tested[i][2], (double)kept[i][0],
+                      (double)kept[i][1], (double)kept[i][2]);
+    ck_assert(kept[TOWER - 1][0] != 20); /* it was hit */
+}
+END_TEST
+
 /* ---- materials ------------------------------------------------------------------------------------------------------- */
 
 START_TEST(materials_are_numbered_from_the_default_one) {
@@ -305,6 +356,7 @@ END_TEST
 
 static void tests(TCase *t) {
     tcase_add_checked_fixture(t, setUp, tearDown);
+    tcase_add_test(t, what_is_not_tested_again_goes_on_as_if_it_were);
     tcase_add_test(t, materials_are_numbered_from_the_default_one);
     tcase_add_test(t, pairs_of_materials_are_unordered);
     tcase_add_test(t, a_contact_has_its_materials_parameters);

@@ -58,12 +58,15 @@ class Window:
         with open(self.log) as log:
             return log.read()
 
+    def fail_if_ended(self, what):
+        if self.process.poll() is not None:
+            fail(f'the program ended with {self.process.returncode} before {what}:\n{self.output()}')
+
     def expect(self, line):
         def ready():
             if line in self.output():
                 return True
-            if self.process.poll() is not None:
-                fail(f'the program ended with {self.process.returncode} before "{line}":\n{self.output()}')
+            self.fail_if_ended(f'"{line}"')
             return False
         wait_for(f'"{line}"', ready, lambda: f', but only:\n{self.output()}')
 
@@ -77,8 +80,12 @@ class Window:
     def find(self):
         """Waits for the window and puts the pointer into it: without a window manager, keys go where that is."""
         search = ['xdotool', 'search', '--onlyvisible', '--name', 'Karma viewer test']
-        window = wait_for('the window', lambda: subprocess.run(
-            search, env=self.environment, capture_output=True, text=True, timeout=PATIENCE).stdout.split())[0]
+
+        def ready():
+            self.fail_if_ended('there was a window')
+            return subprocess.run(search, env=self.environment, capture_output=True, text=True,
+                                  timeout=PATIENCE).stdout.split()
+        window = wait_for('the window', ready, lambda: f', but only:\n{self.output()}')[0]
         self.send('mousemove', '--window', window, '200', '150')
         return window
 
