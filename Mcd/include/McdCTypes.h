@@ -88,8 +88,7 @@ typedef enum McdModelPairPhase {
 
 /** Mcd's: what the last test of a pair depended on. Zeros: there was none. */
 typedef struct McdTest {
-    MeU64 stamp1, stamp2; /**< Of the models: others wherever a model moves, or has another shape. */
-    double margin;        /**< m, up to which gap contacts are made. */
+    MeU64 stamp1, stamp2; /**< Of the models: others wherever a model moves, or has another shape or margin. */
     int contactMaxCount;
     MeBool faceNormalsFirst;
 } McdTest;

@@ -19,9 +19,11 @@ MEPUBLIC void MEAPI McdSpaceRenameLimits(McdSpaceID s, const char *models, const
 
 /** @name Tests that need not be made again
  *  @{ */
-/** Would McdIntersect find what it found when this was last asked of the pair? True where both models are convex or planes,
- *  under the library's own interaction and without a callback, and have the same places, sizes and margins to the last bit.
- *  The caller tests the pair where it is false. */
+/** The framework's models stay as they are while pairs are asked, until this is called again. */
+MEPUBLIC void MEAPI McdFrameworkBeginRound(McdFrameworkID frame);
+/** Would McdIntersect find what it found when this was last asked of the pair? True where both models are convex or
+ *  planes, under the library's own interaction and without a callback, and have the same places, sizes and margins to
+ *  the last bit. The caller tests the pair where it is false. */
 MEPUBLIC MeBool MEAPI McdModelPairIsAsTested(McdModelPair *p);
 /** What was found has been given away: the next answer is false. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);

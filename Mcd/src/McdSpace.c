@@ -433,9 +433,27 @@ static void lookAhead(const McdSpace *s, McdModelRecord *m) {
         lookNowhere(m);
 }
 
+/* Has the model the box and the margin that it would get? Its callback, or the space's, may give it any, and where it is a
+ * relative transform tells when it is updated. */
+static MeBool isUpToDate(const McdSpace *s, McdModelRecord *m, MeReal duration) {
+    return !m->update && !s->update && !m->relTM && mcd_modelStamp(m) != 0 && m->stamp == m->boxStamp &&
+           m->boxDuration == duration && m->boxAhead == s->lookAhead;
+}
+
+/* Pairs that were tested under another margin see another stamp. */
+static void noteBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
+    if (m->boxDuration != duration || m->boxAhead != s->lookAhead)
+        m->stamp = m->stamp ? ++m->frame->lastStamp : 0;
+    m->boxStamp = m->stamp; /* 0 until it was looked at once */
+    m->boxDuration = duration;
+    m->boxAhead = s->lookAhead;
+}
+
 /* With the warning that belongs to it, where a transform is bad. */
 static void updateProxy(McdSpace *s, McdProxy *p, MeReal duration) {
     McdModelRecord *m = p->model;
+    if (p->hasBox && isUpToDate(s, m, duration))
+        return;
     if (!m->instance.tm && !m->update && !s->update) {
         warnOfTransform(p, "is not set");
         return;
@@ -450,6 +468,7 @@ static void updateProxy(McdSpace *s, McdProxy *p, MeReal duration) {
     p->isWarned = MEFALSE;
     lookAhead(s, m);
     takeBox(s, p);
+    noteBox(s, m, duration);
 }
 
 /* ---- updating ---------------------------------------------------------------------------------------------------- */

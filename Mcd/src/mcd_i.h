@@ -129,11 +129,14 @@ typedef struct McdFilter {
     int group;
 } McdFilter;
 
-/* What a test reads of a model (mcd_tested.c). */
+/* What a model's box, its margin and its tests are found from (mcd_tested.c). */
 typedef struct McdSeen {
     const McdGeometry *geometry;
-    MeMatrix4 tm;
     MeU64 parameters[4]; /* what the geometry has beyond its head */
+    MeMatrix4 tm;
+    MeVector3 velocity, spin;
+    MeReal tolerance;
+    MeBool isSwept;
 } McdSeen;
 
 typedef struct McdModelRecord {
@@ -159,8 +162,11 @@ typedef struct McdModelRecord {
     void *userData;
     McdSpaceID space;
     void *proxy; /* the space's record of the model */
-    McdSeen seen; /* when the model was last looked at for a test, */
-    MeU64 stamp;  /* and since when it has been like that; 0: never */
+    McdSeen seen;                  /* when the model was last looked at, */
+    MeU64 stamp;                   /* since when it has been like that; 0: never, */
+    MeU64 lookedIn;                /* and the framework's round in which that was */
+    MeU64 boxStamp;                /* as of when its box is, */
+    MeReal boxDuration, boxAhead;  /* s, and for which motion and look-ahead */
 } McdModelRecord;
 
 static inline McdModelRecord *mcd_record(McdModelID cm) {
@@ -236,7 +242,8 @@ struct _McdFramework {
     McdRequest *defaultRequest;
     McdTermActionLink *termActions;
     int spaceCount;
-    MeU64 lastStamp; /* counts changes of models that tests have met */
+    MeU64 lastStamp; /* counts changes of models that were looked at */
+    MeU64 round;     /* of tests, in which models stay as they are */
     MeBool knowsSurfaces; /* the interaction that runs says of its contacts how round the surfaces are */
     /* Set when a space is created, so that a program without spaces does not link them: takes a model out of the space
      * that it is in, at once; has the space look at the model's filter, which is another one now. */
@@ -286,6 +293,8 @@ MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
     return m->tolerance + m->ahead;
 }
+/* A number that is another one as soon as anything is that the model's box and tests depend on; 0: that cannot be known. */
+MeU64 mcd_modelStamp(McdModelRecord *m);
 /* Do the pair's models interact as the library has it, not by a function of the program's? */
 MeBool mcd_interactionIsBuiltIn(const McdModelPair *p);
 /* The gap up to which a pair of models makes contacts: its tolerances, and the way that the two may get nearer. */

@@ -1,11 +1,10 @@
-/* Whether a pair would be found as it was when it was last tested.
+/* Whether a model's box, and what a pair has in common, would be found as they were.
  *
- * What convex shapes and planes have in common depends on where they are, how large they are and how far the pair looks, and
- * on nothing else. A model gets a new stamp when any of that has another bit than at the last look; a pair keeps the stamps
- * of its last test. Triangle lists, fields, aggregates and a program's own types may depend on more: they are always tested.
+ * For convex shapes and planes that depends on where they are, how large they are and how fast, and on nothing else. A model
+ * gets a new stamp when any of that has another bit than at the last look; a pair keeps the stamps of its last test. Triangle
+ * lists, fields, aggregates and a program's own types may depend on more: they are always tested.
  */
 #include "McdInternal.h"
-#include "McdModelPair.h"
 #include "mcd_geometries.h"
 #include <string.h>
 
@@ -31,7 +30,12 @@ static int parameterBytes(McdGeometryType type) {
     }
 }
 
-/* All that a test reads of one model. */
+static void copyIfThere(MeVector3 to, const MeReal *from) {
+    if (from)
+        MeVector3Copy(to, from);
+}
+
+/* All that tests of a model read, but for how far the space has it look ahead. */
 static MeBool look(const McdModelRecord *m, McdSeen *seen) {
     const McdGeometry *g = m->instance.geometry;
     const int bytes = parameterBytes(g->type);
@@ -42,37 +46,42 @@ static MeBool look(const McdModelRecord *m, McdSeen *seen) {
     seen->geometry = g;
     memcpy(seen->parameters, (const char *)g + sizeof *g, (size_t)bytes);
     memcpy(seen->tm, m->instance.tm, sizeof seen->tm);
+    copyIfThere(seen->velocity, m->linearVelocity);
+    copyIfThere(seen->spin, m->angularVelocity);
+    seen->tolerance = m->tolerance;
+    seen->isSwept = m->isSwept;
     return METRUE;
 }
 
-/* The model's stamp as it is now; 0: nobody can tell what a test of it depends on. */
-static MeU64 stampOf(McdModelRecord *m) {
+MeU64 mcd_modelStamp(McdModelRecord *m) {
     McdSeen now;
-    if (!look(m, &now))
-        return 0;
-    if (m->stamp == 0 || memcmp(&now, &m->seen, sizeof now) != 0) {
+    m->lookedIn = m->frame->round;
+    if (!look(m, &now)) {
+        m->stamp = 0;
+    } else if (m->stamp == 0 || memcmp(&now, &m->seen, sizeof now) != 0) {
         m->seen = now;
         m->stamp = ++m->frame->lastStamp;
     }
     return m->stamp;
 }
 
-/* The pair's own, or the framework's: both can be changed at any time. */
-static McdTest testOf(McdModelPair *p) {
-    const McdRequest *request = McdModelPairGetRequestPtr(p);
-    McdTest test;
-    memset(&test, 0, sizeof test);
-    test.stamp1 = stampOf(mcd_record(p->model1));
-    test.stamp2 = stampOf(mcd_record(p->model2));
-    test.margin = mcd_pairMargin(p);
-    test.contactMaxCount = request->contactMaxCount;
-    test.faceNormalsFirst = request->faceNormalsFirst;
-    return test;
+static MeU64 stampInRound(McdModelRecord *m) {
+    return m->lookedIn == m->frame->round ? m->stamp : mcd_modelStamp(m);
+}
+
+void MEAPI McdFrameworkBeginRound(McdFrameworkID frame) {
+    MEASSERT(frame);
+    frame->round++;
 }
 
 MeBool MEAPI McdModelPairIsAsTested(McdModelPair *p) {
     MEASSERT(p && p->model1 && p->model2);
-    const McdTest now = testOf(p);
+    McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
+    const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
+    const McdTest now = {.stamp1 = stampInRound(m1),
+                         .stamp2 = stampInRound(m2),
+                         .contactMaxCount = request->contactMaxCount,
+                         .faceNormalsFirst = request->faceNormalsFirst};
     const MeBool isSame = now.stamp1 != 0 && now.stamp2 != 0 && memcmp(&now, &p->test, sizeof now) == 0;
     p->test = now;
     return isSame && mcd_interactionIsBuiltIn(p);

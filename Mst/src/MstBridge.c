@@ -1,10 +1,12 @@
 /* The bridge: the material table, and the loop over pairs. */
 #include "McdInteractions.h"
+#include "McdInternal.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
 #include "mst_i.h"
 #include <limits.h>
+#include <string.h>
 
 void mst_warnGone(const void *p, const char *what, const char *function) {
     if (p)
@@ -44,11 +46,11 @@ static MeBool addMaterial(MstBridgeRecord *b, const char *function) {
             return MEFALSE;
         b->materialRoom = more;
     }
-    MstMaterialPair *row = MeMemoryTakeZeroed((size_t)m + 1, sizeof *row, function, "a material");
+    MstMaterialRecord *row = MeMemoryTakeZeroed((size_t)m + 1, sizeof *row, function, "a material");
     if (!row)
         return MEFALSE;
     for (unsigned int i = 0; i <= m; i++)
-        MdtContactParamsReset(&row[i].params);
+        MdtContactParamsReset(&row[i].pair.params);
     b->materials[b->materialCount++] = row;
     return METRUE;
 }
@@ -113,7 +115,24 @@ static MstMaterialID known(const MstBridgeRecord *b, MstMaterialID m) {
 MstMaterialPair *mst_materialPair(MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2) {
     const MstMaterialID a = known(b, m1), c = known(b, m2), high = MeMAX(a, c), low = MeMIN(a, c);
     MEASSERT(high < b->materialCount && b->materialCount <= b->materialRoom);
-    return &b->materials[high][low];
+    return &b->materials[high][low].pair;
+}
+
+unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair) {
+    MstMaterialRecord *record = (MstMaterialRecord *)pair;
+    if (record->lookedIn == b->round)
+        return record->version;
+    record->lookedIn = b->round;
+    if (record->version == 0 || memcmp(&record->pair, &record->seen, sizeof record->pair) != 0) {
+        record->seen = record->pair;
+        record->version = ++b->lastVersion;
+    }
+    return record->version;
+}
+
+void mst_beginRound(MstBridgeRecord *b) {
+    b->round++;
+    McdFrameworkBeginRound(b->frame);
 }
 
 static MstMaterialPair *pairOf(MstBridgeID b, MstMaterialID m1, MstMaterialID m2, const char *function) {
@@ -205,6 +224,7 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
     if (!record || !pairs)
         return;
+    mst_beginRound(record);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd; i++)
         if (!isAsleep(pairs->array[i]->model1) || !isAsleep(pairs->array[i]->model2))
             mst_pairCollide(record, pairs->array[i], s, w);

@@ -41,6 +41,7 @@ struct MstTouch {
     MeBool isTouching; /* as of the last step */
     /* as of the last test of the pair: */
     unsigned long moves[2]; /* of its bodies */
+    unsigned long version;  /* of what holds between its materials */
     int found;              /* contacts; MST_UNKNOWN: not all that were found became contacts */
     MeBool isSensor;
     /* of this step: */
@@ -73,6 +74,13 @@ typedef struct MstEvents {
     int firstBreak;           /* from this event on */
 } MstEvents;
 
+/* What holds between two materials, and whether that is what it was: programs write it at any time. */
+typedef struct MstMaterialRecord {
+    MstMaterialPair pair, seen; /* first: what programs see; as of the last look, */
+    unsigned long version;      /* since when it has been like that, */
+    unsigned long lookedIn;     /* and the bridge's round in which that was */
+} MstMaterialRecord;
+
 struct MstBridgeRecord {
     MstBridge bridge; /* what programs see: first */
     MeU32 magic;
@@ -80,7 +88,9 @@ struct MstBridgeRecord {
     McdFrameworkID frame;
     MeLimit materialLimit;
     unsigned int materialRoom, materialCount;
-    MstMaterialPair **materials; /* of the pair (m1 >= m2): materials[m1][m2] */
+    MstMaterialRecord **materials; /* of the pair (m1 >= m2): materials[m1][m2] */
+    unsigned long lastVersion;     /* counts changes of what holds between materials */
+    unsigned long round;           /* of pairs, in which nothing changes but by callbacks */
     McdContact *contacts;        /* of the pair that is being handled */
     MdtContactID *done;          /* what they have become */
     unsigned int contactMax;
@@ -95,6 +105,11 @@ struct MstBridgeRecord {
 MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function);
 /* What holds between two materials; unknown ones count as the default one. */
 MstMaterialPair *mst_materialPair(MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2);
+
+/* A number that is another one as soon as anything is that holds between two materials. */
+unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair);
+/* Pairs are looked at: programs may have changed anything before, and in a callback. */
+void mst_beginRound(MstBridgeRecord *b);
 
 /* Touches (MstEvents.c): a step begins; a pair has been looked at, with or without contacts; all is forgotten. */
 void mst_eventsBegin(MstBridgeRecord *b);

@@ -206,41 +206,50 @@ static unsigned long movesOf(McdModelID m) {
     return body ? MdtBodyGetMoves(body) : 0;
 }
 
-/* What the contacts were made from; to be asked again where callbacks, or want of room, left some out. */
-static void remember(McdModelPair *p, const McdIntersectResult *result) {
+static MeBool hasCallback(const MstMaterialPair *materials) {
+    return materials->intersectCb || materials->perContactCb || materials->perPairCb;
+}
+
+/* What the contacts were made from, unless it is to be tested in every step: what is fast, or has callbacks, or has not got
+ * all the contacts that were found. */
+static void remember(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials, const McdIntersectResult *result) {
     MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
     if (!t)
         return;
     t->moves[0] = movesOf(p->model1);
     t->moves[1] = movesOf(p->model2);
-    t->found = group && MdtContactGroupGetCount(group) == result->contactCount ? result->contactCount : MST_UNKNOWN;
+    t->version = mst_materialVersion(b, materials);
+    t->found = group && MdtContactGroupGetCount(group) == result->contactCount && !hasCallback(materials) &&
+                       !(McdModelGetFastMargin(p->model1) > 0) && !(McdModelGetFastMargin(p->model2) > 0)
+                   ? result->contactCount
+                   : MST_UNKNOWN;
 }
 
 /* Has the pair all the contacts that it had when it was tested, and did its bodies stay there, to the last bit? */
 static MeBool hasItsContacts(const McdModelPair *p) {
     const MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
-    return t && !t->isSensor && group && MdtContactGroupGetCount(group) == t->found &&
-           t->moves[0] == movesOf(p->model1) && t->moves[1] == movesOf(p->model2);
+    if (t->found == 0)
+        return !t->isTouching;
+    return t->found > 0 && group && MdtContactGroupGetCount(group) == t->found && t->moves[0] == movesOf(p->model1) &&
+           t->moves[1] == movesOf(p->model2);
 }
 
-/* Would the pair's test give what there is? Callbacks are called in every step, and what is fast is looked at in each. */
-static MeBool isAsItWas(const McdModelPair *p, const MstMaterialPair *materials, MeBool isAsTested) {
-    const MdtContactGroupID group = p->responseData;
-    if (!isAsTested || materials->intersectCb || materials->perContactCb || materials->perPairCb ||
-        McdModelGetFastMargin(p->model1) > 0 || McdModelGetFastMargin(p->model2) > 0)
-        return MEFALSE;
-    return !group || MdtContactGroupGetCount(group) == 0 ? !p->touch : hasItsContacts(p);
+/* Would the pair's test give what there is? */
+static MeBool isAsItWas(McdModelPair *p, const MstMaterialPair *materials) {
+    return McdModelPairIsAsTested(p) && !hasCallback(materials) && (p->touch ? hasItsContacts(p) : !p->responseData);
 }
 
-/* The materials may be others. */
 static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials) {
     const MdtContactGroupID group = p->responseData;
-    if (!group || MdtContactGroupGetCount(group) == 0)
+    MstTouch *t = p->touch;
+    if (!t || t->found == 0)
         return;
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
-        MdtContactSetParams(c, &materials->params);
+    if (t->version != mst_materialVersion(b, materials))
+        for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
+            MdtContactSetParams(c, &materials->params);
+    t->version = mst_materialVersion(b, materials);
     MdtContactGroupEnable(group);
     mst_touchNoteAgain(b, p);
 }
@@ -284,13 +293,15 @@ void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorld
     if (!McdModelGetBody(p->model1) && !McdModelGetBody(p->model2))
         return;
     MstMaterialPair *materials = mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2));
-    if (isAsItWas(p, materials, McdModelPairIsAsTested(p))) {
+    if (isAsItWas(p, materials)) {
         keepContacts(b, p, materials);
         return;
     }
     meetBodies(b, p, w, materials, &result);
+    if (hasCallback(materials))
+        mst_beginRound(b); /* they may have changed anything */
     MEASSERT(result.contactCount <= result.contactMaxCount);
     mst_touchNote(b, p, &result);
-    remember(p, &result);
+    remember(b, p, materials, &result);
     mst_followFast(b, p, s, w, result.contactCount > 0);
 }

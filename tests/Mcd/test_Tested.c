@@ -2,6 +2,7 @@
 #include "McdAggregate.h"
 #include "McdAll.h"
 #include "McdInternal.h"
+#include "McdSpace.h"
 #include "shapes.h"
 
 typedef struct Probe {
@@ -43,6 +44,7 @@ static void tearDown(void) {
 }
 
 static MeBool isAsTested(void) {
+    McdFrameworkBeginRound(p.frame);
     return McdModelPairIsAsTested(&p.pair);
 }
 
@@ -142,6 +144,39 @@ START_TEST(margins_and_requests_count) {
 }
 END_TEST
 
+START_TEST(models_stay_as_they_are_within_a_round) {
+    meetBoxes();
+    p.tm[0][3][0] = 1;
+    ck_assert(McdModelPairIsAsTested(&p.pair));
+    assertChanged("a move");
+}
+END_TEST
+
+START_TEST(a_box_of_the_last_update_is_kept_where_nothing_has_changed) {
+    const McdSpaceID s = McdSpaceAxisSortCreate(p.frame, McdAllAxes, 10, 10);
+    MeVector3 spin = {0, 0, 1}, low, high;
+    meet(McdSphereCreate(p.frame, 1), McdBoxCreate(p.frame, 1, 1, 1));
+    McdModelSetAngularVelocityPtr(p.model[1], spin);
+    McdModelSetSwept(p.model[1], METRUE);
+    McdSpaceInsertModel(s, p.model[0]);
+    McdSpaceInsertModel(s, p.model[1]);
+    for (int i = 0; i < 5; i++) {
+        if (i == 1)
+            McdSphereSetRadius(p.shape[0], 2);
+        if (i == 2)
+            p.tm[0][3][0] = 5;
+        McdSpaceSetLookAhead(s, i < 3 ? 0 : 1);
+        McdSpacePathUpdateAll(s, i < 4 ? 0 : ME_PI / 4);
+        McdModelGetAABB(p.model[0], low, high);
+        assert_near(high[0], i == 0 ? 1 : i == 1 ? 2 : 7, TOL(1e-5, 1e-12));
+        McdModelGetAABB(p.model[1], low, high);
+        ck_assert(high[0] > (MeReal).5 + (MeReal).1 || i < 4); /* its corners turn that way */
+        ck_assert(high[0] < (MeReal).5 + (MeReal)1e-5 || i == 4);
+    }
+    McdSpaceDestroy(s);
+}
+END_TEST
+
 static void MEAPI onIntersect(McdModelID m, McdIntersectResult *result) {
     (void)m, (void)result;
 }
@@ -178,6 +213,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, every_size_counts);
     tcase_add_test(t, another_shape_counts);
     tcase_add_test(t, margins_and_requests_count);
+    tcase_add_test(t, models_stay_as_they_are_within_a_round);
+    tcase_add_test(t, a_box_of_the_last_update_is_kept_where_nothing_has_changed);
     tcase_add_test(t, what_a_program_answers_is_always_asked);
     tcase_add_test(t, what_is_made_of_parts_is_always_tested);
 }
