@@ -177,6 +177,25 @@ START_TEST(a_box_of_the_last_update_is_kept_where_nothing_has_changed) {
 }
 END_TEST
 
+START_TEST(a_relative_model_follows_what_it_is_relative_to) {
+    const McdSpaceID s = McdSpaceAxisSortCreate(p.frame, McdAllAxes, 10, 10);
+    MeMatrix4 beside;
+    MeVector3 low, high;
+    meetBoxes();
+    MeMatrix4TMMakeIdentity(beside);
+    beside[3][0] = 3;
+    McdModelSetRelativeTransform(p.model[0], beside);
+    McdSpaceInsertModel(s, p.model[0]);
+    for (int i = 0; i < 3; i++) {
+        p.tm[0][3][0] = (MeReal)i;
+        McdSpaceUpdateAll(s);
+        McdModelGetAABB(p.model[0], low, high);
+        assert_near(high[0], i + 3.5, TOL(1e-5, 1e-12));
+    }
+    McdSpaceDestroy(s);
+}
+END_TEST
+
 static void MEAPI onIntersect(McdModelID m, McdIntersectResult *result) {
     (void)m, (void)result;
 }
@@ -215,6 +234,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, margins_and_requests_count);
     tcase_add_test(t, models_stay_as_they_are_within_a_round);
     tcase_add_test(t, a_box_of_the_last_update_is_kept_where_nothing_has_changed);
+    tcase_add_test(t, a_relative_model_follows_what_it_is_relative_to);
     tcase_add_test(t, what_a_program_answers_is_always_asked);
     tcase_add_test(t, what_is_made_of_parts_is_always_tested);
 }
