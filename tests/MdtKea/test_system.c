@@ -895,6 +895,45 @@ START_TEST(impacts_obey_newton) {
 }
 END_TEST
 
+/* Does a body of 2 kg meet what a contact of that softness keeps it from, when it moves into it by `speed`, of what its weight
+ * changes in a step? Others may hang about in the partition, and press on it. */
+static MeBool meetsWith(double speed, double softness, double others) {
+    const double g = 10, h = 0.01;
+    Scene scene;
+    begin(&scene, 2, 1, h, 0);
+    setBody(&scene, 0, 2, 1, 0);
+    setBody(&scene, 1, others, 1, 5);
+    scene.body[0].velocity[0] = speed * g * h;
+    for (int i = 0; i < 2; i++)
+        scene.body[i].force[0] = g / scene.body[i].invMass;
+    init(&scene);
+    scene.s.parameters.timed = METRUE;
+    MdtKeaRow *row = addRow(&scene, 0, MdtKeaWORLD);
+    row->J[0].lin[0] = -1;
+    row->contact = 0;
+    row->lower = 0;
+    row->softness = softness;
+    const MeBool meets = MdtKeaMeets(&scene.s);
+    end(&scene);
+    return meets;
+}
+
+/* It gives way to the weight of all by v = h E m g, which is E m of what the weight changes in a step; to no more than a
+ * twentieth. A hard one gives way to nothing. */
+START_TEST(giving_way_to_a_load_is_no_impact) {
+    ck_assert(!meetsWith(0, 0, 3));
+    ck_assert(meetsWith(1e-5, 0, 3));
+    ck_assert(!meetsWith(-1, 0, 3));
+    for (int k = 0; k < 2; k++) {
+        const double others = k ? 30 : 3, softness = 1e-3, gives = softness * (2 + others);
+        ck_assert(!meetsWith(.99 * gives, softness, others));
+        ck_assert(meetsWith(1.01 * gives, softness, others));
+    }
+    ck_assert(!meetsWith(.049, 1, 3));
+    ck_assert(meetsWith(.051, 1, 3));
+}
+END_TEST
+
 START_TEST(the_last_ball_of_a_cradle_leaves_alone) {
     Scene scene;
     cradle(&scene, 5, 1);
@@ -1079,6 +1118,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, fast_tops_are_refused_if_they_may_be);
     tcase_add_test(t, nothing_is_factored_at_rest);
     tcase_add_test(t, impacts_obey_newton);
+    tcase_add_test(t, giving_way_to_a_load_is_no_impact);
     tcase_add_test(t, the_last_ball_of_a_cradle_leaves_alone);
     tcase_add_test(t, impacts_have_friction);
     tcase_add_test(t, rebounds_with_friction_gain_no_energy);
