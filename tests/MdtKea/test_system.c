@@ -785,27 +785,30 @@ END_TEST
 
 /* ---- the report ---- */
 
-/* Two ball joints hang a body by one point of it at two points of the world. */
-START_TEST(contradictory_joints_are_told) {
+/* Two ball joints hang a body by one point of it at two points of the world, or of none: half way, for gamma's part. */
+static void contradict(MeBool isApart) {
     Scene scene;
-    for (int apart = 0; apart < 2; apart++) {
-        begin(&scene, 1, 6, 0.01, 0);
-        setBody(&scene, 0, 1, 1, 0);
-        addBall(&scene, 0, MdtKeaWORLD, 0);
-        scene.ball[scene.numBalls++] = scene.ball[0];
-        if (apart)
-            scene.ball[1].arm[1][0] += 0.1;
-        init(&scene);
-        MdtKeaSolve(&scene.s);
-        ck_assert_int_eq(scene.s.report.conflicting, apart);
-        ck_assert(MdtKeaIntegrate(&scene.s));
-        if (apart) { /* half way, for γ's part */
-            double errors[6];
-            ballErrors(&scene, scene.s.pose, errors);
-            assert_near(errors[0], 0.05 * scene.s.parameters.gamma, TOL(2e-7, 5e-12) * 0.05);
-        }
-        end(&scene);
+    begin(&scene, 1, 6, 0.01, 0);
+    setBody(&scene, 0, 1, 1, 0);
+    addBall(&scene, 0, MdtKeaWORLD, 0);
+    scene.ball[scene.numBalls++] = scene.ball[0];
+    if (isApart)
+        scene.ball[1].arm[1][0] += 0.1;
+    init(&scene);
+    MdtKeaSolve(&scene.s);
+    ck_assert_int_eq(scene.s.report.conflicting, isApart);
+    ck_assert(MdtKeaIntegrate(&scene.s));
+    if (isApart) {
+        double errors[6];
+        ballErrors(&scene, scene.s.pose, errors);
+        assert_near(errors[0], 0.05 * scene.s.parameters.gamma, 3e-9 * 0.05);
     }
+    end(&scene);
+}
+
+START_TEST(contradictory_joints_are_told) {
+    for (int i = 0; i < 100; i++)
+        contradict(i % 2);
 }
 END_TEST
 
@@ -1095,7 +1098,13 @@ START_TEST(memory_required_is_that_of_the_largest_partition) {
 }
 END_TEST
 
+/* Each test has the same numbers, whichever ran before it. */
+static void restartNumbers(void) {
+    state = 1;
+}
+
 static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, restartNumbers, NULL);
     tcase_add_test(t, two_bodies_share_an_impulse);
     tcase_add_test(t, velocity_rows_obey_their_law);
     tcase_add_test(t, rigid_position_rows_obey_their_law);
