@@ -12,7 +12,7 @@ END_TEST
 
 START_TEST(towers_of_twenty_stand) {
     static const SceneBound bounds[] = {
-        {"tower", 1, 0, 1e-5, 1e-8},          {"tower", 1, 1, 1e-5, 1e-8},        {"tower-shaken", 1, 0, 0, 0},
+        {"tower", 1, 0, 1e-6, 1e-9},          {"tower", 1, 1, 1e-6, 1e-8},        {"tower-shaken", 1, 0, 0, 0},
         {"tower-shaken", 1, 1, 2.5e-5, 1e-8}, {"tower-shaken", 1, 2, 1e-5, 1e-7},
     };
     assert_cases(bounds);
@@ -21,10 +21,10 @@ END_TEST
 
 START_TEST(a_tower_does_not_depend_on_metres) {
     static const SceneBound bounds[] = {
-        {"tower-.01m", 1, 0, 1e-3, 1e-7}, {"tower-.01m", 1, 1, 1e-3, 1e-7}, {"tower-.1m", 1, 0, 1e-3, 1e-8},
-        {"tower-.1m", 1, 1, 1e-3, 1e-8},  {"tower-1m", 1, 0, 1e-3, 1e-8},   {"tower-1m", 1, 1, 1e-3, 1e-8},
-        {"tower-10m", 1, 0, 1e-3, 1e-8},  {"tower-10m", 1, 1, 1e-3, 1e-8},  {"tower-100m", 1, 0, 1e-3, 1e-8},
-        {"tower-100m", 1, 1, 1e-3, 1e-8},
+        {"tower-.01m", 1, 0, 3e-6, 1e-7}, {"tower-.01m", 1, 1, 1e-6, 1e-7}, {"tower-.1m", 1, 0, 3e-6, 1e-8},
+        {"tower-.1m", 1, 1, 1e-6, 1e-8},  {"tower-1m", 1, 0, 1e-6, 1e-8},   {"tower-1m", 1, 1, 1e-6, 1e-8},
+        {"tower-10m", 1, 0, 1e-6, 1e-8},  {"tower-10m", 1, 1, 1e-6, 1e-8},  {"tower-100m", 1, 0, 2e-4, 1e-8},
+        {"tower-100m", 1, 1, 6e-6, 1e-8},
     };
     assert_cases(bounds);
 }
