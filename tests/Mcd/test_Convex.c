@@ -476,6 +476,30 @@ START_TEST(the_points_of_a_distance_are_on_the_surfaces) {
 }
 END_TEST
 
+/* Capsules of radius .25 and 2 m between their ends' centres, side by side, the second higher: the points are in the middle of
+ * what is beside each other, or at the ends that are nearest. */
+START_TEST(parallel_capsules_are_nearest_in_the_middle) {
+    for (double up = -5; up <= 5; up += .25)
+        for (int turn = 0; turn < 4; turn++) {
+            McdShape a, b;
+            double onA[3], onB[3], n[3], axis[3] = {.6, .8, 0};
+            shape_sphyl(&a, .25, 1);
+            shape_sphyl(&b, .25, 1);
+            shape_move(&b, 1, 0, up);
+            shape_rotate(&a, axis, .7 * turn);
+            shape_rotate(&b, axis, .7 * turn);
+            const double beyond = fmax(fabs(up) - 2, 0), side = up < 0 ? -1 : 1;
+            const double middle = beyond > 0 ? side : up / 2;
+            assert_near(mcd_convexDistance(&a, &b, onA, onB, n), hypot(1, beyond) - .5, 9e-15);
+            mcd_sub(onA, onA, a.place);
+            mcd_sub(onB, onB, b.place);
+            assert_near(mcd_dot(onA, a.axis[2]), middle + .25 * beyond * side / hypot(1, beyond), 9e-15);
+            assert_near(mcd_dot(onB, a.axis[2]), middle + beyond * side - up - .25 * beyond * side / hypot(1, beyond),
+                        9e-15);
+        }
+}
+END_TEST
+
 /* A plane, a thin cone, a needle, a sheet: sizes that differ by millions. */
 START_TEST(sizes_that_differ_much) {
     for (int i = 0; i < SHAPE_KINDS; i++)
@@ -512,6 +536,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, what_is_no_number_touches_nothing);
     tcase_add_test(t, what_is_no_number_is_infinitely_far_from_everything);
     tcase_add_test(t, the_points_of_a_distance_are_on_the_surfaces);
+    tcase_add_test(t, parallel_capsules_are_nearest_in_the_middle);
     tcase_add_test(t, sizes_that_differ_much);
 }
 
