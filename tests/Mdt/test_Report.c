@@ -529,22 +529,36 @@ START_TEST(a_ball_that_bounces_is_timed) {
 }
 END_TEST
 
-/* How a ball is turned matters where a contact pushes past its centre, by more than a thousandth of the radius: one that turns
- * by more than a step can follow is then stepped in parts, and else in one. */
+/* The parts of a step in which a ball turns about y by more than a step can follow, on the floor or on a body that stands
+ * still, which is then the contact's first. */
+static int partsOfWhirl(double ballRadius, double contactRadius, double offX, double offZ, MeBool isOnBody) {
+    MdtWorldID w = reportedWorld(2, 1, 0);
+    MdtBodyID b = scene_body(w, 1, 0, ballRadius, 0), floor = isOnBody ? scene_body(w, 1000, 0, -1, 0) : 0;
+    MdtContactID c = floor ? MdtContactCreate(w, floor, b) : MdtContactCreate(w, b, 0);
+    MdtContactSetPosition(c, (MeReal)offX, 0, (MeReal)offZ);
+    MdtContactSetNormal(c, 0, floor ? -1 : 1, 0);
+    MdtContactSetRadius(c, floor ? 1 : 0, (MeReal)contactRadius);
+    MdtContactEnable(c);
+    MdtBodySetAngularVelocity(b, 0, 3 / FRAME, 0);
+    MdtWorldStep(w, FRAME);
+    const int parts = reportOf(w).parts;
+    MdtWorldDestroy(w);
+    return parts;
+}
+
+/* How a ball is turned matters where a contact pushes past its centre, by more than a thousandth of the radius: the step is
+ * then taken in parts, and else in one. So it is with a corner, even under the centre, which turns with the body. */
 START_TEST(a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre) {
-    const double radius = .5;
-    for (int isPast = 0; isPast < 2; isPast++)
-        for (int side = 0; side < 4; side++) {
-            const double off = radius * (isPast ? 1.2e-3 : .8e-3) * (side & 1 ? 1 : -1);
-            MdtWorldID w = reportedWorld(1, 1, 10);
-            MdtBodyID b = scene_body(w, 1, 0, radius, 0);
-            MdtContactSetRadius(touch(b, side & 2 ? off : 0, side & 2 ? 0 : off, 0), 0, (MeReal)radius);
-            MdtBodySetAngularVelocity(b, 0, 3 / FRAME, 0);
-            MdtWorldStep(w, FRAME);
-            const MdtReport r = reportOf(w);
-            ck_assert_int_eq(r.parts, isPast ? 2 : 1);
-            MdtWorldDestroy(w);
+    const double radius = .5, past = 1.2e-3 * radius, within = .8e-3 * radius;
+    for (int isOnBody = 0; isOnBody < 2; isOnBody++) {
+        for (int side = -1; side <= 1; side += 2) {
+            ck_assert_int_eq(partsOfWhirl(radius, radius, side * past, 0, isOnBody), 2);
+            ck_assert_int_eq(partsOfWhirl(radius, radius, 0, side * past, isOnBody), 2);
+            ck_assert_int_eq(partsOfWhirl(radius, radius, side * within, 0, isOnBody), 1);
+            ck_assert_int_eq(partsOfWhirl(radius, radius, 0, side * within, isOnBody), 1);
         }
+        ck_assert_int_eq(partsOfWhirl(radius, 0, 0, 0, isOnBody), 2);
+    }
 }
 END_TEST
 
