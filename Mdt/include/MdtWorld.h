@@ -204,16 +204,19 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *  from the same budget: sub-steps, halves of violent motion, events, impacts. Of a step that is taken in parts by safe times,
  *  each part has its share, at least a sixteenth.
  *
- *  After three eighths, friction bounds that do not settle are left where they are; at its end the best answer so far is made
- *  one that keeps momentum and bounds by some sweeps over the rows. Bodies then move softer than they should: contacts
- *  give way by a part of the step's motion, joints open, and both are taken back in later steps (gamma); energy is never
- *  gained beyond what loads, springs and motors give. MdtReport tells (`way`, `limited`, `fallbacks`).
+ *  Newton's method has half of it at least; where friction bounds do not settle, three eighths. When that is used up, the best
+ *  answer so far is finished by accelerated sweeps over the rows (projected Gauss-Seidel), and by a direct solve of the joints'
+ *  rows that have no bounds, in up to eight passes as far as the budget goes: momentum and bounds are kept, energy is never
+ *  gained beyond what loads, springs and motors give. Joints stay as closed as ever; what is left over, mostly 1e-4 m/s, is
+ *  in contacts and stops, which give way by that, and it is taken back in later steps (gamma). The budget goes too low where
+ *  each pass has but a few sweeps: with 3000 rows in a partition or more. MdtReport tells (`way`, `limited`, `fallbacks`,
+ *  `residualVelocity`).
  *
  *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
  *
- *  Default 40, 2.3 times what the costliest step of the hard cases in docs/solver.md takes: 17 (100 links with 1e5 kg); of those
- *  with friction 14 (a shaken tower of 20 cubes), 1.1 times less than three eighths. One Newton iteration of 30 boxes in a
- *  heap is 0.1. 0: no bound. Beyond Karma.
+ *  Default 50, 2.9 times what the costliest step of the hard cases in docs/solver.md takes: 17 (100 links with 1e5 kg); of those
+ *  with friction 14 (a shaken tower of 20 cubes). One Newton iteration of 30 boxes in a heap is 0.1. 0: no bound. Beyond
+ *  Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work);
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);

@@ -55,14 +55,33 @@ static double fastestTowards(const MdtBclLimit *limit, int side, double rate, do
     return limit->rows & MOTOR ? fmin(slowest, sign * (double)limit->desired_vel) : slowest;
 }
 
-/* Whether the stop can matter in this step. The margin of twice the way that is left covers what other rows may add; a
- * stop that carried a force in the last step stays in, or a load at rest on it would rattle. */
-static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double h) {
+/* rad/s: how fast a body may turn after it has hit something in this step: with its speed about its radius of gyration, whose
+ * inverse square is its mass over its moment. */
+static double speedOfBlow(const MdtBclContext *x) {
+    double most = 0;
+    for (int k = 0; k < 2; k++) {
+        const MdtKeaInverseMassMatrix *m = x->invMass[k];
+        const double inverse = fmax(m->inertia[0][0], fmax(m->inertia[1][1], m->inertia[2][2]));
+        if (m->mass > 0)
+            most = fmax(most, keaLength(x->velocity[k]->lin) * sqrt(inverse / m->mass));
+    }
+    return most;
+}
+
+static MeBool isAngle(const MdtKeaRow *coordinate) {
+    const MdtKeaJBlock *J = coordinate->J;
+    return keaDot(J[0].lin, J[0].lin) + keaDot(J[1].lin, J[1].lin) == 0;
+}
+
+/* Whether the stop can matter in this step. The margin of twice the way that is left covers what other rows may add, and that
+ * of an angle what a blow may; a stop that carried a force in the last step stays in, or a load at rest on it would rattle. */
+static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double blow, double h) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
     const double z = distanceToStop(limit, side);
     if (!isHard(limit, side) && !(stop->stiffness > 0))
         return z < 0 && stop->damping > 0;
-    return z <= 0 || limit->stopForce[side] > 0 || z + 2 * h * fastestTowards(limit, side, rate, predicted) < 0;
+    return z <= 0 || limit->stopForce[side] > 0 || z < h * blow ||
+           z + 2 * h * fastestTowards(limit, side, rate, predicted) < 0;
 }
 
 int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, double measured) {
@@ -72,6 +91,7 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
     limit->measured = measured;
     limit->isMeasured = METRUE;
     const double rate = bcl_rate(coordinate, x->velocity), predicted = bcl_rate(coordinate, x->predicted);
+    const double blow = isAngle(coordinate) ? speedOfBlow(x) : 0;
     MEASSERT(isfinite(measured) && isfinite(rate) && isfinite(predicted));
     int count = 0;
     if (limit->bLocked || (limit->bPowered && limit->fmax > 0)) {
@@ -79,7 +99,7 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
         count++;
     }
     for (int side = 0; side < 2; side++) {
-        if (limit->bActive && isWithinReach(limit, side, rate, predicted, x->parameters.stepsize)) {
+        if (limit->bActive && isWithinReach(limit, side, rate, predicted, blow, x->parameters.stepsize)) {
             limit->rows |= side == 0 ? LOWER : UPPER;
             count++;
         }

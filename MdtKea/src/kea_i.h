@@ -83,8 +83,9 @@ void kea_eigen(double S[3][3], double V[3][3]);
 
 /* ---- kea_solve.c ---- */
 
-/* What the solve may cost: this share of the means, the rest is for what comes after. */
-void kea_setMeans(MdtKeaSystem *s, double share);
+/* What the solve may cost: this share of the means, the rest is for what comes after; of it, so many passes by sweeps are for
+ * when it runs out. */
+void kea_setMeans(MdtKeaSystem *s, double share, int sweptPasses);
 /* Writes what it has cost. */
 void kea_reportWork(MdtKeaSystem *s);
 

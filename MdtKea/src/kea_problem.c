@@ -102,7 +102,7 @@ static double workOfIteration(const KeaProblem *q, MeBool lopsided) {
 
 MeBool kea_problemHasMeans(const KeaProblem *q, MeBool lopsided) {
     return !(q->maxIterations > 0 && q->counts.iterations >= q->maxIterations) &&
-           !(q->maxWork > 0 && q->counts.work + workOfIteration(q, lopsided) > q->maxWork);
+           !(q->maxWork > 0 && q->counts.work + workOfIteration(q, lopsided) > q->maxWork - q->reserve);
 }
 
 MeBool kea_problemAffords(KeaProblem *q, MeBool lopsided) {
@@ -471,6 +471,49 @@ static MeBool solveCoupled(KeaProblem *q) {
         error = next;
     }
     return error < 1e3;
+}
+
+/* ---- unbounded rows alone ---- */
+
+static MeBool isUnbounded(const KeaProblemRow *row) {
+    return row->normal < 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
+}
+
+/* Takes all other rows out of the problem. False: none is left. */
+static MeBool setAside(KeaProblem *q) {
+    MeBool isLeft = MEFALSE;
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        row->isAside = !row->isOff && !isUnbounded(row);
+        row->isOff = row->isOff || row->isAside;
+        isLeft = isLeft || !row->isOff;
+        row->p0 = row->isOff ? row->p0 : row->p;
+    }
+    return isLeft;
+}
+
+double kea_problemWorkOfJoints(const KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++)
+        if (!q->row[i].isOff && isUnbounded(&q->row[i]))
+            return workOfIteration(q, MEFALSE);
+    return 0;
+}
+
+void kea_problemSolveJoints(KeaProblem *q) {
+    if (setAside(q)) {
+        setForces(q, 0, MEFALSE);
+        gradientError(q, 0);
+        if (factor(q, MEFALSE)) {
+            findDirection(q);
+            take(q, 1);
+            setForces(q, 0, MEFALSE);
+        } else {
+            for (int i = 0; i < q->numRows; i++)
+                q->row[i].p = q->row[i].isOff ? q->row[i].p : q->row[i].p0;
+        }
+    }
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].isOff = q->row[i].isOff && !q->row[i].isAside;
 }
 
 /* How far the friction bounds are from μ times the normal forces. */

@@ -41,13 +41,15 @@ typedef struct KeaProblemRow {
     double keptJd, keptRadius;
     double lastRadius, lastMissing; /* N s, of the last approach to the bounds that the normal forces give */
     double Jd, Je;                  /* along d, along the search direction */
+    double last, best;              /* N s, before the last sweep; with the least energy of all sweeps */
     double size;                    /* J B⁻¹ Jᵀ, 1/kg */
     double weight[2];               /* by body: the momentum, in its scale, that a unit of p gives */
     MeBool isForced;                /* p is `forced` times the friction bound: the direction of sliding is known */
     double forced;
     MeBool resists, isStubborn; /* a joint that did not yield in the last pass, in the last two */
     MeBool isElsewhere;         /* its law is checked by others (kea_problemResidual) */
-    MeBool isOff;               /* takes no part: p stays what it is */
+    MeBool isOff;               /* takes no part: p stays what it is; */
+    MeBool isAside;             /* for the time being */
     KeaRowState state;
 } KeaProblemRow;
 
@@ -58,8 +60,11 @@ typedef struct KeaCounts {
 } KeaCounts;
 
 /* Multiplications per row, as counted: of a visit (J d of two bodies, bounds, Jᵀ p), of its part of the matrix (three 6x6
- * blocks), of a linearization (its Jacobian, error, target); per body of a linearization. */
-enum { KEA_VISIT = 32, KEA_ASSEMBLY = 108, KEA_LINEARIZATION = 256 };
+ * blocks), of a linearization (its Jacobian, error, target), of a sweep (J d, the bound, B⁻¹ Jᵀ p); per body of a
+ * linearization. */
+enum { KEA_VISIT = 32, KEA_ASSEMBLY = 108, KEA_LINEARIZATION = 256, KEA_SWEEP = 96 };
+/* Sweeps of a solve, at best and at least; and the choice of what they start from, counted in sweeps. */
+enum { KEA_SWEEPS = 32, KEA_FEWEST_SWEEPS = 2, KEA_START = 2 };
 
 typedef struct KeaProblem {
     int numBodies, numRows;
@@ -79,6 +84,8 @@ typedef struct KeaProblem {
     MeBool hasBounds;   /* of any kind */
     int maxIterations;  /* of all solves together; 0: no cap */
     double maxWork;     /* the same; 0: no cap */
+    double reserve;     /* of it, that is kept for sweeps, */
+    int sweptPasses;    /* that share what work is left when it runs out */
     KeaCounts counts;
 } KeaProblem;
 
@@ -95,9 +102,17 @@ MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
 MeBool kea_problemHasMeans(const KeaProblem *q, MeBool lopsided);
 MeBool kea_problemAffords(KeaProblem *q, MeBool lopsided);
 void kea_problemSpend(KeaProblem *q, double work);
+/* The rows without bounds alone, exactly, where all others have the impulses that they have: one linear solve, which lowers
+ * the energy, as a sweep does. Needs d and Jd; and its work, 0 where there are no such rows. */
+void kea_problemSolveJoints(KeaProblem *q);
+double kea_problemWorkOfJoints(const KeaProblem *q);
 /* ---- kea_sweep.c ---- */
-/* Solves by sweeps, in what work is left, but at least a few (kea_sweep.c). Needs the metric's inverse and the sizes. */
+/* Solves by sweeps, in a share of what work is left, but at least a few. Needs the metric's inverse and the sizes. */
 void kea_problemSweep(KeaProblem *q);
+/* The work of a solve by so many sweeps, and of the linearization that goes with it. */
+double kea_problemSweptPass(const KeaProblem *q, int sweeps);
+/* Whether there is work, and a pass, left for one with the fewest. */
+MeBool kea_problemMaySweep(const KeaProblem *q);
 /* ---- kea_problem.c ---- */
 /* How far the rows' laws are from being kept by d and p, m/s, without what their own softness takes; and in impulses,
  * N s, if asked for. */

@@ -11,12 +11,13 @@
 #include "MeAssert.h"
 #include <string.h>
 
-enum { HALVE = 6, FREEZE = 12, GIVE_UP = 60, AFTER = 4, LATE_PASSES = 2 };
+enum { HALVE = 6, FREEZE = 12, GIVE_UP = 60, AFTER = 4, SWEPT_PASSES = 8 };
 static const double positionTolerance = 1e-10; /* of a row's size */
 static const double velocityTolerance = 1e-9;  /* of the partition's speed */
 static const double momentumTolerance = 1e2;   /* of what the inner problem tolerates */
-static const double forMotion = 0.9; /* of the work; the rest is kept for the velocities and positions at the end, */
-static const double forFriction = 0.375; /* and after this, bounds that do not settle stay where they are */
+static const double forMotion = 0.9; /* of the work; the rest is kept for the velocities and positions at the end; */
+static const double forSweeps = 0.5; /* of that at most, for when it runs out, */
+static const double forFriction = 0.375; /* which it has after this if friction bounds do not settle */
 static const double looseMotion = 1e4, looseVelocity = 1e5; /* times these: good enough when passes have run out */
 
 typedef struct Errors {
@@ -46,10 +47,17 @@ static double workOfLinearization(const MdtKeaSystem *s) {
     return KEA_LINEARIZATION * ((double)s->numRows + s->numBodies);
 }
 
-void kea_setMeans(MdtKeaSystem *s, double share) {
-    s->work->problem.maxIterations = s->parameters.maxIterations;
-    s->work->problem.maxWork = share * s->parameters.maxWork;
-    s->work->problem.counts.isLimited = MEFALSE;
+/* With a cap on iterations, passes by sweeps are in proportion: it is to make a step cheaper. */
+void kea_setMeans(MdtKeaSystem *s, double share, int sweptPasses) {
+    KeaProblem *q = &s->work->problem;
+    q->maxIterations = s->parameters.maxIterations;
+    if (q->maxIterations > 0 && q->maxIterations < sweptPasses)
+        sweptPasses = 1 + q->maxIterations;
+    q->maxWork = share * s->parameters.maxWork;
+    q->sweptPasses = sweptPasses;
+    q->reserve =
+        keaMin(sweptPasses * kea_problemSweptPass(q, KEA_SWEEPS), forSweeps * keaMax(q->maxWork - q->counts.work, 0));
+    q->counts.isLimited = MEFALSE;
 }
 
 void kea_reportWork(MdtKeaSystem *s) {
@@ -101,7 +109,7 @@ static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough) {
     KeaProblem *q = &s->work->problem;
     if (kea_dualSolve(s))
         return;
-    const MeBool isFrozen = q->counts.stuck > 0 && (pass >= (isGoodEnough ? FREEZE : GIVE_UP) || isLate(s));
+    const MeBool isFrozen = q->counts.stuck > 0 && pass >= (isGoodEnough ? FREEZE : GIVE_UP);
     if (isFrozen && q->counts.freezes == 0)
         kea_problemRenewRadii(q);
     else if (!isFrozen && pass > 0)
@@ -207,12 +215,18 @@ static void letGo(MdtKeaSystem *s) {
     linearize(s);
 }
 
+/* Ten times better than what is reported as inexact. */
+static MeBool isSweptEnough(const Errors *e) {
+    return e->position <= 0.1 * looseMotion && e->momentum <= 0.1 * looseMotion && e->velocity <= 0.1 * looseVelocity;
+}
+
 static void takePasses(MdtKeaSystem *s) {
     const int last = GIVE_UP + AFTER;
-    const KeaProblem *q = &s->work->problem;
+    KeaProblem *q = &s->work->problem;
     MeBool ranOut = MEFALSE;
     double speed = 0, best = HUGE_VAL;
     Errors e = {.worst = HUGE_VAL};
+    q->sweptPasses = q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
     for (int pass = 0;; pass++) {
         linearize(s);
         speed = keaMax(speed, speedOf(s));
@@ -221,8 +235,9 @@ static void takePasses(MdtKeaSystem *s) {
             best = e.worst;
             keepBest(s);
         }
-        ranOut = q->counts.isLimited || (isLate(s) && q->counts.freezes >= LATE_PASSES);
-        if (e.worst < 1 || pass == last || ranOut)
+        q->counts.isLimited = q->counts.isLimited || (isLate(s) && q->counts.stuck > 0);
+        ranOut = q->counts.isLimited;
+        if (e.worst < 1 || pass == last || (ranOut && (isSweptEnough(&e) || !kea_problemMaySweep(q))))
             break;
         solvePass(s, pass, e.velocity < looseVelocity);
         if (!isStepFinite(q)) {
@@ -298,10 +313,18 @@ static void solveInTime(MdtKeaSystem *s) {
     MEASSERT(s->report.event >= 0);
 }
 
+static MeBool isTouching(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i && !s->work->problem.row[i].isOff)
+            return METRUE;
+    return MEFALSE;
+}
+
 /* The midpoint rule follows a body whose moments differ only as long as it does not turn far in a step: a fast top would
- * precess wrongly. Bodies with contacts are left alone: what they lose is friction's. */
+ * precess wrongly, and by (h w)²/12 it turns less far than it should. Bodies with contacts are left alone, and where there are
+ * any, others may turn five times as far: more is lost in an impact than the 2 % of the angle that this is. */
 static MeBool turnsTooFar(const MdtKeaSystem *s) {
-    const double far = 0.1; /* rad, times the moments' relative difference */
+    const double far = isTouching(s) ? 0.5 : 0.1; /* rad, times the moments' relative difference */
     for (int i = 0; i < s->numBodies; i++) {
         const double *I = s->bodies[i]->moments;
         const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
@@ -329,18 +352,19 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     kea_beginRows(s);
     if (s->parameters.mayRefuse && s->numRows > 0 && turnsTooFar(s)) {
         s->report.violent = s->report.refused = METRUE;
+        kea_moveFreely(s); /* who takes the step all the same finds a state */
         return;
     }
     s->report.capped = s->numRows > 0; /* until they are solved: there may be no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
-        kea_setMeans(s, forMotion);
+        kea_setMeans(s, forMotion, SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
         kea_dualBegin(s);
         solveMotion(s);
         if (s->parameters.timed)
             solveInTime(s);
         setFree(s);
-        kea_setMeans(s, 1);
+        kea_setMeans(s, 1, 1);
         if (!s->parameters.timed)
             kea_velocityStage(s);
         kea_shareForces(s);

@@ -5,24 +5,28 @@
  *
  *     Δp = (r - J d - E p) / (A_ii + E),  p within its bounds,  d += B⁻¹ Jᵀ Δp.
  *
- * Each of these lowers
+ * Sweeps are accelerated (Nesterov 1983): each starts from y = p + β (p - p_before), d likewise, with β = (θ - 1)/θ',
+ * θ' = (1 + √(1 + 4 θ²))/2, and from rest again where the last one went against its momentum, Σ A_ii (y - p)(p - p_before) > 0
+ * (O'Donoghue & Candès 2015). 32 of them do what 500 plain ones do in a pyramid. All go the same way through the rows:
+ * momentum does not bear turning round.
+ *
+ * Without friction a sweep lowers
  *
  *     D(p) = 1/2 (Jᵀ p - g)ᵀ B⁻¹ (Jᵀ p - g) + 1/2 pᵀ E p - pᵀ r,
  *
- * which for contacts that ask for no velocity, r = -J v, is the kinetic energy after the impulses but for a constant:
- * however few sweeps there are, the answer has no more energy than it starts with. That is why it starts from whichever has
- * the least D: the impulses that the problem came with, those that Newton's method had come to, or none.
+ * which for contacts that ask for no velocity, r = -J v, is the kinetic energy after the impulses but for a constant. So an
+ * answer with a D no higher than that of no impulses at all has gained no energy, and the last sweep's is taken if that holds;
+ * if not, that of all sweeps and starts that has the least D. Least is not best: with friction D is lowest where normal forces are
+ * raised for the friction that they allow. The start is the one with the least D of the impulses that the problem came with,
+ * those that Newton's method had come to, and none.
  *
- * It costs some multiplications per row and no matrix, and is soft: a sweep carries an impulse over as many rows as it happens
- * to meet in order. Sweeps go forth and back, so that it does so in both directions.
+ * It costs some multiplications per row and no matrix.
  */
 #include "kea_problem_i.h"
 #include "MdtKeaMath.h"
 #include "MeAssert.h"
 #include <math.h>
 #include <string.h>
-
-enum { FEWEST = 4, MOST = 32, SWEEP = 96 }; /* multiplications of a visit: J d, the bound, B⁻¹ Jᵀ p */
 
 static void respond(double *d, const KeaMetric *B, double p, const double J[6]) {
     double turn[3];
@@ -73,35 +77,81 @@ static double objective(const KeaProblem *q) {
     return sum;
 }
 
-/* y keeps the best impulses so far. */
-static void takeIfBetter(KeaProblem *q, double *least) {
-    setMotion(q);
+static void keepIfBetter(KeaProblem *q, double *least) {
     const double D = objective(q);
-    const MeBool isBetter = D < *least;
-    *least = isBetter ? D : *least;
+    if (!(D < *least))
+        return;
+    *least = D;
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].y = isBetter ? q->row[i].p : q->row[i].y;
+        q->row[i].best = q->row[i].p;
+}
+
+/* The bound that the normal force gives to friction. */
+static void setRadius(const KeaProblem *q, KeaProblemRow *row) {
+    row->radius = row->friction * keaMax(q->row[row->normal].p, 0);
+}
+
+static void takeBest(KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].p = q->row[i].best;
+    for (int i = 0; i < q->numRows; i++)
+        if (q->row[i].normal >= 0)
+            setRadius(q, &q->row[i]);
+    setMotion(q);
 }
 
 static double within(const KeaProblemRow *row, double p) {
     return keaMin(keaMax(p, row->lower), row->upper);
 }
 
-static void chooseStart(KeaProblem *q) {
+/* Takes the impulses back to within their bounds; those of normal forces come before those of friction. */
+static void restrain(KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i], *other = row->partner >= 0 ? &q->row[row->partner] : NULL;
+        if (row->isOff)
+            continue;
+        if (row->normal < 0) {
+            row->p = within(row, row->p);
+            continue;
+        }
+        setRadius(q, row);
+        if (row->isForced)
+            row->p = row->forced * row->radius;
+        else if (!other || other->isForced)
+            row->p = keaMin(keaMax(within(row, row->p), -row->radius), row->radius);
+        else if (row->partner > i) {
+            const double size = keaHypotenuse(row->p, other->p), share = size > row->radius ? row->radius / size : 1;
+            row->p *= share;
+            other->p *= share;
+        }
+    }
+}
+
+static void consider(KeaProblem *q, double *least) {
+    restrain(q);
+    setMotion(q);
+    keepIfBetter(q, least);
+}
+
+/* The best of those that there are: none, what the problem came with, what Newton's method had come to. Returns its D. */
+static double chooseStart(KeaProblem *q, double *none) {
     double least = HUGE_VAL;
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].y = q->row[i].isOff ? q->row[i].p : 0;
-    takeIfBetter(q, &least); /* what Newton's method had come to */
+        q->row[i].best = q->row[i].p; /* should no D be a number */
+    consider(q, &least);
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].p = q->row[i].isOff ? q->row[i].p : within(&q->row[i], q->row[i].p0);
-    takeIfBetter(q, &least);
+        q->row[i].p = q->row[i].isOff ? q->row[i].p : q->row[i].p0;
+    consider(q, &least);
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].p = q->row[i].isOff ? q->row[i].p : within(&q->row[i], 0);
-    takeIfBetter(q, &least);
-    for (int i = 0; i < q->numRows; i++)
-        q->row[i].p = q->row[i].y;
-    setMotion(q);
+        q->row[i].p = q->row[i].isOff ? q->row[i].p : 0;
+    consider(q, &least);
+    *none = objective(q);
+    takeBest(q);
     MEASSERT(!(objective(q) > least + 1e-9 * fabs(least)));
+    memcpy(q->kept, q->d, (size_t)q->numBodies * sizeof *q->d);
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].last = q->row[i].p;
+    return least;
 }
 
 /* What p would be without bounds, all others given; a cone's two rows with one and the same unit. */
@@ -116,8 +166,8 @@ static void setImpulse(KeaProblem *q, KeaProblemRow *row, double p) {
 
 static void visitFriction(KeaProblem *q, int i) {
     KeaProblemRow *row = &q->row[i], *other = row->partner >= 0 ? &q->row[row->partner] : NULL;
-    const double radius = row->friction * keaMax(q->row[row->normal].p, 0);
-    row->radius = radius;
+    setRadius(q, row);
+    const double radius = row->radius;
     if (row->isForced) {
         setImpulse(q, row, row->forced * radius);
     } else if (other && !other->isForced) {
@@ -145,22 +195,110 @@ static void visit(KeaProblem *q, int i) {
         setImpulse(q, row, within(row, wanted(q, row, row->size + row->E)));
 }
 
+/* ---- acceleration ---- */
+
+typedef struct Momentum {
+    double theta, beta;
+} Momentum;
+
+static Momentum atRest(void) {
+    const Momentum m = {1, 0};
+    return m;
+}
+
+/* From p, on along the way of the last sweep; d goes with it, and `last` and `kept` are where it was. */
+static void extrapolate(KeaProblem *q, double beta) {
+    for (int b = 0; b < q->numBodies; b++)
+        for (int k = 0; k < 6; k++) {
+            const double d = q->d[b][k];
+            q->d[b][k] += beta * (d - q->kept[b][k]);
+            q->kept[b][k] = d;
+        }
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        const double p = row->p;
+        row->p = row->y = row->isOff ? p : p + beta * (p - row->last);
+        row->last = p;
+    }
+}
+
+/* What a sweep has done, in the rows' own energies, 2 J. */
+typedef struct Change {
+    double back;         /* of its way against that of the last one; positive: momentum does harm */
+    double moved, total; /* of its way, of the impulses */
+} Change;
+
+static Change changeOf(const KeaProblem *q) {
+    Change c = {0, 0, 0};
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        const double way = row->p - row->y;
+        c.back -= row->size * way * (row->p - row->last);
+        c.moved += row->size * way * way;
+        c.total += row->size * row->p * row->p;
+    }
+    return c;
+}
+
+static MeBool hasSettled(Change c) {
+    const double settled = 1e-7; /* of the impulses: a hundredth of what a report calls exact */
+    return c.moved <= settled * settled * c.total;
+}
+
+static Momentum next(Momentum m) {
+    const double theta = 0.5 * (1 + sqrt(1 + 4 * m.theta * m.theta));
+    return (Momentum){theta, (m.theta - 1) / theta};
+}
+
+static void sweepOnce(KeaProblem *q, double beta) {
+    extrapolate(q, beta);
+    for (int i = 0; i < q->numRows; i++)
+        visit(q, i);
+}
+
+double kea_problemSweptPass(const KeaProblem *q, int sweeps) {
+    return KEA_LINEARIZATION * ((double)q->numRows + q->numBodies) +
+           (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START);
+}
+
+MeBool kea_problemMaySweep(const KeaProblem *q) {
+    return q->sweptPasses > 0 &&
+           (!(q->maxWork > 0) || q->counts.work + kea_problemSweptPass(q, KEA_FEWEST_SWEEPS) <= q->maxWork);
+}
+
+/* In this pass's share of what work is left but for a linearization, should an earlier answer be gone back to; there are fewer
+ * passes where each would have less than some sweeps. */
 static int numberOfSweeps(const KeaProblem *q) {
-    const double left = q->maxWork > 0 ? q->maxWork - q->counts.work : HUGE_VAL;
-    return (int)keaMin(keaMax(left / (SWEEP * (q->numRows + 1.0)), FEWEST), MOST);
+    enum { SOME = 8 };
+    if (!(q->maxWork > 0))
+        return KEA_SWEEPS;
+    const double left = q->maxWork - q->counts.work - KEA_LINEARIZATION * ((double)q->numRows + q->numBodies);
+    const double most = left / kea_problemSweptPass(q, SOME);
+    const double share = left / keaMax(keaMin(floor(most), q->sweptPasses), 1) - kea_problemSweptPass(q, 0);
+    return (int)keaMin(keaMax(share / (KEA_SWEEP * (q->numRows + 1.0)), KEA_FEWEST_SWEEPS), KEA_SWEEPS);
 }
 
 void kea_problemSweep(KeaProblem *q) {
-    const int sweeps = numberOfSweeps(q);
-    chooseStart(q);
-    for (int n = 0; n < sweeps; n++)
-        for (int i = 0; i < q->numRows; i++)
-            visit(q, n % 2 ? q->numRows - 1 - i : i);
+    const int most = numberOfSweeps(q);
+    int sweeps = 0;
+    Momentum m = atRest();
+    Change c = {0, HUGE_VAL, 0};
+    double none, least = chooseStart(q, &none);
+    for (; sweeps < most && !hasSettled(c); sweeps++) {
+        sweepOnce(q, m.beta);
+        keepIfBetter(q, &least);
+        c = changeOf(q);
+        m = c.back > 0 ? atRest() : next(m);
+    }
+    if (!(objective(q) <= none))
+        takeBest(q);
+    q->sweptPasses--;
     for (int i = 0; i < q->numRows; i++) {
         q->row[i].Jd = rateOf(q, &q->row[i]);
         q->row[i].Je = 0;
         q->row[i].state = KEA_HELD;
     }
     memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
-    kea_problemSpend(q, (double)q->numRows * SWEEP * (sweeps + 2));
+    kea_problemSpend(q, (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START));
+    kea_problemSolveJoints(q);
 }

@@ -387,7 +387,7 @@ void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
     setProblem(s);
     if (!kea_problemBegin(&s->work->problem, s->cache))
         return;
-    kea_setMeans(s, 1);
+    kea_setMeans(s, 1, 1);
     const double before = kineticEnergy(s, NULL);
     kea_problemMeasure(&s->work->problem);
     for (int i = 0; i < s->numRows; i++)

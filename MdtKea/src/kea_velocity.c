@@ -288,7 +288,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
     kea_keepRows(s);
     setProblem(s);
     const double start = kea_problemResidual(q, NULL);
-    const MeBool isNeeded = isHit || start > calm * loadSpeed(s) || alternates(s, start);
+    const MeBool isNeeded = (isHit || start > calm * loadSpeed(s) || alternates(s, start)) && kea_problemMaySweep(q);
     noteRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start, allowed);

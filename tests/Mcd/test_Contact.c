@@ -228,6 +228,27 @@ START_TEST(the_separation_is_told_in_double) {
 }
 END_TEST
 
+/* Of balls that are alike it is half way between them; a coordinate that a program writes counts. */
+START_TEST(the_position_is_told_in_double) {
+    Probe p;
+    const MeReal place0[3] = {(MeReal).1, (MeReal).2, (MeReal).4};
+    double position[3];
+    setUp(&p);
+    place(&p, 0, McdSphereCreate(p.frame, (MeReal).23), place0[0], place0[1], place0[2]);
+    place(&p, 1, McdSphereCreate(p.frame, (MeReal).23), 0, 0, 0);
+    McdContact c = *meet(&p);
+    McdContactGetPosition(&c, position);
+    for (int i = 0; i < 3; i++)
+        assert_near(position[i], (double)place0[i] / 2, 1e-15);
+    c.position[1] = 7;
+    McdContactGetPosition(&c, position);
+    assert_near(position[0], (double)place0[0] / 2, 1e-15);
+    assert_near(position[1], 7, 0);
+    clear(&p);
+    McdTerm(p.frame);
+}
+END_TEST
+
 /* ---- what programs make themselves -------------------------------------------------------------------------------- */
 
 static int MEAPI touchOnce(McdModelPair *pair, McdIntersectResult *result) {
@@ -284,6 +305,12 @@ START_TEST(what_is_no_contact_or_no_side_gets_a_warning) {
     assert_warned("McdContactGetRadius: no contact");
     ck_assert(McdContactGetRadius(&c, 2) == 0);
     assert_warned("McdContactGetRadius: side must be 0");
+    double position[3] = {1, 2, 3};
+    McdContactGetPosition(0, position);
+    assert_warned("McdContactGetPosition: no contact");
+    assert_vec3_near(position, 1, 2, 3, 0);
+    McdContactGetPosition(&c, 0);
+    assert_warned("McdContactGetPosition: no place");
     messages_release();
 }
 END_TEST
@@ -295,6 +322,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_turn_about_the_middle_of_the_circle_leaves_the_contact);
     tcase_add_test(t, triangles_and_parts_of_aggregates_pass_radii_on);
     tcase_add_test(t, the_separation_is_told_in_double);
+    tcase_add_test(t, the_position_is_told_in_double);
     tcase_add_test(t, contacts_of_a_programs_own_interaction_are_not_round);
     tcase_add_test(t, a_separation_that_a_program_writes_counts);
     tcase_add_test(t, what_is_no_contact_or_no_side_gets_a_warning);

@@ -426,6 +426,80 @@ START_TEST(what_is_no_number_touches_nothing) {
 }
 END_TEST
 
+/* It is nowhere near: the distance has no bound, its points are the shapes' own places. */
+START_TEST(what_is_no_number_is_infinitely_far_from_everything) {
+    for (int i = 0; i < SHAPE_KINDS; i++)
+        for (int j = 0; j < SHAPE_KINDS; j++)
+            for (int bad = 0; bad < 2; bad++) {
+                Random r = {.state = 3};
+                McdShape a, b;
+                double onA[3], onB[3], n[3];
+                shape_random(&a, i, 1, 0, &r);
+                shape_random(&b, j, 1, 0, &r);
+                shape_move(&a, 1, 2, 3);
+                shape_move(&b, -4, -5, -6);
+                (bad ? &a : &b)->place[2] = NAN;
+                ck_assert_double_eq(mcd_convexDistance(&a, &b, onA, onB, n), INFINITY);
+                for (int k = 0; k < 3; k++) {
+                    ck_assert(onA[k] == a.place[k] || (bad && k == 2 && isnan(onA[k])));
+                    ck_assert(onB[k] == b.place[k] || (!bad && k == 2 && isnan(onB[k])));
+                    ck_assert_double_eq(n[k], k == 2);
+                }
+            }
+}
+END_TEST
+
+/* Balls and capsules end round, boxes do not: the points are on the surfaces, whichever is asked first. */
+START_TEST(the_points_of_a_distance_are_on_the_surfaces) {
+    for (int isTurned = 0; isTurned < 2; isTurned++)
+        for (int apart = 0; apart < 2; apart++) {
+            const double gap = apart ? .25 : -.125;
+            McdShape ball, other[3];
+            shape_sphere(&ball, .5);
+            shape_move(&ball, 3, 1 + .25 + .5 + gap, -2);
+            shape_sphere(&other[0], .25);
+            shape_move(&other[0], 3, 1, -2);
+            shape_box(&other[1], 2, .25, 2);
+            shape_move(&other[1], 4, 1, -3);
+            shape_sphyl(&other[2], .25, 2);
+            shape_move(&other[2], 3, 1, -1.5);
+            for (int i = 0; i < 3; i++) {
+                double onBall[3], onOther[3], n[3];
+                const double distance = isTurned ? mcd_convexDistance(&other[i], &ball, onOther, onBall, n)
+                                                 : mcd_convexDistance(&ball, &other[i], onBall, onOther, n);
+                assert_near(distance, gap, 1e-14);
+                assert_vec3_near(n, 0, isTurned ? -1 : 1, 0, 1e-14);
+                assert_vec3_near(onBall, 3, 1.25 + gap, -2, 1e-14);
+                assert_vec3_near(onOther, 3, 1.25, -2, 1e-14);
+            }
+        }
+}
+END_TEST
+
+/* Capsules of radius .25 and 2 m between their ends' centres, side by side, the second higher: the points are in the middle of
+ * what is beside each other, or at the ends that are nearest. */
+START_TEST(parallel_capsules_are_nearest_in_the_middle) {
+    for (double up = -5; up <= 5; up += .25)
+        for (int turn = 0; turn < 4; turn++) {
+            McdShape a, b;
+            double onA[3], onB[3], n[3], axis[3] = {.6, .8, 0};
+            shape_sphyl(&a, .25, 1);
+            shape_sphyl(&b, .25, 1);
+            shape_move(&b, 1, 0, up);
+            shape_rotate(&a, axis, .7 * turn);
+            shape_rotate(&b, axis, .7 * turn);
+            const double beyond = fmax(fabs(up) - 2, 0), side = up < 0 ? -1 : 1;
+            const double middle = beyond > 0 ? side : up / 2;
+            assert_near(mcd_convexDistance(&a, &b, onA, onB, n), hypot(1, beyond) - .5, 9e-15);
+            mcd_sub(onA, onA, a.place);
+            mcd_sub(onB, onB, b.place);
+            assert_near(mcd_dot(onA, a.axis[2]), middle + .25 * beyond * side / hypot(1, beyond), 9e-15);
+            assert_near(mcd_dot(onB, a.axis[2]), middle + beyond * side - up - .25 * beyond * side / hypot(1, beyond),
+                        9e-15);
+        }
+}
+END_TEST
+
 /* A plane, a thin cone, a needle, a sheet: sizes that differ by millions. */
 START_TEST(sizes_that_differ_much) {
     for (int i = 0; i < SHAPE_KINDS; i++)
@@ -460,6 +534,9 @@ static void tests(TCase *t) {
     tcase_add_test(t, concentric_shapes_have_a_normal);
     tcase_add_test(t, flat_differences_have_a_normal_across);
     tcase_add_test(t, what_is_no_number_touches_nothing);
+    tcase_add_test(t, what_is_no_number_is_infinitely_far_from_everything);
+    tcase_add_test(t, the_points_of_a_distance_are_on_the_surfaces);
+    tcase_add_test(t, parallel_capsules_are_nearest_in_the_middle);
     tcase_add_test(t, sizes_that_differ_much);
 }
 

@@ -95,6 +95,32 @@ static void surfacePoint(int kind, double p[3]) {
         p[k] = low * d[k];
 }
 
+static void assertSphere(McdGeometryID g, double z, double radius) {
+    MeVector3 centre;
+    MeReal r;
+    McdGeometryGetBSphere(g, centre, &r);
+    assert_vec3_near(centre, 0, 0, z, TOL(5e-7, 9e-16) * radius);
+    assert_near_rel(r, radius, TOL(1e-6, 2e-15));
+    McdGeometryDestroy(g);
+}
+
+/* Of cones: through the tip and the rim, or with the rim as its equator where that is wider; the origin is a quarter up. */
+START_TEST(spheres_around_are_the_smallest) {
+    McdFrameworkID f = framework();
+    assertSphere(McdSphereCreate(f, 3), 0, 3);
+    assertSphere(McdBoxCreate(f, 2, 4, 4), 0, 3);
+    assertSphere(McdCylinderCreate(f, 3, 8), 0, 5);
+    assertSphere(McdSphylCreate(f, 3, 8), 0, 7);
+    for (double radius = .25; radius < 20; radius *= 2)
+        for (double length = .5; length < 9; length *= 2) {
+            const double up = radius < length ? (length - radius * radius / length) / 2 : 0;
+            assertSphere(McdConeCreate(f, (MeReal)length, (MeReal)radius), up - length / 4,
+                         radius < length ? length - up : radius);
+        }
+    McdTerm(f);
+}
+END_TEST
+
 START_TEST(boxes_spheres_and_farthest_points) {
     McdFrameworkID f = framework();
     for (int kind = 0; kind < SOLIDS; kind++)
@@ -441,6 +467,7 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_test(t, sizes_come_back);
     tcase_add_test(t, polygons_of_a_mesh);
+    tcase_add_test(t, spheres_around_are_the_smallest);
     tcase_add_test(t, boxes_spheres_and_farthest_points);
     tcase_add_test(t, a_box_around_two_places);
     tcase_add_test(t, a_level_plane_ends_at_its_height);

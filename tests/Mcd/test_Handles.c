@@ -316,7 +316,58 @@ START_TEST(an_aggregate_copies_the_transforms_of_its_parts) {
 }
 END_TEST
 
+/* A getter that was given nothing says so, with its name, and returns what stands for none. */
+#define assert_none(getter, none)                                                                                      \
+    do {                                                                                                               \
+        ck_assert_msg((double)getter(NULL) == (double)(none), #getter " of nothing: %g", (double)getter(NULL));        \
+        assert_warned(#getter);                                                                                        \
+    } while (0)
+
+START_TEST(getters_of_nothing_return_nothing) {
+    messages_catch();
+    assert_none(McdAggregateGetElementCount, 0);
+    assert_none(McdAggregateGetElementCountMax, 0);
+    assert_none(McdConeGetLength, 0);
+    assert_none(McdConeGetLowerHeight, 0);
+    assert_none(McdConeGetLowerRadius, 0);
+    assert_none(McdConeGetUpperHeight, 0);
+    assert_none(McdConeGetUpperRadius, 0);
+    assert_none(McdConeGetZOffset, 0);
+    assert_none(McdConvexMeshGetFatness, 0);
+    assert_none(McdConvexMeshGetPolygonCount, 0);
+    assert_none(McdCylinderGetHalfHeight, 0);
+    assert_none(McdCylinderGetHeight, 0);
+    assert_none(McdCylinderGetRadius, 0);
+    assert_none(McdFrameworkGetDefaultContactTolerance, 0);
+    assert_none(McdFrameworkGetGeometryCount, 0);
+    assert_none(McdFrameworkGetLengthScale, 0);
+    assert_none(McdFrameworkGetModelCount, 0);
+    assert_none(McdGeometryGetReferenceCount, 0);
+    assert_none(McdGeometryGetType, -1);
+    assert_none(McdGeometryGetTypeId, -1);
+    assert_none(McdGeometryInstanceGetChildCount, 0);
+    assert_none(McdGeometryInstanceGetMaterial, 0);
+    assert_none(McdModelGetContactTolerance, 0);
+    assert_none(McdModelGetFastMargin, 0);
+    assert_none(McdModelGetFilterGroup, 0);
+    assert_none(McdModelGetMaterial, 0);
+    assert_none(McdModelGetRequestID, 0);
+    assert_none(McdModelPairContainerGetGoodbyeCount, 0);
+    assert_none(McdModelPairContainerGetHelloCount, 0);
+    assert_none(McdModelPairContainerGetStayingCount, 0);
+    assert_none(McdModelPairManagerGetSize, 0);
+    assert_none(McdSpaceGetLookAhead, 0);
+    assert_none(McdSpaceGetModelCount, 0);
+    assert_none(McdSphereGetRadius, 0);
+    assert_none(McdSphylGetHeight, 0);
+    assert_none(McdSphylGetRadius, 0);
+    assert_none(McdTriangleListGetMaxTriangles, 0);
+    ck_assert_int_eq(caught.fatal, 0);
+}
+END_TEST
+
 static void tests(TCase *t) {
+    tcase_add_test(t, getters_of_nothing_return_nothing);
     tcase_add_test(t, geometries_may_go_after_their_framework);
     tcase_add_test(t, a_types_destroy_takes_a_geometry_out_of_its_framework);
     tcase_add_test(t, a_model_is_taken_out_of_its_space_when_it_is_destroyed);

@@ -81,6 +81,19 @@ START_TEST(it_is_the_relative_velocity_that_counts) {
 }
 END_TEST
 
+/* 6 m/s each, across each other: sqrt(2) times as much, though each by itself looks .6 m ahead. */
+START_TEST(velocities_across_each_other_count_by_their_difference) {
+    McdSpaceSetLookAhead(space, (MeReal).1);
+    MeVector3Set(velocity[0], 6, 0, 0);
+    MeVector3Set(velocity[1], 0, 6, 0);
+    ck_assert_int_eq(contactsAt(.848), 1);
+    ck_assert_int_eq(contactsAt(.849), 0);
+    MeVector3Set(velocity[1], 0, 0, -2);
+    ck_assert_int_eq(contactsAt(.632), 1);
+    ck_assert_int_eq(contactsAt(.633), 0);
+}
+END_TEST
+
 START_TEST(none_looks_farther_than_its_radius) {
     McdSpaceSetLookAhead(space, 1);
     MeVector3Set(velocity[0], 500, 0, 0);
@@ -117,6 +130,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, without_it_balls_that_are_apart_have_no_contact);
     tcase_add_test(t, what_may_meet_within_the_time_has_a_contact);
     tcase_add_test(t, it_is_the_relative_velocity_that_counts);
+    tcase_add_test(t, velocities_across_each_other_count_by_their_difference);
     tcase_add_test(t, none_looks_farther_than_its_radius);
     tcase_add_test(t, a_frozen_model_looks_nowhere);
     tcase_add_test(t, bad_times_are_refused);

@@ -88,6 +88,54 @@ START_TEST(a_ball_falls_onto_a_plane) {
 }
 END_TEST
 
+static double uniform(double low, double high) {
+    return low + (high - low) * rand() / RAND_MAX;
+}
+
+static void turnAnyWay(MeMatrix4 tm) {
+    MeMatrix3 r;
+    MeMatrix3FromEulerAngles(r, (MeReal)uniform(-3, 3), (MeReal)uniform(-3, 3), (MeReal)uniform(-3, 3));
+    MeMatrix4TMSetRotation(tm, (const MeVector3 *)r);
+}
+
+static double along(const MeReal *v, const MeReal *n) {
+    return (double)v[0] * (double)n[0] + (double)v[1] * (double)n[1] + (double)v[2] * (double)n[2];
+}
+
+/* Both lie and move any way, without turning: the box's lowest corner, half its sides' share of the normal below its middle,
+ * meets the plane when their speeds along the normal have used up its height. */
+START_TEST(a_box_falls_onto_a_plane_that_lies_any_way) {
+    const double side[3] = {1, 2, 3};
+    makePair(McdBoxCreate(frame, 1, 2, 3), McdPlaneCreate(frame));
+    const MeReal *const n = place[1][2];
+    int met = 0;
+    srand(2);
+    for (int i = 0; i < 300; i++) {
+        McdDistanceResult d;
+        for (int k = 0; k < 2; k++) {
+            turnAnyWay(place[k]);
+            MeVector3Set(velocity[k], (MeReal)uniform(-9, 9), (MeReal)uniform(-9, 9), (MeReal)uniform(-9, 9));
+            MeMatrix4TMSetPosition(place[k], (MeReal)uniform(-4, 4), (MeReal)uniform(-4, 4), (MeReal)uniform(-4, 4));
+        }
+        double height = along(place[0][3], n) - along(place[1][3], n);
+        for (int k = 0; k < 3; k++)
+            height -= .5 * side[k] * fabs(along(place[0][k], n));
+        for (int k = 0; k < 2; k++)
+            McdModelUpdate(model[k]);
+        ck_assert(McdDistance(pair, &d));
+        assert_near(d.distance, height, TOL(5e-6, 1e-14));
+        if (height < .1)
+            continue;
+        const double closing = along(velocity[1], n) - along(velocity[0], n);
+        const double expected = closing * 1 > height ? height / closing : 1;
+        const McdSafeTimeResult r = safeTime(1);
+        assert_near(r.time, expected, TOL(5e-7, 1e-14));
+        met += expected < 1;
+    }
+    ck_assert_int_gt(met, 20);
+}
+END_TEST
+
 /* A rod of 2 m turns about its middle until its end meets a block: the corner (1, -.05) at distance r, angle -a, gets
  * to y = .7. */
 START_TEST(a_turning_rod_meets_a_block) {
@@ -143,10 +191,6 @@ START_TEST(bad_times_are_refused) {
 END_TEST
 
 /* ---- random motions ------------------------------------------------------------------------------------------------ */
-
-static double uniform(double low, double high) {
-    return low + (high - low) * rand() / RAND_MAX;
-}
 
 static McdGeometryID randomGeometry(int kind) {
     const MeReal a = (MeReal)uniform(.2, 1), b = (MeReal)uniform(.2, 1), c = (MeReal)uniform(.2, 1);
@@ -275,6 +319,7 @@ static void tests(TCase *t) {
     tcase_add_checked_fixture(t, setUp, tearDown);
     tcase_add_test(t, two_balls_meet_when_they_should);
     tcase_add_test(t, a_ball_falls_onto_a_plane);
+    tcase_add_test(t, a_box_falls_onto_a_plane_that_lies_any_way);
     tcase_add_test(t, a_turning_rod_meets_a_block);
     tcase_add_test(t, models_that_touch_have_no_time);
     tcase_add_test(t, no_ball_gets_through_a_wall);

@@ -89,6 +89,21 @@ START_TEST(a_cylinder_and_a_mesh_are_cut_into_polygons) {
 }
 END_TEST
 
+/* The ridge of a roof, exactly: two corners are no polygon. */
+START_TEST(a_plane_through_an_edge_cuts_nothing_off) {
+    const MeVector3 up = {0, 0, 1}, down = {0, 0, -1};
+    static const MeVector3 corner[] = {{-1, 0, 1}, {1, 0, 1}, {-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}};
+    McdModelID roof = modelAt(0, McdConvexMeshCreateHull(frame, corner, 6, 0));
+    double area;
+    ck_assert_int_eq(sliceOf(roof, McdConvexMeshGetSlice, up, 1, 64, &area), 0);
+    ck_assert_int_eq(sliceOf(roof, McdConvexMeshGetSlice, down, -1, 64, &area), 0);
+    ck_assert_int_eq(sliceOf(roof, McdConvexMeshGetSlice, up, .5, 64, &area), 4);
+    assert_near(area, 2, TOL(1e-6, 1e-14));
+    ck_assert_int_eq(sliceOf(roof, McdConvexMeshGetSlice, up, 0, 64, &area), 4);
+    assert_near(area, 4, TOL(1e-6, 1e-14));
+}
+END_TEST
+
 START_TEST(slices_of_bad_input_are_none) {
     const MeVector3 up = {0, 0, 1}, longer = {0, 0, 2};
     MeVector3 v[8];
@@ -205,6 +220,7 @@ static void tests(TCase *t) {
     tcase_add_checked_fixture(t, setUp, tearDown);
     tcase_add_test(t, a_box_is_cut_into_polygons);
     tcase_add_test(t, a_cylinder_and_a_mesh_are_cut_into_polygons);
+    tcase_add_test(t, a_plane_through_an_edge_cuts_nothing_off);
     tcase_add_test(t, slices_of_bad_input_are_none);
     tcase_add_test(t, a_plane_meets_any_convex_type_in_either_order);
     tcase_add_test(t, faces_first_keeps_contacts_along_the_mean_normal);

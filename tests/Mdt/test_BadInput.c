@@ -380,6 +380,91 @@ START_TEST(scales_that_are_none_count_as_1) {
 }
 END_TEST
 
+/* A getter that was given nothing says so, with its name, and returns 0. */
+#define assert_nothing(getter)                                                                                         \
+    do {                                                                                                               \
+        ck_assert_msg((double)getter(NULL) == 0, #getter " of nothing");                                               \
+        assert_warned(#getter);                                                                                        \
+    } while (0)
+
+START_TEST(getters_of_nothing_return_nothing) {
+    messages_catch();
+    assert_nothing(MdtAngular3GetDamping);
+    assert_nothing(MdtAngular3GetStiffness);
+    assert_nothing(MdtBodyGetAngularVelocityDamping);
+    assert_nothing(MdtBodyGetEnabledTime);
+    assert_nothing(MdtBodyGetKineticEnergy);
+    assert_nothing(MdtBodyGetLag);
+    assert_nothing(MdtBodyGetLinearVelocityDamping);
+    assert_nothing(MdtBodyGetMass);
+    assert_nothing(MdtBodyGetPart);
+    assert_nothing(MdtBodyGetPositionBound);
+    assert_nothing(MdtBodyGetSafeTime);
+    assert_nothing(MdtCarWheelGetHingeAngle);
+    assert_nothing(MdtCarWheelGetHingeAngleRate);
+    assert_nothing(MdtCarWheelGetHingeMotorDesiredVelocity);
+    assert_nothing(MdtCarWheelGetHingeMotorMaxForce);
+    assert_nothing(MdtCarWheelGetSteeringAngle);
+    assert_nothing(MdtCarWheelGetSteeringAngleRate);
+    assert_nothing(MdtCarWheelGetSteeringMotorDesiredVelocity);
+    assert_nothing(MdtCarWheelGetSteeringMotorMaxForce);
+    assert_nothing(MdtCarWheelGetSuspensionHeight);
+    assert_nothing(MdtCarWheelGetSuspensionHighLimit);
+    assert_nothing(MdtCarWheelGetSuspensionKd);
+    assert_nothing(MdtCarWheelGetSuspensionKp);
+    assert_nothing(MdtCarWheelGetSuspensionLimitSoftness);
+    assert_nothing(MdtCarWheelGetSuspensionLowLimit);
+    assert_nothing(MdtCarWheelGetSuspensionRate);
+    assert_nothing(MdtCarWheelGetSuspensionReference);
+    assert_nothing(MdtConeLimitGetConeHalfAngle);
+    assert_nothing(MdtConeLimitGetDamping);
+    assert_nothing(MdtConeLimitGetStiffness);
+    assert_nothing(MdtConstraintGetBreakForce);
+    assert_nothing(MdtConstraintGetBreakTorque);
+    assert_nothing(MdtContactGetPenetration);
+    assert_nothing(MdtContactParamsGetMaxAdhesiveForce);
+    assert_nothing(MdtContactParamsGetPrimaryFriction);
+    assert_nothing(MdtContactParamsGetPrimaryFrictionCoeffecient);
+    assert_nothing(MdtContactParamsGetPrimarySlide);
+    assert_nothing(MdtContactParamsGetPrimarySlip);
+    assert_nothing(MdtContactParamsGetRestitution);
+    assert_nothing(MdtContactParamsGetRestitutionThreshold);
+    assert_nothing(MdtContactParamsGetSecondaryFriction);
+    assert_nothing(MdtContactParamsGetSecondaryFrictionCoeffecient);
+    assert_nothing(MdtContactParamsGetSecondarySlide);
+    assert_nothing(MdtContactParamsGetSecondarySlip);
+    assert_nothing(MdtContactParamsGetSoftness);
+    assert_nothing(MdtLimitGetMotorDesiredVelocity);
+    assert_nothing(MdtLimitGetMotorMaxForce);
+    assert_nothing(MdtLimitGetOvershoot);
+    assert_nothing(MdtLimitGetPosition);
+    assert_nothing(MdtLimitGetStiffnessThreshold);
+    assert_nothing(MdtLimitGetVelocity);
+    assert_nothing(MdtSingleLimitGetDamping);
+    assert_nothing(MdtSingleLimitGetRestitution);
+    assert_nothing(MdtSingleLimitGetStiffness);
+    assert_nothing(MdtSingleLimitGetStop);
+    assert_nothing(MdtSkeletalGetConeDamping);
+    assert_nothing(MdtSkeletalGetConePrimaryLimitAngle);
+    assert_nothing(MdtSkeletalGetConeSecondaryLimitAngle);
+    assert_nothing(MdtSkeletalGetConeStiffness);
+    assert_nothing(MdtSkeletalGetTwistDamping);
+    assert_nothing(MdtSkeletalGetTwistLimitAngle);
+    assert_nothing(MdtSkeletalGetTwistStiffness);
+    assert_nothing(MdtWorldGetAutoDisableAccelerationThreshold);
+    assert_nothing(MdtWorldGetAutoDisableAliveTime);
+    assert_nothing(MdtWorldGetAutoDisableAngularAccelerationThreshold);
+    assert_nothing(MdtWorldGetAutoDisableAngularVelocityThreshold);
+    assert_nothing(MdtWorldGetAutoDisableVelocityThreshold);
+    assert_nothing(MdtWorldGetDefaultDensity);
+    assert_nothing(MdtWorldGetEpsilon);
+    assert_nothing(MdtWorldGetGamma);
+    assert_nothing(MdtWorldGetMinSafeTime);
+    assert_nothing(MdtWorldGetWorkBudget);
+    ck_assert_int_eq(caught.fatal, 0);
+}
+END_TEST
+
 /* What a program writes into the public structures goes unchecked; the world must bear it. */
 START_TEST(rubbish_in_public_structures_does_not_reach_the_bodies) {
     setUp();
@@ -451,6 +536,7 @@ static void tests(TCase *t) {
 #endif
     tcase_add_test(t, attachments_that_make_no_sense);
     tcase_add_test(t, scales_that_are_none_count_as_1);
+    tcase_add_test(t, getters_of_nothing_return_nothing);
     tcase_add_test(t, rubbish_in_public_structures_does_not_reach_the_bodies);
     tcase_add_test(t, overflow_stops_only_its_partition);
 }

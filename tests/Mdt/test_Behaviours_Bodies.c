@@ -129,37 +129,46 @@ START_TEST(without_damping_and_friction_a_body_slides_for_ever) {
 }
 END_TEST
 
-/* A minute of rolling with 2 m/s; the contact may know that the ball is round. */
-static void rollForAMinute(MeBool isRound, double tolerance) {
-    const double radius = 1;
-    MdtWorldID w = scene_world(1, 1, 10);
+/* A minute of rolling with 2 m/s; the contact may know that the ball is round. Where rounding has left a gap, the step is
+ * divided when the ball has fallen onto the floor, after t = sqrt(2 gap / g); what is no ball has turned by w t meanwhile, and
+ * its weight gets an arm: it gains at most g h w t. */
+static void rollForAMinute(MeBool isRound) {
+    const double radius = 1, g = 10, v = 2, rounding = TOL(1e-4, 1e-9);
+    double gain = 0;
+    MdtReport report;
+    MdtWorldID w = scene_world(1, 1, g);
     MdtWorldSetEpsilon(w, 0);
+    MdtWorldEnableReport(w);
     MdtBodyID ball = scene_body(w, 1, 0, radius, 0);
     MdtContactID under = scene_contact(w, ball, 0, 0, 0, 0);
     MdtContactParamsSetType(MdtContactGetParams(under), MdtContactTypeFriction2D);
     MdtContactSetRadius(under, 0, isRound ? (MeReal)radius : 0);
-    MdtBodySetLinearVelocity(ball, 2, 0, 0);
-    MdtBodySetAngularVelocity(ball, 0, 0, (MeReal)(-2 / radius));
+    MdtBodySetLinearVelocity(ball, (MeReal)v, 0, 0);
+    MdtBodySetAngularVelocity(ball, 0, 0, (MeReal)(-v / radius));
     for (int i = 0; i < 3600; i++) {
+        const double gap = coordinate(ball, 1) - radius;
         MdtContactSetPosition(under, (MeReal)coordinate(ball, 0), 0, 0);
-        MdtContactSetPenetration(under, (MeReal)(radius - coordinate(ball, 1)));
+        MdtContactSetPenetration(under, (MeReal)-gap);
         MdtWorldStep(w, FRAME);
+        ck_assert(MdtWorldGetReport(w, &report));
+        if (report.parts > 1 && !isRound)
+            gain += g * (double)FRAME * v / radius * sqrt(2 * fabs(gap) / g);
     }
-    assert_near(velocity(ball, 0), 2, tolerance);
-    assert_near(spin(ball, 2), -2 / radius, tolerance);
+    assert_below(gain, TOL(2e-3, 1e-7));
+    assert_near(velocity(ball, 0), v, rounding + gain);
+    assert_near(spin(ball, 2), -v / radius, rounding + gain);
     MdtWorldDestroy(w);
 }
 
 /* User Guide ch. 3: with friction and without damping a ball rolls for ever. */
 START_TEST(with_friction_and_without_damping_a_round_ball_rolls_for_ever) {
-    rollForAMinute(METRUE, TOL(1e-4, 1e-9));
+    rollForAMinute(METRUE);
 }
 END_TEST
 
-/* A contact that was not told that the ball is round takes its place of contact for a corner, in steps that are divided:
- * MdtContactSetRadius. */
+/* A contact that was not told that the ball is round takes its place of contact for a corner: MdtContactSetRadius. */
 START_TEST(with_friction_and_without_damping_a_ball_rolls_for_ever) {
-    rollForAMinute(MEFALSE, 1e-2);
+    rollForAMinute(MEFALSE);
 }
 END_TEST
 

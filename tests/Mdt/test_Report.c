@@ -141,7 +141,7 @@ START_TEST(the_deepest_contact_is_told_as_it_was_when_the_step_began) {
 END_TEST
 
 /* Two joints hold a body to places 2 m apart: a compromise, with half of it left in each. */
-START_TEST(joints_that_contradict_each_other_are_told) {
+static MdtWorldID contradiction(void) {
     MdtWorldID w = reportedWorld(1, 2, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);
     MdtWorldSetEpsilon(w, 0);
@@ -154,6 +154,11 @@ START_TEST(joints_that_contradict_each_other_are_told) {
         MdtBSJointEnable(j);
     }
     MdtBodySetPosition(b, 0, 0, 0);
+    return w;
+}
+
+START_TEST(joints_that_contradict_each_other_are_told) {
+    MdtWorldID w = contradiction();
     MdtWorldStep(w, FRAME);
     const MdtReport r = reportOf(w);
     ck_assert_int_gt(r.conflicts, 0);
@@ -163,30 +168,36 @@ START_TEST(joints_that_contradict_each_other_are_told) {
 }
 END_TEST
 
+/* Twelve boxes of 1 kg and 100 kg by turns, which slide over each other and press on each other. */
+static MdtWorldID movingPile(void) {
+    enum { BODIES = 12 };
+    MdtWorldID w = reportedWorld(BODIES, 4 * BODIES, 10);
+    const double edge[3] = {1, 1, 1};
+    MdtWorldSetEpsilon(w, 0);
+    MdtBodyID below = 0;
+    for (int i = 0; i < BODIES; i++) {
+        MdtBodyID b = scene_box(w, i % 2 ? 100 : 1, edge, .1 * (i % 3), i + .5, 0);
+        MdtBodySetLinearVelocity(b, (MeReal)(i % 2 ? 3 : -2), -1, 0);
+        for (int k = 0; k < 4; k++) {
+            MdtContactID c = MdtContactCreate(w, b, below);
+            MdtContactSetPosition(c, (MeReal)(k & 1 ? .5 : -.4), (MeReal)i, (MeReal)(k & 2 ? .5 : -.5));
+            MdtContactSetNormal(c, 0, 1, 0);
+            MdtBclContactParams *params = MdtContactGetParams(c);
+            MdtContactParamsSetType(params, MdtContactTypeFriction2D);
+            MdtContactParamsSetFriction(params, (MeReal).5);
+            MdtContactEnable(c);
+        }
+        below = b;
+    }
+    return w;
+}
+
 /* A solve that is stopped short says by how much it fails, in velocity and in force. */
 START_TEST(a_solve_that_is_stopped_short_tells_its_residual) {
-    enum { BODIES = 12 };
     MdtReport r = {0};
     for (int cap = 0; cap <= 1; cap++) {
-        MdtWorldID w = reportedWorld(BODIES, 4 * BODIES, 10);
-        const double edge[3] = {1, 1, 1};
+        MdtWorldID w = movingPile();
         MdtWorldSetMaxLCPIterations(w, cap);
-        MdtWorldSetEpsilon(w, 0);
-        MdtBodyID below = 0;
-        for (int i = 0; i < BODIES; i++) {
-            MdtBodyID b = scene_box(w, i % 2 ? 100 : 1, edge, .1 * (i % 3), i + .5, 0);
-            MdtBodySetLinearVelocity(b, (MeReal)(i % 2 ? 3 : -2), -1, 0);
-            for (int k = 0; k < 4; k++) {
-                MdtContactID c = MdtContactCreate(w, b, below);
-                MdtContactSetPosition(c, (MeReal)(k & 1 ? .5 : -.4), (MeReal)i, (MeReal)(k & 2 ? .5 : -.5));
-                MdtContactSetNormal(c, 0, 1, 0);
-                MdtBclContactParams *params = MdtContactGetParams(c);
-                MdtContactParamsSetType(params, MdtContactTypeFriction2D);
-                MdtContactParamsSetFriction(params, (MeReal).5);
-                MdtContactEnable(c);
-            }
-            below = b;
-        }
         messages_catch();
         MdtWorldStep(w, FRAME);
         messages_release();
@@ -227,6 +238,114 @@ START_TEST(velocity_stages_are_counted) {
     const MdtReport r = reportOf(w);
     ck_assert_int_ge(r.stages, 1);
     ck_assert_int_le(r.stages, r.parts + 2 * r.events);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* ---- what is said of a solve that is not exact: a warning of what somebody can mend, else a word for developers ---- */
+
+static char said[512]; /* to developers, last */
+static int saidCount;
+
+static void onDebug(const int level, const char *const format, va_list ap) {
+    (void)level;
+    saidCount++;
+    vsnprintf(said, sizeof said, format, ap);
+}
+
+/* A step; what was said is in caught and said. */
+static MdtReport stepListening(MdtWorldID w) {
+    const int level = MeDebugLevel;
+    const MeHandler before = MeSetDebugHandler(onDebug);
+    MeDebugLevel = 5;
+    said[0] = 0;
+    saidCount = 0;
+    messages_catch();
+    MdtWorldStep(w, FRAME);
+    MeDebugLevel = level;
+    MeSetDebugHandler(before);
+    return reportOf(w);
+}
+
+START_TEST(a_cap_that_suffices_and_an_answer_that_is_exact_are_not_spoken_of) {
+    for (int cap = 0; cap <= 10000; cap += 10000) {
+        HingedBar s = scene_hingedBar(10);
+        MdtWorldEnableReport(s.world);
+        MdtWorldSetMaxLCPIterations(s.world, cap);
+        const MdtReport r = stepListening(s.world);
+        ck_assert_int_eq(r.fallbacks, 0);
+        assert_silent();
+        ck_assert_int_eq(saidCount, 0);
+        messages_release();
+        MdtWorldDestroy(s.world);
+    }
+}
+END_TEST
+
+/* Nobody need mend what a budget ends: its report says so. */
+START_TEST(a_budget_that_is_used_up_is_told_to_developers_only) {
+    MdtWorldID w = movingPile();
+    MdtWorldSetWorkBudget(w, (MeReal).02);
+    const MdtReport r = stepListening(w);
+    ck_assert_int_gt(r.limited, 0);
+    assert_silent();
+    ck_assert_int_eq(saidCount, r.limited);
+    ck_assert_ptr_nonnull(strstr(said, "MdtWorldSetWorkBudget"));
+    messages_release();
+    MdtWorldDestroy(w);
+}
+END_TEST
+
+/* A bar that turns by more than a half in the shortest part of a step, a 64th. */
+static HingedBar whirlingBar(void) {
+    HingedBar s = scene_hingedBar(10);
+    MdtWorldEnableReport(s.world);
+    scene_spinBar(s, 3 * 64 / (double)FRAME);
+    return s;
+}
+
+START_TEST(motion_that_no_part_of_a_step_can_follow_is_warned_of_without_a_cap) {
+    HingedBar s = whirlingBar();
+    const MdtReport r = stepListening(s.world);
+    ck_assert_int_gt(r.fallbacks, 0);
+    ck_assert_int_eq(r.limited, 0);
+    ck_assert_int_eq(caught.warnings, r.fallbacks);
+    assert_warned("shorter steps");
+    ck_assert_int_eq(saidCount, 0);
+    messages_release();
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* Where a joint has lost its meaning, that is said, once, and what follows from it is not. */
+START_TEST(a_joint_without_meaning_is_warned_of_and_not_the_solve_that_it_spoils) {
+    HingedBar s = whirlingBar();
+    const double edge[3] = {.4, .6, .5};
+    MdtBodyID b = scene_box(s.world, 1, edge, .5, 1, 0);
+    MdtUniversalID j = MdtUniversalCreate(s.world);
+    MdtUniversalSetBodies(j, b, s.bar);
+    MdtUniversalSetPosition(j, (MeReal).5, 0, 0);
+    MdtUniversalSetAxis(j, 0, 0, 0, 1);
+    MdtUniversalSetAxis(j, 1, 0, 1, 0);
+    MdtUniversalEnable(j);
+    MdtBodySetQuaternion(b, (MeReal)sqrt(.5), 0, 0, (MeReal)sqrt(.5));
+    const MdtReport r = stepListening(s.world);
+    ck_assert_int_gt(r.fallbacks, 0);
+    ck_assert_int_eq(caught.warnings, 1);
+    ck_assert_ptr_null(strstr(caught.last, "inexact"));
+    messages_release();
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(a_contradiction_is_told_to_developers) {
+    MdtWorldID w = contradiction();
+    const MdtReport r = stepListening(w);
+    ck_assert_int_gt(r.conflicts, 0);
+    assert_silent();
+    ck_assert_int_eq(saidCount, r.conflicts);
+    ck_assert_ptr_nonnull(strstr(said, "contradictory"));
+    messages_release();
     MdtWorldDestroy(w);
 }
 END_TEST
@@ -407,6 +526,39 @@ START_TEST(a_ball_that_bounces_is_timed) {
     ck_assert_int_eq(r.parts, 2);
     assert_near_rel(r.kineticEnergy + r.potentialEnergy, 18 + 5.5, TOL(1e-6, 1e-9));
     MdtWorldDestroy(w);
+}
+END_TEST
+
+/* The parts of a step in which a ball turns about y by more than a step can follow, on the floor or on a body that stands
+ * still, which is then the contact's first. */
+static int partsOfWhirl(double ballRadius, double contactRadius, double offX, double offZ, MeBool isOnBody) {
+    MdtWorldID w = reportedWorld(2, 1, 0);
+    MdtBodyID b = scene_body(w, 1, 0, ballRadius, 0), floor = isOnBody ? scene_body(w, 1000, 0, -1, 0) : 0;
+    MdtContactID c = floor ? MdtContactCreate(w, floor, b) : MdtContactCreate(w, b, 0);
+    MdtContactSetPosition(c, (MeReal)offX, 0, (MeReal)offZ);
+    MdtContactSetNormal(c, 0, floor ? -1 : 1, 0);
+    MdtContactSetRadius(c, floor ? 1 : 0, (MeReal)contactRadius);
+    MdtContactEnable(c);
+    MdtBodySetAngularVelocity(b, 0, 3 / FRAME, 0);
+    MdtWorldStep(w, FRAME);
+    const int parts = reportOf(w).parts;
+    MdtWorldDestroy(w);
+    return parts;
+}
+
+/* How a ball is turned matters where a contact pushes past its centre, by more than a thousandth of the radius: the step is
+ * then taken in parts, and else in one. So it is with a corner, even under the centre, which turns with the body. */
+START_TEST(a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre) {
+    const double radius = .5, past = 1.2e-3 * radius, within = .8e-3 * radius;
+    for (int isOnBody = 0; isOnBody < 2; isOnBody++) {
+        for (int side = -1; side <= 1; side += 2) {
+            ck_assert_int_eq(partsOfWhirl(radius, radius, side * past, 0, isOnBody), 2);
+            ck_assert_int_eq(partsOfWhirl(radius, radius, 0, side * past, isOnBody), 2);
+            ck_assert_int_eq(partsOfWhirl(radius, radius, side * within, 0, isOnBody), 1);
+            ck_assert_int_eq(partsOfWhirl(radius, radius, 0, side * within, isOnBody), 1);
+        }
+        ck_assert_int_eq(partsOfWhirl(radius, 0, 0, 0, isOnBody), 2);
+    }
 }
 END_TEST
 
@@ -618,6 +770,11 @@ static void tests(TCase *t) {
     tcase_add_test(t, joints_that_contradict_each_other_are_told);
     tcase_add_test(t, a_solve_that_is_stopped_short_tells_its_residual);
     tcase_add_test(t, velocity_stages_are_counted);
+    tcase_add_test(t, a_cap_that_suffices_and_an_answer_that_is_exact_are_not_spoken_of);
+    tcase_add_test(t, a_budget_that_is_used_up_is_told_to_developers_only);
+    tcase_add_test(t, motion_that_no_part_of_a_step_can_follow_is_warned_of_without_a_cap);
+    tcase_add_test(t, a_joint_without_meaning_is_warned_of_and_not_the_solve_that_it_spoils);
+    tcase_add_test(t, a_contradiction_is_told_to_developers);
     tcase_add_test(t, bodies_constraints_and_rows_are_counted_by_partition);
     tcase_add_test(t, time_is_told_by_stage_and_is_less_than_the_clock_says);
     tcase_add_test(t, every_one_of_many_partitions_has_a_time);
@@ -626,6 +783,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, the_answer_for_a_box_at_rest_is_kept);
     tcase_add_test(t, a_pendulum_is_solved);
     tcase_add_test(t, a_ball_that_bounces_is_timed);
+    tcase_add_test(t, a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre);
     tcase_add_test(t, a_violent_chain_divides_its_step);
     tcase_add_test(t, a_world_goes_the_way_of_the_most_effort);
     tcase_add_test(t, off_it_is_zero);

@@ -69,6 +69,31 @@ START_TEST(a_resting_body_is_disabled_after_the_alive_window) {
 END_TEST
 
 /* It has rested for almost as long as it takes; then the program takes it elsewhere, where nothing holds it. */
+/* What creeps below the thresholds when it is put to rest stands: for the solver, and for who reads by a getter or a pointer. */
+START_TEST(a_body_that_rests_shows_no_velocity) {
+    MdtWorldID w = scene_world(1, 0, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    const MeReal *const shown[2] = {MdtBodyGetLinearVelocityPtr(b), MdtBodyGetAngularVelocityPtr(b)};
+    MdtWorldSetAutoDisable(w, 1);
+    MdtBodySetLinearVelocity(b, (MeReal)1e-4, (MeReal)-2e-4, (MeReal)3e-4);
+    MdtBodySetAngularVelocity(b, (MeReal)3e-4, (MeReal)2e-4, (MeReal)-1e-4);
+    for (int i = 0; i < 600 && MdtBodyIsEnabled(b); i++) {
+        assert_vec3_near(shown[0], 1e-4, -2e-4, 3e-4, 1e-10);
+        assert_vec3_near(shown[1], 3e-4, 2e-4, -1e-4, 1e-10);
+        MdtWorldStep(w, FRAME);
+    }
+    ck_assert(!MdtBodyIsEnabled(b));
+    MeVector3 v[2];
+    MdtBodyGetLinearVelocity(b, v[0]);
+    MdtBodyGetAngularVelocity(b, v[1]);
+    for (int k = 0; k < 2; k++) {
+        assert_vec3_near(v[k], 0, 0, 0, 0);
+        assert_vec3_near(shown[k], 0, 0, 0, 0);
+    }
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 START_TEST(a_body_that_is_put_elsewhere_is_not_at_rest) {
     MdtWorldID w = scene_world(1, 1, 10);
     MdtWorldSetAutoDisable(w, 1);
@@ -285,6 +310,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, constraints_join_bodies_and_the_world_joins_nothing);
     tcase_add_test(t, an_enabled_body_wakes_what_is_tied_to_it);
     tcase_add_test(t, a_resting_body_is_disabled_after_the_alive_window);
+    tcase_add_test(t, a_body_that_rests_shows_no_velocity);
     tcase_add_test(t, a_body_that_is_put_elsewhere_is_not_at_rest);
     tcase_add_test(t, auto_disable_can_be_switched_off);
     tcase_add_test(t, each_threshold_keeps_a_body_awake);

@@ -318,6 +318,34 @@ START_TEST(the_least_number_that_is_not_taken_is_given) {
 }
 END_TEST
 
+/* Onto itself it changes nothing; onto a larger one it leaves nothing of that one's. */
+START_TEST(numbers_are_copied_as_they_are) {
+    MeIDPool *small = MeIDPoolCreate(), *large = MeIDPoolCreate();
+    for (int i = 0; i < 5; i++)
+        MeIDPoolRequestID(small);
+    MeIDPoolReturnID(small, 2);
+    for (int i = 0; i < 1000; i++)
+        MeIDPoolRequestID(large);
+    messages_catch();
+    MeIDPoolCopy(small, small);
+    assert_silent();
+    MeIDPoolCopy(large, small);
+    assert_silent();
+    MeIDPoolCopy(small, NULL);
+    assert_warned("MeIDPoolCopy");
+    MeIDPoolCopy(NULL, small);
+    assert_warned("MeIDPoolCopy");
+    messages_release();
+    for (int k = 0; k < 2; k++) {
+        MeIDPool *pool = k ? large : small;
+        ck_assert_int_eq(MeIDPoolRequestID(pool), 2);
+        for (int i = 5; i < 70; i++)
+            ck_assert_int_eq(MeIDPoolRequestID(pool), i);
+        MeIDPoolDestroy(pool);
+    }
+}
+END_TEST
+
 START_TEST(records_come_from_the_programs_memory) {
     struct {
         void *a, *b;
@@ -460,6 +488,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_set_has_each_item_once_and_in_order);
     tcase_add_test(t, sets_warn_when_they_are_full_and_of_bad_input);
     tcase_add_test(t, the_least_number_that_is_not_taken_is_given);
+    tcase_add_test(t, numbers_are_copied_as_they_are);
     tcase_add_test(t, records_come_from_the_programs_memory);
     tcase_add_test(t, a_dictionary_may_take_nodes_from_such_a_pool);
     tcase_add_test(t, the_sphere_is_the_smallest);

@@ -3,14 +3,14 @@
 
 START_TEST(balls_rise_as_high_as_they_must) {
     static const SceneBound bounds[] = {
-        {"bounce", 1, 0, 1e-5, 1e-10}, {"bounce", 1, 1, 1e-4, 1e-10}, {"bounce", 1, 2, 1e-4, 1e-10}};
+        {"bounce", 1, 0, 1e-6, 1e-12}, {"bounce", 1, 1, 1e-6, 1e-12}, {"bounce", 1, 2, 3e-6, 1e-12}};
     assert_cases(bounds);
 }
 END_TEST
 
 START_TEST(a_cradle_passes_the_blow_on_to_the_last_ball) {
     static const SceneBound bounds[] = {
-        {"cradle", 1, 0, 1e-6, 1e-12}, {"cradle", 1, 1, 1e-6, 1e-12}, {"cradle", 1, 2, 1e-6, 1e-12}};
+        {"cradle", 1, 0, 1e-6, 1e-13}, {"cradle", 1, 1, 1e-6, 1e-13}, {"cradle", 1, 2, 1e-6, 1e-13}};
     assert_cases(bounds);
 }
 END_TEST

@@ -93,13 +93,13 @@ START_TEST(a_box_model_has_the_mass_of_its_geometry) {
     McdModelID boxModel = MstModelAndBodyCreate(u, boxGeom, 1), boxModel2 = MstModelAndBodyCreate(u, boxGeom, 2);
     MdtBodyID body = McdModelGetBody(boxModel);
     ck_assert(MdtBodyIsEnabled(body) && McdModelGetSpace(boxModel) == u->space);
-    assert_near(MdtBodyGetMass(body), 6, 1e-6);
-    assert_near(MdtBodyGetMass(McdModelGetBody(boxModel2)), 12, 1e-6);
+    assert_near(MdtBodyGetMass(body), 6, TOL(1e-6, 6e-14));
+    assert_near(MdtBodyGetMass(McdModelGetBody(boxModel2)), 12, TOL(1e-6, 2e-13));
     MdtBodyGetInertiaTensor(body, inertia);
-    assert_near(inertia[0][0], 6 * (1 + 9) / 12., TOL(1e-5, 5e-8));
-    assert_near(inertia[1][1], 6 * (4 + 9) / 12., TOL(1e-5, 6e-8));
-    assert_near(inertia[2][2], 6 * (4 + 1) / 12., TOL(1e-5, 3e-8));
-    assert_near(inertia[0][1], 0, TOL(1e-6, 9e-9));
+    assert_near(inertia[0][0], 6 * (1 + 9) / 12., TOL(1e-5, 5e-14));
+    assert_near(inertia[1][1], 6 * (4 + 9) / 12., TOL(1e-5, 6e-14));
+    assert_near(inertia[2][2], 6 * (4 + 1) / 12., TOL(1e-5, 3e-14));
+    assert_near(inertia[0][1], 0, TOL(1e-6, 9e-15));
 }
 END_TEST
 
@@ -153,7 +153,7 @@ START_TEST(a_box_rests_on_the_floor_and_goes_to_sleep) {
     makeGround();
     McdModelID box = makeBox(1, 0, 0, .6);
     run(3);
-    assert_near(heightOf(box), .5, TOL(2e-5, 3e-5));
+    assert_near(heightOf(box), .5, TOL(2e-5, 9e-12));
     ck_assert(!McdModelDynamicsIsEnabled(box) && McdSpaceModelIsFrozen(box));
     MdtBodyEnable(McdModelGetBody(box));
     ck_assert(!McdSpaceModelIsFrozen(box));
@@ -170,7 +170,7 @@ START_TEST(a_tower_stands) {
         box[i] = makeBox(1, .02 * (i % 3), .02 * (i % 2), .5 + 1.01 * i);
     run(10);
     for (int i = 0; i < 10; i++)
-        assert_near(heightOf(box[i]), .5 + i, TOL(1e-3, 9e-8));
+        assert_near(heightOf(box[i]), .5 + i, TOL(6e-5, 3e-11));
     MeVector3 before, after;
     McdModelDynamicsGetPosition(box[9], before);
     run(10);
@@ -216,7 +216,7 @@ START_TEST(a_bouncy_ball_comes_back) {
         if (i > 60)
             top = fmax(top, heightOf(ball));
     }
-    assert_near(top, 2, .01);
+    assert_near(top, 2, 9e-5);
 }
 END_TEST
 
@@ -240,7 +240,7 @@ START_TEST(a_fast_ball_rebounds_at_the_floor) {
     McdModelDynamicsSetPosition(ball, 0, 0, (MeReal)5.5);
     for (int i = 1; i <= 240; i++) {
         MstUniverseStep(u, (MeReal)(1. / 60));
-        assert_near(heightOf(ball), .5 + bounce(5, .8, i / 60.), TOL(1e-3, 5e-8));
+        assert_near(heightOf(ball), .5 + bounce(5, .8, i / 60.), TOL(3e-5, 5e-13));
     }
 }
 END_TEST
@@ -311,10 +311,10 @@ START_TEST(a_ball_rolls_on_however_fast_it_turns) {
         McdModelDynamicsSetAngularVelocity(ball, 0, (MeReal)(speed / radius), 0);
         for (int i = 0; i < 300; i++) {
             MstUniverseStep(u, (MeReal)(1. / 60));
-            assert_near(heightOf(ball), radius, TOL(2e-4, 1e-9));
+            assert_near(heightOf(ball), radius, TOL(6e-6, 1e-9));
         }
         McdModelDynamicsGetLinearVelocity(ball, v);
-        assert_near_rel(v[0], speed, TOL(1e-4, 1e-9));
+        assert_near_rel(v[0], speed, TOL(6e-6, 1e-9));
     }
 }
 END_TEST

@@ -130,9 +130,9 @@ START_TEST(a_cap_on_iterations_makes_steps_cheaper_and_softer) {
         const Run run = runHeap(30, 80, caps[i], 0);
         assert_below(run.speed, 15);
         assert_below(run.growth, TOL(1e-5, 1e-12) * run.start);
-        /* where sweeps do nearly all of the work, other motions cost a little more or less */
-        ck_assert_msg(run.work > 0.9 * work, "cap %d: %g, before %g", caps[i], run.work, work);
-        ck_assert_msg(caps[i] > 0 || run.work > 5 * workOfOne, "without a cap: %g, with one iteration: %g", run.work, workOfOne);
+        ck_assert_msg(run.work > work, "cap %d: %g, before %g", caps[i], run.work, work);
+        ck_assert_msg(caps[i] > 0 || run.work > 5 * workOfOne, "without a cap: %g, with one iteration: %g", run.work,
+                      workOfOne);
         ck_assert_int_eq(run.fallbacks > 0, caps[i] > 0);
         work = run.work;
         workOfOne = i == 0 ? work : workOfOne;
@@ -147,19 +147,20 @@ START_TEST(a_budget_bounds_every_step_of_a_heap) {
         const double most = budgets[i] < 0 ? MDTWORLD_DEFAULT_WORK_BUDGET : budgets[i];
         assert_below(run.speed, 15);
         assert_below(run.growth, TOL(1e-5, 1e-12) * run.start);
-        assert_below(run.mostWork, 1.1 * most + 1); /* 1: the last answers, of 230 rows */
+        assert_below(run.mostWork, most + 0.15); /* a linearization and the fewest sweeps, of 230 rows */
         ck_assert(budgets[i] < 0 || run.limited > 0);
     }
 }
 END_TEST
 
 /* 59 400 rows: the first step took a minute. One Newton iteration of them is 96 millions, more than the budget, so they are
- * solved by sweeps, which are 2000 multiplications a row. */
+ * solved by sweeps. Gamma would move them apart with 12 m/s. */
 START_TEST(a_hundred_boxes_in_one_place_are_bounded) {
-    enum { BOXES = 100, STEPS = 2 };
+    enum { BOXES = 100, STEPS = 10 };
+    const double sweep = 96e-6; /* of a row */
+    double most = 0;
     Run run = {0};
     makeWorld(BOXES, 6 * BOXES * BOXES);
-    MdtWorldSetWorkBudget(u->world, 40);
     const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
     for (int i = 0; i < BOXES; i++) {
         const McdModelID m = MstModelAndBodyCreate(u, cube, 1);
@@ -167,15 +168,17 @@ START_TEST(a_hundred_boxes_in_one_place_are_bounded) {
         body[i] = McdModelGetBody(m);
     }
     Energy energy = energyOf(BOXES);
+    run.start = energy.potential;
     for (int i = 0; i < STEPS; i++) {
         MstUniverseStep(u, (MeReal)(1. / 60));
         noteStep(&run, BOXES, &energy);
+        run.speed = fmax(run.speed, fastest(BOXES));
+        most = fmax(most, MDTWORLD_DEFAULT_WORK_BUDGET + sweep * run.rows);
+        assert_below(run.mostWork, most);
     }
-    ck_assert_int_eq(run.factorizations, 0);
-    ck_assert_int_eq(run.limited, STEPS);
-    ck_assert_int_eq(run.fallbacks, STEPS);
-    assert_below(run.mostWork, 2e-3 * run.rows);
-    assert_below(fastest(BOXES), 1); /* m/s; gamma moves them apart with 12 */
+    ck_assert(run.limited > 0 && run.fallbacks >= run.limited);
+    assert_below(run.growth, TOL(1e-5, 1e-12) * run.start);
+    assert_below(run.speed, 4);
     MstUniverseDestroy(u);
 }
 END_TEST

@@ -17,6 +17,7 @@ static const Scene *find(const char *name) {
 static bool isKept(const SceneBound *b, const RunResult *r, int substeps) {
     const double bound = TOL(b->single, b->twice), error = r->errors[b->error];
     const bool is = r->outcome == RUN_HOLDS && error <= bound;
+    margin_note(b->scene, b->error, error, 0, bound);
     if (r->outcome != RUN_HOLDS)
         printf("%s with %d sub-steps fails after %g s\n", b->scene, substeps, r->simulated);
     else if (!is)
