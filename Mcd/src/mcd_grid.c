@@ -106,12 +106,21 @@ static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *fac
     tryNormal(a, b, first ? turned : faceB->normal, p, least);
     if (mcd_distanceSquared(best, p->normal) == 0)
         tryNormal(a, b, first ? faceB->normal : turned, p, least);
+    MEASSERT(p->separation >= least);
 }
 
 /* ---- what the others call ------------------------------------------------------------------------------------- */
 
+/* The normal has length 1, and the separation is that along it. */
+static MeBool isProximityGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
+    const double most = 1e-7 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
+    if (!mcd_shapeIsRigid(a) || !mcd_shapeIsRigid(b))
+        return 1;
+    return mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= most;
+}
+
 /* The normal is the other shape's outward: from b to a. */
-static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+static MeBool findProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const int i = kindOf(a), j = kindOf(b);
     const double reach = a->extent + b->extent + MeMAX(limit, 0);
     if (i == NO_KIND || j == NO_KIND)
@@ -128,6 +137,14 @@ static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdP
     p->isGuess = 0;
     mcd_copy(p->onA, turned.onB);
     mcd_copy(p->onB, turned.onA);
+    return 1;
+}
+
+static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    if (!findProximity(a, b, limit, p))
+        return 0;
+    MEASSERT(p->separation <= limit);
+    MEVALIDATE(isProximityGood(a, b, p));
     return 1;
 }
 
@@ -184,13 +201,47 @@ static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdMa
     return alongFaces(a, b, margin, &p, m);
 }
 
+static MeBool isManifoldWithin(const McdManifold *m, double margin) {
+    for (int i = 0; i < m->count; i++)
+        if (!(m->point[i].separation <= margin * (1 + 1e-9)) || !isfinite(mcd_length(m->point[i].position)))
+            return 0;
+    return m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS;
+}
+
 int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     MEASSERT(a->extent > 0 && b->extent > 0 && a->rounding >= 0 && b->rounding >= 0);
     if (kindOf(a) <= kindOf(b))
         return manifoldOf(a, b, margin, m);
     const int count = manifoldOf(b, a, margin, m);
     mcd_manifoldTurn(m);
+    MEASSERT(count == m->count && isManifoldWithin(m, margin));
     return count;
+}
+
+/* Both ends of the way out of two boxes, where a face meets more than a corner: at the deepest of what the faces have in
+ * common. The deepest corner alone may be aside of the other's face, if another is as deep to within rounding. */
+static void endsAtFaces(const McdShape *a, const McdShape *b, McdProximity *p) {
+    McdFace faceA, faceB;
+    McdManifold m;
+    const McdManifoldPoint *deepest = m.point;
+    facesAlong(a, b, p->normal, &faceA, &faceB);
+    if (fmax(-mcd_dot(faceA.normal, p->normal), mcd_dot(faceB.normal, p->normal)) < 1 - 1e-9)
+        return; /* edges cross: in one point */
+    const int count = mcd_facesManifold(a, b, &faceA, &faceB, p, INFINITY, &m);
+    for (int i = 1; i < count; i++)
+        if (m.point[i].separation < deepest->separation)
+            deepest = &m.point[i];
+    mcd_mad(p->onA, deepest->position, p->separation / 2, p->normal);
+    mcd_mad(p->onB, deepest->position, -p->separation / 2, p->normal);
+}
+
+/* The points' difference is the distance along the normal. */
+static MeBool areEndsGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
+    double d[3];
+    mcd_sub(d, p->onA, p->onB);
+    mcd_mad(d, d, -p->separation, p->normal);
+    const double most = 1e-7 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
+    return !mcd_shapeIsRigid(a) || !mcd_shapeIsRigid(b) || mcd_length(d) <= most;
 }
 
 double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]) {
@@ -202,6 +253,9 @@ double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], d
         mcd_set(normal, 0, 0, 1);
         return INFINITY;
     }
+    if (areBoxes(a, b) && p.separation <= 0)
+        endsAtFaces(a, b, &p);
+    MEVALIDATE(areEndsGood(a, b, &p));
     mcd_mad(onA, p.onA, -a->rounding, p.normal);
     mcd_mad(onB, p.onB, b->rounding, p.normal);
     mcd_copy(normal, p.normal);

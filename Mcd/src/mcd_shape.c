@@ -16,9 +16,20 @@ static double middleOf(double lower, double upper) {
 void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3]) {
     for (int i = 0; i < 3; i++)
         origin[i] = middleOf(MeMAX(ins1->min[i], ins2->min[i]), MeMIN(ins1->max[i], ins2->max[i]));
+    MEASSERT(isfinite(origin[0]) && isfinite(origin[1]) && isfinite(origin[2]));
 }
 
 /* ---- from geometries --------------------------------------------------------------------------------------- */
+
+static MeBool areAxesRigid(const double axis[3][3]) {
+    double x[3];
+    mcd_cross(x, axis[0], axis[1]);
+    return mcd_isUnit(axis[0]) && mcd_isUnit(axis[1]) && mcd_isUnit(axis[2]) && fabs(mcd_dot(x, axis[2]) - 1) < 1e-9;
+}
+
+MeBool mcd_shapeIsRigid(const McdShape *s) {
+    return areAxesRigid(s->axis);
+}
 
 /* What single precision has rounded becomes as square as double can tell, so that a box's faces are across its axes:
  * R + (I - R R^T) R / 2, one step towards the nearest rotation. Other matrices are left as they are. */
@@ -36,6 +47,7 @@ static void squareAxes(double axis[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             mcd_mad(axis[i], axis[i], off[i][j] / 2, old[j]);
+    MEASSERT(fabs(mcd_dot(axis[0], axis[1])) < 1e-9 && mcd_isUnit(axis[2])); /* the error is squared */
 }
 
 static MeBool place(McdShape *s, const MeMatrix4 tm, const double origin[3]) {
@@ -167,6 +179,8 @@ static int farthestByClimbing(const McdHull *h, const double d[3]) {
             }
         }
     } while (next != here);
+    /* Corners that flatness let vanish are missing from the walk: local bests may be that much below. */
+    MEVALIDATE(most >= mcd_dot(h->vertex[farthestOfAll(h, d)], d) - 1e-6 * h->extent * mcd_length(d));
     return here;
 }
 
@@ -221,9 +235,16 @@ void mcd_coreSupport(const McdShape *s, const double d[3], double point[3]) {
     }
 }
 
+/* Is the point no farther from the shape's place than its extent says? */
+static MeBool isWithinExtent(const McdShape *s, const double point[3]) {
+    const double most = s->extent * (1 + 1e-6) + 4 * DBL_EPSILON * mcd_length(s->place);
+    return !mcd_shapeIsRigid(s) || mcd_distanceSquared(point, s->place) <= most * most;
+}
+
 void mcd_support(const McdShape *s, const double direction[3], double point[3]) {
     mcd_coreSupport(s, direction, point);
     mcd_mad(point, point, s->rounding, direction);
+    MEVALIDATE(!mcd_isUnit(direction) || isWithinExtent(s, point));
 }
 
 /* ---- round surfaces ---------------------------------------------------------------------------------------- */
@@ -236,6 +257,7 @@ static double sideRadius(const McdShape *s, double lower, double upper, double b
     const double slant = hypot(top - bottom, lower - upper), out = (top - bottom) / slant;
     const double up = mcd_dot(s->axis[2], outward), aside = sqrt(fmax(1 - up * up, 0));
     double off[3];
+    MEASSERT(out >= 0);
     if (!(aside * out + up * (lower - upper) / slant >= across))
         return 0;
     mcd_sub(off, point, s->place);

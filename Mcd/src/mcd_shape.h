@@ -54,6 +54,10 @@ MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape);
 void mcd_triangleShape(const double corners[3][3], McdShape *shape);
 
+/* Are its axes those of a rotation? Only then lengths are what they are in its own frame: checks ask that first, as
+ * programs may set any transform. */
+MeBool mcd_shapeIsRigid(const McdShape *s);
+
 /* The point of the core farthest in a direction of any length. */
 void mcd_coreSupport(const McdShape *s, const double direction[3], double point[3]);
 /* The same with the rounding; direction has length 1. */
