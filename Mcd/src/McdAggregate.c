@@ -74,6 +74,7 @@ int MEAPI McdAggregateAddElement(McdAggregateID id, McdGeometryID geom, MeMatrix
     element->geometry = geom;
     MeMatrix4Copy(element->relTM, relTM ? mcd_const(relTM) : identity);
     McdGeometryIncrementReferenceCount(geom);
+    MEASSERT(a->count < a->max && geom->referenceCount > 0);
     return a->count++;
 }
 
@@ -168,12 +169,22 @@ static void addBox(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *
     e->isSet = METRUE;
 }
 
+/* Are the boxes of a model's parts in that of the whole? */
+static MeBool arePartsWithin(const McdGeometryInstance *ins, const Extent *e) {
+    for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
+        for (int i = 0; i < 3; i++)
+            if (child->min[i] < e->min[i] || child->max[i] > e->max[i])
+                return MEFALSE;
+    return METRUE;
+}
+
 void MEAPI McdAggregateUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
     if (!mcd_instanceIs(ins, kMcdGeometryTypeAggregate, "McdAggregateUpdateAABB"))
         return;
     Extent e = {{0, 0, 0}, {0, 0, 0}, MEFALSE, tight};
     const MeReal *place = mcd_instanceTM(ins)[3];
     forEachPart(ins, finalTM, addBox, &e);
+    MEVALIDATE(arePartsWithin(ins, &e));
     if (e.isSet)
         McdGeometryInstanceSetAABB(ins, e.min, e.max);
     else
@@ -315,6 +326,7 @@ MeI16 MEAPI McdAggregateGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMa
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             m[i][k] = (MeReal)((sum.inertia[i][k] + sum.inertia[k][i]) / 2);
+    MEASSERT(!(sum.inertia[0][0] < 0 || sum.inertia[1][1] < 0 || sum.inertia[2][2] < 0));
     return 1;
 }
 

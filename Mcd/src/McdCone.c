@@ -41,6 +41,7 @@ static void sideNormal(const McdClip *c, double t, double slope, double normal[3
  * one belongs to the cone's mirror image beyond its tip. Times are relative to `at`, which is near the cone. */
 static void clipSide(McdClip *c, const Ends *e, double at) {
     const double slope = (e->highRadius - e->lowRadius) / (e->high - e->low);
+    MEASSERT(e->high > e->low);
     double p[3], in = -HUGE_VAL, out = HUGE_VAL, normal[3] = {0, 0, 0};
     const double *v = c->along;
     mcd_clipAt(c, at, p);
@@ -99,6 +100,7 @@ static void setSizes(McdCone *c, MeReal length, MeReal lowerRadius, MeReal upper
     c->lowerRadius = lowerRadius;
     c->upperRadius = upperRadius;
     c->lowerHeight = (MeReal)((double)length / 4 * (r * r + 2 * r * s + 3 * s * s) / (r * r + r * s + s * s));
+    MEASSERT(c->lowerHeight >= 0 && c->lowerHeight <= length);
 }
 
 McdConeID MEAPI McdConeCreate(McdFramework *frame, MeReal length, MeReal lowerRadius) {

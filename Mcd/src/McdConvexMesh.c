@@ -342,6 +342,7 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
         b[k] = sine > 0 ? (other[k] - dot(a, other) * a[k]) / sine : 0;
         normals[k] = sin(angle) * a[k] + (1 - cos(angle)) * b[k]; /* the integral of n */
     }
+    MEASSERT(angle >= 0 && length2 > 0);
     const double length = sqrt(length2), disc = angle * r * r / 2, ring = r * r * r / 3, quarter = r * r * r * r / 4;
     s->m += length * disc;
     addFirst(s, length * disc, middle);
@@ -418,6 +419,7 @@ static Moments momentsOf(const McdHull *h, double r) {
             addSides(&s, h, i, addSector(&s, h, i, r), r);
         addCorners(&s, h, r);
     }
+    MEASSERT(s.m > 0); /* faces look outward */
     return s;
 }
 

@@ -1,5 +1,6 @@
 /* How far apart two models are: the least over the pairs of their convex parts, triangles among them. */
 #include "mcd_mesh.h"
+#include "mcd_vector.h"
 #include <string.h>
 
 /* A nearest pair so far. */
@@ -105,6 +106,7 @@ MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
     mcd_pairOrigin(&a->instance, &b->instance, origin);
     if (!measure(&a->instance, &b->instance, origin, &nearest) || !nearest.isFound)
         return MEFALSE;
+    MEASSERT(!isnan(nearest.distance) && isfinite(mcd_dot(nearest.normal, nearest.normal)));
     result->distance = mcd_real(nearest.distance);
     for (int i = 0; i < 3; i++) {
         result->position1[i] = mcd_real(nearest.onA[i] + origin[i]);

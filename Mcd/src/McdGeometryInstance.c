@@ -17,6 +17,7 @@ static McdGeometryInstance *instanceFromPool(McdFramework *frame, const char *fu
     if (!frame->freeInstance && !mcd_frameAddInstances(frame, function))
         return 0;
     McdGeometryInstance *ins = frame->freeInstance;
+    MEASSERT(!ins->geometry && frame->instanceCount < frame->instanceRoom);
     frame->freeInstance = ins->nextSibling;
     frame->instanceCount++;
     memset(ins, 0, sizeof *ins);
@@ -66,6 +67,7 @@ MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, c
             return MEFALSE;
         }
     }
+    MEASSERT(*end == 0 && !ins->firstChild == !aggregate->count);
     return METRUE;
 }
 

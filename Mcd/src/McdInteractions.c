@@ -314,6 +314,7 @@ MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *res
         return MEFALSE;
     McdModelPair asked = isTurned ? turn(p) : *p;
     const MeBool answer = interaction->safeTimeFn(&asked, maxTime, result);
+    MEASSERT(asked.model1 == (isTurned ? p->model2 : p->model1));
     if (isTurned)
         MeVector3MultiplyScalar(result->normal, result->normal, -1);
     result->pair = p;

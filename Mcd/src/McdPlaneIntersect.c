@@ -31,8 +31,7 @@ static void addCorner(Slice *s, const double position[3]) {
         return;
     if (s->count == s->room) {
         const int room = MeMAX(2 * s->room, 32);
-        if (!MeMemoryGrow(&s->corner, (size_t)s->count, (size_t)room, sizeof *s->corner, s->function,
-                          "corners")) {
+        if (!MeMemoryGrow(&s->corner, (size_t)s->count, (size_t)room, sizeof *s->corner, s->function, "corners")) {
             s->isOut = METRUE;
             return;
         }
@@ -54,6 +53,7 @@ static void cutEdge(Slice *s, const double from[3], const double to[3]) {
     double along[3], cut[3];
     mcd_sub(along, to, from);
     mcd_mad(cut, from, a / (a - b), along);
+    MEASSERT(a / (a - b) >= 0 && a / (a - b) <= 1);
     addCorner(s, cut);
 }
 

@@ -151,6 +151,7 @@ static void addToList(Query *q, McdModelID cm) {
     MEASSERT(at < q->count && q->count <= q->listSize);
     memmove(q->list + at + 1, q->list + at, (size_t)(q->count - at - 1) * sizeof *q->list);
     q->list[at] = cm;
+    MEASSERT(at + 1 == q->count || mcd_modelPrecedes(mcd_record(cm), mcd_record(q->list[at + 1])));
 }
 
 static MeBool checkList(McdSpaceID s, const McdModelID *list, int size, const char *function) {
@@ -279,6 +280,7 @@ int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 
     search(&c, (double)maxDistance);
     if (!c.model || c.gap.distance > (double)maxDistance)
         return 0;
+    MEASSERT(c.gap.part->model == c.model);
     result->model = c.model;
     result->instance = c.gap.part;
     result->distance = mcd_real(c.gap.distance);
@@ -318,6 +320,7 @@ static MeBool advance(const Cast *c, const McdShape *other, double last, Gap *ga
             return MEFALSE;
         t += gap->distance / closing;
     }
+    MEASSERT(t >= 0 && t <= last);
     *fraction = t;
     return METRUE;
 }
@@ -449,6 +452,7 @@ int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix
     mcd_spaceCast(space, middle, c.by, half, 1, visitCast, &c);
     if (!c.model)
         return 0;
+    MEASSERT(c.gap.part->model == c.model && c.fraction >= 0 && c.fraction <= 1);
     result->model = c.model;
     result->instance = c.gap.part;
     result->fraction = (MeReal)c.fraction;

@@ -26,6 +26,7 @@ static void findExtremes(McdRGHeightField *f) {
         f->high = any ? MeMAX(f->high, z) : z;
         any = METRUE;
     }
+    MEASSERT(f->low <= f->high);
 }
 
 static MeBool isGrid(int xCount, int yCount, MeReal xStep, MeReal yStep, MeReal x0, MeReal y0) {
@@ -308,6 +309,7 @@ static MeBool walk(const McdRGHeightField *f, const double from[3], const double
             *part = here;
             memcpy(normal, hit, 3 * sizeof *normal);
         }
+        MEASSERT(!isHit || (*part >= 0 && *part <= 1));
         if (isHit)
             return METRUE;
         double next[2];

@@ -43,6 +43,7 @@ static McdRequest *entryOf(int id1, int id2, const char *function) {
         return &table[entryCount()];
     }
     const int high = MeMAX(id1, id2), low = MeMIN(id1, id2);
+    MEASSERT(high * (high + 1) / 2 + low < entryCount());
     return &table[high * (high + 1) / 2 + low];
 }
 

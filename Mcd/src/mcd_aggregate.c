@@ -27,6 +27,7 @@ static MeBool isAggregate(const McdGeometryInstance *ins) {
 
 static void meetParts(Meeting *m, McdGeometryInstance *a, McdGeometryInstance *b) {
     McdStandIn standIn[2];
+    MEASSERT(!a->firstChild && !b->firstChild && a->model == m->pair->model1 && b->model == m->pair->model2);
     McdModelPair parts = *m->pair;
     parts.model1 = mcd_standInBegin(&standIn[0], a);
     parts.model2 = mcd_standInBegin(&standIn[1], b);
@@ -85,6 +86,7 @@ static MeU32 pathOf(const McdGeometryInstance *part) {
     MeU32 path = 0;
     for (; part->parent; part = part->parent)
         path = mcd_featureMix(path, (MeU32)part->element + 1);
+    MEASSERT(part == &mcd_record(part->model)->instance);
     return path;
 }
 
@@ -123,6 +125,7 @@ static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     if (g.count > result->contactMaxCount)
         g.count = mcd_simplify(g.owner->contact, g.count, g.owner->contact, result->contactMaxCount, 0,
                                1e-6 * (double)mcd_record(p->model1)->frame->lengthScale, g.owner->choice);
+    MEASSERT(g.count >= 0 && g.count <= result->contactMaxCount);
     if (g.count)
         memcpy(result->contacts, g.owner->contact, (size_t)g.count * sizeof *result->contacts);
     result->contactCount = g.count;
@@ -143,6 +146,7 @@ static int MEAPI safeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *re
     Meeting m = {p, -1, earliest, result};
     result->time = maxTime;
     meetModels(&m);
+    MEASSERT(result->time >= 0 && result->time <= maxTime);
     result->pair = p;
     return 1;
 }

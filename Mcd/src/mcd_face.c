@@ -76,6 +76,7 @@ static int sectorOf(double x, double y) {
     static const double tangent = .41421356237309503; /* of a 16th of a turn */
     const double ax = fabs(x), ay = fabs(y);
     const int quarter = (ay > tangent * ax) + (ay > ax) + (tangent * ay > ax);
+    MEASSERT(quarter >= 0 && quarter <= 3);
     if (y >= 0)
         return x >= 0 ? quarter : 7 - quarter;
     return x < 0 ? 8 + quarter : 15 - quarter;
@@ -187,6 +188,25 @@ static void triangleFace(const McdShape *s, const double d[3], McdFace *f) {
     }
 }
 
+/* Corners have numbers of their own, and turn counter-clockwise about the normal, which has length 1. */
+static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
+    const double slack_ = 1e-9 * s->extent * s->extent;
+    for (int i = 0; i < f->count; i++)
+        for (int j = 0; j < i; j++)
+            if (f->name[i] == f->name[j])
+                return 0;
+    for (int i = 0; i < f->count && f->count > 2 && mcd_shapeIsRigid(s); i++) {
+        const double *p = f->point[i], *q = f->point[(i + 1) % f->count], *r = f->point[(i + 2) % f->count];
+        double pq[3], qr[3], n[3];
+        mcd_sub(pq, q, p);
+        mcd_sub(qr, r, q);
+        mcd_cross(n, pq, qr);
+        if (mcd_dot(n, f->normal) < -slack_)
+            return 0;
+    }
+    return f->count < 3 || !mcd_shapeIsRigid(s) || mcd_isUnit(f->normal) || mcd_dot(f->normal, f->normal) == 0;
+}
+
 void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
     const double d[3] = {mcd_dot(s->axis[0], direction), mcd_dot(s->axis[1], direction),
                          mcd_dot(s->axis[2], direction)};
@@ -216,6 +236,8 @@ void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
     default:
         addPoint(s, f, 0, 0, 0, 0);
     }
+    MEASSERT(f->count >= 1 && f->count <= MCD_FACE_POINTS);
+    MEVALIDATE(isFaceGood(s, f));
 }
 
 /* ---- what they have in common ------------------------------------------------------------------------- */
@@ -273,6 +295,7 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
 
 static Spot cross(const Spot *p, const Spot *q, double dp, double dq, const Outline *b, int j) {
     const double t = dp / (dp - dq);
+    MEASSERT(t >= 0 && t <= 1); /* one is inside, the other is not */
     Spot s = {.x = p->x + t * (q->x - p->x), .y = p->y + t * (q->y - p->y), .a = p->a + t * (q->a - p->a)};
     if (p->edgeIsB) { /* a corner of b's */
         const int corner = j == (p->index + 1) % b->count ? j : p->index;
@@ -369,6 +392,7 @@ static int clip(const Outline *a, const Outline *b, double slack_, Spot *spot) {
         from = to;
         to = swap;
     }
+    MEASSERT(count >= 0 && count <= MAX_SPOTS);
     if (from != spot)
         memcpy(spot, from, (size_t)count * sizeof *spot);
     for (int i = 0; i < count; i++) {
@@ -507,6 +531,7 @@ static int keepFour(Spot *spot, int count, double slack_) {
                 chosen[made++] = best[i];
     }
     Spot kept[4];
+    MEASSERT(made >= 1 && made <= 4 && chosen[made - 1] >= 0 && chosen[made - 1] < count);
     for (int i = 0; i < made; i++)
         kept[i] = spot[chosen[i]];
     memcpy(spot, kept, (size_t)made * sizeof *spot);
@@ -583,6 +608,22 @@ static int leastSeparated(Spot *spot, int count, double separation) {
     return least;
 }
 
+/* Points have features of their own, and none is deeper than the cores are, or than the margin lets be. */
+static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProximity *p, double margin,
+                             const McdManifold *m) {
+    const double rounding = a->rounding + b->rounding, slack_ = preference * mcd_pairSize(a, b);
+    for (int i = 0; i < m->count; i++) {
+        const McdManifoldPoint *point = &m->point[i];
+        for (int j = 0; j < i; j++)
+            if (m->point[j].feature == point->feature)
+                return 0;
+        if (point->separation < p->separation - rounding - slack_ || !(point->separation <= margin + slack_) ||
+            !(point->radius[0] >= 0 && point->radius[1] >= 0))
+            return 0;
+    }
+    return 1;
+}
+
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                       const McdProximity *p, double margin, McdManifold *m) {
     Spot spot[MAX_SPOTS];
@@ -613,5 +654,6 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     MEASSERT(count <= MCD_MANIFOLD_POINTS);
     for (int i = 0; i < count; i++)
         addContact(a, b, &v, &spot[i], m);
+    MEVALIDATE(isManifoldGood(a, b, p, margin, m));
     return m->count;
 }

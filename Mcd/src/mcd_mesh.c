@@ -175,8 +175,7 @@ static void toQuery(const McdMeshQuery *q, const double in[3], double out[3]) {
         out[i] = q->place[i] + in[0] * q->axis[0][i] + in[1] * q->axis[1][i] + in[2] * q->axis[2][i];
 }
 
-void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags,
-                 McdElementData element) {
+void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, McdElementData element) {
     McdMesh *mesh = q->mesh;
     double own[3];
     if (!mcd_triangleNormal(corner, normal, own)) {
@@ -196,6 +195,7 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
     t->element = element;
     mesh->count++;
     MEASSERT(mesh->count <= mesh->max && isfinite(mcd_dot(t->normal, t->normal)));
+    MEASSERT(mcd_isUnit(own));
 }
 
 /* A power of 2 that leaves half of the slots empty. */
@@ -228,6 +228,18 @@ static int numberCorners(McdMesh *mesh) {
     return vertexCount;
 }
 
+/* Adjacency is symmetric: a vertex lists just the triangles that have it, in their order, and is where their corners are. */
+static MeBool areCornersJoined(const McdMesh *mesh, int vertexCount) {
+    for (int v = 0; v < vertexCount; v++)
+        for (int i = mesh->firstOf[v]; i < mesh->firstOf[v + 1]; i++) {
+            const int *of = mesh->triangle[mesh->usersOf[i]].vertex, at = of[0] == v ? 0 : of[1] == v ? 1 : 2;
+            if (of[at] != v || (i > mesh->firstOf[v] && mesh->usersOf[i - 1] > mesh->usersOf[i]) ||
+                comparePoints(mesh->place[3 * mesh->usersOf[i] + at], mesh->place[mesh->cornerOf[v]]) != 0)
+                return MEFALSE;
+        }
+    return METRUE;
+}
+
 /* Lists the triangles at each vertex. */
 static void joinCorners(McdMesh *mesh) {
     const int vertexCount = numberCorners(mesh);
@@ -242,6 +254,7 @@ static void joinCorners(McdMesh *mesh) {
     MEASSERT(vertexCount <= 3 * mesh->count && mesh->firstOf[0] == 0 && mesh->firstOf[vertexCount] == 3 * mesh->count);
     for (int v = 0; v < vertexCount; v++)
         mesh->fan[v] = NOT_KNOWN;
+    MEVALIDATE(areCornersJoined(mesh, vertexCount));
 }
 
 /* ---- which normals are the surface's -------------------------------------------------------------------------------- */
@@ -267,6 +280,7 @@ static int farthestCorners(const McdMeshTriangle *t, const double direction[3]) 
     for (int i = 0; i < 3; i++)
         if (most - height[i] <= SAME_HEIGHT * sqrt(mcd_distanceSquared(t->corner[i], t->corner[top])))
             mask |= 1 << i;
+    MEASSERT(mask & 1 << top);
     return mask;
 }
 
@@ -275,6 +289,7 @@ static MeBool risesFrom(const McdMeshTriangle *t, int v, int other, const double
     int at = 0;
     while (t->vertex[at] != v)
         at++;
+    MEASSERT(at < 3); /* it is a triangle of that vertex */
     for (int k = 1; k < 3; k++) {
         const int far = (at + k) % 3, third = (at + 3 - k) % 3;
         double d[3];
@@ -482,6 +497,7 @@ static void cut(const Polygon *in, const double inward[3], double offset, double
         mcd_mad(at, in->point[i], MeCLAMP(a / (a - b), 0, 1), d);
         appendPoint(out, at, mix(in->name[i] + in->name[next], edgeName), METRUE);
     }
+    MEASSERT(out->count <= in->count + 2); /* of a convex polygon a line cuts two sides at most, but for rounding */
 }
 
 /* The unit vector across edge i, in the triangle's plane, towards its inside. */
@@ -491,6 +507,7 @@ static void inwardOf(const McdMeshTriangle *t, int i, double inward[3]) {
     mcd_cross(inward, t->normal, edge);
     mcd_sub(across, t->corner[(i + 2) % 3], t->corner[i]);
     mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
+    MEASSERT(mcd_dot(inward, across) >= 0); /* the third corner is inside */
 }
 
 /* The part of the shape's face that looks at the triangle and is above (or below) it, seen along the normal. */
@@ -645,6 +662,7 @@ static MeBool partOver(const McdMeshTriangle *t, const double from[3], const dou
         if (b < 0)
             *out = fmin(*out, a / (a - b));
     }
+    MEASSERT(*in >= 0 && *in <= 1 && *out >= 0 && *out <= 1);
     return *in <= *out;
 }
 
@@ -770,6 +788,7 @@ static MeBool comesThrough(const McdMeshQuery *q, const McdMeshContact *c, doubl
         return MEFALSE;
     mcd_sub(off, highest, point);
     mcd_mad(through, point, c->separation / (c->separation - height), off);
+    MEASSERT(c->separation <= 0); /* between both: no division by 0 */
     return METRUE;
 }
 
@@ -834,6 +853,15 @@ static void reachBelow(McdMeshQuery *q, const McdMeshTriangle *t) {
     mesh->contactCount = count;
 }
 
+/* The heights of a shape's lowest and highest points, and of its middle between them. */
+static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, double low, double high) {
+    double off[3];
+    mcd_sub(off, q->shape.place, t->corner[0]);
+    const double place = mcd_dot(off, t->normal), slack = 1e-6 * q->shape.extent + 1e-9 * fabs(place);
+    return !mcd_shapeIsRigid(&q->shape) || !mcd_isUnit(t->normal) ||
+           (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
+}
+
 /* The first look at a triangle: what is far is neither facing nor pending. */
 static void classify(McdMeshQuery *q, McdMeshTriangle *t) {
     double low, high;
@@ -842,6 +870,7 @@ static void classify(McdMeshQuery *q, McdMeshTriangle *t) {
     if (!isAbove(q, t))
         return;
     heightsOver(q, t, &low, &high);
+    MEVALIDATE(areHeightsGood(q, t, low, high));
     if (low > q->margin || high < -q->margin)
         return;
     t->isPending = METRUE;
@@ -926,6 +955,7 @@ static void touchTriangles(McdMeshQuery *q) {
     for (int i = 0; i < mesh->count; i++)
         if (mesh->triangle[i].isPending)
             reachBelow(q, &mesh->triangle[i]);
+    MEASSERT(mesh->contactCount >= 0 && mesh->contactCount <= mesh->contactMax);
 }
 
 /* Nothing touches with its middle in front: the shape may have gone through. It is brought back to the front of the
@@ -970,6 +1000,7 @@ static int takeCluster(McdMesh *mesh, int *left, double same) {
         else if (!isThere(mesh, count, c, same))
             mesh->cluster[count++] = *c;
     }
+    MEASSERT(rest < *left && count >= 1); /* at least the first one */
     *left = rest;
     return count;
 }
@@ -982,8 +1013,10 @@ static int spreadOut(McdMesh *mesh, McdMeshContact *contact, int count, int want
         spot[i].separation = contact[i].separation;
     }
     const int keptCount = mcd_spread(spot, count, wanted, same, mesh->kept);
-    for (int i = 0; i < keptCount; i++)
+    for (int i = 0; i < keptCount; i++) {
+        MEASSERT(mesh->kept[i] >= i); /* ascending: none is overwritten before it is moved */
         contact[i] = contact[mesh->kept[i]];
+    }
     return keptCount;
 }
 
@@ -1057,6 +1090,7 @@ static void boxShape(McdMeshQuery *q) {
         const double low = mcd_dot(near, q->shape.axis[i]), high = mcd_dot(far, q->shape.axis[i]);
         mcd_mad(q->box, q->box, (low + high) / 2, q->shape.axis[i]);
         q->half[i] = (high - low) / 2;
+        MEASSERT(!(q->half[i] < -1e-9 * (q->shape.extent + mcd_length(q->shape.place))));
     }
 }
 
@@ -1090,6 +1124,28 @@ static void findBall(McdMeshQuery *q) {
     q->ballRadius = (isCompact ? q->shape.extent : q->radius) + q->margin;
 }
 
+/* Does the ball, in the mesh's frame, hold the shape's farthest points along its own axes and the mesh's? */
+static MeBool isShapeInBall(const McdMeshQuery *q) {
+    for (int i = 0; i < 12; i++) {
+        double d[3], point[3], own[3];
+        mcd_scale(d, i < 6 ? q->axis[i / 2] : q->shape.axis[i / 2 - 3], i % 2 ? -1 : 1);
+        mcd_support(&q->shape, d, point);
+        mcd_sub(point, point, q->place);
+        for (int k = 0; k < 3; k++)
+            own[k] = mcd_dot(point, q->axis[k]) - q->ball[k];
+        if (mcd_length(own) > q->ballRadius * (1 + 1e-6) + 1e-6 * mcd_length(point)) /* axes of single precision */
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+static MeBool areAxesUnit(const McdMeshQuery *q) {
+    double x[3];
+    mcd_cross(x, q->axis[0], q->axis[1]);
+    return fabs(mcd_length(q->axis[0]) - 1) < 1e-6 && fabs(mcd_length(q->axis[1]) - 1) < 1e-6 &&
+           fabs(fabs(mcd_dot(x, q->axis[2])) - 1) < 1e-6;
+}
+
 int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh, McdMeshGather gather) {
     McdMeshQuery q;
     McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
@@ -1104,6 +1160,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh
     boundShape(&q);
     boxShape(&q);
     findBall(&q);
+    MEVALIDATE(!areAxesUnit(&q) || !mcd_shapeIsRigid(&q.shape) || isShapeInBall(&q));
     mesh->count = mesh->contactCount = mesh->skipped = 0;
     gather(&q);
     if (mesh->skipped)
@@ -1131,6 +1188,7 @@ MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], Me
     if (fall == 0 || (side < 0 && !twoSided) || side * height < 0 || side * height > side * fall)
         return MEFALSE;
     *part = height / fall;
+    MEASSERT(*part >= 0 && *part <= 1);
     mcd_mad(at, from, *part, along);
     for (int i = 0; i < 3; i++) {
         const int next = (i + 1) % 3, last = (i + 2) % 3;

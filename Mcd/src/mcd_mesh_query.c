@@ -21,6 +21,7 @@ void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low
         const double rounding = 16 * (double)ME_EPSILON * (fabs((double)min[i]) + fabs((double)max[i]));
         low[i] = (double)min[i] - origin[i] - rounding;
         high[i] = (double)max[i] - origin[i] + rounding;
+        MEASSERT(!(low[i] > high[i]));
     }
 }
 
@@ -158,6 +159,7 @@ MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModel
     search(&n, ins, asker, origin, most);
     if (!isfinite(n.distance) || n.distance > most)
         return MEFALSE;
+    MEASSERT(isfinite(mcd_dot(n.normal, n.normal)) && n.distance <= most);
     *distance = n.distance;
     mcd_copy(onShape, n.onShape);
     mcd_copy(onMesh, n.onMesh);

@@ -47,6 +47,13 @@ static void siftDown(McdPairEntry *entry, int at, int count) {
     entry[at] = moved;
 }
 
+static MeBool isSorted(const McdPairList *list) {
+    for (int i = 1; i < list->count; i++)
+        if (precedes(&list->entry[i], &list->entry[i - 1]))
+            return MEFALSE;
+    return METRUE;
+}
+
 /* Heapsort: in place, without memory of its own. */
 static void listSort(McdPairList *list) {
     McdPairEntry *entry = list->entry;
@@ -58,6 +65,7 @@ static void listSort(McdPairList *list) {
         entry[last] = greatest;
         siftDown(entry, 0, last);
     }
+    MEVALIDATE(isSorted(list));
 }
 
 /* A pair may be in each of these lists once. */
@@ -85,6 +93,7 @@ static McdPairRecord *takePair(McdSpace *s) {
     if (!s->freePair && !makePairBlock(s))
         return 0;
     McdPairRecord *record = s->freePair;
+    MEASSERT(record->pair.phase == kMcdFFStateInactive && !record->pair.model1);
     s->freePair = record->nextFree;
     return record;
 }
@@ -125,6 +134,7 @@ static int findLink(const McdSpace *s, int a, int b) {
 
 static void hashIn(McdSpace *s, int i) {
     int *head = bucket(s, s->link[i].proxy[0], s->link[i].proxy[1]);
+    MEASSERT(*head < s->linkMax && *head != i);
     s->link[i].nextInHash = *head;
     *head = i;
 }
@@ -169,6 +179,7 @@ static MeBool growLinks(McdSpace *s) {
 static void hang(McdSpace *s, int i, int end) {
     McdProxy *p = &s->proxy[s->link[i].proxy[end]];
     const int next = p->firstLink;
+    MEASSERT(p->model && next != i);
     s->link[i].previous[end] = MCD_NONE;
     s->link[i].next[end] = next;
     if (next != MCD_NONE)
@@ -178,6 +189,7 @@ static void hang(McdSpace *s, int i, int end) {
 
 static void unhang(McdSpace *s, int i, int end) {
     const int proxy = s->link[i].proxy[end], previous = s->link[i].previous[end], next = s->link[i].next[end];
+    MEASSERT((previous == MCD_NONE) == (s->proxy[proxy].firstLink == i));
     if (previous == MCD_NONE)
         s->proxy[proxy].firstLink = next;
     else
@@ -191,6 +203,8 @@ static int makeLink(McdSpace *s, int a, int b) {
         return MCD_NONE;
     const int i = s->freeLink;
     McdLink *link = &s->link[i];
+    MEASSERT(a != b && link->proxy[0] == MCD_NONE);
+    MEVALIDATE(findLink(s, a, b) == MCD_NONE);
     s->freeLink = link->nextInHash;
     s->linkCount++;
     memset(link, 0, sizeof *link);
@@ -212,6 +226,7 @@ static void dropLink(McdSpace *s, int i) {
     s->link[i].nextInHash = s->freeLink;
     s->freeLink = i;
     s->linkCount--;
+    MEASSERT(s->linkCount >= 0);
 }
 
 static int nextLink(const McdSpace *s, int i, int proxy) {
@@ -264,6 +279,7 @@ static void sayGoodbye(McdSpace *s, int i) {
     link->record = 0;
     link->isSilent = MEFALSE;
     s->liveCount--;
+    MEASSERT(s->liveCount >= 0 && entry.order2 < entry.order1);
     listAdd(&s->goodbye, &entry);
 }
 
@@ -280,6 +296,7 @@ static void setSilent(McdSpace *s, int i, MeBool isSilent) {
 static void stopWaiting(McdSpace *s, int i) {
     if (s->link[i].isWaiting)
         s->waitingCount--;
+    MEASSERT(s->waitingCount >= 0);
     s->link[i].isWaiting = MEFALSE;
 }
 
@@ -401,6 +418,7 @@ static void addToStaying(McdSpace *s, McdPairList *list) {
         end = at;
     }
     list->count = 0;
+    MEVALIDATE(isSorted(&s->staying));
 }
 
 static void helloBecomesStaying(McdSpace *s) {
@@ -428,6 +446,7 @@ static void dropFromStaying(McdSpace *s, const McdPairList *dropped) {
     if (from > kept)
         moveEntries(entry, kept, from, end - from);
     s->staying.count -= from - kept;
+    MEASSERT(s->staying.count >= 0 && from - kept <= dropped->count);
 }
 
 static void renewStaying(McdSpace *s) {
@@ -452,6 +471,7 @@ static MeBool sayHello(McdSpace *s, McdPairEntry entry) {
     entry.record = record;
     listAdd(&s->hello, &entry);
     stopWaiting(s, (int)(link - s->link));
+    MEASSERT(!link->record && !link->isSilent);
     link->record = record;
     s->liveCount++;
     return METRUE;
@@ -514,6 +534,7 @@ static void keepUnfinished(McdSpace *s) {
     int kept = 0;
     for (int i = 0; i < s->dirtyCount; i++) {
         McdProxy *p = &s->proxy[s->dirty[i]];
+        MEASSERT(p->isDirty);
         p->isDirty = p->isMoved;
         if (p->isMoved)
             s->dirty[kept++] = s->dirty[i];
@@ -598,6 +619,7 @@ static void undirty(McdSpace *s, int proxy) {
         return;
     while (s->dirty[at] != proxy)
         at++;
+    MEASSERT(at < s->dirtyCount);
     s->dirty[at] = s->dirty[--s->dirtyCount];
     s->proxy[proxy].isDirty = MEFALSE;
 }
