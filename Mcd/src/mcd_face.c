@@ -611,7 +611,8 @@ static int leastSeparated(Spot *spot, int count, double separation) {
 /* Points have features of their own, and none is deeper than the cores are, or than the margin lets be. */
 static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProximity *p, double margin,
                              const McdManifold *m) {
-    const double rounding = a->rounding + b->rounding, slack_ = preference * mcd_pairSize(a, b);
+    const double rounding = a->rounding + b->rounding;
+    const double slack_ = preference * mcd_pairSize(a, b) + 1e-12 * fabs(p->separation);
     for (int i = 0; i < m->count; i++) {
         const McdManifoldPoint *point = &m->point[i];
         for (int j = 0; j < i; j++)
