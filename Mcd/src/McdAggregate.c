@@ -35,8 +35,6 @@ static void MEAPI release(McdGeometryID g) {
     for (int i = 0; i < a->count; i++)
         McdGeometryDecrementReferenceCount(a->element[i].geometry);
     MeMemoryGive(a->element);
-    MeMemoryGive(a->contact);
-    MeMemoryGive(a->choice);
     MeMemoryGive(a);
 }
 

@@ -1,6 +1,7 @@
 /* What can be asked of a pair of models: the framework's table says who answers. */
 #include "McdContact.h"
-#include "mcd_i.h"
+#include "mcd_scratch.h"
+#include "mcd_spread.h"
 
 static MeBool checkPair(const McdModelPair *p, const char *function) {
     if (p)
@@ -48,7 +49,7 @@ static void noteMissing(McdModelPair *p) {
     if ((isTerrain(p->model1) && isTerrain(p->model2)) || typeOf(p->model1) == kMcdGeometryTypeNull ||
         typeOf(p->model2) == kMcdGeometryTypeNull)
         return;
-    if (cell->warned++ == 0)
+    if (atomic_fetch_add(&cell->warned, 1) == 0)
         MeWarning(2, "McdHello: no interaction of %s and %s is registered: they will not touch",
                   McdGeometryGetTypeName(McdModelGetGeometry(p->model1)),
                   McdGeometryGetTypeName(McdModelGetGeometry(p->model2)));
@@ -144,29 +145,35 @@ static void turnContacts(McdIntersectResult *result) {
     }
 }
 
-/* An interaction of a program's own knows nothing of the members that it cannot know. */
-static void completeContacts(McdFramework *frame, McdIntersectResult *result) {
-    for (int i = 0; i < result->contactCount && !frame->knowsSurfaces; i++) {
+/* An interaction of a program's own knows nothing of the members that McdContact gained: it leaves those of an unused
+ * contact as they are, or zero. Radii are never below 0, so that is what an unused one has. */
+static void markUnused(McdContact *c) {
+    c->radius[0] = c->radius[1] = -1;
+}
+
+static void completeContacts(McdIntersectResult *result) {
+    if (!result->contactCount || result->contacts[0].radius[0] >= 0)
+        return;
+    for (int i = 0; i < result->contactCount; i++) {
         McdContact *c = &result->contacts[i];
         c->exactSeparation = (double)c->separation;
         for (int k = 0; k < 3; k++)
             c->exactPosition[k] = (double)c->position[k];
         c->radius[0] = c->radius[1] = 0;
     }
-    frame->knowsSurfaces = METRUE; /* of an aggregate's parts, and so of the aggregate */
 }
 
 static void callIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
-    McdFramework *frame = mcd_record(p->model1)->frame;
-    frame->knowsSurfaces = MEFALSE;
+    markUnused(&result->contacts[0]);
     if (isTurned) {
         McdModelPair asked = turn(p);
         intersect(&asked, result);
+        completeContacts(result);
         turnContacts(result);
     } else {
         intersect(p, result);
+        completeContacts(result);
     }
-    completeContacts(frame, result);
     result->pair = p;
 }
 
@@ -174,18 +181,21 @@ static void callIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTu
 static void intersectFacesFirst(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned,
                                 McdIntersectResult *result) {
     enum { MORE = 4 }; /* so that a manifold of four points is in them where one contact is wanted */
+    McdFramework *frame = mcd_record(p->model1)->frame;
     const int wanted = result->contactMaxCount;
     McdContact *kept = result->contacts;
-    McdContact *all = MeMemoryTake(MORE * (size_t)wanted, sizeof *all, "McdIntersect", "a request's contacts");
-    if (!all)
+    McdScratch *scratch = mcd_scratchTake(frame, "McdIntersect");
+    if (!scratch)
         return;
-    result->contacts = all;
-    result->contactMaxCount = MORE * wanted;
-    callIntersect(intersect, p, isTurned, result);
-    result->contactCount = McdContactSimplify(result->normal, all, result->contactCount, kept, wanted, METRUE,
-                                              mcd_record(p->model1)->frame->lengthScale);
-    result->contacts = kept;
-    MeMemoryGive(all);
+    if (mcd_scratchReserveContacts(scratch, 0, MORE * wanted)) {
+        result->contacts = scratch->contact;
+        result->contactMaxCount = MORE * wanted;
+        callIntersect(intersect, p, isTurned, result);
+        result->contactCount = mcd_simplify(scratch->contact, result->contactCount, kept, wanted, result->normal,
+                                            1e-6 * (double)frame->lengthScale, scratch->choice);
+        result->contacts = kept;
+    }
+    mcd_scratchGive(frame, scratch);
 }
 
 static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {

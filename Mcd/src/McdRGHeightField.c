@@ -11,8 +11,6 @@ static McdRGHeightField *fieldOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, function) ? (McdRGHeightField *)g : 0;
 }
 
-static void gather(McdMeshQuery *q);
-
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
 static void findExtremes(McdRGHeightField *f) {
@@ -52,13 +50,11 @@ McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeRea
     f->yStep = yStep;
     f->x0 = x0;
     f->y0 = y0;
-    f->mesh.gather = gather;
     findExtremes(f);
     return &f->head;
 }
 
 static void MEAPI release(McdGeometryID g) {
-    mcd_meshFree(&((McdRGHeightField *)g)->mesh);
     MeMemoryGive(g);
 }
 
@@ -212,7 +208,7 @@ void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, 
 /* ---- interactions ----------------------------------------------------------------------------------------------------- */
 
 /* Cells whose corners touch the box count too: their triangles are neighbours. */
-static void gather(McdMeshQuery *q) {
+void mcd_gatherCells(McdMeshQuery *q) {
     const McdRGHeightField *f = (const McdRGHeightField *)mcd_record(q->pair->model2)->instance.geometry;
     const double x0 = (double)f->x0, y0 = (double)f->y0, dx = (double)f->xStep, dy = (double)f->yStep;
     const int i0 = cellAt(q->low[0] - 1e-6 * dx, x0, dx, f->xCount);
@@ -231,10 +227,10 @@ static void gather(McdMeshQuery *q) {
 }
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
-    McdRGHeightField *f = (McdRGHeightField *)mcd_record(p->model2)->instance.geometry;
-    if (!mcd_geometryIs(&f->head, kMcdGeometryTypeRGHeightField, "Mcd...RGHeightFieldIntersect"))
+    if (!mcd_geometryIs(mcd_record(p->model2)->instance.geometry, kMcdGeometryTypeRGHeightField,
+                        "Mcd...RGHeightFieldIntersect"))
         return 0;
-    return mcd_meshIntersect(p, result, &f->mesh, gather);
+    return mcd_meshIntersect(p, result, mcd_gatherCells);
 }
 
 MCD_MESH_INTERACTIONS(RGHeightField, intersect)

@@ -2,14 +2,13 @@
 #include "McdTriangleList.h"
 #include "mcd_geometries.h"
 #include "mcd_local.h"
+#include "mcd_scratch.h"
 #include <math.h>
 #include <string.h>
 
 static McdTriangleListRecord *listOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeTriangleList, function) ? (McdTriangleListRecord *)g : 0;
 }
-
-static void gather(McdMeshQuery *q);
 
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
@@ -29,7 +28,7 @@ static MeBool makeRoom(McdTriangleListRecord *list, int count) {
     MeMemoryGive(list->list.list);
     list->list.list = found;
     list->list.triangleMaxCount = list->room = count;
-    list->hasWarned = MEFALSE;
+    atomic_store(&list->hasWarned, 0);
     return METRUE;
 }
 
@@ -50,14 +49,12 @@ McdTriangleListID MEAPI McdTriangleListCreate(McdFramework *frame, MeVector3 min
     MeVector3Copy(list->min, min);
     MeVector3Copy(list->max, max);
     list->generate = f;
-    list->mesh.gather = gather;
     return &list->list.head;
 }
 
 static void MEAPI release(McdGeometryID g) {
     McdTriangleListRecord *list = (McdTriangleListRecord *)g;
     MeMemoryGive(list->list.list);
-    mcd_meshFree(&list->mesh);
     MeMemoryGive(list);
 }
 
@@ -164,24 +161,52 @@ static void takeMaxCount(McdTriangleListRecord *list) {
         list->list.triangleMaxCount = list->room;
 }
 
-/* What the callback has near a point of the list's frame; never more than there is place for. */
-static int find(McdTriangleListRecord *list, McdModelPair *p, const double centre[3], double radius) {
+/* What the callback handed over, and where. */
+typedef struct Found {
+    McdUserTriangle *triangle; /* room */
+    int count, room;
+    MeBool isOwn; /* it is the list's array, which programs see; else the scratch's */
+} Found;
+
+/* The array that the callback is to fill: the list's own, or, while another query has that (in another thread, or one
+ * around this one), the scratch's. False if there is no memory. */
+static MeBool takeArray(McdTriangleListRecord *list, McdScratch *scratch, Found *found) {
+    *found = (Found){.isOwn = !atomic_exchange_explicit(&list->isInUse, 1, memory_order_acquire)};
+    if (found->isOwn) {
+        takeMaxCount(list);
+        found->room = list->room;
+        found->triangle = list->list.list;
+        return METRUE;
+    }
+    found->room = list->list.triangleMaxCount < 1 ? list->room : list->list.triangleMaxCount;
+    if (mcd_scratchReserveTriangles(scratch, found->room))
+        found->triangle = scratch->triangle;
+    return found->triangle != 0;
+}
+
+static void giveArray(McdTriangleListRecord *list, const Found *found) {
+    if (found->isOwn)
+        atomic_store_explicit(&list->isInUse, 0, memory_order_release);
+    else if (found->triangle) /* zeros for the next query's callback, which need not set all members */
+        memset(found->triangle, 0, (size_t)found->room * sizeof *found->triangle);
+}
+
+/* What the callback has near a point of the list's frame; never more than there is place for. giveArray ends it. */
+static void find(McdTriangleListRecord *list, McdModelPair *p, McdScratch *scratch, const double centre[3],
+                 double radius, Found *found) {
     MeVector3 pos = {(MeReal)centre[0], (MeReal)centre[1], (MeReal)centre[2]};
     double reach = radius; /* with what rounding takes from it */
     for (int i = 0; i < 3; i++)
         reach += fabs((double)pos[i] - centre[i]);
-    if (!list->generate)
-        return 0;
-    takeMaxCount(list);
-    const int count = list->generate(p, list->list.list, pos, mcd_roundUp(reach), list->room);
-    if (count >= list->room && !list->hasWarned) {
-        list->hasWarned = METRUE;
+    if (!takeArray(list, scratch, found) || !list->generate)
+        return;
+    const int count = list->generate(p, found->triangle, pos, mcd_roundUp(reach), found->room);
+    if (count >= found->room && !atomic_exchange(&list->hasWarned, 1))
         MeWarning(2,
                   "McdTriangleList: the callback gave %d triangles, as many as there is place for: contacts may be "
                   "missing; raise McdTriangleListCreate's triangleMaxCount",
                   count);
-    }
-    return MeCLAMP(count, 0, list->room);
+    found->count = MeCLAMP(count, 0, found->room);
 }
 
 static MeBool cornersOf(const McdUserTriangle *t, double corner[3][3]) {
@@ -200,24 +225,25 @@ static const double *normalOf(const McdUserTriangle *t, double normal[3]) {
     return t->normal ? normal : 0;
 }
 
-static void gather(McdMeshQuery *q) {
+void mcd_gatherTriangles(McdMeshQuery *q) {
     McdTriangleListRecord *list = (McdTriangleListRecord *)mcd_record(q->pair->model2)->instance.geometry;
     double corner[3][3], normal[3];
-    const int count = find(list, q->pair, q->ball, q->ballRadius);
-    if (!mcd_meshReserve(q->mesh, count))
-        return;
+    Found found;
+    find(list, q->pair, q->scratch, q->ball, q->ballRadius, &found);
+    const int count = mcd_meshReserve(q->mesh, found.count) ? found.count : 0;
     for (int i = 0; i < count; i++) {
-        const McdUserTriangle *t = &list->list.list[i];
+        const McdUserTriangle *t = &found.triangle[i];
         if (cornersOf(t, corner))
             mcd_meshAdd(q, (const double(*)[3])corner, normalOf(t, normal), (int)t->flags, t->triangleData);
     }
+    giveArray(list, &found);
 }
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
-    McdTriangleListRecord *list = (McdTriangleListRecord *)mcd_record(p->model2)->instance.geometry;
-    if (!mcd_geometryIs(&list->list.head, kMcdGeometryTypeTriangleList, "Mcd...TriangleListIntersect"))
+    if (!mcd_geometryIs(mcd_record(p->model2)->instance.geometry, kMcdGeometryTypeTriangleList,
+                        "Mcd...TriangleListIntersect"))
         return 0;
-    return mcd_meshIntersect(p, result, &list->mesh, gather);
+    return mcd_meshIntersect(p, result, mcd_gatherTriangles);
 }
 
 /* ---- interactions ----------------------------------------------------------------------------------------------------- */
@@ -226,34 +252,47 @@ MCD_MESH_INTERACTIONS(TriangleList, intersect)
 
 /* ---- line segments ------------------------------------------------------------------------------------------------------- */
 
-static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
-                             McdLineSegIntersectResult *outOverlap) {
-    const McdGeometryInstance *ins = &mcd_record(cm)->instance;
-    McdTriangleListRecord *list = (McdTriangleListRecord *)ins->geometry;
-    double from[3], to[3], middle[3], normal[3] = {0, 0, 1}, least = 2;
-    if (!mcd_toLocal(mcd_const(ins->tm), inOrig, from) || !mcd_toLocal(mcd_const(ins->tm), inDest, to))
-        return 0;
-    double length = 0;
-    for (int i = 0; i < 3; i++) {
-        middle[i] = (from[i] + to[i]) / 2;
-        length += (to[i] - from[i]) * (to[i] - from[i]);
-    }
-    McdModelPair pair;
-    memset(&pair, 0, sizeof pair);
-    pair.model1 = pair.model2 = cm;
-    const int count = find(list, &pair, middle, sqrt(length) / 2);
-    for (int i = 0; i < count; i++) {
+/* The first of the triangles that a segment meets: where, as a part of it, and the normal there; a part above 1: none. */
+static double firstHit(const Found *found, const double from[3], const double to[3], double normal[3]) {
+    double least = 2;
+    for (int i = 0; i < found->count; i++) {
         double corner[3][3], own[3], given[3], part, hit[3];
-        const McdUserTriangle *t = &list->list.list[i];
+        const McdUserTriangle *t = &found->triangle[i];
         if (!cornersOf(t, corner) || !mcd_triangleNormal((const double(*)[3])corner, normalOf(t, given), own))
             continue;
         if (mcd_segmentTriangle((const double(*)[3])corner, own, (t->flags & kMcdTriangleTwoSided) != 0, from, to,
                                 &part, hit) &&
             part < least) {
             least = part;
-            memcpy(normal, hit, sizeof normal);
+            memcpy(normal, hit, sizeof hit);
         }
     }
+    return least;
+}
+
+static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                             McdLineSegIntersectResult *outOverlap) {
+    const McdGeometryInstance *ins = &mcd_record(cm)->instance;
+    McdTriangleListRecord *list = (McdTriangleListRecord *)ins->geometry;
+    McdFramework *frame = list->list.head.frame;
+    double from[3], to[3], middle[3], normal[3] = {0, 0, 1}, length = 0;
+    McdModelPair pair;
+    Found found;
+    if (!mcd_toLocal(mcd_const(ins->tm), inOrig, from) || !mcd_toLocal(mcd_const(ins->tm), inDest, to))
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        middle[i] = (from[i] + to[i]) / 2;
+        length += (to[i] - from[i]) * (to[i] - from[i]);
+    }
+    McdScratch *scratch = mcd_scratchTake(frame, "McdLineSegIntersect");
+    if (!scratch)
+        return 0;
+    memset(&pair, 0, sizeof pair);
+    pair.model1 = pair.model2 = cm;
+    find(list, &pair, scratch, middle, sqrt(length) / 2, &found);
+    const double least = firstHit(&found, from, to, normal);
+    giveArray(list, &found);
+    mcd_scratchGive(frame, scratch);
     return least <= 1 && mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, least, normal, outOverlap);
 }
 

@@ -1,6 +1,7 @@
 /* How aggregates interact: part with part, by whatever the parts' types have in the framework's table. */
 #include "McdAggregate.h"
 #include "mcd_geometries.h"
+#include "mcd_scratch.h"
 #include "mcd_spread.h"
 #include <string.h>
 
@@ -60,26 +61,10 @@ static void meetModels(Meeting *m) {
 /* ---- contacts ------------------------------------------------------------------------------------------------------------ */
 
 typedef struct Gathering {
-    McdAggregate *owner; /* of the memory */
+    McdScratch *scratch; /* where contacts go */
     int count;
     int each; /* contacts that two parts may make */
 } Gathering;
-
-static MeBool makeRoom(McdAggregate *a, int count, int needed) {
-    if (needed <= a->contactMax)
-        return METRUE;
-    const int max = MeMAX(needed, 2 * a->contactMax);
-    void *choice = MeMemoryTake(1, mcd_simplifyBytes(max), "McdIntersect", "the choice of an aggregate's contacts");
-    if (!choice || !MeMemoryGrow(&a->contact, (size_t)count, (size_t)max, sizeof *a->contact, "McdIntersect",
-                                 "contacts of an aggregate")) {
-        MeMemoryGive(choice);
-        return MEFALSE;
-    }
-    MeMemoryGive(a->choice);
-    a->choice = choice;
-    a->contactMax = max;
-    return METRUE;
-}
 
 /* Which part of its model it is, as a number. */
 static MeU32 pathOf(const McdGeometryInstance *part) {
@@ -93,10 +78,10 @@ static MeU32 pathOf(const McdGeometryInstance *part) {
 static void gatherContacts(Meeting *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
     Gathering *g = m->data;
     McdIntersectResult result;
-    if (!makeRoom(g->owner, g->count, g->count + g->each))
+    if (!mcd_scratchReserveContacts(g->scratch, g->count, g->count + g->each))
         return;
     memset(&result, 0, sizeof result);
-    result.contacts = g->owner->contact + g->count;
+    result.contacts = g->scratch->contact + g->count;
     result.contactMaxCount = g->each;
     if (!(McdIntersect)(parts, &result))
         return;
@@ -108,27 +93,26 @@ static void gatherContacts(Meeting *m, McdModelPair *parts, McdGeometryInstance 
         c->feature = mcd_featureMix(c->feature, path);
     }
     g->count += result.contactCount;
-    MEASSERT(g->count <= g->owner->contactMax);
-}
-
-/* An aggregate of the pair, whose memory the query may use. */
-static McdAggregate *ownerOf(const McdModelPair *p) {
-    McdGeometryInstance *first = &mcd_record(p->model1)->instance, *second = &mcd_record(p->model2)->instance;
-    return (McdAggregate *)(isAggregate(first) ? first->geometry : second->geometry);
+    MEASSERT(g->count <= g->scratch->contactRoom);
 }
 
 static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
-    Gathering g = {ownerOf(p), 0, MeMAX(result->contactMaxCount, 1)};
+    McdFramework *frame = mcd_record(p->model1)->frame;
+    Gathering g = {mcd_scratchTake(frame, "McdIntersect"), 0, MeMAX(result->contactMaxCount, 1)};
     Meeting m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, &g};
     mcd_resultBegin(result, p);
+    if (!g.scratch)
+        return 0;
     meetModels(&m);
+    McdContact *found = g.scratch->contact;
     if (g.count > result->contactMaxCount)
-        g.count = mcd_simplify(g.owner->contact, g.count, g.owner->contact, result->contactMaxCount, 0,
-                               1e-6 * (double)mcd_record(p->model1)->frame->lengthScale, g.owner->choice);
+        g.count = mcd_simplify(found, g.count, found, result->contactMaxCount, 0, 1e-6 * (double)frame->lengthScale,
+                               g.scratch->choice);
     MEASSERT(g.count >= 0 && g.count <= result->contactMaxCount);
     if (g.count)
-        memcpy(result->contacts, g.owner->contact, (size_t)g.count * sizeof *result->contacts);
+        memcpy(result->contacts, found, (size_t)g.count * sizeof *result->contacts);
     result->contactCount = g.count;
+    mcd_scratchGive(frame, g.scratch);
     return mcd_resultEnd(result);
 }
 

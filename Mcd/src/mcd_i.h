@@ -19,6 +19,7 @@
 #include "MeInternal.h"
 #include "MeMessage.h"
 #include <float.h>
+#include <stdatomic.h>
 
 /* ---- handles ------------------------------------------------------------------------------------------------- */
 
@@ -195,7 +196,7 @@ typedef struct McdTypeRecord {
 
 typedef struct McdGridCell {
     MeBool isSet;
-    int warned;
+    atomic_int warned; /* by queries too, which may be several at once */
     McdInteractions interactions;
 } McdGridCell;
 
@@ -226,7 +227,8 @@ struct _McdFramework {
     McdRequest *defaultRequest;
     McdTermActionLink *termActions;
     int spaceCount;
-    MeBool knowsSurfaces; /* the interaction that runs says of its contacts how round the surfaces are */
+    struct McdScratch *freeScratch; /* what queries work in (mcd_scratch.h): those that no query has */
+    atomic_int scratchIsLocked;
     /* Set when a space is created, so that a program without spaces does not link them: takes a model out of the space
      * that it is in, at once; has the space look at the model's filter, which is another one now. */
     void (*spaceForget)(McdModelID cm);

@@ -1,6 +1,7 @@
 /* Contacts of a convex shape with a surface of triangles, none of them at edges that are inside the surface. */
 #include "mcd_mesh.h"
 #include "mcd_nearfield.h"
+#include "mcd_scratch.h"
 #include "mcd_spread.h"
 #include <string.h>
 
@@ -1146,12 +1147,30 @@ static MeBool areAxesUnit(const McdMeshQuery *q) {
            fabs(fabs(mcd_dot(x, q->axis[2])) - 1) < 1e-6;
 }
 
-int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh, McdMeshGather gather) {
+/* Finds the contacts in the query's memory and hands them over. */
+static int intersect(McdMeshQuery *q, McdIntersectResult *result, McdMeshGather gather) {
+    McdMesh *mesh = q->mesh;
+    mesh->count = mesh->contactCount = mesh->skipped = 0;
+    gather(q);
+    if (mesh->skipped)
+        MeDebug(3, "McdIntersect: %d triangles without area were skipped", mesh->skipped);
+    if (!mesh->count)
+        return 0;
+    joinCorners(mesh);
+    touchTriangles(q);
+    if (!mesh->contactCount)
+        bringBack(q);
+    merge(q, result->contactMaxCount);
+    handOver(q, result);
+    return mcd_resultEnd(result);
+}
+
+int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather) {
     McdMeshQuery q;
     McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
+    McdFramework *frame = mcd_record(p->model1)->frame;
     mcd_resultBegin(result, p);
     q.pair = p;
-    q.mesh = mesh;
     q.margin = mcd_pairMargin(p);
     mcd_pairOrigin(ins1, ins2, q.origin);
     if (!mcd_shapeOf(ins1, q.origin, &q.shape))
@@ -1161,19 +1180,13 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh
     boxShape(&q);
     findBall(&q);
     MEVALIDATE(!areAxesUnit(&q) || !mcd_shapeIsRigid(&q.shape) || isShapeInBall(&q));
-    mesh->count = mesh->contactCount = mesh->skipped = 0;
-    gather(&q);
-    if (mesh->skipped)
-        MeDebug(3, "McdIntersect: %d triangles without area were skipped", mesh->skipped);
-    if (!mesh->count)
+    q.scratch = mcd_scratchTake(frame, "McdIntersect");
+    if (!q.scratch)
         return 0;
-    joinCorners(mesh);
-    touchTriangles(&q);
-    if (!mesh->contactCount)
-        bringBack(&q);
-    merge(&q, result->contactMaxCount);
-    handOver(&q, result);
-    return mcd_resultEnd(result);
+    q.mesh = &q.scratch->mesh;
+    const int touches = intersect(&q, result, gather);
+    mcd_scratchGive(frame, q.scratch);
+    return touches;
 }
 
 /* ---- segments ------------------------------------------------------------------------------------------------------------ */

@@ -36,9 +36,9 @@ typedef struct McdMeshContact {
     int isCut; /* no corner of the shape: a point that others may replace */
 } McdMeshContact;
 
-struct McdMeshQuery;
+struct McdScratch;
 
-/* Memory for queries, kept between them; zeroed at first, but for gather. It belongs to a geometry. */
+/* The triangles near a shape and its contacts with them, as one query finds them; zeroed at first (McdScratch). */
 typedef struct McdMesh {
     int count, max; /* triangles */
     McdMeshTriangle *triangle;
@@ -51,13 +51,13 @@ typedef struct McdMesh {
     int *contactOrder;
     void *spots; /* McdSpot */
     int *kept;
-    int skipped;                            /* triangles without area */
-    void (*gather)(struct McdMeshQuery *q); /* the geometry's McdMeshGather */
+    int skipped; /* triangles without area */
 } McdMesh;
 
 typedef struct McdMeshQuery {
-    McdModelPair *pair; /* model1 is the convex one */
-    McdMesh *mesh;
+    McdModelPair *pair;         /* model1 is the convex one */
+    struct McdScratch *scratch; /* the query's memory */
+    McdMesh *mesh;              /* the scratch's */
     McdShape shape;
     double margin, origin[3];
     double axis[3][3], place[3]; /* the mesh's frame, place relative to the origin */
@@ -70,9 +70,11 @@ typedef struct McdMeshQuery {
 
 /* Adds the triangles that may be near the box. */
 typedef void (*McdMeshGather)(McdMeshQuery *q);
+void mcd_gatherTriangles(McdMeshQuery *q); /* of a triangle list */
+void mcd_gatherCells(McdMeshQuery *q);     /* of a height field */
 
 /* The interaction of a convex model with a mesh: 1 if there are contacts. */
-int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh, McdMeshGather gather);
+int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather);
 /* Has it place for so many triangles? If not, it gets it; false, after a fatal error, if there is no memory. */
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
 void mcd_meshFree(McdMesh *mesh);

@@ -157,6 +157,5 @@ int mcd_resultEnd(McdIntersectResult *result) {
     tellApart(result);
     MEVALIDATE(areContactsGood(result));
     result->touch = result->contactCount > 0;
-    mcd_record(result->pair->model1)->frame->knowsSurfaces = METRUE;
     return result->touch;
 }
