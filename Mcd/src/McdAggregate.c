@@ -1,6 +1,7 @@
 /* Aggregates: what they are made of, and how the whole follows from the parts. */
 #include "McdAggregate.h"
 #include "mcd_geometries.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 #include <math.h>
 #include <string.h>
@@ -45,10 +46,8 @@ MCD_DEFINE_DESTROY(Aggregate)
 static MeBool isPartOf(const McdAggregate *part, const McdGeometry *g) {
     if (g == &part->head)
         return METRUE;
-    if (g->type != kMcdGeometryTypeAggregate)
-        return MEFALSE;
-    const McdAggregate *a = (const McdAggregate *)g;
-    for (int i = 0; i < a->count; i++)
+    const McdAggregate *a = mcd_partsOf(g);
+    for (int i = 0; a && i < a->count; i++)
         if (isPartOf(part, a->element[i].geometry))
             return METRUE;
     return MEFALSE;
@@ -350,8 +349,8 @@ char *MEAPI McdAggregateGetTypeName(McdGeometryID g) {
     return (char *)"Aggregate";
 }
 
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Aggregate, release)};
+
 void MEAPI McdAggregateRegisterType(McdFramework *frame) {
-    McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypeAggregate, McdAggregateGetTypeName(0), release,
-                                     McdAggregateUpdateAABB, McdAggregateGetBSphere, McdAggregateMaximumPoint,
-                                     McdAggregateGetMassProperties, McdAggregateDebugDraw);
+    mcd_kindRegister(frame, &kind, "McdAggregateRegisterType");
 }

@@ -1,5 +1,6 @@
 /* How far apart two models are: the least over the pairs of their convex parts, triangles among them. */
-#include "mcd_mesh.h"
+#include "mcd_geometries.h"
+#include "mcd_kind.h"
 #include "mcd_vector.h"
 #include <string.h>
 
@@ -64,9 +65,9 @@ static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const
         take(nearest, distance, onA, onB, normal);
         return METRUE;
     }
-    if (isConvexA && b->geometry->type == kMcdGeometryTypePlane)
+    if (isConvexA && mcd_isHalfSpace(b))
         measurePlane(&shapeA, b, origin, MEFALSE, nearest);
-    else if (isConvexB && a->geometry->type == kMcdGeometryTypePlane)
+    else if (isConvexB && mcd_isHalfSpace(a))
         measurePlane(&shapeB, a, origin, METRUE, nearest);
     else if (isConvexA && mcd_isMesh(b))
         measureMesh(&shapeA, a->model, b, origin, MEFALSE, nearest);
@@ -79,12 +80,12 @@ static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const
 
 static MeBool measure(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3], Nearest *nearest) {
     MeBool isGood = METRUE;
-    if (a->geometry->type == kMcdGeometryTypeAggregate) {
+    if (mcd_partsOf(a->geometry)) {
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
             isGood = measure(child, b, origin, nearest) && isGood;
         return isGood;
     }
-    if (b->geometry->type == kMcdGeometryTypeAggregate) {
+    if (mcd_partsOf(b->geometry)) {
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
             isGood = measure(a, child, origin, nearest) && isGood;
         return isGood;

@@ -1,5 +1,5 @@
 /* The framework: types, interactions, defaults, and the end of everything in it. */
-#include "mcd_i.h"
+#include "mcd_kind.h"
 #include "mcd_scratch.h"
 #include "McdInternal.h"
 #include <stdatomic.h>
@@ -270,16 +270,19 @@ void MEAPI McdFrameworkRegisterGeometryType(McdFrameworkID frame, McdGeometryTyp
     McdTypeRecord *type = typeRecord(frame, typeId, "McdFrameworkRegisterGeometryType");
     if (!type || type->isRegistered)
         return;
-    const McdTypeRecord made = {METRUE,
-                                typeName ? typeName : "(no name)",
-                                destroy,
-                                getAABB,
-                                getBSphere,
-                                maximumPoint,
-                                getMassProperties,
-                                debugDraw,
+    const McdTypeRecord made = {METRUE,           type->kind,        typeName ? typeName : "(no name)",
+                                destroy,          getAABB,           getBSphere,
+                                maximumPoint,     getMassProperties, debugDraw,
                                 type->lineSegment};
     *type = made;
+}
+
+void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *function) {
+    if (!mcd_frameCheck(frame, function))
+        return;
+    McdFrameworkRegisterGeometryType(frame, (McdGeometryType)kind->type, kind->name(0), kind->destroy, kind->box,
+                                     kind->sphere, kind->farthest, kind->mass, kind->draw);
+    frame->types[kind->type].kind = kind;
 }
 
 MeI16 MEAPI McdFrameworkGetRegisteredTypeCount(McdFrameworkID frame) {

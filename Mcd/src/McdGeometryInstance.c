@@ -47,9 +47,9 @@ void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins) {
 }
 
 MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, const char *function) {
-    if (ins->geometry->type != kMcdGeometryTypeAggregate)
+    const McdAggregate *aggregate = mcd_partsOf(ins->geometry);
+    if (!aggregate)
         return METRUE;
-    const McdAggregate *aggregate = (const McdAggregate *)ins->geometry;
     McdGeometryInstance **end = &ins->firstChild;
     for (int i = 0; i < aggregate->count; i++) {
         McdGeometryInstance *child = instanceFromPool(frame, function);
@@ -120,7 +120,7 @@ void MEAPI McdGeometryInstanceSetGeometry(McdGeometryInstanceID ins, McdGeometry
         !mcd_geometryType(g, "McdGeometryInstanceSetGeometry") ||
         !mcd_geometryBelongs(g, mcd_record(ins->model)->frame, "McdGeometryInstanceSetGeometry"))
         return;
-    if (g->type == kMcdGeometryTypeAggregate || ins->geometry->type == kMcdGeometryTypeAggregate) {
+    if (mcd_partsOf(g) || mcd_partsOf(ins->geometry)) {
         MeWarning(1, "McdGeometryInstanceSetGeometry: aggregates are set by McdModelSetGeometry");
         return;
     }

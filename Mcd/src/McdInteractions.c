@@ -1,5 +1,6 @@
 /* What can be asked of a pair of models: the framework's table says who answers. */
 #include "McdContact.h"
+#include "mcd_kind.h"
 #include "mcd_scratch.h"
 #include "mcd_spread.h"
 
@@ -37,17 +38,19 @@ static McdModelPair turn(const McdModelPair *p) {
 
 /* ---- hello, goodbye ---------------------------------------------------------------------------------------------- */
 
-/* Planes, lists and fields stand still as a rule: the guide has no tests between them, and nobody misses any. */
-static MeBool isTerrain(McdModelID cm) {
-    const McdGeometryType type = typeOf(cm);
-    return type == kMcdGeometryTypePlane || type == kMcdGeometryTypeTriangleList ||
-           type == kMcdGeometryTypeRGHeightField || type == kMcdGeometryTypeNull;
+static const McdKind *kindOf(McdModelID cm) {
+    return mcd_kindOf(mcd_record(cm)->instance.geometry);
+}
+
+/* Static pairs have no interaction by design (the guide has none), nor has what is empty: no warning. */
+static MeBool isMeantToMiss(const McdModelPair *p) {
+    const McdKind *a = kindOf(p->model1), *b = kindOf(p->model2);
+    return (a && a->isEmpty) || (b && b->isEmpty) || (a && b && a->isStatic && b->isStatic);
 }
 
 static void noteMissing(McdModelPair *p) {
     McdGridCell *cell = cellOf(p->model1, p->model2);
-    if ((isTerrain(p->model1) && isTerrain(p->model2)) || typeOf(p->model1) == kMcdGeometryTypeNull ||
-        typeOf(p->model2) == kMcdGeometryTypeNull)
+    if (isMeantToMiss(p))
         return;
     if (atomic_fetch_add(&cell->warned, 1) == 0)
         MeWarning(2, "McdHello: no interaction of %s and %s is registered: they will not touch",

@@ -1,7 +1,7 @@
 /* Questions to a space beyond line segments: overlaps, nearest models, casts. */
 #include "McdQuery.h"
 #include "McdGeometry.h"
-#include "mcd_mesh.h"
+#include "mcd_kind.h"
 #include "mcd_space_i.h"
 #include "mcd_vector.h"
 #include <string.h>
@@ -77,7 +77,7 @@ static void measurePlane(const Query *q, const McdShape *shape, Gap *gap) {
 }
 
 static MeBool isPlane(const McdGeometryInstance *part) {
-    return part->geometry->type == kMcdGeometryTypePlane;
+    return mcd_isHalfSpace(part);
 }
 
 /* other: the part's shape, or one triangle of it; null for planes. */

@@ -2,6 +2,7 @@
 #include "McdRGHeightField.h"
 #include "MeDebugDraw.h"
 #include "mcd_geometries.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 #include "mcd_vector.h"
 #include <math.h>
@@ -52,10 +53,6 @@ McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeRea
     f->y0 = y0;
     findExtremes(f);
     return &f->head;
-}
-
-static void MEAPI release(McdGeometryID g) {
-    MeMemoryGive(g);
 }
 
 /* ---- what it is made of -------------------------------------------------------------------------------------------- */
@@ -159,7 +156,9 @@ static void support(const McdGeometry *g, const double direction[3], double poin
     mcd_boxSupport(min, max, direction, point);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(RGHeightField, release)
+static void gather(McdMeshQuery *q);
+static const McdKind kind = {MCD_KIND_FUNCTIONS(RGHeightField, mcd_geometryFree), .gather = gather, .isStatic = METRUE};
+MCD_DEFINE_GEOMETRY_TYPE(RGHeightField)
 
 void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldGetBSphere"))
@@ -208,7 +207,7 @@ void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, 
 /* ---- interactions ----------------------------------------------------------------------------------------------------- */
 
 /* Cells whose corners touch the box count too: their triangles are neighbours. */
-void mcd_gatherCells(McdMeshQuery *q) {
+static void gather(McdMeshQuery *q) {
     const McdRGHeightField *f = (const McdRGHeightField *)mcd_record(q->pair->model2)->instance.geometry;
     const double x0 = (double)f->x0, y0 = (double)f->y0, dx = (double)f->xStep, dy = (double)f->yStep;
     const int i0 = cellAt(q->low[0] - 1e-6 * dx, x0, dx, f->xCount);
@@ -230,7 +229,7 @@ static int intersect(McdModelPair *p, McdIntersectResult *result) {
     if (!mcd_geometryIs(mcd_record(p->model2)->instance.geometry, kMcdGeometryTypeRGHeightField,
                         "Mcd...RGHeightFieldIntersect"))
         return 0;
-    return mcd_meshIntersect(p, result, mcd_gatherCells);
+    return mcd_meshIntersect(p, result, gather);
 }
 
 MCD_MESH_INTERACTIONS(RGHeightField, intersect)

@@ -1,6 +1,7 @@
 /* The triangle list: a box, and a callback that knows what is in it. */
 #include "McdTriangleList.h"
 #include "mcd_geometries.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 #include "mcd_scratch.h"
 #include <math.h>
@@ -124,7 +125,9 @@ static void support(const McdGeometry *g, const double direction[3], double poin
     mcd_boxSupport(list->min, list->max, direction, point);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(TriangleList, release)
+static void gather(McdMeshQuery *q);
+static const McdKind kind = {MCD_KIND_FUNCTIONS(TriangleList, release), .gather = gather, .isStatic = METRUE};
+MCD_DEFINE_GEOMETRY_TYPE(TriangleList)
 
 void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListGetBSphere"))
@@ -225,7 +228,7 @@ static const double *normalOf(const McdUserTriangle *t, double normal[3]) {
     return t->normal ? normal : 0;
 }
 
-void mcd_gatherTriangles(McdMeshQuery *q) {
+static void gather(McdMeshQuery *q) {
     McdTriangleListRecord *list = (McdTriangleListRecord *)mcd_record(q->pair->model2)->instance.geometry;
     double corner[3][3], normal[3];
     Found found;
@@ -243,7 +246,7 @@ static int intersect(McdModelPair *p, McdIntersectResult *result) {
     if (!mcd_geometryIs(mcd_record(p->model2)->instance.geometry, kMcdGeometryTypeTriangleList,
                         "Mcd...TriangleListIntersect"))
         return 0;
-    return mcd_meshIntersect(p, result, mcd_gatherTriangles);
+    return mcd_meshIntersect(p, result, gather);
 }
 
 /* ---- interactions ----------------------------------------------------------------------------------------------------- */

@@ -23,7 +23,7 @@ static MeBool areNear(const Meeting *m, const McdGeometryInstance *a, const McdG
 }
 
 static MeBool isAggregate(const McdGeometryInstance *ins) {
-    return ins->geometry->type == kMcdGeometryTypeAggregate;
+    return mcd_partsOf(ins->geometry) != 0;
 }
 
 static void meetParts(Meeting *m, McdGeometryInstance *a, McdGeometryInstance *b) {

@@ -11,7 +11,7 @@
  * depths of nearly aligned ones wrong, so this is our own: what is returned was measured by a support point, never
  * taken from a facet's plane alone. The walk comes with it, as it hands its last simplex over.
  */
-#include "mcd_nearfield.h"
+#include "mcd_kind.h"
 
 #include <string.h>
 
@@ -652,11 +652,10 @@ static void tryAxis(const Pair *p, const double axis[3], const double apart[3], 
     mcd_copy(g->normal, n);
 }
 
-/* A box's axes and the axis of a cylinder or cone: what stands has its normal there. */
+/* The normals of its flat faces: what stands has its normal there. */
 static void guessFrom(const Pair *p, const McdShape *s, const double apart[3], Guess *g) {
-    const MeBool isBox = s->type == kMcdGeometryTypeBox;
     for (int i = 0; i < 3; i++)
-        if (isBox || (i == 2 && (s->type == kMcdGeometryTypeCylinder || s->type == kMcdGeometryTypeCone)))
+        if (s->kind->flatAxes & 1u << i)
             tryAxis(p, s->axis[i], apart, g);
 }
 

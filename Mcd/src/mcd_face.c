@@ -4,7 +4,7 @@
  * are the corners of what they have in common; each has a height on either surface, whose difference is its separation.
  * Where faces are flat that difference is linear, so that the deepest point is among these corners.
  */
-#include "mcd_nearfield.h"
+#include "mcd_kind.h"
 
 #include <string.h>
 
@@ -37,157 +37,6 @@ static MeU64 meeting(MeU32 a, MeU32 b) {
 
 /* ---- faces ------------------------------------------------------------------------------------------ */
 
-static void addPoint(const McdShape *s, McdFace *f, double x, double y, double z, MeU32 name) {
-    double *p = f->point[f->count];
-    for (int i = 0; i < 3; i++)
-        p[i] = s->place[i] + (s->axis[0][i] * x + s->axis[1][i] * y + s->axis[2][i] * z);
-    f->name[f->count++] = name;
-}
-
-static void setNormal(const McdShape *s, McdFace *f, double x, double y, double z) {
-    for (int i = 0; i < 3; i++)
-        f->normal[i] = s->axis[0][i] * x + s->axis[1][i] * y + s->axis[2][i] * z;
-}
-
-static void boxFace(const McdShape *s, const double d[3], McdFace *f) {
-    static const double round[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    int k = 0;
-    for (int i = 1; i < 3; i++)
-        if (fabs(d[i]) > fabs(d[k]))
-            k = i;
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const double side = d[k] < 0 ? -1 : 1;
-    double middle[3], u[3], w[3];
-    mcd_scale(f->normal, s->axis[k], side);
-    mcd_mad(middle, s->place, s->size[k], f->normal);
-    mcd_scale(u, s->axis[i], side * s->size[i]); /* mirrored, so that the order turns with the side */
-    mcd_scale(w, s->axis[j], s->size[j]);
-    f->id = (MeU32)(2 * k + (side > 0));
-    f->count = 4;
-    for (int corner = 0; corner < 4; corner++) {
-        for (int c = 0; c < 3; c++)
-            f->point[corner][c] = middle[c] + (round[corner][0] * u[c] + round[corner][1] * w[c]);
-        f->name[corner] = (MeU32)corner;
-    }
-}
-
-/* In which of the 16 parts of a turn, counted from x on, a direction lies. */
-static int sectorOf(double x, double y) {
-    static const double tangent = .41421356237309503; /* of a 16th of a turn */
-    const double ax = fabs(x), ay = fabs(y);
-    const int quarter = (ay > tangent * ax) + (ay > ax) + (tangent * ay > ax);
-    MEASSERT(quarter >= 0 && quarter <= 3);
-    if (y >= 0)
-        return x >= 0 ? quarter : 7 - quarter;
-    return x < 0 ? 8 + quarter : 15 - quarter;
-}
-
-/* The rim of a disc at a height, counter-clockwise seen from the side of z = side. Its farthest point is put among the
- * fixed ones where it is farther than they are. */
-static void discFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
-    enum { RIM = 16, FARTHEST = 63 };
-    static const double cosine[RIM] = {1,  .9238795325112867,  .7071067811865476,  .3826834323650898,
-                                       0,  -.3826834323650898, -.7071067811865476, -.9238795325112867,
-                                       -1, -.9238795325112867, -.7071067811865476, -.3826834323650898,
-                                       0,  .3826834323650898,  .7071067811865476,  .9238795325112867};
-    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
-                 y = across > 0 ? side * d[1] / across : 0;
-    const int after = sectorOf(x, y), before = (after + 1) % RIM; /* the fixed points beside the farthest */
-    double centre[3], u[3], w[3];
-    setNormal(s, f, 0, 0, side);
-    f->id = side > 0;
-    mcd_mad(centre, s->place, height, s->axis[2]);
-    mcd_scale(u, s->axis[0], radius);
-    mcd_scale(w, s->axis[1], side * radius);
-    for (int i = 0; i < RIM; i++) {
-        const double c = cosine[i], n = cosine[(i + 12) % RIM];
-        double *p = f->point[f->count];
-        for (int k = 0; k < 3; k++)
-            p[k] = centre[k] + (u[k] * c + w[k] * n);
-        f->name[f->count++] = (MeU32)i;
-        if (i != after)
-            continue;
-        const double here = c * x + n * y, next = cosine[before] * x + cosine[(before + 12) % RIM] * y;
-        if ((1 - MeMAX(here, next)) * across > slack)
-            addPoint(s, f, radius * x, side * radius * y, height, FARTHEST);
-    }
-}
-
-/* The line on the side of a cylinder or cone that lies towards (x, y); its normal rises by `rise` over 1. */
-static void sideLine(const McdShape *s, const double d[3], const double radius[2], const double height[2], McdFace *f) {
-    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
-                 y = across > 0 ? d[1] / across : 0;
-    const double long_ = hypot(height[1] - height[0], radius[0] - radius[1]);
-    const double out = (height[1] - height[0]) / long_, up = (radius[0] - radius[1]) / long_;
-    setNormal(s, f, out * x, out * y, up);
-    f->id = 2;
-    f->bend = (radius[0] + radius[1]) / 2;
-    for (int i = 0; i < 2; i++)
-        addPoint(s, f, radius[i] * x, radius[i] * y, height[i], (MeU32)i);
-}
-
-/* Of both discs and the side, what looks most that way. */
-static void roundFace(const McdShape *s, const double d[3], double lower, double upper, double bottom, double top,
-                      McdFace *f) {
-    const double radius[2] = {lower, upper}, height[2] = {bottom, top};
-    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), long_ = hypot(top - bottom, lower - upper);
-    const double side = (across * (top - bottom) + d[2] * (lower - upper)) / long_;
-    if (d[2] > side && upper > 0)
-        discFace(s, d, upper, top, 1, f);
-    else if (-d[2] > side && lower > 0)
-        discFace(s, d, lower, bottom, -1, f);
-    else
-        sideLine(s, d, radius, height, f);
-}
-
-static void coreLine(const McdShape *s, const double d[3], McdFace *f) {
-    const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
-    if (across > 0)
-        setNormal(s, f, d[0] / across, d[1] / across, 0);
-    addPoint(s, f, 0, 0, -s->size[2], 0);
-    addPoint(s, f, 0, 0, s->size[2], 1);
-}
-
-static void hullFace(const McdShape *s, const double d[3], McdFace *f) {
-    const McdHull *h = s->hull;
-    int best = 0;
-    double most = -INFINITY;
-    for (int i = 0; i < h->faceCount; i++) {
-        const double x = mcd_dot(h->face[i].normal, d);
-        if (x > most) {
-            most = x;
-            best = i;
-        }
-    }
-    const McdHullFace *face = &h->face[best];
-    /* Of more corners than there is place for, some all round it. */
-    const int count = MeMIN(face->count, MCD_FACE_POINTS - 1);
-    MEASSERT(face->count >= 3 && face->first >= 0);
-    setNormal(s, f, face->normal[0], face->normal[1], face->normal[2]);
-    f->id = (MeU32)best;
-    for (int i = 0; i < count; i++) {
-        const double *v = h->vertex[h->faceVertex[face->first + i * face->count / count]];
-        addPoint(s, f, v[0], v[1], v[2], (MeU32)i);
-    }
-}
-
-static void triangleFace(const McdShape *s, const double d[3], McdFace *f) {
-    double x[3], y[3], n[3];
-    mcd_sub(x, s->corner[1], s->corner[0]);
-    mcd_sub(y, s->corner[2], s->corner[0]);
-    mcd_cross(n, x, y);
-    const double length = mcd_length(n);
-    const MeBool isBack = mcd_dot(n, d) < 0;
-    if (length > 0)
-        mcd_scale(f->normal, n, (isBack ? -1 : 1) / length);
-    f->id = (MeU32)isBack;
-    for (int i = 0; i < 3; i++) {
-        const int corner = isBack ? 2 - i : i;
-        mcd_copy(f->point[f->count], s->corner[corner]);
-        f->name[f->count++] = (MeU32)corner;
-    }
-}
-
 /* Corners have numbers of their own, and turn counter-clockwise about the normal, which has length 1. */
 static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
     const double slack_ = 1e-9 * s->extent * s->extent;
@@ -208,34 +57,11 @@ static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
 }
 
 void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
-    const double d[3] = {mcd_dot(s->axis[0], direction), mcd_dot(s->axis[1], direction),
-                         mcd_dot(s->axis[2], direction)};
     f->count = 0;
     f->id = 0;
     f->bend = 0;
     mcd_set(f->normal, 0, 0, 0);
-    switch (s->type) {
-    case kMcdGeometryTypeBox:
-        boxFace(s, d, f);
-        break;
-    case kMcdGeometryTypeCylinder:
-        roundFace(s, d, s->size[0], s->size[0], -s->size[2], s->size[2], f);
-        break;
-    case kMcdGeometryTypeCone:
-        roundFace(s, d, s->size[0], s->size[1], -s->low, s->size[2] - s->low, f);
-        break;
-    case kMcdGeometryTypeSphyl:
-        coreLine(s, d, f);
-        break;
-    case kMcdGeometryTypeConvexMesh:
-        hullFace(s, d, f);
-        break;
-    case MCD_SHAPE_TRIANGLE:
-        triangleFace(s, direction, f);
-        break;
-    default:
-        addPoint(s, f, 0, 0, 0, 0);
-    }
+    s->kind->face(s, direction, f);
     MEASSERT(f->count >= 1 && f->count <= MCD_FACE_POINTS);
     MEVALIDATE(isFaceGood(s, f));
 }

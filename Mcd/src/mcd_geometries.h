@@ -74,6 +74,11 @@ struct McdAggregate {
     McdAggregateElement *element;
 };
 
+/* The aggregate that a geometry is, whose instances have children; null for all others. */
+static inline const McdAggregate *mcd_partsOf(const McdGeometry *g) {
+    return g->type == kMcdGeometryTypeAggregate ? (const McdAggregate *)g : 0;
+}
+
 /* Qhull's hull of some points, in their own coordinates; null, with a warning that names the function, for points that
  * span no volume (flat, collinear, fewer than four, NaN). */
 McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *function);

@@ -2,7 +2,7 @@
  *
  * A cell finds the normal, by closed form where there is a short one; the faces along it give the contacts, the same
  * way for all pairs (mcd_face.c). What is empty is served by the cell across the diagonal, with the shapes swapped. */
-#include "mcd_nearfield.h"
+#include "mcd_kind.h"
 
 typedef MeBool (*Proximity)(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 
@@ -13,7 +13,7 @@ static MeBool boxBox(const McdShape *a, const McdShape *b, double limit, McdProx
     return p->separation <= 0 || mcd_coreProximity(a, b, limit, p);
 }
 
-enum { SPHERE, SPHYL, BOX, CYLINDER, CONE, HULL, TRIANGLE, KINDS, NO_KIND = -1 };
+enum { CLOSED = MCD_RANK_CYLINDER + 1 }; /* so many ranks have closed forms; all others are served by the walk */
 
 #define POINTS   mcd_pointPoint
 #define SEGMENT  mcd_pointSegment
@@ -23,37 +23,22 @@ enum { SPHERE, SPHYL, BOX, CYLINDER, CONE, HULL, TRIANGLE, KINDS, NO_KIND = -1 }
 #define AXES     boxBox
 #define GENERAL  mcd_coreProximity
 /* clang-format off */
-static const Proximity grid[KINDS][KINDS] = {
-    /*              SPHERE   SPHYL     BOX      CYLINDER  CONE     HULL     TRIANGLE */
-    /* SPHERE   */ {POINTS,  SEGMENT,  CLAMPED, INTUBE,   GENERAL, GENERAL, GENERAL},
-    /* SPHYL    */ {0,       SEGMENTS, GENERAL, GENERAL,  GENERAL, GENERAL, GENERAL},
-    /* BOX      */ {0,       0,        AXES,    GENERAL,  GENERAL, GENERAL, GENERAL},
-    /* CYLINDER */ {0,       0,        0,       GENERAL,  GENERAL, GENERAL, GENERAL},
-    /* CONE     */ {0,       0,        0,       0,        GENERAL, GENERAL, GENERAL},
-    /* HULL     */ {0,       0,        0,       0,        0,       GENERAL, GENERAL},
-    /* TRIANGLE */ {0,       0,        0,       0,        0,       0,       GENERAL},
+static const Proximity grid[CLOSED][CLOSED] = {
+    /*              SPHERE   SPHYL     BOX      CYLINDER */
+    /* SPHERE   */ {POINTS,  SEGMENT,  CLAMPED, INTUBE},
+    /* SPHYL    */ {0,       SEGMENTS, GENERAL, GENERAL},
+    /* BOX      */ {0,       0,        AXES,    GENERAL},
+    /* CYLINDER */ {0,       0,        0,       GENERAL},
 };
 /* clang-format on */
 
-static int kindOf(const McdShape *s) {
-    switch (s->type) {
-    case kMcdGeometryTypeSphere:
-        return SPHERE;
-    case kMcdGeometryTypeSphyl:
-        return SPHYL;
-    case kMcdGeometryTypeBox:
-        return BOX;
-    case kMcdGeometryTypeCylinder:
-        return CYLINDER;
-    case kMcdGeometryTypeCone:
-        return CONE;
-    case kMcdGeometryTypeConvexMesh:
-        return HULL;
-    case MCD_SHAPE_TRIANGLE:
-        return TRIANGLE;
-    default:
-        return NO_KIND;
-    }
+static Proximity proximityOf(McdRank a, McdRank b) {
+    MEASSERT(a <= b);
+    return (int)b < CLOSED ? grid[a][b] : GENERAL;
+}
+
+static McdRank rankOf(const McdShape *s) {
+    return s->kind->rank;
 }
 
 /* ---- the face's normal instead of one that is as good --------------------------------------------------------- */
@@ -121,16 +106,14 @@ static MeBool isProximityGood(const McdShape *a, const McdShape *b, const McdPro
 
 /* The normal is the other shape's outward: from b to a. */
 static MeBool findProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
-    const int i = kindOf(a), j = kindOf(b);
+    const McdRank i = rankOf(a), j = rankOf(b);
     const double reach = a->extent + b->extent + MeMAX(limit, 0);
-    if (i == NO_KIND || j == NO_KIND)
-        return 0;
     if (!(mcd_distanceSquared(a->place, b->place) <= reach * reach))
         return 0;
-    if (grid[i][j])
-        return grid[i][j](a, b, limit, p);
+    if (i <= j)
+        return proximityOf(i, j)(a, b, limit, p);
     McdProximity turned;
-    if (!grid[j][i](b, a, limit, &turned))
+    if (!proximityOf(j, i)(b, a, limit, &turned))
         return 0;
     mcd_scale(p->normal, turned.normal, -1);
     p->separation = turned.separation;
@@ -149,7 +132,7 @@ static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdP
 }
 
 static MeBool isPoint(const McdShape *s) {
-    return s->type == kMcdGeometryTypeSphere;
+    return rankOf(s) == MCD_RANK_SPHERE;
 }
 
 static void facesAlong(const McdShape *a, const McdShape *b, const double n[3], McdFace *faceA, McdFace *faceB) {
@@ -159,7 +142,7 @@ static void facesAlong(const McdShape *a, const McdShape *b, const double n[3], 
 }
 
 static MeBool areBoxes(const McdShape *a, const McdShape *b) {
-    return a->type == kMcdGeometryTypeBox && b->type == kMcdGeometryTypeBox;
+    return rankOf(a) == MCD_RANK_BOX && rankOf(b) == MCD_RANK_BOX;
 }
 
 /* A guess, or, of boxes that overlap, the answer; false if it shows that they are too far apart. */
@@ -210,7 +193,7 @@ static MeBool isManifoldWithin(const McdManifold *m, double margin) {
 
 int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     MEASSERT(a->extent > 0 && b->extent > 0 && a->rounding >= 0 && b->rounding >= 0);
-    if (kindOf(a) <= kindOf(b))
+    if (rankOf(a) <= rankOf(b))
         return manifoldOf(a, b, margin, m);
     const int count = manifoldOf(b, a, margin, m);
     mcd_manifoldTurn(m);
@@ -246,8 +229,7 @@ static MeBool areEndsGood(const McdShape *a, const McdShape *b, const McdProximi
 
 double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]) {
     McdProximity p;
-    const int i = kindOf(a), j = kindOf(b);
-    if (i == NO_KIND || j == NO_KIND || !proximity(a, b, INFINITY, &p)) {
+    if (!proximity(a, b, INFINITY, &p)) {
         mcd_copy(onA, a->place);
         mcd_copy(onB, b->place);
         mcd_set(normal, 0, 0, 1);

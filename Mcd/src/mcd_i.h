@@ -182,8 +182,11 @@ void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm);
 
 /* ---- frameworks ---------------------------------------------------------------------------------------------- */
 
+typedef struct McdKind McdKind; /* mcd_kind.h */
+
 typedef struct McdTypeRecord {
     MeBool isRegistered;
+    const McdKind *kind; /* null for a program's own */
     const char *name;
     McdGeometryDestroyFnPtr destroy;
     McdGeometryGetAABBFnPtr getAABB;

@@ -16,8 +16,6 @@
 #define BESIDE 1e-5
 /* What is over a triangle, relative to the shape's extent: neighbours overlap by that, so that nothing slips between. */
 #define OVER 1e-9
-/* A triangle whose height is a smaller part of its longest side has no area. */
-#define NO_HEIGHT 1e-7
 /* Normals within this cosine of each other make one manifold: 1.1 degrees. */
 #define SAME_MANIFOLD .9998
 
@@ -137,37 +135,6 @@ static MeBool isNearBox(const McdMeshQuery *q, const double corner[3][3]) {
         if (!(low <= q->high[i] && high >= q->low[i]))
             return MEFALSE;
     }
-    return METRUE;
-}
-
-static MeBool areFinite(const double corner[3][3]) {
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            if (!isfinite(corner[i][k]))
-                return MEFALSE;
-    return METRUE;
-}
-
-/* The unit normal by the right-hand rule; false if there is no area. */
-static MeBool normalOf(const double corner[3][3], double normal[3]) {
-    double e[3][3], longest = 0;
-    for (int i = 0; i < 3; i++) {
-        mcd_sub(e[i], corner[(i + 1) % 3], corner[i]);
-        longest = fmax(longest, mcd_dot(e[i], e[i]));
-    }
-    mcd_cross(normal, e[0], e[1]);
-    const double area = mcd_length(normal);
-    if (!(area > NO_HEIGHT * longest))
-        return MEFALSE;
-    mcd_scale(normal, normal, 1 / area);
-    return METRUE;
-}
-
-MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]) {
-    if (!areFinite(corner) || !normalOf(corner, normal))
-        return MEFALSE;
-    if (given && mcd_dot(given, normal) < 0)
-        mcd_scale(normal, normal, -1);
     return METRUE;
 }
 
@@ -1187,35 +1154,6 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather
     const int touches = intersect(&q, result, gather);
     mcd_scratchGive(frame, q.scratch);
     return touches;
-}
-
-/* ---- segments ------------------------------------------------------------------------------------------------------------ */
-
-MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
-                           const double to[3], double *part, double hitNormal[3]) {
-    double along[3], off[3], at[3];
-    mcd_sub(along, to, from);
-    mcd_sub(off, from, corner[0]);
-    const double fall = -mcd_dot(along, normal), height = mcd_dot(off, normal);
-    const double side = fall < 0 ? -1 : 1;
-    if (fall == 0 || (side < 0 && !twoSided) || side * height < 0 || side * height > side * fall)
-        return MEFALSE;
-    *part = height / fall;
-    MEASSERT(*part >= 0 && *part <= 1);
-    mcd_mad(at, from, *part, along);
-    for (int i = 0; i < 3; i++) {
-        const int next = (i + 1) % 3, last = (i + 2) % 3;
-        double edge[3], inward[3], across[3], here[3];
-        mcd_sub(edge, corner[next], corner[i]);
-        mcd_cross(inward, normal, edge);
-        mcd_sub(across, corner[last], corner[i]);
-        mcd_sub(here, at, corner[i]);
-        const double width = mcd_dot(across, inward), inside = mcd_dot(here, inward) * (width < 0 ? -1 : 1);
-        if (inside < -1e-12 * fabs(width)) /* an edge belongs to both of its triangles */
-            return MEFALSE;
-    }
-    mcd_scale(hitNormal, normal, side);
-    return METRUE;
 }
 
 /* ---- the framework's table ----------------------------------------------------------------------------------------- */

@@ -70,8 +70,6 @@ typedef struct McdMeshQuery {
 
 /* Adds the triangles that may be near the box. */
 typedef void (*McdMeshGather)(McdMeshQuery *q);
-void mcd_gatherTriangles(McdMeshQuery *q); /* of a triangle list */
-void mcd_gatherCells(McdMeshQuery *q);     /* of a height field */
 
 /* The interaction of a convex model with a mesh: 1 if there are contacts. */
 int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather);

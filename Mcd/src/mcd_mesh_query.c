@@ -1,14 +1,13 @@
 /* The triangles of lists and height fields near a box, and the one nearest to a convex shape: for queries, which take
  * each triangle as a convex shape of its own. */
-#include "mcd_geometries.h"
+#include "mcd_kind.h"
 #include "mcd_scratch.h"
 #include "mcd_vector.h"
 #include <string.h>
 
 static McdMeshGather gatherOf(const McdGeometryInstance *ins) {
-    return ins->geometry->type == kMcdGeometryTypeTriangleList    ? mcd_gatherTriangles
-           : ins->geometry->type == kMcdGeometryTypeRGHeightField ? mcd_gatherCells
-                                                                  : 0;
+    const McdKind *kind = mcd_kindOf(ins->geometry);
+    return kind ? kind->gather : 0;
 }
 
 MeBool mcd_isMesh(const McdGeometryInstance *ins) {

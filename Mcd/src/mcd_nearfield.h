@@ -49,6 +49,11 @@ typedef struct McdFace {
     MeU32 name[MCD_FACE_POINTS]; /* which corner; an edge goes by the corner where it begins */
 } McdFace;
 void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f);
+/* Adds a corner, in the shape's own frame. */
+static inline void mcd_faceAdd(const McdShape *s, McdFace *f, double x, double y, double z, MeU32 name) {
+    mcd_shapePoint(s, x, y, z, f->point[f->count]);
+    f->name[f->count++] = name;
+}
 
 /* Contacts along a normal between the cores' faces that look at each other, at least the proximity's own points.
  * Returns the count; the roundings are taken into account. For a guess it is 0 unless the faces are as near to each

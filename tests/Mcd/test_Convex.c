@@ -76,7 +76,7 @@ static MeBool isShownApart(const McdShape *a, const McdShape *b, double margin) 
 }
 
 static MeBool isSolid(const McdShape *s) {
-    return s->type == kMcdGeometryTypeBox || s->type == kMcdGeometryTypeConvexMesh || s->type == MCD_SHAPE_TRIANGLE;
+    return s->kind->type == kMcdGeometryTypeBox || s->kind->type == kMcdGeometryTypeConvexMesh || s->kind->type == MCD_SHAPE_TRIANGLE;
 }
 
 static void comparePair(int kindA, int kindB, int pose, double scale, MeBool slab, Random *r) {
@@ -178,7 +178,7 @@ START_TEST(swapping_the_shapes_turns_the_contacts_round) {
             continue;
         ck_assert_msg(fabs(deepest(&m) - deepest(&n)) < depthError * size, "%s: %.10g and %.10g", what, deepest(&m),
                       deepest(&n));
-        if (a.type == b.type)
+        if (a.kind->type == b.kind->type)
             continue; /* of two ways out that are as short, the first shape's may be taken */
         for (int k = 0; k < 3; k++)
             ck_assert_double_eq(m.normal[k], -n.normal[k]);
@@ -261,7 +261,7 @@ static double outsideOf(const McdShape *s, const double point[3], Random *r) {
         return reference_outside(s, point);
     mcd_sub(off, point, s->place);
     const double along = mcd_dot(off, s->axis[2]), across = sqrt(fmax(mcd_dot(off, off) - along * along, 0));
-    if (s->type == kMcdGeometryTypeCylinder)
+    if (s->kind->type == kMcdGeometryTypeCylinder)
         return fmax(fabs(along) - s->size[2], across - s->size[0]);
     for (int c = 0; c < 64; c++) {
         double e[3], top[3];
@@ -411,9 +411,9 @@ END_TEST
 
 static void assertAnswer(const McdShape *a, const McdShape *b, double separation) {
     McdManifold m;
-    ck_assert_msg(mcd_convexManifold(a, b, 1e-6, &m) > 0, "types %d and %d", a->type, b->type);
+    ck_assert_msg(mcd_convexManifold(a, b, 1e-6, &m) > 0, "types %d and %d", a->kind->type, b->kind->type);
     assert_near(mcd_length(m.normal), 1, 9e-16);
-    ck_assert_msg(fabs(deepest(&m) - separation) < 1e-7, "types %d and %d: %.9g, expected %.9g", a->type, b->type,
+    ck_assert_msg(fabs(deepest(&m) - separation) < 1e-7, "types %d and %d: %.9g, expected %.9g", a->kind->type, b->kind->type,
                   deepest(&m), separation);
 }
 
