@@ -20,24 +20,21 @@ static void take(Nearest *nearest, double distance, const double onA[3], const d
     memcpy(nearest->normal, normal, sizeof nearest->normal);
 }
 
-/* A convex shape above a plane's half-space. */
+/* What was measured from a convex shape to the other one; turned: the shape is the second of the pair. */
+static void takeTurned(Nearest *nearest, MeBool isTurned, double distance, const double onShape[3],
+                       const double onOther[3], const double n[3]) {
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    if (isTurned)
+        take(nearest, distance, onOther, onShape, back);
+    else
+        take(nearest, distance, onShape, onOther, n);
+}
+
 static void measurePlane(const McdShape *a, McdGeometryInstance *plane, const double origin[3], MeBool isTurned,
                          Nearest *nearest) {
-    const MeMatrix4Ptr tm = mcd_instanceTM(plane);
-    double n[3], back[3], onA[3], onB[3], distance = 0;
-    for (int i = 0; i < 3; i++) {
-        n[i] = (double)tm[2][i];
-        back[i] = -n[i];
-    }
-    mcd_support(a, back, onA);
-    for (int i = 0; i < 3; i++)
-        distance += n[i] * (onA[i] + origin[i] - (double)tm[3][i]);
-    for (int i = 0; i < 3; i++)
-        onB[i] = onA[i] - distance * n[i];
-    if (isTurned)
-        take(nearest, distance, onB, onA, back);
-    else
-        take(nearest, distance, onA, onB, n);
+    double onA[3], onB[3], n[3];
+    const double distance = mcd_planeDistance(a, mcd_const(mcd_instanceTM(plane)), origin, onA, onB, n);
+    takeTurned(nearest, isTurned, distance, onA, onB, n);
 }
 
 /* A convex shape and a list or height field. */
@@ -46,11 +43,7 @@ static void measureMesh(const McdShape *a, McdModelID asker, McdGeometryInstance
     double distance, onA[3], onB[3], n[3];
     if (!mcd_meshNearest(a, mesh, asker, origin, INFINITY, &distance, onA, onB, n))
         return;
-    const double back[3] = {-n[0], -n[1], -n[2]};
-    if (isTurned)
-        take(nearest, distance, onB, onA, back);
-    else
-        take(nearest, distance, onA, onB, n);
+    takeTurned(nearest, isTurned, distance, onA, onB, n);
 }
 
 /* False if none of the parts is convex, or the other one is null. */

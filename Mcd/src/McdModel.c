@@ -1,5 +1,6 @@
 /* Models: geometries at places, which collide. */
-#include "mcd_shape.h"
+#include "McdInternal.h"
+#include "mcd_kind.h"
 #include <string.h>
 
 McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function) {
@@ -227,6 +228,18 @@ void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g) {
 McdGeometryType MEAPI McdModelGetGeometryType(McdModelID cm) {
     const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetGeometryType");
     return m ? m->instance.geometry->type : (McdGeometryType)-1;
+}
+
+MeBool MEAPI McdModelIsConvex(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsConvex");
+    const McdKind *kind = m ? mcd_kindOf(m->instance.geometry) : 0;
+    return kind && kind->setShape;
+}
+
+MeBool MEAPI McdModelIsSurface(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsSurface");
+    const McdKind *kind = m ? mcd_kindOf(m->instance.geometry) : 0;
+    return kind && kind->gather;
 }
 
 McdGeometryInstanceID MEAPI McdModelGetGeometryInstance(McdModelID cm) {

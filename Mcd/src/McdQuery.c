@@ -61,21 +61,6 @@ static MeBool setShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const char
     return METRUE;
 }
 
-/* A convex shape above a plane. */
-static void measurePlane(const Query *q, const McdShape *shape, Gap *gap) {
-    const MeMatrix4Ptr tm = mcd_instanceTM(gap->part);
-    double down[3];
-    gap->distance = 0;
-    for (int i = 0; i < 3; i++) {
-        gap->normal[i] = (double)tm[2][i];
-        down[i] = -gap->normal[i];
-    }
-    mcd_support(shape, down, gap->onShape);
-    for (int i = 0; i < 3; i++)
-        gap->distance += gap->normal[i] * (gap->onShape[i] + q->origin[i] - (double)tm[3][i]);
-    mcd_mad(gap->onPart, gap->onShape, -gap->distance, gap->normal);
-}
-
 static MeBool isPlane(const McdGeometryInstance *part) {
     return mcd_isHalfSpace(part);
 }
@@ -85,7 +70,8 @@ static void measure(const Query *q, const McdShape *shape, const McdShape *other
     if (other)
         gap->distance = mcd_convexDistance(shape, other, gap->onShape, gap->onPart, gap->normal);
     else
-        measurePlane(q, shape, gap);
+        gap->distance = mcd_planeDistance(shape, mcd_const(mcd_instanceTM(gap->part)), q->origin, gap->onShape,
+                                          gap->onPart, gap->normal);
 }
 
 /* False for a part that is too far away or cannot be asked. */

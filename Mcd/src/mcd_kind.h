@@ -68,6 +68,14 @@ static inline MeBool mcd_isHalfSpace(const McdGeometryInstance *ins) {
 
 /* Registers the type with a framework. */
 void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *function);
+/* Registers how a convex type interacts with each type that the framework knows by now, where nothing is registered:
+ * convex ones, half-spaces, surfaces of triangles. (Aggregates: McdAggregateGenericRegisterInteractions, after it.) */
+void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, const char *function);
+
+/* What the interactions of convex types do with pairs whose types are right: two of them; one and a half-space, in either
+ * order. The function is named in messages. */
+int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
+int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 
 /* The entries that all built-in types have, from the functions of their headers. */
 #define MCD_KIND_FUNCTIONS(Type, release)                                                                              \

@@ -32,3 +32,17 @@ int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, 
     }
     return mcd_facesManifold(a, &square, &face, &ground, &p, margin, m);
 }
+
+double mcd_planeDistance(const McdShape *a, const MeVector4 *tm, const double origin[3], double onA[3], double onB[3],
+                         double normal[3]) {
+    double down[3], distance = 0;
+    for (int i = 0; i < 3; i++) {
+        normal[i] = (double)tm[2][i];
+        down[i] = -normal[i];
+    }
+    mcd_support(a, down, onA);
+    for (int i = 0; i < 3; i++)
+        distance += normal[i] * (onA[i] + origin[i] - (double)tm[3][i]);
+    mcd_mad(onB, onA, -distance, normal);
+    return distance;
+}

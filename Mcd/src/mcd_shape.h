@@ -35,12 +35,12 @@ enum { MCD_SHAPE_TRIANGLE = -2 }; /* McdKind.type of a triangle, which is no geo
 
 typedef struct McdShape {
     const McdKind *kind; /* its type's functions */
-    double axis[3][3]; /* rows: its own axes */
-    double place[3];   /* its own origin */
-    double size[3];    /* box: half sizes. cylinder: radius, radius, half height. sphyl: -, -, half height of the core.
+    double axis[3][3];   /* rows: its own axes */
+    double place[3];     /* its own origin */
+    double size[3];  /* box: half sizes. cylinder: radius, radius, half height. sphyl: -, -, half height of the core.
                             cone: lower radius, upper radius, length; it lies between z = -low and length - low */
-    double low;        /* cone: how far its base is below its origin */
-    double rounding;   /* see above */
+    double low;      /* cone: how far its base is below its origin */
+    double rounding; /* see above */
     const McdHull *hull;
     double corner[3][3]; /* triangle: its corners, in the coordinates of the query */
     double extent;       /* no point is farther than this from `place`: tolerances are relative to it */
@@ -106,6 +106,9 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdM
 int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m);
 /* The manifold of the shapes in the other order. */
 void mcd_manifoldTurn(McdManifold *m);
+/* The signed distance of a convex shape from the half-space below z = 0 of tm, as mcd_convexDistance. */
+double mcd_planeDistance(const McdShape *a, const MeVector4 *tm, const double origin[3], double onA[3], double onB[3],
+                         double normal[3]);
 /* The signed distance of two convex shapes (negative: depth), the nearest points on both surfaces, and the normal. */
 double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]);
 
