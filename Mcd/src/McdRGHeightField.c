@@ -206,6 +206,19 @@ void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, 
 
 /* ---- interactions ----------------------------------------------------------------------------------------------------- */
 
+/* Adds the triangles of a cell; a corner's number is its place in the part of the grid that begins at (i0, j0) and is so
+ * many points wide. */
+static void addCell(McdMeshQuery *q, const McdRGHeightField *f, int i, int j, int i0, int j0, int width) {
+    for (int half = 0; half < 2; half++) {
+        const int at = (j - j0) * width + i - i0, vertex[3] = {at, at + 1 + half * width, at + 1 - half + width};
+        double corner[3][3];
+        triangleOf(f, i, j, half, corner);
+        if (isfinite(corner[0][2] + corner[1][2] + corner[2][2]))
+            mcd_meshAdd(q, (const double(*)[3])corner, 0, kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges,
+                        vertex, elementOf(f, i, j, half));
+    }
+}
+
 /* Cells whose corners touch the box count too: their triangles are neighbours. */
 static void gather(McdMeshQuery *q) {
     const McdRGHeightField *f = (const McdRGHeightField *)mcd_record(q->pair->model2)->instance.geometry;
@@ -214,15 +227,13 @@ static void gather(McdMeshQuery *q) {
     const int i1 = cellAt(q->high[0] + 1e-6 * dx, x0, dx, f->xCount);
     const int j0 = cellAt(q->low[1] - 1e-6 * dy, y0, dy, f->yCount);
     const int j1 = cellAt(q->high[1] + 1e-6 * dy, y0, dy, f->yCount);
+    const int width = i1 - i0 + 2, vertexCount = width * (j1 - j0 + 2);
+    if (!mcd_meshReserve(q->mesh, (vertexCount + 2) / 3)) /* as many corners as three times that */
+        return;
+    q->mesh->vertexCount = vertexCount;
     for (int j = j0; j <= j1; j++)
         for (int i = i0; i <= i1; i++)
-            for (int half = 0; half < 2; half++) {
-                double corner[3][3];
-                triangleOf(f, i, j, half, corner);
-                if (isfinite(corner[0][2] + corner[1][2] + corner[2][2]))
-                    mcd_meshAdd(q, (const double(*)[3])corner, 0,
-                                kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges, elementOf(f, i, j, half));
-            }
+            addCell(q, f, i, j, i0, j0, width);
 }
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {

@@ -237,7 +237,7 @@ static void gather(McdMeshQuery *q) {
     for (int i = 0; i < count; i++) {
         const McdUserTriangle *t = &found.triangle[i];
         if (cornersOf(t, corner))
-            mcd_meshAdd(q, (const double(*)[3])corner, normalOf(t, normal), (int)t->flags, t->triangleData);
+            mcd_meshAdd(q, (const double(*)[3])corner, normalOf(t, normal), (int)t->flags, 0, t->triangleData);
     }
     giveArray(list, &found);
 }

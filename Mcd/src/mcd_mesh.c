@@ -143,7 +143,8 @@ static void toQuery(const McdMeshQuery *q, const double in[3], double out[3]) {
         out[i] = q->place[i] + in[0] * q->axis[0][i] + in[1] * q->axis[1][i] + in[2] * q->axis[2][i];
 }
 
-void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, McdElementData element) {
+void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
+                 McdElementData element) {
     McdMesh *mesh = q->mesh;
     double own[3];
     if (!mcd_triangleNormal(corner, normal, own)) {
@@ -158,6 +159,7 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
         mcd_copy(mesh->place[3 * mesh->count + i], corner[i]);
         toQuery(q, corner[i], t->corner[i]);
         t->key[i] = keyOf(corner[i]);
+        t->vertex[i] = vertex ? vertex[i] : -1;
     }
     t->flags = flags;
     t->element = element;
@@ -196,13 +198,19 @@ static int numberCorners(McdMesh *mesh) {
     return vertexCount;
 }
 
+/* Where the first triangle of a vertex has it. */
+static const double *placeOf(const McdMesh *mesh, int v) {
+    const int first = mesh->usersOf[mesh->firstOf[v]], *of = mesh->triangle[first].vertex;
+    return mesh->place[3 * first + (of[0] == v ? 0 : of[1] == v ? 1 : 2)];
+}
+
 /* Adjacency is symmetric: a vertex lists just the triangles that have it, in their order, and is where their corners are. */
 static MeBool areCornersJoined(const McdMesh *mesh, int vertexCount) {
     for (int v = 0; v < vertexCount; v++)
         for (int i = mesh->firstOf[v]; i < mesh->firstOf[v + 1]; i++) {
             const int *of = mesh->triangle[mesh->usersOf[i]].vertex, at = of[0] == v ? 0 : of[1] == v ? 1 : 2;
             if (of[at] != v || (i > mesh->firstOf[v] && mesh->usersOf[i - 1] > mesh->usersOf[i]) ||
-                comparePoints(mesh->place[3 * mesh->usersOf[i] + at], mesh->place[mesh->cornerOf[v]]) != 0)
+                comparePoints(mesh->place[3 * mesh->usersOf[i] + at], placeOf(mesh, v)) != 0)
                 return MEFALSE;
         }
     return METRUE;
@@ -210,7 +218,7 @@ static MeBool areCornersJoined(const McdMesh *mesh, int vertexCount) {
 
 /* Lists the triangles at each vertex. */
 static void joinCorners(McdMesh *mesh) {
-    const int vertexCount = numberCorners(mesh);
+    const int vertexCount = mesh->vertexCount ? mesh->vertexCount : numberCorners(mesh);
     for (int v = 0; v <= vertexCount; v++)
         mesh->firstOf[v] = 0;
     for (int i = 0; i < 3 * mesh->count; i++)
@@ -219,7 +227,7 @@ static void joinCorners(McdMesh *mesh) {
         mesh->firstOf[v] += mesh->firstOf[v - 1];
     for (int i = 3 * mesh->count - 1; i >= 0; i--)
         mesh->usersOf[--mesh->firstOf[mesh->triangle[i / 3].vertex[i % 3]]] = i / 3;
-    MEASSERT(vertexCount <= 3 * mesh->count && mesh->firstOf[0] == 0 && mesh->firstOf[vertexCount] == 3 * mesh->count);
+    MEASSERT(vertexCount <= 3 * mesh->max && mesh->firstOf[0] == 0 && mesh->firstOf[vertexCount] == 3 * mesh->count);
     for (int v = 0; v < vertexCount; v++)
         mesh->fan[v] = NOT_KNOWN;
     MEVALIDATE(areCornersJoined(mesh, vertexCount));
@@ -1117,7 +1125,7 @@ static MeBool areAxesUnit(const McdMeshQuery *q) {
 /* Finds the contacts in the query's memory and hands them over. */
 static int intersect(McdMeshQuery *q, McdIntersectResult *result, McdMeshGather gather) {
     McdMesh *mesh = q->mesh;
-    mesh->count = mesh->contactCount = mesh->skipped = 0;
+    mesh->count = mesh->contactCount = mesh->skipped = mesh->vertexCount = 0;
     gather(q);
     if (mesh->skipped)
         MeDebug(3, "McdIntersect: %d triangles without area were skipped", mesh->skipped);

@@ -51,7 +51,8 @@ typedef struct McdMesh {
     int *contactOrder;
     void *spots; /* McdSpot */
     int *kept;
-    int skipped; /* triangles without area */
+    int skipped;     /* triangles without area */
+    int vertexCount; /* of corners that came with numbers; 0: they came without */
 } McdMesh;
 
 typedef struct McdMeshQuery {
@@ -77,8 +78,9 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
 void mcd_meshFree(McdMesh *mesh);
 /* For gather functions: corners in the mesh's frame; the normal, which may be null, says which side is outside. What is
- * not near, has no area, or has NaN is left out. */
-void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags,
+ * not near, has no area, or has NaN is left out. Adjacency is known from the corners' numbers below vertexCount, which a
+ * grid has once and for all; null: of what a program hands over anew for each query, it is found by equal coordinates. */
+void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
                  McdElementData element);
 
 /* ---- queries (mcd_mesh_query.c) ----------------------------------------------------------------------------------- */

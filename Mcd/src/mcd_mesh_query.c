@@ -76,7 +76,7 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     q.mesh = &q.scratch->mesh;
     mcd_copy(q.origin, origin);
     place(&q, ins, low, high);
-    q.mesh->count = q.mesh->skipped = 0;
+    q.mesh->count = q.mesh->skipped = q.mesh->vertexCount = 0;
     gatherOf(ins)(&q);
     mcd_standInEnd(pair.model2, ins);
     MeBool goesOn = METRUE;
