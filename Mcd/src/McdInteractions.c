@@ -43,14 +43,14 @@ static const McdKind *kindOf(McdModelID cm) {
 }
 
 /* Static pairs have no interaction by design (the guide has none), nor has what is empty: no warning. */
-static MeBool isMeantToMiss(const McdModelPair *p) {
+static MeBool hasNoneByDesign(const McdModelPair *p) {
     const McdKind *a = kindOf(p->model1), *b = kindOf(p->model2);
     return (a && a->isEmpty) || (b && b->isEmpty) || (a && b && a->isStatic && b->isStatic);
 }
 
-static void noteMissing(McdModelPair *p) {
+static void warnOfMissing(McdModelPair *p) {
     McdGridCell *cell = cellOf(p->model1, p->model2);
-    if (isMeantToMiss(p))
+    if (hasNoneByDesign(p))
         return;
     if (atomic_fetch_add(&cell->warned, 1) == 0)
         MeWarning(2, "McdHello: no interaction of %s and %s is registered: they will not touch",
@@ -64,7 +64,7 @@ void MEAPI McdHello(McdModelPair *p) {
         return;
     const McdInteractions *interaction = interactionOf(p, &isTurned);
     if (!interaction) {
-        noteMissing(p);
+        warnOfMissing(p);
         return;
     }
     if (!interaction->helloFn)

@@ -248,8 +248,8 @@ MCD_MESH_INTERACTIONS(RGHeightField, intersect)
 /* ---- line segments ------------------------------------------------------------------------------------------------------- */
 
 /* Tests both triangles of a cell. */
-static MeBool meetCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3], double *part,
-                       double normal[3]) {
+static MeBool intersectCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3],
+                            double *part, double normal[3]) {
     MeBool isHit = MEFALSE;
     for (int half = 0; half < 2; half++) {
         double corner[3][3], own[3], here, hit[3];
@@ -293,8 +293,8 @@ static double exitOf(double x, double along, double x0, double step, int c) {
 
 /* Cell by cell along the segment. Where it runs along a line of the grid, rounding must not let it slip through: the
  * cells beside are tested as well. */
-static MeBool walk(const McdRGHeightField *f, const double from[3], const double to[3], double *part,
-                   double normal[3]) {
+static MeBool traverseCells(const McdRGHeightField *f, const double from[3], const double to[3], double *part,
+                            double normal[3]) {
     const double origin[2] = {(double)f->x0, (double)f->y0}, step[2] = {(double)f->xStep, (double)f->yStep};
     const int points[2] = {f->xCount, f->yCount};
     double enter, leave;
@@ -308,8 +308,8 @@ static MeBool walk(const McdRGHeightField *f, const double from[3], const double
         for (int beside = 0; beside < 9; beside++) {
             const int i = cell[0] + beside % 3 - 1, j = cell[1] + beside / 3 - 1;
             double here = 0, hit[3];
-            if (i < 0 || j < 0 || i > points[0] - 2 || j > points[1] - 2 || !meetCell(f, i, j, from, to, &here, hit) ||
-                (isHit && here >= *part))
+            if (i < 0 || j < 0 || i > points[0] - 2 || j > points[1] - 2 ||
+                !intersectCell(f, i, j, from, to, &here, hit) || (isHit && here >= *part))
                 continue;
             isHit = METRUE;
             *part = here;
@@ -328,15 +328,15 @@ static MeBool walk(const McdRGHeightField *f, const double from[3], const double
     }
 }
 
-static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
-                             McdLineSegIntersectResult *outOverlap) {
+static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                                  McdLineSegIntersectResult *outOverlap) {
     const McdGeometryInstance *ins = &mcd_record(cm)->instance;
     double from[3], to[3], part, normal[3];
     return mcd_toLocal(mcd_const(ins->tm), inOrig, from) && mcd_toLocal(mcd_const(ins->tm), inDest, to) &&
-           walk((const McdRGHeightField *)ins->geometry, from, to, &part, normal) &&
+           traverseCells((const McdRGHeightField *)ins->geometry, from, to, &part, normal) &&
            mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, part, normal, outOverlap);
 }
 
 void MEAPI McdRGHeightFieldLineSegmentRegisterInteraction(McdFramework *frame) {
-    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeRGHeightField, meetSegment);
+    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeRGHeightField, intersectSegment);
 }

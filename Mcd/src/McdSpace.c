@@ -919,7 +919,7 @@ static double reach(const Segment *q) {
                        16 * (double)ME_EPSILON);
 }
 
-static double meetModel(void *context, int proxy, double fraction) {
+static double intersectModel(void *context, int proxy, double fraction) {
     Segment *q = context;
     const McdModelID cm = modelAt(q->space, proxy);
     McdLineSegIntersectResult hit;
@@ -947,7 +947,7 @@ static int intersect(Segment *q) {
         by[i] = (double)q->to[i] - from[i];
     }
     q->length = sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
-    mcd_spaceCast(q->space, from, by, still, 1, meetModel, q);
+    mcd_spaceCast(q->space, from, by, still, 1, intersectModel, q);
     return q->count;
 }
 

@@ -23,11 +23,12 @@ static MeBool isBox(const MeReal *min, const MeReal *max) {
 /* Place for what the callback hands over; false if there is no memory. */
 static MeBool makeRoom(McdTriangleListRecord *list, int count) {
     /* zeroed: the triangleData of programs that do not set it */
-    McdUserTriangle *found = MeMemoryTakeZeroed((size_t)count, sizeof *found, "McdTriangleListCreate", "triangles");
-    if (!found)
+    McdUserTriangle *generated =
+        MeMemoryTakeZeroed((size_t)count, sizeof *generated, "McdTriangleListCreate", "triangles");
+    if (!generated)
         return MEFALSE;
     MeMemoryGive(list->list.list);
-    list->list.list = found;
+    list->list.list = generated;
     list->list.triangleMaxCount = list->room = count;
     atomic_store(&list->hasWarned, 0);
     return METRUE;
@@ -165,51 +166,51 @@ static void takeMaxCount(McdTriangleListRecord *list) {
 }
 
 /* What the callback handed over, and where. */
-typedef struct Found {
+typedef struct Generated {
     McdUserTriangle *triangle; /* room */
     int count, room;
     MeBool isOwn; /* it is the list's array, which programs see; else the scratch's */
-} Found;
+} Generated;
 
 /* The array that the callback is to fill: the list's own, or, while another query has that (in another thread, or one
  * around this one), the scratch's. False if there is no memory. */
-static MeBool takeArray(McdTriangleListRecord *list, McdScratch *scratch, Found *found) {
-    *found = (Found){.isOwn = !atomic_exchange_explicit(&list->isInUse, 1, memory_order_acquire)};
-    if (found->isOwn) {
+static MeBool claimArray(McdTriangleListRecord *list, McdScratch *scratch, Generated *generated) {
+    *generated = (Generated){.isOwn = !atomic_exchange_explicit(&list->isInUse, 1, memory_order_acquire)};
+    if (generated->isOwn) {
         takeMaxCount(list);
-        found->room = list->room;
-        found->triangle = list->list.list;
+        generated->room = list->room;
+        generated->triangle = list->list.list;
         return METRUE;
     }
-    found->room = list->list.triangleMaxCount < 1 ? list->room : list->list.triangleMaxCount;
-    if (mcd_scratchReserveTriangles(scratch, found->room))
-        found->triangle = scratch->triangle;
-    return found->triangle != 0;
+    generated->room = list->list.triangleMaxCount < 1 ? list->room : list->list.triangleMaxCount;
+    if (mcd_scratchReserveTriangles(scratch, generated->room))
+        generated->triangle = scratch->triangle;
+    return generated->triangle != 0;
 }
 
-static void giveArray(McdTriangleListRecord *list, const Found *found) {
-    if (found->isOwn)
+static void releaseArray(McdTriangleListRecord *list, const Generated *generated) {
+    if (generated->isOwn)
         atomic_store_explicit(&list->isInUse, 0, memory_order_release);
-    else if (found->triangle) /* zeros for the next query's callback, which need not set all members */
-        memset(found->triangle, 0, (size_t)found->room * sizeof *found->triangle);
+    else if (generated->triangle) /* zeros for the next query's callback, which need not set all members */
+        memset(generated->triangle, 0, (size_t)generated->room * sizeof *generated->triangle);
 }
 
-/* What the callback has near a point of the list's frame; never more than there is place for. giveArray ends it. */
-static void find(McdTriangleListRecord *list, McdModelPair *p, McdScratch *scratch, const double centre[3],
-                 double radius, Found *found) {
+/* What the callback has near a point of the list's frame; never more than there is place for. releaseArray ends it. */
+static void callGenerator(McdTriangleListRecord *list, McdModelPair *p, McdScratch *scratch, const double centre[3],
+                          double radius, Generated *generated) {
     MeVector3 pos = {(MeReal)centre[0], (MeReal)centre[1], (MeReal)centre[2]};
     double reach = radius; /* with what rounding takes from it */
     for (int i = 0; i < 3; i++)
         reach += fabs((double)pos[i] - centre[i]);
-    if (!takeArray(list, scratch, found) || !list->generate)
+    if (!claimArray(list, scratch, generated) || !list->generate)
         return;
-    const int count = list->generate(p, found->triangle, pos, mcd_roundUp(reach), found->room);
-    if (count >= found->room && !atomic_exchange(&list->hasWarned, 1))
+    const int count = list->generate(p, generated->triangle, pos, mcd_roundUp(reach), generated->room);
+    if (count >= generated->room && !atomic_exchange(&list->hasWarned, 1))
         MeWarning(2,
                   "McdTriangleList: the callback gave %d triangles, as many as there is place for: contacts may be "
                   "missing; raise McdTriangleListCreate's triangleMaxCount",
                   count);
-    found->count = MeCLAMP(count, 0, found->room);
+    generated->count = MeCLAMP(count, 0, generated->room);
 }
 
 static MeBool cornersOf(const McdUserTriangle *t, double corner[3][3]) {
@@ -231,15 +232,15 @@ static const double *normalOf(const McdUserTriangle *t, double normal[3]) {
 static void gather(McdMeshQuery *q) {
     McdTriangleListRecord *list = (McdTriangleListRecord *)mcd_record(q->pair->model2)->instance.geometry;
     double corner[3][3], normal[3];
-    Found found;
-    find(list, q->pair, q->scratch, q->ball, q->ballRadius, &found);
-    const int count = mcd_meshReserve(q->mesh, found.count) ? found.count : 0;
+    Generated generated;
+    callGenerator(list, q->pair, q->scratch, q->ball, q->ballRadius, &generated);
+    const int count = mcd_meshReserve(q->mesh, generated.count) ? generated.count : 0;
     for (int i = 0; i < count; i++) {
-        const McdUserTriangle *t = &found.triangle[i];
+        const McdUserTriangle *t = &generated.triangle[i];
         if (cornersOf(t, corner))
             mcd_meshAdd(q, (const double(*)[3])corner, normalOf(t, normal), (int)t->flags, 0, t->triangleData);
     }
-    giveArray(list, &found);
+    releaseArray(list, &generated);
 }
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
@@ -256,11 +257,11 @@ MCD_MESH_INTERACTIONS(TriangleList, intersect)
 /* ---- line segments ------------------------------------------------------------------------------------------------------- */
 
 /* The first of the triangles that a segment meets: where, as a part of it, and the normal there; a part above 1: none. */
-static double firstHit(const Found *found, const double from[3], const double to[3], double normal[3]) {
+static double firstHit(const Generated *generated, const double from[3], const double to[3], double normal[3]) {
     double least = 2;
-    for (int i = 0; i < found->count; i++) {
+    for (int i = 0; i < generated->count; i++) {
         double corner[3][3], own[3], given[3], part, hit[3];
-        const McdUserTriangle *t = &found->triangle[i];
+        const McdUserTriangle *t = &generated->triangle[i];
         if (!cornersOf(t, corner) || !mcd_triangleNormal((const double(*)[3])corner, normalOf(t, given), own))
             continue;
         if (mcd_segmentTriangle((const double(*)[3])corner, own, (t->flags & kMcdTriangleTwoSided) != 0, from, to,
@@ -273,14 +274,14 @@ static double firstHit(const Found *found, const double from[3], const double to
     return least;
 }
 
-static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
-                             McdLineSegIntersectResult *outOverlap) {
+static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                                  McdLineSegIntersectResult *outOverlap) {
     const McdGeometryInstance *ins = &mcd_record(cm)->instance;
     McdTriangleListRecord *list = (McdTriangleListRecord *)ins->geometry;
     McdFramework *frame = list->list.head.frame;
     double from[3], to[3], middle[3], normal[3] = {0, 0, 1}, length = 0;
     McdModelPair pair;
-    Found found;
+    Generated generated;
     if (!mcd_toLocal(mcd_const(ins->tm), inOrig, from) || !mcd_toLocal(mcd_const(ins->tm), inDest, to))
         return 0;
     for (int i = 0; i < 3; i++) {
@@ -292,13 +293,13 @@ static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *
         return 0;
     memset(&pair, 0, sizeof pair);
     pair.model1 = pair.model2 = cm;
-    find(list, &pair, scratch, middle, sqrt(length) / 2, &found);
-    const double least = firstHit(&found, from, to, normal);
-    giveArray(list, &found);
+    callGenerator(list, &pair, scratch, middle, sqrt(length) / 2, &generated);
+    const double least = firstHit(&generated, from, to, normal);
+    releaseArray(list, &generated);
     mcd_scratchGive(frame, scratch);
     return least <= 1 && mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, least, normal, outOverlap);
 }
 
 void MEAPI McdTriangleListLineSegmentRegisterInteraction(McdFramework *frame) {
-    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeTriangleList, meetSegment);
+    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeTriangleList, intersectSegment);
 }

@@ -7,15 +7,15 @@
 
 /* ---- pairs of parts ----------------------------------------------------------------------------------------------------- */
 
-typedef struct Meeting Meeting;
-struct Meeting {
+typedef struct PartPairs PartPairs;
+struct PartPairs {
     McdModelPair *pair;
     MeReal margin; /* how far boxes may be apart; negative: as far as they like */
-    void (*meet)(Meeting *, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2);
+    void (*visit)(PartPairs *, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2);
     void *data;
 };
 
-static MeBool areNear(const Meeting *m, const McdGeometryInstance *a, const McdGeometryInstance *b) {
+static MeBool areNear(const PartPairs *m, const McdGeometryInstance *a, const McdGeometryInstance *b) {
     for (int i = 0; i < 3 && m->margin >= 0; i++)
         if (a->min[i] - m->margin > b->max[i] || b->min[i] - m->margin > a->max[i])
             return MEFALSE;
@@ -26,7 +26,7 @@ static MeBool isAggregate(const McdGeometryInstance *ins) {
     return mcd_partsOf(ins->geometry) != 0;
 }
 
-static void meetParts(Meeting *m, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void visitPartPair(PartPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
     McdStandIn standIn[2];
     MEASSERT(!a->firstChild && !b->firstChild && a->model == m->pair->model1 && b->model == m->pair->model2);
     McdModelPair parts = *m->pair;
@@ -34,28 +34,28 @@ static void meetParts(Meeting *m, McdGeometryInstance *a, McdGeometryInstance *b
     parts.model2 = mcd_standInBegin(&standIn[1], b);
     parts.m_cachedData = 0;
     McdHello(&parts);
-    m->meet(m, &parts, a, b);
+    m->visit(m, &parts, a, b);
     McdGoodbye(&parts);
     mcd_standInEnd(parts.model1, a);
     mcd_standInEnd(parts.model2, b);
 }
 
 /* Every two parts, in the order of the elements. */
-static void meetAll(Meeting *m, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void forEachPartPair(PartPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
     if (!areNear(m, a, b))
         return;
     if (isAggregate(a))
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
-            meetAll(m, child, b);
+            forEachPartPair(m, child, b);
     else if (isAggregate(b))
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
-            meetAll(m, a, child);
+            forEachPartPair(m, a, child);
     else
-        meetParts(m, a, b);
+        visitPartPair(m, a, b);
 }
 
-static void meetModels(Meeting *m) {
-    meetAll(m, &mcd_record(m->pair->model1)->instance, &mcd_record(m->pair->model2)->instance);
+static void forEachPairOfParts(PartPairs *m) {
+    forEachPartPair(m, &mcd_record(m->pair->model1)->instance, &mcd_record(m->pair->model2)->instance);
 }
 
 /* ---- contacts ------------------------------------------------------------------------------------------------------------ */
@@ -75,7 +75,7 @@ static MeU32 pathOf(const McdGeometryInstance *part) {
     return path;
 }
 
-static void gatherContacts(Meeting *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
+static void gatherContacts(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
     Gathering *g = m->data;
     McdIntersectResult result;
     if (!mcd_scratchReserveContacts(g->scratch, g->count, g->count + g->each))
@@ -99,11 +99,11 @@ static void gatherContacts(Meeting *m, McdModelPair *parts, McdGeometryInstance 
 static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     McdFramework *frame = mcd_record(p->model1)->frame;
     Gathering g = {mcd_scratchTake(frame, "McdIntersect"), 0, MeMAX(result->contactMaxCount, 1)};
-    Meeting m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, &g};
+    PartPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, &g};
     mcd_resultBegin(result, p);
     if (!g.scratch)
         return 0;
-    meetModels(&m);
+    forEachPairOfParts(&m);
     McdContact *found = g.scratch->contact;
     if (g.count > result->contactMaxCount)
         g.count = mcd_simplify(found, g.count, found, result->contactMaxCount, 0, 1e-6 * (double)frame->lengthScale,
@@ -118,7 +118,7 @@ static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
 
 /* ---- safe time -------------------------------------------------------------------------------------------------------------- */
 
-static void earliest(Meeting *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
+static void keepEarliest(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
     McdSafeTimeResult *best = m->data, here;
     (void)part1;
     (void)part2;
@@ -127,9 +127,9 @@ static void earliest(Meeting *m, McdModelPair *parts, McdGeometryInstance *part1
 }
 
 static int MEAPI safeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
-    Meeting m = {p, -1, earliest, result};
+    PartPairs m = {p, -1, keepEarliest, result};
     result->time = maxTime;
-    meetModels(&m);
+    forEachPairOfParts(&m);
     MEASSERT(result->time >= 0 && result->time <= maxTime);
     result->pair = p;
     return 1;
@@ -154,15 +154,15 @@ static int firstHit(McdGeometryInstance *ins, MeReal *from, MeReal *to, McdLineS
     return 1;
 }
 
-static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
-                             McdLineSegIntersectResult *outOverlap) {
+static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                                  McdLineSegIntersectResult *outOverlap) {
     const int hits = firstHit(&mcd_record(cm)->instance, inOrig, inDest, outOverlap, 0);
     outOverlap->model = cm;
     return hits;
 }
 
 void MEAPI McdAggregateLineSegmentRegisterInteraction(McdFramework *frame) {
-    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeAggregate, meetSegment);
+    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeAggregate, intersectSegment);
 }
 
 /* ---- registration ----------------------------------------------------------------------------------------------------------- */

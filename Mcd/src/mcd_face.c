@@ -69,15 +69,15 @@ void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
 /* ---- what they have in common ------------------------------------------------------------------------- */
 
 /* A point in the plane across the normal, with its heights on both surfaces. */
-typedef struct Spot {
+typedef struct Candidate {
     double x, y, a, b;
     MeU64 feature;
     MeU32 edge; /* code of that which begins here, and whether it is b's */
     MeBool edgeIsB;
     int index; /* of the corner of b's where that edge begins */
-} Spot;
+} Candidate;
 
-enum { MAX_SPOTS = 2 * MCD_FACE_POINTS };
+enum { MAX_CANDIDATES = 2 * MCD_FACE_POINTS };
 
 /* A face as seen along the normal: counter-clockwise, with heights. */
 typedef struct Outline {
@@ -119,10 +119,10 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
     return 1;
 }
 
-static Spot cross(const Spot *p, const Spot *q, double dp, double dq, const Outline *b, int j) {
+static Candidate cross(const Candidate *p, const Candidate *q, double dp, double dq, const Outline *b, int j) {
     const double t = dp / (dp - dq);
     MEASSERT(t >= 0 && t <= 1); /* one is inside, the other is not */
-    Spot s = {.x = p->x + t * (q->x - p->x), .y = p->y + t * (q->y - p->y), .a = p->a + t * (q->a - p->a)};
+    Candidate s = {.x = p->x + t * (q->x - p->x), .y = p->y + t * (q->y - p->y), .a = p->a + t * (q->a - p->a)};
     if (p->edgeIsB) { /* a corner of b's */
         const int corner = j == (p->index + 1) % b->count ? j : p->index;
         s.feature = code(CORNER, b->id, b->name[corner]);
@@ -156,33 +156,33 @@ static Circle circleAround(const Outline *o) {
 
 /* How far spots are inside of b's edge from corner j on, times its length; false if none is outside. A circle around
  * them mostly shows that. */
-static MeBool isEdgeCutting(const Spot *spot, int count, const Circle *around, const Outline *b, int j, double slack_,
-                            double *inside) {
+static MeBool isEdgeCutting(const Candidate *candidate, int count, const Circle *around, const Outline *b, int j,
+                            double slack_, double *inside) {
     const int next = j + 1 < b->count ? j + 1 : 0;
     const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
     double least = INFINITY;
     if (ex * (around->y - y) - ey * (around->x - x) >= around->radius * length)
         return 0; /* of no length, too */
     for (int i = 0; i < count; i++) {
-        inside[i] = ex * (spot[i].y - y) - ey * (spot[i].x - x) + slack_ * length;
+        inside[i] = ex * (candidate[i].y - y) - ey * (candidate[i].x - x) + slack_ * length;
         least = MeMIN(least, inside[i]);
     }
     return !(least >= 0);
 }
 
 /* Cuts off what is outside of that edge (Sutherland and Hodgman). */
-static int cutByEdge(const Spot *in, int count, MeBool isClosed, const double *inside, const Outline *b, int j,
-                     MeU32 insideA, Spot *out) {
+static int cutByEdge(const Candidate *in, int count, MeBool isClosed, const double *inside, const Outline *b, int j,
+                     MeU32 insideA, Candidate *out) {
     int made = 0;
     for (int i = 0; i < count; i++) {
         const int next = i + 1 < count ? i + 1 : 0;
-        const Spot *p = &in[i], *q = &in[next];
+        const Candidate *p = &in[i], *q = &in[next];
         const double dp = inside[i], dq = inside[next];
         if (dp >= 0)
             out[made++] = *p;
-        if ((!isClosed && i == count - 1) || (dp >= 0) == (dq >= 0) || made == MAX_SPOTS - 1)
+        if ((!isClosed && i == count - 1) || (dp >= 0) == (dq >= 0) || made == MAX_CANDIDATES - 1)
             continue;
-        Spot s = cross(p, q, dp, dq, b, j);
+        Candidate s = cross(p, q, dp, dq, b, j);
         s.edge = dp >= 0 ? 0 : p->edge;
         s.edgeIsB = dp >= 0 ? 1 : p->edgeIsB;
         s.index = dp >= 0 ? j : p->index;
@@ -193,54 +193,54 @@ static int cutByEdge(const Spot *in, int count, MeBool isClosed, const double *i
     return made;
 }
 
-static int startSpots(const Outline *a, const Outline *b, Spot *spot) {
+static int startCandidates(const Outline *a, const Outline *b, Candidate *candidate) {
     for (int i = 0; i < a->count; i++)
-        spot[i] = (Spot){.x = a->x[i],
-                         .y = a->y[i],
-                         .a = a->z[i],
-                         .feature = meeting(code(CORNER, a->id, a->name[i]), code(INSIDE, b->id, 0)),
-                         .edge = code(EDGE, a->id, a->name[i])};
+        candidate[i] = (Candidate){.x = a->x[i],
+                                   .y = a->y[i],
+                                   .a = a->z[i],
+                                   .feature = meeting(code(CORNER, a->id, a->name[i]), code(INSIDE, b->id, 0)),
+                                   .edge = code(EDGE, a->id, a->name[i])};
     return a->count;
 }
 
 /* A polygon or line cut by a polygon. */
-static int clip(const Outline *a, const Outline *b, double slack_, Spot *spot) {
-    Spot other[MAX_SPOTS];
-    Spot *from = spot, *to = other;
-    double inside[MAX_SPOTS];
+static int clip(const Outline *a, const Outline *b, double slack_, Candidate *candidate) {
+    Candidate other[MAX_CANDIDATES];
+    Candidate *from = candidate, *to = other;
+    double inside[MAX_CANDIDATES];
     const Circle around = circleAround(a);
-    int count = startSpots(a, b, spot);
+    int count = startCandidates(a, b, candidate);
     for (int j = 0; j < b->count && count; j++) {
         if (!isEdgeCutting(from, count, &around, b, j, slack_, inside))
             continue;
         count = cutByEdge(from, count, a->count > 2, inside, b, j, code(INSIDE, a->id, 0), to);
-        Spot *const swap = from;
+        Candidate *const swap = from;
         from = to;
         to = swap;
     }
-    MEASSERT(count >= 0 && count <= MAX_SPOTS);
-    if (from != spot)
-        memcpy(spot, from, (size_t)count * sizeof *spot);
+    MEASSERT(count >= 0 && count <= MAX_CANDIDATES);
+    if (from != candidate)
+        memcpy(candidate, from, (size_t)count * sizeof *candidate);
     for (int i = 0; i < count; i++) {
         if (a->count > 2)
-            spot[i].a = planeHeight(a, spot[i].x, spot[i].y);
-        spot[i].b = planeHeight(b, spot[i].x, spot[i].y);
+            candidate[i].a = planeHeight(a, candidate[i].x, candidate[i].y);
+        candidate[i].b = planeHeight(b, candidate[i].x, candidate[i].y);
     }
     return count;
 }
 
-static void turnSpots(Spot *spot, int count) {
+static void turnCandidates(Candidate *candidate, int count) {
     for (int i = 0; i < count; i++) {
-        const double a = spot[i].a;
-        spot[i].a = spot[i].b;
-        spot[i].b = a;
-        spot[i].feature = spot[i].feature << 32 | spot[i].feature >> 32;
+        const double a = candidate[i].a;
+        candidate[i].a = candidate[i].b;
+        candidate[i].b = a;
+        candidate[i].feature = candidate[i].feature << 32 | candidate[i].feature >> 32;
     }
 }
 
 /* Lines that lie nearly the same way touch where they are beside each other: both ends of that. The surfaces bend away
  * across the lines, by bend - sqrt(bend^2 - offset^2). */
-static int overlapLines(const Outline *a, const Outline *b, double bend, Spot *spot) {
+static int overlapLines(const Outline *a, const Outline *b, double bend, Candidate *candidate) {
     double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0];
     double bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
     const double la = hypot(ax, ay), lb = hypot(bx, by);
@@ -261,62 +261,62 @@ static int overlapLines(const Outline *a, const Outline *b, double bend, Spot *s
         const MeBool isA = i ? end == la : begin == 0;
         const MeU32 nameA = isA ? code(CORNER, a->id, a->name[i]) : code(INSIDE, a->id, 0);
         const MeU32 nameB = isA ? code(INSIDE, b->id, 0) : code(CORNER, b->id, b->name[i ? t1 < t0 ? 0 : 1 : t1 < t0]);
-        spot[i] = (Spot){.x = x + (b->x[0] + tb * bx - x) / 2,
-                         .y = y + (b->y[0] + tb * by - y) / 2,
-                         .a = a->z[0] + ta * (a->z[1] - a->z[0]) + away,
-                         .b = b->z[0] + tb * (b->z[1] - b->z[0]),
-                         .feature = meeting(nameA, nameB)};
+        candidate[i] = (Candidate){.x = x + (b->x[0] + tb * bx - x) / 2,
+                                   .y = y + (b->y[0] + tb * by - y) / 2,
+                                   .a = a->z[0] + ta * (a->z[1] - a->z[0]) + away,
+                                   .b = b->z[0] + tb * (b->z[1] - b->z[0]),
+                                   .feature = meeting(nameA, nameB)};
     }
     return 2;
 }
 
-static int commonSpots(const Outline *a, const Outline *b, double bend, double slack_, Spot *spot) {
+static int clipFaces(const Outline *a, const Outline *b, double bend, double slack_, Candidate *candidate) {
     if (a->count < 2 || b->count < 2)
         return 0;
     if (b->count > 2 && b->count <= MeMAX(a->count, 4))
-        return clip(a, b, slack_, spot);
+        return clip(a, b, slack_, candidate);
     if (a->count == 2 && b->count == 2)
-        return overlapLines(a, b, bend, spot);
+        return overlapLines(a, b, bend, candidate);
     if (a->count == 2)
-        return clip(a, b, slack_, spot);
+        return clip(a, b, slack_, candidate);
     /* The one with fewer corners cuts: fewer passes over the other's. */
-    const int count = clip(b, a, slack_, spot);
-    turnSpots(spot, count);
+    const int count = clip(b, a, slack_, candidate);
+    turnCandidates(candidate, count);
     return count;
 }
 
-/* ---- which of them -------------------------------------------------------------------------------------- */
+/* ---- reduction to four points -------------------------------------------------------------------------------------- */
 
-static double acrossSquared(const Spot *p, const Spot *q) {
+static double acrossSquared(const Candidate *p, const Candidate *q) {
     const double x = p->x - q->x, y = p->y - q->y;
     return x * x + y * y;
 }
 
-/* Leaves out those that are farther apart than the margin, and those at the place of another: of many, which go round,
- * of the one before or the first. */
-static int dropIdle(Spot *spot, int count, double margin, double slack_) {
+/* Drops points farther apart than the margin, and duplicates: of more than 8 points, which go round the polygon, only the
+ * previous and the first are compared. */
+static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, double slack_) {
     int kept = 0;
     for (int i = 0; i < count; i++) {
-        MeBool isNew = spot[i].a - spot[i].b <= margin;
+        MeBool isNew = candidate[i].a - candidate[i].b <= margin;
         for (int j = 0; j < kept && isNew; j = j == 0 && count > 8 && kept > 1 ? kept - 1 : j + 1)
-            isNew = acrossSquared(&spot[i], &spot[j]) > 16 * slack_ * slack_;
+            isNew = acrossSquared(&candidate[i], &candidate[j]) > 16 * slack_ * slack_;
         if (isNew)
-            spot[kept++] = spot[i];
+            candidate[kept++] = candidate[i];
     }
     return kept;
 }
 
-static double depthOf(const Spot *s) {
+static double depthOf(const Candidate *s) {
     return s->b - s->a;
 }
 
 /* Ties go to the first, so that a body at rest keeps its points. */
-static int deepestOf(const Spot *spot, int count, double slack_) {
+static int deepestOf(const Candidate *candidate, int count, double slack_) {
     double most = -INFINITY;
     for (int i = 0; i < count; i++)
-        most = MeMAX(most, depthOf(&spot[i]));
+        most = MeMAX(most, depthOf(&candidate[i]));
     for (int i = 0; i < count; i++)
-        if (depthOf(&spot[i]) >= most - slack_)
+        if (depthOf(&candidate[i]) >= most - slack_)
             return i;
     return 0;
 }
@@ -325,13 +325,13 @@ static int deepestOf(const Spot *spot, int count, double slack_) {
  *
  * Not mcd_spread: here all is in one plane, the slack decides between spots that are as good, so that a body at rest
  * keeps its points, and mcd_spread's look at all of them from every side would cost a pair a fifth more time. */
-static int keepFour(Spot *spot, int count, double slack_) {
+static int reduceToFour(Candidate *candidate, int count, double slack_) {
     int chosen[4], made = 0;
-    chosen[made++] = deepestOf(spot, count, slack_);
-    const Spot first = spot[chosen[0]];
+    chosen[made++] = deepestOf(candidate, count, slack_);
+    const Candidate first = candidate[chosen[0]];
     double most = 0, enough = slack_ * slack_; /* (most + slack)^2 */
     for (int i = 0; i < count; i++) {
-        const double squared = acrossSquared(&spot[i], &first);
+        const double squared = acrossSquared(&candidate[i], &first);
         if (squared > enough) {
             most = sqrt(squared);
             enough = (most + slack_) * (most + slack_);
@@ -340,12 +340,12 @@ static int keepFour(Spot *spot, int count, double slack_) {
         }
     }
     if (made == 2) {
-        const Spot second = spot[chosen[1]];
+        const Candidate second = candidate[chosen[1]];
         double side[2] = {4 * slack_ * most, 4 * slack_ * most};
         int best[2] = {-1, -1};
         for (int i = 0; i < count; i++) {
             const double area =
-                (second.x - first.x) * (spot[i].y - first.y) - (second.y - first.y) * (spot[i].x - first.x);
+                (second.x - first.x) * (candidate[i].y - first.y) - (second.y - first.y) * (candidate[i].x - first.x);
             const int which = area < 0;
             if (fabs(area) > side[which] * (1 + 1e-6)) {
                 side[which] = fabs(area);
@@ -356,17 +356,17 @@ static int keepFour(Spot *spot, int count, double slack_) {
             if (best[i] >= 0)
                 chosen[made++] = best[i];
     }
-    Spot kept[4];
+    Candidate kept[4];
     MEASSERT(made >= 1 && made <= 4 && chosen[made - 1] >= 0 && chosen[made - 1] < count);
     for (int i = 0; i < made; i++)
-        kept[i] = spot[chosen[i]];
-    memcpy(spot, kept, (size_t)made * sizeof *spot);
+        kept[i] = candidate[chosen[i]];
+    memcpy(candidate, kept, (size_t)made * sizeof *candidate);
     return made;
 }
 
 /* ---- manifolds ------------------------------------------------------------------------------------------ */
 
-static void addContact(const McdShape *a, const McdShape *b, const View *v, const Spot *s, McdManifold *m) {
+static void addContact(const McdShape *a, const McdShape *b, const View *v, const Candidate *s, McdManifold *m) {
     const double za = s->a - a->rounding, zb = s->b + b->rounding;
     McdManifoldPoint *p = &m->point[m->count++];
     for (int i = 0; i < 3; i++)
@@ -379,16 +379,16 @@ static void addContact(const McdShape *a, const McdShape *b, const View *v, cons
 }
 
 /* The proximity's own points: the deepest, whatever the faces are. */
-static Spot supportSpot(const View *v, const McdProximity *p, MeU64 feature) {
+static Candidate supportCandidate(const View *v, const McdProximity *p, MeU64 feature) {
     double middle[3];
     for (int i = 0; i < 3; i++)
         middle[i] = (p->onA[i] + p->onB[i]) / 2;
     const double z = mcd_dot(v->n, middle);
-    return (Spot){.x = mcd_dot(v->u, middle),
-                  .y = mcd_dot(v->w, middle),
-                  .a = z + p->separation / 2,
-                  .b = z - p->separation / 2,
-                  .feature = feature};
+    return (Candidate){.x = mcd_dot(v->u, middle),
+                       .y = mcd_dot(v->w, middle),
+                       .a = z + p->separation / 2,
+                       .b = z - p->separation / 2,
+                       .feature = feature};
 }
 
 static View makeView(const McdShape *a, const McdShape *b, const McdProximity *p) {
@@ -408,12 +408,12 @@ int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *
     if (!(p->separation - a->rounding - b->rounding <= margin))
         return 0;
     const View v = makeView(a, b, p);
-    const Spot s = supportSpot(&v, p, feature);
+    const Candidate s = supportCandidate(&v, p, feature);
     addContact(a, b, &v, &s, m);
     return 1;
 }
 
-/* Is a spot's height on a face as exact as its place? Not where the face rises more than it goes across; the ends of a
+/* Is a candidate's height on a face as exact as its place? Not where the face rises more than it goes across; the ends of a
  * line are. */
 static MeBool isExact(const Outline *o, MeU32 feature) {
     if (o->count > 2)
@@ -422,13 +422,13 @@ static MeBool isExact(const Outline *o, MeU32 feature) {
     return kindOf(feature) == CORNER || z * z < x * x + y * y;
 }
 
-/* The deepest spot; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so, where the
+/* The deepest candidate; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so, where the
  * slack lets it stand out. */
-static int leastSeparated(Spot *spot, int count, double separation) {
+static int clampSeparations(Candidate *candidate, int count, double separation) {
     int least = -1;
     for (int i = 0; i < count; i++) {
-        spot[i].a = MeMAX(spot[i].a, spot[i].b + separation);
-        if (least < 0 || spot[i].a - spot[i].b < spot[least].a - spot[least].b)
+        candidate[i].a = MeMAX(candidate[i].a, candidate[i].b + separation);
+        if (least < 0 || candidate[i].a - candidate[i].b < candidate[least].a - candidate[least].b)
             least = i;
     }
     return least;
@@ -453,7 +453,7 @@ static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProx
 
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                       const McdProximity *p, double margin, McdManifold *m) {
-    Spot spot[MAX_SPOTS];
+    Candidate candidate[MAX_CANDIDATES];
     Outline outA, outB;
     const View v = makeView(a, b, p);
     const double coreMargin = margin + a->rounding + b->rounding;
@@ -464,23 +464,23 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
              faceB->count <= MCD_FACE_POINTS);
     /* b's face looks along the normal, so that its corners turn counter-clockwise; a's looks the other way. */
     if (makeOutline(&v, faceA, 1, &outA) && makeOutline(&v, faceB, 0, &outB))
-        count = commonSpots(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, spot);
-    count = dropIdle(spot, count, coreMargin, v.slack);
-    const int least = leastSeparated(spot, count, p->separation);
-    const double short_ = least < 0 ? INFINITY : spot[least].a - spot[least].b - p->separation;
-    if (p->isGuess && !(short_ <= v.slack && isExact(&outA, (MeU32)(spot[least].feature >> 32)) &&
-                        isExact(&outB, (MeU32)spot[least].feature)))
+        count = clipFaces(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, candidate);
+    count = dropFarAndDuplicates(candidate, count, coreMargin, v.slack);
+    const int least = clampSeparations(candidate, count, p->separation);
+    const double short_ = least < 0 ? INFINITY : candidate[least].a - candidate[least].b - p->separation;
+    if (p->isGuess && !(short_ <= v.slack && isExact(&outA, (MeU32)(candidate[least].feature >> 32)) &&
+                        isExact(&outB, (MeU32)candidate[least].feature)))
         return 0;
     /* A face that is preferred although another normal is slightly better has its farthest corner beside the other. */
     if (short_ <= preference * mcd_pairSize(a, b))
-        spot[least].a = spot[least].b + p->separation;
+        candidate[least].a = candidate[least].b + p->separation;
     else if (p->separation <= coreMargin)
-        spot[count++] = supportSpot(&v, p, meeting(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0)));
+        candidate[count++] = supportCandidate(&v, p, meeting(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0)));
     if (count > MCD_MANIFOLD_POINTS)
-        count = keepFour(spot, count, v.slack);
+        count = reduceToFour(candidate, count, v.slack);
     MEASSERT(count <= MCD_MANIFOLD_POINTS);
     for (int i = 0; i < count; i++)
-        addContact(a, b, &v, &spot[i], m);
+        addContact(a, b, &v, &candidate[i], m);
     MEVALIDATE(isManifoldGood(a, b, p, margin, m));
     return m->count;
 }

@@ -2,27 +2,27 @@
 #include "mcd_kind.h"
 #include "mcd_motion.h"
 
-static int MEAPI meetConvex(McdModelPair *p, McdIntersectResult *result) {
+static int MEAPI intersectConvex(McdModelPair *p, McdIntersectResult *result) {
     mcd_resultBegin(result, p);
     return mcd_convexContacts(p, result, "McdIntersect");
 }
 
-static int MEAPI meetHalfSpace(McdModelPair *p, McdIntersectResult *result) {
+static int MEAPI intersectHalfSpace(McdModelPair *p, McdIntersectResult *result) {
     mcd_resultBegin(result, p);
     return mcd_planeContacts(p, result, "McdIntersect");
 }
 
-static int MEAPI meetSurface(McdModelPair *p, McdIntersectResult *result) {
+static int MEAPI intersectSurface(McdModelPair *p, McdIntersectResult *result) {
     return mcd_meshIntersect(p, result, mcd_kindOf(mcd_record(p->model2)->instance.geometry)->gather);
 }
 
 /* How a convex type meets another one; nothing for those that it does not. */
 static McdInteractions interactionsWith(const McdKind *other) {
     if (other->setShape)
-        return (McdInteractions){.intersectFn = meetConvex, .safeTimeFn = mcd_safeTimeConvex};
+        return (McdInteractions){.intersectFn = intersectConvex, .safeTimeFn = mcd_safeTimeConvex};
     if (other->isHalfSpace)
-        return (McdInteractions){.intersectFn = meetHalfSpace, .safeTimeFn = mcd_safeTimePlane};
-    return (McdInteractions){.intersectFn = other->gather ? meetSurface : 0};
+        return (McdInteractions){.intersectFn = intersectHalfSpace, .safeTimeFn = mcd_safeTimePlane};
+    return (McdInteractions){.intersectFn = other->gather ? intersectSurface : 0};
 }
 
 void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, const char *function) {

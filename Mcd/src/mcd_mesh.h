@@ -1,15 +1,14 @@
 /* Inside Mcd: contacts of a convex shape with triangles that join up to a surface.
  *
- * Whoever has triangles (a list's callback, a height field's grid) adds those near the shape; mcd_meshIntersect does the
- * rest. Which normals a contact may have follows from the neighbours: a normal at an edge or a corner is one of the
- * surface's only if no triangle that meets there rises above the plane through it. All others are contacts inside the
- * surface, and get the face's normal. Neighbours are found by equal coordinates of their corners; where
- * there is none, beside the contact.
+ * A geometry (a list's callback, a height field's grid) gathers the triangles near the shape; mcd_meshIntersect does the
+ * rest. Ghost contacts at internal edges are avoided by Voronoi regions: a normal at an edge or a corner is the surface's
+ * only if no triangle there rises above the plane across it; else the face's normal is taken. Neighbours are those with
+ * equal corners; at T-junctions, a point beside the contact is looked up.
  *
- * Where a triangle lies flat among its neighbours, the face's normal is the only one: no other is searched for. There,
- * a point below the surface counts if the shape comes to it through the surface: seen along the normal, the way from
- * the point to where the line from there to the shape's highest point comes through is all over the same plane. That the
- * shape touches the triangle over the point is not asked: an overhang is below triangles that it does not touch.
+ * A triangle whose surroundings are flat has one possible normal, its own, and is not searched. There, points below the
+ * surface count if the shape entered through it: the way from the point to where the line from there to the shape's
+ * highest point crosses the plane is covered by coplanar triangles. So an overhang is below triangles that it does not
+ * touch.
  */
 #ifndef MCD_MESH_H
 #define MCD_MESH_H
@@ -23,8 +22,8 @@ typedef struct McdMeshTriangle {
     MeU32 key[3];  /* of the corners: from their coordinates in the mesh's frame */
     int flags;     /* McdTriangleFlags */
     McdElementData element;
-    int facing;       /* contacts are along its normal: 1, or -1 for the other way; 0: not, or not known */
-    MeBool isPending; /* the shape may be below it, but was not yet found to touch it */
+    int facing;       /* contacts only along its normal: 1, or against it: -1; 0: neither, or not known */
+    MeBool isPending; /* within reach, and not found to touch the shape yet */
 } McdMeshTriangle;
 
 typedef struct McdMeshContact {
