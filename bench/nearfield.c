@@ -91,7 +91,7 @@ static double timeOde(int rounds) {
 #endif
 
 static PeerShape peer(const McdShape *s) {
-    PeerShape p = {.isCylinder = s->type == kMcdGeometryTypeCylinder};
+    PeerShape p = {.isCylinder = s->kind->type == kMcdGeometryTypeCylinder};
     mcd_copy(p.size, s->size);
     mcd_copy(p.place, s->place);
     memcpy(p.axis, s->axis, sizeof p.axis);

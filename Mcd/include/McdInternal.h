@@ -1,5 +1,5 @@
 /** @file McdInternal.h
- *  For Mst, which makes frameworks and spaces of its universes' sizes. Not installed.
+ *  For Mst, which makes frameworks and spaces of its universes' sizes, and knows no geometry types. Not installed.
  */
 #ifndef MCDINTERNAL_H
 #define MCDINTERNAL_H
@@ -27,6 +27,15 @@ MEPUBLIC void MEAPI McdFrameworkBeginRound(McdFrameworkID frame);
 MEPUBLIC MeBool MEAPI McdModelPairIsAsTested(McdModelPair *p);
 /** What was found has been given away: the next answer is false. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
+/** @} */
+
+/** @name What a model's geometry is
+ *  MEFALSE, with a warning, for what is no model.
+ *  @{ */
+/** Is it one convex shape, which can be cast (McdSpaceCastGeometry)? */
+MEPUBLIC MeBool MEAPI McdModelIsConvex(McdModelID cm);
+/** Is it a surface of triangles, of which McdSafeTime knows nothing? */
+MEPUBLIC MeBool MEAPI McdModelIsSurface(McdModelID cm);
 /** @} */
 
 ME_END_C

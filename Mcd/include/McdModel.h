@@ -25,7 +25,7 @@ MEPUBLIC void MEAPI McdModelDestroy(McdModelID cm);
 MEPUBLIC void MEAPI McdModelReset(McdModelID cm);
 /** Is it a live model? */
 MEPUBLIC MeBool MEAPI McdModelIsValid(McdModelID cm);
-/** The how-manieth model of its framework it is, from 1 on: no two models ever have the same. 0 for what is no model. */
+/** Its index in the order of creation in its framework, from 1 on, never used again. 0 for what is no model. */
 MEPUBLIC MeU64 MEAPI McdModelGetSerial(McdModelID cm);
 /** @} */
 

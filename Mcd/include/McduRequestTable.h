@@ -2,6 +2,11 @@
  *  Requests by the request ids of both models (McdModelSetRequestID): one table for the program (User Guide ch. 4,
  *  "Testing for Collisions").
  *
+ *  It belongs to the process, not to a framework, of which these functions know nothing: the frameworks of several
+ *  threads share it. Make and fill it before they run and end it after them; meanwhile any thread may read it. A
+ *  framework that wants requests of its own sets them itself, by McdModelPairSetRequestPtr or
+ *  McdFrameworkSetDefaultRequestPtr.
+ *
  *  The order of two ids does not matter. An id outside of the table gets a warning and the default request.
  */
 #ifndef MCDUREQUESTTABLE_H

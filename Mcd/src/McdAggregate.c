@@ -1,6 +1,7 @@
 /* Aggregates: what they are made of, and how the whole follows from the parts. */
 #include "McdAggregate.h"
 #include "mcd_geometries.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 #include <math.h>
 #include <string.h>
@@ -35,8 +36,6 @@ static void MEAPI release(McdGeometryID g) {
     for (int i = 0; i < a->count; i++)
         McdGeometryDecrementReferenceCount(a->element[i].geometry);
     MeMemoryGive(a->element);
-    MeMemoryGive(a->contact);
-    MeMemoryGive(a->choice);
     MeMemoryGive(a);
 }
 
@@ -47,10 +46,8 @@ MCD_DEFINE_DESTROY(Aggregate)
 static MeBool isPartOf(const McdAggregate *part, const McdGeometry *g) {
     if (g == &part->head)
         return METRUE;
-    if (g->type != kMcdGeometryTypeAggregate)
-        return MEFALSE;
-    const McdAggregate *a = (const McdAggregate *)g;
-    for (int i = 0; i < a->count; i++)
+    const McdAggregate *a = mcd_partsOf(g);
+    for (int i = 0; a && i < a->count; i++)
         if (isPartOf(part, a->element[i].geometry))
             return METRUE;
     return MEFALSE;
@@ -74,6 +71,7 @@ int MEAPI McdAggregateAddElement(McdAggregateID id, McdGeometryID geom, MeMatrix
     element->geometry = geom;
     MeMatrix4Copy(element->relTM, relTM ? mcd_const(relTM) : identity);
     McdGeometryIncrementReferenceCount(geom);
+    MEASSERT(a->count < a->max && geom->referenceCount > 0);
     return a->count++;
 }
 
@@ -168,12 +166,22 @@ static void addBox(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *
     e->isSet = METRUE;
 }
 
+/* Are the boxes of a model's parts in that of the whole? */
+static MeBool arePartsWithin(const McdGeometryInstance *ins, const Extent *e) {
+    for (const McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
+        for (int i = 0; i < 3; i++)
+            if (child->min[i] < e->min[i] || child->max[i] > e->max[i])
+                return MEFALSE;
+    return METRUE;
+}
+
 void MEAPI McdAggregateUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight) {
     if (!mcd_instanceIs(ins, kMcdGeometryTypeAggregate, "McdAggregateUpdateAABB"))
         return;
     Extent e = {{0, 0, 0}, {0, 0, 0}, MEFALSE, tight};
     const MeReal *place = mcd_instanceTM(ins)[3];
     forEachPart(ins, finalTM, addBox, &e);
+    MEVALIDATE(arePartsWithin(ins, &e));
     if (e.isSet)
         McdGeometryInstanceSetAABB(ins, e.min, e.max);
     else
@@ -315,6 +323,7 @@ MeI16 MEAPI McdAggregateGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMa
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             m[i][k] = (MeReal)((sum.inertia[i][k] + sum.inertia[k][i]) / 2);
+    MEASSERT(!(sum.inertia[0][0] < 0 || sum.inertia[1][1] < 0 || sum.inertia[2][2] < 0));
     return 1;
 }
 
@@ -340,8 +349,8 @@ char *MEAPI McdAggregateGetTypeName(McdGeometryID g) {
     return (char *)"Aggregate";
 }
 
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Aggregate, release)};
+
 void MEAPI McdAggregateRegisterType(McdFramework *frame) {
-    McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypeAggregate, McdAggregateGetTypeName(0), release,
-                                     McdAggregateUpdateAABB, McdAggregateGetBSphere, McdAggregateMaximumPoint,
-                                     McdAggregateGetMassProperties, McdAggregateDebugDraw);
+    mcd_kindRegister(frame, &kind, "McdAggregateRegisterType");
 }

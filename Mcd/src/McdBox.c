@@ -1,5 +1,6 @@
 /* Boxes. */
 #include "McdBox.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 
 static const McdBox *get(const McdGeometry *g) {
@@ -21,8 +22,70 @@ static void clip(const McdGeometry *g, McdClip *c) {
     }
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Box, mcd_geometryFree)
 MCD_DEFINE_LINE_SEGMENT(Box)
+
+/* ---- in the nearfield ---------------------------------------------------------------------------------------- */
+
+static void setShape(const McdGeometry *g, McdShape *s) {
+    const double x = (double)get(g)->radii[0], y = (double)get(g)->radii[1], z = (double)get(g)->radii[2];
+    mcd_set(s->size, x, y, z);
+    s->extent = sqrt(x * x + y * y + z * z);
+}
+
+static void farthestCorner(const McdShape *s, const double d[3], double point[3]) {
+    mcd_shapePoint(s, copysign(s->size[0], mcd_dot(s->axis[0], d)), copysign(s->size[1], mcd_dot(s->axis[1], d)),
+                   copysign(s->size[2], mcd_dot(s->axis[2], d)), point);
+}
+
+static void face(const McdShape *s, const double direction[3], McdFace *f) {
+    static const double round[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    double d[3];
+    int k = 0;
+    mcd_shapeOwn(s, direction, d);
+    for (int i = 1; i < 3; i++)
+        if (fabs(d[i]) > fabs(d[k]))
+            k = i;
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const double side = d[k] < 0 ? -1 : 1;
+    double middle[3], u[3], w[3];
+    mcd_scale(f->normal, s->axis[k], side);
+    mcd_mad(middle, s->place, s->size[k], f->normal);
+    mcd_scale(u, s->axis[i], side * s->size[i]); /* mirrored, so that the order turns with the side */
+    mcd_scale(w, s->axis[j], s->size[j]);
+    f->id = (MeU32)(2 * k + (side > 0));
+    f->count = 4;
+    for (int corner = 0; corner < 4; corner++) {
+        for (int c = 0; c < 3; c++)
+            f->point[corner][c] = middle[c] + (round[corner][0] * u[c] + round[corner][1] * w[c]);
+        f->name[corner] = (MeU32)corner;
+    }
+}
+
+static void edges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context) {
+    const MeReal *size = get(g)->radii;
+    (void)sides;
+    for (int axis = 0; axis < 3; axis++)
+        for (int k = 0; k < 4; k++) {
+            double end[2][3];
+            for (int e = 0; e < 2; e++) {
+                end[e][axis] = (e ? 1 : -1) * (double)size[axis];
+                end[e][(axis + 1) % 3] = (k & 1 ? 1 : -1) * (double)size[(axis + 1) % 3];
+                end[e][(axis + 2) % 3] = (k & 2 ? 1 : -1) * (double)size[(axis + 2) % 3];
+            }
+            visit(context, end[0], end[1]);
+        }
+}
+
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Box, mcd_geometryFree), .size = sizeof(McdBox),
+                             .setShape = setShape,
+                             .support = farthestCorner,
+                             .face = face,
+                             .rank = MCD_RANK_BOX,
+                             .flatAxes = 1 | 2 | 4,
+                             .edges = edges};
+MCD_DEFINE_GEOMETRY_TYPE(Box)
+
+/* ---- sizes --------------------------------------------------------------------------------------------------- */
 
 static MeBool sizesAreGood(MeReal dx, MeReal dy, MeReal dz, const char *function) {
     return mcd_sizeIsGood(dx, "length along x", function) && mcd_sizeIsGood(dy, "length along y", function) &&

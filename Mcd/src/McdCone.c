@@ -1,5 +1,6 @@
 /* Cones about z, maybe cut off, with their centre of mass at the origin. */
 #include "McdCone.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 
 static const McdCone *get(const McdGeometry *g) {
@@ -41,6 +42,7 @@ static void sideNormal(const McdClip *c, double t, double slope, double normal[3
  * one belongs to the cone's mirror image beyond its tip. Times are relative to `at`, which is near the cone. */
 static void clipSide(McdClip *c, const Ends *e, double at) {
     const double slope = (e->highRadius - e->lowRadius) / (e->high - e->low);
+    MEASSERT(e->high > e->low);
     double p[3], in = -HUGE_VAL, out = HUGE_VAL, normal[3] = {0, 0, 0};
     const double *v = c->along;
     mcd_clipAt(c, at, p);
@@ -82,8 +84,44 @@ static void clip(const McdGeometry *g, McdClip *c) {
     clipSide(c, &e, MeCLAMP(nearest, c->in, c->out));
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Cone, mcd_geometryFree)
 MCD_DEFINE_LINE_SEGMENT(Cone)
+
+/* ---- in the nearfield ---------------------------------------------------------------------------------------- */
+
+static void setShape(const McdGeometry *g, McdShape *s) {
+    const double low = (double)get(g)->lowerHeight, high = (double)get(g)->length - low;
+    mcd_set(s->size, (double)get(g)->lowerRadius, (double)get(g)->upperRadius, (double)get(g)->length);
+    s->low = low;
+    s->extent = MeMAX(hypot(s->size[0], low), hypot(s->size[1], high));
+}
+
+static McdDiscs discsOf(const McdShape *s) {
+    return (McdDiscs){s->size[0], s->size[1], -s->low, s->size[2] - s->low};
+}
+
+static void farthestOnRims(const McdShape *s, const double d[3], double point[3]) {
+    const McdDiscs discs = discsOf(s);
+    mcd_discsSupport(s, &discs, d, point);
+}
+
+static void face(const McdShape *s, const double direction[3], McdFace *f) {
+    const McdDiscs discs = discsOf(s);
+    mcd_discsFace(s, &discs, direction, f);
+}
+
+static double sideRadius(const McdShape *s, const double outward[3], const double point[3]) {
+    const McdDiscs discs = discsOf(s);
+    return mcd_discsRadius(s, &discs, outward, point);
+}
+
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Cone, mcd_geometryFree), .size = sizeof(McdCone),
+                             .setShape = setShape,
+                             .support = farthestOnRims,
+                             .face = face,
+                             .radius = sideRadius,
+                             .rank = MCD_RANK_CONE,
+                             .flatAxes = 4};
+MCD_DEFINE_GEOMETRY_TYPE(Cone)
 
 /* ---- sizes ----------------------------------------------------------------------------------------------------------- */
 
@@ -99,6 +137,7 @@ static void setSizes(McdCone *c, MeReal length, MeReal lowerRadius, MeReal upper
     c->lowerRadius = lowerRadius;
     c->upperRadius = upperRadius;
     c->lowerHeight = (MeReal)((double)length / 4 * (r * r + 2 * r * s + 3 * s * s) / (r * r + r * s + s * s));
+    MEASSERT(c->lowerHeight >= 0 && c->lowerHeight <= length);
 }
 
 McdConeID MEAPI McdConeCreate(McdFramework *frame, MeReal length, MeReal lowerRadius) {

@@ -211,6 +211,13 @@ static void ascending(int *kept, int count) {
         }
 }
 
+static MeBool areAscending(const int *kept, int count) {
+    for (int i = 1; i < count; i++)
+        if (kept[i] <= kept[i - 1])
+            return MEFALSE;
+    return METRUE;
+}
+
 int mcd_spread(McdSpot *spot, int count, int wanted, double same, int *kept) {
     int keptCount;
     if (count <= 0 || wanted <= 0)
@@ -226,6 +233,7 @@ int mcd_spread(McdSpot *spot, int count, int wanted, double same, int *kept) {
     }
     ascending(kept, keptCount);
     MEASSERT(keptCount >= 1 && keptCount <= wanted && kept[0] >= 0 && kept[keptCount - 1] < count);
+    MEVALIDATE(areAscending(kept, keptCount));
     return keptCount;
 }
 
@@ -286,6 +294,7 @@ int mcd_simplify(const McdContact *from, int count, McdContact *to, int wanted, 
     int *index = (int *)(spot + count);
     const Workplace w = {spot, index, index + count, index + 2 * count};
     const int chosenCount = choose(&w, from, count, wanted, faceNormal, same);
+    MEASSERT(chosenCount <= MeMAX(wanted, 0) && chosenCount <= count);
     for (int i = 0; i < chosenCount; i++)
         to[i] = from[w.chosen[i]]; /* chosen ascends: nothing is overwritten before it is read */
     return chosenCount;

@@ -1,7 +1,7 @@
 /* The interactions of convex geometries with each other and with planes. */
 #include "McdConvexInteractions.h"
 #include "McdPlaneIntersect.h"
-#include "mcd_geometries.h"
+#include "mcd_kind.h"
 #include "mcd_motion.h"
 #include "mcd_vector.h"
 #include <string.h>
@@ -27,8 +27,10 @@ static int notPlaced(const char *function) {
 }
 
 static int convexIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
-    if (!hasTypes(p, result, type1, type2, function))
-        return 0;
+    return hasTypes(p, result, type1, type2, function) ? mcd_convexContacts(p, result, function) : 0;
+}
+
+int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function) {
     McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
     double origin[3];
     McdShape a, b;
@@ -54,10 +56,12 @@ static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double norm
 }
 
 static int planeIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
-    if (!hasTypes(p, result, type1, type2, function))
-        return 0;
+    return hasTypes(p, result, type1, type2, function) ? mcd_planeContacts(p, result, function) : 0;
+}
+
+int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function) {
     McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
-    const MeBool isTurned = type1 == kMcdGeometryTypePlane;
+    const MeBool isTurned = mcd_isHalfSpace(ins1);
     double origin[3], normal[3], offset;
     McdShape a;
     McdManifold m;

@@ -6,6 +6,7 @@
 #include "McdConvexMesh.h"
 #include "McdConvexInteractions.h"
 #include "McdTriangleList.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 #include <string.h>
 
@@ -92,8 +93,103 @@ static void MEAPI release(McdGeometryID g) {
     MeMemoryGive(g);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh, release)
 MCD_DEFINE_LINE_SEGMENT(ConvexMesh)
+
+/* ---- in the nearfield ---------------------------------------------------------------------------------------------- */
+
+/* Below this many corners, looking at all of them is faster than walking along the edges. */
+enum { SCANNED_CORNERS = 24 };
+
+static void setShape(const McdGeometry *g, McdShape *s) {
+    s->hull = get(g)->hull;
+    s->rounding = (double)get(g)->fatness;
+    s->extent = mcd_length(s->hull->centre) + s->hull->extent + s->rounding;
+}
+
+static int farthestOfAll(const McdHull *h, const double d[3]) {
+    int best = 0;
+    double most = mcd_dot(h->vertex[0], d);
+    for (int i = 1; i < h->vertexCount; i++) {
+        const double x = mcd_dot(h->vertex[i], d);
+        if (x > most) {
+            most = x;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* On a convex polyhedron a corner that no neighbour beats is the farthest of all. */
+static int farthestByClimbing(const McdHull *h, const double d[3]) {
+    int here = 0, next = 0;
+    double most = mcd_dot(h->vertex[0], d);
+    do {
+        here = next;
+        for (int i = h->neighbourFirst[here]; i < h->neighbourFirst[here + 1]; i++) {
+            const double x = mcd_dot(h->vertex[h->neighbour[i]], d);
+            if (x > most) {
+                most = x;
+                next = h->neighbour[i];
+            }
+        }
+    } while (next != here);
+    /* Corners that flatness let vanish are missing from the walk: local bests may be that much below. */
+    MEVALIDATE(most >= mcd_dot(h->vertex[farthestOfAll(h, d)], d) - 1e-6 * h->extent * mcd_length(d));
+    return here;
+}
+
+static void hullSupport(const McdShape *s, const double d[3], double point[3]) {
+    const double own[3] = {mcd_dot(s->axis[0], d), mcd_dot(s->axis[1], d), mcd_dot(s->axis[2], d)};
+    const McdHull *h = s->hull;
+    const int i = h->vertexCount <= SCANNED_CORNERS ? farthestOfAll(h, own) : farthestByClimbing(h, own);
+    mcd_shapePoint(s, h->vertex[i][0], h->vertex[i][1], h->vertex[i][2], point);
+}
+
+static void hullFace(const McdShape *s, const double direction[3], McdFace *f) {
+    double d[3];
+    mcd_shapeOwn(s, direction, d);
+    const McdHull *h = s->hull;
+    int best = 0;
+    double most = -INFINITY;
+    for (int i = 0; i < h->faceCount; i++) {
+        const double x = mcd_dot(h->face[i].normal, d);
+        if (x > most) {
+            most = x;
+            best = i;
+        }
+    }
+    const McdHullFace *face = &h->face[best];
+    /* Of more corners than there is place for, some all round it. */
+    const int count = MeMIN(face->count, MCD_FACE_POINTS - 1);
+    MEASSERT(face->count >= 3 && face->first >= 0);
+    mcd_shapeDirection(s, face->normal[0], face->normal[1], face->normal[2], f->normal);
+    f->id = (MeU32)best;
+    for (int i = 0; i < count; i++) {
+        const double *v = h->vertex[h->faceVertex[face->first + i * face->count / count]];
+        mcd_faceAdd(s, f, v[0], v[1], v[2], (MeU32)i);
+    }
+}
+
+static void edges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context) {
+    const McdHull *h = get(g)->hull;
+    (void)sides;
+    for (int f = 0; f < h->faceCount; f++)
+        for (int i = 0; i < h->face[f].count; i++) {
+            const int *corner = h->faceVertex + h->face[f].first;
+            const MeReal *a = get(g)->shown[corner[i]], *b = get(g)->shown[corner[(i + 1) % h->face[f].count]];
+            const double from[3] = {(double)a[0], (double)a[1], (double)a[2]};
+            const double to[3] = {(double)b[0], (double)b[1], (double)b[2]};
+            visit(context, from, to);
+        }
+}
+
+static const McdKind kind = {MCD_KIND_FUNCTIONS(ConvexMesh, release), .size = sizeof(McdConvexMesh),
+                             .setShape = setShape,
+                             .support = hullSupport,
+                             .face = hullFace,
+                             .rank = MCD_RANK_HULL,
+                             .edges = edges};
+MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh)
 
 /* ---- life ------------------------------------------------------------------------------------------------------------ */
 
@@ -342,6 +438,7 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
         b[k] = sine > 0 ? (other[k] - dot(a, other) * a[k]) / sine : 0;
         normals[k] = sin(angle) * a[k] + (1 - cos(angle)) * b[k]; /* the integral of n */
     }
+    MEASSERT(angle >= 0 && length2 > 0);
     const double length = sqrt(length2), disc = angle * r * r / 2, ring = r * r * r / 3, quarter = r * r * r * r / 4;
     s->m += length * disc;
     addFirst(s, length * disc, middle);
@@ -418,6 +515,7 @@ static Moments momentsOf(const McdHull *h, double r) {
             addSides(&s, h, i, addSector(&s, h, i, r), r);
         addCorners(&s, h, r);
     }
+    MEASSERT(s.m > 0); /* faces look outward */
     return s;
 }
 

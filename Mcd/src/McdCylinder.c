@@ -1,5 +1,6 @@
 /* Cylinders about z. */
 #include "McdCylinder.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 
 static const McdCylinder *get(const McdGeometry *g) {
@@ -20,8 +21,56 @@ static void clip(const McdGeometry *g, McdClip *c) {
     mcd_clipCylinder(c, origin, up, (double)get(g)->radius);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Cylinder, mcd_geometryFree)
 MCD_DEFINE_LINE_SEGMENT(Cylinder)
+
+/* ---- in the nearfield ---------------------------------------------------------------------------------------- */
+
+static void setShape(const McdGeometry *g, McdShape *s) {
+    const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
+    mcd_set(s->size, r, r, h);
+    s->extent = hypot(r, h);
+}
+
+static McdDiscs discsOf(const McdShape *s) {
+    return (McdDiscs){s->size[0], s->size[0], -s->size[2], s->size[2]};
+}
+
+static void farthestOnRims(const McdShape *s, const double d[3], double point[3]) {
+    const McdDiscs discs = discsOf(s);
+    mcd_discsSupport(s, &discs, d, point);
+}
+
+static void face(const McdShape *s, const double direction[3], McdFace *f) {
+    const McdDiscs discs = discsOf(s);
+    mcd_discsFace(s, &discs, direction, f);
+}
+
+static double sideRadius(const McdShape *s, const double outward[3], const double point[3]) {
+    const McdDiscs discs = discsOf(s);
+    return mcd_discsRadius(s, &discs, outward, point);
+}
+
+static void edges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context) {
+    const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
+    for (int i = 0; i < sides; i++) {
+        const double from = 2 * (double)ME_PI * i / sides, to = 2 * (double)ME_PI * (i + 1) / sides;
+        const double low[2][3] = {{r * cos(from), r * sin(from), -h}, {r * cos(to), r * sin(to), -h}};
+        const double high[2][3] = {{low[0][0], low[0][1], h}, {low[1][0], low[1][1], h}};
+        visit(context, low[0], high[0]);
+        visit(context, low[0], low[1]);
+        visit(context, high[0], high[1]);
+    }
+}
+
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Cylinder, mcd_geometryFree), .size = sizeof(McdCylinder),
+                             .setShape = setShape,
+                             .support = farthestOnRims,
+                             .face = face,
+                             .radius = sideRadius,
+                             .rank = MCD_RANK_CYLINDER,
+                             .flatAxes = 4,
+                             .edges = edges};
+MCD_DEFINE_GEOMETRY_TYPE(Cylinder)
 
 static MeBool sizesAreGood(MeReal r, MeReal h, const char *function) {
     return mcd_sizeIsGood(r, "radius", function) && mcd_sizeIsGood(h, "height", function);

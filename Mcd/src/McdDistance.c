@@ -1,5 +1,7 @@
 /* How far apart two models are: the least over the pairs of their convex parts, triangles among them. */
-#include "mcd_mesh.h"
+#include "mcd_geometries.h"
+#include "mcd_kind.h"
+#include "mcd_vector.h"
 #include <string.h>
 
 /* A nearest pair so far. */
@@ -18,24 +20,21 @@ static void take(Nearest *nearest, double distance, const double onA[3], const d
     memcpy(nearest->normal, normal, sizeof nearest->normal);
 }
 
-/* A convex shape above a plane's half-space. */
+/* What was measured from a convex shape to the other one; turned: the shape is the second of the pair. */
+static void takeTurned(Nearest *nearest, MeBool isTurned, double distance, const double onShape[3],
+                       const double onOther[3], const double n[3]) {
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    if (isTurned)
+        take(nearest, distance, onOther, onShape, back);
+    else
+        take(nearest, distance, onShape, onOther, n);
+}
+
 static void measurePlane(const McdShape *a, McdGeometryInstance *plane, const double origin[3], MeBool isTurned,
                          Nearest *nearest) {
-    const MeMatrix4Ptr tm = mcd_instanceTM(plane);
-    double n[3], back[3], onA[3], onB[3], distance = 0;
-    for (int i = 0; i < 3; i++) {
-        n[i] = (double)tm[2][i];
-        back[i] = -n[i];
-    }
-    mcd_support(a, back, onA);
-    for (int i = 0; i < 3; i++)
-        distance += n[i] * (onA[i] + origin[i] - (double)tm[3][i]);
-    for (int i = 0; i < 3; i++)
-        onB[i] = onA[i] - distance * n[i];
-    if (isTurned)
-        take(nearest, distance, onB, onA, back);
-    else
-        take(nearest, distance, onA, onB, n);
+    double onA[3], onB[3], n[3];
+    const double distance = mcd_planeDistance(a, mcd_const(mcd_instanceTM(plane)), origin, onA, onB, n);
+    takeTurned(nearest, isTurned, distance, onA, onB, n);
 }
 
 /* A convex shape and a list or height field. */
@@ -44,11 +43,7 @@ static void measureMesh(const McdShape *a, McdModelID asker, McdGeometryInstance
     double distance, onA[3], onB[3], n[3];
     if (!mcd_meshNearest(a, mesh, asker, origin, INFINITY, &distance, onA, onB, n))
         return;
-    const double back[3] = {-n[0], -n[1], -n[2]};
-    if (isTurned)
-        take(nearest, distance, onB, onA, back);
-    else
-        take(nearest, distance, onA, onB, n);
+    takeTurned(nearest, isTurned, distance, onA, onB, n);
 }
 
 /* False if none of the parts is convex, or the other one is null. */
@@ -63,9 +58,9 @@ static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const
         take(nearest, distance, onA, onB, normal);
         return METRUE;
     }
-    if (isConvexA && b->geometry->type == kMcdGeometryTypePlane)
+    if (isConvexA && mcd_isHalfSpace(b))
         measurePlane(&shapeA, b, origin, MEFALSE, nearest);
-    else if (isConvexB && a->geometry->type == kMcdGeometryTypePlane)
+    else if (isConvexB && mcd_isHalfSpace(a))
         measurePlane(&shapeB, a, origin, METRUE, nearest);
     else if (isConvexA && mcd_isMesh(b))
         measureMesh(&shapeA, a->model, b, origin, MEFALSE, nearest);
@@ -78,12 +73,12 @@ static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const
 
 static MeBool measure(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3], Nearest *nearest) {
     MeBool isGood = METRUE;
-    if (a->geometry->type == kMcdGeometryTypeAggregate) {
+    if (mcd_partsOf(a->geometry)) {
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
             isGood = measure(child, b, origin, nearest) && isGood;
         return isGood;
     }
-    if (b->geometry->type == kMcdGeometryTypeAggregate) {
+    if (mcd_partsOf(b->geometry)) {
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
             isGood = measure(a, child, origin, nearest) && isGood;
         return isGood;
@@ -105,6 +100,7 @@ MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
     mcd_pairOrigin(&a->instance, &b->instance, origin);
     if (!measure(&a->instance, &b->instance, origin, &nearest) || !nearest.isFound)
         return MEFALSE;
+    MEASSERT(!isnan(nearest.distance) && isfinite(mcd_dot(nearest.normal, nearest.normal)));
     result->distance = mcd_real(nearest.distance);
     for (int i = 0; i < 3; i++) {
         result->position1[i] = mcd_real(nearest.onA[i] + origin[i]);

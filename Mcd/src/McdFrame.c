@@ -1,5 +1,6 @@
 /* The framework: types, interactions, defaults, and the end of everything in it. */
-#include "mcd_i.h"
+#include "mcd_kind.h"
+#include "mcd_scratch.h"
 #include "McdInternal.h"
 #include <stdatomic.h>
 #include <stdint.h>
@@ -52,6 +53,7 @@ static void freeBlocks(McdPoolBlock *block) {
 static void freeFramework(McdFramework *frame) {
     MeMemoryGive(frame->types);
     MeMemoryGive(frame->grid);
+    mcd_scratchFreeAll(frame);
     freeBlocks(frame->modelBlocks);
     freeBlocks(frame->instanceBlocks);
     MeMemoryGive(frame);
@@ -268,16 +270,19 @@ void MEAPI McdFrameworkRegisterGeometryType(McdFrameworkID frame, McdGeometryTyp
     McdTypeRecord *type = typeRecord(frame, typeId, "McdFrameworkRegisterGeometryType");
     if (!type || type->isRegistered)
         return;
-    const McdTypeRecord made = {METRUE,
-                                typeName ? typeName : "(no name)",
-                                destroy,
-                                getAABB,
-                                getBSphere,
-                                maximumPoint,
-                                getMassProperties,
-                                debugDraw,
+    const McdTypeRecord made = {METRUE,           type->kind,        typeName ? typeName : "(no name)",
+                                destroy,          getAABB,           getBSphere,
+                                maximumPoint,     getMassProperties, debugDraw,
                                 type->lineSegment};
     *type = made;
+}
+
+void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *function) {
+    if (!mcd_frameCheck(frame, function))
+        return;
+    McdFrameworkRegisterGeometryType(frame, (McdGeometryType)kind->type, kind->name(0), kind->destroy, kind->box,
+                                     kind->sphere, kind->farthest, kind->mass, kind->draw);
+    frame->types[kind->type].kind = kind;
 }
 
 MeI16 MEAPI McdFrameworkGetRegisteredTypeCount(McdFrameworkID frame) {
@@ -329,13 +334,13 @@ McdInteractions *MEAPI McdFrameworkGetInteractions(McdFramework *frame, int geoT
 
 int MEAPI McdFrameworkGetInteractionsWarned(McdFramework *framework, int geoType1, int geoType2) {
     const McdGridCell *cell = gridCell(framework, geoType1, geoType2, "McdFrameworkGetInteractionsWarned");
-    return cell ? cell->warned : 0;
+    return cell ? atomic_load(&cell->warned) : 0;
 }
 
 void MEAPI McdFrameworkSetInteractionsWarned(McdFramework *framework, int geoType1, int geoType2, int count) {
     McdGridCell *cell = gridCell(framework, geoType1, geoType2, "McdFrameworkSetInteractionsWarned");
     if (cell)
-        cell->warned = count;
+        atomic_store(&cell->warned, count);
 }
 
 void MEAPI McdFrameworkSetLineSegInteraction(McdFramework *frame, int geoType, McdLineSegIntersectFnPtr intersect) {

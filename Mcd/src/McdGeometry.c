@@ -62,6 +62,7 @@ void MEAPI McdGeometryInit(McdGeometryID g, McdFramework *frame, MeI16 typeId) {
     *(g->previous ? &g->previous->next : &frame->firstGeometry) = g;
     frame->lastGeometry = g;
     frame->geometryCount++;
+    MEASSERT(frame->firstGeometry && (g->previous != 0) == (frame->geometryCount > 1));
     MeHandleEnter(handleOf(g), g, MCD_GEOMETRY);
 }
 

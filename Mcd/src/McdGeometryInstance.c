@@ -17,6 +17,7 @@ static McdGeometryInstance *instanceFromPool(McdFramework *frame, const char *fu
     if (!frame->freeInstance && !mcd_frameAddInstances(frame, function))
         return 0;
     McdGeometryInstance *ins = frame->freeInstance;
+    MEASSERT(!ins->geometry && frame->instanceCount < frame->instanceRoom);
     frame->freeInstance = ins->nextSibling;
     frame->instanceCount++;
     memset(ins, 0, sizeof *ins);
@@ -46,9 +47,9 @@ void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins) {
 }
 
 MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, const char *function) {
-    if (ins->geometry->type != kMcdGeometryTypeAggregate)
+    const McdAggregate *aggregate = mcd_partsOf(ins->geometry);
+    if (!aggregate)
         return METRUE;
-    const McdAggregate *aggregate = (const McdAggregate *)ins->geometry;
     McdGeometryInstance **end = &ins->firstChild;
     for (int i = 0; i < aggregate->count; i++) {
         McdGeometryInstance *child = instanceFromPool(frame, function);
@@ -66,6 +67,7 @@ MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, c
             return MEFALSE;
         }
     }
+    MEASSERT(*end == 0 && !ins->firstChild == !aggregate->count);
     return METRUE;
 }
 
@@ -118,7 +120,7 @@ void MEAPI McdGeometryInstanceSetGeometry(McdGeometryInstanceID ins, McdGeometry
         !mcd_geometryType(g, "McdGeometryInstanceSetGeometry") ||
         !mcd_geometryBelongs(g, mcd_record(ins->model)->frame, "McdGeometryInstanceSetGeometry"))
         return;
-    if (g->type == kMcdGeometryTypeAggregate || ins->geometry->type == kMcdGeometryTypeAggregate) {
+    if (mcd_partsOf(g) || mcd_partsOf(ins->geometry)) {
         MeWarning(1, "McdGeometryInstanceSetGeometry: aggregates are set by McdModelSetGeometry");
         return;
     }

@@ -1,6 +1,8 @@
 /* What can be asked of a pair of models: the framework's table says who answers. */
 #include "McdContact.h"
-#include "mcd_i.h"
+#include "mcd_kind.h"
+#include "mcd_scratch.h"
+#include "mcd_spread.h"
 
 static MeBool checkPair(const McdModelPair *p, const char *function) {
     if (p)
@@ -42,19 +44,21 @@ static McdModelPair turn(const McdModelPair *p) {
 
 /* ---- hello, goodbye ---------------------------------------------------------------------------------------------- */
 
-/* Planes, lists and fields stand still as a rule: the guide has no tests between them, and nobody misses any. */
-static MeBool isTerrain(McdModelID cm) {
-    const McdGeometryType type = typeOf(cm);
-    return type == kMcdGeometryTypePlane || type == kMcdGeometryTypeTriangleList ||
-           type == kMcdGeometryTypeRGHeightField || type == kMcdGeometryTypeNull;
+static const McdKind *kindOf(McdModelID cm) {
+    return mcd_kindOf(mcd_record(cm)->instance.geometry);
 }
 
-static void noteMissing(McdModelPair *p) {
+/* Static pairs have no interaction by design (the guide has none), nor has what is empty: no warning. */
+static MeBool hasNoneByDesign(const McdModelPair *p) {
+    const McdKind *a = kindOf(p->model1), *b = kindOf(p->model2);
+    return (a && a->isEmpty) || (b && b->isEmpty) || (a && b && a->isStatic && b->isStatic);
+}
+
+static void warnOfMissing(McdModelPair *p) {
     McdGridCell *cell = cellOf(p->model1, p->model2);
-    if ((isTerrain(p->model1) && isTerrain(p->model2)) || typeOf(p->model1) == kMcdGeometryTypeNull ||
-        typeOf(p->model2) == kMcdGeometryTypeNull)
+    if (hasNoneByDesign(p))
         return;
-    if (cell->warned++ == 0)
+    if (atomic_fetch_add(&cell->warned, 1) == 0)
         MeWarning(2, "McdHello: no interaction of %s and %s is registered: they will not touch",
                   McdGeometryGetTypeName(McdModelGetGeometry(p->model1)),
                   McdGeometryGetTypeName(McdModelGetGeometry(p->model2)));
@@ -66,7 +70,7 @@ void MEAPI McdHello(McdModelPair *p) {
         return;
     const McdInteractions *interaction = interactionOf(p, &isTurned);
     if (!interaction) {
-        noteMissing(p);
+        warnOfMissing(p);
         return;
     }
     if (!interaction->helloFn)
@@ -150,29 +154,35 @@ static void turnContacts(McdIntersectResult *result) {
     }
 }
 
-/* An interaction of a program's own knows nothing of the members that it cannot know. */
-static void completeContacts(McdFramework *frame, McdIntersectResult *result) {
-    for (int i = 0; i < result->contactCount && !frame->knowsSurfaces; i++) {
+/* An interaction of a program's own knows nothing of the members that McdContact gained: it leaves those of an unused
+ * contact as they are, or zero. Radii are never below 0, so that is what an unused one has. */
+static void markUnused(McdContact *c) {
+    c->radius[0] = c->radius[1] = -1;
+}
+
+static void completeContacts(McdIntersectResult *result) {
+    if (!result->contactCount || result->contacts[0].radius[0] >= 0)
+        return;
+    for (int i = 0; i < result->contactCount; i++) {
         McdContact *c = &result->contacts[i];
         c->exactSeparation = (double)c->separation;
         for (int k = 0; k < 3; k++)
             c->exactPosition[k] = (double)c->position[k];
         c->radius[0] = c->radius[1] = 0;
     }
-    frame->knowsSurfaces = METRUE; /* of an aggregate's parts, and so of the aggregate */
 }
 
 static void callIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
-    McdFramework *frame = mcd_record(p->model1)->frame;
-    frame->knowsSurfaces = MEFALSE;
+    markUnused(&result->contacts[0]);
     if (isTurned) {
         McdModelPair asked = turn(p);
         intersect(&asked, result);
+        completeContacts(result);
         turnContacts(result);
     } else {
         intersect(p, result);
+        completeContacts(result);
     }
-    completeContacts(frame, result);
     result->pair = p;
 }
 
@@ -180,18 +190,21 @@ static void callIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTu
 static void intersectFacesFirst(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned,
                                 McdIntersectResult *result) {
     enum { MORE = 4 }; /* so that a manifold of four points is in them where one contact is wanted */
+    McdFramework *frame = mcd_record(p->model1)->frame;
     const int wanted = result->contactMaxCount;
     McdContact *kept = result->contacts;
-    McdContact *all = MeMemoryTake(MORE * (size_t)wanted, sizeof *all, "McdIntersect", "a request's contacts");
-    if (!all)
+    McdScratch *scratch = mcd_scratchTake(frame, "McdIntersect");
+    if (!scratch)
         return;
-    result->contacts = all;
-    result->contactMaxCount = MORE * wanted;
-    callIntersect(intersect, p, isTurned, result);
-    result->contactCount = McdContactSimplify(result->normal, all, result->contactCount, kept, wanted, METRUE,
-                                              mcd_record(p->model1)->frame->lengthScale);
-    result->contacts = kept;
-    MeMemoryGive(all);
+    if (mcd_scratchReserveContacts(scratch, 0, MORE * wanted)) {
+        result->contacts = scratch->contact;
+        result->contactMaxCount = MORE * wanted;
+        callIntersect(intersect, p, isTurned, result);
+        result->contactCount = mcd_simplify(scratch->contact, result->contactCount, kept, wanted, result->normal,
+                                            1e-6 * (double)frame->lengthScale, scratch->choice);
+        result->contacts = kept;
+    }
+    mcd_scratchGive(frame, scratch);
 }
 
 static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTurned, McdIntersectResult *result) {
@@ -320,6 +333,7 @@ MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *res
         return MEFALSE;
     McdModelPair asked = isTurned ? turn(p) : *p;
     const MeBool answer = interaction->safeTimeFn(&asked, maxTime, result);
+    MEASSERT(asked.model1 == (isTurned ? p->model2 : p->model1));
     if (isTurned)
         MeVector3MultiplyScalar(result->normal, result->normal, -1);
     result->pair = p;

@@ -1,5 +1,6 @@
 /* Models: geometries at places, which collide. */
-#include "mcd_i.h"
+#include "McdInternal.h"
+#include "mcd_kind.h"
 #include <string.h>
 
 McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function) {
@@ -39,8 +40,19 @@ static void setDefaults(McdModelRecord *m) {
     m->userData = 0;
 }
 
+/* In the framework's list models follow in the order of creation, and each knows the one before it. */
+static MeBool areModelsGood(const McdFramework *frame) {
+    int count = 0;
+    for (const McdModelRecord *m = frame->firstModel; m; m = m->next, count++)
+        if (m->magic != MCD_MODEL || m->frame != frame || (m->previous && m->previous->serial >= m->serial) ||
+            (m->next ? m->next->previous : frame->lastModel) != m)
+            return MEFALSE;
+    return count == frame->modelCount;
+}
+
 static McdModelRecord *recordFromPool(McdFramework *frame) {
     McdModelRecord *m = frame->firstFree;
+    MEASSERT(m->magic == 0 && frame->modelCount < frame->modelRoom);
     frame->firstFree = m->next;
     if (!frame->firstFree)
         frame->lastFree = 0;
@@ -81,6 +93,7 @@ static MeBool takeGeometry(McdModelRecord *m, McdGeometryID g, const char *funct
         return MEFALSE;
     }
     McdGeometryIncrementReferenceCount(g);
+    MEVALIDATE(m->frame->modelCount > 100 || areModelsGood(m->frame));
     return METRUE;
 }
 
@@ -217,6 +230,18 @@ McdGeometryType MEAPI McdModelGetGeometryType(McdModelID cm) {
     return m ? m->instance.geometry->type : (McdGeometryType)-1;
 }
 
+MeBool MEAPI McdModelIsConvex(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsConvex");
+    const McdKind *kind = m ? mcd_kindOf(m->instance.geometry) : 0;
+    return kind && kind->setShape;
+}
+
+MeBool MEAPI McdModelIsSurface(McdModelID cm) {
+    const McdModelRecord *m = mcd_modelCheck(cm, "McdModelIsSurface");
+    const McdKind *kind = m ? mcd_kindOf(m->instance.geometry) : 0;
+    return kind && kind->gather;
+}
+
 McdGeometryInstanceID MEAPI McdModelGetGeometryInstance(McdModelID cm) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetGeometryInstance");
     return m ? &m->instance : 0;
@@ -351,11 +376,29 @@ void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm) {
 
 /* ---- updating --------------------------------------------------------------------------------------------------- */
 
+/* Does the box hold the farthest points that the nearfield finds, along the world's axes? */
+static MeBool isShapeWithin(McdGeometryInstance *ins) {
+    const double origin[3] = {0, 0, 0};
+    McdShape s;
+    if (!mcd_instanceTM(ins) || !mcd_shapeOf(ins, origin, &s) || !mcd_shapeIsRigid(&s))
+        return METRUE;
+    for (int i = 0; i < 6; i++) {
+        double d[3] = {0, 0, 0}, point[3];
+        d[i / 2] = i % 2 ? -1 : 1;
+        mcd_support(&s, d, point);
+        const double x = point[i / 2], slack = 4 * (double)ME_EPSILON * (s.extent + fabs(x));
+        if (i % 2 ? x < (double)ins->min[i / 2] - slack : x > (double)ins->max[i / 2] + slack)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
 /* Boxes of children first: an aggregate's box is made from theirs. */
 static void updateBoxes(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM) {
     for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling)
         updateBoxes(child, 0);
     McdGeometryInstanceUpdateAABB(ins, finalTM, METRUE);
+    MEVALIDATE(isShapeWithin(ins));
 }
 
 void mcd_modelRefresh(McdModelRecord *m) {
@@ -390,6 +433,7 @@ static MeReal bulge(const McdModelRecord *m, MeReal duration) {
         return 0;
     McdGeometryGetBSphere(m->instance.geometry, centre, &radius);
     const MeReal angle = MeVector3Magnitude(m->angularVelocity) * MeFabs(duration);
+    MEASSERT(!(radius < 0));
     const MeReal reach = MeVector3Magnitude(centre) + radius;
     return angle < ME_PI ? reach * (1 - MeCos(angle / 2)) : reach;
 }

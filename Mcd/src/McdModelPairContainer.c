@@ -1,5 +1,6 @@
 /* Places for the pairs that a space hands over. */
 #include "McdModelPairContainer.h"
+#include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
 #include <string.h>
@@ -72,6 +73,7 @@ MeBool MEAPI McdModelPairContainerInsertGoodbyePair(McdModelPairContainer *c, Mc
 
 /* Moves array[first .. last - 1] by one place. */
 static void shift(McdModelPairContainer *c, int first, int last, int by) {
+    MEASSERT(first + by >= 0 && first <= last && last + by <= c->size);
     memmove(c->array + first + by, c->array + first, (size_t)(last - first) * sizeof *c->array);
 }
 

@@ -39,12 +39,9 @@ McdModelPairManagerID MEAPI McdModelPairManagerCreate(int size) {
         return 0;
     }
     const size_t bytes = sizeof(McdModelPairManager) + (size_t)size * (sizeof(Record) + sizeof(Record *));
-    McdModelPairManager *manager = MeMemoryAPI.create(bytes);
-    if (!manager) {
-        MeFatalError(1, "McdModelPairManagerCreate: no memory for %d pairs", size);
+    McdModelPairManager *manager = MeMemoryTakeZeroed(1, bytes, "McdModelPairManagerCreate", "pairs");
+    if (!manager)
         return 0;
-    }
-    memset(manager, 0, bytes);
     manager->size = size;
     manager->record = (Record *)(manager + 1);
     manager->bucket = (Record **)(manager->record + size);
@@ -61,7 +58,7 @@ void MEAPI McdModelPairManagerDestroy(McdModelPairManager *manager) {
     for (Record *r = manager->first; r; r = r->after)
         if (r->pair.m_cachedData)
             McdGoodbye(&r->pair);
-    MeMemoryAPI.destroy(manager);
+    MeMemoryGive(manager);
 }
 
 /* ---- finding ------------------------------------------------------------------------------------------------------ */
@@ -102,12 +99,23 @@ static void tellFull(McdModelPairManager *manager, McdModelID m1, McdModelID m2)
     manager->hasWarned = METRUE;
 }
 
+/* The list has all records that are used, and the table finds each of them. */
+static MeBool isListGood(McdModelPairManager *manager) {
+    int count = 0;
+    for (Record *r = manager->first; r; r = r->after, count++)
+        if (*placeOf(manager, r->pair.model1, r->pair.model2) != r || r->pair.phase == kMcdFFStateInactive ||
+            (r->after ? r->after->before : manager->last) != r)
+            return MEFALSE;
+    return count == manager->used;
+}
+
 static void append(McdModelPairManager *manager, Record *r) {
     r->before = manager->last;
     r->after = NULL;
     *(manager->last ? &manager->last->after : &manager->first) = r;
     manager->last = r;
     manager->used++;
+    MEVALIDATE(isListGood(manager));
 }
 
 MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModelID model1, McdModelID model2) {
@@ -149,6 +157,7 @@ static void drop(McdModelPairManager *manager, Record *r) {
     r->after = manager->firstFree;
     manager->firstFree = r;
     manager->used--;
+    MEVALIDATE(isListGood(manager));
 }
 
 MeBool MEAPI McdModelPairManagerDeactivate(McdModelPairManagerID manager, McdModelID model1, McdModelID model2) {

@@ -1,5 +1,6 @@
 /* The geometry without extent. */
 #include "McdNull.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 
 static void support(const McdGeometry *g, const double direction[3], double point[3]) {
@@ -8,7 +9,8 @@ static void support(const McdGeometry *g, const double direction[3], double poin
     point[0] = point[1] = point[2] = 0;
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Null, mcd_geometryFree)
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Null, mcd_geometryFree), .isStatic = METRUE, .isEmpty = METRUE};
+MCD_DEFINE_GEOMETRY_TYPE(Null)
 
 McdNullID MEAPI McdNullCreate(McdFramework *frame) {
     return (McdNullID)mcd_geometryCreate(frame, kMcdGeometryTypeNull, sizeof(McdNull), "McdNullCreate");

@@ -1,5 +1,6 @@
 /* Planes: z = 0, and all below is inside. */
 #include "McdPlane.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 
 /* As far as planes reach: sums and differences of such numbers are finite. */
@@ -32,11 +33,10 @@ char *MEAPI McdPlaneGetTypeName(const McdGeometryID g) {
     return name;
 }
 
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Plane, mcd_geometryFree), .size = sizeof(McdPlane), .isHalfSpace = METRUE, .isStatic = METRUE};
+
 void MEAPI McdPlaneRegisterType(McdFramework *frame) {
-    if (mcd_frameCheck(frame, "McdPlaneRegisterType"))
-        McdFrameworkRegisterGeometryType(frame, kMcdGeometryTypePlane, McdPlaneGetTypeName(0), mcd_geometryFree,
-                                         McdPlaneUpdateAABB, McdPlaneGetBSphere, McdPlaneMaximumPoint,
-                                         McdPlaneGetMassProperties, McdPlaneDebugDraw);
+    mcd_kindRegister(frame, &kind, "McdPlaneRegisterType");
 }
 
 McdPlaneID MEAPI McdPlaneCreate(McdFramework *frame) {

@@ -1,11 +1,7 @@
 /* Cross-sections: where a plane cuts the edges of a convex body, in order around the middle of these points. */
 #include "McdPlaneIntersect.h"
 
-#include "McdBox.h"
-#include "McdConvexMesh.h"
-#include "McdCylinder.h"
-#include "mcd_i.h"
-#include "mcd_vector.h"
+#include "mcd_kind.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,8 +27,7 @@ static void addCorner(Slice *s, const double position[3]) {
         return;
     if (s->count == s->room) {
         const int room = MeMAX(2 * s->room, 32);
-        if (!MeMemoryGrow(&s->corner, (size_t)s->count, (size_t)room, sizeof *s->corner, s->function,
-                          "corners")) {
+        if (!MeMemoryGrow(&s->corner, (size_t)s->count, (size_t)room, sizeof *s->corner, s->function, "corners")) {
             s->isOut = METRUE;
             return;
         }
@@ -42,7 +37,8 @@ static void addCorner(Slice *s, const double position[3]) {
 }
 
 /* Where an edge passes through the plane; an end in the plane counts. */
-static void cutEdge(Slice *s, const double from[3], const double to[3]) {
+static void cutEdge(void *context, const double from[3], const double to[3]) {
+    Slice *s = context;
     const double a = mcd_dot(s->normal, from) - s->dist, b = mcd_dot(s->normal, to) - s->dist;
     if ((a > 0 && b > 0) || (a < 0 && b < 0))
         return;
@@ -54,53 +50,8 @@ static void cutEdge(Slice *s, const double from[3], const double to[3]) {
     double along[3], cut[3];
     mcd_sub(along, to, from);
     mcd_mad(cut, from, a / (a - b), along);
+    MEASSERT(a / (a - b) >= 0 && a / (a - b) <= 1);
     addCorner(s, cut);
-}
-
-static void cutBox(Slice *s, McdGeometryID g) {
-    MeReal size[3];
-    McdBoxGetDimensions(g, &size[0], &size[1], &size[2]);
-    for (int axis = 0; axis < 3; axis++)
-        for (int k = 0; k < 4; k++) {
-            double end[2][3];
-            for (int e = 0; e < 2; e++) {
-                end[e][axis] = (e ? .5 : -.5) * (double)size[axis];
-                end[e][(axis + 1) % 3] = (k & 1 ? .5 : -.5) * (double)size[(axis + 1) % 3];
-                end[e][(axis + 2) % 3] = (k & 2 ? .5 : -.5) * (double)size[(axis + 2) % 3];
-            }
-            cutEdge(s, end[0], end[1]);
-        }
-}
-
-static void cutCylinder(Slice *s, McdGeometryID g, int maxVert) {
-    const double r = (double)McdCylinderGetRadius(g), h = (double)McdCylinderGetHeight(g) / 2;
-    const int sides = MeCLAMP(maxVert - 2, 3, SIDES);
-    for (int i = 0; i < sides; i++) {
-        const double from = 2 * (double)ME_PI * i / sides, to = 2 * (double)ME_PI * (i + 1) / sides;
-        const double low[2][3] = {{r * cos(from), r * sin(from), -h}, {r * cos(to), r * sin(to), -h}};
-        const double high[2][3] = {{low[0][0], low[0][1], h}, {low[1][0], low[1][1], h}};
-        cutEdge(s, low[0], high[0]);
-        cutEdge(s, low[0], low[1]);
-        cutEdge(s, high[0], high[1]);
-    }
-}
-
-static void vertexOf(McdGeometryID g, int polygon, int i, double vertex[3]) {
-    const MeReal *v = McdConvexMeshGetPolygonVertexPtr(g, polygon, i);
-    for (int k = 0; k < 3; k++)
-        vertex[k] = (double)v[k];
-}
-
-static void cutMesh(Slice *s, McdGeometryID g) {
-    for (int polygon = 0; polygon < McdConvexMeshGetPolygonCount(g); polygon++) {
-        const int count = McdConvexMeshGetPolygonVertexCount(g, polygon);
-        for (int i = 0; i < count; i++) {
-            double from[3], to[3];
-            vertexOf(g, polygon, i, from);
-            vertexOf(g, polygon, NextModN(i, count), to);
-            cutEdge(s, from, to);
-        }
-    }
 }
 
 /* ---- in order -------------------------------------------------------------------------------------------------------- */
@@ -190,12 +141,9 @@ static void slice(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, 
     Slice s = {.function = function};
     const McdGeometryID g = McdGeometryInstanceGetGeometry(ins);
     placePlane(&s, mcd_instanceTM(ins), normal, dist);
-    if (g->type == kMcdGeometryTypeBox)
-        cutBox(&s, g);
-    else if (g->type == kMcdGeometryTypeCylinder)
-        cutCylinder(&s, g, maxVert);
-    else if (g->type == kMcdGeometryTypeConvexMesh)
-        cutMesh(&s, g);
+    const McdKind *kind = mcd_kindOf(g);
+    if (kind && kind->edges)
+        kind->edges(g, MeCLAMP(maxVert - 2, 3, SIDES), cutEdge, &s);
     else
         MeWarning(1, "%s: the instance is no box, cylinder or convex mesh", function);
     if (s.count) {

@@ -1,7 +1,7 @@
 /* Questions to a space beyond line segments: overlaps, nearest models, casts. */
 #include "McdQuery.h"
 #include "McdGeometry.h"
-#include "mcd_mesh.h"
+#include "mcd_kind.h"
 #include "mcd_space_i.h"
 #include "mcd_vector.h"
 #include <string.h>
@@ -61,23 +61,8 @@ static MeBool setShape(Query *q, McdGeometryID g, const MeMatrix4 tm, const char
     return METRUE;
 }
 
-/* A convex shape above a plane. */
-static void measurePlane(const Query *q, const McdShape *shape, Gap *gap) {
-    const MeMatrix4Ptr tm = mcd_instanceTM(gap->part);
-    double down[3];
-    gap->distance = 0;
-    for (int i = 0; i < 3; i++) {
-        gap->normal[i] = (double)tm[2][i];
-        down[i] = -gap->normal[i];
-    }
-    mcd_support(shape, down, gap->onShape);
-    for (int i = 0; i < 3; i++)
-        gap->distance += gap->normal[i] * (gap->onShape[i] + q->origin[i] - (double)tm[3][i]);
-    mcd_mad(gap->onPart, gap->onShape, -gap->distance, gap->normal);
-}
-
 static MeBool isPlane(const McdGeometryInstance *part) {
-    return part->geometry->type == kMcdGeometryTypePlane;
+    return mcd_isHalfSpace(part);
 }
 
 /* other: the part's shape, or one triangle of it; null for planes. */
@@ -85,7 +70,8 @@ static void measure(const Query *q, const McdShape *shape, const McdShape *other
     if (other)
         gap->distance = mcd_convexDistance(shape, other, gap->onShape, gap->onPart, gap->normal);
     else
-        measurePlane(q, shape, gap);
+        gap->distance = mcd_planeDistance(shape, mcd_const(mcd_instanceTM(gap->part)), q->origin, gap->onShape,
+                                          gap->onPart, gap->normal);
 }
 
 /* False for a part that is too far away or cannot be asked. */
@@ -151,6 +137,7 @@ static void addToList(Query *q, McdModelID cm) {
     MEASSERT(at < q->count && q->count <= q->listSize);
     memmove(q->list + at + 1, q->list + at, (size_t)(q->count - at - 1) * sizeof *q->list);
     q->list[at] = cm;
+    MEASSERT(at + 1 == q->count || mcd_modelPrecedes(mcd_record(cm), mcd_record(q->list[at + 1])));
 }
 
 static MeBool checkList(McdSpaceID s, const McdModelID *list, int size, const char *function) {
@@ -279,6 +266,7 @@ int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 
     search(&c, (double)maxDistance);
     if (!c.model || c.gap.distance > (double)maxDistance)
         return 0;
+    MEASSERT(c.gap.part->model == c.model);
     result->model = c.model;
     result->instance = c.gap.part;
     result->distance = mcd_real(c.gap.distance);
@@ -318,6 +306,7 @@ static MeBool advance(const Cast *c, const McdShape *other, double last, Gap *ga
             return MEFALSE;
         t += gap->distance / closing;
     }
+    MEASSERT(t >= 0 && t <= last);
     *fraction = t;
     return METRUE;
 }
@@ -449,6 +438,7 @@ int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix
     mcd_spaceCast(space, middle, c.by, half, 1, visitCast, &c);
     if (!c.model)
         return 0;
+    MEASSERT(c.gap.part->model == c.model && c.fraction >= 0 && c.fraction <= 1);
     result->model = c.model;
     result->instance = c.gap.part;
     result->fraction = (MeReal)c.fraction;

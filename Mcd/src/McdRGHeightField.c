@@ -2,6 +2,7 @@
 #include "McdRGHeightField.h"
 #include "MeDebugDraw.h"
 #include "mcd_geometries.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 #include "mcd_vector.h"
 #include <math.h>
@@ -10,8 +11,6 @@
 static McdRGHeightField *fieldOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, function) ? (McdRGHeightField *)g : 0;
 }
-
-static void gather(McdMeshQuery *q);
 
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
@@ -26,6 +25,7 @@ static void findExtremes(McdRGHeightField *f) {
         f->high = any ? MeMAX(f->high, z) : z;
         any = METRUE;
     }
+    MEASSERT(f->low <= f->high);
 }
 
 static MeBool isGrid(int xCount, int yCount, MeReal xStep, MeReal yStep, MeReal x0, MeReal y0) {
@@ -51,14 +51,8 @@ McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeRea
     f->yStep = yStep;
     f->x0 = x0;
     f->y0 = y0;
-    f->mesh.gather = gather;
     findExtremes(f);
     return &f->head;
-}
-
-static void MEAPI release(McdGeometryID g) {
-    mcd_meshFree(&((McdRGHeightField *)g)->mesh);
-    MeMemoryGive(g);
 }
 
 /* ---- what it is made of -------------------------------------------------------------------------------------------- */
@@ -162,7 +156,9 @@ static void support(const McdGeometry *g, const double direction[3], double poin
     mcd_boxSupport(min, max, direction, point);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(RGHeightField, release)
+static void gather(McdMeshQuery *q);
+static const McdKind kind = {MCD_KIND_FUNCTIONS(RGHeightField, mcd_geometryFree), .gather = gather, .isStatic = METRUE};
+MCD_DEFINE_GEOMETRY_TYPE(RGHeightField)
 
 void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeRGHeightField, "McdRGHeightFieldGetBSphere"))
@@ -210,6 +206,19 @@ void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, 
 
 /* ---- interactions ----------------------------------------------------------------------------------------------------- */
 
+/* Adds the triangles of a cell; a corner's number is its place in the part of the grid that begins at (i0, j0) and is so
+ * many points wide. */
+static void addCell(McdMeshQuery *q, const McdRGHeightField *f, int i, int j, int i0, int j0, int width) {
+    for (int half = 0; half < 2; half++) {
+        const int at = (j - j0) * width + i - i0, vertex[3] = {at, at + 1 + half * width, at + 1 - half + width};
+        double corner[3][3];
+        triangleOf(f, i, j, half, corner);
+        if (isfinite(corner[0][2] + corner[1][2] + corner[2][2]))
+            mcd_meshAdd(q, (const double(*)[3])corner, 0, kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges,
+                        vertex, elementOf(f, i, j, half));
+    }
+}
+
 /* Cells whose corners touch the box count too: their triangles are neighbours. */
 static void gather(McdMeshQuery *q) {
     const McdRGHeightField *f = (const McdRGHeightField *)mcd_record(q->pair->model2)->instance.geometry;
@@ -218,22 +227,20 @@ static void gather(McdMeshQuery *q) {
     const int i1 = cellAt(q->high[0] + 1e-6 * dx, x0, dx, f->xCount);
     const int j0 = cellAt(q->low[1] - 1e-6 * dy, y0, dy, f->yCount);
     const int j1 = cellAt(q->high[1] + 1e-6 * dy, y0, dy, f->yCount);
+    const int width = i1 - i0 + 2, vertexCount = width * (j1 - j0 + 2);
+    if (!mcd_meshReserve(q->mesh, (vertexCount + 2) / 3)) /* as many corners as three times that */
+        return;
+    q->mesh->vertexCount = vertexCount;
     for (int j = j0; j <= j1; j++)
         for (int i = i0; i <= i1; i++)
-            for (int half = 0; half < 2; half++) {
-                double corner[3][3];
-                triangleOf(f, i, j, half, corner);
-                if (isfinite(corner[0][2] + corner[1][2] + corner[2][2]))
-                    mcd_meshAdd(q, (const double(*)[3])corner, 0,
-                                kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges, elementOf(f, i, j, half));
-            }
+            addCell(q, f, i, j, i0, j0, width);
 }
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
-    McdRGHeightField *f = (McdRGHeightField *)mcd_record(p->model2)->instance.geometry;
-    if (!mcd_geometryIs(&f->head, kMcdGeometryTypeRGHeightField, "Mcd...RGHeightFieldIntersect"))
+    if (!mcd_geometryIs(mcd_record(p->model2)->instance.geometry, kMcdGeometryTypeRGHeightField,
+                        "Mcd...RGHeightFieldIntersect"))
         return 0;
-    return mcd_meshIntersect(p, result, &f->mesh, gather);
+    return mcd_meshIntersect(p, result, gather);
 }
 
 MCD_MESH_INTERACTIONS(RGHeightField, intersect)
@@ -241,8 +248,8 @@ MCD_MESH_INTERACTIONS(RGHeightField, intersect)
 /* ---- line segments ------------------------------------------------------------------------------------------------------- */
 
 /* Tests both triangles of a cell. */
-static MeBool meetCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3], double *part,
-                       double normal[3]) {
+static MeBool intersectCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3],
+                            double *part, double normal[3]) {
     MeBool isHit = MEFALSE;
     for (int half = 0; half < 2; half++) {
         double corner[3][3], own[3], here, hit[3];
@@ -286,8 +293,8 @@ static double exitOf(double x, double along, double x0, double step, int c) {
 
 /* Cell by cell along the segment. Where it runs along a line of the grid, rounding must not let it slip through: the
  * cells beside are tested as well. */
-static MeBool walk(const McdRGHeightField *f, const double from[3], const double to[3], double *part,
-                   double normal[3]) {
+static MeBool traverseCells(const McdRGHeightField *f, const double from[3], const double to[3], double *part,
+                            double normal[3]) {
     const double origin[2] = {(double)f->x0, (double)f->y0}, step[2] = {(double)f->xStep, (double)f->yStep};
     const int points[2] = {f->xCount, f->yCount};
     double enter, leave;
@@ -301,13 +308,14 @@ static MeBool walk(const McdRGHeightField *f, const double from[3], const double
         for (int beside = 0; beside < 9; beside++) {
             const int i = cell[0] + beside % 3 - 1, j = cell[1] + beside / 3 - 1;
             double here = 0, hit[3];
-            if (i < 0 || j < 0 || i > points[0] - 2 || j > points[1] - 2 || !meetCell(f, i, j, from, to, &here, hit) ||
-                (isHit && here >= *part))
+            if (i < 0 || j < 0 || i > points[0] - 2 || j > points[1] - 2 ||
+                !intersectCell(f, i, j, from, to, &here, hit) || (isHit && here >= *part))
                 continue;
             isHit = METRUE;
             *part = here;
             memcpy(normal, hit, 3 * sizeof *normal);
         }
+        MEASSERT(!isHit || (*part >= 0 && *part <= 1));
         if (isHit)
             return METRUE;
         double next[2];
@@ -320,15 +328,15 @@ static MeBool walk(const McdRGHeightField *f, const double from[3], const double
     }
 }
 
-static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
-                             McdLineSegIntersectResult *outOverlap) {
+static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                                  McdLineSegIntersectResult *outOverlap) {
     const McdGeometryInstance *ins = &mcd_record(cm)->instance;
     double from[3], to[3], part, normal[3];
     return mcd_toLocal(mcd_const(ins->tm), inOrig, from) && mcd_toLocal(mcd_const(ins->tm), inDest, to) &&
-           walk((const McdRGHeightField *)ins->geometry, from, to, &part, normal) &&
+           traverseCells((const McdRGHeightField *)ins->geometry, from, to, &part, normal) &&
            mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, part, normal, outOverlap);
 }
 
 void MEAPI McdRGHeightFieldLineSegmentRegisterInteraction(McdFramework *frame) {
-    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeRGHeightField, meetSegment);
+    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeRGHeightField, intersectSegment);
 }

@@ -266,6 +266,15 @@ static double fatMargin(const McdProxy *p, double size) {
     return .1 * size + 1.0001 * (double)p->tolerance;
 }
 
+/* Does the fat box hold the exact one, as far as the tree reaches? */
+static MeBool isWithinFatBox(const McdProxy *p) {
+    for (int i = 0; i < 3; i++)
+        if (fmax((double)p->min[i], -MCD_TREE_REACH) < (double)p->fat.min[i] ||
+            fmin((double)p->max[i], MCD_TREE_REACH) > (double)p->fat.max[i])
+            return MEFALSE;
+    return METRUE;
+}
+
 /* The model will move on as it moved in the last step: where it will be in four more is in, but not more than twice
  * its size. */
 static void fatten(McdProxy *p, const double moved[3]) {
@@ -278,6 +287,7 @@ static void fatten(McdProxy *p, const double moved[3]) {
         max[i] = high + rounding * fabs(high) + margin + fmax(ahead, 0);
     }
     mcd_treeBox(min, max, &p->fat);
+    MEASSERT(isWithinFatBox(p));
 }
 
 /* Is the exact box, grown by the tolerance, still in the fat one, and the fat one not far too large for it? */
@@ -299,6 +309,7 @@ static void dropUnbounded(McdSpace *s, McdProxy *p) {
         return;
     while (s->unbounded[at] != indexOf(s, p))
         at++;
+    MEASSERT(at < s->unboundedCount);
     memmove(s->unbounded + at, s->unbounded + at + 1, (size_t)(--s->unboundedCount - at) * sizeof *s->unbounded);
     p->isUnbounded = MEFALSE;
 }
@@ -312,6 +323,7 @@ static void dropLeaf(McdSpace *s, McdProxy *p) {
 /* A box without bounds would spoil the tree: there are few of them, and they are asked one by one. */
 static void putUnbounded(McdSpace *s, McdProxy *p) {
     dropLeaf(s, p);
+    MEASSERT(s->unboundedCount - p->isUnbounded < s->proxyRoom);
     if (!p->isUnbounded)
         s->unbounded[s->unboundedCount++] = indexOf(s, p);
     p->isUnbounded = METRUE;
@@ -431,6 +443,7 @@ static void lookAhead(const McdSpace *s, McdModelRecord *m) {
         sweep(m, reach, way, turn);
     if (!MeRealIsValid(m->ahead) || !MeRealIsValid(m->turnAhead))
         lookNowhere(m);
+    MEASSERT(m->ahead >= 0 && m->turnAhead >= 0 && m->turnAhead <= m->ahead);
 }
 
 /* Has the model the box and the margin that it would get? Its callback, or the space's, may give it any, and where it is a
@@ -480,6 +493,7 @@ static void wake(McdSpace *s, McdProxy *p) {
     p->isAwake = METRUE;
     p->nextAwake = MCD_NONE;
     p->previousAwake = s->lastAwake;
+    MEASSERT((s->firstAwake == MCD_NONE) == (s->lastAwake == MCD_NONE));
     *(p->previousAwake == MCD_NONE ? &s->firstAwake : &s->proxy[p->previousAwake].nextAwake) = indexOf(s, p);
     s->lastAwake = indexOf(s, p);
 }
@@ -490,6 +504,7 @@ static void rest(McdSpace *s, McdProxy *p) {
     p->isAwake = MEFALSE;
     *(p->previousAwake == MCD_NONE ? &s->firstAwake : &s->proxy[p->previousAwake].nextAwake) = p->nextAwake;
     *(p->nextAwake == MCD_NONE ? &s->lastAwake : &s->proxy[p->nextAwake].previousAwake) = p->previousAwake;
+    MEASSERT((s->firstAwake == MCD_NONE) == (s->lastAwake == MCD_NONE));
 }
 
 /* What is frozen is not updated, but for once, where nobody has told yet where it is. */
@@ -655,6 +670,7 @@ static MeBool wasUpdated(const McdModelRecord *m) {
 
 static void insert(McdSpace *s, McdModelRecord *m) {
     McdProxy *p = takeProxy(s);
+    MEASSERT(m->frame == s->frame && !m->space && !m->proxy);
     p->model = m;
     p->filter = m->filter;
     p->order = (MeU64)(MeU16)m->sortKey << 48 | ((MeU64)m->serial & 0xffffffffffffull);
@@ -815,6 +831,9 @@ static int fill(const McdSpace *s, McdSpacePairIterator *it, McdModelPairContain
     copyPairs(c, 0, &s->goodbye, &it->goodbye, c->goodbyeEnd);
     copyPairs(c, c->helloFirst, &s->hello, &it->hello, middle - c->helloFirst);
     copyPairs(c, middle, &s->staying, &it->staying, c->stayingEnd - middle);
+    MEASSERT(c->goodbyeEnd <= c->helloFirst && c->helloFirst <= c->helloEnd && c->stayingFirst <= c->stayingEnd &&
+             c->stayingEnd <= c->size);
+    MEASSERT(it->goodbye <= s->goodbye.count && it->hello <= s->hello.count && it->staying <= s->staying.count);
     return it->goodbye < s->goodbye.count || it->hello < s->hello.count ||
            (withStaying && it->staying < s->staying.count);
 }
@@ -868,9 +887,11 @@ int MEAPI McdSpaceGetNextTransitions(McdSpaceID s, McdModelPairContainer *c) {
 void mcd_spaceOverlap(const McdSpace *s, const double min[3], const double max[3], McdTreeVisit visit, void *context) {
     McdTreeBox box;
     mcd_treeBox(min, max, &box);
-    for (int i = 0; i < s->unboundedCount; i++)
+    for (int i = 0; i < s->unboundedCount; i++) {
+        MEASSERT(s->proxy[s->unbounded[i]].isUnbounded);
         if (!visit(context, s->unbounded[i]))
             return;
+    }
     mcd_treeQuery(s->tree, &box, visit, context);
 }
 
@@ -905,6 +926,7 @@ static void addHit(Segment *q, const McdLineSegIntersectResult *hit) {
     for (; at > 0 && isNearer(hit, &q->list[at - 1]); at--)
         q->list[at] = q->list[at - 1];
     q->list[at] = *hit;
+    MEASSERT(q->count <= q->max && (at + 1 >= q->count || !isNearer(&q->list[at + 1], hit)));
 }
 
 /* How far the segment is of interest: what is not nearer than the last of a full list is not. A little more, for
@@ -916,7 +938,7 @@ static double reach(const Segment *q) {
                        16 * (double)ME_EPSILON);
 }
 
-static double meetModel(void *context, int proxy, double fraction) {
+static double intersectModel(void *context, int proxy, double fraction) {
     Segment *q = context;
     const McdModelID cm = modelAt(q->space, proxy);
     McdLineSegIntersectResult hit;
@@ -944,7 +966,7 @@ static int intersect(Segment *q) {
         by[i] = (double)q->to[i] - from[i];
     }
     q->length = sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
-    mcd_spaceCast(q->space, from, by, still, 1, meetModel, q);
+    mcd_spaceCast(q->space, from, by, still, 1, intersectModel, q);
     return q->count;
 }
 

@@ -1,5 +1,6 @@
 /* Balls. */
 #include "McdSphere.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 
 static const McdSphere *get(const McdGeometry *g) {
@@ -17,8 +18,26 @@ static void clip(const McdGeometry *g, McdClip *c) {
     mcd_clipBall(c, centre, (double)get(g)->radius);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Sphere, mcd_geometryFree)
 MCD_DEFINE_LINE_SEGMENT(Sphere)
+
+/* The core is a point. */
+static void setShape(const McdGeometry *g, McdShape *s) {
+    s->rounding = s->extent = (double)get(g)->radius;
+}
+
+static void farthestPoint(const McdShape *s, const double d[3], double point[3]) {
+    (void)d;
+    mcd_copy(point, s->place);
+}
+
+static void face(const McdShape *s, const double direction[3], McdFace *f) {
+    (void)direction;
+    mcd_faceAdd(s, f, 0, 0, 0, 0);
+}
+
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphere, mcd_geometryFree), .size = sizeof(McdSphere), .setShape = setShape,
+                             .support = farthestPoint, .face = face, .rank = MCD_RANK_SPHERE};
+MCD_DEFINE_GEOMETRY_TYPE(Sphere)
 
 McdSphereID MEAPI McdSphereCreate(McdFramework *frame, MeReal r) {
     if (!mcd_sizeIsGood(r, "radius", "McdSphereCreate"))

@@ -1,5 +1,6 @@
 /* Sphyls: a cylinder about z between two half balls. */
 #include "McdSphyl.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
 
 static const McdSphyl *get(const McdGeometry *g) {
@@ -19,8 +20,33 @@ static void clip(const McdGeometry *g, McdClip *c) {
     mcd_clipCapsule(c, low, high, (double)get(g)->radius);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(Sphyl, mcd_geometryFree)
 MCD_DEFINE_LINE_SEGMENT(Sphyl)
+
+/* ---- in the nearfield: the core is a segment ------------------------------------------------------------------ */
+
+static void setShape(const McdGeometry *g, McdShape *s) {
+    mcd_set(s->size, 0, 0, (double)get(g)->halfHeight);
+    s->rounding = (double)get(g)->radius;
+    s->extent = s->rounding + s->size[2];
+}
+
+static void farthestEnd(const McdShape *s, const double d[3], double point[3]) {
+    mcd_shapePoint(s, 0, 0, copysign(s->size[2], mcd_dot(s->axis[2], d)), point);
+}
+
+static void face(const McdShape *s, const double direction[3], McdFace *f) {
+    double d[3];
+    mcd_shapeOwn(s, direction, d);
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
+    if (across > 0)
+        mcd_shapeDirection(s, d[0] / across, d[1] / across, 0, f->normal);
+    mcd_faceAdd(s, f, 0, 0, -s->size[2], 0);
+    mcd_faceAdd(s, f, 0, 0, s->size[2], 1);
+}
+
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphyl, mcd_geometryFree), .size = sizeof(McdSphyl), .setShape = setShape, .support = farthestEnd,
+                             .face = face, .rank = MCD_RANK_SPHYL};
+MCD_DEFINE_GEOMETRY_TYPE(Sphyl)
 
 McdSphylID MEAPI McdSphylCreate(McdFramework *frame, MeReal r, MeReal h) {
     if (!mcd_sizeIsGood(r, "radius", "McdSphylCreate") || !mcd_sizeIsGood(h, "height", "McdSphylCreate"))

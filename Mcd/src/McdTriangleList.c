@@ -1,15 +1,15 @@
 /* The triangle list: a box, and a callback that knows what is in it. */
 #include "McdTriangleList.h"
 #include "mcd_geometries.h"
+#include "mcd_kind.h"
 #include "mcd_local.h"
+#include "mcd_scratch.h"
 #include <math.h>
 #include <string.h>
 
 static McdTriangleListRecord *listOf(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeTriangleList, function) ? (McdTriangleListRecord *)g : 0;
 }
-
-static void gather(McdMeshQuery *q);
 
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
@@ -23,13 +23,14 @@ static MeBool isBox(const MeReal *min, const MeReal *max) {
 /* Place for what the callback hands over; false if there is no memory. */
 static MeBool makeRoom(McdTriangleListRecord *list, int count) {
     /* zeroed: the triangleData of programs that do not set it */
-    McdUserTriangle *found = MeMemoryTakeZeroed((size_t)count, sizeof *found, "McdTriangleListCreate", "triangles");
-    if (!found)
+    McdUserTriangle *generated =
+        MeMemoryTakeZeroed((size_t)count, sizeof *generated, "McdTriangleListCreate", "triangles");
+    if (!generated)
         return MEFALSE;
     MeMemoryGive(list->list.list);
-    list->list.list = found;
+    list->list.list = generated;
     list->list.triangleMaxCount = list->room = count;
-    list->hasWarned = MEFALSE;
+    atomic_store(&list->hasWarned, 0);
     return METRUE;
 }
 
@@ -50,14 +51,12 @@ McdTriangleListID MEAPI McdTriangleListCreate(McdFramework *frame, MeVector3 min
     MeVector3Copy(list->min, min);
     MeVector3Copy(list->max, max);
     list->generate = f;
-    list->mesh.gather = gather;
     return &list->list.head;
 }
 
 static void MEAPI release(McdGeometryID g) {
     McdTriangleListRecord *list = (McdTriangleListRecord *)g;
     MeMemoryGive(list->list.list);
-    mcd_meshFree(&list->mesh);
     MeMemoryGive(list);
 }
 
@@ -127,7 +126,9 @@ static void support(const McdGeometry *g, const double direction[3], double poin
     mcd_boxSupport(list->min, list->max, direction, point);
 }
 
-MCD_DEFINE_GEOMETRY_TYPE(TriangleList, release)
+static void gather(McdMeshQuery *q);
+static const McdKind kind = {MCD_KIND_FUNCTIONS(TriangleList, release), .gather = gather, .isStatic = METRUE};
+MCD_DEFINE_GEOMETRY_TYPE(TriangleList)
 
 void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeTriangleList, "McdTriangleListGetBSphere"))
@@ -164,24 +165,52 @@ static void takeMaxCount(McdTriangleListRecord *list) {
         list->list.triangleMaxCount = list->room;
 }
 
-/* What the callback has near a point of the list's frame; never more than there is place for. */
-static int find(McdTriangleListRecord *list, McdModelPair *p, const double centre[3], double radius) {
+/* What the callback handed over, and where. */
+typedef struct Generated {
+    McdUserTriangle *triangle; /* room */
+    int count, room;
+    MeBool isOwn; /* it is the list's array, which programs see; else the scratch's */
+} Generated;
+
+/* The array that the callback is to fill: the list's own, or, while another query has that (in another thread, or one
+ * around this one), the scratch's. False if there is no memory. */
+static MeBool claimArray(McdTriangleListRecord *list, McdScratch *scratch, Generated *generated) {
+    *generated = (Generated){.isOwn = !atomic_exchange_explicit(&list->isInUse, 1, memory_order_acquire)};
+    if (generated->isOwn) {
+        takeMaxCount(list);
+        generated->room = list->room;
+        generated->triangle = list->list.list;
+        return METRUE;
+    }
+    generated->room = list->list.triangleMaxCount < 1 ? list->room : list->list.triangleMaxCount;
+    if (mcd_scratchReserveTriangles(scratch, generated->room))
+        generated->triangle = scratch->triangle;
+    return generated->triangle != 0;
+}
+
+static void releaseArray(McdTriangleListRecord *list, const Generated *generated) {
+    if (generated->isOwn)
+        atomic_store_explicit(&list->isInUse, 0, memory_order_release);
+    else if (generated->triangle) /* zeros for the next query's callback, which need not set all members */
+        memset(generated->triangle, 0, (size_t)generated->room * sizeof *generated->triangle);
+}
+
+/* What the callback has near a point of the list's frame; never more than there is place for. releaseArray ends it. */
+static void callGenerator(McdTriangleListRecord *list, McdModelPair *p, McdScratch *scratch, const double centre[3],
+                          double radius, Generated *generated) {
     MeVector3 pos = {(MeReal)centre[0], (MeReal)centre[1], (MeReal)centre[2]};
     double reach = radius; /* with what rounding takes from it */
     for (int i = 0; i < 3; i++)
         reach += fabs((double)pos[i] - centre[i]);
-    if (!list->generate)
-        return 0;
-    takeMaxCount(list);
-    const int count = list->generate(p, list->list.list, pos, mcd_roundUp(reach), list->room);
-    if (count >= list->room && !list->hasWarned) {
-        list->hasWarned = METRUE;
+    if (!claimArray(list, scratch, generated) || !list->generate)
+        return;
+    const int count = list->generate(p, generated->triangle, pos, mcd_roundUp(reach), generated->room);
+    if (count >= generated->room && !atomic_exchange(&list->hasWarned, 1))
         MeWarning(2,
                   "McdTriangleList: the callback gave %d triangles, as many as there is place for: contacts may be "
                   "missing; raise McdTriangleListCreate's triangleMaxCount",
                   count);
-    }
-    return MeCLAMP(count, 0, list->room);
+    generated->count = MeCLAMP(count, 0, generated->room);
 }
 
 static MeBool cornersOf(const McdUserTriangle *t, double corner[3][3]) {
@@ -203,21 +232,22 @@ static const double *normalOf(const McdUserTriangle *t, double normal[3]) {
 static void gather(McdMeshQuery *q) {
     McdTriangleListRecord *list = (McdTriangleListRecord *)mcd_record(q->pair->model2)->instance.geometry;
     double corner[3][3], normal[3];
-    const int count = find(list, q->pair, q->ball, q->ballRadius);
-    if (!mcd_meshReserve(q->mesh, count))
-        return;
+    Generated generated;
+    callGenerator(list, q->pair, q->scratch, q->ball, q->ballRadius, &generated);
+    const int count = mcd_meshReserve(q->mesh, generated.count) ? generated.count : 0;
     for (int i = 0; i < count; i++) {
-        const McdUserTriangle *t = &list->list.list[i];
+        const McdUserTriangle *t = &generated.triangle[i];
         if (cornersOf(t, corner))
-            mcd_meshAdd(q, (const double(*)[3])corner, normalOf(t, normal), (int)t->flags, t->triangleData);
+            mcd_meshAdd(q, (const double(*)[3])corner, normalOf(t, normal), (int)t->flags, 0, t->triangleData);
     }
+    releaseArray(list, &generated);
 }
 
 static int intersect(McdModelPair *p, McdIntersectResult *result) {
-    McdTriangleListRecord *list = (McdTriangleListRecord *)mcd_record(p->model2)->instance.geometry;
-    if (!mcd_geometryIs(&list->list.head, kMcdGeometryTypeTriangleList, "Mcd...TriangleListIntersect"))
+    if (!mcd_geometryIs(mcd_record(p->model2)->instance.geometry, kMcdGeometryTypeTriangleList,
+                        "Mcd...TriangleListIntersect"))
         return 0;
-    return mcd_meshIntersect(p, result, &list->mesh, gather);
+    return mcd_meshIntersect(p, result, gather);
 }
 
 /* ---- interactions ----------------------------------------------------------------------------------------------------- */
@@ -226,37 +256,50 @@ MCD_MESH_INTERACTIONS(TriangleList, intersect)
 
 /* ---- line segments ------------------------------------------------------------------------------------------------------- */
 
-static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
-                             McdLineSegIntersectResult *outOverlap) {
-    const McdGeometryInstance *ins = &mcd_record(cm)->instance;
-    McdTriangleListRecord *list = (McdTriangleListRecord *)ins->geometry;
-    double from[3], to[3], middle[3], normal[3] = {0, 0, 1}, least = 2;
-    if (!mcd_toLocal(mcd_const(ins->tm), inOrig, from) || !mcd_toLocal(mcd_const(ins->tm), inDest, to))
-        return 0;
-    double length = 0;
-    for (int i = 0; i < 3; i++) {
-        middle[i] = (from[i] + to[i]) / 2;
-        length += (to[i] - from[i]) * (to[i] - from[i]);
-    }
-    McdModelPair pair;
-    memset(&pair, 0, sizeof pair);
-    pair.model1 = pair.model2 = cm;
-    const int count = find(list, &pair, middle, sqrt(length) / 2);
-    for (int i = 0; i < count; i++) {
+/* The first of the triangles that a segment meets: where, as a part of it, and the normal there; a part above 1: none. */
+static double firstHit(const Generated *generated, const double from[3], const double to[3], double normal[3]) {
+    double least = 2;
+    for (int i = 0; i < generated->count; i++) {
         double corner[3][3], own[3], given[3], part, hit[3];
-        const McdUserTriangle *t = &list->list.list[i];
+        const McdUserTriangle *t = &generated->triangle[i];
         if (!cornersOf(t, corner) || !mcd_triangleNormal((const double(*)[3])corner, normalOf(t, given), own))
             continue;
         if (mcd_segmentTriangle((const double(*)[3])corner, own, (t->flags & kMcdTriangleTwoSided) != 0, from, to,
                                 &part, hit) &&
             part < least) {
             least = part;
-            memcpy(normal, hit, sizeof normal);
+            memcpy(normal, hit, sizeof hit);
         }
     }
+    return least;
+}
+
+static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                                  McdLineSegIntersectResult *outOverlap) {
+    const McdGeometryInstance *ins = &mcd_record(cm)->instance;
+    McdTriangleListRecord *list = (McdTriangleListRecord *)ins->geometry;
+    McdFramework *frame = list->list.head.frame;
+    double from[3], to[3], middle[3], normal[3] = {0, 0, 1}, length = 0;
+    McdModelPair pair;
+    Generated generated;
+    if (!mcd_toLocal(mcd_const(ins->tm), inOrig, from) || !mcd_toLocal(mcd_const(ins->tm), inDest, to))
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        middle[i] = (from[i] + to[i]) / 2;
+        length += (to[i] - from[i]) * (to[i] - from[i]);
+    }
+    McdScratch *scratch = mcd_scratchTake(frame, "McdLineSegIntersect");
+    if (!scratch)
+        return 0;
+    memset(&pair, 0, sizeof pair);
+    pair.model1 = pair.model2 = cm;
+    callGenerator(list, &pair, scratch, middle, sqrt(length) / 2, &generated);
+    const double least = firstHit(&generated, from, to, normal);
+    releaseArray(list, &generated);
+    mcd_scratchGive(frame, scratch);
     return least <= 1 && mcd_segmentHit(mcd_const(ins->tm), inOrig, inDest, least, normal, outOverlap);
 }
 
 void MEAPI McdTriangleListLineSegmentRegisterInteraction(McdFramework *frame) {
-    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeTriangleList, meetSegment);
+    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeTriangleList, intersectSegment);
 }

@@ -1,11 +1,18 @@
-/* The table of requests: the lower triangle of a matrix by request id, and one more for ids outside. */
+/* The table of requests: the lower triangle of a matrix by request id, and one more for ids outside.
+ *
+ * There is one for the process, as the functions name no framework. Whoever replaces or ends it takes it out in one step,
+ * so that two threads that do so at once do not free it twice. */
 #include "McduRequestTable.h"
 #include "mcd_i.h"
 
-static McdRequest *table;
-static int idCount;
+typedef struct Table {
+    int idCount;
+    McdRequest request[]; /* entryCount(), and the default */
+} Table;
 
-static int entryCount(void) {
+static _Atomic(Table *) table;
+
+static int entryCount(int idCount) {
     return idCount * (idCount + 1) / 2;
 }
 
@@ -15,41 +22,43 @@ MeBool MEAPI McduRequestTableInit(int idMaxCount, McdRequest *defaultRequest) {
         MeWarning(1, "McduRequestTableInit: idMaxCount is %d (1 .. 10000)", idMaxCount);
         return MEFALSE;
     }
-    const int count = idMaxCount * (idMaxCount + 1) / 2;
-    McdRequest *made = MeMemoryTake((size_t)count + 1, sizeof *made, "McduRequestTableInit", "requests");
+    const int count = entryCount(idMaxCount);
+    Table *made =
+        MeMemoryTake(1, sizeof *made + ((size_t)count + 1) * sizeof *made->request, "McduRequestTableInit", "requests");
     if (!made)
         return MEFALSE;
+    made->idCount = idMaxCount;
     for (int i = 0; i <= count; i++)
-        made[i] = defaultRequest ? *defaultRequest : builtIn;
-    McduRequestTableTerm();
-    table = made;
-    idCount = idMaxCount;
+        made->request[i] = defaultRequest ? *defaultRequest : builtIn;
+    MeMemoryGive(atomic_exchange(&table, made));
     return METRUE;
 }
 
 void MEAPI McduRequestTableTerm(void) {
-    MeMemoryGive(table);
-    table = 0;
-    idCount = 0;
+    MeMemoryGive(atomic_exchange(&table, (Table *)0));
 }
 
 static McdRequest *entryOf(int id1, int id2, const char *function) {
-    if (!table) {
+    Table *t = atomic_load(&table);
+    if (!t) {
         MeWarning(1, "%s: there is no table: see McduRequestTableInit", function);
         return 0;
     }
-    if (id1 < 0 || id2 < 0 || id1 >= idCount || id2 >= idCount) {
-        MeWarning(1, "%s: request ids %d and %d are not both 0 .. %d", function, id1, id2, idCount - 1);
-        return &table[entryCount()];
+    if (id1 < 0 || id2 < 0 || id1 >= t->idCount || id2 >= t->idCount) {
+        MeWarning(1, "%s: request ids %d and %d are not both 0 .. %d", function, id1, id2, t->idCount - 1);
+        return &t->request[entryCount(t->idCount)];
     }
-    const int high = MeMAX(id1, id2), low = MeMIN(id1, id2);
-    return &table[high * (high + 1) / 2 + low];
+    const int high = MeMAX(id1, id2), low = MeMIN(id1, id2), entry = entryCount(high) + low;
+    MEASSERT(entry < entryCount(t->idCount));
+    return &t->request[entry];
 }
 
 void MEAPI McduRequestTableSetRequest(int requestId1, int requestId2, McdRequest *request) {
     McdRequest *entry = entryOf(requestId1, requestId2, "McduRequestTableSetRequest");
-    if (entry && entry != &table[entryCount()])
-        *entry = request ? *request : table[entryCount()];
+    const Table *t = atomic_load(&table);
+    const McdRequest *other = t ? &t->request[entryCount(t->idCount)] : 0;
+    if (entry && entry != other)
+        *entry = request ? *request : *other;
 }
 
 McdRequest *MEAPI McduRequestTableGetRequestPtr(int id1, int id2) {

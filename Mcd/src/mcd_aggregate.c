@@ -1,20 +1,21 @@
 /* How aggregates interact: part with part, by whatever the parts' types have in the framework's table. */
 #include "McdAggregate.h"
 #include "mcd_geometries.h"
+#include "mcd_scratch.h"
 #include "mcd_spread.h"
 #include <string.h>
 
 /* ---- pairs of parts ----------------------------------------------------------------------------------------------------- */
 
-typedef struct Meeting Meeting;
-struct Meeting {
+typedef struct PartPairs PartPairs;
+struct PartPairs {
     McdModelPair *pair;
     MeReal margin; /* how far boxes may be apart; negative: as far as they like */
-    void (*meet)(Meeting *, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2);
+    void (*visit)(PartPairs *, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2);
     void *data;
 };
 
-static MeBool areNear(const Meeting *m, const McdGeometryInstance *a, const McdGeometryInstance *b) {
+static MeBool areNear(const PartPairs *m, const McdGeometryInstance *a, const McdGeometryInstance *b) {
     for (int i = 0; i < 3 && m->margin >= 0; i++)
         if (a->min[i] - m->margin > b->max[i] || b->min[i] - m->margin > a->max[i])
             return MEFALSE;
@@ -22,79 +23,65 @@ static MeBool areNear(const Meeting *m, const McdGeometryInstance *a, const McdG
 }
 
 static MeBool isAggregate(const McdGeometryInstance *ins) {
-    return ins->geometry->type == kMcdGeometryTypeAggregate;
+    return mcd_partsOf(ins->geometry) != 0;
 }
 
-static void meetParts(Meeting *m, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void visitPartPair(PartPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
     McdStandIn standIn[2];
+    MEASSERT(!a->firstChild && !b->firstChild && a->model == m->pair->model1 && b->model == m->pair->model2);
     McdModelPair parts = *m->pair;
     parts.model1 = mcd_standInBegin(&standIn[0], a);
     parts.model2 = mcd_standInBegin(&standIn[1], b);
     parts.m_cachedData = 0;
     McdHello(&parts);
-    m->meet(m, &parts, a, b);
+    m->visit(m, &parts, a, b);
     McdGoodbye(&parts);
     mcd_standInEnd(parts.model1, a);
     mcd_standInEnd(parts.model2, b);
 }
 
 /* Every two parts, in the order of the elements. */
-static void meetAll(Meeting *m, McdGeometryInstance *a, McdGeometryInstance *b) {
+static void forEachPartPair(PartPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
     if (!areNear(m, a, b))
         return;
     if (isAggregate(a))
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
-            meetAll(m, child, b);
+            forEachPartPair(m, child, b);
     else if (isAggregate(b))
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
-            meetAll(m, a, child);
+            forEachPartPair(m, a, child);
     else
-        meetParts(m, a, b);
+        visitPartPair(m, a, b);
 }
 
-static void meetModels(Meeting *m) {
-    meetAll(m, &mcd_record(m->pair->model1)->instance, &mcd_record(m->pair->model2)->instance);
+static void forEachPairOfParts(PartPairs *m) {
+    forEachPartPair(m, &mcd_record(m->pair->model1)->instance, &mcd_record(m->pair->model2)->instance);
 }
 
 /* ---- contacts ------------------------------------------------------------------------------------------------------------ */
 
 typedef struct Gathering {
-    McdAggregate *owner; /* of the memory */
+    McdScratch *scratch; /* where contacts go */
     int count;
     int each; /* contacts that two parts may make */
 } Gathering;
-
-static MeBool makeRoom(McdAggregate *a, int count, int needed) {
-    if (needed <= a->contactMax)
-        return METRUE;
-    const int max = MeMAX(needed, 2 * a->contactMax);
-    void *choice = MeMemoryTake(1, mcd_simplifyBytes(max), "McdIntersect", "the choice of an aggregate's contacts");
-    if (!choice || !MeMemoryGrow(&a->contact, (size_t)count, (size_t)max, sizeof *a->contact, "McdIntersect",
-                                 "contacts of an aggregate")) {
-        MeMemoryGive(choice);
-        return MEFALSE;
-    }
-    MeMemoryGive(a->choice);
-    a->choice = choice;
-    a->contactMax = max;
-    return METRUE;
-}
 
 /* Which part of its model it is, as a number. */
 static MeU32 pathOf(const McdGeometryInstance *part) {
     MeU32 path = 0;
     for (; part->parent; part = part->parent)
         path = mcd_featureMix(path, (MeU32)part->element + 1);
+    MEASSERT(part == &mcd_record(part->model)->instance);
     return path;
 }
 
-static void gatherContacts(Meeting *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
+static void gatherContacts(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
     Gathering *g = m->data;
     McdIntersectResult result;
-    if (!makeRoom(g->owner, g->count, g->count + g->each))
+    if (!mcd_scratchReserveContacts(g->scratch, g->count, g->count + g->each))
         return;
     memset(&result, 0, sizeof result);
-    result.contacts = g->owner->contact + g->count;
+    result.contacts = g->scratch->contact + g->count;
     result.contactMaxCount = g->each;
     if (!(McdIntersect)(parts, &result))
         return;
@@ -106,32 +93,32 @@ static void gatherContacts(Meeting *m, McdModelPair *parts, McdGeometryInstance 
         c->feature = mcd_featureMix(c->feature, path);
     }
     g->count += result.contactCount;
-    MEASSERT(g->count <= g->owner->contactMax);
-}
-
-/* An aggregate of the pair, whose memory the query may use. */
-static McdAggregate *ownerOf(const McdModelPair *p) {
-    McdGeometryInstance *first = &mcd_record(p->model1)->instance, *second = &mcd_record(p->model2)->instance;
-    return (McdAggregate *)(isAggregate(first) ? first->geometry : second->geometry);
+    MEASSERT(g->count <= g->scratch->contactRoom);
 }
 
 static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
-    Gathering g = {ownerOf(p), 0, MeMAX(result->contactMaxCount, 1)};
-    Meeting m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, &g};
+    McdFramework *frame = mcd_record(p->model1)->frame;
+    Gathering g = {mcd_scratchTake(frame, "McdIntersect"), 0, MeMAX(result->contactMaxCount, 1)};
+    PartPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, &g};
     mcd_resultBegin(result, p);
-    meetModels(&m);
+    if (!g.scratch)
+        return 0;
+    forEachPairOfParts(&m);
+    McdContact *found = g.scratch->contact;
     if (g.count > result->contactMaxCount)
-        g.count = mcd_simplify(g.owner->contact, g.count, g.owner->contact, result->contactMaxCount, 0,
-                               1e-6 * (double)mcd_record(p->model1)->frame->lengthScale, g.owner->choice);
+        g.count = mcd_simplify(found, g.count, found, result->contactMaxCount, 0, 1e-6 * (double)frame->lengthScale,
+                               g.scratch->choice);
+    MEASSERT(g.count >= 0 && g.count <= result->contactMaxCount);
     if (g.count)
-        memcpy(result->contacts, g.owner->contact, (size_t)g.count * sizeof *result->contacts);
+        memcpy(result->contacts, found, (size_t)g.count * sizeof *result->contacts);
     result->contactCount = g.count;
+    mcd_scratchGive(frame, g.scratch);
     return mcd_resultEnd(result);
 }
 
 /* ---- safe time -------------------------------------------------------------------------------------------------------------- */
 
-static void earliest(Meeting *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
+static void keepEarliest(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
     McdSafeTimeResult *best = m->data, here;
     (void)part1;
     (void)part2;
@@ -140,9 +127,10 @@ static void earliest(Meeting *m, McdModelPair *parts, McdGeometryInstance *part1
 }
 
 static int MEAPI safeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
-    Meeting m = {p, -1, earliest, result};
+    PartPairs m = {p, -1, keepEarliest, result};
     result->time = maxTime;
-    meetModels(&m);
+    forEachPairOfParts(&m);
+    MEASSERT(result->time >= 0 && result->time <= maxTime);
     result->pair = p;
     return 1;
 }
@@ -166,15 +154,15 @@ static int firstHit(McdGeometryInstance *ins, MeReal *from, MeReal *to, McdLineS
     return 1;
 }
 
-static int MEAPI meetSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
-                             McdLineSegIntersectResult *outOverlap) {
+static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                                  McdLineSegIntersectResult *outOverlap) {
     const int hits = firstHit(&mcd_record(cm)->instance, inOrig, inDest, outOverlap, 0);
     outOverlap->model = cm;
     return hits;
 }
 
 void MEAPI McdAggregateLineSegmentRegisterInteraction(McdFramework *frame) {
-    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeAggregate, meetSegment);
+    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeAggregate, intersectSegment);
 }
 
 /* ---- registration ----------------------------------------------------------------------------------------------------------- */

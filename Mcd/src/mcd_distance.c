@@ -11,7 +11,7 @@
  * depths of nearly aligned ones wrong, so this is our own: what is returned was measured by a support point, never
  * taken from a facet's plane alone. The walk comes with it, as it hands its last simplex over.
  */
-#include "mcd_nearfield.h"
+#include "mcd_kind.h"
 
 #include <string.h>
 
@@ -154,6 +154,7 @@ static void reduce(Simplex *s) {
             offerFacet(s, last, i, j, &best);
     }
     Corner kept[3];
+    MEASSERT(best.count >= 1 && best.count <= 3 && best.squared < INFINITY);
     for (int i = 0; i < best.count; i++) {
         kept[i] = s->corner[best.corner[i]];
         s->weight[i] = best.weight[i];
@@ -210,7 +211,15 @@ static Walk walk(const Pair *p, double limit, Simplex *s) {
     return APART;
 }
 
+static MeBool areWeights(const double *weight, int count) {
+    double sum = 0;
+    for (int i = 0; i < count; i++)
+        sum += weight[i] >= 0 ? weight[i] : INFINITY;
+    return fabs(sum - 1) < 1e-9;
+}
+
 static void weighted(const Corner *const corner[], const double *weight, int count, McdProximity *p) {
+    MEASSERT(areWeights(weight, count));
     mcd_set(p->onA, 0, 0, 0);
     mcd_set(p->onB, 0, 0, 0);
     for (int i = 0; i < count; i++) {
@@ -245,9 +254,7 @@ typedef struct Polytope {
     double offset[MAX_FACETS]; /* of the live ones; infinite for the others: what is searched every round */
     int cornerCount, facetCount, freeCount, freeFacet[MAX_FACETS], startsAt[MAX_CORNERS];
     double epsilon;
-    /* The best direction so far. */
-    double normal[3], support;
-    int from[3]; /* the facet that it came from */
+    double normal[3], support; /* the best direction so far, and how far M reaches along it */
 } Polytope;
 
 /* Makes the facet's plane; false if its corners are on a line. */
@@ -293,6 +300,27 @@ static void link(Polytope *t, int f, int edge, int g) {
         }
 }
 
+/* Does the facet g have the edge from one corner to the other, and f across it? */
+static MeBool isLinkedBack(const Polytope *t, int g, int from, int to, int f) {
+    for (int i = 0; i < 3; i++)
+        if (t->facet[g].corner[i] == from && t->facet[g].corner[(i + 1) % 3] == to)
+            return t->facet[g].neighbour[i] == f;
+    return 0;
+}
+
+/* Each edge of each live facet is another one's, the other way round, and both know that. */
+static MeBool isClosed(const Polytope *t) {
+    for (int i = 0; i < t->facetCount; i++)
+        for (int edge = 0; edge < 3 && t->offset[i] < INFINITY; edge++) {
+            const Facet *f = &t->facet[i];
+            const int g = f->neighbour[edge];
+            if (g < 0 || g >= t->facetCount || !(t->offset[g] < INFINITY) || !mcd_isUnit(f->normal) ||
+                !isLinkedBack(t, g, f->corner[(edge + 1) % 3], f->corner[edge], i))
+                return 0;
+        }
+    return 1;
+}
+
 /* The first four corners, turned so that all facets look outward. */
 static MeBool makeTetrahedron(Polytope *t) {
     static const int corners[4][3] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
@@ -314,6 +342,7 @@ static MeBool makeTetrahedron(Polytope *t) {
             for (int j = 0; j < 4; j++)
                 if (j != i)
                     link(t, i, edge, j);
+    MEVALIDATE(isClosed(t));
     return 1;
 }
 
@@ -330,6 +359,7 @@ static int markSeen(Polytope *t, int first, int round, const double w[3], int *s
                 seen[count++] = g;
             }
         }
+    MEASSERT(count <= t->facetCount);
     return count;
 }
 
@@ -386,14 +416,11 @@ static int nearestFacet(const Polytope *t) {
 static void keep(Polytope *t, const Facet *f, double support) {
     t->support = support;
     mcd_copy(t->normal, f->normal);
-    memcpy(t->from, f->corner, sizeof t->from);
 }
 
-/* The guess, and the facet nearest to it. */
-static void keepGuess(Polytope *t, const Guess *guess, const Facet *f) {
+static void keepGuess(Polytope *t, const Guess *guess) {
     t->support = -guess->separation;
     mcd_scale(t->normal, guess->normal, -1);
-    memcpy(t->from, f->corner, sizeof t->from);
 }
 
 /* Grows the polytope until the plane of its nearest facet supports M. Where rounding spoils its shape it stops,
@@ -407,12 +434,13 @@ static void expand(const Pair *p, const Guess *guess, Polytope *t) {
             return;
         const Facet f = t->facet[nearest];
         if (-guess->separation - f.offset <= p->guessTolerance && mcd_dot(guess->normal, f.normal) < -.99) {
-            keepGuess(t, guess, &f);
+            keepGuess(t, guess);
             return;
         }
         const int corner = t->cornerCount;
         farthest(p, f.normal, &t->corner[corner]);
         const double *w = t->corner[corner].w, support = mcd_dot(f.normal, w);
+        MEASSERT(support >= f.offset - p->tolerance); /* M holds the facet's own corners */
         if (support - f.offset <= p->tolerance) {
             keep(t, &f, support);
             return;
@@ -424,6 +452,7 @@ static void expand(const Pair *p, const Guess *guess, Polytope *t) {
         if (!coverRim(t, seen, count, round, corner))
             return;
         removeSeen(t, seen, count);
+        MEVALIDATE(isClosed(t));
     }
 }
 
@@ -487,36 +516,45 @@ static MeBool addFarthest(const Pair *p, Polytope *t) {
     }
     if (!(most > 2 * p->tolerance))
         return 0;
+    MEASSERT(t->cornerCount < 4);
     t->cornerCount++;
     return 1;
 }
 
+/* The point of the simplex's facets (all four of a tetrahedron) nearest to the origin, with its weights. */
+static Simplex nearestOfFacets(const Simplex *s) {
+    Simplex best = {.squared = INFINITY};
+    for (int omitted = 0; omitted < 4; omitted++)
+        for (int turn = 1; turn < 4; turn++) { /* reduce() looks only at the parts that have the last corner */
+            Simplex part = {.count = 0};
+            for (int i = 0; i < 4; i++)
+                if (i != omitted && i != (omitted + turn) % 4)
+                    part.corner[part.count++] = s->corner[i];
+            part.corner[part.count++] = s->corner[(omitted + turn) % 4];
+            reduce(&part);
+            if (part.squared < best.squared)
+                best = part;
+        }
+    return best;
+}
+
 /* M is a point, line or plane polygon, to within the tolerance: the shortest way out is across it. Which of all such
  * directions it is, is a convention: for a plane the better one, else that from the first shape's origin to the plane's
- * side where corners turn counter-clockwise; for a line or a point the first that is across. */
-static void reportFlat(const Pair *p, const Polytope *t, McdProximity *out) {
-    double d[6][3], least = INFINITY;
+ * side where corners turn counter-clockwise; for a line or a point the first that is across. The walk ended at a point
+ * of M that is the origin, to within the tolerance. */
+static void reportFlat(const Pair *p, const Simplex *s, const Polytope *t, McdProximity *out) {
+    double d[6][3];
     const int count = directionsAway(t, d);
     for (int i = 0; i < count; i++) {
-        const double s = mcd_separationAlong(p->a, p->b, d[i]);
-        if (i == 0 || s > out->separation + p->tolerance) {
-            out->separation = s;
+        const double along = mcd_separationAlong(p->a, p->b, d[i]);
+        if (i == 0 || along > out->separation + p->tolerance) {
+            out->separation = along;
             mcd_copy(out->normal, d[i]);
         }
     }
-    /* A point of M near the origin: by its edges and facets. */
-    Simplex s = {.count = 0};
-    Simplex best = {.count = 0};
-    for (int i = 0; i < t->cornerCount; i++) {
-        s.corner[s.count++] = t->corner[i];
-        reduce(&s);
-        if (s.squared < least) {
-            least = s.squared;
-            best = s;
-        }
-    }
-    const Corner *corner[3] = {&best.corner[0], &best.corner[1], &best.corner[2]};
-    weighted(corner, best.weight, best.count, out);
+    const Simplex end = s->inside ? nearestOfFacets(s) : *s;
+    const Corner *corner[3] = {&end.corner[0], &end.corner[1], &end.corner[2]};
+    weighted(corner, end.weight, end.count, out);
 }
 
 /* From corners that the walk has found, which surround the origin, as far as they are apart from each other. */
@@ -532,33 +570,70 @@ static MeBool startPolytope(const Pair *p, const Simplex *s, Polytope *t) {
     return makeTetrahedron(t);
 }
 
-/* The origin's foot on the facet that the result came from. */
-static void reportOverlap(const Polytope *t, McdProximity *out) {
-    Simplex s = {.count = 3};
-    double foot[3];
-    for (int i = 0; i < 3; i++)
-        s.corner[i] = t->corner[t->from[i]];
-    mcd_scale(foot, t->normal, mcd_dot(t->normal, s.corner[0].w));
-    for (int i = 0; i < 3; i++)
-        mcd_sub(s.corner[i].w, s.corner[i].w, foot);
-    /* All its parts have to be looked at, not only those with the last corner. */
-    Simplex best = {.squared = INFINITY};
-    for (int turn = 0; turn < 3; turn++) {
-        Simplex part = {.count = 3, .corner = {s.corner[turn], s.corner[(turn + 1) % 3], s.corner[(turn + 2) % 3]}};
-        reduce(&part);
-        if (part.squared < best.squared)
-            best = part;
+/* The weights of a facet's corners in the point where the line through the origin along d passes its plane outward;
+ * the least of them, negative where it passes beside the facet. */
+static double weightsOnLine(const Polytope *t, const Facet *f, const double d[3], double weight[3]) {
+    double sum = 0, least = INFINITY, x[3];
+    for (int i = 0; i < 3; i++) {
+        mcd_cross(x, t->corner[f->corner[(i + 1) % 3]].w, t->corner[f->corner[(i + 2) % 3]].w);
+        weight[i] = mcd_dot(x, d);
+        sum += weight[i];
     }
-    const Corner *corner[3] = {&best.corner[0], &best.corner[1], &best.corner[2]};
-    weighted(corner, best.weight, best.count, out);
+    if (!(sum > 0))
+        return -INFINITY;
+    for (int i = 0; i < 3; i++) {
+        weight[i] /= sum;
+        least = MeMIN(least, weight[i]);
+    }
+    return least;
+}
+
+/* The facet that the line from the origin along the result passes, and the weights of its corners there. A face of M is
+ * many facets in one plane, and the one that the result came from need not be under the origin. None that the line
+ * passes is farther out than the result. */
+static int facetUnderOrigin(const Polytope *t, double weight[3]) {
+    int best = -1;
+    double most = -INFINITY;
+    for (int i = 0; i < t->facetCount; i++) {
+        double here[3];
+        if (t->offset[i] > t->support + t->epsilon)
+            continue;
+        const double least = weightsOnLine(t, &t->facet[i], t->normal, here);
+        if (least > most) {
+            most = least;
+            best = i;
+            mcd_copy(weight, here);
+        }
+    }
+    return best;
+}
+
+/* Both ends of the way out: points of the cores whose difference is the point of M that is nearest to the origin. What
+ * the polytope lacks of M there, at most the tolerance of the depth, is shared between them. */
+static void reportOverlap(const Polytope *t, McdProximity *out) {
+    double weight[3], lack[3], sum = 0;
+    const int facet = facetUnderOrigin(t, weight);
+    MEASSERT(facet >= 0 && t->support < INFINITY);
+    for (int i = 0; i < 3; i++) {
+        weight[i] = MeMAX(weight[i], 0);
+        sum += weight[i];
+    }
+    mcd_scale(weight, weight, 1 / sum);
+    const int *from = t->facet[facet].corner;
+    const Corner *corner[3] = {&t->corner[from[0]], &t->corner[from[1]], &t->corner[from[2]]};
+    weighted(corner, weight, 3, out);
     mcd_scale(out->normal, t->normal, -1);
     out->separation = -t->support;
+    mcd_sub(lack, out->onB, out->onA);
+    mcd_mad(lack, lack, t->support, t->normal);
+    mcd_mad(out->onA, out->onA, .5, lack);
+    mcd_mad(out->onB, out->onB, -.5, lack);
 }
 
 static void overlap(const Pair *p, const Simplex *s, const Guess *guess, McdProximity *out) {
     Polytope t;
     if (!startPolytope(p, s, &t)) {
-        reportFlat(p, &t, out);
+        reportFlat(p, s, &t, out);
         return;
     }
     expand(p, guess, &t);
@@ -577,11 +652,10 @@ static void tryAxis(const Pair *p, const double axis[3], const double apart[3], 
     mcd_copy(g->normal, n);
 }
 
-/* A box's axes and the axis of a cylinder or cone: what stands has its normal there. */
+/* The normals of its flat faces: what stands has its normal there. */
 static void guessFrom(const Pair *p, const McdShape *s, const double apart[3], Guess *g) {
-    const MeBool isBox = s->type == kMcdGeometryTypeBox;
     for (int i = 0; i < 3; i++)
-        if (isBox || (i == 2 && (s->type == kMcdGeometryTypeCylinder || s->type == kMcdGeometryTypeCone)))
+        if (s->kind->flatAxes & 1u << i)
             tryAxis(p, s->axis[i], apart, g);
 }
 

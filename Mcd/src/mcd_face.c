@@ -4,7 +4,7 @@
  * are the corners of what they have in common; each has a height on either surface, whose difference is its separation.
  * Where faces are flat that difference is linear, so that the deepest point is among these corners.
  */
-#include "mcd_nearfield.h"
+#include "mcd_kind.h"
 
 #include <string.h>
 
@@ -37,199 +37,47 @@ static MeU64 meeting(MeU32 a, MeU32 b) {
 
 /* ---- faces ------------------------------------------------------------------------------------------ */
 
-static void addPoint(const McdShape *s, McdFace *f, double x, double y, double z, MeU32 name) {
-    double *p = f->point[f->count];
-    for (int i = 0; i < 3; i++)
-        p[i] = s->place[i] + (s->axis[0][i] * x + s->axis[1][i] * y + s->axis[2][i] * z);
-    f->name[f->count++] = name;
-}
-
-static void setNormal(const McdShape *s, McdFace *f, double x, double y, double z) {
-    for (int i = 0; i < 3; i++)
-        f->normal[i] = s->axis[0][i] * x + s->axis[1][i] * y + s->axis[2][i] * z;
-}
-
-static void boxFace(const McdShape *s, const double d[3], McdFace *f) {
-    static const double round[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    int k = 0;
-    for (int i = 1; i < 3; i++)
-        if (fabs(d[i]) > fabs(d[k]))
-            k = i;
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const double side = d[k] < 0 ? -1 : 1;
-    double middle[3], u[3], w[3];
-    mcd_scale(f->normal, s->axis[k], side);
-    mcd_mad(middle, s->place, s->size[k], f->normal);
-    mcd_scale(u, s->axis[i], side * s->size[i]); /* mirrored, so that the order turns with the side */
-    mcd_scale(w, s->axis[j], s->size[j]);
-    f->id = (MeU32)(2 * k + (side > 0));
-    f->count = 4;
-    for (int corner = 0; corner < 4; corner++) {
-        for (int c = 0; c < 3; c++)
-            f->point[corner][c] = middle[c] + (round[corner][0] * u[c] + round[corner][1] * w[c]);
-        f->name[corner] = (MeU32)corner;
+/* Corners have numbers of their own, and turn counter-clockwise about the normal, which has length 1. */
+static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
+    const double slack_ = 1e-9 * s->extent * s->extent;
+    for (int i = 0; i < f->count; i++)
+        for (int j = 0; j < i; j++)
+            if (f->name[i] == f->name[j])
+                return 0;
+    for (int i = 0; i < f->count && f->count > 2 && mcd_shapeIsRigid(s); i++) {
+        const double *p = f->point[i], *q = f->point[(i + 1) % f->count], *r = f->point[(i + 2) % f->count];
+        double pq[3], qr[3], n[3];
+        mcd_sub(pq, q, p);
+        mcd_sub(qr, r, q);
+        mcd_cross(n, pq, qr);
+        if (mcd_dot(n, f->normal) < -slack_)
+            return 0;
     }
-}
-
-/* In which of the 16 parts of a turn, counted from x on, a direction lies. */
-static int sectorOf(double x, double y) {
-    static const double tangent = .41421356237309503; /* of a 16th of a turn */
-    const double ax = fabs(x), ay = fabs(y);
-    const int quarter = (ay > tangent * ax) + (ay > ax) + (tangent * ay > ax);
-    if (y >= 0)
-        return x >= 0 ? quarter : 7 - quarter;
-    return x < 0 ? 8 + quarter : 15 - quarter;
-}
-
-/* The rim of a disc at a height, counter-clockwise seen from the side of z = side. Its farthest point is put among the
- * fixed ones where it is farther than they are. */
-static void discFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
-    enum { RIM = 16, FARTHEST = 63 };
-    static const double cosine[RIM] = {1,  .9238795325112867,  .7071067811865476,  .3826834323650898,
-                                       0,  -.3826834323650898, -.7071067811865476, -.9238795325112867,
-                                       -1, -.9238795325112867, -.7071067811865476, -.3826834323650898,
-                                       0,  .3826834323650898,  .7071067811865476,  .9238795325112867};
-    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
-                 y = across > 0 ? side * d[1] / across : 0;
-    const int after = sectorOf(x, y), before = (after + 1) % RIM; /* the fixed points beside the farthest */
-    double centre[3], u[3], w[3];
-    setNormal(s, f, 0, 0, side);
-    f->id = side > 0;
-    mcd_mad(centre, s->place, height, s->axis[2]);
-    mcd_scale(u, s->axis[0], radius);
-    mcd_scale(w, s->axis[1], side * radius);
-    for (int i = 0; i < RIM; i++) {
-        const double c = cosine[i], n = cosine[(i + 12) % RIM];
-        double *p = f->point[f->count];
-        for (int k = 0; k < 3; k++)
-            p[k] = centre[k] + (u[k] * c + w[k] * n);
-        f->name[f->count++] = (MeU32)i;
-        if (i != after)
-            continue;
-        const double here = c * x + n * y, next = cosine[before] * x + cosine[(before + 12) % RIM] * y;
-        if ((1 - MeMAX(here, next)) * across > slack)
-            addPoint(s, f, radius * x, side * radius * y, height, FARTHEST);
-    }
-}
-
-/* The line on the side of a cylinder or cone that lies towards (x, y); its normal rises by `rise` over 1. */
-static void sideLine(const McdShape *s, const double d[3], const double radius[2], const double height[2], McdFace *f) {
-    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
-                 y = across > 0 ? d[1] / across : 0;
-    const double long_ = hypot(height[1] - height[0], radius[0] - radius[1]);
-    const double out = (height[1] - height[0]) / long_, up = (radius[0] - radius[1]) / long_;
-    setNormal(s, f, out * x, out * y, up);
-    f->id = 2;
-    f->bend = (radius[0] + radius[1]) / 2;
-    for (int i = 0; i < 2; i++)
-        addPoint(s, f, radius[i] * x, radius[i] * y, height[i], (MeU32)i);
-}
-
-/* Of both discs and the side, what looks most that way. */
-static void roundFace(const McdShape *s, const double d[3], double lower, double upper, double bottom, double top,
-                      McdFace *f) {
-    const double radius[2] = {lower, upper}, height[2] = {bottom, top};
-    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), long_ = hypot(top - bottom, lower - upper);
-    const double side = (across * (top - bottom) + d[2] * (lower - upper)) / long_;
-    if (d[2] > side && upper > 0)
-        discFace(s, d, upper, top, 1, f);
-    else if (-d[2] > side && lower > 0)
-        discFace(s, d, lower, bottom, -1, f);
-    else
-        sideLine(s, d, radius, height, f);
-}
-
-static void coreLine(const McdShape *s, const double d[3], McdFace *f) {
-    const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
-    if (across > 0)
-        setNormal(s, f, d[0] / across, d[1] / across, 0);
-    addPoint(s, f, 0, 0, -s->size[2], 0);
-    addPoint(s, f, 0, 0, s->size[2], 1);
-}
-
-static void hullFace(const McdShape *s, const double d[3], McdFace *f) {
-    const McdHull *h = s->hull;
-    int best = 0;
-    double most = -INFINITY;
-    for (int i = 0; i < h->faceCount; i++) {
-        const double x = mcd_dot(h->face[i].normal, d);
-        if (x > most) {
-            most = x;
-            best = i;
-        }
-    }
-    const McdHullFace *face = &h->face[best];
-    /* Of more corners than there is place for, some all round it. */
-    const int count = MeMIN(face->count, MCD_FACE_POINTS - 1);
-    MEASSERT(face->count >= 3 && face->first >= 0);
-    setNormal(s, f, face->normal[0], face->normal[1], face->normal[2]);
-    f->id = (MeU32)best;
-    for (int i = 0; i < count; i++) {
-        const double *v = h->vertex[h->faceVertex[face->first + i * face->count / count]];
-        addPoint(s, f, v[0], v[1], v[2], (MeU32)i);
-    }
-}
-
-static void triangleFace(const McdShape *s, const double d[3], McdFace *f) {
-    double x[3], y[3], n[3];
-    mcd_sub(x, s->corner[1], s->corner[0]);
-    mcd_sub(y, s->corner[2], s->corner[0]);
-    mcd_cross(n, x, y);
-    const double length = mcd_length(n);
-    const MeBool isBack = mcd_dot(n, d) < 0;
-    if (length > 0)
-        mcd_scale(f->normal, n, (isBack ? -1 : 1) / length);
-    f->id = (MeU32)isBack;
-    for (int i = 0; i < 3; i++) {
-        const int corner = isBack ? 2 - i : i;
-        mcd_copy(f->point[f->count], s->corner[corner]);
-        f->name[f->count++] = (MeU32)corner;
-    }
+    return f->count < 3 || !mcd_shapeIsRigid(s) || mcd_isUnit(f->normal) || mcd_dot(f->normal, f->normal) == 0;
 }
 
 void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
-    const double d[3] = {mcd_dot(s->axis[0], direction), mcd_dot(s->axis[1], direction),
-                         mcd_dot(s->axis[2], direction)};
     f->count = 0;
     f->id = 0;
     f->bend = 0;
     mcd_set(f->normal, 0, 0, 0);
-    switch (s->type) {
-    case kMcdGeometryTypeBox:
-        boxFace(s, d, f);
-        break;
-    case kMcdGeometryTypeCylinder:
-        roundFace(s, d, s->size[0], s->size[0], -s->size[2], s->size[2], f);
-        break;
-    case kMcdGeometryTypeCone:
-        roundFace(s, d, s->size[0], s->size[1], -s->low, s->size[2] - s->low, f);
-        break;
-    case kMcdGeometryTypeSphyl:
-        coreLine(s, d, f);
-        break;
-    case kMcdGeometryTypeConvexMesh:
-        hullFace(s, d, f);
-        break;
-    case MCD_SHAPE_TRIANGLE:
-        triangleFace(s, direction, f);
-        break;
-    default:
-        addPoint(s, f, 0, 0, 0, 0);
-    }
+    s->kind->face(s, direction, f);
+    MEASSERT(f->count >= 1 && f->count <= MCD_FACE_POINTS);
+    MEVALIDATE(isFaceGood(s, f));
 }
 
 /* ---- what they have in common ------------------------------------------------------------------------- */
 
 /* A point in the plane across the normal, with its heights on both surfaces. */
-typedef struct Spot {
+typedef struct Candidate {
     double x, y, a, b;
     MeU64 feature;
     MeU32 edge; /* code of that which begins here, and whether it is b's */
     MeBool edgeIsB;
     int index; /* of the corner of b's where that edge begins */
-} Spot;
+} Candidate;
 
-enum { MAX_SPOTS = 2 * MCD_FACE_POINTS };
+enum { MAX_CANDIDATES = 2 * MCD_FACE_POINTS };
 
 /* A face as seen along the normal: counter-clockwise, with heights. */
 typedef struct Outline {
@@ -271,9 +119,10 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
     return 1;
 }
 
-static Spot cross(const Spot *p, const Spot *q, double dp, double dq, const Outline *b, int j) {
+static Candidate cross(const Candidate *p, const Candidate *q, double dp, double dq, const Outline *b, int j) {
     const double t = dp / (dp - dq);
-    Spot s = {.x = p->x + t * (q->x - p->x), .y = p->y + t * (q->y - p->y), .a = p->a + t * (q->a - p->a)};
+    MEASSERT(t >= 0 && t <= 1); /* one is inside, the other is not */
+    Candidate s = {.x = p->x + t * (q->x - p->x), .y = p->y + t * (q->y - p->y), .a = p->a + t * (q->a - p->a)};
     if (p->edgeIsB) { /* a corner of b's */
         const int corner = j == (p->index + 1) % b->count ? j : p->index;
         s.feature = code(CORNER, b->id, b->name[corner]);
@@ -307,33 +156,33 @@ static Circle circleAround(const Outline *o) {
 
 /* How far spots are inside of b's edge from corner j on, times its length; false if none is outside. A circle around
  * them mostly shows that. */
-static MeBool isEdgeCutting(const Spot *spot, int count, const Circle *around, const Outline *b, int j, double slack_,
-                            double *inside) {
+static MeBool isEdgeCutting(const Candidate *candidate, int count, const Circle *around, const Outline *b, int j,
+                            double slack_, double *inside) {
     const int next = j + 1 < b->count ? j + 1 : 0;
     const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
     double least = INFINITY;
     if (ex * (around->y - y) - ey * (around->x - x) >= around->radius * length)
         return 0; /* of no length, too */
     for (int i = 0; i < count; i++) {
-        inside[i] = ex * (spot[i].y - y) - ey * (spot[i].x - x) + slack_ * length;
+        inside[i] = ex * (candidate[i].y - y) - ey * (candidate[i].x - x) + slack_ * length;
         least = MeMIN(least, inside[i]);
     }
     return !(least >= 0);
 }
 
 /* Cuts off what is outside of that edge (Sutherland and Hodgman). */
-static int cutByEdge(const Spot *in, int count, MeBool isClosed, const double *inside, const Outline *b, int j,
-                     MeU32 insideA, Spot *out) {
+static int cutByEdge(const Candidate *in, int count, MeBool isClosed, const double *inside, const Outline *b, int j,
+                     MeU32 insideA, Candidate *out) {
     int made = 0;
     for (int i = 0; i < count; i++) {
         const int next = i + 1 < count ? i + 1 : 0;
-        const Spot *p = &in[i], *q = &in[next];
+        const Candidate *p = &in[i], *q = &in[next];
         const double dp = inside[i], dq = inside[next];
         if (dp >= 0)
             out[made++] = *p;
-        if ((!isClosed && i == count - 1) || (dp >= 0) == (dq >= 0) || made == MAX_SPOTS - 1)
+        if ((!isClosed && i == count - 1) || (dp >= 0) == (dq >= 0) || made == MAX_CANDIDATES - 1)
             continue;
-        Spot s = cross(p, q, dp, dq, b, j);
+        Candidate s = cross(p, q, dp, dq, b, j);
         s.edge = dp >= 0 ? 0 : p->edge;
         s.edgeIsB = dp >= 0 ? 1 : p->edgeIsB;
         s.index = dp >= 0 ? j : p->index;
@@ -344,53 +193,54 @@ static int cutByEdge(const Spot *in, int count, MeBool isClosed, const double *i
     return made;
 }
 
-static int startSpots(const Outline *a, const Outline *b, Spot *spot) {
+static int startCandidates(const Outline *a, const Outline *b, Candidate *candidate) {
     for (int i = 0; i < a->count; i++)
-        spot[i] = (Spot){.x = a->x[i],
-                         .y = a->y[i],
-                         .a = a->z[i],
-                         .feature = meeting(code(CORNER, a->id, a->name[i]), code(INSIDE, b->id, 0)),
-                         .edge = code(EDGE, a->id, a->name[i])};
+        candidate[i] = (Candidate){.x = a->x[i],
+                                   .y = a->y[i],
+                                   .a = a->z[i],
+                                   .feature = meeting(code(CORNER, a->id, a->name[i]), code(INSIDE, b->id, 0)),
+                                   .edge = code(EDGE, a->id, a->name[i])};
     return a->count;
 }
 
 /* A polygon or line cut by a polygon. */
-static int clip(const Outline *a, const Outline *b, double slack_, Spot *spot) {
-    Spot other[MAX_SPOTS];
-    Spot *from = spot, *to = other;
-    double inside[MAX_SPOTS];
+static int clip(const Outline *a, const Outline *b, double slack_, Candidate *candidate) {
+    Candidate other[MAX_CANDIDATES];
+    Candidate *from = candidate, *to = other;
+    double inside[MAX_CANDIDATES];
     const Circle around = circleAround(a);
-    int count = startSpots(a, b, spot);
+    int count = startCandidates(a, b, candidate);
     for (int j = 0; j < b->count && count; j++) {
         if (!isEdgeCutting(from, count, &around, b, j, slack_, inside))
             continue;
         count = cutByEdge(from, count, a->count > 2, inside, b, j, code(INSIDE, a->id, 0), to);
-        Spot *const swap = from;
+        Candidate *const swap = from;
         from = to;
         to = swap;
     }
-    if (from != spot)
-        memcpy(spot, from, (size_t)count * sizeof *spot);
+    MEASSERT(count >= 0 && count <= MAX_CANDIDATES);
+    if (from != candidate)
+        memcpy(candidate, from, (size_t)count * sizeof *candidate);
     for (int i = 0; i < count; i++) {
         if (a->count > 2)
-            spot[i].a = planeHeight(a, spot[i].x, spot[i].y);
-        spot[i].b = planeHeight(b, spot[i].x, spot[i].y);
+            candidate[i].a = planeHeight(a, candidate[i].x, candidate[i].y);
+        candidate[i].b = planeHeight(b, candidate[i].x, candidate[i].y);
     }
     return count;
 }
 
-static void turnSpots(Spot *spot, int count) {
+static void turnCandidates(Candidate *candidate, int count) {
     for (int i = 0; i < count; i++) {
-        const double a = spot[i].a;
-        spot[i].a = spot[i].b;
-        spot[i].b = a;
-        spot[i].feature = spot[i].feature << 32 | spot[i].feature >> 32;
+        const double a = candidate[i].a;
+        candidate[i].a = candidate[i].b;
+        candidate[i].b = a;
+        candidate[i].feature = candidate[i].feature << 32 | candidate[i].feature >> 32;
     }
 }
 
 /* Lines that lie nearly the same way touch where they are beside each other: both ends of that. The surfaces bend away
  * across the lines, by bend - sqrt(bend^2 - offset^2). */
-static int overlapLines(const Outline *a, const Outline *b, double bend, Spot *spot) {
+static int overlapLines(const Outline *a, const Outline *b, double bend, Candidate *candidate) {
     double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0];
     double bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
     const double la = hypot(ax, ay), lb = hypot(bx, by);
@@ -411,61 +261,61 @@ static int overlapLines(const Outline *a, const Outline *b, double bend, Spot *s
         const MeBool isA = i ? end == la : begin == 0;
         const MeU32 nameA = isA ? code(CORNER, a->id, a->name[i]) : code(INSIDE, a->id, 0);
         const MeU32 nameB = isA ? code(INSIDE, b->id, 0) : code(CORNER, b->id, b->name[i ? t1 < t0 ? 0 : 1 : t1 < t0]);
-        spot[i] = (Spot){.x = x + (b->x[0] + tb * bx - x) / 2,
-                         .y = y + (b->y[0] + tb * by - y) / 2,
-                         .a = a->z[0] + ta * (a->z[1] - a->z[0]) + away,
-                         .b = b->z[0] + tb * (b->z[1] - b->z[0]),
-                         .feature = meeting(nameA, nameB)};
+        candidate[i] = (Candidate){.x = x + (b->x[0] + tb * bx - x) / 2,
+                                   .y = y + (b->y[0] + tb * by - y) / 2,
+                                   .a = a->z[0] + ta * (a->z[1] - a->z[0]) + away,
+                                   .b = b->z[0] + tb * (b->z[1] - b->z[0]),
+                                   .feature = meeting(nameA, nameB)};
     }
     return 2;
 }
 
-static int commonSpots(const Outline *a, const Outline *b, double bend, double slack_, Spot *spot) {
+static int clipFaces(const Outline *a, const Outline *b, double bend, double slack_, Candidate *candidate) {
     if (a->count < 2 || b->count < 2)
         return 0;
     if (b->count > 2 && b->count <= MeMAX(a->count, 4))
-        return clip(a, b, slack_, spot);
+        return clip(a, b, slack_, candidate);
     if (a->count == 2 && b->count == 2)
-        return overlapLines(a, b, bend, spot);
+        return overlapLines(a, b, bend, candidate);
     if (a->count == 2)
-        return clip(a, b, slack_, spot);
+        return clip(a, b, slack_, candidate);
     /* The one with fewer corners cuts: fewer passes over the other's. */
-    const int count = clip(b, a, slack_, spot);
-    turnSpots(spot, count);
+    const int count = clip(b, a, slack_, candidate);
+    turnCandidates(candidate, count);
     return count;
 }
 
-/* ---- which of them -------------------------------------------------------------------------------------- */
+/* ---- reduction to four points -------------------------------------------------------------------------------------- */
 
-static double acrossSquared(const Spot *p, const Spot *q) {
+static double acrossSquared(const Candidate *p, const Candidate *q) {
     const double x = p->x - q->x, y = p->y - q->y;
     return x * x + y * y;
 }
 
-/* Leaves out those that are farther apart than the margin, and those at the place of another: of many, which go round,
- * of the one before or the first. */
-static int dropIdle(Spot *spot, int count, double margin, double slack_) {
+/* Drops points farther apart than the margin, and duplicates: of more than 8 points, which go round the polygon, only the
+ * previous and the first are compared. */
+static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, double slack_) {
     int kept = 0;
     for (int i = 0; i < count; i++) {
-        MeBool isNew = spot[i].a - spot[i].b <= margin;
+        MeBool isNew = candidate[i].a - candidate[i].b <= margin;
         for (int j = 0; j < kept && isNew; j = j == 0 && count > 8 && kept > 1 ? kept - 1 : j + 1)
-            isNew = acrossSquared(&spot[i], &spot[j]) > 16 * slack_ * slack_;
+            isNew = acrossSquared(&candidate[i], &candidate[j]) > 16 * slack_ * slack_;
         if (isNew)
-            spot[kept++] = spot[i];
+            candidate[kept++] = candidate[i];
     }
     return kept;
 }
 
-static double depthOf(const Spot *s) {
+static double depthOf(const Candidate *s) {
     return s->b - s->a;
 }
 
 /* The farthest from a place. Ties go to the first, so that a body at rest keeps its points. */
-static int farthestOf(const Spot *spot, int count, const Spot *from, double slack_) {
+static int farthestOf(const Candidate *candidate, int count, const Candidate *from, double slack_) {
     int best = 0;
     double enough = slack_ * slack_; /* (most + slack)^2 */
     for (int i = 0; i < count; i++) {
-        const double squared = acrossSquared(&spot[i], from);
+        const double squared = acrossSquared(&candidate[i], from);
         if (squared > enough) {
             const double most = sqrt(squared) + slack_;
             enough = most * most;
@@ -475,23 +325,23 @@ static int farthestOf(const Spot *spot, int count, const Spot *from, double slac
     return best;
 }
 
-static Spot middleOf(const Spot *spot, int count) {
-    Spot middle = {.x = 0, .y = 0};
+static Candidate middleOf(const Candidate *candidate, int count) {
+    Candidate middle = {.x = 0, .y = 0};
     for (int i = 0; i < count; i++) {
-        middle.x += spot[i].x / count;
-        middle.y += spot[i].y / count;
+        middle.x += candidate[i].x / count;
+        middle.y += candidate[i].y / count;
     }
     return middle;
 }
 
 /* The farthest on either side of the line of two; -1: there is none. */
-static void farthestBeside(const Spot *spot, int count, const Spot *first, const Spot *second, double slack_,
+static void farthestBeside(const Candidate *candidate, int count, const Candidate *first, const Candidate *second, double slack_,
                            int best[2]) {
     const double dx = second->x - first->x, dy = second->y - first->y, least = 4 * slack_ * sqrt(dx * dx + dy * dy);
     double most[2] = {least, least};
     best[0] = best[1] = -1;
     for (int i = 0; i < count; i++) {
-        const double area = dx * (spot[i].y - first->y) - dy * (spot[i].x - first->x);
+        const double area = dx * (candidate[i].y - first->y) - dy * (candidate[i].x - first->x);
         const int side = area < 0;
         if (fabs(area) > most[side] * (1 + 1e-6)) {
             most[side] = fabs(area);
@@ -500,17 +350,17 @@ static void farthestBeside(const Spot *spot, int count, const Spot *first, const
     }
 }
 
-static int deepestOf(const Spot *spot, int count) {
+static int deepestOf(const Candidate *candidate, int count) {
     int best = 0;
     for (int i = 1; i < count; i++)
-        if (depthOf(&spot[i]) > depthOf(&spot[best]))
+        if (depthOf(&candidate[i]) > depthOf(&candidate[best]))
             best = i;
     return best;
 }
 
 /* The deepest takes the place of the nearest, where all that are kept leave more than the slack of it out. */
-static void includeDeepest(const Spot *spot, int count, Spot *kept, int made, double slack_) {
-    const Spot *deepest = &spot[deepestOf(spot, count)];
+static void includeDeepest(const Candidate *candidate, int count, Candidate *kept, int made, double slack_) {
+    const Candidate *deepest = &candidate[deepestOf(candidate, count)];
     int nearest = 0;
     for (int i = 0; i < made; i++) {
         if (depthOf(&kept[i]) >= depthOf(deepest) - slack_)
@@ -526,24 +376,24 @@ static void includeDeepest(const Spot *spot, int count, Spot *kept, int made, do
  *
  * Not mcd_spread: here all is in one plane, the slack decides between spots that are as good, so that a body at rest
  * keeps its points, and mcd_spread's look at all of them from every side would cost a pair a fifth more time. */
-static int keepFour(Spot *spot, int count, double slack_) {
-    const Spot middle = middleOf(spot, count);
-    Spot kept[4];
+static int reduceToFour(Candidate *candidate, int count, double slack_) {
+    const Candidate middle = middleOf(candidate, count);
+    Candidate kept[4];
     int beside[2], made = 0;
-    kept[made++] = spot[farthestOf(spot, count, &middle, slack_)];
-    kept[made++] = spot[farthestOf(spot, count, &kept[0], slack_)];
-    farthestBeside(spot, count, &kept[0], &kept[1], slack_, beside);
+    kept[made++] = candidate[farthestOf(candidate, count, &middle, slack_)];
+    kept[made++] = candidate[farthestOf(candidate, count, &kept[0], slack_)];
+    farthestBeside(candidate, count, &kept[0], &kept[1], slack_, beside);
     for (int i = 0; i < 2; i++)
         if (beside[i] >= 0)
-            kept[made++] = spot[beside[i]];
-    includeDeepest(spot, count, kept, made, slack_);
-    memcpy(spot, kept, (size_t)made * sizeof *spot);
+            kept[made++] = candidate[beside[i]];
+    includeDeepest(candidate, count, kept, made, slack_);
+    memcpy(candidate, kept, (size_t)made * sizeof *candidate);
     return made;
 }
 
 /* ---- manifolds ------------------------------------------------------------------------------------------ */
 
-static void addContact(const McdShape *a, const McdShape *b, const View *v, const Spot *s, McdManifold *m) {
+static void addContact(const McdShape *a, const McdShape *b, const View *v, const Candidate *s, McdManifold *m) {
     const double za = s->a - a->rounding, zb = s->b + b->rounding;
     McdManifoldPoint *p = &m->point[m->count++];
     for (int i = 0; i < 3; i++)
@@ -556,16 +406,16 @@ static void addContact(const McdShape *a, const McdShape *b, const View *v, cons
 }
 
 /* The proximity's own points: the deepest, whatever the faces are. */
-static Spot supportSpot(const View *v, const McdProximity *p, MeU64 feature) {
+static Candidate supportCandidate(const View *v, const McdProximity *p, MeU64 feature) {
     double middle[3];
     for (int i = 0; i < 3; i++)
         middle[i] = (p->onA[i] + p->onB[i]) / 2;
     const double z = mcd_dot(v->n, middle);
-    return (Spot){.x = mcd_dot(v->u, middle),
-                  .y = mcd_dot(v->w, middle),
-                  .a = z + p->separation / 2,
-                  .b = z - p->separation / 2,
-                  .feature = feature};
+    return (Candidate){.x = mcd_dot(v->u, middle),
+                       .y = mcd_dot(v->w, middle),
+                       .a = z + p->separation / 2,
+                       .b = z - p->separation / 2,
+                       .feature = feature};
 }
 
 static View makeView(const McdShape *a, const McdShape *b, const McdProximity *p) {
@@ -585,12 +435,12 @@ int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *
     if (!(p->separation - a->rounding - b->rounding <= margin))
         return 0;
     const View v = makeView(a, b, p);
-    const Spot s = supportSpot(&v, p, feature);
+    const Candidate s = supportCandidate(&v, p, feature);
     addContact(a, b, &v, &s, m);
     return 1;
 }
 
-/* Is a spot's height on a face as exact as its place? Not where the face rises more than it goes across; the ends of a
+/* Is a candidate's height on a face as exact as its place? Not where the face rises more than it goes across; the ends of a
  * line are. */
 static MeBool isExact(const Outline *o, MeU32 feature) {
     if (o->count > 2)
@@ -599,21 +449,38 @@ static MeBool isExact(const Outline *o, MeU32 feature) {
     return kindOf(feature) == CORNER || z * z < x * x + y * y;
 }
 
-/* The deepest spot; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so, where the
+/* The deepest candidate; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so, where the
  * slack lets it stand out. */
-static int leastSeparated(Spot *spot, int count, double separation) {
+static int clampSeparations(Candidate *candidate, int count, double separation) {
     int least = -1;
     for (int i = 0; i < count; i++) {
-        spot[i].a = MeMAX(spot[i].a, spot[i].b + separation);
-        if (least < 0 || spot[i].a - spot[i].b < spot[least].a - spot[least].b)
+        candidate[i].a = MeMAX(candidate[i].a, candidate[i].b + separation);
+        if (least < 0 || candidate[i].a - candidate[i].b < candidate[least].a - candidate[least].b)
             least = i;
     }
     return least;
 }
 
+/* Points have features of their own, and none is deeper than the cores are, or than the margin lets be. */
+static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProximity *p, double margin,
+                             const McdManifold *m) {
+    const double rounding = a->rounding + b->rounding;
+    const double slack_ = preference * mcd_pairSize(a, b) + 1e-12 * fabs(p->separation);
+    for (int i = 0; i < m->count; i++) {
+        const McdManifoldPoint *point = &m->point[i];
+        for (int j = 0; j < i; j++)
+            if (m->point[j].feature == point->feature)
+                return 0;
+        if (point->separation < p->separation - rounding - slack_ || !(point->separation <= margin + slack_) ||
+            !(point->radius[0] >= 0 && point->radius[1] >= 0))
+            return 0;
+    }
+    return 1;
+}
+
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                       const McdProximity *p, double margin, McdManifold *m) {
-    Spot spot[MAX_SPOTS];
+    Candidate candidate[MAX_CANDIDATES];
     Outline outA, outB;
     const View v = makeView(a, b, p);
     const double coreMargin = margin + a->rounding + b->rounding;
@@ -624,22 +491,23 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
              faceB->count <= MCD_FACE_POINTS);
     /* b's face looks along the normal, so that its corners turn counter-clockwise; a's looks the other way. */
     if (makeOutline(&v, faceA, 1, &outA) && makeOutline(&v, faceB, 0, &outB))
-        count = commonSpots(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, spot);
-    count = dropIdle(spot, count, coreMargin, v.slack);
-    const int least = leastSeparated(spot, count, p->separation);
-    const double short_ = least < 0 ? INFINITY : spot[least].a - spot[least].b - p->separation;
-    if (p->isGuess && !(short_ <= v.slack && isExact(&outA, (MeU32)(spot[least].feature >> 32)) &&
-                        isExact(&outB, (MeU32)spot[least].feature)))
+        count = clipFaces(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, candidate);
+    count = dropFarAndDuplicates(candidate, count, coreMargin, v.slack);
+    const int least = clampSeparations(candidate, count, p->separation);
+    const double short_ = least < 0 ? INFINITY : candidate[least].a - candidate[least].b - p->separation;
+    if (p->isGuess && !(short_ <= v.slack && isExact(&outA, (MeU32)(candidate[least].feature >> 32)) &&
+                        isExact(&outB, (MeU32)candidate[least].feature)))
         return 0;
     /* A face that is preferred although another normal is slightly better has its farthest corner beside the other. */
     if (short_ <= preference * mcd_pairSize(a, b))
-        spot[least].a = spot[least].b + p->separation;
+        candidate[least].a = candidate[least].b + p->separation;
     else if (p->separation <= coreMargin)
-        spot[count++] = supportSpot(&v, p, meeting(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0)));
+        candidate[count++] = supportCandidate(&v, p, meeting(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0)));
     if (count > MCD_MANIFOLD_POINTS)
-        count = keepFour(spot, count, v.slack);
+        count = reduceToFour(candidate, count, v.slack);
     MEASSERT(count <= MCD_MANIFOLD_POINTS);
     for (int i = 0; i < count; i++)
-        addContact(a, b, &v, &spot[i], m);
+        addContact(a, b, &v, &candidate[i], m);
+    MEVALIDATE(isManifoldGood(a, b, p, margin, m));
     return m->count;
 }

@@ -51,8 +51,8 @@ typedef struct McdTriangleListRecord {
     MeVector3 min, max;
     int room; /* of list.list */
     McdTriangleListFnPtr generate;
-    MeBool hasWarned; /* that there is too little */
-    McdMesh mesh;
+    atomic_int hasWarned; /* that there is too little */
+    atomic_int isInUse;   /* list.list, by a query: others take an array of their own */
 } McdTriangleListRecord;
 
 struct McdRGHeightField { /* a grid along x and y, two triangles a cell, outside is up */
@@ -61,7 +61,6 @@ struct McdRGHeightField { /* a grid along x and y, two triangles a cell, outside
     int xCount, yCount;
     MeReal xStep, yStep, x0, y0;
     MeReal low, high; /* of all heights, as of the last look */
-    McdMesh mesh;
 };
 
 typedef struct McdAggregateElement {
@@ -73,10 +72,12 @@ struct McdAggregate {
     McdGeometry head;
     int count, max;
     McdAggregateElement *element;
-    McdContact *contact; /* memory for queries, kept between them */
-    void *choice;        /* mcd_simplifyBytes(contactMax) */
-    int contactMax;
 };
+
+/* The aggregate that a geometry is, whose instances have children; null for all others. */
+static inline const McdAggregate *mcd_partsOf(const McdGeometry *g) {
+    return g->type == kMcdGeometryTypeAggregate ? (const McdAggregate *)g : 0;
+}
 
 /* Qhull's hull of some points, in their own coordinates; null, with a warning that names the function, for points that
  * span no volume (flat, collinear, fewer than four, NaN). */

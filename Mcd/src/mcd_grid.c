@@ -2,7 +2,7 @@
  *
  * A cell finds the normal, by closed form where there is a short one; the faces along it give the contacts, the same
  * way for all pairs (mcd_face.c). What is empty is served by the cell across the diagonal, with the shapes swapped. */
-#include "mcd_nearfield.h"
+#include "mcd_kind.h"
 
 typedef MeBool (*Proximity)(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 
@@ -13,7 +13,7 @@ static MeBool boxBox(const McdShape *a, const McdShape *b, double limit, McdProx
     return p->separation <= 0 || mcd_coreProximity(a, b, limit, p);
 }
 
-enum { SPHERE, SPHYL, BOX, CYLINDER, CONE, HULL, TRIANGLE, KINDS, NO_KIND = -1 };
+enum { CLOSED = MCD_RANK_CYLINDER + 1 }; /* so many ranks have closed forms; all others are served by the walk */
 
 #define POINTS   mcd_pointPoint
 #define SEGMENT  mcd_pointSegment
@@ -23,37 +23,22 @@ enum { SPHERE, SPHYL, BOX, CYLINDER, CONE, HULL, TRIANGLE, KINDS, NO_KIND = -1 }
 #define AXES     boxBox
 #define GENERAL  mcd_coreProximity
 /* clang-format off */
-static const Proximity grid[KINDS][KINDS] = {
-    /*              SPHERE   SPHYL     BOX      CYLINDER  CONE     HULL     TRIANGLE */
-    /* SPHERE   */ {POINTS,  SEGMENT,  CLAMPED, INTUBE,   GENERAL, GENERAL, GENERAL},
-    /* SPHYL    */ {0,       SEGMENTS, GENERAL, GENERAL,  GENERAL, GENERAL, GENERAL},
-    /* BOX      */ {0,       0,        AXES,    GENERAL,  GENERAL, GENERAL, GENERAL},
-    /* CYLINDER */ {0,       0,        0,       GENERAL,  GENERAL, GENERAL, GENERAL},
-    /* CONE     */ {0,       0,        0,       0,        GENERAL, GENERAL, GENERAL},
-    /* HULL     */ {0,       0,        0,       0,        0,       GENERAL, GENERAL},
-    /* TRIANGLE */ {0,       0,        0,       0,        0,       0,       GENERAL},
+static const Proximity grid[CLOSED][CLOSED] = {
+    /*              SPHERE   SPHYL     BOX      CYLINDER */
+    /* SPHERE   */ {POINTS,  SEGMENT,  CLAMPED, INTUBE},
+    /* SPHYL    */ {0,       SEGMENTS, GENERAL, GENERAL},
+    /* BOX      */ {0,       0,        AXES,    GENERAL},
+    /* CYLINDER */ {0,       0,        0,       GENERAL},
 };
 /* clang-format on */
 
-static int kindOf(const McdShape *s) {
-    switch (s->type) {
-    case kMcdGeometryTypeSphere:
-        return SPHERE;
-    case kMcdGeometryTypeSphyl:
-        return SPHYL;
-    case kMcdGeometryTypeBox:
-        return BOX;
-    case kMcdGeometryTypeCylinder:
-        return CYLINDER;
-    case kMcdGeometryTypeCone:
-        return CONE;
-    case kMcdGeometryTypeConvexMesh:
-        return HULL;
-    case MCD_SHAPE_TRIANGLE:
-        return TRIANGLE;
-    default:
-        return NO_KIND;
-    }
+static Proximity proximityOf(McdRank a, McdRank b) {
+    MEASSERT(a <= b);
+    return (int)b < CLOSED ? grid[a][b] : GENERAL;
+}
+
+static McdRank rankOf(const McdShape *s) {
+    return s->kind->rank;
 }
 
 /* ---- the face's normal instead of one that is as good --------------------------------------------------------- */
@@ -106,22 +91,29 @@ static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *fac
     tryNormal(a, b, first ? turned : faceB->normal, p, least);
     if (mcd_distanceSquared(best, p->normal) == 0)
         tryNormal(a, b, first ? faceB->normal : turned, p, least);
+    MEASSERT(p->separation >= least);
 }
 
 /* ---- what the others call ------------------------------------------------------------------------------------- */
 
+/* The normal has length 1, and the separation is that along it. */
+static MeBool isProximityGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
+    const double most = 1e-7 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
+    if (!mcd_shapeIsRigid(a) || !mcd_shapeIsRigid(b))
+        return 1;
+    return mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= most;
+}
+
 /* The normal is the other shape's outward: from b to a. */
-static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
-    const int i = kindOf(a), j = kindOf(b);
+static MeBool findProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    const McdRank i = rankOf(a), j = rankOf(b);
     const double reach = a->extent + b->extent + MeMAX(limit, 0);
-    if (i == NO_KIND || j == NO_KIND)
-        return 0;
     if (!(mcd_distanceSquared(a->place, b->place) <= reach * reach))
         return 0;
-    if (grid[i][j])
-        return grid[i][j](a, b, limit, p);
+    if (i <= j)
+        return proximityOf(i, j)(a, b, limit, p);
     McdProximity turned;
-    if (!grid[j][i](b, a, limit, &turned))
+    if (!proximityOf(j, i)(b, a, limit, &turned))
         return 0;
     mcd_scale(p->normal, turned.normal, -1);
     p->separation = turned.separation;
@@ -131,8 +123,16 @@ static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdP
     return 1;
 }
 
+static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    if (!findProximity(a, b, limit, p))
+        return 0;
+    MEASSERT(p->separation <= limit);
+    MEVALIDATE(isProximityGood(a, b, p));
+    return 1;
+}
+
 static MeBool isPoint(const McdShape *s) {
-    return s->type == kMcdGeometryTypeSphere;
+    return rankOf(s) == MCD_RANK_SPHERE;
 }
 
 static void facesAlong(const McdShape *a, const McdShape *b, const double n[3], McdFace *faceA, McdFace *faceB) {
@@ -142,7 +142,7 @@ static void facesAlong(const McdShape *a, const McdShape *b, const double n[3], 
 }
 
 static MeBool areBoxes(const McdShape *a, const McdShape *b) {
-    return a->type == kMcdGeometryTypeBox && b->type == kMcdGeometryTypeBox;
+    return rankOf(a) == MCD_RANK_BOX && rankOf(b) == MCD_RANK_BOX;
 }
 
 /* A guess, or, of boxes that overlap, the answer; false if it shows that they are too far apart. */
@@ -184,24 +184,60 @@ static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdMa
     return alongFaces(a, b, margin, &p, m);
 }
 
+static MeBool isManifoldWithin(const McdManifold *m, double margin) {
+    for (int i = 0; i < m->count; i++)
+        if (!(m->point[i].separation <= margin * (1 + 1e-9)) || !isfinite(mcd_length(m->point[i].position)))
+            return 0;
+    return m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS;
+}
+
 int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     MEASSERT(a->extent > 0 && b->extent > 0 && a->rounding >= 0 && b->rounding >= 0);
-    if (kindOf(a) <= kindOf(b))
+    if (rankOf(a) <= rankOf(b))
         return manifoldOf(a, b, margin, m);
     const int count = manifoldOf(b, a, margin, m);
     mcd_manifoldTurn(m);
+    MEASSERT(count == m->count && isManifoldWithin(m, margin));
     return count;
+}
+
+/* Both ends of the way out of two boxes, where a face meets more than a corner: at the deepest of what the faces have in
+ * common. The deepest corner alone may be aside of the other's face, if another is as deep to within rounding. */
+static void endsAtFaces(const McdShape *a, const McdShape *b, McdProximity *p) {
+    McdFace faceA, faceB;
+    McdManifold m;
+    const McdManifoldPoint *deepest = m.point;
+    facesAlong(a, b, p->normal, &faceA, &faceB);
+    if (fmax(-mcd_dot(faceA.normal, p->normal), mcd_dot(faceB.normal, p->normal)) < 1 - 1e-9)
+        return; /* edges cross: in one point */
+    const int count = mcd_facesManifold(a, b, &faceA, &faceB, p, INFINITY, &m);
+    for (int i = 1; i < count; i++)
+        if (m.point[i].separation < deepest->separation)
+            deepest = &m.point[i];
+    mcd_mad(p->onA, deepest->position, p->separation / 2, p->normal);
+    mcd_mad(p->onB, deepest->position, -p->separation / 2, p->normal);
+}
+
+/* The points' difference is the distance along the normal. */
+static MeBool areEndsGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
+    double d[3];
+    mcd_sub(d, p->onA, p->onB);
+    mcd_mad(d, d, -p->separation, p->normal);
+    const double most = 1e-7 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
+    return !mcd_shapeIsRigid(a) || !mcd_shapeIsRigid(b) || mcd_length(d) <= most;
 }
 
 double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]) {
     McdProximity p;
-    const int i = kindOf(a), j = kindOf(b);
-    if (i == NO_KIND || j == NO_KIND || !proximity(a, b, INFINITY, &p)) {
+    if (!proximity(a, b, INFINITY, &p)) {
         mcd_copy(onA, a->place);
         mcd_copy(onB, b->place);
         mcd_set(normal, 0, 0, 1);
         return INFINITY;
     }
+    if (areBoxes(a, b) && p.separation <= 0)
+        endsAtFaces(a, b, &p);
+    MEVALIDATE(areEndsGood(a, b, &p));
     mcd_mad(onA, p.onA, -a->rounding, p.normal);
     mcd_mad(onB, p.onB, b->rounding, p.normal);
     mcd_copy(normal, p.normal);

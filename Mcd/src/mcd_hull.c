@@ -155,6 +155,7 @@ static MeBool makeCloud(Work *w, Cloud *c, const double (*point)[3], int count) 
             c->point[i][k] = (point[i][k] - c->centre[k]) / c->scale;
     markCopies((const double(*)[3])c->point, order, count, isCopy);
     c->count = 0;
+    MEASSERT(!isCopy[0]); /* of points in one place the first one stays */
     for (int i = 0; i < count; i++)
         if (!isCopy[i]) {
             memcpy(c->point[c->count], c->point[i], sizeof c->point[i]);
@@ -309,6 +310,7 @@ static MeBool joinFacets(Work *w, Facets *f) {
             return 0;
         f->twin[a] = b;
         f->twin[b] = a;
+        MEASSERT(f->face[a] != f->face[b]);
     }
     return 1;
 }
@@ -390,6 +392,7 @@ static int linkLoop(const Facets *f, const Regions *r, Loops *l, int start) {
         l->previous[next] = corner;
         corner = next;
         size++;
+        MEASSERT(size <= f->cornerCount); /* it comes round */
     } while (corner != start);
     return size;
 }
@@ -676,6 +679,7 @@ static void fillNeighbours(McdHull *h) {
         h->neighbour[--first[h->edge[i][0]]] = h->edge[i][1];
         h->neighbour[--first[h->edge[i][1]]] = h->edge[i][0];
     }
+    MEASSERT(first[0] == 0 && first[h->vertexCount] == 2 * h->edgeCount);
 }
 
 static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Regions *r, Loops *l,
@@ -707,6 +711,37 @@ static MeBool isThick(const McdHull *h, const Cloud *c) {
         if (width < leastThickness * c->scale)
             return 0;
     }
+    return 1;
+}
+
+/* All corners are behind each face, whose normal has length 1; the middle is inside. */
+static MeBool isConvex(const McdHull *h) {
+    const double slack = 4 * flatness * h->extent;
+    for (int i = 0; i < h->faceCount; i++) {
+        const McdHullFace *face = &h->face[i];
+        if (fabs(dot(face->normal, face->normal) - 1) > 1e-9 || !(dot(face->normal, h->centre) < face->offset))
+            return 0;
+        for (int k = 0; k < h->vertexCount; k++)
+            if (dot(face->normal, h->vertex[k]) > face->offset + slack)
+                return 0;
+    }
+    return 1;
+}
+
+/* Neighbours are each other's, no vertex is its own, and each edge joins two faces. */
+static MeBool areNeighboursGood(const McdHull *h) {
+    for (int v = 0; v < h->vertexCount; v++)
+        for (int i = h->neighbourFirst[v]; i < h->neighbourFirst[v + 1]; i++) {
+            const int other = h->neighbour[i];
+            MeBool isMutual = 0;
+            for (int k = h->neighbourFirst[other]; k < h->neighbourFirst[other + 1]; k++)
+                isMutual = isMutual || h->neighbour[k] == v;
+            if (other == v || !isMutual)
+                return 0;
+        }
+    for (int i = 0; i < h->edgeCount; i++)
+        if (h->edgeFace[i][0] == h->edgeFace[i][1] || h->edge[i][0] >= h->edge[i][1])
+            return 0;
     return 1;
 }
 
@@ -744,6 +779,8 @@ McdHull *mcd_hullCreate(const double (*point)[3], int count, const char *functio
         if (!h && !w.isExhausted)
             MeWarning(0, "%s: the vertices span no volume", function);
     }
+    MEASSERT(!h || (h->faceCount >= 4 && h->vertexCount >= 4 && h->extent > 0));
+    MEVALIDATE(!h || (isConvex(h) && areNeighboursGood(h)));
     giveBack(&w);
     return h;
 }

@@ -19,6 +19,7 @@
 #include "MeInternal.h"
 #include "MeMessage.h"
 #include <float.h>
+#include <stdatomic.h>
 
 /* ---- handles ------------------------------------------------------------------------------------------------- */
 
@@ -196,8 +197,11 @@ void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm);
 
 /* ---- frameworks ---------------------------------------------------------------------------------------------- */
 
+typedef struct McdKind McdKind; /* mcd_kind.h */
+
 typedef struct McdTypeRecord {
     MeBool isRegistered;
+    const McdKind *kind; /* null for a program's own */
     const char *name;
     McdGeometryDestroyFnPtr destroy;
     McdGeometryGetAABBFnPtr getAABB;
@@ -210,9 +214,9 @@ typedef struct McdTypeRecord {
 
 typedef struct McdGridCell {
     MeBool isSet;
-    int warned;
+    atomic_int warned;            /* by queries too, which may be several at once */
     McdInteractions interactions; /* a program may write them */
-    McdIntersectFn convex;        /* the library's, whose contacts depend on nothing but the two models; null: there is none */
+    McdIntersectFn convex; /* the library's, whose contacts depend on nothing but the two models; null: there is none */
 } McdGridCell;
 
 typedef struct McdTermActionLink McdTermActionLink;
@@ -244,7 +248,8 @@ struct _McdFramework {
     int spaceCount;
     MeU64 lastStamp; /* counts changes of models that were looked at */
     MeU64 round;     /* of tests, in which models stay as they are */
-    MeBool knowsSurfaces; /* the interaction that runs says of its contacts how round the surfaces are */
+    struct McdScratch *freeScratch; /* what queries work in (mcd_scratch.h): those that no query has */
+    atomic_int scratchIsLocked;
     /* Set when a space is created, so that a program without spaces does not link them: takes a model out of the space
      * that it is in, at once; has the space look at the model's filter, which is another one now. */
     void (*spaceForget)(McdModelID cm);

@@ -20,14 +20,13 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
 }
 
 MeReal mcd_roundUp(double x) {
-    const MeReal r = (MeReal)x;
-    if ((double)r >= x)
-        return r;
-#ifdef _ME_API_DOUBLE
-    return r;
-#else
-    return nextafterf(r, FLT_MAX);
+    MeReal r = (MeReal)x;
+#ifndef _ME_API_DOUBLE
+    if (!((double)r >= x))
+        r = nextafterf(r, FLT_MAX);
 #endif
+    MEASSERT(!((double)r < x) || x > (double)MEINFINITY);
+    return r;
 }
 
 MeReal mcd_roundDown(double x) {
@@ -64,6 +63,7 @@ void mcd_localUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, 
         }
         min[i] = mcd_roundDown(low);
         max[i] = mcd_roundUp(high);
+        MEASSERT(!(min[i] > max[i]));
     }
     McdGeometryInstanceSetAABB(ins, min, max);
 }
@@ -167,6 +167,7 @@ static void clipRound(McdClip *c, const double r[3], const double v[3], double r
         clipAway(c);
     } else if (vv > 0) {
         const double half = sqrt(inside / vv);
+        MEASSERT(half >= 0 && radius > 0);
         for (int k = 0; k < 3; k++)
             normal[k] = (p[k] - half * v[k]) / radius;
         mcd_clipInterval(c, nearest - half, nearest + half, normal);
@@ -239,6 +240,7 @@ MeBool mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]) {
 int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double part, const double normal[3],
                    McdLineSegIntersectResult *hit) {
     double length = 0;
+    MEASSERT(part >= 0 && part <= 1);
     for (int i = 0; i < 3; i++) {
         const double along = (double)to[i] - (double)from[i];
         length += along * along;
@@ -268,14 +270,26 @@ int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, Mc
     clip(ins->geometry, &c);
     if (mcd_clipIsEmpty(&c) || c.in > 1 || c.out < 0)
         return 0;
+    MEASSERT(!(c.in > 0) || isfinite(dot(c.normal, c.normal))); /* what is left of length 1 from far away */
     result->model = cm;
     return mcd_segmentHit(tm, from, to, MeMAX(c.in, 0), c.in > 0 ? c.normal : inside, result);
 }
 
 /* ---- mass ----------------------------------------------------------------------------------------------------------- */
 
+/* Of each axis no more than of the two others together: the moments of some mass. */
+static MeBool isMomentGood(double moment[3][3]) {
+    for (int i = 0; i < 3; i++) {
+        const double others = moment[(i + 1) % 3][(i + 1) % 3] + moment[(i + 2) % 3][(i + 2) % 3];
+        if (moment[i][i] < 0 || moment[i][i] > others * (1 + 1e-6) || moment[i][(i + 1) % 3] != moment[(i + 1) % 3][i])
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
 void mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
                         double moment[3][3]) {
+    MEASSERT(!(mass < 0) && isMomentGood(moment));
     MeMatrix4TMMakeIdentity(relTM);
     *volume = (MeReal)mass;
     for (int i = 0; i < 3; i++) {

@@ -95,15 +95,12 @@ void mcd_drawSides(const MeVector4 *tm, const MeReal colour[3], double z1, doubl
         mcd_geometryDestroyAs(g, kMcdGeometryType##Type, "Mcd" #Type "Destroy");                                       \
     }
 
-/* The functions of McdGeometryDeclare.h that go by the file's static `support`; the type's own file has the rest.
- * release: frees what a geometry has, and its memory, when its head is undone. */
-#define MCD_DEFINE_GEOMETRY_TYPE(Type, release)                                                                        \
+/* The functions of McdGeometryDeclare.h that go by the file's static `kind` (mcd_kind.h) and `support`; the type's own
+ * file has the rest. */
+#define MCD_DEFINE_GEOMETRY_TYPE(Type)                                                                                 \
     MCD_DEFINE_DESTROY(Type)                                                                                           \
     void MEAPI Mcd##Type##RegisterType(McdFramework *frame) {                                                          \
-        if (mcd_frameCheck(frame, "Mcd" #Type "RegisterType"))                                                         \
-            McdFrameworkRegisterGeometryType(frame, kMcdGeometryType##Type, Mcd##Type##GetTypeName(0), release,        \
-                                             Mcd##Type##UpdateAABB, Mcd##Type##GetBSphere, Mcd##Type##MaximumPoint,    \
-                                             Mcd##Type##GetMassProperties, Mcd##Type##DebugDraw);                      \
+        mcd_kindRegister(frame, &kind, "Mcd" #Type "RegisterType");                                                    \
     }                                                                                                                  \
     MeI16 MEAPI Mcd##Type##GetTypeId(void) {                                                                           \
         return kMcdGeometryType##Type;                                                                                 \

@@ -1,6 +1,7 @@
-/* Contacts of a convex shape with a surface of triangles, none of them at edges that are inside the surface. */
+/* Contacts of a convex shape with a surface of triangles, without ghost contacts at internal edges. */
 #include "mcd_mesh.h"
 #include "mcd_nearfield.h"
+#include "mcd_scratch.h"
 #include "mcd_spread.h"
 #include <string.h>
 
@@ -15,8 +16,6 @@
 #define BESIDE 1e-5
 /* What is over a triangle, relative to the shape's extent: neighbours overlap by that, so that nothing slips between. */
 #define OVER 1e-9
-/* A triangle whose height is a smaller part of its longest side has no area. */
-#define NO_HEIGHT 1e-7
 /* Normals within this cosine of each other make one manifold: 1.1 degrees. */
 #define SAME_MANIFOLD .9998
 
@@ -139,43 +138,12 @@ static MeBool isNearBox(const McdMeshQuery *q, const double corner[3][3]) {
     return METRUE;
 }
 
-static MeBool areFinite(const double corner[3][3]) {
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            if (!isfinite(corner[i][k]))
-                return MEFALSE;
-    return METRUE;
-}
-
-/* The unit normal by the right-hand rule; false if there is no area. */
-static MeBool normalOf(const double corner[3][3], double normal[3]) {
-    double e[3][3], longest = 0;
-    for (int i = 0; i < 3; i++) {
-        mcd_sub(e[i], corner[(i + 1) % 3], corner[i]);
-        longest = fmax(longest, mcd_dot(e[i], e[i]));
-    }
-    mcd_cross(normal, e[0], e[1]);
-    const double area = mcd_length(normal);
-    if (!(area > NO_HEIGHT * longest))
-        return MEFALSE;
-    mcd_scale(normal, normal, 1 / area);
-    return METRUE;
-}
-
-MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]) {
-    if (!areFinite(corner) || !normalOf(corner, normal))
-        return MEFALSE;
-    if (given && mcd_dot(given, normal) < 0)
-        mcd_scale(normal, normal, -1);
-    return METRUE;
-}
-
 static void toQuery(const McdMeshQuery *q, const double in[3], double out[3]) {
     for (int i = 0; i < 3; i++)
         out[i] = q->place[i] + in[0] * q->axis[0][i] + in[1] * q->axis[1][i] + in[2] * q->axis[2][i];
 }
 
-void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags,
+void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
                  McdElementData element) {
     McdMesh *mesh = q->mesh;
     double own[3];
@@ -192,10 +160,13 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
         toQuery(q, corner[i], t->corner[i]);
         t->key[i] = keyOf(corner[i]);
     }
+    if (vertex)
+        memcpy(t->vertex, vertex, sizeof t->vertex);
     t->flags = flags;
     t->element = element;
     mesh->count++;
     MEASSERT(mesh->count <= mesh->max && isfinite(mcd_dot(t->normal, t->normal)));
+    MEASSERT(mcd_isUnit(own));
 }
 
 /* A power of 2 that leaves half of the slots empty. */
@@ -228,9 +199,27 @@ static int numberCorners(McdMesh *mesh) {
     return vertexCount;
 }
 
+/* Where the first triangle of a vertex has it. */
+static const double *placeOf(const McdMesh *mesh, int v) {
+    const int first = mesh->usersOf[mesh->firstOf[v]], *of = mesh->triangle[first].vertex;
+    return mesh->place[3 * first + (of[0] == v ? 0 : of[1] == v ? 1 : 2)];
+}
+
+/* Adjacency is symmetric: a vertex lists just the triangles that have it, in their order, and is where their corners are. */
+static MeBool areCornersJoined(const McdMesh *mesh, int vertexCount) {
+    for (int v = 0; v < vertexCount; v++)
+        for (int i = mesh->firstOf[v]; i < mesh->firstOf[v + 1]; i++) {
+            const int *of = mesh->triangle[mesh->usersOf[i]].vertex, at = of[0] == v ? 0 : of[1] == v ? 1 : 2;
+            if (of[at] != v || (i > mesh->firstOf[v] && mesh->usersOf[i - 1] > mesh->usersOf[i]) ||
+                comparePoints(mesh->place[3 * mesh->usersOf[i] + at], placeOf(mesh, v)) != 0)
+                return MEFALSE;
+        }
+    return METRUE;
+}
+
 /* Lists the triangles at each vertex. */
-static void joinCorners(McdMesh *mesh) {
-    const int vertexCount = numberCorners(mesh);
+static void buildAdjacency(McdMesh *mesh) {
+    const int vertexCount = mesh->vertexCount ? mesh->vertexCount : numberCorners(mesh);
     for (int v = 0; v <= vertexCount; v++)
         mesh->firstOf[v] = 0;
     for (int i = 0; i < 3 * mesh->count; i++)
@@ -239,19 +228,21 @@ static void joinCorners(McdMesh *mesh) {
         mesh->firstOf[v] += mesh->firstOf[v - 1];
     for (int i = 3 * mesh->count - 1; i >= 0; i--)
         mesh->usersOf[--mesh->firstOf[mesh->triangle[i / 3].vertex[i % 3]]] = i / 3;
-    MEASSERT(vertexCount <= 3 * mesh->count && mesh->firstOf[0] == 0 && mesh->firstOf[vertexCount] == 3 * mesh->count);
+    MEASSERT(vertexCount <= 3 * mesh->max && mesh->firstOf[0] == 0 && mesh->firstOf[vertexCount] == 3 * mesh->count);
     for (int v = 0; v < vertexCount; v++)
         mesh->fan[v] = NOT_KNOWN;
+    MEVALIDATE(areCornersJoined(mesh, vertexCount));
 }
 
 /* ---- which normals are the surface's -------------------------------------------------------------------------------- */
 
-typedef enum Verdict {
-    ON_FACE,  /* the triangle's own */
-    OUTSIDE,  /* another one of the surface */
-    INSIDE,   /* a neighbour rises above it */
-    NOT_SHARP /* there is no neighbour, but the edge gives no normals */
-} Verdict;
+/* Where a contact normal lies among those that the surface has around a triangle (its Voronoi regions). */
+typedef enum Region {
+    FACE_REGION,   /* the triangle's own normal */
+    BORDER_REGION, /* between those of an edge or a corner */
+    INTERNAL,      /* nowhere: a neighbour rises above the plane across the normal, as at internal edges */
+    FLAT_BORDER    /* at an open border whose flags leave only the face's normal */
+} Region;
 
 /* The corners that are farthest in the direction, to within the tolerance: a sum of 1, 2, 4. */
 static int farthestCorners(const McdMeshTriangle *t, const double direction[3]) {
@@ -267,6 +258,7 @@ static int farthestCorners(const McdMeshTriangle *t, const double direction[3]) 
     for (int i = 0; i < 3; i++)
         if (most - height[i] <= SAME_HEIGHT * sqrt(mcd_distanceSquared(t->corner[i], t->corner[top])))
             mask |= 1 << i;
+    MEASSERT(mask & 1 << top);
     return mask;
 }
 
@@ -275,6 +267,7 @@ static MeBool risesFrom(const McdMeshTriangle *t, int v, int other, const double
     int at = 0;
     while (t->vertex[at] != v)
         at++;
+    MEASSERT(at < 3); /* it is a triangle of that vertex */
     for (int k = 1; k < 3; k++) {
         const int far = (at + k) % 3, third = (at + 3 - k) % 3;
         double d[3];
@@ -296,8 +289,8 @@ static MeBool hasVertex(const McdMeshTriangle *t, int v) {
     return t->vertex[0] == v || t->vertex[1] == v || t->vertex[2] == v;
 }
 
-static Verdict judgeAt(const McdMesh *mesh, const McdMeshTriangle *t, int v, int other, MeBool isSharp,
-                       const double normal[3]) {
+static Region regionAtCorner(const McdMesh *mesh, const McdMeshTriangle *t, int v, int other, MeBool isSharp,
+                             const double normal[3]) {
     MeBool hasNeighbour = MEFALSE;
     for (int i = mesh->firstOf[v]; i < mesh->firstOf[v + 1]; i++) {
         const McdMeshTriangle *neighbour = &mesh->triangle[mesh->usersOf[i]];
@@ -305,17 +298,17 @@ static Verdict judgeAt(const McdMesh *mesh, const McdMeshTriangle *t, int v, int
             continue;
         hasNeighbour = METRUE;
         if (risesFrom(neighbour, v, other, normal))
-            return INSIDE;
+            return INTERNAL;
     }
-    return isSharp ? OUTSIDE : hasNeighbour ? INSIDE : NOT_SHARP;
+    return isSharp ? BORDER_REGION : hasNeighbour ? INTERNAL : FLAT_BORDER;
 }
 
 static MeBool edgeIsSharp(const McdMeshTriangle *t, int edge) {
     return (t->flags & kMcdTriangleUseEdge0 << edge) != 0;
 }
 
-/* Is the edge or corner where the shape was looked for? Of others, the neighbours may be missing. */
-static MeBool isWhereLooked(const McdMeshQuery *q, const McdMeshTriangle *t, int from, int to) {
+/* Is the edge or corner within the query's box and ball? Beyond them neighbours may be missing. */
+static MeBool isWithinQuery(const McdMeshQuery *q, const McdMeshTriangle *t, int from, int to) {
     const double(*place)[3] = (const double(*)[3]) & q->mesh->place[3 * (t - q->mesh->triangle)];
     double along[3], off[3];
     for (int i = 0; i < 3; i++)
@@ -329,23 +322,23 @@ static MeBool isWhereLooked(const McdMeshQuery *q, const McdMeshTriangle *t, int
     return mcd_dot(off, off) <= q->ballRadius * q->ballRadius;
 }
 
-static Verdict judge(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]) {
+static Region regionOf(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]) {
     const McdMesh *mesh = q->mesh;
     const int mask = farthestCorners(t, normal);
     for (int i = 0; i < 3; i++) {
         const int next = (i + 1) % 3, last = (i + 2) % 3;
-        if ((mask == (1 << i | 1 << next) && !isWhereLooked(q, t, i, next)) ||
-            (mask == 1 << i && !isWhereLooked(q, t, i, i)))
-            return INSIDE;
+        if ((mask == (1 << i | 1 << next) && !isWithinQuery(q, t, i, next)) ||
+            (mask == 1 << i && !isWithinQuery(q, t, i, i)))
+            return INTERNAL;
         if (mask == (1 << i | 1 << next))
-            return judgeAt(mesh, t, t->vertex[i], t->vertex[next], edgeIsSharp(t, i), normal);
+            return regionAtCorner(mesh, t, t->vertex[i], t->vertex[next], edgeIsSharp(t, i), normal);
         if (mask == 1 << i)
-            return judgeAt(mesh, t, t->vertex[i], -1, edgeIsSharp(t, i) && edgeIsSharp(t, last), normal);
+            return regionAtCorner(mesh, t, t->vertex[i], -1, edgeIsSharp(t, i) && edgeIsSharp(t, last), normal);
     }
-    return ON_FACE;
+    return FACE_REGION;
 }
 
-/* ---- where there is but one plane ------------------------------------------------------------------------------------- */
+/* ---- flat surroundings ------------------------------------------------------------------------------------- */
 
 static MeBool areParallel(const double a[3], const double b[3]) {
     return mcd_distanceSquared(a, b) < RISES * RISES;
@@ -359,8 +352,8 @@ static MeBool hasSide(const McdMeshTriangle *t, int from, int to) {
     return MEFALSE;
 }
 
-/* Is there a triangle with the same normal on the other side of the triangle's side from one vertex to the other? */
-static MeBool goesOnBeyond(const McdMesh *mesh, const McdMeshTriangle *t, int from, int to) {
+/* Has the triangle a coplanar neighbour across its edge from one vertex to the other? */
+static MeBool continuesAcross(const McdMesh *mesh, const McdMeshTriangle *t, int from, int to) {
     for (int i = mesh->firstOf[from]; i < mesh->firstOf[from + 1]; i++) {
         const McdMeshTriangle *neighbour = &mesh->triangle[mesh->usersOf[i]];
         if (neighbour != t && hasSide(neighbour, to, from) && areParallel(neighbour->normal, t->normal))
@@ -369,7 +362,7 @@ static MeBool goesOnBeyond(const McdMesh *mesh, const McdMeshTriangle *t, int fr
     return MEFALSE;
 }
 
-/* Do triangles in one plane surround the vertex? */
+/* Is the vertex surrounded by coplanar triangles? */
 static MeBool fanIsClosed(const McdMesh *mesh, int v) {
     const McdMeshTriangle *first = &mesh->triangle[mesh->usersOf[mesh->firstOf[v]]];
     for (int i = mesh->firstOf[v]; i < mesh->firstOf[v + 1]; i++) {
@@ -378,7 +371,7 @@ static MeBool fanIsClosed(const McdMesh *mesh, int v) {
             return MEFALSE;
         for (int k = 0; k < 3; k++) {
             const int from = t->vertex[k], to = t->vertex[(k + 1) % 3];
-            if ((from == v || to == v) && !goesOnBeyond(mesh, t, from, to))
+            if ((from == v || to == v) && !continuesAcross(mesh, t, from, to))
                 return MEFALSE;
         }
     }
@@ -391,16 +384,16 @@ static MeBool isSurrounded(McdMesh *mesh, int v) {
     return mesh->fan[v] == CLOSED;
 }
 
-/* Would judge() call every normal but the face's INSIDE? */
-static MeBool isFlat(const McdMeshQuery *q, const McdMeshTriangle *t) {
+/* Is every other normal than the face's INTERNAL? */
+static MeBool hasOnlyFaceNormal(const McdMeshQuery *q, const McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
         const int next = (i + 1) % 3;
         if (isSurrounded(q->mesh, t->vertex[i]))
             continue;
-        if (isWhereLooked(q, t, i, i))
+        if (isWithinQuery(q, t, i, i))
             return MEFALSE;
-        if (!isSurrounded(q->mesh, t->vertex[next]) && isWhereLooked(q, t, i, next) &&
-            !goesOnBeyond(q->mesh, t, t->vertex[i], t->vertex[next]))
+        if (!isSurrounded(q->mesh, t->vertex[next]) && isWithinQuery(q, t, i, next) &&
+            !continuesAcross(q->mesh, t, t->vertex[i], t->vertex[next]))
             return MEFALSE;
     }
     return METRUE;
@@ -482,6 +475,7 @@ static void cut(const Polygon *in, const double inward[3], double offset, double
         mcd_mad(at, in->point[i], MeCLAMP(a / (a - b), 0, 1), d);
         appendPoint(out, at, mix(in->name[i] + in->name[next], edgeName), METRUE);
     }
+    MEASSERT(out->count <= in->count + 2); /* of a convex polygon a line cuts two sides at most, but for rounding */
 }
 
 /* The unit vector across edge i, in the triangle's plane, towards its inside. */
@@ -491,6 +485,7 @@ static void inwardOf(const McdMeshTriangle *t, int i, double inward[3]) {
     mcd_cross(inward, t->normal, edge);
     mcd_sub(across, t->corner[(i + 2) % 3], t->corner[i]);
     mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
+    MEASSERT(mcd_dot(inward, across) >= 0); /* the third corner is inside */
 }
 
 /* The part of the shape's face that looks at the triangle and is above (or below) it, seen along the normal. */
@@ -523,8 +518,8 @@ static void pointToward(const McdShape *shape, const double direction[3], Polygo
     appendPoint(p, point, 0, MEFALSE);
 }
 
-/* Adds the points that are within the margin; false if there are none. *least is the least separation so far: what is
- * not below it is left out if onlyBelow. */
+/* Adds the points that are within the margin; false if there are none. *least is the least separation so far; onlyBelow
+ * takes only deeper points. */
 static MeBool addAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const Polygon *p,
                        MeBool onlyBelow, double *least) {
     MeBool any = MEFALSE;
@@ -542,9 +537,9 @@ static MeBool addAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double n
     return any;
 }
 
-/* Contacts along a triangle's normal (either side's), of what is over it or within the tolerance of that. False if there
- * are none. */
-static MeBool touchAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
+/* Contacts along a triangle's normal (either side's): the shape's face, clipped to the triangle grown by the tolerance, and
+ * its support point. False if there are none. */
+static MeBool addClippedContacts(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
     Polygon p, part;
     double back[3], least = INFINITY;
     mcd_scale(back, normal, -1);
@@ -618,7 +613,7 @@ static MeBool isNearShape(const McdMeshQuery *q, const McdMeshTriangle *t) {
     return METRUE;
 }
 
-static MeBool touches(const McdMeshQuery *q, const McdMeshTriangle *t, McdManifold *m) {
+static MeBool intersectsTriangle(const McdMeshQuery *q, const McdMeshTriangle *t, McdManifold *m) {
     McdShape triangle;
     if (!isNearShape(q, t))
         return MEFALSE;
@@ -627,8 +622,8 @@ static MeBool touches(const McdMeshQuery *q, const McdMeshTriangle *t, McdManifo
 }
 
 /* The part of the way between two points that is over the triangle, as 0 <= in <= out <= 1; false if none is. */
-static MeBool partOver(const McdMeshTriangle *t, const double from[3], const double to[3], double tolerance, double *in,
-                       double *out) {
+static MeBool clipToTriangle(const McdMeshTriangle *t, const double from[3], const double to[3], double tolerance,
+                             double *in, double *out) {
     *in = 0;
     *out = 1;
     for (int i = 0; i < 3; i++) {
@@ -645,6 +640,7 @@ static MeBool partOver(const McdMeshTriangle *t, const double from[3], const dou
         if (b < 0)
             *out = fmin(*out, a / (a - b));
     }
+    MEASSERT(*in >= 0 && *in <= 1 && *out >= 0 && *out <= 1);
     return *in <= *out;
 }
 
@@ -655,10 +651,9 @@ static MeBool sharesBorder(const McdMeshTriangle *t, const McdMeshTriangle *othe
     return METRUE;
 }
 
-/* Does the surface go on beside the triangle, above the plane across the normal, although no corner is shared there? A
- * corner of it is on the triangle's edge, or the other way round. Looked for a small step beyond the border, beside the
- * contact. */
-static MeBool goesOnBeside(const McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
+/* T-junctions: does the surface continue beside the triangle, above the plane across the normal, although no corner is
+ * shared? A point a small step beyond the border, beside the contact, is looked up. */
+static MeBool continuesBeside(const McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
     const McdManifoldPoint *p = &m->point[0];
     const double step = BESIDE * q->shape.extent;
     const int mask = farthestCorners(t, m->normal);
@@ -679,7 +674,7 @@ static MeBool goesOnBeside(const McdMeshQuery *q, const McdMeshTriangle *t, cons
         mcd_sub(off, at, other->corner[0]);
         const double height = mcd_dot(off, other->normal);
         if (other == t || fabs(height) > step || sharesBorder(t, other, mask) ||
-            !partOver(other, at, at, OVER * q->shape.extent, &in, &end))
+            !clipToTriangle(other, at, at, OVER * q->shape.extent, &in, &end))
             continue;
         mcd_scale(d, out, step);
         mcd_mad(d, d, -height, other->normal);
@@ -689,31 +684,32 @@ static MeBool goesOnBeside(const McdMeshQuery *q, const McdMeshTriangle *t, cons
     return MEFALSE;
 }
 
-/* The normals are searched for. False if the shape does not touch the triangle. */
-static MeBool touchAnyWay(McdMeshQuery *q, McdMeshTriangle *t) {
+/* Contacts along the normal that the narrow phase finds, if the surface has it there, else along the face's. False if the
+ * shape does not touch the triangle. */
+static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     McdManifold m;
-    if (!touches(q, t, &m))
+    if (!intersectsTriangle(q, t, &m))
         return MEFALSE;
     const double height = heightOfCentre(q, t), side = sideOf(t, mcd_dot(m.normal, t->normal), height);
     double face[3];
     mcd_scale(face, t->normal, side);
     const double towards = mcd_dot(m.normal, face);
     const MeBool shortest = (t->flags & kMcdTriangleUseSmallestPenetration) != 0;
-    Verdict verdict = judge(q, t, m.normal);
-    if ((verdict == OUTSIDE || verdict == NOT_SHARP) && goesOnBeside(q, t, &m))
-        verdict = INSIDE;
+    Region region = regionOf(q, t, m.normal);
+    if ((region == BORDER_REGION || region == FLAT_BORDER) && continuesBeside(q, t, &m))
+        region = INTERNAL;
     const MeBool isFace =
-        mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION || (verdict == ON_FACE && towards > 0);
-    if (verdict == NOT_SHARP && towards < .5) /* pushed from the side, where there is nothing to push */
+        mcd_distanceSquared(m.normal, face) < SAME_DIRECTION * SAME_DIRECTION || (region == FACE_REGION && towards > 0);
+    if (region == FLAT_BORDER && towards < .5) /* pushed from the side, where there is nothing to push */
         return METRUE;
     const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && towards < -SAME_DIRECTION;
-    if (isFace || !shortest || verdict != OUTSIDE || isFromBehind) {
+    if (isFace || !shortest || region != BORDER_REGION || isFromBehind) {
         if (isFace || side * height >= 0)
             t->facing = (int)side;
-        if (t->facing && touchAlong(q, t, face, OVER))
+        if (t->facing && addClippedContacts(q, t, face, OVER))
             return METRUE;
         /* a normal that is the face's to within the tolerance belongs to a point that is so far beside the face */
-        if (isFace && touchAlong(q, t, face, SAME_DIRECTION))
+        if (isFace && addClippedContacts(q, t, face, SAME_DIRECTION))
             return METRUE;
         if (!isFace)
             return METRUE;
@@ -733,16 +729,16 @@ static MeBool areInOnePlane(const McdMeshQuery *q, const McdMeshTriangle *a, con
     return fabs(mcd_dot(off, a->normal)) <= RISES * q->shape.extent;
 }
 
-/* Is all the way over triangles in t's plane, the last of which pushes along that normal? */
-static MeBool isWayOver(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const double from[3],
-                        const double to[3]) {
+/* Do triangles in t's plane cover the way, and does the last of them face along that normal? */
+static MeBool isPathCovered(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3],
+                            const double from[3], const double to[3]) {
     double reached = 0, in, out;
     for (MeBool isFarther = METRUE; isFarther;) {
         isFarther = MEFALSE;
         for (int i = 0; i < q->mesh->count; i++) {
             const McdMeshTriangle *other = &q->mesh->triangle[i];
             if ((!other->facing && !other->isPending) || !areInOnePlane(q, t, other) ||
-                !partOver(other, from, to, OVER * q->shape.extent, &in, &out) || in > reached)
+                !clipToTriangle(other, from, to, OVER * q->shape.extent, &in, &out) || in > reached)
                 continue;
             if (out == 1 && other->facing * mcd_dot(other->normal, normal) > 0)
                 return METRUE;
@@ -753,15 +749,15 @@ static MeBool isWayOver(const McdMeshQuery *q, const McdMeshTriangle *t, const d
     return MEFALSE;
 }
 
-static void footOf(const McdMeshContact *c, double foot[3]) {
+static void pointOnSurface(const McdMeshContact *c, double foot[3]) {
     mcd_mad(foot, c->position, -c->separation / 2, c->normal);
 }
 
-/* Where the line from a point of contact, which is below the plane, to the shape's highest point comes through the
- * plane; false if all of the shape is below. */
-static MeBool comesThrough(const McdMeshQuery *q, const McdMeshContact *c, double through[3]) {
+/* Where the line from a contact point below the plane to the shape's highest point crosses the plane; false if all of the
+ * shape is below. */
+static MeBool entryThroughPlane(const McdMeshQuery *q, const McdMeshContact *c, double through[3]) {
     double foot[3], point[3], highest[3], off[3];
-    footOf(c, foot);
+    pointOnSurface(c, foot);
     mcd_mad(point, c->position, c->separation / 2, c->normal);
     mcd_support(&q->shape, c->normal, highest);
     mcd_sub(off, highest, foot);
@@ -770,41 +766,43 @@ static MeBool comesThrough(const McdMeshQuery *q, const McdMeshContact *c, doubl
         return MEFALSE;
     mcd_sub(off, highest, point);
     mcd_mad(through, point, c->separation / (c->separation - height), off);
+    MEASSERT(c->separation <= 0); /* between both: no division by 0 */
     return METRUE;
 }
 
-/* Does the shape touch the triangle, over or below which contacts are? */
-static MeBool touchesAt(const McdMeshQuery *q, const McdMeshTriangle *t, int first) {
+/* Does the shape touch the triangle, over or below which these contacts lie? */
+static MeBool touchesAtContacts(const McdMeshQuery *q, const McdMeshTriangle *t, int first) {
     McdManifold m;
     for (int i = first; i < q->mesh->contactCount; i++) {
         const McdMeshContact *c = &q->mesh->contact[i];
         double through[3], in, out;
-        if (c->separation >= 0 ||
-            (comesThrough(q, c, through) && partOver(t, through, through, OVER * q->shape.extent, &in, &out)))
+        if (c->separation >= 0 || (entryThroughPlane(q, c, through) &&
+                                   clipToTriangle(t, through, through, OVER * q->shape.extent, &in, &out)))
             return METRUE;
     }
-    return first < q->mesh->contactCount && touches(q, t, &m);
+    return first < q->mesh->contactCount && intersectsTriangle(q, t, &m);
 }
 
-/* The normal is the face's, as the neighbours leave no other. False if the shape does not touch the triangle. */
-static MeBool touchFlat(McdMeshQuery *q, const McdMeshTriangle *t) {
+/* Contacts along the face's normal, where the neighbours leave no other. False if the shape does not touch the triangle. */
+static MeBool addFaceContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     const int first = q->mesh->contactCount;
     double face[3];
     mcd_scale(face, t->normal, t->facing);
-    touchAlong(q, t, face, OVER);
-    if (touchesAt(q, t, first))
+    addClippedContacts(q, t, face, OVER);
+    if (touchesAtContacts(q, t, first))
         return METRUE;
     q->mesh->contactCount = first;
     return MEFALSE;
 }
 
 /* The least separation of the first contacts from the triangle's plane. */
-static double leastFrom(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], int count) {
+static double leastSeparationOnPlane(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3],
+                                     int count) {
     double least = INFINITY;
     for (int i = 0; i < count; i++) {
         const McdMeshContact *c = &q->mesh->contact[i];
         double off[3];
-        footOf(c, off);
+        pointOnSurface(c, off);
         mcd_sub(off, off, t->corner[0]);
         if (c->separation < least && areParallel(c->normal, normal) &&
             fabs(mcd_dot(off, normal)) <= RISES * q->shape.extent)
@@ -813,46 +811,56 @@ static double leastFrom(const McdMeshQuery *q, const McdMeshTriangle *t, const d
     return least;
 }
 
-/* What is below a triangle that the shape does not touch, if it is as deep as all else below that plane, and the shape
- * comes through the surface to there. */
-static void reachBelow(McdMeshQuery *q, const McdMeshTriangle *t) {
+/* Adds contacts of coplanar neighbours that were not hit directly: points below the triangle that are as deep as the
+ * deepest contact with its plane, if the surface covers the way from there to where the shape enters the plane. */
+static void addCoplanarContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     McdMesh *mesh = q->mesh;
     double face[3], foot[3], through[3];
     const int first = mesh->contactCount;
     int count = first;
     mcd_scale(face, t->normal, t->facing < 0 ? -1 : 1);
-    if (!touchAlong(q, t, face, OVER))
+    if (!addClippedContacts(q, t, face, OVER))
         return;
-    const double deep = leastFrom(q, t, face, first) + OVER * q->shape.extent;
+    const double deep = leastSeparationOnPlane(q, t, face, first) + OVER * q->shape.extent;
     for (int i = first; i < mesh->contactCount; i++) {
         const McdMeshContact *c = &mesh->contact[i];
-        footOf(c, foot);
-        if (c->separation < 0 && c->separation <= deep && comesThrough(q, c, through) &&
-            isWayOver(q, t, face, foot, through))
+        pointOnSurface(c, foot);
+        if (c->separation < 0 && c->separation <= deep && entryThroughPlane(q, c, through) &&
+            isPathCovered(q, t, face, foot, through))
             mesh->contact[count++] = *c;
     }
     mesh->contactCount = count;
 }
 
-/* The first look at a triangle: what is far is neither facing nor pending. */
-static void classify(McdMeshQuery *q, McdMeshTriangle *t) {
+/* The heights of a shape's lowest and highest points, and of its middle between them. */
+static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, double low, double high) {
+    double off[3];
+    mcd_sub(off, q->shape.place, t->corner[0]);
+    const double place = mcd_dot(off, t->normal), slack = 1e-6 * q->shape.extent + 1e-9 * fabs(place);
+    return !mcd_shapeIsRigid(&q->shape) || !mcd_isUnit(t->normal) ||
+           (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
+}
+
+/* Sets facing and isPending; both stay false for triangles out of reach. */
+static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
     double low, high;
     t->facing = 0;
     t->isPending = MEFALSE;
     if (!isAbove(q, t))
         return;
     heightsOver(q, t, &low, &high);
+    MEVALIDATE(areHeightsGood(q, t, low, high));
     if (low > q->margin || high < -q->margin)
         return;
     t->isPending = METRUE;
     if (t->flags & kMcdTriangleTwoSided)
-        t->facing = !isFlat(q, t) ? 0 : low + high < 0 ? -1 : 1;
+        t->facing = !hasOnlyFaceNormal(q, t) ? 0 : low + high < 0 ? -1 : 1;
     else
-        t->facing = heightOfCentre(q, t) >= 0 && isFlat(q, t);
+        t->facing = heightOfCentre(q, t) >= 0 && hasOnlyFaceNormal(q, t);
 }
 
-/* The first triangle that there is something to do about, if all of them are in one plane and push the same way. */
-static const McdMeshTriangle *onlyPlane(const McdMeshQuery *q) {
+/* The first pending triangle, if all pending ones are coplanar and face the same way; else null. */
+static const McdMeshTriangle *commonPlane(const McdMeshQuery *q) {
     const McdMeshTriangle *first = 0;
     for (int i = 0; i < q->mesh->count; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
@@ -873,14 +881,15 @@ static const McdMeshTriangle *triangleBelow(const McdMeshQuery *q, const double 
     double in, out;
     for (int i = 0; i < q->mesh->count; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
-        if (t->isPending && partOver(t, point, point, OVER * q->shape.extent, &in, &out))
+        if (t->isPending && clipToTriangle(t, point, point, OVER * q->shape.extent, &in, &out))
             return t;
     }
     return 0;
 }
 
-/* Contacts of the points that are within the margin of the plane; false if there is no surface below one of them. */
-static MeBool addOverPlane(McdMeshQuery *q, const double normal[3], const Polygon *p, MeBool onlyBelow, double *least) {
+/* Contacts of the points within the margin of the plane; false if no triangle is below one of them. */
+static MeBool addPointsOverPlane(McdMeshQuery *q, const double normal[3], const Polygon *p, MeBool onlyBelow,
+                                 double *least) {
     for (int i = 0; i < p->count; i++) {
         Polygon one = {.count = 0};
         const McdMeshTriangle *t = triangleBelow(q, p->point[i]);
@@ -892,10 +901,10 @@ static MeBool addOverPlane(McdMeshQuery *q, const double normal[3], const Polygo
     return METRUE;
 }
 
-/* Where all of the surface is one plane, and its borders are elsewhere, contacts are those with the plane: no point at
- * an edge is farther out than the corners of the shape's face. False if it is not so. */
-static MeBool touchPlane(McdMeshQuery *q) {
-    const McdMeshTriangle *t = onlyPlane(q);
+/* Where all pending triangles are one plane that reaches beyond the shape's face, contacts are those with the plane. False
+ * if that is not so. */
+static MeBool addPlaneContacts(McdMeshQuery *q) {
+    const McdMeshTriangle *t = commonPlane(q);
     Polygon p;
     double face[3], back[3], least = INFINITY;
     if (!t)
@@ -903,63 +912,64 @@ static MeBool touchPlane(McdMeshQuery *q) {
     mcd_scale(face, t->normal, t->facing);
     mcd_scale(back, face, -1);
     polygonToward(&q->shape, back, &p);
-    if (addOverPlane(q, face, &p, MEFALSE, &least)) {
+    if (addPointsOverPlane(q, face, &p, MEFALSE, &least)) {
         pointToward(&q->shape, back, &p);
-        if (addOverPlane(q, face, &p, METRUE, &least))
+        if (addPointsOverPlane(q, face, &p, METRUE, &least))
             return METRUE;
     }
     q->mesh->contactCount = 0;
     return MEFALSE;
 }
 
-static void touchTriangles(McdMeshQuery *q) {
+static void addAllContacts(McdMeshQuery *q) {
     McdMesh *mesh = q->mesh;
     for (int i = 0; i < mesh->count; i++)
-        classify(q, &mesh->triangle[i]);
-    if (touchPlane(q))
+        classifyTriangle(q, &mesh->triangle[i]);
+    if (addPlaneContacts(q))
         return;
     for (int i = 0; i < mesh->count; i++) {
         McdMeshTriangle *t = &mesh->triangle[i];
         if (t->isPending)
-            t->isPending = t->facing ? !touchFlat(q, t) : !touchAnyWay(q, t);
+            t->isPending = t->facing ? !addFaceContacts(q, t) : !addSearchedContacts(q, t);
     }
     for (int i = 0; i < mesh->count; i++)
         if (mesh->triangle[i].isPending)
-            reachBelow(q, &mesh->triangle[i]);
+            addCoplanarContacts(q, &mesh->triangle[i]);
+    MEASSERT(mesh->contactCount >= 0 && mesh->contactCount <= mesh->contactMax);
 }
 
-/* Nothing touches with its middle in front: the shape may have gone through. It is brought back to the front of the
- * nearest triangle whose plane its middle is not farther behind than half of its radius. */
-static void bringBack(McdMeshQuery *q) {
+/* Tunnelling: nothing pushes to the front, and the shape's middle is behind a one-sided triangle by less than half of its
+ * radius. Contacts with the nearest such triangle, and those of the same normal, push it back. */
+static void recoverFromBehind(McdMeshQuery *q) {
     const McdMeshTriangle *nearest = 0;
     McdManifold m;
     double least = fmin(q->radius, q->shape.extent) / 2;
     for (int i = 0; i < q->mesh->count; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
         const double behind = -heightOfCentre(q, t);
-        if (t->flags & kMcdTriangleTwoSided || behind < 0 || behind >= least || !touches(q, t, &m))
+        if (t->flags & kMcdTriangleTwoSided || behind < 0 || behind >= least || !intersectsTriangle(q, t, &m))
             continue;
         least = behind;
         nearest = t;
     }
     for (int i = 0; nearest && i < q->mesh->count; i++) {
         const McdMeshTriangle *t = &q->mesh->triangle[i];
-        if (mcd_dot(t->normal, nearest->normal) > SAME_MANIFOLD && touches(q, t, &m))
-            touchAlong(q, t, t->normal, OVER);
+        if (mcd_dot(t->normal, nearest->normal) > SAME_MANIFOLD && intersectsTriangle(q, t, &m))
+            addClippedContacts(q, t, t->normal, OVER);
     }
 }
 
 /* ---- manifolds ----------------------------------------------------------------------------------------------------------- */
 
-static MeBool isThere(const McdMesh *mesh, int count, const McdMeshContact *c, double same) {
+static MeBool isDuplicate(const McdMesh *mesh, int count, const McdMeshContact *c, double same) {
     for (int i = 0; i < count; i++)
         if (mcd_distanceSquared(mesh->cluster[i].position, c->position) <= same * same)
             return METRUE;
     return MEFALSE;
 }
 
-/* Moves contacts with nearly the normal of the first one from contactOrder to the cluster, one for each place; returns
- * how many. */
+/* Moves the first contact and those of nearly its normal from contactOrder to the cluster, without duplicates; returns
+ * their number. */
 static int takeCluster(McdMesh *mesh, int *left, double same) {
     const McdMeshContact *first = &mesh->contact[mesh->contactOrder[0]];
     int count = 0, rest = 0;
@@ -967,14 +977,15 @@ static int takeCluster(McdMesh *mesh, int *left, double same) {
         const McdMeshContact *c = &mesh->contact[mesh->contactOrder[i]];
         if (i > 0 && mcd_dot(c->normal, first->normal) <= SAME_MANIFOLD)
             mesh->contactOrder[rest++] = mesh->contactOrder[i];
-        else if (!isThere(mesh, count, c, same))
+        else if (!isDuplicate(mesh, count, c, same))
             mesh->cluster[count++] = *c;
     }
+    MEASSERT(rest < *left && count >= 1); /* at least the first one */
     *left = rest;
     return count;
 }
 
-static int spreadOut(McdMesh *mesh, McdMeshContact *contact, int count, int wanted, double same) {
+static int keepSpread(McdMesh *mesh, McdMeshContact *contact, int count, int wanted, double same) {
     McdSpot *spot = mesh->spots;
     for (int i = 0; i < count; i++) {
         mcd_copy(spot[i].position, contact[i].position);
@@ -982,13 +993,15 @@ static int spreadOut(McdMesh *mesh, McdMeshContact *contact, int count, int want
         spot[i].separation = contact[i].separation;
     }
     const int keptCount = mcd_spread(spot, count, wanted, same, mesh->kept);
-    for (int i = 0; i < keptCount; i++)
+    for (int i = 0; i < keptCount; i++) {
+        MEASSERT(mesh->kept[i] >= i); /* ascending: none is overwritten before it is moved */
         contact[i] = contact[mesh->kept[i]];
+    }
     return keptCount;
 }
 
 /* Up to four contacts for each normal, and no more in all than the result has place for. */
-static void merge(McdMeshQuery *q, int max) {
+static void reduceContacts(McdMeshQuery *q, int max) {
     McdMesh *mesh = q->mesh;
     const double same = 1e-6 * q->shape.extent;
     int left = mesh->contactCount, count = 0;
@@ -998,14 +1011,14 @@ static void merge(McdMeshQuery *q, int max) {
     McdMeshContact *out = mesh->merged;
     while (left) {
         const int size = takeCluster(mesh, &left, same);
-        const int keptCount = spreadOut(mesh, mesh->cluster, size, MCD_MANIFOLD_POINTS, same);
+        const int keptCount = keepSpread(mesh, mesh->cluster, size, MCD_MANIFOLD_POINTS, same);
         for (int i = 0; i < keptCount; i++)
             mesh->cluster[i].dims = mcd_regionDims(keptCount);
         memcpy(out + count, mesh->cluster, (size_t)keptCount * sizeof *out);
         count += keptCount;
     }
     if (count > max)
-        count = spreadOut(mesh, out, count, max, same);
+        count = keepSpread(mesh, out, count, max, same);
     MEASSERT(count <= MeMIN(max, mesh->contactCount));
     mesh->merged = mesh->contact;
     mesh->contact = out;
@@ -1057,6 +1070,7 @@ static void boxShape(McdMeshQuery *q) {
         const double low = mcd_dot(near, q->shape.axis[i]), high = mcd_dot(far, q->shape.axis[i]);
         mcd_mad(q->box, q->box, (low + high) / 2, q->shape.axis[i]);
         q->half[i] = (high - low) / 2;
+        MEASSERT(!(q->half[i] < -1e-9 * (q->shape.extent + mcd_length(q->shape.place))));
     }
 }
 
@@ -1090,12 +1104,52 @@ static void findBall(McdMeshQuery *q) {
     q->ballRadius = (isCompact ? q->shape.extent : q->radius) + q->margin;
 }
 
-int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh, McdMeshGather gather) {
+/* Does the ball, in the mesh's frame, hold the shape's farthest points along its own axes and the mesh's? */
+static MeBool isShapeInBall(const McdMeshQuery *q) {
+    for (int i = 0; i < 12; i++) {
+        double d[3], point[3], own[3];
+        mcd_scale(d, i < 6 ? q->axis[i / 2] : q->shape.axis[i / 2 - 3], i % 2 ? -1 : 1);
+        mcd_support(&q->shape, d, point);
+        mcd_sub(point, point, q->place);
+        for (int k = 0; k < 3; k++)
+            own[k] = mcd_dot(point, q->axis[k]) - q->ball[k];
+        if (mcd_length(own) > q->ballRadius * (1 + 1e-6) + 1e-6 * mcd_length(point)) /* axes of single precision */
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+static MeBool areAxesUnit(const McdMeshQuery *q) {
+    double x[3];
+    mcd_cross(x, q->axis[0], q->axis[1]);
+    return fabs(mcd_length(q->axis[0]) - 1) < 1e-6 && fabs(mcd_length(q->axis[1]) - 1) < 1e-6 &&
+           fabs(fabs(mcd_dot(x, q->axis[2])) - 1) < 1e-6;
+}
+
+/* Finds the contacts in the query's memory and hands them over. */
+static int intersect(McdMeshQuery *q, McdIntersectResult *result, McdMeshGather gather) {
+    McdMesh *mesh = q->mesh;
+    mesh->count = mesh->contactCount = mesh->skipped = mesh->vertexCount = 0;
+    gather(q);
+    if (mesh->skipped)
+        MeDebug(3, "McdIntersect: %d triangles without area were skipped", mesh->skipped);
+    if (!mesh->count)
+        return 0;
+    buildAdjacency(mesh);
+    addAllContacts(q);
+    if (!mesh->contactCount)
+        recoverFromBehind(q);
+    reduceContacts(q, result->contactMaxCount);
+    handOver(q, result);
+    return mcd_resultEnd(result);
+}
+
+int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather) {
     McdMeshQuery q;
     McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
+    McdFramework *frame = mcd_record(p->model1)->frame;
     mcd_resultBegin(result, p);
     q.pair = p;
-    q.mesh = mesh;
     q.margin = mcd_pairMargin(p);
     mcd_pairOrigin(ins1, ins2, q.origin);
     if (!mcd_shapeOf(ins1, q.origin, &q.shape))
@@ -1104,47 +1158,14 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh
     boundShape(&q);
     boxShape(&q);
     findBall(&q);
-    mesh->count = mesh->contactCount = mesh->skipped = 0;
-    gather(&q);
-    if (mesh->skipped)
-        MeDebug(3, "McdIntersect: %d triangles without area were skipped", mesh->skipped);
-    if (!mesh->count)
+    MEVALIDATE(!areAxesUnit(&q) || !mcd_shapeIsRigid(&q.shape) || isShapeInBall(&q));
+    q.scratch = mcd_scratchTake(frame, "McdIntersect");
+    if (!q.scratch)
         return 0;
-    joinCorners(mesh);
-    touchTriangles(&q);
-    if (!mesh->contactCount)
-        bringBack(&q);
-    merge(&q, result->contactMaxCount);
-    handOver(&q, result);
-    return mcd_resultEnd(result);
-}
-
-/* ---- segments ------------------------------------------------------------------------------------------------------------ */
-
-MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
-                           const double to[3], double *part, double hitNormal[3]) {
-    double along[3], off[3], at[3];
-    mcd_sub(along, to, from);
-    mcd_sub(off, from, corner[0]);
-    const double fall = -mcd_dot(along, normal), height = mcd_dot(off, normal);
-    const double side = fall < 0 ? -1 : 1;
-    if (fall == 0 || (side < 0 && !twoSided) || side * height < 0 || side * height > side * fall)
-        return MEFALSE;
-    *part = height / fall;
-    mcd_mad(at, from, *part, along);
-    for (int i = 0; i < 3; i++) {
-        const int next = (i + 1) % 3, last = (i + 2) % 3;
-        double edge[3], inward[3], across[3], here[3];
-        mcd_sub(edge, corner[next], corner[i]);
-        mcd_cross(inward, normal, edge);
-        mcd_sub(across, corner[last], corner[i]);
-        mcd_sub(here, at, corner[i]);
-        const double width = mcd_dot(across, inward), inside = mcd_dot(here, inward) * (width < 0 ? -1 : 1);
-        if (inside < -1e-12 * fabs(width)) /* an edge belongs to both of its triangles */
-            return MEFALSE;
-    }
-    mcd_scale(hitNormal, normal, side);
-    return METRUE;
+    q.mesh = &q.scratch->mesh;
+    const int touches = intersect(&q, result, gather);
+    mcd_scratchGive(frame, q.scratch);
+    return touches;
 }
 
 /* ---- the framework's table ----------------------------------------------------------------------------------------- */

@@ -1,15 +1,14 @@
 /* Inside Mcd: contacts of a convex shape with triangles that join up to a surface.
  *
- * Whoever has triangles (a list's callback, a height field's grid) adds those near the shape; mcd_meshIntersect does the
- * rest. Which normals a contact may have follows from the neighbours: a normal at an edge or a corner is one of the
- * surface's only if no triangle that meets there rises above the plane through it. All others are contacts inside the
- * surface, and get the face's normal. Neighbours are found by equal coordinates of their corners; where
- * there is none, beside the contact.
+ * A geometry (a list's callback, a height field's grid) gathers the triangles near the shape; mcd_meshIntersect does the
+ * rest. Ghost contacts at internal edges are avoided by Voronoi regions: a normal at an edge or a corner is the surface's
+ * only if no triangle there rises above the plane across it; else the face's normal is taken. Neighbours are those with
+ * equal corners; at T-junctions, a point beside the contact is looked up.
  *
- * Where a triangle lies flat among its neighbours, the face's normal is the only one: no other is searched for. There,
- * a point below the surface counts if the shape comes to it through the surface: seen along the normal, the way from
- * the point to where the line from there to the shape's highest point comes through is all over the same plane. That the
- * shape touches the triangle over the point is not asked: an overhang is below triangles that it does not touch.
+ * A triangle whose surroundings are flat has one possible normal, its own, and is not searched. There, points below the
+ * surface count if the shape entered through it: the way from the point to where the line from there to the shape's
+ * highest point crosses the plane is covered by coplanar triangles. So an overhang is below triangles that it does not
+ * touch.
  */
 #ifndef MCD_MESH_H
 #define MCD_MESH_H
@@ -23,8 +22,8 @@ typedef struct McdMeshTriangle {
     MeU32 key[3];  /* of the corners: from their coordinates in the mesh's frame */
     int flags;     /* McdTriangleFlags */
     McdElementData element;
-    int facing;       /* contacts are along its normal: 1, or -1 for the other way; 0: not, or not known */
-    MeBool isPending; /* the shape may be below it, but was not yet found to touch it */
+    int facing;       /* contacts only along its normal: 1, or against it: -1; 0: neither, or not known */
+    MeBool isPending; /* within reach, and not found to touch the shape yet */
 } McdMeshTriangle;
 
 typedef struct McdMeshContact {
@@ -36,9 +35,9 @@ typedef struct McdMeshContact {
     int isCut; /* no corner of the shape: a point that others may replace */
 } McdMeshContact;
 
-struct McdMeshQuery;
+struct McdScratch;
 
-/* Memory for queries, kept between them; zeroed at first, but for gather. It belongs to a geometry. */
+/* The triangles near a shape and its contacts with them, as one query finds them; zeroed at first (McdScratch). */
 typedef struct McdMesh {
     int count, max; /* triangles */
     McdMeshTriangle *triangle;
@@ -51,13 +50,14 @@ typedef struct McdMesh {
     int *contactOrder;
     void *spots; /* McdSpot */
     int *kept;
-    int skipped;                            /* triangles without area */
-    void (*gather)(struct McdMeshQuery *q); /* the geometry's McdMeshGather */
+    int skipped;     /* triangles without area */
+    int vertexCount; /* of corners that came with numbers; 0: they came without */
 } McdMesh;
 
 typedef struct McdMeshQuery {
-    McdModelPair *pair; /* model1 is the convex one */
-    McdMesh *mesh;
+    McdModelPair *pair;         /* model1 is the convex one */
+    struct McdScratch *scratch; /* the query's memory */
+    McdMesh *mesh;              /* the scratch's */
     McdShape shape;
     double margin, origin[3];
     double axis[3][3], place[3]; /* the mesh's frame, place relative to the origin */
@@ -72,13 +72,14 @@ typedef struct McdMeshQuery {
 typedef void (*McdMeshGather)(McdMeshQuery *q);
 
 /* The interaction of a convex model with a mesh: 1 if there are contacts. */
-int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMesh *mesh, McdMeshGather gather);
+int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather);
 /* Has it place for so many triangles? If not, it gets it; false, after a fatal error, if there is no memory. */
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
 void mcd_meshFree(McdMesh *mesh);
 /* For gather functions: corners in the mesh's frame; the normal, which may be null, says which side is outside. What is
- * not near, has no area, or has NaN is left out. */
-void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags,
+ * not near, has no area, or has NaN is left out. Adjacency is known from the corners' numbers below vertexCount, which a
+ * grid has once and for all; null: of what a program hands over anew for each query, it is found by equal coordinates. */
+void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
                  McdElementData element);
 
 /* ---- queries (mcd_mesh_query.c) ----------------------------------------------------------------------------------- */

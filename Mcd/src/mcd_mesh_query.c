@@ -1,17 +1,17 @@
 /* The triangles of lists and height fields near a box, and the one nearest to a convex shape: for queries, which take
  * each triangle as a convex shape of its own. */
-#include "mcd_geometries.h"
+#include "mcd_kind.h"
+#include "mcd_scratch.h"
 #include "mcd_vector.h"
 #include <string.h>
 
-static McdMesh *meshOf(McdGeometryID g) {
-    return g->type == kMcdGeometryTypeTriangleList    ? &((McdTriangleListRecord *)g)->mesh
-           : g->type == kMcdGeometryTypeRGHeightField ? &((McdRGHeightField *)g)->mesh
-                                                      : 0;
+static McdMeshGather gatherOf(const McdGeometryInstance *ins) {
+    const McdKind *kind = mcd_kindOf(ins->geometry);
+    return kind ? kind->gather : 0;
 }
 
 MeBool mcd_isMesh(const McdGeometryInstance *ins) {
-    return meshOf(ins->geometry) != 0;
+    return gatherOf(ins) != 0;
 }
 
 void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low[3], double high[3]) {
@@ -21,6 +21,7 @@ void mcd_meshBounds(McdGeometryInstance *ins, const double origin[3], double low
         const double rounding = 16 * (double)ME_EPSILON * (fabs((double)min[i]) + fabs((double)max[i]));
         low[i] = (double)min[i] - origin[i] - rounding;
         high[i] = (double)max[i] - origin[i] + rounding;
+        MEASSERT(!(low[i] > high[i]));
     }
 }
 
@@ -60,27 +61,31 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     McdStandIn standIn;
     McdModelPair pair;
     double boundsLow[3], boundsHigh[3];
-    McdMesh *mesh = meshOf(ins->geometry);
+    McdFramework *frame = ins->geometry->frame;
     mcd_meshBounds(ins, origin, boundsLow, boundsHigh);
     if (!overlap(low, high, boundsLow, boundsHigh))
         return;
     memset(&q, 0, sizeof q);
     memset(&pair, 0, sizeof pair);
+    q.scratch = mcd_scratchTake(frame, "McdDistance");
+    if (!q.scratch)
+        return;
     pair.model2 = mcd_standInBegin(&standIn, ins); /* what the callback of a list gets */
     pair.model1 = asker ? asker : pair.model2;
     q.pair = &pair;
-    q.mesh = mesh;
+    q.mesh = &q.scratch->mesh;
     mcd_copy(q.origin, origin);
     place(&q, ins, low, high);
-    mesh->count = 0;
-    mesh->gather(&q);
+    q.mesh->count = q.mesh->skipped = q.mesh->vertexCount = 0;
+    gatherOf(ins)(&q);
     mcd_standInEnd(pair.model2, ins);
-    for (int i = 0; i < mesh->count; i++) {
+    MeBool goesOn = METRUE;
+    for (int i = 0; i < q.mesh->count && goesOn; i++) {
         McdShape shape;
-        mcd_triangleShape((const double(*)[3])mesh->triangle[i].corner, &shape);
-        if (!visit(context, &mesh->triangle[i], &shape))
-            return;
+        mcd_triangleShape((const double(*)[3])q.mesh->triangle[i].corner, &shape);
+        goesOn = visit(context, &q.mesh->triangle[i], &shape);
     }
+    mcd_scratchGive(frame, q.scratch);
 }
 
 /* ---- the nearest -------------------------------------------------------------------------------------------------- */
@@ -158,6 +163,7 @@ MeBool mcd_meshNearest(const McdShape *shape, McdGeometryInstance *ins, McdModel
     search(&n, ins, asker, origin, most);
     if (!isfinite(n.distance) || n.distance > most)
         return MEFALSE;
+    MEASSERT(isfinite(mcd_dot(n.normal, n.normal)) && n.distance <= most);
     *distance = n.distance;
     mcd_copy(onShape, n.onShape);
     mcd_copy(onMesh, n.onMesh);

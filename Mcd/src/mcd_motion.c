@@ -53,6 +53,7 @@ void mcd_shapeMove(const McdShape *s, const double velocity[3], const double spi
     const double axis[3] = {spin[0] / rate, spin[1] / rate, spin[2] / rate};
     for (int i = 0; i < 3; i++)
         turnVector(moved->axis[i], axis, sin(rate * time), cos(rate * time));
+    MEVALIDATE(!mcd_shapeIsRigid(s) || fabs(dot(moved->axis[0], moved->axis[1])) < 1e-8);
 }
 
 static void getVelocities(const McdModelRecord *m, double velocity[3], double spin[3]) {
@@ -99,6 +100,7 @@ static double advanceAlong(const Mover *a, const Mover *b, const double n[3], do
         if (closing <= 0)
             return maxTime;
         time += s / closing;
+        MEASSERT(s > 0 && closing > 0); /* time only grows */
         s = separationAlong(a, b, n, MeMIN(time, maxTime));
     }
     return MeMIN(time, maxTime);
@@ -115,6 +117,7 @@ static double firstTouch(const Mover *a, const Mover *b, double target, double m
         mcd_shapeMove(&a->start, a->velocity, a->spin, time, &movedA);
         mcd_shapeMove(&b->start, b->velocity, b->spin, time, &movedB);
         const double distance = mcd_convexDistance(&movedA, &movedB, onA, onB, n);
+        MEASSERT(time >= 0 && time <= maxTime);
         for (int k = 0; k < 3; k++)
             at[k] = (onA[k] + onB[k]) / 2;
         *touches = distance <= target;

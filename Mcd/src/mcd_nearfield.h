@@ -5,12 +5,12 @@
 #include "mcd_shape.h"
 #include "mcd_vector.h"
 
-/* How two cores are to each other. */
+/* The signed distance of two cores, and its witness points. */
 typedef struct McdProximity {
     double normal[3];      /* from b to a, length 1 */
     double separation;     /* of the cores along it; negative: depth */
     double onA[3], onB[3]; /* points of the cores that are so far apart */
-    MeBool isGuess;        /* only the first two: the cores are at least so far apart, if not negative */
+    MeBool isGuess;        /* only normal and separation are valid; the separation, where >= 0, is a lower bound */
 } McdProximity;
 
 /* The smaller one's size: what errors are measured by. */
@@ -18,15 +18,15 @@ static inline double mcd_pairSize(const McdShape *a, const McdShape *b) {
     return a->extent < b->extent ? a->extent : b->extent;
 }
 
-/* How far b's core stays below a's along the unit vector n; the largest over all n is the signed distance. */
+/* The separation of the cores along the unit vector n, from b to a; its maximum over all n is the signed distance. */
 double mcd_separationAlong(const McdShape *a, const McdShape *b, const double n[3]);
 
-/* The signed distance of the cores; false if it is more than limit. */
+/* The signed distance of the cores, by GJK and EPA; false if it is more than limit. */
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
-/* The best normal among those of a box's faces and a cylinder's or cone's discs, as a guess; a separation of -INFINITY
- * if there are none. */
+/* The best separating axis among the normals of flat faces (McdKind.flatAxes), as a guess; a separation of -INFINITY if
+ * there are none. */
 void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p);
-/* Is the guess of cores that overlap the answer? What is not soon seen to be is not. */
+/* Verifies a guessed normal of cores that overlap: is no direction less deep? Conservative: may say no to a right guess. */
 MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p);
 /* For two boxes the answer, where they overlap; else a face's normal along which they are apart. */
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
@@ -49,10 +49,15 @@ typedef struct McdFace {
     MeU32 name[MCD_FACE_POINTS]; /* which corner; an edge goes by the corner where it begins */
 } McdFace;
 void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f);
+/* Adds a corner, in the shape's own frame. */
+static inline void mcd_faceAdd(const McdShape *s, McdFace *f, double x, double y, double z, MeU32 name) {
+    mcd_shapePoint(s, x, y, z, f->point[f->count]);
+    f->name[f->count++] = name;
+}
 
-/* Contacts along a normal between the cores' faces that look at each other, at least the proximity's own points.
- * Returns the count; the roundings are taken into account. For a guess it is 0 unless the faces are as near to each
- * other as it says; then it was right. */
+/* The manifold along a normal: the faces clipped against each other, and the proximity's own points where none of these is
+ * as deep. Returns the count; the roundings are taken into account. A guess is verified: 0 unless the faces are as near to
+ * each other as it says. */
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                       const McdProximity *p, double margin, McdManifold *m);
 /* One contact, at the proximity's own points. */

@@ -47,6 +47,13 @@ static void siftDown(McdPairEntry *entry, int at, int count) {
     entry[at] = moved;
 }
 
+static MeBool isSorted(const McdPairList *list) {
+    for (int i = 1; i < list->count; i++)
+        if (precedes(&list->entry[i], &list->entry[i - 1]))
+            return MEFALSE;
+    return METRUE;
+}
+
 /* Heapsort: in place, without memory of its own. */
 static void listSort(McdPairList *list) {
     McdPairEntry *entry = list->entry;
@@ -58,6 +65,7 @@ static void listSort(McdPairList *list) {
         entry[last] = greatest;
         siftDown(entry, 0, last);
     }
+    MEVALIDATE(isSorted(list));
 }
 
 /* A pair may be in each of these lists once. */
@@ -85,6 +93,7 @@ static McdPairRecord *takePair(McdSpace *s) {
     if (!s->freePair && !makePairBlock(s))
         return 0;
     McdPairRecord *record = s->freePair;
+    MEASSERT(record->pair.phase == kMcdFFStateInactive && !record->pair.model1);
     s->freePair = record->nextFree;
     return record;
 }
@@ -125,6 +134,7 @@ static int findLink(const McdSpace *s, int a, int b) {
 
 static void hashIn(McdSpace *s, int i) {
     int *head = bucket(s, s->link[i].proxy[0], s->link[i].proxy[1]);
+    MEASSERT(*head < s->linkMax && *head != i);
     s->link[i].nextInHash = *head;
     *head = i;
 }
@@ -166,9 +176,10 @@ static MeBool growLinks(McdSpace *s) {
 }
 
 /* Hangs a link into the list of its proxy number `end`. */
-static void hang(McdSpace *s, int i, int end) {
+static void linkIntoList(McdSpace *s, int i, int end) {
     McdProxy *p = &s->proxy[s->link[i].proxy[end]];
     const int next = p->firstLink;
+    MEASSERT(p->model && next != i);
     s->link[i].previous[end] = MCD_NONE;
     s->link[i].next[end] = next;
     if (next != MCD_NONE)
@@ -176,8 +187,9 @@ static void hang(McdSpace *s, int i, int end) {
     p->firstLink = i;
 }
 
-static void unhang(McdSpace *s, int i, int end) {
+static void unlinkFromList(McdSpace *s, int i, int end) {
     const int proxy = s->link[i].proxy[end], previous = s->link[i].previous[end], next = s->link[i].next[end];
+    MEASSERT((previous == MCD_NONE) == (s->proxy[proxy].firstLink == i));
     if (previous == MCD_NONE)
         s->proxy[proxy].firstLink = next;
     else
@@ -191,6 +203,8 @@ static int makeLink(McdSpace *s, int a, int b) {
         return MCD_NONE;
     const int i = s->freeLink;
     McdLink *link = &s->link[i];
+    MEASSERT(a != b && link->proxy[0] == MCD_NONE);
+    MEVALIDATE(findLink(s, a, b) == MCD_NONE);
     s->freeLink = link->nextInHash;
     s->linkCount++;
     memset(link, 0, sizeof *link);
@@ -198,27 +212,28 @@ static int makeLink(McdSpace *s, int a, int b) {
     link->proxy[0] = isTurned ? b : a;
     link->proxy[1] = isTurned ? a : b;
     hashIn(s, i);
-    hang(s, i, 0);
-    hang(s, i, 1);
+    linkIntoList(s, i, 0);
+    linkIntoList(s, i, 1);
     return i;
 }
 
 static void dropLink(McdSpace *s, int i) {
     MEASSERT(!s->link[i].record && !s->link[i].isWaiting);
     hashOut(s, i);
-    unhang(s, i, 0);
-    unhang(s, i, 1);
+    unlinkFromList(s, i, 0);
+    unlinkFromList(s, i, 1);
     s->link[i].proxy[0] = MCD_NONE;
     s->link[i].nextInHash = s->freeLink;
     s->freeLink = i;
     s->linkCount--;
+    MEASSERT(s->linkCount >= 0);
 }
 
 static int nextLink(const McdSpace *s, int i, int proxy) {
     return s->link[i].next[s->link[i].proxy[1] == proxy];
 }
 
-/* ---- judging ----------------------------------------------------------------------------------------------------- */
+/* ---- classification ----------------------------------------------------------------------------------------------------- */
 
 static MeBool isCulled(const McdProxy *a, const McdProxy *b) {
     return a->table && a->table == b->table && a->cullingID == b->cullingID &&
@@ -264,6 +279,7 @@ static void sayGoodbye(McdSpace *s, int i) {
     link->record = 0;
     link->isSilent = MEFALSE;
     s->liveCount--;
+    MEASSERT(s->liveCount >= 0 && entry.order2 < entry.order1);
     listAdd(&s->goodbye, &entry);
 }
 
@@ -280,10 +296,11 @@ static void setSilent(McdSpace *s, int i, MeBool isSilent) {
 static void stopWaiting(McdSpace *s, int i) {
     if (s->link[i].isWaiting)
         s->waitingCount--;
+    MEASSERT(s->waitingCount >= 0);
     s->link[i].isWaiting = MEFALSE;
 }
 
-static void askForRoom(McdSpace *s, int i) {
+static void queueForRoom(McdSpace *s, int i) {
     McdPairEntry entry = entryOf(s, i);
     entry.link = i;
     s->link[i].isWaiting = METRUE;
@@ -291,7 +308,7 @@ static void askForRoom(McdSpace *s, int i) {
     listAdd(&s->wanted, &entry);
 }
 
-static void judge(McdSpace *s, int i) {
+static void classifyPair(McdSpace *s, int i) {
     McdLink *link = &s->link[i];
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
     const MeBool areFrozen = a->isFrozen && b->isFrozen;
@@ -303,7 +320,7 @@ static void judge(McdSpace *s, int i) {
     }
     if (isPair && !areFrozen) {
         if (!link->isWaiting)
-            askForRoom(s, i);
+            queueForRoom(s, i);
         return;
     }
     if (link->record)
@@ -321,7 +338,7 @@ typedef struct Search {
     MeBool isDone; /* false: there was no memory */
 } Search;
 
-static MeBool meet(void *context, int other) {
+static MeBool addLink(void *context, int other) {
     Search *search = context;
     McdSpace *s = search->space;
     const McdProxy *a = &s->proxy[search->proxy], *b = &s->proxy[other];
@@ -340,34 +357,34 @@ static MeBool findLinks(McdSpace *s, int proxy) {
             box.min[i] = (float)-MCD_TREE_REACH;
             box.max[i] = (float)MCD_TREE_REACH;
         }
-    mcd_treeQuery(s->tree, &box, meet, &search);
+    mcd_treeQuery(s->tree, &box, addLink, &search);
     for (int i = 0; i < s->unboundedCount && search.isDone; i++)
         if (fatBoxesOverlap(s, &s->proxy[proxy], &s->proxy[s->unbounded[i]]))
-            meet(&search, s->unbounded[i]);
+            addLink(&search, s->unbounded[i]);
     return search.isDone;
 }
 
-static void judgeLinksOf(McdSpace *s, int proxy) {
+static void classifyPairsOf(McdSpace *s, int proxy) {
     for (int i = s->proxy[proxy].firstLink, next; i != MCD_NONE; i = next) {
         const int first = s->link[i].proxy[0];
         next = nextLink(s, i, proxy);
         if (first == proxy || !s->proxy[first].isDirty) /* else it is judged from there */
-            judge(s, i);
+            classifyPair(s, i);
     }
 }
 
 /* Each link of the dirty proxies once. Where many are dirty, links are taken as they lie in memory, which is faster. */
-static void judgeLinks(McdSpace *s) {
+static void classifyPairs(McdSpace *s) {
     if (s->dirtyCount > s->proxyCount / 4) {
         for (int i = 0; i < s->linkMax; i++) {
             const int *p = s->link[i].proxy;
             if (p[0] != MCD_NONE && (s->proxy[p[0]].isDirty || s->proxy[p[1]].isDirty))
-                judge(s, i);
+                classifyPair(s, i);
         }
         return;
     }
     for (int i = 0; i < s->dirtyCount; i++)
-        judgeLinksOf(s, s->dirty[i]);
+        classifyPairsOf(s, s->dirty[i]);
 }
 
 /* ---- lists ------------------------------------------------------------------------------------------------------- */
@@ -401,6 +418,7 @@ static void addToStaying(McdSpace *s, McdPairList *list) {
         end = at;
     }
     list->count = 0;
+    MEVALIDATE(isSorted(&s->staying));
 }
 
 static void helloBecomesStaying(McdSpace *s) {
@@ -428,6 +446,7 @@ static void dropFromStaying(McdSpace *s, const McdPairList *dropped) {
     if (from > kept)
         moveEntries(entry, kept, from, end - from);
     s->staying.count -= from - kept;
+    MEASSERT(s->staying.count >= 0 && from - kept <= dropped->count);
 }
 
 static void renewStaying(McdSpace *s) {
@@ -452,12 +471,13 @@ static MeBool sayHello(McdSpace *s, McdPairEntry entry) {
     entry.record = record;
     listAdd(&s->hello, &entry);
     stopWaiting(s, (int)(link - s->link));
+    MEASSERT(!link->record && !link->isSilent);
     link->record = record;
     s->liveCount++;
     return METRUE;
 }
 
-static void refuse(McdSpace *s, int first) {
+static void reportFull(McdSpace *s, int first) {
     char what[40];
     snprintf(what, sizeof what, "%d more pairs", s->wanted.count - first);
     MeLimitWarn(&s->pairLimit, caller, what);
@@ -468,7 +488,7 @@ static void refuse(McdSpace *s, int first) {
 }
 
 /* Those that found no room before ask again, with the new ones, in order. */
-static void addWaiting(McdSpace *s) {
+static void requeueWaiting(McdSpace *s) {
     s->wanted.count = 0;
     for (int i = 0; i < s->linkMax; i++)
         if (s->link[i].proxy[0] != MCD_NONE && s->link[i].isWaiting) {
@@ -478,17 +498,17 @@ static void addWaiting(McdSpace *s) {
         }
 }
 
-static void giveRoom(McdSpace *s) {
+static void admitQueued(McdSpace *s) {
     const int newCount = s->wanted.count;
     if (s->waitingCount > newCount)
-        addWaiting(s);
+        requeueWaiting(s);
     listSort(&s->wanted);
     const MeLimit *limit = &s->pairLimit;
     int i = 0;
     while (i < s->wanted.count && s->liveCount < limit->most && sayHello(s, s->wanted.entry[i]))
         i++;
     if (i < s->wanted.count && newCount && s->liveCount == limit->most)
-        refuse(s, i);
+        reportFull(s, i);
     s->wanted.count = 0;
 }
 
@@ -514,6 +534,7 @@ static void keepUnfinished(McdSpace *s) {
     int kept = 0;
     for (int i = 0; i < s->dirtyCount; i++) {
         McdProxy *p = &s->proxy[s->dirty[i]];
+        MEASSERT(p->isDirty);
         p->isDirty = p->isMoved;
         if (p->isMoved)
             s->dirty[kept++] = s->dirty[i];
@@ -582,22 +603,23 @@ void mcd_pairsEnd(McdSpace *s) {
         p->isMoved = p->isMoved && p->hasBox && !findLinks(s, s->dirty[i]);
     }
     helloBecomesStaying(s);
-    judgeLinks(s);
+    classifyPairs(s);
     keepUnfinished(s);
     renewStaying(s);
-    giveRoom(s);
+    admitQueued(s);
     MEASSERT(s->liveCount >= 0 && s->liveCount <= s->pairLimit.most && s->waitingCount >= 0);
     MEVALIDATE(areBoxesGood(s) && areLinksGood(s));
     MEVALIDATE(isListGood(&s->hello, kMcdFFStateHello) && isListGood(&s->staying, kMcdFFStateStaying) &&
                isListGood(&s->goodbye, kMcdFFStateGoodbye));
 }
 
-static void undirty(McdSpace *s, int proxy) {
+static void clearDirty(McdSpace *s, int proxy) {
     int at = 0;
     if (!s->proxy[proxy].isDirty)
         return;
     while (s->dirty[at] != proxy)
         at++;
+    MEASSERT(at < s->dirtyCount);
     s->dirty[at] = s->dirty[--s->dirtyCount];
     s->proxy[proxy].isDirty = MEFALSE;
 }
@@ -610,11 +632,11 @@ void mcd_pairsForgetProxy(McdSpace *s, int proxy) {
         stopWaiting(s, i);
         dropLink(s, i);
     }
-    undirty(s, proxy);
+    clearDirty(s, proxy);
 }
 
 /* Ends what a program may have begun with a pair. The lists are tidied later, once for many pairs. */
-static void erase(McdSpace *s, McdPairRecord *record, MeBool isInLists) {
+static void erasePair(McdSpace *s, McdPairRecord *record, MeBool isInLists) {
     forgetPair(record);
     if (record->pair.m_cachedData)
         McdGoodbye(&record->pair);
@@ -656,7 +678,7 @@ static void eraseGoodbyesOf(McdSpace *s, McdModelID cm) {
         if (!isHis || !s->isChanging || record->wasSilent)
             s->goodbye.entry[kept++] = s->goodbye.entry[i];
         if (isHis)
-            erase(s, record, METRUE);
+            erasePair(s, record, METRUE);
     }
     s->goodbye.count = kept;
 }
@@ -665,7 +687,7 @@ void mcd_pairsEraseProxy(McdSpace *s, int proxy) {
     for (int i = s->proxy[proxy].firstLink; i != MCD_NONE; i = nextLink(s, i, proxy)) {
         if (!s->link[i].record)
             continue;
-        erase(s, s->link[i].record, !s->link[i].isSilent);
+        erasePair(s, s->link[i].record, !s->link[i].isSilent);
         s->link[i].record = 0;
         s->link[i].isSilent = MEFALSE;
         s->liveCount--;

@@ -1,7 +1,8 @@
 /* Contacts with a half-space: the face that looks at it, and its deepest point. */
-#include "mcd_nearfield.h"
+#include "mcd_kind.h"
 
-#include <string.h>
+/* The part of the plane that counts: its face is made here. */
+static const McdKind flat = {.type = kMcdGeometryTypePlane};
 
 int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m) {
     const double back[3] = {-normal[0], -normal[1], -normal[2]};
@@ -21,9 +22,7 @@ int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, 
     /* A square of the plane, wider than the shape, below it. */
     mcd_basis(normal, u, w);
     mcd_copy(ground.normal, normal);
-    McdShape square;
-    memset(&square, 0, sizeof square);
-    square.extent = a->extent;
+    const McdShape square = {.kind = &flat, .extent = a->extent};
     for (int i = 0; i < 4; i++) {
         double *corner = ground.point[i];
         mcd_mad(corner, a->place, offset - mcd_dot(a->place, normal), normal);
@@ -32,4 +31,18 @@ int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, 
         ground.name[i] = (MeU32)i;
     }
     return mcd_facesManifold(a, &square, &face, &ground, &p, margin, m);
+}
+
+double mcd_planeDistance(const McdShape *a, const MeVector4 *tm, const double origin[3], double onA[3], double onB[3],
+                         double normal[3]) {
+    double down[3], distance = 0;
+    for (int i = 0; i < 3; i++) {
+        normal[i] = (double)tm[2][i];
+        down[i] = -normal[i];
+    }
+    mcd_support(a, down, onA);
+    for (int i = 0; i < 3; i++)
+        distance += normal[i] * (onA[i] + origin[i] - (double)tm[3][i]);
+    mcd_mad(onB, onA, -distance, normal);
+    return distance;
 }

@@ -21,6 +21,7 @@ double mcd_pairMargin(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (a->isFast || b->isFast) /* what is there now: what comes, McdSafeTime says */
         return fmax(a->isFast ? (double)a->ahead : 0, b->isFast ? (double)b->ahead : 0);
+    MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(approach(a, b) < 0));
     return (double)a->tolerance + (double)b->tolerance + approach(a, b);
 }
 
@@ -60,6 +61,7 @@ static void tellApart(McdIntersectResult *result) {
 }
 
 void mcd_manifoldTurn(McdManifold *m) {
+    MEASSERT(m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS);
     mcd_scale(m->normal, m->normal, -1);
     for (int i = 0; i < m->count; i++) {
         McdManifoldPoint *p = &m->point[i];
@@ -88,6 +90,7 @@ McdContact *mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, cons
     int kept[MCD_MANIFOLD_POINTS];
     const int count = choose(m, result->contactMaxCount - result->contactCount, kept);
     MEASSERT(m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS && count <= m->count);
+    MEASSERT(result->contactCount + count <= result->contactMaxCount);
     for (int i = 0; i < count; i++) {
         const McdManifoldPoint *point = &m->point[kept[i]];
         McdContact *c = &result->contacts[result->contactCount++];
@@ -154,6 +157,5 @@ int mcd_resultEnd(McdIntersectResult *result) {
     tellApart(result);
     MEVALIDATE(areContactsGood(result));
     result->touch = result->contactCount > 0;
-    mcd_record(result->pair->model1)->frame->knowsSurfaces = METRUE;
     return result->touch;
 }

@@ -52,6 +52,7 @@ static void nearestOfSegments(const McdShape *a, const McdShape *b, double *s, d
     *s = MeCLAMP(*s, -ha, ha);
     *t = MeCLAMP(db + c * *s, -hb, hb);
     *s = MeCLAMP(c * *t - da, -ha, ha);
+    MEASSERT(fabs(*s) <= ha && fabs(*t) <= hb); /* false for NaN */
 }
 
 MeBool mcd_segmentSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
@@ -84,6 +85,7 @@ static void fromOwn(const McdShape *b, const double x[3], double out[3]) {
 static MeBool report(const McdShape *a, const McdShape *b, const double normal[3], const double nearest[3],
                      double separation, double limit, McdProximity *p) {
     double d[3];
+    MEASSERT(mcd_isUnit(normal));
     fromOwn(b, normal, p->normal);
     fromOwn(b, nearest, d);
     mcd_mad(p->onB, b->place, 1, d);

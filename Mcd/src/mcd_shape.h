@@ -31,16 +31,16 @@ typedef struct McdHull {
     double centre[3], extent; /* the mean of the vertices; the largest distance of a vertex from it */
 } McdHull;
 
-enum { MCD_SHAPE_TRIANGLE = -2 }; /* the type of a triangle, which is no geometry of its own */
+enum { MCD_SHAPE_TRIANGLE = -2 }; /* McdKind.type of a triangle, which is no geometry of its own */
 
 typedef struct McdShape {
-    int type;          /* kMcdGeometryType..., or MCD_SHAPE_TRIANGLE */
-    double axis[3][3]; /* rows: its own axes */
-    double place[3];   /* its own origin */
-    double size[3];    /* box: half sizes. cylinder: radius, radius, half height. sphyl: -, -, half height of the core.
+    const McdKind *kind; /* its type's functions */
+    double axis[3][3];   /* rows: its own axes */
+    double place[3];     /* its own origin */
+    double size[3];  /* box: half sizes. cylinder: radius, radius, half height. sphyl: -, -, half height of the core.
                             cone: lower radius, upper radius, length; it lies between z = -low and length - low */
-    double low;        /* cone: how far its base is below its origin */
-    double rounding;   /* see above */
+    double low;      /* cone: how far its base is below its origin */
+    double rounding; /* see above */
     const McdHull *hull;
     double corner[3][3]; /* triangle: its corners, in the coordinates of the query */
     double extent;       /* no point is farther than this from `place`: tolerances are relative to it */
@@ -53,6 +53,26 @@ MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *
 /* The same, at another transform than the instance's present one. */
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape);
 void mcd_triangleShape(const double corners[3][3], McdShape *shape);
+
+/* A point and a direction from its own axes, and a direction to them. */
+static inline void mcd_shapePoint(const McdShape *s, double x, double y, double z, double out[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = s->place[i] + (s->axis[0][i] * x + s->axis[1][i] * y + s->axis[2][i] * z);
+}
+
+static inline void mcd_shapeDirection(const McdShape *s, double x, double y, double z, double out[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = s->axis[0][i] * x + s->axis[1][i] * y + s->axis[2][i] * z;
+}
+
+static inline void mcd_shapeOwn(const McdShape *s, const double direction[3], double own[3]) {
+    for (int i = 0; i < 3; i++)
+        own[i] = s->axis[i][0] * direction[0] + s->axis[i][1] * direction[1] + s->axis[i][2] * direction[2];
+}
+
+/* Are its axes those of a rotation? Only then lengths are what they are in its own frame: checks ask that first, as
+ * programs may set any transform. */
+MeBool mcd_shapeIsRigid(const McdShape *s);
 
 /* The point of the core farthest in a direction of any length. */
 void mcd_coreSupport(const McdShape *s, const double direction[3], double point[3]);
@@ -86,6 +106,9 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdM
 int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m);
 /* The manifold of the shapes in the other order. */
 void mcd_manifoldTurn(McdManifold *m);
+/* The signed distance of a convex shape from the half-space below z = 0 of tm, as mcd_convexDistance. */
+double mcd_planeDistance(const McdShape *a, const MeVector4 *tm, const double origin[3], double onA[3], double onB[3],
+                         double normal[3]);
 /* The signed distance of two convex shapes (negative: depth), the nearest points on both surfaces, and the normal. */
 double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]);
 

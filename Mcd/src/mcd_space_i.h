@@ -7,7 +7,7 @@
  * models that have no pair are dropped, and found again when one of them is unfrozen.
  *
  * At the end of a block only what changed is looked at: proxies that left their fat box are looked up in the tree for
- * new links, and the links of proxies that changed at all are judged anew.
+ * new links, and the links of proxies that changed at all are classified anew.
  *
  * Proxies and links are known by their index, and move when there is no room for more; a model's pointer to its proxy is
  * set anew then. Pairs never move.
@@ -22,10 +22,10 @@
 enum { MCD_NONE = -1, MCD_PAIR_BLOCK = 128 };
 
 typedef struct McdProxy {
-    /* what judging a link needs comes first, to be read at once */
+    /* what classifying a pair reads comes first */
     MeReal min[3], max[3], tolerance; /* that, and how far it looks ahead */
     MeBool hasBox, isFrozen;
-    MeBool isDirty; /* its links are to be judged */
+    MeBool isDirty; /* its links are to be classified */
     McdTreeBox fat;
     McdCullingTable *table;
     int cullingIndex, cullingID;
@@ -117,7 +117,7 @@ MeBool mcd_spaceIsReady(McdSpaceID s, const char *function);
 
 /* ---- links and pairs (mcd_pairs.c) ------------------------------------------------------------------------------- */
 
-void mcd_proxyTouch(McdSpace *s, int proxy);        /* its links are to be judged at the end of the block */
+void mcd_proxyTouch(McdSpace *s, int proxy);        /* its links are classified at the end of the block */
 void mcd_pairsForgetProxy(McdSpace *s, int proxy);  /* drops its links; its pairs say goodbye */
 void mcd_pairsEraseProxy(McdSpace *s, int proxy);   /* drops its links and its pairs, which say nothing */
 void mcd_pairsTidy(McdSpace *s);                    /* takes erased pairs out of the lists */

@@ -5,30 +5,8 @@
  * lists, fields, aggregates and a program's own types may depend on more: they are always tested.
  */
 #include "McdInternal.h"
-#include "mcd_geometries.h"
+#include "mcd_kind.h"
 #include <string.h>
-
-/* Bytes of the geometry's own parameters; -1: a test of it may depend on more. */
-static int parameterBytes(McdGeometryType type) {
-    switch (type) {
-    case kMcdGeometryTypeSphere:
-        return sizeof(McdSphere) - sizeof(McdGeometry);
-    case kMcdGeometryTypeBox:
-        return sizeof(McdBox) - sizeof(McdGeometry);
-    case kMcdGeometryTypeCylinder:
-        return sizeof(McdCylinder) - sizeof(McdGeometry);
-    case kMcdGeometryTypeSphyl:
-        return sizeof(McdSphyl) - sizeof(McdGeometry);
-    case kMcdGeometryTypeCone:
-        return sizeof(McdCone) - sizeof(McdGeometry);
-    case kMcdGeometryTypeConvexMesh:
-        return sizeof(McdConvexMesh) - sizeof(McdGeometry);
-    case kMcdGeometryTypePlane:
-        return 0;
-    default:
-        return -1;
-    }
-}
 
 static void copyIfThere(MeVector3 to, const MeReal *from) {
     if (from)
@@ -38,13 +16,14 @@ static void copyIfThere(MeVector3 to, const MeReal *from) {
 /* All that tests of a model read, but for how far the space has it look ahead. */
 static MeBool look(const McdModelRecord *m, McdSeen *seen) {
     const McdGeometry *g = m->instance.geometry;
-    const int bytes = parameterBytes(g->type);
-    if (bytes < 0 || m->intersect || !m->instance.tm)
+    const McdKind *kind = mcd_kindOf(g);
+    if (!kind || kind->size == 0 || m->intersect || !m->instance.tm)
         return MEFALSE;
-    MEASSERT((size_t)bytes <= sizeof seen->parameters);
+    const size_t bytes = kind->size - sizeof *g;
+    MEASSERT(bytes <= sizeof seen->parameters);
     memset(seen, 0, sizeof *seen);
     seen->geometry = g;
-    memcpy(seen->parameters, (const char *)g + sizeof *g, (size_t)bytes);
+    memcpy(seen->parameters, (const char *)g + sizeof *g, bytes);
     memcpy(seen->tm, m->instance.tm, sizeof seen->tm);
     copyIfThere(seen->velocity, m->linearVelocity);
     copyIfThere(seen->spin, m->angularVelocity);

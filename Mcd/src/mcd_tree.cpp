@@ -4,6 +4,7 @@
  * gets much deeper than it would be in a balanced tree. Nothing here depends on addresses.
  */
 #include "mcd_tree.h"
+#include "MeAssert.h"
 #include <algorithm>
 #include <cstdint>
 #include <fcl/broadphase/detail/hierarchy_tree.h>
@@ -80,6 +81,16 @@ class Balancing {
     }
 };
 
+/* Does each inner node's box hold its children's, and do they know it? */
+bool isSound(const Node *n) {
+    for (int k = 0; !n->isLeaf() && k < 2; k++) {
+        const Node *child = n->children[k];
+        if (child->parent != n || !n->bv.contain(child->bv) || !isSound(child))
+            return false;
+    }
+    return true;
+}
+
 void balance(McdTree &tree) noexcept {
     tree.isDeep = false;
     if (tree.nodes.size() < 3)
@@ -88,12 +99,15 @@ void balance(McdTree &tree) noexcept {
         Balancing(tree.nodes.size()).run(tree.nodes.getRoot());
     } catch (...) { /* no memory: slower, and right */
     }
+    MEVALIDATE(isSound(tree.nodes.getRoot()));
 }
 
 void checkDepth(McdTree &tree, const Node *leaf) noexcept {
     int depth = 0, balanced = 0;
-    for (const Node *n = leaf->parent; n; n = n->parent)
+    for (const Node *n = leaf->parent; n; n = n->parent) {
+        MEASSERT(n->bv.contain(leaf->bv));
         depth++;
+    }
     for (std::size_t size = tree.nodes.size(); size > 1; size /= 2)
         balanced++;
     if (depth > 2 * balanced + mostSpareDepth)

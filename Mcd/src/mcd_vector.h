@@ -55,6 +55,11 @@ static inline void mcd_basis(const double n[3], double u[3], double w[3]) {
     mcd_cross(w, n, u);
 }
 
+/* Has it length 1, to within what rounding does? */
+static inline int mcd_isUnit(const double a[3]) {
+    return fabs(mcd_dot(a, a) - 1) < 1e-9;
+}
+
 /* The greatest int that is not above x, as far as it is between low and high; low for what is no number. */
 static inline int mcd_floorBetween(double x, int low, int high) {
     return !(x > low) ? low : x >= high ? high : (int)floor(x);

@@ -15,6 +15,7 @@
  */
 #include "McdGeometry.h"
 #include "McdInteractions.h"
+#include "McdInternal.h"
 #include "McdQuery.h"
 #include "MdtBody.h"
 #include "MdtContact.h"
@@ -61,17 +62,6 @@ static void hurry(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
 
 /* ---- when they meet -------------------------------------------------------------------------------------------- */
 
-static MeBool isSurface(McdModelID m) {
-    const McdGeometryType type = McdModelGetGeometryType(m);
-    return type == kMcdGeometryTypeTriangleList || type == kMcdGeometryTypeRGHeightField;
-}
-
-static MeBool isConvex(McdModelID m) {
-    const McdGeometryType type = McdModelGetGeometryType(m);
-    return type == kMcdGeometryTypeSphere || type == kMcdGeometryTypeBox || type == kMcdGeometryTypeCylinder ||
-           type == kMcdGeometryTypeSphyl || type == kMcdGeometryTypeCone || type == kMcdGeometryTypeConvexMesh;
-}
-
 static int MEAPI isThatOne(McdModelID m, void *wanted) {
     return m == (McdModelID)wanted;
 }
@@ -102,9 +92,9 @@ static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, 
 
 static MeReal timeToTouch(McdModelPair *p, McdSpaceID s, MeReal most) {
     McdSafeTimeResult safe;
-    if (isSurface(p->model2) && isConvex(p->model1))
+    if (McdModelIsSurface(p->model2) && McdModelIsConvex(p->model1))
         return timeToSurface(p->model1, p->model2, s, most);
-    if (isSurface(p->model1) && isConvex(p->model2))
+    if (McdModelIsSurface(p->model1) && McdModelIsConvex(p->model2))
         return timeToSurface(p->model2, p->model1, s, most);
     return McdSafeTime(p, most, &safe) ? safe.time : most;
 }

@@ -166,9 +166,19 @@ const McdHull *hull_points(int count, const double radii[3], Random *r) {
 
 /* ---- shapes -------------------------------------------------------------------------------------------- */
 
+/* The table of a type, which a framework knows. */
+static const McdKind *kindOf(int type) {
+    static McdFrameworkID frame;
+    if (!frame) {
+        frame = McdInit(0, 1, 1, 1);
+        McdAllRegisterTypes(frame);
+    }
+    return frame->types[type].kind;
+}
+
 static void start(McdShape *s, int type) {
     memset(s, 0, sizeof *s);
-    s->type = type;
+    s->kind = kindOf(type);
     for (int i = 0; i < 3; i++)
         s->axis[i][i] = 1;
 }
@@ -299,7 +309,7 @@ static void toWorld(const McdShape *s, const double own[3], MeBool isPlace, doub
 /* The corners of round shapes are none, and their own axes stand for normals and edges. */
 static void makeSolid(const McdShape *s, Solid *x) {
     memset(x, 0, sizeof *x);
-    if (s->type == MCD_SHAPE_TRIANGLE) {
+    if (s->kind->type == MCD_SHAPE_TRIANGLE) {
         for (int i = 0; i < 3; i++) {
             mcd_copy(x->corner[x->corners++], s->corner[i]);
             mcd_sub(x->edge[x->edges++], s->corner[(i + 1) % 3], s->corner[i]);
@@ -320,7 +330,7 @@ static void makeSolid(const McdShape *s, Solid *x) {
             mcd_copy(x->normal[x->normals++], s->axis[i]);
             mcd_copy(x->edge[x->edges++], s->axis[i]);
         }
-        for (int i = 0; i < 8 && s->type == kMcdGeometryTypeBox; i++) {
+        for (int i = 0; i < 8 && s->kind->type == kMcdGeometryTypeBox; i++) {
             const double own[3] = {i & 1 ? s->size[0] : -s->size[0], i & 2 ? s->size[1] : -s->size[1],
                                    i & 4 ? s->size[2] : -s->size[2]};
             toWorld(s, own, 1, x->corner[x->corners++]);
@@ -339,16 +349,16 @@ static void support(const McdShape *s, const Solid *x, const double n[3], double
         d[i] = mcd_dot(s->axis[i], n);
     const double across = hypot(d[0], d[1]);
     double radius[2] = {0, 0}, height[2] = {0, 0};
-    if (s->type == kMcdGeometryTypeCylinder) {
+    if (s->kind->type == kMcdGeometryTypeCylinder) {
         radius[0] = radius[1] = s->size[0];
         height[1] = s->size[2];
         height[0] = -height[1];
-    } else if (s->type == kMcdGeometryTypeCone) {
+    } else if (s->kind->type == kMcdGeometryTypeCone) {
         radius[0] = s->size[0];
         radius[1] = s->size[1];
         height[0] = -s->low;
         height[1] = s->size[2] - s->low;
-    } else if (s->type == kMcdGeometryTypeSphyl) {
+    } else if (s->kind->type == kMcdGeometryTypeSphyl) {
         height[1] = s->size[2];
         height[0] = -height[1];
     }

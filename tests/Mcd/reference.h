@@ -7,6 +7,7 @@
 #define REFERENCE_H
 
 #include "mcd_geometries.h"
+#include "mcd_kind.h"
 
 /* xorshift64*: the same on every machine. */
 typedef struct Random {

@@ -103,7 +103,7 @@ static inline void terrain_grid(Terrain *t, int n, double cell, double (*height)
 
 /* All convex types, lists and fields, and their interactions. */
 static inline McdFrameworkID terrain_framework(void) {
-    McdFrameworkID f = McdInit(0, 20, 20, 1);
+    McdFrameworkID f = McdInit(0, 64, 256, 1);
     McdSphereRegisterType(f);
     McdBoxRegisterType(f);
     McdCylinderRegisterType(f);

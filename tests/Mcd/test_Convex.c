@@ -76,7 +76,7 @@ static MeBool isShownApart(const McdShape *a, const McdShape *b, double margin) 
 }
 
 static MeBool isSolid(const McdShape *s) {
-    return s->type == kMcdGeometryTypeBox || s->type == kMcdGeometryTypeConvexMesh || s->type == MCD_SHAPE_TRIANGLE;
+    return s->kind->type == kMcdGeometryTypeBox || s->kind->type == kMcdGeometryTypeConvexMesh || s->kind->type == MCD_SHAPE_TRIANGLE;
 }
 
 static void comparePair(int kindA, int kindB, int pose, double scale, MeBool slab, Random *r) {
@@ -178,7 +178,7 @@ START_TEST(swapping_the_shapes_turns_the_contacts_round) {
             continue;
         ck_assert_msg(fabs(deepest(&m) - deepest(&n)) < depthError * size, "%s: %.10g and %.10g", what, deepest(&m),
                       deepest(&n));
-        if (a.type == b.type)
+        if (a.kind->type == b.kind->type)
             continue; /* of two ways out that are as short, the first shape's may be taken */
         for (int k = 0; k < 3; k++)
             ck_assert_double_eq(m.normal[k], -n.normal[k]);
@@ -242,18 +242,67 @@ START_TEST(the_distance_is_that_of_its_points) {
         if (distance > .01)
             ck_assert_msg(fabs(mcd_length(d) - distance) < depthError * size, "%s: %g, its points %g", what, distance,
                           mcd_length(d));
-        if (a.type != kMcdGeometryTypeBox || b.type != kMcdGeometryTypeBox || distance > 0) {
-            /* each point is on or in its shape: no direction shows it outside */
-            for (int c = 0; c < 64; c++) {
-                double e[3], top[3];
-                random_direction(&r, e);
-                reference_support(&a, e, top);
-                ck_assert_msg(mcd_dot(onA, e) < mcd_dot(top, e) + 1e-5 * size, "%s", what);
-                reference_support(&b, e, top);
-                ck_assert_msg(mcd_dot(onB, e) < mcd_dot(top, e) + 1e-5 * size, "%s", what);
-            }
+        for (int c = 0; c < 64; c++) { /* each point is on or in its shape: no direction shows it outside */
+            double e[3], top[3];
+            random_direction(&r, e);
+            reference_support(&a, e, top);
+            ck_assert_msg(mcd_dot(onA, e) < mcd_dot(top, e) + 1e-5 * size, "%s", what);
+            reference_support(&b, e, top);
+            ck_assert_msg(mcd_dot(onB, e) < mcd_dot(top, e) + 1e-5 * size, "%s", what);
         }
     }
+}
+END_TEST
+
+/* How far outside of a shape a point is; of a cylinder and of polyhedra exactly, of others as far as directions show it. */
+static double outsideOf(const McdShape *s, const double point[3], Random *r) {
+    double off[3], most = -INFINITY;
+    if (isSolid(s))
+        return reference_outside(s, point);
+    mcd_sub(off, point, s->place);
+    const double along = mcd_dot(off, s->axis[2]), across = sqrt(fmax(mcd_dot(off, off) - along * along, 0));
+    if (s->kind->type == kMcdGeometryTypeCylinder)
+        return fmax(fabs(along) - s->size[2], across - s->size[0]);
+    for (int c = 0; c < 64; c++) {
+        double e[3], top[3];
+        random_direction(r, e);
+        reference_support(s, e, top);
+        most = fmax(most, mcd_dot(point, e) - mcd_dot(top, e));
+    }
+    return most;
+}
+
+/* The worst of them, relative to the size: how far the points' difference is from the way out, and how far they are outside
+ * of their shapes. */
+static void measureEnds(int kindA, int kindB, int pose, double scale, Random *r, double *apart, double *outside) {
+    McdShape a, b;
+    double onA[3], onB[3], n[3], d[3];
+    shape_random(&a, kindA, scale, random_unit(r) < .2, r);
+    shape_random(&b, kindB, scale, random_unit(r) < .2, r);
+    placePair(&a, &b, pose, 0, r);
+    const double size = sizeOf(&a, &b), distance = mcd_convexDistance(&a, &b, onA, onB, n);
+    if (distance > 0)
+        return;
+    mcd_sub(d, onA, onB);
+    mcd_mad(d, d, -distance, n);
+    *apart = fmax(*apart, mcd_length(d) / size);
+    *outside = fmax(*outside, fmax(outsideOf(&a, onA, r), outsideOf(&b, onB, r)) / size);
+}
+
+START_TEST(the_points_of_overlapping_shapes_are_the_ends_of_the_shortest_way_out) {
+    for (int i = 0; i < SHAPE_KINDS; i++)
+        for (int j = i; j < SHAPE_KINDS; j++) {
+            Random r = {.state = (unsigned long long)(7000 + 100 * i + j)};
+            double apart = 0, outside = 0;
+            for (int k = 0; k < 600; k++)
+                measureEnds(k & 1 ? i : j, k & 1 ? j : i, k % POSES,
+                            k % 7 == 0   ? 1e-3
+                            : k % 7 == 1 ? 1e3
+                                         : 1,
+                            &r, &apart, &outside);
+            ck_assert_msg(apart < 1e-10, "%s, %s: %g of the size apart", shape_name[i], shape_name[j], apart);
+            ck_assert_msg(outside < 1e-6, "%s, %s: %g of the size outside", shape_name[i], shape_name[j], outside);
+        }
 }
 END_TEST
 
@@ -362,9 +411,9 @@ END_TEST
 
 static void assertAnswer(const McdShape *a, const McdShape *b, double separation) {
     McdManifold m;
-    ck_assert_msg(mcd_convexManifold(a, b, 1e-6, &m) > 0, "types %d and %d", a->type, b->type);
+    ck_assert_msg(mcd_convexManifold(a, b, 1e-6, &m) > 0, "types %d and %d", a->kind->type, b->kind->type);
     assert_near(mcd_length(m.normal), 1, 9e-16);
-    ck_assert_msg(fabs(deepest(&m) - separation) < 1e-7, "types %d and %d: %.9g, expected %.9g", a->type, b->type,
+    ck_assert_msg(fabs(deepest(&m) - separation) < 1e-7, "types %d and %d: %.9g, expected %.9g", a->kind->type, b->kind->type,
                   deepest(&m), separation);
 }
 
@@ -528,6 +577,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, turning_both_turns_the_contacts);
     tcase_add_test(t, supports_are_the_farthest_points);
     tcase_add_test(t, the_distance_is_that_of_its_points);
+    tcase_add_test(t, the_points_of_overlapping_shapes_are_the_ends_of_the_shortest_way_out);
     tcase_add_test(t, standing_and_lying);
     tcase_add_test(t, a_cone_lies_on_its_side);
     tcase_add_test(t, one_cylinder_on_another);

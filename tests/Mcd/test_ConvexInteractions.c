@@ -32,6 +32,7 @@ static void setUp(void) {
     static char name[] = "test";
     for (McdGeometryType type = 1; type <= kMcdGeometryTypeCone; type++)
         McdFrameworkRegisterGeometryType(frame, type, name, destroy, boxAround, 0, 0, 0, 0);
+    McdAllRegisterTypes(frame); /* those functions stay */
     for (int i = 0; i < 2; i++)
         MeMatrix4TMMakeIdentity(place[i]);
     result = (McdIntersectResult){.contacts = contacts, .contactMaxCount = 8};

@@ -26,7 +26,7 @@ static McdGeometryID createHull(const McdHull *h) {
 /* The geometry of a shape, whose sizes are rounded on the way. A cone's origin is where the library puts it. */
 static McdGeometryID create(McdShape *s) {
     const MeReal x = (MeReal)s->size[0], y = (MeReal)s->size[1], z = (MeReal)s->size[2], r = (MeReal)s->rounding;
-    switch (s->type) {
+    switch (s->kind->type) {
     case kMcdGeometryTypeSphere:
         return McdSphereCreate(frame, r);
     case kMcdGeometryTypeBox:

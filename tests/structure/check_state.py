@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 ALLOWED = {
-    'table': 'the requests that the program has numbered', 'idCount': 'how many there are',
+    'table': 'the requests that the program has numbered: these functions of 1.2 name no framework',
     'liveWorlds': 'how many there are', 'liveFrames': 'the same: what is destroyed after the last one is not warned of',
     'name.0': 'names of geometry types', 'classicFrame': 'what programs that know of no framework do not say',
     '_ZStL8__ioinit': "the C++ library's", 'DW.ref.__gxx_personality_v0': "the C++ library's",

@@ -1,0 +1,41 @@
+/* The interactions of a convex type with whatever the framework knows, by the tables of both types. */
+#include "mcd_kind.h"
+#include "mcd_motion.h"
+
+static int MEAPI intersectConvex(McdModelPair *p, McdIntersectResult *result) {
+    mcd_resultBegin(result, p);
+    return mcd_convexContacts(p, result, "McdIntersect");
+}
+
+static int MEAPI intersectHalfSpace(McdModelPair *p, McdIntersectResult *result) {
+    mcd_resultBegin(result, p);
+    return mcd_planeContacts(p, result, "McdIntersect");
+}
+
+static int MEAPI intersectSurface(McdModelPair *p, McdIntersectResult *result) {
+    return mcd_meshIntersect(p, result, mcd_kindOf(mcd_record(p->model2)->instance.geometry)->gather);
+}
+
+/* How a convex type meets another one; nothing for those that it does not. */
+static McdInteractions interactionsWith(const McdKind *other) {
+    if (other->setShape)
+        return (McdInteractions){.intersectFn = intersectConvex, .safeTimeFn = mcd_safeTimeConvex};
+    if (other->isHalfSpace)
+        return (McdInteractions){.intersectFn = intersectHalfSpace, .safeTimeFn = mcd_safeTimePlane};
+    return (McdInteractions){.intersectFn = other->gather ? intersectSurface : 0};
+}
+
+void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, const char *function) {
+    if (!mcd_frameCheck(frame, function))
+        return;
+    MEASSERT(kind->setShape && kind->support && kind->face);
+    for (int type = 0; type < frame->typeCount; type++) {
+        const McdKind *other = frame->types[type].kind;
+        if (!other || McdFrameworkGetInteractions(frame, kind->type, type) ||
+            McdFrameworkGetInteractions(frame, type, kind->type))
+            continue;
+        McdInteractions interactions = interactionsWith(other);
+        if (interactions.intersectFn)
+            McdFrameworkSetInteractions(frame, kind->type, type, &interactions);
+    }
+}

@@ -1,0 +1,95 @@
+/* Inside Mcd: what a geometry type is to the rest of the library: one constant table of functions per type, in the type's
+ * own file.
+ *
+ * The nearfield, the queries and the framework ask the table, never the type's number: a new geometry brings its table,
+ * and nothing that is there has to be changed (docs/collision.md, "How to add a geometry"). What a type has nothing to
+ * say to is null. */
+#ifndef MCD_KIND_H
+#define MCD_KIND_H
+
+#include "mcd_mesh.h"
+#include "mcd_nearfield.h"
+
+/* The order of two convex shapes in a pair: manifolds are found with the lower one first. The first ones have closed
+ * forms with each other (mcd_grid.c); a new type is among the others. */
+typedef enum McdRank {
+    MCD_RANK_SPHERE,
+    MCD_RANK_SPHYL,
+    MCD_RANK_BOX,
+    MCD_RANK_CYLINDER,
+    MCD_RANK_CONE,
+    MCD_RANK_HULL,
+    MCD_RANK_TRIANGLE,
+    MCD_RANK_OTHER
+} McdRank;
+
+typedef void (*McdEdgeVisit)(void *context, const double from[3], const double to[3]);
+
+struct McdKind {
+    int type; /* kMcdGeometryType..., or MCD_SHAPE_TRIANGLE */
+    char *(MEAPI *name)(const McdGeometryID);
+    size_t size; /* bytes of its record, which has all that its tests depend on (mcd_tested.c); 0: they may depend on more */
+
+    /* Any type: what McdFrameworkRegisterGeometryType takes. */
+    McdGeometryDestroyFnPtr destroy;
+    McdGeometryGetAABBFnPtr box;
+    McdGeometryGetBSphereFnPtr sphere;
+    McdGeometryMaximumPointFnPtr farthest;
+    McdGeometryGetMassPropertiesFnPtr mass;
+    McdGeometryDebugDrawFnPtr draw;
+
+    /* Convex types: the shape of a geometry, which has been placed (its size, rounding and extent); the core's farthest
+     * point in a direction of any length; the face that looks in a direction (mcd_nearfield.h), which comes empty. */
+    void (*setShape)(const McdGeometry *g, McdShape *s);
+    void (*support)(const McdShape *s, const double direction[3], double point[3]);
+    void (*face)(const McdShape *s, const double direction[3], McdFace *f);
+    double (*radius)(const McdShape *s, const double outward[3], const double point[3]); /* null: the rounding */
+    McdRank rank;
+    MeU32 flatAxes; /* 1, 2, 4: its own axis x, y, z is a flat face's normal: what stands mostly has its normal there */
+    /* The edges of the solid in the geometry's frame, for cross-sections; of round sides, so many. */
+    void (*edges)(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context);
+
+    /* Surfaces of triangles: adds those near a query's box. */
+    McdMeshGather gather;
+
+    MeBool isHalfSpace; /* all below z = 0 of its frame */
+    MeBool isStatic;    /* stands still as a rule: no message where two of them have no interaction */
+    MeBool isEmpty;     /* no message where it has none with any type */
+};
+
+/* The table of a geometry's type; null for a program's own types. */
+static inline const McdKind *mcd_kindOf(const McdGeometry *g) {
+    return g->frame->types[g->type].kind;
+}
+
+static inline MeBool mcd_isHalfSpace(const McdGeometryInstance *ins) {
+    const McdKind *kind = mcd_kindOf(ins->geometry);
+    return kind && kind->isHalfSpace;
+}
+
+/* Registers the type with a framework. */
+void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *function);
+/* Registers how a convex type interacts with each type that the framework knows by now, where nothing is registered:
+ * convex ones, half-spaces, surfaces of triangles. (Aggregates: McdAggregateGenericRegisterInteractions, after it.) */
+void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, const char *function);
+
+/* What the interactions of convex types do with pairs whose types are right: two of them; one and a half-space, in either
+ * order. The function is named in messages. */
+int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
+int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
+
+/* The entries that all built-in types have, from the functions of their headers. */
+#define MCD_KIND_FUNCTIONS(Type, release)                                                                              \
+    .type = kMcdGeometryType##Type, .name = Mcd##Type##GetTypeName, .destroy = (release),                              \
+    .box = Mcd##Type##UpdateAABB, .sphere = Mcd##Type##GetBSphere, .farthest = Mcd##Type##MaximumPoint,                \
+    .mass = Mcd##Type##GetMassProperties, .draw = Mcd##Type##DebugDraw
+
+/* Solids between two discs about z, of radii that may differ (mcd_discs.c): what cylinders and cones share. */
+typedef struct McdDiscs {
+    double lower, upper, bottom, top; /* radii, heights */
+} McdDiscs;
+void mcd_discsSupport(const McdShape *s, const McdDiscs *discs, const double direction[3], double point[3]);
+void mcd_discsFace(const McdShape *s, const McdDiscs *discs, const double direction[3], McdFace *f);
+double mcd_discsRadius(const McdShape *s, const McdDiscs *discs, const double outward[3], const double point[3]);
+
+#endif

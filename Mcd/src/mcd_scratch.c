@@ -1,0 +1,83 @@
+/* The scratches of a framework: a list behind a lock that is held for a few instructions. */
+#include "mcd_scratch.h"
+#include "mcd_spread.h"
+#include <string.h>
+
+static void lock(McdFramework *frame) {
+    while (atomic_exchange_explicit(&frame->scratchIsLocked, 1, memory_order_acquire)) {
+    }
+}
+
+static void unlock(McdFramework *frame) {
+    atomic_store_explicit(&frame->scratchIsLocked, 0, memory_order_release);
+}
+
+McdScratch *mcd_scratchTake(McdFramework *frame, const char *function) {
+    lock(frame);
+    McdScratch *scratch = frame->freeScratch;
+    if (scratch)
+        frame->freeScratch = scratch->next;
+    unlock(frame);
+    if (!scratch)
+        scratch = MeMemoryTakeZeroed(1, sizeof *scratch, function, "a query");
+    if (scratch)
+        scratch->next = 0;
+    return scratch;
+}
+
+static MeBool isZero(const McdScratch *s) {
+    const unsigned char *byte = (const unsigned char *)s->triangle;
+    for (size_t i = 0; i < (size_t)s->triangleRoom * sizeof *s->triangle; i++)
+        if (byte[i])
+            return MEFALSE;
+    return METRUE;
+}
+
+void mcd_scratchGive(McdFramework *frame, McdScratch *scratch) {
+    MEVALIDATE(isZero(scratch));
+    lock(frame);
+    MEASSERT(frame->freeScratch != scratch && !scratch->next);
+    scratch->next = frame->freeScratch;
+    frame->freeScratch = scratch;
+    unlock(frame);
+}
+
+void mcd_scratchFreeAll(McdFramework *frame) {
+    while (frame->freeScratch) {
+        McdScratch *scratch = frame->freeScratch;
+        frame->freeScratch = scratch->next;
+        mcd_meshFree(&scratch->mesh);
+        MeMemoryGive(scratch->triangle);
+        MeMemoryGive(scratch->contact);
+        MeMemoryGive(scratch->choice);
+        MeMemoryGive(scratch);
+    }
+}
+
+MeBool mcd_scratchReserveContacts(McdScratch *s, int used, int count) {
+    if (count <= s->contactRoom)
+        return METRUE;
+    const int room = MeMAX(count, 2 * s->contactRoom);
+    void *choice = MeMemoryTake(1, mcd_simplifyBytes(room), "McdIntersect", "the choice of contacts");
+    if (!choice ||
+        !MeMemoryGrow(&s->contact, (size_t)used, (size_t)room, sizeof *s->contact, "McdIntersect", "contacts")) {
+        MeMemoryGive(choice);
+        return MEFALSE;
+    }
+    MeMemoryGive(s->choice);
+    s->choice = choice;
+    s->contactRoom = room;
+    return METRUE;
+}
+
+MeBool mcd_scratchReserveTriangles(McdScratch *s, int count) {
+    if (count <= s->triangleRoom)
+        return METRUE;
+    McdUserTriangle *made = MeMemoryTakeZeroed((size_t)count, sizeof *made, "McdIntersect", "triangles");
+    if (!made)
+        return MEFALSE;
+    MeMemoryGive(s->triangle);
+    s->triangle = made;
+    s->triangleRoom = count;
+    return METRUE;
+}

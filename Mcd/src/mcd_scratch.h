@@ -1,0 +1,32 @@
+/* Inside Mcd: memory that a query works in, which belongs to the query and to nothing that is shared.
+ *
+ * A query takes a scratch from its framework and gives it back at its end; a nested query, and one in another thread,
+ * takes another one. There are as many as queries ever ran at once, each as large as the largest query that had it, so
+ * that nothing is allocated once a program's queries repeat. What is in it from before means nothing: the same query
+ * gives the same bits with any of them. */
+#ifndef MCD_SCRATCH_H
+#define MCD_SCRATCH_H
+
+#include "mcd_mesh.h"
+
+typedef struct McdScratch {
+    struct McdScratch *next; /* of those that nobody has */
+    McdMesh mesh;
+    McdUserTriangle *triangle; /* zeros between queries: programs need not set all members */
+    int triangleRoom;
+    McdContact *contact; /* contactRoom */
+    void *choice;        /* mcd_simplifyBytes(contactRoom) */
+    int contactRoom;
+} McdScratch;
+
+/* Null, after a fatal error that names the function, if there is no memory. May be called in any thread. */
+McdScratch *mcd_scratchTake(McdFramework *frame, const char *function);
+void mcd_scratchGive(McdFramework *frame, McdScratch *scratch);
+/* All of them; no query is running. */
+void mcd_scratchFreeAll(McdFramework *frame);
+
+/* Room for so many, of which the first `used` are kept; false, after a fatal error, if there is no memory. */
+MeBool mcd_scratchReserveContacts(McdScratch *scratch, int used, int count);
+MeBool mcd_scratchReserveTriangles(McdScratch *scratch, int count);
+
+#endif

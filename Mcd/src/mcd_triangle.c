@@ -1,0 +1,111 @@
+/* One triangle: as a convex shape, its normal, and a segment that meets it. */
+#include "mcd_kind.h"
+#include <string.h>
+
+/* A triangle whose height is a smaller part of its longest side has no area. */
+#define NO_HEIGHT 1e-7
+
+/* ---- the shape --------------------------------------------------------------------------------------------- */
+
+static void triangleSupport(const McdShape *s, const double d[3], double point[3]) {
+    int best = 0;
+    for (int i = 1; i < 3; i++)
+        if (mcd_dot(s->corner[i], d) > mcd_dot(s->corner[best], d))
+            best = i;
+    mcd_copy(point, s->corner[best]);
+}
+
+static void triangleFace(const McdShape *s, const double d[3], McdFace *f) {
+    double x[3], y[3], n[3];
+    mcd_sub(x, s->corner[1], s->corner[0]);
+    mcd_sub(y, s->corner[2], s->corner[0]);
+    mcd_cross(n, x, y);
+    const double length = mcd_length(n);
+    const MeBool isBack = mcd_dot(n, d) < 0;
+    if (length > 0)
+        mcd_scale(f->normal, n, (isBack ? -1 : 1) / length);
+    f->id = (MeU32)isBack;
+    for (int i = 0; i < 3; i++) {
+        const int corner = isBack ? 2 - i : i;
+        mcd_copy(f->point[f->count], s->corner[corner]);
+        f->name[f->count++] = (MeU32)corner;
+    }
+}
+
+static const McdKind kind = {
+    .type = MCD_SHAPE_TRIANGLE, .support = triangleSupport, .face = triangleFace, .rank = MCD_RANK_TRIANGLE};
+
+void mcd_triangleShape(const double corners[3][3], McdShape *shape) {
+    memset(shape, 0, sizeof *shape);
+    shape->kind = &kind;
+    for (int i = 0; i < 3; i++) {
+        shape->axis[i][i] = 1;
+        mcd_copy(shape->corner[i], corners[i]);
+        for (int j = 0; j < 3; j++)
+            shape->place[j] += corners[i][j] / 3;
+    }
+    for (int i = 0; i < 3; i++)
+        shape->extent = MeMAX(shape->extent, sqrt(mcd_distanceSquared(corners[i], shape->place)));
+}
+
+/* ---- its normal -------------------------------------------------------------------------------------------- */
+
+static MeBool areFinite(const double corner[3][3]) {
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            if (!isfinite(corner[i][k]))
+                return MEFALSE;
+    return METRUE;
+}
+
+/* The unit normal by the right-hand rule; false if there is no area. */
+static MeBool normalOf(const double corner[3][3], double normal[3]) {
+    double e[3][3], longest = 0;
+    for (int i = 0; i < 3; i++) {
+        mcd_sub(e[i], corner[(i + 1) % 3], corner[i]);
+        longest = fmax(longest, mcd_dot(e[i], e[i]));
+    }
+    mcd_cross(normal, e[0], e[1]);
+    const double area = mcd_length(normal);
+    if (!(area > NO_HEIGHT * longest))
+        return MEFALSE;
+    mcd_scale(normal, normal, 1 / area);
+    return METRUE;
+}
+
+MeBool mcd_triangleNormal(const double corner[3][3], const double *given, double normal[3]) {
+    if (!areFinite(corner) || !normalOf(corner, normal))
+        return MEFALSE;
+    if (given && mcd_dot(given, normal) < 0)
+        mcd_scale(normal, normal, -1);
+    return METRUE;
+}
+
+/* ---- a segment --------------------------------------------------------------------------------------------- */
+
+MeBool mcd_segmentTriangle(const double corner[3][3], const double normal[3], MeBool twoSided, const double from[3],
+                           const double to[3], double *part, double hitNormal[3]) {
+    double along[3], off[3], at[3];
+    mcd_sub(along, to, from);
+    mcd_sub(off, from, corner[0]);
+    const double fall = -mcd_dot(along, normal), height = mcd_dot(off, normal);
+    const double side = fall < 0 ? -1 : 1;
+    if (fall == 0 || (side < 0 && !twoSided) || side * height < 0 || side * height > side * fall)
+        return MEFALSE;
+    *part = height / fall;
+    MEASSERT(*part >= 0 && *part <= 1);
+    mcd_mad(at, from, *part, along);
+    for (int i = 0; i < 3; i++) {
+        const int next = (i + 1) % 3, last = (i + 2) % 3;
+        double edge[3], inward[3], across[3], here[3];
+        mcd_sub(edge, corner[next], corner[i]);
+        mcd_cross(inward, normal, edge);
+        mcd_sub(across, corner[last], corner[i]);
+        mcd_sub(here, at, corner[i]);
+        const double width = mcd_dot(across, inward), inside = mcd_dot(here, inward) * (width < 0 ? -1 : 1);
+        if (inside < -1e-12 * fabs(width)) /* an edge belongs to both of its triangles */
+            return MEFALSE;
+    }
+    mcd_scale(hitNormal, normal, side);
+    return METRUE;
+}
