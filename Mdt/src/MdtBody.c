@@ -164,6 +164,11 @@ void mdt_bodyAcceptVelocities(MdtBodyID b) {
     mdt_bodyShow(b);
 }
 
+void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v) {
+    keaCopy(v->lin, b->kea.velocity);
+    MdtKeaBodyGetAngularVelocity(&b->kea, v->ang);
+}
+
 /* ---- mass and inertia ---- */
 
 static void setKeaInertia(MdtBodyID b) {

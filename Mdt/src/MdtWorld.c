@@ -1,5 +1,5 @@
-/* Worlds: creation, parameters, counting. The step itself is in mdt_step.c. */
-#include "mdt_i.h"
+/* Worlds: creation, parameters, counting. The stages of a step are in mdt_step.c. */
+#include "mdt_step_i.h"
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeMath.h"
@@ -446,6 +446,29 @@ void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, cons
     MDT_NEED_WORLD(w, );
     w->sizeLog = sizeLog;
     w->sizeLogLength = sizeLog && logSize > 0 ? logSize : 0;
+}
+
+/* ---- the step ---- */
+
+static void step(MdtWorldID w, MeReal h, MeBool safely) {
+    w->lastStep = (double)h;
+    for (int i = 0; i < w->sizeLogLength; i++)
+        w->sizeLog[i] = 0;
+    mdt_breakBegin(w);
+    mdt_worldStep(w, (double)h, safely);
+    mdt_breakEnd(w);
+}
+
+void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isPositive(__func__, "the step size", stepSize))
+        step(w, stepSize, MEFALSE);
+}
+
+void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isPositive(__func__, "the step size", stepSize))
+        step(w, stepSize, METRUE);
 }
 
 /* ---- partitions ---- */

@@ -111,6 +111,7 @@ struct MdtBody {
 void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from what counts */
 /* How far the body's point at a world position that was found by its shown transform is from there, m. */
 void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]);
+void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v);
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
 void mdt_bodyKeepWithinReach(MdtBodyID b);  /* stops a body that has come to the bound of positions */
 void mdt_bodyWakeIfAsleep(MdtBodyID b);
@@ -292,10 +293,10 @@ struct MdtWorld {
 /* Room for so many bodies and constraints in the arrays of a step. False: no memory. */
 MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller);
 
-/* Finds the partitions of this step, waking what is tied to something awake (mdt_partition.c). */
-void mdt_partitionsUpdate(MdtWorldID w);
+/* Finds the partitions of this step, waking what is tied to something awake (mdt_island.c). */
+void mdt_islandsUpdate(MdtWorldID w);
 /* What programs see of one; it is not disabled. */
-MdtPartitionInfo mdt_partitionInfo(MdtWorldID w, int p);
+MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
 
 /* Draws what the program has asked for (mdt_debug.c). */
 void mdt_debugDraw(MdtWorldID w);

@@ -5,9 +5,8 @@
  * same scene is solved in the same order every time.
  */
 #include "MeAssert.h"
-#include "mdt_i.h"
-#include "MeAssert.h"
 #include "MeDict.h"
+#include "mdt_step_i.h"
 
 static MdtBodyID rootOf(MdtBodyID b) {
     while (b->setParent != b) {
@@ -135,7 +134,7 @@ static MeBool areSeparate(const MdtWorld *w) {
     return METRUE;
 }
 
-void mdt_partitionsUpdate(MdtWorldID w) {
+void mdt_islandsUpdate(MdtWorldID w) {
     if (!mdt_worldReserve(w, w->bodies.count, w->constraints.count, "MdtWorldStep")) {
         dropPartitions(w);
         return;
@@ -152,11 +151,30 @@ void mdt_partitionsUpdate(MdtWorldID w) {
     MEVALIDATE(areSeparate(w));
 }
 
-MdtPartitionInfo mdt_partitionInfo(MdtWorldID w, int p) {
+MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p) {
     return (MdtPartitionInfo){.firstBody = w->bodyStart[p],
                               .numBodies = w->bodyStart[p + 1] - w->bodyStart[p],
                               .firstConstraint = w->constraintStart[p],
                               .numConstraints = w->constraintStart[p + 1] - w->constraintStart[p]};
+}
+
+MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
+    const MdtPartitionInfo info = mdt_islandInfo(w, number);
+    return (MdtIsland){.world = w,
+                       .number = number,
+                       .numBodies = info.numBodies,
+                       .numConstraints = info.numConstraints,
+                       .bodies = w->bodyOf + info.firstBody,
+                       .constraints = w->constraintOf + info.firstConstraint,
+                       .whole = w->lastStep,
+                       .h = h};
+}
+
+void mdt_islandShow(const MdtIsland *p) {
+    MdtPartitionOutput *po = &p->world->output;
+    po->info[p->number] = mdt_islandInfo(p->world, p->number);
+    po->numPartitions = p->number + 1;
+    p->world->partitionCb(po, p->world->partitionCbData);
 }
 
 /* ---- for programs (MdtPartition.h) ---- */
@@ -193,14 +211,14 @@ void MEAPI MdtUpdatePartitions(MeDict *enabledBodyList, MdtPartitionOutput *po, 
     po->numPartitions = 0;
     if (!w)
         return;
-    mdt_partitionsUpdate(w);
+    mdt_islandsUpdate(w);
     chooseListed(w, enabledBodyList);
     *po = w->output;
     po->numPartitions = 0;
     for (int p = 0; p < w->numPartitions; p++) {
         if (w->output.info[p].isDisabled)
             continue;
-        po->info[po->numPartitions++] = mdt_partitionInfo(w, p);
+        po->info[po->numPartitions++] = mdt_islandInfo(w, p);
         if (pcb)
             pcb(po, pcbdata);
     }
