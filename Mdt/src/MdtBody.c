@@ -277,12 +277,21 @@ void MEAPI MdtBodyReset(const MdtBodyID b) {
     mdt_bodyWakeIfAsleep(b);
 }
 
+static void endSleep(MdtBodyID b) {
+    if (!(b->flags & MDT_ASLEEP))
+        return;
+    b->flags &= ~MDT_ASLEEP;
+    b->world->asleepBodies--;
+    MEASSERT(b->world->asleepBodies >= 0);
+}
+
 void MEAPI MdtBodyEnable(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    b->flags &= ~MDT_ASLEEP;
+    endSleep(b);
     if (b->flags & MDT_ENABLED)
         return;
     b->flags |= MDT_ENABLED;
+    mdt_graphChanged(b->world);
     forgetMotion(b);
     forgetRest(b);
     b->world->enabledBodies++;
@@ -293,10 +302,11 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
 
 void MEAPI MdtBodyDisable(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    b->flags &= ~MDT_ASLEEP;
+    endSleep(b);
     if (!(b->flags & MDT_ENABLED))
         return;
     b->flags &= ~MDT_ENABLED;
+    mdt_graphChanged(b->world);
     b->lag = 0;
     forgetRest(b);
     b->partition = -1;
@@ -352,6 +362,7 @@ void mdt_bodySleep(MdtBodyID b) {
     static const double none[3] = {0, 0, 0};
     MdtBodyDisable(b);
     b->flags |= MDT_ASLEEP;
+    b->world->asleepBodies++;
     keaZero(b->kea.velocity);
     MdtKeaBodySetAngularVelocity(&b->kea, none);
     keaZero(b->acceleration.lin);
@@ -917,8 +928,10 @@ void *MEAPI MdtBodyGetUserData(const MdtBodyID b) {
 
 void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key) {
     MDT_NEED_BODY(b, );
-    if (mdt_isSortKey(__func__, key))
-        mdt_listSetKey(&b->world->bodies, &b->link, key);
+    if (!mdt_isSortKey(__func__, key))
+        return;
+    mdt_listSetKey(&b->world->bodies, &b->link, key);
+    mdt_graphChanged(b->world);
 }
 
 MeI32 MEAPI MdtBodyGetSortKey(const MdtBodyID b) {

@@ -75,6 +75,7 @@ void MEAPI MdtConstraintEnable(const MdtConstraintID c) {
         return;
     }
     c->flags |= MDT_ENABLED;
+    mdt_graphChanged(c->world);
     mdt_constraintForget(c);
     c->world->enabledConstraints++;
 }
@@ -84,6 +85,7 @@ void MEAPI MdtConstraintDisable(const MdtConstraintID c) {
     if (!(c->flags & MDT_ENABLED))
         return;
     c->flags &= ~MDT_ENABLED;
+    mdt_graphChanged(c->world);
     c->world->enabledConstraints--;
     MEASSERT(c->world->enabledConstraints >= 0);
     for (int k = 0; k < 2; k++) /* what it held in its sleep has to be looked at */
@@ -125,6 +127,7 @@ static void attach(MdtConstraintID c, int side, MdtBodyID b) {
     if (at->next)
         at->next->previous = at;
     b->attachments = at;
+    mdt_graphChanged(c->world);
     MEVALIDATE(mdt_attachmentsAreLinked(b));
 }
 
@@ -563,8 +566,10 @@ void *MEAPI MdtConstraintGetUserData(const MdtConstraintID c) {
 
 void MEAPI MdtConstraintSetSortKey(const MdtConstraintID c, MeI32 key) {
     MDT_NEED_CONSTRAINT(c, );
-    if (mdt_isSortKey(__func__, key))
-        mdt_listSetKey(&c->world->constraints, &c->link, key);
+    if (!mdt_isSortKey(__func__, key))
+        return;
+    mdt_listSetKey(&c->world->constraints, &c->link, key);
+    mdt_graphChanged(c->world);
 }
 
 MeI32 MEAPI MdtConstraintGetSortKey(const MdtConstraintID c) {

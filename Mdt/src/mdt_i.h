@@ -102,10 +102,9 @@ struct MdtBody {
     MeVector3 velocity, angularVelocity;           /* what programs see of the velocities, and may write */
     MeVector3 shownVelocity, shownAngularVelocity; /* the same as last written by us: a difference is theirs */
 
-    int partition;             /* in this step; -1: none */
-    int index;                 /* in Kea's arrays, in this step */
-    struct MdtBody *setParent; /* union-find, in this step */
-    MeBool setIsAwake;         /* of a set's root: some body of it is enabled */
+    int partition; /* in this step; -1: none */
+    int index;     /* in Kea's arrays, in this step */
+    int place;     /* in the order of simulation, when partitions were found last */
 };
 
 void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from what counts */
@@ -236,6 +235,18 @@ enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
 
 /* ---- worlds -------------------------------------------------------------------------------------------------- */
 
+/* Bodies and the constraints that tie them, when partitions were found last (mdt_island.c). */
+typedef struct MdtGraph {
+    unsigned long changes; /* of the graph or its order, counted by whatever changes it (mdt_graphChanged), */
+    unsigned long seen;    /* up to when the partitions are right */
+    int numBodies, numActing;
+    MdtBodyID *body;         /* by place, bodyRoom */
+    int *parent;             /* by place: of union-find */
+    MeBool *isAwake;         /* by place, of a set's first body: some body of it is enabled */
+    MdtConstraintID *acting; /* constraintRoom */
+    int *actsOn;             /* by acting constraint: the place of one of its bodies */
+} MdtGraph;
+
 struct MdtWorld {
     unsigned int magic;
     MdtWorldParams params;
@@ -256,7 +267,7 @@ struct MdtWorld {
     MdtPool bodyPool, constraintPool;
     MdtList bodies, constraints;
     unsigned long nextSerial;
-    int enabledBodies, enabledConstraints;
+    int enabledBodies, asleepBodies, enabledConstraints;
     int breakable;           /* constraints with a limit */
     MdtConstraintID *broken; /* in the last step; constraintRoom */
     int numBroken;
@@ -269,6 +280,7 @@ struct MdtWorld {
 
     /* Arrays of a step have room for so many; they are made larger before a step only (mdt_worldReserve). */
     int bodyRoom, constraintRoom;
+    MdtGraph graph;
     /* this step's partitions: partition p has the bodies bodyOf[bodyStart[p] .. bodyStart[p+1]) and so on */
     int numPartitions;
     MdtBodyID *bodyOf;
@@ -292,6 +304,12 @@ struct MdtWorld {
 
 /* Room for so many bodies and constraints in the arrays of a step. False: no memory. */
 MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller);
+
+/* What is enabled, what it is tied to, or the order has changed. What is created is not enabled yet, and what is destroyed
+ * has been disabled before. */
+static inline void mdt_graphChanged(MdtWorldID w) {
+    w->graph.changes++;
+}
 
 /* Finds the partitions of this step, waking what is tied to something awake (mdt_island.c). */
 void mdt_islandsUpdate(MdtWorldID w);

@@ -1,109 +1,142 @@
-/* Partitions: sets of bodies that constraints tie together (Dynamics guide ch. 1, "Partitioning the World").
+/* Partition: sets of bodies that constraints tie together (Dynamics guide ch. 1, "Partitioning the World").
  *
  * The world joins nothing: two boxes on the ground are two partitions. A set with one enabled body is enabled whole.
  * Partitions are numbered by their first body, and their bodies and constraints keep the world's order, so that the
  * same scene is solved in the same order every time.
+ *
+ * Union-find with path halving on the bodies' places in that order, one walk over the constraints, and a counting sort. Where
+ * the graph has not changed since (MdtGraph.changes), the partitions stay as they are.
  */
 #include "MeAssert.h"
 #include "MeDict.h"
 #include "mdt_step_i.h"
 
-static MdtBodyID rootOf(MdtBodyID b) {
-    while (b->setParent != b) {
-        b->setParent = b->setParent->setParent; /* path halving */
-        b = b->setParent;
+enum { NONE = -1 };
+
+/* ---- the graph ---- */
+
+static int rootOf(int parent[], int place) {
+    while (parent[place] != place) {
+        parent[place] = parent[parent[place]]; /* path halving */
+        place = parent[place];
     }
-    return b;
+    return place;
 }
 
-static void join(MdtBodyID a, MdtBodyID b) {
-    MdtBodyID ra = rootOf(a), rb = rootOf(b);
-    if (ra == rb)
-        return;
-    rb->setParent = ra;
-    ra->setIsAwake = ra->setIsAwake || rb->setIsAwake;
+/* The root of a set is its first body. */
+static void join(MdtGraph *g, int a, int b) {
+    const int ra = rootOf(g->parent, a), rb = rootOf(g->parent, b);
+    const int first = ra < rb ? ra : rb, second = ra < rb ? rb : ra;
+    g->parent[second] = first;
+    g->isAwake[first] = g->isAwake[first] || g->isAwake[second];
 }
 
-static void startSets(MdtWorldID w) {
-    for (MdtLink *link = w->bodies.first; link; link = link->next) {
+static void placeBodies(MdtWorldID w) {
+    MdtGraph *g = &w->graph;
+    int n = 0;
+    for (MdtLink *link = w->bodies.first; link; link = link->next, n++) {
         MdtBodyID b = link->owner;
-        if (mdt_bodyIsPushedAwake(b))
-            MdtBodyEnable(b);
-        b->setParent = b;
-        b->setIsAwake = (b->flags & MDT_ENABLED) != 0;
-        b->partition = -1;
+        b->place = n;
+        b->partition = NONE;
+        g->body[n] = b;
+        g->parent[n] = n;
+        g->isAwake[n] = (b->flags & MDT_ENABLED) != 0;
     }
+    MEASSERT(n == w->bodies.count);
+    g->numBodies = n;
 }
 
-static void joinSets(MdtWorldID w) {
+/* Those that act on bodies join them, and are listed. */
+static void joinBodies(MdtWorldID w) {
+    MdtGraph *g = &w->graph;
+    int n = 0;
     for (MdtLink *link = w->constraints.first; link; link = link->next) {
         MdtConstraintID c = link->owner;
-        if (mdt_constraintActs(c) && c->side[0].body && c->side[1].body)
-            join(c->side[0].body, c->side[1].body);
+        const MdtBodyID b0 = c->side[0].body, b1 = c->side[1].body;
+        if (!mdt_constraintActs(c) || (!b0 && !b1))
+            continue;
+        if (b0 && b1)
+            join(g, b0->place, b1->place);
+        g->acting[n] = c;
+        g->actsOn[n++] = b0 ? b0->place : b1->place;
     }
+    MEASSERT(n <= w->constraints.count);
+    g->numActing = n;
 }
 
-/* Numbers the awake sets and counts their bodies into bodyStart[partition + 1]. */
-static void numberPartitions(MdtWorldID w) {
+/* ---- partitions ---- */
+
+static int islandAt(const MdtGraph *g, int place) {
+    return g->body[place]->partition;
+}
+
+/* Numbers the awake sets and counts their bodies into bodyStart[partition + 1]. A root comes before all others of its set. */
+static void numberIslands(MdtWorldID w) {
+    MdtGraph *g = &w->graph;
     w->numPartitions = 0;
     w->bodyStart[0] = w->constraintStart[0] = 0;
-    for (MdtLink *link = w->bodies.first; link; link = link->next) {
-        MdtBodyID b = link->owner, root = rootOf(b);
-        if (!root->setIsAwake)
+    for (int i = 0; i < g->numBodies; i++) {
+        const int root = rootOf(g->parent, i);
+        MdtBodyID b = g->body[i];
+        if (!g->isAwake[root])
             continue;
         if (!(b->flags & MDT_ENABLED))
             MdtBodyEnable(b);
-        if (root->partition < 0) {
-            root->partition = w->numPartitions++;
+        if (root == i) {
+            b->partition = w->numPartitions++;
             w->bodyStart[w->numPartitions] = w->constraintStart[w->numPartitions] = 0;
         }
-        b->partition = root->partition;
+        b->partition = islandAt(g, root);
+        MEASSERT(b->partition >= 0 && b->partition < w->numPartitions);
         w->bodyStart[b->partition + 1]++;
     }
 }
 
-/* The partition of an enabled constraint; -1: it acts on nothing that moves. */
-static int partitionOf(MdtConstraintID c) {
-    if (!mdt_constraintActs(c))
-        return -1;
-    for (int k = 0; k < 2; k++)
-        if (c->side[k].body)
-            return c->side[k].body->partition;
-    return -1;
-}
-
-static void countConstraints(MdtWorldID w) {
-    for (MdtLink *link = w->constraints.first; link; link = link->next) {
-        const int p = partitionOf(link->owner);
-        if (p >= 0)
-            w->constraintStart[p + 1] += 1 + ((MdtConstraintID)link->owner)->numContacts;
-    }
+/* Counts are in start[partition + 1]; each becomes the place of the partition's first. */
+static void sumCounts(MdtWorldID w) {
     for (int p = 0; p < w->numPartitions; p++) {
         w->bodyStart[p + 1] += w->bodyStart[p];
         w->constraintStart[p + 1] += w->constraintStart[p];
     }
 }
 
-/* A stable counting sort: the starts move to the ends, which are the next partition's starts, and are moved back. */
-static void sortIntoPartitions(MdtWorldID w) {
-    for (MdtLink *link = w->bodies.first; link; link = link->next) {
-        MdtBodyID b = link->owner;
-        if (b->partition < 0)
+static void countConstraints(MdtWorldID w) {
+    const MdtGraph *g = &w->graph;
+    for (int i = 0; i < g->numActing; i++) {
+        const int p = islandAt(g, g->actsOn[i]);
+        if (p != NONE)
+            w->constraintStart[p + 1] += 1 + g->acting[i]->numContacts;
+    }
+}
+
+static void sortBodies(MdtWorldID w) {
+    for (int i = 0; i < w->graph.numBodies; i++) {
+        MdtBodyID b = w->graph.body[i];
+        if (b->partition == NONE)
             continue;
         const int at = w->bodyStart[b->partition]++;
         MEASSERT(at < w->bodyStart[b->partition + 1] || b->partition + 1 == w->numPartitions);
         w->bodyOf[at] = b;
         w->keaOf[at] = &b->kea;
     }
-    for (MdtLink *link = w->constraints.first; link; link = link->next) {
-        MdtConstraintID c = link->owner;
-        const int p = partitionOf(c);
-        if (p < 0)
+}
+
+/* A group is followed by its contacts. */
+static void sortConstraints(MdtWorldID w) {
+    const MdtGraph *g = &w->graph;
+    for (int i = 0; i < g->numActing; i++) {
+        MdtConstraintID c = g->acting[i];
+        const int p = islandAt(g, g->actsOn[i]);
+        if (p == NONE)
             continue;
         w->constraintOf[w->constraintStart[p]++] = c;
         for (MdtConstraintID contact = c->firstContact; contact; contact = contact->nextInGroup)
-            w->constraintOf[w->constraintStart[p]++] = contact; /* a group is followed by its contacts */
+            w->constraintOf[w->constraintStart[p]++] = contact;
     }
+}
+
+/* Sorting has moved every start to its end, which is the next partition's start. */
+static void restoreStarts(MdtWorldID w) {
     for (int p = w->numPartitions; p > 0; p--) {
         w->bodyStart[p] = w->bodyStart[p - 1];
         w->constraintStart[p] = w->constraintStart[p - 1];
@@ -114,10 +147,10 @@ static void sortIntoPartitions(MdtWorldID w) {
 }
 
 /* There are none, and nothing moves. */
-static void dropPartitions(MdtWorldID w) {
+static void dropIslands(MdtWorldID w) {
     w->numPartitions = 0;
     for (MdtLink *link = w->bodies.first; link; link = link->next)
-        ((MdtBodyID)link->owner)->partition = -1;
+        ((MdtBodyID)link->owner)->partition = NONE;
 }
 
 /* Has every partition its own bodies, and only constraints that act on one of them? */
@@ -134,20 +167,39 @@ static MeBool areSeparate(const MdtWorld *w) {
     return METRUE;
 }
 
-void mdt_islandsUpdate(MdtWorldID w) {
-    if (!mdt_worldReserve(w, w->bodies.count, w->constraints.count, "MdtWorldStep")) {
-        dropPartitions(w);
-        return;
-    }
+static void findIslands(MdtWorldID w) {
     mdt_listSort(&w->bodies);
     mdt_listSort(&w->constraints);
-    startSets(w);
-    joinSets(w);
-    numberPartitions(w);
+    placeBodies(w);
+    joinBodies(w);
+    numberIslands(w);
     countConstraints(w);
-    sortIntoPartitions(w);
+    sumCounts(w);
+    sortBodies(w);
+    sortConstraints(w);
+    restoreStarts(w);
+}
+
+/* Bodies that sleep, and have been pushed since. */
+static void wakePushed(MdtWorldID w) {
+    if (w->asleepBodies == 0)
+        return;
+    for (MdtLink *link = w->bodies.first; link; link = link->next)
+        if (mdt_bodyIsPushedAwake(link->owner))
+            MdtBodyEnable(link->owner);
+}
+
+void mdt_islandsUpdate(MdtWorldID w) {
+    wakePushed(w);
+    if (w->graph.seen != w->graph.changes) {
+        if (!mdt_worldReserve(w, w->bodies.count, w->constraints.count, "MdtWorldStep")) {
+            dropIslands(w);
+            return;
+        }
+        findIslands(w);
+        w->graph.seen = w->graph.changes; /* bodies that were enabled with their set are in it */
+    }
     MEASSERT(w->bodyStart[w->numPartitions] <= w->bodies.count);
-    MEASSERT(w->constraintStart[w->numPartitions] <= w->constraints.count);
     MEVALIDATE(areSeparate(w));
 }
 
