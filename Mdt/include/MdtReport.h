@@ -18,6 +18,7 @@ ME_BEGIN_C
 /** How a partition was stepped, in the order of effort: a world's way is the last of its partitions'. */
 typedef enum MdtReportWay {
     MdtReportWayNone,    /**< put to rest, or without rows: free motion */
+    MdtReportWayRest,    /**< at rest, and nothing has changed since the last step: its answer was taken without a solve */
     MdtReportWayKept,    /**< the last step's answer still held: nothing was factored */
     MdtReportWayExact,   /**< solved */
     MdtReportWayTimed,   /**< bodies met or came to stick, at the moment when they did (MdtWorldSetTimedContacts) */
@@ -46,6 +47,7 @@ typedef struct MdtReport {
     /* in which way */
     MdtReportWay way;
     int parts;          /**< that the step was taken in: 1 if it was not divided, 0 of a partition put to rest */
+    int rested;         /**< 1: the way is MdtReportWayRest; no rows are made then, and no error is measured */
     int events;         /**< how often a step was divided where bodies met or came to stick */
     int passes;         /**< linearizations */
     int iterations;     /**< of Newton's method (Karma: pivots) */

@@ -27,6 +27,7 @@ static void getFrame(const MdtBody *b, double p[3], double q[4]) {
 
 /* What the last step did is no guess any more for a body that moves otherwise now, */
 static void forgetMotion(MdtBodyID b) {
+    mdt_bodyDisturb(b);
     memset(b->kea.acceleration, 0, sizeof b->kea.acceleration);
 }
 
@@ -186,6 +187,7 @@ static void setKeaInertia(MdtBodyID b) {
 /* Changes the inertia and keeps the angular velocity. */
 static void changeInertia(MdtBodyID b) {
     double w[3];
+    mdt_bodyDisturb(b);
     mdt_bodyAcceptVelocities(b);
     MdtKeaBodyGetAngularVelocity(&b->kea, w);
     setKeaInertia(b);
@@ -214,6 +216,7 @@ static void setDefaults(MdtBodyID b) {
     b->angularDamping = MDTBODY_DEFAULT_ANGULAR_DAMPING;
     b->slowTime = 0;
     b->safeTime = MEINFINITY;
+    mdt_bodyDisturb(b);
     MdtBodySetNoFastSpinAxis(b);
     mdt_bodyShow(b);
 }
@@ -308,6 +311,7 @@ void MEAPI MdtBodyDisable(const MdtBodyID b) {
     b->flags &= ~MDT_ENABLED;
     mdt_graphChanged(b->world);
     b->lag = 0;
+    mdt_bodyDisturb(b);
     forgetRest(b);
     b->partition = -1;
     b->world->enabledBodies--;
@@ -338,7 +342,10 @@ static MeBool isAccelerated(const MdtBody *b, const MdtPartitionParams *params) 
            keaDot(b->acceleration.ang, b->acceleration.ang) >= (double)params->accrot_thresh;
 }
 
-void mdt_bodyNoteSlow(MdtBodyID b, double h) {
+void mdt_bodyAge(MdtBodyID b, double h) {
+    MEASSERT(h > 0 && (b->flags & MDT_ENABLED));
+    b->enabledTime += h;
+    b->enabledSteps++;
     b->slowTime = isFast(b, &b->world->rest) ? 0 : b->slowTime + h;
 }
 
@@ -590,6 +597,7 @@ void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos
     if (!mdt_isPointer(__func__, "the position", pos) || !isPlace(__func__, b, pos[0], pos[1], pos[2]))
         return;
     mdt_fromReal(b->kea.position, pos);
+    mdt_bodyDisturb(b);
     mdt_bodyAcceptVelocities(b);
     mdt_bodyShow(b);
     mdt_bodyWakeIfAsleep(b);
@@ -697,6 +705,8 @@ void MEAPI MdtBodySetMass(const MdtBodyID b, const MeReal mass) {
     MDT_NEED_BODY(b, );
     if (!mdt_isPositive(__func__, "the mass", mass))
         return;
+    if ((double)mass != b->mass)
+        mdt_bodyDisturb(b);
     b->mass = (double)mass;
     b->kea.invMass = 1 / b->mass;
 }
@@ -740,6 +750,8 @@ void MEAPI MdtBodySetSphericalInertiaTensor(const MdtBodyID b, const MeReal i) {
 }
 
 static void setKeaFlag(MdtBodyID b, int flag, MeBool on) {
+    if (on != ((b->kea.flags & flag) != 0))
+        mdt_bodyDisturb(b);
     b->kea.flags = on ? b->kea.flags | flag : b->kea.flags & ~flag;
 }
 
@@ -851,10 +863,16 @@ void MEAPI MdtBodyResetImpulses(const MdtBodyID b) {
 
 /* ---- damping and fast spin ---- */
 
+static void setDamping(MdtBodyID b, MeReal *damping, MeReal d) {
+    if (*damping != d)
+        mdt_bodyDisturb(b);
+    *damping = d;
+}
+
 void MEAPI MdtBodySetLinearVelocityDamping(const MdtBodyID b, const MeReal d) {
     MDT_NEED_BODY(b, );
     if (mdt_isAtLeast(__func__, "the damping", d, 0))
-        b->linearDamping = d;
+        setDamping(b, &b->linearDamping, d);
 }
 
 MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b) {
@@ -865,7 +883,7 @@ MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b) {
 void MEAPI MdtBodySetAngularVelocityDamping(const MdtBodyID b, const MeReal d) {
     MDT_NEED_BODY(b, );
     if (mdt_isAtLeast(__func__, "the damping", d, 0))
-        b->angularDamping = d;
+        setDamping(b, &b->angularDamping, d);
 }
 
 MeReal MEAPI MdtBodyGetAngularVelocityDamping(const MdtBodyID b) {

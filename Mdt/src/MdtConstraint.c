@@ -16,6 +16,7 @@ MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const c
     c->bcl.type = type;
     c->side[0].constraint = c->side[1].constraint = c;
     c->breakForce = c->breakTorque = MEINFINITY;
+    c->isWatched = type != MdtBclCONTACT && type != MdtBclCONTACTGROUP;
     c->type->reset(&c->bcl);
     mdt_listAppend(&w->constraints, &c->link, c, w->nextSerial++);
     return c;
@@ -77,6 +78,7 @@ void MEAPI MdtConstraintEnable(const MdtConstraintID c) {
     c->flags |= MDT_ENABLED;
     mdt_graphChanged(c->world);
     mdt_constraintForget(c);
+    mdt_constraintDisturb(c);
     c->world->enabledConstraints++;
 }
 
@@ -86,6 +88,7 @@ void MEAPI MdtConstraintDisable(const MdtConstraintID c) {
         return;
     c->flags &= ~MDT_ENABLED;
     mdt_graphChanged(c->world);
+    mdt_constraintDisturb(c);
     c->world->enabledConstraints--;
     MEASSERT(c->world->enabledConstraints >= 0);
     for (int k = 0; k < 2; k++) /* what it held in its sleep has to be looked at */
@@ -104,6 +107,7 @@ void mdt_constraintDetach(MdtConstraintID c, int side) {
     MdtAttachment *at = &c->side[side];
     if (!at->body)
         return;
+    mdt_constraintDisturb(c);
     MEASSERT(at->previous ? at->previous->next == at : at->body->attachments == at);
     MEASSERT(!at->next || at->next->previous == at);
     if (at->previous)
@@ -127,8 +131,18 @@ static void attach(MdtConstraintID c, int side, MdtBodyID b) {
     if (at->next)
         at->next->previous = at;
     b->attachments = at;
+    b->flags |= c->isWatched ? MDT_WATCHED : 0;
     mdt_graphChanged(c->world);
+    mdt_constraintDisturb(c);
     MEVALIDATE(mdt_attachmentsAreLinked(b));
+}
+
+void mdt_constraintWatch(MdtConstraintID c) {
+    c->isWatched = METRUE;
+    for (int k = 0; k < 2; k++)
+        if (c->side[k].body)
+            c->side[k].body->flags |= MDT_WATCHED;
+    mdt_constraintDisturb(c);
 }
 
 static MeBool mayAttach(MdtConstraintID c, MdtBodyID b, const char *caller) {
@@ -522,6 +536,8 @@ int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c) {
 static void setWorldVelocity(MdtConstraintID c, const char *caller, double v[3], MeReal x, MeReal y, MeReal z) {
     if (!mdt_isConstraint(c, caller) || !mdt_isFinite3(caller, "the velocity", x, y, z))
         return;
+    if (v[0] != (double)x || v[1] != (double)y || v[2] != (double)z)
+        mdt_constraintDisturb(c);
     v[0] = x, v[1] = y, v[2] = z;
 }
 

@@ -125,6 +125,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     MeChunkInit(&w->scratch, 16);
     w->timedBodies = MDT_TIMED_BODIES;
     w->subSteps = 1;
+    w->certificate = 1;   /* 0 is none */
     w->graph.changes = 1; /* nothing has been seen */
     w->numReports = MDT_NO_REPORTS;
     if (!allocateParts(w, (int)maxBodies, (int)maxConstraints, "MdtWorldCreate")) {

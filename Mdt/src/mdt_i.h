@@ -71,6 +71,8 @@ enum {
     MDT_ENABLED = 1, /* takes part in the simulation */
     MDT_ASLEEP = 2,  /* was disabled by the world, not by the program */
     MDT_FAR = 4,     /* has come to the bound of positions, and said so */
+    MDT_WATCHED =
+        8, /* has had a constraint whose parameters programs write through pointers (MdtBaseConstraint.isWatched) */
 };
 
 struct MdtBody {
@@ -102,6 +104,8 @@ struct MdtBody {
     MeVector3 velocity, angularVelocity;           /* what programs see of the velocities, and may write */
     MeVector3 shownVelocity, shownAngularVelocity; /* the same as last written by us: a difference is theirs */
 
+    unsigned long certificate; /* of rest, the world's when it was given; 0: none (mdt_rest.c) */
+
     int partition; /* in this step; -1: none */
     int index;     /* in Kea's arrays, in this step */
     int place;     /* in the order of simulation, when partitions were found last */
@@ -115,11 +119,16 @@ void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were w
 void mdt_bodyKeepWithinReach(MdtBodyID b);  /* stops a body that has come to the bound of positions */
 void mdt_bodyWakeIfAsleep(MdtBodyID b);
 void mdt_bodySleep(MdtBodyID b);
-void mdt_bodyNoteSlow(MdtBodyID b, double h); /* after a step of h seconds */
-MeBool mdt_bodyIsPushedAwake(MdtBodyID b);    /* asleep, and the waiting forces would move it */
-void mdt_bodyKeepForces(MdtBodyID b);         /* those that the step began with act in the rest of it, too */
-void mdt_bodyPack(MdtBodyID b);               /* loads of this step into kea; empties the accumulators */
-void mdt_bodyTerm(MdtBodyID b);               /* lets go of constraints, returns the record */
+void mdt_bodyAge(MdtBodyID b, double h);   /* after a step of h seconds */
+MeBool mdt_bodyIsPushedAwake(MdtBodyID b); /* asleep, and the waiting forces would move it */
+void mdt_bodyKeepForces(MdtBodyID b);      /* those that the step began with act in the rest of it, too */
+void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */
+void mdt_bodyTerm(MdtBodyID b);            /* lets go of constraints, returns the record */
+
+/* What the body's next step depends on has changed: its rest certificate ends. */
+static inline void mdt_bodyDisturb(MdtBodyID b) {
+    b->certificate = 0;
+}
 
 /* ---- constraints --------------------------------------------------------------------------------------------- */
 
@@ -143,6 +152,9 @@ struct MdtBaseConstraint {
     MdtKeaForcePair force; /* in the last step */
     MdtContactID nextContact;
     MeU32 feature; /* of a contact: its maker's */
+    MeBool
+        isWatched;   /* no setter tells of changes: a joint, or a contact whose parameters were given out by pointer; */
+    MeU64 certified; /* a hash of `bcl` as the certified step left it, then */
 
     int firstRow, numRows;                                   /* in this step */
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
@@ -162,6 +174,16 @@ struct MdtBaseConstraint {
     MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
     double normalForce[3];          /* N, the sum over the contacts in the last step */
 };
+
+/* What the rows of the constraint depend on has changed. */
+static inline void mdt_constraintDisturb(MdtConstraintID c) {
+    for (int k = 0; k < 2; k++)
+        if (c->side[k].body)
+            mdt_bodyDisturb(c->side[k].body);
+}
+
+/* Its parameters may be written without a setter from now on. */
+void mdt_constraintWatch(MdtConstraintID c);
 
 /* Whether the solver is to look at a constraint by itself: the contacts of a group follow their group. */
 static inline MeBool mdt_constraintActs(const MdtBaseConstraint *c) {
@@ -247,6 +269,13 @@ typedef struct MdtGraph {
     int *actsOn;             /* by acting constraint: the place of one of its bodies */
 } MdtGraph;
 
+/* What a step of any partition depends on in its world. All of it is compared, so there is no padding. */
+typedef struct MdtRestInputs {
+    double h, gravity[3], epsilon, gamma, workBudget;
+    MdtContactImportanceCBPtr importance;
+    int maxLcpIterations, subSteps, timedBodies, maxMatrixSize;
+} MdtRestInputs;
+
 struct MdtWorld {
     unsigned int magic;
     MdtWorldParams params;
@@ -271,10 +300,12 @@ struct MdtWorld {
     int breakable;           /* constraints with a limit */
     MdtConstraintID *broken; /* in the last step; constraintRoom */
     int numBroken;
-    MdtBreakCBPtr breakCb; /* null: none */
-    double lastStep;       /* s, 0 before the first */
-    int surfaceWarnings;   /* MdtContactParams.c: which were given */
-    int degenerate;        /* how often a joint came to stand where its rows lose their meaning */
+    MdtBreakCBPtr breakCb;     /* null: none */
+    double lastStep;           /* s, 0 before the first */
+    unsigned long certificate; /* of rest, valid now (mdt_rest.c) */
+    MdtRestInputs restInputs;  /* with which it was */
+    int surfaceWarnings;       /* MdtContactParams.c: which were given */
+    int degenerate;            /* how often a joint came to stand where its rows lose their meaning */
     MeChunk scratch;
     MdtKeaCache *keaCache;
 
@@ -291,12 +322,12 @@ struct MdtWorld {
     MdtDebugDrawOptions debugDraw; /* 0: nothing */
 
     MeBool isReported;
-    MdtReport *reports;    /* by partition of the last step; null until the report is enabled for the first time */
+    MdtReport *reports; /* by partition of the last step; null until the report is enabled for the first time */
     int reportRoom;
-    int numReports;        /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
-    MeU64 lap;             /* ticks, when the stage began that is being timed */
-    MeBool isTimedByStage; /* of the partition that is being stepped */
-    int firstUntimed;      /* partitions from this one on have no time yet */
+    int numReports;                     /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
+    MeU64 lap;                          /* ticks, when the stage began that is being timed */
+    MeBool isTimedByStage;              /* of the partition that is being stepped */
+    int firstUntimed;                   /* partitions from this one on have no time yet */
     double stageShare[MdtReportStages]; /* how a small partition's time divides, as last seen; 0: none was */
 
     MeHandle handle;
@@ -338,6 +369,8 @@ void mdt_reportLap(MdtWorldID w, MdtReport *r, MdtReportStage stage);
 void mdt_reportImpact(MdtReport *r);
 void mdt_reportEvent(MdtReport *r);
 void mdt_reportDivision(MdtReport *r);
+/* The last step's answer was taken without a solve. */
+void mdt_reportRest(MdtReport *r);
 /* What a solve cost; its stage ends. */
 void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtKeaSystem *kea);
 /* A part was integrated: its errors, before anything is read back. */

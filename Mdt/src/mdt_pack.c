@@ -2,6 +2,7 @@
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 #include <limits.h>
+#include <string.h>
 
 static int mostRows(const MdtIsland *p) {
     int rows = 0;
@@ -53,6 +54,7 @@ static void rememberStart(MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         mdt_bodyVelocity(p->bodies[i], &p->start[i].velocity);
         keaCopy(p->start[i].position, p->bodies[i]->kea.position);
+        memcpy(p->start[i].quaternion, p->bodies[i]->kea.quaternion, sizeof p->start[i].quaternion);
     }
 }
 

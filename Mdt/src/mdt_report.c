@@ -150,6 +150,11 @@ void mdt_reportEvent(MdtReport *r) {
     keepWay(r, MdtReportWayTimed);
 }
 
+void mdt_reportRest(MdtReport *r) {
+    r->parts = r->rested = 1;
+    keepWay(r, MdtReportWayRest);
+}
+
 void mdt_reportDivision(MdtReport *r) {
     keepWay(r, MdtReportWayDivided);
 }
@@ -248,6 +253,7 @@ static void addCounts(MdtReport *sum, const MdtReport *r) {
     sum->constraints += r->constraints;
     sum->rows += r->rows;
     sum->parts += r->parts;
+    sum->rested += r->rested;
     sum->events += r->events;
     sum->passes += r->passes;
     sum->iterations += r->iterations;

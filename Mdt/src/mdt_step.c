@@ -38,8 +38,13 @@ void mdt_islandStep(MdtIsland *p) {
     if (!mdt_islandPack(p))
         return;
     mdt_unpackBegin(p);
-    if (mdt_islandSubdivide(p))
+    if (mdt_islandSubdivide(p)) {
+        const MeBool isSettled = mdt_restIsSettled(p);
+        if (isSettled)
+            mdt_restStay(p);
         mdt_unpackBodies(p);
+        mdt_restCertify(p, isSettled);
+    }
     mdt_islandRelease(p);
 }
 
@@ -54,6 +59,8 @@ static void stepIslands(MdtWorldID w, double h, MeBool safely) {
         mdt_lagSet(&p, h);
         if (mdt_islandIsToSleep(&p))
             mdt_islandSleep(&p);
+        else if (mdt_restHolds(&p))
+            mdt_restKeep(&p);
         else
             mdt_islandStep(&p);
         if (p.report)
@@ -67,6 +74,7 @@ void mdt_worldStep(MdtWorldID w, double h, MeBool safely) {
     MeProfileStartSection("Dynamics", 0);
     MeProfileStartSection("Partition", 0);
     mdt_islandsUpdate(w);
+    mdt_restBegin(w);
     if (w->isReported)
         mdt_reportStep(w);
     MeProfileEndSection("Partition");

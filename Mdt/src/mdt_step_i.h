@@ -3,6 +3,7 @@
  *     stage       file              reads -> writes
  *     partition   mdt_island.c      bodies, constraints -> the world's partitions; wakes what is tied to something awake
  *     rest        mdt_sleep.c       motion of the last step -> bodies that are put to sleep
+ *                 mdt_rest.c        what has changed since the last step -> partitions whose last answer holds again
  *     pack        mdt_pack.c        forces, impulses, gravity -> loads of Kea's bodies; scratch, start
  *     rows        mdt_rows.c        poses, velocities, parameters of the part -> kea.rows; firstRow, numRows of constraints
  *     solve       MdtKeaSolve       kea.rows -> their forces; kea.report
@@ -21,7 +22,7 @@
 /* A body as the step begins. */
 typedef struct MdtStart {
     MdtKeaVelocity velocity;
-    double position[3];
+    double position[3], quaternion[4];
 } MdtStart;
 
 /* One partition in one step. Each group of fields names its only writer. */
@@ -44,6 +45,7 @@ typedef struct MdtIsland {
     double elapsed;                    /* s, of the step before that part */
     double work;                       /* multiplications that the step may still cost; MDT_NO_BOUND: any number */
     int iterations;                    /* of Newton's method, the same; 0: any number */
+    MeBool hasMet;                     /* bodies met as a part began */
     /* rows */
     MeBool isDegenerate; /* some joint was in this step */
 } MdtIsland;
@@ -69,6 +71,16 @@ void mdt_islandShow(const MdtIsland *p);
 MeBool mdt_islandIsToSleep(const MdtIsland *p);
 MeBool mdt_islandIsAtRest(const MdtIsland *p);
 void mdt_islandSleep(const MdtIsland *p);
+
+/* The rest certificate (mdt_rest.c): a step begins; whether a partition's last answer holds again; taking it, instead of all
+ * other stages. */
+void mdt_restBegin(MdtWorldID w);
+MeBool mdt_restHolds(const MdtIsland *p);
+void mdt_restKeep(MdtIsland *p);
+/* Whether this step's answer may hold in the next one; then its bodies stay where they were, and get a certificate. */
+MeBool mdt_restIsSettled(const MdtIsland *p);
+void mdt_restStay(MdtIsland *p);
+void mdt_restCertify(MdtIsland *p, MeBool isSettled);
 
 /* Takes scratch memory, and loads into Kea's bodies. False, with a message: the partition is too large. */
 MeBool mdt_islandPack(MdtIsland *p);

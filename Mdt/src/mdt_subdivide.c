@@ -76,6 +76,7 @@ void mdt_partBegin(MdtIsland *p, double part) {
 }
 
 void mdt_partImpact(MdtIsland *p) {
+    p->hasMet = METRUE;
     mdt_budgetGrant(p);
     MdtKeaImpact(&p->kea);
     mdt_budgetDraw(p);

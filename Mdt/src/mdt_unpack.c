@@ -85,9 +85,7 @@ void mdt_unpackBodies(MdtIsland *p) {
             b->acceleration.ang[k] = (end.ang[k] - p->start[i].velocity.ang[k]) / p->h;
         }
         notePush(b, &p->start[i], &end, p->h);
-        b->enabledTime += p->h;
-        b->enabledSteps++;
-        mdt_bodyNoteSlow(b, p->h);
+        mdt_bodyAge(b, p->h);
         mdt_bodyKeepWithinReach(b);
         mdt_bodyShow(b);
     }
