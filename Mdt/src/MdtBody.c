@@ -349,8 +349,8 @@ void mdt_bodyAge(MdtBodyID b, double h) {
     b->slowTime = isFast(b, &b->world->rest) ? 0 : b->slowTime + h;
 }
 
-/* What is accelerated in truth does not stay slow: it trembles in its place. */
-static MeBool trembles(const MdtBody *b) {
+/* Slow for long, though with a high acceleration: solver jitter, which does not keep a body from sleeping. */
+static MeBool isJittering(const MdtBody *b) {
     const double longEnough = 0.5; /* s: at the default thresholds, twice what it takes from rest to the fast ones */
     return b->slowTime > longEnough;
 }
@@ -360,7 +360,7 @@ MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *pa
     if (!mdt_isPointer(__func__, "the thresholds", params))
         return MEFALSE;
     mdt_bodyAcceptVelocities(b);
-    return isFast(b, params) || (isAccelerated(b, params) && !trembles(b));
+    return isFast(b, params) || (isAccelerated(b, params) && !isJittering(b));
 }
 
 /* ---- sleeping and waking ---- */

@@ -168,14 +168,14 @@ static void takePoses(MdtConstraintID c, Poses *poses) {
     poses->at[1] = &poses->of[1];
 }
 
-static void tellPositioned(MdtConstraintID c) {
+static void notifyPositioned(MdtConstraintID c) {
     Poses poses;
     takePoses(c, &poses);
     if (c->type->positioned)
         c->type->positioned(&c->bcl, poses.at);
 }
 
-static void tellAttached(MdtConstraintID c) {
+static void notifyAttached(MdtConstraintID c) {
     Poses poses;
     takePoses(c, &poses);
     if (c->type->attached)
@@ -184,7 +184,7 @@ static void tellAttached(MdtConstraintID c) {
         c->type->positioned(&c->bcl, poses.at);
 }
 
-static void tellAxesSet(MdtConstraintID c, const MdtBclFrame before[2]) {
+static void notifyAxesSet(MdtConstraintID c, const MdtBclFrame before[2]) {
     Poses poses;
     takePoses(c, &poses);
     if (c->type->axesSet)
@@ -195,7 +195,7 @@ void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1) {
     attach(c, 0, b0);
     attach(c, 1, b1);
     mdt_constraintForget(c);
-    tellAttached(c);
+    notifyAttached(c);
 }
 
 /* In a group with the world the first body is the one that moves. */
@@ -329,7 +329,7 @@ void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned 
         return;
     const double world[3] = {x, y, z};
     pointToBody(c, (int)bodyindex, world, c->bcl.frame[bodyindex].position);
-    tellPositioned(c);
+    notifyPositioned(c);
 }
 
 void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
@@ -349,7 +349,7 @@ void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsign
         return;
     const double local[3] = {x, y, z};
     keaCopy(c->bcl.frame[bodyindex].position, local);
-    tellPositioned(c);
+    notifyPositioned(c);
 }
 
 void MEAPI MdtConstraintBodyGetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
@@ -393,7 +393,7 @@ static void setBothAxes(MdtConstraintID c, const double p[3], const double o[3])
     const MdtBclFrame before[2] = {c->bcl.frame[0], c->bcl.frame[1]};
     setAxesOf(c, 0, p, o);
     setAxesOf(c, 1, p, o);
-    tellAxesSet(c, before);
+    notifyAxesSet(c, before);
 }
 
 void MEAPI MdtConstraintSetAxis(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz) {

@@ -78,9 +78,9 @@ static MeBool layIntoPlane(const double normal[3], double direction[3]) {
     return METRUE;
 }
 
-/* An axis across the normal gives the direction: x, or z, or y, if it is clearly more across than those before it. Of two
- * that are alike, as on level ground, rounding must not choose another one in the next step: friction forces are kept as
- * numbers along it. */
+/* An axis across the normal gives the direction: x, or z, or y, if it is clearly more across than those before it. Of
+ * two that are alike, as on level ground, rounding must not choose another one in the next step: friction forces are
+ * kept as numbers along it. */
 static void chooseDirection(const double n[3], double direction[3]) {
     static const int order[] = {0, 2, 1};
     const double clearly = 0.1;

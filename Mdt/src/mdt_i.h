@@ -2,7 +2,8 @@
  *
  * Ownership: a world owns two pools of records, bodies and constraints, which never move. Live records are linked into
  * the world's lists in the order of simulation: sort key, then creation. A constraint is also linked into the lists of
- * its bodies. The state of a body that counts is the double one in `kea`; what programs point at is refreshed from it.
+ * its bodies. A body's authoritative state is the double one in `kea`; what programs
+ * point at is refreshed from it.
  */
 #ifndef MDT_I_H
 #define MDT_I_H
@@ -25,8 +26,8 @@ typedef struct MdtRecord {
 
 enum { MDT_WORLD = 0x4b57524c, MDT_BODY = 0x4b424459, MDT_CONSTRAINT = 0x4b435354 };
 
-/* Records of one size, in one block, or, where there is no limit to them, in blocks of which each is as large as all before
- * it together. Freed ones are reused last, so that a stale handle is noticed for as long as possible. */
+/* Records of one size, in one block, or, where there is no limit to them, in blocks of which each is as large as all
+ * before it together. Freed ones are reused last, so that a stale handle is noticed for as long as possible. */
 typedef struct MdtPool {
     void *blocks; /* each begins with a pointer to the one before it */
     size_t recordSize;
@@ -36,7 +37,8 @@ typedef struct MdtPool {
     MdtRecord *firstFree, *lastFree;
 } MdtPool;
 
-/* Before the first record; recordSize, what and limit are set. Takes all memory that there will be, if there is a limit. */
+/* Before the first record; recordSize, what and limit are set. Takes all memory that there will be, if there is a
+ * limit. */
 MeBool mdt_poolInit(MdtPool *pool, const char *caller);
 void mdt_poolTerm(MdtPool *pool);
 /* Zeroed but for its head; null, with a message that names the caller, when there is no room. */
@@ -83,7 +85,7 @@ struct MdtBody {
     MdtAttachment *attachments; /* its constraints */
     void *userData, *model;
 
-    MdtKeaBody kea;                     /* the centre of mass, in double: what counts */
+    MdtKeaBody kea;                     /* the centre of mass: the authoritative state */
     double centre[3];                   /* m, of mass, in the body's frame */
     double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
     double force[3], torque[3];         /* N, N m, added since the last step */
@@ -111,7 +113,7 @@ struct MdtBody {
     int place;     /* in the order of simulation, when partitions were found last */
 };
 
-void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from what counts */
+void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from the state in kea */
 /* How far the body's point at a world position that was found by its shown transform is from there, m. */
 void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]);
 void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v);
@@ -123,7 +125,7 @@ void mdt_bodyAge(MdtBodyID b, double h);   /* after a step of h seconds */
 MeBool mdt_bodyIsPushedAwake(MdtBodyID b); /* asleep, and the waiting forces would move it */
 void mdt_bodyKeepForces(MdtBodyID b);      /* those that the step began with act in the rest of it, too */
 void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */
-void mdt_bodyTerm(MdtBodyID b);            /* lets go of constraints, returns the record */
+void mdt_bodyTerm(MdtBodyID b);            /* detaches its constraints, returns the record */
 
 /* What the body's next step depends on has changed: its rest certificate ends. */
 static inline void mdt_bodyDisturb(MdtBodyID b) {
@@ -170,7 +172,7 @@ struct MdtBaseConstraint {
     int numContacts, numKept; /* kept: not dropped in this step */
     MeBool isSwapped;
     void *generator;
-    void **holder;                  /* who keeps the group, and is told when it goes; null: nobody */
+    void **holder;                  /* the owner's pointer to the group, cleared when it is destroyed; null: none */
     MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
     double normalForce[3];          /* N, the sum over the contacts in the last step */
 };
@@ -206,7 +208,7 @@ void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side,
 /* A vector at right angles to p. */
 void mdt_chooseOrthogonal(const double p[3], double o[3]);
 void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1);
-/* Are the lists of a body's constraints, a group's contacts and a world's records linked both ways, with right counts? */
+/* Are the lists of a body's constraints and of a group's contacts linked both ways, with right counts? */
 MeBool mdt_attachmentsAreLinked(const MdtBody *b);
 MeBool mdt_groupIsLinked(const MdtBaseConstraint *group);
 void mdt_constraintDetach(MdtConstraintID c, int side);
@@ -219,7 +221,7 @@ void mdt_constraintForget(MdtConstraintID c);
 void mdt_constraintTerm(MdtConstraintID c);
 void mdt_constraintFree(MdtConstraintID c); /* memory that it has outside of its record */
 
-/* Contact groups: lets go of a contact's group; destroys a group's contacts; attaches them as the group is attached. */
+/* Contact groups: takes a contact out of its group; destroys a group's contacts; attaches them as the group is. */
 void mdt_groupForget(MdtConstraintID contact);
 void mdt_groupDestroyContacts(MdtConstraintID group);
 void mdt_groupTerm(MdtConstraintID group); /* destroys its contacts, and tells its holder */
@@ -247,7 +249,7 @@ int mdt_capRows(MdtWorldID w, MdtConstraintID constraints[], int count, int rows
         return mdt_constraintCast(c, TYPE, __func__);                                                                  \
     }
 
-/* Warns, once a world, of a contact whose friction cannot act, or has no bound, and was not asked for like that. */
+/* Warns, once a world, of a contact whose friction cannot act, or has no bound, unless it was set up like that. */
 void mdt_checkSurface(MdtConstraintID contact);
 
 /* Resets a limit and copies the public properties of another, which may be itself. */
@@ -336,8 +338,8 @@ struct MdtWorld {
 /* Room for so many bodies and constraints in the arrays of a step. False: no memory. */
 MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller);
 
-/* What is enabled, what it is tied to, or the order has changed. What is created is not enabled yet, and what is destroyed
- * has been disabled before. */
+/* What is enabled, what it is tied to, or the order has changed. What is created is not enabled yet, and what is
+ * destroyed has been disabled before. */
 static inline void mdt_graphChanged(MdtWorldID w) {
     w->graph.changes++;
 }
@@ -347,7 +349,7 @@ void mdt_islandsUpdate(MdtWorldID w);
 /* What programs see of one; it is not disabled. */
 MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
 
-/* Draws what the program has asked for (mdt_debug.c). */
+/* Draws what MdtWorldSetDebugDrawing has chosen (mdt_debug.c). */
 void mdt_debugDraw(MdtWorldID w);
 
 /* ---- joints that break (mdt_break.c) ---- */

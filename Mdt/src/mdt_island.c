@@ -4,8 +4,8 @@
  * Partitions are numbered by their first body, and their bodies and constraints keep the world's order, so that the
  * same scene is solved in the same order every time.
  *
- * Union-find with path halving on the bodies' places in that order, one walk over the constraints, and a counting sort. Where
- * the graph has not changed since (MdtGraph.changes), the partitions stay as they are.
+ * Union-find with path halving on the bodies' places in that order, one walk over the constraints, and a counting sort.
+ * Where the graph has not changed since (MdtGraph.changes), the partitions stay as they are.
  */
 #include "MeAssert.h"
 #include "MeDict.h"
@@ -70,7 +70,8 @@ static int islandAt(const MdtGraph *g, int place) {
     return g->body[place]->partition;
 }
 
-/* Numbers the awake sets and counts their bodies into bodyStart[partition + 1]. A root comes before all others of its set. */
+/* Numbers the awake sets and counts their bodies into bodyStart[partition + 1]. A root comes before all others of its
+ * set. */
 static void numberIslands(MdtWorldID w) {
     MdtGraph *g = &w->graph;
     w->numPartitions = 0;
@@ -239,7 +240,7 @@ static MdtWorldID worldOf(MeDict *list) {
     return NULL;
 }
 
-/* isDisabled says, for the moment, that a partition was not asked for. */
+/* Until MdtUpdatePartitions returns, isDisabled marks the partitions without a listed body. */
 static void chooseListed(MdtWorldID w, MeDict *list) {
     for (int p = 0; p < w->numPartitions; p++)
         w->output.info[p].isDisabled = METRUE;

@@ -1,5 +1,5 @@
-/* Steps by safe time: a partition is moved on by what its bodies' safe times allow, and lacks the rest of the step, which
- * MdtWorldStepRest makes up for in parts. */
+/* Steps by safe time: a partition is moved on by what its bodies' safe times allow, and lacks the rest of the step,
+ * which MdtWorldStepRest makes up for in parts. */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 #include <math.h>
@@ -28,8 +28,9 @@ static double lagOf(const MdtIsland *p) {
     return least < INFINITY ? least : 0;
 }
 
-/* Is the part too short to be taken? A velocity that is found from positions has their rounding over the part: 2^-53 of 1 km in
- * 2^-14 of 1/60 s is 1e-7 m/s. A body that passes its own size in a hundredth of the step moves by less than 1 % of it. */
+/* Is the part too short to be taken? A velocity that is found from positions has their rounding over the part: 2^-53 of
+ * 1 km in 2^-14 of 1/60 s is 1e-7 m/s. A body that passes its own size in a hundredth of the step moves by less than 1
+ * % of it. */
 static MeBool isTooShort(const MdtIsland *p) {
     enum { PARTS = 1 << 14 };
     return !(p->h * PARTS > p->whole);

@@ -68,6 +68,7 @@ MeBool mdt_islandPack(MdtIsland *p) {
 }
 
 void mdt_islandRelease(MdtIsland *p) {
+    MEASSERT(p->scratch && p->start);
     MeChunkPutMem(&p->world->scratch, p->scratch);
     p->scratch = NULL;
     p->start = NULL;

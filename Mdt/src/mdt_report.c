@@ -1,8 +1,8 @@
 /* The report of a step (MdtReport.h): what mdt_step.c tells while it steps, and what programs ask for.
  *
- * Time is told in laps: each reading of the clock ends one stage and begins the next. Small partitions are stepped in
- * less than a microsecond, so that reading it for each stage would show: one of them in sixteen is timed by stage, and
- * the others together.
+ * Time is measured in laps: each reading of the clock ends one stage and begins the next. Small partitions are stepped
+ * in less than a microsecond, so that reading it for each stage would show: one of them in sixteen is timed by stage,
+ * and the others together.
  */
 #include "mdt_i.h"
 #include "MeAssert.h"

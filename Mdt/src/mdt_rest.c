@@ -1,17 +1,18 @@
 /* Rest certificate: a partition at rest, in which nothing has changed since the last step, is not solved again.
  *
- * A step settles a partition if it was taken whole, if Kea found that the last answer still held (to its tolerances, without a
- * pass), and if no body had, or got, a velocity that Kea tells from none. The bodies then stay where they are, bit for bit, so
- * that contacts are found again as they were. In the next step the inputs may be the same to the last bit: then so are the
- * forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put to sleep as ever.
+ * A step settles a partition if it was taken whole, if Kea found that the last answer still held (to its tolerances,
+ * without a pass), and if no body had, or got, a velocity that Kea tells from none. The bodies then stay where they
+ * are, bit for bit, so that contacts are found again as they were. In the next step the inputs may be the same to the
+ * last bit: then so are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put
+ * to sleep as ever.
  *
- * Inputs and how a change of them is noticed:
- *     of the world        a copy of them (MdtRestInputs)
- *     bodies, contacts,   whatever changes one takes the certificate from the bodies concerned (mdt_bodyDisturb); a contact that
- *     the graph           is renewed as it was is no change
- *     forces, velocities  compared with those that the last step began with, or has shown
- *     parameters of       programs write them through pointers: a 64-bit hash of all that MdtBcl keeps of a joint (isWatched);
- *     joints              that two differ and have the same has a chance of 2^-64
+ * Inputs, and how a change of them is noticed:
+ *     of the world           a copy of them (MdtRestInputs)
+ *     bodies, contacts,      whatever changes one takes the certificate from the bodies concerned (mdt_bodyDisturb); a
+ *     the graph              contact that is renewed as it was is no change
+ *     forces, velocities     compared with those that the last step began with, or has shown
+ *     parameters of joints   programs write them through pointers: a 64-bit hash of all that MdtBcl keeps of a joint
+ *                            (isWatched); that two differ and have the same has a chance of 2^-64
  */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
@@ -91,7 +92,7 @@ MeBool mdt_restHolds(const MdtIsland *p) {
 
 /* ---- the step of a partition whose certificate holds ---- */
 
-/* The size log is told of as many rows as there were. */
+/* The size log gets as many rows as the last solve had. */
 static void logRows(const MdtIsland *p) {
     int rows = 0;
     for (int i = 0; i < p->numConstraints; i++)
@@ -102,6 +103,7 @@ static void logRows(const MdtIsland *p) {
 void mdt_restKeep(MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
+        MEASSERT(b->lag == 0 && b->part == p->h && b->enabledSteps > 0);
         MdtBodyResetForces(b);
         mdt_bodyAge(b, p->h);
     }
@@ -116,8 +118,9 @@ void mdt_restKeep(MdtIsland *p) {
 /* Of the speed of a step: what Kea takes for converged (kea_solve.c: velocityTolerance, speedOf). */
 static const double resolution = 1e-9;
 
-/* m/s: the mean velocities of a step that are less than this are not told from none. Each row is within its tolerance; from
- * body to body the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3 times). */
+/* m/s: the mean velocities of a step that are less than this are not told from none. Each row is within its tolerance;
+ * from body to body the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to
+ * 3 times). */
 static double resolvedSpeed(const MdtIsland *p) {
     double most = 0;
     for (int i = 0; i < p->numBodies; i++) {
@@ -126,6 +129,7 @@ static double resolvedSpeed(const MdtIsland *p) {
         keaSubtract(change, free, p->start[i].velocity.lin);
         most = fmax(most, keaLength(change) + 0.1 * keaLength(free));
     }
+    MEASSERT(isfinite(most));
     return resolution * sqrt(p->numBodies) * most;
 }
 
@@ -195,6 +199,7 @@ void mdt_restStay(MdtIsland *p) {
 }
 
 void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
+    MEASSERT(p->world->certificate != 0 && p->elapsed > 0);
     for (int i = 0; i < p->numBodies; i++)
         p->bodies[i]->certificate = isSettled ? p->world->certificate : 0;
     for (int i = 0; i < p->numConstraints && isSettled; i++)

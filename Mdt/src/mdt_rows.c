@@ -1,5 +1,5 @@
-/* Rows: those of a partition's constraints in one part of its step. Each kind of joint is a file of MdtBcl; here they are
- * counted, capped (mdt_cap.c), filled, and refilled for Kea where the bodies have moved. */
+/* Rows: those of a partition's constraints in one part of its step. Each kind of joint is a file of MdtBcl; here they
+ * are counted, capped (mdt_cap.c), filled, and refilled for Kea where the bodies have moved. */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 #include <string.h>
@@ -11,6 +11,7 @@ void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, MdtBclContext *x) {
     x->firstRow = c->firstRow;
     for (int k = 0; k < 2; k++) {
         MdtBodyID b = c->side[k].body;
+        MEASSERT(!b || (b->partition == p->number && p->bodies[b->index] == b));
         x->body[k] = b ? b->index : MdtBclNO_BODY;
         x->kea[k] = b ? &b->kea : NULL;
         x->pose[k] = b ? &kea->pose[b->index] : &MdtBclWorldPose;
@@ -21,7 +22,7 @@ void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, MdtBclContext *x) {
     }
 }
 
-/* The rows speak of the velocity of one side against the other; of the world's it is known. */
+/* A row's rate is the velocity of one side relative to the other; the world's part is known and goes to the target. */
 static void subtractWorldVelocity(MdtConstraintID c, MdtKeaRow *row) {
     double rate = 0;
     for (int k = 0; k < 2; k++)

@@ -1,4 +1,5 @@
 /* Rest: whether a partition has come to rest, by the thresholds of its world, and putting it to sleep. */
+#include "MeAssert.h"
 #include "mdt_step_i.h"
 
 /* A body that is still coming out of an overlap has no velocity, but it is under way. */
@@ -29,4 +30,5 @@ MeBool mdt_islandIsToSleep(const MdtIsland *p) {
 void mdt_islandSleep(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++)
         mdt_bodySleep(p->bodies[i]);
+    MEASSERT(p->world->asleepBodies >= p->numBodies);
 }

@@ -1,11 +1,11 @@
 /* Inside Mdt: a partition on its way through a step, and the stages that it passes.
  *
  *     stage       file              reads -> writes
- *     partition   mdt_island.c      bodies, constraints -> the world's partitions; wakes what is tied to something awake
+ *     partition   mdt_island.c      bodies, constraints -> the world's partitions; wakes what is tied to awake bodies
  *     rest        mdt_sleep.c       motion of the last step -> bodies that are put to sleep
  *                 mdt_rest.c        what has changed since the last step -> partitions whose last answer holds again
  *     pack        mdt_pack.c        forces, impulses, gravity -> loads of Kea's bodies; scratch, start
- *     rows        mdt_rows.c        poses, velocities, parameters of the part -> kea.rows; firstRow, numRows of constraints
+ *     rows        mdt_rows.c        poses, velocities, parameters of the part -> kea.rows; constraints' place in them
  *     solve       MdtKeaSolve       kea.rows -> their forces; kea.report
  *     integrate   MdtKeaIntegrate   those -> the states of Kea's bodies
  *     unpack      mdt_unpack.c      forces of rows -> constraints; states -> what programs see of bodies
@@ -52,7 +52,7 @@ typedef struct MdtIsland {
 
 #define MDT_NO_BOUND DBL_MAX
 
-/* ---- the stages ---------------------------------------------------------------------------------------------------- */
+/* ---- the stages -------------------------------------------------------------------------------------------------- */
 
 /* Pack, the parts, and unpack: moves a partition on by its h (mdt_step.c). */
 void mdt_islandStep(MdtIsland *p);
@@ -72,8 +72,8 @@ MeBool mdt_islandIsToSleep(const MdtIsland *p);
 MeBool mdt_islandIsAtRest(const MdtIsland *p);
 void mdt_islandSleep(const MdtIsland *p);
 
-/* The rest certificate (mdt_rest.c): a step begins; whether a partition's last answer holds again; taking it, instead of all
- * other stages. */
+/* The rest certificate (mdt_rest.c): a step begins; whether a partition's last answer holds again; taking it, instead
+ * of all other stages. */
 void mdt_restBegin(MdtWorldID w);
 MeBool mdt_restHolds(const MdtIsland *p);
 void mdt_restKeep(MdtIsland *p);
@@ -113,7 +113,7 @@ void mdt_unpackBodies(MdtIsland *p);
 /* The last resort: bodies whose next state is not finite stay where they are and stop. */
 void mdt_unpackStopped(MdtIsland *p);
 
-/* ---- steps by safe time (mdt_lag.c) ---------------------------------------------------------------------------------- */
+/* ---- steps by safe time (mdt_lag.c) ------------------------------------------------------------------------------ */
 
 /* How far a partition may move: the shortest safe time of its bodies, within bounds. */
 double mdt_lagSafeStep(const MdtIsland *p);

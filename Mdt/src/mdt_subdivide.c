@@ -3,9 +3,9 @@
  *     whole step -> sub-steps (MdtWorldSetSubSteps) -> up to the next event, of a few bodies that only touch
  *                                                   -> halves, where joints turn too violently for the whole of it
  *
- * A partition's step has one budget of work (MdtWorldSetWorkBudget) and of iterations (MdtWorldSetMaxLCPIterations). Every
- * solve draws from it: of whole steps, sub-steps, halves, events and impacts, those that are thrown away included. When it
- * is used up, Kea answers by sweeps, and the step is divided no further.
+ * A partition's step has one budget of work (MdtWorldSetWorkBudget) and of iterations (MdtWorldSetMaxLCPIterations).
+ * Every solve draws from it: of whole steps, sub-steps, halves, events and impacts, those that are thrown away
+ * included. When it is used up, Kea answers by sweeps, and the step is divided no further.
  */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
@@ -54,8 +54,8 @@ static MeBool mayDivide(const MdtIsland *p, int halvings) {
 
 /* A part of H / n takes the n-th part of a step's relaxation, and a load sags as it would in a whole one:
  *     1 - γ = (1 - γ')^n,   ε' F (H/n)² / γ' = ε F H² / γ.
- * H is the step that the program asked for: a partition that its safe time moves on by less takes that share of an error away,
- * however short it is, at the same speed γ φ / H. */
+ * H is the step that the program asked for: a partition that its safe time moves on by less takes that share of an
+ * error away, however short it is, at the same speed γ φ / H. */
 static void setPart(MdtIsland *p, double part) {
     MEASSERT(part > 0 && part <= p->h * (1 + 1e-9) && p->h <= p->whole * (1 + 1e-9));
     const double n = p->whole / part, gamma = p->world->gamma;
@@ -87,8 +87,8 @@ void mdt_partImpact(MdtIsland *p) {
     mdt_rowsMake(p);
 }
 
-/* That a solve was inexact is in the report (MdtReport's fallbacks). A warning is for what a program can change: motion that
- * the step is too long for, or a cap that it has set. */
+/* That a solve was inexact is in the report (MdtReport's fallbacks). A warning is for what a program can change: motion
+ * that the step is too long for, or a cap that it has set. */
 static void warnOfSolver(const MdtIsland *p) {
     const MeBool isMendable = p->kea.report.violent || p->kea.parameters.maxIterations > 0;
     if (p->kea.report.capped && !p->isDegenerate && isMendable) /* degenerate: that has been said */
@@ -134,8 +134,8 @@ static MeBool takePart(MdtIsland *p, double part, int halvings) {
 
 /* ---- events ---- */
 
-/* Was the part solved, or so nearly that what is wrong with velocities takes nothing farther than 1e-7 of a step's fall, as
- * in parts that are short against rounding? */
+/* Was the part solved, or so nearly that what is wrong with velocities takes nothing farther than 1e-7 of a step's
+ * fall, as in parts that are short against rounding? */
 static MeBool isFollowed(const MdtIsland *p) {
     const MeReal *g = p->world->params.gravity;
     const double fall = sqrt((double)(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])) * p->h * p->h;
@@ -166,8 +166,8 @@ static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least) {
     return METRUE;
 }
 
-/* A part of the step of a partition whose contacts are met in time: up to the next event, and on. When there are too many of
- * them, or they cannot be followed so exactly, the rest is taken as it is elsewhere. */
+/* A part of the step of a partition whose contacts are met in time: up to the next event, and on. When there are too
+ * many of them, or they cannot be followed so exactly, the rest is taken as it is elsewhere. */
 static MeBool takeInTime(MdtIsland *p, double part) {
     enum { MAX_EVENTS = 8 };
     const double least = 1e-9 * part;

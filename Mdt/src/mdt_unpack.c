@@ -1,4 +1,5 @@
-/* Unpack: forces back to the constraints after each part, states and accelerations to the bodies at the end of the step. */
+/* Unpack: forces back to the constraints after each part, states and accelerations to the bodies at the end of the
+ * step. */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 #include <string.h>
@@ -46,8 +47,10 @@ void mdt_unpackConstraints(MdtIsland *p) {
     for (int i = 0; i < p->numConstraints; i++) {
         MdtConstraintID c = p->constraints[i];
         const MdtKeaRow *rows = p->kea.rows + c->firstRow;
+        MEASSERT(c->firstRow >= 0 && c->firstRow + c->numRows <= p->kea.numRows);
         for (int r = 0; r < c->numRows; r++)
             addForces(c, &rows[r], p->parameters.stepsize / p->h);
+        MEASSERT(isfinite(keaDot(c->force.body[0].lin, c->force.body[0].lin)));
         const MeBool isLong = p->parameters.stepsize > 0.1 * p->h; /* the forces of a shorter part are no guess */
         c->numWarm = isLong ? c->numRows : 0;
         for (int r = 0; r < c->numRows; r++)
@@ -85,6 +88,7 @@ void mdt_unpackBodies(MdtIsland *p) {
             b->acceleration.ang[k] = (end.ang[k] - p->start[i].velocity.ang[k]) / p->h;
         }
         notePush(b, &p->start[i], &end, p->h);
+        MEASSERT(isfinite(keaLength(b->acceleration.lin) + keaLength(b->acceleration.ang) + keaLength(b->push)));
         mdt_bodyAge(b, p->h);
         mdt_bodyKeepWithinReach(b);
         mdt_bodyShow(b);

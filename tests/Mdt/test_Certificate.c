@@ -1,5 +1,5 @@
-/* The rest certificate: what is at rest, and in which nothing changes, costs no solve; whatever changes is seen at once, and
- * what creeps goes on creeping. */
+/* The rest certificate: what is at rest, and in which nothing changes, costs no solve; whatever changes is seen at
+ * once, and what creeps goes on creeping. */
 #include "Mcd.h"
 #include "Mst.h"
 #include "measure.h"
@@ -52,7 +52,8 @@ static MdtReport stepOnce(Pyramid *s) {
     return r;
 }
 
-/* The same, in a world in which no certificate holds: a parameter that the pyramid does not mind is another one each time. */
+/* The same, in a world in which no certificate holds: a parameter that the pyramid does not mind is another one each
+ * time. */
 static void stepUncertified(Pyramid *s) {
     MdtWorldSetTimedContacts(s->world, 1 - MdtWorldGetTimedContacts(s->world) % 2);
     ck_assert_int_eq(stepOnce(s).rested, 0);

@@ -1,12 +1,12 @@
-/* Partitions, found anew only where the graph has changed: against a search that knows nothing of that, from what programs
- * see, after whatever a program can do to the graph. */
+/* Partitions, found anew only where the graph has changed: against a search that knows nothing of that, from what
+ * programs see, after whatever a program can do to the graph. */
 #include "MdtMainLoop.h"
 #include "MdtPartition.h"
 #include "measure.h"
 
 enum { MOST_BODIES = 40, MOST_CONSTRAINTS = 200, STEPS = 1000 };
 
-/* Bodies and constraints in the order of simulation; partition by partition, with the place of each partition's first. */
+/* Bodies and constraints in the order of simulation, partition by partition, and where each begins. */
 typedef struct Partitions {
     int count;
     int bodyStart[MOST_BODIES + 1], constraintStart[MOST_BODIES + 1];
