@@ -29,10 +29,10 @@ ME_BEGIN_C
 /** Creates a body with default properties (MdtDefaults.h), disabled, at the origin. The world owns it. Returns null,
  *  with a warning that names MdtWorldCreate's maxBodies, when the world is full. Dynamics guide ch. 2. */
 MEPUBLIC MdtBodyID MEAPI MdtBodyCreate(const MdtWorldID w);
-/** Destroys a body. Its constraints are disabled and let go of it; they remain for the program to destroy. A body that has
- *  gone with its world is left alone, in all builds; that is said while there is another world. */
+/** Destroys a body. Its constraints are disabled and detached from it; they remain for the program to destroy. A body
+ *  that has gone with its world is left alone, in all builds; that is said while there is another world. */
 MEPUBLIC void MEAPI MdtBodyDestroy(const MdtBodyID b);
-/** Is it a live body? Nothing is read through the handle, which may be that of a body or world long gone. Beyond Karma. */
+/** Is it a live body? Nothing is read through the handle, which may be of a body or world long gone. Beyond Karma. */
 MEPUBLIC MeBool MEAPI MdtBodyIsValid(const MdtBodyID b);
 /** Creates in @a w, which may be another world, a body with all properties of @a b but its constraints. */
 MEPUBLIC MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w);
@@ -46,8 +46,8 @@ MEPUBLIC void MEAPI MdtBodyDisable(const MdtBodyID b);
 MEPUBLIC MeBool MEAPI MdtBodyIsEnabled(const MdtBodyID b);
 /** Seconds for which the body has been enabled. */
 MEPUBLIC MeReal MEAPI MdtBodyGetEnabledTime(const MdtBodyID b);
-/** True when a speed or acceleration of the body is at or above its threshold. The acceleration does not count of a body
- *  whose speeds have been below their thresholds for half a second: it trembles in its place. */
+/** True when a speed or acceleration of the body is at or above its threshold. The acceleration does not count of a
+ *  body whose speeds have been below their thresholds for half a second: that is jitter. */
 MEPUBLIC MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *params);
 /** @} */
 
@@ -121,7 +121,7 @@ MEPUBLIC void MEAPI MdtBodySetSphericalInertiaTensor(const MdtBodyID b, const Me
 MEPUBLIC void MEAPI MdtBodyEnableNonSphericalInertia(const MdtBodyID b);
 MEPUBLIC void MEAPI MdtBodyDisableNonSphericalInertia(const MdtBodyID b);
 MEPUBLIC MeBool MEAPI MdtBodyNonSphericalInertiaIsEnabled(const MdtBodyID b);
-/** Whether free rotation keeps the angular momentum (the default, and nature's way) or the angular velocity. */
+/** Whether free rotation keeps the angular momentum (the default, and physically correct) or the angular velocity. */
 MEPUBLIC void MEAPI MdtBodyEnableCoriolisForce(const MdtBodyID b);
 MEPUBLIC void MEAPI MdtBodyDisableCoriolisForce(const MdtBodyID b);
 MEPUBLIC MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b);
@@ -186,7 +186,7 @@ MEPUBLIC void MEAPI MdtBodySetSafeTime(const MdtBodyID b, const MeReal t);
 MEPUBLIC MeReal MEAPI MdtBodyGetSafeTime(const MdtBodyID b);
 /** How far the body is behind its world, s: what MdtWorldStepSafeTime left for MdtWorldStepRest. Beyond Karma. */
 MEPUBLIC MeReal MEAPI MdtBodyGetLag(const MdtBodyID b);
-/** By how much the body was moved on last, s: a step, or a part of one. The forces of its constraints are of that time. */
+/** By how much the body was moved on last, s: a step, or a part of one. Forces of its constraints are of that time. */
 MEPUBLIC MeReal MEAPI MdtBodyGetPart(const MdtBodyID b);
 /** Writes the body's properties with MeLog. */
 MEPUBLIC void MEAPI MdtBodyLog(const MdtBodyID b);

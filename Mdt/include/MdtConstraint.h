@@ -94,17 +94,17 @@ MEPUBLIC int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c);
 /** @} */
 
 /** @name Breaking
- *  A joint breaks when the mean force, or torque, that it carries in a step exceeds a limit: it is disabled at the end of
- *  that step, not destroyed, and told by MdtWorldGetBrokenJoints and MdtWorldSetBreakCB. MdtConstraintEnable mends it; it
- *  keeps its limits. Beyond Karma.
+ *  A joint breaks when the mean force, or torque, that it carries in a step exceeds a limit: it is disabled at the end
+ *  of that step, not destroyed, and told by MdtWorldGetBrokenJoints and MdtWorldSetBreakCB. MdtConstraintEnable mends
+ *  it; it keeps its limits. Beyond Karma.
  *  @{ */
 /** The largest force [N] and torque [N m] that it bears, >= 0; MEINFINITY, the default, for any. Contacts and contact
  *  groups get a warning, and do not break. */
 MEPUBLIC void MEAPI MdtConstraintSetBreakLimits(const MdtConstraintID c, const MeReal force, const MeReal torque);
 MEPUBLIC MeReal MEAPI MdtConstraintGetBreakForce(const MdtConstraintID c);
 MEPUBLIC MeReal MEAPI MdtConstraintGetBreakTorque(const MdtConstraintID c);
-/** The torque [N m] on the body of index 0 or 1 about the joint's position: without that of the force at its lever arm. It
- *  is what the limit is for. */
+/** The torque [N m] on the body of index 0 or 1 about the joint's position: without that of the force at its lever arm.
+ *  It is what the limit is for. */
 MEPUBLIC void MEAPI MdtConstraintGetJointTorque(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 t);
 /** @} */
 

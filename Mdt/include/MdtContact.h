@@ -58,14 +58,14 @@ MEPUBLIC void MEAPI MdtContactSetPenetration(const MdtContactID c, const MeReal 
 MEPUBLIC MeReal MEAPI MdtContactGetPenetration(const MdtContactID c);
 /**
  * Position, m, and penetration, m, as they were found in double between bodies whose transforms were read from
- * MdtBodyGetTransformPtr. What those lost by rounding to MeReal is put back, so that single precision adds no noise to a
- * body that rests, or rolls far away. Bodies, normal and radii must be set before. Beyond Karma.
+ * MdtBodyGetTransformPtr. What those lost by rounding to MeReal is put back, so that single precision adds no noise to
+ * a body that rests, or rolls far away. Bodies, normal and radii must be set before. Beyond Karma.
  */
 MEPUBLIC void MEAPI MdtContactSetExact(const MdtContactID c, const double position[3], const double penetration);
 /**
  * m, >= 0: the surface of the body of this side is a sphere of that radius there, or a cylinder that the normal goes
- * across, and rolls on; 0, the default: it is a corner, an edge or a face, which turns with the body. Matters only within a
- * step that is divided, and for balls that turn by more than half a turn in a step.
+ * across, and rolls on; 0, the default: it is a corner, an edge or a face, which turns with the body. Matters only
+ * within a step that is divided, and for balls that turn by more than half a turn in a step.
  */
 MEPUBLIC void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius);
 MEPUBLIC MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyindex);

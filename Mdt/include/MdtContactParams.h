@@ -5,9 +5,10 @@
  *  copies into contacts. "Friction" sets both directions where no direction is named. A null set, a number that is not
  *  finite or out of its range gets a warning and changes nothing; accessors then return 0.
  *
- *  Friction needs a type, a model, and what the model goes by: a coefficient alone does nothing, a type alone is friction
- *  without bound. MdtContactParamsSetSurface sets all of it. A contact that has only some gets a warning in the step, once a
- *  world and kind of lack; one whose type, or whose friction of MEINFINITY, was set by its function gets none.
+ *  Friction needs a type, a model, and what the model goes by: a coefficient alone does nothing, a type alone is
+ *  friction without bound. MdtContactParamsSetSurface sets all of it. A contact that has only some gets a warning in
+ *  the step, once a world and kind of lack; one whose type, or whose friction of MEINFINITY, was set by its function
+ *  gets none.
  */
 #ifndef MDTCONTACTPARAMS_H
 #define MDTCONTACTPARAMS_H
@@ -17,9 +18,10 @@
 ME_BEGIN_C
 
 /**
- * The usual surface: Coulomb friction with the coefficient @a friction (>= 0) in every direction, and @a restitution, 0..1.
- * Stands for type MdtContactTypeFriction2D (FrictionZero for 0), both models MdtFrictionModelCone, which has the normal
- * force of the very step as its bound, both coefficients, and MdtContactParamsSetRestitution. All else stays. Beyond Karma.
+ * The usual surface: Coulomb friction with the coefficient @a friction (>= 0) in every direction, and @a restitution,
+ * 0..1. Stands for type MdtContactTypeFriction2D (FrictionZero for 0), both models MdtFrictionModelCone, which has the
+ * normal force of the very step as its bound, both coefficients, and MdtContactParamsSetRestitution. All else stays.
+ * Beyond Karma.
  */
 MEPUBLIC void MEAPI MdtContactParamsSetSurface(const MdtContactParamsID p, MeReal friction, MeReal restitution);
 /** Defaults: no friction, box model without bound, no restitution, velocity threshold 0.001 m/s, all else 0. */

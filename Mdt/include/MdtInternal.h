@@ -8,8 +8,8 @@
 
 ME_BEGIN_C
 
-/** What a message tells the program to raise where there is no room for more, instead of the arguments of MdtWorldCreate.
- *  Strings that stay. Each limit is spoken of once then. */
+/** What a message tells the program to raise where there is no room for more, instead of the arguments of
+ *  MdtWorldCreate. Strings that stay. Each limit is spoken of once then. */
 MEPUBLIC void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies, const char *constraints);
 
 /** Whether that is a world, and a living one. */

@@ -1,8 +1,8 @@
 /** @file MdtLimit.h
  *  Stops and motors of joints (Dynamics guide ch. 3, "Joint Limit" and "The Single Joint Limit").
  *
- *  A stop rebounds with all of its speed unless it is told otherwise: restitution is 1 by default, as the guide has it. A
- *  joint that is to come to rest at its stop wants MdtSingleLimitSetRestitution(stop, 0).
+ *  A stop rebounds with all of its speed unless it is told otherwise: restitution is 1 by default, as the guide has it.
+ *  A joint that is to come to rest at its stop wants MdtSingleLimitSetRestitution(stop, 0).
  *
  *  A limit governs one degree of freedom: an angle [rad, rad/s, N m] or a length [m, m/s, N]; the comments speak of
  *  lengths. It has a lower and an upper stop and a motor with limited force. A stop is hard, or a damped spring. The

@@ -35,11 +35,12 @@ struct MdtPartitionOutput {
 MEPUBLIC void MEAPI MdtWorldSetPartitionCB(const MdtWorldID w, MdtPartitionEndCB cb, void *data);
 
 /**
- * Finds the partitions of the bodies in a dictionary, whose nodes carry them (MeDictNodeGet; the keys are the program's), as
- * a step of their world would: what is tied to an enabled body is enabled. They are written to @a po, whose members are set
- * to the world's own arrays, valid until its next step; then @a pcb, unless it is null, is called for each partition, which
- * is the last of the output then. Only to look at: MdtWorldStep finds them anew. Disabled bodies alone are in no partition. A
- * node that carries no body of the first one's world gets a warning and is left out; without a body there are 0 partitions.
+ * Finds the partitions of the bodies in a dictionary, whose nodes carry them (MeDictNodeGet; the keys are the
+ * program's), as a step of their world would: what is tied to an enabled body is enabled. They are written to @a po,
+ * whose members are set to the world's own arrays, valid until its next step; then @a pcb, unless it is null, is called
+ * for each partition, which is the last of the output then. Only to look at: MdtWorldStep finds them anew. Disabled
+ * bodies alone are in no partition. A node that carries no body of the first one's world gets a warning and is left
+ * out; without a body there are 0 partitions.
  */
 MEPUBLIC void MEAPI MdtUpdatePartitions(MeDict *enabledBodyList, MdtPartitionOutput *po, const MdtPartitionEndCB pcb,
                                         void *pcbdata);

@@ -18,6 +18,7 @@ ME_BEGIN_C
 /** How a partition was stepped, in the order of effort: a world's way is the last of its partitions'. */
 typedef enum MdtReportWay {
     MdtReportWayNone,    /**< put to rest, or without rows: free motion */
+    MdtReportWayRest,    /**< at rest, and nothing has changed: the last step's answer was taken without a solve */
     MdtReportWayKept,    /**< the last step's answer still held: nothing was factored */
     MdtReportWayExact,   /**< solved */
     MdtReportWayTimed,   /**< bodies met or came to stick, at the moment when they did (MdtWorldSetTimedContacts) */
@@ -46,6 +47,7 @@ typedef struct MdtReport {
     /* in which way */
     MdtReportWay way;
     int parts;          /**< that the step was taken in: 1 if it was not divided, 0 of a partition put to rest */
+    int rested;         /**< 1: the way is MdtReportWayRest; no rows are made then, and no error is measured */
     int events;         /**< how often a step was divided where bodies met or came to stick */
     int passes;         /**< linearizations */
     int iterations;     /**< of Newton's method (Karma: pivots) */
@@ -55,7 +57,7 @@ typedef struct MdtReport {
     int fallbacks;      /**< parts whose forces are within bounds, but inexact, or whose bodies were stopped; there is a
                         warning too where the step is too long or the program has capped the iterations */
     int conflicts;      /**< parts with constraints that contradict each other: a compromise was taken */
-    int limited; /**< parts whose work or iterations ran out: the best answer so far was taken, and counts as a fallback */
+    int limited; /**< parts whose work or iterations ran out: the best answer so far was taken; a fallback, too */
     MeReal work; /**< millions of multiplications, as MdtWorldSetWorkBudget counts them; that of impacts included */
     /* how far off */
     MeReal
@@ -76,8 +78,9 @@ typedef struct MdtReport {
 
 /**
  * From the next step on, steps are reported. What is reported already is kept. Memory is allocated the first time, for
- * as many partitions as the world may have bodies (of a world without a limit: when a step needs it), and lives as long as the
- * world; should there be none, a fatal error is reported and the report stays off, or there is none of that step.
+ * as many partitions as the world may have bodies (of a world without a limit: when a step needs it), and lives as long
+ * as the world; should there be none, a fatal error is reported and the report stays off, or there is none of that
+ * step.
  */
 MEPUBLIC void MEAPI MdtWorldEnableReport(const MdtWorldID w);
 /** Steps are not reported any more; what was reported is gone. */

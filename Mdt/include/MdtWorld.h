@@ -16,14 +16,14 @@ ME_BEGIN_C
  * Creates a world with room for @a maxBodies bodies and @a maxConstraints joints and contacts.
  *
  * @a lengthScale [m] and @a massScale [kg] say how large and heavy a typical object is: the defaults of bodies and the
- * thresholds of resting are scaled by them, and epsilon by 1/massScale: 0.0001 for 1 kg, as the Dynamics guide has it. (A
- * universe's world is stiffer: MstUniverseCreate.) Both forms of the guides compile:
- * MdtWorldCreate(maxBodies, maxConstraints), with scales of 1, and the form with all four. Scales that are not positive
- * and finite get a warning and count as 1.
+ * thresholds of resting are scaled by them, and epsilon by 1/massScale: 0.0001 for 1 kg, as the Dynamics guide has it.
+ * (A universe's world is stiffer: MstUniverseCreate.) Both forms of the guides compile: MdtWorldCreate(maxBodies,
+ * maxConstraints), with scales of 1, and the form with all four. Scales that are not positive and finite get a warning
+ * and count as 1.
  *
  * Returns the world, or null when there is no memory. Destroy it with MdtWorldDestroy. All memory for bodies and
- * constraints is allocated here, through MeMemoryAPI. With MeNoLimit the world begins without and grows when it is full;
- * handles and pointers stay, and the results are the same. Dynamics guide ch. 2, "Initializing the World".
+ * constraints is allocated here, through MeMemoryAPI. With MeNoLimit the world begins without and grows when it is
+ * full; handles and pointers stay, and the results are the same. Dynamics guide ch. 2, "Initializing the World".
  */
 #ifdef __cplusplus
 MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const unsigned int maxConstraints,
@@ -42,10 +42,11 @@ MEPUBLIC MdtWorldID MEAPI MdtWorldCreate(const unsigned int maxBodies, const uns
 
 /** Destroys a world with all its bodies and constraints; their handles end with it. Dynamics guide ch. 2. */
 MEPUBLIC void MEAPI MdtWorldDestroy(const MdtWorldID w);
-/** Destroys all bodies and constraints of a world. Its parameters and callbacks stay. Not from within a step's callback. */
+/** Destroys all bodies and constraints of a world. Its parameters and callbacks stay. Not from within a step's
+ *  callback. */
 MEPUBLIC void MEAPI MdtWorldReset(const MdtWorldID w);
-/** The same; gravity, epsilon, gamma, the largest matrix, the least safe time and auto-disabling are then those of a new world
- *  of the same length and mass scales. Not from within a step's callback. */
+/** The same; gravity, epsilon, gamma, the largest matrix, the least safe time and auto-disabling are then those of a
+ *  new world of the same length and mass scales. Not from within a step's callback. */
 MEPUBLIC void MEAPI MdtWorldReCreate(const MdtWorldID w);
 /** How many bytes of scratch memory the world's steps have taken at most. */
 MEPUBLIC int MEAPI MdtWorldGetMaxMemoryPoolUsed(const MdtWorldID w);
@@ -65,11 +66,11 @@ MEPUBLIC void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize);
  */
 MEPUBLIC void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize);
 /**
- * Moves the partitions that MdtWorldStepSafeTime has left behind on, by what their bodies lack (MdtBodyGetLag), at most by
- * the shortest of their safe times, which may be 0. Forces that were added for the step act in the rest of it as well. A
- * partition in which an awake body is not behind stays where it is; bodies that it wakes are behind as it is. It puts
- * nothing to rest, calls no partition callback, and leaves the report as it was. What is lacking when the next step
- * begins is lost. Returns how many partitions it moved. Beyond Karma.
+ * Moves the partitions that MdtWorldStepSafeTime has left behind on, by what their bodies lack (MdtBodyGetLag), at most
+ * by the shortest of their safe times, which may be 0. Forces that were added for the step act in the rest of it as
+ * well. A partition in which an awake body is not behind stays where it is; bodies that it wakes are behind as it is.
+ * It puts nothing to rest, calls no partition callback, and leaves the report as it was. What is lacking when the next
+ * step begins is lost. Returns how many partitions it moved. Beyond Karma.
  */
 MEPUBLIC int MEAPI MdtWorldStepRest(const MdtWorldID w);
 /** How many bodies are behind. Beyond Karma. */
@@ -84,8 +85,8 @@ MEPUBLIC void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g);
  *  gamma, h the step: at 60 Hz and the defaults by 1.4 mm for each tonne; 0 is rigid. Default 0.0001 / massScale; a
  *  universe sets its own (MstUniverseCreate). A value that a program sets is absolute, whatever the scales are.
  *
- *  Friction, motors and brakes have no epsilon: on a row without a position it would be viscosity, and what they can hold
- *  would creep. What is to give way there is said with slip (MdtContactParamsSetPrimarySlip) or friction.
+ *  Friction, motors and brakes have no epsilon: on a row without a position it would be viscosity, and what they can
+ *  hold would creep. What is to give way there is said with slip (MdtContactParamsSetPrimarySlip) or friction.
  *
  *  Gamma, 0..1: the fraction of a joint's error that one step removes. Default 0.2.
  *  @{ */
@@ -188,10 +189,10 @@ MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
  *  Simulation Toolkit freezes and unfreezes collision models so (User Guide ch. 5). */
 MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
 
-/** @name The cap on the Newton iterations of a partition's step (Karma: pivoting iterations). 0, the default: no cap, and
- *  the work budget alone bounds the step. With fewer iterations a step costs less and is softer, as with a smaller budget of
- *  work: forces are within their bounds, but inexact, energy is not gained, and a warning says so. Each part that a step
- *  is divided into (MdtReport) has one iteration at least.
+/** @name The cap on the Newton iterations of a partition's step (Karma: pivoting iterations). 0, the default: no cap,
+ *  and the work budget alone bounds the step. With fewer iterations a step costs less and is softer, as with a smaller
+ *  budget of work: forces are within their bounds, but inexact, energy is not gained, and a warning says so. Each part
+ *  that a step is divided into (MdtReport) has one iteration at least.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi);
 MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
@@ -200,9 +201,9 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
 /** @name The budget of work: what a partition may cost in a step at most
  *
  *  In millions of multiplications as Kea counts them, of sparse factorizations and of visits of rows: the same on every
- *  machine, so that results are, and about a millisecond each on one core of 2020. All that a step of a partition does draws
- *  from the same budget: sub-steps, halves of violent motion, events, impacts. Of a step that is taken in parts by safe times,
- *  each part has its share, at least a sixteenth.
+ *  machine, so that results are, and about a millisecond each on one core of 2020. All that a step of a partition does
+ *  draws from the same budget: sub-steps, halves of violent motion, events, impacts. Of a step that is taken in parts
+ *  by safe times, each part has its share, at least a sixteenth.
  *
  *  Newton's method has half of it at least; where friction bounds do not settle, three eighths. When that is used up, the best
  *  answer so far is finished by accelerated sweeps over the rows (projected Gauss-Seidel), and by a direct solve of the joints'
@@ -239,16 +240,16 @@ MEPUBLIC void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const size
 
 /** @name Joints that break (MdtConstraintSetBreakLimits)
  *  @{ */
-/** Those that broke in the last step, by sort keys, then creation; null in the place of one that was destroyed since. The
- *  array is the world's, and valid until the next step. @a count gets how many there are. */
+/** Those that broke in the last step, by sort keys, then creation; null in the place of one that was destroyed since.
+ *  The array is the world's, and valid until the next step. @a count gets how many there are. */
 MEPUBLIC const MdtConstraintID *MEAPI MdtWorldGetBrokenJoints(const MdtWorldID w, int *count);
 /** Called for each of them at the end of the step, in that order; null, the default: nothing. */
 MEPUBLIC void MEAPI MdtWorldSetBreakCB(const MdtWorldID w, MdtBreakCBPtr cb);
 /** @} */
 
 /**
- * What each step draws when it ends, by MeDebugDrawAPI (MeDebugDraw.h); a viewer's context shows it until the next tick.
- * A sum of options; 0, the default: nothing. Other values get a warning and change nothing.
+ * What each step draws when it ends, by MeDebugDrawAPI (MeDebugDraw.h); a viewer's context shows it until the next
+ * tick. A sum of options; 0, the default: nothing. Other values get a warning and change nothing.
  */
 MEPUBLIC void MEAPI MdtWorldSetDebugDrawing(const MdtWorldID w, const MdtDebugDrawOptions drawOptions);
 

@@ -28,6 +28,7 @@ static void getFrame(const MdtBody *b, double p[3], double q[4]) {
 
 /* What the last step did is no guess any more for a body that moves otherwise now, */
 static void forgetMotion(MdtBodyID b) {
+    mdt_bodyDisturb(b);
     memset(b->kea.acceleration, 0, sizeof b->kea.acceleration);
 }
 
@@ -179,6 +180,11 @@ void mdt_bodyAcceptVelocities(MdtBodyID b) {
     mdt_bodyShow(b);
 }
 
+void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v) {
+    keaCopy(v->lin, b->kea.velocity);
+    MdtKeaBodyGetAngularVelocity(&b->kea, v->ang);
+}
+
 /* ---- mass and inertia ---- */
 
 static void setKeaInertia(MdtBodyID b) {
@@ -196,6 +202,7 @@ static void setKeaInertia(MdtBodyID b) {
 /* Changes the inertia and keeps the angular velocity. */
 static void changeInertia(MdtBodyID b) {
     double w[3];
+    mdt_bodyDisturb(b);
     mdt_bodyAcceptVelocities(b);
     MdtKeaBodyGetAngularVelocity(&b->kea, w);
     setKeaInertia(b);
@@ -224,6 +231,7 @@ static void setDefaults(MdtBodyID b) {
     b->angularDamping = MDTBODY_DEFAULT_ANGULAR_DAMPING;
     b->slowTime = 0;
     b->safeTime = MEINFINITY;
+    mdt_bodyDisturb(b);
     MdtBodySetNoFastSpinAxis(b);
     mdt_bodyShow(b);
 }
@@ -287,12 +295,21 @@ void MEAPI MdtBodyReset(const MdtBodyID b) {
     mdt_bodyWakeIfAsleep(b);
 }
 
+static void endSleep(MdtBodyID b) {
+    if (!(b->flags & MDT_ASLEEP))
+        return;
+    b->flags &= ~MDT_ASLEEP;
+    b->world->asleepBodies--;
+    MEASSERT(b->world->asleepBodies >= 0);
+}
+
 void MEAPI MdtBodyEnable(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    b->flags &= ~MDT_ASLEEP;
+    endSleep(b);
     if (b->flags & MDT_ENABLED)
         return;
     b->flags |= MDT_ENABLED;
+    mdt_graphChanged(b->world);
     forgetMotion(b);
     forgetRest(b);
     b->world->enabledBodies++;
@@ -303,11 +320,13 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
 
 void MEAPI MdtBodyDisable(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
-    b->flags &= ~MDT_ASLEEP;
+    endSleep(b);
     if (!(b->flags & MDT_ENABLED))
         return;
     b->flags &= ~MDT_ENABLED;
+    mdt_graphChanged(b->world);
     b->lag = 0;
+    mdt_bodyDisturb(b);
     forgetRest(b);
     b->partition = -1;
     b->world->enabledBodies--;
@@ -338,12 +357,15 @@ static MeBool isAccelerated(const MdtBody *b, const MdtPartitionParams *params) 
            keaDot(b->acceleration.ang, b->acceleration.ang) >= (double)params->accrot_thresh;
 }
 
-void mdt_bodyNoteSlow(MdtBodyID b, double h) {
+void mdt_bodyAge(MdtBodyID b, double h) {
+    MEASSERT(h > 0 && (b->flags & MDT_ENABLED));
+    b->enabledTime += h;
+    b->enabledSteps++;
     b->slowTime = isFast(b, &b->world->rest) ? 0 : b->slowTime + h;
 }
 
-/* What is accelerated in truth does not stay slow: it trembles in its place. */
-static MeBool trembles(const MdtBody *b) {
+/* Slow for long, though with a high acceleration: solver jitter, which does not keep a body from sleeping. */
+static MeBool isJittering(const MdtBody *b) {
     const double longEnough = 0.5; /* s: at the default thresholds, twice what it takes from rest to the fast ones */
     return b->slowTime > longEnough;
 }
@@ -353,7 +375,7 @@ MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *pa
     if (!mdt_isPointer(__func__, "the thresholds", params))
         return MEFALSE;
     mdt_bodyAcceptVelocities(b);
-    return isFast(b, params) || (isAccelerated(b, params) && !trembles(b));
+    return isFast(b, params) || (isAccelerated(b, params) && !isJittering(b));
 }
 
 /* ---- sleeping and waking ---- */
@@ -362,6 +384,7 @@ void mdt_bodySleep(MdtBodyID b) {
     static const double none[3] = {0, 0, 0};
     MdtBodyDisable(b);
     b->flags |= MDT_ASLEEP;
+    b->world->asleepBodies++;
     keaZero(b->kea.velocity);
     MdtKeaBodySetAngularVelocity(&b->kea, none);
     keaZero(b->acceleration.lin);
@@ -589,6 +612,7 @@ void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos
     if (!mdt_isPointer(__func__, "the position", pos) || !isPlace(__func__, b, pos[0], pos[1], pos[2]))
         return;
     mdt_fromReal(b->kea.position, pos);
+    mdt_bodyDisturb(b);
     mdt_bodyAcceptVelocities(b);
     mdt_bodyShow(b);
     mdt_bodyWakeIfAsleep(b);
@@ -696,6 +720,8 @@ void MEAPI MdtBodySetMass(const MdtBodyID b, const MeReal mass) {
     MDT_NEED_BODY(b, );
     if (!mdt_isPositive(__func__, "the mass", mass))
         return;
+    if ((double)mass != b->mass)
+        mdt_bodyDisturb(b);
     b->mass = (double)mass;
     b->kea.invMass = 1 / b->mass;
 }
@@ -739,6 +765,8 @@ void MEAPI MdtBodySetSphericalInertiaTensor(const MdtBodyID b, const MeReal i) {
 }
 
 static void setKeaFlag(MdtBodyID b, int flag, MeBool on) {
+    if (on != ((b->kea.flags & flag) != 0))
+        mdt_bodyDisturb(b);
     b->kea.flags = on ? b->kea.flags | flag : b->kea.flags & ~flag;
 }
 
@@ -850,10 +878,16 @@ void MEAPI MdtBodyResetImpulses(const MdtBodyID b) {
 
 /* ---- damping and fast spin ---- */
 
+static void setDamping(MdtBodyID b, MeReal *damping, MeReal d) {
+    if (*damping != d)
+        mdt_bodyDisturb(b);
+    *damping = d;
+}
+
 void MEAPI MdtBodySetLinearVelocityDamping(const MdtBodyID b, const MeReal d) {
     MDT_NEED_BODY(b, );
     if (mdt_isAtLeast(__func__, "the damping", d, 0))
-        b->linearDamping = d;
+        setDamping(b, &b->linearDamping, d);
 }
 
 MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b) {
@@ -864,7 +898,7 @@ MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b) {
 void MEAPI MdtBodySetAngularVelocityDamping(const MdtBodyID b, const MeReal d) {
     MDT_NEED_BODY(b, );
     if (mdt_isAtLeast(__func__, "the damping", d, 0))
-        b->angularDamping = d;
+        setDamping(b, &b->angularDamping, d);
 }
 
 MeReal MEAPI MdtBodyGetAngularVelocityDamping(const MdtBodyID b) {
@@ -927,8 +961,10 @@ void *MEAPI MdtBodyGetUserData(const MdtBodyID b) {
 
 void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key) {
     MDT_NEED_BODY(b, );
-    if (mdt_isSortKey(__func__, key))
-        mdt_listSetKey(&b->world->bodies, &b->link, key);
+    if (!mdt_isSortKey(__func__, key))
+        return;
+    mdt_listSetKey(&b->world->bodies, &b->link, key);
+    mdt_graphChanged(b->world);
 }
 
 MeI32 MEAPI MdtBodyGetSortKey(const MdtBodyID b) {

@@ -16,6 +16,7 @@ MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const c
     c->bcl.type = type;
     c->side[0].constraint = c->side[1].constraint = c;
     c->breakForce = c->breakTorque = MEINFINITY;
+    c->isWatched = type != MdtBclCONTACT && type != MdtBclCONTACTGROUP;
     c->type->reset(&c->bcl);
     mdt_listAppend(&w->constraints, &c->link, c, w->nextSerial++);
     return c;
@@ -75,7 +76,9 @@ void MEAPI MdtConstraintEnable(const MdtConstraintID c) {
         return;
     }
     c->flags |= MDT_ENABLED;
+    mdt_graphChanged(c->world);
     mdt_constraintForget(c);
+    mdt_constraintDisturb(c);
     c->world->enabledConstraints++;
 }
 
@@ -84,6 +87,8 @@ void MEAPI MdtConstraintDisable(const MdtConstraintID c) {
     if (!(c->flags & MDT_ENABLED))
         return;
     c->flags &= ~MDT_ENABLED;
+    mdt_graphChanged(c->world);
+    mdt_constraintDisturb(c);
     c->world->enabledConstraints--;
     MEASSERT(c->world->enabledConstraints >= 0);
     for (int k = 0; k < 2; k++) /* what it held in its sleep has to be looked at */
@@ -102,6 +107,7 @@ void mdt_constraintDetach(MdtConstraintID c, int side) {
     MdtAttachment *at = &c->side[side];
     if (!at->body)
         return;
+    mdt_constraintDisturb(c);
     MEASSERT(at->previous ? at->previous->next == at : at->body->attachments == at);
     MEASSERT(!at->next || at->next->previous == at);
     if (at->previous)
@@ -125,7 +131,18 @@ static void attach(MdtConstraintID c, int side, MdtBodyID b) {
     if (at->next)
         at->next->previous = at;
     b->attachments = at;
+    b->flags |= c->isWatched ? MDT_WATCHED : 0;
+    mdt_graphChanged(c->world);
+    mdt_constraintDisturb(c);
     MEVALIDATE(mdt_attachmentsAreLinked(b));
+}
+
+void mdt_constraintWatch(MdtConstraintID c) {
+    c->isWatched = METRUE;
+    for (int k = 0; k < 2; k++)
+        if (c->side[k].body)
+            c->side[k].body->flags |= MDT_WATCHED;
+    mdt_constraintDisturb(c);
 }
 
 static MeBool mayAttach(MdtConstraintID c, MdtBodyID b, const char *caller) {
@@ -151,14 +168,14 @@ static void takePoses(MdtConstraintID c, Poses *poses) {
     poses->at[1] = &poses->of[1];
 }
 
-static void tellPositioned(MdtConstraintID c) {
+static void notifyPositioned(MdtConstraintID c) {
     Poses poses;
     takePoses(c, &poses);
     if (c->type->positioned)
         c->type->positioned(&c->bcl, poses.at);
 }
 
-static void tellAttached(MdtConstraintID c) {
+static void notifyAttached(MdtConstraintID c) {
     Poses poses;
     takePoses(c, &poses);
     if (c->type->attached)
@@ -167,7 +184,7 @@ static void tellAttached(MdtConstraintID c) {
         c->type->positioned(&c->bcl, poses.at);
 }
 
-static void tellAxesSet(MdtConstraintID c, const MdtBclFrame before[2]) {
+static void notifyAxesSet(MdtConstraintID c, const MdtBclFrame before[2]) {
     Poses poses;
     takePoses(c, &poses);
     if (c->type->axesSet)
@@ -178,7 +195,7 @@ void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1) {
     attach(c, 0, b0);
     attach(c, 1, b1);
     mdt_constraintForget(c);
-    tellAttached(c);
+    notifyAttached(c);
 }
 
 /* In a group with the world the first body is the one that moves. */
@@ -312,7 +329,7 @@ void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned 
         return;
     const double world[3] = {x, y, z};
     pointToBody(c, (int)bodyindex, world, c->bcl.frame[bodyindex].position);
-    tellPositioned(c);
+    notifyPositioned(c);
 }
 
 void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
@@ -332,7 +349,7 @@ void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsign
         return;
     const double local[3] = {x, y, z};
     keaCopy(c->bcl.frame[bodyindex].position, local);
-    tellPositioned(c);
+    notifyPositioned(c);
 }
 
 void MEAPI MdtConstraintBodyGetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
@@ -376,7 +393,7 @@ static void setBothAxes(MdtConstraintID c, const double p[3], const double o[3])
     const MdtBclFrame before[2] = {c->bcl.frame[0], c->bcl.frame[1]};
     setAxesOf(c, 0, p, o);
     setAxesOf(c, 1, p, o);
-    tellAxesSet(c, before);
+    notifyAxesSet(c, before);
 }
 
 void MEAPI MdtConstraintSetAxis(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz) {
@@ -519,6 +536,8 @@ int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c) {
 static void setWorldVelocity(MdtConstraintID c, const char *caller, double v[3], MeReal x, MeReal y, MeReal z) {
     if (!mdt_isConstraint(c, caller) || !mdt_isFinite3(caller, "the velocity", x, y, z))
         return;
+    if (v[0] != (double)x || v[1] != (double)y || v[2] != (double)z)
+        mdt_constraintDisturb(c);
     v[0] = x, v[1] = y, v[2] = z;
 }
 
@@ -563,8 +582,10 @@ void *MEAPI MdtConstraintGetUserData(const MdtConstraintID c) {
 
 void MEAPI MdtConstraintSetSortKey(const MdtConstraintID c, MeI32 key) {
     MDT_NEED_CONSTRAINT(c, );
-    if (mdt_isSortKey(__func__, key))
-        mdt_listSetKey(&c->world->constraints, &c->link, key);
+    if (!mdt_isSortKey(__func__, key))
+        return;
+    mdt_listSetKey(&c->world->constraints, &c->link, key);
+    mdt_graphChanged(c->world);
 }
 
 MeI32 MEAPI MdtConstraintGetSortKey(const MdtConstraintID c) {

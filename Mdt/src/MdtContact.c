@@ -10,6 +10,14 @@ static MdtBclContact *contactOf(const MdtContactID c, const char *caller) {
     return base ? &base->bcl.of.contact : NULL;
 }
 
+/* Sets a part of a contact, which is renewed in every step: what is written as it was is no change. */
+static void setPart(MdtConstraintID c, void *part, const void *value, size_t size) {
+    if (memcmp(part, value, size) == 0)
+        return;
+    memcpy(part, value, size);
+    mdt_constraintDisturb(c);
+}
+
 MdtContactID MEAPI(MdtContactCreate)(const MdtWorldID w) {
     return (MdtContactID)mdt_constraintCreate(w, MdtBclCONTACT, "MdtContactCreate");
 }
@@ -23,8 +31,10 @@ MdtContactID MEAPI MdtContactCreateBetween(const MdtWorldID w, const MdtBodyID b
 
 void MEAPI MdtContactReset(const MdtContactID c) {
     MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
-    if (base)
-        base->type->reset(&base->bcl);
+    if (!base)
+        return;
+    base->type->reset(&base->bcl);
+    mdt_constraintDisturb(base);
 }
 
 MdtConstraintID MEAPI MdtContactQuaConstraint(const MdtContactID c) {
@@ -38,10 +48,11 @@ MdtContactID MEAPI MdtConstraintDCastContact(const MdtConstraintID c) {
 /* ---- geometry ---- */
 
 void MEAPI MdtContactSetPosition(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
-    MdtBclContact *contact = contactOf(c, __func__);
-    if (!contact || !mdt_isFinite3(__func__, "the position", x, y, z))
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    if (!base || !mdt_isFinite3(__func__, "the position", x, y, z))
         return;
-    contact->position[0] = x, contact->position[1] = y, contact->position[2] = z;
+    const double position[3] = {x, y, z};
+    setPart(base, base->bcl.of.contact.position, position, sizeof position);
 }
 
 static void readBack(MeVector3 v, const char *caller, const double *from) {
@@ -67,25 +78,29 @@ static MeBool layIntoPlane(const double normal[3], double direction[3]) {
     return METRUE;
 }
 
-/* An axis across the normal gives the direction: x, or z, or y, if it is clearly more across than those before it. Of two
- * that are alike, as on level ground, rounding must not choose another one in the next step: friction forces are kept as
- * numbers along it. */
-static void chooseDirection(MdtBclContact *contact) {
+/* An axis across the normal gives the direction: x, or z, or y, if it is clearly more across than those before it. Of
+ * two that are alike, as on level ground, rounding must not choose another one in the next step: friction forces are
+ * kept as numbers along it. */
+static void chooseDirection(const double n[3], double direction[3]) {
     static const int order[] = {0, 2, 1};
-    const double *n = contact->normal, clearly = 0.1;
+    const double clearly = 0.1;
     int least = order[0];
     for (int i = 1; i < 3; i++)
         if (fabs(n[order[i]]) < fabs(n[least]) - clearly)
             least = order[i];
-    keaZero(contact->direction);
-    contact->direction[least] = 1;
-    layIntoPlane(n, contact->direction);
+    keaZero(direction);
+    direction[least] = 1;
+    layIntoPlane(n, direction);
 }
 
-static void fitDirection(MdtBclContact *contact) {
+static void fitDirection(MdtConstraintID c) {
+    MdtBclContact *contact = &c->bcl.of.contact;
     const MeBool isSet = (contact->params.options & MdtBclContactOptionUseDirection) != 0;
-    if (!isSet || !layIntoPlane(contact->normal, contact->direction))
-        chooseDirection(contact);
+    double direction[3];
+    keaCopy(direction, contact->direction);
+    if (!isSet || !layIntoPlane(contact->normal, direction))
+        chooseDirection(contact->normal, direction);
+    setPart(c, contact->direction, direction, sizeof direction);
 }
 
 /* A unit vector, or false with a warning. */
@@ -102,12 +117,13 @@ static MeBool toUnit(const char *caller, const char *what, MeReal x, MeReal y, M
 }
 
 void MEAPI MdtContactSetNormal(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
-    MdtBclContact *contact = contactOf(c, __func__);
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
     double normal[3];
-    if (!contact || !toUnit(__func__, "the normal", x, y, z, normal))
+    if (!base || !toUnit(__func__, "the normal", x, y, z, normal))
         return;
-    keaCopy(contact->normal, normal);
-    fitDirection(contact);
+    const MdtBclContact *contact = &base->bcl.of.contact;
+    setPart(base, base->bcl.of.contact.normal, normal, sizeof normal);
+    fitDirection(base);
     MEASSERT(fabs(keaDot(contact->normal, contact->direction)) < 1e-6);
     MEASSERT(fabs(1 - keaLength(contact->direction)) < 1e-6);
 }
@@ -118,9 +134,10 @@ void MEAPI MdtContactGetNormal(const MdtContactID c, MeVector3 v) {
 }
 
 void MEAPI MdtContactSetPenetration(const MdtContactID c, const MeReal p) {
-    MdtBclContact *contact = contactOf(c, __func__);
-    if (contact && mdt_isFinite(__func__, "the penetration", p))
-        contact->penetration = p;
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    const double penetration = p;
+    if (base && mdt_isFinite(__func__, "the penetration", p))
+        setPart(base, &base->bcl.of.contact.penetration, &penetration, sizeof penetration);
 }
 
 MeReal MEAPI MdtContactGetPenetration(const MdtContactID c) {
@@ -143,22 +160,25 @@ void MEAPI MdtContactSetExact(const MdtContactID c, const double position[3], co
         !mdt_isFinite(__func__, "the penetration", (MeReal)penetration))
         return;
     MdtBclContact *contact = &base->bcl.of.contact;
-    keaCopy(contact->position, position);
-    contact->penetration = penetration;
+    double place[3], depth = penetration;
+    keaCopy(place, position);
     for (int k = 0; k < 2; k++) {
         double lost[3];
         if (!base->side[k].body)
             continue;
         mdt_bodyLostByRounding(base->side[k].body, position, lost);
-        keaAddScaled(contact->position, shareOf(base, k), lost);
-        contact->penetration -= (k == 0 ? 1 : -1) * keaDot(contact->normal, lost);
+        keaAddScaled(place, shareOf(base, k), lost);
+        depth -= (k == 0 ? 1 : -1) * keaDot(contact->normal, lost);
     }
+    setPart(base, contact->position, place, sizeof place);
+    setPart(base, &contact->penetration, &depth, sizeof depth);
 }
 
 void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius) {
-    MdtBclContact *contact = contactOf(c, __func__);
-    if (contact && mdt_isSide(__func__, bodyindex) && mdt_isAtLeast(__func__, "the radius", radius, 0))
-        contact->radius[bodyindex] = radius;
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    const double r = radius;
+    if (base && mdt_isSide(__func__, bodyindex) && mdt_isAtLeast(__func__, "the radius", radius, 0))
+        setPart(base, &base->bcl.of.contact.radius[bodyindex], &r, sizeof r);
 }
 
 MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyindex) {
@@ -167,15 +187,16 @@ MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyin
 }
 
 void MEAPI MdtContactSetDirection(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
-    MdtBclContact *contact = contactOf(c, __func__);
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
     double direction[3];
-    if (!contact || !toUnit(__func__, "the direction", x, y, z, direction))
+    if (!base || !toUnit(__func__, "the direction", x, y, z, direction))
         return;
+    MdtBclContact *contact = &base->bcl.of.contact;
     if (!layIntoPlane(contact->normal, direction)) {
         MeWarning(1, "MdtContactSetDirection: the direction is along the normal; nothing is changed");
         return;
     }
-    keaCopy(contact->direction, direction);
+    setPart(base, contact->direction, direction, sizeof direction);
     contact->params.options |= MdtBclContactOptionUseDirection;
 }
 
@@ -187,17 +208,22 @@ void MEAPI MdtContactGetDirection(const MdtContactID c, MeVector3 v) {
 /* ---- parameters ---- */
 
 MdtContactParamsID MEAPI MdtContactGetParams(const MdtContactID c) {
-    MdtBclContact *contact = contactOf(c, __func__);
-    return contact ? &contact->params : NULL;
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    if (!base)
+        return NULL;
+    if (!base->isWatched)
+        mdt_constraintWatch(base); /* what the program writes there is seen only by looking */
+    return &base->bcl.of.contact.params;
 }
 
 void MEAPI MdtContactSetParams(const MdtContactID c, const MdtContactParamsID p) {
-    MdtBclContact *contact = contactOf(c, __func__);
-    if (!contact || !mdt_isPointer(__func__, "the parameters", p))
+    MdtConstraintID base = mdt_constraintOfType(c, MdtBclCONTACT, __func__);
+    if (!base || !mdt_isPointer(__func__, "the parameters", p))
         return;
-    const int geometry = contact->params.options & MdtBclContactOptionUseDirection;
-    contact->params = *p;
-    contact->params.options = (p->options & ~MdtBclContactOptionUseDirection) | geometry;
+    MdtBclContactParams *own = &base->bcl.of.contact.params, params;
+    memcpy(&params, p, sizeof params); /* padding and all: they are compared */
+    params.options = (p->options & ~MdtBclContactOptionUseDirection) | (own->options & MdtBclContactOptionUseDirection);
+    setPart(base, own, &params, sizeof params);
 }
 
 void MEAPI MdtContactSetWorldVelocity(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {

@@ -63,6 +63,7 @@ void mdt_groupForget(MdtConstraintID contact) {
         group->lastContact = contact->previousInGroup;
     contact->group = contact->nextInGroup = contact->previousInGroup = NULL;
     group->numContacts--;
+    mdt_graphChanged(group->world);
     MEASSERT(group->numContacts >= 0 && !group->firstContact == !group->numContacts);
     MEVALIDATE(mdt_groupIsLinked(group));
 }

@@ -1,5 +1,5 @@
-/* Worlds: creation, parameters, counting. The step itself is in mdt_step.c. */
-#include "mdt_i.h"
+/* Worlds: creation, parameters, counting. The stages of a step are in mdt_step.c. */
+#include "mdt_step_i.h"
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeMath.h"
@@ -43,8 +43,9 @@ static void freeWorld(MdtWorldID w) {
         mdt_constraintFree(link->owner);
         MeHandleLeave(&((MdtConstraintID)link->owner)->record.handle);
     }
-    void *arrays[] = {w->bodyOf,  w->constraintOf, w->keaOf,   w->bodyStart, w->constraintStart,
-                      w->ranking, w->output.info,  w->reports, w->broken};
+    void *arrays[] = {w->bodyOf,       w->constraintOf,  w->keaOf,        w->bodyStart,   w->constraintStart,
+                      w->ranking,      w->output.info,   w->reports,      w->broken,      w->graph.body,
+                      w->graph.parent, w->graph.isAwake, w->graph.acting, w->graph.actsOn};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         MeMemoryGive(arrays[i]);
     MeChunkTerm(&w->scratch);
@@ -62,6 +63,9 @@ static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
         return METRUE;
     if (!MeMemoryGrow(&w->bodyOf, 0, n, sizeof *w->bodyOf, caller, "the bodies of a step") ||
         !MeMemoryGrow(&w->keaOf, 0, n, sizeof *w->keaOf, caller, "the bodies of a step") ||
+        !MeMemoryGrow(&w->graph.body, 0, n, sizeof *w->graph.body, caller, "the bodies of a step") ||
+        !MeMemoryGrow(&w->graph.parent, 0, n, sizeof *w->graph.parent, caller, "the bodies of a step") ||
+        !MeMemoryGrow(&w->graph.isAwake, 0, n, sizeof *w->graph.isAwake, caller, "the bodies of a step") ||
         !MeMemoryGrow(&w->bodyStart, 0, n + 1, sizeof *w->bodyStart, caller, "partitions") ||
         !MeMemoryGrow(&w->constraintStart, 0, n + 1, sizeof *w->constraintStart, caller, "partitions") ||
         !MeMemoryGrow(&w->output.info, 0, n, sizeof *w->output.info, caller, "partitions"))
@@ -77,6 +81,8 @@ static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *call
     if (constraints <= w->constraintRoom)
         return METRUE;
     if (!MeMemoryGrow(&w->constraintOf, 0, n, sizeof *w->constraintOf, caller, "the constraints of a step") ||
+        !MeMemoryGrow(&w->graph.acting, 0, n, sizeof *w->graph.acting, caller, "the constraints of a step") ||
+        !MeMemoryGrow(&w->graph.actsOn, 0, n, sizeof *w->graph.actsOn, caller, "the constraints of a step") ||
         !MeMemoryGrow(&w->ranking, 0, n, sizeof *w->ranking, caller, "ranking contacts") ||
         !MeMemoryGrow(&w->broken, broken, n, sizeof *w->broken, caller, "broken joints"))
         return MEFALSE;
@@ -119,6 +125,8 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     MeChunkInit(&w->scratch, 16);
     w->timedBodies = MDT_TIMED_BODIES;
     w->subSteps = 1;
+    w->certificate = 1;   /* 0 is none */
+    w->graph.changes = 1; /* nothing has been seen */
     w->numReports = MDT_NO_REPORTS;
     if (!allocateParts(w, (int)maxBodies, (int)maxConstraints, "MdtWorldCreate")) {
         freeWorld(w);
@@ -446,6 +454,29 @@ void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, cons
     MDT_NEED_WORLD(w, );
     w->sizeLog = sizeLog;
     w->sizeLogLength = sizeLog && logSize > 0 ? logSize : 0;
+}
+
+/* ---- the step ---- */
+
+static void step(MdtWorldID w, MeReal h, MeBool safely) {
+    w->lastStep = (double)h;
+    for (int i = 0; i < w->sizeLogLength; i++)
+        w->sizeLog[i] = 0;
+    mdt_breakBegin(w);
+    mdt_worldStep(w, (double)h, safely);
+    mdt_breakEnd(w);
+}
+
+void MEAPI MdtWorldStep(const MdtWorldID w, const MeReal stepSize) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isPositive(__func__, "the step size", stepSize))
+        step(w, stepSize, MEFALSE);
+}
+
+void MEAPI MdtWorldStepSafeTime(const MdtWorldID w, const MeReal stepSize) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isPositive(__func__, "the step size", stepSize))
+        step(w, stepSize, METRUE);
 }
 
 /* ---- partitions ---- */

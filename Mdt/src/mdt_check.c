@@ -1,9 +1,9 @@
 /* Is this handle alive, is this number a number? Every warning about misuse comes from here.
  *
  * A handle points to a record whose magic says what it is and that it lives. Records of destroyed bodies and
- * constraints stay in their world's pool, so the magic can be read. All live objects are also in a table (MeInternal.h):
- * the check build looks every handle up there, so that nothing is read through one of a destroyed world. In all builds
- * that is done with a body that is to be destroyed: programs may end their objects in any order.
+ * constraints stay in their world's pool, so the magic can be read. All live objects are also in a table
+ * (MeInternal.h): the check build looks every handle up there, so that nothing is read through one of a destroyed
+ * world. In all builds that is done with a body that is to be destroyed: programs may end their objects in any order.
  */
 #include "MdtInternal.h"
 #include "mdt_i.h"

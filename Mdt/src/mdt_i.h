@@ -2,7 +2,8 @@
  *
  * Ownership: a world owns two pools of records, bodies and constraints, which never move. Live records are linked into
  * the world's lists in the order of simulation: sort key, then creation. A constraint is also linked into the lists of
- * its bodies. The state of a body that counts is the double one in `kea`; what programs point at is refreshed from it.
+ * its bodies. A body's authoritative state is the double one in `kea`; what programs
+ * point at is refreshed from it.
  */
 #ifndef MDT_I_H
 #define MDT_I_H
@@ -25,8 +26,8 @@ typedef struct MdtRecord {
 
 enum { MDT_WORLD = 0x4b57524c, MDT_BODY = 0x4b424459, MDT_CONSTRAINT = 0x4b435354 };
 
-/* Records of one size, in one block, or, where there is no limit to them, in blocks of which each is as large as all before
- * it together. Freed ones are reused last, so that a stale handle is noticed for as long as possible. */
+/* Records of one size, in one block, or, where there is no limit to them, in blocks of which each is as large as all
+ * before it together. Freed ones are reused last, so that a stale handle is noticed for as long as possible. */
 typedef struct MdtPool {
     void *blocks; /* each begins with a pointer to the one before it */
     size_t recordSize;
@@ -36,7 +37,8 @@ typedef struct MdtPool {
     MdtRecord *firstFree, *lastFree;
 } MdtPool;
 
-/* Before the first record; recordSize, what and limit are set. Takes all memory that there will be, if there is a limit. */
+/* Before the first record; recordSize, what and limit are set. Takes all memory that there will be, if there is a
+ * limit. */
 MeBool mdt_poolInit(MdtPool *pool, const char *caller);
 void mdt_poolTerm(MdtPool *pool);
 /* Zeroed but for its head; null, with a message that names the caller, when there is no room. */
@@ -71,6 +73,8 @@ enum {
     MDT_ENABLED = 1, /* takes part in the simulation */
     MDT_ASLEEP = 2,  /* was disabled by the world, not by the program */
     MDT_FAR = 4,     /* has come to the bound of positions, and said so */
+    MDT_WATCHED =
+        8, /* has had a constraint whose parameters programs write through pointers (MdtBaseConstraint.isWatched) */
 };
 
 struct MdtBody {
@@ -81,7 +85,7 @@ struct MdtBody {
     MdtAttachment *attachments; /* its constraints */
     void *userData, *model;
 
-    MdtKeaBody kea;                     /* the centre of mass, in double: what counts */
+    MdtKeaBody kea;                     /* the centre of mass: the authoritative state */
     double centre[3];                   /* m, of mass, in the body's frame */
     double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
     double force[3], torque[3];         /* N, N m, added since the last step */
@@ -105,24 +109,31 @@ struct MdtBody {
     double shownPlace[3], shownTurn[4]; /* of the frame, as last shown: by setters, and at a step's end; */
     unsigned long moves;                /* counts how often they were others */
 
-    int partition;             /* in this step; -1: none */
-    int index;                 /* in Kea's arrays, in this step */
-    struct MdtBody *setParent; /* union-find, in this step */
-    MeBool setIsAwake;         /* of a set's root: some body of it is enabled */
+    unsigned long certificate; /* of rest, the world's when it was given; 0: none (mdt_rest.c) */
+
+    int partition; /* in this step; -1: none */
+    int index;     /* in Kea's arrays, in this step */
+    int place;     /* in the order of simulation, when partitions were found last */
 };
 
-void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from what counts */
+void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from the state in kea */
 /* How far the body's point at a world position that was found by its shown transform is from there, m. */
 void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]);
+void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v);
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
 void mdt_bodyKeepWithinReach(MdtBodyID b);  /* stops a body that has come to the bound of positions */
 void mdt_bodyWakeIfAsleep(MdtBodyID b);
 void mdt_bodySleep(MdtBodyID b);
-void mdt_bodyNoteSlow(MdtBodyID b, double h); /* after a step of h seconds */
-MeBool mdt_bodyIsPushedAwake(MdtBodyID b);    /* asleep, and the waiting forces would move it */
-void mdt_bodyKeepForces(MdtBodyID b);         /* those that the step began with act in the rest of it, too */
-void mdt_bodyPack(MdtBodyID b);               /* loads of this step into kea; empties the accumulators */
-void mdt_bodyTerm(MdtBodyID b);               /* lets go of constraints, returns the record */
+void mdt_bodyAge(MdtBodyID b, double h);   /* after a step of h seconds */
+MeBool mdt_bodyIsPushedAwake(MdtBodyID b); /* asleep, and the waiting forces would move it */
+void mdt_bodyKeepForces(MdtBodyID b);      /* those that the step began with act in the rest of it, too */
+void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */
+void mdt_bodyTerm(MdtBodyID b);            /* detaches its constraints, returns the record */
+
+/* What the body's next step depends on has changed: its rest certificate ends. */
+static inline void mdt_bodyDisturb(MdtBodyID b) {
+    b->certificate = 0;
+}
 
 /* ---- constraints --------------------------------------------------------------------------------------------- */
 
@@ -146,6 +157,9 @@ struct MdtBaseConstraint {
     MdtKeaForcePair force; /* in the last step */
     MdtContactID nextContact;
     MeU32 feature; /* of a contact: its maker's */
+    MeBool
+        isWatched;   /* no setter tells of changes: a joint, or a contact whose parameters were given out by pointer; */
+    MeU64 certified; /* a hash of `bcl` as the certified step left it, then */
 
     int firstRow, numRows;                                   /* in this step */
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
@@ -161,10 +175,20 @@ struct MdtBaseConstraint {
     int numContacts, numKept; /* kept: not dropped in this step */
     MeBool isSwapped;
     void *generator;
-    void **holder;                  /* who keeps the group, and is told when it goes; null: nobody */
+    void **holder;                  /* the owner's pointer to the group, cleared when it is destroyed; null: none */
     MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
     double normalForce[3];          /* N, the sum over the contacts in the last step */
 };
+
+/* What the rows of the constraint depend on has changed. */
+static inline void mdt_constraintDisturb(MdtConstraintID c) {
+    for (int k = 0; k < 2; k++)
+        if (c->side[k].body)
+            mdt_bodyDisturb(c->side[k].body);
+}
+
+/* Its parameters may be written without a setter from now on. */
+void mdt_constraintWatch(MdtConstraintID c);
 
 /* Whether the solver is to look at a constraint by itself: the contacts of a group follow their group. */
 static inline MeBool mdt_constraintActs(const MdtBaseConstraint *c) {
@@ -187,7 +211,7 @@ void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side,
 /* A vector at right angles to p. */
 void mdt_chooseOrthogonal(const double p[3], double o[3]);
 void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1);
-/* Are the lists of a body's constraints, a group's contacts and a world's records linked both ways, with right counts? */
+/* Are the lists of a body's constraints and of a group's contacts linked both ways, with right counts? */
 MeBool mdt_attachmentsAreLinked(const MdtBody *b);
 MeBool mdt_groupIsLinked(const MdtBaseConstraint *group);
 void mdt_constraintDetach(MdtConstraintID c, int side);
@@ -200,7 +224,7 @@ void mdt_constraintForget(MdtConstraintID c);
 void mdt_constraintTerm(MdtConstraintID c);
 void mdt_constraintFree(MdtConstraintID c); /* memory that it has outside of its record */
 
-/* Contact groups: lets go of a contact's group; destroys a group's contacts; attaches them as the group is attached. */
+/* Contact groups: takes a contact out of its group; destroys a group's contacts; attaches them as the group is. */
 void mdt_groupForget(MdtConstraintID contact);
 void mdt_groupDestroyContacts(MdtConstraintID group);
 void mdt_groupTerm(MdtConstraintID group); /* destroys its contacts, and tells its holder */
@@ -228,7 +252,7 @@ int mdt_capRows(MdtWorldID w, MdtConstraintID constraints[], int count, int rows
         return mdt_constraintCast(c, TYPE, __func__);                                                                  \
     }
 
-/* Warns, once a world, of a contact whose friction cannot act, or has no bound, and was not asked for like that. */
+/* Warns, once a world, of a contact whose friction cannot act, or has no bound, unless it was set up like that. */
 void mdt_checkSurface(MdtConstraintID contact);
 
 /* Resets a limit and copies the public properties of another, which may be itself. */
@@ -237,6 +261,25 @@ void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
 enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
 
 /* ---- worlds -------------------------------------------------------------------------------------------------- */
+
+/* Bodies and the constraints that tie them, when partitions were found last (mdt_island.c). */
+typedef struct MdtGraph {
+    unsigned long changes; /* of the graph or its order, counted by whatever changes it (mdt_graphChanged), */
+    unsigned long seen;    /* up to when the partitions are right */
+    int numBodies, numActing;
+    MdtBodyID *body;         /* by place, bodyRoom */
+    int *parent;             /* by place: of union-find */
+    MeBool *isAwake;         /* by place, of a set's first body: some body of it is enabled */
+    MdtConstraintID *acting; /* constraintRoom */
+    int *actsOn;             /* by acting constraint: the place of one of its bodies */
+} MdtGraph;
+
+/* What a step of any partition depends on in its world. All of it is compared, so there is no padding. */
+typedef struct MdtRestInputs {
+    double h, gravity[3], epsilon, gamma, workBudget;
+    MdtContactImportanceCBPtr importance;
+    int maxLcpIterations, subSteps, timedBodies, maxMatrixSize;
+} MdtRestInputs;
 
 struct MdtWorld {
     unsigned int magic;
@@ -258,19 +301,22 @@ struct MdtWorld {
     MdtPool bodyPool, constraintPool;
     MdtList bodies, constraints;
     unsigned long nextSerial;
-    int enabledBodies, enabledConstraints;
+    int enabledBodies, asleepBodies, enabledConstraints;
     int breakable;           /* constraints with a limit */
     MdtConstraintID *broken; /* in the last step; constraintRoom */
     int numBroken;
-    MdtBreakCBPtr breakCb; /* null: none */
-    double lastStep;       /* s, 0 before the first */
-    int surfaceWarnings;   /* MdtContactParams.c: which were given */
-    int degenerate;        /* how often a joint came to stand where its rows lose their meaning */
+    MdtBreakCBPtr breakCb;     /* null: none */
+    double lastStep;           /* s, 0 before the first */
+    unsigned long certificate; /* of rest, valid now (mdt_rest.c) */
+    MdtRestInputs restInputs;  /* with which it was */
+    int surfaceWarnings;       /* MdtContactParams.c: which were given */
+    int degenerate;            /* how often a joint came to stand where its rows lose their meaning */
     MeChunk scratch;
     MdtKeaCache *keaCache;
 
     /* Arrays of a step have room for so many; they are made larger before a step only (mdt_worldReserve). */
     int bodyRoom, constraintRoom;
+    MdtGraph graph;
     /* this step's partitions: partition p has the bodies bodyOf[bodyStart[p] .. bodyStart[p+1]) and so on */
     int numPartitions;
     MdtBodyID *bodyOf;
@@ -281,12 +327,12 @@ struct MdtWorld {
     MdtDebugDrawOptions debugDraw; /* 0: nothing */
 
     MeBool isReported;
-    MdtReport *reports;    /* by partition of the last step; null until the report is enabled for the first time */
+    MdtReport *reports; /* by partition of the last step; null until the report is enabled for the first time */
     int reportRoom;
-    int numReports;        /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
-    MeU64 lap;             /* ticks, when the stage began that is being timed */
-    MeBool isTimedByStage; /* of the partition that is being stepped */
-    int firstUntimed;      /* partitions from this one on have no time yet */
+    int numReports;                     /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
+    MeU64 lap;                          /* ticks, when the stage began that is being timed */
+    MeBool isTimedByStage;              /* of the partition that is being stepped */
+    int firstUntimed;                   /* partitions from this one on have no time yet */
     double stageShare[MdtReportStages]; /* how a small partition's time divides, as last seen; 0: none was */
 
     MeHandle handle;
@@ -295,12 +341,18 @@ struct MdtWorld {
 /* Room for so many bodies and constraints in the arrays of a step. False: no memory. */
 MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller);
 
-/* Finds the partitions of this step, waking what is tied to something awake (mdt_partition.c). */
-void mdt_partitionsUpdate(MdtWorldID w);
-/* What programs see of one; it is not disabled. */
-MdtPartitionInfo mdt_partitionInfo(MdtWorldID w, int p);
+/* What is enabled, what it is tied to, or the order has changed. What is created is not enabled yet, and what is
+ * destroyed has been disabled before. */
+static inline void mdt_graphChanged(MdtWorldID w) {
+    w->graph.changes++;
+}
 
-/* Draws what the program has asked for (mdt_debug.c). */
+/* Finds the partitions of this step, waking what is tied to something awake (mdt_island.c). */
+void mdt_islandsUpdate(MdtWorldID w);
+/* What programs see of one; it is not disabled. */
+MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
+
+/* Draws what MdtWorldSetDebugDrawing has chosen (mdt_debug.c). */
 void mdt_debugDraw(MdtWorldID w);
 
 /* ---- joints that break (mdt_break.c) ---- */
@@ -322,6 +374,8 @@ void mdt_reportLap(MdtWorldID w, MdtReport *r, MdtReportStage stage);
 void mdt_reportImpact(MdtReport *r);
 void mdt_reportEvent(MdtReport *r);
 void mdt_reportDivision(MdtReport *r);
+/* The last step's answer was taken without a solve. */
+void mdt_reportRest(MdtReport *r);
 /* What a solve cost; its stage ends. */
 void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtKeaSystem *kea);
 /* A part was integrated: its errors, before anything is read back. */

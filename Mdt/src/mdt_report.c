@@ -1,8 +1,8 @@
 /* The report of a step (MdtReport.h): what mdt_step.c tells while it steps, and what programs ask for.
  *
- * Time is told in laps: each reading of the clock ends one stage and begins the next. Small partitions are stepped in
- * less than a microsecond, so that reading it for each stage would show: one of them in sixteen is timed by stage, and
- * the others together.
+ * Time is measured in laps: each reading of the clock ends one stage and begins the next. Small partitions are stepped
+ * in less than a microsecond, so that reading it for each stage would show: one of them in sixteen is timed by stage,
+ * and the others together.
  */
 #include "mdt_i.h"
 #include "MeAssert.h"
@@ -150,6 +150,11 @@ void mdt_reportEvent(MdtReport *r) {
     keepWay(r, MdtReportWayTimed);
 }
 
+void mdt_reportRest(MdtReport *r) {
+    r->parts = r->rested = 1;
+    keepWay(r, MdtReportWayRest);
+}
+
 void mdt_reportDivision(MdtReport *r) {
     keepWay(r, MdtReportWayDivided);
 }
@@ -248,6 +253,7 @@ static void addCounts(MdtReport *sum, const MdtReport *r) {
     sum->constraints += r->constraints;
     sum->rows += r->rows;
     sum->parts += r->parts;
+    sum->rested += r->rested;
     sum->events += r->events;
     sum->passes += r->passes;
     sum->iterations += r->iterations;

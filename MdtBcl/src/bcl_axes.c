@@ -1,4 +1,4 @@
-/* The parts of joints that speak of directions: axes held together or at right angles, orientations held. */
+/* The parts of joints that constrain directions: axes held together or at right angles, orientations held. */
 #include "bcl_i.h"
 
 void bcl_axes(double axes[3][3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose) {

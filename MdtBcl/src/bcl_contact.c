@@ -52,8 +52,19 @@ static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, con
     row->contact = x->firstRow;
 }
 
-/* The depth, or gap, but for what may be the rounding of the transforms that it was found from, as far as that moves the
- * surfaces along the normal: the noise of each step would else move what rests, and the last answer would not hold. */
+/* m: the depth at which the last step's force holds the contact still, h² E λ / γ. */
+static double depthUnderLoad(const MdtBclContact *contact, const MdtBclContext *x) {
+    const MdtBclSolverParameters *p = &x->parameters;
+    const MeBool isSoft = (contact->params.options & MdtBclContactOptionSoft) != 0;
+    const double own = isSoft ? fmax((double)contact->params.softness, 0) : 0;
+    const double E = p->epsilon + p->softening * own;
+    return p->gamma > 0 ? p->stepsize * p->stepsize * E * fmax(contact->normalForce, 0) / p->gamma : 0;
+}
+
+/* The depth, or gap, is known but for the rounding of the transforms that it was found from, as far as that moves the
+ * surfaces along the normal: the noise of each step would else move what rests, and the last answer would not hold. Of
+ * the depths that it may be, the one nearest to rest is taken: 0, or what the load has sunk by, if that is less than
+ * the rounding. With 0 it would go on sinking, by h E λ a second, until the rounding is passed. */
 static double beyondRounding(const MdtBclContact *contact, const MdtBclContext *x) {
     const double *n = contact->normal, depth = contact->penetration;
     double extent = 0;
@@ -68,7 +79,8 @@ static double beyondRounding(const MdtBclContact *contact, const MdtBclContext *
         for (int i = 0; i < 3; i++)
             extent += fabs(n[i] * place[i]);
     }
-    return copysign(fmax(fabs(depth) - poseRounding * extent, 0), depth);
+    const double rounding = poseRounding * extent, sunk = depthUnderLoad(contact, x);
+    return fmin(fmax(sunk <= rounding ? sunk : 0, depth - rounding), depth + rounding);
 }
 
 /* At the start of a step the contact is as its maker set it: the surface points lie half the depth on either side. What
@@ -120,8 +132,8 @@ static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
 }
 
 /* m/s: the fastest that the bodies may come together in this step, negative where they do. What is predicted knows only
- * loads; other contacts may hold either body, so that its velocity stays: of two that stand on each other, the lower one
- * does not fall. */
+ * loads; other contacts may hold either body, so that its velocity stays: of two that stand on each other, the lower
+ * one does not fall. */
 static double fastestApproach(const MdtKeaRow *normal, const MdtBclContext *x) {
     double sum = 0;
     for (int k = 0; k < 2; k++) {
@@ -231,7 +243,7 @@ const MdtBclType bcl_contact = {.name = "Contact",
                                 .fill = fill,
                                 .readBack = readBack};
 
-/* A group has the rows of its contacts, which are asked one by one. */
+/* A group has no rows of its own: its contacts have them. */
 static int noRows(MdtBclConstraint *c, const MdtBclContext *x) {
     (void)c, (void)x;
     return 0;

@@ -30,6 +30,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
         keaAddScaled(c->frame[k].position, x->elapsed, path->velocity[k]);
     }
     path->stepsize = x->parameters.stepsize;
+    MEASSERT(path->stepsize > 0);
     pathVelocity(c, x->pose, path->start);
     return 3;
 }

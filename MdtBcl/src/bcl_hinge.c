@@ -62,7 +62,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
     MdtKeaRow row;
     if (!bcl_limitIsMeasured(&c->of.limit)) {
-        c->of.limit.isMeasured = MEFALSE; /* turns are not counted while nobody asks */
+        c->of.limit.isMeasured = MEFALSE; /* full turns are not counted while the angle is not measured */
         return;
     }
     angleRow(c, x, &row);

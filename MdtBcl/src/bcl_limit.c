@@ -7,7 +7,7 @@
  *          rebound comes in the step that would pass the stop, which it therefore never does: at its end the stop is
  *          reached, and left with e times the speed of the arrival.
  *   soft:  beyond the stop a damped spring that only pushes, λ = -kp z - kd J v >= 0; Kea finds its row. In the step
- *          that comes to it the spring is there already, without damping, so that no way is passed for nothing.
+ *          that comes to it the spring is there already, without damping, so that it acts from first contact.
  * The motor is a row J v⁺ = desired velocity with |λ| <= fmax, without ε, so that a brake holds. The lock, which takes
  * its place, is the row of a joint, J v⁺ = -γ (position - lock) / h with |λ| <= its force.
  */

@@ -45,6 +45,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     bcl_turnBetween(turn, c, x->pose, r->now);
     wantedRate(turn, r->now, r->velocity, r->way);
     keaScale(r->way, x->parameters.stepsize, r->way);
+    MEASSERT(isfinite(keaDot(r->way, r->way)));
     c->isDegenerate = bcl_isHalfATurn(turn);
     return 6;
 }

@@ -29,6 +29,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtKeaBody *const body[2] = {x->kea[0], x->kea[1]};
     if (user->function)
         user->function(&list, user->owner, pose, body, &x->parameters);
+    MEASSERT(list.numRows >= 0 && list.numRows <= list.maxRows);
     for (int i = 0; i < list.numRows; i++)
         list.rows[i].position = MEFALSE;
     return user->numRows = list.numRows;

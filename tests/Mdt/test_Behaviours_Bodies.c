@@ -166,7 +166,8 @@ START_TEST(with_friction_and_without_damping_a_round_ball_rolls_for_ever) {
 }
 END_TEST
 
-/* A contact that was not told that the ball is round takes its place of contact for a corner: MdtContactSetRadius. */
+/* A contact that was not told that the ball is round takes its place of contact for a corner, in steps that are
+ * divided: MdtContactSetRadius. */
 START_TEST(with_friction_and_without_damping_a_ball_rolls_for_ever) {
     rollForAMinute(MEFALSE);
 }

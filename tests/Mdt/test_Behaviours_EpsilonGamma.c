@@ -152,8 +152,8 @@ START_TEST(no_gamma_and_all_of_it_are_the_same_at_any_step) {
 }
 END_TEST
 
-/* Epsilon is for joints and for the normals of contacts. On a row without a position it would be viscosity: friction and
- * brakes hold what they can hold, at 1e-4 for 1 kg to 10 t, and motors get to their speed. */
+/* Epsilon is for joints and for the normals of contacts. On a row without a position it would be viscosity: friction
+ * and brakes hold what they can hold, at 1e-4 for 1 kg to 10 t, and motors get to their speed. */
 START_TEST(friction_and_brakes_do_not_creep) {
     for (double mass = 1; mass <= 1e4; mass *= 10) {
         MdtWorldID w = scene_world(2, 2, 10);

@@ -70,8 +70,9 @@ static void MEAPI countPartitions(MdtPartitionOutput *po, void *count) {
     ck_assert_int_eq(po->numPartitions, ++*(int *)count);
 }
 
-/* User Guide ch. 2, "MdtUpdatePartitions": partitions are found from the enabled bodies; a disabled body that is tied to one
- * is enabled. Here: a chain of two of which one is disabled, one alone, one that is not asked for, one disabled alone. */
+/* User Guide ch. 2, "MdtUpdatePartitions": partitions are found from the enabled bodies; a disabled body that is tied
+ * to one is enabled. Here: a chain of two of which one is disabled, one alone, one that is not asked for, one disabled
+ * alone. */
 START_TEST(partitions_are_found_from_a_list_of_bodies) {
     static const int key[5] = {3, 1, 4, 2, 5};
     MdtWorldID w = scene_world(5, 1, 10);

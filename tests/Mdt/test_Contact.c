@@ -73,7 +73,7 @@ START_TEST(bounces_rise_to_the_square_of_the_restitution) {
                 const double top = nextTop(&s, (MeReal)5e-4);
                 wanted *= es[k] * es[k];
                 /* a contact that is there before the impact is met in time, and the top lies between two pictures; one
-                 * that comes after it is met within one step of the way: v h (1 - e²), each bounce on top of the last */
+                 * that comes after it is met within one step of the way: v h (1 - e²), each bounce atop the last */
                 assert_near(top, wanted,
                             early ? 9.81 / 8 * 5e-4 * 5e-4 + TOL(2e-6, 1e-9)
                                   : 6.3 * 5e-4 * (1 - es[k] * es[k]) + .01 * wanted);
@@ -159,7 +159,7 @@ static void pushFor(Ball *s, int n, double fx, double fz) {
     }
 }
 
-/* Kea stops when every row is met to 1e-9 of the partition's speed, the loads' change of it and a tenth of the whole. */
+/* Kea stops when every row is met to 1e-9 of the partition's speed: the loads' change and a tenth of the whole. */
 #define SOLVER_ERROR(acceleration) (1.1e-9 * (acceleration) * (double)FRAME)
 
 /* A body whose contact is at its centre, so that friction does not turn it. */
@@ -190,8 +190,8 @@ START_TEST(box_friction_of_10_holds_9_and_lets_11_slide_with_1) {
 END_TEST
 
 /* The box model bounds each direction by itself: 9 along both is 12.7 together and still holds. */
-/* A body that has risen by less than half a digit of single precision shows the same place as before. What is measured from
- * there says nothing of the rise, which MdtContactSetExact puts back: no noise of rounding moves a body at rest. */
+/* A body that has risen by less than half a digit of single precision shows the same place as before. What is measured
+ * from there says nothing of the rise, which MdtContactSetExact puts back: noise of rounding moves no resting body. */
 START_TEST(what_places_lose_by_rounding_is_put_back) {
     const double rise = 1.5e-6, position[3] = {0, 49.5, 0};
     for (unsigned int side = 0; side < 2; side++) {

@@ -163,8 +163,8 @@ START_TEST(it_acts_between_bodies_that_stand_on_each_other) {
 }
 END_TEST
 
-/* In the first step a ball with that spin turns by 3.3 rad, which no rotation of a step shows: nobody needs it. One whose
- * mass is beside its middle does, and says so. */
+/* In the first step a ball with that spin turns by 3.3 rad, which no rotation of a step shows: nobody needs it. One
+ * whose mass is beside its middle does, and says so. */
 START_TEST(a_ball_may_spin_as_fast_as_it_likes) {
     const double radius = .1, spin = 200;
     for (int aside = 0; aside < 2; aside++) {

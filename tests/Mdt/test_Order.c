@@ -245,8 +245,9 @@ START_TEST(free_rotation_is_of_order_4) {
 }
 END_TEST
 
-/* A load F on a joint comes to rest ε F h²/γ away, h the whole step, in however many parts it is done. Kea is content with
- * an error of 1e-12 of a body's size (the radius of gyration), of which a part of the step takes only `share` away. */
+/* A load F on a joint comes to rest ε F h²/γ away, h the whole step, in however many parts it is done. Kea is content
+ * with an error of 1e-12 of a body's size (the radius of gyration), of which a part of the step takes only `share`
+ * away. */
 START_TEST(the_sag_of_a_load_is_epsilon_force_over_gamma) {
     const double loads[] = {10, 100}, lengths[] = {1. / 30, 1. / 60}, gammas[] = {.2, 1}, epsilons[] = {.1, 1e-4};
     for (int k = 0; k < 64; k++) {

@@ -1,5 +1,6 @@
-/* Joints that are accepted and make no sense: 30 bodies and 150 joints of any kind between any two of them, with any axes and
- * stops, some of which are overrun at the start. A step of them may not take long, leave the finite numbers or give energy.
+/* Joints that are accepted and make no sense: 30 bodies and 150 joints of any kind between any two of them, with any
+ * axes and stops, some of which are overrun at the start. A step of them may not take long, leave the finite numbers or
+ * give energy.
  *
  *     test_Mdt_RandomJoints                              SYSTEMS systems, about a second (fewer with sanitizers)
  *     KARMA_RANDOM_SYSTEMS=10000 test_Mdt_RandomJoints   so many

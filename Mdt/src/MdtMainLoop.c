@@ -1,0 +1,41 @@
+/* What a program's callback may do with the partitions of a step (MdtMainLoop.h). */
+#include "mdt_step_i.h"
+
+static MeBool hasPartition(const MdtPartitionOutput *po, int i, const char *caller) {
+    if (!mdt_isPointer(caller, "the partition output", po))
+        return MEFALSE;
+    if (i >= 0 && i < po->numPartitions)
+        return METRUE;
+    MeWarning(1, "%s: there is no partition %d", caller, i);
+    return MEFALSE;
+}
+
+void MEAPI MdtAutoDisableLastPartition(MdtPartitionOutput *po, void *cbdata) {
+    (void)cbdata;
+    if (!hasPartition(po, po ? po->numPartitions - 1 : 0, __func__))
+        return;
+    const MdtIsland p = mdt_islandOf(po->world, po->numPartitions - 1, 0);
+    po->info[p.number].isDisabled = po->world->rest.autoDisable && mdt_islandIsAtRest(&p);
+}
+
+MeReal MEAPI MdtPartitionGetSafeTime(MdtPartitionOutput *po, int i) {
+    if (!hasPartition(po, i, __func__))
+        return 0;
+    double safe = (double)MEINFINITY;
+    for (int k = 0; k < po->info[i].numBodies; k++)
+        safe = fmin(safe, (double)po->bodies[po->info[i].firstBody + k]->safeTime);
+    return (MeReal)safe;
+}
+
+unsigned int MEAPI MdtUnpackForces(const MdtKeaForcePair *force, const unsigned int partitionindex,
+                                   MdtPartitionOutput *po) {
+    if (!mdt_isPointer(__func__, "the forces", force) || !hasPartition(po, (int)partitionindex, __func__))
+        return 0;
+    const MdtPartitionInfo *info = &po->info[partitionindex];
+    for (int i = 0; i < info->numConstraints; i++) {
+        const MdtConstraintID c = po->constraints[info->firstConstraint + i];
+        c->force = force[i];
+        mdt_constraintDisturb(c); /* its forces are not those of a step any more */
+    }
+    return (unsigned int)info->numConstraints;
+}

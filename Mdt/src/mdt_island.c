@@ -1,0 +1,278 @@
+/* Partition: sets of bodies that constraints tie together (Dynamics guide ch. 1, "Partitioning the World").
+ *
+ * The world joins nothing: two boxes on the ground are two partitions. A set with one enabled body is enabled whole.
+ * Partitions are numbered by their first body, and their bodies and constraints keep the world's order, so that the
+ * same scene is solved in the same order every time.
+ *
+ * Union-find with path halving on the bodies' places in that order, one walk over the constraints, and a counting sort.
+ * Where the graph has not changed since (MdtGraph.changes), the partitions stay as they are.
+ */
+#include "MeAssert.h"
+#include "MeDict.h"
+#include "mdt_step_i.h"
+
+enum { NONE = -1 };
+
+/* ---- the graph ---- */
+
+static int rootOf(int parent[], int place) {
+    while (parent[place] != place) {
+        parent[place] = parent[parent[place]]; /* path halving */
+        place = parent[place];
+    }
+    return place;
+}
+
+/* The root of a set is its first body. */
+static void join(MdtGraph *g, int a, int b) {
+    const int ra = rootOf(g->parent, a), rb = rootOf(g->parent, b);
+    const int first = ra < rb ? ra : rb, second = ra < rb ? rb : ra;
+    g->parent[second] = first;
+    g->isAwake[first] = g->isAwake[first] || g->isAwake[second];
+}
+
+static void placeBodies(MdtWorldID w) {
+    MdtGraph *g = &w->graph;
+    int n = 0;
+    for (MdtLink *link = w->bodies.first; link; link = link->next, n++) {
+        MdtBodyID b = link->owner;
+        b->place = n;
+        b->partition = NONE;
+        g->body[n] = b;
+        g->parent[n] = n;
+        g->isAwake[n] = (b->flags & MDT_ENABLED) != 0;
+    }
+    MEASSERT(n == w->bodies.count);
+    g->numBodies = n;
+}
+
+/* Those that act on bodies join them, and are listed. */
+static void joinBodies(MdtWorldID w) {
+    MdtGraph *g = &w->graph;
+    int n = 0;
+    for (MdtLink *link = w->constraints.first; link; link = link->next) {
+        MdtConstraintID c = link->owner;
+        const MdtBodyID b0 = c->side[0].body, b1 = c->side[1].body;
+        if (!mdt_constraintActs(c) || (!b0 && !b1))
+            continue;
+        if (b0 && b1)
+            join(g, b0->place, b1->place);
+        g->acting[n] = c;
+        g->actsOn[n++] = b0 ? b0->place : b1->place;
+    }
+    MEASSERT(n <= w->constraints.count);
+    g->numActing = n;
+}
+
+/* ---- partitions ---- */
+
+static int islandAt(const MdtGraph *g, int place) {
+    return g->body[place]->partition;
+}
+
+/* Numbers the awake sets and counts their bodies into bodyStart[partition + 1]. A root comes before all others of its
+ * set. */
+static void numberIslands(MdtWorldID w) {
+    MdtGraph *g = &w->graph;
+    w->numPartitions = 0;
+    w->bodyStart[0] = w->constraintStart[0] = 0;
+    for (int i = 0; i < g->numBodies; i++) {
+        const int root = rootOf(g->parent, i);
+        MdtBodyID b = g->body[i];
+        if (!g->isAwake[root])
+            continue;
+        if (!(b->flags & MDT_ENABLED))
+            MdtBodyEnable(b);
+        if (root == i) {
+            b->partition = w->numPartitions++;
+            w->bodyStart[w->numPartitions] = w->constraintStart[w->numPartitions] = 0;
+        }
+        b->partition = islandAt(g, root);
+        MEASSERT(b->partition >= 0 && b->partition < w->numPartitions);
+        w->bodyStart[b->partition + 1]++;
+    }
+}
+
+/* Counts are in start[partition + 1]; each becomes the place of the partition's first. */
+static void sumCounts(MdtWorldID w) {
+    for (int p = 0; p < w->numPartitions; p++) {
+        w->bodyStart[p + 1] += w->bodyStart[p];
+        w->constraintStart[p + 1] += w->constraintStart[p];
+    }
+}
+
+static void countConstraints(MdtWorldID w) {
+    const MdtGraph *g = &w->graph;
+    for (int i = 0; i < g->numActing; i++) {
+        const int p = islandAt(g, g->actsOn[i]);
+        if (p != NONE)
+            w->constraintStart[p + 1] += 1 + g->acting[i]->numContacts;
+    }
+}
+
+static void sortBodies(MdtWorldID w) {
+    for (int i = 0; i < w->graph.numBodies; i++) {
+        MdtBodyID b = w->graph.body[i];
+        if (b->partition == NONE)
+            continue;
+        const int at = w->bodyStart[b->partition]++;
+        MEASSERT(at < w->bodyStart[b->partition + 1] || b->partition + 1 == w->numPartitions);
+        w->bodyOf[at] = b;
+        w->keaOf[at] = &b->kea;
+    }
+}
+
+/* A group is followed by its contacts. */
+static void sortConstraints(MdtWorldID w) {
+    const MdtGraph *g = &w->graph;
+    for (int i = 0; i < g->numActing; i++) {
+        MdtConstraintID c = g->acting[i];
+        const int p = islandAt(g, g->actsOn[i]);
+        if (p == NONE)
+            continue;
+        w->constraintOf[w->constraintStart[p]++] = c;
+        for (MdtConstraintID contact = c->firstContact; contact; contact = contact->nextInGroup)
+            w->constraintOf[w->constraintStart[p]++] = contact;
+    }
+}
+
+/* Sorting has moved every start to its end, which is the next partition's start. */
+static void restoreStarts(MdtWorldID w) {
+    for (int p = w->numPartitions; p > 0; p--) {
+        w->bodyStart[p] = w->bodyStart[p - 1];
+        w->constraintStart[p] = w->constraintStart[p - 1];
+    }
+    w->bodyStart[0] = w->constraintStart[0] = 0;
+    MEASSERT(w->bodyStart[w->numPartitions] <= w->bodies.count);
+    MEASSERT(w->constraintStart[w->numPartitions] <= w->constraints.count);
+}
+
+/* There are none, and nothing moves. */
+static void dropIslands(MdtWorldID w) {
+    w->numPartitions = 0;
+    for (MdtLink *link = w->bodies.first; link; link = link->next)
+        ((MdtBodyID)link->owner)->partition = NONE;
+}
+
+/* Has every partition its own bodies, and only constraints that act on one of them? */
+static MeBool areSeparate(const MdtWorld *w) {
+    for (int p = 0; p < w->numPartitions; p++) {
+        for (int i = w->bodyStart[p]; i < w->bodyStart[p + 1]; i++)
+            if (w->bodyOf[i]->partition != p)
+                return MEFALSE;
+        for (int i = w->constraintStart[p]; i < w->constraintStart[p + 1]; i++)
+            for (int k = 0; k < 2; k++)
+                if (w->constraintOf[i]->side[k].body && w->constraintOf[i]->side[k].body->partition != p)
+                    return MEFALSE;
+    }
+    return METRUE;
+}
+
+static void findIslands(MdtWorldID w) {
+    mdt_listSort(&w->bodies);
+    mdt_listSort(&w->constraints);
+    placeBodies(w);
+    joinBodies(w);
+    numberIslands(w);
+    countConstraints(w);
+    sumCounts(w);
+    sortBodies(w);
+    sortConstraints(w);
+    restoreStarts(w);
+}
+
+/* Bodies that sleep, and have been pushed since. */
+static void wakePushed(MdtWorldID w) {
+    if (w->asleepBodies == 0)
+        return;
+    for (MdtLink *link = w->bodies.first; link; link = link->next)
+        if (mdt_bodyIsPushedAwake(link->owner))
+            MdtBodyEnable(link->owner);
+}
+
+void mdt_islandsUpdate(MdtWorldID w) {
+    wakePushed(w);
+    if (w->graph.seen != w->graph.changes) {
+        if (!mdt_worldReserve(w, w->bodies.count, w->constraints.count, "MdtWorldStep")) {
+            dropIslands(w);
+            return;
+        }
+        findIslands(w);
+        w->graph.seen = w->graph.changes; /* bodies that were enabled with their set are in it */
+    }
+    MEASSERT(w->bodyStart[w->numPartitions] <= w->bodies.count);
+    MEVALIDATE(areSeparate(w));
+}
+
+MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p) {
+    return (MdtPartitionInfo){.firstBody = w->bodyStart[p],
+                              .numBodies = w->bodyStart[p + 1] - w->bodyStart[p],
+                              .firstConstraint = w->constraintStart[p],
+                              .numConstraints = w->constraintStart[p + 1] - w->constraintStart[p]};
+}
+
+MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
+    const MdtPartitionInfo info = mdt_islandInfo(w, number);
+    return (MdtIsland){.world = w,
+                       .number = number,
+                       .numBodies = info.numBodies,
+                       .numConstraints = info.numConstraints,
+                       .bodies = w->bodyOf + info.firstBody,
+                       .constraints = w->constraintOf + info.firstConstraint,
+                       .whole = w->lastStep,
+                       .h = h};
+}
+
+void mdt_islandShow(const MdtIsland *p) {
+    MdtPartitionOutput *po = &p->world->output;
+    po->info[p->number] = mdt_islandInfo(p->world, p->number);
+    po->numPartitions = p->number + 1;
+    p->world->partitionCb(po, p->world->partitionCbData);
+}
+
+/* ---- for programs (MdtPartition.h) ---- */
+
+/* The world of the first body in the list; null: there is none. */
+static MdtWorldID worldOf(MeDict *list) {
+    for (MeDictNode *node = list ? MeDictFirst(list) : NULL; node; node = MeDictNext(list, node))
+        if (mdt_isBody(MeDictNodeGet(node), "MdtUpdatePartitions"))
+            return ((MdtBodyID)MeDictNodeGet(node))->world;
+    return NULL;
+}
+
+/* Until MdtUpdatePartitions returns, isDisabled marks the partitions without a listed body. */
+static void chooseListed(MdtWorldID w, MeDict *list) {
+    for (int p = 0; p < w->numPartitions; p++)
+        w->output.info[p].isDisabled = METRUE;
+    for (MeDictNode *node = MeDictFirst(list); node; node = MeDictNext(list, node)) {
+        const MdtBodyID b = MeDictNodeGet(node);
+        if (!mdt_isBody(b, "MdtUpdatePartitions"))
+            continue;
+        if (b->world != w)
+            MeWarning(1, "MdtUpdatePartitions: a body belongs to another world; it is left out");
+        else if (b->partition >= 0)
+            w->output.info[b->partition].isDisabled = MEFALSE;
+    }
+}
+
+void MEAPI MdtUpdatePartitions(MeDict *enabledBodyList, MdtPartitionOutput *po, const MdtPartitionEndCB pcb,
+                               void *pcbdata) {
+    if (!mdt_isPointer(__func__, "the partition output", po) ||
+        !mdt_isPointer(__func__, "the list of bodies", enabledBodyList))
+        return;
+    const MdtWorldID w = worldOf(enabledBodyList);
+    po->numPartitions = 0;
+    if (!w)
+        return;
+    mdt_islandsUpdate(w);
+    chooseListed(w, enabledBodyList);
+    *po = w->output;
+    po->numPartitions = 0;
+    for (int p = 0; p < w->numPartitions; p++) {
+        if (w->output.info[p].isDisabled)
+            continue;
+        po->info[po->numPartitions++] = mdt_islandInfo(w, p);
+        if (pcb)
+            pcb(po, pcbdata);
+    }
+}

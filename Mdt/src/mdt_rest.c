@@ -1,0 +1,208 @@
+/* Rest certificate: a partition at rest, in which nothing has changed since the last step, is not solved again.
+ *
+ * A step settles a partition if it was taken whole, if Kea found that the last answer still held (to its tolerances,
+ * without a pass), and if no body had, or got, a velocity that Kea tells from none. The bodies then stay where they
+ * are, bit for bit, so that contacts are found again as they were. In the next step the inputs may be the same to the
+ * last bit: then so are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put
+ * to sleep as ever.
+ *
+ * Inputs, and how a change of them is noticed:
+ *     of the world           a copy of them (MdtRestInputs)
+ *     bodies, contacts,      whatever changes one takes the certificate from the bodies concerned (mdt_bodyDisturb); a
+ *     the graph              contact that is renewed as it was is no change
+ *     forces, velocities     compared with those that the last step began with, or has shown
+ *     parameters of joints   programs write them through pointers: a 64-bit hash of all that MdtBcl keeps of a joint
+ *                            (isWatched); that two differ and have the same has a chance of 2^-64
+ */
+#include "MeAssert.h"
+#include "mdt_step_i.h"
+#include <string.h>
+
+/* ---- inputs ---- */
+
+void mdt_restBegin(MdtWorldID w) {
+    MdtRestInputs now;
+    memset(&now, 0, sizeof now);
+    now.h = w->lastStep;
+    mdt_fromReal(now.gravity, w->params.gravity);
+    now.epsilon = (double)w->epsilon;
+    now.gamma = (double)w->gamma;
+    now.workBudget = (double)w->workBudget;
+    now.importance = w->importance;
+    now.maxLcpIterations = w->maxLcpIterations;
+    now.subSteps = w->subSteps;
+    now.timedBodies = w->timedBodies;
+    now.maxMatrixSize = w->maxMatrixSize;
+    if (memcmp(&now, &w->restInputs, sizeof now) != 0)
+        w->certificate++;
+    w->restInputs = now;
+}
+
+/* Word by word; the multiplier is 2^64 over the golden ratio, and the shift brings high bits down again. */
+static MeU64 hashOf(const MdtBclConstraint *bcl) {
+    const char *bytes = (const char *)bcl;
+    MeU64 hash = 0;
+    for (size_t at = 0; at < sizeof *bcl; at += sizeof hash) {
+        MeU64 word = 0;
+        memcpy(&word, bytes + at, sizeof *bcl - at < sizeof word ? sizeof *bcl - at : sizeof word);
+        hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+    }
+    return hash;
+}
+
+/* Each watched constraint of the body that is not looked at from its other side. */
+static MeBool isWatchedFrom(const MdtAttachment *at) {
+    const MdtConstraintID c = at->constraint;
+    return c->isWatched && (at == &c->side[0] || !c->side[0].body);
+}
+
+static MeBool areJointsAsCertified(const MdtBody *b) {
+    for (const MdtAttachment *at = b->attachments; at; at = at->next)
+        if (isWatchedFrom(at) && MdtConstraintIsEnabled(at->constraint) &&
+            at->constraint->certified != hashOf(&at->constraint->bcl))
+            return MEFALSE;
+    return METRUE;
+}
+
+static MeBool isNone(const double v[3]) {
+    return v[0] == 0 && v[1] == 0 && v[2] == 0;
+}
+
+static MeBool isLoadedAsBefore(const MdtBody *b) {
+    return memcmp(b->force, b->lastForce, sizeof b->force) == 0 &&
+           memcmp(b->torque, b->lastTorque, sizeof b->torque) == 0 && isNone(b->impulse) && isNone(b->twist);
+}
+
+/* Also by programs, through pointers. */
+static MeBool movesAsBefore(const MdtBody *b) {
+    return memcmp(b->velocity, b->shownVelocity, sizeof b->velocity) == 0 &&
+           memcmp(b->angularVelocity, b->shownAngularVelocity, sizeof b->angularVelocity) == 0;
+}
+
+MeBool mdt_restHolds(const MdtIsland *p) {
+    for (int i = 0; i < p->numBodies; i++) {
+        const MdtBody *b = p->bodies[i];
+        if (b->certificate != p->world->certificate || !isLoadedAsBefore(b) || !movesAsBefore(b) ||
+            ((b->flags & MDT_WATCHED) && !areJointsAsCertified(b)))
+            return MEFALSE;
+    }
+    return p->h >= p->whole;
+}
+
+/* ---- the step of a partition whose certificate holds ---- */
+
+/* The size log gets as many rows as the last solve had. */
+static void logRows(const MdtIsland *p) {
+    int rows = 0;
+    for (int i = 0; i < p->numConstraints; i++)
+        rows += p->constraints[i]->numRows;
+    p->world->sizeLog[p->number] = rows;
+}
+
+void mdt_restKeep(MdtIsland *p) {
+    for (int i = 0; i < p->numBodies; i++) {
+        MdtBodyID b = p->bodies[i];
+        MEASSERT(b->lag == 0 && b->part == p->h && b->enabledSteps > 0);
+        MdtBodyResetForces(b);
+        mdt_bodyAge(b, p->h);
+    }
+    if (p->number < p->world->sizeLogLength)
+        logRows(p);
+    if (p->report)
+        mdt_reportRest(p->report);
+}
+
+/* ---- giving it ---- */
+
+/* Of the speed of a step: what Kea takes for converged (kea_solve.c: velocityTolerance, speedOf). */
+static const double resolution = 1e-9;
+
+/* m/s: the mean velocities of a step that are less than this are not told from none. Each row is within its tolerance;
+ * from body to body the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to
+ * 3 times). */
+static double resolvedSpeed(const MdtIsland *p) {
+    double most = 0;
+    for (int i = 0; i < p->numBodies; i++) {
+        const double *free = p->kea.predicted[i].lin;
+        double change[3];
+        keaSubtract(change, free, p->start[i].velocity.lin);
+        most = fmax(most, keaLength(change) + 0.1 * keaLength(free));
+    }
+    MEASSERT(isfinite(most));
+    return resolution * sqrt(p->numBodies) * most;
+}
+
+static double turningSpeed(const MdtBody *b, const double w[3]) {
+    const double *I = b->kea.moments;
+    return keaLength(w) * sqrt(fmax(I[0], fmax(I[1], I[2])) * b->kea.invMass);
+}
+
+static MeBool isSlow(const MdtBody *b, const MdtKeaVelocity *v, double speed) {
+    return keaLength(v->lin) <= speed && turningSpeed(b, v->ang) <= speed;
+}
+
+/* m/s: the way of the step, which may be more than its velocities: out of overlaps. */
+static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
+    const MdtKeaBody *b = &p->bodies[i]->kea;
+    MdtKeaVelocity way;
+    double back[4], turn[4];
+    keaSubtract(way.lin, b->position, p->start[i].position);
+    keaScale(way.lin, 1 / p->h, way.lin);
+    keaQuaternionConjugate(back, p->start[i].quaternion);
+    keaQuaternionProduct(turn, b->quaternion, back);
+    keaScale(way.ang, 2 / p->h, turn + 1);
+    return way;
+}
+
+/* The midpoint rule makes an error of the mean velocity twice as large at either end of the step. */
+static MeBool isResting(const MdtIsland *p, int i, double speed) {
+    const MdtBody *b = p->bodies[i];
+    const MdtKeaVelocity way = meanVelocity(p, i);
+    MdtKeaVelocity end;
+    mdt_bodyVelocity(b, &end);
+    return isSlow(b, &p->start[i].velocity, 2 * speed) && isSlow(b, &end, 2 * speed) && isSlow(b, &way, speed);
+}
+
+/* What a function of the program wrote, or chose, may be anything the next time. */
+static MeBool dependsOnProgram(const MdtIsland *p) {
+    for (int i = 0; i < p->numConstraints; i++)
+        if (p->constraints[i]->bcl.type == MdtBclUSER)
+            return METRUE;
+    return p->world->importance && p->kea.numRows > p->world->maxMatrixSize;
+}
+
+/* In one part, and without a pass: nothing was linearized. */
+static MeBool wasAnswerKept(const MdtIsland *p) {
+    const MdtKeaReport *r = &p->kea.report;
+    const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h;
+    return isWhole && p->kea.numRows > 0 && r->passes == 0 && r->factorizations == 0 && !r->capped && !r->conflicting &&
+           !p->hasMet && !p->isDegenerate;
+}
+
+MeBool mdt_restIsSettled(const MdtIsland *p) {
+    if (!wasAnswerKept(p) || dependsOnProgram(p))
+        return MEFALSE;
+    const double speed = resolvedSpeed(p);
+    for (int i = 0; i < p->numBodies; i++)
+        if (!isResting(p, i, speed))
+            return MEFALSE;
+    return METRUE;
+}
+
+void mdt_restStay(MdtIsland *p) {
+    for (int i = 0; i < p->numBodies; i++) {
+        MdtKeaBody *b = &p->bodies[i]->kea;
+        keaCopy(b->position, p->start[i].position);
+        memcpy(b->quaternion, p->start[i].quaternion, sizeof b->quaternion);
+    }
+}
+
+void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
+    MEASSERT(p->world->certificate != 0 && p->elapsed > 0);
+    for (int i = 0; i < p->numBodies; i++)
+        p->bodies[i]->certificate = isSettled ? p->world->certificate : 0;
+    for (int i = 0; i < p->numConstraints && isSettled; i++)
+        if (p->constraints[i]->isWatched)
+            p->constraints[i]->certified = hashOf(&p->constraints[i]->bcl);
+}

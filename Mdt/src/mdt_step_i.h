@@ -1,0 +1,123 @@
+/* Inside Mdt: a partition on its way through a step, and the stages that it passes.
+ *
+ *     stage       file              reads -> writes
+ *     partition   mdt_island.c      bodies, constraints -> the world's partitions; wakes what is tied to awake bodies
+ *     rest        mdt_sleep.c       motion of the last step -> bodies that are put to sleep
+ *                 mdt_rest.c        what has changed since the last step -> partitions whose last answer holds again
+ *     pack        mdt_pack.c        forces, impulses, gravity -> loads of Kea's bodies; scratch, start
+ *     rows        mdt_rows.c        poses, velocities, parameters of the part -> kea.rows; constraints' place in them
+ *     solve       MdtKeaSolve       kea.rows -> their forces; kea.report
+ *     integrate   MdtKeaIntegrate   those -> the states of Kea's bodies
+ *     unpack      mdt_unpack.c      forces of rows -> constraints; states -> what programs see of bodies
+ *
+ * Rows, solve, integrate and the constraints' part of unpack are repeated for every part that a step is taken in
+ * (mdt_subdivide.c). A part is the whole step where nothing divides it.
+ */
+#ifndef MDT_STEP_I_H
+#define MDT_STEP_I_H
+
+#include "mdt_i.h"
+#include <float.h>
+
+/* A body as the step begins. */
+typedef struct MdtStart {
+    MdtKeaVelocity velocity;
+    double position[3], quaternion[4];
+} MdtStart;
+
+/* One partition in one step. Each group of fields names its only writer. */
+typedef struct MdtIsland {
+    /* mdt_islandOf */
+    MdtWorldID world;
+    int number, numBodies, numConstraints;
+    MdtBodyID *bodies;
+    MdtConstraintID *constraints;
+    double whole; /* s, the step that the program asked for */
+    /* mdt_step.c, mdt_lag.c */
+    double h;          /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
+    MdtReport *report; /* null: it is off */
+    /* pack */
+    void *scratch;    /* Kea's arrays, and behind them */
+    MdtStart *start;  /* by body */
+    MdtKeaSystem kea; /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */
+    /* subdivide */
+    MdtBclSolverParameters parameters; /* of the part that is being taken */
+    double elapsed;                    /* s, of the step before that part */
+    double work;                       /* multiplications that the step may still cost; MDT_NO_BOUND: any number */
+    int iterations;                    /* of Newton's method, the same; 0: any number */
+    MeBool hasMet;                     /* bodies met as a part began */
+    /* rows */
+    MeBool isDegenerate; /* some joint was in this step */
+} MdtIsland;
+
+#define MDT_NO_BOUND DBL_MAX
+
+/* ---- the stages -------------------------------------------------------------------------------------------------- */
+
+/* Pack, the parts, and unpack: moves a partition on by its h (mdt_step.c). */
+void mdt_islandStep(MdtIsland *p);
+/* Moves the world on by h seconds; safely: each partition by what its safe time allows of them. */
+void mdt_worldStep(MdtWorldID w, double h, MeBool safely);
+/* Rows and solve, of a part of the step of these seconds. Nothing has moved yet: it may be thrown away. */
+void mdt_partSolve(MdtIsland *p, double part);
+/* Integrate, and unpack of the constraints. False: the bodies were stopped. */
+MeBool mdt_partIntegrate(MdtIsland *p);
+
+/* A partition of this step, to be moved on by h seconds; shows it, and those before it, to the program's callback. */
+MdtIsland mdt_islandOf(MdtWorldID w, int number, double h);
+void mdt_islandShow(const MdtIsland *p);
+
+/* Whether the world, or a program's callback, puts the partition to rest; that it rests (mdt_sleep.c). */
+MeBool mdt_islandIsToSleep(const MdtIsland *p);
+MeBool mdt_islandIsAtRest(const MdtIsland *p);
+void mdt_islandSleep(const MdtIsland *p);
+
+/* The rest certificate (mdt_rest.c): a step begins; whether a partition's last answer holds again; taking it, instead
+ * of all other stages. */
+void mdt_restBegin(MdtWorldID w);
+MeBool mdt_restHolds(const MdtIsland *p);
+void mdt_restKeep(MdtIsland *p);
+/* Whether this step's answer may hold in the next one; then its bodies stay where they were, and get a certificate. */
+MeBool mdt_restIsSettled(const MdtIsland *p);
+void mdt_restStay(MdtIsland *p);
+void mdt_restCertify(MdtIsland *p, MeBool isSettled);
+
+/* Takes scratch memory, and loads into Kea's bodies. False, with a message: the partition is too large. */
+MeBool mdt_islandPack(MdtIsland *p);
+void mdt_islandRelease(MdtIsland *p);
+
+/* Takes the step in parts, within its budget of work. False: the bodies were stopped (mdt_subdivide.c). */
+MeBool mdt_islandSubdivide(MdtIsland *p);
+/* A part of the step begins: its parameters, Kea's arrays; bodies meet in it; it has been integrated. */
+void mdt_partBegin(MdtIsland *p, double part);
+void mdt_partImpact(MdtIsland *p);
+void mdt_partEnd(MdtIsland *p);
+/* What a solve may cost; what the last one has cost. */
+void mdt_budgetGrant(MdtIsland *p);
+void mdt_budgetDraw(MdtIsland *p);
+
+/* Makes the rows of a part, after MdtKeaInit (mdt_rows.c). */
+void mdt_rowsMake(MdtIsland *p);
+/* For Kea: the rows of joints, and their errors, were the bodies elsewhere. The context is the island. */
+void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]);
+void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], double errors[]);
+/* What a constraint knows of its surroundings in this part. */
+void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, MdtBclContext *x);
+
+/* Constraints: their forces are empty; the impulses of an impact, those of a part count among them; read back. */
+void mdt_unpackBegin(MdtIsland *p);
+void mdt_unpackImpact(MdtIsland *p);
+void mdt_unpackConstraints(MdtIsland *p);
+/* Bodies, at the end of the step. */
+void mdt_unpackBodies(MdtIsland *p);
+/* The last resort: bodies whose next state is not finite stay where they are and stop. */
+void mdt_unpackStopped(MdtIsland *p);
+
+/* ---- steps by safe time (mdt_lag.c) ------------------------------------------------------------------------------ */
+
+/* How far a partition may move: the shortest safe time of its bodies, within bounds. */
+double mdt_lagSafeStep(const MdtIsland *p);
+/* The partition is moved on by its h, of what it lacks. */
+void mdt_lagSet(const MdtIsland *p, double lack);
+
+#endif

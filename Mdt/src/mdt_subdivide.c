@@ -1,0 +1,211 @@
+/* The parts that a partition's step is taken in: sub-steps, up to events, and halves where motion is violent.
+ *
+ *     whole step -> sub-steps (MdtWorldSetSubSteps) -> up to the next event, of a few bodies that only touch
+ *                                                   -> halves, where joints turn too violently for the whole of it
+ *
+ * A partition's step has one budget of work (MdtWorldSetWorkBudget) and of iterations (MdtWorldSetMaxLCPIterations).
+ * Every solve draws from it: of whole steps, sub-steps, halves, events and impacts, those that are thrown away
+ * included. When it is used up, Kea answers by sweeps, and the step is divided no further.
+ */
+#include "MeAssert.h"
+#include "mdt_step_i.h"
+
+enum { MAX_HALVINGS = 6 };
+
+/* ---- the budget ---- */
+
+/* A part by safe time gets its share of the budget; the bridge may take 16 of them (mst_continuous.c). */
+static void beginBudget(MdtIsland *p) {
+    const double budget = (double)p->world->workBudget, least = 1. / 16;
+    p->work = budget > 0 ? 1e6 * budget * fmax(p->h / p->whole, least) : MDT_NO_BOUND;
+    p->iterations = p->world->maxLcpIterations;
+}
+
+/* What is left is kept for later but for this share; the caller gives it back. */
+static double keepWork(MdtIsland *p, double share) {
+    const double kept = p->work < MDT_NO_BOUND ? (1 - share) * p->work : 0;
+    p->work -= kept;
+    return kept;
+}
+
+/* The least of either is not none, which would mean any number. */
+void mdt_budgetGrant(MdtIsland *p) {
+    p->kea.parameters.maxWork = p->work < MDT_NO_BOUND ? fmax(p->work, 1) : 0;
+    p->kea.parameters.maxIterations = p->world->maxLcpIterations == 0 ? 0 : p->iterations > 1 ? p->iterations : 1;
+}
+
+void mdt_budgetDraw(MdtIsland *p) {
+    const MdtKeaReport *cost = &p->kea.report;
+    MEASSERT(cost->work >= 0 && cost->iterations >= 0);
+    p->work = p->work < MDT_NO_BOUND ? fmax(p->work - cost->work, 0) : MDT_NO_BOUND;
+    MEASSERT(p->work >= 0 && p->work <= MDT_NO_BOUND);
+    p->iterations -= p->iterations < cost->iterations ? p->iterations : cost->iterations;
+    if (p->report)
+        p->report->work += (MeReal)(1e-6 * cost->work);
+}
+
+/* Whether both halves of the part would have enough for some passes. */
+static MeBool mayDivide(const MdtIsland *p, int halvings) {
+    enum { PASSES = 8 };
+    return halvings < MAX_HALVINGS && p->work > 2 * PASSES * p->kea.report.least;
+}
+
+/* ---- one part ---- */
+
+/* A part of H / n takes the n-th part of a step's relaxation, and a load sags as it would in a whole one:
+ *     1 - γ = (1 - γ')^n,   ε' F (H/n)² / γ' = ε F H² / γ.
+ * H is the step that the program asked for: a partition that its safe time moves on by less takes that share of an
+ * error away, however short it is, at the same speed γ φ / H. */
+static void setPart(MdtIsland *p, double part) {
+    MEASSERT(part > 0 && part <= p->h * (1 + 1e-9) && p->h <= p->whole * (1 + 1e-9));
+    const double n = p->whole / part, gamma = p->world->gamma;
+    p->parameters.stepsize = part;
+    p->parameters.gamma = n > 1 ? 1 - pow(1 - gamma, 1 / n) : gamma;
+    p->parameters.softening = gamma > 0 ? n * n * p->parameters.gamma / gamma : n;
+    p->parameters.epsilon = p->parameters.softening * (double)p->world->epsilon;
+    p->kea.parameters.stepsize = part;
+    p->kea.parameters.gamma = p->parameters.gamma;
+    p->kea.parameters.isPart = p->h < p->whole;
+}
+
+void mdt_partBegin(MdtIsland *p, double part) {
+    if (p->report && p->elapsed > 0)
+        mdt_reportLap(p->world, p->report, MdtReportStageIntegrate);
+    setPart(p, part);
+    MdtKeaInit(&p->kea, p->scratch);
+}
+
+void mdt_partImpact(MdtIsland *p) {
+    p->hasMet = METRUE;
+    mdt_budgetGrant(p);
+    MdtKeaImpact(&p->kea);
+    mdt_budgetDraw(p);
+    if (p->report)
+        mdt_reportImpact(p->report);
+    mdt_unpackImpact(p);
+    MdtKeaInit(&p->kea, p->scratch);
+    mdt_rowsMake(p);
+}
+
+/* That a solve was inexact is in the report (MdtReport's fallbacks). A warning is for what a program can change: motion
+ * that the step is too long for, or a cap that it has set. */
+static void warnOfSolver(const MdtIsland *p) {
+    const MeBool isMendable = p->kea.report.violent || p->kea.parameters.maxIterations > 0;
+    if (p->kea.report.capped && !p->isDegenerate && isMendable) /* degenerate: that has been said */
+        MeWarning(
+            2,
+            "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
+            "inexact; raise MdtWorldSetMaxLCPIterations or epsilon, or take shorter steps",
+            p->number, p->kea.numRows);
+    else if (p->kea.report.limited)
+        MeDebug(2, "MdtWorldStep: partition %d (%d rows) has used up its work (MdtWorldSetWorkBudget)", p->number,
+                p->kea.numRows);
+    else if (p->kea.report.capped)
+        MeDebug(2, "MdtWorldStep: partition %d (%d rows): the friction of redundant contacts did not settle", p->number,
+                p->kea.numRows);
+    if (p->kea.report.conflicting)
+        MeDebug(2, "MdtWorldStep: partition %d (%d rows) has contradictory constraints, a compromise was taken",
+                p->number, p->kea.numRows);
+}
+
+void mdt_partEnd(MdtIsland *p) {
+    warnOfSolver(p);
+    p->elapsed += p->parameters.stepsize;
+    MEASSERT(p->elapsed <= p->h * (1 + 1e-6));
+}
+
+/* ---- halves ---- */
+
+/* Takes one part of the step, in halves where its motion is violent. False: the bodies were stopped. */
+static MeBool takePart(MdtIsland *p, double part, int halvings) {
+    p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
+    mdt_partSolve(p, part);
+    if (!p->kea.report.violent)
+        return mdt_partIntegrate(p);
+    if (!mayDivide(p, halvings))
+        return p->kea.report.refused ? takePart(p, part, MAX_HALVINGS) : mdt_partIntegrate(p);
+    if (p->report)
+        mdt_reportDivision(p->report);
+    const double kept = keepWork(p, 0.5);
+    const MeBool isTaken = takePart(p, 0.5 * part, halvings + 1);
+    p->work += kept;
+    return isTaken && takePart(p, 0.5 * part, halvings + 1);
+}
+
+/* ---- events ---- */
+
+/* Was the part solved, or so nearly that what is wrong with velocities takes nothing farther than 1e-7 of a step's
+ * fall, as in parts that are short against rounding? */
+static MeBool isFollowed(const MdtIsland *p) {
+    const MeReal *g = p->world->params.gravity;
+    const double fall = sqrt((double)(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])) * p->h * p->h;
+    const double way = p->kea.report.residual * p->parameters.stepsize;
+    const MeBool isNear = !p->kea.report.violent && way < 1e-7 * fall; /* violent: the motion itself was not found */
+    return !p->kea.report.capped || (isNear && !p->kea.report.limited);
+}
+
+/* Up to the next event, at most for `rest`. False where that could not be followed. */
+static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
+    p->kea.parameters.timed = METRUE;
+    mdt_partSolve(p, rest);
+    if (!isFollowed(p))
+        return MEFALSE;
+    if (p->kea.report.event >= rest - least)
+        return METRUE;
+    if (p->report)
+        mdt_reportEvent(p->report);
+    mdt_partSolve(p, fmax(p->kea.report.event, least));
+    return isFollowed(p);
+}
+
+/* The same, nearer by halves while the motion is violent. */
+static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least) {
+    for (double ahead = rest; !solveToEvent(p, ahead, least); ahead *= 0.5)
+        if (!p->kea.report.violent || ahead < 0.2 * rest)
+            return MEFALSE;
+    return METRUE;
+}
+
+/* A part of the step of a partition whose contacts are met in time: up to the next event, and on. When there are too
+ * many of them, or they cannot be followed so exactly, the rest is taken as it is elsewhere. */
+static MeBool takeInTime(MdtIsland *p, double part) {
+    enum { MAX_EVENTS = 8 };
+    const double least = 1e-9 * part;
+    double rest = part;
+    for (int events = 0; rest > least; events++) {
+        if (events == MAX_EVENTS || !solveToEventOrHalf(p, rest, least)) {
+            p->kea.parameters.timed = MEFALSE;
+            return takePart(p, rest, 0);
+        }
+        rest -= p->parameters.stepsize;
+        if (!mdt_partIntegrate(p))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+/* Few bodies that only touch. */
+static MeBool isTimed(const MdtIsland *p) {
+    if (p->numBodies > p->world->timedBodies || p->numConstraints == 0)
+        return MEFALSE;
+    for (int i = 0; i < p->numConstraints; i++)
+        if (p->constraints[i]->type != MdtBclTypeOf(MdtBclCONTACT) &&
+            p->constraints[i]->type != MdtBclTypeOf(MdtBclCONTACTGROUP))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* ---- sub-steps ---- */
+
+MeBool mdt_islandSubdivide(MdtIsland *p) {
+    beginBudget(p);
+    const int n = p->world->subSteps;
+    const MeBool timed = isTimed(p);
+    for (int i = 0; i < n; i++) {
+        const double kept = keepWork(p, 1. / (n - i));
+        if (!(timed ? takeInTime(p, p->h / n) : takePart(p, p->h / n, 0)))
+            return MEFALSE;
+        p->work += kept;
+    }
+    return METRUE;
+}
