@@ -215,9 +215,9 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *
  *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
  *
- *  Default 50, 2.9 times what the costliest step of the hard cases in docs/solver.md takes: 17 (100 links with 1e5 kg); of those
- *  with friction 14 (a shaken tower of 20 cubes). One Newton iteration of 30 boxes in a heap is 0.1. 0: no bound. Beyond
- *  Karma.
+ *  Default 200: what the first step of a pyramid of 210 boxes takes, which has no forces to begin with, is 110; with less it
+ *  never comes to rest. The hard cases in docs/solver.md take 17 at most (100 links with 1e5 kg), one Newton iteration
+ *  of 30 boxes in a heap 0.1. 0: no bound. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work);
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
