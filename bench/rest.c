@@ -1,0 +1,101 @@
+/* What boxes cost that stand still, and what it took to bring them there.
+ *
+ *     rest [--steps N]        200 to settle and 200 that are timed, if not given
+ *
+ * Boxes of 1 m and 1 kg on a plane in a universe with its defaults, friction .5, steps of 1/60 s; nothing falls asleep:
+ * a tower of 20, 100 columns of 10, pyramids of 210 and 820 with gaps of .1 m in their rows. */
+#include "timing.h"
+
+#include "MdtReport.h"
+#include "Mst.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST = 1000 };
+
+static MstUniverseID universe;
+static McdGeometryID cube;
+static McdModelID model[MOST];
+static int boxes;
+
+static void makeUniverse(void) {
+    static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+    universe = MstUniverseCreate(&MstUniverseGrowingSizes);
+    if (!universe)
+        abort();
+    MdtWorldSetGravity(universe->world, 0, (MeReal)-9.81, 0);
+    MdtWorldSetAutoDisable(universe->world, MEFALSE);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(universe->bridge, 0, 0), (MeReal).5, 0);
+    MstFixedModelCreate(universe, McdPlaneCreate(universe->frame), floorTM);
+    cube = McdBoxCreate(universe->frame, 1, 1, 1);
+    boxes = 0;
+}
+
+static void place(double x, double y, double z) {
+    model[boxes] = MstModelAndBodyCreate(universe, cube, 1);
+    McdModelDynamicsSetPosition(model[boxes++], (MeReal)x, (MeReal)y, (MeReal)z);
+}
+
+static void makeTower(int height) {
+    for (int i = 0; i < height; i++)
+        place(0, .5 + i, 0);
+}
+
+static void makeColumns(int side) {
+    for (int i = 0; i < side * side * side; i++)
+        place(2 * (i / (side * side)), .5 + i % side, 2 * (i / side % side));
+}
+
+static void makePyramid(int rows) {
+    for (int row = 0; row < rows; row++)
+        for (int i = 0; i < rows - row; i++)
+            place(1.1 * (i + .5 * row), .5 + row, 0);
+}
+
+/* m, of the last box, which is on top. */
+static double heightOfLast(void) {
+    MeVector3 p;
+    McdModelDynamicsGetPosition(model[boxes - 1], p);
+    return (double)p[1];
+}
+
+/* s, of one step. */
+static double step(void) {
+    const double start = now();
+    MstUniverseStep(universe, (MeReal)(1. / 60));
+    return now() - start;
+}
+
+static void run(const char *name, void (*make)(int), int size, int steps) {
+    double *times = calloc((size_t)steps, sizeof *times), settling = 0;
+    if (!times)
+        abort();
+    makeUniverse();
+    make(size);
+    const double before = heightOfLast();
+    for (int i = 0; i < steps; i++)
+        settling += step();
+    for (int i = 0; i < steps; i++)
+        times[i] = step();
+    const double middle = median(times, steps);
+    printf("| %s | %d | %.1f | %.4f | %.4f | %.1e |\n", name, boxes, 1e3 * settling / steps, 1e3 * middle,
+           1e3 * times[steps - 1], fabs(heightOfLast() - before));
+    MstUniverseDestroy(universe);
+    free(times);
+}
+
+int main(int argc, char **argv) {
+    const int steps = argc == 3 && strcmp(argv[1], "--steps") == 0 ? atoi(argv[2]) : 200;
+    if ((argc != 1 && argc != 3) || steps < 1) {
+        fprintf(stderr, "usage: rest [--steps N]\n");
+        return 2;
+    }
+    printf("| scene | boxes | settling, ms a step | at rest, median ms | worst ms | top sinks, m |\n|---|---|---|---|---|---|\n");
+    run("tower", makeTower, 20, steps);
+    run("columns", makeColumns, 10, steps);
+    run("pyramid of 20 rows", makePyramid, 20, steps);
+    run("pyramid of 40 rows", makePyramid, 40, steps);
+    return 0;
+}
