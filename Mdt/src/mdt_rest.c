@@ -1,10 +1,10 @@
 /* Rest certificate: a partition at rest, in which nothing has changed since the last step, is not solved again.
  *
  * A step settles a partition if it was taken whole, if Kea found that the last answer still held (to its tolerances,
- * without a pass), and if no body had, or got, a velocity that Kea tells from none. The bodies then stay where they
- * are, bit for bit, so that contacts are found again as they were. In the next step the inputs may be the same to the
- * last bit: then so are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put
- * to sleep as ever.
+ * without a pass), and if no body has had a velocity that Kea tells from none, for long enough that what gamma relaxes is
+ * done. The bodies then stay where they are, bit for bit, so that contacts are found again as they were. In the next step
+ * the inputs may be the same to the last bit: then so are the forces, and the step costs a look at each body. Bodies age
+ * meanwhile, so that they are put to sleep as ever.
  *
  * Inputs, and how a change of them is noticed:
  *     of the world           a copy of them (MdtRestInputs)
@@ -164,12 +164,40 @@ static MeBool isResting(const MdtIsland *p, int i, double speed) {
     return isSlow(b, &p->start[i].velocity, 2 * speed) && isSlow(b, &end, 2 * speed) && isSlow(b, &way, speed);
 }
 
-/* What a function of the program wrote, or chose, may be anything the next time. */
+/* Steps until the errors that gamma takes away are a thousandth: (1 - γ)^n = 1e-3. */
+static double relaxationSteps(const MdtWorld *w) {
+    const double gamma = w->gamma;
+    return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log(1 - gamma)) : 1;
+}
+
+/* Counts the calm steps of each body; whether there were enough. A certificate that was lost begins them anew. */
+static MeBool isCalmForLong(const MdtIsland *p) {
+    const double speed = resolvedSpeed(p), enough = relaxationSteps(p->world);
+    MeBool isCalm = METRUE, isLong = METRUE;
+    for (int i = 0; i < p->numBodies && isCalm; i++)
+        isCalm = isResting(p, i, speed);
+    for (int i = 0; i < p->numBodies; i++) {
+        MdtBodyID b = p->bodies[i];
+        b->calmSteps = isCalm && !b->certificate ? b->calmSteps + 1 : 0;
+        isLong = isLong && b->calmSteps >= enough;
+    }
+    return isLong;
+}
+
+/* A function of the program may write other rows, or choose others, the next time. */
 static MeBool dependsOnProgram(const MdtIsland *p) {
     for (int i = 0; i < p->numConstraints; i++)
         if (p->constraints[i]->bcl.type == MdtBclUSER)
             return METRUE;
     return p->world->importance && p->kea.numRows > p->world->maxMatrixSize;
+}
+
+/* A damped spring comes to rest as slowly as it likes, and gets there. */
+static MeBool hasSprings(const MdtIsland *p) {
+    for (int i = 0; i < p->kea.numRows; i++)
+        if (p->kea.rows[i].spring)
+            return METRUE;
+    return MEFALSE;
 }
 
 /* In one part, and without a pass: nothing was linearized. */
@@ -181,13 +209,7 @@ static MeBool wasAnswerKept(const MdtIsland *p) {
 }
 
 MeBool mdt_restIsSettled(const MdtIsland *p) {
-    if (!wasAnswerKept(p) || dependsOnProgram(p))
-        return MEFALSE;
-    const double speed = resolvedSpeed(p);
-    for (int i = 0; i < p->numBodies; i++)
-        if (!isResting(p, i, speed))
-            return MEFALSE;
-    return METRUE;
+    return isCalmForLong(p) && wasAnswerKept(p) && !dependsOnProgram(p) && !hasSprings(p);
 }
 
 void mdt_restStay(MdtIsland *p) {
