@@ -1,10 +1,10 @@
 /* Rest certificate: a partition at rest, in which nothing has changed since the last step, is not solved again.
  *
- * A step settles a partition if it was taken whole, if Kea found that the last answer still held (to its tolerances,
- * without a pass), and if no body has had a velocity that Kea tells from none, for long enough that what gamma relaxes is
- * done. The bodies then stay where they are, bit for bit, so that contacts are found again as they were. In the next step
- * the inputs may be the same to the last bit: then so are the forces, and the step costs a look at each body. Bodies age
- * meanwhile, so that they are put to sleep as ever.
+ * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if no body has had a
+ * velocity that Kea tells from none, for long enough that what gamma relaxes is done. The bodies then stay where they
+ * are, bit for bit, so that contacts are found again as they were. In the next step the inputs may be the same to the
+ * last bit: then so are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put to
+ * sleep as ever.
  *
  * Inputs, and how a change of them is noticed:
  *     of the world           a copy of them (MdtRestInputs)
@@ -118,10 +118,8 @@ void mdt_restKeep(MdtIsland *p) {
 /* Of the speed of a step: what Kea takes for converged (kea_solve.c: velocityTolerance, speedOf). */
 static const double resolution = 1e-9;
 
-/* m/s: the mean velocities of a step that are less than this are not told from none. Each row is within its tolerance;
- * from body to body the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to
- * 3 times). */
-static double resolvedSpeed(const MdtIsland *p) {
+/* m/s: by so little may a row of a solved step be off. */
+static double rowTolerance(const MdtIsland *p) {
     double most = 0;
     for (int i = 0; i < p->numBodies; i++) {
         const double *free = p->kea.predicted[i].lin;
@@ -130,7 +128,14 @@ static double resolvedSpeed(const MdtIsland *p) {
         most = fmax(most, keaLength(change) + 0.1 * keaLength(free));
     }
     MEASSERT(isfinite(most));
-    return resolution * sqrt(p->numBodies) * most;
+    return resolution * most;
+}
+
+/* m/s: mean velocities of a step that are less than this are not told from none. Each row is within its tolerance; from
+ * body to body the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3
+ * times). */
+static double resolvedSpeed(const MdtIsland *p) {
+    return sqrt(p->numBodies) * rowTolerance(p);
 }
 
 static double turningSpeed(const MdtBody *b, const double w[3]) {
@@ -200,16 +205,16 @@ static MeBool hasSprings(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* In one part, and without a pass: nothing was linearized. */
-static MeBool wasAnswerKept(const MdtIsland *p) {
+/* In one part, and within tolerances. */
+static MeBool wasAnswerFound(const MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
     const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h;
-    return isWhole && p->kea.numRows > 0 && r->passes == 0 && r->factorizations == 0 && !r->capped && !r->conflicting &&
-           !p->hasMet && !p->isDegenerate;
+    const MeBool isExact = !r->capped && !r->limited && !r->violent && !r->conflicting && !p->isDegenerate;
+    return isWhole && isExact && p->kea.numRows > 0 && !p->hasMet && r->residual <= rowTolerance(p);
 }
 
 MeBool mdt_restIsSettled(const MdtIsland *p) {
-    return isCalmForLong(p) && wasAnswerKept(p) && !dependsOnProgram(p) && !hasSprings(p);
+    return isCalmForLong(p) && wasAnswerFound(p) && !dependsOnProgram(p) && !hasSprings(p);
 }
 
 void mdt_restStay(MdtIsland *p) {
