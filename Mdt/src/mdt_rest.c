@@ -131,11 +131,18 @@ static double rowTolerance(const MdtIsland *p) {
     return resolution * most;
 }
 
-/* m/s: mean velocities of a step that are less than this are not told from none. Each row is within its tolerance; from
- * body to body the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3
- * times). */
+/* A joint or a spring under load comes to where it rests as slowly as it likes, and gets there. */
+static MeBool comesNearerForEver(const MdtIsland *p) {
+    for (int i = 0; i < p->kea.numRows; i++)
+        if (p->kea.rows[i].spring || p->kea.rows[i].position)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* m/s: mean velocities of a step up to this are not told from none. Each row is within its tolerance; from body to body the
+ * errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3 times). */
 static double resolvedSpeed(const MdtIsland *p) {
-    return sqrt(p->numBodies) * rowTolerance(p);
+    return comesNearerForEver(p) ? 0 : sqrt(p->numBodies) * rowTolerance(p);
 }
 
 static double turningSpeed(const MdtBody *b, const double w[3]) {
@@ -197,14 +204,6 @@ static MeBool dependsOnProgram(const MdtIsland *p) {
     return p->world->importance && p->kea.numRows > p->world->maxMatrixSize;
 }
 
-/* A damped spring comes to rest as slowly as it likes, and gets there. */
-static MeBool hasSprings(const MdtIsland *p) {
-    for (int i = 0; i < p->kea.numRows; i++)
-        if (p->kea.rows[i].spring)
-            return METRUE;
-    return MEFALSE;
-}
-
 /* In one part, and within tolerances. */
 static MeBool wasAnswerFound(const MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
@@ -214,7 +213,7 @@ static MeBool wasAnswerFound(const MdtIsland *p) {
 }
 
 MeBool mdt_restIsSettled(const MdtIsland *p) {
-    return isCalmForLong(p) && wasAnswerFound(p) && !dependsOnProgram(p) && !hasSprings(p);
+    return isCalmForLong(p) && wasAnswerFound(p) && !dependsOnProgram(p);
 }
 
 void mdt_restStay(MdtIsland *p) {
