@@ -326,7 +326,6 @@ void MEAPI MdtBodyDisable(const MdtBodyID b) {
     b->flags &= ~MDT_ENABLED;
     mdt_graphChanged(b->world);
     b->lag = 0;
-    mdt_bodyDisturb(b);
     forgetRest(b);
     b->partition = -1;
     b->world->enabledBodies--;

@@ -53,6 +53,7 @@ static void append(MdtConstraintID group, MdtConstraintID contact) {
 
 void mdt_groupForget(MdtConstraintID contact) {
     MdtConstraintID group = contact->group;
+    mdt_constraintDisturb(contact);
     if (contact->previousInGroup)
         contact->previousInGroup->nextInGroup = contact->nextInGroup;
     else

@@ -110,6 +110,7 @@ struct MdtBody {
     unsigned long moves;                /* counts how often they were others */
 
     unsigned long certificate; /* of rest, the world's when it was given; 0: none (mdt_rest.c) */
+    int calmSteps;             /* in a row, in which its partition had no velocity that Kea tells from none */
 
     int partition; /* in this step; -1: none */
     int index;     /* in Kea's arrays, in this step */
@@ -132,6 +133,7 @@ void mdt_bodyTerm(MdtBodyID b);            /* detaches its constraints, returns 
 
 /* What the body's next step depends on has changed: its rest certificate ends. */
 static inline void mdt_bodyDisturb(MdtBodyID b) {
+    b->calmSteps = b->certificate ? 0 : b->calmSteps;
     b->certificate = 0;
 }
 

@@ -1,10 +1,10 @@
 /* Rest certificate: a partition at rest, in which nothing has changed since the last step, is not solved again.
  *
- * A step settles a partition if it was taken whole, if Kea found that the last answer still held (to its tolerances,
- * without a pass), and if no body had, or got, a velocity that Kea tells from none. The bodies then stay where they
+ * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if no body has had a
+ * velocity that Kea tells from none, for long enough that what gamma relaxes is done. The bodies then stay where they
  * are, bit for bit, so that contacts are found again as they were. In the next step the inputs may be the same to the
- * last bit: then so are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put
- * to sleep as ever.
+ * last bit: then so are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put to
+ * sleep as ever.
  *
  * Inputs, and how a change of them is noticed:
  *     of the world           a copy of them (MdtRestInputs)
@@ -118,10 +118,8 @@ void mdt_restKeep(MdtIsland *p) {
 /* Of the speed of a step: what Kea takes for converged (kea_solve.c: velocityTolerance, speedOf). */
 static const double resolution = 1e-9;
 
-/* m/s: the mean velocities of a step that are less than this are not told from none. Each row is within its tolerance;
- * from body to body the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to
- * 3 times). */
-static double resolvedSpeed(const MdtIsland *p) {
+/* m/s: by so little may a row of a solved step be off. */
+static double rowTolerance(const MdtIsland *p) {
     double most = 0;
     for (int i = 0; i < p->numBodies; i++) {
         const double *free = p->kea.predicted[i].lin;
@@ -130,7 +128,21 @@ static double resolvedSpeed(const MdtIsland *p) {
         most = fmax(most, keaLength(change) + 0.1 * keaLength(free));
     }
     MEASSERT(isfinite(most));
-    return resolution * sqrt(p->numBodies) * most;
+    return resolution * most;
+}
+
+/* A joint or a spring under load comes to where it rests as slowly as it likes, and gets there. */
+static MeBool comesNearerForEver(const MdtIsland *p) {
+    for (int i = 0; i < p->kea.numRows; i++)
+        if (p->kea.rows[i].spring || p->kea.rows[i].position)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* m/s: mean velocities of a step up to this are not told from none. Each row is within its tolerance; from body to body the
+ * errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3 times). */
+static double resolvedSpeed(const MdtIsland *p) {
+    return comesNearerForEver(p) ? 0 : sqrt(p->numBodies) * rowTolerance(p);
 }
 
 static double turningSpeed(const MdtBody *b, const double w[3]) {
@@ -164,7 +176,27 @@ static MeBool isResting(const MdtIsland *p, int i, double speed) {
     return isSlow(b, &p->start[i].velocity, 2 * speed) && isSlow(b, &end, 2 * speed) && isSlow(b, &way, speed);
 }
 
-/* What a function of the program wrote, or chose, may be anything the next time. */
+/* Steps until the errors that gamma takes away are a thousandth: (1 - γ)^n = 1e-3. */
+static double relaxationSteps(const MdtWorld *w) {
+    const double gamma = w->gamma;
+    return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log(1 - gamma)) : 1;
+}
+
+/* Counts the calm steps of each body; whether there were enough. A certificate that was lost begins them anew. */
+static MeBool isCalmForLong(const MdtIsland *p) {
+    const double speed = resolvedSpeed(p), enough = relaxationSteps(p->world);
+    MeBool isCalm = METRUE, isLong = METRUE;
+    for (int i = 0; i < p->numBodies && isCalm; i++)
+        isCalm = isResting(p, i, speed);
+    for (int i = 0; i < p->numBodies; i++) {
+        MdtBodyID b = p->bodies[i];
+        b->calmSteps = isCalm && !b->certificate ? b->calmSteps + 1 : 0;
+        isLong = isLong && b->calmSteps >= enough;
+    }
+    return isLong;
+}
+
+/* A function of the program may write other rows, or choose others, the next time. */
 static MeBool dependsOnProgram(const MdtIsland *p) {
     for (int i = 0; i < p->numConstraints; i++)
         if (p->constraints[i]->bcl.type == MdtBclUSER)
@@ -172,22 +204,16 @@ static MeBool dependsOnProgram(const MdtIsland *p) {
     return p->world->importance && p->kea.numRows > p->world->maxMatrixSize;
 }
 
-/* In one part, and without a pass: nothing was linearized. */
-static MeBool wasAnswerKept(const MdtIsland *p) {
+/* In one part, and within tolerances. */
+static MeBool wasAnswerFound(const MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
     const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h;
-    return isWhole && p->kea.numRows > 0 && r->passes == 0 && r->factorizations == 0 && !r->capped && !r->conflicting &&
-           !p->hasMet && !p->isDegenerate;
+    const MeBool isExact = !r->capped && !r->limited && !r->violent && !r->conflicting && !p->isDegenerate;
+    return isWhole && isExact && p->kea.numRows > 0 && !p->hasMet && r->residual <= rowTolerance(p);
 }
 
 MeBool mdt_restIsSettled(const MdtIsland *p) {
-    if (!wasAnswerKept(p) || dependsOnProgram(p))
-        return MEFALSE;
-    const double speed = resolvedSpeed(p);
-    for (int i = 0; i < p->numBodies; i++)
-        if (!isResting(p, i, speed))
-            return MEFALSE;
-    return METRUE;
+    return isCalmForLong(p) && wasAnswerFound(p) && !dependsOnProgram(p);
 }
 
 void mdt_restStay(MdtIsland *p) {

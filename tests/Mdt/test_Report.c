@@ -480,7 +480,7 @@ START_TEST(the_answer_for_a_box_at_rest_is_kept) {
     MdtWorldSetEpsilon(w, 0);
     for (int k = 0; k < 4; k++)
         touch(b, k & 1 ? .5 : -.5, k & 2 ? .5 : -.5, 0);
-    steps(w, 10, FRAME);
+    steps(w, 60, FRAME);
     MdtReport r = reportOf(w);
     ck_assert_int_eq(r.way, MdtReportWayRest);
     ck_assert_int_eq(r.rested, 1);
