@@ -201,8 +201,9 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdM
     return count;
 }
 
-/* Both ends of the way out of two boxes, where a face meets more than a corner: at the deepest of what the faces have in
- * common. The deepest corner alone may be aside of the other's face, if another is as deep to within rounding. */
+/* Both ends of the way out of two boxes, where a face meets more than a corner: at the deepest of what the faces
+ * have in common. The deepest corner alone may be aside of the other's face, if another is as deep to within
+ * rounding. */
 static void endsAtFaces(const McdShape *a, const McdShape *b, McdProximity *p) {
     McdFace faceA, faceB;
     McdManifold m;

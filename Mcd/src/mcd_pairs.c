@@ -233,7 +233,7 @@ static int nextLink(const McdSpace *s, int i, int proxy) {
     return s->link[i].next[s->link[i].proxy[1] == proxy];
 }
 
-/* ---- classification ----------------------------------------------------------------------------------------------------- */
+/* ---- classification ---------------------------------------------------------------------------------------------- */
 
 static MeBool isCulled(const McdProxy *a, const McdProxy *b) {
     return a->table && a->table == b->table && a->cullingID == b->cullingID &&
