@@ -1,4 +1,4 @@
-/* Contact points where two faces look at each other.
+/* Manifolds: clipping of two faces that look at each other, and reduction to four points.
  *
  * Seen along the normal, both faces are points, lines or convex polygons in the plane across it. The points of contact
  * are the corners of what they have in common; each has a height on either surface, whose difference is its separation.

@@ -1,4 +1,4 @@
-/* Which pair of convex shapes is served by what: the one table of the nearfield.
+/* Dispatch of the convex narrow phase: which algorithm serves which pair of shapes.
  *
  * A cell finds the normal, by closed form where there is a short one; the faces along it give the contacts, the same
  * way for all pairs (mcd_face.c). What is empty is served by the cell across the diagonal, with the shapes swapped. */
