@@ -77,7 +77,9 @@ struct _McdUserTriangle {
 struct McdTriangleList {
     McdGeometry head;      /**< Not for programs. */
     int triangleMaxCount;  /**< As McdTriangleListSetMaxTriangles sets it; heeded when triangles are next asked for. */
-    McdUserTriangle *list; /**< The list's: where the callback writes; what it wrote last stays there. */
+    /** The list's: where the callback writes; what it wrote last stays there. A query that runs within another one's
+     *  callback, or at the same time in another thread, has its callback write into another array. */
+    McdUserTriangle *list;
     void *userData;        /**< The program's: see McdTriangleListSetUserData. */
 };
 

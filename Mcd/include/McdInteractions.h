@@ -3,6 +3,9 @@
  *
  *  McdHello comes before the queries of a pair and McdGoodbye after them. Models in a space are up to date after the
  *  space's update, others after McdModelUpdate.
+ *
+ *  Queries may run in several threads at once, and within the callbacks of others, while nothing that they are about is
+ *  changed. (McdIntersectAt changes the models of its pair meanwhile.)
  */
 #ifndef MCDINTERACTIONS_H
 #define MCDINTERACTIONS_H

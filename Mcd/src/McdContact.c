@@ -1,4 +1,4 @@
-/* What contacts know, and the one choice of contacts: few that support as well as many. */
+/* Contacts: accessors, and contact reduction: a few points that support as well as many. */
 #include "McdContact.h"
 #include "mcd_i.h"
 #include "mcd_spread.h"

@@ -35,7 +35,7 @@ static void support(const McdGeometry *g, const double d[3], double point[3]) {
         point[k] = h->vertex[best][k] + out * d[k];
 }
 
-/* ---- line segments ------------------------------------------------------------------------------------------------- */
+/* ---- line segments ----------------------------------------------------------------------------------------------- */
 
 static void clipByFaces(McdClip *c, const McdHull *h, double fatness) {
     for (int i = 0; i < h->faceCount && !mcd_clipIsEmpty(c); i++)
@@ -95,7 +95,7 @@ static void MEAPI release(McdGeometryID g) {
 
 MCD_DEFINE_LINE_SEGMENT(ConvexMesh)
 
-/* ---- in the nearfield ---------------------------------------------------------------------------------------------- */
+/* ---- in the nearfield -------------------------------------------------------------------------------------------- */
 
 /* Below this many corners, looking at all of them is faster than walking along the edges. */
 enum { SCANNED_CORNERS = 24 };
@@ -191,7 +191,7 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(ConvexMesh, release), .size = si
                              .edges = edges};
 MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh)
 
-/* ---- life ------------------------------------------------------------------------------------------------------------ */
+/* ---- life -------------------------------------------------------------------------------------------------------- */
 
 static MeBool isMesh(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeConvexMesh, function);
@@ -268,7 +268,7 @@ McdConvexMeshID MEAPI McdConvexMeshCreateSphyl(McdFramework *frame, MeReal radiu
     return createFrom(frame, (const double(*)[3])point, n, 0, "McdConvexMeshCreateSphyl");
 }
 
-/* ---- polygons ---------------------------------------------------------------------------------------------------------- */
+/* ---- polygons ---------------------------------------------------------------------------------------------------- */
 
 MeReal MEAPI McdConvexMeshGetFatness(McdConvexMeshID mesh) {
     return isMesh(mesh, "McdConvexMeshGetFatness") ? get(mesh)->fatness : 0;
@@ -322,7 +322,7 @@ void MEAPI McdConvexMeshGetXYAABB(McdConvexMeshID g, MeMatrix4 tm, MeReal bounds
         mcd_localXYAABB(g, tm, bounds, support);
 }
 
-/* ---- what it is like --------------------------------------------------------------------------------------------------- */
+/* ---- what it is like --------------------------------------------------------------------------------------------- */
 
 void MEAPI McdConvexMeshGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
     MeVector3Set(center, 0, 0, 0);
@@ -350,7 +350,7 @@ void MEAPI McdConvexMeshDebugDraw(const McdGeometryID g, const MeMatrix4 tm, con
         mcd_drawLine(tm, colour, h->vertex[h->edge[i][0]], h->vertex[h->edge[i][1]]);
 }
 
-/* ---- mass: integrals of 1, x and x x^T over each part -------------------------------------------------------------------- */
+/* ---- mass: integrals of 1, x and x x^T over each part ------------------------------------------------------------ */
 
 typedef struct Moments {
     double m, first[3], second[3][3];
@@ -538,7 +538,7 @@ MeI16 MEAPI McdConvexMeshGetMassProperties(McdConvexMeshID mesh, MeMatrix4 relTM
     return 1;
 }
 
-/* ---- interactions --------------------------------------------------------------------------------------------------- */
+/* ---- interactions ------------------------------------------------------------------------------------------------ */
 
 /* Here, so that programs without meshes do not link the triangle list. */
 MeBool MEAPI McdConvexMeshPrimitivesRegisterInteractions(McdFramework *frame) {

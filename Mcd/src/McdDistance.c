@@ -1,4 +1,4 @@
-/* How far apart two models are: the least over the pairs of their convex parts, triangles among them. */
+/* The signed distance of two models: the least over the pairs of their convex parts and triangles. */
 #include "mcd_geometries.h"
 #include "mcd_kind.h"
 #include "mcd_vector.h"

@@ -282,6 +282,7 @@ void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *func
         return;
     McdFrameworkRegisterGeometryType(frame, (McdGeometryType)kind->type, kind->name(0), kind->destroy, kind->box,
                                      kind->sphere, kind->farthest, kind->mass, kind->draw);
+    MEASSERT(!frame->types[kind->type].kind || frame->types[kind->type].kind == kind); /* two types with one number */
     frame->types[kind->type].kind = kind;
 }
 

@@ -1,4 +1,4 @@
-/* What all geometries have: a head, a type, references; and questions that their type's functions answer. */
+/* What all geometries have: a head, a type, a reference count; queries go to the type's functions. */
 #include "mcd_i.h"
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* What can be asked of a pair of models: the framework's table says who answers. */
+/* The narrow phase of a pair of models: dispatch by the framework's table of interactions. */
 #include "McdContact.h"
 #include "mcd_kind.h"
 #include "mcd_scratch.h"

@@ -1,4 +1,4 @@
-/* Questions to a space beyond line segments: overlaps, nearest models, casts. */
+/* Queries of a space beyond line segments: overlaps, nearest models, shape casts. */
 #include "McdQuery.h"
 #include "McdGeometry.h"
 #include "mcd_kind.h"

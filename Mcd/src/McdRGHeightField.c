@@ -206,8 +206,8 @@ void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, 
 
 /* ---- interactions ----------------------------------------------------------------------------------------------------- */
 
-/* Adds the triangles of a cell; a corner's number is its place in the part of the grid that begins at (i0, j0) and is so
- * many points wide. */
+/* Adds the triangles of a cell; a corner's number is its place in the part of the grid that begins at (i0, j0) and
+ * is so many points wide. */
 static void addCell(McdMeshQuery *q, const McdRGHeightField *f, int i, int j, int i0, int j0, int width) {
     for (int half = 0; half < 2; half++) {
         const int at = (j - j0) * width + i - i0, vertex[3] = {at, at + 1 + half * width, at + 1 - half + width};

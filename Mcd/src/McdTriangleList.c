@@ -256,7 +256,8 @@ MCD_MESH_INTERACTIONS(TriangleList, intersect)
 
 /* ---- line segments ------------------------------------------------------------------------------------------------------- */
 
-/* The first of the triangles that a segment meets: where, as a part of it, and the normal there; a part above 1: none. */
+/* The first of the triangles that a segment meets: where, as a part of it, and the normal there; a part above 1:
+ * none. */
 static double firstHit(const Generated *generated, const double from[3], const double to[3], double normal[3]) {
     double least = 2;
     for (int i = 0; i < generated->count; i++) {

@@ -1,7 +1,7 @@
 /* The table of requests: the lower triangle of a matrix by request id, and one more for ids outside.
  *
- * There is one for the process, as the functions name no framework. Whoever replaces or ends it takes it out in one step,
- * so that two threads that do so at once do not free it twice. */
+ * There is one for the process, as the functions name no framework. Whoever replaces or ends it takes it out in one
+ * step, so that two threads that do so at once do not free it twice. */
 #include "McduRequestTable.h"
 #include "mcd_i.h"
 

@@ -1,4 +1,4 @@
-/* How aggregates interact: part with part, by whatever the parts' types have in the framework's table. */
+/* Interactions of aggregates: the mid phase over pairs of parts, each by the interaction of the parts' types. */
 #include "McdAggregate.h"
 #include "mcd_geometries.h"
 #include "mcd_scratch.h"

@@ -1,15 +1,17 @@
-/* The signed distance of two convex cores: both are one question about their difference M = { x - y : x in A, y in B },
+/* The signed distance of two convex cores, both cases by their Minkowski difference M = { x - y : x in A, y in B },
  * a convex set in which the origin lies if and only if the cores overlap.
  *
- * Apart, the distance is that of the origin from M, by Gilbert, Johnson and Keerthi's walk over simplices within M.
- * Overlapping, the depth is the distance to the nearest point of M's surface: a polytope within M grows, by M's
- * farthest point over the facet nearest to the origin, until no facet is left that could be nearer than what was found.
- * So the result is bounded from both sides: by the nearest facet from below and by a supporting plane of M from above.
- * For polyhedra both meet exactly, on a facet of M; for round shapes at `tolerance`.
+ * Apart, the distance is that of the origin from M, by GJK (Gilbert, Johnson and Keerthi: A fast procedure for
+ * computing the distance between complex objects in three-dimensional space, 1988). Overlapping, the depth is the
+ * distance to the nearest point of M's surface, by EPA (van den Bergen: Proximity queries and penetration depth
+ * computation on 3D game objects, 2001): a polytope within M grows, by M's support point over the facet nearest to
+ * the origin, until no facet could be nearer than what was found. So the result is bounded from both sides: by the
+ * nearest facet from below and by a supporting plane of M from above. For polyhedra both meet exactly, on a facet
+ * of M; for round shapes at `tolerance`.
  *
- * libccd does the same, but its expansion leaves exactly aligned cubes without a normal and gets a quarter of the
- * depths of nearly aligned ones wrong, so this is our own: what is returned was measured by a support point, never
- * taken from a facet's plane alone. The walk comes with it, as it hands its last simplex over.
+ * libccd does the same, but its EPA leaves exactly aligned cubes without a normal and gets a quarter of the depths
+ * of nearly aligned ones wrong, so this is our own: what is returned was measured by a support point, never taken
+ * from a facet's plane alone. /
  */
 #include "mcd_kind.h"
 
@@ -19,7 +21,7 @@
 static const double tolerance = 1e-9, resolution = 1e-14;
 /* A face's normal is taken if no other can be better by more than this: half of what mcd_grid.c gives faces anyway. */
 static const double guessTolerance = 1e-7;
-enum { WALK_STEPS = 96 };
+enum { GJK_STEPS = 96 };
 
 /* A point of M, and where it comes from. */
 typedef struct Corner {
@@ -172,7 +174,7 @@ static MeBool isCorner(const Simplex *s, const Corner *c) {
     return 0;
 }
 
-static void startWalk(const Pair *p, Simplex *s) {
+static void startGjk(const Pair *p, Simplex *s) {
     double v[3];
     mcd_sub(v, p->b->place, p->a->place);
     if (!(mcd_dot(v, v) > 0))
@@ -182,33 +184,33 @@ static void startWalk(const Pair *p, Simplex *s) {
     reduce(s);
 }
 
-typedef enum { FAR, APART, TOUCHING } Walk;
+typedef enum { BEYOND_LIMIT, SEPARATED, OVERLAPPING } GjkResult;
 
-/* Walks until the nearest point's own plane supports M. */
-static Walk walk(const Pair *p, double limit, Simplex *s) {
-    startWalk(p, s);
-    for (int step = 0; step < WALK_STEPS; step++) {
+/* Iterates until the plane through the nearest point supports M: no point of M is nearer. */
+static GjkResult runGjk(const Pair *p, double limit, Simplex *s) {
+    startGjk(p, s);
+    for (int step = 0; step < GJK_STEPS; step++) {
         const double distance = sqrt(s->squared);
         if (!(distance > p->tolerance))
-            return TOUCHING;
+            return OVERLAPPING;
         Simplex next = *s;
         Corner *c = &next.corner[next.count];
         const double d[3] = {-s->nearest[0], -s->nearest[1], -s->nearest[2]};
         farthest(p, d, c);
         const double bound = -mcd_dot(d, c->w) / distance; /* no point of M is nearer than that */
         if (bound > limit)
-            return FAR;
+            return BEYOND_LIMIT;
         if (distance - bound <= .1 * p->tolerance || isCorner(s, c))
-            return APART;
+            return SEPARATED;
         next.count++;
         reduce(&next);
         if (!next.inside && next.squared >= s->squared)
-            return APART; /* rounding: it gets no nearer */
+            return SEPARATED; /* rounding: it gets no nearer */
         *s = next;
         if (s->inside)
-            return TOUCHING;
+            return OVERLAPPING;
     }
-    return APART;
+    return SEPARATED;
 }
 
 static MeBool areWeights(const double *weight, int count) {
@@ -228,7 +230,7 @@ static void weighted(const Corner *const corner[], const double *weight, int cou
     }
 }
 
-static void reportApart(const Simplex *s, McdProximity *p) {
+static void reportSeparated(const Simplex *s, McdProximity *p) {
     MEASSERT(s->count >= 1 && s->count <= 3 && s->squared > 0);
     const Corner *corner[3] = {&s->corner[0], &s->corner[1], &s->corner[2]};
     weighted(corner, s->weight, s->count, p);
@@ -236,7 +238,7 @@ static void reportApart(const Simplex *s, McdProximity *p) {
     mcd_scale(p->normal, s->nearest, 1 / p->separation);
 }
 
-/* ---- overlapping: a polytope within M ------------------------------------------------------------------------ */
+/* ---- overlapping: EPA's polytope within M ------------------------------------------------------------------------ */
 
 enum { MAX_CORNERS = 200, MAX_FACETS = 2 * MAX_CORNERS };
 
@@ -346,8 +348,8 @@ static MeBool makeTetrahedron(Polytope *t) {
     return 1;
 }
 
-/* Marks the facets that the new corner is above: those around the first that are joined to it. */
-static int markSeen(Polytope *t, int first, int round, const double w[3], int *seen) {
+/* Marks the facets visible from the new corner: those connected to the first. */
+static int findVisible(Polytope *t, int first, int round, const double w[3], int *seen) {
     int count = 0;
     seen[count++] = first;
     t->facet[first].seen = round;
@@ -363,8 +365,9 @@ static int markSeen(Polytope *t, int first, int round, const double w[3], int *s
     return count;
 }
 
-/* Joins the new corner to the rim of what it sees; false if the rim is no simple loop, or a new facet has no plane. */
-static MeBool coverRim(Polytope *t, const int *seen, int count, int round, int corner) {
+/* Joins the new corner to the horizon of the visible facets; false if that is no simple loop, or a new facet is
+ * degenerate. */
+static MeBool closeHorizon(Polytope *t, const int *seen, int count, int round, int corner) {
     int made = 0, first = -1;
     for (int i = 0; i < t->cornerCount; i++)
         t->startsAt[i] = -1;
@@ -395,7 +398,7 @@ static MeBool coverRim(Polytope *t, const int *seen, int count, int round, int c
     return walked == made;
 }
 
-static void removeSeen(Polytope *t, const int *seen, int count) {
+static void removeVisible(Polytope *t, const int *seen, int count) {
     for (int i = 0; i < count; i++) {
         t->offset[seen[i]] = INFINITY;
         t->freeFacet[t->freeCount++] = seen[i];
@@ -425,7 +428,7 @@ static void keepGuess(Polytope *t, const Guess *guess) {
 
 /* Grows the polytope until the plane of its nearest facet supports M. Where rounding spoils its shape it stops,
  * with the best plane so far: a true bound, if not the least. */
-static void expand(const Pair *p, const Guess *guess, Polytope *t) {
+static void runEpa(const Pair *p, const Guess *guess, Polytope *t) {
     int seen[MAX_FACETS];
     t->support = INFINITY;
     for (int round = 0; t->cornerCount < MAX_CORNERS; round++) {
@@ -447,11 +450,11 @@ static void expand(const Pair *p, const Guess *guess, Polytope *t) {
         }
         if (support < t->support)
             keep(t, &f, support);
-        const int count = markSeen(t, nearest, round, w, seen);
+        const int count = findVisible(t, nearest, round, w, seen);
         t->cornerCount++;
-        if (!coverRim(t, seen, count, round, corner))
+        if (!closeHorizon(t, seen, count, round, corner))
             return;
-        removeSeen(t, seen, count);
+        removeVisible(t, seen, count);
         MEVALIDATE(isClosed(t));
     }
 }
@@ -540,7 +543,7 @@ static Simplex nearestOfFacets(const Simplex *s) {
 
 /* M is a point, line or plane polygon, to within the tolerance: the shortest way out is across it. Which of all such
  * directions it is, is a convention: for a plane the better one, else that from the first shape's origin to the plane's
- * side where corners turn counter-clockwise; for a line or a point the first that is across. The walk ended at a point
+ * side where corners turn counter-clockwise; for a line or a point the first that is across. GJK ended at a point
  * of M that is the origin, to within the tolerance. */
 static void reportFlat(const Pair *p, const Simplex *s, const Polytope *t, McdProximity *out) {
     double d[6][3];
@@ -557,7 +560,7 @@ static void reportFlat(const Pair *p, const Simplex *s, const Polytope *t, McdPr
     weighted(corner, end.weight, end.count, out);
 }
 
-/* From corners that the walk has found, which surround the origin, as far as they are apart from each other. */
+/* From the corners of GJK's simplex, which surround the origin, as far as they are apart from each other. */
 static MeBool startPolytope(const Pair *p, const Simplex *s, Polytope *t) {
     t->cornerCount = t->facetCount = t->freeCount = 0;
     t->epsilon = .1 * p->tolerance;
@@ -610,7 +613,7 @@ static int facetUnderOrigin(const Polytope *t, double weight[3]) {
 
 /* Both ends of the way out: points of the cores whose difference is the point of M that is nearest to the origin. What
  * the polytope lacks of M there, at most the tolerance of the depth, is shared between them. */
-static void reportOverlap(const Polytope *t, McdProximity *out) {
+static void reportPenetration(const Polytope *t, McdProximity *out) {
     double weight[3], lack[3], sum = 0;
     const int facet = facetUnderOrigin(t, weight);
     MEASSERT(facet >= 0 && t->support < INFINITY);
@@ -630,14 +633,14 @@ static void reportOverlap(const Polytope *t, McdProximity *out) {
     mcd_mad(out->onB, out->onB, -.5, lack);
 }
 
-static void overlap(const Pair *p, const Simplex *s, const Guess *guess, McdProximity *out) {
+static void findPenetration(const Pair *p, const Simplex *s, const Guess *guess, McdProximity *out) {
     Polytope t;
     if (!startPolytope(p, s, &t)) {
         reportFlat(p, s, &t, out);
         return;
     }
-    expand(p, guess, &t);
-    reportOverlap(&t, out);
+    runEpa(p, guess, &t);
+    reportPenetration(&t, out);
 }
 
 /* ---- a guess: the faces' normals ------------------------------------------------------------------------------- */
@@ -659,7 +662,7 @@ static void guessFrom(const Pair *p, const McdShape *s, const double apart[3], G
             tryAxis(p, s->axis[i], apart, g);
 }
 
-static Guess makeGuess(const Pair *p) {
+static Guess guessAxis(const Pair *p) {
     Guess g = {.separation = -INFINITY};
     double apart[3];
     mcd_sub(apart, p->a->place, p->b->place);
@@ -670,7 +673,7 @@ static Guess makeGuess(const Pair *p) {
 
 void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p) {
     const Pair pair = makePair(a, b);
-    const Guess g = makeGuess(&pair);
+    const Guess g = guessAxis(&pair);
     p->isGuess = 1;
     p->separation = g.separation;
     mcd_copy(p->normal, g.normal);
@@ -728,19 +731,19 @@ MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity
 
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const Pair pair = makePair(a, b);
-    const Guess guess = makeGuess(&pair);
+    const Guess guess = guessAxis(&pair);
     p->isGuess = 0;
     if (guess.separation > limit)
         return 0;
     Simplex s = {.count = 0};
-    switch (walk(&pair, limit, &s)) {
-    case FAR:
+    switch (runGjk(&pair, limit, &s)) {
+    case BEYOND_LIMIT:
         return 0;
-    case APART:
-        reportApart(&s, p);
+    case SEPARATED:
+        reportSeparated(&s, p);
         break;
-    case TOUCHING:
-        overlap(&pair, &s, &guess, p);
+    case OVERLAPPING:
+        findPenetration(&pair, &s, &guess, p);
         break;
     }
     return p->separation <= limit;

@@ -1,4 +1,4 @@
-/* Contact points where two faces look at each other.
+/* Manifolds: clipping of two faces that look at each other, and reduction to four points.
  *
  * Seen along the normal, both faces are points, lines or convex polygons in the plane across it. The points of contact
  * are the corners of what they have in common; each has a height on either surface, whose difference is its separation.
@@ -285,15 +285,15 @@ static int clipFaces(const Outline *a, const Outline *b, double bend, double sla
     return count;
 }
 
-/* ---- reduction to four points -------------------------------------------------------------------------------------- */
+/* ---- reduction to four points ------------------------------------------------------------------------------------ */
 
 static double acrossSquared(const Candidate *p, const Candidate *q) {
     const double x = p->x - q->x, y = p->y - q->y;
     return x * x + y * y;
 }
 
-/* Drops points farther apart than the margin, and duplicates: of more than 8 points, which go round the polygon, only the
- * previous and the first are compared. */
+/* Drops points farther apart than the margin, and duplicates: of more than 8 points, which go round the polygon,
+ * only the previous and the first are compared. */
 static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, double slack_) {
     int kept = 0;
     for (int i = 0; i < count; i++) {
@@ -440,8 +440,8 @@ int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *
     return 1;
 }
 
-/* Is a candidate's height on a face as exact as its place? Not where the face rises more than it goes across; the ends of a
- * line are. */
+/* Is a candidate's height on a face as exact as its place? Not where the face rises more than it goes across; the
+ * ends of a line are. */
 static MeBool isExact(const Outline *o, MeU32 feature) {
     if (o->count > 2)
         return o->slopeX * o->slopeX + o->slopeY * o->slopeY < 1;
@@ -449,8 +449,8 @@ static MeBool isExact(const Outline *o, MeU32 feature) {
     return kindOf(feature) == CORNER || z * z < x * x + y * y;
 }
 
-/* The deepest candidate; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so, where the
- * slack lets it stand out. */
+/* The deepest candidate; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so,
+ * where the slack lets it stand out. */
 static int clampSeparations(Candidate *candidate, int count, double separation) {
     int least = -1;
     for (int i = 0; i < count; i++) {

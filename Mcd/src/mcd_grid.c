@@ -1,4 +1,4 @@
-/* Which pair of convex shapes is served by what: the one table of the nearfield.
+/* Dispatch of the convex narrow phase: which algorithm serves which pair of shapes.
  *
  * A cell finds the normal, by closed form where there is a short one; the faces along it give the contacts, the same
  * way for all pairs (mcd_face.c). What is empty is served by the cell across the diagonal, with the shapes swapped. */
@@ -201,8 +201,9 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdM
     return count;
 }
 
-/* Both ends of the way out of two boxes, where a face meets more than a corner: at the deepest of what the faces have in
- * common. The deepest corner alone may be aside of the other's face, if another is as deep to within rounding. */
+/* Both ends of the way out of two boxes, where a face meets more than a corner: at the deepest of what the faces
+ * have in common. The deepest corner alone may be aside of the other's face, if another is as deep to within
+ * rounding. */
 static void endsAtFaces(const McdShape *a, const McdShape *b, McdProximity *p) {
     McdFace faceA, faceB;
     McdManifold m;

@@ -205,7 +205,8 @@ static const double *placeOf(const McdMesh *mesh, int v) {
     return mesh->place[3 * first + (of[0] == v ? 0 : of[1] == v ? 1 : 2)];
 }
 
-/* Adjacency is symmetric: a vertex lists just the triangles that have it, in their order, and is where their corners are. */
+/* Adjacency is symmetric: a vertex lists just the triangles that have it, in their order, and is where their
+ * corners are. */
 static MeBool areCornersJoined(const McdMesh *mesh, int vertexCount) {
     for (int v = 0; v < vertexCount; v++)
         for (int i = mesh->firstOf[v]; i < mesh->firstOf[v + 1]; i++) {
@@ -537,8 +538,8 @@ static MeBool addAlong(McdMeshQuery *q, const McdMeshTriangle *t, const double n
     return any;
 }
 
-/* Contacts along a triangle's normal (either side's): the shape's face, clipped to the triangle grown by the tolerance, and
- * its support point. False if there are none. */
+/* Contacts along a triangle's normal (either side's): the shape's face, clipped to the triangle grown by the
+ * tolerance, and its support point. False if there are none. */
 static MeBool addClippedContacts(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
     Polygon p, part;
     double back[3], least = INFINITY;
@@ -684,8 +685,8 @@ static MeBool continuesBeside(const McdMeshQuery *q, const McdMeshTriangle *t, c
     return MEFALSE;
 }
 
-/* Contacts along the normal that the narrow phase finds, if the surface has it there, else along the face's. False if the
- * shape does not touch the triangle. */
+/* Contacts along the normal that the narrow phase finds, if the surface has it there, else along the face's. False
+ * if the shape does not touch the triangle. */
 static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     McdManifold m;
     if (!intersectsTriangle(q, t, &m))
@@ -753,8 +754,8 @@ static void pointOnSurface(const McdMeshContact *c, double foot[3]) {
     mcd_mad(foot, c->position, -c->separation / 2, c->normal);
 }
 
-/* Where the line from a contact point below the plane to the shape's highest point crosses the plane; false if all of the
- * shape is below. */
+/* Where the line from a contact point below the plane to the shape's highest point crosses the plane; false if all
+ * of the shape is below. */
 static MeBool entryThroughPlane(const McdMeshQuery *q, const McdMeshContact *c, double through[3]) {
     double foot[3], point[3], highest[3], off[3];
     pointOnSurface(c, foot);
@@ -783,7 +784,8 @@ static MeBool touchesAtContacts(const McdMeshQuery *q, const McdMeshTriangle *t,
     return first < q->mesh->contactCount && intersectsTriangle(q, t, &m);
 }
 
-/* Contacts along the face's normal, where the neighbours leave no other. False if the shape does not touch the triangle. */
+/* Contacts along the face's normal, where the neighbours leave no other. False if the shape does not touch the
+ * triangle. */
 static MeBool addFaceContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
     const int first = q->mesh->contactCount;
     double face[3];
@@ -901,8 +903,8 @@ static MeBool addPointsOverPlane(McdMeshQuery *q, const double normal[3], const 
     return METRUE;
 }
 
-/* Where all pending triangles are one plane that reaches beyond the shape's face, contacts are those with the plane. False
- * if that is not so. */
+/* Where all pending triangles are one plane that reaches beyond the shape's face, contacts are those with the
+ * plane. False if that is not so. */
 static MeBool addPlaneContacts(McdMeshQuery *q) {
     const McdMeshTriangle *t = commonPlane(q);
     Polygon p;
@@ -938,8 +940,8 @@ static void addAllContacts(McdMeshQuery *q) {
     MEASSERT(mesh->contactCount >= 0 && mesh->contactCount <= mesh->contactMax);
 }
 
-/* Tunnelling: nothing pushes to the front, and the shape's middle is behind a one-sided triangle by less than half of its
- * radius. Contacts with the nearest such triangle, and those of the same normal, push it back. */
+/* Tunnelling: nothing pushes to the front, and the shape's middle is behind a one-sided triangle by less than half
+ * of its radius. Contacts with the nearest such triangle, and those of the same normal, push it back. */
 static void recoverFromBehind(McdMeshQuery *q) {
     const McdMeshTriangle *nearest = 0;
     McdManifold m;

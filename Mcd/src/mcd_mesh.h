@@ -1,14 +1,14 @@
 /* Inside Mcd: contacts of a convex shape with triangles that join up to a surface.
  *
- * A geometry (a list's callback, a height field's grid) gathers the triangles near the shape; mcd_meshIntersect does the
- * rest. Ghost contacts at internal edges are avoided by Voronoi regions: a normal at an edge or a corner is the surface's
- * only if no triangle there rises above the plane across it; else the face's normal is taken. Neighbours are those with
- * equal corners; at T-junctions, a point beside the contact is looked up.
+ * A geometry (a list's callback, a height field's grid) gathers the triangles near the shape; mcd_meshIntersect
+ * does the rest. Ghost contacts at internal edges are avoided by Voronoi regions: a normal at an edge or a corner
+ * is the surface's only if no triangle there rises above the plane across it; else the face's normal is taken.
+ * Neighbours are those with equal corners; at T-junctions, a point beside the contact is looked up.
  *
- * A triangle whose surroundings are flat has one possible normal, its own, and is not searched. There, points below the
- * surface count if the shape entered through it: the way from the point to where the line from there to the shape's
- * highest point crosses the plane is covered by coplanar triangles. So an overhang is below triangles that it does not
- * touch.
+ * A triangle whose surroundings are flat has one possible normal, its own, and is not searched. There, points below
+ * the surface count if the shape entered through it: the way from the point to where the line from there to the
+ * shape's highest point crosses the plane is covered by coplanar triangles. So an overhang is below triangles that
+ * it does not touch. /
  */
 #ifndef MCD_MESH_H
 #define MCD_MESH_H
@@ -76,9 +76,10 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather
 /* Has it place for so many triangles? If not, it gets it; false, after a fatal error, if there is no memory. */
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
 void mcd_meshFree(McdMesh *mesh);
-/* For gather functions: corners in the mesh's frame; the normal, which may be null, says which side is outside. What is
- * not near, has no area, or has NaN is left out. Adjacency is known from the corners' numbers below vertexCount, which a
- * grid has once and for all; null: of what a program hands over anew for each query, it is found by equal coordinates. */
+/* For gather functions: corners in the mesh's frame; the normal, which may be null, says which side is outside.
+ * What is not near, has no area, or has NaN is left out. Adjacency is known from the corners' numbers below
+ * vertexCount, which a grid has once and for all; null: of what a program hands over anew for each query, it is
+ * found by equal coordinates. */
 void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
                  McdElementData element);
 

@@ -1,4 +1,4 @@
-/* Continuous collision: how long two models may move before they touch, and how far apart they are.
+/* Continuous collision: a lower bound of the time of impact of two models.
  *
  * Conservative advancement (Mirtich): for a fixed direction n the separation s = min a.n - max b.n of two rigid shapes
  * shrinks no faster than

@@ -26,7 +26,8 @@ MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, Mcd
 /* The best separating axis among the normals of flat faces (McdKind.flatAxes), as a guess; a separation of -INFINITY if
  * there are none. */
 void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p);
-/* Verifies a guessed normal of cores that overlap: is no direction less deep? Conservative: may say no to a right guess. */
+/* Verifies a guessed normal of cores that overlap: is no direction less deep? Conservative: may say no to a right
+ * guess. */
 MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p);
 /* For two boxes the answer, where they overlap; else a face's normal along which they are apart. */
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
@@ -55,9 +56,9 @@ static inline void mcd_faceAdd(const McdShape *s, McdFace *f, double x, double y
     f->name[f->count++] = name;
 }
 
-/* The manifold along a normal: the faces clipped against each other, and the proximity's own points where none of these is
- * as deep. Returns the count; the roundings are taken into account. A guess is verified: 0 unless the faces are as near to
- * each other as it says. */
+/* The manifold along a normal: the faces clipped against each other, and the proximity's own points where none of
+ * these is as deep. Returns the count; the roundings are taken into account. A guess is verified: 0 unless the
+ * faces are as near to each other as it says. */
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                       const McdProximity *p, double margin, McdManifold *m);
 /* One contact, at the proximity's own points. */

@@ -1,4 +1,4 @@
-/* Links and pairs of a space: who is near whom, and what that means for the lists of pairs. */
+/* Links and pairs of a space: the broad phase's candidates, and the lists of hello, staying and goodbye pairs. */
 #include "mcd_space_i.h"
 #include "McdInteractions.h"
 #include <stdio.h>
@@ -233,7 +233,7 @@ static int nextLink(const McdSpace *s, int i, int proxy) {
     return s->link[i].next[s->link[i].proxy[1] == proxy];
 }
 
-/* ---- classification ----------------------------------------------------------------------------------------------------- */
+/* ---- classification ---------------------------------------------------------------------------------------------- */
 
 static MeBool isCulled(const McdProxy *a, const McdProxy *b) {
     return a->table && a->table == b->table && a->cullingID == b->cullingID &&

@@ -1,4 +1,4 @@
-/* Contacts with a half-space: the face that looks at it, and its deepest point. */
+/* Manifold and distance of a convex shape and a half-space. */
 #include "mcd_kind.h"
 
 /* The part of the plane that counts: its face is made here. */

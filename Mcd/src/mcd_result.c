@@ -1,4 +1,4 @@
-/* How interactions fill a McdIntersectResult. */
+/* From manifolds to McdIntersectResult: margins, contacts, unique features, the mean normal. */
 #include "mcd_shape.h"
 #include "mcd_spread.h"
 #include "mcd_vector.h"

@@ -1,4 +1,4 @@
-/* Convex shapes at a place: how geometries become them, and their farthest points. */
+/* Convex shapes at a place: made from geometries, and their support points. */
 #include "mcd_kind.h"
 #include "mcd_vector.h"
 

@@ -76,7 +76,8 @@ static MeBool isShownApart(const McdShape *a, const McdShape *b, double margin) 
 }
 
 static MeBool isSolid(const McdShape *s) {
-    return s->kind->type == kMcdGeometryTypeBox || s->kind->type == kMcdGeometryTypeConvexMesh || s->kind->type == MCD_SHAPE_TRIANGLE;
+    return s->kind->type == kMcdGeometryTypeBox || s->kind->type == kMcdGeometryTypeConvexMesh ||
+           s->kind->type == MCD_SHAPE_TRIANGLE;
 }
 
 static void comparePair(int kindA, int kindB, int pose, double scale, MeBool slab, Random *r) {
@@ -254,7 +255,8 @@ START_TEST(the_distance_is_that_of_its_points) {
 }
 END_TEST
 
-/* How far outside of a shape a point is; of a cylinder and of polyhedra exactly, of others as far as directions show it. */
+/* How far outside of a shape a point is; of a cylinder and of polyhedra exactly, of others as far as directions
+ * show it. */
 static double outsideOf(const McdShape *s, const double point[3], Random *r) {
     double off[3], most = -INFINITY;
     if (isSolid(s))
@@ -272,8 +274,8 @@ static double outsideOf(const McdShape *s, const double point[3], Random *r) {
     return most;
 }
 
-/* The worst of them, relative to the size: how far the points' difference is from the way out, and how far they are outside
- * of their shapes. */
+/* The worst of them, relative to the size: how far the points' difference is from the way out, and how far they are
+ * outside of their shapes. */
 static void measureEnds(int kindA, int kindB, int pose, double scale, Random *r, double *apart, double *outside) {
     McdShape a, b;
     double onA[3], onB[3], n[3], d[3];
@@ -413,8 +415,8 @@ static void assertAnswer(const McdShape *a, const McdShape *b, double separation
     McdManifold m;
     ck_assert_msg(mcd_convexManifold(a, b, 1e-6, &m) > 0, "types %d and %d", a->kind->type, b->kind->type);
     assert_near(mcd_length(m.normal), 1, 9e-16);
-    ck_assert_msg(fabs(deepest(&m) - separation) < 1e-7, "types %d and %d: %.9g, expected %.9g", a->kind->type, b->kind->type,
-                  deepest(&m), separation);
+    ck_assert_msg(fabs(deepest(&m) - separation) < 1e-7, "types %d and %d: %.9g, expected %.9g", a->kind->type,
+                  b->kind->type, deepest(&m), separation);
 }
 
 START_TEST(concentric_shapes_have_a_normal) {

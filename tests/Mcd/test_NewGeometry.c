@@ -1,5 +1,5 @@
-/* A geometry type that the library does not know, an ellipsoid, made of nothing but a table of functions: it meets all that
- * the library knows, as docs/collision.md says. */
+/* A geometry type that the library does not know, an ellipsoid, made of nothing but a table of functions: it meets
+ * all that the library knows, as docs/collision.md says. */
 #include "McdAggregate.h"
 #include "McdAll.h"
 #include "McdQuery.h"
@@ -8,7 +8,7 @@
 #include "mcd_kind.h"
 #include "mcd_local.h"
 
-/* ---- the geometry ------------------------------------------------------------------------------------------------------- */
+/* ---- the geometry ------------------------------------------------------------------------------------------------ */
 
 enum { ELLIPSOID = kMcdGeometryFirstUserType };
 
@@ -89,7 +89,7 @@ static const McdKind kind = {.type = ELLIPSOID,
                              .face = face,
                              .rank = MCD_RANK_OTHER};
 
-/* ---- what it meets ------------------------------------------------------------------------------------------------------ */
+/* ---- what it meets ----------------------------------------------------------------------------------------------- */
 
 static McdFrameworkID frame;
 static McdContact contact[20];

@@ -83,7 +83,7 @@ static void end(void) {
     McdTerm(frame);
 }
 
-/* ---- what a thread asks ------------------------------------------------------------------------------------------------- */
+/* ---- what a thread asks ------------------------------------------------------------------------------------------ */
 
 typedef struct Asker {
     pthread_t id;
@@ -200,7 +200,7 @@ START_TEST(two_threads_ask_one_aggregate) {
 }
 END_TEST
 
-/* ---- a query within a query ---------------------------------------------------------------------------------------------- */
+/* ---- a query within a query -------------------------------------------------------------------------------------- */
 
 static Asker *inner; /* for each depth */
 static int depth, nested;
