@@ -1,21 +1,35 @@
 /* Inside Kea: the working data of a step and the functions that its files share.
  *
- *     kea_solve.c      one step: passes of linearization, then the velocity stage
- *     kea_scheme.c     where unknown velocities take the bodies, the momentum that is missing, its derivative
- *     kea_rows.c       what a row asks of the unknowns
- *     kea_problem.c    the inner problem: bodies with a quadratic metric, rows with bounds and cones
- *     kea_dual.c       the same by the joints' side
- *     kea_velocity.c   velocities that joints and contacts allow where the bodies have arrived
- *     kea_factor.c     sparse factorization
- *     kea_rotation.c   inertia, free rotation
- *     kea_system.c     memory, predictions, integration
+ *     kea_system.c            memory, predictions, integration: the front door, with MdtKeaSolve and MdtKeaImpact
+ *
+ *   exact/, a step by Newton's method to the tolerance:
+ *     kea_step.c              one step: passes of linearization, then the velocity stage
+ *     kea_scheme.c            where unknown velocities take the bodies, the momentum that is missing, its derivative
+ *     kea_rows.c              linearization of rows; theta
+ *     kea_newton.c            the inner problem: semismooth Newton on the bodies' side
+ *     kea_friction.c          friction bounds between two of its solves
+ *     kea_dual.c              the inner problem by the joints' side
+ *     kea_factor.c, kea_order.c, kea_cache.c      sparse factorization, elimination order, kept factors
+ *     kea_redundancy.c        of redundant joints' impulses, the smallest
+ *     kea_velocity.c          the velocity stage: velocities that joints and contacts allow where the bodies have arrived
+ *     kea_events.c            what divides a step of contacts in time
+ *
+ *   common/, what any solver needs:
+ *     kea_policy_i.h          every constant that is a choice
+ *     kea_problem_i.h, .c     the inner problem's data: bodies with a quadratic metric, rows with bounds and cones
+ *     kea_sweep.c             the inner problem by sweeps, when work runs out
+ *     kea_residual.c          how far an answer is from the laws; converged
+ *     kea_energy.c            kinetic energy, the one limiter
+ *     kea_impact.c            impacts, the one law of restitution
+ *     kea_project.c           bodies moved out of each other
+ *     kea_rotation.c          inertia, free rotation
  */
 #ifndef KEA_I_H
 #define KEA_I_H
 
 #include "MdtKea.h"
 #include "MdtKeaMath.h"
-#include "kea_problem_i.h"
+#include "common/kea_problem_i.h"
 
 /* The state of a body at the end of the step, while the step is being found. */
 typedef struct KeaEnd {
@@ -59,6 +73,8 @@ typedef struct MdtKeaWork {
     double (*bestU)[6], *bestP;               /* by body, by row: of the best pass so far */
     double (*added)[6];                       /* by body: what the velocity stage has found */
     double (*plastic)[6], *wanted, speed;     /* of impacts */
+    double (*velocity)[6];                    /* by body: what the limiter of energy starts from */
+    double *keptP;                            /* by row: impulses while the inner problem is lent */
     char *takesPart;
     int *parent; /* by body, and one more */
     KeaProblem problem;
@@ -81,7 +97,7 @@ double kea_leastEigenvalue(const double S[3][3]);
 /* Eigenvalues of a symmetric matrix, left on the diagonal of S, and eigenvectors, as the columns of V. */
 void kea_eigen(double S[3][3], double V[3][3]);
 
-/* ---- kea_solve.c ---- */
+/* ---- kea_step.c ---- */
 
 /* What the solve may cost: this share of the means, the rest is for what comes after; of it, so many passes by sweeps are for
  * when it runs out. */
@@ -118,19 +134,16 @@ void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);
 /* What each row still asks for; after kea_linearizeBodies. */
 void kea_linearizeRows(MdtKeaSystem *s);
-/* The largest error of a position row, relative to its size. */
-double kea_positionError(MdtKeaSystem *s);
 /* Contacts that were thought out of reach and are reached. Returns whether there were any. */
 MeBool kea_admitContacts(MdtKeaSystem *s);
-/* After every pass: which joints did not yield; whether they miss their aims by more than this. */
-void kea_noteStubborn(MdtKeaSystem *s, double tolerance);
-MeBool kea_isConflicting(const MdtKeaSystem *s, double tolerance);
+/* Stops, and joints that are about to give way; those whose strength is far off hold as if they had no bound. */
+MeBool kea_mayReachBound(const MdtKeaRow *row);
 /* The rate of a row at the end. */
 double kea_endRate(const MdtKeaSystem *s, int i);
 /* The rate of a row through the step. */
 double kea_meanRate(const MdtKeaSystem *s, int i);
 
-/* ---- kea_timed.c ---- */
+/* ---- kea_events.c ---- */
 
 /* Which contacts are closed. */
 void kea_timedBegin(MdtKeaSystem *s);
@@ -138,8 +151,57 @@ void kea_timedBegin(MdtKeaSystem *s);
  * which contacts that stop slide on. kea_releaseSlides takes that back. */
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat);
 void kea_releaseSlides(MdtKeaSystem *s);
+
+/* ---- kea_impact.c ---- */
+
+/* m/s: what speeds of contacts in time are compared with: the load speed; without loads, a little of the bodies' speeds. */
+double kea_eventSpeed(const MdtKeaSystem *s);
+/* Whether a contact's gap counts as none. */
+MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row);
+/* The rate of a row at the start, against its target; of a normal row against its drift. */
+double kea_startRate(const MdtKeaSystem *s, int i);
+/* A body, a row of the inner problem for what happens in no time: masses at the start, no loads, no springs. */
+void kea_setInstantMetric(MdtKeaSystem *s, int i);
+void kea_setInstantRow(MdtKeaSystem *s, int i);
+
+/* ---- kea_project.c ---- */
+
 /* Moves bodies out of each other, without velocity. */
 void kea_project(MdtKeaSystem *s);
+
+/* ---- kea_energy.c ---- */
+
+/* J, in the metric of the inner problem; change may be null. */
+double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]);
+/* J: the energy that there can be: what the step started with, and what loads, springs and motors have done in it. */
+double kea_energyAllowed(const MdtKeaSystem *s);
+/* The largest share a in [0, 1] for which velocity + plastic + a (elastic - plastic) has no more energy than allowed. */
+double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*elastic)[6], double (*plastic)[6],
+                        double allowed);
+/* The last resort of a step whose motion was not found: `change` takes the velocities of all bodies that rows act on down to
+ * the energy allowed. False: there is nothing to change. */
+MeBool kea_slowDown(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]);
+
+/* ---- kea_residual.c ---- */
+
+/* How far a pass is from the laws, in tolerances (kea_policy_i.h). */
+typedef struct KeaResiduals {
+    double position, velocity, momentum, worst;
+    double impulse; /* N s, that the velocity would take */
+} KeaResiduals;
+
+/* m/s: by how much the loads change velocities in a step, at most. */
+double kea_loadSpeed(const MdtKeaSystem *s);
+/* m/s: what velocities are compared with: those of the bodies, and what loads, springs and motors do to them. */
+double kea_speedOf(const MdtKeaSystem *s);
+/* After a linearization. Writes report.error. */
+KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);
+MeBool kea_isConverged(const KeaResiduals *e);
+/* Not converged, but within this times what is reported as exact. */
+MeBool kea_isExactEnough(const KeaResiduals *e, double margin);
+/* After every pass: which joints are inconsistent; whether such miss their aims. */
+void kea_noteInconsistent(MdtKeaSystem *s);
+MeBool kea_isConflicting(const MdtKeaSystem *s);
 
 /* ---- kea_dual.c ---- */
 
@@ -148,7 +210,7 @@ void kea_dualBegin(MdtKeaSystem *s);
 /* Solves the inner problem by the joints' side. False: that is not possible here. */
 MeBool kea_dualSolve(MdtKeaSystem *s);
 
-/* ---- kea_share.c ---- */
+/* ---- kea_redundancy.c ---- */
 
 /* Whether joints, and the world, make a loop. */
 MeBool kea_hasLoops(const MdtKeaSystem *s);

@@ -1,6 +1,7 @@
 /* The system of one partition: memory, what would be without rows, and the end of the step. */
 #include "kea_i.h"
 #include "MeAssert.h"
+#include "common/kea_policy_i.h"
 #include <stdint.h>
 #include <string.h>
 
@@ -26,6 +27,8 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->added = kea_carve(arena, n, sizeof *work->added);
     work->plastic = kea_carve(arena, n, sizeof *work->plastic);
     work->wanted = kea_carve(arena, 2 * m, sizeof(double));
+    work->velocity = kea_carve(arena, n, sizeof *work->velocity);
+    work->keptP = kea_carve(arena, m, sizeof(double));
     work->takesPart = kea_carve(arena, m, 1);
     work->parent = kea_carve(arena, n + 1, sizeof(int));
     work->dual.start = kea_carve(arena, m + 1, sizeof(int));
@@ -149,7 +152,7 @@ MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
             return MEFALSE;
     for (int i = 0; i < s->numBodies; i++) {
         MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
-                      s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < 1e-9);
+                      s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < kea_assertedRounding);
         commit(s->bodies[i], &s->work->end[i]);
         noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
         s->pose[i] = s->work->endPose[i];

@@ -1,7 +1,7 @@
 /* The sparse factor (kea_factor_i.h) against dense elimination: solutions, structure, cost, and lack of memory. */
-#include "kea_factor_i.h"
+#include "exact/kea_factor_i.h"
 #include "MeMemory.h"
-#include "kea_problem_i.h"
+#include "common/kea_problem_i.h"
 #include "karma_test.h"
 
 enum { MOST_NODES = 24, MOST_EDGES = MOST_NODES * MOST_NODES / 2, MOST = MOST_NODES * KEA_FACTOR_MAX_BLOCK };

@@ -1,6 +1,7 @@
 /* The inner problem (kea_problem_i.h) against slow ways to solve it: enumeration of what is at a bound, the angle of
  * sliding by bisection, fixed points. It is solved as in a step: passes that take the method's own softness out again. */
-#include "kea_problem_i.h"
+#include "common/kea_policy_i.h"
+#include "common/kea_problem_i.h"
 #include "karma_test.h"
 
 enum { MOST_BODIES = 12, MOST_ROWS = 48, MOST_ENUMERATED = 7, MAX_PASSES = 12 };

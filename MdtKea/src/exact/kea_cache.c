@@ -1,10 +1,9 @@
 /* Factors for the graphs that have come up: a partition whose bodies are joined as before finds its own again, and so
  * do all partitions that look alike. The least recently used one makes room. */
-#include "kea_problem_i.h"
+#include "common/kea_problem_i.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
-
-enum { MAX_FACTORS = 64 };
+#include "common/kea_policy_i.h"
 
 typedef struct Entry {
     KeaFactor *factor;
@@ -12,7 +11,7 @@ typedef struct Entry {
 } Entry;
 
 struct MdtKeaCache {
-    Entry entry[MAX_FACTORS];
+    Entry entry[KEA_MAX_FACTORS];
     unsigned long clock;
     int *size, room; /* the sizes of a graph of bodies: 6 each */
 };
@@ -24,7 +23,7 @@ MdtKeaCache *MEAPI MdtKeaCacheCreate(void) {
 void MEAPI MdtKeaCacheDestroy(MdtKeaCache *c) {
     if (!c)
         return;
-    for (int i = 0; i < MAX_FACTORS; i++)
+    for (int i = 0; i < KEA_MAX_FACTORS; i++)
         if (c->entry[i].factor)
             kea_factorDestroy(c->entry[i].factor);
     MeMemoryGive(c->size);
@@ -48,7 +47,7 @@ KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, const int size[], int num
         return NULL;
     size = size ? size : c->size;
     c->clock++;
-    for (int i = 0; i < MAX_FACTORS; i++) {
+    for (int i = 0; i < KEA_MAX_FACTORS; i++) {
         Entry *e = &c->entry[i];
         if (e->factor && kea_factorMatches(e->factor, numNodes, size, numEdges, edges)) {
             e->used = c->clock;

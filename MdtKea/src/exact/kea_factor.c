@@ -8,11 +8,11 @@
  * factors A_jj, and divides by it: U_ji = L_jj⁻¹ A_ji, L_ij = A_ij U_jj⁻¹. A column of L is kept as its transpose, so
  * that all products are sums of Xᵀ Y, row by row. Of a symmetric matrix L = Uᵀ: only U is kept.
  */
-#include "kea_factor_i.h"
+#include "exact/kea_factor_i.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
-#include "kea_arena_i.h"
-#include "kea_order_i.h"
+#include "common/kea_arena_i.h"
+#include "exact/kea_order_i.h"
 #include <math.h>
 #include <string.h>
 

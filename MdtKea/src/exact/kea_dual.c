@@ -8,9 +8,8 @@
  */
 #include "kea_i.h"
 #include "MeAssert.h"
+#include "common/kea_policy_i.h"
 #include <string.h>
-
-static const double regular = 1e-13; /* of a row's A_ii: rows of one joint may coincide but for rounding */
 
 static MeBool areOfOneJoint(const MdtKeaRow *a, const MdtKeaRow *b) {
     return a->owner == b->owner && a->body[0] == b->body[0] && a->body[1] == b->body[1];
@@ -86,7 +85,7 @@ static void respond(const KeaMetric *B, double r[6], const double J[6]) {
     keaApply(r + 3, B->inverse, J + 3);
 }
 
-static double dot6(const double a[6], const double b[6]) {
+static double dotOfBody(const double a[6], const double b[6]) {
     return keaDot(a, b) + keaDot(a + 3, b + 3);
 }
 
@@ -100,9 +99,9 @@ static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
                 continue;
             respond(&q->metric[a->body[k]], response, a->J[k]);
             for (int j = 0; j < size; j++)
-                block[i * size + j] += dot6(response, q->row[start + j].J[k]);
+                block[i * size + j] += dotOfBody(response, q->row[start + j].J[k]);
         }
-        block[i * size + i] += a->E + regular * a->size;
+        block[i * size + i] += a->E + kea_dualRegularization * a->size;
     }
 }
 
@@ -113,7 +112,7 @@ static void fillEdge(KeaProblem *q, KeaDual *d, int e) {
     for (int i = 0; i < d->size[m]; i++) {
         respond(B, response, q->row[d->start[m] + i].J[k]);
         for (int j = 0; j < d->size[n]; j++)
-            block[i * d->size[n] + j] += dot6(response, q->row[d->start[n] + j].J[l]);
+            block[i * d->size[n] + j] += dotOfBody(response, q->row[d->start[n] + j].J[l]);
     }
 }
 
@@ -126,7 +125,7 @@ static MeBool factorize(KeaProblem *q, KeaDual *d) {
     q->counts.factorizations++;
     kea_problemSpend(q, kea_factorFlops(d->factor) + 2.0 * (double)kea_factorEntries(d->factor) +
                             (double)q->numRows * (KEA_ASSEMBLY + 2 * KEA_VISIT));
-    return kea_factorCholesky(d->factor, 1e-15);
+    return kea_factorCholesky(d->factor, kea_leastPivot);
 }
 
 /* d := B⁻¹ (Jᵀ p - g), with p that are there. */
@@ -147,7 +146,7 @@ static void setMotion(KeaProblem *q) {
         row->Jd = 0;
         for (int k = 0; k < 2; k++)
             if (row->body[k] >= 0)
-                row->Jd += dot6(row->J[k], q->d[row->body[k]]);
+                row->Jd += dotOfBody(row->J[k], q->d[row->body[k]]);
     }
 }
 

@@ -4,7 +4,7 @@
  * Chains and trees are eliminated from their leaves, without any. The neighbours that a node has when its turn comes
  * are the structure of its column in the factor.
  */
-#include "kea_order_i.h"
+#include "exact/kea_order_i.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include <stdlib.h>

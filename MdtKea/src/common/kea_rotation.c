@@ -11,8 +11,7 @@
  * symmetric top it is one of the equal ones, and the splitting is exact.
  */
 #include "kea_i.h"
-
-static const double slowAngle = 1e-2; /* rad a step: below it, order 2 is exact to rounding for our purpose */
+#include "common/kea_policy_i.h"
 
 /* Turns the body for time t by the part of H that belongs to `axis`: q from the right, L (principal) the other way. */
 static void flowAboutAxis(double q[4], double L[3], int axis, double rate, double t) {
@@ -92,7 +91,7 @@ void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3
 
     const Split split = {a, b, 1 / I[a] - 1 / I[r], 1 / I[b] - 1 / I[r]};
     const double angle = fabs(h) * keaLength(L) * (fabs(split.rateA) + fabs(split.rateB));
-    if (angle > slowAngle)
+    if (angle > kea_slowRotation)
         blanesMoan4(q, l, &split, h);
     else if (angle > 0)
         leapfrog(q, l, &split, h);
@@ -179,9 +178,9 @@ void kea_eigen(double S[3][3], double V[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             V[i][j] = i == j;
-    for (int sweep = 0; sweep < 12; sweep++) { /* 4 or 5 suffice: convergence is quadratic */
+    for (int sweep = 0; sweep < KEA_MAX_JACOBI_SWEEPS; sweep++) {
         const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
-        if (off <= 1e-32 * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]))
+        if (off <= kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]))
             break;
         jacobiRotate(S, V, 0, 1);
         jacobiRotate(S, V, 0, 2);
@@ -207,7 +206,7 @@ static MeBool isSymmetricAndFinite(const double inertia[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             const double size = fabs(inertia[i][i]) + fabs(inertia[j][j]);
-            if (!isfinite(inertia[i][j]) || fabs(inertia[i][j] - inertia[j][i]) > 1e-5 * size)
+            if (!isfinite(inertia[i][j]) || fabs(inertia[i][j] - inertia[j][i]) > kea_asymmetry * size)
                 return MEFALSE;
         }
     }
@@ -224,7 +223,7 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
     kea_eigen(S, V);
     const double largest = fmax(S[0][0], fmax(S[1][1], S[2][2]));
     for (int i = 0; i < 3; i++)
-        if (!(S[i][i] > 1e-12 * largest))
+        if (!(S[i][i] > kea_leastMoment * largest))
             return MEFALSE;
     for (int i = 0; i < 3; i++)
         body->moments[i] = S[i][i];

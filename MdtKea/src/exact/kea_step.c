@@ -9,37 +9,8 @@
  */
 #include "kea_i.h"
 #include "MeAssert.h"
+#include "common/kea_policy_i.h"
 #include <string.h>
-
-enum { HALVE = 6, FREEZE = 12, GIVE_UP = 60, AFTER = 4, SWEPT_PASSES = 8 };
-static const double positionTolerance = 1e-10; /* of a row's size */
-static const double velocityTolerance = 1e-9;  /* of the partition's speed */
-static const double momentumTolerance = 1e2;   /* of what the inner problem tolerates */
-static const double forMotion = 0.9; /* of the work; the rest is kept for the velocities and positions at the end; */
-static const double forSweeps = 0.5; /* of that at most, for when it runs out, */
-static const double forFriction = 0.375; /* which it has after this if friction bounds do not settle */
-static const double looseMotion = 1e4, looseVelocity = 1e5; /* times these: good enough when passes have run out */
-
-typedef struct Errors {
-    double position, velocity, momentum, worst; /* in tolerances */
-    double impulse;                             /* N s, that the velocity would take */
-} Errors;
-
-/* m/s: what velocities are compared with: those of the bodies, and what loads, springs and motors do to them. */
-static double speedOf(const MdtKeaSystem *s) {
-    double speed = 0;
-    for (int i = 0; i < s->numBodies; i++) {
-        const KeaBody *b = &s->work->body[i];
-        double change[3];
-        keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
-        speed = keaMax(speed, keaLength(change) + 0.1 * keaLength(b->freeVelocity) +
-                                  0.1 * b->size * keaLength(s->predicted[i].ang));
-    }
-    for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact < 0 && !s->rows[i].position)
-            speed = keaMax(speed, s->work->problem.row[i].size * fabs(s->work->problem.row[i].p));
-    return speed + 1e-300;
-}
 
 /* ---- means ---- */
 
@@ -56,7 +27,7 @@ void kea_setMeans(MdtKeaSystem *s, double share, int sweptPasses) {
     q->maxWork = share * s->parameters.maxWork;
     q->sweptPasses = sweptPasses;
     q->reserve =
-        keaMin(sweptPasses * kea_problemSweptPass(q, KEA_SWEEPS), forSweeps * keaMax(q->maxWork - q->counts.work, 0));
+        keaMin(sweptPasses * kea_problemSweptPass(q, KEA_SWEEPS), kea_workForSweeps * keaMax(q->maxWork - q->counts.work, 0));
     q->counts.isLimited = MEFALSE;
 }
 
@@ -82,15 +53,6 @@ static void linearize(MdtKeaSystem *s) {
     kea_problemSpend(&s->work->problem, workOfLinearization(s));
 }
 
-static Errors errorsOf(MdtKeaSystem *s, double speed) {
-    Errors e;
-    e.position = kea_positionError(s) / positionTolerance;
-    e.velocity = kea_problemResidual(&s->work->problem, &e.impulse) / (velocityTolerance * speed);
-    e.momentum = kea_problemError(&s->work->problem) / momentumTolerance;
-    e.worst = keaMax(e.position, keaMax(e.momentum, e.velocity));
-    return e;
-}
-
 static void takePass(MdtKeaSystem *s) {
     const KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numBodies; i++)
@@ -100,7 +62,7 @@ static void takePass(MdtKeaSystem *s) {
 
 /* The work goes on friction bounds that do not settle. */
 static MeBool isLate(const MdtKeaSystem *s) {
-    return s->parameters.maxWork > 0 && s->work->problem.counts.work > forFriction * s->parameters.maxWork;
+    return s->parameters.maxWork > 0 && s->work->problem.counts.work > kea_workForFriction * s->parameters.maxWork;
 }
 
 /* Friction bounds follow the normal forces, later on more carefully; should that not settle, they are left where they are
@@ -109,11 +71,11 @@ static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough) {
     KeaProblem *q = &s->work->problem;
     if (kea_dualSolve(s))
         return;
-    const MeBool isFrozen = q->counts.stuck > 0 && pass >= (isGoodEnough ? FREEZE : GIVE_UP);
+    const MeBool isFrozen = q->counts.stuck > 0 && pass >= (isGoodEnough ? KEA_FREEZE_PASS : KEA_MAX_COUPLED_PASSES);
     if (isFrozen && q->counts.freezes == 0)
         kea_problemRenewRadii(q);
     else if (!isFrozen && pass > 0)
-        kea_problemApproachRadii(q, pass < HALVE ? 1 : 0.5, pass > HALVE);
+        kea_problemApproachRadii(q, pass < KEA_FULL_BOUND_PASSES ? 1 : kea_boundRelaxation, pass > KEA_FULL_BOUND_PASSES);
     q->counts.freezes += isFrozen;
     q->counts.stuck = !kea_problemSolve(q, !isFrozen) || isFrozen;
     q->counts.level += !q->counts.stuck || isFrozen;
@@ -136,8 +98,7 @@ static void takeBest(MdtKeaSystem *s) {
 
 /* Does the body roll on the contact, about its own centre? */
 static MeBool isCentred(const MdtKeaRow *normal, int k) {
-    const double off = 1e-3; /* of the radius: by so little its places of contact go astray while it turns */
-    return normal->radius[k] > 0 && keaLength(normal->J[k].ang) <= off * normal->radius[k];
+    return normal->radius[k] > 0 && keaLength(normal->J[k].ang) <= kea_centredArm * normal->radius[k];
 }
 
 /* Whether it matters how a body is turned: not for a ball whose contacts all push towards its centre. */
@@ -155,9 +116,8 @@ static MeBool feelsItsTurn(const MdtKeaSystem *s, int body) {
 
 /* The Cayley map turns a body by less than half a turn, however fast it is: near that, the velocity means nothing. */
 static MeBool turnsOver(const MdtKeaSystem *s) {
-    const double most = 2.5; /* rad as the velocity has it, 1.8 as the body turns */
     for (int i = 0; i < s->numBodies; i++)
-        if (s->parameters.stepsize * keaLength(s->work->body[i].u + 3) > most && feelsItsTurn(s, i))
+        if (s->parameters.stepsize * keaLength(s->work->body[i].u + 3) > kea_mostTurn && feelsItsTurn(s, i))
             return METRUE;
     return MEFALSE;
 }
@@ -185,7 +145,6 @@ static double lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
 /* Has an answer that was not found taken the bodies where no motion goes? Mean velocities lie between those at the start and
  * those at the end, and have less energy than the whole partition at the greatest speed that anything in it has or wants. */
 static MeBool isRunaway(const MdtKeaSystem *s) {
-    const double room = 10; /* an answer cut short may overshoot: what follows is limited to the energy that there is */
     double energy = 0, mass = 0, speed = 0;
     for (int b = 0; b < s->numBodies; b++) {
         const KeaBody *body = &s->work->body[b];
@@ -197,7 +156,7 @@ static MeBool isRunaway(const MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++)
         speed = keaMax(speed, fabs(s->rows[i].target) * lengthOf(s, &s->rows[i]));
-    return !(energy <= room * mass * speed * speed);
+    return !(energy <= kea_runawayRoom * mass * speed * speed);
 }
 
 /* The last resort: the bodies move as if there were no rows. Joints open by no more than a step's way. */
@@ -215,54 +174,49 @@ static void letGo(MdtKeaSystem *s) {
     linearize(s);
 }
 
-/* Ten times better than what is reported as inexact. */
-static MeBool isSweptEnough(const Errors *e) {
-    return e->position <= 0.1 * looseMotion && e->momentum <= 0.1 * looseMotion && e->velocity <= 0.1 * looseVelocity;
-}
-
 static void takePasses(MdtKeaSystem *s) {
-    const int last = GIVE_UP + AFTER;
+    const int last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES;
     KeaProblem *q = &s->work->problem;
     MeBool ranOut = MEFALSE;
     double speed = 0, best = HUGE_VAL;
-    Errors e = {.worst = HUGE_VAL};
+    KeaResiduals e = {.worst = HUGE_VAL};
     q->sweptPasses = q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
     for (int pass = 0;; pass++) {
         linearize(s);
-        speed = keaMax(speed, speedOf(s));
-        e = errorsOf(s, speed);
+        speed = keaMax(speed, kea_speedOf(s));
+        e = kea_residuals(s, speed);
         if (e.worst < best || pass == 0) {
             best = e.worst;
             keepBest(s);
         }
         q->counts.isLimited = q->counts.isLimited || (isLate(s) && q->counts.stuck > 0);
         ranOut = q->counts.isLimited;
-        if (e.worst < 1 || pass == last || (ranOut && (isSweptEnough(&e) || !kea_problemMaySweep(q))))
+        if (kea_isConverged(&e) || pass == last || (ranOut && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
             break;
-        solvePass(s, pass, e.velocity < looseVelocity);
+        solvePass(s, pass, e.velocity < kea_looseVelocity);
         if (!isStepFinite(q)) {
             e.worst = HUGE_VAL;
             break;
         }
-        kea_noteStubborn(s, positionTolerance);
+        kea_noteInconsistent(s);
         takePass(s);
         kea_admitContacts(s);
         s->report.passes++;
     }
-    if (!(e.worst <= best) && !(ranOut && e.position <= looseMotion)) {
+    if (!(e.worst <= best) && !(ranOut && e.position <= kea_loosePosition)) {
         takeBest(s);
-        e = errorsOf(s, speed);
+        e = kea_residuals(s, speed);
     }
-    if (!(e.worst < 1) && isRunaway(s)) {
+    if (!kea_isConverged(&e) && isRunaway(s)) {
         letGo(s);
-        e = errorsOf(s, speed);
+        e = kea_residuals(s, speed);
     }
-    s->report.conflicting = kea_isConflicting(s, positionTolerance);
-    const MeBool isMissed = !(e.position <= looseMotion && e.momentum <= looseMotion) || turnsOver(s);
+    s->report.conflicting = kea_isConflicting(s);
+    const MeBool isMissed = !(e.position <= kea_loosePosition && e.momentum <= kea_loosePosition) || turnsOver(s);
     s->report.violent = isMissed && !ranOut;
-    s->report.capped = isMissed || !(e.velocity <= looseVelocity);
+    s->report.capped = isMissed || !(e.velocity <= kea_looseVelocity);
     s->report.limited = s->report.capped && ranOut;
-    s->report.residual = e.velocity * velocityTolerance * speed;
+    s->report.residual = e.velocity * kea_velocityTolerance * speed;
     s->report.force = e.impulse / s->parameters.stepsize;
 }
 
@@ -298,13 +252,13 @@ static void solveMotion(MdtKeaSystem *s) {
 /* A stop needs a second solve, in which what stops slides on; should it not stop within the step after all, the first
  * solution was right. */
 static void solveInTime(MdtKeaSystem *s) {
-    const double h = s->parameters.stepsize, late = 1e-6;
+    const double h = s->parameters.stepsize;
     MeBool mustRepeat, isNew;
     double event = kea_firstEvent(s, &mustRepeat);
     if (mustRepeat) {
         solveMotion(s);
         event = kea_firstEvent(s, &isNew);
-        if (event > h * (1 + late)) {
+        if (event > h * (1 + kea_lateEvent)) {
             kea_releaseSlides(s);
             solveMotion(s);
         }
@@ -324,7 +278,7 @@ static MeBool isTouching(const MdtKeaSystem *s) {
  * precess wrongly, and by (h w)²/12 it turns less far than it should. Bodies with contacts are left alone, and where there are
  * any, others may turn five times as far: more is lost in an impact than the 2 % of the angle that this is. */
 static MeBool turnsTooFar(const MdtKeaSystem *s) {
-    const double far = isTouching(s) ? 0.5 : 0.1; /* rad, times the moments' relative difference */
+    const double far = isTouching(s) ? kea_farTurnInContact : kea_farTurn; /* rad, times the moments' relative difference */
     for (int i = 0; i < s->numBodies; i++) {
         const double *I = s->bodies[i]->moments;
         const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
@@ -357,7 +311,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     }
     s->report.capped = s->numRows > 0; /* until they are solved: there may be no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
-        kea_setMeans(s, forMotion, SWEPT_PASSES);
+        kea_setMeans(s, kea_workForMotion, KEA_SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
         kea_dualBegin(s);
         solveMotion(s);

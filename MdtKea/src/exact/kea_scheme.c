@@ -24,6 +24,7 @@
  */
 #include "kea_i.h"
 #include "MeAssert.h"
+#include "common/kea_policy_i.h"
 #include <float.h>
 #include <string.h>
 
@@ -35,7 +36,7 @@ static void toPrincipal(const MdtKeaBody *body, const double q[4], double axes[3
 
 static MeBool hasEqualMoments(const double I[3]) {
     const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
-    return most - least < 1e-9 * most;
+    return most - least < kea_equalMoments * most;
 }
 
 static void fromAngular(const MdtKeaBody *body, KeaBody *b) {
@@ -58,14 +59,14 @@ static double scaleOf(const MdtKeaBody *body, const KeaBody *b, double size) {
     keaSubtract(dv, b->freeVelocity, body->velocity);
     keaSubtract(dL, b->freeMomentum, body->angularMomentum);
     const double momentum = keaLength(body->velocity) / body->invMass + keaLength(body->angularMomentum) / size;
-    return keaLength(dv) / body->invMass + keaLength(dL) / size + 1e-4 * momentum + DBL_MIN;
+    return keaLength(dv) / body->invMass + keaLength(dL) / size + kea_momentumShare * momentum + DBL_MIN;
 }
 
 /* The first guess: the acceleration of the last step goes on, unless that was a jerk. */
 static void guess(const MdtKeaBody *body, const MdtKeaVelocity *v, KeaBody *b, double h) {
-    const double jerk = 30, *a = body->acceleration;
+    const double *a = body->acceleration;
     const double change = h * (keaLength(a) + b->size * keaLength(a + 3)) / body->invMass;
-    const double step = change < jerk * b->scale ? b->theta * h : 0;
+    const double step = change < kea_jerk * b->scale ? b->theta * h : 0;
     for (int i = 0; i < 3; i++) {
         b->u[i] = v->lin[i] + step * a[i];
         b->u[3 + i] = v->ang[i] + step * a[3 + i];
@@ -250,8 +251,8 @@ static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
     const double *I = body->moments, least = keaMin(I[0], keaMin(I[1], I[2])) / b->theta;
     double inertia[3][3];
     meanInertia(body, b, inertia);
-    if (largest((const double(*)[3])B->angular) > 0.01 * least)
-        clampPositive(B->angular, 0.5 * least);
+    if (largest((const double(*)[3])B->angular) > kea_smallStiffness * least)
+        clampPositive(B->angular, kea_harmlessStiffness * least);
     else
         memset(B->angular, 0, sizeof B->angular);
     MEASSERT(b->theta >= 0.5 && b->theta <= 1);

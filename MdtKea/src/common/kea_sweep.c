@@ -22,9 +22,9 @@
  *
  * It costs some multiplications per row and no matrix.
  */
-#include "kea_problem_i.h"
-#include "MdtKeaMath.h"
+#include "common/kea_problem_i.h"
 #include "MeAssert.h"
+#include "common/kea_policy_i.h"
 #include <math.h>
 #include <string.h>
 
@@ -147,7 +147,7 @@ static double chooseStart(KeaProblem *q, double *none) {
     consider(q, &least);
     *none = objective(q);
     takeBest(q);
-    MEASSERT(!(objective(q) > least + 1e-9 * fabs(least)));
+    MEASSERT(!(objective(q) > least + kea_assertedRounding * fabs(least)));
     memcpy(q->kept, q->d, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].last = q->row[i].p;
@@ -241,8 +241,7 @@ static Change changeOf(const KeaProblem *q) {
 }
 
 static MeBool hasSettled(Change c) {
-    const double settled = 1e-7; /* of the impulses: a hundredth of what a report calls exact */
-    return c.moved <= settled * settled * c.total;
+    return c.moved <= kea_sweepTolerance * kea_sweepTolerance * c.total;
 }
 
 static Momentum next(Momentum m) {
@@ -258,7 +257,7 @@ static void sweepOnce(KeaProblem *q, double beta) {
 
 double kea_problemSweptPass(const KeaProblem *q, int sweeps) {
     return KEA_LINEARIZATION * ((double)q->numRows + q->numBodies) +
-           (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START);
+           (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START_SWEEPS);
 }
 
 MeBool kea_problemMaySweep(const KeaProblem *q) {
@@ -269,11 +268,10 @@ MeBool kea_problemMaySweep(const KeaProblem *q) {
 /* In this pass's share of what work is left but for a linearization, should an earlier answer be gone back to; there are fewer
  * passes where each would have less than some sweeps. */
 static int numberOfSweeps(const KeaProblem *q) {
-    enum { SOME = 8 };
     if (!(q->maxWork > 0))
         return KEA_SWEEPS;
     const double left = q->maxWork - q->counts.work - KEA_LINEARIZATION * ((double)q->numRows + q->numBodies);
-    const double most = left / kea_problemSweptPass(q, SOME);
+    const double most = left / kea_problemSweptPass(q, KEA_SOME_SWEEPS);
     const double share = left / keaMax(keaMin(floor(most), q->sweptPasses), 1) - kea_problemSweptPass(q, 0);
     return (int)keaMin(keaMax(share / (KEA_SWEEP * (q->numRows + 1.0)), KEA_FEWEST_SWEEPS), KEA_SWEEPS);
 }
@@ -299,6 +297,6 @@ void kea_problemSweep(KeaProblem *q) {
         q->row[i].state = KEA_HELD;
     }
     memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
-    kea_problemSpend(q, (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START));
+    kea_problemSpend(q, (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START_SWEEPS));
     kea_problemSolveJoints(q);
 }

@@ -13,22 +13,13 @@
  */
 #include "kea_i.h"
 #include "MeAssert.h"
+#include "common/kea_policy_i.h"
 #include <string.h>
 
-/* The method's own softness, relative to the row's A_ii. With less, contacts that come and go take more iterations; with
- * more, heavy bodies on light ones take more passes. Joints that make loops contradict each other, if only by rounding,
- * and answer with impulses of the error over h N: they get more. */
-static const double rigidJoint = 1e-8, rigidLoop = 1e-6, rigidLimit = 1e-6;
-static const double rigidContact[] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}; /* by pass that went well */
-
-static const double nearby = 1e-3; /* of a body's size: a contact that is no further away may act */
-
-/* Stops, and joints that are about to give way; those whose strength is far off hold as if they had no bound. */
-static MeBool isOneSided(const MdtKeaRow *row) {
-    const double near = 0.5;
+MeBool kea_mayReachBound(const MdtKeaRow *row) {
     if (row->lower == -HUGE_VAL || row->upper == HUGE_VAL)
         return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
-    return row->force > near * row->upper || row->force < near * row->lower;
+    return row->force > kea_nearBound * row->upper || row->force < kea_nearBound * row->lower;
 }
 
 static double rateOf(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
@@ -52,7 +43,7 @@ static MeBool isWithinReach(const MdtKeaSystem *s, const MdtKeaRow *row) {
             size = keaMax(size, s->work->body[row->body[k]].size);
     const double speed = keaMin(rateOf(row, s->velocity), rateOf(row, s->predicted));
     const double h = s->parameters.stepsize, gap = row->error + h * keaMax(speed, 0); /* at best, if it is being left */
-    return row->lower < 0 || gap < nearby * size || row->error + 1.5 * h * speed < 0;
+    return row->lower < 0 || gap < kea_nearbyGap * size || row->error + kea_reach * h * speed < 0;
 }
 
 static void setTheta(MdtKeaSystem *s, const MdtKeaRow *row) {
@@ -88,7 +79,7 @@ static double inverseMassOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
 
 static MeBool isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const double h = s->parameters.stepsize;
-    return row->spring && h * h * row->stiffness * inverseMassOf(s, row) > 4;
+    return row->spring && h * h * row->stiffness * inverseMassOf(s, row) > kea_stiffSpring;
 }
 
 static void spreadTheta(MdtKeaSystem *s) {
@@ -111,7 +102,7 @@ static void chooseTheta(MdtKeaSystem *s) {
         const MdtKeaRow *row = &s->rows[i];
         const MeBool holds = row->contact == i
                                  ? !s->work->problem.row[i].isOff
-                                 : row->position && isOneSided(row) && row->force != 0 && rateOf(row, s->velocity) <= 0;
+                                 : row->position && kea_mayReachBound(row) && row->force != 0 && rateOf(row, s->velocity) <= 0;
         if (holds || isTooStiff(s, row))
             setTheta(s, row);
     }
@@ -184,7 +175,7 @@ MeBool kea_admitContacts(MdtKeaSystem *s) {
     MeBool admitted = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (row->position && isOneSided(row) && !row->bounces && s->work->problem.row[i].p != 0 &&
+        if (row->position && kea_mayReachBound(row) && !row->bounces && s->work->problem.row[i].p != 0 &&
             thetaOf(s, row) < 1) {
             setTheta(s, row);
             admitted = METRUE;
@@ -271,7 +262,7 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const double h = s->parameters.stepsize;
     p->E = row->softness;
     p->r = row->target - (s->work->errors[i] - row->error) / h;
-    p->N = (isOneSided(row) ? rigidLimit : s->work->hasLoops ? rigidLoop : rigidJoint) * ownSize(s, p);
+    p->N = (kea_mayReachBound(row) ? kea_proximalLimit : s->work->hasLoops ? kea_proximalLoop : kea_proximalJoint) * ownSize(s, p);
 }
 
 /* A contact that is met in time keeps no velocity from being pushed apart (kea_project does that), but a soft one sinks
@@ -288,7 +279,7 @@ static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const double theta = thetaOf(s, row);
     p->E = theta * row->softness;
     p->r = theta * ((s->parameters.timed && row->contact == i ? timedTarget(row, p) : row->target) - kea_endRate(s, i));
-    p->N = (row->contact >= 0 ? rigidContact[level < 5 ? level : 5] : rigidLimit) * p->size;
+    p->N = (row->contact >= 0 ? kea_proximalContact[level < KEA_PROXIMAL_LEVELS ? level : KEA_PROXIMAL_LEVELS - 1] : kea_proximalLimit) * p->size;
 }
 
 /* On a cone both rows have one softness, or the direction of friction would not be that of the slip. */
@@ -318,63 +309,3 @@ void kea_linearizeRows(MdtKeaSystem *s) {
             shareSoftness(&q->row[i], &q->row[q->row[i].partner]);
 }
 
-/* ---- how well ---- */
-
-/* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies
- * move, a little of their size and, for the rounding of places far from the origin, of their distance. */
-static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    const double h = s->parameters.stepsize;
-    double size = fabs(row->error);
-    for (int k = 0; k < 2; k++) {
-        if (row->body[k] < 0)
-            continue;
-        const KeaBody *b = &s->work->body[row->body[k]];
-        size += keaLength(row->J[k].ang) + h * keaLength(b->u) + 1e-2 * b->size +
-                1e-4 * keaLength(s->work->end[row->body[k]].position);
-    }
-    return size;
-}
-
-double kea_positionError(MdtKeaSystem *s) {
-    const double h = s->parameters.stepsize;
-    double worst = 0;
-    s->report.error = 0;
-    for (int i = 0; i < s->numRows; i++) {
-        const MdtKeaRow *row = &s->rows[i];
-        const KeaProblemRow *p = &s->work->problem.row[i];
-        if (!row->position || p->isOff)
-            continue;
-        const double missing = h * (p->r - p->E * p->p);
-        if ((p->p >= p->upper && missing > 0) || (p->p <= p->lower && missing < 0))
-            continue;
-        s->report.error = keaMax(s->report.error, fabs(missing));
-        if (p->isStubborn)
-            continue;
-        worst = keaMax(worst, fabs(missing) / (sizeOfRow(s, row) + 1e-300));
-    }
-    return worst;
-}
-
-/* Joints that contradict each other: what a pass asked of them, it did not get, whatever their impulses. Who asked for
- * nothing that counts, and got a little from the method's softness, does not. */
-void kea_noteStubborn(MdtKeaSystem *s, double tolerance) {
-    for (int i = 0; i < s->numRows; i++) {
-        KeaProblemRow *p = &s->work->problem.row[i];
-        const double asked = p->r - p->E * p->p0;
-        const MeBool asks = s->parameters.stepsize * fabs(asked) > tolerance * sizeOfRow(s, &s->rows[i]);
-        const MeBool resists =
-            asks && s->rows[i].position && !isOneSided(&s->rows[i]) && fabs(asked - p->Jd) > 0.5 * fabs(asked);
-        p->isStubborn = resists && p->resists;
-        p->resists = resists;
-    }
-}
-
-MeBool kea_isConflicting(const MdtKeaSystem *s, double tolerance) {
-    for (int i = 0; i < s->numRows; i++) {
-        const KeaProblemRow *p = &s->work->problem.row[i];
-        const double missing = s->parameters.stepsize * fabs(p->r - p->E * p->p);
-        if (p->isStubborn && !p->isOff && missing > tolerance * sizeOfRow(s, &s->rows[i]))
-            return METRUE;
-    }
-    return MEFALSE;
-}

@@ -10,9 +10,8 @@
  * w the inverse of the row's A_ii without lever arms, B the metric, δ what rounding needs.
  */
 #include "kea_i.h"
+#include "common/kea_policy_i.h"
 #include <string.h>
-
-static const double regular = 1e-12;
 
 static int rootOf(int parent[], int i) {
     while (parent[i] != i)
@@ -61,9 +60,9 @@ static void setProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     for (int b = 0; b < s->numBodies; b++) {
         KeaMetric *B = &q->metric[b];
-        B->linear *= regular;
+        B->linear *= kea_redundancyRegularization;
         for (int k = 0; k < 9; k++)
-            B->angular[k / 3][k % 3] *= regular;
+            B->angular[k / 3][k % 3] *= kea_redundancyRegularization;
         memset(q->load[b], 0, sizeof q->load[b]);
     }
     for (int i = 0; i < s->numRows; i++) {
@@ -88,7 +87,7 @@ void kea_shareForces(MdtKeaSystem *s) {
     if (!s->work->hasLoops || !kea_problemHasMeans(q, MEFALSE))
         return; /* forces that do the same are as good */
     for (int i = 0; i < s->numRows; i++)
-        s->work->errors[i] = q->row[i].p;
+        s->work->keptP[i] = q->row[i].p;
     setProblem(s);
     for (int i = 0; i < s->numRows; i++)
         if (q->row[i].isOff)
@@ -98,7 +97,7 @@ void kea_shareForces(MdtKeaSystem *s) {
     q->hasBounds = hadBounds;
     for (int i = 0; i < s->numRows; i++)
         if (!isSolved || q->row[i].isOff)
-            q->row[i].p = s->work->errors[i];
+            q->row[i].p = s->work->keptP[i];
         else
             q->row[i].p = -q->row[i].p;
 }

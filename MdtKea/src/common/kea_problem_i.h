@@ -14,8 +14,9 @@
 #define KEA_PROBLEM_I_H
 
 #include "MdtKea.h"
-#include "kea_arena_i.h"
-#include "kea_factor_i.h"
+#include "MdtKeaMath.h"
+#include "common/kea_arena_i.h"
+#include "exact/kea_factor_i.h"
 
 typedef struct KeaMetric {
     double linear;        /* kg, times the unit matrix */
@@ -59,13 +60,6 @@ typedef struct KeaCounts {
     MeBool isLimited; /* the work or the iterations have run out: from there on, solves are by sweeps */
 } KeaCounts;
 
-/* Multiplications per row, as counted: of a visit (J d of two bodies, bounds, Jᵀ p), of its part of the matrix (three 6x6
- * blocks), of a linearization (its Jacobian, error, target), of a sweep (J d, the bound, B⁻¹ Jᵀ p); per body of a
- * linearization. */
-enum { KEA_VISIT = 32, KEA_ASSEMBLY = 108, KEA_LINEARIZATION = 256, KEA_SWEEP = 96 };
-/* Sweeps of a solve, at best and at least; and the choice of what they start from, counted in sweeps. */
-enum { KEA_SWEEPS = 32, KEA_FEWEST_SWEEPS = 2, KEA_START = 2 };
-
 typedef struct KeaProblem {
     int numBodies, numRows;
     KeaProblemRow *row;
@@ -89,6 +83,28 @@ typedef struct KeaProblem {
     KeaCounts counts;
 } KeaProblem;
 
+static inline double kea_dot6(const double a[6], const double b[6]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4] + a[5] * b[5];
+}
+
+/* r += s a */
+static inline void kea_addScaled6(double r[6], double s, const double a[6]) {
+    for (int i = 0; i < 6; i++)
+        r[i] += s * a[i];
+}
+
+/* r = B d */
+static inline void kea_applyMetric(double r[6], const KeaMetric *B, const double d[6]) {
+    for (int i = 0; i < 3; i++)
+        r[i] = B->linear * d[i];
+    keaApply(r + 3, B->angular, d + 3);
+}
+
+/* N s: μ p of the row's normal row. */
+static inline double kea_frictionBound(const KeaProblem *q, const KeaProblemRow *row) {
+    return row->friction * keaMax(q->row[row->normal].p, 0);
+}
+
 void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *arena);
 /* Finds the graph of the rows and its factor in the cache. False: no memory. */
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache);
@@ -101,6 +117,8 @@ MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
  * on if there is not. */
 MeBool kea_problemHasMeans(const KeaProblem *q, MeBool lopsided);
 MeBool kea_problemAffords(KeaProblem *q, MeBool lopsided);
+/* Multiplications of one iteration: the matrix and its factors, a solution with them, and some visits of each row. */
+double kea_problemIterationWork(const KeaProblem *q, MeBool lopsided);
 void kea_problemSpend(KeaProblem *q, double work);
 /* The rows without bounds alone, exactly, where all others have the impulses that they have: one linear solve, which lowers
  * the energy, as a sweep does. Needs d and Jd; and its work, 0 where there are no such rows. */
@@ -123,8 +141,9 @@ void kea_problemCarryOn(KeaProblem *q, double (*total)[6]);
 double kea_problemError(KeaProblem *q);
 /* The product of two velocities in a metric, halved: of one with itself its kinetic energy. */
 double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
-/* The largest a in [0, 1] with c[0] + c[1] a + c[2] a² <= 0; 0 if there is none. */
-double kea_largestRoot(const double c[3]);
+/* ---- kea_friction.c ---- */
+/* How far the friction bounds are from μ p of their normal rows, relative. */
+double kea_frictionBoundsError(const KeaProblem *q);
 /* Sets every friction bound to μ p of its normal row. */
 void kea_problemRenewRadii(KeaProblem *q);
 /* Takes every friction bound a share of the way there; `isAccelerated`: with what the last call has taught. */

@@ -1,0 +1,264 @@
+/* Impacts: what changes velocities in an instant, by the one law of restitution.
+ *
+ * A contact that meets with the speed u leaves with e u, where e is its restitution and u is above its threshold; else with 0
+ * (restitutionSpeed). Impacts go by rounds (generalized reflections: Smith et al., Reflections on Simultaneous Impact, 2012): all
+ * contacts that meet are reflected at once, and again while some still meet. That brings the last ball of a cradle out alone
+ * and keeps a flat box from turning. A round that gains energy is blended with the plastic one (kea_energy.c).
+ */
+#include "kea_i.h"
+#include "MeAssert.h"
+#include "common/kea_policy_i.h"
+#include <string.h>
+
+double kea_startRate(const MdtKeaSystem *s, int i) {
+    const MdtKeaRow *row = &s->rows[i];
+    double rate = -row->target;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            rate += keaDot(row->J[k].lin, s->velocity[row->body[k]].lin) +
+                    keaDot(row->J[k].ang, s->velocity[row->body[k]].ang);
+    return row->contact == i ? rate + row->target - row->drift : rate;
+}
+
+double kea_eventSpeed(const MdtKeaSystem *s) {
+    double speed = 0;
+    for (int i = 0; i < s->numBodies; i++)
+        speed =
+            keaMax(speed, keaLength(s->bodies[i]->velocity) + s->work->body[i].size * keaLength(s->velocity[i].ang));
+    return keaMax(kea_loadSpeed(s), kea_unloadedSpeed * speed);
+}
+
+MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double size = HUGE_VAL;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            size = keaMin(size, s->work->body[row->body[k]].size);
+    return row->error < kea_touchingGap * size;
+}
+
+/* ---- the problem of an instant ---- */
+
+void kea_setInstantMetric(MdtKeaSystem *s, int i) {
+    KeaProblem *q = &s->work->problem;
+    KeaMetric *B = &q->metric[i];
+    const double *I = s->bodies[i]->moments;
+    B->linear = 1 / s->bodies[i]->invMass;
+    kea_inertia(s->bodies[i], s->bodies[i]->quaternion, B->angular);
+    kea_invert(B->inverse, (const double(*)[3])B->angular);
+    q->length[i] = sqrt(keaMax(I[0], keaMax(I[1], I[2])) * s->bodies[i]->invMass);
+    q->scale[i] = B->linear * (keaLength(s->velocity[i].lin) + q->length[i] * keaLength(s->velocity[i].ang)) + kea_tiny;
+    memset(q->load[i], 0, sizeof q->load[i]);
+}
+
+void kea_setInstantRow(MdtKeaSystem *s, int i) {
+    const MdtKeaRow *row = &s->rows[i];
+    KeaProblemRow *p = &s->work->problem.row[i];
+    for (int k = 0; k < 2; k++) {
+        p->body[k] = row->body[k];
+        keaCopy(p->J[k], row->J[k].lin);
+        keaCopy(p->J[k] + 3, row->J[k].ang);
+    }
+    p->normal = row->normal;
+    p->partner = row->partner;
+    p->friction = row->friction;
+    /* a force of given strength does nothing in an instant */
+    p->lower = row->normal >= 0 || row->lower == -HUGE_VAL ? -HUGE_VAL : 0;
+    p->upper = row->normal >= 0 || row->upper == HUGE_VAL ? HUGE_VAL : 0;
+    p->E = row->contact == i ? 0 : row->softness;
+    p->p = p->p0 = 0;
+    p->isForced = p->isElsewhere = MEFALSE;
+    p->state = KEA_HELD;
+}
+
+static void setProblem(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    q->numBodies = s->numBodies;
+    q->numRows = s->numRows;
+    for (int i = 0; i < s->numBodies; i++)
+        kea_setInstantMetric(s, i);
+    for (int i = 0; i < s->numRows; i++)
+        kea_setInstantRow(s, i);
+}
+
+/* ---- one round ---- */
+
+/* One round: the contacts in `takesPart` (by normal row) get the relative velocities that they ask for, the rest does
+ * nothing. The change of velocities is left in `change`. */
+static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesPart[], double (*change)[6]) {
+    KeaProblem *q = &s->work->problem;
+    double start = -1;
+    for (int i = 0; i < s->numRows; i++) {
+        KeaProblemRow *p = &q->row[i];
+        p->isOff = s->rows[i].contact < 0 || !takesPart[s->rows[i].contact] || p->size == 0;
+        p->p = p->p0 = 0;
+        p->radius = HUGE_VAL;
+        p->Jd = 0;
+        p->r = (s->rows[i].contact == i ? wanted[i] : 0) - kea_startRate(s, i);
+    }
+    for (int b = 0; b < s->numBodies; b++) {
+        memset(change[b], 0, sizeof change[b]);
+        memset(q->load[b], 0, sizeof q->load[b]);
+    }
+    for (int pass = 0; pass < KEA_MAX_IMPACT_PASSES; pass++) {
+        for (int i = 0; i < s->numRows; i++)
+            q->row[i].N = keaMax(kea_proximalContact[0] * pow(kea_proximalDecay, -pass), kea_proximalContact[KEA_PROXIMAL_LEVELS - 1]) * q->row[i].size;
+        for (int i = 0; i < s->numRows; i++)
+            if (q->row[i].partner > i)
+                q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
+        if (pass > 0)
+            kea_problemApproachRadii(q, pass < KEA_FULL_BOUND_PASSES ? 1 : kea_boundRelaxation, pass > KEA_FULL_BOUND_PASSES);
+        kea_problemSolve(q, METRUE);
+        kea_problemCarryOn(q, change);
+        const double residual = kea_problemResidual(q, NULL);
+        start = start < 0 ? residual : start;
+        if ((pass > 0 && residual <= kea_impactTolerance * (start + s->work->speed)) || q->counts.isLimited)
+            break;
+    }
+}
+
+static void addChange(MdtKeaSystem *s, double (*change)[6]) {
+    for (int b = 0; b < s->numBodies; b++) {
+        keaAddScaled(s->velocity[b].lin, 1, change[b]);
+        keaAddScaled(s->velocity[b].ang, 1, change[b] + 3);
+    }
+}
+
+/* The velocities at the start, as the limiter of energy takes them. */
+static double (*startVelocities(const MdtKeaSystem *s))[6] {
+    for (int b = 0; b < s->numBodies; b++) {
+        keaCopy(s->work->velocity[b], s->velocity[b].lin);
+        keaCopy(s->work->velocity[b] + 3, s->velocity[b].ang);
+    }
+    return s->work->velocity;
+}
+
+static double energyWith(const MdtKeaSystem *s, double (*change)[6]) {
+    return kea_kineticEnergy(s, startVelocities(s), change);
+}
+
+/* False too where the change is not finite: friction bounds need not settle. */
+static MeBool isAffordable(const MdtKeaSystem *s, double (*change)[6]) {
+    return energyWith(s, change) <= energyWith(s, NULL) * (1 + kea_energyRounding);
+}
+
+/* The velocities get the plastic change, and as much of the elastic one as energy allows. */
+static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plastic)[6]) {
+    const double before = energyWith(s, NULL);
+    MEASSERT(isAffordable(s, plastic));
+    const double share =
+        isfinite(energyWith(s, elastic)) ? kea_elasticShare(s, startVelocities(s), elastic, plastic, before) : 0;
+    addChange(s, plastic);
+    for (int b = 0; share > 0 && b < s->numBodies; b++) {
+        for (int k = 0; k < 3; k++) {
+            s->velocity[b].lin[k] += share * (elastic[b][k] - plastic[b][k]);
+            s->velocity[b].ang[k] += share * (elastic[b][3 + k] - plastic[b][3 + k]);
+        }
+    }
+    MEASSERT(energyWith(s, NULL) <= before * (1 + kea_assertedRounding));
+}
+
+static void keepImpulses(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (!s->work->problem.row[i].isOff)
+            s->rows[i].force += s->work->problem.row[i].p;
+}
+
+/* ---- the law of restitution ---- */
+
+/* kg */
+static double totalMass(const MdtKeaSystem *s) {
+    double sum = 0;
+    for (int i = 0; i < s->numBodies; i++)
+        sum += 1 / s->bodies[i]->invMass;
+    return sum;
+}
+
+/* A soft contact gives way to its load, J v⁺ = -h E λ, where λ is no more than the weight of all: that is no impact. */
+MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
+    const double speed = kea_eventSpeed(s), mass = totalMass(s);
+    for (int i = 0; i < s->numRows; i++) {
+        const double gate = keaMin(kea_minImpactSpeed + s->rows[i].softness * mass, kea_softContactSpeed) * speed;
+        if (s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) && kea_startRate(s, i) < -gate)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+/* Which touching contacts meet, what they want, and whether any of them rebounds. */
+static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double wanted[], char takesPart[]) {
+    MeBool rebounds = MEFALSE;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        takesPart[i] = 0;
+        wanted[i] = 0;
+        if (row->contact != i || !kea_isTouching(s, row))
+            continue;
+        const double speed = -kea_startRate(s, i);
+        takesPart[i] = speed > slowest;
+        MEASSERT(row->restitution >= 0 && row->restitution <= 1);
+        if (takesPart[i] && row->restitution > 0 && speed > keaMax(row->threshold, gate)) {
+            wanted[i] = row->restitution * speed;
+            rebounds = METRUE;
+        }
+    }
+    return rebounds;
+}
+
+/* ---- rounds ---- */
+
+/* False: there is no change that energy allows, and the contacts are left to the step. */
+static MeBool takeRound(MdtKeaSystem *s, const double wanted[], const char takesPart[]) {
+    solveRound(s, wanted, takesPart, s->work->added);
+    if (isAffordable(s, s->work->added)) {
+        keepImpulses(s);
+        addChange(s, s->work->added);
+        return METRUE;
+    }
+    memset(s->work->wanted + s->numRows, 0, (size_t)s->numRows * sizeof(double));
+    solveRound(s, s->work->wanted + s->numRows, takesPart, s->work->plastic);
+    if (!isAffordable(s, s->work->plastic))
+        return MEFALSE;
+    keepImpulses(s);
+    blend(s, s->work->added, s->work->plastic);
+    return METRUE;
+}
+
+static void touchAll(MdtKeaSystem *s, double wanted[], char takesPart[]) {
+    for (int i = 0; i < s->numRows; i++) {
+        wanted[i] = 0;
+        takesPart[i] = (char)(s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]));
+    }
+}
+
+static void commitVelocities(MdtKeaSystem *s) {
+    for (int b = 0; b < s->numBodies; b++) {
+        keaCopy(s->bodies[b]->velocity, s->velocity[b].lin);
+        MdtKeaBodySetAngularVelocity(s->bodies[b], s->velocity[b].ang);
+    }
+}
+
+void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
+    double *wanted = s->work->wanted;
+    char *takesPart = s->work->takesPart;
+    const double gate = kea_minReboundSpeed * kea_eventSpeed(s);
+    s->work->speed = 0;
+    for (int b = 0; b < s->numBodies; b++)
+        s->work->speed = keaMax(s->work->speed, keaLength(s->velocity[b].lin));
+    setProblem(s);
+    if (!kea_problemBegin(&s->work->problem, s->cache))
+        return;
+    kea_setMeans(s, 1, 1);
+    const double before = energyWith(s, NULL);
+    kea_problemMeasure(&s->work->problem);
+    for (int i = 0; i < s->numRows; i++)
+        s->rows[i].force = 0;
+    const double slowest = keaMax(kea_meetingSpeed * kea_eventSpeed(s), kea_meetingSpeed * s->work->speed);
+    for (int round = 0; round < KEA_MAX_ROUNDS && chooseMeeting(s, slowest, gate, wanted, takesPart); round++)
+        if (!takeRound(s, wanted, takesPart) || s->work->problem.counts.isLimited)
+            break;
+    touchAll(s, wanted, takesPart);
+    takeRound(s, wanted, takesPart);
+    MEASSERT(!(energyWith(s, NULL) > before * (1 + kea_assertedRounding)));
+    commitVelocities(s);
+    kea_reportWork(s);
+}

@@ -1,0 +1,75 @@
+/* Projection of positions: moves bodies out of each other, without velocity. */
+#include "kea_i.h"
+#include "common/kea_policy_i.h"
+#include <string.h>
+
+static MeBool mustBeMovedOut(const MdtKeaSystem *s, int i, double *error) {
+    const MdtKeaRow *row = &s->rows[i];
+    double size = HUGE_VAL;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            size = keaMin(size, s->work->body[row->body[k]].size);
+    *error = row->error + 0.5 * s->parameters.stepsize * (kea_startRate(s, i) + kea_endRate(s, i) - row->drift);
+    return row->contact == i && !row->isOpen && *error < -kea_touchingGap * size;
+}
+
+/* What a soft contact keeps of γ times its overlap. */
+static double sagOf(const MdtKeaSystem *s, int i) {
+    return s->parameters.stepsize * s->rows[i].softness * s->work->problem.row[i].p;
+}
+
+static void displace(MdtKeaSystem *s) {
+    for (int b = 0; b < s->numBodies; b++) {
+        KeaEnd *end = &s->work->end[b];
+        double turn[4];
+        keaAddScaled(end->position, 1, s->work->added[b]);
+        keaQuaternionExp(turn, s->work->added[b] + 3);
+        keaQuaternionProduct(end->quaternion, turn, end->quaternion);
+        keaQuaternionNormalize(end->quaternion);
+        keaCopy(s->work->endPose[b].pos, end->position);
+        keaQuaternionToMatrix(s->work->endPose[b].R, end->quaternion);
+    }
+}
+
+static void solveDisplacement(MdtKeaSystem *s, const double wanted[]) {
+    KeaProblem *q = &s->work->problem;
+    memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
+    for (int i = 0; i < s->numRows; i++) {
+        q->row[i].isOff = !s->work->takesPart[i];
+        q->row[i].r = wanted[i];
+    }
+    for (int pass = 0; pass < KEA_PROJECTION_PASSES && !q->counts.isLimited; pass++) {
+        for (int i = 0; i < s->numRows; i++)
+            q->row[i].N = kea_proximalProjection * q->row[i].size;
+        kea_problemSolve(q, MEFALSE);
+        kea_problemCarryOn(q, s->work->added);
+    }
+}
+
+/* The smallest displacement, in the metric of the masses, that takes γ of every overlap away and makes none deeper. */
+void kea_project(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    double *wanted = s->work->wanted, error;
+    MeBool isNeeded = MEFALSE;
+    for (int i = 0; i < s->numRows; i++) {
+        s->work->takesPart[i] = (char)mustBeMovedOut(s, i, &error);
+        wanted[i] = s->work->takesPart[i] ? keaMax(-s->parameters.gamma * error - sagOf(s, i), 0) : 0;
+        isNeeded = isNeeded || wanted[i] > 0;
+    }
+    if (!isNeeded)
+        return;
+    for (int i = 0; i < s->numRows; i++)
+        s->work->keptP[i] = q->row[i].p;
+    for (int b = 0; b < s->numBodies; b++)
+        kea_setInstantMetric(s, b);
+    for (int i = 0; i < s->numRows; i++) {
+        s->work->takesPart[i] = (char)(s->rows[i].contact == i && !s->rows[i].isOpen);
+        kea_setInstantRow(s, i);
+        q->row[i].isElsewhere = s->rows[i].contact != i;
+    }
+    kea_problemMeasure(q);
+    solveDisplacement(s, wanted);
+    for (int i = 0; i < s->numRows; i++)
+        q->row[i].p = s->work->keptP[i];
+    displace(s);
+}

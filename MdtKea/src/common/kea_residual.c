@@ -1,0 +1,165 @@
+/* How far an answer is from the laws that it should keep, in tolerances; and the one definition of `converged'.
+ *
+ *   velocity  of every row of the inner problem, by how much its impulse would change were it solved alone (a projected
+ *             residual: 0 exactly where complementarity holds), times its A_ii, m/s
+ *   position  of every position row, the error that it asked to be taken away and that is left, m
+ *   momentum  of every body, B d + g - Jᵀ p, N s
+ */
+#include "kea_i.h"
+#include "common/kea_policy_i.h"
+
+/* ---- laws of the inner problem's rows ---- */
+
+static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
+    const KeaProblemRow *other = &q->row[row->partner];
+    const double radius = kea_frictionBound(q, row);
+    const double unit = row->size + row->E; /* a soft row's impulse hardly moves */
+    const double a = row->p - slip[0] / unit, b = other->p - slip[1] / unit, size = keaHypotenuse(a, b);
+    const double share = size > radius ? radius / size : 1;
+    return row->size * keaHypotenuse(row->p - share * a, other->p - share * b);
+}
+
+double kea_problemResidual(const KeaProblem *q, double *impulse) {
+    double worst = 0, most = 0;
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        if (row->isOff || row->isElsewhere || row->size == 0)
+            continue;
+        if (row->isForced) {
+            const double wanted = row->forced * kea_frictionBound(q, row);
+            worst = keaMax(worst, row->size * fabs(row->p - wanted));
+            most = keaMax(most, fabs(row->p - wanted));
+        }
+        if (row->isForced || (row->partner >= 0 && row->partner < i))
+            continue;
+        const double missing[2] = {row->Jd + row->E * row->p - row->r,
+                                   row->partner >= 0
+                                       ? q->row[row->partner].Jd + q->row[row->partner].E * q->row[row->partner].p -
+                                             q->row[row->partner].r
+                                       : 0};
+        if (row->partner >= 0) {
+            const double part = conePart(q, row, missing);
+            worst = keaMax(worst, part);
+            most = keaMax(most, part / row->size);
+            continue;
+        }
+        const double bound = row->normal >= 0 ? kea_frictionBound(q, row) : HUGE_VAL;
+        const double wanted = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
+                                     keaMin(row->upper, bound));
+        worst = keaMax(worst, row->size * fabs(row->p - wanted));
+        most = keaMax(most, fabs(row->p - wanted));
+    }
+    if (impulse)
+        *impulse = most;
+    return worst;
+}
+
+/* ---- position rows ---- */
+
+/* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies
+ * move, a little of their size and, for the rounding of places far from the origin, of their distance. */
+static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    const double h = s->parameters.stepsize;
+    double size = fabs(row->error);
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] < 0)
+            continue;
+        const KeaBody *b = &s->work->body[row->body[k]];
+        size += keaLength(row->J[k].ang) + h * keaLength(b->u) + kea_bodySizeShare * b->size +
+                kea_distanceShare * keaLength(s->work->end[row->body[k]].position);
+    }
+    return size;
+}
+
+static double positionError(MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    double worst = 0;
+    s->report.error = 0;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        const KeaProblemRow *p = &s->work->problem.row[i];
+        if (!row->position || p->isOff)
+            continue;
+        const double missing = h * (p->r - p->E * p->p);
+        if ((p->p >= p->upper && missing > 0) || (p->p <= p->lower && missing < 0))
+            continue;
+        s->report.error = keaMax(s->report.error, fabs(missing));
+        if (p->isStubborn)
+            continue;
+        worst = keaMax(worst, fabs(missing) / (sizeOfRow(s, row) + kea_tiny));
+    }
+    return worst;
+}
+
+/* ---- joints that contradict each other ---- */
+
+/* Joints that contradict each other: what a pass asked of them, it did not get, whatever their impulses. Who asked for
+ * nothing that counts, and got a little from the method's softness, does not. */
+void kea_noteInconsistent(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++) {
+        KeaProblemRow *p = &s->work->problem.row[i];
+        const double asked = p->r - p->E * p->p0;
+        const MeBool asks = s->parameters.stepsize * fabs(asked) > kea_positionTolerance * sizeOfRow(s, &s->rows[i]);
+        const MeBool resists =
+            asks && s->rows[i].position && !kea_mayReachBound(&s->rows[i]) && fabs(asked - p->Jd) > kea_inconsistentShare * fabs(asked);
+        p->isStubborn = resists && p->resists;
+        p->resists = resists;
+    }
+}
+
+MeBool kea_isConflicting(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++) {
+        const KeaProblemRow *p = &s->work->problem.row[i];
+        const double missing = s->parameters.stepsize * fabs(p->r - p->E * p->p);
+        if (p->isStubborn && !p->isOff && missing > kea_positionTolerance * sizeOfRow(s, &s->rows[i]))
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+/* ---- a whole step ---- */
+
+double kea_loadSpeed(const MdtKeaSystem *s) {
+    double speed = 0;
+    for (int i = 0; i < s->numBodies; i++) {
+        const KeaBody *b = &s->work->body[i];
+        double change[3];
+        keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
+        speed = keaMax(speed, keaLength(change));
+    }
+    return speed;
+}
+
+/* m/s: what velocities are compared with: those of the bodies, and what loads, springs and motors do to them. */
+double kea_speedOf(const MdtKeaSystem *s) {
+    double speed = 0;
+    for (int i = 0; i < s->numBodies; i++) {
+        const KeaBody *b = &s->work->body[i];
+        double change[3];
+        keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
+        speed = keaMax(speed, keaLength(change) + kea_ownSpeedShare * keaLength(b->freeVelocity) +
+                                  kea_ownSpeedShare * b->size * keaLength(s->predicted[i].ang));
+    }
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact < 0 && !s->rows[i].position)
+            speed = keaMax(speed, s->work->problem.row[i].size * fabs(s->work->problem.row[i].p));
+    return speed + kea_tiny;
+}
+
+KeaResiduals kea_residuals(MdtKeaSystem *s, double speed) {
+    KeaResiduals e;
+    e.position = positionError(s) / kea_positionTolerance;
+    e.velocity = kea_problemResidual(&s->work->problem, &e.impulse) / (kea_velocityTolerance * speed);
+    e.momentum = kea_problemError(&s->work->problem) / kea_momentumSlack;
+    e.worst = keaMax(e.position, keaMax(e.momentum, e.velocity));
+    return e;
+}
+
+MeBool kea_isConverged(const KeaResiduals *e) {
+    return e->worst < 1;
+}
+
+MeBool kea_isExactEnough(const KeaResiduals *e, double margin) {
+    return e->position <= margin * kea_loosePosition && e->momentum <= margin * kea_loosePosition &&
+           e->velocity <= margin * kea_looseVelocity;
+}

@@ -1,0 +1,116 @@
+/* Events of a timed step: what divides it.
+ *
+ * In a timed step bodies move with their mean velocities, x⁺ = x + h (v + v⁺)/2, and contacts that are closed hold the
+ * velocity at the end: exact for constant forces, where a step that moves with v⁺ is off by a h²/2. What changes the
+ * forces within the step divides it:
+ *
+ *   an impact: an open contact's gap, φ + J v t + J (v⁺ - v) t²/2h, vanishes at some t, its time of impact;
+ *   a stop:    a contact that slides would stick or slide back at the end. With the friction still against the slip u of
+ *              the start, it vanishes at t = h |u| / (|u| - u⁺·u/|u|).
+ */
+#include "kea_i.h"
+#include "common/kea_policy_i.h"
+
+void kea_timedBegin(MdtKeaSystem *s) {
+    const double speed = kea_eventSpeed(s);
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i)
+            s->rows[i].isOpen = !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_separatingSpeed * speed;
+}
+
+/* When φ + a t + b t²/2 falls through zero; HUGE_VAL: never. */
+static double timeOfFall(double gap, double a, double b) {
+    gap = keaMax(gap, 0);
+    const double root = a * a - 2 * b * gap;
+    if (root < 0)
+        return HUGE_VAL;
+    if (a < 0)
+        return 2 * gap / (-a + sqrt(root));
+    return b < 0 ? (a + sqrt(root)) / -b : HUGE_VAL;
+}
+
+static double firstImpact(const MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    double first = HUGE_VAL;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->contact != i || !row->isOpen)
+            continue;
+        const double a = kea_startRate(s, i), b = (kea_endRate(s, i) - row->drift - a) / h;
+        first = keaMin(first, timeOfFall(row->error, a, b));
+    }
+    return first;
+}
+
+typedef struct Slip {
+    double start[2], size; /* m/s, at the start */
+    double end[2];
+    int row[2]; /* the second may be -1 */
+} Slip;
+
+static Slip slipOf(const MdtKeaSystem *s, int i) {
+    Slip slip = {.row = {i, s->rows[i].partner}};
+    for (int k = 0; k < 2 && slip.row[k] >= 0; k++) {
+        slip.start[k] = kea_startRate(s, slip.row[k]);
+        slip.end[k] = kea_endRate(s, slip.row[k]) - s->rows[slip.row[k]].target;
+    }
+    slip.size = keaHypotenuse(slip.start[0], slip.start[1]);
+    return slip;
+}
+
+/* Rows of friction that depends on the normal force and that slide at the start; a cone by its first row. */
+static MeBool canStop(const MdtKeaSystem *s, int i, double gate) {
+    const MdtKeaRow *row = &s->rows[i];
+    return row->normal >= 0 && !s->rows[row->contact].isOpen && !(row->partner >= 0 && row->partner < i) &&
+           slipOf(s, i).size > gate;
+}
+
+static MeBool hasStopped(const MdtKeaSystem *s, const Slip *slip) {
+    const KeaProblemRow *p = &s->work->problem.row[slip->row[0]];
+    const double force = keaHypotenuse(p->p, slip->row[1] >= 0 ? s->work->problem.row[slip->row[1]].p : 0);
+    const MeBool sticks = force < (1 - kea_stickMargin) * p->friction * s->work->problem.row[p->normal].p;
+    return sticks || slip->start[0] * slip->end[0] + slip->start[1] * slip->end[1] < 0;
+}
+
+/* Contacts that stop are held to slide on against the slip of the start. Returns whether there are any. */
+static MeBool forceSlides(MdtKeaSystem *s, double gate) {
+    MeBool any = MEFALSE;
+    for (int i = 0; i < s->numRows; i++) {
+        if (!canStop(s, i, gate) || s->rows[i].isForced)
+            continue;
+        const Slip slip = slipOf(s, i);
+        if (!hasStopped(s, &slip))
+            continue;
+        for (int k = 0; k < 2 && slip.row[k] >= 0; k++) {
+            s->rows[slip.row[k]].isForced = METRUE;
+            s->rows[slip.row[k]].forced = -slip.start[k] / slip.size;
+        }
+        any = METRUE;
+    }
+    return any;
+}
+
+static double firstStop(const MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    double first = HUGE_VAL;
+    for (int i = 0; i < s->numRows; i++) {
+        if (!s->rows[i].isForced || (s->rows[i].partner >= 0 && s->rows[i].partner < i))
+            continue;
+        const Slip slip = slipOf(s, i);
+        const double end = (slip.start[0] * slip.end[0] + slip.start[1] * slip.end[1]) / slip.size;
+        if (end < slip.size)
+            first = keaMin(first, h * slip.size / (slip.size - end));
+    }
+    return first;
+}
+
+double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
+    const double gate = kea_slidingSpeed * kea_eventSpeed(s);
+    *mustRepeat = forceSlides(s, gate);
+    return keaMin(firstImpact(s), firstStop(s));
+}
+
+void kea_releaseSlides(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        s->rows[i].isForced = MEFALSE;
+}

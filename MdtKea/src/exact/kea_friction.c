@@ -1,0 +1,56 @@
+/* Friction bounds between the solves of the inner problem: a fixed point R = μ p_n(R), approached with acceleration. */
+#include "common/kea_policy_i.h"
+#include "common/kea_problem_i.h"
+#include <float.h>
+#include <math.h>
+
+/* How far the friction bounds are from μ times the normal forces. */
+double kea_frictionBoundsError(const KeaProblem *q) {
+    double worst = 0;
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        if (row->normal < 0 || row->isOff)
+            continue;
+        const double wanted = kea_frictionBound(q, row);
+        if (row->state == KEA_SLIPS || keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0) > wanted)
+            worst = keaMax(worst, fabs(row->radius - wanted) / (wanted + kea_boundsFloor * fabs(q->row[row->normal].p) + DBL_MIN));
+    }
+    return worst;
+}
+
+void kea_problemRenewRadii(KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++)
+        if (q->row[i].normal >= 0)
+            q->row[i].radius = kea_frictionBound(q, &q->row[i]);
+}
+
+/* How much of the last step towards the fixed point to take back: t = f·Δf / |Δf|², f what is missing, Δf its change. */
+static double secant(const KeaProblem *q) {
+    double above = 0, below = 0;
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        if (row->normal < 0 || !isfinite(row->radius) || !isfinite(row->lastMissing))
+            continue;
+        const double f = kea_frictionBound(q, row) - row->radius, change = f - row->lastMissing;
+        above += f * change;
+        below += change * change;
+    }
+    return below > 0 ? keaMin(keaMax(above / below, kea_leastSecant), kea_mostSecant) : 0;
+}
+
+/* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a memory of one step. */
+void kea_problemApproachRadii(KeaProblem *q, double share, MeBool isAccelerated) {
+    const double t = isAccelerated ? secant(q) : 0;
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        if (row->normal < 0)
+            continue;
+        const double radius = row->radius, wanted = kea_frictionBound(q, row), f = wanted - radius;
+        double next = isfinite(radius) ? radius + share * f : wanted;
+        if (t != 0 && isfinite(radius) && isfinite(row->lastRadius))
+            next -= t * (radius - row->lastRadius + share * (f - row->lastMissing));
+        row->radius = keaMax(next, 0);
+        row->lastRadius = radius;
+        row->lastMissing = f;
+    }
+}

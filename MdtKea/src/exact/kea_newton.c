@@ -1,0 +1,423 @@
+/* Newton's method for the inner problem (kea_problem_i.h).
+ *
+ * Per row, y = (r - J d + N p0) / (E + N), and p is y within its bounds: p = clamp(y), or for two rows that share a cone
+ * of the radius R, p = y min(1, R/|y|). The gradient is B d + g - Jᵀ p, its derivative
+ *
+ *     H = B + Jᵀ D J,    D = 1/(E + N) within the bounds, 0 at them,
+ *                        D = R/|y| (1 - ŷ ŷᵀ) / (E + N) on the cone.
+ *
+ * With R fixed this is convex: H is positive definite whatever rows there are, and the step along -H⁻¹ (gradient) is as
+ * long as is best. Coupled, R = μ p of the normal row at every moment: then D has the further block μ ŷ / (E + N) from
+ * the normal row to the friction rows, H is not symmetric, and the step is shortened until the gradient falls.
+ */
+#include "MeAssert.h"
+#include "common/kea_policy_i.h"
+#include "common/kea_problem_i.h"
+#include <float.h>
+#include <string.h>
+
+static double rateAlong(const KeaProblemRow *row, double (*const v)[6]) {
+    double sum = 0;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            sum += kea_dot6(row->J[k], v[row->body[k]]);
+    return sum;
+}
+
+static double softness(const KeaProblemRow *row) {
+    return row->E + row->N;
+}
+
+/* ---- forces ---- */
+
+static double clampTo(double y, double lower, double upper, KeaRowState *state) {
+    *state = y > lower && y < upper ? KEA_HELD : KEA_IDLE;
+    return y < lower ? lower : y > upper ? upper : y;
+}
+
+static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
+    const double size = keaHypotenuse(a->y, b->y);
+    const MeBool holds = size < a->radius;
+    const double share = holds ? 1 : a->radius / size;
+    a->p = a->y * (size > 0 ? share : 0);
+    b->p = b->y * (size > 0 ? share : 0);
+    a->state = b->state = holds ? KEA_HELD : KEA_SLIPS;
+}
+
+/* y, p and states of all rows at d + step * along. */
+static void setForces(KeaProblem *q, double step, MeBool coupled) {
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        if (!row->isOff)
+            row->y = (row->N * row->p0 + row->r - row->Jd - step * row->Je) / softness(row);
+    }
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        if (row->isOff)
+            continue;
+        if (row->normal < 0) {
+            row->p = clampTo(row->y, row->lower, row->upper, &row->state);
+            continue;
+        }
+        if (coupled)
+            row->radius = kea_frictionBound(q, row);
+        if (row->isForced) {
+            row->p = row->forced * row->radius;
+            row->state = KEA_SLIPS;
+        } else if (row->partner > i) {
+            q->row[row->partner].radius = row->radius;
+            setCone(row, &q->row[row->partner]);
+        } else if (row->partner < 0) {
+            row->p = clampTo(row->y, keaMax(row->lower, -row->radius), keaMin(row->upper, row->radius), &row->state);
+            if (row->state == KEA_IDLE && fabs(row->p) >= row->radius)
+                row->state = KEA_SLIPS;
+        }
+    }
+}
+
+/* The gradient, and by how much it is too large: 1 is what is tolerated. A p that is known to rounding of r and J d only
+ * is not asked for more. */
+static double gradientError(KeaProblem *q, double step) {
+    double worst = 0;
+    for (int b = 0; b < q->numBodies; b++) {
+        double *g = q->gradient[b], d[6];
+        for (int i = 0; i < 6; i++)
+            d[i] = q->d[b][i] + step * q->along[b][i];
+        kea_applyMetric(g, &q->metric[b], d);
+        kea_addScaled6(g, 1, q->load[b]);
+        q->allowed[b] = kea_newtonTolerance * q->scale[b];
+    }
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        const double rounding = kea_roundingSteps * DBL_EPSILON * (fabs(row->r) + fabs(row->Jd)) / softness(row);
+        for (int k = 0; k < 2; k++) {
+            if (row->body[k] < 0)
+                continue;
+            kea_addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
+            q->allowed[row->body[k]] +=
+                row->weight[k] * (kea_newtonTolerance * fabs(row->p) + (row->isOff || row->state != KEA_HELD ? 0 : rounding));
+        }
+    }
+    for (int b = 0; b < q->numBodies; b++) {
+        const double *g = q->gradient[b];
+        const double size = keaMax(keaLength(g), keaLength(g + 3) / q->length[b]);
+        worst = keaMax(worst, size / (q->allowed[b] + DBL_MIN));
+    }
+    return worst;
+}
+
+/* ---- the matrix ---- */
+
+static void addOuter(double *block, double w, const double a[6], const double b[6]) {
+    for (int i = 0; i < 6; i++) {
+        const double s = w * a[i];
+        for (int j = 0; j < 6; j++)
+            block[6 * i + j] += s * b[j];
+    }
+}
+
+/* w aᵀ b over the bodies of the rows; they are the same. */
+static void addRows(KeaProblem *q, const KeaProblemRow *row, double w, double (*const a)[6], double (*const b)[6],
+                    MeBool isSymmetric) {
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            addOuter(kea_factorDiagonal(q->factor, row->body[k]), w, a[k], b[k]);
+    if (row->edge < 0)
+        return;
+    const int low = row->body[0] < row->body[1] ? 0 : 1;
+    addOuter(kea_factorUpper(q->factor, row->edge), w, a[low], b[!low]);
+    if (!isSymmetric)
+        addOuter(kea_factorLower(q->factor, row->edge), w, a[!low], b[low]);
+}
+
+static void combine(double r[2][6], double s, double (*const a)[6], double t, double (*const b)[6]) {
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 6; i++)
+            r[k][i] = s * a[k][i] + t * b[k][i];
+}
+
+static void addForced(KeaProblem *q, KeaProblemRow *row, MeBool lopsided) {
+    KeaProblemRow *normal = &q->row[row->normal];
+    if (lopsided && !normal->isOff && normal->state == KEA_HELD)
+        addRows(q, row, row->forced * row->friction / softness(normal), row->J, normal->J, MEFALSE);
+}
+
+/* A sliding row or cone; `lopsided`: with what the normal force does to it. */
+static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool lopsided) {
+    if (row->isForced) {
+        addForced(q, row, lopsided);
+        return;
+    }
+    KeaProblemRow *normal = &q->row[row->normal], *other = row->partner >= 0 ? &q->row[row->partner] : row;
+    const MeBool isCone = other != row;
+    const double size = isCone ? keaHypotenuse(row->y, other->y) : fabs(row->y);
+    double slip[2][6];
+    if (size == 0)
+        return;
+    if (isCone) {
+        combine(slip, -other->y / size, row->J, row->y / size, other->J);
+        addRows(q, row, row->radius / size / softness(row), slip, slip, !lopsided);
+        combine(slip, row->y / size, row->J, other->y / size, other->J);
+    } else {
+        combine(slip, row->y / size, row->J, 0, row->J);
+    }
+    if (lopsided && !normal->isOff && normal->state == KEA_HELD)
+        addRows(q, row, row->friction / softness(normal), slip, normal->J, MEFALSE);
+}
+
+static MeBool slidesUnderLoad(const KeaProblem *q) {
+    for (int i = 0; q->hasFriction && i < q->numRows; i++)
+        if (q->row[i].state == KEA_SLIPS && !q->row[i].isOff && q->row[q->row[i].normal].state == KEA_HELD)
+            return METRUE;
+    return MEFALSE;
+}
+
+static void fillMatrix(KeaProblem *q, MeBool lopsided) {
+    kea_factorClear(q->factor);
+    for (int b = 0; b < q->numBodies; b++) {
+        double *block = kea_factorDiagonal(q->factor, b);
+        const KeaMetric *B = &q->metric[b];
+        for (int i = 0; i < 3; i++) {
+            block[7 * i] = B->linear;
+            for (int j = 0; j < 3; j++)
+                block[6 * (i + 3) + j + 3] = B->angular[i][j];
+        }
+    }
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        if (row->isOff || row->state == KEA_IDLE)
+            continue;
+        if (row->state == KEA_HELD)
+            addRows(q, row, 1 / softness(row), row->J, row->J, !lopsided);
+        else if (row->partner < 0 || row->partner > i || row->isForced)
+            addSliding(q, row, lopsided);
+    }
+}
+
+/* Impulses are within their bounds, and those of friction within their radius. */
+static inline MeBool areWithinBounds(const KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        const double size = keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0);
+        if (row->isOff || isnan(row->p))
+            continue;
+        if (row->normal < 0 ? row->p < row->lower || row->p > row->upper : size > row->radius * (1 + kea_assertedRounding) + DBL_MIN)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+static MeBool factor(KeaProblem *q, MeBool coupled) {
+    const MeBool lopsided = coupled && slidesUnderLoad(q);
+    fillMatrix(q, lopsided);
+    q->counts.factorizations++;
+    kea_problemSpend(q, kea_problemIterationWork(q, lopsided));
+    return lopsided ? kea_factorLU(q->factor, kea_leastPivot) : kea_factorCholesky(q->factor, kea_leastPivot);
+}
+
+static void findDirection(KeaProblem *q) {
+    for (int b = 0; b < q->numBodies; b++) {
+        double *x = q->x + kea_factorOffset(q->factor, b);
+        for (int i = 0; i < 6; i++)
+            x[i] = -q->gradient[b][i];
+    }
+    kea_factorSolve(q->factor, q->x);
+    for (int b = 0; b < q->numBodies; b++)
+        memcpy(q->along[b], q->x + kea_factorOffset(q->factor, b), sizeof q->along[b]);
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].Je = rateAlong(&q->row[i], q->along);
+}
+
+static void take(KeaProblem *q, double step) {
+    for (int b = 0; b < q->numBodies; b++)
+        kea_addScaled6(q->d[b], step, q->along[b]);
+    for (int i = 0; i < q->numRows; i++) {
+        q->row[i].Jd += step * q->row[i].Je;
+        q->row[i].Je = 0;
+    }
+    memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
+}
+
+/* ---- line search ---- */
+
+/* The derivative of the convex function along the direction. */
+static double slopeAt(KeaProblem *q, double constant, double linear, double step) {
+    setForces(q, step, MEFALSE);
+    double slope = constant + step * linear;
+    for (int i = 0; i < q->numRows; i++)
+        slope -= q->row[i].p * q->row[i].Je;
+    return slope;
+}
+
+/* Where the derivative vanishes, to a thousandth of what it was: mostly the full step. A rigid row that is bounded on
+ * both sides makes it jump within a very short way, so what the secant does not halve, the next point does. */
+static double bestStep(KeaProblem *q) {
+    double constant = 0, linear = 0, Bd[6];
+    if (!q->hasBounds)
+        return 1;
+    for (int b = 0; b < q->numBodies; b++) {
+        kea_applyMetric(Bd, &q->metric[b], q->d[b]);
+        kea_addScaled6(Bd, 1, q->load[b]);
+        constant += kea_dot6(Bd, q->along[b]);
+        kea_applyMetric(Bd, &q->metric[b], q->along[b]);
+        linear += kea_dot6(Bd, q->along[b]);
+    }
+    const double start = slopeAt(q, constant, linear, 0), enough = kea_lineSearchTolerance * fabs(start);
+    if (!(start < 0))
+        return 0; /* downhill by rounding only: there is nothing left to gain */
+    double low = 0, high = 1, atLow = start, atHigh = slopeAt(q, constant, linear, 1);
+    while (atHigh < -enough && high < kea_longestStep) {
+        low = high, atLow = atHigh;
+        high *= 2;
+        atHigh = slopeAt(q, constant, linear, high);
+    }
+    double step = high, at = atHigh;
+    MeBool isSlow = MEFALSE;
+    for (int i = 0; i < KEA_MAX_LINE_SEARCH && fabs(at) > enough && high > low; i++) {
+        const double width = high - low;
+        step = isSlow ? 0.5 * (low + high) : low + width * atLow / (atLow - atHigh);
+        at = slopeAt(q, constant, linear, step);
+        if (at < 0)
+            low = step, atLow = at;
+        else
+            high = step, atHigh = at;
+        isSlow = high - low > 0.5 * width;
+    }
+    return step;
+}
+
+/* ---- the iteration ---- */
+
+/* False: it was not found, or not in what work there is. */
+static MeBool solveConvex(KeaProblem *q) {
+    double before = HUGE_VAL;
+    setForces(q, 0, MEFALSE);
+    for (int i = 0; i < KEA_MAX_CONVEX; i++) {
+        const double error = gradientError(q, 0);
+        if (error < 1 || (error < kea_convexRounding && error > kea_convexProgress * before))
+            return METRUE; /* found, or as far as rounding allows */
+        if (!kea_problemAffords(q, MEFALSE))
+            return MEFALSE;
+        before = error;
+        q->counts.iterations++;
+        if (!factor(q, MEFALSE))
+            return MEFALSE;
+        findDirection(q);
+        const double step = bestStep(q);
+        take(q, step);
+        setForces(q, 0, MEFALSE);
+        if (!q->hasBounds)
+            return METRUE; /* it was linear */
+    }
+    return gradientError(q, 0) < kea_convexRounding;
+}
+
+static MeBool solveCoupled(KeaProblem *q) {
+    setForces(q, 0, METRUE);
+    double error = gradientError(q, 0);
+    for (int i = 0; i < KEA_MAX_COUPLED && error >= 1; i++) {
+        if (!kea_problemAffords(q, METRUE))
+            return MEFALSE;
+        q->counts.iterations++;
+        if (!factor(q, METRUE))
+            return MEFALSE;
+        findDirection(q);
+        double step = 1, next = 0;
+        for (int half = 0; half < KEA_MAX_HALVINGS; half++, step *= 0.5) {
+            setForces(q, step, METRUE);
+            next = gradientError(q, step);
+            if (next < kea_coupledProgress * error)
+                break;
+        }
+        if (!(next < kea_coupledProgress * error)) {
+            setForces(q, 0, METRUE);
+            return error < kea_coupledRounding; /* rounding */
+        }
+        take(q, step);
+        error = next;
+    }
+    return error < kea_coupledRounding;
+}
+
+static void keep(KeaProblem *q) {
+    memcpy(q->kept, q->d, (size_t)q->numBodies * sizeof *q->d);
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].keptJd = q->row[i].Jd, q->row[i].keptRadius = q->row[i].radius;
+}
+
+static void restore(KeaProblem *q) {
+    memcpy(q->d, q->kept, (size_t)q->numBodies * sizeof *q->d);
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].Jd = q->row[i].keptJd, q->row[i].radius = q->row[i].keptRadius, q->row[i].Je = 0;
+    setForces(q, 0, MEFALSE);
+}
+
+MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].Jd = q->row[i].Je = 0;
+    memset(q->d, 0, (size_t)q->numBodies * sizeof *q->d);
+    memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
+    const MeBool isFound = !q->counts.isLimited && solveConvex(q);
+    if (q->counts.isLimited)
+        kea_problemSweep(q);
+    MEVALIDATE(areWithinBounds(q));
+    if (!isFound)
+        return MEFALSE;
+    if (!coupled || !q->hasFriction || kea_frictionBoundsError(q) < kea_boundsAgree)
+        return METRUE;
+    keep(q);
+    if (solveCoupled(q))
+        return METRUE;
+    restore(q);
+    return MEFALSE;
+}
+
+double kea_problemError(KeaProblem *q) {
+    memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
+    for (int b = 0; b < q->numBodies; b++)
+        memset(q->d[b], 0, sizeof q->d[b]);
+    return gradientError(q, 0);
+}
+
+/* ---- unbounded rows alone ---- */
+
+static MeBool isUnbounded(const KeaProblemRow *row) {
+    return row->normal < 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
+}
+
+/* Takes all other rows out of the problem. False: none is left. */
+static MeBool setAside(KeaProblem *q) {
+    MeBool isLeft = MEFALSE;
+    for (int i = 0; i < q->numRows; i++) {
+        KeaProblemRow *row = &q->row[i];
+        row->isAside = !row->isOff && !isUnbounded(row);
+        row->isOff = row->isOff || row->isAside;
+        isLeft = isLeft || !row->isOff;
+        row->p0 = row->isOff ? row->p0 : row->p;
+    }
+    return isLeft;
+}
+
+double kea_problemWorkOfJoints(const KeaProblem *q) {
+    for (int i = 0; i < q->numRows; i++)
+        if (!q->row[i].isOff && isUnbounded(&q->row[i]))
+            return kea_problemIterationWork(q, MEFALSE);
+    return 0;
+}
+
+void kea_problemSolveJoints(KeaProblem *q) {
+    if (setAside(q)) {
+        setForces(q, 0, MEFALSE);
+        gradientError(q, 0);
+        if (factor(q, MEFALSE)) {
+            findDirection(q);
+            take(q, 1);
+            setForces(q, 0, MEFALSE);
+        } else {
+            for (int i = 0; i < q->numRows; i++)
+                q->row[i].p = q->row[i].isOff ? q->row[i].p : q->row[i].p0;
+        }
+    }
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].isOff = q->row[i].isOff && !q->row[i].isAside;
+}

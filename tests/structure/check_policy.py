@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Are Kea's choices in its policy file? No other source of it has a number with an exponent or a fraction, but for those of
+formulas; nor a constant that the policy file names and nobody reads."""
+import pathlib
+import re
+import sys
+
+POLICY = 'common/kea_policy_i.h'
+HALVES = {'0.5', '.5', '1.5', '1.0', '2.0'}  # of formulas; 1.0 and 2.0 make a product of integers one of doubles
+ALLOWED = {  # (file, number): why it is no choice
+    ('common/kea_rotation.c', '2.094395102393195492'): '2 pi / 3',
+    ('exact/kea_order.c', '1e4'): 'of an assertion: above it sums of squares are no exact integers in double',
+}
+COEFFICIENTS = {  # (file, function): all of its numbers are published ones
+    ('common/kea_rotation.c', 'blanesMoan4'): 'Blanes and Moan 2002',
+}
+
+NUMBER = re.compile(r'(?<![\w.])(?:\d+\.\d*|\.\d+|\d+)(?:[eE][+-]?\d+)?[fFlL]?(?![\w.])')
+
+
+def blanked(text):
+    """The text with comments, strings and includes blanked."""
+    return re.sub(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"', lambda m: re.sub(r'[^\n]', ' ', m.group()), text, flags=re.S)
+
+
+top = pathlib.Path(sys.argv[1]) / 'MdtKea' / 'src'
+wrong, used, everything, count = [], set(), '', 0
+for file in sorted(f for f in top.rglob('*') if f.suffix in ('.c', '.h')):
+    name = file.relative_to(top).as_posix()
+    if name == POLICY:
+        continue
+    text = blanked(file.read_text())
+    everything += text
+    function = ''
+    for number, line in enumerate(text.splitlines(), 1):
+        head = re.match(r'\w.*?(\w+)\(', line)
+        function = head.group(1) if head else function
+        for literal in NUMBER.findall(line):
+            if not re.search(r'[.eE]', literal) or literal in HALVES or (name, function) in COEFFICIENTS:
+                continue
+            count += 1
+            if (name, literal) in ALLOWED:
+                used.add((name, literal))
+            else:
+                wrong.append(f'{file}:{number}: {literal} is a choice: it belongs into {POLICY}, with its reason')
+policy = blanked((top / POLICY).read_text())
+names = re.findall(r'\b(kea_\w+)\b(?:\[\w+\])? =', policy) + re.findall(r'\b(KEA_\w+) =', policy)
+for name in names:
+    if not re.search(rf'\b{name}\b', everything + policy.replace(name, '', 1)):
+        wrong.append(f'{POLICY}: nobody reads {name}')
+for entry in sorted(set(ALLOWED) - used):
+    wrong.append(f'{entry[0]} has no {entry[1]} any more: remove it from the list')
+if not names:
+    wrong.append(f'{POLICY}: no constants found')
+print('\n'.join(wrong) or f'all {len(names)} constants of Kea are in {POLICY}')
+sys.exit(bool(wrong))
