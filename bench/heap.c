@@ -1,10 +1,10 @@
-/* What a heap of boxes costs in a universe while it falls and settles: the way and the time of each step, and what swept
- * models (MstUniverse's continuous motion) add where nothing is fast.
+/* What a heap of boxes costs in a universe while it falls and settles: the way and the time of each step, and what
+ * swept models (MstUniverse's continuous motion) add where nothing is fast.
  *
  *     heap [--boxes N] [--steps N] [--side M] [--swept]        300, 900, 4 if not given
  *
- * Boxes of 1 m and 1 kg, turned any way, fall onto each other on M m by M m; epsilon 0, the friction cone, steps of 1/60 s.
- * With --swept, the same heap again, all of it swept, in the same run, step by step in turn. */
+ * Boxes of 1 m and 1 kg, turned any way, fall onto each other on M m by M m; epsilon 0, the friction cone, steps of
+ * 1/60 s. With --swept, the same heap again, all of it swept, in the same run, step by step in turn. */
 #include "timing.h"
 
 #include "MdtReport.h"

@@ -92,7 +92,8 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: rest [--steps N]\n");
         return 2;
     }
-    printf("| scene | boxes | settling, ms a step | at rest, median ms | worst ms | top sinks, m |\n|---|---|---|---|---|---|\n");
+    printf("| scene | boxes | settling, ms a step | at rest, median ms | worst ms | top sinks, m |\n");
+    printf("|---|---|---|---|---|---|\n");
     run("tower", makeTower, 20, steps);
     run("columns", makeColumns, 10, steps);
     run("pyramid of 20 rows", makePyramid, 20, steps);

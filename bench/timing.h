@@ -1,4 +1,5 @@
-/* The clock of the programs here, and the median of what it measured. Include first: it chooses what the C library shows. */
+/* The clock of the programs here, and the median of what it measured. Include first: it chooses what the C library
+ * shows. */
 #ifndef BENCH_TIMING_H
 #define BENCH_TIMING_H
 

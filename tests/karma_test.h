@@ -11,7 +11,8 @@
 #include "MeMessage.h"
 #include "MePrecision.h"
 
-/* Check notes every assertion in a file, which takes longer than most of what is asserted; here only those that fail. */
+/* Check notes every assertion in a file, which takes longer than most of what is asserted; here only those that
+ * fail. */
 #undef ck_assert
 #undef ck_assert_msg
 #define ck_assert(expr)          ((expr) ? (void)0 : _ck_assert_failed(__FILE__, __LINE__, "Not true: " #expr, NULL))
@@ -63,9 +64,9 @@ void margin_note(const char *file, int line, double actual, double expected, dou
         assert_near((actual)[2], (z), (tolerance));                                                                    \
     } while (0)
 
-/* Messages caught instead of shown. Tests of bad input start with messages_catch(); assertions about messages are errors
- * outside of messages_catch() and messages_release(), where they would see none. A file whose every test is to be silent
- * says so once: tcase_add_checked_fixture(t, messages_catch, messages_release). */
+/* Messages caught instead of shown. Tests of bad input start with messages_catch(); assertions about messages are
+ * errors outside of messages_catch() and messages_release(), where they would see none. A file whose every test is to
+ * be silent says so once: tcase_add_checked_fixture(t, messages_catch, messages_release). */
 typedef struct {
     int warnings;
     int fatal;

@@ -1,6 +1,6 @@
-/* How much of their tolerances the comparisons use. With KARMA_TEST_MARGINS=file each place that compares appends a line
- * at the end of its program: file:line, precision, comparisons, the largest share of the tolerance that was used, the
- * share that 4 units in the last place would be, and the tolerance where the largest share was used. */
+/* How much of their tolerances the comparisons use. With KARMA_TEST_MARGINS=file each place that compares appends a
+ * line at the end of its program: file:line, precision, comparisons, the largest share of the tolerance that was used,
+ * the share that 4 units in the last place would be, and the tolerance where the largest share was used. */
 #include <float.h>
 
 #include "karma_test.h"

@@ -39,8 +39,8 @@ MEPUBLIC int MEAPI McdAggregateGetElementCount(McdAggregateID a);
 MEPUBLIC int MEAPI McdAggregateGetElementCountMax(McdAggregateID a);
 /** An element's geometry; null, with a warning, where there is none. */
 MEPUBLIC McdGeometryID MEAPI McdAggregateGetElementGeometry(McdAggregateID a, int i);
-/** Where an element is, in the aggregate's frame: a pointer to the aggregate's copy, good until an element is removed. What
- *  is written there counts when models are next updated. Null, with a warning, where there is no such element. */
+/** Where an element is, in the aggregate's frame: a pointer to the aggregate's copy, good until an element is removed.
+ *  What is written there counts when models are next updated. Null, with a warning, where there is no such element. */
 MEPUBLIC MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID a, int i);
 
 /** @name The type's functions

@@ -1,6 +1,6 @@
 /** @file McdBatch.h
- *  Many pairs at once (User Guide ch. 4, "Testing for Collisions"): McdIntersectEach, with a context that knows where in
- *  the container it is.
+ *  Many pairs at once (User Guide ch. 4, "Testing for Collisions"): McdIntersectEach, with a context that knows where
+ *  in the container it is.
  */
 #ifndef MCDBATCH_H
 #define MCDBATCH_H

@@ -11,9 +11,9 @@
  *  - Frameworks, geometries, models, spaces and instances that have gone may be handed to any function in check builds
  *    (KARMA_CHECK): it gives a warning and a neutral result. In other builds that is undefined, except that the
  *    functions which destroy do nothing.
- *  - So things may go in any order: McdTerm ends what is left in the framework, and destroying a geometry or a model after
- *    it is harmless, in all builds; it is said while there is another framework, to which the handle might belong. (An
- *    address that was given to a new object since is that object.)
+ *  - So things may go in any order: McdTerm ends what is left in the framework, and destroying a geometry or a model
+ *    after it is harmless, in all builds; it is said while there is another framework, to which the handle might
+ *    belong. (An address that was given to a new object since is that object.)
  */
 #ifndef MCDCTYPES_H
 #define MCDCTYPES_H
@@ -72,9 +72,9 @@ struct _McdModel {
 /** What one pair of models is asked for, see McdFrameworkSetDefaultRequestPtr and McdModelPairSetRequestPtr. */
 struct _McdRequest {
     int contactMaxCount; /**< At most so many contacts per pair, 1 or more; default 20. */
-    /** If true and there are more contacts than that: those whose normals are within 8 degrees of the mean normal are kept
-     *  before those at edges and corners (McdContactSimplify). That asks for four times as many contacts first, in memory of
-     *  the call. Default: false. */
+    /** If true and there are more contacts than that: those whose normals are within 8 degrees of the mean normal are
+     *  kept before those at edges and corners (McdContactSimplify). That asks for four times as many contacts first, in
+     *  memory of the call. Default: false. */
     MeBool faceNormalsFirst;
 };
 
@@ -142,17 +142,18 @@ struct _McdContact {
     MeVector3 position; /**< World frame: half-way between the two surfaces. */
     MeVector3 normal;   /**< World frame, length 1: the way in which the first model is pushed by the second. */
     MeReal separation;  /**< Along the normal: positive for a gap, negative for a penetration. */
-    MeU32 feature;      /**< Which features touch: the same number for the same ones from step to step, in one result none
-                             twice. Of two convex geometries with at most 256 faces each, or one and a plane, other
-                             features have other numbers; else (larger hulls, triangles, parts of aggregates) the number
-                             is a hash, and two features of a pair share one with a probability of 2e-10. */
+    /** Which features touch: the same number for the same ones from step to step, in one result none twice. Of two
+     *  convex geometries with at most 256 faces each, or one and a plane, other features have other numbers; else
+     *  (larger hulls, triangles, parts of aggregates) the number is a hash, and two features of a pair share one
+     *  with a probability of 2e-10. */
+    MeU32 feature;
     McdGeometryInstanceID instance1; /**< The part of the first model: its own instance, or an aggregate's child. */
     McdGeometryInstanceID instance2; /**< The part of the second model. */
-    /** What touches of the first model's part: the McdUserTriangle.triangleData of a triangle list's triangle, the tag of a
-     *  height field's (McdRGHeightField.h); for other geometries a null ptr. */
+    /** What touches of the first model's part: the McdUserTriangle.triangleData of a triangle list's triangle, the tag
+     *  of a height field's (McdRGHeightField.h); for other geometries a null ptr. */
     McdElementData element1;
     McdElementData element2; /**< The same for the second model's part. */
-    int dims; /**< The dimension of the region in which the parts touch: 0 in a point, 1 along a line, 2 over an area. */
+    int dims; /**< The dimension of the region where the parts touch: 0 in a point, 1 along a line, 2 over an area. */
     double exactSeparation; /**< separation as it was before MeReal rounded it: see McdContactGetSeparation. */
     double exactPosition[3]; /**< The same of position: see McdContactGetPosition. */
     double radius[2];        /**< Of either model's surface, where it is round: see McdContactGetRadius. */

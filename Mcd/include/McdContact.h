@@ -16,8 +16,8 @@ ME_BEGIN_C
  */
 MEPUBLIC double MEAPI McdContactGetSeparation(const McdContact *c);
 /**
- * The position (m, world) in double precision; where a program has made the contact, or written another position into it,
- * that one. For null: a warning, and position is left alone. Beyond Karma.
+ * The position (m, world) in double precision; where a program has made the contact, or written another position into
+ * it, that one. For null: a warning, and position is left alone. Beyond Karma.
  */
 MEPUBLIC void MEAPI McdContactGetPosition(const McdContact *c, double position[3]);
 /**

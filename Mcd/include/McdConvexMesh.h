@@ -3,7 +3,8 @@
  *
  *  A fat mesh is made of all points within its fatness of the hull: its edges and corners are round. What is no convex
  *  mesh, and polygons and vertices that it has not got, get a warning and 0. Mass properties are those of uniform
- *  density and exact, with fatness too. The origin is wherever the points have it, the centre of mass need not be there.
+ *  density and exact, with fatness too. The origin is wherever the points have it, the centre of mass need not be
+ *  there.
  */
 #ifndef MCDCONVEXMESH_H
 #define MCDCONVEXMESH_H

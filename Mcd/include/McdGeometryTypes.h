@@ -69,7 +69,8 @@ struct _McdUserTriangle {
     MeVector3 *vertices[3]; /**< Corners; must stay until the intersection is done. */
     MeVector3 *normal;      /**< Outward, length 1. Null: from the corners, by the right-hand rule. */
     McdTriangleFlags flags; /**< A sum of McdTriangleFlags. */
-    /** The program's; contacts with the triangle have it (McdContact.element1 or element2). A null ptr unless it is set. */
+    /** The program's; contacts with the triangle have it (McdContact.element1 or element2). A null ptr unless it is
+     *  set. */
     McdElementData triangleData;
 };
 
@@ -84,10 +85,10 @@ struct McdTriangleList {
 };
 
 /**
- * Writes at most maxTriangles triangles that are within radius of pos (in the list's frame) and returns how many.
- * The pair's second model has the triangle list; where it is a part of an aggregate, that model stands for the part. The
- * first one is the model near it; for line segments, and for geometries that ask without a model (McdQuery.h), it is the
- * same as the second. In contacts the pair's phase and data are those of the models' pair; else they are zero.
+ * Writes at most maxTriangles triangles that are within radius of pos (in the list's frame) and returns how many. The
+ * pair's second model has the triangle list; where it is a part of an aggregate, that model stands for the part. The
+ * first one is the model near it; for line segments, and for geometries that ask without a model (McdQuery.h), it is
+ * the same as the second. In contacts the pair's phase and data are those of the models' pair; else they are zero.
  */
 typedef int(MEAPI *McdTriangleListFnPtr)(McdModelPair *modelTriListPair, McdUserTriangle *triangle, MeVector3 pos,
                                          MeReal radius, int maxTriangles);

@@ -14,12 +14,12 @@ ME_BEGIN_C
 /** @name Life
  *  @{ */
 /**
- * Creates a model of a geometry: no transform, no velocities, material 0, not in a space. Null, with a warning, for what
- * is no geometry and when McdInit's modelCount, or for aggregates its instanceCount, is reached.
+ * Creates a model of a geometry: no transform, no velocities, material 0, not in a space. Null, with a warning, for
+ * what is no geometry and when McdInit's modelCount, or for aggregates its instanceCount, is reached.
  */
 MEPUBLIC McdModelID MEAPI McdModelCreate(McdGeometryID g);
-/** Destroys a model, taking it out of its space if it is in one: its pairs end at once, without a goodbye. Null, and a model
- *  that has gone with its framework, does nothing (see McdCTypes.h). */
+/** Destroys a model, taking it out of its space if it is in one: its pairs end at once, without a goodbye. Null, and a
+ *  model that has gone with its framework, does nothing (see McdCTypes.h). */
 MEPUBLIC void MEAPI McdModelDestroy(McdModelID cm);
 /** As new, but for its geometry and its space. */
 MEPUBLIC void MEAPI McdModelReset(McdModelID cm);
@@ -108,16 +108,17 @@ MEPUBLIC MeBool MEAPI McdModelIsSwept(McdModelID cm);
  */
 MEPUBLIC MeReal MEAPI McdModelGetFastMargin(McdModelID cm);
 /**
- * A sensor tells what overlaps it and pushes nothing: the Simulation Toolkit makes events of its pairs (MstEvents.h) and
- * no contacts. Default: no. Legal anywhere. Beyond Karma.
+ * A sensor tells what overlaps it and pushes nothing: the Simulation Toolkit makes events of its pairs (MstEvents.h)
+ * and no contacts. Default: no. Legal anywhere. Beyond Karma.
  */
 MEPUBLIC void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor);
 MEPUBLIC MeBool MEAPI McdModelIsSensor(McdModelID cm);
 /**
- * Which models it meets: two make a pair only if each one's category has a bit that is in the other one's mask. Default:
- * category 1, mask 0xffffffff. Two models of the same group, if that is not 0, go by the group alone: a positive one always
- * makes pairs, a negative one never. Default 0. Legal anywhere; in a space from the end of the next change block on, where
- * pairs say hello or goodbye; pairs of two frozen models say nothing before one is unfrozen, but for goodbyes. Beyond Karma.
+ * Which models it meets: two make a pair only if each one's category has a bit that is in the other one's mask.
+ * Default: category 1, mask 0xffffffff. Two models of the same group, if that is not 0, go by the group alone: a
+ * positive one always makes pairs, a negative one never. Default 0. Legal anywhere; in a space from the end of the next
+ * change block on, where pairs say hello or goodbye; pairs of two frozen models say nothing before one is unfrozen, but
+ * for goodbyes. Beyond Karma.
  */
 MEPUBLIC void MEAPI McdModelSetFilter(McdModelID cm, MeU32 category, MeU32 mask);
 MEPUBLIC void MEAPI McdModelSetFilterGroup(McdModelID cm, int group);

@@ -9,8 +9,8 @@
 ME_BEGIN_C
 
 /** @name Contacts with a plane
- *  As Mcd...PlaneIntersect, for whatever convex type it is: sphere, box, cylinder, sphyl, cone, convex mesh. No interaction
- *  needs to be registered. Any other pair gets a warning, and 0.
+ *  As Mcd...PlaneIntersect, for whatever convex type it is: sphere, box, cylinder, sphyl, cone, convex mesh. No
+ *  interaction needs to be registered. Any other pair gets a warning, and 0.
  *  @{ */
 /** Contacts of a pair one of which is a plane; 1 if they touch. */
 MEPUBLIC int MEAPI McdPlaneIntersect(McdModelPair *p, McdIntersectResult *result);
@@ -19,10 +19,11 @@ MEPUBLIC int MEAPI McdPlaneIntersectTest(McdModelID modplane, McdModelID mod, Mc
 /** @} */
 
 /** @name Cross-sections
- *  Where the plane of the points x with normal . x = dist (world frame; normal of length 1) cuts an instance: a convex polygon,
- *  its corners in the world, counter-clockwise as seen from where the normal points to. outVert has place for maxVert (3 or
- *  more); numVert gets how many there are, 0 where the plane does not cut it, or only touches a corner or an edge. If there
- *  are more than maxVert, evenly chosen ones. Bad arguments and instances of other types get a warning and 0 corners.
+ *  Where the plane of the points x with normal . x = dist (world frame; normal of length 1) cuts an instance: a convex
+ *  polygon, its corners in the world, counter-clockwise as seen from where the normal points to. outVert has place for
+ *  maxVert (3 or more); numVert gets how many there are, 0 where the plane does not cut it, or only touches a corner or
+ *  an edge. If there are more than maxVert, evenly chosen ones. Bad arguments and instances of other types get a
+ *  warning and 0 corners.
  *  @{ */
 /** Of a box, up to 6 corners. */
 MEPUBLIC void MEAPI McdBoxGetSlice(McdGeometryInstanceID ins, const MeVector3 normal, MeReal dist, int maxVert,

@@ -18,8 +18,8 @@ ME_BEGIN_C
 MEPUBLIC unsigned int MEAPI McdPrimitivesGetTypeCount(void);
 /** Registers sphere, box, plane, cylinder, sphyl and triangle list. Before their geometries are created. */
 MEPUBLIC void MEAPI McdPrimitivesRegisterTypes(McdFramework *frame);
-/** Has each two of them interact, but for planes and triangle lists with each other, and line segments with each but the
- *  triangle list (see McdTriangleListLineSegmentRegisterInteraction). Returns 1; 0 if the framework is none. */
+/** Has each two of them interact, but for planes and triangle lists with each other, and line segments with each but
+ *  the triangle list (see McdTriangleListLineSegmentRegisterInteraction). Returns 1; 0 if the framework is none. */
 MEPUBLIC MeBool MEAPI McdPrimitivesRegisterInteractions(McdFramework *frame);
 /** The same for sphere, box and plane only, so that less is linked. */
 MEPUBLIC void MEAPI McdSphereBoxPlaneRegisterTypes(McdFramework *frame);

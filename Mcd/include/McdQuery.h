@@ -5,9 +5,10 @@
  *  find them by their boxes of the last update. A geometry that asks is convex (sphere, box, cylinder, sphyl, cone,
  *  convex mesh); it needs no model. It meets models of convex geometries, planes, triangle lists and height fields, and
  *  aggregates of these. Lists and fields are surfaces here, with nothing inside: each of their triangles counts by
- *  itself, from both sides; but casts and rays meet triangles that are not two-sided from their front only. Where a filter is given, only models for which it returns non-zero are looked
- *  at. Lists are in the order of sort keys, then creation; what does not fit is left out from the end. Lengths in the
- *  program's unit, everything in the world frame. Frozen and disabled models are met like others.
+ *  itself, from both sides; but casts and rays meet triangles that are not two-sided from their front only. Where a
+ *  filter is given, only models for which it returns non-zero are looked at. Lists are in the order of sort keys, then
+ *  creation; what does not fit is left out from the end. Lengths in the program's unit, everything in the world frame.
+ *  Frozen and disabled models are met like others.
  */
 #ifndef MCDQUERY_H
 #define MCDQUERY_H

@@ -131,9 +131,10 @@ MEPUBLIC void MEAPI McdSpaceUpdateModels(McdSpaceID s);
 /** Renews one model's box; an error for a frozen one. Inside only. */
 MEPUBLIC void MEAPI McdSpaceUpdateModel(McdModelID cm);
 /**
- * How far ahead pairs and contacts are made, s, >= 0; default 0, as in Karma. A dynamics step long, it brings contacts of
- * models that would meet within the step: with a gap, before they penetrate. A model looks no farther than the radius of
- * the sphere around it; faster ones want McdSafeTime. Counts from the models' next update on. Legal anywhere. Beyond Karma.
+ * How far ahead pairs and contacts are made, s, >= 0; default 0, as in Karma. A dynamics step long, it brings contacts
+ * of models that would meet within the step: with a gap, before they penetrate. A model looks no farther than the
+ * radius of the sphere around it; faster ones want McdSafeTime. Counts from the models' next update on. Legal anywhere.
+ * Beyond Karma.
  */
 MEPUBLIC void MEAPI McdSpaceSetLookAhead(McdSpaceID s, MeReal duration);
 MEPUBLIC MeReal MEAPI McdSpaceGetLookAhead(McdSpaceID s);
@@ -160,7 +161,8 @@ MEPUBLIC MeBool MEAPI McdSpaceIsFrozen(McdModelID cm);
 MEPUBLIC MeBool MEAPI McdSpaceDisablePair(McdModelID cm1, McdModelID cm2);
 /** The opposite. */
 MEPUBLIC MeBool MEAPI McdSpaceEnablePair(McdModelID cm1, McdModelID cm2);
-/** 0 for pairs that are disabled, culled or filtered (McdModelSetFilter), and for models that are not in the same space. Legal anywhere. */
+/** 0 for pairs that are disabled, culled or filtered (McdModelSetFilter), and for models that are not in the same
+ *  space. Legal anywhere. */
 MEPUBLIC MeBool MEAPI McdSpacePairIsEnabled(McdModelID cm1, McdModelID cm2);
 /** Two models act as disabled if they have the same table and ID and the table's flag for their indices is set. Null
  *  as table: none. An index that the table does not have gets a warning. Inside only. */

@@ -1,7 +1,7 @@
 /** @file McdSphyl.h
- *  Sphyls, or capsules (User Guide ch. 4, "Geometrical Types and Their Interactions"): a cylinder about the z axis
- *  with half a ball at each end, the middle at the origin. What is no sphyl gets a warning and 0; sizes that are not > 0
- *  get a warning and change nothing.
+ *  Sphyls, or capsules (User Guide ch. 4, "Geometrical Types and Their Interactions"): a cylinder about the z axis with
+ *  half a ball at each end, the middle at the origin. What is no sphyl gets a warning and 0; sizes that are not > 0 get
+ *  a warning and change nothing.
  */
 #ifndef MCDSPHYL_H
 #define MCDSPHYL_H

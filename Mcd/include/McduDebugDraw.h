@@ -1,6 +1,7 @@
 /** @file McduDebugDraw.h
- *  Draws what collision is made of, by MeDebugDrawAPI (MeDebugDraw.h), which draws nothing until a program or the viewer
- *  sets its function. Colours are red, green, blue, each 0 to 1. What is none of what a function draws gets a warning.
+ *  Draws what collision is made of, by MeDebugDrawAPI (MeDebugDraw.h), which draws nothing until a program or the
+ *  viewer sets its function. Colours are red, green, blue, each 0 to 1. What is none of what a function draws gets a
+ *  warning.
  */
 #ifndef MCDUDEBUGDRAW_H
 #define MCDUDEBUGDRAW_H
@@ -30,7 +31,8 @@ MEPUBLIC void MEAPI McduDebugDrawAggregate(const McdAggregateID agg, const MeMat
 /** @} */
 /** A model where it is. One without a transform is not drawn; whether it is frozen, only its space says. */
 MEPUBLIC void MEAPI McduDebugDrawModel(const McdModelID model, McduDebugDrawFlags flags, const MeReal colour[3]);
-/** A model's box along the world's axes, as of the last update, in white: McduDebugDrawModel with kMcduDebugDrawAABB. */
+/** A model's box along the world's axes, as of the last update, in white: McduDebugDrawModel with
+ *  kMcduDebugDrawAABB. */
 MEPUBLIC void MEAPI McdDebugDrawModelAABB(McdModelID cm);
 /** All models of a space, see McduDebugDrawModel; with kMcduDebugDrawEnabledOnly, those that are not frozen. */
 MEPUBLIC void MEAPI McduDebugDrawSpace(const McdSpaceID space, McduDebugDrawFlags flags, const MeReal colour[3]);

@@ -1,8 +1,8 @@
 /* Aggregates: what they are made of, and how the whole follows from the parts. */
 #include "McdAggregate.h"
-#include "mcd_geometries.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
+#include "mcd_geometries_i.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
 #include <math.h>
 #include <string.h>
 
@@ -41,7 +41,7 @@ static void MEAPI release(McdGeometryID g) {
 
 MCD_DEFINE_DESTROY(Aggregate)
 
-/* ---- elements ------------------------------------------------------------------------------------------------------ */
+/* ---- elements ---------------------------------------------------------------------------------------------------- */
 
 static MeBool isPartOf(const McdAggregate *part, const McdGeometry *g) {
     if (g == &part->head)
@@ -120,7 +120,7 @@ MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID id, int i) 
     return element ? element->relTM : 0;
 }
 
-/* ---- parts of an instance --------------------------------------------------------------------------------------------- */
+/* ---- parts of an instance ---------------------------------------------------------------------------------------- */
 
 /* What is done with each part; finalTM is null if none was given. */
 typedef void (*PartFn)(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *data);
@@ -146,7 +146,7 @@ static void forEachPart(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, Pa
     }
 }
 
-/* ---- extent ---------------------------------------------------------------------------------------------------------- */
+/* ---- extent ------------------------------------------------------------------------------------------------------ */
 
 typedef struct Extent {
     MeVector3 min, max;
@@ -264,7 +264,7 @@ void MEAPI McdAggregateGetBSphere(const McdGeometryID g, MeVector3 center, MeRea
     }
 }
 
-/* ---- mass ---------------------------------------------------------------------------------------------------------------- */
+/* ---- mass -------------------------------------------------------------------------------------------------------- */
 
 typedef struct Mass {
     double volume, centre[3], inertia[3][3]; /* about the origin of the frame */
@@ -327,7 +327,7 @@ MeI16 MEAPI McdAggregateGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMa
     return 1;
 }
 
-/* ---- the type ---------------------------------------------------------------------------------------------------------- */
+/* ---- the type ---------------------------------------------------------------------------------------------------- */
 
 void MEAPI McdAggregateDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]) {
     if (!mcd_geometryIs(g, kMcdGeometryTypeAggregate, "McdAggregateDebugDraw"))

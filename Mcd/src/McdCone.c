@@ -1,7 +1,7 @@
 /* Cones about z, maybe cut off, with their centre of mass at the origin. */
 #include "McdCone.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
 
 static const McdCone *get(const McdGeometry *g) {
     return (const McdCone *)g;
@@ -27,7 +27,7 @@ static void support(const McdGeometry *g, const double d[3], double point[3]) {
     point[2] = isHigh ? e.high : e.low;
 }
 
-/* ---- a line and the cone's side: |p + t v|^2 <= (R + k t)^2, p and v across the axis, R + k t >= 0 -------------------- */
+/* ---- a line and the cone's side: |p + t v|^2 <= (R + k t)^2, p and v across the axis, R + k t >= 0 --------------- */
 
 static void sideNormal(const McdClip *c, double t, double slope, double normal[3]) {
     double p[3];
@@ -38,8 +38,8 @@ static void sideNormal(const McdClip *c, double t, double slope, double normal[3
     normal[2] = across > 0 ? -slope / length : slope < 0 ? 1 : -1; /* at the tip */
 }
 
-/* The line is clipped between the ends already, so that R + k t >= 0 there. Where a t^2 + 2 b t + q <= 0 has two ranges,
- * one belongs to the cone's mirror image beyond its tip. Times are relative to `at`, which is near the cone. */
+/* The line is clipped between the ends already, so that R + k t >= 0 there. Where a t^2 + 2 b t + q <= 0 has two
+ * ranges, one belongs to the cone's mirror image beyond its tip. Times are relative to `at`, which is near the cone. */
 static void clipSide(McdClip *c, const Ends *e, double at) {
     const double slope = (e->highRadius - e->lowRadius) / (e->high - e->low);
     MEASSERT(e->high > e->low);
@@ -123,7 +123,7 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(Cone, mcd_geometryFree), .size =
                              .flatAxes = 4};
 MCD_DEFINE_GEOMETRY_TYPE(Cone)
 
-/* ---- sizes ----------------------------------------------------------------------------------------------------------- */
+/* ---- sizes ------------------------------------------------------------------------------------------------------- */
 
 static MeBool isCone(McdGeometryID g, const char *function) {
     return mcd_geometryIs(g, kMcdGeometryTypeCone, function);
@@ -185,7 +185,7 @@ MeReal MEAPI McdConeGetZOffset(McdConeID g) {
     return isCone(g, "McdConeGetZOffset") ? get(g)->length / 2 - get(g)->lowerHeight : 0;
 }
 
-/* ---- what it is like --------------------------------------------------------------------------------------------------- */
+/* ---- what it is like --------------------------------------------------------------------------------------------- */
 
 /* The sphere through both ends' rims; where its centre were beyond an end, that end's rim is the widest part of it. */
 void MEAPI McdConeGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {

@@ -1,7 +1,7 @@
 /* Contacts: accessors, and contact reduction: a few points that support as well as many. */
 #include "McdContact.h"
 #include "mcd_i.h"
-#include "mcd_spread.h"
+#include "mcd_spread_i.h"
 #include <math.h>
 #include <string.h>
 
@@ -155,7 +155,7 @@ static void includeDeepest(const McdSpot *spot, int count, int *kept, int keptCo
         kept[place] = deepest;
 }
 
-/* ---- any spots ---------------------------------------------------------------------------------------------------- */
+/* ---- any spots --------------------------------------------------------------------------------------------------- */
 
 static double differenceSquared(const McdSpot *a, const McdSpot *b, double size) {
     double d[3], n[3];
@@ -237,7 +237,7 @@ int mcd_spread(McdSpot *spot, int count, int wanted, double same, int *kept) {
     return keptCount;
 }
 
-/* ---- contacts ----------------------------------------------------------------------------------------------------- */
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
 static McdSpot spotOf(const McdContact *c, const McdContact *reference) {
     McdSpot s;

@@ -1,24 +1,24 @@
 /* The interactions of convex geometries with each other and with planes. */
 #include "McdConvexInteractions.h"
 #include "McdPlaneIntersect.h"
-#include "mcd_kind.h"
-#include "mcd_motion.h"
-#include "mcd_vector.h"
+#include "mcd_kind_i.h"
+#include "mcd_motion_i.h"
+#include "mcd_vector_i.h"
 #include <string.h>
 
 static MeBool hasTypes(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
     if (!p || !result) {
         MeWarning(1, "%s: no %s", function, p ? "result" : "pair");
-        return 0;
+        return MEFALSE;
     }
     mcd_resultBegin(result, p);
     const McdModelRecord *m1 = mcd_modelCheck(p->model1, function), *m2 = mcd_modelCheck(p->model2, function);
     if (!m1 || !m2)
-        return 0;
+        return MEFALSE;
     if (m1->instance.geometry->type == type1 && m2->instance.geometry->type == type2)
-        return 1;
+        return METRUE;
     MeWarning(1, "%s: the models' geometries are of other types, or in the other order", function);
-    return 0;
+    return MEFALSE;
 }
 
 static int notPlaced(const char *function) {
@@ -47,7 +47,7 @@ int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *
 static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double normal[3], double *offset) {
     *offset = 0;
     if (!tm)
-        return 0;
+        return MEFALSE;
     for (int i = 0; i < 3; i++) {
         normal[i] = (double)tm[2][i];
         *offset += normal[i] * ((double)tm[3][i] - origin[i]);
@@ -77,7 +77,7 @@ int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *f
     return mcd_resultEnd(result);
 }
 
-/* ---- a plane with any convex type --------------------------------------------------------------------------------- */
+/* ---- a plane with any convex type -------------------------------------------------------------------------------- */
 
 static int typeOfModel(McdModelID m, const char *function) {
     const McdModelRecord *record = mcd_modelCheck(m, function);
@@ -117,10 +117,10 @@ static MeBool registerPair(McdFramework *frame, int type1, int type2, McdInterse
                            const char *function) {
     McdInteractions interactions = {.intersectFn = intersect, .safeTimeFn = safeTime};
     if (!mcd_frameCheck(frame, function))
-        return 0;
+        return MEFALSE;
     McdFrameworkSetInteractions(frame, type1, type2, &interactions);
     frame->grid[type1 * frame->typeCount + type2].convex = intersect;
-    return 1;
+    return METRUE;
 }
 
 /* The three functions of a pair. */

@@ -6,8 +6,8 @@
 #include "McdConvexMesh.h"
 #include "McdConvexInteractions.h"
 #include "McdTriangleList.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
 #include <string.h>
 
 static const McdConvexMesh *get(const McdGeometry *g) {
@@ -421,8 +421,8 @@ static void addPrism(Moments *s, const McdHull *h, const McdHullFace *f, double 
     addOuter(s, face.m * r * r * r / 3, f->normal, f->normal);
 }
 
-/* x = y + z n, y on the edge, 0 <= z <= r, and n between the normals of both faces: n = a cos t + b sin t, 0 <= t <= angle.
- * Returns the angle. */
+/* x = y + z n, y on the edge, 0 <= z <= r, and n between the normals of both faces: n = a cos t + b sin t, 0 <= t <=
+ * angle. Returns the angle. */
 static double addSector(Moments *s, const McdHull *h, int edge, double r) {
     double p[3], q[3], middle[3], along[3], side[3], b[3], normals[3];
     const double *a = h->face[h->edgeFace[edge][0]].normal, *other = h->face[h->edgeFace[edge][1]].normal;
@@ -452,9 +452,9 @@ static double addSector(Moments *s, const McdHull *h, int edge, double r) {
     return angle;
 }
 
-/* A vertex v has the sector x = v + z n of a ball, where n is in the spherical polygon between the faces' normals, whose
- * sides cross the edges at right angles. With e the edge's direction away from v, which is the outward normal of the
- * polygon's side,
+/* A vertex v has the sector x = v + z n of a ball, where n is in the spherical polygon between the faces' normals,
+ * whose sides cross the edges at right angles. With e the edge's direction away from v, which is the outward normal of
+ * the polygon's side,
  *     int 1 = 2 pi - the sum of the faces' angles at v,
  *     int n = -1/2 sum angle e,                          from div(a - (a.n) n) = -2 a.n
  * and n n^T summed over all vertices is that of a whole sphere, (int 1)/3 I. What depends on int 1 is added corner by

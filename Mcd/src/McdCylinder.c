@@ -1,7 +1,7 @@
 /* Cylinders about z. */
 #include "McdCylinder.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
 
 static const McdCylinder *get(const McdGeometry *g) {
     return (const McdCylinder *)g;

@@ -1,7 +1,7 @@
 /* The signed distance of two models: the least over the pairs of their convex parts and triangles. */
-#include "mcd_geometries.h"
-#include "mcd_kind.h"
-#include "mcd_vector.h"
+#include "mcd_geometries_i.h"
+#include "mcd_kind_i.h"
+#include "mcd_vector_i.h"
 #include <string.h>
 
 /* A nearest pair so far. */

@@ -1,6 +1,6 @@
 /* The framework: types, interactions, defaults, and the end of everything in it. */
-#include "mcd_kind.h"
-#include "mcd_scratch.h"
+#include "mcd_kind_i.h"
+#include "mcd_scratch_i.h"
 #include "McdInternal.h"
 #include <stdatomic.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
 /* Instances: geometries at places, and the trees that aggregates make of them. */
-#include "mcd_geometries.h"
+#include "mcd_geometries_i.h"
 #include <string.h>
 
 MeBool mcd_instanceCheck(const McdGeometryInstance *ins, const char *function) {

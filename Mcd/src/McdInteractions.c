@@ -1,8 +1,8 @@
 /* The narrow phase of a pair of models: dispatch by the framework's table of interactions. */
 #include "McdContact.h"
-#include "mcd_kind.h"
-#include "mcd_scratch.h"
-#include "mcd_spread.h"
+#include "mcd_kind_i.h"
+#include "mcd_scratch_i.h"
+#include "mcd_spread_i.h"
 
 static MeBool checkPair(const McdModelPair *p, const char *function) {
     if (p)
@@ -110,7 +110,7 @@ void MEAPI McdGoodbyeEach(McdModelPairContainer *pairs) {
         McdGoodbye(pairs->array[i]);
 }
 
-/* ---- contacts ----------------------------------------------------------------------------------------------------- */
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
 MeBool MEAPI McdNearby(McdModelPair *p) {
     if (!checkPair(p, "McdNearby"))
@@ -299,7 +299,7 @@ MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPairContaine
     return MEFALSE;
 }
 
-/* ---- time, lines -------------------------------------------------------------------------------------------------- */
+/* ---- time, lines ------------------------------------------------------------------------------------------------- */
 
 static MeBool areVelocitiesGood(const McdModelPair *p, const char *function) {
     const McdModelRecord *m[2] = {mcd_record(p->model1), mcd_record(p->model2)};

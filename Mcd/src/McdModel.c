@@ -1,6 +1,6 @@
 /* Models: geometries at places, which collide. */
 #include "McdInternal.h"
-#include "mcd_kind.h"
+#include "mcd_kind_i.h"
 #include <string.h>
 
 McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function) {

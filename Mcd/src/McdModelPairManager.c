@@ -1,4 +1,5 @@
-/* Pairs of models by their phases: records in a list in the order in which they were activated, found by a hash of the models. */
+/* Pairs of models by their phases: records in a list in the order in which they were activated, found by a hash of the
+ * models. */
 #include "McdModelPairManager.h"
 
 #include "McdInteractions.h"
@@ -61,7 +62,7 @@ void MEAPI McdModelPairManagerDestroy(McdModelPairManager *manager) {
     MeMemoryGive(manager);
 }
 
-/* ---- finding ------------------------------------------------------------------------------------------------------ */
+/* ---- finding ----------------------------------------------------------------------------------------------------- */
 
 /* The place of the pointer to the pair's record, or where it would be; the order of the models does not matter. */
 static Record **placeOf(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
@@ -88,7 +89,7 @@ int MEAPI McdModelPairManagerGetSize(McdModelPairManagerID manager) {
     return isManager(manager, "McdModelPairManagerGetSize") ? manager->size : 0;
 }
 
-/* ---- coming and going ---------------------------------------------------------------------------------------------- */
+/* ---- coming and going -------------------------------------------------------------------------------------------- */
 
 static void tellFull(McdModelPairManager *manager, McdModelID m1, McdModelID m2) {
     if (manager->poolFull)
@@ -185,7 +186,7 @@ void MEAPI McdModelPairManagerFlush(McdModelPairManagerID manager) {
     }
 }
 
-/* ---- handing over -------------------------------------------------------------------------------------------------- */
+/* ---- handing over ------------------------------------------------------------------------------------------------ */
 
 void MEAPI McdModelPairManagerResetIterator(McdModelPairManagerID manager, McdSpacePairIterator *iterator) {
     if (!isManager(manager, "McdModelPairManagerResetIterator"))

@@ -1,7 +1,7 @@
 /* The geometry without extent. */
 #include "McdNull.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
 
 static void support(const McdGeometry *g, const double direction[3], double point[3]) {
     (void)g;

@@ -1,7 +1,7 @@
 /* Planes: z = 0, and all below is inside. */
 #include "McdPlane.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
 
 /* As far as planes reach: sums and differences of such numbers are finite. */
 static const double reach = (double)(MEINFINITY / 4);
@@ -33,7 +33,8 @@ char *MEAPI McdPlaneGetTypeName(const McdGeometryID g) {
     return name;
 }
 
-static const McdKind kind = {MCD_KIND_FUNCTIONS(Plane, mcd_geometryFree), .size = sizeof(McdPlane), .isHalfSpace = METRUE, .isStatic = METRUE};
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Plane, mcd_geometryFree), .size = sizeof(McdPlane),
+                             .isHalfSpace = METRUE, .isStatic = METRUE};
 
 void MEAPI McdPlaneRegisterType(McdFramework *frame) {
     mcd_kindRegister(frame, &kind, "McdPlaneRegisterType");

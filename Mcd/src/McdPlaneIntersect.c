@@ -1,7 +1,7 @@
 /* Cross-sections: where a plane cuts the edges of a convex body, in order around the middle of these points. */
 #include "McdPlaneIntersect.h"
 
-#include "mcd_kind.h"
+#include "mcd_kind_i.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,7 +20,7 @@ typedef struct Slice {
     const char *function; /* that the program called */
 } Slice;
 
-/* ---- collecting ---------------------------------------------------------------------------------------------------- */
+/* ---- collecting -------------------------------------------------------------------------------------------------- */
 
 static void addCorner(Slice *s, const double position[3]) {
     if (s->isOut)
@@ -54,7 +54,7 @@ static void cutEdge(void *context, const double from[3], const double to[3]) {
     addCorner(s, cut);
 }
 
-/* ---- in order -------------------------------------------------------------------------------------------------------- */
+/* ---- in order ---------------------------------------------------------------------------------------------------- */
 
 static int compareAngles(const void *p, const void *q) {
     const Corner *a = p, *b = q;
@@ -97,7 +97,7 @@ static void sortCorners(Slice *s) {
     qsort(s->corner, (size_t)s->count, sizeof *s->corner, compareAngles);
 }
 
-/* ---- the functions ----------------------------------------------------------------------------------------------------- */
+/* ---- the functions ----------------------------------------------------------------------------------------------- */
 
 static MeBool isAsked(McdGeometryInstanceID ins, const MeReal *normal, MeReal dist, int maxVert, const int *numVert,
                       MeVector3 *outVert, const char *function) {

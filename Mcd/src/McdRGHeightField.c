@@ -1,10 +1,10 @@
 /* The height field: triangles over a regular grid. */
 #include "McdRGHeightField.h"
 #include "MeDebugDraw.h"
-#include "mcd_geometries.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
-#include "mcd_vector.h"
+#include "mcd_geometries_i.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
+#include "mcd_vector_i.h"
 #include <math.h>
 #include <string.h>
 
@@ -55,7 +55,7 @@ McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, const MeRea
     return &f->head;
 }
 
-/* ---- what it is made of -------------------------------------------------------------------------------------------- */
+/* ---- what it is made of ------------------------------------------------------------------------------------------ */
 
 const MeReal *MEAPI McdRGHeightFieldGetHeights(McdRGHeightFieldID g) {
     const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetHeights");
@@ -98,7 +98,7 @@ void MEAPI McdRGHeightFieldGetOrigin(McdRGHeightFieldID g, MeReal *x0, MeReal *y
     *y0 = f ? f->y0 : 0;
 }
 
-/* ---- cells --------------------------------------------------------------------------------------------------------- */
+/* ---- cells ------------------------------------------------------------------------------------------------------- */
 
 static void pointOf(const McdRGHeightField *f, int i, int j, double point[3]) {
     point[0] = (double)f->x0 + i * (double)f->xStep;
@@ -143,7 +143,7 @@ MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x, MeReal 
     return METRUE;
 }
 
-/* ---- the type's functions ------------------------------------------------------------------------------------------- */
+/* ---- the type's functions ---------------------------------------------------------------------------------------- */
 
 static void boxOf(const McdRGHeightField *f, MeVector3 min, MeVector3 max) {
     MeVector3Set(min, f->x0, f->y0, f->low);
@@ -204,7 +204,7 @@ void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMatrix4 tm, 
         }
 }
 
-/* ---- interactions ----------------------------------------------------------------------------------------------------- */
+/* ---- interactions ------------------------------------------------------------------------------------------------ */
 
 /* Adds the triangles of a cell; a corner's number is its place in the part of the grid that begins at (i0, j0) and
  * is so many points wide. */
@@ -245,7 +245,7 @@ static int intersect(McdModelPair *p, McdIntersectResult *result) {
 
 MCD_MESH_INTERACTIONS(RGHeightField, intersect)
 
-/* ---- line segments ------------------------------------------------------------------------------------------------------- */
+/* ---- line segments ----------------------------------------------------------------------------------------------- */
 
 /* Tests both triangles of a cell. */
 static MeBool intersectCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3],

@@ -1,7 +1,7 @@
 /* Spaces: change blocks, models and their boxes, handing over pairs. Which pairs there are is found in mcd_pairs.c. */
 #include "mcd_space_i.h"
 #include "McdInternal.h"
-#include "mcd_motion.h"
+#include "mcd_motion_i.h"
 #include <string.h>
 
 const int McdXAxis = 1, McdYAxis = 2, McdZAxis = 4, McdAllAxes = 7;
@@ -446,8 +446,8 @@ static void lookAhead(const McdSpace *s, McdModelRecord *m) {
     MEASSERT(m->ahead >= 0 && m->turnAhead >= 0 && m->turnAhead <= m->ahead);
 }
 
-/* Has the model the box and the margin that it would get? Its callback, or the space's, may give it any, and where it is a
- * relative transform tells when it is updated. */
+/* Has the model the box and the margin that it would get? Its callback, or the space's, may give it any, and where it
+ * is a relative transform tells when it is updated. */
 static MeBool isUpToDate(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     return !m->update && !s->update && !m->relTM && mcd_modelStamp(m) != 0 && m->stamp == m->boxStamp &&
            m->boxDuration == duration && m->boxAhead == s->lookAhead;

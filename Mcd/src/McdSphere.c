@@ -1,7 +1,7 @@
 /* Balls. */
 #include "McdSphere.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
 
 static const McdSphere *get(const McdGeometry *g) {
     return (const McdSphere *)g;
@@ -35,7 +35,8 @@ static void face(const McdShape *s, const double direction[3], McdFace *f) {
     mcd_faceAdd(s, f, 0, 0, 0, 0);
 }
 
-static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphere, mcd_geometryFree), .size = sizeof(McdSphere), .setShape = setShape,
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphere, mcd_geometryFree), .size = sizeof(McdSphere),
+                             .setShape = setShape,
                              .support = farthestPoint, .face = face, .rank = MCD_RANK_SPHERE};
 MCD_DEFINE_GEOMETRY_TYPE(Sphere)
 

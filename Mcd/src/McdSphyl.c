@@ -1,7 +1,7 @@
 /* Sphyls: a cylinder about z between two half balls. */
 #include "McdSphyl.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
 
 static const McdSphyl *get(const McdGeometry *g) {
     return (const McdSphyl *)g;
@@ -44,7 +44,8 @@ static void face(const McdShape *s, const double direction[3], McdFace *f) {
     mcd_faceAdd(s, f, 0, 0, s->size[2], 1);
 }
 
-static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphyl, mcd_geometryFree), .size = sizeof(McdSphyl), .setShape = setShape, .support = farthestEnd,
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphyl, mcd_geometryFree), .size = sizeof(McdSphyl),
+                             .setShape = setShape, .support = farthestEnd,
                              .face = face, .rank = MCD_RANK_SPHYL};
 MCD_DEFINE_GEOMETRY_TYPE(Sphyl)
 

@@ -1,9 +1,9 @@
 /* The triangle list: a box, and a callback that knows what is in it. */
 #include "McdTriangleList.h"
-#include "mcd_geometries.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
-#include "mcd_scratch.h"
+#include "mcd_geometries_i.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
+#include "mcd_scratch_i.h"
 #include <math.h>
 #include <string.h>
 
@@ -60,7 +60,7 @@ static void MEAPI release(McdGeometryID g) {
     MeMemoryGive(list);
 }
 
-/* ---- what it is made of -------------------------------------------------------------------------------------------- */
+/* ---- what it is made of ------------------------------------------------------------------------------------------ */
 
 void MEAPI McdTriangleListGetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max) {
     const McdTriangleListRecord *list = listOf(g, "McdTriangleListGetBoundingBox");
@@ -119,7 +119,7 @@ void MEAPI McdTriangleListSetUserData(McdTriangleListID g, void *data) {
         list->list.userData = data;
 }
 
-/* ---- the type's functions ------------------------------------------------------------------------------------------- */
+/* ---- the type's functions ---------------------------------------------------------------------------------------- */
 
 static void support(const McdGeometry *g, const double direction[3], double point[3]) {
     const McdTriangleListRecord *list = (const McdTriangleListRecord *)g;
@@ -152,7 +152,7 @@ void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatrix4 tm, c
     mcd_drawBox(tm, colour, list->min, list->max);
 }
 
-/* ---- triangles -------------------------------------------------------------------------------------------------------- */
+/* ---- triangles --------------------------------------------------------------------------------------------------- */
 
 /* Programs may have written another number. */
 static void takeMaxCount(McdTriangleListRecord *list) {
@@ -250,11 +250,11 @@ static int intersect(McdModelPair *p, McdIntersectResult *result) {
     return mcd_meshIntersect(p, result, gather);
 }
 
-/* ---- interactions ----------------------------------------------------------------------------------------------------- */
+/* ---- interactions ------------------------------------------------------------------------------------------------ */
 
 MCD_MESH_INTERACTIONS(TriangleList, intersect)
 
-/* ---- line segments ------------------------------------------------------------------------------------------------------- */
+/* ---- line segments ----------------------------------------------------------------------------------------------- */
 
 /* The first of the triangles that a segment meets: where, as a part of it, and the normal there; a part above 1:
  * none. */

@@ -1,6 +1,6 @@
 /* Drawing of boxes, geometries and models, line by line. */
 #include "McduDebugDraw.h"
-#include "mcd_local.h"
+#include "mcd_local_i.h"
 
 void MEAPI McduDebugDrawAABB(const MeVector3 min, const MeVector3 max, const MeReal colour[3]) {
     static const MeMatrix4 world = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};

@@ -1,11 +1,11 @@
 /* Interactions of aggregates: the mid phase over pairs of parts, each by the interaction of the parts' types. */
 #include "McdAggregate.h"
-#include "mcd_geometries.h"
-#include "mcd_scratch.h"
-#include "mcd_spread.h"
+#include "mcd_geometries_i.h"
+#include "mcd_scratch_i.h"
+#include "mcd_spread_i.h"
 #include <string.h>
 
-/* ---- pairs of parts ----------------------------------------------------------------------------------------------------- */
+/* ---- pairs of parts ---------------------------------------------------------------------------------------------- */
 
 typedef struct PartPairs PartPairs;
 struct PartPairs {
@@ -58,7 +58,7 @@ static void forEachPairOfParts(PartPairs *m) {
     forEachPartPair(m, &mcd_record(m->pair->model1)->instance, &mcd_record(m->pair->model2)->instance);
 }
 
-/* ---- contacts ------------------------------------------------------------------------------------------------------------ */
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
 typedef struct Gathering {
     McdScratch *scratch; /* where contacts go */
@@ -116,7 +116,7 @@ static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     return mcd_resultEnd(result);
 }
 
-/* ---- safe time -------------------------------------------------------------------------------------------------------------- */
+/* ---- safe time --------------------------------------------------------------------------------------------------- */
 
 static void keepEarliest(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
     McdSafeTimeResult *best = m->data, here;
@@ -135,7 +135,7 @@ static int MEAPI safeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *re
     return 1;
 }
 
-/* ---- line segments ---------------------------------------------------------------------------------------------------------- */
+/* ---- line segments ----------------------------------------------------------------------------------------------- */
 
 static int firstHit(McdGeometryInstance *ins, MeReal *from, MeReal *to, McdLineSegIntersectResult *best, int hits) {
     if (isAggregate(ins)) {
@@ -165,7 +165,7 @@ void MEAPI McdAggregateLineSegmentRegisterInteraction(McdFramework *frame) {
     McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeAggregate, intersectSegment);
 }
 
-/* ---- registration ----------------------------------------------------------------------------------------------------------- */
+/* ---- registration ------------------------------------------------------------------------------------------------ */
 
 MeBool MEAPI McdAggregateGenericRegisterInteractions(McdFrameworkID frame) {
     McdInteractions interactions = {0, 0, intersect, safeTime};

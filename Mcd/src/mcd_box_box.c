@@ -1,6 +1,6 @@
 /* Two boxes by the separating-axis theorem: of the 15 directions across their faces and across pairs of their edges,
  * the one along which they overlap least is the shortest way apart. */
-#include "mcd_nearfield.h"
+#include "mcd_nearfield_i.h"
 
 /* Faces win against edges that are better by less, relative to the smaller box: so a resting box keeps its face. */
 static const double faceBias = 2e-7;
@@ -38,13 +38,13 @@ static MeBool facesOfA(const Boxes *x, double limit, Best *best) {
     for (int i = 0; i < 3; i++) {
         const double s = fabs(x->apart[i]) - x->sizeA[i] - mcd_dot(x->steep[i], x->sizeB);
         if (s > limit)
-            return 0;
+            return MEFALSE;
         if (s > best->separation) {
             *best = (Best){s, {0, 0, 0}, -1, -1};
             best->axis[i] = x->apart[i] < 0 ? -1 : 1;
         }
     }
-    return 1;
+    return METRUE;
 }
 
 static MeBool facesOfB(const Boxes *x, double limit, double bias, Best *best) {
@@ -54,13 +54,13 @@ static MeBool facesOfB(const Boxes *x, double limit, double bias, Best *best) {
         const double along = mcd_dot(x->apart, axis);
         const double s = fabs(along) - x->sizeB[j] - mcd_dot(steep, x->sizeA);
         if (s > limit)
-            return 0;
+            return MEFALSE;
         if (s > best->separation + bias) {
             *best = (Best){s, {0, 0, 0}, -1, -1};
             mcd_scale(best->axis, axis, along < 0 ? -1 : 1);
         }
     }
-    return 1;
+    return METRUE;
 }
 
 /* The direction e_i x b_j, whose length is the sine of their angle. */
@@ -81,7 +81,7 @@ static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
                 continue;
             const double sine = sqrt(squared), s = gap / sine;
             if (s > limit)
-                return 0;
+                return MEFALSE;
             if (s > least) {
                 const double k = (along < 0 ? -1 : 1) / sine;
                 least = s;
@@ -90,7 +90,7 @@ static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
                 best->axis[i2] = z * k;
             }
         }
-    return 1;
+    return METRUE;
 }
 
 /* The middle of the edge of a box that is farthest in a direction, along axis k. */
@@ -146,7 +146,7 @@ MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, M
     const double bias = faceBias * mcd_pairSize(a, b);
     compare(a, b, &x);
     if (!facesOfA(&x, limit, &best) || !facesOfB(&x, limit, bias, &best) || !edges(&x, limit, bias, &best))
-        return 0;
+        return MEFALSE;
     for (int i = 0; i < 3; i++)
         p->normal[i] = a->axis[0][i] * best.axis[0] + a->axis[1][i] * best.axis[1] + a->axis[2][i] * best.axis[2];
     p->separation = best.separation;

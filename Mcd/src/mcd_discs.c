@@ -1,5 +1,5 @@
 /* Solids between two discs about z: cylinders and cones. */
-#include "mcd_kind.h"
+#include "mcd_kind_i.h"
 
 /* Of the radius: the rim's farthest point is a corner of its own where it stands out by more, as mcd_face.c's slack. */
 static const double standsOut = 2e-7;

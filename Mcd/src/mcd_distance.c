@@ -13,7 +13,7 @@
  * of nearly aligned ones wrong, so this is our own: what is returned was measured by a support point, never taken
  * from a facet's plane alone. /
  */
-#include "mcd_kind.h"
+#include "mcd_kind_i.h"
 
 #include <string.h>
 
@@ -170,8 +170,8 @@ static void reduce(Simplex *s) {
 static MeBool isCorner(const Simplex *s, const Corner *c) {
     for (int i = 0; i < s->count; i++)
         if (mcd_distanceSquared(s->corner[i].w, c->w) == 0)
-            return 1;
-    return 0;
+            return METRUE;
+    return MEFALSE;
 }
 
 static void startGjk(const Pair *p, Simplex *s) {
@@ -277,11 +277,11 @@ static MeBool makePlane(Polytope *t, int index) {
         mcd_cross(f->normal, pr, qr);
     const double length = mcd_length(f->normal);
     if (!(length > 1e-30 * MeMAX(a, MeMAX(b, c))) || !(length > 0))
-        return 0;
+        return MEFALSE;
     mcd_scale(f->normal, f->normal, 1 / length);
     f->offset = (mcd_dot(f->normal, p) + mcd_dot(f->normal, q) + mcd_dot(f->normal, r)) / 3;
     t->offset[index] = f->offset;
-    return 1;
+    return METRUE;
 }
 
 static int newFacet(Polytope *t, int i, int j, int k) {
@@ -307,7 +307,7 @@ static MeBool isLinkedBack(const Polytope *t, int g, int from, int to, int f) {
     for (int i = 0; i < 3; i++)
         if (t->facet[g].corner[i] == from && t->facet[g].corner[(i + 1) % 3] == to)
             return t->facet[g].neighbour[i] == f;
-    return 0;
+    return MEFALSE;
 }
 
 /* Each edge of each live facet is another one's, the other way round, and both know that. */
@@ -318,9 +318,9 @@ static MeBool isClosed(const Polytope *t) {
             const int g = f->neighbour[edge];
             if (g < 0 || g >= t->facetCount || !(t->offset[g] < INFINITY) || !mcd_isUnit(f->normal) ||
                 !isLinkedBack(t, g, f->corner[(edge + 1) % 3], f->corner[edge], i))
-                return 0;
+                return MEFALSE;
         }
-    return 1;
+    return METRUE;
 }
 
 /* The first four corners, turned so that all facets look outward. */
@@ -338,14 +338,14 @@ static MeBool makeTetrahedron(Polytope *t) {
     }
     for (int i = 0; i < 4; i++)
         if (!makePlane(t, newFacet(t, corners[i][0], corners[i][1], corners[i][2])))
-            return 0;
+            return MEFALSE;
     for (int i = 0; i < 4; i++)
         for (int edge = 0; edge < 3; edge++)
             for (int j = 0; j < 4; j++)
                 if (j != i)
                     link(t, i, edge, j);
     MEVALIDATE(isClosed(t));
-    return 1;
+    return METRUE;
 }
 
 /* Marks the facets visible from the new corner: those connected to the first. */
@@ -379,7 +379,7 @@ static MeBool closeHorizon(Polytope *t, const int *seen, int count, int round, i
                 continue;
             const int g = newFacet(t, from, to, corner);
             if (g < 0 || t->startsAt[from] >= 0 || !makePlane(t, g))
-                return 0;
+                return MEFALSE;
             link(t, g, 0, outside);
             t->startsAt[from] = g;
             first = g;
@@ -389,7 +389,7 @@ static MeBool closeHorizon(Polytope *t, const int *seen, int count, int round, i
     do {
         const int next = g < 0 ? -1 : t->startsAt[t->facet[g].corner[1]];
         if (next < 0)
-            return 0;
+            return MEFALSE;
         t->facet[g].neighbour[1] = next;
         t->facet[next].neighbour[2] = g;
         g = next;
@@ -518,10 +518,10 @@ static MeBool addFarthest(const Pair *p, Polytope *t) {
         }
     }
     if (!(most > 2 * p->tolerance))
-        return 0;
+        return MEFALSE;
     MEASSERT(t->cornerCount < 4);
     t->cornerCount++;
-    return 1;
+    return METRUE;
 }
 
 /* The point of the simplex's facets (all four of a tetrahedron) nearest to the origin, with its weights. */
@@ -569,7 +569,7 @@ static MeBool startPolytope(const Pair *p, const Simplex *s, Polytope *t) {
             t->corner[t->cornerCount++] = s->corner[i];
     while (t->cornerCount < 4)
         if (!addFarthest(p, t))
-            return 0;
+            return MEFALSE;
     return makeTetrahedron(t);
 }
 
@@ -708,8 +708,8 @@ static double insideSide(const double from[3], const double to[3], const double 
     return squared > 0 ? mcd_dot(n, from) / sqrt(squared) : INFINITY;
 }
 
-/* The guess is right if M holds a ball around the origin that reaches as far: one that is within the pyramid over M's face
- * there, with its tip on M's other side, is. */
+/* The guess is right if M holds a ball around the origin that reaches as far: one that is within the pyramid over M's
+ * face there, with its tip on M's other side, is. */
 MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p) {
     const Pair pair = makePair(a, b);
     const double down[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
@@ -717,13 +717,13 @@ MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity
     double base[4][3];
     Corner tip;
     if (!(radius > pair.guessTolerance && radius < INFINITY))
-        return 0;
+        return MEFALSE;
     aroundFace(&pair, down, base);
     farthest(&pair, p->normal, &tip);
     double least = INFINITY; /* and stays that if the base is a point */
     for (int i = 0; i < 4; i++) {
         if (!(mcd_dot(base[i], down) >= radius))
-            return 0;
+            return MEFALSE;
         least = MeMIN(least, insideSide(base[i], base[(i + 1) % 4], tip.w));
     }
     return least >= radius && least < INFINITY;
@@ -734,11 +734,11 @@ MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, Mcd
     const Guess guess = guessAxis(&pair);
     p->isGuess = 0;
     if (guess.separation > limit)
-        return 0;
+        return MEFALSE;
     Simplex s = {.count = 0};
     switch (runGjk(&pair, limit, &s)) {
     case BEYOND_LIMIT:
-        return 0;
+        return MEFALSE;
     case SEPARATED:
         reportSeparated(&s, p);
         break;

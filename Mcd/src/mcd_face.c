@@ -4,7 +4,7 @@
  * are the corners of what they have in common; each has a height on either surface, whose difference is its separation.
  * Where faces are flat that difference is linear, so that the deepest point is among these corners.
  */
-#include "mcd_kind.h"
+#include "mcd_kind_i.h"
 
 #include <string.h>
 
@@ -43,7 +43,7 @@ static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
     for (int i = 0; i < f->count; i++)
         for (int j = 0; j < i; j++)
             if (f->name[i] == f->name[j])
-                return 0;
+                return MEFALSE;
     for (int i = 0; i < f->count && f->count > 2 && mcd_shapeIsRigid(s); i++) {
         const double *p = f->point[i], *q = f->point[(i + 1) % f->count], *r = f->point[(i + 2) % f->count];
         double pq[3], qr[3], n[3];
@@ -51,7 +51,7 @@ static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
         mcd_sub(qr, r, q);
         mcd_cross(n, pq, qr);
         if (mcd_dot(n, f->normal) < -slack_)
-            return 0;
+            return MEFALSE;
     }
     return f->count < 3 || !mcd_shapeIsRigid(s) || mcd_isUnit(f->normal) || mcd_dot(f->normal, f->normal) == 0;
 }
@@ -110,13 +110,13 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
         o->name[i] = f->name[from];
     }
     if (f->count < 3)
-        return 1;
+        return METRUE;
     const double up = mcd_dot(f->normal, v->n);
     if (!(fabs(up) > leastSlope))
-        return 0;
+        return MEFALSE;
     o->slopeX = -mcd_dot(f->normal, v->u) / up;
     o->slopeY = -mcd_dot(f->normal, v->w) / up;
-    return 1;
+    return METRUE;
 }
 
 static Candidate cross(const Candidate *p, const Candidate *q, double dp, double dq, const Outline *b, int j) {
@@ -162,7 +162,7 @@ static MeBool isEdgeCutting(const Candidate *candidate, int count, const Circle 
     const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
     double least = INFINITY;
     if (ex * (around->y - y) - ey * (around->x - x) >= around->radius * length)
-        return 0; /* of no length, too */
+        return MEFALSE; /* of no length, too */
     for (int i = 0; i < count; i++) {
         inside[i] = ex * (candidate[i].y - y) - ey * (candidate[i].x - x) + slack_ * length;
         least = MeMIN(least, inside[i]);
@@ -335,8 +335,8 @@ static Candidate middleOf(const Candidate *candidate, int count) {
 }
 
 /* The farthest on either side of the line of two; -1: there is none. */
-static void farthestBeside(const Candidate *candidate, int count, const Candidate *first, const Candidate *second, double slack_,
-                           int best[2]) {
+static void farthestBeside(const Candidate *candidate, int count, const Candidate *first, const Candidate *second,
+                           double slack_, int best[2]) {
     const double dx = second->x - first->x, dy = second->y - first->y, least = 4 * slack_ * sqrt(dx * dx + dy * dy);
     double most[2] = {least, least};
     best[0] = best[1] = -1;
@@ -371,8 +371,8 @@ static void includeDeepest(const Candidate *candidate, int count, Candidate *kep
     kept[nearest] = *deepest;
 }
 
-/* Four that support as well as all: two ends, and the farthest from their line on either side. What is deepest by no more
- * than rounding does not decide: it could be the middle of an edge, and a corner would be left without support.
+/* Four that support as well as all: two ends, and the farthest from their line on either side. What is deepest by no
+ * more than rounding does not decide: it could be the middle of an edge, and a corner would be left without support.
  *
  * Not mcd_spread: here all is in one plane, the slack decides between spots that are as good, so that a body at rest
  * keeps its points, and mcd_spread's look at all of them from every side would cost a pair a fifth more time. */
@@ -470,12 +470,12 @@ static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProx
         const McdManifoldPoint *point = &m->point[i];
         for (int j = 0; j < i; j++)
             if (m->point[j].feature == point->feature)
-                return 0;
+                return MEFALSE;
         if (point->separation < p->separation - rounding - slack_ || !(point->separation <= margin + slack_) ||
             !(point->radius[0] >= 0 && point->radius[1] >= 0))
-            return 0;
+            return MEFALSE;
     }
-    return 1;
+    return METRUE;
 }
 
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,

@@ -2,14 +2,14 @@
  *
  * A cell finds the normal, by closed form where there is a short one; the faces along it give the contacts, the same
  * way for all pairs (mcd_face.c). What is empty is served by the cell across the diagonal, with the shapes swapped. */
-#include "mcd_kind.h"
+#include "mcd_kind_i.h"
 
 typedef MeBool (*Proximity)(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 
 /* Boxes that are apart may be nearest at their corners, of which the separating axes know nothing. */
 static MeBool boxBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     if (!mcd_boxBoxProximity(a, b, limit, p))
-        return 0;
+        return MEFALSE;
     return p->separation <= 0 || mcd_coreProximity(a, b, limit, p);
 }
 
@@ -100,7 +100,7 @@ static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *fac
 static MeBool isProximityGood(const McdShape *a, const McdShape *b, const McdProximity *p) {
     const double most = 1e-7 * mcd_pairSize(a, b) + 1e-9 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
     if (!mcd_shapeIsRigid(a) || !mcd_shapeIsRigid(b))
-        return 1;
+        return METRUE;
     return mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= most;
 }
 
@@ -109,26 +109,26 @@ static MeBool findProximity(const McdShape *a, const McdShape *b, double limit, 
     const McdRank i = rankOf(a), j = rankOf(b);
     const double reach = a->extent + b->extent + MeMAX(limit, 0);
     if (!(mcd_distanceSquared(a->place, b->place) <= reach * reach))
-        return 0;
+        return MEFALSE;
     if (i <= j)
         return proximityOf(i, j)(a, b, limit, p);
     McdProximity turned;
     if (!proximityOf(j, i)(b, a, limit, &turned))
-        return 0;
+        return MEFALSE;
     mcd_scale(p->normal, turned.normal, -1);
     p->separation = turned.separation;
     p->isGuess = 0;
     mcd_copy(p->onA, turned.onB);
     mcd_copy(p->onB, turned.onA);
-    return 1;
+    return METRUE;
 }
 
 static MeBool proximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     if (!findProximity(a, b, limit, p))
-        return 0;
+        return MEFALSE;
     MEASSERT(p->separation <= limit);
     MEVALIDATE(isProximityGood(a, b, p));
-    return 1;
+    return METRUE;
 }
 
 static MeBool isPoint(const McdShape *s) {
@@ -149,7 +149,7 @@ static MeBool areBoxes(const McdShape *a, const McdShape *b) {
 static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const double reach = a->extent + b->extent + MeMAX(limit, 0);
     if (!(mcd_distanceSquared(a->place, b->place) <= reach * reach))
-        return 0;
+        return MEFALSE;
     if (areBoxes(a, b))
         return mcd_boxBoxProximity(a, b, limit, p);
     mcd_guessProximity(a, b, p);
@@ -187,7 +187,7 @@ static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdMa
 static MeBool isManifoldWithin(const McdManifold *m, double margin) {
     for (int i = 0; i < m->count; i++)
         if (!(m->point[i].separation <= margin * (1 + 1e-9)) || !isfinite(mcd_length(m->point[i].position)))
-            return 0;
+            return MEFALSE;
     return m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS;
 }
 

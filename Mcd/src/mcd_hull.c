@@ -6,7 +6,7 @@
  * is put into an order that depends on the order of the points only.
  */
 #define _POSIX_C_SOURCE 200809L /* fmemopen */
-#include "mcd_geometries.h"
+#include "mcd_geometries_i.h"
 
 #include <float.h>
 #include <limits.h>
@@ -92,9 +92,9 @@ static MeBool pointsAreFinite(const double (*point)[3], int count, const char *f
     for (int i = 0; i < count; i++)
         if (!isfinite(point[i][0]) || !isfinite(point[i][1]) || !isfinite(point[i][2])) {
             MeWarning(0, "%s: vertex %d is not finite", function, i);
-            return 0;
+            return MEFALSE;
         }
-    return 1;
+    return METRUE;
 }
 
 static MeBool findScale(Cloud *c, const double (*point)[3], int count, const char *function) {
@@ -109,9 +109,9 @@ static MeBool findScale(Cloud *c, const double (*point)[3], int count, const cha
         c->scale = fmax(c->scale, high / 2 - low / 2);
     }
     if (c->scale > 1e-30 && c->scale < 1e30)
-        return 1;
+        return METRUE;
     MeWarning(0, c->scale > 1 ? "%s: the vertices are too far apart" : "%s: all vertices are in one place", function);
-    return 0;
+    return MEFALSE;
 }
 
 typedef struct Sortable {
@@ -143,13 +143,13 @@ static void markCopies(const double (*p)[3], Sortable *order, int count, char *i
 
 static MeBool makeCloud(Work *w, Cloud *c, const double (*point)[3], int count) {
     if (!findScale(c, point, count, w->function))
-        return 0;
+        return MEFALSE;
     c->point = (double(*)[3])take(w, (size_t)count, sizeof *c->point);
     c->source = (int *)take(w, (size_t)count, sizeof *c->source);
     Sortable *order = (Sortable *)take(w, (size_t)count, sizeof *order);
     char *isCopy = (char *)take(w, (size_t)count, 1);
     if (w->isExhausted)
-        return 0;
+        return MEFALSE;
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 3; k++)
             c->point[i][k] = (point[i][k] - c->centre[k]) / c->scale;
@@ -161,7 +161,7 @@ static MeBool makeCloud(Work *w, Cloud *c, const double (*point)[3], int count) 
             memcpy(c->point[c->count], c->point[i], sizeof c->point[i]);
             c->source[c->count++] = i;
         }
-    return 1;
+    return METRUE;
 }
 
 /* ---- Qhull's facets --------------------------------------------------------------------------------------------- */
@@ -248,11 +248,11 @@ static MeBool readFacets(Facets *f, const Cloud *c, qhT *qh) {
     f->count = f->cornerCount = 0;
     f->first[0] = 0;
     if (setjmp(qh->errexit))
-        return 0;
+        return MEFALSE;
     qh->NOerrexit = False;
     facetT *facet;
-    FORALLfacets if (!addFacet(f, c, qh, facet)) return 0;
-    return 1;
+    FORALLfacets if (!addFacet(f, c, qh, facet)) return MEFALSE;
+    return METRUE;
 }
 
 static MeBool runQhull(Work *w, Facets *f, const Cloud *c, char *options) {
@@ -277,7 +277,7 @@ static MeBool runQhull(Work *w, Facets *f, const Cloud *c, char *options) {
     return works;
 }
 
-/* ---- which facets meet at which edge ------------------------------------------------------------------------------ */
+/* ---- which facets meet at which edge ----------------------------------------------------------------------------- */
 
 typedef struct EdgeKey {
     int low, high, corner;
@@ -296,7 +296,7 @@ static int byVertices(const void *a, const void *b) {
 static MeBool joinFacets(Work *w, Facets *f) {
     EdgeKey *key = (EdgeKey *)take(w, (size_t)f->cornerCount, sizeof *key);
     if (!key || f->cornerCount % 2)
-        return 0;
+        return MEFALSE;
     for (int i = 0; i < f->cornerCount; i++) {
         const int a = f->vertex[i], b = f->vertex[nextCorner(f, i)];
         key[i] = (EdgeKey){a < b ? a : b, a < b ? b : a, i};
@@ -305,17 +305,17 @@ static MeBool joinFacets(Work *w, Facets *f) {
     for (int i = 0; i < f->cornerCount; i += 2) {
         const int a = key[i].corner, b = key[i + 1].corner;
         if (key[i].low != key[i + 1].low || key[i].high != key[i + 1].high || f->vertex[a] == f->vertex[b])
-            return 0;
+            return MEFALSE;
         if (i > 0 && key[i].low == key[i - 1].low && key[i].high == key[i - 1].high)
-            return 0;
+            return MEFALSE;
         f->twin[a] = b;
         f->twin[b] = a;
         MEASSERT(f->face[a] != f->face[b]);
     }
-    return 1;
+    return METRUE;
 }
 
-/* ---- facets in one plane become one face -------------------------------------------------------------------------- */
+/* ---- facets in one plane become one face ------------------------------------------------------------------------- */
 
 typedef struct Regions {
     int *of; /* of each facet: the facet that its region grew from */
@@ -326,7 +326,7 @@ static MeBool isWithin(const Facets *f, const Cloud *c, int face, int seed) {
     const double *n = f->normal[seed], *origin = c->point[f->vertex[f->first[seed]]];
     for (int i = f->first[face]; i < f->first[face + 1]; i++)
         if (fabs(dot(n, c->point[f->vertex[i]]) - dot(n, origin)) > flatness)
-            return 0;
+            return MEFALSE;
     return dot(f->normal[face], n) > 0;
 }
 
@@ -352,7 +352,7 @@ static MeBool makeRegions(Work *w, const Facets *f, const Cloud *c, Regions *r) 
     r->of = (int *)take(w, (size_t)f->count, sizeof(int));
     r->stack = (int *)take(w, (size_t)f->count, sizeof(int));
     if (w->isExhausted)
-        return 0;
+        return MEFALSE;
     for (int i = 0; i < f->count; i++) {
         r->of[i] = -1;
         order[i] = (Sortable){-f->area[i], i};
@@ -361,7 +361,7 @@ static MeBool makeRegions(Work *w, const Facets *f, const Cloud *c, Regions *r) 
     for (int i = 0; i < f->count; i++)
         if (r->of[order[i].index] < 0)
             growRegion(f, c, r, order[i].index);
-    return 1;
+    return METRUE;
 }
 
 /* The corners around each region, linked. */
@@ -435,17 +435,17 @@ static MeBool makeLoops(Work *w, const Facets *f, const Cloud *c, Regions *r, Lo
     l->size = (int *)take(w, (size_t)f->count, sizeof(int));
     l->degree = (int *)take(w, (size_t)c->count, sizeof(int));
     if (w->isExhausted)
-        return 0;
+        return MEFALSE;
     memset(r->stack, 0, (size_t)f->count * sizeof(int)); /* from here on: which facets part */
     if (linkLoops(f, r, l, seen, c->count))
-        return 1;
+        return METRUE;
     for (int i = 0; i < f->count; i++)
         if (r->stack[i])
             r->of[i] = i;
     return linkLoops(f, r, l, seen, c->count); /* a facet of Qhull's that is no loop itself means a broken hull */
 }
 
-/* ---- vertices within edges vanish ---------------------------------------------------------------------------------- */
+/* ---- vertices within edges vanish -------------------------------------------------------------------------------- */
 
 static void countDegrees(const Facets *f, const Cloud *c, Loops *l) {
     memset(l->degree, 0, (size_t)c->count * sizeof(int));
@@ -482,7 +482,7 @@ static void findCorners(const Facets *f, const Loops *l, int (*corner)[2], int p
 static MeBool straightenEdges(Work *w, const Facets *f, const Cloud *c, const Regions *r, Loops *l) {
     int(*corner)[2] = (int(*)[2])take(w, (size_t)c->count, sizeof *corner);
     if (!corner)
-        return 0;
+        return MEFALSE;
     countDegrees(f, c, l);
     findCorners(f, l, corner, c->count);
     for (int v = 0; v < c->count; v++) {
@@ -495,10 +495,10 @@ static MeBool straightenEdges(Work *w, const Facets *f, const Cloud *c, const Re
             l->degree[v] = 0;
         }
     }
-    return 1;
+    return METRUE;
 }
 
-/* ---- the hull, in an order of its own ------------------------------------------------------------------------------- */
+/* ---- the hull, in an order of its own ---------------------------------------------------------------------------- */
 
 /* One block of memory: the hull, then its arrays, those of doubles first. */
 static McdHull *allocateHull(Work *w, int vertices, int faces, int corners) {
@@ -557,7 +557,7 @@ static MeBool makePlan(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan 
     p->number = (int *)take(w, (size_t)c->count, sizeof(int));
     p->region = (int *)take(w, (size_t)f->count, sizeof(int));
     if (w->isExhausted)
-        return 0;
+        return MEFALSE;
     p->vertices = p->faces = p->corners = 0;
     for (int i = 0; i < f->count; i++)
         if (l->start[i] >= 0) {
@@ -572,7 +572,7 @@ static MeBool makePlan(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan 
     countDegrees(f, c, l);
     for (int i = 0; i < c->count; i++)
         p->number[i] = l->degree[i] > 0 ? p->vertices++ : -1;
-    return 1;
+    return METRUE;
 }
 
 static void fillVertices(McdHull *h, const Plan *p, const Cloud *c, const double (*point)[3]) {
@@ -646,7 +646,7 @@ static int byEnds(const void *a, const void *b) {
 static MeBool fillEdges(Work *w, McdHull *h) {
     HullEdge *half = (HullEdge *)take(w, 2 * (size_t)h->edgeCount, sizeof *half);
     if (!half)
-        return 0;
+        return MEFALSE;
     int n = 0;
     for (int i = 0; i < h->faceCount; i++)
         for (int k = 0; k < h->face[i].count; k++) {
@@ -657,13 +657,13 @@ static MeBool fillEdges(Work *w, McdHull *h) {
     for (int i = 0; i < h->edgeCount; i++) {
         const HullEdge *p = &half[2 * i], *q = p + 1;
         if (p->low != q->low || p->high != q->high || !p->rises || q->rises)
-            return 0;
+            return MEFALSE;
         h->edge[i][0] = p->low;
         h->edge[i][1] = p->high;
         h->edgeFace[i][0] = p->face;
         h->edgeFace[i][1] = q->face;
     }
-    return 1;
+    return METRUE;
 }
 
 static void fillNeighbours(McdHull *h) {
@@ -700,7 +700,7 @@ static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Region
     return h;
 }
 
-/* ---- all of it ------------------------------------------------------------------------------------------------------ */
+/* ---- all of it --------------------------------------------------------------------------------------------------- */
 
 /* The least width is across a face or between two edges; the faces' own tell as much as is needed here. */
 static MeBool isThick(const McdHull *h, const Cloud *c) {
@@ -709,9 +709,9 @@ static MeBool isThick(const McdHull *h, const Cloud *c) {
         for (int k = 0; k < h->vertexCount && width < leastThickness * c->scale; k++)
             width = fmax(width, h->face[i].offset - dot(h->face[i].normal, h->vertex[k]));
         if (width < leastThickness * c->scale)
-            return 0;
+            return MEFALSE;
     }
-    return 1;
+    return METRUE;
 }
 
 /* All corners are behind each face, whose normal has length 1; the middle is inside. */
@@ -720,12 +720,12 @@ static MeBool isConvex(const McdHull *h) {
     for (int i = 0; i < h->faceCount; i++) {
         const McdHullFace *face = &h->face[i];
         if (fabs(dot(face->normal, face->normal) - 1) > 1e-9 || !(dot(face->normal, h->centre) < face->offset))
-            return 0;
+            return MEFALSE;
         for (int k = 0; k < h->vertexCount; k++)
             if (dot(face->normal, h->vertex[k]) > face->offset + slack)
-                return 0;
+                return MEFALSE;
     }
-    return 1;
+    return METRUE;
 }
 
 /* Neighbours are each other's, no vertex is its own, and each edge joins two faces. */
@@ -737,12 +737,12 @@ static MeBool areNeighboursGood(const McdHull *h) {
             for (int k = h->neighbourFirst[other]; k < h->neighbourFirst[other + 1]; k++)
                 isMutual = isMutual || h->neighbour[k] == v;
             if (other == v || !isMutual)
-                return 0;
+                return MEFALSE;
         }
     for (int i = 0; i < h->edgeCount; i++)
         if (h->edgeFace[i][0] == h->edgeFace[i][1] || h->edge[i][0] >= h->edge[i][1])
-            return 0;
-    return 1;
+            return MEFALSE;
+    return METRUE;
 }
 
 static McdHull *hullOfCloud(Work *w, const Cloud *c, const double (*point)[3], char *options) {

@@ -2,7 +2,7 @@
  *
  * Ownership: a framework owns its type table, a pool of models and a pool of aggregates' child instances, and the list
  * of geometries. A model's own instance is a part of the model; its children come from the pool.
- * Programs see MeReal; everything between a transform and a contact is double (mcd_shape.h).
+ * Programs see MeReal; everything between a transform and a contact is double (mcd_shape_i.h).
  */
 #ifndef MCD_I_H
 #define MCD_I_H
@@ -84,8 +84,8 @@ static inline MeMatrix4Ptr mcd_instanceTM(McdGeometryInstanceID ins) {
     return ins->parent ? ins->placed : ins->tm;
 }
 
-/* Numbers that collision takes from programs, and from products of their transforms, are finite and not beyond the range
- * of single precision, in double precision too: so no product of eight of them is beyond the range of double. */
+/* Numbers that collision takes from programs, and from products of their transforms, are finite and not beyond the
+ * range of single precision, in double precision too: so no product of eight of them is beyond the range of double. */
 static inline MeBool mcd_areNear(const MeReal *x, int count) {
     MeBool areNear = METRUE;
     for (int i = 0; i < count; i++)
@@ -98,7 +98,8 @@ static inline MeReal mcd_real(double x) {
     return (MeReal)MeCLAMP(x, -(double)MEINFINITY, (double)MEINFINITY);
 }
 
-/* Of a transform whose axes are far from length 1, which are not rigid, that no product overflows is all that is asked. */
+/* Of a transform whose axes are far from length 1, which are not rigid, that no product overflows is all that is
+ * asked. */
 static inline MeBool mcd_isPlace(const MeVector4 *tm) {
     MeBool areAxes = tm != 0;
     for (int i = 0; areAxes && i < 3; i++)
@@ -174,8 +175,8 @@ static inline McdModelRecord *mcd_record(McdModelID cm) {
     return (McdModelRecord *)cm;
 }
 
-/* A model that stands for one part of an aggregate: all of the aggregate's model, but at the part's place. It lives from
- * mcd_standInBegin to mcd_standInEnd. */
+/* A model that stands for one part of an aggregate: all of the aggregate's model, but at the part's place. It lives
+ * from mcd_standInBegin to mcd_standInEnd. */
 typedef struct McdStandIn {
     McdModelRecord record;
     MeVector3 velocity; /* of the part's origin */
@@ -197,7 +198,7 @@ void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm);
 
 /* ---- frameworks ---------------------------------------------------------------------------------------------- */
 
-typedef struct McdKind McdKind; /* mcd_kind.h */
+typedef struct McdKind McdKind; /* mcd_kind_i.h */
 
 typedef struct McdTypeRecord {
     MeBool isRegistered;
@@ -248,7 +249,7 @@ struct _McdFramework {
     int spaceCount;
     MeU64 lastStamp; /* counts changes of models that were looked at */
     MeU64 round;     /* of tests, in which models stay as they are */
-    struct McdScratch *freeScratch; /* what queries work in (mcd_scratch.h): those that no query has */
+    struct McdScratch *freeScratch; /* what queries work in (mcd_scratch_i.h): those that no query has */
     atomic_int scratchIsLocked;
     /* Set when a space is created, so that a program without spaces does not link them: takes a model out of the space
      * that it is in, at once; has the space look at the model's filter, which is another one now. */
@@ -262,8 +263,8 @@ MeBool mcd_frameAddModels(McdFramework *frame, const char *function);
 MeBool mcd_frameAddInstances(McdFramework *frame, const char *function);
 /* The record of a live geometry's type, which is registered; null, with a warning, for anything else. */
 const McdTypeRecord *mcd_geometryType(McdGeometryID g, const char *function);
-/* Memory for a geometry that begins with McdGeometry, its head made; null, with a warning, if the type is not registered
- * or there is no memory. */
+/* Memory for a geometry that begins with McdGeometry, its head made; null, with a warning, if the type is not
+ * registered or there is no memory. */
 void *mcd_geometryCreate(McdFramework *frame, McdGeometryType type, size_t size, const char *function);
 /* Is g a live geometry of that type? Warns with the function's name if not. */
 MeBool mcd_geometryIs(McdGeometryID g, McdGeometryType type, const char *function);
@@ -277,10 +278,10 @@ void MEAPI mcd_geometryFree(McdGeometryID g);
 /* ---- contacts ------------------------------------------------------------------------------------------------- */
 
 /* How interactions fill a result: begin, add, end. */
-typedef struct McdManifold McdManifold; /* mcd_shape.h */
+typedef struct McdManifold McdManifold; /* mcd_shape_i.h */
 void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p);
-/* Adds a manifold whose points are relative to origin, and returns its first contact, null for none. If there is place for
- * some of them only, those that mcd_spread chooses. */
+/* Adds a manifold whose points are relative to origin, and returns its first contact, null for none. If there is place
+ * for some of them only, those that mcd_spread chooses. */
 McdContact *mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3],
                           McdGeometryInstanceID ins1, McdGeometryInstanceID ins2);
 /* The dimension of a region that so many points of one manifold span: 0 .. 2. */
@@ -298,7 +299,8 @@ MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
     return m->tolerance + m->ahead;
 }
-/* A number that is another one as soon as anything is that the model's box and tests depend on; 0: that cannot be known. */
+/* A number that is another one as soon as anything is that the model's box and tests depend on; 0: that cannot be
+ * known. */
 MeU64 mcd_modelStamp(McdModelRecord *m);
 /* Do the pair's models interact as the library has it, not by a function of the program's? */
 MeBool mcd_interactionIsBuiltIn(const McdModelPair *p);

@@ -1,6 +1,6 @@
 /* The interactions of a convex type with whatever the framework knows, by the tables of both types. */
-#include "mcd_kind.h"
-#include "mcd_motion.h"
+#include "mcd_kind_i.h"
+#include "mcd_motion_i.h"
 
 static int MEAPI intersectConvex(McdModelPair *p, McdIntersectResult *result) {
     mcd_resultBegin(result, p);

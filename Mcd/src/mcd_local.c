@@ -1,5 +1,5 @@
 /* What the geometry types share: from the geometry's own frame, in double, to the world and MeReal. */
-#include "mcd_local.h"
+#include "mcd_local_i.h"
 #include "MeDebugDraw.h"
 #include <string.h>
 
@@ -33,7 +33,7 @@ MeReal mcd_roundDown(double x) {
     return -mcd_roundUp(-x);
 }
 
-/* ---- boxes and farthest points ------------------------------------------------------------------------------------ */
+/* ---- boxes and farthest points ----------------------------------------------------------------------------------- */
 
 /* The extent along world axis i of the geometry at tm: sum of tm[j][i] x_j, which a direction in its frame measures.
  * What double may have lost on the way is added. */
@@ -106,7 +106,7 @@ void mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center, MeRe
     *radius = MeSqrt(sum) / 2;
 }
 
-/* ---- line segments ------------------------------------------------------------------------------------------------- */
+/* ---- line segments ----------------------------------------------------------------------------------------------- */
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -275,7 +275,7 @@ int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, Mc
     return mcd_segmentHit(tm, from, to, MeMAX(c.in, 0), c.in > 0 ? c.normal : inside, result);
 }
 
-/* ---- mass ----------------------------------------------------------------------------------------------------------- */
+/* ---- mass -------------------------------------------------------------------------------------------------------- */
 
 /* Of each axis no more than of the two others together: the moments of some mass. */
 static MeBool isMomentGood(double moment[3][3]) {
@@ -305,7 +305,7 @@ void mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double
     mcd_massProperties(relTM, inertia, volume, mass, centre, moment);
 }
 
-/* ---- drawing --------------------------------------------------------------------------------------------------------- */
+/* ---- drawing ----------------------------------------------------------------------------------------------------- */
 
 static void toWorld(const MeVector4 *tm, const double p[3], MeVector3 out) {
     for (int i = 0; i < 3; i++)

@@ -1,20 +1,21 @@
 /* Contacts of a convex shape with a surface of triangles, without ghost contacts at internal edges. */
-#include "mcd_mesh.h"
-#include "mcd_nearfield.h"
-#include "mcd_scratch.h"
-#include "mcd_spread.h"
+#include "mcd_mesh_i.h"
+#include "mcd_nearfield_i.h"
+#include "mcd_scratch_i.h"
+#include "mcd_spread_i.h"
 #include <string.h>
 
 /* Directions that differ by less (rad) are one. */
 #define SAME_DIRECTION 1e-4
-/* A neighbour rises above a plane if its angle (rad) with it is larger; much smaller than SAME_DIRECTION, so that a normal
- * which is no face's is noticed. */
+/* A neighbour rises above a plane if its angle (rad) with it is larger; much smaller than SAME_DIRECTION, so that a
+ * normal which is no face's is noticed. */
 #define RISES 1e-6
 /* Corners whose heights over a plane differ by a smaller part of their distance are equally high. */
 #define SAME_HEIGHT 1e-5
 /* How far beside a border the surface is looked for, relative to the shape's extent. */
 #define BESIDE 1e-5
-/* What is over a triangle, relative to the shape's extent: neighbours overlap by that, so that nothing slips between. */
+/* What is over a triangle, relative to the shape's extent: neighbours overlap by that, so that nothing slips
+ * between. */
 #define OVER 1e-9
 /* Normals within this cosine of each other make one manifold: 1.1 degrees. */
 #define SAME_MANIFOLD .9998
@@ -63,7 +64,7 @@ static MeBool reserveContacts(McdMesh *mesh, int contacts) {
     return METRUE;
 }
 
-/* ---- order --------------------------------------------------------------------------------------------------------- */
+/* ---- order ------------------------------------------------------------------------------------------------------- */
 
 typedef int (*Compare)(const McdMesh *mesh, int a, int b);
 
@@ -108,7 +109,7 @@ static int compareContacts(const McdMesh *mesh, int a, int b) {
     return order ? order : a - b;
 }
 
-/* ---- triangles ----------------------------------------------------------------------------------------------------- */
+/* ---- triangles --------------------------------------------------------------------------------------------------- */
 
 static MeU32 mix(MeU32 a, MeU32 b) {
     MeU32 h = a * 0x9e3779b1u ^ (b + 0x85ebca6bu + (a << 6) + (a >> 2));
@@ -235,7 +236,7 @@ static void buildAdjacency(McdMesh *mesh) {
     MEVALIDATE(areCornersJoined(mesh, vertexCount));
 }
 
-/* ---- which normals are the surface's -------------------------------------------------------------------------------- */
+/* ---- which normals are the surface's ----------------------------------------------------------------------------- */
 
 /* Where a contact normal lies among those that the surface has around a triangle (its Voronoi regions). */
 typedef enum Region {
@@ -400,7 +401,7 @@ static MeBool hasOnlyFaceNormal(const McdMeshQuery *q, const McdMeshTriangle *t)
     return METRUE;
 }
 
-/* ---- contacts of one triangle ----------------------------------------------------------------------------------------- */
+/* ---- contacts of one triangle ------------------------------------------------------------------------------------ */
 
 /* Which way a normal points, roughly: tells contacts of one corner with two faces from each other. */
 static MeU32 sectorOf(const double normal[3]) {
@@ -961,7 +962,7 @@ static void recoverFromBehind(McdMeshQuery *q) {
     }
 }
 
-/* ---- manifolds ----------------------------------------------------------------------------------------------------------- */
+/* ---- manifolds --------------------------------------------------------------------------------------------------- */
 
 static MeBool isDuplicate(const McdMesh *mesh, int count, const McdMeshContact *c, double same) {
     for (int i = 0; i < count; i++)
@@ -1048,7 +1049,7 @@ static void handOver(McdMeshQuery *q, McdIntersectResult *result) {
     }
 }
 
-/* ---- the query ------------------------------------------------------------------------------------------------------------- */
+/* ---- the query --------------------------------------------------------------------------------------------------- */
 
 static void placeMesh(McdMeshQuery *q, const McdGeometryInstance *ins) {
     const MeMatrix4Ptr tm = mcd_instanceTM((McdGeometryInstance *)ins);
@@ -1170,7 +1171,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather
     return touches;
 }
 
-/* ---- the framework's table ----------------------------------------------------------------------------------------- */
+/* ---- the framework's table --------------------------------------------------------------------------------------- */
 
 MeBool mcd_meshRegister(McdFramework *frame, McdGeometryType type, McdGeometryType meshType, McdIntersectFn function) {
     McdInteractions interactions = {0, 0, function, 0};

@@ -7,8 +7,8 @@
  * s / mu is a time without touch. Within one direction only support points are needed; when s gets small against the
  * true distance, the direction is found anew.
  */
-#include "mcd_geometries.h"
-#include "mcd_motion.h"
+#include "mcd_geometries_i.h"
+#include "mcd_motion_i.h"
 #include <string.h>
 
 enum { DIRECTIONS = 64, ADVANCES = 32 };
@@ -152,7 +152,7 @@ int MEAPI mcd_safeTimeConvex(McdModelPair *p, MeReal maxTime, McdSafeTimeResult 
     return 1;
 }
 
-/* ---- planes -------------------------------------------------------------------------------------------------------- */
+/* ---- planes ------------------------------------------------------------------------------------------------------ */
 
 /* The half-space of a plane model at a time. */
 static void planeAt(McdModelRecord *plane, const double origin[3], double time, double n[3], double *offset) {
@@ -173,8 +173,8 @@ static double heightAbove(const Mover *a, const double n[3], double offset, doub
     return dot(at, n) - offset;
 }
 
-/* How fast a shape and a moving plane can close in, to the end of the motion. While the plane turns at rate w, the height
- * n.(x - p) changes by up to w |x - p| more, and n itself does not stay. */
+/* How fast a shape and a moving plane can close in, to the end of the motion. While the plane turns at rate w, the
+ * height n.(x - p) changes by up to w |x - p| more, and n itself does not stay. */
 static double closingSpeed(const Mover *a, const McdModelRecord *plane, const double origin[3], const double n[3],
                            double maxTime) {
     const double back[3] = {-n[0], -n[1], -n[2]};

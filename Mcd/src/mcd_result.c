@@ -1,7 +1,7 @@
 /* From manifolds to McdIntersectResult: margins, contacts, unique features, the mean normal. */
-#include "mcd_shape.h"
-#include "mcd_spread.h"
-#include "mcd_vector.h"
+#include "mcd_shape_i.h"
+#include "mcd_spread_i.h"
+#include "mcd_vector_i.h"
 
 /* How much the gap of two models may shrink before they are asked again. */
 static double approach(const McdModelRecord *a, const McdModelRecord *b) {
@@ -126,7 +126,8 @@ static MeBool isNormalGood(const McdContact *c) {
     return !isRigid(c->instance1) || !isRigid(c->instance2) || fabs(mcd_length(n) - 1) < 1e-3;
 }
 
-/* What response relies on: numbers, unit normals, each contact within reach, of parts of the pair, and its own feature. */
+/* What response relies on: numbers, unit normals, each contact within reach, of parts of the pair, and its own
+ * feature. */
 static MeBool isContactGood(const McdIntersectResult *result, int i) {
     const McdContact *c = &result->contacts[i];
     for (int k = 0; k < i; k++)

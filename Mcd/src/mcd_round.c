@@ -1,6 +1,6 @@
 /* Cores that are points or segments, in closed form: those of spheres and sphyls, against each other, boxes and
  * cylinders. Where cores touch, no direction is shorter than another: the normal is then a fixed one across them. */
-#include "mcd_nearfield.h"
+#include "mcd_nearfield_i.h"
 
 /* Relative to the smaller shape: nearer cores touch. */
 static const double touching = 1e-12;
@@ -101,9 +101,9 @@ static MeBool isOutside(const McdShape *a, const McdShape *b, const double x[3],
     mcd_sub(n, x, nearest);
     *distance = mcd_length(n);
     if (!(*distance > touching * mcd_pairSize(a, b)))
-        return 0;
+        return MEFALSE;
     mcd_scale(n, n, 1 / *distance);
-    return 1;
+    return METRUE;
 }
 
 MeBool mcd_pointBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {

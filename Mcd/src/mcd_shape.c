@@ -1,6 +1,6 @@
 /* Convex shapes at a place: made from geometries, and their support points. */
-#include "mcd_kind.h"
-#include "mcd_vector.h"
+#include "mcd_kind_i.h"
+#include "mcd_vector_i.h"
 
 #include <string.h>
 
@@ -58,22 +58,22 @@ static MeBool place(McdShape *s, const MeMatrix4 tm, const double origin[3]) {
         sum += fabs(s->place[i]);
     }
     if (!isfinite(sum))
-        return 0;
+        return MEFALSE;
     squareAxes(s->axis);
-    return 1;
+    return METRUE;
 }
 
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape) {
     const McdKind *kind = mcd_kindOf(g);
     if (!kind || !kind->setShape || !mcd_isPlace(tm))
-        return 0;
+        return MEFALSE;
     memset(shape, 0, sizeof *shape);
     shape->kind = kind;
     if (!place(shape, tm, origin))
-        return 0;
+        return MEFALSE;
     kind->setShape(g, shape);
     MEASSERT(shape->rounding >= 0 && !(shape->extent < shape->rounding));
-    return 1;
+    return METRUE;
 }
 
 MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape) {

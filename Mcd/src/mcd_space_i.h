@@ -3,21 +3,21 @@
  * A model in a space is a proxy: its box of the last update, and a fat box around that which is in the tree. A link
  * joins two proxies whose fat boxes overlap, or that are disabled; links are found by a hash table and hang in a list
  * at each of their proxies. A link whose exact boxes overlap has a pair, which is what programs see. Pairs of two
- * frozen models are silent: they hang at their links and are in no list, so that they cost no time. Links between frozen
- * models that have no pair are dropped, and found again when one of them is unfrozen.
+ * frozen models are silent: they hang at their links and are in no list, so that they cost no time. Links between
+ * frozen models that have no pair are dropped, and found again when one of them is unfrozen.
  *
  * At the end of a block only what changed is looked at: proxies that left their fat box are looked up in the tree for
  * new links, and the links of proxies that changed at all are classified anew.
  *
- * Proxies and links are known by their index, and move when there is no room for more; a model's pointer to its proxy is
- * set anew then. Pairs never move.
+ * Proxies and links are known by their index, and move when there is no room for more; a model's pointer to its proxy
+ * is set anew then. Pairs never move.
  */
 #ifndef MCD_SPACE_I_H
 #define MCD_SPACE_I_H
 
 #include "McdSpace.h"
 #include "mcd_i.h"
-#include "mcd_tree.h"
+#include "mcd_tree_i.h"
 
 enum { MCD_NONE = -1, MCD_PAIR_BLOCK = 128 };
 
@@ -98,8 +98,8 @@ struct _McdSpace {
     int linkMax, freeLink, linkCount;
     int *hash, hashSize; /* a power of 2, or 0 */
 
-    /* All lists of pairs have room for all records in the blocks, and wanted for all links: only making these larger can
-     * fail for want of memory, and then nothing has begun yet. */
+    /* All lists of pairs have room for all records in the blocks, and wanted for all links: only making these larger
+     * can fail for want of memory, and then nothing has begun yet. */
     McdPairRecord **block; /* of MCD_PAIR_BLOCK pairs */
     int blockCount, blockRoom, liveCount, waitingCount;
     McdPairRecord *freePair;

@@ -1,11 +1,11 @@
 /* Whether a model's box, and what a pair has in common, would be found as they were.
  *
- * For convex shapes and planes that depends on where they are, how large they are and how fast, and on nothing else. A model
- * gets a new stamp when any of that has another bit than at the last look; a pair keeps the stamps of its last test. Triangle
- * lists, fields, aggregates and a program's own types may depend on more: they are always tested.
+ * For convex shapes and planes that depends on where they are, how large they are and how fast, and on nothing else. A
+ * model gets a new stamp when any of that has another bit than at the last look; a pair keeps the stamps of its last
+ * test. Triangle lists, fields, aggregates and a program's own types may depend on more: they are always tested.
  */
 #include "McdInternal.h"
-#include "mcd_kind.h"
+#include "mcd_kind_i.h"
 #include <string.h>
 
 static void copyIfThere(MeVector3 to, const MeReal *from) {

@@ -38,7 +38,8 @@ MEPUBLIC void MEAPI MdtCarWheelGetHingeAxis(const MdtCarWheelID j, MeVector3 v);
 #define MdtCarWheelGetSteeringAndHingeAxes(j, k, p, o)                                                                 \
     MdtConstraintBodyGetAxes(MdtCarWheelQuaConstraint(j), (k), (p), (o))
 /** @} */
-/** @name Steering: locked, or moved by a motor of limited force A new wheel's motor holds the steering at rest with up
+/** @name Steering: locked, or moved by a motor of limited force
+ *  A new wheel's motor holds the steering at rest with up
  *  to 1e9 N m. A negative force counts as 0, which lets it turn freely.
  *  @{ */
 MEPUBLIC void MEAPI MdtCarWheelSetSteeringLock(const MdtCarWheelID j, const MeBool lock);
@@ -62,7 +63,8 @@ MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeAngle(const MdtCarWheelID j);
 /** rad/s, of the wheel against the chassis. */
 MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeAngleRate(const MdtCarWheelID j);
 /** @} */
-/** @name Suspension: a damped spring, F = -Kp (height - reference) - Kd rate on the wheel, between two stops Kp N/m and
+/** @name Suspension: a damped spring, F = -Kp (height - reference) - Kd rate on the wheel, between two stops
+ *  Kp N/m and
  *  Kd N s/m, at least 0. The stops are hard where @a limit_softness [1/kg] is 0; else it is added to the world's
  *  epsilon at the stops. A low limit above the high one gets a warning, and nothing is changed.
  *  @{ */

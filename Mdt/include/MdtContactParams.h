@@ -56,7 +56,8 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimaryFrictionCoeffecient(const MdtCon
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtContactParamsID p);
 /** @} */
 
-/** @name Slip: tangential velocity per tangential force, m/s per N, >= 0; 0 turns it off It holds in every step for the
+/** @name Slip: tangential velocity per tangential force, m/s per N, >= 0; 0 turns it off
+ *  It holds in every step for the
  *  force that the contact passes. A body that is pushed has the speed of slip times the push after some slip times mass
  *  seconds: at once, for what slip is made for.
  *  @{ */
@@ -75,7 +76,8 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimarySlide(const MdtContactParamsID p
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID p);
 /** @} */
 
-/** @name Restitution: rebound speed over impact speed, 0..1, for impacts above the threshold [m/s, >= 0] An approach
+/** @name Restitution: rebound speed over impact speed, 0..1, for impacts above the threshold [m/s, >= 0]
+ *  An approach
  *  that is no faster than what one step's own acceleration explains is rest, not impact, and does not bounce.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetRestitution(const MdtContactParamsID p, MeReal r);

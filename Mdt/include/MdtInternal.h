@@ -15,8 +15,8 @@ MEPUBLIC void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies,
 /** Whether that is a world, and a living one. */
 MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
 
-/** Counts how often the body's exact place or direction became another one, to the last bit of a double: what was found of
- *  it holds as long as this stays. */
+/** Counts how often the body's exact place or direction became another one, to the last bit of a double: what was found
+ *  of it holds as long as this stays. */
 MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);
 
 ME_END_C

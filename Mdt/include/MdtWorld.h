@@ -189,7 +189,8 @@ MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
  *  Simulation Toolkit freezes and unfreezes collision models so (User Guide ch. 5). */
 MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
 
-/** @name The cap on the Newton iterations of a partition's step (Karma: pivoting iterations). 0, the default: no cap,
+/** @name The cap on the Newton iterations of a partition's step (Karma: pivoting iterations)
+ *  0, the default: no cap,
  *  and the work budget alone bounds the step. With fewer iterations a step costs less and is softer, as with a smaller
  *  budget of work: forces are within their bounds, but inexact, energy is not gained, and a warning says so. Each part
  *  that a step is divided into (MdtReport) has one iteration at least.
@@ -205,25 +206,26 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *  draws from the same budget: sub-steps, halves of violent motion, events, impacts. Of a step that is taken in parts
  *  by safe times, each part has its share, at least a sixteenth.
  *
- *  Newton's method has half of it at least; where friction bounds do not settle, three eighths. When that is used up, the best
- *  answer so far is finished by accelerated sweeps over the rows (projected Gauss-Seidel), and by a direct solve of the joints'
- *  rows that have no bounds, in up to eight passes as far as the budget goes: momentum and bounds are kept, energy is never
- *  gained beyond what loads, springs and motors give. Joints stay as closed as ever; what is left over, mostly 1e-4 m/s, is
- *  in contacts and stops, which give way by that, and it is taken back in later steps (gamma). The budget goes too low where
- *  each pass has but a few sweeps: with 3000 rows in a partition or more. MdtReport tells (`way`, `limited`, `fallbacks`,
- *  `residualVelocity`).
+ *  Newton's method has half of it at least; where friction bounds do not settle, three eighths. When that is used up,
+ *  the best answer so far is finished by accelerated sweeps over the rows (projected Gauss-Seidel), and by a direct
+ *  solve of the joints' rows that have no bounds, in up to eight passes as far as the budget goes: momentum and bounds
+ *  are kept, energy is never gained beyond what loads, springs and motors give. Joints stay as closed as ever; what is
+ *  left over, mostly 1e-4 m/s, is in contacts and stops, which give way by that, and it is taken back in later steps
+ *  (gamma). The budget goes too low where each pass has but a few sweeps: with 3000 rows in a partition or more.
+ *  MdtReport tells (`way`, `limited`, `fallbacks`, `residualVelocity`).
  *
  *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
  *
- *  Default 200: what the first step of a pyramid of 210 boxes takes, which has no forces to begin with, is 110; with less it
- *  never comes to rest. The hard cases in docs/solver.md take 17 at most (100 links with 1e5 kg), one Newton iteration
- *  of 30 boxes in a heap 0.1. 0: no bound. Beyond Karma.
+ *  Default 200: what the first step of a pyramid of 210 boxes takes, which has no forces to begin with, is 110; with
+ *  less it never comes to rest. The hard cases in docs/solver.md take 17 at most (100 links with 1e5 kg), one Newton
+ *  iteration of 30 boxes in a heap 0.1. 0: no bound. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work);
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
 /** @} */
 
-/** @name The cap on a partition's rows (Dynamics guide ch. 4, "Limiting the Matrix Size") A partition with more rows
+/** @name The cap on a partition's rows (Dynamics guide ch. 4, "Limiting the Matrix Size")
+ *  A partition with more rows
  *  than @a size (positive; default INT_MAX) loses rows of contacts: first friction rows, then contacts between bodies,
  *  then contacts with the world, each from the shallowest to the deepest. Joints keep theirs, and every contact group
  *  keeps a contact, so the cap may not be reached.

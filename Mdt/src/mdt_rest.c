@@ -3,8 +3,8 @@
  * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if no body has had a
  * velocity that Kea tells from none, for long enough that what gamma relaxes is done. The bodies then stay where they
  * are, bit for bit, so that contacts are found again as they were. In the next step the inputs may be the same to the
- * last bit: then so are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put to
- * sleep as ever.
+ * last bit: then so are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put
+ * to sleep as ever.
  *
  * Inputs, and how a change of them is noticed:
  *     of the world           a copy of them (MdtRestInputs)
@@ -139,8 +139,8 @@ static MeBool comesNearerForEver(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* m/s: mean velocities of a step up to this are not told from none. Each row is within its tolerance; from body to body the
- * errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3 times). */
+/* m/s: mean velocities of a step up to this are not told from none. Each row is within its tolerance; from body to body
+ * the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3 times). */
 static double resolvedSpeed(const MdtIsland *p) {
     return comesNearerForEver(p) ? 0 : sqrt(p->numBodies) * rowTolerance(p);
 }

@@ -55,8 +55,8 @@ static double fastestTowards(const MdtBclLimit *limit, int side, double rate, do
     return limit->rows & MOTOR ? fmin(slowest, sign * (double)limit->desired_vel) : slowest;
 }
 
-/* rad/s: how fast a body may turn after it has hit something in this step: with its speed about its radius of gyration, whose
- * inverse square is its mass over its moment. */
+/* rad/s: how fast a body may turn after it has hit something in this step: with its speed about its radius of gyration,
+ * whose inverse square is its mass over its moment. */
 static double speedOfBlow(const MdtBclContext *x) {
     double most = 0;
     for (int k = 0; k < 2; k++) {
@@ -73,8 +73,9 @@ static MeBool isAngle(const MdtKeaRow *coordinate) {
     return keaDot(J[0].lin, J[0].lin) + keaDot(J[1].lin, J[1].lin) == 0;
 }
 
-/* Whether the stop can matter in this step. The margin of twice the way that is left covers what other rows may add, and that
- * of an angle what a blow may; a stop that carried a force in the last step stays in, or a load at rest on it would rattle. */
+/* Whether the stop can matter in this step. The margin of twice the way that is left covers what other rows may add,
+ * and that of an angle what a blow may; a stop that carried a force in the last step stays in, or a load at rest on it
+ * would rattle. */
 static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double blow, double h) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
     const double z = distanceToStop(limit, side);

@@ -1,6 +1,6 @@
 /** @file MeApp.h
- *  What demonstration programs share: bodies that the mouse pulls, and contacts that are seen. RGeometry.h makes graphics
- *  of collision geometries. It brings along Mst.h and MeViewer.h.
+ *  What demonstration programs share: bodies that the mouse pulls, and contacts that are seen. RGeometry.h makes
+ *  graphics of collision geometries. It brings along Mst.h and MeViewer.h.
  *
  *      MeApp *app = MeAppCreateFromUniverse(universe, rc);
  *      RRenderSetMouseCallBack(rc, MeAppMousePickCB, app);
@@ -14,8 +14,8 @@
  *      MeAppDestroy(app);                      // before RRenderContextDestroy and MstUniverseDestroy
  *
  *  World, space and context belong to the program and outlive the MeApp. A null MeApp gets a MeWarning that names the
- *  function; then the call does nothing and returns 0. Pixels are counted from the window's upper left corner, y down, as
- *  in RMouseCallBack. What is written in world coordinates is right for the camera as it is at the call.
+ *  function; then the call does nothing and returns 0. Pixels are counted from the window's upper left corner, y down,
+ *  as in RMouseCallBack. What is written in world coordinates is right for the camera as it is at the call.
  */
 #ifndef MEAPP_H
 #define MEAPP_H
@@ -36,8 +36,8 @@ MEPUBLIC MeApp *MEAPI MeAppCreate(const MdtWorldID world, const McdSpaceID space
 /** The same for a universe's world and space. */
 MEPUBLIC MeApp *MEAPI MeAppCreateFromUniverse(const MstUniverseID u, RRender *rc);
 /**
- * Lets go of what is held, and frees the helpers with their lines. To be called before the context is destroyed, and not
- * while MeAppMousePickCB may still be called with it. Null does nothing.
+ * Lets go of what is held, and frees the helpers with their lines. To be called before the context is destroyed, and
+ * not while MeAppMousePickCB may still be called with it. Null does nothing.
  */
 MEPUBLIC void MEAPI MeAppDestroy(MeApp *const app);
 /** The universe it was created from; null if it was created from a world and a space. */
@@ -50,8 +50,9 @@ MEPUBLIC void MEAPI MeAppStep(MeApp *app);
  *  Each is a line along its normal, its middle where the contact is; those of bodies at rest are drawn too.
  *  @{ */
 /**
- * Makes room for @a max lines (1 or more) of a colour and has contacts drawn from now on; if there are more contacts, those
- * first in the order of simulation are drawn. A second call replaces the first. A bad number or colour gets a warning.
+ * Makes room for @a max lines (1 or more) of a colour and has contacts drawn from now on; if there are more contacts,
+ * those first in the order of simulation are drawn. A second call replaces the first. A bad number or colour gets a
+ * warning.
  */
 MEPUBLIC void MEAPI MeAppDrawContactsInit(MeApp *const app, float color[4], int max);
 /** Puts a line at every contact that the world has now; before MeAppDrawContactsInit or when toggled off, none. */
@@ -73,15 +74,17 @@ MEPUBLIC void MEAPI MeAppMousePickCB(RRender *rc, int x, int y, int modifiers, R
                                      RMouseButtonEvent event, void *userdata);
 /**
  * Pulls the body that is held, by a spring from where it is held to the point under the mouse in the plane through that
- * point that faces the camera. The spring does for every mass the same: it is critically damped at 15 rad/s, longer than 4
- * length scales it pulls no harder, and it slows the body's rotation. To be called once before each step: the force acts
- * in that step only. The body is kept enabled. Lets go if model or body is gone, or the model has left the space.
+ * point that faces the camera. The spring does for every mass the same: it is critically damped at 15 rad/s, longer
+ * than 4 length scales it pulls no harder, and it slows the body's rotation. To be called once before each step: the
+ * force acts in that step only. The body is kept enabled. Lets go if model or body is gone, or the model has left the
+ * space.
  */
 MEPUBLIC void MEAPI MeAppUpdateMouseSpring(MeApp *app);
 /**
- * The nearest model that is seen at a pixel, or null. @a normClickDir becomes the direction of the ray there, of length 1,
- * @a pos the point of the model that it meets (world frame; untouched for null). With @a orth the ray is parallel to the
- * line of sight, through MeAppFindClickPos; in an orthographic view it is so anyway.
+ * The nearest model that is seen at a pixel, or null. @a normClickDir becomes the direction of the ray there, of length
+ * 1,
+ * @a pos the point of the model that it meets (world frame; untouched for null). With @a orth the ray is parallel to
+ * the line of sight, through MeAppFindClickPos; in an orthographic view it is so anyway.
  */
 MEPUBLIC McdModelID MEAPI MeAppPickMcdModel(const MeApp *const app, int x, int y, MeVector3 normClickDir, MeVector3 pos,
                                             MeBool orth);

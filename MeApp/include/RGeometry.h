@@ -27,8 +27,8 @@ MEPUBLIC RGraphic *MEAPI RGraphicCreateFromGeometry(RRender *rc, McdGeometryID g
  * and destroy the graphic before what the transform belongs to).
  */
 MEPUBLIC RGraphic *MEAPI RGraphicCreateFromModel(RRender *rc, McdModelID m, const float color[4]);
-/** An aggregate with all its parts as one graphic that follows @a tm; null: the identity. Parts without a shape are left
- *  out. */
+/** An aggregate with all its parts as one graphic that follows @a tm; null: the identity. Parts without a shape are
+ *  left out. */
 MEPUBLIC RGraphic *MEAPI RGraphicAggregateCreate(RRender *rc, McdAggregateID g, const float color[4], MeMatrix4Ptr tm);
 /** @a count triangles, flat and seen from both sides, that follow @a tm. An addition to the 1.2 interface. */
 MEPUBLIC RGraphic *MEAPI RGraphicTrianglesCreate(RRender *rc, MeVector3 (*corners)[3], int count, const float color[4],

@@ -26,7 +26,8 @@ static MeReal zAtDepth(const RRender *rc, MeReal depth) {
     return (depth * P[3][3] - P[3][2]) / (P[2][2] - depth * P[2][3]);
 }
 
-/* The point of a pixel in the plane of this z, camera's frame; `orth`: as if it were seen from as far as the look-at point. */
+/* The point of a pixel in the plane of this z, camera's frame; `orth`: as if it were seen from as far as the look-at
+ * point. */
 static void pointAtZ(const MeApp *app, int x, int y, MeReal z, MeBool orth, MeVector3 p) {
     RRender *rc = app->rc;
     const MeVector4 *P = (const MeVector4 *)rc->m_ProjectionMatrix;
@@ -194,8 +195,8 @@ static void mobility(MdtBodyID b, const MeVector3 r, MeMatrix3 A) {
     }
 }
 
-/* f = -k (x + h v') - c v' with v' = v + h A f, the velocity after the step: this never overshoots, wherever on the body
- * it pulls. So (1 + (h h k + h c) A) f = -k x - (h k + c) v. */
+/* f = -k (x + h v') - c v' with v' = v + h A f, the velocity after the step: this never overshoots, wherever on the
+ * body it pulls. So (1 + (h h k + h c) A) f = -k x - (h k + c) v. */
 static void springForce(MdtBodyID b, const MeVector3 at, const MeVector3 stretch, MeVector3 force) {
     const MeReal m = MdtBodyGetMass(b), k = m * FREQUENCY * FREQUENCY, c = 2 * m * FREQUENCY;
     MeMatrix3 A;

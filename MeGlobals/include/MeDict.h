@@ -2,10 +2,10 @@
  *  Dictionaries: nodes in the order of their keys, found, put in and taken out in logarithmic time. MdtUpdatePartitions
  *  takes one (User Guide ch. 2).
  *
- *  A node carries a pointer of the program's and, while it is in a dictionary, its key, which must not change meanwhile. Nodes
- *  are the program's, in its own memory (MeDictNodeInit) or made one by one (MeDictNodeCreate); keys and what nodes point to
- *  are its own in any case. Members of the structures are private. Every function warns of a null pointer, and then does
- *  nothing or gives 0. A dictionary is for one thread at a time.
+ *  A node carries a pointer of the program's and, while it is in a dictionary, its key, which must not change
+ *  meanwhile. Nodes are the program's, in its own memory (MeDictNodeInit) or made one by one (MeDictNodeCreate); keys
+ *  and what nodes point to are its own in any case. Members of the structures are private. Every function warns of a
+ *  null pointer, and then does nothing or gives 0. A dictionary is for one thread at a time.
  */
 #ifndef MEDICT_H
 #define MEDICT_H
@@ -60,8 +60,8 @@ typedef struct MeDictLoad {
 MEPUBLIC MeDict *MEAPI MeDictInit(MeDict *dict, unsigned long maxcount, MeDictCompareFn compare);
 /** The same in memory of its own; null, after MeFatalError, if there is none. MeDictDestroy gives it back. */
 MEPUBLIC MeDict *MEAPI MeDictCreate(unsigned long maxcount, MeDictCompareFn compare);
-/** Makes an empty dictionary of memory that is the program's, with the limit, the order, the allocator and the leave for equal
- *  keys of another one. */
+/** Makes an empty dictionary of memory that is the program's, with the limit, the order, the allocator and the leave
+ *  for equal keys of another one. */
 MEPUBLIC void MEAPI MeDictInitLike(MeDict *dict, const MeDict *like);
 /** Have two dictionaries the same order, the same allocator, and the same leave for equal keys? */
 MEPUBLIC int MEAPI MeDictSimilar(const MeDict *dict1, const MeDict *dict2);
@@ -69,7 +69,8 @@ MEPUBLIC int MEAPI MeDictSimilar(const MeDict *dict1, const MeDict *dict2);
 MEPUBLIC void MEAPI MeDictDestroy(MeDict *dict);
 /** Lets several nodes have the same key; later ones come after earlier ones. Default: not. */
 MEPUBLIC void MEAPI MeDictAllowDupes(MeDict *dict);
-/** Where MeDictAllocInsert gets nodes and MeDictDeleteFree puts them; both null: MeDictNodeCreate and MeDictNodeDestroy. */
+/** Where MeDictAllocInsert gets nodes and MeDictDeleteFree puts them; both null: MeDictNodeCreate and
+ *  MeDictNodeDestroy. */
 MEPUBLIC void MEAPI MeDictSetAllocator(MeDict *dict, MeDictAllocFn alloc, MeDictFreeFn freeNode, void *context);
 /** @} */
 
@@ -101,12 +102,13 @@ MEPUBLIC void MEAPI MeDictDeleteFree(MeDict *dict, MeDictNode *node);
 MEPUBLIC void MEAPI MeDictFreeNodes(MeDict *dict);
 MEPUBLIC void MEAPI MeDictFree(MeDict *dict); /**< The same. */
 /**
- * Moves the nodes of source to dict, which must be similar (MeDictSimilar), else it warns and moves none. Nodes whose keys are
- * in dict already stay in source, unless equal keys are allowed; and, with a warning, those for which dict is too full.
+ * Moves the nodes of source to dict, which must be similar (MeDictSimilar), else it warns and moves none. Nodes whose
+ * keys are in dict already stay in source, unless equal keys are allowed; and, with a warning, those for which dict is
+ * too full.
  */
 MEPUBLIC void MEAPI MeDictMerge(MeDict *dict, MeDict *source);
-/** Begins to fill an empty dictionary with nodes in the order of their keys, which takes constant time for each. One that is
- *  not empty gets a warning; nothing is put in then. */
+/** Begins to fill an empty dictionary with nodes in the order of their keys, which takes constant time for each. One
+ *  that is not empty gets a warning; nothing is put in then. */
 MEPUBLIC void MEAPI MeDictLoadBegin(MeDictLoad *load, MeDict *dict);
 /** Puts the next node in. A key before that of the last one gets a warning, as does what MeDictInsert warns of. */
 MEPUBLIC void MEAPI MeDictLoadNext(MeDictLoad *load, MeDictNode *node, const void *key);

@@ -1,10 +1,10 @@
 /** @file MeHash.h
  *  Hash tables: pointers by keys, found in constant time.
  *
- *  Keys and data are the program's and must stay while they are in the table; functions to free them may be set. What a key
- *  is, the hash and comparison functions say: by default its address counts, and for keys that point to ints or strings
- *  there are functions here. Set functions while the table is empty. Every function warns of a null pointer, and then does
- *  nothing or gives 0. A table is for one thread at a time.
+ *  Keys and data are the program's and must stay while they are in the table; functions to free them may be set. What a
+ *  key is, the hash and comparison functions say: by default its address counts, and for keys that point to ints or
+ *  strings there are functions here. Set functions while the table is empty. Every function warns of a null pointer,
+ *  and then does nothing or gives 0. A table is for one thread at a time.
  */
 #ifndef MEHASH_H
 #define MEHASH_H
@@ -43,8 +43,8 @@ typedef struct MeHashIterator {
     const MeHashBucket *next;
 } MeHashIterator;
 
-/** Makes an empty table of so many buckets, 1 or more: best about as many as there will be entries, of which there may be
- *  any number. Null, with a warning, for less than 1, and, after MeFatalError, without memory. */
+/** Makes an empty table of so many buckets, 1 or more: best about as many as there will be entries, of which there may
+ *  be any number. Null, with a warning, for less than 1, and, after MeFatalError, without memory. */
 MEPUBLIC MeHash *MEAPI MeHashCreate(int size);
 /** Frees the table and what is in it, by the functions that were set. */
 MEPUBLIC void MEAPI MeHashDestroy(MeHash *table);
@@ -66,12 +66,13 @@ MEPUBLIC int MEAPI MeHashStringCompare(const void *k1, const void *k2); /**< For
 
 /** @name Entries
  *  @{ */
-/** Puts a datum in. Where there is one with that key, it replaces that one, which is returned and not freed; the key stays
- *  the one that was there. Else returns null. */
+/** Puts a datum in. Where there is one with that key, it replaces that one, which is returned and not freed; the key
+ *  stays the one that was there. Else returns null. */
 MEPUBLIC void *MEAPI MeHashInsert(const void *key, const void *datum, MeHash *table);
 /** The datum with that key; null: none. */
 MEPUBLIC void *MEAPI MeHashLookup(const void *key, const MeHash *table);
-/** Takes the entry with that key out; its key is freed by the function that was set, its datum is returned. Null: none. */
+/** Takes the entry with that key out; its key is freed by the function that was set, its datum is returned. Null:
+ *  none. */
 MEPUBLIC void *MEAPI MeHashDelete(const void *key, MeHash *table);
 /** How many entries there are. */
 MEPUBLIC int MEAPI MeHashPopulation(const MeHash *table);

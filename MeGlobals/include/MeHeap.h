@@ -1,8 +1,8 @@
 /** @file MeHeap.h
  *  Heaps: pointers, of which the least is taken out first, put in and taken out in logarithmic time.
  *
- *  What the pointers point to is the program's and must not change its order while it is in a heap. Every function warns of
- *  a null pointer, and then does nothing or gives 0. A heap is for one thread at a time.
+ *  What the pointers point to is the program's and must not change its order while it is in a heap. Every function
+ *  warns of a null pointer, and then does nothing or gives 0. A heap is for one thread at a time.
  */
 #ifndef MEHEAP_H
 #define MEHEAP_H
@@ -25,14 +25,15 @@ typedef struct _MeHeap {
 /** Makes an empty heap for at most capacity items, 1 or more. Null, with a warning, for bad arguments, and, after
  *  MeFatalError, without memory. MeHeapDestroy gives it back. */
 MEPUBLIC MeHeap *MEAPI MeHeapCreate(int capacity, MeHeapComparisonFnPtr cmp);
-/** The same in memory that is the program's: h, and place for capacity pointers. After bad arguments it has no place. */
+/** The same in memory that is the program's: h, and place for capacity pointers. After bad arguments it has no
+ *  place. */
 MEPUBLIC void MEAPI MeHeapInit(MeHeap *h, void **memory, int capacity, MeHeapComparisonFnPtr cmp);
 /** Destroys a heap that MeHeapCreate made; others get a warning. */
 MEPUBLIC void MEAPI MeHeapDestroy(MeHeap *h);
 /** Puts an item in: 1; 0, with a warning, if the heap is full. */
 MEPUBLIC int MEAPI MeHeapPush(MeHeap *h, void *item);
-/** Takes the least item out; null for an empty heap. Which one of equal ones comes first depends on nothing but the order of
- *  calls. */
+/** Takes the least item out; null for an empty heap. Which one of equal ones comes first depends on nothing but the
+ *  order of calls. */
 MEPUBLIC void *MEAPI MeHeapPop(MeHeap *h);
 
 ME_END_C

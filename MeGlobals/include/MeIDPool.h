@@ -1,8 +1,8 @@
 /** @file MeIDPool.h
  *  Numbers for things: 0, 1, 2 and so on, each given to one at a time.
  *
- *  Every function warns of a null pool, and then does nothing or gives 0 (MeIDPoolRequestID: -1). A pool is for one thread at
- *  a time.
+ *  Every function warns of a null pool, and then does nothing or gives 0 (MeIDPoolRequestID: -1). A pool is for one
+ *  thread at a time.
  */
 #ifndef MEIDPOOL_H
 #define MEIDPOOL_H

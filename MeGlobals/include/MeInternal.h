@@ -1,13 +1,14 @@
 /** @file MeInternal.h
  *  What Karma's own libraries share and programs do not see: this header is not installed, and may change at any time.
  *
- *  Memory. Every library takes its memory by these functions, and none calls MeMemoryAPI itself. They keep what MeMemory.h
- *  promises: a failing allocation is a MeFatalError that names the function and what it wanted, resize is never called, and
- *  null is never destroyed. Who gets a null has only to undo what was half made: nothing is left to be said.
+ *  Memory. Every library takes its memory by these functions, and none calls MeMemoryAPI itself. They keep what
+ *  MeMemory.h promises: a failing allocation is a MeFatalError that names the function and what it wanted, resize is
+ *  never called, and null is never destroyed. Who gets a null has only to undo what was half made: nothing is left to
+ *  be said.
  *
- *  Handles. In check builds a library wants to know whether a pointer that a program hands over is a live object, without
- *  reading through it. An object has a MeHandle in it, which is entered when the object is complete and leaves before its
- *  memory is freed or goes back to a pool:
+ *  Handles. In check builds a library wants to know whether a pointer that a program hands over is a live object,
+ *  without reading through it. An object has a MeHandle in it, which is entered when the object is complete and leaves
+ *  before its memory is freed or goes back to a pool:
  *
  *  @code
  *      typedef struct Thing {
@@ -33,8 +34,8 @@
 ME_BEGIN_C
 
 /** @name Memory
- *  @a function (or MeCallerSet's) and @a what are for the message: "function: no memory for what (n bytes)". All return null, or false, after
- *  a fatal error if there is no memory or if count * size is more than there can be.
+ *  @a function (or MeCallerSet's) and @a what are for the message: "function: no memory for what (n bytes)". All return
+ *  null, or false, after a fatal error if there is no memory or if count * size is more than there can be.
  *  @{ */
 /** A block of @a count elements of @a size bytes, with any contents; 0 elements count as 1 byte. */
 MEPUBLIC void *MEAPI MeMemoryTake(size_t count, size_t size, const char *function, const char *what);

@@ -17,9 +17,10 @@
  *  a null. It calls the functions from the
  *  threads that call Karma.
  *
- *  A function that has no memory to give returns null. The Karma function that asked then calls MeFatalError with a text
- *  that says which function the program has called and what there was no memory for, and if that returns, has a neutral
- *  result: nothing was created, or what the memory was for does not happen in this step; nothing is lost or left over.
+ *  A function that has no memory to give returns null. The Karma function that asked then calls MeFatalError with a
+ *  text that says which function the program has called and what there was no memory for, and if that returns, has a
+ *  neutral result: nothing was created, or what the memory was for does not happen in this step; nothing is lost or
+ *  left over.
  *
  *  What other libraries allocate is theirs: FCL's tree of boxes in each McdSpace (C++'s new: two nodes for each model
  *  there, mended without failing where there is no memory), Qhull while McdConvexMeshCreateHull runs (malloc; its hooks
@@ -54,8 +55,8 @@ typedef struct MeMemoryAPIStruct {
     MeMemoryFuncPtrDestroy destroyAligned;      /**< For what createAligned gave. Default: free. */
 } MeMemoryAPIStruct;
 
-/** As a number of things that there may be: as many as there is memory for. Pools begin without, then, and grow when they are
- *  full, each time to twice their size; nothing that a program has a pointer to moves. */
+/** As a number of things that there may be: as many as there is memory for. Pools begin without, then, and grow when
+ *  they are full, each time to twice their size; nothing that a program has a pointer to moves. */
 enum { MeNoLimit = 0x7fffffff };
 
 extern MEPUBLIC MeMemoryAPIStruct MeMemoryAPI; /**< Set it before the first call of anything else of Karma. */

@@ -17,8 +17,9 @@ typedef struct _MePoolx {
     int size, count, used, begun; /* bytes of a record; how many there are, are out, were out once */
 } MePoolx;
 
-/** Makes a pool of numrec records of recsize bytes, one after the other in memory, which must stay: recsize must be at least a
- *  pointer's size, and a multiple of what the records are to be aligned to. With bad numbers it warns, and has none. */
+/** Makes a pool of numrec records of recsize bytes, one after the other in memory, which must stay: recsize must be at
+ *  least a pointer's size, and a multiple of what the records are to be aligned to. With bad numbers it warns, and has
+ *  none. */
 MEPUBLIC void MEAPI MePoolxInit(MePoolx *p, void *memory, int recsize, int numrec);
 /** A record, with any contents; null when all are out. */
 MEPUBLIC void *MEAPI MePoolxGet(MePoolx *p);

@@ -1,8 +1,8 @@
 /** @file MeSet.h
  *  Sets of pointers, in an order that the program gives.
  *
- *  What the pointers point to is the program's and must not change its order while it is in a set. Every function warns of a
- *  null set, and then does nothing or gives 0. A set is for one thread at a time.
+ *  What the pointers point to is the program's and must not change its order while it is in a set. Every function warns
+ *  of a null set, and then does nothing or gives 0. A set is for one thread at a time.
  */
 #ifndef MESET_H
 #define MESET_H

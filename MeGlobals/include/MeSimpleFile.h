@@ -1,8 +1,8 @@
 /** @file MeSimpleFile.h
  *  Files by numbers, as the system knows them: what programs read their data with.
  *
- *  A file that cannot be opened gives -1, without a message: programs ask, and go on. Otherwise a number of 0 or more, to
- *  be closed by MeClose. The functions warn of null pointers, of counts below 0 and of numbers of files that are not
+ *  A file that cannot be opened gives -1, without a message: programs ask, and go on. Otherwise a number of 0 or more,
+ *  to be closed by MeClose. The functions warn of null pointers, of counts below 0 and of numbers of files that are not
  *  open, and then give -1 or null. Bytes are read and written as they are, whatever the mode.
  */
 #ifndef MESIMPLEFILE_H
@@ -38,8 +38,8 @@ MEPUBLIC int MEAPI MeOpen(const char *filename, MeOpenMode_enum mode);
  *  order: first by the name as it is given, if that is relative, then by what follows its last slash. */
 MEPUBLIC int MEAPI MeOpenWithSearch(const char *filename, MeOpenMode_enum mode);
 /**
- * Directories that are searched, i = 0, 1, ... until null: the one that the environment variable KARMA_FILES names, if it
- * is set, then resources, ../resources, ../../resources, .. and ../.. of the working directory.
+ * Directories that are searched, i = 0, 1, ... until null: the one that the environment variable KARMA_FILES names, if
+ * it is set, then resources, ../resources, ../../resources, .. and ../.. of the working directory.
  */
 MEPUBLIC const char *MEAPI MeGetDefaultFileLocation(int i);
 /** Closes a file: 0, or -1. */

@@ -25,9 +25,10 @@ MEPUBLIC MeStream MEAPI MeStreamOpen(const char *filename, MeOpenMode_enum mode)
 MEPUBLIC MeStream MEAPI MeStreamOpenWithSearch(const char *filename, MeOpenMode_enum mode);
 /** An empty stream in memory of its own, which has place for so many bytes at first and grows. */
 MEPUBLIC MeStream MEAPI MeStreamOpenAsMemBuffer(unsigned int initialSize);
-/** A stream of the program's memory: bufLength bytes are there to be read, and bufSize, not fewer, can be written there. The
- *  memory stays the program's, and must stay until the stream is closed. When more than bufSize is written, the stream
- *  goes on in memory of its own, and the buffer is as it was then. Null, with a warning, for bad arguments. */
+/** A stream of the program's memory: bufLength bytes are there to be read, and bufSize, not fewer, can be written
+ *  there. The memory stays the program's, and must stay until the stream is closed. When more than bufSize is written,
+ *  the stream goes on in memory of its own, and the buffer is as it was then. Null, with a warning, for bad
+ *  arguments. */
 MEPUBLIC MeStream MEAPI MeStreamCreateFromMemBuffer(char *buffer, unsigned int bufLength, unsigned int bufSize);
 /** Closes it, and frees memory of its own. Null does nothing. */
 MEPUBLIC void MEAPI MeStreamClose(MeStream stream);

@@ -1,8 +1,8 @@
 /* The smallest sphere around points.
  *
- * It is determined by 2 to 4 points on it. From any such support on: the point farthest outside joins, and the smallest sphere
- * around these few is that of the next support. Its radius grows each time, so that no support comes twice (Gaertner, Fast and
- * Robust Smallest Enclosing Balls, ESA 1999). */
+ * It is determined by 2 to 4 points on it. From any such support on: the point farthest outside joins, and the smallest
+ * sphere around these few is that of the next support. Its radius grows each time, so that no support comes twice
+ * (Gaertner, Fast and Robust Smallest Enclosing Balls, ESA 1999). */
 #include "MeBounding.h"
 
 #include "MeAssert.h"

@@ -1,5 +1,6 @@
-/* Dictionaries: a treap (Seidel, Aragon). By keys a search tree, by priorities, which are drawn, a heap: so it is as deep as a
- * tree whose nodes came in any order, O(log n), whatever the order was. The numbers that are drawn are the same in every run. */
+/* Dictionaries: a treap (Seidel, Aragon). By keys a search tree, by priorities, which are drawn, a heap: so it is as
+ * deep as a tree whose nodes came in any order, O(log n), whatever the order was. The numbers that are drawn are the
+ * same in every run. */
 #include "MeDict.h"
 #include "MeAssert.h"
 #include "MeMemory.h"

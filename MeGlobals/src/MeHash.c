@@ -1,4 +1,5 @@
-/* Hash tables: chains of entries, which are also in a list of their own, so that their order does not depend on addresses. */
+/* Hash tables: chains of entries, which are also in a list of their own, so that their order does not depend on
+ * addresses. */
 #include "MeHash.h"
 
 #include "MeAssert.h"

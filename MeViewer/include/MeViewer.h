@@ -92,7 +92,8 @@ MEPUBLIC void MEAPI RDisplayCommandLineHelp(void);
 extern MEPUBLIC const float RPalette[8][4];
 /** @} */
 
-/** @name The main loop RRun(rc, tick) or RRun(rc, tick, userdata), where tick is `void MEAPI tick(RRender *)`, `void
+/** @name The main loop
+ *  RRun(rc, tick) or RRun(rc, tick, userdata), where tick is `void MEAPI tick(RRender *)`, `void
  *  MEAPI tick(RRender *, void *)` or one of the forms at the end of this header: handles input, calls tick, draws; and
  *  so on until the user leaves (Escape, Q, the window's close button), the program calls RRenderQuit, or the frames of
  *  `-frames` are over. Then it calls exit(), so cleanup belongs into an atexit() handler. RRun itself does not return

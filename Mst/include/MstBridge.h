@@ -24,8 +24,8 @@ MEPUBLIC void MEAPI MstBridgeDestroy(const MstBridgeID b);
  *  @{ */
 /** The material that every model has at first. */
 #define MstBridgeGetDefaultMaterial() ((MstMaterialID)0)
-/** A new material; the default one, with a warning that names what to raise, if there is no more room. Parameters of other
- *  materials stay where they are. */
+/** A new material; the default one, with a warning that names what to raise, if there is no more room. Parameters of
+ *  other materials stay where they are. */
 MEPUBLIC MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b);
 /** The parameters that contacts of the pair get from now on. They belong to the bridge. */
 MEPUBLIC MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b, const MstMaterialID m1,

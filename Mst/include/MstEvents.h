@@ -2,10 +2,11 @@
  *  Events: who began to touch whom, how hard, who still does, who no longer does; what overlaps a sensor; which joints
  *  broke. Beyond Karma; they belong to the bridge (User Guide ch. 5).
  *
- *  Touch. Two models touch in a step when a contact of theirs carried a force or overlapped; they touch on until no contact
- *  does and their gap is larger than their contact tolerances, so that resting contacts do not blink. Contacts that a
- *  callback took away do not count. A touch is one begin, a persist in every later step that the models touch, and one
- *  end. Where both models are frozen, as those of sleeping bodies are, the pair is silent: no event, and the touch goes on.
+ *  Touch. Two models touch in a step when a contact of theirs carried a force or overlapped; they touch on until no
+ *  contact does and their gap is larger than their contact tolerances, so that resting contacts do not blink. Contacts
+ *  that a callback took away do not count. A touch is one begin, a persist in every later step that the models touch,
+ *  and one end. Where both models are frozen, as those of sleeping bodies are, the pair is silent: no event, and the
+ *  touch goes on.
  *
  *  Sensors (McdModelSetSensor) touch what they overlap as a step begins, with or without a body, also models that are
  *  frozen or asleep; they wake nothing, and sensors do not see each other. Two models that are both frozen are silent
@@ -13,13 +14,14 @@
  *  not MstFixedModelCreate.
  *
  *  What goes. When a model leaves the space, is destroyed or filtered (McdModelSetFilter), or moves away while its body
- *  sleeps, its touches end with an event in the next step's list. Models that were destroyed are null in the list. A joint
- *  that was destroyed has no event any more, or a null in it.
+ *  sleeps, its touches end with an event in the next step's list. Models that were destroyed are null in the list. A
+ *  joint that was destroyed has no event any more, or a null in it.
  *
  *  Order. First the touches that ended between the steps, in the order in which they did; then pairs as the space hands
  *  them over, goodbyes, hellos, staying ones, each by sort keys, then creation; then broken joints, by sort keys, then
- *  creation. Callbacks of touches are called in that order when the list is complete; they may create and destroy what they
- *  like, but not step the universe. Joints have a callback of the world's (MdtWorldSetBreakCB), at the end of its step.
+ *  creation. Callbacks of touches are called in that order when the list is complete; they may create and destroy what
+ *  they like, but not step the universe. Joints have a callback of the world's (MdtWorldSetBreakCB), at the end of its
+ *  step.
  */
 #ifndef MSTEVENTS_H
 #define MSTEVENTS_H

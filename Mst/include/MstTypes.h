@@ -62,9 +62,9 @@ struct MstBridge {
 };
 
 /** How much there may be in a universe. 0 of anything but of geometry types: as much as there is memory for. Pools grow
- *  when they are full, then, each time to twice their size, and nothing that a program has a pointer to moves; the motion is
- *  the same, bit by bit, whichever the sizes are. With other sizes memory is taken when the universe is created, and what
- *  has no room is not made, with a warning that names the member here, once. */
+ *  when they are full, then, each time to twice their size, and nothing that a program has a pointer to moves; the
+ *  motion is the same, bit by bit, whichever the sizes are. With other sizes memory is taken when the universe is
+ *  created, and what has no room is not made, with a warning that names the member here, once. */
 typedef struct MstUniverseSizes {
     unsigned int dynamicBodiesMaxCount;              /**< Bodies. */
     unsigned int dynamicConstraintsMaxCount;         /**< Joints, contact groups and contacts together. */

@@ -10,21 +10,22 @@ ME_BEGIN_C
 
 /**
  * Creates a world, a framework with all geometry types and interactions, a space and a bridge, of the given sizes; null
- * means MstUniverseDefaultSizes, and MstUniverseGrowingSizes has no limits. Returns null, with a warning, if a size is out of range. Bodies that are disabled have
- * their models frozen (MstSetWorldHandlers). The space is inside a change block between steps.
+ * means MstUniverseDefaultSizes, and MstUniverseGrowingSizes has no limits. Returns null, with a warning, if a size is
+ * out of range. Bodies that are disabled have their models frozen (MstSetWorldHandlers). The space is inside a change
+ * block between steps.
  *
- * Its world's epsilon follows the scales, 7.2e-12 lengthScale / massScale [1/kg]: at 60 Hz and 10 m/s² a load of a million
- * times the mass scale makes joints and contacts sag by 1e-7 of the length scale (epsilon F h² / gamma), and a body that
- * weighs up to 10 000 times the mass scale sags by no more than 1e-9 of it under its own weight. MdtWorldSetEpsilon on
- * the universe's world takes its place, with its absolute meaning; the Dynamics guide's softer joints and contacts have
- * MDTWORLD_DEFAULT_EPSILON / massScale.
+ * Its world's epsilon follows the scales, 7.2e-12 lengthScale / massScale [1/kg]: at 60 Hz and 10 m/s² a load of a
+ * million times the mass scale makes joints and contacts sag by 1e-7 of the length scale (epsilon F h² / gamma), and a
+ * body that weighs up to 10 000 times the mass scale sags by no more than 1e-9 of it under its own weight.
+ * MdtWorldSetEpsilon on the universe's world takes its place, with its absolute meaning; the Dynamics guide's softer
+ * joints and contacts have MDTWORLD_DEFAULT_EPSILON / massScale.
  */
 MEPUBLIC MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes);
 /** Destroys a universe with all bodies, constraints, models and geometries in it. Null does nothing. */
 MEPUBLIC void MEAPI MstUniverseDestroy(const MstUniverseID u);
-/** The next step (s): McdSpaceUpdateAll, MstBridgeUpdateContacts, MdtWorldStep and MstBridgeUpdateEvents, which a program
- *  may also call; swept models (McdModelSetSwept) are moved continuously, up to what they meet and on from there. Its
- *  world's least safe time is 1e-9 s. */
+/** The next step (s): McdSpaceUpdateAll, MstBridgeUpdateContacts, MdtWorldStep and MstBridgeUpdateEvents, which a
+ *  program may also call; swept models (McdModelSetSwept) are moved continuously, up to what they meet and on from
+ *  there. Its world's least safe time is 1e-9 s. */
 MEPUBLIC void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step);
 MEPUBLIC MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u);
 MEPUBLIC McdFrameworkID MEAPI MstUniverseGetFramework(const MstUniverseID u);

@@ -1,5 +1,6 @@
 /** @file MstUtils.h
- *  Models with and without bodies, and the parts that the bridge is made of (User Guide ch. 5, "Fitting Out the Universe").
+ *  Models with and without bodies, and the parts that the bridge is made of (User Guide ch. 5, "Fitting Out the
+ *  Universe").
  */
 #ifndef MSTUTILS_H
 #define MSTUTILS_H
@@ -17,14 +18,15 @@ ME_BEGIN_C
 MEPUBLIC McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density);
 /** Takes such a model out of its space and destroys it, its body and its contacts. The geometry stays. */
 MEPUBLIC void MEAPI MstModelAndBodyDestroy(const McdModelID m);
-/** Creates a model that does not move, at a transform that is kept by pointer, in the universe's space, and freezes it. */
+/** Creates a model that does not move, at a transform that is kept by pointer, in the universe's space, and freezes
+ *  it. */
 MEPUBLIC McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID g,
                                               MeMatrix4Ptr transformation);
 /** Takes such a model out of its space and destroys it and its contacts. The geometry stays. */
 MEPUBLIC void MEAPI MstFixedModelDestroy(const McdModelID m);
 /**
- * Sets a body's mass and inertia from the model's geometry and a density (kg/m³, > 0). The centre of mass stays where it
- * is, at first the geometry's origin (User Guide ch. 4): a geometry whose own centre of mass is elsewhere wants
+ * Sets a body's mass and inertia from the model's geometry and a density (kg/m³, > 0). The centre of mass stays where
+ * it is, at first the geometry's origin (User Guide ch. 4): a geometry whose own centre of mass is elsewhere wants
  * MdtBodySetCenterOfMassRelativePosition as well. A geometry without mass properties changes nothing, with a warning.
  */
 MEPUBLIC void MEAPI MstAutoSetMassProperties(const MdtBodyID body, const McdModelID model, const MeReal density);

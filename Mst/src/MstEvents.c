@@ -1,10 +1,12 @@
 /* Events: what touches, from step to step.
  *
- * A pair has a touch from its first contact until the space takes the pair back. While contacts are made, the touches of
- * the step are listed; after the step, the forces of their contacts say which of them touch, and what is new about that.
+ * A pair has a touch from its first contact until the space takes the pair back. While contacts are made, the touches
+ * of the step are listed; after the step, the forces of their contacts say which of them touch, and what is new about
+ * that.
  *
- * The list of events is made when somebody asks for it, or has a callback, or destroys what it is about. When nobody has
- * until the next step begins, only whether each pair touches is kept: most pairs go on touching, and nobody wants to know.
+ * The list of events is made when somebody asks for it, or has a callback, or destroys what it is about. When nobody
+ * has until the next step begins, only whether each pair touches is kept: most pairs go on touching, and nobody wants
+ * to know.
  */
 #include "MstEvents.h"
 #include "MdtBody.h"

@@ -1,17 +1,17 @@
 /* Continuous motion: fast models are stopped where they touch, and go on from there.
  *
- * A step is taken in parts. In the first all bodies move, but the partition of a fast model that would meet something only up
- * to there; the others are done then. In each further part the ones that are behind get new contacts, and move on to the next
- * impact or to the end of the step. A pair of bodies that will meet is tied into one partition before it touches, so that
- * both are at the same time when they do. The impact itself is a short part too, as nobody has looked at where the body
- * goes after it.
+ * A step is taken in parts. In the first all bodies move, but the partition of a fast model that would meet something
+ * only up to there; the others are done then. In each further part the ones that are behind get new contacts, and move
+ * on to the next impact or to the end of the step. A pair of bodies that will meet is tied into one partition before it
+ * touches, so that both are at the same time when they do. The impact itself is a short part too, as nobody has looked
+ * at where the body goes after it.
  *
- * What is behind must not push what is done: it would move for longer than the step. Where it meets such a body it waits, and
- * the rest of its step is lost; so it is after the last part.
+ * What is behind must not push what is done: it would move for longer than the step. Where it meets such a body it
+ * waits, and the rest of its step is lost; so it is after the last part.
  *
- * A large partition is not held back by what hits it, which would cost as many solves of it: the fast body waits for it and
- * meets it in the next step, which is not divided either. What is fast and belongs to a large partition is followed in
- * the first parts only.
+ * A large partition is not held back by what hits it, which would cost as many solves of it: the fast body waits for it
+ * and meets it in the next step, which is not divided either. What is fast and belongs to a large partition is followed
+ * in the first parts only.
  */
 #include "McdGeometry.h"
 #include "McdInteractions.h"
@@ -72,8 +72,8 @@ static void addWay(MeVector3 way, McdModelID m, MeReal time) {
         way[i] += time * velocity[i];
 }
 
-/* McdSafeTime does not know surfaces of triangles: there the shape is cast along its way, without its turning. It is stopped
- * a little before. */
+/* McdSafeTime does not know surfaces of triangles: there the shape is cast along its way, without its turning. It is
+ * stopped a little before. */
 static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, MeReal most) {
     enum { STOP = 1000 };
     McdCastResult hit;
@@ -120,8 +120,8 @@ static MeReal approachOf(const McdModelPair *p) {
     return most;
 }
 
-/* An impact takes a part of its own, twice as long as it takes to close the gap: where the body goes after it is looked at
- * in the next part. Not so where the pair slides or rests, and its motion remains what it is. */
+/* An impact takes a part of its own, twice as long as it takes to close the gap: where the body goes after it is looked
+ * at in the next part. Not so where the pair slides or rests, and its motion remains what it is. */
 static MeReal timeOfImpact(const McdModelPair *p, MeReal most) {
     const MeReal approach = approachOf(p), margin = marginOf(p);
     return approach * most > 4 * margin ? 2 * margin / approach : most;
@@ -131,8 +131,8 @@ static MeBool isHeavy(MdtBodyID body) {
     return body && MdtBodyGetPartitionSize(body) > HEAVY;
 }
 
-/* In the shortest part a body gets no farther than where its contacts are made ahead of time, or little: what passes 100 of
- * its own size in a step, 1 % of that size. */
+/* In the shortest part a body gets no farther than where its contacts are made ahead of time, or little: what passes
+ * 100 of its own size in a step, 1 % of that size. */
 static MeReal shortestPart(const MstBridgeRecord *b) {
     return b->ahead / SHORTEST;
 }

@@ -1,7 +1,7 @@
 /* One pair of models: collision contacts become dynamics contacts.
  *
- * The contact group is kept in the pair's responseData. It pushes the first model's body; where only the second model has
- * a body, that one is the group's first, and normals are turned.
+ * The contact group is kept in the pair's responseData. It pushes the first model's body; where only the second model
+ * has a body, that one is the group's first, and normals are turned.
  */
 #include "McdContact.h"
 #include "McdGeometryInstance.h"
@@ -87,7 +87,7 @@ static MeBool isAmong(MdtContactID c, const MdtContactID *list, int count) {
     return MEFALSE;
 }
 
-/* ---- which contact of the last step a point continues -------------------------------------------------------------- */
+/* ---- which contact of the last step a point continues ------------------------------------------------------------ */
 
 /* The group's contact with the feature that no point has yet. */
 static MdtContactID contactOfFeature(MdtContactGroupID group, MeU32 feature, const MdtContactID *taken, int count) {
@@ -108,8 +108,8 @@ static MeReal distanceFrom(MdtContactID c, const MstBridgeRecord *b, const MeVec
     return MeVector3Dot(place, place);
 }
 
-/* Of all points without a contact, and all contacts of the group that no point has, the two that are nearest to each other:
- * they become one. False: there are none. */
+/* Of all points without a contact, and all contacts of the group that no point has, the two that are nearest to each
+ * other: they become one. False: there are none. */
 static MeBool matchNearest(MstBridgeRecord *b, MdtContactGroupID group, const McdIntersectResult *result) {
     MdtContactID nearest = 0;
     MeReal least = MEINFINITY;
@@ -141,7 +141,7 @@ static void matchContacts(MstBridgeRecord *b, MdtContactGroupID group, const Mcd
         ;
 }
 
-/* ---- contacts ------------------------------------------------------------------------------------------------------ */
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
 static void setContact(MdtContactID c, const McdContact *from, MeBool isTurned, const MstMaterialPair *materials) {
     const MeReal sign = isTurned ? -1 : 1;
@@ -170,8 +170,8 @@ static void destroyOthers(MdtContactGroupID group, const MdtContactID *done, int
     }
 }
 
-/* The group's contacts become those of the result. A point that continues one stays the same object, with the force that it
- * had; the rest is made new, or destroyed. */
+/* The group's contacts become those of the result. A point that continues one stays the same object, with the force
+ * that it had; the rest is made new, or destroyed. */
 static void renewContacts(MstBridgeRecord *b, MdtContactGroupID group, McdIntersectResult *result, MeBool isTurned) {
     int count = 0;
     matchContacts(b, group, result);
@@ -199,7 +199,7 @@ static void meetSensor(MstBridgeRecord *b, McdModelPair *p, McdIntersectResult *
         mst_touchNoteSensor(b, p, result);
 }
 
-/* ---- pairs that are as they were ----------------------------------------------------------------------------------- */
+/* ---- pairs that are as they were --------------------------------------------------------------------------------- */
 
 static unsigned long movesOf(McdModelID m) {
     const MdtBodyID body = McdModelGetBody(m);
@@ -210,9 +210,10 @@ static MeBool hasCallback(const MstMaterialPair *materials) {
     return materials->intersectCb || materials->perContactCb || materials->perPairCb;
 }
 
-/* What the contacts were made from, unless it is to be tested in every step: what is fast, or has callbacks, or has not got
- * all the contacts that were found. */
-static void remember(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials, const McdIntersectResult *result) {
+/* What the contacts were made from, unless it is to be tested in every step: what is fast, or has callbacks, or has not
+ * got all the contacts that were found. */
+static void remember(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials,
+                     const McdIntersectResult *result) {
     MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
     if (!t)
@@ -254,7 +255,7 @@ static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *m
     mst_touchNoteAgain(b, p);
 }
 
-/* ---- pairs that have to be tested ---------------------------------------------------------------------------------- */
+/* ---- pairs that have to be tested -------------------------------------------------------------------------------- */
 
 static void meetBodies(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MstMaterialPair *materials,
                        McdIntersectResult *result) {

@@ -1,4 +1,5 @@
-/* What tests of surfaces share: a framework with all convex types, triangles in a list, and the contacts of one model. */
+/* What tests of surfaces share: a framework with all convex types, triangles in a list, and the contacts of one
+ * model. */
 #ifndef TERRAIN_H
 #define TERRAIN_H
 

@@ -124,7 +124,7 @@ START_TEST(requests_by_table) {
 }
 END_TEST
 
-/* ---- the choice of contacts ------------------------------------------------------------------------------------------- */
+/* ---- the choice of contacts -------------------------------------------------------------------------------------- */
 
 static void contactAt(McdContact *c, double x, double y, double separation, double nx) {
     memset(c, 0, sizeof *c);

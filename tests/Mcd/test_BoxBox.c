@@ -1,7 +1,7 @@
 /* Boxes on boxes: 20 000 poses x { aligned, tilted by at most a milliradian, any } x { boxes, slabs 1:50 } against the
  * separating axes, tried one by one. */
 #include "karma_test.h"
-#include "mcd_vector.h"
+#include "mcd_vector_i.h"
 #include "reference.h"
 
 enum { POSES = 20000 };
@@ -246,8 +246,8 @@ START_TEST(features_stay_while_a_box_slides) {
 }
 END_TEST
 
-/* Of two bars that lie across each other, the direction across two edges is then a face's to 1e-8, and mostly better by as
- * much: the face's it is all the same, so that normal and features stay. */
+/* Of two bars that lie across each other, the direction across two edges is then a face's to 1e-8, and mostly better by
+ * as much: the face's it is all the same, so that normal and features stay. */
 START_TEST(a_face_goes_before_edges_of_boxes_turned_by_1e_8) {
     int better = 0;
     Random r = {.state = 7};

@@ -249,7 +249,7 @@ START_TEST(the_position_is_told_in_double) {
 }
 END_TEST
 
-/* ---- what programs make themselves -------------------------------------------------------------------------------- */
+/* ---- what programs make themselves ------------------------------------------------------------------------------- */
 
 static int MEAPI touchOnce(McdModelPair *pair, McdIntersectResult *result) {
     McdContact *c = result->contacts;

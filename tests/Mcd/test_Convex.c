@@ -1,6 +1,6 @@
 /* Pairs of convex shapes of all kinds against a slow reference (HARD-CASES: exact depths, full manifolds). */
 #include "karma_test.h"
-#include "mcd_vector.h"
+#include "mcd_vector_i.h"
 #include "reference.h"
 
 /* Of the smaller shape's extent. */
@@ -110,7 +110,8 @@ static void comparePair(int kindA, int kindB, int pose, double scale, MeBool sla
                   deepest(&m), expected, (expected - deepest(&m)) / size);
 }
 
-/* For long runs: NEARFIELD_POSES=60000 poses of each pair, a third of them of each kind, NEARFIELD_PAIR=hull-hull only. */
+/* For long runs: NEARFIELD_POSES=60000 poses of each pair, a third of them of each kind, NEARFIELD_PAIR=hull-hull
+ * only. */
 static int posesOf(int i, int j) {
     const char *const poses = getenv("NEARFIELD_POSES"), *const only = getenv("NEARFIELD_PAIR");
     char pair[40];
@@ -527,8 +528,8 @@ START_TEST(the_points_of_a_distance_are_on_the_surfaces) {
 }
 END_TEST
 
-/* Capsules of radius .25 and 2 m between their ends' centres, side by side, the second higher: the points are in the middle of
- * what is beside each other, or at the ends that are nearest. */
+/* Capsules of radius .25 and 2 m between their ends' centres, side by side, the second higher: the points are in the
+ * middle of what is beside each other, or at the ends that are nearest. */
 START_TEST(parallel_capsules_are_nearest_in_the_middle) {
     for (double up = -5; up <= 5; up += .25)
         for (int turn = 0; turn < 4; turn++) {

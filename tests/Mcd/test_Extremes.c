@@ -1,5 +1,5 @@
-/* Queries with any numbers, huge, tiny, infinite and none, against every geometry kind, alone and as parts of aggregates:
- * no crash, no NaN in a result, and an answer or a message. */
+/* Queries with any numbers, huge, tiny, infinite and none, against every geometry kind, alone and as parts of
+ * aggregates: no crash, no NaN in a result, and an answer or a message. */
 #include "McdAggregate.h"
 #include "McdAll.h"
 #include "McdQuery.h"
@@ -89,7 +89,7 @@ static void tearDown(Place *p) {
     McdTerm(p->frame);
 }
 
-/* ---- any number ----------------------------------------------------------------------------------------------------- */
+/* ---- any number -------------------------------------------------------------------------------------------------- */
 
 static MeReal anyNumber(void) {
     const MeReal sign = uniform(0, 1) < .5 ? -1 : 1;
@@ -142,7 +142,7 @@ static void checkNumber(const char *what, MeReal x) {
     ck_assert_msg(isfinite(x), "%s: %g", what, (double)x);
 }
 
-/* ---- queries ---------------------------------------------------------------------------------------------------------- */
+/* ---- queries ----------------------------------------------------------------------------------------------------- */
 
 static void checkHit(const McdLineSegIntersectResult *hit) {
     checkVector("hit", hit->position);
@@ -298,7 +298,8 @@ START_TEST(any_numbers_against_parts_out_of_reach) {
 }
 END_TEST
 
-/* The field is a part, and the model's place plus the part's is more than there is: its cells had the index (int)NaN. */
+/* The field is a part, and the model's place plus the part's is more than there is: its cells had the index
+ * (int)NaN. */
 START_TEST(a_segment_against_a_height_field_in_an_aggregate) {
     McdLineSegIntersectResult hit;
     MeVector3 from = {0, 0, 5}, to = {0, 0, -5};

@@ -104,7 +104,8 @@ static void assertSphere(McdGeometryID g, double z, double radius) {
     McdGeometryDestroy(g);
 }
 
-/* Of cones: through the tip and the rim, or with the rim as its equator where that is wider; the origin is a quarter up. */
+/* Of cones: through the tip and the rim, or with the rim as its equator where that is wider; the origin is a quarter
+ * up. */
 START_TEST(spheres_around_are_the_smallest) {
     McdFrameworkID f = framework();
     assertSphere(McdSphereCreate(f, 3), 0, 3);

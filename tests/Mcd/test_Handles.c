@@ -24,7 +24,7 @@ static void tearDown(void) {
     messages_release();
 }
 
-/* ---- in any order --------------------------------------------------------------------------------------------------- */
+/* ---- in any order ------------------------------------------------------------------------------------------------ */
 
 static McdGeometryID oneOf(int kind) {
     static const MeReal flat[4] = {0, 0, 0, 0};
@@ -146,7 +146,7 @@ START_TEST(a_pair_of_a_model_with_itself_is_disabled_in_silence) {
 }
 END_TEST
 
-/* ---- of another framework --------------------------------------------------------------------------------------------- */
+/* ---- of another framework ---------------------------------------------------------------------------------------- */
 
 START_TEST(geometries_and_models_of_another_framework_are_refused) {
     setUp();
@@ -178,7 +178,7 @@ START_TEST(geometries_and_models_of_another_framework_are_refused) {
 }
 END_TEST
 
-/* ---- relative transforms ------------------------------------------------------------------------------------------------ */
+/* ---- relative transforms ----------------------------------------------------------------------------------------- */
 
 static int blocks;
 
@@ -223,7 +223,7 @@ START_TEST(resetting_the_instance_of_a_model_with_its_own_relative_transform) {
 }
 END_TEST
 
-/* ---- what has gone -------------------------------------------------------------------------------------------------------- */
+/* ---- what has gone ----------------------------------------------------------------------------------------------- */
 
 #if KARMA_CHECK
 /* Each call gives one warning that names it, and a neutral result. */
@@ -271,7 +271,7 @@ START_TEST(what_has_been_destroyed_gets_a_warning_and_is_not_read) {
 END_TEST
 #endif
 
-/* ---- what registering brings --------------------------------------------------------------------------------------------- */
+/* ---- what registering brings ------------------------------------------------------------------------------------- */
 
 START_TEST(primitives_and_meshes_register_the_triangle_list) {
     static const int solids[] = {kMcdGeometryTypeSphere, kMcdGeometryTypeBox, kMcdGeometryTypeCylinder,

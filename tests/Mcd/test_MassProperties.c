@@ -186,7 +186,8 @@ START_TEST(a_fat_hull_is_the_limit_of_hulls) {
 }
 END_TEST
 
-/* A tetrahedron's: V = det/6, the centre the mean; with covariance V/20 (sum v v^T + s s^T) from its centre, where s = 0. */
+/* A tetrahedron's: V = det/6, the centre the mean; with covariance V/20 (sum v v^T + s s^T) from its centre, where s =
+ * 0. */
 START_TEST(a_tetrahedron_off_the_origin) {
     McdFrameworkID f = framework();
     for (double away = 0; away < 200; away = away * 3 + 1) {

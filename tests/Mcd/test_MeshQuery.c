@@ -1,5 +1,5 @@
-/* Queries of a space that has a triangle list, a height field and a list in an aggregate, and distances to them, against
- * every triangle one by one in closed forms. */
+/* Queries of a space that has a triangle list, a height field and a list in an aggregate, and distances to them,
+ * against every triangle one by one in closed forms. */
 #include "McdAggregate.h"
 #include "McdQuery.h"
 #include "McdSpace.h"
@@ -449,8 +449,8 @@ static int isFaced(const Surface *s, int n, const double by[3]) {
     return s->isTwoSided[n] || dot(normal, by) <= 0;
 }
 
-/* Where the cast meets the triangle: by steps that cannot pass it, as the gap shrinks no faster than the motion. Above 1
- * if it does not. */
+/* Where the cast meets the triangle: by steps that cannot pass it, as the gap shrinks no faster than the motion. Above
+ * 1 if it does not. */
 static double castOnto(McdGeometryID g, const Triangle t, const double by[3]) {
     const double length = sqrt(dot(by, by));
     double fraction = 0;

@@ -102,8 +102,8 @@ static double along(const MeReal *v, const MeReal *n) {
     return (double)v[0] * (double)n[0] + (double)v[1] * (double)n[1] + (double)v[2] * (double)n[2];
 }
 
-/* Both lie and move any way, without turning: the box's lowest corner, half its sides' share of the normal below its middle,
- * meets the plane when their speeds along the normal have used up its height. */
+/* Both lie and move any way, without turning: the box's lowest corner, half its sides' share of the normal below its
+ * middle, meets the plane when their speeds along the normal have used up its height. */
 START_TEST(a_box_falls_onto_a_plane_that_lies_any_way) {
     const double side[3] = {1, 2, 3};
     makePair(McdBoxCreate(frame, 1, 2, 3), McdPlaneCreate(frame));
@@ -190,7 +190,7 @@ START_TEST(bad_times_are_refused) {
 }
 END_TEST
 
-/* ---- random motions ------------------------------------------------------------------------------------------------ */
+/* ---- random motions ---------------------------------------------------------------------------------------------- */
 
 static McdGeometryID randomGeometry(int kind) {
     const MeReal a = (MeReal)uniform(.2, 1), b = (MeReal)uniform(.2, 1), c = (MeReal)uniform(.2, 1);
@@ -291,7 +291,7 @@ START_TEST(a_path_covers_turning) {
 }
 END_TEST
 
-/* ---- distances ----------------------------------------------------------------------------------------------------- */
+/* ---- distances --------------------------------------------------------------------------------------------------- */
 
 START_TEST(distances_of_simple_pairs) {
     McdDistanceResult d;

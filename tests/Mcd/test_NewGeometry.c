@@ -4,9 +4,9 @@
 #include "McdAll.h"
 #include "McdQuery.h"
 #include "karma_test.h"
-#include "mcd_geometries.h"
-#include "mcd_kind.h"
-#include "mcd_local.h"
+#include "mcd_geometries_i.h"
+#include "mcd_kind_i.h"
+#include "mcd_local_i.h"
 
 /* ---- the geometry ------------------------------------------------------------------------------------------------ */
 

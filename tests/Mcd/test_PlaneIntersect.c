@@ -25,7 +25,8 @@ static McdModelID modelAt(int i, McdGeometryID g) {
     return m;
 }
 
-/* Area and perimeter do not depend on where it begins; the area is positive if it is counter-clockwise about the normal. */
+/* Area and perimeter do not depend on where it begins; the area is positive if it is counter-clockwise about the
+ * normal. */
 static double areaOf(MeVector3 *v, int n, const MeReal *normal) {
     double sum = 0;
     for (int i = 1; i + 1 < n; i++) {
@@ -189,8 +190,9 @@ static int MEAPI floorAndRamp(McdModelPair *p, McdUserTriangle *t, MeVector3 pos
     return 2;
 }
 
-/* A box stands on the floor, 4 contacts, and with an edge in the ramp, 2 deeper ones. With room for two those of the ramp are
- * among them, unless faces come first: the mean normal is 6.6 degrees off the floor's and 13.4 off the ramp's. */
+/* A box stands on the floor, 4 contacts, and with an edge in the ramp, 2 deeper ones. With room for two those of the
+ * ramp are among them, unless faces come first: the mean normal is 6.6 degrees off the floor's and 13.4 off the
+ * ramp's. */
 START_TEST(faces_first_keeps_contacts_along_the_mean_normal) {
     MeVector3 low = {-9, -9, -9}, high = {9, 9, 9};
     McdModelID surface = modelAt(0, McdTriangleListCreate(frame, low, high, 4, floorAndRamp));

@@ -59,7 +59,7 @@ static void meetBoxes(void) {
     assertChanged("a new pair");
 }
 
-/* ---- what is the same ------------------------------------------------------------------------------------------------- */
+/* ---- what is the same -------------------------------------------------------------------------------------------- */
 
 START_TEST(convex_shapes_and_planes_that_stay_are_as_tested) {
     static const MeReal tip[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
@@ -78,7 +78,7 @@ START_TEST(convex_shapes_and_planes_that_stay_are_as_tested) {
 }
 END_TEST
 
-/* ---- what is not ------------------------------------------------------------------------------------------------------ */
+/* ---- what is not ------------------------------------------------------------------------------------------------- */
 
 START_TEST(the_last_bit_of_a_place_counts) {
     meetBoxes();

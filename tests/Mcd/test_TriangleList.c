@@ -46,7 +46,7 @@ static void randomTurn(MeMatrix4 tm) {
     MeMatrix4TMSetRotation(tm, (const MeVector3 *)r);
 }
 
-/* ---- surfaces that are flat ----------------------------------------------------------------------------------------- */
+/* ---- surfaces that are flat -------------------------------------------------------------------------------------- */
 
 /* Long, flat, with sharp corners: whatever comes. */
 static McdGeometryID randomHull(int number, double size) {
@@ -217,7 +217,7 @@ START_TEST(features_stay_while_sliding_and_in_any_order) {
 }
 END_TEST
 
-/* ---- folds ------------------------------------------------------------------------------------------------------------ */
+/* ---- folds ------------------------------------------------------------------------------------------------------- */
 
 static double valley(double x, double y) {
     (void)y;
@@ -338,7 +338,7 @@ START_TEST(at_a_step_nothing_hooks) {
 }
 END_TEST
 
-/* ---- bumpy ground --------------------------------------------------------------------------------------------------- */
+/* ---- bumpy ground ------------------------------------------------------------------------------------------------ */
 
 static double bumps(double x, double y) {
     return .2 * sin(2.1 * x + .3) * cos(1.7 * y) + .05 * sin(9 * x) * sin(7 * y + 1);
@@ -414,7 +414,7 @@ START_TEST(a_ball_on_bumpy_ground_touches_its_nearest_point) {
 }
 END_TEST
 
-/* ---- one triangle, its flags ------------------------------------------------------------------------------------------ */
+/* ---- one triangle, its flags ------------------------------------------------------------------------------------- */
 
 static void oneTriangle(int flags) {
     terrain_triangle(&ground, terrain_vertex(&ground, -1, -1, 0), terrain_vertex(&ground, 1, -1, 0),
@@ -486,7 +486,7 @@ START_TEST(the_given_normal_says_which_side_is_outside) {
 }
 END_TEST
 
-/* ---- the list ---------------------------------------------------------------------------------------------------------- */
+/* ---- the list ---------------------------------------------------------------------------------------------------- */
 
 START_TEST(the_list_may_stand_anywhere) {
     begin();

@@ -129,9 +129,9 @@ START_TEST(without_damping_and_friction_a_body_slides_for_ever) {
 }
 END_TEST
 
-/* A minute of rolling with 2 m/s; the contact may know that the ball is round. Where rounding has left a gap, the step is
- * divided when the ball has fallen onto the floor, after t = sqrt(2 gap / g); what is no ball has turned by w t meanwhile, and
- * its weight gets an arm: it gains at most g h w t. */
+/* A minute of rolling with 2 m/s; the contact may know that the ball is round. Where rounding has left a gap, the step
+ * is divided when the ball has fallen onto the floor, after t = sqrt(2 gap / g); what is no ball has turned by w t
+ * meanwhile, and its weight gets an arm: it gains at most g h w t. */
 static void rollForAMinute(MeBool isRound) {
     const double radius = 1, g = 10, v = 2, rounding = TOL(1e-4, 1e-9);
     double gain = 0;

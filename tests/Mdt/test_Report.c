@@ -242,7 +242,7 @@ START_TEST(velocity_stages_are_counted) {
 }
 END_TEST
 
-/* ---- what is said of a solve that is not exact: a warning of what somebody can mend, else a word for developers ---- */
+/* ---- what is said of a solve that is not exact: a warning of what somebody can mend, else a word for developers -- */
 
 static char said[512]; /* to developers, last */
 static int saidCount;
@@ -537,8 +537,8 @@ START_TEST(a_ball_that_bounces_is_timed) {
 }
 END_TEST
 
-/* The parts of a step in which a ball turns about y by more than a step can follow, on the floor or on a body that stands
- * still, which is then the contact's first. */
+/* The parts of a step in which a ball turns about y by more than a step can follow, on the floor or on a body that
+ * stands still, which is then the contact's first. */
 static int partsOfWhirl(double ballRadius, double contactRadius, double offX, double offZ, MeBool isOnBody) {
     MdtWorldID w = reportedWorld(2, 1, 0);
     MdtBodyID b = scene_body(w, 1, 0, ballRadius, 0), floor = isOnBody ? scene_body(w, 1000, 0, -1, 0) : 0;
@@ -554,8 +554,9 @@ static int partsOfWhirl(double ballRadius, double contactRadius, double offX, do
     return parts;
 }
 
-/* How a ball is turned matters where a contact pushes past its centre, by more than a thousandth of the radius: the step is
- * then taken in parts, and else in one. So it is with a corner, even under the centre, which turns with the body. */
+/* How a ball is turned matters where a contact pushes past its centre, by more than a thousandth of the radius: the
+ * step is then taken in parts, and else in one. So it is with a corner, even under the centre, which turns with the
+ * body. */
 START_TEST(a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre) {
     const double radius = .5, past = 1.2e-3 * radius, within = .8e-3 * radius;
     for (int isOnBody = 0; isOnBody < 2; isOnBody++) {

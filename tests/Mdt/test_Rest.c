@@ -69,7 +69,8 @@ START_TEST(a_resting_body_is_disabled_after_the_alive_window) {
 END_TEST
 
 /* It has rested for almost as long as it takes; then the program takes it elsewhere, where nothing holds it. */
-/* What creeps below the thresholds when it is put to rest stands: for the solver, and for who reads by a getter or a pointer. */
+/* What creeps below the thresholds when it is put to rest stands: for the solver, and for who reads by a getter or a
+ * pointer. */
 START_TEST(a_body_that_rests_shows_no_velocity) {
     MdtWorldID w = scene_world(1, 0, 0);
     MdtBodyID b = scene_body(w, 1, 0, 0, 0);

@@ -1,6 +1,6 @@
-/* Every row against finite differences: the rate J v of a position row is the derivative of its error, that of a limit's
- * row the derivative of its coordinate, and those of motors, stops, springs, contacts and friction the derivatives of
- * what this file measures itself; for random frames, poses and velocities, met or not. */
+/* Every row against finite differences: the rate J v of a position row is the derivative of its error, that of a
+ * limit's row the derivative of its coordinate, and those of motors, stops, springs, contacts and friction the
+ * derivatives of what this file measures itself; for random frames, poses and velocities, met or not. */
 #include "MdtBcl.h"
 #include "MdtKeaMath.h"
 #include "MeMath.h"

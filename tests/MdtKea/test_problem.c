@@ -1,5 +1,6 @@
 /* The inner problem (kea_problem_i.h) against slow ways to solve it: enumeration of what is at a bound, the angle of
- * sliding by bisection, fixed points. It is solved as in a step: passes that take the method's own softness out again. */
+ * sliding by bisection, fixed points. It is solved as in a step: passes that take the method's own softness out
+ * again. */
 #include "common/kea_policy_i.h"
 #include "common/kea_problem_i.h"
 #include "karma_test.h"
@@ -891,8 +892,8 @@ START_TEST(joints_hold_after_sweeps) {
 }
 END_TEST
 
-/* Bodies that meet at contacts with friction, after however few sweeps: they have no more energy than before, and friction is
- * within its cone. */
+/* Bodies that meet at contacts with friction, after however few sweeps: they have no more energy than before, and
+ * friction is within its cone. */
 START_TEST(sweeps_gain_no_energy) {
     for (unsigned seed = 1; seed <= 200; seed++) {
         double v[MOST_BODIES][6], before = 0, after = 0;
@@ -910,7 +911,8 @@ START_TEST(sweeps_gain_no_energy) {
             for (int k = 0; k < 6; k++)
                 arm[k / 3][k % 3] = uniform(-1, 1);
             randomFrame(frame);
-            setContact(i, a, a == b ? MdtKeaWORLD : b, (const double(*)[3])frame, (const double(*)[3])arm, uniform(0, 2));
+            setContact(i, a, a == b ? MdtKeaWORLD : b, (const double(*)[3])frame, (const double(*)[3])arm,
+                       uniform(0, 2));
             for (int k = 0; k < 3; k++)
                 q.row[i + k].r = -rateOf(&q.row[i + k], v);
         }

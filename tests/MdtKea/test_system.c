@@ -318,7 +318,8 @@ START_TEST(two_bodies_share_an_impulse) {
 }
 END_TEST
 
-/* J v⁺ = s - h E λ, as exactly as Kea balances momenta, and v⁺ = v + h (f + Jᵀ λ)/m, whatever the row and the bodies. */
+/* J v⁺ = s - h E λ, as exactly as Kea balances momenta, and v⁺ = v + h (f + Jᵀ λ)/m, whatever the row and the
+ * bodies. */
 START_TEST(velocity_rows_obey_their_law) {
     for (unsigned seed = 1; seed <= 60; seed++) {
         Scene scene;
@@ -898,8 +899,8 @@ START_TEST(impacts_obey_newton) {
 }
 END_TEST
 
-/* Does a body of 2 kg meet what a contact of that softness keeps it from, when it moves into it by `speed`, of what its weight
- * changes in a step? Others may hang about in the partition, and press on it. */
+/* Does a body of 2 kg meet what a contact of that softness keeps it from, when it moves into it by `speed`, of what its
+ * weight changes in a step? Others may hang about in the partition, and press on it. */
 static MeBool meetsWith(double speed, double softness, double others) {
     const double g = 10, h = 0.01;
     Scene scene;
@@ -921,8 +922,8 @@ static MeBool meetsWith(double speed, double softness, double others) {
     return meets;
 }
 
-/* It gives way to the weight of all by v = h E m g, which is E m of what the weight changes in a step; to no more than a
- * twentieth. A hard one gives way to nothing. */
+/* It gives way to the weight of all by v = h E m g, which is E m of what the weight changes in a step; to no more than
+ * a twentieth. A hard one gives way to nothing. */
 START_TEST(giving_way_to_a_load_is_no_impact) {
     ck_assert(!meetsWith(0, 0, 3));
     ck_assert(meetsWith(1e-5, 0, 3));
@@ -1007,8 +1008,8 @@ START_TEST(impacts_have_friction) {
 }
 END_TEST
 
-/* Newton's law with friction can ask for energy that is not there (Kane's paradox): a slanted rod, or a box on some corners.
- * Then as much of the rebound is given as energy allows: none is gained, and in those cases none is lost. */
+/* Newton's law with friction can ask for energy that is not there (Kane's paradox): a slanted rod, or a box on some
+ * corners. Then as much of the rebound is given as energy allows: none is gained, and in those cases none is lost. */
 START_TEST(rebounds_with_friction_gain_no_energy) {
     int limited = 0;
     for (unsigned seed = 1; seed <= 2000; seed++) {

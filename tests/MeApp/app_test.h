@@ -1,4 +1,5 @@
-/* What the tests of MeApp share: a universe, a context that draws nowhere, and a mouse. z is up in the picture's middle. */
+/* What the tests of MeApp share: a universe, a context that draws nowhere, and a mouse. z is up in the picture's
+ * middle. */
 #ifndef APP_TEST_H
 #define APP_TEST_H
 

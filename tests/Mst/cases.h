@@ -1,6 +1,6 @@
-/* The hard cases through the whole pipeline: Mcd finds the contacts, the bridge makes them, Mdt solves. Scenes and references
- * are those of tests/scenes; here stand the errors that are kept at 60 Hz, one step a frame, and at four. Every step is
- * exact by its own report, and every run has the same bits twice. */
+/* The hard cases through the whole pipeline: Mcd finds the contacts, the bridge makes them, Mdt solves. Scenes and
+ * references are those of tests/scenes; here stand the errors that are kept at 60 Hz, one step a frame, and at four.
+ * Every step is exact by its own report, and every run has the same bits twice. */
 #ifndef CASES_H
 #define CASES_H
 

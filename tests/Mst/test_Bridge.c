@@ -32,7 +32,7 @@ static MdtContactID onlyContact(void) {
     return c;
 }
 
-/* ---- pairs that stand still -------------------------------------------------------------------------------------------- */
+/* ---- pairs that stand still -------------------------------------------------------------------------------------- */
 
 enum { TOWER = 6, STILL_STEPS = 200, HIT = 60, CHANGE = 120 };
 
@@ -41,8 +41,8 @@ static void MEAPI goOn(McdIntersectResult *result) {
     called++;
 }
 
-/* A tower that touches without weight, so that nothing moves to the last bit, until a ball hits it; later one of its boxes
- * grows, and friction goes. A callback has every pair tested in every step. */
+/* A tower that touches without weight, so that nothing moves to the last bit, until a ball hits it; later one of its
+ * boxes grows, and friction goes. A callback has every pair tested in every step. */
 static void playTower(MeBool isTested, MeVector3 place[TOWER + 1]) {
     const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1), other = McdBoxCreate(u->frame, 1, 1, 1);
     McdModelID model[TOWER + 1];
@@ -83,7 +83,7 @@ START_TEST(what_is_not_tested_again_goes_on_as_if_it_were) {
 }
 END_TEST
 
-/* ---- materials ------------------------------------------------------------------------------------------------------- */
+/* ---- materials --------------------------------------------------------------------------------------------------- */
 
 START_TEST(materials_are_numbered_from_the_default_one) {
     ck_assert_uint_eq(MstBridgeGetDefaultMaterial(), 0);
@@ -136,7 +136,7 @@ START_TEST(bad_bridges_are_refused) {
 }
 END_TEST
 
-/* ---- contacts ---------------------------------------------------------------------------------------------------------- */
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
 START_TEST(a_touch_makes_a_contact_of_its_depth) {
     MeVector3 p, n;
@@ -280,7 +280,7 @@ START_TEST(only_the_second_model_having_a_body_is_as_good) {
 }
 END_TEST
 
-/* ---- callbacks ----------------------------------------------------------------------------------------------------------- */
+/* ---- callbacks --------------------------------------------------------------------------------------------------- */
 
 static void MEAPI cull(McdIntersectResult *result) {
     called++;

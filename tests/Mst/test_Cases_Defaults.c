@@ -1,5 +1,5 @@
-/* The hard cases with the epsilon that a universe comes with: what a program gets that sets nothing. Where a bound is wider
- * than in the other files, which are rigid, the load's sag is why (epsilon F h² / gamma). */
+/* The hard cases with the epsilon that a universe comes with: what a program gets that sets nothing. Where a bound is
+ * wider than in the other files, which are rigid, the load's sag is why (epsilon F h² / gamma). */
 #include "cases.h"
 
 START_TEST(stacks_stand_by_default) {

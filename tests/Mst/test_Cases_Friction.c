@@ -1,5 +1,5 @@
-/* Hard cases 8, 9, 10 and 12: slopes, friction that is the same in every direction, balls that come to roll, and a block
- * that topples. */
+/* Hard cases 8, 9, 10 and 12: slopes, friction that is the same in every direction, balls that come to roll, and a
+ * block that topples. */
 #include "cases.h"
 
 START_TEST(cubes_slide_and_stick_on_a_slope) {

@@ -61,10 +61,10 @@ static double coordinate(McdModelID m, int axis) {
     return (double)p[axis];
 }
 
-/* ---- bullets --------------------------------------------------------------------------------------------------------- */
+/* ---- bullets ----------------------------------------------------------------------------------------------------- */
 
-/* A shot at the plane x = 0 from the side of negative x. Returns whether it went through; else all of its velocity is as
- * restitution has it, and it is where it came to in the time. */
+/* A shot at the plane x = 0 from the side of negative x. Returns whether it went through; else all of its velocity is
+ * as restitution has it, and it is where it came to in the time. */
 static MeBool shoot(McdModelID ball, double radius, double wall, double e) {
     const double speed = between(50, 1500), distance = between(1, 40);
     const double to[3] = {0, between(-3, 3), between(-3, 3)};
@@ -177,7 +177,7 @@ START_TEST(a_bullet_meets_several_walls_in_a_step) {
 }
 END_TEST
 
-/* ---- rods ------------------------------------------------------------------------------------------------------------ */
+/* ---- rods -------------------------------------------------------------------------------------------------------- */
 
 /* Which side of the rod's middle line the post at (d, 0) is on; 0: the rod does not reach it. */
 static double sideOf(McdModelID rod, double d) {
@@ -224,7 +224,7 @@ START_TEST(no_rod_tunnels_a_post) {
 }
 END_TEST
 
-/* ---- bodies among themselves ------------------------------------------------------------------------------------------- */
+/* ---- bodies among themselves ------------------------------------------------------------------------------------- */
 
 /* A bullet of m at v sticks to a plate of M: both go on at m v / (m + M). */
 START_TEST(a_bullet_pushes_a_plate) {
@@ -264,8 +264,8 @@ START_TEST(bullets_meet_each_other) {
 }
 END_TEST
 
-/* A wall of boxes that sleeps: the bullet wakes it, does not go through, and loses what the boxes gain. A large one is not held
- * back by the bullet. */
+/* A wall of boxes that sleeps: the bullet wakes it, does not go through, and loses what the boxes gain. A large one is
+ * not held back by the bullet. */
 static void shootWall(int columns, int rows) {
     enum { MOST = 64 };
     McdModelID box[MOST];
@@ -316,7 +316,7 @@ START_TEST(a_bullet_breaks_a_large_wall) {
 }
 END_TEST
 
-/* ---- the step ---------------------------------------------------------------------------------------------------------- */
+/* ---- the step ---------------------------------------------------------------------------------------------------- */
 
 /* A ball that is thrown on the floor, with its weight, an added force and a restitution. */
 START_TEST(forces_act_in_all_parts_of_a_step) {

@@ -31,7 +31,7 @@ static void setFriction(MstUniverseID u, MdtFrictionModel model, double coeffici
         MdtContactParamsSetFrictionCoeffecient(p, (MeReal)coefficient);
 }
 
-/* ---- friction holds ------------------------------------------------------------------------------------------------- */
+/* ---- friction holds ---------------------------------------------------------------------------------------------- */
 
 /* A cube of 1 m on a slope of atan .5, whose way down is along[]. */
 typedef struct Slope {
@@ -108,7 +108,8 @@ START_TEST(a_cube_on_a_slope_may_sleep_there) {
 }
 END_TEST
 
-/* Epsilon is for the normals: the cube has sunk after 5 s, by some 3 mm for 10 t at the guide's value, and stays there. */
+/* Epsilon is for the normals: the cube has sunk after 5 s, by some 3 mm for 10 t at the guide's value, and stays
+ * there. */
 START_TEST(soft_contacts_do_not_creep) {
     for (int model = MdtFrictionModelBox; model <= MdtFrictionModelCone; model++)
         for (int k = 0; k < 4; k++)
@@ -139,7 +140,7 @@ START_TEST(slip_is_what_softens_friction) {
 }
 END_TEST
 
-/* ---- an arch ---------------------------------------------------------------------------------------------------------- */
+/* ---- an arch ----------------------------------------------------------------------------------------------------- */
 
 enum { STONES = 15 };
 
@@ -184,8 +185,8 @@ static double heightOfKeystone(const Arch *a) {
     return (double)MdtBodyGetTransformPtr(a->stone[STONES / 2])[3][2];
 }
 
-/* Heyman (1969): a half circle stands from a thickness of .107 of its mean radius on. This one has .18, as tutorial Arch:
- * kept awake it does not creep, and as programs have it it sleeps at last. */
+/* Heyman (1969): a half circle stands from a thickness of .107 of its mean radius on. This one has .18, as tutorial
+ * Arch: kept awake it does not creep, and as programs have it it sleeps at last. */
 START_TEST(an_arch_does_not_sink) {
 #ifdef TEST_IS_SLOW
     const int seconds[] = {2, 4};
@@ -202,7 +203,7 @@ START_TEST(an_arch_does_not_sink) {
 }
 END_TEST
 
-/* ---- what bears a load does not sag ------------------------------------------------------------------------------------ */
+/* ---- what bears a load does not sag ------------------------------------------------------------------------------ */
 
 /* How much bodies weigh, and how large they are, in a universe of these scales. */
 typedef struct Scale {
@@ -325,7 +326,7 @@ START_TEST(a_welded_frame_does_not_give_way) {
 }
 END_TEST
 
-/* ---- the value -------------------------------------------------------------------------------------------------------- */
+/* ---- the value --------------------------------------------------------------------------------------------------- */
 
 /* 1e7 N sag by 1e-7 m in steps of 1/60 s. */
 START_TEST(epsilon_follows_the_scales) {

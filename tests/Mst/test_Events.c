@@ -86,7 +86,7 @@ static McdModelID makeZone(double x, double y, double z) {
     return zone;
 }
 
-/* ---- touches --------------------------------------------------------------------------------------------------------- */
+/* ---- touches ----------------------------------------------------------------------------------------------------- */
 
 /* A ball that falls from rest by h meets the ground at sqrt(2 g h), and m (1 + e) of that is the impulse. */
 START_TEST(a_bounce_is_a_begin_with_its_impulse_and_an_end) {
@@ -177,7 +177,7 @@ START_TEST(contacts_that_a_callback_takes_away_do_not_count) {
 }
 END_TEST
 
-/* ---- callbacks ------------------------------------------------------------------------------------------------------- */
+/* ---- callbacks --------------------------------------------------------------------------------------------------- */
 
 static void MEAPI countCalls(const MstEvent *e) {
     calls[e->kind]++;
@@ -219,7 +219,7 @@ START_TEST(a_callback_may_destroy_what_later_events_are_about) {
 }
 END_TEST
 
-/* ---- what goes between steps ------------------------------------------------------------------------------------------- */
+/* ---- what goes between steps ------------------------------------------------------------------------------------- */
 
 START_TEST(a_model_that_is_destroyed_ends_its_touches) {
     for (int isAsleep = 0; isAsleep < 2; isAsleep++) {
@@ -363,7 +363,7 @@ START_TEST(the_list_is_the_same_whether_or_not_earlier_ones_were_asked_for) {
 }
 END_TEST
 
-/* ---- sensors --------------------------------------------------------------------------------------------------------- */
+/* ---- sensors ----------------------------------------------------------------------------------------------------- */
 
 START_TEST(a_sensor_tells_what_passes_and_does_not_push) {
     MdtWorldSetGravity(u->world, 0, 0, 0);
@@ -448,7 +448,7 @@ START_TEST(sensors_do_not_see_each_other_and_may_become_solid) {
 }
 END_TEST
 
-/* ---- filters --------------------------------------------------------------------------------------------------------- */
+/* ---- filters ----------------------------------------------------------------------------------------------------- */
 
 static int pairsNow(void) {
     McdSpacePairIterator it;
@@ -543,7 +543,7 @@ START_TEST(what_the_program_disabled_stays_so_when_its_support_goes) {
 }
 END_TEST
 
-/* ---- joints that break ----------------------------------------------------------------------------------------------- */
+/* ---- joints that break ------------------------------------------------------------------------------------------- */
 
 START_TEST(broken_joints_are_in_the_list) {
     MdtBSJointID joint = MdtBSJointCreate(u->world);
@@ -564,7 +564,7 @@ START_TEST(broken_joints_are_in_the_list) {
 }
 END_TEST
 
-/* ---- order ----------------------------------------------------------------------------------------------------------- */
+/* ---- order ------------------------------------------------------------------------------------------------------- */
 
 /* Twenty balls in a heap, made in another order but with the same sort keys: the same pairs in the same order. */
 static int heapEvents(int seed, int keys[][2], int room) {
@@ -656,7 +656,8 @@ START_TEST(a_break_and_a_touch_in_one_step) {
 }
 END_TEST
 
-/* The ball is in the zone as each step begins, and hits a wall or two within: the zone tells it once a step, and does not push. */
+/* The ball is in the zone as each step begins, and hits a wall or two within: the zone tells it once a step, and does
+ * not push. */
 START_TEST(a_sensor_in_a_divided_step) {
     static MeMatrix4 at[2];
     MeVector3 v;

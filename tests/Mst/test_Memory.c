@@ -4,7 +4,7 @@
 #include "MeMemory.h"
 #include <stdint.h>
 
-/* ---- the program's functions, which know their blocks --------------------------------------------------------------- */
+/* ---- the program's functions, which know their blocks ------------------------------------------------------------ */
 
 enum { ROOM = 1 << 16, NONE = 0, PLAIN = 1, ALIGNED = 2 };
 
@@ -102,7 +102,7 @@ static void putBack(void) {
     ck_assert_int_eq(memory.live, 0);
 }
 
-/* ---- the contract ---------------------------------------------------------------------------------------------------- */
+/* ---- the contract ------------------------------------------------------------------------------------------------ */
 
 static Whole whole;
 
@@ -162,7 +162,7 @@ START_TEST(models_with_transforms_of_their_own_are_reset_and_destroyed_without_n
 }
 END_TEST
 
-/* ---- memory that fails ----------------------------------------------------------------------------------------------- */
+/* ---- memory that fails ------------------------------------------------------------------------------------------- */
 
 static void assertFinite(void) {
     for (int i = 0; i < whole.count; i++) {

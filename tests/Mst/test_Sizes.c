@@ -1,5 +1,5 @@
-/* The sizes of a universe: what has no room is said once, in the program's words; sizes of 0 have no limits; universes in
- * several threads at once. */
+/* The sizes of a universe: what has no room is said once, in the program's words; sizes of 0 have no limits; universes
+ * in several threads at once. */
 #include "whole.h"
 #include <pthread.h>
 
@@ -17,10 +17,10 @@ static McdModelID makeBall(MstUniverseID universe, double radius, double x, doub
     return m;
 }
 
-/* ---- models whose place is not known yet ------------------------------------------------------------------------------- */
+/* ---- models whose place is not known yet ------------------------------------------------------------------------- */
 
-/* 98 bodies created and one destroyed before the first step: 'no room for 4253 more pairs'. They are all at the origin until
- * the program has put them elsewhere. */
+/* 98 bodies created and one destroyed before the first step: 'no room for 4253 more pairs'. They are all at the origin
+ * until the program has put them elsewhere. */
 START_TEST(models_have_no_pairs_before_their_first_place_is_known) {
     McdModelID m[98];
     u = MstUniverseCreate(NULL);
@@ -65,7 +65,7 @@ START_TEST(a_body_that_is_disabled_before_its_first_step_is_where_it_was_put) {
 }
 END_TEST
 
-/* ---- what is said where there is no room --------------------------------------------------------------------------------- */
+/* ---- what is said where there is no room ------------------------------------------------------------------------- */
 
 static int said;
 static char words[4096];
@@ -197,7 +197,7 @@ START_TEST(a_type_out_of_range_names_the_size) {
 }
 END_TEST
 
-/* ---- growing ---------------------------------------------------------------------------------------------------------------- */
+/* ---- growing ----------------------------------------------------------------------------------------------------- */
 
 /* A field of pillars of two balls, one ball of which is hung up by a joint. */
 static MstUniverseID makeField(const MstUniverseSizes *sizes, int side, MdtBodyID *first) {
@@ -329,7 +329,7 @@ START_TEST(worlds_frameworks_and_spaces_by_hand_grow_too) {
 }
 END_TEST
 
-/* ---- threads ------------------------------------------------------------------------------------------------------------------ */
+/* ---- threads ----------------------------------------------------------------------------------------------------- */
 
 #ifdef TEST_IS_SLOW
 enum { ROUNDS = 20 };

@@ -47,7 +47,7 @@ static void setFriction(double coefficient, double restitution) {
     MdtContactParamsSetRestitution(p, (MeReal)restitution);
 }
 
-/* ---- what it is made of --------------------------------------------------------------------------------------------- */
+/* ---- what it is made of ------------------------------------------------------------------------------------------ */
 
 START_TEST(the_default_sizes_are_the_guides) {
     const MstUniverseSizes *s = &MstUniverseDefaultSizes;
@@ -147,7 +147,7 @@ START_TEST(the_step_may_be_driven_by_hand) {
 }
 END_TEST
 
-/* ---- scenes --------------------------------------------------------------------------------------------------------- */
+/* ---- scenes ------------------------------------------------------------------------------------------------------ */
 
 START_TEST(a_box_rests_on_the_floor_and_goes_to_sleep) {
     makeGround();
@@ -295,7 +295,8 @@ START_TEST(the_same_heap_gives_the_same_bits) {
 }
 END_TEST
 
-/* 9 cm at 20 and 100 m/s: 3.7 and 18 rad in a step, which is divided. It neither sinks, nor jumps, nor changes its speed. */
+/* 9 cm at 20 and 100 m/s: 3.7 and 18 rad in a step, which is divided. It neither sinks, nor jumps, nor changes its
+ * speed. */
 START_TEST(a_ball_rolls_on_however_fast_it_turns) {
     for (int k = 0; k < 2; k++) {
         const double speed = k ? 100 : 20, radius = .09;

@@ -1,4 +1,5 @@
-/* What a step may cost: a cap on iterations, and the budget of work, make steps cheaper and softer, and never gain energy. */
+/* What a step may cost: a cap on iterations, and the budget of work, make steps cheaper and softer, and never gain
+ * energy. */
 #include "Mst.h"
 #include "karma_test.h"
 
@@ -121,8 +122,8 @@ static Run runHeap(int boxes, int steps, int cap, double budget) {
     return run;
 }
 
-/* With one iteration bodies reached 4e10 m/s in single precision, 1e41 m/s in double; with five a step took 40 times as long as
- * without. Nothing falls by more than 12 m: sqrt(2 g 12 m) = 15 m/s. */
+/* With one iteration bodies reached 4e10 m/s in single precision, 1e41 m/s in double; with five a step took 40 times as
+ * long as without. Nothing falls by more than 12 m: sqrt(2 g 12 m) = 15 m/s. */
 START_TEST(a_cap_on_iterations_makes_steps_cheaper_and_softer) {
     static const int caps[] = {1, 5, 20, 0};
     double work = 0, workOfOne = 0;
@@ -153,8 +154,8 @@ START_TEST(a_budget_bounds_every_step_of_a_heap) {
 }
 END_TEST
 
-/* 59 400 rows: the first step took a minute. One Newton iteration of them is 96 millions, more than the budget, so they are
- * solved by sweeps. Gamma would move them apart with 12 m/s. */
+/* 59 400 rows: the first step took a minute. One Newton iteration of them is 96 millions, more than the budget, so they
+ * are solved by sweeps. Gamma would move them apart with 12 m/s. */
 START_TEST(a_hundred_boxes_in_one_place_are_bounded) {
     enum { BOXES = 100, STEPS = 10 };
     const double sweep = 96e-6; /* of a row */

@@ -1,6 +1,6 @@
-/* A universe with one of everything in it: all geometries, most joints, materials with callbacks, events, a sensor, a fast
- * ball, sleep, a report, rays, and things that are destroyed on the way. Nothing in it minds nulls, so that it can be run with
- * memory that fails. */
+/* A universe with one of everything in it: all geometries, most joints, materials with callbacks, events, a sensor, a
+ * fast ball, sleep, a report, rays, and things that are destroyed on the way. Nothing in it minds nulls, so that it can
+ * be run with memory that fails. */
 #ifndef WHOLE_H
 #define WHOLE_H
 

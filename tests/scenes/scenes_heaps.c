@@ -7,16 +7,16 @@
 /* A house of cards
  *
  * In the plane: a leaning card stands on its inner lower edge. Two of them, mirror images, would touch with their inner
- * upper edges, foot to foot 2 length sin(lean) apart; the highest points are their outer upper edges, thickness cos(lean)
- * to either side of where they touch and length cos(lean) + thickness sin(lean) high. Flat cards lie on these, from one
- * pair to the next, and the pairs above stand on the flat cards, each above the gap of two pairs.
+ * upper edges, foot to foot 2 length sin(lean) apart; the highest points are their outer upper edges, thickness
+ * cos(lean) to either side of where they touch and length cos(lean) + thickness sin(lean) high. Flat cards lie on
+ * these, from one pair to the next, and the pairs above stand on the flat cards, each above the gap of two pairs.
  *
- * Where only one of two cards bears a flat one, which is so on both flanks, half of its load goes through their touch to
- * the other: with V on the one and w the weight of a card, the force in the touch has H = (V/2 + w/2) tan(lean) to the
- * side and V/2 down, at the bottom V = 2.625 w, 57 degrees below the level. Friction (35 degrees) bears that only if the
- * normal is the one of the bearing card's face, 25 degrees below the level: the other one's edge must touch its face,
- * not the other way round. So the cards of the flanks, which bear nothing, lean a little more. At the feet
- * H is .39 of the load, and friction .7. */
+ * Where only one of two cards bears a flat one, which is so on both flanks, half of its load goes through their touch
+ * to the other: with V on the one and w the weight of a card, the force in the touch has H = (V/2 + w/2) tan(lean) to
+ * the side and V/2 down, at the bottom V = 2.625 w, 57 degrees below the level. Friction (35 degrees) bears that only
+ * if the normal is the one of the bearing card's face, 25 degrees below the level: the other one's edge must touch its
+ * face, not the other way round. So the cards of the flanks, which bear nothing, lean a little more. At the feet H is
+ * .39 of the load, and friction .7. */
 
 enum {
     PAIRS = 4, /* in the lowest storey */
@@ -105,7 +105,8 @@ static void buildHeap(const Scene *s, SceneWorld *w) {
     }
 }
 
-/* How deep two boxes are in each other: the least of what they overlap by along the 15 directions of faces and edges. */
+/* How deep two boxes are in each other: the least of what they overlap by along the 15 directions of faces and
+ * edges. */
 static double overlapAlong(const double axis[3], const double between[3], const double sides[2][3][3]) {
     const double size = sqrt(scene_dot(axis, axis));
     double sum = 0;

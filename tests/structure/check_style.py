@@ -39,7 +39,7 @@ def numbers_for_truth(path, lines):
 
 def untitled_groups(path, lines):
     for number, line in enumerate(lines, 1):
-        if '@{' in line and not any('@name' in before for before in lines[max(number - 8, 0):number]):
+        if '@{' in line and not any('@name' in before for before in lines[max(number - 60, 0):number]):
             yield f'{path}:{number}: a group without a title'
 
 

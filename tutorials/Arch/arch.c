@@ -1,8 +1,9 @@
 /* Arch: stones that hold each other, without glue (User Guide, chapter 4, convex meshes; chapter 5, "The Bridge").
  *
- * Fifteen equal wedges, each a convex mesh, make a half circle. Every stone is held by the thrust of its neighbours and by
- * friction. That there is a line of thrust within the stones is a matter of thickness: at least .107 of the radius (Heyman
- * 1969); here it is .18. Watch how little the crown sinks, with and without a weight on it; then take the keystone away.
+ * Fifteen equal wedges, each a convex mesh, make a half circle. Every stone is held by the thrust of its neighbours and
+ * by friction. That there is a line of thrust within the stones is a matter of thickness: at least .107 of the radius
+ * (Heyman 1969); here it is .18. Watch how little the crown sinks, with and without a weight on it; then take the
+ * keystone away.
  */
 #include "play.h"
 #include <math.h>

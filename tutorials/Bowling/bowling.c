@@ -2,9 +2,9 @@
  * "Materials").
  *
  * Everything has its real size. A pin is an aggregate of a convex hull, from the foot to the neck, and a sphere, the
- * head. The lane is oiled: the ball slides at first, and what spin it was given turns it only slowly to rolling. Friction
- * acts against the slip of the point that touches, so spin about the lane's axis bends the ball's way (a hook), and
- * backspin makes it slow: a ball thrown with v and backspin w comes to roll with 5/7 v - 2/7 r w.
+ * head. The lane is oiled: the ball slides at first, and what spin it was given turns it only slowly to rolling.
+ * Friction acts against the slip of the point that touches, so spin about the lane's axis bends the ball's way (a
+ * hook), and backspin makes it slow: a ball thrown with v and backspin w comes to roll with 5/7 v - 2/7 r w.
  *
  * Watch the status line: the pins that have fallen, the ball's speed and its slip, which ends when it rolls.
  */
@@ -31,7 +31,7 @@ static MeReal foot;       /* m, from a pin's foot up to its centre of mass */
 
 static MeReal speed = 7, aim, hook, backspin; /* m/s, rad, rad/s, rad/s: of the next ball */
 
-/* ---- pins --------------------------------------------------------------------------------------------------------- */
+/* ---- pins -------------------------------------------------------------------------------------------------------- */
 
 static McdGeometryID createBelly(void) {
     MeVector3 point[RINGS * SIDES];
@@ -71,7 +71,7 @@ static int countFallen(void) {
     return fallen;
 }
 
-/* ---- lane and ball ------------------------------------------------------------------------------------------------ */
+/* ---- lane and ball ----------------------------------------------------------------------------------------------- */
 
 static void createBlock(MeReal x, MeReal y, MeReal z, MeReal width, MeReal height, MeReal length, const float *color) {
     static MeMatrix4 tm[6];
@@ -122,7 +122,7 @@ static void createModels(void) {
     McdModelSetMaterial(ball, (int)resin);
 }
 
-/* ---- the player --------------------------------------------------------------------------------------------------- */
+/* ---- the player -------------------------------------------------------------------------------------------------- */
 
 static void MEAPI throwBall(RRender *context, void *userdata) {
     (void)context, (void)userdata;
@@ -171,7 +171,7 @@ static void MEAPI lessBackspin(RRender *context, void *userdata) {
     change(&backspin, -2, 100);
 }
 
-/* ---- the program -------------------------------------------------------------------------------------------------- */
+/* ---- the program ------------------------------------------------------------------------------------------------- */
 
 /* m/s, of the ball's lowest point over the lane. */
 static double slipOf(const MeReal *v, const MeReal *w) {

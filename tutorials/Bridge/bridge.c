@@ -1,9 +1,9 @@
 /* Bridge: planks on ropes hang between two banks, and boxes fall on them (User Guide, chapter 5).
  *
- * Neighbouring planks have a hinge along their edges: the bridge bends, but it does not twist. Two ropes at each end tie it to
- * posts: a rope is a spring joint whose upper stop is hard and whose lower one does nothing (tutorial Spring), so it pulls
- * and cannot push, and the bridge may swing. It gives under each box that lands, and hangs still in the end. Watch how far
- * the hinges open, how much longer the ropes get, and how low the bridge hangs.
+ * Neighbouring planks have a hinge along their edges: the bridge bends, but it does not twist. Two ropes at each end
+ * tie it to posts: a rope is a spring joint whose upper stop is hard and whose lower one does nothing (tutorial
+ * Spring), so it pulls and cannot push, and the bridge may swing. It gives under each box that lands, and hangs still
+ * in the end. Watch how far the hinges open, how much longer the ropes get, and how low the bridge hangs.
  *
  * Planks that are hinged nearly touch; McdSpaceDisablePair keeps them from colliding.
  */

@@ -1,9 +1,9 @@
 /* Bullets: fast balls against a thin wall (McdModel.h, McdModelSetSwept; docs/simulation.md, "Continuous motion").
  *
- * A ball at 100 m/s moves 1.7 m in a step of 1/60 s. Before the step it is on this side of a wall that is two centimetres
- * thick, after it on the other, and at no time have the two touched. Swept models are moved continuously: up to what they
- * meet, and on from there. Watch the tracers end at the wall; then press 3, which takes the switch off, and watch the balls
- * turn red.
+ * A ball at 100 m/s moves 1.7 m in a step of 1/60 s. Before the step it is on this side of a wall that is two
+ * centimetres thick, after it on the other, and at no time have the two touched. Swept models are moved continuously:
+ * up to what they meet, and on from there. Watch the tracers end at the wall; then press 3, which takes the switch off,
+ * and watch the balls turn red.
  */
 #include "play.h"
 #include <stdio.h>

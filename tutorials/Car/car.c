@@ -1,10 +1,10 @@
 /* Car: a car to drive over hills, over a ramp and through a pile of crates (User Guide, chapter 3, "The Car Wheel
  * Constraint", and chapter 5, "The Bridge").
  *
- * Five bodies: a chassis, whose geometry is an aggregate of two boxes, and four wheels, which touch the ground as balls.
- * Four MdtCarWheels tie them together: springs, steering, and hinge motors of limited force, which are the engine, the
- * brakes and the handbrake. The engine has a curve of torque and a gearbox; both driven wheels get the same torque, as
- * from a differential. The ground is a height field, the ramp a convex mesh; the bridge makes all contacts.
+ * Five bodies: a chassis, whose geometry is an aggregate of two boxes, and four wheels, which touch the ground as
+ * balls. Four MdtCarWheels tie them together: springs, steering, and hinge motors of limited force, which are the
+ * engine, the brakes and the handbrake. The engine has a curve of torque and a gearbox; both driven wheels get the same
+ * torque, as from a differential. The ground is a height field, the ramp a convex mesh; the bridge makes all contacts.
  *
  * Left alone the car drives itself round a course. Take the wheel with the arrow keys: watch the springs work (the four
  * heights in the status line), the gears change, and how many wheels are on the ground over the ramp.
@@ -134,7 +134,8 @@ static void changeGear(int pedal) {
         gear--;
 }
 
-/* A wheel's motor: the engine turns it up to its own greatest speed, a brake holds it; off the pedals the engine drags. */
+/* A wheel's motor: the engine turns it up to its own greatest speed, a brake holds it; off the pedals the engine
+ * drags. */
 static void driveWheel(int i, int pedal) {
     const MeBool isRear = i >= REAR_LEFT, braking = pedal < 0 && gear >= 0;
     const MeReal ratio = gearRatio[MeMAX(gear, 0)] * (gear < 0 ? -1 : 1);

@@ -2,8 +2,8 @@
  *
  * Four storeys: cards lean on each other in pairs, 25 degrees from the upright, and others lie flat across the tops of
  * neighbouring pairs. Nothing holds them but contacts of edges with faces. A flat card pulls the feet above it together
- * like a tie rod, by friction; an error of a tenth of a millimetre a second would soon open the house. Watch how far any
- * card has moved since the house was built, and how it falls asleep; then pull a card out of it, or throw the ball.
+ * like a tie rod, by friction; an error of a tenth of a millimetre a second would soon open the house. Watch how far
+ * any card has moved since the house was built, and how it falls asleep; then pull a card out of it, or throw the ball.
  */
 #include "play.h"
 #include <math.h>
@@ -20,7 +20,8 @@ static McdModelID card[CARDS], ball; /* the leaning ones first */
 static MeVector3 built[CARDS];
 static int pull; /* steps that the hand still pulls */
 
-/* A card that stands on its inner lower edge at (x, y) and leans to the right by an angle, or to the left by a negative. */
+/* A card that stands on its inner lower edge at (x, y) and leans to the right by an angle, or to the left by a
+ * negative. */
 static void placeCard(int n, double x, double y, double angle) {
     const double a = fabs(angle), side = angle > 0 ? 1 : -1;
     const double middle = length / 2 * sin(a) - thickness / 2 * cos(a);

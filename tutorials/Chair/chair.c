@@ -1,9 +1,10 @@
 /* Chair: one model of many geometries (User Guide, chapter 4, "Creating a Model with an Aggregate Geometry").
  *
- * A seat, a back and four legs are an aggregate: one geometry, hence one model and one body, that touches with any of its
- * parts. The legs share one geometry; each has its own place. The library knows the mass, the inertia and the centre of
- * mass of the whole, and the latter is below the middle and towards the back: that is why a chair falls over backward
- * more easily. Karma keeps the body's centre of mass at the geometry's origin, so the parts are moved until it is there.
+ * A seat, a back and four legs are an aggregate: one geometry, hence one model and one body, that touches with any of
+ * its parts. The legs share one geometry; each has its own place. The library knows the mass, the inertia and the
+ * centre of mass of the whole, and the latter is below the middle and towards the back: that is why a chair falls over
+ * backward more easily. Karma keeps the body's centre of mass at the geometry's origin, so the parts are moved until it
+ * is there.
  *
  * Chairs are thrown. Watch on how many feet they come to stand: the status line counts the ones that stand upright.
  */

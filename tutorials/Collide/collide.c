@@ -5,7 +5,8 @@
  *   white crosses     contacts, each with its normal as a line: the way in which the blue model would be pushed
  *   green line        the nearest points of both, while they are apart; where they overlap, the shortest way out
  *   red, orange blue  the models, orange while they do not touch and red while they do
- * Key 5 moves the blue model out, along the normal and by the depth that the library reports: then they only just touch.
+ * Key 5 moves the blue model out, along the normal and by the depth that the library reports: then they only just
+ * touch.
  */
 #include "RGeometry.h"
 #include "Mcd.h"
@@ -306,7 +307,7 @@ static void MEAPI rollRight(RRender *context, void *userdata) {
     turn(2, -turning);
 }
 
-/* ---- what the library says ---------------------------------------------------------------------------------------- */
+/* ---- what the library says --------------------------------------------------------------------------------------- */
 
 static void collide(void) {
     McdModelUpdate(driven);
@@ -375,7 +376,7 @@ static void MEAPI Tick(RRender *context) {
     showFigures();
 }
 
-/* ---- the program --------------------------------------------------------------------------------------------------- */
+/* ---- the program ------------------------------------------------------------------------------------------------- */
 
 static void MEAPI_CDECL cleanup(void) {
     RRenderContextDestroy(rc);

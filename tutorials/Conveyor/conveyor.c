@@ -3,8 +3,8 @@
  *
  * A belt does not move: only its surface does. Its contacts say so: MdtContactParamsSetPrimarySlide gives the speed of
  * the surface, MdtContactSetDirection the way. The bridge makes contacts anew in every step, so both are set in the
- * callback that it calls for each contact of boxes and belts. Friction does the rest: it drags a box along until both have
- * the same speed, and at a corner, where one belt takes over from another, it turns the way of the box.
+ * callback that it calls for each contact of boxes and belts. Friction does the rest: it drags a box along until both
+ * have the same speed, and at a corner, where one belt takes over from another, it turns the way of the box.
  *
  * Watch the status line: the speed of boxes on the straight, and the laps of the slowest and of the fastest one.
  */
@@ -36,7 +36,7 @@ static MeReal speed = (MeReal)1.5;      /* m/s, of the belts */
 static MeReal moved;                    /* m, the belts since a stripe was at the start */
 static double lap[BOXES], angle[BOXES]; /* turns so far; rad, where the box is */
 
-/* ---- belts -------------------------------------------------------------------------------------------------------- */
+/* ---- belts ------------------------------------------------------------------------------------------------------- */
 
 /* The belt of a pair; the other one is a box. */
 static const Belt *beltOf(const McdModelPair *pair) {
@@ -103,7 +103,7 @@ static void drawBelt(const Belt *b) {
     }
 }
 
-/* ---- boxes -------------------------------------------------------------------------------------------------------- */
+/* ---- boxes ------------------------------------------------------------------------------------------------------- */
 
 static double angleOf(McdModelID m) {
     const MeReal *p = McdModelGetTransformPtr(m)[3];
@@ -170,7 +170,7 @@ static double speedOnTheStraight(void) {
     return count ? sum / count : 0;
 }
 
-/* ---- the program -------------------------------------------------------------------------------------------------- */
+/* ---- the program ------------------------------------------------------------------------------------------------- */
 
 /* Boxes that have fallen asleep do not notice that the belt below them moves again. */
 static void setSpeed(MeReal v) {

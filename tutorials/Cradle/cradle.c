@@ -1,12 +1,12 @@
 /* Cradle: Newton's cradle (User Guide, chapter 5, "The Bridge"; Dynamics guide, chapter 3, "MdtSpring").
  *
  * Five steel balls hang in a row, each on two threads: the joint MdtSpring with two hard stops, a rod. Steel rebounds
- * fully: the restitution of contacts is 1. So a blow keeps momentum and energy, and both together say that as many balls
- * fly off as came in.
+ * fully: the restitution of contacts is 1. So a blow keeps momentum and energy, and both together say that as many
+ * balls fly off as came in.
  *
  * They say so of blows that come one after the other. Balls that touch, and are tied to something, get theirs at once,
- * which the two laws alone leave open; and Karma wants a step in between to tell a blow from a push. So the balls hang a
- * little apart, and a frame is many short steps, each a MstUniverseStep with collision and all.
+ * which the two laws alone leave open; and Karma wants a step in between to tell a blow from a push. So the balls hang
+ * a little apart, and a frame is many short steps, each a MstUniverseStep with collision and all.
  *
  * Watch the status line: how many balls come from the left and how many leave to the right, the momentum, which turns
  * with the swing, and the energy, which stays.
@@ -30,7 +30,7 @@ static int released = 1;
 static int mostRight; /* balls that were out on the right at a time, since the start */
 static double energyAtStart;
 
-/* ---- the cradle --------------------------------------------------------------------------------------------------- */
+/* ---- the cradle -------------------------------------------------------------------------------------------------- */
 
 static MeReal restX(int i) {
     return (2 * radius + gap) * ((MeReal)i - (MeReal)(BALLS - 1) / 2);
@@ -92,7 +92,7 @@ static void createFrame(void) {
     }
 }
 
-/* ---- figures ------------------------------------------------------------------------------------------------------ */
+/* ---- figures ----------------------------------------------------------------------------------------------------- */
 
 static double energy(void) {
     double sum = playEnergy();
@@ -132,7 +132,7 @@ static void drawThreads(void) {
     }
 }
 
-/* ---- the program -------------------------------------------------------------------------------------------------- */
+/* ---- the program ------------------------------------------------------------------------------------------------- */
 
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;

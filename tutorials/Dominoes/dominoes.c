@@ -1,8 +1,8 @@
 /* Dominoes: five hundred along a spiral; the first is pushed (User Guide, chapter 5, "The Bridge").
  *
- * A domino that stands alone is a partition of its own, and asleep. The one that falls wakes the next; those that lean on
- * each other are solved together, and sleep again when they have come to rest. Watch the number of bodies that are awake:
- * the step costs what moves, not what there is.
+ * A domino that stands alone is a partition of its own, and asleep. The one that falls wakes the next; those that lean
+ * on each other are solved together, and sleep again when they have come to rest. Watch the number of bodies that are
+ * awake: the step costs what moves, not what there is.
  */
 #include "play.h"
 #include <math.h>

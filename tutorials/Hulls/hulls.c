@@ -1,9 +1,9 @@
 /* Hulls: dice, gems and pebbles made from clouds of points (User Guide, chapter 4, "Making a Model with a Convex Mesh
  * Geometry").
  *
- * McdConvexMeshCreateHull takes any points and keeps those that are outermost; the clouds here have points inside as well.
- * The origin of a mesh is wherever its points have it, while a body turns about its centre of mass, so each cloud is moved
- * until both are one. Forty-eight pieces fall into a tray, on each other, come to rest and fall asleep.
+ * McdConvexMeshCreateHull takes any points and keeps those that are outermost; the clouds here have points inside as
+ * well. The origin of a mesh is wherever its points have it, while a body turns about its centre of mass, so each cloud
+ * is moved until both are one. Forty-eight pieces fall into a tray, on each other, come to rest and fall asleep.
  *
  * Watch the number of bodies that are awake, and press 3. The status line tells how many faces the hulls have, the dice
  * first, and how far the lowest corner of all is below the floor of the tray.

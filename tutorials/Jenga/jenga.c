@@ -1,10 +1,10 @@
 /* Jenga: eighteen layers of three planks; pull one out (User Guide, chapter 5, "The Bridge").
  *
- * Pull with the mouse, or let the keys do it: a spring draws a plank out along its length, its other end moving away at a
- * steady pace. Friction of all that lies on the plank holds it back and tugs at its neighbours, yet the tower stands as long
- * as its centre of mass is above what is left. Key 3 draws the middle plank of a layer, slowly: two sides are left, it
- * stands. Key 4 draws a side plank of the same layer, faster: where the middle one is still there, the tower stands, too;
- * where it is gone, one plank at the side has to carry all, and the tower falls.
+ * Pull with the mouse, or let the keys do it: a spring draws a plank out along its length, its other end moving away at
+ * a steady pace. Friction of all that lies on the plank holds it back and tugs at its neighbours, yet the tower stands
+ * as long as its centre of mass is above what is left. Key 3 draws the middle plank of a layer, slowly: two sides are
+ * left, it stands. Key 4 draws a side plank of the same layer, faster: where the middle one is still there, the tower
+ * stands, too; where it is gone, one plank at the side has to carry all, and the tower falls.
  *
  * Watch the pull in the status line: nothing moves until it is greater than the friction can be.
  */

@@ -1,13 +1,14 @@
 /* Marbles: balls in a bowl of triangles (User Guide, chapter 4, "Triangle List").
  *
- * A triangle list has no triangles of its own: whenever a model comes near, the library asks the program for those about
- * it, by a callback, and takes them where the program keeps them. So a program may keep its terrain in any form that it
- * likes, and even make it on the way. This bowl is kept in rings, and the callback looks only at the rings near a marble.
+ * A triangle list has no triangles of its own: whenever a model comes near, the library asks the program for those
+ * about it, by a callback, and takes them where the program keeps them. So a program may keep its terrain in any form
+ * that it likes, and even make it on the way. This bowl is kept in rings, and the callback looks only at the rings near
+ * a marble.
  *
  * Two materials: marbles roll on the bowl by friction, but glass on glass has none (chapter 5, "Materials").
  *
- * Triangles have edges, but marbles do not feel them: in a hollow only the faces push. Watch how smoothly they roll, and
- * the status line, which says how deep the worst one is in the bowl.
+ * Triangles have edges, but marbles do not feel them: in a hollow only the faces push. Watch how smoothly they roll,
+ * and the status line, which says how deep the worst one is in the bowl.
  */
 #include "RGeometry.h"
 #include "play.h"

@@ -1,10 +1,10 @@
 /* Materials: what touches what decides how it slides and bounces (User Guide, chapter 5, "The Bridge"; MstEvents.h).
  *
- * Three blocks of ice, wood and rubber on one slope, each on its lane. The bridge's table says for each pair of materials
- * which friction and restitution it has; a callback gives the belt at the foot its speed. Events do the rest: sparks fly where
- * something begins to touch hard enough, and the gate over the belt is a sensor, which lights up while something is in it.
- * What falls off the belt is put on the slope again. Watch the rubber stay, the wood slide and the ice race; and two balls, of
- * wood and of rubber, bounce beside it.
+ * Three blocks of ice, wood and rubber on one slope, each on its lane. The bridge's table says for each pair of
+ * materials which friction and restitution it has; a callback gives the belt at the foot its speed. Events do the rest:
+ * sparks fly where something begins to touch hard enough, and the gate over the belt is a sensor, which lights up while
+ * something is in it. What falls off the belt is put on the slope again. Watch the rubber stay, the wood slide and the
+ * ice race; and two balls, of wood and of rubber, bounce beside it.
  */
 #include "play.h"
 #include <stdio.h>

@@ -3,8 +3,8 @@
  *
  * Every box stands on two others, so that there are many ways to share the weight and the solver has to choose one. The
  * status line tells how many equations a step had (rows), how many iterations it took, by how much the answer is off
- * (residual, the largest speed that a contact should have prevented), and how deep the deepest contact is. Watch the rows
- * vanish when the pyramid has come to rest, and come back with the weight that key 3 puts on top.
+ * (residual, the largest speed that a contact should have prevented), and how deep the deepest contact is. Watch the
+ * rows vanish when the pyramid has come to rest, and come back with the weight that key 3 puts on top.
  */
 #include "play.h"
 #include <stdio.h>

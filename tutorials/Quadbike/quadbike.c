@@ -1,13 +1,13 @@
 /* Quadbike: a rider on a quadbike on rough ground (User Guide, chapter 8, "Quadbike Tutorial").
  *
- * What the chapter builds, in its order and with its names: materials, terrain of triangles that a callback hands over, a
- * vehicle of a chassis, four wheels that collide as balls, and handlebars; throttle, brakes and steering; a callback that
- * turns each wheel's contact into the direction in which the wheel rolls; and a rider of eight boxes, joined by hinges with
- * springs and by ball-and-socket joints, whose hands hold the handlebars. The bars pull the arms, the rider leans into
- * bends and crouches, the faster the more.
+ * What the chapter builds, in its order and with its names: materials, terrain of triangles that a callback hands over,
+ * a vehicle of a chassis, four wheels that collide as balls, and handlebars; throttle, brakes and steering; a callback
+ * that turns each wheel's contact into the direction in which the wheel rolls; and a rider of eight boxes, joined by
+ * hinges with springs and by ball-and-socket joints, whose hands hold the handlebars. The bars pull the arms, the rider
+ * leans into bends and crouches, the faster the more.
  *
- * Left alone the quadbike rides round a course; the arrow keys take the bars. Watch knees and hips over the hills, and the
- * figures: how far the rider leans, and how far the knees are bent.
+ * Left alone the quadbike rides round a course; the arrow keys take the bars. Watch knees and hips over the hills, and
+ * the figures: how far the rider leans, and how far the knees are bent.
  */
 #include "drive.h"
 #include "parts.h"
@@ -427,8 +427,8 @@ static MeReal speedOf(const Vehicle *veh) {
     return MeVector3Dot(vel, MdtBodyGetTransformPtr(veh->chassisBody)[0]);
 }
 
-/* The engine's torque on a wheel, and the opposite one on the chassis. It tends to 0 as the wheel gets as fast as 60 rad/s,
- * as the guide proposes. Standing, and braking on, it goes back slowly. */
+/* The engine's torque on a wheel, and the opposite one on the chassis. It tends to 0 as the wheel gets as fast as 60
+ * rad/s, as the guide proposes. Standing, and braking on, it goes back slowly. */
 static void driveWheel(Vehicle *veh, int i) {
     MeVector3 haxis;
     const MeReal rate = -MdtCarWheelGetHingeAngleRate(veh->wheelJoint[i]);

@@ -1,13 +1,14 @@
-/* Ragdolls: eight figures of joints and limits fall down a staircase (User Guide, chapter 5; Dynamics guide, chapter 3).
+/* Ragdolls: eight figures of joints and limits fall down a staircase (User Guide, chapter 5; Dynamics guide, chapter
+ * 3).
  *
- * Eleven parts and ten joints each. Elbows and knees are hinges with stops, so that they bend one way only. Waist, neck,
- * shoulders and hips are ball-and-socket joints, each with a cone limit beside it: the axis of the limb stays in a cone
- * about an axis of the part that it hangs on. Parts that are joined overlap, and McdSpaceDisablePair keeps them from
- * colliding; all other parts collide, and so do the figures with each other.
+ * Eleven parts and ten joints each. Elbows and knees are hinges with stops, so that they bend one way only. Waist,
+ * neck, shoulders and hips are ball-and-socket joints, each with a cone limit beside it: the axis of the limb stays in
+ * a cone about an axis of the part that it hangs on. Parts that are joined overlap, and McdSpaceDisablePair keeps them
+ * from colliding; all other parts collide, and so do the figures with each other.
  *
  * Watch the status line: how far the worst joint has opened since the start, and by how much the worst stop or cone has
- * been passed, since the start and now: a blow may push a limb beyond within a step, and the limit takes it back. In the
- * end all lie still, and cost nothing.
+ * been passed, since the start and now: a blow may push a limb beyond within a step, and the limit takes it back. In
+ * the end all lie still, and cost nothing.
  */
 #include "play.h"
 #include <stdio.h>

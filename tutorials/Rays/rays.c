@@ -1,8 +1,8 @@
 /* Rays: what a line of sight meets (User Guide, chapter 4, "Querying Line Segment Intersections").
  *
- * A lamp in the middle of a room of models sends rays all round. Each ends where it enters the first model; a short line
- * shows the surface's normal there. One more ray, red, goes round like a radar's and is asked for everything on its way:
- * every model that it enters gets a cross.
+ * A lamp in the middle of a room of models sends rays all round. Each ends where it enters the first model; a short
+ * line shows the surface's normal there. One more ray, red, goes round like a radar's and is asked for everything on
+ * its way: every model that it enters gets a cross.
  *   key 3   glass: the filter callback lets rays through the transparent models
  *   key 4   the rays as thick as a ball: a shape is cast instead
  */
@@ -189,7 +189,7 @@ static void castRadar(void) {
         drawCross(all[i].position);
 }
 
-/* ---- the program -------------------------------------------------------------------------------------------------- */
+/* ---- the program ------------------------------------------------------------------------------------------------- */
 
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;

@@ -3,10 +3,11 @@
  * The drum is a body: an aggregate of boards, ends and four paddles, on a hinge with the world, turned by the hinge's
  * motor. The motor has a limited torque: with too little, the drum stands still and the heap with it. The boxes are
  * lifted on the rising side and fall down again, all in one heap that never comes to rest, with friction at every
- * contact: the hardest thing for a solver. From 1.8 rad/s on (the square root of g over the radius) they stay at the wall.
+ * contact: the hardest thing for a solver. From 1.8 rad/s on (the square root of g over the radius) they stay at the
+ * wall.
  *
- * Watch the status line: the drum's speed against the wanted one, the torque that the heap asks of the motor, and that no
- * box gets out.
+ * Watch the status line: the drum's speed against the wanted one, the torque that the heap asks of the motor, and that
+ * no box gets out.
  */
 #include "RGeometry.h"
 #include "play.h"
@@ -27,7 +28,7 @@ static MeMatrix4 part[PARTS];               /* of the drum, kept by pointer */
 static MdtHingeID axle;
 static MeReal speed = (MeReal)0.8; /* rad/s, wanted */
 
-/* ---- the drum ----------------------------------------------------------------------------------------------------- */
+/* ---- the drum ---------------------------------------------------------------------------------------------------- */
 
 static void addPart(McdAggregateID shown, McdGeometryID g, int i) {
     McdAggregateAddElement(whole, g, part[i]);
@@ -99,7 +100,7 @@ static void createPost(void) {
     RGraphicBoxCreate(playRc, .6f, (float)height + .6f, .5f, steel, tm);
 }
 
-/* ---- boxes -------------------------------------------------------------------------------------------------------- */
+/* ---- boxes ------------------------------------------------------------------------------------------------------- */
 
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
@@ -129,7 +130,7 @@ static int countInside(void) {
     return inside;
 }
 
-/* ---- the program -------------------------------------------------------------------------------------------------- */
+/* ---- the program ------------------------------------------------------------------------------------------------- */
 
 /* The drum and what is in it may be asleep. */
 static void setSpeed(MeReal v) {

@@ -16,8 +16,8 @@ void driveTick(void);
 int driveForward(void); /* 1 while Up is held, -1 while Down is, else 0 */
 int driveLeft(void);    /* 1 while Left is held, -1 while Right is, else 0 */
 
-/* Round a course without a driver: the curvature (1/m, positive to the left) of the circle on which a body that looks along
- * its x comes to the next of some points (x, z); *next becomes the one after it when it is 6 m away. */
+/* Round a course without a driver: the curvature (1/m, positive to the left) of the circle on which a body that looks
+ * along its x comes to the next of some points (x, z); *next becomes the one after it when it is 6 m away. */
 MeReal driveAlong(MdtBodyID body, const MeReal (*course)[2], int points, int *next);
 
 /* Puts the camera behind a body that looks along its x, a distance away and with an elevation (rad). */

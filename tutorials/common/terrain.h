@@ -1,5 +1,5 @@
-/* Hilly ground for tutorials that drive: points over a square grid, y up. Level round the middle, hills around it, and a
- * rim that keeps everything in. */
+/* Hilly ground for tutorials that drive: points over a square grid, y up. Level round the middle, hills around it, and
+ * a rim that keeps everything in. */
 #ifndef TERRAIN_H
 #define TERRAIN_H
 
@@ -8,8 +8,8 @@
 
 enum { TERRAIN_POINTS = 97 }; /* along each side */
 
-/* Point (i, j) is at x = (i - 48) cell, z = (48 - j) cell. The cell of (i, j) and (i+1, j+1) has two triangles on either
- * side of the line between these points. */
+/* Point (i, j) is at x = (i - 48) cell, z = (48 - j) cell. The cell of (i, j) and (i+1, j+1) has two triangles on
+ * either side of the line between these points. */
 extern MeVector3 terrainPoint[TERRAIN_POINTS][TERRAIN_POINTS]; /* [j][i] */
 
 /* Makes the points: a cell's side, how far the level part reaches from the middle, how high hills are (m). */

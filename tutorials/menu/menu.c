@@ -1,4 +1,5 @@
-/* The menu of all tutorials: pages of pictures; the one that is chosen is written into a file, for tools/run to start it.
+/* The menu of all tutorials: pages of pictures; the one that is chosen is written into a file, for tools/run to start
+ * it.
  *
  *     menu [-choice FILE] [-at NAME] [options of the viewer]
  *

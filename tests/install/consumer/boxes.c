@@ -1,5 +1,5 @@
-/* Written from the User Guide, "Making a Model with a Box Geometry" and what follows it: two boxes and a pyramid fall on a
- * floor and come to rest there. Exit code 0 if they do. */
+/* Written from the User Guide, "Making a Model with a Box Geometry" and what follows it: two boxes and a pyramid fall
+ * on a floor and come to rest there. Exit code 0 if they do. */
 #include "Mst.h"
 #include <math.h>
 #include <stdio.h>

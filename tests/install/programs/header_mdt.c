@@ -1,4 +1,5 @@
-/* Mdt.h alone brings mathematics, memory, messages, chunks, pools, every joint, the constraint library and the main loop. */
+/* Mdt.h alone brings mathematics, memory, messages, chunks, pools, every joint, the constraint library and the main
+ * loop. */
 #include "Mdt.h"
 
 int main(void) {

@@ -1,4 +1,5 @@
-/* What programs do that deserves no word: menus destroyed late, actions on the viewer's letters, a bar without a window. */
+/* What programs do that deserves no word: menus destroyed late, actions on the viewer's letters, a bar without a
+ * window. */
 #include "MeViewer.h"
 #include <stdlib.h>
 

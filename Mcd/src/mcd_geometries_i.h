@@ -2,8 +2,8 @@
 #ifndef MCD_GEOMETRIES_H
 #define MCD_GEOMETRIES_H
 
-#include "mcd_mesh.h"
-#include "mcd_shape.h"
+#include "mcd_mesh_i.h"
+#include "mcd_shape_i.h"
 
 struct McdNull {
     McdGeometry head;

@@ -7,8 +7,8 @@
 #ifndef MCD_KIND_H
 #define MCD_KIND_H
 
-#include "mcd_mesh.h"
-#include "mcd_nearfield.h"
+#include "mcd_mesh_i.h"
+#include "mcd_nearfield_i.h"
 
 /* The order of two convex shapes in a pair: manifolds are found with the lower one first. The first ones have closed
  * forms with each other (mcd_grid.c); a new type is among the others. */
@@ -28,7 +28,7 @@ typedef void (*McdEdgeVisit)(void *context, const double from[3], const double t
 struct McdKind {
     int type; /* kMcdGeometryType..., or MCD_SHAPE_TRIANGLE */
     char *(MEAPI *name)(const McdGeometryID);
-    size_t size; /* bytes of its record, which has all that its tests depend on (mcd_tested.c); 0: they may depend on more */
+    size_t size; /* bytes of its record, which has all that its tests depend on (mcd_tested.c); 0: maybe not all */
 
     /* Any type: what McdFrameworkRegisterGeometryType takes. */
     McdGeometryDestroyFnPtr destroy;
@@ -39,7 +39,7 @@ struct McdKind {
     McdGeometryDebugDrawFnPtr draw;
 
     /* Convex types: the shape of a geometry, which has been placed (its size, rounding and extent); the core's farthest
-     * point in a direction of any length; the face that looks in a direction (mcd_nearfield.h), which comes empty. */
+     * point in a direction of any length; the face that looks in a direction (mcd_nearfield_i.h), which comes empty. */
     void (*setShape)(const McdGeometry *g, McdShape *s);
     void (*support)(const McdShape *s, const double direction[3], double point[3]);
     void (*face)(const McdShape *s, const double direction[3], McdFace *f);

@@ -7,7 +7,7 @@
 #ifndef MCD_SCRATCH_H
 #define MCD_SCRATCH_H
 
-#include "mcd_mesh.h"
+#include "mcd_mesh_i.h"
 
 typedef struct McdScratch {
     struct McdScratch *next; /* of those that nobody has */

@@ -78,8 +78,8 @@ MeBool mcd_shapeIsRigid(const McdShape *s);
 void mcd_coreSupport(const McdShape *s, const double direction[3], double point[3]);
 /* The same with the rounding; direction has length 1. */
 void mcd_support(const McdShape *s, const double direction[3], double point[3]);
-/* The radius of a round surface at a point of it, the unit vector outward being its normal; 0 where it is not round. See
- * McdContactGetRadius. */
+/* The radius of a round surface at a point of it, the unit vector outward being its normal; 0 where it is not round.
+ * See McdContactGetRadius. */
 double mcd_surfaceRadius(const McdShape *s, const double outward[3], const double point[3]);
 
 /* ---- manifolds ------------------------------------------------------------------------------------------------ */

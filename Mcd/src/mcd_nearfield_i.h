@@ -2,8 +2,8 @@
 #ifndef MCD_NEARFIELD_H
 #define MCD_NEARFIELD_H
 
-#include "mcd_shape.h"
-#include "mcd_vector.h"
+#include "mcd_shape_i.h"
+#include "mcd_vector_i.h"
 
 /* The signed distance of two cores, and its witness points. */
 typedef struct McdProximity {

@@ -3,7 +3,7 @@
 #ifndef MCD_LOCAL_H
 #define MCD_LOCAL_H
 
-#include "mcd_geometries.h"
+#include "mcd_geometries_i.h"
 
 #define MCD_PI 3.14159265358979323846
 
@@ -17,7 +17,7 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
 MeReal mcd_roundUp(double x);
 MeReal mcd_roundDown(double x);
 
-/* ---- boxes and farthest points ------------------------------------------------------------------------------------ */
+/* ---- boxes and farthest points ----------------------------------------------------------------------------------- */
 
 /* The geometry's point farthest in a direction of any length; any point for none. */
 typedef void (*McdLocalSupportFn)(const McdGeometry *g, const double direction[3], double point[3]);
@@ -31,7 +31,7 @@ void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[
 void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction[3], double point[3]);
 void mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center, MeReal *radius);
 
-/* ---- line segments ------------------------------------------------------------------------------------------------- */
+/* ---- line segments ----------------------------------------------------------------------------------------------- */
 
 /* A line from + t along, and the part of it, in <= t <= out, that is in all the solids that it was clipped by. The
  * normal is that of the surface at t = in. An empty part has in > out. */
@@ -55,7 +55,8 @@ void mcd_clipAt(const McdClip *c, double t, double point[3]);
 
 /* A world point in the frame at tm; false if that is not finite. */
 MeBool mcd_toLocal(const MeVector4 *tm, const MeReal *world, double local[3]);
-/* Fills the result, but for the model, for a hit at a part of the segment, with a normal in the frame at tm. Returns 1. */
+/* Fills the result, but for the model, for a hit at a part of the segment, with a normal in the frame at tm. Returns
+ * 1. */
 int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, double part, const double normal[3],
                    McdLineSegIntersectResult *hit);
 
@@ -66,7 +67,7 @@ typedef void (*McdLocalClipFn)(const McdGeometry *g, McdClip *c);
 int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, McdLineSegIntersectResult *result,
                          McdLocalClipFn clip);
 
-/* ---- mass ----------------------------------------------------------------------------------------------------------- */
+/* ---- mass -------------------------------------------------------------------------------------------------------- */
 
 /* Fills what McdGeometryGetMassPropertiesFnPtr asks for, from a volume, the centre of mass and the inertia about it. */
 void mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
@@ -74,7 +75,7 @@ void mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, doub
 /* The same, for a shape whose centre is its origin and that has no products of inertia. */
 void mcd_massDiagonal(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, double x, double y, double z);
 
-/* ---- drawing --------------------------------------------------------------------------------------------------------- */
+/* ---- drawing ----------------------------------------------------------------------------------------------------- */
 
 enum { MCD_DRAW_SIDES = 16 }; /* of a circle */
 
@@ -88,15 +89,15 @@ void mcd_drawCircle(const MeVector4 *tm, const MeReal colour[3], double z, doubl
 /* Four lines between two such circles. */
 void mcd_drawSides(const MeVector4 *tm, const MeReal colour[3], double z1, double radius1, double z2, double radius2);
 
-/* ---- what all types' files define alike ------------------------------------------------------------------------------ */
+/* ---- what all types' files define alike -------------------------------------------------------------------------- */
 
 #define MCD_DEFINE_DESTROY(Type)                                                                                       \
     void MEAPI Mcd##Type##Destroy(McdGeometryID g) {                                                                   \
         mcd_geometryDestroyAs(g, kMcdGeometryType##Type, "Mcd" #Type "Destroy");                                       \
     }
 
-/* The functions of McdGeometryDeclare.h that go by the file's static `kind` (mcd_kind.h) and `support`; the type's own
- * file has the rest. */
+/* The functions of McdGeometryDeclare.h that go by the file's static `kind` (mcd_kind_i.h) and `support`; the type's
+ * own file has the rest. */
 #define MCD_DEFINE_GEOMETRY_TYPE(Type)                                                                                 \
     MCD_DEFINE_DESTROY(Type)                                                                                           \
     void MEAPI Mcd##Type##RegisterType(McdFramework *frame) {                                                          \

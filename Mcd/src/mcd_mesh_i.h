@@ -13,7 +13,7 @@
 #ifndef MCD_MESH_H
 #define MCD_MESH_H
 
-#include "mcd_shape.h"
+#include "mcd_shape_i.h"
 
 typedef struct McdMeshTriangle {
     double corner[3][3]; /* in the query's coordinates */
@@ -83,7 +83,7 @@ void mcd_meshFree(McdMesh *mesh);
 void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
                  McdElementData element);
 
-/* ---- queries (mcd_mesh_query.c) ----------------------------------------------------------------------------------- */
+/* ---- queries (mcd_mesh_query.c) ---------------------------------------------------------------------------------- */
 
 /* Is it the instance of a list or a height field? */
 MeBool mcd_isMesh(const McdGeometryInstance *ins);

@@ -2,7 +2,7 @@
 #ifndef MCD_MOTION_H
 #define MCD_MOTION_H
 
-#include "mcd_shape.h"
+#include "mcd_shape_i.h"
 
 /* Shapes count as touching where they are nearer than this part of the smaller one's extent. */
 #define MCD_TOUCH 1e-4
