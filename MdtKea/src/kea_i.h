@@ -11,7 +11,7 @@
  *     kea_dual.c              the inner problem by the joints' side
  *     kea_factor.c, kea_order.c, kea_cache.c      sparse factorization, elimination order, kept factors
  *     kea_redundancy.c        of redundant joints' impulses, the smallest
- *     kea_velocity.c          the velocity stage: velocities that joints and contacts allow where the bodies have arrived
+ *     kea_velocity.c          the velocity stage: what joints and contacts allow where the bodies have arrived
  *     kea_events.c            what divides a step of contacts in time
  *
  *   common/, what any solver needs:
@@ -100,8 +100,8 @@ void kea_eigen(double S[3][3], double V[3][3]);
 
 /* ---- kea_step.c ---- */
 
-/* Sets the budget of what follows: this share of the whole solve's; of it, so many passes by sweeps are reserved for when it
- * runs out. */
+/* Sets the budget of what follows: this share of the whole solve's; of it, so many passes by sweeps are reserved for
+ * when it runs out. */
 void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses);
 /* Writes what it has cost. */
 void kea_reportWork(MdtKeaSystem *s);
@@ -155,7 +155,8 @@ void kea_releaseSlides(MdtKeaSystem *s);
 
 /* ---- kea_impact.c ---- */
 
-/* m/s: what speeds of contacts in time are compared with: the load speed; without loads, a little of the bodies' speeds. */
+/* m/s: what speeds of contacts in time are compared with: the load speed; without loads, a little of the bodies'
+ * speeds. */
 double kea_eventSpeed(const MdtKeaSystem *s);
 /* Whether a contact's gap counts as none. */
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row);
@@ -176,11 +177,12 @@ void kea_project(MdtKeaSystem *s);
 double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]);
 /* J: the energy that there can be: what the step started with, and what loads, springs and motors have done in it. */
 double kea_energyAllowed(const MdtKeaSystem *s);
-/* The largest share a in [0, 1] for which velocity + plastic + a (elastic - plastic) has no more energy than allowed. */
+/* The largest share a in [0, 1] for which velocity + plastic + a (elastic - plastic) has no more energy than
+ * allowed. */
 double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*elastic)[6], double (*plastic)[6],
                         double allowed);
-/* The last resort of a step whose motion was not found: `change` takes the velocities of all bodies that rows act on down to
- * the energy allowed. False: there is nothing to change. */
+/* The last resort of a step whose motion was not found: `change` takes the velocities of all bodies that rows act on
+ * down to the energy allowed. False: there is nothing to change. */
 MeBool kea_slowDown(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]);
 
 /* ---- kea_residual.c ---- */

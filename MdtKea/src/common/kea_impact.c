@@ -1,9 +1,10 @@
 /* Impacts: what changes velocities in an instant, by the one law of restitution.
  *
- * A contact that meets with the speed u leaves with e u, where e is its restitution and u is above its threshold; else with 0
- * (restitutionSpeed). Impacts go by rounds (generalized reflections: Smith et al., Reflections on Simultaneous Impact, 2012): all
- * contacts that meet are reflected at once, and again while some still meet. That brings the last ball of a cradle out alone
- * and keeps a flat box from turning. A round that gains energy is blended with the plastic one (kea_energy.c).
+ * A contact that meets with the speed u leaves with e u, where e is its restitution and u is above its threshold; else
+ * with 0 (restitutionSpeed). Impacts go by rounds (generalized reflections: Smith et al., Reflections on Simultaneous
+ * Impact, 2012): all contacts that meet are reflected at once, and again while some still meet. That brings the last
+ * ball of a cradle out alone and keeps a flat box from turning. A round that gains energy is blended with the plastic
+ * one (kea_energy.c).
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -187,7 +188,14 @@ MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Which touching contacts meet, what they want, and whether any of them rebounds. */
+/* m/s: the speed with which what meets at `speed` leaves. */
+static double restitutionSpeed(const MdtKeaRow *row, double speed, double gate) {
+    MEASSERT(row->restitution >= 0 && row->restitution <= 1);
+    return speed > keaMax(row->threshold, gate) ? row->restitution * speed : 0;
+}
+
+/* Which touching contacts meet faster than `slowest`, the speeds with which they leave, and whether any of them
+ * rebounds. */
 static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double target[], char takesPart[]) {
     MeBool rebounds = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
@@ -198,11 +206,8 @@ static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double
             continue;
         const double speed = -kea_startRate(s, i);
         takesPart[i] = speed > slowest;
-        MEASSERT(row->restitution >= 0 && row->restitution <= 1);
-        if (takesPart[i] && row->restitution > 0 && speed > keaMax(row->threshold, gate)) {
-            target[i] = row->restitution * speed;
-            rebounds = METRUE;
-        }
+        target[i] = takesPart[i] ? restitutionSpeed(row, speed, gate) : 0;
+        rebounds = rebounds || target[i] > 0;
     }
     return rebounds;
 }

@@ -1,4 +1,5 @@
-/* The inner problem's data (kea_problem_i.h): memory, the graph of its rows, work, and what every method of solution needs. */
+/* The inner problem's data (kea_problem_i.h): memory, the graph of its rows, work, and what every method of solution
+ * needs. */
 #include "common/kea_problem_i.h"
 #include "MdtKeaMath.h"
 #include "MeAssert.h"
@@ -77,8 +78,8 @@ void kea_problemSpend(KeaProblem *q, double work) {
     q->counts.work += work;
 }
 
-/* One iteration: the matrix and its factors, a solution with them, and some visits of each row: gradient, forces, and the
- * line search, which takes about five. */
+/* One iteration: the matrix and its factors, a solution with them, and some visits of each row: gradient, forces, and
+ * the line search, which takes about five. */
 double kea_problemIterationWork(const KeaProblem *q, MeBool unsymmetric) {
     return (unsymmetric ? 2 : 1) * kea_factorFlops(q->factor) + 2.0 * (double)kea_factorEntries(q->factor) +
            (double)q->numRows * (KEA_ASSEMBLY + KEA_ITERATION_VISITS * KEA_VISIT);

@@ -110,8 +110,8 @@ void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *aren
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache);
 /* Sizes of the rows, from the metric. */
 void kea_problemMeasure(KeaProblem *q);
-/* Solves with the friction bounds in `frictionBound`; coupled, goes on to those of the solution itself. False: that did not
- * converge, and the solution is the one with these; or work or iterations ran out, and it is by sweeps. */
+/* Solves with the friction bounds in `frictionBound`; coupled, goes on to those of the solution itself. False: that
+ * did not converge, and the solution is the one with these; or work or iterations ran out, and it is by sweeps. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
 /* Whether the budget, of work and of iterations, has room for one more of Newton's; the second notes that the solve is
  * limited from now on if it has not. `unsymmetric`: of the coupled problem. */
@@ -120,8 +120,8 @@ MeBool kea_problemMaySpend(KeaProblem *q, MeBool unsymmetric);
 /* Multiplications of one iteration: the matrix and its factors, a solution with them, and some visits of each row. */
 double kea_problemIterationWork(const KeaProblem *q, MeBool unsymmetric);
 void kea_problemSpend(KeaProblem *q, double work);
-/* The rows without bounds alone, exactly, where all others have the impulses that they have: one linear solve, which lowers
- * the energy, as a sweep does. Needs d and Jd; and its work, 0 where there are no such rows. */
+/* The rows without bounds alone, exactly, where all others have the impulses that they have: one linear solve, which
+ * lowers the energy, as a sweep does. Needs d and Jd; and its work, 0 where there are no such rows. */
 void kea_problemSolveJoints(KeaProblem *q);
 double kea_problemWorkOfJoints(const KeaProblem *q);
 /* ---- kea_sweep.c ---- */

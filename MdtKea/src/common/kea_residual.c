@@ -93,8 +93,8 @@ static double positionError(MdtKeaSystem *s) {
 
 /* ---- joints that contradict each other ---- */
 
-/* Inconsistent joints: what a pass asked of them, it did not get, whatever their impulses. Rows with negligible residual are
- * ignored. */
+/* Inconsistent joints: what a pass asked of them, it did not get, whatever their impulses. Rows with negligible
+ * residual are ignored. */
 void kea_noteInconsistent(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &s->work->problem.row[i];

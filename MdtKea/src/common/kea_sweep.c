@@ -1,24 +1,24 @@
 /* The inner problem by sweeps over its rows: what is done when the work of a step runs out (kea_problem_i.h).
  *
- * Projected Gauss-Seidel on the rows' side. With d = B⁻¹ (Jᵀ p - g) at all times, so that momentum is kept whatever else is
- * left over, row by row
+ * Projected Gauss-Seidel on the rows' side. With d = B⁻¹ (Jᵀ p - g) at all times, so that momentum is kept whatever
+ * else is left over, row by row
  *
  *     Δp = (r - J d - E p) / (A_ii + E),  p within its bounds,  d += B⁻¹ Jᵀ Δp.
  *
  * Sweeps are accelerated (Nesterov 1983): each starts from y = p + β (p - p_before), d likewise, with β = (θ - 1)/θ',
- * θ' = (1 + √(1 + 4 θ²))/2, and from rest again where the last one went against its momentum, Σ A_ii (y - p)(p - p_before) > 0
- * (O'Donoghue & Candès 2015). 32 of them do what 500 plain ones do in a pyramid. All go the same way through the rows:
- * momentum does not bear turning round.
+ * θ' = (1 + √(1 + 4 θ²))/2, and from rest again where the last one went against its momentum, Σ A_ii (y - p)(p -
+ * p_before) > 0 (O'Donoghue & Candès 2015). 32 of them do what 500 plain ones do in a pyramid. All go the same way
+ * through the rows: momentum does not bear turning round.
  *
  * Without friction a sweep lowers
  *
  *     D(p) = 1/2 (Jᵀ p - g)ᵀ B⁻¹ (Jᵀ p - g) + 1/2 pᵀ E p - pᵀ r,
  *
- * which for contacts that ask for no velocity, r = -J v, is the kinetic energy after the impulses but for a constant. So an
- * answer with a D no higher than that of no impulses at all has gained no energy, and the last sweep's is taken if that holds;
- * if not, that of all sweeps and starts that has the least D. Least is not best: with friction D is lowest where normal forces are
- * raised for the friction that they allow. The start is the one with the least D of the impulses that the problem came with,
- * those that Newton's method had come to, and none.
+ * which for contacts that ask for no velocity, r = -J v, is the kinetic energy after the impulses but for a constant.
+ * So an answer with a D no higher than that of no impulses at all has gained no energy, and the last sweep's is taken
+ * if that holds; if not, that of all sweeps and starts that has the least D. Least is not best: with friction D is
+ * lowest where normal forces are raised for the friction that they allow. The start is the one with the least D of the
+ * impulses that the problem came with, those that Newton's method had come to, and none.
  *
  * It costs some multiplications per row and no matrix.
  */
@@ -133,7 +133,8 @@ static void considerStart(KeaProblem *q, double *least) {
     keepIfBetter(q, least);
 }
 
-/* The best of those that there are: none, what the problem came with, what Newton's method had come to. Returns its D. */
+/* The best of those that there are: none, what the problem came with, what Newton's method had come to. Returns its
+ * D. */
 static double chooseStart(KeaProblem *q, double *none) {
     double least = HUGE_VAL;
     for (int i = 0; i < q->numRows; i++)
@@ -265,8 +266,8 @@ MeBool kea_problemMaySweep(const KeaProblem *q) {
            (!(q->maxWork > 0) || q->counts.work + kea_problemSweptPass(q, KEA_FEWEST_SWEEPS) <= q->maxWork);
 }
 
-/* In this pass's share of what work is left but for a linearization, should an earlier answer be gone back to; there are fewer
- * passes where each would have less than some sweeps. */
+/* In this pass's share of what work is left but for a linearization, should an earlier answer be gone back to; there
+ * are fewer passes where each would have less than some sweeps. */
 static int numberOfSweeps(const KeaProblem *q) {
     if (!(q->maxWork > 0))
         return KEA_SWEEPS;

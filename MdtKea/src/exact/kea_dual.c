@@ -35,7 +35,8 @@ static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
     return METRUE;
 }
 
-/* Joints that share a body, by way of a list of the nodes of every body. False: there are too many, or two share both. */
+/* Joints that share a body, by way of a list of the nodes of every body. False: there are too many, or two share
+ * both. */
 static MeBool findEdges(MdtKeaSystem *s, KeaDual *d) {
     d->numEdges = 0;
     for (int b = 0; b < s->numBodies; b++)

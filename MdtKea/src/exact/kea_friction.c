@@ -25,7 +25,8 @@ void kea_frictionRenewBounds(KeaProblem *q) {
             q->row[i].frictionBound = kea_frictionBound(q, &q->row[i]);
 }
 
-/* How much of the last step towards the fixed point to take back: t = f·Δf / |Δf|², f what is missing, Δf its change. */
+/* How much of the last step towards the fixed point to take back: t = f·Δf / |Δf|², f what is missing, Δf its
+ * change. */
 static double secant(const KeaProblem *q) {
     double above = 0, below = 0;
     for (int i = 0; i < q->numRows; i++) {

@@ -1,7 +1,7 @@
 /* Newton's method for the inner problem (kea_problem_i.h).
  *
- * Per row, y = (r - J d + N p0) / (E + N), and p is y within its bounds: p = clamp(y), or for two rows that share a cone
- * of the radius R, p = y min(1, R/|y|). The gradient is B d + g - Jᵀ p, its derivative
+ * Per row, y = (r - J d + N p0) / (E + N), and p is y within its bounds: p = clamp(y), or for two rows that share a
+ * cone of the radius R, p = y min(1, R/|y|). The gradient is B d + g - Jᵀ p, its derivative
  *
  *     H = B + Jᵀ D J,    D = 1/(E + N) within the bounds, 0 at them,
  *                        D = R/|y| (1 - ŷ ŷᵀ) / (E + N) on the cone.
@@ -76,8 +76,8 @@ static void setForces(KeaProblem *q, double step, MeBool coupled) {
     }
 }
 
-/* The gradient, and by how much it is too large: 1 is what is tolerated. A p that is known to rounding of r and J d only
- * is not asked for more. */
+/* The gradient, and by how much it is too large: 1 is what is tolerated. A p that is known to rounding of r and J d
+ * only is not asked for more. */
 static double gradientError(KeaProblem *q, double step) {
     double worst = 0;
     for (int b = 0; b < q->numBodies; b++) {

@@ -1,7 +1,8 @@
 /* How redundant joints share their load.
  *
- * Where joints make a loop, Jᵀ has a null space. The null-space part of p is arbitrary, and where the joints contradict each
- * other by as little as rounding, it grows from step to step. The smallest is taken, reported, and kept as the next warm start:
+ * Where joints make a loop, Jᵀ has a null space. The null-space part of p is arbitrary, and where the joints
+ * contradict each other by as little as rounding, it grows from step to step. The smallest is taken, reported, and
+ * kept as the next warm start:
  *
  *     min 1/2 Σ p_i² / w_i,  Jᵀ p = f:    p = W J y,   (Jᵀ W J + δ B) y = f,
  *

@@ -129,8 +129,8 @@ static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
 }
 
-/* Cold start of the friction bound: none, so that the answer sticks, or shows where it slides to; 0 where the slip is more than
- * friction could stop. */
+/* Cold start of the friction bound: none, so that the answer sticks, or shows where it slides to; 0 where the slip is
+ * more than friction could stop. */
 static double firstBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const KeaProblemRow *normal = &s->work->problem.row[row->normal];
     if (normal->p > 0 || row->isForced) /* forced: where it slides to is known */

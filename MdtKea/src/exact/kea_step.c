@@ -1,7 +1,8 @@
 /* One step of one partition.
  *
  *     begin: which rows can act, how implicit each body is, warm start from the last step's answer
- *     passes: move by u; rows at the mean of the poses; the inner problem for the change of u; until the residuals are below tolerance
+ *     passes: move by u; rows at the mean of the poses; the inner problem for the change of u;
+ *             until the residuals are below tolerance
  *     velocity stage: the nearest velocities that joints and contacts allow where the bodies have arrived
  *
  * A pass is at once a Newton iteration for the geometry, a proximal step for rigid rows, and a renewal of the friction
@@ -65,8 +66,8 @@ static MeBool isLate(const MdtKeaSystem *s) {
     return s->parameters.maxWork > 0 && s->work->problem.counts.work > kea_workForFriction * s->parameters.maxWork;
 }
 
-/* Friction bounds follow the normal forces, later on more carefully; should that not settle, they are left where they are
- * once the answer is good enough, or in the end. */
+/* Friction bounds follow the normal forces, later on more carefully; should that not settle, they are left where they
+ * are once the answer is good enough, or in the end. */
 static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough) {
     KeaProblem *q = &s->work->problem;
     if (kea_dualSolve(s))
@@ -143,8 +144,9 @@ static double lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return size;
 }
 
-/* Has an answer that was not found taken the bodies where no motion goes? Mean velocities lie between those at the start and
- * those at the end, and have less energy than the whole partition at the greatest speed that anything in it has or wants. */
+/* Has an answer that was not found taken the bodies where no motion goes? Mean velocities lie between those at the
+ * start and those at the end, and have less energy than the whole partition at the greatest speed that anything in it
+ * has or wants. */
 static MeBool isRunaway(const MdtKeaSystem *s) {
     double energy = 0, mass = 0, speed = 0;
     for (int b = 0; b < s->numBodies; b++) {
@@ -277,9 +279,10 @@ static MeBool hasActingContact(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* The midpoint rule follows a body whose moments differ only as long as it does not turn far in a step: a fast top would
- * precess wrongly, and by (h w)²/12 it turns less far than it should. Bodies with contacts are left alone, and where there are
- * any, others may turn five times as far: more is lost in an impact than the 2 % of the angle that this is. */
+/* The midpoint rule follows a body whose moments differ only as long as it does not turn far in a step: a fast top
+ * would precess wrongly, and by (h w)²/12 it turns less far than it should. Bodies with contacts are left alone, and
+ * where there are any, others may turn five times as far: more is lost in an impact than the 2 % of the angle that
+ * this is. */
 static MeBool turnsTooFar(const MdtKeaSystem *s) {
     const double far =
         hasActingContact(s) ? kea_farTurnInContact : kea_farTurn; /* rad, times the moments' relative difference */

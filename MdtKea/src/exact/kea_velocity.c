@@ -10,8 +10,8 @@
  *   rigid joint  J v = 0        soft joint  J v + ε'/(1 - γ') p = -γ' φ⁺ / ((1 - γ') h)       motor  J v = s
  *   contact, limit: J v >= 0, or >= the rebound; only those that carry something; springs stay as they are.
  *
- * Makes impacts plastic that come through joints, and damps the midpoint rule's +-1 mode after a discontinuity. In calm motion
- * it is left out: done always, it would cost energy.
+ * Makes impacts plastic that come through joints, and damps the midpoint rule's +-1 mode after a discontinuity. In
+ * calm motion it is left out: done always, it would cost energy.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -22,7 +22,8 @@ static MeBool isUnilateral(const MdtKeaRow *row) {
     return (row->lower > -HUGE_VAL) != (row->upper < HUGE_VAL);
 }
 
-/* The joint's error goes on to be taken away at the same rate: what γ leaves of it, φ⁺ = (1 - γ) φ, asks for γ φ / h. */
+/* The joint's error goes on to be taken away at the same rate: what γ leaves of it, φ⁺ = (1 - γ) φ, asks for γ φ /
+ * h. */
 static void jointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double gamma = s->parameters.gamma, h = s->parameters.stepsize;
@@ -197,9 +198,10 @@ static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
         s->rows[i].ripple = isQuieted ? 0 : leftOver(&s->work->problem.row[i]);
 }
 
-/* Answers that are not the motion: cut short, or a compromise between joints that contradict each other, each of which takes
- * its error away at the cost of the others'. Parts of a step by safe times are watched as well, and so is what took many
- * passes: rows that contradict each other may be found to agree in a motion that has a hundred times the energy. */
+/* Answers that are not the motion: cut short, or a compromise between joints that contradict each other, each of which
+ * takes its error away at the cost of the others'. Parts of a step by safe times are watched as well, and so is what
+ * took many passes: rows that contradict each other may be found to agree in a motion that has a hundred times the
+ * energy. */
 static MeBool needsEnergyLimit(const MdtKeaSystem *s) {
     return s->report.capped || s->report.conflicting || s->report.passes > KEA_UNUSUAL_PASSES ||
            s->work->problem.counts.isLimited || s->parameters.isPart;
