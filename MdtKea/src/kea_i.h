@@ -11,7 +11,7 @@
  *     kea_dual.c              the inner problem by the joints' side
  *     kea_factor.c, kea_order.c, kea_cache.c      sparse factorization, elimination order, kept factors
  *     kea_redundancy.c        of redundant joints' impulses, the smallest
- *     kea_velocity.c          the velocity stage: velocities that joints and contacts allow where the bodies have arrived
+ *     kea_velocity.c          the velocity stage: what joints and contacts allow where the bodies have arrived
  *     kea_events.c            what divides a step of contacts in time
  *
  *   common/, what any solver needs:
@@ -68,13 +68,14 @@ typedef struct MdtKeaWork {
     KeaBody *body;
     KeaEnd *end;
     MdtKeaTransformation *endPose, *meanPose; /* by body */
-    double *errors;                           /* by row: φ at the end */
+    double *endErrors;                        /* by row: φ at the end */
     MdtKeaJBlockPair *keptJ;                  /* by row */
     double (*bestU)[6], *bestP;               /* by body, by row: of the best pass so far */
     double (*added)[6];                       /* by body: what the velocity stage has found */
-    double (*plastic)[6], *wanted, speed;     /* of impacts */
-    double (*velocity)[6];                    /* by body: what the limiter of energy starts from */
-    double *keptP;                            /* by row: impulses while the inner problem is lent */
+    double (*plastic)[6], speed;              /* of impacts */
+    double *target;        /* by row, twice: what impacts, m/s, or projection, m, ask of normal rows */
+    double (*velocity)[6]; /* by body: what the limiter of energy starts from */
+    double *keptP;         /* by row: impulses while the inner problem is lent */
     char *takesPart;
     int *parent; /* by body, and one more */
     KeaProblem problem;
@@ -99,9 +100,9 @@ void kea_eigen(double S[3][3], double V[3][3]);
 
 /* ---- kea_step.c ---- */
 
-/* What the solve may cost: this share of the means, the rest is for what comes after; of it, so many passes by sweeps are for
+/* Sets the budget of what follows: this share of the whole solve's; of it, so many passes by sweeps are reserved for
  * when it runs out. */
-void kea_setMeans(MdtKeaSystem *s, double share, int sweptPasses);
+void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses);
 /* Writes what it has cost. */
 void kea_reportWork(MdtKeaSystem *s);
 
@@ -132,7 +133,7 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
 /* Keeps the rows' Jacobians while others take their place, and brings them back. */
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);
-/* What each row still asks for; after kea_linearizeBodies. */
+/* The residual r of each row; after kea_linearizeBodies. */
 void kea_linearizeRows(MdtKeaSystem *s);
 /* Contacts that were thought out of reach and are reached. Returns whether there were any. */
 MeBool kea_admitContacts(MdtKeaSystem *s);
@@ -154,7 +155,8 @@ void kea_releaseSlides(MdtKeaSystem *s);
 
 /* ---- kea_impact.c ---- */
 
-/* m/s: what speeds of contacts in time are compared with: the load speed; without loads, a little of the bodies' speeds. */
+/* m/s: what speeds of contacts in time are compared with: the load speed; without loads, a little of the bodies'
+ * speeds. */
 double kea_eventSpeed(const MdtKeaSystem *s);
 /* Whether a contact's gap counts as none. */
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row);
@@ -175,11 +177,12 @@ void kea_project(MdtKeaSystem *s);
 double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]);
 /* J: the energy that there can be: what the step started with, and what loads, springs and motors have done in it. */
 double kea_energyAllowed(const MdtKeaSystem *s);
-/* The largest share a in [0, 1] for which velocity + plastic + a (elastic - plastic) has no more energy than allowed. */
+/* The largest share a in [0, 1] for which velocity + plastic + a (elastic - plastic) has no more energy than
+ * allowed. */
 double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*elastic)[6], double (*plastic)[6],
                         double allowed);
-/* The last resort of a step whose motion was not found: `change` takes the velocities of all bodies that rows act on down to
- * the energy allowed. False: there is nothing to change. */
+/* The last resort of a step whose motion was not found: `change` takes the velocities of all bodies that rows act on
+ * down to the energy allowed. False: there is nothing to change. */
 MeBool kea_slowDown(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]);
 
 /* ---- kea_residual.c ---- */
@@ -205,7 +208,7 @@ MeBool kea_isConflicting(const MdtKeaSystem *s);
 
 /* ---- kea_dual.c ---- */
 
-/* Decides for a side. */
+/* Chooses the primal or dual factorization by flop count. */
 void kea_dualBegin(MdtKeaSystem *s);
 /* Solves the inner problem by the joints' side. False: that is not possible here. */
 MeBool kea_dualSolve(MdtKeaSystem *s);

@@ -20,13 +20,13 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->end = kea_carve(arena, n, sizeof *work->end);
     work->endPose = kea_carve(arena, n, sizeof *work->endPose);
     work->meanPose = kea_carve(arena, n, sizeof *work->meanPose);
-    work->errors = kea_carve(arena, m, sizeof(double));
+    work->endErrors = kea_carve(arena, m, sizeof(double));
     work->keptJ = kea_carve(arena, m, sizeof *work->keptJ);
     work->bestU = kea_carve(arena, n, sizeof *work->bestU);
     work->bestP = kea_carve(arena, m, sizeof(double));
     work->added = kea_carve(arena, n, sizeof *work->added);
     work->plastic = kea_carve(arena, n, sizeof *work->plastic);
-    work->wanted = kea_carve(arena, 2 * m, sizeof(double));
+    work->target = kea_carve(arena, 2 * m, sizeof(double));
     work->velocity = kea_carve(arena, n, sizeof *work->velocity);
     work->keptP = kea_carve(arena, m, sizeof(double));
     work->takesPart = kea_carve(arena, m, 1);
@@ -133,7 +133,7 @@ static void noteAcceleration(MdtKeaBody *body, MdtKeaVelocity *start, double h) 
     }
 }
 
-static void commit(MdtKeaBody *body, const KeaEnd *end) {
+static void commitState(MdtKeaBody *body, const KeaEnd *end) {
     double w[3];
     const MeBool steady = !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
     if (steady)
@@ -153,7 +153,7 @@ MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++) {
         MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
                       s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < kea_assertedRounding);
-        commit(s->bodies[i], &s->work->end[i]);
+        commitState(s->bodies[i], &s->work->end[i]);
         noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
         s->pose[i] = s->work->endPose[i];
     }

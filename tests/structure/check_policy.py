@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Are Kea's choices in its policy file? No other source of it has a number with an exponent or a fraction, but for those of
-formulas; nor a constant that the policy file names and nobody reads."""
+"""Are Kea's choices in its policy file? No other source of it has a number with an exponent or a fraction, but for those
+of formulas; nor has the policy file a constant that nobody reads."""
 import pathlib
 import re
 import sys
@@ -20,7 +20,8 @@ NUMBER = re.compile(r'(?<![\w.])(?:\d+\.\d*|\.\d+|\d+)(?:[eE][+-]?\d+)?[fFlL]?(?
 
 def blanked(text):
     """The text with comments, strings and includes blanked."""
-    return re.sub(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"', lambda m: re.sub(r'[^\n]', ' ', m.group()), text, flags=re.S)
+    return re.sub(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"', lambda m: re.sub(r'[^\n]', ' ', m.group()), text,
+                  flags=re.S)
 
 
 top = pathlib.Path(sys.argv[1]) / 'MdtKea' / 'src'

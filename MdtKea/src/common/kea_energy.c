@@ -1,8 +1,8 @@
 /* Kinetic energy, and the one limiter: no answer that was not found, and no rebound, adds energy.
  *
- * Two sets of velocities, an elastic one that may have too much and a plastic one that has not, are blended along the straight
- * line between them: E(v + a (elastic - plastic)) is a parabola in a, and the largest a in [0, 1] that is allowed is its root.
- * What has no plastic answer is slowed down as a whole.
+ * Two sets of velocities, an elastic one that may have too much and a plastic one that has not, are blended along the
+ * straight line between them: E(v + a (elastic - plastic)) is a parabola in a, and the largest a in [0, 1] that is
+ * allowed is its root. What has no plastic answer is slowed down as a whole.
  */
 #include "kea_i.h"
 #include "MeAssert.h"

@@ -1,9 +1,10 @@
 /* Impacts: what changes velocities in an instant, by the one law of restitution.
  *
- * A contact that meets with the speed u leaves with e u, where e is its restitution and u is above its threshold; else with 0
- * (restitutionSpeed). Impacts go by rounds (generalized reflections: Smith et al., Reflections on Simultaneous Impact, 2012): all
- * contacts that meet are reflected at once, and again while some still meet. That brings the last ball of a cradle out alone
- * and keeps a flat box from turning. A round that gains energy is blended with the plastic one (kea_energy.c).
+ * A contact that meets with the speed u leaves with e u, where e is its restitution and u is above its threshold; else
+ * with 0 (restitutionSpeed). Impacts go by rounds (generalized reflections: Smith et al., Reflections on Simultaneous
+ * Impact, 2012): all contacts that meet are reflected at once, and again while some still meet. That brings the last
+ * ball of a cradle out alone and keeps a flat box from turning. A round that gains energy is blended with the plastic
+ * one (kea_energy.c).
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -84,16 +85,16 @@ static void setProblem(MdtKeaSystem *s) {
 
 /* One round: the contacts in `takesPart` (by normal row) get the relative velocities that they ask for, the rest does
  * nothing. The change of velocities is left in `change`. */
-static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesPart[], double (*change)[6]) {
+static void solveRound(MdtKeaSystem *s, const double target[], const char takesPart[], double (*change)[6]) {
     KeaProblem *q = &s->work->problem;
     double start = -1;
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &q->row[i];
         p->isOff = s->rows[i].contact < 0 || !takesPart[s->rows[i].contact] || p->size == 0;
         p->p = p->p0 = 0;
-        p->radius = HUGE_VAL;
+        p->frictionBound = HUGE_VAL;
         p->Jd = 0;
-        p->r = (s->rows[i].contact == i ? wanted[i] : 0) - kea_startRate(s, i);
+        p->r = (s->rows[i].contact == i ? target[i] : 0) - kea_startRate(s, i);
     }
     for (int b = 0; b < s->numBodies; b++) {
         memset(change[b], 0, sizeof change[b]);
@@ -101,12 +102,15 @@ static void solveRound(MdtKeaSystem *s, const double wanted[], const char takesP
     }
     for (int pass = 0; pass < KEA_MAX_IMPACT_PASSES; pass++) {
         for (int i = 0; i < s->numRows; i++)
-            q->row[i].N = keaMax(kea_proximalContact[0] * pow(kea_proximalDecay, -pass), kea_proximalContact[KEA_PROXIMAL_LEVELS - 1]) * q->row[i].size;
+            q->row[i].N = keaMax(kea_proximalContact[0] * pow(kea_proximalDecay, -pass),
+                                 kea_proximalContact[KEA_PROXIMAL_LEVELS - 1]) *
+                          q->row[i].size;
         for (int i = 0; i < s->numRows; i++)
             if (q->row[i].partner > i)
                 q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
         if (pass > 0)
-            kea_problemApproachRadii(q, pass < KEA_FULL_BOUND_PASSES ? 1 : kea_boundRelaxation, pass > KEA_FULL_BOUND_PASSES);
+            kea_frictionApproachBounds(q, pass < KEA_FULL_BOUND_PASSES ? 1 : kea_boundRelaxation,
+                                       pass > KEA_FULL_BOUND_PASSES);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, change);
         const double residual = kea_problemResidual(q, NULL);
@@ -184,22 +188,26 @@ MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Which touching contacts meet, what they want, and whether any of them rebounds. */
-static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double wanted[], char takesPart[]) {
+/* m/s: the speed with which what meets at `speed` leaves. */
+static double restitutionSpeed(const MdtKeaRow *row, double speed, double gate) {
+    MEASSERT(row->restitution >= 0 && row->restitution <= 1);
+    return speed > keaMax(row->threshold, gate) ? row->restitution * speed : 0;
+}
+
+/* Which touching contacts meet faster than `slowest`, the speeds with which they leave, and whether any of them
+ * rebounds. */
+static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double target[], char takesPart[]) {
     MeBool rebounds = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         takesPart[i] = 0;
-        wanted[i] = 0;
+        target[i] = 0;
         if (row->contact != i || !kea_isTouching(s, row))
             continue;
         const double speed = -kea_startRate(s, i);
         takesPart[i] = speed > slowest;
-        MEASSERT(row->restitution >= 0 && row->restitution <= 1);
-        if (takesPart[i] && row->restitution > 0 && speed > keaMax(row->threshold, gate)) {
-            wanted[i] = row->restitution * speed;
-            rebounds = METRUE;
-        }
+        target[i] = takesPart[i] ? restitutionSpeed(row, speed, gate) : 0;
+        rebounds = rebounds || target[i] > 0;
     }
     return rebounds;
 }
@@ -207,15 +215,15 @@ static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double
 /* ---- rounds ---- */
 
 /* False: there is no change that energy allows, and the contacts are left to the step. */
-static MeBool takeRound(MdtKeaSystem *s, const double wanted[], const char takesPart[]) {
-    solveRound(s, wanted, takesPart, s->work->added);
+static MeBool takeRound(MdtKeaSystem *s, const double target[], const char takesPart[]) {
+    solveRound(s, target, takesPart, s->work->added);
     if (isAffordable(s, s->work->added)) {
         keepImpulses(s);
         addChange(s, s->work->added);
         return METRUE;
     }
-    memset(s->work->wanted + s->numRows, 0, (size_t)s->numRows * sizeof(double));
-    solveRound(s, s->work->wanted + s->numRows, takesPart, s->work->plastic);
+    memset(s->work->target + s->numRows, 0, (size_t)s->numRows * sizeof(double));
+    solveRound(s, s->work->target + s->numRows, takesPart, s->work->plastic);
     if (!isAffordable(s, s->work->plastic))
         return MEFALSE;
     keepImpulses(s);
@@ -223,9 +231,9 @@ static MeBool takeRound(MdtKeaSystem *s, const double wanted[], const char takes
     return METRUE;
 }
 
-static void touchAll(MdtKeaSystem *s, double wanted[], char takesPart[]) {
+static void touchAll(MdtKeaSystem *s, double target[], char takesPart[]) {
     for (int i = 0; i < s->numRows; i++) {
-        wanted[i] = 0;
+        target[i] = 0;
         takesPart[i] = (char)(s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]));
     }
 }
@@ -238,7 +246,7 @@ static void commitVelocities(MdtKeaSystem *s) {
 }
 
 void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
-    double *wanted = s->work->wanted;
+    double *target = s->work->target;
     char *takesPart = s->work->takesPart;
     const double gate = kea_minReboundSpeed * kea_eventSpeed(s);
     s->work->speed = 0;
@@ -247,17 +255,17 @@ void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
     setProblem(s);
     if (!kea_problemBegin(&s->work->problem, s->cache))
         return;
-    kea_setMeans(s, 1, 1);
+    kea_setBudget(s, 1, 1);
     const double before = energyWith(s, NULL);
     kea_problemMeasure(&s->work->problem);
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
     const double slowest = keaMax(kea_meetingSpeed * kea_eventSpeed(s), kea_meetingSpeed * s->work->speed);
-    for (int round = 0; round < KEA_MAX_ROUNDS && chooseMeeting(s, slowest, gate, wanted, takesPart); round++)
-        if (!takeRound(s, wanted, takesPart) || s->work->problem.counts.isLimited)
+    for (int round = 0; round < KEA_MAX_ROUNDS && chooseMeeting(s, slowest, gate, target, takesPart); round++)
+        if (!takeRound(s, target, takesPart) || s->work->problem.counts.isLimited)
             break;
-    touchAll(s, wanted, takesPart);
-    takeRound(s, wanted, takesPart);
+    touchAll(s, target, takesPart);
+    takeRound(s, target, takesPart);
     MEASSERT(!(energyWith(s, NULL) > before * (1 + kea_assertedRounding)));
     commitVelocities(s);
     kea_reportWork(s);

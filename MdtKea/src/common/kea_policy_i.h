@@ -1,10 +1,10 @@
 /* Inside Kea: every number that is a choice. What follows from arithmetic or geometry stays in its formula.
  *
- * Of each: its unit, and why it is what it is: a derivation, a measurement, or the tests that fail when it is halved (/2) or
- * doubled (x2). `No test tells' is said where neither is known, with what the number trades.
+ * Of each: its unit, and why it is what it is: a derivation, a measurement, or the tests that fail when it is halved
+ * (/2) or doubled (x2). `No test tells' is said where neither is known, with what the number trades.
  *
- * Units: `A_ii' is a row's J B⁻¹ Jᵀ, 1/kg, the inverse of its effective mass; `load speed' the greatest change of a body's
- * velocity by its loads in the step, m/s (kea_loadSpeed): g h under gravity.
+ * Units: `A_ii' is a row's J B⁻¹ Jᵀ, 1/kg, the inverse of its effective mass; `load speed' the greatest change of a
+ * body's velocity by its loads in the step, m/s (kea_loadSpeed): g h under gravity.
  */
 #ifndef KEA_POLICY_I_H
 #define KEA_POLICY_I_H
@@ -14,107 +14,118 @@ static const double kea_tiny = 1e-300;
 
 /* ---- converged: the one definition, see kea_isConverged (kea_residual.c) ----
  *
- * A pass is converged when all three are met. They are as tight as double arithmetic meets at mass ratios of 1e6 (rounding
- * 1e-16 times the ratio), since errors feed back: what a pass leaves of a joint's error does work λ φ in every step, and a
- * contact's residual is a creep. */
+ * A pass is converged when all three are met. They are as tight as double arithmetic meets at mass ratios of 1e6
+ * (rounding 1e-16 times the ratio), since errors feed back: what a pass leaves of a joint's error does work λ φ in
+ * every step, and a contact's residual is a creep. */
 
-/* Of a position row's size (sizeOfRow). 1e-5 diverges with 1000 kg on 1 kg links, 1e-6 holds them; four digits are kept. */
+/* Of a position row's size (sizeOfRow, kea_residual.c). 1e-5 diverges with 1000 kg on links of 1 kg, 1e-6 holds them;
+ * what is below is energy, λ φ a step. x2 fails Mdt_Order: the_sag_of_a_load_is_epsilon_force_over_gamma. */
 static const double kea_positionTolerance = 1e-10;
-/* Of the partition's speed, and of the residual that a velocity stage starts with. A block held at .98 of its friction may
- * creep by 1e-9 m in 5 s (tests/scenes, `creep'), which is this times the load speed. */
+/* Of the partition's speed, and of the residual that a velocity stage starts with. Under gravity at 60 Hz a contact
+ * may creep by 2e-10 m/s; scenes allow 1e-9 m in 2 s. x2 fails MdtKea_system: velocity_rows_obey_their_law. */
 static const double kea_velocityTolerance = 1e-9;
-/* Of a body's momentum scale: where Newton's method stops. A digit below kea_velocityTolerance, so that the inner problem's
- * rest does not count as the outer one's. */
+/* Of a body's momentum scale: where Newton's method stops. A digit below kea_velocityTolerance, so that the inner
+ * problem's rest does not count as the outer one's. x2 fails MdtKea_problem: large_problems_are_complementary. */
 static const double kea_newtonTolerance = 1e-10;
-/* Of kea_newtonTolerance, in a converged pass: 1e-8. Momentum is restored exactly afterwards (kea_balanceMomentum), so it need
- * only be below what matters to the positions. No test tells: less costs passes, more leaves momentum to that correction. */
+/* Of kea_newtonTolerance, in a converged pass: 1e-8. Momentum is restored exactly afterwards (kea_balanceMomentum). No
+ * test tells (x2): less costs passes, more leaves momentum to that correction. */
 static const double kea_momentumSlack = 1e2;
 
-/* Passes have run out: below these times the tolerances the answer is called exact enough, above them it is reported as capped:
- * 1e-6 of a row's size and 1e-4 of the speed, which is what nobody sees. */
+/* Passes have run out: below these times the tolerances the answer is exact enough, above them it is reported as
+ * capped: 1e-6 of a row's size and 1e-4 of the speed. No test tells (x2): it is where a program is told. */
 static const double kea_loosePosition = 1e4, kea_looseVelocity = 1e5;
-/* Of kea_loose...: where passes by sweeps stop. A digit, so that a sweep's answer is not at the edge of being reported. */
+/* Of kea_loose...: where passes by sweeps stop. A digit, so that a sweep's answer is not at the edge of being
+ * reported. No test tells (x2). */
 static const double kea_sweptMargin = 0.1;
 
-/* Of a body's velocity, in the speed that residuals are compared with, beside the load speed: something that flies fast rounds
- * its residuals by its own speed. No test tells: more is laxer for fast bodies, less spends passes on rounding. */
+/* Of a body's velocity, in the speed that residuals are compared with, beside the load speed: something that flies
+ * fast rounds its residuals by its own speed. No test tells: more is laxer for fast bodies, less spends passes on
+ * rounding. */
 static const double kea_ownSpeedShare = 0.1;
-/* Of a body's radius of gyration, and of its distance from the origin, in the size that a position error is compared with: the
- * first keeps rows with no lever arm and no motion from asking for 0, the second admits the rounding of far places
- * (1e-4 x 1e-10 = 1e-14 of the distance, 50 times the rounding of a double). */
+/* Of a body's radius of gyration, and of its distance from the origin, in the size that a position error is compared
+ * with: the first is for rows with no lever arm and no motion, the second for the rounding of far places (1e-4 x 1e-10
+ * = 1e-14 of the distance, 50 times the rounding of a double). x2 of the first fails Mdt_Order:
+ * the_sag_of_a_load_is_epsilon_force_over_gamma. */
 static const double kea_bodySizeShare = 1e-2, kea_distanceShare = 1e-4;
-/* Of the momentum, in the scale of a body's impulses beside its loads': else a body without loads would ask for 0. No test
- * tells: it is 1e-14 of the momentum with kea_newtonTolerance, 50 times the rounding of a double. */
+/* Of the momentum, in the scale of a body's impulses beside its loads': else a body without loads would ask for 0. No
+ * test tells: it is 1e-14 of the momentum with kea_newtonTolerance, 50 times the rounding of a double. */
 static const double kea_momentumShare = 1e-4;
-/* A joint is inconsistent if a pass leaves more than this of what it asked for, twice: half is between 0, obeyed, and 1. */
+/* A joint is inconsistent if a pass leaves more than this of what it asked for, twice: half way between 0, obeyed, and
+ * 1. x2 fails Mdt_Report: joints_that_contradict_each_other_are_told. */
 static const double kea_inconsistentShare = 0.5;
 
 /* ---- passes of a step ---- */
 
 enum {
-    /* Friction bounds go all the way to μ p_n in so many passes and impact passes, then kea_boundRelaxation of it, accelerated.
-     * Where they settle at all, they have mostly done so in 3 to 6. */
+    /* Friction bounds go all the way to μ p_n in so many passes and impact passes, then kea_boundRelaxation of it,
+     * accelerated. Where they settle at all, they have mostly done so in 3 to 6. */
     KEA_FULL_BOUND_PASSES = 6,
-    /* Passes after which friction bounds are frozen: once the answer is within kea_looseVelocity; and whatever it is. Collapsing
-     * heaps settle within 60 in all but 3 % of their steps (tests/Mst/test_Heaps). */
+    /* Passes after which friction bounds are frozen: once the answer is within kea_looseVelocity; and whatever it is.
+     * Collapsing heaps settle within 60 in all but 3 % of their steps (tests/Mst/test_Heaps). */
     KEA_FREEZE_PASS = 12,
     KEA_MAX_COUPLED_PASSES = 60,
-    /* With frozen bounds the rest is convex: passes converge tenfold or better, and 4 take 1e-5 to tolerance. */
+    /* With frozen bounds the rest is convex; passes converge by 3 to 70 each, so 4 gain two to seven digits. */
     KEA_FROZEN_PASSES = 4,
     /* Passes of sweeps that share what work is left, so that the geometry is followed (test_Mst_WorkBudget). */
     KEA_SWEPT_PASSES = 8,
-    /* More passes than this, and the motion's energy is watched: ordinary steps take 3 to 6; contradicting rows may be found to
-     * agree in a motion of a hundred times the energy. Two times the ordinary. */
+    /* More passes than this, and the motion's energy is watched: ordinary steps take 3 to 6; contradicting rows may be
+     * found to agree in a motion of a hundred times the energy. Two times the ordinary. */
     KEA_UNUSUAL_PASSES = 12,
     /* Of the velocity stage: linear but for bounds, so that it takes 1 to 3. A cap only. */
     KEA_MAX_VELOCITY_PASSES = 6
 };
-/* Of the way to μ p_n, once full steps have not settled: bounds that alternate between two answers meet in the middle. */
+/* Of the way to μ p_n, once full steps have not settled: bounds that alternate between two answers meet in the
+ * middle. */
 static const double kea_boundRelaxation = 0.5;
-/* The range of the secant's t, which takes back that part of the last approach: t -> 1 is division by zero, and a straight line
- * is not to be trusted beyond five times its length. */
+/* The range of the secant's t, which takes back that part of the last approach: t -> 1 is division by zero, and a
+ * straight line is not to be trusted beyond five times its length. */
 static const double kea_leastSecant = -4, kea_mostSecant = 0.9;
 
-/* Of the budget of work (MdtKeaParameters.maxWork): what passes may use, so that velocities and positions at the end have the
- * rest: of sweeps, which are some per cent of it, */
+/* Of the budget of work (MdtKeaParameters.maxWork): what passes may use, so that velocities and positions at the end
+ * have the rest: of sweeps, which are some per cent of it, */
 static const double kea_workForMotion = 0.9;
 /* of what is left, at most, that is reserved for sweeps: never more than for Newton's method, */
 static const double kea_workForSweeps = 0.5;
-/* and what may be spent while friction bounds do not settle. Steps that settle late use less than 17 of 50 million, a third. */
+/* and what may be spent while friction bounds do not settle. Steps that settle late use less than 17 of 50 million, a
+ * third. */
 static const double kea_workForFriction = 0.375;
 
-/* Rad, h |w_m| of the Cayley map, which turns by 2 atan of half of it, 1.8: near a half turn (infinite h w) the velocity means
- * nothing. Halved, wheels that are followed well are divided; doubled, it is 2.7 of 3.1 rad. */
+/* Rad, h |w_m| of the Cayley map, which turns by 2 atan of half of it, 1.8: near half a turn (infinite h w) the
+ * velocity means nothing. Halved it is 1.1 rad, which is followed well; doubled 2.4. */
 static const double kea_mostTurn = 2.5;
-/* Rad, h |w| times the moments' relative difference: a step that turns further is divided. A top would precess wrongly, and the
- * angle is short by its square over 12: 1e-3, and 2 % where there are contacts, which lose more. x5 everywhere fails free rotation
- * and tops of tests/scenes; without it ragdolls cost three times as much. */
+/* Rad, h |w| times the moments' relative difference: a step that turns further is divided. A top would precess
+ * wrongly, and the angle is short by its square over 12: 1e-3, and 2 % where there are contacts, which lose more. .5
+ * everywhere fails free rotation and tops of tests/scenes; .2 in contact costs ragdolls 40 % more factorizations. */
 static const double kea_farTurn = 0.1, kea_farTurnInContact = 0.5;
-/* Of the radius: contacts that push so close to a ball's centre do not feel its turn, 1e-3 x 2.5 rad of a radius at most. */
+/* Of the radius: contacts that push so close to a ball's centre do not feel its turn, 1e-3 x 2.5 rad of a radius at
+ * most. */
 static const double kea_centredArm = 1e-3;
-/* Times the energy at the greatest speed in the partition: an answer above it is no motion. Room for answers cut short, whose
- * energy is limited later. No test tells: more lets runaways through to the limiter, less lets go of rows that still hold. */
+/* Times the energy at the greatest speed in the partition: an answer above it is no motion. Room for answers cut
+ * short, whose energy is limited later. No test tells: more lets runaways through to the limiter, less lets go of rows
+ * that still hold. */
 static const double kea_runawayRoom = 10;
-/* Times the load speed: a greater acceleration in the last step was a jerk, and is no guess for this one. No test tells: it
- * changes the first guess only, never the answer beyond tolerance. */
+/* Times the load speed: a greater acceleration in the last step was a jerk, and is no guess for this one. No test
+ * tells: it changes the first guess only, never the answer beyond tolerance. */
 static const double kea_jerk = 30;
-/* Of the step's length: a stop this much after its end does not divide it. Rounding of event times is 1e-9 at most. */
+/* Of the step's length: a stop this much after its end does not divide it. Reasoned: far above the rounding of event
+ * times, far below what moves anything. */
 static const double kea_lateEvent = 1e-6;
 
 /* ---- theta and geometric stiffness ---- */
 
-/* Of a body's size: a contact nearer than this may act, whatever its speed. A thousandth is 50 times the overlap tolerance of
- * single precision. No test tells: more makes near misses dissipate, less admits contacts a pass later. */
+/* Of a body's size: a contact nearer than this may act, whatever its speed: a hundred times kea_touchingGap of single
+ * precision. No test tells: more makes near misses dissipate, less admits contacts a pass later. */
 static const double kea_nearbyGap = 1e-3;
-/* Steps: a contact that would be closed in so many with its present speed may act; 1 is the answer without rows, half a step is
- * for what rows add. */
+/* Steps: a contact that would be closed in so many with its present speed may act; 1 is the answer without rows, half
+ * a step is for what rows add. */
 static const double kea_reach = 1.5;
 /* Of a bounded joint's strength: above it, it may give way in this step, and is treated as a stop. */
 static const double kea_nearBound = 0.5;
-/* h² k / m of a spring: above 4, h ω > 2, a midpoint oscillation is not followed (beyond the limit of explicit schemes). */
+/* h² k / m of a spring: above 4, h ω > 2, a midpoint oscillation is not followed (beyond the limit of explicit
+ * schemes). */
 static const double kea_stiffSpring = 4;
-/* Of the least moment: a geometric stiffness below it is left out, Newton's method converges as well without (1 % of an error a
- * pass); */
+/* Of the least moment: a geometric stiffness below it is left out: Newton's method then leaves 1 % of an error a pass,
+ * no more than it does anyway; */
 static const double kea_smallStiffness = 0.01;
 /* and so much negative may stay: B is positive with half its inertia. */
 static const double kea_harmlessStiffness = 0.5;
@@ -123,33 +134,35 @@ static const double kea_equalMoments = 1e-9;
 
 /* ---- the proximal parameter N: the method's own softness, of A_ii, taken out again pass by pass ---- */
 
-/* Joints; where they make loops: these contradict each other, if only by rounding, and answer with impulses of the error over
- * h N; limits, motors and other bounded rows. With less, what comes and goes takes more iterations; with more, heavy bodies on
- * light ones take more passes. */
+/* Joints; where they make loops: these contradict each other, if only by rounding, and answer with impulses of the
+ * error over h N; limits, motors and other bounded rows. With less, what comes and goes takes more iterations; with
+ * more, heavy bodies on light ones take more passes. */
 static const double kea_proximalJoint = 1e-8, kea_proximalLoop = 1e-6, kea_proximalLimit = 1e-6;
-/* Contacts, by passes that went well. 1e-4 and a tenth a pass: in small partitions a start of 1e-3 saves 14 % of the factorizations
- * and fails the heavy cube and the creep of tests/scenes; constant 1e-4 takes 22 to 35 in a heap at rest. The last is where a
- * double's rounding over N reaches kea_velocityTolerance at a mass ratio of 1e2. */
+/* Contacts, by passes that went well: 1e-4 and a tenth a pass. A start of 1e-3 saves 14 % of the factorizations of
+ * small partitions and fails the heavy cube and the creep of tests/scenes; constant 1e-4 takes 22 to 35 factorizations
+ * a step in a heap at rest. No test tells of the last: less is nearer to a singular matrix. */
 enum { KEA_PROXIMAL_LEVELS = 6 };
 static const double kea_proximalContact[KEA_PROXIMAL_LEVELS] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
 /* A tenth a pass of an impact, down to the last of these. */
 static const double kea_proximalDecay = 10;
-/* Of the projection of positions, whose passes are few and whose accuracy is that of a push out of an overlap: N over A_ii is the
- * part left by one pass, 1e-15 by three. */
+/* Of the projection of positions: N over A_ii is the part left by a pass of a row alone, 1e-15 after three. */
 static const double kea_proximalProjection = 1e-5;
 enum { KEA_PROJECTION_PASSES = 3 };
-/* The joints' side, of A_ii, where it is not taken out: rows of one joint may coincide but for rounding, which this is 500 times. */
+/* The joints' side, of A_ii, where it is not taken out: rows of one joint may coincide but for rounding, which this is
+ * 500 times. */
 static const double kea_dualRegularization = 1e-13;
-/* Redundant joints, of the metric: the part by which their smallest impulses miss; rounding of it at a mass ratio of 1e4. */
+/* Redundant joints, of the metric: the part by which their smallest impulses miss; rounding of it at a mass ratio of
+ * 1e4. */
 static const double kea_redundancyRegularization = 1e-12;
 
 /* ---- semismooth Newton ---- */
 
 enum {
-    /* Iterations of the convex problem; a cap: with an exact line search it ends by itself. 15 in the cases of tests/Mst, up to
-     * 60 in heaps. */
+    /* Iterations of the convex problem; a cap: with an exact line search it ends by itself, but collapsing heaps reach
+     * 60. */
     KEA_MAX_CONVEX = 60,
-    /* Of the coupled one, which has no potential: quadratic near the answer, so 12 or never. */
+    /* Of the coupled one, which has no potential: quadratic near the answer, else the outer iteration has to bring it
+     * there. */
     KEA_MAX_COUPLED = 12,
     /* Halvings of its step: an eighth at least. No test tells: shorter steps go to the outer iteration instead. */
     KEA_MAX_HALVINGS = 4,
@@ -160,15 +173,17 @@ enum {
 static const double kea_leastPivot = 1e-15;
 /* Times a double's rounding: of the sums r - J d, 12 products. */
 static const double kea_roundingSteps = 8;
-/* The line search: what is left of the slope, 1e-3, costs Newton's method nothing, and the longest step. No test tells: tighter is
- * more visits of rows, looser more factorizations. */
+/* The line search: what is left of the slope, 1e-3, costs Newton's method nothing, and the longest step. No test
+ * tells: tighter is more visits of rows, looser more factorizations. */
 static const double kea_lineSearchTolerance = 1e-3, kea_longestStep = 64;
-/* In tolerances: where the convex problem's error is below the first and falls by less than the second a step, it is rounding. */
+/* In tolerances: where the convex problem's error is below the first and falls by less than the second a step, it is
+ * rounding. */
 static const double kea_convexRounding = 1e5, kea_convexProgress = 0.3;
-/* The coupled step must leave at most this of the error; else it is shorter, or rounding below the second, in tolerances. */
+/* The coupled step must leave at most this of the error; else it is shorter, or rounding below the second, in
+ * tolerances. */
 static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
-/* Relative: friction bounds that agree with μ p_n so well need no coupled solve; and the part of p_n that is added to what they are
- * compared with, for friction of 0. */
+/* Relative: friction bounds that agree with μ p_n so well need no coupled solve; and the part of p_n that is added to
+ * what they are compared with, for friction of 0. */
 static const double kea_boundsAgree = 1e-12, kea_boundsFloor = 1e-3;
 
 /* ---- work, in multiplications per row, as counted ---- */
@@ -189,18 +204,19 @@ enum {
     KEA_START_SWEEPS = 2,  /* what the choice of their start costs, counted in sweeps: three visits */
     KEA_SOME_SWEEPS = 8    /* passes that would have less are fewer: a quarter of the most */
 };
-/* Of the impulses: a sweep that moves them by less has settled: a thousandth of what a report calls exact (kea_looseVelocity). */
+/* Of the impulses: a sweep that moves them by less has settled: a hundredth of where passes by sweeps stop
+ * (kea_sweptMargin kea_looseVelocity kea_velocityTolerance, 1e-5). */
 static const double kea_sweepTolerance = 1e-7;
 
 /* ---- the velocity stage ---- */
 
-/* Of the load speed: a residual below it is calm motion, and the stage is left out. Done always, it costs 1.7e-4 of a pendulum's
- * energy in 47 s; with .05, 7e-7. */
+/* Of the load speed: a residual below it is calm motion, and the stage is left out. Done always, it costs 1.7e-4 of a
+ * pendulum's energy in 47 s; with .05, 7e-7. */
 static const double kea_calmResidual = 0.05;
 /* Of the load speed: below it what alternates is rounding. */
 static const double kea_rippleNoise = 1e-9;
-/* The midpoint rule's mode (-1)^n: this step's residual is minus the last one's, their sum below this part of their difference; and
- * at least this part of the greatest residual, so that no small row decides. */
+/* The midpoint rule's mode (-1)^n: this step's residual is minus the last one's, their sum below this part of their
+ * difference; and at least this part of the greatest residual, so that no small row decides. */
 static const double kea_rippleBalance = 0.5, kea_rippleShare = 0.1;
 
 /* ---- energy ---- */
@@ -215,29 +231,33 @@ static const double kea_assertedRounding = 1e-9;
 enum {
     /* Rounds of an impact; a cap: a cradle of n balls takes n. */
     KEA_MAX_ROUNDS = 60,
-    /* Passes of a round: 6 take N from the first to the last of kea_proximalContact, the rest is for friction bounds. */
+    /* Passes of a round: 6 take N from the first to the last of kea_proximalContact, the rest is for friction
+     * bounds. */
     KEA_MAX_IMPACT_PASSES = 14
 };
-/* Of the load speed: what leaves faster is open, what slides faster can stop. Far above rounding: with 1e-7 a rolling ball made 794
- * stops, and far below 1, a step's own change. */
+/* Of the load speed: what leaves faster is open, what slides faster can stop. Far above rounding: with 1e-7 a rolling
+ * ball made 794 stops, and far below 1, a step's own change. */
 static const double kea_separatingSpeed = 0.03, kea_slidingSpeed = 0.03;
-/* The same: what meets more slowly is no impact. Every impact is located: with .25 a rocking column of ten kept its energy for
- * 120 s, in 3 of 8 runs. */
+/* The same: what meets more slowly is no impact. Every impact is located: with .25 a rocking column of ten kept its
+ * energy for 120 s, in 3 of 8 runs. */
 static const double kea_minImpactSpeed = 1e-6;
 /* The same, at most, in a soft contact, which gives way to its load. */
 static const double kea_softContactSpeed = 0.05;
-/* The same: what meets more slowly does not rebound: half of what one step's loads give, so that a ball at rest stays there. */
+/* The same: what meets more slowly does not rebound: half of what one step's loads give, so that a ball at rest stays
+ * there. */
 static const double kea_minReboundSpeed = 0.5;
 /* Of the body's own speeds, in the load speed where there are no loads. */
 static const double kea_unloadedSpeed = 1e-6;
-/* Of the load speed or the partition's speed: what meets faster is part of a round. Rounding of a reflected velocity is 1e-15 of it. */
+/* Of the load speed or the partition's speed: what meets faster is part of a round. Rounding of a reflected velocity
+ * is 1e-15 of it. */
 static const double kea_meetingSpeed = 1e-9;
-/* Of the speed: where an impact's passes end. Three digits below kea_meetingSpeed, so that what is reflected does not meet again. */
+/* Of the speed: where an impact's passes end. Three digits below kea_meetingSpeed, so that what is reflected does not
+ * meet again. */
 static const double kea_impactTolerance = 1e-12;
 /* Of friction: a force that is less than the bound by more than this sticks. */
 static const double kea_stickMargin = 1e-7;
-/* Of the smaller body's size: a gap below it touches. 1e-5 in double precision toppled a tower, 1e-6 left it rocking in 3 of 8 runs;
- * in single precision programs place bodies no better than that. */
+/* Of the smaller body's size: a gap below it touches. 1e-5 in double precision toppled a tower, 1e-6 left it rocking
+ * in 3 of 8 runs; in single precision programs place bodies no better than that. */
 #ifdef _ME_API_DOUBLE
 static const double kea_touchingGap = 1e-7;
 #else
@@ -246,13 +266,14 @@ static const double kea_touchingGap = 1e-5;
 
 /* ---- rotation, inertia ---- */
 
-/* Rad a step by the splitting's own rates: below it the leapfrog's error, angle³/12, is 1e-7 of a radian in the worst case. No test
- * tells: it is work against accuracy of slow rotation. */
+/* Rad a step by the splitting's own rates: below it the leapfrog's error, angle³/12, is 1e-7 of a radian in the worst
+ * case. No test tells: it is work against accuracy of slow rotation. */
 static const double kea_slowRotation = 1e-2;
 enum { KEA_MAX_JACOBI_SWEEPS = 12 }; /* 4 or 5 suffice: convergence is quadratic */
 /* Of the diagonal's squares: off-diagonal entries of 1e-16 of it are rounding. */
 static const double kea_jacobiTolerance = 1e-32;
-/* A program's tensor: by so little it may miss symmetry, single precision; and its least moment of its largest: thinner is no body. */
+/* A program's tensor: by so little it may miss symmetry, single precision; and its least moment of its largest:
+ * thinner is no body. */
 static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;
 
 /* ---- memory ---- */

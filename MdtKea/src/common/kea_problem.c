@@ -1,4 +1,5 @@
-/* The inner problem's data (kea_problem_i.h): memory, the graph of its rows, work, and what every method of solution needs. */
+/* The inner problem's data (kea_problem_i.h): memory, the graph of its rows, work, and what every method of solution
+ * needs. */
 #include "common/kea_problem_i.h"
 #include "MdtKeaMath.h"
 #include "MeAssert.h"
@@ -77,20 +78,20 @@ void kea_problemSpend(KeaProblem *q, double work) {
     q->counts.work += work;
 }
 
-/* One iteration: the matrix and its factors, a solution with them, and some visits of each row: gradient, forces, and the
- * line search, which takes about five. */
-double kea_problemIterationWork(const KeaProblem *q, MeBool lopsided) {
-    return (lopsided ? 2 : 1) * kea_factorFlops(q->factor) + 2.0 * (double)kea_factorEntries(q->factor) +
+/* One iteration: the matrix and its factors, a solution with them, and some visits of each row: gradient, forces, and
+ * the line search, which takes about five. */
+double kea_problemIterationWork(const KeaProblem *q, MeBool unsymmetric) {
+    return (unsymmetric ? 2 : 1) * kea_factorFlops(q->factor) + 2.0 * (double)kea_factorEntries(q->factor) +
            (double)q->numRows * (KEA_ASSEMBLY + KEA_ITERATION_VISITS * KEA_VISIT);
 }
 
-MeBool kea_problemHasMeans(const KeaProblem *q, MeBool lopsided) {
+MeBool kea_problemHasBudget(const KeaProblem *q, MeBool unsymmetric) {
     return !(q->maxIterations > 0 && q->counts.iterations >= q->maxIterations) &&
-           !(q->maxWork > 0 && q->counts.work + kea_problemIterationWork(q, lopsided) > q->maxWork - q->reserve);
+           !(q->maxWork > 0 && q->counts.work + kea_problemIterationWork(q, unsymmetric) > q->maxWork - q->reserve);
 }
 
-MeBool kea_problemAffords(KeaProblem *q, MeBool lopsided) {
-    q->counts.isLimited = q->counts.isLimited || !kea_problemHasMeans(q, lopsided);
+MeBool kea_problemMaySpend(KeaProblem *q, MeBool unsymmetric) {
+    q->counts.isLimited = q->counts.isLimited || !kea_problemHasBudget(q, unsymmetric);
     return !q->counts.isLimited;
 }
 

@@ -32,25 +32,25 @@ typedef struct KeaProblemRow {
     int edge;    /* of the graph, -1: one body */
     int normal, partner;
     double friction;
-    double lower, upper; /* N s */
-    double E;            /* 1/kg */
-    double N;            /* 1/kg, the method's own softness */
-    double r;            /* m/s */
-    double p0, p;        /* N s */
-    double y;            /* N s, what p would be without bounds */
-    double radius;       /* N s, of the cone, or the friction bound */
-    double keptJd, keptRadius;
-    double lastRadius, lastMissing; /* N s, of the last approach to the bounds that the normal forces give */
-    double Jd, Je;                  /* along d, along the search direction */
-    double last, best;              /* N s, before the last sweep; with the least energy of all sweeps */
-    double size;                    /* J B⁻¹ Jᵀ, 1/kg */
-    double weight[2];               /* by body: the momentum, in its scale, that a unit of p gives */
-    MeBool isForced;                /* p is `forced` times the friction bound: the direction of sliding is known */
+    double lower, upper;  /* N s */
+    double E;             /* 1/kg */
+    double N;             /* 1/kg, the method's own softness */
+    double r;             /* m/s */
+    double p0, p;         /* N s */
+    double y;             /* N s, what p would be without bounds */
+    double frictionBound; /* N s, of the row or its cone, as last set */
+    double keptJd, keptBound;
+    double lastBound, lastBoundError; /* N s, of the last approach to the bounds that the normal forces give */
+    double Jd, Je;                    /* along d, along the search direction */
+    double last, best;                /* N s, before the last sweep; with the least energy of all sweeps */
+    double size;                      /* J B⁻¹ Jᵀ, 1/kg */
+    double weight[2];                 /* by body: the momentum, in its scale, that a unit of p gives */
+    MeBool isForced;                  /* p is `forced` times the friction bound: the direction of sliding is known */
     double forced;
-    MeBool resists, isStubborn; /* a joint that did not yield in the last pass, in the last two */
-    MeBool isElsewhere;         /* its law is checked by others (kea_problemResidual) */
-    MeBool isOff;               /* takes no part: p stays what it is; */
-    MeBool isAside;             /* for the time being */
+    MeBool isUnmet, isInconsistent; /* a joint that left most of its residual: in the last pass, in the last two */
+    MeBool isElsewhere;             /* its law is checked by others (kea_problemResidual) */
+    MeBool isOff;                   /* takes no part: p stays what it is; */
+    MeBool isAside;                 /* for the time being */
     KeaRowState state;
 } KeaProblemRow;
 
@@ -110,18 +110,18 @@ void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *aren
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache);
 /* Sizes of the rows, from the metric. */
 void kea_problemMeasure(KeaProblem *q);
-/* Solves with the friction bounds in `radius`; coupled, goes on to those of the solution itself. False: that did not
- * converge, and the solution is the one with `radius`; or work or iterations ran out, and it is by sweeps. */
+/* Solves with the friction bounds in `frictionBound`; coupled, goes on to those of the solution itself. False: that
+ * did not converge, and the solution is the one with these; or work or iterations ran out, and it is by sweeps. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
-/* Whether there is work, and an iteration, left for one more of Newton's; the second notes that the solve is limited from now
- * on if there is not. */
-MeBool kea_problemHasMeans(const KeaProblem *q, MeBool lopsided);
-MeBool kea_problemAffords(KeaProblem *q, MeBool lopsided);
+/* Whether the budget, of work and of iterations, has room for one more of Newton's; the second notes that the solve is
+ * limited from now on if it has not. `unsymmetric`: of the coupled problem. */
+MeBool kea_problemHasBudget(const KeaProblem *q, MeBool unsymmetric);
+MeBool kea_problemMaySpend(KeaProblem *q, MeBool unsymmetric);
 /* Multiplications of one iteration: the matrix and its factors, a solution with them, and some visits of each row. */
-double kea_problemIterationWork(const KeaProblem *q, MeBool lopsided);
+double kea_problemIterationWork(const KeaProblem *q, MeBool unsymmetric);
 void kea_problemSpend(KeaProblem *q, double work);
-/* The rows without bounds alone, exactly, where all others have the impulses that they have: one linear solve, which lowers
- * the energy, as a sweep does. Needs d and Jd; and its work, 0 where there are no such rows. */
+/* The rows without bounds alone, exactly, where all others have the impulses that they have: one linear solve, which
+ * lowers the energy, as a sweep does. Needs d and Jd; and its work, 0 where there are no such rows. */
 void kea_problemSolveJoints(KeaProblem *q);
 double kea_problemWorkOfJoints(const KeaProblem *q);
 /* ---- kea_sweep.c ---- */
@@ -145,9 +145,9 @@ double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
 /* How far the friction bounds are from μ p of their normal rows, relative. */
 double kea_frictionBoundsError(const KeaProblem *q);
 /* Sets every friction bound to μ p of its normal row. */
-void kea_problemRenewRadii(KeaProblem *q);
+void kea_frictionRenewBounds(KeaProblem *q);
 /* Takes every friction bound a share of the way there; `isAccelerated`: with what the last call has taught. */
-void kea_problemApproachRadii(KeaProblem *q, double share, MeBool isAccelerated);
+void kea_frictionApproachBounds(KeaProblem *q, double share, MeBool isAccelerated);
 
 /* The factor of a graph, made if there is none; sizes null: 6 of every node. */
 KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size[], int numEdges,

@@ -31,12 +31,12 @@ static void displace(MdtKeaSystem *s) {
     }
 }
 
-static void solveDisplacement(MdtKeaSystem *s, const double wanted[]) {
+static void solveDisplacement(MdtKeaSystem *s, const double target[]) {
     KeaProblem *q = &s->work->problem;
     memset(s->work->added, 0, (size_t)s->numBodies * sizeof *s->work->added);
     for (int i = 0; i < s->numRows; i++) {
         q->row[i].isOff = !s->work->takesPart[i];
-        q->row[i].r = wanted[i];
+        q->row[i].r = target[i];
     }
     for (int pass = 0; pass < KEA_PROJECTION_PASSES && !q->counts.isLimited; pass++) {
         for (int i = 0; i < s->numRows; i++)
@@ -49,12 +49,12 @@ static void solveDisplacement(MdtKeaSystem *s, const double wanted[]) {
 /* The smallest displacement, in the metric of the masses, that takes γ of every overlap away and makes none deeper. */
 void kea_project(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    double *wanted = s->work->wanted, error;
+    double *target = s->work->target, error;
     MeBool isNeeded = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         s->work->takesPart[i] = (char)mustBeMovedOut(s, i, &error);
-        wanted[i] = s->work->takesPart[i] ? keaMax(-s->parameters.gamma * error - sagOf(s, i), 0) : 0;
-        isNeeded = isNeeded || wanted[i] > 0;
+        target[i] = s->work->takesPart[i] ? keaMax(-s->parameters.gamma * error - sagOf(s, i), 0) : 0;
+        isNeeded = isNeeded || target[i] > 0;
     }
     if (!isNeeded)
         return;
@@ -68,7 +68,7 @@ void kea_project(MdtKeaSystem *s) {
         q->row[i].isElsewhere = s->rows[i].contact != i;
     }
     kea_problemMeasure(q);
-    solveDisplacement(s, wanted);
+    solveDisplacement(s, target);
     for (int i = 0; i < s->numRows; i++)
         q->row[i].p = s->work->keptP[i];
     displace(s);

@@ -12,10 +12,10 @@
 
 static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
     const KeaProblemRow *other = &q->row[row->partner];
-    const double radius = kea_frictionBound(q, row);
+    const double bound = kea_frictionBound(q, row);
     const double unit = row->size + row->E; /* a soft row's impulse hardly moves */
     const double a = row->p - slip[0] / unit, b = other->p - slip[1] / unit, size = keaHypotenuse(a, b);
-    const double share = size > radius ? radius / size : 1;
+    const double share = size > bound ? bound / size : 1;
     return row->size * keaHypotenuse(row->p - share * a, other->p - share * b);
 }
 
@@ -26,9 +26,9 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
         if (row->isOff || row->isElsewhere || row->size == 0)
             continue;
         if (row->isForced) {
-            const double wanted = row->forced * kea_frictionBound(q, row);
-            worst = keaMax(worst, row->size * fabs(row->p - wanted));
-            most = keaMax(most, fabs(row->p - wanted));
+            const double projected = row->forced * kea_frictionBound(q, row);
+            worst = keaMax(worst, row->size * fabs(row->p - projected));
+            most = keaMax(most, fabs(row->p - projected));
         }
         if (row->isForced || (row->partner >= 0 && row->partner < i))
             continue;
@@ -44,10 +44,10 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
             continue;
         }
         const double bound = row->normal >= 0 ? kea_frictionBound(q, row) : HUGE_VAL;
-        const double wanted = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
-                                     keaMin(row->upper, bound));
-        worst = keaMax(worst, row->size * fabs(row->p - wanted));
-        most = keaMax(most, fabs(row->p - wanted));
+        const double projected = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
+                                        keaMin(row->upper, bound));
+        worst = keaMax(worst, row->size * fabs(row->p - projected));
+        most = keaMax(most, fabs(row->p - projected));
     }
     if (impulse)
         *impulse = most;
@@ -84,7 +84,7 @@ static double positionError(MdtKeaSystem *s) {
         if ((p->p >= p->upper && missing > 0) || (p->p <= p->lower && missing < 0))
             continue;
         s->report.error = keaMax(s->report.error, fabs(missing));
-        if (p->isStubborn)
+        if (p->isInconsistent)
             continue;
         worst = keaMax(worst, fabs(missing) / (sizeOfRow(s, row) + kea_tiny));
     }
@@ -93,17 +93,17 @@ static double positionError(MdtKeaSystem *s) {
 
 /* ---- joints that contradict each other ---- */
 
-/* Joints that contradict each other: what a pass asked of them, it did not get, whatever their impulses. Who asked for
- * nothing that counts, and got a little from the method's softness, does not. */
+/* Inconsistent joints: what a pass asked of them, it did not get, whatever their impulses. Rows with negligible
+ * residual are ignored. */
 void kea_noteInconsistent(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &s->work->problem.row[i];
         const double asked = p->r - p->E * p->p0;
         const MeBool asks = s->parameters.stepsize * fabs(asked) > kea_positionTolerance * sizeOfRow(s, &s->rows[i]);
-        const MeBool resists =
-            asks && s->rows[i].position && !kea_mayReachBound(&s->rows[i]) && fabs(asked - p->Jd) > kea_inconsistentShare * fabs(asked);
-        p->isStubborn = resists && p->resists;
-        p->resists = resists;
+        const MeBool isUnmet = asks && s->rows[i].position && !kea_mayReachBound(&s->rows[i]) &&
+                               fabs(asked - p->Jd) > kea_inconsistentShare * fabs(asked);
+        p->isInconsistent = isUnmet && p->isUnmet;
+        p->isUnmet = isUnmet;
     }
 }
 
@@ -111,7 +111,7 @@ MeBool kea_isConflicting(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         const KeaProblemRow *p = &s->work->problem.row[i];
         const double missing = s->parameters.stepsize * fabs(p->r - p->E * p->p);
-        if (p->isStubborn && !p->isOff && missing > kea_positionTolerance * sizeOfRow(s, &s->rows[i]))
+        if (p->isInconsistent && !p->isOff && missing > kea_positionTolerance * sizeOfRow(s, &s->rows[i]))
             return METRUE;
     }
     return MEFALSE;

@@ -35,7 +35,8 @@ static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
     return METRUE;
 }
 
-/* Joints that share a body, by way of a list of the nodes of every body. False: there are too many, or two share both. */
+/* Joints that share a body, by way of a list of the nodes of every body. False: there are too many, or two share
+ * both. */
 static MeBool findEdges(MdtKeaSystem *s, KeaDual *d) {
     d->numEdges = 0;
     for (int b = 0; b < s->numBodies; b++)
@@ -80,7 +81,7 @@ void kea_dualBegin(MdtKeaSystem *s) {
 
 /* ---- a solve ---- */
 
-static void respond(const KeaMetric *B, double r[6], const double J[6]) {
+static void setResponse(const KeaMetric *B, double r[6], const double J[6]) {
     keaScale(r, 1 / B->linear, J);
     keaApply(r + 3, B->inverse, J + 3);
 }
@@ -97,7 +98,7 @@ static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
         for (int k = 0; k < 2; k++) {
             if (a->body[k] < 0)
                 continue;
-            respond(&q->metric[a->body[k]], response, a->J[k]);
+            setResponse(&q->metric[a->body[k]], response, a->J[k]);
             for (int j = 0; j < size; j++)
                 block[i * size + j] += dotOfBody(response, q->row[start + j].J[k]);
         }
@@ -110,7 +111,7 @@ static void fillEdge(KeaProblem *q, KeaDual *d, int e) {
     const KeaMetric *B = &q->metric[q->row[d->start[m]].body[k]];
     double *block = kea_factorUpper(d->factor, e), response[6];
     for (int i = 0; i < d->size[m]; i++) {
-        respond(B, response, q->row[d->start[m] + i].J[k]);
+        setResponse(B, response, q->row[d->start[m] + i].J[k]);
         for (int j = 0; j < d->size[n]; j++)
             block[i * d->size[n] + j] += dotOfBody(response, q->row[d->start[n] + j].J[l]);
     }
@@ -140,7 +141,7 @@ static void setMotion(KeaProblem *q) {
                 q->gradient[row->body[k]][c] += row->p * row->J[k][c];
     }
     for (int b = 0; b < q->numBodies; b++)
-        respond(&q->metric[b], q->d[b], q->gradient[b]);
+        setResponse(&q->metric[b], q->d[b], q->gradient[b]);
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         row->Jd = 0;
@@ -153,7 +154,7 @@ static void setMotion(KeaProblem *q) {
 MeBool kea_dualSolve(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     KeaDual *d = &s->work->dual;
-    if (!d->factor || !kea_problemAffords(q, MEFALSE) || !factorize(q, d))
+    if (!d->factor || !kea_problemMaySpend(q, MEFALSE) || !factorize(q, d))
         return MEFALSE;
     q->counts.iterations++;
     setMotion(q);

@@ -5,8 +5,8 @@
  * forces within the step divides it:
  *
  *   an impact: an open contact's gap, φ + J v t + J (v⁺ - v) t²/2h, vanishes at some t, its time of impact;
- *   a stop:    a contact that slides would stick or slide back at the end. With the friction still against the slip u of
- *              the start, it vanishes at t = h |u| / (|u| - u⁺·u/|u|).
+ *   a stop:    a contact that slides would stick or slide back at the end. With the friction still against the slip u
+ *              of the start, it vanishes at t = h |u| / (|u| - u⁺·u/|u|).
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"

@@ -401,7 +401,7 @@ static void loadColumn(KeaFactor *f, int t) {
     }
 }
 
-static void gather(KeaFactor *f, int t) {
+static void gatherUpdates(KeaFactor *f, int t) {
     const int j = f->node[t], n = f->size[j];
     const double *left = f->isSymmetric ? f->upper : f->lower;
     for (int s = f->sourceStart[t]; s < f->sourceStart[t + 1]; s++) {
@@ -418,7 +418,7 @@ static void gather(KeaFactor *f, int t) {
     }
 }
 
-static MeBool divide(KeaFactor *f, int t, double least) {
+static MeBool divideColumn(KeaFactor *f, int t, double least) {
     const int j = f->node[t], n = f->size[j];
     double *D = f->pivot + f->diagonalAt[j];
     int *exchange = f->exchange + f->offset[j];
@@ -440,8 +440,8 @@ static MeBool divide(KeaFactor *f, int t, double least) {
 static MeBool factorize(KeaFactor *f, double least) {
     for (int t = 0; t < f->numNodes; t++) {
         loadColumn(f, t);
-        gather(f, t);
-        if (!divide(f, t, least))
+        gatherUpdates(f, t);
+        if (!divideColumn(f, t, least))
             return MEFALSE;
     }
     return METRUE;
@@ -474,7 +474,7 @@ static void solveUpper(const double *D, double *x, int n) {
     }
 }
 
-static void forward(const KeaFactor *f, double x[]) {
+static void solveForward(const KeaFactor *f, double x[]) {
     const double *left = f->isSymmetric ? f->upper : f->lower;
     for (int t = 0; t < f->numNodes; t++) {
         const int j = f->node[t], n = f->size[j];
@@ -491,7 +491,7 @@ static void forward(const KeaFactor *f, double x[]) {
     }
 }
 
-static void backward(const KeaFactor *f, double x[]) {
+static void solveBackward(const KeaFactor *f, double x[]) {
     for (int t = f->numNodes - 1; t >= 0; t--) {
         const int j = f->node[t], n = f->size[j];
         double *xj = x + f->offset[j];
@@ -508,6 +508,6 @@ static void backward(const KeaFactor *f, double x[]) {
 }
 
 void kea_factorSolve(const KeaFactor *f, double x[]) {
-    forward(f, x);
-    backward(f, x);
+    solveForward(f, x);
+    solveBackward(f, x);
 }

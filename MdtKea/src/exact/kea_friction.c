@@ -11,27 +11,29 @@ double kea_frictionBoundsError(const KeaProblem *q) {
         const KeaProblemRow *row = &q->row[i];
         if (row->normal < 0 || row->isOff)
             continue;
-        const double wanted = kea_frictionBound(q, row);
-        if (row->state == KEA_SLIPS || keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0) > wanted)
-            worst = keaMax(worst, fabs(row->radius - wanted) / (wanted + kea_boundsFloor * fabs(q->row[row->normal].p) + DBL_MIN));
+        const double coulomb = kea_frictionBound(q, row);
+        if (row->state == KEA_SLIPS || keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0) > coulomb)
+            worst = keaMax(worst, fabs(row->frictionBound - coulomb) /
+                                      (coulomb + kea_boundsFloor * fabs(q->row[row->normal].p) + DBL_MIN));
     }
     return worst;
 }
 
-void kea_problemRenewRadii(KeaProblem *q) {
+void kea_frictionRenewBounds(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         if (q->row[i].normal >= 0)
-            q->row[i].radius = kea_frictionBound(q, &q->row[i]);
+            q->row[i].frictionBound = kea_frictionBound(q, &q->row[i]);
 }
 
-/* How much of the last step towards the fixed point to take back: t = f·Δf / |Δf|², f what is missing, Δf its change. */
+/* How much of the last step towards the fixed point to take back: t = f·Δf / |Δf|², f what is missing, Δf its
+ * change. */
 static double secant(const KeaProblem *q) {
     double above = 0, below = 0;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
-        if (row->normal < 0 || !isfinite(row->radius) || !isfinite(row->lastMissing))
+        if (row->normal < 0 || !isfinite(row->frictionBound) || !isfinite(row->lastBoundError))
             continue;
-        const double f = kea_frictionBound(q, row) - row->radius, change = f - row->lastMissing;
+        const double f = kea_frictionBound(q, row) - row->frictionBound, change = f - row->lastBoundError;
         above += f * change;
         below += change * change;
     }
@@ -39,18 +41,18 @@ static double secant(const KeaProblem *q) {
 }
 
 /* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a memory of one step. */
-void kea_problemApproachRadii(KeaProblem *q, double share, MeBool isAccelerated) {
+void kea_frictionApproachBounds(KeaProblem *q, double share, MeBool isAccelerated) {
     const double t = isAccelerated ? secant(q) : 0;
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         if (row->normal < 0)
             continue;
-        const double radius = row->radius, wanted = kea_frictionBound(q, row), f = wanted - radius;
-        double next = isfinite(radius) ? radius + share * f : wanted;
-        if (t != 0 && isfinite(radius) && isfinite(row->lastRadius))
-            next -= t * (radius - row->lastRadius + share * (f - row->lastMissing));
-        row->radius = keaMax(next, 0);
-        row->lastRadius = radius;
-        row->lastMissing = f;
+        const double bound = row->frictionBound, coulomb = kea_frictionBound(q, row), f = coulomb - bound;
+        double next = isfinite(bound) ? bound + share * f : coulomb;
+        if (t != 0 && isfinite(bound) && isfinite(row->lastBound))
+            next -= t * (bound - row->lastBound + share * (f - row->lastBoundError));
+        row->frictionBound = keaMax(next, 0);
+        row->lastBound = bound;
+        row->lastBoundError = f;
     }
 }

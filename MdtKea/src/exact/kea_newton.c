@@ -1,7 +1,7 @@
 /* Newton's method for the inner problem (kea_problem_i.h).
  *
- * Per row, y = (r - J d + N p0) / (E + N), and p is y within its bounds: p = clamp(y), or for two rows that share a cone
- * of the radius R, p = y min(1, R/|y|). The gradient is B d + g - Jᵀ p, its derivative
+ * Per row, y = (r - J d + N p0) / (E + N), and p is y within its bounds: p = clamp(y), or for two rows that share a
+ * cone of the radius R, p = y min(1, R/|y|). The gradient is B d + g - Jᵀ p, its derivative
  *
  *     H = B + Jᵀ D J,    D = 1/(E + N) within the bounds, 0 at them,
  *                        D = R/|y| (1 - ŷ ŷᵀ) / (E + N) on the cone.
@@ -37,8 +37,8 @@ static double clampTo(double y, double lower, double upper, KeaRowState *state) 
 
 static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
     const double size = keaHypotenuse(a->y, b->y);
-    const MeBool holds = size < a->radius;
-    const double share = holds ? 1 : a->radius / size;
+    const MeBool holds = size < a->frictionBound;
+    const double share = holds ? 1 : a->frictionBound / size;
     a->p = a->y * (size > 0 ? share : 0);
     b->p = b->y * (size > 0 ? share : 0);
     a->state = b->state = holds ? KEA_HELD : KEA_SLIPS;
@@ -60,23 +60,24 @@ static void setForces(KeaProblem *q, double step, MeBool coupled) {
             continue;
         }
         if (coupled)
-            row->radius = kea_frictionBound(q, row);
+            row->frictionBound = kea_frictionBound(q, row);
         if (row->isForced) {
-            row->p = row->forced * row->radius;
+            row->p = row->forced * row->frictionBound;
             row->state = KEA_SLIPS;
         } else if (row->partner > i) {
-            q->row[row->partner].radius = row->radius;
+            q->row[row->partner].frictionBound = row->frictionBound;
             setCone(row, &q->row[row->partner]);
         } else if (row->partner < 0) {
-            row->p = clampTo(row->y, keaMax(row->lower, -row->radius), keaMin(row->upper, row->radius), &row->state);
-            if (row->state == KEA_IDLE && fabs(row->p) >= row->radius)
+            row->p = clampTo(row->y, keaMax(row->lower, -row->frictionBound), keaMin(row->upper, row->frictionBound),
+                             &row->state);
+            if (row->state == KEA_IDLE && fabs(row->p) >= row->frictionBound)
                 row->state = KEA_SLIPS;
         }
     }
 }
 
-/* The gradient, and by how much it is too large: 1 is what is tolerated. A p that is known to rounding of r and J d only
- * is not asked for more. */
+/* The gradient, and by how much it is too large: 1 is what is tolerated. A p that is known to rounding of r and J d
+ * only is not asked for more. */
 static double gradientError(KeaProblem *q, double step) {
     double worst = 0;
     for (int b = 0; b < q->numBodies; b++) {
@@ -94,8 +95,8 @@ static double gradientError(KeaProblem *q, double step) {
             if (row->body[k] < 0)
                 continue;
             kea_addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
-            q->allowed[row->body[k]] +=
-                row->weight[k] * (kea_newtonTolerance * fabs(row->p) + (row->isOff || row->state != KEA_HELD ? 0 : rounding));
+            q->allowed[row->body[k]] += row->weight[k] * (kea_newtonTolerance * fabs(row->p) +
+                                                          (row->isOff || row->state != KEA_HELD ? 0 : rounding));
         }
     }
     for (int b = 0; b < q->numBodies; b++) {
@@ -136,16 +137,16 @@ static void combine(double r[2][6], double s, double (*const a)[6], double t, do
             r[k][i] = s * a[k][i] + t * b[k][i];
 }
 
-static void addForced(KeaProblem *q, KeaProblemRow *row, MeBool lopsided) {
+static void addForced(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     KeaProblemRow *normal = &q->row[row->normal];
-    if (lopsided && !normal->isOff && normal->state == KEA_HELD)
+    if (unsymmetric && !normal->isOff && normal->state == KEA_HELD)
         addRows(q, row, row->forced * row->friction / softness(normal), row->J, normal->J, MEFALSE);
 }
 
-/* A sliding row or cone; `lopsided`: with what the normal force does to it. */
-static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool lopsided) {
+/* A sliding row or cone; `unsymmetric`: with what the normal force does to it. */
+static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     if (row->isForced) {
-        addForced(q, row, lopsided);
+        addForced(q, row, unsymmetric);
         return;
     }
     KeaProblemRow *normal = &q->row[row->normal], *other = row->partner >= 0 ? &q->row[row->partner] : row;
@@ -156,12 +157,12 @@ static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool lopsided) {
         return;
     if (isCone) {
         combine(slip, -other->y / size, row->J, row->y / size, other->J);
-        addRows(q, row, row->radius / size / softness(row), slip, slip, !lopsided);
+        addRows(q, row, row->frictionBound / size / softness(row), slip, slip, !unsymmetric);
         combine(slip, row->y / size, row->J, other->y / size, other->J);
     } else {
         combine(slip, row->y / size, row->J, 0, row->J);
     }
-    if (lopsided && !normal->isOff && normal->state == KEA_HELD)
+    if (unsymmetric && !normal->isOff && normal->state == KEA_HELD)
         addRows(q, row, row->friction / softness(normal), slip, normal->J, MEFALSE);
 }
 
@@ -172,7 +173,7 @@ static MeBool slidesUnderLoad(const KeaProblem *q) {
     return MEFALSE;
 }
 
-static void fillMatrix(KeaProblem *q, MeBool lopsided) {
+static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
     kea_factorClear(q->factor);
     for (int b = 0; b < q->numBodies; b++) {
         double *block = kea_factorDiagonal(q->factor, b);
@@ -188,31 +189,32 @@ static void fillMatrix(KeaProblem *q, MeBool lopsided) {
         if (row->isOff || row->state == KEA_IDLE)
             continue;
         if (row->state == KEA_HELD)
-            addRows(q, row, 1 / softness(row), row->J, row->J, !lopsided);
+            addRows(q, row, 1 / softness(row), row->J, row->J, !unsymmetric);
         else if (row->partner < 0 || row->partner > i || row->isForced)
-            addSliding(q, row, lopsided);
+            addSliding(q, row, unsymmetric);
     }
 }
 
-/* Impulses are within their bounds, and those of friction within their radius. */
+/* Impulses are within their bounds, and those of friction within their bound. */
 static inline MeBool areWithinBounds(const KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         const double size = keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0);
         if (row->isOff || isnan(row->p))
             continue;
-        if (row->normal < 0 ? row->p < row->lower || row->p > row->upper : size > row->radius * (1 + kea_assertedRounding) + DBL_MIN)
+        if (row->normal < 0 ? row->p < row->lower || row->p > row->upper
+                            : size > row->frictionBound * (1 + kea_assertedRounding) + DBL_MIN)
             return MEFALSE;
     }
     return METRUE;
 }
 
-static MeBool factor(KeaProblem *q, MeBool coupled) {
-    const MeBool lopsided = coupled && slidesUnderLoad(q);
-    fillMatrix(q, lopsided);
+static MeBool factorize(KeaProblem *q, MeBool coupled) {
+    const MeBool unsymmetric = coupled && slidesUnderLoad(q);
+    fillMatrix(q, unsymmetric);
     q->counts.factorizations++;
-    kea_problemSpend(q, kea_problemIterationWork(q, lopsided));
-    return lopsided ? kea_factorLU(q->factor, kea_leastPivot) : kea_factorCholesky(q->factor, kea_leastPivot);
+    kea_problemSpend(q, kea_problemIterationWork(q, unsymmetric));
+    return unsymmetric ? kea_factorLU(q->factor, kea_leastPivot) : kea_factorCholesky(q->factor, kea_leastPivot);
 }
 
 static void findDirection(KeaProblem *q) {
@@ -228,7 +230,7 @@ static void findDirection(KeaProblem *q) {
         q->row[i].Je = rateAlong(&q->row[i], q->along);
 }
 
-static void take(KeaProblem *q, double step) {
+static void takeStep(KeaProblem *q, double step) {
     for (int b = 0; b < q->numBodies; b++)
         kea_addScaled6(q->d[b], step, q->along[b]);
     for (int i = 0; i < q->numRows; i++) {
@@ -296,15 +298,15 @@ static MeBool solveConvex(KeaProblem *q) {
         const double error = gradientError(q, 0);
         if (error < 1 || (error < kea_convexRounding && error > kea_convexProgress * before))
             return METRUE; /* found, or as far as rounding allows */
-        if (!kea_problemAffords(q, MEFALSE))
+        if (!kea_problemMaySpend(q, MEFALSE))
             return MEFALSE;
         before = error;
         q->counts.iterations++;
-        if (!factor(q, MEFALSE))
+        if (!factorize(q, MEFALSE))
             return MEFALSE;
         findDirection(q);
         const double step = bestStep(q);
-        take(q, step);
+        takeStep(q, step);
         setForces(q, 0, MEFALSE);
         if (!q->hasBounds)
             return METRUE; /* it was linear */
@@ -316,10 +318,10 @@ static MeBool solveCoupled(KeaProblem *q) {
     setForces(q, 0, METRUE);
     double error = gradientError(q, 0);
     for (int i = 0; i < KEA_MAX_COUPLED && error >= 1; i++) {
-        if (!kea_problemAffords(q, METRUE))
+        if (!kea_problemMaySpend(q, METRUE))
             return MEFALSE;
         q->counts.iterations++;
-        if (!factor(q, METRUE))
+        if (!factorize(q, METRUE))
             return MEFALSE;
         findDirection(q);
         double step = 1, next = 0;
@@ -333,22 +335,22 @@ static MeBool solveCoupled(KeaProblem *q) {
             setForces(q, 0, METRUE);
             return error < kea_coupledRounding; /* rounding */
         }
-        take(q, step);
+        takeStep(q, step);
         error = next;
     }
     return error < kea_coupledRounding;
 }
 
-static void keep(KeaProblem *q) {
+static void keepConvex(KeaProblem *q) {
     memcpy(q->kept, q->d, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].keptJd = q->row[i].Jd, q->row[i].keptRadius = q->row[i].radius;
+        q->row[i].keptJd = q->row[i].Jd, q->row[i].keptBound = q->row[i].frictionBound;
 }
 
-static void restore(KeaProblem *q) {
+static void restoreConvex(KeaProblem *q) {
     memcpy(q->d, q->kept, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].Jd = q->row[i].keptJd, q->row[i].radius = q->row[i].keptRadius, q->row[i].Je = 0;
+        q->row[i].Jd = q->row[i].keptJd, q->row[i].frictionBound = q->row[i].keptBound, q->row[i].Je = 0;
     setForces(q, 0, MEFALSE);
 }
 
@@ -365,10 +367,10 @@ MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
         return MEFALSE;
     if (!coupled || !q->hasFriction || kea_frictionBoundsError(q) < kea_boundsAgree)
         return METRUE;
-    keep(q);
+    keepConvex(q);
     if (solveCoupled(q))
         return METRUE;
-    restore(q);
+    restoreConvex(q);
     return MEFALSE;
 }
 
@@ -409,9 +411,9 @@ void kea_problemSolveJoints(KeaProblem *q) {
     if (setAside(q)) {
         setForces(q, 0, MEFALSE);
         gradientError(q, 0);
-        if (factor(q, MEFALSE)) {
+        if (factorize(q, MEFALSE)) {
             findDirection(q);
-            take(q, 1);
+            takeStep(q, 1);
             setForces(q, 0, MEFALSE);
         } else {
             for (int i = 0; i < q->numRows; i++)

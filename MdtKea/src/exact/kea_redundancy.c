@@ -1,9 +1,8 @@
 /* How redundant joints share their load.
  *
- * Where joints make a loop, some combinations of their impulses do nothing: Jᵀ p = 0. The passes of a step find impulses
- * that move the bodies rightly, but what they hold of such a combination is chance, and where the joints contradict each
- * other by as little as rounding, it grows from step to step. What is told, and kept as the next step's guess, is the
- * smallest one with the same effect,
+ * Where joints make a loop, Jᵀ has a null space. The null-space part of p is arbitrary, and where the joints
+ * contradict each other by as little as rounding, it grows from step to step. The smallest is taken, reported, and
+ * kept as the next warm start:
  *
  *     min 1/2 Σ p_i² / w_i,  Jᵀ p = f:    p = W J y,   (Jᵀ W J + δ B) y = f,
  *
@@ -41,7 +40,7 @@ MeBool kea_hasLoops(const MdtKeaSystem *s) {
 }
 
 /* Rigid joints only: what is bounded or soft has found its value. */
-static MeBool takesPart(const MdtKeaSystem *s, int i) {
+static MeBool isRigidJoint(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     return row->position && row->softness == 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL &&
            !s->work->problem.row[i].isOff;
@@ -67,7 +66,7 @@ static void setProblem(MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &q->row[i];
-        p->isOff = !takesPart(s, i);
+        p->isOff = !isRigidJoint(s, i);
         if (p->isOff)
             continue;
         for (int k = 0; k < 2; k++)
@@ -84,7 +83,7 @@ static void setProblem(MdtKeaSystem *s) {
 void kea_shareForces(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const MeBool hadBounds = q->hasBounds;
-    if (!s->work->hasLoops || !kea_problemHasMeans(q, MEFALSE))
+    if (!s->work->hasLoops || !kea_problemHasBudget(q, MEFALSE))
         return; /* forces that do the same are as good */
     for (int i = 0; i < s->numRows; i++)
         s->work->keptP[i] = q->row[i].p;

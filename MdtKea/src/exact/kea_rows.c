@@ -22,7 +22,7 @@ MeBool kea_mayReachBound(const MdtKeaRow *row) {
     return row->force > kea_nearBound * row->upper || row->force < kea_nearBound * row->lower;
 }
 
-static double rateOf(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
+static double rateWith(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
     double rate = 0;
     for (int k = 0; k < 2; k++) {
         if (row->body[k] < 0)
@@ -41,7 +41,7 @@ static MeBool isWithinReach(const MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             size = keaMax(size, s->work->body[row->body[k]].size);
-    const double speed = keaMin(rateOf(row, s->velocity), rateOf(row, s->predicted));
+    const double speed = keaMin(rateWith(row, s->velocity), rateWith(row, s->predicted));
     const double h = s->parameters.stepsize, gap = row->error + h * keaMax(speed, 0); /* at best, if it is being left */
     return row->lower < 0 || gap < kea_nearbyGap * size || row->error + kea_reach * h * speed < 0;
 }
@@ -100,9 +100,9 @@ static void chooseTheta(MdtKeaSystem *s) {
         s->work->body[i].theta = 0.5;
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const MeBool holds = row->contact == i
-                                 ? !s->work->problem.row[i].isOff
-                                 : row->position && kea_mayReachBound(row) && row->force != 0 && rateOf(row, s->velocity) <= 0;
+        const MeBool holds = row->contact == i ? !s->work->problem.row[i].isOff
+                                               : row->position && kea_mayReachBound(row) && row->force != 0 &&
+                                                     rateWith(row, s->velocity) <= 0;
         if (holds || isTooStiff(s, row))
             setTheta(s, row);
     }
@@ -129,16 +129,16 @@ static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
 }
 
-/* A contact that has not carried anything yet starts as if friction held, which tells where it slides to if it does not;
- * but where its slip is more than friction could stop, as if there were none. */
+/* Cold start of the friction bound: none, so that the answer sticks, or shows where it slides to; 0 where the slip is
+ * more than friction could stop. */
 static double firstBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const KeaProblemRow *normal = &s->work->problem.row[row->normal];
     if (normal->p > 0 || row->isForced) /* forced: where it slides to is known */
         return row->friction * keaMax(normal->p, 0);
-    const double along = rateOf(row, s->predicted) - row->target;
+    const double along = rateWith(row, s->predicted) - row->target;
     const double across =
-        row->partner >= 0 ? rateOf(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
-    const double approach = -rateOf(&s->rows[row->normal], s->predicted);
+        row->partner >= 0 ? rateWith(&s->rows[row->partner], s->predicted) - s->rows[row->partner].target : 0;
+    const double approach = -rateWith(&s->rows[row->normal], s->predicted);
     return keaHypotenuse(along, across) > row->friction * keaMax(approach, 0) ? 0 : HUGE_VAL;
 }
 
@@ -161,11 +161,11 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->isOff = isIdle(s, row);
         p->p = p->p0 = p->isOff || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
-        p->isStubborn = p->resists = MEFALSE;
+        p->isInconsistent = p->isUnmet = MEFALSE;
         p->isElsewhere = row->position;
         p->isForced = row->isForced;
         p->forced = row->forced;
-        p->radius = row->normal >= 0 ? firstBound(s, row) : 0;
+        p->frictionBound = row->normal >= 0 ? firstBound(s, row) : 0;
     }
     chooseTheta(s);
 }
@@ -261,8 +261,11 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize;
     p->E = row->softness;
-    p->r = row->target - (s->work->errors[i] - row->error) / h;
-    p->N = (kea_mayReachBound(row) ? kea_proximalLimit : s->work->hasLoops ? kea_proximalLoop : kea_proximalJoint) * ownSize(s, p);
+    p->r = row->target - (s->work->endErrors[i] - row->error) / h;
+    p->N = (kea_mayReachBound(row) ? kea_proximalLimit
+            : s->work->hasLoops    ? kea_proximalLoop
+                                   : kea_proximalJoint) *
+           ownSize(s, p);
 }
 
 /* A contact that is met in time keeps no velocity from being pushed apart (kea_project does that), but a soft one sinks
@@ -279,7 +282,9 @@ static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const double theta = thetaOf(s, row);
     p->E = theta * row->softness;
     p->r = theta * ((s->parameters.timed && row->contact == i ? timedTarget(row, p) : row->target) - kea_endRate(s, i));
-    p->N = (row->contact >= 0 ? kea_proximalContact[level < KEA_PROXIMAL_LEVELS ? level : KEA_PROXIMAL_LEVELS - 1] : kea_proximalLimit) * p->size;
+    p->N = (row->contact >= 0 ? kea_proximalContact[level < KEA_PROXIMAL_LEVELS ? level : KEA_PROXIMAL_LEVELS - 1]
+                              : kea_proximalLimit) *
+           p->size;
 }
 
 /* On a cone both rows have one softness, or the direction of friction would not be that of the slip. */
@@ -308,4 +313,3 @@ void kea_linearizeRows(MdtKeaSystem *s) {
         if (q->row[i].partner > i)
             shareSoftness(&q->row[i], &q->row[q->row[i].partner]);
 }
-

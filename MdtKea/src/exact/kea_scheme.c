@@ -63,7 +63,7 @@ static double scaleOf(const MdtKeaBody *body, const KeaBody *b, double size) {
 }
 
 /* The first guess: the acceleration of the last step goes on, unless that was a jerk. */
-static void guess(const MdtKeaBody *body, const MdtKeaVelocity *v, KeaBody *b, double h) {
+static void guessVelocity(const MdtKeaBody *body, const MdtKeaVelocity *v, KeaBody *b, double h) {
     const double *a = body->acceleration;
     const double change = h * (keaLength(a) + b->size * keaLength(a + 3)) / body->invMass;
     const double step = change < kea_jerk * b->scale ? b->theta * h : 0;
@@ -88,7 +88,7 @@ void kea_beginBodies(MdtKeaSystem *s) {
 
 void kea_guessMotion(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
-        guess(s->bodies[i], &s->velocity[i], &s->work->body[i], s->parameters.stepsize);
+        guessVelocity(s->bodies[i], &s->velocity[i], &s->work->body[i], s->parameters.stepsize);
 }
 
 /* ---- motion ---- */
@@ -208,7 +208,7 @@ static void clampPositive(double K[3][3], double harmless) {
     }
 }
 
-static double largest(const double K[3][3]) {
+static double largestEntry(const double K[3][3]) {
     double most = 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -251,7 +251,7 @@ static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
     const double *I = body->moments, least = keaMin(I[0], keaMin(I[1], I[2])) / b->theta;
     double inertia[3][3];
     meanInertia(body, b, inertia);
-    if (largest((const double(*)[3])B->angular) > kea_smallStiffness * least)
+    if (largestEntry((const double(*)[3])B->angular) > kea_smallStiffness * least)
         clampPositive(B->angular, kea_harmlessStiffness * least);
     else
         memset(B->angular, 0, sizeof B->angular);

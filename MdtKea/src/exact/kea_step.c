@@ -1,8 +1,9 @@
 /* One step of one partition.
  *
- *     begin: what rows can act, how implicit each body is, the last step's answer as a guess
- *     passes: move by u; rows at the mean of the poses; the inner problem for what u lacks; until nothing lacks
- *     velocity stage: what joints and contacts allow where the bodies have arrived
+ *     begin: which rows can act, how implicit each body is, warm start from the last step's answer
+ *     passes: move by u; rows at the mean of the poses; the inner problem for the change of u;
+ *             until the residuals are below tolerance
+ *     velocity stage: the nearest velocities that joints and contacts allow where the bodies have arrived
  *
  * A pass is at once a Newton iteration for the geometry, a proximal step for rigid rows, and a renewal of the friction
  * bounds. Where the last answer still holds, no pass is needed and nothing is factored.
@@ -12,22 +13,22 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-/* ---- means ---- */
+/* ---- budget ---- */
 
 static double workOfLinearization(const MdtKeaSystem *s) {
     return KEA_LINEARIZATION * ((double)s->numRows + s->numBodies);
 }
 
-/* With a cap on iterations, passes by sweeps are in proportion: it is to make a step cheaper. */
-void kea_setMeans(MdtKeaSystem *s, double share, int sweptPasses) {
+/* With an iteration cap, passes by sweeps are capped in proportion: the cap is to make a step cheaper. */
+void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses) {
     KeaProblem *q = &s->work->problem;
     q->maxIterations = s->parameters.maxIterations;
     if (q->maxIterations > 0 && q->maxIterations < sweptPasses)
         sweptPasses = 1 + q->maxIterations;
     q->maxWork = share * s->parameters.maxWork;
     q->sweptPasses = sweptPasses;
-    q->reserve =
-        keaMin(sweptPasses * kea_problemSweptPass(q, KEA_SWEEPS), kea_workForSweeps * keaMax(q->maxWork - q->counts.work, 0));
+    q->reserve = keaMin(sweptPasses * kea_problemSweptPass(q, KEA_SWEEPS),
+                        kea_workForSweeps * keaMax(q->maxWork - q->counts.work, 0));
     q->counts.isLimited = MEFALSE;
 }
 
@@ -37,7 +38,7 @@ void kea_reportWork(MdtKeaSystem *s) {
     s->report.factorizations = counts->factorizations;
     s->report.freezes = counts->freezes;
     s->report.work = counts->work;
-    if (counts->isLimited) /* since the last kea_setMeans */
+    if (counts->isLimited) /* since the last kea_setBudget */
         s->report.limited = s->report.capped = METRUE;
 }
 
@@ -47,7 +48,7 @@ static void linearize(MdtKeaSystem *s) {
     kea_moveBodies(s);
     kea_refreshRows(s, s->work->meanPose, METRUE);
     if (s->errors)
-        s->errors(s->context, s->work->endPose, s->work->errors);
+        s->errors(s->context, s->work->endPose, s->work->endErrors);
     kea_linearizeBodies(s);
     kea_linearizeRows(s);
     kea_problemSpend(&s->work->problem, workOfLinearization(s));
@@ -65,17 +66,18 @@ static MeBool isLate(const MdtKeaSystem *s) {
     return s->parameters.maxWork > 0 && s->work->problem.counts.work > kea_workForFriction * s->parameters.maxWork;
 }
 
-/* Friction bounds follow the normal forces, later on more carefully; should that not settle, they are left where they are
- * once the answer is good enough, or in the end. */
+/* Friction bounds follow the normal forces, later on more carefully; should that not settle, they are left where they
+ * are once the answer is good enough, or in the end. */
 static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough) {
     KeaProblem *q = &s->work->problem;
     if (kea_dualSolve(s))
         return;
     const MeBool isFrozen = q->counts.stuck > 0 && pass >= (isGoodEnough ? KEA_FREEZE_PASS : KEA_MAX_COUPLED_PASSES);
     if (isFrozen && q->counts.freezes == 0)
-        kea_problemRenewRadii(q);
+        kea_frictionRenewBounds(q);
     else if (!isFrozen && pass > 0)
-        kea_problemApproachRadii(q, pass < KEA_FULL_BOUND_PASSES ? 1 : kea_boundRelaxation, pass > KEA_FULL_BOUND_PASSES);
+        kea_frictionApproachBounds(q, pass < KEA_FULL_BOUND_PASSES ? 1 : kea_boundRelaxation,
+                                   pass > KEA_FULL_BOUND_PASSES);
     q->counts.freezes += isFrozen;
     q->counts.stuck = !kea_problemSolve(q, !isFrozen) || isFrozen;
     q->counts.level += !q->counts.stuck || isFrozen;
@@ -102,7 +104,7 @@ static MeBool isCentred(const MdtKeaRow *normal, int k) {
 }
 
 /* Whether it matters how a body is turned: not for a ball whose contacts all push towards its centre. */
-static MeBool feelsItsTurn(const MdtKeaSystem *s, int body) {
+static MeBool isTurnRelevant(const MdtKeaSystem *s, int body) {
     if (!s->work->body[body].isSpatial)
         return METRUE;
     for (int i = 0; i < s->numRows; i++)
@@ -117,7 +119,7 @@ static MeBool feelsItsTurn(const MdtKeaSystem *s, int body) {
 /* The Cayley map turns a body by less than half a turn, however fast it is: near that, the velocity means nothing. */
 static MeBool turnsOver(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
-        if (s->parameters.stepsize * keaLength(s->work->body[i].u + 3) > kea_mostTurn && feelsItsTurn(s, i))
+        if (s->parameters.stepsize * keaLength(s->work->body[i].u + 3) > kea_mostTurn && isTurnRelevant(s, i))
             return METRUE;
     return MEFALSE;
 }
@@ -142,8 +144,9 @@ static double lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return size;
 }
 
-/* Has an answer that was not found taken the bodies where no motion goes? Mean velocities lie between those at the start and
- * those at the end, and have less energy than the whole partition at the greatest speed that anything in it has or wants. */
+/* Has an answer that was not found taken the bodies where no motion goes? Mean velocities lie between those at the
+ * start and those at the end, and have less energy than the whole partition at the greatest speed that anything in it
+ * has or wants. */
 static MeBool isRunaway(const MdtKeaSystem *s) {
     double energy = 0, mass = 0, speed = 0;
     for (int b = 0; b < s->numBodies; b++) {
@@ -160,7 +163,7 @@ static MeBool isRunaway(const MdtKeaSystem *s) {
 }
 
 /* The last resort: the bodies move as if there were no rows. Joints open by no more than a step's way. */
-static void letGo(MdtKeaSystem *s) {
+static void moveWithoutRows(MdtKeaSystem *s) {
     for (int b = 0; b < s->numBodies; b++) {
         KeaBody *body = &s->work->body[b];
         for (int k = 0; k < 3; k++) {
@@ -180,7 +183,8 @@ static void takePasses(MdtKeaSystem *s) {
     MeBool ranOut = MEFALSE;
     double speed = 0, best = HUGE_VAL;
     KeaResiduals e = {.worst = HUGE_VAL};
-    q->sweptPasses = q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
+    q->sweptPasses =
+        q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
     for (int pass = 0;; pass++) {
         linearize(s);
         speed = keaMax(speed, kea_speedOf(s));
@@ -191,7 +195,8 @@ static void takePasses(MdtKeaSystem *s) {
         }
         q->counts.isLimited = q->counts.isLimited || (isLate(s) && q->counts.stuck > 0);
         ranOut = q->counts.isLimited;
-        if (kea_isConverged(&e) || pass == last || (ranOut && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
+        if (kea_isConverged(&e) || pass == last ||
+            (ranOut && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
             break;
         solvePass(s, pass, e.velocity < kea_looseVelocity);
         if (!isStepFinite(q)) {
@@ -208,7 +213,7 @@ static void takePasses(MdtKeaSystem *s) {
         e = kea_residuals(s, speed);
     }
     if (!kea_isConverged(&e) && isRunaway(s)) {
-        letGo(s);
+        moveWithoutRows(s);
         e = kea_residuals(s, speed);
     }
     s->report.conflicting = kea_isConflicting(s);
@@ -267,18 +272,20 @@ static void solveInTime(MdtKeaSystem *s) {
     MEASSERT(s->report.event >= 0);
 }
 
-static MeBool isTouching(const MdtKeaSystem *s) {
+static MeBool hasActingContact(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i && !s->work->problem.row[i].isOff)
             return METRUE;
     return MEFALSE;
 }
 
-/* The midpoint rule follows a body whose moments differ only as long as it does not turn far in a step: a fast top would
- * precess wrongly, and by (h w)²/12 it turns less far than it should. Bodies with contacts are left alone, and where there are
- * any, others may turn five times as far: more is lost in an impact than the 2 % of the angle that this is. */
+/* The midpoint rule follows a body whose moments differ only as long as it does not turn far in a step: a fast top
+ * would precess wrongly, and by (h w)²/12 it turns less far than it should. Bodies with contacts are left alone, and
+ * where there are any, others may turn five times as far: more is lost in an impact than the 2 % of the angle that
+ * this is. */
 static MeBool turnsTooFar(const MdtKeaSystem *s) {
-    const double far = isTouching(s) ? kea_farTurnInContact : kea_farTurn; /* rad, times the moments' relative difference */
+    const double far =
+        hasActingContact(s) ? kea_farTurnInContact : kea_farTurn; /* rad, times the moments' relative difference */
     for (int i = 0; i < s->numBodies; i++) {
         const double *I = s->bodies[i]->moments;
         const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
@@ -306,19 +313,19 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     kea_beginRows(s);
     if (s->parameters.mayRefuse && s->numRows > 0 && turnsTooFar(s)) {
         s->report.violent = s->report.refused = METRUE;
-        kea_moveFreely(s); /* who takes the step all the same finds a state */
+        kea_moveFreely(s); /* a state, should the step be taken all the same */
         return;
     }
     s->report.capped = s->numRows > 0; /* until they are solved: there may be no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
-        kea_setMeans(s, kea_workForMotion, KEA_SWEPT_PASSES);
+        kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
         kea_dualBegin(s);
         solveMotion(s);
         if (s->parameters.timed)
             solveInTime(s);
         setFree(s);
-        kea_setMeans(s, 1, 1);
+        kea_setBudget(s, 1, 1);
         if (!s->parameters.timed)
             kea_velocityStage(s);
         kea_shareForces(s);

@@ -10,8 +10,8 @@
  *   rigid joint  J v = 0        soft joint  J v + ε'/(1 - γ') p = -γ' φ⁺ / ((1 - γ') h)       motor  J v = s
  *   contact, limit: J v >= 0, or >= the rebound; only those that carry something; springs stay as they are.
  *
- * It is what makes impacts plastic that come through joints, and what quiets the undamped velocities of the midpoint
- * rule after a jerk. In kea_calmResidual motion there is nothing to do, and it is left out: done always, it would cost energy.
+ * Makes impacts plastic that come through joints, and damps the midpoint rule's +-1 mode after a discontinuity. In
+ * calm motion it is left out: done always, it would cost energy.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -22,7 +22,8 @@ static MeBool isUnilateral(const MdtKeaRow *row) {
     return (row->lower > -HUGE_VAL) != (row->upper < HUGE_VAL);
 }
 
-/* The joint's error goes on to be taken away at the same rate: what γ leaves of it, φ⁺ = (1 - γ) φ, asks for γ φ / h. */
+/* The joint's error goes on to be taken away at the same rate: what γ leaves of it, φ⁺ = (1 - γ) φ, asks for γ φ /
+ * h. */
 static void jointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double gamma = s->parameters.gamma, h = s->parameters.stepsize;
@@ -30,7 +31,7 @@ static void jointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     if (gamma >= 1)
         return;
     p->E = row->softness / (1 - gamma);
-    p->r -= gamma * (s->work->errors[i] - h * row->drift) / ((1 - gamma) * h);
+    p->r -= gamma * (s->work->endErrors[i] - h * row->drift) / ((1 - gamma) * h);
 }
 
 /* The row's law for the velocity, as what is to be added to the one at the end. */
@@ -111,7 +112,7 @@ static MeBool mayBeNeeded(const MdtKeaSystem *s) {
 }
 
 /* Rebounds, and joints that are moved, whose velocity is known. */
-static MeBool mustBe(const MdtKeaSystem *s) {
+static MeBool isRequired(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if ((s->work->problem.row[i].p > 0 && s->rows[i].bounces) ||
             (s->rows[i].position && !isUnilateral(&s->rows[i]) && s->rows[i].drift != 0))
@@ -125,7 +126,7 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
     memset(added, 0, (size_t)s->numBodies * sizeof *added);
     double residual = start;
     for (int pass = 0; pass < KEA_MAX_VELOCITY_PASSES && residual > kea_velocityTolerance * start; pass++) {
-        kea_problemRenewRadii(q);
+        kea_frictionRenewBounds(q);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, added);
         residual = q->counts.isLimited ? 0 : kea_problemResidual(q, NULL);
@@ -157,8 +158,8 @@ static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
         if (s->rows[i].bounces && !q->row[i].isOff)
             q->row[i].r -= s->rows[i].rebound;
     solveRows(s, start, s->work->plastic);
-    const double share = kea_elasticShare(s, endVelocities(s), s->work->added, s->work->plastic,
-                                          allowed * (1 + kea_energyRounding));
+    const double share =
+        kea_elasticShare(s, endVelocities(s), s->work->added, s->work->plastic, allowed * (1 + kea_energyRounding));
     for (int b = 0; b < s->numBodies; b++)
         for (int k = 0; k < 6; k++)
             s->work->added[b][k] = s->work->plastic[b][k] + share * (s->work->added[b][k] - s->work->plastic[b][k]);
@@ -197,28 +198,30 @@ static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
         s->rows[i].ripple = isQuieted ? 0 : leftOver(&s->work->problem.row[i]);
 }
 
-/* Answers that are not the motion: cut short, or a compromise between joints that contradict each other, each of which takes
- * its error away at the cost of the others'. Parts of a step by safe times are watched as well, and so is what took many
- * passes: rows that contradict each other may be found to agree in a motion that has a hundred times the energy. */
-static MeBool mustBeSlowed(const MdtKeaSystem *s) {
+/* Answers that are not the motion: cut short, or a compromise between joints that contradict each other, each of which
+ * takes its error away at the cost of the others'. Parts of a step by safe times are watched as well, and so is what
+ * took many passes: rows that contradict each other may be found to agree in a motion that has a hundred times the
+ * energy. */
+static MeBool needsEnergyLimit(const MdtKeaSystem *s) {
     return s->report.capped || s->report.conflicting || s->report.passes > KEA_UNUSUAL_PASSES ||
            s->work->problem.counts.isLimited || s->parameters.isPart;
 }
 
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    if (!mayBeNeeded(s) && !mustBeSlowed(s))
+    if (!mayBeNeeded(s) && !needsEnergyLimit(s))
         return;
-    const MeBool isHit = mustBe(s);
+    const MeBool isHit = isRequired(s);
     const double allowed = kea_energyAllowed(s);
     kea_keepRows(s);
     setProblem(s);
     const double start = kea_problemResidual(q, NULL);
-    const MeBool isNeeded = (isHit || start > kea_calmResidual * kea_loadSpeed(s) || alternates(s, start)) && kea_problemMaySweep(q);
+    const MeBool isNeeded =
+        (isHit || start > kea_calmResidual * kea_loadSpeed(s) || alternates(s, start)) && kea_problemMaySweep(q);
     noteRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start, allowed);
-    if (mustBeSlowed(s) && kea_slowDown(s, endVelocities(s), allowed, s->work->added))
+    if (needsEnergyLimit(s) && kea_slowDown(s, endVelocities(s), allowed, s->work->added))
         addVelocities(s, s->work->added);
     kea_recallRows(s);
 }
