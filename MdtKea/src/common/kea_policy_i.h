@@ -1,7 +1,8 @@
 /* Inside Kea: every number that is a choice. What follows from arithmetic or geometry stays in its formula.
  *
- * Of each: its unit, and why it is what it is: a derivation, a measurement, or the tests that fail when it is halved
- * (/2) or doubled (x2). `No test tells' is said where neither is known, with what the number trades.
+ * Of each: its unit, and why it is what it is: a derivation, a measurement, or a test that fails when it is halved
+ * (/2) or doubled (x2), of those of Kea, Mdt, the guide and Mst that take below two seconds, in single precision. `No
+ * test tells' is said where all of these pass; where nothing of the kind stands, it was not tried.
  *
  * Units: `A_ii' is a row's J B⁻¹ Jᵀ, 1/kg, the inverse of its effective mass; `load speed' the greatest change of a
  * body's velocity by its loads in the step, m/s (kea_loadSpeed): g h under gravity.
@@ -39,7 +40,7 @@ static const double kea_loosePosition = 1e4, kea_looseVelocity = 1e5;
 static const double kea_sweptMargin = 0.1;
 
 /* Of a body's velocity, in the speed that residuals are compared with, beside the load speed: something that flies
- * fast rounds its residuals by its own speed. No test tells: more is laxer for fast bodies, less spends passes on
+ * fast rounds its residuals by its own speed. No test tells (x2): more is laxer for fast bodies, less spends passes on
  * rounding. */
 static const double kea_ownSpeedShare = 0.1;
 /* Of a body's radius of gyration, and of its distance from the origin, in the size that a position error is compared
@@ -48,7 +49,7 @@ static const double kea_ownSpeedShare = 0.1;
  * the_sag_of_a_load_is_epsilon_force_over_gamma. */
 static const double kea_bodySizeShare = 1e-2, kea_distanceShare = 1e-4;
 /* Of the momentum, in the scale of a body's impulses beside its loads': else a body without loads would ask for 0. No
- * test tells: it is 1e-14 of the momentum with kea_newtonTolerance, 50 times the rounding of a double. */
+ * test tells (x2): it is 1e-14 of the momentum with kea_newtonTolerance, 50 times the rounding of a double. */
 static const double kea_momentumShare = 1e-4;
 /* A joint is inconsistent if a pass leaves more than this of what it asked for, twice: half way between 0, obeyed, and
  * 1. x2 fails Mdt_Report: joints_that_contradict_each_other_are_told. */
@@ -74,85 +75,92 @@ enum {
     /* Of the velocity stage: linear but for bounds, so that it takes 1 to 3. A cap only. */
     KEA_MAX_VELOCITY_PASSES = 6
 };
-/* Of the way to μ p_n, once full steps have not settled: bounds that alternate between two answers meet in the
- * middle. */
+/* Of the way to μ p_n, once full steps have not settled: bounds that alternate between two answers meet in the middle.
+ * No test tells (x2). */
 static const double kea_boundRelaxation = 0.5;
 /* The range of the secant's t, which takes back that part of the last approach: t -> 1 is division by zero, and a
- * straight line is not to be trusted beyond five times its length. */
+ * straight line is not to be trusted beyond five times its length. No test tells (x2). */
 static const double kea_leastSecant = -4, kea_mostSecant = 0.9;
 
 /* Of the budget of work (MdtKeaParameters.maxWork): what passes may use, so that velocities and positions at the end
- * have the rest: of sweeps, which are some per cent of it, */
+ * have the rest. x2 fails Mdt_RandomJoints:
+ * random_joints_end_their_steps_and_give_no_energy. */
 static const double kea_workForMotion = 0.9;
-/* of what is left, at most, that is reserved for sweeps: never more than for Newton's method, */
+/* Of what is left of it, at most, that is reserved for sweeps: never more than for Newton's method. No test tells
+ * (x2). */
 static const double kea_workForSweeps = 0.5;
-/* and what may be spent while friction bounds do not settle. Steps that settle late use less than 17 of 50 million, a
- * third. */
+/* Of it: what may be spent while friction bounds do not settle. Those that settled had taken 17 million at most, a third
+ * of a budget of 50 million. No test tells (x2). */
 static const double kea_workForFriction = 0.375;
 
 /* Rad, h |w_m| of the Cayley map, which turns by 2 atan of half of it, 1.8: near half a turn (infinite h w) the
- * velocity means nothing. Halved it is 1.1 rad, which is followed well; doubled 2.4. */
+ * velocity means nothing. Halved it is 1.1 rad, which is followed well; doubled 2.4. x2 fails Mdt_Friction:
+ * a_ball_may_spin_as_fast_as_it_likes. */
 static const double kea_mostTurn = 2.5;
 /* Rad, h |w| times the moments' relative difference: a step that turns further is divided. A top would precess
  * wrongly, and the angle is short by its square over 12: 1e-3, and 2 % where there are contacts, which lose more. .5
- * everywhere fails free rotation and tops of tests/scenes; .2 in contact costs ragdolls 40 % more factorizations. */
+ * everywhere fails free rotation and tops of tests/scenes; .2 in contact costs ragdolls 40 % more factorizations. x2
+ * of kea_farTurn fails Mdt_Hinge: the_angle_counts_full_turns. No test tells (x2 of kea_farTurnInContact). */
 static const double kea_farTurn = 0.1, kea_farTurnInContact = 0.5;
 /* Of the radius: contacts that push so close to a ball's centre do not feel its turn, 1e-3 x 2.5 rad of a radius at
- * most. */
+ * most. x2 fails Mdt_Report: a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre. */
 static const double kea_centredArm = 1e-3;
 /* Times the energy at the greatest speed in the partition: an answer above it is no motion. Room for answers cut
- * short, whose energy is limited later. No test tells: more lets runaways through to the limiter, less lets go of rows
- * that still hold. */
+ * short, whose energy is limited later. No test tells (x2): more lets runaways through to the limiter, less lets go of
+ * rows that still hold. */
 static const double kea_runawayRoom = 10;
 /* Times the load speed: a greater acceleration in the last step was a jerk, and is no guess for this one. No test
- * tells: it changes the first guess only, never the answer beyond tolerance. */
+ * tells (x2): it changes the first guess only, never the answer beyond tolerance. */
 static const double kea_jerk = 30;
 /* Of the step's length: a stop this much after its end does not divide it. Reasoned: far above the rounding of event
- * times, far below what moves anything. */
+ * times, far below what moves anything. No test tells (x2). */
 static const double kea_lateEvent = 1e-6;
 
 /* ---- theta and geometric stiffness ---- */
 
 /* Of a body's size: a contact nearer than this may act, whatever its speed: a hundred times kea_touchingGap of single
- * precision. No test tells: more makes near misses dissipate, less admits contacts a pass later. */
+ * precision. No test tells (x2): more makes near misses dissipate, less admits contacts a pass later. */
 static const double kea_nearbyGap = 1e-3;
 /* Steps: a contact that would be closed in so many with its present speed may act; 1 is the answer without rows, half
- * a step is for what rows add. */
+ * a step is for what rows add. No test tells (x2). */
 static const double kea_reach = 1.5;
-/* Of a bounded joint's strength: above it, it may give way in this step, and is treated as a stop. */
+/* Of a bounded joint's strength: above it, it may give way in this step, and is treated as a stop. x2 fails Mdt_Hinge:
+ * the_lock_holds_up_to_its_force. */
 static const double kea_nearBound = 0.5;
 /* h² k / m of a spring: above 4, h ω > 2, a midpoint oscillation is not followed (beyond the limit of explicit
- * schemes). */
+ * schemes). No test tells (x2). */
 static const double kea_stiffSpring = 4;
 /* Of the least moment: a geometric stiffness below it is left out: Newton's method then leaves 1 % of an error a pass,
- * no more than it does anyway; */
+ * no more than it does anyway. No test tells (x2). */
 static const double kea_smallStiffness = 0.01;
-/* and so much negative may stay: B is positive with half its inertia. */
+/* Of the least moment: so much negative stiffness may stay: B is positive with half its inertia. No test tells (x2). */
 static const double kea_harmlessStiffness = 0.5;
-/* Relative difference of moments that counts as none: what a program's tensor in double arithmetic leaves. */
+/* Relative difference of moments that counts as none: what a program's tensor in double arithmetic leaves. No test
+ * tells (x2). */
 static const double kea_equalMoments = 1e-9;
 
 /* ---- the proximal parameter N: the method's own softness, of A_ii, taken out again pass by pass ---- */
 
 /* Joints; where they make loops: these contradict each other, if only by rounding, and answer with impulses of the
  * error over h N; limits, motors and other bounded rows. With less, what comes and goes takes more iterations; with
- * more, heavy bodies on light ones take more passes. */
+ * more, heavy bodies on light ones take more passes. No test tells (x2). */
 static const double kea_proximalJoint = 1e-8, kea_proximalLoop = 1e-6, kea_proximalLimit = 1e-6;
 /* Contacts, by passes that went well: 1e-4 and a tenth a pass. A start of 1e-3 saves 14 % of the factorizations of
  * small partitions and fails the heavy cube and the creep of tests/scenes; constant 1e-4 takes 22 to 35 factorizations
  * a step in a heap at rest. No test tells of the last: less is nearer to a singular matrix. */
 enum { KEA_PROXIMAL_LEVELS = 6 };
 static const double kea_proximalContact[KEA_PROXIMAL_LEVELS] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
-/* A tenth a pass of an impact, down to the last of these. */
+/* A tenth a pass of an impact, down to the last of these. No test tells (x2). */
 static const double kea_proximalDecay = 10;
-/* Of the projection of positions: N over A_ii is the part left by a pass of a row alone, 1e-15 after three. */
+/* Of the projection of positions: N over A_ii is the part left by a pass of a row alone, 1e-15 after three. No test
+ * tells (x2). */
 static const double kea_proximalProjection = 1e-5;
 enum { KEA_PROJECTION_PASSES = 3 };
 /* The joints' side, of A_ii, where it is not taken out: rows of one joint may coincide but for rounding, which this is
- * 500 times. */
+ * 500 times. No test tells (x2). */
 static const double kea_dualRegularization = 1e-13;
 /* Redundant joints, of the metric: the part by which their smallest impulses miss; rounding of it at a mass ratio of
- * 1e4. */
+ * 1e4. No test tells (x2). */
 static const double kea_redundancyRegularization = 1e-12;
 
 /* ---- semismooth Newton ---- */
@@ -164,26 +172,27 @@ enum {
     /* Of the coupled one, which has no potential: quadratic near the answer, else the outer iteration has to bring it
      * there. */
     KEA_MAX_COUPLED = 12,
-    /* Halvings of its step: an eighth at least. No test tells: shorter steps go to the outer iteration instead. */
+    /* Halvings of its step: an eighth at least. Reasoned: shorter steps go to the outer iteration instead. */
     KEA_MAX_HALVINGS = 4,
     /* Of the line search, which halves its interval in every second: 2^-50, a double's digits. */
     KEA_MAX_LINE_SEARCH = 100
 };
-/* A pivot of a block's factor, of its diagonal entry: below 4 roundings of a double there is no digit left. */
+/* A pivot of a block's factor, of its diagonal entry: below 4 roundings of a double there is no digit left. No test
+ * tells (x2). */
 static const double kea_leastPivot = 1e-15;
-/* Times a double's rounding: of the sums r - J d, 12 products. */
+/* Times a double's rounding: of the sums r - J d, 12 products. No test tells (x2). */
 static const double kea_roundingSteps = 8;
-/* The line search: what is left of the slope, 1e-3, costs Newton's method nothing, and the longest step. No test
- * tells: tighter is more visits of rows, looser more factorizations. */
+/* The line search: what is left of the slope, 1e-3, costs Newton's method nothing, and the longest step. No test tells
+ * (x2): tighter is more visits of rows, looser more factorizations. */
 static const double kea_lineSearchTolerance = 1e-3, kea_longestStep = 64;
 /* In tolerances: where the convex problem's error is below the first and falls by less than the second a step, it is
- * rounding. */
+ * rounding. No test tells (x2). */
 static const double kea_convexRounding = 1e5, kea_convexProgress = 0.3;
 /* The coupled step must leave at most this of the error; else it is shorter, or rounding below the second, in
- * tolerances. */
+ * tolerances. No test tells (x2). */
 static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
 /* Relative: friction bounds that agree with μ p_n so well need no coupled solve; and the part of p_n that is added to
- * what they are compared with, for friction of 0. */
+ * what they are compared with, for friction of 0. No test tells (x2). */
 static const double kea_boundsAgree = 1e-12, kea_boundsFloor = 1e-3;
 
 /* ---- work, in multiplications per row, as counted ---- */
@@ -205,23 +214,24 @@ enum {
     KEA_SOME_SWEEPS = 8    /* passes that would have less are fewer: a quarter of the most */
 };
 /* Of the impulses: a sweep that moves them by less has settled: a hundredth of where passes by sweeps stop
- * (kea_sweptMargin kea_looseVelocity kea_velocityTolerance, 1e-5). */
+ * (kea_sweptMargin kea_looseVelocity kea_velocityTolerance, 1e-5). No test tells (x2). */
 static const double kea_sweepTolerance = 1e-7;
 
 /* ---- the velocity stage ---- */
 
 /* Of the load speed: a residual below it is calm motion, and the stage is left out. Done always, it costs 1.7e-4 of a
- * pendulum's energy in 47 s; with .05, 7e-7. */
+ * pendulum's energy in 47 s; with .05, 7e-7. No test tells (x2). */
 static const double kea_calmResidual = 0.05;
-/* Of the load speed: below it what alternates is rounding. */
+/* Of the load speed: below it what alternates is rounding. No test tells (x2). */
 static const double kea_rippleNoise = 1e-9;
 /* The midpoint rule's mode (-1)^n: this step's residual is minus the last one's, their sum below this part of their
- * difference; and at least this part of the greatest residual, so that no small row decides. */
+ * difference; and at least this part of the greatest residual, so that no small row decides. x2 of kea_rippleShare
+ * fails guide_chapter_5: a_closed_system_does_not_explode. No test tells (x2 of kea_rippleBalance). */
 static const double kea_rippleBalance = 0.5, kea_rippleShare = 0.1;
 
 /* ---- energy ---- */
 
-/* Relative: rounding of sums of energies, which is not gained energy. */
+/* Relative: rounding of sums of energies, which is not gained energy. No test tells (x2). */
 static const double kea_energyRounding = 1e-12;
 /* Relative: what assertions allow to energies, bounds and unit quaternions that were computed in another order. */
 static const double kea_assertedRounding = 1e-9;
@@ -236,12 +246,14 @@ enum {
     KEA_MAX_IMPACT_PASSES = 14
 };
 /* Of the load speed: what leaves faster is open, what slides faster can stop. Far above rounding: with 1e-7 a rolling
- * ball made 794 stops, and far below 1, a step's own change. */
+ * ball made 794 stops, and far below 1, a step's own change. x2 of kea_slidingSpeed fails Mst_Cases_Friction:
+ * one_block_stops_and_one_topples. No test tells (x2 of kea_separatingSpeed). */
 static const double kea_separatingSpeed = 0.03, kea_slidingSpeed = 0.03;
 /* The same: what meets more slowly is no impact. Every impact is located: with .25 a rocking column of ten kept its
- * energy for 120 s, in 3 of 8 runs. */
+ * energy for 120 s, in 3 of 8 runs. No test tells (x2). */
 static const double kea_minImpactSpeed = 1e-6;
-/* The same, at most, in a soft contact, which gives way to its load. */
+/* The same, at most, in a soft contact, which gives way to its load. x2 fails MdtKea_system:
+ * giving_way_to_a_load_is_no_impact. */
 static const double kea_softContactSpeed = 0.05;
 /* The same: what meets more slowly does not rebound: half of what one step's loads give, so that a ball at rest stays
  * there. */
@@ -267,7 +279,7 @@ static const double kea_touchingGap = 1e-5;
 /* ---- rotation, inertia ---- */
 
 /* Rad a step by the splitting's own rates: below it the leapfrog's error, angle³/12, is 1e-7 of a radian in the worst
- * case. No test tells: it is work against accuracy of slow rotation. */
+ * case. Reasoned: it is work against accuracy of slow rotation. */
 static const double kea_slowRotation = 1e-2;
 enum { KEA_MAX_JACOBI_SWEEPS = 12 }; /* 4 or 5 suffice: convergence is quadratic */
 /* Of the diagonal's squares: off-diagonal entries of 1e-16 of it are rounding. */
