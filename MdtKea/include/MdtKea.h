@@ -1,16 +1,16 @@
 /** @file MdtKea.h
  *  Kea, the solver and integrator (Dynamics guide ch. 5; User Guide ch. 2, "Kea").
  *
- *  Kea knows arrays only: bodies with masses and states, and constraint rows. It knows nothing of joints, contacts
- *  or worlds. One system is one partition: n bodies and m rows. The unknown of a body is the velocity u = (v_m, w_m) with
+ *  Kea knows arrays only: bodies with masses and states, and constraint rows. It knows nothing of joints, contacts or
+ *  worlds. One system is one partition: n bodies and m rows. The unknown of a body is the velocity u = (v_m, w_m) with
  *  which it moves through a step of length h, and θ is 1/2 (midpoint rule) or, where a contact or a stop may act, 1:
  *
  *      x⁺ = x + h v_m,   q⁺ = cay(h w_m) q,   v⁺ = v + (v_m - v)/θ
  *      M (v⁺ - v_free) = Σ Jᵀ p               v_free: at the end without rows; p = h λ: the row's impulse, λ its force
  *      lower <= λ <= upper,  |λ| <= μ λ_normal or its cone
  *
- *  Rows act on the mean of the poses at the start and the end, for which φ⁺ - φ = h J u. A row whose force is within its
- *  bounds keeps its law; at a bound its velocity goes the way that the bound allows:
+ *  Rows act on the mean of the poses at the start and the end, for which φ⁺ - φ = h J u. A row whose force is within
+ *  its bounds keeps its law; at a bound its velocity goes the way that the bound allows:
  *
  *      velocity row (contacts, motors)    J v⁺ = s - h E λ
  *      `position` row (joints, stops)     φ(x⁺) = φ(x) + h (s - h E λ)
@@ -20,14 +20,13 @@
  *  error φ that one step takes away, ε [1/kg] the compliance: a joint that carries the weight F sags by ε F h² / γ.
  *  ε = 0 means rigid. What regularization the factorization needs is internal, relative, and taken out again.
  *
- *  What the positions came to with a jerk, the velocity stage makes right: the velocities nearest to v⁺ that joints, stops and
- *  contacts allow where the bodies have arrived. A timed system (MdtKeaParameters) has θ = 1/2 throughout, impacts of its own,
- *  and no velocity stage.
+ *  What the positions came to with a jerk, the velocity stage makes right: the velocities nearest to v⁺ that joints,
+ *  stops and contacts allow where the bodies have arrived. A timed system (MdtKeaParameters) has θ = 1/2 throughout,
+ *  impacts of its own, and no velocity stage.
  *
- *      MdtKeaInit       reads bodies, parameters, numBodies, maxRows; writes pose, velocity, predicted, invMass, numRows = 0
- *      (the owner)      writes rows, numRows
- *      MdtKeaMeets      reads rows; writes nothing
- *      MdtKeaImpact     reads rows, parameters; writes velocities of bodies, rows[].force (N s), report.work and .limited;
+ *      MdtKeaInit       reads bodies, parameters, numBodies, maxRows; writes pose, velocity, predicted, invMass,
+ *      numRows = 0 (the owner)      writes rows, numRows MdtKeaMeets      reads rows; writes nothing MdtKeaImpact
+ *      reads rows, parameters; writes velocities of bodies, rows[].force (N s), report.work and .limited;
  *                       MdtKeaInit and the rows are wanted again after it
  *      MdtKeaSolve      reads all of these; calls errors and jacobians, by which J, arm and bounds of rows move; writes
  *                       rows[].force and .ripple, and report
@@ -186,7 +185,8 @@ typedef void(MEAPI *MdtKeaErrorFn)(void *context, const MdtKeaTransformation pos
  */
 typedef void(MEAPI *MdtKeaJacobianFn)(void *context, const MdtKeaTransformation poses[]);
 
-/** What Kea keeps from step to step, for speed only: the structure of matrices that have come up (MdtKeaCacheCreate). */
+/** What Kea keeps from step to step, for speed only: the structure of matrices that have come up
+ *  (MdtKeaCacheCreate). */
 typedef struct MdtKeaCache MdtKeaCache;
 
 /** One partition in one step. Fill in the first group, call MdtKeaInit, and read or write the rest. */

@@ -89,8 +89,8 @@ static const double kea_workForMotion = 0.9;
 /* Of what is left of it, at most, that is reserved for sweeps: never more than for Newton's method. No test tells
  * (x2). */
 static const double kea_workForSweeps = 0.5;
-/* Of it: what may be spent while friction bounds do not settle. Those that settled had taken 17 million at most, a third
- * of a budget of 50 million. No test tells (x2). */
+/* Of it: what may be spent while friction bounds do not settle. Those that settled had taken 17 million at most, a
+ * third of a budget of 50 million. No test tells (x2). */
 static const double kea_workForFriction = 0.375;
 
 /* Rad, h |w_m| of the Cayley map, which turns by 2 atan of half of it, 1.8: near half a turn (infinite h w) the
