@@ -197,8 +197,16 @@ static MeBool isTimed(const MdtIsland *p) {
 
 /* ---- sub-steps ---- */
 
+static MeBool hasContacts(const MdtIsland *p) {
+    for (int i = 0; i < p->numConstraints; i++)
+        if (p->constraints[i]->type == MdtBclTypeOf(MdtBclCONTACT))
+            return METRUE;
+    return MEFALSE;
+}
+
 MeBool mdt_islandSubdivide(MdtIsland *p) {
     beginBudget(p);
+    p->parameters.hasContacts = hasContacts(p);
     const int n = p->world->subSteps;
     const MeBool timed = isTimed(p);
     for (int i = 0; i < n; i++) {

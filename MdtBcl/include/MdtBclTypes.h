@@ -138,6 +138,7 @@ typedef struct MdtBclSolverParameters {
     double epsilon;   /**< 1/kg, the world's, made fit for this length of step */
     double gamma;     /**< fraction of an error that one step removes, made fit for this length of step */
     double softening; /**< what epsilon was multiplied by to make it fit; for other compliances of its kind */
+    MeBool hasContacts; /**< something in the partition may be hit */
 } MdtBclSolverParameters;
 
 ME_END_C

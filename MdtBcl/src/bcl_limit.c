@@ -92,7 +92,7 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
     limit->measured = measured;
     limit->isMeasured = METRUE;
     const double rate = bcl_rate(coordinate, x->velocity), predicted = bcl_rate(coordinate, x->predicted);
-    const double blow = isAngle(coordinate) ? speedOfBlow(x) : 0;
+    const double blow = x->parameters.hasContacts && isAngle(coordinate) ? speedOfBlow(x) : 0;
     MEASSERT(isfinite(measured) && isfinite(rate) && isfinite(predicted));
     int count = 0;
     if (limit->bLocked || (limit->bPowered && limit->fmax > 0)) {
