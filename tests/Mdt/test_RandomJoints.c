@@ -178,7 +178,7 @@ START_TEST(random_joints_end_their_steps_and_give_no_energy) {
            systems, worst.work.value, worst.work.system, worst.growth.value, worst.growth.system, worst.limited);
     assert_below(worst.work.value, 1.1 * BUDGET); /* the last answer is given in any case */
     assert_below(worst.growth.value, 1 + TOL(4e-6, 5e-9));
-    ck_assert(worst.limited > 0 || systems < 20); /* one in ten systems asks for more than there is */
+    ck_assert(worst.limited > 0 || systems < 20); /* some of twenty ask for more than there is */
 }
 END_TEST
 
