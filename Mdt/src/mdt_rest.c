@@ -115,7 +115,8 @@ void mdt_restKeep(MdtIsland *p) {
 
 /* ---- giving it ---- */
 
-/* Of the speed of a step: what Kea takes for converged (kea_solve.c: velocityTolerance, speedOf). */
+/* Of the speed of a step: what Kea takes for converged (kea_velocityTolerance, kea_policy_i.h; its speed,
+ * kea_residual.c). */
 static const double resolution = 1e-9;
 
 /* m/s: by so little may a row of a solved step be off. */

@@ -48,7 +48,9 @@ MEPUBLIC MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const 
 /** @name Each step
  *  Both end the space's change block and begin the next one.
  *  @{ */
-/** Makes the contacts of all pairs of the space: transitions, then collisions, until all pairs are done. */
+/** Makes the contacts of all pairs of the space: transitions, then collisions, until all pairs are done. A pair of
+ *  convex geometries or planes that stands still to the last bit keeps its contacts as they are, with what a program
+ *  has written to their places and normals meanwhile; their parameters follow the materials. */
 MEPUBLIC void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w);
 /** Handles hello and goodbye pairs only: after models were put into the space or taken out. */
 MEPUBLIC void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w);

@@ -216,6 +216,8 @@ static void remember(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *mater
                      const McdIntersectResult *result) {
     MstTouch *t = p->touch;
     const MdtContactGroupID group = p->responseData;
+    if (!t && result->contactCount > 0) /* the world, or memory, was full: there may be room in the next step */
+        McdModelPairForgetTest(p);
     if (!t)
         return;
     t->moves[0] = movesOf(p->model1);

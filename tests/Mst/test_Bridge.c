@@ -83,6 +83,29 @@ START_TEST(what_is_not_tested_again_goes_on_as_if_it_were) {
 }
 END_TEST
 
+/* A world whose constraints are all in use: the ball that touches, and does not move, gets its contact once there is
+ * room. */
+START_TEST(a_pair_that_found_no_room_is_tested_again) {
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    sizes.dynamicConstraintsMaxCount = 2; /* a group and its contact */
+    tearDown();
+    u = MstUniverseCreate(&sizes);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+    ball = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 1), 1);
+    McdModelDynamicsSetPosition(ball, 0, 0, 1); /* touches: nothing pushes it */
+    const MdtBSJointID first = MdtBSJointCreate(u->world), second = MdtBSJointCreate(u->world);
+    messages_catch();
+    for (int i = 0; i < 3; i++)
+        step();
+    messages_release();
+    ck_assert_ptr_null(onlyContact());
+    MdtBSJointDestroy(first);
+    MdtBSJointDestroy(second);
+    step();
+    ck_assert_ptr_nonnull(onlyContact());
+}
+END_TEST
+
 /* ---- materials --------------------------------------------------------------------------------------------------- */
 
 START_TEST(materials_are_numbered_from_the_default_one) {
@@ -357,6 +380,7 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_checked_fixture(t, setUp, tearDown);
     tcase_add_test(t, what_is_not_tested_again_goes_on_as_if_it_were);
+    tcase_add_test(t, a_pair_that_found_no_room_is_tested_again);
     tcase_add_test(t, materials_are_numbered_from_the_default_one);
     tcase_add_test(t, pairs_of_materials_are_unordered);
     tcase_add_test(t, a_contact_has_its_materials_parameters);
