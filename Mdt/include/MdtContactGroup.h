@@ -37,7 +37,8 @@ MEPUBLIC int MEAPI MdtContactGroupGetCount(MdtContactGroupID g);
 MEPUBLIC MdtContactID MEAPI MdtContactGroupCreateContact(MdtContactGroupID g);
 /** Puts a contact, which is in no group, at the end of this one; it gets the group's bodies. */
 MEPUBLIC void MEAPI MdtContactGroupAppendContact(MdtContactGroupID g, MdtContactID c);
-/** Takes a contact out of the group; it lives on, disabled, with its bodies. */
+/** Takes a contact out of the group; it lives on, disabled, with its bodies. A contact that a bridge made (MstBridge.h)
+ *  is a part of its group's record and stays, with a warning. */
 MEPUBLIC void MEAPI MdtContactGroupRemoveContact(MdtContactGroupID g, MdtContactID c);
 /** Takes a contact out of the group and destroys it. */
 MEPUBLIC void MEAPI MdtContactGroupDestroyContact(MdtContactGroupID g, MdtContactID c);

@@ -1,5 +1,5 @@
 /** @file MdtInternal.h
- *  For Mst, which makes worlds of its universes' sizes. Not installed.
+ *  For Mst, which makes worlds of its universes' sizes, and contacts of what collision finds. Not installed.
  */
 #ifndef MDTINTERNAL_H
 #define MDTINTERNAL_H
@@ -18,6 +18,26 @@ MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
 /** Counts how often the body's exact place or direction became another one, to the last bit of a double: what was found
  *  of it holds as long as this stays. */
 MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);
+
+/** A contact as collision found it, between bodies whose transforms were read from MdtBodyGetTransformPtr. World frame.
+ */
+typedef struct MdtFoundContact {
+    double position[3];                /**< m */
+    double depth;                      /**< m; negative: a gap */
+    MeReal normal[3];                  /**< the way the group's first body is pushed; not zero */
+    MeReal radius[2];                  /**< m, MdtContactSetRadius, by the group's bodies */
+    MeU32 feature;                     /**< MdtContactSetFeature */
+    const MdtBclContactParams *params; /**< copied */
+} MdtFoundContact;
+
+/**
+ * The group's contacts become those that were found, and contacts[i] that of found[i]. One that was there goes on, with
+ * its force, where its feature is found again, or else where it is the nearest to where its body has carried it in
+ * @a time seconds; the rest is destroyed. Returns how many there are: fewer than @a count where the world is full, which
+ * it has said then.
+ */
+MEPUBLIC int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
+                                        MdtContactID contacts[]);
 
 ME_END_C
 

@@ -4,7 +4,7 @@
 MDT_JOINT_BASICS(Angular3, MdtBclANGULAR3)
 
 static MdtBclAngular *angularOf(MdtAngular3ID j, const char *caller) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclANGULAR3, caller);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclANGULAR3, caller);
     return c ? &c->bcl.of.angular : NULL;
 }
 

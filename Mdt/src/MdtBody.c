@@ -36,7 +36,7 @@ static void forgetMotion(MdtBodyID b) {
 static void forgetForces(MdtBodyID b) {
     forgetMotion(b);
     for (MdtAttachment *a = b->attachments; a; a = a->next)
-        mdt_constraintForget(a->constraint);
+        mdt_constraintForget(mdt_attachmentOwner(a));
 }
 
 /* It begins to be watched for rest anew. */
@@ -135,12 +135,12 @@ void mdt_bodyKeepWithinReach(MdtBodyID b) {
     keaZero(b->kea.velocity);
     MdtKeaBodySetAngularVelocity(&b->kea, none);
     forgetMotion(b);
-    if (!(b->flags & MDT_FAR))
+    if (!(b->record.flags & MDT_FAR))
         MeWarning(2,
                   "MdtWorldStep: a body (sort key %d) has come to %g m, where positions have no digits left, and is "
                   "stopped; disable or destroy what leaves the scene",
                   b->link.sortKey, most);
-    b->flags |= MDT_FAR;
+    b->record.flags |= MDT_FAR;
 }
 
 /* Is it a place for a body? */
@@ -149,7 +149,7 @@ static MeBool isPlace(const char *caller, MdtBodyID b, MeReal x, MeReal y, MeRea
     if (!mdt_isFinite3(caller, "the position", x, y, z))
         return MEFALSE;
     if (fabs((double)x) <= most && fabs((double)y) <= most && fabs((double)z) <= most) {
-        b->flags &= ~MDT_FAR;
+        b->record.flags &= ~MDT_FAR;
         return METRUE;
     }
     MeWarning(1, "%s: (%g, %g, %g) is farther away than %g m (MdtBodyGetPositionBound); nothing is changed", caller,
@@ -246,18 +246,18 @@ MdtBodyID MEAPI MdtBodyCreate(const MdtWorldID w) {
     b->world = w;
     b->partition = -1;
     setDefaults(b);
-    mdt_listAppend(&w->bodies, &b->link, b, w->nextSerial++);
+    mdt_listAppend(&w->bodies, &b->link, w->nextSerial++);
     return b;
 }
 
 void mdt_bodyTerm(MdtBodyID b) {
     MdtBodyDisable(b);
     while (b->attachments) {
-        MdtConstraintID c = b->attachments->constraint;
+        MdtConstraintID c = mdt_attachmentOwner(b->attachments);
         MdtConstraintDisable(c);
-        mdt_constraintDetach(c, c->side[0].body == b ? 0 : 1);
+        mdt_constraintDetach(c, mdt_attachmentSide(b->attachments));
     }
-    MEASSERT(!b->attachments && !(b->flags & (MDT_ENABLED | MDT_ASLEEP)));
+    MEASSERT(!b->attachments && !(b->record.flags & (MDT_ENABLED | MDT_ASLEEP)));
     mdt_listRemove(&b->world->bodies, &b->link);
     mdt_poolPut(&b->world->bodyPool, b);
 }
@@ -276,15 +276,16 @@ MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
     mdt_bodyAcceptVelocities(b);
     *copy = *b;
     copy->record = made.record;
+    copy->record.flags = b->record.flags;
     copy->link = made.link;
     copy->link.sortKey = b->link.sortKey;
     w->bodies.isSorted = MEFALSE;
     copy->world = w;
     copy->attachments = NULL;
     copy->model = NULL;
-    copy->flags &= ~(MDT_ENABLED | MDT_ASLEEP);
+    copy->record.flags &= ~(MDT_ENABLED | MDT_ASLEEP);
     copy->partition = -1;
-    if (b->flags & MDT_ENABLED)
+    if (b->record.flags & MDT_ENABLED)
         MdtBodyEnable(copy);
     return copy;
 }
@@ -296,9 +297,9 @@ void MEAPI MdtBodyReset(const MdtBodyID b) {
 }
 
 static void endSleep(MdtBodyID b) {
-    if (!(b->flags & MDT_ASLEEP))
+    if (!(b->record.flags & MDT_ASLEEP))
         return;
-    b->flags &= ~MDT_ASLEEP;
+    b->record.flags &= ~MDT_ASLEEP;
     b->world->asleepBodies--;
     MEASSERT(b->world->asleepBodies >= 0);
 }
@@ -306,9 +307,9 @@ static void endSleep(MdtBodyID b) {
 void MEAPI MdtBodyEnable(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
     endSleep(b);
-    if (b->flags & MDT_ENABLED)
+    if (b->record.flags & MDT_ENABLED)
         return;
-    b->flags |= MDT_ENABLED;
+    b->record.flags |= MDT_ENABLED;
     mdt_graphChanged(b->world);
     forgetMotion(b);
     forgetRest(b);
@@ -321,9 +322,9 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
 void MEAPI MdtBodyDisable(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
     endSleep(b);
-    if (!(b->flags & MDT_ENABLED))
+    if (!(b->record.flags & MDT_ENABLED))
         return;
-    b->flags &= ~MDT_ENABLED;
+    b->record.flags &= ~MDT_ENABLED;
     mdt_graphChanged(b->world);
     b->lag = 0;
     forgetRest(b);
@@ -336,7 +337,7 @@ void MEAPI MdtBodyDisable(const MdtBodyID b) {
 
 MeBool MEAPI MdtBodyIsEnabled(const MdtBodyID b) {
     MDT_NEED_BODY(b, 0);
-    return (b->flags & MDT_ENABLED) != 0;
+    return (b->record.flags & MDT_ENABLED) != 0;
 }
 
 MeReal MEAPI MdtBodyGetEnabledTime(const MdtBodyID b) {
@@ -357,7 +358,7 @@ static MeBool isAccelerated(const MdtBody *b, const MdtPartitionParams *params) 
 }
 
 void mdt_bodyAge(MdtBodyID b, double h) {
-    MEASSERT(h > 0 && (b->flags & MDT_ENABLED));
+    MEASSERT(h > 0 && (b->record.flags & MDT_ENABLED));
     b->enabledTime += h;
     b->enabledSteps++;
     b->slowTime = isFast(b, &b->world->rest) ? 0 : b->slowTime + h;
@@ -382,7 +383,7 @@ MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *pa
 void mdt_bodySleep(MdtBodyID b) {
     static const double none[3] = {0, 0, 0};
     MdtBodyDisable(b);
-    b->flags |= MDT_ASLEEP;
+    b->record.flags |= MDT_ASLEEP;
     b->world->asleepBodies++;
     keaZero(b->kea.velocity);
     MdtKeaBodySetAngularVelocity(&b->kea, none);
@@ -393,7 +394,7 @@ void mdt_bodySleep(MdtBodyID b) {
 }
 
 void mdt_bodyWakeIfAsleep(MdtBodyID b) {
-    if (b->flags & MDT_ASLEEP)
+    if (b->record.flags & MDT_ASLEEP)
         MdtBodyEnable(b);
 }
 
@@ -406,7 +407,7 @@ static MeBool wouldExceed(const double sum[3], const double inverse[3][3], MeRea
 /* The guide's thresholds of force and torque, as the accelerations that they cause; those of impulses, as velocities.
  * */
 MeBool mdt_bodyIsPushedAwake(MdtBodyID b) {
-    if (!(b->flags & MDT_ASLEEP))
+    if (!(b->record.flags & MDT_ASLEEP))
         return MEFALSE;
     mdt_bodyAcceptVelocities(b);
     const MdtPartitionParams *rest = &b->world->rest;
@@ -424,7 +425,7 @@ void mdt_bodyKeepForces(MdtBodyID b) {
 }
 
 void mdt_bodyPack(MdtBodyID b) {
-    MEASSERT(b->mass > 0 && b->kea.invMass > 0 && (b->flags & MDT_ENABLED));
+    MEASSERT(b->mass > 0 && b->kea.invMass > 0 && (b->record.flags & MDT_ENABLED));
     MEASSERT(isfinite(keaDot(b->kea.position, b->kea.position)));
     MEASSERT(fabs(1 - sqrt(keaDot(b->kea.quaternion + 1, b->kea.quaternion + 1) +
                            b->kea.quaternion[0] * b->kea.quaternion[0])) < 1e-6);
@@ -573,7 +574,7 @@ static void setCentre(MdtBodyID b, const double centre[3], const double turn[4])
     memcpy(b->centreTurn, turn, sizeof b->centreTurn);
     setFrame(b, p, q);
     for (MdtAttachment *at = b->attachments; at; at = at->next)
-        mdt_constraintReframe(at->constraint, at == &at->constraint->side[1], &before, &b->kea);
+        mdt_constraintReframe(mdt_attachmentOwner(at), mdt_attachmentSide(at), &before, &b->kea);
     mdt_bodyWakeIfAsleep(b);
 }
 
@@ -1022,37 +1023,33 @@ void MEAPI MdtBodyLog(const MdtBodyID b) {
 MdtBodyID MEAPI MdtBodyGetFirst(const MdtWorldID w) {
     MDT_NEED_WORLD(w, NULL);
     mdt_listSort(&w->bodies);
-    return w->bodies.first ? w->bodies.first->owner : NULL;
+    return w->bodies.first ? mdt_linkOwner(w->bodies.first) : NULL;
 }
 
 MdtBodyID MEAPI MdtBodyGetNext(const MdtBodyID b) {
     MDT_NEED_BODY(b, NULL);
-    return b->link.next ? b->link.next->owner : NULL;
+    return b->link.next ? mdt_linkOwner(b->link.next) : NULL;
 }
 
 /* ---- the body's constraints ---- */
 
 MdtConstraintID MEAPI MdtBodyGetFirstConstraint(MdtBodyID b) {
     MDT_NEED_BODY(b, NULL);
-    return b->attachments ? b->attachments->constraint : NULL;
+    return b->attachments ? mdt_constraintShown(mdt_attachmentOwner(b->attachments)) : NULL;
 }
 
 MdtConstraintID MEAPI MdtBodyGetNextConstraint(MdtBodyID b, MdtConstraintID c) {
     MDT_NEED_BODY(b, NULL);
     MDT_NEED_CONSTRAINT(c, NULL);
-    for (int k = 0; k < 2; k++)
-        if (c->side[k].body == b)
-            return c->side[k].next ? c->side[k].next->constraint : NULL;
-    MeWarning(1, "MdtBodyGetNextConstraint: the constraint is not attached to the body");
-    return NULL;
+    return mdt_constraintAfterOf(b, c);
 }
 
 static MeBool isContact(MdtConstraintID c) {
-    return c->bcl.type == MdtBclCONTACT || c->bcl.type == MdtBclCONTACTGROUP;
+    return !mdt_isJoint(c);
 }
 
 static MdtContactID contactFrom(MdtBodyID b, MdtConstraintID c) {
-    while (c && c->bcl.type != MdtBclCONTACT)
+    while (c && mdt_constraintType(c) != MdtBclCONTACT)
         c = MdtBodyGetNextConstraint(b, c);
     return (MdtContactID)c;
 }
@@ -1069,14 +1066,9 @@ void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPt
     MDT_NEED_BODY(b, );
     if (!mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
         return;
-    for (MdtAttachment *at = b->attachments; at;) {
-        const MdtConstraintID c = at->constraint;
-        const unsigned long serial = c->link.serial;
-        MdtAttachment *next = at->next, *beyond = next; /* its contacts go with a group that the callback destroys */
-        while (beyond && beyond->constraint->group == c)
-            beyond = beyond->next;
-        cb(c, ccbdata);
-        at = c->record.magic == MDT_CONSTRAINT && c->link.serial == serial ? next : beyond;
+    for (MdtAttachment *at = b->attachments, *next; at && at->body == b; at = next) {
+        next = at->next;
+        mdt_constraintVisit(mdt_attachmentOwner(at), cb, ccbdata);
     }
 }
 

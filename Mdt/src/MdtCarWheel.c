@@ -4,35 +4,35 @@
 MDT_JOINT_BASICS(CarWheel, MdtBclCARWHEEL)
 
 static MdtBclCarWheel *wheelOf(MdtCarWheelID j, const char *caller) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclCARWHEEL, caller);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclCARWHEEL, caller);
     return c ? &c->bcl.of.wheel : NULL;
 }
 
 /* ---- axes ---- */
 
 void MEAPI MdtCarWheelSetSteeringAxis(const MdtCarWheelID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclCARWHEEL, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclCARWHEEL, __func__);
     if (c)
-        mdt_constraintSetCrossAxis(c, __func__, 0, x, y, z);
+        mdt_constraintSetCrossAxis(&c->base, __func__, 0, x, y, z);
 }
 
 void MEAPI MdtCarWheelGetSteeringAxis(const MdtCarWheelID j, MeVector3 v) {
-    MdtConstraintID c = mdt_isResult(__func__, v, 3) ? mdt_constraintOfType(j, MdtBclCARWHEEL, __func__) : NULL;
+    MdtJoint *c = mdt_isResult(__func__, v, 3) ? mdt_jointOfType(j, MdtBclCARWHEEL, __func__) : NULL;
     if (c)
-        MdtConstraintBodyGetAxes(c, 0, v, NULL);
+        MdtConstraintBodyGetAxes(&c->base, 0, v, NULL);
 }
 
 void MEAPI MdtCarWheelSetHingeAxis(const MdtCarWheelID j, const MeReal xHinge, const MeReal yHinge,
                                    const MeReal zHinge) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclCARWHEEL, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclCARWHEEL, __func__);
     if (c)
-        mdt_constraintSetCrossAxis(c, __func__, 1, xHinge, yHinge, zHinge);
+        mdt_constraintSetCrossAxis(&c->base, __func__, 1, xHinge, yHinge, zHinge);
 }
 
 void MEAPI MdtCarWheelGetHingeAxis(const MdtCarWheelID j, MeVector3 v) {
-    MdtConstraintID c = mdt_isResult(__func__, v, 3) ? mdt_constraintOfType(j, MdtBclCARWHEEL, __func__) : NULL;
+    MdtJoint *c = mdt_isResult(__func__, v, 3) ? mdt_jointOfType(j, MdtBclCARWHEEL, __func__) : NULL;
     if (c)
-        MdtConstraintBodyGetAxes(c, 1, NULL, v);
+        MdtConstraintBodyGetAxes(&c->base, 1, NULL, v);
 }
 
 /* ---- steering and rolling ---- */

@@ -4,7 +4,7 @@
 MDT_JOINT_BASICS(ConeLimit, MdtBclCONELIMIT)
 
 static MdtBclCone *coneOf(MdtConeLimitID j, const char *caller) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclCONELIMIT, caller);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclCONELIMIT, caller);
     return c ? &c->bcl.of.cone : NULL;
 }
 

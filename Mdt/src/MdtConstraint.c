@@ -1,92 +1,151 @@
 /* What all constraints have: bodies, frames, forces read back. */
 #include "MeAssert.h"
-#include "mdt_i.h"
+#include "mdt_manifold_i.h"
 #include <string.h>
 
 /* ---- life ---- */
 
-MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const char *caller) {
-    if (!mdt_isWorld(w, caller))
-        return NULL;
-    MdtConstraintID c = mdt_poolGet(&w->constraintPool, MDT_CONSTRAINT, caller);
-    if (!c)
-        return NULL;
-    c->world = w;
-    c->type = MdtBclTypeOf(type);
-    c->bcl.type = type;
-    c->side[0].constraint = c->side[1].constraint = c;
-    c->breakForce = c->breakTorque = MEINFINITY;
-    c->isWatched = type != MdtBclCONTACT && type != MdtBclCONTACTGROUP;
-    c->type->reset(&c->bcl);
-    mdt_listAppend(&w->constraints, &c->link, c, w->nextSerial++);
-    return c;
+MeBool mdt_constraintCount(MdtWorldID w, const char *caller) {
+    if (w->constraintLimit.most != MeNoLimit && w->numConstraints >= w->constraintLimit.most) {
+        MeLimitWarn(&w->constraintLimit, caller, "more constraints");
+        return MEFALSE;
+    }
+    w->numConstraints++;
+    return METRUE;
 }
 
-void mdt_constraintFree(MdtConstraintID c) {
-    if (c->bcl.type == MdtBclUSER)
-        MeMemoryGive(c->bcl.of.user.rows);
+void mdt_constraintUncount(MdtWorldID w) {
+    w->numConstraints--;
+    MEASSERT(w->numConstraints >= 0);
+}
+
+MdtJoint *mdt_jointCreate(MdtWorldID w, MdtBclJointType type, const char *caller) {
+    if (!mdt_isWorld(w, caller) || !mdt_constraintCount(w, caller))
+        return NULL;
+    MdtJoint *j = mdt_poolGet(&w->jointPool, MDT_JOINT, caller);
+    if (!j) {
+        mdt_constraintUncount(w);
+        return NULL;
+    }
+    j->base.world = w;
+    j->type = MdtBclTypeOf(type);
+    j->bcl.type = type;
+    j->breakForce = j->breakTorque = MEINFINITY;
+    j->base.record.flags = MDT_WATCHED;
+    j->type->reset(&j->bcl);
+    mdt_listAppend(&w->constraints, &j->base.link, w->nextSerial++);
+    return j;
+}
+
+void mdt_jointFree(MdtJoint *j) {
+    if (j->bcl.type == MdtBclUSER)
+        MeMemoryGive(j->bcl.of.user.rows);
 }
 
 void mdt_constraintTerm(MdtConstraintID c) {
-    if (c->bcl.type == MdtBclCONTACTGROUP)
-        mdt_groupTerm(c);
-    if (c->group)
-        mdt_groupForget(c);
     MdtConstraintDisable(c);
     mdt_constraintDetach(c, 0);
     mdt_constraintDetach(c, 1);
-    MEASSERT(!c->side[0].body && !c->side[1].body && !c->group && !(c->flags & MDT_ENABLED));
-    mdt_constraintFree(c);
-    mdt_breakForget(c);
+    MEASSERT(!c->side[0].body && !c->side[1].body && !(c->record.flags & MDT_ENABLED));
     mdt_listRemove(&c->world->constraints, &c->link);
-    mdt_poolPut(&c->world->constraintPool, c);
+    mdt_graphChanged(c->world);
 }
 
-MdtConstraintID mdt_constraintOfType(void *handle, MdtBclJointType type, const char *caller) {
-    MdtConstraintID c = handle;
+static void termJoint(MdtJoint *j) {
+    mdt_constraintTerm(&j->base);
+    mdt_jointFree(j);
+    mdt_breakForget(j);
+    mdt_constraintUncount(j->base.world);
+    mdt_poolPut(&j->base.world->jointPool, j);
+}
+
+static MdtJoint *jointOf(MdtConstraintID c) {
+    return mdt_isJoint(c) ? (MdtJoint *)(void *)c : NULL;
+}
+
+static MdtManifold *manifoldOf(MdtConstraintID c) {
+    return mdt_isPoint(c) ? mdt_manifoldOf(mdt_asPoint(c)) : mdt_isManifold(c) ? (MdtManifold *)(void *)c : NULL;
+}
+
+/* What is attached to bodies: of a contact the manifold that it is in. */
+static MdtConstraintID baseOf(MdtConstraintID c) {
+    return mdt_isPoint(c) ? &mdt_manifoldOf(mdt_asPoint(c))->base : c;
+}
+
+static MeBool isGroupMember(MdtConstraintID c) {
+    return mdt_isPoint(c) && mdt_isInGroup(mdt_asPoint(c));
+}
+
+MdtBclJointType mdt_constraintType(const MdtBaseConstraint *c) {
+    if (mdt_isJoint(c))
+        return ((const MdtJoint *)(const void *)c)->bcl.type;
+    return mdt_isManifold(c) && !(c->record.flags & MDT_LONE) ? MdtBclCONTACTGROUP : MdtBclCONTACT;
+}
+
+static MeBool isOfType(MdtConstraintID c, MdtBclJointType type, const char *caller) {
     if (!mdt_isConstraint(c, caller))
-        return NULL;
-    if (c->bcl.type == type)
-        return c;
-    MeWarning(1, "%s: the constraint is a %s, not a %s", caller, c->type->name, MdtBclTypeOf(type)->name);
-    return NULL;
+        return MEFALSE;
+    if (mdt_constraintType(c) == type)
+        return METRUE;
+    MeWarning(1, "%s: the constraint is a %s, not a %s", caller, mdt_constraintName(c), MdtBclTypeOf(type)->name);
+    return MEFALSE;
 }
 
-void *mdt_constraintCast(MdtConstraintID c, MdtBclJointType type, const char *caller) {
-    return mdt_isConstraint(c, caller) && c->bcl.type == type ? c : NULL;
+MdtJoint *mdt_jointOfType(void *handle, MdtBclJointType type, const char *caller) {
+    return isOfType(handle, type, caller) ? handle : NULL;
+}
+
+MdtPoint *mdt_pointOf(void *contact, const char *caller) {
+    return isOfType(contact, MdtBclCONTACT, caller) ? contact : NULL;
+}
+
+MdtManifold *mdt_groupOf(void *group, const char *caller) {
+    return isOfType(group, MdtBclCONTACTGROUP, caller) ? group : NULL;
+}
+
+void *mdt_jointCast(MdtConstraintID c, MdtBclJointType type, const char *caller) {
+    return mdt_isConstraint(c, caller) && mdt_constraintType(c) == type ? c : NULL;
 }
 
 void MEAPI MdtConstraintDestroy(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, );
-    mdt_constraintTerm(c);
+    if (mdt_isPoint(c))
+        mdt_pointTerm(mdt_asPoint(c));
+    else if (mdt_isManifold(c))
+        mdt_manifoldTerm(manifoldOf(c));
+    else
+        termJoint(jointOf(c));
 }
 
 void mdt_constraintForget(MdtConstraintID c) {
-    c->numWarm = 0;
-    if (c->type == MdtBclTypeOf(MdtBclCONTACT))
-        c->bcl.of.contact.normalForce = 0;
+    if (mdt_isJoint(c))
+        jointOf(c)->numWarm = 0;
+    else
+        mdt_manifoldForget(manifoldOf(c));
 }
 
-void MEAPI MdtConstraintEnable(const MdtConstraintID c) {
-    MDT_NEED_CONSTRAINT(c, );
-    if ((c->flags & MDT_ENABLED) || c->group)
+void MEAPI MdtConstraintEnable(const MdtConstraintID handle) {
+    MDT_NEED_CONSTRAINT(handle, );
+    const MdtConstraintID c = baseOf(handle);
+    if ((c->record.flags & MDT_ENABLED) || isGroupMember(handle))
         return;
     if (!c->side[0].body && !c->side[1].body) {
-        MeWarning(1, "MdtConstraintEnable: the %s is attached to no body; it stays disabled", c->type->name);
+        MeWarning(1, "MdtConstraintEnable: the %s is attached to no body; it stays disabled", mdt_constraintName(c));
         return;
     }
-    c->flags |= MDT_ENABLED;
+    c->record.flags |= MDT_ENABLED;
     mdt_graphChanged(c->world);
     mdt_constraintForget(c);
     mdt_constraintDisturb(c);
     c->world->enabledConstraints++;
 }
 
-void MEAPI MdtConstraintDisable(const MdtConstraintID c) {
-    MDT_NEED_CONSTRAINT(c, );
-    if (!(c->flags & MDT_ENABLED))
+void MEAPI MdtConstraintDisable(const MdtConstraintID handle) {
+    MDT_NEED_CONSTRAINT(handle, );
+    const MdtConstraintID c = baseOf(handle);
+    if (!(c->record.flags & MDT_ENABLED) || isGroupMember(handle))
         return;
-    c->flags &= ~MDT_ENABLED;
+    c->record.flags &= ~MDT_ENABLED;
     mdt_graphChanged(c->world);
     mdt_constraintDisturb(c);
     c->world->enabledConstraints--;
@@ -98,7 +157,7 @@ void MEAPI MdtConstraintDisable(const MdtConstraintID c) {
 
 MeBool MEAPI MdtConstraintIsEnabled(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, 0);
-    return ((c->group ? c->group->flags : c->flags) & MDT_ENABLED) != 0;
+    return (baseOf(c)->record.flags & MDT_ENABLED) != 0;
 }
 
 /* ---- attachment ---- */
@@ -126,22 +185,22 @@ static void attach(MdtConstraintID c, int side, MdtBodyID b) {
     at->body = b;
     if (!b)
         return;
-    MEASSERT(!at->next && !at->previous && at->constraint == c && b->world == c->world);
+    MEASSERT(!at->next && !at->previous && mdt_attachmentOwner(at) == c && b->world == c->world);
     at->next = b->attachments;
     if (at->next)
         at->next->previous = at;
     b->attachments = at;
-    b->flags |= c->isWatched ? MDT_WATCHED : 0;
+    b->record.flags |= c->record.flags & MDT_WATCHED;
     mdt_graphChanged(c->world);
     mdt_constraintDisturb(c);
     MEVALIDATE(mdt_attachmentsAreLinked(b));
 }
 
 void mdt_constraintWatch(MdtConstraintID c) {
-    c->isWatched = METRUE;
+    c->record.flags |= MDT_WATCHED;
     for (int k = 0; k < 2; k++)
         if (c->side[k].body)
-            c->side[k].body->flags |= MDT_WATCHED;
+            c->side[k].body->record.flags |= MDT_WATCHED;
     mdt_constraintDisturb(c);
 }
 
@@ -168,60 +227,64 @@ static void takePoses(MdtConstraintID c, Poses *poses) {
     poses->at[1] = &poses->of[1];
 }
 
-static void notifyPositioned(MdtConstraintID c) {
+static void notifyPositioned(MdtJoint *j) {
     Poses poses;
-    takePoses(c, &poses);
-    if (c->type->positioned)
-        c->type->positioned(&c->bcl, poses.at);
+    takePoses(&j->base, &poses);
+    if (j->type->positioned)
+        j->type->positioned(&j->bcl, poses.at);
 }
 
-static void notifyAttached(MdtConstraintID c) {
+static void notifyAttached(MdtJoint *j) {
     Poses poses;
-    takePoses(c, &poses);
-    if (c->type->attached)
-        c->type->attached(&c->bcl, poses.at);
-    if (c->type->positioned)
-        c->type->positioned(&c->bcl, poses.at);
+    takePoses(&j->base, &poses);
+    if (j->type->attached)
+        j->type->attached(&j->bcl, poses.at);
+    if (j->type->positioned)
+        j->type->positioned(&j->bcl, poses.at);
 }
 
-static void notifyAxesSet(MdtConstraintID c, const MdtBclFrame before[2]) {
+static void notifyAxesSet(MdtJoint *j, const MdtBclFrame before[2]) {
     Poses poses;
-    takePoses(c, &poses);
-    if (c->type->axesSet)
-        c->type->axesSet(&c->bcl, before, poses.at);
+    takePoses(&j->base, &poses);
+    if (j->type->axesSet)
+        j->type->axesSet(&j->bcl, before, poses.at);
 }
 
 void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1) {
     attach(c, 0, b0);
     attach(c, 1, b1);
     mdt_constraintForget(c);
-    notifyAttached(c);
+    if (mdt_isJoint(c))
+        notifyAttached(jointOf(c));
 }
 
 /* In a group with the world the first body is the one that moves. */
 static void attachGroup(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2) {
-    c->isSwapped = b1 == NULL;
+    c->record.flags = b1 ? c->record.flags & ~MDT_SWAPPED : c->record.flags | MDT_SWAPPED;
     mdt_constraintAttach(c, b1 ? b1 : b2, b1 ? b2 : NULL);
-    mdt_groupAttachContacts(c);
 }
 
 void MEAPI MdtConstraintSetBodies(const MdtConstraintID c, const MdtBodyID b1, const MdtBodyID b2) {
     MDT_NEED_CONSTRAINT(c, );
-    if (!mayAttach(c, b1, __func__) || !mayAttach(c, b2, __func__))
+    const MdtConstraintID base = baseOf(c);
+    if (!mayAttach(base, b1, __func__) || !mayAttach(base, b2, __func__))
         return;
     if (b1 == b2) {
         MeWarning(1, "MdtConstraintSetBodies: %s; nothing is changed",
                   b1 ? "the two bodies are the same" : "both bodies are null");
         return;
     }
-    if (c->flags & MDT_ENABLED)
-        MeWarning(1, "MdtConstraintSetBodies: the %s is enabled; disable it before changing its bodies", c->type->name);
-    if (c->group)
+    if (isGroupMember(c)) {
         MeWarning(1, "MdtConstraintSetBodies: the contact belongs to a group, whose bodies it has; nothing is changed");
-    else if (c->bcl.type == MdtBclCONTACTGROUP)
+        return;
+    }
+    if (base->record.flags & MDT_ENABLED)
+        MeWarning(1, "MdtConstraintSetBodies: the %s is enabled; disable it before changing its bodies",
+                  mdt_constraintName(c));
+    if (mdt_isManifold(c))
         attachGroup(c, b1, b2);
     else
-        mdt_constraintAttach(c, b1, b2);
+        mdt_constraintAttach(base, b1, b2);
 }
 
 MeBool mdt_isSide(const char *caller, unsigned int bodyindex) {
@@ -233,7 +296,7 @@ MeBool mdt_isSide(const char *caller, unsigned int bodyindex) {
 
 MdtBodyID MEAPI MdtConstraintGetBody(const MdtConstraintID c, const unsigned int bodyindex) {
     MDT_NEED_CONSTRAINT(c, NULL);
-    return mdt_isSide(__func__, bodyindex) ? c->side[bodyindex].body : NULL;
+    return mdt_isSide(__func__, bodyindex) ? baseOf(c)->side[bodyindex].body : NULL;
 }
 
 /* ---- frames: stored in the frame of the body's centre of mass, or the world's ---- */
@@ -256,7 +319,9 @@ void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]) {
 }
 
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after) {
-    MdtBclFrame *frame = &c->bcl.frame[side];
+    if (!mdt_isJoint(c))
+        return; /* contacts are where they were found */
+    MdtBclFrame *frame = &jointOf(c)->bcl.frame[side];
     MdtKeaTransformation from, to;
     double world[3];
     poseOfKea(before, &from);
@@ -304,11 +369,13 @@ static int mainSide(MdtConstraintID c) {
     return c->side[0].body ? 0 : 1;
 }
 
-static MeBool isContact(MdtConstraintID c, const char *caller) {
-    if (c->bcl.type != MdtBclCONTACT)
-        return MEFALSE;
-    MeWarning(1, "%s: a contact has no frames in its bodies; see MdtContact.h", caller);
-    return METRUE;
+/* The joint, whose frames are asked for; null, with a warning. */
+static MdtJoint *framed(MdtConstraintID c, const char *caller) {
+    if (!mdt_isConstraint(c, caller))
+        return NULL;
+    if (!mdt_isJoint(c))
+        MeWarning(1, "%s: a contact has no frames in its bodies; see MdtContact.h", caller);
+    return jointOf(c);
 }
 
 void MEAPI MdtConstraintSetPosition(const MdtConstraintID c, const MeReal x, const MeReal y, const MeReal z) {
@@ -319,44 +386,46 @@ void MEAPI MdtConstraintSetPosition(const MdtConstraintID c, const MeReal x, con
 void MEAPI MdtConstraintGetPosition(const MdtConstraintID c, MeVector3 p) {
     if (!mdt_isResult(__func__, p, 3) || !mdt_isConstraint(c, __func__))
         return;
-    MdtConstraintBodyGetPosition(c, (unsigned int)mainSide(c), p);
+    MdtConstraintBodyGetPosition(c, (unsigned int)mainSide(baseOf(c)), p);
 }
 
 void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
                                         const MeReal y, const MeReal z) {
-    MDT_NEED_CONSTRAINT(c, );
-    if (isContact(c, __func__) || !mdt_isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
+    MdtJoint *j = framed(c, __func__);
+    if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
         return;
     const double world[3] = {x, y, z};
-    pointToBody(c, (int)bodyindex, world, c->bcl.frame[bodyindex].position);
-    notifyPositioned(c);
+    pointToBody(c, (int)bodyindex, world, j->bcl.frame[bodyindex].position);
+    notifyPositioned(j);
 }
 
 void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
-    if (!mdt_isResult(__func__, p, 3) || !mdt_isConstraint(c, __func__))
+    if (!mdt_isResult(__func__, p, 3))
         return;
-    if (isContact(c, __func__) || !mdt_isSide(__func__, bodyindex))
+    MdtJoint *j = framed(c, __func__);
+    if (!j || !mdt_isSide(__func__, bodyindex))
         return;
     double world[3];
-    pointToWorld(c, (int)bodyindex, c->bcl.frame[bodyindex].position, world);
+    pointToWorld(c, (int)bodyindex, j->bcl.frame[bodyindex].position, world);
     mdt_toReal(p, world);
 }
 
 void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
                                            const MeReal y, const MeReal z) {
-    MDT_NEED_CONSTRAINT(c, );
-    if (isContact(c, __func__) || !mdt_isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
+    MdtJoint *j = framed(c, __func__);
+    if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
         return;
     const double local[3] = {x, y, z};
-    keaCopy(c->bcl.frame[bodyindex].position, local);
-    notifyPositioned(c);
+    keaCopy(j->bcl.frame[bodyindex].position, local);
+    notifyPositioned(j);
 }
 
 void MEAPI MdtConstraintBodyGetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
-    if (!mdt_isResult(__func__, p, 3) || !mdt_isConstraint(c, __func__))
+    if (!mdt_isResult(__func__, p, 3))
         return;
-    if (!isContact(c, __func__) && mdt_isSide(__func__, bodyindex))
-        mdt_toReal(p, c->bcl.frame[bodyindex].position);
+    MdtJoint *j = framed(c, __func__);
+    if (j && mdt_isSide(__func__, bodyindex))
+        mdt_toReal(p, j->bcl.frame[bodyindex].position);
 }
 
 MeBool mdt_makeAxes(const char *caller, double p[3], double o[3]) {
@@ -384,75 +453,76 @@ void mdt_chooseOrthogonal(const double p[3], double o[3]) {
     keaCross(o, p, unit);
 }
 
-static void setAxesOf(MdtConstraintID c, int side, const double p[3], const double o[3]) {
-    turnToBody(c, side, p, c->bcl.frame[side].primary);
-    turnToBody(c, side, o, c->bcl.frame[side].ortho);
+static void setAxesOf(MdtJoint *j, int side, const double p[3], const double o[3]) {
+    turnToBody(&j->base, side, p, j->bcl.frame[side].primary);
+    turnToBody(&j->base, side, o, j->bcl.frame[side].ortho);
 }
 
-static void setBothAxes(MdtConstraintID c, const double p[3], const double o[3]) {
-    const MdtBclFrame before[2] = {c->bcl.frame[0], c->bcl.frame[1]};
-    setAxesOf(c, 0, p, o);
-    setAxesOf(c, 1, p, o);
-    notifyAxesSet(c, before);
+static void setBothAxes(MdtJoint *j, const double p[3], const double o[3]) {
+    const MdtBclFrame before[2] = {j->bcl.frame[0], j->bcl.frame[1]};
+    setAxesOf(j, 0, p, o);
+    setAxesOf(j, 1, p, o);
+    notifyAxesSet(j, before);
 }
 
 void MEAPI MdtConstraintSetAxis(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz) {
-    MDT_NEED_CONSTRAINT(c, );
+    MdtJoint *j = framed(c, __func__);
     double p[3] = {px, py, pz}, o[3];
     mdt_chooseOrthogonal(p, o);
-    if (isContact(c, __func__) || !mdt_makeAxes(__func__, p, o))
+    if (!j || !mdt_makeAxes(__func__, p, o))
         return;
-    setBothAxes(c, p, o);
+    setBothAxes(j, p, o);
 }
 
 void MEAPI MdtConstraintSetAxes(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz,
                                 const MeReal ox, const MeReal oy, const MeReal oz) {
-    MDT_NEED_CONSTRAINT(c, );
+    MdtJoint *j = framed(c, __func__);
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
-    if (isContact(c, __func__) || !mdt_makeAxes(__func__, p, o))
+    if (!j || !mdt_makeAxes(__func__, p, o))
         return;
-    setBothAxes(c, p, o);
+    setBothAxes(j, p, o);
 }
 
 void MEAPI MdtConstraintBodySetAxes(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
                                     const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                     const MeReal oz) {
-    MDT_NEED_CONSTRAINT(c, );
+    MdtJoint *j = framed(c, __func__);
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
-    if (!isContact(c, __func__) && mdt_isSide(__func__, bodyindex) && mdt_makeAxes(__func__, p, o))
-        setAxesOf(c, (int)bodyindex, p, o);
+    if (j && mdt_isSide(__func__, bodyindex) && mdt_makeAxes(__func__, p, o))
+        setAxesOf(j, (int)bodyindex, p, o);
 }
 
 void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
                                        const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                        const MeReal oz) {
-    MDT_NEED_CONSTRAINT(c, );
+    MdtJoint *j = framed(c, __func__);
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
-    if (isContact(c, __func__) || !mdt_isSide(__func__, bodyindex) || !mdt_makeAxes(__func__, p, o))
+    if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_makeAxes(__func__, p, o))
         return;
-    keaCopy(c->bcl.frame[bodyindex].primary, p);
-    keaCopy(c->bcl.frame[bodyindex].ortho, o);
+    keaCopy(j->bcl.frame[bodyindex].primary, p);
+    keaCopy(j->bcl.frame[bodyindex].ortho, o);
 }
 
-static void setCrossFrame(MdtConstraintID c, int side, const double own[3], const double second[3]) {
-    setAxesOf(c, side, side == 0 ? own : second, side == 0 ? second : own);
+static void setCrossFrame(MdtJoint *j, int side, const double own[3], const double second[3]) {
+    setAxesOf(j, side, side == 0 ? own : second, side == 0 ? second : own);
 }
 
 /* As the bodies stand now, each side has the other's axis, made orthogonal to its own, as its second one: that is what
  * angles are counted from. Where the two are parallel, since the other has yet to be set, it is chosen. */
 void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side, MeReal x, MeReal y, MeReal z) {
+    MdtJoint *j = jointOf(c);
     double axis[3] = {x, y, z}, other[3], second[3], back[3];
-    turnToWorld(c, 1 - side, side == 0 ? c->bcl.frame[1].ortho : c->bcl.frame[0].primary, other);
+    turnToWorld(c, 1 - side, side == 0 ? j->bcl.frame[1].ortho : j->bcl.frame[0].primary, other);
     const MeBool isParallel = fabs(keaDot(axis, other)) > 0.999 * keaLength(axis);
     keaCopy(second, other);
     if (isParallel)
         mdt_chooseOrthogonal(axis, second);
     if (!mdt_makeAxes(caller, axis, second))
         return;
-    setCrossFrame(c, side, axis, second);
+    setCrossFrame(j, side, axis, second);
     keaCopy(back, axis);
     if (!isParallel && mdt_makeAxes(caller, other, back))
-        setCrossFrame(c, 1 - side, other, back);
+        setCrossFrame(j, 1 - side, other, back);
 }
 
 static void zeroAxes(MeVector3 p, MeVector3 o) {
@@ -465,30 +535,30 @@ static void zeroAxes(MeVector3 p, MeVector3 o) {
 }
 
 /* Either result may be null: that axis is not asked for. */
-static void getAxes(MdtConstraintID c, int side, MeVector3 p, MeVector3 o) {
+static void getAxes(MdtJoint *j, int side, MeVector3 p, MeVector3 o) {
     double axis[3];
     if (p) {
-        turnToWorld(c, side, c->bcl.frame[side].primary, axis);
+        turnToWorld(&j->base, side, j->bcl.frame[side].primary, axis);
         mdt_toReal(p, axis);
     }
     if (o) {
-        turnToWorld(c, side, c->bcl.frame[side].ortho, axis);
+        turnToWorld(&j->base, side, j->bcl.frame[side].ortho, axis);
         mdt_toReal(o, axis);
     }
 }
 
 void MEAPI MdtConstraintGetAxes(const MdtConstraintID c, MeVector3 p, MeVector3 o) {
     zeroAxes(p, o);
-    MDT_NEED_CONSTRAINT(c, );
-    if (!isContact(c, __func__))
-        getAxes(c, mainSide(c), p, o);
+    MdtJoint *j = framed(c, __func__);
+    if (j)
+        getAxes(j, mainSide(c), p, o);
 }
 
 void MEAPI MdtConstraintBodyGetAxes(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p, MeVector3 o) {
     zeroAxes(p, o);
-    MDT_NEED_CONSTRAINT(c, );
-    if (!isContact(c, __func__) && mdt_isSide(__func__, bodyindex))
-        getAxes(c, (int)bodyindex, p, o);
+    MdtJoint *j = framed(c, __func__);
+    if (j && mdt_isSide(__func__, bodyindex))
+        getAxes(j, (int)bodyindex, p, o);
 }
 
 void MEAPI MdtConstraintBodyGetAxis(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 a) {
@@ -498,108 +568,241 @@ void MEAPI MdtConstraintBodyGetAxis(const MdtConstraintID c, const unsigned int 
 void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
                                        MeVector3 o) {
     zeroAxes(p, o);
-    MDT_NEED_CONSTRAINT(c, );
-    if (isContact(c, __func__) || !mdt_isSide(__func__, bodyindex))
+    MdtJoint *j = framed(c, __func__);
+    if (!j || !mdt_isSide(__func__, bodyindex))
         return;
     if (p)
-        mdt_toReal(p, c->bcl.frame[bodyindex].primary);
+        mdt_toReal(p, j->bcl.frame[bodyindex].primary);
     if (o)
-        mdt_toReal(o, c->bcl.frame[bodyindex].ortho);
+        mdt_toReal(o, j->bcl.frame[bodyindex].ortho);
 }
 
 /* ---- what it did ---- */
 
+/* On the first body of the contact; it acts at the contact's place. */
+static void addContactForce(const MdtPoint *p, MdtKeaForcePair *sum) {
+    const MdtBaseConstraint *base = &mdt_manifoldOf(p)->base;
+    double force[3];
+    mdt_fromReal(force, p->mean);
+    for (int k = 0; k < 2; k++) {
+        static const double origin[3] = {0, 0, 0};
+        double arm[3], torque[3];
+        keaSubtract(arm, p->position, base->side[k].body ? base->side[k].body->stepStart : origin);
+        keaCross(torque, arm, force);
+        keaAddScaled(sum->body[k].lin, k == 0 ? 1 : -1, force);
+        keaAddScaled(sum->body[k].ang, k == 0 ? 1 : -1, torque);
+    }
+}
+
+static MdtKeaForcePair forceOf(MdtConstraintID c) {
+    MdtKeaForcePair sum = {{{{0, 0, 0}, {0, 0, 0}}}};
+    if (mdt_isJoint(c))
+        return jointOf(c)->force;
+    if (mdt_isPoint(c))
+        addContactForce(mdt_asPoint(c), &sum);
+    else
+        for (const MdtPoint *p = mdt_pointFirst(manifoldOf(c)); p; p = mdt_pointAfter(p))
+            addContactForce(p, &sum);
+    return sum;
+}
+
+void mdt_constraintSetForce(MdtConstraintID c, const MdtKeaForcePair *force) {
+    if (mdt_isJoint(c))
+        jointOf(c)->force = *force;
+    else if (mdt_isPoint(c))
+        mdt_toReal(mdt_asPoint(c)->mean, force->body[0].lin);
+    mdt_constraintDisturb(baseOf(c)); /* its forces are not those of a step any more */
+}
+
 void MEAPI MdtConstraintGetForce(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 f) {
-    if (!mdt_isResult(__func__, f, 3) || !mdt_isConstraint(c, __func__))
+    if (!mdt_isResult(__func__, f, 3) || !mdt_isConstraint(c, __func__) || !mdt_isSide(__func__, bodyindex))
         return;
-    if (mdt_isSide(__func__, bodyindex))
-        mdt_toReal(f, c->force.body[bodyindex].lin);
+    const MdtKeaForcePair force = forceOf(c);
+    mdt_toReal(f, force.body[bodyindex].lin);
 }
 
 void MEAPI MdtConstraintGetTorque(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 t) {
-    if (!mdt_isResult(__func__, t, 3) || !mdt_isConstraint(c, __func__))
+    if (!mdt_isResult(__func__, t, 3) || !mdt_isConstraint(c, __func__) || !mdt_isSide(__func__, bodyindex))
         return;
-    if (mdt_isSide(__func__, bodyindex))
-        mdt_toReal(t, c->force.body[bodyindex].ang);
+    const MdtKeaForcePair force = forceOf(c);
+    mdt_toReal(t, force.body[bodyindex].ang);
 }
 
 int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, 0);
-    int rows = c->numRows;
-    for (MdtConstraintID contact = c->firstContact; contact; contact = contact->nextInGroup)
-        rows += contact->numRows;
+    int rows = 0;
+    if (mdt_isJoint(c))
+        return jointOf(c)->numRows;
+    if (mdt_isPoint(c))
+        return mdt_asPoint(c)->numRows;
+    for (const MdtPoint *p = mdt_pointFirst(manifoldOf(c)); p; p = mdt_pointAfter(p))
+        rows += p->numRows;
     return rows;
 }
 
-/* ---- a moving world ---- */
+/* ---- a moving world, and bookkeeping ---- */
 
-static void setWorldVelocity(MdtConstraintID c, const char *caller, double v[3], MeReal x, MeReal y, MeReal z) {
-    if (!mdt_isConstraint(c, caller) || !mdt_isFinite3(caller, "the velocity", x, y, z))
-        return;
-    if (v[0] != (double)x || v[1] != (double)y || v[2] != (double)z)
-        mdt_constraintDisturb(c);
-    v[0] = x, v[1] = y, v[2] = z;
+/* Where a contact or a group keeps what few of them have. Null, with a warning: no memory. */
+static MdtExtra *extraMake(MdtConstraintID c, const char *caller) {
+    return mdt_isPoint(c) ? mdt_extraMake(mdt_blockOf(mdt_asPoint(c)), mdt_asPoint(c)->slot, caller)
+                          : mdt_extraMake(manifoldOf(c), MDT_GROUP_SLOT, caller);
+}
+
+static const MdtExtra *extraOf(MdtConstraintID c) {
+    return mdt_isPoint(c) ? mdt_extraOf(mdt_blockOf(mdt_asPoint(c)), mdt_asPoint(c)->slot)
+                          : mdt_extraOf(manifoldOf(c), MDT_GROUP_SLOT);
+}
+
+/* To write to; null, with a warning: no memory. */
+static MdtKeaVelocity *worldVelocity(MdtConstraintID c, const char *caller) {
+    MdtExtra *extra = mdt_isJoint(c) ? NULL : extraMake(c, caller);
+    return mdt_isJoint(c) ? &jointOf(c)->worldVelocity : extra ? &extra->worldVelocity : NULL;
+}
+
+static const MdtKeaVelocity *worldVelocityOf(MdtConstraintID c) {
+    const MdtExtra *extra = mdt_isJoint(c) ? NULL : extraOf(c);
+    return mdt_isJoint(c) ? &jointOf(c)->worldVelocity : extra ? &extra->worldVelocity : &MdtBclWorldVelocity;
+}
+
+static void setPart(MdtConstraintID c, double part[3], const double v[3]) {
+    if (memcmp(part, v, 3 * sizeof *v) != 0)
+        mdt_constraintDisturb(baseOf(c));
+    keaCopy(part, v);
 }
 
 void MEAPI MdtConstraintSetWorldLinearVelocity(const MdtConstraintID c, const MeReal vx, const MeReal vy,
                                                const MeReal vz) {
-    setWorldVelocity(c, __func__, c ? c->worldVelocity.lin : NULL, vx, vy, vz);
+    const double v[3] = {vx, vy, vz};
+    if (!mdt_isConstraint(c, __func__) || !mdt_isFinite3(__func__, "the velocity", vx, vy, vz))
+        return;
+    MdtKeaVelocity *velocity = worldVelocity(c, __func__);
+    if (velocity)
+        setPart(c, velocity->lin, v);
 }
 
 void MEAPI MdtConstraintSetWorldAngularVelocity(const MdtConstraintID c, const MeReal ax, const MeReal ay,
                                                 const MeReal az) {
-    setWorldVelocity(c, __func__, c ? c->worldVelocity.ang : NULL, ax, ay, az);
+    const double v[3] = {ax, ay, az};
+    if (!mdt_isConstraint(c, __func__) || !mdt_isFinite3(__func__, "the velocity", ax, ay, az))
+        return;
+    MdtKeaVelocity *velocity = worldVelocity(c, __func__);
+    if (velocity)
+        setPart(c, velocity->ang, v);
 }
 
 void MEAPI MdtConstraintGetWorldLinearVelocity(const MdtConstraintID c, MeVector3 lv) {
     if (!mdt_isResult(__func__, lv, 3) || !mdt_isConstraint(c, __func__))
         return;
-    mdt_toReal(lv, c->worldVelocity.lin);
+    mdt_toReal(lv, worldVelocityOf(c)->lin);
 }
 
 void MEAPI MdtConstraintGetWorldAngularVelocity(const MdtConstraintID c, MeVector3 av) {
     if (!mdt_isResult(__func__, av, 3) || !mdt_isConstraint(c, __func__))
         return;
-    mdt_toReal(av, c->worldVelocity.ang);
+    mdt_toReal(av, worldVelocityOf(c)->ang);
 }
-
-/* ---- bookkeeping ---- */
 
 MdtWorldID MEAPI MdtConstraintGetWorld(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, NULL);
-    return c->world;
+    return baseOf(c)->world;
 }
 
 void MEAPI MdtConstraintSetUserData(const MdtConstraintID c, void *d) {
     MDT_NEED_CONSTRAINT(c, );
-    c->userData = d;
+    MdtExtra *extra = mdt_isJoint(c) ? NULL : extraMake(c, __func__);
+    if (mdt_isJoint(c))
+        jointOf(c)->userData = d;
+    else if (extra)
+        extra->userData = d;
 }
 
 void *MEAPI MdtConstraintGetUserData(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, NULL);
-    return c->userData;
+    const MdtExtra *extra = mdt_isJoint(c) ? NULL : extraOf(c);
+    return mdt_isJoint(c) ? jointOf(c)->userData : extra ? extra->userData : NULL;
 }
 
 void MEAPI MdtConstraintSetSortKey(const MdtConstraintID c, MeI32 key) {
     MDT_NEED_CONSTRAINT(c, );
     if (!mdt_isSortKey(__func__, key))
         return;
-    mdt_listSetKey(&c->world->constraints, &c->link, key);
-    mdt_graphChanged(c->world);
+    if (isGroupMember(c)) {
+        MdtExtra *extra = extraMake(c, __func__);
+        if (extra)
+            extra->sortKey = key;
+        return;
+    }
+    mdt_listSetKey(&baseOf(c)->world->constraints, &baseOf(c)->link, key);
+    mdt_graphChanged(baseOf(c)->world);
 }
 
 MeI32 MEAPI MdtConstraintGetSortKey(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, 0);
-    return c->link.sortKey;
+    if (!isGroupMember(c))
+        return baseOf(c)->link.sortKey;
+    const MdtExtra *extra = extraOf(c);
+    return extra ? extra->sortKey : 0;
+}
+
+/* ---- in order ---- */
+
+MdtConstraintID mdt_constraintShown(MdtConstraintID c) {
+    return c->record.flags & MDT_LONE ? (MdtConstraintID)(void *)mdt_pointFirst(manifoldOf(c)) : c;
+}
+
+/* The contact after this one in its group; of a group, its first. */
+static MdtConstraintID contactAfter(MdtConstraintID c) {
+    const MdtPoint *p = mdt_isPoint(c)      ? mdt_pointAfter(mdt_asPoint(c))
+                        : mdt_isManifold(c) ? mdt_pointFirst(manifoldOf(c))
+                                            : NULL;
+    return (MdtConstraintID)(uintptr_t)p;
+}
+
+MdtConstraintID mdt_constraintAfter(MdtConstraintID c) {
+    const MdtConstraintID contact = contactAfter(c);
+    const MdtLink *next = baseOf(c)->link.next;
+    return contact ? contact : next ? mdt_constraintShown(mdt_linkOwner(next)) : NULL;
+}
+
+MdtConstraintID mdt_constraintAfterOf(MdtBodyID b, MdtConstraintID c) {
+    const MdtConstraintID contact = contactAfter(c), base = baseOf(c);
+    if (contact)
+        return contact;
+    for (int k = 0; k < 2; k++)
+        if (base->side[k].body == b)
+            return base->side[k].next ? mdt_constraintShown(mdt_attachmentOwner(base->side[k].next)) : NULL;
+    MeWarning(1, "MdtBodyGetNextConstraint: the constraint is not attached to the body");
+    return NULL;
+}
+
+static MeBool isStill(const MdtBaseConstraint *c, unsigned int magic, unsigned long serial) {
+    return c->record.magic == magic && c->link.serial == serial;
+}
+
+/* The callback may destroy what it is given, and for a contact its group. */
+void mdt_constraintVisit(MdtConstraintID base, MdtConstraintIteratorCBPtr cb, void *data) {
+    const unsigned int magic = base->record.magic;
+    const unsigned long serial = base->link.serial;
+    const MeBool isGroup = mdt_isManifold(base) && !(base->record.flags & MDT_LONE);
+    cb(mdt_constraintShown(base), data);
+    if (!isGroup || !isStill(base, magic, serial))
+        return;
+    for (MdtPoint *p = mdt_pointFirst(manifoldOf(base)), *next; p && p->magic == MDT_POINT; p = next) {
+        next = mdt_pointAfter(p);
+        cb((MdtConstraintID)(void *)p, data);
+        if (!isStill(base, magic, serial))
+            return;
+    }
 }
 
 MdtConstraintID MEAPI MdtConstraintGetFirst(const MdtWorldID w) {
     MDT_NEED_WORLD(w, NULL);
     mdt_listSort(&w->constraints);
-    return w->constraints.first ? w->constraints.first->owner : NULL;
+    return w->constraints.first ? mdt_constraintShown(mdt_linkOwner(w->constraints.first)) : NULL;
 }
 
 MdtConstraintID MEAPI MdtConstraintGetNext(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, NULL);
-    return c->link.next ? c->link.next->owner : NULL;
+    return mdt_constraintAfter(c);
 }
+

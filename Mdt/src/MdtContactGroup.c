@@ -1,15 +1,15 @@
-/* Contact groups: the list of contacts that a group owns. */
+/* Contact groups: the contacts of a manifold, as programs see them. */
+#include "mdt_manifold_i.h"
 #include "MeAssert.h"
-#include "mdt_i.h"
 
 MdtContactGroupID MEAPI MdtContactGroupCreate(const MdtWorldID w) {
-    return (MdtContactGroupID)mdt_constraintCreate(w, MdtBclCONTACTGROUP, __func__);
+    return (MdtContactGroupID)mdt_manifoldCreate(w, __func__);
 }
 
 void MEAPI MdtContactGroupReset(const MdtContactGroupID c) {
-    MdtConstraintID group = mdt_constraintOfType(c, MdtBclCONTACTGROUP, __func__);
+    MdtManifold *group = mdt_groupOf(c, __func__);
     if (group)
-        mdt_groupDestroyContacts(group);
+        mdt_manifoldClear(group);
 }
 
 MdtConstraintID MEAPI MdtContactGroupQuaConstraint(const MdtContactGroupID c) {
@@ -17,149 +17,100 @@ MdtConstraintID MEAPI MdtContactGroupQuaConstraint(const MdtContactGroupID c) {
 }
 
 MdtContactGroupID MEAPI MdtConstraintDCastContactGroup(const MdtConstraintID c) {
-    return mdt_constraintCast(c, MdtBclCONTACTGROUP, __func__);
-}
-
-static MdtConstraintID groupOf(const MdtContactGroupID g, const char *caller) {
-    return mdt_constraintOfType(g, MdtBclCONTACTGROUP, caller);
+    return mdt_isConstraint(c, __func__) && mdt_isManifold(c) ? (MdtContactGroupID)c : NULL;
 }
 
 /* A contact that is in the group, or null with a warning. */
-static MdtConstraintID memberOf(MdtConstraintID group, const MdtContactID c, const char *caller) {
-    MdtConstraintID contact = group ? mdt_constraintOfType(c, MdtBclCONTACT, caller) : NULL;
-    if (!contact || contact->group == group)
-        return contact;
+static MdtPoint *memberOf(MdtManifold *group, const MdtContactID c, const char *caller) {
+    MdtPoint *p = group ? mdt_pointOf(c, caller) : NULL;
+    if (!p || mdt_manifoldOf(p) == group)
+        return p;
     MeWarning(1, "%s: the contact is not in this group", caller);
     return NULL;
 }
 
 /* ---- the list ---- */
 
-static void append(MdtConstraintID group, MdtConstraintID contact) {
-    MEASSERT(!contact->group && contact->world == group->world);
-    MdtConstraintDisable(contact);
-    contact->group = group;
-    contact->previousInGroup = group->lastContact;
-    contact->nextInGroup = NULL;
-    if (group->lastContact)
-        group->lastContact->nextInGroup = contact;
-    else
-        group->firstContact = contact;
-    group->lastContact = contact;
-    group->numContacts++;
-    mdt_constraintAttach(contact, group->side[0].body, group->side[1].body);
-    MEVALIDATE(mdt_groupIsLinked(group));
-}
-
-void mdt_groupForget(MdtConstraintID contact) {
-    MdtConstraintID group = contact->group;
-    mdt_constraintDisturb(contact);
-    if (contact->previousInGroup)
-        contact->previousInGroup->nextInGroup = contact->nextInGroup;
-    else
-        group->firstContact = contact->nextInGroup;
-    if (contact->nextInGroup)
-        contact->nextInGroup->previousInGroup = contact->previousInGroup;
-    else
-        group->lastContact = contact->previousInGroup;
-    contact->group = contact->nextInGroup = contact->previousInGroup = NULL;
-    group->numContacts--;
-    mdt_graphChanged(group->world);
-    MEASSERT(group->numContacts >= 0 && !group->firstContact == !group->numContacts);
-    MEVALIDATE(mdt_groupIsLinked(group));
-}
-
-void mdt_groupDestroyContacts(MdtConstraintID group) {
-    while (group->firstContact)
-        mdt_constraintTerm(group->firstContact);
-}
-
-void mdt_groupTerm(MdtConstraintID group) {
-    mdt_groupDestroyContacts(group);
-    MEASSERT(!group->firstContact && !group->lastContact && group->numContacts == 0);
-    if (group->holder)
-        *group->holder = NULL;
-    group->holder = NULL;
-}
-
-void mdt_groupAttachContacts(MdtConstraintID group) {
-    for (MdtConstraintID c = group->firstContact; c; c = c->nextInGroup)
-        mdt_constraintAttach(c, group->side[0].body, group->side[1].body);
-    MEVALIDATE(mdt_groupIsLinked(group));
-}
-
 MdtContactID MEAPI MdtContactGroupGetFirstContact(MdtContactGroupID c) {
-    MdtConstraintID group = groupOf(c, __func__);
-    return group ? (MdtContactID)group->firstContact : NULL;
+    MdtManifold *group = mdt_groupOf(c, __func__);
+    return group ? (MdtContactID)mdt_pointFirst(group) : NULL;
 }
 
 MdtContactID MEAPI MdtContactGroupGetNextContact(MdtContactGroupID g, MdtContactID c) {
-    MdtConstraintID contact = memberOf(groupOf(g, __func__), c, __func__);
-    return contact ? (MdtContactID)contact->nextInGroup : NULL;
+    const MdtPoint *p = memberOf(mdt_groupOf(g, __func__), c, __func__);
+    return p ? (MdtContactID)mdt_pointAfter(p) : NULL;
 }
 
 int MEAPI MdtContactGroupGetCount(MdtContactGroupID g) {
-    MdtConstraintID group = groupOf(g, __func__);
-    return group ? group->numContacts : 0;
+    const MdtManifold *group = mdt_groupOf(g, __func__);
+    return group ? group->numPoints : 0;
 }
 
 MdtContactID MEAPI MdtContactGroupCreateContact(MdtContactGroupID g) {
-    MdtConstraintID group = groupOf(g, __func__);
-    MdtConstraintID contact = group ? mdt_constraintCreate(group->world, MdtBclCONTACT, __func__) : NULL;
-    if (contact)
-        append(group, contact);
-    return (MdtContactID)contact;
+    MdtManifold *group = mdt_groupOf(g, __func__);
+    return group ? (MdtContactID)mdt_pointCreateIn(group, __func__) : NULL;
 }
 
 void MEAPI MdtContactGroupAppendContact(MdtContactGroupID g, MdtContactID c) {
-    MdtConstraintID group = groupOf(g, __func__);
-    MdtConstraintID contact = group ? mdt_constraintOfType(c, MdtBclCONTACT, __func__) : NULL;
-    if (!contact)
+    MdtManifold *group = mdt_groupOf(g, __func__);
+    MdtPoint *p = group ? mdt_pointOf(c, __func__) : NULL;
+    if (!p)
         return;
-    if (contact->group || contact->world != group->world)
+    const MeBool isInGroup = mdt_isInGroup(p);
+    if (isInGroup || mdt_blockOf(p)->base.world != group->base.world)
         MeWarning(1, "MdtContactGroupAppendContact: the contact is %s; nothing is changed",
-                  contact->group ? "in a group already" : "of another world");
+                  isInGroup ? "in a group already" : "of another world");
     else
-        append(group, contact);
+        mdt_pointJoin(p, group);
 }
 
 void MEAPI MdtContactGroupRemoveContact(MdtContactGroupID g, MdtContactID c) {
-    MdtConstraintID contact = memberOf(groupOf(g, __func__), c, __func__);
-    if (contact)
-        mdt_groupForget(contact);
+    MdtPoint *p = memberOf(mdt_groupOf(g, __func__), c, __func__);
+    if (p && !mdt_pointIsAlone(p))
+        MeWarning(1, "MdtContactGroupRemoveContact: the contact was made by a bridge, and lives in its group only; "
+                     "nothing is changed");
+    else if (p)
+        mdt_pointLeave(p);
 }
 
 void MEAPI MdtContactGroupDestroyContact(MdtContactGroupID g, MdtContactID c) {
-    MdtConstraintID contact = memberOf(groupOf(g, __func__), c, __func__);
-    if (contact)
-        mdt_constraintTerm(contact);
+    MdtPoint *p = memberOf(mdt_groupOf(g, __func__), c, __func__);
+    if (p)
+        mdt_pointTerm(p);
 }
 
 /* ---- the rest ---- */
 
 MeReal MEAPI MdtContactGroupGetNormalForce(MdtContactGroupID g) {
-    MdtConstraintID group = groupOf(g, __func__);
-    return group ? (MeReal)keaLength(group->normalForce) : 0;
+    const MdtManifold *group = mdt_groupOf(g, __func__);
+    double sum[3] = {0, 0, 0};
+    for (const MdtPoint *p = group ? mdt_pointFirst(group) : NULL; p; p = mdt_pointAfter(p)) {
+        double normal[3], mean[3];
+        mdt_pointNormal(p, normal);
+        mdt_fromReal(mean, p->mean);
+        keaAddScaled(sum, keaDot(mean, normal), normal);
+    }
+    return (MeReal)keaLength(sum);
 }
 
 MeBool MEAPI MdtContactGroupIsSwapped(MdtContactGroupID g) {
-    MdtConstraintID group = groupOf(g, __func__);
-    return group && group->isSwapped;
+    const MdtManifold *group = mdt_groupOf(g, __func__);
+    return group && (group->base.record.flags & MDT_SWAPPED);
 }
 
 void MEAPI MdtContactGroupSetGenerator(MdtContactGroupID g, void *generator) {
-    MdtConstraintID group = groupOf(g, __func__);
+    MdtManifold *group = mdt_groupOf(g, __func__);
     if (group)
         group->generator = generator;
 }
 
 void MEAPI MdtContactGroupSetHolder(MdtContactGroupID g, void **holder) {
-    MdtConstraintID group = groupOf(g, __func__);
+    MdtManifold *group = mdt_groupOf(g, __func__);
     if (group)
         group->holder = holder;
 }
 
-void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID group) {
-    MdtConstraintID c = groupOf(group, __func__);
-    return c ? c->generator : NULL;
+void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID g) {
+    const MdtManifold *group = mdt_groupOf(g, __func__);
+    return group ? group->generator : NULL;
 }

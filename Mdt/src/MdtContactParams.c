@@ -65,16 +65,13 @@ static int problemOf(const MdtBclContactParams *p, MdtFrictionModel model, MeRea
     return coefficient > 0 ? WITHOUT_MODEL : bound < MEINFINITY ? 0 : WITHOUT_BOUND;
 }
 
-void mdt_checkSurface(MdtConstraintID contact) {
-    if (contact->bcl.type != MdtBclCONTACT)
-        return;
-    const MdtBclContactParams *p = &contact->bcl.of.contact.params;
+void mdt_checkSurface(MdtWorldID w, const MdtBclContactParams *p) {
     int problem = problemOf(p, p->model1, p->FrictionCoefficient, p->friction1);
     if (!problem && p->type != MdtContactTypeFriction1D)
         problem = problemOf(p, p->model2, p->FrictionCoefficient2, p->friction2);
-    if (!problem || (contact->world->surfaceWarnings & problem))
+    if (!problem || (w->surfaceWarnings & problem))
         return;
-    contact->world->surfaceWarnings |= problem;
+    w->surfaceWarnings |= problem;
     for (size_t i = 0; i < sizeof surfaceTexts / sizeof *surfaceTexts; i++)
         if (surfaceTexts[i].problem == problem)
             MeWarning(2, "MdtWorldStep: a contact %s; MdtContactParamsSetSurface sets all that friction needs",

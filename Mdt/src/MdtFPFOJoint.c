@@ -4,13 +4,13 @@
 MDT_JOINT_BASICS(FPFOJoint, MdtBclFPFOJOINT)
 
 void MEAPI MdtFPFOJointSetPosition(const MdtFPFOJointID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclFPFOJOINT, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclFPFOJOINT, __func__);
     if (c)
-        MdtConstraintSetPosition(c, x, y, z);
+        MdtConstraintSetPosition(&c->base, x, y, z);
 }
 
 void MEAPI MdtFPFOJointGetPosition(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 pos) {
-    MdtConstraintID c = mdt_isResult(__func__, pos, 3) ? mdt_constraintOfType(j, MdtBclFPFOJOINT, __func__) : NULL;
+    MdtJoint *c = mdt_isResult(__func__, pos, 3) ? mdt_jointOfType(j, MdtBclFPFOJOINT, __func__) : NULL;
     if (c)
-        MdtConstraintBodyGetPosition(c, bodyindex, pos);
+        MdtConstraintBodyGetPosition(&c->base, bodyindex, pos);
 }

@@ -4,10 +4,10 @@
 
 MDT_JOINT_BASICS(FixedPath, MdtBclFIXEDPATH)
 
-/* The joint's side of that index, or null with a warning. */
-static MdtAttachment *sideOf(MdtFixedPathID j, unsigned int bodyindex, const char *caller) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclFIXEDPATH, caller);
-    return c && mdt_isSide(caller, bodyindex) ? &c->side[bodyindex] : NULL;
+/* The joint, if it has a side of that index; else null with a warning. */
+static MdtJoint *jointOf(MdtFixedPathID path, unsigned int bodyindex, const char *caller) {
+    MdtJoint *j = mdt_jointOfType(path, MdtBclFIXEDPATH, caller);
+    return j && mdt_isSide(caller, bodyindex) ? j : NULL;
 }
 
 static void turnToCentre(const MdtBodyID b, const double in[3], double out[3]) {
@@ -30,42 +30,46 @@ static void turnFromCentre(const MdtBodyID b, const double in[3], double out[3])
     keaApply(out, (const double(*)[3])R, in);
 }
 
-void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID j, const unsigned int bodyindex, const MeReal x, const MeReal y,
+void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID path, const unsigned int bodyindex, const MeReal x, const MeReal y,
                                    const MeReal z) {
-    MdtAttachment *at = sideOf(j, bodyindex, __func__);
-    if (!at || !mdt_isFinite3(__func__, "the position", x, y, z))
+    MdtJoint *j = jointOf(path, bodyindex, __func__);
+    if (!j || !mdt_isFinite3(__func__, "the position", x, y, z))
         return;
+    const MdtBodyID body = j->base.side[bodyindex].body;
     double p[3] = {x, y, z};
-    if (at->body)
-        keaSubtract(p, p, at->body->centre);
-    turnToCentre(at->body, p, at->constraint->bcl.frame[bodyindex].position);
+    if (body)
+        keaSubtract(p, p, body->centre);
+    turnToCentre(body, p, j->bcl.frame[bodyindex].position);
 }
 
-void MEAPI MdtFixedPathGetPosition(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 position) {
-    const MdtAttachment *at = mdt_isResult(__func__, position, 3) ? sideOf(j, bodyindex, __func__) : NULL;
+void MEAPI MdtFixedPathGetPosition(const MdtFixedPathID path, const unsigned int bodyindex, MeVector3 position) {
+    const MdtJoint *j = mdt_isResult(__func__, position, 3) ? jointOf(path, bodyindex, __func__) : NULL;
     double p[3];
-    if (!at)
+    if (!j)
         return;
-    turnFromCentre(at->body, at->constraint->bcl.frame[bodyindex].position, p);
-    if (at->body)
-        keaAddScaled(p, 1, at->body->centre);
+    const MdtBodyID body = j->base.side[bodyindex].body;
+    turnFromCentre(body, j->bcl.frame[bodyindex].position, p);
+    if (body)
+        keaAddScaled(p, 1, body->centre);
     mdt_toReal(position, p);
 }
 
-void MEAPI MdtFixedPathSetVelocity(const MdtFixedPathID j, const unsigned int bodyindex, const MeReal dx,
+void MEAPI MdtFixedPathSetVelocity(const MdtFixedPathID path, const unsigned int bodyindex, const MeReal dx,
                                    const MeReal dy, const MeReal dz) {
-    MdtAttachment *at = sideOf(j, bodyindex, __func__);
-    if (!at || !mdt_isFinite3(__func__, "the velocity", dx, dy, dz))
+    MdtJoint *j = jointOf(path, bodyindex, __func__);
+    if (!j || !mdt_isFinite3(__func__, "the velocity", dx, dy, dz))
         return;
+    const MdtBodyID body = j->base.side[bodyindex].body;
     const double v[3] = {dx, dy, dz};
-    turnToCentre(at->body, v, at->constraint->bcl.of.path.velocity[bodyindex]);
+    turnToCentre(body, v, j->bcl.of.path.velocity[bodyindex]);
 }
 
-void MEAPI MdtFixedPathGetVelocity(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 velocity) {
-    const MdtAttachment *at = mdt_isResult(__func__, velocity, 3) ? sideOf(j, bodyindex, __func__) : NULL;
+void MEAPI MdtFixedPathGetVelocity(const MdtFixedPathID path, const unsigned int bodyindex, MeVector3 velocity) {
+    const MdtJoint *j = mdt_isResult(__func__, velocity, 3) ? jointOf(path, bodyindex, __func__) : NULL;
     double v[3];
-    if (!at)
+    if (!j)
         return;
-    turnFromCentre(at->body, at->constraint->bcl.of.path.velocity[bodyindex], v);
+    const MdtBodyID body = j->base.side[bodyindex].body;
+    turnFromCentre(body, j->bcl.of.path.velocity[bodyindex], v);
     mdt_toReal(velocity, v);
 }

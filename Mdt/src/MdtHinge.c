@@ -4,12 +4,12 @@
 MDT_JOINT_BASICS(Hinge, MdtBclHINGE)
 
 MdtLimitID MEAPI MdtHingeGetLimit(const MdtHingeID j) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclHINGE, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclHINGE, __func__);
     return c ? &c->bcl.of.limit : NULL;
 }
 
 void MEAPI MdtHingeSetLimit(const MdtHingeID j, const MdtLimitID NewLimit) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclHINGE, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclHINGE, __func__);
     if (c && mdt_isPointer(__func__, "the limit", NewLimit))
         mdt_limitAssign(&c->bcl.of.limit, NewLimit);
 }

@@ -4,13 +4,13 @@
 MDT_JOINT_BASICS(Linear2, MdtBclLINEAR2)
 
 void MEAPI MdtLinear2SetDirection(const MdtLinear2ID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclLINEAR2, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclLINEAR2, __func__);
     if (c)
-        MdtConstraintSetAxis(c, x, y, z);
+        MdtConstraintSetAxis(&c->base, x, y, z);
 }
 
 void MEAPI MdtLinear2GetDirection(const MdtLinear2ID j, MeVector3 direction) {
-    MdtConstraintID c = mdt_isResult(__func__, direction, 3) ? mdt_constraintOfType(j, MdtBclLINEAR2, __func__) : NULL;
+    MdtJoint *c = mdt_isResult(__func__, direction, 3) ? mdt_jointOfType(j, MdtBclLINEAR2, __func__) : NULL;
     if (c)
-        MdtConstraintGetAxis(c, direction);
+        MdtConstraintGetAxis(&c->base, direction);
 }

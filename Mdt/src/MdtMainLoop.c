@@ -32,10 +32,7 @@ unsigned int MEAPI MdtUnpackForces(const MdtKeaForcePair *force, const unsigned 
     if (!mdt_isPointer(__func__, "the forces", force) || !hasPartition(po, (int)partitionindex, __func__))
         return 0;
     const MdtPartitionInfo *info = &po->info[partitionindex];
-    for (int i = 0; i < info->numConstraints; i++) {
-        const MdtConstraintID c = po->constraints[info->firstConstraint + i];
-        c->force = force[i];
-        mdt_constraintDisturb(c); /* its forces are not those of a step any more */
-    }
+    for (int i = 0; i < info->numConstraints; i++)
+        mdt_constraintSetForce(po->constraints[info->firstConstraint + i], &force[i]);
     return (unsigned int)info->numConstraints;
 }

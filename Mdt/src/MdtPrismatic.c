@@ -4,12 +4,12 @@
 MDT_JOINT_BASICS(Prismatic, MdtBclPRISMATIC)
 
 MdtLimitID MEAPI MdtPrismaticGetLimit(const MdtPrismaticID j) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclPRISMATIC, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclPRISMATIC, __func__);
     return c ? &c->bcl.of.limit : NULL;
 }
 
 void MEAPI MdtPrismaticSetLimit(const MdtPrismaticID j, const MdtLimitID NewLimit) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclPRISMATIC, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclPRISMATIC, __func__);
     if (c && mdt_isPointer(__func__, "the limit", NewLimit))
         mdt_limitAssign(&c->bcl.of.limit, NewLimit);
 }

@@ -5,7 +5,7 @@
 MDT_JOINT_BASICS(RPROJoint, MdtBclRPROJOINT)
 
 static MdtBclRelative *relativeOf(MdtRPROJointID j, const char *caller) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclRPROJOINT, caller);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclRPROJOINT, caller);
     return c ? &c->bcl.of.relative : NULL;
 }
 
@@ -61,20 +61,20 @@ void MEAPI MdtRPROJointGetRelativeAngularVelocity(const MdtRPROJointID j, MeVect
 
 void MEAPI MdtRPROJointSetAttachmentPosition(const MdtRPROJointID j, const MeReal x, const MeReal y, const MeReal z,
                                              const unsigned int bodyindex) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclRPROJOINT, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclRPROJOINT, __func__);
     if (c)
-        MdtConstraintBodySetPositionRel(c, bodyindex, x, y, z);
+        MdtConstraintBodySetPositionRel(&c->base, bodyindex, x, y, z);
 }
 
 void MEAPI MdtRPROJointGetAttachmentPosition(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 position) {
-    MdtConstraintID c = mdt_isResult(__func__, position, 3) ? mdt_constraintOfType(j, MdtBclRPROJOINT, __func__) : NULL;
+    MdtJoint *c = mdt_isResult(__func__, position, 3) ? mdt_jointOfType(j, MdtBclRPROJOINT, __func__) : NULL;
     if (c)
-        MdtConstraintBodyGetPositionRel(c, bodyindex, position);
+        MdtConstraintBodyGetPositionRel(&c->base, bodyindex, position);
 }
 
 void MEAPI MdtRPROJointSetAttachmentQuaternion(const MdtRPROJointID j, const MeReal q0, const MeReal q1,
                                                const MeReal q2, const MeReal q3, const unsigned int bodyindex) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclRPROJOINT, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclRPROJOINT, __func__);
     const MeReal q[4] = {q0, q1, q2, q3};
     double unit[4], R[3][3];
     if (!c || !mdt_isSide(__func__, bodyindex) || !toUnit(__func__, q, unit))
@@ -88,8 +88,8 @@ void MEAPI MdtRPROJointSetAttachmentQuaternion(const MdtRPROJointID j, const MeR
 
 void MEAPI MdtRPROJointGetAttachmentQuaternion(const MdtRPROJointID j, const unsigned int bodyindex,
                                                MeVector4 quaternion) {
-    MdtConstraintID c =
-        mdt_isResult(__func__, quaternion, 4) ? mdt_constraintOfType(j, MdtBclRPROJOINT, __func__) : NULL;
+    MdtJoint *c =
+        mdt_isResult(__func__, quaternion, 4) ? mdt_jointOfType(j, MdtBclRPROJOINT, __func__) : NULL;
     if (!c || !mdt_isSide(__func__, bodyindex))
         return;
     const MdtBclFrame *frame = &c->bcl.frame[bodyindex];

@@ -4,7 +4,7 @@
 MDT_JOINT_BASICS(Skeletal, MdtBclSKELETAL)
 
 static MdtBclSkeletal *skeletalOf(MdtSkeletalID j, const char *caller) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSKELETAL, caller);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclSKELETAL, caller);
     return c ? &c->bcl.of.skeletal : NULL;
 }
 
@@ -115,11 +115,11 @@ MdtSkeletalTwistOption MEAPI MdtSkeletalGetTwistOption(const MdtSkeletalID j) {
 }
 
 void MEAPI MdtSkeletalZeroTwist(const MdtSkeletalID j) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSKELETAL, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclSKELETAL, __func__);
     MdtKeaTransformation of[2];
     if (!c)
         return;
-    mdt_constraintPoses(c, of);
+    mdt_constraintPoses(&c->base, of);
     const MdtKeaTransformation *pose[2] = {&of[0], &of[1]};
     MdtBclSkeletalZeroTwist(&c->bcl, pose);
 }

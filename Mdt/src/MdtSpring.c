@@ -4,32 +4,32 @@
 MDT_JOINT_BASICS(Spring, MdtBclSPRING)
 
 MdtLimitID MEAPI MdtSpringGetLimit(const MdtSpringID j) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING, __func__);
     return c ? &c->bcl.of.distance.limit : NULL;
 }
 
 void MEAPI MdtSpringSetLimit(const MdtSpringID j, const MdtLimitID NewLimit) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING, __func__);
     if (c && mdt_isPointer(__func__, "the limit", NewLimit))
         mdt_limitAssign(&c->bcl.of.distance.limit, NewLimit);
 }
 
 static MdtBclDistance *distanceOf(MdtSpringID j, const char *caller) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING, caller);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING, caller);
     return c ? &c->bcl.of.distance : NULL;
 }
 
 void MEAPI MdtSpringSetPosition(const MdtSpringID j, const unsigned int bodyindex, const MeReal x, const MeReal y,
                                 const MeReal z) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING, __func__);
     if (c)
-        MdtConstraintBodySetPosition(c, bodyindex, x, y, z);
+        MdtConstraintBodySetPosition(&c->base, bodyindex, x, y, z);
 }
 
 void MEAPI MdtSpringGetPosition(const MdtSpringID j, MeVector3 v, const unsigned int bodyindex) {
-    MdtConstraintID c = mdt_isResult(__func__, v, 3) ? mdt_constraintOfType(j, MdtBclSPRING, __func__) : NULL;
+    MdtJoint *c = mdt_isResult(__func__, v, 3) ? mdt_jointOfType(j, MdtBclSPRING, __func__) : NULL;
     if (c)
-        MdtConstraintBodyGetPosition(c, bodyindex, v);
+        MdtConstraintBodyGetPosition(&c->base, bodyindex, v);
 }
 
 void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNaturalLength) {

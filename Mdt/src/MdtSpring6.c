@@ -8,7 +8,7 @@ enum { LINEAR = 0, ANGULAR = 3 };
 
 /* Where a property of a spring is; null, with a warning, for no joint or no axis. */
 static MeReal *placeOf(MdtSpring6ID j, const char *caller, int kind, int axis, Property property) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING6, caller);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING6, caller);
     if (!c)
         return NULL;
     if (axis < 0 || axis > 2) {
@@ -57,25 +57,25 @@ MeReal MEAPI MdtSpring6GetAngularDamping(const MdtSpring6ID j, int axisindex) {
 /* ---- a moving world ---- */
 
 void MEAPI MdtSpring6SetWorldLinearVelocity(const MdtSpring6ID j, MeReal vx, MeReal vy, MeReal vz) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING6, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING6, __func__);
     if (c)
-        MdtConstraintSetWorldLinearVelocity(c, vx, vy, vz);
+        MdtConstraintSetWorldLinearVelocity(&c->base, vx, vy, vz);
 }
 
 void MEAPI MdtSpring6SetWorldAngularVelocity(const MdtSpring6ID j, MeReal vx, MeReal vy, MeReal vz) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclSPRING6, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING6, __func__);
     if (c)
-        MdtConstraintSetWorldAngularVelocity(c, vx, vy, vz);
+        MdtConstraintSetWorldAngularVelocity(&c->base, vx, vy, vz);
 }
 
 void MEAPI MdtSpring6GetWorldLinearVelocity(const MdtSpring6ID j, MeVector3 v) {
-    MdtConstraintID c = mdt_isResult(__func__, v, 3) ? mdt_constraintOfType(j, MdtBclSPRING6, __func__) : NULL;
+    MdtJoint *c = mdt_isResult(__func__, v, 3) ? mdt_jointOfType(j, MdtBclSPRING6, __func__) : NULL;
     if (c)
-        MdtConstraintGetWorldLinearVelocity(c, v);
+        MdtConstraintGetWorldLinearVelocity(&c->base, v);
 }
 
 void MEAPI MdtSpring6GetWorldAngularVelocity(const MdtSpring6ID j, MeVector3 v) {
-    MdtConstraintID c = mdt_isResult(__func__, v, 3) ? mdt_constraintOfType(j, MdtBclSPRING6, __func__) : NULL;
+    MdtJoint *c = mdt_isResult(__func__, v, 3) ? mdt_jointOfType(j, MdtBclSPRING6, __func__) : NULL;
     if (c)
-        MdtConstraintGetWorldAngularVelocity(c, v);
+        MdtConstraintGetWorldAngularVelocity(&c->base, v);
 }

@@ -5,13 +5,13 @@ MDT_JOINT_BASICS(Universal, MdtBclUNIVERSAL)
 
 void MEAPI MdtUniversalSetAxis(const MdtUniversalID j, const unsigned int bodyindex, const MeReal Ax, const MeReal Ay,
                                const MeReal Az) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclUNIVERSAL, __func__);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclUNIVERSAL, __func__);
     if (c && mdt_isSide(__func__, bodyindex))
-        mdt_constraintSetCrossAxis(c, __func__, (int)bodyindex, Ax, Ay, Az);
+        mdt_constraintSetCrossAxis(&c->base, __func__, (int)bodyindex, Ax, Ay, Az);
 }
 
 void MEAPI MdtUniversalGetAxis(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 axis) {
-    MdtConstraintID c = mdt_isResult(__func__, axis, 3) ? mdt_constraintOfType(j, MdtBclUNIVERSAL, __func__) : NULL;
+    MdtJoint *c = mdt_isResult(__func__, axis, 3) ? mdt_jointOfType(j, MdtBclUNIVERSAL, __func__) : NULL;
     if (c && mdt_isSide(__func__, bodyindex))
-        MdtConstraintBodyGetAxes(c, bodyindex, bodyindex == 0 ? axis : NULL, bodyindex == 0 ? NULL : axis);
+        MdtConstraintBodyGetAxes(&c->base, bodyindex, bodyindex == 0 ? axis : NULL, bodyindex == 0 ? NULL : axis);
 }

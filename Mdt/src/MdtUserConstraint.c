@@ -3,21 +3,21 @@
 
 /* MDT_JOINT_BASICS, but for the creation. */
 MdtUserConstraintID MEAPI MdtUserConstraintCreate(const MdtWorldID w) {
-    MdtConstraintID c = mdt_constraintCreate(w, MdtBclUSER, __func__);
+    MdtJoint *c = mdt_jointCreate(w, MdtBclUSER, __func__);
     if (!c)
         return NULL;
     c->bcl.of.user.owner = c;
     c->bcl.of.user.rows = MeMemoryTake(MdtBclGETMAXROWSUSER, sizeof(MdtKeaRow), __func__, "rows");
     if (c->bcl.of.user.rows)
         return (MdtUserConstraintID)c;
-    MdtConstraintDestroy(c);
+    MdtConstraintDestroy(&c->base);
     return NULL;
 }
 
 MDT_JOINT_CASTS(UserConstraint, MdtBclUSER)
 
 static MdtBclUser *userOf(MdtUserConstraintID j, const char *caller) {
-    MdtConstraintID c = mdt_constraintOfType(j, MdtBclUSER, caller);
+    MdtJoint *c = mdt_jointOfType(j, MdtBclUSER, caller);
     return c ? &c->bcl.of.user : NULL;
 }
 

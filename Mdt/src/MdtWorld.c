@@ -36,22 +36,37 @@ static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
     w->rest.alive_window = -1;
 }
 
+/* Its record goes with the pool. */
+static void releaseConstraint(MdtConstraintID c) {
+    if (mdt_isJoint(c)) {
+        mdt_jointFree((MdtJoint *)(void *)c);
+        MeHandleLeave(&c->record.handle);
+        return;
+    }
+    for (MdtManifold *block = (MdtManifold *)(void *)c; block; block = block->next) {
+        MeHandleLeave(&block->base.record.handle);
+        for (MdtExtra *extra = block->extras; extra; extra = extra->next)
+            MeHandleLeave(&extra->record.handle);
+    }
+}
+
 static void freeWorld(MdtWorldID w) {
     for (MdtLink *link = w->bodies.first; link; link = link->next)
-        MeHandleLeave(&((MdtBodyID)link->owner)->record.handle);
-    for (MdtLink *link = w->constraints.first; link; link = link->next) {
-        mdt_constraintFree(link->owner);
-        MeHandleLeave(&((MdtConstraintID)link->owner)->record.handle);
-    }
-    void *arrays[] = {w->bodyOf,       w->constraintOf,  w->keaOf,        w->bodyStart,   w->constraintStart,
-                      w->ranking,      w->output.info,   w->reports,      w->broken,      w->graph.body,
+        MeHandleLeave(&((MdtBodyID)mdt_linkOwner(link))->record.handle);
+    for (MdtLink *link = w->constraints.first; link; link = link->next)
+        releaseConstraint(mdt_linkOwner(link));
+    void *arrays[] = {w->bodyOf,      w->actingOf,    w->constraintOf, w->keaOf,         w->bodyStart,    w->actingStart,
+                      w->constraintStart, w->ranking, w->output.info,  w->reports,       w->broken,       w->graph.body,
                       w->graph.parent, w->graph.isAwake, w->graph.acting, w->graph.actsOn};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         MeMemoryGive(arrays[i]);
     MeChunkTerm(&w->scratch);
     MdtKeaCacheDestroy(w->keaCache);
     mdt_poolTerm(&w->bodyPool);
-    mdt_poolTerm(&w->constraintPool);
+    mdt_poolTerm(&w->jointPool);
+    mdt_poolTerm(&w->manifoldPool);
+    mdt_poolTerm(&w->extraPool);
+    mdt_surfacesTerm(&w->surfaces);
     w->magic = 0;
     MeMemoryGive(w);
 }
@@ -67,6 +82,7 @@ static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
         !MeMemoryGrow(&w->graph.parent, 0, n, sizeof *w->graph.parent, caller, "the bodies of a step") ||
         !MeMemoryGrow(&w->graph.isAwake, 0, n, sizeof *w->graph.isAwake, caller, "the bodies of a step") ||
         !MeMemoryGrow(&w->bodyStart, 0, n + 1, sizeof *w->bodyStart, caller, "partitions") ||
+        !MeMemoryGrow(&w->actingStart, 0, n + 1, sizeof *w->actingStart, caller, "partitions") ||
         !MeMemoryGrow(&w->constraintStart, 0, n + 1, sizeof *w->constraintStart, caller, "partitions") ||
         !MeMemoryGrow(&w->output.info, 0, n, sizeof *w->output.info, caller, "partitions"))
         return MEFALSE;
@@ -81,6 +97,7 @@ static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *call
     if (constraints <= w->constraintRoom)
         return METRUE;
     if (!MeMemoryGrow(&w->constraintOf, 0, n, sizeof *w->constraintOf, caller, "the constraints of a step") ||
+        !MeMemoryGrow(&w->actingOf, 0, n, sizeof *w->actingOf, caller, "the constraints of a step") ||
         !MeMemoryGrow(&w->graph.acting, 0, n, sizeof *w->graph.acting, caller, "the constraints of a step") ||
         !MeMemoryGrow(&w->graph.actsOn, 0, n, sizeof *w->graph.actsOn, caller, "the constraints of a step") ||
         !MeMemoryGrow(&w->ranking, 0, n, sizeof *w->ranking, caller, "ranking contacts") ||
@@ -103,11 +120,15 @@ static MeBool allocateParts(MdtWorldID w, int bodies, int constraints, const cha
     w->bodyPool = (MdtPool){.recordSize = sizeof(MdtBody),
                             .what = "bodies",
                             .limit = {.most = bodies, .name = "MdtWorldCreate's maxBodies"}};
-    w->constraintPool = (MdtPool){.recordSize = sizeof(MdtBaseConstraint),
-                                  .what = "constraints",
-                                  .limit = {.most = constraints, .name = "MdtWorldCreate's maxConstraints"}};
+    const MeLimit room = {.most = constraints, .name = "MdtWorldCreate's maxConstraints"};
+    w->constraintLimit = room;
+    w->jointPool = (MdtPool){.recordSize = sizeof(MdtJoint), .what = "joints", .limit = room};
+    w->manifoldPool = (MdtPool){.recordSize = sizeof(MdtManifold), .what = "contacts", .limit = room};
+    w->extraPool = (MdtPool){.recordSize = sizeof(MdtExtra), .what = "properties of contacts", .limit = room};
     w->keaCache = MdtKeaCacheCreate();
-    return w->keaCache && mdt_poolInit(&w->bodyPool, caller) && mdt_poolInit(&w->constraintPool, caller) &&
+    return w->keaCache && mdt_poolInit(&w->bodyPool, caller) && mdt_poolInit(&w->jointPool, caller) &&
+           mdt_poolInit(&w->manifoldPool, caller) && mdt_poolInit(&w->extraPool, caller) &&
+           mdt_surfacesInit(&w->surfaces, caller) &&
            mdt_worldReserve(w, bodies == MeNoLimit ? 0 : bodies, constraints == MeNoLimit ? 0 : constraints, caller);
 }
 
@@ -142,7 +163,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
 void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies, const char *constraints) {
     MDT_NEED_WORLD(w, );
     MeLimitRename(&w->bodyPool.limit, bodies);
-    MeLimitRename(&w->constraintPool.limit, constraints);
+    MeLimitRename(&w->constraintLimit, constraints);
 }
 
 void MEAPI MdtWorldDestroy(const MdtWorldID w) {
@@ -158,7 +179,8 @@ void MEAPI MdtWorldReset(const MdtWorldID w) {
         MdtConstraintDestroy(c);
     for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetFirst(w))
         MdtBodyDestroy(b);
-    MEASSERT(w->bodyPool.used == 0 && w->constraintPool.used == 0);
+    MEASSERT(w->bodyPool.used == 0 && w->jointPool.used == 0 && w->manifoldPool.used == 0);
+    MEASSERT(w->numConstraints == 0 && w->extraPool.used == 0);
 }
 
 void MEAPI MdtWorldReCreate(const MdtWorldID w) {
@@ -331,7 +353,7 @@ int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w) {
 
 int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->constraintPool.limit.most;
+    return w->constraintLimit.most;
 }
 
 int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w) {
@@ -341,7 +363,7 @@ int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w) {
 
 int MEAPI MdtWorldGetTotalConstraints(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return w->constraints.count;
+    return w->numConstraints;
 }
 
 int MEAPI MdtWorldGetEnabledBodies(const MdtWorldID w) {
@@ -361,15 +383,15 @@ void MEAPI MdtWorldForAllConstraints(const MdtWorldID w, MdtConstraintIteratorCB
     mdt_listSort(&w->constraints);
     for (MdtLink *link = w->constraints.first, *next; link; link = next) {
         next = link->next;
-        cb(link->owner, ccbdata);
+        mdt_constraintVisit(mdt_linkOwner(link), cb, ccbdata);
     }
 }
 
 void MEAPI MdtWorldResetForces(const MdtWorldID w) {
     MDT_NEED_WORLD(w, );
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
-        MdtBodyResetForces(link->owner);
-        MdtBodyResetImpulses(link->owner);
+        MdtBodyResetForces(mdt_linkOwner(link));
+        MdtBodyResetImpulses(mdt_linkOwner(link));
     }
 }
 

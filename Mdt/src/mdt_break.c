@@ -4,74 +4,80 @@
 
 /* ---- limits ---- */
 
-static MeBool isBreakable(const MdtBaseConstraint *c) {
-    return c->breakForce < MEINFINITY || c->breakTorque < MEINFINITY;
+static MeBool isBreakable(const MdtJoint *j) {
+    return j->breakForce < MEINFINITY || j->breakTorque < MEINFINITY;
 }
 
-static MeBool isJoint(MdtConstraintID c, const char *caller) {
-    if (c->bcl.type != MdtBclCONTACT && c->bcl.type != MdtBclCONTACTGROUP)
-        return METRUE;
-    MeWarning(1, "%s: a %s does not break; nothing is changed", caller, c->type->name);
-    return MEFALSE;
+static MdtJoint *asJoint(MdtConstraintID c) {
+    return mdt_isJoint(c) ? (MdtJoint *)(void *)c : NULL;
+}
+
+/* The joint; null, with a warning, for a contact or a group. */
+static MdtJoint *jointOf(MdtConstraintID c, const char *caller) {
+    if (!mdt_isJoint(c))
+        MeWarning(1, "%s: a %s does not break; nothing is changed", caller, mdt_constraintName(c));
+    return asJoint(c);
 }
 
 void MEAPI MdtConstraintSetBreakLimits(const MdtConstraintID c, const MeReal force, const MeReal torque) {
     MDT_NEED_CONSTRAINT(c, );
-    if (!isJoint(c, __func__) || !mdt_isAtLeast(__func__, "the force", force, 0) ||
-        !mdt_isAtLeast(__func__, "the torque", torque, 0))
+    MdtJoint *j = jointOf(c, __func__);
+    if (!j || !mdt_isAtLeast(__func__, "the force", force, 0) || !mdt_isAtLeast(__func__, "the torque", torque, 0))
         return;
-    c->world->breakable -= isBreakable(c);
-    c->breakForce = force;
-    c->breakTorque = torque;
-    c->world->breakable += isBreakable(c);
+    c->world->breakable -= isBreakable(j);
+    j->breakForce = force;
+    j->breakTorque = torque;
+    c->world->breakable += isBreakable(j);
 }
 
 MeReal MEAPI MdtConstraintGetBreakForce(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, 0);
-    return c->breakForce;
+    return mdt_isJoint(c) ? asJoint(c)->breakForce : MEINFINITY;
 }
 
 MeReal MEAPI MdtConstraintGetBreakTorque(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, 0);
-    return c->breakTorque;
+    return mdt_isJoint(c) ? asJoint(c)->breakTorque : MEINFINITY;
 }
 
 /* ---- what it carries ---- */
 
 /* T - (p - c) x F: of the torque about the body's centre of mass c, what remains about the position p. */
-static void torqueAtJoint(MdtConstraintID c, int side, double torque[3]) {
-    const MdtKeaForce *load = &c->force.body[side];
+static void torqueAtJoint(MdtJoint *j, int side, double torque[3]) {
+    const MdtKeaForce *load = &j->force.body[side];
     MdtKeaTransformation pose[2];
     double arm[3], lever[3];
-    mdt_constraintPoses(c, pose);
-    keaApply(arm, (const double(*)[3])pose[side].R, c->bcl.frame[side].position);
+    mdt_constraintPoses(&j->base, pose);
+    keaApply(arm, (const double(*)[3])pose[side].R, j->bcl.frame[side].position);
     keaCross(lever, arm, load->lin);
     keaSubtract(torque, load->ang, lever);
 }
 
 void MEAPI MdtConstraintGetJointTorque(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 t) {
-    if (!mdt_isResult(__func__, t, 3) || !mdt_isConstraint(c, __func__) || !mdt_isSide(__func__, bodyindex) ||
-        !c->side[bodyindex].body || !isJoint(c, __func__))
+    if (!mdt_isResult(__func__, t, 3) || !mdt_isConstraint(c, __func__) || !mdt_isSide(__func__, bodyindex))
         return;
+    MdtJoint *j = jointOf(c, __func__);
     double torque[3];
-    torqueAtJoint(c, (int)bodyindex, torque);
+    if (!j || !c->side[bodyindex].body)
+        return;
+    torqueAtJoint(j, (int)bodyindex, torque);
     mdt_toReal(t, torque);
 }
 
 /* ---- breaking ---- */
 
-static MeBool isOverloaded(MdtConstraintID c) {
-    const int side = c->side[0].body ? 0 : 1;
+static MeBool isOverloaded(MdtJoint *j) {
+    const int side = j->base.side[0].body ? 0 : 1;
     double torque[3];
-    torqueAtJoint(c, side, torque);
-    return keaLength(c->force.body[side].lin) > (double)c->breakForce || keaLength(torque) > (double)c->breakTorque;
+    torqueAtJoint(j, side, torque);
+    return keaLength(j->force.body[side].lin) > (double)j->breakForce || keaLength(torque) > (double)j->breakTorque;
 }
 
 /* Did it act in this step? */
 static MeBool wasStepped(const MdtBaseConstraint *c) {
     for (int k = 0; k < 2; k++)
-        if (c->side[k].body && c->side[k].body->partition >= 0 && (c->side[k].body->flags & MDT_ENABLED))
-            return mdt_constraintActs(c);
+        if (c->side[k].body && c->side[k].body->partition >= 0 && (c->side[k].body->record.flags & MDT_ENABLED))
+            return (c->record.flags & MDT_ENABLED) != 0;
     return MEFALSE;
 }
 
@@ -81,11 +87,11 @@ void mdt_breakBegin(MdtWorldID w) {
 
 static void breakJoints(MdtWorldID w) {
     for (MdtLink *link = w->constraints.first; link && w->breakable; link = link->next) {
-        MdtConstraintID c = link->owner;
-        if (!isBreakable(c) || !wasStepped(c) || !isOverloaded(c))
+        MdtConstraintID c = mdt_linkOwner(link);
+        MdtJoint *j = asJoint(c);
+        if (!j || !isBreakable(j) || !wasStepped(c) || !isOverloaded(j))
             continue;
         MdtConstraintDisable(c);
-        MEASSERT(c->bcl.type != MdtBclCONTACT && c->bcl.type != MdtBclCONTACTGROUP);
         w->broken[w->numBroken++] = c;
     }
 }
@@ -98,8 +104,9 @@ void mdt_breakEnd(MdtWorldID w) {
             w->breakCb(w->broken[i]);
 }
 
-void mdt_breakForget(MdtConstraintID c) {
-    c->world->breakable -= isBreakable(c);
+void mdt_breakForget(MdtJoint *j) {
+    const MdtConstraintID c = &j->base;
+    c->world->breakable -= isBreakable(j);
     MEASSERT(c->world->breakable >= 0);
     for (int i = 0; i < c->world->numBroken; i++)
         if (c->world->broken[i] == c)

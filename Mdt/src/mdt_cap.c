@@ -5,19 +5,18 @@
  * contact group keeps one contact.
  */
 #include "MeAssert.h"
-#include "mdt_i.h"
-#include "MeAssert.h"
+#include "mdt_step_i.h"
 
 /* Contacts that are worth as much go in the order of simulation. */
-static MeBool isBefore(const MdtBaseConstraint *a, const MdtBaseConstraint *b) {
-    return a->importance != b->importance ? a->importance < b->importance : a->rank < b->rank;
+static MeBool isBefore(const MdtIslandContact *a, const MdtIslandContact *b) {
+    return a->importance != b->importance ? a->importance < b->importance : a < b;
 }
 
 /* Shell's sort, which needs no memory. */
-static void sortByImportance(MdtConstraintID ranking[], int n) {
+static void sortByImportance(MdtIslandContact *ranking[], int n) {
     for (int gap = n / 2; gap > 0; gap /= 2) {
         for (int i = gap; i < n; i++) {
-            MdtConstraintID c = ranking[i];
+            MdtIslandContact *c = ranking[i];
             int j = i;
             for (; j >= gap && isBefore(c, ranking[j - gap]); j -= gap)
                 ranking[j] = ranking[j - gap];
@@ -26,76 +25,77 @@ static void sortByImportance(MdtConstraintID ranking[], int n) {
     }
 }
 
-static double importanceOf(MdtWorldID w, MdtConstraintID c) {
-    const double value = w->importance ? (double)w->importance((MdtContactID)c) : c->bcl.of.contact.depth;
+static double importanceOf(MdtWorldID w, const MdtIslandContact *c) {
+    const double value = w->importance ? (double)w->importance((MdtContactID)c->point) : c->bcl.depth;
     return isnan(value) ? 0 : value;
 }
 
-static int rankContacts(MdtWorldID w, MdtConstraintID constraints[], int count) {
-    int n = 0;
-    for (int i = 0; i < count; i++) {
-        MdtConstraintID c = constraints[i];
-        if (c->group)
-            c->group->numKept = 0;
-        if (c->bcl.type != MdtBclCONTACT)
-            continue;
-        c->importance = importanceOf(w, c);
-        c->rank = n;
-        w->ranking[n++] = c;
+static void rankContacts(MdtIsland *p) {
+    MdtIslandContact **ranking = p->world->ranking;
+    for (int i = 0; i < p->numContacts; i++) {
+        MdtIslandContact *c = &p->contacts[i];
+        c->importance = importanceOf(p->world, c);
+        c->numKept = mdt_manifoldOf(c->point)->numPoints;
+        ranking[i] = c;
     }
-    for (int i = 0; i < n; i++)
-        if (w->ranking[i]->group)
-            w->ranking[i]->group->numKept++;
-    sortByImportance(w->ranking, n);
-    return n;
+    sortByImportance(ranking, p->numContacts);
 }
 
 /* Returns how many rows are left. */
-static int dropFriction(MdtWorldID w, int n, int rows, int most) {
-    for (int i = 0; i < n && rows > most; i++) {
-        MdtConstraintID c = w->ranking[i];
+static int dropFriction(MdtIsland *p, int rows, int most) {
+    for (int i = 0; i < p->numContacts && rows > most; i++) {
+        MdtIslandContact *c = p->world->ranking[i];
         rows -= c->numRows - 1;
         c->numRows = 1;
-        c->bcl.of.contact.rows = 0;
+        c->bcl.rows = 0;
     }
     return rows;
 }
 
-static MeBool isWithWorld(const MdtBaseConstraint *c) {
-    return !c->side[0].body || !c->side[1].body;
+static MeBool isWithWorld(const MdtIslandContact *c) {
+    const MdtBaseConstraint *base = &mdt_manifoldOf(c->point)->base;
+    return !base->side[0].body || !base->side[1].body;
 }
 
-static int dropContacts(MdtWorldID w, int n, int rows, int most, MeBool (*isOfKind)(const MdtBaseConstraint *)) {
-    for (int i = 0; i < n && rows > most; i++) {
-        MdtConstraintID c = w->ranking[i];
-        if (c->isDropped || !isOfKind(c) || (c->group && c->group->numKept == 1))
+static MeBool isBetweenBodies(const MdtIslandContact *c) {
+    return !isWithWorld(c);
+}
+
+static MeBool isAny(const MdtIslandContact *c) {
+    (void)c;
+    return METRUE;
+}
+
+/* The first contact of the same manifold, which counts those that are kept. */
+static MdtIslandContact *firstOfManifold(MdtIsland *p, MdtIslandContact *c) {
+    const MdtManifold *m = mdt_manifoldOf(c->point);
+    while (c > p->contacts && mdt_manifoldOf(c[-1].point) == m)
+        c--;
+    return c;
+}
+
+static int dropContacts(MdtIsland *p, int rows, int most, MeBool (*isOfKind)(const MdtIslandContact *)) {
+    for (int i = 0; i < p->numContacts && rows > most; i++) {
+        MdtIslandContact *c = p->world->ranking[i], *first = firstOfManifold(p, c);
+        if (c->isDropped || !isOfKind(c) || (mdt_isInGroup(c->point) && first->numKept == 1))
             continue;
-        MEASSERT(c->numRows <= 1 && (!c->group || c->group->numKept > 1));
+        MEASSERT(c->numRows <= 1 && first->numKept > 0);
         c->isDropped = METRUE;
         c->numRows = 0;
-        if (c->group)
-            c->group->numKept--;
-        MEASSERT(!c->group || c->group->numKept > 0);
+        first->numKept--;
         rows--;
     }
     return rows;
 }
 
-static MeBool isBetweenBodies(const MdtBaseConstraint *c) {
-    return !isWithWorld(c);
-}
-
-static MeBool isAny(const MdtBaseConstraint *c) {
-    (void)c;
-    return METRUE;
-}
-
-int mdt_capRows(MdtWorldID w, MdtConstraintID constraints[], int count, int rows, int most) {
-    const int n = rankContacts(w, constraints, count);
-    MEASSERT(n <= count);
-    rows = dropFriction(w, n, rows, most);
-    if (w->importance)
-        return dropContacts(w, n, rows, most, isAny);
-    rows = dropContacts(w, n, rows, most, isBetweenBodies);
-    return dropContacts(w, n, rows, most, isWithWorld);
+void mdt_capRows(MdtIsland *p, int rows, int most) {
+    MEASSERT(p->numContacts <= p->world->constraintRoom);
+    rankContacts(p);
+    rows = dropFriction(p, rows, most);
+    if (p->world->importance) {
+        dropContacts(p, rows, most, isAny);
+        return;
+    }
+    rows = dropContacts(p, rows, most, isBetweenBodies);
+    dropContacts(p, rows, most, isWithWorld);
 }

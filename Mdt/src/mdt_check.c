@@ -6,7 +6,7 @@
  * world. In all builds that is done with a body that is to be destroyed: programs may end their objects in any order.
  */
 #include "MdtInternal.h"
-#include "mdt_i.h"
+#include "mdt_manifold_i.h"
 #include "MdtBody.h"
 #include "MdtConstraint.h"
 #include "MeMath.h"
@@ -39,8 +39,19 @@ MeBool MEAPI MdtBodyIsValid(const MdtBodyID b) {
     return b && MeHandleIsLive(b, MDT_BODY) && b->record.magic == MDT_BODY;
 }
 
+/* A contact is a part of a manifold's record, which is entered: in one of its slots, the address tells that of the
+ * record. Nothing is read before that is known to live. */
+static MeBool isLivePoint(const void *handle) {
+    for (int slot = 0; slot < MDT_POINTS; slot++) {
+        const size_t offset = offsetof(MdtManifold, point) + (size_t)slot * sizeof(MdtPoint);
+        if ((uintptr_t)handle > offset && MeHandleIsLive((const char *)handle - offset, MDT_MANIFOLD))
+            return ((const MdtPoint *)handle)->magic == MDT_POINT;
+    }
+    return MEFALSE;
+}
+
 MeBool MEAPI MdtConstraintIsValid(const MdtConstraintID c) {
-    return c && MeHandleIsLive(c, MDT_CONSTRAINT) && c->record.magic == MDT_CONSTRAINT;
+    return c && (MeHandleIsLive(c, MDT_JOINT) || MeHandleIsLive(c, MDT_MANIFOLD) || isLivePoint(c));
 }
 
 MeBool mdt_mayDestroyBody(const MdtBody *b, const char *caller) {
@@ -66,7 +77,12 @@ MeBool mdt_isBody(const MdtBody *b, const char *caller) {
 }
 
 MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller) {
-    if (c && IS_KNOWN(c, MDT_CONSTRAINT) && c->record.magic == MDT_CONSTRAINT)
+#if KARMA_CHECK
+    const MeBool isLive = MdtConstraintIsValid((MdtConstraintID)(uintptr_t)c);
+#else
+    const MeBool isLive = c && (mdt_isPoint(c) || mdt_isJoint(c) || mdt_isManifold(c));
+#endif
+    if (isLive)
         return METRUE;
     warnAbout(caller, "constraint", c == NULL);
     return MEFALSE;
@@ -75,19 +91,9 @@ MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller) {
 MeBool mdt_attachmentsAreLinked(const MdtBody *b) {
     const MdtAttachment *previous = NULL;
     for (const MdtAttachment *at = b->attachments; at; previous = at, at = at->next)
-        if (at->body != b || at->previous != previous || at->constraint->record.magic != MDT_CONSTRAINT)
+        if (at->body != b || at->previous != previous || mdt_attachmentOwner(at)->world != b->world)
             return MEFALSE;
     return METRUE;
-}
-
-MeBool mdt_groupIsLinked(const MdtBaseConstraint *group) {
-    const MdtBaseConstraint *previous = NULL;
-    int count = 0;
-    for (const MdtBaseConstraint *c = group->firstContact; c; previous = c, c = c->nextInGroup, count++)
-        if (c->group != group || c->previousInGroup != previous || c->side[0].body != group->side[0].body ||
-            c->side[1].body != group->side[1].body)
-            return MEFALSE;
-    return previous == group->lastContact && count == group->numContacts;
 }
 
 MeBool mdt_isFinite(const char *caller, const char *what, MeReal x) {

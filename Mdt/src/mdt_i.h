@@ -1,9 +1,9 @@
 /* Inside Mdt: what worlds, bodies and constraints are made of, and what the files of this library share.
  *
- * Ownership: a world owns two pools of records, bodies and constraints, which never move. Live records are linked into
- * the world's lists in the order of simulation: sort key, then creation. A constraint is also linked into the lists of
- * its bodies. A body's authoritative state is the double one in `kea`; what programs
- * point at is refreshed from it.
+ * Ownership: a world owns pools of records, which never move: bodies, joints, and the manifolds of contacts
+ * (mdt_manifold_i.h). Live records are linked into the world's lists in the order of simulation: sort key, then
+ * creation. A joint, or a manifold, is also linked into the lists of its bodies. A body's authoritative state is the
+ * double one in `kea`; what programs point at is refreshed from it.
  */
 #ifndef MDT_I_H
 #define MDT_I_H
@@ -14,17 +14,30 @@
 #include "MeChunk.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
+#include "mdt_surface_i.h"
+#include <stddef.h>
+#include <stdint.h>
 
 /* ---- records and pools --------------------------------------------------------------------------------------- */
 
-/* The head of whatever a handle points to. */
+/* What every record begins with. */
 typedef struct MdtRecord {
-    unsigned int magic;     /* MDT_BODY or MDT_CONSTRAINT; anything else: not in use */
-    struct MdtRecord *free; /* next in the pool's free list */
-    MeHandle handle;        /* in the check build */
+    unsigned int magic; /* says what it is; 0: not in use */
+    int flags;
+    union {
+        MeHandle handle;        /* while it lives */
+        struct MdtRecord *free; /* next in the pool's free list */
+    };
 } MdtRecord;
 
-enum { MDT_WORLD = 0x4b57524c, MDT_BODY = 0x4b424459, MDT_CONSTRAINT = 0x4b435354 };
+enum {
+    MDT_WORLD = 0x4b57524c,
+    MDT_BODY = 0x4b424459,
+    MDT_JOINT = 0x4b4a4e54,
+    MDT_MANIFOLD = 0x4b4d4e46,
+    MDT_POINT = 0x4b504e54, /* within a manifold */
+    MDT_EXTRA = 0x4b585452,
+};
 
 /* Records of one size, in one block, or, where there is no limit to them, in blocks of which each is as large as all
  * before it together. Freed ones are reused last, so that a stale handle is noticed for as long as possible. */
@@ -34,6 +47,8 @@ typedef struct MdtPool {
     MeLimit limit;
     const char *what; /* "bodies" */
     int room, used;   /* records in all blocks */
+    char *fresh;      /* the first of the newest block that has never been in use; its memory has not been touched */
+    int numFresh;
     MdtRecord *firstFree, *lastFree;
 } MdtPool;
 
@@ -49,10 +64,14 @@ void mdt_poolPut(MdtPool *pool, void *record);
 
 typedef struct MdtLink {
     struct MdtLink *next, *previous;
-    MeI32 sortKey;
     unsigned long serial; /* counts creations in the world */
-    void *owner;
+    MeI32 sortKey;
 } MdtLink;
+
+/* The record that a link is part of: a body, a joint, a manifold. */
+static inline void *mdt_linkOwner(const MdtLink *link) {
+    return (char *)link - sizeof(MdtRecord);
+}
 
 typedef struct MdtList {
     MdtLink *first, *last;
@@ -60,7 +79,7 @@ typedef struct MdtList {
     MeBool isSorted;
 } MdtList;
 
-void mdt_listAppend(MdtList *list, MdtLink *link, void *owner, unsigned long serial);
+void mdt_listAppend(MdtList *list, MdtLink *link, unsigned long serial);
 void mdt_listRemove(MdtList *list, MdtLink *link);
 void mdt_listSetKey(MdtList *list, MdtLink *link, MeI32 key);
 void mdt_listSort(MdtList *list); /* by key, then serial; a merge sort that allocates nothing */
@@ -73,16 +92,16 @@ enum {
     MDT_ENABLED = 1, /* takes part in the simulation */
     MDT_ASLEEP = 2,  /* was disabled by the world, not by the program */
     MDT_FAR = 4,     /* has come to the bound of positions, and said so */
-    MDT_WATCHED =
-        8, /* has had a constraint whose parameters programs write through pointers (MdtBaseConstraint.isWatched) */
+    MDT_WATCHED = 8, /* programs write its parameters through a pointer; of a body: those of a constraint of it */
+    MDT_LONE = 16,    /* a manifold of one contact that is in no group */
+    MDT_SWAPPED = 32, /* a group that was attached as (null, body) */
 };
 
 struct MdtBody {
     MdtRecord record;
     MdtLink link;
     MdtWorldID world;
-    int flags;
-    MdtAttachment *attachments; /* its constraints */
+    MdtAttachment *attachments; /* its joints and manifolds */
     void *userData, *model;
 
     MdtKeaBody kea;                     /* the centre of mass: the authoritative state */
@@ -94,6 +113,7 @@ struct MdtBody {
     double lag, part;                   /* s: that it is behind its world; that it was moved on last */
     MdtKeaVelocity acceleration;        /* m/s², rad/s², in the last step */
     double slowTime;                    /* s, for which its velocities have been below the thresholds of rest */
+    double stepStart[3];                /* m, where its centre of mass was as the last step began */
     double push[3];                     /* m/s: its way in the last step beyond its velocity: out of an overlap */
     double mass;                        /* kg */
     double inertia[3][3];               /* kg m², as set */
@@ -142,45 +162,47 @@ static inline void mdt_bodyDisturb(MdtBodyID b) {
 /* One side of a constraint, linked into its body's list. */
 struct MdtAttachment {
     MdtBodyID body; /* null: the world, or nothing yet */
-    MdtConstraintID constraint;
     MdtAttachment *next, *previous;
 };
 
+/* What joints and manifolds begin with. A contact is neither: an MdtConstraintID may also be a point of a manifold,
+ * and every function of the API that takes one says what it does then. */
 struct MdtBaseConstraint {
     MdtRecord record;
     MdtLink link;
     MdtWorldID world;
-    int flags; /* MDT_ENABLED */
     MdtAttachment side[2];
+};
+
+/* A record lies at a multiple of 16, so the address of an attachment tells which side it is. */
+_Static_assert(offsetof(MdtBaseConstraint, side) % 16 == 8 && sizeof(MdtAttachment) % 16 == 8, "sides alternate");
+static inline int mdt_attachmentSide(const MdtAttachment *at) {
+    return (uintptr_t)at % 16 == 8 ? 0 : 1;
+}
+static inline MdtConstraintID mdt_attachmentOwner(const MdtAttachment *at) {
+    return (MdtConstraintID)(void *)((char *)(at - mdt_attachmentSide(at)) - offsetof(MdtBaseConstraint, side));
+}
+
+/* A joint, spring or limit: whatever has rows of its own and is no contact. */
+typedef struct MdtJoint {
+    MdtBaseConstraint base;
     void *userData;
     const MdtBclType *type;
     MdtBclConstraint bcl;
     MdtKeaVelocity worldVelocity;
-    MdtKeaForcePair force; /* in the last step */
-    MdtContactID nextContact;
-    MeU32 feature; /* of a contact: its maker's */
-    MeBool
-        isWatched;   /* no setter tells of changes: a joint, or a contact whose parameters were given out by pointer; */
-    MeU64 certified; /* a hash of `bcl` as the certified step left it, then */
+    MdtKeaForcePair force;          /* in the last step */
+    MeU64 certified;                /* a hash of `bcl` as the certified step left it, then */
+    MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
 
     int firstRow, numRows;                                   /* in this step */
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step, */
     int numWarm;                                             /* if there are as many */
     MeBool isDegenerate, wasDegenerate;                      /* in this step, in the last one */
-    MeBool isDropped;  /* in this step: left out to keep the partition within the cap on its rows */
-    double importance; /* in this step, while rows are being dropped, */
-    int rank;          /* and its place before sorting by it */
+} MdtJoint;
 
-    /* contact groups (MdtContactGroup.c): what a contact knows, what a group knows */
-    MdtConstraintID group, nextInGroup, previousInGroup;
-    MdtConstraintID firstContact, lastContact;
-    int numContacts, numKept; /* kept: not dropped in this step */
-    MeBool isSwapped;
-    void *generator;
-    void **holder;                  /* the owner's pointer to the group, cleared when it is destroyed; null: none */
-    MeReal breakForce, breakTorque; /* N, N m; MEINFINITY: it does not break */
-    double normalForce[3];          /* N, the sum over the contacts in the last step */
-};
+static inline MeBool mdt_isJoint(const MdtBaseConstraint *c) {
+    return c->record.magic == MDT_JOINT;
+}
 
 /* What the rows of the constraint depend on has changed. */
 static inline void mdt_constraintDisturb(MdtConstraintID c) {
@@ -192,17 +214,22 @@ static inline void mdt_constraintDisturb(MdtConstraintID c) {
 /* Its parameters may be written without a setter from now on. */
 void mdt_constraintWatch(MdtConstraintID c);
 
-/* Whether the solver is to look at a constraint by itself: the contacts of a group follow their group. */
-static inline MeBool mdt_constraintActs(const MdtBaseConstraint *c) {
-    return (c->flags & MDT_ENABLED) && !c->group;
-}
+/* One more, or less, of the constraints that the world has room for: joints, groups, contacts. False, with a warning
+ * that names the caller: there is no more room. */
+MeBool mdt_constraintCount(MdtWorldID w, const char *caller);
+void mdt_constraintUncount(MdtWorldID w);
 
-/* Creates a constraint of a type for the API function `caller`, with its defaults. Null when the world is full. */
-MdtConstraintID mdt_constraintCreate(MdtWorldID w, MdtBclJointType type, const char *caller);
-/* The constraint if it is live and of the type; else null, with a warning. */
-MdtConstraintID mdt_constraintOfType(void *handle, MdtBclJointType type, const char *caller);
+/* Creates a joint of a type for the API function `caller`, with its defaults. Null when the world is full. */
+MdtJoint *mdt_jointCreate(MdtWorldID w, MdtBclJointType type, const char *caller);
+/* The joint if it is live and of the type; else null, with a warning. */
+MdtJoint *mdt_jointOfType(void *handle, MdtBclJointType type, const char *caller);
 /* The constraint as a joint of the type for MdtConstraintDCast*: null, without a warning, when it is another. */
-void *mdt_constraintCast(MdtConstraintID c, MdtBclJointType type, const char *caller);
+void *mdt_jointCast(MdtConstraintID c, MdtBclJointType type, const char *caller);
+/* What kind of constraint it is: a point is a contact, a manifold a group, or the contact that is alone in it. */
+MdtBclJointType mdt_constraintType(const MdtBaseConstraint *c);
+static inline const char *mdt_constraintName(const MdtBaseConstraint *c) {
+    return MdtBclTypeOf(mdt_constraintType(c))->name;
+}
 /* True for a body index of 0 or 1; else a warning. */
 MeBool mdt_isSide(const char *caller, unsigned int bodyindex);
 /* Makes p unit and o unit and orthogonal to p. False, with a warning, when a length or the angle between them is 0. */
@@ -213,37 +240,39 @@ void mdt_constraintSetCrossAxis(MdtConstraintID c, const char *caller, int side,
 /* A vector at right angles to p. */
 void mdt_chooseOrthogonal(const double p[3], double o[3]);
 void mdt_constraintAttach(MdtConstraintID c, MdtBodyID b0, MdtBodyID b1);
-/* Are the lists of a body's constraints and of a group's contacts linked both ways, with right counts? */
+/* Is the list of a body's constraints linked both ways? */
 MeBool mdt_attachmentsAreLinked(const MdtBody *b);
-MeBool mdt_groupIsLinked(const MdtBaseConstraint *group);
 void mdt_constraintDetach(MdtConstraintID c, int side);
+/* Detaches it and takes it from the world's list; the record is the caller's to return. */
+void mdt_constraintTerm(MdtConstraintID c);
 /* Where both sides are now: a body's centre of mass, or the world. */
 void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]);
 /* The body's centre of mass was moved within it: the attachment stays where it is in the world. */
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after);
 /* The forces of the last step are no guess for the next. */
 void mdt_constraintForget(MdtConstraintID c);
-void mdt_constraintTerm(MdtConstraintID c);
-void mdt_constraintFree(MdtConstraintID c); /* memory that it has outside of its record */
+/* What it is said to have done in the last step; of a group that is the sum of its contacts. */
+void mdt_constraintSetForce(MdtConstraintID c, const MdtKeaForcePair *force);
+void mdt_jointFree(MdtJoint *j); /* memory that it has outside of its record */
 
-/* Contact groups: takes a contact out of its group; destroys a group's contacts; attaches them as the group is. */
-void mdt_groupForget(MdtConstraintID contact);
-void mdt_groupDestroyContacts(MdtConstraintID group);
-void mdt_groupTerm(MdtConstraintID group); /* destroys its contacts, and tells its holder */
-void mdt_groupAttachContacts(MdtConstraintID group);
-
-/* Leaves out rows of contacts until the constraints have at most `most`, in the documented order (mdt_cap.c). */
-int mdt_capRows(MdtWorldID w, MdtConstraintID constraints[], int count, int rows, int most);
+/* Constraints in the order of simulation as programs see them: a group is followed by its contacts, and of a manifold
+ * of one contact only that is seen. Null after the last. */
+MdtConstraintID mdt_constraintShown(MdtConstraintID c);
+MdtConstraintID mdt_constraintAfter(MdtConstraintID c);
+/* Calls back for a joint or a manifold, and for the contacts of a group. */
+void mdt_constraintVisit(MdtConstraintID base, MdtConstraintIteratorCBPtr cb, void *data);
+/* The next of those that are attached to a body. */
+MdtConstraintID mdt_constraintAfterOf(MdtBodyID b, MdtConstraintID c);
 
 /* The four functions that every joint has: a joint is a constraint and nothing else, so handles convert by a cast. */
 #define MDT_JOINT_BASICS(Joint, TYPE)                                                                                  \
     Mdt##Joint##ID MEAPI Mdt##Joint##Create(const MdtWorldID w) {                                                      \
-        return (Mdt##Joint##ID)mdt_constraintCreate(w, TYPE, __func__);                                                \
+        return (Mdt##Joint##ID)mdt_jointCreate(w, TYPE, __func__);                                                \
     }                                                                                                                  \
     MDT_JOINT_CASTS(Joint, TYPE)
 #define MDT_JOINT_CASTS(Joint, TYPE)                                                                                   \
     void MEAPI Mdt##Joint##Reset(const Mdt##Joint##ID j) {                                                             \
-        MdtConstraintID c = mdt_constraintOfType(j, TYPE, __func__);                                                   \
+        MdtJoint *c = mdt_jointOfType(j, TYPE, __func__);                                                              \
         if (c)                                                                                                         \
             c->type->reset(&c->bcl);                                                                                   \
     }                                                                                                                  \
@@ -251,11 +280,11 @@ int mdt_capRows(MdtWorldID w, MdtConstraintID constraints[], int count, int rows
         return (MdtConstraintID)j;                                                                                     \
     }                                                                                                                  \
     Mdt##Joint##ID MEAPI MdtConstraintDCast##Joint(const MdtConstraintID c) {                                          \
-        return mdt_constraintCast(c, TYPE, __func__);                                                                  \
+        return mdt_jointCast(c, TYPE, __func__);                                                                       \
     }
 
 /* Warns, once a world, of a contact whose friction cannot act, or has no bound, unless it was set up like that. */
-void mdt_checkSurface(MdtConstraintID contact);
+void mdt_checkSurface(MdtWorldID w, const MdtBclContactParams *params);
 
 /* Resets a limit and copies the public properties of another, which may be itself. */
 void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
@@ -272,7 +301,7 @@ typedef struct MdtGraph {
     MdtBodyID *body;         /* by place, bodyRoom */
     int *parent;             /* by place: of union-find */
     MeBool *isAwake;         /* by place, of a set's first body: some body of it is enabled */
-    MdtConstraintID *acting; /* constraintRoom */
+    MdtConstraintID *acting; /* joints and manifolds that act on bodies, constraintRoom */
     int *actsOn;             /* by acting constraint: the place of one of its bodies */
 } MdtGraph;
 
@@ -294,14 +323,17 @@ struct MdtWorld {
     int timedBodies;                          /* most bodies of a partition whose contacts are met in time */
     int maxMatrixSize;                        /* rows of a partition */
     MdtContactImportanceCBPtr importance;     /* null: depth */
-    MdtConstraintID *ranking;                 /* constraintRoom, to rank contacts */
+    struct MdtIslandContact **ranking;        /* constraintRoom, to rank contacts */
     int *sizeLog, sizeLogLength;              /* the program's, null: none */
     MdtBodyHandler bodyEnabled, bodyDisabled; /* null: none */
     MdtPartitionEndCB partitionCb;            /* null: the world puts partitions to rest by itself */
     void *partitionCbData;
     MdtPartitionOutput output;
-    MdtPool bodyPool, constraintPool;
-    MdtList bodies, constraints;
+    MdtPool bodyPool, jointPool, manifoldPool, extraPool;
+    MdtList bodies, constraints; /* joints, and manifolds but for those that continue a group's */
+    MeLimit constraintLimit;     /* for all of numConstraints: joints, groups, contacts */
+    int numConstraints;
+    MdtSurfaces surfaces;
     unsigned long nextSerial;
     int enabledBodies, asleepBodies, enabledConstraints;
     int breakable;           /* constraints with a limit */
@@ -322,9 +354,12 @@ struct MdtWorld {
     /* this step's partitions: partition p has the bodies bodyOf[bodyStart[p] .. bodyStart[p+1]) and so on */
     int numPartitions;
     MdtBodyID *bodyOf;
-    MdtConstraintID *constraintOf;
+    MdtConstraintID *actingOf;
     MdtKeaBody **keaOf; /* parallel to bodyOf */
-    int *bodyStart, *constraintStart;
+    int *bodyStart, *actingStart;
+    /* the same as programs see it, contacts among them; made when they ask (mdt_islandsList) */
+    MdtConstraintID *constraintOf;
+    int *constraintStart;
 
     MdtDebugDrawOptions debugDraw; /* 0: nothing */
 
@@ -351,7 +386,8 @@ static inline void mdt_graphChanged(MdtWorldID w) {
 
 /* Finds the partitions of this step, waking what is tied to something awake (mdt_island.c). */
 void mdt_islandsUpdate(MdtWorldID w);
-/* What programs see of one; it is not disabled. */
+/* Makes the lists of their constraints for programs; what programs see of one partition then: it is not disabled. */
+void mdt_islandsList(MdtWorldID w);
 MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
 
 /* Draws what MdtWorldSetDebugDrawing has chosen (mdt_debug.c). */
@@ -362,7 +398,7 @@ void mdt_debugDraw(MdtWorldID w);
 /* A step begins; it ends; a constraint is destroyed. */
 void mdt_breakBegin(MdtWorldID w);
 void mdt_breakEnd(MdtWorldID w);
-void mdt_breakForget(MdtConstraintID c);
+void mdt_breakForget(MdtJoint *j);
 
 /* ---- the report (mdt_report.c); r is never null, a step that is not reported asks for nothing ------------------ */
 
@@ -381,7 +417,8 @@ void mdt_reportRest(MdtReport *r);
 /* What a solve cost; its stage ends. */
 void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtKeaSystem *kea);
 /* A part was integrated: its errors, before anything is read back. */
-void mdt_reportPart(MdtReport *r, const MdtKeaSystem *kea, MdtConstraintID constraints[], int count, MeBool isFinite);
+struct MdtIsland;
+void mdt_reportPart(MdtReport *r, const struct MdtIsland *p, MeBool isFinite);
 /* The partition is done, or was put to rest. */
 void mdt_reportEnd(MdtWorldID w, MdtReport *r, int partition);
 /* All partitions are done. */

@@ -35,12 +35,12 @@ static void placeBodies(MdtWorldID w) {
     MdtGraph *g = &w->graph;
     int n = 0;
     for (MdtLink *link = w->bodies.first; link; link = link->next, n++) {
-        MdtBodyID b = link->owner;
+        MdtBodyID b = mdt_linkOwner(link);
         b->place = n;
         b->partition = NONE;
         g->body[n] = b;
         g->parent[n] = n;
-        g->isAwake[n] = (b->flags & MDT_ENABLED) != 0;
+        g->isAwake[n] = (b->record.flags & MDT_ENABLED) != 0;
     }
     MEASSERT(n == w->bodies.count);
     g->numBodies = n;
@@ -51,9 +51,9 @@ static void joinBodies(MdtWorldID w) {
     MdtGraph *g = &w->graph;
     int n = 0;
     for (MdtLink *link = w->constraints.first; link; link = link->next) {
-        MdtConstraintID c = link->owner;
+        MdtConstraintID c = mdt_linkOwner(link);
         const MdtBodyID b0 = c->side[0].body, b1 = c->side[1].body;
-        if (!mdt_constraintActs(c) || (!b0 && !b1))
+        if (!(c->record.flags & MDT_ENABLED) || (!b0 && !b1))
             continue;
         if (b0 && b1)
             join(g, b0->place, b1->place);
@@ -75,17 +75,17 @@ static int islandAt(const MdtGraph *g, int place) {
 static void numberIslands(MdtWorldID w) {
     MdtGraph *g = &w->graph;
     w->numPartitions = 0;
-    w->bodyStart[0] = w->constraintStart[0] = 0;
+    w->bodyStart[0] = w->actingStart[0] = 0;
     for (int i = 0; i < g->numBodies; i++) {
         const int root = rootOf(g->parent, i);
         MdtBodyID b = g->body[i];
         if (!g->isAwake[root])
             continue;
-        if (!(b->flags & MDT_ENABLED))
+        if (!(b->record.flags & MDT_ENABLED))
             MdtBodyEnable(b);
         if (root == i) {
             b->partition = w->numPartitions++;
-            w->bodyStart[w->numPartitions] = w->constraintStart[w->numPartitions] = 0;
+            w->bodyStart[w->numPartitions] = w->actingStart[w->numPartitions] = 0;
         }
         b->partition = islandAt(g, root);
         MEASSERT(b->partition >= 0 && b->partition < w->numPartitions);
@@ -97,16 +97,16 @@ static void numberIslands(MdtWorldID w) {
 static void sumCounts(MdtWorldID w) {
     for (int p = 0; p < w->numPartitions; p++) {
         w->bodyStart[p + 1] += w->bodyStart[p];
-        w->constraintStart[p + 1] += w->constraintStart[p];
+        w->actingStart[p + 1] += w->actingStart[p];
     }
 }
 
-static void countConstraints(MdtWorldID w) {
+static void countActing(MdtWorldID w) {
     const MdtGraph *g = &w->graph;
     for (int i = 0; i < g->numActing; i++) {
         const int p = islandAt(g, g->actsOn[i]);
         if (p != NONE)
-            w->constraintStart[p + 1] += 1 + g->acting[i]->numContacts;
+            w->actingStart[p + 1]++;
     }
 }
 
@@ -122,17 +122,12 @@ static void sortBodies(MdtWorldID w) {
     }
 }
 
-/* A group is followed by its contacts. */
-static void sortConstraints(MdtWorldID w) {
+static void sortActing(MdtWorldID w) {
     const MdtGraph *g = &w->graph;
     for (int i = 0; i < g->numActing; i++) {
-        MdtConstraintID c = g->acting[i];
         const int p = islandAt(g, g->actsOn[i]);
-        if (p == NONE)
-            continue;
-        w->constraintOf[w->constraintStart[p]++] = c;
-        for (MdtConstraintID contact = c->firstContact; contact; contact = contact->nextInGroup)
-            w->constraintOf[w->constraintStart[p]++] = contact;
+        if (p != NONE)
+            w->actingOf[w->actingStart[p]++] = g->acting[i];
     }
 }
 
@@ -140,18 +135,18 @@ static void sortConstraints(MdtWorldID w) {
 static void restoreStarts(MdtWorldID w) {
     for (int p = w->numPartitions; p > 0; p--) {
         w->bodyStart[p] = w->bodyStart[p - 1];
-        w->constraintStart[p] = w->constraintStart[p - 1];
+        w->actingStart[p] = w->actingStart[p - 1];
     }
-    w->bodyStart[0] = w->constraintStart[0] = 0;
+    w->bodyStart[0] = w->actingStart[0] = 0;
     MEASSERT(w->bodyStart[w->numPartitions] <= w->bodies.count);
-    MEASSERT(w->constraintStart[w->numPartitions] <= w->constraints.count);
+    MEASSERT(w->actingStart[w->numPartitions] <= w->constraints.count);
 }
 
 /* There are none, and nothing moves. */
 static void dropIslands(MdtWorldID w) {
     w->numPartitions = 0;
     for (MdtLink *link = w->bodies.first; link; link = link->next)
-        ((MdtBodyID)link->owner)->partition = NONE;
+        ((MdtBodyID)mdt_linkOwner(link))->partition = NONE;
 }
 
 /* Has every partition its own bodies, and only constraints that act on one of them? */
@@ -160,9 +155,9 @@ static MeBool areSeparate(const MdtWorld *w) {
         for (int i = w->bodyStart[p]; i < w->bodyStart[p + 1]; i++)
             if (w->bodyOf[i]->partition != p)
                 return MEFALSE;
-        for (int i = w->constraintStart[p]; i < w->constraintStart[p + 1]; i++)
+        for (int i = w->actingStart[p]; i < w->actingStart[p + 1]; i++)
             for (int k = 0; k < 2; k++)
-                if (w->constraintOf[i]->side[k].body && w->constraintOf[i]->side[k].body->partition != p)
+                if (w->actingOf[i]->side[k].body && w->actingOf[i]->side[k].body->partition != p)
                     return MEFALSE;
     }
     return METRUE;
@@ -174,10 +169,10 @@ static void findIslands(MdtWorldID w) {
     placeBodies(w);
     joinBodies(w);
     numberIslands(w);
-    countConstraints(w);
+    countActing(w);
     sumCounts(w);
     sortBodies(w);
-    sortConstraints(w);
+    sortActing(w);
     restoreStarts(w);
 }
 
@@ -186,22 +181,48 @@ static void wakePushed(MdtWorldID w) {
     if (w->asleepBodies == 0)
         return;
     for (MdtLink *link = w->bodies.first; link; link = link->next)
-        if (mdt_bodyIsPushedAwake(link->owner))
-            MdtBodyEnable(link->owner);
+        if (mdt_bodyIsPushedAwake(mdt_linkOwner(link)))
+            MdtBodyEnable(mdt_linkOwner(link));
 }
 
 void mdt_islandsUpdate(MdtWorldID w) {
     wakePushed(w);
+    const int room = w->bodyRoom + w->constraintRoom;
+    const MeBool isRoom = mdt_worldReserve(w, w->bodies.count, w->numConstraints, "MdtWorldStep");
+    if (room != w->bodyRoom + w->constraintRoom)
+        mdt_graphChanged(w); /* the arrays are new */
+    if (!isRoom) {
+        dropIslands(w);
+        return;
+    }
     if (w->graph.seen != w->graph.changes) {
-        if (!mdt_worldReserve(w, w->bodies.count, w->constraints.count, "MdtWorldStep")) {
-            dropIslands(w);
-            return;
-        }
         findIslands(w);
         w->graph.seen = w->graph.changes; /* bodies that were enabled with their set are in it */
     }
     MEASSERT(w->bodyStart[w->numPartitions] <= w->bodies.count);
     MEVALIDATE(areSeparate(w));
+}
+
+/* A group is followed by its contacts (mdt_islandsUpdate has made room). */
+static int listConstraint(MdtWorldID w, MdtConstraintID base, int at) {
+    w->constraintOf[at++] = mdt_constraintShown(base);
+    if (!mdt_isManifold(base) || (base->record.flags & MDT_LONE))
+        return at;
+    for (MdtPoint *p = mdt_pointFirst((MdtManifold *)(void *)base); p; p = mdt_pointAfter(p))
+        w->constraintOf[at++] = (MdtConstraintID)(void *)p;
+    return at;
+}
+
+void mdt_islandsList(MdtWorldID w) {
+    int at = 0;
+    MEASSERT(w->numPartitions == 0 || w->constraintRoom >= w->numConstraints);
+    for (int p = 0; p < w->numPartitions; p++) {
+        w->constraintStart[p] = at;
+        for (int i = w->actingStart[p]; i < w->actingStart[p + 1]; i++)
+            at = listConstraint(w, w->actingOf[i], at);
+    }
+    w->constraintStart[w->numPartitions] = at;
+    MEASSERT(at <= w->numConstraints);
 }
 
 MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p) {
@@ -212,13 +233,12 @@ MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p) {
 }
 
 MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
-    const MdtPartitionInfo info = mdt_islandInfo(w, number);
     return (MdtIsland){.world = w,
                        .number = number,
-                       .numBodies = info.numBodies,
-                       .numConstraints = info.numConstraints,
-                       .bodies = w->bodyOf + info.firstBody,
-                       .constraints = w->constraintOf + info.firstConstraint,
+                       .numBodies = w->bodyStart[number + 1] - w->bodyStart[number],
+                       .numActing = w->actingStart[number + 1] - w->actingStart[number],
+                       .bodies = w->bodyOf + w->bodyStart[number],
+                       .acting = w->actingOf + w->actingStart[number],
                        .whole = w->lastStep,
                        .h = h};
 }
@@ -265,6 +285,7 @@ void MEAPI MdtUpdatePartitions(MeDict *enabledBodyList, MdtPartitionOutput *po, 
     if (!w)
         return;
     mdt_islandsUpdate(w);
+    mdt_islandsList(w);
     chooseListed(w, enabledBodyList);
     *po = w->output;
     po->numPartitions = 0;

@@ -65,6 +65,6 @@ int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
     int count = 0;
     for (MdtLink *link = w->bodies.first; link; link = link->next)
-        count += ((MdtBodyID)link->owner)->lag > 0;
+        count += ((MdtBodyID)mdt_linkOwner(link))->lag > 0;
     return count;
 }

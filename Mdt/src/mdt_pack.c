@@ -1,20 +1,27 @@
-/* Pack: scratch memory for a partition's step, and what acts on its bodies. */
+/* Pack: scratch memory for a partition's step, its contacts, and what acts on its bodies. */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 #include <limits.h>
 #include <string.h>
 
-static int mostRows(const MdtIsland *p) {
+/* Counts the joints, the contacts, and the rows that there may be. */
+static int mostRows(MdtIsland *p) {
     int rows = 0;
-    for (int i = 0; i < p->numConstraints; i++)
-        rows += p->constraints[i]->type->maxRows;
-    return rows;
+    p->numJoints = p->numContacts = 0;
+    for (int i = 0; i < p->numActing; i++) {
+        const MdtJoint *j = mdt_asJoint(p->acting[i]);
+        rows += j ? j->type->maxRows : 0;
+        p->numJoints += j != NULL;
+        p->numContacts += j ? 0 : mdt_asManifold(p->acting[i])->numPoints;
+    }
+    return rows + p->numContacts * MdtBclGETMAXROWSCONTACT;
 }
 
-/* Room for Kea's arrays and, behind them, the state at the start. */
+/* Room for Kea's arrays and, behind them, the state at the start and the contacts. */
 static MeBool takeScratch(MdtIsland *p) {
     const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows);
-    const size_t total = bytes + (size_t)p->numBodies * sizeof *p->start;
+    const size_t contacts = bytes + (size_t)p->numBodies * sizeof *p->start;
+    const size_t total = contacts + (size_t)p->numContacts * sizeof *p->contacts;
     char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->world->scratch, (int)total) : NULL;
     if (!scratch) {
         MeWarning(2, "MdtWorldStep: partition %d (%d bodies, %d rows) is too large for the solver and is not moved",
@@ -23,6 +30,7 @@ static MeBool takeScratch(MdtIsland *p) {
     }
     p->scratch = scratch;
     p->start = (MdtStart *)(void *)(scratch + bytes);
+    p->contacts = (MdtIslandContact *)(void *)(scratch + contacts);
     return METRUE;
 }
 
@@ -30,8 +38,8 @@ static void setSystem(MdtIsland *p) {
     p->kea.numBodies = p->numBodies;
     p->kea.bodies = p->world->keaOf + p->world->bodyStart[p->number];
     p->kea.maxRows = mostRows(p);
-    p->kea.errors = mdt_rowsErrors;
-    p->kea.jacobians = mdt_rowsMove;
+    p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
+    p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
     p->kea.cache = p->world->keaCache;
     p->kea.context = p;
 }
@@ -43,9 +51,10 @@ static void addGravity(MdtWorldID w, MdtBodyID b) {
 
 static void packBodies(MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
-        MEASSERT(p->bodies[i]->partition == p->number && (p->bodies[i]->flags & MDT_ENABLED));
+        MEASSERT(p->bodies[i]->partition == p->number && (p->bodies[i]->record.flags & MDT_ENABLED));
         p->bodies[i]->index = i;
         mdt_bodyPack(p->bodies[i]);
+        keaCopy(p->bodies[i]->stepStart, p->bodies[i]->kea.position);
         addGravity(p->world, p->bodies[i]);
     }
 }
@@ -58,11 +67,35 @@ static void rememberStart(MdtIsland *p) {
     }
 }
 
+static void packContact(MdtIslandContact *to, MdtPoint *point) {
+    MdtBclContact *c = &to->bcl;
+    memset(to, 0, sizeof *to);
+    to->point = point;
+    c->params = mdt_pointParams(point);
+    mdt_pointNormal(point, c->normal);
+    mdt_pointDirection(point, c->normal, c->direction);
+    keaCopy(c->position, point->position);
+    c->penetration = point->depth;
+    c->normalForce = point->force[0];
+    for (int k = 0; k < 2; k++)
+        c->radius[k] = mdt_pointRadius(point, k);
+}
+
+static void packContacts(MdtIsland *p) {
+    int n = 0;
+    for (int i = 0; i < p->numActing; i++)
+        if (mdt_isManifold(p->acting[i]))
+            for (MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at))
+                packContact(&p->contacts[n++], at);
+    MEASSERT(n == p->numContacts);
+}
+
 MeBool mdt_islandPack(MdtIsland *p) {
     setSystem(p);
     if (!takeScratch(p))
         return MEFALSE;
     packBodies(p);
+    packContacts(p);
     rememberStart(p);
     return METRUE;
 }

@@ -27,8 +27,8 @@ static MeBool addBlock(MdtPool *pool, int count, const char *caller) {
         return MEFALSE;
     memcpy(block, &pool->blocks, sizeof pool->blocks);
     pool->blocks = block;
-    for (int i = 0; i < count; i++)
-        append(pool, (MdtRecord *)(void *)(block + head + (size_t)i * pool->recordSize));
+    pool->fresh = block + head;
+    pool->numFresh = count;
     pool->room += count;
     return METRUE;
 }
@@ -57,14 +57,27 @@ static MeBool makeRoom(MdtPool *pool, const char *caller) {
     return MEFALSE;
 }
 
-void *mdt_poolGet(MdtPool *pool, unsigned int magic, const char *caller) {
-    if (!pool->firstFree && !makeRoom(pool, caller))
-        return NULL;
+static MdtRecord *takeFresh(MdtPool *pool) {
+    MdtRecord *record = (MdtRecord *)(void *)pool->fresh;
+    pool->fresh += pool->recordSize;
+    pool->numFresh--;
+    return record;
+}
+
+static MdtRecord *takeFreed(MdtPool *pool) {
     MdtRecord *record = pool->firstFree;
-    MEASSERT(record->magic == 0 && pool->used < pool->room);
+    MEASSERT(record->magic == 0);
     pool->firstFree = record->free;
     if (!pool->firstFree)
         pool->lastFree = NULL;
+    return record;
+}
+
+void *mdt_poolGet(MdtPool *pool, unsigned int magic, const char *caller) {
+    if (!pool->numFresh && !pool->firstFree && !makeRoom(pool, caller))
+        return NULL;
+    MdtRecord *record = pool->numFresh ? takeFresh(pool) : takeFreed(pool);
+    MEASSERT(pool->used < pool->room);
     memset(record, 0, pool->recordSize);
     record->magic = magic;
     MeHandleEnter(&record->handle, record, magic);
@@ -96,8 +109,7 @@ static MeBool isConsistent(const MdtList *list) {
     return list->last == previous && list->count == count;
 }
 
-void mdt_listAppend(MdtList *list, MdtLink *link, void *owner, unsigned long serial) {
-    link->owner = owner;
+void mdt_listAppend(MdtList *list, MdtLink *link, unsigned long serial) {
     link->serial = serial;
     link->next = NULL;
     link->previous = list->last;

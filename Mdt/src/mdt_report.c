@@ -4,7 +4,7 @@
  * in less than a microsecond, so that reading it for each stage would show: one of them in sixteen is timed by stage,
  * and the others together.
  */
-#include "mdt_i.h"
+#include "mdt_step_i.h"
 #include "MeAssert.h"
 #include "MeMath.h"
 #include "MeProfile.h"
@@ -80,7 +80,7 @@ void mdt_reportLap(MdtWorldID w, MdtReport *r, MdtReportStage stage) {
 /* What a callback takes before a partition is the program's time. */
 static MeBool isTimedByStage(const MdtWorld *w, int partition) {
     const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
-    const int constraints = w->constraintStart[partition + 1] - w->constraintStart[partition];
+    const int constraints = w->actingStart[partition + 1] - w->actingStart[partition];
     return w->partitionCb || partition % GROUP == 0 || bodies + constraints > SMALL ||
            (constraints > 0 && w->stageShare[MdtReportStageSolve] == 0);
 }
@@ -178,14 +178,14 @@ static void addSquare(double *sum, double x) {
 
 /* The rows of a joint are at right angles to each other, so what they lack adds up like a vector. Attachments that move
  * take their drift along. */
-static void measureJoint(MdtReport *r, MdtConstraintID c, const MdtKeaSystem *kea) {
-    const MdtKeaRow *rows = kea->rows + c->firstRow;
+static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtKeaSystem *kea) {
+    const MdtKeaRow *rows = kea->rows + j->firstRow;
     const MdtKeaTransformation *pose[2];
     double errors[MdtBclGETMAXROWS], gap = 0, turn = 0;
     for (int k = 0; k < 2; k++)
-        pose[k] = c->side[k].body ? &kea->pose[c->side[k].body->index] : &MdtBclWorldPose;
-    c->type->errors(&c->bcl, pose, errors);
-    for (int i = 0; i < c->numRows; i++) {
+        pose[k] = j->base.side[k].body ? &kea->pose[j->base.side[k].body->index] : &MdtBclWorldPose;
+    j->type->errors(&j->bcl, pose, errors);
+    for (int i = 0; i < j->numRows; i++) {
         const MeBool isLinear =
             keaDot(rows[i].J[0].lin, rows[i].J[0].lin) + keaDot(rows[i].J[1].lin, rows[i].J[1].lin) > 0;
         if (rows[i].position)
@@ -195,7 +195,8 @@ static void measureJoint(MdtReport *r, MdtConstraintID c, const MdtKeaSystem *ke
     keepMost(&r->jointTurn, sqrt(turn));
 }
 
-void mdt_reportPart(MdtReport *r, const MdtKeaSystem *kea, MdtConstraintID constraints[], int count, MeBool isFinite) {
+void mdt_reportPart(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
+    const MdtKeaSystem *kea = &p->kea;
     MEASSERT(kea->report.capped || !kea->report.limited);
     r->parts++;
     r->fallbacks += kea->report.capped || !isFinite;
@@ -207,11 +208,12 @@ void mdt_reportPart(MdtReport *r, const MdtKeaSystem *kea, MdtConstraintID const
     keepMost(&r->residualForce, kea->report.force);
     keepMost(&r->jointError, kea->report.error);
     r->jointGap = r->jointTurn = 0;
-    for (int i = 0; i < count; i++) {
-        if (constraints[i]->bcl.type == MdtBclCONTACT)
-            keepMost(&r->penetration, constraints[i]->bcl.of.contact.penetration);
-        else if (constraints[i]->numRows > 0 && constraints[i]->type->errors)
-            measureJoint(r, constraints[i], kea);
+    for (int i = 0; i < p->numContacts; i++)
+        keepMost(&r->penetration, p->contacts[i].bcl.penetration);
+    for (int i = 0; i < p->numActing; i++) {
+        const MdtJoint *j = mdt_asJoint(p->acting[i]);
+        if (j && j->numRows > 0 && j->type->errors)
+            measureJoint(r, j, kea);
     }
 }
 
@@ -233,10 +235,21 @@ static void reportEnergy(MdtReport *r, MdtBodyID const bodies[], int count, cons
     r->potentialEnergy = (MeReal)potential;
 }
 
+/* Contacts are constraints, and so are their groups. */
+static int countConstraints(MdtWorldID w, int partition) {
+    int count = 0;
+    for (int i = w->actingStart[partition]; i < w->actingStart[partition + 1]; i++) {
+        const MdtConstraintID c = w->actingOf[i];
+        count += mdt_isJoint(c) || !(c->record.flags & MDT_LONE);
+        count += mdt_isJoint(c) ? 0 : mdt_asManifold(c)->numPoints;
+    }
+    return count;
+}
+
 void mdt_reportEnd(MdtWorldID w, MdtReport *r, int partition) {
     const int body = w->bodyStart[partition];
     r->bodies = w->bodyStart[partition + 1] - body;
-    r->constraints = w->constraintStart[partition + 1] - w->constraintStart[partition];
+    r->constraints = countConstraints(w, partition);
     reportEnergy(r, w->bodyOf + body, r->bodies, w->params.gravity);
     mdt_reportLap(w, r, MdtReportStageIntegrate);
     if (!w->isTimedByStage)

@@ -39,29 +39,62 @@ void mdt_restBegin(MdtWorldID w) {
 }
 
 /* Word by word; the multiplier is 2^64 over the golden ratio, and the shift brings high bits down again. */
-static MeU64 hashOf(const MdtBclConstraint *bcl) {
-    const char *bytes = (const char *)bcl;
+static MeU64 hashOf(const void *record, size_t size) {
+    const char *bytes = record;
     MeU64 hash = 0;
-    for (size_t at = 0; at < sizeof *bcl; at += sizeof hash) {
+    for (size_t at = 0; at < size; at += sizeof hash) {
         MeU64 word = 0;
-        memcpy(&word, bytes + at, sizeof *bcl - at < sizeof word ? sizeof *bcl - at : sizeof word);
+        memcpy(&word, bytes + at, size - at < sizeof word ? size - at : sizeof word);
         hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
         hash ^= hash >> 32;
     }
     return hash;
 }
 
-/* Each watched constraint of the body that is not looked at from its other side. */
-static MeBool isWatchedFrom(const MdtAttachment *at) {
-    const MdtConstraintID c = at->constraint;
-    return c->isWatched && (at == &c->side[0] || !c->side[0].body);
+/* Calls back for all of a manifold's contacts whose parameters are watched, until one says false. */
+static MeBool forWatchedContacts(MdtManifold *m, MeBool (*visit)(MdtExtra *extra)) {
+    for (MdtManifold *block = m; block; block = block->next)
+        for (MdtExtra *extra = block->extras; extra; extra = extra->next)
+            if ((extra->record.flags & MDT_WATCHED) && !visit(extra))
+                return MEFALSE;
+    return METRUE;
 }
 
-static MeBool areJointsAsCertified(const MdtBody *b) {
-    for (const MdtAttachment *at = b->attachments; at; at = at->next)
-        if (isWatchedFrom(at) && MdtConstraintIsEnabled(at->constraint) &&
-            at->constraint->certified != hashOf(&at->constraint->bcl))
+static MeBool isContactAsCertified(MdtExtra *extra) {
+    return extra->certified == hashOf(&extra->params, sizeof extra->params);
+}
+
+static MeBool certifyContact(MdtExtra *extra) {
+    extra->certified = hashOf(&extra->params, sizeof extra->params);
+    return METRUE;
+}
+
+static MeBool isAsCertified(MdtConstraintID c) {
+    const MdtJoint *j = mdt_asJoint(c);
+    return j ? j->certified == hashOf(&j->bcl, sizeof j->bcl)
+             : forWatchedContacts(mdt_asManifold(c), isContactAsCertified);
+}
+
+static void certifyConstraint(MdtConstraintID c) {
+    MdtJoint *j = mdt_asJoint(c);
+    if (j)
+        j->certified = hashOf(&j->bcl, sizeof j->bcl);
+    else
+        forWatchedContacts(mdt_asManifold(c), certifyContact);
+}
+
+/* Each watched constraint of the body that is not looked at from its other side. */
+static MeBool isWatchedFrom(const MdtAttachment *at, const MdtBaseConstraint *c) {
+    return (c->record.flags & MDT_WATCHED) && (c->record.flags & MDT_ENABLED) &&
+           (mdt_attachmentSide(at) == 0 || !c->side[0].body);
+}
+
+static MeBool areConstraintsAsCertified(const MdtBody *b) {
+    for (const MdtAttachment *at = b->attachments; at; at = at->next) {
+        const MdtConstraintID c = mdt_attachmentOwner(at);
+        if (isWatchedFrom(at, c) && !isAsCertified(c))
             return MEFALSE;
+    }
     return METRUE;
 }
 
@@ -84,7 +117,7 @@ MeBool mdt_restHolds(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         const MdtBody *b = p->bodies[i];
         if (b->certificate != p->world->certificate || !isLoadedAsBefore(b) || !movesAsBefore(b) ||
-            ((b->flags & MDT_WATCHED) && !areJointsAsCertified(b)))
+            ((b->record.flags & MDT_WATCHED) && !areConstraintsAsCertified(b)))
             return MEFALSE;
     }
     return p->h >= p->whole;
@@ -95,8 +128,8 @@ MeBool mdt_restHolds(const MdtIsland *p) {
 /* The size log gets as many rows as the last solve had. */
 static void logRows(const MdtIsland *p) {
     int rows = 0;
-    for (int i = 0; i < p->numConstraints; i++)
-        rows += p->constraints[i]->numRows;
+    for (int i = 0; i < p->numActing; i++)
+        rows += MdtConstraintGetRowCount(p->acting[i]);
     p->world->sizeLog[p->number] = rows;
 }
 
@@ -199,8 +232,8 @@ static MeBool isCalmForLong(const MdtIsland *p) {
 
 /* A function of the program may write other rows, or choose others, the next time. */
 static MeBool dependsOnProgram(const MdtIsland *p) {
-    for (int i = 0; i < p->numConstraints; i++)
-        if (p->constraints[i]->bcl.type == MdtBclUSER)
+    for (int i = 0; i < p->numActing; i++)
+        if (mdt_constraintType(p->acting[i]) == MdtBclUSER)
             return METRUE;
     return p->world->importance && p->kea.numRows > p->world->maxMatrixSize;
 }
@@ -229,7 +262,7 @@ void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
     MEASSERT(p->world->certificate != 0 && p->elapsed > 0);
     for (int i = 0; i < p->numBodies; i++)
         p->bodies[i]->certificate = isSettled ? p->world->certificate : 0;
-    for (int i = 0; i < p->numConstraints && isSettled; i++)
-        if (p->constraints[i]->isWatched)
-            p->constraints[i]->certified = hashOf(&p->constraints[i]->bcl);
+    for (int i = 0; i < p->numActing && isSettled; i++)
+        if (p->acting[i]->record.flags & MDT_WATCHED)
+            certifyConstraint(p->acting[i]);
 }

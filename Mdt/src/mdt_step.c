@@ -24,7 +24,7 @@ MeBool mdt_partIntegrate(MdtIsland *p) {
     MeProfileStartSection("Integrate", 0);
     const MeBool isFinite = MdtKeaIntegrate(&p->kea);
     if (p->report)
-        mdt_reportPart(p->report, &p->kea, p->constraints, p->numConstraints, isFinite);
+        mdt_reportPart(p->report, p, isFinite);
     if (isFinite)
         mdt_unpackConstraints(p);
     else
@@ -49,6 +49,8 @@ void mdt_islandStep(MdtIsland *p) {
 }
 
 static void stepIslands(MdtWorldID w, double h, MeBool safely) {
+    if (w->partitionCb)
+        mdt_islandsList(w);
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIsland p = mdt_islandOf(w, i, h);
         if (safely)

@@ -16,7 +16,7 @@
 #ifndef MDT_STEP_I_H
 #define MDT_STEP_I_H
 
-#include "mdt_i.h"
+#include "mdt_manifold_i.h"
 #include <float.h>
 
 /* A body as the step begins. */
@@ -25,13 +25,27 @@ typedef struct MdtStart {
     double position[3], quaternion[4];
 } MdtStart;
 
+/* A contact in the step of its partition: what Bcl makes its rows of. */
+typedef struct MdtIslandContact {
+    /* pack */
+    MdtPoint *point;
+    MdtBclContact bcl; /* place, normal, direction, depth, surface; the rest: rows */
+    /* rows, cap */
+    int firstRow, numRows;
+    MeBool isDropped; /* left out to keep the partition within the cap on its rows */
+    int numKept;      /* of a manifold's first contact: how many of the manifold are not dropped */
+    double importance;
+    /* unpack */
+    double mean[3]; /* N, of the parts of the step that are done, on the first body */
+} MdtIslandContact;
+
 /* One partition in one step. Each group of fields names its only writer. */
 typedef struct MdtIsland {
     /* mdt_islandOf */
     MdtWorldID world;
-    int number, numBodies, numConstraints;
+    int number, numBodies, numActing;
     MdtBodyID *bodies;
-    MdtConstraintID *constraints;
+    MdtConstraintID *acting; /* joints and manifolds */
     double whole; /* s, the step that the program asked for */
     /* mdt_step.c, mdt_lag.c */
     double h;          /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
@@ -39,6 +53,8 @@ typedef struct MdtIsland {
     /* pack */
     void *scratch;    /* Kea's arrays, and behind them */
     MdtStart *start;  /* by body */
+    MdtIslandContact *contacts; /* those of acting manifolds, one after the other */
+    int numContacts, numJoints;
     MdtKeaSystem kea; /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */
     /* subdivide */
     MdtBclSolverParameters parameters; /* of the part that is being taken */
@@ -51,6 +67,20 @@ typedef struct MdtIsland {
 } MdtIsland;
 
 #define MDT_NO_BOUND DBL_MAX
+
+static inline MdtJoint *mdt_asJoint(MdtConstraintID c) {
+    return mdt_isJoint(c) ? (MdtJoint *)(void *)c : NULL;
+}
+static inline MdtManifold *mdt_asManifold(MdtConstraintID c) {
+    return (MdtManifold *)(void *)c;
+}
+/* The number that the rows of one constraint have in common, for Kea. */
+static inline int mdt_ownerOfJoint(int acting) {
+    return acting;
+}
+static inline int mdt_ownerOfContact(const MdtIsland *p, int contact) {
+    return p->numActing + contact;
+}
 
 /* ---- the stages -------------------------------------------------------------------------------------------------- */
 
@@ -101,10 +131,13 @@ void mdt_rowsMake(MdtIsland *p);
 /* For Kea: the rows of joints, and their errors, were the bodies elsewhere. The context is the island. */
 void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]);
 void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], double errors[]);
-/* What a constraint knows of its surroundings in this part. */
-void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, MdtBclContext *x);
+/* What a constraint knows of its surroundings in this part, but for its first row. */
+void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x);
+/* Leaves out rows of contacts until the partition, which has that many, has at most `most`, in the documented order
+ * (mdt_cap.c). */
+void mdt_capRows(MdtIsland *p, int rows, int most);
 
-/* Constraints: their forces are empty; the impulses of an impact, those of a part count among them; read back. */
+/* Constraints of any kind: their forces are empty; the impulses of an impact, those of a part count among them; read back. */
 void mdt_unpackBegin(MdtIsland *p);
 void mdt_unpackImpact(MdtIsland *p);
 void mdt_unpackConstraints(MdtIsland *p);

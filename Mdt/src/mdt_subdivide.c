@@ -186,27 +186,14 @@ static MeBool takeInTime(MdtIsland *p, double part) {
 
 /* Few bodies that only touch. */
 static MeBool isTimed(const MdtIsland *p) {
-    if (p->numBodies > p->world->timedBodies || p->numConstraints == 0)
-        return MEFALSE;
-    for (int i = 0; i < p->numConstraints; i++)
-        if (p->constraints[i]->type != MdtBclTypeOf(MdtBclCONTACT) &&
-            p->constraints[i]->type != MdtBclTypeOf(MdtBclCONTACTGROUP))
-            return MEFALSE;
-    return METRUE;
+    return p->numBodies <= p->world->timedBodies && p->numActing > 0 && p->numJoints == 0;
 }
 
 /* ---- sub-steps ---- */
 
-static MeBool hasContacts(const MdtIsland *p) {
-    for (int i = 0; i < p->numConstraints; i++)
-        if (p->constraints[i]->type == MdtBclTypeOf(MdtBclCONTACT))
-            return METRUE;
-    return MEFALSE;
-}
-
 MeBool mdt_islandSubdivide(MdtIsland *p) {
     beginBudget(p);
-    p->parameters.hasContacts = hasContacts(p);
+    p->parameters.hasContacts = p->numContacts > 0;
     const int n = p->world->subSteps;
     const MeBool timed = isTimed(p);
     for (int i = 0; i < n; i++) {

@@ -7,62 +7,83 @@
 /* ---- constraints ---- */
 
 void mdt_unpackBegin(MdtIsland *p) {
-    for (int i = 0; i < p->numConstraints; i++) {
-        p->constraints[i]->wasDegenerate = p->constraints[i]->isDegenerate;
-        p->constraints[i]->isDegenerate = MEFALSE;
-        memset(&p->constraints[i]->force, 0, sizeof p->constraints[i]->force);
-        keaZero(p->constraints[i]->normalForce);
+    for (int i = 0; i < p->numActing; i++) {
+        MdtJoint *j = mdt_asJoint(p->acting[i]);
+        if (!j)
+            continue;
+        j->wasDegenerate = j->isDegenerate;
+        j->isDegenerate = MEFALSE;
+        memset(&j->force, 0, sizeof j->force);
     }
 }
 
 /* The force of a divided step is the mean over its parts. */
-static void addForces(MdtConstraintID c, const MdtKeaRow *row, double share) {
-    for (int k = 0; k < 2; k++) {
-        keaAddScaled(c->force.body[k].lin, share * row->force, row->J[k].lin);
-        keaAddScaled(c->force.body[k].ang, share * row->force, row->J[k].ang);
-    }
+static void addJointForces(MdtJoint *j, const MdtKeaRow rows[], double share) {
+    for (int r = 0; r < j->numRows; r++)
+        for (int k = 0; k < 2; k++) {
+            keaAddScaled(j->force.body[k].lin, share * rows[r].force, rows[r].J[k].lin);
+            keaAddScaled(j->force.body[k].ang, share * rows[r].force, rows[r].J[k].ang);
+        }
+    MEASSERT(isfinite(keaDot(j->force.body[0].lin, j->force.body[0].lin)));
 }
 
-/* A group's forces and rows are those of its contacts. It comes before them. */
-static void addToGroup(MdtConstraintID c, const MdtKeaRow rows[], double share) {
-    MdtConstraintID group = c->group;
+static void addContactForces(MdtIslandContact *c, const MdtKeaRow rows[], double share) {
     for (int r = 0; r < c->numRows; r++)
-        addForces(group, &rows[r], share);
-    if (c->numRows > 0)
-        keaAddScaled(group->normalForce, share * rows[0].force, c->bcl.of.contact.normal);
+        keaAddScaled(c->mean, share * rows[r].force, rows[r].J[0].lin);
+    MEASSERT(isfinite(keaDot(c->mean, c->mean)));
+}
+
+static void addForces(MdtIsland *p, double share) {
+    for (int i = 0; i < p->numActing; i++) {
+        MdtJoint *j = mdt_asJoint(p->acting[i]);
+        if (j)
+            addJointForces(j, p->kea.rows + j->firstRow, share);
+    }
+    for (int i = 0; i < p->numContacts; i++)
+        addContactForces(&p->contacts[i], p->kea.rows + p->contacts[i].firstRow, share);
 }
 
 void mdt_unpackImpact(MdtIsland *p) {
-    for (int i = 0; i < p->numConstraints; i++) {
-        MdtConstraintID c = p->constraints[i];
-        for (int r = 0; r < c->numRows; r++)
-            addForces(c, &p->kea.rows[c->firstRow + r], 1 / p->h);
-        if (c->group)
-            addToGroup(c, p->kea.rows + c->firstRow, 1 / p->h);
-    }
+    addForces(p, 1 / p->h);
+}
+
+static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
+    const MdtKeaRow *rows = p->kea.rows + j->firstRow;
+    MdtBclContext x;
+    MEASSERT(j->firstRow >= 0 && j->firstRow + j->numRows <= p->kea.numRows);
+    j->numWarm = isGuess ? j->numRows : 0;
+    for (int r = 0; r < j->numRows; r++)
+        j->warm[r] = rows[r].force, j->ripple[r] = rows[r].ripple;
+    mdt_rowsContext(p, &j->base, &j->worldVelocity, &x);
+    x.firstRow = j->firstRow;
+    if (j->type->readBack)
+        j->type->readBack(&j->bcl, &x, rows);
+}
+
+static void unpackContact(const MdtIsland *p, MdtIslandContact *c, MeBool isGuess) {
+    const MdtKeaRow *rows = p->kea.rows + c->firstRow;
+    MdtPoint *point = c->point;
+    MEASSERT(c->firstRow >= 0 && c->firstRow + c->numRows <= p->kea.numRows);
+    point->numRows = (MeU8)c->numRows;
+    point->numWarm = isGuess ? (MeU8)c->numRows : 0;
+    for (int r = 0; r < c->numRows; r++)
+        point->force[r] = rows[r].force;
+    if (c->numRows == 0)
+        point->force[0] = 0;
+    c->bcl.normalForce = point->force[0];
+    mdt_toReal(point->mean, c->mean);
 }
 
 void mdt_unpackConstraints(MdtIsland *p) {
-    MdtBclContext x;
-    for (int i = 0; i < p->numConstraints; i++) {
-        MdtConstraintID c = p->constraints[i];
-        const MdtKeaRow *rows = p->kea.rows + c->firstRow;
-        MEASSERT(c->firstRow >= 0 && c->firstRow + c->numRows <= p->kea.numRows);
-        for (int r = 0; r < c->numRows; r++)
-            addForces(c, &rows[r], p->parameters.stepsize / p->h);
-        MEASSERT(isfinite(keaDot(c->force.body[0].lin, c->force.body[0].lin)));
-        const MeBool isLong = p->parameters.stepsize > 0.1 * p->h; /* the forces of a shorter part are no guess */
-        c->numWarm = isLong ? c->numRows : 0;
-        for (int r = 0; r < c->numRows; r++)
-            c->warm[r] = rows[r].force, c->ripple[r] = rows[r].ripple;
-        if (c->group)
-            addToGroup(c, rows, p->parameters.stepsize / p->h);
-        mdt_rowsContext(p, c, &x);
-        if (c->isDropped)
-            c->bcl.of.contact.normalForce = 0;
-        else if (c->type->readBack)
-            c->type->readBack(&c->bcl, &x, rows);
+    const MeBool isGuess = p->parameters.stepsize > 0.1 * p->h; /* the forces of a shorter part are none */
+    addForces(p, p->parameters.stepsize / p->h);
+    for (int i = 0; i < p->numActing; i++) {
+        MdtJoint *j = mdt_asJoint(p->acting[i]);
+        if (j)
+            unpackJoint(p, j, isGuess);
     }
+    for (int i = 0; i < p->numContacts; i++)
+        unpackContact(p, &p->contacts[i], isGuess);
 }
 
 /* ---- bodies ---- */

@@ -42,19 +42,19 @@ typedef struct MdtBclFrame {
     double ortho[3];    /**< unit, at right angles to primary */
 } MdtBclFrame;
 
-/** A contact's geometry and parameters. World frame. */
+/** A contact in a step: its geometry and parameters, in the world frame. */
 typedef struct MdtBclContact {
     double position[3];  /**< m */
     double normal[3];    /**< unit, the way the first body is pushed */
     double direction[3]; /**< unit, primary direction, at right angles to the normal */
     double penetration;  /**< m, positive: overlap; negative: gap */
     double radius[2];    /**< m, of the spheres that the two surfaces are there; 0: a corner, an edge, a face */
-    MdtBclContactParams params;
-    /* Kept by the library. */
+    const MdtBclContactParams *params;
+    double normalForce; /**< N, of the last step, or the part of it that was taken last */
+    /* Kept by the library for the rest of the step. */
     double anchor[2][3]; /**< m, the surface points of the two bodies, or the centres of the spheres, in their frames */
     double point[3];     /**< m, position, and */
     double depth;        /**< m, penetration: as set, then carried along with the bodies through a divided step */
-    double normalForce;  /**< N, of the last step */
     int rows;            /**< friction rows of this step's system: 1 primary, 2 secondary */
 } MdtBclContact;
 
@@ -189,7 +189,6 @@ typedef struct MdtBclConstraint {
     MeBool isDegenerate;  /**< it stands where its rows lose their meaning (MdtBclType) */
     union {
         MdtBclLimit limit; /**< hinge, prismatic */
-        MdtBclContact contact;
         MdtBclAngular angular;
         MdtBclPath path;
         MdtBclRelative relative;
@@ -240,7 +239,17 @@ typedef struct MdtBclType {
     const char *degenerate;
 } MdtBclType;
 
-/** The table's entry, or null for a type that this library does not have. */
+/** @name Contacts
+ *  They are no MdtBclConstraint: Mdt packs them for a step from its manifolds.
+ *  @{ */
+/** Measures a contact, decides which rows it needs in this part of the step, and returns how many. */
+MEPUBLIC int MEAPI MdtBclContactPrepare(MdtBclContact *contact, const MdtBclContext *x);
+/** Writes as many rows as Prepare counted: the normal, then friction. */
+MEPUBLIC void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBclContext *x, MdtKeaRow rows[]);
+/** @} */
+
+/** The table's entry, or null for a type that this library does not have. Contacts and contact groups have a name, and
+ *  no functions. */
 MEPUBLIC const MdtBclType *MEAPI MdtBclTypeOf(MdtBclJointType type);
 
 /**

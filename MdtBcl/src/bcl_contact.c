@@ -32,15 +32,6 @@ void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params) {
     params->friction1 = params->friction2 = MEINFINITY;
 }
 
-static void reset(MdtBclConstraint *c) {
-    MdtBclContact *contact = &c->of.contact;
-    bcl_resetFrames(c);
-    memset(contact, 0, sizeof *contact);
-    contact->normal[1] = 1;
-    contact->direction[0] = 1;
-    MdtBclContactParamsReset(&contact->params);
-}
-
 static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, const double d[3], MdtKeaRow *row) {
     bcl_startRow(row, x);
     for (int k = 0; k < 2; k++) {
@@ -55,8 +46,8 @@ static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, con
 /* m: the depth at which the last step's force holds the contact still, h² E λ / γ. */
 static double depthUnderLoad(const MdtBclContact *contact, const MdtBclContext *x) {
     const MdtBclSolverParameters *p = &x->parameters;
-    const MeBool isSoft = (contact->params.options & MdtBclContactOptionSoft) != 0;
-    const double own = isSoft ? fmax((double)contact->params.softness, 0) : 0;
+    const MeBool isSoft = (contact->params->options & MdtBclContactOptionSoft) != 0;
+    const double own = isSoft ? fmax((double)contact->params->softness, 0) : 0;
     const double E = p->epsilon + p->softening * own;
     return p->gamma > 0 ? p->stepsize * p->stepsize * E * fmax(contact->normalForce, 0) / p->gamma : 0;
 }
@@ -146,8 +137,7 @@ static double fastestApproach(const MdtKeaRow *normal, const MdtBclContext *x) {
     return sum;
 }
 
-static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
-    MdtBclContact *contact = &c->of.contact;
+int MEAPI MdtBclContactPrepare(MdtBclContact *contact, const MdtBclContext *x) {
     MdtKeaRow normal;
     if (x->elapsed > 0)
         carryContact(contact, x);
@@ -156,15 +146,15 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     contactRow(contact, x, contact->normal, &normal);
     const MeBool touches = contact->depth >= 0 || x->parameters.stepsize * fastestApproach(&normal, x) < contact->depth;
     contact->rows = 0;
-    if (touches && contact->params.type >= MdtContactTypeFriction1D && frictionActs(&contact->params, 0))
+    if (touches && contact->params->type >= MdtContactTypeFriction1D && frictionActs(contact->params, 0))
         contact->rows |= PRIMARY;
-    if (touches && contact->params.type >= MdtContactTypeFriction2D && frictionActs(&contact->params, 1))
+    if (touches && contact->params->type >= MdtContactTypeFriction2D && frictionActs(contact->params, 1))
         contact->rows |= SECONDARY;
     return 1 + !!(contact->rows & PRIMARY) + !!(contact->rows & SECONDARY);
 }
 
 static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtKeaRow *row) {
-    const MdtBclContactParams *p = &contact->params;
+    const MdtBclContactParams *p = contact->params;
     const double h = x->parameters.stepsize, depth = contact->depth;
     contactRow(contact, x, contact->normal, row);
     const double rate = bcl_rate(row, x->velocity), predicted = bcl_rate(row, x->predicted);
@@ -189,7 +179,7 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
 }
 
 static void frictionRow(const MdtBclContact *contact, const MdtBclContext *x, int direction, MdtKeaRow *row) {
-    const MdtBclContactParams *p = &contact->params;
+    const MdtBclContactParams *p = contact->params;
     const MeBool slips = p->options & (direction == 0 ? MdtBclContactOptionSlip1 : MdtBclContactOptionSlip2);
     const MeBool slides = p->options & (direction == 0 ? MdtBclContactOptionSlide1 : MdtBclContactOptionSlide2);
     const double slip =
@@ -213,12 +203,11 @@ static void frictionRow(const MdtBclContact *contact, const MdtBclContext *x, in
 }
 
 static MeBool isCone(const MdtBclContact *contact) {
-    return contact->rows == (PRIMARY | SECONDARY) && contact->params.model1 == MdtFrictionModelCone &&
-           contact->params.model2 == MdtFrictionModelCone;
+    return contact->rows == (PRIMARY | SECONDARY) && contact->params->model1 == MdtFrictionModelCone &&
+           contact->params->model2 == MdtFrictionModelCone;
 }
 
-static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
-    const MdtBclContact *contact = &c->of.contact;
+void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBclContext *x, MdtKeaRow rows[]) {
     normalRow(contact, x, rows++);
     if (contact->rows & PRIMARY)
         frictionRow(contact, x, 0, rows++);
@@ -230,32 +219,5 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     }
 }
 
-static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
-    (void)x;
-    c->of.contact.normalForce = rows[0].force;
-    MEASSERT(isfinite(rows[0].force) && rows[0].force >= 1.000001 * rows[0].lower);
-}
-
-const MdtBclType bcl_contact = {.name = "Contact",
-                                .maxRows = MdtBclGETMAXROWSCONTACT,
-                                .reset = reset,
-                                .prepare = prepare,
-                                .fill = fill,
-                                .readBack = readBack};
-
-/* A group has no rows of its own: its contacts have them. */
-static int noRows(MdtBclConstraint *c, const MdtBclContext *x) {
-    (void)c, (void)x;
-    return 0;
-}
-
-static void fillNothing(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
-    (void)c, (void)x, (void)rows;
-}
-
-static void resetGroup(MdtBclConstraint *c) {
-    bcl_resetFrames(c);
-}
-
-const MdtBclType bcl_contactGroup = {
-    .name = "ContactGroup", .reset = resetGroup, .prepare = noRows, .fill = fillNothing};
+const MdtBclType bcl_contact = {.name = "Contact", .maxRows = MdtBclGETMAXROWSCONTACT};
+const MdtBclType bcl_contactGroup = {.name = "ContactGroup"};

@@ -32,6 +32,7 @@ static void freeAll(MstBridgeRecord *b) {
         MeMemoryGive(b->materials[m]);
     MeMemoryGive(b->materials);
     MeMemoryGive(b->contacts);
+    MeMemoryGive(b->found);
     MeMemoryGive(b->done);
     mst_eventsTerm(b);
     MeMemoryGive(b->hurried);
@@ -69,9 +70,10 @@ MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMa
                                  .name = "MstBridgeCreate's maxMaterials"};
     b->contactMax = MST_CONTACTS;
     b->contacts = MeMemoryTake(b->contactMax, sizeof *b->contacts, function, "contacts");
+    b->found = MeMemoryTake(b->contactMax, sizeof *b->found, function, "contacts");
     b->done = MeMemoryTake(b->contactMax, sizeof *b->done, function, "contacts");
     b->bridge.pairs = McdModelPairContainerCreate(MST_PAIRS);
-    if (!b->contacts || !b->done || !b->bridge.pairs || !addMaterial(b, function)) {
+    if (!b->contacts || !b->found || !b->done || !b->bridge.pairs || !addMaterial(b, function)) {
         freeAll(b);
         return 0;
     }
@@ -280,15 +282,20 @@ void MEAPI MstBridgeSetContactBufferSize(const MstBridgeID b, const unsigned int
         MeWarning(1, "MstBridgeSetContactBufferSize: %u contacts: it must be 1 .. %d", s, INT_MAX);
         return;
     }
-    McdContact *contacts = MeMemoryTake(s, sizeof *contacts, "MstBridgeSetContactBufferSize", "contacts");
-    MdtContactID *done = contacts ? MeMemoryTake(s, sizeof *done, "MstBridgeSetContactBufferSize", "contacts") : 0;
+    static const char caller[] = "MstBridgeSetContactBufferSize";
+    McdContact *contacts = MeMemoryTake(s, sizeof *contacts, caller, "contacts");
+    MdtFoundContact *found = contacts ? MeMemoryTake(s, sizeof *found, caller, "contacts") : 0;
+    MdtContactID *done = found ? MeMemoryTake(s, sizeof *done, caller, "contacts") : 0;
     if (!done) {
         MeMemoryGive(contacts);
+        MeMemoryGive(found);
         return;
     }
     MeMemoryGive(record->contacts);
+    MeMemoryGive(record->found);
     MeMemoryGive(record->done);
     record->contacts = contacts;
+    record->found = found;
     record->done = done;
     record->contactMax = s;
 }

@@ -5,6 +5,7 @@
 #include "McdModelPairContainer.h"
 #include "McdSpace.h"
 #include "MdtConstraint.h"
+#include "MdtInternal.h"
 #include "MeInternal.h"
 #include "MstBridge.h"
 #include "MstEvents.h"
@@ -92,7 +93,8 @@ struct MstBridgeRecord {
     unsigned long lastVersion;     /* counts changes of what holds between materials */
     unsigned long round;           /* of pairs, in which nothing changes but by callbacks */
     McdContact *contacts;        /* of the pair that is being handled */
-    MdtContactID *done;          /* what they have become */
+    MdtFoundContact *found;      /* what Mdt is told of them, */
+    MdtContactID *done;          /* and what they have become */
     unsigned int contactMax;
     MstEvents events;
     MdtBodyID *hurried; /* bodies that have a safe time in this part of the step */

@@ -24,15 +24,6 @@ static MeBool ownsGroup(const McdModelPair *p) {
                       MdtContactGroupGetBody(group, 1) == (body1 ? body2 : 0));
 }
 
-/* Is every contact that is done a different one of the group, which has no others? */
-static MeBool isGroupOf(MdtContactGroupID group, const MdtContactID *done, int count) {
-    int found = 0;
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
-        for (int i = 0; i < count; i++)
-            found += done[i] == c;
-    return found == count && MdtContactGroupGetCount(group) == count;
-}
-
 static void destroyGroup(McdModelPair *p) {
     if (p->responseData)
         MdtContactGroupDestroy((MdtContactGroupID)p->responseData);
@@ -80,80 +71,7 @@ void mst_pairTie(McdModelPair *p, MdtWorldID w) {
         MdtContactGroupEnable(group);
 }
 
-static MeBool isAmong(MdtContactID c, const MdtContactID *list, int count) {
-    for (int i = 0; i < count; i++)
-        if (list[i] == c)
-            return METRUE;
-    return MEFALSE;
-}
-
-/* ---- which contact of the last step a point continues ------------------------------------------------------------ */
-
-/* The group's contact with the feature that no point has yet. */
-static MdtContactID contactOfFeature(MdtContactGroupID group, MeU32 feature, const MdtContactID *taken, int count) {
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
-        if (MdtContactGetFeature(c) == feature && !isAmong(c, taken, count))
-            return c;
-    return 0;
-}
-
-/* Square of the distance from where a contact has been carried to since it was found, by the body that it pushes. */
-static MeReal distanceFrom(MdtContactID c, const MstBridgeRecord *b, const MeVector3 point) {
-    MeVector3 place, velocity;
-    MdtContactGetPosition(c, place);
-    MdtBodyGetVelocityAtPoint(MdtContactGetBody(c, 0), place, velocity);
-    MeVector3MultiplyScalar(velocity, velocity, b->ahead);
-    MeVector3Add(place, place, velocity);
-    MeVector3Subtract(place, place, point);
-    return MeVector3Dot(place, place);
-}
-
-/* Of all points without a contact, and all contacts of the group that no point has, the two that are nearest to each
- * other: they become one. False: there are none. */
-static MeBool matchNearest(MstBridgeRecord *b, MdtContactGroupID group, const McdIntersectResult *result) {
-    MdtContactID nearest = 0;
-    MeReal least = MEINFINITY;
-    int point = 0;
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
-        if (isAmong(c, b->done, result->contactCount))
-            continue;
-        for (int i = 0; i < result->contactCount; i++) {
-            const MeReal distance = b->done[i] ? MEINFINITY : distanceFrom(c, b, result->contacts[i].position);
-            if (distance < least) {
-                least = distance;
-                nearest = c;
-                point = i;
-            }
-        }
-    }
-    if (nearest)
-        b->done[point] = nearest;
-    return nearest != 0;
-}
-
-/* b->done[i] becomes the contact that point i of the result continues, or null. Features of boxes that lie flat on each
- * other change with their last bits, corner for edge, while the points stay where they are and go on carrying what they
- * carried: what is left over after the features continues the nearest of the old contacts that are left. */
-static void matchContacts(MstBridgeRecord *b, MdtContactGroupID group, const McdIntersectResult *result) {
-    for (int i = 0; i < result->contactCount; i++)
-        b->done[i] = contactOfFeature(group, result->contacts[i].feature, b->done, i);
-    while (matchNearest(b, group, result))
-        ;
-}
-
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
-
-static void setContact(MdtContactID c, const McdContact *from, MeBool isTurned, const MstMaterialPair *materials) {
-    const MeReal sign = isTurned ? -1 : 1;
-    double position[3];
-    MdtContactSetParams(c, (MdtContactParamsID)&materials->params);
-    MdtContactSetNormal(c, sign * from->normal[0], sign * from->normal[1], sign * from->normal[2]);
-    for (int k = 0; k < 2; k++)
-        MdtContactSetRadius(c, (unsigned int)(isTurned ? 1 - k : k), (MeReal)McdContactGetRadius(from, k));
-    McdContactGetPosition(from, position);
-    MdtContactSetExact(c, position, -McdContactGetSeparation(from));
-    MdtContactSetFeature(c, from->feature);
-}
 
 /* What holds at a contact: its parts may have materials of their own. */
 static MstMaterialPair *materialsOf(MstBridgeRecord *b, const McdContact *c) {
@@ -161,33 +79,35 @@ static MstMaterialPair *materialsOf(MstBridgeRecord *b, const McdContact *c) {
                             McdGeometryInstanceGetMaterial(c->instance2));
 }
 
-static void destroyOthers(MdtContactGroupID group, const MdtContactID *done, int count) {
-    MdtContactID next;
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = next) {
-        next = MdtContactGroupGetNextContact(group, c);
-        if (!isAmong(c, done, count))
-            MdtContactGroupDestroyContact(group, c);
+static void findContact(MdtFoundContact *found, const McdContact *from, MeBool isTurned,
+                        const MstMaterialPair *materials) {
+    for (int i = 0; i < 3; i++)
+        found->normal[i] = isTurned ? -from->normal[i] : from->normal[i];
+    for (int k = 0; k < 2; k++)
+        found->radius[isTurned ? 1 - k : k] = (MeReal)McdContactGetRadius(from, k);
+    McdContactGetPosition(from, found->position);
+    found->depth = -McdContactGetSeparation(from);
+    found->feature = from->feature;
+    found->params = &materials->params;
+}
+
+/* A contact that its callback does not want is destroyed. */
+static void askAbout(MstBridgeRecord *b, MdtContactGroupID group, McdIntersectResult *result, int count) {
+    for (int i = 0; i < count; i++) {
+        McdContact *from = &result->contacts[i];
+        const MstMaterialPair *materials = materialsOf(b, from);
+        if (materials->perContactCb && !materials->perContactCb(result, from, b->done[i]))
+            MdtContactGroupDestroyContact(group, b->done[i]);
     }
 }
 
-/* The group's contacts become those of the result. A point that continues one stays the same object, with the force
- * that it had; the rest is made new, or destroyed. */
+/* The group's contacts become those of the result. */
 static void renewContacts(MstBridgeRecord *b, MdtContactGroupID group, McdIntersectResult *result, MeBool isTurned) {
-    int count = 0;
-    matchContacts(b, group, result);
-    for (int i = 0; i < result->contactCount; i++) {
-        McdContact *from = &result->contacts[i];
-        const MstMaterialPair *materials = materialsOf(b, from);
-        const MdtContactID c = b->done[i] ? b->done[i] : MdtContactGroupCreateContact(group);
-        if (!c)
-            break; /* the world is full, and has said so */
-        setContact(c, from, isTurned, materials);
-        if (!materials->perContactCb || materials->perContactCb(result, from, c))
-            b->done[count++] = c;
-    }
-    MEASSERT(count <= (int)b->contactMax);
-    destroyOthers(group, b->done, count);
-    MEVALIDATE(isGroupOf(group, b->done, count));
+    MEASSERT(result->contactCount <= (int)b->contactMax);
+    for (int i = 0; i < result->contactCount; i++)
+        findContact(&b->found[i], &result->contacts[i], isTurned, materialsOf(b, &result->contacts[i]));
+    const int count = MdtContactGroupRenew(group, b->found, result->contactCount, b->ahead, b->done);
+    askAbout(b, group, result, count);
 }
 
 /* Overlap is told, and nothing is pushed. Two sensors do not see each other. */

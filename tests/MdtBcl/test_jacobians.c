@@ -5,6 +5,7 @@
 #include "MdtKeaMath.h"
 #include "MeMath.h"
 #include "karma_test.h"
+#include <string.h>
 
 static const double small = 1e-6; /* of a finite difference: errors of 1e-12 of curvature, 1e-10 of rounding */
 static const double tolerance = 2e-8;
@@ -575,8 +576,11 @@ static double slideOf(const Scene *s, const double place[3], const double along[
     return keaDot(moved[0], along) / (2 * small);
 }
 
-static void touching(MdtBclConstraint *c) {
-    MdtBclContact *contact = &c->of.contact;
+static void randomContact(MdtBclContact *contact, MdtBclContactParams *params) {
+    memset(contact, 0, sizeof *contact);
+    MdtBclContactParamsReset(params);
+    params->type = MdtContactTypeFriction2D;
+    contact->params = params;
     vector(contact->position, 2);
     vector(contact->normal, 1);
     vector(contact->direction, 1);
@@ -584,23 +588,24 @@ static void touching(MdtBclConstraint *c) {
     keaAddScaled(contact->direction, -keaDot(contact->direction, contact->normal), contact->normal);
     keaScale(contact->direction, 1 / keaLength(contact->direction), contact->direction);
     contact->penetration = .25;
-    contact->params.type = MdtContactTypeFriction2D;
 }
 
 START_TEST(contacts_and_friction) {
     for (int trial = 0; trial < TRIALS; trial++) {
         Scene s;
         seed = 4321 + (unsigned long long)trial;
-        makeScene(&s, MdtBclCONTACT, touching);
-        const MdtBclContact *contact = &s.joint.of.contact;
+        makeScene(&s, MdtBclBSJOINT, NULL); /* for its bodies */
+        MdtBclContactParams params;
+        MdtBclContact contact;
         double across[3];
-        keaCross(across, contact->normal, contact->direction);
-        const double *along[3] = {contact->normal, contact->direction, across};
-        ck_assert_int_eq(s.type->prepare(&s.joint, &s.context), 3);
-        s.type->fill(&s.joint, &s.context, s.rows);
+        randomContact(&contact, &params);
+        keaCross(across, contact.normal, contact.direction);
+        const double *along[3] = {contact.normal, contact.direction, across};
+        ck_assert_int_eq(MdtBclContactPrepare(&contact, &s.context), 3);
+        MdtBclContactFill(&contact, &s.context, s.rows);
         for (int i = 0; i < 3; i++)
-            assert_near(rateOf(&s, &s.rows[i]), slideOf(&s, contact->position, along[i]), tolerance);
-        assert_near(s.rows[0].error, -contact->penetration, TOL(2e-6, 2e-14)); /* but for the rounding of places */
+            assert_near(rateOf(&s, &s.rows[i]), slideOf(&s, contact.position, along[i]), tolerance);
+        assert_near(s.rows[0].error, -contact.penetration, TOL(2e-6, 2e-14)); /* but for the rounding of places */
     }
 }
 END_TEST

@@ -1,0 +1,139 @@
+/* Inside Mdt: manifolds, the contacts of two bodies, or of a body and the world.
+ *
+ * A manifold is one record: its bodies, the normal and the surface that its points share, and up to four points. What
+ * programs know as a contact group is a manifold; further contacts of it are in manifolds that continue it. A contact
+ * that is in no group has a manifold of its own (MDT_LONE). A contact's handle is the address of its point.
+ *
+ * A point that differs from the others in what they share, or has what few have (user data, a primary direction, the
+ * velocity of a moving world, parameters that a program writes through a pointer), has an MdtExtra with it.
+ */
+#ifndef MDT_MANIFOLD_I_H
+#define MDT_MANIFOLD_I_H
+
+#include "mdt_i.h"
+
+enum { MDT_POINTS = 4, MDT_GROUP_SLOT = MDT_POINTS };
+
+/* A contact. 80 bytes in single precision. */
+typedef struct MdtPoint {
+    unsigned int magic; /* MDT_POINT; 0: not in use */
+    MeU8 slot;          /* its index in the manifold */
+    MeU8 numRows;       /* in this step */
+    MeU8 numWarm;       /* if there are as many rows, `force` is a guess at theirs */
+    MeU8 spare;
+    MeU32 feature;      /* its maker's */
+    MeVector3 mean;     /* N, in the last step, on the first body */
+    double position[3]; /* m */
+    double depth;       /* m, as it was set */
+    double force[3];    /* N, of the rows of the last part of a step: normal, primary, secondary */
+} MdtPoint;
+
+/* What an MdtExtra has instead of what the manifold's points share. */
+enum { MDT_OWN_NORMAL = 1, MDT_OWN_RADIUS = 2, MDT_OWN_PARAMS = 4, MDT_OWN_DIRECTION = 8 };
+
+typedef struct MdtExtra {
+    MdtRecord record;      /* its flags: MDT_OWN_... and MDT_WATCHED */
+    struct MdtExtra *next; /* of the same manifold */
+    int slot;              /* whose; MDT_GROUP_SLOT: the group's */
+    MeI32 sortKey;         /* of a contact in a group, where it means nothing */
+    void *userData;
+    MdtContactID nextContact;     /* its maker's list */
+    MdtBclContactParams params;   /* OWN_PARAMS */
+    MeReal normal[3], radius[2];  /* OWN_NORMAL, OWN_RADIUS */
+    double direction[3];          /* OWN_DIRECTION */
+    MdtKeaVelocity worldVelocity; /* m/s, rad/s */
+    MeU64 certified;              /* of watched parameters: their hash as the certified step left them */
+} MdtExtra;
+
+typedef struct MdtManifold {
+    MdtBaseConstraint base;    /* of one that continues a group's: not linked, not attached */
+    struct MdtManifold *group; /* which this one continues; null: it is a group itself, or lone */
+    struct MdtManifold *next;  /* continues the same group */
+    MdtExtra *extras;
+    const MdtSurface *surface;
+    void *generator, **holder; /* MdtContactGroup.h */
+    MeReal normal[3];          /* the way the first body is pushed; of any length */
+    MeReal radius[2];          /* m, MdtContactSetRadius */
+    int numPoints;             /* of the whole group */
+    MdtPoint point[MDT_POINTS];
+} MdtManifold;
+
+/* ---- which belongs to which -------------------------------------------------------------------------------------- */
+
+static inline MdtManifold *mdt_blockOf(const MdtPoint *p) {
+    return (MdtManifold *)(void *)((char *)(uintptr_t)(p - p->slot) - offsetof(MdtManifold, point));
+}
+/* The group that the point is in, or the manifold in which it is alone. */
+static inline MdtManifold *mdt_manifoldOf(const MdtPoint *p) {
+    MdtManifold *block = mdt_blockOf(p);
+    return block->group ? block->group : block;
+}
+static inline MeBool mdt_isInGroup(const MdtPoint *p) {
+    return !(mdt_manifoldOf(p)->base.record.flags & MDT_LONE);
+}
+/* Those in use, in the order of simulation; null after the last. */
+MdtPoint *mdt_pointFirst(const MdtManifold *m);
+MdtPoint *mdt_pointAfter(const MdtPoint *p);
+/* The same within one record. */
+MdtPoint *mdt_pointIn(const MdtManifold *block, int slot);
+
+static inline MeBool mdt_isManifold(const MdtBaseConstraint *c) {
+    return c->record.magic == MDT_MANIFOLD;
+}
+static inline MeBool mdt_isPoint(const MdtBaseConstraint *c) {
+    return c->record.magic == MDT_POINT;
+}
+static inline MdtPoint *mdt_asPoint(MdtConstraintID c) {
+    return (MdtPoint *)(void *)c;
+}
+/* The live contact; null, with a warning that names the caller, for anything else. */
+MdtPoint *mdt_pointOf(void *contact, const char *caller);
+MdtManifold *mdt_groupOf(void *group, const char *caller);
+
+/* ---- life -------------------------------------------------------------------------------------------------------- */
+
+/* A group without contacts; a contact that is in none. Null, with a warning: the world is full. */
+MdtManifold *mdt_manifoldCreate(MdtWorldID w, const char *caller);
+MdtPoint *mdt_pointCreate(MdtWorldID w, const char *caller);
+/* A further contact of a group, alone in its record. */
+MdtPoint *mdt_pointCreateIn(MdtManifold *group, const char *caller);
+void mdt_pointTerm(MdtPoint *p);
+void mdt_manifoldClear(MdtManifold *m); /* destroys its contacts */
+void mdt_manifoldTerm(MdtManifold *m);
+/* A contact that is in no group comes into one; one that is alone in its record leaves it. */
+void mdt_pointJoin(MdtPoint *p, MdtManifold *group);
+void mdt_pointLeave(MdtPoint *p);
+/* Has it a record of its own, so that it can leave its group? */
+MeBool mdt_pointIsAlone(const MdtPoint *p);
+
+/* ---- properties -------------------------------------------------------------------------------------------------- */
+
+/* A slot of the record comes into use; how many are. */
+MdtPoint *mdt_slotTake(MdtManifold *block, int slot);
+int mdt_countSlots(const MdtManifold *block);
+/* What its points share. */
+void mdt_blockSetSurface(MdtManifold *block, const MdtBclContactParams *params);
+
+/* What the contact, or with MDT_GROUP_SLOT the manifold itself, has beyond the rest; null: nothing. */
+MdtExtra *mdt_extraOf(const MdtManifold *block, int slot);
+/* The same, made where there is none; null, with a warning: there is no memory. */
+MdtExtra *mdt_extraMake(MdtManifold *block, int slot, const char *caller);
+
+const MdtBclContactParams *mdt_pointParams(const MdtPoint *p);
+void mdt_pointNormal(const MdtPoint *p, double normal[3]); /* unit */
+void mdt_pointDirection(const MdtPoint *p, const double normal[3], double direction[3]);
+MeReal mdt_pointRadius(const MdtPoint *p, int side);
+const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p);
+void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params);
+void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]);
+void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius);
+/* Place and depth that were found between bodies as they are shown, in double; see MdtContactSetExact. */
+void mdt_pointSetFound(MdtPoint *p, const double position[3], double depth);
+/* Everything but the bodies as in a new contact. */
+void mdt_pointReset(MdtPoint *p);
+/* The forces of the last step are no guess for the next. */
+void mdt_manifoldForget(MdtManifold *m);
+/* Are its points in their slots, and as many as it says? */
+MeBool mdt_manifoldIsConsistent(const MdtManifold *m);
+
+#endif

@@ -1,0 +1,201 @@
+/* Contacts: their properties, shared within a manifold or of their own (mdt_manifold_i.h). */
+#include "mdt_manifold_i.h"
+#include "MeAssert.h"
+#include <string.h>
+
+/* The extra of a point if it has its own of that. */
+static MdtExtra *ownOf(const MdtPoint *p, int own) {
+    const MdtManifold *block = mdt_blockOf(p);
+    MdtExtra *extra = block->extras ? mdt_extraOf(block, p->slot) : NULL;
+    return extra && (extra->record.flags & own) ? extra : NULL;
+}
+
+/* Writes what the points of a record share, or have of their own; what is written as it was is no change. */
+static void setPart(MdtPoint *p, void *part, const void *value, size_t size) {
+    if (memcmp(part, value, size) == 0)
+        return;
+    memcpy(part, value, size);
+    mdt_constraintDisturb(&mdt_manifoldOf(p)->base);
+}
+
+/* The extra in which a point keeps a value that differs from the shared one. Null: it may write the shared one, since
+ * it is the same, or no other point has it; or there is no memory. */
+static MdtExtra *ownPart(MdtPoint *p, int own, MeBool isShared, const char *caller) {
+    MdtManifold *block = mdt_blockOf(p);
+    MdtExtra *extra = block->extras ? mdt_extraOf(block, p->slot) : NULL;
+    if (isShared || mdt_countSlots(block) == 1) {
+        if (extra && (extra->record.flags & own)) {
+            extra->record.flags &= ~own;
+            mdt_constraintDisturb(&mdt_manifoldOf(p)->base);
+        }
+        return NULL;
+    }
+    extra = mdt_extraMake(block, p->slot, caller);
+    if (extra)
+        extra->record.flags |= own;
+    return extra;
+}
+
+const MdtBclContactParams *mdt_pointParams(const MdtPoint *p) {
+    const MdtExtra *own = ownOf(p, MDT_OWN_PARAMS);
+    return own ? &own->params : &mdt_blockOf(p)->surface->params;
+}
+
+void mdt_blockSetSurface(MdtManifold *block, const MdtBclContactParams *params) {
+    MdtSurfaces *surfaces = &block->base.world->surfaces;
+    const MdtSurface *before = block->surface;
+    block->surface = mdt_surfaceTake(surfaces, params);
+    mdt_surfaceGive(surfaces, before);
+    mdt_constraintDisturb(block->group ? &block->group->base : &block->base);
+}
+
+void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params) {
+    MdtManifold *block = mdt_blockOf(p);
+    MdtExtra *extra = ownOf(p, MDT_WATCHED);
+    MdtBclContactParams own;
+    memcpy(&own, params, sizeof own); /* padding and all: they are compared */
+    own.options &= ~MdtBclContactOptionUseDirection;
+    if (extra) {
+        own.options |= extra->params.options & MdtBclContactOptionUseDirection;
+        setPart(p, &extra->params, &own, sizeof own);
+        return;
+    }
+    const MeBool isShared = memcmp(&block->surface->params, &own, sizeof own) == 0;
+    extra = ownPart(p, MDT_OWN_PARAMS, isShared, "MdtContactSetParams");
+    if (extra)
+        setPart(p, &extra->params, &own, sizeof own);
+    else if (!isShared && mdt_countSlots(block) == 1)
+        mdt_blockSetSurface(block, &own);
+}
+
+static const MeReal *rawNormal(const MdtPoint *p) {
+    const MdtExtra *own = ownOf(p, MDT_OWN_NORMAL);
+    return own ? own->normal : mdt_blockOf(p)->normal;
+}
+
+void mdt_pointNormal(const MdtPoint *p, double normal[3]) {
+    mdt_fromReal(normal, rawNormal(p));
+    const double size = keaLength(normal);
+    MEASSERT(size > 0);
+    keaScale(normal, 1 / size, normal);
+}
+
+void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]) {
+    MdtManifold *block = mdt_blockOf(p);
+    const MeBool isShared = memcmp(block->normal, normal, sizeof block->normal) == 0;
+    MdtExtra *extra = ownPart(p, MDT_OWN_NORMAL, isShared, "MdtContactSetNormal");
+    if (extra)
+        setPart(p, extra->normal, normal, sizeof extra->normal);
+    else if (!isShared && mdt_countSlots(block) == 1)
+        setPart(p, block->normal, normal, sizeof block->normal);
+}
+
+MeReal mdt_pointRadius(const MdtPoint *p, int side) {
+    const MdtExtra *own = ownOf(p, MDT_OWN_RADIUS);
+    return own ? own->radius[side] : mdt_blockOf(p)->radius[side];
+}
+
+void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius) {
+    MdtManifold *block = mdt_blockOf(p);
+    MeReal both[2] = {mdt_pointRadius(p, 0), mdt_pointRadius(p, 1)};
+    both[side] = radius;
+    const MeBool isShared = memcmp(block->radius, both, sizeof both) == 0;
+    MdtExtra *extra = ownPart(p, MDT_OWN_RADIUS, isShared, "MdtContactSetRadius");
+    if (extra)
+        setPart(p, extra->radius, both, sizeof both);
+    else if (!isShared && mdt_countSlots(block) == 1)
+        setPart(p, block->radius, both, sizeof both);
+}
+
+/* Makes `direction` a unit vector in the contact plane, as near as may be to what it is; false when it is along the
+ * normal. */
+static MeBool layIntoPlane(const double normal[3], double direction[3]) {
+    const double before = keaLength(direction);
+    keaAddScaled(direction, -keaDot(direction, normal), normal);
+    const double size = keaLength(direction);
+    if (!(size > 1e-6 * before))
+        return MEFALSE;
+    keaScale(direction, 1 / size, direction);
+    return METRUE;
+}
+
+/* An axis across the normal gives the direction: x, or z, or y, if it is clearly more across than those before it. Of
+ * two that are alike, as on level ground, rounding must not choose another one in the next step: friction forces are
+ * kept as numbers along it. */
+static void chooseDirection(const double n[3], double direction[3]) {
+    static const int order[] = {0, 2, 1};
+    const double clearly = 0.1;
+    int least = order[0];
+    for (int i = 1; i < 3; i++)
+        if (fabs(n[order[i]]) < fabs(n[least]) - clearly)
+            least = order[i];
+    keaZero(direction);
+    direction[least] = 1;
+    layIntoPlane(n, direction);
+}
+
+void mdt_pointDirection(const MdtPoint *p, const double normal[3], double direction[3]) {
+    const MdtExtra *own = ownOf(p, MDT_OWN_DIRECTION);
+    if (own) {
+        keaCopy(direction, own->direction);
+        if (layIntoPlane(normal, direction))
+            return;
+    }
+    chooseDirection(normal, direction);
+    MEASSERT(fabs(keaDot(normal, direction)) < 1e-6 && fabs(1 - keaLength(direction)) < 1e-6);
+}
+
+const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p) {
+    const MdtManifold *block = mdt_blockOf(p);
+    const MdtExtra *extra = block->extras ? mdt_extraOf(block, p->slot) : NULL;
+    return extra ? &extra->worldVelocity : &MdtBclWorldVelocity;
+}
+
+/* How much of a body's displacement its contact's position follows: that of the one that rolls, or moves at all. */
+static double shareOf(const MdtPoint *p, const MdtBaseConstraint *base, int k) {
+    const MeReal radius[2] = {mdt_pointRadius(p, 0), mdt_pointRadius(p, 1)};
+    if (base->side[0].body && base->side[1].body && (radius[0] > 0) != (radius[1] > 0))
+        return radius[k] > 0;
+    return base->side[1 - k].body ? 0.5 : 1;
+}
+
+void mdt_pointSetFound(MdtPoint *p, const double position[3], double depth) {
+    const MdtBaseConstraint *base = &mdt_manifoldOf(p)->base;
+    double place[3], normal[3];
+    keaCopy(place, position);
+    mdt_pointNormal(p, normal);
+    for (int k = 0; k < 2; k++) {
+        double lost[3];
+        if (!base->side[k].body)
+            continue;
+        mdt_bodyLostByRounding(base->side[k].body, position, lost);
+        keaAddScaled(place, shareOf(p, base, k), lost);
+        depth -= (k == 0 ? 1 : -1) * keaDot(normal, lost);
+    }
+    setPart(p, p->position, place, sizeof place);
+    setPart(p, &p->depth, &depth, sizeof depth);
+}
+
+void mdt_pointReset(MdtPoint *p) {
+    static const MeReal up[3] = {0, 1, 0};
+    static const double origin[3] = {0, 0, 0};
+    MdtExtra *extra = mdt_extraOf(mdt_blockOf(p), p->slot);
+    if (extra)
+        extra->record.flags &= ~MDT_OWN_DIRECTION;
+    mdt_pointSetParams(p, &mdt_blockOf(p)->base.world->surfaces.standard.params);
+    mdt_pointSetNormal(p, up);
+    for (int k = 0; k < 2; k++)
+        mdt_pointSetRadius(p, k, 0);
+    keaCopy(p->position, origin);
+    p->depth = 0;
+    keaZero(p->force);
+    p->numWarm = 0;
+    mdt_constraintDisturb(&mdt_manifoldOf(p)->base);
+}
+
+void mdt_manifoldForget(MdtManifold *m) {
+    for (MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p)) {
+        p->numWarm = 0;
+        p->force[0] = 0;
+    }
+}

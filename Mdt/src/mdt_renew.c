@@ -1,0 +1,141 @@
+/* Contacts as collision finds them (MdtInternal.h): which of the old ones each of them continues. */
+#include "MdtInternal.h"
+#include "MeAssert.h"
+#include "mdt_manifold_i.h"
+#include <string.h>
+
+/* Is it the contact that one of the first `count` of those found continues? */
+static MeBool isContinued(const MdtPoint *p, const MdtContactID contacts[], int count) {
+    for (int i = 0; i < count; i++)
+        if (contacts[i] == (MdtContactID)p)
+            return METRUE;
+    return MEFALSE;
+}
+
+static MdtPoint *pointOfFeature(const MdtManifold *m, MeU32 feature, const MdtContactID contacts[], int count) {
+    for (MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p))
+        if (p->feature == feature && !isContinued(p, contacts, count))
+            return p;
+    return NULL;
+}
+
+/* Square of the distance from where a contact has been carried to since it was found, by the body that it pushes. */
+static double squareDistance(const MdtPoint *p, double time, const double position[3]) {
+    MeVector3 place, velocity;
+    double way[3];
+    mdt_toReal(place, p->position);
+    MdtBodyGetVelocityAtPoint(mdt_manifoldOf(p)->base.side[0].body, place, velocity);
+    for (int i = 0; i < 3; i++)
+        way[i] = p->position[i] + time * (double)velocity[i] - position[i];
+    return keaDot(way, way);
+}
+
+/* Of all contacts found that continue none, and all of the group that are not continued, the two that are nearest to
+ * each other become one. False: there are none. */
+static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
+                           MdtContactID contacts[]) {
+    const MdtPoint *nearest = NULL;
+    double least = HUGE_VAL;
+    int match = 0;
+    for (const MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p)) {
+        if (isContinued(p, contacts, count))
+            continue;
+        for (int i = 0; i < count; i++) {
+            const double distance = contacts[i] ? HUGE_VAL : squareDistance(p, time, found[i].position);
+            if (distance < least) {
+                least = distance;
+                nearest = p;
+                match = i;
+            }
+        }
+    }
+    if (nearest)
+        contacts[match] = (MdtContactID)(uintptr_t)nearest;
+    return nearest != NULL;
+}
+
+/* Features of boxes that lie flat on each other change with their last bits, corner for edge, while the points stay
+ * where they are and go on carrying what they carried: what is left over after the features continues the nearest of
+ * the old contacts that are left. */
+static void matchContacts(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
+                          MdtContactID contacts[]) {
+    for (int i = 0; i < count; i++)
+        contacts[i] = (MdtContactID)pointOfFeature(m, found[i].feature, contacts, i);
+    while (matchNearest(m, found, count, time, contacts))
+        ;
+}
+
+static void destroyOthers(MdtManifold *m, const MdtContactID contacts[], int count) {
+    for (MdtPoint *p = mdt_pointFirst(m), *next; p; p = next) {
+        next = mdt_pointAfter(p);
+        if (!isContinued(p, contacts, count))
+            mdt_pointTerm(p);
+    }
+}
+
+/* What the points of a record share is that of its first one; the others get their own later. */
+static void shareFrom(MdtManifold *block, const MdtFoundContact *found) {
+    if (memcmp(&block->surface->params, found->params, sizeof *found->params) != 0)
+        mdt_blockSetSurface(block, found->params);
+    if (memcmp(block->normal, found->normal, sizeof block->normal) == 0 &&
+        memcmp(block->radius, found->radius, sizeof block->radius) == 0)
+        return;
+    memcpy(block->normal, found->normal, sizeof block->normal);
+    memcpy(block->radius, found->radius, sizeof block->radius);
+    mdt_constraintDisturb(block->group ? &block->group->base : &block->base);
+}
+
+static void shareAll(MdtManifold *m, const MdtFoundContact found[], int count, const MdtContactID contacts[]) {
+    for (MdtManifold *block = m; block; block = block->next) {
+        int first = 0;
+        while (first < count && !(contacts[first] && mdt_blockOf((MdtPoint *)contacts[first]) == block))
+            first++;
+        shareFrom(block, &found[first < count ? first : 0]);
+    }
+}
+
+/* In the first free slot of the group. */
+static MdtPoint *addPoint(MdtManifold *m, const MdtFoundContact *found) {
+    for (MdtManifold *block = m; block; block = block->next)
+        for (int slot = 0; slot < MDT_POINTS; slot++)
+            if (block->point[slot].magic != MDT_POINT) {
+                if (!mdt_constraintCount(m->base.world, "MdtContactGroupCreateContact"))
+                    return NULL;
+                m->numPoints++;
+                mdt_constraintDisturb(&m->base);
+                return mdt_slotTake(block, slot);
+            }
+    MdtPoint *p = mdt_pointCreateIn(m, "MdtContactGroupCreateContact");
+    if (p)
+        shareFrom(mdt_blockOf(p), found);
+    return p;
+}
+
+static void setPoint(MdtPoint *p, const MdtFoundContact *found) {
+    mdt_pointSetParams(p, found->params);
+    mdt_pointSetNormal(p, found->normal);
+    for (int k = 0; k < 2; k++)
+        mdt_pointSetRadius(p, k, found->radius[k]);
+    mdt_pointSetFound(p, found->position, found->depth);
+    p->feature = found->feature;
+}
+
+int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
+                               MdtContactID contacts[]) {
+    MdtManifold *m = mdt_groupOf(g, __func__);
+    if (!m)
+        return 0;
+    matchContacts(m, found, count, (double)time, contacts);
+    destroyOthers(m, contacts, count);
+    if (count > 0)
+        shareAll(m, found, count, contacts);
+    for (int i = 0; i < count; i++) {
+        MdtPoint *p = contacts[i] ? mdt_asPoint((MdtConstraintID)contacts[i]) : addPoint(m, &found[i]);
+        if (!p)
+            return i; /* the world is full, and has said so */
+        setPoint(p, &found[i]);
+        contacts[i] = (MdtContactID)p;
+    }
+    MEVALIDATE(mdt_manifoldIsConsistent(m));
+    return count;
+}

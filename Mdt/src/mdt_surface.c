@@ -1,0 +1,110 @@
+/* Surfaces: the parameters of contacts, kept once for all contacts that have the same (mdt_surface_i.h). */
+#include "mdt_surface_i.h"
+#include "MeAssert.h"
+#include <string.h>
+
+enum { FIRST_BUCKETS = 16, BLOCK = 16 };
+
+typedef struct MdtSurfaceBlock {
+    struct MdtSurfaceBlock *next;
+    MdtSurface surface[BLOCK];
+} MdtSurfaceBlock;
+
+/* FNV-1a, 64 bits (Fowler, Noll, Vo). */
+static MdtSurface **bucketOf(const MdtSurfaces *s, const MdtBclContactParams *params) {
+    const unsigned char *bytes = (const unsigned char *)params;
+    MeU64 hash = 0xcbf29ce484222325u;
+    for (size_t i = 0; i < sizeof *params; i++)
+        hash = (hash ^ bytes[i]) * 0x100000001b3u;
+    return &s->bucket[hash & (MeU64)(s->numBuckets - 1)];
+}
+
+static void enter(MdtSurfaces *s, MdtSurface *surface) {
+    MdtSurface **bucket = bucketOf(s, &surface->params);
+    surface->next = *bucket;
+    *bucket = surface;
+}
+
+static MeBool addBlock(MdtSurfaces *s, const char *caller) {
+    MdtSurfaceBlock *block = MeMemoryTakeZeroed(1, sizeof *block, caller, "surfaces");
+    if (!block)
+        return MEFALSE;
+    block->next = s->blocks;
+    s->blocks = block;
+    for (int i = 0; i < BLOCK; i++) {
+        block->surface[i].next = s->firstFree;
+        s->firstFree = &block->surface[i];
+    }
+    return METRUE;
+}
+
+/* At most one surface a bucket on average. */
+static void addBuckets(MdtSurfaces *s, const char *caller) {
+    const MdtSurfaces old = *s;
+    MdtSurface **bucket = MeMemoryTakeZeroed(2 * (size_t)s->numBuckets, sizeof(MdtSurface *), caller, "surfaces");
+    if (!bucket)
+        return; /* chains are longer */
+    s->bucket = bucket;
+    s->numBuckets *= 2;
+    for (int i = 0; i < old.numBuckets; i++)
+        for (MdtSurface *surface = old.bucket[i], *next; surface; surface = next) {
+            next = surface->next;
+            enter(s, surface);
+        }
+    MeMemoryGive(old.bucket);
+}
+
+MeBool mdt_surfacesInit(MdtSurfaces *s, const char *caller) {
+    MdtBclContactParamsReset(&s->standard.params);
+    s->standard.users = 1; /* of the world */
+    s->bucket = MeMemoryTakeZeroed(FIRST_BUCKETS, sizeof(MdtSurface *), caller, "surfaces");
+    s->numBuckets = FIRST_BUCKETS;
+    if (!s->bucket || !addBlock(s, caller))
+        return MEFALSE;
+    enter(s, &s->standard);
+    return METRUE;
+}
+
+void mdt_surfacesTerm(MdtSurfaces *s) {
+    for (MdtSurfaceBlock *block = s->blocks, *next; block; block = next) {
+        next = block->next;
+        MeMemoryGive(block);
+    }
+    MeMemoryGive(s->bucket);
+}
+
+const MdtSurface *mdt_surfaceTake(MdtSurfaces *s, const MdtBclContactParams *params) {
+    static const char caller[] = "MdtContactSetParams";
+    for (MdtSurface *known = *bucketOf(s, params); known; known = known->next)
+        if (memcmp(&known->params, params, sizeof *params) == 0) {
+            known->users++;
+            return known;
+        }
+    if (!s->firstFree && !addBlock(s, caller)) {
+        s->standard.users++;
+        return &s->standard;
+    }
+    if (s->count >= s->numBuckets)
+        addBuckets(s, caller);
+    MdtSurface *surface = s->firstFree;
+    s->firstFree = surface->next;
+    memcpy(&surface->params, params, sizeof *params); /* padding and all: they are compared */
+    surface->users = 1;
+    s->count++;
+    enter(s, surface);
+    return surface;
+}
+
+void mdt_surfaceGive(MdtSurfaces *s, const MdtSurface *given) {
+    MdtSurface **at = bucketOf(s, &given->params);
+    while (*at != given)
+        at = &(*at)->next;
+    MdtSurface *surface = *at;
+    MEASSERT(surface->users > 0);
+    if (--surface->users > 0)
+        return;
+    *at = surface->next;
+    surface->next = s->firstFree;
+    s->firstFree = surface;
+    s->count--;
+}
