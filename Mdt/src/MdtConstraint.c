@@ -805,4 +805,3 @@ MdtConstraintID MEAPI MdtConstraintGetNext(const MdtConstraintID c) {
     MDT_NEED_CONSTRAINT(c, NULL);
     return mdt_constraintAfter(c);
 }
-

@@ -40,8 +40,7 @@ static void disturb(const MdtPoint *p) {
 void MEAPI MdtContactSetPosition(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
     MdtPoint *p = mdt_pointOf(c, __func__);
     const double position[3] = {x, y, z};
-    if (!p || !mdt_isFinite3(__func__, "the position", x, y, z) ||
-        memcmp(p->position, position, sizeof position) == 0)
+    if (!p || !mdt_isFinite3(__func__, "the position", x, y, z) || memcmp(p->position, position, sizeof position) == 0)
         return;
     keaCopy(p->position, position);
     disturb(p);
@@ -71,7 +70,12 @@ static MeBool isDirection(const char *caller, const char *what, MeReal x, MeReal
 void MEAPI MdtContactSetNormal(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
     MdtPoint *p = mdt_pointOf(c, __func__);
     const MeReal normal[3] = {x, y, z};
-    if (p && isDirection(__func__, "the normal", x, y, z))
+    double before[3], now[3] = {x, y, z};
+    if (!p || !isDirection(__func__, "the normal", x, y, z))
+        return;
+    mdt_pointNormal(p, before);
+    keaScale(now, 1 / keaLength(now), now);
+    if (memcmp(before, now, sizeof now) != 0) /* whatever its length */
         mdt_pointSetNormal(p, normal);
 }
 
@@ -115,41 +119,39 @@ MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyin
     return p && mdt_isSide(__func__, bodyindex) ? mdt_pointRadius(p, (int)bodyindex) : 0;
 }
 
-/* Is there a part of it along the contact plane? */
-static MeBool isTangential(const MdtPoint *p, const double direction[3]) {
-    double normal[3], across[3];
+/* The primary and the normal direction now. */
+static void axesOf(const MdtPoint *p, double direction[3], double normal[3]) {
     mdt_pointNormal(p, normal);
-    keaCross(across, normal, direction);
-    return keaLength(across) > 1e-6;
+    mdt_pointDirection(p, normal, direction);
 }
 
 void MEAPI MdtContactSetDirection(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
     MdtPoint *p = mdt_pointOf(c, __func__);
-    double direction[3] = {x, y, z};
+    double direction[3] = {x, y, z}, before[3], normal[3], across[3];
     if (!p || !isDirection(__func__, "the direction", x, y, z))
         return;
-    keaScale(direction, 1 / keaLength(direction), direction);
-    if (!isTangential(p, direction)) {
+    axesOf(p, before, normal);
+    keaCross(across, normal, direction);
+    if (!(keaLength(across) > 1e-6 * keaLength(direction))) {
         MeWarning(1, "MdtContactSetDirection: the direction is along the normal; nothing is changed");
         return;
     }
     MdtExtra *extra = mdt_extraMake(mdt_blockOf(p), p->slot, __func__);
     if (!extra)
         return;
-    if (!(extra->record.flags & MDT_OWN_DIRECTION) || memcmp(extra->direction, direction, sizeof direction) != 0)
-        disturb(p);
     keaCopy(extra->direction, direction);
     extra->record.flags |= MDT_OWN_DIRECTION;
     extra->params.options |= MdtBclContactOptionUseDirection;
+    axesOf(p, direction, normal);
+    if (memcmp(before, direction, sizeof before) != 0)
+        disturb(p);
 }
 
 void MEAPI MdtContactGetDirection(const MdtContactID c, MeVector3 v) {
     const MdtPoint *p = mdt_pointOf(c, __func__);
     double normal[3], direction[3] = {0, 0, 0};
-    if (p) {
-        mdt_pointNormal(p, normal);
-        mdt_pointDirection(p, normal, direction);
-    }
+    if (p)
+        axesOf(p, direction, normal);
     readBack(v, __func__, direction);
 }
 

@@ -30,8 +30,8 @@ static void turnFromCentre(const MdtBodyID b, const double in[3], double out[3])
     keaApply(out, (const double(*)[3])R, in);
 }
 
-void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID path, const unsigned int bodyindex, const MeReal x, const MeReal y,
-                                   const MeReal z) {
+void MEAPI MdtFixedPathSetPosition(const MdtFixedPathID path, const unsigned int bodyindex, const MeReal x,
+                                   const MeReal y, const MeReal z) {
     MdtJoint *j = jointOf(path, bodyindex, __func__);
     if (!j || !mdt_isFinite3(__func__, "the position", x, y, z))
         return;

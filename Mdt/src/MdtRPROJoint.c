@@ -88,8 +88,7 @@ void MEAPI MdtRPROJointSetAttachmentQuaternion(const MdtRPROJointID j, const MeR
 
 void MEAPI MdtRPROJointGetAttachmentQuaternion(const MdtRPROJointID j, const unsigned int bodyindex,
                                                MeVector4 quaternion) {
-    MdtJoint *c =
-        mdt_isResult(__func__, quaternion, 4) ? mdt_jointOfType(j, MdtBclRPROJOINT, __func__) : NULL;
+    MdtJoint *c = mdt_isResult(__func__, quaternion, 4) ? mdt_jointOfType(j, MdtBclRPROJOINT, __func__) : NULL;
     if (!c || !mdt_isSide(__func__, bodyindex))
         return;
     const MdtBclFrame *frame = &c->bcl.frame[bodyindex];

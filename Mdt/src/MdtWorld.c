@@ -55,9 +55,10 @@ static void freeWorld(MdtWorldID w) {
         MeHandleLeave(&((MdtBodyID)mdt_linkOwner(link))->record.handle);
     for (MdtLink *link = w->constraints.first; link; link = link->next)
         releaseConstraint(mdt_linkOwner(link));
-    void *arrays[] = {w->bodyOf,      w->actingOf,    w->constraintOf, w->keaOf,         w->bodyStart,    w->actingStart,
-                      w->constraintStart, w->ranking, w->output.info,  w->reports,       w->broken,       w->graph.body,
-                      w->graph.parent, w->graph.isAwake, w->graph.acting, w->graph.actsOn};
+    void *arrays[] = {w->bodyOf,       w->actingOf,      w->constraintOf,    w->keaOf,
+                      w->bodyStart,    w->actingStart,   w->constraintStart, w->ranking,
+                      w->output.info,  w->reports,       w->broken,          w->graph.body,
+                      w->graph.parent, w->graph.isAwake, w->graph.acting,    w->graph.actsOn};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         MeMemoryGive(arrays[i]);
     MeChunkTerm(&w->scratch);

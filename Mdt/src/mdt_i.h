@@ -89,10 +89,10 @@ void mdt_listSort(MdtList *list); /* by key, then serial; a merge sort that allo
 typedef struct MdtAttachment MdtAttachment;
 
 enum {
-    MDT_ENABLED = 1, /* takes part in the simulation */
-    MDT_ASLEEP = 2,  /* was disabled by the world, not by the program */
-    MDT_FAR = 4,     /* has come to the bound of positions, and said so */
-    MDT_WATCHED = 8, /* programs write its parameters through a pointer; of a body: those of a constraint of it */
+    MDT_ENABLED = 1,  /* takes part in the simulation */
+    MDT_ASLEEP = 2,   /* was disabled by the world, not by the program */
+    MDT_FAR = 4,      /* has come to the bound of positions, and said so */
+    MDT_WATCHED = 8,  /* programs write its parameters through a pointer; of a body: those of a constraint of it */
     MDT_LONE = 16,    /* a manifold of one contact that is in no group */
     MDT_SWAPPED = 32, /* a group that was attached as (null, body) */
 };
@@ -267,7 +267,7 @@ MdtConstraintID mdt_constraintAfterOf(MdtBodyID b, MdtConstraintID c);
 /* The four functions that every joint has: a joint is a constraint and nothing else, so handles convert by a cast. */
 #define MDT_JOINT_BASICS(Joint, TYPE)                                                                                  \
     Mdt##Joint##ID MEAPI Mdt##Joint##Create(const MdtWorldID w) {                                                      \
-        return (Mdt##Joint##ID)mdt_jointCreate(w, TYPE, __func__);                                                \
+        return (Mdt##Joint##ID)mdt_jointCreate(w, TYPE, __func__);                                                     \
     }                                                                                                                  \
     MDT_JOINT_CASTS(Joint, TYPE)
 #define MDT_JOINT_CASTS(Joint, TYPE)                                                                                   \

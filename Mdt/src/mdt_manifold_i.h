@@ -28,8 +28,8 @@ typedef struct MdtPoint {
     double force[3];    /* N, of the rows of the last part of a step: normal, primary, secondary */
 } MdtPoint;
 
-/* What an MdtExtra has instead of what the manifold's points share. */
-enum { MDT_OWN_NORMAL = 1, MDT_OWN_RADIUS = 2, MDT_OWN_PARAMS = 4, MDT_OWN_DIRECTION = 8 };
+/* What an MdtExtra has instead of what the manifold's points share: flags beside MDT_WATCHED. */
+enum { MDT_OWN_NORMAL = 256, MDT_OWN_RADIUS = 512, MDT_OWN_PARAMS = 1024, MDT_OWN_DIRECTION = 2048 };
 
 typedef struct MdtExtra {
     MdtRecord record;      /* its flags: MDT_OWN_... and MDT_WATCHED */
@@ -57,6 +57,10 @@ typedef struct MdtManifold {
     int numPoints;             /* of the whole group */
     MdtPoint point[MDT_POINTS];
 } MdtManifold;
+
+#ifndef _ME_API_DOUBLE
+_Static_assert(sizeof(MdtManifold) == 512, "half a kilobyte for two boxes at rest: eight cache lines");
+#endif
 
 /* ---- which belongs to which -------------------------------------------------------------------------------------- */
 

@@ -46,13 +46,13 @@ typedef struct MdtIsland {
     int number, numBodies, numActing;
     MdtBodyID *bodies;
     MdtConstraintID *acting; /* joints and manifolds */
-    double whole; /* s, the step that the program asked for */
+    double whole;            /* s, the step that the program asked for */
     /* mdt_step.c, mdt_lag.c */
     double h;          /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
     MdtReport *report; /* null: it is off */
     /* pack */
-    void *scratch;    /* Kea's arrays, and behind them */
-    MdtStart *start;  /* by body */
+    void *scratch;              /* Kea's arrays, and behind them */
+    MdtStart *start;            /* by body */
     MdtIslandContact *contacts; /* those of acting manifolds, one after the other */
     int numContacts, numJoints;
     MdtKeaSystem kea; /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */

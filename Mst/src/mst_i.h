@@ -48,7 +48,7 @@ struct MstTouch {
     /* of this step: */
     MeBool isListed, hasContacts;
     MeReal lag; /* s, of its bodies when its impulse was last added to; MEINFINITY: the step is whole yet */
-    MeReal separation, tolerance;   /* the least of its contacts as the step began; of both models */
+    MeReal separation, tolerance; /* the least of its contacts as the step began; of both models */
     /* the same, but of a touch that goes on not before somebody asks: */
     MeReal approachSpeed;           /* the largest */
     MeReal deepest;                 /* the separation there, while no force says which place matters most */
@@ -92,9 +92,9 @@ struct MstBridgeRecord {
     MstMaterialRecord **materials; /* of the pair (m1 >= m2): materials[m1][m2] */
     unsigned long lastVersion;     /* counts changes of what holds between materials */
     unsigned long round;           /* of pairs, in which nothing changes but by callbacks */
-    McdContact *contacts;        /* of the pair that is being handled */
-    MdtFoundContact *found;      /* what Mdt is told of them, */
-    MdtContactID *done;          /* and what they have become */
+    McdContact *contacts;          /* of the pair that is being handled */
+    MdtFoundContact *found;        /* what Mdt is told of them, */
+    MdtContactID *done;            /* and what they have become */
     unsigned int contactMax;
     MstEvents events;
     MdtBodyID *hurried; /* bodies that have a safe time in this part of the step */
