@@ -9,7 +9,7 @@
  *     kea_newton.c            the inner problem: semismooth Newton on the bodies' side
  *     kea_friction.c          friction bounds between two of its solves
  *     kea_dual.c              the inner problem by the joints' side
- *     kea_factor.c, kea_order.c, kea_cache.c      sparse factorization, elimination order, kept factors
+ *     kea_factor.c, kea_structure.c, kea_order.c, kea_cache.c     sparse factorization, elimination order, kept factors
  *     kea_redundancy.c        of redundant joints' impulses, the smallest
  *     kea_velocity.c          the velocity stage: what joints and contacts allow where the bodies have arrived
  *     kea_events.c            what divides a step of contacts in time

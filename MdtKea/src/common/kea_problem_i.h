@@ -149,8 +149,4 @@ void kea_frictionRenewBounds(KeaProblem *q);
 /* Takes every friction bound a share of the way there; `isAccelerated`: with what the last call has taught. */
 void kea_frictionApproachBounds(KeaProblem *q, double share, MeBool isAccelerated);
 
-/* The factor of a graph, made if there is none; sizes null: 6 of every node. */
-KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size[], int numEdges,
-                         const int (*edges)[2]);
-
 #endif

@@ -3,16 +3,20 @@
 #define KEA_ORDER_I_H
 
 #include "MePrecision.h"
+#include "common/kea_arena_i.h"
 
+/* All zero to begin with; one graph after the other is ordered in the same memory. */
 typedef struct KeaOrder {
     int numNodes;
-    int *node;       /* by turn */
-    int **structure; /* by node: the neighbours that are left when its turn comes, */
-    int *degree;     /* and how many */
+    int *node;  /* by turn */
+    int *turn;  /* by node */
+    int *start; /* by turn, and one more: */
+    int *row;   /* row[start[t] .. start[t + 1]), ascending: the neighbours that node[t] has left when its turn comes */
+    KeaBlock work, rows;
 } KeaOrder;
 
-/* size: unknowns of a node. False: no memory. */
-MeBool kea_orderCreate(KeaOrder *o, int numNodes, const int size[], int numEdges, const int (*edges)[2]);
-void kea_orderDestroy(KeaOrder *o);
+/* size: unknowns of a node. The result holds until the next call. False: no memory. */
+MeBool kea_orderFind(KeaOrder *o, int numNodes, const int size[], int numEdges, const int (*edges)[2]);
+void kea_orderFree(KeaOrder *o);
 
 #endif
