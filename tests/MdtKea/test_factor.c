@@ -1,5 +1,5 @@
 /* The sparse factor (kea_factor_i.h) against dense elimination: solutions, structure, cost, and lack of memory. */
-#include "exact/kea_factor_i.h"
+#include "common/kea_factor_i.h"
 #include "MeMemory.h"
 #include "common/kea_policy_i.h"
 #include "common/kea_problem_i.h"

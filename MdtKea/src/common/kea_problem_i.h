@@ -16,7 +16,7 @@
 #include "MdtKea.h"
 #include "MdtKeaMath.h"
 #include "common/kea_arena_i.h"
-#include "exact/kea_factor_i.h"
+#include "common/kea_factor_i.h"
 
 typedef struct KeaMetric {
     double linear;        /* kg, times the unit matrix */
