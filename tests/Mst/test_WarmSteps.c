@@ -1,9 +1,9 @@
 /* A warm step of a world allocates nothing, though the contact graph of a heap changes in every step.
  *
  * What is warm: a block that grows is made twice as large as what was asked for, so memory is warm once no graph that
- * is still to come needs more than twice what the largest before did. Here boxes fall onto each other in a bin, lie, and
- * are thrown up and fall again: three falls warm the memory, two are counted. Only the world's step is: what collision
- * and the bridge keep of a new pair is theirs. */
+ * is still to come needs more than twice what the largest before did. Here boxes fall onto each other in a bin, lie,
+ * and are thrown up and fall again: three falls warm the memory, two are counted. Only the world's step is: what
+ * collision and the bridge keep of a new pair is theirs. */
 #include "MdtReport.h"
 #include "MeMemory.h"
 #include "Mst.h"

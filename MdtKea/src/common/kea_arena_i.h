@@ -24,8 +24,8 @@ typedef struct KeaBlock {
     size_t size;
 } KeaBlock;
 
-/* Makes room for so many bytes, of which the first `kept` keep what they hold; the block may move. False: no memory, and
- * the block is as it was. */
+/* Makes room for so many bytes, of which the first `kept` keep what they hold; the block may move. False: no memory,
+ * and the block is as it was. */
 static inline MeBool kea_blockReserve(KeaBlock *b, size_t kept, size_t bytes, const char *what) {
     if (b->memory && bytes <= b->size)
         return METRUE;

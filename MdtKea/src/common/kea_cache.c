@@ -3,7 +3,8 @@
  *
  * A cache owns all memory of factors, in blocks that grow by doubling and are kept: where the graphs are no larger than
  * those before, nothing is allocated. Structures lie one behind the other in one block. Where its end is reached, those
- * that are kept move together; after that at most half of the block is in use, so that no more is moved than is written.
+ * that are kept move together; after that at most half of the block is in use, so that no more is moved than is
+ * written.
  */
 #include "MdtKea.h"
 #include "MeAssert.h"
