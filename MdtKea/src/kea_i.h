@@ -9,7 +9,6 @@
  *     kea_newton.c            the inner problem: semismooth Newton on the bodies' side
  *     kea_friction.c          friction bounds between two of its solves
  *     kea_dual.c              the inner problem by the joints' side
- *     kea_factor.c, kea_order.c, kea_cache.c      sparse factorization, elimination order, kept factors
  *     kea_redundancy.c        of redundant joints' impulses, the smallest
  *     kea_velocity.c          the velocity stage: what joints and contacts allow where the bodies have arrived
  *     kea_events.c            what divides a step of contacts in time
@@ -17,7 +16,11 @@
  *   common/, what any solver needs:
  *     kea_policy_i.h          every constant that is a choice
  *     kea_problem_i.h, .c     the inner problem's data: bodies with a quadratic metric, rows with bounds and cones
+ *     kea_factor.c            sparse factorization: numbers
+ *     kea_structure.c, kea_order.c                its structure, the order of elimination
+ *     kea_cache.c             kept structures, and the memory of all factors
  *     kea_sweep.c             the inner problem by sweeps, when work runs out
+ *     kea_rates.c             rates of rows; which may reach a bound
  *     kea_residual.c          how far an answer is from the laws; converged
  *     kea_energy.c            kinetic energy, the one limiter
  *     kea_impact.c            impacts, the one law of restitution
@@ -93,6 +96,8 @@ void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double
 /* The inertia tensor, and its inverse, in world axes at orientation q. */
 void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]);
 void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double inverse[3][3]);
+/* Of any tensor that has an inverse. */
+void kea_invert(double inverse[3][3], const double M[3][3]);
 /* The smallest eigenvalue of a symmetric matrix. */
 double kea_leastEigenvalue(const double S[3][3]);
 /* Eigenvalues of a symmetric matrix, left on the diagonal of S, and eigenvectors, as the columns of V. */
@@ -122,7 +127,6 @@ void kea_balanceMomentum(MdtKeaSystem *s);
 void kea_moveFreely(MdtKeaSystem *s);
 /* The inertia tensor (world) where the body has arrived. */
 void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]);
-void kea_invert(double inverse[3][3], const double M[3][3]);
 
 /* ---- kea_rows.c ---- */
 
@@ -137,6 +141,9 @@ void kea_recallRows(MdtKeaSystem *s);
 void kea_linearizeRows(MdtKeaSystem *s);
 /* Contacts that were thought out of reach and are reached. Returns whether there were any. */
 MeBool kea_admitContacts(MdtKeaSystem *s);
+
+/* ---- kea_rates.c ---- */
+
 /* Stops, and joints that are about to give way; those whose strength is far off hold as if they had no bound. */
 MeBool kea_mayReachBound(const MdtKeaRow *row);
 /* The rate of a row at the end. */

@@ -1,6 +1,7 @@
 /* The sparse factor (kea_factor_i.h) against dense elimination: solutions, structure, cost, and lack of memory. */
-#include "exact/kea_factor_i.h"
+#include "common/kea_factor_i.h"
 #include "MeMemory.h"
+#include "common/kea_policy_i.h"
 #include "common/kea_problem_i.h"
 #include "karma_test.h"
 
@@ -57,11 +58,22 @@ static void makeGraph(Graph *g, Kind kind, int numNodes) {
         join(g, below(numNodes), below(numNodes));
 }
 
-static KeaFactor *create(const Graph *g) {
-    KeaFactor *f = kea_factorCreate(g->numNodes, g->size, g->numEdges, g->edges);
+static MdtKeaCache *cache; /* of the factor that is there */
+
+static KeaFactor *createFor(int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
+    cache = MdtKeaCacheCreate();
+    KeaFactor *f = kea_cacheFind(cache, numNodes, size, numEdges, edges);
     ck_assert_ptr_nonnull(f);
     kea_factorClear(f);
     return f;
+}
+
+static KeaFactor *create(const Graph *g) {
+    return createFor(g->numNodes, g->size, g->numEdges, g->edges);
+}
+
+static void destroy(void) {
+    MdtKeaCacheDestroy(cache);
 }
 
 /* ---- dense reference ---- */
@@ -180,7 +192,7 @@ START_TEST(cholesky_solves_as_elimination_does) {
         fill(f, &g, 0);
         ck_assert_msg(kea_factorCholesky(f, 1e-14), "seed %u", seed);
         assertSolves(f, &g, "Cholesky", seed);
-        kea_factorDestroy(f);
+        destroy();
     }
 }
 END_TEST
@@ -194,7 +206,7 @@ START_TEST(lu_solves_as_elimination_does) {
         fill(f, &g, uniform(-2, 2));
         ck_assert_msg(kea_factorLU(f, 1e-14), "seed %u", seed);
         assertSolves(f, &g, "LU", seed);
-        kea_factorDestroy(f);
+        destroy();
     }
 }
 END_TEST
@@ -211,7 +223,7 @@ START_TEST(equal_blocks_solve_as_elimination_does) {
         fill(f, &g, seed % 3 ? 0 : 0.7);
         ck_assert_msg(seed % 3 ? kea_factorCholesky(f, 1e-14) : kea_factorLU(f, 1e-14), "seed %u", seed);
         assertSolves(f, &g, seed % 3 ? "Cholesky" : "LU", seed);
-        kea_factorDestroy(f);
+        destroy();
     }
 }
 END_TEST
@@ -239,7 +251,7 @@ START_TEST(cholesky_reads_upper_parts_only) {
     ck_assert(kea_factorCholesky(f, 1e-14));
     kea_factorSolve(f, y);
     ck_assert_int_eq(memcmp(x, y, (size_t)n * sizeof *x), 0);
-    kea_factorDestroy(f);
+    destroy();
 }
 END_TEST
 
@@ -268,7 +280,7 @@ START_TEST(not_positive_definite_is_told_and_the_matrix_kept) {
         ck_assert(kea_factorCholesky(f, 1e-14));
         kea_factorSolve(f, y);
         ck_assert_msg(memcmp(x, y, (size_t)n * sizeof *x) == 0, "seed %u", seed);
-        kea_factorDestroy(f);
+        destroy();
     }
 }
 END_TEST
@@ -276,8 +288,7 @@ END_TEST
 /* Indefinite, though every diagonal block is positive: 1 and 1 joined by 2. */
 START_TEST(indefinite_between_blocks_is_told) {
     const int size[] = {1, 1}, edges[][2] = {{1, 0}};
-    KeaFactor *f = kea_factorCreate(2, size, 1, edges);
-    kea_factorClear(f);
+    KeaFactor *f = createFor(2, size, 1, edges);
     kea_factorDiagonal(f, 0)[0] = kea_factorDiagonal(f, 1)[0] = 1;
     kea_factorUpper(f, 0)[0] = kea_factorLower(f, 0)[0] = 2;
     ck_assert(!kea_factorCholesky(f, 1e-14));
@@ -286,15 +297,14 @@ START_TEST(indefinite_between_blocks_is_told) {
     kea_factorSolve(f, x);
     assert_near(x[0], 1, 1e-15);
     assert_near(x[1], 2, 1e-15);
-    kea_factorDestroy(f);
+    destroy();
 }
 END_TEST
 
 START_TEST(singular_blocks_are_told) {
     const int size[] = {2};
-    KeaFactor *f = kea_factorCreate(1, size, 0, NULL);
+    KeaFactor *f = createFor(1, size, 0, NULL);
     double *D = kea_factorDiagonal(f, 0), x[] = {3, 7};
-    kea_factorClear(f);
     ck_assert(!kea_factorCholesky(f, 1e-14) && !kea_factorLU(f, 1e-14));
     D[0] = D[1] = D[2] = D[3] = 1;
     ck_assert(!kea_factorCholesky(f, 1e-14) && !kea_factorLU(f, 1e-14));
@@ -304,7 +314,7 @@ START_TEST(singular_blocks_are_told) {
     ck_assert(!kea_factorCholesky(f, 1e-14) && kea_factorLU(f, 1e-14));
     kea_factorSolve(f, x);
     ck_assert(x[0] == 7 && x[1] == 3);
-    kea_factorDestroy(f);
+    destroy();
 }
 END_TEST
 
@@ -323,7 +333,7 @@ START_TEST(trees_are_factored_without_fill) {
             entries += (size_t)(g.size[g.edges[e][0]] * g.size[g.edges[e][1]]);
         KeaFactor *f = create(&g);
         ck_assert_msg(kea_factorEntries(f) == entries, "seed %u: %zu, not %zu", seed, kea_factorEntries(f), entries);
-        kea_factorDestroy(f);
+        destroy();
     }
 }
 END_TEST
@@ -338,7 +348,7 @@ START_TEST(rings_fill_one_block_a_node) {
             g.size[i] = 6;
         KeaFactor *f = create(&g);
         ck_assert_uint_eq(kea_factorEntries(f), (size_t)(36 * (n + n + n - 3)));
-        kea_factorDestroy(f);
+        destroy();
     }
 }
 END_TEST
@@ -351,18 +361,16 @@ static KeaFactor *longChain(int n) {
         edges[i][0] = i;
         edges[i][1] = i + 1;
     }
-    KeaFactor *f = kea_factorCreate(n, size, n - 1, (const int(*)[2])edges);
-    ck_assert_ptr_nonnull(f);
+    KeaFactor *f = createFor(n, size, n - 1, (const int(*)[2])edges);
     free(size);
     free(edges);
-    kea_factorClear(f);
     return f;
 }
 
 static double chainFlops(int n) {
     KeaFactor *f = longChain(n);
     const double flops = kea_factorFlops(f);
-    kea_factorDestroy(f);
+    destroy();
     return flops;
 }
 
@@ -393,14 +401,14 @@ START_TEST(ten_thousand_nodes_in_a_chain) {
     kea_factorSolve(f, b);
     for (int i = 0; i < 6 * N; i++)
         assert_near(b[i], x[i], 2e-13);
-    kea_factorDestroy(f);
+    destroy();
 }
 END_TEST
 
 START_TEST(a_factor_matches_its_own_graph_only) {
     const int size[] = {6, 3, 6}, otherSize[] = {6, 6, 3};
     const int edges[][2] = {{0, 1}, {2, 1}}, flipped[][2] = {{0, 1}, {1, 2}}, elsewhere[][2] = {{0, 1}, {0, 2}};
-    KeaFactor *f = kea_factorCreate(3, size, 2, edges), *lone = kea_factorCreate(2, size, 0, NULL);
+    KeaFactor *f = createFor(3, size, 2, edges), *lone = kea_cacheFind(cache, 2, size, 0, NULL);
     ck_assert(kea_factorMatches(f, 3, size, 2, edges));
     ck_assert(!kea_factorMatches(f, 2, size, 1, edges));
     ck_assert(!kea_factorMatches(f, 3, size, 1, edges));
@@ -409,8 +417,7 @@ START_TEST(a_factor_matches_its_own_graph_only) {
     ck_assert(!kea_factorMatches(f, 3, size, 2, elsewhere));
     ck_assert(kea_factorMatches(lone, 2, size, 0, NULL) && kea_factorMatches(lone, 2, size, 0, edges));
     ck_assert(!kea_factorMatches(lone, 3, size, 0, NULL));
-    kea_factorDestroy(f);
-    kea_factorDestroy(lone);
+    destroy();
 }
 END_TEST
 
@@ -430,7 +437,7 @@ static void solveInto(double *x, const Graph *g, unsigned seed, const int *origi
     for (int i = 0; i < kea_factorOffset(f, g->numNodes); i++)
         x[i] = cos(i);
     kea_factorSolve(f, x);
-    kea_factorDestroy(f);
+    destroy();
 }
 
 /* The order of elimination depends on the graph, not on how its edges are listed. */
@@ -495,76 +502,133 @@ static void makeScarce(void) {
     blocks = calls = failAt = 0;
 }
 
-START_TEST(lack_of_memory_gives_null_and_no_leak) {
-    Graph g;
-    state = 3;
-    makeGraph(&g, RANDOM, MOST_NODES);
-    messages_catch();
-    makeScarce();
+/* Whether each of these allocations that fails gives null, and nothing is lost: the same, once there is memory. */
+static int failuresOf(const Graph *g) {
     KeaFactor *f = NULL;
-    int failures = 0;
-    for (failAt = 1; !f; failAt++, failures++) {
-        calls = 0;
-        f = kea_factorCreate(g.numNodes, g.size, g.numEdges, g.edges);
-        ck_assert_int_eq(blocks, f ? 1 : 0);
-        ck_assert_int_lt(failures, 1000);
+    int k = 0;
+    while (!f) {
+        cache = MdtKeaCacheCreate();
+        failAt = calls + ++k;
+        f = kea_cacheFind(cache, g->numNodes, g->size, g->numEdges, g->edges);
+        failAt = 0;
+        if (!f)
+            ck_assert_ptr_nonnull(kea_cacheFind(cache, g->numNodes, g->size, g->numEdges, g->edges));
+        destroy();
+        ck_assert_int_eq(blocks, 0);
+        ck_assert_int_lt(k, 1000);
     }
-    ck_assert_int_ge(failures, 2 + MOST_NODES); /* the neighbours of every node are a block */
-    kea_factorDestroy(f);
-    ck_assert_int_eq(blocks, 0);
-    MeMemoryAPI = real;
-    messages_release();
+    return k - 1;
 }
-END_TEST
 
 START_TEST(the_cache_survives_lack_of_memory) {
     Graph g;
-    state = 4;
-    makeGraph(&g, LOOP, 12);
     messages_catch();
     makeScarce();
     failAt = 1;
     ck_assert_ptr_null(MdtKeaCacheCreate());
-    failAt = 0;
-    KeaFactor *f = NULL;
-    for (int k = 1; !f; k++) {
-        MdtKeaCache *cache = MdtKeaCacheCreate();
-        failAt = calls + k;
-        f = kea_cacheFind(cache, g.numNodes, NULL, g.numEdges, g.edges);
-        failAt = 0;
-        if (!f) /* the same, once there is memory */
-            ck_assert_ptr_nonnull(kea_cacheFind(cache, g.numNodes, NULL, g.numEdges, g.edges));
-        MdtKeaCacheDestroy(cache);
-        ck_assert_int_eq(blocks, 0);
-        ck_assert_int_lt(k, 1000);
+    for (unsigned seed = 1; seed <= 20; seed++) {
+        state = seed;
+        makeGraph(&g, (Kind)(seed % KINDS), 2 + below(MOST_NODES - 1));
+        ck_assert_int_ge(failuresOf(&g), 4); /* the order, its columns, the structure, the numbers */
     }
     MeMemoryAPI = real;
     messages_release();
 }
 END_TEST
 
-/* More graphs than the cache has room for: the last ones are found again, and the first is made anew. */
-START_TEST(the_cache_keeps_what_was_used_last) {
-    const int edges[][2] = {{0, 1}};
+/* A factor in use, then a larger graph for which there is no memory: the first is as good as before. */
+START_TEST(a_factor_survives_lack_of_memory_for_another) {
+    Graph g, large;
+    state = 11;
+    makeGraph(&g, RANDOM, 6);
+    makeGraph(&large, RANDOM, MOST_NODES);
     messages_catch();
     makeScarce();
-    MdtKeaCache *cache = MdtKeaCacheCreate();
-    KeaFactor *last = NULL;
-    for (int n = 2; n < 102; n++) {
-        last = kea_cacheFind(cache, n, NULL, 1, edges);
-        ck_assert(kea_factorOffset(last, n) == 6 * n);
+    KeaFactor *f = NULL, *other = NULL;
+    for (int k = 1; !other; k++) {
+        f = create(&g);
+        failAt = calls + k;
+        other = kea_cacheFind(cache, large.numNodes, large.size, large.numEdges, large.edges);
+        failAt = 0;
+        for (int pass = 0; pass < 2; pass++) {
+            kea_factorClear(f);
+            state = 12;
+            fill(f, &g, 0);
+            ck_assert(kea_factorCholesky(f, 1e-14));
+            assertSolves(f, &g, "after lack of memory", (unsigned)k);
+            ck_assert_ptr_eq(kea_cacheFind(cache, g.numNodes, g.size, g.numEdges, g.edges), f);
+        }
+        ck_assert_int_lt(k, 1000);
+        if (!other)
+            destroy();
     }
-    const int before = calls;
-    ck_assert_ptr_eq(kea_cacheFind(cache, 101, NULL, 1, edges), last);
-    for (int n = 90; n < 102; n++)
-        ck_assert_int_eq(kea_factorOffset(kea_cacheFind(cache, n, NULL, 1, edges), n), 6 * n);
-    ck_assert_int_eq(calls, before);
-    ck_assert_int_eq(kea_factorOffset(kea_cacheFind(cache, 2, NULL, 1, edges), 2), 12);
-    ck_assert_int_gt(calls, before);
-    MdtKeaCacheDestroy(cache);
+    destroy();
     ck_assert_int_eq(blocks, 0);
     MeMemoryAPI = real;
     messages_release();
+}
+END_TEST
+
+/* More graphs than the cache has room for: the last ones are found again, and the first is made anew in the place of
+ * the one that was not used for longest. */
+START_TEST(the_cache_keeps_what_was_used_last) {
+    enum { FIRST = 2, END = FIRST + 100, KEPT = END - KEA_MAX_FACTORS };
+    const int edges[][2] = {{0, 1}};
+    KeaFactor *made[END] = {NULL};
+    cache = MdtKeaCacheCreate();
+    for (int n = FIRST; n < END; n++) {
+        made[n] = kea_cacheFind(cache, n, NULL, 1, edges);
+        ck_assert(kea_factorOffset(made[n], n) == 6 * n);
+    }
+    for (int n = KEPT; n < END; n++) {
+        ck_assert_ptr_eq(kea_cacheFind(cache, n, NULL, 1, edges), made[n]);
+        ck_assert_int_eq(kea_factorOffset(made[n], n), 6 * n);
+    }
+    ck_assert_ptr_eq(kea_cacheFind(cache, FIRST, NULL, 1, edges), made[KEPT]);
+    ck_assert_int_eq(kea_factorOffset(made[KEPT], FIRST), 6 * FIRST);
+    destroy();
+}
+END_TEST
+
+/* Structures come, go and are moved; each factor that is kept solves as it should, also where the last user of the
+ * memory of the numbers was another one. */
+START_TEST(factors_of_one_cache_do_not_disturb_one_another) {
+    enum { GRAPHS = 100, TURNS = 2000 };
+    static Graph g[GRAPHS];
+    state = 21;
+    for (int i = 0; i < GRAPHS; i++)
+        makeGraph(&g[i], (Kind)(i % KINDS), 1 + below(12));
+    cache = MdtKeaCacheCreate();
+    for (int turn = 0; turn < TURNS; turn++) {
+        const Graph *one = &g[below(GRAPHS)], *two = &g[below(GRAPHS)];
+        KeaFactor *f = kea_cacheFind(cache, one->numNodes, one->size, one->numEdges, one->edges);
+        kea_factorClear(kea_cacheFind(cache, two->numNodes, two->size, two->numEdges, two->edges));
+        kea_factorClear(f);
+        fill(f, one, 0);
+        ck_assert(kea_factorCholesky(f, 1e-14));
+        assertSolves(f, one, "turn", (unsigned)turn);
+    }
+    destroy();
+}
+END_TEST
+
+/* However the graphs change: once the blocks are as large as the largest of them need, nothing is allocated. */
+START_TEST(a_warm_cache_allocates_nothing) {
+    enum { WARM = 300, GRAPHS = 3000 };
+    Graph g;
+    state = 31;
+    makeScarce();
+    cache = MdtKeaCacheCreate();
+    for (int i = 0; i < GRAPHS; i++) {
+        makeGraph(&g, (Kind)(i % KINDS), 1 + below(MOST_NODES));
+        const int before = calls;
+        ck_assert_ptr_nonnull(kea_cacheFind(cache, g.numNodes, g.size, g.numEdges, g.edges));
+        ck_assert_msg(i < WARM || calls == before, "graph %d: %d allocations", i, calls - before);
+    }
+    ck_assert_int_le(calls, 40); /* five blocks, that double */
+    destroy();
+    ck_assert_int_eq(blocks, 0);
+    MeMemoryAPI = real;
 }
 END_TEST
 
@@ -582,8 +646,10 @@ static void tests(TCase *t) {
     tcase_add_test(t, ten_thousand_nodes_in_a_chain);
     tcase_add_test(t, a_factor_matches_its_own_graph_only);
     tcase_add_test(t, one_graph_gives_the_same_bits);
-    tcase_add_test(t, lack_of_memory_gives_null_and_no_leak);
     tcase_add_test(t, the_cache_survives_lack_of_memory);
+    tcase_add_test(t, a_factor_survives_lack_of_memory_for_another);
+    tcase_add_test(t, factors_of_one_cache_do_not_disturb_one_another);
+    tcase_add_test(t, a_warm_cache_allocates_nothing);
     tcase_add_test(t, the_cache_keeps_what_was_used_last);
 }
 

@@ -9,7 +9,6 @@ POLICY = 'common/kea_policy_i.h'
 HALVES = {'0.5', '.5', '1.5', '1.0', '2.0'}  # of formulas; 1.0 and 2.0 make a product of integers one of doubles
 ALLOWED = {  # (file, number): why it is no choice
     ('common/kea_rotation.c', '2.094395102393195492'): '2 pi / 3',
-    ('exact/kea_order.c', '1e4'): 'of an assertion: above it sums of squares are no exact integers in double',
 }
 COEFFICIENTS = {  # (file, function): all of its numbers are published ones
     ('common/kea_rotation.c', 'blanesMoan4'): 'Blanes and Moan 2002',

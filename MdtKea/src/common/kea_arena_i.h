@@ -1,9 +1,11 @@
-/* Carving arrays out of one block of memory. With no block it only measures how much they need. */
+/* Carving arrays out of one block of memory, and blocks that grow. */
 #ifndef KEA_ARENA_I_H
 #define KEA_ARENA_I_H
 
+#include "MeInternal.h"
 #include <stddef.h>
 
+/* With no block it only measures how much the arrays need. */
 typedef struct KeaArena {
     char *base; /* null: measure */
     size_t used;
@@ -13,6 +15,29 @@ static inline void *kea_carve(KeaArena *a, size_t count, size_t size) {
     void *at = a->base ? a->base + a->used : NULL;
     a->used += (count * size + 15) & ~(size_t)15;
     return at;
+}
+
+/* A block that is used again and again, and is twice as large as was needed when it last grew: what needs at most that
+ * allocates nothing. */
+typedef struct KeaBlock {
+    char *memory;
+    size_t size;
+} KeaBlock;
+
+/* Makes room for so many bytes, of which the first `kept` keep what they hold; the block may move. False: no memory,
+ * and the block is as it was. */
+static inline MeBool kea_blockReserve(KeaBlock *b, size_t kept, size_t bytes, const char *what) {
+    if (b->memory && bytes <= b->size)
+        return METRUE;
+    if (!MeMemoryGrow(&b->memory, kept, 2 * bytes, 1, "MdtKeaSolve", what))
+        return MEFALSE;
+    b->size = 2 * bytes;
+    return METRUE;
+}
+
+static inline void kea_blockFree(KeaBlock *b) {
+    MeMemoryGive(b->memory);
+    *b = (KeaBlock){NULL, 0};
 }
 
 #endif

@@ -16,7 +16,7 @@
 #include "MdtKea.h"
 #include "MdtKeaMath.h"
 #include "common/kea_arena_i.h"
-#include "exact/kea_factor_i.h"
+#include "common/kea_factor_i.h"
 
 typedef struct KeaMetric {
     double linear;        /* kg, times the unit matrix */
@@ -148,9 +148,5 @@ double kea_frictionBoundsError(const KeaProblem *q);
 void kea_frictionRenewBounds(KeaProblem *q);
 /* Takes every friction bound a share of the way there; `isAccelerated`: with what the last call has taught. */
 void kea_frictionApproachBounds(KeaProblem *q, double share, MeBool isAccelerated);
-
-/* The factor of a graph, made if there is none; sizes null: 6 of every node. */
-KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size[], int numEdges,
-                         const int (*edges)[2]);
 
 #endif

@@ -153,6 +153,16 @@ void MEAPI MdtKeaBodySetAngularVelocity(MdtKeaBody *body, const double w[3]) {
     kea_angularMomentum(body, body->quaternion, w, body->angularMomentum);
 }
 
+void kea_invert(double inverse[3][3], const double M[3][3]) {
+    double c[3][3];
+    for (int i = 0; i < 3; i++)
+        keaCross(c[i], M[(i + 1) % 3], M[(i + 2) % 3]);
+    const double det = keaDot(M[0], c[0]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            inverse[i][j] = c[j][i] / det;
+}
+
 /* One Jacobi rotation that zeroes S[p][q] of a symmetric matrix; the columns of V follow. */
 static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
     if (S[p][q] == 0)

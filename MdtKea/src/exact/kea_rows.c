@@ -16,12 +16,6 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-MeBool kea_mayReachBound(const MdtKeaRow *row) {
-    if (row->lower == -HUGE_VAL || row->upper == HUGE_VAL)
-        return row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
-    return row->force > kea_nearBound * row->upper || row->force < kea_nearBound * row->lower;
-}
-
 static double rateWith(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
     double rate = 0;
     for (int k = 0; k < 2; k++) {
@@ -213,30 +207,6 @@ void kea_keepRows(MdtKeaSystem *s) {
 void kea_recallRows(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         memcpy(s->rows[i].J, s->work->keptJ[i], sizeof s->rows[i].J);
-}
-
-double kea_endRate(const MdtKeaSystem *s, int i) {
-    const KeaProblemRow *p = &s->work->problem.row[i];
-    double rate = 0;
-    for (int k = 0; k < 2; k++) {
-        if (p->body[k] < 0)
-            continue;
-        const double *v = s->work->body[p->body[k]].endVelocity;
-        rate += keaDot(p->J[k], v) + keaDot(p->J[k] + 3, v + 3);
-    }
-    return rate;
-}
-
-double kea_meanRate(const MdtKeaSystem *s, int i) {
-    const KeaProblemRow *p = &s->work->problem.row[i];
-    double rate = 0;
-    for (int k = 0; k < 2; k++) {
-        if (p->body[k] < 0)
-            continue;
-        const double *u = s->work->body[p->body[k]].u;
-        rate += keaDot(p->J[k], u) + keaDot(p->J[k] + 3, u + 3);
-    }
-    return rate;
 }
 
 static void springRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {

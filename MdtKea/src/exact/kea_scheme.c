@@ -216,16 +216,6 @@ static double largestEntry(const double K[3][3]) {
     return most;
 }
 
-void kea_invert(double inverse[3][3], const double M[3][3]) {
-    double c[3][3];
-    for (int i = 0; i < 3; i++)
-        keaCross(c[i], M[(i + 1) % 3], M[(i + 2) % 3]);
-    const double det = keaDot(M[0], c[0]);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            inverse[i][j] = c[j][i] / det;
-}
-
 /* The stiffness of all rows on each body, gathered in metric[].angular. */
 static void gatherStiffness(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;

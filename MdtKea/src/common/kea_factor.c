@@ -8,211 +8,12 @@
  * factors A_jj, and divides by it: U_ji = L_jj⁻¹ A_ji, L_ij = A_ij U_jj⁻¹. A column of L is kept as its transpose, so
  * that all products are sums of Xᵀ Y, row by row. Of a symmetric matrix L = Uᵀ: only U is kept.
  */
-#include "exact/kea_factor_i.h"
 #include "MeAssert.h"
-#include "MeInternal.h"
-#include "common/kea_arena_i.h"
-#include "exact/kea_order_i.h"
+#include "common/kea_structure_i.h"
 #include <math.h>
 #include <string.h>
 
-typedef struct Entry {
-    int row;     /* its turn */
-    size_t at;   /* where the block is, in upper and lower */
-    int edge;    /* of the graph, or -1: it came into being */
-    MeBool flip; /* A_ij of the edge is the lower block */
-} Entry;
-
-/* That node k, at its entry e, has this one in its structure. */
-typedef struct Source {
-    int turn, entry;
-} Source;
-
-struct KeaFactor {
-    int numNodes, numEdges;
-    int *size, *offset; /* by node */
-    int (*edges)[2];
-    int *node; /* by turn */
-    int *start;
-    Entry *entry; /* of turn t: entry[start[t] .. start[t + 1]) */
-    int *sourceStart;
-    Source *source;
-    int *place;         /* by turn: the entry of the column that is being made, scratch */
-    size_t *diagonalAt; /* by node */
-    size_t *edgeAt;     /* by edge */
-    double *diagonal, *upperInput, *lowerInput;
-    double *pivot; /* by node: the factors of the diagonal block */
-    int *exchange; /* by unknown: the row exchanges within a block */
-    double *upper, *lower;
-    size_t diagonalSize, inputSize, factorSize;
-    double flops;
-    MeBool isSymmetric;
-    char *memory;
-};
-
-/* ---- creation ---- */
-
-static void layOut(KeaFactor *f, int numEntries, KeaArena *a) {
-    const size_t n = (size_t)f->numNodes, m = (size_t)f->numEdges, k = (size_t)numEntries;
-    f->size = kea_carve(a, n, sizeof(int));
-    f->offset = kea_carve(a, n + 1, sizeof(int));
-    f->edges = kea_carve(a, m, sizeof *f->edges);
-    f->node = kea_carve(a, n, sizeof(int));
-    f->start = kea_carve(a, n + 1, sizeof(int));
-    f->entry = kea_carve(a, k, sizeof *f->entry);
-    f->sourceStart = kea_carve(a, n + 1, sizeof(int));
-    f->source = kea_carve(a, k, sizeof *f->source);
-    f->place = kea_carve(a, n, sizeof(int));
-    f->diagonalAt = kea_carve(a, n, sizeof(size_t));
-    f->edgeAt = kea_carve(a, m, sizeof(size_t));
-}
-
-static void layOutNumbers(KeaFactor *f, size_t unknowns, KeaArena *a) {
-    f->diagonal = kea_carve(a, f->diagonalSize, sizeof(double));
-    f->upperInput = kea_carve(a, f->inputSize, sizeof(double));
-    f->lowerInput = kea_carve(a, f->inputSize, sizeof(double));
-    f->pivot = kea_carve(a, f->diagonalSize, sizeof(double));
-    f->exchange = kea_carve(a, unknowns, sizeof(int));
-    f->upper = kea_carve(a, f->factorSize, sizeof(double));
-    f->lower = kea_carve(a, f->factorSize, sizeof(double));
-}
-
-/* Sizes that follow from the structure; the work of a Cholesky factorization: the squares of its columns' lengths. */
-static int measure(KeaFactor *f, const KeaOrder *o, const int size[], const int (*edges)[2]) {
-    int entries = 0;
-    for (int i = 0; i < f->numNodes; i++) {
-        double length = 0;
-        for (int k = 0; k < o->degree[i]; k++) {
-            f->factorSize += (size_t)(size[i] * size[o->structure[i][k]]);
-            length += size[o->structure[i][k]];
-        }
-        for (int r = 0; r < size[i]; r++)
-            f->flops += (length + r + 1) * (length + r + 1);
-        f->diagonalSize += (size_t)(size[i] * size[i]);
-        entries += o->degree[i];
-    }
-    for (int e = 0; e < f->numEdges; e++)
-        f->inputSize += (size_t)(size[edges[e][0]] * size[edges[e][1]]);
-    return entries;
-}
-
-static void copyGraph(KeaFactor *f, const int size[], const int (*edges)[2]) {
-    size_t diagonal = 0, input = 0;
-    f->offset[0] = 0;
-    for (int i = 0; i < f->numNodes; i++) {
-        f->size[i] = size[i];
-        f->offset[i + 1] = f->offset[i] + size[i];
-        f->diagonalAt[i] = diagonal;
-        diagonal += (size_t)(size[i] * size[i]);
-    }
-    for (int e = 0; e < f->numEdges; e++) {
-        f->edges[e][0] = edges[e][0];
-        f->edges[e][1] = edges[e][1];
-        f->edgeAt[e] = input;
-        input += (size_t)(size[edges[e][0]] * size[edges[e][1]]);
-    }
-}
-
-/* Columns in the order of turns, rows by turn; place[] holds the turns of nodes meanwhile. */
-static void copyStructure(KeaFactor *f, const KeaOrder *o) {
-    size_t at = 0;
-    int n = 0;
-    for (int t = 0; t < f->numNodes; t++)
-        f->place[o->node[t]] = t;
-    for (int t = 0; t < f->numNodes; t++) {
-        const int i = f->node[t] = o->node[t];
-        f->start[t] = n;
-        for (int k = 0; k < o->degree[i]; k++) {
-            int hole = n++;
-            const int row = f->place[o->structure[i][k]];
-            for (; hole > f->start[t] && f->entry[hole - 1].row > row; hole--)
-                f->entry[hole] = f->entry[hole - 1];
-            f->entry[hole] = (Entry){.row = row, .edge = -1};
-        }
-        for (int e = f->start[t]; e < n; e++) {
-            f->entry[e].at = at;
-            at += (size_t)(f->size[i] * f->size[o->node[f->entry[e].row]]);
-        }
-    }
-    f->start[f->numNodes] = n;
-}
-
-static void placeEdges(KeaFactor *f) {
-    for (int e = 0; e < f->numEdges; e++) {
-        const int a = f->place[f->edges[e][0]], b = f->place[f->edges[e][1]];
-        const int column = a < b ? a : b, row = a < b ? b : a;
-        int low = f->start[column], high = f->start[column + 1] - 1;
-        while (low < high) {
-            const int middle = (low + high) / 2;
-            if (f->entry[middle].row < row)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        f->entry[low].edge = e;
-        f->entry[low].flip = a > b;
-    }
-}
-
-static void listSources(KeaFactor *f) {
-    memset(f->sourceStart, 0, (size_t)(f->numNodes + 1) * sizeof(int));
-    for (int e = 0; e < f->start[f->numNodes]; e++)
-        f->sourceStart[f->entry[e].row + 1]++;
-    for (int t = 0; t < f->numNodes; t++)
-        f->sourceStart[t + 1] += f->sourceStart[t];
-    memcpy(f->place, f->sourceStart, (size_t)f->numNodes * sizeof(int));
-    for (int t = 0; t < f->numNodes; t++)
-        for (int e = f->start[t]; e < f->start[t + 1]; e++)
-            f->source[f->place[f->entry[e].row]++] = (Source){t, e};
-}
-
-/* Rows of a column come after it, in the order of their turns; blocks do not overlap. */
-static inline MeBool hasSortedColumns(const KeaFactor *f) {
-    size_t at = 0;
-    for (int t = 0; t < f->numNodes; t++)
-        for (int e = f->start[t]; e < f->start[t + 1]; e++) {
-            const int before = e > f->start[t] ? f->entry[e - 1].row : t;
-            if (f->entry[e].row <= before || f->entry[e].row >= f->numNodes || f->entry[e].at != at)
-                return MEFALSE;
-            at += (size_t)(f->size[f->node[t]] * f->size[f->node[f->entry[e].row]]);
-        }
-    return at == f->factorSize;
-}
-
-KeaFactor *kea_factorCreate(int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
-    KeaOrder o;
-    KeaFactor plan = {.numNodes = numNodes, .numEdges = numEdges};
-    if (!kea_orderCreate(&o, numNodes, size, numEdges, edges))
-        return NULL;
-    const int entries = measure(&plan, &o, size, edges);
-    size_t unknowns = 0;
-    for (int i = 0; i < numNodes; i++)
-        unknowns += (size_t)size[i];
-    KeaArena arena = {NULL, 0};
-    kea_carve(&arena, 1, sizeof plan);
-    layOut(&plan, entries, &arena);
-    layOutNumbers(&plan, unknowns, &arena);
-    char *memory = MeMemoryTake(1, arena.used, "MdtKeaSolve", "a factor");
-    KeaFactor *f = (KeaFactor *)(void *)memory;
-    if (f) {
-        arena = (KeaArena){memory, 0};
-        kea_carve(&arena, 1, sizeof *f);
-        *f = plan;
-        layOut(f, entries, &arena);
-        layOutNumbers(f, unknowns, &arena);
-        copyGraph(f, size, edges);
-        copyStructure(f, &o);
-        placeEdges(f);
-        listSources(f);
-        MEVALIDATE(hasSortedColumns(f));
-    }
-    kea_orderDestroy(&o);
-    return f;
-}
-
-void kea_factorDestroy(KeaFactor *f) {
-    MeMemoryGive(f);
-}
+/* ---- the graph ---- */
 
 MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
     return f->numNodes == numNodes && f->numEdges == numEdges &&
@@ -220,9 +21,23 @@ MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int
            (numEdges == 0 || memcmp(f->edges, edges, (size_t)numEdges * sizeof *edges) == 0);
 }
 
+int kea_factorOffset(const KeaFactor *f, int node) {
+    return f->offset[node];
+}
+
+double kea_factorFlops(const KeaFactor *f) {
+    return f->flops;
+}
+
+size_t kea_factorEntries(const KeaFactor *f) {
+    return f->diagonalSize + f->factorSize;
+}
+
 /* ---- the matrix ---- */
 
 void kea_factorClear(KeaFactor *f) {
+    kea_structureLayOutNumbers(f, f->numbers->block.memory);
+    f->numbers->owner = f;
     memset(f->diagonal, 0, f->diagonalSize * sizeof(double));
     memset(f->upperInput, 0, f->inputSize * sizeof(double));
     memset(f->lowerInput, 0, f->inputSize * sizeof(double));
@@ -240,18 +55,6 @@ double *kea_factorUpper(KeaFactor *f, int edge) {
 
 double *kea_factorLower(KeaFactor *f, int edge) {
     return f->lowerInput + f->edgeAt[edge];
-}
-
-int kea_factorOffset(const KeaFactor *f, int node) {
-    return f->offset[node];
-}
-
-double kea_factorFlops(const KeaFactor *f) {
-    return f->flops;
-}
-
-size_t kea_factorEntries(const KeaFactor *f) {
-    return f->diagonalSize + f->factorSize;
 }
 
 /* ---- blocks ---- */
@@ -370,7 +173,7 @@ static void divideLower(double *B, const double *D, const int exchange[], int n,
 
 /* ---- factorization ---- */
 
-static int sizeOfRow(const KeaFactor *f, const Entry *e) {
+static int sizeOfRow(const KeaFactor *f, const KeaFactorEntry *e) {
     return f->size[f->node[e->row]];
 }
 
@@ -378,7 +181,7 @@ static void loadColumn(KeaFactor *f, int t) {
     const int j = f->node[t], n = f->size[j];
     memcpy(f->pivot + f->diagonalAt[j], f->diagonal + f->diagonalAt[j], (size_t)(n * n) * sizeof(double));
     for (int k = f->start[t]; k < f->start[t + 1]; k++) {
-        const Entry *e = &f->entry[k];
+        const KeaFactorEntry *e = &f->entry[k];
         const int m = sizeOfRow(f, e);
         const size_t bytes = (size_t)(n * m) * sizeof(double);
         f->place[e->row] = k;
@@ -406,10 +209,10 @@ static void gatherUpdates(KeaFactor *f, int t) {
     const double *left = f->isSymmetric ? f->upper : f->lower;
     for (int s = f->sourceStart[t]; s < f->sourceStart[t + 1]; s++) {
         const int k = f->source[s].turn, first = f->source[s].entry, inner = f->size[f->node[k]];
-        const Entry *own = &f->entry[first];
+        const KeaFactorEntry *own = &f->entry[first];
         subtractProduct(f->pivot + f->diagonalAt[j], left + own->at, f->upper + own->at, inner, n, n);
         for (int e = first + 1; e < f->start[k + 1]; e++) {
-            const Entry *other = &f->entry[e], *target = &f->entry[f->place[other->row]];
+            const KeaFactorEntry *other = &f->entry[e], *target = &f->entry[f->place[other->row]];
             const int m = sizeOfRow(f, other);
             subtractProduct(f->upper + target->at, left + own->at, f->upper + other->at, inner, n, m);
             if (!f->isSymmetric)
@@ -425,7 +228,7 @@ static MeBool divideColumn(KeaFactor *f, int t, double least) {
     if (!(f->isSymmetric ? choleskyOf(D, n, least) : luOf(D, n, exchange, least)))
         return MEFALSE;
     for (int k = f->start[t]; k < f->start[t + 1]; k++) {
-        const Entry *e = &f->entry[k];
+        const KeaFactorEntry *e = &f->entry[k];
         const int m = sizeOfRow(f, e);
         if (f->isSymmetric) {
             divideUpper(f->upper + e->at, D, n, m);
@@ -438,6 +241,7 @@ static MeBool divideColumn(KeaFactor *f, int t, double least) {
 }
 
 static MeBool factorize(KeaFactor *f, double least) {
+    MEASSERT(f->numbers->owner == f);
     for (int t = 0; t < f->numNodes; t++) {
         loadColumn(f, t);
         gatherUpdates(f, t);
@@ -485,7 +289,7 @@ static void solveForward(const KeaFactor *f, double x[]) {
         else
             divideLower(xj, D, f->exchange + f->offset[j], n, 1);
         for (int k = f->start[t]; k < f->start[t + 1]; k++) {
-            const Entry *e = &f->entry[k];
+            const KeaFactorEntry *e = &f->entry[k];
             subtractTransposed(x + f->offset[f->node[e->row]], left + e->at, xj, n, sizeOfRow(f, e));
         }
     }
@@ -496,7 +300,7 @@ static void solveBackward(const KeaFactor *f, double x[]) {
         const int j = f->node[t], n = f->size[j];
         double *xj = x + f->offset[j];
         for (int k = f->start[t]; k < f->start[t + 1]; k++) {
-            const Entry *e = &f->entry[k];
+            const KeaFactorEntry *e = &f->entry[k];
             const double *U = f->upper + e->at, *xi = x + f->offset[f->node[e->row]];
             const int m = sizeOfRow(f, e);
             for (int p = 0; p < n; p++)
@@ -508,6 +312,7 @@ static void solveBackward(const KeaFactor *f, double x[]) {
 }
 
 void kea_factorSolve(const KeaFactor *f, double x[]) {
+    MEASSERT(f->numbers->owner == f);
     solveForward(f, x);
     solveBackward(f, x);
 }

@@ -3,7 +3,10 @@
  * Node i of the graph has size[i] unknowns (1..KEA_FACTOR_MAX_BLOCK); an edge (i, j) says that the blocks A_ij and A_ji
  * are there. Kea uses it for bodies (6 each, edges are rows that join two bodies) and for constraints (their rows,
  * edges are shared bodies). The order of elimination and the structure of the factor depend on the graph alone and are
- * found once, by kea_factorCreate; numbers are filled in and factored as often as they change.
+ * found once, and kept, by a cache (kea_cacheFind); numbers are filled in and factored as often as they change.
+ *
+ * All factors of a cache share the memory of their numbers: kea_factorClear takes it for one factor, which has it until
+ * the next call of kea_factorClear or kea_cacheFind.
  */
 #ifndef KEA_FACTOR_I_H
 #define KEA_FACTOR_I_H
@@ -13,16 +16,18 @@
 
 enum { KEA_FACTOR_MAX_BLOCK = 12 };
 
+struct MdtKeaCache;
 typedef struct KeaFactor KeaFactor;
 
-/* Orders and analyses a graph; its memory comes from MeMemory. Edges are unique, i != j, in any order; the result
- * depends on nothing else (same graph, same bits). Null when there is no memory. */
-KeaFactor *kea_factorCreate(int numNodes, const int size[], int numEdges, const int (*edges)[2]);
-void kea_factorDestroy(KeaFactor *f);
+/* The factor of a graph, made if there is none: ordered and analysed; its memory is the cache's. Edges are unique, i !=
+ * j, in any order; the result depends on nothing else (same graph, same bits). Sizes null: 6 of every node. The factor
+ * is there until as many other graphs have come up as a cache keeps. Null when there is no memory. */
+KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size[], int numEdges,
+                         const int (*edges)[2]);
 /* Whether f was created for this very graph. */
 MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int numEdges, const int (*edges)[2]);
 
-/* Sets every block of the matrix to zero. */
+/* Begins a matrix: sets all its blocks to zero, in the memory that the factors of the cache share. */
 void kea_factorClear(KeaFactor *f);
 /* The blocks of the matrix, row-major, to be added to. Of an edge e = (i, j): `upper` is A_ij, size[i] rows by size[j]
  * columns; `lower` is A_ji, and is read by kea_factorLU only. */

@@ -1,0 +1,150 @@
+/* Factors for the graphs that have come up: a partition whose bodies are joined as before finds its own again, and so
+ * do all partitions that look alike. The least recently used one makes room.
+ *
+ * A cache owns all memory of factors, in blocks that grow by doubling and are kept: where the graphs are no larger than
+ * those before, nothing is allocated. Structures lie one behind the other in one block. Where its end is reached, those
+ * that are kept move together; after that at most half of the block is in use, so that no more is moved than is
+ * written.
+ */
+#include "MdtKea.h"
+#include "MeAssert.h"
+#include "MeInternal.h"
+#include "common/kea_policy_i.h"
+#include "common/kea_structure_i.h"
+#include <string.h>
+
+typedef struct Entry {
+    KeaFactor factor; /* stays where it is: users have its address */
+    size_t at, bytes; /* of its structure; none: there is no factor */
+    unsigned long used;
+} Entry;
+
+struct MdtKeaCache {
+    Entry entry[KEA_MAX_FACTORS];
+    unsigned long clock;
+    KeaOrder order; /* scratch */
+    KeaBlock structures;
+    size_t end; /* of the last structure */
+    KeaNumbers numbers;
+    KeaBlock sizes; /* of the nodes of a graph of bodies: 6 each, */
+    int numSizes;   /* so many are written */
+};
+
+MdtKeaCache *MEAPI MdtKeaCacheCreate(void) {
+    return MeMemoryTakeZeroed(1, sizeof(MdtKeaCache), "MdtKeaCacheCreate", "the cache of factors");
+}
+
+void MEAPI MdtKeaCacheDestroy(MdtKeaCache *c) {
+    if (!c)
+        return;
+    kea_orderFree(&c->order);
+    kea_blockFree(&c->structures);
+    kea_blockFree(&c->numbers.block);
+    kea_blockFree(&c->sizes);
+    MeMemoryGive(c);
+}
+
+/* ---- the memory of structures ---- */
+
+/* The entry with the next structure in the block, or null. */
+static Entry *nextFrom(MdtKeaCache *c, size_t at) {
+    Entry *next = NULL;
+    for (int i = 0; i < KEA_MAX_FACTORS; i++) {
+        Entry *e = &c->entry[i];
+        if (e->bytes > 0 && e->at >= at && (!next || e->at < next->at))
+            next = e;
+    }
+    return next;
+}
+
+static void moveTogether(MdtKeaCache *c) {
+    size_t end = 0;
+    for (Entry *e = nextFrom(c, 0); e; e = nextFrom(c, end)) {
+        MEASSERT(e->at >= end);
+        memmove(c->structures.memory + end, c->structures.memory + e->at, e->bytes);
+        e->at = end;
+        end += e->bytes;
+    }
+    c->end = end;
+}
+
+static void pointAgain(MdtKeaCache *c) {
+    for (int i = 0; i < KEA_MAX_FACTORS; i++)
+        if (c->entry[i].bytes > 0)
+            kea_structureMove(&c->entry[i].factor, c->structures.memory + c->entry[i].at);
+}
+
+/* Room for so many bytes at the end, and as many again as all have then. False: no memory. */
+static MeBool makeRoom(MdtKeaCache *c, size_t bytes) {
+    if (c->structures.memory && c->end + bytes <= c->structures.size)
+        return METRUE;
+    moveTogether(c);
+    const MeBool isThere = kea_blockReserve(&c->structures, c->end, 2 * (c->end + bytes), "the structures of factors");
+    pointAgain(c);
+    return isThere;
+}
+
+/* ---- factors ---- */
+
+static MeBool createIn(MdtKeaCache *c, Entry *e, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
+    KeaFactor plan;
+    e->bytes = 0;
+    if (!kea_orderFind(&c->order, numNodes, size, numEdges, edges))
+        return MEFALSE;
+    const size_t bytes = kea_structurePlan(&plan, &c->order, size, numEdges, edges);
+    if (!makeRoom(c, bytes))
+        return MEFALSE;
+    e->factor = plan;
+    e->factor.numbers = &c->numbers;
+    e->at = c->end;
+    e->bytes = bytes;
+    c->end += bytes;
+    kea_structureWrite(&e->factor, c->structures.memory + e->at, &c->order, size, edges);
+    return METRUE;
+}
+
+static MeBool makeRoomForNumbers(MdtKeaCache *c, KeaFactor *f) {
+    c->numbers.owner = NULL;
+    return kea_blockReserve(&c->numbers.block, 0, kea_structureLayOutNumbers(f, NULL), "the numbers of a factor");
+}
+
+/* Null: no memory. */
+static const int *sixes(MdtKeaCache *c, int n) {
+    if (!kea_blockReserve(&c->sizes, (size_t)c->numSizes * sizeof(int), (size_t)n * sizeof(int), "sizes of a graph"))
+        return NULL;
+    int *size = (int *)(void *)c->sizes.memory;
+    for (; c->numSizes < n; c->numSizes++)
+        size[c->numSizes] = 6;
+    return size;
+}
+
+static Entry *find(MdtKeaCache *c, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
+    for (int i = 0; i < KEA_MAX_FACTORS; i++) {
+        Entry *e = &c->entry[i];
+        if (e->bytes > 0 && kea_factorMatches(&e->factor, numNodes, size, numEdges, edges))
+            return e;
+    }
+    return NULL;
+}
+
+static Entry *leastRecentlyUsed(MdtKeaCache *c) {
+    Entry *oldest = &c->entry[0];
+    for (int i = 1; i < KEA_MAX_FACTORS; i++)
+        if (c->entry[i].used < oldest->used)
+            oldest = &c->entry[i];
+    return oldest;
+}
+
+KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
+    size = size ? size : sixes(c, numNodes);
+    if (!size)
+        return NULL;
+    Entry *e = find(c, numNodes, size, numEdges, edges);
+    if (!e) {
+        e = leastRecentlyUsed(c);
+        if (!createIn(c, e, numNodes, size, numEdges, edges))
+            return NULL;
+    }
+    e->used = ++c->clock;
+    return makeRoomForNumbers(c, &e->factor) ? &e->factor : NULL;
+}

@@ -1,0 +1,335 @@
+/* The order in which the nodes of a graph are eliminated: minimum degree.
+ *
+ * Eliminating a node joins all its neighbours with one another; the fewer it has, the fewer blocks come into being.
+ * Chains and trees are eliminated from their leaves, without any. The neighbours that a node has when its turn comes
+ * are the structure of its column in the factor.
+ *
+ * The graph that is left is kept as a quotient graph (George and Liu 1981, ch. 5): an eliminated node is an element,
+ * which stands for all the edges between the nodes of its column. The neighbours of a node are those that edges of the
+ * graph itself lead to, and those of its elements; an element whose nodes are all in a later one is dropped. So a node
+ * never needs more room than its edges took, and what is written for every turn is the column alone. Degrees are exact:
+ * what an element adds to the new one is counted once for all its nodes (Amestoy, Davis and Duff 1996), and only where
+ * two or more add something are their nodes looked at one by one.
+ */
+#include "common/kea_order_i.h"
+#include "MeAssert.h"
+#include <string.h>
+
+typedef struct Degree {
+    int nodes, unknowns;
+} Degree;
+
+typedef struct Node {
+    int first, last;    /* its room in `slots`: edges from the front, elements from the back */
+    int edges;          /* slots[first .. first + edges), ascending */
+    int elements;       /* slots[last - elements .. last) */
+    Degree degree;      /* of its neighbours */
+    int weight;         /* what it is queued by */
+    int next, previous; /* among the nodes of one weight */
+    int column;         /* the last turn in whose column it is */
+    int met;            /* the last visit that has counted it */
+} Node;
+
+/* What became of an eliminated node. */
+typedef struct Element {
+    int start, end; /* of its nodes, in rows; none: it was dropped */
+    Degree whole;   /* its nodes */
+    Degree outside; /* those of them that the column of turn `seen` does not have */
+    int seen;
+} Element;
+
+typedef struct Elimination {
+    KeaOrder *order;
+    const int *size;
+    int *slots;
+    Node *node;
+    Element *element; /* by node */
+    int *first;       /* by weight: the queue */
+    int least;        /* no weight below has a node */
+    int *merged[2];   /* scratch, numNodes each */
+    int visits;
+} Elimination;
+
+/* ---- the queue: last in, first out among those of one weight ---- */
+
+static void enqueue(Elimination *g, int i) {
+    Node *node = g->node;
+    const int w = node[i].weight;
+    node[i].previous = -1;
+    node[i].next = g->first[w];
+    if (node[i].next >= 0)
+        node[node[i].next].previous = i;
+    g->first[w] = i;
+    g->least = w < g->least ? w : g->least;
+}
+
+static void dequeue(Elimination *g, int i) {
+    Node *node = g->node;
+    if (node[i].next >= 0)
+        node[node[i].next].previous = node[i].previous;
+    if (node[i].previous >= 0)
+        node[node[i].previous].next = node[i].next;
+    else
+        g->first[node[i].weight] = node[i].next;
+}
+
+/* A leaf joins nothing: it comes before all that do, however large its neighbour is. */
+static int weightOf(Degree d) {
+    return d.nodes == 1 ? 1 : d.unknowns;
+}
+
+static int popLeast(Elimination *g) {
+    while (g->first[g->least] < 0)
+        g->least++;
+    const int v = g->first[g->least];
+    dequeue(g, v);
+    return v;
+}
+
+/* ---- the graph ---- */
+
+/* Each node's room, from the numbers of its edges. */
+static void divideSlots(Elimination *g, int numNodes, int numEdges, const int (*edges)[2]) {
+    int at = 0;
+    for (int e = 0; e < numEdges; e++) {
+        MEASSERT(edges[e][0] >= 0 && edges[e][0] < numNodes && edges[e][1] >= 0 && edges[e][1] < numNodes);
+        MEASSERT(edges[e][0] != edges[e][1]);
+        for (int k = 0; k < 2; k++)
+            g->node[edges[e][k]].degree.nodes++;
+    }
+    for (int i = 0; i < numNodes; i++) {
+        g->node[i].first = at;
+        g->node[i].last = at += g->node[i].degree.nodes;
+    }
+    MEASSERT(at == 2 * numEdges);
+}
+
+/* The neighbours of each node, ascending: they are entered by ascending neighbour, from lists in any order. */
+static void readEdges(Elimination *g, int *unsorted, int numNodes, int numEdges, const int (*edges)[2]) {
+    for (int e = 0; e < numEdges; e++)
+        for (int k = 0; k < 2; k++) {
+            Node *n = &g->node[edges[e][k]];
+            unsorted[n->first + n->elements++] = edges[e][!k];
+        }
+    for (int i = 0; i < numNodes; i++) {
+        g->node[i].elements = 0;
+        for (int k = g->node[i].first; k < g->node[i].last; k++) {
+            Node *n = &g->node[unsorted[k]];
+            g->slots[n->first + n->edges++] = i;
+            n->degree.unknowns += g->size[i];
+        }
+    }
+}
+
+/* ---- one turn ---- */
+
+/* The union of two ascending lists, without v; returns how many. */
+static int merge(int *r, const int *a, int numA, const int *b, int numB, int v) {
+    int n = 0, s = 0, t = 0;
+    while (s < numA && t < numB) {
+        const int least = a[s] < b[t] ? a[s] : b[t];
+        s += a[s] == least;
+        t += b[t] == least;
+        r[n] = least;
+        n += least != v;
+    }
+    for (; s < numA; s++)
+        if (a[s] != v)
+            r[n++] = a[s];
+    for (; t < numB; t++)
+        if (b[t] != v)
+            r[n++] = b[t];
+    return n;
+}
+
+/* The column of turn t: the neighbours of v. Its elements are dropped. */
+static void writeColumn(Elimination *g, int t, int v) {
+    KeaOrder *o = g->order;
+    const Node *n = &g->node[v];
+    const int *column = g->slots + n->first;
+    int count = n->edges;
+    for (int k = n->last - n->elements; k < n->last; k++) {
+        Element *e = &g->element[g->slots[k]];
+        int *merged = g->merged[column == g->merged[0]];
+        count = merge(merged, column, count, o->row + e->start, e->end - e->start, v);
+        column = merged;
+        e->end = e->start;
+    }
+    MEASSERT(count == n->degree.nodes);
+    memcpy(o->row + o->start[t], column, (size_t)count * sizeof *column);
+    o->start[t + 1] = o->start[t] + count;
+    g->element[v] = (Element){o->start[t], o->start[t + 1], n->degree, {0, 0}, -1};
+}
+
+/* Which nodes are in it, and of other elements the part that is not. */
+static void compareElements(Elimination *g, int t, int v) {
+    const KeaOrder *o = g->order;
+    g->node[v].column = t;
+    for (int c = o->start[t]; c < o->start[t + 1]; c++) {
+        const int i = o->row[c];
+        Node *n = &g->node[i];
+        n->column = t;
+        for (int k = n->last - n->elements; k < n->last; k++) {
+            Element *e = &g->element[g->slots[k]];
+            if (e->start == e->end)
+                continue;
+            if (e->seen != t)
+                e->outside = e->whole;
+            e->seen = t;
+            e->outside.nodes--;
+            e->outside.unknowns -= g->size[i];
+        }
+    }
+}
+
+/* Edges to nodes of the column are its element's now; elements within it are dropped. */
+static void updateNode(Elimination *g, int i, int t, int v) {
+    Node *n = &g->node[i];
+    int edges = n->first, elements = n->last;
+    for (int k = n->first; k < n->first + n->edges; k++)
+        if (g->node[g->slots[k]].column != t)
+            g->slots[edges++] = g->slots[k];
+    for (int k = n->last - 1; k >= n->last - n->elements; k--) {
+        const Element *e = &g->element[g->slots[k]];
+        if (e->start < e->end && e->outside.nodes > 0)
+            g->slots[--elements] = g->slots[k];
+    }
+    MEASSERT(elements > edges);
+    g->slots[--elements] = v;
+    n->edges = edges - n->first;
+    n->elements = n->last - elements;
+}
+
+static void add(Degree *d, int unknowns) {
+    d->nodes++;
+    d->unknowns += unknowns;
+}
+
+/* What two or more elements have beside the column, whose nodes they may share. */
+static void addElements(Elimination *g, Degree *d, const Node *n, int t) {
+    g->visits++;
+    for (int k = n->last - n->elements + 1; k < n->last; k++) {
+        const Element *e = &g->element[g->slots[k]];
+        for (int r = e->start; r < e->end; r++) {
+            Node *other = &g->node[g->order->row[r]];
+            if (other->column != t && other->met != g->visits)
+                add(d, g->size[g->order->row[r]]);
+            other->met = g->visits;
+        }
+    }
+}
+
+/* Edges lead to nodes of no element of i, so only elements overlap. The first of them is the new one, v. */
+static Degree degreeOf(Elimination *g, int i, int t, int v) {
+    const Node *n = &g->node[i];
+    Degree d = {g->element[v].whole.nodes - 1, g->element[v].whole.unknowns - g->size[i]};
+    for (int k = n->first; k < n->first + n->edges; k++)
+        add(&d, g->size[g->slots[k]]);
+    if (n->elements == 2) {
+        const Degree *outside = &g->element[g->slots[n->last - 1]].outside;
+        d.nodes += outside->nodes;
+        d.unknowns += outside->unknowns;
+    } else if (n->elements > 2) {
+        addElements(g, &d, n, t);
+    }
+    return d;
+}
+
+static void eliminate(Elimination *g, int t, int v) {
+    const KeaOrder *o = g->order;
+    writeColumn(g, t, v);
+    compareElements(g, t, v);
+    for (int c = o->start[t]; c < o->start[t + 1]; c++) {
+        const int i = o->row[c];
+        dequeue(g, i);
+        updateNode(g, i, t, v);
+        g->node[i].degree = degreeOf(g, i, t, v);
+        g->node[i].weight = weightOf(g->node[i].degree);
+        enqueue(g, i);
+    }
+}
+
+/* ---- all turns ---- */
+
+static void layOut(Elimination *g, size_t n, size_t edges, size_t weights, KeaArena *a) {
+    KeaOrder *o = g->order;
+    o->node = kea_carve(a, n, sizeof *o->node);
+    o->turn = kea_carve(a, n, sizeof *o->turn);
+    o->start = kea_carve(a, n + 1, sizeof *o->start);
+    g->slots = kea_carve(a, 2 * edges, sizeof *g->slots);
+    g->node = kea_carve(a, n, sizeof *g->node);
+    g->element = kea_carve(a, n, sizeof *g->element);
+    g->first = kea_carve(a, weights, sizeof *g->first);
+    for (int k = 0; k < 2; k++)
+        g->merged[k] = kea_carve(a, n, sizeof *g->merged[k]);
+}
+
+static MeBool makeRoomForRows(KeaOrder *o, int used, int more) {
+    const size_t kept = (size_t)used * sizeof *o->row, bytes = kept + (size_t)more * sizeof *o->row;
+    if (!kea_blockReserve(&o->rows, kept, bytes, "the columns of a factor"))
+        return MEFALSE;
+    o->row = (int *)(void *)o->rows.memory;
+    return METRUE;
+}
+
+/* Empty nodes in an empty queue. */
+static void clear(Elimination *g, int numNodes, int numWeights) {
+    for (int i = 0; i < numNodes; i++)
+        g->node[i] = (Node){.column = -1};
+    for (int w = 0; w < numWeights; w++)
+        g->first[w] = -1;
+    g->least = numWeights - 1;
+}
+
+static MeBool eliminateAll(Elimination *g) {
+    KeaOrder *o = g->order;
+    for (int i = o->numNodes - 1; i >= 0; i--) {
+        g->node[i].weight = weightOf(g->node[i].degree);
+        enqueue(g, i);
+    }
+    o->start[0] = 0;
+    for (int t = 0; t < o->numNodes; t++) {
+        const int v = popLeast(g);
+        if (!makeRoomForRows(o, o->start[t], g->node[v].degree.nodes))
+            return MEFALSE;
+        o->node[t] = v;
+        o->turn[v] = t;
+        eliminate(g, t, v);
+    }
+    return METRUE;
+}
+
+/* Every node has its turn once. */
+static inline MeBool isPermutation(const KeaOrder *o) {
+    for (int t = 0; t < o->numNodes; t++)
+        if (o->node[t] < 0 || o->node[t] >= o->numNodes || o->turn[o->node[t]] != t)
+            return MEFALSE;
+    return METRUE;
+}
+
+MeBool kea_orderFind(KeaOrder *o, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
+    Elimination g = {.order = o, .size = size};
+    KeaArena arena = {NULL, 0};
+    int numWeights = 1;
+    for (int i = 0; i < numNodes; i++)
+        numWeights += size[i];
+    layOut(&g, (size_t)numNodes, (size_t)numEdges, (size_t)numWeights, &arena);
+    if (!kea_blockReserve(&o->work, 0, arena.used, "the order of elimination") || !makeRoomForRows(o, 0, 2 * numEdges))
+        return MEFALSE;
+    arena = (KeaArena){o->work.memory, 0};
+    layOut(&g, (size_t)numNodes, (size_t)numEdges, (size_t)numWeights, &arena);
+    o->numNodes = numNodes;
+    clear(&g, numNodes, numWeights);
+    divideSlots(&g, numNodes, numEdges, edges);
+    readEdges(&g, o->row, numNodes, numEdges, edges);
+    if (!eliminateAll(&g))
+        return MEFALSE;
+    MEASSERT(isPermutation(o));
+    return METRUE;
+}
+
+void kea_orderFree(KeaOrder *o) {
+    kea_blockFree(&o->work);
+    kea_blockFree(&o->rows);
+    *o = (KeaOrder){.numNodes = 0};
+}

@@ -1,0 +1,165 @@
+/* The structure of a sparse factor (kea_structure_i.h): columns in the order of turns, rows by turn, and where each
+ * block comes from. It follows from the graph and its order of elimination, in time proportional to its size. */
+#include "common/kea_structure_i.h"
+#include "MeAssert.h"
+#include <string.h>
+
+/* ---- memory ---- */
+
+static size_t layOut(KeaFactor *f, char *memory) {
+    const size_t n = (size_t)f->numNodes, m = (size_t)f->numEdges, k = (size_t)f->numEntries;
+    KeaArena a = {memory, 0};
+    f->size = kea_carve(&a, n, sizeof *f->size);
+    f->edges = kea_carve(&a, m, sizeof *f->edges);
+    f->offset = kea_carve(&a, n + 1, sizeof *f->offset);
+    f->node = kea_carve(&a, n, sizeof *f->node);
+    f->start = kea_carve(&a, n + 1, sizeof *f->start);
+    f->entry = kea_carve(&a, k, sizeof *f->entry);
+    f->sourceStart = kea_carve(&a, n + 1, sizeof *f->sourceStart);
+    f->source = kea_carve(&a, k, sizeof *f->source);
+    f->diagonalAt = kea_carve(&a, n, sizeof *f->diagonalAt);
+    f->edgeAt = kea_carve(&a, m, sizeof *f->edgeAt);
+    return a.used;
+}
+
+void kea_structureMove(KeaFactor *f, char *memory) {
+    layOut(f, memory);
+}
+
+size_t kea_structureLayOutNumbers(KeaFactor *f, char *memory) {
+    KeaArena a = {memory, 0};
+    f->diagonal = kea_carve(&a, f->diagonalSize, sizeof(double));
+    f->upperInput = kea_carve(&a, f->inputSize, sizeof(double));
+    f->lowerInput = kea_carve(&a, f->inputSize, sizeof(double));
+    f->pivot = kea_carve(&a, f->diagonalSize, sizeof(double));
+    f->upper = kea_carve(&a, f->factorSize, sizeof(double));
+    f->lower = kea_carve(&a, f->factorSize, sizeof(double));
+    f->exchange = kea_carve(&a, (size_t)f->offset[f->numNodes], sizeof(int));
+    f->place = kea_carve(&a, (size_t)f->numNodes, sizeof(int));
+    return a.used;
+}
+
+/* ---- the plan ---- */
+
+/* A column's blocks; its part of the work of a Cholesky factorization: the squares of its columns' lengths. */
+static void measureColumn(KeaFactor *f, const KeaOrder *o, const int size[], int i) {
+    const int t = o->turn[i];
+    double length = 0;
+    for (int k = o->start[t]; k < o->start[t + 1]; k++) {
+        f->factorSize += (size_t)(size[i] * size[o->row[k]]);
+        length += size[o->row[k]];
+    }
+    for (int r = 0; r < size[i]; r++)
+        f->flops += (length + r + 1) * (length + r + 1);
+    f->diagonalSize += (size_t)(size[i] * size[i]);
+}
+
+size_t kea_structurePlan(KeaFactor *f, const KeaOrder *o, const int size[], int numEdges, const int (*edges)[2]) {
+    *f = (KeaFactor){.numNodes = o->numNodes, .numEdges = numEdges, .numEntries = o->start[o->numNodes]};
+    for (int i = 0; i < o->numNodes; i++)
+        measureColumn(f, o, size, i);
+    for (int e = 0; e < numEdges; e++)
+        f->inputSize += (size_t)(size[edges[e][0]] * size[edges[e][1]]);
+    return layOut(f, NULL);
+}
+
+/* ---- writing ---- */
+
+static void copyGraph(KeaFactor *f, const int size[], const int (*edges)[2]) {
+    size_t diagonal = 0, input = 0;
+    f->offset[0] = 0;
+    for (int i = 0; i < f->numNodes; i++) {
+        f->size[i] = size[i];
+        f->offset[i + 1] = f->offset[i] + size[i];
+        f->diagonalAt[i] = diagonal;
+        diagonal += (size_t)(size[i] * size[i]);
+    }
+    for (int e = 0; e < f->numEdges; e++) {
+        f->edges[e][0] = edges[e][0];
+        f->edges[e][1] = edges[e][1];
+        f->edgeAt[e] = input;
+        input += (size_t)(size[edges[e][0]] * size[edges[e][1]]);
+    }
+}
+
+/* Makes of counts[t + 1] the starts: those of t begin at counts[t]. */
+static void sumUp(int counts[], int n) {
+    for (int t = 0; t < n; t++)
+        counts[t + 1] += counts[t];
+}
+
+/* After a list for each t has been filled, with its start moved on for each member. */
+static void moveBack(int starts[], int n) {
+    memmove(starts + 1, starts, (size_t)n * sizeof *starts);
+    starts[0] = 0;
+}
+
+/* Turn by turn, each enters itself where its column has a row: so sources ascend. */
+static void listSources(KeaFactor *f, const KeaOrder *o) {
+    memset(f->sourceStart, 0, (size_t)(f->numNodes + 1) * sizeof *f->sourceStart);
+    for (int k = 0; k < f->numEntries; k++)
+        f->sourceStart[o->turn[o->row[k]] + 1]++;
+    sumUp(f->sourceStart, f->numNodes);
+    for (int t = 0; t < f->numNodes; t++)
+        for (int k = o->start[t]; k < o->start[t + 1]; k++)
+            f->source[f->sourceStart[o->turn[o->row[k]]]++].turn = t;
+    moveBack(f->sourceStart, f->numNodes);
+}
+
+/* Turn by turn, each is entered in the columns of its sources: so rows ascend. */
+static void writeColumns(KeaFactor *f, const KeaOrder *o) {
+    memcpy(f->node, o->node, (size_t)f->numNodes * sizeof *f->node);
+    memcpy(f->start, o->start, (size_t)(f->numNodes + 1) * sizeof *f->start);
+    for (int row = 0; row < f->numNodes; row++)
+        for (int s = f->sourceStart[row]; s < f->sourceStart[row + 1]; s++) {
+            f->source[s].entry = f->start[f->source[s].turn]++;
+            f->entry[f->source[s].entry] = (KeaFactorEntry){.row = row, .edge = -1};
+        }
+    moveBack(f->start, f->numNodes);
+    size_t at = 0;
+    for (int t = 0; t < f->numNodes; t++)
+        for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+            f->entry[k].at = at;
+            at += (size_t)(f->size[f->node[t]] * f->size[f->node[f->entry[k].row]]);
+        }
+}
+
+static void placeEdges(KeaFactor *f, const KeaOrder *o) {
+    for (int e = 0; e < f->numEdges; e++) {
+        const int a = o->turn[f->edges[e][0]], b = o->turn[f->edges[e][1]];
+        const int column = a < b ? a : b, row = a < b ? b : a;
+        int low = f->start[column], high = f->start[column + 1] - 1;
+        while (low < high) {
+            const int middle = (low + high) / 2;
+            if (f->entry[middle].row < row)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        MEASSERT(f->entry[low].row == row);
+        f->entry[low].edge = e;
+        f->entry[low].flip = a > b;
+    }
+}
+
+/* Rows of a column come after it, in the order of their turns; blocks do not overlap. */
+static inline MeBool hasSortedColumns(const KeaFactor *f) {
+    size_t at = 0;
+    for (int t = 0; t < f->numNodes; t++)
+        for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+            const int before = k > f->start[t] ? f->entry[k - 1].row : t;
+            if (f->entry[k].row <= before || f->entry[k].row >= f->numNodes || f->entry[k].at != at)
+                return MEFALSE;
+            at += (size_t)(f->size[f->node[t]] * f->size[f->node[f->entry[k].row]]);
+        }
+    return at == f->factorSize;
+}
+
+void kea_structureWrite(KeaFactor *f, char *memory, const KeaOrder *o, const int size[], const int (*edges)[2]) {
+    layOut(f, memory);
+    copyGraph(f, size, edges);
+    listSources(f, o);
+    writeColumns(f, o);
+    placeEdges(f, o);
+    MEVALIDATE(hasSortedColumns(f));
+}

@@ -1,0 +1,62 @@
+/* Inside Kea: a sparse factor as its files see it (kea_factor_i.h). The structure is that of one graph, and kept for as
+ * long as the graph may come up again. The numbers are those of one matrix, of use from when it is filled until it is
+ * solved with: factors share their memory. */
+#ifndef KEA_STRUCTURE_I_H
+#define KEA_STRUCTURE_I_H
+
+#include "common/kea_arena_i.h"
+#include "common/kea_factor_i.h"
+#include "common/kea_order_i.h"
+
+typedef struct KeaFactorEntry {
+    size_t at;   /* where the block is, in upper and lower */
+    int row;     /* its turn */
+    int edge;    /* of the graph, or -1: it came into being */
+    MeBool flip; /* A_ij of the edge is the lower block */
+} KeaFactorEntry;
+
+/* That the node of a turn, at this entry of its column, has another one in its structure. */
+typedef struct KeaFactorSource {
+    int turn, entry;
+} KeaFactorSource;
+
+/* The memory of all factors' numbers, and the one that has it now. */
+typedef struct KeaNumbers {
+    KeaBlock block;
+    const KeaFactor *owner;
+} KeaNumbers;
+
+struct KeaFactor {
+    int numNodes, numEdges, numEntries;
+    double flops;
+    size_t diagonalSize, inputSize, factorSize; /* of the numbers */
+    /* structure, in one block of memory */
+    int *size, *offset; /* by node; the offset of one more */
+    int (*edges)[2];
+    int *node;             /* by turn */
+    int *start;            /* by turn, and one more: */
+    KeaFactorEntry *entry; /* entry[start[t] .. start[t + 1]), ascending rows */
+    int *sourceStart;
+    KeaFactorSource *source; /* of turn t: source[sourceStart[t] .. sourceStart[t + 1]), ascending turns */
+    size_t *diagonalAt;      /* by node */
+    size_t *edgeAt;          /* by edge */
+    /* numbers, laid out when the factor takes their memory */
+    KeaNumbers *numbers;
+    double *diagonal, *upperInput, *lowerInput;
+    double *pivot; /* by node: the factors of the diagonal block */
+    double *upper, *lower;
+    int *exchange; /* by unknown: the row exchanges within a block */
+    int *place;    /* by turn: the entry of the column that is being made */
+    MeBool isSymmetric;
+};
+
+/* What the factor of a graph will need. Returns the bytes of its structure. */
+size_t kea_structurePlan(KeaFactor *f, const KeaOrder *o, const int size[], int numEdges, const int (*edges)[2]);
+/* Writes the structure that was planned. */
+void kea_structureWrite(KeaFactor *f, char *memory, const KeaOrder *o, const int size[], const int (*edges)[2]);
+/* Tells that the structure lies elsewhere now. */
+void kea_structureMove(KeaFactor *f, char *memory);
+/* Lays the numbers out; with no memory it only measures. Returns their bytes. */
+size_t kea_structureLayOutNumbers(KeaFactor *f, char *memory);
+
+#endif
