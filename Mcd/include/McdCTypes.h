@@ -86,12 +86,20 @@ typedef enum McdModelPairPhase {
     kMcdFFStateGoodbye = 3   /**< Near before, and not now. */
 } McdModelPairPhase;
 
-/** Mcd's: what the last test of a pair depended on. Zeros: there was none. */
+/** Mcd's: what the test of a pair depends on. Zeros: there was none. */
 typedef struct McdTest {
     MeU64 stamp1, stamp2; /**< Of the models: others wherever a model moves, or has another shape or margin. */
+    MeU64 shape1, shape2; /**< The same, but not where it moves. */
     int contactMaxCount;
     MeBool faceNormalsFirst;
 } McdTest;
+
+/** Mcd's: how the first model of a pair stood to the second when the pair was tested last. */
+typedef struct McdStand {
+    MeReal axes[3][3]; /**< row i: axis i of the first, in the second's frame */
+    MeReal place[3];   /**< m, of its origin there */
+    MeReal size;       /**< m, of the smaller model; 0: it is not known */
+} McdStand;
 
 /**
  * Two models that are, or may be, near each other. A space owns its pairs; a program may have its own, zeroed
@@ -107,7 +115,8 @@ struct _McdModelPair {
     void *m_cachedData;      /**< What the interaction's hello function prepared, its own; null: nothing. */
     void *touch;             /**< The Simulation Toolkit's: what its events know of the pair. */
     void(MEAPI *forget)(McdModelPair *); /**< The Simulation Toolkit's: called before the space takes the pair back. */
-    McdTest test;                        /**< Mcd's own. */
+    McdTest test;                        /**< Mcd's own: as the pair was looked at last, */
+    McdStand stand;                      /**< and tested last. */
 };
 
 /**

@@ -21,10 +21,19 @@ MEPUBLIC void MEAPI McdSpaceRenameLimits(McdSpaceID s, const char *models, const
  *  @{ */
 /** The framework's models stay as they are while pairs are asked, until this is called again. */
 MEPUBLIC void MEAPI McdFrameworkBeginRound(McdFrameworkID frame);
-/** Would McdIntersect find what it found when this was last asked of the pair? True where both models are convex or
- *  planes, under the library's own interaction and without a callback, and have the same places, sizes and margins to
- *  the last bit. The caller tests the pair where it is false. */
-MEPUBLIC MeBool MEAPI McdModelPairIsAsTested(McdModelPair *p);
+/** Whether a test would find what was found before. */
+typedef enum McdPairChange {
+    McdPairHasChanged,  /**< who knows */
+    McdPairHasMoved,    /**< by little since the last test: what was found moves with the models */
+    McdPairIsUnchanged, /**< to the last bit since the pair was looked at last */
+} McdPairChange;
+/** Looks at a pair of two convex models or planes, under the library's own interaction and without a callback, whose
+ *  sizes and margins have not changed. By little: since the last test that was noted, no point of the smaller model has
+ *  moved against the other by more than @a part of its size, or a quarter of the pair's margin; and only models that
+ *  @a mayMove have moved since the pair was looked at last. */
+MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
+/** The pair is about to be tested. */
+MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
 /** What was found has been given away: the next answer is false. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */

@@ -133,12 +133,14 @@ typedef struct McdFilter {
 
 /* What a model's box, its margin and its tests are found from (mcd_tested.c). */
 typedef struct McdSeen {
-    const McdGeometry *geometry;
-    MeU64 parameters[4]; /* what the geometry has beyond its head */
+    struct McdSeenShape {
+        const McdGeometry *geometry;
+        MeU64 parameters[4]; /* what the geometry has beyond its head */
+        MeReal tolerance;
+        MeBool isSwept;
+    } shape;
     MeMatrix4 tm;
     MeVector3 velocity, spin;
-    MeReal tolerance;
-    MeBool isSwept;
 } McdSeen;
 
 typedef struct McdModelRecord {
@@ -165,7 +167,7 @@ typedef struct McdModelRecord {
     McdSpaceID space;
     void *proxy; /* the space's record of the model */
     McdSeen seen;                  /* when the model was last looked at, */
-    MeU64 stamp;                   /* since when it has been like that; 0: never, */
+    MeU64 stamp, shapeStamp;       /* since when it, its shape have been like that; 0: never, */
     MeU64 lookedIn;                /* and the framework's round in which that was */
     MeU64 boxStamp;                /* as of when its box is, */
     MeReal boxDuration, boxAhead;  /* s, and for which motion and look-ahead */

@@ -1,8 +1,8 @@
 /* Whether a model's box, and what a pair has in common, would be found as they were.
  *
  * For convex shapes and planes that depends on where they are, how large they are and how fast, and on nothing else. A
- * model gets a new stamp when any of that has another bit than at the last look; a pair keeps the stamps of its last
- * test. Triangle lists, fields, aggregates and a program's own types may depend on more: they are always tested.
+ * model gets a new stamp when any of that has another bit than at the last look; a pair keeps the stamps of the last
+ * look at it, and how its models stood to each other when it was tested. Triangle lists, fields, aggregates and a program's own types may depend on more: they are always tested.
  */
 #include "McdInternal.h"
 #include "mcd_kind_i.h"
@@ -20,15 +20,15 @@ static MeBool look(const McdModelRecord *m, McdSeen *seen) {
     if (!kind || kind->size == 0 || m->intersect || !m->instance.tm)
         return MEFALSE;
     const size_t bytes = kind->size - sizeof *g;
-    MEASSERT(bytes <= sizeof seen->parameters);
+    MEASSERT(bytes <= sizeof seen->shape.parameters);
     memset(seen, 0, sizeof *seen);
-    seen->geometry = g;
-    memcpy(seen->parameters, (const char *)g + sizeof *g, bytes);
+    seen->shape.geometry = g;
+    memcpy(seen->shape.parameters, (const char *)g + sizeof *g, bytes);
     memcpy(seen->tm, m->instance.tm, sizeof seen->tm);
     copyIfThere(seen->velocity, m->linearVelocity);
     copyIfThere(seen->spin, m->angularVelocity);
-    seen->tolerance = m->tolerance;
-    seen->isSwept = m->isSwept;
+    seen->shape.tolerance = m->tolerance;
+    seen->shape.isSwept = m->isSwept;
     return METRUE;
 }
 
@@ -36,10 +36,12 @@ MeU64 mcd_modelStamp(McdModelRecord *m) {
     McdSeen now;
     m->lookedIn = m->frame->round;
     if (!look(m, &now)) {
-        m->stamp = 0;
+        m->stamp = m->shapeStamp = 0;
     } else if (m->stamp == 0 || memcmp(&now, &m->seen, sizeof now) != 0) {
-        m->seen = now;
         m->stamp = ++m->frame->lastStamp;
+        if (m->shapeStamp == 0 || memcmp(&now.shape, &m->seen.shape, sizeof now.shape) != 0)
+            m->shapeStamp = m->stamp;
+        m->seen = now;
     }
     return m->stamp;
 }
@@ -53,20 +55,86 @@ void MEAPI McdFrameworkBeginRound(McdFrameworkID frame) {
     frame->round++;
 }
 
-MeBool MEAPI McdModelPairIsAsTested(McdModelPair *p) {
-    MEASSERT(p && p->model1 && p->model2);
+/* How the first model stands to the second. */
+static McdStand standOf(const McdModelPair *p) {
+    const MeVector4 *tm1 = (const MeVector4 *)mcd_record(p->model1)->instance.tm;
+    const MeVector4 *tm2 = (const MeVector4 *)mcd_record(p->model2)->instance.tm;
+    McdStand s;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            s.axes[i][j] = tm1[i][0] * tm2[j][0] + tm1[i][1] * tm2[j][1] + tm1[i][2] * tm2[j][2];
+    MeVector3 between;
+    MeVector3Subtract(between, tm1[3], tm2[3]);
+    for (int j = 0; j < 3; j++)
+        s.place[j] = between[0] * tm2[j][0] + between[1] * tm2[j][1] + between[2] * tm2[j][2];
+    s.size = 0;
+    return s;
+}
+
+/* How far a point of the smaller model may have moved against the other: its place by the sum of the coordinates'
+ * changes at most, and by its turning sqrt(3) times the largest change of an axis' coordinate times its distance, which
+ * is at most the size. */
+static MeReal motionSince(const McdStand *before, const McdStand *now) {
+    MeReal turn = 0, way = 0;
+    for (int i = 0; i < 3; i++) {
+        way += MeFabs(now->place[i] - before->place[i]);
+        for (int j = 0; j < 3; j++)
+            turn = MeMAX(turn, MeFabs(now->axes[i][j] - before->axes[i][j]));
+    }
+    return way + 2 * turn * before->size;
+}
+
+static MeBool hasHardlyMoved(const McdModelPair *p, MeReal part) {
+    if (!(p->stand.size > 0) || !(part > 0))
+        return MEFALSE;
+    const McdStand now = standOf(p);
+    const MeReal margin = mcd_record(p->model1)->tolerance + mcd_record(p->model2)->tolerance;
+    return motionSince(&p->stand, &now) < MeMIN(part * p->stand.size, margin / 4);
+}
+
+/* Is all that its test reads as it was, but for the places and velocities of those that may move? */
+static MeBool isAlike(const McdTest *now, const McdTest *before, const MeBool mayMove[2]) {
+    return (now->stamp1 == before->stamp1 || mayMove[0]) && (now->stamp2 == before->stamp2 || mayMove[1]) &&
+           now->shape1 == before->shape1 && now->shape2 == before->shape2 &&
+           now->contactMaxCount == before->contactMaxCount && now->faceNormalsFirst == before->faceNormalsFirst;
+}
+
+McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]) {
+    MEASSERT(p && p->model1 && p->model2 && mayMove);
     McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
-    const McdTest now = {.stamp1 = stampInRound(m1),
-                         .stamp2 = stampInRound(m2),
-                         .contactMaxCount = request->contactMaxCount,
-                         .faceNormalsFirst = request->faceNormalsFirst};
-    const MeBool isSame = now.stamp1 != 0 && now.stamp2 != 0 && memcmp(&now, &p->test, sizeof now) == 0;
+    const McdTest before = p->test, now = {.stamp1 = stampInRound(m1),
+                                           .stamp2 = stampInRound(m2),
+                                           .shape1 = m1->shapeStamp,
+                                           .shape2 = m2->shapeStamp,
+                                           .contactMaxCount = request->contactMaxCount,
+                                           .faceNormalsFirst = request->faceNormalsFirst};
     p->test = now;
-    return isSame && mcd_interactionIsBuiltIn(p);
+    if (now.stamp1 == 0 || now.stamp2 == 0 || before.stamp1 == 0 || before.stamp2 == 0 || !mcd_interactionIsBuiltIn(p))
+        return McdPairHasChanged;
+    if (memcmp(&now, &before, sizeof now) == 0)
+        return McdPairIsUnchanged;
+    return isAlike(&now, &before, mayMove) && hasHardlyMoved(p, part) ? McdPairHasMoved : McdPairHasChanged;
+}
+
+static MeReal sizeOf(McdModelID m) {
+    MeVector3 centre;
+    MeReal radius;
+    McdModelGetBSphere(m, centre, &radius);
+    return radius;
+}
+
+void MEAPI McdModelPairNoteTest(McdModelPair *p) {
+    if (p->test.stamp1 == 0 || p->test.stamp2 == 0) {
+        p->stand.size = 0;
+        return;
+    }
+    p->stand = standOf(p);
+    p->stand.size = MeMIN(sizeOf(p->model1), sizeOf(p->model2));
 }
 
 void MEAPI McdModelPairForgetTest(McdModelPair *p) {
     MEASSERT(p);
     memset(&p->test, 0, sizeof p->test);
+    p->stand.size = 0;
 }

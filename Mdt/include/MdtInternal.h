@@ -19,6 +19,9 @@ MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
  *  of it holds as long as this stays. */
 MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);
 
+/** Has the body, since MdtBodyGetMoves was @a moves, made the motion of its last step, and no other? */
+MEPUBLIC MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves);
+
 /** A contact as collision found it, between bodies whose transforms were read from MdtBodyGetTransformPtr. World frame.
  */
 typedef struct MdtFoundContact {
@@ -38,6 +41,15 @@ typedef struct MdtFoundContact {
  */
 MEPUBLIC int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
                                         MdtContactID contacts[]);
+
+/**
+ * Carries the group's contacts along with those of its bodies that have moved, by the motion of their last step: the
+ * points of the two surfaces stay where they are in their bodies, and the normal in the second one. Returns the least
+ * separation, m; MEINFINITY where there is no contact.
+ */
+MEPUBLIC MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2]);
+/** Are all surfaces corners, edges or faces (MdtContactSetRadius)? */
+MEPUBLIC MeBool MEAPI MdtContactGroupIsFlat(MdtContactGroupID g);
 
 ME_END_C
 

@@ -100,6 +100,11 @@ unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b) {
     return b->moves;
 }
 
+MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves) {
+    MEASSERT(b);
+    return b->start.moves == moves && b->start.movesAfter == b->moves && b->moves == moves + 1;
+}
+
 void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]) {
     double p[3], q[4], R[3][3], off[3], local[3];
     getFrame(b, p, q);

@@ -88,6 +88,14 @@ void mdt_listSort(MdtList *list); /* by key, then serial; a merge sort that allo
 
 typedef struct MdtAttachment MdtAttachment;
 
+/* A body as its last step, or the last part of it that was taken by safe time, began. */
+typedef struct MdtStart {
+    MdtKeaVelocity velocity;
+    double position[3], quaternion[4]; /* of the centre of mass */
+    unsigned long moves;               /* MdtBody.moves then, and when the step was done */
+    unsigned long movesAfter;
+} MdtStart;
+
 enum {
     MDT_ENABLED = 1,  /* takes part in the simulation */
     MDT_ASLEEP = 2,   /* was disabled by the world, not by the program */
@@ -113,7 +121,7 @@ struct MdtBody {
     double lag, part;                   /* s: that it is behind its world; that it was moved on last */
     MdtKeaVelocity acceleration;        /* m/s², rad/s², in the last step */
     double slowTime;                    /* s, for which its velocities have been below the thresholds of rest */
-    double stepStart[3];                /* m, where its centre of mass was as the last step began */
+    MdtStart start;
     double push[3];                     /* m/s: its way in the last step beyond its velocity: out of an overlap */
     double mass;                        /* kg */
     double inertia[3][3];               /* kg m², as set */

@@ -17,11 +17,10 @@ static int mostRows(MdtIsland *p) {
     return rows + p->numContacts * MdtBclGETMAXROWSCONTACT;
 }
 
-/* Room for Kea's arrays and, behind them, the state at the start and the contacts. */
+/* Room for Kea's arrays and, behind them, the contacts. */
 static MeBool takeScratch(MdtIsland *p) {
     const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows);
-    const size_t contacts = bytes + (size_t)p->numBodies * sizeof *p->start;
-    const size_t total = contacts + (size_t)p->numContacts * sizeof *p->contacts;
+    const size_t total = bytes + (size_t)p->numContacts * sizeof *p->contacts;
     char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->world->scratch, (int)total) : NULL;
     if (!scratch) {
         MeWarning(2, "MdtWorldStep: partition %d (%d bodies, %d rows) is too large for the solver and is not moved",
@@ -29,8 +28,7 @@ static MeBool takeScratch(MdtIsland *p) {
         return MEFALSE;
     }
     p->scratch = scratch;
-    p->start = (MdtStart *)(void *)(scratch + bytes);
-    p->contacts = (MdtIslandContact *)(void *)(scratch + contacts);
+    p->contacts = (MdtIslandContact *)(void *)(scratch + bytes);
     return METRUE;
 }
 
@@ -54,16 +52,17 @@ static void packBodies(MdtIsland *p) {
         MEASSERT(p->bodies[i]->partition == p->number && (p->bodies[i]->record.flags & MDT_ENABLED));
         p->bodies[i]->index = i;
         mdt_bodyPack(p->bodies[i]);
-        keaCopy(p->bodies[i]->stepStart, p->bodies[i]->kea.position);
         addGravity(p->world, p->bodies[i]);
     }
 }
 
 static void rememberStart(MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
-        mdt_bodyVelocity(p->bodies[i], &p->start[i].velocity);
-        keaCopy(p->start[i].position, p->bodies[i]->kea.position);
-        memcpy(p->start[i].quaternion, p->bodies[i]->kea.quaternion, sizeof p->start[i].quaternion);
+        MdtStart *start = &p->bodies[i]->start;
+        mdt_bodyVelocity(p->bodies[i], &start->velocity);
+        keaCopy(start->position, p->bodies[i]->kea.position);
+        memcpy(start->quaternion, p->bodies[i]->kea.quaternion, sizeof start->quaternion);
+        start->moves = p->bodies[i]->moves;
     }
 }
 
@@ -101,8 +100,8 @@ MeBool mdt_islandPack(MdtIsland *p) {
 }
 
 void mdt_islandRelease(MdtIsland *p) {
-    MEASSERT(p->scratch && p->start);
+    MEASSERT(p->scratch);
     MeChunkPutMem(&p->world->scratch, p->scratch);
     p->scratch = NULL;
-    p->start = NULL;
+    p->contacts = NULL;
 }

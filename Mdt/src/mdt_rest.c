@@ -158,7 +158,7 @@ static double rowTolerance(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         const double *free = p->kea.predicted[i].lin;
         double change[3];
-        keaSubtract(change, free, p->start[i].velocity.lin);
+        keaSubtract(change, free, p->bodies[i]->start.velocity.lin);
         most = fmax(most, keaLength(change) + 0.1 * keaLength(free));
     }
     MEASSERT(isfinite(most));
@@ -193,9 +193,9 @@ static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
     const MdtKeaBody *b = &p->bodies[i]->kea;
     MdtKeaVelocity way;
     double back[4], turn[4];
-    keaSubtract(way.lin, b->position, p->start[i].position);
+    keaSubtract(way.lin, b->position, p->bodies[i]->start.position);
     keaScale(way.lin, 1 / p->h, way.lin);
-    keaQuaternionConjugate(back, p->start[i].quaternion);
+    keaQuaternionConjugate(back, p->bodies[i]->start.quaternion);
     keaQuaternionProduct(turn, b->quaternion, back);
     keaScale(way.ang, 2 / p->h, turn + 1);
     return way;
@@ -207,7 +207,7 @@ static MeBool isResting(const MdtIsland *p, int i, double speed) {
     const MdtKeaVelocity way = meanVelocity(p, i);
     MdtKeaVelocity end;
     mdt_bodyVelocity(b, &end);
-    return isSlow(b, &p->start[i].velocity, 2 * speed) && isSlow(b, &end, 2 * speed) && isSlow(b, &way, speed);
+    return isSlow(b, &p->bodies[i]->start.velocity, 2 * speed) && isSlow(b, &end, 2 * speed) && isSlow(b, &way, speed);
 }
 
 /* Steps until the errors that gamma takes away are a thousandth: (1 - γ)^n = 1e-3. */
@@ -253,8 +253,8 @@ MeBool mdt_restIsSettled(const MdtIsland *p) {
 void mdt_restStay(MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++) {
         MdtKeaBody *b = &p->bodies[i]->kea;
-        keaCopy(b->position, p->start[i].position);
-        memcpy(b->quaternion, p->start[i].quaternion, sizeof b->quaternion);
+        keaCopy(b->position, p->bodies[i]->start.position);
+        memcpy(b->quaternion, p->bodies[i]->start.quaternion, sizeof b->quaternion);
     }
 }
 

@@ -19,12 +19,6 @@
 #include "mdt_manifold_i.h"
 #include <float.h>
 
-/* A body as the step begins. */
-typedef struct MdtStart {
-    MdtKeaVelocity velocity;
-    double position[3], quaternion[4];
-} MdtStart;
-
 /* A contact in the step of its partition: what Bcl makes its rows of. */
 typedef struct MdtIslandContact {
     /* pack */
@@ -52,7 +46,6 @@ typedef struct MdtIsland {
     MdtReport *report; /* null: it is off */
     /* pack */
     void *scratch;              /* Kea's arrays, and behind them */
-    MdtStart *start;            /* by body */
     MdtIslandContact *contacts; /* those of acting manifolds, one after the other */
     int numContacts, numJoints;
     MdtKeaSystem kea; /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */

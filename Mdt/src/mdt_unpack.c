@@ -105,14 +105,15 @@ void mdt_unpackBodies(MdtIsland *p) {
         MdtKeaVelocity end;
         mdt_bodyVelocity(b, &end);
         for (int k = 0; k < 3; k++) {
-            b->acceleration.lin[k] = (end.lin[k] - p->start[i].velocity.lin[k]) / p->h;
-            b->acceleration.ang[k] = (end.ang[k] - p->start[i].velocity.ang[k]) / p->h;
+            b->acceleration.lin[k] = (end.lin[k] - p->bodies[i]->start.velocity.lin[k]) / p->h;
+            b->acceleration.ang[k] = (end.ang[k] - p->bodies[i]->start.velocity.ang[k]) / p->h;
         }
-        notePush(b, &p->start[i], &end, p->h);
+        notePush(b, &b->start, &end, p->h);
         MEASSERT(isfinite(keaLength(b->acceleration.lin) + keaLength(b->acceleration.ang) + keaLength(b->push)));
         mdt_bodyAge(b, p->h);
         mdt_bodyKeepWithinReach(b);
         mdt_bodyShow(b);
+        b->start.movesAfter = b->moves;
     }
 }
 

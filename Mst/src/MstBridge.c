@@ -69,6 +69,7 @@ MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMa
     b->materialLimit = (MeLimit){.most = isLimited ? (int)MeCLAMP(maxMaterials, 1, MST_MATERIALS) : MeNoLimit,
                                  .name = "MstBridgeCreate's maxMaterials"};
     b->contactMax = MST_CONTACTS;
+    b->reuse = (MeReal)MST_CONTACT_REUSE;
     b->contacts = MeMemoryTake(b->contactMax, sizeof *b->contacts, function, "contacts");
     b->found = MeMemoryTake(b->contactMax, sizeof *b->found, function, "contacts");
     b->done = MeMemoryTake(b->contactMax, sizeof *b->done, function, "contacts");
@@ -270,6 +271,19 @@ void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, c
         MstHandleTransitionsOf(b->pairs);
     } while (isMore);
     McdSpaceBeginChanges(s);
+}
+
+void MEAPI MstBridgeSetContactReuse(const MstBridgeID b, const MeReal part) {
+    MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeSetContactReuse");
+    if (record && !(part >= 0 && part <= 1))
+        MeWarning(1, "MstBridgeSetContactReuse: %g is not between 0 and 1; nothing is changed", (double)part);
+    else if (record)
+        record->reuse = part;
+}
+
+MeReal MEAPI MstBridgeGetContactReuse(const MstBridgeID b) {
+    const MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeGetContactReuse");
+    return record ? record->reuse : 0;
 }
 
 /* ---- buffers ---------------------------------------------------------------------------------------------------- */

@@ -13,6 +13,9 @@
 #include "MstUtils.h"
 
 enum { MST_UNKNOWN = -1 };
+/* So often contacts are carried along with their bodies before they are found anew. Each time rounds the normal to
+ * MeReal: 64 times half of 2^-24, in any direction, are 2.4e-7 in all, as one rounding of a transform. */
+enum { MST_CARRIES = 64 };
 enum { MST_BRIDGE = 0x4d425244, MST_UNIVERSE = 0x4d554e49, MST_CONTACTS = 40, MST_PAIRS = 1000, MST_MATERIALS = 10000 };
 
 /* Whether the pointer is a live object of that kind; check builds only. */
@@ -44,6 +47,7 @@ struct MstTouch {
     unsigned long moves[2]; /* of its bodies */
     unsigned long version;  /* of what holds between its materials */
     int found;              /* contacts; MST_UNKNOWN: not all that were found became contacts */
+    int carried;            /* how often they have been carried along since; `moves` is as of then */
     MeBool isSensor;
     /* of this step: */
     MeBool isListed, hasContacts;
@@ -101,6 +105,7 @@ struct MstBridgeRecord {
     int hurriedCount, hurriedMax;
     MeReal ahead; /* s, the longest that a model may move in this part of the step */
     int part;     /* of the step: 0 is the first, in which all bodies move */
+    MeReal reuse; /* MstBridgeSetContactReuse */
 };
 
 /* The record of a live bridge; null, with a warning, for anything else. */

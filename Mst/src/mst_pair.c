@@ -142,6 +142,7 @@ static void remember(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *mater
         return;
     t->moves[0] = movesOf(p->model1);
     t->moves[1] = movesOf(p->model2);
+    t->carried = 0;
     t->version = mst_materialVersion(b, materials);
     t->found = group && MdtContactGroupGetCount(group) == result->contactCount && !hasCallback(materials) &&
                        !(McdModelGetFastMargin(p->model1) > 0) && !(McdModelGetFastMargin(p->model2) > 0)
@@ -159,9 +160,30 @@ static MeBool hasItsContacts(const McdModelPair *p) {
            t->moves[1] == movesOf(p->model2);
 }
 
-/* Would the pair's test give what there is? */
-static MeBool isAsItWas(McdModelPair *p, const MstMaterialPair *materials) {
-    return McdModelPairIsAsTested(p) && !hasCallback(materials) && (p->touch ? hasItsContacts(p) : !p->responseData);
+static MeBool isApart(const McdModelPair *p) {
+    const MstTouch *t = p->touch;
+    return t ? t->found == 0 && !t->isTouching : !p->responseData;
+}
+
+/* A body that has moved, has moved by its last step. */
+static MeBool movedByStep(McdModelID m, unsigned long before, MeBool *hasMoved) {
+    *hasMoved = movesOf(m) != before;
+    return !*hasMoved || MdtBodyMovedByStep(McdModelGetBody(m), before);
+}
+
+/* The bodies of the pair's group that have moved since its contacts were found, or carried. False: they cannot be
+ * carried. */
+static MeBool mayCarry(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasMoved[2]) {
+    const MstTouch *t = p->touch;
+    const MdtContactGroupID group = p->responseData;
+    MeBool moved[2];
+    if (!t || t->found <= 0 || !group || MdtContactGroupGetCount(group) != t->found || t->carried >= MST_CARRIES ||
+        !movedByStep(p->model1, t->moves[0], &moved[0]) || !movedByStep(p->model2, t->moves[1], &moved[1]))
+        return MEFALSE;
+    const MeBool isTurned = !McdModelGetBody(p->model1);
+    hasMoved[0] = moved[isTurned];
+    hasMoved[1] = moved[!isTurned];
+    return b->part == 0 && MdtContactGroupIsFlat(group);
 }
 
 static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials) {
@@ -175,6 +197,35 @@ static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *m
     t->version = mst_materialVersion(b, materials);
     MdtContactGroupEnable(group);
     mst_touchNoteAgain(b, p);
+}
+
+/* The pair has hardly moved: its contacts move with its bodies. */
+static void carryContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials, const MeBool hasMoved[2]) {
+    MstTouch *t = p->touch;
+    t->separation = MdtContactGroupCarry(p->responseData, hasMoved);
+    t->carried++;
+    t->moves[0] = movesOf(p->model1);
+    t->moves[1] = movesOf(p->model2);
+    keepContacts(b, p, materials);
+}
+
+/* Did the pair's last test, or what has been carried since, give what a test would give now? Then that is kept. */
+static MeBool reuseContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials) {
+    const MeBool mayMove[2] = {McdModelGetBody(p->model1) != 0, McdModelGetBody(p->model2) != 0};
+    const McdPairChange change = McdModelPairLook(p, b->reuse, mayMove);
+    MeBool hasMoved[2];
+    if (change == McdPairHasChanged || hasCallback(materials))
+        return MEFALSE;
+    if (change == McdPairIsUnchanged && (p->touch ? hasItsContacts(p) : !p->responseData)) {
+        keepContacts(b, p, materials);
+        return METRUE;
+    }
+    if (isApart(p)) /* by more than they have moved */
+        return METRUE;
+    if (!mayCarry(b, p, hasMoved))
+        return MEFALSE;
+    carryContacts(b, p, materials, hasMoved);
+    return METRUE;
 }
 
 /* ---- pairs that have to be tested -------------------------------------------------------------------------------- */
@@ -216,10 +267,9 @@ void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorld
     if (!McdModelGetBody(p->model1) && !McdModelGetBody(p->model2))
         return;
     MstMaterialPair *materials = mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2));
-    if (isAsItWas(p, materials)) {
-        keepContacts(b, p, materials);
+    if (reuseContacts(b, p, materials))
         return;
-    }
+    McdModelPairNoteTest(p);
     meetBodies(b, p, w, materials, &result);
     if (hasCallback(materials))
         mst_beginRound(b); /* they may have changed anything */

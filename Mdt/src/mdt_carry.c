@@ -1,0 +1,100 @@
+/* Contacts carried along with their bodies, where these have hardly moved against each other (MdtInternal.h). */
+#include "MdtInternal.h"
+#include "MeAssert.h"
+#include "mdt_manifold_i.h"
+#include <string.h>
+
+/* A rigid motion: x -> R (x - from) + to. */
+typedef struct Motion {
+    double R[3][3], from[3], to[3];
+} Motion;
+
+static void stay(Motion *m) {
+    keaQuaternionToMatrix(m->R, (const double[4]){1, 0, 0, 0});
+    keaZero(m->from);
+    keaZero(m->to);
+}
+
+static void motionOfStep(const MdtBody *b, Motion *m) {
+    double back[4], turn[4];
+    keaQuaternionConjugate(back, b->start.quaternion);
+    keaQuaternionProduct(turn, b->kea.quaternion, back);
+    keaQuaternionToMatrix(m->R, turn);
+    keaCopy(m->from, b->start.position);
+    keaCopy(m->to, b->kea.position);
+}
+
+static void movePoint(const Motion *m, double x[3]) {
+    double arm[3];
+    keaSubtract(arm, x, m->from);
+    keaApply(x, (const double(*)[3])m->R, arm);
+    keaAddScaled(x, 1, m->to);
+}
+
+static void turnNormal(const Motion *m, MeReal normal[3]) {
+    double before[3], after[3];
+    mdt_fromReal(before, normal);
+    keaApply(after, (const double(*)[3])m->R, before);
+    mdt_toReal(normal, after);
+}
+
+static void turnNormals(MdtManifold *block, const Motion *second) {
+    turnNormal(second, block->normal);
+    for (MdtExtra *extra = block->extras; extra; extra = extra->next)
+        if (extra->record.flags & MDT_OWN_NORMAL)
+            turnNormal(second, extra->normal);
+}
+
+/* The surface points p_k lie half the depth on either side of the contact: depth = n·(p_1 - p_0). Between two bodies
+ * the contact stays half-way between them, and on the world it is the body's. */
+static void carryPoint(MdtPoint *p, const Motion motion[2], const double before[3], MeBool isOnWorld) {
+    double surface[2][3], after[3], between[3];
+    for (int k = 0; k < 2; k++) {
+        keaCopy(surface[k], p->position);
+        keaAddScaled(surface[k], (k == 0 ? -0.5 : 0.5) * p->depth, before);
+        movePoint(&motion[k], surface[k]);
+    }
+    mdt_pointNormal(p, after);
+    keaSubtract(between, surface[1], surface[0]);
+    p->depth = keaDot(after, between);
+    keaCopy(p->position, surface[0]);
+    if (isOnWorld)
+        keaAddScaled(p->position, 0.5 * p->depth, after);
+    else
+        keaAddScaled(p->position, 0.5, between);
+}
+
+MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2]) {
+    MdtManifold *m = mdt_groupOf(g, __func__);
+    double before[MDT_POINTS][3], least = (double)MEINFINITY;
+    Motion motion[2];
+    if (!m)
+        return MEINFINITY;
+    for (int k = 0; k < 2; k++) {
+        MEASSERT(!hasMoved[k] || m->base.side[k].body);
+        if (hasMoved[k])
+            motionOfStep(m->base.side[k].body, &motion[k]);
+        else
+            stay(&motion[k]);
+    }
+    for (MdtManifold *block = m; block; block = block->next) {
+        for (MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1))
+            mdt_pointNormal(p, before[p->slot]);
+        if (hasMoved[1])
+            turnNormals(block, &motion[1]);
+        for (MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1)) {
+            carryPoint(p, motion, before[p->slot], !m->base.side[1].body);
+            least = fmin(least, -p->depth);
+        }
+    }
+    mdt_constraintDisturb(&m->base);
+    return (MeReal)least;
+}
+
+MeBool MEAPI MdtContactGroupIsFlat(MdtContactGroupID g) {
+    const MdtManifold *m = mdt_groupOf(g, __func__);
+    for (const MdtPoint *p = m ? mdt_pointFirst(m) : NULL; p; p = mdt_pointAfter(p))
+        if (mdt_pointRadius(p, 0) > 0 || mdt_pointRadius(p, 1) > 0)
+            return MEFALSE;
+    return METRUE;
+}
