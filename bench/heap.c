@@ -99,11 +99,11 @@ static void tell(Heap *h, const char *name) {
     for (int i = 0; i < h->steps; i++)
         sum += h->times[i];
     const double middle = median(h->times, h->steps), outside = median(h->outside, h->steps);
-    printf(
-        "%-8s all %.2f s, median %.3f ms, outside %.3f ms, 95 %% %.1f ms, worst %.1f ms; %d of %d steps inexact, by %.2g "
-        "m/s at most; ",
-        name, sum, 1e3 * middle, 1e3 * outside, 1e3 * h->times[h->steps * 95 / 100], 1e3 * h->times[h->steps - 1], h->inexact,
-        h->steps, h->worst);
+    printf("%-8s all %.2f s, median %.3f ms, outside %.3f ms, 95 %% %.1f ms, worst %.1f ms; %d of %d steps inexact, by "
+           "%.2g "
+           "m/s at most; ",
+           name, sum, 1e3 * middle, 1e3 * outside, 1e3 * h->times[h->steps * 95 / 100], 1e3 * h->times[h->steps - 1],
+           h->inexact, h->steps, h->worst);
     printf(h->rested < 0 ? "not at rest\n" : "at rest after %d\n", h->rested);
     free(h->times);
     free(h->outside);

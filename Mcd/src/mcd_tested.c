@@ -2,7 +2,8 @@
  *
  * For convex shapes and planes that depends on where they are, how large they are and how fast, and on nothing else. A
  * model gets a new stamp when any of that has another bit than at the last look; a pair keeps the stamps of the last
- * look at it, and how its models stood to each other when it was tested. Triangle lists, fields, aggregates and a program's own types may depend on more: they are always tested.
+ * look at it, and how its models stood to each other when it was tested. Triangle lists, fields, aggregates and a
+ * program's own types may depend on more: they are always tested.
  */
 #include "McdInternal.h"
 #include "mcd_kind_i.h"

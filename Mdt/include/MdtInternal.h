@@ -36,8 +36,8 @@ typedef struct MdtFoundContact {
 /**
  * The group's contacts become those that were found, and contacts[i] that of found[i]. One that was there goes on, with
  * its force, where its feature is found again, or else where it is the nearest to where its body has carried it in
- * @a time seconds; the rest is destroyed. Returns how many there are: fewer than @a count where the world is full, which
- * it has said then.
+ * @a time seconds; the rest is destroyed. Returns how many there are: fewer than @a count where the world is full,
+ * which it has said then.
  */
 MEPUBLIC int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
                                         MdtContactID contacts[]);

@@ -122,9 +122,9 @@ struct MdtBody {
     MdtKeaVelocity acceleration;        /* m/s², rad/s², in the last step */
     double slowTime;                    /* s, for which its velocities have been below the thresholds of rest */
     MdtStart start;
-    double push[3];                     /* m/s: its way in the last step beyond its velocity: out of an overlap */
-    double mass;                        /* kg */
-    double inertia[3][3];               /* kg m², as set */
+    double push[3];       /* m/s: its way in the last step beyond its velocity: out of an overlap */
+    double mass;          /* kg */
+    double inertia[3][3]; /* kg m², as set */
     MeReal linearDamping, angularDamping, safeTime;
     MeVector3 fastSpinAxis;
     double enabledTime; /* s */

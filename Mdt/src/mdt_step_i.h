@@ -130,7 +130,8 @@ void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity
  * (mdt_cap.c). */
 void mdt_capRows(MdtIsland *p, int rows, int most);
 
-/* Constraints of any kind: their forces are empty; the impulses of an impact, those of a part count among them; read back. */
+/* Constraints of any kind: their forces are empty; the impulses of an impact, those of a part count among them; read
+ * back. */
 void mdt_unpackBegin(MdtIsland *p);
 void mdt_unpackImpact(MdtIsland *p);
 void mdt_unpackConstraints(MdtIsland *p);

@@ -63,8 +63,8 @@ MEPUBLIC void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpa
  * A pair of convex models or planes is not tested again while no point of the smaller one has moved against the other
  * by more than @a part of its size (the radius of its sphere), 0..1, or a quarter of the two contact tolerances: its
  * contacts are carried along with the bodies. What a test would have found differs by at most that. Pairs with a
- * callback, sensors, swept models and round surfaces are tested in every step. 0: all are that have moved at all, so
- * that contacts are those of a test to the last bit. Beyond Karma.
+ * callback, sensors, swept models and round surfaces are tested in every step, and so are those in partitions of up to
+ * 32 bodies. 0: all are that have moved at all, so that contacts are those of a test to the last bit. Beyond Karma.
  */
 MEPUBLIC void MEAPI MstBridgeSetContactReuse(const MstBridgeID b, const MeReal part);
 MEPUBLIC MeReal MEAPI MstBridgeGetContactReuse(const MstBridgeID b);

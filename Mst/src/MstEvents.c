@@ -149,7 +149,6 @@ static void unlistAll(MstEvents *e) {
     e->listedCount = 0;
 }
 
-
 static MeBool list(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
     if (e->listedCount == e->listedMax) {

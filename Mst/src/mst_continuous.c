@@ -28,7 +28,6 @@
 
 enum {
     PARTS = 16,
-    HEAVY = 32,         /* bodies of a partition that is not divided for others */
     HEAVY_PARTS = 2,    /* more than these, for its own */
     SHORTEST = 1 << 13, /* of a step is the shortest part: longer than what MdtWorldStepRest still takes */
 };
@@ -127,10 +126,6 @@ static MeReal timeOfImpact(const McdModelPair *p, MeReal most) {
     return approach * most > 4 * margin ? 2 * margin / approach : most;
 }
 
-static MeBool isHeavy(MdtBodyID body) {
-    return body && MdtBodyGetPartitionSize(body) > HEAVY;
-}
-
 /* In the shortest part a body gets no farther than where its contacts are made ahead of time, or little: what passes
  * 100 of its own size in a step, 1 % of that size. */
 static MeReal shortestPart(const MstBridgeRecord *b) {
@@ -144,8 +139,8 @@ static MeBool stopsBefore(const MstBridgeRecord *b, MeReal time, MeReal most) {
 
 static void stopAt(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal time) {
     const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
-    const MeBool stops1 = !isHeavy(body1) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model1) > 0);
-    const MeBool stops2 = !isHeavy(body2) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model2) > 0);
+    const MeBool stops1 = !mst_isInCrowd(body1) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model1) > 0);
+    const MeBool stops2 = !mst_isInCrowd(body2) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model2) > 0);
     if (body1 && body2 && stops1 && stops2)
         mst_pairTie(p, w);
     if (stops1)
@@ -159,7 +154,7 @@ void mst_followFast(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldI
     if (!(marginOf(p) > 0))
         return;
     const MeReal most = b->part == 0 ? b->ahead : MeMAX(lagOf(body1), lagOf(body2));
-    if (hasContacts && (isHeavy(body1) || isHeavy(body2)))
+    if (hasContacts && (mst_isInCrowd(body1) || mst_isInCrowd(body2)))
         return;
     const MeReal time = hasContacts ? timeOfImpact(p, most) : timeToTouch(p, s, most);
     if (stopsBefore(b, time, most))

@@ -140,6 +140,8 @@ void mst_eventsGather(MstBridgeRecord *b);
 MeBool mst_mayMeet(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s);
 /* If a model of the pair is fast: gives its bodies a safe time, where they meet now or later in the step. */
 void mst_followFast(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w, MeBool hasContacts);
+/* Is the body part of a large partition, in which a single pair matters little, and a solve costs much? */
+MeBool mst_isInCrowd(MdtBodyID body);
 /* A part of the step begins: no body has a safe time. */
 void mst_hurryNobody(MstBridgeRecord *b);
 /* The world's step after the contacts were made: in parts, where something fast meets something. */
