@@ -1,0 +1,235 @@
+/* Manifolds: what contacts found by collision share, what one of them has of its own, which of them goes on, and how
+ * they are carried along with their bodies. */
+#include "MdtInternal.h"
+#include "scene.h"
+
+enum { MANY = 11 };
+
+static MdtWorldID world;
+static MdtBodyID upper, lower;
+static MdtContactGroupID group;
+static MdtBclContactParams rough, smooth;
+
+static void setUp(void) {
+    const double edge[3] = {1, 1, 1};
+    world = scene_world(4, 40, 10);
+    upper = scene_box(world, 1, edge, 0, 1.5, 0);
+    lower = scene_box(world, 1, edge, 0, .5, 0);
+    group = MdtContactGroupCreate(world);
+    MdtContactGroupSetBodies(group, upper, lower);
+    MdtContactGroupEnable(group);
+    MdtContactParamsReset(&rough);
+    MdtContactParamsSetSurface(&rough, (MeReal).5, 0);
+    MdtContactParamsReset(&smooth);
+    MdtContactParamsSetSurface(&smooth, 0, 0);
+}
+
+static void tearDown(void) {
+    MdtWorldDestroy(world);
+}
+
+/* A corner of the face between the two; i beyond 3: further in. */
+static MdtFoundContact corner(int i) {
+    const double at = i < 4 ? .5 : .5 / i;
+    return (MdtFoundContact){.position = {i & 1 ? at : -at, 1, i & 2 ? at : -at},
+                             .normal = {0, 1, 0},
+                             .feature = (MeU32)(100 + i),
+                             .params = &rough};
+}
+
+static void corners(MdtFoundContact found[], int count) {
+    for (int i = 0; i < count; i++)
+        found[i] = corner(i);
+}
+
+static double heightOf(MdtContactID c) {
+    MeVector3 n;
+    MdtContactGetNormal(c, n);
+    return (double)n[1];
+}
+
+START_TEST(any_number_of_contacts_is_found) {
+    MdtFoundContact found[MANY];
+    MdtContactID contact[MANY], c;
+    corners(found, MANY);
+    ck_assert_int_eq(MdtContactGroupRenew(group, found, MANY, 0, contact), MANY);
+    ck_assert_int_eq(MdtContactGroupGetCount(group), MANY);
+    ck_assert_int_eq(MdtWorldGetTotalConstraints(world), 1 + MANY);
+    int i = 0;
+    for (c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c), i++) {
+        ck_assert_ptr_eq(c, contact[i]);
+        ck_assert_ptr_eq(MdtContactGetContactGroup(c), group);
+        ck_assert(MdtConstraintIsValid(MdtContactQuaConstraint(c)));
+    }
+    ck_assert_int_eq(i, MANY);
+    ck_assert_int_eq(MdtContactGroupRenew(group, found + 4, 1, 0, contact + 4), 1);
+    ck_assert_int_eq(MdtWorldGetTotalConstraints(world), 2);
+    for (i = 0; i < MANY; i++)
+        ck_assert_int_eq(MdtConstraintIsValid(MdtContactQuaConstraint(contact[i])), i == 4);
+    MdtWorldStep(world, FRAME);
+}
+END_TEST
+
+START_TEST(a_full_world_has_fewer) {
+    MdtFoundContact found[60];
+    MdtContactID contact[60];
+    corners(found, 60);
+    messages_catch();
+    ck_assert_int_eq(MdtContactGroupRenew(group, found, 60, 0, contact), 39);
+    assert_warned("maxConstraints");
+    messages_release();
+    ck_assert_int_eq(MdtWorldGetTotalConstraints(world), 40);
+    ck_assert_int_eq(MdtContactGroupRenew(group, found + 39, 21, 0, contact), 21);
+    ck_assert_int_eq(MdtWorldGetTotalConstraints(world), 22);
+}
+END_TEST
+
+/* What one contact is given, the others of its manifold do not get. */
+START_TEST(each_has_its_own) {
+    MdtFoundContact found[4];
+    MdtContactID contact[4];
+    int mark;
+    corners(found, 4);
+    found[2].normal[0] = 1;
+    found[3].params = &smooth;
+    MdtContactGroupRenew(group, found, 4, 0, contact);
+    assert_near(heightOf(contact[2]), sqrt(.5), TOL(1e-6, 1e-15));
+    MdtContactSetNormal(contact[1], 1, 0, 0);
+    MdtContactSetRadius(contact[1], 0, 3);
+    MdtContactSetUserData(contact[1], &mark);
+    MdtContactSetWorldVelocity(contact[1], 0, 0, 7);
+    MdtContactParamsSetRestitution(MdtContactGetParams(contact[0]), (MeReal).25);
+    for (int i = 0; i < 4; i++) {
+        MeVector3 v;
+        MdtContactGetWorldVelocity(contact[i], v);
+        assert_near((double)v[2], i == 1 ? 7 : 0, 0);
+        ck_assert_ptr_eq(MdtContactGetUserData(contact[i]), i == 1 ? (void *)&mark : NULL);
+        assert_near((double)MdtContactGetRadius(contact[i], 0), i == 1 ? 3 : 0, 0);
+        assert_near(heightOf(contact[i]), i == 1 ? 0 : i == 2 ? sqrt(.5) : 1, TOL(1e-6, 1e-15));
+        assert_near((double)MdtContactGetParams(contact[i])->restitution, i == 0 ? .25 : 0, 0);
+        assert_near((double)MdtContactGetParams(contact[i])->FrictionCoefficient, i == 3 ? 0 : .5, 0);
+    }
+    /* found again, they are as they are found; what a program has hung on them stays */
+    corners(found, 4);
+    MdtContactGroupRenew(group, found, 4, 0, contact);
+    for (int i = 0; i < 4; i++) {
+        assert_near(heightOf(contact[i]), 1, 0);
+        assert_near((double)MdtContactGetRadius(contact[i], 0), 0, 0);
+        assert_near((double)MdtContactGetParams(contact[i])->restitution, 0, 0);
+        ck_assert_ptr_eq(MdtContactGetUserData(contact[i]), i == 1 ? (void *)&mark : NULL);
+    }
+    /* another one in its place does not have it */
+    MdtContactGroupDestroyContact(group, contact[1]);
+    found[1].feature = 999;
+    MdtContactGroupRenew(group, found, 4, 0, contact);
+    ck_assert_ptr_null(MdtContactGetUserData(contact[1]));
+}
+END_TEST
+
+/* By feature; what is left goes on where it is nearest, and keeps its force. */
+START_TEST(the_nearest_goes_on) {
+    MdtFoundContact found[4];
+    MdtContactID before[4], after[4];
+    MeVector3 f;
+    corners(found, 4);
+    MdtContactGroupRenew(group, found, 4, 0, before);
+    MdtBodyAddForce(upper, 0, -100, 0);
+    MdtWorldStep(world, FRAME);
+    for (int i = 0; i < 4; i++) { /* the other way round */
+        found[i] = corner(3 - i);
+        found[i].feature = i == 0 ? 103 : (MeU32)(500 + i);
+        found[i].position[0] += .01;
+    }
+    MdtContactGroupRenew(group, found, 4, 0, after);
+    for (int i = 0; i < 4; i++)
+        ck_assert_ptr_eq(after[i], before[3 - i]);
+    MdtContactGetForce(after[1], 0, f);
+    ck_assert_msg((double)f[1] > 1, "the force of the last step was lost");
+}
+END_TEST
+
+START_TEST(what_a_bridge_made_stays_in_its_group) {
+    MdtFoundContact found[2];
+    MdtContactID contact[2];
+    corners(found, 2);
+    MdtContactGroupRenew(group, found, 2, 0, contact);
+    messages_catch();
+    MdtContactGroupRemoveContact(group, contact[0]);
+    assert_warned("MdtContactGroupRemoveContact");
+    messages_release();
+    ck_assert_int_eq(MdtContactGroupGetCount(group), 2);
+}
+END_TEST
+
+/* Two hundred surfaces, each used by one contact and then by none: nothing of them is left. */
+START_TEST(surfaces_are_kept_once_and_go) {
+    MdtContactID contact = MdtContactCreateBetween(world, upper, lower),
+                 other = MdtContactCreateBetween(world, upper, 0);
+    for (int i = 0; i < 200; i++) {
+        MdtBclContactParams p = rough;
+        MdtContactParamsSetSurface(&p, (MeReal)(.01 * i), 0);
+        MdtContactSetParams(contact, &p);
+        MdtContactSetParams(other, &p);
+        assert_near((double)MdtContactGetParams(other)->FrictionCoefficient, (double)(MeReal)(.01 * i), 0);
+    }
+    assert_near((double)MdtContactGetParams(contact)->FrictionCoefficient, (double)(MeReal)1.99, 0);
+}
+END_TEST
+
+/* Falls and turns for a step as one body: so do its contacts, exactly. */
+START_TEST(contacts_are_carried_along) {
+    static const MeBool both[2] = {METRUE, METRUE}, one[2] = {METRUE, MEFALSE};
+    MdtFoundContact found = corner(3);
+    MdtContactID contact;
+    MeVector3 place, normal;
+    found.depth = .001;
+    MdtContactGroupRenew(group, &found, 1, 0, &contact);
+    MdtContactGroupDisable(group); /* they are free */
+    MdtBodySetAngularVelocity(upper, 0, (MeReal).6, 0);
+    MdtBodySetLinearVelocity(upper, 0, 0, 3);
+    const unsigned long moves = MdtBodyGetMoves(upper);
+    MdtWorldSetGravity(world, 0, 0, 0);
+    MdtWorldStep(world, (MeReal).1);
+    ck_assert(MdtBodyMovedByStep(upper, moves));
+    assert_near((double)MdtContactGroupCarry(group, one), -.001, TOL(1e-7, 1e-12)); /* it slides off: no deeper */
+    MdtContactGetPosition(contact, place);
+    /* half-way between the point of the one, which turns by .06 and goes .3 m, and that of the other */
+    const double turned[2] = {.5 * cos(.06) + .5 * sin(.06), .5 * cos(.06) - .5 * sin(.06) + .3};
+    assert_vec3_near(place, .5 * (turned[0] + .5), 1, .5 * (turned[1] + .5), TOL(1e-5, 1e-5));
+
+    MdtBodySetAngularVelocity(upper, 0, 0, (MeReal).5); /* one body, as it were, about the origin */
+    MdtBodySetAngularVelocity(lower, 0, 0, (MeReal).5);
+    MdtBodySetLinearVelocity(upper, (MeReal)-.75, 0, 0);
+    MdtBodySetLinearVelocity(lower, (MeReal)-.25, 0, 0);
+    MdtContactSetExact(contact, (double[3]){.5, 1, .5}, .001);
+    MdtWorldStep(world, (MeReal)1e-3);
+    assert_near((double)MdtContactGroupCarry(group, both), -.001, 1e-6); /* second order: their ways are straight */
+    MdtContactGetNormal(contact, normal);
+    assert_vec3_near(normal, -sin(5e-4), cos(5e-4), 0, TOL(1e-7, 1e-9));
+    MdtContactGetPosition(contact, place);
+    assert_vec3_near(place, .5 - 5e-4, 1 + .5 * 5e-4, .5, 1e-6);
+}
+END_TEST
+
+START_TEST(a_body_that_was_placed_has_not_moved_by_a_step) {
+    const unsigned long moves = MdtBodyGetMoves(upper);
+    MdtWorldStep(world, FRAME);
+    MdtBodySetPosition(upper, 0, 9, 0);
+    ck_assert(!MdtBodyMovedByStep(upper, moves));
+    MdtWorldStep(world, FRAME);
+    ck_assert(!MdtBodyMovedByStep(upper, moves));
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setUp, tearDown);
+    tcase_add_test(t, any_number_of_contacts_is_found);
+    tcase_add_test(t, a_full_world_has_fewer);
+    tcase_add_test(t, each_has_its_own);
+    tcase_add_test(t, the_nearest_goes_on);
+    tcase_add_test(t, what_a_bridge_made_stays_in_its_group);
+    tcase_add_test(t, surfaces_are_kept_once_and_go);
+    tcase_add_test(t, contacts_are_carried_along);
+    tcase_add_test(t, a_body_that_was_placed_has_not_moved_by_a_step);
+}
+TEST_MAIN("Manifold", tests)

@@ -1,0 +1,165 @@
+/* Pairs that hardly move are not tested again (MstBridgeSetContactReuse): what a program does to them is seen at once,
+ * and a crowd comes to rest as it does without. */
+#include "Mst.h"
+#include "MdtReport.h"
+#include "karma_test.h"
+
+enum { ROWS = 9, BOXES = ROWS * (ROWS + 1) / 2 }; /* 45: a crowd is more than 32 */
+
+static MstUniverseID u;
+static McdGeometryID cube;
+static McdModelID model[BOXES], ground;
+static MeMatrix4 groundPlace;
+
+/* Boxes in a vertical pyramid, of which each row stands 2 mm above the one below. */
+static void build(double part) {
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    sizes.dynamicConstraintsMaxCount = 2000;
+    u = MstUniverseCreate(&sizes);
+    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+    MdtWorldSetEpsilon(u->world, 0);
+    MdtWorldSetWorkBudget(u->world, 0);
+    MdtWorldSetAutoDisable(u->world, MEFALSE);
+    MdtWorldEnableReport(u->world);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).5, 0);
+    MstBridgeSetContactReuse(u->bridge, (MeReal)part);
+    MeMatrix4TMMakeIdentity(groundPlace);
+    ground = MstFixedModelCreate(u, McdBoxCreate(u->frame, 40, 40, 1), groundPlace);
+    cube = McdBoxCreate(u->frame, 1, 1, 1);
+    int n = 0;
+    for (int row = 0; row < ROWS; row++)
+        for (int i = 0; i < ROWS - row; i++) {
+            model[n] = MstModelAndBodyCreate(u, cube, 1);
+            McdModelDynamicsSetPosition(model[n++], (MeReal)(1.02 * (i - .5 * (ROWS - row - 1))), 0,
+                                        (MeReal)(1 + 1.002 * row));
+        }
+    ck_assert_int_eq(n, BOXES);
+}
+
+static void step(int count) {
+    for (int i = 0; i < count; i++)
+        MstUniverseStep(u, (MeReal)(1. / 60));
+}
+
+static double heightOf(McdModelID m) {
+    MeVector3 p;
+    McdModelDynamicsGetPosition(m, p);
+    return (double)p[2];
+}
+
+/* The deepest contact of the body, m. */
+static double depthOf(McdModelID m) {
+    double deepest = -HUGE_VAL;
+    const MdtBodyID b = McdModelGetBody(m);
+    for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c))
+        deepest = fmax(deepest, (double)MdtContactGetPenetration(c));
+    return deepest;
+}
+
+/* Makes the step's contacts, and no step. */
+static void findContacts(void) {
+    McdSpaceUpdateAll(u->space);
+    MstBridgeUpdateContacts(u->bridge, u->space, u->world);
+}
+
+START_TEST(a_crowd_comes_to_rest_as_it_does_without) {
+    double tested[BOXES];
+    build(0);
+    step(120);
+    for (int i = 0; i < BOXES; i++)
+        tested[i] = heightOf(model[i]);
+    MstUniverseDestroy(u);
+    build(MST_CONTACT_REUSE);
+    step(120);
+    for (int i = 0; i < BOXES; i++)
+        assert_near(heightOf(model[i]), tested[i], TOL(2e-6, 1e-6));
+    MdtReport r;
+    ck_assert(MdtWorldGetReport(u->world, &r));
+    ck_assert_int_eq(r.way, MdtReportWayRest);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* Each is less than what a pair may move without a test. */
+START_TEST(a_change_by_the_program_is_seen) {
+    MeVector3 p;
+    build(MST_CONTACT_REUSE);
+    step(90);
+    const double before = depthOf(model[0]);
+    McdModelDynamicsGetPosition(model[0], p);
+    McdModelDynamicsSetPosition(model[0], p[0], p[1], p[2] - (MeReal)1e-4);
+    findContacts();
+    assert_near(depthOf(model[0]), before + 1e-4, 1e-6);
+    McdModelDynamicsSetPosition(model[0], p[0], p[1], p[2]);
+    findContacts();
+    assert_near(depthOf(model[0]), before, 1e-6);
+    McdBoxGetRadii(cube)[2] = (MeReal).5001; /* all of them, by 1e-4 on either side */
+    findContacts();
+    assert_near(depthOf(model[0]), before + 2e-4, 1e-6); /* that of the box above it */
+    McdBoxGetRadii(cube)[2] = (MeReal).5;
+    findContacts();
+    assert_near(depthOf(model[0]), before, 1e-6);
+    groundPlace[3][2] += (MeReal)1e-4; /* programs move fixed models by their matrix */
+    McdModelUpdate(ground);
+    findContacts();
+    assert_near(depthOf(model[0]), before + 1e-4, 1e-6);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* The sum over the body's contacts, m. */
+static double depthsOf(McdModelID m) {
+    double sum = 0;
+    const MdtBodyID b = McdModelGetBody(m);
+    for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c))
+        sum += (double)MdtContactGetPenetration(c);
+    return sum;
+}
+
+/* The box at the top is tilted by less than what asks for a test: so are the depths of its four corners. */
+START_TEST(depths_follow_the_bodies) {
+    double most = 0;
+    build(MST_CONTACT_REUSE);
+    const McdModelID top = model[BOXES - 1];
+    step(90);
+    const double still = depthsOf(top);
+    for (int i = 0; i < 12; i++) {
+        MdtBodySetAngularVelocity(McdModelGetBody(top), (MeReal)(i % 3 ? .02 : -.02), (MeReal).01, 0);
+        MdtBodyAddForce(McdModelGetBody(top), 0, 0, (MeReal)9.8); /* nearly its weight: it falls back slowly */
+        step(1);
+        findContacts();
+        const double carried = depthsOf(top);
+        most = fmax(most, fabs(carried - still));
+        MstBridgeSetContactReuse(u->bridge, 0);
+        findContacts();
+        assert_near(depthsOf(top), carried, TOL(1e-6, 1e-9));
+        MstBridgeSetContactReuse(u->bridge, (MeReal)MST_CONTACT_REUSE);
+    }
+    ck_assert_msg(most > 1e-4, "the corners moved by %g in all", most);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+START_TEST(bad_input_changes_nothing) {
+    build(MST_CONTACT_REUSE);
+    messages_catch();
+    MstBridgeSetContactReuse(u->bridge, -1);
+    assert_warned("MstBridgeSetContactReuse");
+    MstBridgeSetContactReuse(u->bridge, 2);
+    assert_warned("MstBridgeSetContactReuse");
+    assert_near((double)MstBridgeGetContactReuse(u->bridge), (double)(MeReal)MST_CONTACT_REUSE, 0);
+    assert_near((double)MstBridgeGetContactReuse(0), 0, 0);
+    assert_warned("MstBridgeGetContactReuse");
+    messages_release();
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, a_crowd_comes_to_rest_as_it_does_without);
+    tcase_add_test(t, a_change_by_the_program_is_seen);
+    tcase_add_test(t, depths_follow_the_bodies);
+    tcase_add_test(t, bad_input_changes_nothing);
+}
+
+TEST_MAIN("Reuse", tests)
