@@ -20,7 +20,8 @@ ME_BEGIN_C
 
 /** @name The whole limit
  *  @{ */
-/** Defaults: not active, not powered, position not calculated, threshold MEINFINITY, default stops, offset 0. */
+/** Defaults: not active, not powered, the motor not tracking, position not calculated, threshold MEINFINITY, default
+ *  stops, offset 0. */
 MEPUBLIC void MEAPI MdtLimitReset(const MdtLimitID limit);
 /** Forgets the measured position (and with it the full turns), not the settings: for bodies that were put elsewhere. */
 MEPUBLIC void MEAPI MdtLimitResetState(const MdtLimitID limit);
@@ -65,6 +66,12 @@ MEPUBLIC MeBool MEAPI MdtLimitPositionIsCalculated(const MdtLimitID l);
  *  switched on; a force limit of 0 switches it off. A desired velocity of 0 is a brake with dry friction. */
 MEPUBLIC void MEAPI MdtLimitSetLimitedForceMotor(const MdtLimitID l, const MeReal desiredVelocity,
                                                  const MeReal forceLimit);
+/** Whether the motor tracks the position that its velocity leads to. Off, the default: the desired velocity is that of
+ *  the step's end, as the guide has it. On: as far as the force allows, the coordinate moves by the step's length times
+ *  the desired velocity in every step, and ends it with that velocity, so that a program that sets the mean velocity of
+ *  a path's next step leads the joint along the path. What a step has missed for want of force is not made up for. */
+MEPUBLIC void MEAPI MdtLimitSetMotorTracking(const MdtLimitID l, const MeBool NewState);
+MEPUBLIC MeBool MEAPI MdtLimitMotorIsTracking(const MdtLimitID l);
 MEPUBLIC MeReal MEAPI MdtLimitGetMotorDesiredVelocity(const MdtLimitID l);
 MEPUBLIC MeReal MEAPI MdtLimitGetMotorMaxForce(const MdtLimitID l);
 /** @} */

@@ -38,6 +38,7 @@ void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from) {
     to->lockForce = copy.lockForce;
     to->bLocked = copy.bLocked;
     to->bPowered = copy.bPowered;
+    to->bMotorTracks = copy.bMotorTracks;
     to->bActive = copy.bActive;
     to->bCalculatePosition = copy.bCalculatePosition;
 }
@@ -135,6 +136,15 @@ void MEAPI MdtLimitSetLimitedForceMotor(const MdtLimitID l, const MeReal desired
     l->desired_vel = desiredVelocity;
     l->fmax = forceLimit > 0 ? forceLimit : 0;
     l->bPowered = l->fmax > 0;
+}
+
+void MEAPI MdtLimitSetMotorTracking(const MdtLimitID l, const MeBool NewState) {
+    if (isLimit(l, __func__))
+        l->bMotorTracks = NewState != 0;
+}
+
+MeBool MEAPI MdtLimitMotorIsTracking(const MdtLimitID l) {
+    return isLimit(l, __func__) ? l->bMotorTracks : 0;
 }
 
 MeReal MEAPI MdtLimitGetMotorDesiredVelocity(const MdtLimitID l) {

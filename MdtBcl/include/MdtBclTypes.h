@@ -56,6 +56,7 @@ typedef struct MdtBclLimit {
     MeReal lockForce;           /**< N, the most that the lock holds with, either way */
     MeBool bLocked;             /**< the lock holds; the motor then rests */
     MeBool bPowered;            /**< the motor runs */
+    MeBool bMotorTracks;        /**< it moves the coordinate by the step's length times its velocity in every step */
     MeBool bActive;             /**< the stops act */
     MeBool bCalculatePosition;  /**< the coordinate is measured though neither of the above is set */
     /* Kept by the library from step to step. */

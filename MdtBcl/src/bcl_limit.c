@@ -8,8 +8,10 @@
  *          reached, and left with e times the speed of the arrival.
  *   soft:  beyond the stop a damped spring that only pushes, λ = -kp z - kd J v >= 0; Kea finds its row. In the step
  *          that comes to it the spring is there already, without damping, so that it acts from first contact.
- * The motor is a row J v⁺ = desired velocity with |λ| <= fmax, without ε, so that a brake holds. The lock, which takes
- * its place, is the row of a joint, J v⁺ = -γ (position - lock) / h with |λ| <= its force.
+ * The motor is a row J v⁺ = desired velocity with |λ| <= fmax, without ε, so that a brake holds; one that tracks its
+ * position is a row of the coordinate itself, q⁺ - q = h x desired velocity, from where it is: what a bound on the
+ * force has kept it from is not made up for. The lock, which takes its place, is the row of a joint,
+ * J v⁺ = -γ (position - lock) / h with |λ| <= its force.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -116,6 +118,15 @@ static void lockRow(const MdtBclLimit *limit, const MdtBclContext *x, MdtKeaRow 
     row->lower = -row->upper;
 }
 
+static void motorRow(const MdtBclLimit *limit, MdtKeaRow *row) {
+    bcl_makeMotor(row, limit->desired_vel, limit->fmax);
+    if (!limit->bMotorTracks)
+        return;
+    row->error = 0; /* counted from where the step starts */
+    row->drift = row->target;
+    row->position = METRUE;
+}
+
 static void hardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtKeaRow *row) {
     const double h = x->parameters.stepsize, z = row->error;
     row->target = z > 0 ? -z / h : -x->parameters.gamma * z / h;
@@ -148,7 +159,7 @@ void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKe
     MdtKeaRow *const first = rows;
     if (limit->rows & MOTOR) {
         *rows = *coordinate;
-        bcl_makeMotor(rows++, limit->desired_vel, limit->fmax);
+        motorRow(limit, rows++);
     } else if (limit->rows & LOCK) {
         *rows = *coordinate;
         lockRow(limit, x, rows++);
@@ -167,6 +178,8 @@ int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]) 
     int n = 0;
     if (limit->rows & LOCK)
         errors[0] = measured + (double)limit->offset - (double)limit->lock;
+    else if (limit->rows & MOTOR)
+        errors[0] = measured - limit->measured;
     if (limit->rows & (MOTOR | LOCK))
         n++;
     for (int side = 0; side < 2; side++)

@@ -74,6 +74,7 @@ typedef struct MdtKeaWork {
     double *endErrors;                        /* by row: φ at the end */
     MdtKeaJBlockPair *keptJ;                  /* by row */
     double (*bestU)[6], *bestP;               /* by body, by row: of the best pass so far */
+    double (*nearU)[6], *nearP;               /* of the best tangent pass within the rounding of attachments */
     double (*added)[6];                       /* by body: what the velocity stage has found */
     double (*plastic)[6], speed;              /* of impacts */
     double *target;        /* by row, twice: what impacts, m/s, or projection, m, ask of normal rows */
@@ -83,7 +84,9 @@ typedef struct MdtKeaWork {
     int *parent; /* by body, and one more */
     KeaProblem problem;
     KeaDual dual;
-    MeBool hasLoops; /* of joints */
+    MeBool hasLoops;     /* of joints */
+    MeBool isCompromise; /* some joints miss their aims, if only by rounding, since others contradict them */
+    MeBool isSettled;    /* the passes have ended with position errors within the rounding of attachments */
 } MdtKeaWork;
 
 /* ---- kea_rotation.c ---- */
@@ -121,6 +124,8 @@ void kea_guessMotion(MdtKeaSystem *s);
 void kea_moveBodies(MdtKeaSystem *s);
 /* Metric and load of the problem: the momentum that rows must give, and how it changes with u. */
 void kea_linearizeBodies(MdtKeaSystem *s);
+/* The derivative of cay(h w) with w, as a turn in the world's axes. */
+void kea_turnDerivative(double D[3][3], const double w[3], double h);
 /* Velocities at the end from the impulses, so that momentum is kept whatever else is left over. */
 void kea_balanceMomentum(MdtKeaSystem *s);
 /* Bodies that no row acts on take the free motion instead. */
@@ -134,6 +139,10 @@ void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]);
 void kea_beginRows(MdtKeaSystem *s);
 /* Jacobians at these poses, and bounds that depend on them. */
 void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool withBounds);
+/* The derivatives of the position rows' errors at the end; before the rows are refreshed with the mean poses. Of the
+ * other rows, their Jacobians; after that. */
+void kea_refreshTangent(MdtKeaSystem *s);
+void kea_completeTangent(MdtKeaSystem *s);
 /* Keeps the rows' Jacobians while others take their place, and brings them back. */
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);
@@ -197,7 +206,8 @@ MeBool kea_slowDown(const MdtKeaSystem *s, double (*velocity)[6], double allowed
 /* How far a pass is from the laws, in tolerances (kea_policy_i.h). */
 typedef struct KeaResiduals {
     double position, velocity, momentum, worst;
-    double impulse; /* N s, that the velocity would take */
+    double attachment; /* the position error, in roundings of where joints are attached */
+    double impulse;    /* N s, that the velocity would take */
 } KeaResiduals;
 
 /* m/s: by how much the loads change velocities in a step, at most. */
@@ -209,9 +219,11 @@ KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);
 MeBool kea_isConverged(const KeaResiduals *e);
 /* Not converged, but within this times what is reported as exact. */
 MeBool kea_isExactEnough(const KeaResiduals *e, double margin);
-/* After every pass: which joints are inconsistent; whether such miss their aims. */
+/* After every pass: which joints are inconsistent; whether such miss their aims by more than attachments are known, and
+ * whether by anything at all. */
 void kea_noteInconsistent(MdtKeaSystem *s);
 MeBool kea_isConflicting(const MdtKeaSystem *s);
+MeBool kea_isCompromise(const MdtKeaSystem *s);
 
 /* ---- kea_dual.c ---- */
 

@@ -24,6 +24,8 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->keptJ = kea_carve(arena, m, sizeof *work->keptJ);
     work->bestU = kea_carve(arena, n, sizeof *work->bestU);
     work->bestP = kea_carve(arena, m, sizeof(double));
+    work->nearU = kea_carve(arena, n, sizeof *work->nearU);
+    work->nearP = kea_carve(arena, m, sizeof(double));
     work->added = kea_carve(arena, n, sizeof *work->added);
     work->plastic = kea_carve(arena, n, sizeof *work->plastic);
     work->target = kea_carve(arena, 2 * m, sizeof(double));

@@ -24,6 +24,11 @@ double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*
     return sum;
 }
 
+/* A bounded joint that is led along: it works, as a motor does that is met by its velocity. */
+static MeBool isTrackingMotor(const MdtKeaRow *row) {
+    return row->position && row->drift != 0 && row->lower < 0 && row->upper > 0 && row->lower > -HUGE_VAL;
+}
+
 double kea_energyAllowed(const MdtKeaSystem *s) {
     double sum = 0;
     for (int b = 0; b < s->numBodies; b++) {
@@ -37,7 +42,7 @@ double kea_energyAllowed(const MdtKeaSystem *s) {
         sum += keaDot(dv, u) / body->invMass + keaDot(dL, u + 3);
     }
     for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact < 0 && !s->rows[i].position)
+        if (s->rows[i].contact < 0 && (!s->rows[i].position || isTrackingMotor(&s->rows[i])))
             sum += s->work->problem.row[i].p * kea_meanRate(s, i);
     return sum;
 }

@@ -54,6 +54,16 @@ static const double kea_momentumShare = 1e-4;
 /* A joint is inconsistent if a pass leaves more than this of what it asked for, twice: half way between 0, obeyed, and
  * 1. x2 fails Mdt_Report: joints_that_contradict_each_other_are_told. */
 static const double kea_inconsistentShare = 0.5;
+/* Of lever arms and distances from the origin, and rad: what may be wrong with attachments that a program gives in
+ * single precision, eight of its roundings. A linkage may be too long by so much to pass its change point, and joints
+ * that contradict each other by less agree. */
+static const double kea_attachmentRounding = 5e-7;
+/* Of a body's size: an answer this far in a step from one that attachments are as good for is on another branch. A
+ * thousand times kea_attachmentRounding. */
+static const double kea_branchWay = 5e-4;
+/* Times the best residual of the tangent problem's passes: its matrix is not positive, and a pass may lead anywhere;
+ * Newton's method does not come back from there in the passes that it has. */
+static const double kea_tangentDivergence = 1e3;
 
 /* ---- passes of a step ---- */
 
@@ -67,6 +77,9 @@ enum {
     KEA_MAX_COUPLED_PASSES = 60,
     /* With frozen bounds the rest is convex; passes converge by 3 to 70 each, so 4 gain two to seven digits. */
     KEA_FROZEN_PASSES = 4,
+    /* Passes of the tangent problem, which converges quadratically: 2 to 4 where it is regular, 6 near a change point;
+     * at one, and with redundant joints, more do not converge either. */
+    KEA_TANGENT_PASSES = 6,
     /* Passes of sweeps that share what work is left, so that the geometry is followed (test_Mst_WorkBudget). */
     KEA_SWEPT_PASSES = 8,
     /* More passes than this, and the motion's energy is watched: ordinary steps take 3 to 6; contradicting rows may be

@@ -9,7 +9,9 @@
 void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *arena) {
     const size_t n = (size_t)numBodies, m = (size_t)maxRows;
     q->row = kea_carve(arena, m, sizeof *q->row);
+    q->tangent = kea_carve(arena, m, sizeof *q->tangent);
     q->metric = kea_carve(arena, n, sizeof *q->metric);
+    q->turning = kea_carve(arena, n, sizeof *q->turning);
     q->load = kea_carve(arena, n, sizeof *q->load);
     q->d = kea_carve(arena, n, sizeof *q->d);
     q->kept = kea_carve(arena, n, sizeof *q->kept);
@@ -61,7 +63,7 @@ static void findEdges(KeaProblem *q) {
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
     findEdges(q);
     memset(&q->counts, 0, sizeof q->counts);
-    q->hasFriction = q->hasBounds = MEFALSE;
+    q->hasFriction = q->hasBounds = q->isTangent = MEFALSE;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         q->hasFriction = q->hasFriction || row->normal >= 0;

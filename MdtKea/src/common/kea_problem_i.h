@@ -7,6 +7,11 @@
  * p at a bound where J d + E p - r has the sign that the bound allows. Bounds of friction rows are μ times the p of
  * their normal row; two friction rows may share a cone. Without friction this is the minimum of a convex function.
  *
+ * In a tangent problem d changes rows by the derivative T of their errors at the end of the step, while their impulses
+ * act along J at its middle, and B is the derivative of the momentum itself: T d + E p = r. That is Newton's method for
+ * the step, unsymmetric, and quadratic where the symmetric one diverges: where T and J differ in sign, as when a
+ * linkage passes its change point within the step, the latter leaves the answer that it has found.
+ *
  * Rows that are rigid, E = 0, or redundant make no trouble: the method works on the bodies' side, with a softness N of
  * its own that it takes out again (a proximal point: (E + N) p = r - J d + N p0, then p0 := p).
  */
@@ -63,7 +68,9 @@ typedef struct KeaCounts {
 typedef struct KeaProblem {
     int numBodies, numRows;
     KeaProblemRow *row;
+    double (*tangent)[2][6];            /* by row: T of a tangent problem, else unused */
     KeaMetric *metric;                  /* by body */
+    double (*turning)[3][3];            /* by body: in a tangent problem in place of metric.angular */
     double (*load)[6], (*d)[6];         /* g, d */
     double (*kept)[6];                  /* d before the friction bounds were coupled */
     double (*gradient)[6], (*along)[6]; /* of the last iteration */
@@ -76,6 +83,7 @@ typedef struct KeaProblem {
     KeaFactor *factor;
     MeBool hasFriction; /* friction that depends on normal forces */
     MeBool hasBounds;   /* of any kind */
+    MeBool isTangent;   /* a tangent problem; not with friction */
     int maxIterations;  /* of all solves together; 0: no cap */
     double maxWork;     /* the same; 0: no cap */
     double reserve;     /* of it, that is kept for sweeps, */

@@ -71,9 +71,23 @@ static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return size;
 }
 
-static double positionError(MdtKeaSystem *s) {
+/* What single precision, in which programs give them, leaves of the places where a row's bodies are attached. */
+static double roundingOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double size = 0;
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] < 0)
+            continue;
+        if (keaDot(row->J[k].lin, row->J[k].lin) == 0)
+            return kea_attachmentRounding; /* of an angle */
+        size += keaLength(row->arm[k]) + keaLength(s->work->end[row->body[k]].position);
+    }
+    return kea_attachmentRounding * size + kea_tiny;
+}
+
+static double positionError(MdtKeaSystem *s, double *attachment) {
     const double h = s->parameters.stepsize;
     double worst = 0;
+    *attachment = 0;
     s->report.error = 0;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
@@ -84,6 +98,7 @@ static double positionError(MdtKeaSystem *s) {
         if ((p->p >= p->upper && missing > 0) || (p->p <= p->lower && missing < 0))
             continue;
         s->report.error = keaMax(s->report.error, fabs(missing));
+        *attachment = keaMax(*attachment, fabs(missing) / roundingOfRow(s, row));
         if (p->isInconsistent)
             continue;
         worst = keaMax(worst, fabs(missing) / (sizeOfRow(s, row) + kea_tiny));
@@ -101,19 +116,28 @@ void kea_noteInconsistent(MdtKeaSystem *s) {
         const double asked = p->r - p->E * p->p0;
         const MeBool asks = s->parameters.stepsize * fabs(asked) > kea_positionTolerance * sizeOfRow(s, &s->rows[i]);
         const MeBool isUnmet = asks && s->rows[i].position && !kea_mayReachBound(&s->rows[i]) &&
-                               fabs(asked - p->Jd) > kea_inconsistentShare * fabs(asked);
+                               fabs(asked - p->Jd - p->E * (p->p - p->p0)) > kea_inconsistentShare * fabs(asked);
         p->isInconsistent = isUnmet && p->isUnmet;
         p->isUnmet = isUnmet;
     }
 }
 
-MeBool kea_isConflicting(const MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++) {
-        const KeaProblemRow *p = &s->work->problem.row[i];
-        const double missing = s->parameters.stepsize * fabs(p->r - p->E * p->p);
-        if (p->isInconsistent && !p->isOff && missing > kea_positionTolerance * sizeOfRow(s, &s->rows[i]))
+static double missingOf(const MdtKeaSystem *s, int i) {
+    const KeaProblemRow *p = &s->work->problem.row[i];
+    return p->isInconsistent && !p->isOff ? s->parameters.stepsize * fabs(p->r - p->E * p->p) : 0;
+}
+
+MeBool kea_isCompromise(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (missingOf(s, i) > kea_positionTolerance * sizeOfRow(s, &s->rows[i]))
             return METRUE;
-    }
+    return MEFALSE;
+}
+
+MeBool kea_isConflicting(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (missingOf(s, i) > roundingOfRow(s, &s->rows[i]))
+            return METRUE;
     return MEFALSE;
 }
 
@@ -148,7 +172,7 @@ double kea_speedOf(const MdtKeaSystem *s) {
 
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed) {
     KeaResiduals e;
-    e.position = positionError(s) / kea_positionTolerance;
+    e.position = positionError(s, &e.attachment) / kea_positionTolerance;
     e.velocity = kea_problemResidual(&s->work->problem, &e.impulse) / (kea_velocityTolerance * speed);
     e.momentum = kea_problemError(&s->work->problem) / kea_momentumSlack;
     e.worst = keaMax(e.position, keaMax(e.momentum, e.velocity));

@@ -8,7 +8,8 @@
  *
  * With R fixed this is convex: H is positive definite whatever rows there are, and the step along -H⁻¹ (gradient) is as
  * long as is best. Coupled, R = μ p of the normal row at every moment: then D has the further block μ ŷ / (E + N) from
- * the normal row to the friction rows, H is not symmetric, and the step is shortened until the gradient falls.
+ * the normal row to the friction rows, H is not symmetric, and the step is shortened until the gradient falls. So it is
+ * in a tangent problem, H = B + Jᵀ D T.
  */
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
@@ -16,11 +17,23 @@
 #include <float.h>
 #include <string.h>
 
-static double rateAlong(const KeaProblemRow *row, double (*const v)[6]) {
-    double sum = 0;
+/* What turns d into the rates of a row: T, or J. */
+static double (*ratesOf(const KeaProblem *q, int i))[6] {
+    return q->isTangent ? q->tangent[i] : q->row[i].J;
+}
+
+/* r = B d */
+static void applyBody(const KeaProblem *q, int b, double r[6], const double d[6]) {
+    kea_applyMetric(r, &q->metric[b], d);
+    if (q->isTangent)
+        keaApply(r + 3, (const double(*)[3])q->turning[b], d + 3);
+}
+
+static double rateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
+    double(*const J)[6] = ratesOf(q, i), sum = 0;
     for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            sum += kea_dot6(row->J[k], v[row->body[k]]);
+        if (q->row[i].body[k] >= 0)
+            sum += kea_dot6(J[k], v[q->row[i].body[k]]);
     return sum;
 }
 
@@ -84,7 +97,7 @@ static double gradientError(KeaProblem *q, double step) {
         double *g = q->gradient[b], d[6];
         for (int i = 0; i < 6; i++)
             d[i] = q->d[b][i] + step * q->along[b][i];
-        kea_applyMetric(g, &q->metric[b], d);
+        applyBody(q, b, g, d);
         kea_addScaled6(g, 1, q->load[b]);
         q->allowed[b] = kea_newtonTolerance * q->scale[b];
     }
@@ -178,10 +191,11 @@ static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
     for (int b = 0; b < q->numBodies; b++) {
         double *block = kea_factorDiagonal(q->factor, b);
         const KeaMetric *B = &q->metric[b];
+        double(*const angular)[3] = q->isTangent ? q->turning[b] : q->metric[b].angular;
         for (int i = 0; i < 3; i++) {
             block[7 * i] = B->linear;
             for (int j = 0; j < 3; j++)
-                block[6 * (i + 3) + j + 3] = B->angular[i][j];
+                block[6 * (i + 3) + j + 3] = angular[i][j];
         }
     }
     for (int i = 0; i < q->numRows; i++) {
@@ -189,7 +203,7 @@ static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
         if (row->isOff || row->state == KEA_IDLE)
             continue;
         if (row->state == KEA_HELD)
-            addRows(q, row, 1 / softness(row), row->J, row->J, !unsymmetric);
+            addRows(q, row, 1 / softness(row), row->J, ratesOf(q, i), !unsymmetric);
         else if (row->partner < 0 || row->partner > i || row->isForced)
             addSliding(q, row, unsymmetric);
     }
@@ -210,7 +224,7 @@ static inline MeBool areWithinBounds(const KeaProblem *q) {
 }
 
 static MeBool factorize(KeaProblem *q, MeBool coupled) {
-    const MeBool unsymmetric = coupled && slidesUnderLoad(q);
+    const MeBool unsymmetric = q->isTangent || (coupled && slidesUnderLoad(q));
     fillMatrix(q, unsymmetric);
     q->counts.factorizations++;
     kea_problemSpend(q, kea_problemIterationWork(q, unsymmetric));
@@ -227,7 +241,7 @@ static void findDirection(KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++)
         memcpy(q->along[b], q->x + kea_factorOffset(q->factor, b), sizeof q->along[b]);
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].Je = rateAlong(&q->row[i], q->along);
+        q->row[i].Je = rateAlong(q, i, q->along);
 }
 
 static void takeStep(KeaProblem *q, double step) {
@@ -354,12 +368,26 @@ static void restoreConvex(KeaProblem *q) {
     setForces(q, 0, MEFALSE);
 }
 
-MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
+static void startAtZero(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         q->row[i].Jd = q->row[i].Je = 0;
     memset(q->d, 0, (size_t)q->numBodies * sizeof *q->d);
     memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
-    const MeBool isFound = !q->counts.isLimited && solveConvex(q);
+}
+
+/* A tangent problem, or the symmetric one where that has no solution. */
+static MeBool solveWithBounds(KeaProblem *q) {
+    if (q->isTangent && solveCoupled(q))
+        return METRUE;
+    if (q->isTangent)
+        startAtZero(q);
+    q->isTangent = MEFALSE;
+    return solveConvex(q);
+}
+
+MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
+    startAtZero(q);
+    const MeBool isFound = !q->counts.isLimited && solveWithBounds(q);
     if (q->counts.isLimited)
         kea_problemSweep(q);
     MEVALIDATE(areWithinBounds(q));

@@ -199,6 +199,33 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
         copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
 }
 
+/* By the way that d makes the body turn at the end, over h. */
+static void tangentOf(double tangent[6], const MdtKeaJBlock *J, const double w[3], double h) {
+    double D[3][3];
+    kea_turnDerivative(D, w, h);
+    keaCopy(tangent, J->lin);
+    keaApplyTransposed(tangent + 3, (const double(*)[3])D, J->ang);
+    keaScale(tangent + 3, 1 / h, tangent + 3);
+}
+
+void kea_refreshTangent(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    if (s->jacobians)
+        s->jacobians(s->context, s->work->endPose);
+    for (int i = 0; i < s->numRows; i++)
+        for (int k = 0; k < 2; k++)
+            if (s->rows[i].position && s->rows[i].body[k] >= 0)
+                tangentOf(q->tangent[i][k], &s->rows[i].J[k], s->work->body[s->rows[i].body[k]].u + 3,
+                          s->parameters.stepsize);
+}
+
+void kea_completeTangent(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    for (int i = 0; i < s->numRows; i++)
+        if (!s->rows[i].position)
+            memcpy(q->tangent[i], q->row[i].J, sizeof q->row[i].J);
+}
+
 void kea_keepRows(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         memcpy(s->work->keptJ[i], s->rows[i].J, sizeof s->rows[i].J);
@@ -232,9 +259,9 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const double h = s->parameters.stepsize;
     p->E = row->softness;
     p->r = row->target - (s->work->endErrors[i] - row->error) / h;
-    p->N = (kea_mayReachBound(row) ? kea_proximalLimit
-            : s->work->hasLoops    ? kea_proximalLoop
-                                   : kea_proximalJoint) *
+    p->N = (kea_mayReachBound(row)                             ? kea_proximalLimit
+            : s->work->hasLoops && !s->work->problem.isTangent ? kea_proximalLoop
+                                                               : kea_proximalJoint) *
            ownSize(s, p);
 }
 

@@ -253,6 +253,77 @@ static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
     kea_invert(B->inverse, (const double(*)[3])B->angular);
 }
 
+/* ---- the exact derivative of the momentum, for the tangent problem ---- */
+
+/* D = h (1 + h/2 [w]x) / (1 + |h w / 2|²). */
+void kea_turnDerivative(double D[3][3], const double w[3], double h) {
+    const double half = 0.5 * h, share = h / (1 + half * half * keaDot(w, w));
+    const double x[3][3] = {{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            D[i][j] = (i == j ? share : 0) + half * share * x[i][j];
+}
+
+/* r += s A D */
+static void addProduct(double r[3][3], double s, double (*const A)[3], double (*const D)[3]) {
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 3; k++)
+                r[i][j] += s * A[i][k] * D[k][j];
+}
+
+/* Of R⁺ I W⁺, or of a spatial body's I (w⁺ - w), with w_m. */
+static void momentumDerivative(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double (*const D)[3],
+                               double r[3][3]) {
+    const double *L = end->angularMomentum;
+    double x[3][3] = {{0, -L[2], L[1]}, {L[2], 0, -L[0]}, {-L[1], L[0], 0}};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            double sum = b->isSpatial ? b->inertia[i][j] : 0;
+            for (int k = 0; k < 3 && !b->isSpatial; k++)
+                sum += b->endAxes[i][k] * body->moments[k] * b->axes[j][k];
+            r[i][j] = sum / b->theta;
+        }
+    if (!b->isSpatial)
+        addProduct(r, -1, x, D);
+}
+
+/* -d (r_m x P) = 1/2 P x (D d w x r⁺), r⁺ = r_m + h/2 w_m x r_m. */
+static void addExactStiffness(double r[3][3], const double P[3], const double arm[3], const double w[3], double h,
+                              double (*const D)[3]) {
+    double end[3], K[3][3];
+    keaCross(end, w, arm);
+    keaScale(end, 0.5 * h, end);
+    keaAddScaled(end, 1, arm);
+    const double Pr = keaDot(P, end);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            K[i][j] = (i == j ? Pr : 0) - end[i] * P[j];
+    addProduct(r, 0.5, K, D);
+}
+
+static void differentiateBodies(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    const double h = s->parameters.stepsize;
+    double D[3][3];
+    for (int i = 0; i < s->numBodies; i++) {
+        kea_turnDerivative(D, s->work->body[i].u + 3, h);
+        momentumDerivative(s->bodies[i], &s->work->body[i], &s->work->end[i], D, q->turning[i]);
+    }
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        for (int k = 0; k < 2 && (row->position || row->spring); k++) {
+            const int b = row->body[k];
+            double P[3];
+            if (b < 0)
+                continue;
+            keaScale(P, q->row[i].p, row->J[k].lin);
+            kea_turnDerivative(D, s->work->body[b].u + 3, h);
+            addExactStiffness(q->turning[b], P, row->arm[k], s->work->body[b].u + 3, h, D);
+        }
+    }
+}
+
 void kea_linearizeBodies(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     gatherStiffness(s);
@@ -261,6 +332,8 @@ void kea_linearizeBodies(MdtKeaSystem *s) {
         setLoad(s->bodies[i], b, &s->work->end[i], q->load[i]);
         setMetric(s->bodies[i], b, &q->metric[i]);
     }
+    if (q->isTangent)
+        differentiateBodies(s);
 }
 
 void kea_balanceMomentum(MdtKeaSystem *s) {

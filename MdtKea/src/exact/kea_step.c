@@ -5,6 +5,8 @@
  *             until the residuals are below tolerance
  *     velocity stage: the nearest velocities that joints and contacts allow where the bodies have arrived
  *
+ * Where joints make loops and nothing rubs, the first passes solve the tangent problem (kea_problem_i.h).
+ *
  * A pass is at once a Newton iteration for the geometry, a proximal step for rigid rows, and a renewal of the friction
  * bounds. Where the last answer still holds, no pass is needed and nothing is factored.
  */
@@ -46,7 +48,11 @@ void kea_reportWork(MdtKeaSystem *s) {
 
 static void linearize(MdtKeaSystem *s) {
     kea_moveBodies(s);
+    if (s->work->problem.isTangent)
+        kea_refreshTangent(s);
     kea_refreshRows(s, s->work->meanPose, METRUE);
+    if (s->work->problem.isTangent)
+        kea_completeTangent(s);
     if (s->errors)
         s->errors(s->context, s->work->endPose, s->work->endErrors);
     kea_linearizeBodies(s);
@@ -83,19 +89,23 @@ static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough) {
     q->counts.level += !q->counts.stuck || isFrozen;
 }
 
-static void keepBest(MdtKeaSystem *s) {
+static void keepAnswer(MdtKeaSystem *s, double (*u)[6], double p[]) {
     for (int i = 0; i < s->numBodies; i++)
-        memcpy(s->work->bestU[i], s->work->body[i].u, sizeof s->work->bestU[i]);
+        memcpy(u[i], s->work->body[i].u, sizeof u[i]);
     for (int i = 0; i < s->numRows; i++)
-        s->work->bestP[i] = s->work->problem.row[i].p;
+        p[i] = s->work->problem.row[i].p;
+}
+
+static void takeAnswer(MdtKeaSystem *s, double (*const u)[6], const double p[]) {
+    for (int i = 0; i < s->numBodies; i++)
+        memcpy(s->work->body[i].u, u[i], sizeof u[i]);
+    for (int i = 0; i < s->numRows; i++)
+        s->work->problem.row[i].p = p[i];
+    linearize(s);
 }
 
 static void takeBest(MdtKeaSystem *s) {
-    for (int i = 0; i < s->numBodies; i++)
-        memcpy(s->work->body[i].u, s->work->bestU[i], sizeof s->work->bestU[i]);
-    for (int i = 0; i < s->numRows; i++)
-        s->work->problem.row[i].p = s->work->bestP[i];
-    linearize(s);
+    takeAnswer(s, s->work->bestU, s->work->bestP);
 }
 
 /* Does the body roll on the contact, about its own centre? */
@@ -177,12 +187,36 @@ static void moveWithoutRows(MdtKeaSystem *s) {
     linearize(s);
 }
 
+/* Where joints make loops, passes begin with the tangent problem, which follows a linkage through its change point. At
+ * one its matrix is singular, and no answer may be found; nor is one with redundant joints, for which the symmetric
+ * problem is then solved: they are no trouble there. */
+static MeBool mustLeaveTangent(const MdtKeaSystem *s, int pass, const KeaResiduals *e, double best) {
+    return s->work->problem.isTangent && !kea_isConverged(e) &&
+           (pass >= KEA_TANGENT_PASSES || !(e->worst <= kea_tangentDivergence * best));
+}
+
+/* Has removing errors that attachments have anyhow moved the bodies a thousand times as far? Then by impulses that
+ * chose another branch of the motion than momentum does. */
+static MeBool hasLeftBranch(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++) {
+        const KeaBody *b = &s->work->body[i];
+        double dv[3], dw[3];
+        keaSubtract(dv, b->u, s->work->nearU[i]);
+        keaSubtract(dw, b->u + 3, s->work->nearU[i] + 3);
+        if (s->parameters.stepsize * (keaLength(dv) + b->size * keaLength(dw)) > kea_branchWay * b->size)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
 static void takePasses(MdtKeaSystem *s) {
-    const int last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES;
+    int last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES;
     KeaProblem *q = &s->work->problem;
     MeBool ranOut = MEFALSE;
-    double speed = 0, best = HUGE_VAL;
+    double speed = 0, best = HUGE_VAL, nearest = HUGE_VAL;
     KeaResiduals e = {.worst = HUGE_VAL};
+    MeBool hasNear = MEFALSE;
+    q->isTangent = s->work->hasLoops && !q->hasFriction;
     q->sweptPasses =
         q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
     for (int pass = 0;; pass++) {
@@ -191,7 +225,18 @@ static void takePasses(MdtKeaSystem *s) {
         e = kea_residuals(s, speed);
         if (e.worst < best || pass == 0) {
             best = e.worst;
-            keepBest(s);
+            keepAnswer(s, s->work->bestU, s->work->bestP);
+        }
+        if (q->isTangent && e.attachment < 1 && e.worst < nearest) {
+            nearest = e.worst;
+            keepAnswer(s, s->work->nearU, s->work->nearP);
+        }
+        if (mustLeaveTangent(s, pass, &e, best)) {
+            q->isTangent = MEFALSE;
+            takeBest(s);
+            e = kea_residuals(s, speed);
+            hasNear = nearest < HUGE_VAL;
+            last = hasNear ? pass + KEA_UNUSUAL_PASSES : last;
         }
         q->counts.isLimited = q->counts.isLimited || (isLate(s) && q->counts.stuck > 0);
         ranOut = q->counts.isLimited;
@@ -212,12 +257,20 @@ static void takePasses(MdtKeaSystem *s) {
         takeBest(s);
         e = kea_residuals(s, speed);
     }
+    s->work->isSettled = hasNear && (!kea_isConverged(&e) || hasLeftBranch(s));
+    if (s->work->isSettled) {
+        takeAnswer(s, s->work->nearU, s->work->nearP);
+        e = kea_residuals(s, speed);
+    }
     if (!kea_isConverged(&e) && isRunaway(s)) {
         moveWithoutRows(s);
         e = kea_residuals(s, speed);
     }
+    q->isTangent = MEFALSE;
     s->report.conflicting = kea_isConflicting(s);
-    const MeBool isMissed = !(e.position <= kea_loosePosition && e.momentum <= kea_loosePosition) || turnsOver(s);
+    s->work->isCompromise = kea_isCompromise(s);
+    const MeBool isMissed =
+        (!s->work->isSettled && !(e.position <= kea_loosePosition && e.momentum <= kea_loosePosition)) || turnsOver(s);
     s->report.violent = isMissed && !ranOut;
     s->report.capped = isMissed || !(e.velocity <= kea_looseVelocity);
     s->report.limited = s->report.capped && ranOut;

@@ -203,7 +203,7 @@ static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
  * took many passes: rows that contradict each other may be found to agree in a motion that has a hundred times the
  * energy. */
 static MeBool needsEnergyLimit(const MdtKeaSystem *s) {
-    return s->report.capped || s->report.conflicting || s->report.passes > KEA_UNUSUAL_PASSES ||
+    return s->report.capped || s->work->isCompromise || s->work->isSettled || s->report.passes > KEA_UNUSUAL_PASSES ||
            s->work->problem.counts.isLimited || s->parameters.isPart;
 }
 
@@ -216,8 +216,9 @@ void kea_velocityStage(MdtKeaSystem *s) {
     kea_keepRows(s);
     setProblem(s);
     const double start = kea_problemResidual(q, NULL);
-    const MeBool isNeeded =
-        (isHit || start > kea_calmResidual * kea_loadSpeed(s) || alternates(s, start)) && kea_problemMaySweep(q);
+    const MeBool isNeeded = !s->work->isSettled &&
+                            (isHit || start > kea_calmResidual * kea_loadSpeed(s) || alternates(s, start)) &&
+                            kea_problemMaySweep(q);
     noteRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start, allowed);
