@@ -148,23 +148,6 @@ void mdt_restKeep(MdtIsland *p) {
 
 /* ---- giving it ---- */
 
-/* Of the speed of a step: what Kea takes for converged (kea_velocityTolerance, kea_policy_i.h; its speed,
- * kea_residual.c). */
-static const double resolution = 1e-9;
-
-/* m/s: by so little may a row of a solved step be off. */
-static double rowTolerance(const MdtIsland *p) {
-    double most = 0;
-    for (int i = 0; i < p->numBodies; i++) {
-        const double *free = p->kea.predicted[i].lin;
-        double change[3];
-        keaSubtract(change, free, p->bodies[i]->start.velocity.lin);
-        most = fmax(most, keaLength(change) + 0.1 * keaLength(free));
-    }
-    MEASSERT(isfinite(most));
-    return resolution * most;
-}
-
 /* A joint or a spring under load comes to where it rests as slowly as it likes, and gets there. */
 static MeBool comesNearerForEver(const MdtIsland *p) {
     for (int i = 0; i < p->kea.numRows; i++)
@@ -176,7 +159,7 @@ static MeBool comesNearerForEver(const MdtIsland *p) {
 /* m/s: mean velocities of a step up to this are not told from none. Each row is within its tolerance; from body to body
  * the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3 times). */
 static double resolvedSpeed(const MdtIsland *p) {
-    return comesNearerForEver(p) ? 0 : sqrt(p->numBodies) * rowTolerance(p);
+    return comesNearerForEver(p) ? 0 : sqrt(p->numBodies) * p->kea.report.resolution;
 }
 
 static double turningSpeed(const MdtBody *b, const double w[3]) {
@@ -243,7 +226,7 @@ static MeBool wasAnswerFound(const MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
     const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h;
     const MeBool isExact = !r->capped && !r->limited && !r->violent && !r->conflicting && !p->isDegenerate;
-    return isWhole && isExact && p->kea.numRows > 0 && !p->hasMet && r->residual <= rowTolerance(p);
+    return isWhole && isExact && p->kea.numRows > 0 && !p->hasMet && r->residual <= r->resolution;
 }
 
 MeBool mdt_restIsSettled(const MdtIsland *p) {

@@ -169,6 +169,7 @@ typedef struct MdtKeaReport {
     MeBool conflicting; /**< rows contradict each other: a compromise was taken */
     double event;       /**< s: when something happens in a timed step that divides it; the step's length if nothing */
     double residual;    /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
+    double resolution;  /**< m/s: residuals up to this count as none; 0 where nothing was solved */
     double force;       /**< N: the largest change of a row's force that such a violation asks for */
     double error;       /**< m: the largest error left in a position row, against what it asked for */
 } MdtKeaReport;

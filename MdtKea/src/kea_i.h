@@ -208,6 +208,7 @@ typedef struct KeaResiduals {
     double position, velocity, momentum, worst;
     double attachment; /* the position error, in roundings of where joints are attached */
     double impulse;    /* N s, that the velocity would take */
+    double resolution; /* m/s, of the velocity: its tolerance */
 } KeaResiduals;
 
 /* m/s: by how much the loads change velocities in a step, at most. */

@@ -172,8 +172,9 @@ double kea_speedOf(const MdtKeaSystem *s) {
 
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed) {
     KeaResiduals e;
+    e.resolution = kea_velocityTolerance * speed;
     e.position = positionError(s, &e.attachment) / kea_positionTolerance;
-    e.velocity = kea_problemResidual(&s->work->problem, &e.impulse) / (kea_velocityTolerance * speed);
+    e.velocity = kea_problemResidual(&s->work->problem, &e.impulse) / e.resolution;
     e.momentum = kea_problemError(&s->work->problem) / kea_momentumSlack;
     e.worst = keaMax(e.position, keaMax(e.momentum, e.velocity));
     return e;

@@ -274,7 +274,8 @@ static void takePasses(MdtKeaSystem *s) {
     s->report.violent = isMissed && !ranOut;
     s->report.capped = isMissed || !(e.velocity <= kea_looseVelocity);
     s->report.limited = s->report.capped && ranOut;
-    s->report.residual = e.velocity * kea_velocityTolerance * speed;
+    s->report.resolution = e.resolution;
+    s->report.residual = e.velocity * e.resolution;
     s->report.force = e.impulse / s->parameters.stepsize;
 }
 
