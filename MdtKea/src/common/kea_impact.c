@@ -102,7 +102,7 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char takesP
     }
     for (int pass = 0; pass < KEA_MAX_IMPACT_PASSES; pass++) {
         for (int i = 0; i < s->numRows; i++)
-            q->row[i].N = keaMax(kea_proximalContact[0] * pow(kea_proximalDecay, -pass),
+            q->row[i].N = keaMax(kea_proximalContact[0] * pow(kea_proximalContact[0] / kea_proximalContact[1], -pass),
                                  kea_proximalContact[KEA_PROXIMAL_LEVELS - 1]) *
                           q->row[i].size;
         for (int i = 0; i < s->numRows; i++)

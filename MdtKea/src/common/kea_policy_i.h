@@ -158,13 +158,11 @@ static const double kea_equalMoments = 1e-9;
  * error over h N; limits, motors and other bounded rows. With less, what comes and goes takes more iterations; with
  * more, heavy bodies on light ones take more passes. No test tells (x2). */
 static const double kea_proximalJoint = 1e-8, kea_proximalLoop = 1e-6, kea_proximalLimit = 1e-6;
-/* Contacts, by passes that went well: 1e-4 and a tenth a pass. A start of 1e-3 saves 14 % of the factorizations of
+/* Contacts, by passes that went well, of an impact by all of them: 1e-4 and a tenth a pass. A start of 1e-3 saves 14 % of the factorizations of
  * small partitions and fails the heavy cube and the creep of tests/scenes; constant 1e-4 takes 22 to 35 factorizations
  * a step in a heap at rest. No test tells of the last: less is nearer to a singular matrix. */
 enum { KEA_PROXIMAL_LEVELS = 6 };
 static const double kea_proximalContact[KEA_PROXIMAL_LEVELS] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
-/* A tenth a pass of an impact, down to the last of these. No test tells (x2). */
-static const double kea_proximalDecay = 10;
 /* Of the projection of positions: N over A_ii is the part left by a pass of a row alone, 1e-15 after three. No test
  * tells (x2). */
 static const double kea_proximalProjection = 1e-5;
