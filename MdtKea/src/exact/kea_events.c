@@ -15,7 +15,7 @@ void kea_timedBegin(MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            s->rows[i].isOpen = !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_separatingSpeed * speed;
+            s->rows[i].isOpen = !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_partingSpeed * speed;
 }
 
 /* When φ + a t + b t²/2 falls through zero; HUGE_VAL: never. */
@@ -105,7 +105,7 @@ static double firstStop(const MdtKeaSystem *s) {
 }
 
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
-    const double gate = kea_slidingSpeed * kea_eventSpeed(s);
+    const double gate = kea_partingSpeed * kea_eventSpeed(s);
     *mustRepeat = forceSlides(s, gate);
     return keaMin(firstImpact(s), firstStop(s));
 }
