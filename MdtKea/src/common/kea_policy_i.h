@@ -233,8 +233,6 @@ static const double kea_sweepTolerance = 1e-7;
 /* Of the load speed: a residual below it is calm motion, and the stage is left out. Done always, it costs 1.7e-4 of a
  * pendulum's energy in 47 s; with .05, 7e-7. No test tells (x2). */
 static const double kea_calmResidual = 0.05;
-/* Of the load speed: below it what alternates is rounding. No test tells (x2). */
-static const double kea_rippleNoise = 1e-9;
 /* The midpoint rule's mode (-1)^n: this step's residual is minus the last one's, their sum below this part of their
  * difference; and at least this part of the greatest residual, so that no small row decides. x2 of kea_rippleShare
  * fails guide_chapter_5: a_closed_system_does_not_explode. No test tells (x2 of kea_rippleBalance). */

@@ -181,7 +181,7 @@ static double leftOver(const KeaProblemRow *p) {
 
 /* The undamped velocity of the midpoint rule changes its sign at every step; what motion itself leaves does not. */
 static MeBool alternates(const MdtKeaSystem *s, double residual) {
-    if (residual < kea_rippleNoise * kea_loadSpeed(s))
+    if (residual < kea_velocityTolerance * kea_loadSpeed(s))
         return MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const double now = leftOver(&s->work->problem.row[i]), before = s->rows[i].ripple;
