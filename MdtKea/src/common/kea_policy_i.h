@@ -125,9 +125,6 @@ static const double kea_runawayRoom = 10;
 /* Times the load speed: a greater acceleration in the last step was a jerk, and is no guess for this one. No test
  * tells (x2): it changes the first guess only, never the answer beyond tolerance. */
 static const double kea_jerk = 30;
-/* Of the step's length: a stop this much after its end does not divide it. Reasoned: far above the rounding of event
- * times, far below what moves anything. No test tells (x2). */
-static const double kea_lateEvent = 1e-6;
 
 /* ---- theta and geometric stiffness ---- */
 

@@ -317,7 +317,7 @@ static void solveInTime(MdtKeaSystem *s) {
     if (mustRepeat) {
         solveMotion(s);
         event = kea_firstEvent(s, &isNew);
-        if (event > h * (1 + kea_lateEvent)) {
+        if (event > h) {
             kea_releaseSlides(s);
             solveMotion(s);
         }
