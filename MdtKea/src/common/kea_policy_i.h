@@ -199,9 +199,8 @@ static const double kea_convexRounding = 1e5, kea_convexProgress = 0.3;
 /* The coupled step must leave at most this of the error; else it is shorter, or rounding below the second, in
  * tolerances. No test tells (x2). */
 static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
-/* Relative: friction bounds that agree with μ p_n so well need no coupled solve; and the part of p_n that is added to
- * what they are compared with, for friction of 0. No test tells (x2). */
-static const double kea_boundsAgree = 1e-12, kea_boundsFloor = 1e-3;
+/* Relative: friction bounds that agree with μ p_n so well need no coupled solve. No test tells (x2). */
+static const double kea_boundsAgree = 1e-12;
 
 /* ---- work, in multiplications per row, as counted ---- */
 

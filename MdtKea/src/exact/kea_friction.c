@@ -13,8 +13,7 @@ double kea_frictionBoundsError(const KeaProblem *q) {
             continue;
         const double coulomb = kea_frictionBound(q, row);
         if (row->state == KEA_SLIPS || keaHypotenuse(row->p, row->partner >= 0 ? q->row[row->partner].p : 0) > coulomb)
-            worst = keaMax(worst, fabs(row->frictionBound - coulomb) /
-                                      (coulomb + kea_boundsFloor * fabs(q->row[row->normal].p) + DBL_MIN));
+            worst = keaMax(worst, fabs(row->frictionBound - coulomb) / (coulomb + DBL_MIN));
     }
     return worst;
 }
