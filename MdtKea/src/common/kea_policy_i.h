@@ -28,8 +28,9 @@ static const double kea_velocityTolerance = 1e-9;
 /* Of a body's momentum scale: where Newton's method stops. A digit below kea_velocityTolerance, so that the inner
  * problem's rest does not count as the outer one's. x2 fails MdtKea_problem: large_problems_are_complementary. */
 static const double kea_newtonTolerance = 1e-10;
-/* Of kea_newtonTolerance, in a converged pass: 1e-8. Momentum is restored exactly afterwards (kea_balanceMomentum). No
- * test tells (x2): less costs passes, more leaves momentum to that correction. */
+/* Of kea_newtonTolerance, in a converged pass: 1e-8. Momentum is restored exactly afterwards (kea_balanceMomentum); less
+ * costs passes, more leaves momentum to that correction. x2 and /2 fail MdtKea_system:
+ * a_guess_within_the_tolerances_is_kept. */
 static const double kea_momentumSlack = 1e2;
 
 /* Passes have run out: below these times the tolerances the answer is exact enough, above them it is reported as
@@ -40,16 +41,17 @@ static const double kea_loosePosition = 1e4, kea_looseVelocity = 1e5;
 static const double kea_sweptMargin = 0.1;
 
 /* Of a body's velocity, in the speed that residuals are compared with, beside the load speed: something that flies
- * fast rounds its residuals by its own speed. No test tells (x2): more is laxer for fast bodies, less spends passes on
- * rounding. */
+ * fast rounds its residuals by its own speed: more is laxer for fast bodies, less spends passes on rounding. x2 and /2 fail
+ * MdtKea_system: a_guess_within_the_tolerances_is_kept. */
 static const double kea_ownSpeedShare = 0.1;
 /* Of a body's radius of gyration, and of its distance from the origin, in the size that a position error is compared
  * with: the first is for rows with no lever arm and no motion, the second for the rounding of far places (1e-4 x 1e-10
  * = 1e-14 of the distance, 50 times the rounding of a double). x2 of the first fails Mdt_Order:
  * the_sag_of_a_load_is_epsilon_force_over_gamma. */
 static const double kea_bodySizeShare = 1e-2, kea_distanceShare = 1e-4;
-/* Of the momentum, in the scale of a body's impulses beside its loads': else a body without loads would ask for 0. No
- * test tells (x2): it is 1e-14 of the momentum with kea_newtonTolerance, 50 times the rounding of a double. */
+/* Of the momentum, in the scale of a body's impulses beside its loads': else a body without loads would ask for 0. It
+ * is 1e-14 of the momentum with kea_newtonTolerance, 50 times the rounding of a double. x2 and /2 fail MdtKea_system:
+ * a_guess_within_the_tolerances_is_kept. */
 static const double kea_momentumShare = 1e-4;
 /* A joint is inconsistent if a pass leaves more than this of what it asked for, twice: half way between 0, obeyed, and
  * 1. x2 fails Mdt_Report: joints_that_contradict_each_other_are_told. */
@@ -113,7 +115,7 @@ static const double kea_mostTurn = 2.5;
 /* Rad, h |w| times the moments' relative difference: a step that turns further is divided. A top would precess
  * wrongly, and the angle is short by its square over 12: 1e-3, and 2 % where there are contacts, which lose more. .5
  * everywhere fails free rotation and tops of tests/scenes; .2 in contact costs ragdolls 40 % more factorizations. x2
- * of kea_farTurn fails Mdt_Hinge: the_angle_counts_full_turns. No test tells (x2 of kea_farTurnInContact). */
+ * and /2 of either fail MdtKea_system: tops_are_refused_from_a_tenth_of_a_turn_on. */
 static const double kea_farTurn = 0.1, kea_farTurnInContact = 0.5;
 /* Of the radius: contacts that push so close to a ball's centre do not feel its turn, 1e-3 x 2.5 rad of a radius at
  * most. x2 fails Mdt_Report: a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre. */
@@ -129,24 +131,25 @@ static const double kea_jerk = 30;
 /* ---- theta and geometric stiffness ---- */
 
 /* Of a body's size: a contact nearer than this may act, whatever its speed: a hundred times kea_touchingGap of single
- * precision. No test tells (x2): more makes near misses dissipate, less admits contacts a pass later. */
+ * precision. More makes near misses dissipate, less admits contacts a pass later. x2 and /2 fail MdtKea_system:
+ * contacts_within_reach_damp. */
 static const double kea_nearbyGap = 1e-3;
 /* Steps: a contact that would be closed in so many with its present speed may act; 1 is the answer without rows, half
- * a step is for what rows add. No test tells (x2). */
+ * a step is for what rows add. x2 and /2 fail MdtKea_system: contacts_within_reach_damp. */
 static const double kea_reach = 1.5;
 /* Of a bounded joint's strength: above it, it may give way in this step, and is treated as a stop. x2 fails Mdt_Hinge:
  * the_lock_holds_up_to_its_force. */
 static const double kea_nearBound = 0.5;
 /* h² k / m of a spring: above 4, h ω > 2, a midpoint oscillation is not followed (beyond the limit of explicit
- * schemes). No test tells (x2). */
+ * schemes). x2 and /2 fail MdtKea_system: springs_too_stiff_are_damped, springs_follow_the_midpoint_rule. */
 static const double kea_stiffSpring = 4;
 /* Of the least moment: a geometric stiffness below it is left out: Newton's method then leaves 1 % of an error a pass,
  * no more than it does anyway. No test tells (x2). */
 static const double kea_smallStiffness = 0.01;
 /* Of the least moment: so much negative stiffness may stay: B is positive with half its inertia. No test tells (x2). */
 static const double kea_harmlessStiffness = 0.5;
-/* Relative difference of moments that counts as none: what a program's tensor in double arithmetic leaves. No test
- * tells (x2). */
+/* Relative difference of moments that counts as none: what a program's tensor in double arithmetic leaves. x2 and
+ * /2 fail MdtKea_system: tops_are_refused_from_a_tenth_of_a_turn_on. */
 static const double kea_equalMoments = 1e-9;
 
 /* ---- the proximal parameter N: the method's own softness, of A_ii, taken out again pass by pass ---- */
