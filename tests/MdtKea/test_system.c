@@ -863,7 +863,7 @@ static MeBool isTopRefused(double w, double difference, MeBool withContact) {
 
 /* By more than .1 rad a step times the relative difference of its moments, .5 where anything is in contact; tensors
  * that differ by rounding are those of balls, which no step is too long for. */
-START_TEST(tops_are_refused_from_a_tenth_of_a_turn_on) {
+START_TEST(tops_are_refused_from_a_tenth_of_a_radian_on) {
     const double w = 2 / 0.02; /* rad/s, by which it turns by 1 rad times the difference, a half, a step */
     ck_assert(!isTopRefused(0.09 * w, 1, MEFALSE) && isTopRefused(0.11 * w, 1, MEFALSE));
     ck_assert(!isTopRefused(0.45 * w, 1, METRUE) && isTopRefused(0.55 * w, 1, METRUE));
@@ -1231,7 +1231,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, lack_of_memory_leaves_finite_bodies);
     tcase_add_test(t, contradictory_joints_are_told);
     tcase_add_test(t, fast_tops_are_refused_if_they_may_be);
-    tcase_add_test(t, tops_are_refused_from_a_tenth_of_a_turn_on);
+    tcase_add_test(t, tops_are_refused_from_a_tenth_of_a_radian_on);
     tcase_add_test(t, a_guess_within_the_tolerances_is_kept);
     tcase_add_test(t, contacts_within_reach_damp);
     tcase_add_test(t, nothing_is_factored_at_rest);

@@ -115,7 +115,7 @@ static const double kea_mostTurn = 2.5;
 /* Rad, h |w| times the moments' relative difference: a step that turns further is divided. A top would precess
  * wrongly, and the angle is short by its square over 12: 1e-3, and 2 % where there are contacts, which lose more. .5
  * everywhere fails free rotation and tops of tests/scenes; .2 in contact costs ragdolls 40 % more factorizations. x2
- * and /2 of either fail MdtKea_system: tops_are_refused_from_a_tenth_of_a_turn_on. */
+ * and /2 of either fail MdtKea_system: tops_are_refused_from_a_tenth_of_a_radian_on. */
 static const double kea_farTurn = 0.1, kea_farTurnInContact = 0.5;
 /* Of the radius: contacts that push so close to a ball's centre do not feel its turn, 1e-3 x 2.5 rad of a radius at
  * most. x2 fails Mdt_Report: a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre. */
@@ -149,7 +149,7 @@ static const double kea_smallStiffness = 0.01;
 /* Of the least moment: so much negative stiffness may stay: B is positive with half its inertia. No test tells (x2). */
 static const double kea_harmlessStiffness = 0.5;
 /* Relative difference of moments that counts as none: what a program's tensor in double arithmetic leaves. x2 and
- * /2 fail MdtKea_system: tops_are_refused_from_a_tenth_of_a_turn_on. */
+ * /2 fail MdtKea_system: tops_are_refused_from_a_tenth_of_a_radian_on. */
 static const double kea_equalMoments = 1e-9;
 
 /* ---- the proximal parameter N: the method's own softness, of A_ii, taken out again pass by pass ---- */
@@ -158,9 +158,9 @@ static const double kea_equalMoments = 1e-9;
  * error over h N; limits, motors and other bounded rows. With less, what comes and goes takes more iterations; with
  * more, heavy bodies on light ones take more passes. No test tells (x2). */
 static const double kea_proximalJoint = 1e-8, kea_proximalLoop = 1e-6, kea_proximalLimit = 1e-6;
-/* Contacts, by passes that went well, of an impact by all of them: 1e-4 and a tenth a pass. A start of 1e-3 saves 14 % of the factorizations of
- * small partitions and fails the heavy cube and the creep of tests/scenes; constant 1e-4 takes 22 to 35 factorizations
- * a step in a heap at rest. No test tells of the last: less is nearer to a singular matrix. */
+/* Contacts, by passes that went well, of an impact by all of them: 1e-4 and a tenth a pass. A start of 1e-3 saves 14 %
+ * of the factorizations of small partitions and fails the heavy cube and the creep of tests/scenes; constant 1e-4 takes
+ * 22 to 35 factorizations a step in a heap at rest. No test tells of the last: less is nearer to a singular matrix. */
 enum { KEA_PROXIMAL_LEVELS = 6 };
 static const double kea_proximalContact[KEA_PROXIMAL_LEVELS] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
 /* Of the projection of positions: N over A_ii is the part left by a pass of a row alone, 1e-15 after three. No test
@@ -194,7 +194,8 @@ static const double kea_leastPivot = 1e-15;
 /* Times a double's rounding: of the sums r - J d, 12 products. No test tells (x2). */
 static const double kea_roundingSteps = 8;
 /* The line search: what is left of the slope, 1e-3, costs Newton's method nothing, and the longest step. No test tells
- * (x2): tighter is more visits of rows, looser more factorizations. */
+ * (x2): tighter is more visits of rows, looser more factorizations. Without a longest step Mst_SweptJoints fails:
+ * swept_pairs_on_hinges_do_not_explode. */
 static const double kea_lineSearchTolerance = 1e-3, kea_longestStep = 64;
 /* In tolerances: where the convex problem's error is below the first and falls by less than the second a step, it is
  * rounding. No test tells (x2). */
