@@ -28,8 +28,8 @@ static const double kea_velocityTolerance = 1e-9;
 /* Of a body's momentum scale: where Newton's method stops. A digit below kea_velocityTolerance, so that the inner
  * problem's rest does not count as the outer one's. x2 fails MdtKea_problem: large_problems_are_complementary. */
 static const double kea_newtonTolerance = 1e-10;
-/* Of kea_newtonTolerance, in a converged pass: 1e-8. Momentum is restored exactly afterwards (kea_balanceMomentum); less
- * costs passes, more leaves momentum to that correction. x2 and /2 fail MdtKea_system:
+/* Of kea_newtonTolerance, in a converged pass: 1e-8. Momentum is restored exactly afterwards (kea_balanceMomentum);
+ * less costs passes, more leaves momentum to that correction. x2 and /2 fail MdtKea_system:
  * a_guess_within_the_tolerances_is_kept. */
 static const double kea_momentumSlack = 1e2;
 
@@ -41,8 +41,8 @@ static const double kea_loosePosition = 1e4, kea_looseVelocity = 1e5;
 static const double kea_sweptMargin = 0.1;
 
 /* Of a body's velocity, in the speed that residuals are compared with, beside the load speed: something that flies
- * fast rounds its residuals by its own speed: more is laxer for fast bodies, less spends passes on rounding. x2 and /2 fail
- * MdtKea_system: a_guess_within_the_tolerances_is_kept. */
+ * fast rounds its residuals by its own speed: more is laxer for fast bodies, less spends passes on rounding. x2 and /2
+ * fail MdtKea_system: a_guess_within_the_tolerances_is_kept. */
 static const double kea_ownSpeedShare = 0.1;
 /* Of a body's radius of gyration, and of its distance from the origin, in the size that a position error is compared
  * with: the first is for rows with no lever arm and no motion, the second for the rounding of far places (1e-4 x 1e-10
