@@ -950,17 +950,16 @@ START_TEST(nothing_is_factored_at_rest) {
     keaZero(scene.ball[0].arm[0]);
     keaZero(scene.ball[0].arm[1]);
     double force[3] = {0};
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 3; i++) {
         scene.body[0].force[1] = -20;
         init(&scene);
-        scene.s.parameters.isExact = i == 3; /* a pass all the same */
         for (int k = 0; k < 3; k++)
             scene.s.rows[k].force = force[k];
         MdtKeaSolve(&scene.s);
         for (int k = 0; k < 3; k++)
             force[k] = scene.s.rows[k].force;
-        ck_assert_int_eq(scene.s.report.passes > 0, i == 0 || i == 3);
-        ck_assert_int_eq(scene.s.report.factorizations > 0, i == 0 || i == 3);
+        ck_assert_int_eq(scene.s.report.passes > 0, i == 0);
+        ck_assert_int_eq(scene.s.report.factorizations > 0, i == 0);
         ck_assert(MdtKeaIntegrate(&scene.s));
         assert_near(force[1], 20, TOL(1e-6, 2e-11));
         ck_assert(scene.s.report.event == 0.01 && !scene.s.report.violent && !scene.s.report.conflicting);
