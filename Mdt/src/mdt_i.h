@@ -105,45 +105,51 @@ enum {
     MDT_SWAPPED = 32, /* a group that was attached as (null, body) */
 };
 
+/* What is read together lies together, in cache lines of 64 bytes in single precision (records begin with one). */
 struct MdtBody {
     MdtRecord record;
     MdtLink link;
-    MdtWorldID world;
-    MdtAttachment *attachments; /* its joints and manifolds */
-    void *userData, *model;
-
-    MdtKeaBody kea;                     /* the centre of mass: the authoritative state */
-    double centre[3];                   /* m, of mass, in the body's frame */
-    double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
-    double force[3], torque[3];         /* N, N m, added since the last step */
-    double impulse[3], twist[3];        /* N s, N m s, the same */
-    double lastForce[3], lastTorque[3]; /* N, N m, those that the step in progress began with */
-    double lag, part;                   /* s: that it is behind its world; that it was moved on last */
-    MdtKeaVelocity acceleration;        /* m/s², rad/s², in the last step */
-    double slowTime;                    /* s, for which its velocities have been below the thresholds of rest */
-    MdtStart start;
-    double push[3];       /* m/s: its way in the last step beyond its velocity: out of an overlap */
-    double mass;          /* kg */
-    double inertia[3][3]; /* kg m², as set */
-    MeReal linearDamping, angularDamping, safeTime;
-    MeVector3 fastSpinAxis;
-    double enabledTime; /* s */
-    int enabledSteps;
-
-    MeMatrix4 transform, centreTransform;          /* what programs see of the pose */
-    MeVector3 velocity, angularVelocity;           /* what programs see of the velocities, and may write */
-    MeVector3 shownVelocity, shownAngularVelocity; /* the same as last written by us: a difference is theirs */
-
-    double shownPlace[3], shownTurn[4]; /* of the frame, as last shown: by setters, and at a step's end; */
-    unsigned long moves;                /* counts how often they were others */
-
-    unsigned long certificate; /* of rest, the world's when it was given; 0: none (mdt_rest.c) */
-    int calmSteps;             /* in a row, in which its partition had no velocity that Kea tells from none */
-
+    /* what collision reads and events read */
+    MeMatrix4 transform;                 /* what programs see of the pose */
+    MeVector3 velocity, angularVelocity; /* what programs see of the velocities, and may write */
+    unsigned long moves;                 /* counts how often shownPlace or shownTurn became another */
+    /* the graph */
     int partition; /* in this step; -1: none */
     int index;     /* in Kea's arrays, in this step */
     int place;     /* in the order of simulation, when partitions were found last */
+    int calmSteps; /* in a row, in which its partition had no velocity that Kea tells from none */
+    MdtWorldID world;
+    MdtAttachment *attachments; /* its joints and manifolds */
+    /* what a partition at rest is asked */
+    unsigned long certificate;                     /* of rest, the world's when it was given; 0: none (mdt_rest.c) */
+    MeVector3 shownVelocity, shownAngularVelocity; /* as last written by us: a difference is a program's */
+    double force[3], torque[3];                    /* N, N m, added since the last step */
+    double impulse[3], twist[3];                   /* N s, N m s, the same */
+    double lastForce[3], lastTorque[3];            /* N, N m, those that the step in progress began with */
+    double lag, part;                              /* s: that it is behind its world; that it was moved on last */
+    double slowTime;                               /* s, for which it has been below the thresholds of rest */
+    double enabledTime;                            /* s */
+    int enabledSteps;
+    MeReal safeTime;
+
+    MdtKeaBody kea; /* the centre of mass: the authoritative state */
+    MdtStart start;
+    MdtKeaVelocity acceleration;        /* m/s², rad/s², in the last step */
+    double push[3];                     /* m/s: its way in the last step beyond its velocity: out of an overlap */
+    double centre[3];                   /* m, of mass, in the body's frame */
+    double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
+    double shownPlace[3], shownTurn[4]; /* of the frame, as last shown: by setters, and at a step's end */
+    MeMatrix4 centreTransform;          /* what programs see of the centre's pose */
+
+    double mass;          /* kg */
+    double inertia[3][3]; /* kg m², as set */
+    MeReal linearDamping, angularDamping;
+    MeVector3 fastSpinAxis;
+    void *userData, *model;
 };
+#ifndef _ME_API_DOUBLE
+_Static_assert(offsetof(MdtBody, transform) == 64, "a pose is one line");
+#endif
 
 void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from the state in kea */
 /* How far the body's point at a world position that was found by its shown transform is from there, m. */

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ALIGNMENT = 16, FIRST_BLOCK = 64 };
+enum { ALIGNMENT = 64, FIRST_BLOCK = 64 }; /* a cache line; records */
 
 static size_t roundUp(size_t size) {
     return (size + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);

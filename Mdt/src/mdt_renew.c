@@ -21,10 +21,12 @@ static MdtPoint *pointOfFeature(const MdtManifold *m, MeU32 feature, const MdtCo
 
 /* Square of the distance from where a contact has been carried to since it was found, by the body that it pushes. */
 static double squareDistance(const MdtPoint *p, double time, const double position[3]) {
-    MeVector3 place, velocity;
+    const MdtBodyID body = mdt_manifoldOf(p)->base.side[0].body;
+    MeVector3 place, velocity = {0, 0, 0};
     double way[3];
     mdt_toReal(place, p->position);
-    MdtBodyGetVelocityAtPoint(mdt_manifoldOf(p)->base.side[0].body, place, velocity);
+    if (body)
+        MdtBodyGetVelocityAtPoint(body, place, velocity);
     for (int i = 0; i < 3; i++)
         way[i] = p->position[i] + time * (double)velocity[i] - position[i];
     return keaDot(way, way);

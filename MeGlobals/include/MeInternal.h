@@ -47,7 +47,7 @@ MEPUBLIC MeBool MEAPI MeMemoryGrow(void *block, size_t used, size_t count, size_
                                    const char *what);
 /** Takes back what these three gave. Null is nothing. */
 MEPUBLIC void MEAPI MeMemoryGive(void *block);
-/** Zeros, at a multiple of @a alignment bytes (a power of 2), and their way back. */
+/** Any contents, which are not touched, at a multiple of @a alignment bytes (a power of 2), and their way back. */
 MEPUBLIC void *MEAPI MeMemoryTakeAligned(size_t count, size_t size, unsigned int alignment, const char *function,
                                          const char *what);
 MEPUBLIC void MEAPI MeMemoryGiveAligned(void *block);

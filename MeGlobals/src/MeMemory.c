@@ -95,8 +95,6 @@ void *MEAPI MeMemoryTakeAligned(size_t count, size_t size, unsigned int alignmen
                                 const char *what) {
     const size_t bytes = bytesOf(count, size);
     void *const block = bytes > 0 ? MeMemoryAPI.createAligned(bytes, alignment) : NULL;
-    if (block != NULL)
-        memset(block, 0, bytes);
     return reported(block, count, size, function, what);
 }
 

@@ -78,12 +78,11 @@ START_TEST(growing_keeps_what_is_used_and_nulls_are_not_destroyed) {
 }
 END_TEST
 
-START_TEST(zeros_are_zeros_and_aligned) {
+START_TEST(aligned_blocks_are_aligned) {
     for (unsigned int alignment = 16; alignment <= 256; alignment *= 2) {
         char *block = MeMemoryTakeAligned(33, 7, alignment, "Caller", "rows");
         ck_assert((uintptr_t)block % alignment == 0);
-        for (int i = 0; i < 33 * 7; i++)
-            ck_assert_int_eq(block[i], 0);
+        memset(block, 1, 33 * 7);
         MeMemoryGiveAligned(block);
     }
 }
@@ -148,7 +147,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, failing_allocations_name_who_wanted_what);
     tcase_add_test(t, more_than_there_can_be_is_no_memory);
     tcase_add_test(t, growing_keeps_what_is_used_and_nulls_are_not_destroyed);
-    tcase_add_test(t, zeros_are_zeros_and_aligned);
+    tcase_add_test(t, aligned_blocks_are_aligned);
     tcase_add_test(t, handles_are_live_from_entering_to_leaving);
     tcase_add_test(t, two_threads_enter_and_leave_at_once);
 }
