@@ -54,10 +54,14 @@ MEPUBLIC void MEAPI MeMemoryGiveAligned(void *block);
 /** @} */
 
 /** Says that what is at an address will soon be read; any address will do. Nothing where the compiler has no word for
- *  it.
+ *  it. The empty statement keeps gcc from dropping calls of a function that does nothing else, which it takes for pure.
  */
 #if defined(__GNUC__)
-#define ME_PREFETCH(address) __builtin_prefetch(address)
+#define ME_PREFETCH(address)                                                                                           \
+    (__extension__({                                                                                                   \
+        __builtin_prefetch(address);                                                                                   \
+        __asm__ volatile("");                                                                                          \
+    }))
 #else
 #define ME_PREFETCH(address) ((void)(address))
 #endif
