@@ -39,7 +39,8 @@
 #include <stddef.h>
 
 enum { MST_UNKNOWN = -1 };
-/* Pairs of a run: their touches, pairs and manifolds, 900 bytes each, and what is found of them fit into 32 kB. */
+/* Pairs of a run: their touches, pairs and manifolds, 900 bytes each, and what is found of them fit into 32 kB.
+ * In a heap of 1000 boxes, half as many and twice as many cost the same. */
 enum { MST_RUN = 32 };
 enum { MST_CACHE_LINE = 64 }; /* bytes */
 /* Touches of the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
@@ -203,8 +204,7 @@ void mst_beginRound(MstBridgeRecord *b);
 /* ---- collide (mst_collide.c) ------------------------------------------------------------------------------------- */
 
 /* Looks at pairs from the first on, and tests them, until the run is full, or ends for another reason; returns how
- * many.
- */
+ * many. */
 int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s);
 /* Tests a pair: the run's result. False: no interaction of its types is known. */
 MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
