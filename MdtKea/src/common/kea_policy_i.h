@@ -231,6 +231,8 @@ static const double kea_rippleBalance = 0.5, kea_rippleShare = 0.1;
 
 /* ---- energy ---- */
 
+/* Of a body's size: a joint's error above it is an open joint. */
+static const double kea_openJoint = 1e-5;
 /* Relative: rounding of sums of energies, which is not gained energy. No test tells (x2). */
 static const double kea_energyRounding = 1e-12;
 /* Relative: what assertions allow to energies, bounds and unit quaternions that were computed in another order. */

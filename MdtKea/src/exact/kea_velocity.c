@@ -198,19 +198,37 @@ static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
         s->rows[i].ripple = isQuieted ? 0 : leftOver(&s->work->problem.row[i]);
 }
 
+/* Is a joint open, so that taking its error away can do work that counts? */
+static MeBool hasOpenJoint(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        double size = 0;
+        if (!row->position || isUnilateral(row))
+            continue;
+        for (int k = 0; k < 2; k++)
+            if (row->body[k] >= 0)
+                size = keaMax(size, s->work->body[row->body[k]].size);
+        if (fabs(row->error) * kea_lengthOf(s, row) > kea_openJoint * size)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
 /* Answers that are not the motion: cut short, or a compromise between joints that contradict each other, each of which
  * takes its error away at the cost of the others'. Parts of a step by safe times are watched as well, and so is what
  * took many passes: rows that contradict each other may be found to agree in a motion that has a hundred times the
  * energy. */
 static MeBool needsEnergyLimit(const MdtKeaSystem *s) {
     return s->report.capped || s->report.conflicting || s->report.passes > KEA_UNUSUAL_PASSES ||
-           s->work->problem.counts.isLimited || s->parameters.isPart;
+           s->work->problem.counts.isLimited || s->parameters.isPart || hasOpenJoint(s);
 }
 
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     if (!mayBeNeeded(s) && !needsEnergyLimit(s))
         return;
+    if (needsEnergyLimit(s) && kea_stopShort(s))
+        kea_moveBodies(s);
     const MeBool isHit = isRequired(s);
     const double allowed = kea_energyAllowed(s);
     kea_keepRows(s);
