@@ -186,8 +186,11 @@ void kea_project(MdtKeaSystem *s);
 
 /* J, in the metric of the inner problem; change may be null. */
 double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]);
-/* J: the energy that there can be: what the step started with, and what loads, springs and motors have done in it. */
+/* J: the energy that there can be: what the step started with, and what loads, springs, motors and
+ * whatever else moves have done in it. */
 double kea_energyAllowed(const MdtKeaSystem *s);
+/* J: the whole partition at the speed at which the worst error of its joints is taken away. */
+double kea_energyOfCorrection(const MdtKeaSystem *s);
 /* Shortens the way of the bodies that rows act on to where loads have taken all energy that there was. They may be
  * lifted by an error that is taken away. False: there is enough. */
 MeBool kea_stopShort(const MdtKeaSystem *s);

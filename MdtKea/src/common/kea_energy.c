@@ -38,12 +38,16 @@ static double workOfLoads(const MdtKeaSystem *s, int b) {
     return keaDot(dv, u) / s->bodies[b]->invMass + keaDot(dL, u + 3);
 }
 
-/* Of springs and motors. */
+/* Of springs and motors, and of surfaces and attachments that move. */
 static double workOfRows(const MdtKeaSystem *s) {
     double sum = 0;
-    for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact < 0 && !s->rows[i].position)
-            sum += s->work->problem.row[i].p * kea_meanRate(s, i);
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        const MeBool isMotor = row->contact < 0 && !row->position, isFriction = row->contact >= 0 && row->contact != i;
+        const double rate = isMotor ? kea_meanRate(s, i) : isFriction ? row->target : row->drift;
+        if (isMotor || rate != 0)
+            sum += s->work->problem.row[i].p * rate;
+    }
     return sum;
 }
 
@@ -56,20 +60,34 @@ double kea_energyAllowed(const MdtKeaSystem *s) {
 
 /* ---- the way ---- */
 
-/* What lifting takes: the momentum that loads give, times the speed at which the worst error is taken away. */
+/* m/s, at which the worst error is taken away, of joints or of contacts too. */
+static double speedOfCorrection(const MdtKeaSystem *s, MeBool withContacts) {
+    double speed = 0;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->position || (withContacts && row->contact == i))
+            speed = keaMax(speed, kea_pushSpeed(s, row, row->target - row->drift));
+    }
+    return speed;
+}
+
+double kea_energyOfCorrection(const MdtKeaSystem *s) {
+    const double speed = speedOfCorrection(s, MEFALSE);
+    double mass = 0;
+    for (int b = 0; b < s->numBodies; b++)
+        mass += 1 / s->bodies[b]->invMass;
+    return 0.5 * mass * speed * speed;
+}
+
+/* What lifting takes: the momentum that loads give, times that speed. */
 static double workOfCorrection(const MdtKeaSystem *s) {
-    double momentum = 0, speed = 0;
+    double momentum = 0;
     for (int b = 0; b < s->numBodies; b++) {
         double dv[3];
         keaSubtract(dv, s->work->body[b].freeVelocity, s->bodies[b]->velocity);
         momentum += keaLength(dv) / s->bodies[b]->invMass;
     }
-    for (int i = 0; i < s->numRows; i++) {
-        const MdtKeaRow *row = &s->rows[i];
-        if (row->position || row->contact == i)
-            speed = keaMax(speed, kea_pushSpeed(s, row, row->target - row->drift));
-    }
-    return momentum * speed;
+    return momentum * speedOfCorrection(s, METRUE);
 }
 
 MeBool kea_stopShort(const MdtKeaSystem *s) {

@@ -198,19 +198,26 @@ static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
         s->rows[i].ripple = isQuieted ? 0 : leftOver(&s->work->problem.row[i]);
 }
 
-/* Is a joint open, so that taking its error away can do work that counts? */
-static MeBool hasOpenJoint(const MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++) {
-        const MdtKeaRow *row = &s->rows[i];
-        double size = 0;
-        if (!row->position || isUnilateral(row))
-            continue;
-        for (int k = 0; k < 2; k++)
-            if (row->body[k] >= 0)
-                size = keaMax(size, s->work->body[row->body[k]].size);
-        if (fabs(row->error) * kea_lengthOf(s, row) > kea_openJoint * size)
+static MeBool isPushed(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i && s->work->problem.row[i].p > 0)
             return METRUE;
-    }
+    return MEFALSE;
+}
+
+/* Two bodies whose joint is open. What opens to the world may be led by the program. */
+static MeBool isOpenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    if (!row->position || isUnilateral(row) || row->body[0] < 0 || row->body[1] < 0)
+        return MEFALSE;
+    const double size = keaMax(s->work->body[row->body[0]].size, s->work->body[row->body[1]].size);
+    return fabs(row->error) * kea_lengthOf(s, row) > kea_openJoint * size;
+}
+
+/* A joint that contacts keep open may take its error away, wedged, in a motion of many times the energy. */
+static MeBool isJammed(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (isOpenJoint(s, &s->rows[i]))
+            return isPushed(s);
     return MEFALSE;
 }
 
@@ -220,12 +227,22 @@ static MeBool hasOpenJoint(const MdtKeaSystem *s) {
  * energy. */
 static MeBool needsEnergyLimit(const MdtKeaSystem *s) {
     return s->report.capped || s->report.conflicting || s->report.passes > KEA_UNUSUAL_PASSES ||
-           s->work->problem.counts.isLimited || s->parameters.isPart || hasOpenJoint(s);
+           s->work->problem.counts.isLimited || s->parameters.isPart;
+}
+
+/* The limiter; of a jam that was solved, it leaves the energy with which errors are taken away. */
+static void limitMotion(MdtKeaSystem *s, double allowed) {
+    const MeBool isAnswerBad = needsEnergyLimit(s);
+    if (!isAnswerBad && !isJammed(s))
+        return;
+    const double most = isAnswerBad ? allowed : keaMax(allowed, kea_energyOfCorrection(s));
+    if (kea_slowDown(s, endVelocities(s), most, s->work->added))
+        addVelocities(s, s->work->added);
 }
 
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    if (!mayBeNeeded(s) && !needsEnergyLimit(s))
+    if (!mayBeNeeded(s) && !needsEnergyLimit(s) && !isJammed(s))
         return;
     if (needsEnergyLimit(s) && kea_stopShort(s))
         kea_moveBodies(s);
@@ -239,7 +256,6 @@ void kea_velocityStage(MdtKeaSystem *s) {
     noteRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start, allowed);
-    if (needsEnergyLimit(s) && kea_slowDown(s, endVelocities(s), allowed, s->work->added))
-        addVelocities(s, s->work->added);
+    limitMotion(s, allowed);
     kea_recallRows(s);
 }
