@@ -27,6 +27,7 @@ static MeBool addBlock(MstEvents *e) {
         MeMemoryTakeAligned((size_t)size, sizeof *touch, MST_CACHE_LINE, "MstBridgeUpdateContacts", "what touches");
     if (!touch)
         return MEFALSE;
+    memset(touch, 0, (size_t)size * sizeof *touch);
     e->block[e->blockCount++] = touch;
     for (int i = size - 1; i >= 0; i--) { /* taken as they lie in memory */
         touch[i].nextFree = e->free;
