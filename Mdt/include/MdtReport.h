@@ -20,6 +20,7 @@ typedef enum MdtReportWay {
     MdtReportWayNone,    /**< put to rest, or without rows: free motion */
     MdtReportWayRest,    /**< at rest, and nothing has changed: the last step's answer was taken without a solve */
     MdtReportWayKept,    /**< the last step's answer still held: nothing was factored */
+    MdtReportWayFast,    /**< solved by passes over the manifolds (MdtWorldSetSolver) */
     MdtReportWayExact,   /**< solved */
     MdtReportWayTimed,   /**< bodies met or came to stick, at the moment when they did (MdtWorldSetTimedContacts) */
     MdtReportWayDivided, /**< the step was halved, because motion in it was violent */

@@ -224,6 +224,34 @@ MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work)
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
 /** @} */
 
+/** @name The solver: exact, or fast
+ *
+ *  Exact: Newton's method, to the tolerances that docs/solver.md states. Fast: a fixed number of passes over the
+ *  contacts of a partition, eight pairs at a time; its time is proportional to them, and it leaves velocities of
+ *  contacts that MdtReport tells (`residualVelocity`), from which bodies sink and creep a little until they rest.
+ *  MdtSolverAuto, the default, takes the fast one for partitions of 40 bodies or more that only touch. Partitions with
+ *  joints are exact, whatever is chosen. Beyond Karma.
+ *  @{ */
+typedef enum MdtSolver {
+    MdtSolverAuto,
+    MdtSolverExact,
+    MdtSolverFast,
+} MdtSolver;
+/** Anything else: a warning, and nothing is changed. */
+MEPUBLIC void MEAPI MdtWorldSetSolver(const MdtWorldID w, const MdtSolver solver);
+MEPUBLIC MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w);
+/** @} */
+
+/** @name The accuracy that is wanted of the fast solver
+ *  m/s, of the worst velocity at a contact: the solver takes more passes, up to four times as many, while it is off by
+ *  more. Bodies that are ten times slower count as resting. 0: auto is exact. Negative, the default: a hundredth of
+ *  what gravity changes a velocity by in a step, at least 1e-3 m/s. Beyond Karma.
+ *  @{ */
+MEPUBLIC void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity);
+/** As it was set, or what the last step's length makes of the default. */
+MEPUBLIC MeReal MEAPI MdtWorldGetAccuracy(const MdtWorldID w);
+/** @} */
+
 /** @name The cap on a partition's rows (Dynamics guide ch. 4, "Limiting the Matrix Size")
  *  A partition with more rows
  *  than @a size (positive; default INT_MAX) loses rows of contacts: first friction rows, then contacts between bodies,

@@ -146,6 +146,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
         return NULL;
     MeChunkInit(&w->scratch, 16);
     w->timedBodies = MDT_TIMED_BODIES;
+    w->accuracy = -1;
     w->subSteps = 1;
     w->certificate = 1;   /* 0 is none */
     w->graph.changes = 1; /* nothing has been seen */
@@ -451,6 +452,39 @@ void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work) {
 MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
     return w->workBudget;
+}
+
+/* ---- the solver ---- */
+
+void MEAPI MdtWorldSetSolver(const MdtWorldID w, const MdtSolver solver) {
+    MDT_NEED_WORLD(w, );
+    if (solver == MdtSolverAuto || solver == MdtSolverExact || solver == MdtSolverFast)
+        w->solver = solver;
+    else
+        MeWarning(1, "MdtWorldSetSolver: %d is no solver; it stays as it is", (int)solver);
+}
+
+MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, MdtSolverAuto);
+    return w->solver;
+}
+
+double mdt_worldAccuracy(const MdtWorld *w, double h) {
+    const double share = 1e-2, least = 1e-3; /* see MdtWorldSetAccuracy */
+    double g[3];
+    mdt_fromReal(g, w->params.gravity);
+    return w->accuracy >= 0 ? (double)w->accuracy : fmax(share * keaLength(g) * h, least);
+}
+
+void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity) {
+    MDT_NEED_WORLD(w, );
+    if (mdt_isFinite(__func__, "the accuracy", velocity))
+        w->accuracy = velocity;
+}
+
+MeReal MEAPI MdtWorldGetAccuracy(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 0);
+    return (MeReal)mdt_worldAccuracy(w, w->lastStep);
 }
 
 /* ---- the cap on the rows ---- */

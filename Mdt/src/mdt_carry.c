@@ -47,14 +47,14 @@ static void turnNormals(MdtManifold *block, const Motion *second) {
 
 /* The surface points p_k lie half the depth on either side of the contact: depth = n·(p_1 - p_0). Between two bodies
  * the contact stays half-way between them, and on the world it is the body's. */
-static void carryPoint(MdtPoint *p, const Motion motion[2], const double before[3], MeBool isOnWorld) {
-    double surface[2][3], after[3], between[3];
+static void moveSurfaces(MdtPoint *p, const Motion motion[2], const double before[3], const double after[3],
+                         MeBool isOnWorld) {
+    double surface[2][3], between[3];
     for (int k = 0; k < 2; k++) {
         keaCopy(surface[k], p->position);
         keaAddScaled(surface[k], (k == 0 ? -0.5 : 0.5) * p->depth, before);
         movePoint(&motion[k], surface[k]);
     }
-    mdt_pointNormal(p, after);
     keaSubtract(between, surface[1], surface[0]);
     p->depth = keaDot(after, between);
     keaCopy(p->position, surface[0]);
@@ -62,6 +62,28 @@ static void carryPoint(MdtPoint *p, const Motion motion[2], const double before[
         keaAddScaled(p->position, 0.5 * p->depth, after);
     else
         keaAddScaled(p->position, 0.5, between);
+}
+
+static void carryPoint(MdtPoint *p, const Motion motion[2], const double before[3], MeBool isOnWorld) {
+    double after[3];
+    mdt_pointNormal(p, after);
+    moveSurfaces(p, motion, before, after, isOnWorld);
+}
+
+void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth) {
+    const MdtManifold *m = mdt_manifoldOf(p);
+    double normal[3];
+    Motion motion[2];
+    MdtPoint carried = *p;
+    mdt_pointNormal(p, normal);
+    for (int k = 0; k < 2; k++)
+        if (m->base.side[k].body)
+            motionOfStep(m->base.side[k].body, &motion[k]);
+        else
+            stay(&motion[k]);
+    moveSurfaces(&carried, motion, normal, normal, !m->base.side[1].body);
+    keaCopy(position, carried.position);
+    *depth = carried.depth;
 }
 
 MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2]) {

@@ -304,6 +304,14 @@ void mdt_checkSurface(MdtWorldID w, const MdtBclContactParams *params);
 void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
 
 enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
+/* Bodies of a partition, at least, that the fast solver is chosen for: below, Newton's method takes no longer. */
+enum { MDT_CROWD = 40 };
+/* Times gravity: what resting and sliding bodies do not reach. */
+enum { MDT_IMPACT = 4 };
+/* m/s: what a step of h seconds may leave of the laws of contact (MdtWorldSetAccuracy). */
+double mdt_worldAccuracy(const MdtWorld *w, double h);
+
+struct MdtIsland;
 
 /* ---- worlds -------------------------------------------------------------------------------------------------- */
 
@@ -321,9 +329,9 @@ typedef struct MdtGraph {
 
 /* What a step of any partition depends on in its world. All of it is compared, so there is no padding. */
 typedef struct MdtRestInputs {
-    double h, gravity[3], epsilon, gamma, workBudget;
+    double h, gravity[3], epsilon, gamma, workBudget, accuracy;
     MdtContactImportanceCBPtr importance;
-    int maxLcpIterations, subSteps, timedBodies, maxMatrixSize;
+    int maxLcpIterations, subSteps, timedBodies, maxMatrixSize, solver, spare;
 } MdtRestInputs;
 
 struct MdtWorld {
@@ -333,6 +341,8 @@ struct MdtWorld {
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
     MeReal workBudget; /* millions of multiplications of a partition's step; 0: no bound */
+    MdtSolver solver;
+    MeReal accuracy; /* m/s; negative: derived */
     int subSteps;
     int timedBodies;                          /* most bodies of a partition whose contacts are met in time */
     int maxMatrixSize;                        /* rows of a partition */
@@ -429,7 +439,7 @@ void mdt_reportDivision(MdtReport *r);
 /* The last step's answer was taken without a solve. */
 void mdt_reportRest(MdtReport *r);
 /* What a solve cost; its stage ends. */
-void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtKeaSystem *kea);
+void mdt_reportSolve(MdtWorldID w, MdtReport *r, const struct MdtIsland *p);
 /* A part was integrated: its errors, before anything is read back. */
 struct MdtIsland;
 void mdt_reportPart(MdtReport *r, const struct MdtIsland *p, MeBool isFinite);

@@ -133,6 +133,8 @@ void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]);
 void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius);
 /* Place and depth that were found between bodies as they are shown, in double; see MdtContactSetExact. */
 void mdt_pointSetFound(MdtPoint *p, const double position[3], double depth);
+/* Where its bodies have carried it to since the step began. */
+void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth);
 /* Everything but the bodies as in a new contact. */
 void mdt_pointReset(MdtPoint *p);
 /* The forces of the last step are no guess for the next. */

@@ -4,7 +4,7 @@
 #include <limits.h>
 #include <string.h>
 
-/* Counts the joints, the contacts, and the rows that there may be. */
+/* Counts the joints, the contacts, and the rows that there may be for Kea. */
 static int mostRows(MdtIsland *p) {
     int rows = 0;
     p->numJoints = p->numContacts = 0;
@@ -14,13 +14,16 @@ static int mostRows(MdtIsland *p) {
         p->numJoints += j != NULL;
         p->numContacts += j ? 0 : mdt_asManifold(p->acting[i])->numPoints;
     }
-    return rows + p->numContacts * MdtBclGETMAXROWSCONTACT;
+    const int contactRows = p->numContacts * MdtBclGETMAXROWSCONTACT;
+    p->isFast = mdt_crowdIsChosen(p, rows + contactRows);
+    return rows + (p->isFast ? 0 : contactRows);
 }
 
 /* Room for Kea's arrays and, behind them, the contacts. */
 static MeBool takeScratch(MdtIsland *p) {
     const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows);
-    const size_t total = bytes + (size_t)p->numContacts * sizeof *p->contacts;
+    const int manifolds = p->isFast ? mdt_crowdCount(p) : 0;
+    const size_t total = bytes + (p->isFast ? mdt_crowdSize(manifolds) : (size_t)p->numContacts * sizeof *p->contacts);
     char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->world->scratch, (int)total) : NULL;
     if (!scratch) {
         MeWarning(2, "MdtWorldStep: partition %d (%d bodies, %d rows) is too large for the solver and is not moved",
@@ -28,7 +31,9 @@ static MeBool takeScratch(MdtIsland *p) {
         return MEFALSE;
     }
     p->scratch = scratch;
-    p->contacts = (MdtIslandContact *)(void *)(scratch + bytes);
+    p->contacts = p->isFast ? NULL : (MdtIslandContact *)(void *)(scratch + bytes);
+    if (p->isFast)
+        mdt_crowdLayOut(p, scratch + bytes, manifolds);
     return METRUE;
 }
 
@@ -40,6 +45,8 @@ static void setSystem(MdtIsland *p) {
     p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
     p->kea.cache = p->world->keaCache;
     p->kea.context = p;
+    p->kea.parameters.solver = p->isFast ? MdtKeaSolverFast : MdtKeaSolverExact;
+    p->kea.parameters.accuracy = mdt_worldAccuracy(p->world, p->h);
 }
 
 static void addGravity(MdtWorldID w, MdtBodyID b) {
@@ -94,7 +101,8 @@ MeBool mdt_islandPack(MdtIsland *p) {
     if (!takeScratch(p))
         return MEFALSE;
     packBodies(p);
-    packContacts(p);
+    if (!p->isFast)
+        packContacts(p);
     rememberStart(p);
     return METRUE;
 }

@@ -159,17 +159,19 @@ void mdt_reportDivision(MdtReport *r) {
     keepWay(r, MdtReportWayDivided);
 }
 
-void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtKeaSystem *kea) {
-    if (kea->numRows == 0)
+void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtIsland *p) {
+    const MdtKeaSystem *kea = &p->kea;
+    const int rows = mdt_islandRows(p);
+    if (rows == 0)
         return;
     mdt_reportLap(w, r, MdtReportStageSolve);
-    r->rows = kea->numRows > r->rows ? kea->numRows : r->rows;
+    r->rows = rows > r->rows ? rows : r->rows;
     r->passes += kea->report.passes;
     r->iterations += kea->report.iterations;
     r->factorizations += kea->report.factorizations;
     r->stages += kea->report.stages;
     r->freezes += kea->report.freezes;
-    keepWay(r, kea->report.factorizations > 0 ? MdtReportWayExact : MdtReportWayKept);
+    keepWay(r, p->isFast ? MdtReportWayFast : kea->report.factorizations > 0 ? MdtReportWayExact : MdtReportWayKept);
 }
 
 static void addSquare(double *sum, double x) {
@@ -208,8 +210,10 @@ void mdt_reportPart(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     keepMost(&r->residualForce, kea->report.force);
     keepMost(&r->jointError, kea->report.error);
     r->jointGap = r->jointTurn = 0;
-    for (int i = 0; i < p->numContacts; i++)
+    for (int i = 0; i < p->numContacts && !p->isFast; i++)
         keepMost(&r->penetration, p->contacts[i].bcl.penetration);
+    if (p->isFast)
+        keepMost(&r->penetration, mdt_crowdPenetration(p));
     for (int i = 0; i < p->numActing; i++) {
         const MdtJoint *j = mdt_asJoint(p->acting[i]);
         if (j && j->numRows > 0 && j->type->errors)

@@ -28,11 +28,13 @@ void mdt_restBegin(MdtWorldID w) {
     now.epsilon = (double)w->epsilon;
     now.gamma = (double)w->gamma;
     now.workBudget = (double)w->workBudget;
+    now.accuracy = mdt_worldAccuracy(w, w->lastStep);
     now.importance = w->importance;
     now.maxLcpIterations = w->maxLcpIterations;
     now.subSteps = w->subSteps;
     now.timedBodies = w->timedBodies;
     now.maxMatrixSize = w->maxMatrixSize;
+    now.solver = w->solver;
     if (memcmp(&now, &w->restInputs, sizeof now) != 0)
         w->certificate++;
     w->restInputs = now;
@@ -159,6 +161,8 @@ static MeBool comesNearerForEver(const MdtIsland *p) {
 /* m/s: mean velocities of a step up to this are not told from none. Each row is within its tolerance; from body to body
  * the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3 times). */
 static double resolvedSpeed(const MdtIsland *p) {
+    if (p->isFast)
+        return p->kea.report.resolution;
     return comesNearerForEver(p) ? 0 : sqrt(p->numBodies) * p->kea.report.resolution;
 }
 
@@ -213,6 +217,16 @@ static MeBool isCalmForLong(const MdtIsland *p) {
     return isLong;
 }
 
+/* What slips or is carried along moves for ever, if more slowly than the fast solver tells from rest. */
+static MeBool mayCreep(const MdtIsland *p) {
+    for (int i = 0; i < p->kea.numManifolds && p->isFast; i++) {
+        const MdtKeaSurface *s = &p->kea.manifolds[i].surface;
+        if (s->slip[0] != 0 || s->slip[1] != 0 || s->slide[0] != 0 || s->slide[1] != 0)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
 /* A function of the program may write other rows, or choose others, the next time. */
 static MeBool dependsOnProgram(const MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++)
@@ -226,11 +240,11 @@ static MeBool wasAnswerFound(const MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
     const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h;
     const MeBool isExact = !r->capped && !r->limited && !r->violent && !r->conflicting && !p->isDegenerate;
-    return isWhole && isExact && p->kea.numRows > 0 && !p->hasMet && r->residual <= r->resolution;
+    return isWhole && isExact && mdt_islandRows(p) > 0 && !p->hasMet && r->residual <= r->resolution;
 }
 
 MeBool mdt_restIsSettled(const MdtIsland *p) {
-    return isCalmForLong(p) && wasAnswerFound(p) && !dependsOnProgram(p);
+    return isCalmForLong(p) && wasAnswerFound(p) && !dependsOnProgram(p) && !mayCreep(p);
 }
 
 void mdt_restStay(MdtIsland *p) {

@@ -80,6 +80,8 @@ static int countRows(MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
         MdtManifold *m = mdt_asManifold(p->acting[i]);
+        if (!j && p->isFast)
+            continue;
         rows += j ? countJoint(p, j) : countContacts(p, m, p->contacts + contact);
         contact += j ? 0 : m->numPoints;
     }
@@ -139,13 +141,15 @@ static void fillRows(MdtIsland *p) {
             fillJoint(p, j, mdt_ownerOfJoint(i));
             continue;
         }
+        if (p->isFast)
+            continue;
         MdtManifold *m = mdt_asManifold(p->acting[i]);
         MdtBclContext x;
         mdt_rowsContext(p, &m->base, &MdtBclWorldVelocity, &x);
         for (int k = 0; k < m->numPoints; k++, contact++)
             fillContact(p, &p->contacts[contact], &x, mdt_ownerOfContact(p, contact));
     }
-    MEASSERT(contact == p->numContacts && p->kea.numRows <= p->kea.maxRows);
+    MEASSERT((p->isFast || contact == p->numContacts) && p->kea.numRows <= p->kea.maxRows);
 }
 
 /* Count, leave out what is too much, fill. */
@@ -155,8 +159,10 @@ void mdt_rowsMake(MdtIsland *p) {
     if (rows > w->maxMatrixSize)
         mdt_capRows(p, rows, w->maxMatrixSize);
     fillRows(p);
+    if (p->isFast)
+        mdt_crowdMake(p);
     if (p->number < w->sizeLogLength)
-        w->sizeLog[p->number] = p->kea.numRows;
+        w->sizeLog[p->number] = mdt_islandRows(p);
 }
 
 /* ---- elsewhere ---- */

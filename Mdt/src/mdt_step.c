@@ -9,7 +9,7 @@ void mdt_partSolve(MdtIsland *p, double part) {
     if (p->kea.parameters.timed && MdtKeaMeets(&p->kea))
         mdt_partImpact(p);
     MeProfileEndSection("Rows");
-    if (p->report && p->kea.numRows > 0)
+    if (p->report && mdt_islandRows(p) > 0)
         mdt_reportLap(p->world, p->report, MdtReportStageRows);
     MeProfileStartSection("Solve", 0);
     mdt_budgetGrant(p);
@@ -17,7 +17,7 @@ void mdt_partSolve(MdtIsland *p, double part) {
     mdt_budgetDraw(p);
     MeProfileEndSection("Solve");
     if (p->report)
-        mdt_reportSolve(p->world, p->report, &p->kea);
+        mdt_reportSolve(p->world, p->report, p);
 }
 
 MeBool mdt_partIntegrate(MdtIsland *p) {

@@ -46,9 +46,11 @@ typedef struct MdtIsland {
     MdtReport *report; /* null: it is off */
     /* pack */
     void *scratch;              /* Kea's arrays, and behind them */
-    MdtIslandContact *contacts; /* those of acting manifolds, one after the other */
+    MeBool isFast;              /* Kea's fast solver is chosen: it takes manifolds, and contacts have no rows */
+    MdtIslandContact *contacts; /* those of acting manifolds, one after the other; not of the fast solver */
     int numContacts, numJoints;
-    MdtKeaSystem kea; /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */
+    struct MdtIslandManifold *manifolds; /* of the fast solver, beside kea.manifolds */
+    MdtKeaSystem kea;                    /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */
     /* subdivide */
     MdtBclSolverParameters parameters; /* of the part that is being taken */
     double elapsed;                    /* s, of the step before that part */
@@ -108,6 +110,20 @@ void mdt_restCertify(MdtIsland *p, MeBool isSettled);
 /* Takes scratch memory, and loads into Kea's bodies. False, with a message: the partition is too large. */
 MeBool mdt_islandPack(MdtIsland *p);
 void mdt_islandRelease(MdtIsland *p);
+
+/* ---- partitions of the fast solver (mdt_crowd.c) ---- */
+
+/* Whether it is chosen; how many manifolds it will have at most, and the bytes that they need; where these are. */
+MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows);
+int mdt_crowdCount(const MdtIsland *p);
+size_t mdt_crowdSize(int count);
+void mdt_crowdLayOut(MdtIsland *p, void *memory, int count);
+/* For a part: Kea's manifolds; after it, their forces. */
+void mdt_crowdMake(MdtIsland *p);
+void mdt_crowdUnpack(MdtIsland *p, double share, MeBool isGuess);
+double mdt_crowdPenetration(const MdtIsland *p);
+/* Rows that the partition has, or would have. */
+int mdt_islandRows(const MdtIsland *p);
 
 /* Takes the step in parts, within its budget of work. False: the bodies were stopped (mdt_subdivide.c). */
 MeBool mdt_islandSubdivide(MdtIsland *p);

@@ -39,7 +39,7 @@ static void addForces(MdtIsland *p, double share) {
         if (j)
             addJointForces(j, p->kea.rows + j->firstRow, share);
     }
-    for (int i = 0; i < p->numContacts; i++)
+    for (int i = 0; i < p->numContacts && !p->isFast; i++)
         addContactForces(&p->contacts[i], p->kea.rows + p->contacts[i].firstRow, share);
 }
 
@@ -82,8 +82,10 @@ void mdt_unpackConstraints(MdtIsland *p) {
         if (j)
             unpackJoint(p, j, isGuess);
     }
-    for (int i = 0; i < p->numContacts; i++)
+    for (int i = 0; i < p->numContacts && !p->isFast; i++)
         unpackContact(p, &p->contacts[i], isGuess);
+    if (p->isFast)
+        mdt_crowdUnpack(p, p->parameters.stepsize / p->h, isGuess);
 }
 
 /* ---- bodies ---- */

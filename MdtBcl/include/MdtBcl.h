@@ -246,6 +246,9 @@ typedef struct MdtBclType {
 MEPUBLIC int MEAPI MdtBclContactPrepare(MdtBclContact *contact, const MdtBclContext *x);
 /** Writes as many rows as Prepare counted: the normal, then friction. */
 MEPUBLIC void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBclContext *x, MdtKeaRow rows[]);
+/** The same for a solver that takes manifolds: what their contacts' parameters say in a part of a step. */
+MEPUBLIC void MEAPI MdtBclContactSurface(const MdtBclContactParams *params, const MdtBclSolverParameters *solver,
+                                         MdtKeaSurface *surface);
 /** @} */
 
 /** The table's entry, or null for a type that this library does not have. Contacts and contact groups have a name, and

@@ -219,5 +219,40 @@ void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBclContext *
     }
 }
 
+/* ---- for a solver that takes manifolds ---- */
+
+static double frictionBound(const MdtBclContactParams *params, int direction) {
+    const MeReal bound = direction == 0 ? params->friction1 : params->friction2;
+    const MdtFrictionModel model = direction == 0 ? params->model1 : params->model2;
+    return model == MdtFrictionModelBox ? bcl_boundOf(bound) : 0;
+}
+
+static double frictionCoefficient(const MdtBclContactParams *params, int direction) {
+    const MeReal coefficient = direction == 0 ? params->FrictionCoefficient : params->FrictionCoefficient2;
+    const MdtFrictionModel model = direction == 0 ? params->model1 : params->model2;
+    return model == MdtFrictionModelBox ? 0 : fmax((double)coefficient, 0);
+}
+
+void MEAPI MdtBclContactSurface(const MdtBclContactParams *params, const MdtBclSolverParameters *solver,
+                                MdtKeaSurface *s) {
+    const int options = params->options;
+    const int directions = params->type == MdtContactTypeFriction2D ? 2 : params->type == MdtContactTypeFriction1D;
+    const double slip[2] = {(double)params->slip1, (double)params->slip2};
+    const double slide[2] = {(double)params->slide1, (double)params->slide2};
+    memset(s, 0, sizeof *s);
+    for (int i = 0; i < directions; i++) {
+        s->coefficient[i] = frictionCoefficient(params, i);
+        s->bound[i] = frictionBound(params, i);
+        s->slip[i] = options & (i == 0 ? MdtBclContactOptionSlip1 : MdtBclContactOptionSlip2) ? fmax(slip[i], 0) : 0;
+        s->slide[i] = options & (i == 0 ? MdtBclContactOptionSlide1 : MdtBclContactOptionSlide2) ? slide[i] : 0;
+    }
+    s->softness = solver->epsilon;
+    if (options & MdtBclContactOptionSoft)
+        s->softness += solver->softening * fmax((double)params->softness, 0);
+    s->adhesion = options & MdtBclContactOptionAdhesive ? bcl_boundOf(params->max_adhesive_force) : 0;
+    s->isOneWay = directions < 2 || (s->coefficient[1] == 0 && s->bound[1] == 0);
+    s->isCone = directions == 2 && params->model1 == MdtFrictionModelCone && params->model2 == MdtFrictionModelCone;
+}
+
 const MdtBclType bcl_contact = {.name = "Contact", .maxRows = MdtBclGETMAXROWSCONTACT};
 const MdtBclType bcl_contactGroup = {.name = "ContactGroup"};

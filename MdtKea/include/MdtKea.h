@@ -141,6 +141,45 @@ typedef struct MdtKeaRow {
     double force;       /**< λ, N: the answer; before, a guess at it, such as the last step's */
 } MdtKeaRow;
 
+enum { MdtKeaMANIFOLDPOINTS = 4 }; /**< Points that a manifold has at most. */
+
+/** The surface of a manifold's contacts. */
+typedef struct MdtKeaSurface {
+    double coefficient[2]; /**< of friction along the primary and the secondary direction, times the normal force */
+    double bound[2];       /**< N, of friction at each point, whatever its normal force */
+    double slip[2];        /**< m/s per N, along either direction */
+    double slide[2];       /**< m/s, the velocity at which friction rests */
+    double softness;       /**< E, 1/kg: epsilon, and the contact's own */
+    double adhesion;       /**< N: how hard a point may pull */
+    MeBool isCone;         /**< friction along both directions together has the primary coefficient */
+    MeBool isOneWay;       /**< there is none along the secondary direction */
+} MdtKeaSurface;
+
+/** A point of a manifold. */
+typedef struct MdtKeaPoint {
+    double position[3]; /**< m */
+    double depth;       /**< m; negative: a gap */
+    double rebound;     /**< m/s: its normal velocity at the end of the step if it is hit; 0: it does not bounce */
+    double force[3];    /**< N, normal, primary, secondary: the answer; before, a guess at it */
+} MdtKeaPoint;
+
+/** Contacts of two bodies that share a normal: what the fast solver takes instead of rows. World frame. */
+typedef struct MdtKeaManifold {
+    MdtKeaBodyIndexPair body;
+    int numPoints;
+    double normal[3];    /**< unit, the way the first body is pushed */
+    double direction[3]; /**< unit, primary, at right angles to the normal */
+    MdtKeaSurface surface;
+    const MdtKeaVelocity *worldVelocity; /**< of the world's part of it, as if it were a body at the origin */
+    MdtKeaPoint point[MdtKeaMANIFOLDPOINTS];
+} MdtKeaManifold;
+
+/** Which solver finds the forces of a system. */
+typedef enum MdtKeaSolver {
+    MdtKeaSolverExact, /**< rows, by Newton's method to the tolerance */
+    MdtKeaSolverFast,  /**< manifolds, by accelerated passes: its time is proportional to the manifolds */
+} MdtKeaSolver;
+
 /** What holds for the whole system. Epsilon and gamma are in the rows already. */
 typedef struct MdtKeaParameters {
     double stepsize;   /**< s */
@@ -150,6 +189,8 @@ typedef struct MdtKeaParameters {
     MeBool mayRefuse;  /**< a step in which bodies turn too far may be reported as violent without being solved */
     MeBool isPart;     /**< of a step that the bodies do not take together: energy from errors of joints is not given */
     MeBool timed;      /**< contacts are met in time: bodies move with their mean velocities throughout */
+    MdtKeaSolver solver;
+    double accuracy; /**< m/s, of the fast solver: the residual that passes are to reach */
 } MdtKeaParameters;
 
 /** How a solve went. */
@@ -207,6 +248,8 @@ typedef struct MdtKeaSystem {
     MdtKeaInverseMassMatrix *invMass; /**< by body, at the start */
     MdtKeaRow *rows;                  /**< the owner fills rows[0..numRows) */
     int numRows;
+    MdtKeaManifold *manifolds; /**< of the fast solver, the owner's; force of their points is written */
+    int numManifolds;
     MdtKeaReport report;     /**< set by MdtKeaSolve */
     struct MdtKeaWork *work; /**< Kea's own */
 } MdtKeaSystem;

@@ -25,6 +25,7 @@ static void makeWorld(int boxes, int constraints) {
     MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
     MdtWorldSetEpsilon(u->world, 0);
     MdtWorldEnableReport(u->world);
+    MdtWorldSetSolver(u->world, MdtSolverExact);
     MdtContactParamsID p = MstBridgeGetContactParams(u->bridge, 0, 0);
     MdtContactParamsSetType(p, MdtContactTypeFriction2D);
     MdtContactParamsSetFrictionModel(p, MdtFrictionModelCone);

@@ -28,6 +28,7 @@ struct MdtKeaCache {
     KeaNumbers numbers;
     KeaBlock sizes; /* of the nodes of a graph of bodies: 6 each, */
     int numSizes;   /* so many are written */
+    KeaBlock passes[KEA_PASS_BLOCKS]; /* scratch of the fast solver */
 };
 
 MdtKeaCache *MEAPI MdtKeaCacheCreate(void) {
@@ -41,6 +42,8 @@ void MEAPI MdtKeaCacheDestroy(MdtKeaCache *c) {
     kea_blockFree(&c->structures);
     kea_blockFree(&c->numbers.block);
     kea_blockFree(&c->sizes);
+    for (int i = 0; i < KEA_PASS_BLOCKS; i++)
+        kea_blockFree(&c->passes[i]);
     MeMemoryGive(c);
 }
 
@@ -147,4 +150,12 @@ KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, const int size[], int num
     }
     e->used = ++c->clock;
     return makeRoomForNumbers(c, &e->factor) ? &e->factor : NULL;
+}
+
+void *kea_cacheScratch(MdtKeaCache *c, int block, size_t bytes) {
+    const size_t line = KEA_SCRATCH_LINE;
+    if (!kea_blockReserve(&c->passes[block], 0, bytes + line, "the fast solver"))
+        return NULL;
+    const uintptr_t at = (uintptr_t)c->passes[block].memory;
+    return c->passes[block].memory + (line - at % line) % line;
 }

@@ -13,6 +13,7 @@
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
+#include "fast/kea_fast_i.h"
 #include <string.h>
 
 /* ---- budget ---- */
@@ -359,6 +360,10 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
     s->report.least = workOfLinearization(s);
+    if (s->parameters.solver == MdtKeaSolverFast) {
+        kea_fastSolve(s);
+        return;
+    }
     kea_beginBodies(s);
     if (s->parameters.timed)
         kea_timedBegin(s);

@@ -1,0 +1,195 @@
+/* Partitions of Kea's fast solver: whether it is chosen, and their manifolds as it takes them. Contacts have no rows
+ * there: a record of points that share a normal and a surface is a manifold of Kea's, and a point that has something of
+ * its own (MdtExtra) is one by itself. */
+#include "MeAssert.h"
+#include "mdt_step_i.h"
+#include <string.h>
+
+/* Beside each manifold of Kea's: whose points it has. */
+typedef struct MdtIslandManifold {
+    MdtPoint *point[MdtKeaMANIFOLDPOINTS];
+    double mean[MdtKeaMANIFOLDPOINTS][3]; /* N, of the parts of the step that are done, on the first body */
+} MdtIslandManifold;
+
+/* ---- the choice ---- */
+
+/* Have bodies met in the last step? Then their velocities have changed by far more than gravity explains, and what
+ * follows is known no better than the law by which they part. */
+static MeBool hasImpacts(const MdtIsland *p) {
+    double g[3];
+    mdt_fromReal(g, p->world->params.gravity);
+    const double most = MDT_IMPACT * keaLength(g);
+    for (int i = 0; i < p->numBodies; i++)
+        if (keaLength(p->bodies[i]->acceleration.lin) > most)
+            return METRUE;
+    return MEFALSE;
+}
+
+MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
+    const MdtWorld *w = p->world;
+    if (p->numContacts == 0 || p->numJoints > 0 || w->solver == MdtSolverExact || maxRows > w->maxMatrixSize)
+        return MEFALSE;
+    if (w->solver == MdtSolverFast)
+        return METRUE;
+    if (p->numBodies <= w->timedBodies || mdt_worldAccuracy(w, p->h) == 0)
+        return MEFALSE;
+    return p->numBodies >= MDT_CROWD || hasImpacts(p);
+}
+
+/* ---- room ---- */
+
+static MeBool hasOwn(const MdtManifold *block) {
+    for (const MdtExtra *extra = block->extras; extra; extra = extra->next)
+        if (extra->slot != MDT_GROUP_SLOT)
+            return METRUE;
+    return MEFALSE;
+}
+
+int mdt_crowdCount(const MdtIsland *p) {
+    int count = 0;
+    for (int i = 0; i < p->numActing; i++)
+        if (mdt_isManifold(p->acting[i]))
+            for (const MdtManifold *block = mdt_asManifold(p->acting[i]); block; block = block->next)
+                count += hasOwn(block) ? mdt_countSlots(block) : 1;
+    return count;
+}
+
+static size_t keaSize(int count) {
+    return ((size_t)count * sizeof(MdtKeaManifold) + 15) & ~(size_t)15;
+}
+
+size_t mdt_crowdSize(int count) {
+    return keaSize(count) + (size_t)count * sizeof(MdtIslandManifold);
+}
+
+void mdt_crowdLayOut(MdtIsland *p, void *memory, int count) {
+    p->kea.manifolds = memory;
+    p->manifolds = (MdtIslandManifold *)(void *)((char *)memory + keaSize(count));
+    for (int i = 0; i < count; i++)
+        memset(p->manifolds[i].mean, 0, sizeof p->manifolds[i].mean);
+}
+
+/* ---- manifolds for Kea ---- */
+
+/* The law of restitution, and whether the bodies touch in this step, are those of a contact's row. */
+static void askRow(const MdtIsland *p, const MdtPoint *point, const MdtKeaManifold *m, MdtKeaPoint *to,
+                   MeBool *touches) {
+    MdtBclContact contact = {.params = mdt_pointParams(point), .penetration = to->depth, .normalForce = to->force[0]};
+    MdtKeaRow rows[MdtBclGETMAXROWSCONTACT];
+    MdtBclContext x;
+    mdt_rowsContext(p, &mdt_manifoldOf(point)->base, mdt_pointWorldVelocity(point), &x);
+    x.elapsed = 0;
+    x.firstRow = 0;
+    keaCopy(contact.position, to->position);
+    keaCopy(contact.normal, m->normal);
+    keaCopy(contact.direction, m->direction);
+    *touches = MdtBclContactPrepare(&contact, &x) > 1;
+    MdtBclContactFill(&contact, &x, rows);
+    to->rebound = rows[0].bounces ? rows[0].rebound : 0;
+}
+
+static void setPoint(const MdtIsland *p, const MdtPoint *point, MdtKeaPoint *to) {
+    const MeBool isWarm = point->numWarm > 0 && point->numWarm == point->numRows;
+    if (p->elapsed > 0)
+        mdt_pointCarried(point, to->position, &to->depth);
+    else {
+        keaCopy(to->position, point->position);
+        to->depth = point->depth;
+    }
+    to->rebound = 0;
+    for (int i = 0; i < 3; i++)
+        to->force[i] = isWarm && i < point->numRows ? point->force[i] : 0;
+}
+
+/* A manifold of no points, with what the point shares with those that may follow. */
+static MdtKeaManifold *beginManifold(MdtIsland *p, const MdtPoint *first) {
+    const MdtBaseConstraint *base = &mdt_manifoldOf(first)->base;
+    const MdtKeaVelocity *velocity = mdt_pointWorldVelocity(first);
+    MdtKeaManifold *m = &p->kea.manifolds[p->kea.numManifolds++];
+    for (int k = 0; k < 2; k++)
+        m->body[k] = base->side[k].body ? base->side[k].body->index : MdtKeaWORLD;
+    m->numPoints = 0;
+    m->worldVelocity = velocity == &MdtBclWorldVelocity ? NULL : velocity;
+    mdt_pointNormal(first, m->normal);
+    mdt_pointDirection(first, m->normal, m->direction);
+    MdtBclContactSurface(mdt_pointParams(first), &p->parameters, &m->surface);
+    mdt_checkSurface(p->world, mdt_pointParams(first));
+    return m;
+}
+
+/* Friction that does not depend on the normal force acts only where bodies touch. */
+static void addPoint(MdtIsland *p, MdtKeaManifold *m, MdtPoint *point) {
+    const MeBool bounces = (mdt_pointParams(point)->options & MdtBclContactOptionBounce) != 0;
+    const int at = m->numPoints++;
+    MeBool touches = METRUE;
+    setPoint(p, point, &m->point[at]);
+    p->manifolds[m - p->kea.manifolds].point[at] = point;
+    if (bounces || m->surface.bound[0] > 0 || m->surface.bound[1] > 0)
+        askRow(p, point, m, &m->point[at], &touches);
+    if (!touches)
+        m->surface.bound[0] = m->surface.bound[1] = 0;
+}
+
+static void makeBlock(MdtIsland *p, const MdtManifold *block) {
+    const MeBool isApart = hasOwn(block);
+    MdtKeaManifold *m = NULL;
+    for (MdtPoint *point = mdt_pointIn(block, 0); point; point = mdt_pointIn(block, point->slot + 1)) {
+        if (!m || isApart)
+            m = beginManifold(p, point);
+        addPoint(p, m, point);
+    }
+}
+
+void mdt_crowdMake(MdtIsland *p) {
+    p->kea.numManifolds = 0;
+    for (int i = 0; i < p->numActing; i++)
+        if (mdt_isManifold(p->acting[i]))
+            for (const MdtManifold *block = mdt_asManifold(p->acting[i]); block; block = block->next)
+                makeBlock(p, block);
+}
+
+/* ---- and back ---- */
+
+static int rowsOf(const MdtKeaSurface *s) {
+    const int first = s->coefficient[0] > 0 || s->bound[0] > 0, second = s->coefficient[1] > 0 || s->bound[1] > 0;
+    return 1 + first + second;
+}
+
+static void unpackPoint(const MdtKeaManifold *m, int at, MdtPoint *point, double mean[3], double share) {
+    const double *force = m->point[at].force;
+    double across[3];
+    keaCross(across, m->normal, m->direction);
+    keaAddScaled(mean, share * force[0], m->normal);
+    keaAddScaled(mean, share * force[1], m->direction);
+    keaAddScaled(mean, share * force[2], across);
+    keaCopy(point->force, force);
+    mdt_toReal(point->mean, mean);
+}
+
+void mdt_crowdUnpack(MdtIsland *p, double share, MeBool isGuess) {
+    for (int i = 0; i < p->kea.numManifolds; i++) {
+        const MdtKeaManifold *m = &p->kea.manifolds[i];
+        MdtIslandManifold *own = &p->manifolds[i];
+        const int rows = rowsOf(&m->surface);
+        for (int k = 0; k < m->numPoints; k++) {
+            own->point[k]->numRows = (MeU8)rows;
+            own->point[k]->numWarm = isGuess ? (MeU8)rows : 0;
+            unpackPoint(m, k, own->point[k], own->mean[k], share);
+        }
+    }
+}
+
+double mdt_crowdPenetration(const MdtIsland *p) {
+    double most = 0;
+    for (int i = 0; i < p->kea.numManifolds; i++)
+        for (int k = 0; k < p->kea.manifolds[i].numPoints; k++)
+            most = fmax(most, p->kea.manifolds[i].point[k].depth);
+    return most;
+}
+
+int mdt_islandRows(const MdtIsland *p) {
+    int rows = p->kea.numRows;
+    for (int i = 0; i < p->kea.numManifolds && p->isFast; i++)
+        rows += p->kea.manifolds[i].numPoints * rowsOf(&p->kea.manifolds[i].surface);
+    return rows;
+}

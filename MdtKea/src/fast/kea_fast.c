@@ -1,0 +1,289 @@
+/* The fast solver: one step of many bodies that touch, in time proportional to their manifolds.
+ *
+ *     velocities   block Gauss-Seidel over the manifolds, eight at a time, with Nesterov's extrapolation of the
+ *                  impulses within the step and its restart (O'Donoghue and Candès 2015, "Adaptive restart for
+ *                  accelerated gradient schemes"): bodies come to no more than closing their gaps
+ *     positions    the same without friction, on displacements: out of overlaps, without velocity
+ *     rebounds     velocities again, of where bodies met; they have moved by then
+ *
+ * Velocities are linear in the impulses: those of the extrapolated impulses are the extrapolated velocities. Passes
+ * work in single precision; the momenta of the end are summed from their impulses in double, action and reaction
+ * alike.
+ */
+#include "fast/kea_fast_i.h"
+#include "common/kea_factor_i.h"
+#include "common/kea_policy_i.h"
+#include "MeAssert.h"
+#include <string.h>
+
+/* A step's arrays, in the cache's scratch memory. */
+typedef struct Step {
+    MdtKeaSystem *s;
+    const KeaKernel *kernel;
+    int numMotions; /* the world, the bodies, worlds that move */
+    KeaMotion *motion, *before, *way;
+    double (*change)[6]; /* by body: N s, N m s */
+    MeU64 *taken;
+    MeU8 *colour;
+    int *order;
+    KeaGroup *groups;
+    int numGroups;
+    KeaColours colours;
+    double theta, beta; /* of the extrapolation */
+} Step;
+
+typedef struct Passes {
+    int least, most;
+} Passes;
+
+static const KeaKernel *kernelOfMachine(void) {
+#ifdef KEA_HAS_AVX2
+    if (__builtin_cpu_supports("avx2"))
+        return &kea_kernelAvx2;
+#endif
+    return &kea_kernel;
+}
+
+static size_t layOut(Step *p, char *memory) {
+    const size_t n = (size_t)p->s->numBodies, m = (size_t)p->s->numManifolds, motions = 1 + n + m;
+    KeaArena arena = {memory, 0};
+    p->motion = kea_carve(&arena, motions, sizeof *p->motion);
+    p->before = kea_carve(&arena, motions, sizeof *p->before);
+    p->way = kea_carve(&arena, motions, sizeof *p->way);
+    p->change = kea_carve(&arena, n, sizeof *p->change);
+    p->taken = kea_carve(&arena, n, sizeof *p->taken);
+    p->colour = kea_carve(&arena, m, sizeof *p->colour);
+    p->order = kea_carve(&arena, m, sizeof *p->order);
+    return arena.used;
+}
+
+/* ---- begin ---- */
+
+static void setMotions(Step *p) {
+    const MdtKeaSystem *s = p->s;
+    memset(p->motion, 0, sizeof *p->motion);
+    for (int i = 0; i < s->numBodies; i++)
+        for (int k = 0; k < 3; k++) {
+            p->motion[1 + i].lin[k] = (float)s->predicted[i].lin[k];
+            p->motion[1 + i].ang[k] = (float)s->predicted[i].ang[k];
+        }
+    for (int i = 0; i < s->numBodies; i++)
+        p->motion[1 + i].lin[3] = p->motion[1 + i].ang[3] = 0;
+}
+
+static MeBool begin(Step *p) {
+    MdtKeaSystem *s = p->s;
+    char *memory = kea_cacheScratch(s->cache, 0, layOut(p, NULL));
+    if (!memory)
+        return MEFALSE;
+    layOut(p, memory);
+    setMotions(p);
+    kea_colour(s, p->taken, p->colour, p->order, &p->colours);
+    p->numGroups = p->colours.numGroups;
+    p->groups = kea_cacheScratch(s->cache, 1, (size_t)p->numGroups * sizeof *p->groups);
+    if (!p->groups)
+        return MEFALSE;
+    kea_groupManifolds(s, p->colour, p->order, &p->colours, p->groups);
+    KeaMotion *worlds = p->motion + 1 + s->numBodies;
+    memset(worlds, 0, (size_t)s->numManifolds * sizeof *worlds);
+    p->numMotions = 1 + s->numBodies + kea_fillGroups(s, p->groups, p->numGroups, worlds);
+    p->kernel->prepare(p->groups, p->numGroups, (float)s->parameters.stepsize);
+    return METRUE;
+}
+
+/* ---- passes ---- */
+
+static double uphillOf(const float uphill[KEA_LANES]) {
+    double sum = 0;
+    for (int i = 0; i < KEA_LANES; i++)
+        sum += (double)uphill[i];
+    return sum;
+}
+
+/* Nesterov's extrapolation; it begins anew where a pass goes against it. */
+static void takePasses(Step *p, int passes) {
+    for (int i = 0; i < passes; i++) {
+        float uphill[KEA_LANES] = {0};
+        p->kernel->extrapolate(p->motion, p->before, p->numMotions, (float)p->beta);
+        p->kernel->pass(p->groups, p->numGroups, p->motion, (float)p->beta, uphill);
+        const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
+        p->beta = (p->theta - 1) / next;
+        p->theta = next;
+        if (uphillOf(uphill) > 0)
+            p->theta = 1, p->beta = 0;
+    }
+    p->s->report.iterations += passes;
+}
+
+static double residualOf(const Step *p) {
+    float most[KEA_LANES] = {0};
+    double residual = 0;
+    p->kernel->measure(p->groups, p->numGroups, p->motion, most);
+    for (int i = 0; i < KEA_LANES; i++)
+        residual = keaMax(residual, (double)most[i]);
+    return residual;
+}
+
+/* m/s: what residuals are compared with. Where bodies still meet, a share of their speeds. */
+static double accuracyOf(const MdtKeaSystem *s) {
+    double sum = 0;
+    for (int i = 0; i < s->numBodies; i++)
+        sum += keaDot(s->predicted[i].lin, s->predicted[i].lin);
+    return keaMax(s->parameters.accuracy, kea_impactAccuracy * sqrt(sum / s->numBodies));
+}
+
+/* As many passes as are given, and more of them while the residual is above what is wanted. */
+static void findVelocities(Step *p, Passes passes) {
+    const double accuracy = accuracyOf(p->s);
+    p->theta = 1, p->beta = 0;
+    takePasses(p, passes.least);
+    p->s->report.residual = residualOf(p);
+    for (int done = passes.least; done < passes.most && p->s->report.residual > accuracy;) {
+        const int more = passes.most - done < KEA_MORE_PASSES ? passes.most - done : KEA_MORE_PASSES;
+        takePasses(p, more);
+        p->s->report.residual = residualOf(p);
+        done += more;
+    }
+}
+
+static void findPositions(Step *p) {
+    memset(p->way, 0, (size_t)p->numMotions * sizeof *p->way);
+    p->kernel->advance(p->groups, p->numGroups, p->motion, (float)p->s->parameters.stepsize);
+    for (int i = 0; i < KEA_POSITION_PASSES; i++)
+        p->kernel->push(p->groups, p->numGroups, p->way);
+}
+
+/* Of how many bodies each carries the weight, at most: its normal impulses of the last step, in its own loads'. */
+static double loadRatio(const Step *p) {
+    const MdtKeaSystem *s = p->s;
+    double most = 0;
+    for (int i = 0; i < s->numBodies; i++)
+        p->change[i][0] = 0;
+    for (int i = 0; i < s->numManifolds; i++)
+        for (int k = 0; k < 2; k++)
+            for (int n = 0; n < s->manifolds[i].numPoints && s->manifolds[i].body[k] >= 0; n++)
+                p->change[s->manifolds[i].body[k]][0] += keaMax(s->manifolds[i].point[n].force[0], 0);
+    for (int i = 0; i < s->numBodies; i++) {
+        double load[3];
+        keaSubtract(load, s->predicted[i].lin, s->velocity[i].lin);
+        const double weight = keaLength(load) / (s->parameters.stepsize * s->bodies[i]->invMass);
+        if (weight > 0)
+            most = keaMax(most, 0.5 * p->change[i][0] / weight);
+    }
+    return most;
+}
+
+/* What passes cost; those over displacements, and getting ready. */
+static double workOfPass(const Step *p) {
+    return (double)p->numGroups * KEA_LANES * KEA_MANIFOLD_VISIT;
+}
+static double workBeside(const Step *p) {
+    return KEA_POSITION_PASSES * workOfPass(p) + (double)p->s->numManifolds * KEA_MANIFOLD_PREPARATION;
+}
+
+/* At least as many as the loads want, and at most as the budget allows. */
+static Passes choosePasses(Step *p) {
+    const double most = p->s->parameters.maxWork, wanted = kea_passesPerLoad * loadRatio(p);
+    const double least = keaMin(keaMax(wanted, KEA_LEAST_PASSES), KEA_MOST_PASSES);
+    const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MOST_PASSES;
+    const double paid = most > 0 ? keaMax((most - workBeside(p)) / workOfPass(p), 1) : KEA_MOST_PASSES;
+    const double affordable = keaMin(paid, cap);
+    p->s->report.limited = p->s->report.capped = affordable < least;
+    return (Passes){(int)keaMin(least, affordable), (int)keaMin(KEA_MOST_PASSES, affordable)};
+}
+
+/* ---- rebounds ---- */
+
+/* Where bodies met and push each other they part with their rebound. */
+static MeBool setRebounds(Step *p) {
+    MeBool isAny = MEFALSE;
+    for (int i = 0; i < p->numGroups; i++)
+        for (int k = 0; k < KEA_POINTS; k++)
+            for (int lane = 0; lane < KEA_LANES; lane++) {
+                KeaGroup *g = &p->groups[i];
+                if (g->rebound[k][lane] > 0 && g->impulse[k][lane] > 0) {
+                    g->target[k][lane] = g->rebound[k][lane];
+                    isAny = METRUE;
+                }
+            }
+    return isAny;
+}
+
+/* ---- end ---- */
+
+static void setEndMomentum(Step *p) {
+    MdtKeaSystem *s = p->s;
+    memset(p->change, 0, (size_t)s->numBodies * sizeof *p->change);
+    kea_addImpulses(s, p->groups, p->numGroups, p->change);
+    for (int i = 0; i < s->numBodies; i++) {
+        const KeaBody *b = &s->work->body[i];
+        KeaEnd *end = &s->work->end[i];
+        keaCopy(end->velocity, b->freeVelocity);
+        keaAddScaled(end->velocity, s->bodies[i]->invMass, p->change[i]);
+        keaCopy(end->angularMomentum, b->freeMomentum);
+        keaAddScaled(end->angularMomentum, 1, p->change[i] + 3);
+    }
+}
+
+static MeBool isNone(const float way[4]) {
+    return way[0] == 0 && way[1] == 0 && way[2] == 0;
+}
+
+static void setEndPoses(Step *p) {
+    MdtKeaSystem *s = p->s;
+    const double h = s->parameters.stepsize;
+    for (int i = 0; i < s->numBodies; i++) {
+        const MdtKeaBody *body = s->bodies[i];
+        const KeaMotion *way = &p->way[1 + i];
+        KeaEnd *end = &s->work->end[i];
+        double w[3], turn[4];
+        s->work->body[i].isFree =
+            isNone(way->lin) && isNone(way->ang) && keaLength(p->change[i]) == 0 && keaLength(p->change[i] + 3) == 0;
+        keaCopy(end->position, body->position);
+        keaAddScaled(end->position, h, end->velocity);
+        kea_angularVelocity(body, body->quaternion, end->angularMomentum, w);
+        keaScale(w, h, w);
+        for (int k = 0; k < 3; k++) {
+            end->position[k] += (double)way->lin[k];
+            w[k] += (double)way->ang[k];
+        }
+        keaQuaternionExp(turn, w);
+        keaQuaternionProduct(end->quaternion, turn, body->quaternion);
+        keaQuaternionNormalize(end->quaternion);
+        keaCopy(s->work->endPose[i].pos, end->position);
+        keaQuaternionToMatrix(s->work->endPose[i].R, end->quaternion);
+    }
+}
+
+static void report(Step *p) {
+    MdtKeaReport *r = &p->s->report;
+    r->passes = 1;
+    r->resolution = kea_restingShare * p->s->parameters.accuracy;
+    r->work = r->iterations * workOfPass(p) + workBeside(p);
+}
+
+void kea_fastSolve(MdtKeaSystem *s) {
+    Step p = {.s = s, .kernel = kernelOfMachine()};
+    MEASSERT(s->numRows == 0);
+    if (!begin(&p)) {
+        s->report.capped = METRUE;
+        for (int i = 0; i < s->numBodies; i++)
+            s->work->body[i].isFree = METRUE;
+        kea_moveFreely(s);
+        return;
+    }
+    const Passes passes = choosePasses(&p);
+    p.kernel->apply(p.groups, p.numGroups, p.motion);
+    memcpy(p.before, p.motion, (size_t)p.numMotions * sizeof *p.motion);
+    findVelocities(&p, passes);
+    findPositions(&p);
+    setEndMomentum(&p);
+    setEndPoses(&p);
+    if (setRebounds(&p)) {
+        findVelocities(&p, passes);
+        setEndMomentum(&p);
+    }
+    report(&p);
+    kea_returnManifolds(s, p.groups, p.numGroups);
+    kea_moveFreely(s);
+}

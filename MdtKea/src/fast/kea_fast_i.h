@@ -1,0 +1,122 @@
+/* Inside Kea: the fast solver's data.
+ *
+ *     kea_fast.c          a step: groups of manifolds, passes for velocities, for positions, for rebounds; the end
+ *     kea_colour.c        manifolds that share no body, in groups of eight
+ *     kea_kernel_i.h      what is done with a group, eight manifolds at a time
+ *     kea_kernel.c, kea_kernel_avx2.c      the same, compiled for two widths of registers
+ *
+ * A manifold is solved as a whole. About its centre c, with the normal n, t1 along the primary direction, and
+ * t2 = n x t1, its points are c + x t1 + y t2, and the velocities along n of all of them are
+ *
+ *     u_0 + x u_1 + y u_2,     u = (n·dv, -t2·dw, t1·dw),     dv, dw: of the first body against the second at c
+ *
+ * a system of rank 3 whatever their number. Impulses are in N s, of the first body, positive apart.
+ */
+#ifndef KEA_FAST_I_H
+#define KEA_FAST_I_H
+
+#include "kea_i.h"
+
+/* Eight floats, one of each of eight manifolds (kea_lanes_i.h). */
+enum { KEA_LANES = 8 };
+typedef float KeaLanes __attribute__((vector_size(4 * 8)));
+typedef int KeaMask __attribute__((vector_size(4 * 8))); /* by lane: 0, or -1 for true */
+
+typedef struct KeaLanes3 {
+    KeaLanes x, y, z;
+} KeaLanes3;
+
+enum { KEA_POINTS = MdtKeaMANIFOLDPOINTS };
+
+/* A body's velocity, m/s and rad/s, or its displacement, m and rad. */
+typedef struct KeaMotion {
+    _Alignas(16) float lin[4];
+    float ang[4];
+} KeaMotion;
+
+/* Eight manifolds. Written once a step, but for what passes write. Lanes that are not in use have the world as both
+ * bodies. */
+typedef struct KeaGroup {
+    /* kea_colour.c */
+    int manifold[KEA_LANES]; /* -1: the lane is not in use */
+    /* kea_fast.c, from the manifolds */
+    int body[2][KEA_LANES]; /* of KeaMotions: 0 is the world */
+    KeaLanes3 normal, along, arm[2];
+    KeaLanes invMass[2], invInertia[2][6];
+    KeaLanes x[KEA_POINTS], y[KEA_POINTS];  /* m */
+    KeaLanes gap[KEA_POINTS];               /* m; negative: overlap */
+    KeaLanes sag[KEA_POINTS];               /* m, the overlap that is left alone: epsilon under load, and rounding */
+    KeaLanes target[KEA_POINTS];            /* m/s, of normal velocities at least; */
+    KeaLanes rebound[KEA_POINTS];           /* m/s, and once positions are found, where bodies met; 0: they did not */
+    KeaLanes compliance;                    /* 1/kg, of soft contacts */
+    KeaLanes correction;                    /* the share of an overlap that a pass for positions takes away */
+    KeaLanes least;                         /* N s, of normal impulses: 0, or adhesion */
+    KeaLanes coefficient[2], bound[2];      /* of friction: of the normal impulse, and N s */
+    KeaLanes slip[2], slide[2];             /* 1/kg, m/s */
+    KeaLanes lever[KEA_POINTS], boundTwist; /* m, N m s: of friction's moment about n */
+    KeaMask isPoint[KEA_POINTS], isCone, isOneWay;
+    /* prepare */
+    KeaLanes mobility[6];          /* of u, 1/kg: how impulses change it: 00 01 02 11 12 22 */
+    KeaLanes response[KEA_POINTS]; /* kg, of one point alone */
+    KeaLanes direct[10];           /* kg, of all points at once: rows of an upper triangle */
+    KeaMask isDirect;
+    KeaLanes grip[3], twistMass; /* kg, kg m²: of friction: 11 12 22 */
+    /* pass */
+    KeaLanes impulse[KEA_POINTS], before[KEA_POINTS]; /* N s, and after the pass before */
+    KeaLanes rub[2], rubBefore[2];                    /* along t1 and t2, at the centre */
+    KeaLanes twist, twistBefore;                      /* N m s, about n */
+} KeaGroup;
+
+/* What passes over groups do, in their order, for one width of registers. */
+typedef struct KeaKernel {
+    /* From what the manifolds say, what passes need. */
+    void (*prepare)(KeaGroup groups[], int count, float stepsize);
+    /* Adds what the impulses do to the bodies. */
+    void (*apply)(const KeaGroup groups[], int count, KeaMotion motion[]);
+    /* motion += beta (motion - before), and before becomes what motion was. */
+    void (*extrapolate)(KeaMotion motion[], KeaMotion before[], int count, float beta);
+    /* One pass over velocities, from impulses extrapolated by beta; adds to `uphill`, by lane, how much of the change
+     * goes against the extrapolation. */
+    void (*pass)(KeaGroup groups[], int count, KeaMotion motion[], float beta, float uphill[KEA_LANES]);
+    /* Gaps at the end of a step with these velocities. */
+    void (*advance)(KeaGroup groups[], int count, const KeaMotion motion[], float stepsize);
+    /* One pass over displacements: out of overlaps. */
+    void (*push)(const KeaGroup groups[], int count, KeaMotion motion[]);
+    /* m/s, the largest violation of the laws of contact, by lane. */
+    void (*measure)(const KeaGroup groups[], int count, const KeaMotion motion[], float most[KEA_LANES]);
+} KeaKernel;
+
+extern const KeaKernel kea_kernel;
+#ifdef KEA_HAS_AVX2
+extern const KeaKernel kea_kernelAvx2;
+#endif
+
+/* ---- kea_colour.c ---- */
+
+enum { KEA_COLOURS = 64 };
+
+typedef struct KeaColours {
+    int numGroups;
+} KeaColours;
+
+/* Writes the colour of each manifold, and their order by colours. `taken` is scratch, by body. */
+void kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[], KeaColours *c);
+/* Empties the groups, and writes which manifolds are in them. */
+void kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int order[], const KeaColours *c,
+                        KeaGroup groups[]);
+
+/* ---- kea_gather.c ---- */
+
+/* Fills the groups, and the motions of worlds that move, which follow those of the bodies; returns how many. */
+int kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMotion worlds[]);
+/* What the manifolds do to momenta, of all groups: to `change`, by body, N s and N m s. */
+void kea_addImpulses(const MdtKeaSystem *s, const KeaGroup groups[], int count, double (*change)[6]);
+/* Writes the forces of the manifolds' points. */
+void kea_returnManifolds(const MdtKeaSystem *s, const KeaGroup groups[], int count);
+
+/* ---- kea_fast.c ---- */
+
+/* Finds the forces of the system's manifolds, and where the bodies will be. */
+void kea_fastSolve(MdtKeaSystem *s);
+
+#endif

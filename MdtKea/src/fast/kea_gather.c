@@ -1,0 +1,222 @@
+/* Between manifolds, in double precision, and the groups of eight that passes work on. */
+#include "common/kea_policy_i.h"
+#include "fast/kea_fast_i.h"
+#include "MeAssert.h"
+#include <float.h>
+
+/* A manifold's centre, and the points in its frame. */
+typedef struct Patch {
+    double centre[3], across[3], x[KEA_POINTS], y[KEA_POINTS];
+} Patch;
+
+static void setPatch(const MdtKeaManifold *m, Patch *p) {
+    const double share = 1 / (double)m->numPoints;
+    keaZero(p->centre);
+    keaCross(p->across, m->normal, m->direction);
+    for (int k = 0; k < m->numPoints; k++)
+        keaAddScaled(p->centre, share, m->point[k].position);
+    for (int k = 0; k < m->numPoints; k++) {
+        double off[3];
+        keaSubtract(off, m->point[k].position, p->centre);
+        p->x[k] = keaDot(off, m->direction);
+        p->y[k] = keaDot(off, p->across);
+    }
+}
+
+/* ---- from manifolds ---- */
+
+static void setLane3(KeaLanes3 *to, int lane, const double from[3]) {
+    to->x[lane] = (float)from[0];
+    to->y[lane] = (float)from[1];
+    to->z[lane] = (float)from[2];
+}
+
+static float bounded(double bound) {
+    return (float)keaMin(bound, kea_mostBound);
+}
+
+static void fillBody(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, int k, KeaGroup *g, int lane) {
+    static const double noPlace[3];
+    const int body = m->body[k];
+    const MdtKeaInverseMassMatrix *mass = body >= 0 ? &s->invMass[body] : NULL;
+    double arm[3];
+    keaSubtract(arm, p->centre, mass ? s->pose[body].pos : noPlace);
+    setLane3(&g->arm[k], lane, arm);
+    g->body[k][lane] = body + 1;
+    g->invMass[k][lane] = mass ? (float)mass->mass : 0;
+    for (int i = 0, at = 0; i < 3; i++)
+        for (int j = i; j < 3; j++, at++)
+            g->invInertia[k][at][lane] = mass ? (float)mass->inertia[i][j] : 0;
+}
+
+/* m: what sizes of contacts are compared with, the smaller radius of gyration. */
+static double sizeOf(const MdtKeaSystem *s, const MdtKeaManifold *m) {
+    double size = DBL_MAX;
+    for (int k = 0; k < 2; k++)
+        if (m->body[k] >= 0)
+            size = keaMin(size, s->work->body[m->body[k]].size);
+    return size;
+}
+
+/* A compliance that is small against the masses is not felt as a velocity, but as the sag E F h² / gamma; a larger one
+ * is solved for, and then its correction is a velocity, too. */
+static MeBool isSoft(const MdtKeaSystem *s, const MdtKeaManifold *m) {
+    double mobility = 0;
+    for (int k = 0; k < 2; k++)
+        mobility += m->body[k] >= 0 ? s->invMass[m->body[k]].mass : 0;
+    return m->surface.softness > kea_softShare * mobility;
+}
+
+static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, int k, KeaGroup *g, int lane) {
+    const MdtKeaPoint *point = &m->point[k];
+    const double h = s->parameters.stepsize, gamma = s->parameters.gamma;
+    const MeBool soft = g->correction[lane] == 0;
+    const double sag = soft || gamma == 0 ? 0 : m->surface.softness * h * h * keaMax(point->force[0], 0) / gamma;
+    const double along = g->isOneWay[lane] ? 0 : p->x[k];
+    g->isPoint[k][lane] = -1;
+    g->x[k][lane] = (float)p->x[k];
+    g->y[k][lane] = (float)p->y[k];
+    g->gap[k][lane] = (float)-point->depth;
+    g->sag[k][lane] = (float)(sag + kea_restingDepth * sizeOf(s, m));
+    g->target[k][lane] = point->depth < 0 ? (float)(point->depth / h) : soft ? (float)(gamma * point->depth / h) : 0;
+    g->rebound[k][lane] = (float)point->rebound;
+    g->lever[k][lane] = (float)sqrt(along * along + p->y[k] * p->y[k]);
+    g->impulse[k][lane] = (float)(h * keaMax(point->force[0], -m->surface.adhesion));
+}
+
+/* Friction as it was: of all points at the centre, and about the normal. */
+static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, KeaGroup *g, int lane) {
+    const double h = s->parameters.stepsize;
+    double twist = 0, rub[2] = {0, 0}, moment = 0;
+    for (int k = 0; k < m->numPoints; k++) {
+        const double *force = m->point[k].force;
+        for (int i = 0; i < 2; i++)
+            rub[i] += force[1 + i];
+        twist += p->x[k] * force[2] - p->y[k] * force[1];
+        moment += m->surface.bound[0] * (double)g->lever[k][lane];
+    }
+    for (int i = 0; i < 2; i++) {
+        g->rub[i][lane] = (float)(h * rub[i]);
+        g->coefficient[i][lane] = bounded(m->surface.coefficient[i]);
+        g->bound[i][lane] = bounded(h * m->numPoints * m->surface.bound[i]);
+        g->slip[i][lane] = (float)(m->surface.slip[i] / (h * m->numPoints));
+        g->slide[i][lane] = (float)m->surface.slide[i];
+    }
+    g->twist[lane] = (float)(h * twist);
+    g->boundTwist[lane] = bounded(h * moment);
+    g->isCone[lane] = m->surface.isCone ? -1 : 0;
+}
+
+static void fillLane(const MdtKeaSystem *s, const MdtKeaManifold *m, float correction, KeaGroup *g, int lane) {
+    Patch p;
+    setPatch(m, &p);
+    setLane3(&g->normal, lane, m->normal);
+    setLane3(&g->along, lane, m->direction);
+    for (int k = 0; k < 2; k++)
+        fillBody(s, m, &p, k, g, lane);
+    const MeBool soft = isSoft(s, m);
+    g->compliance[lane] = soft ? (float)m->surface.softness : 0;
+    g->correction[lane] = soft ? 0 : correction;
+    g->least[lane] = -bounded(s->parameters.stepsize * m->surface.adhesion);
+    g->isOneWay[lane] = m->surface.isOneWay ? -1 : 0;
+    for (int k = 0; k < m->numPoints; k++)
+        fillPoint(s, m, &p, k, g, lane);
+    fillFriction(s, m, &p, g, lane);
+}
+
+int kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMotion worlds[]) {
+    const double share = 1 / (double)KEA_POSITION_PASSES; /* of a pass, so that all of them take gamma away */
+    const float correction = (float)(1 - pow(1 - s->parameters.gamma, share));
+    int numWorlds = 0;
+    for (int i = 0; i < count; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++) {
+            KeaGroup *g = &groups[i];
+            if (g->manifold[lane] < 0)
+                continue;
+            const MdtKeaManifold *m = &s->manifolds[g->manifold[lane]];
+            fillLane(s, m, correction, g, lane);
+            for (int k = 0; k < 2 && m->worldVelocity; k++)
+                if (m->body[k] < 0) {
+                    for (int c = 0; c < 3; c++) {
+                        worlds[numWorlds].lin[c] = (float)m->worldVelocity->lin[c];
+                        worlds[numWorlds].ang[c] = (float)m->worldVelocity->ang[c];
+                    }
+                    g->body[k][lane] = s->numBodies + 1 + numWorlds++;
+                }
+        }
+    return numWorlds;
+}
+
+/* ---- back to manifolds ---- */
+
+/* In double, about the bodies' centres of mass: what one body gets the other loses, to the last bit. */
+static void addImpulse(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaGroup *g, int lane,
+                       double (*change)[6]) {
+    double impulse[3], couple[3];
+    Patch p;
+    setPatch(m, &p);
+    keaScale(impulse, (double)g->rub[0][lane], m->direction);
+    keaAddScaled(impulse, (double)g->rub[1][lane], p.across);
+    keaScale(couple, (double)g->twist[lane], m->normal);
+    for (int k = 0; k < m->numPoints; k++) {
+        const double normal = (double)g->impulse[k][lane];
+        keaAddScaled(impulse, normal, m->normal);
+        keaAddScaled(couple, normal * p.y[k], m->direction);
+        keaAddScaled(couple, -normal * p.x[k], p.across);
+    }
+    for (int k = 0; k < 2; k++) {
+        double arm[3], turn[3];
+        if (m->body[k] < 0)
+            continue;
+        keaSubtract(arm, p.centre, s->pose[m->body[k]].pos);
+        keaCross(turn, arm, impulse);
+        keaAddScaled(turn, 1, couple);
+        keaAddScaled(change[m->body[k]], k == 0 ? 1 : -1, impulse);
+        keaAddScaled(change[m->body[k]] + 3, k == 0 ? 1 : -1, turn);
+    }
+}
+
+void kea_addImpulses(const MdtKeaSystem *s, const KeaGroup groups[], int count, double (*change)[6]) {
+    for (int i = 0; i < count; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++)
+            if (groups[i].manifold[lane] >= 0)
+                addImpulse(s, &s->manifolds[groups[i].manifold[lane]], &groups[i], lane, change);
+}
+
+static double square(double x) {
+    return x * x;
+}
+
+/* Friction of the manifold is shared out by the points' normal forces w, and its moment by w times their distance from
+ * where these push:
+ *     f_k = w_k f + w_k (tau - tau_0) n x (q_k - q_m) / Σ w q²,     tau_0: the moment of the first part. */
+static void returnPoints(const MdtKeaSystem *s, MdtKeaManifold *m, const KeaGroup *g, int lane) {
+    const double h = s->parameters.stepsize, rub[2] = {(double)g->rub[0][lane], (double)g->rub[1][lane]};
+    double sum = 0, middle[2] = {0, 0}, spread = 0, share[KEA_POINTS];
+    Patch p;
+    setPatch(m, &p);
+    for (int k = 0; k < m->numPoints; k++)
+        sum += keaMax((double)g->impulse[k][lane], 0);
+    for (int k = 0; k < m->numPoints; k++) {
+        share[k] = sum > 0 ? keaMax((double)g->impulse[k][lane], 0) / sum : 1 / (double)m->numPoints;
+        middle[0] += share[k] * p.x[k];
+        middle[1] += share[k] * p.y[k];
+    }
+    for (int k = 0; k < m->numPoints; k++)
+        spread += share[k] * (square(p.x[k] - middle[0]) + square(p.y[k] - middle[1]));
+    const double rest = (double)g->twist[lane] - (middle[0] * rub[1] - middle[1] * rub[0]);
+    const double turn = spread > 0 ? rest / spread : 0;
+    for (int k = 0; k < m->numPoints; k++) {
+        double *force = m->point[k].force;
+        force[0] = (double)g->impulse[k][lane] / h;
+        force[1] = share[k] * (rub[0] - turn * (p.y[k] - middle[1])) / h;
+        force[2] = share[k] * (rub[1] + turn * (p.x[k] - middle[0])) / h;
+    }
+}
+
+void kea_returnManifolds(const MdtKeaSystem *s, const KeaGroup groups[], int count) {
+    for (int i = 0; i < count; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++)
+            if (groups[i].manifold[lane] >= 0)
+                returnPoints(s, &s->manifolds[groups[i].manifold[lane]], &groups[i], lane);
+}

@@ -1,0 +1,3 @@
+/* The fast solver's kernel for AVX2; the bits are those of kea_kernel.c. */
+#define KEA_KERNEL kea_kernelAvx2
+#include "fast/kea_kernel_i.h"

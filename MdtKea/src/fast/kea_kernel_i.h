@@ -1,0 +1,440 @@
+/* Inside Kea: what the fast solver does with eight manifolds at a time (kea_fast_i.h). Included by one source for each
+ * width of registers, which gives KEA_KERNEL, the name of its table. */
+#include "fast/kea_lanes_i.h"
+#include "common/kea_policy_i.h"
+
+/* The bodies of a group, while it is visited. */
+typedef struct Pair {
+    KeaLanes3 lin[2], ang[2];
+} Pair;
+
+KEA_INLINE Pair gather(const KeaGroup *g, const KeaMotion motion[]) {
+    Pair p;
+    for (int k = 0; k < 2; k++) {
+        const float *lin[KEA_LANES], *ang[KEA_LANES];
+        for (int i = 0; i < KEA_LANES; i++) {
+            lin[i] = motion[g->body[k][i]].lin;
+            ang[i] = motion[g->body[k][i]].ang;
+        }
+        p.lin[k] = lanesGather(lin);
+        p.ang[k] = lanesGather(ang);
+    }
+    return p;
+}
+
+KEA_INLINE void scatter(const KeaGroup *g, const Pair *p, KeaMotion motion[]) {
+    for (int k = 0; k < 2; k++) {
+        float *lin[KEA_LANES], *ang[KEA_LANES];
+        for (int i = 0; i < KEA_LANES; i++) {
+            lin[i] = motion[g->body[k][i]].lin;
+            ang[i] = motion[g->body[k][i]].ang;
+        }
+        lanesScatter(lin, p->lin[k]);
+        lanesScatter(ang, p->ang[k]);
+    }
+}
+
+/* Of the first body against the second, at the centre. */
+KEA_INLINE KeaLanes3 rateAtCentre(const KeaGroup *g, const Pair *p) {
+    return lanesDifference(lanesSum(p->lin[0], lanesCross(p->ang[0], g->arm[0])),
+                           lanesSum(p->lin[1], lanesCross(p->ang[1], g->arm[1])));
+}
+
+/* An impulse at the centre and a couple. */
+KEA_INLINE void push(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaLanes3 couple) {
+    p->lin[0] = lanesSum(p->lin[0], lanesScale(g->invMass[0], impulse));
+    p->lin[1] = lanesDifference(p->lin[1], lanesScale(g->invMass[1], impulse));
+    p->ang[0] = lanesSum(p->ang[0], lanesApply(g->invInertia[0], lanesSum(lanesCross(g->arm[0], impulse), couple)));
+    p->ang[1] =
+        lanesDifference(p->ang[1], lanesApply(g->invInertia[1], lanesSum(lanesCross(g->arm[1], impulse), couple)));
+}
+
+/* Normal impulses as an impulse at the centre and a couple. */
+KEA_INLINE void pushPoints(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes change[KEA_POINTS]) {
+    KeaLanes sum = lanesOf(0), sumX = lanesOf(0), sumY = lanesOf(0);
+    for (int k = 0; k < KEA_POINTS; k++) {
+        sum += change[k];
+        sumX += change[k] * g->x[k];
+        sumY += change[k] * g->y[k];
+    }
+    push(g, p, lanesScale(sum, g->normal), lanesDifference(lanesScale(sumY, g->along), lanesScale(sumX, across)));
+}
+
+KEA_INLINE void normalRates(const KeaGroup *g, const Pair *p, KeaLanes3 across, KeaLanes u[3]) {
+    const KeaLanes3 turn = lanesDifference(p->ang[0], p->ang[1]);
+    u[0] = lanesDot(g->normal, rateAtCentre(g, p));
+    u[1] = -lanesDot(across, turn);
+    u[2] = lanesDot(g->along, turn);
+}
+
+/* The entry of the upper triangle of a symmetric matrix, 4 by 4. */
+KEA_INLINE int entryOf(int i, int j) {
+    return i <= j ? 4 * i - i * (i - 1) / 2 + j - i : 4 * j - j * (j - 1) / 2 + i - j;
+}
+
+/* Complementarity of the normal impulses: rate + compliance impulse >= 0, impulse >= least, and one of them equal.
+ * First as if all points acted; where that pulls at one, by projected Gauss-Seidel sweeps over the points, forwards and
+ * backwards. `impulse` is where they start, `rate` what they aim at there. */
+KEA_INLINE void solvePoints(const KeaGroup *g, const KeaLanes rate[KEA_POINTS], KeaLanes compliance, KeaLanes least,
+                            KeaLanes impulse[KEA_POINTS]) {
+    KeaLanes all[KEA_POINTS], swept[KEA_POINTS], du[3] = {lanesOf(0), lanesOf(0), lanesOf(0)};
+    KeaMask isAnswer = g->isDirect;
+    for (int k = 0; k < KEA_POINTS; k++) {
+        all[k] = impulse[k];
+        for (int j = 0; j < KEA_POINTS; j++)
+            all[k] -= g->direct[entryOf(k, j)] * rate[j];
+        isAnswer &= all[k] >= least;
+    }
+    if (lanesAreAll(isAnswer)) {
+        for (int k = 0; k < KEA_POINTS; k++)
+            impulse[k] = all[k];
+        return;
+    }
+    for (int k = 0; k < KEA_POINTS; k++)
+        swept[k] = impulse[k];
+    for (int sweep = 0; sweep < KEA_POINT_SWEEPS; sweep++)
+        for (int turn = 0; turn < KEA_POINTS; turn++) {
+            const int k = sweep % 2 == 0 ? turn : KEA_POINTS - 1 - turn;
+            const KeaLanes x = g->x[k], y = g->y[k], *K = g->mobility;
+            const KeaLanes now = rate[k] + du[0] + x * du[1] + y * du[2] + compliance * (swept[k] - impulse[k]);
+            const KeaLanes next = lanesMax(swept[k] - g->response[k] * now, least), change = next - swept[k];
+            swept[k] = next;
+            du[0] += change * (K[0] + x * K[1] + y * K[2]);
+            du[1] += change * (K[1] + x * K[3] + y * K[4]);
+            du[2] += change * (K[2] + x * K[4] + y * K[5]);
+        }
+    for (int k = 0; k < KEA_POINTS; k++)
+        impulse[k] = lanesSelect(isAnswer, all[k], swept[k]);
+}
+
+/* ---- friction ---- */
+
+/* N s of friction along t1 and t2, at most, and N m s about n. */
+typedef struct Limits {
+    KeaLanes rub[2], twist;
+} Limits;
+
+KEA_INLINE Limits limitsOf(const KeaGroup *g, const KeaLanes impulse[KEA_POINTS]) {
+    KeaLanes load = lanesOf(0), moment = lanesOf(0);
+    Limits limits;
+    for (int k = 0; k < KEA_POINTS; k++) {
+        const KeaLanes pressing = lanesMax(impulse[k], lanesOf(0));
+        load += pressing;
+        moment += pressing * g->lever[k];
+    }
+    for (int i = 0; i < 2; i++)
+        limits.rub[i] = g->bound[i] + g->coefficient[i] * load;
+    limits.twist = g->boundTwist + g->coefficient[0] * moment;
+    return limits;
+}
+
+KEA_INLINE void withinLimits(const KeaGroup *g, const Limits *limits, KeaLanes rub[2]) {
+    const KeaLanes size = lanesRoot(rub[0] * rub[0] + rub[1] * rub[1]);
+    const KeaLanes share = lanesSelect(size > limits->rub[0], limits->rub[0] / size, lanesOf(1));
+    for (int i = 0; i < 2; i++)
+        rub[i] = lanesSelect(g->isCone, share * rub[i], lanesClamp(rub[i], limits->rub[i]));
+}
+
+/* Where friction goes, from `rub`: the rates along t1 and t2 vanish, or it is at its limits. */
+KEA_INLINE void solveRub(const KeaGroup *g, const KeaLanes rate[2], const Limits *limits, KeaLanes rub[2]) {
+    rub[0] -= g->grip[0] * rate[0] + g->grip[1] * rate[1];
+    rub[1] -= g->grip[1] * rate[0] + g->grip[2] * rate[1];
+    withinLimits(g, limits, rub);
+}
+
+KEA_INLINE void rubRates(const KeaGroup *g, const Pair *p, KeaLanes3 across, const KeaLanes rub[2], KeaLanes rate[2]) {
+    const KeaLanes3 slide = rateAtCentre(g, p);
+    rate[0] = lanesDot(g->along, slide) - g->slide[0] + g->slip[0] * rub[0];
+    rate[1] = lanesDot(across, slide) - g->slide[1] + g->slip[1] * rub[1];
+}
+
+/* ---- a visit ---- */
+
+KEA_INLINE void visitNormals(KeaGroup *g, Pair *p, KeaLanes3 across, KeaLanes beta, KeaLanes *uphill) {
+    KeaLanes u[3], rate[KEA_POINTS], guess[KEA_POINTS], next[KEA_POINTS], change[KEA_POINTS];
+    normalRates(g, p, across, u);
+    for (int k = 0; k < KEA_POINTS; k++) {
+        guess[k] = next[k] = g->impulse[k] + beta * (g->impulse[k] - g->before[k]);
+        rate[k] = u[0] + g->x[k] * u[1] + g->y[k] * u[2] - g->target[k] + g->compliance * guess[k];
+    }
+    solvePoints(g, rate, g->compliance, g->least, next);
+    for (int k = 0; k < KEA_POINTS; k++) {
+        next[k] = lanesSelect(g->isPoint[k], next[k], lanesOf(0));
+        change[k] = next[k] - guess[k];
+        *uphill -= change[k] * (next[k] - g->impulse[k]);
+        g->before[k] = g->impulse[k];
+        g->impulse[k] = next[k];
+    }
+    pushPoints(g, p, across, change);
+}
+
+KEA_INLINE void visitTwist(KeaGroup *g, Pair *p, const Limits *limits, KeaLanes beta) {
+    const KeaLanes guess = g->twist + beta * (g->twist - g->twistBefore);
+    const KeaLanes rate = lanesDot(g->normal, lanesDifference(p->ang[0], p->ang[1]));
+    const KeaLanes next = lanesClamp(guess - g->twistMass * rate, limits->twist);
+    const KeaLanes3 couple = lanesScale(next - guess, g->normal);
+    g->twistBefore = g->twist;
+    g->twist = next;
+    p->ang[0] = lanesSum(p->ang[0], lanesApply(g->invInertia[0], couple));
+    p->ang[1] = lanesDifference(p->ang[1], lanesApply(g->invInertia[1], couple));
+}
+
+KEA_INLINE void visitRub(KeaGroup *g, Pair *p, KeaLanes3 across, const Limits *limits, KeaLanes beta,
+                         KeaLanes *uphill) {
+    KeaLanes guess[2], next[2], rate[2];
+    for (int i = 0; i < 2; i++)
+        guess[i] = next[i] = g->rub[i] + beta * (g->rub[i] - g->rubBefore[i]);
+    rubRates(g, p, across, guess, rate);
+    solveRub(g, rate, limits, next);
+    const KeaLanes3 none = {lanesOf(0), lanesOf(0), lanesOf(0)};
+    push(g, p, lanesSum(lanesScale(next[0] - guess[0], g->along), lanesScale(next[1] - guess[1], across)), none);
+    for (int i = 0; i < 2; i++) {
+        *uphill -= (next[i] - guess[i]) * (next[i] - g->rub[i]);
+        g->rubBefore[i] = g->rub[i];
+        g->rub[i] = next[i];
+    }
+}
+
+static void pass(KeaGroup groups[], int count, KeaMotion motion[], float beta, float uphill[KEA_LANES]) {
+    KeaLanes sum;
+    memcpy(&sum, uphill, sizeof sum);
+    for (int i = 0; i < count; i++) {
+        KeaGroup *g = &groups[i];
+        const KeaLanes3 across = lanesCross(g->normal, g->along);
+        Pair p = gather(g, motion);
+        visitNormals(g, &p, across, lanesOf(beta), &sum);
+        const Limits limits = limitsOf(g, g->impulse);
+        visitTwist(g, &p, &limits, lanesOf(beta));
+        visitRub(g, &p, across, &limits, lanesOf(beta), &sum);
+        scatter(g, &p, motion);
+    }
+    memcpy(uphill, &sum, sizeof sum);
+}
+
+/* ---- before passes ---- */
+
+/* A_kj: how an impulse at one point changes the rate of another. */
+KEA_INLINE KeaLanes coupling(const KeaGroup *g, int k, int j) {
+    const KeaLanes *K = g->mobility;
+    return K[0] + (g->x[k] + g->x[j]) * K[1] + (g->y[k] + g->y[j]) * K[2] + g->x[k] * g->x[j] * K[3] +
+           (g->x[k] * g->y[j] + g->x[j] * g->y[k]) * K[4] + g->y[k] * g->y[j] * K[5];
+}
+
+KEA_INLINE void setMobility(KeaGroup *g, KeaLanes3 across) {
+    KeaLanes *K = g->mobility;
+    for (int i = 0; i < 6; i++)
+        K[i] = lanesOf(0);
+    for (int b = 0; b < 2; b++) {
+        const KeaLanes3 lever = lanesCross(g->arm[b], g->normal);
+        const KeaLanes3 turned = lanesApply(g->invInertia[b], lever), atAcross = lanesApply(g->invInertia[b], across),
+                        atAlong = lanesApply(g->invInertia[b], g->along);
+        K[0] += g->invMass[b] + lanesDot(lever, turned);
+        K[1] -= lanesDot(lever, atAcross);
+        K[2] += lanesDot(lever, atAlong);
+        K[3] += lanesDot(across, atAcross);
+        K[4] -= lanesDot(across, atAlong);
+        K[5] += lanesDot(g->along, atAlong);
+    }
+}
+
+/* Of four points, the combination of impulses that does nothing: of the areas of the triangles that leave one out. Of
+ * fewer points there is none. Of unit length, or 0. */
+KEA_INLINE KeaLanes triangle(const KeaGroup *g, int a, int b, int c) {
+    return (g->x[b] - g->x[a]) * (g->y[c] - g->y[a]) - (g->x[c] - g->x[a]) * (g->y[b] - g->y[a]);
+}
+KEA_INLINE void setNull(const KeaGroup *g, KeaLanes null[KEA_POINTS]) {
+    const KeaMask isFull = g->isPoint[3] & ~(g->compliance > lanesOf(0));
+    null[0] = triangle(g, 1, 2, 3);
+    null[1] = -triangle(g, 0, 2, 3);
+    null[2] = triangle(g, 0, 1, 3);
+    null[3] = -triangle(g, 0, 1, 2);
+    const KeaLanes size = lanesRoot(null[0] * null[0] + null[1] * null[1] + null[2] * null[2] + null[3] * null[3]);
+    const KeaMask isThere = isFull & (size > lanesOf(0));
+    for (int k = 0; k < KEA_POINTS; k++)
+        null[k] = lanesSelect(isThere, null[k] / size, lanesOf(0));
+}
+
+/* The inverse of a symmetric matrix by blocks of two; false lanes: it is too near to singular for floats. */
+typedef struct Block {
+    KeaLanes a, b, d; /* a b, b d */
+} Block;
+
+KEA_INLINE Block inverseOf(Block m, KeaMask *isSound) {
+    const KeaLanes det = m.a * m.d - m.b * m.b;
+    *isSound &= det > lanesOf(kea_soundDeterminant) * m.a * m.d;
+    const KeaLanes scale = lanesSelect(*isSound, lanesOf(1) / det, lanesOf(0));
+    return (Block){scale * m.d, -scale * m.b, scale * m.a};
+}
+
+KEA_INLINE void invertDirect(KeaLanes M[10], KeaMask *isSound) {
+    const Block P = inverseOf((Block){M[0], M[1], M[4]}, isSound);
+    const KeaLanes q[4] = {M[2], M[3], M[5], M[6]};
+    const KeaLanes w[4] = {P.a * q[0] + P.b * q[2], P.a * q[1] + P.b * q[3], P.b * q[0] + P.d * q[2],
+                           P.b * q[1] + P.d * q[3]};
+    const Block rest = {M[7] - (q[0] * w[0] + q[2] * w[2]), M[8] - (q[0] * w[1] + q[2] * w[3]),
+                        M[9] - (q[1] * w[1] + q[3] * w[3])};
+    *isSound &= (rest.a > lanesOf(kea_soundDeterminant) * M[7]) & (rest.d > lanesOf(kea_soundDeterminant) * M[9]);
+    const Block S = inverseOf(rest, isSound);
+    const KeaLanes v[4] = {w[0] * S.a + w[1] * S.b, w[0] * S.b + w[1] * S.d, w[2] * S.a + w[3] * S.b,
+                           w[2] * S.b + w[3] * S.d};
+    M[0] = P.a + v[0] * w[0] + v[1] * w[1];
+    M[1] = P.b + v[0] * w[2] + v[1] * w[3];
+    M[4] = P.d + v[2] * w[2] + v[3] * w[3];
+    M[2] = -v[0], M[3] = -v[1], M[5] = -v[2], M[6] = -v[3];
+    M[7] = S.a, M[8] = S.b, M[9] = S.d;
+}
+
+/* A + E, and where points are missing a diagonal that does no harm. Of four rigid points A has rank 3: its
+ * pseudo-inverse is (A + s q qᵀ)⁻¹ - q qᵀ / s, with the null vector q and any s. Four targets may then contradict each
+ * other, which the answer would ignore: where they do by more than the sag it is not taken. */
+KEA_INLINE void setDirect(KeaGroup *g, float stepsize) {
+    const KeaLanes scale = coupling(g, 0, 0);
+    KeaLanes null[KEA_POINTS], misfit = lanesOf(0), sag = lanesOf(0);
+    setNull(g, null);
+    for (int k = 0; k < KEA_POINTS; k++)
+        for (int j = k; j < KEA_POINTS; j++) {
+            const KeaLanes own = k == j ? g->compliance : lanesOf(0);
+            const KeaLanes both = coupling(g, k, j) + own + scale * null[k] * null[j];
+            g->direct[entryOf(k, j)] = lanesSelect(g->isPoint[k] & g->isPoint[j], both, k == j ? scale : lanesOf(0));
+        }
+    g->isDirect = (KeaMask){-1, -1, -1, -1, -1, -1, -1, -1};
+    invertDirect(g->direct, &g->isDirect);
+    for (int k = 0; k < KEA_POINTS; k++) {
+        misfit += null[k] * g->target[k];
+        sag = lanesMax(sag, g->sag[k]);
+        for (int j = k; j < KEA_POINTS; j++)
+            g->direct[entryOf(k, j)] = lanesSelect(g->isPoint[k] & g->isPoint[j],
+                                                   g->direct[entryOf(k, j)] - null[k] * null[j] / scale, lanesOf(0));
+    }
+    g->isDirect &= lanesAbs(misfit) * lanesOf(stepsize) <= sag;
+}
+
+KEA_INLINE void setGrip(KeaGroup *g, KeaLanes3 across) {
+    KeaLanes T[3] = {g->slip[0], lanesOf(0), g->slip[1]}, twist = lanesOf(0);
+    for (int b = 0; b < 2; b++) {
+        const KeaLanes3 first = lanesCross(g->arm[b], g->along), second = lanesCross(g->arm[b], across);
+        const KeaLanes3 turned = lanesApply(g->invInertia[b], second);
+        T[0] += g->invMass[b] + lanesDot(first, lanesApply(g->invInertia[b], first));
+        T[1] += lanesDot(first, turned);
+        T[2] += g->invMass[b] + lanesDot(second, turned);
+        twist += lanesDot(g->normal, lanesApply(g->invInertia[b], g->normal));
+    }
+    T[1] = lanesSelect(g->isOneWay, lanesOf(0), T[1]);
+    const KeaLanes det = T[0] * T[2] - T[1] * T[1];
+    g->grip[0] = lanesSelect(det > lanesOf(0), T[2] / det, lanesOf(0));
+    g->grip[1] = lanesSelect(det > lanesOf(0), -T[1] / det, lanesOf(0));
+    g->grip[2] = lanesSelect((det > lanesOf(0)) & ~g->isOneWay, T[0] / det, lanesOf(0));
+    g->twistMass = lanesSelect(twist > lanesOf(0), lanesOf(1) / twist, lanesOf(0));
+}
+
+static void prepare(KeaGroup groups[], int count, float stepsize) {
+    for (int i = 0; i < count; i++) {
+        KeaGroup *g = &groups[i];
+        const KeaLanes3 across = lanesCross(g->normal, g->along);
+        setMobility(g, across);
+        for (int k = 0; k < KEA_POINTS; k++) {
+            const KeaLanes own = coupling(g, k, k) + g->compliance;
+            g->response[k] = lanesSelect(g->isPoint[k] & (own > lanesOf(0)), lanesOf(1) / own, lanesOf(0));
+            g->before[k] = g->impulse[k];
+        }
+        setDirect(g, stepsize);
+        setGrip(g, across);
+        g->rubBefore[0] = g->rub[0];
+        g->rubBefore[1] = g->rub[1];
+        g->twistBefore = g->twist;
+    }
+}
+
+static void apply(const KeaGroup groups[], int count, KeaMotion motion[]) {
+    for (int i = 0; i < count; i++) {
+        const KeaGroup *g = &groups[i];
+        const KeaLanes3 across = lanesCross(g->normal, g->along);
+        Pair p = gather(g, motion);
+        pushPoints(g, &p, across, g->impulse);
+        push(g, &p, lanesSum(lanesScale(g->rub[0], g->along), lanesScale(g->rub[1], across)),
+             lanesScale(g->twist, g->normal));
+        scatter(g, &p, motion);
+    }
+}
+
+static void extrapolate(KeaMotion motion[], KeaMotion before[], int count, float beta) {
+    for (int i = 0; i < count; i++) {
+        KeaLanes now, was;
+        memcpy(&now, &motion[i], sizeof now);
+        memcpy(&was, &before[i], sizeof was);
+        const KeaLanes next = now + lanesOf(beta) * (now - was);
+        memcpy(&before[i], &now, sizeof now);
+        memcpy(&motion[i], &next, sizeof next);
+    }
+}
+
+/* ---- positions ---- */
+
+static void advance(KeaGroup groups[], int count, const KeaMotion motion[], float stepsize) {
+    for (int i = 0; i < count; i++) {
+        KeaGroup *g = &groups[i];
+        const Pair p = gather(g, motion);
+        KeaLanes u[3];
+        normalRates(g, &p, lanesCross(g->normal, g->along), u);
+        for (int k = 0; k < KEA_POINTS; k++)
+            g->gap[k] += lanesOf(stepsize) * (u[0] + g->x[k] * u[1] + g->y[k] * u[2]);
+    }
+}
+
+/* What is beyond the sag shrinks by the share; a gap may close, but not open into an overlap. */
+static void pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) {
+    for (int i = 0; i < count; i++) {
+        const KeaGroup *g = &groups[i];
+        const KeaLanes3 across = lanesCross(g->normal, g->along);
+        Pair p = gather(g, motion);
+        KeaLanes u[3], rate[KEA_POINTS], way[KEA_POINTS];
+        normalRates(g, &p, across, u);
+        for (int k = 0; k < KEA_POINTS; k++) {
+            const KeaLanes gap = g->gap[k] + u[0] + g->x[k] * u[1] + g->y[k] * u[2];
+            const KeaLanes overlap = lanesMin(gap + g->sag[k], lanesOf(0));
+            rate[k] = lanesSelect(gap > lanesOf(0), gap, g->correction * overlap);
+            way[k] = lanesOf(0);
+        }
+        solvePoints(g, rate, lanesOf(0), lanesOf(0), way);
+        for (int k = 0; k < KEA_POINTS; k++)
+            way[k] = lanesSelect(g->isPoint[k] & (g->correction > lanesOf(0)), way[k], lanesOf(0));
+        pushPoints(g, &p, across, way);
+        scatter(g, &p, motion);
+    }
+}
+
+/* ---- how far from the laws ---- */
+
+static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], float most[KEA_LANES]) {
+    KeaLanes worst;
+    memcpy(&worst, most, sizeof worst);
+    for (int i = 0; i < count; i++) {
+        const KeaGroup *g = &groups[i];
+        const KeaLanes3 across = lanesCross(g->normal, g->along);
+        const Pair p = gather(g, motion);
+        const Limits limits = limitsOf(g, g->impulse);
+        KeaLanes u[3], rate[2], rub[2] = {g->rub[0], g->rub[1]};
+        normalRates(g, &p, across, u);
+        for (int k = 0; k < KEA_POINTS; k++) {
+            const KeaLanes off = u[0] + g->x[k] * u[1] + g->y[k] * u[2] - g->target[k] + g->compliance * g->impulse[k];
+            const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * off, g->least);
+            const KeaLanes miss = lanesAbs(next - g->impulse[k]) / g->response[k];
+            worst = lanesSelect(g->isPoint[k] & (miss > worst), miss, worst);
+        }
+        rubRates(g, &p, across, rub, rate);
+        solveRub(g, rate, &limits, rub);
+        for (int k = 0; k < 2; k++) {
+            const KeaLanes miss = lanesAbs(rub[k] - g->rub[k]) / g->grip[2 * k];
+            worst = lanesSelect(g->isPoint[0] & (g->grip[2 * k] > lanesOf(0)) & (miss > worst), miss, worst);
+        }
+    }
+    memcpy(most, &worst, sizeof worst);
+}
+
+const KeaKernel KEA_KERNEL = {.prepare = prepare,
+                              .apply = apply,
+                              .extrapolate = extrapolate,
+                              .pass = pass,
+                              .advance = advance,
+                              .push = pushApart,
+                              .measure = measure};

@@ -1,0 +1,207 @@
+/* The fast solver's kernels: the same bits whatever the width of registers, and eight manifolds solved as the laws of
+ * contact say, which is computed here in double, one number at a time. */
+#include "fast/kea_fast_i.h"
+#include "karma_test.h"
+
+enum { GROUPS = 40, BODIES = 1 + GROUPS * KEA_LANES * 2, PASSES = 12 };
+
+static KeaGroup groups[GROUPS] __attribute__((aligned(64)));
+static KeaMotion motion[BODIES], before[BODIES], way[BODIES];
+static unsigned int seed;
+
+static float chance(double low, double high) {
+    seed = seed * 1664525u + 1013904223u;
+    return (float)(low + (high - low) * (double)(seed >> 8) / (1 << 24));
+}
+
+static void setFrame(KeaGroup *g, int lane) {
+    double n[3], t[3], s = 0, along = 0;
+    for (int i = 0; i < 3; i++) {
+        n[i] = (double)chance(-1, 1), t[i] = (double)chance(-1, 1);
+        s += n[i] * n[i];
+    }
+    for (int i = 0; i < 3; i++)
+        n[i] /= sqrt(s), along += n[i] * t[i];
+    s = 0;
+    for (int i = 0; i < 3; i++)
+        t[i] -= along * n[i], s += t[i] * t[i];
+    g->normal.x[lane] = (float)n[0], g->normal.y[lane] = (float)n[1], g->normal.z[lane] = (float)n[2];
+    g->along.x[lane] = (float)(t[0] / sqrt(s)), g->along.y[lane] = (float)(t[1] / sqrt(s)),
+    g->along.z[lane] = (float)(t[2] / sqrt(s));
+}
+
+static void setBodies(KeaGroup *g, int group, int lane) {
+    for (int k = 0; k < 2; k++) {
+        const MeBool isWorld = k == 1 && chance(0, 1) < 0.3f;
+        const float mass = chance(.5, 2), moments[3] = {chance(.1, .3), chance(.1, .3), chance(.1, .3)};
+        g->body[k][lane] = isWorld ? 0 : 1 + 2 * (group * KEA_LANES + lane) + k;
+        g->invMass[k][lane] = isWorld ? 0 : 1 / mass;
+        for (int i = 0; i < 6; i++) {
+            const int diagonal = i == 0 ? 0 : i == 3 ? 1 : i == 5 ? 2 : -1;
+            g->invInertia[k][i][lane] = isWorld ? 0 : diagonal >= 0 ? 1 / moments[diagonal] : chance(-.2, .2);
+        }
+        g->arm[k].x[lane] = chance(-.5, .5), g->arm[k].y[lane] = chance(-.5, .5), g->arm[k].z[lane] = chance(-.5, .5);
+    }
+}
+
+/* A quadrilateral, a triangle, two points or one. */
+static void setPoints(KeaGroup *g, int lane, int points) {
+    static const float x[] = {-.5f, .5f, .5f, -.5f}, y[] = {-.5f, -.5f, .5f, .5f};
+    for (int k = 0; k < points; k++) {
+        g->isPoint[k][lane] = -1;
+        g->x[k][lane] = points == 1 ? 0 : x[k] * chance(.5, 1);
+        g->y[k][lane] = points == 1 ? 0 : y[k] * chance(.5, 1);
+        g->gap[k][lane] = chance(-.01, .002);
+        g->sag[k][lane] = 1e-5f;
+        g->impulse[k][lane] = chance(0, .1);
+        g->lever[k][lane] = chance(.1, .7);
+    }
+}
+
+static void setSurface(KeaGroup *g, int lane) {
+    g->coefficient[0][lane] = chance(.2, .8), g->coefficient[1][lane] = chance(.2, .8);
+    g->isCone[lane] = chance(0, 1) < 0.5f ? -1 : 0;
+    g->isOneWay[lane] = chance(0, 1) < 0.2f ? -1 : 0;
+    g->slip[0][lane] = chance(0, 1) < 0.2f ? .5f : 0;
+    g->slide[1][lane] = chance(0, 1) < 0.2f ? .1f : 0;
+    g->compliance[lane] = chance(0, 1) < 0.2f ? .1f : 0;
+    g->correction[lane] = .05f;
+}
+
+static void makeGroups(unsigned int from) {
+    seed = from;
+    memset(groups, 0, sizeof groups);
+    memset(motion, 0, sizeof motion);
+    for (int i = 1; i < BODIES; i++)
+        for (int k = 0; k < 3; k++)
+            motion[i].lin[k] = chance(-1, 1), motion[i].ang[k] = chance(-2, 2);
+    for (int i = 0; i < GROUPS; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++) {
+            const int points = (int)chance(0, 4.999);
+            groups[i].manifold[lane] = points ? 0 : -1;
+            if (!points)
+                continue;
+            setFrame(&groups[i], lane);
+            setBodies(&groups[i], i, lane);
+            setPoints(&groups[i], lane, points);
+            setSurface(&groups[i], lane);
+        }
+    memcpy(before, motion, sizeof motion);
+    memset(way, 0, sizeof way);
+}
+
+/* All that a step does; what comes out is in groups, motion, way and `measured`. */
+static void run(const KeaKernel *kernel, float measured[KEA_LANES]) {
+    float uphill[KEA_LANES] = {0};
+    kernel->prepare(groups, GROUPS, 1.f / 60);
+    kernel->apply(groups, GROUPS, motion);
+    memcpy(before, motion, sizeof motion);
+    for (int i = 0; i < PASSES; i++) {
+        const float beta = (float)i / (float)(i + 3);
+        kernel->extrapolate(motion, before, BODIES, beta);
+        kernel->pass(groups, GROUPS, motion, beta, uphill);
+    }
+    memset(measured, 0, KEA_LANES * sizeof *measured);
+    kernel->measure(groups, GROUPS, motion, measured);
+    kernel->advance(groups, GROUPS, motion, 1.f / 60);
+    for (int i = 0; i < 4; i++)
+        kernel->push(groups, GROUPS, way);
+}
+
+START_TEST(every_width_gives_the_same_bits) {
+#ifdef KEA_HAS_AVX2
+    static KeaGroup narrow[GROUPS];
+    static KeaMotion narrowMotion[BODIES], narrowWay[BODIES];
+    float measured[KEA_LANES], narrowMeasured[KEA_LANES];
+    if (!__builtin_cpu_supports("avx2"))
+        return;
+    makeGroups((unsigned int)_i);
+    run(&kea_kernel, narrowMeasured);
+    memcpy(narrow, groups, sizeof narrow);
+    memcpy(narrowMotion, motion, sizeof motion);
+    memcpy(narrowWay, way, sizeof way);
+    makeGroups((unsigned int)_i);
+    run(&kea_kernelAvx2, measured);
+    ck_assert_int_eq(memcmp(measured, narrowMeasured, sizeof measured), 0);
+    ck_assert_int_eq(memcmp(motion, narrowMotion, sizeof motion), 0);
+    ck_assert_int_eq(memcmp(way, narrowWay, sizeof way), 0);
+    for (int i = 0; i < GROUPS; i++) {
+        ck_assert_int_eq(memcmp(groups[i].impulse, narrow[i].impulse, sizeof narrow[i].impulse), 0);
+        ck_assert_int_eq(memcmp(groups[i].rub, narrow[i].rub, sizeof narrow[i].rub), 0);
+        ck_assert_int_eq(memcmp(&groups[i].twist, &narrow[i].twist, sizeof narrow[i].twist), 0);
+    }
+#endif
+}
+END_TEST
+
+/* ---- the laws, in double ---- */
+
+typedef struct Point {
+    double rate, impulse; /* m/s against its target, N s */
+} Point;
+
+static void crossOf(double r[3], const double a[3], const double b[3]) {
+    for (int i = 0; i < 3; i++)
+        r[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+static void laneOf(const KeaLanes3 *from, int lane, double to[3]) {
+    to[0] = (double)from->x[lane], to[1] = (double)from->y[lane], to[2] = (double)from->z[lane];
+}
+
+/* Each point's own velocity along the normal, from the bodies' motions. */
+static Point pointOf(const KeaGroup *g, int lane, int k) {
+    double n[3], t1[3], t2[3], rate = 0;
+    laneOf(&g->normal, lane, n);
+    laneOf(&g->along, lane, t1);
+    crossOf(t2, n, t1);
+    for (int b = 0; b < 2; b++) {
+        const KeaMotion *m = &motion[g->body[b][lane]];
+        double arm[3], w[3], turn[3];
+        laneOf(&g->arm[b], lane, arm);
+        for (int i = 0; i < 3; i++) {
+            arm[i] += (double)g->x[k][lane] * t1[i] + (double)g->y[k][lane] * t2[i];
+            w[i] = (double)m->ang[i];
+        }
+        crossOf(turn, w, arm);
+        for (int i = 0; i < 3; i++)
+            rate += (b == 0 ? 1 : -1) * n[i] * ((double)m->lin[i] + turn[i]);
+    }
+    const double impulse = (double)g->impulse[k][lane];
+    return (Point){rate - (double)g->target[k][lane] + (double)g->compliance[lane] * impulse, impulse};
+}
+
+/* Friction is off here: manifolds that share no body are solved by one visit, four points whose velocities contradict
+ * each other by several. */
+START_TEST(a_visit_solves_what_shares_no_body) {
+    enum { VISITS = 60 };
+    float uphill[KEA_LANES] = {0};
+    int acting = 0;
+    makeGroups((unsigned int)_i);
+    for (int i = 0; i < GROUPS; i++)
+        memset(groups[i].coefficient, 0, sizeof groups[i].coefficient);
+    kea_kernel.prepare(groups, GROUPS, 1.f / 60);
+    kea_kernel.apply(groups, GROUPS, motion);
+    for (int i = 0; i < VISITS; i++)
+        kea_kernel.pass(groups, GROUPS, motion, 0, uphill);
+    for (int i = 0; i < GROUPS; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++)
+            for (int k = 0; k < KEA_POINTS && groups[i].manifold[lane] >= 0 && groups[i].isPoint[k][lane]; k++) {
+                const Point p = pointOf(&groups[i], lane, k);
+                ck_assert(p.impulse >= 0);
+                ck_assert_msg(p.rate > -1e-4, "group %d lane %d point %d: %g m/s", i, lane, k, p.rate);
+                if (p.impulse > 0) {
+                    acting++;
+                    assert_near(p.rate, 0, 1e-4);
+                }
+            }
+    ck_assert_int_gt(acting, GROUPS);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_loop_test(t, every_width_gives_the_same_bits, 1, 9);
+    tcase_add_loop_test(t, a_visit_solves_what_shares_no_body, 1, 9);
+}
+
+TEST_MAIN("kernel", tests)

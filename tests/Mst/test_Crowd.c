@@ -1,0 +1,336 @@
+/* The fast solver (MdtWorldSetSolver): crowds come to rest, what a contact's parameters say holds as with the exact
+ * solver, momentum and energy are kept, and which partitions it is chosen for. */
+#include "Mst.h"
+#include "MdtReport.h"
+#include "karma_test.h"
+
+#define FRAME ((MeReal)(1. / 60))
+
+enum { MOST = 820 };
+
+static const double gravity = 9.81;
+static MstUniverseID u;
+static McdModelID model[MOST];
+static int count;
+static unsigned int seed;
+static MeMatrix4 floorPlace = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+
+static double chance(double low, double high) {
+    seed = seed * 1664525u + 1013904223u;
+    return low + (high - low) * (double)(seed >> 8) / (1 << 24);
+}
+
+static MdtContactParamsID params(void) {
+    return MstBridgeGetContactParams(u->bridge, 0, 0);
+}
+
+static void makeWorld(MdtSolver solver) {
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    sizes.dynamicBodiesMaxCount = MOST;
+    sizes.collisionModelsMaxCount = MOST + 2;
+    sizes.collisionPairsMaxCount = 20000;
+    sizes.dynamicConstraintsMaxCount = 40000;
+    u = MstUniverseCreate(&sizes);
+    count = 0;
+    seed = 1;
+    MdtWorldSetGravity(u->world, 0, (MeReal)-gravity, 0);
+    MdtWorldSetSolver(u->world, solver);
+    MdtWorldSetAutoDisable(u->world, MEFALSE);
+    MdtWorldSetTimedContacts(u->world, 0);
+    MdtWorldEnableReport(u->world);
+    MdtContactParamsSetSurface(params(), (MeReal).5, 0);
+}
+
+static void makeFloor(void) {
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorPlace);
+}
+
+static McdModelID put(McdGeometryID g, double x, double y, double z) {
+    const McdModelID m = MstModelAndBodyCreate(u, g, 1);
+    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtBodyEnable(McdModelGetBody(m));
+    model[count++] = m;
+    return m;
+}
+
+static void makePyramid(int rows) {
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int row = 0; row < rows; row++)
+        for (int i = 0; i < rows - row; i++)
+            put(cube, 1.05 * i + .525 * row, .5 + row, 0);
+}
+
+/* Boxes turned any way that fall onto each other. */
+static void makeHeap(int boxes) {
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int i = 0; i < boxes; i++) {
+        MeReal q[4];
+        put(cube, chance(-2, 2), 1.5 + 1.2 * (i / 4), chance(-2, 2));
+        for (int k = 0; k < 4; k++)
+            q[k] = (MeReal)chance(-.5, .5);
+        McdModelDynamicsSetQuaternion(model[i], q[0], q[1], q[2], q[3]);
+    }
+}
+
+static MdtReport step(int steps) {
+    MdtReport r;
+    for (int i = 0; i < steps; i++)
+        MstUniverseStep(u, FRAME);
+    ck_assert(MdtWorldGetReport(u->world, &r));
+    return r;
+}
+
+static double place(int i, int axis) {
+    MeVector3 p;
+    MdtBodyGetCenterOfMassPosition(McdModelGetBody(model[i]), p);
+    return (double)p[axis];
+}
+
+static double speed(int i, int axis) {
+    MeVector3 v;
+    MdtBodyGetLinearVelocity(McdModelGetBody(model[i]), v);
+    return (double)v[axis];
+}
+
+static double deepest(void) {
+    double most = 0;
+    for (int i = 0; i < count; i++) {
+        const MdtBodyID b = McdModelGetBody(model[i]);
+        for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c))
+            most = fmax(most, (double)MdtContactGetPenetration(c));
+    }
+    return most;
+}
+
+/* ---- crowds ---- */
+
+/* 4e-5 m, in which overlaps rest, is 1e-4 of the radius of gyration: with half of it this never comes to rest, with
+ * twice as much it sinks too far. */
+START_TEST(a_pyramid_of_forty_rows_comes_to_rest) {
+    makeWorld(MdtSolverAuto);
+    makeFloor();
+    makePyramid(40);
+    const MdtReport first = step(1);
+    ck_assert_int_eq(first.way, MdtReportWayFast);
+    ck_assert_int_eq(first.factorizations + first.fallbacks, 0);
+    const MdtReport last = step(399);
+    ck_assert_int_eq(last.way, MdtReportWayRest);
+    assert_near(place(count - 1, 1), 39.5, 1.5e-3);
+    assert_below(fabs(place(count - 1, 0) - .525 * 39), 1e-3);
+    assert_below(deepest(), 6e-5);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+START_TEST(a_heap_settles_and_sleeps) {
+    double energy = 0;
+    makeWorld(MdtSolverAuto);
+    MdtWorldSetAutoDisable(u->world, METRUE);
+    makeFloor();
+    makeHeap(200);
+    for (int i = 0; i < count; i++)
+        energy += gravity * place(i, 1);
+    for (int i = 0; i < 480; i++) {
+        const MdtReport r = step(1);
+        double now = (double)r.kineticEnergy;
+        for (int k = 0; k < count; k++)
+            now += gravity * place(k, 1);
+        ck_assert_msg(now < energy + 1e-4 * gravity * count, "step %d: %g J of %g J", i, now, energy);
+        energy = fmin(energy, now);
+    }
+    step(120);
+    ck_assert_int_eq(MdtWorldGetReportCount(u->world), 0);
+    assert_below(deepest(), 1e-3);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* Balls that collide in space: sums in double over impulses that are the same for both bodies. */
+START_TEST(momentum_is_kept) {
+    enum { SIDE = 4 };
+    double before[6] = {0}, after[6] = {0};
+    makeWorld(MdtSolverFast);
+    MdtWorldSetGravity(u->world, 0, 0, 0);
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int i = 0; i < SIDE * SIDE * SIDE; i++) {
+        const McdModelID m = put(cube, 1.2 * (i % SIDE), 1.2 * (i / SIDE % SIDE), 1.2 * (i / SIDE / SIDE));
+        MdtBodySetLinearVelocity(McdModelGetBody(m), (MeReal)(1 - place(i, 0)), (MeReal)(2 - place(i, 1)),
+                                 (MeReal)chance(-1, 1));
+        MdtBodySetAngularVelocity(McdModelGetBody(m), (MeReal)chance(-1, 1), 0, (MeReal)chance(-1, 1));
+    }
+    for (int t = 0; t < 2; t++) {
+        double *sum = t == 0 ? before : after;
+        for (int i = 0; i < count; i++) {
+            MeVector3 w;
+            MdtBodyGetAngularVelocity(McdModelGetBody(model[i]), w);
+            for (int k = 0; k < 3; k++) {
+                const int a = (k + 1) % 3, b = (k + 2) % 3;
+                sum[k] += speed(i, k);
+                sum[3 + k] += place(i, a) * speed(i, b) - place(i, b) * speed(i, a) + (double)w[k] / 6;
+            }
+        }
+        if (t == 0)
+            ck_assert_int_gt(step(60).rows, 0);
+    }
+    for (int k = 0; k < 3; k++) {
+        assert_near(after[k], before[k], TOL(2e-5, 1e-12));
+        assert_near(after[3 + k], before[3 + k], TOL(2e-3, 2e-3)); /* overlaps are left without velocity */
+    }
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* ---- what contacts' parameters say ---- */
+
+static void cone(void) {}
+static void normalForce(void) {
+    MdtContactParamsSetType(params(), MdtContactTypeFriction2D);
+    MdtContactParamsSetFrictionModel(params(), MdtFrictionModelNormalForce);
+}
+static void oneWay(void) {
+    MdtContactParamsSetType(params(), MdtContactTypeFriction1D);
+    MdtContactParamsSetFrictionModel(params(), MdtFrictionModelNormalForce);
+}
+static void boxBound(void) {
+    MdtContactParamsSetType(params(), MdtContactTypeFriction2D);
+    MdtContactParamsSetFrictionModel(params(), MdtFrictionModelBox);
+    MdtContactParamsSetFriction(params(), (MeReal).6);
+}
+static void slip(void) {
+    MdtContactParamsSetSlip(params(), (MeReal).05);
+}
+static void slide(void) {
+    MdtContactParamsSetPrimarySlide(params(), (MeReal).5);
+}
+static void soft(void) {
+    MdtContactParamsSetSoftness(params(), (MeReal)1);
+}
+static void heavyEpsilon(void) {
+    MdtWorldSetEpsilon(u->world, (MeReal)1e-3);
+}
+static void sticky(void) {
+    MdtContactParamsSetMaxAdhesiveForce(params(), 5);
+}
+static void bouncing(void) {
+    MdtContactParamsSetRestitution(params(), (MeReal).5);
+    MdtContactParamsSetRestitutionThreshold(params(), (MeReal).2);
+}
+static void subSteps(void) {
+    MdtWorldSetSubSteps(u->world, 4);
+}
+
+typedef struct Case {
+    void (*set)(void);
+    double velocity[3], height; /* m/s, m above rest */
+    double tolerance;           /* m, and m/s */
+} Case;
+
+static const Case cases[] = {
+    {cone, {2, 0, 1}, 0, 1e-3},      {normalForce, {2, 0, 1}, 0, 2e-3},  {oneWay, {1, 0, 1}, 0, 2e-3},
+    {boxBound, {1, 0, .5}, 0, 1e-3}, {slip, {1, 0, 0}, 0, 2e-3},         {slide, {0, 0, 0}, 0, 2e-3},
+    {soft, {0, 0, 0}, 0, 1e-4},      {heavyEpsilon, {0, 0, 0}, 0, 5e-5}, {sticky, {0, .2, 0}, 0, 1e-3},
+    {bouncing, {0, 0, 0}, .3, 2e-2}, {subSteps, {2, 0, 1}, 0, 1e-3},
+};
+
+/* Where a box is after 40 steps, and how fast. */
+static void runCase(const Case *c, MdtSolver solver, double state[6]) {
+    makeWorld(solver);
+    makeFloor();
+    c->set();
+    put(McdBoxCreate(u->frame, 1, (MeReal).2, 1), 0, .1 + c->height, 0);
+    MdtBodySetLinearVelocity(McdModelGetBody(model[0]), (MeReal)c->velocity[0], (MeReal)c->velocity[1],
+                             (MeReal)c->velocity[2]);
+    step(40);
+    for (int k = 0; k < 3; k++) {
+        state[k] = place(0, k);
+        state[3 + k] = speed(0, k);
+    }
+    MstUniverseDestroy(u);
+}
+
+START_TEST(parameters_mean_what_they_mean_to_the_exact_solver) {
+    const Case *c = &cases[_i];
+    double exact[6], fast[6];
+    runCase(c, MdtSolverExact, exact);
+    runCase(c, MdtSolverFast, fast);
+    for (int k = 0; k < 6; k++)
+        assert_near(fast[k], exact[k], c->tolerance);
+}
+END_TEST
+
+/* ---- the choice ---- */
+
+static MdtReportWay wayOf(int boxes, MdtSolver solver) {
+    makeWorld(solver);
+    MdtWorldSetTimedContacts(u->world, 8);
+    makeFloor();
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int i = 0; i < boxes; i++)
+        put(cube, (double)(i / 4) * .9999, .5 + i % 4, 0);
+    const MdtReportWay way = step(1).way;
+    ck_assert_int_eq(MdtWorldGetReportCount(u->world), 1);
+    MstUniverseDestroy(u);
+    return way;
+}
+
+START_TEST(crowds_are_fast_and_others_exact) {
+    ck_assert_int_eq(wayOf(40, MdtSolverAuto), MdtReportWayFast);
+    ck_assert_int_eq(wayOf(36, MdtSolverAuto), MdtReportWayExact);
+    ck_assert_int_eq(wayOf(40, MdtSolverExact), MdtReportWayExact);
+    ck_assert_int_eq(wayOf(4, MdtSolverFast), MdtReportWayFast);
+}
+END_TEST
+
+START_TEST(settings_are_kept_and_checked) {
+    makeWorld(MdtSolverAuto);
+    ck_assert_int_eq(MdtWorldGetSolver(u->world), MdtSolverAuto);
+    messages_catch();
+    MdtWorldSetSolver(u->world, (MdtSolver)7);
+    assert_warned("MdtWorldSetSolver");
+    ck_assert_int_eq(MdtWorldGetSolver(u->world), MdtSolverAuto);
+    MdtWorldSetAccuracy(u->world, (MeReal)NAN);
+    assert_warned("MdtWorldSetAccuracy");
+    messages_release();
+    MdtWorldSetAccuracy(u->world, (MeReal).25);
+    assert_near(MdtWorldGetAccuracy(u->world), .25, 0);
+    MdtWorldSetAccuracy(u->world, -1);
+    step(1);
+    assert_near(MdtWorldGetAccuracy(u->world), 1e-2 * gravity / 60, 1e-8);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* What is asked for decides what a pyramid's first steps leave, and what they cost. */
+START_TEST(more_accuracy_is_more_passes_and_less_error) {
+    static const double wanted[] = {1e-1, 1e-2, 1e-3};
+    double sunk[3];
+    int passes[3];
+    for (int i = 0; i < 3; i++) {
+        makeWorld(MdtSolverAuto);
+        MdtWorldSetAccuracy(u->world, (MeReal)wanted[i]);
+        makeFloor();
+        makePyramid(20);
+        passes[i] = 0;
+        for (int n = 0; n < 40; n++)
+            passes[i] += step(1).iterations;
+        sunk[i] = 19.5 - place(count - 1, 1);
+        MstUniverseDestroy(u);
+    }
+    for (int i = 1; i < 3; i++) {
+        ck_assert_int_gt(passes[i], passes[i - 1]);
+        assert_below(sunk[i], sunk[i - 1]);
+    }
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, a_pyramid_of_forty_rows_comes_to_rest);
+    tcase_add_test(t, a_heap_settles_and_sleeps);
+    tcase_add_test(t, momentum_is_kept);
+    tcase_add_loop_test(t, parameters_mean_what_they_mean_to_the_exact_solver, 0, (int)(sizeof cases / sizeof *cases));
+    tcase_add_test(t, crowds_are_fast_and_others_exact);
+    tcase_add_test(t, settings_are_kept_and_checked);
+    tcase_add_test(t, more_accuracy_is_more_passes_and_less_error);
+}
+
+TEST_MAIN("Crowd", tests)
