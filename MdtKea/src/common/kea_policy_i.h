@@ -315,7 +315,7 @@ enum { KEA_POINT_SWEEPS = 3 };
 /* Of the product of its diagonal, a determinant in single precision: 6e-8 / 1e-4 is what is wrong with the inverse. */
 static const float kea_soundDeterminant = 1e-4f;
 /* Of the bodies' speeds (root of the mean square): what impacts may leave. */
-static const double kea_impactAccuracy = 1e-2;
+static const double kea_impactAccuracy = 3e-2;
 /* Of the accuracy: velocities of bodies that are not told from none. The accuracy is the worst of all contacts. */
 static const double kea_restingShare = 0.1;
 /* Of 1/m_0 + 1/m_1: a compliance above is felt within the step, and solved for. */

@@ -153,7 +153,8 @@ static void findPositions(Step *p) {
         p->kernel->push(p->groups, p->numGroups, p->way);
 }
 
-/* Of how many bodies each carries the weight, at most: its normal impulses of the last step, in its own loads'. */
+/* Of how many bodies each carries the weight, at most: its normal forces of the last step, in its own loads'. Where it
+ * was not at rest, but gained more velocity than its loads give, these were those of an impact. */
 static double loadRatio(const Step *p) {
     const MdtKeaSystem *s = p->s;
     double most = 0;
@@ -167,7 +168,8 @@ static double loadRatio(const Step *p) {
         double load[3];
         keaSubtract(load, s->predicted[i].lin, s->velocity[i].lin);
         const double weight = keaLength(load) / (s->parameters.stepsize * s->bodies[i]->invMass);
-        if (weight > 0)
+        const MeBool isCalm = keaLength(s->bodies[i]->acceleration) * s->parameters.stepsize < keaLength(load);
+        if (isCalm && weight > 0)
             most = keaMax(most, 0.5 * p->change[i][0] / weight);
     }
     return most;
