@@ -38,6 +38,7 @@ static void setSystem(MdtIsland *p) {
     p->kea.maxRows = mostRows(p);
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
     p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
+    p->kea.contacts = p->numContacts > 0 ? mdt_rowsMoveContacts : NULL;
     p->kea.cache = p->world->keaCache;
     p->kea.context = p;
 }
@@ -76,8 +77,10 @@ static void packContact(MdtIslandContact *to, MdtPoint *point) {
     keaCopy(c->position, point->position);
     c->penetration = point->depth;
     c->normalForce = point->force[0];
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
         c->radius[k] = mdt_pointRadius(point, k);
+        c->rim[k] = mdt_pointRim(point, k, c->axis[k]);
+    }
 }
 
 static void packContacts(MdtIsland *p) {

@@ -88,12 +88,18 @@ static int countRows(MdtIsland *p) {
 
 /* ---- what they are ---- */
 
-/* A row's rate is the velocity of one side relative to the other; the world's part is known and goes to the target. */
-static void subtractWorldVelocity(const MdtKeaVelocity *v, MdtKeaRow *row) {
+/* A row's rate is the velocity of one side relative to the other: the world's part. */
+static double worldRate(const MdtKeaVelocity *v, const MdtKeaRow *row, const MdtKeaJBlockPair J) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
         if (row->body[k] == MdtBclNO_BODY)
-            rate += keaDot(row->J[k].lin, v->lin) + keaDot(row->J[k].ang, v->ang);
+            rate += keaDot(J[k].lin, v->lin) + keaDot(J[k].ang, v->ang);
+    return rate;
+}
+
+/* That is known and goes to the target. */
+static void subtractWorldVelocity(const MdtKeaVelocity *v, MdtKeaRow *row) {
+    const double rate = worldRate(v, row, row->J);
     row->target -= rate;
     row->drift -= rate;
 }
@@ -161,7 +167,12 @@ void mdt_rowsMake(MdtIsland *p) {
 
 /* ---- elsewhere ---- */
 
-/* Rows of joints move with the bodies; contacts stay as they were found. */
+static void movePoses(const MdtBaseConstraint *c, const MdtKeaTransformation poses[], MdtBclContext *x) {
+    for (int k = 0; k < 2; k++)
+        if (c->side[k].body)
+            x->pose[k] = &poses[c->side[k].body->index];
+}
+
 void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]) {
     const MdtIsland *p = island;
     MdtKeaRow rows[MdtBclGETMAXROWS];
@@ -171,9 +182,7 @@ void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]) {
         if (!j || j->numRows == 0)
             continue;
         jointContext(p, j, &x);
-        for (int k = 0; k < 2; k++)
-            if (j->base.side[k].body)
-                x.pose[k] = &poses[j->base.side[k].body->index];
+        movePoses(&j->base, poses, &x);
         j->type->fill(&j->bcl, &x, rows);
         for (int r = 0; r < j->numRows; r++) {
             MdtKeaRow *row = &p->kea.rows[j->firstRow + r];
@@ -181,6 +190,31 @@ void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]) {
             memcpy(row->arm, rows[r].arm, sizeof row->arm);
             row->lower = rows[r].lower;
             row->upper = rows[r].upper;
+        }
+    }
+}
+
+void MEAPI mdt_rowsMoveContacts(void *island, const MdtKeaTransformation poses[], MeBool isMean, MdtKeaJBlockPair J[],
+                                double rate[]) {
+    const MdtIsland *p = island;
+    const MdtIslandContact *c = p->contacts;
+    for (int i = 0; i < p->numActing; i++) {
+        MdtBclContext x;
+        if (mdt_isJoint(p->acting[i]))
+            continue;
+        const MdtManifold *m = mdt_asManifold(p->acting[i]);
+        mdt_rowsContext(p, p->acting[i], &MdtBclWorldVelocity, &x);
+        movePoses(&m->base, poses, &x);
+        for (int k = 0; k < m->numPoints; k++, c++) {
+            const MdtKeaVelocity *v = mdt_pointWorldVelocity(c->point);
+            contactContext(c, &x);
+            if (c->numRows == 0)
+                continue;
+            const MeBool moves = MdtBclContactMove(&c->bcl, &x, isMean, J + c->firstRow);
+            for (int r = c->firstRow; r < c->firstRow + c->numRows && !moves; r++)
+                memcpy(J[r], p->kea.rows[r].J, sizeof J[r]);
+            for (int r = c->firstRow; r < c->firstRow + c->numRows; r++)
+                rate[r] = worldRate(v, &p->kea.rows[r], J[r]) - worldRate(v, &p->kea.rows[r], p->kea.rows[r].J);
         }
     }
 }

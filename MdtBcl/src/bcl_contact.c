@@ -32,15 +32,25 @@ void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params) {
     params->friction1 = params->friction2 = MEINFINITY;
 }
 
-static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, const double d[3], MdtKeaRow *row) {
-    bcl_startRow(row, x);
+static MeBool isRound(const MdtBclContact *contact, int k) {
+    return contact->radius[k] > 0 || contact->rim[k] > 0;
+}
+
+static void contactJacobian(const double point[3], const MdtKeaTransformation *const pose[2], const double d[3],
+                            MdtKeaJBlock J[2]) {
     for (int k = 0; k < 2; k++) {
         double arm[3];
-        keaSubtract(arm, contact->point, x->pose[k]->pos);
-        keaScale(row->J[k].lin, k == 0 ? 1 : -1, d);
-        keaCross(row->J[k].ang, arm, row->J[k].lin);
+        keaSubtract(arm, point, pose[k]->pos);
+        keaScale(J[k].lin, k == 0 ? 1 : -1, d);
+        keaCross(J[k].ang, arm, J[k].lin);
     }
+}
+
+static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, const double d[3], MdtKeaRow *row) {
+    bcl_startRow(row, x);
+    contactJacobian(contact->point, x->pose, d, row->J);
     row->contact = x->firstRow;
+    row->rolls = isRound(contact, 0) || isRound(contact, 1);
 }
 
 /* m: the depth at which the last step's force holds the contact still, h² E λ / γ. */
@@ -74,17 +84,34 @@ static double beyondRounding(const MdtBclContact *contact, const MdtBclContext *
     return fmin(fmax(sunk <= rounding ? sunk : 0, depth - rounding), depth + rounding);
 }
 
+/* From what moves with the body to the surface point, with the outward normal o: of a sphere r o; of a circle about
+ * the axis a the way to its point farthest along o, r (o - a (a·o)) / |..|; of corners, edges and faces, which move
+ * with the body themselves, 0. Where a circle has come to lie flat within the step, no point of it is farthest. */
+static void outOfCentre(const MdtBclContact *contact, int k, const double axis[3], double out[3]) {
+    const double leastSine = 1e-3;
+    keaScale(out, k == 0 ? -1 : 1, contact->normal);
+    if (contact->rim[k] > 0) {
+        keaAddScaled(out, -keaDot(out, axis) / keaDot(axis, axis), axis);
+        keaScale(out, contact->rim[k] / fmax(keaLength(out), leastSine), out);
+    } else {
+        keaScale(out, contact->radius[k], out);
+    }
+}
+
 /* At the start of a step the contact is as its maker set it: the surface points lie half the depth on either side. What
- * moves with a body is the point, or, of a round surface, the centre of its sphere. */
+ * moves with a body is the point, or, of a round surface, the centre of its sphere or circle. */
 static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
     keaCopy(contact->point, contact->position);
     contact->depth = beyondRounding(contact, x);
     MEASSERT(bcl_isUnit(contact->normal) && isfinite(contact->depth));
     for (int k = 0; k < 2; k++) {
-        double arm[3];
+        double arm[3], out[3];
+        outOfCentre(contact, k, contact->axis[k], out);
         keaSubtract(arm, contact->point, x->pose[k]->pos);
-        keaAddScaled(arm, (k == 0 ? 1 : -1) * (contact->radius[k] - 0.5 * contact->depth), contact->normal);
+        keaAddScaled(arm, (k == 0 ? -1 : 1) * 0.5 * contact->depth, contact->normal);
+        keaAddScaled(arm, -1, out);
         keaApplyTransposed(contact->anchor[k], x->pose[k]->R, arm);
+        keaApplyTransposed(contact->axle[k], x->pose[k]->R, contact->axis[k]);
     }
 }
 
@@ -92,27 +119,94 @@ static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
  * rather than the world's. */
 enum { BOTH = 2 };
 static int ownerOf(const MdtBclContact *contact, const MdtBclContext *x) {
-    if ((contact->radius[0] > 0) != (contact->radius[1] > 0))
-        return contact->radius[0] > 0 ? 0 : 1;
+    if (isRound(contact, 0) != isRound(contact, 1))
+        return isRound(contact, 0) ? 0 : 1;
     return x->body[1] == MdtBclNO_BODY ? 0 : x->body[0] == MdtBclNO_BODY ? 1 : BOTH;
 }
 
-/* Within a divided step the surface points move with their bodies: depth = n·(p_1 - p_0). */
-static void carryContact(MdtBclContact *contact, const MdtBclContext *x) {
+/* The surface points move with their bodies: depth = n·(p_1 - p_0). Returns it, and the contact's place. */
+static double placeContact(const MdtBclContact *contact, const MdtBclContext *x, double point[3]) {
     const int owner = ownerOf(contact, x);
     double p[2][3], between[3];
     for (int k = 0; k < 2; k++) {
+        double axis[3], out[3];
+        keaApply(axis, x->pose[k]->R, contact->axle[k]);
+        outOfCentre(contact, k, axis, out);
         keaApply(p[k], x->pose[k]->R, contact->anchor[k]);
         keaAddScaled(p[k], 1, x->pose[k]->pos);
-        keaAddScaled(p[k], (k == 0 ? -1 : 1) * contact->radius[k], contact->normal);
+        keaAddScaled(p[k], 1, out);
     }
     keaSubtract(between, p[1], p[0]);
-    contact->depth = keaDot(contact->normal, between);
+    const double depth = keaDot(contact->normal, between);
     for (int i = 0; i < 3; i++) {
-        const double off = 0.5 * contact->depth * contact->normal[i];
+        const double off = 0.5 * depth * contact->normal[i];
         const double on[2] = {p[0][i] + off, p[1][i] - off};
-        contact->point[i] = owner == BOTH ? 0.5 * (on[0] + on[1]) : on[owner];
+        point[i] = owner == BOTH ? 0.5 * (on[0] + on[1]) : on[owner];
     }
+    return depth;
+}
+
+/* ---- within a part of the step ---- */
+
+/* What of its surface a body touches with is known where that is round. Where it is not, it may be a corner that turns
+ * with the body, or the lowest point of a ball, which does not: what holds for both is that the arm turns by what the
+ * two sides turn together, which is the turn of the one that moves the arms less. */
+static void noteArms(MdtBclContact *contact, const MdtBclContext *x) {
+    for (int k = 0; k < 2; k++) {
+        keaSubtract(contact->arm[k], contact->point, x->pose[k]->pos);
+        for (int side = 0; side < 2; side++)
+            keaApplyTransposed(contact->carried[side][k], x->pose[side]->R, contact->arm[k]);
+    }
+}
+
+/* An arm as the side turns it: the world by cay(h w), or by the mean of that and of no turn. */
+static void turnArm(const MdtBclContact *contact, const MdtBclContext *x, MeBool isMean, int side, int k, double r[3]) {
+    const double *arm = contact->arm[k];
+    if (x->body[side] != MdtBclNO_BODY) {
+        keaApply(r, x->pose[side]->R, contact->carried[side][k]);
+        return;
+    }
+    double turn[4] = {1, 0, 0, 0}, R[3][3];
+    keaAddScaled(turn + 1, 0.5 * x->parameters.stepsize, x->velocity[side]->ang);
+    keaQuaternionNormalize(turn);
+    keaQuaternionToMatrix(R, turn);
+    keaApply(r, (const double(*)[3])R, arm);
+    for (int i = 0; i < 3 && isMean; i++)
+        r[i] = 0.5 * (r[i] + arm[i]);
+}
+
+/* Both arms by the shared turn. False: that is none, w < 6e-5 rad/s at 60 Hz, by which a contact's place on its ground
+ * would creep h w²/2 of its distance a second, 3e-11. */
+static MeBool turnArms(const MdtBclContact *contact, const MdtBclContext *x, MeBool isMean, double arm[2][3]) {
+    const double least = 1e-6; /* rad */
+    double turned[2][2][3], way[2] = {0, 0}, size = 0;
+    for (int side = 0; side < 2; side++)
+        for (int k = 0; k < 2; k++) {
+            double moved[3];
+            turnArm(contact, x, isMean, side, k, turned[side][k]);
+            keaSubtract(moved, turned[side][k], contact->arm[k]);
+            way[side] += x->body[k] != MdtBclNO_BODY ? keaDot(moved, moved) : 0;
+            size += x->body[k] != MdtBclNO_BODY ? keaDot(contact->arm[k], contact->arm[k]) : 0;
+        }
+    memcpy(arm, turned[way[1] <= way[0]], sizeof turned[0]);
+    return fmin(way[0], way[1]) > least * least * size;
+}
+
+/* False: it stays as the part began. */
+static MeBool moveContact(const MdtBclContact *contact, const MdtBclContext *x, MeBool isMean, double point[3]) {
+    const int owner = ownerOf(contact, x);
+    double p[2][3];
+    if (isRound(contact, owner == BOTH ? 0 : owner)) {
+        placeContact(contact, x, point);
+        return METRUE;
+    }
+    if (!turnArms(contact, x, isMean, p))
+        return MEFALSE;
+    for (int k = 0; k < 2; k++)
+        keaAddScaled(p[k], 1, x->pose[k]->pos);
+    for (int i = 0; i < 3; i++)
+        point[i] = owner == BOTH ? 0.5 * (p[0][i] + p[1][i]) : p[owner][i];
+    return METRUE;
 }
 
 static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
@@ -140,9 +234,10 @@ static double fastestApproach(const MdtKeaRow *normal, const MdtBclContext *x) {
 int MEAPI MdtBclContactPrepare(MdtBclContact *contact, const MdtBclContext *x) {
     MdtKeaRow normal;
     if (x->elapsed > 0)
-        carryContact(contact, x);
+        contact->depth = placeContact(contact, x, contact->point);
     else
         anchorContact(contact, x);
+    noteArms(contact, x);
     contactRow(contact, x, contact->normal, &normal);
     const MeBool touches = contact->depth >= 0 || x->parameters.stepsize * fastestApproach(&normal, x) < contact->depth;
     contact->rows = 0;
@@ -178,6 +273,14 @@ static void normalRow(const MdtBclContact *contact, const MdtBclContext *x, MdtK
     row->force = contact->normalForce;
 }
 
+static void frictionDirection(const MdtBclContact *contact, int direction, double d[3]) {
+    if (direction == 0)
+        keaCopy(d, contact->direction);
+    else
+        keaCross(d, contact->normal, contact->direction);
+    MEASSERT(bcl_isUnit(d));
+}
+
 static void frictionRow(const MdtBclContact *contact, const MdtBclContext *x, int direction, MdtKeaRow *row) {
     const MdtBclContactParams *p = contact->params;
     const MeBool slips = p->options & (direction == 0 ? MdtBclContactOptionSlip1 : MdtBclContactOptionSlip2);
@@ -185,11 +288,7 @@ static void frictionRow(const MdtBclContact *contact, const MdtBclContext *x, in
     const double slip =
         slips ? fmax((double)(direction == 0 ? p->slip1 : p->slip2), 0) : 0; /* 0 for what is no number */
     double d[3];
-    if (direction == 0)
-        keaCopy(d, contact->direction);
-    else
-        keaCross(d, contact->normal, contact->direction);
-    MEASSERT(bcl_isUnit(d));
+    frictionDirection(contact, direction, d);
     contactRow(contact, x, d, row);
     row->target = slides ? (double)(direction == 0 ? p->slide1 : p->slide2) : 0;
     row->softness = slip / x->parameters.stepsize;
@@ -217,6 +316,21 @@ void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBclContext *
         rows[-1].partner = x->firstRow + 2;
         rows[0].partner = x->firstRow + 1;
     }
+}
+
+MeBool MEAPI MdtBclContactMove(const MdtBclContact *contact, const MdtBclContext *x, MeBool isMean,
+                               MdtKeaJBlockPair J[]) {
+    double point[3], d[3];
+    if (!moveContact(contact, x, isMean, point))
+        return MEFALSE;
+    contactJacobian(point, x->pose, contact->normal, *J++);
+    for (int direction = 0; direction < 2; direction++) {
+        if (!(contact->rows & (direction == 0 ? PRIMARY : SECONDARY)))
+            continue;
+        frictionDirection(contact, direction, d);
+        contactJacobian(point, x->pose, d, *J++);
+    }
+    return METRUE;
 }
 
 const MdtBclType bcl_contact = {.name = "Contact", .maxRows = MdtBclGETMAXROWSCONTACT};

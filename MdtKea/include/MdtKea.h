@@ -126,6 +126,7 @@ typedef struct MdtKeaRow {
     int partner;      /**< -1, or the index of the other friction row of a cone: |λ| <= μ λ_normal for the two */
     int owner;        /**< a number that the rows of one constraint have in common */
     int contact;      /**< -1, or the index of the normal row of the contact that this row is part of */
+    MeBool rolls;     /**< of a contact: its impulse acts where the place has moved to by the middle of the step */
     MeBool isOpen;    /**< of a contact: it is known not to act in this step */
     MeBool position;  /**< φ is met at the end of the step, as MdtKeaErrorFn tells it; else the velocity is */
     MeBool spring;    /**< A damped spring; its target is the rate at which it is at rest, and softness is not read. */
@@ -186,6 +187,14 @@ typedef void(MEAPI *MdtKeaErrorFn)(void *context, const MdtKeaTransformation pos
  */
 typedef void(MEAPI *MdtKeaJacobianFn)(void *context, const MdtKeaTransformation poses[]);
 
+/**
+ * Writes J[i] for every row i of a contact, were the bodies at `poses`, those of the end or, where isMean, the means of
+ * both ends, and rate[i], m/s, by which the side of the row
+ * that is a moving world gains on what it has in the row's target. Rows stay as they are. Called by MdtKeaSolve.
+ */
+typedef void(MEAPI *MdtKeaContactFn)(void *context, const MdtKeaTransformation poses[], MeBool isMean,
+                                     MdtKeaJBlockPair J[], double rate[]);
+
 /** What Kea keeps from step to step, for speed only: the structure of matrices that have come up
  *  (MdtKeaCacheCreate). */
 typedef struct MdtKeaCache MdtKeaCache;
@@ -198,7 +207,8 @@ typedef struct MdtKeaSystem {
     int maxRows;                /**< room for rows */
     MdtKeaErrorFn errors;       /**< may be null where no row is a position row */
     MdtKeaJacobianFn jacobians; /**< may be null: then J stays as it is */
-    void *context;              /**< for both */
+    MdtKeaContactFn contacts;   /**< may be null: then J of contacts stays as it is */
+    void *context;              /**< for these */
     MdtKeaCache *cache;         /**< of one system at a time */
 
     MdtKeaTransformation *pose;       /**< by body, at the start; after MdtKeaIntegrate at the end */

@@ -21,6 +21,9 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->endPose = kea_carve(arena, n, sizeof *work->endPose);
     work->meanPose = kea_carve(arena, n, sizeof *work->meanPose);
     work->endErrors = kea_carve(arena, m, sizeof(double));
+    work->ahead = kea_carve(arena, m, sizeof(double));
+    work->movedJ = kea_carve(arena, m, sizeof *work->movedJ);
+    work->movedRate = kea_carve(arena, m, sizeof(double));
     work->keptJ = kea_carve(arena, m, sizeof *work->keptJ);
     work->bestU = kea_carve(arena, n, sizeof *work->bestU);
     work->bestP = kea_carve(arena, m, sizeof(double));
