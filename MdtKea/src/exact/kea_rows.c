@@ -8,8 +8,8 @@
  *   velocity:  J v⁺ = s - E p, v⁺ = v + (u - v)/θ     r = θ (s - J v_k⁺), E := θ E
  *
  * The velocity v⁺ is, to second order, that of the time h/2θ: of the middle of the step with θ = 1, of its end
- * with 1/2. So the rate J v⁺ of a contact is asked for where the bodies are then; impulses of what rolls act at the
- * with 1/2. So the rate J v⁺ of a contact is asked for where the bodies are then; impulses of what rolls act at the
+ * with 1/2. So the rate J v⁺ of a contact is asked for where the bodies are then; impulses of what rolls act at
+ * the mean, as those of joints do. With θ = 1, where v⁺ = u, what friction holds is met in place: a box on a turning
  * disc goes round with it. With 1/2 the rates at both ends are met, which is the same forwards and backwards in time.
  *
  * θ is a choice of each body's. It is 1 where a contact can act or a limit does, so that they hold v⁺ and not only the
