@@ -38,7 +38,6 @@ static void setSystem(MdtIsland *p) {
     p->kea.maxRows = mostRows(p);
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
     p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
-    p->kea.contacts = p->numContacts > 0 ? mdt_rowsMoveContacts : NULL;
     p->kea.cache = p->world->keaCache;
     p->kea.context = p;
 }

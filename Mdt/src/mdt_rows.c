@@ -121,6 +121,22 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     p->kea.numRows += j->numRows;
 }
 
+/* The place of a contact in the middle and at the end of the part. */
+static void moveContact(MdtIsland *p, const MdtIslandContact *c, const MdtBclContext *x) {
+    static const double share[2] = {0.5, 1};
+    const MdtKeaVelocity *v = mdt_pointWorldVelocity(c->point);
+    for (int k = 0; k < 2 && c->numRows > 0; k++) {
+        MdtKeaJBlockPair J[MdtBclGETMAXROWSCONTACT];
+        MdtBclContactMove(&c->bcl, x, share[k], J);
+        for (int r = 0; r < c->numRows; r++) {
+            const MdtKeaRow *row = &p->kea.rows[c->firstRow + r];
+            MdtKeaMove *move = &p->kea.moves[c->firstRow + r][k];
+            memcpy(move->J, J[r], sizeof J[r]);
+            move->rate = worldRate(v, row, J[r]) - worldRate(v, row, row->J);
+        }
+    }
+}
+
 static void fillContact(MdtIsland *p, MdtIslandContact *c, MdtBclContext *x, int owner) {
     MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
     c->firstRow = p->kea.numRows;
@@ -134,6 +150,8 @@ static void fillContact(MdtIsland *p, MdtIslandContact *c, MdtBclContext *x, int
         rows[r].force = isWarm ? c->point->force[r] : rows[r].force;
         rows[r].ripple = 0;
     }
+    if (c->bcl.moves)
+        moveContact(p, c, x);
     p->kea.numRows += c->numRows;
 }
 
@@ -167,12 +185,7 @@ void mdt_rowsMake(MdtIsland *p) {
 
 /* ---- elsewhere ---- */
 
-static void movePoses(const MdtBaseConstraint *c, const MdtKeaTransformation poses[], MdtBclContext *x) {
-    for (int k = 0; k < 2; k++)
-        if (c->side[k].body)
-            x->pose[k] = &poses[c->side[k].body->index];
-}
-
+/* Rows of joints move with the bodies from pass to pass. */
 void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]) {
     const MdtIsland *p = island;
     MdtKeaRow rows[MdtBclGETMAXROWS];
@@ -182,7 +195,9 @@ void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]) {
         if (!j || j->numRows == 0)
             continue;
         jointContext(p, j, &x);
-        movePoses(&j->base, poses, &x);
+        for (int k = 0; k < 2; k++)
+            if (j->base.side[k].body)
+                x.pose[k] = &poses[j->base.side[k].body->index];
         j->type->fill(&j->bcl, &x, rows);
         for (int r = 0; r < j->numRows; r++) {
             MdtKeaRow *row = &p->kea.rows[j->firstRow + r];
@@ -190,31 +205,6 @@ void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]) {
             memcpy(row->arm, rows[r].arm, sizeof row->arm);
             row->lower = rows[r].lower;
             row->upper = rows[r].upper;
-        }
-    }
-}
-
-void MEAPI mdt_rowsMoveContacts(void *island, const MdtKeaTransformation poses[], MeBool isMean, MdtKeaJBlockPair J[],
-                                double rate[]) {
-    const MdtIsland *p = island;
-    const MdtIslandContact *c = p->contacts;
-    for (int i = 0; i < p->numActing; i++) {
-        MdtBclContext x;
-        if (mdt_isJoint(p->acting[i]))
-            continue;
-        const MdtManifold *m = mdt_asManifold(p->acting[i]);
-        mdt_rowsContext(p, p->acting[i], &MdtBclWorldVelocity, &x);
-        movePoses(&m->base, poses, &x);
-        for (int k = 0; k < m->numPoints; k++, c++) {
-            const MdtKeaVelocity *v = mdt_pointWorldVelocity(c->point);
-            contactContext(c, &x);
-            if (c->numRows == 0)
-                continue;
-            const MeBool moves = MdtBclContactMove(&c->bcl, &x, isMean, J + c->firstRow);
-            for (int r = c->firstRow; r < c->firstRow + c->numRows && !moves; r++)
-                memcpy(J[r], p->kea.rows[r].J, sizeof J[r]);
-            for (int r = c->firstRow; r < c->firstRow + c->numRows; r++)
-                rate[r] = worldRate(v, &p->kea.rows[r], J[r]) - worldRate(v, &p->kea.rows[r], p->kea.rows[r].J);
         }
     }
 }

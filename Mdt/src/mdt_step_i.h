@@ -124,9 +124,6 @@ void mdt_rowsMake(MdtIsland *p);
 /* For Kea: the rows of joints, and their errors, were the bodies elsewhere. The context is the island. */
 void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]);
 void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], double errors[]);
-/* The same of contacts: J, and what the world moves faster along it. */
-void MEAPI mdt_rowsMoveContacts(void *island, const MdtKeaTransformation poses[], MeBool isMean, MdtKeaJBlockPair J[],
-                                double rate[]);
 /* What a constraint knows of its surroundings in this part, but for its first row. */
 void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x);
 /* Leaves out rows of contacts until the partition, which has that many, has at most `most`, in the documented order

@@ -55,11 +55,13 @@ typedef struct MdtBclContact {
     double normalForce; /**< N, of the last step, or the part of it that was taken last */
     /* Kept by the library for the rest of the step. */
     double anchor[2][3]; /**< m, the surface points of the two bodies, or centres of what is round, in their frames */
+    double circle[2];    /**< m, rim, or 0 where it may come to lie flat */
     double axle[2][3];   /**< unit, axis, in their frames */
     double point[3];     /**< m, position, and */
     double depth;        /**< m, penetration: as set, then carried along with the bodies through a divided step */
-    double arm[2][3];    /**< m, from the bodies' centres to the point as the part begins, */
-    double carried[2][2][3]; /**< and each of these in the frames of the two sides */
+    double arm[2][3];    /**< m, from the bodies' centres to the point, as the part of the step begins */
+    double turn[3];      /**< rad, by which the arms of flat surfaces turn in this part */
+    MeBool moves;        /**< arms change within this part */
     int rows;            /**< friction rows of this step's system: 1 primary, 2 secondary */
 } MdtBclContact;
 
@@ -251,10 +253,10 @@ typedef struct MdtBclType {
 MEPUBLIC int MEAPI MdtBclContactPrepare(MdtBclContact *contact, const MdtBclContext *x);
 /** Writes as many rows as Prepare counted: the normal, then friction. */
 MEPUBLIC void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBclContext *x, MdtKeaRow rows[]);
-/** The same rows' J with the bodies at the poses of x, those of the end of the part, or means of both ends: the place
- *  moves with them, normal and directions stay. False: so does the place, and J is left alone. */
-MEPUBLIC MeBool MEAPI MdtBclContactMove(const MdtBclContact *contact, const MdtBclContext *x, MeBool isMean,
-                                        MdtKeaJBlockPair J[]);
+/** The same rows' J, of a contact that `moves`, after `share` of the way in this part of the step: normal and directions
+ *  stay as they are, and the place moves with the bodies. */
+MEPUBLIC void MEAPI MdtBclContactMove(const MdtBclContact *contact, const MdtBclContext *x, double share,
+                                      MdtKeaJBlockPair J[]);
 /** @} */
 
 /** The table's entry, or null for a type that this library does not have. Contacts and contact groups have a name, and

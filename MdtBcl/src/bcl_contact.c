@@ -13,6 +13,7 @@
  *             Only where the bodies touch, or will within the step.
  */
 #include "bcl_i.h"
+#include <float.h>
 #include <string.h>
 
 enum { PRIMARY = 1, SECONDARY = 2 };
@@ -33,24 +34,21 @@ void MEAPI MdtBclContactParamsReset(MdtBclContactParams *params) {
 }
 
 static MeBool isRound(const MdtBclContact *contact, int k) {
-    return contact->radius[k] > 0 || contact->rim[k] > 0;
+    return contact->radius[k] > 0 || contact->circle[k] > 0;
 }
 
-static void contactJacobian(const double point[3], const MdtKeaTransformation *const pose[2], const double d[3],
-                            MdtKeaJBlock J[2]) {
+static void contactJacobian(const double arm[2][3], const double d[3], MdtKeaJBlock J[2]) {
     for (int k = 0; k < 2; k++) {
-        double arm[3];
-        keaSubtract(arm, point, pose[k]->pos);
         keaScale(J[k].lin, k == 0 ? 1 : -1, d);
-        keaCross(J[k].ang, arm, J[k].lin);
+        keaCross(J[k].ang, arm[k], J[k].lin);
     }
 }
 
 static void contactRow(const MdtBclContact *contact, const MdtBclContext *x, const double d[3], MdtKeaRow *row) {
     bcl_startRow(row, x);
-    contactJacobian(contact->point, x->pose, d, row->J);
+    contactJacobian((const double(*)[3])contact->arm, d, row->J);
     row->contact = x->firstRow;
-    row->rolls = isRound(contact, 0) || isRound(contact, 1);
+    row->moves = contact->moves;
 }
 
 /* m: the depth at which the last step's force holds the contact still, h² E λ / γ. */
@@ -85,17 +83,25 @@ static double beyondRounding(const MdtBclContact *contact, const MdtBclContext *
 }
 
 /* From what moves with the body to the surface point, with the outward normal o: of a sphere r o; of a circle about
- * the axis a the way to its point farthest along o, r (o - a (a·o)) / |..|; of corners, edges and faces, which move
- * with the body themselves, 0. Where a circle has come to lie flat within the step, no point of it is farthest. */
+ * the axis a the way to its point farthest along o, r (o - a (a·o)) / |..|, none where it lies flat; of corners, edges
+ * and faces, which move with the body themselves, 0. */
 static void outOfCentre(const MdtBclContact *contact, int k, const double axis[3], double out[3]) {
-    const double leastSine = 1e-3;
     keaScale(out, k == 0 ? -1 : 1, contact->normal);
-    if (contact->rim[k] > 0) {
+    if (contact->circle[k] > 0) {
         keaAddScaled(out, -keaDot(out, axis) / keaDot(axis, axis), axis);
-        keaScale(out, contact->rim[k] / fmax(keaLength(out), leastSine), out);
+        keaScale(out, contact->circle[k] / fmax(keaLength(out), DBL_MIN), out);
     } else {
         keaScale(out, contact->radius[k], out);
     }
+}
+
+/* The circle that touches, if the part of the step cannot bring its axis to the normal: there it would lie flat, no
+ * point of it would be farthest out, and the one that is, near that, would go far round it. */
+static double circleOf(const MdtBclContact *contact, const MdtBclContext *x, int k) {
+    double aside[3], turn[3];
+    keaCross(aside, contact->axis[k], contact->normal);
+    keaCross(turn, contact->axis[k], x->velocity[k]->ang);
+    return keaLength(aside) > x->parameters.stepsize * keaLength(turn) ? contact->rim[k] : 0;
 }
 
 /* At the start of a step the contact is as its maker set it: the surface points lie half the depth on either side. What
@@ -106,6 +112,7 @@ static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
     MEASSERT(bcl_isUnit(contact->normal) && isfinite(contact->depth));
     for (int k = 0; k < 2; k++) {
         double arm[3], out[3];
+        contact->circle[k] = contact->rim[k] > 0 ? circleOf(contact, x, k) : 0;
         outOfCentre(contact, k, contact->axis[k], out);
         keaSubtract(arm, contact->point, x->pose[k]->pos);
         keaAddScaled(arm, (k == 0 ? -1 : 1) * 0.5 * contact->depth, contact->normal);
@@ -124,8 +131,8 @@ static int ownerOf(const MdtBclContact *contact, const MdtBclContext *x) {
     return x->body[1] == MdtBclNO_BODY ? 0 : x->body[0] == MdtBclNO_BODY ? 1 : BOTH;
 }
 
-/* The surface points move with their bodies: depth = n·(p_1 - p_0). Returns it, and the contact's place. */
-static double placeContact(const MdtBclContact *contact, const MdtBclContext *x, double point[3]) {
+/* Within a divided step the surface points move with their bodies: depth = n·(p_1 - p_0). */
+static void carryContact(MdtBclContact *contact, const MdtBclContext *x) {
     const int owner = ownerOf(contact, x);
     double p[2][3], between[3];
     for (int k = 0; k < 2; k++) {
@@ -137,77 +144,130 @@ static double placeContact(const MdtBclContact *contact, const MdtBclContext *x,
         keaAddScaled(p[k], 1, out);
     }
     keaSubtract(between, p[1], p[0]);
-    const double depth = keaDot(contact->normal, between);
+    contact->depth = keaDot(contact->normal, between);
     for (int i = 0; i < 3; i++) {
-        const double off = 0.5 * depth * contact->normal[i];
+        const double off = 0.5 * contact->depth * contact->normal[i];
         const double on[2] = {p[0][i] + off, p[1][i] - off};
-        point[i] = owner == BOTH ? 0.5 * (on[0] + on[1]) : on[owner];
+        contact->point[i] = owner == BOTH ? 0.5 * (on[0] + on[1]) : on[owner];
     }
-    return depth;
 }
 
-/* ---- within a part of the step ---- */
+/* ---- how the place moves within a part of the step ----
+ *
+ * As with the velocities that the bodies have at its start: by (h v, h w), known before the rows are solved, so that
+ * they are the same in all passes. What loads and impulses of this step change is of the next order. `share` is the
+ * part of the way: 1 to the end, 1/2 for the mean of start and end. */
 
-/* What of its surface a body touches with is known where that is round. Where it is not, it may be a corner that turns
- * with the body, or the lowest point of a ball, which does not: what holds for both is that the arm turns by what the
- * two sides turn together, which is the turn of the one that moves the arms less. */
-static void noteArms(MdtBclContact *contact, const MdtBclContext *x) {
+/* cay(φ) r - r = (φ x r + φ x (φ x r) / 2) / (1 + φ²/4), as bodies turn. */
+static void turnBy(const double turn[3], double share, double r[3]) {
+    const double part = share / (1 + 0.25 * keaDot(turn, turn));
+    double once[3], twice[3];
+    keaCross(once, turn, r);
+    keaCross(twice, turn, once);
+    keaAddScaled(r, part, once);
+    keaAddScaled(r, 0.5 * part, twice);
+}
+
+/* A fixed model stays where it is, even where its surface moves. */
+static void movedBy(const MdtBclContext *x, int k, double way[3], double turn[3]) {
+    const double h = x->body[k] == MdtBclNO_BODY ? 0 : x->parameters.stepsize;
+    keaScale(way, h, x->velocity[k]->lin);
+    keaScale(turn, h, x->velocity[k]->ang);
+}
+
+/* The point that a round surface touches with. */
+static void roundPoint(const MdtBclContact *contact, const MdtBclContext *x, int k, double share, double p[3]) {
+    double way[3], turn[3], axis[3], out[3];
+    movedBy(x, k, way, turn);
+    keaApply(axis, x->pose[k]->R, contact->axle[k]);
+    turnBy(turn, share, axis);
+    outOfCentre(contact, k, axis, out);
+    keaApply(p, x->pose[k]->R, contact->anchor[k]);
+    turnBy(turn, share, p);
+    keaAddScaled(p, 1, out);
+    keaAddScaled(p, (k == 0 ? 0.5 : -0.5) * contact->depth, contact->normal);
+    keaAddScaled(p, 1, x->pose[k]->pos);
+    keaAddScaled(p, share, way);
+}
+
+/* A flat surface touches where the round one does; of two round ones each has its own point. */
+static void rollArms(const MdtBclContact *contact, const MdtBclContext *x, double share, double arm[2][3]) {
     for (int k = 0; k < 2; k++) {
-        keaSubtract(contact->arm[k], contact->point, x->pose[k]->pos);
-        for (int side = 0; side < 2; side++)
-            keaApplyTransposed(contact->carried[side][k], x->pose[side]->R, contact->arm[k]);
+        double p[3], way[3], turn[3];
+        roundPoint(contact, x, isRound(contact, k) ? k : 1 - k, share, p);
+        movedBy(x, k, way, turn);
+        keaSubtract(arm[k], p, x->pose[k]->pos);
+        keaAddScaled(arm[k], -share, way);
     }
 }
 
-/* An arm as the side turns it: the world by cay(h w), or by the mean of that and of no turn. */
-static void turnArm(const MdtBclContact *contact, const MdtBclContext *x, MeBool isMean, int side, int k, double r[3]) {
-    const double *arm = contact->arm[k];
-    if (x->body[side] != MdtBclNO_BODY) {
-        keaApply(r, x->pose[side]->R, contact->carried[side][k]);
-        return;
-    }
-    double turn[4] = {1, 0, 0, 0}, R[3][3];
-    keaAddScaled(turn + 1, 0.5 * x->parameters.stepsize, x->velocity[side]->ang);
-    keaQuaternionNormalize(turn);
-    keaQuaternionToMatrix(R, turn);
-    keaApply(r, (const double(*)[3])R, arm);
-    for (int i = 0; i < 3 && isMean; i++)
-        r[i] = 0.5 * (r[i] + arm[i]);
-}
-
-/* Both arms by the shared turn. False: that is none, w < 6e-5 rad/s at 60 Hz, by which a contact's place on its ground
- * would creep h w²/2 of its distance a second, 3e-11. */
-static MeBool turnArms(const MdtBclContact *contact, const MdtBclContext *x, MeBool isMean, double arm[2][3]) {
-    const double least = 1e-6; /* rad */
-    double turned[2][2][3], way[2] = {0, 0}, size = 0;
-    for (int side = 0; side < 2; side++)
-        for (int k = 0; k < 2; k++) {
-            double moved[3];
-            turnArm(contact, x, isMean, side, k, turned[side][k]);
-            keaSubtract(moved, turned[side][k], contact->arm[k]);
-            way[side] += x->body[k] != MdtBclNO_BODY ? keaDot(moved, moved) : 0;
-            size += x->body[k] != MdtBclNO_BODY ? keaDot(contact->arm[k], contact->arm[k]) : 0;
-        }
-    memcpy(arm, turned[way[1] <= way[0]], sizeof turned[0]);
-    return fmin(way[0], way[1]) > least * least * size;
-}
-
-/* False: it stays as the part began. */
-static MeBool moveContact(const MdtBclContact *contact, const MdtBclContext *x, MeBool isMean, double point[3]) {
-    const int owner = ownerOf(contact, x);
-    double p[2][3];
-    if (isRound(contact, owner == BOTH ? 0 : owner)) {
-        placeContact(contact, x, point);
+/* Does the arm of this side stay as it is: of a world that does not turn, of a ball about its own centre? Collision
+ * gives normals and radii in MeReal, and so this centre to some 1e-7 of the radius. */
+static MeBool isStill(const MdtBclContact *contact, const MdtBclContext *x, int k) {
+    const double centred = 1e-6;
+    if (x->body[k] == MdtBclNO_BODY && keaDot(x->velocity[k]->ang, x->velocity[k]->ang) == 0)
         return METRUE;
-    }
-    if (!turnArms(contact, x, isMean, p))
-        return MEFALSE;
-    for (int k = 0; k < 2; k++)
-        keaAddScaled(p[k], 1, x->pose[k]->pos);
-    for (int i = 0; i < 3; i++)
-        point[i] = owner == BOTH ? 0.5 * (p[0][i] + p[1][i]) : p[owner][i];
-    return METRUE;
+    return contact->radius[k] > 0 && !(contact->circle[k] > 0) &&
+           keaLength(contact->anchor[k]) <= centred * contact->radius[k];
 }
+
+/* From what a side turns about to the contact: the body's centre, or, where the world moves with v at the origin and
+ * turns with w, the axis through w x v / w². */
+static void fromAxis(const MdtBclContact *contact, const MdtBclContext *x, int k, double r[3]) {
+    const MdtKeaVelocity *v = x->velocity[k];
+    const double w2 = keaDot(v->ang, v->ang);
+    keaCopy(r, contact->arm[k]);
+    if (x->body[k] == MdtBclNO_BODY && w2 > 0) {
+        double place[3];
+        keaCross(place, v->ang, v->lin);
+        keaAddScaled(r, -1 / w2, place);
+    }
+}
+
+/* What of flat surfaces turns is not known: a corner turns with its body, an edge that another one slides along does
+ * not. What holds for all is that a contact turns by what both sides turn, taken to be the turn of the side that moves
+ * it less. False: that is at most sqrt(2 DBL_EPSILON), the square of which, over 2, is lost in rounding. */
+static MeBool findSharedTurn(MdtBclContact *contact, const MdtBclContext *x) {
+    const double h = x->parameters.stepsize, least = 2.1e-8; /* rad */
+    double way2[2] = {0, 0}, size2 = 0;
+    for (int k = 0; k < 2; k++) {
+        double r[3], speed[3];
+        fromAxis(contact, x, k, r);
+        size2 += keaDot(r, r);
+        for (int side = 0; side < 2; side++) {
+            keaCross(speed, x->velocity[side]->ang, r);
+            way2[side] += h * h * keaDot(speed, speed);
+        }
+    }
+    const int less = way2[1] <= way2[0];
+    keaScale(contact->turn, h, x->velocity[less]->ang);
+    return way2[less] > least * least * size2;
+}
+
+static void turnArms(const MdtBclContact *contact, const MdtBclContext *x, double share, double arm[2][3]) {
+    for (int k = 0; k < 2; k++) {
+        double r[3], turned[3];
+        fromAxis(contact, x, k, r);
+        keaCopy(turned, r);
+        turnBy(contact->turn, share, turned);
+        keaSubtract(r, turned, r);
+        keaCopy(arm[k], contact->arm[k]);
+        keaAddScaled(arm[k], 1, r);
+    }
+}
+
+static MeBool rolls(const MdtBclContact *contact) {
+    return isRound(contact, 0) || isRound(contact, 1);
+}
+
+static void beginArms(MdtBclContact *contact, const MdtBclContext *x) {
+    for (int k = 0; k < 2; k++)
+        keaSubtract(contact->arm[k], contact->point, x->pose[k]->pos);
+    contact->moves =
+        rolls(contact) ? !isStill(contact, x, 0) || !isStill(contact, x, 1) : findSharedTurn(contact, x);
+}
+
+/* ---- rows ---- */
 
 static MeBool frictionActs(const MdtBclContactParams *p, int direction) {
     const MdtFrictionModel model = direction == 0 ? p->model1 : p->model2;
@@ -234,10 +294,10 @@ static double fastestApproach(const MdtKeaRow *normal, const MdtBclContext *x) {
 int MEAPI MdtBclContactPrepare(MdtBclContact *contact, const MdtBclContext *x) {
     MdtKeaRow normal;
     if (x->elapsed > 0)
-        contact->depth = placeContact(contact, x, contact->point);
+        carryContact(contact, x);
     else
         anchorContact(contact, x);
-    noteArms(contact, x);
+    beginArms(contact, x);
     contactRow(contact, x, contact->normal, &normal);
     const MeBool touches = contact->depth >= 0 || x->parameters.stepsize * fastestApproach(&normal, x) < contact->depth;
     contact->rows = 0;
@@ -318,19 +378,21 @@ void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBclContext *
     }
 }
 
-MeBool MEAPI MdtBclContactMove(const MdtBclContact *contact, const MdtBclContext *x, MeBool isMean,
-                               MdtKeaJBlockPair J[]) {
-    double point[3], d[3];
-    if (!moveContact(contact, x, isMean, point))
-        return MEFALSE;
-    contactJacobian(point, x->pose, contact->normal, *J++);
+void MEAPI MdtBclContactMove(const MdtBclContact *contact, const MdtBclContext *x, double share,
+                             MdtKeaJBlockPair J[]) {
+    double arm[2][3], d[3];
+    MEASSERT(contact->moves);
+    if (rolls(contact))
+        rollArms(contact, x, share, arm);
+    else
+        turnArms(contact, x, share, arm);
+    contactJacobian((const double(*)[3])arm, contact->normal, *J++);
     for (int direction = 0; direction < 2; direction++) {
         if (!(contact->rows & (direction == 0 ? PRIMARY : SECONDARY)))
             continue;
         frictionDirection(contact, direction, d);
-        contactJacobian(point, x->pose, d, *J++);
+        contactJacobian((const double(*)[3])arm, d, *J++);
     }
-    return METRUE;
 }
 
 const MdtBclType bcl_contact = {.name = "Contact", .maxRows = MdtBclGETMAXROWSCONTACT};

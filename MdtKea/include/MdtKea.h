@@ -126,7 +126,7 @@ typedef struct MdtKeaRow {
     int partner;      /**< -1, or the index of the other friction row of a cone: |λ| <= μ λ_normal for the two */
     int owner;        /**< a number that the rows of one constraint have in common */
     int contact;      /**< -1, or the index of the normal row of the contact that this row is part of */
-    MeBool rolls;     /**< of a contact: its impulse acts where the place has moved to by the middle of the step */
+    MeBool moves;     /**< of a contact: its place moves within the step, see MdtKeaMove */
     MeBool isOpen;    /**< of a contact: it is known not to act in this step */
     MeBool position;  /**< φ is met at the end of the step, as MdtKeaErrorFn tells it; else the velocity is */
     MeBool spring;    /**< A damped spring; its target is the rate at which it is at rest, and softness is not read. */
@@ -141,6 +141,13 @@ typedef struct MdtKeaRow {
     double ripple;      /**< m/s: what the last step left of the row's velocity at its end, and this step leaves */
     double force;       /**< λ, N: the answer; before, a guess at it, such as the last step's */
 } MdtKeaRow;
+
+/** What a row of a contact that moves is later in the step. */
+typedef struct MdtKeaMove {
+    MdtKeaJBlockPair J;
+    double rate; /**< m/s, by which a side that is the moving world gains on what it has in the row's target */
+} MdtKeaMove;
+typedef MdtKeaMove MdtKeaMovePair[2]; /**< the mean of start and end; the end */
 
 /** What holds for the whole system. Epsilon and gamma are in the rows already. */
 typedef struct MdtKeaParameters {
@@ -187,14 +194,6 @@ typedef void(MEAPI *MdtKeaErrorFn)(void *context, const MdtKeaTransformation pos
  */
 typedef void(MEAPI *MdtKeaJacobianFn)(void *context, const MdtKeaTransformation poses[]);
 
-/**
- * Writes J[i] for every row i of a contact, were the bodies at `poses`, those of the end or, where isMean, the means of
- * both ends, and rate[i], m/s, by which the side of the row
- * that is a moving world gains on what it has in the row's target. Rows stay as they are. Called by MdtKeaSolve.
- */
-typedef void(MEAPI *MdtKeaContactFn)(void *context, const MdtKeaTransformation poses[], MeBool isMean,
-                                     MdtKeaJBlockPair J[], double rate[]);
-
 /** What Kea keeps from step to step, for speed only: the structure of matrices that have come up
  *  (MdtKeaCacheCreate). */
 typedef struct MdtKeaCache MdtKeaCache;
@@ -207,15 +206,15 @@ typedef struct MdtKeaSystem {
     int maxRows;                /**< room for rows */
     MdtKeaErrorFn errors;       /**< may be null where no row is a position row */
     MdtKeaJacobianFn jacobians; /**< may be null: then J stays as it is */
-    MdtKeaContactFn contacts;   /**< may be null: then J of contacts stays as it is */
-    void *context;              /**< for these */
+    void *context;              /**< for both */
     MdtKeaCache *cache;         /**< of one system at a time */
 
     MdtKeaTransformation *pose;       /**< by body, at the start; after MdtKeaIntegrate at the end */
     MdtKeaVelocity *velocity;         /**< by body, at the start; after MdtKeaIntegrate at the end */
     MdtKeaVelocity *predicted;        /**< by body, at the end were there no constraints, in the start's pose */
     MdtKeaInverseMassMatrix *invMass; /**< by body, at the start */
-    MdtKeaRow *rows;                  /**< the owner fills rows[0..numRows) */
+    MdtKeaRow *rows;                  /**< the owner fills rows[0..numRows), */
+    MdtKeaMovePair *moves;            /**< and moves[i] of each rows[i] that moves */
     int numRows;
     MdtKeaReport report;     /**< set by MdtKeaSolve */
     struct MdtKeaWork *work; /**< Kea's own */

@@ -8,9 +8,9 @@
  *   velocity:  J v⁺ = s - E p, v⁺ = v + (u - v)/θ     r = θ (s - J v_k⁺), E := θ E
  *
  * The velocity v⁺ is, to second order, that of the time h/2θ: of the middle of the step with θ = 1, of its end
- * with 1/2. So the rate J v⁺ of a contact is asked for where the bodies are then; impulses of what rolls act at
- * the mean, as those of joints do. With θ = 1, where v⁺ = u, what friction holds is met in place: a box on a turning
- * disc goes round with it. With 1/2 the rates at both ends are met, which is the same forwards and backwards in time.
+ * with 1/2. So the rate J v⁺ of a contact is asked for where its place is then; impulses act at the mean, as those of
+ * joints do. With θ = 1, where v⁺ = u, what friction holds is met in place: a box on a turning disc goes round with it.
+ * With 1/2 the rates at both ends are met, which is the same forwards and backwards in time.
  *
  * θ is a choice of each body's. It is 1 where a contact can act or a limit does, so that they hold v⁺ and not only the
  * mean of the step, and where a spring is too stiff to be followed; it is one and the same for the two bodies of a
@@ -156,7 +156,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->partner = row->partner;
         p->friction = row->friction;
         copyBounds(p, row, h);
-        copyJacobian(p, row->J);
+        copyJacobian(p, row->moves ? s->moves[i][0].J : row->J);
         s->work->ahead[i] = 0;
         p->isOff = isIdle(s, row);
         p->p = p->p0 = p->isOff || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
@@ -206,35 +206,24 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
         copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
 }
 
-/* J v⁺ where the bodies are at the time that v⁺ belongs to, with what the world moves faster there. */
-static void rateAhead(MdtKeaSystem *s, int i) {
-    copyJacobian(&s->work->problem.row[i], s->work->movedJ[i]);
-    s->work->ahead[i] = 0;
-    s->work->ahead[i] = kea_endRate(s, i) + s->work->movedRate[i];
+static double rateAhead(const MdtKeaSystem *s, int i) {
+    const MdtKeaMove *mean = &s->moves[i][0], *end = &s->moves[i][1];
+    double rate = s->parameters.timed ? end->rate : mean->rate;
+    for (int k = 0; k < 2 && s->parameters.timed; k++) {
+        if (s->rows[i].body[k] < 0)
+            continue;
+        const double *v = s->work->body[s->rows[i].body[k]].endVelocity;
+        double turn[3];
+        keaSubtract(turn, end->J[k].ang, mean->J[k].ang);
+        rate += keaDot(turn, v + 3);
+    }
+    return rate;
 }
 
-/* What that is beyond the rate along the J that impulses act by. */
-static void takeRateAhead(MdtKeaSystem *s, int i) {
-    const double rate = s->work->ahead[i];
-    copyJacobian(&s->work->problem.row[i], s->rows[i].rolls ? s->work->movedJ[i] : s->rows[i].J);
-    s->work->ahead[i] = 0;
-    s->work->ahead[i] = rate - kea_endRate(s, i);
-}
-
-void kea_moveContacts(MdtKeaSystem *s) {
-    const MdtKeaWork *work = s->work;
-    const MeBool isMean = !s->parameters.timed; /* θ = 1 */
-    if (!s->contacts)
-        return;
-    s->contacts(s->context, isMean ? work->meanPose : work->endPose, isMean, work->movedJ, work->movedRate);
+void kea_rateAhead(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact >= 0)
-            rateAhead(s, i);
-    if (!isMean)
-        s->contacts(s->context, work->meanPose, METRUE, work->movedJ, work->movedRate);
-    for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact >= 0)
-            takeRateAhead(s, i);
+        if (s->rows[i].moves)
+            s->work->ahead[i] = rateAhead(s, i);
 }
 
 /* By the way that d makes the body turn at the end, over h. */
