@@ -124,8 +124,7 @@ void MEAPI MdtContactSetRim(const MdtContactID c, const unsigned int bodyindex, 
     MdtPoint *p = mdt_pointOf(c, __func__);
     double unit[3] = {0, 0, 0};
     if (!p || !mdt_isSide(__func__, bodyindex) || !mdt_isAtLeast(__func__, "the radius", radius, 0) ||
-        !mdt_isPointer(__func__, "the axis", axis) ||
-        !isDirection(__func__, "the axis", axis[0], axis[1], axis[2]))
+        !mdt_isPointer(__func__, "the axis", axis) || !isDirection(__func__, "the axis", axis[0], axis[1], axis[2]))
         return;
     for (int i = 0; i < 3; i++)
         unit[i] = (double)axis[i];

@@ -137,6 +137,16 @@ static void moveContact(MdtIsland *p, const MdtIslandContact *c, const MdtBclCon
     }
 }
 
+/* The friction of the last step turns with the contact, about the normal. */
+static void turnFriction(const MdtBclContact *c, int numRows, MdtKeaRow rows[]) {
+    const double angle = keaDot(c->turn, c->normal), cosine = cos(angle), sine = sin(angle);
+    if (numRows < 3)
+        return;
+    const double primary = rows[1].force, secondary = rows[2].force;
+    rows[1].force = cosine * primary - sine * secondary;
+    rows[2].force = sine * primary + cosine * secondary;
+}
+
 static void fillContact(MdtIsland *p, MdtIslandContact *c, MdtBclContext *x, int owner) {
     MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
     c->firstRow = p->kea.numRows;
@@ -152,6 +162,8 @@ static void fillContact(MdtIsland *p, MdtIslandContact *c, MdtBclContext *x, int
     }
     if (c->bcl.moves)
         moveContact(p, c, x);
+    if (c->bcl.moves && isWarm)
+        turnFriction(&c->bcl, c->numRows, rows);
     p->kea.numRows += c->numRows;
 }
 

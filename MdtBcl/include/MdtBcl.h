@@ -60,7 +60,7 @@ typedef struct MdtBclContact {
     double point[3];     /**< m, position, and */
     double depth;        /**< m, penetration: as set, then carried along with the bodies through a divided step */
     double arm[2][3];    /**< m, from the bodies' centres to the point, as the part of the step begins */
-    double turn[3];      /**< rad, by which the arms of flat surfaces turn in this part */
+    double turn[3];      /**< rad, by which the arms of flat surfaces turn in this part; 0: round */
     MeBool moves;        /**< arms change within this part */
     int rows;            /**< friction rows of this step's system: 1 primary, 2 secondary */
 } MdtBclContact;
@@ -253,8 +253,8 @@ typedef struct MdtBclType {
 MEPUBLIC int MEAPI MdtBclContactPrepare(MdtBclContact *contact, const MdtBclContext *x);
 /** Writes as many rows as Prepare counted: the normal, then friction. */
 MEPUBLIC void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBclContext *x, MdtKeaRow rows[]);
-/** The same rows' J, of a contact that `moves`, after `share` of the way in this part of the step: normal and directions
- *  stay as they are, and the place moves with the bodies. */
+/** The same rows' J, of a contact that `moves`, after `share` of the way in this part of the step: the place moves with
+ *  the bodies, normal and directions stay as they are. */
 MEPUBLIC void MEAPI MdtBclContactMove(const MdtBclContact *contact, const MdtBclContext *x, double share,
                                       MdtKeaJBlockPair J[]);
 /** @} */

@@ -261,10 +261,10 @@ static MeBool rolls(const MdtBclContact *contact) {
 }
 
 static void beginArms(MdtBclContact *contact, const MdtBclContext *x) {
+    keaZero(contact->turn);
     for (int k = 0; k < 2; k++)
         keaSubtract(contact->arm[k], contact->point, x->pose[k]->pos);
-    contact->moves =
-        rolls(contact) ? !isStill(contact, x, 0) || !isStill(contact, x, 1) : findSharedTurn(contact, x);
+    contact->moves = rolls(contact) ? !isStill(contact, x, 0) || !isStill(contact, x, 1) : findSharedTurn(contact, x);
 }
 
 /* ---- rows ---- */
@@ -378,8 +378,7 @@ void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBclContext *
     }
 }
 
-void MEAPI MdtBclContactMove(const MdtBclContact *contact, const MdtBclContext *x, double share,
-                             MdtKeaJBlockPair J[]) {
+void MEAPI MdtBclContactMove(const MdtBclContact *contact, const MdtBclContext *x, double share, MdtKeaJBlockPair J[]) {
     double arm[2][3], d[3];
     MEASSERT(contact->moves);
     if (rolls(contact))

@@ -144,8 +144,8 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
  * other rows, their Jacobians; after that. */
 void kea_refreshTangent(MdtKeaSystem *s);
 void kea_completeTangent(MdtKeaSystem *s);
-/* By how much the rates of contacts that move, where they are asked for, differ from those along the J that impulses act
- * by; after kea_moveBodies. */
+/* By how much the rates of contacts that move, where they are asked for, differ from those along the J that impulses
+ * act by; after kea_moveBodies. */
 void kea_rateAhead(MdtKeaSystem *s);
 /* Keeps the rows' Jacobians while others take their place, and brings them back. */
 void kea_keepRows(MdtKeaSystem *s);

@@ -24,8 +24,8 @@ static void tearDown(void) {
 }
 
 static void makeCoin(double radius, double thickness) {
-    coin = McdModelGetBody(
-        MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, (MeReal)radius, (MeReal)thickness), 1000));
+    coin =
+        McdModelGetBody(MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, (MeReal)radius, (MeReal)thickness), 1000));
 }
 
 /* Its z axis leans up by `lean` from the outward radial direction, x; the upper half leans inwards. */
