@@ -118,7 +118,8 @@ static void anchorContact(MdtBclContact *contact, const MdtBclContext *x) {
         keaAddScaled(arm, (k == 0 ? -1 : 1) * 0.5 * contact->depth, contact->normal);
         keaAddScaled(arm, -1, out);
         keaApplyTransposed(contact->anchor[k], x->pose[k]->R, arm);
-        keaApplyTransposed(contact->axle[k], x->pose[k]->R, contact->axis[k]);
+        if (contact->circle[k] > 0)
+            keaApplyTransposed(contact->axle[k], x->pose[k]->R, contact->axis[k]);
     }
 }
 
@@ -131,13 +132,21 @@ static int ownerOf(const MdtBclContact *contact, const MdtBclContext *x) {
     return x->body[1] == MdtBclNO_BODY ? 0 : x->body[0] == MdtBclNO_BODY ? 1 : BOTH;
 }
 
+/* Of its circle; 0: there is none. */
+static void axisOf(const MdtBclContact *contact, const MdtBclContext *x, int k, double axis[3]) {
+    if (contact->circle[k] > 0)
+        keaApply(axis, x->pose[k]->R, contact->axle[k]);
+    else
+        keaZero(axis);
+}
+
 /* Within a divided step the surface points move with their bodies: depth = n·(p_1 - p_0). */
 static void carryContact(MdtBclContact *contact, const MdtBclContext *x) {
     const int owner = ownerOf(contact, x);
     double p[2][3], between[3];
     for (int k = 0; k < 2; k++) {
         double axis[3], out[3];
-        keaApply(axis, x->pose[k]->R, contact->axle[k]);
+        axisOf(contact, x, k, axis);
         outOfCentre(contact, k, axis, out);
         keaApply(p[k], x->pose[k]->R, contact->anchor[k]);
         keaAddScaled(p[k], 1, x->pose[k]->pos);
@@ -179,7 +188,7 @@ static void movedBy(const MdtBclContext *x, int k, double way[3], double turn[3]
 static void roundPoint(const MdtBclContact *contact, const MdtBclContext *x, int k, double share, double p[3]) {
     double way[3], turn[3], axis[3], out[3];
     movedBy(x, k, way, turn);
-    keaApply(axis, x->pose[k]->R, contact->axle[k]);
+    axisOf(contact, x, k, axis);
     turnBy(turn, share, axis);
     outOfCentre(contact, k, axis, out);
     keaApply(p, x->pose[k]->R, contact->anchor[k]);
@@ -230,6 +239,9 @@ static void fromAxis(const MdtBclContact *contact, const MdtBclContext *x, int k
 static MeBool findSharedTurn(MdtBclContact *contact, const MdtBclContext *x) {
     const double h = x->parameters.stepsize, least = 2.1e-8; /* rad */
     double way2[2] = {0, 0}, size2 = 0;
+    for (int side = 0; side < 2; side++)
+        if (h * keaLength(x->velocity[side]->ang) <= least)
+            return MEFALSE;
     for (int k = 0; k < 2; k++) {
         double r[3], speed[3];
         fromAxis(contact, x, k, r);
