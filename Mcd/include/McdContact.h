@@ -36,6 +36,15 @@ MEPUBLIC void MEAPI McdContactGetPosition(const McdContact *c, double position[3
 MEPUBLIC double MEAPI McdContactGetRadius(const McdContact *c, int side);
 
 /**
+ * The circle that a model touches with: the rims of cylinders and cones, and their sides, across the axis. Returns its
+ * radius (m) and writes its axis (unit, world), which goes through the middle of the model: however the model turns, it
+ * is the point of this circle farthest towards the other model that touches. 0, and the axis as it was, where there is
+ * none: other geometries, and discs whose axis is within .05 rad of the normal. Side and bad input as for
+ * McdContactGetRadius; the models must be where they were tested. Beyond Karma.
+ */
+MEPUBLIC double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]);
+
+/**
  * Chooses at most @a nContacts_dest contacts that support as well as all of them do: spread out as far as possible,
  * different normals, the deepest among them. They are copied in the order they had.
  * @param avgNormal        the direction that faces have, for faceNormalsFirst; may be null.

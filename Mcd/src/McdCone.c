@@ -119,6 +119,7 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(Cone, mcd_geometryFree), .size =
                              .support = farthestOnRims,
                              .face = face,
                              .radius = sideRadius,
+                             .rim = mcd_discsRim,
                              .rank = MCD_RANK_CONE,
                              .flatAxes = 4};
 MCD_DEFINE_GEOMETRY_TYPE(Cone)

@@ -1,6 +1,8 @@
 /* Contacts: accessors, and contact reduction: a few points that support as well as many. */
 #include "McdContact.h"
 #include "mcd_i.h"
+#include "mcd_kind_i.h"
+#include "mcd_shape_i.h"
 #include "mcd_spread_i.h"
 #include <math.h>
 #include <string.h>
@@ -33,6 +35,35 @@ double MEAPI McdContactGetRadius(const McdContact *c, int side) {
         return 0;
     }
     return isAsFound(c) ? c->radius[side] : 0;
+}
+
+static double rimOf(const McdContact *c, int side, McdGeometryInstanceID ins, double axis[3]) {
+    double place[3], outward[3], point[3];
+    McdShape shape;
+    McdContactGetPosition(c, place);
+    if (!mcd_shapeOf(ins, place, &shape))
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        outward[i] = (side == 0 ? -1 : 1) * (double)c->normal[i];
+        point[i] = -0.5 * c->exactSeparation * outward[i];
+    }
+    const double rim = shape.kind->rim(&shape, outward, point);
+    for (int i = 0; i < 3 && rim > 0; i++)
+        axis[i] = shape.axis[2][i];
+    return rim;
+}
+
+double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]) {
+    if (!c || !axis || side < 0 || side > 1) {
+        MeWarning(1, "McdContactGetRim: %s",
+                  !c     ? "no contact"
+                  : axis ? "side must be 0, for the first model, or 1"
+                         : "no place for the axis");
+        return 0;
+    }
+    const McdGeometryInstanceID ins = side == 0 ? c->instance1 : c->instance2;
+    const McdKind *kind = ins ? mcd_kindOf(ins->geometry) : 0;
+    return kind && kind->rim && isAsFound(c) ? rimOf(c, side, ins, axis) : 0;
 }
 
 static void difference(const double a[3], const double b[3], double out[3]) {

@@ -67,6 +67,7 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(Cylinder, mcd_geometryFree), .si
                              .support = farthestOnRims,
                              .face = face,
                              .radius = sideRadius,
+                             .rim = mcd_discsRim,
                              .rank = MCD_RANK_CYLINDER,
                              .flatAxes = 4,
                              .edges = edges};

@@ -104,3 +104,16 @@ double mcd_discsRadius(const McdShape *s, const McdDiscs *discs, const double ou
     const double t = MeCLAMP((mcd_dot(off, s->axis[2]) - bottom) / (top - bottom), 0, 1);
     return (lower + t * (upper - lower)) / out;
 }
+
+/* Where the axis is not the normal, a rim, or the side, touches with the point of a circle about the axis that lies
+ * farthest along the normal. */
+double mcd_discsRim(const McdShape *s, const double outward[3], const double point[3]) {
+    static const double least = .05, near = .9987502603949663; /* rad: nearer to the axis it is a disc that touches */
+    const double up = mcd_dot(s->axis[2], outward);
+    double off[3], aside[3];
+    mcd_sub(off, point, s->place);
+    mcd_mad(off, off, -mcd_dot(off, s->axis[2]), s->axis[2]);
+    mcd_mad(aside, outward, -up, s->axis[2]);
+    const double rim = mcd_length(off), sine = mcd_length(aside);
+    return sine > least && mcd_dot(off, aside) > near * rim * sine ? rim : 0;
+}

@@ -44,6 +44,8 @@ struct McdKind {
     void (*support)(const McdShape *s, const double direction[3], double point[3]);
     void (*face)(const McdShape *s, const double direction[3], McdFace *f);
     double (*radius)(const McdShape *s, const double outward[3], const double point[3]); /* null: the rounding */
+    /* The radius of the circle about its own z axis that it touches with at a point; 0: with none. May be null. */
+    double (*rim)(const McdShape *s, const double outward[3], const double point[3]);
     McdRank rank;
     MeU32 flatAxes; /* 1, 2, 4: its own axis x, y, z is a flat face's normal: what stands mostly has its normal there */
     /* The edges of the solid in the geometry's frame, for cross-sections; of round sides, so many. */
@@ -90,6 +92,7 @@ typedef struct McdDiscs {
 } McdDiscs;
 void mcd_discsSupport(const McdShape *s, const McdDiscs *discs, const double direction[3], double point[3]);
 void mcd_discsFace(const McdShape *s, const McdDiscs *discs, const double direction[3], McdFace *f);
+double mcd_discsRim(const McdShape *s, const double outward[3], const double point[3]);
 double mcd_discsRadius(const McdShape *s, const McdDiscs *discs, const double outward[3], const double point[3]);
 
 #endif

@@ -87,8 +87,8 @@ MEPUBLIC void MEAPI MdtConstraintBodyGetAxis(const MdtConstraintID c, const unsi
  *  @{ */
 /** The force [N] on the body of index 0 or 1, at its centre of mass. The two are opposite. */
 MEPUBLIC void MEAPI MdtConstraintGetForce(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 f);
-/** The torque [N m] about the body's centre of mass, that of the force at its lever arm included; of a contact, whose
- *  force acts at its place, about where the centre was as the step began. */
+/** The torque [N m] about the body's centre of mass, that of the force at its lever arm included; of a contact, of the
+ *  force at the place where it was found, about where the centre was as the step began. */
 MEPUBLIC void MEAPI MdtConstraintGetTorque(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 t);
 /** How many rows it had. */
 MEPUBLIC int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c);

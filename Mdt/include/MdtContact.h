@@ -64,11 +64,20 @@ MEPUBLIC MeReal MEAPI MdtContactGetPenetration(const MdtContactID c);
 MEPUBLIC void MEAPI MdtContactSetExact(const MdtContactID c, const double position[3], const double penetration);
 /**
  * m, >= 0: the surface of the body of this side is a sphere of that radius there, or a cylinder that the normal goes
- * across, and rolls on; 0, the default: it is a corner, an edge or a face, which turns with the body. Matters only
- * within a step that is divided, and for balls that turn by more than half a turn in a step.
+ * across, and rolls on; 0, the default: it is a corner, an edge or a face, which turns with the body. Within a step
+ * contacts move with the bodies.
  */
 MEPUBLIC void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius);
 MEPUBLIC MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyindex);
+/**
+ * The surface of the body of this side touches with the point of a circle that lies farthest along the normal, as rims
+ * of coins do: radius, m, >= 0, and axis, in the world's axes, of any length but 0. 0, the default: there is none. It
+ * comes before the radius that MdtContactSetRadius sets. MdtContactGetRim returns the radius and writes the axis, zero
+ * where there is no circle. Beyond Karma.
+ */
+MEPUBLIC void MEAPI MdtContactSetRim(const MdtContactID c, const unsigned int bodyindex, const MeReal radius,
+                                     const MeVector3 axis);
+MEPUBLIC MeReal MEAPI MdtContactGetRim(const MdtContactID c, const unsigned int bodyindex, MeVector3 axis);
 /** A number by which the maker of contacts knows this one again in the next step. Nothing else uses it. Default 0. */
 MEPUBLIC void MEAPI MdtContactSetFeature(const MdtContactID c, const MeU32 feature);
 MEPUBLIC MeU32 MEAPI MdtContactGetFeature(const MdtContactID c);

@@ -29,6 +29,7 @@ typedef struct MdtFoundContact {
     double depth;                      /**< m; negative: a gap */
     MeReal normal[3];                  /**< the way the group's first body is pushed; not zero */
     MeReal radius[2];                  /**< m, MdtContactSetRadius, by the group's bodies */
+    double rim[2], axis[2][3];         /**< m, unit: MdtContactSetRim, the same */
     MeU32 feature;                     /**< MdtContactSetFeature */
     const MdtBclContactParams *params; /**< copied */
 } MdtFoundContact;

@@ -119,6 +119,29 @@ MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyin
     return p && mdt_isSide(__func__, bodyindex) ? mdt_pointRadius(p, (int)bodyindex) : 0;
 }
 
+void MEAPI MdtContactSetRim(const MdtContactID c, const unsigned int bodyindex, const MeReal radius,
+                            const MeVector3 axis) {
+    MdtPoint *p = mdt_pointOf(c, __func__);
+    double unit[3] = {0, 0, 0};
+    if (!p || !mdt_isSide(__func__, bodyindex) || !mdt_isAtLeast(__func__, "the radius", radius, 0) ||
+        !mdt_isPointer(__func__, "the axis", axis) || !isDirection(__func__, "the axis", axis[0], axis[1], axis[2]))
+        return;
+    for (int i = 0; i < 3; i++)
+        unit[i] = (double)axis[i];
+    keaScale(unit, 1 / keaLength(unit), unit);
+    mdt_pointSetRim(p, (int)bodyindex, (double)radius, unit);
+}
+
+MeReal MEAPI MdtContactGetRim(const MdtContactID c, const unsigned int bodyindex, MeVector3 axis) {
+    const MdtPoint *p = mdt_pointOf(c, __func__);
+    double unit[3];
+    if (!p || !mdt_isSide(__func__, bodyindex) || !mdt_isResult(__func__, axis, 3))
+        return 0;
+    const double rim = mdt_pointRim(p, (int)bodyindex, unit);
+    mdt_toReal(axis, unit);
+    return (MeReal)rim;
+}
+
 /* The primary and the normal direction now. */
 static void axesOf(const MdtPoint *p, double direction[3], double normal[3]) {
     mdt_pointNormal(p, normal);

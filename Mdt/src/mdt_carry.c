@@ -116,7 +116,7 @@ MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2])
 MeBool MEAPI MdtContactGroupIsFlat(MdtContactGroupID g) {
     const MdtManifold *m = mdt_groupOf(g, __func__);
     for (const MdtPoint *p = m ? mdt_pointFirst(m) : NULL; p; p = mdt_pointAfter(p))
-        if (mdt_pointRadius(p, 0) > 0 || mdt_pointRadius(p, 1) > 0)
+        if (mdt_pointIsRound(p, 0) || mdt_pointIsRound(p, 1))
             return MEFALSE;
     return METRUE;
 }

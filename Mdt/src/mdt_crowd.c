@@ -38,10 +38,15 @@ MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
 
 /* ---- room ---- */
 
+/* Has a point what a manifold of Kea's shares? */
 static MeBool hasOwn(const MdtManifold *block) {
-    for (const MdtExtra *extra = block->extras; extra; extra = extra->next)
-        if (extra->slot != MDT_GROUP_SLOT)
+    const int own = MDT_OWN_NORMAL | MDT_OWN_PARAMS | MDT_OWN_DIRECTION | MDT_WATCHED;
+    for (const MdtExtra *extra = block->extras; extra; extra = extra->next) {
+        const MdtKeaVelocity *v = &extra->worldVelocity;
+        if (extra->slot != MDT_GROUP_SLOT &&
+            ((extra->record.flags & own) || keaDot(v->lin, v->lin) + keaDot(v->ang, v->ang) > 0))
             return METRUE;
+    }
     return MEFALSE;
 }
 

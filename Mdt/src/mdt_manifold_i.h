@@ -42,6 +42,7 @@ typedef struct MdtExtra {
     MeReal normal[3], radius[2];  /* OWN_NORMAL, OWN_RADIUS */
     double direction[3];          /* OWN_DIRECTION */
     MdtKeaVelocity worldVelocity; /* m/s, rad/s */
+    double rim[2], axis[2][3];    /* m; unit, where there is a rim: MdtContactSetRim */
     MeU64 certified;              /* of watched parameters: their hash as the certified step left them */
 } MdtExtra;
 
@@ -128,6 +129,11 @@ void mdt_pointNormal(const MdtPoint *p, double normal[3]); /* unit */
 void mdt_pointDirection(const MdtPoint *p, const double normal[3], double direction[3]);
 MeReal mdt_pointRadius(const MdtPoint *p, int side);
 const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p);
+/* The radius of the circle that the surface touches with, and its axis; 0: none. */
+double mdt_pointRim(const MdtPoint *p, int side, double axis[3]);
+/* Does the surface roll there? */
+MeBool mdt_pointIsRound(const MdtPoint *p, int side);
+void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]);
 void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params);
 void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]);
 void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius);

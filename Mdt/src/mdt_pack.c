@@ -83,8 +83,10 @@ static void packContact(MdtIslandContact *to, MdtPoint *point) {
     keaCopy(c->position, point->position);
     c->penetration = point->depth;
     c->normalForce = point->force[0];
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
         c->radius[k] = mdt_pointRadius(point, k);
+        c->rim[k] = mdt_pointRim(point, k, c->axis[k]);
+    }
 }
 
 static void packContacts(MdtIsland *p) {

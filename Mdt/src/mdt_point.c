@@ -107,6 +107,33 @@ void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius) {
         setPart(p, block->radius, both, sizeof both);
 }
 
+double mdt_pointRim(const MdtPoint *p, int side, double axis[3]) {
+    const MdtManifold *block = mdt_blockOf(p);
+    const MdtExtra *extra = block->extras ? mdt_extraOf(block, p->slot) : NULL;
+    keaZero(axis);
+    if (!extra || !(extra->rim[side] > 0))
+        return 0;
+    keaCopy(axis, extra->axis[side]);
+    return extra->rim[side];
+}
+
+MeBool mdt_pointIsRound(const MdtPoint *p, int side) {
+    double axis[3];
+    return mdt_pointRadius(p, side) > 0 || mdt_pointRim(p, side, axis) > 0;
+}
+
+void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]) {
+    static const double none[3] = {0, 0, 0};
+    MdtManifold *block = mdt_blockOf(p);
+    MdtExtra *extra = mdt_extraOf(block, p->slot);
+    if (!extra && rim > 0)
+        extra = mdt_extraMake(block, p->slot, "MdtContactSetRim");
+    if (!extra)
+        return;
+    setPart(p, &extra->rim[side], &rim, sizeof rim);
+    setPart(p, extra->axis[side], rim > 0 ? axis : none, sizeof extra->axis[side]);
+}
+
 /* Makes `direction` a unit vector in the contact plane, as near as may be to what it is; false when it is along the
  * normal. */
 static MeBool layIntoPlane(const double normal[3], double direction[3]) {
@@ -153,9 +180,9 @@ const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p) {
 
 /* How much of a body's displacement its contact's position follows: that of the one that rolls, or moves at all. */
 static double shareOf(const MdtPoint *p, const MdtBaseConstraint *base, int k) {
-    const MeReal radius[2] = {mdt_pointRadius(p, 0), mdt_pointRadius(p, 1)};
-    if (base->side[0].body && base->side[1].body && (radius[0] > 0) != (radius[1] > 0))
-        return radius[k] > 0;
+    const MeBool isRound[2] = {mdt_pointIsRound(p, 0), mdt_pointIsRound(p, 1)};
+    if (base->side[0].body && base->side[1].body && isRound[0] != isRound[1])
+        return isRound[k];
     return base->side[1 - k].body ? 0.5 : 1;
 }
 
@@ -184,8 +211,10 @@ void mdt_pointReset(MdtPoint *p) {
         extra->record.flags &= ~MDT_OWN_DIRECTION;
     mdt_pointSetParams(p, &mdt_blockOf(p)->base.world->surfaces.standard.params);
     mdt_pointSetNormal(p, up);
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
         mdt_pointSetRadius(p, k, 0);
+        mdt_pointSetRim(p, k, 0, origin);
+    }
     keaCopy(p->position, origin);
     p->depth = 0;
     keaZero(p->force);

@@ -113,11 +113,16 @@ static MdtPoint *addPoint(MdtManifold *m, const MdtFoundContact *found) {
     return p;
 }
 
+static void setRound(MdtPoint *p, int side, const MdtFoundContact *found) {
+    mdt_pointSetRadius(p, side, found->radius[side]);
+    mdt_pointSetRim(p, side, found->rim[side], found->axis[side]);
+}
+
 static void setPoint(MdtPoint *p, const MdtFoundContact *found) {
     mdt_pointSetParams(p, found->params);
     mdt_pointSetNormal(p, found->normal);
     for (int k = 0; k < 2; k++)
-        mdt_pointSetRadius(p, k, found->radius[k]);
+        setRound(p, k, found);
     mdt_pointSetFound(p, found->position, found->depth);
     p->feature = found->feature;
 }

@@ -90,12 +90,18 @@ static int countRows(MdtIsland *p) {
 
 /* ---- what they are ---- */
 
-/* A row's rate is the velocity of one side relative to the other; the world's part is known and goes to the target. */
-static void subtractWorldVelocity(const MdtKeaVelocity *v, MdtKeaRow *row) {
+/* A row's rate is the velocity of one side relative to the other: the world's part. */
+static double worldRate(const MdtKeaVelocity *v, const MdtKeaRow *row, const MdtKeaJBlockPair J) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
         if (row->body[k] == MdtBclNO_BODY)
-            rate += keaDot(row->J[k].lin, v->lin) + keaDot(row->J[k].ang, v->ang);
+            rate += keaDot(J[k].lin, v->lin) + keaDot(J[k].ang, v->ang);
+    return rate;
+}
+
+/* That is known and goes to the target. */
+static void subtractWorldVelocity(const MdtKeaVelocity *v, MdtKeaRow *row) {
+    const double rate = worldRate(v, row, row->J);
     row->target -= rate;
     row->drift -= rate;
 }
@@ -117,6 +123,32 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     p->kea.numRows += j->numRows;
 }
 
+/* The place of a contact in the middle and at the end of the part. */
+static void moveContact(MdtIsland *p, const MdtIslandContact *c, const MdtBclContext *x) {
+    static const double share[2] = {0.5, 1};
+    const MdtKeaVelocity *v = mdt_pointWorldVelocity(c->point);
+    for (int k = 0; k < 2 && c->numRows > 0; k++) {
+        MdtKeaJBlockPair J[MdtBclGETMAXROWSCONTACT];
+        MdtBclContactMove(&c->bcl, x, share[k], J);
+        for (int r = 0; r < c->numRows; r++) {
+            const MdtKeaRow *row = &p->kea.rows[c->firstRow + r];
+            MdtKeaMove *move = &p->kea.moves[c->firstRow + r][k];
+            memcpy(move->J, J[r], sizeof J[r]);
+            move->rate = worldRate(v, row, J[r]) - worldRate(v, row, row->J);
+        }
+    }
+}
+
+/* The friction of the last step turns with the contact, about the normal. */
+static void turnFriction(const MdtBclContact *c, int numRows, MdtKeaRow rows[]) {
+    const double angle = keaDot(c->turn, c->normal), cosine = cos(angle), sine = sin(angle);
+    if (numRows < 3)
+        return;
+    const double primary = rows[1].force, secondary = rows[2].force;
+    rows[1].force = cosine * primary - sine * secondary;
+    rows[2].force = sine * primary + cosine * secondary;
+}
+
 static void fillContact(MdtIsland *p, MdtIslandContact *c, MdtBclContext *x, int owner) {
     MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
     c->firstRow = p->kea.numRows;
@@ -130,6 +162,10 @@ static void fillContact(MdtIsland *p, MdtIslandContact *c, MdtBclContext *x, int
         rows[r].force = isWarm ? c->point->force[r] : rows[r].force;
         rows[r].ripple = 0;
     }
+    if (c->bcl.moves)
+        moveContact(p, c, x);
+    if (c->bcl.moves && isWarm)
+        turnFriction(&c->bcl, c->numRows, rows);
     p->kea.numRows += c->numRows;
 }
 
@@ -167,7 +203,7 @@ void mdt_rowsMake(MdtIsland *p) {
 
 /* ---- elsewhere ---- */
 
-/* Rows of joints move with the bodies; contacts stay as they were found. */
+/* Rows of joints move with the bodies from pass to pass. */
 void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]) {
     const MdtIsland *p = island;
     MdtKeaRow rows[MdtBclGETMAXROWS];

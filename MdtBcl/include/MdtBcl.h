@@ -49,12 +49,19 @@ typedef struct MdtBclContact {
     double direction[3]; /**< unit, primary direction, at right angles to the normal */
     double penetration;  /**< m, positive: overlap; negative: gap */
     double radius[2];    /**< m, of the spheres that the two surfaces are there; 0: a corner, an edge, a face */
+    double rim[2];       /**< m, of circles that the two surfaces touch with instead; 0: none */
+    double axis[2][3];   /**< unit, of these; unused where there is none */
     const MdtBclContactParams *params;
     double normalForce; /**< N, of the last step, or the part of it that was taken last */
     /* Kept by the library for the rest of the step. */
-    double anchor[2][3]; /**< m, the surface points of the two bodies, or the centres of the spheres, in their frames */
+    double anchor[2][3]; /**< m, the surface points of the two bodies, or centres of what is round, in their frames */
+    double circle[2];    /**< m, rim, or 0 where it may come to lie flat */
+    double axle[2][3];   /**< unit, axis, in their frames */
     double point[3];     /**< m, position, and */
     double depth;        /**< m, penetration: as set, then carried along with the bodies through a divided step */
+    double arm[2][3];    /**< m, from the bodies' centres to the point, as the part of the step begins */
+    double turn[3];      /**< rad, by which the arms of flat surfaces turn in this part; 0: round */
+    MeBool moves;        /**< arms change within this part */
     int rows;            /**< friction rows of this step's system: 1 primary, 2 secondary */
 } MdtBclContact;
 
@@ -249,6 +256,10 @@ MEPUBLIC void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBcl
 /** The same for a solver that takes manifolds: what their contacts' parameters say in a part of a step. */
 MEPUBLIC void MEAPI MdtBclContactSurface(const MdtBclContactParams *params, const MdtBclSolverParameters *solver,
                                          MdtKeaSurface *surface);
+/** The same rows' J, of a contact that `moves`, after `share` of the way in this part of the step: the place moves with
+ *  the bodies, normal and directions stay as they are. */
+MEPUBLIC void MEAPI MdtBclContactMove(const MdtBclContact *contact, const MdtBclContext *x, double share,
+                                      MdtKeaJBlockPair J[]);
 /** @} */
 
 /** The table's entry, or null for a type that this library does not have. Contacts and contact groups have a name, and

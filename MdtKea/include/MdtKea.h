@@ -126,6 +126,7 @@ typedef struct MdtKeaRow {
     int partner;      /**< -1, or the index of the other friction row of a cone: |λ| <= μ λ_normal for the two */
     int owner;        /**< a number that the rows of one constraint have in common */
     int contact;      /**< -1, or the index of the normal row of the contact that this row is part of */
+    MeBool moves;     /**< of a contact: its place moves within the step, see MdtKeaMove */
     MeBool isOpen;    /**< of a contact: it is known not to act in this step */
     MeBool position;  /**< φ is met at the end of the step, as MdtKeaErrorFn tells it; else the velocity is */
     MeBool spring;    /**< A damped spring; its target is the rate at which it is at rest, and softness is not read. */
@@ -179,6 +180,13 @@ typedef enum MdtKeaSolver {
     MdtKeaSolverExact, /**< rows, by Newton's method to the tolerance */
     MdtKeaSolverFast,  /**< manifolds, by accelerated passes: its time is proportional to the manifolds */
 } MdtKeaSolver;
+
+/** What a row of a contact that moves is later in the step. */
+typedef struct MdtKeaMove {
+    MdtKeaJBlockPair J;
+    double rate; /**< m/s, by which a side that is the moving world gains on what it has in the row's target */
+} MdtKeaMove;
+typedef MdtKeaMove MdtKeaMovePair[2]; /**< the mean of start and end; the end */
 
 /** What holds for the whole system. Epsilon and gamma are in the rows already. */
 typedef struct MdtKeaParameters {
@@ -246,7 +254,8 @@ typedef struct MdtKeaSystem {
     MdtKeaVelocity *velocity;         /**< by body, at the start; after MdtKeaIntegrate at the end */
     MdtKeaVelocity *predicted;        /**< by body, at the end were there no constraints, in the start's pose */
     MdtKeaInverseMassMatrix *invMass; /**< by body, at the start */
-    MdtKeaRow *rows;                  /**< the owner fills rows[0..numRows) */
+    MdtKeaRow *rows;                  /**< the owner fills rows[0..numRows), */
+    MdtKeaMovePair *moves;            /**< and moves[i] of each rows[i] that moves */
     int numRows;
     MdtKeaManifold *manifolds; /**< of the fast solver, the owner's; force of their points is written */
     int numManifolds;

@@ -72,6 +72,7 @@ typedef struct MdtKeaWork {
     KeaEnd *end;
     MdtKeaTransformation *endPose, *meanPose; /* by body */
     double *endErrors;                        /* by row: φ at the end */
+    double *ahead;                            /* m/s, by row: see kea_rateAhead */
     MdtKeaJBlockPair *keptJ;                  /* by row */
     double (*bestU)[6], *bestP;               /* by body, by row: of the best pass so far */
     double (*nearU)[6], *nearP;               /* of the best tangent pass within the rounding of attachments */
@@ -143,6 +144,9 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
  * other rows, their Jacobians; after that. */
 void kea_refreshTangent(MdtKeaSystem *s);
 void kea_completeTangent(MdtKeaSystem *s);
+/* By how much the rates of contacts that move, where they are asked for, differ from those along the J that impulses
+ * act by; after kea_moveBodies. */
+void kea_rateAhead(MdtKeaSystem *s);
 /* Keeps the rows' Jacobians while others take their place, and brings them back. */
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);

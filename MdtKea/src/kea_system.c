@@ -12,6 +12,7 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     s->predicted = kea_carve(arena, n, sizeof *s->predicted);
     s->invMass = kea_carve(arena, n, sizeof *s->invMass);
     s->rows = kea_carve(arena, m, sizeof *s->rows);
+    s->moves = kea_carve(arena, m, sizeof *s->moves);
     MdtKeaWork *work = kea_carve(arena, 1, sizeof *work), measured;
     s->work = work;
     if (!work)
@@ -21,6 +22,7 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->endPose = kea_carve(arena, n, sizeof *work->endPose);
     work->meanPose = kea_carve(arena, n, sizeof *work->meanPose);
     work->endErrors = kea_carve(arena, m, sizeof(double));
+    work->ahead = kea_carve(arena, m, sizeof(double));
     work->keptJ = kea_carve(arena, m, sizeof *work->keptJ);
     work->bestU = kea_carve(arena, n, sizeof *work->bestU);
     work->bestP = kea_carve(arena, m, sizeof(double));

@@ -124,8 +124,11 @@ static void convertContact(MdtFoundContact *found, const McdContact *from, MeBoo
                            const MstMaterialPair *materials) {
     for (int i = 0; i < 3; i++)
         found->normal[i] = isTurned ? -from->normal[i] : from->normal[i];
-    for (int k = 0; k < 2; k++)
-        found->radius[isTurned ? 1 - k : k] = (MeReal)McdContactGetRadius(from, k);
+    for (int k = 0; k < 2; k++) {
+        const int side = isTurned ? 1 - k : k;
+        found->radius[side] = (MeReal)McdContactGetRadius(from, k);
+        found->rim[side] = McdContactGetRim(from, k, found->axis[side]);
+    }
     McdContactGetPosition(from, found->position);
     found->depth = -McdContactGetSeparation(from);
     found->feature = from->feature;

@@ -211,6 +211,33 @@ START_TEST(triangles_and_parts_of_aggregates_pass_radii_on) {
 END_TEST
 
 /* From what single precision knows of both balls' places; the separation itself is rounded after that. */
+/* Its axis leans by `lean` from the normal of the plane; lower rim on it. Returns what it touches with. */
+static double rimOf(double lean, double axis[3]) {
+    const double c = cos(lean), s = sin(lean);
+    double rim;
+    Probe p;
+    setUp(&p);
+    place(&p, 0, McdCylinderCreate(p.frame, 2, 1), 0, 0, (MeReal)(.5 * c + 2 * s));
+    place(&p, 1, McdPlaneCreate(p.frame), 0, 0, 0);
+    MeVector3Set(p.tm[0][0], (MeReal)c, 0, (MeReal)-s);
+    MeVector3Set(p.tm[0][2], (MeReal)s, 0, (MeReal)c);
+    const McdContact *contact = meet(&p);
+    ck_assert(McdContactGetRim(contact, 1, axis) == 0);
+    rim = McdContactGetRim(contact, 0, axis);
+    clear(&p);
+    McdTerm(p.frame);
+    return rim;
+}
+
+START_TEST(a_leaning_disc_touches_with_its_rim) {
+    double axis[3] = {7, 7, 7};
+    ck_assert(rimOf(0, axis) == 0);
+    assert_vec3_near(axis, 7, 7, 7, 0);
+    assert_near(rimOf(.5, axis), 2, TOL(1e-6, 1e-12));
+    assert_vec3_near(axis, sin(.5), 0, cos(.5), TOL(1e-7, 1e-12));
+}
+END_TEST
+
 START_TEST(the_separation_is_told_in_double) {
     Probe p;
     const MeReal x = (MeReal).1, y = (MeReal).2, z = (MeReal).4, radius = (MeReal).23;
@@ -305,6 +332,13 @@ START_TEST(what_is_no_contact_or_no_side_gets_a_warning) {
     assert_warned("McdContactGetRadius: no contact");
     ck_assert(McdContactGetRadius(&c, 2) == 0);
     assert_warned("McdContactGetRadius: side must be 0");
+    double axis[3];
+    ck_assert(McdContactGetRim(0, 0, axis) == 0);
+    assert_warned("McdContactGetRim: no contact");
+    ck_assert(McdContactGetRim(&c, 2, axis) == 0);
+    assert_warned("McdContactGetRim: side must be 0");
+    ck_assert(McdContactGetRim(&c, 0, 0) == 0);
+    assert_warned("McdContactGetRim: no place for the axis");
     double position[3] = {1, 2, 3};
     McdContactGetPosition(0, position);
     assert_warned("McdContactGetPosition: no contact");
@@ -321,6 +355,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, cones_are_as_round_as_they_are_wide_there);
     tcase_add_test(t, a_turn_about_the_middle_of_the_circle_leaves_the_contact);
     tcase_add_test(t, triangles_and_parts_of_aggregates_pass_radii_on);
+    tcase_add_test(t, a_leaning_disc_touches_with_its_rim);
     tcase_add_test(t, the_separation_is_told_in_double);
     tcase_add_test(t, the_position_is_told_in_double);
     tcase_add_test(t, contacts_of_a_programs_own_interaction_are_not_round);

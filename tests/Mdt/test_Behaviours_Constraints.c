@@ -166,8 +166,11 @@ static void setMoving(Zoo *z) {
 static void setTask(Zoo *z, MdtConstraintID c) {
     MdtConstraintSetBodies(c, z->a, z->b);
     if (MdtConstraintDCastContact(c)) {
-        MdtContactSetPosition(MdtConstraintDCastContact(c), (MeReal).4, (MeReal).3, (MeReal).2);
-        MdtContactSetNormal(MdtConstraintDCastContact(c), 0, -1, 0);
+        /* of balls, half-way between their centres: flat, it would turn with both within the step, and its arms too */
+        MdtContactSetPosition(MdtConstraintDCastContact(c), (MeReal).5, (MeReal).25, 0);
+        MdtContactSetNormal(MdtConstraintDCastContact(c), -2, -1, 0);
+        for (unsigned int k = 0; k < 2; k++)
+            MdtContactSetRadius(MdtConstraintDCastContact(c), k, (MeReal)sqrt(.3125));
         MdtContactParamsSetType(MdtContactGetParams(MdtConstraintDCastContact(c)), MdtContactTypeFriction2D);
     } else if (!MdtConstraintDCastSpring(c))
         MdtConstraintSetPosition(c, (MeReal).4, (MeReal).3, (MeReal).2);

@@ -42,6 +42,8 @@ static Pair makePair(double x, double y, double z) {
     MdtContactSetBodies(s.contact, s.first, s.second);
     MdtContactSetPosition(s.contact, 0, 0, 0);
     MdtContactSetNormal(s.contact, (MeReal)x, (MeReal)y, (MeReal)z);
+    for (unsigned int k = 0; k < 2; k++)
+        MdtContactSetRadius(s.contact, k, 1);
     MdtContactEnable(s.contact);
     return s;
 }

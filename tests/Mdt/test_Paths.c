@@ -146,11 +146,42 @@ START_TEST(settings_are_checked) {
 }
 END_TEST
 
+START_TEST(a_rim_is_a_radius_and_an_axis) {
+    static const MeVector3 along = {0, 0, 2}, none = {0, 0, 0};
+    MeVector3 axis = {1, 1, 1};
+    const MdtWorldID w = MdtWorldCreate(1, 1, 1, 1);
+    const MdtContactID c = MdtContactCreate(w);
+    ck_assert(MdtContactGetRim(c, 1, axis) == 0);
+    assert_vec3_near(axis, 0, 0, 0, 0);
+    MdtContactSetRim(c, 1, (MeReal).5, along);
+    ck_assert(MdtContactGetRim(c, 1, axis) == (MeReal).5 && MdtContactGetRim(c, 0, axis) == 0);
+    MdtContactGetRim(c, 1, axis);
+    assert_vec3_near(axis, 0, 0, 1, 0);
+    messages_catch();
+    MdtContactSetRim(c, 1, -1, along);
+    assert_warned("MdtContactSetRim");
+    MdtContactSetRim(c, 2, 1, along);
+    assert_warned("MdtContactSetRim");
+    MdtContactSetRim(c, 1, 1, none);
+    assert_warned("MdtContactSetRim");
+    MdtContactSetRim(c, 1, 1, 0);
+    assert_warned("MdtContactSetRim");
+    ck_assert(MdtContactGetRim(c, 2, axis) == 0);
+    assert_warned("MdtContactGetRim");
+    messages_release();
+    ck_assert(MdtContactGetRim(c, 1, axis) == (MeReal).5);
+    MdtContactReset(c);
+    ck_assert(MdtContactGetRim(c, 1, axis) == 0);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, both_sides_of_the_problem_give_one_motion);
     tcase_add_test(t, sub_steps_are_steps);
     tcase_add_test(t, epsilon_and_gamma_hold_for_the_whole_step);
     tcase_add_test(t, the_same_bits_again);
     tcase_add_test(t, settings_are_checked);
+    tcase_add_test(t, a_rim_is_a_radius_and_an_axis);
 }
 TEST_MAIN("Paths", tests)

@@ -10,7 +10,7 @@ MeBool kea_mayReachBound(const MdtKeaRow *row) {
 
 double kea_endRate(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
-    double rate = 0;
+    double rate = s->work->ahead[i];
     for (int k = 0; k < 2; k++) {
         if (p->body[k] < 0)
             continue;

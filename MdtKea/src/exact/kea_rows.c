@@ -7,6 +7,11 @@
  *              one that only pushes and has the way φ_0 > 0 left is not strained at the start: (1 - θ) φ_0 less
  *   velocity:  J v⁺ = s - E p, v⁺ = v + (u - v)/θ     r = θ (s - J v_k⁺), E := θ E
  *
+ * The velocity v⁺ is, to second order, that of the time h/2θ: of the middle of the step with θ = 1, of its end
+ * with 1/2. So the rate J v⁺ of a contact is asked for where its place is then; impulses act at the mean, as those of
+ * joints do. With θ = 1, where v⁺ = u, what friction holds is met in place: a box on a turning disc goes round with it.
+ * With 1/2 the rates at both ends are met, which is the same forwards and backwards in time.
+ *
  * θ is a choice of each body's. It is 1 where a contact can act or a limit does, so that they hold v⁺ and not only the
  * mean of the step, and where a spring is too stiff to be followed; it is one and the same for the two bodies of a
  * velocity row, which would not be symmetric otherwise.
@@ -110,10 +115,10 @@ static void copyBounds(KeaProblemRow *p, const MdtKeaRow *row, double h) {
     p->upper = h * row->upper;
 }
 
-static void copyJacobian(KeaProblemRow *p, const MdtKeaRow *row) {
+static void copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J) {
     for (int k = 0; k < 2; k++) {
-        keaCopy(p->J[k], row->J[k].lin);
-        keaCopy(p->J[k] + 3, row->J[k].ang);
+        keaCopy(p->J[k], J[k].lin);
+        keaCopy(p->J[k] + 3, J[k].ang);
     }
 }
 
@@ -151,7 +156,8 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->partner = row->partner;
         p->friction = row->friction;
         copyBounds(p, row, h);
-        copyJacobian(p, row);
+        copyJacobian(p, row->moves ? s->moves[i][0].J : row->J);
+        s->work->ahead[i] = 0;
         p->isOff = isIdle(s, row);
         p->p = p->p0 = p->isOff || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
@@ -194,9 +200,30 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
     if (s->jacobians)
         s->jacobians(s->context, poses);
     for (int i = 0; i < s->numRows; i++)
-        copyJacobian(&s->work->problem.row[i], &s->rows[i]);
+        if (s->rows[i].contact < 0)
+            copyJacobian(&s->work->problem.row[i], s->rows[i].J);
     for (int i = 0; withBounds && i < s->numRows; i++)
         copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
+}
+
+static double rateAhead(const MdtKeaSystem *s, int i) {
+    const MdtKeaMove *mean = &s->moves[i][0], *end = &s->moves[i][1];
+    double rate = s->parameters.timed ? end->rate : mean->rate;
+    for (int k = 0; k < 2 && s->parameters.timed; k++) {
+        if (s->rows[i].body[k] < 0)
+            continue;
+        const double *v = s->work->body[s->rows[i].body[k]].endVelocity;
+        double turn[3];
+        keaSubtract(turn, end->J[k].ang, mean->J[k].ang);
+        rate += keaDot(turn, v + 3);
+    }
+    return rate;
+}
+
+void kea_rateAhead(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].moves)
+            s->work->ahead[i] = rateAhead(s, i);
 }
 
 /* By the way that d makes the body turn at the end, over h. */

@@ -52,6 +52,7 @@ static void linearize(MdtKeaSystem *s) {
     if (s->work->problem.isTangent)
         kea_refreshTangent(s);
     kea_refreshRows(s, s->work->meanPose, METRUE);
+    kea_rateAhead(s);
     if (s->work->problem.isTangent)
         kea_completeTangent(s);
     if (s->errors)

@@ -1,0 +1,142 @@
+/* Rims roll: a disc that leans rolls on, round and round, as steady rolling without loss has it; with loss it comes to
+ * lie flat. */
+#include "MdtReport.h"
+#include "Mst.h"
+#include "karma_test.h"
+
+static const double gravity = 9.81, degree = 3.14159265358979 / 180;
+
+static MstUniverseID u;
+static MdtBodyID coin;
+static MeMatrix4 ground;
+
+static void setUp(void) {
+    u = MstUniverseCreate(0);
+    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-gravity);
+    MdtWorldEnableReport(u->world);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).9, 0);
+    MeMatrix4TMMakeIdentity(ground);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+}
+
+static void tearDown(void) {
+    MstUniverseDestroy(u);
+}
+
+static void makeCoin(double radius, double thickness) {
+    coin =
+        McdModelGetBody(MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, (MeReal)radius, (MeReal)thickness), 1000));
+}
+
+/* Its z axis leans up by `lean` from the outward radial direction, x; the upper half leans inwards. */
+static void placeCoin(double x, double z, double lean) {
+    MeMatrix4 tm;
+    MeMatrix4TMMakeIdentity(tm);
+    const double c = cos(lean), s = sin(lean);
+    MeVector3Set(tm[0], (MeReal)-s, 0, (MeReal)c);
+    MeVector3Set(tm[1], 0, -1, 0);
+    MeVector3Set(tm[2], (MeReal)c, 0, (MeReal)s);
+    MeVector3Set(tm[3], (MeReal)x, 0, (MeReal)z);
+    MdtBodySetTransform(coin, tm);
+}
+
+/* rad, from upright. */
+static double leanOf(void) {
+    MeMatrix4 tm;
+    MdtBodyGetTransform(coin, tm);
+    return asin(fmin(fabs((double)tm[2][2]), 1));
+}
+
+/* Steady rolling of a disc of radius R and thickness 2 b, mass m, moments A about its axis and B across, whose plane
+ * leans from upright by the angle l, while its contact goes round a circle of radius r at the rate W. From contact to
+ * centre it is d = R e + b a, a the axis, e the steepest way up the disc; rolling asks for the spin -W r/R, and
+ *     dL/dt = W z x L = -d x F,   F = (-m W² (r + d_x), 0, m g)
+ * for
+ *     W² [m d_z (r + d_x) + A cos l r/R + (B - A) sin l cos l] = -m g d_x,
+ * where d_x = b cos l - R sin l, d_z = R cos l + b sin l. Its motion is stable if it is as fast as here. */
+static void rollSteadily(double radius, double thickness, double lean, double circle) {
+    MeMatrix3 tensor;
+    makeCoin(radius, thickness);
+    MdtBodyGetInertiaTensor(coin, tensor);
+    const double b = thickness / 2, c = cos(lean), s = sin(lean), m = (double)MdtBodyGetMass(coin);
+    const double A = (double)tensor[2][2], B = (double)tensor[0][0], dx = b * c - radius * s, dz = radius * c + b * s;
+    const double W = sqrt(-m * gravity * dx / (m * dz * (circle + dx) + A * c * circle / radius + (B - A) * s * c));
+    const double spin = -W * circle / radius;
+    placeCoin(circle + dx, dz, lean);
+    MdtBodySetLinearVelocity(coin, 0, (MeReal)(W * (circle + dx)), 0);
+    MdtBodySetAngularVelocity(coin, (MeReal)(spin * c), 0, (MeReal)(W + spin * s));
+}
+
+typedef struct Steady {
+    double radius, thickness, lean, circle; /* m, m, degrees, m */
+    double friction;                        /* more than steady rolling asks for */
+} Steady;
+
+/* The lean stays within a degree for 10 s. */
+static void expectSteady(const Steady *c) {
+    tearDown();
+    setUp();
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)c->friction, 0);
+    rollSteadily(c->radius, c->thickness, c->lean * degree, c->circle);
+    double worst = 0;
+    for (int step = 1; step <= 600; step++) {
+        MdtReport r;
+        MstUniverseStep(u, (MeReal)(1. / 60));
+        MdtWorldGetReport(u->world, &r);
+        ck_assert_int_eq(r.fallbacks, 0);
+        worst = fmax(worst, fabs(leanOf() / degree - c->lean));
+    }
+    printf("radius %g, thickness %g, lean %g: off by %g degrees\n", c->radius, c->thickness, c->lean, worst);
+    assert_below(worst, 1);
+}
+
+START_TEST(a_leaning_disc_rolls_on) {
+    static const Steady cases[] = {
+        {.5, .002, 30, 1.5, .9},
+        {.5, .1, 30, 1.5, .9},
+        {.05, .002, 30, .15, .9},
+    };
+    for (int i = 0; i < 3; i++)
+        expectSteady(&cases[i]);
+}
+END_TEST
+
+/* Steeper than 60 degrees they ask for more friction than ordinary ground has, and nearly upright ones are stable from
+ * a spin of sqrt(g/3R) on, which they have on wide circles. */
+START_TEST(so_does_one_of_any_lean) {
+    static const Steady cases[] = {
+        {.5, .02, 5, 15, .9}, {.5, .02, 45, 1.5, .9}, {.5, .02, 60, 1.5, 6}, {.5, .02, 80, 1.5, 6}};
+    for (int i = 0; i < 4; i++)
+        expectSteady(&cases[i]);
+}
+END_TEST
+
+/* A coin that spins down. */
+START_TEST(a_coin_that_loses_its_spin_comes_to_lie_flat) {
+    makeCoin(.1, .02);
+    placeCoin(0, .1 * cos(30 * degree) + .01 * sin(30 * degree), 30 * degree);
+    MdtBodySetAngularVelocity(coin, 0, 0, 25);
+    MdtBodySetAngularVelocityDamping(coin, (MeReal).5);
+    MeVector3 v, w, x;
+    for (int step = 0; step < 1800; step++) {
+        MstUniverseStep(u, (MeReal)(1. / 60));
+        MdtBodyGetPosition(coin, x);
+        ck_assert(isfinite(leanOf()) && isfinite((double)x[0]) && isfinite((double)x[2]));
+    }
+    MdtBodyGetLinearVelocity(coin, v);
+    MdtBodyGetAngularVelocity(coin, w);
+    printf("lean %g, v %g, w %g\n", leanOf() / degree, (double)MeVector3Magnitude(v), (double)MeVector3Magnitude(w));
+    assert_below(90 * degree - leanOf(), .1 * degree);
+    assert_below(MeVector3Magnitude(v), 1e-3);
+    assert_below(MeVector3Magnitude(w), 1e-2);
+    assert_near(x[2], .01, 1e-4);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setUp, tearDown);
+    tcase_add_test(t, a_leaning_disc_rolls_on);
+    tcase_add_test(t, so_does_one_of_any_lean);
+    tcase_add_test(t, a_coin_that_loses_its_spin_comes_to_lie_flat);
+}
+TEST_MAIN("Rims", tests)
