@@ -308,6 +308,8 @@ static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;
  * its height. Reasoned: above the most, Newton's method is cheaper. */
 enum { KEA_LEAST_PASSES = 24, KEA_MOST_PASSES = 96, KEA_MORE_PASSES = 8 /* at a time */ };
 static const double kea_passesPerLoad = 0.7;
+/* Times its loads, an acceleration that only an impact gives: what settles does not reach it. */
+static const double kea_impactLoads = 4;
 /* Passes over displacements. 1 leaves half of the overlaps of a heap, 12 gain nothing. */
 enum { KEA_POSITION_PASSES = 6 };
 /* Sweeps over the four points of a manifold where they do not all act: 1 lets a tower of 20 fall, 8 gain nothing. */

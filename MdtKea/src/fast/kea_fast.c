@@ -128,7 +128,7 @@ static double residualOf(const Step *p) {
 static double accuracyOf(const MdtKeaSystem *s) {
     double sum = 0;
     for (int i = 0; i < s->numBodies; i++)
-        sum += keaDot(s->predicted[i].lin, s->predicted[i].lin);
+        sum += keaDot(s->velocity[i].lin, s->velocity[i].lin);
     return keaMax(s->parameters.accuracy, kea_impactAccuracy * sqrt(sum / s->numBodies));
 }
 
@@ -154,7 +154,7 @@ static void findPositions(Step *p) {
 }
 
 /* Of how many bodies each carries the weight, at most: its normal forces of the last step, in its own loads'. Where it
- * was not at rest, but gained more velocity than its loads give, these were those of an impact. */
+ * gained much more velocity than its loads give, these were those of an impact. */
 static double loadRatio(const Step *p) {
     const MdtKeaSystem *s = p->s;
     double most = 0;
@@ -168,7 +168,8 @@ static double loadRatio(const Step *p) {
         double load[3];
         keaSubtract(load, s->predicted[i].lin, s->velocity[i].lin);
         const double weight = keaLength(load) / (s->parameters.stepsize * s->bodies[i]->invMass);
-        const MeBool isCalm = keaLength(s->bodies[i]->acceleration) * s->parameters.stepsize < keaLength(load);
+        const MeBool isCalm =
+            keaLength(s->bodies[i]->acceleration) * s->parameters.stepsize < kea_impactLoads * keaLength(load);
         if (isCalm && weight > 0)
             most = keaMax(most, 0.5 * p->change[i][0] / weight);
     }
