@@ -64,7 +64,7 @@ static void freeSpace(McdSpace *s) {
     mcd_pairsDestroy(s);
     if (s->tree)
         mcd_treeDestroy(s->tree);
-    MeMemoryGive(s->proxy);
+    MeMemoryGiveAligned(s->proxy);
     MeMemoryGive(s->dirty);
     MeMemoryGive(s->unbounded);
     s->magic = 0;
@@ -75,14 +75,20 @@ static void freeSpace(McdSpace *s) {
 static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
     const size_t room = (size_t)s->proxyRoom, more = (size_t)count;
     if (!MeMemoryGrow(&s->dirty, room, more, sizeof *s->dirty, function, "models that moved") ||
-        !MeMemoryGrow(&s->unbounded, room, more, sizeof *s->unbounded, function, "models without bounds") ||
-        !MeMemoryGrow(&s->proxy, room, more, sizeof *s->proxy, function, "boxes of models"))
+        !MeMemoryGrow(&s->unbounded, room, more, sizeof *s->unbounded, function, "models without bounds"))
         return MEFALSE;
-    memset(s->proxy + room, 0, (more - room) * sizeof *s->proxy);
-    for (int i = s->firstProxy; i != MCD_NONE; i = s->proxy[i].next)
-        s->proxy[i].model->proxy = &s->proxy[i];
+    McdProxy *proxy = MeMemoryTakeAligned(more, sizeof *proxy, MCD_CACHE_LINE, function, "boxes of models");
+    if (!proxy)
+        return MEFALSE;
+    if (room > 0)
+        memcpy(proxy, s->proxy, room * sizeof *proxy);
+    memset(proxy + room, 0, (more - room) * sizeof *proxy);
+    MeMemoryGiveAligned(s->proxy);
+    s->proxy = proxy;
+    for (int i = s->firstProxy; i != MCD_NONE; i = proxy[i].next)
+        proxy[i].model->proxy = &proxy[i];
     for (int i = s->proxyRoom; i < count; i++)
-        s->proxy[i].next = i + 1 < count ? i + 1 : s->freeProxy;
+        proxy[i].next = i + 1 < count ? i + 1 : s->freeProxy;
     s->freeProxy = s->proxyRoom;
     s->proxyRoom = count;
     return METRUE;

@@ -78,9 +78,10 @@ static MeBool makePairBlock(McdSpace *s) {
     if (!reserveLists(s, (s->blockCount + 1) * MCD_PAIR_BLOCK) ||
         !reserve(&s->block, &s->blockRoom, s->blockCount + 1, sizeof *s->block, "pairs"))
         return MEFALSE;
-    McdPairRecord *record = MeMemoryTakeZeroed(MCD_PAIR_BLOCK, sizeof *record, caller, "pairs");
+    McdPairRecord *record = MeMemoryTakeAligned(MCD_PAIR_BLOCK, sizeof *record, MCD_CACHE_LINE, caller, "pairs");
     if (!record)
         return MEFALSE;
+    memset(record, 0, MCD_PAIR_BLOCK * sizeof *record);
     s->block[s->blockCount++] = record;
     for (int i = MCD_PAIR_BLOCK - 1; i >= 0; i--) {
         record[i].nextFree = s->freePair;
@@ -704,7 +705,7 @@ void mcd_pairsDestroy(McdSpace *s) {
             s->block[b][i].pair.responseData = 0; /* goes with its world, which may have gone before */
             forgetPair(&s->block[b][i]);
         }
-        MeMemoryGive(s->block[b]);
+        MeMemoryGiveAligned(s->block[b]);
     }
     MeMemoryGive(s->block);
     MeMemoryGive(s->link);

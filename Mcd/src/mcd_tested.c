@@ -9,9 +9,10 @@
 #include "mcd_kind_i.h"
 #include <string.h>
 
+/* Bit by bit; leaves the vector as it is where there is none. */
 static void copyIfThere(MeVector3 to, const MeReal *from) {
     if (from)
-        MeVector3Copy(to, from);
+        memcpy(to, from, sizeof(MeVector3));
 }
 
 /* All that tests of a model read, but for how far the space has it look ahead. */
@@ -25,7 +26,9 @@ static MeBool look(const McdModelRecord *m, McdSeen *seen) {
     memset(seen, 0, sizeof *seen);
     seen->shape.geometry = g;
     memcpy(seen->shape.parameters, (const char *)g + sizeof *g, bytes);
-    memcpy(seen->tm, m->instance.tm, sizeof seen->tm);
+    for (int i = 0; i < 3; i++)
+        memcpy(seen->axis[i], m->instance.tm[i], sizeof seen->axis[i]);
+    memcpy(seen->place, m->instance.tm[3], sizeof seen->place);
     copyIfThere(seen->velocity, m->linearVelocity);
     copyIfThere(seen->spin, m->angularVelocity);
     seen->shape.tolerance = m->tolerance;
