@@ -21,6 +21,7 @@
 #include <float.h>
 #include <stdatomic.h>
 #include <stddef.h>
+#include <string.h>
 
 enum { MCD_CACHE_LINE = 64 }; /* bytes; records that loops read are aligned to it */
 
@@ -168,16 +169,20 @@ typedef struct McdModelRecord {
     /* hot: 3, 4 */
     McdSeen seen;            /* the model at the last comparison */
     MeReal ahead, turnAhead; /* m, how far it may get in the time lookAhead, and by turning alone */
-    /* hot: 5 */
-    McdGeometryInstance instance;
-    /* cold */
-    MeReal lookAhead; /* s */
-    MeBool isFast;    /* in that time */
+    /* hot: 5, 6; the first three follow from `seen` */
+    double axis[3][3]; /* mcd_shapeAxes of its transform, if isPlaced */
+    MeBool isPlaced;   /* mcd_isPlace of its transform */
+    MeReal radius;     /* m, of the bounding sphere */
+    MeReal lookAhead;  /* s */
+    MeBool isFast;     /* in that time */
+    McdSpaceID space;
+    void *proxy; /* the space's record of the model */
     McdFilter filter;
     MeI16 sortKey;
     int requestId;
-    McdSpaceID space;
-    void *proxy; /* the space's record of the model */
+    /* hot: 7 */
+    McdGeometryInstance instance;
+    /* cold */
     void *userData;
     MeMatrix4Ptr refTM; /* null unless relative */
     MeBool ownsRelative;
@@ -188,6 +193,7 @@ typedef struct McdModelRecord {
 
 _Static_assert(offsetof(McdModelRecord, intersect) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
 _Static_assert(offsetof(McdModelRecord, seen) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
+_Static_assert(offsetof(McdModelRecord, axis) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
 _Static_assert(offsetof(McdModelRecord, instance) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
 _Static_assert(offsetof(McdGeometryInstance, element) <= MCD_CACHE_LINE || sizeof(MeReal) > 4, "its boxes are in it");
 _Static_assert(sizeof(McdSeen) == 40 + 20 * sizeof(MeReal) || sizeof(MeReal) > 4, "no padding");
@@ -212,6 +218,15 @@ McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function);
 MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b);
 /* Renews children and boxes from the present transform, without the program's callback. */
 void mcd_modelRefresh(McdModelRecord *m);
+/* Is its transform, to the last bit, the one in `seen`, and one that places it? */
+static inline MeBool mcd_isPlacedAsSeen(const McdModelRecord *m) {
+    const MeMatrix4Ptr tm = m->instance.tm;
+    return m->isPlaced && tm && memcmp(tm[0], m->seen.axis[0], sizeof(MeVector3)) == 0 &&
+           memcmp(tm[1], m->seen.axis[1], sizeof(MeVector3)) == 0 &&
+           memcmp(tm[2], m->seen.axis[2], sizeof(MeVector3)) == 0 &&
+           memcmp(tm[3], m->seen.place, sizeof(MeVector3)) == 0;
+}
+
 /* Has it a transform that places it, see mcd_areNear? */
 MeBool mcd_modelIsPlaced(const McdModelRecord *m);
 /* Writes where the model will be after time: its transform moved by its velocities (exact screw-free rotation). */

@@ -52,6 +52,8 @@ void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, doub
 MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape);
 /* The same, at another transform than the instance's present one. */
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape);
+/* A shape's axes at a transform that mcd_isPlace. */
+void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]);
 void mcd_triangleShape(const double corners[3][3], McdShape *shape);
 
 /* A point and a direction from its own axes, and a direction to them. */
