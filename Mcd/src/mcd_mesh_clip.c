@@ -55,8 +55,7 @@ static void clipToPrism(const McdMeshTriangle *t, double tolerance, const McdPol
     McdPolygon *to[3] = {&a, &b, part};
     part->count = 0;
     for (int i = 0; i < 3 && from[i]->count; i++) {
-        double inward[3];
-        mcd_meshInward(t, i, inward);
+        const double *inward = t->inward[i];
         clipByPlane(from[i], inward, mcd_dot(t->corner[i], inward), tolerance, t->key[i] + t->key[(i + 1) % 3], to[i]);
     }
 }
@@ -66,8 +65,8 @@ MeBool mcd_meshClipSegment(const McdMeshTriangle *t, const double from[3], const
     *in = 0;
     *out = 1;
     for (int i = 0; i < 3; i++) {
-        double inward[3], off[3];
-        mcd_meshInward(t, i, inward);
+        const double *inward = t->inward[i];
+        double off[3];
         mcd_sub(off, from, t->corner[i]);
         const double a = mcd_dot(off, inward) + tolerance;
         mcd_sub(off, to, t->corner[i]);

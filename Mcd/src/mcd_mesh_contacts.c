@@ -15,15 +15,26 @@ static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
     return mcd_dot(off, t->normal);
 }
 
+/* The unit vectors across the edges, in the triangle's plane, towards its inside. */
+static void findInward(McdMeshTriangle *t) {
+    for (int i = 0; i < 3; i++) {
+        double *inward = t->inward[i], edge[3], across[3];
+        mcd_sub(edge, t->corner[(i + 1) % 3], t->corner[i]);
+        mcd_cross(inward, t->normal, edge);
+        mcd_sub(across, t->corner[(i + 2) % 3], t->corner[i]);
+        mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
+        MEASSERT(mcd_dot(inward, across) >= 0); /* the third corner is inside */
+    }
+}
+
 /* Does the shape's oriented box, grown by the margin, overlap the triangle's prism? */
 static MeBool overlapsPrism(const McdMeshQuery *q, const McdMeshTriangle *t) {
     for (int i = 0; i < 3; i++) {
-        double inward[3], off[3], reach = 0;
-        mcd_meshInward(t, i, inward);
+        double off[3], reach = 0;
         for (int k = 0; k < 3; k++)
-            reach += q->half[k] * fabs(mcd_dot(q->shape.axis[k], inward));
+            reach += q->half[k] * fabs(mcd_dot(q->shape.axis[k], t->inward[i]));
         mcd_sub(off, q->box, t->corner[i]);
-        if (mcd_dot(off, inward) + reach < -q->margin - MCD_MESH_OVERLAP * q->shape.extent)
+        if (mcd_dot(off, t->inward[i]) + reach < -q->margin - MCD_MESH_OVERLAP * q->shape.extent)
             return MEFALSE;
     }
     return METRUE;
@@ -66,11 +77,12 @@ static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, do
            (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
 }
 
-/* Sets isPending, for triangles within reach, and facing, for those with one admissible normal. */
+/* Sets inward; isPending, for triangles within reach; facing, for those with one admissible normal. */
 static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
     double back[3], lowest[3], highest[3];
     t->facing = 0;
     t->isPending = MEFALSE;
+    findInward(t);
     if (!overlapsPrism(q, t))
         return;
     mcd_scale(back, t->normal, -1);
@@ -113,9 +125,12 @@ static const McdMeshTriangle *commonPlane(const McdMeshQuery *q) {
 static MeBool addPointsOverTriangles(McdMeshQuery *q, const double normal[3], const McdPolygon *p, MeBool onlyDeeper,
                                      double *least) {
     for (int i = 0; i < p->count; i++) {
-        McdPolygon one = {.count = 1, .name = {p->name[i]}};
+        McdPolygon one; /* only its first point is written */
         double in, out;
         int k = 0;
+        one.count = 1;
+        one.name[0] = p->name[i];
+        one.isCut[0] = MEFALSE;
         mcd_copy(one.point[0], p->point[i]);
         while (k < q->mesh->count &&
                !(q->mesh->triangle[k].isPending && mcd_meshClipSegment(&q->mesh->triangle[k], p->point[i], p->point[i],

@@ -18,6 +18,7 @@
 typedef struct McdMeshTriangle {
     double corner[3][3]; /* in the query's coordinates */
     double normal[3];
+    double inward[3][3]; /* unit vectors across the edges, in the triangle's plane; set by mcd_meshFindContacts */
     int vertex[3]; /* numbers of the corners: equal coordinates, equal numbers */
     MeU32 key[3];  /* hashes of the corners' coordinates in the mesh's frame */
     int flags;     /* McdTriangleFlags */

@@ -21,16 +21,6 @@ static inline MeBool mcd_meshAreParallel(const double a[3], const double b[3]) {
     return mcd_distanceSquared(a, b) < MCD_MESH_RISES * MCD_MESH_RISES;
 }
 
-/* The unit vector across edge i, in the triangle's plane, towards its inside. */
-static inline void mcd_meshInward(const McdMeshTriangle *t, int i, double inward[3]) {
-    double edge[3], across[3];
-    mcd_sub(edge, t->corner[(i + 1) % 3], t->corner[i]);
-    mcd_cross(inward, t->normal, edge);
-    mcd_sub(across, t->corner[(i + 2) % 3], t->corner[i]);
-    mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
-    MEASSERT(mcd_dot(inward, across) >= 0); /* the third corner is inside */
-}
-
 /* ---- adjacency and Voronoi regions (mcd_mesh_topology.c) --------------------------------------------------------- */
 
 /* The Voronoi region of a triangle that a contact normal belongs to. */
