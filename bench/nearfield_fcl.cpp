@@ -18,7 +18,7 @@ std::vector<Placed> placed[2];
 Placed make(const PeerShape &s) {
     Placed p;
     if (s.isCylinder)
-        p.geometry = std::make_shared<fcl::Cylinderd>(s.size[0], 2 * s.size[2]);
+        p.geometry = std::make_shared<fcl::Cylinderd>(s.size[0], s.size[2]);
     else
         p.geometry = std::make_shared<fcl::Boxd>(2 * s.size[0], 2 * s.size[1], 2 * s.size[2]);
     p.place.setIdentity();

@@ -106,17 +106,17 @@ typedef struct McdStand {
  * (calloc) but for the models, or made by McdModelPairCreate.
  */
 struct _McdModelPair {
-    McdModelID model1;       /**< One model. */
-    McdModelID model2;       /**< The other. In a space's pairs: the one with the greater sort key, or created later. */
-    McdRequest *request;     /**< What is asked for; null: the framework's default. */
-    void *userData;          /**< The program's. */
-    void *responseData;      /**< Collision response's: the Simulation Toolkit keeps its contact group here. */
+    McdModelID model1;   /**< One model. */
+    McdModelID model2;   /**< The other. In a space's pairs: the one with the greater sort key, or created later. */
+    McdRequest *request; /**< What is asked for; null: the framework's default. */
+    McdTest test;        /**< Mcd's own: as the pair was looked at last. */
+    void *responseData;  /**< Collision response's: the Simulation Toolkit keeps its contact group here. */
+    McdStand stand;      /**< Mcd's own: as the pair was tested last. */
     McdModelPairPhase phase; /**< Set by the space. */
-    void *m_cachedData;      /**< What the interaction's hello function prepared, its own; null: nothing. */
     void *touch;             /**< The Simulation Toolkit's: what its events know of the pair. */
+    void *userData;          /**< The program's. */
+    void *m_cachedData;      /**< What the interaction's hello function prepared, its own; null: nothing. */
     void(MEAPI *forget)(McdModelPair *); /**< The Simulation Toolkit's: called before the space takes the pair back. */
-    McdTest test;                        /**< Mcd's own: as the pair was looked at last, */
-    McdStand stand;                      /**< and tested last. */
 };
 
 /**

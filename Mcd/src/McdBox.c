@@ -61,7 +61,7 @@ static void face(const McdShape *s, const double direction[3], McdFace *f) {
     }
 }
 
-static void edges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context) {
+static void visitEdges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context) {
     const MeReal *size = get(g)->radii;
     (void)sides;
     for (int axis = 0; axis < 3; axis++)
@@ -82,7 +82,7 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(Box, mcd_geometryFree), .size = 
                              .face = face,
                              .rank = MCD_RANK_BOX,
                              .flatAxes = 1 | 2 | 4,
-                             .edges = edges};
+                             .edges = visitEdges};
 MCD_DEFINE_GEOMETRY_TYPE(Box)
 
 /* ---- sizes --------------------------------------------------------------------------------------------------- */

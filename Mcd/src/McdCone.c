@@ -89,36 +89,15 @@ MCD_DEFINE_LINE_SEGMENT(Cone)
 /* ---- in the nearfield ---------------------------------------------------------------------------------------- */
 
 static void setShape(const McdGeometry *g, McdShape *s) {
-    const double low = (double)get(g)->lowerHeight, high = (double)get(g)->length - low;
-    mcd_set(s->size, (double)get(g)->lowerRadius, (double)get(g)->upperRadius, (double)get(g)->length);
-    s->low = low;
-    s->extent = MeMAX(hypot(s->size[0], low), hypot(s->size[1], high));
-}
-
-static McdDiscs discsOf(const McdShape *s) {
-    return (McdDiscs){s->size[0], s->size[1], -s->low, s->size[2] - s->low};
-}
-
-static void farthestOnRims(const McdShape *s, const double d[3], double point[3]) {
-    const McdDiscs discs = discsOf(s);
-    mcd_discsSupport(s, &discs, d, point);
-}
-
-static void face(const McdShape *s, const double direction[3], McdFace *f) {
-    const McdDiscs discs = discsOf(s);
-    mcd_discsFace(s, &discs, direction, f);
-}
-
-static double sideRadius(const McdShape *s, const double outward[3], const double point[3]) {
-    const McdDiscs discs = discsOf(s);
-    return mcd_discsRadius(s, &discs, outward, point);
+    mcd_discsShape(s, (double)get(g)->lowerRadius, (double)get(g)->upperRadius, (double)get(g)->length,
+                   (double)get(g)->lowerHeight);
 }
 
 static const McdKind kind = {MCD_KIND_FUNCTIONS(Cone, mcd_geometryFree), .size = sizeof(McdCone),
                              .setShape = setShape,
-                             .support = farthestOnRims,
-                             .face = face,
-                             .radius = sideRadius,
+                             .support = mcd_discsSupport,
+                             .face = mcd_discsFace,
+                             .radius = mcd_discsRadius,
                              .rim = mcd_discsRim,
                              .rank = MCD_RANK_CONE,
                              .flatAxes = 4};

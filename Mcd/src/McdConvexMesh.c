@@ -170,7 +170,7 @@ static void hullFace(const McdShape *s, const double direction[3], McdFace *f) {
     }
 }
 
-static void edges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context) {
+static void visitEdges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context) {
     const McdHull *h = get(g)->hull;
     (void)sides;
     for (int f = 0; f < h->faceCount; f++)
@@ -188,7 +188,7 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(ConvexMesh, release), .size = si
                              .support = hullSupport,
                              .face = hullFace,
                              .rank = MCD_RANK_HULL,
-                             .edges = edges};
+                             .edges = visitEdges};
 MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh)
 
 /* ---- life -------------------------------------------------------------------------------------------------------- */

@@ -27,30 +27,11 @@ MCD_DEFINE_LINE_SEGMENT(Cylinder)
 
 static void setShape(const McdGeometry *g, McdShape *s) {
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
-    mcd_set(s->size, r, r, h);
-    s->extent = hypot(r, h);
+    mcd_discsShape(s, r, r, 2 * h, h);
 }
 
-static McdDiscs discsOf(const McdShape *s) {
-    return (McdDiscs){s->size[0], s->size[0], -s->size[2], s->size[2]};
-}
-
-static void farthestOnRims(const McdShape *s, const double d[3], double point[3]) {
-    const McdDiscs discs = discsOf(s);
-    mcd_discsSupport(s, &discs, d, point);
-}
-
-static void face(const McdShape *s, const double direction[3], McdFace *f) {
-    const McdDiscs discs = discsOf(s);
-    mcd_discsFace(s, &discs, direction, f);
-}
-
-static double sideRadius(const McdShape *s, const double outward[3], const double point[3]) {
-    const McdDiscs discs = discsOf(s);
-    return mcd_discsRadius(s, &discs, outward, point);
-}
-
-static void edges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context) {
+/* Of a prism with so many sides. */
+static void visitEdges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context) {
     const double r = (double)get(g)->radius, h = (double)get(g)->halfHeight;
     for (int i = 0; i < sides; i++) {
         const double from = 2 * (double)ME_PI * i / sides, to = 2 * (double)ME_PI * (i + 1) / sides;
@@ -64,13 +45,13 @@ static void edges(const McdGeometry *g, int sides, McdEdgeVisit visit, void *con
 
 static const McdKind kind = {MCD_KIND_FUNCTIONS(Cylinder, mcd_geometryFree), .size = sizeof(McdCylinder),
                              .setShape = setShape,
-                             .support = farthestOnRims,
-                             .face = face,
-                             .radius = sideRadius,
+                             .support = mcd_discsSupport,
+                             .face = mcd_discsFace,
+                             .radius = mcd_discsRadius,
                              .rim = mcd_discsRim,
                              .rank = MCD_RANK_CYLINDER,
                              .flatAxes = 4,
-                             .edges = edges};
+                             .edges = visitEdges};
 MCD_DEFINE_GEOMETRY_TYPE(Cylinder)
 
 static MeBool sizesAreGood(MeReal r, MeReal h, const char *function) {

@@ -46,7 +46,7 @@ MeBool mcd_frameCheck(McdFrameworkID frame, const char *function) {
 static void freeBlocks(McdPoolBlock *block) {
     for (McdPoolBlock *next; block; block = next) {
         next = block->next;
-        MeMemoryGive(block);
+        MeMemoryGiveAligned(block);
     }
 }
 
@@ -63,11 +63,12 @@ static void freeFramework(McdFramework *frame) {
 static void *addBlock(McdPoolBlock **blocks, int count, size_t size, const char *function, const char *what) {
     McdPoolBlock *block = 0;
     if ((size_t)count <= (SIZE_MAX - sizeof *block) / size)
-        block = MeMemoryTakeZeroed(1, sizeof *block + (size_t)count * size, function, what);
+        block = MeMemoryTakeAligned(1, sizeof *block + (size_t)count * size, MCD_CACHE_LINE, function, what);
     else
         MeFatalError(0, "%s: no memory for %s (%d times %zu bytes)", function, what, count, size);
     if (!block)
         return 0;
+    memset(block, 0, sizeof *block + (size_t)count * size);
     block->next = *blocks;
     *blocks = block;
     return block + 1;

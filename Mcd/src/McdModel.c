@@ -365,7 +365,7 @@ MeReal *MEAPI McdModelGetAngularVelocityPtr(McdModelID cm) {
 }
 
 MeBool mcd_modelIsPlaced(const McdModelRecord *m) {
-    return mcd_isPlace(mcd_const(m->instance.tm));
+    return mcd_isPlacedAsSeen(m) || mcd_isPlace(mcd_const(m->instance.tm));
 }
 
 void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm) {

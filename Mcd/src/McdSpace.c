@@ -64,7 +64,7 @@ static void freeSpace(McdSpace *s) {
     mcd_pairsDestroy(s);
     if (s->tree)
         mcd_treeDestroy(s->tree);
-    MeMemoryGive(s->proxy);
+    MeMemoryGiveAligned(s->proxy);
     MeMemoryGive(s->dirty);
     MeMemoryGive(s->unbounded);
     s->magic = 0;
@@ -75,14 +75,20 @@ static void freeSpace(McdSpace *s) {
 static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
     const size_t room = (size_t)s->proxyRoom, more = (size_t)count;
     if (!MeMemoryGrow(&s->dirty, room, more, sizeof *s->dirty, function, "models that moved") ||
-        !MeMemoryGrow(&s->unbounded, room, more, sizeof *s->unbounded, function, "models without bounds") ||
-        !MeMemoryGrow(&s->proxy, room, more, sizeof *s->proxy, function, "boxes of models"))
+        !MeMemoryGrow(&s->unbounded, room, more, sizeof *s->unbounded, function, "models without bounds"))
         return MEFALSE;
-    memset(s->proxy + room, 0, (more - room) * sizeof *s->proxy);
-    for (int i = s->firstProxy; i != MCD_NONE; i = s->proxy[i].next)
-        s->proxy[i].model->proxy = &s->proxy[i];
+    McdProxy *proxy = MeMemoryTakeAligned(more, sizeof *proxy, MCD_CACHE_LINE, function, "boxes of models");
+    if (!proxy)
+        return MEFALSE;
+    if (room > 0)
+        memcpy(proxy, s->proxy, room * sizeof *proxy);
+    memset(proxy + room, 0, (more - room) * sizeof *proxy);
+    MeMemoryGiveAligned(s->proxy);
+    s->proxy = proxy;
+    for (int i = s->firstProxy; i != MCD_NONE; i = proxy[i].next)
+        proxy[i].model->proxy = &proxy[i];
     for (int i = s->proxyRoom; i < count; i++)
-        s->proxy[i].next = i + 1 < count ? i + 1 : s->freeProxy;
+        proxy[i].next = i + 1 < count ? i + 1 : s->freeProxy;
     s->freeProxy = s->proxyRoom;
     s->proxyRoom = count;
     return METRUE;
@@ -252,13 +258,13 @@ static double largestSide(const McdProxy *p) {
     return fmax(fmax(x, y), (double)p->max[2] - (double)p->min[2]);
 }
 
-static MeBool isWithoutBounds(const McdProxy *p) {
-    return !(largestSide(p) < 1e-6 * MCD_TREE_REACH);
+static MeBool isWithoutBounds(double side) {
+    return !(side < 1e-6 * MCD_TREE_REACH);
 }
 
 /* What the fat box is measured by: the model's size, or, where that is without bounds, that of a medium-sized one. */
-static double sizeOf(const McdProxy *p) {
-    return isWithoutBounds(p) ? (double)p->model->frame->lengthScale : largestSide(p);
+static double sizeOf(const McdProxy *p, double side) {
+    return isWithoutBounds(side) ? (double)p->model->frame->lengthScale : side;
 }
 
 /* How far the fat box is from the exact one, beside what is for the motion and for rounding. */
@@ -278,7 +284,7 @@ static MeBool isWithinFatBox(const McdProxy *p) {
 /* The model will move on as it moved in the last step: where it will be in four more is in, but not more than twice
  * its size. */
 static void fatten(McdProxy *p, const double moved[3]) {
-    const double size = sizeOf(p), margin = fatMargin(p, size), rounding = 4 * (double)ME_EPSILON;
+    const double size = sizeOf(p, largestSide(p)), margin = fatMargin(p, size), rounding = 4 * (double)ME_EPSILON;
     double min[3], max[3];
     for (int i = 0; i < 3; i++) {
         const double ahead = fmax(-2 * size, fmin(4 * moved[i], 2 * size));
@@ -292,12 +298,12 @@ static void fatten(McdProxy *p, const double moved[3]) {
 
 /* Is the exact box, grown by the tolerance, still in the fat one, and the fat one not far too large for it? */
 static MeBool isFatBoxGood(const McdProxy *p) {
-    const double size = sizeOf(p), tolerance = 1.00001 * (double)p->tolerance;
-    const double most = isWithoutBounds(p) ? INFINITY : 4 * (size + 2 * fatMargin(p, size));
+    const double side = largestSide(p), size = sizeOf(p, side), tolerance = 1.00001 * (double)p->tolerance;
+    const double most = isWithoutBounds(side) ? INFINITY : 4 * (size + 2 * fatMargin(p, size));
     for (int i = 0; i < 3; i++) {
         const double low = (double)p->fat.min[i], high = (double)p->fat.max[i];
-        if (fmax((double)p->min[i] - tolerance, -MCD_TREE_REACH) < low ||
-            fmin((double)p->max[i] + tolerance, MCD_TREE_REACH) > high || high - low > most)
+        const double min = (double)p->min[i] - tolerance, max = (double)p->max[i] + tolerance;
+        if (MeMAX(min, -MCD_TREE_REACH) < low || MeMIN(max, MCD_TREE_REACH) > high || high - low > most)
             return MEFALSE;
     }
     return METRUE;
@@ -363,7 +369,7 @@ static void takeBox(McdSpace *s, McdProxy *p) {
         return;
     fatten(p, moved);
     p->isMoved = METRUE;
-    if (isWithoutBounds(p))
+    if (isWithoutBounds(largestSide(p)))
         putUnbounded(s, p);
     else
         putInTree(s, p);

@@ -1,22 +1,45 @@
 /* Solids between two discs about z: cylinders and cones. */
 #include "mcd_kind_i.h"
 
-/* Of the radius: the rim's farthest point is a corner of its own where it stands out by more, as mcd_face.c's slack. */
+/* Relative to the radius: the rim's support point becomes a corner if it exceeds the fixed corners by more than this;
+ * as the slack in mcd_face.c. */
 static const double standsOut = 2e-7;
+
+/* The lower disc and the upper one. */
+typedef struct Discs {
+    double radius[2], height[2];
+} Discs;
+
+void mcd_discsShape(McdShape *s, double lowerRadius, double upperRadius, double length, double low) {
+    mcd_set(s->size, lowerRadius, upperRadius, length);
+    s->low = low;
+    s->extent = MeMAX(hypot(lowerRadius, low), hypot(upperRadius, length - low));
+}
+
+static Discs discsOf(const McdShape *s) {
+    return (Discs){{s->size[0], s->size[1]}, {-s->low, s->size[2] - s->low}};
+}
+
+/* The slant height: of the side, from rim to rim. */
+static double slantOf(const Discs *discs) {
+    return hypot(discs->height[1] - discs->height[0], discs->radius[0] - discs->radius[1]);
+}
 
 /* ---- the farthest point ------------------------------------------------------------------------------------ */
 
-void mcd_discsSupport(const McdShape *s, const McdDiscs *discs, const double d[3], double point[3]) {
+void mcd_discsSupport(const McdShape *s, const double d[3], double point[3]) {
+    const Discs discs = discsOf(s);
     const double x = mcd_dot(s->axis[0], d), y = mcd_dot(s->axis[1], d), z = mcd_dot(s->axis[2], d);
     const double across = sqrt(x * x + y * y);
-    const MeBool isTop = discs->top * z + discs->upper * across >= discs->bottom * z + discs->lower * across;
-    const double radius = isTop ? discs->upper : discs->lower, k = across > 0 ? radius / across : 0;
-    mcd_shapePoint(s, across > 0 ? x * k : radius, y * k, isTop ? discs->top : discs->bottom, point);
+    const int end =
+        discs.height[1] * z + discs.radius[1] * across >= discs.height[0] * z + discs.radius[0] * across;
+    const double radius = discs.radius[end], k = across > 0 ? radius / across : 0;
+    mcd_shapePoint(s, across > 0 ? x * k : radius, y * k, discs.height[end], point);
 }
 
 /* ---- faces ------------------------------------------------------------------------------------------------- */
 
-/* In which of the 16 parts of a turn, counted from x on, a direction lies. */
+/* The index of the 16th of a turn in which a direction lies, counted from x. */
 static int sectorOf(double x, double y) {
     static const double tangent = .41421356237309503; /* of a 16th of a turn */
     const double ax = fabs(x), ay = fabs(y);
@@ -27,8 +50,8 @@ static int sectorOf(double x, double y) {
     return x < 0 ? 8 + quarter : 15 - quarter;
 }
 
-/* The rim of a disc at a height, counter-clockwise seen from the side of z = side. Its farthest point is put among the
- * fixed ones where it is farther than they are. */
+/* The rim of a disc as a polygon of 16 fixed corners, counter-clockwise seen from the side of z = side, and the support
+ * point along d (own axes) where no fixed corner is as far. */
 static void discFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
     enum { RIM = 16, FARTHEST = 63 };
     static const double cosine[RIM] = {1,  .9238795325112867,  .7071067811865476,  .3826834323650898,
@@ -58,12 +81,12 @@ static void discFace(const McdShape *s, const double d[3], double radius, double
     }
 }
 
-/* The line on the side of a cylinder or cone that lies towards (x, y); its normal rises by `rise` over 1. */
-static void sideLine(const McdShape *s, const double d[3], const double radius[2], const double height[2], McdFace *f) {
+/* The line on the side of a cylinder or cone that faces the direction d (own axes). */
+static void sideLine(const McdShape *s, const double d[3], const Discs *discs, McdFace *f) {
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
                  y = across > 0 ? d[1] / across : 0;
-    const double long_ = hypot(height[1] - height[0], radius[0] - radius[1]);
-    const double out = (height[1] - height[0]) / long_, up = (radius[0] - radius[1]) / long_;
+    const double *radius = discs->radius, *height = discs->height, slant = slantOf(discs);
+    const double out = (height[1] - height[0]) / slant, up = (radius[0] - radius[1]) / slant;
     mcd_shapeDirection(s, out * x, out * y, up, f->normal);
     f->id = 2;
     f->bend = (radius[0] + radius[1]) / 2;
@@ -71,30 +94,31 @@ static void sideLine(const McdShape *s, const double d[3], const double radius[2
         mcd_faceAdd(s, f, radius[i] * x, radius[i] * y, height[i], (MeU32)i);
 }
 
-/* Of both discs and the side, what looks most that way. */
-void mcd_discsFace(const McdShape *s, const McdDiscs *discs, const double direction[3], McdFace *f) {
-    const double lower = discs->lower, upper = discs->upper, bottom = discs->bottom, top = discs->top;
-    const double radius[2] = {lower, upper}, height[2] = {bottom, top};
+/* The disc or the line on the side whose normal is nearest to the direction. */
+void mcd_discsFace(const McdShape *s, const double direction[3], McdFace *f) {
+    const Discs discs = discsOf(s);
+    const double *radius = discs.radius, *height = discs.height;
     double d[3];
     mcd_shapeOwn(s, direction, d);
-    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), long_ = hypot(top - bottom, lower - upper);
-    const double side = (across * (top - bottom) + d[2] * (lower - upper)) / long_;
-    if (d[2] > side && upper > 0)
-        discFace(s, d, upper, top, 1, f);
-    else if (-d[2] > side && lower > 0)
-        discFace(s, d, lower, bottom, -1, f);
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
+    const double side = (across * (height[1] - height[0]) + d[2] * (radius[0] - radius[1])) / slantOf(&discs);
+    if (d[2] > side && radius[1] > 0)
+        discFace(s, d, radius[1], height[1], 1, f);
+    else if (-d[2] > side && radius[0] > 0)
+        discFace(s, d, radius[0], height[0], -1, f);
     else
-        sideLine(s, d, radius, height, f);
+        sideLine(s, d, &discs, f);
 }
 
-/* ---- how round the side is --------------------------------------------------------------------------------- */
+/* ---- the side's curvature ---------------------------------------------------------------------------------- */
 
-/* The side of a cylinder or cone: its normal has the same part along the axis everywhere, and meets the axis at the
- * middle of its curvature across. */
-double mcd_discsRadius(const McdShape *s, const McdDiscs *discs, const double outward[3], const double point[3]) {
-    const double lower = discs->lower, upper = discs->upper, bottom = discs->bottom, top = discs->top;
+/* The radius of curvature of a cylinder's or cone's side across its lines: the distance along the normal from the
+ * surface to the axis (Meusnier), r / cos(slope). */
+double mcd_discsRadius(const McdShape *s, const double outward[3], const double point[3]) {
     static const double across = .9987502603949663; /* cos(.05): at a wider angle it is the rim that touches */
-    const double slant = hypot(top - bottom, lower - upper), out = (top - bottom) / slant;
+    const Discs discs = discsOf(s);
+    const double lower = discs.radius[0], upper = discs.radius[1], bottom = discs.height[0], top = discs.height[1];
+    const double slant = slantOf(&discs), out = (top - bottom) / slant;
     const double up = mcd_dot(s->axis[2], outward), aside = sqrt(fmax(1 - up * up, 0));
     double off[3];
     MEASSERT(out >= 0);

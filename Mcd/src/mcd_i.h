@@ -20,6 +20,10 @@
 #include "MeMessage.h"
 #include <float.h>
 #include <stdatomic.h>
+#include <stddef.h>
+#include <string.h>
+
+enum { MCD_CACHE_LINE = 64 }; /* bytes; records that loops read are aligned to it */
 
 /* ---- handles ------------------------------------------------------------------------------------------------- */
 
@@ -55,18 +59,19 @@ static inline const MeVector4 *mcd_const(MeMatrix4Ptr tm) {
 struct _McdGeometryInstance {
     McdGeometryID geometry;
     McdModelID model;
-    McdGeometryInstance *parent;      /* null for a model's own */
-    McdGeometryInstance *firstChild;  /* of an aggregate's instance, in the order of its elements */
-    McdGeometryInstance *nextSibling; /* also links the pool's free ones */
-    int element;                      /* which one of the parent's it is */
+    McdGeometryInstance *parent;     /* null for a model's own */
+    McdGeometryInstance *firstChild; /* of an aggregate's instance, in the order of its elements */
+    MeMatrix4Ptr tm;                 /* set by the program: where a model is, or where a child's place is written */
+    MeVector3 min, max;              /* world; as of the last update */
+
+    int element;                      /* index among the parent's elements */
     int material;                     /* -1: the parent's */
-    MeMatrix4Ptr tm;                  /* set by the program: where a model is, or where a child's place is written */
+    McdGeometryInstance *nextSibling; /* also links the pool's free ones */
     MeMatrix4 placed;                 /* a child's transform in the world, as of the last update */
-    MeVector3 min, max;               /* world; as of the last update */
     MeHandle handle;
 };
 
-/* An instance is there from now on, and until then; in check builds. */
+/* From enter to leave an instance is known to MeHandleIsLive; in check builds only. */
 static inline void mcd_instanceEnter(McdGeometryInstance *ins) {
 #if KARMA_CHECK
     MeHandleEnter(&ins->handle, ins, MCD_INSTANCE);
@@ -131,47 +136,67 @@ typedef struct McdFilter {
     int group;
 } McdFilter;
 
-/* What a model's box, its margin and its tests are found from (mcd_tested.c). */
+/* All input of a model's box, margin and tests; compared bit by bit (mcd_tested.c): no padding. */
 typedef struct McdSeen {
     struct McdSeenShape {
         const McdGeometry *geometry;
-        MeU64 parameters[4]; /* what the geometry has beyond its head */
+        MeU64 parameters[4]; /* the geometry's members behind its head */
         MeReal tolerance;
         MeBool isSwept;
     } shape;
-    MeMatrix4 tm;
+    MeVector3 axis[3], place; /* rows of the transform */
     MeVector3 velocity, spin;
 } McdSeen;
 
+/* Grouped by cache lines of 64 bytes, in single precision: the pair loop reads the first, of models that move all of
+ * the hot ones; a space's update reads the hot ones; the others are read by the program's calls. */
 typedef struct McdModelRecord {
-    McdModel model; /* what programs see: first */
+    /* hot: 1 */
+    _Alignas(MCD_CACHE_LINE) McdModel model; /* what programs see: first */
     MeU32 magic;
-    MeHandle handle;
-    McdFramework *frame;
-    struct McdModelRecord *next, *previous; /* the framework's live models in the order of creation, or free ones */
-    unsigned long serial;                   /* counts creations in the framework */
-    McdGeometryInstance instance;
-    MeMatrix4Ptr relTM, refTM; /* null unless relative */
-    MeBool ownsRelative;
-    MeReal *linearVelocity, *angularVelocity;
     MeReal tolerance;
-    MeReal lookAhead, ahead, turnAhead; /* s; m, how far it may get in that time, and by turning alone */
+    McdFramework *frame;
+    MeU64 stamp, shapeStamp; /* as of when the model, its shape have been like `seen`; 0: never */
+    MeU64 lookedIn;          /* the framework's round of the last comparison with `seen` */
+    /* hot: 2 */
+    McdModelIntersectFnPtr intersect;
+    McdModelUpdateFnPtr update;
+    MeMatrix4Ptr relTM; /* null unless relative */
+    MeReal *linearVelocity, *angularVelocity;
+    MeU64 boxStamp;               /* the stamp that the box belongs to, */
+    MeReal boxDuration, boxAhead; /* s, and its motion and look-ahead */
     MeBool isSwept, isSensor;
-    MeBool isFast; /* in the time that the space looks ahead */
+    /* hot: 3, 4 */
+    McdSeen seen;            /* the model at the last comparison */
+    MeReal ahead, turnAhead; /* m, how far it may get in the time lookAhead, and by turning alone */
+    /* hot: 5, 6; the first three follow from `seen` */
+    double axis[3][3]; /* mcd_shapeAxes of its transform, if isPlaced */
+    MeBool isPlaced;   /* mcd_isPlace of its transform */
+    MeReal radius;     /* m, of the bounding sphere */
+    MeReal lookAhead;  /* s */
+    MeBool isFast;     /* in that time */
+    McdSpaceID space;
+    void *proxy; /* the space's record of the model */
     McdFilter filter;
     MeI16 sortKey;
     int requestId;
-    McdModelUpdateFnPtr update;
-    McdModelIntersectFnPtr intersect;
+    /* hot: 7 */
+    McdGeometryInstance instance;
+    /* cold */
     void *userData;
-    McdSpaceID space;
-    void *proxy; /* the space's record of the model */
-    McdSeen seen;                  /* when the model was last looked at, */
-    MeU64 stamp, shapeStamp;       /* since when it, its shape have been like that; 0: never, */
-    MeU64 lookedIn;                /* and the framework's round in which that was */
-    MeU64 boxStamp;                /* as of when its box is, */
-    MeReal boxDuration, boxAhead;  /* s, and for which motion and look-ahead */
+    MeMatrix4Ptr refTM; /* null unless relative */
+    MeBool ownsRelative;
+    unsigned long serial;                   /* counts creations in the framework */
+    struct McdModelRecord *next, *previous; /* the framework's live models in the order of creation, or free ones */
+    MeHandle handle;
 } McdModelRecord;
+
+_Static_assert(offsetof(McdModelRecord, intersect) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
+_Static_assert(offsetof(McdModelRecord, seen) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
+_Static_assert(offsetof(McdModelRecord, axis) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
+_Static_assert(offsetof(McdModelRecord, instance) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
+_Static_assert(offsetof(McdGeometryInstance, element) <= MCD_CACHE_LINE || sizeof(MeReal) > 4, "its boxes are in it");
+_Static_assert(sizeof(McdSeen) == 40 + 20 * sizeof(MeReal) || sizeof(MeReal) > 4, "no padding");
 
 static inline McdModelRecord *mcd_record(McdModelID cm) {
     return (McdModelRecord *)cm;
@@ -193,6 +218,15 @@ McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function);
 MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b);
 /* Renews children and boxes from the present transform, without the program's callback. */
 void mcd_modelRefresh(McdModelRecord *m);
+/* Is its transform, to the last bit, the one in `seen`, and one that places it? */
+static inline MeBool mcd_isPlacedAsSeen(const McdModelRecord *m) {
+    const MeMatrix4Ptr tm = m->instance.tm;
+    return m->isPlaced && tm && memcmp(tm[0], m->seen.axis[0], sizeof(MeVector3)) == 0 &&
+           memcmp(tm[1], m->seen.axis[1], sizeof(MeVector3)) == 0 &&
+           memcmp(tm[2], m->seen.axis[2], sizeof(MeVector3)) == 0 &&
+           memcmp(tm[3], m->seen.place, sizeof(MeVector3)) == 0;
+}
+
 /* Has it a transform that places it, see mcd_areNear? */
 MeBool mcd_modelIsPlaced(const McdModelRecord *m);
 /* Writes where the model will be after time: its transform moved by its velocities (exact screw-free rotation). */
@@ -225,9 +259,8 @@ typedef struct McdGridCell {
 typedef struct McdTermActionLink McdTermActionLink;
 
 /* Pools grow by further blocks of records, so that records never move. This is a block's head, the records follow. */
-typedef union McdPoolBlock {
-    union McdPoolBlock *next;
-    max_align_t alignment;
+typedef struct McdPoolBlock {
+    _Alignas(MCD_CACHE_LINE) struct McdPoolBlock *next;
 } McdPoolBlock;
 
 struct _McdFramework {

@@ -86,13 +86,11 @@ int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *f
     .box = Mcd##Type##UpdateAABB, .sphere = Mcd##Type##GetBSphere, .farthest = Mcd##Type##MaximumPoint,                \
     .mass = Mcd##Type##GetMassProperties, .draw = Mcd##Type##DebugDraw
 
-/* Solids between two discs about z, of radii that may differ (mcd_discs.c): what cylinders and cones share. */
-typedef struct McdDiscs {
-    double lower, upper, bottom, top; /* radii, heights */
-} McdDiscs;
-void mcd_discsSupport(const McdShape *s, const McdDiscs *discs, const double direction[3], double point[3]);
-void mcd_discsFace(const McdShape *s, const McdDiscs *discs, const double direction[3], McdFace *f);
+/* Solids between two discs about z, of radii that may differ: cylinders and cones (mcd_discs.c). */
+void mcd_discsShape(McdShape *s, double lowerRadius, double upperRadius, double length, double low);
+void mcd_discsSupport(const McdShape *s, const double direction[3], double point[3]);
+void mcd_discsFace(const McdShape *s, const double direction[3], McdFace *f);
+double mcd_discsRadius(const McdShape *s, const double outward[3], const double point[3]);
 double mcd_discsRim(const McdShape *s, const double outward[3], const double point[3]);
-double mcd_discsRadius(const McdShape *s, const McdDiscs *discs, const double outward[3], const double point[3]);
 
 #endif

@@ -19,11 +19,25 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
     return MEFALSE;
 }
 
+#ifndef _ME_API_DOUBLE
+/* nextafterf(r, FLT_MAX) without a call: the bits of positive floats are in their order, of negative ones in the
+ * opposite one. */
+static float nextAbove(float r) {
+    MeU32 bits;
+    if (!(r < FLT_MAX))
+        return r; /* also NaN */
+    memcpy(&bits, &r, sizeof bits);
+    bits = r > 0 ? bits + 1 : r < 0 ? bits - 1 : 1;
+    memcpy(&r, &bits, sizeof r);
+    return r;
+}
+#endif
+
 MeReal mcd_roundUp(double x) {
     MeReal r = (MeReal)x;
 #ifndef _ME_API_DOUBLE
     if (!((double)r >= x))
-        r = nextafterf(r, FLT_MAX);
+        r = nextAbove(r);
 #endif
     MEASSERT(!((double)r < x) || x > (double)MEINFINITY);
     return r;

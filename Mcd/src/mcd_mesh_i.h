@@ -1,14 +1,14 @@
 /* Inside Mcd: contacts of a convex shape with triangles that join up to a surface.
  *
  * A geometry (a list's callback, a height field's grid) gathers the triangles near the shape; mcd_meshIntersect
- * does the rest. Ghost contacts at internal edges are avoided by Voronoi regions: a normal at an edge or a corner
+ * finds the contacts. Ghost contacts at internal edges are avoided by Voronoi regions: a normal at an edge or a corner
  * is the surface's only if no triangle there rises above the plane across it; else the face's normal is taken.
- * Neighbours are those with equal corners; at T-junctions, a point beside the contact is looked up.
+ * Neighbours have corners at equal coordinates; at T-junctions, a point beyond the border is looked up.
  *
- * A triangle whose surroundings are flat has one possible normal, its own, and is not searched. There, points below
- * the surface count if the shape entered through it: the way from the point to where the line from there to the
- * shape's highest point crosses the plane is covered by coplanar triangles. So an overhang is below triangles that
- * it does not touch. /
+ * A triangle in flat surroundings has one admissible normal, its own. Points of the shape below the plane are contacts
+ * if the shape entered the surface there: if coplanar triangles cover the segment from the point's foot to the entry,
+ * where the line from the point to the shape's highest point crosses the plane. Else the point is a part of the shape
+ * that hangs over the border, below triangles that the shape does not touch.
  */
 #ifndef MCD_MESH_H
 #define MCD_MESH_H
@@ -18,12 +18,13 @@
 typedef struct McdMeshTriangle {
     double corner[3][3]; /* in the query's coordinates */
     double normal[3];
-    int vertex[3]; /* numbers of the corners: equal places, equal numbers */
-    MeU32 key[3];  /* of the corners: from their coordinates in the mesh's frame */
+    double inward[3][3]; /* unit vectors across the edges, in the triangle's plane; set by mcd_meshFindContacts */
+    int vertex[3]; /* numbers of the corners: equal coordinates, equal numbers */
+    MeU32 key[3];  /* hashes of the corners' coordinates in the mesh's frame */
     int flags;     /* McdTriangleFlags */
     McdElementData element;
-    int facing;       /* contacts only along its normal: 1, or against it: -1; 0: neither, or not known */
-    MeBool isPending; /* within reach, and not found to touch the shape yet */
+    int facing;       /* the only admissible contact normal: 1 its own, -1 the opposite; 0: to be searched */
+    MeBool isPending; /* within reach of the shape, without contacts so far */
 } McdMeshTriangle;
 
 typedef struct McdMeshContact {
@@ -31,8 +32,8 @@ typedef struct McdMeshContact {
     double radius; /* of the shape's surface there: mcd_surfaceRadius */
     MeU32 feature;
     McdElementData element;
-    int dims;  /* of the cluster that it is in */
-    int isCut; /* no corner of the shape: a point that others may replace */
+    int dims;  /* of its manifold: McdContact.dims */
+    int isCut; /* no corner of the shape; of two points at one place, the corner is kept */
 } McdMeshContact;
 
 struct McdScratch;
@@ -42,8 +43,8 @@ typedef struct McdMesh {
     int count, max; /* triangles */
     McdMeshTriangle *triangle;
     double (*place)[3];     /* their corners in the mesh's frame, three each */
-    int *firstOf, *usersOf; /* 3 max + 1: where a vertex' triangles begin in the other, 3 max */
-    int *cornerOf, *slot;   /* 3 max: a corner at the vertex; 12 max: where to find it */
+    int *firstOf, *usersOf; /* the triangles of vertex v: usersOf[firstOf[v] .. firstOf[v + 1] - 1]; 3 max + 1, 3 max */
+    int *cornerOf, *slot;   /* the vertices' hash table: a corner of each vertex, 3 max; vertices by hash, 12 max */
     int *fan;               /* 3 max: is a vertex surrounded by triangles in one plane? */
     int contactCount, contactMax;
     McdMeshContact *contact, *cluster, *merged;
@@ -51,8 +52,13 @@ typedef struct McdMesh {
     void *spots; /* McdSpot */
     int *kept;
     int skipped;     /* triangles without area */
-    int vertexCount; /* of corners that came with numbers; 0: they came without */
+    int vertexCount; /* of corners that the geometry has numbered; 0: they are numbered by equal coordinates */
 } McdMesh;
+
+/* Grows one of its arrays. */
+#define MCD_MESH_GROW(pointer, used, count)                                                                            \
+    MeMemoryGrow(&(pointer), (size_t)(used), (size_t)(count), sizeof *(pointer), "McdIntersect",                       \
+                 "triangles and contacts")
 
 typedef struct McdMeshQuery {
     McdModelPair *pair;         /* model1 is the convex one */
@@ -73,13 +79,12 @@ typedef void (*McdMeshGather)(McdMeshQuery *q);
 
 /* The interaction of a convex model with a mesh: 1 if there are contacts. */
 int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather gather);
-/* Has it place for so many triangles? If not, it gets it; false, after a fatal error, if there is no memory. */
+/* Room for so many triangles; false, after a fatal error, if there is no memory. */
 MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
 void mcd_meshFree(McdMesh *mesh);
-/* For gather functions: corners in the mesh's frame; the normal, which may be null, says which side is outside.
- * What is not near, has no area, or has NaN is left out. Adjacency is known from the corners' numbers below
- * vertexCount, which a grid has once and for all; null: of what a program hands over anew for each query, it is
- * found by equal coordinates. */
+/* For gather functions: adds a triangle, corners in the mesh's frame, unless it is not near, has no area, or has NaN.
+ * The normal, which may be null, is on the outside. vertex: numbers of the corners, below vertexCount; null: they are
+ * numbered by equal coordinates. */
 void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
                  McdElementData element);
 

@@ -84,9 +84,10 @@ static MeBool makePairBlock(McdSpace *s) {
     const int size = sizeOfBlock(s->blockCount), before = size - MCD_PAIR_BLOCK; /* in all blocks so far */
     if (s->blockCount == MCD_PAIR_BLOCKS || !reserveLists(s, before + size))
         return MEFALSE;
-    McdPairRecord *record = MeMemoryTakeZeroed((size_t)size, sizeof *record, caller, "pairs");
+    McdPairRecord *record = MeMemoryTakeAligned((size_t)size, sizeof *record, MCD_CACHE_LINE, caller, "pairs");
     if (!record)
         return MEFALSE;
+    memset(record, 0, (size_t)size * sizeof *record);
     s->block[s->blockCount++] = record;
     for (int i = size - 1; i >= 0; i--) {
         record[i].nextFree = s->freePair;
@@ -710,7 +711,7 @@ void mcd_pairsDestroy(McdSpace *s) {
             s->block[b][i].pair.responseData = 0; /* goes with its world, which may have gone before */
             forgetPair(&s->block[b][i]);
         }
-        MeMemoryGive(s->block[b]);
+        MeMemoryGiveAligned(s->block[b]);
     }
     MeMemoryGive(s->link);
     MeMemoryGive(s->hash);

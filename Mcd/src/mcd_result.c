@@ -72,23 +72,26 @@ void mcd_manifoldTurn(McdManifold *m) {
     }
 }
 
-/* Which of the manifold's points there is place for, as ascending indices; returns how many. */
-static int choose(const McdManifold *m, int place, int kept[MCD_MANIFOLD_POINTS]) {
+/* The manifold's points that there is room for, as ascending indices; returns how many. */
+static int choosePoints(const McdManifold *m, int room, int kept[MCD_MANIFOLD_POINTS]) {
     McdSpot spot[MCD_MANIFOLD_POINTS];
-    for (int i = 0; i < m->count; i++) {
+    for (int i = 0; i < m->count; i++)
         kept[i] = i;
+    if (room >= m->count)
+        return m->count;
+    for (int i = 0; i < m->count; i++) {
         mcd_copy(spot[i].position, m->point[i].position);
         mcd_copy(spot[i].normal, m->normal);
         spot[i].separation = m->point[i].separation;
     }
-    return place >= m->count ? m->count : mcd_spread(spot, m->count, place, 0, kept);
+    return mcd_spread(spot, m->count, room, 0, kept);
 }
 
 McdContact *mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, const double origin[3],
                           McdGeometryInstanceID ins1, McdGeometryInstanceID ins2) {
     McdContact *first = &result->contacts[result->contactCount];
     int kept[MCD_MANIFOLD_POINTS];
-    const int count = choose(m, result->contactMaxCount - result->contactCount, kept);
+    const int count = choosePoints(m, result->contactMaxCount - result->contactCount, kept);
     MEASSERT(m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS && count <= m->count);
     MEASSERT(result->contactCount + count <= result->contactMaxCount);
     for (int i = 0; i < count; i++) {
@@ -147,16 +150,17 @@ static MeBool areContactsGood(const McdIntersectResult *result) {
 
 int mcd_resultEnd(McdIntersectResult *result) {
     MeVector3 sum = {0, 0, 0};
+    MEASSERT(result->contactCount >= 0 && result->contactCount <= result->contactMaxCount);
+    if (!result->contactCount)
+        return result->touch = 0;
     for (int i = 0; i < result->contactCount; i++)
         MeVector3Add(sum, sum, result->contacts[i].normal);
     const MeReal length = MeVector3Magnitude(sum);
     if (length > ME_SMALL_EPSILON)
         MeVector3MultiplyScalar(result->normal, sum, 1 / length);
-    else if (result->contactCount) /* they cancel: the first stands for them */
+    else /* they cancel: the first stands for them */
         MeVector3Copy(result->normal, result->contacts[0].normal);
-    MEASSERT(result->contactCount >= 0 && result->contactCount <= result->contactMaxCount);
     tellApart(result);
     MEVALIDATE(areContactsGood(result));
-    result->touch = result->contactCount > 0;
-    return result->touch;
+    return result->touch = 1;
 }

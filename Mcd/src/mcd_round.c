@@ -127,7 +127,7 @@ MeBool mcd_pointBox(const McdShape *a, const McdShape *b, double limit, McdProxi
 MeBool mcd_pointCylinder(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     double x[3], nearest[3], n[3], distance;
     ownPlace(a, b, x);
-    const double radius = b->size[0], half = b->size[2], across = hypot(x[0], x[1]);
+    const double radius = b->size[0], half = b->low, across = hypot(x[0], x[1]);
     const double k = across > radius ? radius / across : 1;
     mcd_set(nearest, x[0] * k, x[1] * k, MeCLAMP(x[2], -half, half));
     if (!isOutside(a, b, x, nearest, n, &distance)) {

@@ -47,37 +47,41 @@ static void squareAxes(double axis[3][3]) {
     MEASSERT(fabs(mcd_dot(axis[0], axis[1])) < 1e-9 && mcd_isUnit(axis[2])); /* the error is squared */
 }
 
-static MeBool place(McdShape *s, const MeMatrix4 tm, const double origin[3]) {
-    double sum = 0;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            s->axis[i][j] = (double)tm[i][j];
-            sum += fabs(s->axis[i][j]);
-        }
-        s->place[i] = (double)tm[3][i] - origin[i];
-        sum += fabs(s->place[i]);
-    }
-    if (!isfinite(sum))
+void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]) {
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            axis[i][j] = (double)tm[i][j];
+    squareAxes(axis);
+}
+
+/* All but its axes; corners are a triangle's alone. */
+static MeBool beginShape(McdGeometryID g, const MeReal place[3], const double origin[3], McdShape *s) {
+    s->kind = mcd_kindOf(g);
+    if (!s->kind || !s->kind->setShape)
         return MEFALSE;
-    squareAxes(s->axis);
-    return METRUE;
+    for (int i = 0; i < 3; i++)
+        s->place[i] = (double)place[i] - origin[i];
+    mcd_set(s->size, 0, 0, 0);
+    s->low = s->rounding = s->extent = 0;
+    s->hull = 0;
+    s->kind->setShape(g, s);
+    MEASSERT(s->rounding >= 0 && !(s->extent < s->rounding));
+    return isfinite(s->place[0] + s->place[1] + s->place[2]);
 }
 
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape) {
-    const McdKind *kind = mcd_kindOf(g);
-    if (!kind || !kind->setShape || !mcd_isPlace(tm))
+    if (!mcd_isPlace(tm) || !beginShape(g, tm[3], origin, shape))
         return MEFALSE;
-    memset(shape, 0, sizeof *shape);
-    shape->kind = kind;
-    if (!place(shape, tm, origin))
-        return MEFALSE;
-    kind->setShape(g, shape);
-    MEASSERT(shape->rounding >= 0 && !(shape->extent < shape->rounding));
+    mcd_shapeAxes(tm, shape->axis);
     return METRUE;
 }
 
 MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape) {
-    return mcd_shapeAt(ins->geometry, (const MeReal(*)[4])mcd_instanceTM(ins), origin, shape);
+    const McdModelRecord *m = mcd_record(ins->model);
+    if (!m || ins != &m->instance || !mcd_isPlacedAsSeen(m))
+        return mcd_shapeAt(ins->geometry, (const MeReal(*)[4])mcd_instanceTM(ins), origin, shape);
+    memcpy(shape->axis, m->axis, sizeof shape->axis);
+    return beginShape(ins->geometry, ins->tm[3], origin, shape);
 }
 
 /* ---- farthest points --------------------------------------------------------------------------------------- */

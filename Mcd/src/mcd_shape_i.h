@@ -37,9 +37,9 @@ typedef struct McdShape {
     const McdKind *kind; /* its type's functions */
     double axis[3][3];   /* rows: its own axes */
     double place[3];     /* its own origin */
-    double size[3];  /* box: half sizes. cylinder: radius, radius, half height. sphyl: -, -, half height of the core.
-                            cone: lower radius, upper radius, length; it lies between z = -low and length - low */
-    double low;      /* cone: how far its base is below its origin */
+    double size[3];  /* box: half sizes. sphyl: -, -, half height of the core. cylinder and cone: lower radius, upper
+                        radius, length; they lie between z = -low and length - low */
+    double low;      /* cylinder and cone: distance of the base below the origin; a cylinder's half height */
     double rounding; /* see above */
     const McdHull *hull;
     double corner[3][3]; /* triangle: its corners, in the coordinates of the query */
@@ -52,6 +52,8 @@ void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, doub
 MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape);
 /* The same, at another transform than the instance's present one. */
 MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape);
+/* A shape's axes at a transform that mcd_isPlace. */
+void mcd_shapeAxes(const MeMatrix4 tm, double axis[3][3]);
 void mcd_triangleShape(const double corners[3][3], McdShape *shape);
 
 /* A point and a direction from its own axes, and a direction to them. */

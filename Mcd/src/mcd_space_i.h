@@ -18,38 +18,48 @@
 #include "McdSpace.h"
 #include "mcd_i.h"
 #include "mcd_tree_i.h"
+#include <stdbool.h>
 
 enum { MCD_NONE = -1 };
 /* Pairs in the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
 enum { MCD_PAIR_BLOCK = 128, MCD_PAIR_BLOCKS = 23 };
 
+/* Two cache lines of 64 bytes, in single precision: an update of models that are where they were, and the
+ * classification of near pairs, read the first one only. */
 typedef struct McdProxy {
-    /* what classifying a pair reads comes first */
-    MeReal min[3], max[3], tolerance; /* that, and how far it looks ahead */
-    MeBool hasBox, isFrozen;
-    MeBool isDirty; /* its links are to be classified */
-    McdTreeBox fat;
+    _Alignas(MCD_CACHE_LINE) MeReal min[3];
+    MeReal max[3], tolerance; /* that, and how far it looks ahead */
+    bool hasBox : 1, isFrozen : 1;
+    bool isDirty : 1;     /* its links are to be classified */
+    bool isAwake : 1;     /* linked by previousAwake, nextAwake; a frozen one until the next update unlinks it */
+    bool isUnbounded : 1; /* in McdSpace.unbounded, not in the tree */
+    bool isMoved : 1;     /* its fat box is new: look for links */
+    bool isWarned : 1;    /* of its transform */
+    McdFilter filter;     /* the model's */
+    int nextAwake;        /* the next one that is updated */
     McdCullingTable *table;
+    McdModelRecord *model; /* null: free */
+
+    McdTreeBox fat;
     int cullingIndex, cullingID;
-    McdFilter filter; /* the model's */
-    int firstLink;
-    int previous, next;           /* in the order of insertion; next also links the free ones */
-    int previousAwake, nextAwake; /* among those that are updated */
-    McdModelRecord *model;        /* null: free */
-    McdTreeLeaf *leaf;            /* null: no box yet, or without bounds */
-    MeU64 order;                  /* the model's place in the order of pairs: sort key, then creation */
-    MeBool isAwake;               /* is it among those? Frozen ones are until the next update finds them there */
-    MeBool isUnbounded;
-    MeBool isMoved;  /* its fat box is new: look for links */
-    MeBool isWarned; /* of its transform */
+    int firstLink, previousAwake;
+    int previous, next; /* in the order of insertion; next also links the free ones */
+    McdTreeLeaf *leaf;  /* null: no box yet, or without bounds */
+    MeU64 order;        /* the model's place in the order of pairs: sort key, then creation */
 } McdProxy;
+
+_Static_assert((offsetof(McdProxy, fat) == MCD_CACHE_LINE && sizeof(McdProxy) == 2 * MCD_CACHE_LINE) ||
+                   sizeof(MeReal) > 4,
+               "two lines");
 
 typedef struct McdPairRecord McdPairRecord;
 struct McdPairRecord {
-    McdModelPair pair; /* what programs see: first */
+    _Alignas(MCD_CACHE_LINE) McdModelPair pair; /* what programs see: first */
     McdPairRecord *nextFree;
     MeBool wasSilent; /* when it said goodbye: it is among the goodbyes only */
 };
+
+_Static_assert(offsetof(McdModelPair, responseData) == MCD_CACHE_LINE, "McdModelPairLook reads one line");
 
 typedef struct McdPairEntry {
     MeU64 order2, order1; /* of model2 and model1 */
@@ -67,9 +77,9 @@ typedef struct McdPairList {
 typedef struct McdLink {
     int proxy[2]; /* proxy[0] comes later in the order: it is model1; MCD_NONE: the link is free */
     int previous[2], next[2];
-    int nextInHash;               /* also links the free ones */
-    MeBool isDisabled, isWaiting; /* waiting for room among the pairs */
-    MeBool isSilent;              /* its pair stays, but both models are frozen: it is in no list */
+    int nextInHash;             /* also links the free ones */
+    bool isDisabled, isWaiting; /* waiting for room among the pairs */
+    bool isSilent;              /* its pair stays, but both models are frozen: it is in no list */
     McdPairRecord *record;
 } McdLink;
 

@@ -9,9 +9,10 @@
 #include "mcd_kind_i.h"
 #include <string.h>
 
+/* Bit by bit; leaves the vector as it is where there is none. */
 static void copyIfThere(MeVector3 to, const MeReal *from) {
     if (from)
-        MeVector3Copy(to, from);
+        memcpy(to, from, sizeof(MeVector3));
 }
 
 /* All that tests of a model read, but for how far the space has it look ahead. */
@@ -25,7 +26,9 @@ static MeBool look(const McdModelRecord *m, McdSeen *seen) {
     memset(seen, 0, sizeof *seen);
     seen->shape.geometry = g;
     memcpy(seen->shape.parameters, (const char *)g + sizeof *g, bytes);
-    memcpy(seen->tm, m->instance.tm, sizeof seen->tm);
+    for (int i = 0; i < 3; i++)
+        memcpy(seen->axis[i], m->instance.tm[i], sizeof seen->axis[i]);
+    memcpy(seen->place, m->instance.tm[3], sizeof seen->place);
     copyIfThere(seen->velocity, m->linearVelocity);
     copyIfThere(seen->spin, m->angularVelocity);
     seen->shape.tolerance = m->tolerance;
@@ -33,17 +36,28 @@ static MeBool look(const McdModelRecord *m, McdSeen *seen) {
     return METRUE;
 }
 
+/* Another look at the model: the stamps, and what pairs read of it that follows from `seen`. */
+static void see(McdModelRecord *m, const McdSeen *now) {
+    const MeBool isOtherShape = m->shapeStamp == 0 || memcmp(&now->shape, &m->seen.shape, sizeof now->shape) != 0;
+    MeVector3 centre;
+    m->seen = *now;
+    m->stamp = ++m->frame->lastStamp;
+    m->isPlaced = mcd_isPlace(mcd_const(m->instance.tm));
+    if (m->isPlaced)
+        mcd_shapeAxes(mcd_const(m->instance.tm), m->axis);
+    if (!isOtherShape)
+        return;
+    m->shapeStamp = m->stamp;
+    McdGeometryGetBSphere(m->instance.geometry, centre, &m->radius);
+}
+
 MeU64 mcd_modelStamp(McdModelRecord *m) {
     McdSeen now;
     m->lookedIn = m->frame->round;
-    if (!look(m, &now)) {
+    if (!look(m, &now))
         m->stamp = m->shapeStamp = 0;
-    } else if (m->stamp == 0 || memcmp(&now, &m->seen, sizeof now) != 0) {
-        m->stamp = ++m->frame->lastStamp;
-        if (m->shapeStamp == 0 || memcmp(&now.shape, &m->seen.shape, sizeof now.shape) != 0)
-            m->shapeStamp = m->stamp;
-        m->seen = now;
-    }
+    else if (m->stamp == 0 || memcmp(&now, &m->seen, sizeof now) != 0)
+        see(m, &now);
     return m->stamp;
 }
 
@@ -122,20 +136,13 @@ MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
     return !mcd_record(p->model1)->intersect && !mcd_record(p->model2)->intersect && mcd_interactionIsBuiltIn(p);
 }
 
-static MeReal sizeOf(McdModelID m) {
-    MeVector3 centre;
-    MeReal radius;
-    McdModelGetBSphere(m, centre, &radius);
-    return radius;
-}
-
 void MEAPI McdModelPairNoteTest(McdModelPair *p) {
     if (p->test.stamp1 == 0 || p->test.stamp2 == 0) {
         p->stand.size = 0;
         return;
     }
     p->stand = standOf(p);
-    p->stand.size = MeMIN(sizeOf(p->model1), sizeOf(p->model2));
+    p->stand.size = MeMIN(mcd_record(p->model1)->radius, mcd_record(p->model2)->radius);
 }
 
 void MEAPI McdModelPairForgetTest(McdModelPair *p) {

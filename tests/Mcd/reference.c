@@ -191,7 +191,8 @@ void shape_box(McdShape *s, double x, double y, double z) {
 
 void shape_cylinder(McdShape *s, double radius, double halfHeight) {
     start(s, kMcdGeometryTypeCylinder);
-    mcd_set(s->size, radius, radius, halfHeight);
+    mcd_set(s->size, radius, radius, 2 * halfHeight);
+    s->low = halfHeight;
     s->extent = hypot(radius, halfHeight);
 }
 
@@ -349,11 +350,7 @@ static void support(const McdShape *s, const Solid *x, const double n[3], double
         d[i] = mcd_dot(s->axis[i], n);
     const double across = hypot(d[0], d[1]);
     double radius[2] = {0, 0}, height[2] = {0, 0};
-    if (s->kind->type == kMcdGeometryTypeCylinder) {
-        radius[0] = radius[1] = s->size[0];
-        height[1] = s->size[2];
-        height[0] = -height[1];
-    } else if (s->kind->type == kMcdGeometryTypeCone) {
+    if (s->kind->type == kMcdGeometryTypeCylinder || s->kind->type == kMcdGeometryTypeCone) {
         radius[0] = s->size[0];
         radius[1] = s->size[1];
         height[0] = -s->low;

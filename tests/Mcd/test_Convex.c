@@ -265,7 +265,7 @@ static double outsideOf(const McdShape *s, const double point[3], Random *r) {
     mcd_sub(off, point, s->place);
     const double along = mcd_dot(off, s->axis[2]), across = sqrt(fmax(mcd_dot(off, off) - along * along, 0));
     if (s->kind->type == kMcdGeometryTypeCylinder)
-        return fmax(fabs(along) - s->size[2], across - s->size[0]);
+        return fmax(fabs(along) - s->low, across - s->size[0]);
     for (int c = 0; c < 64; c++) {
         double e[3], top[3];
         random_direction(r, e);

@@ -32,7 +32,7 @@ static McdGeometryID create(McdShape *s) {
     case kMcdGeometryTypeBox:
         return McdBoxCreate(frame, 2 * x, 2 * y, 2 * z);
     case kMcdGeometryTypeCylinder:
-        return McdCylinderCreate(frame, x, 2 * z);
+        return McdCylinderCreate(frame, x, z);
     case kMcdGeometryTypeSphyl:
         return McdSphylCreate(frame, r, 2 * z);
     case kMcdGeometryTypeCone: {

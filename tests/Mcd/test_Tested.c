@@ -149,6 +149,34 @@ START_TEST(margins_and_requests_count) {
 }
 END_TEST
 
+/* Contacts with the second model turned about an axis; isSeen: the pair has been looked at since. */
+static void intersectTurned(int axis, MeBool isSeen, McdContact contact[4]) {
+    McdIntersectResult result = {.contacts = contact, .contactMaxCount = 4};
+    MeVector3 angle = {0, 0, 0};
+    MeMatrix3 turn;
+    meetBoxes();
+    angle[axis] = (MeReal).2;
+    MeMatrix3FromEulerAngles(turn, angle[0], angle[1], angle[2]);
+    MeMatrix4TMSetRotation(p.tm[1], (const MeVector3 *)turn);
+    if (isSeen)
+        assertChanged("a turn");
+    memset(contact, 0, 4 * sizeof *contact);
+    ck_assert(McdIntersect(&p.pair, &result));
+    ck_assert_int_gt(result.contactCount, 0);
+    for (int i = 0; i < 4; i++)
+        contact[i].instance1 = contact[i].instance2 = 0;
+}
+
+START_TEST(tests_read_transforms_as_they_are_not_as_they_were_seen) {
+    for (int axis = 0; axis < 3; axis++) {
+        McdContact seen[4], notSeen[4];
+        intersectTurned(axis, METRUE, seen);
+        intersectTurned(axis, MEFALSE, notSeen);
+        ck_assert_int_eq(memcmp(seen, notSeen, sizeof seen), 0);
+    }
+}
+END_TEST
+
 START_TEST(models_stay_as_they_are_within_a_round) {
     meetBoxes();
     p.tm[0][3][0] = 1;
@@ -237,6 +265,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, every_size_counts);
     tcase_add_test(t, another_shape_counts);
     tcase_add_test(t, margins_and_requests_count);
+    tcase_add_test(t, tests_read_transforms_as_they_are_not_as_they_were_seen);
     tcase_add_test(t, models_stay_as_they_are_within_a_round);
     tcase_add_test(t, a_box_of_the_last_update_is_kept_where_nothing_has_changed);
     tcase_add_test(t, a_relative_model_follows_what_it_is_relative_to);

@@ -1,0 +1,142 @@
+/* Contacts of a convex shape with a triangle along a given normal: the shape's face clipped to the triangle. */
+#include "mcd_mesh_stages_i.h"
+#include "mcd_nearfield_i.h"
+
+_Static_assert(MCD_POLYGON_POINTS == MCD_FACE_POINTS + 4, "a face, cut three times");
+
+/* ---- polygons ---------------------------------------------------------------------------------------------------- */
+
+static void appendPoint(McdPolygon *p, const double point[3], MeU32 name, MeBool isCut) {
+    if (p->count == MCD_POLYGON_POINTS)
+        return;
+    p->isCut[p->count] = isCut;
+    mcd_copy(p->point[p->count], point);
+    p->name[p->count++] = name;
+}
+
+void mcd_polygonFace(const McdShape *shape, const double direction[3], McdPolygon *p) {
+    McdFace face;
+    mcd_faceToward(shape, direction, &face);
+    p->count = 0;
+    for (int i = 0; i < face.count; i++)
+        appendPoint(p, face.point[i], mcd_meshHash(face.id, face.name[i]), MEFALSE);
+}
+
+void mcd_polygonSupport(const McdShape *shape, const double direction[3], McdPolygon *p) {
+    double point[3];
+    mcd_coreSupport(shape, direction, point);
+    p->count = 0;
+    appendPoint(p, point, 0, MEFALSE);
+}
+
+/* Sutherland-Hodgman: keeps the part with inward . x >= offset; a point stays a point, a line a line. */
+static void clipByPlane(const McdPolygon *in, const double inward[3], double offset, double tolerance, MeU32 edgeName,
+                        McdPolygon *out) {
+    out->count = 0;
+    for (int i = 0; i < in->count; i++) {
+        const int next = (i + 1) % in->count;
+        const double a = mcd_dot(in->point[i], inward) - offset, b = mcd_dot(in->point[next], inward) - offset;
+        if (a >= -tolerance)
+            appendPoint(out, in->point[i], in->name[i], in->isCut[i]);
+        if ((a >= -tolerance) == (b >= -tolerance) || (in->count == 2 && i == 1))
+            continue;
+        double d[3], at[3];
+        mcd_sub(d, in->point[next], in->point[i]);
+        mcd_mad(at, in->point[i], MeCLAMP(a / (a - b), 0, 1), d);
+        appendPoint(out, at, mcd_meshHash(in->name[i] + in->name[next], edgeName), METRUE);
+    }
+    MEASSERT(out->count <= in->count + 2); /* a line cuts two sides of a convex polygon at most, but for rounding */
+}
+
+/* The part of a polygon inside the triangle's prism: over or below the triangle, seen along its normal. */
+static void clipToPrism(const McdMeshTriangle *t, double tolerance, const McdPolygon *p, McdPolygon *part) {
+    McdPolygon a, b;
+    const McdPolygon *from[3] = {p, &a, &b};
+    McdPolygon *to[3] = {&a, &b, part};
+    part->count = 0;
+    for (int i = 0; i < 3 && from[i]->count; i++) {
+        const double *inward = t->inward[i];
+        clipByPlane(from[i], inward, mcd_dot(t->corner[i], inward), tolerance, t->key[i] + t->key[(i + 1) % 3], to[i]);
+    }
+}
+
+MeBool mcd_meshClipSegment(const McdMeshTriangle *t, const double from[3], const double to[3], double tolerance,
+                           double *in, double *out) {
+    *in = 0;
+    *out = 1;
+    for (int i = 0; i < 3; i++) {
+        const double *inward = t->inward[i];
+        double off[3];
+        mcd_sub(off, from, t->corner[i]);
+        const double a = mcd_dot(off, inward) + tolerance;
+        mcd_sub(off, to, t->corner[i]);
+        const double b = mcd_dot(off, inward) + tolerance;
+        if (a < 0 && b < 0)
+            return MEFALSE;
+        if (a < 0)
+            *in = fmax(*in, a / (a - b));
+        if (b < 0)
+            *out = fmin(*out, a / (a - b));
+    }
+    MEASSERT(*in >= 0 && *in <= 1 && *out >= 0 && *out <= 1);
+    return *in <= *out;
+}
+
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
+
+/* The normal in steps of an eighth: a part of the feature id, so that contacts of one corner with two faces have two
+ * ids. */
+static MeU32 quantizedNormal(const double normal[3]) {
+    MeU32 cell = 0;
+    for (int i = 0; i < 3; i++)
+        cell = 32 * cell + (MeU32)mcd_floorBetween(normal[i] * 8 + 8.5, 0, 31);
+    return cell;
+}
+
+void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double position[3], const double normal[3],
+                        double separation, MeU32 feature, MeBool isCut) {
+    McdMesh *mesh = q->mesh;
+    const double outward[3] = {-normal[0], -normal[1], -normal[2]};
+    if (!mcd_meshReserveContacts(mesh, mesh->contactCount + 1))
+        return;
+    McdMeshContact *c = &mesh->contact[mesh->contactCount++];
+    MEASSERT(mesh->contactCount <= mesh->contactMax);
+    MEASSERT(separation <= q->margin + MCD_MESH_OVERLAP * q->shape.extent);
+    MEASSERT(isfinite(mcd_dot(normal, normal)) && !isnan(separation));
+    mcd_copy(c->position, position);
+    mcd_copy(c->normal, normal);
+    c->separation = separation;
+    c->radius = mcd_surfaceRadius(&q->shape, outward, position);
+    c->feature = mcd_meshHash(feature, quantizedNormal(normal));
+    c->element = t->element;
+    c->isCut = isCut;
+}
+
+MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const McdPolygon *p,
+                         MeBool onlyDeeper, double *least) {
+    MeBool isAnyAdded = MEFALSE;
+    for (int i = 0; i < p->count; i++) {
+        double off[3], at[3];
+        mcd_sub(off, p->point[i], t->corner[0]);
+        const double separation = mcd_dot(off, normal) - q->shape.rounding;
+        if (separation > q->margin || (onlyDeeper && separation >= *least - MCD_MESH_OVERLAP * q->shape.extent))
+            continue;
+        mcd_mad(at, p->point[i], -(q->shape.rounding + separation / 2), normal);
+        mcd_meshAddContact(q, t, at, normal, separation, p->name[i], p->isCut[i]);
+        *least = fmin(*least, separation);
+        isAnyAdded = METRUE;
+    }
+    return isAnyAdded;
+}
+
+MeBool mcd_meshAddClipped(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
+    McdPolygon p, part;
+    double back[3], least = INFINITY;
+    mcd_scale(back, normal, -1);
+    mcd_polygonFace(&q->shape, back, &p);
+    clipToPrism(t, tolerance * q->shape.extent, &p, &part);
+    const MeBool isAnyAdded = mcd_meshAddPoints(q, t, normal, &part, MEFALSE, &least);
+    mcd_polygonSupport(&q->shape, back, &p);
+    clipToPrism(t, tolerance * q->shape.extent, &p, &part);
+    return mcd_meshAddPoints(q, t, normal, &part, METRUE, &least) || isAnyAdded;
+}

@@ -1,0 +1,424 @@
+/* Contacts of a convex shape with each triangle of a surface. A triangle with flat surroundings has one admissible
+ * normal, its own: the shape's face is clipped to it. Others are searched by the narrow phase, and the normal found is
+ * taken only where it belongs to the Voronoi region of an edge or a corner. */
+#include "mcd_mesh_stages_i.h"
+#include "mcd_nearfield_i.h"
+
+/* The distance beyond a border, relative to the shape's extent, at which continuesBeyond looks for the surface. */
+#define BEYOND 1e-5
+
+/* ---- distances of the shape and a triangle ----------------------------------------------------------------------- */
+
+static double heightOfCentre(const McdMeshQuery *q, const McdMeshTriangle *t) {
+    double off[3];
+    mcd_sub(off, q->centre, t->corner[0]);
+    return mcd_dot(off, t->normal);
+}
+
+/* The unit vectors across the edges, in the triangle's plane, towards its inside. */
+static void findInward(McdMeshTriangle *t) {
+    for (int i = 0; i < 3; i++) {
+        double *inward = t->inward[i], edge[3], across[3];
+        mcd_sub(edge, t->corner[(i + 1) % 3], t->corner[i]);
+        mcd_cross(inward, t->normal, edge);
+        mcd_sub(across, t->corner[(i + 2) % 3], t->corner[i]);
+        mcd_scale(inward, inward, (mcd_dot(inward, across) < 0 ? -1 : 1) / mcd_length(inward));
+        MEASSERT(mcd_dot(inward, across) >= 0); /* the third corner is inside */
+    }
+}
+
+/* Does the shape's oriented box, grown by the margin, overlap the triangle's prism? */
+static MeBool overlapsPrism(const McdMeshQuery *q, const McdMeshTriangle *t) {
+    for (int i = 0; i < 3; i++) {
+        double off[3], reach = 0;
+        for (int k = 0; k < 3; k++)
+            reach += q->half[k] * fabs(mcd_dot(q->shape.axis[k], t->inward[i]));
+        mcd_sub(off, q->box, t->corner[i]);
+        if (mcd_dot(off, t->inward[i]) + reach < -q->margin - MCD_MESH_OVERLAP * q->shape.extent)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+/* Does the shape's oriented box, grown by the margin, overlap the triangle's along its own axes? */
+static MeBool overlapsBox(const McdMeshQuery *q, const McdMeshTriangle *t) {
+    for (int i = 0; i < 3; i++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int k = 0; k < 3; k++) {
+            double off[3];
+            mcd_sub(off, t->corner[k], q->box);
+            low = fmin(low, mcd_dot(off, q->shape.axis[i]));
+            high = fmax(high, mcd_dot(off, q->shape.axis[i]));
+        }
+        const double reach = q->half[i] + q->margin + MCD_MESH_OVERLAP * q->shape.extent;
+        if (low > reach || high < -reach)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+/* The narrow phase with the triangle as a convex shape. */
+static MeBool intersectTriangle(const McdMeshQuery *q, const McdMeshTriangle *t, McdManifold *m) {
+    McdShape triangle;
+    if (!overlapsBox(q, t))
+        return MEFALSE;
+    mcd_triangleShape(t->corner, &triangle);
+    return mcd_convexManifold(&q->shape, &triangle, q->margin, m) > 0;
+}
+
+/* ---- classification ---------------------------------------------------------------------------------------------- */
+
+/* For checks: are low and high, the shape's least and greatest heights over the plane, within its bounding sphere? */
+static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, double low, double high) {
+    double off[3];
+    mcd_sub(off, q->shape.place, t->corner[0]);
+    const double place = mcd_dot(off, t->normal), slack = 1e-6 * q->shape.extent + 1e-9 * fabs(place);
+    return !mcd_shapeIsRigid(&q->shape) || !mcd_isUnit(t->normal) ||
+           (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
+}
+
+/* Sets inward; isPending, for triangles within reach; facing, for those with one admissible normal. */
+static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
+    double back[3], lowest[3], highest[3];
+    t->facing = 0;
+    t->isPending = MEFALSE;
+    findInward(t);
+    if (!overlapsPrism(q, t))
+        return;
+    mcd_scale(back, t->normal, -1);
+    mcd_support(&q->shape, back, lowest);
+    mcd_sub(lowest, lowest, t->corner[0]);
+    mcd_support(&q->shape, t->normal, highest);
+    mcd_sub(highest, highest, t->corner[0]);
+    const double low = mcd_dot(lowest, t->normal), high = mcd_dot(highest, t->normal);
+    MEVALIDATE(areHeightsGood(q, t, low, high));
+    if (low > q->margin || high < -q->margin)
+        return;
+    t->isPending = METRUE;
+    if (t->flags & kMcdTriangleTwoSided)
+        t->facing = !mcd_meshHasOnlyFaceNormal(q, t) ? 0 : low + high < 0 ? -1 : 1;
+    else
+        t->facing = heightOfCentre(q, t) >= 0 && mcd_meshHasOnlyFaceNormal(q, t);
+}
+
+/* ---- one plane for all ------------------------------------------------------------------------------------------- */
+
+/* The first pending triangle, if all pending ones are coplanar and face the same way; else null. */
+static const McdMeshTriangle *commonPlane(const McdMeshQuery *q) {
+    const McdMeshTriangle *first = 0;
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        double off[3];
+        if (!t->isPending)
+            continue;
+        if (!first)
+            first = t;
+        mcd_sub(off, t->corner[0], first->corner[0]);
+        if (!t->facing || t->facing != first->facing || !mcd_meshAreParallel(t->normal, first->normal) ||
+            fabs(mcd_dot(off, first->normal)) > MCD_MESH_OVERLAP * q->shape.extent)
+            return 0;
+    }
+    return first;
+}
+
+/* Adds each of the polygon's points as a contact of the first pending triangle below it; false if one has none. */
+static MeBool addPointsOverTriangles(McdMeshQuery *q, const double normal[3], const McdPolygon *p, MeBool onlyDeeper,
+                                     double *least) {
+    for (int i = 0; i < p->count; i++) {
+        McdPolygon one; /* only its first point is written */
+        double in, out;
+        int k = 0;
+        one.count = 1;
+        one.name[0] = p->name[i];
+        one.isCut[0] = MEFALSE;
+        mcd_copy(one.point[0], p->point[i]);
+        while (k < q->mesh->count &&
+               !(q->mesh->triangle[k].isPending && mcd_meshClipSegment(&q->mesh->triangle[k], p->point[i], p->point[i],
+                                                                       MCD_MESH_OVERLAP * q->shape.extent, &in, &out)))
+            k++;
+        if (k == q->mesh->count)
+            return MEFALSE;
+        mcd_meshAddPoints(q, &q->mesh->triangle[k], normal, &one, onlyDeeper, least);
+    }
+    return METRUE;
+}
+
+/* Where all pending triangles lie in one plane and cover the shape's face, contacts are those with the plane. False,
+ * without contacts, elsewhere. */
+static MeBool addPlaneContacts(McdMeshQuery *q) {
+    const McdMeshTriangle *t = commonPlane(q);
+    McdPolygon p;
+    double face[3], back[3], least = INFINITY;
+    if (!t)
+        return MEFALSE;
+    mcd_scale(face, t->normal, t->facing);
+    mcd_scale(back, face, -1);
+    mcd_polygonFace(&q->shape, back, &p);
+    if (addPointsOverTriangles(q, face, &p, MEFALSE, &least)) {
+        mcd_polygonSupport(&q->shape, back, &p);
+        if (addPointsOverTriangles(q, face, &p, METRUE, &least))
+            return METRUE;
+    }
+    q->mesh->contactCount = 0;
+    return MEFALSE;
+}
+
+/* ---- triangles with one admissible normal ------------------------------------------------------------------------ */
+
+/* The contact's point on the surface. */
+static void footOf(const McdMeshContact *c, double foot[3]) {
+    mcd_mad(foot, c->position, -c->separation / 2, c->normal);
+}
+
+/* The point where the shape is taken to have entered the surface: where the line from the contact's point below the
+ * plane to the shape's highest point crosses the plane. False if all of the shape is below. */
+static MeBool findEntry(const McdMeshQuery *q, const McdMeshContact *c, double entry[3]) {
+    double foot[3], point[3], highest[3], off[3];
+    footOf(c, foot);
+    mcd_mad(point, c->position, c->separation / 2, c->normal);
+    mcd_support(&q->shape, c->normal, highest);
+    mcd_sub(off, highest, foot);
+    const double height = mcd_dot(off, c->normal);
+    if (height <= 0)
+        return MEFALSE;
+    mcd_sub(off, highest, point);
+    mcd_mad(entry, point, c->separation / (c->separation - height), off);
+    MEASSERT(c->separation <= 0); /* between both: no division by 0 */
+    return METRUE;
+}
+
+/* Contacts along the face's normal. They count if one is not below the surface, or entered through this triangle, or
+ * if the narrow phase says that the shape touches the triangle; else false, and none is added. */
+static MeBool addFaceContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
+    const int first = q->mesh->contactCount;
+    const double overlap = MCD_MESH_OVERLAP * q->shape.extent;
+    double face[3], entry[3], in, out;
+    McdManifold m;
+    mcd_scale(face, t->normal, t->facing);
+    mcd_meshAddClipped(q, t, face, MCD_MESH_OVERLAP);
+    for (int i = first; i < q->mesh->contactCount; i++) {
+        const McdMeshContact *c = &q->mesh->contact[i];
+        if (c->separation >= 0 || (findEntry(q, c, entry) && mcd_meshClipSegment(t, entry, entry, overlap, &in, &out)))
+            return METRUE;
+    }
+    if (first < q->mesh->contactCount && intersectTriangle(q, t, &m))
+        return METRUE;
+    q->mesh->contactCount = first;
+    return MEFALSE;
+}
+
+/* ---- triangles whose normal is searched -------------------------------------------------------------------------- */
+
+/* The point a small step beyond the triangle's border, beside the deepest contact. `out` is the direction across the
+ * border, in the triangle's plane. */
+static void pointBeyondBorder(const McdMeshTriangle *t, const McdManifold *m, double step, double out[3],
+                              double at[3]) {
+    const McdManifoldPoint *deepest = &m->point[0];
+    double border = -INFINITY;
+    for (int i = 1; i < m->count; i++)
+        if (m->point[i].separation < deepest->separation)
+            deepest = &m->point[i];
+    mcd_mad(out, m->normal, -mcd_dot(m->normal, t->normal), t->normal);
+    mcd_scale(out, out, 1 / mcd_length(out));
+    mcd_sub(at, deepest->position, t->corner[0]);
+    mcd_mad(at, deepest->position, -mcd_dot(at, t->normal), t->normal);
+    for (int i = 0; i < 3; i++)
+        border = fmax(border, mcd_dot(t->corner[i], out));
+    mcd_mad(at, at, border - mcd_dot(at, out) + step, out);
+}
+
+/* T-junctions: does a triangle that shares no corner with the border continue the surface beyond it, above the plane
+ * across the normal? */
+static MeBool continuesBeyond(const McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
+    const double step = BEYOND * q->shape.extent, overlap = MCD_MESH_OVERLAP * q->shape.extent;
+    const int mask = mcd_meshFarthestCorners(t, m->normal);
+    double at[3], out[3], in, end;
+    pointBeyondBorder(t, m, step, out, at);
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *other = &q->mesh->triangle[i];
+        double off[3], d[3];
+        MeBool sharesBorder = METRUE;
+        for (int k = 0; k < 3; k++)
+            if (mask & 1 << k && !mcd_meshHasVertex(other, t->vertex[k]))
+                sharesBorder = MEFALSE;
+        mcd_sub(off, at, other->corner[0]);
+        const double height = mcd_dot(off, other->normal);
+        if (other == t || fabs(height) > step || sharesBorder ||
+            !mcd_meshClipSegment(other, at, at, overlap, &in, &end))
+            continue;
+        mcd_scale(d, out, step);
+        mcd_mad(d, d, -height, other->normal);
+        if (mcd_dot(d, m->normal) > MCD_MESH_SAME_DIRECTION * step)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+/* Adds the narrow phase's contacts. Their feature is the edge's or the corner's, equal for all triangles there. */
+static void addManifold(McdMeshQuery *q, const McdMeshTriangle *t, const McdManifold *m) {
+    const int mask = mcd_meshFarthestCorners(t, m->normal);
+    MeU32 feature = 0;
+    for (int i = 0; i < 3; i++)
+        if (mask & 1 << i)
+            feature += t->key[i];
+    for (int i = 0; i < m->count; i++)
+        mcd_meshAddContact(q, t, m->point[i].position, m->normal, m->point[i].separation,
+                           mcd_meshHash(feature, mcd_featureNumber(m->point[i].feature)), METRUE);
+}
+
+/* The side of a triangle on which contacts are: 1 the normal's, -1 the other. A two-sided one's is the contact
+ * normal's, or the shape's centre's where that is nearly in the plane. */
+static double sideOf(const McdMeshTriangle *t, double cosine, double centreHeight) {
+    if (!(t->flags & kMcdTriangleTwoSided))
+        return 1;
+    return (fabs(cosine) > .5 ? cosine : centreHeight) < 0 ? -1 : 1;
+}
+
+/* Contacts along the narrow phase's normal, where that is the surface's, else along the face's normal. False if the
+ * shape does not touch the triangle. */
+static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
+    McdManifold m;
+    double face[3];
+    if (!intersectTriangle(q, t, &m))
+        return MEFALSE;
+    const double height = heightOfCentre(q, t), side = sideOf(t, mcd_dot(m.normal, t->normal), height);
+    mcd_scale(face, t->normal, side);
+    const double cosine = mcd_dot(m.normal, face);
+    McdMeshRegion region = mcd_meshRegion(q, t, m.normal);
+    if ((region == MCD_BORDER_REGION || region == MCD_FLAT_BORDER) && continuesBeyond(q, t, &m))
+        region = MCD_INTERNAL_REGION;
+    if (region == MCD_FLAT_BORDER && cosine < .5) /* pushed from the side of an edge that is not sharp: no contact */
+        return METRUE;
+
+    const MeBool isFace =
+        mcd_distanceSquared(m.normal, face) < MCD_MESH_SAME_DIRECTION * MCD_MESH_SAME_DIRECTION ||
+        (region == MCD_FACE_REGION && cosine > 0);
+    const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && cosine < -MCD_MESH_SAME_DIRECTION;
+    const MeBool mayUseBorder = (t->flags & kMcdTriangleUseSmallestPenetration) != 0;
+    if (!isFace && region == MCD_BORDER_REGION && mayUseBorder && !isFromBehind) {
+        addManifold(q, t, &m);
+        return METRUE;
+    }
+    if (isFace || side * height >= 0)
+        t->facing = (int)side;
+    if (t->facing && mcd_meshAddClipped(q, t, face, MCD_MESH_OVERLAP))
+        return METRUE;
+    /* where the normal is the face's only within the tolerance, its point is beside the face by as much */
+    if (!isFace || mcd_meshAddClipped(q, t, face, MCD_MESH_SAME_DIRECTION))
+        return METRUE;
+    mcd_copy(m.normal, face);
+    addManifold(q, t, &m);
+    return METRUE;
+}
+
+/* ---- coplanar triangles that the shape does not touch ------------------------------------------------------------ */
+
+static MeBool areCoplanar(const McdMeshQuery *q, const McdMeshTriangle *a, const McdMeshTriangle *b) {
+    double off[3];
+    if (1 - fabs(mcd_dot(a->normal, b->normal)) > MCD_MESH_RISES * MCD_MESH_RISES)
+        return MEFALSE;
+    mcd_sub(off, b->corner[0], a->corner[0]);
+    return fabs(mcd_dot(off, a->normal)) <= MCD_MESH_RISES * q->shape.extent;
+}
+
+/* Is the segment covered by triangles in t's plane, and does the last of them face along the normal? Extends the
+ * covered part from 0 until no triangle adds to it. */
+static MeBool isSegmentCovered(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3],
+                               const double from[3], const double to[3]) {
+    double covered = 0, in, out;
+    for (MeBool isExtended = METRUE; isExtended;) {
+        isExtended = MEFALSE;
+        for (int i = 0; i < q->mesh->count; i++) {
+            const McdMeshTriangle *other = &q->mesh->triangle[i];
+            if ((!other->facing && !other->isPending) || !areCoplanar(q, t, other) ||
+                !mcd_meshClipSegment(other, from, to, MCD_MESH_OVERLAP * q->shape.extent, &in, &out) || in > covered)
+                continue;
+            if (out == 1 && other->facing * mcd_dot(other->normal, normal) > 0)
+                return METRUE;
+            isExtended = isExtended || out > covered;
+            covered = fmax(covered, out);
+        }
+    }
+    return MEFALSE;
+}
+
+/* The least separation among the first `count` contacts that are on the triangle's plane. */
+static double leastSeparationOnPlane(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3],
+                                     int count) {
+    double least = INFINITY;
+    for (int i = 0; i < count; i++) {
+        const McdMeshContact *c = &q->mesh->contact[i];
+        double off[3];
+        footOf(c, off);
+        mcd_sub(off, off, t->corner[0]);
+        if (c->separation < least && mcd_meshAreParallel(c->normal, normal) &&
+            fabs(mcd_dot(off, normal)) <= MCD_MESH_RISES * q->shape.extent)
+            least = c->separation;
+    }
+    return least;
+}
+
+/* Adds contacts of coplanar neighbours that were not hit directly: points below the triangle that are as deep as the
+ * deepest contact with its plane, if the surface covers the segment from there to the shape's entry into the plane. */
+static void addCoplanarContacts(McdMeshQuery *q, const McdMeshTriangle *t) {
+    McdMesh *mesh = q->mesh;
+    double face[3], foot[3], entry[3];
+    const int first = mesh->contactCount;
+    int count = first;
+    mcd_scale(face, t->normal, t->facing < 0 ? -1 : 1);
+    if (!mcd_meshAddClipped(q, t, face, MCD_MESH_OVERLAP))
+        return;
+    const double deep = leastSeparationOnPlane(q, t, face, first) + MCD_MESH_OVERLAP * q->shape.extent;
+    for (int i = first; i < mesh->contactCount; i++) {
+        const McdMeshContact *c = &mesh->contact[i];
+        footOf(c, foot);
+        if (c->separation < 0 && c->separation <= deep && findEntry(q, c, entry) &&
+            isSegmentCovered(q, t, face, foot, entry))
+            mesh->contact[count++] = *c;
+    }
+    mesh->contactCount = count;
+}
+
+/* ---- tunnelling -------------------------------------------------------------------------------------------------- */
+
+/* No contact was found, and the shape's centre is behind a one-sided triangle by less than half of its radius: contacts
+ * with the nearest such triangle, and with those of the same normal, push it back. */
+static void recoverFromBehind(McdMeshQuery *q) {
+    const McdMeshTriangle *nearest = 0;
+    McdManifold m;
+    double least = fmin(q->radius, q->shape.extent) / 2;
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        const double depth = -heightOfCentre(q, t);
+        if (t->flags & kMcdTriangleTwoSided || depth < 0 || depth >= least || !intersectTriangle(q, t, &m))
+            continue;
+        least = depth;
+        nearest = t;
+    }
+    for (int i = 0; nearest && i < q->mesh->count; i++) {
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        if (mcd_dot(t->normal, nearest->normal) > MCD_MESH_SAME_MANIFOLD && intersectTriangle(q, t, &m))
+            mcd_meshAddClipped(q, t, t->normal, MCD_MESH_OVERLAP);
+    }
+}
+
+/* ---- all triangles ----------------------------------------------------------------------------------------------- */
+
+void mcd_meshFindContacts(McdMeshQuery *q) {
+    McdMesh *mesh = q->mesh;
+    for (int i = 0; i < mesh->count; i++)
+        classifyTriangle(q, &mesh->triangle[i]);
+    if (!addPlaneContacts(q)) {
+        for (int i = 0; i < mesh->count; i++) {
+            McdMeshTriangle *t = &mesh->triangle[i];
+            if (t->isPending)
+                t->isPending = t->facing ? !addFaceContacts(q, t) : !addSearchedContacts(q, t);
+        }
+        for (int i = 0; i < mesh->count; i++)
+            if (mesh->triangle[i].isPending)
+                addCoplanarContacts(q, &mesh->triangle[i]);
+    }
+    if (!mesh->contactCount)
+        recoverFromBehind(q);
+    MEASSERT(mesh->contactCount >= 0 && mesh->contactCount <= mesh->contactMax);
+}
