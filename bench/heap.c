@@ -1,12 +1,14 @@
 /* What a heap of boxes costs in a universe while it falls and settles: the way and the time of each step, and what
  * swept models (MstUniverse's continuous motion) add where nothing is fast.
  *
- *     heap [--boxes N] [--steps N] [--side M] [--budget W] [--swept]        300, 900, 4, 200 if not given
+ *     heap [--boxes N] [--steps N] [--side M] [--budget W] [--exact] [--awake] [--swept]
  *
- * Boxes of 1 m and 1 kg, turned any way, fall onto each other on M m by M m; epsilon 0, the friction cone, steps of
- * 1/60 s, and the solver may take W million multiplications a partition's step (MdtWorldSetWorkBudget). `outside` is
- * everything but the solve: collision, contacts, partitions, rows, integration. With --swept, the same heap again, all
- * of it swept, in the same run, step by step in turn. */
+ * 300 boxes, 900 steps, 4 m, a budget of 200 if not given. Boxes of 1 m and 1 kg, turned any way, fall onto each other
+ * on M m by M m; epsilon 0, the friction cone, steps of 1/60 s, and the solver may take W million multiplications a
+ * partition's step (MdtWorldSetWorkBudget); with --exact it is the exact one (MdtWorldSetSolver). With --awake nothing
+ * is put to sleep. `outside` is everything but the solve: collision, contacts, partitions, rows, integration. Every
+ * hundred steps are told by themselves, with the depths and the energy at their end. With --swept, the same heap again,
+ * all of it swept, in the same run, step by step in turn. */
 #include "timing.h"
 
 #include "MdtReport.h"
@@ -19,6 +21,7 @@
 typedef struct Heap {
     MstUniverseID universe;
     double *times, *outside; /* s: of a step, and of all in it but the solve */
+    MdtReport report;        /* of the last step */
     int steps, inexact, rested;
     double worst; /* m/s, residual of an inexact step */
 } Heap;
@@ -77,6 +80,37 @@ static Heap makeHeap(int boxes, int steps, int side, double budget, MeBool isSwe
     return h;
 }
 
+enum { STRETCH = 100 }; /* steps */
+
+/* Mean and largest overlap, m. */
+static void measureDepths(const Heap *h, double *mean, double *most) {
+    int count = 0;
+    *mean = *most = 0;
+    for (MdtBodyID b = MdtBodyGetFirst(h->universe->world); b; b = MdtBodyGetNext(b))
+        for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c), count++) {
+            const double depth = fmax((double)MdtContactGetPenetration(c), 0);
+            *mean += depth;
+            *most = fmax(*most, depth);
+        }
+    *mean /= count > 0 ? count : 1;
+}
+
+static void tellStretch(const Heap *h) {
+    double times[STRETCH], outside[STRETCH], sum = 0, mean, most;
+    const int from = h->steps - STRETCH;
+    memcpy(times, h->times + from, sizeof times);
+    memcpy(outside, h->outside + from, sizeof outside);
+    for (int i = 0; i < STRETCH; i++)
+        sum += times[i];
+    measureDepths(h, &mean, &most);
+    const double middle = median(times, STRETCH), middleOutside = median(outside, STRETCH);
+    printf(
+        "to %5d  mean %.3f ms, median %.3f ms, outside %.3f ms, worst %.1f ms; overlaps %.3g m on average, %.3g m at "
+        "most; %.3g J; %d awake\n",
+        h->steps, 1e3 * sum / STRETCH, 1e3 * middle, 1e3 * middleOutside, 1e3 * times[STRETCH - 1], mean, most,
+        (double)h->report.kineticEnergy, MdtWorldGetEnabledBodies(h->universe->world));
+}
+
 static void step(Heap *h) {
     MdtReport report;
     const double start = now();
@@ -84,10 +118,13 @@ static void step(Heap *h) {
     h->times[h->steps] = h->outside[h->steps] = now() - start;
     if (MdtWorldGetReport(h->universe->world, &report)) {
         h->outside[h->steps] -= (double)report.time[MdtReportStageSolve];
+        h->report = report;
         h->inexact += report.fallbacks > 0;
         h->worst = fmax(h->worst, report.fallbacks > 0 ? (double)report.residualVelocity : 0);
     }
     h->steps++;
+    if (h->steps % STRETCH == 0)
+        tellStretch(h);
     if (MdtWorldGetEnabledBodies(h->universe->world) > 0)
         h->rested = -1;
     else if (h->rested < 0)
@@ -110,6 +147,12 @@ static void tell(Heap *h, const char *name) {
     MstUniverseDestroy(h->universe);
 }
 
+static void choose(Heap *h, MeBool isExact, MeBool isAwake) {
+    if (isExact)
+        MdtWorldSetSolver(h->universe->world, MdtSolverExact);
+    MdtWorldSetAutoDisable(h->universe->world, !isAwake);
+}
+
 static int countOf(const char *text) {
     const int n = text ? atoi(text) : 0;
     if (n > 0)
@@ -121,7 +164,7 @@ static int countOf(const char *text) {
 int main(int argc, char **argv) {
     int boxes = 300, steps = 900, side = 4;
     double budget = 200;
-    MeBool isCompared = MEFALSE;
+    MeBool isCompared = MEFALSE, isExact = MEFALSE, isAwake = MEFALSE;
     for (int i = 1; i < argc; i++)
         if (!strcmp(argv[i], "--boxes"))
             boxes = countOf(argv[++i]);
@@ -131,13 +174,22 @@ int main(int argc, char **argv) {
             side = countOf(argv[++i]);
         else if (!strcmp(argv[i], "--budget"))
             budget = countOf(argv[++i]);
+        else if (!strcmp(argv[i], "--exact"))
+            isExact = METRUE;
+        else if (!strcmp(argv[i], "--awake"))
+            isAwake = METRUE;
         else if (!strcmp(argv[i], "--swept"))
             isCompared = METRUE;
         else
-            return fputs("heap [--boxes N] [--steps N] [--side M] [--budget W] [--swept]\n", stderr), 2;
+            return fputs("heap [--boxes N] [--steps N] [--side M] [--budget W] [--exact] [--awake] [--swept]\n",
+                         stderr),
+                   2;
     Heap plain = makeHeap(boxes, steps, side, budget, MEFALSE), swept = {.times = NULL};
-    if (isCompared)
+    choose(&plain, isExact, isAwake);
+    if (isCompared) {
         swept = makeHeap(boxes, steps, side, budget, METRUE);
+        choose(&swept, isExact, isAwake);
+    }
     for (int i = 0; i < steps; i++) {
         step(&plain);
         if (isCompared)

@@ -34,7 +34,7 @@ void mdt_restBegin(MdtWorldID w) {
     now.subSteps = w->subSteps;
     now.timedBodies = w->timedBodies;
     now.maxMatrixSize = w->maxMatrixSize;
-    now.solver = w->solver;
+    now.solver = (int)w->solver;
     if (memcmp(&now, &w->restInputs, sizeof now) != 0)
         w->certificate++;
     w->restInputs = now;
