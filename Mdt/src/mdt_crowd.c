@@ -145,20 +145,22 @@ static void makeBlock(MdtIsland *p, const MdtManifold *block) {
     }
 }
 
-void mdt_crowdMake(MdtIsland *p) {
-    p->kea.numManifolds = 0;
-    for (int i = 0; i < p->numActing; i++)
-        if (mdt_isManifold(p->acting[i]))
-            for (const MdtManifold *block = mdt_asManifold(p->acting[i]); block; block = block->next)
-                makeBlock(p, block);
-}
-
-/* ---- and back ---- */
-
 static int rowsOf(const MdtKeaSurface *s) {
     const int first = s->coefficient[0] > 0 || s->bound[0] > 0, second = s->coefficient[1] > 0 || s->bound[1] > 0;
     return 1 + first + second;
 }
+
+void mdt_crowdMake(MdtIsland *p) {
+    p->kea.numManifolds = p->numManifoldRows = 0;
+    for (int i = 0; i < p->numActing; i++)
+        if (mdt_isManifold(p->acting[i]))
+            for (const MdtManifold *block = mdt_asManifold(p->acting[i]); block; block = block->next)
+                makeBlock(p, block);
+    for (int i = 0; i < p->kea.numManifolds; i++)
+        p->numManifoldRows += p->kea.manifolds[i].numPoints * rowsOf(&p->kea.manifolds[i].surface);
+}
+
+/* ---- and back ---- */
 
 static void unpackPoint(const MdtKeaManifold *m, int at, MdtPoint *point, double mean[3], double share) {
     const double *force = m->point[at].force;
@@ -193,8 +195,5 @@ double mdt_crowdPenetration(const MdtIsland *p) {
 }
 
 int mdt_islandRows(const MdtIsland *p) {
-    int rows = p->kea.numRows;
-    for (int i = 0; i < p->kea.numManifolds && p->isFast; i++)
-        rows += p->kea.manifolds[i].numPoints * rowsOf(&p->kea.manifolds[i].surface);
-    return rows;
+    return p->kea.numRows + (p->isFast ? p->numManifoldRows : 0);
 }

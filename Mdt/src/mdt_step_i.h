@@ -6,6 +6,7 @@
  *                 mdt_rest.c        what has changed since the last step -> partitions whose last answer holds again
  *     pack        mdt_pack.c        forces, impulses, gravity -> loads of Kea's bodies; scratch, start
  *     rows        mdt_rows.c        poses, velocities, parameters of the part -> kea.rows; constraints' place in them
+ *                 mdt_crowd.c       of a partition of the fast solver: its manifolds -> kea.manifolds
  *     solve       MdtKeaSolve       kea.rows -> their forces; kea.report
  *     integrate   MdtKeaIntegrate   those -> the states of Kea's bodies
  *     unpack      mdt_unpack.c      forces of rows -> constraints; states -> what programs see of bodies
@@ -50,6 +51,7 @@ typedef struct MdtIsland {
     MdtIslandContact *contacts; /* those of acting manifolds, one after the other; not of the fast solver */
     int numContacts, numJoints;
     struct MdtIslandManifold *manifolds; /* of the fast solver, beside kea.manifolds */
+    int numManifoldRows;                 /* rows: that the manifolds would have */
     MdtKeaSystem kea;                    /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */
     /* subdivide */
     MdtBclSolverParameters parameters; /* of the part that is being taken */

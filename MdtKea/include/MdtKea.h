@@ -24,6 +24,9 @@
  *  stops and contacts allow where the bodies have arrived. A timed system (MdtKeaParameters) has θ = 1/2 throughout,
  *  impacts of its own, and no velocity stage.
  *
+ *  A system of many bodies that only touch may have manifolds instead of rows (MdtKeaManifold), for the fast solver:
+ *  then x⁺ = x + h v⁺, and out of overlaps, and v⁺ obeys the laws of contact to an accuracy.
+ *
  *      MdtKeaInit       reads bodies, parameters, numBodies, maxRows; writes pose, velocity, predicted, invMass,
  *      numRows = 0 (the owner)      writes rows, numRows MdtKeaMeets      reads rows; writes nothing MdtKeaImpact
  *      reads rows, parameters; writes velocities of bodies, rows[].force (N s), report.work and .limited;

@@ -13,6 +13,8 @@
  *     kea_velocity.c          the velocity stage: what joints and contacts allow where the bodies have arrived
  *     kea_events.c            what divides a step of contacts in time
  *
+ *   fast/, a step by passes over manifolds (fast/kea_fast_i.h)
+ *
  *   common/, what any solver needs:
  *     kea_policy_i.h          every constant that is a choice
  *     kea_problem_i.h, .c     the inner problem's data: bodies with a quadratic metric, rows with bounds and cones

@@ -46,20 +46,20 @@ static void sortByColour(const MdtKeaSystem *s, const MeU8 colour[], int count[K
         order[count[colour[i]][s->manifolds[i].numPoints]++] = i;
 }
 
-void kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[], KeaColours *c) {
+int kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[]) {
     int count[KEA_COLOURS][KEA_POINTS + 1] = {{0}}, inColour[KEA_COLOURS] = {0};
     chooseColours(s, taken, colour, count);
     for (int k = 0; k < KEA_COLOURS; k++)
         for (int n = 0; n <= KEA_POINTS; n++)
             inColour[k] += count[k][n];
-    c->numGroups = 0;
+    int groups = 0;
     for (int k = 0; k < KEA_COLOURS; k++)
-        c->numGroups += k == ALONE ? inColour[k] : (inColour[k] + KEA_LANES - 1) / KEA_LANES;
+        groups += k == ALONE ? inColour[k] : (inColour[k] + KEA_LANES - 1) / KEA_LANES;
     sortByColour(s, colour, count, order);
+    return groups;
 }
 
-void kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int order[], const KeaColours *c,
-                        KeaGroup groups[]) {
+int kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int order[], KeaGroup groups[]) {
     int group = -1, lane = KEA_LANES;
     for (int i = 0; i < s->numManifolds; i++) {
         const MeBool isNew =
@@ -72,6 +72,5 @@ void kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int or
         }
         groups[group].manifold[lane++] = order[i];
     }
-    MEASSERT(group + 1 == c->numGroups);
-    (void)c;
+    return group + 1;
 }

@@ -28,7 +28,6 @@ typedef struct Step {
     int *order;
     KeaGroup *groups;
     int numGroups;
-    KeaColours colours;
     double theta, beta; /* of the extrapolation */
 } Step;
 
@@ -78,12 +77,13 @@ static MeBool begin(Step *p) {
         return MEFALSE;
     layOut(p, memory);
     setMotions(p);
-    kea_colour(s, p->taken, p->colour, p->order, &p->colours);
-    p->numGroups = p->colours.numGroups;
+    p->numGroups = kea_colour(s, p->taken, p->colour, p->order);
     p->groups = kea_cacheScratch(s->cache, 1, (size_t)p->numGroups * sizeof *p->groups);
     if (!p->groups)
         return MEFALSE;
-    kea_groupManifolds(s, p->colour, p->order, &p->colours, p->groups);
+    const int filled = kea_groupManifolds(s, p->colour, p->order, p->groups);
+    MEASSERT(filled == p->numGroups);
+    (void)filled;
     KeaMotion *worlds = p->motion + 1 + s->numBodies;
     memset(worlds, 0, (size_t)s->numManifolds * sizeof *worlds);
     p->numMotions = 1 + s->numBodies + kea_fillGroups(s, p->groups, p->numGroups, worlds);

@@ -2,6 +2,8 @@
  *
  *     kea_fast.c          a step: groups of manifolds, passes for velocities, for positions, for rebounds; the end
  *     kea_colour.c        manifolds that share no body, in groups of eight
+ *     kea_gather.c        what manifolds say, to groups, and the answer back
+ *     kea_lanes_i.h       eight floats at a time
  *     kea_kernel_i.h      what is done with a group, eight manifolds at a time
  *     kea_kernel.c, kea_kernel_avx2.c      the same, compiled for two widths of registers
  *
@@ -95,15 +97,11 @@ extern const KeaKernel kea_kernelAvx2;
 
 enum { KEA_COLOURS = 64 };
 
-typedef struct KeaColours {
-    int numGroups;
-} KeaColours;
-
-/* Writes the colour of each manifold, and their order by colours. `taken` is scratch, by body. */
-void kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[], KeaColours *c);
-/* Empties the groups, and writes which manifolds are in them. */
-void kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int order[], const KeaColours *c,
-                        KeaGroup groups[]);
+/* Writes the colour of each manifold, and their order by colours; returns how many groups that makes. `taken` is
+ * scratch, by body. */
+int kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[]);
+/* Empties the groups, and writes which manifolds are in them; returns how many. */
+int kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int order[], KeaGroup groups[]);
 
 /* ---- kea_gather.c ---- */
 
