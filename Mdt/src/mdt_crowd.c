@@ -25,15 +25,56 @@ static MeBool hasImpacts(const MdtIsland *p) {
     return MEFALSE;
 }
 
+static int rootOf(int parent[], int i) {
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+/* Joins the bodies of joints; false where more than a few are tied together: such are solved exactly, since passes
+ * would let long chains stretch. */
+static MeBool areTiesShort(const MdtIsland *p, int parent[], int joints[]) {
+    for (int i = 0; i < p->numBodies; i++) {
+        p->bodies[i]->index = parent[i] = i;
+        joints[i] = 0;
+    }
+    for (int i = 0; i < p->numActing; i++) {
+        const MdtJoint *j = mdt_asJoint(p->acting[i]);
+        if (!j)
+            continue;
+        const MdtBodyID a = j->base.side[0].body, b = j->base.side[1].body;
+        const int first = rootOf(parent, (a ? a : b)->index), second = rootOf(parent, (b ? b : a)->index);
+        if (first != second)
+            joints[first] += joints[second];
+        parent[second] = first;
+        if (++joints[first] > MDT_TIED_JOINTS || mdt_constraintType(p->acting[i]) == MdtBclUSER)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+/* Are there many contacts for each joint, and joints in small groups? */
+static MeBool areJointsApart(const MdtIsland *p) {
+    const int size = 2 * p->numBodies * (int)sizeof(int);
+    if (p->numContacts < MDT_CROWD || p->numContacts < 2 * p->numJoints)
+        return MEFALSE;
+    int *parent = MeChunkGetMem(&p->world->scratch, size);
+    const MeBool areShort = parent && areTiesShort(p, parent, parent + p->numBodies);
+    if (parent)
+        MeChunkPutMem(&p->world->scratch, parent);
+    return areShort;
+}
+
 MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
     const MdtWorld *w = p->world;
-    if (p->numContacts == 0 || p->numJoints > 0 || w->solver == MdtSolverExact || maxRows > w->maxMatrixSize)
+    if (p->numContacts == 0 || (p->numJoints > 0 && !areJointsApart(p)) || w->solver == MdtSolverExact ||
+        maxRows > w->maxMatrixSize)
         return MEFALSE;
     if (w->solver == MdtSolverFast)
         return METRUE;
     if (p->numBodies <= w->timedBodies || mdt_worldAccuracy(w, p->h) == 0)
         return MEFALSE;
-    return p->numBodies >= MDT_CROWD || hasImpacts(p);
+    return p->numBodies >= MDT_CROWD || (p->numJoints == 0 && hasImpacts(p));
 }
 
 /* ---- room ---- */

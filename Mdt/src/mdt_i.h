@@ -308,6 +308,8 @@ enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
 enum { MDT_CROWD = 40 };
 /* Times gravity: what resting and sliding bodies do not reach. */
 enum { MDT_IMPACT = 4 };
+/* Joints that are tied together, at most: a rag doll or a car; their rows are one dense block there. */
+enum { MDT_TIED_JOINTS = 12 };
 /* m/s: what a step of h seconds may leave of the laws of contact (MdtWorldSetAccuracy). */
 double mdt_worldAccuracy(const MdtWorld *w, double h);
 

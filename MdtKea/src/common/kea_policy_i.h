@@ -325,6 +325,8 @@ static const double kea_softShare = 1e-3;
 /* Of the smaller body's radius of gyration: overlaps up to this are left alone, or contacts that rest would open and
  * close by the rounding of their passes. */
 static const double kea_restingDepth = 1e-4;
+/* Of its diagonal entry: a pivot of joints below this is rounding, and its row follows from others. */
+static const double kea_redundantPivot = 1e-9;
 /* N s, a bound that is none: sums of such stay within single precision. */
 static const double kea_mostBound = 1e30;
 /* Multiplications of a visit to a manifold, and of making one ready: counted. */

@@ -10,7 +10,7 @@
  * work in single precision; the momenta of the end are summed from their impulses in double, action and reaction
  * alike.
  */
-#include "fast/kea_fast_i.h"
+#include "fast/kea_joints_i.h"
 #include "common/kea_factor_i.h"
 #include "common/kea_policy_i.h"
 #include "MeAssert.h"
@@ -28,6 +28,7 @@ typedef struct Step {
     int *order;
     KeaGroup *groups;
     int numGroups;
+    KeaJoints joints;
     double theta, beta; /* of the extrapolation */
 } Step;
 
@@ -88,7 +89,7 @@ static MeBool begin(Step *p) {
     memset(worlds, 0, (size_t)s->numManifolds * sizeof *worlds);
     p->numMotions = 1 + s->numBodies + kea_fillGroups(s, p->groups, p->numGroups, worlds);
     p->kernel->prepare(p->groups, p->numGroups, (float)s->parameters.stepsize);
-    return METRUE;
+    return kea_jointsBegin(s, &p->joints);
 }
 
 /* ---- passes ---- */
@@ -106,10 +107,11 @@ static void takePasses(Step *p, int passes) {
         float uphill[KEA_LANES] = {0};
         p->kernel->extrapolate(p->motion, p->before, p->numMotions, (float)p->beta);
         p->kernel->pass(p->groups, p->numGroups, p->motion, (float)p->beta, uphill);
+        const double ofJoints = kea_jointsPass(p->s, &p->joints, p->motion, (double)(float)p->beta);
         const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
         p->beta = (p->theta - 1) / next;
         p->theta = next;
-        if (uphillOf(uphill) > 0)
+        if (uphillOf(uphill) + ofJoints > 0)
             p->theta = 1, p->beta = 0;
     }
     p->s->report.iterations += passes;
@@ -117,7 +119,7 @@ static void takePasses(Step *p, int passes) {
 
 static double residualOf(const Step *p) {
     float most[KEA_LANES] = {0};
-    double residual = 0;
+    double residual = kea_jointsResidual(p->s, &p->joints, p->motion);
     p->kernel->measure(p->groups, p->numGroups, p->motion, most);
     for (int i = 0; i < KEA_LANES; i++)
         residual = keaMax(residual, (double)most[i]);
@@ -147,10 +149,12 @@ static void findVelocities(Step *p, Passes passes) {
 }
 
 static void findPositions(Step *p) {
-    memset(p->way, 0, (size_t)p->numMotions * sizeof *p->way);
     p->kernel->advance(p->groups, p->numGroups, p->motion, (float)p->s->parameters.stepsize);
-    for (int i = 0; i < KEA_POSITION_PASSES; i++)
+    kea_jointsAdvance(p->s, &p->joints);
+    for (int i = 0; i < KEA_POSITION_PASSES; i++) {
         p->kernel->push(p->groups, p->numGroups, p->way);
+        kea_jointsPush(p->s, &p->joints, p->way);
+    }
 }
 
 /* Of how many bodies each carries the weight, at most: its normal forces of the last step, in its own loads'. Where it
@@ -218,6 +222,7 @@ static void setEndMomentum(Step *p) {
     MdtKeaSystem *s = p->s;
     memset(p->change, 0, (size_t)s->numBodies * sizeof *p->change);
     kea_addImpulses(s, p->groups, p->numGroups, p->change);
+    kea_jointsAddImpulses(s, &p->joints, p->change);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
         KeaEnd *end = &s->work->end[i];
@@ -267,7 +272,6 @@ static void report(Step *p) {
 
 void kea_fastSolve(MdtKeaSystem *s) {
     Step p = {.s = s, .kernel = kernelOfMachine()};
-    MEASSERT(s->numRows == 0);
     if (!begin(&p)) {
         s->report.capped = METRUE;
         for (int i = 0; i < s->numBodies; i++)
@@ -277,16 +281,21 @@ void kea_fastSolve(MdtKeaSystem *s) {
     }
     const Passes passes = choosePasses(&p);
     p.kernel->apply(p.groups, p.numGroups, p.motion);
+    kea_jointsApply(s, &p.joints, p.motion);
     memcpy(p.before, p.motion, (size_t)p.numMotions * sizeof *p.motion);
     findVelocities(&p, passes);
-    findPositions(&p);
     setEndMomentum(&p);
+    memset(p.way, 0, (size_t)p.numMotions * sizeof *p.way);
     setEndPoses(&p);
-    if (setRebounds(&p)) {
+    findPositions(&p);
+    setEndPoses(&p);
+    const MeBool doRebound = setRebounds(&p);
+    if (kea_jointsRebound(s, &p.joints) || doRebound) {
         findVelocities(&p, passes);
         setEndMomentum(&p);
     }
     report(&p);
     kea_returnManifolds(s, p.groups, p.numGroups);
+    kea_jointsReturn(s, &p.joints);
     kea_moveFreely(s);
 }
