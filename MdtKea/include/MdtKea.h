@@ -246,6 +246,18 @@ MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
 MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
 
 /**
+ * Whether a contact with restitution may be met within the step by a speed that it gives back. The rows are filled;
+ * nothing is changed.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *system);
+
+/**
+ * Of bodies that joints, and contacts that touch, tie to each other, the most: contacts that have a gap, or part, tie
+ * nothing. The rows are filled; nothing is changed but scratch memory.
+ */
+MEPUBLIC int MEAPI MdtKeaTiedBodies(const MdtKeaSystem *system);
+
+/**
  * An impact at the start of the step: changes the velocities of the bodies so that those that touch part with their
  * restitution times the speed with which they met, waves through rows of bodies and impacts at several points
  * included, never gaining energy. Writes the impulses, N s, into rows[i].force, and what it has cost into the report.

@@ -64,7 +64,7 @@ void kea_project(MdtKeaSystem *s) {
         kea_setInstantMetric(s, b);
     for (int i = 0; i < s->numRows; i++) {
         s->work->takesPart[i] = (char)(s->rows[i].contact == i && !s->rows[i].isOpen);
-        kea_setInstantRow(s, i);
+        kea_setInstantRow(s, i, &q->row[i]);
         q->row[i].isElsewhere = s->rows[i].contact != i;
     }
     kea_problemMeasure(q);

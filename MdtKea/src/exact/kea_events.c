@@ -11,12 +11,70 @@
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 
+static MeBool isOpen(const MdtKeaSystem *s, int i, double speed) {
+    return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_partingSpeed * speed;
+}
+
 void kea_timedBegin(MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            s->rows[i].isOpen = !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_partingSpeed * speed;
+            s->rows[i].isOpen = isOpen(s, i, speed);
 }
+
+/* ---- what is to be met in time ---- */
+
+/* The rate at the end without rows. */
+static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            rate += keaDot(row->J[k].lin, s->predicted[row->body[k]].lin) +
+                    keaDot(row->J[k].ang, s->predicted[row->body[k]].ang);
+    return rate;
+}
+
+MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
+    const double gate = kea_minReboundSpeed * kea_eventSpeed(s);
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->contact != i || !(row->restitution > 0))
+            continue;
+        const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
+        if (-rate > keaMax(row->threshold, gate) && row->error + s->parameters.stepsize * rate < 0)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+static int rootOf(int parent[], int body) {
+    while (parent[body] >= 0)
+        body = parent[body];
+    return body;
+}
+
+/* A root's parent is minus the number of its bodies. */
+int MEAPI MdtKeaTiedBodies(const MdtKeaSystem *s) {
+    const double speed = kea_eventSpeed(s);
+    int *parent = s->work->parent, most = s->numBodies > 0;
+    for (int b = 0; b < s->numBodies; b++)
+        parent[b] = -1;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->body[0] < 0 || row->body[1] < 0 || (row->contact >= 0 && (row->contact != i || isOpen(s, i, speed))))
+            continue;
+        const int a = rootOf(parent, row->body[0]), b = rootOf(parent, row->body[1]);
+        if (a == b)
+            continue;
+        const int large = parent[a] <= parent[b] ? a : b, small = large == a ? b : a;
+        parent[large] += parent[small];
+        parent[small] = large;
+        most = most < -parent[large] ? -parent[large] : most;
+    }
+    return most;
+}
+
+/* ---- impacts ---- */
 
 /* When φ + a t + b t²/2 falls through zero; HUGE_VAL: never. */
 static double timeOfFall(double gap, double a, double b) {
@@ -37,6 +95,19 @@ static double firstImpact(const MdtKeaSystem *s) {
         if (row->contact != i || !row->isOpen)
             continue;
         const double a = kea_startRate(s, i), b = (kea_endRate(s, i) - row->drift - a) / h;
+        first = keaMin(first, timeOfFall(row->error, a, b));
+    }
+    return first;
+}
+
+double kea_firstEventOfFlight(const MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    double first = h;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->contact != i)
+            continue;
+        const double a = kea_startRate(s, i), b = (freeRate(s, row) - row->drift - a) / h;
         first = keaMin(first, timeOfFall(row->error, a, b));
     }
     return first;
