@@ -200,7 +200,7 @@ static MeBool hasRestitution(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* Few bodies that only touch; and of others those whose contacts have restitution, while only few touch each other: a
+/* Few bodies that only touch; and of others those whose contacts have restitution, while only few are held: a
  * crowd of balls that fly, whatever contacts with gaps tie together. With joints, when something is about to bounce. */
 static MeBool isTimed(MdtIsland *p, double part) {
     const int most = p->world->timedBodies;
@@ -212,7 +212,7 @@ static MeBool isTimed(MdtIsland *p, double part) {
         return MEFALSE;
     mdt_partBegin(p, part);
     mdt_rowsMake(p);
-    return MdtKeaTiedBodies(&p->kea) <= most && (p->numJoints == 0 || MdtKeaBounces(&p->kea));
+    return MdtKeaHeldBodies(&p->kea) <= most && (p->numJoints == 0 || MdtKeaBounces(&p->kea));
 }
 
 /* ---- sub-steps ---- */

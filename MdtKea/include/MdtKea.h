@@ -252,10 +252,10 @@ MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
 MEPUBLIC MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *system);
 
 /**
- * Of bodies that joints, and contacts that touch, tie to each other, the most: contacts that have a gap, or part, tie
- * nothing. The rows are filled; nothing is changed but scratch memory.
+ * How many bodies joints, or contacts that touch, hold: contacts that have a gap, or part, hold nothing. The rows are
+ * filled; nothing is changed but scratch memory.
  */
-MEPUBLIC int MEAPI MdtKeaTiedBodies(const MdtKeaSystem *system);
+MEPUBLIC int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *system);
 
 /**
  * An impact at the start of the step: changes the velocities of the bodies so that those that touch part with their

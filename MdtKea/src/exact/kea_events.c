@@ -10,6 +10,7 @@
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
+#include <string.h>
 
 static MeBool isOpen(const MdtKeaSystem *s, int i, double speed) {
     return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_partingSpeed * speed;
@@ -47,31 +48,20 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-static int rootOf(int parent[], int body) {
-    while (parent[body] >= 0)
-        body = parent[body];
-    return body;
-}
-
-/* A root's parent is minus the number of its bodies. */
-int MEAPI MdtKeaTiedBodies(const MdtKeaSystem *s) {
+int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
-    int *parent = s->work->parent, most = s->numBodies > 0;
-    for (int b = 0; b < s->numBodies; b++)
-        parent[b] = -1;
+    int *isHeld = s->work->parent, count = 0;
+    memset(isHeld, 0, (size_t)s->numBodies * sizeof *isHeld);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (row->body[0] < 0 || row->body[1] < 0 || (row->contact >= 0 && (row->contact != i || isOpen(s, i, speed))))
-            continue;
-        const int a = rootOf(parent, row->body[0]), b = rootOf(parent, row->body[1]);
-        if (a == b)
-            continue;
-        const int large = parent[a] <= parent[b] ? a : b, small = large == a ? b : a;
-        parent[large] += parent[small];
-        parent[small] = large;
-        most = most < -parent[large] ? -parent[large] : most;
+        const MeBool holds = row->contact < 0 || (row->contact == i && !isOpen(s, i, speed));
+        for (int k = 0; holds && k < 2; k++)
+            if (row->body[k] >= 0)
+                isHeld[row->body[k]] = 1;
     }
-    return most;
+    for (int b = 0; b < s->numBodies; b++)
+        count += isHeld[b];
+    return count;
 }
 
 /* ---- impacts ---- */
