@@ -351,10 +351,21 @@ static MeBool turnsTooFar(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* All contacts are open, and there is nothing else: the bodies fly up to the first of them that is met. */
+static MeBool hasJoint(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact < 0)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* All contacts are open, and there is nothing else: the bodies fly up to the first of them that is met. One that turns
+ * over is not followed by the rates of its contacts. */
 static MeBool isFlight(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0 || !s->rows[s->rows[i].contact].isOpen)
+            return MEFALSE;
+    for (int b = 0; b < s->numBodies; b++)
+        if (s->parameters.stepsize * keaLength(s->velocity[b].ang) > kea_mostTurn && isTurnRelevant(s, b))
             return MEFALSE;
     return s->parameters.timed;
 }
@@ -401,7 +412,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
             solveInTime(s);
         setFree(s);
         kea_setBudget(s, 1, 1);
-        if (!s->parameters.timed)
+        if (!s->parameters.timed || hasJoint(s))
             kea_velocityStage(s);
         kea_shareForces(s);
         returnForces(s);
