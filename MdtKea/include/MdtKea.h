@@ -246,8 +246,8 @@ MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
 MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
 
 /**
- * Whether a contact with restitution may be met within the step by a speed that it gives back. The rows are filled;
- * nothing is changed.
+ * Whether a contact with restitution may be met within the step by a speed of which it gives back more than loads make
+ * in a step, and there are no springs. The rows are filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *system);
 

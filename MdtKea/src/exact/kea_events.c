@@ -35,17 +35,21 @@ static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return rate;
 }
 
+/* Forces of springs change within a step, and stiff ones have to be damped: what they hold is not followed. */
 MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     const double gate = kea_minReboundSpeed * kea_eventSpeed(s);
+    MeBool bounces = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
+        if (row->spring)
+            return MEFALSE;
         if (row->contact != i || !(row->restitution > 0))
             continue;
         const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
-        if (-rate > keaMax(row->threshold, gate) && row->error + s->parameters.stepsize * rate < 0)
-            return METRUE;
+        if (-rate > row->threshold && -rate * row->restitution > gate && row->error + s->parameters.stepsize * rate < 0)
+            bounces = METRUE;
     }
-    return MEFALSE;
+    return bounces;
 }
 
 int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
