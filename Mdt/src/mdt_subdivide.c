@@ -201,14 +201,15 @@ static MeBool hasRestitution(const MdtIsland *p) {
 }
 
 /* Few bodies that only touch; and of others those whose contacts have restitution, while only few are held: a
- * crowd of balls that fly, whatever contacts with gaps tie together. With joints, when something is about to bounce. */
+ * crowd of balls that fly, whatever contacts with gaps tie together. With joints, when something is about to bounce,
+ * and not in the parts by safe time, which end at impacts by themselves. */
 static MeBool isTimed(MdtIsland *p, double part) {
     const int most = p->world->timedBodies;
     if (most == 0 || p->numActing == 0)
         return MEFALSE;
     if (p->numJoints == 0 && p->numBodies <= most)
         return METRUE;
-    if (!hasRestitution(p))
+    if (!hasRestitution(p) || (p->numJoints > 0 && p->h < p->whole))
         return MEFALSE;
     mdt_partBegin(p, part);
     mdt_rowsMake(p);

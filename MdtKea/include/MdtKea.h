@@ -22,7 +22,7 @@
  *
  *  What the positions came to with a jerk, the velocity stage makes right: the velocities nearest to v⁺ that joints,
  *  stops and contacts allow where the bodies have arrived. A timed system (MdtKeaParameters) has θ = 1/2 throughout,
- *  impacts of its own, and no velocity stage.
+ *  impacts of its own, and a velocity stage only where it has joints.
  *
  *      MdtKeaInit       reads bodies, parameters, numBodies, maxRows; writes pose, velocity, predicted, invMass,
  *      numRows = 0 (the owner)      writes rows, numRows MdtKeaMeets      reads rows; writes nothing MdtKeaImpact

@@ -35,13 +35,19 @@ static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return rate;
 }
 
-/* Forces of springs change within a step, and stiff ones have to be damped: what they hold is not followed. */
+static MeBool isDeep(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    const MdtKeaRow out = {.body = {row->body[0], row->body[1]}, .error = -row->error};
+    return row->error < 0 && !kea_isTouching(s, &out);
+}
+
+/* Forces of springs change within a step, and stiff ones have to be damped: what they hold is not followed. What
+ * overlaps is moved out of it, which against joints costs energy, or gives it. */
 MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     const double gate = kea_minReboundSpeed * kea_eventSpeed(s);
     MeBool bounces = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (row->spring)
+        if (row->spring || (row->contact == i && isDeep(s, row)))
             return MEFALSE;
         if (row->contact != i || !(row->restitution > 0))
             continue;
