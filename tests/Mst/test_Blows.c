@@ -1,4 +1,4 @@
-/* Blows: crowds of balls that keep their energy, and Newton's cradle of pendulums, with what a world does by default. */
+/* Blows: crowds of balls that keep their energy, and a cradle of pendulums, with what a world does by default. */
 #include "McdFrame.h"
 #include "MdtReport.h"
 #include "Mst.h"
@@ -31,7 +31,7 @@ static McdModelID addBall(double x, double y, double z) {
     return m;
 }
 
-/* ---- a crowd ------------------------------------------------------------------------------------------------------ */
+/* ---- a crowd ----------------------------------------------------------------------------------------------------- */
 
 enum { SIDE = 6, BALLS = SIDE * SIDE * SIDE, WALLS = 4 };
 
@@ -112,7 +112,7 @@ START_TEST(an_elastic_crowd_keeps_its_energy) {
 }
 END_TEST
 
-/* ---- pendulums ---------------------------------------------------------------------------------------------------- */
+/* ---- pendulums --------------------------------------------------------------------------------------------------- */
 
 enum { ROW = 5 };
 static const double length = 4, angle = .7; /* m, rad: of the first one at the start */
