@@ -180,8 +180,8 @@ MEPUBLIC int MEAPI MdtWorldGetSubSteps(const MdtWorldID w);
 /**
  * Partitions of up to this many bodies that only touch, without joints, meet their contacts in time: bodies move with
  * their mean velocities, and a step is divided where bodies collide or come to stick. By default 8; 0: none. So do
- * larger ones with restitution of which no more bodies are held by contacts that touch, and joints between so many, when
- * something bounces. Other partitions take each step at once, which is right to first order and never gains energy.
+ * larger ones with restitution of which no more bodies are held by touching contacts, and joints between so many, when
+ * something bounces. Other partitions take each step at once, right to first order, and never gain energy.
  */
 MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies);
 MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
