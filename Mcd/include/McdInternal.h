@@ -32,6 +32,9 @@ typedef enum McdPairChange {
  *  moved against the other by more than @a part of its size, or a quarter of the pair's margin; and only models that
  *  @a mayMove have moved since the pair was looked at last. */
 MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
+/** Is the pair two convex models or planes, under the library's own interaction and without a callback? Then no
+ *  function of the program runs in its test. */
+MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);
 /** The pair is about to be tested. */
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
 /** What was found has been given away: the next answer is false. */

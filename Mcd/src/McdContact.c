@@ -82,12 +82,13 @@ static double areaBeside(const McdSpot *a, const McdSpot *b, const McdSpot *c, c
     return dot(n, normal);
 }
 
-/* The spot farthest to one side (sign) of the line from a to b. */
-static int farthestBeside(const McdSpot *spot, int count, int a, int b, double sign, double *area) {
+/* The spot farthest to one side (sign) of the line from a to b, seen along the normal. */
+static int farthestBeside(const McdSpot *spot, int count, int a, int b, const double normal[3], double sign,
+                          double *area) {
     int best = a;
     *area = 0;
     for (int i = 0; i < count; i++) {
-        const double here = sign * areaBeside(&spot[a], &spot[b], &spot[i], spot[a].normal);
+        const double here = sign * areaBeside(&spot[a], &spot[b], &spot[i], normal);
         if (here > *area) {
             *area = here;
             best = i;
@@ -97,7 +98,8 @@ static int farthestBeside(const McdSpot *spot, int count, int a, int b, double s
 }
 
 /* Up to four corners of what the spots cover: two ends, and the farthest on either side; if there is nothing on the
- * second side, the largest addition across the two other sides of the triangle. */
+ * second side, the largest addition across the two other sides of the triangle. All areas are seen along one normal:
+ * the spots' own differ by up to 1.1 degrees, and along two of them a corner may lie outside of its own triangle. */
 static int corners(const McdSpot *spot, int count, int wanted, double same, int *kept) {
     double mean[3] = {0, 0, 0}, ab[3];
     for (int i = 0; i < count; i++)
@@ -112,8 +114,10 @@ static int corners(const McdSpot *spot, int count, int wanted, double same, int 
     kept[1] = b;
     if (wanted == 2)
         return 2;
+    const double *normal = spot[a].normal;
     double left, right;
-    const int l = farthestBeside(spot, count, a, b, 1, &left), r = farthestBeside(spot, count, a, b, -1, &right);
+    const int l = farthestBeside(spot, count, a, b, normal, 1, &left);
+    const int r = farthestBeside(spot, count, a, b, normal, -1, &right);
     const double least = MeMAX(same, 1e-6 * length) * length;
     const int first = left >= right ? l : r, second = left >= right ? r : l;
     if (MeMAX(left, right) <= least)
@@ -127,8 +131,8 @@ static int corners(const McdSpot *spot, int count, int wanted, double same, int 
     }
     const double outward = left >= right ? -1 : 1; /* a, b, first turn left if left: outside is right of each side */
     double across[2];
-    const int beyond[2] = {farthestBeside(spot, count, b, first, outward, &across[0]),
-                           farthestBeside(spot, count, first, a, outward, &across[1])};
+    const int beyond[2] = {farthestBeside(spot, count, b, first, normal, outward, &across[0]),
+                           farthestBeside(spot, count, first, a, normal, outward, &across[1])};
     const int better = across[1] > across[0];
     if (across[better] <= least)
         return 3;

@@ -74,15 +74,21 @@ static MeBool reserveLists(McdSpace *s, int pairs) {
            reserveList(&s->silenced, pairs) && reserveList(&s->woken, pairs);
 }
 
+/* Each block is as large as all before it together, and a first one's size: as with arrays that double, a space whose
+ * number of pairs no longer doubles allocates nothing. */
+static int sizeOfBlock(int block) {
+    return MCD_PAIR_BLOCK << block;
+}
+
 static MeBool makePairBlock(McdSpace *s) {
-    if (!reserveLists(s, (s->blockCount + 1) * MCD_PAIR_BLOCK) ||
-        !reserve(&s->block, &s->blockRoom, s->blockCount + 1, sizeof *s->block, "pairs"))
+    const int size = sizeOfBlock(s->blockCount), before = size - MCD_PAIR_BLOCK; /* in all blocks so far */
+    if (s->blockCount == MCD_PAIR_BLOCKS || !reserveLists(s, before + size))
         return MEFALSE;
-    McdPairRecord *record = MeMemoryTakeZeroed(MCD_PAIR_BLOCK, sizeof *record, caller, "pairs");
+    McdPairRecord *record = MeMemoryTakeZeroed((size_t)size, sizeof *record, caller, "pairs");
     if (!record)
         return MEFALSE;
     s->block[s->blockCount++] = record;
-    for (int i = MCD_PAIR_BLOCK - 1; i >= 0; i--) {
+    for (int i = size - 1; i >= 0; i--) {
         record[i].nextFree = s->freePair;
         s->freePair = &record[i];
     }
@@ -698,7 +704,7 @@ void mcd_pairsEraseProxy(McdSpace *s, int proxy) {
 
 void mcd_pairsDestroy(McdSpace *s) {
     for (int b = 0; b < s->blockCount; b++) {
-        for (int i = 0; i < MCD_PAIR_BLOCK; i++) {
+        for (int i = 0; i < sizeOfBlock(b); i++) {
             if (s->block[b][i].pair.m_cachedData && s->block[b][i].pair.phase != kMcdFFStateGoodbye)
                 McdGoodbye(&s->block[b][i].pair);
             s->block[b][i].pair.responseData = 0; /* goes with its world, which may have gone before */
@@ -706,7 +712,6 @@ void mcd_pairsDestroy(McdSpace *s) {
         }
         MeMemoryGive(s->block[b]);
     }
-    MeMemoryGive(s->block);
     MeMemoryGive(s->link);
     MeMemoryGive(s->hash);
     McdPairList *list[] = {&s->hello, &s->staying, &s->goodbye, &s->wanted, &s->silenced, &s->woken};

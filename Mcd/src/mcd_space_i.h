@@ -19,7 +19,9 @@
 #include "mcd_i.h"
 #include "mcd_tree_i.h"
 
-enum { MCD_NONE = -1, MCD_PAIR_BLOCK = 128 };
+enum { MCD_NONE = -1 };
+/* Pairs in the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
+enum { MCD_PAIR_BLOCK = 128, MCD_PAIR_BLOCKS = 23 };
 
 typedef struct McdProxy {
     /* what classifying a pair reads comes first */
@@ -78,7 +80,7 @@ struct _McdSpace {
     int axes;
     MeLimit modelLimit, pairLimit;
     MeBool isChanging;
-    MeBool isUpdating; /* callbacks of the program are running */
+    MeBool isUpdating;              /* callbacks of the program are running */
     MeBool isFirstBlock, isUpdated; /* the block that creation opened; McdSpaceUpdateAll was called in it */
     MeU32 step;
     MeReal lookAhead; /* s */
@@ -100,8 +102,8 @@ struct _McdSpace {
 
     /* All lists of pairs have room for all records in the blocks, and wanted for all links: only making these larger
      * can fail for want of memory, and then nothing has begun yet. */
-    McdPairRecord **block; /* of MCD_PAIR_BLOCK pairs */
-    int blockCount, blockRoom, liveCount, waitingCount;
+    McdPairRecord *block[MCD_PAIR_BLOCKS];
+    int blockCount, liveCount, waitingCount;
     McdPairRecord *freePair;
     MeBool isStale; /* there are erased pairs in the lists: their phase is kMcdFFStateInactive */
     McdPairList hello, staying, goodbye, wanted;

@@ -118,6 +118,10 @@ McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool 
     return isAlike(&now, &before, mayMove) && hasHardlyMoved(p, part) ? McdPairHasMoved : McdPairHasChanged;
 }
 
+MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
+    return !mcd_record(p->model1)->intersect && !mcd_record(p->model2)->intersect && mcd_interactionIsBuiltIn(p);
+}
+
 static MeReal sizeOf(McdModelID m) {
     MeVector3 centre;
     MeReal radius;

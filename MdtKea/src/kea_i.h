@@ -160,6 +160,10 @@ MeBool kea_mayReachBound(const MdtKeaRow *row);
 double kea_endRate(const MdtKeaSystem *s, int i);
 /* The rate of a row through the step. */
 double kea_meanRate(const MdtKeaSystem *s, int i);
+/* m per unit of a row's coordinate: an angle moves a body's parts by its size. */
+double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row);
+/* m/s: what a row pushes for of a speed that it aims at; a stop with room left, and a contact with a gap, for none. */
+double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 
 /* ---- kea_events.c ---- */
 
@@ -194,8 +198,14 @@ void kea_project(MdtKeaSystem *s);
 
 /* J, in the metric of the inner problem; change may be null. */
 double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]);
-/* J: the energy that there can be: what the step started with, and what loads, springs and motors have done in it. */
+/* J: the energy that there can be: what the step started with, and what loads, springs, motors and
+ * whatever else moves have done in it. */
 double kea_energyAllowed(const MdtKeaSystem *s);
+/* J: the whole partition at the speed at which the worst error of its joints is taken away. */
+double kea_energyOfCorrection(const MdtKeaSystem *s);
+/* Shortens the way of the bodies that rows act on to where loads have taken all energy that there was. They may be
+ * lifted by an error that is taken away. False: there is enough. */
+MeBool kea_stopShort(const MdtKeaSystem *s);
 /* The largest share a in [0, 1] for which velocity + plastic + a (elastic - plastic) has no more energy than
  * allowed. */
 double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*elastic)[6], double (*plastic)[6],

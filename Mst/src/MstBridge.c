@@ -1,4 +1,5 @@
-/* The bridge: the material table, and the loop over pairs. */
+/* The bridge: the material table, and the loop over pairs, which takes runs of them from collide to commit. */
+#include "McdGeometryInstance.h"
 #include "McdInteractions.h"
 #include "McdInternal.h"
 #include "MeAssert.h"
@@ -25,17 +26,45 @@ MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function) {
 
 /* ---- life ---------------------------------------------------------------------------------------------------- */
 
+static void freeContacts(MstRun *run, MdtContactID *made) {
+    MeMemoryGive(run->contacts);
+    MeMemoryGive(run->found);
+    MeMemoryGive(made);
+}
+
+/* Room for the contacts of one pair, and of the rest of its run; no run ends for want of room before its pairs have so
+ * many contacts each on average. False: there is no memory, and all is as it was. */
+static MeBool makeContacts(MstBridgeRecord *b, int most, const char *function) {
+    enum { AVERAGE = 8 };
+    if (most > INT_MAX - AVERAGE * MST_RUN)
+        most = INT_MAX - AVERAGE * MST_RUN;
+    MstRun made = {.contactMax = most, .foundMax = most + AVERAGE * MST_RUN};
+    made.contacts = MeMemoryTake((size_t)made.contactMax, sizeof *made.contacts, function, "contacts");
+    if (made.contacts)
+        made.found = MeMemoryTake((size_t)made.foundMax, sizeof *made.found, function, "contacts");
+    MdtContactID *ids = made.found ? MeMemoryTake((size_t)most, sizeof *ids, function, "contacts") : 0;
+    if (!ids) {
+        freeContacts(&made, ids);
+        return MEFALSE;
+    }
+    freeContacts(&b->run, b->made);
+    b->run.contacts = made.contacts;
+    b->run.found = made.found;
+    b->run.contactMax = made.contactMax;
+    b->run.foundMax = made.foundMax;
+    b->made = ids;
+    return METRUE;
+}
+
 static void freeAll(MstBridgeRecord *b) {
     if (b->bridge.pairs)
         McdModelPairContainerDestroy(b->bridge.pairs);
     for (unsigned int m = 0; m < b->materialCount; m++)
         MeMemoryGive(b->materials[m]);
     MeMemoryGive(b->materials);
-    MeMemoryGive(b->contacts);
-    MeMemoryGive(b->found);
-    MeMemoryGive(b->done);
+    freeContacts(&b->run, b->made);
     mst_eventsTerm(b);
-    MeMemoryGive(b->hurried);
+    MeMemoryGive(b->clamped);
     MeMemoryGive(b);
 }
 
@@ -68,13 +97,9 @@ MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMa
     b->frame = frame;
     b->materialLimit = (MeLimit){.most = isLimited ? (int)MeCLAMP(maxMaterials, 1, MST_MATERIALS) : MeNoLimit,
                                  .name = "MstBridgeCreate's maxMaterials"};
-    b->contactMax = MST_CONTACTS;
     b->reuse = (MeReal)MST_CONTACT_REUSE;
-    b->contacts = MeMemoryTake(b->contactMax, sizeof *b->contacts, function, "contacts");
-    b->found = MeMemoryTake(b->contactMax, sizeof *b->found, function, "contacts");
-    b->done = MeMemoryTake(b->contactMax, sizeof *b->done, function, "contacts");
     b->bridge.pairs = McdModelPairContainerCreate(MST_PAIRS);
-    if (!b->contacts || !b->found || !b->done || !b->bridge.pairs || !addMaterial(b, function)) {
+    if (!b->bridge.pairs || !makeContacts(b, MST_CONTACTS, function) || !addMaterial(b, function)) {
         freeAll(b);
         return 0;
     }
@@ -115,10 +140,15 @@ static MstMaterialID known(const MstBridgeRecord *b, MstMaterialID m) {
     return MstBridgeGetDefaultMaterial();
 }
 
-MstMaterialPair *mst_materialPair(MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2) {
+MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2) {
     const MstMaterialID a = known(b, m1), c = known(b, m2), high = MeMAX(a, c), low = MeMIN(a, c);
     MEASSERT(high < b->materialCount && b->materialCount <= b->materialRoom);
     return &b->materials[high][low].pair;
+}
+
+MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c) {
+    return mst_materialPair(b, McdGeometryInstanceGetMaterial(c->instance1),
+                            McdGeometryInstanceGetMaterial(c->instance2));
 }
 
 unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair) {
@@ -218,19 +248,16 @@ void MEAPI(MstHandleTransitions)(McdModelPairContainer *pairs, const McdSpaceID 
     MstHandleTransitionsOf(pairs);
 }
 
-static MeBool isAsleep(McdModelID m) {
-    return McdModelGetSpace(m) && McdSpaceModelIsFrozen(m);
-}
-
 void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s, const MdtWorldID w,
                                const MstBridgeID b) {
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstHandleCollisions");
     if (!record || !pairs)
         return;
     mst_beginRound(record);
-    for (int i = pairs->helloFirst; i < pairs->stayingEnd; i++)
-        if (!isAsleep(pairs->array[i]->model1) || !isAsleep(pairs->array[i]->model2))
-            mst_pairCollide(record, pairs->array[i], s, w);
+    for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
+        i += mst_collideRun(record, &record->run, &pairs->array[i], pairs->stayingEnd - i, s);
+        mst_commitRun(record, &record->run, s, w);
+    }
 }
 
 void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
@@ -242,7 +269,7 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
     const char *before = MeCallerSet("MstBridgeUpdateContacts");
     if (record->part == 0)
         mst_eventsBegin(record);
-    mst_hurryNobody(record);
+    mst_clearSafeTimes(record);
     record->ahead = McdSpaceGetLookAhead(s);
     McdSpaceEndChanges(s);
     McdSpacePairIteratorBegin(s, &iterator);
@@ -296,22 +323,7 @@ void MEAPI MstBridgeSetContactBufferSize(const MstBridgeID b, const unsigned int
         MeWarning(1, "MstBridgeSetContactBufferSize: %u contacts: it must be 1 .. %d", s, INT_MAX);
         return;
     }
-    static const char caller[] = "MstBridgeSetContactBufferSize";
-    McdContact *contacts = MeMemoryTake(s, sizeof *contacts, caller, "contacts");
-    MdtFoundContact *found = contacts ? MeMemoryTake(s, sizeof *found, caller, "contacts") : 0;
-    MdtContactID *done = found ? MeMemoryTake(s, sizeof *done, caller, "contacts") : 0;
-    if (!done) {
-        MeMemoryGive(contacts);
-        MeMemoryGive(found);
-        return;
-    }
-    MeMemoryGive(record->contacts);
-    MeMemoryGive(record->found);
-    MeMemoryGive(record->done);
-    record->contacts = contacts;
-    record->found = found;
-    record->done = done;
-    record->contactMax = s;
+    makeContacts(record, (int)s, "MstBridgeSetContactBufferSize");
 }
 
 void MEAPI MstBridgeSetModelPairBufferSize(const MstBridgeID b, const unsigned int s) {

@@ -1,12 +1,10 @@
-/* Events: what touches, from step to step.
+/* Events: what begins, persists and ends, told of the step's touches (mst_touch.c) once it is done.
  *
- * A pair has a touch from its first contact until the space takes the pair back. While contacts are made, the touches
- * of the step are listed; after the step, the forces of their contacts say which of them touch, and what is new about
- * that.
+ * Reads the touches that are listed, and the forces of their contacts, which say which of them touch. Writes whether
+ * they do, what only events need of them, and the list of events; calls the program's callbacks of touches.
  *
  * The list of events is made when somebody asks for it, or has a callback, or destroys what it is about. When nobody
- * has until the next step begins, only whether each pair touches is kept: most pairs go on touching, and nobody wants
- * to know.
+ * has until the next step begins, only whether each pair touches is kept: most pairs go on touching.
  */
 #include "MstEvents.h"
 #include "MdtBody.h"
@@ -45,51 +43,7 @@ static void freeList(MstEventList *list) {
     MeMemoryGive(list->serial);
 }
 
-/* ---- touches --------------------------------------------------------------------------------------------------- */
-
-static MstTouch *takeTouch(MstBridgeRecord *b) {
-    MstEvents *e = &b->events;
-    MstTouch *t = e->free;
-    if (t)
-        e->free = t->next;
-    else
-        t = MeMemoryTake(1, sizeof *t, "MstBridgeUpdateContacts", "what touches");
-    if (!t)
-        return 0;
-    memset(t, 0, sizeof *t);
-    t->bridge = b;
-    t->next = e->first;
-    if (e->first)
-        e->first->previous = t;
-    e->first = t;
-    return t;
-}
-
-static void giveTouch(MstTouch *t) {
-    MstEvents *e = &t->bridge->events;
-    MEASSERT((t->previous ? t->previous->next : e->first) == t);
-    *(t->previous ? &t->previous->next : &e->first) = t->next;
-    if (t->next)
-        t->next->previous = t->previous;
-    t->next = e->free;
-    e->free = t;
-}
-
-/* The touch of a pair; null if it has none and there is no memory. */
-static MstTouch *ensureTouch(MstBridgeRecord *b, McdModelPair *p) {
-    const McdModelID model[2] = {p->model1, p->model2};
-    MstTouch *t = p->touch ? p->touch : takeTouch(b);
-    if (!t || p->touch)
-        return t;
-    t->pair = p;
-    for (int k = 0; k < 2; k++) {
-        t->model[k].model = model[k];
-        t->model[k].serial = McdModelGetSerial(model[k]);
-    }
-    p->touch = t;
-    p->forget = mst_pairForget;
-    return t;
-}
+/* ---- one event --------------------------------------------------------------------------------------------------- */
 
 static MstEvent eventOf(const MstTouch *t, MstEventKind kind) {
     MstEvent event;
@@ -115,181 +69,30 @@ static void tell(MstEventList *list, const MstTouch *t, MstEventKind kind) {
     add(list, &event, serial);
 }
 
-static void unlist(MstTouch *t) {
-    MstEvents *e = &t->bridge->events;
-    for (int i = 0; i < e->listedCount; i++)
-        if (e->listed[i] == t)
-            e->listed[i] = 0;
-}
-
-static void freeTouches(MstTouch *t) {
-    for (MstTouch *next; t; t = next) {
-        next = t->next;
-        MeMemoryGive(t);
-    }
-}
-
 void mst_eventsTerm(MstBridgeRecord *b) {
     MstEvents *e = &b->events;
-    for (MstTouch *t = e->first; t; t = t->next)
-        t->pair->touch = 0;
-    freeTouches(e->first);
-    freeTouches(e->free);
+    mst_touchesTerm(e);
     freeList(&e->done);
     freeList(&e->ended);
-    MeMemoryGive(e->listed);
 }
 
-/* ---- before the step ------------------------------------------------------------------------------------------- */
+/* ---- after the step -------------------------------------------------------------------------------------------- */
 
-static void unlistAll(MstEvents *e) {
+/* No touch is of this step any more. */
+static void clearList(MstEvents *e) {
     for (int i = 0; i < e->listedCount; i++)
         if (e->listed[i])
             e->listed[i]->isListed = MEFALSE;
     e->listedCount = 0;
 }
 
-static MeBool list(MstTouch *t) {
-    MstEvents *e = &t->bridge->events;
-    if (e->listedCount == e->listedMax) {
-        const int more = e->listedMax ? 2 * e->listedMax : 64;
-        if (!MeMemoryGrow(&e->listed, (size_t)e->listedCount, (size_t)more, sizeof *e->listed,
-                          "MstBridgeUpdateContacts", "what touches"))
-            return MEFALSE;
-        e->listedMax = more;
-    }
-    e->listed[e->listedCount++] = t;
-    t->isListed = METRUE;
-    return METRUE;
-}
-
-/* How far the pair's bodies are behind their world: those that are tied move together. */
-static MeReal lagOf(const McdModelPair *p) {
-    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
-    const MeReal lag1 = body1 ? MdtBodyGetLag(body1) : 0, lag2 = body2 ? MdtBodyGetLag(body2) : 0;
-    return MeMAX(lag1, lag2);
-}
-
-/* The touch of a pair that was looked at, listed for this step; null where there is nothing to tell. */
-static MstTouch *noted(MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
-    const MeBool isSpaces = p->phase != kMcdFFStateInactive; /* a program's own pair may go at any time, unnoticed */
-    MstTouch *t = isSpaces && (hasContacts || p->touch) ? ensureTouch(b, p) : 0;
-    if (!t || t->isListed) { /* in a later part of the step */
-        if (t)
-            t->hasContacts = t->hasContacts || hasContacts;
-        return t;
-    }
-    if (!list(t))
-        return 0;
-    t->lag = b->part == 0 ? MEINFINITY : lagOf(p);
-    t->hasContacts = hasContacts;
-    t->isSensor = isSensor;
-    t->material[0] = McdModelGetMaterial(p->model1);
-    t->material[1] = McdModelGetMaterial(p->model2);
-    t->tolerance = McdModelGetContactTolerance(p->model1) + McdModelGetContactTolerance(p->model2);
-    t->separation = t->deepest = MEINFINITY;
-    t->approachSpeed = t->impulse = t->largestImpulse = 0;
-    return t;
-}
-
-static void velocityAt(McdModelID m, MeVector3 point, MeVector3 velocity) {
-    const MdtBodyID body = McdModelGetBody(m);
-    const MeReal *linear = McdModelGetLinearVelocityPtr(m);
-    MeVector3Set(velocity, 0, 0, 0);
-    if (body)
-        MdtBodyGetVelocityAtPoint(body, point, velocity);
-    else if (linear)
-        MeVector3Copy(velocity, linear);
-}
-
-MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal) {
-    MeVector3 v1, v2;
-    velocityAt(p->model1, point, v1);
-    velocityAt(p->model2, point, v2);
-    MeVector3Subtract(v1, v1, v2);
-    return -MeVector3Dot(v1, normal);
-}
-
-/* The deepest contact is where it touches, until forces say better. */
-static void noteContact(MstTouch *t, MeVector3 position, const MeVector3 normal, MeReal separation) {
-    t->separation = MeMIN(t->separation, separation);
-    if (separation < t->deepest) {
-        t->deepest = separation;
-        MeVector3Copy(t->position, position);
-        MeVector3Copy(t->normal, normal);
-    }
-    if (!t->isTouching)
-        t->approachSpeed = MeMAX(t->approachSpeed, mst_approachAt(t->pair, position, normal));
-}
-
-/* A group's normals push its first body; where the first model has none, that is the second model's. */
-void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal) {
-    MdtContactGetNormal(c, normal);
-    if (!McdModelGetBody(p->model1))
-        MeVector3MultiplyScalar(normal, normal, -1);
-}
-
-static void noteGroup(MstTouch *t, MdtContactGroupID group) {
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
-        MeVector3 position, normal;
-        MdtContactGetPosition(c, position);
-        mst_normalOf(t->pair, c, normal);
-        noteContact(t, position, normal, -MdtContactGetPenetration(c));
-    }
-}
-
-/* Of the contacts found, or of those that callbacks have left. */
-static MeReal leastSeparation(MdtContactGroupID group, const McdIntersectResult *result) {
-    MeReal least = MEINFINITY;
-    if (MdtContactGroupGetCount(group) == result->contactCount) {
-        for (int i = 0; i < result->contactCount; i++)
-            least = MeMIN(least, result->contacts[i].separation);
-        return least;
-    }
-    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
-        least = MeMIN(least, -MdtContactGetPenetration(c));
-    return least;
-}
-
-void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p) {
-    MstTouch *t = p->touch;
-    const MeReal separation = t->separation;
-    if (!noted(b, p, METRUE, MEFALSE))
-        return;
-    t->separation = MeMIN(t->separation, separation);
-    if (!t->isTouching)
-        noteGroup(t, p->responseData);
-}
-
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
-    const MdtContactGroupID group = p->responseData;
-    const MeBool hasContacts = group && MdtContactGroupGetCount(group) > 0;
-    MstTouch *t = noted(b, p, hasContacts, MEFALSE);
-    if (!t || !hasContacts)
-        return;
-    if (!t->isTouching) /* how fast they come is known now only */
-        noteGroup(t, group);
-    else
-        t->separation = MeMIN(t->separation, leastSeparation(group, result));
-}
-
-void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
-    MstTouch *t = noted(b, p, result->contactCount > 0, METRUE);
-    if (!t)
-        return;
-    for (int i = 0; i < result->contactCount; i++)
-        noteContact(t, result->contacts[i].position, result->contacts[i].normal, result->contacts[i].separation);
-}
-
-/* ---- after the step -------------------------------------------------------------------------------------------- */
-
 /* Adds what the contacts did since the last time. */
 static void gather(MstTouch *t) {
     const MdtContactGroupID group = t->pair->responseData;
     const MeReal before = t->lag;
-    t->lag = lagOf(t->pair);
+    t->lag = mst_lagOfPair(t->pair);
     if (group && t->isTouching && !t->isSensor)
-        noteGroup(t, group);
+        mst_touchNoteGroup(t, group);
     if (!group || MdtContactGroupGetCount(group) == 0 || !(t->lag < before))
         return;
     const MeReal time = MdtBodyGetPart(MdtContactGroupGetBody(group, 0));
@@ -369,19 +172,6 @@ static void refresh(MstEvents *e, int i) {
     event->model2 = ifAlive(event->model2, e->done.serial[i][1]);
 }
 
-/* Every touch knows its neighbours and its pair, which knows it; what is listed says so. */
-static MeBool areTouchesConsistent(const MstEvents *e) {
-    int listed = 0;
-    for (const MstTouch *t = e->first; t; t = t->next) {
-        if (t->pair->touch != t || (t->next && t->next->previous != t))
-            return MEFALSE;
-        listed += t->isListed;
-    }
-    for (int i = 0; i < e->listedCount; i++)
-        listed -= e->listed[i] != 0;
-    return listed == 0 && e->done.count <= e->done.max && e->ended.count <= e->ended.max;
-}
-
 static void callBack(MstBridgeRecord *b) {
     for (int i = 0; i < b->events.firstBreak; i++) {
         refresh(&b->events, i);
@@ -399,13 +189,13 @@ static void makeList(MstBridgeRecord *b) {
     e->isPending = MEFALSE;
     if (!isToDo)
         return;
-    MEVALIDATE(areTouchesConsistent(e));
+    MEVALIDATE(mst_touchesAreConsistent(e));
     mst_eventsGather(b);
     takeEnded(e);
     for (int i = 0; i < e->listedCount; i++)
         if (e->listed[i])
             tellChange(e, e->listed[i]);
-    unlistAll(e);
+    clearList(e);
     tellBreaks(e, e->world);
 }
 
@@ -419,22 +209,27 @@ void MEAPI mst_touchForget(McdModelPair *p) {
     if (t->isTouching)
         tell(&t->bridge->events.ended, t, MstEventEnd);
     if (t->isListed)
-        unlist(t);
-    giveTouch(t);
+        mst_touchUnlist(t);
+    mst_touchGive(t);
 }
 
 /* Nobody has asked: what touches is kept, and no more. */
 static void skipList(MstBridgeRecord *b) {
+    enum { AHEAD = 8 }; /* touches: their first line comes from memory in time */
     MstEvents *e = &b->events;
     const MeBool areForcesKnown = MdtWorldIsValid(e->world);
     for (int i = 0; i < e->listedCount; i++) {
         MstTouch *t = e->listed[i];
-        if (t && areForcesKnown && !isDecided(t))
+        if (i + AHEAD < e->listedCount)
+            ME_PREFETCH(e->listed[i + AHEAD]);
+        if (!t)
+            continue;
+        if (areForcesKnown && !isDecided(t))
             gather(t);
-        if (t)
-            t->isTouching = touches(t);
+        t->isTouching = touches(t);
+        t->isListed = MEFALSE;
     }
-    unlistAll(e);
+    e->listedCount = 0;
     e->ended.count = 0;
     e->isPending = MEFALSE;
 }
@@ -455,7 +250,7 @@ void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
 void mst_eventsBegin(MstBridgeRecord *b) {
     if (b->events.isPending)
         skipList(b);
-    unlistAll(&b->events);
+    clearList(&b->events);
 }
 
 const MstEvent *MEAPI MstBridgeGetEvents(const MstBridgeID b, int *count) {

@@ -1,17 +1,20 @@
 /* Continuous motion: fast models are stopped where they touch, and go on from there.
  *
  * A step is taken in parts. In the first all bodies move, but the partition of a fast model that would meet something
- * only up to there; the others are done then. In each further part the ones that are behind get new contacts, and move
- * on to the next impact or to the end of the step. A pair of bodies that will meet is tied into one partition before it
- * touches, so that both are at the same time when they do. The impact itself is a short part too, as nobody has looked
- * at where the body goes after it.
+ * only up to there; the others are done then. In each further part the lagging ones get new contacts, and move on to
+ * the next impact or to the end of the step. A pair of bodies that will meet is tied into one partition before it
+ * touches, so that both are at the same time when they do. The impact itself is a short part too, as where the body
+ * goes after it is not known before.
  *
- * What is behind must not push what is done: it would move for longer than the step. Where it meets such a body it
- * waits, and the rest of its step is lost; so it is after the last part.
+ * Lagging bodies must not push those already advanced, which would move for longer than the step. Where a lagging body
+ * meets such a one it waits, and the rest of its step is lost; so it is after the last part.
  *
  * A large partition is not held back by what hits it, which would cost as many solves of it: the fast body waits for it
- * and meets it in the next step, which is not divided either. What is fast and belongs to a large partition is followed
- * in the first parts only.
+ * and meets it in the next step, which is not divided either. A fast body in a large partition has safe times in the
+ * first parts only.
+ *
+ * Reads findings, poses and velocities, contacts of the pair. Writes safe times of bodies, and the list of bodies that
+ * have one; moves the world on. Times to touch are found by collide, and become safe times in commit.
  */
 #include "McdGeometry.h"
 #include "McdInteractions.h"
@@ -34,29 +37,29 @@ enum {
 
 /* ---- safe times ------------------------------------------------------------------------------------------------ */
 
-void mst_hurryNobody(MstBridgeRecord *b) {
-    for (int i = 0; i < b->hurriedCount; i++)
-        MdtBodySetSafeTime(b->hurried[i], MEINFINITY);
-    b->hurriedCount = 0;
+void mst_clearSafeTimes(MstBridgeRecord *b) {
+    for (int i = 0; i < b->clampedCount; i++)
+        MdtBodySetSafeTime(b->clamped[i], MEINFINITY);
+    b->clampedCount = 0;
 }
 
 static MeBool hasRoom(MstBridgeRecord *b) {
-    if (b->hurriedCount < b->hurriedMax)
+    if (b->clampedCount < b->clampedMax)
         return METRUE;
-    const int more = b->hurriedMax ? 2 * b->hurriedMax : 32;
-    if (!MeMemoryGrow(&b->hurried, (size_t)b->hurriedCount, (size_t)more, sizeof(MdtBodyID), "MstBridgeUpdateContacts",
+    const int more = b->clampedMax ? 2 * b->clampedMax : 32;
+    if (!MeMemoryGrow(&b->clamped, (size_t)b->clampedCount, (size_t)more, sizeof(MdtBodyID), "MstBridgeUpdateContacts",
                       "fast bodies"))
         return MEFALSE;
-    b->hurriedMax = more;
+    b->clampedMax = more;
     return METRUE;
 }
 
-static void hurry(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
+static void clampSafeTime(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
     if (!body || !hasRoom(b))
         return;
     MEASSERT(time >= 0 && time <= b->ahead);
     MdtBodySetSafeTime(body, MeMIN(time, MdtBodyGetSafeTime(body)));
-    b->hurried[b->hurriedCount++] = body;
+    b->clamped[b->clampedCount++] = body;
 }
 
 /* ---- when they meet -------------------------------------------------------------------------------------------- */
@@ -89,21 +92,27 @@ static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, 
     return MeMAX(hit.fraction - radius / (STOP * length), 0) * most;
 }
 
-static MeReal timeToTouch(McdModelPair *p, McdSpaceID s, MeReal most) {
-    McdSafeTimeResult safe;
-    if (McdModelIsSurface(p->model2) && McdModelIsConvex(p->model1))
-        return timeToSurface(p->model1, p->model2, s, most);
-    if (McdModelIsSurface(p->model1) && McdModelIsConvex(p->model2))
-        return timeToSurface(p->model2, p->model1, s, most);
-    return McdSafeTime(p, most, &safe) ? safe.time : most;
-}
-
 static MeReal lagOf(MdtBodyID body) {
     return body ? MdtBodyGetLag(body) : 0;
 }
 
 static MeReal marginOf(const McdModelPair *p) {
     return MeMAX(McdModelGetFastMargin(p->model1), McdModelGetFastMargin(p->model2));
+}
+
+/* s, for which the pair's bodies move in this part of the step. */
+static MeReal timeLeft(const MstBridgeRecord *b, const McdModelPair *p) {
+    return b->part == 0 ? b->ahead : mst_lagOfPair(p);
+}
+
+MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s) {
+    const MeReal most = timeLeft(b, p);
+    McdSafeTimeResult safe;
+    if (McdModelIsSurface(p->model2) && McdModelIsConvex(p->model1))
+        return timeToSurface(p->model1, p->model2, s, most);
+    if (McdModelIsSurface(p->model1) && McdModelIsConvex(p->model2))
+        return timeToSurface(p->model2, p->model1, s, most);
+    return McdSafeTime(p, most, &safe) ? safe.time : most;
 }
 
 static MeReal approachOf(const McdModelPair *p) {
@@ -138,27 +147,34 @@ static MeBool stopsBefore(const MstBridgeRecord *b, MeReal time, MeReal most) {
 }
 
 static void stopAt(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal time) {
-    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
+    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
     const MeBool stops1 = !mst_isInCrowd(body1) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model1) > 0);
     const MeBool stops2 = !mst_isInCrowd(body2) || (b->part < HEAVY_PARTS && McdModelGetFastMargin(p->model2) > 0);
     if (body1 && body2 && stops1 && stops2)
         mst_pairTie(p, w);
     if (stops1)
-        hurry(b, body1, time);
+        clampSafeTime(b, body1, time);
     if (stops2)
-        hurry(b, body2, time);
+        clampSafeTime(b, body2, time);
 }
 
-void mst_followFast(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w, MeBool hasContacts) {
-    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
-    if (!(marginOf(p) > 0))
+void mst_followFast(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w) {
+    McdModelPair *p = f->pair;
+    if (!mst_isFast(p))
         return;
-    const MeReal most = b->part == 0 ? b->ahead : MeMAX(lagOf(body1), lagOf(body2));
-    if (hasContacts && (mst_isInCrowd(body1) || mst_isInCrowd(body2)))
+    if (hasContacts && (mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2))))
         return;
-    const MeReal time = hasContacts ? timeOfImpact(p, most) : timeToTouch(p, s, most);
+    const MeReal most = timeLeft(b, p);
+    const MeReal time = hasContacts                     ? timeOfImpact(p, most)
+                        : f->timeToTouch != MST_UNKNOWN ? f->timeToTouch
+                                                        : mst_timeToTouch(b, p, s);
     if (stopsBefore(b, time, most))
         stopAt(b, p, w, MeMAX(time, shortestPart(b)));
+}
+
+MeBool mst_isInCrowd(MdtBodyID body) {
+    enum { CROWD = 32 };
+    return body && MdtBodyGetPartitionSize(body) > CROWD;
 }
 
 /* ---- the parts after the first --------------------------------------------------------------------------------- */
@@ -168,16 +184,35 @@ static MeBool isDone(MdtBodyID body) {
     return body && MdtBodyIsEnabled(body) && !(MdtBodyGetLag(body) > 0);
 }
 
-MeBool mst_mayMeet(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s) {
-    const MdtBodyID body1 = McdModelGetBody(p->model1), body2 = McdModelGetBody(p->model2);
-    const MeBool isBehind1 = lagOf(body1) > 0, isBehind2 = lagOf(body2) > 0;
-    if ((!isBehind1 && !isBehind2) || McdModelIsSensor(p->model1) || McdModelIsSensor(p->model2))
-        return MEFALSE;
-    if (!isDone(body1) && !isDone(body2))
-        return METRUE;
-    if (McdModelGetFastMargin(isBehind1 ? p->model1 : p->model2) > 0)
-        hurry(b, isBehind1 ? body1 : body2, timeToTouch(p, s, MeMAX(lagOf(body1), lagOf(body2))));
-    return MEFALSE;
+static MeBool isLagging(McdModelID m) {
+    return lagOf(mst_bodyOf(m)) > 0;
+}
+
+/* Does one body lag, so that it may move on, and is the pair one that contacts can push? */
+static MeBool mayMove(const McdModelPair *p) {
+    return (isLagging(p->model1) || isLagging(p->model2)) && !McdModelIsSensor(p->model1) &&
+           !McdModelIsSensor(p->model2);
+}
+
+static MeBool hasDoneBody(const McdModelPair *p) {
+    return isDone(mst_bodyOf(p->model1)) || isDone(mst_bodyOf(p->model2));
+}
+
+static McdModelID laggingModel(const McdModelPair *p) {
+    return isLagging(p->model1) ? p->model1 : p->model2;
+}
+
+MeBool mst_mayMeet(const McdModelPair *p) {
+    return mayMove(p) && !hasDoneBody(p);
+}
+
+MeBool mst_mustWait(const McdModelPair *p) {
+    return mayMove(p) && hasDoneBody(p) && McdModelGetFastMargin(laggingModel(p)) > 0;
+}
+
+void mst_waitFor(MstBridgeRecord *b, const MstFinding *f) {
+    MEASSERT(f->timeToTouch != MST_UNKNOWN);
+    clampSafeTime(b, mst_bodyOf(laggingModel(f->pair)), f->timeToTouch);
 }
 
 /* 0: nothing can move on. */
@@ -191,7 +226,7 @@ static int stepRest(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
 
 void mst_stepWorld(MstUniverse *u, MeReal step) {
     MstBridgeRecord *b = (MstBridgeRecord *)u->bridge;
-    if (b->hurriedCount == 0) {
+    if (b->clampedCount == 0) {
         MdtWorldStep(u->world, step);
         return;
     }
@@ -200,6 +235,6 @@ void mst_stepWorld(MstUniverse *u, MeReal step) {
         if (!stepRest(u, b, step))
             break;
     b->part = 0;
-    mst_hurryNobody(b);
-    MEASSERT(b->hurriedCount == 0);
+    mst_clearSafeTimes(b);
+    MEASSERT(b->clampedCount == 0);
 }

@@ -1,4 +1,29 @@
-/* Inside Mst: the bridge's record, and what its files share. */
+/* Inside Mst: the bridge's record, and the stages that pairs of models pass on their way to contacts of their bodies.
+ *
+ *     stage     file              reads -> writes
+ *     pairs     MstBridge.c       the space's pairs -> the bridge's buffer of them; hello and goodbye pairs
+ *     collide   mst_collide.c     models, poses, motion of bodies; the pair's manifold and touch -> a run's
+ *                                 findings; of each pair, what Mcd keeps of its test
+ *     commit    mst_commit.c      findings -> manifolds, touches, safe times of bodies; callbacks of the program
+ *     touches   mst_touch.c       contacts of a pair -> its touch; the step's list of touches
+ *     parts     mst_continuous.c  findings of fast models -> safe times; the world's step, in parts
+ *     events    MstEvents.c       touches, forces of their contacts -> events; callbacks of the program
+ *
+ * Collide and commit take turns, run by run (MstHandleCollisions): a run is as many pairs as stay in the nearest cache
+ * from one to the other. Collide calls no function of the program, takes nothing from a pool, and writes to nothing
+ * that two pairs share, so that pairs of a run may be collided in any order, each thread with an MstRun of its own; one
+ * exception is left, the stamp that Mcd gives a model at its first look in a round. A pair whose test or contacts
+ * involve a function of the program (callsProgram) is only looked at there: it ends the run, and commit tests it.
+ *
+ *     data                                owner: who writes it
+ *     McdModelPair.test, .stand           Mcd, as collide looks at the pair; commit, where no touch could be had
+ *     McdModelPair.responseData, .forget  commit (mst_commit.c, mst_touch.c)
+ *     MstRun                              collide; commit, of a pair that it has to test
+ *     MstTouch                            commit (mst_commit.c: of the last test; mst_touch.c: of this step); events
+ *     manifolds                           Mdt, at commit's call
+ *     versions of materials               commit
+ *     MdtBody's safe time                 commit (mst_continuous.c)
+ */
 #ifndef MST_I_H
 #define MST_I_H
 
@@ -11,8 +36,15 @@
 #include "MstEvents.h"
 #include "MstModelDynamics.h"
 #include "MstUtils.h"
+#include <stddef.h>
 
 enum { MST_UNKNOWN = -1 };
+/* Pairs of a run: their touches, pairs and manifolds, 900 bytes each, and what is found of them fit into 32 kB.
+ * In a heap of 1000 boxes, half as many and twice as many cost the same. */
+enum { MST_RUN = 32 };
+enum { MST_CACHE_LINE = 64 }; /* bytes */
+/* Touches of the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
+enum { MST_TOUCH_BLOCK = 64, MST_TOUCH_BLOCKS = 24 };
 /* So often contacts are carried along with their bodies before they are found anew. Each time rounds the normal to
  * MeReal: 64 times half of 2^-24, in any direction, are 2.4e-7 in all, as one rounding of a transform. */
 enum { MST_CARRIES = 64 };
@@ -35,30 +67,39 @@ typedef struct MstModelRef {
     MeU64 serial;
 } MstModelRef;
 
-/* What events know of a pair: from its first contact until the space takes the pair back. */
+/* What the bridge knows of a pair: from its first contact until the space takes the pair back. */
 struct MstTouch {
+    /* Read or written in every step: one cache line in single precision.
+     * As of the last test of the pair: */
+    _Alignas(MST_CACHE_LINE) unsigned long moves[2]; /* of its bodies */
+    unsigned long version;                           /* of its materials' record */
+    int found;          /* contacts; MST_UNKNOWN: not all that were found became contacts */
+    int carried;        /* how often they have been carried since; `moves` is as of then */
+    MeBool isTouching;  /* as of the last step */
+    MeBool isSensor;    /* as of this one, like the rest of the line */
+    MeBool isListed;    /* looked at in this step */
+    MeBool hasContacts; /* got any */
+    MeReal lag;         /* s, of its bodies when `impulse` was last added to; MEINFINITY: the step is whole yet */
+    MeReal separation;  /* m, the least of its contacts as the step began */
+    MeReal tolerance;   /* m, of both models */
+    MeReal impulse;     /* N s, of all contacts */
+    /* Cleared in every step; of a touch that goes on, found out only for a list of events. */
+    McdModelPair *pair; /* null: the touch is free */
     MstBridgeRecord *bridge;
-    McdModelPair *pair;
-    MstTouch *previous, *next; /* of the bridge's; next also links the free ones */
-    MstModelRef model[2];
     MstMaterialID material[2];
-    MeBool isTouching; /* as of the last step */
-    /* as of the last test of the pair: */
-    unsigned long moves[2]; /* of its bodies */
-    unsigned long version;  /* of what holds between its materials */
-    int found;              /* contacts; MST_UNKNOWN: not all that were found became contacts */
-    int carried;            /* how often they have been carried along since; `moves` is as of then */
-    MeBool isSensor;
-    /* of this step: */
-    MeBool isListed, hasContacts;
-    MeReal lag; /* s, of its bodies when its impulse was last added to; MEINFINITY: the step is whole yet */
-    MeReal separation, tolerance; /* the least of its contacts as the step began; of both models */
-    /* the same, but of a touch that goes on not before somebody asks: */
-    MeReal approachSpeed;           /* the largest */
-    MeReal deepest;                 /* the separation there, while no force says which place matters most */
-    MeReal impulse, largestImpulse; /* of all contacts, of one */
-    MeVector3 position, normal;     /* of that one; of sensors the deepest */
+    MeReal approachSpeed;       /* m/s, the largest */
+    MeReal deepest;             /* m, the separation at `position`, while no force says which contact matters most */
+    MeReal largestImpulse;      /* N s, of one contact */
+    MeVector3 position, normal; /* of that one; of sensors the deepest */
+    /* Written when the touch is taken. */
+    MstModelRef model[2];
+    MstTouch *nextFree;
 };
+
+#ifndef _ME_API_DOUBLE
+_Static_assert(offsetof(MstTouch, pair) == MST_CACHE_LINE && offsetof(MstTouch, model) <= 2 * MST_CACHE_LINE,
+               "two cache lines for what a step reads and writes");
+#endif
 
 /* Events, and for each the serials of its two models: whether a handle still means the same one. */
 typedef struct MstEventList {
@@ -69,8 +110,10 @@ typedef struct MstEventList {
 
 /* What a bridge knows of touches. */
 typedef struct MstEvents {
-    MstTouch *first, *free; /* of all pairs that have or had contacts */
-    MstTouch **listed;      /* those of this step, in the order of the space's pairs */
+    MstTouch *block[MST_TOUCH_BLOCKS]; /* all touches, free ones too */
+    int blockCount;
+    MstTouch *free;
+    MstTouch **listed; /* those of this step, in the order of the space's pairs */
     int listedCount, listedMax;
     MeBool isPending;         /* the step is done, and its list has not been made: nobody has asked */
     int callbacks;            /* material pairs that have one: the list is made at once */
@@ -86,6 +129,40 @@ typedef struct MstMaterialRecord {
     unsigned long lookedIn;     /* and the bridge's round in which that was */
 } MstMaterialRecord;
 
+/* ---- what collide hands to commit -------------------------------------------------------------------------------- */
+
+typedef enum MstOutcome {
+    MST_NOTHING,  /* there is nothing to do */
+    MST_KEPT,     /* the contacts stay as they are */
+    MST_CARRIED,  /* they move with their bodies */
+    MST_TESTED,   /* they become those that were found */
+    MST_TO_TEST,  /* the same, but commit has to test the pair */
+    MST_TO_SENSE, /* a model is a sensor: the same, without contacts of bodies */
+    MST_TO_WAIT   /* one body lags, and must not push the other, which has done its step */
+} MstOutcome;
+
+/* What has been found out about one pair. */
+typedef struct MstFinding {
+    McdModelPair *pair;
+    MstMaterialPair *materials; /* of its models */
+    MstOutcome outcome;
+    MeBool hasMoved[2]; /* MST_CARRIED: the bodies of its group */
+    MeBool isKnown;     /* MST_TESTED: there is an interaction, which has found the contacts */
+    int first, count;   /* the same: contacts, in MstRun.found */
+    MeReal separation;  /* m, the least of these */
+    MeReal timeToTouch; /* s; MST_UNKNOWN: nobody has asked for it */
+} MstFinding;
+
+/* Findings of consecutive pairs, and the memory in which they are made. */
+typedef struct MstRun {
+    int pairCount, foundCount;
+    MstFinding finding[MST_RUN];
+    MdtFoundContact *found;    /* of all pairs; foundMax */
+    McdContact *contacts;      /* of the pair that was tested last; contactMax */
+    McdIntersectResult result; /* the same */
+    int contactMax, foundMax;
+} MstRun;
+
 struct MstBridgeRecord {
     MstBridge bridge; /* what programs see: first */
     MeU32 magic;
@@ -96,62 +173,108 @@ struct MstBridgeRecord {
     MstMaterialRecord **materials; /* of the pair (m1 >= m2): materials[m1][m2] */
     unsigned long lastVersion;     /* counts changes of what holds between materials */
     unsigned long round;           /* of pairs, in which nothing changes but by callbacks */
-    McdContact *contacts;          /* of the pair that is being handled */
-    MdtFoundContact *found;        /* what Mdt is told of them, */
-    MdtContactID *done;            /* and what they have become */
-    unsigned int contactMax;
+    MstRun run;
+    MdtContactID *made; /* what the contacts of a pair have become; run.contactMax */
     MstEvents events;
-    MdtBodyID *hurried; /* bodies that have a safe time in this part of the step */
-    int hurriedCount, hurriedMax;
+    MdtBodyID *clamped; /* bodies that have a safe time in this part of the step */
+    int clampedCount, clampedMax;
     MeReal ahead; /* s, the longest that a model may move in this part of the step */
     int part;     /* of the step: 0 is the first, in which all bodies move */
     MeReal reuse; /* MstBridgeSetContactReuse */
 };
 
+/* A model's body: McdModelGetBody without the question whether it is a model, which costs a lock. */
+static inline MdtBodyID mst_bodyOf(McdModelID m) {
+    return m->mBody;
+}
+
+/* ---- MstBridge.c ------------------------------------------------------------------------------------------------- */
+
 /* The record of a live bridge; null, with a warning, for anything else. */
 MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function);
 /* What holds between two materials; unknown ones count as the default one. */
-MstMaterialPair *mst_materialPair(MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2);
-
-/* A number that is another one as soon as anything is that holds between two materials. */
+MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2);
+/* What holds at a contact: parts of models may have materials of their own. */
+MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c);
+/* A number that changes with anything that holds between two materials. */
 unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair);
 /* Pairs are looked at: programs may have changed anything before, and in a callback. */
 void mst_beginRound(MstBridgeRecord *b);
 
-/* Touches (MstEvents.c): a step begins; a pair has been looked at, with or without contacts; all is forgotten. */
-void mst_eventsBegin(MstBridgeRecord *b);
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
-/* The pair is as it was when that was last noted. */
+/* ---- collide (mst_collide.c) ------------------------------------------------------------------------------------- */
+
+/* Looks at pairs from the first on, and tests them, until the run is full, or ends for another reason; returns how
+ * many. */
+int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s);
+/* Tests a pair: the run's result. False: no interaction of its types is known. */
+MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
+/* The same, and its contacts become part of the run's. */
+void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
+/* The run's result, as a callback left it, becomes part of its contacts. */
+void mst_convertContacts(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
+/* Has the pair of materials a callback that sees contacts? */
+MeBool mst_hasCallback(const MstMaterialPair *materials);
+/* Is a model of the pair fast, so that its motion is continuous in this step? */
+MeBool mst_isFast(const McdModelPair *p);
+unsigned long mst_movesOf(McdModelID m);
+
+/* ---- commit (mst_commit.c) --------------------------------------------------------------------------------------- */
+
+void mst_commitRun(MstBridgeRecord *b, MstRun *run, McdSpaceID s, MdtWorldID w);
+/* The pair's bodies are one partition, whether they touch or not. */
+void mst_pairTie(McdModelPair *p, MdtWorldID w);
+/* Destroys the contacts of a pair. */
+void MEAPI mst_pairForget(McdModelPair *p);
+
+/* ---- touches (mst_touch.c) --------------------------------------------------------------------------------------- */
+
+/* A pair was tested, and has the group's contacts now; the least separation of those found. */
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int found, MeReal separation);
+/* It is as it was when that was last noted. */
 void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p);
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
-/* Ends the touch of a pair that goes. */
-void MEAPI mst_touchForget(McdModelPair *p);
-void mst_eventsTerm(MstBridgeRecord *b);
-
-/* How fast the models come nearer at a point, along the way in which the first one is pushed. */
+/* Notes the contacts of a group. */
+void mst_touchNoteGroup(MstTouch *t, MdtContactGroupID group);
+/* The touch is no longer among those of this step; it is free. */
+void mst_touchUnlist(MstTouch *t);
+void mst_touchGive(MstTouch *t);
+/* Does every touch know its pair, which knows it, and does what is listed say so? */
+MeBool mst_touchesAreConsistent(const MstEvents *e);
+/* Returns their memory. Pairs know of none any more. */
+void mst_touchesTerm(MstEvents *e);
+/* s, by which the pair's bodies are behind their world: those that are tied move together. */
+MeReal mst_lagOfPair(const McdModelPair *p);
+/* m/s, at which the models approach each other at a point, along the way in which the first one is pushed. */
 MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal);
 /* A contact's normal as it pushes the first model, whichever body its group has first. */
 void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
 
+/* ---- events (MstEvents.c) ---------------------------------------------------------------------------------------- */
+
+void mst_eventsBegin(MstBridgeRecord *b);
 /* Adds what contacts did in the part of the step just done. */
 void mst_eventsGather(MstBridgeRecord *b);
+/* Ends the touch of a pair that goes. */
+void MEAPI mst_touchForget(McdModelPair *p);
+void mst_eventsTerm(MstBridgeRecord *b);
 
-/* Continuous motion (mst_continuous.c). May the pair have contacts in this part of the step? */
-MeBool mst_mayMeet(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s);
+/* ---- continuous motion (mst_continuous.c) ------------------------------------------------------------------------ */
+
+/* May the pair have contacts in this later part of the step? */
+MeBool mst_mayMeet(const McdModelPair *p);
+/* Else: does a fast one of its models have to wait for the other? */
+MeBool mst_mustWait(const McdModelPair *p);
+/* s, for which the models of a pair without contacts do not touch, at most as long as they move in this part. */
+MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s);
+/* The one that has to wait gets that as its safe time. */
+void mst_waitFor(MstBridgeRecord *b, const MstFinding *f);
 /* If a model of the pair is fast: gives its bodies a safe time, where they meet now or later in the step. */
-void mst_followFast(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w, MeBool hasContacts);
+void mst_followFast(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w);
 /* Is the body part of a large partition, in which a single pair matters little, and a solve costs much? */
 MeBool mst_isInCrowd(MdtBodyID body);
 /* A part of the step begins: no body has a safe time. */
-void mst_hurryNobody(MstBridgeRecord *b);
+void mst_clearSafeTimes(MstBridgeRecord *b);
 /* The world's step after the contacts were made: in parts, where something fast meets something. */
 void mst_stepWorld(MstUniverse *u, MeReal step);
-/* The pair's bodies are one partition, whether they touch or not. */
-void mst_pairTie(McdModelPair *p, MdtWorldID w);
-
-/* Makes the contacts of a pair whose models may touch. */
-void mst_pairCollide(MstBridgeRecord *b, McdModelPair *p, McdSpaceID s, MdtWorldID w);
-/* Destroys the contacts of a pair. */
-void MEAPI mst_pairForget(McdModelPair *p);
 
 #endif

@@ -185,10 +185,34 @@ START_TEST(points_lines_and_normals) {
 }
 END_TEST
 
+/* Four contacts with rough ground whose normals differ by a degree: along one of them the second is outside of the
+ * triangle of the others, along another one within it. */
+START_TEST(no_contact_is_chosen_twice) {
+    static const double place[4][3] = {{-.580181386, .245767697, -.553434778},
+                                       {.0124767198, .444516393, -.558699237},
+                                       {.0528001579, .459326035, -.562798965},
+                                       {-.194878981, .37316476, -.551470736}};
+    static const double normal[2][3] = {{.139694378, -.263394525, .954520196}, {.145450817, -.280703644, .948709399}};
+    McdContact all[4], few[4];
+    for (int i = 0; i < 4; i++) {
+        contactAt(&all[i], 0, 0, -.03 - .001 * i, 0);
+        for (int k = 0; k < 3; k++) {
+            all[i].position[k] = (MeReal)place[i][k];
+            all[i].normal[k] = (MeReal)normal[i > 0][k];
+        }
+    }
+    const int count = McdContactSimplify(0, all, 4, few, 4, 0, 1);
+    ck_assert_int_ge(count, 3);
+    for (int i = 1; i < count; i++) /* in the order in which they came */
+        ck_assert(few[i].separation < few[i - 1].separation);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, all_pairs_come_once);
     tcase_add_test(t, requests_by_table);
     tcase_add_test(t, corners_of_a_slab_stay);
     tcase_add_test(t, points_lines_and_normals);
+    tcase_add_test(t, no_contact_is_chosen_twice);
 }
 TEST_MAIN("McdBatch", tests)

@@ -112,21 +112,30 @@ static double dropPairs(MeU32 number) {
 }
 
 #ifdef TEST_IS_SLOW
-enum { CHAINS = 6, PILES = 12 };
+enum { CHAINS = 4, PILES = 8, GAINED_CHAINS = 0, GAINED_PILES = 2 };
 #else
-enum { CHAINS = 40, PILES = 100 };
+enum { CHAINS = 12, PILES = 40, GAINED_CHAINS = 1, GAINED_PILES = 6 };
 #endif
 
+/* The gain of the first seeds, and of those that have gained. */
+static void assertNoGain(double gainOf(MeU32), MeU32 number, const MeU32 gained[], int numGained) {
+    for (MeU32 i = 0; i < number; i++)
+        assert_below(gainOf(i), 1e-3);
+    for (int i = 0; i < numGained; i++)
+        assert_below(gainOf(gained[i]), 1e-3);
+}
+
+/* 125: a pass that turned bodies by half a turn, where all laws were met, was taken as the answer. */
 START_TEST(swept_boxes_on_hinges_gain_no_energy) {
-    for (MeU32 i = 0; i < CHAINS; i++)
-        assert_below(throwChain(i), 1e-3);
+    static const MeU32 gained[] = {125};
+    assertNoGain(throwChain, CHAINS, gained, GAINED_CHAINS);
 }
 END_TEST
 
-/* A part of 5e-10 s made 5e5 J to 1e13 J of a joint's error. */
+/* A part of 5e-10 s made 5e5 J to 1e13 J of a joint's error. 2618: as above; the others: contacts kept a joint open. */
 START_TEST(swept_pairs_on_hinges_do_not_explode) {
-    for (MeU32 i = 0; i < PILES; i++)
-        assert_below(dropPairs(i), 1e-3);
+    static const MeU32 gained[] = {851, 1384, 2618, 3859, 64, 3313};
+    assertNoGain(dropPairs, PILES, gained, GAINED_PILES);
 }
 END_TEST
 

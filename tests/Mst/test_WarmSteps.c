@@ -1,10 +1,14 @@
-/* A warm step of a world allocates nothing, though the contact graph of a heap changes in every step.
+/* A warm step of a universe allocates nothing, though the contact graph of a heap changes in every step: neither for
+ * new pairs of models, nor for their touches, contacts and constraints, nor for the solver.
  *
- * What is warm: a block that grows is made twice as large as what was asked for, so memory is warm once no graph that
- * is still to come needs more than twice what the largest before did. So the boxes are jammed first, each among dozens:
+ * What is warm: a block that grows is made twice as large as what was asked for, so memory is warm once nothing that is
+ * still to come needs more than twice what the largest before did. So the boxes are jammed first, each among dozens:
  * the factor of that is nearly full, and twice its memory is more than any graph of as many bodies needs. Then they
- * fall onto each other in a bin, lie, and are thrown up and fall again: two falls fill the cache, two are counted. Only
- * the world's step is: what collision and the bridge keep of a new pair is theirs. */
+ * fall onto each other in a bin, lie, and are thrown up and fall again: two falls fill the cache, two are counted.
+ *
+ * What is cold takes few blocks too: they double, as the number of pairs does that touch.
+ *
+ * Once with pools of fixed sizes, and once with pools that grow. The program asks for the events of every step. */
 #include "MdtReport.h"
 #include "MeMemory.h"
 #include "Mst.h"
@@ -47,10 +51,9 @@ static MeReal chance(double from, double to) {
 
 /* A plane through the point, with this normal, `across` x `up` (axes 0 to 2). */
 static void makePlane(int across, int up, int normal, MeReal direction, MeReal distance) {
-    static MeMatrix4 tm[5];
-    static int count;
-    MeReal(*m)[4] = tm[count++];
-    memset(m, 0, sizeof tm[0]);
+    static MeMatrix4 tm[3][3][3];
+    MeReal(*m)[4] = tm[normal][across][direction > 0];
+    memset(m, 0, sizeof(MeMatrix4));
     m[0][across] = m[1][up] = m[3][3] = 1;
     m[2][normal] = direction;
     m[3][normal] = -direction * distance;
@@ -59,13 +62,8 @@ static void makePlane(int across, int up, int normal, MeReal direction, MeReal d
 
 /* A bin of 5 m by 5 m. The budget bounds the time of the test: some steps are solved exactly, others finished by
  * sweeps. */
-static void makeWorld(void) {
-    MstUniverseSizes sizes = MstUniverseDefaultSizes;
-    sizes.dynamicBodiesMaxCount = BOXES;
-    sizes.collisionModelsMaxCount = BOXES + 5;
-    sizes.collisionPairsMaxCount = 40 * BOXES;
-    sizes.dynamicConstraintsMaxCount = 200 * BOXES;
-    u = MstUniverseCreate(&sizes);
+static void makeWorld(const MstUniverseSizes *sizes) {
+    u = MstUniverseCreate(sizes);
     MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
     MdtWorldSetWorkBudget(u->world, 5);
     MdtWorldEnableReport(u->world);
@@ -125,55 +123,100 @@ static unsigned int graphNow(void) {
     return hash;
 }
 
-/* How often the world's step has allocated. */
-static int step(void) {
-    McdSpaceUpdateAll(u->space);
-    MstBridgeUpdateContacts(u->bridge, u->space, u->world);
+/* Pairs of models that touch. */
+static int touchesNow(void) {
+    int count, touches = 0;
+    const MstEvent *event = MstUniverseGetEvents(u, &count);
+    for (int i = 0; i < count; i++)
+        touches += event[i].kind == MstEventBegin || event[i].kind == MstEventPersist;
+    return touches;
+}
+
+/* How often the step has allocated. */
+static int step(int *touches) {
     allocations = 0;
-    MdtWorldStep(u->world, (MeReal)(1. / 60));
+    MstUniverseStep(u, (MeReal)(1. / 60));
+    *touches = touchesNow();
     return allocations;
 }
 
-START_TEST(a_warm_step_allocates_nothing_while_the_contact_graph_changes) {
-    const MeMemoryAPIStruct before = MeMemoryAPI;
-    MeMemoryAPI = (MeMemoryAPIStruct){create, createAligned, resize, destroy, destroy};
-    makeWorld();
+/* How the two falls that are counted went. */
+typedef struct Falls {
+    int cold, warm;                   /* allocations, until they began, and in them */
+    int jammed;                       /* pairs of models that touched in the first step */
+    int changes;                      /* steps in which the graph changed */
+    int factorizations, fewest, most; /* partitions */
+} Falls;
+
+static void noteStep(Falls *f, int allocated) {
+    static unsigned int last;
+    MdtReport report;
+    ck_assert(MdtWorldGetReport(u->world, &report));
+    const int partitions = MdtWorldGetReportCount(u->world);
+    const unsigned int graph = graphNow();
+    f->warm += allocated;
+    f->changes += graph != last;
+    f->factorizations += report.factorizations;
+    f->fewest = MeMIN(f->fewest, partitions);
+    f->most = MeMAX(f->most, partitions);
+    last = graph;
+}
+
+static Falls runFalls(const MstUniverseSizes *sizes) {
+    Falls f = {.fewest = BOXES};
+    makeWorld(sizes);
     makeBoxes();
     place(3, .1);
-    int changes = 0, cold = step(), warm = 0, factorizations = 0, fewest = BOXES, most = 0;
-    unsigned int last = 0;
+    f.cold = step(&f.jammed);
     place(4, 1.2);
     for (int i = 0; i < FALLS * FALL; i++) {
         if (i > 0 && i % FALL == 0)
             throwUp();
-        const int count = step();
-        MdtReport report;
-        ck_assert(MdtWorldGetReport(u->world, &report));
-        const int partitions = MdtWorldGetReportCount(u->world);
-        const unsigned int graph = graphNow();
-        *(i < WARM_FALLS * FALL ? &cold : &warm) += count;
-        if (i >= WARM_FALLS * FALL) {
-            changes += graph != last;
-            factorizations += report.factorizations;
-            fewest = MeMIN(fewest, partitions);
-            most = MeMAX(most, partitions);
-        }
-        last = graph;
+        int touches;
+        const int allocated = step(&touches);
+        if (i < WARM_FALLS * FALL)
+            f.cold += allocated;
+        else
+            noteStep(&f, allocated);
     }
     MstUniverseDestroy(u);
+    return f;
+}
+
+static void assertWarm(const MstUniverseSizes *sizes) {
+    const MeMemoryAPIStruct before = MeMemoryAPI;
+    MeMemoryAPI = (MeMemoryAPIStruct){create, createAligned, resize, destroy, destroy};
+    const Falls f = runFalls(sizes);
     MeMemoryAPI = before;
-    printf("%d cold and %d warm allocations; the graph changed in %d steps, %d to %d partitions, %d factorizations\n",
-           cold, warm, changes, fewest, most, factorizations);
-    ck_assert_int_gt(cold, 0);
-    ck_assert_int_gt(changes, (FALLS - WARM_FALLS) * FALL / 2);
-    ck_assert_int_gt(most, 2 * fewest);
-    ck_assert_int_gt(factorizations, 0);
-    ck_assert_int_eq(warm, 0);
+    printf("%d cold and %d warm allocations, %d pairs jammed; the graph changed in %d steps, %d to %d partitions, %d "
+           "factorizations\n",
+           f.cold, f.warm, f.jammed, f.changes, f.fewest, f.most, f.factorizations);
+    ck_assert_int_gt(f.cold, 0);
+    ck_assert_int_lt(4 * f.cold, f.jammed); /* memory doubles, and is not taken one by one */
+    ck_assert_int_gt(f.changes, (FALLS - WARM_FALLS) * FALL / 2);
+    ck_assert_int_gt(f.most, 2 * f.fewest);
+    ck_assert_int_gt(f.factorizations, 0);
+    ck_assert_int_eq(f.warm, 0);
+}
+
+START_TEST(a_warm_step_allocates_nothing_while_the_contact_graph_changes) {
+    MstUniverseSizes sizes = MstUniverseDefaultSizes;
+    sizes.dynamicBodiesMaxCount = BOXES;
+    sizes.collisionModelsMaxCount = BOXES + 5;
+    sizes.collisionPairsMaxCount = 40 * BOXES;
+    sizes.dynamicConstraintsMaxCount = 200 * BOXES;
+    assertWarm(&sizes);
+}
+END_TEST
+
+START_TEST(nor_does_one_of_a_universe_that_grows) {
+    assertWarm(&MstUniverseGrowingSizes);
 }
 END_TEST
 
 static void tests(TCase *t) {
     tcase_add_test(t, a_warm_step_allocates_nothing_while_the_contact_graph_changes);
+    tcase_add_test(t, nor_does_one_of_a_universe_that_grows);
 }
 
 TEST_MAIN("WarmSteps", tests)

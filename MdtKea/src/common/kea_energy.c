@@ -24,27 +24,87 @@ double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*
     return sum;
 }
 
-/* A bounded joint that is led along: it works, as a motor does that is met by its velocity. */
-static MeBool isTrackingMotor(const MdtKeaRow *row) {
-    return row->position && row->drift != 0 && row->lower < 0 && row->upper > 0 && row->lower > -HUGE_VAL;
+static double startEnergy(const MdtKeaSystem *s, int b) {
+    const MdtKeaBody *body = s->bodies[b];
+    return 0.5 * (keaDot(body->velocity, body->velocity) / body->invMass +
+                  keaDot(body->angularMomentum, s->velocity[b].ang));
+}
+
+static double workOfLoads(const MdtKeaSystem *s, int b) {
+    const double *u = s->work->body[b].u;
+    double dv[3], dL[3];
+    keaSubtract(dv, s->work->body[b].freeVelocity, s->bodies[b]->velocity);
+    keaSubtract(dL, s->work->body[b].freeMomentum, s->bodies[b]->angularMomentum);
+    return keaDot(dv, u) / s->bodies[b]->invMass + keaDot(dL, u + 3);
+}
+
+/* Of springs and motors, and of surfaces and attachments that move. */
+static double workOfRows(const MdtKeaSystem *s) {
+    double sum = 0;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        const MeBool isMotor = row->contact < 0 && !row->position, isFriction = row->contact >= 0 && row->contact != i;
+        const double rate = isMotor ? kea_meanRate(s, i) : isFriction ? row->target : row->drift;
+        if (isMotor || rate != 0)
+            sum += s->work->problem.row[i].p * rate;
+    }
+    return sum;
 }
 
 double kea_energyAllowed(const MdtKeaSystem *s) {
     double sum = 0;
-    for (int b = 0; b < s->numBodies; b++) {
-        const MdtKeaBody *body = s->bodies[b];
-        const double *u = s->work->body[b].u;
-        double dv[3], dL[3];
-        keaSubtract(dv, s->work->body[b].freeVelocity, body->velocity);
-        keaSubtract(dL, s->work->body[b].freeMomentum, body->angularMomentum);
-        sum += 0.5 * (keaDot(body->velocity, body->velocity) / body->invMass +
-                      keaDot(body->angularMomentum, s->velocity[b].ang));
-        sum += keaDot(dv, u) / body->invMass + keaDot(dL, u + 3);
+    for (int b = 0; b < s->numBodies; b++)
+        sum += startEnergy(s, b) + workOfLoads(s, b);
+    return sum + workOfRows(s);
+}
+
+/* ---- the way ---- */
+
+/* m/s, at which the worst error is taken away, of joints or of contacts too. */
+static double speedOfCorrection(const MdtKeaSystem *s, MeBool withContacts) {
+    double speed = 0;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->position || (withContacts && row->contact == i))
+            speed = keaMax(speed, kea_pushSpeed(s, row, row->target - row->drift));
     }
-    for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact < 0 && (!s->rows[i].position || isTrackingMotor(&s->rows[i])))
-            sum += s->work->problem.row[i].p * kea_meanRate(s, i);
-    return sum;
+    return speed;
+}
+
+double kea_energyOfCorrection(const MdtKeaSystem *s) {
+    const double speed = speedOfCorrection(s, MEFALSE);
+    double mass = 0;
+    for (int b = 0; b < s->numBodies; b++)
+        mass += 1 / s->bodies[b]->invMass;
+    return 0.5 * mass * speed * speed;
+}
+
+/* What lifting takes: the momentum that loads give, times that speed. */
+static double workOfCorrection(const MdtKeaSystem *s) {
+    double momentum = 0;
+    for (int b = 0; b < s->numBodies; b++) {
+        double dv[3];
+        keaSubtract(dv, s->work->body[b].freeVelocity, s->bodies[b]->velocity);
+        momentum += keaLength(dv) / s->bodies[b]->invMass;
+    }
+    return momentum * speedOfCorrection(s, METRUE);
+}
+
+MeBool kea_stopShort(const MdtKeaSystem *s) {
+    double start = workOfCorrection(s), work = workOfRows(s);
+    for (int b = 0; b < s->numBodies; b++)
+        if (!s->work->body[b].isFree) {
+            start += startEnergy(s, b);
+            work += workOfLoads(s, b);
+        }
+    if (!(start + work < 0))
+        return MEFALSE;
+    const double share = start / -work;
+    MEASSERT(share >= 0 && share < 1);
+    for (int b = 0; b < s->numBodies; b++)
+        for (int k = 0; k < 6 && !s->work->body[b].isFree; k++)
+            s->work->body[b].u[k] *= share;
+    return METRUE;
 }
 
 /* ---- blending ---- */

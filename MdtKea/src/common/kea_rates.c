@@ -31,3 +31,18 @@ double kea_meanRate(const MdtKeaSystem *s, int i) {
     }
     return rate;
 }
+
+double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double size = 0;
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] >= 0 && keaDot(row->J[k].lin, row->J[k].lin) > 0)
+            return 1;
+        size = row->body[k] >= 0 ? keaMax(size, s->work->body[row->body[k]].size) : size;
+    }
+    return size;
+}
+
+double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed) {
+    const double pushed = row->lower >= 0 ? keaMax(speed, 0) : row->upper <= 0 ? keaMax(-speed, 0) : fabs(speed);
+    return pushed * kea_lengthOf(s, row);
+}

@@ -129,7 +129,7 @@ static MeBool isTurnRelevant(const MdtKeaSystem *s, int body) {
 /* The Cayley map turns a body by less than half a turn, however fast it is: near that, the velocity means nothing. */
 static MeBool turnsOver(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
-        if (s->parameters.stepsize * keaLength(s->work->body[i].u + 3) > kea_mostTurn && isTurnRelevant(s, i))
+        if (!(s->parameters.stepsize * keaLength(s->work->body[i].u + 3) <= kea_mostTurn) && isTurnRelevant(s, i))
             return METRUE;
     return MEFALSE;
 }
@@ -141,17 +141,6 @@ static MeBool isStepFinite(const KeaProblem *q) {
             if (!isfinite(q->d[i][k]))
                 return MEFALSE;
     return METRUE;
-}
-
-/* m per unit of a row's coordinate: an angle moves a body's parts by its size. */
-static double lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    double size = 0;
-    for (int k = 0; k < 2; k++) {
-        if (row->body[k] >= 0 && keaDot(row->J[k].lin, row->J[k].lin) > 0)
-            return 1;
-        size = row->body[k] >= 0 ? keaMax(size, s->work->body[row->body[k]].size) : size;
-    }
-    return size;
 }
 
 /* Has an answer that was not found taken the bodies where no motion goes? Mean velocities lie between those at the
@@ -168,8 +157,17 @@ static MeBool isRunaway(const MdtKeaSystem *s) {
         mass += m;
     }
     for (int i = 0; i < s->numRows; i++)
-        speed = keaMax(speed, fabs(s->rows[i].target) * lengthOf(s, &s->rows[i]));
+        speed = keaMax(speed, kea_pushSpeed(s, &s->rows[i], s->rows[i].target));
     return !(energy <= kea_runawayRoom * mass * speed * speed);
+}
+
+/* How far the pass is from the laws. At half a turn a row's mean Jacobian vanishes, and asks for nothing: a runaway
+ * that turns so far meets them all, but is no answer. */
+static KeaResiduals residualsOfPass(MdtKeaSystem *s, double speed) {
+    KeaResiduals e = kea_residuals(s, speed);
+    if (turnsOver(s) && isRunaway(s))
+        e.position = e.worst = HUGE_VAL;
+    return e;
 }
 
 /* The last resort: the bodies move as if there were no rows. Joints open by no more than a step's way. */
@@ -222,7 +220,7 @@ static void takePasses(MdtKeaSystem *s) {
     for (int pass = 0;; pass++) {
         linearize(s);
         speed = keaMax(speed, kea_speedOf(s));
-        e = kea_residuals(s, speed);
+        e = residualsOfPass(s, speed);
         if (e.worst < best || pass == 0) {
             best = e.worst;
             keepAnswer(s, s->work->bestU, s->work->bestP);

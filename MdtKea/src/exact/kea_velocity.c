@@ -198,6 +198,29 @@ static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
         s->rows[i].ripple = isQuieted ? 0 : leftOver(&s->work->problem.row[i]);
 }
 
+static MeBool isPushed(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i && s->work->problem.row[i].p > 0)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Two bodies whose joint is open. What opens to the world may be led by the program. */
+static MeBool isOpenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    if (!row->position || isUnilateral(row) || row->body[0] < 0 || row->body[1] < 0)
+        return MEFALSE;
+    const double size = keaMax(s->work->body[row->body[0]].size, s->work->body[row->body[1]].size);
+    return fabs(row->error) * kea_lengthOf(s, row) > kea_openJoint * size;
+}
+
+/* A joint that contacts keep open may take its error away, wedged, in a motion of many times the energy. */
+static MeBool isJammed(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (isOpenJoint(s, &s->rows[i]))
+            return isPushed(s);
+    return MEFALSE;
+}
+
 /* Answers that are not the motion: cut short, or a compromise between joints that contradict each other, each of which
  * takes its error away at the cost of the others'. Parts of a step by safe times are watched as well, and so is what
  * took many passes: rows that contradict each other may be found to agree in a motion that has a hundred times the
@@ -207,10 +230,22 @@ static MeBool needsEnergyLimit(const MdtKeaSystem *s) {
            s->work->problem.counts.isLimited || s->parameters.isPart;
 }
 
+/* The limiter; of a jam that was solved, it leaves the energy with which errors are taken away. */
+static void limitMotion(MdtKeaSystem *s, double allowed) {
+    const MeBool isAnswerBad = needsEnergyLimit(s);
+    if (!isAnswerBad && !isJammed(s))
+        return;
+    const double most = isAnswerBad ? allowed : keaMax(allowed, kea_energyOfCorrection(s));
+    if (kea_slowDown(s, endVelocities(s), most, s->work->added))
+        addVelocities(s, s->work->added);
+}
+
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    if (!mayBeNeeded(s) && !needsEnergyLimit(s))
+    if (!mayBeNeeded(s) && !needsEnergyLimit(s) && !isJammed(s))
         return;
+    if (needsEnergyLimit(s) && kea_stopShort(s))
+        kea_moveBodies(s);
     const MeBool isHit = isRequired(s);
     const double allowed = kea_energyAllowed(s);
     kea_keepRows(s);
@@ -222,7 +257,6 @@ void kea_velocityStage(MdtKeaSystem *s) {
     noteRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start, allowed);
-    if (needsEnergyLimit(s) && kea_slowDown(s, endVelocities(s), allowed, s->work->added))
-        addVelocities(s, s->work->added);
+    limitMotion(s, allowed);
     kea_recallRows(s);
 }

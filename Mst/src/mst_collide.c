@@ -1,0 +1,226 @@
+/* Collide: what has become of pairs of models since the last step, as findings of a run.
+ *
+ * Reads models, the poses and the motion of their bodies, materials; of each pair its manifold and its touch. Writes
+ * the run, and of each pair what Mcd keeps of its last look and test. Nothing here calls the program, takes from a
+ * pool, or writes to what two pairs share (mst_i.h says what is still missing of that).
+ *
+ * A pair that has stood still to the last bit since its last test keeps its contacts. One that has hardly moved has
+ * them carried with its bodies. All others are tested.
+ */
+#include "McdContact.h"
+#include "McdGeometryInstance.h"
+#include "McdInteractions.h"
+#include "McdInternal.h"
+#include "MdtBody.h"
+#include "MdtContactGroup.h"
+#include "MeAssert.h"
+#include "mst_i.h"
+#include <string.h>
+
+/* ---- memory that will be read ------------------------------------------------------------------------------------ */
+
+/* So many pairs ahead the pair itself is fetched, and later what it points to. In a heap of 1000 boxes, twice as far
+ * costs the same. */
+enum { PAIR_AHEAD = 8, CONTENT_AHEAD = 4 };
+
+static void prefetchLines(const void *start, size_t bytes) {
+    for (size_t at = 0; start && at < bytes; at += MST_CACHE_LINE)
+        ME_PREFETCH((const char *)start + at);
+}
+
+static void prefetchPairs(McdModelPair *const pairs[], int i, int count) {
+    enum { GROUP = 4 * MST_CACHE_LINE }; /* bytes of a manifold: its head and two of its points */
+    if (i + PAIR_AHEAD < count)
+        prefetchLines(pairs[i + PAIR_AHEAD], sizeof *pairs[i]);
+    if (i + CONTENT_AHEAD >= count)
+        return;
+    const McdModelPair *p = pairs[i + CONTENT_AHEAD];
+    ME_PREFETCH(p->model1);
+    ME_PREFETCH(p->model2);
+    prefetchLines(p->touch, 2 * MST_CACHE_LINE);
+    prefetchLines(p->responseData, GROUP);
+}
+
+/* ---- pairs whose contacts remain --------------------------------------------------------------------------------- */
+
+unsigned long mst_movesOf(McdModelID m) {
+    const MdtBodyID body = mst_bodyOf(m);
+    return body ? MdtBodyGetMoves(body) : 0;
+}
+
+MeBool mst_hasCallback(const MstMaterialPair *materials) {
+    return materials->intersectCb || materials->perContactCb || materials->perPairCb;
+}
+
+MeBool mst_isFast(const McdModelPair *p) {
+    return McdModelGetFastMargin(p->model1) > 0 || McdModelGetFastMargin(p->model2) > 0;
+}
+
+/* Has the pair's group all the contacts that were found in its last test? */
+static MeBool hasAllContacts(const McdModelPair *p) {
+    const MstTouch *t = p->touch;
+    const MdtContactGroupID group = p->responseData;
+    return t && t->found > 0 && group && MdtContactGroupGetCount(group) == t->found;
+}
+
+/* The same, and did its bodies stay where they were then, to the last bit? */
+static MeBool isAsTested(const McdModelPair *p) {
+    const MstTouch *t = p->touch;
+    if (t->found == 0)
+        return !t->isTouching;
+    return hasAllContacts(p) && t->moves[0] == mst_movesOf(p->model1) && t->moves[1] == mst_movesOf(p->model2);
+}
+
+/* Did its last test find it apart? */
+static MeBool isApart(const McdModelPair *p) {
+    const MstTouch *t = p->touch;
+    return t ? t->found == 0 && !t->isTouching : !p->responseData;
+}
+
+/* A body that has moved, has moved by its last step. */
+static MeBool movedByStep(McdModelID m, unsigned long before, MeBool *hasMoved) {
+    *hasMoved = mst_movesOf(m) != before;
+    return !*hasMoved || MdtBodyMovedByStep(mst_bodyOf(m), before);
+}
+
+/* The bodies of the pair's group that have moved since its contacts were found, or carried. False: they cannot be
+ * carried. */
+static MeBool mayCarry(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasMoved[2]) {
+    const MstTouch *t = p->touch;
+    MeBool moved[2];
+    if (!hasAllContacts(p) || t->carried >= MST_CARRIES || !movedByStep(p->model1, t->moves[0], &moved[0]) ||
+        !movedByStep(p->model2, t->moves[1], &moved[1]))
+        return MEFALSE;
+    const MeBool isTurned = !mst_bodyOf(p->model1);
+    hasMoved[0] = moved[isTurned];
+    hasMoved[1] = moved[!isTurned];
+    return b->part == 0 && MdtContactGroupIsFlat(p->responseData);
+}
+
+/* Partitions of a few bodies are solved to the rounding of their contacts: there each test counts (a million kilograms
+ * on one show contacts that are off by 1e-7 m). */
+static MeBool mayReuse(const McdModelPair *p) {
+    return (mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2))) && !mst_isFast(p);
+}
+
+/* Would a test give what the last one gave, or what has been carried since? MST_TO_TEST: it might not. */
+static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
+    McdModelPair *p = f->pair;
+    const MeBool mayMove[2] = {mst_bodyOf(p->model1) != 0, mst_bodyOf(p->model2) != 0};
+    const McdPairChange change = McdModelPairLook(p, mayReuse(p) ? b->reuse : 0, mayMove);
+    const MstTouch *t = p->touch;
+    if (change == McdPairHasChanged || mst_hasCallback(f->materials))
+        return MST_TO_TEST;
+    if (t ? isAsTested(p) : change == McdPairIsUnchanged && !p->responseData)
+        return t && t->found != 0 ? MST_KEPT : MST_NOTHING;
+    if (isApart(p)) /* by more than they have moved */
+        return MST_NOTHING;
+    return mayCarry(b, p, f->hasMoved) ? MST_CARRIED : MST_TO_TEST;
+}
+
+/* ---- tests ------------------------------------------------------------------------------------------------------- */
+
+static void convertContact(MdtFoundContact *found, const McdContact *from, MeBool isTurned,
+                           const MstMaterialPair *materials) {
+    for (int i = 0; i < 3; i++)
+        found->normal[i] = isTurned ? -from->normal[i] : from->normal[i];
+    for (int k = 0; k < 2; k++)
+        found->radius[isTurned ? 1 - k : k] = (MeReal)McdContactGetRadius(from, k);
+    McdContactGetPosition(from, found->position);
+    found->depth = -McdContactGetSeparation(from);
+    found->feature = from->feature;
+    found->params = &materials->params;
+}
+
+void mst_convertContacts(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
+    const McdIntersectResult *result = &run->result;
+    const MeBool isTurned = !mst_bodyOf(f->pair->model1);
+    f->count = result->contactCount;
+    f->separation = MEINFINITY;
+    MEASSERT(f->count <= result->contactMaxCount && f->first + f->count <= run->foundMax);
+    for (int i = 0; i < f->count; i++) {
+        const McdContact *from = &result->contacts[i];
+        const MstMaterialPair *materials = f->outcome == MST_TESTED ? f->materials : mst_materialsOf(b, from);
+        convertContact(&run->found[f->first + i], from, isTurned, materials);
+        f->separation = MeMIN(f->separation, from->separation);
+    }
+    run->foundCount = f->first + f->count;
+}
+
+MeBool mst_intersectPair(MstRun *run, McdModelPair *p) {
+    memset(&run->result, 0, sizeof run->result);
+    run->result.contacts = run->contacts;
+    run->result.contactMaxCount = run->contactMax;
+    return McdIntersect(p, &run->result);
+}
+
+void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
+    f->isKnown = mst_intersectPair(run, f->pair);
+    f->first = run->foundCount;
+    mst_convertContacts(b, run, f);
+}
+
+/* Does a function of the program see the pair's test, or its contacts? */
+static MeBool callsProgram(const MstFinding *f) {
+    return mst_hasCallback(f->materials) || !McdModelPairIsPlain(f->pair);
+}
+
+/* ---- runs -------------------------------------------------------------------------------------------------------- */
+
+static MeBool isAsleep(McdModelID m) {
+    return McdModelGetSpace(m) && McdSpaceModelIsFrozen(m);
+}
+
+/* Of what happens before any contact is looked at; MST_TO_TEST: nothing does. */
+static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *p) {
+    if (isAsleep(p->model1) && isAsleep(p->model2))
+        return MST_NOTHING;
+    if (b->part > 0 && !mst_mayMeet(p))
+        return mst_mustWait(p) ? MST_TO_WAIT : MST_NOTHING;
+    if (McdModelIsSensor(p->model1) || McdModelIsSensor(p->model2))
+        return MST_TO_SENSE;
+    return mst_bodyOf(p->model1) || mst_bodyOf(p->model2) ? MST_TO_TEST : MST_NOTHING;
+}
+
+static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, McdSpaceID s) {
+    MstFinding *f = &run->finding[run->pairCount++];
+    f->pair = p;
+    f->count = 0;
+    f->timeToTouch = MST_UNKNOWN;
+    f->outcome = outcomeOfModels(b, p);
+    if (f->outcome == MST_TO_WAIT)
+        f->timeToTouch = mst_timeToTouch(b, p, s);
+    if (f->outcome != MST_TO_TEST)
+        return;
+    f->materials = mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2));
+    f->outcome = outcomeWithoutTest(b, f);
+    if (f->outcome != MST_TO_TEST)
+        return;
+    McdModelPairNoteTest(p);
+    if (callsProgram(f))
+        return;
+    f->outcome = MST_TESTED;
+    mst_testPair(b, run, f);
+    if (f->count == 0 && mst_isFast(p))
+        f->timeToTouch = mst_timeToTouch(b, p, s);
+}
+
+/* In the first part of a step no pair depends on what is committed of another one. In the later ones a pair waits for a
+ * body that is done, and one that was asleep is, once a pair before has woken it. */
+static int mostPairs(const MstBridgeRecord *b) {
+    return b->part == 0 ? MST_RUN : 1;
+}
+
+int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s) {
+    const int most = MeMIN(count, mostPairs(b));
+    run->pairCount = run->foundCount = 0;
+    while (run->pairCount < most && run->foundCount + run->contactMax <= run->foundMax) {
+        const int i = run->pairCount;
+        prefetchPairs(pairs, i, count);
+        collidePair(b, run, pairs[i], s);
+        if (run->finding[i].outcome == MST_TO_TEST || run->finding[i].outcome == MST_TO_SENSE)
+            break;
+    }
+    MEASSERT(run->pairCount > 0);
+    return run->pairCount;
+}

@@ -1,0 +1,233 @@
+/* Commit: what was found of pairs becomes contacts of their bodies. In the pairs' order, in one thread.
+ *
+ * Reads the findings of a run. Writes manifolds, touches and safe times, and calls the program: a pair whose test or
+ * contacts a function of the program sees is tested here, and ends its run, as that function may change anything.
+ *
+ * The contact group is kept in the pair's responseData. It pushes the first model's body; where only the second model
+ * has a body, that one is the group's first, and normals are turned.
+ */
+#include "McdContact.h"
+#include "McdInteractions.h"
+#include "McdInternal.h"
+#include "MdtBody.h"
+#include "MdtContact.h"
+#include "MdtContactGroup.h"
+#include "MdtInternal.h"
+#include "MeAssert.h"
+#include "mst_i.h"
+
+/* ---- groups ------------------------------------------------------------------------------------------------------ */
+
+/* Does the pair's group, if it has one, push the pair's bodies, and know the pair? */
+static MeBool ownsGroup(const McdModelPair *p) {
+    const MdtContactGroupID group = p->responseData;
+    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
+    return !group || (MdtContactGroupGetGenerator(group) == (void *)p &&
+                      MdtContactGroupGetBody(group, 0) == (body1 ? body1 : body2) &&
+                      MdtContactGroupGetBody(group, 1) == (body1 ? body2 : 0));
+}
+
+static void destroyGroup(McdModelPair *p) {
+    if (p->responseData)
+        MdtContactGroupDestroy((MdtContactGroupID)p->responseData);
+    MEASSERT(!p->responseData); /* the group has cleared it */
+}
+
+void MEAPI mst_pairForget(McdModelPair *p) {
+    if (!MdtConstraintIsValid(p->responseData)) /* it may have gone with its world */
+        p->responseData = 0;
+    mst_touchForget(p); /* while its forces can be read */
+    destroyGroup(p);
+    p->forget = 0;
+}
+
+/* The group stays, empty. */
+static void emptyGroup(McdModelPair *p) {
+    MdtContactGroupID group = p->responseData;
+    if (!group)
+        return;
+    MdtContactGroupReset(group);
+    MdtContactGroupDisable(group);
+}
+
+/* The pair's group; null if the world is full. */
+static MdtContactGroupID ensureGroup(McdModelPair *p, MdtWorldID w) {
+    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
+    if (p->responseData)
+        return p->responseData;
+    const MdtContactGroupID group = MdtContactGroupCreate(w);
+    if (group) {
+        MdtContactGroupSetBodies(group, body1 ? body1 : body2, body1 ? body2 : 0);
+        MdtContactGroupSetGenerator(group, p);
+        MdtContactGroupSetHolder(group, &p->responseData);
+    }
+    p->responseData = group;
+    p->forget = mst_pairForget;
+    MEASSERT(ownsGroup(p));
+    return group;
+}
+
+void mst_pairTie(McdModelPair *p, MdtWorldID w) {
+    const MdtContactGroupID group = ensureGroup(p, w);
+    if (group)
+        MdtContactGroupEnable(group);
+}
+
+/* ---- contacts that remain ---------------------------------------------------------------------------------------- */
+
+/* Parameters follow the materials. */
+static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *materials) {
+    const MdtContactGroupID group = p->responseData;
+    const unsigned long version = mst_materialVersion(b, materials);
+    MstTouch *t = p->touch;
+    if (t->version != version)
+        for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
+            MdtContactSetParams(c, &materials->params);
+    t->version = version;
+    MdtContactGroupEnable(group);
+    mst_touchNoteAgain(b, p);
+}
+
+static void noteMoves(const McdModelPair *p) {
+    MstTouch *t = p->touch;
+    t->moves[0] = mst_movesOf(p->model1);
+    t->moves[1] = mst_movesOf(p->model2);
+}
+
+/* Here and not in collide, as Mdt ends the rest certificates of the bodies, which pairs share. */
+static void carryContacts(MstBridgeRecord *b, const MstFinding *f) {
+    MstTouch *t = f->pair->touch;
+    t->separation = MdtContactGroupCarry(f->pair->responseData, f->hasMoved);
+    t->carried++;
+    noteMoves(f->pair);
+    keepContacts(b, f->pair, f->materials);
+}
+
+/* ---- contacts that were found ------------------------------------------------------------------------------------ */
+
+/* A contact that its callback does not want is destroyed. */
+static void callPerContact(MstBridgeRecord *b, MdtContactGroupID group, McdIntersectResult *result, int count) {
+    for (int i = 0; i < count; i++) {
+        McdContact *from = &result->contacts[i];
+        const MstMaterialPair *materials = mst_materialsOf(b, from);
+        if (materials->perContactCb && !materials->perContactCb(result, from, b->made[i]))
+            MdtContactGroupDestroyContact(group, b->made[i]);
+    }
+}
+
+/* The group's contacts become those that were found; returns how many there was room for. */
+static int renewContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtContactGroupID group) {
+    return MdtContactGroupRenew(group, &run->found[f->first], f->count, b->ahead, b->made);
+}
+
+/* As collide found them. */
+static void commitContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtWorldID w) {
+    const MdtContactGroupID group = f->count > 0 ? ensureGroup(f->pair, w) : 0;
+    if (!group) {
+        emptyGroup(f->pair);
+        return;
+    }
+    renewContacts(b, run, f, group);
+    if (MdtContactGroupGetCount(group) > 0)
+        MdtContactGroupEnable(group);
+}
+
+/* The same, with the program's callbacks; the pair has just been tested. */
+static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, MdtWorldID w) {
+    const MstMaterialPair *materials = f->materials;
+    McdIntersectResult *result = &run->result;
+    if (result->touch && materials->intersectCb) {
+        materials->intersectCb(result);
+        mst_convertContacts(b, run, f);
+    }
+    const MdtContactGroupID group = f->count > 0 ? ensureGroup(f->pair, w) : 0;
+    if (!group) {
+        emptyGroup(f->pair);
+        return;
+    }
+    callPerContact(b, group, result, renewContacts(b, run, f, group));
+    if (MdtContactGroupGetCount(group) > 0)
+        MdtContactGroupEnable(group);
+    if (materials->perPairCb && !materials->perPairCb(result, group))
+        emptyGroup(f->pair);
+}
+
+/* What the contacts were made from, unless it is to be tested in every step: what is fast, or has callbacks, or has not
+ * got all the contacts that were found. */
+static void rememberTest(MstBridgeRecord *b, const MstFinding *f) {
+    McdModelPair *p = f->pair;
+    MstTouch *t = p->touch;
+    const MdtContactGroupID group = p->responseData;
+    if (!t && f->count > 0) /* the world, or memory, was full: there may be room in the next step */
+        McdModelPairForgetTest(p);
+    if (!t)
+        return;
+    noteMoves(p);
+    t->carried = 0;
+    t->version = mst_materialVersion(b, f->materials);
+    t->found = group && MdtContactGroupGetCount(group) == f->count && !mst_hasCallback(f->materials) && !mst_isFast(p)
+                   ? f->count
+                   : MST_UNKNOWN;
+}
+
+static void finishTest(MstBridgeRecord *b, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
+    mst_touchNote(b, f->pair, f->count, f->separation);
+    rememberTest(b, f);
+    mst_followFast(b, f, f->count > 0, s, w);
+}
+
+/* ---- pairs ------------------------------------------------------------------------------------------------------- */
+
+static void commitTested(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
+    if (f->isKnown)
+        commitContacts(b, run, f, w);
+    finishTest(b, f, s, w);
+}
+
+static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
+    mst_testPair(b, run, f);
+    if (f->isKnown)
+        commitWithCallbacks(b, run, f, w);
+    if (mst_hasCallback(f->materials))
+        mst_beginRound(b); /* they may have changed anything */
+    finishTest(b, f, s, w);
+}
+
+/* Overlap makes an event, and nothing is pushed. Two sensors do not see each other. */
+static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
+    destroyGroup(p);
+    if (McdModelIsSensor(p->model1) && McdModelIsSensor(p->model2))
+        return;
+    if (mst_intersectPair(run, p))
+        mst_touchNoteSensor(b, p, &run->result);
+}
+
+static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
+    switch (f->outcome) {
+    case MST_NOTHING:
+        return;
+    case MST_KEPT:
+        keepContacts(b, f->pair, f->materials);
+        return;
+    case MST_CARRIED:
+        carryContacts(b, f);
+        return;
+    case MST_TESTED:
+        commitTested(b, run, f, s, w);
+        return;
+    case MST_TO_TEST:
+        testAndCommit(b, run, f, s, w);
+        return;
+    case MST_TO_SENSE:
+        senseAndCommit(b, run, f->pair);
+        return;
+    case MST_TO_WAIT:
+        mst_waitFor(b, f);
+        return;
+    }
+}
+
+void mst_commitRun(MstBridgeRecord *b, MstRun *run, McdSpaceID s, MdtWorldID w) {
+    for (int i = 0; i < run->pairCount; i++)
+        commitPair(b, run, &run->finding[i], s, w);
+}

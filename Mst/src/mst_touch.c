@@ -1,0 +1,242 @@
+/* Touches: what the bridge knows of pairs from step to step, and notes of them as their contacts are committed.
+ *
+ * A pair has a touch from its first contact until the space takes the pair back. Those of pairs that were looked at in
+ * a step, and have or had contacts, are listed, in the order of the pairs; events are made of that list (MstEvents.c).
+ *
+ * Reads models, the motion of bodies, contacts. Writes touches, the list, and the pair's pointers to its touch.
+ */
+#include "McdModel.h"
+#include "MdtBody.h"
+#include "MdtContact.h"
+#include "MdtContactGroup.h"
+#include "MeAssert.h"
+#include "mst_i.h"
+#include <string.h>
+
+/* ---- memory ------------------------------------------------------------------------------------------------------ */
+
+static int sizeOfBlock(int block) {
+    return MST_TOUCH_BLOCK << block;
+}
+
+static MeBool addBlock(MstEvents *e) {
+    if (e->blockCount == MST_TOUCH_BLOCKS)
+        return MEFALSE;
+    const int size = sizeOfBlock(e->blockCount);
+    MstTouch *touch =
+        MeMemoryTakeAligned((size_t)size, sizeof *touch, MST_CACHE_LINE, "MstBridgeUpdateContacts", "what touches");
+    if (!touch)
+        return MEFALSE;
+    memset(touch, 0, (size_t)size * sizeof *touch);
+    e->block[e->blockCount++] = touch;
+    for (int i = size - 1; i >= 0; i--) { /* taken as they lie in memory */
+        touch[i].nextFree = e->free;
+        e->free = &touch[i];
+    }
+    return METRUE;
+}
+
+static MstTouch *takeTouch(MstBridgeRecord *b) {
+    MstEvents *e = &b->events;
+    if (!e->free && !addBlock(e))
+        return 0;
+    MstTouch *t = e->free;
+    e->free = t->nextFree;
+    MEASSERT(!t->pair && !t->isListed);
+    memset(t, 0, sizeof *t);
+    t->bridge = b;
+    return t;
+}
+
+void mst_touchGive(MstTouch *t) {
+    MstEvents *e = &t->bridge->events;
+    MEASSERT(t->pair && !t->pair->touch);
+    memset(t, 0, sizeof *t);
+    t->nextFree = e->free;
+    e->free = t;
+}
+
+void mst_touchesTerm(MstEvents *e) {
+    for (int k = 0; k < e->blockCount; k++) {
+        for (int i = 0; i < sizeOfBlock(k); i++)
+            if (e->block[k][i].pair)
+                e->block[k][i].pair->touch = 0;
+        MeMemoryGiveAligned(e->block[k]);
+    }
+    MeMemoryGive(e->listed);
+}
+
+/* The touch of a pair; null if it has none and there is no memory. */
+static MstTouch *ensureTouch(MstBridgeRecord *b, McdModelPair *p) {
+    const McdModelID model[2] = {p->model1, p->model2};
+    MstTouch *t = p->touch ? p->touch : takeTouch(b);
+    if (!t || p->touch)
+        return t;
+    t->pair = p;
+    for (int k = 0; k < 2; k++) {
+        t->model[k].model = model[k];
+        t->model[k].serial = McdModelGetSerial(model[k]);
+    }
+    p->touch = t;
+    p->forget = mst_pairForget;
+    return t;
+}
+
+/* ---- the list of the step ---------------------------------------------------------------------------------------- */
+
+static MeBool list(MstTouch *t) {
+    MstEvents *e = &t->bridge->events;
+    if (e->listedCount == e->listedMax) {
+        const int more = e->listedMax ? 2 * e->listedMax : 64;
+        if (!MeMemoryGrow(&e->listed, (size_t)e->listedCount, (size_t)more, sizeof *e->listed,
+                          "MstBridgeUpdateContacts", "what touches"))
+            return MEFALSE;
+        e->listedMax = more;
+    }
+    e->listed[e->listedCount++] = t;
+    t->isListed = METRUE;
+    return METRUE;
+}
+
+void mst_touchUnlist(MstTouch *t) {
+    MstEvents *e = &t->bridge->events;
+    for (int i = 0; i < e->listedCount; i++)
+        if (e->listed[i] == t)
+            e->listed[i] = 0;
+    t->isListed = MEFALSE;
+}
+
+/* Of one block; the listed ones of it are added to the count. */
+static MeBool isBlockConsistent(const MstTouch *touch, int count, int *listed) {
+    for (int i = 0; i < count; i++) {
+        if (touch[i].pair ? touch[i].pair->touch != &touch[i] : touch[i].isListed)
+            return MEFALSE;
+        *listed += touch[i].isListed;
+    }
+    return METRUE;
+}
+
+MeBool mst_touchesAreConsistent(const MstEvents *e) {
+    int listed = 0;
+    for (int k = 0; k < e->blockCount; k++)
+        if (!isBlockConsistent(e->block[k], sizeOfBlock(k), &listed))
+            return MEFALSE;
+    for (int i = 0; i < e->listedCount; i++)
+        listed -= e->listed[i] != 0;
+    return listed == 0 && e->done.count <= e->done.max && e->ended.count <= e->ended.max;
+}
+
+MeReal mst_lagOfPair(const McdModelPair *p) {
+    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
+    const MeReal lag1 = body1 ? MdtBodyGetLag(body1) : 0, lag2 = body2 ? MdtBodyGetLag(body2) : 0;
+    return MeMAX(lag1, lag2);
+}
+
+/* The touch of a pair that was looked at, listed for this step; null where there is nothing to note. */
+static MstTouch *listedTouch(MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
+    const MeBool isSpaces = p->phase != kMcdFFStateInactive; /* a program's own pair may go at any time, unnoticed */
+    MstTouch *t = isSpaces && (hasContacts || p->touch) ? ensureTouch(b, p) : 0;
+    if (!t || t->isListed) { /* in a later part of the step */
+        if (t)
+            t->hasContacts = t->hasContacts || hasContacts;
+        return t;
+    }
+    if (!list(t))
+        return 0;
+    t->lag = b->part == 0 ? MEINFINITY : mst_lagOfPair(p);
+    t->hasContacts = hasContacts;
+    t->isSensor = isSensor;
+    t->material[0] = McdModelGetMaterial(p->model1);
+    t->material[1] = McdModelGetMaterial(p->model2);
+    t->tolerance = McdModelGetContactTolerance(p->model1) + McdModelGetContactTolerance(p->model2);
+    t->separation = t->deepest = MEINFINITY;
+    t->approachSpeed = t->impulse = t->largestImpulse = 0;
+    return t;
+}
+
+/* ---- its contacts ------------------------------------------------------------------------------------------------ */
+
+static void velocityAt(McdModelID m, MeVector3 point, MeVector3 velocity) {
+    const MdtBodyID body = mst_bodyOf(m);
+    const MeReal *linear = McdModelGetLinearVelocityPtr(m);
+    MeVector3Set(velocity, 0, 0, 0);
+    if (body)
+        MdtBodyGetVelocityAtPoint(body, point, velocity);
+    else if (linear)
+        MeVector3Copy(velocity, linear);
+}
+
+MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal) {
+    MeVector3 v1, v2;
+    velocityAt(p->model1, point, v1);
+    velocityAt(p->model2, point, v2);
+    MeVector3Subtract(v1, v1, v2);
+    return -MeVector3Dot(v1, normal);
+}
+
+/* The deepest contact is where it touches, until forces say better. */
+static void noteContact(MstTouch *t, MeVector3 position, const MeVector3 normal, MeReal separation) {
+    t->separation = MeMIN(t->separation, separation);
+    if (separation < t->deepest) {
+        t->deepest = separation;
+        MeVector3Copy(t->position, position);
+        MeVector3Copy(t->normal, normal);
+    }
+    if (!t->isTouching)
+        t->approachSpeed = MeMAX(t->approachSpeed, mst_approachAt(t->pair, position, normal));
+}
+
+void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal) {
+    MdtContactGetNormal(c, normal);
+    if (!mst_bodyOf(p->model1))
+        MeVector3MultiplyScalar(normal, normal, -1);
+}
+
+void mst_touchNoteGroup(MstTouch *t, MdtContactGroupID group) {
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
+        MeVector3 position, normal;
+        MdtContactGetPosition(c, position);
+        mst_normalOf(t->pair, c, normal);
+        noteContact(t, position, normal, -MdtContactGetPenetration(c));
+    }
+}
+
+/* Of the contacts found, or of those that callbacks have left. */
+static MeReal leastSeparation(MdtContactGroupID group, int found, MeReal separation) {
+    MeReal least = MEINFINITY;
+    if (MdtContactGroupGetCount(group) == found)
+        return separation;
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
+        least = MeMIN(least, -MdtContactGetPenetration(c));
+    return least;
+}
+
+void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p) {
+    MstTouch *t = p->touch;
+    const MeReal separation = t->separation;
+    if (!listedTouch(b, p, METRUE, MEFALSE))
+        return;
+    t->separation = MeMIN(t->separation, separation);
+    if (!t->isTouching)
+        mst_touchNoteGroup(t, p->responseData);
+}
+
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int found, MeReal separation) {
+    const MdtContactGroupID group = p->responseData;
+    const MeBool hasContacts = group && MdtContactGroupGetCount(group) > 0;
+    MstTouch *t = listedTouch(b, p, hasContacts, MEFALSE);
+    if (!t || !hasContacts)
+        return;
+    if (!t->isTouching) /* how fast they come is known now only */
+        mst_touchNoteGroup(t, group);
+    else
+        t->separation = MeMIN(t->separation, leastSeparation(group, found, separation));
+}
+
+void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {
+    MstTouch *t = listedTouch(b, p, result->contactCount > 0, METRUE);
+    if (!t)
+        return;
+    for (int i = 0; i < result->contactCount; i++)
+        noteContact(t, result->contacts[i].position, result->contacts[i].normal, result->contacts[i].separation);
+}
