@@ -66,7 +66,7 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->upper = row->normal >= 0 || row->upper == HUGE_VAL ? HUGE_VAL : 0;
     p->E = row->contact == i ? 0 : row->softness;
     p->p = p->p0 = 0;
-    p->isForced = p->isElsewhere = MEFALSE;
+    p->isForced = p->isElsewhere = p->isOut = MEFALSE;
     p->state = KEA_HELD;
 }
 

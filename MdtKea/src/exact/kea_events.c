@@ -41,14 +41,13 @@ static MeBool isDeep(const MdtKeaSystem *s, const MdtKeaRow *row) {
 }
 
 /* Forces of springs change within a step, and stiff ones have to be damped: what they hold is not followed. What
- * overlaps is moved out of it, which against joints costs energy, or gives it; so do corners that turn into a face. */
+ * overlaps is moved out of it, which against joints costs energy, or gives it. */
 MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     const double gate = kea_minReboundSpeed * kea_eventSpeed(s);
     MeBool bounces = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const MeBool isRound = row->radius[0] > 0 || row->radius[1] > 0;
-        if (row->spring || (row->contact == i && (!isRound || isDeep(s, row))))
+        if (row->spring || (row->contact == i && isDeep(s, row)))
             return MEFALSE;
         if (row->contact != i || !(row->restitution > 0))
             continue;

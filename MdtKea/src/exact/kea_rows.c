@@ -153,6 +153,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         copyBounds(p, row, h);
         copyJacobian(p, row);
         p->isOff = isIdle(s, row);
+        p->isOut = row->contact >= 0 && s->rows[row->contact].isOpen;
         p->p = p->p0 = p->isOff || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
         p->isInconsistent = p->isUnmet = MEFALSE;
