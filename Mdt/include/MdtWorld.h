@@ -179,8 +179,9 @@ MEPUBLIC int MEAPI MdtWorldGetSubSteps(const MdtWorldID w);
 
 /**
  * Partitions of up to this many bodies that only touch, without joints, meet their contacts in time: bodies move with
- * their mean velocities, and a step is divided where bodies collide or come to stick. By default 8; 0: none. Larger
- * partitions take each step at once, which is right to first order and never gains energy.
+ * their mean velocities, and a step is divided where bodies collide or come to stick. By default 8; 0: none. So do
+ * larger ones with restitution of which no more bodies are held by touching contacts, and joints between so many, when
+ * something bounces. Other partitions take each step at once, right to first order, and never gain energy.
  */
 MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies);
 MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
@@ -229,8 +230,10 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  Exact: Newton's method, to the tolerances that docs/solver.md states. Fast: a fixed number of passes over the
  *  contacts of a partition, eight pairs at a time; its time is proportional to them, and it leaves velocities of
  *  contacts that MdtReport tells (`residualVelocity`), from which bodies sink and creep a little until they rest.
- *  MdtSolverAuto, the default, takes the fast one for partitions of 40 bodies or more that only touch. Partitions with
- *  joints are exact, whatever is chosen. Beyond Karma.
+ *  MdtSolverAuto, the default, takes the fast one for partitions of 64 bodies or more, and for those of more than
+ *  MdtWorldSetTimedContacts in which bodies have just met. Either may have joints if they are few: twelve that are tied
+ *  together, half as many as contacts. Others are exact, whatever is chosen, and so are bodies that bounce and of which
+ *  few touch anything. Beyond Karma.
  *  @{ */
 typedef enum MdtSolver {
     MdtSolverAuto,

@@ -25,6 +25,27 @@ static MeBool hasImpacts(const MdtIsland *p) {
     return MEFALSE;
 }
 
+static MeBool touches(const MdtPoint *point) {
+    return point->depth >= 0 || (point->numWarm > 0 && point->force[0] > 0);
+}
+
+/* Bodies that bounce, of which only few touch anything, are met one after the other (mdt_subdivide.c). */
+static MeBool isMetInTime(const MdtIsland *p) {
+    MeBool doesBounce = MEFALSE;
+    int touching = 0;
+    for (int i = 0; i < p->numActing; i++) {
+        if (mdt_isJoint(p->acting[i]))
+            continue;
+        MeBool isTouching = MEFALSE;
+        for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at)) {
+            doesBounce = doesBounce || mdt_bounces(mdt_pointParams(at));
+            isTouching = isTouching || touches(at);
+        }
+        touching += isTouching;
+    }
+    return doesBounce && touching <= p->world->timedBodies;
+}
+
 static int rootOf(int parent[], int i) {
     while (parent[i] != i)
         i = parent[i] = parent[parent[i]];
@@ -72,7 +93,7 @@ MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
         return MEFALSE;
     if (w->solver == MdtSolverFast)
         return METRUE;
-    if (p->numBodies <= w->timedBodies || mdt_worldAccuracy(w, p->h) == 0)
+    if (p->numBodies <= w->timedBodies || mdt_worldAccuracy(w, p->h) == 0 || isMetInTime(p))
         return MEFALSE;
     return p->numBodies >= MDT_CROWD || (p->numJoints == 0 && hasImpacts(p));
 }

@@ -305,7 +305,7 @@ void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
 
 enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
 /* Bodies of a partition, at least, that the fast solver is chosen for: below, Newton's method takes no longer. */
-enum { MDT_CROWD = 40 };
+enum { MDT_CROWD = 64 };
 /* Times gravity: what resting and sliding bodies do not reach. */
 enum { MDT_IMPACT = 4 };
 /* Joints that are tied together, at most: a rag doll or a car; their rows are one dense block there. */

@@ -71,6 +71,9 @@ static inline MdtJoint *mdt_asJoint(MdtConstraintID c) {
 static inline MdtManifold *mdt_asManifold(MdtConstraintID c) {
     return (MdtManifold *)(void *)c;
 }
+static inline MeBool mdt_bounces(const MdtBclContactParams *params) {
+    return (params->options & MdtBclContactOptionBounce) && params->restitution > 0;
+}
 /* The number that the rows of one constraint have in common, for Kea. */
 static inline int mdt_ownerOfJoint(int acting) {
     return acting;

@@ -1,6 +1,6 @@
 /* The parts that a partition's step is taken in: sub-steps, up to events, and halves where motion is violent.
  *
- *     whole step -> sub-steps (MdtWorldSetSubSteps) -> up to the next event, of a few bodies that only touch
+ *     whole step -> sub-steps (MdtWorldSetSubSteps) -> up to the next event, where few bodies touch each other
  *                                                   -> halves, where joints turn too violently for the whole of it
  *
  * A partition's step has one budget of work (MdtWorldSetWorkBudget) and of iterations (MdtWorldSetMaxLCPIterations).
@@ -166,14 +166,21 @@ static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least) {
     return METRUE;
 }
 
+/* How many events a part may be divided at: some, and in a crowd, where each concerns two bodies, one for each. */
+static int mostEvents(const MdtIsland *p) {
+    enum { EVENTS = 8 };
+    return p->numBodies <= p->world->timedBodies ? EVENTS : EVENTS + p->numBodies;
+}
+
 /* A part of the step of a partition whose contacts are met in time: up to the next event, and on. When there are too
  * many of them, or they cannot be followed so exactly, the rest is taken as it is elsewhere. */
 static MeBool takeInTime(MdtIsland *p, double part) {
-    enum { MAX_EVENTS = 8 };
     const double least = 1e-9 * part;
+    const int most = mostEvents(p);
+    const double kept = 0.5 * p->work; /* for what is left after the events */
     double rest = part;
     for (int events = 0; rest > least; events++) {
-        if (events == MAX_EVENTS || !solveToEventOrHalf(p, rest, least)) {
+        if (events == most || p->work < kept || !solveToEventOrHalf(p, rest, least)) {
             p->kea.parameters.timed = MEFALSE;
             return takePart(p, rest, 0);
         }
@@ -184,9 +191,27 @@ static MeBool takeInTime(MdtIsland *p, double part) {
     return METRUE;
 }
 
-/* Few bodies that only touch. */
-static MeBool isTimed(const MdtIsland *p) {
-    return p->numBodies <= p->world->timedBodies && p->numActing > 0 && p->numJoints == 0;
+static MeBool hasRestitution(const MdtIsland *p) {
+    for (int i = 0; i < p->numContacts; i++)
+        if (mdt_bounces(p->contacts[i].bcl.params))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Few bodies that only touch; and of others those whose contacts have restitution, while only few are held: a
+ * crowd of balls that fly, whatever contacts with gaps tie together. With joints, when something is about to bounce,
+ * and not in the parts by safe time, which end at impacts by themselves. */
+static MeBool isTimed(MdtIsland *p, double part) {
+    const int most = p->world->timedBodies;
+    if (most == 0 || p->numActing == 0 || p->isFast)
+        return MEFALSE;
+    if (p->numJoints == 0 && p->numBodies <= most)
+        return METRUE;
+    if (!hasRestitution(p) || (p->numJoints > 0 && p->h < p->whole))
+        return MEFALSE;
+    mdt_partBegin(p, part);
+    mdt_rowsMake(p);
+    return MdtKeaHeldBodies(&p->kea) <= most && (p->numJoints == 0 || MdtKeaBounces(&p->kea));
 }
 
 /* ---- sub-steps ---- */
@@ -195,10 +220,9 @@ MeBool mdt_islandSubdivide(MdtIsland *p) {
     beginBudget(p);
     p->parameters.hasContacts = p->numContacts > 0;
     const int n = p->world->subSteps;
-    const MeBool timed = isTimed(p);
     for (int i = 0; i < n; i++) {
         const double kept = keepWork(p, 1. / (n - i));
-        if (!(timed ? takeInTime(p, p->h / n) : takePart(p, p->h / n, 0)))
+        if (!(isTimed(p, p->h / n) ? takeInTime(p, p->h / n) : takePart(p, p->h / n, 0)))
             return MEFALSE;
         p->work += kept;
     }

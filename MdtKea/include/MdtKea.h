@@ -22,7 +22,7 @@
  *
  *  What the positions came to with a jerk, the velocity stage makes right: the velocities nearest to v⁺ that joints,
  *  stops and contacts allow where the bodies have arrived. A timed system (MdtKeaParameters) has θ = 1/2 throughout,
- *  impacts of its own, and no velocity stage.
+ *  impacts of its own, and a velocity stage only where it has joints.
  *
  *  A system of many bodies that only touch may have manifolds instead of rows (MdtKeaManifold), for the fast solver:
  *  then x⁺ = x + h v⁺, and out of overlaps, and v⁺ obeys the laws of contact to an accuracy.
@@ -299,6 +299,18 @@ MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
  * rows are filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
+
+/**
+ * Whether a contact with restitution may be met within the step by a speed of which it gives back more than loads make
+ * in a step, and there are no springs. The rows are filled; nothing is changed.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *system);
+
+/**
+ * How many bodies joints, or contacts that touch, hold: contacts that have a gap, or part, hold nothing. The rows are
+ * filled; nothing is changed but scratch memory.
+ */
+MEPUBLIC int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *system);
 
 /**
  * An impact at the start of the step: changes the velocities of the bodies so that those that touch part with their

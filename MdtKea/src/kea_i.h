@@ -84,6 +84,7 @@ typedef struct MdtKeaWork {
     double (*velocity)[6]; /* by body: what the limiter of energy starts from */
     double *keptP;         /* by row: impulses while the inner problem is lent */
     char *takesPart;
+    int *acting, *placeOf; /* of impacts: the row of each of the problem's rows; by row: its place among these */
     int *parent; /* by body, and one more */
     KeaProblem problem;
     KeaDual dual;
@@ -178,6 +179,8 @@ void kea_timedBegin(MdtKeaSystem *s);
  * which contacts that stop slide on. kea_releaseSlides takes that back. */
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat);
 void kea_releaseSlides(MdtKeaSystem *s);
+/* The same where no row acts; at most the step. */
+double kea_firstEventOfFlight(const MdtKeaSystem *s);
 
 /* ---- kea_impact.c ---- */
 
@@ -190,7 +193,7 @@ MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row);
 double kea_startRate(const MdtKeaSystem *s, int i);
 /* A body, a row of the inner problem for what happens in no time: masses at the start, no loads, no springs. */
 void kea_setInstantMetric(MdtKeaSystem *s, int i);
-void kea_setInstantRow(MdtKeaSystem *s, int i);
+void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p);
 
 /* ---- kea_project.c ---- */
 

@@ -34,6 +34,8 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->velocity = kea_carve(arena, n, sizeof *work->velocity);
     work->keptP = kea_carve(arena, m, sizeof(double));
     work->takesPart = kea_carve(arena, m, 1);
+    work->acting = kea_carve(arena, m, sizeof(int));
+    work->placeOf = kea_carve(arena, m, sizeof(int));
     work->parent = kea_carve(arena, n + 1, sizeof(int));
     work->dual.start = kea_carve(arena, m + 1, sizeof(int));
     work->dual.size = kea_carve(arena, m, sizeof(int));

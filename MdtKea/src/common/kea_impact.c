@@ -51,9 +51,8 @@ void kea_setInstantMetric(MdtKeaSystem *s, int i) {
     memset(q->load[i], 0, sizeof q->load[i]);
 }
 
-void kea_setInstantRow(MdtKeaSystem *s, int i) {
+void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
-    KeaProblemRow *p = &s->work->problem.row[i];
     for (int k = 0; k < 2; k++) {
         p->body[k] = row->body[k];
         keaCopy(p->J[k], row->J[k].lin);
@@ -67,45 +66,77 @@ void kea_setInstantRow(MdtKeaSystem *s, int i) {
     p->upper = row->normal >= 0 || row->upper == HUGE_VAL ? HUGE_VAL : 0;
     p->E = row->contact == i ? 0 : row->softness;
     p->p = p->p0 = 0;
-    p->isForced = p->isElsewhere = MEFALSE;
+    p->isForced = p->isElsewhere = p->isOut = MEFALSE;
     p->state = KEA_HELD;
 }
 
+/* What gives no force of given strength, and is where it acts: rows of touching contacts, joints, and stops that are
+ * reached. */
+static MeBool actsInInstant(const MdtKeaSystem *s, int i) {
+    const MdtKeaRow *row = &s->rows[i];
+    if (row->contact >= 0)
+        return kea_isTouching(s, &s->rows[row->contact]);
+    if (row->spring)
+        return MEFALSE;
+    const MeBool isStop = row->position && (row->lower == -HUGE_VAL) != (row->upper == HUGE_VAL);
+    return isStop ? row->error <= 0 : row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
+}
+
+/* The problem has the rows that act, in their order: work->acting tells which they are. */
 static void setProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
+    int *place = s->work->placeOf;
     q->numBodies = s->numBodies;
-    q->numRows = s->numRows;
+    q->numRows = 0;
     for (int i = 0; i < s->numBodies; i++)
         kea_setInstantMetric(s, i);
     for (int i = 0; i < s->numRows; i++)
-        kea_setInstantRow(s, i);
+        if (actsInInstant(s, i)) {
+            place[i] = q->numRows;
+            s->work->acting[q->numRows] = i;
+            kea_setInstantRow(s, i, &q->row[q->numRows++]);
+        }
+    for (int k = 0; k < q->numRows; k++) {
+        KeaProblemRow *p = &q->row[k];
+        p->normal = p->normal >= 0 ? place[p->normal] : p->normal;
+        p->partner = p->partner >= 0 ? place[p->partner] : p->partner;
+    }
 }
 
 /* ---- one round ---- */
 
-/* One round: the contacts in `takesPart` (by normal row) get the relative velocities that they ask for, the rest does
- * nothing. The change of velocities is left in `change`. */
+/* What a row asks of the change of its rate. Joints keep the rates that they have, stops are not passed. */
+static double changeOfRate(const MdtKeaSystem *s, int i, const double target[]) {
+    const MdtKeaRow *row = &s->rows[i];
+    if (row->contact >= 0)
+        return (row->contact == i ? target[i] : 0) - kea_startRate(s, i);
+    return row->lower == -HUGE_VAL && row->upper == HUGE_VAL ? 0 : row->drift - row->target - kea_startRate(s, i);
+}
+
+/* One round: the contacts in `takesPart` (by normal row) get the relative velocities that they ask for, joints hold,
+ * the rest does nothing. The change of velocities is left in `change`. */
 static void solveRound(MdtKeaSystem *s, const double target[], const char takesPart[], double (*change)[6]) {
     KeaProblem *q = &s->work->problem;
     double start = -1;
-    for (int i = 0; i < s->numRows; i++) {
-        KeaProblemRow *p = &q->row[i];
-        p->isOff = s->rows[i].contact < 0 || !takesPart[s->rows[i].contact] || p->size == 0;
+    for (int k = 0; k < q->numRows; k++) {
+        KeaProblemRow *p = &q->row[k];
+        const int i = s->work->acting[k], contact = s->rows[i].contact;
+        p->isOff = (contact >= 0 && !takesPart[contact]) || p->size == 0;
         p->p = p->p0 = 0;
         p->frictionBound = HUGE_VAL;
         p->Jd = 0;
-        p->r = (s->rows[i].contact == i ? target[i] : 0) - kea_startRate(s, i);
+        p->r = changeOfRate(s, i, target);
     }
     for (int b = 0; b < s->numBodies; b++) {
         memset(change[b], 0, sizeof change[b]);
         memset(q->load[b], 0, sizeof q->load[b]);
     }
     for (int pass = 0; pass < KEA_MAX_IMPACT_PASSES; pass++) {
-        for (int i = 0; i < s->numRows; i++)
+        for (int i = 0; i < q->numRows; i++)
             q->row[i].N = keaMax(kea_proximalContact[0] * pow(kea_proximalContact[0] / kea_proximalContact[1], -pass),
                                  kea_proximalContact[KEA_PROXIMAL_LEVELS - 1]) *
                           q->row[i].size;
-        for (int i = 0; i < s->numRows; i++)
+        for (int i = 0; i < q->numRows; i++)
             if (q->row[i].partner > i)
                 q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
         if (pass > 0)
@@ -162,9 +193,10 @@ static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plastic)[6]) {
 }
 
 static void keepImpulses(MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++)
-        if (!s->work->problem.row[i].isOff)
-            s->rows[i].force += s->work->problem.row[i].p;
+    const KeaProblem *q = &s->work->problem;
+    for (int k = 0; k < q->numRows; k++)
+        if (!q->row[k].isOff)
+            s->rows[s->work->acting[k]].force += q->row[k].p;
 }
 
 /* ---- the law of restitution ---- */

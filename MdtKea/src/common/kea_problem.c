@@ -50,9 +50,9 @@ static void findEdges(KeaProblem *q) {
     q->numEdges = 0;
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i], *before = row - 1;
-        if (row->body[0] < 0 || row->body[1] < 0)
+        if (row->body[0] < 0 || row->body[1] < 0 || row->isOut)
             row->edge = -1;
-        else if (i > 0 && before->body[0] == row->body[0] && before->body[1] == row->body[1])
+        else if (i > 0 && !before->isOut && before->body[0] == row->body[0] && before->body[1] == row->body[1])
             row->edge = before->edge;
         else
             row->edge = edgeOf(q, row->body[0], row->body[1], slots - 1);

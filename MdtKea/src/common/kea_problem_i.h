@@ -55,7 +55,8 @@ typedef struct KeaProblemRow {
     MeBool isUnmet, isInconsistent; /* a joint that left most of its residual: in the last pass, in the last two */
     MeBool isElsewhere;             /* its law is checked by others (kea_problemResidual) */
     MeBool isOff;                   /* takes no part: p stays what it is; */
-    MeBool isAside;                 /* for the time being */
+    MeBool isAside;                 /* for the time being; */
+    MeBool isOut;                   /* for good: it has no place in the matrix */
     KeaRowState state;
 } KeaProblemRow;
 

@@ -18,6 +18,11 @@ static double sagOf(const MdtKeaSystem *s, int i) {
     return s->parameters.stepsize * s->rows[i].softness * s->work->problem.row[i].p;
 }
 
+/* Joints are not opened. */
+static MeBool isJoint(const MdtKeaRow *row) {
+    return row->position && row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
+}
+
 static void displace(MdtKeaSystem *s) {
     for (int b = 0; b < s->numBodies; b++) {
         KeaEnd *end = &s->work->end[b];
@@ -63,8 +68,8 @@ void kea_project(MdtKeaSystem *s) {
     for (int b = 0; b < s->numBodies; b++)
         kea_setInstantMetric(s, b);
     for (int i = 0; i < s->numRows; i++) {
-        s->work->takesPart[i] = (char)(s->rows[i].contact == i && !s->rows[i].isOpen);
-        kea_setInstantRow(s, i);
+        s->work->takesPart[i] = (char)(isJoint(&s->rows[i]) || (s->rows[i].contact == i && !s->rows[i].isOpen));
+        kea_setInstantRow(s, i, &q->row[i]);
         q->row[i].isElsewhere = s->rows[i].contact != i;
     }
     kea_problemMeasure(q);

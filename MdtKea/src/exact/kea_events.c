@@ -10,13 +10,71 @@
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
+#include <string.h>
+
+static MeBool isOpen(const MdtKeaSystem *s, int i, double speed) {
+    return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_partingSpeed * speed;
+}
 
 void kea_timedBegin(MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            s->rows[i].isOpen = !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_partingSpeed * speed;
+            s->rows[i].isOpen = isOpen(s, i, speed);
 }
+
+/* ---- what is to be met in time ---- */
+
+/* The rate at the end without rows. */
+static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            rate += keaDot(row->J[k].lin, s->predicted[row->body[k]].lin) +
+                    keaDot(row->J[k].ang, s->predicted[row->body[k]].ang);
+    return rate;
+}
+
+static MeBool isDeep(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    const MdtKeaRow out = {.body = {row->body[0], row->body[1]}, .error = -row->error};
+    return row->error < 0 && !kea_isTouching(s, &out);
+}
+
+/* Forces of springs change within a step, and stiff ones have to be damped: what they hold is not followed. What
+ * overlaps is moved out of it, which against joints costs energy, or gives it. */
+MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
+    const double gate = kea_minReboundSpeed * kea_eventSpeed(s);
+    MeBool bounces = MEFALSE;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->spring || (row->contact == i && isDeep(s, row)))
+            return MEFALSE;
+        if (row->contact != i || !(row->restitution > 0))
+            continue;
+        const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
+        if (-rate > row->threshold && -rate * row->restitution > gate && row->error + s->parameters.stepsize * rate < 0)
+            bounces = METRUE;
+    }
+    return bounces;
+}
+
+int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
+    const double speed = kea_eventSpeed(s);
+    int *isHeld = s->work->parent, count = 0;
+    memset(isHeld, 0, (size_t)s->numBodies * sizeof *isHeld);
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        const MeBool holds = row->contact < 0 || (row->contact == i && !isOpen(s, i, speed));
+        for (int k = 0; holds && k < 2; k++)
+            if (row->body[k] >= 0)
+                isHeld[row->body[k]] = 1;
+    }
+    for (int b = 0; b < s->numBodies; b++)
+        count += isHeld[b];
+    return count;
+}
+
+/* ---- impacts ---- */
 
 /* When φ + a t + b t²/2 falls through zero; HUGE_VAL: never. */
 static double timeOfFall(double gap, double a, double b) {
@@ -37,6 +95,19 @@ static double firstImpact(const MdtKeaSystem *s) {
         if (row->contact != i || !row->isOpen)
             continue;
         const double a = kea_startRate(s, i), b = (kea_endRate(s, i) - row->drift - a) / h;
+        first = keaMin(first, timeOfFall(row->error, a, b));
+    }
+    return first;
+}
+
+double kea_firstEventOfFlight(const MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    double first = h;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->contact != i)
+            continue;
+        const double a = kea_startRate(s, i), b = (freeRate(s, row) - row->drift - a) / h;
         first = keaMin(first, timeOfFall(row->error, a, b));
     }
     return first;

@@ -159,6 +159,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         copyJacobian(p, row->moves ? s->moves[i][0].J : row->J);
         s->work->ahead[i] = 0;
         p->isOff = isIdle(s, row);
+        p->isOut = row->contact >= 0 && s->rows[row->contact].isOpen;
         p->p = p->p0 = p->isOff || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
         p->isInconsistent = p->isUnmet = MEFALSE;

@@ -351,6 +351,34 @@ static MeBool turnsTooFar(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
+static MeBool hasJoint(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact < 0)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* All contacts are open, and there is nothing else: the bodies fly up to the first of them that is met. One that turns
+ * over is not followed by the rates of its contacts. */
+static MeBool isFlight(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact < 0 || !s->rows[s->rows[i].contact].isOpen)
+            return MEFALSE;
+    for (int b = 0; b < s->numBodies; b++)
+        if (s->parameters.stepsize * keaLength(s->velocity[b].ang) > kea_mostTurn && isTurnRelevant(s, b))
+            return MEFALSE;
+    return s->parameters.timed;
+}
+
+static void fly(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        s->rows[i].force = 0;
+    kea_moveFreely(s);
+    s->report.event = kea_firstEventOfFlight(s);
+    kea_problemSpend(&s->work->problem, KEA_VISIT * ((double)s->numRows + s->numBodies));
+    kea_reportWork(s);
+}
+
 void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     MEASSERT(s->parameters.stepsize > 0 && s->parameters.gamma >= 0 && s->parameters.gamma <= 1);
@@ -368,6 +396,10 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     kea_beginBodies(s);
     if (s->parameters.timed)
         kea_timedBegin(s);
+    if (isFlight(s)) {
+        fly(s);
+        return;
+    }
     kea_beginRows(s);
     if (s->parameters.mayRefuse && s->numRows > 0 && turnsTooFar(s)) {
         s->report.violent = s->report.refused = METRUE;
@@ -384,7 +416,7 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
             solveInTime(s);
         setFree(s);
         kea_setBudget(s, 1, 1);
-        if (!s->parameters.timed)
+        if (!s->parameters.timed || hasJoint(s))
             kea_velocityStage(s);
         kea_shareForces(s);
         returnForces(s);

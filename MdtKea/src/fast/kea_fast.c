@@ -148,15 +148,6 @@ static void findVelocities(Step *p, Passes passes) {
     }
 }
 
-static void findPositions(Step *p) {
-    p->kernel->advance(p->groups, p->numGroups, p->motion, (float)p->s->parameters.stepsize);
-    kea_jointsAdvance(p->s, &p->joints);
-    for (int i = 0; i < KEA_POSITION_PASSES; i++) {
-        p->kernel->push(p->groups, p->numGroups, p->way);
-        kea_jointsPush(p->s, &p->joints, p->way);
-    }
-}
-
 /* Of how many bodies each carries the weight, at most: its normal forces of the last step, in its own loads'. Where it
  * gained much more velocity than its loads give, these were those of an impact. */
 static double loadRatio(const Step *p) {
@@ -263,6 +254,24 @@ static void setEndPoses(Step *p) {
     }
 }
 
+/* Joints turn with their bodies: their errors are found anew for every few passes. */
+static void findPositions(Step *p) {
+    const int rounds = p->joints.numBlocks > 0 ? KEA_JOINT_ROUNDS : 1;
+    memset(p->way, 0, (size_t)p->numMotions * sizeof *p->way);
+    p->kernel->advance(p->groups, p->numGroups, p->motion, (float)p->s->parameters.stepsize);
+    kea_keepRows(p->s);
+    for (int round = 0; round < rounds; round++) {
+        setEndPoses(p);
+        kea_jointsAdvance(p->s, &p->joints, p->way);
+        for (int i = 0; i < KEA_POSITION_PASSES / rounds; i++) {
+            p->kernel->push(p->groups, p->numGroups, p->way);
+            kea_jointsPush(p->s, &p->joints, p->way);
+        }
+    }
+    kea_recallRows(p->s);
+    setEndPoses(p);
+}
+
 static void report(Step *p) {
     MdtKeaReport *r = &p->s->report;
     r->passes = 1;
@@ -285,12 +294,10 @@ void kea_fastSolve(MdtKeaSystem *s) {
     memcpy(p.before, p.motion, (size_t)p.numMotions * sizeof *p.motion);
     findVelocities(&p, passes);
     setEndMomentum(&p);
-    memset(p.way, 0, (size_t)p.numMotions * sizeof *p.way);
-    setEndPoses(&p);
     findPositions(&p);
-    setEndPoses(&p);
     const MeBool doRebound = setRebounds(&p);
     if (kea_jointsRebound(s, &p.joints) || doRebound) {
+        kea_jointsRefill(s, &p.joints);
         findVelocities(&p, passes);
         setEndMomentum(&p);
     }

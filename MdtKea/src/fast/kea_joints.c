@@ -64,9 +64,9 @@ static MeBool isTwoSided(const MdtKeaRow *row) {
     return row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
-static double mobilityOf(const KeaJointRow *a, const MdtKeaRow *row, const KeaJointRow *b, const MdtKeaRow *other) {
+/* J M⁻¹ Jᵀ of two rows, of which the other's response is known. */
+static double mobilityOf(const MdtKeaRow *row, const KeaJointRow *b, const MdtKeaRow *other) {
     double sum = 0;
-    (void)a;
     for (int k = 0; k < 2; k++)
         for (int m = 0; m < 2; m++)
             if (row->body[k] >= 0 && row->body[k] == other->body[m])
@@ -110,7 +110,7 @@ static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
     const MdtKeaRow *row = &s->rows[r->index];
     const double h = s->parameters.stepsize;
     setResponse(s, row, r);
-    r->size = mobilityOf(r, row, r, row);
+    r->size = mobilityOf(row, r, row);
     r->isOff = !(r->size > 0);
     r->isHeld = MEFALSE;
     r->isBounded = !isTwoSided(row);
@@ -176,9 +176,21 @@ static void fillFactor(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
     const int n = b->numFree;
     for (int i = 0; i < n; i++)
         for (int k = 0; k <= i; k++)
-            b->factor[i * n + k] = mobilityOf(&rows[i], &s->rows[rows[i].index], &rows[k], &s->rows[rows[k].index]) +
+            b->factor[i * n + k] = mobilityOf(&s->rows[rows[i].index], &rows[k], &s->rows[rows[k].index]) +
                                    (i == k ? rows[i].compliance : 0);
     factor(b->factor, n);
+}
+
+void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
+    for (int i = 0; i < j->numBlocks; i++) {
+        KeaJointBlock *b = &j->block[i];
+        for (int k = 0; k < b->count; k++) {
+            KeaJointRow *r = &j->row[b->first + k];
+            setResponse(s, &s->rows[r->index], r);
+            r->size = mobilityOf(&s->rows[r->index], r, &s->rows[r->index]);
+        }
+        fillFactor(s, j, b);
+    }
 }
 
 size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory) {
@@ -305,15 +317,20 @@ double kea_jointsResidual(const MdtKeaSystem *s, const KeaJoints *j, const KeaMo
 
 /* ---- positions ---- */
 
-void kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j) {
+void kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
     const double h = s->parameters.stepsize;
     if (s->numRows == 0 || !s->errors)
         return;
+    if (s->jacobians) {
+        s->jacobians(s->context, s->work->endPose);
+        kea_jointsRefill(s, j);
+    }
     s->errors(s->context, s->work->endPose, j->errors);
     for (int i = 0; i < s->numRows; i++) {
         KeaJointRow *r = &j->row[i];
         if (r->isHeld)
-            r->gap = j->errors[r->index] - (r->wanted - h * s->rows[r->index].softness * r->impulse);
+            r->gap = j->errors[r->index] - (r->wanted - h * s->rows[r->index].softness * r->impulse) -
+                     rateOf(&s->rows[r->index], way);
     }
 }
 

@@ -35,14 +35,16 @@ typedef struct KeaJoints {
 size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory);
 /* False: no memory. */
 MeBool kea_jointsBegin(MdtKeaSystem *s, KeaJoints *j);
+/* The rows' Jacobians are others now. */
+void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j);
 /* Adds what the impulses do to the bodies. */
 void kea_jointsApply(const MdtKeaSystem *s, const KeaJoints *j, KeaMotion motion[]);
 /* A pass over velocities; returns how much goes against the extrapolation by beta. */
 double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta);
 /* m/s */
 double kea_jointsResidual(const MdtKeaSystem *s, const KeaJoints *j, const KeaMotion motion[]);
-/* Errors at the ends of the bodies' ways; a pass over displacements. */
-void kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j);
+/* Errors at the bodies' ends as they are now, displacements included; a pass over displacements. */
+void kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]);
 void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]);
 /* Stops that were hit part with their rebound; whether there are any. */
 MeBool kea_jointsRebound(const MdtKeaSystem *s, KeaJoints *j);
