@@ -13,8 +13,17 @@ typedef struct MdtIslandManifold {
 
 /* ---- the choice ---- */
 
-/* Have bodies met in the last step? Then their velocities have changed by far more than gravity explains, and what
- * follows is known no better than the law by which they part. */
+static double deepestOverlap(const MdtIsland *p) {
+    double most = 0;
+    for (int i = 0; i < p->numActing; i++)
+        if (mdt_isManifold(p->acting[i]))
+            for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at))
+                most = fmax(most, at->depth);
+    return most;
+}
+
+/* Have bodies met in the last step, or are they pushed apart as fast? Then their velocities change by far more than
+ * gravity explains, and what follows is known no better than the law by which they part. */
 static MeBool hasImpacts(const MdtIsland *p) {
     double g[3];
     mdt_fromReal(g, p->world->params.gravity);
@@ -22,7 +31,7 @@ static MeBool hasImpacts(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++)
         if (keaLength(p->bodies[i]->acceleration.lin) > most)
             return METRUE;
-    return MEFALSE;
+    return (double)p->world->gamma * deepestOverlap(p) > most * p->h * p->h;
 }
 
 static MeBool touches(const MdtPoint *point) {
