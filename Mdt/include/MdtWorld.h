@@ -217,9 +217,10 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *
  *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
  *
- *  Default 200. A pyramid of 210 boxes, solved exactly (MdtWorldSetSolver), takes 207 in its first step, which has no forces to begin with, and rests after
- *  31; with 200 it rests after 58, with 100 never. The hard cases in docs/solver.md take 17 at most (100 links with
- *  1e5 kg), one Newton iteration of 30 boxes in a heap 0.1. 0: no bound. Beyond Karma.
+ *  Default 200. A pyramid of 210 boxes, solved exactly (MdtWorldSetSolver), takes 207 in its first step, which has no
+ *  forces to begin with, and rests after 31; with 200 it rests after 58, with 100 never. The hard cases in
+ *  docs/solver.md take 17 at most (100 links with 1e5 kg), one Newton iteration of 30 boxes in a heap 0.1. 0: no bound.
+ *  Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work);
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
