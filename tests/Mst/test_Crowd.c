@@ -179,6 +179,27 @@ START_TEST(momentum_is_kept) {
 }
 END_TEST
 
+/* The second ball takes half of the blow's speed, which does not reach the third one in the step, and then all of it,
+ * which does. */
+START_TEST(a_rebound_reaches_what_had_not_been_touched) {
+    const double place[] = {0, 1.001, 2.001 + .75 / 60};
+    double sum = 0;
+    makeWorld(MdtSolverFast);
+    MdtWorldSetGravity(u->world, 0, 0, 0);
+    MdtContactParamsSetSurface(params(), 0, 1);
+    const McdGeometryID ball = McdSphereCreate(u->frame, (MeReal).5);
+    for (int i = 0; i < 3; i++)
+        McdModelSetContactTolerance(put(ball, place[i], 0, 0), (MeReal).05);
+    MdtBodySetLinearVelocity(McdModelGetBody(model[0]), 1, 0, 0);
+    step(1);
+    for (int i = 0; i < 3; i++)
+        sum += speed(i, 0);
+    assert_near(sum, 1, TOL(1e-6, 1e-7));
+    assert_near(speed(2, 0), 1. / 6, 1e-5); /* of v1 - v0 = 1, v1 - v2 = .75, v0 + v1 + v2 = 1 */
+    MstUniverseDestroy(u);
+}
+END_TEST
+
 /* ---- what contacts' parameters say ---- */
 
 static void cone(void) {}
@@ -367,6 +388,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_pyramid_of_forty_rows_comes_to_rest);
     tcase_add_test(t, a_heap_settles_and_sleeps);
     tcase_add_test(t, momentum_is_kept);
+    tcase_add_test(t, a_rebound_reaches_what_had_not_been_touched);
     tcase_add_loop_test(t, parameters_mean_what_they_mean_to_the_exact_solver, 0, (int)(sizeof cases / sizeof *cases));
     tcase_add_test(t, crowds_are_fast_and_others_exact);
     tcase_add_test(t, short_chains_hold_in_a_crowd);

@@ -101,6 +101,11 @@ static double uphillOf(const float uphill[KEA_LANES]) {
     return sum;
 }
 
+static void restart(Step *p) {
+    p->theta = 1;
+    p->beta = 0;
+}
+
 /* Nesterov's extrapolation; it begins anew where a pass goes against it. */
 static void takePasses(Step *p, int passes) {
     for (int i = 0; i < passes; i++) {
@@ -112,7 +117,7 @@ static void takePasses(Step *p, int passes) {
         p->beta = (p->theta - 1) / next;
         p->theta = next;
         if (uphillOf(uphill) + ofJoints > 0)
-            p->theta = 1, p->beta = 0;
+            restart(p);
     }
     p->s->report.iterations += passes;
 }
@@ -137,7 +142,7 @@ static double accuracyOf(const MdtKeaSystem *s) {
 /* As many passes as are given, and more of them while the residual is above what is wanted. */
 static void findVelocities(Step *p, Passes passes) {
     const double accuracy = accuracyOf(p->s);
-    p->theta = 1, p->beta = 0;
+    restart(p);
     takePasses(p, passes.least);
     p->s->report.residual = residualOf(p);
     for (int done = passes.least; done < passes.most && p->s->report.residual > accuracy;) {
@@ -224,10 +229,6 @@ static void setEndMomentum(Step *p) {
     }
 }
 
-static MeBool isNone(const float way[4]) {
-    return way[0] == 0 && way[1] == 0 && way[2] == 0;
-}
-
 static void setEndPoses(Step *p) {
     MdtKeaSystem *s = p->s;
     const double h = s->parameters.stepsize;
@@ -236,8 +237,6 @@ static void setEndPoses(Step *p) {
         const KeaMotion *way = &p->way[1 + i];
         KeaEnd *end = &s->work->end[i];
         double w[3], turn[4];
-        s->work->body[i].isFree =
-            isNone(way->lin) && isNone(way->ang) && keaLength(p->change[i]) == 0 && keaLength(p->change[i] + 3) == 0;
         keaCopy(end->position, body->position);
         keaAddScaled(end->position, h, end->velocity);
         kea_angularVelocity(body, body->quaternion, end->angularMomentum, w);
@@ -272,6 +271,21 @@ static void findPositions(Step *p) {
     setEndPoses(p);
 }
 
+static MeBool isNone(const KeaMotion *way) {
+    for (int k = 0; k < 3; k++)
+        if (way->lin[k] != 0 || way->ang[k] != 0)
+            return MEFALSE;
+    return METRUE;
+}
+
+/* What nothing has touched flies. */
+static void moveFreely(Step *p) {
+    for (int i = 0; i < p->s->numBodies; i++)
+        p->s->work->body[i].isFree =
+            isNone(&p->way[1 + i]) && keaLength(p->change[i]) + keaLength(p->change[i] + 3) == 0;
+    kea_moveFreely(p->s);
+}
+
 static void report(Step *p) {
     MdtKeaReport *r = &p->s->report;
     r->passes = 1;
@@ -304,5 +318,5 @@ void kea_fastSolve(MdtKeaSystem *s) {
     report(&p);
     kea_returnManifolds(s, p.groups, p.numGroups);
     kea_jointsReturn(s, &p.joints);
-    kea_moveFreely(s);
+    moveFreely(&p);
 }
