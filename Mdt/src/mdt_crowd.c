@@ -109,13 +109,15 @@ MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
 
 /* ---- room ---- */
 
+static MeBool isMoving(const MdtKeaVelocity *v) {
+    return keaDot(v->lin, v->lin) + keaDot(v->ang, v->ang) > 0;
+}
+
 /* Has a point what a manifold of Kea's shares? */
 static MeBool hasOwn(const MdtManifold *block) {
     const int own = MDT_OWN_NORMAL | MDT_OWN_PARAMS | MDT_OWN_DIRECTION | MDT_WATCHED;
     for (const MdtExtra *extra = block->extras; extra; extra = extra->next) {
-        const MdtKeaVelocity *v = &extra->worldVelocity;
-        if (extra->slot != MDT_GROUP_SLOT &&
-            ((extra->record.flags & own) || keaDot(v->lin, v->lin) + keaDot(v->ang, v->ang) > 0))
+        if (extra->slot != MDT_GROUP_SLOT && ((extra->record.flags & own) || isMoving(&extra->worldVelocity)))
             return METRUE;
     }
     return MEFALSE;
@@ -185,7 +187,7 @@ static MdtKeaManifold *beginManifold(MdtIsland *p, const MdtPoint *first) {
     for (int k = 0; k < 2; k++)
         m->body[k] = base->side[k].body ? base->side[k].body->index : MdtKeaWORLD;
     m->numPoints = 0;
-    m->worldVelocity = velocity == &MdtBclWorldVelocity ? NULL : velocity;
+    m->worldVelocity = isMoving(velocity) ? velocity : NULL;
     mdt_pointNormal(first, m->normal);
     mdt_pointDirection(first, m->normal, m->direction);
     MdtBclContactSurface(mdt_pointParams(first), &p->parameters, &m->surface);

@@ -174,7 +174,7 @@ typedef struct MdtKeaManifold {
     double normal[3];    /**< unit, the way the first body is pushed */
     double direction[3]; /**< unit, primary, at right angles to the normal */
     MdtKeaSurface surface;
-    const MdtKeaVelocity *worldVelocity; /**< of the world's part of it, as if it were a body at the origin */
+    const MdtKeaVelocity *worldVelocity; /**< null: none; of the world's part, as if it were a body at the origin */
     MdtKeaPoint point[MdtKeaMANIFOLDPOINTS];
 } MdtKeaManifold;
 

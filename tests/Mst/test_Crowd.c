@@ -144,6 +144,63 @@ START_TEST(a_heap_settles_and_sleeps) {
 }
 END_TEST
 
+/* Boxes, balls and cylinders of 1 to 100 kg, thrown at each other: J of a step, with what gravity has done. */
+static void throwThings(unsigned int from) {
+    makeWorld(MdtSolverFast);
+    makeFloor();
+    seed = from;
+    for (int i = 0; i < 30; i++) {
+        const double size = chance(.3, 1);
+        const McdGeometryID g = i % 3 == 0   ? McdBoxCreate(u->frame, (MeReal)size, 1, (MeReal).5)
+                                : i % 3 == 1 ? McdSphereCreate(u->frame, (MeReal)(size / 2))
+                                             : McdCylinderCreate(u->frame, (MeReal)(size / 2), (MeReal)size);
+        const McdModelID m = put(g, chance(-2, 2), 1.2 + .6 * (i / 3), chance(-2, 2));
+        const MdtBodyID b = McdModelGetBody(m);
+        MdtBodySetMass(b, (MeReal)pow(100, chance(0, 1)));
+        MdtBodySetLinearVelocity(b, (MeReal)chance(-5, 5), (MeReal)chance(-5, 5), (MeReal)chance(-5, 5));
+        MdtBodySetAngularVelocity(b, (MeReal)chance(-5, 5), (MeReal)chance(-5, 5), (MeReal)chance(-5, 5));
+    }
+}
+
+/* In those that are named the passes went astray, and gave 2 to 120 % of the energy in a step. Overlaps that are pushed
+ * out lift what they hold: 1.7e-3 at most in 400 of these. */
+static const unsigned int astray[] = {44, 208, 261};
+enum { SEEDS = 30, ASTRAY = sizeof astray / sizeof *astray };
+
+START_TEST(things_thrown_gain_no_energy) {
+    double energy = HUGE_VAL, first = 0;
+    throwThings(_i < SEEDS ? (unsigned int)_i + 1 : astray[_i - SEEDS]);
+    for (int i = 0; i < 150; i++) {
+        const MdtReport r = step(1);
+        const double now = (double)r.kineticEnergy + (double)r.potentialEnergy;
+        first = i == 0 ? now : first;
+        ck_assert_msg(now < energy + 2e-3 * first, "step %d: %g J, before %g of %g J", i, now, energy, first);
+        energy = fmin(energy, now);
+        for (int k = 0; k < count; k++)
+            ck_assert(place(k, 1) > 0 && isfinite(speed(k, 0)));
+    }
+    assert_below(energy, .9 * first);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+START_TEST(the_same_again_gives_the_same_bits) {
+    MeMatrix4 poses[30];
+    for (int run = 0; run < 2; run++) {
+        throwThings(77);
+        step(100);
+        for (int i = 0; i < count; i++) {
+            MeMatrix4Ptr now = MdtBodyGetTransformPtr(McdModelGetBody(model[i]));
+            if (run == 0)
+                memcpy(poses[i], now, sizeof poses[i]);
+            else
+                ck_assert_int_eq(memcmp(poses[i], now, sizeof poses[i]), 0);
+        }
+        MstUniverseDestroy(u);
+    }
+}
+END_TEST
+
 /* Balls that collide in space: sums in double over impulses that are the same for both bodies. */
 START_TEST(momentum_is_kept) {
     enum { SIDE = 4 };
@@ -387,6 +444,8 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_test(t, a_pyramid_of_forty_rows_comes_to_rest);
     tcase_add_test(t, a_heap_settles_and_sleeps);
+    tcase_add_loop_test(t, things_thrown_gain_no_energy, 0, SEEDS + ASTRAY);
+    tcase_add_test(t, the_same_again_gives_the_same_bits);
     tcase_add_test(t, momentum_is_kept);
     tcase_add_test(t, a_rebound_reaches_what_had_not_been_touched);
     tcase_add_loop_test(t, parameters_mean_what_they_mean_to_the_exact_solver, 0, (int)(sizeof cases / sizeof *cases));

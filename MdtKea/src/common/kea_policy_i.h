@@ -330,6 +330,8 @@ static const double kea_softShare = 1e-3;
 static const double kea_restingDepth = 1e-4;
 /* Of its diagonal entry: a pivot of joints below this is rounding, and its row follows from others. */
 static const double kea_redundantPivot = 1e-9;
+/* Of the kinetic energy: what the passes of a step may add to it by their rounding and by what they leave. */
+static const double kea_energyRoom = 1e-5;
 /* N s, a bound that is none: sums of such stay within single precision. */
 static const double kea_mostBound = 1e30;
 /* Multiplications of a visit to a manifold, and of making one ready: counted. */

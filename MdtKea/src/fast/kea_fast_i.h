@@ -109,6 +109,8 @@ int kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int ord
 int kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMotion worlds[]);
 /* What the manifolds do to momenta, of all groups: to `change`, by body, N s and N m s. */
 void kea_addImpulses(const MdtKeaSystem *s, const KeaGroup groups[], int count, double (*change)[6]);
+/* Takes a share of all impulses; 0: there are none. */
+void kea_scaleImpulses(KeaGroup groups[], int count, float share);
 /* Writes the forces of the manifolds' points. */
 void kea_returnManifolds(const MdtKeaSystem *s, const KeaGroup groups[], int count);
 

@@ -183,6 +183,18 @@ void kea_addImpulses(const MdtKeaSystem *s, const KeaGroup groups[], int count, 
                 addImpulse(s, &s->manifolds[groups[i].manifold[lane]], &groups[i], lane, change);
 }
 
+void kea_scaleImpulses(KeaGroup groups[], int count, float share) {
+    for (int i = 0; i < count; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++) {
+            KeaGroup *g = &groups[i];
+            for (int k = 0; k < KEA_POINTS; k++)
+                g->impulse[k][lane] = share > 0 ? share * g->impulse[k][lane] : 0;
+            for (int k = 0; k < 2; k++)
+                g->rub[k][lane] = share > 0 ? share * g->rub[k][lane] : 0;
+            g->twist[lane] = share > 0 ? share * g->twist[lane] : 0;
+        }
+}
+
 static double square(double x) {
     return x * x;
 }
