@@ -229,7 +229,7 @@ static void setDefaults(MdtBodyID b) {
     for (int i = 0; i < 3; i++)
         b->inertia[i][i] = MDTBODY_DEFAULT_INERTIA * m * l * l;
     setKeaInertia(b);
-    double *sums[] = {b->force, b->torque, b->impulse, b->twist, b->acceleration.lin, b->acceleration.ang, b->push};
+    double *sums[] = {b->force, b->torque, b->impulse, b->twist, b->kea.lastStep.lin, b->kea.lastStep.ang, b->push};
     for (size_t i = 0; i < sizeof sums / sizeof *sums; i++)
         keaZero(sums[i]);
     b->linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING;
@@ -358,8 +358,8 @@ static MeBool isFast(const MdtBody *b, const MdtPartitionParams *params) {
 }
 
 static MeBool isAccelerated(const MdtBody *b, const MdtPartitionParams *params) {
-    return keaDot(b->acceleration.lin, b->acceleration.lin) >= (double)params->acc_thresh ||
-           keaDot(b->acceleration.ang, b->acceleration.ang) >= (double)params->accrot_thresh;
+    return keaDot(b->kea.lastStep.lin, b->kea.lastStep.lin) >= (double)params->acc_thresh ||
+           keaDot(b->kea.lastStep.ang, b->kea.lastStep.ang) >= (double)params->accrot_thresh;
 }
 
 void mdt_bodyAge(MdtBodyID b, double h) {
@@ -392,8 +392,8 @@ void mdt_bodySleep(MdtBodyID b) {
     b->world->asleepBodies++;
     keaZero(b->kea.velocity);
     MdtKeaBodySetAngularVelocity(&b->kea, none);
-    keaZero(b->acceleration.lin);
-    keaZero(b->acceleration.ang);
+    keaZero(b->kea.lastStep.lin);
+    keaZero(b->kea.lastStep.ang);
     keaZero(b->push);
     mdt_bodyShow(b);
 }
@@ -687,13 +687,13 @@ MeReal *MEAPI MdtBodyGetAngularVelocityPtr(const MdtBodyID b) {
 void MEAPI MdtBodyGetLinearAcceleration(const MdtBodyID b, MeVector3 v) {
     if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    mdt_toReal(v, b->acceleration.lin);
+    mdt_toReal(v, b->kea.lastStep.lin);
 }
 
 void MEAPI MdtBodyGetAngularAcceleration(const MdtBodyID b, MeVector3 v) {
     if (!mdt_isResult(__func__, v, 3) || !mdt_isBody(b, __func__))
         return;
-    mdt_toReal(v, b->acceleration.ang);
+    mdt_toReal(v, b->kea.lastStep.ang);
 }
 
 void MEAPI MdtBodyGetVelocityAtPoint(const MdtBodyID body, MeVector3 p, MeVector3 v) {

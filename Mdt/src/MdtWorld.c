@@ -101,7 +101,7 @@ static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *call
         !MeMemoryGrow(&w->actingOf, 0, n, sizeof *w->actingOf, caller, "the constraints of a step") ||
         !MeMemoryGrow(&w->graph.acting, 0, n, sizeof *w->graph.acting, caller, "the constraints of a step") ||
         !MeMemoryGrow(&w->graph.actsOn, 0, n, sizeof *w->graph.actsOn, caller, "the constraints of a step") ||
-        !MeMemoryGrow(&w->ranking, 0, n, sizeof *w->ranking, caller, "ranking contacts") ||
+        !MeMemoryGrow(&w->ranking, 0, n, mdt_capSize(), caller, "ranking contacts") ||
         !MeMemoryGrow(&w->broken, broken, n, sizeof *w->broken, caller, "broken joints"))
         return MEFALSE;
     w->constraintRoom = (int)n;

@@ -7,95 +7,107 @@
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 
+/* A contact of the partition. Those of a group come one after the other. */
+typedef struct MdtRanked {
+    const MdtPoint *point;
+    MdtKeaPoint *at;
+    double importance;
+    int first;   /* of its group, or itself */
+    int numKept; /* of the first: how many of the group are not left out */
+    int place;   /* no property of the contact: the one that is so many from the least important */
+} MdtRanked;
+
+size_t mdt_capSize(void) {
+    return sizeof(MdtRanked);
+}
+
 /* Contacts that are worth as much go in the order of simulation. */
-static MeBool isBefore(const MdtIslandContact *a, const MdtIslandContact *b) {
-    return a->importance != b->importance ? a->importance < b->importance : a < b;
+static MeBool isBefore(const MdtRanked ranking[], int a, int b) {
+    const double x = ranking[a].importance, y = ranking[b].importance;
+    return x != y ? x < y : a < b;
 }
 
 /* Shell's sort, which needs no memory. */
-static void sortByImportance(MdtIslandContact *ranking[], int n) {
+static void sortByImportance(MdtRanked ranking[], int n) {
+    for (int i = 0; i < n; i++)
+        ranking[i].place = i;
     for (int gap = n / 2; gap > 0; gap /= 2) {
         for (int i = gap; i < n; i++) {
-            MdtIslandContact *c = ranking[i];
+            const int c = ranking[i].place;
             int j = i;
-            for (; j >= gap && isBefore(c, ranking[j - gap]); j -= gap)
-                ranking[j] = ranking[j - gap];
-            ranking[j] = c;
+            for (; j >= gap && isBefore(ranking, c, ranking[j - gap].place); j -= gap)
+                ranking[j].place = ranking[j - gap].place;
+            ranking[j].place = c;
         }
     }
 }
 
-static double importanceOf(MdtWorldID w, const MdtIslandContact *c) {
-    const double value = w->importance ? (double)w->importance((MdtContactID)c->point) : c->bcl.depth;
+static double importanceOf(MdtWorldID w, const MdtPoint *point, double depth) {
+    const double value = w->importance ? (double)w->importance((MdtContactID)(uintptr_t)point) : depth;
     return isnan(value) ? 0 : value;
 }
 
-static void rankContacts(MdtIsland *p) {
-    MdtIslandContact **ranking = p->world->ranking;
-    for (int i = 0; i < p->numContacts; i++) {
-        MdtIslandContact *c = &p->contacts[i];
-        c->importance = importanceOf(p->world, c);
-        c->numKept = mdt_manifoldOf(c->point)->numPoints;
-        ranking[i] = c;
-    }
-    sortByImportance(ranking, p->numContacts);
+static void rankContacts(MdtIsland *p, MdtRanked ranking[]) {
+    int n = 0;
+    for (int i = 0; i < p->kea.numManifolds; i++)
+        for (int k = 0; k < p->kea.manifolds[i].numPoints; k++, n++) {
+            MdtRanked *c = &ranking[n];
+            c->point = p->manifolds[i].point[k];
+            c->at = &p->kea.manifolds[i].point[k];
+            c->importance = importanceOf(p->world, c->point, c->at->depthNow);
+            c->numKept = mdt_manifoldOf(c->point)->numPoints;
+            c->first = n > 0 && mdt_manifoldOf(c[-1].point) == mdt_manifoldOf(c->point) ? c[-1].first : n;
+        }
+    MEASSERT(n == p->numContacts);
+    sortByImportance(ranking, n);
 }
 
 /* Returns how many rows are left. */
-static int dropFriction(MdtIsland *p, int rows, int most) {
+static int dropFriction(const MdtIsland *p, MdtRanked ranking[], int rows, int most) {
     for (int i = 0; i < p->numContacts && rows > most; i++) {
-        MdtIslandContact *c = p->world->ranking[i];
-        rows -= c->numRows - 1;
-        c->numRows = 1;
-        c->bcl.rows = 0;
+        MdtKeaPoint *at = ranking[ranking[i].place].at;
+        rows -= at->numRows - 1;
+        at->numRows = 1;
     }
     return rows;
 }
 
-static MeBool isWithWorld(const MdtIslandContact *c) {
-    const MdtBaseConstraint *base = &mdt_manifoldOf(c->point)->base;
+static MeBool isWithWorld(const MdtPoint *point) {
+    const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
     return !base->side[0].body || !base->side[1].body;
 }
 
-static MeBool isBetweenBodies(const MdtIslandContact *c) {
-    return !isWithWorld(c);
+static MeBool isBetweenBodies(const MdtPoint *point) {
+    return !isWithWorld(point);
 }
 
-static MeBool isAny(const MdtIslandContact *c) {
-    (void)c;
+static MeBool isAny(const MdtPoint *point) {
+    (void)point;
     return METRUE;
 }
 
-/* The first contact of the same manifold, which counts those that are kept. */
-static MdtIslandContact *firstOfManifold(MdtIsland *p, MdtIslandContact *c) {
-    const MdtManifold *m = mdt_manifoldOf(c->point);
-    while (c > p->contacts && mdt_manifoldOf(c[-1].point) == m)
-        c--;
-    return c;
-}
-
-static int dropContacts(MdtIsland *p, int rows, int most, MeBool (*isOfKind)(const MdtIslandContact *)) {
+static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int most,
+                        MeBool (*isOfKind)(const MdtPoint *)) {
     for (int i = 0; i < p->numContacts && rows > most; i++) {
-        MdtIslandContact *c = p->world->ranking[i], *first = firstOfManifold(p, c);
-        if (c->isDropped || !isOfKind(c) || (mdt_isInGroup(c->point) && first->numKept == 1))
+        MdtRanked *c = &ranking[ranking[i].place], *first = &ranking[c->first];
+        if (c->at->numRows == 0 || !isOfKind(c->point) || (mdt_isInGroup(c->point) && first->numKept == 1))
             continue;
-        MEASSERT(c->numRows <= 1 && first->numKept > 0);
-        c->isDropped = METRUE;
-        c->numRows = 0;
+        MEASSERT(c->at->numRows == 1 && first->numKept > 0);
+        c->at->numRows = 0;
         first->numKept--;
         rows--;
     }
     return rows;
 }
 
-void mdt_capRows(MdtIsland *p, int rows, int most) {
+int mdt_capRows(MdtIsland *p, int rows, int most) {
+    MdtRanked *ranking = p->world->ranking;
     MEASSERT(p->numContacts <= p->world->constraintRoom);
-    rankContacts(p);
-    rows = dropFriction(p, rows, most);
-    if (p->world->importance) {
-        dropContacts(p, rows, most, isAny);
-        return;
-    }
-    rows = dropContacts(p, rows, most, isBetweenBodies);
-    dropContacts(p, rows, most, isWithWorld);
+    p->isCapped = METRUE;
+    rankContacts(p, ranking);
+    rows = dropFriction(p, ranking, rows, most);
+    if (p->world->importance)
+        return dropContacts(p, ranking, rows, most, isAny);
+    rows = dropContacts(p, ranking, rows, most, isBetweenBodies);
+    return dropContacts(p, ranking, rows, most, isWithWorld);
 }

@@ -134,7 +134,6 @@ struct MdtBody {
 
     MdtKeaBody kea; /* the centre of mass: the authoritative state */
     MdtStart start;
-    MdtKeaVelocity acceleration;        /* m/s², rad/s², in the last step */
     double push[3];                     /* m/s: its way in the last step beyond its velocity: out of an overlap */
     double centre[3];                   /* m, of mass, in the body's frame */
     double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
@@ -336,6 +335,9 @@ typedef struct MdtRestInputs {
     int maxLcpIterations, subSteps, timedBodies, maxMatrixSize, solver, spare;
 } MdtRestInputs;
 
+/* Bytes that the cap on rows needs for a contact (mdt_cap.c). */
+size_t mdt_capSize(void);
+
 struct MdtWorld {
     unsigned int magic;
     MdtWorldParams params;
@@ -349,7 +351,7 @@ struct MdtWorld {
     int timedBodies;                          /* most bodies of a partition whose contacts are met in time */
     int maxMatrixSize;                        /* rows of a partition */
     MdtContactImportanceCBPtr importance;     /* null: depth */
-    struct MdtIslandContact **ranking;        /* constraintRoom, to rank contacts */
+    void *ranking;                            /* constraintRoom records of mdt_capSize, to rank contacts */
     int *sizeLog, sizeLogLength;              /* the program's, null: none */
     MdtBodyHandler bodyEnabled, bodyDisabled; /* null: none */
     MdtPartitionEndCB partitionCb;            /* null: the world puts partitions to rest by itself */

@@ -1,4 +1,4 @@
-/* Pack: scratch memory for a partition's step, its contacts, and what acts on its bodies. */
+/* Pack: scratch memory for a partition's step, and what acts on its bodies. */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 #include <limits.h>
@@ -19,11 +19,11 @@ static int mostRows(MdtIsland *p) {
     return rows + (p->isFast ? 0 : contactRows);
 }
 
-/* Room for Kea's arrays and, behind them, the contacts. */
+/* Room for Kea's arrays and, behind them, the manifolds. */
 static MeBool takeScratch(MdtIsland *p) {
-    const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows);
-    const int manifolds = p->isFast ? mdt_crowdCount(p) : 0;
-    const size_t total = bytes + (p->isFast ? mdt_crowdSize(manifolds) : (size_t)p->numContacts * sizeof *p->contacts);
+    const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows, p->kea.maxContacts);
+    const int manifolds = mdt_contactsCount(p);
+    const size_t total = bytes + mdt_contactsSize(manifolds);
     char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->world->scratch, (int)total) : NULL;
     if (!scratch) {
         MeWarning(2, "MdtWorldStep: partition %d (%d bodies, %d rows) is too large for the solver and is not moved",
@@ -31,9 +31,7 @@ static MeBool takeScratch(MdtIsland *p) {
         return MEFALSE;
     }
     p->scratch = scratch;
-    p->contacts = p->isFast ? NULL : (MdtIslandContact *)(void *)(scratch + bytes);
-    if (p->isFast)
-        mdt_crowdLayOut(p, scratch + bytes, manifolds);
+    mdt_contactsLayOut(p, scratch + bytes, manifolds);
     return METRUE;
 }
 
@@ -41,6 +39,7 @@ static void setSystem(MdtIsland *p) {
     p->kea.numBodies = p->numBodies;
     p->kea.bodies = p->world->keaOf + p->world->bodyStart[p->number];
     p->kea.maxRows = mostRows(p);
+    p->kea.maxContacts = p->isFast ? 0 : p->numContacts;
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
     p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
     p->kea.cache = p->world->keaCache;
@@ -73,38 +72,12 @@ static void rememberStart(MdtIsland *p) {
     }
 }
 
-static void packContact(MdtIslandContact *to, MdtPoint *point) {
-    MdtBclContact *c = &to->bcl;
-    memset(to, 0, sizeof *to);
-    to->point = point;
-    c->params = mdt_pointParams(point);
-    mdt_pointNormal(point, c->normal);
-    mdt_pointDirection(point, c->normal, c->direction);
-    keaCopy(c->position, point->position);
-    c->penetration = point->depth;
-    c->normalForce = point->force[0];
-    for (int k = 0; k < 2; k++) {
-        c->radius[k] = mdt_pointRadius(point, k);
-        c->rim[k] = mdt_pointRim(point, k, c->axis[k]);
-    }
-}
-
-static void packContacts(MdtIsland *p) {
-    int n = 0;
-    for (int i = 0; i < p->numActing; i++)
-        if (mdt_isManifold(p->acting[i]))
-            for (MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at))
-                packContact(&p->contacts[n++], at);
-    MEASSERT(n == p->numContacts);
-}
-
 MeBool mdt_islandPack(MdtIsland *p) {
     setSystem(p);
     if (!takeScratch(p))
         return MEFALSE;
     packBodies(p);
-    if (!p->isFast)
-        packContacts(p);
+    mdt_contactsPack(p);
     rememberStart(p);
     return METRUE;
 }
@@ -113,5 +86,4 @@ void mdt_islandRelease(MdtIsland *p) {
     MEASSERT(p->scratch);
     MeChunkPutMem(&p->world->scratch, p->scratch);
     p->scratch = NULL;
-    p->contacts = NULL;
 }

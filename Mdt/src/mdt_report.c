@@ -161,7 +161,7 @@ void mdt_reportDivision(MdtReport *r) {
 
 void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtIsland *p) {
     const MdtKeaSystem *kea = &p->kea;
-    const int rows = mdt_islandRows(p);
+    const int rows = p->numRows;
     if (rows == 0)
         return;
     mdt_reportLap(w, r, MdtReportStageSolve);
@@ -210,10 +210,7 @@ void mdt_reportPart(MdtReport *r, const MdtIsland *p, MeBool isFinite) {
     keepMost(&r->residualForce, kea->report.force);
     keepMost(&r->jointError, kea->report.error);
     r->jointGap = r->jointTurn = 0;
-    for (int i = 0; i < p->numContacts && !p->isFast; i++)
-        keepMost(&r->penetration, p->contacts[i].bcl.penetration);
-    if (p->isFast)
-        keepMost(&r->penetration, mdt_crowdPenetration(p));
+    keepMost(&r->penetration, mdt_contactsPenetration(p));
     for (int i = 0; i < p->numActing; i++) {
         const MdtJoint *j = mdt_asJoint(p->acting[i]);
         if (j && j->numRows > 0 && j->type->errors)

@@ -232,7 +232,7 @@ static MeBool dependsOnProgram(const MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++)
         if (mdt_constraintType(p->acting[i]) == MdtBclUSER)
             return METRUE;
-    return p->world->importance && p->kea.numRows > p->world->maxMatrixSize;
+    return p->world->importance && p->isCapped;
 }
 
 /* In one part, and within tolerances. */
@@ -240,7 +240,7 @@ static MeBool wasAnswerFound(const MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
     const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h;
     const MeBool isExact = !r->capped && !r->limited && !r->violent && !r->conflicting && !p->isDegenerate;
-    return isWhole && isExact && mdt_islandRows(p) > 0 && !p->hasMet && r->residual <= r->resolution;
+    return isWhole && isExact && p->numRows > 0 && !p->hasMet && r->residual <= r->resolution;
 }
 
 MeBool mdt_restIsSettled(const MdtIsland *p) {

@@ -1,6 +1,6 @@
-/* Rows: those of a partition's constraints in one part of its step. Each kind of joint is a file of MdtBcl; here they
- * are counted, capped (mdt_cap.c), filled, and refilled for Kea where the bodies have moved. Constraints come in their
- * order of simulation, and the contacts of a manifold in its place. */
+/* Rows: those of a partition's constraints in one part of its step. Each kind of joint is a file of MdtBcl; here joints
+ * are counted, filled in their order of simulation, and refilled for Kea where the bodies have moved. Contacts follow,
+ * whose rows Kea makes of their manifolds, within the cap on all of them (mdt_cap.c). */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 #include <string.h>
@@ -17,7 +17,6 @@ void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity
         x->pose[k] = b ? &kea->pose[b->index] : &MdtBclWorldPose;
         x->velocity[k] = b ? &kea->velocity[b->index] : worldVelocity;
         x->predicted[k] = b ? &kea->predicted[b->index] : worldVelocity;
-        x->acceleration[k] = b ? &b->acceleration : &MdtBclWorldVelocity;
         x->invMass[k] = b ? &kea->invMass[b->index] : &MdtBclWorldInvMass;
     }
 }
@@ -25,15 +24,6 @@ void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity
 static void jointContext(const MdtIsland *p, MdtJoint *j, MdtBclContext *x) {
     mdt_rowsContext(p, &j->base, &j->worldVelocity, x);
     x->firstRow = j->firstRow;
-}
-
-/* Where the world moves, that is known of each contact by itself. */
-static void contactContext(const MdtIslandContact *c, MdtBclContext *x) {
-    const MdtKeaVelocity *worldVelocity = mdt_pointWorldVelocity(c->point);
-    for (int k = 0; k < 2; k++)
-        if (x->body[k] == MdtBclNO_BODY)
-            x->velocity[k] = x->predicted[k] = worldVelocity;
-    x->firstRow = c->firstRow;
 }
 
 /* ---- how many ---- */
@@ -60,30 +50,11 @@ static int countJoint(MdtIsland *p, MdtJoint *j) {
     return j->numRows;
 }
 
-static int countContacts(MdtIsland *p, MdtManifold *m, MdtIslandContact contacts[]) {
-    MdtBclContext x;
+static int countJoints(MdtIsland *p) {
     int rows = 0;
-    mdt_rowsContext(p, &m->base, &MdtBclWorldVelocity, &x);
-    for (int i = 0; i < m->numPoints; i++) {
-        MdtIslandContact *c = &contacts[i];
-        contactContext(c, &x);
-        c->isDropped = MEFALSE;
-        c->numRows = MdtBclContactPrepare(&c->bcl, &x);
-        mdt_checkSurface(p->world, c->bcl.params);
-        rows += c->numRows;
-    }
-    return rows;
-}
-
-static int countRows(MdtIsland *p) {
-    int rows = 0, contact = 0;
-    for (int i = 0; i < p->numActing; i++) {
+    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
-        MdtManifold *m = mdt_asManifold(p->acting[i]);
-        if (!j && p->isFast)
-            continue;
-        rows += j ? countJoint(p, j) : countContacts(p, m, p->contacts + contact);
-        contact += j ? 0 : m->numPoints;
+        rows += j ? countJoint(p, j) : 0;
     }
     return rows;
 }
@@ -91,21 +62,22 @@ static int countRows(MdtIsland *p) {
 /* ---- what they are ---- */
 
 /* A row's rate is the velocity of one side relative to the other: the world's part. */
-static double worldRate(const MdtKeaVelocity *v, const MdtKeaRow *row, const MdtKeaJBlockPair J) {
+static double worldRate(const MdtKeaVelocity *v, const MdtKeaRow *row) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
         if (row->body[k] == MdtBclNO_BODY)
-            rate += keaDot(J[k].lin, v->lin) + keaDot(J[k].ang, v->ang);
+            rate += keaDot(row->J[k].lin, v->lin) + keaDot(row->J[k].ang, v->ang);
     return rate;
 }
 
 /* That is known and goes to the target. */
 static void subtractWorldVelocity(const MdtKeaVelocity *v, MdtKeaRow *row) {
-    const double rate = worldRate(v, row, row->J);
+    const double rate = worldRate(v, row);
     row->target -= rate;
     row->drift -= rate;
 }
 
+/* `owner` is what Kea knows the rows of one constraint by. */
 static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
     MdtBclContext x;
@@ -123,82 +95,21 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     p->kea.numRows += j->numRows;
 }
 
-/* The place of a contact in the middle and at the end of the part. */
-static void moveContact(MdtIsland *p, const MdtIslandContact *c, const MdtBclContext *x) {
-    static const double share[2] = {0.5, 1};
-    const MdtKeaVelocity *v = mdt_pointWorldVelocity(c->point);
-    for (int k = 0; k < 2 && c->numRows > 0; k++) {
-        MdtKeaJBlockPair J[MdtBclGETMAXROWSCONTACT];
-        MdtBclContactMove(&c->bcl, x, share[k], J);
-        for (int r = 0; r < c->numRows; r++) {
-            const MdtKeaRow *row = &p->kea.rows[c->firstRow + r];
-            MdtKeaMove *move = &p->kea.moves[c->firstRow + r][k];
-            memcpy(move->J, J[r], sizeof J[r]);
-            move->rate = worldRate(v, row, J[r]) - worldRate(v, row, row->J);
-        }
-    }
-}
-
-/* The friction of the last step turns with the contact, about the normal. */
-static void turnFriction(const MdtBclContact *c, int numRows, MdtKeaRow rows[]) {
-    const double angle = keaDot(c->turn, c->normal), cosine = cos(angle), sine = sin(angle);
-    if (numRows < 3)
-        return;
-    const double primary = rows[1].force, secondary = rows[2].force;
-    rows[1].force = cosine * primary - sine * secondary;
-    rows[2].force = sine * primary + cosine * secondary;
-}
-
-static void fillContact(MdtIsland *p, MdtIslandContact *c, MdtBclContext *x, int owner) {
-    MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
-    c->firstRow = p->kea.numRows;
-    contactContext(c, x);
-    if (c->numRows > 0)
-        MdtBclContactFill(&c->bcl, x, rows);
-    const MeBool isWarm = c->point->numWarm == c->numRows;
-    for (int r = 0; r < c->numRows; r++) {
-        subtractWorldVelocity(mdt_pointWorldVelocity(c->point), &rows[r]);
-        rows[r].owner = owner;
-        rows[r].force = isWarm ? c->point->force[r] : rows[r].force;
-        rows[r].ripple = 0;
-    }
-    if (c->bcl.moves)
-        moveContact(p, c, x);
-    if (c->bcl.moves && isWarm)
-        turnFriction(&c->bcl, c->numRows, rows);
-    p->kea.numRows += c->numRows;
-}
-
-static void fillRows(MdtIsland *p) {
-    int contact = 0;
-    for (int i = 0; i < p->numActing; i++) {
-        MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (j) {
-            fillJoint(p, j, mdt_ownerOfJoint(i));
-            continue;
-        }
-        if (p->isFast)
-            continue;
-        MdtManifold *m = mdt_asManifold(p->acting[i]);
-        MdtBclContext x;
-        mdt_rowsContext(p, &m->base, &MdtBclWorldVelocity, &x);
-        for (int k = 0; k < m->numPoints; k++, contact++)
-            fillContact(p, &p->contacts[contact], &x, mdt_ownerOfContact(p, contact));
-    }
-    MEASSERT((p->isFast || contact == p->numContacts) && p->kea.numRows <= p->kea.maxRows);
-}
-
 /* Count, leave out what is too much, fill. */
 void mdt_rowsMake(MdtIsland *p) {
     MdtWorldID w = p->world;
-    const int rows = countRows(p);
-    if (rows > w->maxMatrixSize)
-        mdt_capRows(p, rows, w->maxMatrixSize);
-    fillRows(p);
-    if (p->isFast)
-        mdt_crowdMake(p);
+    p->numRows = countJoints(p) + MdtKeaCountContactRows(&p->kea);
+    if (p->numRows > w->maxMatrixSize)
+        p->numRows = mdt_capRows(p, p->numRows, w->maxMatrixSize);
+    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
+        MdtJoint *j = mdt_asJoint(p->acting[i]);
+        if (j)
+            fillJoint(p, j, i);
+    }
+    MdtKeaMakeContactRows(&p->kea);
+    MEASSERT(p->isFast || p->kea.numRows == p->numRows);
     if (p->number < w->sizeLogLength)
-        w->sizeLog[p->number] = mdt_islandRows(p);
+        w->sizeLog[p->number] = p->numRows;
 }
 
 /* ---- elsewhere ---- */
@@ -208,7 +119,7 @@ void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]) {
     const MdtIsland *p = island;
     MdtKeaRow rows[MdtBclGETMAXROWS];
     MdtBclContext x;
-    for (int i = 0; i < p->numActing; i++) {
+    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
         if (!j || j->numRows == 0)
             continue;

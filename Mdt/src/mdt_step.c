@@ -9,7 +9,7 @@ void mdt_partSolve(MdtIsland *p, double part) {
     if (p->kea.parameters.timed && MdtKeaMeets(&p->kea))
         mdt_partImpact(p);
     MeProfileEndSection("Rows");
-    if (p->report && mdt_islandRows(p) > 0)
+    if (p->report && p->numRows > 0)
         mdt_reportLap(p->world, p->report, MdtReportStageRows);
     MeProfileStartSection("Solve", 0);
     mdt_budgetGrant(p);

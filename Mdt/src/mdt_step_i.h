@@ -5,9 +5,10 @@
  *     rest        mdt_sleep.c       motion of the last step -> bodies that are put to sleep
  *                 mdt_rest.c        what has changed since the last step -> partitions whose last answer holds again
  *     pack        mdt_pack.c        forces, impulses, gravity -> loads of Kea's bodies; scratch, start
- *     rows        mdt_rows.c        poses, velocities, parameters of the part -> kea.rows; constraints' place in them
- *                 mdt_crowd.c       of a partition of the fast solver: its manifolds -> kea.manifolds
- *     solve       MdtKeaSolve       kea.rows -> their forces; kea.report
+ *                 mdt_crowd.c       bodies, contacts -> which of Kea's solvers
+ *                 mdt_contacts.c    the manifolds of contacts -> kea.manifolds
+ *     rows        mdt_rows.c        poses, velocities, parameters of the part -> kea.rows of joints; contacts', by Kea
+ *     solve       MdtKeaSolve       kea.rows, kea.manifolds -> their forces; kea.report
  *     integrate   MdtKeaIntegrate   those -> the states of Kea's bodies
  *     unpack      mdt_unpack.c      forces of rows -> constraints; states -> what programs see of bodies
  *
@@ -20,19 +21,13 @@
 #include "mdt_manifold_i.h"
 #include <float.h>
 
-/* A contact in the step of its partition: what Bcl makes its rows of. */
-typedef struct MdtIslandContact {
+/* Beside each manifold of Kea's: whose points it has. */
+typedef struct MdtIslandManifold {
     /* pack */
-    MdtPoint *point;
-    MdtBclContact bcl; /* place, normal, direction, depth, surface; the rest: rows */
-    /* rows, cap */
-    int firstRow, numRows;
-    MeBool isDropped; /* left out to keep the partition within the cap on its rows */
-    int numKept;      /* of a manifold's first contact: how many of the manifold are not dropped */
-    double importance;
+    MdtPoint *point[MdtKeaMANIFOLDPOINTS];
     /* unpack */
-    double mean[3]; /* N, of the parts of the step that are done, on the first body */
-} MdtIslandContact;
+    double mean[MdtKeaMANIFOLDPOINTS][3]; /* N, of the parts of the step that are done, on the first body */
+} MdtIslandManifold;
 
 /* One partition in one step. Each group of fields names its only writer. */
 typedef struct MdtIsland {
@@ -46,13 +41,11 @@ typedef struct MdtIsland {
     double h;          /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
     MdtReport *report; /* null: it is off */
     /* pack */
-    void *scratch;              /* Kea's arrays, and behind them */
-    MeBool isFast;              /* Kea's fast solver is chosen: it takes manifolds, and contacts have no rows */
-    MdtIslandContact *contacts; /* those of acting manifolds, one after the other; not of the fast solver */
+    void *scratch; /* Kea's arrays, and behind them */
+    MeBool isFast; /* Kea's fast solver is chosen */
     int numContacts, numJoints;
-    struct MdtIslandManifold *manifolds; /* of the fast solver, beside kea.manifolds */
-    int numManifoldRows;                 /* rows: that the manifolds would have */
-    MdtKeaSystem kea;                    /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */
+    MdtIslandManifold *manifolds; /* beside kea.manifolds */
+    MdtKeaSystem kea;             /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */
     /* subdivide */
     MdtBclSolverParameters parameters; /* of the part that is being taken */
     double elapsed;                    /* s, of the step before that part */
@@ -61,6 +54,8 @@ typedef struct MdtIsland {
     MeBool hasMet;                     /* bodies met as a part began */
     /* rows */
     MeBool isDegenerate; /* some joint was in this step */
+    int numRows;         /* of the part: of joints, and that the contacts have, or would have for the exact solver */
+    MeBool isCapped;     /* contacts, or their friction, were left out */
 } MdtIsland;
 
 #define MDT_NO_BOUND DBL_MAX
@@ -74,14 +69,6 @@ static inline MdtManifold *mdt_asManifold(MdtConstraintID c) {
 static inline MeBool mdt_bounces(const MdtBclContactParams *params) {
     return (params->options & MdtBclContactOptionBounce) && params->restitution > 0;
 }
-/* The number that the rows of one constraint have in common, for Kea. */
-static inline int mdt_ownerOfJoint(int acting) {
-    return acting;
-}
-static inline int mdt_ownerOfContact(const MdtIsland *p, int contact) {
-    return p->numActing + contact;
-}
-
 /* ---- the stages -------------------------------------------------------------------------------------------------- */
 
 /* Pack, the parts, and unpack: moves a partition on by its h (mdt_step.c). */
@@ -116,19 +103,23 @@ void mdt_restCertify(MdtIsland *p, MeBool isSettled);
 MeBool mdt_islandPack(MdtIsland *p);
 void mdt_islandRelease(MdtIsland *p);
 
-/* ---- partitions of the fast solver (mdt_crowd.c) ---- */
-
-/* Whether it is chosen; how many manifolds it will have at most, and the bytes that they need; where these are. */
+/* Whether Kea's fast solver is chosen for it (mdt_crowd.c). */
 MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows);
-int mdt_crowdCount(const MdtIsland *p);
-size_t mdt_crowdSize(int count);
-void mdt_crowdLayOut(MdtIsland *p, void *memory, int count);
-/* For a part: Kea's manifolds; after it, their forces. */
-void mdt_crowdMake(MdtIsland *p);
-void mdt_crowdUnpack(MdtIsland *p, double share, MeBool isGuess);
-double mdt_crowdPenetration(const MdtIsland *p);
-/* Rows that the partition has, or would have. */
-int mdt_islandRows(const MdtIsland *p);
+
+/* ---- contacts, as Kea takes them (mdt_contacts.c) ---- */
+
+/* How many manifolds it will have at most, and the bytes that they need; where these are. */
+int mdt_contactsCount(const MdtIsland *p);
+size_t mdt_contactsSize(int count);
+void mdt_contactsLayOut(MdtIsland *p, void *memory, int count);
+/* For the step: the manifolds. For a part of it that is not the first, of the fast solver: where their points are. */
+void mdt_contactsPack(MdtIsland *p);
+void mdt_contactsCarry(MdtIsland *p);
+/* This share of their forces is added to what the step has done; these are the points' forces, and whether they are a
+ * guess at those of the next part. */
+void mdt_contactsAddForces(MdtIsland *p, double share);
+void mdt_contactsUnpack(MdtIsland *p, MeBool isGuess);
+double mdt_contactsPenetration(const MdtIsland *p);
 
 /* Takes the step in parts, within its budget of work. False: the bodies were stopped (mdt_subdivide.c). */
 MeBool mdt_islandSubdivide(MdtIsland *p);
@@ -148,8 +139,8 @@ void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], doub
 /* What a constraint knows of its surroundings in this part, but for its first row. */
 void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x);
 /* Leaves out rows of contacts until the partition, which has that many, has at most `most`, in the documented order
- * (mdt_cap.c). */
-void mdt_capRows(MdtIsland *p, int rows, int most);
+ * (mdt_cap.c). Returns how many it has then. */
+int mdt_capRows(MdtIsland *p, int rows, int most);
 
 /* Constraints of any kind: their forces are empty; the impulses of an impact, those of a part count among them; read
  * back. */

@@ -64,6 +64,9 @@ static void setPart(MdtIsland *p, double part) {
     p->parameters.softening = gamma > 0 ? n * n * p->parameters.gamma / gamma : n;
     p->parameters.epsilon = p->parameters.softening * (double)p->world->epsilon;
     p->kea.parameters.stepsize = part;
+    p->kea.parameters.elapsed = p->elapsed;
+    p->kea.parameters.epsilon = p->parameters.epsilon;
+    p->kea.parameters.softening = p->parameters.softening;
     p->kea.parameters.gamma = p->parameters.gamma;
     p->kea.parameters.isPart = p->h < p->whole;
 }
@@ -73,6 +76,8 @@ void mdt_partBegin(MdtIsland *p, double part) {
         mdt_reportLap(p->world, p->report, MdtReportStageIntegrate);
     setPart(p, part);
     MdtKeaInit(&p->kea, p->scratch);
+    if (p->isFast && p->elapsed > 0)
+        mdt_contactsCarry(p);
 }
 
 void mdt_partImpact(MdtIsland *p) {
@@ -96,16 +101,16 @@ static void warnOfSolver(const MdtIsland *p) {
             2,
             "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
             "inexact; raise MdtWorldSetMaxLCPIterations or epsilon, or take shorter steps",
-            p->number, p->kea.numRows);
+            p->number, p->numRows);
     else if (p->kea.report.limited)
         MeDebug(2, "MdtWorldStep: partition %d (%d rows) has used up its work (MdtWorldSetWorkBudget)", p->number,
-                p->kea.numRows);
+                p->numRows);
     else if (p->kea.report.capped)
         MeDebug(2, "MdtWorldStep: partition %d (%d rows): the friction of redundant contacts did not settle", p->number,
-                p->kea.numRows);
+                p->numRows);
     if (p->kea.report.conflicting)
         MeDebug(2, "MdtWorldStep: partition %d (%d rows) has contradictory constraints, a compromise was taken",
-                p->number, p->kea.numRows);
+                p->number, p->numRows);
 }
 
 void mdt_partEnd(MdtIsland *p) {
@@ -192,8 +197,8 @@ static MeBool takeInTime(MdtIsland *p, double part) {
 }
 
 static MeBool hasRestitution(const MdtIsland *p) {
-    for (int i = 0; i < p->numContacts; i++)
-        if (mdt_bounces(p->contacts[i].bcl.params))
+    for (int i = 0; i < p->kea.numManifolds; i++)
+        if (p->kea.manifolds[i].surface.restitution > 0)
             return METRUE;
     return MEFALSE;
 }

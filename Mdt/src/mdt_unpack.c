@@ -7,7 +7,7 @@
 /* ---- constraints ---- */
 
 void mdt_unpackBegin(MdtIsland *p) {
-    for (int i = 0; i < p->numActing; i++) {
+    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
         if (!j)
             continue;
@@ -27,20 +27,13 @@ static void addJointForces(MdtJoint *j, const MdtKeaRow rows[], double share) {
     MEASSERT(isfinite(keaDot(j->force.body[0].lin, j->force.body[0].lin)));
 }
 
-static void addContactForces(MdtIslandContact *c, const MdtKeaRow rows[], double share) {
-    for (int r = 0; r < c->numRows; r++)
-        keaAddScaled(c->mean, share * rows[r].force, rows[r].J[0].lin);
-    MEASSERT(isfinite(keaDot(c->mean, c->mean)));
-}
-
 static void addForces(MdtIsland *p, double share) {
-    for (int i = 0; i < p->numActing; i++) {
+    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
         if (j)
             addJointForces(j, p->kea.rows + j->firstRow, share);
     }
-    for (int i = 0; i < p->numContacts && !p->isFast; i++)
-        addContactForces(&p->contacts[i], p->kea.rows + p->contacts[i].firstRow, share);
+    mdt_contactsAddForces(p, share);
 }
 
 void mdt_unpackImpact(MdtIsland *p) {
@@ -60,32 +53,15 @@ static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
         j->type->readBack(&j->bcl, &x, rows);
 }
 
-static void unpackContact(const MdtIsland *p, MdtIslandContact *c, MeBool isGuess) {
-    const MdtKeaRow *rows = p->kea.rows + c->firstRow;
-    MdtPoint *point = c->point;
-    MEASSERT(c->firstRow >= 0 && c->firstRow + c->numRows <= p->kea.numRows);
-    point->numRows = (MeU8)c->numRows;
-    point->numWarm = isGuess ? (MeU8)c->numRows : 0;
-    for (int r = 0; r < c->numRows; r++)
-        point->force[r] = rows[r].force;
-    if (c->numRows == 0)
-        point->force[0] = 0;
-    c->bcl.normalForce = point->force[0];
-    mdt_toReal(point->mean, c->mean);
-}
-
 void mdt_unpackConstraints(MdtIsland *p) {
     const MeBool isGuess = p->parameters.stepsize > 0.1 * p->h; /* the forces of a shorter part are none */
     addForces(p, p->parameters.stepsize / p->h);
-    for (int i = 0; i < p->numActing; i++) {
+    for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
         if (j)
             unpackJoint(p, j, isGuess);
     }
-    for (int i = 0; i < p->numContacts && !p->isFast; i++)
-        unpackContact(p, &p->contacts[i], isGuess);
-    if (p->isFast)
-        mdt_crowdUnpack(p, p->parameters.stepsize / p->h, isGuess);
+    mdt_contactsUnpack(p, isGuess);
 }
 
 /* ---- bodies ---- */
@@ -107,11 +83,11 @@ void mdt_unpackBodies(MdtIsland *p) {
         MdtKeaVelocity end;
         mdt_bodyVelocity(b, &end);
         for (int k = 0; k < 3; k++) {
-            b->acceleration.lin[k] = (end.lin[k] - p->bodies[i]->start.velocity.lin[k]) / p->h;
-            b->acceleration.ang[k] = (end.ang[k] - p->bodies[i]->start.velocity.ang[k]) / p->h;
+            b->kea.lastStep.lin[k] = (end.lin[k] - p->bodies[i]->start.velocity.lin[k]) / p->h;
+            b->kea.lastStep.ang[k] = (end.ang[k] - p->bodies[i]->start.velocity.ang[k]) / p->h;
         }
         notePush(b, &b->start, &end, p->h);
-        MEASSERT(isfinite(keaLength(b->acceleration.lin) + keaLength(b->acceleration.ang) + keaLength(b->push)));
+        MEASSERT(isfinite(keaLength(b->kea.lastStep.lin) + keaLength(b->kea.lastStep.ang) + keaLength(b->push)));
         mdt_bodyAge(b, p->h);
         mdt_bodyKeepWithinReach(b);
         mdt_bodyShow(b);

@@ -42,29 +42,6 @@ typedef struct MdtBclFrame {
     double ortho[3];    /**< unit, at right angles to primary */
 } MdtBclFrame;
 
-/** A contact in a step: its geometry and parameters, in the world frame. */
-typedef struct MdtBclContact {
-    double position[3];  /**< m */
-    double normal[3];    /**< unit, the way the first body is pushed */
-    double direction[3]; /**< unit, primary direction, at right angles to the normal */
-    double penetration;  /**< m, positive: overlap; negative: gap */
-    double radius[2];    /**< m, of the spheres that the two surfaces are there; 0: a corner, an edge, a face */
-    double rim[2];       /**< m, of circles that the two surfaces touch with instead; 0: none */
-    double axis[2][3];   /**< unit, of these; unused where there is none */
-    const MdtBclContactParams *params;
-    double normalForce; /**< N, of the last step, or the part of it that was taken last */
-    /* Kept by the library for the rest of the step. */
-    double anchor[2][3]; /**< m, the surface points of the two bodies, or centres of what is round, in their frames */
-    double circle[2];    /**< m, rim, or 0 where it may come to lie flat */
-    double axle[2][3];   /**< unit, axis, in their frames */
-    double point[3];     /**< m, position, and */
-    double depth;        /**< m, penetration: as set, then carried along with the bodies through a divided step */
-    double arm[2][3];    /**< m, from the bodies' centres to the point, as the part of the step begins */
-    double turn[3];      /**< rad, by which the arms of flat surfaces turn in this part; 0: round */
-    MeBool moves;        /**< arms change within this part */
-    int rows;            /**< friction rows of this step's system: 1 primary, 2 secondary */
-} MdtBclContact;
-
 /** Angular3: MEINFINITY in either holds the orientation rigidly. */
 typedef struct MdtBclAngular {
     MeReal stiffness; /**< N m/rad */
@@ -219,7 +196,6 @@ typedef struct MdtBclContext {
     const MdtKeaTransformation *pose[2];       /**< now */
     const MdtKeaVelocity *velocity[2];         /**< now */
     const MdtKeaVelocity *predicted[2];        /**< at the end of the step, were there no constraints */
-    const MdtKeaVelocity *acceleration[2];     /**< in the last step, 1/s of a velocity's units */
     const MdtKeaInverseMassMatrix *invMass[2]; /**< now */
 } MdtBclContext;
 
@@ -246,21 +222,8 @@ typedef struct MdtBclType {
     const char *degenerate;
 } MdtBclType;
 
-/** @name Contacts
- *  They are no MdtBclConstraint: Mdt packs them for a step from its manifolds.
- *  @{ */
-/** Measures a contact, decides which rows it needs in this part of the step, and returns how many. */
-MEPUBLIC int MEAPI MdtBclContactPrepare(MdtBclContact *contact, const MdtBclContext *x);
-/** Writes as many rows as Prepare counted: the normal, then friction. */
-MEPUBLIC void MEAPI MdtBclContactFill(const MdtBclContact *contact, const MdtBclContext *x, MdtKeaRow rows[]);
-/** The same for a solver that takes manifolds: what their contacts' parameters say in a part of a step. */
-MEPUBLIC void MEAPI MdtBclContactSurface(const MdtBclContactParams *params, const MdtBclSolverParameters *solver,
-                                         MdtKeaSurface *surface);
-/** The same rows' J, of a contact that `moves`, after `share` of the way in this part of the step: the place moves with
- *  the bodies, normal and directions stay as they are. */
-MEPUBLIC void MEAPI MdtBclContactMove(const MdtBclContact *contact, const MdtBclContext *x, double share,
-                                      MdtKeaJBlockPair J[]);
-/** @} */
+/** What the parameters of contacts say to Kea, which takes contacts as manifolds. */
+MEPUBLIC void MEAPI MdtBclContactSurface(const MdtBclContactParams *params, MdtKeaSurface *surface);
 
 /** The table's entry, or null for a type that this library does not have. Contacts and contact groups have a name, and
  *  no functions. */

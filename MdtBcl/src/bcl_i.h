@@ -50,13 +50,6 @@ void bcl_negate(MdtKeaRow *row);
 /* A bound that a program may have written: none for MEINFINITY, 0 for what is not positive. */
 double bcl_boundOf(MeReal value);
 
-/* How much the rate of a row changes in one step without an impact: by gravity and loads, or as it did in the last
- * step, which knows the other constraints. An approach that is no faster is the step's doing, and does not bounce. */
-double bcl_ownChange(const MdtKeaRow *row, const MdtBclContext *x);
-
-/* How fast the end of a way z >= 0 is reached with the rate of now and the last step's acceleration. */
-double bcl_speedOfArrival(const MdtKeaRow *row, const MdtBclContext *x, double z);
-
 /* The vector from a body's centre to its attachment, and the attachment itself, in the world frame. */
 void bcl_arm(double arm[3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose);
 void bcl_attachment(double point[3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose);

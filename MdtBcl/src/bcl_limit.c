@@ -130,12 +130,8 @@ static void motorRow(const MdtBclLimit *limit, MdtKeaRow *row) {
 static void hardStop(const MdtBclSingleLimit *stop, const MdtBclContext *x, MdtKeaRow *row) {
     const double h = x->parameters.stepsize, z = row->error;
     row->target = z > 0 ? -z / h : -x->parameters.gamma * z / h;
-    const double rate = bcl_rate(row, x->velocity), predicted = bcl_rate(row, x->predicted);
     row->position = METRUE;
-    if (stop->restitution > 0 && z + h * predicted < 0 && rate < -bcl_ownChange(row, x)) {
-        row->bounces = METRUE;
-        row->rebound = fmin((double)stop->restitution, 1) * bcl_speedOfArrival(row, x, z);
-    }
+    row->restitution = stop->restitution > 0 ? fmin((double)stop->restitution, 1) : 0;
 }
 
 static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, MdtKeaRow *row) {

@@ -63,18 +63,6 @@ double bcl_rate(const MdtKeaRow *row, const MdtKeaVelocity *const velocity[2]) {
     return rate;
 }
 
-double bcl_ownChange(const MdtKeaRow *row, const MdtBclContext *x) {
-    const double margin = 1.1; /* a body that fell for just one step must not seem faster by rounding */
-    const double loads = bcl_rate(row, x->predicted) - bcl_rate(row, x->velocity);
-    return margin * fmax(fabs(loads), x->parameters.stepsize * fabs(bcl_rate(row, x->acceleration)));
-}
-
-double bcl_speedOfArrival(const MdtKeaRow *row, const MdtBclContext *x, double z) {
-    const double rate = bcl_rate(row, x->velocity), acceleration = bcl_rate(row, x->acceleration);
-    MEASSERT(isfinite(rate) && isfinite(acceleration));
-    return sqrt(rate * rate + 2 * fmax(z, 0) * fmax(-acceleration, 0));
-}
-
 void bcl_makeSpring(MdtKeaRow *row, double error, double stiffness, double damping) {
     row->spring = METRUE;
     row->error = error;

@@ -24,16 +24,22 @@
  *  stops and contacts allow where the bodies have arrived. A timed system (MdtKeaParameters) has θ = 1/2 throughout,
  *  impacts of its own, and a velocity stage only where it has joints.
  *
- *  A system of many bodies that only touch may have manifolds instead of rows (MdtKeaManifold), for the fast solver:
- *  then x⁺ = x + h v⁺, and out of overlaps, and v⁺ obeys the laws of contact to an accuracy.
+ *  Contacts come as manifolds (MdtKeaManifold). The exact solver makes rows of them; the fast one, for many bodies that
+ *  mostly only touch, solves manifold by manifold: x⁺ = x + h v⁺, and out of overlaps, and v⁺ obeys the laws of contact
+ *  to an accuracy.
  *
- *      MdtKeaInit       reads bodies, parameters, numBodies, maxRows; writes pose, velocity, predicted, invMass,
- *      numRows = 0 (the owner)      writes rows, numRows MdtKeaMeets      reads rows; writes nothing MdtKeaImpact
- *      reads rows, parameters; writes velocities of bodies, rows[].force (N s), report.work and .limited;
- *                       MdtKeaInit and the rows are wanted again after it
- *      MdtKeaSolve      reads all of these; calls errors and jacobians, by which J, arm and bounds of rows move; writes
- *                       rows[].force and .ripple, and report
- *      MdtKeaIntegrate  writes the state and the acceleration of bodies, pose and velocity of the end
+ *      the owner               fills the manifolds, once for all parts of a step
+ *      MdtKeaInit              reads bodies, parameters, numBodies, maxRows, maxContacts; writes pose, velocity,
+ *                              predicted, invMass, numRows = 0
+ *      the owner               writes the rows of its joints, numRows
+ *      MdtKeaCountContactRows  reads manifolds; writes numRows of their points
+ *      MdtKeaMakeContactRows   writes their rows and moves behind the others
+ *      MdtKeaMeets             reads rows; writes nothing
+ *      MdtKeaImpact            reads rows, parameters; writes velocities of bodies, forces (N s), report.work and
+ *                              .limited; MdtKeaInit and the rows are wanted again after it
+ *      MdtKeaSolve             reads all of these; calls errors and jacobians, by which J, arm and bounds of rows move;
+ *                              writes forces of rows and points, .ripple, and report
+ *      MdtKeaIntegrate         writes the state and the acceleration of bodies, pose and velocity of the end
  *
  *  Everything here is double, in single-precision builds too: positions, orientations and momenta keep their digits
  *  over long runs.
@@ -57,6 +63,11 @@ typedef enum MdtKeaBodyFlag {
     MdtKeaBodyFlagAddCoriolisForce = 8, /**< Free rotation keeps the angular momentum, not the angular velocity. */
 } MdtKeaBodyFlag;
 
+typedef struct MdtKeaVelocity {
+    double lin[3]; /**< m/s */
+    double ang[3]; /**< rad/s */
+} MdtKeaVelocity;
+
 /** A rigid body. Frames: world, but for `principal` and `moments`. */
 typedef struct MdtKeaBody {
     /* state, advanced by Kea */
@@ -74,7 +85,9 @@ typedef struct MdtKeaBody {
     /* load of this step, set by the owner */
     double force[3];        /**< N, gravity included */
     double torque[3];       /**< N m, about the centre of mass */
-    double acceleration[6]; /**< m/s², rad/s² (world), of the last step: a guess for this one, which may be 0 */
+    double acceleration[6]; /**< m/s², rad/s² (world), of the last part of a step: a guess for this, which may be 0 */
+    MdtKeaVelocity lastStep; /**< m/s², rad/s²: acceleration of the last whole step; an approach that it explains is not
+                                  an impact (the law of restitution) */
 } MdtKeaBody;
 
 /** Where a body is: world = R x + pos. */
@@ -82,11 +95,6 @@ typedef struct MdtKeaTransformation {
     double R[3][3];
     double pos[3]; /**< m */
 } MdtKeaTransformation;
-
-typedef struct MdtKeaVelocity {
-    double lin[3]; /**< m/s */
-    double ang[3]; /**< rad/s */
-} MdtKeaVelocity;
 
 typedef struct MdtKeaForce {
     double lin[3]; /**< N */
@@ -120,7 +128,6 @@ typedef struct MdtKeaRow {
     double error;     /**< φ, m: how far the bodies are from obeying the row (position rows, springs, contacts) */
     double target;    /**< s, m/s: the velocity that the row aims at */
     double drift;     /**< m/s: the part of the target that takes no error away: attachments, or the world, that move */
-    double rebound;   /**< m/s: the velocity at the end of the step of a stop or contact that was hit, >= 0 */
     double softness;  /**< E, 1/kg: ε, or the row's own compliance */
     double lower;     /**< N, -HUGE_VAL where there is none */
     double upper;     /**< N, HUGE_VAL where there is none */
@@ -133,10 +140,11 @@ typedef struct MdtKeaRow {
     MeBool isOpen;    /**< of a contact: it is known not to act in this step */
     MeBool position;  /**< φ is met at the end of the step, as MdtKeaErrorFn tells it; else the velocity is */
     MeBool spring;    /**< A damped spring; its target is the rate at which it is at rest, and softness is not read. */
-    MeBool bounces;   /**< `rebound` is wanted */
-    double restitution; /**< of a contact that is met in time, 0..1, */
+    double restitution; /**< of a contact or a stop, 0..1, */
     double threshold;   /**< m/s: for speeds above this */
     double radius[2];   /**< m, of a contact's normal row: of either body's surface where that is round, else 0 */
+    MeBool bounces;     /**< Kea's own: it is hit in this step, */
+    double rebound;     /**< m/s: and has this velocity at its end, > 0 */
     MeBool isForced;    /**< Kea's own: a friction row that slides in a known direction, */
     double forced;      /**< whose force is this times the bound */
     double stiffness;   /**< N/m of a spring, >= 0 */
@@ -153,26 +161,35 @@ typedef struct MdtKeaSurface {
     double bound[2];       /**< N, of friction at each point, whatever its normal force */
     double slip[2];        /**< m/s per N, along either direction */
     double slide[2];       /**< m/s, the velocity at which friction rests */
-    double softness;       /**< E, 1/kg: epsilon, and the contact's own */
+    double softness;       /**< 1/kg, the contact's own; epsilon is in the parameters */
     double adhesion;       /**< N: how hard a point may pull */
+    double restitution;    /**< 0..1; 0: points do not bounce */
+    double threshold;      /**< m/s: nor where they meet no faster than this */
     MeBool isCone;         /**< friction along both directions together has the primary coefficient */
     MeBool isOneWay;       /**< there is none along the secondary direction */
 } MdtKeaSurface;
 
-/** A point of a manifold. */
+/** A point of a manifold. The owner writes all but what is said to be Kea's. */
 typedef struct MdtKeaPoint {
-    double position[3]; /**< m */
-    double depth;       /**< m; negative: a gap */
-    double rebound;     /**< m/s: its normal velocity at the end of the step if it is hit; 0: it does not bounce */
-    double force[3];    /**< N, normal, primary, secondary: the answer; before, a guess at it */
+    double position[3]; /**< m, as the step begins */
+    double depth;       /**< m, as the step begins; negative: a gap */
+    double guess[3];    /**< N, normal, primary, secondary: of the last step or part of one; 0 where there was none */
+    double force[3];    /**< N, the same: the answer (MdtKeaSolve); of an impact, N s (MdtKeaImpact) */
+    double depthNow;    /**< m, as this part of the step begins (MdtKeaCountContactRows, of the exact solver) */
+    int numRows;        /**< rows that the exact solver makes of it (the same): 1 and friction. The owner may leave out
+                             friction, or all */
 } MdtKeaPoint;
 
-/** Contacts of two bodies that share a normal: what the fast solver takes instead of rows. World frame. */
+/** Contacts of two bodies that share a normal and a surface. World frame. The fast solver takes manifolds, the exact
+ *  one makes rows of them. */
 typedef struct MdtKeaManifold {
     MdtKeaBodyIndexPair body;
     int numPoints;
     double normal[3];    /**< unit, the way the first body is pushed */
     double direction[3]; /**< unit, primary, at right angles to the normal */
+    double radius[2];    /**< m, of the spheres that the two surfaces are there; 0: a corner, an edge, a face */
+    double rim[2];       /**< m, of circles that the two surfaces touch with instead; 0: none */
+    double axis[2][3];   /**< unit, of these; unused where there is none */
     MdtKeaSurface surface;
     const MdtKeaVelocity *worldVelocity; /**< null: none; of the world's part, as if it were a body at the origin */
     MdtKeaPoint point[MdtKeaMANIFOLDPOINTS];
@@ -191,9 +208,12 @@ typedef struct MdtKeaMove {
 } MdtKeaMove;
 typedef MdtKeaMove MdtKeaMovePair[2]; /**< the mean of start and end; the end */
 
-/** What holds for the whole system. Epsilon and gamma are in the rows already. */
+/** What holds for the whole system. Epsilon and gamma are in the rows that the owner fills already. */
 typedef struct MdtKeaParameters {
     double stepsize;   /**< s */
+    double elapsed;    /**< s, of the step before this part of it; 0: it begins */
+    double epsilon;    /**< 1/kg, of contacts */
+    double softening;  /**< by which a contact's own softness is multiplied, in a part of a step; else 1 */
     double gamma;      /**< the part of a position error that the step takes away, 0..1 */
     int maxIterations; /**< Newton iterations of the whole solve; 0: as many as it takes */
     double maxWork;    /**< multiplications of the whole solve, roughly; 0: as many as it takes */
@@ -246,8 +266,11 @@ typedef struct MdtKeaCache MdtKeaCache;
 typedef struct MdtKeaSystem {
     MdtKeaParameters parameters;
     int numBodies;
-    MdtKeaBody *const *bodies;  /**< numBodies pointers */
-    int maxRows;                /**< room for rows */
+    MdtKeaBody *const *bodies; /**< numBodies pointers */
+    int maxRows;               /**< room for rows, those of contacts included */
+    int maxContacts;           /**< room for points of manifolds that the exact solver makes rows of */
+    MdtKeaManifold *manifolds; /**< the owner's, for all parts of a step; the force of their points is written */
+    int numManifolds;
     MdtKeaErrorFn errors;       /**< may be null where no row is a position row */
     MdtKeaJacobianFn jacobians; /**< may be null: then J stays as it is */
     void *context;              /**< for both */
@@ -260,8 +283,6 @@ typedef struct MdtKeaSystem {
     MdtKeaRow *rows;                  /**< the owner fills rows[0..numRows), */
     MdtKeaMovePair *moves;            /**< and moves[i] of each rows[i] that moves */
     int numRows;
-    MdtKeaManifold *manifolds; /**< of the fast solver, the owner's; force of their points is written */
-    int numManifolds;
     MdtKeaReport report;     /**< set by MdtKeaSolve */
     struct MdtKeaWork *work; /**< Kea's own */
 } MdtKeaSystem;
@@ -272,16 +293,28 @@ MEPUBLIC MdtKeaCache *MEAPI MdtKeaCacheCreate(void);
 MEPUBLIC void MEAPI MdtKeaCacheDestroy(MdtKeaCache *cache);
 
 /** Bytes of scratch memory that a system of this size needs (MdtKeaInit). */
-MEPUBLIC size_t MEAPI MdtKeaScratchSize(int numBodies, int maxRows);
+MEPUBLIC size_t MEAPI MdtKeaScratchSize(int numBodies, int maxRows, int maxContacts);
 
 /**
  * Lays out the system's arrays in @a scratch, which is aligned to 16 bytes and of MdtKeaScratchSize bytes, and computes
- * poses, velocities and predictions. The bodies are only read. The arrays live as long as the scratch memory.
+ * poses, velocities and predictions. The bodies are only read. The arrays live as long as the scratch memory. It is
+ * called for each part of a step with the same memory, in which contacts keep how they are attached to their bodies.
  */
 MEPUBLIC void MEAPI MdtKeaInit(MdtKeaSystem *system, void *scratch);
 
 /**
- * Finds the forces of the system's rows, and where the bodies will be with them. Writes rows[i].force and the report.
+ * Measures the contacts of the manifolds as this part of the step begins, and writes how many rows each point needs;
+ * returns their sum. They are in no row yet: the owner may lower numRows of points. Of the fast solver's nothing is
+ * measured, and no rows will be made.
+ */
+MEPUBLIC int MEAPI MdtKeaCountContactRows(MdtKeaSystem *system);
+
+/** Writes those rows behind the owner's: of each point the normal, then friction. Nothing for the fast solver. */
+MEPUBLIC void MEAPI MdtKeaMakeContactRows(MdtKeaSystem *system);
+
+/**
+ * Finds the forces of the system's rows, and where the bodies will be with them. Writes rows[i].force, the force of
+ * the manifolds' points, and the report.
  * The bodies are only read, so a solve whose report says `violent` can be thrown away and repeated with a shorter step;
  * if it is kept, the position rows are met to first order. The answer is finite and within bounds as long as the rows
  * are finite.
@@ -315,7 +348,8 @@ MEPUBLIC int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *system);
 /**
  * An impact at the start of the step: changes the velocities of the bodies so that those that touch part with their
  * restitution times the speed with which they met, waves through rows of bodies and impacts at several points
- * included, never gaining energy. Writes the impulses, N s, into rows[i].force, and what it has cost into the report.
+ * included, never gaining energy. Writes the impulses, N s, into rows[i].force and the points' force, and what it has
+ * cost into the report.
  */
 MEPUBLIC void MEAPI MdtKeaImpact(MdtKeaSystem *system);
 

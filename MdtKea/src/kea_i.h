@@ -5,6 +5,7 @@
  *   exact/, a step by Newton's method to the tolerance:
  *     kea_step.c              one step: passes of linearization, then the velocity stage
  *     kea_scheme.c            where unknown velocities take the bodies, the momentum that is missing, its derivative
+ *     kea_contact.c           rows of contacts, from manifolds; kea_anchor.c: where these are
  *     kea_rows.c              linearization of rows; theta
  *     kea_newton.c            the inner problem: semismooth Newton on the bodies' side
  *     kea_friction.c          friction bounds between two of its solves
@@ -25,7 +26,8 @@
  *     kea_rates.c             rates of rows; which may reach a bound
  *     kea_residual.c          how far an answer is from the laws; converged
  *     kea_energy.c            kinetic energy, the one limiter
- *     kea_impact.c            impacts, the one law of restitution
+ *     kea_restitution.c       the law of restitution
+ *     kea_impact.c            impacts
  *     kea_project.c           bodies moved out of each other
  *     kea_rotation.c          inertia, free rotation
  */
@@ -70,6 +72,8 @@ typedef struct KeaDual {
 } KeaDual;
 
 typedef struct MdtKeaWork {
+    struct KeaContact *contact; /* exact/kea_contact_i.h; kept through the parts of a step */
+    int numContacts;
     KeaBody *body;
     KeaEnd *end;
     MdtKeaTransformation *endPose, *meanPose; /* by body */
@@ -85,7 +89,7 @@ typedef struct MdtKeaWork {
     double *keptP;         /* by row: impulses while the inner problem is lent */
     char *takesPart;
     int *acting, *placeOf; /* of impacts: the row of each of the problem's rows; by row: its place among these */
-    int *parent; /* by body, and one more */
+    int *parent;           /* by body, and one more */
     KeaProblem problem;
     KeaDual dual;
     MeBool hasLoops;     /* of joints */
@@ -111,6 +115,9 @@ double kea_leastEigenvalue(const double S[3][3]);
 void kea_eigen(double S[3][3], double V[3][3]);
 
 /* ---- kea_step.c ---- */
+
+/* Finds the forces of the system's rows, and where the bodies will be. */
+void kea_exactSolve(MdtKeaSystem *s);
 
 /* Sets the budget of what follows: this share of the whole solve's; of it, so many passes by sweeps are reserved for
  * when it runs out. */
@@ -157,6 +164,32 @@ void kea_recallRows(MdtKeaSystem *s);
 void kea_linearizeRows(MdtKeaSystem *s);
 /* Contacts that were thought out of reach and are reached. Returns whether there were any. */
 MeBool kea_admitContacts(MdtKeaSystem *s);
+
+/* ---- kea_contact.c ---- */
+
+/* Writes the forces of the rows that were made of contacts to the manifolds' points. */
+void kea_returnContacts(MdtKeaSystem *s);
+
+/* ---- kea_restitution.c ---- */
+
+/* How two sides come together along a direction. */
+typedef struct KeaApproach {
+    double rate, predicted; /* m/s, positive apart: now; at the end of the step without rows */
+    double fastest;         /* m/s: the least that it may become. Other contacts may hold either body at its velocity of
+                               now: of two that stand on each other, the lower one does not fall */
+    double acceleration;    /* m/s², in the last step */
+} KeaApproach;
+
+KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row);
+/* Along the manifold's normal; arms are from the bodies' centres, or the world's origin, to the point. */
+KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]);
+/* Whether the sides touch, or may within the step. */
+MeBool kea_mayTouch(const MdtKeaSystem *s, const KeaApproach *a, double gap);
+/* m/s, the velocity apart: after an impact; at the end of the step, 0 where it is not hit. */
+double kea_reboundOfImpact(double restitution, double threshold, double speed, double gate);
+double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double restitution, double threshold);
+/* Writes which rows bounce in this step, and how fast. */
+void kea_setRebounds(MdtKeaSystem *s);
 
 /* ---- kea_rates.c ---- */
 

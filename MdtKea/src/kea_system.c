@@ -2,6 +2,8 @@
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
+#include "exact/kea_contact_i.h"
+#include "fast/kea_fast_i.h"
 #include <stdint.h>
 #include <string.h>
 
@@ -17,6 +19,7 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     s->work = work;
     if (!work)
         work = &measured;
+    work->contact = kea_carve(arena, (size_t)s->maxContacts, sizeof *work->contact);
     work->body = kea_carve(arena, n, sizeof *work->body);
     work->end = kea_carve(arena, n, sizeof *work->end);
     work->endPose = kea_carve(arena, n, sizeof *work->endPose);
@@ -48,11 +51,12 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     kea_problemLayOut(&work->problem, s->numBodies, s->maxRows, arena);
 }
 
-size_t MEAPI MdtKeaScratchSize(int numBodies, int maxRows) {
+size_t MEAPI MdtKeaScratchSize(int numBodies, int maxRows, int maxContacts) {
     MdtKeaSystem s;
     memset(&s, 0, sizeof s);
     s.numBodies = numBodies > 0 ? numBodies : 0;
     s.maxRows = maxRows > 0 ? maxRows : 0;
+    s.maxContacts = maxContacts > 0 ? maxContacts : 0;
     KeaArena measure = {NULL, 0};
     layOut(&s, &measure);
     return measure.used;
@@ -61,7 +65,8 @@ size_t MEAPI MdtKeaScratchSize(int numBodies, int maxRows) {
 int MEAPI MdtKeaMemoryRequired(const int num_rows_exc_padding[], int num_partitions, int max_rows, int max_bodies) {
     size_t most = 0;
     for (int i = 0; i < num_partitions; i++) {
-        const size_t bytes = MdtKeaScratchSize(max_bodies, num_rows_exc_padding ? num_rows_exc_padding[i] : max_rows);
+        const int rows = num_rows_exc_padding ? num_rows_exc_padding[i] : max_rows;
+        const size_t bytes = MdtKeaScratchSize(max_bodies, rows, rows);
         most = bytes > most ? bytes : most;
     }
     return most > (size_t)INT32_MAX ? INT32_MAX : (int)most;
@@ -100,6 +105,7 @@ void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
     s->numRows = 0;
     memset(&s->report, 0, sizeof s->report);
     layOut(s, &arena);
+    s->work->numContacts = 0;
     for (int i = 0; i < s->numBodies; i++) {
         const MdtKeaBody *body = s->bodies[i];
         setPose(&s->pose[i], body->position, body->quaternion);
@@ -109,6 +115,20 @@ void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
         kea_inverseInertia(body, body->quaternion, s->invMass[i].inertia);
         predict(s, i);
     }
+}
+
+void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
+    MEASSERT(s->parameters.stepsize > 0 && s->parameters.gamma >= 0 && s->parameters.gamma <= 1);
+    MEASSERT(s->numRows >= 0 && s->numRows <= s->maxRows);
+    memset(&s->report, 0, sizeof s->report);
+    s->report.event = s->parameters.stepsize;
+    kea_setRebounds(s);
+    if (s->parameters.solver == MdtKeaSolverFast) {
+        kea_fastSolve(s);
+        return;
+    }
+    kea_exactSolve(s);
+    kea_returnContacts(s);
 }
 
 /* Within the range of MeReal, which programs read the state in; false for NaN. */

@@ -5,6 +5,7 @@
 #include "MdtKeaMath.h"
 #include "MeMath.h"
 #include "karma_test.h"
+#include <stdlib.h>
 #include <string.h>
 
 static const double small = 1e-6; /* of a finite difference: errors of 1e-12 of curvature, 1e-10 of rounding */
@@ -61,7 +62,6 @@ static void setPoses(Scene *s, double t) {
         poseAt(&s->body[k], t, &s->pose[k]);
         s->context.pose[k] = &s->pose[k];
         s->context.velocity[k] = s->context.predicted[k] = &s->body[k].velocity;
-        s->context.acceleration[k] = &MdtBclWorldVelocity;
         s->context.invMass[k] = &MdtBclWorldInvMass;
         s->context.body[k] = k;
     }
@@ -576,36 +576,69 @@ static double slideOf(const Scene *s, const double place[3], const double along[
     return keaDot(moved[0], along) / (2 * small);
 }
 
-static void randomContact(MdtBclContact *contact, MdtBclContactParams *params) {
-    memset(contact, 0, sizeof *contact);
-    MdtBclContactParamsReset(params);
-    params->type = MdtContactTypeFriction2D;
-    contact->params = params;
-    vector(contact->position, 2);
-    vector(contact->normal, 1);
-    vector(contact->direction, 1);
-    keaScale(contact->normal, 1 / keaLength(contact->normal), contact->normal);
-    keaAddScaled(contact->direction, -keaDot(contact->direction, contact->normal), contact->normal);
-    keaScale(contact->direction, 1 / keaLength(contact->direction), contact->direction);
-    contact->penetration = .25;
+static void randomContact(MdtKeaManifold *m) {
+    MdtBclContactParams params;
+    MdtBclContactParamsReset(&params);
+    params.type = MdtContactTypeFriction2D;
+    memset(m, 0, sizeof *m);
+    MdtBclContactSurface(&params, &m->surface);
+    m->body[1] = m->numPoints = 1;
+    vector(m->point[0].position, 2);
+    vector(m->normal, 1);
+    vector(m->direction, 1);
+    keaScale(m->normal, 1 / keaLength(m->normal), m->normal);
+    keaAddScaled(m->direction, -keaDot(m->direction, m->normal), m->normal);
+    keaScale(m->direction, 1 / keaLength(m->direction), m->direction);
+    m->point[0].depth = .25;
+}
+
+static void keaBodyOf(const Body *from, MdtKeaBody *to) {
+    memset(to, 0, sizeof *to);
+    keaCopy(to->position, from->position);
+    memcpy(to->quaternion, from->quaternion, sizeof to->quaternion);
+    keaCopy(to->velocity, from->velocity.lin);
+    to->invMass = to->principal[0] = 1;
+    to->moments[0] = to->moments[1] = to->moments[2] = 1;
+    MdtKeaBodySetAngularVelocity(to, from->velocity.ang);
+}
+
+/* The exact solver's rows. */
+static void contactRows(const Scene *scene, MdtKeaManifold *m, MdtKeaRow rows[3]) {
+    MdtKeaBody bodies[2], *const pointers[2] = {&bodies[0], &bodies[1]};
+    MdtKeaSystem kea;
+    void *scratch = malloc(MdtKeaScratchSize(2, 3, 1));
+    for (int k = 0; k < 2; k++)
+        keaBodyOf(&scene->body[k], &bodies[k]);
+    memset(&kea, 0, sizeof kea);
+    kea.parameters.stepsize = 1. / 60;
+    kea.parameters.gamma = .2;
+    kea.numBodies = 2;
+    kea.bodies = pointers;
+    kea.maxRows = 3;
+    kea.maxContacts = kea.numManifolds = 1;
+    kea.manifolds = m;
+    MdtKeaInit(&kea, scratch);
+    ck_assert_int_eq(MdtKeaCountContactRows(&kea), 3);
+    MdtKeaMakeContactRows(&kea);
+    ck_assert_int_eq(kea.numRows, 3);
+    memcpy(rows, kea.rows, 3 * sizeof *rows);
+    free(scratch);
 }
 
 START_TEST(contacts_and_friction) {
     for (int trial = 0; trial < TRIALS; trial++) {
         Scene s;
+        MdtKeaManifold m;
+        double across[3];
         seed = 4321 + (unsigned long long)trial;
         makeScene(&s, MdtBclBSJOINT, NULL); /* for its bodies */
-        MdtBclContactParams params;
-        MdtBclContact contact;
-        double across[3];
-        randomContact(&contact, &params);
-        keaCross(across, contact.normal, contact.direction);
-        const double *along[3] = {contact.normal, contact.direction, across};
-        ck_assert_int_eq(MdtBclContactPrepare(&contact, &s.context), 3);
-        MdtBclContactFill(&contact, &s.context, s.rows);
+        randomContact(&m);
+        keaCross(across, m.normal, m.direction);
+        const double *along[3] = {m.normal, m.direction, across};
+        contactRows(&s, &m, s.rows);
         for (int i = 0; i < 3; i++)
-            assert_near(rateOf(&s, &s.rows[i]), slideOf(&s, contact.position, along[i]), tolerance);
-        assert_near(s.rows[0].error, -contact.penetration, TOL(2e-6, 2e-14)); /* but for the rounding of places */
+            assert_near(rateOf(&s, &s.rows[i]), slideOf(&s, m.point[0].position, along[i]), tolerance);
+        assert_near(s.rows[0].error, -m.point[0].depth, TOL(2e-6, 2e-14)); /* but for the rounding of places */
     }
 }
 END_TEST

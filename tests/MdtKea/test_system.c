@@ -86,7 +86,7 @@ static void begin(Scene *scene, int numBodies, int maxRows, double stepsize, int
     scene->s.cache = MdtKeaCacheCreate();
     scene->s.parameters.stepsize = stepsize;
     scene->s.parameters.gamma = 0.2;
-    scene->size = MdtKeaScratchSize(numBodies, maxRows);
+    scene->size = MdtKeaScratchSize(numBodies, maxRows, 0);
     scene->block = aligned_alloc(16, (scene->size + 2 * GUARD + 15) & ~(size_t)15);
     memset(scene->block, garbage, scene->size + 2 * GUARD);
     memset(scene->block, 0x5a, GUARD);
@@ -1197,8 +1197,8 @@ END_TEST
 
 START_TEST(memory_required_is_that_of_the_largest_partition) {
     const int rows[] = {3, 30, 12};
-    ck_assert_int_eq(MdtKeaMemoryRequired(rows, 3, 30, 5), (int)MdtKeaScratchSize(5, 30));
-    ck_assert_int_eq(MdtKeaMemoryRequired(NULL, 1, 12, 5), (int)MdtKeaScratchSize(5, 12));
+    ck_assert_int_eq(MdtKeaMemoryRequired(rows, 3, 30, 5), (int)MdtKeaScratchSize(5, 30, 30));
+    ck_assert_int_eq(MdtKeaMemoryRequired(NULL, 1, 12, 5), (int)MdtKeaScratchSize(5, 12, 12));
     ck_assert_int_eq(MdtKeaMemoryRequired(rows, 0, 30, 5), 0);
 }
 END_TEST

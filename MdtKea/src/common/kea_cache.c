@@ -26,8 +26,8 @@ struct MdtKeaCache {
     KeaBlock structures;
     size_t end; /* of the last structure */
     KeaNumbers numbers;
-    KeaBlock sizes; /* of the nodes of a graph of bodies: 6 each, */
-    int numSizes;   /* so many are written */
+    KeaBlock sizes;                   /* of the nodes of a graph of bodies: 6 each, */
+    int numSizes;                     /* so many are written */
     KeaBlock passes[KEA_PASS_BLOCKS]; /* scratch of the fast solver */
 };
 

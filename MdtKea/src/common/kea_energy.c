@@ -26,8 +26,8 @@ double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*
 
 static double startEnergy(const MdtKeaSystem *s, int b) {
     const MdtKeaBody *body = s->bodies[b];
-    return 0.5 * (keaDot(body->velocity, body->velocity) / body->invMass +
-                  keaDot(body->angularMomentum, s->velocity[b].ang));
+    return 0.5 *
+           (keaDot(body->velocity, body->velocity) / body->invMass + keaDot(body->angularMomentum, s->velocity[b].ang));
 }
 
 static double workOfLoads(const MdtKeaSystem *s, int b) {

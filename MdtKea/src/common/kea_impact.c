@@ -1,7 +1,6 @@
-/* Impacts: what changes velocities in an instant, by the one law of restitution.
+/* Impacts: what changes velocities in an instant, by the law of restitution (kea_restitution.c).
  *
- * A contact that meets with the speed u leaves with e u, where e is its restitution and u is above its threshold; else
- * with 0 (restitutionSpeed). Impacts go by rounds (generalized reflections: Smith et al., Reflections on Simultaneous
+ * They go by rounds (generalized reflections: Smith et al., Reflections on Simultaneous
  * Impact, 2012): all contacts that meet are reflected at once, and again while some still meet. That brings the last
  * ball of a cradle out alone and keeps a flat box from turning. A round that gains energy is blended with the plastic
  * one (kea_energy.c).
@@ -199,7 +198,7 @@ static void keepImpulses(MdtKeaSystem *s) {
             s->rows[s->work->acting[k]].force += q->row[k].p;
 }
 
-/* ---- the law of restitution ---- */
+/* ---- what meets ---- */
 
 /* kg */
 static double totalMass(const MdtKeaSystem *s) {
@@ -220,12 +219,6 @@ MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* m/s: the speed with which what meets at `speed` leaves. */
-static double restitutionSpeed(const MdtKeaRow *row, double speed, double gate) {
-    MEASSERT(row->restitution >= 0 && row->restitution <= 1);
-    return speed > keaMax(row->threshold, gate) ? row->restitution * speed : 0;
-}
-
 /* Which touching contacts meet faster than `slowest`, the speeds with which they leave, and whether any of them
  * rebounds. */
 static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double target[], char takesPart[]) {
@@ -238,7 +231,7 @@ static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double
             continue;
         const double speed = -kea_startRate(s, i);
         takesPart[i] = speed > slowest;
-        target[i] = takesPart[i] ? restitutionSpeed(row, speed, gate) : 0;
+        target[i] = takesPart[i] ? kea_reboundOfImpact(row->restitution, row->threshold, speed, gate) : 0;
         rebounds = rebounds || target[i] > 0;
     }
     return rebounds;
@@ -300,5 +293,6 @@ void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
     takeRound(s, target, takesPart);
     MEASSERT(!(energyWith(s, NULL) > before * (1 + kea_assertedRounding)));
     commitVelocities(s);
+    kea_returnContacts(s);
     kea_reportWork(s);
 }

@@ -342,4 +342,23 @@ enum { KEA_MANIFOLD_VISIT = 300, KEA_MANIFOLD_PREPARATION = 1200 };
 /* Factors that a world keeps: partitions that look alike share one. No test tells: fewer are found anew more often. */
 enum { KEA_MAX_FACTORS = 64 };
 
+/* ---- contacts as they come ---- */
+
+/* Of coordinates: half a unit of the last digit of MeReal, in which collision sees the bodies' transforms. */
+#ifdef _ME_API_DOUBLE
+static const double kea_poseRounding = 1.2e-16;
+#else
+static const double kea_poseRounding = 6e-8;
+#endif
+/* Of lengths: directions may have come in single precision. */
+static const double kea_unitRounding = 1e-5;
+/* Of a ball's radius: a centre that is so near to its body's does not move when that turns. Collision gives normals and
+ * radii in MeReal, and so this centre to some 1e-7 of the radius. */
+static const double kea_centredBall = 1e-6;
+/* rad, sqrt(2 DBL_EPSILON): the square of a smaller turn, over 2, is lost in rounding. */
+static const double kea_leastTurn = 2.1e-8;
+/* Of the change of an approach by one step's own acceleration: a body that fell for just one step must not seem faster
+ * by rounding. */
+static const double kea_ownChangeMargin = 1.1;
+
 #endif

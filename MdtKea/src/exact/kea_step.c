@@ -13,7 +13,6 @@
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
-#include "fast/kea_fast_i.h"
 #include <string.h>
 
 /* ---- budget ---- */
@@ -379,20 +378,12 @@ static void fly(MdtKeaSystem *s) {
     kea_reportWork(s);
 }
 
-void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
+void kea_exactSolve(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    MEASSERT(s->parameters.stepsize > 0 && s->parameters.gamma >= 0 && s->parameters.gamma <= 1);
-    MEASSERT(s->numRows >= 0 && s->numRows <= s->maxRows);
-    memset(&s->report, 0, sizeof s->report);
     memset(&q->counts, 0, sizeof q->counts);
-    s->report.event = s->parameters.stepsize;
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
     s->report.least = workOfLinearization(s);
-    if (s->parameters.solver == MdtKeaSolverFast) {
-        kea_fastSolve(s);
-        return;
-    }
     kea_beginBodies(s);
     if (s->parameters.timed)
         kea_timedBegin(s);

@@ -369,10 +369,19 @@ static void report(Step *p) {
     r->work = r->iterations * workOfPass(p) + workBeside(p);
 }
 
+static void clearForces(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numManifolds; i++)
+        for (int k = 0; k < s->manifolds[i].numPoints; k++)
+            keaZero(s->manifolds[i].point[k].force);
+    for (int i = 0; i < s->numRows; i++)
+        s->rows[i].force = 0;
+}
+
 void kea_fastSolve(MdtKeaSystem *s) {
     Step p = {.s = s, .kernel = kernelOfMachine()};
     if (!begin(&p)) {
         s->report.capped = METRUE;
+        clearForces(s);
         for (int i = 0; i < s->numBodies; i++)
             s->work->body[i].isFree = METRUE;
         kea_moveFreely(s);

@@ -58,20 +58,32 @@ static double sizeOf(const MdtKeaSystem *s, const MdtKeaManifold *m) {
     return size;
 }
 
+static double softnessOf(const MdtKeaSystem *s, const MdtKeaManifold *m) {
+    return s->parameters.epsilon + s->parameters.softening * m->surface.softness;
+}
+
 /* A compliance that is small against the masses is not felt as a velocity, but as the sag E F h² / gamma; a larger one
  * is solved for, and then its correction is a velocity, too. */
 static MeBool isSoft(const MdtKeaSystem *s, const MdtKeaManifold *m) {
     double mobility = 0;
     for (int k = 0; k < 2; k++)
         mobility += m->body[k] >= 0 ? s->invMass[m->body[k]].mass : 0;
-    return m->surface.softness > kea_softShare * mobility;
+    return softnessOf(s, m) > kea_softShare * mobility;
+}
+
+static KeaApproach approachOf(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *point) {
+    static const double noPlace[3];
+    double arm[2][3];
+    for (int k = 0; k < 2; k++)
+        keaSubtract(arm[k], point->position, m->body[k] >= 0 ? s->pose[m->body[k]].pos : noPlace);
+    return kea_approachOfPoint(s, m, (const double(*)[3])arm);
 }
 
 static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, int k, KeaGroup *g, int lane) {
     const MdtKeaPoint *point = &m->point[k];
     const double h = s->parameters.stepsize, gamma = s->parameters.gamma;
     const MeBool soft = g->correction[lane] == 0;
-    const double sag = soft || gamma == 0 ? 0 : m->surface.softness * h * h * keaMax(point->force[0], 0) / gamma;
+    const double sag = soft || gamma == 0 ? 0 : softnessOf(s, m) * h * h * keaMax(point->guess[0], 0) / gamma;
     const double along = g->isOneWay[lane] ? 0 : p->x[k];
     g->isPoint[k][lane] = -1;
     g->x[k][lane] = (float)p->x[k];
@@ -79,31 +91,52 @@ static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patc
     g->gap[k][lane] = (float)-point->depth;
     g->sag[k][lane] = (float)(sag + kea_restingDepth * sizeOf(s, m));
     g->target[k][lane] = point->depth < 0 ? (float)(point->depth / h) : soft ? (float)(gamma * point->depth / h) : 0;
-    g->rebound[k][lane] = (float)point->rebound;
     g->lever[k][lane] = (float)sqrt(along * along + p->y[k] * p->y[k]);
-    g->impulse[k][lane] = (float)(h * keaMax(point->force[0], -m->surface.adhesion));
+    g->impulse[k][lane] = (float)(h * keaMax(point->guess[0], -m->surface.adhesion));
+}
+
+static void fillRebounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup *g, int lane) {
+    for (int k = 0; k < m->numPoints && m->surface.restitution > 0; k++) {
+        const KeaApproach a = approachOf(s, m, &m->point[k]);
+        g->rebound[k][lane] =
+            (float)kea_reboundInStep(s, &a, -m->point[k].depth, m->surface.restitution, m->surface.threshold);
+    }
+}
+
+/* Friction that does not depend on the normal force acts where bodies touch in this step: N, N m, of both directions,
+ * and about the normal. */
+static void fillBounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup *g, int lane) {
+    const double h = s->parameters.stepsize, *bound = m->surface.bound;
+    double count = 0, lever = 0;
+    for (int k = 0; k < m->numPoints && (bound[0] > 0 || bound[1] > 0); k++) {
+        const KeaApproach a = approachOf(s, m, &m->point[k]);
+        if (!kea_mayTouch(s, &a, -m->point[k].depth))
+            continue;
+        count += 1;
+        lever += (double)g->lever[k][lane];
+    }
+    for (int i = 0; i < 2; i++)
+        g->bound[i][lane] = count > 0 ? bounded(h * count * bound[i]) : 0;
+    g->boundTwist[lane] = lever > 0 ? bounded(h * lever * bound[0]) : 0;
 }
 
 /* Friction as it was: of all points at the centre, and about the normal. */
 static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, KeaGroup *g, int lane) {
     const double h = s->parameters.stepsize;
-    double twist = 0, rub[2] = {0, 0}, moment = 0;
+    double twist = 0, rub[2] = {0, 0};
     for (int k = 0; k < m->numPoints; k++) {
-        const double *force = m->point[k].force;
+        const double *guess = m->point[k].guess;
         for (int i = 0; i < 2; i++)
-            rub[i] += force[1 + i];
-        twist += p->x[k] * force[2] - p->y[k] * force[1];
-        moment += m->surface.bound[0] * (double)g->lever[k][lane];
+            rub[i] += guess[1 + i];
+        twist += p->x[k] * guess[2] - p->y[k] * guess[1];
     }
     for (int i = 0; i < 2; i++) {
         g->rub[i][lane] = (float)(h * rub[i]);
         g->coefficient[i][lane] = bounded(m->surface.coefficient[i]);
-        g->bound[i][lane] = bounded(h * m->numPoints * m->surface.bound[i]);
         g->slip[i][lane] = (float)(m->surface.slip[i] / (h * m->numPoints));
         g->slide[i][lane] = (float)m->surface.slide[i];
     }
     g->twist[lane] = (float)(h * twist);
-    g->boundTwist[lane] = bounded(h * moment);
     g->isCone[lane] = m->surface.isCone ? -1 : 0;
 }
 
@@ -115,12 +148,14 @@ static void fillLane(const MdtKeaSystem *s, const MdtKeaManifold *m, float corre
     for (int k = 0; k < 2; k++)
         fillBody(s, m, &p, k, g, lane);
     const MeBool soft = isSoft(s, m);
-    g->compliance[lane] = soft ? (float)m->surface.softness : 0;
+    g->compliance[lane] = soft ? (float)softnessOf(s, m) : 0;
     g->correction[lane] = soft ? 0 : correction;
     g->least[lane] = -bounded(s->parameters.stepsize * m->surface.adhesion);
     g->isOneWay[lane] = m->surface.isOneWay ? -1 : 0;
     for (int k = 0; k < m->numPoints; k++)
         fillPoint(s, m, &p, k, g, lane);
+    fillRebounds(s, m, g, lane);
+    fillBounds(s, m, g, lane);
     fillFriction(s, m, &p, g, lane);
 }
 

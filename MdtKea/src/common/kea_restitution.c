@@ -1,0 +1,95 @@
+/* The law of restitution.
+ *
+ * A contact or a stop that meets with the speed u leaves with e u, where u is above its threshold; else with 0. That
+ * is asked
+ *
+ *   of an impact, which is met when it happens: u is the speed of that moment, and must be above a gate too;
+ *   of a step that it happens in: if the bodies come together in it, faster than one step's own acceleration explains
+ *   (what rests on something would else rattle), e u is the velocity at the step's end.  u² = rate² + 2 gap a: the
+ *   speed when the gap is closed, with the acceleration a of the last step.
+ */
+#include "kea_i.h"
+#include "MeAssert.h"
+#include "common/kea_policy_i.h"
+
+/* ---- how two sides come together ---- */
+
+static double along(const MdtKeaJBlock *J, const MdtKeaVelocity *v) {
+    return keaDot(J->lin, v->lin) + keaDot(J->ang, v->ang);
+}
+
+static void addBody(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, KeaApproach *a) {
+    const double now = along(J, &s->velocity[body]), then = along(J, &s->predicted[body]);
+    a->rate += now;
+    a->predicted += then;
+    a->fastest += keaMin(now, then);
+    a->acceleration += along(J, &s->bodies[body]->lastStep);
+}
+
+static void addWorld(double rate, KeaApproach *a) {
+    a->rate += rate;
+    a->predicted += rate;
+    a->fastest += rate;
+}
+
+KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    KeaApproach a = {0, 0, 0, 0};
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            addBody(s, row->body[k], &row->J[k], &a);
+    addWorld(-row->drift, &a);
+    return a;
+}
+
+KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
+    KeaApproach a = {0, 0, 0, 0};
+    for (int k = 0; k < 2; k++) {
+        MdtKeaJBlock J;
+        keaScale(J.lin, k == 0 ? 1 : -1, m->normal);
+        keaCross(J.ang, arm[k], J.lin);
+        if (m->body[k] >= 0)
+            addBody(s, m->body[k], &J, &a);
+        else if (m->worldVelocity)
+            addWorld(along(&J, m->worldVelocity), &a);
+    }
+    return a;
+}
+
+MeBool kea_mayTouch(const MdtKeaSystem *s, const KeaApproach *a, double gap) {
+    return gap <= 0 || s->parameters.stepsize * a->fastest < -gap;
+}
+
+/* ---- the law ---- */
+
+double kea_reboundOfImpact(double restitution, double threshold, double speed, double gate) {
+    MEASSERT(restitution >= 0 && restitution <= 1);
+    return speed > keaMax(threshold, gate) ? restitution * speed : 0;
+}
+
+/* m/s: by how much the rate changes in one step without an impact: by loads, or as it did in the last step, which knows
+ * the other constraints. */
+static double ownChange(const MdtKeaSystem *s, const KeaApproach *a) {
+    const double loads = fabs(a->predicted - a->rate), before = s->parameters.stepsize * fabs(a->acceleration);
+    return kea_ownChangeMargin * keaMax(loads, before);
+}
+
+double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double restitution,
+                         double threshold) {
+    const MeBool isHit = gap + s->parameters.stepsize * a->predicted < 0;
+    MEASSERT(isfinite(a->rate) && isfinite(a->acceleration));
+    if (!(restitution > 0) || !isHit || !(a->rate < -keaMax(threshold, ownChange(s, a))))
+        return 0;
+    return restitution * sqrt(a->rate * a->rate + 2 * keaMax(gap, 0) * keaMax(-a->acceleration, 0));
+}
+
+void kea_setRebounds(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++) {
+        MdtKeaRow *row = &s->rows[i];
+        row->rebound = 0;
+        if (row->restitution > 0) {
+            const KeaApproach a = kea_approachOfRow(s, row);
+            row->rebound = kea_reboundInStep(s, &a, row->error, row->restitution, row->threshold);
+        }
+        row->bounces = row->rebound > 0;
+    }
+}

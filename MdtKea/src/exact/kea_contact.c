@@ -1,0 +1,216 @@
+/* Rows of contacts (Dynamics guide ch. 3, "MdtContact").
+ *
+ * n is the normal, the way the first body is pushed; t1 the primary direction, t2 = n x t1 the secondary. With r_k
+ * from body k's centre to the contact, the row along d has J_0 = [d, r_0 x d], J_1 = -[d, r_1 x d]: its rate is the
+ * velocity of body 0 against body 1 along d.
+ *
+ *   normal:   φ = -depth.   J v⁺ >= γ depth / h where the bodies overlap, >= -gap / h where they do not, and what the
+ *             law of restitution asks (kea_restitution.c).   λ >= -adhesion.   E = ε + softness.
+ *   friction: J v⁺ = slide - slip λ, |λ| <= bound or μ λ_n.   E = slip / h, without ε: on a row without a position that
+ *             would be viscosity, and what friction holds would creep by h ε λ a second.
+ *             Cone, in both directions: λ_1² + λ_2² <= (μ λ_n)², with the primary coefficient.
+ *             Only where the bodies touch, or will within the step.
+ */
+#include "exact/kea_contact_i.h"
+#include "MeAssert.h"
+#include "common/kea_policy_i.h"
+#include <string.h>
+
+enum { PRIMARY = 1, SECONDARY = 2 };
+
+static MeBool hasFriction(const MdtKeaSurface *s, int direction) {
+    return s->coefficient[direction] > 0 || s->bound[direction] > 0;
+}
+
+/* ---- how many ---- */
+
+static int countDirections(int rubs) {
+    return !!(rubs & PRIMARY) + !!(rubs & SECONDARY);
+}
+
+static void countRows(const MdtKeaSystem *s, KeaContact *c) {
+    const MdtKeaSurface *surface = &c->manifold->surface;
+    kea_contactPlace(s, c);
+    const KeaApproach approach = kea_approachOfPoint(s, c->manifold, (const double(*)[3])c->arm);
+    const MeBool touches = kea_mayTouch(s, &approach, -c->depth);
+    c->rubs = touches ? hasFriction(surface, 0) * PRIMARY + hasFriction(surface, 1) * SECONDARY : 0;
+    c->at->depthNow = c->depth;
+    c->at->numRows = 1 + countDirections(c->rubs);
+}
+
+static int countOfFast(MdtKeaSystem *s) {
+    int rows = 0;
+    for (int i = 0; i < s->numManifolds; i++) {
+        const MdtKeaSurface *surface = &s->manifolds[i].surface;
+        const int each = 1 + hasFriction(surface, 0) + hasFriction(surface, 1);
+        for (int k = 0; k < s->manifolds[i].numPoints; k++)
+            s->manifolds[i].point[k].numRows = each;
+        rows += each * s->manifolds[i].numPoints;
+    }
+    return rows;
+}
+
+int MEAPI MdtKeaCountContactRows(MdtKeaSystem *s) {
+    int rows = 0, n = 0;
+    if (s->parameters.solver == MdtKeaSolverFast)
+        return countOfFast(s);
+    for (int i = 0; i < s->numManifolds; i++)
+        for (int k = 0; k < s->manifolds[i].numPoints; k++) {
+            KeaContact *c = &s->work->contact[n++];
+            c->manifold = &s->manifolds[i];
+            c->at = &s->manifolds[i].point[k];
+            countRows(s, c);
+            rows += c->at->numRows;
+        }
+    MEASSERT(n <= s->maxContacts);
+    s->work->numContacts = n;
+    return rows;
+}
+
+/* ---- what they are ---- */
+
+static void contactJacobian(const double arm[2][3], const double d[3], MdtKeaJBlock J[2]) {
+    for (int k = 0; k < 2; k++) {
+        keaScale(J[k].lin, k == 0 ? 1 : -1, d);
+        keaCross(J[k].ang, arm[k], J[k].lin);
+    }
+}
+
+/* m/s: the rate that a moving world alone gives a row. */
+static double worldRate(const KeaContact *c, const MdtKeaJBlock J[2]) {
+    const MdtKeaVelocity *v = c->manifold->worldVelocity;
+    double rate = 0;
+    for (int k = 0; k < 2; k++)
+        if (v && c->manifold->body[k] < 0)
+            rate += keaDot(J[k].lin, v->lin) + keaDot(J[k].ang, v->ang);
+    return rate;
+}
+
+/* What a moving world does is known, and goes to the target. */
+static void startRow(const KeaContact *c, const double d[3], int owner, double target, MdtKeaRow *row) {
+    memset(row, 0, sizeof *row);
+    for (int k = 0; k < 2; k++)
+        row->body[k] = c->manifold->body[k];
+    contactJacobian((const double(*)[3])c->arm, d, row->J);
+    row->drift = -worldRate(c, row->J);
+    row->target = target + row->drift;
+    row->lower = -HUGE_VAL;
+    row->upper = HUGE_VAL;
+    row->normal = row->partner = -1;
+    row->contact = c->firstRow;
+    row->moves = c->moves;
+    row->owner = owner;
+}
+
+static void normalRow(const MdtKeaSystem *s, const KeaContact *c, int owner, MdtKeaRow *row) {
+    const MdtKeaParameters *p = &s->parameters;
+    const MdtKeaSurface *surface = &c->manifold->surface;
+    const double aim = c->depth > 0 ? p->gamma * c->depth : c->depth; /* m, by the end of the part */
+    startRow(c, c->manifold->normal, owner, aim / p->stepsize, row);
+    row->error = -c->depth;
+    for (int k = 0; k < 2; k++)
+        row->radius[k] = c->manifold->radius[k];
+    row->restitution = surface->restitution;
+    row->threshold = surface->threshold;
+    row->softness = p->epsilon + p->softening * surface->softness;
+    row->lower = -surface->adhesion;
+    row->force = c->at->guess[0];
+    MEASSERT(row->lower <= 0 && row->softness >= 0);
+}
+
+static void directionOf(const KeaContact *c, int direction, double d[3]) {
+    if (direction == 0)
+        keaCopy(d, c->manifold->direction);
+    else
+        keaCross(d, c->manifold->normal, c->manifold->direction);
+    MEASSERT(fabs(keaDot(d, d) - 1) < kea_unitRounding);
+}
+
+static void frictionRow(const MdtKeaSystem *s, const KeaContact *c, int direction, int owner, MdtKeaRow *row) {
+    const MdtKeaSurface *surface = &c->manifold->surface;
+    double d[3];
+    directionOf(c, direction, d);
+    startRow(c, d, owner, surface->slide[direction], row);
+    row->softness = surface->slip[direction] / s->parameters.stepsize;
+    if (surface->coefficient[direction] > 0) {
+        row->normal = c->firstRow;
+        row->friction = surface->coefficient[direction];
+    } else {
+        row->upper = surface->bound[direction];
+        row->lower = -row->upper;
+    }
+}
+
+/* The friction of the last step turns with the contact, about the normal. */
+static void guessFriction(const KeaContact *c, MdtKeaRow rows[]) {
+    const double *guess = c->at->guess, angle = c->moves ? keaDot(c->turn, c->manifold->normal) : 0;
+    const double cosine = cos(angle), sine = sin(angle);
+    if (c->rubs == (PRIMARY | SECONDARY)) {
+        rows[0].force = cosine * guess[1] - sine * guess[2];
+        rows[1].force = sine * guess[1] + cosine * guess[2];
+    } else {
+        rows[0].force = guess[c->rubs == PRIMARY ? 1 : 2];
+    }
+}
+
+/* The rows' Jacobians in the middle and at the end of the part. */
+static void moveRows(MdtKeaSystem *s, const KeaContact *c, int count) {
+    static const double share[2] = {0.5, 1};
+    for (int k = 0; k < 2; k++) {
+        double arm[2][3];
+        kea_contactArms(s, c, share[k], arm);
+        for (int r = 0; r < count; r++) {
+            const MdtKeaRow *row = &s->rows[c->firstRow + r];
+            MdtKeaMove *move = &s->moves[c->firstRow + r][k];
+            contactJacobian((const double(*)[3])arm, row->J[0].lin, move->J);
+            move->rate = worldRate(c, move->J) - worldRate(c, row->J);
+        }
+    }
+}
+
+static void makeRows(MdtKeaSystem *s, KeaContact *c, int owner) {
+    const MdtKeaSurface *surface = &c->manifold->surface;
+    MdtKeaRow *rows = &s->rows[s->numRows];
+    c->rubs = c->at->numRows > 1 ? c->rubs : 0;
+    c->firstRow = s->numRows;
+    if (c->at->numRows == 0)
+        return;
+    normalRow(s, c, owner, rows);
+    int count = 1;
+    for (int direction = 0; direction < 2; direction++)
+        if (c->rubs & (direction == 0 ? PRIMARY : SECONDARY))
+            frictionRow(s, c, direction, owner, &rows[count++]);
+    if (c->rubs == (PRIMARY | SECONDARY) && surface->isCone) {
+        rows[1].partner = s->numRows + 2;
+        rows[2].partner = s->numRows + 1;
+    }
+    if (count > 1)
+        guessFriction(c, rows + 1);
+    s->numRows += count;
+    MEASSERT(count == c->at->numRows && s->numRows <= s->maxRows);
+    if (c->moves)
+        moveRows(s, c, count);
+}
+
+void MEAPI MdtKeaMakeContactRows(MdtKeaSystem *s) {
+    if (s->parameters.solver == MdtKeaSolverFast)
+        return;
+    for (int i = 0; i < s->work->numContacts; i++)
+        makeRows(s, &s->work->contact[i], -1 - i); /* owners of joints are counted from 0 */
+}
+
+/* ---- and back ---- */
+
+void kea_returnContacts(MdtKeaSystem *s) {
+    for (int i = 0; i < s->work->numContacts; i++) {
+        const KeaContact *c = &s->work->contact[i];
+        int row = c->firstRow;
+        keaZero(c->at->force);
+        if (c->at->numRows == 0)
+            continue;
+        c->at->force[0] = s->rows[row++].force;
+        for (int direction = 0; direction < 2; direction++)
+            if (c->rubs & (direction == 0 ? PRIMARY : SECONDARY))
+                c->at->force[1 + direction] = s->rows[row++].force;
+    }
+}
