@@ -163,7 +163,7 @@ static double loadRatio(const Step *p) {
     for (int i = 0; i < s->numManifolds; i++)
         for (int k = 0; k < 2; k++)
             for (int n = 0; n < s->manifolds[i].numPoints && s->manifolds[i].body[k] >= 0; n++)
-                p->change[s->manifolds[i].body[k]][0] += keaMax(s->manifolds[i].point[n].force[0], 0);
+                p->change[s->manifolds[i].body[k]][0] += keaMax(s->manifolds[i].point[n].guess[0], 0);
     for (int i = 0; i < s->numBodies; i++) {
         double load[3];
         keaSubtract(load, s->predicted[i].lin, s->velocity[i].lin);
