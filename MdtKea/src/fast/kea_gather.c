@@ -9,12 +9,38 @@ typedef struct Patch {
     double centre[3], across[3], x[KEA_POINTS], y[KEA_POINTS];
 } Patch;
 
+/* Makes the sum 1; false where it is 0. */
+static MeBool normalize(double share[], int count) {
+    double sum = 0;
+    for (int k = 0; k < count; k++)
+        sum += share[k];
+    for (int k = 0; k < count && sum > 0; k++)
+        share[k] /= sum;
+    return sum > 0;
+}
+
+/* The share of each point in the load: as in the last step; of a new manifold, the same for all that touch. */
+static void setShares(const MdtKeaManifold *m, double share[KEA_POINTS]) {
+    for (int k = 0; k < m->numPoints; k++)
+        share[k] = keaMax(m->point[k].guess[0], 0);
+    if (normalize(share, m->numPoints))
+        return;
+    for (int k = 0; k < m->numPoints; k++)
+        share[k] = m->point[k].depth >= 0;
+    if (normalize(share, m->numPoints))
+        return;
+    for (int k = 0; k < m->numPoints; k++)
+        share[k] = 1 / (double)m->numPoints;
+}
+
+/* Friction acts at the centre: where the load is, so that a point that carries nothing gives it no lever. */
 static void setPatch(const MdtKeaManifold *m, Patch *p) {
-    const double share = 1 / (double)m->numPoints;
+    double share[KEA_POINTS];
+    setShares(m, share);
     keaZero(p->centre);
     keaCross(p->across, m->normal, m->direction);
     for (int k = 0; k < m->numPoints; k++)
-        keaAddScaled(p->centre, share, m->point[k].position);
+        keaAddScaled(p->centre, share[k], m->point[k].position);
     for (int k = 0; k < m->numPoints; k++) {
         double off[3];
         keaSubtract(off, m->point[k].position, p->centre);
