@@ -64,6 +64,7 @@ static void discFace(const McdShape *s, const double d[3], double radius, double
     double centre[3], u[3], w[3];
     mcd_shapeDirection(s, 0, 0, side, f->normal);
     f->id = side > 0;
+    f->isDisc = METRUE;
     mcd_mad(centre, s->place, height, s->axis[2]);
     mcd_scale(u, s->axis[0], radius);
     mcd_scale(w, s->axis[1], side * radius);

@@ -11,6 +11,10 @@
 /* What rounding does to places, relative to the smaller shape: corners that stand out by less are inside, separations
  * that differ by less are the same. Depths are promised to 1e-6. */
 static const double slack = 2e-7;
+/* Of the pair's size, and of how much deeper one corner of a face is than another: corners that are so near to the
+ * deepest may carry. Without the first, what lies flat would change its four corners with each step's rounding; without
+ * the second, a box that leans on an edge keeps one end of it, and rocks from one to the other for ever. */
+static const double carryingShare = 1e-3, tiltShare = 0.25;
 /* What preferring a face over a slightly better normal does to separations. */
 static const double preference = 1e-5;
 /* Lines that cross at less than this angle touch along a length. */
@@ -60,6 +64,7 @@ void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
     f->count = 0;
     f->id = 0;
     f->bend = 0;
+    f->isDisc = MEFALSE;
     mcd_set(f->normal, 0, 0, 0);
     s->kind->face(s, direction, f);
     MEASSERT(f->count >= 1 && f->count <= MCD_FACE_POINTS);
@@ -334,6 +339,11 @@ static Candidate middleOf(const Candidate *candidate, int count) {
     return middle;
 }
 
+/* Twice the area of a triangle; negative: clockwise. */
+static double areaOf(const Candidate *a, const Candidate *b, const Candidate *c) {
+    return (b->x - a->x) * (c->y - a->y) - (b->y - a->y) * (c->x - a->x);
+}
+
 /* The farthest on either side of the line of two; -1: there is none. */
 static void farthestBeside(const Candidate *candidate, int count, const Candidate *first, const Candidate *second,
                            double slack_, int best[2]) {
@@ -341,7 +351,7 @@ static void farthestBeside(const Candidate *candidate, int count, const Candidat
     double most[2] = {least, least};
     best[0] = best[1] = -1;
     for (int i = 0; i < count; i++) {
-        const double area = dx * (candidate[i].y - first->y) - dy * (candidate[i].x - first->x);
+        const double area = areaOf(first, second, &candidate[i]);
         const int side = area < 0;
         if (fabs(area) > most[side] * (1 + 1e-6)) {
             most[side] = fabs(area);
@@ -371,21 +381,69 @@ static void includeDeepest(const Candidate *candidate, int count, Candidate *kep
     kept[nearest] = *deepest;
 }
 
-/* Four that support as well as all: two ends, and the farthest from their line on either side. What is deepest by no
- * more than rounding does not decide: it could be the middle of an edge, and a corner would be left without support.
+/* A fourth corner, beyond the side from one of the first two to the third where it adds most. Returns how many there
+ * are. */
+static int addBeyond(const Candidate *candidate, int count, Candidate *kept, double slack_) {
+    double most = 0;
+    int best = -1;
+    for (int k = 0; k < 2; k++) {
+        int beside[2];
+        farthestBeside(candidate, count, &kept[k], &kept[2], slack_, beside);
+        /* the third of the triangle is on one side of this line; beyond is the other */
+        const double inside = areaOf(&kept[k], &kept[2], &kept[1 - k]);
+        const int beyond = beside[inside >= 0];
+        const double area = beyond >= 0 ? fabs(areaOf(&kept[k], &kept[2], &candidate[beyond])) : 0;
+        if (area > most) {
+            most = area;
+            best = beyond;
+        }
+    }
+    if (best >= 0)
+        kept[3] = candidate[best];
+    return best >= 0 ? 4 : 3;
+}
+
+/* Those that may carry: a body that rests rocks by less than the share of its size, or of how far it is tilted; they
+ * come first. Returns how many they are. */
+static int bringForward(Candidate *candidate, int count, double band) {
+    double deepest = -INFINITY, shallowest = INFINITY;
+    int near = 0;
+    for (int i = 0; i < count; i++) {
+        deepest = fmax(deepest, depthOf(&candidate[i]));
+        shallowest = fmin(shallowest, depthOf(&candidate[i]));
+    }
+    const double least = deepest - fmax(band, tiltShare * (deepest - shallowest));
+    for (int i = 0; i < count; i++)
+        if (depthOf(&candidate[i]) >= least) {
+            const Candidate c = candidate[i];
+            memmove(&candidate[near + 1], &candidate[near], (size_t)(i - near) * sizeof *candidate);
+            candidate[near++] = c;
+        }
+    return near;
+}
+
+/* Four that support as well as all: two ends of those that may carry, and the farthest from their line on either side,
+ * again of these if there are any there; where one side is empty, the fourth adds most to the other three. What is
+ * deepest by no more than rounding does not decide: it could be the middle of an edge, and a corner would be left
+ * without support. A disc rolls on its rim: there the farthest may carry wherever it is.
  *
  * Not mcd_spread: here all is in one plane, the slack decides between spots that are as good, so that a body at rest
  * keeps its points, and mcd_spread's look at all of them from every side would cost a pair a fifth more time. */
-static int reduceToFour(Candidate *candidate, int count, double slack_) {
-    const Candidate middle = middleOf(candidate, count);
+static int reduceToFour(Candidate *candidate, int count, MeBool isDisc, double size) {
+    const double slack_ = slack * size;
+    const int near = isDisc ? count : bringForward(candidate, count, carryingShare * size);
+    const Candidate middle = middleOf(candidate, near);
     Candidate kept[4];
-    int beside[2], made = 0;
-    kept[made++] = candidate[farthestOf(candidate, count, &middle, slack_)];
-    kept[made++] = candidate[farthestOf(candidate, count, &kept[0], slack_)];
-    farthestBeside(candidate, count, &kept[0], &kept[1], slack_, beside);
+    int of[2], all[2], made = 0;
+    kept[made++] = candidate[farthestOf(candidate, near, &middle, slack_)];
+    kept[made++] = candidate[farthestOf(candidate, near > 1 ? near : count, &kept[0], slack_)];
+    farthestBeside(candidate, near, &kept[0], &kept[1], slack_, of);
+    farthestBeside(candidate, count, &kept[0], &kept[1], slack_, all);
     for (int i = 0; i < 2; i++)
-        if (beside[i] >= 0)
-            kept[made++] = candidate[beside[i]];
+        if (all[i] >= 0)
+            kept[made++] = candidate[of[i] >= 0 ? of[i] : all[i]];
+    if (made == 3 && !isDisc)
+        made = addBeyond(candidate, count, kept, slack_);
     includeDeepest(candidate, count, kept, made, slack_);
     memcpy(candidate, kept, (size_t)made * sizeof *candidate);
     return made;
@@ -504,7 +562,7 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     else if (p->separation <= coreMargin)
         candidate[count++] = supportCandidate(&v, p, meeting(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0)));
     if (count > MCD_MANIFOLD_POINTS)
-        count = reduceToFour(candidate, count, v.slack);
+        count = reduceToFour(candidate, count, faceA->isDisc || faceB->isDisc, mcd_pairSize(a, b));
     MEASSERT(count <= MCD_MANIFOLD_POINTS);
     for (int i = 0; i < count; i++)
         addContact(a, b, &v, &candidate[i], m);

@@ -45,6 +45,7 @@ typedef struct McdFace {
     int count;
     double normal[3]; /* outward, length 1; of a line: the surface's there; of a point: 0 */
     double bend;      /* of a line: the radius of the surface about it, across */
+    MeBool isDisc;    /* its corners are places on a rim, of which only the farthest is one that it stands on */
     MeU32 id;         /* which face of the shape */
     double point[MCD_FACE_POINTS][3];
     MeU32 name[MCD_FACE_POINTS]; /* which corner; an edge goes by the corner where it begins */

@@ -122,6 +122,20 @@ START_TEST(a_pyramid_of_forty_rows_comes_to_rest) {
 }
 END_TEST
 
+/* The height that forces have to pass: without passes for it, or if a loaded point may close a gap that is but a tilt
+ * within the depth of rest, the tower sways ever more. */
+START_TEST(a_tower_of_forty_comes_to_rest) {
+    makeWorld(MdtSolverFast);
+    makeFloor();
+    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
+    for (int i = 0; i < 40; i++)
+        put(cube, 0, .5 + i, 0);
+    ck_assert_int_eq(step(300).way, MdtReportWayRest);
+    assert_near(place(count - 1, 1), 39.5, 5e-4);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
 START_TEST(a_heap_settles_and_sleeps) {
     double energy = 0;
     makeWorld(MdtSolverAuto);
@@ -443,6 +457,7 @@ END_TEST
 
 static void tests(TCase *t) {
     tcase_add_test(t, a_pyramid_of_forty_rows_comes_to_rest);
+    tcase_add_test(t, a_tower_of_forty_comes_to_rest);
     tcase_add_test(t, a_heap_settles_and_sleeps);
     tcase_add_loop_test(t, things_thrown_gain_no_energy, 0, SEEDS + ASTRAY);
     tcase_add_test(t, the_same_again_gives_the_same_bits);

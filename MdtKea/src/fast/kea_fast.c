@@ -29,6 +29,7 @@ typedef struct Step {
     KeaGroup *groups;
     int numGroups;
     KeaJoints joints;
+    double load;        /* of how many bodies one carries the weight, see loadRatio */
     double theta, beta; /* of the extrapolation */
 } Step;
 
@@ -131,28 +132,6 @@ static double residualOf(const Step *p) {
     return residual;
 }
 
-/* m/s: what residuals are compared with. Where bodies still meet, a share of their speeds. */
-static double accuracyOf(const MdtKeaSystem *s) {
-    double sum = 0;
-    for (int i = 0; i < s->numBodies; i++)
-        sum += keaDot(s->velocity[i].lin, s->velocity[i].lin);
-    return keaMax(s->parameters.accuracy, kea_impactAccuracy * sqrt(sum / s->numBodies));
-}
-
-/* As many passes as are given, and more of them while the residual is above what is wanted. */
-static void findVelocities(Step *p, Passes passes) {
-    const double accuracy = accuracyOf(p->s);
-    restart(p);
-    takePasses(p, passes.least);
-    p->s->report.residual = residualOf(p);
-    for (int done = passes.least; done < passes.most && p->s->report.residual > accuracy;) {
-        const int more = passes.most - done < KEA_MORE_PASSES ? passes.most - done : KEA_MORE_PASSES;
-        takePasses(p, more);
-        p->s->report.residual = residualOf(p);
-        done += more;
-    }
-}
-
 /* Of how many bodies each carries the weight, at most: its normal forces of the last step, in its own loads'. Where it
  * gained much more velocity than its loads give, these were those of an impact. */
 static double loadRatio(const Step *p) {
@@ -176,6 +155,35 @@ static double loadRatio(const Step *p) {
     return most;
 }
 
+/* m/s: a residual of each of the contacts that n bodies stand on each other by adds up to n of them, for the uppermost.
+ * Where bodies still meet, faster than loads make them in a step, a share of their speeds. */
+static double wantedResidual(const Step *p) {
+    const MdtKeaSystem *s = p->s;
+    double sum = 0, loads = 0;
+    for (int i = 0; i < s->numBodies; i++) {
+        double load[3];
+        keaSubtract(load, s->predicted[i].lin, s->velocity[i].lin);
+        loads = keaMax(loads, keaLength(load));
+        sum += keaDot(s->velocity[i].lin, s->velocity[i].lin);
+    }
+    const double beyond = keaMax(sqrt(sum / s->numBodies) - loads, 0);
+    return keaMax(s->parameters.accuracy / keaMax(p->load, 1), kea_impactAccuracy * beyond);
+}
+
+/* As many passes as are given, and more of them while the residual is above what is wanted. */
+static void findVelocities(Step *p, Passes passes) {
+    const double accuracy = wantedResidual(p);
+    restart(p);
+    takePasses(p, passes.least);
+    p->s->report.residual = residualOf(p);
+    for (int done = passes.least; done < passes.most && p->s->report.residual > accuracy;) {
+        const int more = passes.most - done < KEA_MORE_PASSES ? passes.most - done : KEA_MORE_PASSES;
+        takePasses(p, more);
+        p->s->report.residual = residualOf(p);
+        done += more;
+    }
+}
+
 /* What passes cost; those over displacements, and getting ready. */
 static double workOfPass(const Step *p) {
     return (double)p->numGroups * KEA_LANES * KEA_MANIFOLD_VISIT;
@@ -186,7 +194,7 @@ static double workBeside(const Step *p) {
 
 /* At least as many as the loads want, and at most as the budget allows. */
 static Passes choosePasses(Step *p) {
-    const double most = p->s->parameters.maxWork, wanted = kea_passesPerLoad * loadRatio(p);
+    const double most = p->s->parameters.maxWork, wanted = kea_passesPerLoad * p->load;
     const double least = keaMin(keaMax(wanted, KEA_LEAST_PASSES), KEA_MOST_PASSES);
     const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MOST_PASSES;
     const double paid = most > 0 ? keaMax((most - workBeside(p)) / workOfPass(p), 1) : KEA_MOST_PASSES;
@@ -231,7 +239,7 @@ static void setEndMomentum(Step *p) {
 
 /* ---- the guard ---- */
 
-/* J, what the impulses have added to the kinetic energy; `all`: with the loads alone. */
+/* J, what the impulses have added to the kinetic energy, in the start's pose; `all`: with the loads alone. */
 static double energyGained(const Step *p, double *all) {
     const MdtKeaSystem *s = p->s;
     double gained = 0;
@@ -240,8 +248,8 @@ static double energyGained(const Step *p, double *all) {
         const KeaBody *b = &s->work->body[i];
         const KeaEnd *end = &s->work->end[i];
         const double mass = 1 / s->bodies[i]->invMass;
-        const float *turn = p->motion[1 + i].ang;
-        const double w[3] = {(double)turn[0], (double)turn[1], (double)turn[2]};
+        double w[3];
+        keaApply(w, (const double(*)[3])s->invMass[i].inertia, end->angularMomentum);
         const double before =
             mass * keaDot(b->freeVelocity, b->freeVelocity) + keaDot(s->predicted[i].ang, b->freeMomentum);
         gained += 0.5 * (mass * keaDot(end->velocity, end->velocity) + keaDot(w, end->angularMomentum) - before);
@@ -265,6 +273,7 @@ static void descend(Step *p) {
     for (int i = 0; i < p->numGroups; i++)
         memset(&p->groups[i].isDirect, 0, sizeof p->groups[i].isDirect);
     setMotions(p);
+    kea_jointsApply(p->s, &p->joints, p->motion);
     for (int i = 0; i < KEA_MOST_PASSES; i++) {
         restart(p);
         takePasses(p, 1);
@@ -291,16 +300,34 @@ static void shareImpulses(Step *p) {
     p->s->report.capped = METRUE;
 }
 
+/* Velocities that passes have added up are those that the impulses give, but for rounding: unless impulses have been so
+ * large on the way that it is more than is wanted. What they give is taken for the rest of the step. */
+static MeBool isFollowed(Step *p) {
+    const MdtKeaSystem *s = p->s;
+    double off = 0, speed = 0;
+    memcpy(p->before, p->motion, (size_t)p->numMotions * sizeof *p->motion);
+    setMotions(p);
+    p->kernel->apply(p->groups, p->numGroups, p->motion);
+    kea_jointsApply(s, &p->joints, p->motion);
+    for (int i = 1; i <= s->numBodies; i++)
+        for (int k = 0; k < 3; k++) {
+            off = keaMax(off, fabs((double)(p->motion[i].lin[k] - p->before[i].lin[k])));
+            speed = keaMax(speed, fabs((double)p->motion[i].lin[k]));
+        }
+    return off <= s->parameters.accuracy + kea_impactAccuracy * speed;
+}
+
 /* Contacts that only push and rub take energy, or none. Should the passes have gone astray, where masses or levers
  * differ too much for single precision, others begin from no impulses, point by point and without extrapolation: each
  * visit is then a descent. What these may still gain is left out, by taking a share of all impulses. */
 static void keepEnergy(Step *p) {
     double all, gained = energyGained(p, &all);
-    if (gained <= kea_energyRoom * all || isDriven(p->s))
+    const MeBool isGained = gained > kea_energyRoom * all && !isDriven(p->s);
+    if (!isGained && isFollowed(p))
         return;
     descend(p);
     gained = energyGained(p, &all);
-    if (gained > kea_energyRoom * all)
+    if (gained > kea_energyRoom * all && !isDriven(p->s))
         shareImpulses(p);
 }
 
@@ -387,6 +414,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
         kea_moveFreely(s);
         return;
     }
+    p.load = loadRatio(&p);
     const Passes passes = choosePasses(&p);
     p.kernel->apply(p.groups, p.numGroups, p.motion);
     kea_jointsApply(s, &p.joints, p.motion);

@@ -105,6 +105,16 @@ static KeaApproach approachOf(const MdtKeaSystem *s, const MdtKeaManifold *m, co
     return kea_approachOfPoint(s, m, (const double(*)[3])arm);
 }
 
+/* m, along the normal: what the point is to be moved by within the step, at least. What rests does so within a depth; a
+ * gap of that size at a point that has carried something is a tilt of it, and no way to go: the points of a face would
+ * ask for velocities that contradict each other. */
+static double aimOf(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *point, MeBool isSoft) {
+    const double resting = point->guess[0] > 0 ? kea_restingDepth * sizeOf(s, m) : 0;
+    if (point->depth >= 0)
+        return isSoft ? s->parameters.gamma * point->depth : 0;
+    return keaMin(point->depth + resting, 0);
+}
+
 static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, int k, KeaGroup *g, int lane) {
     const MdtKeaPoint *point = &m->point[k];
     const double h = s->parameters.stepsize, gamma = s->parameters.gamma;
@@ -116,7 +126,7 @@ static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patc
     g->y[k][lane] = (float)p->y[k];
     g->gap[k][lane] = (float)-point->depth;
     g->sag[k][lane] = (float)(sag + kea_restingDepth * sizeOf(s, m));
-    g->target[k][lane] = point->depth < 0 ? (float)(point->depth / h) : soft ? (float)(gamma * point->depth / h) : 0;
+    g->target[k][lane] = (float)(aimOf(s, m, point, soft) / h);
     g->lever[k][lane] = (float)sqrt(along * along + p->y[k] * p->y[k]);
     g->impulse[k][lane] = (float)(h * keaMax(point->guess[0], -m->surface.adhesion));
 }
