@@ -152,6 +152,8 @@ static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
         return MEFALSE;
     if (p->kea.report.event >= rest - least)
         return METRUE;
+    if (p->kea.report.trembles) /* an event would follow the other */
+        return MEFALSE;
     if (p->report)
         mdt_reportEvent(p->report);
     mdt_partSolve(p, fmax(p->kea.report.event, least));

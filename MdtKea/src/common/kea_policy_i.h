@@ -268,8 +268,8 @@ static const double kea_minImpactSpeed = 1e-6;
 /* The same, at most, in a soft contact, which gives way to its load. x2 fails MdtKea_system:
  * giving_way_to_a_load_is_no_impact. */
 static const double kea_softContactSpeed = 0.05;
-/* The same: what meets more slowly does not rebound: half of what one step's loads give, so that a ball at rest stays
- * there. */
+/* The same: what meets more slowly does not rebound, nor divides a step by itself: half of what one step's loads give,
+ * so that a ball at rest stays there. */
 static const double kea_minReboundSpeed = 0.5;
 /* Of the body's own speeds, in the load speed where there are no loads. */
 static const double kea_unloadedSpeed = 1e-6;
