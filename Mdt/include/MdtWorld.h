@@ -104,8 +104,8 @@ MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const Me
 /** @name Putting bodies to rest (Dynamics guide ch. 4, "Enabling/Disabling Bodies")
  *  A partition is disabled when for all its bodies the squares of velocity, angular velocity, acceleration and angular
  *  acceleration are below the thresholds, and the alive window has passed; but not where a contact pushes whose
- *  surface moves (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity). On by default. The thresholds are squares
- *  of magnitudes, >= 0, and start at the values of MdtDefaults.h times the squares of the scales.
+ *  surface moves (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity). On by default. The thresholds
+ *  are squares of magnitudes, >= 0, and start at the values of MdtDefaults.h times the squares of the scales.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d);
 MEPUBLIC MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w);

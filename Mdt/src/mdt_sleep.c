@@ -9,8 +9,8 @@ static MeBool isPushedOut(MdtBodyID b, const MdtPartitionParams *rest) {
     return keaDot(b->push, b->push) > slow * (double)rest->vel_thresh;
 }
 
-/* Does the surface of the contact's other side move, though what it belongs to need not (MdtContactParamsSetPrimarySlide,
- * MdtConstraintSetWorldLinearVelocity)? */
+/* Does the surface of the contact's other side move, though what it belongs to need not
+ * (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity)? */
 static MeBool isSurfaceMoving(const MdtPoint *point) {
     const MdtBclContactParams *surface = mdt_pointParams(point);
     const MdtKeaVelocity *world = mdt_pointWorldVelocity(point);
