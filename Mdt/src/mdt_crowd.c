@@ -59,6 +59,14 @@ static MeBool hasImpacts(const MdtIsland *p) {
     return MEFALSE;
 }
 
+/* Nothing in it touches the world: it carries no weight, and its forces come of meetings and of overlaps alone. */
+static MeBool isInFlight(const MdtIsland *p) {
+    for (int i = 0; i < p->numActing; i++)
+        if (!p->acting[i]->side[0].body || !p->acting[i]->side[1].body)
+            return MEFALSE;
+    return METRUE;
+}
+
 static MeBool touches(const MdtPoint *point) {
     return point->depth >= 0 || (point->numWarm > 0 && point->force[0] > 0);
 }
@@ -129,7 +137,7 @@ MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
         return METRUE;
     if (p->numBodies <= w->timedBodies || mdt_worldAccuracy(w, p->h) == 0 || isMetInTime(p))
         return MEFALSE;
-    return p->numBodies >= MDT_CROWD || (p->numJoints == 0 && hasImpacts(p));
+    return p->numBodies >= MDT_CROWD || (p->numJoints == 0 && (isInFlight(p) || hasImpacts(p)));
 }
 
 /* ---- room ---- */

@@ -147,7 +147,10 @@ static MeBool isFollowed(const MdtIsland *p) {
 /* Up to the next event, at most for `rest`. False where that could not be followed. */
 static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
     p->kea.parameters.timed = METRUE;
-    mdt_partSolve(p, rest);
+    mdt_partMakeRows(p, rest);
+    if (MdtKeaTrembles(&p->kea))
+        return MEFALSE;
+    mdt_partSolveRows(p);
     if (!isFollowed(p))
         return MEFALSE;
     if (p->kea.report.event >= rest - least)

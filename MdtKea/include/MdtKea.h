@@ -302,6 +302,12 @@ MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
 MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
 
 /**
+ * Whether what touches meets, as MdtKeaMeets has it, but all of it too slowly to rebound, and nothing that is apart is
+ * about to meet faster: an event would follow the other. The rows are filled; nothing is changed.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *system);
+
+/**
  * Whether a contact with restitution may be met within the step by a speed of which it gives back more than loads make
  * in a step, and there are no springs. The rows are filled; nothing is changed.
  */

@@ -190,8 +190,7 @@ double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     *mustRepeat = forceSlides(s, kea_partingSpeed * speed);
     const Meeting impact = firstImpact(s);
     const double stop = firstStop(s);
-    s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed &&
-                         !(stop < s->parameters.stepsize);
+    s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed;
     return keaMin(impact.time, stop);
 }
 
