@@ -171,9 +171,19 @@ static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least) {
     return METRUE;
 }
 
-/* How many events a part may be divided at: some, and in a crowd, where each concerns two bodies, one for each. */
+static MeBool hasRestitution(const MdtIsland *p) {
+    for (int i = 0; i < p->numContacts; i++)
+        if (mdt_bounces(p->contacts[i].bcl.params))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* How many events a part may be divided at: some, and in a crowd, where each concerns two bodies, one for each. Where
+ * nothing rebounds, a body that meets another stays there, and what is apart comes down after it: */
 static int mostEvents(const MdtIsland *p) {
-    enum { EVENTS = 8 };
+    enum { EVENTS = 8, PLASTIC_EVENTS = 2 };
+    if (!hasRestitution(p))
+        return PLASTIC_EVENTS;
     return p->numBodies <= p->world->timedBodies ? EVENTS : EVENTS + p->numBodies;
 }
 
@@ -194,13 +204,6 @@ static MeBool takeInTime(MdtIsland *p, double part) {
             return MEFALSE;
     }
     return METRUE;
-}
-
-static MeBool hasRestitution(const MdtIsland *p) {
-    for (int i = 0; i < p->numContacts; i++)
-        if (mdt_bounces(p->contacts[i].bcl.params))
-            return METRUE;
-    return MEFALSE;
 }
 
 /* Few bodies that only touch; and of others those whose contacts have restitution, while only few are held: a
