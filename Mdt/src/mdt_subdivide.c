@@ -179,7 +179,8 @@ static MeBool hasRestitution(const MdtIsland *p) {
 }
 
 /* How many events a part may be divided at: some, and in a crowd, where each concerns two bodies, one for each. Where
- * nothing rebounds, a body that meets another stays there, and what is apart comes down after it: */
+ * nothing rebounds, one, and another that follows from it, as where a box comes down on one edge and then on the other:
+ * what meets after that is held at the end of the step, no more than a step too late. */
 static int mostEvents(const MdtIsland *p) {
     enum { EVENTS = 8, PLASTIC_EVENTS = 2 };
     if (!hasRestitution(p))
