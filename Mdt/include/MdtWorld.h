@@ -234,8 +234,8 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  contacts that MdtReport tells (`residualVelocity`), from which bodies sink and creep a little until they rest.
  *  MdtSolverAuto, the default, takes the fast one for partitions of 64 bodies or more, which may have joints if they
  *  are few: twelve that are tied together, half as many as contacts; and, without joints, for those of more than
- *  MdtWorldSetTimedContacts in which bodies have just met, or meet in this step, or that touch nothing fixed. Others are exact, whatever is chosen, and so are bodies that bounce and of which
- *  few touch anything. Beyond Karma.
+ *  MdtWorldSetTimedContacts in which bodies have just met, or meet in this step, or that touch nothing fixed. Others
+ *  are exact, whatever is chosen, and so are bodies that bounce and of which few touch anything. Beyond Karma.
  *  @{ */
 typedef enum MdtSolver {
     MdtSolverAuto,

@@ -258,9 +258,10 @@ enum {
      * bounds. */
     KEA_MAX_IMPACT_PASSES = 14
 };
-/* Of the load speed: what leaves faster is open, what slides faster can stop. Far above rounding: with 1e-7 a rolling
- * ball made 794 stops, and far below 1, a step's own change. x2 fails Mst_Cases_Friction:
- * one_block_stops_and_one_topples. */
+/* Of the load speed: what leaves faster is open, what slides faster can stop; what meets faster as a step begins, but
+ * does not rebound, trembles: what rolls meets the ground more slowly (with 0 Mst_Rims and Mst_Cases_Friction fail).
+ * Far above rounding: with 1e-7 a rolling ball made 794 stops, and far below 1, a step's own change. x2 fails
+ * Mst_Cases_Friction: one_block_stops_and_one_topples. */
 static const double kea_partingSpeed = 0.03;
 /* The same: what meets more slowly is no impact. Every impact is located: with .25 a rocking column of ten kept its
  * energy for 120 s, in 3 of 8 runs. No test tells (x2). */
