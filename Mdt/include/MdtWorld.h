@@ -103,8 +103,9 @@ MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const Me
 
 /** @name Putting bodies to rest (Dynamics guide ch. 4, "Enabling/Disabling Bodies")
  *  A partition is disabled when for all its bodies the squares of velocity, angular velocity, acceleration and angular
- *  acceleration are below the thresholds, and the alive window has passed. On by default. The thresholds are squares
- *  of magnitudes, >= 0, and start at the values of MdtDefaults.h times the squares of the scales.
+ *  acceleration are below the thresholds, and the alive window has passed; but not where a contact pushes whose
+ *  surface moves (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity). On by default. The thresholds
+ *  are squares of magnitudes, >= 0, and start at the values of MdtDefaults.h times the squares of the scales.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d);
 MEPUBLIC MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w);
@@ -231,10 +232,10 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  Exact: Newton's method, to the tolerances that docs/solver.md states. Fast: a fixed number of passes over the
  *  contacts of a partition, eight pairs at a time; its time is proportional to them, and it leaves velocities of
  *  contacts that MdtReport tells (`residualVelocity`), from which bodies sink and creep a little until they rest.
- *  MdtSolverAuto, the default, takes the fast one for partitions of 64 bodies or more, and for those of more than
- *  MdtWorldSetTimedContacts in which bodies have just met. Either may have joints if they are few: twelve that are tied
- *  together, half as many as contacts. Others are exact, whatever is chosen, and so are bodies that bounce and of which
- *  few touch anything. Beyond Karma.
+ *  MdtSolverAuto, the default, takes the fast one for partitions of 64 bodies or more, which may have joints if they
+ *  are few: twelve that are tied together, half as many as contacts; and, without joints, for those of more than
+ *  MdtWorldSetTimedContacts in which bodies have just met, or meet in this step, or that touch nothing fixed. Others
+ *  are exact, whatever is chosen, and so are bodies that bounce and of which few touch anything. Beyond Karma.
  *  @{ */
 typedef enum MdtSolver {
     MdtSolverAuto,

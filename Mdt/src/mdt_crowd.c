@@ -1,17 +1,39 @@
 /* The choice between Kea's solvers: which partitions are the fast one's. */
 #include "mdt_step_i.h"
 
-static double deepestOverlap(const MdtIsland *p) {
-    double most = 0;
-    for (int i = 0; i < p->numActing; i++)
-        if (mdt_isManifold(p->acting[i]))
-            for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at))
-                most = fmax(most, at->depth);
-    return most;
+/* m/s: of the bodies of a contact towards each other, by their velocities at the start of the step. */
+static double approachAt(const MdtPoint *point) {
+    const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
+    double normal[3], sum = 0;
+    mdt_pointNormal(point, normal);
+    for (int k = 0; k < 2; k++) {
+        const MdtBody *b = base->side[k].body;
+        double arm[3], v[3], w[3], turn[3];
+        if (!b)
+            continue;
+        mdt_fromReal(v, b->velocity);
+        mdt_fromReal(w, b->angularVelocity);
+        keaSubtract(arm, point->position, b->kea.position);
+        keaCross(turn, w, arm);
+        sum += (k == 0 ? -1 : 1) * (keaDot(normal, v) + keaDot(normal, turn));
+    }
+    return sum;
 }
 
-/* Have bodies met in the last step, or are they pushed apart as fast? Then their velocities change by far more than
- * gravity explains, and what follows is known no better than the law by which they part. */
+/* Do bodies meet in this step faster than `least`, or are they pushed apart as fast? */
+static MeBool meetsWith(const MdtIsland *p, const MdtManifold *m, double least) {
+    for (const MdtPoint *at = mdt_pointFirst(m); at; at = mdt_pointAfter(at)) {
+        if ((double)p->world->gamma * at->depth > least * p->h)
+            return METRUE;
+        const double approach = approachAt(at);
+        if (approach > least && at->depth + approach * p->h > 0)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+/* Have bodies met in the last step, or do they in this one? Then their velocities change by far more than gravity
+ * explains, and what follows is known no better than the law by which they part. */
 static MeBool hasImpacts(const MdtIsland *p) {
     double g[3];
     mdt_fromReal(g, p->world->params.gravity);
@@ -19,7 +41,18 @@ static MeBool hasImpacts(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++)
         if (keaLength(p->bodies[i]->kea.lastStep.lin) > most)
             return METRUE;
-    return (double)p->world->gamma * deepestOverlap(p) > most * p->h * p->h;
+    for (int i = 0; i < p->numActing; i++)
+        if (mdt_isManifold(p->acting[i]) && meetsWith(p, mdt_asManifold(p->acting[i]), most * p->h))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Nothing in it touches the world: it carries no weight, and its forces come of meetings and of overlaps alone. */
+static MeBool isInFlight(const MdtIsland *p) {
+    for (int i = 0; i < p->numActing; i++)
+        if (!p->acting[i]->side[0].body || !p->acting[i]->side[1].body)
+            return MEFALSE;
+    return METRUE;
 }
 
 static MeBool touches(const MdtPoint *point) {
@@ -92,5 +125,5 @@ MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
         return METRUE;
     if (p->numBodies <= w->timedBodies || mdt_worldAccuracy(w, p->h) == 0 || isMetInTime(p))
         return MEFALSE;
-    return p->numBodies >= MDT_CROWD || (p->numJoints == 0 && hasImpacts(p));
+    return p->numBodies >= MDT_CROWD || (p->numJoints == 0 && (isInFlight(p) || hasImpacts(p)));
 }

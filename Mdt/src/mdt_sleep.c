@@ -1,4 +1,5 @@
-/* Rest: whether a partition has come to rest, by the thresholds of its world, and putting it to sleep. */
+/* Rest: whether a partition has come to rest, by the thresholds of its world and by the surfaces that it
+ * stands on, and putting it to sleep. */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 
@@ -6,6 +7,28 @@
 static MeBool isPushedOut(MdtBodyID b, const MdtPartitionParams *rest) {
     const double slow = 1e-4; /* of vel_thresh: squares of velocities */
     return keaDot(b->push, b->push) > slow * (double)rest->vel_thresh;
+}
+
+/* Does the surface of the contact's other side move, though what it belongs to need not
+ * (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity)? */
+static MeBool isSurfaceMoving(const MdtPoint *point) {
+    const MdtBclContactParams *surface = mdt_pointParams(point);
+    const MdtKeaVelocity *world = mdt_pointWorldVelocity(point);
+    return ((surface->options & MdtBclContactOptionSlide1) && surface->slide1 != 0) ||
+           ((surface->options & MdtBclContactOptionSlide2) && surface->slide2 != 0) ||
+           keaDot(world->lin, world->lin) + keaDot(world->ang, world->ang) > 0;
+}
+
+/* What stands on a belt is under way, however slow the belt is; and what is held up there is rubbed until it moves. */
+static MeBool isCarried(const MdtIsland *p) {
+    for (int i = 0; i < p->numActing; i++) {
+        if (mdt_isJoint(p->acting[i]))
+            continue;
+        for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at))
+            if (at->force[0] > 0 && isSurfaceMoving(at))
+                return METRUE;
+    }
+    return MEFALSE;
 }
 
 MeBool mdt_islandIsAtRest(const MdtIsland *p) {
@@ -17,7 +40,7 @@ MeBool mdt_islandIsAtRest(const MdtIsland *p) {
         if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || isPushedOut(b, rest))
             return MEFALSE;
     }
-    return METRUE;
+    return !isCarried(p);
 }
 
 MeBool mdt_islandIsToSleep(const MdtIsland *p) {

@@ -2,10 +2,15 @@
 #include "MeProfile.h"
 #include "mdt_step_i.h"
 
-void mdt_partSolve(MdtIsland *p, double part) {
+void mdt_partMakeRows(MdtIsland *p, double part) {
     MeProfileStartSection("Rows", 0);
     mdt_partBegin(p, part);
     mdt_rowsMake(p);
+    MeProfileEndSection("Rows");
+}
+
+void mdt_partSolveRows(MdtIsland *p) {
+    MeProfileStartSection("Rows", 0);
     if (p->kea.parameters.timed && MdtKeaMeets(&p->kea))
         mdt_partImpact(p);
     MeProfileEndSection("Rows");
@@ -18,6 +23,11 @@ void mdt_partSolve(MdtIsland *p, double part) {
     MeProfileEndSection("Solve");
     if (p->report)
         mdt_reportSolve(p->world, p->report, p);
+}
+
+void mdt_partSolve(MdtIsland *p, double part) {
+    mdt_partMakeRows(p, part);
+    mdt_partSolveRows(p);
 }
 
 MeBool mdt_partIntegrate(MdtIsland *p) {

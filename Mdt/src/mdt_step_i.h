@@ -77,6 +77,9 @@ void mdt_islandStep(MdtIsland *p);
 void mdt_worldStep(MdtWorldID w, double h, MeBool safely);
 /* Rows and solve, of a part of the step of these seconds. Nothing has moved yet: it may be thrown away. */
 void mdt_partSolve(MdtIsland *p, double part);
+/* The same by itself: rows; impacts of a timed part, and solve. */
+void mdt_partMakeRows(MdtIsland *p, double part);
+void mdt_partSolveRows(MdtIsland *p);
 /* Integrate, and unpack of the constraints. False: the bodies were stopped. */
 MeBool mdt_partIntegrate(MdtIsland *p);
 

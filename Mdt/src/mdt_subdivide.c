@@ -152,11 +152,16 @@ static MeBool isFollowed(const MdtIsland *p) {
 /* Up to the next event, at most for `rest`. False where that could not be followed. */
 static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
     p->kea.parameters.timed = METRUE;
-    mdt_partSolve(p, rest);
+    mdt_partMakeRows(p, rest);
+    if (MdtKeaTrembles(&p->kea))
+        return MEFALSE;
+    mdt_partSolveRows(p);
     if (!isFollowed(p))
         return MEFALSE;
     if (p->kea.report.event >= rest - least)
         return METRUE;
+    if (p->kea.report.trembles) /* an event would follow the other */
+        return MEFALSE;
     if (p->report)
         mdt_reportEvent(p->report);
     mdt_partSolve(p, fmax(p->kea.report.event, least));
@@ -171,9 +176,20 @@ static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least) {
     return METRUE;
 }
 
-/* How many events a part may be divided at: some, and in a crowd, where each concerns two bodies, one for each. */
+static MeBool hasRestitution(const MdtIsland *p) {
+    for (int i = 0; i < p->kea.numManifolds; i++)
+        if (p->kea.manifolds[i].surface.restitution > 0)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* How many events a part may be divided at: some, and in a crowd, where each concerns two bodies, one for each. Where
+ * nothing rebounds, one, and another that follows from it, as where a box comes down on one edge and then on the other:
+ * what meets after that is held at the end of the step, no more than a step too late. */
 static int mostEvents(const MdtIsland *p) {
-    enum { EVENTS = 8 };
+    enum { EVENTS = 8, PLASTIC_EVENTS = 2 };
+    if (!hasRestitution(p))
+        return PLASTIC_EVENTS;
     return p->numBodies <= p->world->timedBodies ? EVENTS : EVENTS + p->numBodies;
 }
 
@@ -194,13 +210,6 @@ static MeBool takeInTime(MdtIsland *p, double part) {
             return MEFALSE;
     }
     return METRUE;
-}
-
-static MeBool hasRestitution(const MdtIsland *p) {
-    for (int i = 0; i < p->kea.numManifolds; i++)
-        if (p->kea.manifolds[i].surface.restitution > 0)
-            return METRUE;
-    return MEFALSE;
 }
 
 /* Few bodies that only touch; and of others those whose contacts have restitution, while only few are held: a

@@ -240,6 +240,7 @@ typedef struct MdtKeaReport {
     MeBool refused;     /**< `violent` without having been solved, see MdtKeaParameters.mayRefuse */
     MeBool conflicting; /**< rows contradict each other: a compromise was taken */
     double event;       /**< s: when something happens in a timed step that divides it; the step's length if nothing */
+    MeBool trembles;    /**< what divides a timed step are impacts alone, all of them too slow to rebound */
     double residual;    /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
     double resolution;  /**< m/s: residuals up to this count as none; 0 where nothing was solved */
     double force;       /**< N: the largest change of a row's force that such a violation asks for */
@@ -332,6 +333,12 @@ MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
  * rows are filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
+
+/**
+ * Whether what touches meets, as MdtKeaMeets has it, but all of it too slowly to rebound, and nothing that is apart is
+ * about to meet faster: an event would follow the other. The rows are filled; nothing is changed.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *system);
 
 /**
  * Whether a contact with restitution may be met within the step by a speed of which it gives back more than loads make

@@ -173,6 +173,7 @@ static MdtWorldID movingPile(void) {
     enum { BODIES = 12 };
     MdtWorldID w = reportedWorld(BODIES, 4 * BODIES, 10);
     const double edge[3] = {1, 1, 1};
+    MdtWorldSetSolver(w, MdtSolverExact);
     MdtWorldSetEpsilon(w, 0);
     MdtBodyID below = 0;
     for (int i = 0; i < BODIES; i++) {

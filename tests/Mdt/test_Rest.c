@@ -306,7 +306,38 @@ START_TEST(what_trembles_is_put_to_rest_and_what_starts_is_not) {
 }
 END_TEST
 
+/* A belt that is slower than the threshold (.1 m/s) carries on what is young; once asleep, it stood still. */
+START_TEST(a_surface_that_moves_keeps_awake_what_it_carries) {
+    for (int way = 0; way < 3; way++) {
+        const double speed = way ? .05 : 0;
+        MeVector3 at;
+        MdtWorldID w = scene_world(1, 1, 10);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MdtContactID c = MdtContactCreate(w, b, 0);
+        MdtContactSetNormal(c, 0, 1, 0);
+        MdtContactSetDirection(c, 1, 0, 0);
+        MdtContactParamsSetSurface(MdtContactGetParams(c), 1, 0);
+        if (way == 1)
+            MdtContactParamsSetPrimarySlide(MdtContactGetParams(c), (MeReal)speed);
+        if (way == 2)
+            MdtConstraintSetWorldLinearVelocity(MdtContactQuaConstraint(c), (MeReal)speed, 0, 0);
+        MdtContactEnable(c);
+        MdtWorldSetAutoDisable(w, 1);
+        for (int i = 0; i < 120; i++) {
+            MdtWorldStep(w, FRAME);
+            MdtBodyGetPosition(b, at);
+            if (MdtBodyIsEnabled(b))
+                MdtContactSetPosition(c, at[0], at[1], at[2]);
+        }
+        ck_assert_int_eq(MdtBodyIsEnabled(b), speed > 0);
+        assert_near(at[0], 2 * speed, 1e-3);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
 static void tests(TCase *t) {
+    tcase_add_test(t, a_surface_that_moves_keeps_awake_what_it_carries);
     tcase_add_test(t, what_trembles_is_put_to_rest_and_what_starts_is_not);
     tcase_add_test(t, constraints_join_bodies_and_the_world_joins_nothing);
     tcase_add_test(t, an_enabled_body_wakes_what_is_tied_to_it);

@@ -209,14 +209,33 @@ static double totalMass(const MdtKeaSystem *s) {
 }
 
 /* A soft contact gives way to its load, J v⁺ = -h E λ, where λ is no more than the weight of all: that is no impact. */
+static double impactGate(const MdtKeaRow *row, double mass) {
+    return keaMin(kea_minImpactSpeed + row->softness * mass, kea_softContactSpeed);
+}
+
 MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s), mass = totalMass(s);
-    for (int i = 0; i < s->numRows; i++) {
-        const double gate = keaMin(kea_minImpactSpeed + s->rows[i].softness * mass, kea_softContactSpeed) * speed;
-        if (s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) && kea_startRate(s, i) < -gate)
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) &&
+            kea_startRate(s, i) < -impactGate(&s->rows[i], mass) * speed)
             return METRUE;
-    }
     return MEFALSE;
+}
+
+MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
+    const double speed = kea_eventSpeed(s), mass = totalMass(s);
+    MeBool meets = MEFALSE;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->contact != i)
+            continue;
+        const MeBool isTouching = kea_isTouching(s, row);
+        const double rate = kea_startRate(s, i);
+        if (rate < -kea_minReboundSpeed * speed && (isTouching || row->error + s->parameters.stepsize * rate < 0))
+            return MEFALSE;
+        meets = meets || (isTouching && rate < -keaMax(kea_partingSpeed, impactGate(row, mass)) * speed);
+    }
+    return meets;
 }
 
 /* Which touching contacts meet faster than `slowest`, the speeds with which they leave, and whether any of them

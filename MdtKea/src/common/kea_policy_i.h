@@ -258,9 +258,10 @@ enum {
      * bounds. */
     KEA_MAX_IMPACT_PASSES = 14
 };
-/* Of the load speed: what leaves faster is open, what slides faster can stop. Far above rounding: with 1e-7 a rolling
- * ball made 794 stops, and far below 1, a step's own change. x2 fails Mst_Cases_Friction:
- * one_block_stops_and_one_topples. */
+/* Of the load speed: what leaves faster is open, what slides faster can stop; what meets faster as a step begins, but
+ * does not rebound, trembles: what rolls meets the ground more slowly (with 0 Mst_Rims and Mst_Cases_Friction fail).
+ * Far above rounding: with 1e-7 a rolling ball made 794 stops, and far below 1, a step's own change. x2 fails
+ * Mst_Cases_Friction: one_block_stops_and_one_topples. */
 static const double kea_partingSpeed = 0.03;
 /* The same: what meets more slowly is no impact. Every impact is located: with .25 a rocking column of ten kept its
  * energy for 120 s, in 3 of 8 runs. No test tells (x2). */
@@ -268,8 +269,8 @@ static const double kea_minImpactSpeed = 1e-6;
 /* The same, at most, in a soft contact, which gives way to its load. x2 fails MdtKea_system:
  * giving_way_to_a_load_is_no_impact. */
 static const double kea_softContactSpeed = 0.05;
-/* The same: what meets more slowly does not rebound: half of what one step's loads give, so that a ball at rest stays
- * there. */
+/* The same: what meets more slowly does not rebound, nor divides a step by itself: half of what one step's loads give,
+ * so that a ball at rest stays there. */
 static const double kea_minReboundSpeed = 0.5;
 /* Of the body's own speeds, in the load speed where there are no loads. */
 static const double kea_unloadedSpeed = 1e-6;

@@ -7,6 +7,8 @@
  *   an impact: an open contact's gap, φ + J v t + J (v⁺ - v) t²/2h, vanishes at some t, its time of impact;
  *   a stop:    a contact that slides would stick or slide back at the end. With the friction still against the slip u
  *              of the start, it vanishes at t = h |u| / (|u| - u⁺·u/|u|).
+ *
+ * Where there are impacts alone, and none of them fast enough to rebound, bodies tremble: division would not end.
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
@@ -87,29 +89,37 @@ static double timeOfFall(double gap, double a, double b) {
     return b < 0 ? (a + sqrt(root)) / -b : HUGE_VAL;
 }
 
-static double firstImpact(const MdtKeaSystem *s) {
-    const double h = s->parameters.stepsize;
-    double first = HUGE_VAL;
+typedef struct Meeting {
+    double time, speed; /* s into the step, HUGE_VAL: never; m/s */
+} Meeting;
+
+/* Of a contact whose rate changes steadily to what it is at the end. */
+static Meeting meetingOf(const MdtKeaSystem *s, int i, double endRate) {
+    const MdtKeaRow *row = &s->rows[i];
+    const double a = kea_startRate(s, i), b = (endRate - row->drift - a) / s->parameters.stepsize;
+    const double time = timeOfFall(row->error, a, b);
+    return (Meeting){time, time < HUGE_VAL ? -(a + b * time) : 0};
+}
+
+/* The first, at the greatest speed of all that come within the step. */
+static Meeting firstImpact(const MdtKeaSystem *s) {
+    Meeting first = {HUGE_VAL, 0};
     for (int i = 0; i < s->numRows; i++) {
-        const MdtKeaRow *row = &s->rows[i];
-        if (row->contact != i || !row->isOpen)
+        if (s->rows[i].contact != i || !s->rows[i].isOpen)
             continue;
-        const double a = kea_startRate(s, i), b = (kea_endRate(s, i) - row->drift - a) / h;
-        first = keaMin(first, timeOfFall(row->error, a, b));
+        const Meeting m = meetingOf(s, i, kea_endRate(s, i));
+        first.time = keaMin(first.time, m.time);
+        if (m.time < s->parameters.stepsize)
+            first.speed = keaMax(first.speed, m.speed);
     }
     return first;
 }
 
 double kea_firstEventOfFlight(const MdtKeaSystem *s) {
-    const double h = s->parameters.stepsize;
-    double first = h;
-    for (int i = 0; i < s->numRows; i++) {
-        const MdtKeaRow *row = &s->rows[i];
-        if (row->contact != i)
-            continue;
-        const double a = kea_startRate(s, i), b = (freeRate(s, row) - row->drift - a) / h;
-        first = keaMin(first, timeOfFall(row->error, a, b));
-    }
+    double first = s->parameters.stepsize;
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i)
+            first = keaMin(first, meetingOf(s, i, freeRate(s, &s->rows[i])).time);
     return first;
 }
 
@@ -176,9 +186,12 @@ static double firstStop(const MdtKeaSystem *s) {
 }
 
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
-    const double gate = kea_partingSpeed * kea_eventSpeed(s);
-    *mustRepeat = forceSlides(s, gate);
-    return keaMin(firstImpact(s), firstStop(s));
+    const double speed = kea_eventSpeed(s);
+    *mustRepeat = forceSlides(s, kea_partingSpeed * speed);
+    const Meeting impact = firstImpact(s);
+    const double stop = firstStop(s);
+    s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed;
+    return keaMin(impact.time, stop);
 }
 
 void kea_releaseSlides(MdtKeaSystem *s) {

@@ -29,6 +29,7 @@ typedef struct Step {
     KeaGroup *groups;
     int numGroups;
     KeaJoints joints;
+    double fall[3];     /* m, see fallOfCentre */
     double load;        /* of how many bodies one carries the weight, see loadRatio */
     double theta, beta; /* of the extrapolation */
 } Step;
@@ -333,6 +334,27 @@ static void keepEnergy(Step *p) {
 
 /* ---- where bodies are then ---- */
 
+/* What touches nothing but itself flies: its centre of mass moves by the mean of its velocities at the start and the
+ * end, so that all of it is moved back by half of what loads have made of the latter. */
+static void fallOfCentre(Step *p) {
+    const MdtKeaSystem *s = p->s;
+    double mass = 0;
+    keaZero(p->fall);
+    for (int i = 0; i < s->numManifolds; i++)
+        if (s->manifolds[i].body[0] < 0 || s->manifolds[i].body[1] < 0)
+            return;
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].body[0] < 0 || s->rows[i].body[1] < 0)
+            return;
+    for (int i = 0; i < s->numBodies; i++) {
+        const double m = 1 / s->bodies[i]->invMass;
+        keaAddScaled(p->fall, m, s->velocity[i].lin);
+        keaAddScaled(p->fall, -m, s->work->body[i].freeVelocity);
+        mass += m;
+    }
+    keaScale(p->fall, 0.5 * s->parameters.stepsize / mass, p->fall);
+}
+
 /* With the velocities of the end, turning as a free body does with that momentum; and out of overlaps. */
 static void setEndPoses(Step *p) {
     MdtKeaSystem *s = p->s;
@@ -345,6 +367,7 @@ static void setEndPoses(Step *p) {
         double turn[4], free[4];
         keaCopy(end->position, body->position);
         keaAddScaled(end->position, h, end->velocity);
+        keaAddScaled(end->position, 1, p->fall);
         for (int k = 0; k < 3; k++)
             end->position[k] += (double)way->lin[k];
         kea_rotateFree(body, body->quaternion, end->angularMomentum, h, free);
@@ -422,6 +445,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
     findVelocities(&p, passes);
     setEndMomentum(&p);
     keepEnergy(&p);
+    fallOfCentre(&p);
     findPositions(&p);
     const MeBool doRebound = setRebounds(&p);
     if (kea_jointsRebound(s, &p.joints) || doRebound) {
