@@ -108,23 +108,47 @@ static MeBool choleskyOf(double *D, int n, double least) {
     return METRUE;
 }
 
+/* What an entry a_ij is compared with is sqrt(size_i size_j), which has its unit: a block may have rows of kg and of
+ * kg m². Of the block as it is when its turn comes. */
+static void measureRows(const double *D, int n, double size[]) {
+    for (int i = 0; i < n; i++) {
+        size[i] = fabs(D[i * n + i]);
+        for (int j = 0; j < n && D[i * n + i] == 0; j++)
+            size[i] = fmax(size[i], fabs(D[i * n + j]));
+    }
+}
+
+static void exchangeRows(double *D, int n, double size[], int i, int k) {
+    for (int j = 0; j < n && i != k; j++) {
+        const double t = D[k * n + j];
+        D[k * n + j] = D[i * n + j];
+        D[i * n + j] = t;
+    }
+    const double t = size[k];
+    size[k] = size[i];
+    size[i] = t;
+}
+
 /* P D = L U in place, L with a unit diagonal; the diagonal of U is kept inverted. */
 static MeBool luOf(double *D, int n, int exchange[], double least) {
-    double largest = 0;
-    for (int i = 0; i < n * n; i++)
-        largest = fmax(largest, fabs(D[i]));
+    double size[KEA_FACTOR_MAX_BLOCK], own[KEA_FACTOR_MAX_BLOCK];
+    MEASSERT(n <= KEA_FACTOR_MAX_BLOCK);
+    measureRows(D, n, size);
+    memcpy(own, size, sizeof own);
     for (int k = 0; k < n; k++) {
         int best = k;
-        for (int i = k + 1; i < n; i++)
-            best = fabs(D[i * n + k]) > fabs(D[best * n + k]) ? i : best;
-        exchange[k] = best;
-        if (!(fabs(D[best * n + k]) > least * largest))
-            return MEFALSE;
-        for (int j = 0; j < n && best != k; j++) {
-            const double t = D[k * n + j];
-            D[k * n + j] = D[best * n + j];
-            D[best * n + j] = t;
+        double most = 0; /* of a_ik² / size_i */
+        for (int i = k; i < n; i++) {
+            const double square = D[i * n + k] * D[i * n + k];
+            if (square > most * size[i]) {
+                most = square / size[i];
+                best = i;
+            }
         }
+        exchange[k] = best;
+        if (!(most > least * least * own[k]))
+            return MEFALSE;
+        exchangeRows(D, n, size, best, k);
         const double inverse = 1 / D[k * n + k];
         for (int i = k + 1; i < n; i++) {
             const double factor = D[i * n + k] *= inverse;
