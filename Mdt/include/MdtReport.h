@@ -61,8 +61,8 @@ typedef struct MdtReport {
     int limited; /**< parts whose work or iterations ran out: the best answer so far was taken; a fallback, too */
     MeReal work; /**< millions of multiplications, as MdtWorldSetWorkBudget counts them; that of impacts included */
     /* how far off */
-    MeReal
-        residualVelocity; /**< m/s: largest velocity of a row that its force should have prevented (angular: rad/s) */
+    MeReal residualVelocity; /**< m/s: largest velocity of a row that its force should have prevented (angular: times
+                                the bodies' radius of gyration) */
     MeReal residualForce; /**< N: largest change of a row's force that would prevent it (angular: N m) */
     MeReal jointError;    /**< m: largest error left in a joint against what this step asked (angular: rad) */
     MeReal jointGap;      /**< m: how far the bodies of a joint are from where it holds them, at the end of the step */
