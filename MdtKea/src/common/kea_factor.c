@@ -109,12 +109,12 @@ static MeBool choleskyOf(double *D, int n, double least) {
 }
 
 /* What an entry a_ij is compared with is sqrt(size_i size_j), which has its unit: a block may have rows of kg and of
- * kg m². Of the block as it is when its turn comes. */
-static void measureRows(const double *D, int n, double size[]) {
+ * kg m². Of the block as it was given. */
+static void measureRows(const double *A, int n, double size[]) {
     for (int i = 0; i < n; i++) {
-        size[i] = fabs(D[i * n + i]);
-        for (int j = 0; j < n && D[i * n + i] == 0; j++)
-            size[i] = fmax(size[i], fabs(D[i * n + j]));
+        size[i] = fabs(A[i * n + i]);
+        for (int j = 0; j < n && A[i * n + i] == 0; j++)
+            size[i] = fmax(size[i], fabs(A[i * n + j]));
     }
 }
 
@@ -130,10 +130,10 @@ static void exchangeRows(double *D, int n, double size[], int i, int k) {
 }
 
 /* P D = L U in place, L with a unit diagonal; the diagonal of U is kept inverted. */
-static MeBool luOf(double *D, int n, int exchange[], double least) {
+static MeBool luOf(double *D, const double *given, int n, int exchange[], double least) {
     double size[KEA_FACTOR_MAX_BLOCK], own[KEA_FACTOR_MAX_BLOCK];
     MEASSERT(n <= KEA_FACTOR_MAX_BLOCK);
-    measureRows(D, n, size);
+    measureRows(given, n, size);
     memcpy(own, size, sizeof own);
     for (int k = 0; k < n; k++) {
         int best = k;
@@ -249,7 +249,7 @@ static MeBool divideColumn(KeaFactor *f, int t, double least) {
     const int j = f->node[t], n = f->size[j];
     double *D = f->pivot + f->diagonalAt[j];
     int *exchange = f->exchange + f->offset[j];
-    if (!(f->isSymmetric ? choleskyOf(D, n, least) : luOf(D, n, exchange, least)))
+    if (!(f->isSymmetric ? choleskyOf(D, n, least) : luOf(D, f->diagonal + f->diagonalAt[j], n, exchange, least)))
         return MEFALSE;
     for (int k = f->start[t]; k < f->start[t + 1]; k++) {
         const KeaFactorEntry *e = &f->entry[k];
