@@ -197,8 +197,8 @@ START_TEST(so_does_the_last_of_boxes) {
 }
 END_TEST
 
-/* Where a step ends within a thousandth of it before the blow, the arc of the string closes the gap that straight motion
- * leaves. Three of these steps were solved as one, in which nothing rebounds, and the last one rose to .25. */
+/* Where a step ends within a thousandth of it before the blow, the arc of the string closes the gap that straight
+ * motion leaves. Three of these steps were solved as one, in which nothing rebounds, and the last one rose to .25. */
 START_TEST(a_step_may_end_at_the_blow) {
     for (int i = 0; i < 400; i++) {
         const Cradle c = {makeBall, MEFALSE, .02, 1, .085 * (1 + 4e-4 * i)};
