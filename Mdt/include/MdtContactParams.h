@@ -24,7 +24,8 @@ ME_BEGIN_C
  * Beyond Karma.
  */
 MEPUBLIC void MEAPI MdtContactParamsSetSurface(const MdtContactParamsID p, MeReal friction, MeReal restitution);
-/** Defaults: no friction, box model without bound, no restitution, velocity threshold 0.001 m/s, all else 0. */
+/** Defaults: no friction, box model without bound, no restitution, velocity threshold 0.001 m/s, all else 0. The
+ *  parameters of new contacts, and of new materials of a bridge, have the threshold times the length scale. */
 MEPUBLIC void MEAPI MdtContactParamsReset(const MdtContactParamsID p);
 
 /** @name Kind of friction

@@ -61,13 +61,13 @@ typedef struct MdtReport {
     int limited; /**< parts whose work or iterations ran out: the best answer so far was taken; a fallback, too */
     MeReal work; /**< millions of multiplications, as MdtWorldSetWorkBudget counts them; that of impacts included */
     /* how far off */
-    MeReal
-        residualVelocity; /**< m/s: largest velocity of a row that its force should have prevented (angular: rad/s) */
-    MeReal residualForce; /**< N: largest change of a row's force that would prevent it (angular: N m) */
-    MeReal jointError;    /**< m: largest error left in a joint against what this step asked (angular: rad) */
-    MeReal jointGap;      /**< m: how far the bodies of a joint are from where it holds them, at the end of the step */
-    MeReal jointTurn;     /**< rad: the same for joints that hold directions */
-    MeReal penetration;   /**< m: of the deepest contact as the step began, 0 where none is deep, or at rest */
+    MeReal residualVelocity; /**< m/s: largest velocity of a row that its force should have prevented (angular: times
+                                the bodies' radius of gyration) */
+    MeReal residualForce;    /**< N: largest change of a row's force that would prevent it (angular: N m) */
+    MeReal jointError;       /**< m: largest error left in a joint against what this step asked (angular: rad) */
+    MeReal jointGap;    /**< m: how far the bodies of a joint are from where it holds them, at the end of the step */
+    MeReal jointTurn;   /**< rad: the same for joints that hold directions */
+    MeReal penetration; /**< m: of the deepest contact as the step began, 0 where none is deep, or at rest */
     /* energy at the end of the step */
     MeReal kineticEnergy;   /**< J, of the bodies */
     MeReal potentialEnergy; /**< J, in the world's gravity, 0 at the origin; of gravity only, not of springs */

@@ -82,8 +82,10 @@ MEPUBLIC void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g);
 
 /** @name Epsilon and gamma (Dynamics guide ch. 5, "The Meaning of Epsilon and Gamma")
  *  Epsilon [1/kg], >= 0: the compliance of joints and of contacts along their normals. A load F sags by epsilon F h² /
- *  gamma, h the step: at 60 Hz and the defaults by 1.4 mm for each tonne; 0 is rigid. Default 0.0001 / massScale; a
- *  universe sets its own (MstUniverseCreate). A value that a program sets is absolute, whatever the scales are.
+ *  gamma, h the step: at 60 Hz and the defaults by 1.4 mm for each tonne; 0 is rigid. A moment turns what holds a
+ *  direction by as much as if it acted at a lever arm of the length scale: epsilon / lengthScale² there.
+ *  Default 0.0001 / massScale; a universe sets its own (MstUniverseCreate). A value that a program sets is absolute,
+ *  whatever massScale is.
  *
  *  Friction, motors and brakes have no epsilon: on a row without a position it would be viscosity, and what they can
  *  hold would creep. What is to give way there is said with slip (MdtContactParamsSetPrimarySlip) or friction.
@@ -105,7 +107,10 @@ MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const Me
  *  A partition is disabled when for all its bodies the squares of velocity, angular velocity, acceleration and angular
  *  acceleration are below the thresholds, and the alive window has passed; but not where a contact pushes whose
  *  surface moves (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity). On by default. The thresholds
- *  are squares of magnitudes, >= 0, and start at the values of MdtDefaults.h times the squares of the scales.
+ *  are squares of magnitudes, >= 0, and start at the values of MdtDefaults.h; those of velocity and acceleration times
+ *  the square of the length scale, as far as the acceleration is no more than a tenth of gravity: both follow
+ *  MdtWorldSetGravity until the program sets them. Times are in seconds: in other units of time the program scales all
+ *  of them.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d);
 MEPUBLIC MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w);
@@ -250,7 +255,7 @@ MEPUBLIC MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w);
 /** @name The accuracy that is wanted of the fast solver
  *  m/s, of the worst velocity at a contact: the solver takes more passes, up to four times as many, while it is off by
  *  more. Bodies that are ten times slower count as resting. 0: auto is exact. Negative, the default: a hundredth of
- *  what gravity changes a velocity by in a step, at least 1e-3 m/s. Beyond Karma.
+ *  what gravity changes a velocity by in a step; without gravity 1e-3 of the length scale in a second. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity);
 /** As it was set, or what the last step's length makes of the default. */

@@ -369,10 +369,10 @@ void mdt_bodyAge(MdtBodyID b, double h) {
     b->slowTime = isFast(b, &b->world->rest) ? 0 : b->slowTime + h;
 }
 
-/* Slow for long, though with a high acceleration: solver jitter, which does not keep a body from sleeping. */
-static MeBool isJittering(const MdtBody *b) {
-    const double longEnough = 0.5; /* s: at the default thresholds, twice what it takes from rest to the fast ones */
-    return b->slowTime > longEnough;
+/* Slow for long, though with a high acceleration: solver jitter, which does not keep a body from sleeping. Two and a
+ * half times as long as such an acceleration takes from rest to the fast velocities, 0.5 s by default. */
+static MeBool isJittering(const MdtBody *b, const MdtPartitionParams *params) {
+    return b->slowTime * b->slowTime * (double)params->acc_thresh > 2.5 * 2.5 * (double)params->vel_thresh;
 }
 
 MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *params) {
@@ -380,7 +380,7 @@ MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *pa
     if (!mdt_isPointer(__func__, "the thresholds", params))
         return MEFALSE;
     mdt_bodyAcceptVelocities(b);
-    return isFast(b, params) || (isAccelerated(b, params) && !isJittering(b));
+    return isFast(b, params) || (isAccelerated(b, params) && !isJittering(b, params));
 }
 
 /* ---- sleeping and waking ---- */

@@ -14,8 +14,21 @@ static MeReal scaleOr1(const char *what, MeReal scale) {
     return 1;
 }
 
+/* The default thresholds of rest, as far as the program has set none. They grow with the length scale until the one of
+ * accelerations is a tenth of gravity: above it, what falls would count as resting. Both by one factor, so that such an
+ * acceleration takes as long to such a velocity. */
+static void setThresholdsOfRest(MdtWorldID w) {
+    const double length = (double)w->params.lengthScale, full = MDTWORLD_DEFAULT_ACC_THRESH * length * length;
+    double g[3];
+    mdt_fromReal(g, w->params.gravity);
+    const double tenth = keaDot(g, g) / 100, share = tenth > 0 ? fmin(tenth / full, 1) : 1;
+    if (!w->hasAccThresh)
+        w->rest.acc_thresh = (MeReal)(share * full);
+    if (!w->hasVelThresh)
+        w->rest.vel_thresh = (MeReal)(share * MDTWORLD_DEFAULT_VEL_THRESH * length * length);
+}
+
 static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
-    const MeReal square = lengthScale * lengthScale;
     w->params.lengthScale = lengthScale;
     w->params.massScale = massScale;
     w->params.gravity[0] = MDTWORLD_DEFAULT_GRAVITY_X;
@@ -28,8 +41,8 @@ static void setDefaults(MdtWorldID w, MeReal lengthScale, MeReal massScale) {
     w->workBudget = MDTWORLD_DEFAULT_WORK_BUDGET;
     w->minSafeTime = (MeReal)MDTWORLD_DEFAULT_MIN_SAFETIME;
     w->rest.autoDisable = METRUE;
-    w->rest.vel_thresh = (MeReal)MDTWORLD_DEFAULT_VEL_THRESH * square;
-    w->rest.acc_thresh = (MeReal)MDTWORLD_DEFAULT_ACC_THRESH * square;
+    w->hasVelThresh = w->hasAccThresh = MEFALSE;
+    setThresholdsOfRest(w);
     w->rest.velrot_thresh = (MeReal)MDTWORLD_DEFAULT_VELROT_THRESH;
     w->rest.accrot_thresh = (MeReal)MDTWORLD_DEFAULT_ACCROT_THRESH;
     w->rest.alive_time = (MeReal)MDTWORLD_DEFAULT_ALIVE_TIME_THRESH;
@@ -129,7 +142,7 @@ static MeBool allocateParts(MdtWorldID w, int bodies, int constraints, const cha
     w->keaCache = MdtKeaCacheCreate();
     return w->keaCache && mdt_poolInit(&w->bodyPool, caller) && mdt_poolInit(&w->jointPool, caller) &&
            mdt_poolInit(&w->manifoldPool, caller) && mdt_poolInit(&w->extraPool, caller) &&
-           mdt_surfacesInit(&w->surfaces, caller) &&
+           mdt_surfacesInit(&w->surfaces, w->params.lengthScale, caller) &&
            mdt_worldReserve(w, bodies == MeNoLimit ? 0 : bodies, constraints == MeNoLimit ? 0 : constraints, caller);
 }
 
@@ -151,12 +164,12 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     w->certificate = 1;   /* 0 is none */
     w->graph.changes = 1; /* nothing has been seen */
     w->numReports = MDT_NO_REPORTS;
+    setDefaults(w, scaleOr1("length", lengthScale), scaleOr1("mass", massScale));
     if (!allocateParts(w, (int)maxBodies, (int)maxConstraints, "MdtWorldCreate")) {
         freeWorld(w);
         return NULL;
     }
     w->magic = MDT_WORLD;
-    setDefaults(w, scaleOr1("length", lengthScale), scaleOr1("mass", massScale));
     MeHandleEnter(&w->handle, w, MDT_WORLD);
     mdt_countWorlds(1);
     return w;
@@ -201,6 +214,7 @@ void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal 
     if (!mdt_isFinite3(__func__, "gravity", gx, gy, gz))
         return;
     w->params.gravity[0] = gx, w->params.gravity[1] = gy, w->params.gravity[2] = gz;
+    setThresholdsOfRest(w);
 }
 
 void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g) {
@@ -260,7 +274,7 @@ MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w) {
 void MEAPI MdtWorldSetAutoDisableVelocityThreshold(const MdtWorldID w, const MeReal vt) {
     MDT_NEED_WORLD(w, );
     if (mdt_isAtLeast(__func__, "the threshold", vt, 0))
-        w->rest.vel_thresh = vt;
+        w->rest.vel_thresh = vt, w->hasVelThresh = METRUE;
 }
 
 MeReal MEAPI MdtWorldGetAutoDisableVelocityThreshold(const MdtWorldID w) {
@@ -282,7 +296,7 @@ MeReal MEAPI MdtWorldGetAutoDisableAngularVelocityThreshold(const MdtWorldID w) 
 void MEAPI MdtWorldSetAutoDisableAccelerationThreshold(const MdtWorldID w, const MeReal at) {
     MDT_NEED_WORLD(w, );
     if (mdt_isAtLeast(__func__, "the threshold", at, 0))
-        w->rest.acc_thresh = at;
+        w->rest.acc_thresh = at, w->hasAccThresh = METRUE;
 }
 
 MeReal MEAPI MdtWorldGetAutoDisableAccelerationThreshold(const MdtWorldID w) {
@@ -470,10 +484,11 @@ MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w) {
 }
 
 double mdt_worldAccuracy(const MdtWorld *w, double h) {
-    const double share = 1e-2, least = 1e-3; /* see MdtWorldSetAccuracy */
+    const double share = 1e-2, least = 1e-3 * (double)w->params.lengthScale; /* see MdtWorldSetAccuracy */
     double g[3];
     mdt_fromReal(g, w->params.gravity);
-    return w->accuracy >= 0 ? (double)w->accuracy : fmax(share * keaLength(g) * h, least);
+    const double fall = keaLength(g) * h;
+    return w->accuracy >= 0 ? (double)w->accuracy : fall > 0 ? share * fall : least;
 }
 
 void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity) {

@@ -342,6 +342,7 @@ struct MdtWorld {
     unsigned int magic;
     MdtWorldParams params;
     MdtPartitionParams rest;
+    MeBool hasVelThresh, hasAccThresh; /* of `rest`, the program has set them */
     MeReal epsilon, gamma, minSafeTime;
     int maxLcpIterations;
     MeReal workBudget; /* millions of multiplications of a partition's step; 0: no bound */

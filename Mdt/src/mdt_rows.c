@@ -77,6 +77,14 @@ static void subtractWorldVelocity(const MdtKeaVelocity *v, MdtKeaRow *row) {
     row->drift -= rate;
 }
 
+/* 1/(kg m²): a row that only turns bodies has epsilon at a lever arm of the length scale. */
+static void softenTurns(const MdtWorld *w, MdtKeaRow rows[], int count) {
+    const double length = (double)w->params.lengthScale;
+    for (int r = 0; r < count; r++)
+        if (keaDot(rows[r].J[0].lin, rows[r].J[0].lin) + keaDot(rows[r].J[1].lin, rows[r].J[1].lin) == 0)
+            rows[r].softness /= length * length;
+}
+
 /* `owner` is what Kea knows the rows of one constraint by. */
 static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
@@ -85,6 +93,8 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     jointContext(p, j, &x);
     if (j->numRows > 0)
         j->type->fill(&j->bcl, &x, rows);
+    if (mdt_constraintType(&j->base) != MdtBclUSER)
+        softenTurns(p->world, rows, j->numRows);
     const MeBool isWarm = j->numWarm == j->numRows;
     for (int r = 0; r < j->numRows; r++) {
         subtractWorldVelocity(&j->worldVelocity, &rows[r]);

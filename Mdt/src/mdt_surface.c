@@ -54,8 +54,9 @@ static void addBuckets(MdtSurfaces *s, const char *caller) {
     MeMemoryGive(old.bucket);
 }
 
-MeBool mdt_surfacesInit(MdtSurfaces *s, const char *caller) {
+MeBool mdt_surfacesInit(MdtSurfaces *s, MeReal lengthScale, const char *caller) {
     MdtBclContactParamsReset(&s->standard.params);
+    s->standard.params.velThreshold *= lengthScale;
     s->standard.users = 1; /* of the world */
     s->bucket = MeMemoryTakeZeroed(FIRST_BUCKETS, sizeof(MdtSurface *), caller, "surfaces");
     s->numBuckets = FIRST_BUCKETS;

@@ -22,7 +22,7 @@ typedef struct MdtSurfaces {
 } MdtSurfaces;
 
 /* False, after a fatal error: there is no memory. */
-MeBool mdt_surfacesInit(MdtSurfaces *s, const char *caller);
+MeBool mdt_surfacesInit(MdtSurfaces *s, MeReal lengthScale, const char *caller);
 void mdt_surfacesTerm(MdtSurfaces *s);
 
 /* The surface with these parameters, to the last bit; one more contact has it. Where there is no memory for a new one,

@@ -1,4 +1,5 @@
 /* The bridge: the material table, and the loop over pairs, which takes runs of them from collide to commit. */
+#include "McdFrame.h"
 #include "McdGeometryInstance.h"
 #include "McdInteractions.h"
 #include "McdInternal.h"
@@ -79,8 +80,10 @@ static MeBool addMaterial(MstBridgeRecord *b, const char *function) {
     MstMaterialRecord *row = MeMemoryTakeZeroed((size_t)m + 1, sizeof *row, function, "a material");
     if (!row)
         return MEFALSE;
-    for (unsigned int i = 0; i <= m; i++)
+    for (unsigned int i = 0; i <= m; i++) {
         MdtContactParamsReset(&row[i].pair.params);
+        row[i].pair.params.velThreshold *= McdFrameworkGetLengthScale(b->frame);
+    }
     b->materials[b->materialCount++] = row;
     return METRUE;
 }

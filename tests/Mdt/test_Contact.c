@@ -617,6 +617,14 @@ START_TEST(a_surface_is_set_by_one_call) {
 }
 END_TEST
 
+START_TEST(the_threshold_of_restitution_is_of_the_world_s_length_scale) {
+    const MdtWorldID world = MdtWorldCreate(2, 8, (MeReal).25, 1);
+    MdtBclContactParams *const p = MdtContactGetParams(MdtContactCreate(world));
+    assert_near_rel(MdtContactParamsGetRestitutionThreshold(p), .001 / 4, 1e-6);
+    MdtWorldDestroy(world);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, friction_that_cannot_act_or_has_no_bound_is_told_once);
     tcase_add_test(t, a_surface_is_set_by_one_call);
@@ -643,6 +651,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_heavy_box_rests_on_a_light_one);
     tcase_add_test(t, parameters_have_the_guide_s_defaults);
     tcase_add_test(t, parameters_round_trip);
+    tcase_add_test(t, the_threshold_of_restitution_is_of_the_world_s_length_scale);
 }
 
 TEST_MAIN("Contact", tests)

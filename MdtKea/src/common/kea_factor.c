@@ -108,23 +108,47 @@ static MeBool choleskyOf(double *D, int n, double least) {
     return METRUE;
 }
 
+/* What an entry a_ij is compared with is sqrt(size_i size_j), which has its unit: a block may have rows of kg and of
+ * kg m². Of the block as it was given. */
+static void measureRows(const double *A, int n, double size[]) {
+    for (int i = 0; i < n; i++) {
+        size[i] = fabs(A[i * n + i]);
+        for (int j = 0; j < n && A[i * n + i] == 0; j++)
+            size[i] = fmax(size[i], fabs(A[i * n + j]));
+    }
+}
+
+static void exchangeRows(double *D, int n, double size[], int i, int k) {
+    for (int j = 0; j < n && i != k; j++) {
+        const double t = D[k * n + j];
+        D[k * n + j] = D[i * n + j];
+        D[i * n + j] = t;
+    }
+    const double t = size[k];
+    size[k] = size[i];
+    size[i] = t;
+}
+
 /* P D = L U in place, L with a unit diagonal; the diagonal of U is kept inverted. */
-static MeBool luOf(double *D, int n, int exchange[], double least) {
-    double largest = 0;
-    for (int i = 0; i < n * n; i++)
-        largest = fmax(largest, fabs(D[i]));
+static MeBool luOf(double *D, const double *given, int n, int exchange[], double least) {
+    double size[KEA_FACTOR_MAX_BLOCK], own[KEA_FACTOR_MAX_BLOCK];
+    MEASSERT(n <= KEA_FACTOR_MAX_BLOCK);
+    measureRows(given, n, size);
+    memcpy(own, size, sizeof own);
     for (int k = 0; k < n; k++) {
         int best = k;
-        for (int i = k + 1; i < n; i++)
-            best = fabs(D[i * n + k]) > fabs(D[best * n + k]) ? i : best;
-        exchange[k] = best;
-        if (!(fabs(D[best * n + k]) > least * largest))
-            return MEFALSE;
-        for (int j = 0; j < n && best != k; j++) {
-            const double t = D[k * n + j];
-            D[k * n + j] = D[best * n + j];
-            D[best * n + j] = t;
+        double most = 0; /* of a_ik² / size_i */
+        for (int i = k; i < n; i++) {
+            const double square = D[i * n + k] * D[i * n + k];
+            if (square > most * size[i]) {
+                most = square / size[i];
+                best = i;
+            }
         }
+        exchange[k] = best;
+        if (!(most > least * least * own[k]))
+            return MEFALSE;
+        exchangeRows(D, n, size, best, k);
         const double inverse = 1 / D[k * n + k];
         for (int i = k + 1; i < n; i++) {
             const double factor = D[i * n + k] *= inverse;
@@ -225,7 +249,7 @@ static MeBool divideColumn(KeaFactor *f, int t, double least) {
     const int j = f->node[t], n = f->size[j];
     double *D = f->pivot + f->diagonalAt[j];
     int *exchange = f->exchange + f->offset[j];
-    if (!(f->isSymmetric ? choleskyOf(D, n, least) : luOf(D, n, exchange, least)))
+    if (!(f->isSymmetric ? choleskyOf(D, n, least) : luOf(D, f->diagonal + f->diagonalAt[j], n, exchange, least)))
         return MEFALSE;
     for (int k = f->start[t]; k < f->start[t + 1]; k++) {
         const KeaFactorEntry *e = &f->entry[k];

@@ -47,7 +47,8 @@ int kea_factorOffset(const KeaFactor *f, int node);
  * when the turn of its block came. The matrix itself is kept, and may be changed and factored again. */
 MeBool kea_factorCholesky(KeaFactor *f, double least);
 /* A = L U of a matrix whose structure is symmetric but whose numbers are not, without pivoting between blocks (within a
- * diagonal block rows are exchanged). False where a pivot vanishes. */
+ * diagonal block rows are exchanged, which are compared by their own diagonal entries). False where a pivot is below
+ * `least`, relative to these. */
 MeBool kea_factorLU(KeaFactor *f, double least);
 /* x := A⁻¹ x, by the last factorization. */
 void kea_factorSolve(const KeaFactor *f, double x[]);

@@ -135,7 +135,8 @@ static const double kea_jerk = 30;
  * contacts_within_reach_damp. */
 static const double kea_nearbyGap = 1e-3;
 /* Steps: a contact that would be closed in so many with its present speed may act; 1 is the answer without rows, half
- * a step is for what rows add. x2 and /2 fail MdtKea_system: contacts_within_reach_damp. */
+ * a step is for what rows add, and what bounces so near is met in time. x2 and /2 fail MdtKea_system:
+ * contacts_within_reach_damp; 1 for what bounces fails Mst_Blows: a_step_may_end_at_the_blow. */
 static const double kea_reach = 1.5;
 /* Of a bounded joint's strength: above it, it may give way in this step, and is treated as a stop. x2 fails Mdt_Hinge:
  * the_lock_holds_up_to_its_force. */

@@ -54,19 +54,20 @@ static void solveDisplacement(MdtKeaSystem *s, const double target[]) {
 /* The smallest displacement, in the metric of the masses, that takes γ of every overlap away and makes none deeper. */
 void kea_project(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    double *target = s->work->target, error;
-    MeBool isNeeded = MEFALSE;
+    double *target = s->work->target, error, most = 0;
     for (int i = 0; i < s->numRows; i++) {
         s->work->takesPart[i] = (char)mustBeMovedOut(s, i, &error);
         target[i] = s->work->takesPart[i] ? keaMax(-s->parameters.gamma * error - sagOf(s, i), 0) : 0;
-        isNeeded = isNeeded || target[i] > 0;
+        most = keaMax(most, target[i]);
     }
-    if (!isNeeded)
+    if (!(most > 0))
         return;
     for (int i = 0; i < s->numRows; i++)
         s->work->keptP[i] = q->row[i].p;
-    for (int b = 0; b < s->numBodies; b++)
+    for (int b = 0; b < s->numBodies; b++) {
         kea_setInstantMetric(s, b);
+        q->scale[b] = q->metric[b].linear * most; /* kg m: of displacements */
+    }
     for (int i = 0; i < s->numRows; i++) {
         s->work->takesPart[i] = (char)(isJoint(&s->rows[i]) || (s->rows[i].contact == i && !s->rows[i].isOpen));
         kea_setInstantRow(s, i, &q->row[i]);

@@ -1,14 +1,29 @@
 /* How far an answer is from the laws that it should keep, in tolerances; and the one definition of `converged'.
  *
  *   velocity  of every row of the inner problem, by how much its impulse would change were it solved alone (a projected
- *             residual: 0 exactly where complementarity holds), times its A_ii, m/s
- *   position  of every position row, the error that it asked to be taken away and that is left, m
+ *             residual: 0 exactly where complementarity holds), times its A_ii, m/s; of a row that only turns bodies,
+ *             rad/s times the larger one's size, as m/s, so that no unit is preferred
+ *   position  of every position row, the error that it asked to be taken away and that is left, m; of one that only
+ *             turns bodies rad, compared with angles
  *   momentum  of every body, B d + g - Jᵀ p, N s
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 
 /* ---- laws of the inner problem's rows ---- */
+
+/* m per unit of a row's coordinate, as kea_lengthOf. */
+static double lengthOf(const KeaProblem *q, const KeaProblemRow *row) {
+    double size = 0;
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] < 0)
+            continue;
+        if (keaDot(row->J[k], row->J[k]) > 0)
+            return 1;
+        size = keaMax(size, q->length[row->body[k]]);
+    }
+    return size;
+}
 
 static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
     const KeaProblemRow *other = &q->row[row->partner];
@@ -46,7 +61,7 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
         const double bound = row->normal >= 0 ? kea_frictionBound(q, row) : HUGE_VAL;
         const double projected = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
                                         keaMin(row->upper, bound));
-        worst = keaMax(worst, row->size * fabs(row->p - projected));
+        worst = keaMax(worst, lengthOf(q, row) * row->size * fabs(row->p - projected));
         most = keaMax(most, fabs(row->p - projected));
     }
     if (impulse)
@@ -57,7 +72,8 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
 /* ---- position rows ---- */
 
 /* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies
- * move, a little of their size and, for the rounding of places far from the origin, of their distance. */
+ * move, a little of their size and, for the rounding of places far from the origin, of their distance. Of a row that
+ * only turns bodies all of this is angles: there are no places in it. */
 static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const double h = s->parameters.stepsize;
     double size = fabs(row->error);
@@ -65,8 +81,12 @@ static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
         if (row->body[k] < 0)
             continue;
         const KeaBody *b = &s->work->body[row->body[k]];
-        size += keaLength(row->J[k].ang) + h * keaLength(b->u) + kea_bodySizeShare * b->size +
-                kea_distanceShare * keaLength(s->work->end[row->body[k]].position);
+        size += keaLength(row->J[k].ang);
+        if (keaDot(row->J[k].lin, row->J[k].lin) > 0)
+            size += h * keaLength(b->u) + kea_bodySizeShare * b->size +
+                    kea_distanceShare * keaLength(s->work->end[row->body[k]].position);
+        else
+            size += h * keaLength(b->u + 3);
     }
     return size;
 }
@@ -166,7 +186,8 @@ double kea_speedOf(const MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0 && !s->rows[i].position)
-            speed = keaMax(speed, s->work->problem.row[i].size * fabs(s->work->problem.row[i].p));
+            speed = keaMax(speed, kea_lengthOf(s, &s->rows[i]) * s->work->problem.row[i].size *
+                                      fabs(s->work->problem.row[i].p));
     return speed + kea_tiny;
 }
 

@@ -45,7 +45,7 @@ static MeBool isDeep(const MdtKeaSystem *s, const MdtKeaRow *row) {
 /* Forces of springs change within a step, and stiff ones have to be damped: what they hold is not followed. What
  * overlaps is moved out of it, which against joints costs energy, or gives it. */
 MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
-    const double gate = kea_minReboundSpeed * kea_eventSpeed(s);
+    const double gate = kea_minReboundSpeed * kea_eventSpeed(s), reach = kea_reach * s->parameters.stepsize;
     MeBool bounces = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
@@ -54,7 +54,7 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
         if (row->contact != i || !(row->restitution > 0))
             continue;
         const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
-        if (-rate > row->threshold && -rate * row->restitution > gate && row->error + s->parameters.stepsize * rate < 0)
+        if (-rate > row->threshold && -rate * row->restitution > gate && row->error + reach * rate < 0)
             bounces = METRUE;
     }
     return bounces;

@@ -175,8 +175,10 @@ static void solveStage(MdtKeaSystem *s, double start, double allowed) {
     addVelocities(s, s->work->added);
 }
 
-static double leftOver(const KeaProblemRow *p) {
-    return p->E * p->p - p->r;
+/* m/s, as residuals are. */
+static double leftOver(const MdtKeaSystem *s, int i) {
+    const KeaProblemRow *p = &s->work->problem.row[i];
+    return (p->E * p->p - p->r) * kea_lengthOf(s, &s->rows[i]);
 }
 
 /* The undamped velocity of the midpoint rule changes its sign at every step; what motion itself leaves does not. */
@@ -184,7 +186,7 @@ static MeBool alternates(const MdtKeaSystem *s, double residual) {
     if (residual < kea_velocityTolerance * kea_loadSpeed(s))
         return MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
-        const double now = leftOver(&s->work->problem.row[i]), before = s->rows[i].ripple;
+        const double now = leftOver(s, i), before = s->rows[i].ripple;
         const MeBool counts = s->rows[i].position && !s->work->problem.row[i].isOff;
         if (counts && now * before < 0 && fabs(now + before) < kea_rippleBalance * fabs(now - before) &&
             fabs(now) > kea_rippleShare * residual)
@@ -195,7 +197,7 @@ static MeBool alternates(const MdtKeaSystem *s, double residual) {
 
 static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
     for (int i = 0; i < s->numRows; i++)
-        s->rows[i].ripple = isQuieted ? 0 : leftOver(&s->work->problem.row[i]);
+        s->rows[i].ripple = isQuieted ? 0 : leftOver(s, i);
 }
 
 static MeBool isPushed(const MdtKeaSystem *s) {

@@ -298,7 +298,6 @@ static void shareImpulses(Step *p) {
     setMotions(p);
     p->kernel->apply(p->groups, p->numGroups, p->motion);
     setEndMomentum(p);
-    p->s->report.capped = METRUE;
 }
 
 /* Velocities that passes have added up are those that the impulses give, but for rounding: unless impulses have been so
@@ -328,6 +327,17 @@ static void keepEnergy(Step *p) {
         return;
     descend(p);
     gained = energyGained(p, &all);
+    if (gained <= kea_energyRoom * all || isDriven(p->s))
+        return;
+    shareImpulses(p);
+    p->s->report.capped = METRUE;
+}
+
+/* Restitution at several points asks for energy that is not there (Newton's law has that flaw): a share of all impulses
+ * is taken, with which none is gained. */
+static void limitRebounds(Step *p) {
+    double all;
+    const double gained = energyGained(p, &all);
     if (gained > kea_energyRoom * all && !isDriven(p->s))
         shareImpulses(p);
 }
@@ -452,6 +462,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
         kea_jointsRefill(s, &p.joints);
         findVelocities(&p, passes);
         setEndMomentum(&p);
+        limitRebounds(&p);
     }
     report(&p);
     kea_returnManifolds(s, p.groups, p.numGroups);
