@@ -116,7 +116,7 @@ static void makeChain(void) {
     }
 }
 
-/* Turned any way, above each other. */
+/* Turned any way, above each other, and apart: impulses of what touches in flight fall until they underflow. */
 static void makeHeap(void) {
     unsigned int seed = 1;
     makeFloor();
@@ -126,7 +126,7 @@ static void makeHeap(void) {
             seed = seed * 1664525u + 1013904223u;
             x[k] = (double)(seed >> 8) / (1 << 24) - .5;
         }
-        add(box(1, 1, 1), 4 * x[0], 4 * x[1], 1.5 + 1.2 * (i / 6));
+        add(box(1, 1, 1), 2 * (i % 4) + .2 * x[0], .2 * x[1], 1 + 1.8 * (i / 4));
         McdModelDynamicsSetQuaternion(model[i], (MeReal)x[2], (MeReal)x[3], (MeReal)x[4], (MeReal)x[5]);
     }
 }
