@@ -288,7 +288,7 @@ START_TEST(points_may_coincide_anywhere) {
         const int count = 2 + trial % 3;
         makeBall(&b);
         for (int k = 0; k < count; k++) {
-            const MdtKeaPoint *last = &b.manifold.point[k - 1];
+            const MdtKeaPoint *last = &b.manifold.point[k > 0 ? k - 1 : 0];
             const MeBool isNew = k == 0 || chance(0, 1) < .3f;
             addPoint(&b, isNew ? (double)chance(-1, 1) : last->position[0],
                      isNew ? (double)chance(-1, 1) : last->position[2], 1e-3);
