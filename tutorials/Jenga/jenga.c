@@ -58,7 +58,7 @@ static void MEAPI drawMiddle(RRender *context, void *userdata) {
     beginToDraw(3 * DRAWN_LAYER + 1, (MeReal)0.1);
 }
 
-/* Fast: where the middle plank is gone, this one bears half of what lies above, and drags it along with the very friction
+/* Fast: where the middle plank is gone, this one bears half of what lies above, and drags it along with the friction
  * that the other side holds it with. Drawn at .6 m/s, the tower above came along by .3 m, and might stand on it. */
 static void MEAPI drawSide(RRender *context, void *userdata) {
     (void)context, (void)userdata;
