@@ -234,13 +234,13 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
 
 /** @name The solver: exact, or fast
  *
- *  Exact: Newton's method, to the tolerances that docs/solver.md states. Fast: a fixed number of passes over the
- *  contacts of a partition, eight pairs at a time; its time is proportional to them, and it leaves velocities of
- *  contacts that MdtReport tells (`residualVelocity`), from which bodies sink and creep a little until they rest.
- *  MdtSolverAuto, the default, takes the fast one for partitions of 64 bodies or more, which may have joints if they
- *  are few: twelve that are tied together, half as many as contacts; and, without joints, for those of more than
- *  MdtWorldSetTimedContacts in which bodies have just met, or meet in this step, or that touch nothing fixed. Others
- *  are exact, whatever is chosen, and so are bodies that bounce and of which few touch anything. Beyond Karma.
+ *  Exact: Newton's method, to the tolerances that docs/solver.md states. Fast: passes over a partition's contacts,
+ *  eight pairs at a time, as many as its height and its masses ask for; they leave velocities of contacts that
+ *  MdtReport tells (`residualVelocity`), from which bodies sink and creep a little until they rest. MdtSolverAuto, the
+ *  default, takes the fast one for partitions of 64 bodies or more, which may have joints if they are few: twelve that
+ *  are tied together, half as many as contacts; and, without joints, for those of more than MdtWorldSetTimedContacts
+ *  that touch nothing fixed, or in which bodies meet: from then on until all are slow (MdtPartitionParams). Others are
+ *  exact, whatever is chosen, and so are bodies that bounce and of which few touch anything. Beyond Karma.
  *  @{ */
 typedef enum MdtSolver {
     MdtSolverAuto,

@@ -47,6 +47,17 @@ static MeBool hasImpacts(const MdtIsland *p) {
     return MEFALSE;
 }
 
+/* From an impact on until all that it has disturbed is slow: a partition does not go to and fro between the solvers.
+ * What leaves a crowd counts as disturbed. Writes isDisturbed of its bodies. */
+static MeBool isDisturbed(const MdtIsland *p) {
+    MeBool is = p->numBodies >= MDT_CROWD || hasImpacts(p);
+    for (int i = 0; i < p->numBodies && !is; i++)
+        is = p->bodies[i]->isDisturbed && p->bodies[i]->slowTime == 0;
+    for (int i = 0; i < p->numBodies; i++)
+        p->bodies[i]->isDisturbed = is;
+    return is;
+}
+
 /* Nothing in it touches the world: it carries no weight, and its forces come of meetings and of overlaps alone. */
 static MeBool isInFlight(const MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++)
@@ -125,5 +136,7 @@ MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
         return METRUE;
     if (p->numBodies <= w->timedBodies || mdt_worldAccuracy(w, p->h) == 0 || isMetInTime(p))
         return MEFALSE;
-    return p->numBodies >= MDT_CROWD || (p->numJoints == 0 && (isInFlight(p) || hasImpacts(p)));
+    if (p->numJoints > 0)
+        return p->numBodies >= MDT_CROWD;
+    return isDisturbed(p) || isInFlight(p);
 }

@@ -131,6 +131,7 @@ struct MdtBody {
     double enabledTime;                            /* s */
     int enabledSteps;
     MeReal safeTime;
+    MeBool isDisturbed; /* by an impact in its partition, and has not come to rest since (mdt_crowd.c) */
 
     MdtKeaBody kea; /* the centre of mass: the authoritative state */
     MdtStart start;

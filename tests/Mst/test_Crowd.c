@@ -393,6 +393,27 @@ START_TEST(crowds_are_fast_and_others_exact) {
 }
 END_TEST
 
+/* How often forty boxes that fall onto each other go from the fast solver to the exact one: once, when all are slow. If
+ * the solver depended on the impacts of the step alone, 17 times. */
+START_TEST(what_was_hit_stays_fast_until_it_is_slow) {
+    makeWorld(MdtSolverAuto);
+    makeFloor();
+    makeHeap(40);
+    int turns = 0;
+    MdtReportWay last = MdtReportWayRest;
+    for (int i = 0; i < 400; i++) {
+        step(1);
+        MdtReport r, largest = {0};
+        for (int k = 0; k < MdtWorldGetReportCount(u->world); k++)
+            if (MdtWorldGetPartitionReport(u->world, k, &r) && r.bodies > largest.bodies)
+                largest = r;
+        turns += last == MdtReportWayFast && largest.way == MdtReportWayExact;
+        last = largest.way;
+    }
+    ck_assert_int_eq(turns, 1);
+}
+END_TEST
+
 /* ---- joints ---- */
 
 /* A ball on a ball joint above it. */
@@ -489,6 +510,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_rebound_reaches_what_had_not_been_touched);
     tcase_add_loop_test(t, parameters_mean_what_they_mean_to_the_exact_solver, 0, (int)(sizeof cases / sizeof *cases));
     tcase_add_test(t, crowds_are_fast_and_others_exact);
+    tcase_add_test(t, what_was_hit_stays_fast_until_it_is_slow);
     tcase_add_test(t, short_chains_hold_in_a_crowd);
     tcase_add_test(t, settings_are_kept_and_checked);
     tcase_add_test(t, more_accuracy_is_more_passes_and_less_error);
