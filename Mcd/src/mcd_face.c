@@ -12,8 +12,9 @@
  * that differ by less are the same. Depths are promised to 1e-6. */
 static const double slack = 2e-7;
 /* Of the pair's size, and of how much deeper one corner of a face is than another: corners that are so near to the
- * deepest may carry. Without the first, what lies flat would change its four corners with each step's rounding; without
- * the second, a box that leans on an edge keeps one end of it, and rocks from one to the other for ever. */
+ * deepest may carry. Without the first, what lies flat would change its four corners with each step's rounding;
+ * without the second, a box that leans on an edge keeps one end of it, and rocks from one to the other for ever. Twice
+ * either fails Mcd_BoxBox. */
 static const double carryingShare = 1e-3, tiltShare = 0.25;
 /* What preferring a face over a slightly better normal does to separations. */
 static const double preference = 1e-5;

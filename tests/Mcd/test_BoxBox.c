@@ -202,6 +202,30 @@ START_TEST(one_within_the_other) {
 }
 END_TEST
 
+static MeBool touchesAt(const McdManifold *m, double x, double y, double tolerance) {
+    for (int i = 0; i < m->count; i++)
+        if (hypot(m->point[i].position[0] - x, m->point[i].position[1] - y) < tolerance)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Two cubes meet in an octagon, the upper one tilted about one of its edges: it stands on both ends of that edge. */
+START_TEST(a_leaning_cube_stands_on_both_ends_of_an_edge) {
+    const double pi = 3.14159265358979323846, z[3] = {0, 0, 1}, radius = .5 / cos(pi / 8);
+    const double tilt = _i < 8 ? 1e-2 : 5e-3, towards = _i % 8 * pi / 4;
+    const double axis[3] = {-sin(towards), cos(towards), 0};
+    McdShape a, b;
+    McdManifold m;
+    cubes(&a, &b);
+    shape_rotate(&a, z, pi / 4);
+    shape_rotate(&a, axis, tilt);
+    shape_move(&a, 0, 0, .5 + .5 * cos(tilt) + .5 * sin(tilt));
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, 2 * tilt, &m), 4);
+    for (int side = -1; side <= 1; side += 2)
+        ck_assert(touchesAt(&m, radius * cos(towards + side * pi / 8), radius * sin(towards + side * pi / 8), tilt));
+}
+END_TEST
+
 START_TEST(crossed_edges_touch_in_one_point) {
     const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0};
     McdShape a, b;
@@ -280,6 +304,7 @@ static void tests(TCase *t) {
     tcase_add_loop_test(t, poses_of_boxes, 0, 3);
     tcase_add_loop_test(t, poses_of_slabs, 0, 3);
     tcase_add_test(t, a_cube_on_another_touches_with_its_four_corners);
+    tcase_add_loop_test(t, a_leaning_cube_stands_on_both_ends_of_an_edge, 0, 2 * 8);
     tcase_add_test(t, contacts_end_where_the_margin_does);
     tcase_add_test(t, with_no_margin_only_what_is_inside_counts);
     tcase_add_test(t, one_within_the_other);
