@@ -4,6 +4,7 @@
 #include "common/kea_policy_i.h"
 #include "common/kea_problem_i.h"
 #include "karma_test.h"
+#include "kea_i.h"
 
 enum { MOST_BODIES = 12, MOST_ROWS = 48, MOST_ENUMERATED = 7, MAX_PASSES = 12 };
 
@@ -436,6 +437,21 @@ START_TEST(residual_tells_what_is_missing) {
             row->r = r;
         }
         end();
+    }
+}
+END_TEST
+
+/* Of an answer that passes leave when they run out, 1e-6 of a row's size, 1e-6 of the momentum that is tolerated
+ * and 1e-4 of the speed may be missing. */
+START_TEST(answers_are_exact_enough_to_a_millionth) {
+    for (int k = 0; k < 2; k++) {
+        const double share = k ? 1.4 : 0.7;
+        KeaResiduals e[3] = {{.worst = 0}};
+        e[0].position = share * 1e-6 / kea_positionTolerance;
+        e[1].velocity = share * 1e-4 / kea_velocityTolerance;
+        e[2].momentum = share * 1e-6 / kea_newtonTolerance;
+        for (int i = 0; i < 3; i++)
+            ck_assert_int_eq(kea_isExactEnough(&e[i], 1), !k);
     }
 }
 END_TEST
@@ -944,6 +960,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, redundant_rows_have_the_enumerated_answer);
     tcase_add_test(t, large_problems_are_complementary);
     tcase_add_test(t, residual_tells_what_is_missing);
+    tcase_add_test(t, answers_are_exact_enough_to_a_millionth);
     tcase_add_test(t, contradictory_rows_end_in_a_compromise);
     tcase_add_test(t, equal_bounds_are_kept);
     tcase_add_test(t, rows_that_are_off_keep_their_impulse);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Are Kea's choices in its policy file? No other source of it has a number with an exponent or a fraction, but for those
-of formulas; nor has the policy file a constant that nobody reads."""
+of formulas; nor has the policy file a constant that nobody reads, or name a test that does not exist."""
 import pathlib
 import re
 import sys
@@ -15,6 +15,26 @@ COEFFICIENTS = {  # (file, function): all of its numbers are published ones
 }
 
 NUMBER = re.compile(r'(?<![\w.])(?:\d+\.\d*|\.\d+|\d+)(?:[eE][+-]?\d+)?[fFlL]?(?![\w.])')
+
+
+# Program, and tests in it: `Mst_Blows', `MdtKea_system: velocity_rows_obey_their_law', `test_Mst_SweptJoints'.
+NAMED = re.compile(r'\b(?:test_)?((?:MdtKea|MdtBcl|Mdt|Mst|Mcd)_(?!ER)[A-Za-z]\w*|guide_chapter_\d+)\b'
+                   r'(?::\s*(\w+_\w+(?:,\s+\w+_\w+)*))?')
+
+
+def missing_tests(root, policy):
+    """What the comments of the policy file name and the tests do not have."""
+    comments = re.sub(r'\n \* ', '\n', ' '.join(re.findall(r'/\*.*?\*/', policy, flags=re.S)))
+    for program, tests in NAMED.findall(comments):
+        library, _, name = program.partition('_')
+        guide = program.startswith('guide_')
+        found = list((root / 'tests').glob(f'guide/*{name}*.c' if guide else f'{library}/test_*{name}.c'))
+        text = ''.join(file.read_text() for file in found)
+        if not found:
+            yield f'{POLICY}: there is no test program {program}'
+        for test in re.findall(r'\w+', tests):
+            if found and not re.search(rf'START_TEST\({test}\)', text):
+                yield f'{POLICY}: {program} has no test {test}'
 
 
 def blanked(text):
@@ -43,6 +63,7 @@ for file in sorted(f for f in top.rglob('*') if f.suffix in ('.c', '.h')):
                 used.add((name, literal))
             else:
                 wrong.append(f'{file}:{number}: {literal} is a choice: it belongs into {POLICY}, with its reason')
+wrong += missing_tests(pathlib.Path(sys.argv[1]), (top / POLICY).read_text())
 policy = blanked((top / POLICY).read_text())
 names = re.findall(r'\b(kea_\w+)\b(?:\[\w+\])? =', policy) + re.findall(r'\b(KEA_\w+) =', policy)
 for name in names:

@@ -139,8 +139,7 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char takesP
             if (q->row[i].partner > i)
                 q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
         if (pass > 0)
-            kea_frictionApproachBounds(q, pass < KEA_FULL_BOUND_PASSES ? 1 : kea_boundRelaxation,
-                                       pass > KEA_FULL_BOUND_PASSES);
+            kea_frictionApproachBounds(q, pass);
         kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, change);
         const double residual = kea_problemResidual(q, NULL);

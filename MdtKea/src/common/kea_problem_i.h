@@ -155,7 +155,8 @@ double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
 double kea_frictionBoundsError(const KeaProblem *q);
 /* Sets every friction bound to μ p of its normal row. */
 void kea_frictionRenewBounds(KeaProblem *q);
-/* Takes every friction bound a share of the way there; `isAccelerated`: with what the last call has taught. */
-void kea_frictionApproachBounds(KeaProblem *q, double share, MeBool isAccelerated);
+/* Takes every friction bound towards it: all the way in the first passes, later on with what the last call has
+ * taught. */
+void kea_frictionApproachBounds(KeaProblem *q, int pass);
 
 #endif

@@ -45,7 +45,7 @@ static void solveDisplacement(MdtKeaSystem *s, const double target[]) {
     }
     for (int pass = 0; pass < KEA_PROJECTION_PASSES && !q->counts.isLimited; pass++) {
         for (int i = 0; i < s->numRows; i++)
-            q->row[i].N = kea_proximalProjection * q->row[i].size;
+            q->row[i].N = kea_proximalContact[1] * q->row[i].size;
         kea_problemSolve(q, MEFALSE);
         kea_problemCarryOn(q, s->work->added);
     }

@@ -39,9 +39,10 @@ static double secant(const KeaProblem *q) {
     return below > 0 ? keaMin(keaMax(above / below, kea_leastSecant), kea_mostSecant) : 0;
 }
 
-/* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a memory of one step. */
-void kea_frictionApproachBounds(KeaProblem *q, double share, MeBool isAccelerated) {
-    const double t = isAccelerated ? secant(q) : 0;
+/* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a memory of one step. Once full steps have not
+ * settled, β is a half: bounds that alternate between two answers meet in the middle. */
+void kea_frictionApproachBounds(KeaProblem *q, int pass) {
+    const double share = pass < KEA_FULL_BOUND_PASSES ? 1 : 0.5, t = pass > KEA_FULL_BOUND_PASSES ? secant(q) : 0;
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         if (row->normal < 0)

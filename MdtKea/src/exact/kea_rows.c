@@ -287,10 +287,8 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const double h = s->parameters.stepsize;
     p->E = row->softness;
     p->r = row->target - (s->work->endErrors[i] - row->error) / h;
-    p->N = (kea_mayReachBound(row)                             ? kea_proximalLimit
-            : s->work->hasLoops && !s->work->problem.isTangent ? kea_proximalLoop
-                                                               : kea_proximalJoint) *
-           ownSize(s, p);
+    const MeBool mayContradict = s->work->hasLoops && !s->work->problem.isTangent;
+    p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) * ownSize(s, p);
 }
 
 /* A contact that is met in time keeps no velocity from being pushed apart (kea_project does that), but a soft one sinks

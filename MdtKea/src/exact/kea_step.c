@@ -21,7 +21,8 @@ static double workOfLinearization(const MdtKeaSystem *s) {
     return KEA_LINEARIZATION * ((double)s->numRows + s->numBodies);
 }
 
-/* With an iteration cap, passes by sweeps are capped in proportion: the cap is to make a step cheaper. */
+/* With an iteration cap, passes by sweeps are capped in proportion: the cap is to make a step cheaper. Sweeps have no
+ * more kept for them than Newton's method has. */
 void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses) {
     KeaProblem *q = &s->work->problem;
     q->maxIterations = s->parameters.maxIterations;
@@ -30,7 +31,7 @@ void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses) {
     q->maxWork = share * s->parameters.maxWork;
     q->sweptPasses = sweptPasses;
     q->reserve = keaMin(sweptPasses * kea_problemSweptPass(q, KEA_SWEEPS),
-                        kea_workForSweeps * keaMax(q->maxWork - q->counts.work, 0));
+                        0.5 * keaMax(q->maxWork - q->counts.work, 0));
     q->counts.isLimited = MEFALSE;
 }
 
@@ -83,8 +84,7 @@ static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough) {
     if (isFrozen && q->counts.freezes == 0)
         kea_frictionRenewBounds(q);
     else if (!isFrozen && pass > 0)
-        kea_frictionApproachBounds(q, pass < KEA_FULL_BOUND_PASSES ? 1 : kea_boundRelaxation,
-                                   pass > KEA_FULL_BOUND_PASSES);
+        kea_frictionApproachBounds(q, pass);
     q->counts.freezes += isFrozen;
     q->counts.stuck = !kea_problemSolve(q, !isFrozen) || isFrozen;
     q->counts.level += !q->counts.stuck || isFrozen;
