@@ -2,8 +2,9 @@
  *
  *     rest [--steps N] [--budget M]    200 to settle and 200 that are timed; no bound on work (MdtWorldSetWorkBudget)
  *
- * Boxes of 1 m and 1 kg on a plane in a universe with its defaults, friction .5, steps of 1/60 s;
- * nothing falls asleep: a tower of 20, 100 columns of 10, pyramids of 210 and 820 with gaps of .1 m in their rows. */
+ * Boxes of 1 m and 1 kg on a plane in a universe with its defaults, friction .5, steps of 1/60 s; nothing sleeps: 1 kg
+ * under 1e6 kg, one box on a slope on which it sticks, and on one on which it slides, a tower of 20, 100 columns of 10,
+ * pyramids of 210 and 820 with gaps of .1 m in their rows. */
 #include "timing.h"
 
 #include "MdtReport.h"
@@ -35,9 +36,26 @@ static void makeUniverse(void) {
     boxes = 0;
 }
 
-static void place(double x, double y, double z) {
-    model[boxes] = MstModelAndBodyCreate(universe, cube, 1);
+static void placeMass(double mass, double x, double y, double z) {
+    model[boxes] = MstModelAndBodyCreate(universe, cube, (MeReal)mass);
     McdModelDynamicsSetPosition(model[boxes++], (MeReal)x, (MeReal)y, (MeReal)z);
+}
+
+static void place(double x, double y, double z) {
+    placeMass(1, x, y, z);
+}
+
+static void makeHeavyOnLight(int ratio) {
+    place(0, .5, 0);
+    placeMass(ratio, 0, 1.5, 0);
+}
+
+/* On a slope of that part of the friction coefficient, in percent: below 100 the box sticks, above it slides. */
+static void makeSlope(int percent) {
+    const double angle = atan(.5 * percent / 100);
+    MdtWorldSetGravity(universe->world, (MeReal)(9.81 * sin(angle)), (MeReal)(-9.81 * cos(angle)), 0);
+    place(0, .5, 0);
+    MdtBodyEnable(McdModelGetBody(model[0]));
 }
 
 static void makeTower(int height) {
@@ -114,6 +132,9 @@ int main(int argc, char **argv) {
     printf("| scene | boxes | first step, 1e6 multiplications | settling, ms a step | at rest, median ms | worst ms "
            "| top sinks, m |\n");
     printf("|---|---|---|---|---|---|---|\n");
+    run("1 kg under 1e6 kg", makeHeavyOnLight, 1000000, steps);
+    run("slope, sticks", makeSlope, 67, steps);
+    run("slope, slides", makeSlope, 133, steps);
     run("tower", makeTower, 20, steps);
     run("columns", makeColumns, 10, steps);
     run("pyramid of 20 rows", makePyramid, 20, steps);
