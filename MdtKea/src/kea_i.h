@@ -7,8 +7,6 @@
  *     kea_scheme.c            where unknown velocities take the bodies, the momentum that is missing, its derivative
  *     kea_contact.c           rows of contacts, from manifolds; kea_anchor.c: where these are
  *     kea_rows.c              linearization of rows; theta
- *     kea_newton.c            the inner problem: semismooth Newton on the bodies' side
- *     kea_friction.c          friction bounds between two of its solves
  *     kea_dual.c              the inner problem by the joints' side
  *     kea_redundancy.c        of redundant joints' impulses, the smallest
  *     kea_velocity.c          the velocity stage: what joints and contacts allow where the bodies have arrived
@@ -16,13 +14,9 @@
  *
  *   fast/, a step by passes over manifolds (fast/kea_fast_i.h)
  *
- *   common/, what any solver needs:
+ *   common/, laws and measures that do not depend on the solver:
  *     kea_policy_i.h          every constant that is a choice
- *     kea_problem_i.h, .c     the inner problem's data: bodies with a quadratic metric, rows with bounds and cones
- *     kea_factor.c            sparse factorization: numbers
- *     kea_structure.c, kea_order.c                its structure, the order of elimination
- *     kea_cache.c             kept structures, and the memory of all factors
- *     kea_sweep.c             the inner problem by sweeps, when work runs out
+ *     kea_budget.c            the work that a solve may take
  *     kea_rates.c             rates of rows; which may reach a bound
  *     kea_residual.c          how far an answer is from the laws; converged
  *     kea_energy.c            kinetic energy, the one limiter
@@ -30,13 +24,26 @@
  *     kea_impact.c            impacts
  *     kea_project.c           bodies moved out of each other
  *     kea_rotation.c          inertia, free rotation
+ *     kea_free.c              where bodies arrive; free motion
+ *
+ *   inner/, the inner problem, which knows bodies with a quadratic metric and rows with bounds and cones, but no step:
+ *     kea_problem_i.h, .c     its data, its measure of error
+ *     kea_newton.c            its solution: semismooth Newton on the bodies' side
+ *     kea_friction.c          friction bounds between two of its solves
+ *     kea_sweep.c             its solution by sweeps, when work runs out
+ *     kea_factor.c            sparse factorization: numbers
+ *     kea_structure.c, kea_order.c                its structure, the order of elimination
+ *     kea_cache.c             kept structures, and the memory of all factors
+ *
+ * inner/ calls no other room, common/ only inner/; exact/ and fast/ call both, but not each other
+ * (tests/structure/check_includes.py).
  */
 #ifndef KEA_I_H
 #define KEA_I_H
 
 #include "MdtKea.h"
 #include "MdtKeaMath.h"
-#include "common/kea_problem_i.h"
+#include "inner/kea_problem_i.h"
 
 /* The state of a body at the end of the step, while the step is being found. */
 typedef struct KeaEnd {
@@ -119,12 +126,6 @@ void kea_eigen(double S[3][3], double V[3][3]);
 /* Finds the forces of the system's rows, and where the bodies will be. */
 void kea_exactSolve(MdtKeaSystem *s);
 
-/* Sets the budget of what follows: this share of the whole solve's; of it, so many passes by sweeps are reserved for
- * when it runs out. */
-void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses);
-/* Writes what it has cost. */
-void kea_reportWork(MdtKeaSystem *s);
-
 /* ---- kea_scheme.c ---- */
 
 /* What is fixed through the step. */
@@ -139,8 +140,6 @@ void kea_linearizeBodies(MdtKeaSystem *s);
 void kea_turnDerivative(double D[3][3], const double w[3], double h);
 /* Velocities at the end from the impulses, so that momentum is kept whatever else is left over. */
 void kea_balanceMomentum(MdtKeaSystem *s);
-/* Bodies that no row acts on take the free motion instead. */
-void kea_moveFreely(MdtKeaSystem *s);
 /* The inertia tensor (world) where the body has arrived. */
 void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]);
 
@@ -157,9 +156,6 @@ void kea_completeTangent(MdtKeaSystem *s);
 /* By how much the rates of contacts that move, where they are asked for, differ from those along the J that impulses
  * act by; after kea_moveBodies. */
 void kea_rateAhead(MdtKeaSystem *s);
-/* Keeps the rows' Jacobians while others take their place, and brings them back. */
-void kea_keepRows(MdtKeaSystem *s);
-void kea_recallRows(MdtKeaSystem *s);
 /* The residual r of each row; after kea_linearizeBodies. */
 void kea_linearizeRows(MdtKeaSystem *s);
 /* Contacts that were thought out of reach and are reached. Returns whether there were any. */
@@ -201,6 +197,9 @@ double kea_endRate(const MdtKeaSystem *s, int i);
 double kea_meanRate(const MdtKeaSystem *s, int i);
 /* m per unit of a row's coordinate: an angle moves a body's parts by its size. */
 double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row);
+/* Keeps the rows' Jacobians while others take their place, and brings them back. */
+void kea_keepRows(MdtKeaSystem *s);
+void kea_recallRows(MdtKeaSystem *s);
 /* m/s: what a row pushes for of a speed that it aims at; a stop with room left, and a contact with a gap, for none. */
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 
@@ -217,6 +216,8 @@ double kea_firstEventOfFlight(const MdtKeaSystem *s);
 
 /* ---- kea_impact.c ---- */
 
+/* Finds the velocities after all blows of this moment, and the impulses. False: there was no memory. */
+MeBool kea_impact(MdtKeaSystem *s);
 /* m/s: what speeds of contacts in time are compared with: the load speed; without loads, a little of the bodies'
  * speeds. */
 double kea_eventSpeed(const MdtKeaSystem *s);
@@ -232,6 +233,21 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p);
 
 /* Moves bodies out of each other, without velocity. */
 void kea_project(MdtKeaSystem *s);
+
+/* ---- kea_budget.c ---- */
+
+/* Sets the budget of what follows: this share of the whole solve's; of it, so many passes by sweeps are reserved for
+ * when it runs out. */
+void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses);
+/* Writes what it has cost. */
+void kea_reportWork(MdtKeaSystem *s);
+
+/* ---- kea_free.c ---- */
+
+/* The poses of body i at the end, from its KeaEnd, and in the middle. */
+void kea_setPoses(MdtKeaSystem *s, int i);
+/* Bodies that no row acts on take the free motion instead. */
+void kea_moveFreely(MdtKeaSystem *s);
 
 /* ---- kea_energy.c ---- */
 

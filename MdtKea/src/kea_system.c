@@ -131,6 +131,11 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
     kea_returnContacts(s);
 }
 
+void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
+    if (kea_impact(s))
+        kea_returnContacts(s);
+}
+
 /* Within the range of MeReal, which programs read the state in; false for NaN. */
 static MeBool isInRange(const double *v, int n) {
     for (int i = 0; i < n; i++)

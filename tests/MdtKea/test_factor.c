@@ -1,8 +1,8 @@
 /* The sparse factor (kea_factor_i.h) against dense elimination: solutions, structure, cost, and lack of memory. */
-#include "common/kea_factor_i.h"
+#include "inner/kea_factor_i.h"
 #include "MeMemory.h"
 #include "common/kea_policy_i.h"
-#include "common/kea_problem_i.h"
+#include "inner/kea_problem_i.h"
 #include "karma_test.h"
 
 enum { MOST_NODES = 24, MOST_EDGES = MOST_NODES * MOST_NODES / 2, MOST = MOST_NODES * KEA_FACTOR_MAX_BLOCK };

@@ -2,7 +2,7 @@
  * sliding by bisection, fixed points. It is solved as in a step: passes that take the method's own softness out
  * again. */
 #include "common/kea_policy_i.h"
-#include "common/kea_problem_i.h"
+#include "inner/kea_problem_i.h"
 #include "karma_test.h"
 #include "kea_i.h"
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Which library includes whose headers? The layers allow no cycles, and third-party headers stay private."""
+"""Which library includes whose headers, and which room of Kea calls which? The layers allow no cycles, and third-party
+headers stay private."""
 import pathlib
 import re
 import sys
@@ -42,5 +43,30 @@ for library, others in ALLOWED.items():
                 wrong.append(f'{where}: a public header includes the private {name}')
             elif public and '/' in name:
                 wrong.append(f'{where}: a public header includes the third-party {name}')
+
+
+# The rooms of MdtKea/src: the other rooms whose functions each may call, and whose headers include.
+ROOMS = {'inner': [], 'common': ['inner'], 'exact': ['inner', 'common'], 'fast': ['inner', 'common']}
+SHARED = ['common/kea_policy_i.h', 'common/kea_arena_i.h']  # constants and types that every room may include
+
+source = top / 'MdtKea/src'
+room_of = {}
+for room in ROOMS:
+    for file in (source / room).glob('*.c'):
+        for name in re.findall(r'^[A-Za-z][\w *]*?\b(kea_\w+)\(', file.read_text(), flags=re.M):
+            room_of[name] = room
+if len(set(room_of.values())) < len(ROOMS):
+    wrong.append('MdtKea: rooms without functions')
+for room, others in ROOMS.items():
+    for file in (source / room).iterdir():
+        text = re.sub(r'/\*.*?\*/', lambda c: '\n' * c.group().count('\n'), file.read_text(), flags=re.S)
+        for number, line in enumerate(text.splitlines(), 1):
+            where = f'{file.relative_to(top)}:{number}'
+            used = [(n, room_of.get(n, room)) for n in re.findall(r'\bkea_\w+', line)]
+            include = re.match(r'#include "((\w+)/\w+\.h)"', line)
+            if include and include.group(1) not in SHARED:
+                used.append((include.group(1), include.group(2)))
+            wrong += [f'{where}: {room}/ may not use {other}/ ({name})'
+                      for name, other in used if other in ROOMS and other not in others + [room]]
 print('\n'.join(wrong) or 'all includes follow the layers')
 sys.exit(bool(wrong))

@@ -8,12 +8,6 @@
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
 
-double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]) {
-    double Ba[6];
-    kea_applyMetric(Ba, B, a);
-    return 0.5 * kea_dot6(Ba, b);
-}
-
 double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]) {
     double sum = 0, v[6];
     for (int b = 0; b < s->numBodies; b++) {

@@ -288,7 +288,7 @@ static void commitVelocities(MdtKeaSystem *s) {
     }
 }
 
-void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
+MeBool kea_impact(MdtKeaSystem *s) {
     double *target = s->work->target;
     char *takesPart = s->work->takesPart;
     const double gate = kea_minReboundSpeed * kea_eventSpeed(s);
@@ -297,7 +297,7 @@ void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
         s->work->speed = keaMax(s->work->speed, keaLength(s->velocity[b].lin));
     setProblem(s);
     if (!kea_problemBegin(&s->work->problem, s->cache))
-        return;
+        return MEFALSE;
     kea_setBudget(s, 1, 1);
     const double before = energyWith(s, NULL);
     kea_problemMeasure(&s->work->problem);
@@ -311,6 +311,6 @@ void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
     takeRound(s, target, takesPart);
     MEASSERT(!(energyWith(s, NULL) > before * (1 + kea_assertedRounding)));
     commitVelocities(s);
-    kea_returnContacts(s);
     kea_reportWork(s);
+    return METRUE;
 }

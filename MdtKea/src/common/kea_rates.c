@@ -1,6 +1,7 @@
 /* What is asked of rows by whoever solves them: their rates, and whether they may reach a bound. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
+#include <string.h>
 
 MeBool kea_mayReachBound(const MdtKeaRow *row) {
     if (row->lower == -HUGE_VAL || row->upper == HUGE_VAL)
@@ -45,4 +46,16 @@ double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed) {
     const double pushed = row->lower >= 0 ? keaMax(speed, 0) : row->upper <= 0 ? keaMax(-speed, 0) : fabs(speed);
     return pushed * kea_lengthOf(s, row);
+}
+
+/* ---- Jacobians, kept ---- */
+
+void kea_keepRows(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        memcpy(s->work->keptJ[i], s->rows[i].J, sizeof s->rows[i].J);
+}
+
+void kea_recallRows(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        memcpy(s->rows[i].J, s->work->keptJ[i], sizeof s->rows[i].J);
 }

@@ -10,65 +10,6 @@
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 
-/* ---- laws of the inner problem's rows ---- */
-
-/* m per unit of a row's coordinate, as kea_lengthOf. */
-static double lengthOf(const KeaProblem *q, const KeaProblemRow *row) {
-    double size = 0;
-    for (int k = 0; k < 2; k++) {
-        if (row->body[k] < 0)
-            continue;
-        if (keaDot(row->J[k], row->J[k]) > 0)
-            return 1;
-        size = keaMax(size, q->length[row->body[k]]);
-    }
-    return size;
-}
-
-static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
-    const KeaProblemRow *other = &q->row[row->partner];
-    const double bound = kea_frictionBound(q, row);
-    const double unit = row->size + row->E; /* a soft row's impulse hardly moves */
-    const double a = row->p - slip[0] / unit, b = other->p - slip[1] / unit, size = keaHypotenuse(a, b);
-    const double share = size > bound ? bound / size : 1;
-    return row->size * keaHypotenuse(row->p - share * a, other->p - share * b);
-}
-
-double kea_problemResidual(const KeaProblem *q, double *impulse) {
-    double worst = 0, most = 0;
-    for (int i = 0; i < q->numRows; i++) {
-        const KeaProblemRow *row = &q->row[i];
-        if (row->isOff || row->isElsewhere || row->size == 0)
-            continue;
-        if (row->isForced) {
-            const double projected = row->forced * kea_frictionBound(q, row);
-            worst = keaMax(worst, row->size * fabs(row->p - projected));
-            most = keaMax(most, fabs(row->p - projected));
-        }
-        if (row->isForced || (row->partner >= 0 && row->partner < i))
-            continue;
-        const double missing[2] = {row->Jd + row->E * row->p - row->r,
-                                   row->partner >= 0
-                                       ? q->row[row->partner].Jd + q->row[row->partner].E * q->row[row->partner].p -
-                                             q->row[row->partner].r
-                                       : 0};
-        if (row->partner >= 0) {
-            const double part = conePart(q, row, missing);
-            worst = keaMax(worst, part);
-            most = keaMax(most, part / row->size);
-            continue;
-        }
-        const double bound = row->normal >= 0 ? kea_frictionBound(q, row) : HUGE_VAL;
-        const double projected = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
-                                        keaMin(row->upper, bound));
-        worst = keaMax(worst, lengthOf(q, row) * row->size * fabs(row->p - projected));
-        most = keaMax(most, fabs(row->p - projected));
-    }
-    if (impulse)
-        *impulse = most;
-    return worst;
-}
-
 /* ---- position rows ---- */
 
 /* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies

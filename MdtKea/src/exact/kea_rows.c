@@ -254,16 +254,6 @@ void kea_completeTangent(MdtKeaSystem *s) {
             memcpy(q->tangent[i], q->row[i].J, sizeof q->row[i].J);
 }
 
-void kea_keepRows(MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++)
-        memcpy(s->work->keptJ[i], s->rows[i].J, sizeof s->rows[i].J);
-}
-
-void kea_recallRows(MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++)
-        memcpy(s->rows[i].J, s->work->keptJ[i], sizeof s->rows[i].J);
-}
-
 static void springRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize, theta = thetaOf(s, row);

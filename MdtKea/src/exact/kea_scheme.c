@@ -120,18 +120,6 @@ static void turnBody(const MdtKeaBody *body, KeaBody *b, KeaEnd *end, double h) 
     keaApply(end->angularMomentum, (const double(*)[3])b->endAxes, L);
 }
 
-static void setPoses(MdtKeaSystem *s, int i) {
-    MdtKeaTransformation *end = &s->work->endPose[i], *mean = &s->work->meanPose[i];
-    const MdtKeaTransformation *start = &s->pose[i];
-    keaCopy(end->pos, s->work->end[i].position);
-    keaQuaternionToMatrix(end->R, s->work->end[i].quaternion);
-    for (int r = 0; r < 3; r++) {
-        mean->pos[r] = 0.5 * (start->pos[r] + end->pos[r]);
-        for (int c = 0; c < 3; c++)
-            mean->R[r][c] = 0.5 * (start->R[r][c] + end->R[r][c]);
-    }
-}
-
 void kea_moveBodies(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     for (int i = 0; i < s->numBodies; i++) {
@@ -143,7 +131,7 @@ void kea_moveBodies(MdtKeaSystem *s) {
         for (int k = 0; k < 3; k++)
             b->endVelocity[k] = end->velocity[k] = body->velocity[k] + (b->u[k] - body->velocity[k]) / b->theta;
         turnBody(body, b, end, h);
-        setPoses(s, i);
+        kea_setPoses(s, i);
     }
 }
 
@@ -364,27 +352,4 @@ void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]) {
         memcpy(inertia, s->work->body[i].inertia, sizeof s->work->body[i].inertia);
     else
         kea_inertia(s->bodies[i], s->work->end[i].quaternion, inertia);
-}
-
-/* ---- free motion ---- */
-
-/* Half the loads, free flight and rotation, the other half: of second order, and exact where loads are constant. */
-void kea_moveFreely(MdtKeaSystem *s) {
-    const double h = s->parameters.stepsize;
-    for (int i = 0; i < s->numBodies; i++) {
-        const MdtKeaBody *body = s->bodies[i];
-        KeaEnd *end = &s->work->end[i];
-        const KeaBody *b = &s->work->body[i];
-        double L[3];
-        if (!b->isFree)
-            continue;
-        for (int k = 0; k < 3; k++) {
-            end->position[k] = body->position[k] + 0.5 * h * (body->velocity[k] + b->freeVelocity[k]);
-            L[k] = 0.5 * (body->angularMomentum[k] + b->freeMomentum[k]);
-        }
-        keaCopy(end->velocity, b->freeVelocity);
-        keaCopy(end->angularMomentum, b->freeMomentum);
-        kea_rotateFree(body, body->quaternion, L, h, end->quaternion);
-        setPoses(s, i);
-    }
 }

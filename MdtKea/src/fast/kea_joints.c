@@ -10,7 +10,7 @@
  * is taken away by displacements.
  */
 #include "fast/kea_joints_i.h"
-#include "common/kea_factor_i.h"
+#include "inner/kea_factor_i.h"
 #include "common/kea_policy_i.h"
 #include "MeAssert.h"
 #include <string.h>

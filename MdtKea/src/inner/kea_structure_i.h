@@ -5,8 +5,8 @@
 #define KEA_STRUCTURE_I_H
 
 #include "common/kea_arena_i.h"
-#include "common/kea_factor_i.h"
-#include "common/kea_order_i.h"
+#include "inner/kea_factor_i.h"
+#include "inner/kea_order_i.h"
 
 typedef struct KeaFactorEntry {
     size_t at;   /* where the block is, in upper and lower */

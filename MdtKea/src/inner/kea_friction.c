@@ -1,6 +1,6 @@
 /* Friction bounds between the solves of the inner problem: a fixed point R = μ p_n(R), approached with acceleration. */
 #include "common/kea_policy_i.h"
-#include "common/kea_problem_i.h"
+#include "inner/kea_problem_i.h"
 #include <float.h>
 #include <math.h>
 

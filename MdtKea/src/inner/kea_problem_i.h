@@ -21,7 +21,7 @@
 #include "MdtKea.h"
 #include "MdtKeaMath.h"
 #include "common/kea_arena_i.h"
-#include "common/kea_factor_i.h"
+#include "inner/kea_factor_i.h"
 
 typedef struct KeaMetric {
     double linear;        /* kg, times the unit matrix */
@@ -114,14 +114,12 @@ static inline double kea_frictionBound(const KeaProblem *q, const KeaProblemRow 
     return row->friction * keaMax(q->row[row->normal].p, 0);
 }
 
+/* ---- kea_problem.c ---- */
 void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *arena);
 /* Finds the graph of the rows and its factor in the cache. False: no memory. */
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache);
 /* Sizes of the rows, from the metric. */
 void kea_problemMeasure(KeaProblem *q);
-/* Solves with the friction bounds in `frictionBound`; coupled, goes on to those of the solution itself. False: that
- * did not converge, and the solution is the one with these; or work or iterations ran out, and it is by sweeps. */
-MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
 /* Whether the budget, of work and of iterations, has room for one more of Newton's; the second notes that the solve is
  * limited from now on if it has not. `unsymmetric`: of the coupled problem. */
 MeBool kea_problemHasBudget(const KeaProblem *q, MeBool unsymmetric);
@@ -129,6 +127,19 @@ MeBool kea_problemMaySpend(KeaProblem *q, MeBool unsymmetric);
 /* Multiplications of one iteration: the matrix and its factors, a solution with them, and some visits of each row. */
 double kea_problemIterationWork(const KeaProblem *q, MeBool unsymmetric);
 void kea_problemSpend(KeaProblem *q, double work);
+/* How far the rows' laws are from being kept by d and p, m/s, without what their own softness takes; and in impulses,
+ * N s, if asked for. */
+double kea_problemResidual(const KeaProblem *q, double *impulse);
+/* Adds d to `total` and makes it part of the load and the targets: the next solve asks for what is left. */
+void kea_problemCarryOn(KeaProblem *q, double (*total)[6]);
+/* The product of two velocities in a metric, halved: of one with itself its kinetic energy. */
+double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
+/* ---- kea_newton.c ---- */
+/* Solves with the friction bounds in `frictionBound`; coupled, goes on to those of the solution itself. False: that
+ * did not converge, and the solution is the one with these; or work or iterations ran out, and it is by sweeps. */
+MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
+/* How far B d + g is from Jᵀ p, in tolerances. */
+double kea_problemError(KeaProblem *q);
 /* The rows without bounds alone, exactly, where all others have the impulses that they have: one linear solve, which
  * lowers the energy, as a sweep does. Needs d and Jd; and its work, 0 where there are no such rows. */
 void kea_problemSolveJoints(KeaProblem *q);
@@ -140,16 +151,6 @@ void kea_problemSweep(KeaProblem *q);
 double kea_problemSweptPass(const KeaProblem *q, int sweeps);
 /* Whether there is work, and a pass, left for one with the fewest. */
 MeBool kea_problemMaySweep(const KeaProblem *q);
-/* ---- kea_problem.c ---- */
-/* How far the rows' laws are from being kept by d and p, m/s, without what their own softness takes; and in impulses,
- * N s, if asked for. */
-double kea_problemResidual(const KeaProblem *q, double *impulse);
-/* Adds d to `total` and makes it part of the load and the targets: the next solve asks for what is left. */
-void kea_problemCarryOn(KeaProblem *q, double (*total)[6]);
-/* How far B d + g is from Jᵀ p, in tolerances. */
-double kea_problemError(KeaProblem *q);
-/* The product of two velocities in a metric, halved: of one with itself its kinetic energy. */
-double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
 /* ---- kea_friction.c ---- */
 /* How far the friction bounds are from μ p of their normal rows, relative. */
 double kea_frictionBoundsError(const KeaProblem *q);

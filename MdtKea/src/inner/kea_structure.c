@@ -1,6 +1,6 @@
 /* The structure of a sparse factor (kea_structure_i.h): columns in the order of turns, rows by turn, and where each
  * block comes from. It follows from the graph and its order of elimination, in time proportional to its size. */
-#include "common/kea_structure_i.h"
+#include "inner/kea_structure_i.h"
 #include "MeAssert.h"
 #include <string.h>
 

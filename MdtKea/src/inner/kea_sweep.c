@@ -22,7 +22,7 @@
  *
  * It costs some multiplications per row and no matrix.
  */
-#include "common/kea_problem_i.h"
+#include "inner/kea_problem_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
 #include <math.h>

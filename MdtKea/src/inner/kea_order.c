@@ -11,7 +11,7 @@
  * what an element adds to the new one is counted once for all its nodes (Amestoy, Davis and Duff 1996), and only where
  * two or more add something are their nodes looked at one by one.
  */
-#include "common/kea_order_i.h"
+#include "inner/kea_order_i.h"
 #include "MeAssert.h"
 #include <string.h>
 

@@ -13,7 +13,7 @@
  */
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
-#include "common/kea_problem_i.h"
+#include "inner/kea_problem_i.h"
 #include <float.h>
 #include <string.h>
 

@@ -9,7 +9,7 @@
  * that all products are sums of Xᵀ Y, row by row. Of a symmetric matrix L = Uᵀ: only U is kept.
  */
 #include "MeAssert.h"
-#include "common/kea_structure_i.h"
+#include "inner/kea_structure_i.h"
 #include <math.h>
 #include <string.h>
 

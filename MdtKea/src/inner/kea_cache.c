@@ -10,7 +10,7 @@
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "common/kea_policy_i.h"
-#include "common/kea_structure_i.h"
+#include "inner/kea_structure_i.h"
 #include <string.h>
 
 typedef struct Entry {

@@ -1,0 +1,35 @@
+/* Where bodies arrive: their poses at the end and in the middle of the step; and bodies that no row acts on. */
+#include "kea_i.h"
+
+void kea_setPoses(MdtKeaSystem *s, int i) {
+    MdtKeaTransformation *end = &s->work->endPose[i], *mean = &s->work->meanPose[i];
+    const MdtKeaTransformation *start = &s->pose[i];
+    keaCopy(end->pos, s->work->end[i].position);
+    keaQuaternionToMatrix(end->R, s->work->end[i].quaternion);
+    for (int r = 0; r < 3; r++) {
+        mean->pos[r] = 0.5 * (start->pos[r] + end->pos[r]);
+        for (int c = 0; c < 3; c++)
+            mean->R[r][c] = 0.5 * (start->R[r][c] + end->R[r][c]);
+    }
+}
+
+/* Half the loads, free flight and rotation, the other half: of second order, and exact where loads are constant. */
+void kea_moveFreely(MdtKeaSystem *s) {
+    const double h = s->parameters.stepsize;
+    for (int i = 0; i < s->numBodies; i++) {
+        const MdtKeaBody *body = s->bodies[i];
+        KeaEnd *end = &s->work->end[i];
+        const KeaBody *b = &s->work->body[i];
+        double L[3];
+        if (!b->isFree)
+            continue;
+        for (int k = 0; k < 3; k++) {
+            end->position[k] = body->position[k] + 0.5 * h * (body->velocity[k] + b->freeVelocity[k]);
+            L[k] = 0.5 * (body->angularMomentum[k] + b->freeMomentum[k]);
+        }
+        keaCopy(end->velocity, b->freeVelocity);
+        keaCopy(end->angularMomentum, b->freeMomentum);
+        kea_rotateFree(body, body->quaternion, L, h, end->quaternion);
+        kea_setPoses(s, i);
+    }
+}
