@@ -276,6 +276,7 @@ typedef struct MdtKeaSystem {
     MdtKeaJacobianFn jacobians; /**< may be null: then J stays as it is */
     void *context;              /**< for both */
     MdtKeaCache *cache;         /**< of one system at a time */
+    struct MeTeam *team;        /**< works on a large system together; null: the calling thread alone */
 
     MdtKeaTransformation *pose;       /**< by body, at the start; after MdtKeaIntegrate at the end */
     MdtKeaVelocity *velocity;         /**< by body, at the start; after MdtKeaIntegrate at the end */

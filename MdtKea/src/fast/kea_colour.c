@@ -46,17 +46,17 @@ static void sortByColour(const MdtKeaSystem *s, const MeU8 colour[], int count[K
         order[count[colour[i]][s->manifolds[i].numPoints]++] = i;
 }
 
-int kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[]) {
+int kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[], int firstGroup[KEA_COLOURS + 1]) {
     int count[KEA_COLOURS][KEA_POINTS + 1] = {{0}}, inColour[KEA_COLOURS] = {0};
     chooseColours(s, taken, colour, count);
     for (int k = 0; k < KEA_COLOURS; k++)
         for (int n = 0; n <= KEA_POINTS; n++)
             inColour[k] += count[k][n];
-    int groups = 0;
+    firstGroup[0] = 0;
     for (int k = 0; k < KEA_COLOURS; k++)
-        groups += k == ALONE ? inColour[k] : (inColour[k] + KEA_LANES - 1) / KEA_LANES;
+        firstGroup[k + 1] = firstGroup[k] + (k == ALONE ? inColour[k] : (inColour[k] + KEA_LANES - 1) / KEA_LANES);
     sortByColour(s, colour, count, order);
-    return groups;
+    return firstGroup[KEA_COLOURS];
 }
 
 int kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int order[], KeaGroup groups[]) {

@@ -11,6 +11,7 @@
  * alike.
  */
 #include "fast/kea_joints_i.h"
+#include "fast/kea_loops_i.h"
 #include "inner/kea_factor_i.h"
 #include "common/kea_policy_i.h"
 #include "MeAssert.h"
@@ -20,7 +21,7 @@
 typedef struct Step {
     MdtKeaSystem *s;
     const KeaKernel *kernel;
-    int numMotions; /* the world, the bodies, worlds that move */
+    int numMotions; /* the world, the bodies, and where worlds move, one for each manifold */
     KeaMotion *motion, *before, *way;
     double (*change)[6]; /* by body: N s, N m s */
     MeU64 *taken;
@@ -28,6 +29,7 @@ typedef struct Step {
     int *order;
     KeaGroup *groups;
     int numGroups;
+    KeaLoops loops;
     KeaJoints joints;
     double fall[3];     /* m, see fallOfCentre */
     double load;        /* of how many bodies one carries the weight, see loadRatio */
@@ -61,36 +63,69 @@ static size_t layOut(Step *p, char *memory) {
 
 /* ---- begin ---- */
 
-static void setMotions(Step *p) {
-    const MdtKeaSystem *s = p->s;
-    memset(p->motion, 0, sizeof *p->motion);
-    for (int i = 0; i < s->numBodies; i++)
+static void setMotionsOf(void *context, int first, int count, float *none) {
+    const Step *p = context;
+    (void)none;
+    for (int i = first; i < first + count; i++) {
+        const MdtKeaVelocity *v = &p->s->predicted[i];
+        KeaMotion *m = &p->motion[1 + i];
         for (int k = 0; k < 3; k++) {
-            p->motion[1 + i].lin[k] = (float)s->predicted[i].lin[k];
-            p->motion[1 + i].ang[k] = (float)s->predicted[i].ang[k];
+            m->lin[k] = (float)v->lin[k];
+            m->ang[k] = (float)v->ang[k];
         }
-    for (int i = 0; i < s->numBodies; i++)
-        p->motion[1 + i].lin[3] = p->motion[1 + i].ang[3] = 0;
+        m->lin[3] = m->ang[3] = 0;
+    }
 }
 
-static MeBool begin(Step *p) {
+static void setMotions(Step *p) {
+    memset(p->motion, 0, sizeof *p->motion);
+    kea_overBodies(&p->loops, p->s->numBodies, setMotionsOf, p);
+}
+
+static void fillGroups(void *context, int first, int count, float *none) {
+    const Step *p = context;
+    (void)none;
+    kea_fillGroups(p->s, p->groups + first, count, p->motion);
+    p->kernel->prepare(p->groups + first, count, (float)p->s->parameters.stepsize);
+}
+
+static MeBool doWorldsMove(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numManifolds; i++)
+        if (s->manifolds[i].worldVelocity)
+            return METRUE;
+    return MEFALSE;
+}
+
+static MeBool takeGroups(Step *p) {
     MdtKeaSystem *s = p->s;
-    char *memory = kea_cacheScratch(s->cache, 0, layOut(p, NULL));
-    if (!memory)
-        return MEFALSE;
-    layOut(p, memory);
-    setMotions(p);
-    p->numGroups = kea_colour(s, p->taken, p->colour, p->order);
-    p->groups = kea_cacheScratch(s->cache, 1, (size_t)p->numGroups * sizeof *p->groups);
-    if (!p->groups)
+    p->numGroups = kea_colour(s, p->taken, p->colour, p->order, p->loops.firstGroup);
+    p->groups = kea_cacheScratch(s->cache, KEA_GROUP_BLOCK, (size_t)p->numGroups * sizeof *p->groups);
+    const int chunks = kea_loopsPlan(&p->loops);
+    p->loops.partial = kea_cacheScratch(s->cache, KEA_PARTIAL_BLOCK, (size_t)chunks * sizeof *p->loops.partial);
+    if (!p->groups || !p->loops.partial)
         return MEFALSE;
     const int filled = kea_groupManifolds(s, p->colour, p->order, p->groups);
     MEASSERT(filled == p->numGroups);
     (void)filled;
-    KeaMotion *worlds = p->motion + 1 + s->numBodies;
-    memset(worlds, 0, (size_t)s->numManifolds * sizeof *worlds);
-    p->numMotions = 1 + s->numBodies + kea_fillGroups(s, p->groups, p->numGroups, worlds);
-    p->kernel->prepare(p->groups, p->numGroups, (float)s->parameters.stepsize);
+    return METRUE;
+}
+
+static MeBool begin(Step *p) {
+    MdtKeaSystem *s = p->s;
+    char *memory = kea_cacheScratch(s->cache, KEA_STEP_BLOCK, layOut(p, NULL));
+    if (!memory)
+        return MEFALSE;
+    layOut(p, memory);
+    p->loops.team = s->team;
+    setMotions(p);
+    if (!takeGroups(p))
+        return MEFALSE;
+    p->numMotions = 1 + s->numBodies;
+    if (doWorldsMove(s)) {
+        memset(p->motion + p->numMotions, 0, (size_t)s->numManifolds * sizeof *p->motion);
+        p->numMotions += s->numManifolds;
+    }
+    kea_overGroups(&p->loops, fillGroups, p);
     return kea_jointsBegin(s, &p->joints);
 }
 
@@ -108,12 +143,34 @@ static void restart(Step *p) {
     p->beta = 0;
 }
 
+static void passGroups(void *context, int first, int count, float uphill[KEA_LANES]) {
+    const Step *p = context;
+    p->kernel->pass(p->groups + first, count, p->motion, (float)p->beta, uphill);
+}
+
+static void extrapolateMotions(void *context, int first, int count, float *none) {
+    const Step *p = context;
+    (void)none;
+    p->kernel->extrapolate(p->motion + first, p->before + first, count, (float)p->beta);
+}
+
+static void applyGroups(void *context, int first, int count, float *none) {
+    const Step *p = context;
+    (void)none;
+    p->kernel->apply(p->groups + first, count, p->motion);
+}
+
+static void measureGroups(void *context, int first, int count, float most[KEA_LANES]) {
+    const Step *p = context;
+    p->kernel->measure(p->groups + first, count, p->motion, most);
+}
+
 /* Nesterov's extrapolation; it begins anew where a pass goes against it. */
 static void takePasses(Step *p, int passes) {
     for (int i = 0; i < passes; i++) {
         float uphill[KEA_LANES] = {0};
-        p->kernel->extrapolate(p->motion, p->before, p->numMotions, (float)p->beta);
-        p->kernel->pass(p->groups, p->numGroups, p->motion, (float)p->beta, uphill);
+        kea_overBodies(&p->loops, p->numMotions, extrapolateMotions, p);
+        kea_overColours(&p->loops, passGroups, p, uphill);
         const double ofJoints = kea_jointsPass(p->s, &p->joints, p->motion, (double)(float)p->beta);
         const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
         p->beta = (p->theta - 1) / next;
@@ -124,10 +181,10 @@ static void takePasses(Step *p, int passes) {
     p->s->report.iterations += passes;
 }
 
-static double residualOf(const Step *p) {
+static double residualOf(Step *p) {
     float most[KEA_LANES] = {0};
     double residual = kea_jointsResidual(p->s, &p->joints, p->motion);
-    p->kernel->measure(p->groups, p->numGroups, p->motion, most);
+    kea_mostOverGroups(&p->loops, measureGroups, p, most);
     for (int i = 0; i < KEA_LANES; i++)
         residual = keaMax(residual, (double)most[i]);
     return residual;
@@ -223,19 +280,31 @@ static MeBool setRebounds(Step *p) {
 
 /* ---- end ---- */
 
-static void setEndMomentum(Step *p) {
-    MdtKeaSystem *s = p->s;
-    memset(p->change, 0, (size_t)s->numBodies * sizeof *p->change);
-    kea_addImpulses(s, p->groups, p->numGroups, p->change);
-    kea_jointsAddImpulses(s, &p->joints, p->change);
-    for (int i = 0; i < s->numBodies; i++) {
-        const KeaBody *b = &s->work->body[i];
-        KeaEnd *end = &s->work->end[i];
+static void addImpulses(void *context, int first, int count, float *none) {
+    const Step *p = context;
+    (void)none;
+    kea_addImpulses(p->s, p->groups + first, count, p->change);
+}
+
+static void setEndMomenta(void *context, int first, int count, float *none) {
+    const Step *p = context;
+    (void)none;
+    for (int i = first; i < first + count; i++) {
+        const KeaBody *b = &p->s->work->body[i];
+        KeaEnd *end = &p->s->work->end[i];
         keaCopy(end->velocity, b->freeVelocity);
-        keaAddScaled(end->velocity, s->bodies[i]->invMass, p->change[i]);
+        keaAddScaled(end->velocity, p->s->bodies[i]->invMass, p->change[i]);
         keaCopy(end->angularMomentum, b->freeMomentum);
         keaAddScaled(end->angularMomentum, 1, p->change[i] + 3);
     }
+}
+
+static void setEndMomentum(Step *p) {
+    MdtKeaSystem *s = p->s;
+    memset(p->change, 0, (size_t)s->numBodies * sizeof *p->change);
+    kea_overColours(&p->loops, addImpulses, p, NULL);
+    kea_jointsAddImpulses(s, &p->joints, p->change);
+    kea_overBodies(&p->loops, s->numBodies, setEndMomenta, p);
 }
 
 /* ---- the guard ---- */
@@ -296,7 +365,7 @@ static void shareImpulses(Step *p) {
     }
     kea_scaleImpulses(p->groups, p->numGroups, (float)keaMin(keaMax(-linear / square, 0), 1));
     setMotions(p);
-    p->kernel->apply(p->groups, p->numGroups, p->motion);
+    kea_overColours(&p->loops, applyGroups, p, NULL);
     setEndMomentum(p);
 }
 
@@ -307,7 +376,7 @@ static MeBool isFollowed(Step *p) {
     double off = 0, speed = 0;
     memcpy(p->before, p->motion, (size_t)p->numMotions * sizeof *p->motion);
     setMotions(p);
-    p->kernel->apply(p->groups, p->numGroups, p->motion);
+    kea_overColours(&p->loops, applyGroups, p, NULL);
     kea_jointsApply(s, &p->joints, p->motion);
     for (int i = 1; i <= s->numBodies; i++)
         for (int k = 0; k < 3; k++) {
@@ -366,40 +435,62 @@ static void fallOfCentre(Step *p) {
 }
 
 /* With the velocities of the end, turning as a free body does with that momentum; and out of overlaps. */
-static void setEndPoses(Step *p) {
+static void setEndPose(const Step *p, int i) {
     MdtKeaSystem *s = p->s;
     const double h = s->parameters.stepsize;
-    for (int i = 0; i < s->numBodies; i++) {
-        const MdtKeaBody *body = s->bodies[i];
-        const KeaMotion *way = &p->way[1 + i];
-        KeaEnd *end = &s->work->end[i];
-        const double out[3] = {(double)way->ang[0], (double)way->ang[1], (double)way->ang[2]};
-        double turn[4], free[4];
-        keaCopy(end->position, body->position);
-        keaAddScaled(end->position, h, end->velocity);
-        keaAddScaled(end->position, 1, p->fall);
-        for (int k = 0; k < 3; k++)
-            end->position[k] += (double)way->lin[k];
-        kea_rotateFree(body, body->quaternion, end->angularMomentum, h, free);
-        keaQuaternionExp(turn, out);
-        keaQuaternionProduct(end->quaternion, turn, free);
-        keaQuaternionNormalize(end->quaternion);
-        keaCopy(s->work->endPose[i].pos, end->position);
-        keaQuaternionToMatrix(s->work->endPose[i].R, end->quaternion);
-    }
+    const MdtKeaBody *body = s->bodies[i];
+    const KeaMotion *way = &p->way[1 + i];
+    KeaEnd *end = &s->work->end[i];
+    const double out[3] = {(double)way->ang[0], (double)way->ang[1], (double)way->ang[2]};
+    double turn[4], free[4];
+    keaCopy(end->position, body->position);
+    keaAddScaled(end->position, h, end->velocity);
+    keaAddScaled(end->position, 1, p->fall);
+    for (int k = 0; k < 3; k++)
+        end->position[k] += (double)way->lin[k];
+    kea_rotateFree(body, body->quaternion, end->angularMomentum, h, free);
+    keaQuaternionExp(turn, out);
+    keaQuaternionProduct(end->quaternion, turn, free);
+    keaQuaternionNormalize(end->quaternion);
+    keaCopy(s->work->endPose[i].pos, end->position);
+    keaQuaternionToMatrix(s->work->endPose[i].R, end->quaternion);
+}
+
+static void setEndPosesOf(void *context, int first, int count, float *none) {
+    (void)none;
+    for (int i = first; i < first + count; i++)
+        setEndPose(context, i);
+}
+
+static void setEndPoses(Step *p) {
+    kea_overBodies(&p->loops, p->s->numBodies, setEndPosesOf, p);
+}
+
+static void advanceGroups(void *context, int first, int count, float *none) {
+    const Step *p = context;
+    (void)none;
+    p->kernel->advance(p->groups + first, count, p->motion, (float)p->s->parameters.stepsize);
+}
+
+static void pushGroups(void *context, int first, int count, float *none) {
+    const Step *p = context;
+    (void)none;
+    p->kernel->push(p->groups + first, count, p->way);
 }
 
 /* Joints turn with their bodies: their errors are found anew for every few passes. */
 static void findPositions(Step *p) {
     const int rounds = p->joints.numBlocks > 0 ? KEA_JOINT_ROUNDS : 1;
     memset(p->way, 0, (size_t)p->numMotions * sizeof *p->way);
-    p->kernel->advance(p->groups, p->numGroups, p->motion, (float)p->s->parameters.stepsize);
+    kea_overGroups(&p->loops, advanceGroups, p);
     kea_keepRows(p->s);
     for (int round = 0; round < rounds; round++) {
-        setEndPoses(p);
-        kea_jointsAdvance(p->s, &p->joints, p->way);
+        if (p->joints.numBlocks > 0) {
+            setEndPoses(p);
+            kea_jointsAdvance(p->s, &p->joints, p->way);
+        }
         for (int i = 0; i < KEA_POSITION_PASSES / rounds; i++) {
-            p->kernel->push(p->groups, p->numGroups, p->way);
+            kea_overColours(&p->loops, pushGroups, p, NULL);
             kea_jointsPush(p->s, &p->joints, p->way);
         }
     }
@@ -429,6 +520,12 @@ static void report(Step *p) {
     r->work = r->iterations * workOfPass(p) + workBeside(p);
 }
 
+static void returnGroups(void *context, int first, int count, float *none) {
+    const Step *p = context;
+    (void)none;
+    kea_returnManifolds(p->s, p->groups + first, count);
+}
+
 static void clearForces(MdtKeaSystem *s) {
     for (int i = 0; i < s->numManifolds; i++)
         for (int k = 0; k < s->manifolds[i].numPoints; k++)
@@ -449,7 +546,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
     }
     p.load = loadRatio(&p);
     const Passes passes = choosePasses(&p);
-    p.kernel->apply(p.groups, p.numGroups, p.motion);
+    kea_overColours(&p.loops, applyGroups, &p, NULL);
     kea_jointsApply(s, &p.joints, p.motion);
     memcpy(p.before, p.motion, (size_t)p.numMotions * sizeof *p.motion);
     findVelocities(&p, passes);
@@ -465,7 +562,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
         limitRebounds(&p);
     }
     report(&p);
-    kea_returnManifolds(s, p.groups, p.numGroups);
+    kea_overGroups(&p.loops, returnGroups, &p);
     kea_jointsReturn(s, &p.joints);
     moveFreely(&p);
 }

@@ -2,6 +2,7 @@
  *
  *     kea_fast.c          a step: groups of manifolds, passes for velocities, for positions, for rebounds; the end
  *     kea_colour.c        manifolds that share no body, in groups of eight
+ *     kea_loops.c         loops over groups and bodies, on several threads
  *     kea_gather.c        what manifolds say, to groups, and the answer back
  *     kea_lanes_i.h       eight floats at a time
  *     kea_kernel_i.h      what is done with a group, eight manifolds at a time
@@ -97,17 +98,17 @@ extern const KeaKernel kea_kernelAvx2;
 
 enum { KEA_COLOURS = 64 };
 
-/* Writes the colour of each manifold, and their order by colours; returns how many groups that makes. `taken` is
- * scratch, by body. */
-int kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[]);
+/* Writes the colour of each manifold, their order by colours, and which group is the first of each colour, and behind
+ * the last; returns how many groups that makes. `taken` is scratch, by body. */
+int kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[], int firstGroup[KEA_COLOURS + 1]);
 /* Empties the groups, and writes which manifolds are in them; returns how many. */
 int kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int order[], KeaGroup groups[]);
 
 /* ---- kea_gather.c ---- */
 
-/* Fills the groups, and the motions of worlds that move, which follow those of the bodies; returns how many. */
-int kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMotion worlds[]);
-/* What the manifolds do to momenta, of all groups: to `change`, by body, N s and N m s. */
+/* Fills groups; a world that moves is its manifold's own, behind the bodies. */
+void kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMotion motion[]);
+/* What the manifolds of groups do to momenta: is added to `change`, by body, N s and N m s. */
 void kea_addImpulses(const MdtKeaSystem *s, const KeaGroup groups[], int count, double (*change)[6]);
 /* Takes a share of all impulses; 0: there are none. */
 void kea_scaleImpulses(KeaGroup groups[], int count, float share);

@@ -1,5 +1,6 @@
 /* Between manifolds, in double precision, and the groups of eight that passes work on. */
 #include "common/kea_policy_i.h"
+#include <string.h>
 #include "fast/kea_fast_i.h"
 #include "MeAssert.h"
 #include <float.h>
@@ -195,10 +196,17 @@ static void fillLane(const MdtKeaSystem *s, const MdtKeaManifold *m, float corre
     fillFriction(s, m, &p, g, lane);
 }
 
-int kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMotion worlds[]) {
+static void setWorld(const MdtKeaVelocity *velocity, KeaMotion *world) {
+    memset(world, 0, sizeof *world);
+    for (int c = 0; c < 3; c++) {
+        world->lin[c] = (float)velocity->lin[c];
+        world->ang[c] = (float)velocity->ang[c];
+    }
+}
+
+void kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMotion motion[]) {
     const double share = 1 / (double)KEA_POSITION_PASSES; /* of a pass, so that all of them take gamma away */
     const float correction = (float)(1 - pow(1 - s->parameters.gamma, share));
-    int numWorlds = 0;
     for (int i = 0; i < count; i++)
         for (int lane = 0; lane < KEA_LANES; lane++) {
             KeaGroup *g = &groups[i];
@@ -208,14 +216,10 @@ int kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMotio
             fillLane(s, m, correction, g, lane);
             for (int k = 0; k < 2 && m->worldVelocity; k++)
                 if (m->body[k] < 0) {
-                    for (int c = 0; c < 3; c++) {
-                        worlds[numWorlds].lin[c] = (float)m->worldVelocity->lin[c];
-                        worlds[numWorlds].ang[c] = (float)m->worldVelocity->ang[c];
-                    }
-                    g->body[k][lane] = s->numBodies + 1 + numWorlds++;
+                    g->body[k][lane] = 1 + s->numBodies + g->manifold[lane];
+                    setWorld(m->worldVelocity, &motion[g->body[k][lane]]);
                 }
         }
-    return numWorlds;
 }
 
 /* ---- back to manifolds ---- */

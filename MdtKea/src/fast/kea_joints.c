@@ -210,7 +210,7 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, KeaJoints *j) {
     j->numBlocks = 0;
     if (s->numRows == 0)
         return METRUE;
-    char *memory = kea_cacheScratch(s->cache, 2, kea_jointsLayOut(s, j, NULL));
+    char *memory = kea_cacheScratch(s->cache, KEA_JOINT_BLOCK, kea_jointsLayOut(s, j, NULL));
     if (!memory)
         return MEFALSE;
     kea_jointsLayOut(s, j, memory);
@@ -224,7 +224,7 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, KeaJoints *j) {
         b->numFree = partition(&j->row[b->first], b->count);
         doubles += (size_t)b->numFree * (size_t)b->numFree;
     }
-    double *factors = kea_cacheScratch(s->cache, 3, doubles * sizeof *factors + sizeof *factors);
+    double *factors = kea_cacheScratch(s->cache, KEA_JOINT_FACTOR_BLOCK, doubles * sizeof *factors + sizeof *factors);
     if (!factors)
         return MEFALSE;
     for (int i = 0; i < j->numBlocks; i++) {

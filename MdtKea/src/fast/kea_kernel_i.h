@@ -22,12 +22,15 @@ KEA_INLINE Pair gather(const KeaGroup *g, const KeaMotion motion[]) {
     return p;
 }
 
+/* The world does not move, and belongs to no group: nothing is written to it. */
 KEA_INLINE void scatter(const KeaGroup *g, const Pair *p, KeaMotion motion[]) {
+    KeaMotion world;
     for (int k = 0; k < 2; k++) {
         float *lin[KEA_LANES], *ang[KEA_LANES];
         for (int i = 0; i < KEA_LANES; i++) {
-            lin[i] = motion[g->body[k][i]].lin;
-            ang[i] = motion[g->body[k][i]].ang;
+            KeaMotion *m = g->body[k][i] ? &motion[g->body[k][i]] : &world;
+            lin[i] = m->lin;
+            ang[i] = m->ang;
         }
         lanesScatter(lin, p->lin[k]);
         lanesScatter(ang, p->ang[k]);

@@ -1,0 +1,217 @@
+/* The built-in pool of threads: a queue of tasks (MeTask.h). */
+#define _POSIX_C_SOURCE 199309L /* pthread, sched_yield */
+#include "MeAssert.h"
+#include "MeInternal.h"
+#include "MeMath.h"
+#include "MeMessage.h"
+#include "MeTask.h"
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+
+/* A thread looks so often for a task, or for the end of one, before it sleeps, some 20 us: a step opens its teams one
+ * after the other, and to wake a thread takes as long. */
+enum { LOOKS_BEFORE_SLEEP = 1000 };
+
+static void pauseBriefly(void) {
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#else
+    sched_yield();
+#endif
+}
+
+typedef enum TaskState { TASK_FREE, TASK_QUEUED, TASK_RUNNING, TASK_DONE } TaskState;
+
+typedef struct Task {
+    MeTaskCB call;
+    void *context;
+    _Atomic(TaskState) state; /* written with the pool's lock held, as all of a pool */
+    struct Task *next;        /* of the queue, or of those that are free */
+} Task;
+
+struct MeTaskPool {
+    int workers, numThreads;
+    pthread_t thread[MeTaskMaxWorkers];
+    pthread_mutex_t lock;
+    pthread_cond_t isThereWork, isOneDone;
+    Task *first, *last, *free;
+    MeBool isEnding;
+    atomic_int queued; /* tasks: read without the lock, by threads that look for some */
+};
+
+/* ---- the queue, with the lock held ---- */
+
+static void append(MeTaskPoolID p, Task *task) {
+    task->state = TASK_QUEUED;
+    task->next = NULL;
+    if (p->first)
+        p->last->next = task;
+    else
+        p->first = task;
+    p->last = task;
+    atomic_fetch_add_explicit(&p->queued, 1, memory_order_relaxed);
+}
+
+static Task *takeFirst(MeTaskPoolID p) {
+    Task *task = p->first;
+    if (!task)
+        return NULL;
+    p->first = task->next;
+    task->state = TASK_RUNNING;
+    atomic_fetch_sub_explicit(&p->queued, 1, memory_order_relaxed);
+    return task;
+}
+
+static void run(MeTaskPoolID p, Task *task) {
+    pthread_mutex_unlock(&p->lock);
+    task->call(task->context);
+    pthread_mutex_lock(&p->lock);
+    task->state = TASK_DONE;
+    pthread_cond_broadcast(&p->isOneDone);
+}
+
+/* ---- threads ---- */
+
+static void lookForWork(MeTaskPoolID p) {
+    for (int i = 0; i < LOOKS_BEFORE_SLEEP && atomic_load_explicit(&p->queued, memory_order_relaxed) == 0; i++)
+        pauseBriefly();
+}
+
+static void *work(void *pool) {
+    MeTaskPoolID p = pool;
+    pthread_mutex_lock(&p->lock);
+    while (!p->isEnding) {
+        Task *task = takeFirst(p);
+        if (task) {
+            run(p, task);
+            pthread_mutex_unlock(&p->lock);
+            lookForWork(p);
+            pthread_mutex_lock(&p->lock);
+        } else
+            pthread_cond_wait(&p->isThereWork, &p->lock);
+    }
+    pthread_mutex_unlock(&p->lock);
+    return NULL;
+}
+
+static void endThreads(MeTaskPoolID p) {
+    pthread_mutex_lock(&p->lock);
+    p->isEnding = METRUE;
+    pthread_cond_broadcast(&p->isThereWork);
+    pthread_mutex_unlock(&p->lock);
+    for (int i = 0; i < p->numThreads; i++)
+        pthread_join(p->thread[i], NULL);
+}
+
+static void freePool(MeTaskPoolID p) {
+    MEASSERT(!p->first);
+    while (p->free) {
+        Task *task = p->free;
+        p->free = task->next;
+        MeMemoryGive(task);
+    }
+    pthread_cond_destroy(&p->isOneDone);
+    pthread_cond_destroy(&p->isThereWork);
+    pthread_mutex_destroy(&p->lock);
+    MeMemoryGive(p);
+}
+
+static MeTaskPoolID createPool(int workers) {
+    MeTaskPoolID p = MeMemoryTakeZeroed(1, sizeof *p, "MeTaskPoolCreate", "a pool of threads");
+    if (!p)
+        return NULL;
+    p->workers = workers;
+    atomic_init(&p->queued, 0);
+    pthread_mutex_init(&p->lock, NULL);
+    pthread_cond_init(&p->isThereWork, NULL);
+    pthread_cond_init(&p->isOneDone, NULL);
+    return p;
+}
+
+MeTaskPoolID MEAPI MeTaskPoolCreate(int workers) {
+    const int taken = MeCLAMP(workers, 1, MeTaskMaxWorkers);
+    if (taken != workers)
+        MeWarning(1, "MeTaskPoolCreate: %d workers: there must be 1 .. %d; there are %d", workers, MeTaskMaxWorkers,
+                  taken);
+    MeTaskPoolID p = createPool(taken);
+    while (p && p->numThreads < taken - 1) {
+        if (pthread_create(&p->thread[p->numThreads], NULL, work, p) != 0) {
+            MeWarning(1, "MeTaskPoolCreate: the system starts no more than %d threads of %d", p->numThreads, taken - 1);
+            MeTaskPoolDestroy(p);
+            return NULL;
+        }
+        p->numThreads++;
+    }
+    return p;
+}
+
+void MEAPI MeTaskPoolDestroy(MeTaskPoolID p) {
+    if (!p)
+        return;
+    endThreads(p);
+    freePool(p);
+}
+
+int MEAPI MeTaskPoolGetWorkers(MeTaskPoolID p) {
+    return p ? p->workers : 1;
+}
+
+/* ---- tasks ---- */
+
+static Task *newTask(MeTaskPoolID p) {
+    Task *task = p->free;
+    if (task)
+        p->free = task->next;
+    else
+        task = MeMemoryTake(1, sizeof *task, "MeTaskPoolEnqueue", "a task");
+    return task;
+}
+
+void *MEAPI MeTaskPoolEnqueue(MeTaskCB call, void *context, void *pool) {
+    MeTaskPoolID p = pool;
+    if (!p || !call) {
+        MeWarning(1, "MeTaskPoolEnqueue: the %s is null", p ? "task" : "pool");
+        return NULL;
+    }
+    pthread_mutex_lock(&p->lock);
+    Task *task = newTask(p);
+    if (task) {
+        task->call = call;
+        task->context = context;
+        append(p, task);
+        pthread_cond_signal(&p->isThereWork);
+    }
+    pthread_mutex_unlock(&p->lock);
+    if (!task)
+        call(context);
+    return task;
+}
+
+static void waitForEnd(const Task *task) {
+    for (int i = 0; i < LOOKS_BEFORE_SLEEP && task->state == TASK_RUNNING; i++)
+        pauseBriefly();
+}
+
+/* Of tasks that nobody has begun one is done here, so that a pool without threads does them too. */
+void MEAPI MeTaskPoolFinish(void *userTask, void *pool) {
+    MeTaskPoolID p = pool;
+    Task *task = userTask;
+    if (!p || !task) {
+        MeWarning(1, "MeTaskPoolFinish: the %s is null", p ? "task" : "pool");
+        return;
+    }
+    waitForEnd(task);
+    pthread_mutex_lock(&p->lock);
+    while (task->state != TASK_DONE) {
+        Task *other = task->state == TASK_QUEUED ? takeFirst(p) : NULL;
+        if (other)
+            run(p, other);
+        else
+            pthread_cond_wait(&p->isOneDone, &p->lock);
+    }
+    task->state = TASK_FREE;
+    task->next = p->free;
+    p->free = task;
+    pthread_mutex_unlock(&p->lock);
+}

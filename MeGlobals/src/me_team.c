@@ -1,0 +1,357 @@
+/* Teams of workers: parallel loops on top of a program's tasks (MeTeam.h).
+ *
+ * A loop's items are divided into one share for each worker, who takes its own first and then those that others have
+ * left. A share is one atomic word: the loop's number, how many items, and the next one. Only the opening thread writes
+ * the loop's description, while no item is out: who has got an item may read it until the item is done, and who comes
+ * too late gets none. A pipe's items are all in one share, which is taken from as buffers become free.
+ */
+#define _POSIX_C_SOURCE 199309L /* sched_yield */
+#include "MeAssert.h"
+#include "MeInternal.h"
+#include "MeMath.h"
+#include "MeProfile.h"
+#include "MeTeam.h"
+#include <fenv.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <string.h>
+
+enum { LINE = 64 };                 /* bytes, of a cache line: what threads write lies apart */
+enum { ITEM_BITS = 20 };            /* of an item's number; as many of a count, and the rest of the loop's number */
+enum { MOST_AHEAD = 64 };           /* buffers of a pipe */
+enum { SPINS_BEFORE_YIELD = 2000 }; /* some 50 us: longer than what is done between two loops of a solver's pass */
+
+typedef struct Share {
+    _Alignas(LINE) _Atomic(MeU64) claim;
+} Share;
+
+typedef struct Worker {
+    _Alignas(LINE) MeTeam *team;
+    int index;
+    void *task; /* the program's name for it; null: none is out */
+    MeU64 busy; /* ticks; the worker */
+} Worker;
+
+/* What all workers do now. */
+typedef struct Loop {
+    MeTeamWork work; /* of a pipe: make */
+    void *context;
+    int items;
+} Loop;
+
+/* Its address tells threads apart. */
+static _Thread_local char threadMark;
+
+struct MeTeam {
+    MeEnqueueTaskCB enqueue;
+    MeFinishTaskCB finish;
+    void *userContext;
+    int size, depth;
+    MeBool isRunning, isTimed;
+    Worker *worker;
+    Loop loop;
+    const char *opener;                         /* threadMark of the thread that opened it, */
+    const char *caller;                         /* whom messages name there, */
+    fenv_t arithmetic;                          /* and how it rounds */
+    _Alignas(LINE) atomic_uint number;          /* of the loop; odd numbers: the team is closed */
+    _Alignas(LINE) atomic_int done;             /* items of a loop */
+    Share share[MeTaskMaxWorkers];              /* of a loop */
+    Share pipe;                                 /* all items of a pipe */
+    Share used;                                 /* of a pipe: how many buffers there are, and how many items are used */
+    _Alignas(LINE) atomic_int made[MOST_AHEAD]; /* by buffer: 1 + the last item that was made into it */
+};
+
+static MeU64 pack(MeU64 number, int items, int next) {
+    return number << 2 * ITEM_BITS | (MeU64)items << ITEM_BITS | (MeU64)next;
+}
+
+static MeU64 numberOf(MeU64 claim) {
+    return claim >> 2 * ITEM_BITS;
+}
+
+static int nextOf(MeU64 claim) {
+    return (int)(claim & ((1u << ITEM_BITS) - 1));
+}
+
+static int itemsOf(MeU64 claim) {
+    return (int)(claim >> ITEM_BITS & ((1u << ITEM_BITS) - 1));
+}
+
+static void waitABit(int *spins) {
+    if (++*spins > SPINS_BEFORE_YIELD)
+        sched_yield();
+#if defined(__x86_64__) || defined(__i386__)
+    else
+        __builtin_ia32_pause();
+#endif
+}
+
+/* ---- life -------------------------------------------------------------------------------------------------------- */
+
+MeTeam *MEAPI MeTeamCreate(int workers, MeEnqueueTaskCB enqueue, MeFinishTaskCB finish, void *userContext,
+                           const char *function) {
+    MEASSERT(workers >= 1 && workers <= MeTaskMaxWorkers && (workers == 1 || (enqueue && finish)));
+    MeTeam *t = MeMemoryTakeAligned(1, sizeof *t, LINE, function, "a team of workers");
+    Worker *worker = t ? MeMemoryTakeAligned((size_t)workers, sizeof *worker, LINE, function, "workers") : NULL;
+    if (!worker) {
+        MeMemoryGiveAligned(t);
+        return NULL;
+    }
+    memset(t, 0, sizeof *t);
+    memset(worker, 0, (size_t)workers * sizeof *worker);
+    t->enqueue = enqueue;
+    t->finish = finish;
+    t->userContext = userContext;
+    t->size = workers;
+    t->worker = worker;
+    atomic_init(&t->number, 1);
+    for (int i = 0; i < workers; i++) {
+        worker[i].team = t;
+        worker[i].index = i;
+    }
+    return t;
+}
+
+void MEAPI MeTeamDestroy(MeTeam *t) {
+    if (!t)
+        return;
+    MEASSERT(t->depth == 0);
+    MeMemoryGiveAligned(t->worker);
+    MeMemoryGiveAligned(t);
+}
+
+int MEAPI MeTeamGetSize(const MeTeam *t) {
+    return t ? t->size : 1;
+}
+
+void MEAPI MeTeamTime(MeTeam *t, MeBool isTimed) {
+    if (!t)
+        return;
+    t->isTimed = isTimed;
+    for (int i = 0; i < t->size; i++)
+        t->worker[i].busy = 0;
+}
+
+double MEAPI MeTeamGetBusyTime(const MeTeam *t, int worker) {
+    return t && worker >= 0 && worker < t->size ? (double)t->worker[worker].busy / (double)MeProfileGetClockSpeed() : 0;
+}
+
+/* ---- what a worker does ------------------------------------------------------------------------------------------ */
+
+/* The next item of a share; -1: there is none. */
+static int takeFrom(Share *share) {
+    MeU64 claim = atomic_load_explicit(&share->claim, memory_order_acquire);
+    while (nextOf(claim) < itemsOf(claim))
+        if (atomic_compare_exchange_weak_explicit(&share->claim, &claim, claim + 1, memory_order_acq_rel,
+                                                  memory_order_acquire))
+            return nextOf(claim);
+    return -1;
+}
+
+/* Counts the time of the work in between. */
+static MeU64 startClock(const MeTeam *t) {
+    MeProfileTimerResult now = {0};
+    if (t->isTimed)
+        MeProfileGetTimerValue(&now);
+    return now.ticks;
+}
+
+static void stopClock(MeTeam *t, int worker, MeU64 start) {
+    t->worker[worker].busy += startClock(t) - start;
+}
+
+/* The first item of the share of a worker, or behind the last one's. */
+static int startOf(const MeTeam *t, int share) {
+    return (int)((long)t->loop.items * share / t->size);
+}
+
+/* Returns how many items it has done. */
+static int doShare(MeTeam *t, int share, int worker) {
+    int done = 0;
+    for (int item = takeFrom(&t->share[share]); item >= 0; item = takeFrom(&t->share[share]), done++)
+        t->loop.work(t->loop.context, startOf(t, share) + item, worker);
+    return done;
+}
+
+static void doLoop(MeTeam *t, int worker) {
+    const MeU64 start = startClock(t);
+    int done = 0;
+    for (int i = 0; i < t->size; i++)
+        done += doShare(t, (worker + i) % t->size, worker);
+    stopClock(t, worker, start);
+    if (done > 0)
+        atomic_fetch_add_explicit(&t->done, done, memory_order_release);
+}
+
+/* ---- pipes ---- */
+
+/* The next item for which there is a buffer; -1: there is none now, or all have been taken. */
+static int takeAhead(MeTeam *t) {
+    MeU64 claim = atomic_load_explicit(&t->pipe.claim, memory_order_acquire);
+    while (nextOf(claim) < itemsOf(claim)) {
+        const MeU64 used = atomic_load_explicit(&t->used.claim, memory_order_acquire);
+        if (numberOf(used) != numberOf(claim) || nextOf(claim) >= nextOf(used) + itemsOf(used))
+            return -1;
+        if (atomic_compare_exchange_weak_explicit(&t->pipe.claim, &claim, claim + 1, memory_order_acq_rel,
+                                                  memory_order_acquire))
+            return nextOf(claim);
+    }
+    return -1;
+}
+
+static MeBool hasItems(const MeTeam *t) {
+    const MeU64 claim = atomic_load_explicit(&t->pipe.claim, memory_order_relaxed);
+    return nextOf(claim) < itemsOf(claim);
+}
+
+/* Makes an item, if there is one to be made. */
+static MeBool makeOne(MeTeam *t, int worker) {
+    const MeU64 start = startClock(t);
+    const int item = takeAhead(t);
+    if (item < 0)
+        return MEFALSE;
+    const int ahead = itemsOf(atomic_load_explicit(&t->used.claim, memory_order_relaxed));
+    t->loop.work(t->loop.context, item, worker);
+    stopClock(t, worker, start); /* before the item is out: who opened the team may read the time then */
+    atomic_store_explicit(&t->made[item % ahead], item + 1, memory_order_release);
+    return METRUE;
+}
+
+static void makeItems(MeTeam *t, int worker) {
+    for (int spins = 0; hasItems(t);)
+        if (makeOne(t, worker))
+            spins = 0;
+        else
+            waitABit(&spins);
+}
+
+/* ---- tasks ------------------------------------------------------------------------------------------------------- */
+
+static MeBool isClosed(unsigned int number) {
+    return number & 1;
+}
+
+static void doLoopsUntilClosed(MeTeam *t, int worker) {
+    unsigned int seen = 0;
+    for (int spins = 0;;) {
+        const unsigned int number = atomic_load_explicit(&t->number, memory_order_acquire);
+        if (isClosed(number))
+            return;
+        if (number == seen) {
+            waitABit(&spins);
+            continue;
+        }
+        seen = number;
+        spins = 0;
+        doLoop(t, worker);
+        makeItems(t, worker);
+    }
+}
+
+/* One task: what a worker does while the team is open. Threads of a program may round otherwise, or name somebody else
+ * in messages. A task that is called as it is enqueued has nothing to do. */
+static void MEAPI serve(void *context) {
+    Worker *w = context;
+    MeTeam *t = w->team;
+    fenv_t before;
+    if (t->opener == &threadMark)
+        return;
+    fegetenv(&before);
+    fesetenv(&t->arithmetic);
+    const char *callerBefore = MeCallerSet(NULL);
+    MeCallerSet(t->caller);
+    doLoopsUntilClosed(t, w->index);
+    MeCallerSet(NULL);
+    MeCallerSet(callerBefore);
+    fesetenv(&before);
+}
+
+static void nextNumber(MeTeam *t, unsigned int step) {
+    const unsigned int number = atomic_load_explicit(&t->number, memory_order_relaxed);
+    atomic_store_explicit(&t->number, number + step, memory_order_release);
+}
+
+void MEAPI MeTeamOpen(MeTeam *t) {
+    if (!t || t->depth++ > 0)
+        return;
+    t->opener = &threadMark;
+    t->caller = MeCallerName(NULL);
+    fegetenv(&t->arithmetic);
+    nextNumber(t, 1);
+    for (int i = 1; i < t->size; i++)
+        t->worker[i].task = t->enqueue(serve, &t->worker[i], t->userContext);
+}
+
+void MEAPI MeTeamClose(MeTeam *t) {
+    if (!t || --t->depth > 0)
+        return;
+    MEASSERT(t->depth == 0 && !t->isRunning);
+    nextNumber(t, 1);
+    for (int i = 1; i < t->size; i++) {
+        if (t->worker[i].task)
+            t->finish(t->worker[i].task, t->userContext);
+        t->worker[i].task = NULL;
+    }
+}
+
+/* ---- loops ------------------------------------------------------------------------------------------------------- */
+
+static MeBool isAlone(const MeTeam *t, int items) {
+    return !t || t->size == 1 || t->depth == 0 || t->isRunning || items <= 1;
+}
+
+/* No item is out; what is written here is read by those who take one. */
+static MeU64 describe(MeTeam *t, int items, MeTeamWork work, void *context) {
+    MEASSERT(items < 1 << ITEM_BITS);
+    t->isRunning = METRUE;
+    t->loop = (Loop){.work = work, .context = context, .items = items};
+    atomic_store_explicit(&t->done, 0, memory_order_relaxed);
+    return atomic_load_explicit(&t->number, memory_order_relaxed) + 2;
+}
+
+void MEAPI MeTeamRun(MeTeam *t, int items, MeTeamWork work, void *context) {
+    if (isAlone(t, items)) {
+        for (int i = 0; i < items; i++)
+            work(context, i, 0);
+        return;
+    }
+    const MeU64 number = describe(t, items, work, context);
+    for (int i = 0; i < t->size; i++)
+        atomic_store_explicit(&t->share[i].claim, pack(number, startOf(t, i + 1) - startOf(t, i), 0),
+                              memory_order_release);
+    nextNumber(t, 2);
+    doLoop(t, 0);
+    for (int spins = 0; atomic_load_explicit(&t->done, memory_order_acquire) < items;)
+        waitABit(&spins);
+    t->isRunning = MEFALSE;
+}
+
+static void pipeAlone(int items, MeTeamWork make, MeTeamWork use, void *context) {
+    for (int i = 0; i < items; i++) {
+        make(context, i, 0);
+        use(context, i, 0);
+    }
+}
+
+void MEAPI MeTeamPipe(MeTeam *t, int items, int ahead, MeTeamWork make, MeTeamWork use, void *context) {
+    MEASSERT(ahead >= 1);
+    if (isAlone(t, items)) {
+        pipeAlone(items, make, use, context);
+        return;
+    }
+    const int buffers = MeMIN(ahead, MOST_AHEAD);
+    const MeU64 number = describe(t, items, make, context);
+    for (int i = 0; i < buffers; i++)
+        atomic_store_explicit(&t->made[i], 0, memory_order_relaxed);
+    atomic_store_explicit(&t->used.claim, pack(number, buffers, 0), memory_order_release);
+    atomic_store_explicit(&t->pipe.claim, pack(number, items, 0), memory_order_release);
+    nextNumber(t, 2);
+    for (int i = 0; i < items; i++) {
+        for (int spins = 0; atomic_load_explicit(&t->made[i % buffers], memory_order_acquire) != i + 1;)
+            if (!makeOne(t, 0))
+                waitABit(&spins);
+        use(context, i, 0);
+        atomic_store_explicit(&t->used.claim, pack(number, buffers, i + 1), memory_order_release);
+    }
+    t->isRunning = MEFALSE;
+}
