@@ -32,6 +32,7 @@ MdtJoint *mdt_jointCreate(MdtWorldID w, MdtBclJointType type, const char *caller
     j->bcl.type = type;
     j->breakForce = j->breakTorque = MEINFINITY;
     j->base.record.flags = MDT_WATCHED;
+    w->userConstraints += type == MdtBclUSER;
     j->type->reset(&j->bcl);
     mdt_listAppend(&w->constraints, &j->base.link, w->nextSerial++);
     return j;
@@ -55,6 +56,7 @@ static void termJoint(MdtJoint *j) {
     mdt_constraintTerm(&j->base);
     mdt_jointFree(j);
     mdt_breakForget(j);
+    j->base.world->userConstraints -= j->bcl.type == MdtBclUSER;
     mdt_constraintUncount(j->base.world);
     mdt_poolPut(&j->base.world->jointPool, j);
 }

@@ -65,15 +65,18 @@ static int problemOf(const MdtBclContactParams *p, MdtFrictionModel model, MeRea
     return coefficient > 0 ? WITHOUT_MODEL : bound < MEINFINITY ? 0 : WITHOUT_BOUND;
 }
 
-void mdt_checkSurface(MdtWorldID w, const MdtBclContactParams *p) {
-    int problem = problemOf(p, p->model1, p->FrictionCoefficient, p->friction1);
-    if (!problem && p->type != MdtContactTypeFriction1D)
-        problem = problemOf(p, p->model2, p->FrictionCoefficient2, p->friction2);
-    if (!problem || (w->surfaceWarnings & problem))
-        return;
-    w->surfaceWarnings |= problem;
+int mdt_surfaceProblem(const MdtBclContactParams *p) {
+    const int problem = problemOf(p, p->model1, p->FrictionCoefficient, p->friction1);
+    if (problem || p->type == MdtContactTypeFriction1D)
+        return problem;
+    return problemOf(p, p->model2, p->FrictionCoefficient2, p->friction2);
+}
+
+void mdt_surfaceWarn(MdtWorldID w, int problems) {
+    const int more = problems & ~w->surfaceWarnings;
+    w->surfaceWarnings |= problems;
     for (size_t i = 0; i < sizeof surfaceTexts / sizeof *surfaceTexts; i++)
-        if (surfaceTexts[i].problem == problem)
+        if (surfaceTexts[i].problem & more)
             MeWarning(2, "MdtWorldStep: a contact %s; MdtContactParamsSetSurface sets all that friction needs",
                       surfaceTexts[i].text);
 }

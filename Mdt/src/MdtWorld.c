@@ -69,13 +69,12 @@ static void freeWorld(MdtWorldID w) {
     for (MdtLink *link = w->constraints.first; link; link = link->next)
         releaseConstraint(mdt_linkOwner(link));
     void *arrays[] = {w->bodyOf,       w->actingOf,      w->constraintOf,    w->keaOf,
-                      w->bodyStart,    w->actingStart,   w->constraintStart, w->ranking,
+                      w->bodyStart,    w->actingStart,   w->constraintStart, w->taskOf,
                       w->output.info,  w->reports,       w->broken,          w->graph.body,
                       w->graph.parent, w->graph.isAwake, w->graph.acting,    w->graph.actsOn};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         MeMemoryGive(arrays[i]);
-    MeChunkTerm(&w->scratch);
-    MdtKeaCacheDestroy(w->keaCache);
+    mdt_workersTerm(w);
     mdt_poolTerm(&w->bodyPool);
     mdt_poolTerm(&w->jointPool);
     mdt_poolTerm(&w->manifoldPool);
@@ -98,7 +97,8 @@ static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
         !MeMemoryGrow(&w->bodyStart, 0, n + 1, sizeof *w->bodyStart, caller, "partitions") ||
         !MeMemoryGrow(&w->actingStart, 0, n + 1, sizeof *w->actingStart, caller, "partitions") ||
         !MeMemoryGrow(&w->constraintStart, 0, n + 1, sizeof *w->constraintStart, caller, "partitions") ||
-        !MeMemoryGrow(&w->output.info, 0, n, sizeof *w->output.info, caller, "partitions"))
+        !MeMemoryGrow(&w->output.info, 0, n, sizeof *w->output.info, caller, "partitions") ||
+        !MeMemoryGrow(&w->taskOf, 0, mdt_tasksSize(n), sizeof *w->taskOf, caller, "tasks"))
         return MEFALSE;
     w->bodyRoom = (int)n;
     MEASSERT(w->bodyRoom >= bodies);
@@ -114,7 +114,6 @@ static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *call
         !MeMemoryGrow(&w->actingOf, 0, n, sizeof *w->actingOf, caller, "the constraints of a step") ||
         !MeMemoryGrow(&w->graph.acting, 0, n, sizeof *w->graph.acting, caller, "the constraints of a step") ||
         !MeMemoryGrow(&w->graph.actsOn, 0, n, sizeof *w->graph.actsOn, caller, "the constraints of a step") ||
-        !MeMemoryGrow(&w->ranking, 0, n, mdt_capSize(), caller, "ranking contacts") ||
         !MeMemoryGrow(&w->broken, broken, n, sizeof *w->broken, caller, "broken joints"))
         return MEFALSE;
     w->constraintRoom = (int)n;
@@ -139,8 +138,7 @@ static MeBool allocateParts(MdtWorldID w, int bodies, int constraints, const cha
     w->jointPool = (MdtPool){.recordSize = sizeof(MdtJoint), .what = "joints", .limit = room};
     w->manifoldPool = (MdtPool){.recordSize = sizeof(MdtManifold), .what = "contacts", .limit = room};
     w->extraPool = (MdtPool){.recordSize = sizeof(MdtExtra), .what = "properties of contacts", .limit = room};
-    w->keaCache = MdtKeaCacheCreate();
-    return w->keaCache && mdt_poolInit(&w->bodyPool, caller) && mdt_poolInit(&w->jointPool, caller) &&
+    return mdt_workersInit(w, 1, caller) && mdt_poolInit(&w->bodyPool, caller) && mdt_poolInit(&w->jointPool, caller) &&
            mdt_poolInit(&w->manifoldPool, caller) && mdt_poolInit(&w->extraPool, caller) &&
            mdt_surfacesInit(&w->surfaces, w->params.lengthScale, caller) &&
            mdt_worldReserve(w, bodies == MeNoLimit ? 0 : bodies, constraints == MeNoLimit ? 0 : constraints, caller);
@@ -157,7 +155,6 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     MdtWorldID w = MeMemoryTakeZeroed(1, sizeof *w, "MdtWorldCreate", "a world");
     if (!w)
         return NULL;
-    MeChunkInit(&w->scratch, 16);
     w->timedBodies = MDT_TIMED_BODIES;
     w->accuracy = -1;
     w->subSteps = 1;
@@ -206,7 +203,10 @@ void MEAPI MdtWorldReCreate(const MdtWorldID w) {
 
 int MEAPI MdtWorldGetMaxMemoryPoolUsed(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
-    return MeChunkGetMaxSize(&w->scratch);
+    int most = 0;
+    for (int i = 0; i < w->numWorkers; i++)
+        most = MeMAX(most, MeChunkGetMaxSize(&w->workers[i].scratch));
+    return most;
 }
 
 void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal gy, const MeReal gz) {

@@ -6,6 +6,7 @@
  */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
+#include <limits.h>
 
 /* A contact of the partition. Those of a group come one after the other. */
 typedef struct MdtRanked {
@@ -16,10 +17,6 @@ typedef struct MdtRanked {
     int numKept; /* of the first: how many of the group are not left out */
     int place;   /* no property of the contact: the one that is so many from the least important */
 } MdtRanked;
-
-size_t mdt_capSize(void) {
-    return sizeof(MdtRanked);
-}
 
 /* Contacts that are worth as much go in the order of simulation. */
 static MeBool isBefore(const MdtRanked ranking[], int a, int b) {
@@ -100,14 +97,22 @@ static int dropContacts(const MdtIsland *p, MdtRanked ranking[], int rows, int m
     return rows;
 }
 
-int mdt_capRows(MdtIsland *p, int rows, int most) {
-    MdtRanked *ranking = p->world->ranking;
-    MEASSERT(p->numContacts <= p->world->constraintRoom);
-    p->isCapped = METRUE;
-    rankContacts(p, ranking);
+static int dropRows(const MdtIsland *p, MdtRanked ranking[], int rows, int most) {
     rows = dropFriction(p, ranking, rows, most);
     if (p->world->importance)
         return dropContacts(p, ranking, rows, most, isAny);
     rows = dropContacts(p, ranking, rows, most, isBetweenBodies);
     return dropContacts(p, ranking, rows, most, isWithWorld);
+}
+
+int mdt_capRows(MdtIsland *p, int rows, int most) {
+    const size_t bytes = (size_t)p->numContacts * sizeof(MdtRanked);
+    MdtRanked *ranking = bytes <= INT_MAX ? MeChunkGetMem(&p->worker->ranking, (int)bytes) : NULL;
+    p->isCapped = METRUE;
+    if (!ranking)
+        return rows;
+    rankContacts(p, ranking);
+    rows = dropRows(p, ranking, rows, most);
+    MeChunkPutMem(&p->worker->ranking, ranking);
+    return rows;
 }

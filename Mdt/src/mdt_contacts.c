@@ -79,7 +79,7 @@ static MdtKeaManifold *beginManifold(MdtIsland *p, const MdtPoint *first) {
         m->rim[k] = mdt_pointRim(first, k, m->axis[k]);
     }
     MdtBclContactSurface(params, &m->surface);
-    mdt_checkSurface(p->world, params);
+    p->worker->surfaceProblems |= mdt_surfaceProblem(params);
     return m;
 }
 

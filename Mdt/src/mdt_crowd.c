@@ -120,10 +120,10 @@ static MeBool areJointsApart(const MdtIsland *p) {
     const int size = 2 * p->numBodies * (int)sizeof(int);
     if (p->numContacts < MDT_CROWD || p->numContacts < 2 * p->numJoints)
         return MEFALSE;
-    int *parent = MeChunkGetMem(&p->world->scratch, size);
+    int *parent = MeChunkGetMem(&p->worker->scratch, size);
     const MeBool areShort = parent && areTiesShort(p, parent, parent + p->numBodies);
     if (parent)
-        MeChunkPutMem(&p->world->scratch, parent);
+        MeChunkPutMem(&p->worker->scratch, parent);
     return areShort;
 }
 

@@ -14,6 +14,7 @@
 #include "MeChunk.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
+#include "MeTeam.h"
 #include "mdt_surface_i.h"
 #include <stddef.h>
 #include <stdint.h>
@@ -297,8 +298,10 @@ MdtConstraintID mdt_constraintAfterOf(MdtBodyID b, MdtConstraintID c);
         return mdt_jointCast(c, TYPE, __func__);                                                                       \
     }
 
-/* Warns, once a world, of a contact whose friction cannot act, or has no bound, unless it was set up like that. */
-void mdt_checkSurface(MdtWorldID w, const MdtBclContactParams *params);
+/* What is wrong with contacts whose friction cannot act, or has no bound, unless they were set up like that; 0: nothing.
+ * A warning of each problem, once a world. */
+int mdt_surfaceProblem(const MdtBclContactParams *params);
+void mdt_surfaceWarn(MdtWorldID w, int problems);
 
 /* Resets a limit and copies the public properties of another, which may be itself. */
 void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
@@ -314,6 +317,7 @@ enum { MDT_TIED_JOINTS = 12 };
 double mdt_worldAccuracy(const MdtWorld *w, double h);
 
 struct MdtIsland;
+size_t mdt_tasksSize(size_t bodies); /* ints that the tasks of so many bodies need */
 
 /* ---- worlds -------------------------------------------------------------------------------------------------- */
 
@@ -336,8 +340,13 @@ typedef struct MdtRestInputs {
     int maxLcpIterations, subSteps, timedBodies, maxMatrixSize, solver, spare;
 } MdtRestInputs;
 
-/* Bytes that the cap on rows needs for a contact (mdt_cap.c). */
-size_t mdt_capSize(void);
+/* What a worker has of its own while it steps partitions, and what it found out there that concerns all of them. */
+typedef struct MdtWorker {
+    MeChunk scratch, ranking; /* of Kea and contacts; of contacts, to rank them */
+    MdtKeaCache *keaCache;
+    MeHeldMessages messages; /* by partition */
+    int surfaceProblems;     /* of contacts that it packed (MdtContactParams.c) */
+} MdtWorker;
 
 struct MdtWorld {
     unsigned int magic;
@@ -353,7 +362,6 @@ struct MdtWorld {
     int timedBodies;                          /* most bodies of a partition whose contacts are met in time */
     int maxMatrixSize;                        /* rows of a partition */
     MdtContactImportanceCBPtr importance;     /* null: depth */
-    void *ranking;                            /* constraintRoom records of mdt_capSize, to rank contacts */
     int *sizeLog, sizeLogLength;              /* the program's, null: none */
     MdtBodyHandler bodyEnabled, bodyDisabled; /* null: none */
     MdtPartitionEndCB partitionCb;            /* null: the world puts partitions to rest by itself */
@@ -367,6 +375,7 @@ struct MdtWorld {
     unsigned long nextSerial;
     int enabledBodies, asleepBodies, enabledConstraints;
     int breakable;           /* constraints with a limit */
+    int userConstraints;     /* whose rows a function of the program makes */
     MdtConstraintID *broken; /* in the last step; constraintRoom */
     int numBroken;
     MdtBreakCBPtr breakCb;     /* null: none */
@@ -374,9 +383,11 @@ struct MdtWorld {
     unsigned long certificate; /* of rest, valid now (mdt_rest.c) */
     MdtRestInputs restInputs;  /* with which it was */
     int surfaceWarnings;       /* MdtContactParams.c: which were given */
-    int degenerate;            /* how often a joint came to stand where its rows lose their meaning */
-    MeChunk scratch;
-    MdtKeaCache *keaCache;
+    MdtWorker *workers; /* numWorkers of them; the first is the thread that steps the world */
+    int numWorkers;
+    MeTeam *team;    /* null: there is one worker */
+    int *taskOf;     /* partitions by task, and where tasks begin among them (mdt_parallel.c) */
+    MeBool isStepping;
 
     /* Arrays of a step have room for so many; they are made larger before a step only (mdt_worldReserve). */
     int bodyRoom, constraintRoom;
@@ -397,13 +408,17 @@ struct MdtWorld {
     MdtReport *reports; /* by partition of the last step; null until the report is enabled for the first time */
     int reportRoom;
     int numReports;                     /* MDT_NO_REPORTS: the report is off, or no step was taken yet */
-    MeU64 lap;                          /* ticks, when the stage began that is being timed */
-    MeBool isTimedByStage;              /* of the partition that is being stepped */
+    MeU64 lap;                          /* ticks, when the stage began that is being timed; of one worker alone */
     int firstUntimed;                   /* partitions from this one on have no time yet */
     double stageShare[MdtReportStages]; /* how a small partition's time divides, as last seen; 0: none was */
 
     MeHandle handle;
 };
+
+/* So many workers, whatever there were; their memory, but for what steps need. False: no memory, and all is as it was.
+ * All of them end (MdtWorldTasks.c). */
+MeBool mdt_workersInit(MdtWorldID w, int count, const char *caller);
+void mdt_workersTerm(MdtWorldID w);
 
 /* Room for so many bodies and constraints in the arrays of a step. False: no memory. */
 MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller);
@@ -434,10 +449,11 @@ void mdt_breakForget(MdtJoint *j);
 
 /* A step begins, its partitions are known. */
 void mdt_reportStep(MdtWorldID w);
-/* The place for a partition's report; null: there is none. */
-MdtReport *mdt_reportOf(MdtWorldID w, int partition);
+/* A partition begins: its report, null if there is none, and how it is timed. */
+struct MdtIsland;
+void mdt_reportBegin(struct MdtIsland *p);
 /* The stage ends. */
-void mdt_reportLap(MdtWorldID w, MdtReport *r, MdtReportStage stage);
+void mdt_reportLap(struct MdtIsland *p, MdtReportStage stage);
 /* Bodies met as a part began; a part ends early, where something happens; the step is halved. */
 void mdt_reportImpact(MdtReport *r);
 void mdt_reportEvent(MdtReport *r);
@@ -445,12 +461,11 @@ void mdt_reportDivision(MdtReport *r);
 /* The last step's answer was taken without a solve. */
 void mdt_reportRest(MdtReport *r);
 /* What a solve cost; its stage ends. */
-void mdt_reportSolve(MdtWorldID w, MdtReport *r, const struct MdtIsland *p);
+void mdt_reportSolve(struct MdtIsland *p);
 /* A part was integrated: its errors, before anything is read back. */
-struct MdtIsland;
 void mdt_reportPart(MdtReport *r, const struct MdtIsland *p, MeBool isFinite);
 /* The partition is done, or was put to rest. */
-void mdt_reportEnd(MdtWorldID w, MdtReport *r, int partition);
+void mdt_reportEnd(struct MdtIsland *p);
 /* All partitions are done. */
 void mdt_reportStepEnd(MdtWorldID w);
 

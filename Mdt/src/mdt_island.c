@@ -234,6 +234,8 @@ MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p) {
 
 MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
     return (MdtIsland){.world = w,
+                       .worker = &w->workers[0],
+                       .clock = &w->lap,
                        .number = number,
                        .numBodies = w->bodyStart[number + 1] - w->bodyStart[number],
                        .numActing = w->actingStart[number + 1] - w->actingStart[number],

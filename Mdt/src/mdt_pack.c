@@ -24,7 +24,7 @@ static MeBool takeScratch(MdtIsland *p) {
     const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows, p->kea.maxContacts);
     const int manifolds = mdt_contactsCount(p);
     const size_t total = bytes + mdt_contactsSize(manifolds);
-    char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->world->scratch, (int)total) : NULL;
+    char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->worker->scratch, (int)total) : NULL;
     if (!scratch) {
         MeWarning(2, "MdtWorldStep: partition %d (%d bodies, %d rows) is too large for the solver and is not moved",
                   p->number, p->numBodies, p->kea.maxRows);
@@ -42,7 +42,8 @@ static void setSystem(MdtIsland *p) {
     p->kea.maxContacts = p->isFast ? 0 : p->numContacts;
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
     p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
-    p->kea.cache = p->world->keaCache;
+    p->kea.cache = p->worker->keaCache;
+    p->kea.team = p->team;
     p->kea.context = p;
     p->kea.parameters.solver = p->isFast ? MdtKeaSolverFast : MdtKeaSolverExact;
     p->kea.parameters.accuracy = mdt_worldAccuracy(p->world, p->h);
@@ -84,6 +85,6 @@ MeBool mdt_islandPack(MdtIsland *p) {
 
 void mdt_islandRelease(MdtIsland *p) {
     MEASSERT(p->scratch);
-    MeChunkPutMem(&p->world->scratch, p->scratch);
+    MeChunkPutMem(&p->worker->scratch, p->scratch);
     p->scratch = NULL;
 }

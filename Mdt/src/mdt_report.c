@@ -66,15 +66,15 @@ void mdt_reportStep(MdtWorldID w) {
 }
 
 /* s, since the last lap. */
-static double lapTime(MdtWorldID w) {
-    const MeU64 start = w->lap;
-    w->lap = ticksNow();
-    return (double)(w->lap - start) / (double)MeProfileGetClockSpeed();
+static double lapTime(MeU64 *clock) {
+    const MeU64 start = *clock;
+    *clock = ticksNow();
+    return (double)(*clock - start) / (double)MeProfileGetClockSpeed();
 }
 
-void mdt_reportLap(MdtWorldID w, MdtReport *r, MdtReportStage stage) {
-    if (w->isTimedByStage)
-        r->time[stage] += (MeReal)lapTime(w);
+void mdt_reportLap(MdtIsland *p, MdtReportStage stage) {
+    if (p->isTimedByStage)
+        p->report->time[stage] += (MeReal)lapTime(p->clock);
 }
 
 /* What a callback takes before a partition is the program's time. */
@@ -97,7 +97,7 @@ static void addShares(MdtReport *r, double time, const double share[]) {
 
 /* Divides the time since the last lap among the partitions before this one that were not timed by stage. */
 static void shareTime(MdtWorldID w, int end) {
-    const double time = lapTime(w);
+    const double time = lapTime(&w->lap);
     double work = 0;
     for (int i = w->firstUntimed; i < end; i++)
         work += workOf(&w->reports[i]);
@@ -106,14 +106,22 @@ static void shareTime(MdtWorldID w, int end) {
     w->firstUntimed = end;
 }
 
-MdtReport *mdt_reportOf(MdtWorldID w, int partition) {
-    MEASSERT(partition >= 0 && partition < w->numPartitions);
-    if (partition >= w->numReports)
-        return NULL;
-    w->isTimedByStage = isTimedByStage(w, partition);
-    if (w->isTimedByStage)
-        shareTime(w, partition);
-    return &w->reports[partition];
+/* A worker beside others has a clock of its own, and no others' time to divide. */
+static MeBool hasOwnClock(const MdtIsland *p) {
+    return p->clock == &p->lap;
+}
+
+void mdt_reportBegin(MdtIsland *p) {
+    MdtWorldID w = p->world;
+    MEASSERT(p->number >= 0 && p->number < w->numPartitions);
+    if (!w->isReported || p->number >= w->numReports)
+        return;
+    p->report = &w->reports[p->number];
+    p->isTimedByStage = hasOwnClock(p) || isTimedByStage(w, p->number);
+    if (hasOwnClock(p))
+        p->lap = ticksNow();
+    else if (p->isTimedByStage)
+        shareTime(w, p->number);
 }
 
 /* How a small partition's time divides. */
@@ -159,12 +167,13 @@ void mdt_reportDivision(MdtReport *r) {
     keepWay(r, MdtReportWayDivided);
 }
 
-void mdt_reportSolve(MdtWorldID w, MdtReport *r, const MdtIsland *p) {
+void mdt_reportSolve(MdtIsland *p) {
     const MdtKeaSystem *kea = &p->kea;
+    MdtReport *r = p->report;
     const int rows = p->numRows;
     if (rows == 0)
         return;
-    mdt_reportLap(w, r, MdtReportStageSolve);
+    mdt_reportLap(p, MdtReportStageSolve);
     r->rows = rows > r->rows ? rows : r->rows;
     r->passes += kea->report.passes;
     r->iterations += kea->report.iterations;
@@ -247,15 +256,16 @@ static int countConstraints(MdtWorldID w, int partition) {
     return count;
 }
 
-void mdt_reportEnd(MdtWorldID w, MdtReport *r, int partition) {
-    const int body = w->bodyStart[partition];
-    r->bodies = w->bodyStart[partition + 1] - body;
-    r->constraints = countConstraints(w, partition);
-    reportEnergy(r, w->bodyOf + body, r->bodies, w->params.gravity);
-    mdt_reportLap(w, r, MdtReportStageIntegrate);
-    if (!w->isTimedByStage)
+void mdt_reportEnd(MdtIsland *p) {
+    MdtWorldID w = p->world;
+    MdtReport *r = p->report;
+    r->bodies = p->numBodies;
+    r->constraints = countConstraints(w, p->number);
+    reportEnergy(r, p->bodies, r->bodies, w->params.gravity);
+    mdt_reportLap(p, MdtReportStageIntegrate);
+    if (!p->isTimedByStage || hasOwnClock(p))
         return;
-    w->firstUntimed = partition + 1;
+    w->firstUntimed = p->number + 1;
     if (r->rows > 0 && r->bodies + r->constraints <= SMALL)
         keepShares(w, r);
 }

@@ -36,7 +36,6 @@ static void noteDegenerate(MdtIsland *p, MdtJoint *j) {
     j->isDegenerate = METRUE;
     if (j->wasDegenerate)
         return;
-    p->world->degenerate++;
     MeWarning(2, "MdtWorldStep: a %s (sort key %d) cannot work as it stands: %s", j->type->name, j->base.link.sortKey,
               j->type->degenerate);
 }

@@ -15,14 +15,14 @@ void mdt_partSolveRows(MdtIsland *p) {
         mdt_partImpact(p);
     MeProfileEndSection("Rows");
     if (p->report && p->numRows > 0)
-        mdt_reportLap(p->world, p->report, MdtReportStageRows);
+        mdt_reportLap(p, MdtReportStageRows);
     MeProfileStartSection("Solve", 0);
     mdt_budgetGrant(p);
     MdtKeaSolve(&p->kea);
     mdt_budgetDraw(p);
     MeProfileEndSection("Solve");
     if (p->report)
-        mdt_reportSolve(p->world, p->report, p);
+        mdt_reportSolve(p);
 }
 
 void mdt_partSolve(MdtIsland *p, double part) {
@@ -58,28 +58,21 @@ void mdt_islandStep(MdtIsland *p) {
     mdt_islandRelease(p);
 }
 
-static void stepIslands(MdtWorldID w, double h, MeBool safely) {
-    if (w->partitionCb)
-        mdt_islandsList(w);
-    for (int i = 0; i < w->numPartitions; i++) {
-        MdtIsland p = mdt_islandOf(w, i, h);
-        if (safely)
-            p.h = mdt_lagSafeStep(&p);
-        if (w->partitionCb)
-            mdt_islandShow(&p);
-        p.report = w->isReported ? mdt_reportOf(w, i) : NULL;
-        mdt_lagSet(&p, h);
-        if (mdt_islandIsToSleep(&p))
-            mdt_islandSleep(&p);
-        else if (mdt_restHolds(&p))
-            mdt_restKeep(&p);
+/* One that was put to rest is reported all the same. */
+void mdt_islandTake(MdtIsland *p, MeBool safely) {
+    const double lack = p->h;
+    if (safely)
+        p->h = mdt_lagSafeStep(p);
+    mdt_reportBegin(p);
+    if (!p->world->output.info[p->number].isDisabled) {
+        mdt_lagSet(p, lack);
+        if (mdt_restHolds(p))
+            mdt_restKeep(p);
         else
-            mdt_islandStep(&p);
-        if (p.report)
-            mdt_reportEnd(w, p.report, i);
+            mdt_islandStep(p);
     }
-    if (w->isReported)
-        mdt_reportStepEnd(w);
+    if (p->report)
+        mdt_reportEnd(p);
 }
 
 void mdt_worldStep(MdtWorldID w, double h, MeBool safely) {
@@ -90,7 +83,11 @@ void mdt_worldStep(MdtWorldID w, double h, MeBool safely) {
     if (w->isReported)
         mdt_reportStep(w);
     MeProfileEndSection("Partition");
-    stepIslands(w, h, safely);
+    w->isStepping = METRUE;
+    mdt_islandsStep(w, h, safely);
+    w->isStepping = MEFALSE;
+    if (w->isReported)
+        mdt_reportStepEnd(w);
     MeProfileEndSection("Dynamics");
     if (w->debugDraw)
         mdt_debugDraw(w);

@@ -31,15 +31,20 @@ typedef struct MdtIslandManifold {
 
 /* One partition in one step. Each group of fields names its only writer. */
 typedef struct MdtIsland {
-    /* mdt_islandOf */
+    /* mdt_islandOf; mdt_parallel.c */
     MdtWorldID world;
+    MdtWorker *worker; /* who steps it, */
+    MeTeam *team;      /* and who help; null: nobody */
     int number, numBodies, numActing;
     MdtBodyID *bodies;
     MdtConstraintID *acting; /* joints and manifolds */
     double whole;            /* s, the step that the program asked for */
     /* mdt_step.c, mdt_lag.c */
     double h;          /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
-    MdtReport *report; /* null: it is off */
+    /* mdt_report.c */
+    MdtReport *report;     /* null: it is off */
+    MeBool isTimedByStage; /* else together with others */
+    MeU64 lap, *clock;     /* ticks, when the stage began that is being timed: the world's, or of many workers `lap` */
     /* pack */
     void *scratch; /* Kea's arrays, and behind them */
     MeBool isFast; /* Kea's fast solver is chosen */
@@ -73,6 +78,9 @@ static inline MeBool mdt_bounces(const MdtBclContactParams *params) {
 
 /* Pack, the parts, and unpack: moves a partition on by its h (mdt_step.c). */
 void mdt_islandStep(MdtIsland *p);
+/* All partitions of a step, by its workers (mdt_parallel.c); one of them. */
+void mdt_islandsStep(MdtWorldID w, double h, MeBool safely);
+void mdt_islandTake(MdtIsland *p, MeBool safely);
 /* Moves the world on by h seconds; safely: each partition by what its safe time allows of them. */
 void mdt_worldStep(MdtWorldID w, double h, MeBool safely);
 /* Rows and solve, of a part of the step of these seconds. Nothing has moved yet: it may be thrown away. */

@@ -73,7 +73,7 @@ static void setPart(MdtIsland *p, double part) {
 
 void mdt_partBegin(MdtIsland *p, double part) {
     if (p->report && p->elapsed > 0)
-        mdt_reportLap(p->world, p->report, MdtReportStageIntegrate);
+        mdt_reportLap(p, MdtReportStageIntegrate);
     setPart(p, part);
     MdtKeaInit(&p->kea, p->scratch);
     if (p->isFast && p->elapsed > 0)

@@ -82,6 +82,23 @@ MEPUBLIC const char *MEAPI MeCallerSet(const char *function);
 MEPUBLIC const char *MEAPI MeCallerName(const char *function);
 /** @} */
 
+/** Messages that wait until the program may be told: handlers are called on the thread that steps a world, in an order
+ *  that does not depend on threads. All zero: none wait. */
+typedef struct MeHeldMessages {
+    struct MeHeldMessage *first, *last;
+    int key;
+} MeHeldMessages;
+
+/** @name Messages that wait
+ *  @{ */
+/** From now on, in this thread, messages but for fatal errors join @a held, with @a key; null: they are sent at once,
+ *  as ever. */
+MEPUBLIC void MEAPI MeMessagesHold(MeHeldMessages *held, int key);
+/** Sends what waits in all of these, by their keys, and of one key in the order in which they came. Messages of one key
+ *  are all in the same place. */
+MEPUBLIC void MEAPI MeMessagesSend(MeHeldMessages *const held[], int count);
+/** @} */
+
 /** How many of something there may be. */
 typedef struct MeLimit {
     int most;         /**< MeNoLimit: as many as there is memory for. */

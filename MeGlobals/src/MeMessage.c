@@ -1,5 +1,5 @@
 /* Five kinds of messages, each with a limit, a handler and a show function. */
-#include "MeMessage.h"
+#include "MeMessage_i.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +19,8 @@ void MEAPI_CDECL MeInfo(const int level, const char *const format, ...) {
         return;
     va_list ap;
     va_start(ap, format);
-    MeInfoHandler(level, format, ap);
+    if (!me_messageHold(MeInfo, level, format, ap))
+        MeInfoHandler(level, format, ap);
     va_end(ap);
 }
 
@@ -28,7 +29,8 @@ void MEAPI_CDECL MeDebug(const int level, const char *const format, ...) {
         return;
     va_list ap;
     va_start(ap, format);
-    MeDebugHandler(level, format, ap);
+    if (!me_messageHold(MeDebug, level, format, ap))
+        MeDebugHandler(level, format, ap);
     va_end(ap);
 }
 
@@ -37,7 +39,8 @@ void MEAPI_CDECL MeLog(const int level, const char *const format, ...) {
         return;
     va_list ap;
     va_start(ap, format);
-    MeLogHandler(level, format, ap);
+    if (!me_messageHold(MeLog, level, format, ap))
+        MeLogHandler(level, format, ap);
     va_end(ap);
 }
 
@@ -46,7 +49,8 @@ void MEAPI_CDECL MeWarning(const int level, const char *const format, ...) {
         return;
     va_list ap;
     va_start(ap, format);
-    MeWarningHandler(level, format, ap);
+    if (!me_messageHold(MeWarning, level, format, ap))
+        MeWarningHandler(level, format, ap);
     va_end(ap);
 }
 

@@ -1,0 +1,193 @@
+/* A world's partitions, by its workers.
+ *
+ *     put to rest      one after the other, on the calling thread: programs are told
+ *     together         a partition that is a large share of all work: one after the other, each by all workers (Kea's
+ *                      fast solver divides it among them)
+ *     at once          all others: tasks of about the same size, the largest partitions first
+ *
+ * The rule for order: partitions share no body and no constraint, so that a step of one neither reads nor writes what
+ * is another's. A worker has scratch memory, and a cache that finds what it would make anew; neither shows in an
+ * answer. Messages wait, and are sent in the partitions' order. Where a program's function is called in the middle of a
+ * partition's step, partitions are stepped one after the other, in their order.
+ */
+#include "MeAssert.h"
+#include "mdt_step_i.h"
+
+/* What a task is worth at least, in bodies and constraints: some 20 us, against less than 1 to take it. */
+enum { TASK_SIZE = 32 };
+/* What a step is worth at least before workers are called, which takes some 20 us, or less if they are awake. */
+enum { STEP_SIZE = 4 * TASK_SIZE };
+enum { SIZES = 32 }; /* powers of two */
+
+/* ---- rest, and one after the other ---- */
+
+static void putToRest(MdtIsland *p, MeBool safely) {
+    const double lack = p->h;
+    MeBool *isDisabled = &p->world->output.info[p->number].isDisabled;
+    *isDisabled = mdt_islandIsToSleep(p);
+    if (!*isDisabled)
+        return;
+    if (safely)
+        p->h = mdt_lagSafeStep(p);
+    mdt_lagSet(p, lack);
+    mdt_islandSleep(p);
+    p->h = lack;
+}
+
+static void restAll(MdtWorldID w, double h, MeBool safely) {
+    for (int i = 0; i < w->numPartitions; i++) {
+        MdtIsland p = mdt_islandOf(w, i, h);
+        putToRest(&p, safely);
+    }
+}
+
+static void takeInOrder(MdtWorldID w, double h, MeBool safely) {
+    for (int i = 0; i < w->numPartitions; i++) {
+        MdtIsland p = mdt_islandOf(w, i, h);
+        mdt_islandTake(&p, safely);
+    }
+}
+
+/* The callback sees a partition when those before it have been stepped, and says whether it is put to rest. */
+static void showInOrder(MdtWorldID w, double h, MeBool safely) {
+    mdt_islandsList(w);
+    for (int i = 0; i < w->numPartitions; i++) {
+        MdtIsland p = mdt_islandOf(w, i, h);
+        mdt_islandShow(&p);
+        putToRest(&p, safely);
+        mdt_islandTake(&p, safely);
+    }
+}
+
+/* ---- by workers ---- */
+
+typedef struct Stepping {
+    MdtWorldID world;
+    double h;
+    MeBool safely;
+    int numTasks;
+    int *partition, *firstOf; /* by task: firstOf[t] .. firstOf[t + 1] */
+} Stepping;
+
+/* Each partition once, and of tasks one more than there are. */
+size_t mdt_tasksSize(size_t bodies) {
+    return 2 * bodies + 1;
+}
+
+static int sizeOf(const MdtWorld *w, int i) {
+    return w->bodyStart[i + 1] - w->bodyStart[i] + w->actingStart[i + 1] - w->actingStart[i];
+}
+
+static int sizeOfAll(const MdtWorld *w) {
+    return w->bodyStart[w->numPartitions] + w->actingStart[w->numPartitions];
+}
+
+/* More than one worker's share of all work, and enough of it for the fast solver. */
+static MeBool isTakenTogether(const MdtWorld *w, int i) {
+    const int bodies = w->bodyStart[i + 1] - w->bodyStart[i];
+    return bodies >= MDT_CROWD && w->solver != MdtSolverExact &&
+           (double)sizeOf(w, i) * w->numWorkers > (double)sizeOfAll(w);
+}
+
+/* Steps a partition on a worker's memory; what it has to say is held. */
+static void take(const Stepping *s, int partition, int worker, MeTeam *team) {
+    MdtIsland p = mdt_islandOf(s->world, partition, s->h);
+    p.worker = &s->world->workers[worker];
+    p.team = team;
+    p.clock = &p.lap;
+    MeMessagesHold(&p.worker->messages, partition);
+    mdt_islandTake(&p, s->safely);
+    MeMessagesHold(NULL, 0);
+}
+
+static void takeTogether(const Stepping *s) {
+    for (int i = 0; i < s->world->numPartitions; i++)
+        if (isTakenTogether(s->world, i))
+            take(s, i, 0, s->world->team);
+}
+
+static int log2Of(int size) {
+    int log = 0;
+    while (size >>= 1)
+        log++;
+    return log;
+}
+
+/* The others by size, the largest first, as powers of two tell: a counting sort. Returns how many. */
+static int sortPartitions(Stepping *s) {
+    int first[SIZES + 1] = {0};
+    const MdtWorld *w = s->world;
+    for (int i = 0; i < w->numPartitions; i++)
+        if (!isTakenTogether(w, i))
+            first[SIZES - log2Of(sizeOf(w, i))]++;
+    for (int k = 0; k < SIZES; k++)
+        first[k + 1] += first[k];
+    for (int i = 0; i < w->numPartitions; i++)
+        if (!isTakenTogether(w, i))
+            s->partition[first[SIZES - 1 - log2Of(sizeOf(w, i))]++] = i;
+    return first[SIZES - 1];
+}
+
+static void makeTasks(Stepping *s) {
+    const int count = sortPartitions(s);
+    int size = 0;
+    s->numTasks = 0;
+    s->firstOf[0] = 0;
+    for (int i = 0; i < count; i++) {
+        size += sizeOf(s->world, s->partition[i]);
+        if (size < TASK_SIZE && i + 1 < count)
+            continue;
+        s->firstOf[++s->numTasks] = i + 1;
+        size = 0;
+    }
+}
+
+static void MEAPI doTask(void *context, int task, int worker) {
+    const Stepping *s = context;
+    for (int i = s->firstOf[task]; i < s->firstOf[task + 1]; i++)
+        take(s, s->partition[i], worker, NULL);
+}
+
+static void sendMessages(MdtWorldID w) {
+    MeHeldMessages *held[MeTaskMaxWorkers];
+    for (int i = 0; i < w->numWorkers; i++)
+        held[i] = &w->workers[i].messages;
+    MeMessagesSend(held, w->numWorkers);
+}
+
+static void takeByWorkers(MdtWorldID w, double h, MeBool safely) {
+    Stepping s = {.world = w, .h = h, .safely = safely, .partition = w->taskOf, .firstOf = w->taskOf + w->bodyRoom};
+    MeTeamOpen(w->team);
+    takeTogether(&s);
+    makeTasks(&s);
+    MeTeamRun(w->team, s.numTasks, doTask, &s);
+    MeTeamClose(w->team);
+    sendMessages(w);
+}
+
+/* ---- all partitions ---- */
+
+/* Rows that the program writes, or ranks. */
+static MeBool callsProgram(const MdtWorld *w) {
+    return w->userConstraints > 0 || w->importance;
+}
+
+static void warnOfSurfaces(MdtWorldID w) {
+    for (int i = 0; i < w->numWorkers; i++) {
+        mdt_surfaceWarn(w, w->workers[i].surfaceProblems);
+        w->workers[i].surfaceProblems = 0;
+    }
+}
+
+void mdt_islandsStep(MdtWorldID w, double h, MeBool safely) {
+    if (w->partitionCb)
+        showInOrder(w, h, safely);
+    else {
+        restAll(w, h, safely);
+        if (w->team && !callsProgram(w) && sizeOfAll(w) >= STEP_SIZE)
+            takeByWorkers(w, h, safely);
+        else
+            takeInOrder(w, h, safely);
+    }
+    warnOfSurfaces(w);
+}

@@ -1,0 +1,13 @@
+/* Inside MeGlobals: messages on their way to handlers. */
+#ifndef MEMESSAGE_I_H
+#define MEMESSAGE_I_H
+
+#include "MeMessage.h"
+
+/* A function that sends a message: MeWarning and its like. */
+typedef void(MEAPI_CDECL *MeSender)(const int level, const char *const format, ...);
+
+/* Whether the message waits (MeMessagesHold); else it is to be sent. */
+MeBool me_messageHold(MeSender sender, int level, const char *format, va_list ap);
+
+#endif
