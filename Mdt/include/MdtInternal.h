@@ -5,6 +5,7 @@
 #define MDTINTERNAL_H
 
 #include "MdtTypes.h"
+#include "MeTeam.h"
 
 ME_BEGIN_C
 
@@ -51,6 +52,9 @@ MEPUBLIC int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundConta
 MEPUBLIC MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2]);
 /** Are all surfaces corners, edges or faces (MdtContactSetRadius)? */
 MEPUBLIC MeBool MEAPI MdtContactGroupIsFlat(MdtContactGroupID g);
+
+/** The world's workers, for all that belongs to its step; null: there is one. */
+MEPUBLIC MeTeam *MEAPI MdtWorldGetTeam(const MdtWorldID w);
 
 ME_END_C
 

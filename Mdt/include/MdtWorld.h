@@ -9,6 +9,7 @@
 #define MDTWORLD_H
 
 #include "MdtTypes.h"
+#include "MeTask.h"
 
 ME_BEGIN_C
 
@@ -250,6 +251,36 @@ typedef enum MdtSolver {
 /** Anything else: a warning, and nothing is changed. */
 MEPUBLIC void MEAPI MdtWorldSetSolver(const MdtWorldID w, const MdtSolver solver);
 MEPUBLIC MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w);
+/** @} */
+
+/** @name Threads
+ *  Who steps the world, and makes the contacts of a universe that it is part of: the thread that calls, and workers
+ *  beside it. One worker, the calling thread, is the default. A step gives the same bits with any number of them.
+ *
+ *  Functions of the program are called on the calling thread alone, one after the other. Two exceptions: the memory
+ *  functions (MeMemory.h) are called by all workers at once where workers are more than one, and a fatal error is
+ *  handled where it happens. Messages of workers wait until the partitions are done, and come in the partitions' order.
+ *
+ *  A world with constraints whose rows the program makes (MdtUserConstraint.h), with an importance callback or a
+ *  partition callback is stepped by the calling thread. docs/threads.md has an example of callbacks. Beyond Karma.
+ *  @{ */
+/**
+ * Tasks go to the program's job system.
+ * @param workerCount 1 .. MeTaskMaxWorkers: how many threads work at once, the calling one included; 1 asks for no tasks
+ *        any more
+ * @param enqueue, finish as MeTask.h says; null only for one worker. They are called on the calling thread.
+ * @param userContext handed to both
+ * Bad numbers and null functions warn, and nothing is changed; so does a call in the middle of a step.
+ */
+MEPUBLIC void MEAPI MdtWorldSetTaskCallbacks(const MdtWorldID w, const int workerCount, const MeEnqueueTaskCB enqueue,
+                                             const MeFinishTaskCB finish, void *const userContext);
+/** Tasks go to a pool, which lives longer than the world or until another call; worlds may share it. Null: one worker
+ *  again. In the middle of a step: a warning, and nothing is changed. */
+MEPUBLIC void MEAPI MdtWorldSetTaskPool(const MdtWorldID w, const MeTaskPoolID pool);
+MEPUBLIC int MEAPI MdtWorldGetWorkerCount(const MdtWorldID w);
+/** s, that a worker, 0 .. MdtWorldGetWorkerCount - 1, has spent on tasks since the workers were set; 0 of a world with
+ *  one. Another number warns, and is 0. */
+MEPUBLIC MeReal MEAPI MdtWorldGetWorkerTime(const MdtWorldID w, const int worker);
 /** @} */
 
 /** @name The accuracy that is wanted of the fast solver

@@ -28,8 +28,8 @@ static void termWorkers(MdtWorldID w, int kept) {
 
 MeBool mdt_workersInit(MdtWorldID w, int count, const char *caller) {
     const int before = w->numWorkers;
-    if (count > before && !MeMemoryGrow(&w->workers, (size_t)before, (size_t)count, sizeof *w->workers, caller,
-                                        "workers"))
+    if (count > before &&
+        !MeMemoryGrow(&w->workers, (size_t)before, (size_t)count, sizeof *w->workers, caller, "workers"))
         return MEFALSE;
     while (w->numWorkers < count)
         if (!initWorker(&w->workers[w->numWorkers++])) {

@@ -383,10 +383,10 @@ struct MdtWorld {
     unsigned long certificate; /* of rest, valid now (mdt_rest.c) */
     MdtRestInputs restInputs;  /* with which it was */
     int surfaceWarnings;       /* MdtContactParams.c: which were given */
-    MdtWorker *workers; /* numWorkers of them; the first is the thread that steps the world */
+    MdtWorker *workers;        /* numWorkers of them; the first is the thread that steps the world */
     int numWorkers;
-    MeTeam *team;    /* null: there is one worker */
-    int *taskOf;     /* partitions by task, and where tasks begin among them (mdt_parallel.c) */
+    MeTeam *team; /* null: there is one worker */
+    int *taskOf;  /* partitions by task, and where tasks begin among them (mdt_parallel.c) */
     MeBool isStepping;
 
     /* Arrays of a step have room for so many; they are made larger before a step only (mdt_worldReserve). */

@@ -40,7 +40,7 @@ typedef struct MdtIsland {
     MdtConstraintID *acting; /* joints and manifolds */
     double whole;            /* s, the step that the program asked for */
     /* mdt_step.c, mdt_lag.c */
-    double h;          /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
+    double h; /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
     /* mdt_report.c */
     MdtReport *report;     /* null: it is off */
     MeBool isTimedByStage; /* else together with others */

@@ -3,6 +3,7 @@
 #define MEMESSAGE_I_H
 
 #include "MeMessage.h"
+#include "MePrecision.h"
 
 /* A function that sends a message: MeWarning and its like. */
 typedef void(MEAPI_CDECL *MeSender)(const int level, const char *const format, ...);

@@ -1,0 +1,234 @@
+/* The pool of threads, teams of workers on top of it or of a program's functions, and messages that wait. */
+#include "MeInternal.h"
+#include "MeTask.h"
+#include "MeTeam.h"
+#include "karma_test.h"
+#include <fenv.h>
+#include <stdatomic.h>
+
+enum { ITEMS = 10000, ROUNDS = 200 };
+
+/* What is not as it should be on other threads, where Check may not be asked. */
+static atomic_int wrong;
+static atomic_int calls;
+static int doneBy[ITEMS], times[ITEMS];
+static const int counts[] = {1, 2, 3, 4, 8};
+
+static void MEAPI countCall(void *context) {
+    (void)context;
+    atomic_fetch_add(&calls, 1);
+}
+
+/* ---- the pool ---- */
+
+START_TEST(each_task_is_called_once) {
+    for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
+        MeTaskPoolID pool = MeTaskPoolCreate(counts[k]);
+        void *task[64];
+        ck_assert_int_eq(MeTaskPoolGetWorkers(pool), counts[k]);
+        atomic_store(&calls, 0);
+        for (int round = 0; round < ROUNDS; round++) {
+            for (int i = 0; i < 64; i++)
+                task[i] = MeTaskPoolEnqueue(countCall, NULL, pool);
+            for (int i = 0; i < 64; i++)
+                MeTaskPoolFinish(task[i], pool);
+        }
+        ck_assert_int_eq(atomic_load(&calls), 64 * ROUNDS);
+        MeTaskPoolDestroy(pool);
+    }
+}
+END_TEST
+
+START_TEST(a_pool_takes_the_nearest_number_of_workers) {
+    messages_catch();
+    MeTaskPoolID none = MeTaskPoolCreate(0), many = MeTaskPoolCreate(MeTaskMaxWorkers + 1);
+    ck_assert_int_eq(caught.warnings, 2);
+    ck_assert_int_eq(MeTaskPoolGetWorkers(none), 1);
+    ck_assert_int_eq(MeTaskPoolGetWorkers(many), MeTaskMaxWorkers);
+    MeTaskPoolDestroy(none);
+    MeTaskPoolDestroy(many);
+    MeTaskPoolDestroy(NULL);
+    ck_assert_int_eq(MeTaskPoolGetWorkers(NULL), 1);
+    messages_release();
+}
+END_TEST
+
+/* ---- teams ---- */
+
+static void MEAPI noteItem(void *context, int item, int worker) {
+    if (item < 0 || item >= *(int *)context)
+        atomic_fetch_add(&wrong, 1);
+    else {
+        times[item]++;
+        doneBy[item] = worker;
+    }
+}
+
+static void runLoops(MeTeam *team) {
+    int items[] = {0, 1, 2, 7, 100, ITEMS};
+    MeTeamOpen(team);
+    for (int round = 0; round < ROUNDS; round++)
+        for (size_t k = 0; k < sizeof items / sizeof *items; k++) {
+            memset(times, 0, sizeof times);
+            MeTeamRun(team, items[k], noteItem, &items[k]);
+            for (int i = 0; i < items[k]; i++) {
+                ck_assert_int_eq(times[i], 1);
+                ck_assert_int_lt(doneBy[i], MeTeamGetSize(team));
+            }
+        }
+    MeTeamClose(team);
+    ck_assert_int_eq(atomic_load(&wrong), 0);
+}
+
+START_TEST(each_item_of_a_loop_is_done_once) {
+    runLoops(NULL);
+    for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
+        MeTaskPoolID pool = MeTaskPoolCreate(counts[k]);
+        MeTeam *team = MeTeamCreate(counts[k], MeTaskPoolEnqueue, MeTaskPoolFinish, pool, "test");
+        runLoops(team);
+        runLoops(team);
+        MeTeamDestroy(team);
+        MeTaskPoolDestroy(pool);
+    }
+}
+END_TEST
+
+/* A program that calls tasks as they are enqueued, or only when they are waited for. */
+static void *MEAPI callAtOnce(MeTaskCB task, void *context, void *user) {
+    (void)user;
+    task(context);
+    return NULL;
+}
+
+typedef struct Late {
+    MeTaskCB task;
+    void *context;
+} Late;
+
+static void *MEAPI callLater(MeTaskCB task, void *context, void *user) {
+    Late *late = malloc(sizeof *late);
+    (void)user;
+    *late = (Late){task, context};
+    return late;
+}
+
+static void MEAPI callNow(void *task, void *user) {
+    Late *late = task;
+    (void)user;
+    late->task(late->context);
+    free(late);
+}
+
+START_TEST(a_loop_ends_though_no_task_is_started) {
+    MeTeam *atOnce = MeTeamCreate(4, callAtOnce, callNow, NULL, "test");
+    MeTeam *later = MeTeamCreate(4, callLater, callNow, NULL, "test");
+    runLoops(atOnce);
+    runLoops(later);
+    MeTeamDestroy(atOnce);
+    MeTeamDestroy(later);
+}
+END_TEST
+
+/* ---- pipes ---- */
+
+enum { AHEAD = 5 };
+static int made[AHEAD], lastUsed;
+
+static void MEAPI makeItem(void *context, int item, int worker) {
+    (void)context, (void)worker;
+    made[item % AHEAD] = item;
+}
+
+static void MEAPI useItem(void *context, int item, int worker) {
+    (void)context;
+    ck_assert_int_eq(worker, 0);
+    ck_assert_int_eq(item, lastUsed + 1);
+    ck_assert_int_eq(made[item % AHEAD], item);
+    lastUsed = item;
+}
+
+START_TEST(a_pipe_hands_over_its_items_in_their_order) {
+    for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
+        MeTaskPoolID pool = MeTaskPoolCreate(counts[k]);
+        MeTeam *team = MeTeamCreate(counts[k], MeTaskPoolEnqueue, MeTaskPoolFinish, pool, "test");
+        MeTeamOpen(team);
+        for (int round = 0; round < ROUNDS; round++) {
+            lastUsed = -1;
+            MeTeamPipe(team, round, AHEAD, makeItem, useItem, NULL);
+            ck_assert_int_eq(lastUsed, round - 1);
+        }
+        MeTeamClose(team);
+        MeTeamDestroy(team);
+        MeTaskPoolDestroy(pool);
+    }
+}
+END_TEST
+
+/* ---- what workers take along ---- */
+
+static void MEAPI checkWorker(void *context, int item, int worker) {
+    (void)item, (void)worker;
+    if (fegetround() != *(int *)context || strcmp(MeCallerName("nobody"), "caller") != 0)
+        atomic_fetch_add(&wrong, 1);
+}
+
+START_TEST(workers_round_and_name_as_the_opening_thread) {
+    int rounding = FE_UPWARD;
+    MeTaskPoolID pool = MeTaskPoolCreate(4);
+    MeTeam *team = MeTeamCreate(4, MeTaskPoolEnqueue, MeTaskPoolFinish, pool, "test");
+    const char *before = MeCallerSet("caller");
+    fesetround(rounding);
+    for (int i = 0; i < ROUNDS; i++) {
+        MeTeamOpen(team);
+        MeTeamRun(team, 100, checkWorker, &rounding);
+        MeTeamClose(team);
+    }
+    fesetround(FE_TONEAREST);
+    ck_assert_int_eq(atomic_load(&wrong), 0);
+    MeCallerSet(before);
+    MeTeamDestroy(team);
+    MeTaskPoolDestroy(pool);
+}
+END_TEST
+
+/* ---- messages ---- */
+
+static char said[256];
+
+static void MEAPI say(const int level, const char *const string) {
+    (void)level;
+    strcat(said, strrchr(string, ' '));
+}
+
+START_TEST(messages_that_wait_are_sent_by_their_keys) {
+    MeHeldMessages first = {0}, second = {0}, *held[] = {&first, &second};
+    MeSetWarningShow(say);
+    MeMessagesHold(&first, 5);
+    MeWarning(1, "is %s", "e");
+    MeWarning(1, "is %s", "f");
+    MeMessagesHold(&first, 1);
+    MeWarning(1, "is %s", "a");
+    MeMessagesHold(&second, 3);
+    MeWarning(1, "is %s", "c");
+    MeMessagesHold(NULL, 0);
+    ck_assert_str_eq(said, "");
+    MeMessagesSend(held, 2);
+    ck_assert_str_eq(said, " a c e f");
+    MeMessagesSend(held, 2);
+    MeWarning(1, "is %s", "g");
+    ck_assert_str_eq(said, " a c e f g");
+    MeSetWarningShow(NULL);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, each_task_is_called_once);
+    tcase_add_test(t, a_pool_takes_the_nearest_number_of_workers);
+    tcase_add_test(t, each_item_of_a_loop_is_done_once);
+    tcase_add_test(t, a_loop_ends_though_no_task_is_started);
+    tcase_add_test(t, a_pipe_hands_over_its_items_in_their_order);
+    tcase_add_test(t, workers_round_and_name_as_the_opening_thread);
+    tcase_add_test(t, messages_that_wait_are_sent_by_their_keys);
+}
+
+TEST_MAIN("MeTask", tests)

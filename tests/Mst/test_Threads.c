@@ -1,0 +1,308 @@
+/* Workers (MdtWorldSetTaskPool, MdtWorldSetTaskCallbacks): a simulation is the same to the last bit on any number of
+ * threads, with any way of running tasks. */
+#include "Mst.h"
+#include "MdtReport.h"
+#include "MeTask.h"
+#include "karma_test.h"
+#include <pthread.h>
+#include <stdint.h>
+
+#define FRAME ((MeReal)(1. / 60))
+
+enum { MOST = 400, JOINTED = 6 };
+
+typedef struct Scene {
+    MstUniverseID u;
+    McdModelID model[MOST];
+    int count;
+    unsigned int seed;
+} Scene;
+
+static MeMatrix4 floorPlace = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+
+static double chance(Scene *s, double low, double high) {
+    s->seed = s->seed * 1664525u + 1013904223u;
+    return low + (high - low) * (double)(s->seed >> 8) / (1 << 24);
+}
+
+static void makeWorld(Scene *s) {
+    memset(s, 0, sizeof *s);
+    s->seed = 1;
+    s->u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    MdtWorldSetGravity(s->u->world, 0, (MeReal)-9.81, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(s->u->bridge, 0, 0), (MeReal).5, (MeReal).2);
+    MstFixedModelCreate(s->u, McdPlaneCreate(s->u->frame), floorPlace);
+}
+
+static MdtBodyID put(Scene *s, McdGeometryID g, double x, double y, double z) {
+    const McdModelID m = MstModelAndBodyCreate(s->u, g, 1);
+    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    MdtBodyEnable(McdModelGetBody(m));
+    s->model[s->count++] = m;
+    return McdModelGetBody(m);
+}
+
+/* One partition that is most of the scene: all workers step it together. */
+static void makeHeap(Scene *s) {
+    const McdGeometryID box = McdBoxCreate(s->u->frame, 1, (MeReal).8, (MeReal).6);
+    for (int i = 0; i < 300; i++)
+        put(s, box, 1.1 * (i % 5) + chance(s, 0, .3), .6 + 1.05 * (i / 25), 1.1 * (i / 5 % 5) + chance(s, 0, .3));
+}
+
+/* Many partitions, of different sizes: tasks. */
+static void makeChains(Scene *s) {
+    const McdGeometryID ball = McdSphereCreate(s->u->frame, (MeReal).3);
+    for (int i = 0; i < 40; i++) {
+        MdtBodyID before = NULL;
+        for (int k = 0; k <= i % JOINTED; k++) {
+            MdtBodyID b = put(s, ball, 5. * i + k, 2 + .3 * k, chance(s, 0, .2));
+            MdtBSJointID joint = before ? MdtBSJointCreate(s->u->world) : NULL;
+            if (joint) {
+                MdtBSJointSetBodies(joint, before, b);
+                MdtBSJointSetPosition(joint, (MeReal)(5 * i + k - .5), (MeReal)(1.85 + .3 * k), 0);
+                MdtBSJointEnable(joint);
+            }
+            before = b;
+        }
+    }
+}
+
+/* Both, and what flies. */
+static void makeMixed(Scene *s) {
+    makeChains(s);
+    const McdGeometryID box = McdBoxCreate(s->u->frame, 1, 1, 1), rod = McdSphylCreate(s->u->frame, (MeReal).2, 1);
+    for (int i = 0; i < 120; i++)
+        put(s, i % 3 ? box : rod, -20 + 1.05 * (i % 6) + chance(s, 0, .2), .6 + 1.1 * (i / 36), 1.05 * (i / 6 % 6));
+}
+
+static void (*const scenes[])(Scene *s) = {makeHeap, makeChains, makeMixed};
+enum { SCENES = sizeof scenes / sizeof *scenes };
+
+/* FNV-1a. */
+static uint64_t add(uint64_t hash, const void *bytes, size_t size) {
+    const unsigned char *byte = bytes;
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ byte[i]) * 0x100000001b3u;
+    return hash;
+}
+
+static uint64_t stateOf(const Scene *s) {
+    uint64_t hash = 0xcbf29ce484222325u;
+    for (int i = 0; i < s->count; i++) {
+        MdtBodyID b = McdModelGetBody(s->model[i]);
+        MeVector3 v, w;
+        MdtBodyGetLinearVelocity(b, v);
+        MdtBodyGetAngularVelocity(b, w);
+        hash = add(hash, MdtBodyGetTransformPtr(b), sizeof(MeMatrix4));
+        hash = add(add(hash, v, sizeof v), w, sizeof w);
+    }
+    return hash;
+}
+
+/* ---- ways of running tasks ---- */
+
+typedef struct Late {
+    MeTaskCB task;
+    void *context;
+} Late;
+
+static void *MEAPI callAtOnce(MeTaskCB task, void *context, void *user) {
+    (void)user;
+    task(context);
+    return NULL;
+}
+
+static void *MEAPI callLater(MeTaskCB task, void *context, void *user) {
+    Late *late = malloc(sizeof *late);
+    (void)user;
+    *late = (Late){task, context};
+    return late;
+}
+
+static void MEAPI callNow(void *task, void *user) {
+    Late *late = task;
+    (void)user;
+    late->task(late->context);
+    free(late);
+}
+
+static void *callOnThread(void *context) {
+    Late *late = context;
+    late->task(late->context);
+    return NULL;
+}
+
+/* A thread for each task. */
+typedef struct Threaded {
+    Late late;
+    pthread_t thread;
+} Threaded;
+
+static void *MEAPI startThread(MeTaskCB task, void *context, void *user) {
+    Threaded *t = malloc(sizeof *t);
+    (void)user;
+    t->late = (Late){task, context};
+    ck_assert_int_eq(pthread_create(&t->thread, NULL, callOnThread, &t->late), 0);
+    return t;
+}
+
+static void MEAPI joinThread(void *task, void *user) {
+    Threaded *t = task;
+    (void)user;
+    pthread_join(t->thread, NULL);
+    free(t);
+}
+
+/* ---- the same bits ---- */
+
+enum { FRAMES = 90 };
+
+static uint64_t run(void (*make)(Scene *s), MeTaskPoolID pool, MeBool isReported) {
+    Scene s;
+    makeWorld(&s);
+    make(&s);
+    MdtWorldSetTaskPool(s.u->world, pool);
+    if (isReported)
+        MdtWorldEnableReport(s.u->world);
+    for (int i = 0; i < FRAMES; i++)
+        MstUniverseStep(s.u, FRAME);
+    const uint64_t hash = stateOf(&s);
+    MstUniverseDestroy(s.u);
+    return hash;
+}
+
+START_TEST(every_number_of_workers_gives_the_same_bits) {
+    static const int counts[] = {2, 3, 4, 8};
+    const uint64_t alone = run(scenes[_i], NULL, MEFALSE);
+    for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
+        MeTaskPoolID pool = MeTaskPoolCreate(counts[k]);
+        ck_assert_msg(run(scenes[_i], pool, k % 2) == alone, "%d workers, scene %d", counts[k], _i);
+        MeTaskPoolDestroy(pool);
+    }
+}
+END_TEST
+
+START_TEST(every_way_of_running_tasks_gives_the_same_bits) {
+    static const struct {
+        MeEnqueueTaskCB enqueue;
+        MeFinishTaskCB finish;
+    } ways[] = {{callAtOnce, callNow}, {callLater, callNow}, {startThread, joinThread}};
+    const uint64_t alone = run(makeMixed, NULL, MEFALSE);
+    for (size_t k = 0; k < sizeof ways / sizeof *ways; k++) {
+        Scene s;
+        makeWorld(&s);
+        makeMixed(&s);
+        MdtWorldSetTaskCallbacks(s.u->world, 3, ways[k].enqueue, ways[k].finish, NULL);
+        for (int i = 0; i < FRAMES; i++)
+            MstUniverseStep(s.u, FRAME);
+        ck_assert_msg(stateOf(&s) == alone, "way %zu", k);
+        MstUniverseDestroy(s.u);
+    }
+}
+END_TEST
+
+/* Each on a thread of its own, on one pool. */
+static MeTaskPoolID shared;
+
+static void *runOnThread(void *hash) {
+    *(uint64_t *)hash = run(makeMixed, shared, MEFALSE);
+    return NULL;
+}
+
+START_TEST(two_universes_share_a_pool_at_once) {
+    const uint64_t alone = run(makeMixed, NULL, MEFALSE);
+    uint64_t hash[2];
+    pthread_t thread[2];
+    shared = MeTaskPoolCreate(3);
+    for (int t = 0; t < 2; t++)
+        ck_assert_int_eq(pthread_create(&thread[t], NULL, runOnThread, &hash[t]), 0);
+    for (int t = 0; t < 2; t++)
+        pthread_join(thread[t], NULL);
+    ck_assert(hash[0] == alone && hash[1] == alone);
+    MeTaskPoolDestroy(shared);
+}
+END_TEST
+
+/* ---- settings, times, messages ---- */
+
+START_TEST(workers_are_counted_and_their_time_is_told) {
+    Scene s;
+    MeTaskPoolID pool = MeTaskPoolCreate(2);
+    makeWorld(&s);
+    makeMixed(&s);
+    ck_assert_int_eq(MdtWorldGetWorkerCount(s.u->world), 1);
+    MdtWorldSetTaskPool(s.u->world, pool);
+    ck_assert_int_eq(MdtWorldGetWorkerCount(s.u->world), 2);
+    for (int i = 0; i < FRAMES; i++)
+        MstUniverseStep(s.u, FRAME);
+    ck_assert(MdtWorldGetWorkerTime(s.u->world, 0) > 0);
+    MdtWorldSetTaskPool(s.u->world, NULL);
+    ck_assert_int_eq(MdtWorldGetWorkerCount(s.u->world), 1);
+    MstUniverseDestroy(s.u);
+    MeTaskPoolDestroy(pool);
+}
+END_TEST
+
+START_TEST(bad_workers_are_refused) {
+    const MdtWorldID w = MdtWorldCreate(1, 1, 1, 1);
+    messages_catch();
+    MdtWorldSetTaskCallbacks(w, 0, startThread, joinThread, NULL);
+    assert_warned("MdtWorldSetTaskCallbacks");
+    MdtWorldSetTaskCallbacks(w, MeTaskMaxWorkers + 1, startThread, joinThread, NULL);
+    assert_warned("MdtWorldSetTaskCallbacks");
+    MdtWorldSetTaskCallbacks(w, 2, NULL, joinThread, NULL);
+    assert_warned("enqueue");
+    MdtWorldSetTaskCallbacks(w, 2, startThread, NULL, NULL);
+    assert_warned("finish");
+    ck_assert_int_eq(MdtWorldGetWorkerCount(w), 1);
+    ck_assert(MdtWorldGetWorkerTime(w, 1) == 0);
+    assert_warned("worker 1");
+    MdtWorldSetTaskCallbacks(w, 1, NULL, NULL, NULL);
+    assert_silent();
+    MdtWorldDestroy(w);
+    messages_release();
+}
+END_TEST
+
+static char order[64];
+
+static void MEAPI noteNumber(const int level, const char *const text) {
+    const char *key = strstr(text, "sort key ");
+    (void)level;
+    ck_assert(key != NULL);
+    snprintf(order + strlen(order), sizeof order - strlen(order), "%d ", atoi(key + strlen("sort key ")));
+}
+
+/* Bodies that come to the bound of positions: each is a partition, and says so. */
+START_TEST(messages_of_workers_come_in_the_order_of_partitions) {
+    const MdtWorldID w = MdtWorldCreate(200, 1, 1, 1);
+    MeTaskPoolID pool = MeTaskPoolCreate(4);
+    MdtBodyID body[200];
+    MdtWorldSetTaskPool(w, pool);
+    for (int i = 0; i < 200; i++) {
+        body[i] = MdtBodyCreate(w);
+        MdtBodyEnable(body[i]);
+        if (i % 40 == 7) {
+            MdtBodySetSortKey(body[i], i);
+            MdtBodySetLinearVelocity(body[i], (MeReal)1e12, 0, 0);
+        }
+    }
+    MeSetWarningShow(noteNumber);
+    MdtWorldStep(w, 1);
+    MeSetWarningShow(NULL);
+    ck_assert_str_eq(order, "7 47 87 127 167 ");
+    MdtWorldDestroy(w);
+    MeTaskPoolDestroy(pool);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_loop_test(t, every_number_of_workers_gives_the_same_bits, 0, SCENES);
+    tcase_add_test(t, every_way_of_running_tasks_gives_the_same_bits);
+    tcase_add_test(t, two_universes_share_a_pool_at_once);
+    tcase_add_test(t, workers_are_counted_and_their_time_is_told);
+    tcase_add_test(t, bad_workers_are_refused);
+    tcase_add_test(t, messages_of_workers_come_in_the_order_of_partitions);
+}
+
+TEST_MAIN("Threads", tests)
