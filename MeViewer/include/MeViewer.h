@@ -352,9 +352,10 @@ MEPUBLIC int MEAPI RGraphicSetTexture(RRender *rc, RGraphic *rg, const char *fil
 
 /** @name Controls
  *  The viewer's own keys: F1 help and pause, F2 a picture NAME-0001.png into the working directory, F3 performance
- *  bar, F4 wireframe, F5 shadows, F9 menu, P pause, O or . one step, Escape or Q quit, PageUp and PageDown zoom,
- *  Ctrl and arrows turn the camera, Home the first view. The mouse: dragging turns the camera; with the middle button,
- *  or Shift, it moves it; with the right button, or the wheel, it zooms. Upper and lower case are the same.
+ *  bar, F4 wireframe, F5 shadows, F9 menu and panels (RPanel.h), P pause, O or . one step, Escape or Q quit, PageUp and
+ *  PageDown zoom, Ctrl and arrows turn the camera, Home the first view. The mouse: dragging turns the camera; with the
+ *  middle button, or Shift, it moves it; with the right button, or the wheel, it zooms. What begins on a panel is the
+ *  panel's. Upper and lower case are the same.
  *
  *  The program's: eight direction buttons (arrow keys; w s a d for the second four), actions and the mouse.
  *
@@ -404,7 +405,8 @@ MEPUBLIC void MEAPI RRenderSetActionNKey(RRender *rc, const unsigned int N, cons
 /** @} */
 
 /** @name Menus
- *  Up and Down choose an entry of the menu shown, Right and Left change it. F9 shows and hides the default menu.
+ *  Up and Down choose an entry of the menu shown, Right and Left change it; a click does what Right does, on the left
+ *  half of a value entry what Left does. F9 shows and hides the default menu, and the panels (RPanel.h).
  *  @{ */
 /** A menu without entries. It belongs to the context, which destroys it; RMenuDestroy does so earlier. */
 MEPUBLIC RMenu *MEAPI RMenuCreate(RRender *rc, const char *name);

@@ -42,8 +42,10 @@ bool r_isPointer(const void *pointer, const char *function, const char *argument
 /* Keys: printable ASCII (letters in lower case), Enter, Escape, and these. */
 enum {
     RKEY_NONE = 0,
+    RKEY_BACKSPACE = 8,
     RKEY_ENTER = 13,
     RKEY_ESCAPE = 27,
+    RKEY_DELETE = 127,
     RKEY_F1 = 257,
     RKEY_F2,
     RKEY_F3,
@@ -212,43 +214,62 @@ void r_texturesFree(RTextures *textures);
 
 bool r_writePng(const char *path, const RPicture *picture); /* Warns, naming the file, if it cannot be written. */
 
-/* ---- What is laid over the picture (r_overlay.c): pixels, x right, y down ---- */
-
-typedef enum { rFillPlain, rFillRounded, rFillText, rFillTexture } RFill;
+/* ---- What is laid over the picture, as triangles in pixels, x right, y down ---- */
 
 typedef struct {
-    float x, y;
-    float u, v; /* rFillRounded: from the middle, pixels; else texture coordinates */
-    float color[4];
-    float a, b, radius; /* rFillRounded: half width, half height, corner; rFillText: a = pixels per em, b = outline */
-    float fill;         /* RFill */
+    float x, y, u, v;
+    uint32_t color; /* Red in the lowest byte. */
 } ROverlayVertex;
 
 typedef struct {
-    size_t first, count;
-    int texture; /* -1 for none. */
+    size_t first, count; /* Indices. */
+    int texture;         /* -1 for the font's, which has a white place too. */
+    float clip[4];       /* Left, top, right, bottom. */
 } ROverlayRun;
 
 typedef struct {
     R_ARRAY(ROverlayVertex) vertices;
+    R_ARRAY(uint32_t) indices;
     R_ARRAY(ROverlayRun) runs;
 } ROverlay;
 
-typedef enum { rTextPlain, rTextOutlined } RTextStyle;
-
-void r_overlayClear(ROverlay *overlay);
 void r_overlayFree(ROverlay *overlay);
-void r_overlayBox(ROverlay *overlay, float x, float y, float width, float height, float radius, const float color[4]);
-/* y is the baseline, size the height of an em. Returns where the text ends. */
-float r_overlayText(ROverlay *overlay, float x, float y, float size, RTextStyle style, const float color[4],
-                    const char *text);
-void r_overlayTriangle(ROverlay *overlay, const ROverlayVertex vertices[3], int texture);
-float r_textWidth(const char *text, float size);
-float r_uiScale(const RRender *rc); /* 1 in a window of 960x600. */
+
+/* ---- Panels (r_panels.cpp) ---- */
+
+struct RPanels;
+bool r_panelsStart(RRender *rc);
+void r_panelsFree(RRender *rc);
+bool r_panelsTake(RRender *rc, const REvent *event); /* True: a panel has taken the event. */
+void r_panelsBegin(RRender *rc);                     /* From here to the end, r_ui functions draw. */
+bool r_panelsEnd(RRender *rc, ROverlay *overlay);    /* False: a panel has only been measured, and is not seen. */
+/* The picture of the letters, and its number, which changes with it; 0 before the first frame. */
+int r_panelsFont(const RRender *rc, int *width, int *height, const uint8_t **alpha);
+bool r_fontPicture(RPicture *picture);                    /* White letters on nothing. */
+extern const unsigned char r_fontFile[], r_fontFileEnd[]; /* r_font.c */
+
+typedef enum { rTextPlain, rTextOutlined } RTextStyle;
+typedef struct {
+    float x, y, u, v;
+} RCorner;
+/* y is the first line's baseline, size the height of an em, wrap the width for lines or 0. */
+void r_uiText(float x, float y, float size, float wrap, RTextStyle style, const float color[4], const char *text);
+float r_uiTextSize(const char *text, float size, float wrap, float *height); /* The width; height may be null. */
+void r_uiBox(float x, float y, float width, float height, float radius, const float color[4]);
+void r_uiTriangle(const RCorner corners[3], int texture, const float color[4]);
+void r_uiFixedWindow(const char *name, float x, float y, float width, float height);
+void r_uiWindowEnd(void);
+bool r_uiPanel(const char *title, float x, float y, bool *shown); /* x, y: at first. The end is due in any case. */
+void r_uiPanelEnd(void);
+bool r_uiClicked(const char *name, float x, float y, float width, float height);
+float r_uiMouseX(void);
+
+/* ---- What the viewer itself lays over the picture: r_hud.c, r_help.c, r_menu.c, r_bar.c, r_panel.c ---- */
 
 extern const float r_white[4], r_dimmed[4], r_accent[4], r_panel[4];
-
-/* ---- What the viewer itself lays over it: r_hud.c, r_help.c, r_menu.c, r_bar.c ---- */
+float r_uiScale(const RRender *rc);          /* 1 in a window of 960x600. */
+uint32_t r_nextCharacter(const char **text); /* Moves on to the next one; the text must not be at its end. */
+void r_hudDraw(RRender *rc, ROverlay *overlay);
 
 typedef struct {
     R_ARRAY(char *) lines; /* The program's, as given. */
@@ -260,17 +281,29 @@ typedef struct {
     float size;                     /* Of its text. */
 } RHelpLayout;
 
-void r_hudDraw(RRender *rc, ROverlay *overlay);
-void r_helpDraw(RRender *rc, ROverlay *overlay, RHelpLayout *layout);
+void r_helpDraw(RRender *rc, RHelpLayout *layout);
 void r_helpFree(RHelp *help);
-void r_menuDraw(RRender *rc, ROverlay *overlay);
+void r_menuDraw(RRender *rc);
+void r_menuAct(RRender *rc); /* What the mouse has done to the menu in the last picture. */
 void r_menusFree(RRender *rc);
 void r_barStart(RRender *rc); /* Begins to measure, if there is a bar that can be seen. */
 bool r_barIsShown(const RRender *rc);
-void r_barDraw(RRender *rc, ROverlay *overlay);
+void r_barToggle(RRender *rc);
+void r_barDraw(RRender *rc);
 void r_barFrame(RRender *rc); /* Takes the times of the frame that has ended. */
 void r_barFree(RRender *rc);
 void r_profileStart(RRender *rc);
+
+typedef struct {
+    char *title;
+    void(MEAPI *func)(RRender *rc, void *userdata);
+    void *userdata;
+    bool shown;
+} RPanel;
+typedef R_ARRAY(RPanel) RPanelList;
+
+void r_panelsDraw(RRender *rc);
+void r_panelListFree(RPanelList *list);
 
 typedef struct {
     int frames; /* Since `begin`. */
@@ -362,6 +395,11 @@ struct RViewer {
     RHelpLayout helpLayout;
     RLoop loop;
     ROverlay overlay;
+    struct RPanels *panels;  /* Null unless something is drawn. */
+    RPanelList panelList;    /* RPanelCreate's. */
+    bool panelsShown;        /* F9. */
+    RMenuBaseEntry *clicked; /* The menu's entry that the mouse has clicked, or null; */
+    bool clickedLess;        /* to do what Left does. */
     char *title, *status;
     AcmeReal fps; /* RRenderDisplayFps; below 0 for none. */
     int sphereSides;

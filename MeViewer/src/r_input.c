@@ -194,22 +194,19 @@ static void menuKey(RRender *rc, int key) {
     r_afterCallBack(rc);
 }
 
-/* Shows the default menu, goes back to the menu before, or hides the menu. */
+/* F9: goes back to the menu before; else shows the default menu and the panels, or hides both. */
 static void toggleMenu(RRender *rc) {
     const RMenu *shown = rc->m_pCurrentMenu;
-    if (!shown)
-        RRenderDisplayDefaultMenu(rc);
-    else if (shown->m_pParent)
+    struct RViewer *v = rc->m_pViewer;
+    if (shown && shown->m_pParent) {
         RMenuDisplay(shown->m_pParent);
+        return;
+    }
+    v->panelsShown = !shown && !v->panelsShown;
+    if (v->panelsShown)
+        RRenderDisplayDefaultMenu(rc);
     else
         RRenderHideCurrentMenu(rc);
-}
-
-static void toggleBar(RRender *rc) {
-    if (rc->m_pPerformanceBar)
-        rc->m_pPerformanceBar->m_bVisible = !rc->m_pPerformanceBar->m_bVisible;
-    else
-        RPerformanceBarCreate(rc);
 }
 
 static void viewerKey(RRender *rc, int key) {
@@ -222,7 +219,7 @@ static void viewerKey(RRender *rc, int key) {
         v->loop.pictureAsked = true;
         break;
     case RKEY_F3:
-        toggleBar(rc);
+        r_barToggle(rc);
         break;
     case RKEY_F4:
         v->wireframe = !v->wireframe;
@@ -346,6 +343,8 @@ static void resize(RRender *rc, int width, int height) {
 }
 
 static void handle(RRender *rc, const REvent *e) {
+    if (r_panelsTake(rc, e))
+        return;
     switch (e->kind) {
     case rKeyDown:
         keyDown(rc, e->key, e->modifiers);
@@ -394,6 +393,7 @@ void r_inputFrame(RRender *rc) {
         in->heldFor[key]++;
         holdKey(rc, key);
     }
+    r_menuAct(rc);
     postScript(rc);
     rc->m_pViewer->backend->poll(rc);
     for (size_t i = 0; i < in->events.count; i++) {

@@ -19,15 +19,8 @@ def fail(what):
     sys.exit(1)
 
 
-def wait_for(what, ready, explain=lambda: ''):
-    """Until ready() gives something; then that."""
-    end = time.monotonic() + PATIENCE
-    while time.monotonic() < end:
-        found = ready()
-        if found:
-            return found
-        time.sleep(0.05)
-    fail(f'{what} did not happen in {PATIENCE} s{explain()}')
+class Ended(Exception):
+    """The program is not there any more."""
 
 
 def start_server():
@@ -58,17 +51,22 @@ class Window:
         with open(self.log) as log:
             return log.read()
 
-    def fail_if_ended(self, what):
-        if self.process.poll() is not None:
-            fail(f'the program ended with {self.process.returncode} before {what}:\n{self.output()}')
+    def wait_for(self, what, ready):
+        """Until ready() gives something; then that. A program that has ended gives nothing any more: that is said at
+        once."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            ended = self.process.poll() is not None
+            found = ready()
+            if found:
+                return found
+            if ended:
+                raise Ended(f'the program ended with {self.process.returncode} before {what}:\n{self.output()}')
+            time.sleep(0.05)
+        fail(f'{what} did not happen in {PATIENCE} s, but only:\n{self.output()}')
 
     def expect(self, line):
-        def ready():
-            if line in self.output():
-                return True
-            self.fail_if_ended(f'"{line}"')
-            return False
-        wait_for(f'"{line}"', ready, lambda: f', but only:\n{self.output()}')
+        self.wait_for(f'"{line}"', lambda: line in self.output())
 
     def send(self, *arguments):
         run = subprocess.run(['xdotool', *arguments], env=self.environment, capture_output=True, text=True,
@@ -81,11 +79,9 @@ class Window:
         """Waits for the window and puts the pointer into it: without a window manager, keys go where that is."""
         search = ['xdotool', 'search', '--onlyvisible', '--name', 'Karma viewer test']
 
-        def ready():
-            self.fail_if_ended('there was a window')
-            return subprocess.run(search, env=self.environment, capture_output=True, text=True,
-                                  timeout=PATIENCE).stdout.split()
-        window = wait_for('the window', ready, lambda: f', but only:\n{self.output()}')[0]
+        window = self.wait_for('there was a window',
+                               lambda: subprocess.run(search, env=self.environment, capture_output=True, text=True,
+                                                      timeout=PATIENCE).stdout.split())[0]
         self.send('mousemove', '--window', window, '200', '150')
         return window
 
@@ -124,9 +120,9 @@ def check_keys(program, compare, display, directory):
     def resized():
         before = window.output().count('wrote')
         window.send('key', 'F2')
-        wait_for('a picture', lambda: window.output().count('wrote') > before)
+        window.wait_for('a picture', lambda: window.output().count('wrote') > before)
         return '(400x300)' in window.output()
-    wait_for('a picture of the new size', resized)
+    window.wait_for('a picture of the new size', resized)
     window.send('key', 'q')
     code = window.end()
     if code != 0:
@@ -140,6 +136,36 @@ def check_keys(program, compare, display, directory):
         fail('F1 changed nothing')
     if not check(compare, 'help', before, after):
         fail('F1 showed no help')
+
+
+def check_panels(program, display, directory):
+    """F9 opens the panels; a click on one is the panel's and not the program's."""
+    window = Window(program, display, directory, '-gl', '-size', '960x600')
+    name = window.find()
+    window.expect('tick 3')
+    window.send('key', 'F9')
+    window.expect('panel seen')
+    window.send('mousemove', '--window', name, '40', '104', 'click', '1')
+    window.expect('panel button')
+    if 'pressed at' in window.output():
+        fail('the program got the click on the panel too')
+    window.send('mousemove', '--window', name, '480', '500', 'click', '1')
+    window.expect('pressed at 500')
+    window.send('key', 'Escape')
+    if window.end() != 0 or window.output().count('cleanup 0') != 1:
+        fail(f'after panels, the end is not as it should be:\n{window.output()}')
+
+
+def check_early_end(program, directory):
+    """A program that cannot open its window is reported at once, not after waiting for the window."""
+    window = Window(program, ':65000', directory, '-gl')
+    begin = time.monotonic()
+    try:
+        window.find()
+    except Ended as ended:
+        if time.monotonic() - begin < PATIENCE / 2 and 'ended with 1' in str(ended):
+            return
+    fail('a program without a display is not reported at once')
 
 
 def check_frames(program, compare, display, directory):
@@ -166,8 +192,12 @@ def main():
     try:
         with tempfile.TemporaryDirectory() as directory:
             check_keys(program, compare, display, directory)
+            check_panels(program, display, directory)
+            check_early_end(program, directory)
             check_frames(program, compare, display, directory)
         print('the window works')
+    except Ended as ended:
+        fail(str(ended))
     finally:
         server.terminate()
         server.wait()

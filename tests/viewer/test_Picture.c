@@ -534,6 +534,29 @@ START_TEST(the_bar) {
 }
 END_TEST
 
+static void MEAPI slowTick(RRender *r) {
+    const int64_t begin = r_now();
+    ck_assert_ptr_eq(r, rc);
+    MeProfileStartSection("Collision", 0);
+    while (r_now() < begin + 140000000)
+        continue;
+    MeProfileEndSection("Collision");
+}
+
+/* Where a frame takes long, the bar does not wait for many of them. */
+START_TEST(the_bar_has_figures_after_three_slow_frames) {
+    static const RTick slow = {.funcNoData = slowTick};
+    start("-osmesa -size 64x48 -bar");
+    RPerformanceBar *b = RPerformanceBarCreate(rc);
+    for (int i = 0; i < 3; i++)
+        r_frame(rc, &slow);
+    assert_below(0.13, b->m_Collision);
+    assert_below(0, rc->m_pViewer->bar.fps);
+    assert_below(rc->m_pViewer->bar.fps, 1 / 0.14);
+    stop();
+}
+END_TEST
+
 /* The picture's size follows the window's, and one context follows another. */
 START_TEST(resizing) {
     start("-osmesa -size 64x64");
@@ -570,6 +593,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_missing_texture_is_one_message);
     tcase_add_test(t, a_bar_costs_nothing_without_a_window);
     tcase_add_test(t, the_bar);
+    tcase_add_test(t, the_bar_has_figures_after_three_slow_frames);
     tcase_add_test(t, resizing);
 }
 TEST_MAIN("Picture", tests)

@@ -1,0 +1,239 @@
+/* Panels and menus in a picture: what they show, what the mouse and keys do to them, and what they leave to others. */
+#include "RMenu.h"
+#include "RPanel.h"
+#include "viewer_test.h"
+
+#include "r_i.h"
+
+static RRender *rc;
+static int shows, presses, mouseCalls;
+static MeReal value;
+static char edited[16];
+
+static void setup(void) {
+    shows = presses = mouseCalls = 0;
+    value = 5;
+    strcpy(edited, "");
+    rc = make_context("-null -size 960x600");
+    ck_assert(r_panelsStart(rc));
+    messages_catch();
+}
+
+static void teardown(void) {
+    assert_silent();
+    messages_release();
+    RRenderContextDestroy(rc);
+}
+
+static void MEAPI onMouse(RRender *r, int x, int y, int modifiers, RMouseButtonWhich which, RMouseButtonEvent event,
+                          void *userdata) {
+    (void)r, (void)x, (void)y, (void)modifiers, (void)which, (void)event, (void)userdata;
+    mouseCalls++;
+}
+
+static void frame(void) {
+    r_frame(rc, NULL);
+    r_hudDraw(rc, &rc->m_pViewer->overlay);
+}
+
+static void tap(int code) {
+    r_post(rc, (REvent){.kind = rKeyDown, .key = code});
+    r_post(rc, (REvent){.kind = rKeyUp, .key = code});
+    frame();
+}
+
+static void point(REventKind kind, int x, int y) {
+    r_post(rc, (REvent){.kind = kind, .which = kRLeftButton, .x = x, .y = y});
+    frame();
+}
+
+/* Down and up come in one frame, as from a quick hand or a slow machine. */
+static void click(int x, int y) {
+    point(rMouseMove, x, y);
+    r_post(rc, (REvent){.kind = rMouseDown, .which = kRLeftButton, .x = x, .y = y});
+    r_post(rc, (REvent){.kind = rMouseUp, .which = kRLeftButton, .x = x, .y = y});
+    frame(); /* ImGui sees it go down, */
+    frame(); /* and up; */
+    frame(); /* what it did to a menu is done. */
+}
+
+static void MEAPI showButton(RRender *r, void *userdata) {
+    ck_assert_ptr_eq(r, rc);
+    ck_assert_ptr_eq(userdata, &shows);
+    shows++;
+    presses += RPanelButton("a button") != 0;
+}
+
+static void MEAPI showSlider(RRender *r, void *userdata) {
+    (void)r, (void)userdata;
+    presses += RPanelSlider("x", &value, 0, 10, "m") != 0;
+}
+
+static void MEAPI showEdit(RRender *r, void *userdata) {
+    (void)r, (void)userdata;
+    presses += RPanelEdit("x", edited, sizeof edited) != 0;
+}
+
+START_TEST(f9_shows_panels_and_hides_them) {
+    RPanelCreate(rc, "Mine", showButton, &shows);
+    frame();
+    ck_assert_int_eq(shows, 0);
+    tap(RKEY_F9);
+    ck_assert_int_gt(shows, 0);
+    tap(RKEY_F9);
+    const int before = shows;
+    frame();
+    ck_assert_int_eq(shows, before);
+    RPanelShow(rc, "Mine", 0);
+    tap(RKEY_F9);
+    ck_assert_int_eq(shows, before);
+    RPanelShow(rc, "Mine", 1);
+    frame();
+    ck_assert_int_gt(shows, before);
+}
+END_TEST
+
+/* Where there is no program's menu, F9 opens the viewer's panel. */
+START_TEST(f9_is_never_in_vain) {
+    frame();
+    const size_t before = rc->m_pViewer->overlay.vertices.count;
+    tap(RKEY_F9);
+    ck_assert_uint_gt(rc->m_pViewer->overlay.vertices.count, before + 500);
+    tap(RKEY_F9);
+    ck_assert_uint_eq(rc->m_pViewer->overlay.vertices.count, before);
+}
+END_TEST
+
+START_TEST(a_click_is_a_panels_or_the_programs) {
+    RRenderSetMouseCallBack(rc, onMouse);
+    RPanelCreate(rc, "Mine", showButton, &shows);
+    tap(RKEY_F9);
+    click(40, 104);
+    ck_assert_int_eq(presses, 1);
+    ck_assert_int_eq(mouseCalls, 0);
+    click(480, 500);
+    ck_assert_int_eq(presses, 1);
+    ck_assert_int_eq(mouseCalls, 2);
+    point(rMouseDown, 480, 500); /* A drag that begins outside stays outside. */
+    point(rMouseMove, 40, 104);
+    point(rMouseUp, 40, 104);
+    ck_assert_int_eq(presses, 1);
+    ck_assert_int_eq(mouseCalls, 5);
+    tap(RKEY_F9);
+    click(40, 104); /* Where it was, there is the program again. */
+    ck_assert_int_eq(mouseCalls, 7);
+}
+END_TEST
+
+START_TEST(a_slider_follows_the_mouse) {
+    RPanelCreate(rc, "Mine", showSlider, NULL);
+    tap(RKEY_F9);
+    point(rMouseMove, 40, 104);
+    point(rMouseDown, 40, 104);
+    frame();
+    ck_assert(value > 0 && value < 5);
+    const MeReal low = value;
+    point(rMouseMove, 100, 300); /* Held, it goes on being moved from outside. */
+    ck_assert(value > low && value < 10);
+    point(rMouseMove, 900, 300);
+    assert_near(value, 10, 0);
+    point(rMouseUp, 900, 300);
+    point(rMouseMove, 40, 104);
+    assert_near(value, 10, 0);
+}
+END_TEST
+
+START_TEST(what_is_written_is_not_a_key) {
+    RPanelCreate(rc, "Mine", showEdit, NULL);
+    tap(RKEY_F9);
+    click(40, 104);
+    tap('p');
+    tap('q');
+    tap('p');
+    ck_assert_str_eq(edited, "pqp");
+    tap(RKEY_BACKSPACE);
+    ck_assert_str_eq(edited, "pq");
+    ck_assert_int_eq(rc->m_bPause, 0);
+    ck_assert(!rc->m_pViewer->loop.quit);
+    click(480, 500);
+    tap('p');
+    ck_assert_str_eq(edited, "pq");
+    ck_assert_int_eq(rc->m_bPause, 1);
+}
+END_TEST
+
+static int toggles;
+
+static void MEAPI onToggle(MeBool on) {
+    (void)on;
+    toggles++;
+}
+
+START_TEST(the_mouse_works_a_menu) {
+    RMenu *m = RMenuCreate(rc, "menu"), *inner = RMenuCreate(rc, "inner");
+    RMenuAddToggleEntry(m, "toggle", onToggle, 0);
+    RMenuAddValueEntry(m, "value", NULL, 10, 0, 1, 5);
+    RMenuAddSubmenuEntry(m, "more", inner);
+    RRenderSetDefaultMenu(rc, m);
+    tap(RKEY_F9);
+    const RMenuValueEntry *number = (RMenuValueEntry *)m->m_pFirst->m_pNext;
+    const int left = 38, row = 24, first = 72 + 14 + row + row / 2;
+    click(left + 30, first);
+    ck_assert_int_eq(toggles, 1);
+    click(left + 200, first + row);
+    assert_near(number->m_Value, 6, 0);
+    click(left + 30, first + row);
+    click(left + 30, first + row);
+    assert_near(number->m_Value, 4, 0);
+    click(left + 30, first + 2 * row);
+    ck_assert_ptr_eq(RRenderGetCurrentMenu(rc), inner);
+    tap(RKEY_F9);
+    ck_assert_ptr_eq(RRenderGetCurrentMenu(rc), m);
+    tap(RKEY_F9);
+    ck_assert_ptr_null(RRenderGetCurrentMenu(rc));
+}
+END_TEST
+
+/* A menu that is destroyed between the picture and the click's effect. */
+START_TEST(a_menu_may_go_after_a_click) {
+    RMenu *m = RMenuCreate(rc, "menu");
+    RMenuAddToggleEntry(m, "toggle", onToggle, 0);
+    RMenuDisplay(m);
+    frame();
+    toggles = 0;
+    rc->m_pViewer->clicked = m->m_pFirst;
+    RMenuDestroy(m);
+    frame();
+    ck_assert_int_eq(toggles, 0);
+}
+END_TEST
+
+START_TEST(bad_input) {
+    MeReal x = 0;
+    RPanelCreate(rc, NULL, showButton, NULL);
+    assert_warned("title");
+    RPanelCreate(rc, "Mine", NULL, NULL);
+    assert_warned("func");
+    RPanelShow(rc, "Mine", 1);
+    assert_warned("no panel Mine");
+    ck_assert_int_eq(RPanelButton("alone"), 0);
+    assert_warned("RPanelButton");
+    ck_assert_int_eq(RPanelSlider("alone", &x, 0, 1, NULL), 0);
+    assert_warned("RPanelSlider");
+    RPanelText(NULL);
+    assert_warned("RPanelText");
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setup, teardown);
+    tcase_add_test(t, f9_shows_panels_and_hides_them);
+    tcase_add_test(t, f9_is_never_in_vain);
+    tcase_add_test(t, a_click_is_a_panels_or_the_programs);
+    tcase_add_test(t, a_slider_follows_the_mouse);
+    tcase_add_test(t, what_is_written_is_not_a_key);
+    tcase_add_test(t, the_mouse_works_a_menu);
+    tcase_add_test(t, a_menu_may_go_after_a_click);
+    tcase_add_test(t, bad_input);
+}
+TEST_MAIN("Panels", tests)
