@@ -95,6 +95,8 @@ void MEAPI MeAppDestroy(MeApp *const app) {
         meapp_contactsFree(app->contacts);
         MeMemoryAPI.destroy(app->contacts);
     }
+    if (app->controls)
+        MeMemoryAPI.destroy(app->controls);
     MeMemoryAPI.destroy(app);
 }
 
@@ -107,4 +109,6 @@ void MEAPI MeAppStep(MeApp *app) {
         return;
     MeAppUpdateMouseSpring(app);
     MeAppDrawContacts(app);
+    if (app->controls)
+        meapp_sampleReport(app);
 }

@@ -27,8 +27,8 @@ static const struct {
     {"View", NULL},
     {"Drag", "orbit"},
     {"Ctrl+drag", "orbit"}, /* Instead, if the program has the mouse. */
-    {"Right drag, wheel", "zoom"},
-    {"Middle or Shift drag", "pan"},
+    {"Right or Shift drag", "pan"},
+    {"Wheel", "zoom to the pointer"},
     {"Ctrl+arrows", "orbit"},
     {"PgUp, PgDn", "zoom"},
     {"Home", "first view"},
@@ -122,6 +122,13 @@ static void addCallBacks(const RRender *rc, Page *page) {
             continue;
         r_keyName(action ? rc->m_pViewer->input.actionKey[i - kRButtons] : keys[i], key, sizeof key);
         addText(page, key, b->m_Text);
+    }
+    const RInput *in = &rc->m_pViewer->input;
+    for (size_t i = 0; i < in->extraKeys.count; i++) {
+        if (!in->extraKeys.items[i].button.m_Text[0] || !r_keyIsFree(rc, in->extraKeys.items[i].key))
+            continue;
+        r_keyName(in->extraKeys.items[i].key, key, sizeof key);
+        addText(page, key, in->extraKeys.items[i].button.m_Text);
     }
     if (rc->m_CallBacks.m_Mouse.m_Text[0])
         addText(page, "Left mouse button", rc->m_CallBacks.m_Mouse.m_Text);

@@ -78,6 +78,12 @@ typedef struct {
     int frame; /* 1 is the first. */
 } RScriptedKey;
 
+/* RRenderSetKeyCallBack's. */
+typedef struct {
+    int key;
+    RCallBackDataButton button;
+} RExtraKey;
+
 typedef struct {
     R_ARRAY(REvent) events;
     R_ARRAY(RScriptedKey) script;
@@ -87,6 +93,8 @@ typedef struct {
     int dragButton; /* The button that moves the camera, or 0. */
     bool dragPans;
     bool mouseToProgram; /* The left button went down for the program. */
+    bool mouseLeft;      /* RRenderLeaveMouse: the program does not want it. */
+    R_ARRAY(RExtraKey) extraKeys;
     int lastX, lastY;
 } RInput;
 
@@ -97,6 +105,7 @@ void r_inputFrame(RRender *rc);                      /* Handles what has come in
 void r_inputFree(RInput *input);
 int r_keyByName(const char *name, size_t length); /* RKEY_NONE if there is no such key. */
 void r_keyName(int key, char *name, size_t size);
+bool r_keyIsFree(const RRender *rc, int key); /* The program has no action, button or menu on it. */
 const RCallBackDataButton *r_actionOfKey(const RRender *rc, int key); /* The program's action on it, or null. */
 
 /* ---- Camera (r_camera.c) ---- */
@@ -114,8 +123,9 @@ void r_cameraInit(RRender *rc);
 void r_cameraApplyOption(RRender *rc); /* -camera */
 void r_cameraKeepHome(RRender *rc);
 void r_cameraHome(RRender *rc);
-void r_cameraPan(RRender *rc, AcmeReal right, AcmeReal up); /* In pixels of the window, at the look-at point. */
-void r_cameraDolly(RRender *rc, AcmeReal factor);           /* Multiplies the distance. */
+void r_cameraPan(RRender *rc, AcmeReal right, AcmeReal up);       /* In pixels of the window, at the look-at point. */
+void r_cameraDolly(RRender *rc, AcmeReal factor);                 /* Multiplies the distance. */
+void r_cameraDollyAt(RRender *rc, AcmeReal factor, int x, int y); /* The same, towards a pixel. */
 
 /* ---- Graphics (r_graphic.c) ---- */
 
@@ -259,8 +269,10 @@ void r_uiBox(float x, float y, float width, float height, float radius, const fl
 void r_uiTriangle(const RCorner corners[3], int texture, const float color[4]);
 void r_uiFixedWindow(const char *name, float x, float y, float width, float height);
 void r_uiWindowEnd(void);
-bool r_uiPanel(const char *title, float x, float y, bool *shown); /* x, y: at first. The end is due in any case. */
-void r_uiPanelEnd(void);
+/* Its upper left corner is put at x, y, or stays; false if it is folded. The end is due in any case. */
+bool r_uiPanel(const char *title, float x, float y, bool put, bool *shown);
+void r_uiPanelEnd(float *right, float *bottom);
+void r_uiPanelMove(const char *title, float x, float y, float *right, float *bottom); /* After its end. */
 bool r_uiClicked(const char *name, float x, float y, float width, float height);
 float r_uiMouseX(void);
 
@@ -299,10 +311,12 @@ typedef struct {
     void(MEAPI *func)(RRender *rc, void *userdata);
     void *userdata;
     bool shown;
+    int seen; /* Pictures, up to those in which it finds its size and place. */
 } RPanel;
 typedef R_ARRAY(RPanel) RPanelList;
 
 void r_panelsDraw(RRender *rc);
+bool r_tickIsDue(const RRender *rc); /* In slow motion, not in every frame. */
 void r_panelListFree(RPanelList *list);
 
 typedef struct {
@@ -397,7 +411,12 @@ struct RViewer {
     ROverlay overlay;
     struct RPanels *panels;  /* Null unless something is drawn. */
     RPanelList panelList;    /* RPanelCreate's. */
+    int ownPanelSeen;        /* As RPanel::seen, of the viewer's own. */
     bool panelsShown;        /* F9. */
+    int slow;                /* The tick is called in one of so many frames; 0 is 1. */
+    int64_t rateBegin;       /* When ticks began to be counted, */
+    int rateTicks;           /* from which number, */
+    float rate;              /* and how many there are in a second. */
     RMenuBaseEntry *clicked; /* The menu's entry that the mouse has clicked, or null; */
     bool clickedLess;        /* to do what Left does. */
     char *title, *status;

@@ -70,6 +70,7 @@ void r_inputInit(RInput *input) {
 }
 
 void r_inputFree(RInput *input) {
+    r_free(input->extraKeys.items);
     r_free(input->events.items);
     r_free(input->script.items);
 }
@@ -139,6 +140,14 @@ const RCallBackDataButton *r_actionOfKey(const RRender *rc, int key) {
     return NULL;
 }
 
+static const RCallBackDataButton *extraOfKey(const RRender *rc, int key) {
+    const RInput *in = &rc->m_pViewer->input;
+    for (size_t i = 0; i < in->extraKeys.count; i++)
+        if (in->extraKeys.items[i].key == key)
+            return &in->extraKeys.items[i].button;
+    return NULL;
+}
+
 static int buttonOf(int key) {
     switch (key) {
     case RKEY_UP:
@@ -160,6 +169,10 @@ static int buttonOf(int key) {
     default:
         return kRButtons;
     }
+}
+
+bool r_keyIsFree(const RRender *rc, int key) {
+    return !r_actionOfKey(rc, key) && buttonOf(key) == kRButtons;
 }
 
 static void callMouse(RRender *rc, const REvent *e, RMouseButtonEvent event) {
@@ -285,6 +298,8 @@ static void keyDown(RRender *rc, int key, int modifiers) {
         r_cameraDolly(rc, key == RKEY_PAGE_UP ? tapZoom : 1 / tapZoom);
     else if (buttonOf(key) != kRButtons)
         press(rc, &rc->m_CallBacks.m_Button[buttonOf(key)]);
+    else if (extraOfKey(rc, key))
+        press(rc, extraOfKey(rc, key));
     else
         viewerKey(rc, key);
 }
@@ -298,11 +313,14 @@ static void mouseDown(RRender *rc, const REvent *e) {
     in->lastY = e->y;
     if (left && rc->m_CallBacks.m_Mouse.m_Func && !(e->modifiers & (RCONTROL | RSHIFT))) {
         in->mouseToProgram = true;
+        in->mouseLeft = false;
         callMouse(rc, e, kRNewlyPressed);
-        return;
+        if (!in->mouseLeft)
+            return;
+        in->mouseToProgram = false;
     }
     in->dragButton = e->which;
-    in->dragPans = e->which == kRMiddleButton || (left && (e->modifiers & RSHIFT));
+    in->dragPans = !left || (e->modifiers & RSHIFT);
 }
 
 static void mouseMove(RRender *rc, const REvent *e) {
@@ -315,8 +333,6 @@ static void mouseMove(RRender *rc, const REvent *e) {
         callMouse(rc, e, kRStillPressed);
     } else if (in->dragPans) {
         r_cameraPan(rc, -dx, dy);
-    } else if (in->dragButton == kRRightButton) {
-        r_cameraDolly(rc, expf(dy * angle));
     } else if (in->dragButton == kRLeftButton) {
         RCameraRotateAngle(rc, -dx * angle);
         RCameraRotateElevation(rc, dy * angle);
@@ -363,7 +379,7 @@ static void handle(RRender *rc, const REvent *e) {
         mouseUp(rc, e);
         break;
     case rWheel:
-        r_cameraDolly(rc, powf(tapZoom, (AcmeReal)e->which));
+        r_cameraDollyAt(rc, powf(tapZoom, (AcmeReal)e->which), e->x, e->y);
         break;
     case rResize:
         resize(rc, e->x, e->y);

@@ -2,6 +2,7 @@
 #include "r_i.h"
 #include "RPanel.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static RPanel *find(RPanelList *list, const char *title) {
@@ -66,6 +67,32 @@ static void showRun(RRender *rc) {
         rc->m_pViewer->loop.pictureAsked = true;
 }
 
+bool r_tickIsDue(const RRender *rc) {
+    const int slow = rc->m_pViewer->slow;
+    return slow < 2 || rc->m_pViewer->loop.frames % slow == 0;
+}
+
+/* Slow motion, and the steps that there are in a second of the clock. */
+static void showPace(RRender *rc) {
+    static const char *const names[] = {"as it is", "half", "a quarter", "an eighth", "a sixteenth"};
+    enum { SPEEDS = sizeof names / sizeof names[0] };
+    struct RViewer *v = rc->m_pViewer;
+    int which = 0;
+    while (which < SPEEDS - 1 && 1 << which < v->slow)
+        which++;
+    if (RPanelChoice("speed", &which, names, SPEEDS))
+        v->slow = 1 << which;
+    const int64_t elapsed = r_now() - v->rateBegin;
+    if (elapsed > 500000000) {
+        v->rate = v->rateBegin ? (float)(v->loop.ticks - v->rateTicks) * 1e9f / (float)elapsed : 0;
+        v->rateTicks = v->loop.ticks;
+        v->rateBegin += elapsed;
+    }
+    char text[48];
+    snprintf(text, sizeof text, "tick %d, %.0f a second", v->loop.ticks, (double)v->rate);
+    RPanelText(text);
+}
+
 static void check(const char *label, bool *value) {
     MeBool on = *value;
     if (RPanelCheck(label, &on))
@@ -75,6 +102,7 @@ static void check(const char *label, bool *value) {
 static void showViewer(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
     showRun(rc);
+    showPace(rc);
     MeBool bar = r_barIsShown(rc);
     if (RPanelCheck("performance bar (F3)", &bar))
         r_barToggle(rc);
@@ -86,23 +114,50 @@ static void showViewer(RRender *rc) {
         check(v->panelList.items[i].title, &v->panelList.items[i].shown);
 }
 
-/* Panels stand in a column at the right edge at first; a menu is at the left one. */
+/* Where the next panel that is new is put: below the one before, or in the next column. */
+typedef struct {
+    float x, y, right;
+} Place;
+
+/* One panel: its size is known after its first picture, so that it is put in two. False if the user has closed it. */
+static bool drawPanel(RRender *rc, Place *place, const char *title, int *seen, RPanelCallBack func, void *userdata) {
+    enum { FINDS_ITS_SIZE = 2 };
+    const float scale = r_uiScale(rc), gap = 10 * scale;
+    bool shown = true;
+    float right, bottom;
+    if (r_uiPanel(title, place->x, place->y, *seen < FINDS_ITS_SIZE, &shown))
+        func(rc, userdata);
+    r_uiPanelEnd(&right, &bottom);
+    if (bottom > (float)rc->m_pViewer->height && place->y > 40 * scale && *seen < FINDS_ITS_SIZE) {
+        place->x = place->right + gap;
+        place->y = 30 * scale;
+        r_uiPanelMove(title, place->x, place->y, &right, &bottom);
+    }
+    *seen += *seen < FINDS_ITS_SIZE;
+    place->y = bottom + gap;
+    place->right = fmaxf(place->right, right);
+    return shown;
+}
+
+static void MEAPI drawOwn(RRender *rc, void *userdata) {
+    (void)userdata;
+    showViewer(rc);
+}
+
+/* The viewer's own stands at the right edge, the others at the left one, below the place of the bar. */
 void r_panelsDraw(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
     if (!v->panelsShown || rc->m_bShowHelp)
         return;
-    const float scale = r_uiScale(rc), x = (float)v->width - 300 * scale, step = 30 * scale;
-    if (r_uiPanel("Viewer", x, step, &v->panelsShown))
-        showViewer(rc);
-    r_uiPanelEnd();
+    const float scale = r_uiScale(rc);
+    Place own = {.x = (float)v->width - 300 * scale, .y = 30 * scale}, place = {.x = 10 * scale, .y = 60 * scale};
+    v->panelsShown = drawPanel(rc, &own, "Viewer", &v->ownPanelSeen, drawOwn, NULL);
     for (size_t i = 0; i < v->panelList.count; i++) { /* A panel may create others: no pointer is kept. */
-        const RPanel p = v->panelList.items[i];
-        bool shown = p.shown;
-        if (!shown)
+        RPanel p = v->panelList.items[i];
+        if (!p.shown)
             continue;
-        if (r_uiPanel(p.title, 10 * scale, step * (float)(i + 2), &shown))
-            p.func(rc, p.userdata);
-        r_uiPanelEnd();
+        const bool shown = drawPanel(rc, &place, p.title, &p.seen, p.func, p.userdata);
+        v->panelList.items[i].seen = p.seen;
         if (!shown)
             v->panelList.items[i].shown = false;
     }

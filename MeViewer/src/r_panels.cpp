@@ -99,7 +99,7 @@ static ImFont *addFont(ImFontAtlas *atlas, float em) {
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = 1;
     config.OversampleV = 1;
-    config.RasterizerMultiply = 1.4f; // Thin strokes of light letters on a dark panel look too thin.
+    config.RasterizerMultiply = 1.7f; // Thin strokes of light letters on a dark panel look too thin.
     /* ImGui does not write to it. */
     return atlas->AddFontFromMemoryTTF(const_cast<unsigned char *>(r_fontFile),
                                        static_cast<int>(r_fontFileEnd - r_fontFile), roundf(em * linePerEm), &config,
@@ -397,8 +397,9 @@ void r_uiFixedWindow(const char *name, float x, float y, float width, float heig
     ImGui::PopStyleVar();
 }
 
-bool r_uiPanel(const char *title, float x, float y, bool *shown) {
-    ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_FirstUseEver);
+bool r_uiPanel(const char *title, float x, float y, bool put, bool *shown) {
+    if (put)
+        ImGui::SetNextWindowPos(ImVec2(x, y));
     ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImGui::GetIO().DisplaySize);
     const bool open = ImGui::Begin(title, shown,
                                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
@@ -407,9 +408,18 @@ bool r_uiPanel(const char *title, float x, float y, bool *shown) {
     return open;
 }
 
-void r_uiPanelEnd(void) {
+void r_uiPanelEnd(float *right, float *bottom) {
+    *right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
+    *bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
     ImGui::PopItemWidth();
     ImGui::End();
+}
+
+void r_uiPanelMove(const char *title, float x, float y, float *right, float *bottom) {
+    ImGuiWindow *window = ImGui::FindWindowByName(title);
+    ImGui::SetWindowPos(window, ImVec2(x, y));
+    *right = x + window->Size.x;
+    *bottom = y + window->Size.y;
 }
 
 void r_uiWindowEnd(void) {

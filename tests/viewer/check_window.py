@@ -4,92 +4,13 @@
 usage: check_window.py <program> <png_check>      exit code 77: Xvfb or xdotool is not installed
 """
 import os
-import shutil
-import signal
 import subprocess
 import sys
 import tempfile
 import time
 
-PATIENCE = 100  # seconds for anything to happen; a slow machine with other work needs some
-
-
-def fail(what):
-    print(f'FAILED: {what}')
-    sys.exit(1)
-
-
-class Ended(Exception):
-    """The program is not there any more."""
-
-
-def start_server():
-    """-> (process, display name): Xvfb on a display that it finds free itself."""
-    reader, writer = os.pipe()
-    server = subprocess.Popen(['Xvfb', '-displayfd', str(writer), '-screen', '0', '1280x800x24', '-nolisten', 'tcp'],
-                              pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    os.close(writer)
-    with os.fdopen(reader) as pipe:
-        number = pipe.readline().strip()  # empty if the server ends
-    if not number:
-        fail('Xvfb does not start')
-    return server, f':{number}'
-
-
-class Window:
-    """The program, its output, and a hand on its keyboard and mouse."""
-
-    def __init__(self, program, display, directory, *arguments):
-        self.environment = dict(os.environ, DISPLAY=display)
-        self.directory = directory
-        self.log = os.path.join(directory, 'log')
-        with open(self.log, 'wb') as log:
-            self.process = subprocess.Popen([program, *arguments], cwd=directory, env=self.environment, stdout=log,
-                                            stderr=subprocess.STDOUT)
-
-    def output(self):
-        with open(self.log) as log:
-            return log.read()
-
-    def wait_for(self, what, ready):
-        """Until ready() gives something; then that. A program that has ended gives nothing any more: that is said at
-        once."""
-        end = time.monotonic() + PATIENCE
-        while time.monotonic() < end:
-            ended = self.process.poll() is not None
-            found = ready()
-            if found:
-                return found
-            if ended:
-                raise Ended(f'the program ended with {self.process.returncode} before {what}:\n{self.output()}')
-            time.sleep(0.05)
-        fail(f'{what} did not happen in {PATIENCE} s, but only:\n{self.output()}')
-
-    def expect(self, line):
-        self.wait_for(f'"{line}"', lambda: line in self.output())
-
-    def send(self, *arguments):
-        run = subprocess.run(['xdotool', *arguments], env=self.environment, capture_output=True, text=True,
-                             timeout=PATIENCE)
-        if run.returncode:
-            fail(f'xdotool {" ".join(arguments)}: {run.stderr}')
-        return run.stdout.split()
-
-    def find(self):
-        """Waits for the window and puts the pointer into it: without a window manager, keys go where that is."""
-        search = ['xdotool', 'search', '--onlyvisible', '--name', 'Karma viewer test']
-
-        window = self.wait_for('there was a window',
-                               lambda: subprocess.run(search, env=self.environment, capture_output=True, text=True,
-                                                      timeout=PATIENCE).stdout.split())[0]
-        self.send('mousemove', '--window', window, '200', '150')
-        return window
-
-    def end(self):
-        try:
-            return self.process.wait(timeout=PATIENCE)
-        except subprocess.TimeoutExpired:
-            fail(f'the program does not end:\n{self.output()}')
+sys.dont_write_bytecode = True
+from window import PATIENCE, Ended, Window, fail, server
 
 
 def check(compare, question, *pictures):
@@ -183,24 +104,12 @@ def check_frames(program, compare, display, directory):
 
 def main():
     program, compare = (os.path.abspath(p) for p in sys.argv[1:3])
-    for tool in ('Xvfb', 'xdotool'):
-        if not shutil.which(tool):
-            print(f'skipped: {tool} is not installed')
-            sys.exit(77)
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
-    server, display = start_server()
-    try:
-        with tempfile.TemporaryDirectory() as directory:
-            check_keys(program, compare, display, directory)
-            check_panels(program, display, directory)
-            check_early_end(program, directory)
-            check_frames(program, compare, display, directory)
-        print('the window works')
-    except Ended as ended:
-        fail(str(ended))
-    finally:
-        server.terminate()
-        server.wait()
+    with server() as display, tempfile.TemporaryDirectory() as directory:
+        check_keys(program, compare, display, directory)
+        check_panels(program, display, directory)
+        check_early_end(program, directory)
+        check_frames(program, compare, display, directory)
+    print('the window works')
 
 
 main()

@@ -1,0 +1,67 @@
+/* A box on a floor, with all controls of a demonstration program, for the test of them in a window. It says on stdout
+ * what has changed since the tick before. */
+#include "MeApp.h"
+#include "MeCommandLine.h"
+#include "MeViewer.h"
+#include "Mst.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+static RRender *rc;
+static MstUniverseID u;
+static MeApp *app;
+static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+
+static void sayIfNew(const char *what, double now, double *before) {
+    if (now == *before)
+        return;
+    printf("%s %.3f\n", what, now);
+    fflush(stdout);
+    *before = now;
+}
+
+static void MEAPI tick(RRender *context) {
+    static double selected, bodies, gravity, distance, angle, held;
+    MeVector3 g;
+    MdtWorldGetGravity(u->world, g);
+    sayIfNew("selected", MeAppGetSelected(app) != 0, &selected);
+    sayIfNew("held", app->pick.model != 0, &held);
+    sayIfNew("bodies", MdtWorldGetTotalBodies(u->world), &bodies);
+    sayIfNew("gravity", (double)g[1], &gravity);
+    sayIfNew("distance", (double)RCameraGetDistance(context), &distance);
+    sayIfNew("angle", (double)RCameraGetRotation(context), &angle);
+    MeAppStep(app);
+    MstUniverseStep(u, (MeReal)(1. / 60));
+}
+
+static void MEAPI_CDECL cleanup(void) {
+    MeAppDestroy(app);
+    RRenderContextDestroy(rc);
+    MstUniverseDestroy(u);
+    puts("cleanup");
+}
+
+int MEAPI_CDECL main(int argc, const char **argv) {
+    MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
+    rc = RRenderContextCreate(options, 0, 1);
+    MeCommandLineOptionsDestroy(options);
+    if (!rc)
+        return 1;
+    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    app = MeAppCreateFromUniverse(u, rc);
+    if (!app)
+        return 1;
+    atexit(cleanup);
+    MeAppCreateControls(app);
+    MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
+    McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 2, 2, 2), 1000);
+    McdModelDynamicsSetPosition(box, 0, 1, 0);
+    RGraphicGroundPlaneCreate(rc, 24, 2, RPalette[7], 0);
+    RGraphicBoxCreate(rc, 2, 2, 2, RPalette[1], McdModelGetTransformPtr(box));
+    RCameraSetLookAt(rc, (const AcmeVector3){0, 1, 0});
+    RCameraSetView(rc, 12, 0, 0.2f);
+    RRenderSetWindowTitle(rc, "Karma controls test");
+    RRun(rc, tick);
+    return 3; /* Not reached. */
+}
