@@ -101,10 +101,12 @@ MEPUBLIC void MEAPI MeAppFindClickPos(const MeApp *const app, int x, int y, MeVe
  * The mouse pulls models (MeAppMousePickCB) and its drag turns the camera where there is none; F frames the model that
  * was clicked last; Space, where the program has no use for it, throws a ball (MeAppThrowBall); and F9 shows panels:
  * "Simulation" (gravity, sub-steps, solver, budget, sleep, materials), "Report" (the world's report over time: it is
- * switched on while the panel is seen) and "Inspector" (the model that was clicked last).
+ * switched on while the panel is seen), "Inspector" (the model that was clicked last) and "Layers" (MeAppSetLayers).
  * MeAppStep has to be called before each step. A second call does nothing.
  */
 MEPUBLIC void MEAPI MeAppCreateControls(MeApp *app);
+/** What is drawn over the picture to explain it: a sum of MstDebugLayer (MstDebugDraw.h); 0, as at first, nothing. */
+MEPUBLIC void MEAPI MeAppSetLayers(MeApp *app, unsigned int layers);
 /** The model that was clicked last; null if there is none, or it is no longer in the space. */
 MEPUBLIC McdModelID MEAPI MeAppGetSelected(const MeApp *app);
 /** Moves the camera to where the model that was clicked last, else all models with bodies, fill a third of the

@@ -95,8 +95,7 @@ void MEAPI MeAppDestroy(MeApp *const app) {
         meapp_contactsFree(app->contacts);
         MeMemoryAPI.destroy(app->contacts);
     }
-    if (app->controls)
-        MeMemoryAPI.destroy(app->controls);
+    meapp_controlsFree(app);
     MeMemoryAPI.destroy(app);
 }
 

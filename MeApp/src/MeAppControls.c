@@ -11,6 +11,8 @@
 #include "MstModelDynamics.h"
 #include "MstUtils.h"
 #include "RGeometry.h"
+#include "RMark.h"
+#include "RPanel.h"
 #include "me_app_i.h"
 #include <string.h>
 
@@ -128,4 +130,17 @@ void MEAPI MeAppCreateControls(MeApp *app) {
     if (app->universe)
         RRenderSetKeyCallBack(app->rc, ' ', onThrow, app, "throw a ball");
     meapp_createPanels(app);
+}
+
+void meapp_controlsFree(MeApp *app) {
+    static const char *const titles[] = {"Simulation", "Inspector", "Layers", "Report"};
+    if (!app->controls)
+        return;
+    for (int i = 0; i < 4; i++)
+        RPanelDestroy(app->rc, titles[i]);
+    RRenderSetMarkCallBack(app->rc, 0, 0);
+    RRenderSetKeyCallBack(app->rc, 'f', 0, 0, 0);
+    RRenderSetKeyCallBack(app->rc, ' ', 0, 0, 0);
+    MeMemoryAPI.destroy(app->controls);
+    app->controls = 0;
 }

@@ -1,5 +1,5 @@
 /* Panels of a demonstration program: settings of the simulation, the report of its steps over time, and what the model
- * that was clicked last is and does. */
+ * that was clicked last is and does, and layers that explain the picture. */
 #include "McdGeometry.h"
 #include "McdModel.h"
 #include "McdSpace.h"
@@ -8,8 +8,12 @@
 #include "MdtReport.h"
 #include "MdtWorld.h"
 #include "MeMath.h"
+#include "MeMessage.h"
+#include "MeViewer.h"
 #include "MstBridge.h"
+#include "MstDebugDraw.h"
 #include "MstModelDynamics.h"
+#include "RMark.h"
 #include "RPanel.h"
 #include "me_app_i.h"
 #include <stdarg.h>
@@ -140,7 +144,8 @@ static void append(MeAppControls *c, const MdtReport *r) {
 void meapp_sampleReport(MeApp *app) {
     MeAppControls *c = app->controls;
     MdtReport report;
-    const MeBool isWanted = c->figuresSeen > 0, isOn = MdtWorldReportIsEnabled(app->world);
+    const MeBool isWanted = c->figuresSeen > 0 || (c->layers & MstDebugSolver),
+                 isOn = MdtWorldReportIsEnabled(app->world);
     if (isWanted && !isOn) {
         MdtWorldEnableReport(app->world);
         c->reportIsOurs = METRUE;
@@ -150,7 +155,7 @@ void meapp_sampleReport(MeApp *app) {
     }
     if (!isWanted)
         return;
-    c->figuresSeen--;
+    c->figuresSeen -= c->figuresSeen > 0;
     const MeBool isOne = c->partition >= 0 && c->partition < MdtWorldGetReportCount(app->world);
     if (isOne ? MdtWorldGetPartitionReport(app->world, c->partition, &report) : MdtWorldGetReport(app->world, &report))
         append(c, &report);
@@ -238,9 +243,74 @@ static void MEAPI showInspector(RRender *rc, void *userdata) {
         (MdtBodyIsEnabled(b) ? MdtBodyDisable : MdtBodyEnable)(b);
 }
 
+/* ---- Layers ------------------------------------------------------------------------------------------------------ */
+
+static void MEAPI markLine(void *userdata, const MeVector3 a, const MeVector3 b, const float color[4]) {
+    RMarkLine(((MeApp *)userdata)->rc, a, b, color, 1.5f);
+}
+
+static void MEAPI markPoint(void *userdata, const MeVector3 p, const float color[4]) {
+    RMarkPoint(((MeApp *)userdata)->rc, p, color, 6);
+}
+
+static void MEAPI markTriangle(void *userdata, const MeVector3 a, const MeVector3 b, const MeVector3 c,
+                               const float color[4]) {
+    RMarkTriangle(((MeApp *)userdata)->rc, a, b, c, color);
+}
+
+static void MEAPI markText(void *userdata, const MeVector3 p, const char *text, const float color[4]) {
+    RMarkText(((MeApp *)userdata)->rc, p, text, color);
+}
+
+static void MEAPI drawLayers(RRender *rc, void *userdata) {
+    MeApp *app = userdata;
+    const MstDebugDraw table = {markLine, markPoint, markTriangle, markText, app};
+    (void)rc;
+    if (app->controls->layers)
+        MstDebugDrawParts(app->world, app->space, app->lengthScale, app->controls->layers, &table);
+}
+
+static const char *const layerNames[] = {"shapes",
+                                         "boxes along the axes",
+                                         "contacts and normals",
+                                         "contact forces",
+                                         "joints and axes",
+                                         "limits and angles",
+                                         "centres of mass",
+                                         "velocities",
+                                         "partitions by colour",
+                                         "sleep by colour",
+                                         "solver taken by colour",
+                                         "names"};
+enum { LAYERS = sizeof layerNames / sizeof layerNames[0] };
+
+static void MEAPI showLayers(RRender *rc, void *userdata) {
+    MeAppControls *c = ((MeApp *)userdata)->controls;
+    (void)rc;
+    for (int i = 0; i < LAYERS; i++) {
+        MeBool on = (c->layers >> i & 1u) != 0;
+        if (RPanelCheck(layerNames[i], &on))
+            c->layers ^= 1u << i;
+    }
+}
+
+void MEAPI MeAppSetLayers(MeApp *app, unsigned int layers) {
+    if (!meapp_check(app, "MeAppSetLayers"))
+        return;
+    if (!app->controls)
+        MeWarning(1, "MeAppSetLayers: there are no controls (MeAppCreateControls)");
+    else if (layers & ~(unsigned int)MstDebugAll)
+        MeWarning(1, "MeAppSetLayers: layers is %u: it must be a sum of MstDebugLayer", layers);
+    else
+        app->controls->layers = layers;
+}
+
 void meapp_createPanels(MeApp *app) {
+    RRenderSetMarkCallBack(app->rc, drawLayers, app);
     RPanelCreate(app->rc, "Simulation", showSimulation, app);
     RPanelCreate(app->rc, "Inspector", showInspector, app);
+    RPanelCreate(app->rc, "Layers", showLayers, app);
+    RPanelShow(app->rc, "Layers", MEFALSE);
     RPanelCreate(app->rc, "Report", showReport, app);
     RPanelShow(app->rc, "Report", MEFALSE);
 }

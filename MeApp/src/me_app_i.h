@@ -31,11 +31,14 @@ typedef struct MeAppControls {
     int material[2], partition;
     int figuresSeen; /* Frames that the report is still wanted for. */
     MeBool reportIsOurs;
+    unsigned int layers; /* MstDebugLayer */
     float history[MEAPP_PLOTS][MEAPP_HISTORY];
 } MeAppControls;
 
 /* The report of the step before, for the plots (MeAppPanels.c). */
 void meapp_sampleReport(MeApp *app);
 void meapp_createPanels(MeApp *app);
+/* Takes keys, panels and layers from the context again. */
+void meapp_controlsFree(MeApp *app);
 
 #endif

@@ -11,8 +11,9 @@
  *  F9 shows and hides all panels; the viewer's own one, "Viewer", says which of them are seen. A panel belongs to its
  *  context. Its function is called in every frame in which the panel is seen, before or after the tick but never in it;
  *  it may change the simulation, but neither destroy the context nor end the program. The functions that begin with
- *  RPanel, but for the first two, may be called by such a function only (else a warning and 0); labels within a panel
- *  must differ, and what follows "##" in one is not seen. With -null no panel is ever seen.
+ *  RPanel, but for RPanelCreate, RPanelDestroy and RPanelShow, may be called by such a function only (else a warning
+ *  and 0); labels within a panel must differ, and what follows "##" in one is not seen. With -null no panel is ever
+ *  seen.
  */
 #ifndef RPANEL_H
 #define RPANEL_H
@@ -28,6 +29,8 @@ typedef void(MEAPI *RPanelCallBack)(RRender *rc, void *userdata);
 /** A panel, seen at first when F9 is pressed. @a title is copied; a second panel of the same title replaces the first.
  */
 MEPUBLIC void MEAPI RPanelCreate(RRender *rc, const char *title, RPanelCallBack func, void *userdata);
+/** Takes a panel away; none of this title: nothing. */
+MEPUBLIC void MEAPI RPanelDestroy(RRender *rc, const char *title);
 /** Shows a panel (not 0) or hides it, whatever F9 has done. Warns if there is none of this title. */
 MEPUBLIC void MEAPI RPanelShow(RRender *rc, const char *title, MeBool shown);
 /** @} */

@@ -113,6 +113,7 @@ void r_overlayFree(ROverlay *overlay) {
 
 static bool drawAll(RRender *rc, ROverlay *overlay) {
     r_panelsBegin(rc);
+    r_marksDraw(rc);
     draw2DList(rc);
     if (r_barIsShown(rc))
         drawBar(rc);

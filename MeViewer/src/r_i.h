@@ -267,6 +267,7 @@ void r_uiText(float x, float y, float size, float wrap, RTextStyle style, const 
 float r_uiTextSize(const char *text, float size, float wrap, float *height); /* The width; height may be null. */
 void r_uiBox(float x, float y, float width, float height, float radius, const float color[4]);
 void r_uiTriangle(const RCorner corners[3], int texture, const float color[4]);
+void r_uiLine(const float start[2], const float end[2], const float color[4], float width);
 void r_uiFixedWindow(const char *name, float x, float y, float width, float height);
 void r_uiWindowEnd(void);
 /* Its upper left corner is put at x, y, or stays; false if it is folded. The end is due in any case. */
@@ -315,6 +316,7 @@ typedef struct {
 } RPanel;
 typedef R_ARRAY(RPanel) RPanelList;
 
+void r_marksDraw(RRender *rc); /* r_mark.c */
 void r_panelsDraw(RRender *rc);
 bool r_tickIsDue(const RRender *rc); /* In slow motion, not in every frame. */
 void r_panelListFree(RPanelList *list);
@@ -409,8 +411,11 @@ struct RViewer {
     RHelpLayout helpLayout;
     RLoop loop;
     ROverlay overlay;
-    struct RPanels *panels;  /* Null unless something is drawn. */
-    RPanelList panelList;    /* RPanelCreate's. */
+    struct RPanels *panels; /* Null unless something is drawn. */
+    RPanelList panelList;   /* RPanelCreate's. */
+    void(MEAPI *markFunc)(RRender *rc, void *userdata);
+    void *markData;
+    bool marking;            /* It is being called. */
     int ownPanelSeen;        /* As RPanel::seen, of the viewer's own. */
     bool panelsShown;        /* F9. */
     int slow;                /* The tick is called in one of so many frames; 0 is 1. */

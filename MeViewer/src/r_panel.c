@@ -32,6 +32,19 @@ void MEAPI RPanelCreate(RRender *rc, const char *title, RPanelCallBack func, voi
     p->userdata = userdata;
 }
 
+void MEAPI RPanelDestroy(RRender *rc, const char *title) {
+    if (!r_isContext(rc, __func__) || !r_isPointer(title, __func__, "title"))
+        return;
+    RPanelList *list = &rc->m_pViewer->panelList;
+    RPanel *p = find(list, title);
+    if (!p)
+        return;
+    r_free(p->title);
+    const size_t after = list->count - (size_t)(p - list->items) - 1;
+    memmove(p, p + 1, after * sizeof *p);
+    list->count--;
+}
+
 void MEAPI RPanelShow(RRender *rc, const char *title, MeBool shown) {
     if (!r_isContext(rc, __func__) || !r_isPointer(title, __func__, "title"))
         return;
@@ -152,11 +165,13 @@ void r_panelsDraw(RRender *rc) {
     const float scale = r_uiScale(rc);
     Place own = {.x = (float)v->width - 300 * scale, .y = 30 * scale}, place = {.x = 10 * scale, .y = 60 * scale};
     v->panelsShown = drawPanel(rc, &own, "Viewer", &v->ownPanelSeen, drawOwn, NULL);
-    for (size_t i = 0; i < v->panelList.count; i++) { /* A panel may create others: no pointer is kept. */
+    for (size_t i = 0; i < v->panelList.count; i++) { /* A panel may create or destroy others. */
         RPanel p = v->panelList.items[i];
         if (!p.shown)
             continue;
         const bool shown = drawPanel(rc, &place, p.title, &p.seen, p.func, p.userdata);
+        if (i >= v->panelList.count || v->panelList.items[i].title != p.title)
+            continue; /* It has been destroyed. */
         v->panelList.items[i].seen = p.seen;
         if (!shown)
             v->panelList.items[i].shown = false;

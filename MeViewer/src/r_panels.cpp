@@ -227,6 +227,10 @@ void r_uiBox(float x, float y, float width, float height, float radius, const fl
     list()->AddRectFilled(ImVec2(x, y), ImVec2(x + width, y + height), color32(color), radius);
 }
 
+void r_uiLine(const float start[2], const float end[2], const float color[4], float width) {
+    list()->AddLine(ImVec2(start[0], start[1]), ImVec2(end[0], end[1]), color32(color), width);
+}
+
 static ImTextureID textureID(int texture) {
     return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture + 1));
 }

@@ -37,7 +37,7 @@ def check(program, display, directory):
     window.send('key', 'f')
     window.wait_for('the box is framed', lambda: value(window, 'distance') != 12)
     window.send('key', 'space')
-    window.expect('bodies 2')
+    window.expect('bodies 3')
     window.send('key', 'F9')
     # The first panel is "Simulation", its first line the slider of gravity.
     window.wait_for('the slider moves', lambda: window.send(*at(60, 104), 'mousedown', '1') is not None and

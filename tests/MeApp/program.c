@@ -1,5 +1,5 @@
-/* A box on a floor, with all controls of a demonstration program, for the test of them in a window. It says on stdout
- * what has changed since the tick before. */
+/* A box on a floor and a door, with all controls of a demonstration program, for the test of them in a window. It says
+ * on stdout what has changed since the tick before. `-layers` draws all layers. */
 #include "MeApp.h"
 #include "MeCommandLine.h"
 #include "MeViewer.h"
@@ -44,6 +44,7 @@ static void MEAPI_CDECL cleanup(void) {
 int MEAPI_CDECL main(int argc, const char **argv) {
     MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
     rc = RRenderContextCreate(options, 0, 1);
+    const MeBool all = MeCommandLineOptionsCheckFor(options, "-layers", 1);
     MeCommandLineOptionsDestroy(options);
     if (!rc)
         return 1;
@@ -57,10 +58,23 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
     McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 2, 2, 2), 1000);
     McdModelDynamicsSetPosition(box, 0, 1, 0);
+    MdtHingeID hinge = MdtHingeCreate(u->world);
+    McdModelID door = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, (MeReal)0.1), 1000);
+    McdModelDynamicsSetPosition(door, (MeReal)2.5, 2, 0);
+    MdtHingeSetBodies(hinge, McdModelGetBody(door), 0);
+    MdtHingeSetPosition(hinge, 2, 2, 0);
+    MdtHingeSetAxis(hinge, 0, 1, 0);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(MdtHingeGetLimit(hinge)), -1);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(MdtHingeGetLimit(hinge)), 1);
+    MdtLimitActivateLimits(MdtHingeGetLimit(hinge), METRUE);
+    MdtHingeEnable(hinge);
+    RGraphicBoxCreate(rc, 1, 1, 0.1f, RPalette[0], McdModelGetTransformPtr(door));
     RGraphicGroundPlaneCreate(rc, 24, 2, RPalette[7], 0);
     RGraphicBoxCreate(rc, 2, 2, 2, RPalette[1], McdModelGetTransformPtr(box));
     RCameraSetLookAt(rc, (const AcmeVector3){0, 1, 0});
     RCameraSetView(rc, 12, 0, 0.2f);
+    if (all)
+        MeAppSetLayers(app, MstDebugAll);
     RRenderSetWindowTitle(rc, "Karma controls test");
     RRun(rc, tick);
     return 3; /* Not reached. */

@@ -1,4 +1,5 @@
 /* Controls of a demonstration program: what is selected, framed and thrown. check_controls.py has them in a window. */
+#include "RPanel.h"
 #include "app_test.h"
 
 static void middle(RMouseButtonEvent event) {
@@ -99,8 +100,26 @@ START_TEST(controls_change_nothing_by_themselves) {
 }
 END_TEST
 
+/* What the context keeps of the helpers goes with them: the context may live on. */
+START_TEST(controls_end_before_the_context) {
+    MeAppCreateControls(app);
+    MeAppSetLayers(app, MstDebugAll);
+    MeAppDestroy(app);
+    messages_catch();
+    RPanelShow(rc, "Report", 1);
+    assert_warned("no panel Report");
+    messages_release();
+    app = MeAppCreateFromUniverse(u, rc);
+}
+END_TEST
+
 START_TEST(bad_input) {
     messages_catch();
+    MeAppSetLayers(app, MstDebugShapes);
+    assert_warned("MeAppCreateControls");
+    MeAppCreateControls(app);
+    MeAppSetLayers(app, 1u << 20);
+    assert_warned("MstDebugLayer");
     MeAppCreateControls(NULL);
     assert_warned("MeAppCreateControls");
     ck_assert_ptr_null(MeAppGetSelected(NULL));
@@ -120,6 +139,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_ball_is_thrown_along_the_line_of_sight);
     tcase_add_test(t, after_eight_balls_the_first_is_thrown_again);
     tcase_add_test(t, controls_change_nothing_by_themselves);
+    tcase_add_test(t, controls_end_before_the_context);
     tcase_add_test(t, bad_input);
 }
 TEST_MAIN("Controls", tests)

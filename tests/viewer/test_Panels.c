@@ -1,4 +1,5 @@
 /* Panels and menus in a picture: what they show, what the mouse and keys do to them, and what they leave to others. */
+#include "RMark.h"
 #include "RMenu.h"
 #include "RPanel.h"
 #include "viewer_test.h"
@@ -208,6 +209,84 @@ START_TEST(a_menu_may_go_after_a_click) {
 }
 END_TEST
 
+static const float red[4] = {1, 0, 0, 1};
+static MeVector3 from, to;
+
+static void MEAPI drawMarks(RRender *r, void *userdata) {
+    ck_assert_ptr_eq(userdata, &from);
+    shows++;
+    RMarkLine(r, from, to, red, 4);
+}
+
+/* Where red triangles are. */
+static void redBox(double box[4]) {
+    const ROverlay *o = &rc->m_pViewer->overlay;
+    box[0] = box[1] = 1e9;
+    box[2] = box[3] = -1e9;
+    for (size_t i = 0; i < o->vertices.count; i++) {
+        const ROverlayVertex *v = &o->vertices.items[i];
+        if (v->color != 0xff0000ffu)
+            continue;
+        box[0] = fmin(box[0], (double)v->x);
+        box[1] = fmin(box[1], (double)v->y);
+        box[2] = fmax(box[2], (double)v->x);
+        box[3] = fmax(box[3], (double)v->y);
+    }
+}
+
+static void markLine(double x0, double y0, double z0, double x1, double y1, double z1, double box[4]) {
+    MeVector3Set(from, (MeReal)x0, (MeReal)y0, (MeReal)z0);
+    MeVector3Set(to, (MeReal)x1, (MeReal)y1, (MeReal)z1);
+    RRenderUpdateProjectionMatrices(rc);
+    frame();
+    redBox(box);
+}
+
+START_TEST(marks_are_where_the_camera_sees_their_places) {
+    double box[4];
+    RCameraSetLookAt(rc, (const AcmeVector3){0, 0, 0});
+    RCameraSetView(rc, 10, 0, 0);
+    RRenderSetMarkCallBack(rc, drawMarks, &from);
+    /* What is 10 m away is seen 2 tan(.35) 10 m high. */
+    const double perMetre = 600 / (20 * tan(0.35));
+    markLine(0, 0, 0, 2, 0, 0, box);
+    assert_near(box[0], 480, 3);
+    assert_near(box[2], 480 + 2 * perMetre, 3);
+    assert_near(box[1], 300, 3);
+    markLine(0, 1, 0, 0, 0, 0, box);
+    assert_near(box[1], 300 - perMetre, 3);
+    markLine(1, 0, 0, 1, 0, 30, box); /* Ends behind the camera: what is in front of it is drawn. */
+    assert_near(box[0], 480 + perMetre, 3);
+    assert_below(960, box[2]);
+    markLine(1, 0, 20, 1, 0, 30, box);
+    assert_below(box[2], box[0]); /* Nothing. */
+    markLine(NAN, 0, 0, 1, 0, 0, box);
+    assert_below(box[2], box[0]);
+    RCameraSetOrthographicView(rc, 6, 50);
+    markLine(0, 0, 0, 2, 0, 3, box);
+    assert_near(box[2], 680, 3);
+    shows = 0;
+    RRenderSetMarkCallBack(rc, NULL, NULL);
+    frame();
+    ck_assert_int_eq(shows, 0);
+    RMarkPoint(rc, from, red, 4);
+    assert_warned("RRenderSetMarkCallBack");
+}
+END_TEST
+
+START_TEST(a_panel_may_go) {
+    RPanelCreate(rc, "Mine", showButton, &shows);
+    RPanelCreate(rc, "Other", showSlider, NULL);
+    tap(RKEY_F9);
+    RPanelDestroy(rc, "Mine");
+    RPanelDestroy(rc, "Mine");
+    shows = 0;
+    frame();
+    ck_assert_int_eq(shows, 0);
+    ck_assert_uint_eq(rc->m_pViewer->panelList.count, 1);
+}
+END_TEST
+
 START_TEST(bad_input) {
     MeReal x = 0;
     RPanelCreate(rc, NULL, showButton, NULL);
@@ -234,6 +313,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, what_is_written_is_not_a_key);
     tcase_add_test(t, the_mouse_works_a_menu);
     tcase_add_test(t, a_menu_may_go_after_a_click);
+    tcase_add_test(t, marks_are_where_the_camera_sees_their_places);
+    tcase_add_test(t, a_panel_may_go);
     tcase_add_test(t, bad_input);
 }
 TEST_MAIN("Panels", tests)
