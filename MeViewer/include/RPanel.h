@@ -31,13 +31,15 @@ typedef void(MEAPI *RPanelCallBack)(RRender *rc, void *userdata);
 MEPUBLIC void MEAPI RPanelCreate(RRender *rc, const char *title, RPanelCallBack func, void *userdata);
 /** Takes a panel away; none of this title: nothing. */
 MEPUBLIC void MEAPI RPanelDestroy(RRender *rc, const char *title);
-/** Shows a panel (not 0) or hides it, whatever F9 has done. Warns if there is none of this title. */
+/** Shows a panel (not 0) alone, without F9, or hides it, also from F9. Warns if there is none of this title. */
 MEPUBLIC void MEAPI RPanelShow(RRender *rc, const char *title, MeBool shown);
 /** @} */
 
 /** @name What a panel shows
  *  @{ */
 MEPUBLIC void MEAPI RPanelText(const char *text);
+/** As wide as a list, in as many lines as it needs. */
+MEPUBLIC void MEAPI RPanelWrapped(const char *text);
 MEPUBLIC void MEAPI RPanelHeading(const char *text);
 /** The next thing stands beside the last one. */
 MEPUBLIC void MEAPI RPanelSameLine(void);

@@ -311,14 +311,16 @@ typedef struct {
     char *title;
     void(MEAPI *func)(RRender *rc, void *userdata);
     void *userdata;
-    bool shown;
-    int seen; /* Pictures, up to those in which it finds its size and place. */
+    bool shown;  /* When F9 shows panels. */
+    bool pinned; /* RPanelShow: also when it does not. */
+    int seen;    /* Pictures, up to those in which it finds its size and place. */
 } RPanel;
 typedef R_ARRAY(RPanel) RPanelList;
 
 void r_marksDraw(RRender *rc); /* r_mark.c */
 void r_panelsDraw(RRender *rc);
 bool r_tickIsDue(const RRender *rc); /* In slow motion, not in every frame. */
+void r_panelsToggle(RRender *rc);
 void r_panelListFree(RPanelList *list);
 
 typedef struct {

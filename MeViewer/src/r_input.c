@@ -210,13 +210,13 @@ static void menuKey(RRender *rc, int key) {
 /* F9: goes back to the menu before; else shows the default menu and the panels, or hides both. */
 static void toggleMenu(RRender *rc) {
     const RMenu *shown = rc->m_pCurrentMenu;
-    struct RViewer *v = rc->m_pViewer;
     if (shown && shown->m_pParent) {
         RMenuDisplay(shown->m_pParent);
         return;
     }
-    v->panelsShown = !shown && !v->panelsShown;
-    if (v->panelsShown)
+    if (!shown || rc->m_pViewer->panelsShown)
+        r_panelsToggle(rc);
+    if (rc->m_pViewer->panelsShown)
         RRenderDisplayDefaultMenu(rc);
     else
         RRenderHideCurrentMenu(rc);

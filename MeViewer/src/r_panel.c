@@ -53,9 +53,18 @@ void MEAPI RPanelShow(RRender *rc, const char *title, MeBool shown) {
         MeWarning(1, "%s: there is no panel %s", __func__, title);
         return;
     }
-    p->shown = shown != 0;
-    if (shown)
-        rc->m_pViewer->panelsShown = true;
+    p->shown = p->pinned = shown != 0;
+}
+
+/* F9: what is seen is hidden; where nothing is, all are shown. */
+void r_panelsToggle(RRender *rc) {
+    struct RViewer *v = rc->m_pViewer;
+    bool isAny = v->panelsShown;
+    for (size_t i = 0; i < v->panelList.count; i++) {
+        isAny |= v->panelList.items[i].pinned;
+        v->panelList.items[i].pinned = false;
+    }
+    v->panelsShown = !isAny;
 }
 
 void r_panelListFree(RPanelList *list) {
@@ -160,20 +169,21 @@ static void MEAPI drawOwn(RRender *rc, void *userdata) {
 /* The viewer's own stands at the right edge, the others at the left one, below the place of the bar. */
 void r_panelsDraw(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
-    if (!v->panelsShown || rc->m_bShowHelp)
+    if (rc->m_bShowHelp)
         return;
     const float scale = r_uiScale(rc);
     Place own = {.x = (float)v->width - 300 * scale, .y = 30 * scale}, place = {.x = 10 * scale, .y = 60 * scale};
-    v->panelsShown = drawPanel(rc, &own, "Viewer", &v->ownPanelSeen, drawOwn, NULL);
+    if (v->panelsShown)
+        v->panelsShown = drawPanel(rc, &own, "Viewer", &v->ownPanelSeen, drawOwn, NULL);
     for (size_t i = 0; i < v->panelList.count; i++) { /* A panel may create or destroy others. */
         RPanel p = v->panelList.items[i];
-        if (!p.shown)
+        if (!p.pinned && !(p.shown && v->panelsShown))
             continue;
         const bool shown = drawPanel(rc, &place, p.title, &p.seen, p.func, p.userdata);
         if (i >= v->panelList.count || v->panelList.items[i].title != p.title)
             continue; /* It has been destroyed. */
         v->panelList.items[i].seen = p.seen;
         if (!shown)
-            v->panelList.items[i].shown = false;
+            v->panelList.items[i].shown = v->panelList.items[i].pinned = false;
     }
 }

@@ -441,6 +441,8 @@ float r_uiMouseX(void) {
 
 /* ---- What a panel shows (RPanel.h) ---- */
 
+static const float listWidth = 16; // Heights of a line.
+
 /* A panel's callback is running. */
 static bool inPanel(const char *function) {
     const ImGuiContext *c = ImGui::GetCurrentContext();
@@ -460,6 +462,14 @@ void MEAPI RPanelText(const char *text) {
         const char *begin = utf8(text, &end);
         ImGui::TextUnformatted(begin, end);
     }
+}
+
+void MEAPI RPanelWrapped(const char *text) {
+    if (!canShow(__func__, text, "text"))
+        return;
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + listWidth * ImGui::GetFontSize());
+    RPanelText(text);
+    ImGui::PopTextWrapPos();
 }
 
 void MEAPI RPanelHeading(const char *text) {
@@ -553,7 +563,8 @@ void MEAPI RPanelPicture(int texture, AcmeReal width, AcmeReal height) {
 void MEAPI RPanelListBegin(const char *name, int lines) {
     if (canShow(__func__, name, "name"))
         ImGui::BeginChild(
-            name, ImVec2(15 * ImGui::GetFontSize(), static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing()),
+            name,
+            ImVec2(listWidth * ImGui::GetFontSize(), static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing()),
             true);
 }
 
