@@ -144,6 +144,7 @@ typedef struct {
 struct RGraphicPart {
     RKind kind;
     RRender *owner;   /* In whose list it is; null for none. */
+    int number;       /* In the order in which graphics first came into the lists of a context, from 1. */
     bool is2D;        /* Which list. */
     bool warned;      /* Its bad transform or vertices have been told. */
     AcmeReal side;    /* rGround: length of its side. */
@@ -401,6 +402,7 @@ struct RViewer {
     struct RDraw *draw;
     int width, height; /* Pixels. */
     RGraphic *last3D, *last2D;
+    int graphicsListed;
     RGraphic *sky;
     R_ARRAY(RLineSegment) lines;      /* RLineAdd's. */
     R_ARRAY(RLineSegment) debugLines; /* MeDebugDrawAPI's, since the last tick began. */

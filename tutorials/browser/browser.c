@@ -1,6 +1,8 @@
 /* All tutorials in one window: a panel with categories in the order of learning, search, next, previous and restart.
  *
- *     browser [NAME] [options of the viewer]
+ *     browser [NAME] [-tour] [options of the viewer]
+ *
+ * With -tour, a tutorial that ends (-frames) is followed by the next one, up to the last.
  *
  * Each tutorial is a program of its own. The browser loads it as a module, calls its main, and lets it go again; what
  * it has handed to atexit runs then. Three things are another's here, by the linker's --wrap: exit() of a tutorial
@@ -45,6 +47,7 @@ enum { CATEGORIES = sizeof category / sizeof category[0] };
 
 static int order[COUNT]; /* of tutorials, as the categories have them */
 static int here, next = NONE;
+static MeBool isTour;
 static char search[32];
 static int programArgc;
 static const char **programArgv;
@@ -247,14 +250,25 @@ RRender *MEAPI __wrap_RRenderContextCreate(MeCommandLineOptions *options, MeComm
 
 /* ---- start ------------------------------------------------------------------------------------------------------- */
 
-/* A name as the first argument is the browser's; the rest goes to every tutorial. */
-static int firstOf(int argc, const char **argv) {
-    if (argc < 2 || argv[1][0] == '-')
-        return order[0];
-    const int which = find(argv[1], strlen(argv[1]));
-    for (int i = 1; i + 1 < argc; i++)
-        argv[i] = argv[i + 1];
+static void takeArgument(int which) {
+    for (int i = which; i + 1 < programArgc; i++)
+        programArgv[i] = programArgv[i + 1];
     programArgc--;
+}
+
+/* A name as the first argument, and -tour, are the browser's; the rest goes to every tutorial. */
+static int firstOf(void) {
+    int which = order[0];
+    for (int i = 1; i < programArgc; i++)
+        if (strcmp(programArgv[i], "-tour") == 0) {
+            isTour = METRUE;
+            takeArgument(i);
+            break;
+        }
+    if (programArgc > 1 && programArgv[1][0] != '-') {
+        which = find(programArgv[1], strlen(programArgv[1]));
+        takeArgument(1);
+    }
     return which;
 }
 
@@ -265,7 +279,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
         MeWarning(1, "browser: the categories do not have every tutorial once");
         return 1;
     }
-    here = firstOf(argc, argv);
+    here = firstOf();
     if (here == NONE) {
         MeWarning(1, "browser: there is no tutorial of this name");
         return 2;
@@ -275,6 +289,8 @@ int MEAPI_CDECL main(int argc, const char **argv) {
         next = NONE;
         if (!runTutorial(here))
             break;
+        if (isTour && next == NONE && placeOf(here) + 1 < COUNT)
+            next = order[placeOf(here) + 1];
         here = next == NONE ? here : next;
     } while (next != NONE);
     return exitCode;
