@@ -212,6 +212,7 @@ static void freeState(RRender *rc) {
     r_linesFree(rc);
     r_menusFree(rc);
     r_helpFree(&v->help);
+    r_filmEnd(rc);
     r_panelsFree(rc);
     r_panelListFree(&v->panelList);
     r_overlayFree(&v->overlay);

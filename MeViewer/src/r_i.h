@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "MeAssert.h"
 #include "MeMemory.h"
@@ -386,6 +387,18 @@ int64_t r_now(void);                     /* Nanoseconds of a clock that only goe
 void r_pictureFrame(RRender *rc); /* What F2 and -every ask for in this frame. */
 void r_pictureEnd(RRender *rc);   /* What -screenshot asks for, and what an off-screen run writes anyway. */
 
+/* ---- A film of a run (r_film.c) ---- */
+
+typedef struct {
+    FILE *pipe; /* To ffmpeg; null before the first picture, and after the last. */
+    int width, height, pictures;
+    int lastTick; /* That has a picture. */
+    bool ended;
+} RFilm;
+
+void r_filmFrame(RRender *rc);
+void r_filmEnd(RRender *rc);
+
 /* ---- Drawing (r_draw.c) ---- */
 
 struct RDraw;
@@ -414,6 +427,7 @@ struct RViewer {
     RHelp help;
     RHelpLayout helpLayout;
     RLoop loop;
+    RFilm film;
     ROverlay overlay;
     struct RPanels *panels; /* Null unless something is drawn. */
     RPanelList panelList;   /* RPanelCreate's. */
