@@ -3,6 +3,7 @@
  *  graphics of collision geometries. It brings along Mst.h and MeViewer.h.
  *
  *      MeApp *app = MeAppCreateFromUniverse(universe, rc);
+ *      MeAppCreateControls(app);               // the mouse, F, Space, panels; or the mouse alone:
  *      RRenderSetMouseCallBack(rc, MeAppMousePickCB, app);
  *      MeAppDrawContactsInit(app, yellow, 500);
  *      ...

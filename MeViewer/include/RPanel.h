@@ -66,6 +66,8 @@ MEPUBLIC MeBool MEAPI RPanelChoice(const char *label, int *which, const char *co
 MEPUBLIC MeBool MEAPI RPanelEdit(const char *label, char *text, int size);
 /** A line of a list, to be clicked. */
 MEPUBLIC MeBool MEAPI RPanelLine(const char *text, MeBool marked);
+/** Is the pointer on what was asked last? */
+MEPUBLIC MeBool MEAPI RPanelIsPointedAt(void);
 /** A title that opens and closes what follows: is it open? */
 MEPUBLIC MeBool MEAPI RPanelSection(const char *title);
 /** @} */

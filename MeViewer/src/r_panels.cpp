@@ -535,6 +535,10 @@ MeBool MEAPI RPanelLine(const char *text, MeBool marked) {
     return canShow(__func__, text, "text") && ImGui::Selectable(text, marked != 0);
 }
 
+MeBool MEAPI RPanelIsPointedAt(void) {
+    return inPanel(__func__) && ImGui::IsItemHovered();
+}
+
 MeBool MEAPI RPanelSection(const char *title) {
     return canShow(__func__, title, "title") && ImGui::CollapsingHeader(title);
 }

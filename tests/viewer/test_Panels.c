@@ -7,7 +7,7 @@
 #include "r_i.h"
 
 static RRender *rc;
-static int shows, presses, mouseCalls;
+static int shows, presses, mouseCalls, pointed;
 static MeReal value;
 static char edited[16];
 
@@ -63,6 +63,7 @@ static void MEAPI showButton(RRender *r, void *userdata) {
     ck_assert_ptr_eq(userdata, &shows);
     shows++;
     presses += RPanelButton("a button") != 0;
+    pointed = RPanelIsPointedAt() != 0;
 }
 
 static void MEAPI showSlider(RRender *r, void *userdata) {
@@ -112,7 +113,9 @@ START_TEST(a_click_is_a_panels_or_the_programs) {
     click(40, 104);
     ck_assert_int_eq(presses, 1);
     ck_assert_int_eq(mouseCalls, 0);
+    ck_assert_int_eq(pointed, 1);
     click(480, 500);
+    ck_assert_int_eq(pointed, 0);
     ck_assert_int_eq(presses, 1);
     ck_assert_int_eq(mouseCalls, 2);
     point(rMouseDown, 480, 500); /* A drag that begins outside stays outside. */

@@ -158,7 +158,7 @@ void __wrap_glutDestroyWindow(int which) {
     (void)which;
 }
 
-/* ---- the panel --------------------------------------------------------------------------------------------------- */
+/* ---- the panel: what may be chosen, and a picture and a sentence of what the pointer is on ---------------------- */
 
 static void choose(RRender *rc, int which) {
     next = which;
@@ -169,14 +169,17 @@ static MeBool matches(const Tutorial *t) {
     return strcasestr(t->name, search) || strcasestr(t->text, search);
 }
 
-static void showLine(RRender *rc, int which) {
+/* Is the pointer on it? */
+static MeBool showLine(RRender *rc, int which) {
     if (RPanelLine(tutorial[which].name, which == here))
         choose(rc, which);
+    return RPanelIsPointedAt();
 }
 
-static void showList(RRender *rc) {
-    enum { LINES = 12 };
-    int place = 0;
+/* Returns the tutorial that the pointer is on, or the one that runs. */
+static int showList(RRender *rc) {
+    enum { LINES = 10 };
+    int place = 0, pointed = here;
     RPanelListBegin("tutorials", LINES);
     for (int c = 0; c < CATEGORIES; c++) {
         MeBool isTitled = MEFALSE;
@@ -185,13 +188,15 @@ static void showList(RRender *rc) {
                 if (!isTitled)
                     RPanelHeading(category[c].title);
                 isTitled = METRUE;
-                showLine(rc, order[place]);
+                if (showLine(rc, order[place]))
+                    pointed = order[place];
             }
             at += strcspn(at, " ");
             at += strspn(at, " ");
         }
     }
     RPanelListEnd();
+    return pointed;
 }
 
 static void MEAPI show(RRender *rc, void *userdata) {
@@ -206,11 +211,12 @@ static void MEAPI show(RRender *rc, void *userdata) {
     RPanelSameLine();
     if (RPanelButton("next >"))
         choose(rc, order[(place + 1) % COUNT]);
-    snprintf(text, sizeof text, "%s, %d of %d", tutorial[here].name, place + 1, COUNT);
-    RPanelHeading(text);
-    RPanelWrapped(tutorial[here].text);
     RPanelEdit("search", search, sizeof search);
-    showList(rc);
+    const int pointed = showList(rc);
+    snprintf(text, sizeof text, "%s, %d of %d", tutorial[pointed].name, placeOf(pointed) + 1, COUNT);
+    RPanelHeading(text);
+    RPanelPicture(RRenderTextureCreate(rc, tutorial[pointed].name), 16, 10);
+    RPanelWrapped(tutorial[pointed].text);
 }
 
 static void MEAPI toNext(RRender *rc, void *userdata) {
