@@ -64,7 +64,7 @@ MEPUBLIC MeBool MEAPI RPanelWhole(const char *label, int *value, int low, int hi
 MEPUBLIC MeBool MEAPI RPanelChoice(const char *label, int *which, const char *const names[], int count);
 /** A text of at most @a size bytes, its end included. Letters arrive in lower case. */
 MEPUBLIC MeBool MEAPI RPanelEdit(const char *label, char *text, int size);
-/** A line of a list, to be clicked. */
+/** A line of a list, to be clicked. A list that is new is scrolled to a line that is marked. */
 MEPUBLIC MeBool MEAPI RPanelLine(const char *text, MeBool marked);
 /** Is the pointer on what was asked last? */
 MEPUBLIC MeBool MEAPI RPanelIsPointedAt(void);

@@ -56,15 +56,12 @@ void MEAPI RPanelShow(RRender *rc, const char *title, MeBool shown) {
     p->shown = p->pinned = shown != 0;
 }
 
-/* F9: what is seen is hidden; where nothing is, all are shown. */
+/* F9: shows all; then hides them, those that RPanelShow has shown too. */
 void r_panelsToggle(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
-    bool isAny = v->panelsShown;
-    for (size_t i = 0; i < v->panelList.count; i++) {
-        isAny |= v->panelList.items[i].pinned;
+    v->panelsShown = !v->panelsShown;
+    for (size_t i = 0; !v->panelsShown && i < v->panelList.count; i++)
         v->panelList.items[i].pinned = false;
-    }
-    v->panelsShown = !isAny;
 }
 
 void r_panelListFree(RPanelList *list) {
@@ -121,6 +118,32 @@ static void check(const char *label, bool *value) {
         *value = on != 0;
 }
 
+/* The keys that a line of the help names before its text, as buttons that press them; then the text. */
+static void showLine(RRender *rc, const char *line) {
+    const char *end = strstr(line, " - ");
+    int keys = 0;
+    for (const char *at = line; end && at < end; at++) {
+        const size_t length = *at == '$' ? strspn(at + 1, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789") : 0;
+        char name[24], label[64], keyName[32];
+        if (length == 0 || length + 2 > sizeof name)
+            continue;
+        snprintf(name, sizeof name, "%.*s", (int)length + 1, at);
+        RParseText(rc, name, keyName, sizeof keyName);
+        const int key = r_keyByName(keyName, strlen(keyName));
+        if (key == RKEY_NONE)
+            continue; /* The mouse, or no variable. */
+        snprintf(label, sizeof label, "%s##%p", keyName, (const void *)at);
+        if (RPanelButton(label)) {
+            r_post(rc, (REvent){.kind = rKeyDown, .key = key});
+            r_post(rc, (REvent){.kind = rKeyUp, .key = key});
+        }
+        RPanelSameLine();
+        keys++;
+    }
+    if (keys)
+        RPanelText(end + 3);
+}
+
 static void showViewer(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
     showRun(rc);
@@ -130,6 +153,9 @@ static void showViewer(RRender *rc) {
         r_barToggle(rc);
     check("wireframe (F4)", &v->wireframe);
     check("shadows (F5)", &v->shadows);
+    if (v->help.lines.count && RPanelSection("This program's keys"))
+        for (size_t i = 0; i < v->help.lines.count; i++)
+            showLine(rc, v->help.lines.items[i]);
     if (v->panelList.count)
         RPanelHeading("Panels");
     for (size_t i = 0; i < v->panelList.count; i++)

@@ -532,7 +532,12 @@ MeBool MEAPI RPanelEdit(const char *label, char *text, int size) {
 }
 
 MeBool MEAPI RPanelLine(const char *text, MeBool marked) {
-    return canShow(__func__, text, "text") && ImGui::Selectable(text, marked != 0);
+    if (!canShow(__func__, text, "text"))
+        return MEFALSE;
+    const bool clicked = ImGui::Selectable(text, marked != 0);
+    if (marked && ImGui::IsWindowAppearing())
+        ImGui::SetScrollHereY();
+    return clicked;
 }
 
 MeBool MEAPI RPanelIsPointedAt(void) {

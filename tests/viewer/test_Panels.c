@@ -92,6 +92,16 @@ START_TEST(f9_shows_panels_and_hides_them) {
     RPanelShow(rc, "Mine", 1);
     frame();
     ck_assert_int_gt(shows, before);
+    tap(RKEY_F9); /* They were all shown. */
+    const int hidden = shows;
+    frame();
+    ck_assert_int_eq(shows, hidden);
+    RPanelShow(rc, "Mine", 1); /* Alone; F9 shows the others. */
+    frame();
+    ck_assert_int_gt(shows, hidden);
+    ck_assert(!rc->m_pViewer->panelsShown);
+    tap(RKEY_F9);
+    ck_assert(rc->m_pViewer->panelsShown);
 }
 END_TEST
 
@@ -277,6 +287,28 @@ START_TEST(marks_are_where_the_camera_sees_their_places) {
 }
 END_TEST
 
+static int actions;
+
+static void MEAPI onAction(RRender *r, void *userdata) {
+    (void)r, (void)userdata;
+    actions++;
+}
+
+/* In the viewer's panel: a click on the section opens it, then one on the first button in it presses the key. */
+START_TEST(the_programs_keys_are_buttons_too) {
+    char *help[] = {"$ACTION2 - start again", "Just a sentence."};
+    RRenderCreateUserHelp(rc, help, 2);
+    RRenderSetActionNCallBack(rc, 2, onAction);
+    tap(RKEY_F9);
+    actions = 0;
+    for (int y = 30; y < 400 && actions == 0; y += 8) {
+        click(690, y);
+        rc->m_bPause = 0;
+    }
+    ck_assert_int_eq(actions, 1);
+}
+END_TEST
+
 START_TEST(a_panel_may_go) {
     RPanelCreate(rc, "Mine", showButton, &shows);
     RPanelCreate(rc, "Other", showSlider, NULL);
@@ -317,6 +349,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, the_mouse_works_a_menu);
     tcase_add_test(t, a_menu_may_go_after_a_click);
     tcase_add_test(t, marks_are_where_the_camera_sees_their_places);
+    tcase_add_test(t, the_programs_keys_are_buttons_too);
     tcase_add_test(t, a_panel_may_go);
     tcase_add_test(t, bad_input);
 }
