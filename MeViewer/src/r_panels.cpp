@@ -26,10 +26,10 @@ static const float ems[] = {13, 15, 11.5f, 10, 8.7f, 18.75f};
 
 struct RPanels {
     ImGuiContext *context;
-    float fontScale;      // That the atlas was made for; 0 for none.
-    int fontVersion;      // Counts the atlases.
-    unsigned held, taken; // Mouse buttons, a bit each: down; down for a panel.
-    unsigned pressed;     // Went down since the last frame, which has to see it even if it is up again.
+    float fontScale;       // That the atlas was made for; 0 for none.
+    int fontVersion;       // Counts the atlases.
+    unsigned taken;        // Mouse buttons, a bit each, that went down for a panel.
+    R_ARRAY(REvent) mouse; // What ImGui has not seen yet: of each picture it learns one press or release.
     int64_t lastFrame;
     bool released[RKEY_COUNT]; // Keys that went up since the last frame, which has to see them down.
     ImGuiContext *before;      // The program's own, while a frame is made.
@@ -85,6 +85,7 @@ void r_panelsFree(RRender *rc) {
     ImGuiContext *before = ImGui::GetCurrentContext();
     ImGui::DestroyContext(p->context);
     ImGui::SetCurrentContext(before == p->context ? nullptr : before);
+    r_free(p->mouse.items);
     r_free(p);
     rc->m_pViewer->panels = nullptr;
 }
@@ -249,6 +250,27 @@ void r_uiTriangle(const RCorner corners[3], int texture, const float color[4]) {
 
 /* ---- A frame ---- */
 
+static int buttonIndex(int which) {
+    return which == kRLeftButton ? 0 : which == kRRightButton ? 1 : 2;
+}
+
+/* ImGui is told the state of the buttons and no events: two clicks in one slow frame would be none, or one. So it
+ * learns of one press or release at a time, and of all moves before. */
+static void feedMouse(RPanels *p, ImGuiIO &io) {
+    size_t n = 0;
+    bool changed = false;
+    while (n < p->mouse.count && !changed) {
+        const REvent *e = &p->mouse.items[n++];
+        io.MousePos = ImVec2(static_cast<float>(e->x), static_cast<float>(e->y));
+        changed = e->kind != rMouseMove;
+        if (changed)
+            io.MouseDown[buttonIndex(e->which)] = e->kind == rMouseDown;
+    }
+    p->mouse.count -= n;
+    if (p->mouse.count)
+        memmove(p->mouse.items, p->mouse.items + n, p->mouse.count * sizeof *p->mouse.items);
+}
+
 void r_panelsBegin(RRender *rc) {
     const struct RViewer *v = rc->m_pViewer;
     RPanels *p = v->panels;
@@ -263,9 +285,7 @@ void r_panelsBegin(RRender *rc) {
         io.DeltaTime = fmaxf(static_cast<float>(now - p->lastFrame) * 1e-9f, 1e-4f);
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     p->lastFrame = now;
-    for (unsigned i = 0; i < 3; i++)
-        io.MouseDown[i] = ((p->held | p->pressed) >> i & 1) != 0;
-    p->pressed = 0;
+    feedMouse(p, io);
     ImGui::NewFrame();
 }
 
@@ -344,34 +364,26 @@ static bool takeKey(ImGuiIO &io, const REvent *e) {
     return true;
 }
 
-static unsigned buttonBit(int which) {
-    return which == kRLeftButton ? 1u : which == kRRightButton ? 2u : 4u;
-}
-
 bool r_panelsTake(RRender *rc, const REvent *e) {
     RPanels *p = rc->m_pViewer->panels;
     if (!p)
         return false;
     const Within within(p);
     ImGuiIO &io = ImGui::GetIO();
-    const unsigned bit = buttonBit(e->which);
+    const unsigned bit = 1u << buttonIndex(e->which);
     const float x = static_cast<float>(e->x), y = static_cast<float>(e->y);
+    if ((e->kind == rMouseDown || e->kind == rMouseUp || e->kind == rMouseMove) && r_grow(p->mouse, 1))
+        p->mouse.items[p->mouse.count++] = *e;
     bool taken;
     switch (e->kind) {
     case rMouseDown:
-        io.MousePos = ImVec2(x, y);
-        p->held |= bit;
-        p->pressed |= bit;
         p->taken |= isOver(p, x, y) ? bit : 0;
         return (p->taken & bit) != 0;
     case rMouseUp:
-        io.MousePos = ImVec2(x, y);
         taken = (p->taken & bit) != 0;
-        p->held &= ~bit;
         p->taken &= ~bit;
         return taken;
     case rMouseMove:
-        io.MousePos = ImVec2(x, y);
         return p->taken != 0;
     case rWheel:
         if (!isOver(p, x, y))

@@ -31,13 +31,22 @@ static void sayIfNew(const char *what, double now, double *before) {
 }
 
 static void MEAPI tick(RRender *context) {
-    static double selected, bodies, gravity, distance, angle, held;
+    static double selected, bodies, gravity, distance, angle, held, substeps, solver, budget, sleeps, friction,
+        restitution, report;
+    const MdtContactParamsID params = MstBridgeGetContactParams(u->bridge, 0, 0);
     MeVector3 g;
     MdtWorldGetGravity(u->world, g);
     sayIfNew("selected", MeAppGetSelected(app) != 0, &selected);
     sayIfNew("held", app->pick.model != 0, &held);
     sayIfNew("bodies", MdtWorldGetTotalBodies(u->world), &bodies);
     sayIfNew("gravity", (double)g[1], &gravity);
+    sayIfNew("substeps", MdtWorldGetSubSteps(u->world), &substeps);
+    sayIfNew("solver", MdtWorldGetSolver(u->world), &solver);
+    sayIfNew("budget", (double)MdtWorldGetWorkBudget(u->world), &budget);
+    sayIfNew("sleeps", MdtWorldGetAutoDisable(u->world), &sleeps);
+    sayIfNew("friction", (double)MdtContactParamsGetPrimaryFrictionCoeffecient(params), &friction);
+    sayIfNew("restitution", (double)MdtContactParamsGetRestitution(params), &restitution);
+    sayIfNew("report", MdtWorldReportIsEnabled(u->world), &report);
     sayIfNew("distance", (double)RCameraGetDistance(context), &distance);
     sayIfNew("angle", (double)RCameraGetRotation(context), &angle);
     MeAppStep(app);

@@ -139,6 +139,22 @@ START_TEST(a_click_is_a_panels_or_the_programs) {
 }
 END_TEST
 
+/* A slow machine sees several clicks in one frame: none is lost, and none is two. */
+START_TEST(clicks_in_one_frame_are_all_counted) {
+    RPanelCreate(rc, "Mine", showButton, &shows);
+    tap(RKEY_F9);
+    for (int i = 0; i < 3; i++) {
+        r_post(rc, (REvent){.kind = rMouseMove, .x = 480, .y = 500});
+        r_post(rc, (REvent){.kind = rMouseMove, .x = 40, .y = 104});
+        r_post(rc, (REvent){.kind = rMouseDown, .which = kRLeftButton, .x = 40, .y = 104});
+        r_post(rc, (REvent){.kind = rMouseUp, .which = kRLeftButton, .x = 40, .y = 104});
+    }
+    for (int i = 0; i < 8; i++)
+        frame();
+    ck_assert_int_eq(presses, 3);
+}
+END_TEST
+
 START_TEST(a_slider_follows_the_mouse) {
     RPanelCreate(rc, "Mine", showSlider, NULL);
     tap(RKEY_F9);
@@ -344,6 +360,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, f9_shows_panels_and_hides_them);
     tcase_add_test(t, f9_is_never_in_vain);
     tcase_add_test(t, a_click_is_a_panels_or_the_programs);
+    tcase_add_test(t, clicks_in_one_frame_are_all_counted);
     tcase_add_test(t, a_slider_follows_the_mouse);
     tcase_add_test(t, what_is_written_is_not_a_key);
     tcase_add_test(t, the_mouse_works_a_menu);
