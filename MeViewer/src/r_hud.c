@@ -69,13 +69,16 @@ static void drawBar(RRender *rc) {
         drawTriangles2D(rc, rc->m_pPerformanceBar->m_pTicks);
 }
 
-/* Small text on a small panel, with its left or right edge at x. */
+/* Small text on a small panel, with its left or right edge at x; in several lines, if the window is too narrow. */
 static void label(RRender *rc, float x, float bottom, bool right, const char *text) {
     const float scale = r_uiScale(rc), size = 13 * scale, pad = 6 * scale;
-    const float width = r_uiTextSize(text, size, 0, NULL) + 2 * pad, height = 1.2f * size + pad;
+    const float wrap = (float)rc->m_pViewer->width - 32 * scale;
+    float height;
+    const float width = r_uiTextSize(text, size, wrap, &height) + 2 * pad;
+    height += pad;
     const float left = roundf(right ? x - width : x), top = roundf(bottom - height);
     r_uiBox(left, top, roundf(width), roundf(height), 4 * scale, r_panel);
-    r_uiText(left + pad, roundf(top + 0.5f * pad + 0.95f * size), size, 0, rTextPlain, r_white, text);
+    r_uiText(left + pad, roundf(top + 0.5f * pad + 0.95f * size), size, wrap, rTextPlain, r_white, text);
 }
 
 static void drawLabels(RRender *rc) {

@@ -144,6 +144,27 @@ START_TEST(help_fits_any_window) {
 }
 END_TEST
 
+/* A status line that is longer than the window is wide goes on in another line: nothing is cut. */
+START_TEST(a_status_line_is_never_cut) {
+    static const char *const sizes[] = {"-null -size 320x240", "-null -size 960x600", "-null -size 480x300"};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        RRender *own = make_context(sizes[i]);
+        const ROverlay *o = &own->m_pViewer->overlay;
+        RRenderSetStatusText(own,
+                             "joints open at most 0.0000 mm    limits passed by 0.0002 rad, now by 0.0000    lowest "
+                             "head at 4.97 m    awake 88    motion 4059.40 J");
+        ck_assert(r_panelsStart(own));
+        r_hudDraw(own, &own->m_pViewer->overlay);
+        ck_assert_uint_gt(o->vertices.count, 400); /* Four for each letter. */
+        for (size_t k = 0; k < o->vertices.count; k++) {
+            ck_assert(o->vertices.items[k].x >= 0 && o->vertices.items[k].x <= (float)own->m_pViewer->width);
+            ck_assert(o->vertices.items[k].y >= 0 && o->vertices.items[k].y <= (float)own->m_pViewer->height);
+        }
+        RRenderContextDestroy(own);
+    }
+}
+END_TEST
+
 /* A key and its text are divided by the first " - ", and by ": " only in a line without that. */
 START_TEST(help_lines_are_not_split_at_a_colon_in_their_text) {
     static const char *const one[] = {"$ACTION1 - start: again"}, *const other[] = {"Space\tstart: again"};
@@ -200,6 +221,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, characters);
     tcase_add_test(t, widths);
     tcase_add_test(t, help_fits_any_window);
+    tcase_add_test(t, a_status_line_is_never_cut);
     tcase_add_test(t, help_lines_are_not_split_at_a_colon_in_their_text);
     tcase_add_test(t, help_of_all_kinds);
     tcase_add_test(t, toggling_help_toggles_pause);
