@@ -10,10 +10,10 @@
  *
  *  F9 shows and hides all panels; the viewer's own one, "Viewer", says which of them are seen. A panel belongs to its
  *  context. Its function is called in every frame in which the panel is seen, before or after the tick but never in it;
- *  it may change the simulation, but neither destroy the context nor end the program. The functions that begin with
- *  RPanel, but for RPanelCreate, RPanelDestroy and RPanelShow, may be called by such a function only (else a warning
- *  and 0); labels within a panel must differ, and what follows "##" in one is not seen. With -null no panel is ever
- *  seen.
+ *  it may change the simulation, but neither destroy the context (which gets a warning) nor end the program. The
+ *  functions that begin with RPanel, but for RPanelCreate, RPanelDestroy and RPanelShow, may be called by such a
+ *  function only (else a warning and 0); labels within a panel must differ, and what follows "##" in one is not seen.
+ *  With -null no panel is ever seen.
  */
 #ifndef RPANEL_H
 #define RPANEL_H

@@ -226,6 +226,10 @@ int MEAPI RRenderContextDestroy(RRender *rc) {
     if (!r_isContext(rc, __func__))
         return 1;
     struct RViewer *v = rc->m_pViewer;
+    if (v->overlaying) {
+        MeWarning(1, "%s: not by the function of a panel or of marks: RRenderQuit ends the program", __func__);
+        return 1;
+    }
     if (v->backend) {
         if (v->backend->draws)
             r_drawStop(rc);

@@ -134,6 +134,8 @@ static bool drawAll(RRender *rc, ROverlay *overlay) {
 /* Off-screen there may be one picture only: a panel that is new in it has to be measured before. */
 void r_hudDraw(RRender *rc, ROverlay *overlay) {
     enum { TRIES = 3 };
+    rc->m_pViewer->overlaying = true;
     for (int i = 0; i < TRIES && !drawAll(rc, overlay);)
         i++;
+    rc->m_pViewer->overlaying = false;
 }

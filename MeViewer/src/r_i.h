@@ -434,6 +434,7 @@ struct RViewer {
     void(MEAPI *markFunc)(RRender *rc, void *userdata);
     void *markData;
     bool marking;            /* It is being called. */
+    bool overlaying;         /* A panel or marks may be called: the context has to stay. */
     int ownPanelSeen;        /* As RPanel::seen, of the viewer's own. */
     bool panelsShown;        /* F9. */
     int slow;                /* The tick is called in one of so many frames; 0 is 1. */

@@ -303,6 +303,22 @@ START_TEST(marks_are_where_the_camera_sees_their_places) {
 }
 END_TEST
 
+static void MEAPI destroy(RRender *r, void *userdata) {
+    (void)userdata;
+    shows++;
+    ck_assert_int_eq(RRenderContextDestroy(r), 1);
+}
+
+START_TEST(a_panel_cannot_destroy_its_context) {
+    RPanelCreate(rc, "Mine", destroy, NULL);
+    tap(RKEY_F9);
+    ck_assert_int_gt(shows, 0);
+    assert_warned("RRenderContextDestroy");
+    RPanelDestroy(rc, "Mine");
+    frame();
+}
+END_TEST
+
 static int actions;
 
 static void MEAPI onAction(RRender *r, void *userdata) {
@@ -367,6 +383,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_menu_may_go_after_a_click);
     tcase_add_test(t, marks_are_where_the_camera_sees_their_places);
     tcase_add_test(t, the_programs_keys_are_buttons_too);
+    tcase_add_test(t, a_panel_cannot_destroy_its_context);
     tcase_add_test(t, a_panel_may_go);
     tcase_add_test(t, bad_input);
 }
