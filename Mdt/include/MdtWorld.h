@@ -254,8 +254,8 @@ MEPUBLIC MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w);
 /** @} */
 
 /** @name Threads
- *  Who steps the world, and makes the contacts of a universe that it is part of: the thread that calls, and workers
- *  beside it. One worker, the calling thread, is the default. A step gives the same bits with any number of them.
+ *  Who steps the world: the thread that calls, and workers beside it. One worker, the calling thread, is the default.
+ *  A step gives the same bits with any number of them. Collision stays on the calling thread.
  *
  *  Functions of the program are called on the calling thread alone, one after the other. Two exceptions: the memory
  *  functions (MeMemory.h) are called by all workers at once where workers are more than one, and a fatal error is
@@ -266,8 +266,8 @@ MEPUBLIC MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w);
  *  @{ */
 /**
  * Tasks go to the program's job system.
- * @param workerCount 1 .. MeTaskMaxWorkers: how many threads work at once, the calling one included; 1 asks for no tasks
- *        any more
+ * @param workerCount 1 .. MeTaskMaxWorkers: how many threads work at once, the calling one included; with 1 there are
+ *        no tasks any more
  * @param enqueue, finish as MeTask.h says; null only for one worker. They are called on the calling thread.
  * @param userContext handed to both
  * Bad numbers and null functions warn, and nothing is changed; so does a call in the middle of a step.

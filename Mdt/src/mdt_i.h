@@ -298,7 +298,7 @@ MdtConstraintID mdt_constraintAfterOf(MdtBodyID b, MdtConstraintID c);
         return mdt_jointCast(c, TYPE, __func__);                                                                       \
     }
 
-/* What is wrong with contacts whose friction cannot act, or has no bound, unless they were set up like that; 0: nothing.
+/* What is wrong with a contact whose friction cannot act, or has no bound, unless it was set up like that; 0: nothing.
  * A warning of each problem, once a world. */
 int mdt_surfaceProblem(const MdtBclContactParams *params);
 void mdt_surfaceWarn(MdtWorldID w, int problems);

@@ -3,6 +3,7 @@
  *  graphics of collision geometries. It brings along Mst.h and MeViewer.h.
  *
  *      MeApp *app = MeAppCreateFromUniverse(universe, rc);
+ *      MeAppCreateControls(app);               // the mouse, F, Space, panels; or the mouse alone:
  *      RRenderSetMouseCallBack(rc, MeAppMousePickCB, app);
  *      MeAppDrawContactsInit(app, yellow, 500);
  *      ...
@@ -92,6 +93,32 @@ MEPUBLIC McdModelID MEAPI MeAppPickMcdModel(const MeApp *const app, int x, int y
 MEPUBLIC void MEAPI MeAppFindClickDir(const MeApp *const app, int x, int y, MeVector3 normClickDir);
 /** The point at a pixel, in the plane through the camera's look-at point that faces the camera. */
 MEPUBLIC void MEAPI MeAppFindClickPos(const MeApp *const app, int x, int y, MeVector3 clickPos);
+/** @} */
+
+/** @name Controls
+ *  What the user of a demonstration program may expect, in one call. Additions to the 1.2 interface.
+ *  @{ */
+/**
+ * The mouse pulls models (MeAppMousePickCB) and its drag turns the camera where there is none; F frames the model that
+ * was clicked last; Space, where the program has no use for it, throws a ball (MeAppThrowBall); and F9 shows panels:
+ * "Simulation" (gravity, sub-steps, solver, budget, sleep, materials), "Report" (the world's report over time: it is
+ * switched on while the panel is seen), "Inspector" (the model that was clicked last) and "Layers" (MeAppSetLayers).
+ * MeAppStep has to be called before each step. A second call does nothing.
+ */
+MEPUBLIC void MEAPI MeAppCreateControls(MeApp *app);
+/** What is drawn over the picture to explain it: a sum of MstDebugLayer (MstDebugDraw.h); 0, as at first, nothing. */
+MEPUBLIC void MEAPI MeAppSetLayers(MeApp *app, unsigned int layers);
+/** The model that was clicked last; null if there is none, or it is no longer in the space. */
+MEPUBLIC McdModelID MEAPI MeAppGetSelected(const MeApp *app);
+/** Moves the camera to where the model that was clicked last, else all models with bodies, fill a third of the
+ *  picture's height. */
+MEPUBLIC void MEAPI MeAppFrameSelected(MeApp *app);
+/**
+ * Throws a ball from the camera along its line of sight: its radius is a quarter of a length scale, its density that of
+ * water for a mass scale of a kilogram, its speed 20 length scales a second. There are eight; then the first one is
+ * thrown again. Null without a universe, silently, or if there is no room, with a warning.
+ */
+MEPUBLIC McdModelID MEAPI MeAppThrowBall(MeApp *app);
 /** @} */
 
 ME_END_C

@@ -19,7 +19,9 @@ typedef struct MeAppMousePickInfo {
     MeVector3 relative; /**< Where it is held, in the body's frame. */
     MeVector3 target;   /**< Where it is pulled to, world frame: under the mouse, as deep in the picture as it was. */
     int x, y;           /**< The mouse, pixels from the window's upper left corner, y down. */
-    RNativeLine *line;  /**< The spring. In the context's list while something is held. */
+    RNativeLine
+        *line;    /**< The spring, the redder the harder it pulls. In the context's list while something is held. */
+    MeReal force; /**< N, with which it has pulled last. */
 } MeAppMousePickInfo;
 
 /** How contacts are drawn. */
@@ -43,6 +45,8 @@ typedef struct MeApp {
     };
     MeBool drawContacts;            /**< Are contacts drawn? MeAppDrawContactsInit and MeAppToggleDrawContacts say. */
     MeAppContactDrawInfo *contacts; /**< Never null. */
+    McdModelID selected; /**< What was clicked last, or null: MeAppGetSelected says whether it is still there. */
+    struct MeAppControls *controls; /**< Null before MeAppCreateControls. */
 } MeApp;
 
 ME_END_C

@@ -95,6 +95,7 @@ void MEAPI MeAppDestroy(MeApp *const app) {
         meapp_contactsFree(app->contacts);
         MeMemoryAPI.destroy(app->contacts);
     }
+    meapp_controlsFree(app);
     MeMemoryAPI.destroy(app);
 }
 
@@ -107,4 +108,6 @@ void MEAPI MeAppStep(MeApp *app) {
         return;
     MeAppUpdateMouseSpring(app);
     MeAppDrawContacts(app);
+    if (app->controls)
+        meapp_sampleReport(app);
 }

@@ -131,8 +131,25 @@ static void press(MeApp *app) {
     MeVector3 dir, pos;
     release(app);
     const McdModelID model = MeAppPickMcdModel(app, app->pick.x, app->pick.y, dir, pos, isOrthographic(app->rc));
-    if (model && McdModelGetBody(model))
+    if (model && McdModelGetBody(model)) {
         hold(app, model, pos);
+        app->selected = model;
+    } else if (app->controls) {
+        RRenderLeaveMouse(app->rc);
+    }
+}
+
+/* A model that was destroyed is no handle any more: it is looked for. */
+McdModelID MEAPI MeAppGetSelected(const MeApp *app) {
+    McdSpaceModelIterator it;
+    McdModelID m;
+    if (!meapp_check(app, "MeAppGetSelected") || !app->selected)
+        return 0;
+    McdSpaceModelIteratorBegin(app->space, &it);
+    while (McdSpaceGetModel(app->space, &it, &m))
+        if (m == app->selected)
+            return m;
+    return 0;
 }
 
 void MEAPI MeAppMousePickCB(RRender *rc, int x, int y, int modifiers, RMouseButtonWhich which, RMouseButtonEvent event,
@@ -224,7 +241,14 @@ static void slowRotation(MdtBodyID b) {
     MdtBodyAddTorque(b, -SPIN_RATE * t[0], -SPIN_RATE * t[1], -SPIN_RATE * t[2]);
 }
 
-static void pull(const MeApp *app, const MeVector3 at) {
+/* From steel to red: how much of the greatest length the spring has. */
+static void colorLine(const MeApp *app, MeReal part) {
+    const float t = part < 1 ? (float)part : 1;
+    const AcmeReal color[4] = {.15f + .75f * t, .17f * (1 - t) + .1f * t, .20f * (1 - t) + .1f * t, 1};
+    RNLineSetColor(app->pick.line, color);
+}
+
+static void pull(MeApp *app, const MeVector3 at) {
     const MdtBodyID b = app->pick.body;
     const MeReal longest = 4 * app->lengthScale;
     MeVector3 stretch, f;
@@ -234,6 +258,8 @@ static void pull(const MeApp *app, const MeVector3 at) {
         MeVector3Scale(stretch, longest / length);
     springForce(b, at, stretch, f);
     MdtBodyAddForceAtPosition(b, f[0], f[1], f[2], at[0], at[1], at[2]);
+    app->pick.force = MeVector3Magnitude(f);
+    colorLine(app, length / longest);
     slowRotation(b);
 }
 

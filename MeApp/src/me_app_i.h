@@ -21,4 +21,24 @@ void meapp_lineHide(RNativeLine *line);
 /* Frees the lines of the contacts. */
 void meapp_contactsFree(MeAppContactDrawInfo *info);
 
+/* What MeAppCreateControls made. */
+enum { MEAPP_BALLS = 8, MEAPP_HISTORY = 120, MEAPP_PLOTS = 9 };
+typedef struct MeAppControls {
+    McdModelID balls[MEAPP_BALLS];
+    MeU64 ballSerials[MEAPP_BALLS]; /* Another model may come to be in the same place. */
+    int thrown;
+    MeReal gravity[3]; /* Its direction, while it is 0. */
+    int material[2], partition;
+    int figuresSeen; /* Frames that the report is still wanted for. */
+    MeBool reportIsOurs;
+    unsigned int layers; /* MstDebugLayer */
+    float history[MEAPP_PLOTS][MEAPP_HISTORY];
+} MeAppControls;
+
+/* The report of the step before, for the plots (MeAppPanels.c). */
+void meapp_sampleReport(MeApp *app);
+void meapp_createPanels(MeApp *app);
+/* Takes keys, panels and layers from the context again. */
+void meapp_controlsFree(MeApp *app);
+
 #endif

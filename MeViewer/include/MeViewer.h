@@ -352,9 +352,10 @@ MEPUBLIC int MEAPI RGraphicSetTexture(RRender *rc, RGraphic *rg, const char *fil
 
 /** @name Controls
  *  The viewer's own keys: F1 help and pause, F2 a picture NAME-0001.png into the working directory, F3 performance
- *  bar, F4 wireframe, F5 shadows, F9 menu, P pause, O or . one step, Escape or Q quit, PageUp and PageDown zoom,
- *  Ctrl and arrows turn the camera, Home the first view. The mouse: dragging turns the camera; with the middle button,
- *  or Shift, it moves it; with the right button, or the wheel, it zooms. Upper and lower case are the same.
+ *  bar, F4 wireframe, F5 shadows, F9 menu and panels (RPanel.h), P pause, O or . one step, Escape or Q quit, PageUp and
+ *  PageDown zoom, Ctrl and arrows turn the camera, Home the first view. The mouse: dragging turns the camera; with the
+ *  right or the middle button, or Shift, it moves it; the wheel zooms to the pointer. What begins on a panel is the
+ *  panel's. Upper and lower case are the same.
  *
  *  The program's: eight direction buttons (arrow keys; w s a d for the second four), actions and the mouse.
  *
@@ -365,7 +366,8 @@ MEPUBLIC int MEAPI RGraphicSetTexture(RRender *rc, RGraphic *rg, const char *fil
  *  it. Keys of the actions: 1 Space, 2 Enter, 3 to 5 the digits; 0 has none.
  *
  *  RRenderSetMouseCallBack(rc, func) or (rc, func, userdata): func gets the left button's events while neither Ctrl
- *  nor Shift is held; then Ctrl and the left button turn the camera.
+ *  nor Shift is held; then Ctrl and the left button turn the camera, and without Ctrl a drag that func leaves to it
+ *  (RRenderLeaveMouse).
  *  RRenderSetJoystickCallBack is the same for a joystick; it is kept, but never called on this platform.
  *  @{ */
 MEPUBLIC void MEAPI RRenderSetButtonCallBack(RRender *rc, RButtonList which, RButtonPressCallBack func, void *userdata);
@@ -401,10 +403,23 @@ MEPUBLIC void MEAPI RRenderSetJoystickCallBackWithText(RRender *rc, RJoystickCal
  * called and not what the viewer itself does with the key.
  */
 MEPUBLIC void MEAPI RRenderSetActionNKey(RRender *rc, const unsigned int N, const char key);
+/**
+ * For helpers of programs: a printable ASCII character whose callback is called unless the program has an action or a
+ * direction button on that key; before the viewer's own use of it. A null @a func takes the viewer's own use away too.
+ * The text is for the help; copied, may be null. An addition to the 1.2 interface.
+ */
+MEPUBLIC void MEAPI RRenderSetKeyCallBack(RRender *rc, char key, RButtonPressCallBack func, void *userdata,
+                                          const char *text);
+/**
+ * Called by a mouse callback that has been told kRNewlyPressed: it does not want this drag, which turns the camera
+ * then. An addition to the 1.2 interface.
+ */
+MEPUBLIC void MEAPI RRenderLeaveMouse(RRender *rc);
 /** @} */
 
 /** @name Menus
- *  Up and Down choose an entry of the menu shown, Right and Left change it. F9 shows and hides the default menu.
+ *  Up and Down choose an entry of the menu shown, Right and Left change it; a click does what Right does, on the left
+ *  half of a value entry what Left does. F9 shows and hides the default menu, and the panels (RPanel.h).
  *  @{ */
 /** A menu without entries. It belongs to the context, which destroys it; RMenuDestroy does so earlier. */
 MEPUBLIC RMenu *MEAPI RMenuCreate(RRender *rc, const char *name);

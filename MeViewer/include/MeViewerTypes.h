@@ -263,6 +263,7 @@ typedef struct RRenderOptions {
     int m_bCamera;           /**< -camera was given. */
     AcmeReal m_Camera[3];    /**< -camera: distance, theta, phi. */
     char m_Screenshot[256];  /**< -screenshot; "" if not given. */
+    char m_Film[256];        /**< -film; "" if not given. */
     char m_Keys[512];        /**< -key; "" if not given. */
 } RRenderOptions;
 

@@ -133,6 +133,7 @@ static void openWindow(const RRender *rc) {
     glutMouseFunc(onMouse);
     glutMouseWheelFunc(onWheel);
     glutMotionFunc(onMotion);
+    glutPassiveMotionFunc(onMotion);
     glutIgnoreKeyRepeat(1);
     glutInitErrorFunc(NULL); /* From here on there is nowhere to jump to. */
 }

@@ -81,9 +81,9 @@ void MEAPI RPerformanceBarUpdate(RRender *rc, AcmeReal coltime, AcmeReal dyntime
     rc->m_pViewer->bar.given = true;
 }
 
-/* The figures are averages over some frames, or nobody could read them. */
+/* The figures are averages over a quarter of a second, or nobody could read them; two frames if one takes longer. */
 void r_barFrame(RRender *rc) {
-    enum { FRAMES = 15 };
+    enum { PERIOD = 250000000 };
     RBarState *s = &rc->m_pViewer->bar;
     RPerformanceBar *bar = rc->m_pPerformanceBar;
     const int64_t now = r_now();
@@ -92,9 +92,9 @@ void r_barFrame(RRender *rc) {
     s->collision += (double)MeProfileGetSectionTime("Collision");
     s->dynamics += (double)MeProfileGetSectionTime("Dynamics");
     s->render += (double)MeProfileGetSectionTime("Render");
-    if (++s->frames <= FRAMES)
+    if (++s->frames < 2 || now - s->begin < PERIOD)
         return;
-    const double period = (double)(now - s->begin) * 1e-9 / FRAMES, n = s->frames;
+    const double n = s->frames, period = (double)(now - s->begin) * 1e-9 / (n - 1);
     s->fps = period > 0 ? 1 / period : 0;
     if (bar && !s->given) {
         bar->m_Collision = (AcmeReal)(s->collision / n);
@@ -128,29 +128,36 @@ RGraphic *MEAPI RPerformanceBarCreateTicks(RRender *rc) {
 }
 
 /* A length of the bar for some seconds; what is more than twice the budget is cut. Returns where it ends. */
-static float drawPart(ROverlay *overlay, float x, float y, float height, float perSecond, AcmeReal seconds, float most,
+static float drawPart(float x, float y, float height, float perSecond, AcmeReal seconds, float most,
                       const float color[4]) {
     const float end = fminf(x + fmaxf(0, seconds) * perSecond, most);
     if (end > x)
-        r_overlayBox(overlay, x, y, end - x, height, 0, color);
+        r_uiBox(x, y, end - x, height, 0, color);
     return end;
 }
 
-static float drawLegend(ROverlay *overlay, float x, float y, float size, const float color[4], const char *name,
-                        double value, const char *unit) {
+static float drawLegend(float x, float y, float size, const float color[4], const char *name, double value,
+                        const char *unit) {
     char text[64];
     snprintf(text, sizeof text, "%s %.*f%s", name, value < 10 ? 2 : 1, value, unit);
-    r_overlayBox(overlay, x, y - 0.65f * size, 0.6f * size, 0.6f * size, 0.15f * size, color);
-    r_overlayText(overlay, x + 0.9f * size, y, size, rTextPlain, r_white, text);
+    r_uiBox(x, y - 0.65f * size, 0.6f * size, 0.6f * size, 0.15f * size, color);
+    r_uiText(x + 0.9f * size, y, size, 0, rTextPlain, r_white, text);
     snprintf(text, sizeof text, "%s 000.0%s", name, unit); /* Columns that do not dance with the figures. */
-    return x + 1.9f * size + r_textWidth(text, size);
+    return x + 1.9f * size + r_uiTextSize(text, size, 0, NULL);
+}
+
+void r_barToggle(RRender *rc) {
+    if (rc->m_pPerformanceBar)
+        rc->m_pPerformanceBar->m_bVisible = !rc->m_pPerformanceBar->m_bVisible;
+    else
+        RPerformanceBarCreate(rc);
 }
 
 bool r_barIsShown(const RRender *rc) {
     return rc->m_pPerformanceBar && rc->m_pPerformanceBar->m_bVisible && canBeSeen(rc);
 }
 
-void r_barDraw(RRender *rc, ROverlay *overlay) {
+void r_barDraw(RRender *rc) {
     const RPerformanceBar *bar = rc->m_pPerformanceBar;
     const struct RViewer *v = rc->m_pViewer;
     const float w = (float)v->width, h = (float)v->height, scale = r_uiScale(rc);
@@ -159,16 +166,15 @@ void r_barDraw(RRender *rc, ROverlay *overlay) {
     const float width = 0.5f * barWidth * w, height = fmaxf(0.5f * barHeight * h, 3);
     const float pad = 6 * scale, perSecond = width / budget, most = left + 1.6f * width;
     const float panelWidth = fmaxf(1.6f * width, 41 * size);
-    r_overlayBox(overlay, left - pad, top - pad, panelWidth + 2 * pad, height + 1.9f * size + 2 * pad, 5 * scale,
-                 r_panel);
-    r_overlayBox(overlay, left, top, width, height, 0, groundColor);
-    float x = drawPart(overlay, left, top, height, perSecond, bar->m_Collision, most, collisionColor);
-    x = drawPart(overlay, x, top, height, perSecond, bar->m_Dynamics, most, dynamicsColor);
-    drawPart(overlay, x, top, height, perSecond, bar->m_Render, most, renderColor);
-    r_overlayBox(overlay, left + width - scale, top - 0.4f * pad, 2 * scale, height + 0.8f * pad, 0, r_white);
+    r_uiBox(left - pad, top - pad, panelWidth + 2 * pad, height + 1.9f * size + 2 * pad, 5 * scale, r_panel);
+    r_uiBox(left, top, width, height, 0, groundColor);
+    float x = drawPart(left, top, height, perSecond, bar->m_Collision, most, collisionColor);
+    x = drawPart(x, top, height, perSecond, bar->m_Dynamics, most, dynamicsColor);
+    drawPart(x, top, height, perSecond, bar->m_Render, most, renderColor);
+    r_uiBox(left + width - scale, top - 0.4f * pad, 2 * scale, height + 0.8f * pad, 0, r_white);
     const float y = roundf(top + height + 1.6f * size);
-    x = drawLegend(overlay, left, y, size, collisionColor, "collision", 1e3 * (double)bar->m_Collision, " ms");
-    x = drawLegend(overlay, x, y, size, dynamicsColor, "dynamics", 1e3 * (double)bar->m_Dynamics, " ms");
-    x = drawLegend(overlay, x, y, size, renderColor, "render", 1e3 * (double)bar->m_Render, " ms");
-    drawLegend(overlay, x, y, size, r_white, "fps", v->bar.fps, "");
+    x = drawLegend(left, y, size, collisionColor, "collision", 1e3 * (double)bar->m_Collision, " ms");
+    x = drawLegend(x, y, size, dynamicsColor, "dynamics", 1e3 * (double)bar->m_Dynamics, " ms");
+    x = drawLegend(x, y, size, renderColor, "render", 1e3 * (double)bar->m_Render, " ms");
+    drawLegend(x, y, size, r_white, "fps", v->bar.fps, "");
 }

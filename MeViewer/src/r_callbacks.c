@@ -146,3 +146,29 @@ void MEAPI RRenderSetActionNKey(RRender *rc, const unsigned int N, const char ke
     }
     keys[N] = code;
 }
+
+void MEAPI RRenderSetKeyCallBack(RRender *rc, char key, RButtonPressCallBack func, void *userdata, const char *text) {
+    if (!r_isContext(rc, __func__))
+        return;
+    if (key < ' ' || key > '~') {
+        MeWarning(1, "%s: the key must be a printable ASCII character", __func__);
+        return;
+    }
+    RInput *in = &rc->m_pViewer->input;
+    const int code = tolower((unsigned char)key);
+    size_t i = 0;
+    while (i < in->extraKeys.count && in->extraKeys.items[i].key != code)
+        i++;
+    if (i == in->extraKeys.count) {
+        if (!r_grow(in->extraKeys, 1))
+            return;
+        in->extraKeys.count++;
+    }
+    in->extraKeys.items[i].key = code;
+    setButton(&in->extraKeys.items[i].button, func, NULL, userdata, text);
+}
+
+void MEAPI RRenderLeaveMouse(RRender *rc) {
+    if (r_isContext(rc, __func__))
+        rc->m_pViewer->input.mouseLeft = true;
+}

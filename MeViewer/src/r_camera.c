@@ -253,6 +253,15 @@ void r_cameraDolly(RRender *rc, AcmeReal factor) {
         RCameraSetOffset(rc, (MeReal)(rc->m_CameraDist * factor));
 }
 
+/* The point under the pointer, in the plane through the look-at point that faces the camera, stays under it. */
+void r_cameraDollyAt(RRender *rc, AcmeReal factor, int x, int y) {
+    const AcmeReal perPixel = visibleHeight(rc) / (AcmeReal)rc->m_pViewer->height;
+    const AcmeReal right = (AcmeReal)x - (AcmeReal)rc->m_pViewer->width / 2;
+    const AcmeReal up = (AcmeReal)rc->m_pViewer->height / 2 - (AcmeReal)y;
+    pan(rc, (1 - factor) * right * perPixel, (1 - factor) * up * perPixel, 0);
+    r_cameraDolly(rc, factor);
+}
+
 void MEAPI RCameraSetFov(RRender *rc, AcmeReal fov) {
     if (!r_isContext(rc, __func__))
         return;

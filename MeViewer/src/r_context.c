@@ -150,7 +150,8 @@ static bool start(RRender *rc, const RBackend *backend, char *reason, size_t siz
     if (!backend->start(rc, reason, size))
         return false;
     v->backend = backend;
-    if (backend->draws && !r_drawStart(rc, reason, size)) {
+    if (backend->draws && !(r_panelsStart(rc) && r_drawStart(rc, reason, size))) {
+        r_panelsFree(rc);
         backend->stop(rc);
         v->backend = NULL;
         return false;
@@ -211,6 +212,9 @@ static void freeState(RRender *rc) {
     r_linesFree(rc);
     r_menusFree(rc);
     r_helpFree(&v->help);
+    r_filmEnd(rc);
+    r_panelsFree(rc);
+    r_panelListFree(&v->panelList);
     r_overlayFree(&v->overlay);
     r_texturesFree(&v->textures);
     r_inputFree(&v->input);
@@ -222,6 +226,10 @@ int MEAPI RRenderContextDestroy(RRender *rc) {
     if (!r_isContext(rc, __func__))
         return 1;
     struct RViewer *v = rc->m_pViewer;
+    if (v->overlaying) {
+        MeWarning(1, "%s: not by the function of a panel or of marks: RRenderQuit ends the program", __func__);
+        return 1;
+    }
     if (v->backend) {
         if (v->backend->draws)
             r_drawStop(rc);

@@ -69,10 +69,11 @@ bool r_drawStart(RRender *rc, char *reason, size_t size) {
 static void deleteObjects(RDraw *d) {
     const RGL *gl = &d->gl;
     const GLuint arrays[] = {d->emptyArray, d->lineArray, d->overlayArray};
-    const GLuint buffers[] = {d->frameBlock, d->instanceBuffer, d->skyBuffer, d->lineBuffer, d->overlayBuffer};
+    const GLuint buffers[] = {d->frameBlock, d->instanceBuffer, d->skyBuffer,
+                              d->lineBuffer, d->overlayBuffer,  d->overlayIndices};
     r_targetsStop(d);
     gl->DeleteVertexArrays(3, arrays);
-    gl->DeleteBuffers(5, buffers);
+    gl->DeleteBuffers(6, buffers);
     gl->DeleteTextures(1, &d->fontTexture);
     gl->DeleteTextures(R_MAX_TEXTURES, d->textures);
     for (int i = 0; i < R_PROGRAMS; i++)
@@ -196,7 +197,6 @@ void r_drawFrame(RRender *rc) {
     uploadBlock(d);
     r_shadowDraw(d);
     drawWorld(rc, d);
-    r_overlayClear(&v->overlay);
     r_hudDraw(rc, &v->overlay);
     drawPicture(rc, d);
     showPicture(rc, d);

@@ -89,6 +89,7 @@ extern const RProgramSource r_programSources[R_PROGRAMS];
     X(READBUFFER, ReadBuffer)                                                                                          \
     X(READPIXELS, ReadPixels)                                                                                          \
     X(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample)                                                  \
+    X(SCISSOR, Scissor)                                                                                                \
     X(SHADERSOURCE, ShaderSource)                                                                                      \
     X(TEXIMAGE2D, TexImage2D)                                                                                          \
     X(TEXPARAMETERFV, TexParameterfv)                                                                                  \
@@ -204,9 +205,10 @@ typedef struct RDraw {
     RScene scene;
     GLuint instanceBuffer, skyBuffer;
     GLuint lineArray, lineBuffer;
-    GLuint overlayArray, overlayBuffer;
+    GLuint overlayArray, overlayBuffer, overlayIndices;
     GLuint emptyArray;
     GLuint fontTexture;
+    int fontVersion; /* That the texture has. */
     GLuint textures[R_MAX_TEXTURES];
     bool textureTried[R_MAX_TEXTURES];
     RTarget samples;   /* Several samples per pixel, linear light. */

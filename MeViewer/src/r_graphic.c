@@ -70,6 +70,8 @@ void MEAPI RGraphicAddToList(RRender *rc, RGraphic *rg, int is2D) {
     *(*last ? &(*last)->m_pNext : first) = rg;
     *last = rg;
     rg->m_pPart->owner = rc;
+    if (!rg->m_pPart->number)
+        rg->m_pPart->number = ++rc->m_pViewer->graphicsListed;
     rg->m_pPart->is2D = is2D != 0;
 }
 

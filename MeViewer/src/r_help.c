@@ -1,4 +1,4 @@
-/* The help: the program's own lines, then the viewer's keys, in a panel that fits into the window. */
+/* The help: the program's own lines, then the viewer's keys, in as many columns as fit into the window. */
 #include "r_i.h"
 
 #include <stdio.h>
@@ -6,17 +6,17 @@
 
 typedef enum { rTitle, rHeading, rKeyed, rWhole } RowKind;
 
-/* The title, a heading, a key with its text (or a text going on under it), or a text over the whole width. */
+/* The title, a heading, a key with its text, or a text over the whole width. */
 typedef struct {
     RowKind kind;
-    bool goesOn; /* The row before is the beginning of it. */
-    char key[48], text[112];
+    char key[48], text[512];
+    float height; /* Of its text, wrapped. */
+    int column;
 } Row;
 
-enum { MAX_ROWS = 256, MAX_COLUMNS = 4 };
+enum { MAX_ROWS = 128, MAX_COLUMNS = 4 };
 
 typedef struct {
-    size_t wrap;            /* Bytes of text that a row may have. */
     Row rows[MAX_ROWS + 1]; /* The last one takes what is too much. */
     int count;
 } Page;
@@ -27,8 +27,8 @@ static const struct {
     {"View", NULL},
     {"Drag", "orbit"},
     {"Ctrl+drag", "orbit"}, /* Instead, if the program has the mouse. */
-    {"Right drag, wheel", "zoom"},
-    {"Middle or Shift drag", "pan"},
+    {"Right or Shift drag", "pan"},
+    {"Wheel", "zoom to the pointer"},
     {"Ctrl+arrows", "orbit"},
     {"PgUp, PgDn", "zoom"},
     {"Home", "first view"},
@@ -42,7 +42,7 @@ static const struct {
     {"F3", "performance bar"},
     {"F4", "wireframe"},
     {"F5", "shadows"},
-    {"F9", "menu"},
+    {"F9", "menu and panels"},
 };
 
 void r_helpFree(RHelp *help) {
@@ -83,50 +83,21 @@ void MEAPI RRenderToggleUserHelp(RRender *const rc) {
     }
 }
 
-static Row *addRow(Page *page, RowKind kind, const char *key, const char *text, size_t length) {
+static void addRow(Page *page, RowKind kind, const char *key, const char *text) {
     Row *row = &page->rows[page->count];
     row->kind = kind;
-    row->goesOn = false;
     snprintf(row->key, sizeof row->key, "%s", key);
-    snprintf(row->text, sizeof row->text, "%.*s", (int)length, text);
+    snprintf(row->text, sizeof row->text, "%s", text);
     page->count += page->count < MAX_ROWS;
-    return row;
 }
 
-static void addHeading(Page *page, RowKind kind, const char *text) {
-    addRow(page, kind, "", text, strlen(text));
-}
-
-/* How much of a text fits into a row: up to a space, or up to the end of a character. */
-static size_t rowLength(const char *text, size_t wrap) {
-    size_t length = strlen(text);
-    if (length <= wrap)
-        return length;
-    for (length = wrap; length > 0 && text[length] != ' ';)
-        length--;
-    if (length > 0)
-        return length;
-    for (length = wrap; ((unsigned char)text[length] & 0xc0) == 0x80;)
-        length--;
-    return length > 0 ? length : wrap;
-}
-
-/* A text, under a key unless that is "", broken between words into as many rows as it needs. */
 static void addText(Page *page, const char *key, const char *text) {
-    const RowKind kind = *key ? rKeyed : rWhole;
-    const char *const begin = text;
-    do {
-        const size_t length = rowLength(text, page->wrap);
-        addRow(page, kind, key, text, length)->goesOn = text != begin;
-        text += length;
-        text += strspn(text, " ");
-        key = "";
-    } while (*text);
+    addRow(page, *key ? rKeyed : rWhole, key, text);
 }
 
 /* A line such as "Space - reset" or "Enter: jump" is a key and a text. */
 static void addLine(Page *page, const char *line) {
-    static const char *const marks[] = {" - ", ": ", "\t"};
+    static const char *const marks[] = {" - ", "\t", ": "};
     char key[48];
     for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++) {
         const char *mark = strstr(line, marks[i]);
@@ -152,6 +123,13 @@ static void addCallBacks(const RRender *rc, Page *page) {
         r_keyName(action ? rc->m_pViewer->input.actionKey[i - kRButtons] : keys[i], key, sizeof key);
         addText(page, key, b->m_Text);
     }
+    const RInput *in = &rc->m_pViewer->input;
+    for (size_t i = 0; i < in->extraKeys.count; i++) {
+        if (!in->extraKeys.items[i].button.m_Text[0] || !r_keyIsFree(rc, in->extraKeys.items[i].key))
+            continue;
+        r_keyName(in->extraKeys.items[i].key, key, sizeof key);
+        addText(page, key, in->extraKeys.items[i].button.m_Text);
+    }
     if (rc->m_CallBacks.m_Mouse.m_Text[0])
         addText(page, "Left mouse button", rc->m_CallBacks.m_Mouse.m_Text);
 }
@@ -174,12 +152,11 @@ static const char *remainingKey(const RRender *rc, const char *key) {
     return key;
 }
 
-static void fillPage(RRender *rc, Page *page, size_t wrap) {
+static void fillPage(RRender *rc, Page *page) {
     const RHelp *h = &rc->m_pViewer->help;
     char line[512];
-    page->wrap = wrap;
     page->count = 0;
-    addHeading(page, rTitle, title(rc));
+    addRow(page, rTitle, "", title(rc));
     for (size_t i = 0; i < h->lines.count; i++) {
         RParseText(rc, h->lines.items[i], line, sizeof line);
         addLine(page, line);
@@ -195,144 +172,134 @@ static void fillPage(RRender *rc, Page *page, size_t wrap) {
         if (viewerKeys[i].text)
             addText(page, key, viewerKeys[i].text);
         else
-            addHeading(page, rHeading, viewerKeys[i].key);
+            addRow(page, rHeading, "", viewerKeys[i].key);
     }
 }
 
-/* The measures of one column, in ems. */
+/* In ems. */
+static const float lineHeight = 1.36f, titleSize = 1.25f, headingGap = 0.55f, keyGap = 1.0f, columnGap = 2.0f,
+                   padding = 1.2f;
+
 typedef struct {
-    int first, count; /* Rows. */
-    float key, width, height;
-} Column;
+    int columns;
+    float size; /* Pixels of an em. */
+    float key[MAX_COLUMNS], text[MAX_COLUMNS], width, height;
+} Layout;
 
-static const float rowHeight = 1.42f, titleHeight = 1.8f, titleSize = 1.25f, headingGap = 0.55f, keyGap = 1.0f,
-                   columnGap = 2.0f, padding = 1.2f;
+static float sizeOf(const Row *row, float size) {
+    return row->kind == rTitle ? titleSize * size : size;
+}
 
-/* Where a row begins, or, for the one after the last, where the column ends. */
-static float rowTop(const Page *page, const Column *c, int row) {
+/* Where rows begin below the one before. */
+static float gapAbove(const Row *row, float size, bool first) {
+    return row->kind == rHeading && !first ? headingGap * size : 0;
+}
+
+/* Rows into columns of at most a height, in their order; a heading stays with what follows. False if there are too
+ * many. */
+static bool fill(Page *page, Layout *l, float most) {
+    int column = 0;
     float y = 0;
-    for (int i = c->first; i < row; i++)
-        y += page->rows[i].kind == rTitle ? titleHeight : rowHeight;
-    for (int i = c->first + 1; i <= row && i < c->first + c->count; i++)
-        y += page->rows[i].kind == rHeading ? headingGap : 0;
-    return y;
+    l->height = 0;
+    for (int i = 0; i < page->count; i++) {
+        Row *row = &page->rows[i];
+        const bool leads = row->kind == rHeading && i + 1 < page->count;
+        const float needed = row->height + gapAbove(row, l->size, y == 0) + (leads ? page->rows[i + 1].height : 0);
+        if (y > 0 && y + needed > most) {
+            column++;
+            y = 0;
+        }
+        if (column >= l->columns)
+            return false;
+        row->column = column;
+        y += row->height + gapAbove(row, l->size, y == 0);
+        l->height = fmaxf(l->height, y);
+    }
+    return l->height <= most;
 }
 
-static void measure(const Page *page, Column *c) {
-    float text = 0, whole = 0;
-    c->key = 0;
-    for (int i = c->first; i < c->first + c->count; i++) {
+/* How wide the columns are; a text is no wider than `wrap`. */
+static void measureColumns(const Page *page, Layout *l, float wrap) {
+    float whole[MAX_COLUMNS] = {0};
+    memset(l->key, 0, sizeof l->key);
+    memset(l->text, 0, sizeof l->text);
+    for (int i = 0; i < page->count; i++) {
         const Row *row = &page->rows[i];
-        const float width = r_textWidth(row->text, row->kind == rTitle ? titleSize : 1);
-        if (row->kind == rKeyed) {
-            c->key = fmaxf(c->key, r_textWidth(row->key, 1));
-            text = fmaxf(text, width);
-        } else {
-            whole = fmaxf(whole, width);
+        const float width = fminf(wrap, r_uiTextSize(row->text, sizeOf(row, l->size), wrap, NULL));
+        float *const widest = row->kind == rKeyed ? l->text : whole;
+        widest[row->column] = fmaxf(widest[row->column], ceilf(width));
+        l->key[row->column] = fmaxf(l->key[row->column], ceilf(r_uiTextSize(row->key, l->size, 0, NULL)));
+    }
+    l->width = columnGap * l->size * (float)(l->columns - 1);
+    for (int c = 0; c < l->columns; c++) {
+        l->key[c] += l->key[c] > 0 ? keyGap * l->size : 0;
+        l->text[c] = fmaxf(l->text[c], whole[c] - l->key[c]);
+        l->width += l->key[c] + l->text[c];
+    }
+}
+
+/* With columns of one height, which is sought; false if they do not fit. */
+static bool tryLayout(Page *page, Layout *l, float wrap, float roomX, float roomY) {
+    float total = 0;
+    for (int i = 0; i < page->count; i++) {
+        Row *row = &page->rows[i];
+        r_uiTextSize(row->text, sizeOf(row, l->size), wrap, &row->height);
+        row->height = fmaxf(row->height, l->size) + (lineHeight - 1.164f) * l->size;
+        total += row->height;
+    }
+    for (float most = total / (float)l->columns; most <= roomY; most += l->size) {
+        if (fill(page, l, most)) {
+            measureColumns(page, l, wrap);
+            return l->width <= roomX;
         }
     }
-    c->width = fmaxf(whole, c->key > 0 ? c->key + keyGap + text : 0);
-    c->height = rowTop(page, c, c->first + c->count);
+    return false;
 }
 
-/* How bad it is to begin a column with a row, in rows of difference that it would be better to bear. */
-static float breakCost(const Page *page, int row) {
-    if (page->rows[row].goesOn || page->rows[row - 1].kind == rHeading || page->rows[row - 1].kind == rTitle)
-        return INFINITY;
-    return page->rows[row].kind == rHeading ? 0 : 2.5f;
+/* The largest text, then the fewest columns, that fit. What fits at no size is cut at the lower edge. */
+static void layOut(const RRender *rc, Page *page, Layout *l) {
+    static const float wraps[] = {36, 30, 25, 21, 18, 15, 12};
+    const float preferred = 15 * r_uiScale(rc), roomX = 0.97f * (float)rc->m_pViewer->width,
+                roomY = 0.97f * (float)rc->m_pViewer->height;
+    for (l->size = preferred; l->size > 3; l->size *= 0.96f)
+        for (l->columns = 1; l->columns <= MAX_COLUMNS; l->columns++)
+            for (size_t w = 0; w < sizeof wraps / sizeof wraps[0]; w++)
+                if (tryLayout(page, l, wraps[w] * l->size, roomX - 2 * padding * l->size,
+                              roomY - 2 * padding * l->size))
+                    return;
+    l->columns = MAX_COLUMNS;
+    tryLayout(page, l, roomX, INFINITY, INFINITY);
 }
 
-/* Where a column that begins with a row ends, best near the goal. */
-static int columnEnd(const Page *page, int first, float goal) {
-    float best = INFINITY;
-    int end = page->count;
-    for (int i = first + 1; i < page->count; i++) {
-        const float cost = fabsf((float)i - goal) + breakCost(page, i);
-        if (cost < best) {
-            best = cost;
-            end = i;
-        }
-    }
-    return end;
-}
-
-/* Splits the rows into columns, each about as high as the others. Returns their number. */
-static int split(const Page *page, int wanted, Column *columns) {
-    int n = 0;
-    for (int first = 0; first < page->count && n < wanted; n++) {
-        const float goal = (float)page->count * (float)(n + 1) / (float)wanted;
-        const int end = n < wanted - 1 ? columnEnd(page, first, goal) : page->count;
-        columns[n] = (Column){.first = first, .count = end - first};
-        measure(page, &columns[n]);
-        first = end;
-    }
-    return n;
-}
-
-static void panelSize(const Column *columns, int n, float *width, float *height) {
-    *width = 2 * padding + columnGap * (float)(n - 1);
-    *height = 0;
-    for (int i = 0; i < n; i++) {
-        *width += columns[i].width;
-        *height = fmaxf(*height, columns[i].height);
-    }
-    *height += 2 * padding;
-}
-
-static void drawColumn(ROverlay *overlay, const Page *page, const Column *c, float left, float top, float size) {
-    for (int i = c->first; i < c->first + c->count; i++) {
+static void drawRows(const Page *page, const Layout *l, float left, float top) {
+    float y = top;
+    for (int i = 0, column = 0; i < page->count; i++) {
         const Row *row = &page->rows[i];
-        const float y = roundf(top + (rowTop(page, c, i) + 1) * size);
-        const float x = row->kind == rKeyed ? left + (c->key + keyGap) * size : left;
-        r_overlayText(overlay, left, y, size, rTextPlain, r_white, row->key);
-        r_overlayText(overlay, x, y, row->kind == rTitle ? titleSize * size : size, rTextPlain,
-                      row->kind == rHeading ? r_accent : r_white, row->text);
-    }
-}
-
-/* Of all ways to break lines and to make columns, the one that allows the largest text. Returns its size. */
-static float layOut(RRender *rc, Page *page, int *wanted) {
-    static const size_t wraps[] = {56, 40, 28, 22};
-    const float preferred = 15 * r_uiScale(rc), roomX = 0.96f * (float)rc->m_pViewer->width,
-                roomY = 0.96f * (float)rc->m_pViewer->height;
-    float size = 0;
-    size_t wrap = wraps[0];
-    *wanted = 1;
-    for (size_t w = 0; w < sizeof wraps / sizeof wraps[0]; w++) {
-        fillPage(rc, page, wraps[w]);
-        for (int n = 1; n <= MAX_COLUMNS; n++) {
-            Column columns[MAX_COLUMNS];
-            float width, height;
-            panelSize(columns, split(page, n, columns), &width, &height);
-            const float fits = fminf(preferred, fminf(roomX / width, roomY / height));
-            if (fits > size) {
-                size = fits;
-                wrap = wraps[w];
-                *wanted = n;
-            }
+        if (row->column != column) {
+            left += l->key[column] + l->text[column] + columnGap * l->size;
+            column = row->column;
+            y = top;
         }
+        y += gapAbove(row, l->size, y == top);
+        const float base = roundf(y + sizeOf(row, l->size)), x = row->kind == rKeyed ? left + l->key[column] : left;
+        const float wrap = l->text[column] + (row->kind == rKeyed ? 0 : l->key[column]) + 1;
+        r_uiText(left, base, l->size, 0, rTextPlain, r_white, row->key);
+        const float *color = row->kind == rHeading ? r_accent : r_white;
+        r_uiText(x, base, sizeOf(row, l->size), wrap, rTextPlain, color, row->text);
+        y += row->height;
     }
-    fillPage(rc, page, wrap);
-    return size;
 }
 
-void r_helpDraw(RRender *rc, ROverlay *overlay, RHelpLayout *layout) {
+void r_helpDraw(RRender *rc, RHelpLayout *layout) {
     const struct RViewer *v = rc->m_pViewer;
     Page page;
-    Column columns[MAX_COLUMNS];
-    int wanted;
-    float width, height;
-    const float size = layOut(rc, &page, &wanted);
-    const int used = split(&page, wanted, columns);
-    panelSize(columns, used, &width, &height);
-
-    const float left = roundf(((float)v->width - width * size) / 2);
-    const float top = roundf(((float)v->height - height * size) / 2);
-    *layout = (RHelpLayout){left, top, left + width * size, top + height * size, size};
-    r_overlayBox(overlay, left, top, width * size, height * size, 0.6f * size, r_panel);
-    float x = left + padding * size;
-    for (int i = 0; i < used; i++) {
-        drawColumn(overlay, &page, &columns[i], x, top + padding * size, size);
-        x += (columns[i].width + columnGap) * size;
-    }
+    Layout l = {0};
+    fillPage(rc, &page);
+    layOut(rc, &page, &l);
+    const float width = l.width + 2 * padding * l.size, height = l.height + 2 * padding * l.size;
+    const float left = roundf(((float)v->width - width) / 2), top = roundf(((float)v->height - height) / 2);
+    *layout = (RHelpLayout){left, top, left + width, top + height, l.size};
+    r_uiFixedWindow("help", left, top, width, height);
+    drawRows(&page, &l, left + padding * l.size, top + padding * l.size);
+    r_uiWindowEnd();
 }

@@ -4,11 +4,23 @@
 #include <stdio.h>
 #include <string.h>
 
+const float r_white[4] = {0.96f, 0.97f, 0.98f, 1};
+const float r_dimmed[4] = {0.66f, 0.70f, 0.75f, 1};
+const float r_accent[4] = {0.55f, 0.78f, 0.98f, 1};
+const float r_panel[4] = {0.09f, 0.11f, 0.14f, 0.86f};
+
+float r_uiScale(const RRender *rc) {
+    const struct RViewer *v = rc->m_pViewer;
+    const float fit = fminf((float)v->width / 960, (float)v->height / 600);
+    /* Large windows have larger text, but not in proportion; small ones text that can still be read. */
+    return fmaxf(powf(fit, 0.85f), 0.75f);
+}
+
 static float opaque(float alpha) {
     return alpha == 0 ? 1 : alpha;
 }
 
-static void drawText2D(const RRender *rc, ROverlay *overlay, const RGraphic *rg) {
+static void drawText2D(const RRender *rc, const RGraphic *rg) {
     const struct RViewer *v = rc->m_pViewer;
     const float size = 16 * r_uiScale(rc);
     float color[4];
@@ -16,84 +28,114 @@ static void drawText2D(const RRender *rc, ROverlay *overlay, const RGraphic *rg)
     color[3] = opaque(color[3]);
     const float x = (0.5f + 0.5f * rg->m_pPart->x) * (float)v->width;
     const float y = (0.5f - 0.5f * rg->m_pPart->y) * (float)v->height;
-    r_overlayText(overlay, roundf(x), roundf(y + 0.93f * size), size, rTextOutlined, color, rg->m_pPart->text);
+    r_uiText(roundf(x), roundf(y + 0.93f * size), size, 0, rTextOutlined, color, rg->m_pPart->text);
 }
 
-static void drawTriangles2D(RRender *rc, ROverlay *overlay, RGraphic *rg) {
+static void drawTriangles2D(RRender *rc, RGraphic *rg) {
     const struct RViewer *v = rc->m_pViewer;
     const RObjectHeader *o = rg->m_pObject;
-    const int texture = o->m_nTextureID;
     float m[16];
     if (!r_graphicTransform(rg, m))
         return;
+    float color[4];
+    memcpy(color, o->m_ColorDiffuse, sizeof color);
+    color[3] = opaque(color[3]);
     const int n = o->m_nNumVertices < rg->m_nMaxNumVertices ? o->m_nNumVertices : rg->m_nMaxNumVertices;
     for (int i = 0; i + 2 < n; i += 3) {
-        ROverlayVertex t[3];
+        RCorner t[3];
         for (int k = 0; k < 3; k++) {
             const RObjectVertex *p = &rg->m_pVertices[i + k];
             const float x = p->m_X * m[0] + p->m_Y * m[4] + p->m_Z * m[8] + m[12];
             const float y = p->m_X * m[1] + p->m_Y * m[5] + p->m_Z * m[9] + m[13];
-            t[k] = (ROverlayVertex){.x = (0.5f + 0.5f * x) * (float)v->width,
-                                    .y = (0.5f - 0.5f * y) * (float)v->height,
-                                    .u = p->m_U,
-                                    .v = p->m_V,
-                                    .fill = texture >= 0 ? rFillTexture : rFillPlain};
-            memcpy(t[k].color, o->m_ColorDiffuse, sizeof t[k].color);
-            t[k].color[3] = opaque(t[k].color[3]);
+            t[k] = (RCorner){(0.5f + 0.5f * x) * (float)v->width, (0.5f - 0.5f * y) * (float)v->height, p->m_U, p->m_V};
         }
-        r_overlayTriangle(overlay, t, texture);
+        r_uiTriangle(t, o->m_nTextureID, color);
     }
 }
 
-static void draw2DList(RRender *rc, ROverlay *overlay) {
+static void draw2DList(RRender *rc) {
     const RGraphic *ticks = rc->m_pPerformanceBar ? rc->m_pPerformanceBar->m_pTicks : NULL;
     for (RGraphic *rg = rc->m_p2DGraphics; rg; rg = rg->m_pNext) {
         if (rg->m_pPart->kind == rText)
-            drawText2D(rc, overlay, rg);
+            drawText2D(rc, rg);
         else if (rg != ticks)
-            drawTriangles2D(rc, overlay, rg);
+            drawTriangles2D(rc, rg);
     }
 }
 
-static void drawBar(RRender *rc, ROverlay *overlay) {
-    r_barDraw(rc, overlay);
+static void drawBar(RRender *rc) {
+    r_barDraw(rc);
     if (rc->m_pPerformanceBar->m_pTicks)
-        drawTriangles2D(rc, overlay, rc->m_pPerformanceBar->m_pTicks);
+        drawTriangles2D(rc, rc->m_pPerformanceBar->m_pTicks);
 }
 
-/* Small text on a small panel, with its left or right edge at x. */
-static void label(RRender *rc, ROverlay *overlay, float x, float bottom, bool right, const char *text) {
+/* Small text on a small panel, with its left or right edge at x; in several lines, if the window is too narrow. */
+static void label(RRender *rc, float x, float bottom, bool right, const char *text) {
     const float scale = r_uiScale(rc), size = 13 * scale, pad = 6 * scale;
-    const float width = r_textWidth(text, size) + 2 * pad, height = 1.2f * size + pad;
+    const float wrap = (float)rc->m_pViewer->width - 32 * scale;
+    float height;
+    const float width = r_uiTextSize(text, size, wrap, &height) + 2 * pad;
+    height += pad;
     const float left = roundf(right ? x - width : x), top = roundf(bottom - height);
-    r_overlayBox(overlay, left, top, roundf(width), roundf(height), 4 * scale, r_panel);
-    r_overlayText(overlay, left + pad, roundf(top + 0.5f * pad + 0.95f * size), size, rTextPlain, r_white, text);
+    r_uiBox(left, top, roundf(width), roundf(height), 4 * scale, r_panel);
+    r_uiText(left + pad, roundf(top + 0.5f * pad + 0.95f * size), size, wrap, rTextPlain, r_white, text);
 }
 
-static void drawLabels(RRender *rc, ROverlay *overlay) {
+static void drawLabels(RRender *rc) {
     enum { HINT_FRAMES = 240 };
     const struct RViewer *v = rc->m_pViewer;
     const float margin = 10 * r_uiScale(rc), right = (float)v->width - margin, bottom = (float)v->height - margin;
     if (v->status)
-        label(rc, overlay, margin, bottom, false, v->status);
+        label(rc, margin, bottom, false, v->status);
     if (v->backend->window && v->loop.frames < HINT_FRAMES)
-        label(rc, overlay, right, bottom, true, "F1 help");
+        label(rc, right, bottom, true, "F1 help, F9 panels");
     else if (v->backend->window && rc->m_bPause && !rc->m_bShowHelp)
-        label(rc, overlay, right, bottom, true, "paused: P continues, O one step");
+        label(rc, right, bottom, true, "paused: P continues, O one step");
     if (v->fps >= 0) {
         char text[32];
         snprintf(text, sizeof text, "%.1f fps", (double)v->fps);
-        label(rc, overlay, right, margin + 24 * r_uiScale(rc), true, text);
+        label(rc, right, margin + 24 * r_uiScale(rc), true, text);
     }
 }
 
-void r_hudDraw(RRender *rc, ROverlay *overlay) {
-    draw2DList(rc, overlay);
+/* A sign that nothing moves: two bars, in the middle of the picture's upper edge. */
+static void drawPauseSign(const RRender *rc) {
+    static const float faint[4] = {0.09f, 0.11f, 0.14f, 0.55f};
+    const float scale = r_uiScale(rc), width = 9 * scale, height = 30 * scale;
+    const float x = (float)rc->m_pViewer->width / 2, y = 16 * scale;
+    r_uiBox(x - 2 * width, y - 8 * scale, 4 * width, height + 16 * scale, 8 * scale, faint);
+    r_uiBox(x - 1.25f * width, y, width, height, 2 * scale, r_white);
+    r_uiBox(x + 0.25f * width, y, width, height, 2 * scale, r_white);
+}
+
+void r_overlayFree(ROverlay *overlay) {
+    r_free(overlay->vertices.items);
+    r_free(overlay->indices.items);
+    r_free(overlay->runs.items);
+}
+
+static bool drawAll(RRender *rc, ROverlay *overlay) {
+    r_panelsBegin(rc);
+    r_marksDraw(rc);
+    draw2DList(rc);
     if (r_barIsShown(rc))
-        drawBar(rc, overlay);
+        drawBar(rc);
     if (!rc->m_bShowHelp)
-        drawLabels(rc, overlay);
-    r_menuDraw(rc, overlay);
+        drawLabels(rc);
+    if (rc->m_bPause && !rc->m_bShowHelp)
+        drawPauseSign(rc);
+    r_menuDraw(rc);
+    r_panelsDraw(rc);
     if (rc->m_bShowHelp)
-        r_helpDraw(rc, overlay, &rc->m_pViewer->helpLayout);
+        r_helpDraw(rc, &rc->m_pViewer->helpLayout);
+    return r_panelsEnd(rc, overlay);
+}
+
+/* Off-screen there may be one picture only: a panel that is new in it has to be measured before. */
+void r_hudDraw(RRender *rc, ROverlay *overlay) {
+    enum { TRIES = 3 };
+    rc->m_pViewer->overlaying = true;
+    for (int i = 0; i < TRIES && !drawAll(rc, overlay);)
+        i++;
+    rc->m_pViewer->overlaying = false;
 }

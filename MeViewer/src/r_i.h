@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "MeAssert.h"
 #include "MeMemory.h"
@@ -42,8 +43,10 @@ bool r_isPointer(const void *pointer, const char *function, const char *argument
 /* Keys: printable ASCII (letters in lower case), Enter, Escape, and these. */
 enum {
     RKEY_NONE = 0,
+    RKEY_BACKSPACE = 8,
     RKEY_ENTER = 13,
     RKEY_ESCAPE = 27,
+    RKEY_DELETE = 127,
     RKEY_F1 = 257,
     RKEY_F2,
     RKEY_F3,
@@ -76,6 +79,12 @@ typedef struct {
     int frame; /* 1 is the first. */
 } RScriptedKey;
 
+/* RRenderSetKeyCallBack's. */
+typedef struct {
+    int key;
+    RCallBackDataButton button;
+} RExtraKey;
+
 typedef struct {
     R_ARRAY(REvent) events;
     R_ARRAY(RScriptedKey) script;
@@ -85,6 +94,8 @@ typedef struct {
     int dragButton; /* The button that moves the camera, or 0. */
     bool dragPans;
     bool mouseToProgram; /* The left button went down for the program. */
+    bool mouseLeft;      /* RRenderLeaveMouse: the program does not want it. */
+    R_ARRAY(RExtraKey) extraKeys;
     int lastX, lastY;
 } RInput;
 
@@ -95,6 +106,7 @@ void r_inputFrame(RRender *rc);                      /* Handles what has come in
 void r_inputFree(RInput *input);
 int r_keyByName(const char *name, size_t length); /* RKEY_NONE if there is no such key. */
 void r_keyName(int key, char *name, size_t size);
+bool r_keyIsFree(const RRender *rc, int key); /* The program has no action, button or menu on it. */
 const RCallBackDataButton *r_actionOfKey(const RRender *rc, int key); /* The program's action on it, or null. */
 
 /* ---- Camera (r_camera.c) ---- */
@@ -112,8 +124,9 @@ void r_cameraInit(RRender *rc);
 void r_cameraApplyOption(RRender *rc); /* -camera */
 void r_cameraKeepHome(RRender *rc);
 void r_cameraHome(RRender *rc);
-void r_cameraPan(RRender *rc, AcmeReal right, AcmeReal up); /* In pixels of the window, at the look-at point. */
-void r_cameraDolly(RRender *rc, AcmeReal factor);           /* Multiplies the distance. */
+void r_cameraPan(RRender *rc, AcmeReal right, AcmeReal up);       /* In pixels of the window, at the look-at point. */
+void r_cameraDolly(RRender *rc, AcmeReal factor);                 /* Multiplies the distance. */
+void r_cameraDollyAt(RRender *rc, AcmeReal factor, int x, int y); /* The same, towards a pixel. */
 
 /* ---- Graphics (r_graphic.c) ---- */
 
@@ -132,6 +145,7 @@ typedef struct {
 struct RGraphicPart {
     RKind kind;
     RRender *owner;   /* In whose list it is; null for none. */
+    int number;       /* In the order in which graphics first came into the lists of a context, from 1. */
     bool is2D;        /* Which list. */
     bool warned;      /* Its bad transform or vertices have been told. */
     AcmeReal side;    /* rGround: length of its side. */
@@ -212,43 +226,65 @@ void r_texturesFree(RTextures *textures);
 
 bool r_writePng(const char *path, const RPicture *picture); /* Warns, naming the file, if it cannot be written. */
 
-/* ---- What is laid over the picture (r_overlay.c): pixels, x right, y down ---- */
-
-typedef enum { rFillPlain, rFillRounded, rFillText, rFillTexture } RFill;
+/* ---- What is laid over the picture, as triangles in pixels, x right, y down ---- */
 
 typedef struct {
-    float x, y;
-    float u, v; /* rFillRounded: from the middle, pixels; else texture coordinates */
-    float color[4];
-    float a, b, radius; /* rFillRounded: half width, half height, corner; rFillText: a = pixels per em, b = outline */
-    float fill;         /* RFill */
+    float x, y, u, v;
+    uint32_t color; /* Red in the lowest byte. */
 } ROverlayVertex;
 
 typedef struct {
-    size_t first, count;
-    int texture; /* -1 for none. */
+    size_t first, count; /* Indices. */
+    int texture;         /* -1 for the font's, which has a white place too. */
+    float clip[4];       /* Left, top, right, bottom. */
 } ROverlayRun;
 
 typedef struct {
     R_ARRAY(ROverlayVertex) vertices;
+    R_ARRAY(uint32_t) indices;
     R_ARRAY(ROverlayRun) runs;
 } ROverlay;
 
-typedef enum { rTextPlain, rTextOutlined } RTextStyle;
-
-void r_overlayClear(ROverlay *overlay);
 void r_overlayFree(ROverlay *overlay);
-void r_overlayBox(ROverlay *overlay, float x, float y, float width, float height, float radius, const float color[4]);
-/* y is the baseline, size the height of an em. Returns where the text ends. */
-float r_overlayText(ROverlay *overlay, float x, float y, float size, RTextStyle style, const float color[4],
-                    const char *text);
-void r_overlayTriangle(ROverlay *overlay, const ROverlayVertex vertices[3], int texture);
-float r_textWidth(const char *text, float size);
-float r_uiScale(const RRender *rc); /* 1 in a window of 960x600. */
+
+/* ---- Panels (r_panels.cpp) ---- */
+
+struct RPanels;
+bool r_panelsStart(RRender *rc);
+void r_panelsFree(RRender *rc);
+bool r_panelsTake(RRender *rc, const REvent *event); /* True: a panel has taken the event. */
+void r_panelsBegin(RRender *rc);                     /* From here to the end, r_ui functions draw. */
+bool r_panelsEnd(RRender *rc, ROverlay *overlay);    /* False: a panel has only been measured, and is not seen. */
+/* The picture of the letters, and its number, which changes with it; 0 before the first frame. */
+int r_panelsFont(const RRender *rc, int *width, int *height, const uint8_t **alpha);
+bool r_fontPicture(RPicture *picture);                    /* White letters on nothing. */
+extern const unsigned char r_fontFile[], r_fontFileEnd[]; /* r_font.c */
+
+typedef enum { rTextPlain, rTextOutlined } RTextStyle;
+typedef struct {
+    float x, y, u, v;
+} RCorner;
+/* y is the first line's baseline, size the height of an em, wrap the width for lines or 0. */
+void r_uiText(float x, float y, float size, float wrap, RTextStyle style, const float color[4], const char *text);
+float r_uiTextSize(const char *text, float size, float wrap, float *height); /* The width; height may be null. */
+void r_uiBox(float x, float y, float width, float height, float radius, const float color[4]);
+void r_uiTriangle(const RCorner corners[3], int texture, const float color[4]);
+void r_uiLine(const float start[2], const float end[2], const float color[4], float width);
+void r_uiFixedWindow(const char *name, float x, float y, float width, float height);
+void r_uiWindowEnd(void);
+/* Its upper left corner is put at x, y, or stays; false if it is folded. The end is due in any case. */
+bool r_uiPanel(const char *title, float x, float y, bool put, bool *shown);
+void r_uiPanelEnd(float *right, float *bottom);
+void r_uiPanelMove(const char *title, float x, float y, float *right, float *bottom); /* After its end. */
+bool r_uiClicked(const char *name, float x, float y, float width, float height);
+float r_uiMouseX(void);
+
+/* ---- What the viewer itself lays over the picture: r_hud.c, r_help.c, r_menu.c, r_bar.c, r_panel.c ---- */
 
 extern const float r_white[4], r_dimmed[4], r_accent[4], r_panel[4];
-
-/* ---- What the viewer itself lays over it: r_hud.c, r_help.c, r_menu.c, r_bar.c ---- */
+float r_uiScale(const RRender *rc);          /* 1 in a window of 960x600. */
+uint32_t r_nextCharacter(const char **text); /* Moves on to the next one; the text must not be at its end. */
+void r_hudDraw(RRender *rc, ROverlay *overlay);
 
 typedef struct {
     R_ARRAY(char *) lines; /* The program's, as given. */
@@ -260,17 +296,34 @@ typedef struct {
     float size;                     /* Of its text. */
 } RHelpLayout;
 
-void r_hudDraw(RRender *rc, ROverlay *overlay);
-void r_helpDraw(RRender *rc, ROverlay *overlay, RHelpLayout *layout);
+void r_helpDraw(RRender *rc, RHelpLayout *layout);
 void r_helpFree(RHelp *help);
-void r_menuDraw(RRender *rc, ROverlay *overlay);
+void r_menuDraw(RRender *rc);
+void r_menuAct(RRender *rc); /* What the mouse has done to the menu in the last picture. */
 void r_menusFree(RRender *rc);
 void r_barStart(RRender *rc); /* Begins to measure, if there is a bar that can be seen. */
 bool r_barIsShown(const RRender *rc);
-void r_barDraw(RRender *rc, ROverlay *overlay);
+void r_barToggle(RRender *rc);
+void r_barDraw(RRender *rc);
 void r_barFrame(RRender *rc); /* Takes the times of the frame that has ended. */
 void r_barFree(RRender *rc);
 void r_profileStart(RRender *rc);
+
+typedef struct {
+    char *title;
+    void(MEAPI *func)(RRender *rc, void *userdata);
+    void *userdata;
+    bool shown;  /* When F9 shows panels. */
+    bool pinned; /* RPanelShow: also when it does not. */
+    int seen;    /* Pictures, up to those in which it finds its size and place. */
+} RPanel;
+typedef R_ARRAY(RPanel) RPanelList;
+
+void r_marksDraw(RRender *rc); /* r_mark.c */
+void r_panelsDraw(RRender *rc);
+bool r_tickIsDue(const RRender *rc); /* In slow motion, not in every frame. */
+void r_panelsToggle(RRender *rc);
+void r_panelListFree(RPanelList *list);
 
 typedef struct {
     int frames; /* Since `begin`. */
@@ -334,6 +387,18 @@ int64_t r_now(void);                     /* Nanoseconds of a clock that only goe
 void r_pictureFrame(RRender *rc); /* What F2 and -every ask for in this frame. */
 void r_pictureEnd(RRender *rc);   /* What -screenshot asks for, and what an off-screen run writes anyway. */
 
+/* ---- A film of a run (r_film.c) ---- */
+
+typedef struct {
+    FILE *pipe; /* To ffmpeg; null before the first picture, and after the last. */
+    int width, height, pictures;
+    int lastTick; /* That has a picture. */
+    bool ended;
+} RFilm;
+
+void r_filmFrame(RRender *rc);
+void r_filmEnd(RRender *rc);
+
 /* ---- Drawing (r_draw.c) ---- */
 
 struct RDraw;
@@ -350,6 +415,7 @@ struct RViewer {
     struct RDraw *draw;
     int width, height; /* Pixels. */
     RGraphic *last3D, *last2D;
+    int graphicsListed;
     RGraphic *sky;
     R_ARRAY(RLineSegment) lines;      /* RLineAdd's. */
     R_ARRAY(RLineSegment) debugLines; /* MeDebugDrawAPI's, since the last tick began. */
@@ -361,7 +427,22 @@ struct RViewer {
     RHelp help;
     RHelpLayout helpLayout;
     RLoop loop;
+    RFilm film;
     ROverlay overlay;
+    struct RPanels *panels; /* Null unless something is drawn. */
+    RPanelList panelList;   /* RPanelCreate's. */
+    void(MEAPI *markFunc)(RRender *rc, void *userdata);
+    void *markData;
+    bool marking;            /* It is being called. */
+    bool overlaying;         /* A panel or marks may be called: the context has to stay. */
+    int ownPanelSeen;        /* As RPanel::seen, of the viewer's own. */
+    bool panelsShown;        /* F9. */
+    int slow;                /* The tick is called in one of so many frames; 0 is 1. */
+    int64_t rateBegin;       /* When ticks began to be counted, */
+    int rateTicks;           /* from which number, */
+    float rate;              /* and how many there are in a second. */
+    RMenuBaseEntry *clicked; /* The menu's entry that the mouse has clicked, or null; */
+    bool clickedLess;        /* to do what Left does. */
     char *title, *status;
     AcmeReal fps; /* RRenderDisplayFps; below 0 for none. */
     int sphereSides;

@@ -70,6 +70,7 @@ void r_inputInit(RInput *input) {
 }
 
 void r_inputFree(RInput *input) {
+    r_free(input->extraKeys.items);
     r_free(input->events.items);
     r_free(input->script.items);
 }
@@ -139,6 +140,14 @@ const RCallBackDataButton *r_actionOfKey(const RRender *rc, int key) {
     return NULL;
 }
 
+static const RCallBackDataButton *extraOfKey(const RRender *rc, int key) {
+    const RInput *in = &rc->m_pViewer->input;
+    for (size_t i = 0; i < in->extraKeys.count; i++)
+        if (in->extraKeys.items[i].key == key)
+            return &in->extraKeys.items[i].button;
+    return NULL;
+}
+
 static int buttonOf(int key) {
     switch (key) {
     case RKEY_UP:
@@ -160,6 +169,10 @@ static int buttonOf(int key) {
     default:
         return kRButtons;
     }
+}
+
+bool r_keyIsFree(const RRender *rc, int key) {
+    return !r_actionOfKey(rc, key) && buttonOf(key) == kRButtons;
 }
 
 static void callMouse(RRender *rc, const REvent *e, RMouseButtonEvent event) {
@@ -194,22 +207,19 @@ static void menuKey(RRender *rc, int key) {
     r_afterCallBack(rc);
 }
 
-/* Shows the default menu, goes back to the menu before, or hides the menu. */
+/* F9: goes back to the menu before; else shows the default menu and the panels, or hides both. */
 static void toggleMenu(RRender *rc) {
     const RMenu *shown = rc->m_pCurrentMenu;
-    if (!shown)
-        RRenderDisplayDefaultMenu(rc);
-    else if (shown->m_pParent)
+    if (shown && shown->m_pParent) {
         RMenuDisplay(shown->m_pParent);
+        return;
+    }
+    if (!shown || rc->m_pViewer->panelsShown)
+        r_panelsToggle(rc);
+    if (rc->m_pViewer->panelsShown)
+        RRenderDisplayDefaultMenu(rc);
     else
         RRenderHideCurrentMenu(rc);
-}
-
-static void toggleBar(RRender *rc) {
-    if (rc->m_pPerformanceBar)
-        rc->m_pPerformanceBar->m_bVisible = !rc->m_pPerformanceBar->m_bVisible;
-    else
-        RPerformanceBarCreate(rc);
 }
 
 static void viewerKey(RRender *rc, int key) {
@@ -222,7 +232,7 @@ static void viewerKey(RRender *rc, int key) {
         v->loop.pictureAsked = true;
         break;
     case RKEY_F3:
-        toggleBar(rc);
+        r_barToggle(rc);
         break;
     case RKEY_F4:
         v->wireframe = !v->wireframe;
@@ -288,6 +298,8 @@ static void keyDown(RRender *rc, int key, int modifiers) {
         r_cameraDolly(rc, key == RKEY_PAGE_UP ? tapZoom : 1 / tapZoom);
     else if (buttonOf(key) != kRButtons)
         press(rc, &rc->m_CallBacks.m_Button[buttonOf(key)]);
+    else if (extraOfKey(rc, key))
+        press(rc, extraOfKey(rc, key));
     else
         viewerKey(rc, key);
 }
@@ -301,11 +313,14 @@ static void mouseDown(RRender *rc, const REvent *e) {
     in->lastY = e->y;
     if (left && rc->m_CallBacks.m_Mouse.m_Func && !(e->modifiers & (RCONTROL | RSHIFT))) {
         in->mouseToProgram = true;
+        in->mouseLeft = false;
         callMouse(rc, e, kRNewlyPressed);
-        return;
+        if (!in->mouseLeft)
+            return;
+        in->mouseToProgram = false;
     }
     in->dragButton = e->which;
-    in->dragPans = e->which == kRMiddleButton || (left && (e->modifiers & RSHIFT));
+    in->dragPans = !left || (e->modifiers & RSHIFT);
 }
 
 static void mouseMove(RRender *rc, const REvent *e) {
@@ -318,8 +333,6 @@ static void mouseMove(RRender *rc, const REvent *e) {
         callMouse(rc, e, kRStillPressed);
     } else if (in->dragPans) {
         r_cameraPan(rc, -dx, dy);
-    } else if (in->dragButton == kRRightButton) {
-        r_cameraDolly(rc, expf(dy * angle));
     } else if (in->dragButton == kRLeftButton) {
         RCameraRotateAngle(rc, -dx * angle);
         RCameraRotateElevation(rc, dy * angle);
@@ -346,6 +359,8 @@ static void resize(RRender *rc, int width, int height) {
 }
 
 static void handle(RRender *rc, const REvent *e) {
+    if (r_panelsTake(rc, e))
+        return;
     switch (e->kind) {
     case rKeyDown:
         keyDown(rc, e->key, e->modifiers);
@@ -364,7 +379,7 @@ static void handle(RRender *rc, const REvent *e) {
         mouseUp(rc, e);
         break;
     case rWheel:
-        r_cameraDolly(rc, powf(tapZoom, (AcmeReal)e->which));
+        r_cameraDollyAt(rc, powf(tapZoom, (AcmeReal)e->which), e->x, e->y);
         break;
     case rResize:
         resize(rc, e->x, e->y);
@@ -394,6 +409,7 @@ void r_inputFrame(RRender *rc) {
         in->heldFor[key]++;
         holdKey(rc, key);
     }
+    r_menuAct(rc);
     postScript(rc);
     rc->m_pViewer->backend->poll(rc);
     for (size_t i = 0; i < in->events.count; i++) {

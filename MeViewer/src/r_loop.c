@@ -24,7 +24,7 @@ void r_afterCallBack(const RRender *rc) {
 
 static void callTick(RRender *rc, const RTick *tick) {
     struct RViewer *v = rc->m_pViewer;
-    const bool run = !rc->m_bPause || v->loop.step;
+    const bool run = (!rc->m_bPause && r_tickIsDue(rc)) || v->loop.step;
     v->loop.step = false;
     if (!run || !tick)
         return;

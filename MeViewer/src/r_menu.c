@@ -1,4 +1,4 @@
-/* Menus: their entries, and the one that is shown. */
+/* Menus: their entries, the one that is shown, and how it looks. */
 #include "r_i.h"
 #include "RMenu.h"
 
@@ -44,6 +44,8 @@ static void forget(RRender *rc, const RMenu *rm) {
         rc->m_pCurrentMenu = NULL;
     if (rc->m_pDefaultMenu == rm)
         rc->m_pDefaultMenu = NULL;
+    if (rc->m_pViewer->clicked && rc->m_pViewer->clicked->m_pMenu == rm)
+        rc->m_pViewer->clicked = NULL;
     for (RMenu *other = menus; other; other = other->m_pNext) {
         if (other->m_pParent == rm)
             other->m_pParent = NULL;
@@ -190,12 +192,11 @@ static const float fontSize = 15, rowSize = 24, valueColumn = 180;
 
 static void drawEntry(RMenuBaseEntry *entry, MeReal x, MeReal y, const char *value) {
     RRender *rc = entry->m_pMenu->m_pRender;
-    ROverlay *overlay = &rc->m_pViewer->overlay;
     const float scale = r_uiScale(rc), size = fontSize * scale;
     const float *color = entry == entry->m_pMenu->m_pCurrent ? r_accent : r_white;
-    r_overlayText(overlay, (float)x, (float)y, size, rTextPlain, color, entry->m_Name);
-    const float right = (float)x + fmaxf(valueColumn * scale, r_textWidth(entry->m_Name, size) + 2 * size);
-    r_overlayText(overlay, right, (float)y, size, rTextPlain, color, value);
+    r_uiText((float)x, (float)y, size, 0, rTextPlain, color, entry->m_Name);
+    const float right = (float)x + fmaxf(valueColumn * scale, r_uiTextSize(entry->m_Name, size, 0, NULL) + 2 * size);
+    r_uiText(right, (float)y, size, 0, rTextPlain, color, value);
 }
 
 static void displayToggle(RMenuBaseEntry *entry, MeReal x, MeReal y) {
@@ -212,25 +213,52 @@ static void displaySubmenu(RMenuBaseEntry *entry, MeReal x, MeReal y) {
     drawEntry(entry, x, y, "\xe2\x86\x92"); /* An arrow to the right. */
 }
 
-void r_menuDraw(RRender *rc, ROverlay *overlay) {
+/* The mouse on an entry: on its left half what Left does, else what Right does; in the next frame, outside of the
+ * drawing. */
+static void askMouse(RRender *rc, RMenuBaseEntry *e, float x, float y, float width, float height) {
+    char name[32];
+    snprintf(name, sizeof name, "%p", (void *)e);
+    if (!r_uiClicked(name, x, y, width, height))
+        return;
+    rc->m_pViewer->clicked = e;
+    rc->m_pViewer->clickedLess = e->m_Execute1 == increase && r_uiMouseX() < x + width / 2;
+}
+
+void r_menuAct(RRender *rc) {
+    RMenuBaseEntry *e = rc->m_pViewer->clicked;
+    rc->m_pViewer->clicked = NULL;
+    if (!e)
+        return;
+    e->m_pMenu->m_pCurrent = e;
+    (rc->m_pViewer->clickedLess ? e->m_Execute2 : e->m_Execute1)(e);
+    r_afterCallBack(rc);
+}
+
+static float entryWidth(const RMenuBaseEntry *e, float size, float scale) {
+    return fmaxf(valueColumn * scale, r_uiTextSize(e->m_Name, size, 0, NULL) + 2 * size) + 5 * size;
+}
+
+void r_menuDraw(RRender *rc) {
     static const char *const keys = "\xe2\x86\x91\xe2\x86\x93 choose   \xe2\x86\x90\xe2\x86\x92 change   F9 close";
     const RMenu *rm = rc->m_pCurrentMenu;
     if (!rm || rc->m_bShowHelp)
         return;
     const float scale = r_uiScale(rc), size = fontSize * scale, row = rowSize * scale, pad = 14 * scale;
-    float width = fmaxf(r_textWidth(rm->m_Name, size), r_textWidth(keys, 0.8f * size));
+    float width = fmaxf(r_uiTextSize(rm->m_Name, size, 0, NULL), r_uiTextSize(keys, 0.8f * size, 0, NULL));
     int rows = 2;
     for (const RMenuBaseEntry *e = rm->m_pFirst; e; e = e->m_pNext, rows++)
-        width = fmaxf(width, fmaxf(valueColumn * scale, r_textWidth(e->m_Name, size) + 2 * size) + 5 * size);
+        width = fmaxf(width, entryWidth(e, size, scale));
     const float left = roundf(0.04f * (float)rc->m_pViewer->width), top = roundf(0.12f * (float)rc->m_pViewer->height);
-    r_overlayBox(overlay, left, top, width + 2 * pad, (float)rows * row + 2 * pad, 8 * scale, r_panel);
+    r_uiFixedWindow("menu", left, top, width + 2 * pad, (float)rows * row + 2 * pad);
     float y = top + pad + 0.7f * row;
-    r_overlayText(overlay, left + pad, roundf(y), size, rTextPlain, r_dimmed, rm->m_Name);
+    r_uiText(left + pad, roundf(y), size, 0, rTextPlain, r_dimmed, rm->m_Name);
     for (RMenuBaseEntry *e = rm->m_pFirst; e; e = e->m_pNext) {
         y += row;
         e->m_Display(e, (MeReal)(left + pad), (MeReal)roundf(y));
+        askMouse(rc, e, left, y - 0.7f * row, width + 2 * pad, row);
     }
-    r_overlayText(overlay, left + pad, roundf(y + 1.1f * row), 0.8f * size, rTextPlain, r_dimmed, keys);
+    r_uiText(left + pad, roundf(y + 1.1f * row), 0.8f * size, 0, rTextPlain, r_dimmed, keys);
+    r_uiWindowEnd();
 }
 
 /* ---- Adding entries ---- */

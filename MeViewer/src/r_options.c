@@ -151,6 +151,7 @@ void MEAPI RDisplayCommandLineHelp(void) {
               "What to keep:\n"
               "  -screenshot FILE     a PNG picture of the last frame\n"
               "  -every N             with -screenshot: every N frames one, FILE-0001.png and so on\n"
+              "  -film FILE           a film by ffmpeg, .mp4 or .gif, that plays as fast as the simulation ran\n"
               "  -bar                 show the performance bar off-screen too\n"
               "  -profile             print how long everything took\n"
               "  -help                this text\n"
@@ -176,6 +177,7 @@ void r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommand
     out->m_bBar = has(s, "-bar");
     out->m_bProfile = has(s, "-profile");
     (void)getText(s, "-screenshot", out->m_Screenshot, sizeof out->m_Screenshot);
+    (void)getText(s, "-film", out->m_Film, sizeof out->m_Film);
     (void)getText(s, "-key", out->m_Keys, sizeof out->m_Keys);
     finishEnvironment(environment);
 }

@@ -63,6 +63,7 @@ void r_pictureFrame(RRender *rc) {
     RLoop *loop = &rc->m_pViewer->loop;
     const RRenderOptions *o = &rc->m_Options;
     char path[PATH_SIZE];
+    r_filmFrame(rc);
     if (loop->pictureAsked) {
         loop->pictureAsked = false;
         writeAsked(rc);
@@ -77,6 +78,7 @@ void r_pictureEnd(RRender *rc) {
     const RRenderOptions *o = &rc->m_Options;
     const bool series = o->m_nEvery && o->m_Screenshot[0];
     char path[PATH_SIZE], text[PATH_SIZE + 64];
+    r_filmEnd(rc);
     if (series) {
         numbered(o->m_Screenshot, rc->m_pViewer->loop.pictures, path);
         snprintf(text, sizeof text, "%d pictures, the last one %s", rc->m_pViewer->loop.pictures, path);
@@ -86,7 +88,7 @@ void r_pictureEnd(RRender *rc) {
     }
     if (o->m_Screenshot[0]) {
         snprintf(path, sizeof path, "%s", o->m_Screenshot);
-    } else if (rc->m_pViewer->backend->type == kROSMesa) {
+    } else if (rc->m_pViewer->backend->type == kROSMesa && !o->m_Film[0]) {
         baseName(rc, path, sizeof path - 4);
         strcat(path, ".png");
     } else {

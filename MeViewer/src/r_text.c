@@ -1,12 +1,9 @@
-/* Text: variables in it, its characters, its width, and text as a graphic. */
+/* Text: variables in it, its characters, and text as a graphic. */
 #include "r_i.h"
-#include "r_text_i.h"
 
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
-
-#include "r_font_i.h"
 
 /* One more byte of the output, if there is room for it and for the end. */
 static void append(char *out, int size, int *length, const char *text, int n) {
@@ -77,31 +74,6 @@ uint32_t r_nextCharacter(const char **text) {
     }
     *text += 1 + more;
     return code;
-}
-
-const RGlyph *r_glyph(uint32_t code) {
-    int low = 0, high = r_font.count - 1;
-    while (low <= high) {
-        const int middle = (low + high) / 2;
-        const RGlyph *g = &r_font.glyphs[middle];
-        if (g->code == code)
-            return g;
-        if (g->code < code)
-            low = middle + 1;
-        else
-            high = middle - 1;
-    }
-    return r_glyph('?');
-}
-
-float r_textWidth(const char *text, float size) {
-    float width = 0, widest = 0;
-    while (*text) {
-        const uint32_t code = r_nextCharacter(&text);
-        width = code == '\n' ? 0 : width + r_glyph(code)->advance * size;
-        widest = fmaxf(widest, width);
-    }
-    return widest;
 }
 
 RGraphic *MEAPI RGraphicTextCreate(RRender *rc, const char *text, AcmeReal orig_x, AcmeReal orig_y,

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "r_font_i.h"
-
 int MEAPI RRenderTextureCreate(RRender *rc, const char *filename) {
     if (!r_isContext(rc, __func__) || !r_isPointer(filename, __func__, "filename"))
         return -1;
@@ -58,18 +56,6 @@ static bool checkerboard(RPicture *p) {
     return true;
 }
 
-/* White characters on nothing: the picture that all text is made from. */
-static bool fontPicture(RPicture *p) {
-    if (!newPicture(p, r_font.width, r_font.height))
-        return false;
-    for (int i = 0; i < r_font.width * r_font.height; i++) {
-        const float pixels = ((float)r_font.distance[i] - 128) / 127 * r_font.spread;
-        memset(p->rgba + 4 * i, 255, 3);
-        p->rgba[4 * i + 3] = (uint8_t)(255 * fminf(fmaxf(pixels + 0.5f, 0), 1) + 0.5f);
-    }
-    return true;
-}
-
 /* The file of a texture in a directory: .bmp, or else .png. */
 static bool readFrom(const char *place, const char *name, RPicture *picture) {
     static const struct {
@@ -89,7 +75,7 @@ bool r_texturePicture(const char *name, RPicture *picture) {
     if (strcmp(name, "checkerboard") == 0)
         return checkerboard(picture);
     if (strcmp(name, "font") == 0)
-        return fontPicture(picture);
+        return r_fontPicture(picture);
     const char *const places[] = {".", getenv("KARMA_TEXTURES"), "textures", "../textures"};
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++)
         if (places[i] && *places[i] && readFrom(places[i], name, picture))

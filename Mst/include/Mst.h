@@ -7,6 +7,7 @@
 #include "Mcd.h"
 #include "Mdt.h"
 #include "MstBridge.h"
+#include "MstDebugDraw.h"
 #include "MstEvents.h"
 #include "MstModelDynamics.h"
 #include "MstTypes.h"

@@ -6,6 +6,7 @@
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
+#include "MeProfile.h"
 #include "mst_i.h"
 #include <limits.h>
 #include <string.h>
@@ -270,6 +271,7 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
     if (!record)
         return;
     const char *before = MeCallerSet("MstBridgeUpdateContacts");
+    MeProfileStartSection("Collision", 0);
     if (record->part == 0)
         mst_eventsBegin(record);
     mst_clearSafeTimes(record);
@@ -284,6 +286,7 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
         MstHandleCollisions(b->pairs, s, w, b);
     } while (isMore);
     McdSpaceBeginChanges(s);
+    MeProfileEndSection("Collision");
     MeCallerSet(before);
 }
 

@@ -155,7 +155,7 @@ static void MEAPI joinThread(void *task, void *user) {
 
 /* ---- the same bits ---- */
 
-enum { FRAMES = 90 };
+enum { FRAMES = 60 };
 
 static uint64_t run(void (*make)(Scene *s), MeTaskPoolID pool, MeBool isReported) {
     Scene s;

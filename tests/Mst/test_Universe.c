@@ -1,4 +1,5 @@
 /* Universes: what they are made of, the guide's programs, and stacks that stand and go to sleep. */
+#include "MeProfile.h"
 #include "Mst.h"
 #include "karma_test.h"
 
@@ -320,9 +321,26 @@ START_TEST(a_ball_rolls_on_however_fast_it_turns) {
 }
 END_TEST
 
+/* What the performance bar shows: both sections of a step, whoever measures. */
+START_TEST(a_step_is_profiled_as_collision_and_dynamics) {
+    makeGround();
+    makeBox(1, 0, 0, 0.5);
+    MeProfileStartTiming((MeProfileTimerMode){kMeProfileCounterModeFlops}, kMeProfileDontLog);
+    MeProfileStartFrame();
+    MstUniverseStep(u, (MeReal)(1. / 60));
+    MeProfileEndFrame();
+    assert_below(0, MeProfileGetSectionTime("Collision"));
+    assert_below(0, MeProfileGetSectionTime("Dynamics"));
+    assert_near(MeProfileGetSectionTime("Collision") + MeProfileGetSectionTime("Dynamics"),
+                MeProfileGetAllSectionTime(), TOL(1e-9, 1e-15));
+    MeProfileStopTiming();
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_checked_fixture(t, setUp, tearDown);
     tcase_add_test(t, a_ball_rolls_on_however_fast_it_turns);
+    tcase_add_test(t, a_step_is_profiled_as_collision_and_dynamics);
     tcase_add_test(t, the_default_sizes_are_the_guides);
     tcase_add_test(t, its_parts_are_there);
     tcase_add_test(t, bad_sizes_make_no_universe);

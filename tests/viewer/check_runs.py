@@ -70,5 +70,27 @@ with tempfile.TemporaryDirectory() as directory:
     run('-osmesa -size 64x48 -frames 3 -key F2@2,F2@3', 0, r'test_viewer_program-0001\.png',
         r'test_viewer_program-0002\.png')
 
+    # A film: every second tick's picture goes to ffmpeg, or what stands for it here, with size and rate.
+    paths = os.environ['PATH']
+    os.environ['PATH'] = directory  # no ffmpeg, even where it is installed
+    run('-osmesa -size 64x48 -frames 3 -film film.mp4', 2, r'film\.mp4.*ffmpeg.*not installed')
+    os.environ['PATH'] = f'{directory}:{paths}'
+    with open('ffmpeg', 'w') as tool:
+        tool.write('#!/bin/sh\nprintf "%s\\n" "$@" >arguments\ncat >pictures\n')
+    os.chmod('ffmpeg', 0o755)
+    run("-osmesa -size 64x48 -frames 21 -film it's.mp4", 0, r"wrote it's\.mp4 \(64x48, 10 pictures\)")
+    arguments = open('arguments').read().split('\n')
+    expect(arguments[arguments.index('-video_size') + 1] == '64x48' and
+           arguments[arguments.index('-framerate') + 1] == '30' and arguments[-2] == "it's.mp4",
+           f'ffmpeg was called with {arguments}')
+    expect(os.path.getsize('pictures') == 10 * 64 * 48 * 4, 'not all pictures arrived')
+    run('-osmesa -size 64x48 -frames 21 -film it.gif', 0, r'7 pictures')
+    expect('20' in open('arguments').read().split('\n'), 'a GIF has 20 pictures a second')
+    run('-null -frames 5 -film it.gif', 2, r'-null')
+    with open('ffmpeg', 'w') as tool:
+        tool.write('#!/bin/sh\nexit 3\n')
+    run('-osmesa -size 320x240 -frames 21 -film it.mp4', 2, r'could not make the film')
+    os.environ['PATH'] = paths
+
 print('runs without a window: ' + (f'{failures} failures' if failures else 'all as they should be'))
 sys.exit(failures > 0)

@@ -4,96 +4,13 @@
 usage: check_window.py <program> <png_check>      exit code 77: Xvfb or xdotool is not installed
 """
 import os
-import shutil
-import signal
 import subprocess
 import sys
 import tempfile
 import time
 
-PATIENCE = 100  # seconds for anything to happen; a slow machine with other work needs some
-
-
-def fail(what):
-    print(f'FAILED: {what}')
-    sys.exit(1)
-
-
-def wait_for(what, ready, explain=lambda: ''):
-    """Until ready() gives something; then that."""
-    end = time.monotonic() + PATIENCE
-    while time.monotonic() < end:
-        found = ready()
-        if found:
-            return found
-        time.sleep(0.05)
-    fail(f'{what} did not happen in {PATIENCE} s{explain()}')
-
-
-def start_server():
-    """-> (process, display name): Xvfb on a display that it finds free itself."""
-    reader, writer = os.pipe()
-    server = subprocess.Popen(['Xvfb', '-displayfd', str(writer), '-screen', '0', '1280x800x24', '-nolisten', 'tcp'],
-                              pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    os.close(writer)
-    with os.fdopen(reader) as pipe:
-        number = pipe.readline().strip()  # empty if the server ends
-    if not number:
-        fail('Xvfb does not start')
-    return server, f':{number}'
-
-
-class Window:
-    """The program, its output, and a hand on its keyboard and mouse."""
-
-    def __init__(self, program, display, directory, *arguments):
-        self.environment = dict(os.environ, DISPLAY=display)
-        self.directory = directory
-        self.log = os.path.join(directory, 'log')
-        with open(self.log, 'wb') as log:
-            self.process = subprocess.Popen([program, *arguments], cwd=directory, env=self.environment, stdout=log,
-                                            stderr=subprocess.STDOUT)
-
-    def output(self):
-        with open(self.log) as log:
-            return log.read()
-
-    def fail_if_ended(self, what):
-        if self.process.poll() is not None:
-            fail(f'the program ended with {self.process.returncode} before {what}:\n{self.output()}')
-
-    def expect(self, line):
-        def ready():
-            if line in self.output():
-                return True
-            self.fail_if_ended(f'"{line}"')
-            return False
-        wait_for(f'"{line}"', ready, lambda: f', but only:\n{self.output()}')
-
-    def send(self, *arguments):
-        run = subprocess.run(['xdotool', *arguments], env=self.environment, capture_output=True, text=True,
-                             timeout=PATIENCE)
-        if run.returncode:
-            fail(f'xdotool {" ".join(arguments)}: {run.stderr}')
-        return run.stdout.split()
-
-    def find(self):
-        """Waits for the window and puts the pointer into it: without a window manager, keys go where that is."""
-        search = ['xdotool', 'search', '--onlyvisible', '--name', 'Karma viewer test']
-
-        def ready():
-            self.fail_if_ended('there was a window')
-            return subprocess.run(search, env=self.environment, capture_output=True, text=True,
-                                  timeout=PATIENCE).stdout.split()
-        window = wait_for('the window', ready, lambda: f', but only:\n{self.output()}')[0]
-        self.send('mousemove', '--window', window, '200', '150')
-        return window
-
-    def end(self):
-        try:
-            return self.process.wait(timeout=PATIENCE)
-        except subprocess.TimeoutExpired:
-            fail(f'the program does not end:\n{self.output()}')
+sys.dont_write_bytecode = True
+from window import PATIENCE, Ended, Window, fail, server
 
 
 def check(compare, question, *pictures):
@@ -124,9 +41,9 @@ def check_keys(program, compare, display, directory):
     def resized():
         before = window.output().count('wrote')
         window.send('key', 'F2')
-        wait_for('a picture', lambda: window.output().count('wrote') > before)
+        window.wait_for('a picture', lambda: window.output().count('wrote') > before)
         return '(400x300)' in window.output()
-    wait_for('a picture of the new size', resized)
+    window.wait_for('a picture of the new size', resized)
     window.send('key', 'q')
     code = window.end()
     if code != 0:
@@ -140,6 +57,36 @@ def check_keys(program, compare, display, directory):
         fail('F1 changed nothing')
     if not check(compare, 'help', before, after):
         fail('F1 showed no help')
+
+
+def check_panels(program, display, directory):
+    """F9 opens the panels; a click on one is the panel's and not the program's."""
+    window = Window(program, display, directory, '-gl', '-size', '960x600')
+    name = window.find()
+    window.expect('tick 3')
+    window.send('key', 'F9')
+    window.expect('panel seen')
+    window.send('mousemove', '--window', name, '40', '104', 'click', '1')
+    window.expect('panel button')
+    if 'pressed at' in window.output():
+        fail('the program got the click on the panel too')
+    window.send('mousemove', '--window', name, '480', '500', 'click', '1')
+    window.expect('pressed at 500')
+    window.send('key', 'Escape')
+    if window.end() != 0 or window.output().count('cleanup 0') != 1:
+        fail(f'after panels, the end is not as it should be:\n{window.output()}')
+
+
+def check_early_end(program, directory):
+    """A program that cannot open its window is reported at once, not after waiting for the window."""
+    window = Window(program, ':65000', directory, '-gl')
+    begin = time.monotonic()
+    try:
+        window.find()
+    except Ended as ended:
+        if time.monotonic() - begin < PATIENCE / 2 and 'ended with 1' in str(ended):
+            return
+    fail('a program without a display is not reported at once')
 
 
 def check_frames(program, compare, display, directory):
@@ -157,20 +104,12 @@ def check_frames(program, compare, display, directory):
 
 def main():
     program, compare = (os.path.abspath(p) for p in sys.argv[1:3])
-    for tool in ('Xvfb', 'xdotool'):
-        if not shutil.which(tool):
-            print(f'skipped: {tool} is not installed')
-            sys.exit(77)
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
-    server, display = start_server()
-    try:
-        with tempfile.TemporaryDirectory() as directory:
-            check_keys(program, compare, display, directory)
-            check_frames(program, compare, display, directory)
-        print('the window works')
-    finally:
-        server.terminate()
-        server.wait()
+    with server() as display, tempfile.TemporaryDirectory() as directory:
+        check_keys(program, compare, display, directory)
+        check_panels(program, display, directory)
+        check_early_end(program, directory)
+        check_frames(program, compare, display, directory)
+    print('the window works')
 
 
 main()

@@ -6,6 +6,7 @@
 
 #include "MeMessage.h"
 #include "MeViewer.h"
+#include "RPanel.h"
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
@@ -44,6 +45,16 @@ static void MEAPI onMouse(RRender *context, int x, int y, int modifiers, RMouseB
         say(event == kRNewlyPressed ? "pressed at" : "released at", y);
 }
 
+static void MEAPI showPanel(RRender *context, void *userdata) {
+    static int frames;
+    (void)context;
+    (void)userdata;
+    if (RPanelButton("a button"))
+        say("panel button", ticks);
+    if (++frames == 3)
+        say("panel seen", ticks);
+}
+
 static void MEAPI Tick(RRender *context) {
     tm[3][1] = tm[3][1] > 1 ? tm[3][1] - (MeReal)0.05 : 1;
     if (++ticks == 3)
@@ -76,6 +87,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     RRenderCreateUserHelp(rc, help, 2);
     RRenderSetActionNCallBack(rc, 2, Reset);
     RRenderSetMouseCallBack(rc, onMouse);
+    RPanelCreate(rc, "Test panel", showPanel, 0);
     RPerformanceBarCreate(rc);
     RGraphicSphereCreate(rc, 1, RPalette[1], tm);
     RGraphicGroundPlaneCreate(rc, 24, 2, RPalette[7], 0);

@@ -296,17 +296,110 @@ START_TEST(the_mouse_moves_the_camera) {
     const double angle = (double)RCameraGetRotation(rc);
     point(rMouseMove, 0, 0, 10, 10);
     assert_near(RCameraGetRotation(rc), angle, 0);
-    point(rWheel, 2, 0, 0, 0);
+    point(rWheel, 2, 0, 480, 300);
     assert_near(RCameraGetDistance(rc), 15 * 0.81, 1e-4);
-    point(rMouseDown, kRRightButton, 0, 100, 100);
-    point(rMouseMove, 0, 0, 100, 150);
-    assert_below(15, RCameraGetDistance(rc));
-    point(rMouseUp, kRRightButton, 0, 100, 150);
-    point(rMouseDown, kRLeftButton, RSHIFT, 100, 100);
-    point(rMouseMove, 0, RSHIFT, 100, 150);
-    point(rMouseUp, kRLeftButton, 0, 100, 150);
+    static const int buttons[3] = {kRLeftButton, kRMiddleButton, kRRightButton}, modifiers[3] = {RSHIFT, 0, 0};
+    for (int i = 0; i < 3; i++) {
+        const double before = (double)rc->m_CameraLookAt[1];
+        point(rMouseDown, buttons[i], modifiers[i], 100, 100);
+        point(rMouseMove, 0, modifiers[i], 100, 150);
+        point(rMouseUp, buttons[i], 0, 100, 150);
+        assert_near(RCameraGetRotation(rc), angle, 0);
+        assert_near(RCameraGetDistance(rc), 15 * 0.81, 1e-4);
+        assert_below(before + 0.1, rc->m_CameraLookAt[1]); /* Dragging down looks further up. */
+    }
+}
+END_TEST
+
+/* World to the picture: 2 x 2, y up. */
+static void seenAt(const double world[3], double seen[2]) {
+    double c[3], w;
+    RRenderUpdateProjectionMatrices(rc);
+    for (int j = 0; j < 3; j++) {
+        c[j] = (double)rc->m_CameraMatrix[3][j];
+        for (int i = 0; i < 3; i++)
+            c[j] += world[i] * (double)rc->m_CameraMatrix[i][j];
+    }
+    w = -c[2] * -(double)rc->m_ProjectionMatrix[2][3] + (double)rc->m_ProjectionMatrix[3][3];
+    seen[0] = c[0] * (double)rc->m_ProjectionMatrix[0][0] / w;
+    seen[1] = c[1] * (double)rc->m_ProjectionMatrix[1][1] / w;
+}
+
+START_TEST(the_wheel_zooms_to_the_pointer) {
+    for (int orthographic = 0; orthographic < 2; orthographic++) {
+        double before[2], after[2];
+        RCameraSetView(rc, 10, 0.4f, 0.3f);
+        if (orthographic)
+            RCameraSetOrthographicView(rc, 8, 40);
+        AcmeVector3 at, up, look;
+        RCameraGetLookAt(rc, at);
+        RCameraGetUp(rc, up);
+        RCameraGetLookDir(rc, look);
+        /* A point of the plane through the look-at point that faces the camera. */
+        const double right[3] = {(double)(look[1] * up[2] - look[2] * up[1]),
+                                 (double)(look[2] * up[0] - look[0] * up[2]),
+                                 (double)(look[0] * up[1] - look[1] * up[0])};
+        double p[3];
+        for (int i = 0; i < 3; i++)
+            p[i] = (double)at[i] + 2.5 * right[i] + 1.5 * (double)up[i];
+        seenAt(p, before);
+        point(rWheel, 3, 0, (int)lround(480 * (1 + before[0])), (int)lround(300 * (1 - before[1])));
+        seenAt(p, after);
+        assert_near(before[0], after[0], 1e-3); /* Within a pixel. */
+        assert_near(before[1], after[1], 1.5e-3);
+    }
+    ck_assert(rc->m_pViewer->camera.orthoHeight < 8);
+}
+END_TEST
+
+static void MEAPI leave(RRender *r, int x, int y, int modifiers, RMouseButtonWhich which, RMouseButtonEvent event,
+                        void *userdata) {
+    onMouse(r, x, y, modifiers, which, event, userdata);
+    if (x > 500)
+        RRenderLeaveMouse(r);
+}
+
+START_TEST(a_drag_may_be_left_to_the_camera) {
+    RRenderSetMouseCallBack(rc, leave);
+    point(rMouseDown, kRLeftButton, 0, 600, 100);
+    point(rMouseMove, 0, 0, 650, 100);
+    point(rMouseUp, kRLeftButton, 0, 650, 100);
+    ck_assert_int_eq(mouse.n, 1); /* It is asked, and told no more. */
+    assert_below(RCameraGetRotation(rc), -0.1);
+    const double angle = (double)RCameraGetRotation(rc);
+    point(rMouseDown, kRLeftButton, 0, 100, 100);
+    point(rMouseMove, 0, 0, 150, 100);
+    point(rMouseUp, kRLeftButton, 0, 150, 100);
+    ck_assert_int_eq(mouse.n, 4);
     assert_near(RCameraGetRotation(rc), angle, 0);
-    assert_below(0.1, rc->m_CameraLookAt[1]); /* Dragging down looks further up. */
+}
+END_TEST
+
+START_TEST(helpers_have_keys_that_the_program_does_not_want) {
+    RRenderSetKeyCallBack(rc, ' ', onPress, NULL, "throw");
+    RRenderSetKeyCallBack(rc, 'P', onPress, NULL, NULL);
+    tap(' ', 0);
+    tap('p', 0);
+    ck_assert_int_eq(calls, 2);
+    ck_assert_int_eq(rc->m_bPause, 0);
+    RRenderSetActionNCallBack(rc, 1, onPressNoData);
+    tap(' ', 0);
+    ck_assert_int_eq(calls, 102);
+    RRenderSetKeyCallBack(rc, ' ', NULL, NULL, NULL);
+    RRenderSetActionNCallBack(rc, 1, 0);
+    tap(' ', 0);
+    ck_assert_int_eq(calls, 102);
+    RRenderSetKeyCallBack(rc, '\n', onPress, NULL, NULL);
+    assert_warned("printable");
+}
+END_TEST
+
+START_TEST(slow_motion_ticks_less_often) {
+    rc->m_pViewer->slow = 4;
+    frames(40);
+    ck_assert_int_eq(ticks, 10);
+    tap('o', 0); /* A single step comes at once. */
+    ck_assert_int_eq(ticks, 11);
 }
 END_TEST
 
@@ -432,6 +525,10 @@ static void tests(TCase *t) {
     tcase_add_test(t, pause_and_single_step);
     tcase_add_test(t, camera_keys);
     tcase_add_test(t, the_mouse_moves_the_camera);
+    tcase_add_test(t, the_wheel_zooms_to_the_pointer);
+    tcase_add_test(t, a_drag_may_be_left_to_the_camera);
+    tcase_add_test(t, helpers_have_keys_that_the_program_does_not_want);
+    tcase_add_test(t, slow_motion_ticks_less_often);
     tcase_add_test(t, the_programs_mouse);
     tcase_add_test(t, arrows_work_a_menu);
     tcase_add_test(t, leaving);

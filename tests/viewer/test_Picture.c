@@ -478,6 +478,68 @@ START_TEST(changes_are_seen) {
 }
 END_TEST
 
+static MeMatrix4 turned = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+
+/* How much of the picture is another one when a graphic has turned, by 40 degrees about y. */
+static double seenToTurn(RGraphic *(*make)(void), const char *texture) {
+    MeMatrix4TMMakeIdentity(turned);
+    start("-osmesa -size 320x240");
+    RCameraSetView(rc, 5, 0.3f, 0.4f);
+    RGraphic *g = make();
+    if (texture)
+        RGraphicSetTexture(rc, g, texture);
+    RPicture p = shoot(1);
+    turned[0][0] = turned[2][2] = MeCos((MeReal)0.7);
+    turned[0][2] = -(turned[2][0] = MeSin((MeReal)0.7));
+    RPicture q = shoot(1);
+    size_t clearly = 0;
+    for (int i = 0; i < p.width * p.height; i++)
+        clearly += abs(p.rgba[4 * i] - q.rgba[4 * i]) > 10;
+    r_free(p.rgba);
+    r_free(q.rgba);
+    stop();
+    return (double)clearly / (WIDTH * HEIGHT);
+}
+
+static RGraphic *makeBall(void) {
+    return RGraphicSphereCreate(rc, 1, WHITE, turned);
+}
+
+/* So short that it is a ball, and its outline tells nothing. */
+static RGraphic *makeSphyl(void) {
+    return RGraphicSphylCreate(rc, 1, 0.001f, WHITE, turned);
+}
+
+START_TEST(a_round_shape_is_seen_to_turn) {
+    ck_assert(seenToTurn(makeBall, "checkerboard") > 0.05); /* Its texture tells. */
+    assert_below(0.05, seenToTurn(makeBall, NULL));
+    assert_below(0.05, seenToTurn(makeSphyl, NULL));
+}
+END_TEST
+
+/* The mean light of the left and of the right half, of two boxes of one colour side by side. */
+START_TEST(equal_neighbours_have_tones_of_their_own) {
+    static MeMatrix4 right = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 0, 1}};
+    static MeMatrix4 left = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {-1, 0, 0, 1}};
+    start("-osmesa -size 320x240");
+    RCameraSetLookAt(rc, (const AcmeVector3){0, 0, 0});
+    RCameraSetOrthographicView(rc, 3, 50);
+    RGraphic *a = RGraphicBoxCreate(rc, 2, 2, 2, GREEN, left);
+    RGraphicBoxCreate(rc, 2, 2, 2, GREEN, right);
+    RPicture p = shoot(1);
+    const uint8_t *l = pixel(&p, 120, 120), *r = pixel(&p, 200, 120);
+    ck_assert_int_ge(abs(l[1] - r[1]), 2);
+    ck_assert_int_le(abs(l[1] - r[1]), 24);
+    const int before = r[1];
+    RGraphicDelete(rc, a, 0); /* A tone stays when others go. */
+    RPicture q = shoot(1);
+    ck_assert_int_eq(pixel(&q, 200, 120)[1], before);
+    r_free(p.rgba);
+    r_free(q.rgba);
+    stop();
+}
+END_TEST
+
 static char infoText[256];
 static int infos;
 
@@ -534,6 +596,29 @@ START_TEST(the_bar) {
 }
 END_TEST
 
+static void MEAPI slowTick(RRender *r) {
+    const int64_t begin = r_now();
+    ck_assert_ptr_eq(r, rc);
+    MeProfileStartSection("Collision", 0);
+    while (r_now() < begin + 140000000)
+        continue;
+    MeProfileEndSection("Collision");
+}
+
+/* Where a frame takes long, the bar does not wait for many of them. */
+START_TEST(the_bar_has_figures_after_three_slow_frames) {
+    static const RTick slow = {.funcNoData = slowTick};
+    start("-osmesa -size 64x48 -bar");
+    RPerformanceBar *b = RPerformanceBarCreate(rc);
+    for (int i = 0; i < 3; i++)
+        r_frame(rc, &slow);
+    assert_below(0.13, b->m_Collision);
+    assert_below(0, rc->m_pViewer->bar.fps);
+    assert_below(rc->m_pViewer->bar.fps, 1 / 0.14);
+    stop();
+}
+END_TEST
+
 /* The picture's size follows the window's, and one context follows another. */
 START_TEST(resizing) {
     start("-osmesa -size 64x64");
@@ -570,6 +655,9 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_missing_texture_is_one_message);
     tcase_add_test(t, a_bar_costs_nothing_without_a_window);
     tcase_add_test(t, the_bar);
+    tcase_add_test(t, a_round_shape_is_seen_to_turn);
+    tcase_add_test(t, equal_neighbours_have_tones_of_their_own);
+    tcase_add_test(t, the_bar_has_figures_after_three_slow_frames);
     tcase_add_test(t, resizing);
 }
 TEST_MAIN("Picture", tests)

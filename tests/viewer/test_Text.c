@@ -2,7 +2,6 @@
 #include "viewer_test.h"
 
 #include "r_i.h"
-#include "r_text_i.h"
 
 static RRender *rc;
 
@@ -90,15 +89,29 @@ START_TEST(characters) {
 }
 END_TEST
 
+static double width(const char *text, float size) {
+    return (double)r_uiTextSize(text, size, 0, NULL);
+}
+
 START_TEST(widths) {
-    assert_near(r_textWidth("", 10), 0, 0);
-    assert_near(r_textWidth("ab", 20), 2 * r_textWidth("ab", 10), 1e-4);
-    assert_near(r_textWidth("abc\na", 10), r_textWidth("abc", 10), 1e-4);
-    assert_below(r_textWidth("i", 10), r_textWidth("W", 10));
-    assert_near(r_textWidth("\xe4\xb8\xad", 10), r_textWidth("?", 10), 0); /* A character that the font lacks. */
+    float height;
+    ROverlay overlay = {.vertices = {0}};
+    ck_assert(r_panelsStart(rc));
+    r_panelsBegin(rc);
+    assert_near(width("", 10), 0, 0);
+    assert_near(width("ab", 20), 2 * width("ab", 10), 1.01); /* ImGui rounds up to pixels. */
+    assert_near(width("abc\na", 10), width("abc", 10), 0);
+    assert_below(width("i", 10), width("W", 10));
+    assert_near(width("\xe4\xb8\xad", 10), width("?", 10), 0); /* A character that the font lacks. */
+    assert_near(width("\xb0", 10), width("\xc2\xb0", 10), 0);  /* A degree sign in Latin-1, and in UTF-8. */
+    assert_below(r_uiTextSize("some words that are long", 10, 40, &height), 40);
+    assert_below(2 * 10, height);
+    r_panelsEnd(rc, &overlay);
+    r_overlayFree(&overlay);
 }
 END_TEST
 
+/* Everything is inside of the panel, and what is laid over the picture is cut nowhere. */
 START_TEST(help_fits_any_window) {
     static const char *const sizes[] = {"-null -size 320x240", "-null -size 960x600", "-null -size 3840x2160",
                                         "-null -size 1600x200", "-null -size 200x1600"};
@@ -111,21 +124,61 @@ START_TEST(help_fits_any_window) {
                     ""};
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         RRender *own = make_context(sizes[i]);
-        ROverlay overlay = {.vertices = {0}};
-        RHelpLayout l;
+        const RHelpLayout *l = &own->m_pViewer->helpLayout;
+        ROverlay *overlay = &own->m_pViewer->overlay;
         RRenderCreateUserHelp(own, help, 6);
-        r_helpDraw(own, &overlay, &l);
-        ck_assert(l.left >= 0 && l.top >= 0);
-        ck_assert(l.right <= (float)own->m_pViewer->width && l.bottom <= (float)own->m_pViewer->height);
-        assert_below(smallest[i], l.size);
-        for (size_t k = 0; k < overlay.vertices.count; k++) {
-            const ROverlayVertex *v = &overlay.vertices.items[k];
-            ck_assert(v->x >= l.left - 1.01f && v->x <= l.right + 1.01f);
-            ck_assert(v->y >= l.top - 1.01f && v->y <= l.bottom + 1.01f);
+        RRenderToggleUserHelp(own);
+        ck_assert(r_panelsStart(own));
+        r_hudDraw(own, overlay);
+        ck_assert(l->left >= 0 && l->top >= 0);
+        ck_assert(l->right <= (float)own->m_pViewer->width && l->bottom <= (float)own->m_pViewer->height);
+        assert_below(smallest[i], l->size);
+        ck_assert_uint_gt(overlay->vertices.count, 1000);
+        for (size_t k = 0; k < overlay->vertices.count; k++) {
+            const ROverlayVertex *v = &overlay->vertices.items[k];
+            ck_assert(v->x >= l->left - 1.01f && v->x <= l->right + 1.01f);
+            ck_assert(v->y >= l->top - 1.01f && v->y <= l->bottom + 1.01f);
         }
-        r_overlayFree(&overlay);
         RRenderContextDestroy(own);
     }
+}
+END_TEST
+
+/* A status line that is longer than the window is wide goes on in another line: nothing is cut. */
+START_TEST(a_status_line_is_never_cut) {
+    static const char *const sizes[] = {"-null -size 320x240", "-null -size 960x600", "-null -size 480x300"};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        RRender *own = make_context(sizes[i]);
+        const ROverlay *o = &own->m_pViewer->overlay;
+        RRenderSetStatusText(own,
+                             "joints open at most 0.0000 mm    limits passed by 0.0002 rad, now by 0.0000    lowest "
+                             "head at 4.97 m    awake 88    motion 4059.40 J");
+        ck_assert(r_panelsStart(own));
+        r_hudDraw(own, &own->m_pViewer->overlay);
+        ck_assert_uint_gt(o->vertices.count, 400); /* Four for each letter. */
+        for (size_t k = 0; k < o->vertices.count; k++) {
+            ck_assert(o->vertices.items[k].x >= 0 && o->vertices.items[k].x <= (float)own->m_pViewer->width);
+            ck_assert(o->vertices.items[k].y >= 0 && o->vertices.items[k].y <= (float)own->m_pViewer->height);
+        }
+        RRenderContextDestroy(own);
+    }
+}
+END_TEST
+
+/* A key and its text are divided by the first " - ", and by ": " only in a line without that. */
+START_TEST(help_lines_are_not_split_at_a_colon_in_their_text) {
+    static const char *const one[] = {"$ACTION1 - start: again"}, *const other[] = {"Space\tstart: again"};
+    float panels[2];
+    for (int i = 0; i < 2; i++) {
+        RRender *own = make_context("-null");
+        RRenderCreateUserHelp(own, i ? other : one, 1);
+        RRenderToggleUserHelp(own);
+        ck_assert(r_panelsStart(own));
+        r_hudDraw(own, &own->m_pViewer->overlay);
+        panels[i] = own->m_pViewer->helpLayout.right - own->m_pViewer->helpLayout.left;
+        RRenderContextDestroy(own);
+    }
+    assert_near(panels[0], panels[1], 0);
 }
 END_TEST
 
@@ -168,6 +221,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, characters);
     tcase_add_test(t, widths);
     tcase_add_test(t, help_fits_any_window);
+    tcase_add_test(t, a_status_line_is_never_cut);
+    tcase_add_test(t, help_lines_are_not_split_at_a_colon_in_their_text);
     tcase_add_test(t, help_of_all_kinds);
     tcase_add_test(t, toggling_help_toggles_pause);
 }

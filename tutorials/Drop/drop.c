@@ -83,6 +83,8 @@ static void MEAPI Tick(RRender *context) {
 
 /* The viewer ends the program by itself, so what has to be cleaned up is given to atexit. */
 static void MEAPI_CDECL cleanup(void) {
+    for (int i = 0; i < IMAGES; i++)
+        RGraphicDestroy(imageG[i]); /* those in no list are ours */
     RRenderContextDestroy(rc);
     MdtWorldDestroy(world); /* with all that is in it */
 }

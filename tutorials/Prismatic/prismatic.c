@@ -166,6 +166,7 @@ static void MEAPI Tick(RRender *context) {
 }
 
 static void MEAPI_CDECL cleanup(void) {
+    RGraphicDestroy(loadG); /* ours, while it is in no list */
     RRenderContextDestroy(rc);
     MdtWorldDestroy(world);
 }

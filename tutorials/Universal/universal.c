@@ -227,6 +227,8 @@ static void MEAPI Tick(RRender *context) {
 }
 
 static void MEAPI_CDECL cleanup(void) {
+    for (int k = 0; k < 4 * FORK_PARTS; k++) /* those in no list are ours */
+        RGraphicDestroy(fork[k / FORK_PARTS / 2][k / FORK_PARTS % 2][k % FORK_PARTS]);
     RRenderContextDestroy(rc);
     MdtWorldDestroy(world);
 }

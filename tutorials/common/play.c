@@ -60,7 +60,7 @@ static MeBool createHelpers(int contacts) {
         return MEFALSE;
     MeAppDrawContactsInit(app, orange, contacts);
     MeAppToggleDrawContacts(app, MEFALSE);
-    RRenderSetMouseCallBackWithText(playRc, MeAppMousePickCB, app, "pull what the mouse points at");
+    MeAppCreateControls(app);
     RRenderSetActionNKey(playRc, 5, 'c');
     RRenderSetActionNCallBackWithText(playRc, 5, toggleContacts, 0, "show contacts, or hide them");
     return METRUE;
@@ -77,6 +77,7 @@ MeBool playStart(int argc, const char **argv, const char *name, int models) {
     snprintf(title, sizeof title, "Karma tutorial: %s", name);
     RRenderSetWindowTitle(playRc, title);
     RRenderSetAppName(playRc, name);
+    models += 8; /* the balls that Space throws */
     sizes.dynamicBodiesMaxCount = (unsigned int)models;
     sizes.collisionModelsMaxCount = (unsigned int)models + 16;
     sizes.collisionGeometryInstancesMaxCount = 8 * (unsigned int)models;

@@ -1,8 +1,8 @@
 /* A universe on the screen: what the tutorials of collision and dynamics together have in common.
  *
  * y is up, gravity 9.81 m/s². There is one of everything, so that a tutorial shows what it is about. Models have
- * graphics that follow them; all of it is given back when the program ends. The mouse pulls bodies, and the key C
- * (action 5) shows contacts: every tutorial has both, and its help says so.
+ * graphics that follow them; all of it is given back when the program ends. The key C (action 5) shows contacts; the
+ * mouse, F, Space and the panels of F9 are those of MeAppCreateControls: every tutorial has them, and its help says so.
  */
 #ifndef PLAY_H
 #define PLAY_H

@@ -1,0 +1,392 @@
+/* Draws what a simulation is made of, by a program's table of functions: models, then contacts, joints and bodies. */
+#include "MstDebugDraw.h"
+#include "Mcd.h"
+#include "McduDebugDraw.h"
+#include "Mdt.h"
+#include "MdtReport.h"
+#include "MeDebugDraw.h"
+#include "MeMath.h"
+#include "MeMessage.h"
+#include "MstModelDynamics.h"
+#include "MstUniverse.h"
+#include <stdio.h>
+
+/* What all functions here need. */
+typedef struct Drawing {
+    const MstDebugDraw *to;
+    unsigned int layers;
+    MeReal length;
+} Drawing;
+
+static const float white[4] = {.92f, .93f, .95f, 1}, grey[4] = {.55f, .57f, .60f, 1}, red[4] = {.90f, .25f, .20f, 1},
+                   green[4] = {.25f, .75f, .35f, 1}, blue[4] = {.30f, .50f, .95f, 1}, orange[4] = {.95f, .60f, .15f, 1},
+                   yellow[4] = {.98f, .90f, .25f, 1}, cyan[4] = {.35f, .85f, .90f, 1},
+                   glass[4] = {.98f, .90f, .25f, .3f};
+
+static MeBool wants(const Drawing *d, unsigned int layers) {
+    return (d->layers & layers) != 0;
+}
+
+/* ---- what the table is asked for --------------------------------------------------------------------------------- */
+
+static void line(const Drawing *d, const MeVector3 a, const MeVector3 b, const float color[4]) {
+    if (d->to->line)
+        d->to->line(d->to->userdata, a, b, color);
+}
+
+static void point(const Drawing *d, const MeVector3 p, const float color[4]) {
+    if (d->to->point)
+        d->to->point(d->to->userdata, p, color);
+}
+
+static void triangle(const Drawing *d, const MeVector3 a, const MeVector3 b, const MeVector3 c, const float color[4]) {
+    if (d->to->triangle)
+        d->to->triangle(d->to->userdata, a, b, c, color);
+}
+
+static void text(const Drawing *d, const MeVector3 p, const char *words, const float color[4]) {
+    if (d->to->text)
+        d->to->text(d->to->userdata, p, words, color);
+}
+
+/* From a point along a vector. Returns the end. */
+static void lineAlong(const Drawing *d, const MeVector3 from, const MeVector3 v, MeReal times, const float color[4],
+                      MeVector3 end) {
+    MeVector3ScaleAndAdd(end, v, times, from);
+    line(d, from, end, color);
+}
+
+/* A line with a head of two strokes. */
+static void arrow(const Drawing *d, const MeVector3 from, const MeVector3 v, MeReal times, const float color[4]) {
+    MeVector3 end, side, other, barb;
+    lineAlong(d, from, v, times, color, end);
+    MeVector3PlaneSpace(v, side, other);
+    for (int i = -1; i <= 1; i += 2) {
+        for (int k = 0; k < 3; k++)
+            barb[k] = end[k] - (MeReal)0.2 * times * v[k] + (MeReal)(0.1 * i) * MeVector3Magnitude(v) * times * side[k];
+        line(d, end, barb, color);
+    }
+}
+
+/* ---- models ------------------------------------------------------------------------------------------------------ */
+
+/* McdGeometryDebugDraw knows one function for all; this is for whom it draws now. */
+static _Thread_local const Drawing *outlinesFor;
+
+static void MEAPI outlineLine(MeVector3 a, MeVector3 b, MeReal r, MeReal g, MeReal bl) {
+    const float color[4] = {(float)r, (float)g, (float)bl, 1};
+    line(outlinesFor, a, b, color);
+}
+
+static void outline(const Drawing *d, McdModelID m, McduDebugDrawFlags flags, const float color[4]) {
+    const MeReal c[3] = {(MeReal)color[0], (MeReal)color[1], (MeReal)color[2]};
+    const MeDebugLineFuncPtr before = MeDebugDrawAPI.line;
+    outlinesFor = d;
+    MeDebugDrawAPI.line = outlineLine;
+    McduDebugDrawModel(m, flags, c);
+    MeDebugDrawAPI.line = before;
+}
+
+static const float *partitionColor(int partition) {
+    static const float colors[8][4] = {{.20f, .47f, .71f, 1}, {.90f, .58f, .20f, 1}, {.22f, .62f, .51f, 1},
+                                       {.79f, .37f, .29f, 1}, {.95f, .83f, .42f, 1}, {.51f, .73f, .88f, 1},
+                                       {.72f, .51f, .65f, 1}, {.60f, .80f, .30f, 1}};
+    return partition < 0 ? grey : colors[partition % 8];
+}
+
+/* At rest grey, kept cyan, fast blue, exact green, in parts orange, out of budget red. */
+static const float *solverColor(MdtBodyID b) {
+    static const float *const colors[] = {white, grey, cyan, blue, green, orange, orange, red};
+    MdtReport report;
+    const int partition = MdtBodyGetPartition(b);
+    const MdtWorldID w = MdtBodyGetWorld(b);
+    if (partition < 0 || partition >= MdtWorldGetReportCount(w) || !MdtWorldGetPartitionReport(w, partition, &report))
+        return grey;
+    return colors[report.way];
+}
+
+/* Null: no layer wants its outline. */
+static const float *outlineColor(const Drawing *d, MdtBodyID b) {
+    if (b && wants(d, MstDebugSolver))
+        return solverColor(b);
+    if (b && wants(d, MstDebugSleep))
+        return MdtBodyIsEnabled(b) ? orange : blue;
+    if (b && wants(d, MstDebugPartitions))
+        return partitionColor(MdtBodyGetPartition(b));
+    return !wants(d, MstDebugShapes) ? 0 : b ? white : grey;
+}
+
+static void nameModel(const Drawing *d, McdModelID m, int number) {
+    char words[80];
+    MeVector3 low, high;
+    McdModelGetAABB(m, low, high);
+    MeVector3Add(low, low, high);
+    MeVector3Scale(low, (MeReal)0.5);
+    snprintf(words, sizeof words, "%s %d", McdGeometryGetTypeName(McdModelGetGeometry(m)), number);
+    if (MeRealIsValid(MeVector3MagnitudeSqr(low)))
+        text(d, low, words, white);
+}
+
+static void drawModels(const Drawing *d, McdSpaceID s) {
+    McdSpaceModelIterator it;
+    McdModelID m;
+    int number = 0;
+    McdSpaceModelIteratorBegin(s, &it);
+    while (McdSpaceGetModel(s, &it, &m)) {
+        const float *color = outlineColor(d, McdModelGetBody(m));
+        if (color)
+            outline(d, m, kMcduDebugDrawDetail, color);
+        if (wants(d, MstDebugBoxes) && McdModelGetGeometryType(m) != kMcdGeometryTypePlane)
+            outline(d, m, kMcduDebugDrawAABB, cyan);
+        if (wants(d, MstDebugNames))
+            nameModel(d, m, number);
+        number++;
+    }
+}
+
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
+
+/* Of a body's mass: the force that holds 1 kg up is as long as the one that holds up a ton. */
+static void drawForce(const Drawing *d, MdtConstraintID c, const MeVector3 at) {
+    MeVector3 f;
+    const unsigned int side = MdtConstraintGetBody(c, 0) ? 0 : 1;
+    const MdtBodyID b = MdtConstraintGetBody(c, side);
+    MdtConstraintGetForce(c, side, f);
+    if (b && MeVector3MagnitudeSqr(f) > 0)
+        arrow(d, at, f, (MeReal)0.1 / MdtBodyGetMass(b), red);
+}
+
+static void drawContact(const Drawing *d, MdtContactID c) {
+    MeVector3 p, n, end;
+    MdtContactGetPosition(c, p);
+    MdtContactGetNormal(c, n);
+    if (wants(d, MstDebugContacts)) {
+        point(d, p, MdtContactGetPenetration(c) > 0 ? red : yellow);
+        lineAlong(d, p, n, (MeReal)0.2 * d->length, yellow, end);
+    }
+    if (wants(d, MstDebugForces))
+        drawForce(d, MdtContactQuaConstraint(c), p);
+}
+
+/* ---- joints ------------------------------------------------------------------------------------------------------ */
+
+static const char *jointName(MdtConstraintID c) {
+    return MdtConstraintDCastHinge(c)            ? "hinge"
+           : MdtConstraintDCastPrismatic(c)      ? "slider"
+           : MdtConstraintDCastBSJoint(c)        ? "ball and socket"
+           : MdtConstraintDCastUniversal(c)      ? "universal"
+           : MdtConstraintDCastConeLimit(c)      ? "cone limit"
+           : MdtConstraintDCastSpring(c)         ? "spring"
+           : MdtConstraintDCastSpring6(c)        ? "spring of six"
+           : MdtConstraintDCastCarWheel(c)       ? "car wheel"
+           : MdtConstraintDCastAngular3(c)       ? "angular"
+           : MdtConstraintDCastLinear1(c)        ? "in a plane"
+           : MdtConstraintDCastLinear2(c)        ? "on a line"
+           : MdtConstraintDCastSkeletal(c)       ? "skeletal"
+           : MdtConstraintDCastFixedPath(c)      ? "fixed path"
+           : MdtConstraintDCastRPROJoint(c)      ? "RPRO"
+           : MdtConstraintDCastFPFOJoint(c)      ? "held"
+           : MdtConstraintDCastUserConstraint(c) ? "the program's"
+                                                 : "joint";
+}
+
+/* v turned about a unit axis: Rodrigues. */
+static void turn(const MeVector3 v, const MeVector3 axis, MeReal angle, MeVector3 out) {
+    const MeReal cosine = MeCos(angle), sine = MeSin(angle), along = MeVector3Dot(axis, v) * (1 - cosine);
+    MeVector3 cross;
+    MeVector3Cross(cross, axis, v);
+    for (int i = 0; i < 3; i++)
+        out[i] = cosine * v[i] + sine * cross[i] + along * axis[i];
+}
+
+static void sayAngle(const Drawing *d, const MeVector3 at, MeReal angle) {
+    char words[32];
+    snprintf(words, sizeof words, "%.1f\xc2\xb0", (double)angle * 57.29577951308232);
+    text(d, at, words, yellow);
+}
+
+static MeBool isMeasured(MdtLimitID limit) {
+    return MdtLimitIsActive(limit) || MdtLimitIsMotorized(limit) || MdtLimitPositionIsCalculated(limit);
+}
+
+/* The sector between a hinge's stops, and a needle that moves with the first body and is in the sector while the angle
+ * is between them. With the world in place of the first body, all is seen from the second one: `side` is -1. Stops of
+ * ten turns and more are none. */
+static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, const MeVector3 axis,
+                      const MeVector3 second, MeReal side) {
+    enum { STEPS = 16, MOST_TURN = 63 };
+    const MdtLimitID limit = MdtHingeGetLimit(hinge);
+    const MeReal angle = MdtLimitGetPosition(limit), radius = (MeReal)0.4 * d->length;
+    MeVector3 edge, end, before;
+    if (!isMeasured(limit))
+        return;
+    lineAlong(d, at, second, radius, yellow, end);
+    sayAngle(d, end, angle);
+    const MeReal low = side * (MdtSingleLimitGetStop(MdtLimitGetLowerLimit(limit)) - angle);
+    const MeReal high = side * (MdtSingleLimitGetStop(MdtLimitGetUpperLimit(limit)) - angle);
+    if (!MdtLimitIsActive(limit) || !(MeFabs(low) < MOST_TURN) || !(MeFabs(high) < MOST_TURN))
+        return;
+    for (int i = 0; i <= STEPS; i++) {
+        turn(second, axis, low + (high - low) * (MeReal)i / STEPS, edge);
+        MeVector3ScaleAndAdd(end, edge, radius, at);
+        if (i > 0) {
+            triangle(d, at, before, end, glass);
+            line(d, before, end, yellow);
+        }
+        MeVector3Copy(before, end);
+    }
+}
+
+/* The track between a slider's stops, and where it is. */
+static void drawSlider(const Drawing *d, MdtPrismaticID slider, const MeVector3 at, const MeVector3 axis, MeReal side) {
+    const MdtLimitID limit = MdtPrismaticGetLimit(slider);
+    const MeReal now = MdtLimitGetPosition(limit);
+    const MeReal low = side * (MdtSingleLimitGetStop(MdtLimitGetLowerLimit(limit)) - now);
+    const MeReal high = side * (MdtSingleLimitGetStop(MdtLimitGetUpperLimit(limit)) - now);
+    MeVector3 a, b;
+    char words[32];
+    if (!isMeasured(limit))
+        return;
+    snprintf(words, sizeof words, "%.3g m", (double)now);
+    text(d, at, words, yellow);
+    if (!MdtLimitIsActive(limit) || !(MeFabs(high - low) < (MeReal)1e6 * d->length))
+        return;
+    MeVector3ScaleAndAdd(a, axis, low, at);
+    MeVector3ScaleAndAdd(b, axis, high, at);
+    line(d, a, b, yellow);
+    point(d, a, yellow);
+    point(d, b, yellow);
+}
+
+/* The cone round the second body's axis, and the first body's axis in it. */
+static void drawCone(const Drawing *d, MdtConeLimitID cone, const MeVector3 at) {
+    enum { SIDES = 16 };
+    const MdtConstraintID c = MdtConeLimitQuaConstraint(cone);
+    const MeReal half = MdtConeLimitGetConeHalfAngle(cone), radius = (MeReal)0.4 * d->length;
+    MeVector3 inner, axis, across, other, edge, side, end, before;
+    MdtConstraintBodyGetAxis(c, 0, inner);
+    MdtConstraintBodyGetAxis(c, 1, axis);
+    MeVector3PlaneSpace(axis, across, other);
+    turn(axis, across, half, edge);
+    for (int i = 0; i <= SIDES; i++) {
+        turn(edge, axis, (MeReal)(2 * ME_PI) * (MeReal)i / SIDES, side);
+        MeVector3ScaleAndAdd(end, side, radius, at);
+        if (i > 0) {
+            triangle(d, at, before, end, glass);
+            line(d, before, end, yellow);
+        }
+        MeVector3Copy(before, end);
+    }
+    lineAlong(d, at, inner, radius, yellow, end);
+    const MeReal cosine = MeVector3Dot(inner, axis);
+    sayAngle(d, end, MeAcos(MeCLAMP(cosine, -1, 1)));
+}
+
+static void drawLimits(const Drawing *d, MdtConstraintID c, const MeVector3 at, const MeVector3 axis,
+                       const MeVector3 second) {
+    const MeReal side = MdtConstraintGetBody(c, 0) ? 1 : -1;
+    if (MdtConstraintDCastHinge(c))
+        drawHinge(d, MdtConstraintDCastHinge(c), at, axis, second, side);
+    else if (MdtConstraintDCastPrismatic(c))
+        drawSlider(d, MdtConstraintDCastPrismatic(c), at, axis, side);
+    else if (MdtConstraintDCastConeLimit(c))
+        drawCone(d, MdtConstraintDCastConeLimit(c), at);
+}
+
+static void drawJoint(const Drawing *d, MdtConstraintID c) {
+    MeVector3 at, axis, second, centre;
+    const float *color = MdtConstraintIsEnabled(c) ? cyan : grey;
+    MdtConstraintGetPosition(c, at);
+    MdtConstraintGetAxes(c, axis, second);
+    if (wants(d, MstDebugJoints)) {
+        for (unsigned int i = 0; i < 2; i++) {
+            const MdtBodyID b = MdtConstraintGetBody(c, i);
+            if (!b)
+                continue;
+            MdtBodyGetCenterOfMassPosition(b, centre);
+            MdtConstraintBodyGetPosition(c, i, second);
+            line(d, centre, second, color);
+        }
+        MdtConstraintGetAxes(c, axis, second);
+        arrow(d, at, axis, (MeReal)0.4 * d->length, color);
+    }
+    if (wants(d, MstDebugLimits))
+        drawLimits(d, c, at, axis, second);
+    if (wants(d, MstDebugNames))
+        text(d, at, jointName(c), cyan);
+}
+
+/* Contacts of groups are drawn with their group; the rest are joints. */
+static void drawConstraint(const Drawing *d, MdtConstraintID c) {
+    const MdtContactGroupID group = MdtConstraintDCastContactGroup(c);
+    const MdtContactID single = group ? 0 : MdtConstraintDCastContact(c);
+    if (group)
+        for (MdtContactID k = MdtContactGroupGetFirstContact(group); k; k = MdtContactGroupGetNextContact(group, k))
+            drawContact(d, k);
+    else if (!single)
+        drawJoint(d, c);
+    else if (!MdtContactGetContactGroup(single))
+        drawContact(d, single);
+}
+
+/* ---- bodies ------------------------------------------------------------------------------------------------------ */
+
+static void drawBody(const Drawing *d, MdtBodyID b) {
+    static const float *const colors[3] = {red, green, blue};
+    MeVector3 centre, v, end;
+    MdtBodyGetCenterOfMassPosition(b, centre);
+    if (wants(d, MstDebugCentresOfMass)) {
+        const MeVector4 *tm = (const MeVector4 *)MdtBodyGetCenterOfMassTransformPtr(b);
+        point(d, centre, white);
+        for (int i = 0; i < 3; i++)
+            lineAlong(d, centre, tm[i], (MeReal)0.2 * d->length, colors[i], end);
+    }
+    if (!wants(d, MstDebugVelocities))
+        return;
+    MdtBodyGetLinearVelocity(b, v);
+    if (MeVector3MagnitudeSqr(v) > 0)
+        arrow(d, centre, v, (MeReal)0.1, green);
+    MdtBodyGetAngularVelocity(b, v);
+    if (MeVector3MagnitudeSqr(v) > 0)
+        arrow(d, centre, v, (MeReal)0.1 * d->length, orange);
+}
+
+/* ---- the interface ----------------------------------------------------------------------------------------------- */
+
+static MeBool isGood(const char *function, unsigned int layers, const MstDebugDraw *to) {
+    if (!to)
+        MeWarning(1, "%s: draw is null", function);
+    else if (layers & ~(unsigned int)MstDebugAll)
+        MeWarning(1, "%s: layers is %u: it must be a sum of MstDebugLayer", function, layers);
+    return to && !(layers & ~(unsigned int)MstDebugAll);
+}
+
+static void drawAll(const Drawing *d, MdtWorldID w, McdSpaceID s) {
+    if (s &&
+        wants(d, MstDebugShapes | MstDebugBoxes | MstDebugPartitions | MstDebugSleep | MstDebugSolver | MstDebugNames))
+        drawModels(d, s);
+    if (!w)
+        return;
+    for (MdtConstraintID c = MdtConstraintGetFirst(w); c; c = MdtConstraintGetNext(c))
+        drawConstraint(d, c);
+    for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetNext(b))
+        drawBody(d, b);
+}
+
+void MEAPI MstDebugDrawParts(const MdtWorldID w, const McdSpaceID s, const MeReal lengthScale,
+                             const unsigned int layers, const MstDebugDraw *draw) {
+    if (!isGood("MstDebugDrawParts", layers, draw))
+        return;
+    if (!(lengthScale > 0) || !MeRealIsValid(lengthScale)) {
+        MeWarning(1, "MstDebugDrawParts: lengthScale is %g: it must be positive", (double)lengthScale);
+        return;
+    }
+    drawAll(&(Drawing){draw, layers, lengthScale}, w, s);
+}
+
+void MEAPI MstDebugDrawUniverse(const MstUniverseID u, const unsigned int layers, const MstDebugDraw *draw) {
+    const MdtWorldID w = MstUniverseGetWorld(u);
+    if (!w || !isGood("MstDebugDrawUniverse", layers, draw))
+        return;
+    drawAll(&(Drawing){draw, layers, u->sizes.lengthScale}, w, u->space);
+}

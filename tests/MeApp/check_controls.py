@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""The controls of a demonstration program in a window: click, pull, orbit, frame, throw, and a slider of a panel.
+
+usage: check_controls.py <program> <directory of window.py>      exit code 77: Xvfb or xdotool is not installed
+"""
+import os
+import re
+import sys
+import tempfile
+import time
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, sys.argv[2])
+from window import Window, fail, server
+
+
+def value(window, what):
+    """The last one that the program has told."""
+    return float(re.findall(rf'^{what} (\S+)$', window.output(), flags=re.M)[-1])
+
+
+def check(program, display, directory):
+    window = Window(program, display, directory, '-gl', '-size', '960x600')
+    name = window.find('Karma controls test')
+    at = lambda x, y: ('mousemove', '--window', name, str(x), str(y))
+    window.expect('gravity -9.81')
+    window.send(*at(480, 300), 'mousedown', '1')
+    window.expect('selected 1')
+    window.expect('held 1')
+    angle = value(window, 'angle') if 'angle' in window.output() else 0.0
+    window.send(*at(520, 290), 'mouseup', '1')
+    window.expect('held 0')
+    if 'angle' in window.output() and value(window, 'angle') != angle:
+        fail('pulling a box turned the camera')
+    window.send(*at(100, 100), 'mousedown', '1')
+    window.send(*at(200, 100), 'mouseup', '1')
+    window.wait_for('the camera turns', lambda: 'angle' in window.output())
+    window.send('key', 'f')
+    window.wait_for('the box is framed', lambda: value(window, 'distance') != 12)
+    window.send('key', 'space')
+    window.expect('bodies 3')
+    check_panels(window, at)
+    window.send('key', 'Escape')
+    if window.end() != 0 or 'cleanup' not in window.output():
+        fail(f'the program did not end well:\n{window.output()}')
+
+
+def check_panels(window, at):
+    """Every setting of the panel "Simulation"; and the report, which is on while its panel is seen."""
+    def change(what, *places):
+        """Clicks, one after the other, until the program tells of another value."""
+        told = lambda: len(re.findall(rf'^{what} ', window.output(), flags=re.M))
+        before = told()
+
+        def ready():
+            for x, y in places:
+                window.send(*at(x, y), 'click', '1')
+                time.sleep(0.3)  # a list opens in the frame after the click
+            return told() > before
+        window.wait_for(f'{what} changes', ready)
+
+    window.send('key', 'F9')
+    change('substeps', (150, 124))
+    change('solver', (90, 149), (60, 198))
+    change('budget', (30, 174))
+    change('sleeps', (28, 199))
+    window.send(*at(140, 243), 'click', '1')
+    change('friction', (120, 268))
+    change('restitution', (120, 293))
+    # In the panel "Viewer", the last of the panels' names.
+    window.send(*at(672, 311), 'click', '1')
+    window.expect('report 1')
+    window.send(*at(672, 311), 'click', '1')
+    window.wait_for('the report is off', lambda: value(window, 'report') == 0)
+    # The first panel is "Simulation", its first line the slider of gravity.
+    window.wait_for('the slider moves', lambda: window.send(*at(60, 104), 'mousedown', '1') is not None and
+                    (window.send(*at(70, 104), 'mouseup', '1') or True) and value(window, 'gravity') > -9)
+
+
+with server() as display, tempfile.TemporaryDirectory() as scratch:
+    check(os.path.abspath(sys.argv[1]), display, scratch)
+print('the controls work')

@@ -1,0 +1,101 @@
+/* A box on a floor and a door, with all controls of a demonstration program, for the test of them in a window. It says
+ * on stdout what has changed since the tick before. `-layers` draws all layers. */
+#include "MeApp.h"
+#include "MeCommandLine.h"
+#include "MeViewer.h"
+#include "Mst.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#include <sanitizer/lsan_interface.h>
+#define CHECK_LEAKS __lsan_do_leak_check
+#endif
+#endif
+#ifndef CHECK_LEAKS
+#define CHECK_LEAKS() ((void)0)
+#endif
+
+static RRender *rc;
+static MstUniverseID u;
+static MeApp *app;
+static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+
+static void sayIfNew(const char *what, double now, double *before) {
+    if (now == *before)
+        return;
+    printf("%s %.3f\n", what, now);
+    fflush(stdout);
+    *before = now;
+}
+
+static void MEAPI tick(RRender *context) {
+    static double selected, bodies, gravity, distance, angle, held, substeps, solver, budget, sleeps, friction,
+        restitution, report;
+    const MdtContactParamsID params = MstBridgeGetContactParams(u->bridge, 0, 0);
+    MeVector3 g;
+    MdtWorldGetGravity(u->world, g);
+    sayIfNew("selected", MeAppGetSelected(app) != 0, &selected);
+    sayIfNew("held", app->pick.model != 0, &held);
+    sayIfNew("bodies", MdtWorldGetTotalBodies(u->world), &bodies);
+    sayIfNew("gravity", (double)g[1], &gravity);
+    sayIfNew("substeps", MdtWorldGetSubSteps(u->world), &substeps);
+    sayIfNew("solver", MdtWorldGetSolver(u->world), &solver);
+    sayIfNew("budget", (double)MdtWorldGetWorkBudget(u->world), &budget);
+    sayIfNew("sleeps", MdtWorldGetAutoDisable(u->world), &sleeps);
+    sayIfNew("friction", (double)MdtContactParamsGetPrimaryFrictionCoeffecient(params), &friction);
+    sayIfNew("restitution", (double)MdtContactParamsGetRestitution(params), &restitution);
+    sayIfNew("report", MdtWorldReportIsEnabled(u->world), &report);
+    sayIfNew("distance", (double)RCameraGetDistance(context), &distance);
+    sayIfNew("angle", (double)RCameraGetRotation(context), &angle);
+    MeAppStep(app);
+    MstUniverseStep(u, (MeReal)(1. / 60));
+}
+
+static void MEAPI_CDECL cleanup(void) {
+    MeAppDestroy(app);
+    RRenderContextDestroy(rc);
+    MstUniverseDestroy(u);
+    puts("cleanup");
+    CHECK_LEAKS(); /* Later the graphics driver is unloaded, and tests/lsan.supp does not know its leaks any more. */
+}
+
+int MEAPI_CDECL main(int argc, const char **argv) {
+    MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
+    rc = RRenderContextCreate(options, 0, 1);
+    const MeBool all = MeCommandLineOptionsCheckFor(options, "-layers", 1);
+    MeCommandLineOptionsDestroy(options);
+    if (!rc)
+        return 1;
+    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    app = MeAppCreateFromUniverse(u, rc);
+    if (!app)
+        return 1;
+    atexit(cleanup);
+    MeAppCreateControls(app);
+    MdtWorldSetGravity(u->world, 0, (MeReal)-9.81, 0);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
+    McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 2, 2, 2), 1000);
+    McdModelDynamicsSetPosition(box, 0, 1, 0);
+    MdtHingeID hinge = MdtHingeCreate(u->world);
+    McdModelID door = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, (MeReal)0.1), 1000);
+    McdModelDynamicsSetPosition(door, (MeReal)2.5, 2, 0);
+    MdtHingeSetBodies(hinge, McdModelGetBody(door), 0);
+    MdtHingeSetPosition(hinge, 2, 2, 0);
+    MdtHingeSetAxis(hinge, 0, 1, 0);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(MdtHingeGetLimit(hinge)), -1);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(MdtHingeGetLimit(hinge)), 1);
+    MdtLimitActivateLimits(MdtHingeGetLimit(hinge), METRUE);
+    MdtHingeEnable(hinge);
+    RGraphicBoxCreate(rc, 1, 1, 0.1f, RPalette[0], McdModelGetTransformPtr(door));
+    RGraphicGroundPlaneCreate(rc, 24, 2, RPalette[7], 0);
+    RGraphicBoxCreate(rc, 2, 2, 2, RPalette[1], McdModelGetTransformPtr(box));
+    RCameraSetLookAt(rc, (const AcmeVector3){0, 1, 0});
+    RCameraSetView(rc, 12, 0, 0.2f);
+    if (all)
+        MeAppSetLayers(app, MstDebugAll);
+    RRenderSetWindowTitle(rc, "Karma controls test");
+    RRun(rc, tick);
+    return 3; /* Not reached. */
+}

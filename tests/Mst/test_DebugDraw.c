@@ -1,0 +1,376 @@
+/* What is drawn of a simulation, recorded: each layer against what the simulation says of itself. */
+#include "MeDebugDraw.h"
+#include "MstDebugDraw.h"
+#include "Mst.h"
+#include "karma_test.h"
+
+enum { MOST = 4096 };
+typedef struct {
+    int kind; /* 1 point, 2 line, 3 triangle, 4 text */
+    double p[3][3];
+    float color[4];
+    char text[64];
+} Mark;
+
+static Mark marks[MOST];
+static int count;
+static MstUniverseID u;
+static MeMatrix4 ground;
+
+static Mark *mark(int kind, const float color[4]) {
+    ck_assert_int_lt(count, MOST);
+    Mark *m = &marks[count++];
+    m->kind = kind;
+    memcpy(m->color, color, sizeof m->color);
+    return m;
+}
+
+static void put(double to[3], const MeVector3 from) {
+    for (int i = 0; i < 3; i++) {
+        ck_assert(MeRealIsValid(from[i]));
+        to[i] = (double)from[i];
+    }
+}
+
+static void MEAPI onLine(void *userdata, const MeVector3 a, const MeVector3 b, const float color[4]) {
+    ck_assert_ptr_eq(userdata, marks);
+    Mark *m = mark(2, color);
+    put(m->p[0], a);
+    put(m->p[1], b);
+}
+
+static void MEAPI onPoint(void *userdata, const MeVector3 p, const float color[4]) {
+    ck_assert_ptr_eq(userdata, marks);
+    put(mark(1, color)->p[0], p);
+}
+
+static void MEAPI onTriangle(void *userdata, const MeVector3 a, const MeVector3 b, const MeVector3 c,
+                             const float color[4]) {
+    ck_assert_ptr_eq(userdata, marks);
+    Mark *m = mark(3, color);
+    put(m->p[0], a);
+    put(m->p[1], b);
+    put(m->p[2], c);
+}
+
+static void MEAPI onText(void *userdata, const MeVector3 p, const char *text, const float color[4]) {
+    ck_assert_ptr_eq(userdata, marks);
+    Mark *m = mark(4, color);
+    put(m->p[0], p);
+    snprintf(m->text, sizeof m->text, "%s", text);
+}
+
+static const MstDebugDraw table = {onLine, onPoint, onTriangle, onText, marks};
+
+static int draw(unsigned int layers) {
+    count = 0;
+    MstDebugDrawUniverse(u, layers, &table);
+    return count;
+}
+
+static int countOf(int kind) {
+    int n = 0;
+    for (int i = 0; i < count; i++)
+        n += marks[i].kind == kind;
+    return n;
+}
+
+static double away(const double a[3], const double b[3]) {
+    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+static void setUp(void) {
+    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+    MeMatrix4TMMakeIdentity(ground);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)0.5, 0);
+    messages_catch();
+}
+
+static void tearDown(void) {
+    assert_silent();
+    messages_release();
+    MstUniverseDestroy(u);
+}
+
+static McdModelID box(double x, double y, double z) {
+    McdModelID m = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 1), 2);
+    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+    return m;
+}
+
+static void floorUnder(void) {
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+}
+
+static void run(int steps) {
+    for (int i = 0; i < steps; i++)
+        MstUniverseStep(u, (MeReal)(1. / 60));
+}
+
+START_TEST(contacts_and_their_forces) {
+    floorUnder();
+    box(0, 0, 0.5);
+    run(5);
+    draw(MstDebugContacts);
+    ck_assert_int_eq(countOf(1), 4);
+    ck_assert_int_eq(countOf(2), 4);
+    for (int i = 0; i < count; i++) {
+        const Mark *m = &marks[i];
+        assert_near(fabs(m->p[0][0]), 0.5, 1e-4); /* The corners. */
+        assert_near(fabs(m->p[0][1]), 0.5, 1e-4);
+        assert_near(m->p[0][2], 0, 1e-4);
+        if (m->kind == 2)
+            assert_near(fabs(m->p[1][2]), 0.2, 1e-4);
+    }
+    draw(MstDebugForces);
+    double sum = 0;
+    for (int i = 0; i < count; i += 3) /* An arrow is three lines, its shaft first. */
+        sum += marks[i].p[1][2] - marks[i].p[0][2];
+    assert_near(sum, 0.1 * 9.81, TOL(1e-4, 1e-6));
+}
+END_TEST
+
+START_TEST(boxes_and_shapes) {
+    floorUnder();
+    box(3, 0, 5);
+    run(1);
+    MeVector3 low, high;
+    McdSpaceModelIterator it;
+    McdModelID m;
+    McdSpaceModelIteratorBegin(u->space, &it);
+    while (McdSpaceGetModel(u->space, &it, &m))
+        if (McdModelGetBody(m))
+            McdModelGetAABB(m, low, high);
+    draw(MstDebugShapes);
+    int near = 0;
+    for (int i = 0; i < count; i++)
+        near += fabs(marks[i].p[0][0] - 3) < 0.51 && marks[i].p[0][2] > 4;
+    ck_assert_int_eq(near, 12);
+    draw(MstDebugBoxes);
+    near = 0;
+    for (int i = 0; i < count; i++) {
+        if (marks[i].p[0][2] < 4 || marks[i].p[0][2] > 6)
+            continue;
+        near++;
+        for (int k = 0; k < 3; k++)
+            ck_assert(marks[i].p[0][k] == (double)low[k] || marks[i].p[0][k] == (double)high[k]);
+    }
+    ck_assert_int_eq(near, 12);
+}
+END_TEST
+
+static MdtHingeID hinge(MdtBodyID b1, MdtBodyID b2) {
+    MdtHingeID h = MdtHingeCreate(u->world);
+    MdtHingeSetBodies(h, b1, b2);
+    MdtHingeSetPosition(h, 0, 0, 2);
+    MdtHingeSetAxis(h, 0, 1, 0);
+    MdtLimitID limit = MdtHingeGetLimit(h);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), (MeReal)-0.5);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), (MeReal)1.2);
+    MdtLimitActivateLimits(limit, METRUE);
+    MdtHingeEnable(h);
+    return h;
+}
+
+/* The sector stands still in the world, whichever body is the world and however far the other one turns; the needle is
+ * as far from its edge as the joint from its stop. */
+START_TEST(a_hinges_sector_is_where_its_stops_are) {
+    for (int first = 0; first < 2; first++) {
+        double edges[2][2][3];
+        const McdModelID m = box(0, 0, 2);
+        const MdtBodyID b = McdModelGetBody(m);
+        const MdtHingeID h = first ? hinge(0, b) : hinge(b, 0);
+        MdtWorldSetGravity(u->world, 0, 0, 0);
+        for (int later = 0; later < 2; later++) {
+            run(1);
+            draw(MstDebugLimits);
+            ck_assert_int_eq(countOf(3), 16);
+            ck_assert_int_eq(countOf(4), 1);
+            const Mark *needle = &marks[0];
+            int begin = 0, end = 0;
+            for (int i = count - 1; i >= 0; i--)
+                begin = marks[i].kind == 3 ? i : begin;
+            for (int i = 0; i < count; i++)
+                end = marks[i].kind == 3 ? i : end;
+            memcpy(edges[later][0], marks[begin].p[1], sizeof edges[0][0]);
+            memcpy(edges[later][1], marks[end].p[2], sizeof edges[0][0]);
+            const double angle = (double)MdtLimitGetPosition(MdtHingeGetLimit(h));
+            /* The chord of the angle from the lower stop. */
+            assert_near(away(needle->p[1], edges[later][0]), 2 * 0.4 * sin((angle + 0.5) / 2), 1e-4);
+            assert_near(away(needle->p[1], edges[later][1]), 2 * 0.4 * sin((1.2 - angle) / 2), 1e-4);
+            ck_assert_int_lt(abs((int)lround(atof(marks[1].text) - angle * 57.29578)), 1);
+            if (!later)
+                MdtBodySetAngularVelocity(b, 0, first ? (MeReal)-2 : 2, 0);
+            run(later ? 0 : 20);
+            ck_assert(later || (double)MdtLimitGetPosition(MdtHingeGetLimit(h)) > 0.5);
+        }
+        for (int k = 0; k < 2; k++)
+            assert_near(away(edges[0][k], edges[1][k]), 0, 1e-4);
+        MdtHingeDestroy(h);
+        MstModelAndBodyDestroy(m);
+    }
+}
+END_TEST
+
+START_TEST(joints_have_axes_and_lead_to_their_bodies) {
+    const MdtBodyID b = McdModelGetBody(box(1, 0, 2));
+    hinge(b, 0);
+    draw(MstDebugJoints);
+    ck_assert_int_eq(count, 4); /* To the only body, the axis, the strokes of its head. */
+    assert_near(away(marks[0].p[0], (double[3]){1, 0, 2}), 0, 1e-6);
+    assert_near(away(marks[0].p[1], (double[3]){0, 0, 2}), 0, 1e-6);
+    assert_near(away(marks[1].p[1], (double[3]){0, 0.4, 2}), 0, 1e-6);
+    MdtPrismaticID slider = MdtPrismaticCreate(u->world);
+    MdtPrismaticSetBodies(slider, McdModelGetBody(box(5, 0, 0)), 0);
+    MdtPrismaticSetAxis(slider, 1, 0, 0);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(MdtPrismaticGetLimit(slider)), -1);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(MdtPrismaticGetLimit(slider)), 2);
+    MdtLimitActivateLimits(MdtPrismaticGetLimit(slider), METRUE);
+    MdtPrismaticEnable(slider);
+    draw(MstDebugLimits);
+    ck_assert_int_eq(countOf(1), 2); /* The ends of the track. */
+    for (int i = 0, end = 0; i < count; i++)
+        if (marks[i].kind == 1)
+            assert_near(marks[i].p[0][0], end++ ? 7 : 4, 1e-5);
+    MdtConeLimitID cone = MdtConeLimitCreate(u->world);
+    MdtConeLimitSetBodies(cone, b, 0);
+    MdtConeLimitSetAxis(cone, 0, 0, 1);
+    MdtConeLimitSetConeHalfAngle(cone, (MeReal)0.6);
+    MdtConeLimitEnable(cone);
+    draw(MstDebugLimits);
+    int sides = 0;
+    for (int i = 0; i < count; i++) {
+        const double *at = marks[i].p[0], *end = marks[i].p[2];
+        if (marks[i].kind != 3 || fabs(at[0] - 1) > 1e-5)
+            continue;
+        sides++;
+        assert_near(end[2] - at[2], 0.4 * cos(0.6), 1e-5);
+    }
+    ck_assert_int_eq(sides, 16);
+}
+END_TEST
+
+START_TEST(bodies_have_centres_and_velocities) {
+    const McdModelID m = box(1, 2, 3);
+    MdtBodySetLinearVelocity(McdModelGetBody(m), 5, 0, 0);
+    MdtBodySetAngularVelocity(McdModelGetBody(m), 0, 0, 3);
+    draw(MstDebugCentresOfMass);
+    ck_assert_int_eq(countOf(1), 1);
+    ck_assert_int_eq(countOf(2), 3);
+    assert_near(away(marks[0].p[0], (double[3]){1, 2, 3}), 0, 1e-6);
+    draw(MstDebugVelocities);
+    ck_assert_int_eq(countOf(2), 6);
+    assert_near(away(marks[0].p[1], (double[3]){1.5, 2, 3}), 0, 1e-5);
+    assert_near(away(marks[3].p[1], (double[3]){1, 2, 3.3}), 0, 1e-5);
+}
+END_TEST
+
+/* The colour of the outline of the model that is nearest to a place. */
+static const float *colorAt(unsigned int layers, double x) {
+    draw(layers);
+    for (int i = 0; i < count; i++)
+        if (fabs(marks[i].p[0][0] - x) < 0.6 && marks[i].p[0][2] < 3)
+            return marks[i].color;
+    ck_abort_msg("nothing is drawn there");
+    return 0;
+}
+
+static int sameColor(const float a[4], const float b[4]) {
+    return memcmp(a, b, 4 * sizeof *a) == 0;
+}
+
+START_TEST(outlines_tell_of_partitions_sleep_and_solver) {
+    float a[4], b[4], c[4];
+    box(-5, 0, 0.5);
+    box(5, 0, 0.5);
+    box(5, 0, 1.5);
+    floorUnder();
+    MdtWorldEnableReport(u->world);
+    run(2);
+    memcpy(a, colorAt(MstDebugPartitions, -5), sizeof a);
+    memcpy(b, colorAt(MstDebugPartitions, 5), sizeof b);
+    ck_assert(!sameColor(a, b));
+    memcpy(a, colorAt(MstDebugSleep, 5), sizeof a);
+    memcpy(c, colorAt(MstDebugSolver, 5), sizeof c);
+    MdtReport r;
+    ck_assert(MdtWorldGetReport(u->world, &r) && r.rows > 0);
+    run(120);
+    ck_assert_int_eq(MdtWorldGetEnabledBodies(u->world), 0);
+    memcpy(b, colorAt(MstDebugSleep, 5), sizeof b);
+    ck_assert(!sameColor(a, b));
+    ck_assert(!sameColor(c, colorAt(MstDebugSolver, 5))); /* It was solved, and is not any more. */
+}
+END_TEST
+
+START_TEST(names) {
+    floorUnder();
+    hinge(McdModelGetBody(box(1, 0, 2)), 0);
+    run(1);
+    draw(MstDebugNames);
+    int boxes = 0, hinges = 0;
+    for (int i = 0; i < count; i++) {
+        ck_assert_int_eq(marks[i].kind, 4);
+        boxes += strncmp(marks[i].text, "Box", 3) == 0 || strncmp(marks[i].text, "box", 3) == 0;
+        hinges += strcmp(marks[i].text, "hinge") == 0;
+    }
+    ck_assert_int_eq(boxes, 1);
+    ck_assert_int_eq(hinges, 1);
+}
+END_TEST
+
+/* Drawn or not, the same bits; what others draw with is put back; a table of one function is enough. */
+START_TEST(drawing_changes_nothing) {
+    static const MstDebugDraw onlyLines = {.line = onLine, .userdata = marks};
+    MeVector3 p[2];
+    for (int drawn = 0; drawn < 2; drawn++) {
+        MstUniverseDestroy(u);
+        u = MstUniverseCreate(&MstUniverseGrowingSizes);
+        MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+        floorUnder();
+        const McdModelID m = box(0, 0, 1);
+        box(0.3, 0.2, 2.1);
+        hinge(McdModelGetBody(m), 0);
+        const MeDebugLineFuncPtr before = MeDebugDrawAPI.line;
+        for (int i = 0; i < 60; i++) {
+            run(1);
+            if (drawn)
+                ck_assert_int_gt(draw(MstDebugAll & ~(unsigned int)MstDebugSolver), 20);
+            count = 0;
+            if (drawn)
+                MstDebugDrawParts(u->world, u->space, 1, MstDebugAll, &onlyLines);
+            ck_assert_int_eq(countOf(2), count);
+        }
+        ck_assert(MeDebugDrawAPI.line == before);
+        McdModelDynamicsGetPosition(m, p[drawn]);
+    }
+    ck_assert_int_eq(memcmp(p[0], p[1], sizeof p[0]), 0);
+}
+END_TEST
+
+START_TEST(bad_input) {
+    MstDebugDrawUniverse(0, MstDebugShapes, &table);
+    assert_warned("null");
+    MstDebugDrawUniverse(u, MstDebugShapes, 0);
+    assert_warned("draw is null");
+    MstDebugDrawUniverse(u, 4096, &table);
+    assert_warned("layers");
+    MstDebugDrawParts(u->world, u->space, 0, MstDebugShapes, &table);
+    assert_warned("lengthScale");
+    MstDebugDrawParts(0, 0, 1, MstDebugAll, &table); /* Nothing, silently. */
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setUp, tearDown);
+    tcase_add_test(t, contacts_and_their_forces);
+    tcase_add_test(t, boxes_and_shapes);
+    tcase_add_test(t, a_hinges_sector_is_where_its_stops_are);
+    tcase_add_test(t, joints_have_axes_and_lead_to_their_bodies);
+    tcase_add_test(t, bodies_have_centres_and_velocities);
+    tcase_add_test(t, outlines_tell_of_partitions_sleep_and_solver);
+    tcase_add_test(t, names);
+    tcase_add_test(t, drawing_changes_nothing);
+    tcase_add_test(t, bad_input);
+}
+TEST_MAIN("DebugDraw", tests)

@@ -1,0 +1,390 @@
+/* Panels and menus in a picture: what they show, what the mouse and keys do to them, and what they leave to others. */
+#include "RMark.h"
+#include "RMenu.h"
+#include "RPanel.h"
+#include "viewer_test.h"
+
+#include "r_i.h"
+
+static RRender *rc;
+static int shows, presses, mouseCalls, pointed;
+static MeReal value;
+static char edited[16];
+
+static void setup(void) {
+    shows = presses = mouseCalls = 0;
+    value = 5;
+    strcpy(edited, "");
+    rc = make_context("-null -size 960x600");
+    ck_assert(r_panelsStart(rc));
+    messages_catch();
+}
+
+static void teardown(void) {
+    assert_silent();
+    messages_release();
+    RRenderContextDestroy(rc);
+}
+
+static void MEAPI onMouse(RRender *r, int x, int y, int modifiers, RMouseButtonWhich which, RMouseButtonEvent event,
+                          void *userdata) {
+    (void)r, (void)x, (void)y, (void)modifiers, (void)which, (void)event, (void)userdata;
+    mouseCalls++;
+}
+
+static void frame(void) {
+    r_frame(rc, NULL);
+    r_hudDraw(rc, &rc->m_pViewer->overlay);
+}
+
+static void tap(int code) {
+    r_post(rc, (REvent){.kind = rKeyDown, .key = code});
+    r_post(rc, (REvent){.kind = rKeyUp, .key = code});
+    frame();
+}
+
+static void point(REventKind kind, int x, int y) {
+    r_post(rc, (REvent){.kind = kind, .which = kRLeftButton, .x = x, .y = y});
+    frame();
+}
+
+/* Down and up come in one frame, as from a quick hand or a slow machine. */
+static void click(int x, int y) {
+    point(rMouseMove, x, y);
+    r_post(rc, (REvent){.kind = rMouseDown, .which = kRLeftButton, .x = x, .y = y});
+    r_post(rc, (REvent){.kind = rMouseUp, .which = kRLeftButton, .x = x, .y = y});
+    frame(); /* ImGui sees it go down, */
+    frame(); /* and up; */
+    frame(); /* what it did to a menu is done. */
+}
+
+static void MEAPI showButton(RRender *r, void *userdata) {
+    ck_assert_ptr_eq(r, rc);
+    ck_assert_ptr_eq(userdata, &shows);
+    shows++;
+    presses += RPanelButton("a button") != 0;
+    pointed = RPanelIsPointedAt() != 0;
+}
+
+static void MEAPI showSlider(RRender *r, void *userdata) {
+    (void)r, (void)userdata;
+    presses += RPanelSlider("x", &value, 0, 10, "m") != 0;
+}
+
+static void MEAPI showEdit(RRender *r, void *userdata) {
+    (void)r, (void)userdata;
+    presses += RPanelEdit("x", edited, sizeof edited) != 0;
+}
+
+START_TEST(f9_shows_panels_and_hides_them) {
+    RPanelCreate(rc, "Mine", showButton, &shows);
+    frame();
+    ck_assert_int_eq(shows, 0);
+    tap(RKEY_F9);
+    ck_assert_int_gt(shows, 0);
+    tap(RKEY_F9);
+    const int before = shows;
+    frame();
+    ck_assert_int_eq(shows, before);
+    RPanelShow(rc, "Mine", 0);
+    tap(RKEY_F9);
+    ck_assert_int_eq(shows, before);
+    RPanelShow(rc, "Mine", 1);
+    frame();
+    ck_assert_int_gt(shows, before);
+    tap(RKEY_F9); /* They were all shown. */
+    const int hidden = shows;
+    frame();
+    ck_assert_int_eq(shows, hidden);
+    RPanelShow(rc, "Mine", 1); /* Alone; F9 shows the others. */
+    frame();
+    ck_assert_int_gt(shows, hidden);
+    ck_assert(!rc->m_pViewer->panelsShown);
+    tap(RKEY_F9);
+    ck_assert(rc->m_pViewer->panelsShown);
+}
+END_TEST
+
+/* Where there is no program's menu, F9 opens the viewer's panel. */
+START_TEST(f9_is_never_in_vain) {
+    frame();
+    const size_t before = rc->m_pViewer->overlay.vertices.count;
+    tap(RKEY_F9);
+    ck_assert_uint_gt(rc->m_pViewer->overlay.vertices.count, before + 500);
+    tap(RKEY_F9);
+    ck_assert_uint_eq(rc->m_pViewer->overlay.vertices.count, before);
+}
+END_TEST
+
+START_TEST(a_click_is_a_panels_or_the_programs) {
+    RRenderSetMouseCallBack(rc, onMouse);
+    RPanelCreate(rc, "Mine", showButton, &shows);
+    tap(RKEY_F9);
+    click(40, 104);
+    ck_assert_int_eq(presses, 1);
+    ck_assert_int_eq(mouseCalls, 0);
+    ck_assert_int_eq(pointed, 1);
+    click(480, 500);
+    ck_assert_int_eq(pointed, 0);
+    ck_assert_int_eq(presses, 1);
+    ck_assert_int_eq(mouseCalls, 2);
+    point(rMouseDown, 480, 500); /* A drag that begins outside stays outside. */
+    point(rMouseMove, 40, 104);
+    point(rMouseUp, 40, 104);
+    ck_assert_int_eq(presses, 1);
+    ck_assert_int_eq(mouseCalls, 5);
+    tap(RKEY_F9);
+    click(40, 104); /* Where it was, there is the program again. */
+    ck_assert_int_eq(mouseCalls, 7);
+}
+END_TEST
+
+/* A slow machine sees several clicks in one frame: none is lost, and none is two. */
+START_TEST(clicks_in_one_frame_are_all_counted) {
+    RPanelCreate(rc, "Mine", showButton, &shows);
+    tap(RKEY_F9);
+    for (int i = 0; i < 3; i++) {
+        r_post(rc, (REvent){.kind = rMouseMove, .x = 480, .y = 500});
+        r_post(rc, (REvent){.kind = rMouseMove, .x = 40, .y = 104});
+        r_post(rc, (REvent){.kind = rMouseDown, .which = kRLeftButton, .x = 40, .y = 104});
+        r_post(rc, (REvent){.kind = rMouseUp, .which = kRLeftButton, .x = 40, .y = 104});
+    }
+    for (int i = 0; i < 8; i++)
+        frame();
+    ck_assert_int_eq(presses, 3);
+}
+END_TEST
+
+START_TEST(a_slider_follows_the_mouse) {
+    RPanelCreate(rc, "Mine", showSlider, NULL);
+    tap(RKEY_F9);
+    point(rMouseMove, 40, 104);
+    point(rMouseDown, 40, 104);
+    frame();
+    ck_assert(value > 0 && value < 5);
+    const MeReal low = value;
+    point(rMouseMove, 100, 300); /* Held, it goes on being moved from outside. */
+    ck_assert(value > low && value < 10);
+    point(rMouseMove, 900, 300);
+    assert_near(value, 10, 0);
+    point(rMouseUp, 900, 300);
+    point(rMouseMove, 40, 104);
+    assert_near(value, 10, 0);
+}
+END_TEST
+
+START_TEST(what_is_written_is_not_a_key) {
+    RPanelCreate(rc, "Mine", showEdit, NULL);
+    tap(RKEY_F9);
+    click(40, 104);
+    tap('p');
+    tap('q');
+    tap('p');
+    ck_assert_str_eq(edited, "pqp");
+    tap(RKEY_BACKSPACE);
+    ck_assert_str_eq(edited, "pq");
+    ck_assert_int_eq(rc->m_bPause, 0);
+    ck_assert(!rc->m_pViewer->loop.quit);
+    click(480, 500);
+    tap('p');
+    ck_assert_str_eq(edited, "pq");
+    ck_assert_int_eq(rc->m_bPause, 1);
+}
+END_TEST
+
+static int toggles;
+
+static void MEAPI onToggle(MeBool on) {
+    (void)on;
+    toggles++;
+}
+
+START_TEST(the_mouse_works_a_menu) {
+    RMenu *m = RMenuCreate(rc, "menu"), *inner = RMenuCreate(rc, "inner");
+    RMenuAddToggleEntry(m, "toggle", onToggle, 0);
+    RMenuAddValueEntry(m, "value", NULL, 10, 0, 1, 5);
+    RMenuAddSubmenuEntry(m, "more", inner);
+    RRenderSetDefaultMenu(rc, m);
+    tap(RKEY_F9);
+    const RMenuValueEntry *number = (RMenuValueEntry *)m->m_pFirst->m_pNext;
+    const int left = 38, row = 24, first = 72 + 14 + row + row / 2;
+    click(left + 30, first);
+    ck_assert_int_eq(toggles, 1);
+    click(left + 200, first + row);
+    assert_near(number->m_Value, 6, 0);
+    click(left + 30, first + row);
+    click(left + 30, first + row);
+    assert_near(number->m_Value, 4, 0);
+    click(left + 30, first + 2 * row);
+    ck_assert_ptr_eq(RRenderGetCurrentMenu(rc), inner);
+    tap(RKEY_F9);
+    ck_assert_ptr_eq(RRenderGetCurrentMenu(rc), m);
+    tap(RKEY_F9);
+    ck_assert_ptr_null(RRenderGetCurrentMenu(rc));
+}
+END_TEST
+
+/* A menu that is destroyed between the picture and the click's effect. */
+START_TEST(a_menu_may_go_after_a_click) {
+    RMenu *m = RMenuCreate(rc, "menu");
+    RMenuAddToggleEntry(m, "toggle", onToggle, 0);
+    RMenuDisplay(m);
+    frame();
+    toggles = 0;
+    rc->m_pViewer->clicked = m->m_pFirst;
+    RMenuDestroy(m);
+    frame();
+    ck_assert_int_eq(toggles, 0);
+}
+END_TEST
+
+static const float red[4] = {1, 0, 0, 1};
+static MeVector3 from, to;
+
+static void MEAPI drawMarks(RRender *r, void *userdata) {
+    ck_assert_ptr_eq(userdata, &from);
+    shows++;
+    RMarkLine(r, from, to, red, 4);
+}
+
+/* Where red triangles are. */
+static void redBox(double box[4]) {
+    const ROverlay *o = &rc->m_pViewer->overlay;
+    box[0] = box[1] = 1e9;
+    box[2] = box[3] = -1e9;
+    for (size_t i = 0; i < o->vertices.count; i++) {
+        const ROverlayVertex *v = &o->vertices.items[i];
+        if (v->color != 0xff0000ffu)
+            continue;
+        box[0] = fmin(box[0], (double)v->x);
+        box[1] = fmin(box[1], (double)v->y);
+        box[2] = fmax(box[2], (double)v->x);
+        box[3] = fmax(box[3], (double)v->y);
+    }
+}
+
+static void markLine(double x0, double y0, double z0, double x1, double y1, double z1, double box[4]) {
+    MeVector3Set(from, (MeReal)x0, (MeReal)y0, (MeReal)z0);
+    MeVector3Set(to, (MeReal)x1, (MeReal)y1, (MeReal)z1);
+    RRenderUpdateProjectionMatrices(rc);
+    frame();
+    redBox(box);
+}
+
+START_TEST(marks_are_where_the_camera_sees_their_places) {
+    double box[4];
+    RCameraSetLookAt(rc, (const AcmeVector3){0, 0, 0});
+    RCameraSetView(rc, 10, 0, 0);
+    RRenderSetMarkCallBack(rc, drawMarks, &from);
+    /* What is 10 m away is seen 2 tan(.35) 10 m high. */
+    const double perMetre = 600 / (20 * tan(0.35));
+    markLine(0, 0, 0, 2, 0, 0, box);
+    assert_near(box[0], 480, 3);
+    assert_near(box[2], 480 + 2 * perMetre, 3);
+    assert_near(box[1], 300, 3);
+    markLine(0, 1, 0, 0, 0, 0, box);
+    assert_near(box[1], 300 - perMetre, 3);
+    markLine(1, 0, 0, 1, 0, 30, box); /* Ends behind the camera: what is in front of it is drawn. */
+    assert_near(box[0], 480 + perMetre, 3);
+    assert_below(960, box[2]);
+    markLine(1, 0, 20, 1, 0, 30, box);
+    assert_below(box[2], box[0]); /* Nothing. */
+    markLine(NAN, 0, 0, 1, 0, 0, box);
+    assert_below(box[2], box[0]);
+    RCameraSetOrthographicView(rc, 6, 50);
+    markLine(0, 0, 0, 2, 0, 3, box);
+    assert_near(box[2], 680, 3);
+    shows = 0;
+    RRenderSetMarkCallBack(rc, NULL, NULL);
+    frame();
+    ck_assert_int_eq(shows, 0);
+    RMarkPoint(rc, from, red, 4);
+    assert_warned("RRenderSetMarkCallBack");
+}
+END_TEST
+
+static void MEAPI destroy(RRender *r, void *userdata) {
+    (void)userdata;
+    shows++;
+    ck_assert_int_eq(RRenderContextDestroy(r), 1);
+}
+
+START_TEST(a_panel_cannot_destroy_its_context) {
+    RPanelCreate(rc, "Mine", destroy, NULL);
+    tap(RKEY_F9);
+    ck_assert_int_gt(shows, 0);
+    assert_warned("RRenderContextDestroy");
+    RPanelDestroy(rc, "Mine");
+    frame();
+}
+END_TEST
+
+static int actions;
+
+static void MEAPI onAction(RRender *r, void *userdata) {
+    (void)r, (void)userdata;
+    actions++;
+}
+
+/* In the viewer's panel: a click on the section opens it, then one on the first button in it presses the key. */
+START_TEST(the_programs_keys_are_buttons_too) {
+    char *help[] = {"$ACTION2 - start again", "Just a sentence."};
+    RRenderCreateUserHelp(rc, help, 2);
+    RRenderSetActionNCallBack(rc, 2, onAction);
+    tap(RKEY_F9);
+    actions = 0;
+    for (int y = 30; y < 400 && actions == 0; y += 8) {
+        click(690, y);
+        rc->m_bPause = 0;
+    }
+    ck_assert_int_eq(actions, 1);
+}
+END_TEST
+
+START_TEST(a_panel_may_go) {
+    RPanelCreate(rc, "Mine", showButton, &shows);
+    RPanelCreate(rc, "Other", showSlider, NULL);
+    tap(RKEY_F9);
+    RPanelDestroy(rc, "Mine");
+    RPanelDestroy(rc, "Mine");
+    shows = 0;
+    frame();
+    ck_assert_int_eq(shows, 0);
+    ck_assert_uint_eq(rc->m_pViewer->panelList.count, 1);
+}
+END_TEST
+
+START_TEST(bad_input) {
+    MeReal x = 0;
+    RPanelCreate(rc, NULL, showButton, NULL);
+    assert_warned("title");
+    RPanelCreate(rc, "Mine", NULL, NULL);
+    assert_warned("func");
+    RPanelShow(rc, "Mine", 1);
+    assert_warned("no panel Mine");
+    ck_assert_int_eq(RPanelButton("alone"), 0);
+    assert_warned("RPanelButton");
+    ck_assert_int_eq(RPanelSlider("alone", &x, 0, 1, NULL), 0);
+    assert_warned("RPanelSlider");
+    RPanelText(NULL);
+    assert_warned("RPanelText");
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setup, teardown);
+    tcase_add_test(t, f9_shows_panels_and_hides_them);
+    tcase_add_test(t, f9_is_never_in_vain);
+    tcase_add_test(t, a_click_is_a_panels_or_the_programs);
+    tcase_add_test(t, clicks_in_one_frame_are_all_counted);
+    tcase_add_test(t, a_slider_follows_the_mouse);
+    tcase_add_test(t, what_is_written_is_not_a_key);
+    tcase_add_test(t, the_mouse_works_a_menu);
+    tcase_add_test(t, a_menu_may_go_after_a_click);
+    tcase_add_test(t, marks_are_where_the_camera_sees_their_places);
+    tcase_add_test(t, the_programs_keys_are_buttons_too);
+    tcase_add_test(t, a_panel_cannot_destroy_its_context);
+    tcase_add_test(t, a_panel_may_go);
+    tcase_add_test(t, bad_input);
+}
+TEST_MAIN("Panels", tests)
