@@ -2,7 +2,7 @@
  *  Teams: parallel loops for Karma's own libraries, on top of a program's tasks (MeTask.h). Not installed.
  *
  *  A team is opened for a stretch of a step, runs loops, and is closed. Opening enqueues one task per worker, which
- *  waits for loops, spinning, until the team is closed, so that a loop costs no more than a microsecond to begin and to end.
+ *  waits for loops, spinning, until the team is closed: a loop costs no more than a microsecond to begin and to end.
  *  The opening thread is worker 0 and takes items too: it can do all of them, so that a loop ends even if no task is
  *  ever started.
  *
