@@ -28,8 +28,10 @@ def server():
             sys.exit(77)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     reader, writer = os.pipe()
-    process = subprocess.Popen(['Xvfb', '-displayfd', str(writer), '-screen', '0', '1280x800x24', '-nolisten', 'tcp'],
-                               pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    # Without -noreset the server begins anew when its last client has gone, and refuses who comes meanwhile.
+    process = subprocess.Popen(['Xvfb', '-displayfd', str(writer), '-screen', '0', '1280x800x24', '-nolisten', 'tcp',
+                                '-noreset'], pass_fds=[writer],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.close(writer)
     with os.fdopen(reader) as pipe:
         number = pipe.readline().strip()  # empty if the server ends
