@@ -27,6 +27,9 @@ typedef enum McdPairChange {
     McdPairHasMoved,    /**< by little since the last test: what was found moves with the models */
     McdPairIsUnchanged, /**< to the last bit since the pair was looked at last */
 } McdPairChange;
+/** Looks at both models, if nobody has in this round: then looks at pairs of them write to the pairs alone, and may be
+ *  taken by several threads at once. */
+MEPUBLIC void MEAPI McdModelPairLookAtModels(const McdModelPair *p);
 /** Looks at a pair of two convex models or planes, under the library's own interaction and without a callback, whose
  *  sizes and margins have not changed. By little: since the last test that was noted, no point of the smaller model has
  *  moved against the other by more than @a part of its size, or a quarter of the pair's margin; and only models that

@@ -114,6 +114,11 @@ static MeBool isAlike(const McdTest *now, const McdTest *before, const MeBool ma
            now->contactMaxCount == before->contactMaxCount && now->faceNormalsFirst == before->faceNormalsFirst;
 }
 
+void MEAPI McdModelPairLookAtModels(const McdModelPair *p) {
+    stampInRound(mcd_record(p->model1));
+    stampInRound(mcd_record(p->model2));
+}
+
 McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]) {
     MEASSERT(p && p->model1 && p->model2 && mayMove);
     McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);

@@ -28,15 +28,13 @@ MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function) {
 
 /* ---- life ---------------------------------------------------------------------------------------------------- */
 
-static void freeContacts(MstRun *run, MdtContactID *made) {
+void mst_runTerm(MstRun *run) {
     MeMemoryGive(run->contacts);
     MeMemoryGive(run->found);
-    MeMemoryGive(made);
 }
 
-/* Room for the contacts of one pair, and of the rest of its run; no run ends for want of room before its pairs have so
- * many contacts each on average. False: there is no memory, and all is as it was. */
-static MeBool makeContacts(MstBridgeRecord *b, int most, const char *function) {
+/* No run ends for want of room before its pairs have so many contacts each on average. */
+MeBool mst_runInit(MstRun *run, int most, const char *function) {
     enum { AVERAGE = 8 };
     if (most > INT_MAX - AVERAGE * MST_RUN)
         most = INT_MAX - AVERAGE * MST_RUN;
@@ -44,16 +42,24 @@ static MeBool makeContacts(MstBridgeRecord *b, int most, const char *function) {
     made.contacts = MeMemoryTake((size_t)made.contactMax, sizeof *made.contacts, function, "contacts");
     if (made.contacts)
         made.found = MeMemoryTake((size_t)made.foundMax, sizeof *made.found, function, "contacts");
-    MdtContactID *ids = made.found ? MeMemoryTake((size_t)most, sizeof *ids, function, "contacts") : 0;
-    if (!ids) {
-        freeContacts(&made, ids);
+    if (!made.found) {
+        mst_runTerm(&made);
         return MEFALSE;
     }
-    freeContacts(&b->run, b->made);
-    b->run.contacts = made.contacts;
-    b->run.found = made.found;
-    b->run.contactMax = made.contactMax;
-    b->run.foundMax = made.foundMax;
+    mst_runTerm(run);
+    *run = made;
+    return METRUE;
+}
+
+/* False: there is no memory, and all is as it was. */
+static MeBool makeContacts(MstBridgeRecord *b, int most, const char *function) {
+    MdtContactID *ids = MeMemoryTake((size_t)most, sizeof *ids, function, "contacts");
+    if (!ids || !mst_runInit(&b->run, most, function)) {
+        MeMemoryGive(ids);
+        return MEFALSE;
+    }
+    mst_workersTerm(b); /* their runs have the same room */
+    MeMemoryGive(b->made);
     b->made = ids;
     return METRUE;
 }
@@ -64,7 +70,9 @@ static void freeAll(MstBridgeRecord *b) {
     for (unsigned int m = 0; m < b->materialCount; m++)
         MeMemoryGive(b->materials[m]);
     MeMemoryGive(b->materials);
-    freeContacts(&b->run, b->made);
+    mst_workersTerm(b);
+    mst_runTerm(&b->run);
+    MeMemoryGive(b->made);
     mst_eventsTerm(b);
     MeMemoryGive(b->clamped);
     MeMemoryGive(b);
@@ -259,6 +267,9 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
         return;
     mst_beginRound(record);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
+        i += mst_handleByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
+        if (i == pairs->stayingEnd)
+            break;
         i += mst_collideRun(record, &record->run, &pairs->array[i], pairs->stayingEnd - i, s);
         mst_commitRun(record, &record->run, s, w);
     }

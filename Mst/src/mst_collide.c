@@ -168,6 +168,12 @@ static MeBool callsProgram(const MstFinding *f) {
     return mst_hasCallback(f->materials) || !McdModelPairIsPlain(f->pair);
 }
 
+MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p) {
+    const MstMaterialID m1 = McdModelGetMaterial(p->model1), m2 = McdModelGetMaterial(p->model2);
+    return m1 < b->materialCount && m2 < b->materialCount && !McdModelIsSensor(p->model1) &&
+           !McdModelIsSensor(p->model2) && McdModelPairIsPlain(p) && !mst_hasCallback(mst_materialPair(b, m1, m2));
+}
+
 /* ---- runs -------------------------------------------------------------------------------------------------------- */
 
 static MeBool isAsleep(McdModelID m) {

@@ -11,9 +11,13 @@
  *
  * Collide and commit take turns, run by run (MstHandleCollisions): a run is as many pairs as stay in the nearest cache
  * from one to the other. Collide calls no function of the program, takes nothing from a pool, and writes to nothing
- * that two pairs share, so that pairs of a run may be collided in any order, each thread with an MstRun of its own; one
- * exception is left, the stamp that Mcd gives a model at its first look in a round. A pair whose test or contacts
- * involve a function of the program (callsProgram) is only looked at there: it ends the run, and commit tests it.
+ * that two pairs share, but for the stamp that Mcd gives a model at its first look in a round. A pair whose test or
+ * contacts involve a function of the program (callsProgram) is only looked at there: it ends the run, and commit tests
+ * it.
+ *
+ * With workers (mst_workers.c), models get their stamps first; then runs of pairs that call no program are collided by
+ * all workers, some runs ahead of the calling thread, which commits them in their order. In the first part of a step no
+ * pair depends on what is committed of another one, so that contacts are the same.
  *
  *     data                                owner: who writes it
  *     McdModelPair.test, .stand           Mcd, as collide looks at the pair; commit, where no touch could be had
@@ -43,6 +47,8 @@ enum { MST_UNKNOWN = -1 };
  * In a heap of 1000 boxes, half as many and twice as many cost the same. */
 enum { MST_RUN = 32 };
 enum { MST_CACHE_LINE = 64 }; /* bytes */
+/* Runs that workers may be ahead of the calling thread: twice as many as have a worker each on eight cores. */
+enum { MST_AHEAD = 16 };
 /* Touches of the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
 enum { MST_TOUCH_BLOCK = 64, MST_TOUCH_BLOCKS = 24 };
 /* So often contacts are carried along with their bodies before they are found anew. Each time rounds the normal to
@@ -161,6 +167,7 @@ typedef struct MstRun {
     McdContact *contacts;      /* of the pair that was tested last; contactMax */
     McdIntersectResult result; /* the same */
     int contactMax, foundMax;
+    MeHeldMessages messages; /* of another thread than the calling one */
 } MstRun;
 
 struct MstBridgeRecord {
@@ -174,6 +181,7 @@ struct MstBridgeRecord {
     unsigned long lastVersion;     /* counts changes of what holds between materials */
     unsigned long round;           /* of pairs, in which nothing changes but by callbacks */
     MstRun run;
+    MstRun *runsAhead;  /* MST_AHEAD of them; null: no worker has helped yet */
     MdtContactID *made; /* what the contacts of a pair have become; run.contactMax */
     MstEvents events;
     MdtBodyID *clamped; /* bodies that have a safe time in this part of the step */
@@ -201,6 +209,17 @@ unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair);
 /* Pairs are looked at: programs may have changed anything before, and in a callback. */
 void mst_beginRound(MstBridgeRecord *b);
 
+/* Room for the contacts of one pair, and of the rest of a run. False: there is no memory, and the run is as it was. */
+MeBool mst_runInit(MstRun *run, int contactMax, const char *function);
+void mst_runTerm(MstRun *run);
+
+/* ---- workers (mst_workers.c) ------------------------------------------------------------------------------------- */
+
+/* Collides and commits pairs, from the first on, by the world's workers; returns how many: none, where a function of
+ * the program has to do with the first, or there are no workers. */
+int mst_handleByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, McdSpaceID s, MdtWorldID w);
+void mst_workersTerm(MstBridgeRecord *b);
+
 /* ---- collide (mst_collide.c) ------------------------------------------------------------------------------------- */
 
 /* Looks at pairs from the first on, and tests them, until the run is full, or ends for another reason; returns how
@@ -210,6 +229,8 @@ int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pa
 MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
 /* The same, and its contacts become part of the run's. */
 void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
+/* Is the pair's outcome found without a function of the program, and without a sensor? */
+MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p);
 /* The run's result, as a callback left it, becomes part of its contacts. */
 void mst_convertContacts(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
 /* Has the pair of materials a callback that sees contacts? */
