@@ -55,8 +55,10 @@ int MEAPI MdtWorldStepRest(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 0);
     int moved = 0;
     mdt_islandsUpdate(w);
+    w->isStepping = METRUE;
     for (int i = 0; i < w->numPartitions; i++)
         moved += stepRest(w, i);
+    w->isStepping = MEFALSE;
     mdt_breakEnd(w);
     return moved;
 }

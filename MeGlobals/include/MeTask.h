@@ -19,7 +19,8 @@ ME_BEGIN_C
 /** What a task does: it is called once, on any thread. */
 typedef void(MEAPI *MeTaskCB)(void *taskContext);
 
-/** Has @a task called with @a taskContext, soon, on any thread but not before returning on one that waits for it.
+/** Has @a task called with @a taskContext, once, by any thread: now, before this returns; soon; or only when
+ *  MeFinishTaskCB waits for it.
  *  @return what identifies the task to MeFinishTaskCB; null: it has been called already */
 typedef void *(MEAPI *MeEnqueueTaskCB)(MeTaskCB task, void *taskContext, void *userContext);
 

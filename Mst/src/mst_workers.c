@@ -1,5 +1,5 @@
-/* Collide and commit by workers (mst_i.h): runs of pairs are collided ahead of the calling thread, which commits them in
- * their order, and collides too where it would have to wait. */
+/* Collide and commit by workers (mst_i.h): runs of pairs are collided ahead of the calling thread, which commits them
+ * in their order, and collides too where it would have to wait. */
 #include "McdInternal.h"
 #include "MdtInternal.h"
 #include "MeAssert.h"

@@ -4,18 +4,9 @@
 #include "MeCommandLine.h"
 #include "MeViewer.h"
 #include "Mst.h"
+#include "leaks.h"
 #include <stdio.h>
 #include <stdlib.h>
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#include <sanitizer/lsan_interface.h>
-#define CHECK_LEAKS __lsan_do_leak_check
-#endif
-#endif
-#ifndef CHECK_LEAKS
-#define CHECK_LEAKS() ((void)0)
-#endif
 
 static RRender *rc;
 static MstUniverseID u;
@@ -58,7 +49,7 @@ static void MEAPI_CDECL cleanup(void) {
     RRenderContextDestroy(rc);
     MstUniverseDestroy(u);
     puts("cleanup");
-    CHECK_LEAKS(); /* Later the graphics driver is unloaded, and tests/lsan.supp does not know its leaks any more. */
+    CHECK_LEAKS();
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

@@ -2,6 +2,7 @@
 #include "MeInternal.h"
 #include "MeTask.h"
 #include "MeTeam.h"
+#include "jobs.h"
 #include "karma_test.h"
 #include <fenv.h>
 #include <stdatomic.h>
@@ -93,35 +94,9 @@ START_TEST(each_item_of_a_loop_is_done_once) {
 }
 END_TEST
 
-/* A program that calls tasks as they are enqueued, or only when they are waited for. */
-static void *MEAPI callAtOnce(MeTaskCB task, void *context, void *user) {
-    (void)user;
-    task(context);
-    return NULL;
-}
-
-typedef struct Late {
-    MeTaskCB task;
-    void *context;
-} Late;
-
-static void *MEAPI callLater(MeTaskCB task, void *context, void *user) {
-    Late *late = malloc(sizeof *late);
-    (void)user;
-    *late = (Late){task, context};
-    return late;
-}
-
-static void MEAPI callNow(void *task, void *user) {
-    Late *late = task;
-    (void)user;
-    late->task(late->context);
-    free(late);
-}
-
 START_TEST(a_loop_ends_though_no_task_is_started) {
-    MeTeam *atOnce = MeTeamCreate(4, callAtOnce, callNow, NULL, "test");
-    MeTeam *later = MeTeamCreate(4, callLater, callNow, NULL, "test");
+    MeTeam *atOnce = MeTeamCreate(4, callAtOnce, runKeptJob, NULL, "test");
+    MeTeam *later = MeTeamCreate(4, keepJob, runKeptJob, NULL, "test");
     runLoops(atOnce);
     runLoops(later);
     MeTeamDestroy(atOnce);

@@ -3,8 +3,8 @@
 #include "Mst.h"
 #include "MdtReport.h"
 #include "MeTask.h"
+#include "jobs.h"
 #include "karma_test.h"
-#include <pthread.h>
 #include <stdint.h>
 
 #define FRAME ((MeReal)(1. / 60))
@@ -99,60 +99,6 @@ static uint64_t stateOf(const Scene *s) {
     return hash;
 }
 
-/* ---- ways of running tasks ---- */
-
-typedef struct Late {
-    MeTaskCB task;
-    void *context;
-} Late;
-
-static void *MEAPI callAtOnce(MeTaskCB task, void *context, void *user) {
-    (void)user;
-    task(context);
-    return NULL;
-}
-
-static void *MEAPI callLater(MeTaskCB task, void *context, void *user) {
-    Late *late = malloc(sizeof *late);
-    (void)user;
-    *late = (Late){task, context};
-    return late;
-}
-
-static void MEAPI callNow(void *task, void *user) {
-    Late *late = task;
-    (void)user;
-    late->task(late->context);
-    free(late);
-}
-
-static void *callOnThread(void *context) {
-    Late *late = context;
-    late->task(late->context);
-    return NULL;
-}
-
-/* A thread for each task. */
-typedef struct Threaded {
-    Late late;
-    pthread_t thread;
-} Threaded;
-
-static void *MEAPI startThread(MeTaskCB task, void *context, void *user) {
-    Threaded *t = malloc(sizeof *t);
-    (void)user;
-    t->late = (Late){task, context};
-    ck_assert_int_eq(pthread_create(&t->thread, NULL, callOnThread, &t->late), 0);
-    return t;
-}
-
-static void MEAPI joinThread(void *task, void *user) {
-    Threaded *t = task;
-    (void)user;
-    pthread_join(t->thread, NULL);
-    free(t);
-}
-
 /* ---- the same bits ---- */
 
 enum { FRAMES = 60 };
@@ -186,7 +132,7 @@ START_TEST(every_way_of_running_tasks_gives_the_same_bits) {
     static const struct {
         MeEnqueueTaskCB enqueue;
         MeFinishTaskCB finish;
-    } ways[] = {{callAtOnce, callNow}, {callLater, callNow}, {startThread, joinThread}};
+    } ways[] = {{callAtOnce, runKeptJob}, {keepJob, runKeptJob}, {startJob, waitForJob}};
     const uint64_t alone = run(makeMixed, NULL, MEFALSE);
     for (size_t k = 0; k < sizeof ways / sizeof *ways; k++) {
         Scene s;
@@ -246,13 +192,13 @@ END_TEST
 START_TEST(bad_workers_are_refused) {
     const MdtWorldID w = MdtWorldCreate(1, 1, 1, 1);
     messages_catch();
-    MdtWorldSetTaskCallbacks(w, 0, startThread, joinThread, NULL);
+    MdtWorldSetTaskCallbacks(w, 0, startJob, waitForJob, NULL);
     assert_warned("MdtWorldSetTaskCallbacks");
-    MdtWorldSetTaskCallbacks(w, MeTaskMaxWorkers + 1, startThread, joinThread, NULL);
+    MdtWorldSetTaskCallbacks(w, MeTaskMaxWorkers + 1, startJob, waitForJob, NULL);
     assert_warned("MdtWorldSetTaskCallbacks");
-    MdtWorldSetTaskCallbacks(w, 2, NULL, joinThread, NULL);
+    MdtWorldSetTaskCallbacks(w, 2, NULL, waitForJob, NULL);
     assert_warned("enqueue");
-    MdtWorldSetTaskCallbacks(w, 2, startThread, NULL, NULL);
+    MdtWorldSetTaskCallbacks(w, 2, startJob, NULL, NULL);
     assert_warned("finish");
     ck_assert_int_eq(MdtWorldGetWorkerCount(w), 1);
     ck_assert(MdtWorldGetWorkerTime(w, 1) == 0);

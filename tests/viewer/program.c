@@ -7,16 +7,7 @@
 #include "MeMessage.h"
 #include "MeViewer.h"
 #include "RPanel.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#include <sanitizer/lsan_interface.h>
-#define CHECK_LEAKS __lsan_do_leak_check
-#endif
-#endif
-#ifndef CHECK_LEAKS
-#define CHECK_LEAKS() ((void)0)
-#endif
+#include "leaks.h"
 
 static RRender *rc;
 static MeMatrix4 tm = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 3, 0, 1}};
@@ -70,7 +61,7 @@ static void MEAPI Tick(RRender *context) {
 static void MEAPI_CDECL cleanup(void) {
     if (rc)
         say("cleanup", RRenderContextDestroy(rc));
-    CHECK_LEAKS(); /* Later the graphics driver is unloaded, and tests/lsan.supp does not know its leaks any more. */
+    CHECK_LEAKS();
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

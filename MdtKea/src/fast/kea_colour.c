@@ -8,11 +8,9 @@
 #include "MeAssert.h"
 #include <string.h>
 
-enum { ALONE = KEA_COLOURS - 1 };
-
 static int lowestFree(MeU64 taken) {
     int colour = 0;
-    while (colour < ALONE && (taken >> colour & 1))
+    while (colour < KEA_ALONE && (taken >> colour & 1))
         colour++;
     return colour;
 }
@@ -26,7 +24,7 @@ static void chooseColours(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], i
             both |= m->body[k] >= 0 ? taken[m->body[k]] : 0;
         colour[i] = (MeU8)lowestFree(both);
         for (int k = 0; k < 2; k++)
-            if (m->body[k] >= 0 && colour[i] < ALONE)
+            if (m->body[k] >= 0 && colour[i] < KEA_ALONE)
                 taken[m->body[k]] |= (MeU64)1 << colour[i];
         count[colour[i]][m->numPoints]++;
     }
@@ -54,7 +52,7 @@ int kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[],
             inColour[k] += count[k][n];
     firstGroup[0] = 0;
     for (int k = 0; k < KEA_COLOURS; k++)
-        firstGroup[k + 1] = firstGroup[k] + (k == ALONE ? inColour[k] : (inColour[k] + KEA_LANES - 1) / KEA_LANES);
+        firstGroup[k + 1] = firstGroup[k] + (k == KEA_ALONE ? inColour[k] : (inColour[k] + KEA_LANES - 1) / KEA_LANES);
     sortByColour(s, colour, count, order);
     return firstGroup[KEA_COLOURS];
 }
@@ -63,7 +61,7 @@ int kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int ord
     int group = -1, lane = KEA_LANES;
     for (int i = 0; i < s->numManifolds; i++) {
         const MeBool isNew =
-            i == 0 || lane == KEA_LANES || colour[order[i]] != colour[order[i - 1]] || colour[order[i]] == ALONE;
+            i == 0 || lane == KEA_LANES || colour[order[i]] != colour[order[i - 1]] || colour[order[i]] == KEA_ALONE;
         if (isNew) {
             memset(&groups[++group], 0, sizeof *groups);
             for (lane = 0; lane < KEA_LANES; lane++)

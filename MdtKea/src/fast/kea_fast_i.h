@@ -97,6 +97,8 @@ extern const KeaKernel kea_kernelAvx2;
 /* ---- kea_colour.c ---- */
 
 enum { KEA_COLOURS = 64 };
+/* The last colour, of manifolds that are alone in their groups: a loop takes these groups one after the other. */
+enum { KEA_ALONE = KEA_COLOURS - 1 };
 
 /* Writes the colour of each manifold, their order by colours, and which group is the first of each colour, and behind
  * the last; returns how many groups that makes. `taken` is scratch, by body. */

@@ -16,17 +16,12 @@ static int chunksOf(int count, int size) {
     return (count + size - 1) / size;
 }
 
-/* What is alone in its group is visited one after the other. */
-static MeBool isAlone(int colour) {
-    return colour == KEA_COLOURS - 1;
-}
-
 int kea_loopsPlan(KeaLoops *l) {
     l->firstChunk[0] = 0;
     for (int c = 0; c < KEA_COLOURS; c++) {
         const int groups = l->firstGroup[c + 1] - l->firstGroup[c];
         MEASSERT(groups >= 0);
-        l->firstChunk[c + 1] = l->firstChunk[c] + (isAlone(c) ? groups > 0 : chunksOf(groups, KEA_CHUNK));
+        l->firstChunk[c + 1] = l->firstChunk[c] + (c == KEA_ALONE ? groups > 0 : chunksOf(groups, KEA_CHUNK));
     }
     return l->firstChunk[KEA_COLOURS];
 }
@@ -42,8 +37,13 @@ static void MEAPI doChunk(void *context, int item, int worker) {
 
 static void doColour(KeaLoops *l, int colour, KeaChunkWork work, void *context) {
     const int first = l->firstGroup[colour], end = l->firstGroup[colour + 1];
-    Chunks c = {
-        l, work, context, first, isAlone(colour) ? end - first : KEA_CHUNK, end, l->partial + l->firstChunk[colour]};
+    Chunks c = {l,
+                work,
+                context,
+                first,
+                colour == KEA_ALONE ? end - first : KEA_CHUNK,
+                end,
+                l->partial + l->firstChunk[colour]};
     MeTeamRun(l->team, l->firstChunk[colour + 1] - l->firstChunk[colour], doChunk, &c);
 }
 
@@ -56,18 +56,23 @@ void kea_overColours(KeaLoops *l, KeaChunkWork work, void *context, float sum[KE
             sum[lane] += l->partial[i][lane];
 }
 
-/* There are at least as many chunks by colour as there are of all groups together. */
-void kea_mostOverGroups(KeaLoops *l, KeaChunkWork work, void *context, float most[KEA_LANES]) {
+/* There are at least as many chunks by colour as there are of all groups together. Returns how many these are. */
+static int doGroups(KeaLoops *l, KeaChunkWork work, void *context) {
     Chunks c = {l, work, context, 0, KEA_CHUNK, l->firstGroup[KEA_COLOURS], l->partial};
     const int chunks = chunksOf(c.end, KEA_CHUNK);
     MeTeamRun(l->team, chunks, doChunk, &c);
-    for (int i = 0; most && i < chunks; i++)
-        for (int lane = 0; lane < KEA_LANES; lane++)
-            most[lane] = l->partial[i][lane] > most[lane] ? l->partial[i][lane] : most[lane];
+    return chunks;
 }
 
 void kea_overGroups(KeaLoops *l, KeaChunkWork work, void *context) {
-    kea_mostOverGroups(l, work, context, NULL);
+    doGroups(l, work, context);
+}
+
+void kea_mostOverGroups(KeaLoops *l, KeaChunkWork work, void *context, float most[KEA_LANES]) {
+    const int chunks = doGroups(l, work, context);
+    for (int i = 0; i < chunks; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++)
+            most[lane] = l->partial[i][lane] > most[lane] ? l->partial[i][lane] : most[lane];
 }
 
 void kea_overBodies(KeaLoops *l, int count, KeaChunkWork work, void *context) {
