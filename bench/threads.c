@@ -1,10 +1,11 @@
 /* One worker against several: the same scene in universes of their own, step by step in turn, so that what else the
  * machine does falls on all alike.
  *
- *     threads [--workers N] [--steps N]
+ *     threads [--workers N] [--steps N] [--scene NAME]
  *
- * 2 workers, 300 steps if not given. For each scene: ms a step in the mean with one worker and with N, their ratio, and
- * the share of the time that each worker was busy with the world's tasks. It says so, should the states differ. */
+ * 2 workers, 300 steps, all scenes if not given. For each scene: ms a step in the mean with one worker and with N, their
+ * ratio, and the share of the time that each worker was busy with the world's tasks. It says so, should the states
+ * differ. */
 #include "timing.h"
 
 #include "MeTask.h"
@@ -108,7 +109,11 @@ static int areAlike(MstUniverseID a, MstUniverseID b) {
     return !x && !y;
 }
 
+static const char *wanted; /* null: all */
+
 static void compare(const char *name, void (*make)(MstUniverseID u), MeTaskPoolID pool, int steps) {
+    if (wanted && strcmp(wanted, name) != 0)
+        return;
     Run alone = {makeUniverse(), 0}, many = {makeUniverse(), 0};
     make(alone.u);
     make(many.u);
@@ -142,8 +147,10 @@ int main(int argc, char **argv) {
             workers = countOf(argv[++i]);
         else if (!strcmp(argv[i], "--steps"))
             steps = countOf(argv[++i]);
+        else if (!strcmp(argv[i], "--scene"))
+            wanted = argv[++i];
         else
-            return fputs("threads [--workers N] [--steps N]\n", stderr), 2;
+            return fputs("threads [--workers N] [--steps N] [--scene NAME]\n", stderr), 2;
     MeTaskPoolID pool = MeTaskPoolCreate(workers);
     compare("tower 20", makeTower, pool, 10 * steps);
     compare("chains 200", makeChains, pool, steps);

@@ -119,12 +119,25 @@ static void addForce(const MdtKeaManifold *m, const double force[3], double shar
     MEASSERT(isfinite(keaDot(mean, mean)));
 }
 
-void mdt_contactsAddForces(MdtIsland *p, double share) {
-    for (int i = 0; i < p->kea.numManifolds; i++) {
-        const MdtKeaManifold *m = &p->kea.manifolds[i];
+typedef struct Unpacking {
+    MdtIsland *p;
+    double share;
+    MeBool isGuess;
+} Unpacking;
+
+static void MEAPI addForces(void *context, int first, int end, int worker) {
+    const Unpacking *u = context;
+    (void)worker;
+    for (int i = first; i < end; i++) {
+        const MdtKeaManifold *m = &u->p->kea.manifolds[i];
         for (int k = 0; k < m->numPoints; k++)
-            addForce(m, m->point[k].force, share, p->manifolds[i].mean[k]);
+            addForce(m, m->point[k].force, u->share, u->p->manifolds[i].mean[k]);
     }
+}
+
+void mdt_contactsAddForces(MdtIsland *p, double share) {
+    Unpacking u = {.p = p, .share = share};
+    MeTeamRunRanges(p->team, p->kea.numManifolds, MDT_RANGE, addForces, &u);
 }
 
 static void unpackPoint(MdtKeaPoint *from, MdtPoint *point, const double mean[3], MeBool isGuess) {
@@ -136,13 +149,20 @@ static void unpackPoint(MdtKeaPoint *from, MdtPoint *point, const double mean[3]
     mdt_toReal(point->mean, mean);
 }
 
-void mdt_contactsUnpack(MdtIsland *p, MeBool isGuess) {
-    for (int i = 0; i < p->kea.numManifolds; i++) {
-        MdtKeaManifold *m = &p->kea.manifolds[i];
-        const MdtIslandManifold *own = &p->manifolds[i];
+static void MEAPI unpackPoints(void *context, int first, int end, int worker) {
+    const Unpacking *u = context;
+    (void)worker;
+    for (int i = first; i < end; i++) {
+        MdtKeaManifold *m = &u->p->kea.manifolds[i];
+        const MdtIslandManifold *own = &u->p->manifolds[i];
         for (int k = 0; k < m->numPoints; k++)
-            unpackPoint(&m->point[k], own->point[k], own->mean[k], isGuess);
+            unpackPoint(&m->point[k], own->point[k], own->mean[k], u->isGuess);
     }
+}
+
+void mdt_contactsUnpack(MdtIsland *p, MeBool isGuess) {
+    Unpacking u = {.p = p, .isGuess = isGuess};
+    MeTeamRunRanges(p->team, p->kea.numManifolds, MDT_RANGE, unpackPoints, &u);
 }
 
 double mdt_contactsPenetration(const MdtIsland *p) {

@@ -54,22 +54,22 @@ static void addGravity(MdtWorldID w, MdtBodyID b) {
         b->kea.force[i] += b->mass * (double)w->params.gravity[i];
 }
 
-static void packBodies(MdtIsland *p) {
-    for (int i = 0; i < p->numBodies; i++) {
+static void rememberStart(MdtBodyID b) {
+    mdt_bodyVelocity(b, &b->start.velocity);
+    keaCopy(b->start.position, b->kea.position);
+    memcpy(b->start.quaternion, b->kea.quaternion, sizeof b->start.quaternion);
+    b->start.moves = b->moves;
+}
+
+static void MEAPI packBodies(void *island, int first, int end, int worker) {
+    const MdtIsland *p = island;
+    (void)worker;
+    for (int i = first; i < end; i++) {
         MEASSERT(p->bodies[i]->partition == p->number && (p->bodies[i]->record.flags & MDT_ENABLED));
         p->bodies[i]->index = i;
         mdt_bodyPack(p->bodies[i]);
         addGravity(p->world, p->bodies[i]);
-    }
-}
-
-static void rememberStart(MdtIsland *p) {
-    for (int i = 0; i < p->numBodies; i++) {
-        MdtStart *start = &p->bodies[i]->start;
-        mdt_bodyVelocity(p->bodies[i], &start->velocity);
-        keaCopy(start->position, p->bodies[i]->kea.position);
-        memcpy(start->quaternion, p->bodies[i]->kea.quaternion, sizeof start->quaternion);
-        start->moves = p->bodies[i]->moves;
+        rememberStart(p->bodies[i]);
     }
 }
 
@@ -77,9 +77,8 @@ MeBool mdt_islandPack(MdtIsland *p) {
     setSystem(p);
     if (!takeScratch(p))
         return MEFALSE;
-    packBodies(p);
+    MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, packBodies, p);
     mdt_contactsPack(p);
-    rememberStart(p);
     return METRUE;
 }
 

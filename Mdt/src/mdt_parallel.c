@@ -95,9 +95,10 @@ static void take(const Stepping *s, int partition, int worker, MeTeam *team) {
     p.worker = &s->world->workers[worker];
     p.team = team;
     p.clock = &p.lap;
-    MeMessagesHold(&p.worker->messages, partition);
+    MeHeldMessages *const before = MeMessagesHold(&p.worker->messages);
+    p.worker->messages.key = partition;
     mdt_islandTake(&p, s->safely);
-    MeMessagesHold(NULL, 0);
+    MeMessagesHold(before);
 }
 
 static void takeTogether(const Stepping *s) {

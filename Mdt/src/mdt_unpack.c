@@ -77,22 +77,30 @@ static void notePush(MdtBodyID b, const MdtStart *start, const MdtKeaVelocity *e
     keaCopy(b->push, keaLength(beyondEnd) < keaLength(beyondMean) ? beyondEnd : beyondMean);
 }
 
-void mdt_unpackBodies(MdtIsland *p) {
-    for (int i = 0; i < p->numBodies; i++) {
-        MdtBodyID b = p->bodies[i];
-        MdtKeaVelocity end;
-        mdt_bodyVelocity(b, &end);
-        for (int k = 0; k < 3; k++) {
-            b->kea.lastStep.lin[k] = (end.lin[k] - p->bodies[i]->start.velocity.lin[k]) / p->h;
-            b->kea.lastStep.ang[k] = (end.ang[k] - p->bodies[i]->start.velocity.ang[k]) / p->h;
-        }
-        notePush(b, &b->start, &end, p->h);
-        MEASSERT(isfinite(keaLength(b->kea.lastStep.lin) + keaLength(b->kea.lastStep.ang) + keaLength(b->push)));
-        mdt_bodyAge(b, p->h);
-        mdt_bodyKeepWithinReach(b);
-        mdt_bodyShow(b);
-        b->start.movesAfter = b->moves;
+static void unpackBody(MdtBodyID b, double h) {
+    MdtKeaVelocity end;
+    mdt_bodyVelocity(b, &end);
+    for (int k = 0; k < 3; k++) {
+        b->kea.lastStep.lin[k] = (end.lin[k] - b->start.velocity.lin[k]) / h;
+        b->kea.lastStep.ang[k] = (end.ang[k] - b->start.velocity.ang[k]) / h;
     }
+    notePush(b, &b->start, &end, h);
+    MEASSERT(isfinite(keaLength(b->kea.lastStep.lin) + keaLength(b->kea.lastStep.ang) + keaLength(b->push)));
+    mdt_bodyAge(b, h);
+    mdt_bodyKeepWithinReach(b);
+    mdt_bodyShow(b);
+    b->start.movesAfter = b->moves;
+}
+
+static void MEAPI unpackBodies(void *island, int first, int end, int worker) {
+    const MdtIsland *p = island;
+    (void)worker;
+    for (int i = first; i < end; i++)
+        unpackBody(p->bodies[i], p->h);
+}
+
+void mdt_unpackBodies(MdtIsland *p) {
+    MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, unpackBodies, p);
 }
 
 void mdt_unpackStopped(MdtIsland *p) {

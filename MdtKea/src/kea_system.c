@@ -1,6 +1,7 @@
 /* The system of one partition: memory, what would be without rows, and the end of the step. */
 #include "kea_i.h"
 #include "MeAssert.h"
+#include "MeTeam.h"
 #include "common/kea_policy_i.h"
 #include "exact/kea_contact_i.h"
 #include "fast/kea_fast_i.h"
@@ -99,14 +100,10 @@ static void predict(MdtKeaSystem *s, int i) {
     kea_angularVelocity(body, body->quaternion, b->freeMomentum, s->predicted[i].ang);
 }
 
-void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
-    KeaArena arena = {scratch, 0};
-    MEASSERTALIGNED(scratch, 16);
-    s->numRows = 0;
-    memset(&s->report, 0, sizeof s->report);
-    layOut(s, &arena);
-    s->work->numContacts = 0;
-    for (int i = 0; i < s->numBodies; i++) {
+static void MEAPI beginBodies(void *system, int first, int end, int worker) {
+    MdtKeaSystem *s = system;
+    (void)worker;
+    for (int i = first; i < end; i++) {
         const MdtKeaBody *body = s->bodies[i];
         setPose(&s->pose[i], body->position, body->quaternion);
         keaCopy(s->velocity[i].lin, body->velocity);
@@ -115,6 +112,16 @@ void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
         kea_inverseInertia(body, body->quaternion, s->invMass[i].inertia);
         predict(s, i);
     }
+}
+
+void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
+    KeaArena arena = {scratch, 0};
+    MEASSERTALIGNED(scratch, 16);
+    s->numRows = 0;
+    memset(&s->report, 0, sizeof s->report);
+    layOut(s, &arena);
+    s->work->numContacts = 0;
+    MeTeamRunRanges(s->team, s->numBodies, KEA_BODY_CHUNK, beginBodies, s);
 }
 
 void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
@@ -177,16 +184,22 @@ static void commitState(MdtKeaBody *body, const KeaEnd *end) {
         MdtKeaBodySetAngularVelocity(body, w);
 }
 
-MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
-    for (int i = 0; i < s->numBodies; i++)
-        if (!mayCommit(s->bodies[i], &s->work->end[i]))
-            return MEFALSE;
-    for (int i = 0; i < s->numBodies; i++) {
+static void MEAPI commitBodies(void *system, int first, int end, int worker) {
+    MdtKeaSystem *s = system;
+    (void)worker;
+    for (int i = first; i < end; i++) {
         MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
                       s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < kea_assertedRounding);
         commitState(s->bodies[i], &s->work->end[i]);
         noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
         s->pose[i] = s->work->endPose[i];
     }
+}
+
+MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        if (!mayCommit(s->bodies[i], &s->work->end[i]))
+            return MEFALSE;
+    MeTeamRunRanges(s->team, s->numBodies, KEA_BODY_CHUNK, commitBodies, s);
     return METRUE;
 }

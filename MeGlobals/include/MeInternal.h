@@ -86,14 +86,14 @@ MEPUBLIC const char *MEAPI MeCallerName(const char *function);
  *  that does not depend on threads. All zero: none wait. */
 typedef struct MeHeldMessages {
     struct MeHeldMessage *first, *last;
-    int key;
+    int key; /**< of those that come next: whoever holds them writes it */
 } MeHeldMessages;
 
 /** @name Messages that wait
  *  @{ */
-/** From now on, in this thread, messages but for fatal errors join @a held, with @a key; null: they are sent at once,
- *  as ever. */
-MEPUBLIC void MEAPI MeMessagesHold(MeHeldMessages *held, int key);
+/** From now on, in this thread, messages but for fatal errors join @a held, with its key; null: they are sent at once,
+ *  as ever. Returns what they joined before. */
+MEPUBLIC MeHeldMessages *MEAPI MeMessagesHold(MeHeldMessages *held);
 /** Sends what waits in all of these, by their keys, and of one key in the order in which they came. Messages of one key
  *  are all in the same place. */
 MEPUBLIC void MEAPI MeMessagesSend(MeHeldMessages *const held[], int count);

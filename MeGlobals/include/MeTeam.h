@@ -22,6 +22,9 @@ typedef struct MeTeam MeTeam;
 /** One item of a loop, done by that worker, 0 .. MeTeamGetSize - 1: for memory that workers have of their own. */
 typedef void(MEAPI *MeTeamWork)(void *context, int item, int worker);
 
+/** The items first .. end - 1 of a loop over ranges, by that worker. */
+typedef void(MEAPI *MeTeamRangeWork)(void *context, int first, int end, int worker);
+
 /** @name Life
  *  @{ */
 /** With that many workers, at most MeTaskMaxWorkers. Null, after a fatal error, if there is no memory. */
@@ -39,12 +42,14 @@ MEPUBLIC int MEAPI MeTeamGetSize(const MeTeam *team);
 MEPUBLIC void MEAPI MeTeamOpen(MeTeam *team);
 MEPUBLIC void MEAPI MeTeamClose(MeTeam *team);
 /** Does all items, and returns then. On the calling thread alone, in their order, where the team is not open, is null,
- *  or is in a loop already. */
+ *  or is in a loop already. Messages of the items reach the calling thread in the items' order, after the loop. */
 MEPUBLIC void MEAPI MeTeamRun(MeTeam *team, int items, MeTeamWork work, void *context);
+/** The same of so many things, in ranges of that size; the last one may be shorter. */
+MEPUBLIC void MEAPI MeTeamRunRanges(MeTeam *team, int count, int size, MeTeamRangeWork work, void *context);
 /**
  * Makes items on all workers, and uses them on the calling thread, each as soon as it and all before it are made: use
  * may write to what is shared, in the items' order. No more than @a ahead items are made and not used: item i has the
- * i % ahead-th of so many buffers. @a ahead is at least 1.
+ * i % ahead-th of so many buffers. @a ahead is at least 1. Messages of making an item come before those of using it.
  */
 MEPUBLIC void MEAPI MeTeamPipe(MeTeam *team, int items, int ahead, MeTeamWork make, MeTeamWork use, void *context);
 /** @} */

@@ -14,10 +14,10 @@ typedef struct MeHeldMessage {
 /* Null: this thread's messages do not wait. */
 static _Thread_local MeHeldMessages *holder;
 
-void MEAPI MeMessagesHold(MeHeldMessages *held, int key) {
+MeHeldMessages *MEAPI MeMessagesHold(MeHeldMessages *held) {
+    MeHeldMessages *const before = holder;
     holder = held;
-    if (held)
-        held->key = key;
+    return before;
 }
 
 /* Where there is no memory to keep it in, it does not wait. */

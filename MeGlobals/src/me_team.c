@@ -28,8 +28,9 @@ typedef struct Share {
 typedef struct Worker {
     _Alignas(LINE) MeTeam *team;
     int index;
-    void *task; /* the program's name for it; null: none is out */
-    MeU64 busy; /* ticks; the worker */
+    void *task;              /* the program's name for it; null: none is out */
+    MeU64 busy;              /* ticks; the worker */
+    MeHeldMessages messages; /* of a loop's items; the worker */
 } Worker;
 
 /* What all workers do now. */
@@ -59,6 +60,7 @@ struct MeTeam {
     Share pipe;                                 /* all items of a pipe */
     Share used;                                 /* of a pipe: how many buffers there are, and how many items are used */
     _Alignas(LINE) atomic_int made[MOST_AHEAD]; /* by buffer: 1 + the last item that was made into it */
+    MeHeldMessages messages[MOST_AHEAD];        /* of that item */
 };
 
 static MeU64 pack(MeU64 number, int items, int next) {
@@ -168,16 +170,20 @@ static int startOf(const MeTeam *t, int share) {
 /* Returns how many items it has done. */
 static int doShare(MeTeam *t, int share, int worker) {
     int done = 0;
-    for (int item = takeFrom(&t->share[share]); item >= 0; item = takeFrom(&t->share[share]), done++)
+    for (int item = takeFrom(&t->share[share]); item >= 0; item = takeFrom(&t->share[share]), done++) {
+        t->worker[worker].messages.key = startOf(t, share) + item;
         t->loop.work(t->loop.context, startOf(t, share) + item, worker);
+    }
     return done;
 }
 
 static void doLoop(MeTeam *t, int worker) {
     const MeU64 start = startClock(t);
+    MeHeldMessages *const before = MeMessagesHold(&t->worker[worker].messages);
     int done = 0;
     for (int i = 0; i < t->size; i++)
         done += doShare(t, (worker + i) % t->size, worker);
+    MeMessagesHold(before);
     stopClock(t, worker, start);
     if (done > 0)
         atomic_fetch_add_explicit(&t->done, done, memory_order_release);
@@ -211,7 +217,9 @@ static MeBool makeOne(MeTeam *t, int worker) {
     if (item < 0)
         return MEFALSE;
     const int ahead = itemsOf(atomic_load_explicit(&t->used.claim, memory_order_relaxed));
+    MeHeldMessages *const before = MeMessagesHold(&t->messages[item % ahead]);
     t->loop.work(t->loop.context, item, worker);
+    MeMessagesHold(before);
     stopClock(t, worker, start); /* before the item is out: who opened the team may read the time then */
     atomic_store_explicit(&t->made[item % ahead], item + 1, memory_order_release);
     return METRUE;
@@ -309,6 +317,14 @@ static MeU64 describe(MeTeam *t, int items, MeTeamWork work, void *context) {
     return atomic_load_explicit(&t->number, memory_order_relaxed) + 2;
 }
 
+/* As if the calling thread had taken all items. */
+static void sendMessages(MeTeam *t) {
+    MeHeldMessages *held[MeTaskMaxWorkers];
+    for (int i = 0; i < t->size; i++)
+        held[i] = &t->worker[i].messages;
+    MeMessagesSend(held, t->size);
+}
+
 void MEAPI MeTeamRun(MeTeam *t, int items, MeTeamWork work, void *context) {
     if (isAlone(t, items)) {
         for (int i = 0; i < items; i++)
@@ -324,6 +340,25 @@ void MEAPI MeTeamRun(MeTeam *t, int items, MeTeamWork work, void *context) {
     for (int spins = 0; atomic_load_explicit(&t->done, memory_order_acquire) < items;)
         waitABit(&spins);
     t->isRunning = MEFALSE;
+    sendMessages(t);
+}
+
+typedef struct Ranges {
+    MeTeamRangeWork work;
+    void *context;
+    int count, size;
+} Ranges;
+
+static void MEAPI doRange(void *context, int item, int worker) {
+    const Ranges *r = context;
+    const int first = item * r->size, end = r->count - first < r->size ? r->count : first + r->size;
+    r->work(r->context, first, end, worker);
+}
+
+void MEAPI MeTeamRunRanges(MeTeam *t, int count, int size, MeTeamRangeWork work, void *context) {
+    MEASSERT(size >= 1);
+    Ranges ranges = {work, context, count, size};
+    MeTeamRun(t, count / size + (count % size > 0), doRange, &ranges);
 }
 
 static void pipeAlone(int items, MeTeamWork make, MeTeamWork use, void *context) {
@@ -350,6 +385,7 @@ void MEAPI MeTeamPipe(MeTeam *t, int items, int ahead, MeTeamWork make, MeTeamWo
         for (int spins = 0; atomic_load_explicit(&t->made[i % buffers], memory_order_acquire) != i + 1;)
             if (!makeOne(t, 0))
                 waitABit(&spins);
+        MeMessagesSend((MeHeldMessages *[]){&t->messages[i % buffers]}, 1);
         use(context, i, 0);
         atomic_store_explicit(&t->used.claim, pack(number, buffers, i + 1), memory_order_release);
     }

@@ -167,7 +167,6 @@ typedef struct MstRun {
     McdContact *contacts;      /* of the pair that was tested last; contactMax */
     McdIntersectResult result; /* the same */
     int contactMax, foundMax;
-    MeHeldMessages messages; /* of another thread than the calling one */
 } MstRun;
 
 struct MstBridgeRecord {

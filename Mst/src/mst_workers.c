@@ -62,18 +62,14 @@ static void MEAPI collide(void *context, int item, int worker) {
     const Piping *p = context;
     MstRun *run = &p->b->runsAhead[item % MST_AHEAD];
     (void)worker;
-    MeMessagesHold(&run->messages, item);
     mst_collideRun(p->b, run, p->pairs + firstOf(item), endOf(p, item) - firstOf(item), p->s);
-    MeMessagesHold(0, 0);
 }
 
 /* Pairs for whose contacts the run had no room are taken as without workers. */
 static void MEAPI commit(void *context, int item, int worker) {
     const Piping *p = context;
     MstRun *run = &p->b->runsAhead[item % MST_AHEAD];
-    MeHeldMessages *held = &run->messages;
     (void)worker;
-    MeMessagesSend(&held, 1);
     mst_commitRun(p->b, run, p->s, p->w);
     for (int i = firstOf(item) + run->pairCount; i < endOf(p, item);) {
         i += mst_collideRun(p->b, &p->b->run, p->pairs + i, endOf(p, item) - i, p->s);

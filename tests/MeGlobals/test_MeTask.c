@@ -178,14 +178,16 @@ static void MEAPI say(const int level, const char *const string) {
 START_TEST(messages_that_wait_are_sent_by_their_keys) {
     MeHeldMessages first = {0}, second = {0}, *held[] = {&first, &second};
     MeSetWarningShow(say);
-    MeMessagesHold(&first, 5);
+    ck_assert_ptr_null(MeMessagesHold(&first));
+    first.key = 5;
     MeWarning(1, "is %s", "e");
     MeWarning(1, "is %s", "f");
-    MeMessagesHold(&first, 1);
+    first.key = 1;
     MeWarning(1, "is %s", "a");
-    MeMessagesHold(&second, 3);
+    ck_assert_ptr_eq(MeMessagesHold(&second), &first);
+    second.key = 3;
     MeWarning(1, "is %s", "c");
-    MeMessagesHold(NULL, 0);
+    ck_assert_ptr_eq(MeMessagesHold(NULL), &second);
     ck_assert_str_eq(said, "");
     MeMessagesSend(held, 2);
     ck_assert_str_eq(said, " a c e f");
@@ -193,6 +195,56 @@ START_TEST(messages_that_wait_are_sent_by_their_keys) {
     MeWarning(1, "is %s", "g");
     ck_assert_str_eq(said, " a c e f g");
     MeSetWarningShow(NULL);
+}
+END_TEST
+
+enum { SPEAKERS = 500 };
+static int spoken[SPEAKERS + 1], numSpoken;
+
+static void MEAPI noteSpeaker(const int level, const char *const string) {
+    (void)level;
+    if (numSpoken <= SPEAKERS)
+        spoken[numSpoken++] = atoi(strrchr(string, ' '));
+}
+
+static void MEAPI speak(void *context, int item, int worker) {
+    (void)context, (void)worker;
+    MeWarning(1, "item %d", item);
+}
+
+static void MEAPI speakOfRange(void *context, int first, int end, int worker) {
+    for (int i = first; i < end; i++)
+        speak(context, i, worker);
+}
+
+static void MEAPI useNothing(void *context, int item, int worker) {
+    (void)context, (void)item, (void)worker;
+}
+
+static void assertSpokenInOrder(void) {
+    ck_assert_int_eq(numSpoken, SPEAKERS);
+    for (int i = 0; i < SPEAKERS; i++)
+        ck_assert_int_eq(spoken[i], i);
+    numSpoken = 0;
+}
+
+START_TEST(messages_of_items_come_in_the_items_order) {
+    MeTaskPoolID pool = MeTaskPoolCreate(4);
+    MeTeam *team = MeTeamCreate(4, MeTaskPoolEnqueue, MeTaskPoolFinish, pool, "test");
+    MeSetWarningShow(noteSpeaker);
+    MeTeamOpen(team);
+    MeTeamRun(team, SPEAKERS, speak, NULL);
+    assertSpokenInOrder();
+    MeTeamRunRanges(team, SPEAKERS, 7, speakOfRange, NULL);
+    assertSpokenInOrder();
+    MeTeamPipe(team, SPEAKERS, 5, speak, useNothing, NULL);
+    assertSpokenInOrder();
+    MeTeamClose(team);
+    MeTeamRunRanges(NULL, SPEAKERS, 7, speakOfRange, NULL);
+    assertSpokenInOrder();
+    MeSetWarningShow(NULL);
+    MeTeamDestroy(team);
+    MeTaskPoolDestroy(pool);
 }
 END_TEST
 
@@ -204,6 +256,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_pipe_hands_over_its_items_in_their_order);
     tcase_add_test(t, workers_round_and_name_as_the_opening_thread);
     tcase_add_test(t, messages_that_wait_are_sent_by_their_keys);
+    tcase_add_test(t, messages_of_items_come_in_the_items_order);
 }
 
 TEST_MAIN("MeTask", tests)

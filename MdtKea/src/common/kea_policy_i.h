@@ -340,6 +340,12 @@ static const double kea_mostBound = 1e30;
 /* Multiplications of a visit to a manifold, and of making one ready: counted. */
 enum { KEA_MANIFOLD_VISIT = 300, KEA_MANIFOLD_PREPARATION = 1200 };
 
+/* ---- workers ---- */
+
+/* Groups, and bodies, that a worker takes at a time. Part of the answer's bits: what chunks sum up is summed in their
+ * order. A heap of 1000 boxes costs the same with half of either and twice as much (bench/threads). */
+enum { KEA_CHUNK = 8, KEA_BODY_CHUNK = 64 };
+
 /* ---- memory ---- */
 
 /* Factors that a world keeps: partitions that look alike share one. No test tells: fewer are found anew more often. */

@@ -1,6 +1,7 @@
 /* The fast solver's loops, and in what order their chunks may run (kea_loops_i.h). */
 #include "fast/kea_loops_i.h"
 #include "MeAssert.h"
+#include "common/kea_policy_i.h"
 #include <string.h>
 
 /* One loop: over the chunks of one colour, of all, or of bodies. */

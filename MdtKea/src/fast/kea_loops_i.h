@@ -11,11 +11,6 @@
 #include "fast/kea_fast_i.h"
 #include "MeTeam.h"
 
-/* Groups that a worker takes at a time: some 2 us of a pass, against .1 us to take them. */
-enum { KEA_CHUNK = 8 };
-/* Bodies, or their motions, that a worker takes at a time. */
-enum { KEA_BODY_CHUNK = 64 };
-
 /* A function of so many groups, or bodies, from the first on; `partial`: what the chunk may add up by lane, zeros, or
  * null for bodies. */
 typedef void (*KeaChunkWork)(void *context, int first, int count, float partial[KEA_LANES]);
