@@ -95,13 +95,18 @@ static void addText(Page *page, const char *key, const char *text) {
     addRow(page, *key ? rKeyed : rWhole, key, text);
 }
 
+/* What stands before " - " or a tab names keys. A colon is in sentences too: a key before it is one word. */
+static bool isKey(const char *line, const char *mark) {
+    return mark > line && mark - line < 24 && (*mark != ':' || !memchr(line, ' ', (size_t)(mark - line)));
+}
+
 /* A line such as "Space - reset" or "Enter: jump" is a key and a text. */
 static void addLine(Page *page, const char *line) {
     static const char *const marks[] = {" - ", "\t", ": "};
     char key[48];
     for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++) {
         const char *mark = strstr(line, marks[i]);
-        if (mark && mark > line && mark - line < 24) {
+        if (mark && isKey(line, mark)) {
             snprintf(key, sizeof key, "%.*s", (int)(mark - line), line);
             const char *text = mark + strlen(marks[i]);
             addText(page, key, text + strspn(text, " \t"));

@@ -230,7 +230,7 @@ START_TEST(messages_of_workers_come_in_the_order_of_partitions) {
         MdtBodyEnable(body[i]);
         if (i % 40 == 7) {
             MdtBodySetSortKey(body[i], i);
-            MdtBodySetLinearVelocity(body[i], (MeReal)1e12, 0, 0);
+            MdtBodySetLinearVelocity(body[i], 2 * MdtBodyGetPositionBound(body[i]), 0, 0);
         }
     }
     MeSetWarningShow(noteNumber);

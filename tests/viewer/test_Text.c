@@ -182,6 +182,27 @@ START_TEST(help_lines_are_not_split_at_a_colon_in_their_text) {
 }
 END_TEST
 
+/* The panel of a help of one line. */
+static float widthOfHelp(const char *line) {
+    RRender *own = make_context("-null");
+    RRenderCreateUserHelp(own, &line, 1);
+    RRenderToggleUserHelp(own);
+    ck_assert(r_panelsStart(own));
+    r_hudDraw(own, &own->m_pViewer->overlay);
+    const float width = own->m_pViewer->helpLayout.right - own->m_pViewer->helpLayout.left;
+    RRenderContextDestroy(own);
+    return width;
+}
+
+/* Words before a colon are a sentence, laid out like the same one without a colon; one word is a key. */
+START_TEST(help_sentences_are_not_split_at_a_colon) {
+    const float sentence = widthOfHelp("First a chair: a seat and four legs that are thrown about in here");
+    assert_near(sentence, widthOfHelp("First a chair; a seat and four legs that are thrown about in here"), 0);
+    assert_near(widthOfHelp("Enter: jump over all of the things that are lying about in here, twice"),
+                widthOfHelp("Enter - jump over all of the things that are lying about in here, twice"), 0);
+}
+END_TEST
+
 START_TEST(help_of_all_kinds) {
     const char *const constant[] = {"a", "b"};
     const char *variable[] = {"a"};
@@ -223,6 +244,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, help_fits_any_window);
     tcase_add_test(t, a_status_line_is_never_cut);
     tcase_add_test(t, help_lines_are_not_split_at_a_colon_in_their_text);
+    tcase_add_test(t, help_sentences_are_not_split_at_a_colon);
     tcase_add_test(t, help_of_all_kinds);
     tcase_add_test(t, toggling_help_toggles_pause);
 }

@@ -1,12 +1,10 @@
 /* Friction: one incline, three models of friction (Dynamics guide, chapter 3, "Simulating Friction").
  *
- *   box model, blue:        the force along each direction of the surface has a fixed bound, whatever presses the box
- *   down.
- *                           It is made to fit a slope of 25 degrees, and is too weak or too strong on any other.
- *   normal force, orange:   the bound is the coefficient times the force that presses the box down: Coulomb's law, for
- *   each
- *                           of the two directions by itself. Slantwise it holds more: up to 1.41 times as much.
- *   cone, green:            the same for both directions together. It is as strong whichever way the box is pulled.
+ *   - box model, blue: the force along each direction of the surface has a fixed bound, whatever presses the box down.
+ *     It is made to fit a slope of 25 degrees, and is too weak or too strong on any other.
+ *   - normal force, orange: the bound is the coefficient times the force that presses the box down: Coulomb's law,
+ *     for each of the two directions by itself. Slantwise it holds more: up to 1.41 times as much.
+ *   - cone, green: the same for both directions together. It is as strong whichever way the box is pulled.
  * The boxes lie askew to the contacts' directions, as it mostly happens. The coefficient is 0.4663, the tangent of 25
  * degrees, so the green box slides as soon as the slope is steeper than that.
  */

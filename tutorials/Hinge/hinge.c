@@ -3,8 +3,7 @@
  *
  * A joint is made once: create it, attach its bodies (here the plate and the world, 0), say where it is and
  * along which axis, enable it. The plate then swings like a pendulum. Through the hinge's limit one adds
- *   - a motor, which drives the angle at a speed, with at most so much torque; it may be too weak to lift the
- * plate;
+ *   - a motor, which drives the angle at a speed, with at most so much torque: perhaps too weak for the plate;
  *   - stops at two angles, hard ones that throw the plate back, or soft ones, which are damped springs.
  * Try: motor on (3), stops on (4), soft stops (5), and the arrow keys for the motor's speed and torque.
  */

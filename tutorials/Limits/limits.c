@@ -1,9 +1,9 @@
 /* Limits: six weights fall on six stops (Dynamics guide, chapter 3, "Joint Limit" and "The Single Joint Limit").
  *
  * Each weight slides on a rod, a prismatic joint, whose limit has a lower stop. From left to right:
- *   hard stops, of infinite stiffness, with the restitution 0, 0.5 and 1: the speed after the impact is so many times
+ *   - hard stops, of infinite stiffness, with the restitution 0, 0.5 and 1: the speed after the impact is so many times
  *     the speed before, so the weight comes back to 0, a quarter, and all of its height;
- *   soft stops, springs that begin where the stop is: a strong one without damping, the same one with damping, and a
+ *   - soft stops, springs that begin where the stop is: a strong one without damping, the same one with damping, and a
  *     weak one with damping. They only push: a weight that comes up leaves them.
  * The bright rings show how high the first rebound went. Try: key 3 lowers the limits' stiffness threshold. A stop
  * whose stiffness is above it counts as hard, and then its restitution is used in place of its damping.
