@@ -5,6 +5,7 @@
 
 #include "Mst.h"
 #include <math.h>
+#include <string.h>
 
 enum {
     DOLL_PELVIS,
@@ -43,6 +44,7 @@ static const DollPart doll_part[DOLL_PARTS] = {
 typedef struct Doll {
     McdModelID model[DOLL_PARTS];
     MdtConstraintID joint[DOLL_PARTS]; /* of a part to the one above; null: none */
+    MdtConeLimitID cone[DOLL_PARTS];   /* beside it, of what is no hinge */
 } Doll;
 
 static inline MeBool doll_isSphyl(int i) {
@@ -57,7 +59,7 @@ static inline McdGeometryID doll_shape(McdFrameworkID frame, int i) {
 }
 
 /* The cone of a waist or a neck stands upright; those of limbs hang, forward, and an arm's sideways too. */
-static inline void doll_addCone(MdtWorldID w, int i, MdtBodyID below, MdtBodyID above) {
+static inline MdtConeLimitID doll_addCone(MdtWorldID w, int i, MdtBodyID below, MdtBodyID above) {
     const MdtConeLimitID cone = MdtConeLimitCreate(w);
     const double sideways = i >= DOLL_THIGHS ? 0 : doll_part[i].x > 0 ? .6 : -.6;
     MdtConeLimitSetBodies(cone, below, above);
@@ -68,6 +70,7 @@ static inline void doll_addCone(MdtWorldID w, int i, MdtBodyID below, MdtBodyID 
     }
     MdtConeLimitSetConeHalfAngle(cone, (MeReal)doll_part[i].cone);
     MdtConeLimitEnable(cone);
+    return cone;
 }
 
 static inline MdtConstraintID doll_addSocket(MdtWorldID w, MdtBodyID below, MdtBodyID above, const double at[3]) {
@@ -84,8 +87,7 @@ static inline void doll_setStop(MdtSingleLimitID stop, double angle) {
 }
 
 /* Across the limb, with stops at straight and at the most that it bends. */
-static inline MdtConstraintID doll_addHinge(MdtWorldID w, int i, MdtBodyID below, MdtBodyID above,
-                                            const double at[3]) {
+static inline MdtConstraintID doll_addHinge(MdtWorldID w, int i, MdtBodyID below, MdtBodyID above, const double at[3]) {
     const MdtHingeID hinge = MdtHingeCreate(w);
     const MdtLimitID limit = MdtHingeGetLimit(hinge);
     MdtHingeSetBodies(hinge, below, above);
@@ -104,7 +106,7 @@ static inline void doll_join(Doll *doll, MstUniverseID u, int i, const double fe
     const double at[3] = {feet[0] + doll_part[i].jointX, feet[1] + doll_part[i].jointY, feet[2]};
     if (doll_part[i].cone > 0) {
         doll->joint[i] = doll_addSocket(u->world, b1, b2, at);
-        doll_addCone(u->world, i, b1, b2);
+        doll->cone[i] = doll_addCone(u->world, i, b1, b2);
     } else {
         doll->joint[i] = doll_addHinge(u->world, i, b1, b2, at);
     }
@@ -122,6 +124,7 @@ static inline void doll_make(Doll *doll, MstUniverseID u, const double feet[3]) 
         McdModelDynamicsSetDamping(m, 0, 2);
     }
     doll->joint[DOLL_PELVIS] = 0;
+    memset(doll->cone, 0, sizeof doll->cone);
     for (int i = DOLL_CHEST; i < DOLL_PARTS; i++)
         doll_join(doll, u, i, feet);
     McdSpaceDisablePair(doll->model[DOLL_THIGHS], doll->model[DOLL_THIGHS + 1]); /* hips are narrow */
@@ -147,6 +150,29 @@ static inline double doll_opening(const Doll *doll) {
         MeVector3Subtract(a, a, b);
         worst = fmax(worst, (double)MeVector3Magnitude(a));
     }
+    return worst;
+}
+
+static inline double doll_beyondCone(MdtConeLimitID cone) {
+    MeVector3 axis[2], other, across;
+    for (int k = 0; k < 2; k++)
+        MdtConeLimitBodyGetAxes(cone, (unsigned int)k, axis[k], other);
+    MeVector3Cross(across, axis[0], axis[1]);
+    return atan2((double)MeVector3Magnitude(across), (double)MeVector3Dot(axis[0], axis[1])) -
+           (double)MdtConeLimitGetConeHalfAngle(cone);
+}
+
+static inline double doll_beyondStops(MdtHingeID hinge, int i) {
+    const double angle = (double)MdtLimitGetPosition(MdtHingeGetLimit(hinge));
+    return fmax(angle - fmax(doll_part[i].bend, 0), fmin(doll_part[i].bend, 0) - angle);
+}
+
+/* By how much the worst limit is overrun, rad; negative: none is reached. */
+static inline double doll_overrun(const Doll *doll) {
+    double worst = -10;
+    for (int i = DOLL_CHEST; i < DOLL_PARTS; i++)
+        worst = fmax(worst, doll->cone[i] ? doll_beyondCone(doll->cone[i])
+                                          : doll_beyondStops(MdtConstraintDCastHinge(doll->joint[i]), i));
     return worst;
 }
 

@@ -125,6 +125,7 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
     KeaProblem *q = &s->work->problem;
     memset(added, 0, (size_t)s->numBodies * sizeof *added);
     double residual = start;
+    q->isWarm = s->work->hasJoints;
     for (int pass = 0; pass < KEA_MAX_VELOCITY_PASSES && residual > kea_velocityTolerance * start; pass++) {
         kea_frictionRenewBounds(q);
         kea_problemSolve(q, METRUE);
