@@ -223,7 +223,7 @@ static inline MeBool areWithinBounds(const KeaProblem *q) {
 MeBool kea_newtonFactorize(KeaProblem *q, MeBool coupled) {
     const MeBool unsymmetric = q->isTangent || (coupled && slidesUnderLoad(q));
     fillMatrix(q, unsymmetric);
-    q->isFactored = q->isTangent;
+    q->isFactored = q->isTangent || (q->isLinear && coupled);
     q->factoredLevel = q->counts.level;
     for (int i = 0; i < q->numRows; i++)
         q->row[i].factored = q->row[i].state;
@@ -417,9 +417,9 @@ static MeBool solveFromConvex(KeaProblem *q) {
 
 MeBool kea_problemRefine(KeaProblem *q) {
     startAtZero(q);
-    if (!q->hasTangent || !q->isFactored || q->factoredLevel != q->counts.level || q->counts.isLimited)
+    if (!(q->hasTangent || q->isLinear) || !q->isFactored || q->factoredLevel != q->counts.level || q->counts.isLimited)
         return MEFALSE;
-    q->isTangent = METRUE;
+    q->isTangent = q->hasTangent;
     keepConvex(q);
     const MeBool isFound = kea_statesRefine(q) && isFinite(q);
     q->isTangent = MEFALSE;

@@ -89,7 +89,8 @@ typedef struct KeaProblem {
     MeBool hasTangent;  /* T and the derivatives of momenta are there: coupled solves are of the tangent problem; */
     MeBool isTangent;   /* what is being solved is one; */
     MeBool isSingular;  /* that failed in the last solve */
-    MeBool isFactored;  /* the factors are those of a tangent problem of this step, */
+    MeBool isLinear;    /* J, T and N stay what they are from solve to solve */
+    MeBool isFactored;  /* the factors are those of a tangent or linear problem of this step, */
     int factoredLevel;  /* with this level of N */
     MeBool isWarm;      /* p tell the states of the rows: coupled solves begin with these */
     int maxIterations;  /* of all solves together; 0: no cap */
@@ -145,7 +146,8 @@ double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
 /* Solves with the friction bounds in `frictionBound`; coupled, goes on to those of the solution itself. False: that
  * did not converge, and the solution is the one with these; or work or iterations ran out, and it is by sweeps. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
-/* A tangent problem with the factors of the last one, where states and N are the same. False: d is 0, p are kept. */
+/* A tangent or a linear problem with the factors of the last one, where states and N are the same. False: d is 0, p are
+ * kept. */
 MeBool kea_problemRefine(KeaProblem *q);
 /* How far B d + g is from Jᵀ p, in tolerances. */
 double kea_problemError(KeaProblem *q);
