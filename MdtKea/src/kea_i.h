@@ -101,6 +101,7 @@ typedef struct MdtKeaWork {
     KeaDual dual;
     MeBool hasLoops;     /* of joints */
     MeBool isCompromise; /* some joints miss their aims, if only by rounding, since others contradict them */
+    MeBool hasJoints;    /* of rows that are no contacts' */
     MeBool isSettled;    /* the passes have ended with position errors within the rounding of attachments */
 } MdtKeaWork;
 
@@ -136,6 +137,8 @@ void kea_guessMotion(MdtKeaSystem *s);
 void kea_moveBodies(MdtKeaSystem *s);
 /* Metric and load of the problem: the momentum that rows must give, and how it changes with u. */
 void kea_linearizeBodies(MdtKeaSystem *s);
+/* The derivative of the momentum itself, for the tangent problem; after kea_linearizeBodies. */
+void kea_differentiateBodies(MdtKeaSystem *s);
 /* The derivative of cay(h w) with w, as a turn in the world's axes. */
 void kea_turnDerivative(double D[3][3], const double w[3], double h);
 /* Velocities at the end from the impulses, so that momentum is kept whatever else is left over. */
@@ -149,10 +152,9 @@ void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]);
 void kea_beginRows(MdtKeaSystem *s);
 /* Jacobians at these poses, and bounds that depend on them. */
 void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool withBounds);
-/* The derivatives of the position rows' errors at the end; before the rows are refreshed with the mean poses. Of the
- * other rows, their Jacobians; after that. */
-void kea_refreshTangent(MdtKeaSystem *s);
-void kea_completeTangent(MdtKeaSystem *s);
+/* The derivatives of the rows' errors at the end, for the tangent problem; of those that ask for velocities, their
+ * Jacobians. */
+void kea_differentiateRows(MdtKeaSystem *s);
 /* By how much the rates of contacts that move, where they are asked for, differ from those along the J that impulses
  * act by; after kea_moveBodies. */
 void kea_rateAhead(MdtKeaSystem *s);

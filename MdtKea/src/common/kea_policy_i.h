@@ -67,6 +67,9 @@ static const double kea_branchWay = 5e-4;
 /* Times the best residual of the tangent problem's passes: its matrix is not positive, and a pass may lead anywhere;
  * Newton's method does not come back from there in the passes that it has. */
 static const double kea_tangentDivergence = 1e3;
+/* Rad, h |w| of any body: turning further, partitions without loops do not take the tangent problem. 0 costs rag dolls
+ * a sixth of their factorizations more. x2 fails Mst_SweptJoints: swept_pairs_on_hinges_do_not_explode. */
+static const double kea_tangentTurn = 0.3;
 
 /* ---- passes of a step ---- */
 
@@ -179,6 +182,8 @@ enum {
     /* Of the coupled one, which has no potential: quadratic near the answer, else the outer iteration has to bring it
      * there. */
     KEA_MAX_COUPLED = 12,
+    /* Solves with kept factors: each leaves 1e-2 of the error or less where they are any good. */
+    KEA_MAX_REFINEMENTS = 4,
     /* Halvings of its step: an eighth at least. Reasoned: shorter steps go to the outer iteration instead. */
     KEA_MAX_HALVINGS = 4,
     /* Of the line search, which halves its interval in every second: 2^-50, a double's digits. */
@@ -200,6 +205,11 @@ static const double kea_convexRounding = 1e5, kea_convexProgress = 0.3;
 /* The coupled step must leave at most this of the error; else it is shorter, or rounding below the second, in
  * tolerances. No test tells (x2). */
 static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
+/* Of the error: what a solve with kept factors may leave. No test tells (x2): more of them, or a new factor. */
+static const double kea_refinedShare = 0.1;
+/* In tolerances: an answer above it is refined with the factors that there are, which costs no factorization. No
+ * test tells (x2): the next step's first guess is that much worse. */
+static const double kea_refinedEnough = 1e-2;
 /* Relative: friction bounds that agree with μ p_n so well need no coupled solve. No test tells (x2). */
 static const double kea_boundsAgree = 1e-12;
 

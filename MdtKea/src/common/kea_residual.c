@@ -69,6 +69,17 @@ static double positionError(MdtKeaSystem *s, double *attachment) {
 
 /* ---- joints that contradict each other ---- */
 
+/* Where friction holds what a stop is to move, the stop's impulse grows from pass to pass until something slides. What
+ * is less than attachments are known by is not worth that: the stop contradicts the contacts. */
+static MeBool mayContradict(const MdtKeaSystem *s, int i) {
+    const MdtKeaRow *row = &s->rows[i];
+    const KeaProblemRow *p = &s->work->problem.row[i];
+    if (!row->position || !kea_mayReachBound(row))
+        return row->position;
+    return s->work->problem.hasFriction && p->p > p->lower && p->p < p->upper &&
+           s->parameters.stepsize * fabs(p->r - p->E * p->p) < roundingOfRow(s, row);
+}
+
 /* Inconsistent joints: what a pass asked of them, it did not get, whatever their impulses. Rows with negligible
  * residual are ignored. */
 void kea_noteInconsistent(MdtKeaSystem *s) {
@@ -76,7 +87,7 @@ void kea_noteInconsistent(MdtKeaSystem *s) {
         KeaProblemRow *p = &s->work->problem.row[i];
         const double asked = p->r - p->E * p->p0;
         const MeBool asks = s->parameters.stepsize * fabs(asked) > kea_positionTolerance * sizeOfRow(s, &s->rows[i]);
-        const MeBool isUnmet = asks && s->rows[i].position && !kea_mayReachBound(&s->rows[i]) &&
+        const MeBool isUnmet = asks && mayContradict(s, i) &&
                                fabs(asked - p->Jd - p->E * (p->p - p->p0)) > kea_inconsistentShare * fabs(asked);
         p->isInconsistent = isUnmet && p->isUnmet;
         p->isUnmet = isUnmet;

@@ -18,7 +18,7 @@ static int rootOf(int parent[], int i) {
     return i;
 }
 
-/* A union-find over the bodies and the world, behind the last of them. */
+/* A union-find over the bodies and the world, behind the last of them. Stops make no loop: they let go. */
 MeBool kea_hasLoops(const MdtKeaSystem *s) {
     int *parent = s->work->parent, owner = 0;
     MeBool isFirst = METRUE;
@@ -26,7 +26,7 @@ MeBool kea_hasLoops(const MdtKeaSystem *s) {
         parent[i] = i;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (!row->position || (!isFirst && row->owner == owner))
+        if (!row->position || kea_mayReachBound(row) || (!isFirst && row->owner == owner))
             continue;
         owner = row->owner;
         isFirst = MEFALSE;

@@ -236,22 +236,20 @@ static void tangentOf(double tangent[6], const MdtKeaJBlock *J, const double w[3
     keaScale(tangent + 3, 1 / h, tangent + 3);
 }
 
-void kea_refreshTangent(MdtKeaSystem *s) {
+void kea_differentiateRows(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
+    kea_keepRows(s);
     if (s->jacobians)
         s->jacobians(s->context, s->work->endPose);
-    for (int i = 0; i < s->numRows; i++)
-        for (int k = 0; k < 2; k++)
-            if (s->rows[i].position && s->rows[i].body[k] >= 0)
-                tangentOf(q->tangent[i][k], &s->rows[i].J[k], s->work->body[s->rows[i].body[k]].u + 3,
-                          s->parameters.stepsize);
-}
-
-void kea_completeTangent(MdtKeaSystem *s) {
-    KeaProblem *q = &s->work->problem;
-    for (int i = 0; i < s->numRows; i++)
-        if (!s->rows[i].position)
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (!row->position && !row->spring)
             memcpy(q->tangent[i], q->row[i].J, sizeof q->row[i].J);
+        for (int k = 0; k < 2 && (row->position || row->spring); k++)
+            if (row->body[k] >= 0)
+                tangentOf(q->tangent[i][k], &row->J[k], s->work->body[row->body[k]].u + 3, s->parameters.stepsize);
+    }
+    kea_recallRows(s);
 }
 
 static void springRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
@@ -277,7 +275,7 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const double h = s->parameters.stepsize;
     p->E = row->softness;
     p->r = row->target - (s->work->endErrors[i] - row->error) / h;
-    const MeBool mayContradict = s->work->hasLoops && !s->work->problem.isTangent;
+    const MeBool mayContradict = s->work->hasLoops && !s->work->problem.hasTangent;
     p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) * ownSize(s, p);
 }
 

@@ -290,7 +290,7 @@ static void addExactStiffness(double r[3][3], const double P[3], const double ar
     addProduct(r, 0.5, K, D);
 }
 
-static void differentiateBodies(MdtKeaSystem *s) {
+void kea_differentiateBodies(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const double h = s->parameters.stepsize;
     double D[3][3];
@@ -320,8 +320,6 @@ void kea_linearizeBodies(MdtKeaSystem *s) {
         setLoad(s->bodies[i], b, &s->work->end[i], q->load[i]);
         setMetric(s->bodies[i], b, &q->metric[i]);
     }
-    if (q->isTangent)
-        differentiateBodies(s);
 }
 
 void kea_balanceMomentum(MdtKeaSystem *s) {

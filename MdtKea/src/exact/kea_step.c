@@ -5,7 +5,8 @@
  *             until the residuals are below tolerance
  *     velocity stage: the nearest velocities that joints and contacts allow where the bodies have arrived
  *
- * Where joints make loops and nothing rubs, the first passes solve the tangent problem (kea_problem_i.h).
+ * Passes solve the tangent problem (kea_problem_i.h), which is Newton's method for the geometry, where no body turns
+ * far; where joints make loops, the first of them, and none if anything rubs.
  *
  * A pass is at once a Newton iteration for the geometry, a proximal step for rigid rows, and a renewal of the friction
  * bounds. Where the last answer still holds, no pass is needed and nothing is factored.
@@ -27,16 +28,19 @@ static double workOfLinearization(const MdtKeaSystem *s) {
 
 static void linearize(MdtKeaSystem *s) {
     kea_moveBodies(s);
-    if (s->work->problem.isTangent)
-        kea_refreshTangent(s);
     kea_refreshRows(s, s->work->meanPose, METRUE);
     kea_rateAhead(s);
-    if (s->work->problem.isTangent)
-        kea_completeTangent(s);
     if (s->errors)
         s->errors(s->context, s->work->endPose, s->work->endErrors);
     kea_linearizeBodies(s);
     kea_linearizeRows(s);
+    kea_problemSpend(&s->work->problem, workOfLinearization(s));
+}
+
+/* What the tangent problem needs beside. */
+static void differentiate(MdtKeaSystem *s) {
+    kea_differentiateBodies(s);
+    kea_differentiateRows(s);
     kea_problemSpend(&s->work->problem, workOfLinearization(s));
 }
 
@@ -54,7 +58,7 @@ static MeBool isLate(const MdtKeaSystem *s) {
 
 /* Friction bounds follow the normal forces, later on more carefully; should that not settle, they are left where they
  * are once the answer is good enough, or in the end. */
-static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough) {
+static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough, MeBool isExactEnough) {
     KeaProblem *q = &s->work->problem;
     if (kea_dualSolve(s))
         return;
@@ -65,7 +69,27 @@ static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough) {
         kea_frictionApproachBounds(q, pass);
     q->counts.freezes += isFrozen;
     q->counts.stuck = !kea_problemSolve(q, !isFrozen) || isFrozen;
-    q->counts.level += !q->counts.stuck || isFrozen;
+    q->counts.level += (!q->counts.stuck && !isExactEnough) || isFrozen;
+    q->hasTangent = q->hasTangent && !(q->isSingular && s->work->hasLoops);
+}
+
+/* A pass towards the answer: where that is near, by the factors of the last pass, if these are still right. False: it
+ * has converged, and cannot be refined. */
+static MeBool improve(MdtKeaSystem *s, int pass, const KeaResiduals *e, MeBool isNear) {
+    KeaProblem *q = &s->work->problem;
+    if (q->hasTangent)
+        differentiate(s);
+    if (isNear && kea_problemRefine(q))
+        return METRUE;
+    if (kea_isConverged(e))
+        return MEFALSE;
+    solvePass(s, pass, e->velocity < kea_looseVelocity, isNear && q->hasTangent);
+    return METRUE;
+}
+
+/* An answer that has converged is refined once where that costs no factorization: the next step begins with it. */
+static MeBool isFinal(const KeaProblem *q, const KeaResiduals *e, MeBool isPolished) {
+    return isPolished || (kea_isConverged(e) && !(q->isFactored && e->worst > kea_refinedEnough));
 }
 
 static void keepAnswer(MdtKeaSystem *s, double (*u)[6], double p[]) {
@@ -168,8 +192,17 @@ static void moveWithoutRows(MdtKeaSystem *s) {
  * one its matrix is singular, and no answer may be found; nor is one with redundant joints, for which the symmetric
  * problem is then solved: they are no trouble there. */
 static MeBool mustLeaveTangent(const MdtKeaSystem *s, int pass, const KeaResiduals *e, double best) {
-    return s->work->problem.isTangent && !kea_isConverged(e) &&
+    return s->work->problem.hasTangent && s->work->hasLoops && !kea_isConverged(e) &&
            (pass >= KEA_TANGENT_PASSES || !(e->worst <= kea_tangentDivergence * best));
+}
+
+/* Where they make none, the tangent problem is left once the motion has got worse by it twice: what the direction of
+ * an angular row changes by is not in it, and may be more than the rest. */
+static MeBool isLost(const KeaResiduals *e, double *motion, int *worse) {
+    const double before = *motion;
+    *motion = keaMax(e->position, e->momentum);
+    *worse += *motion > 1 && *motion > before;
+    return *worse >= 2;
 }
 
 /* Has removing errors that attachments have anyhow moved the bodies a thousand times as far? Then by impulses that
@@ -186,14 +219,29 @@ static MeBool hasLeftBranch(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
+/* The tangent problem has a matrix that is not positive: where bodies turn far in a step, it may lead to another of
+ * the motions that keep all laws, one with energy from nowhere. */
+static MeBool mayBeTangent(const MdtKeaSystem *s) {
+    if (s->work->hasLoops)
+        return !s->work->problem.hasFriction; /* that holds what makes loops: passes would not settle */
+    for (int i = 0; i < s->numBodies; i++)
+        if (s->parameters.stepsize * keaLength(s->velocity[i].ang) > kea_tangentTurn)
+            return MEFALSE;
+    return s->work->hasJoints && s->work->problem.hasFriction;
+}
+
 static void takePasses(MdtKeaSystem *s) {
     int last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES;
     KeaProblem *q = &s->work->problem;
     MeBool ranOut = MEFALSE;
     double speed = 0, best = HUGE_VAL, nearest = HUGE_VAL;
     KeaResiduals e = {.worst = HUGE_VAL};
-    MeBool hasNear = MEFALSE;
-    q->isTangent = s->work->hasLoops && !q->hasFriction;
+    double motion = HUGE_VAL, before = HUGE_VAL;
+    int worse = 0;
+    MeBool hasNear = MEFALSE, isPolished = MEFALSE;
+    q->hasTangent = mayBeTangent(s);
+    q->isWarm = s->work->hasJoints; /* of contacts alone, the convex problem shares loads evenly */
+    q->isFactored = MEFALSE;
     q->sweptPasses =
         q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
     for (int pass = 0;; pass++) {
@@ -204,12 +252,13 @@ static void takePasses(MdtKeaSystem *s) {
             best = e.worst;
             keepAnswer(s, s->work->bestU, s->work->bestP);
         }
-        if (q->isTangent && e.attachment < 1 && e.worst < nearest) {
+        if (q->hasTangent && s->work->hasLoops && e.attachment < 1 && e.worst < nearest) {
             nearest = e.worst;
             keepAnswer(s, s->work->nearU, s->work->nearP);
         }
+        q->hasTangent = q->hasTangent && (s->work->hasLoops || !isLost(&e, &motion, &worse));
         if (mustLeaveTangent(s, pass, &e, best)) {
-            q->isTangent = MEFALSE;
+            q->hasTangent = MEFALSE;
             takeBest(s);
             e = kea_residuals(s, speed);
             hasNear = nearest < HUGE_VAL;
@@ -217,10 +266,14 @@ static void takePasses(MdtKeaSystem *s) {
         }
         q->counts.isLimited = q->counts.isLimited || (isLate(s) && q->counts.stuck > 0);
         ranOut = q->counts.isLimited;
-        if (kea_isConverged(&e) || pass == last ||
+        const MeBool isNear = kea_isExactEnough(&e, 1) && e.worst < kea_refinedShare * before;
+        before = e.worst;
+        if (isFinal(q, &e, isPolished) || pass == last ||
             (ranOut && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
             break;
-        solvePass(s, pass, e.velocity < kea_looseVelocity);
+        isPolished = kea_isConverged(&e);
+        if (!improve(s, pass, &e, isNear))
+            break;
         if (!isStepFinite(q)) {
             e.worst = HUGE_VAL;
             break;
@@ -243,7 +296,7 @@ static void takePasses(MdtKeaSystem *s) {
         moveWithoutRows(s);
         e = kea_residuals(s, speed);
     }
-    q->isTangent = MEFALSE;
+    q->hasTangent = q->isWarm = q->isFactored = MEFALSE;
     s->report.conflicting = kea_isConflicting(s);
     s->work->isCompromise = kea_isCompromise(s);
     const MeBool isMissed =
@@ -379,13 +432,14 @@ void kea_exactSolve(MdtKeaSystem *s) {
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
         kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
+        s->work->hasJoints = hasJoint(s);
         kea_dualBegin(s);
         solveMotion(s);
         if (s->parameters.timed)
             solveInTime(s);
         setFree(s);
         kea_setBudget(s, 1, 1);
-        if (!s->parameters.timed || hasJoint(s))
+        if (!s->parameters.timed || s->work->hasJoints)
             kea_velocityStage(s);
         kea_shareForces(s);
         returnForces(s);

@@ -125,12 +125,16 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
     KeaProblem *q = &s->work->problem;
     memset(added, 0, (size_t)s->numBodies * sizeof *added);
     double residual = start;
+    q->isWarm = q->isLinear = s->work->hasJoints;
+    q->isFactored = MEFALSE;
     for (int pass = 0; pass < KEA_MAX_VELOCITY_PASSES && residual > kea_velocityTolerance * start; pass++) {
         kea_frictionRenewBounds(q);
-        kea_problemSolve(q, METRUE);
+        if (!kea_problemRefine(q))
+            kea_problemSolve(q, METRUE);
         kea_problemCarryOn(q, added);
         residual = q->counts.isLimited ? 0 : kea_problemResidual(q, NULL);
     }
+    q->isWarm = q->isLinear = MEFALSE;
 }
 
 static MeBool rebounds(const MdtKeaSystem *s) {

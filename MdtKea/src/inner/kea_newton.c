@@ -13,6 +13,7 @@
  */
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
+#include "inner/kea_newton_i.h"
 #include "inner/kea_problem_i.h"
 #include <float.h>
 #include <string.h>
@@ -37,10 +38,6 @@ static double rateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
     return sum;
 }
 
-static double softness(const KeaProblemRow *row) {
-    return row->E + row->N;
-}
-
 /* ---- forces ---- */
 
 static double clampTo(double y, double lower, double upper, KeaRowState *state) {
@@ -55,10 +52,13 @@ static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
     a->p = a->y * (size > 0 ? share : 0);
     b->p = b->y * (size > 0 ? share : 0);
     a->state = b->state = holds ? KEA_HELD : KEA_SLIPS;
+    a->along = holds || size == 0 ? 0 : a->y / size;
+    b->along = holds || size == 0 ? 0 : b->y / size;
+    a->across = b->across = holds || size == 0 ? 0 : a->frictionBound / size / softness(a);
 }
 
 /* y, p and states of all rows at d + step * along. */
-static void setForces(KeaProblem *q, double step, MeBool coupled) {
+void kea_newtonForces(KeaProblem *q, double step, MeBool coupled) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         if (!row->isOff)
@@ -85,13 +85,14 @@ static void setForces(KeaProblem *q, double step, MeBool coupled) {
                              &row->state);
             if (row->state == KEA_IDLE && fabs(row->p) >= row->frictionBound)
                 row->state = KEA_SLIPS;
+            row->along = row->y > 0 ? 1 : row->y < 0 ? -1 : 0;
         }
     }
 }
 
 /* The gradient, and by how much it is too large: 1 is what is tolerated. A p that is known to rounding of r and J d
  * only is not asked for more. */
-static double gradientError(KeaProblem *q, double step) {
+double kea_newtonError(KeaProblem *q, double step) {
     double worst = 0;
     for (int b = 0; b < q->numBodies; b++) {
         double *g = q->gradient[b], d[6];
@@ -163,17 +164,13 @@ static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
         return;
     }
     KeaProblemRow *normal = &q->row[row->normal], *other = row->partner >= 0 ? &q->row[row->partner] : row;
-    const MeBool isCone = other != row;
-    const double size = isCone ? keaHypotenuse(row->y, other->y) : fabs(row->y);
     double slip[2][6];
-    if (size == 0)
-        return;
-    if (isCone) {
-        combine(slip, -other->y / size, row->J, row->y / size, other->J);
-        addRows(q, row, row->frictionBound / size / softness(row), slip, slip, !unsymmetric);
-        combine(slip, row->y / size, row->J, other->y / size, other->J);
+    if (other != row) {
+        combine(slip, -other->along, row->J, row->along, other->J);
+        addRows(q, row, row->across, slip, slip, !unsymmetric);
+        combine(slip, row->along, row->J, other->along, other->J);
     } else {
-        combine(slip, row->y / size, row->J, 0, row->J);
+        combine(slip, row->along, row->J, 0, row->J);
     }
     if (unsymmetric && !normal->isOff && normal->state == KEA_HELD)
         addRows(q, row, row->friction / softness(normal), slip, normal->J, MEFALSE);
@@ -223,15 +220,19 @@ static inline MeBool areWithinBounds(const KeaProblem *q) {
     return METRUE;
 }
 
-static MeBool factorize(KeaProblem *q, MeBool coupled) {
+MeBool kea_newtonFactorize(KeaProblem *q, MeBool coupled) {
     const MeBool unsymmetric = q->isTangent || (coupled && slidesUnderLoad(q));
     fillMatrix(q, unsymmetric);
+    q->isFactored = q->isTangent || (q->isLinear && coupled);
+    q->factoredLevel = q->counts.level;
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].factored = q->row[i].state;
     q->counts.factorizations++;
     kea_problemSpend(q, kea_problemIterationWork(q, unsymmetric));
     return unsymmetric ? kea_factorLU(q->factor, kea_leastPivot) : kea_factorCholesky(q->factor, kea_leastPivot);
 }
 
-static void findDirection(KeaProblem *q) {
+void kea_newtonDirection(KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++) {
         double *x = q->x + kea_factorOffset(q->factor, b);
         for (int i = 0; i < 6; i++)
@@ -244,7 +245,7 @@ static void findDirection(KeaProblem *q) {
         q->row[i].Je = rateAlong(q, i, q->along);
 }
 
-static void takeStep(KeaProblem *q, double step) {
+void kea_newtonTake(KeaProblem *q, double step) {
     for (int b = 0; b < q->numBodies; b++)
         kea_addScaled6(q->d[b], step, q->along[b]);
     for (int i = 0; i < q->numRows; i++) {
@@ -258,7 +259,7 @@ static void takeStep(KeaProblem *q, double step) {
 
 /* The derivative of the convex function along the direction. */
 static double slopeAt(KeaProblem *q, double constant, double linear, double step) {
-    setForces(q, step, MEFALSE);
+    kea_newtonForces(q, step, MEFALSE);
     double slope = constant + step * linear;
     for (int i = 0; i < q->numRows; i++)
         slope -= q->row[i].p * q->row[i].Je;
@@ -307,49 +308,49 @@ static double bestStep(KeaProblem *q) {
 /* False: it was not found, or not in what work there is. */
 static MeBool solveConvex(KeaProblem *q) {
     double before = HUGE_VAL;
-    setForces(q, 0, MEFALSE);
+    kea_newtonForces(q, 0, MEFALSE);
     for (int i = 0; i < KEA_MAX_CONVEX; i++) {
-        const double error = gradientError(q, 0);
+        const double error = kea_newtonError(q, 0);
         if (error < 1 || (error < kea_convexRounding && error > kea_convexProgress * before))
             return METRUE; /* found, or as far as rounding allows */
         if (!kea_problemMaySpend(q, MEFALSE))
             return MEFALSE;
         before = error;
         q->counts.iterations++;
-        if (!factorize(q, MEFALSE))
+        if (!kea_newtonFactorize(q, MEFALSE))
             return MEFALSE;
-        findDirection(q);
+        kea_newtonDirection(q);
         const double step = bestStep(q);
-        takeStep(q, step);
-        setForces(q, 0, MEFALSE);
+        kea_newtonTake(q, step);
+        kea_newtonForces(q, 0, MEFALSE);
         if (!q->hasBounds)
             return METRUE; /* it was linear */
     }
-    return gradientError(q, 0) < kea_convexRounding;
+    return kea_newtonError(q, 0) < kea_convexRounding;
 }
 
 static MeBool solveCoupled(KeaProblem *q) {
-    setForces(q, 0, METRUE);
-    double error = gradientError(q, 0);
+    kea_newtonForces(q, 0, METRUE);
+    double error = kea_newtonError(q, 0);
     for (int i = 0; i < KEA_MAX_COUPLED && error >= 1; i++) {
         if (!kea_problemMaySpend(q, METRUE))
             return MEFALSE;
         q->counts.iterations++;
-        if (!factorize(q, METRUE))
+        if (!kea_newtonFactorize(q, METRUE))
             return MEFALSE;
-        findDirection(q);
+        kea_newtonDirection(q);
         double step = 1, next = 0;
         for (int half = 0; half < KEA_MAX_HALVINGS; half++, step *= 0.5) {
-            setForces(q, step, METRUE);
-            next = gradientError(q, step);
+            kea_newtonForces(q, step, METRUE);
+            next = kea_newtonError(q, step);
             if (next < kea_coupledProgress * error)
                 break;
         }
         if (!(next < kea_coupledProgress * error)) {
-            setForces(q, 0, METRUE);
+            kea_newtonForces(q, 0, METRUE);
             return error < kea_coupledRounding; /* rounding */
         }
-        takeStep(q, step);
+        kea_newtonTake(q, step);
         error = next;
     }
     return error < kea_coupledRounding;
@@ -365,7 +366,7 @@ static void restoreConvex(KeaProblem *q) {
     memcpy(q->d, q->kept, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].Jd = q->row[i].keptJd, q->row[i].frictionBound = q->row[i].keptBound, q->row[i].Je = 0;
-    setForces(q, 0, MEFALSE);
+    kea_newtonForces(q, 0, MEFALSE);
 }
 
 static void startAtZero(KeaProblem *q) {
@@ -375,38 +376,82 @@ static void startAtZero(KeaProblem *q) {
     memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
 }
 
-/* A tangent problem, or the symmetric one where that has no solution. */
-static MeBool solveWithBounds(KeaProblem *q) {
-    if (q->isTangent && solveCoupled(q))
-        return METRUE;
-    if (q->isTangent)
-        startAtZero(q);
+static MeBool isFinite(const KeaProblem *q) {
+    for (int b = 0; b < q->numBodies; b++)
+        for (int i = 0; i < 6; i++)
+            if (!isfinite(q->d[b][i]))
+                return MEFALSE;
+    for (int i = 0; i < q->numRows; i++)
+        if (!isfinite(q->row[i].p))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* The coupled problem from the states that the impulses tell. False: what there was is left, and the bounds. */
+static MeBool solveFromStates(KeaProblem *q) {
+    keepConvex(q);
+    q->isTangent = q->hasTangent;
+    const MeBool isFound = (kea_statesSolve(q) || solveCoupled(q)) && isFinite(q);
+    q->isSingular = q->isTangent && !isFound;
     q->isTangent = MEFALSE;
-    return solveConvex(q);
+    if (isFound)
+        return METRUE;
+    for (int i = 0; i < q->numRows; i++)
+        q->row[i].frictionBound = q->row[i].keptBound;
+    startAtZero(q);
+    return MEFALSE;
+}
+
+/* The coupled problem from the answer of the convex one. */
+static MeBool solveFromConvex(KeaProblem *q) {
+    keepConvex(q);
+    q->isTangent = q->hasTangent;
+    for (int i = 0; i < q->numRows && q->isTangent; i++)
+        q->row[i].Jd = rateAlong(q, i, q->d);
+    const MeBool isFound = solveCoupled(q) && isFinite(q);
+    q->isTangent = MEFALSE;
+    if (!isFound)
+        restoreConvex(q);
+    return isFound;
+}
+
+MeBool kea_problemRefine(KeaProblem *q) {
+    startAtZero(q);
+    if (!(q->hasTangent || q->isLinear) || !q->isFactored || q->factoredLevel != q->counts.level || q->counts.isLimited)
+        return MEFALSE;
+    q->isTangent = q->hasTangent;
+    keepConvex(q);
+    const MeBool isFound = kea_statesRefine(q) && isFinite(q);
+    q->isTangent = MEFALSE;
+    if (isFound)
+        return METRUE;
+    for (int i = 0; i < q->numRows; i++) {
+        q->row[i].frictionBound = q->row[i].keptBound;
+        q->row[i].p = q->row[i].p0;
+    }
+    startAtZero(q);
+    return MEFALSE;
 }
 
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
     startAtZero(q);
-    const MeBool isFound = !q->counts.isLimited && solveWithBounds(q);
+    q->isSingular = MEFALSE;
+    if (coupled && q->isWarm && (q->hasTangent || q->hasFriction) && !q->counts.isLimited && solveFromStates(q))
+        return METRUE;
+    const MeBool isFound = !q->counts.isLimited && solveConvex(q);
     if (q->counts.isLimited)
         kea_problemSweep(q);
     MEVALIDATE(areWithinBounds(q));
     if (!isFound)
         return MEFALSE;
-    if (!coupled || !q->hasFriction || kea_frictionBoundsError(q) < kea_boundsAgree)
-        return METRUE;
-    keepConvex(q);
-    if (solveCoupled(q))
-        return METRUE;
-    restoreConvex(q);
-    return MEFALSE;
+    return !coupled || !q->hasFriction || kea_frictionBoundsError(q) < kea_boundsAgree || solveFromConvex(q);
 }
 
 double kea_problemError(KeaProblem *q) {
     memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
     for (int b = 0; b < q->numBodies; b++)
         memset(q->d[b], 0, sizeof q->d[b]);
-    return gradientError(q, 0);
+    return kea_newtonError(q, 0);
 }
 
 /* ---- unbounded rows alone ---- */
@@ -437,12 +482,12 @@ double kea_problemWorkOfJoints(const KeaProblem *q) {
 
 void kea_problemSolveJoints(KeaProblem *q) {
     if (setAside(q)) {
-        setForces(q, 0, MEFALSE);
-        gradientError(q, 0);
-        if (factorize(q, MEFALSE)) {
-            findDirection(q);
-            takeStep(q, 1);
-            setForces(q, 0, MEFALSE);
+        kea_newtonForces(q, 0, MEFALSE);
+        kea_newtonError(q, 0);
+        if (kea_newtonFactorize(q, MEFALSE)) {
+            kea_newtonDirection(q);
+            kea_newtonTake(q, 1);
+            kea_newtonForces(q, 0, MEFALSE);
         } else {
             for (int i = 0; i < q->numRows; i++)
                 q->row[i].p = q->row[i].isOff ? q->row[i].p : q->row[i].p0;

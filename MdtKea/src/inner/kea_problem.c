@@ -63,7 +63,8 @@ static void findEdges(KeaProblem *q) {
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
     findEdges(q);
     memset(&q->counts, 0, sizeof q->counts);
-    q->hasFriction = q->hasBounds = q->isTangent = MEFALSE;
+    q->hasFriction = q->hasBounds = MEFALSE;
+    q->hasTangent = q->isTangent = q->isWarm = q->isFactored = q->isLinear = MEFALSE;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         q->hasFriction = q->hasFriction || row->normal >= 0;

@@ -43,6 +43,8 @@ typedef struct KeaProblemRow {
     double r;             /* m/s */
     double p0, p;         /* N s */
     double y;             /* N s, what p would be without bounds */
+    double affine;        /* N s, p as the last states have it, bounds or not */
+    double along, across; /* of what slides: its part of the direction; kg, the stiffness across that */
     double frictionBound; /* N s, of the row or its cone, as last set */
     double keptJd, keptBound;
     double lastBound, lastBoundError; /* N s, of the last approach to the bounds that the normal forces give */
@@ -57,7 +59,7 @@ typedef struct KeaProblemRow {
     MeBool isOff;                   /* takes no part: p stays what it is; */
     MeBool isAside;                 /* for the time being; */
     MeBool isOut;                   /* for good: it has no place in the matrix */
-    KeaRowState state;
+    KeaRowState state, factored;    /* now; when the matrix was factored */
 } KeaProblemRow;
 
 typedef struct KeaCounts {
@@ -84,7 +86,13 @@ typedef struct KeaProblem {
     KeaFactor *factor;
     MeBool hasFriction; /* friction that depends on normal forces */
     MeBool hasBounds;   /* of any kind */
-    MeBool isTangent;   /* a tangent problem; not with friction */
+    MeBool hasTangent;  /* T and the derivatives of momenta are there: coupled solves are of the tangent problem; */
+    MeBool isTangent;   /* what is being solved is one; */
+    MeBool isSingular;  /* that failed in the last solve */
+    MeBool isLinear;    /* J, T and N stay what they are from solve to solve */
+    MeBool isFactored;  /* the factors are those of a tangent or linear problem of this step, */
+    int factoredLevel;  /* with this level of N */
+    MeBool isWarm;      /* p tell the states of the rows: coupled solves begin with these */
     int maxIterations;  /* of all solves together; 0: no cap */
     double maxWork;     /* the same; 0: no cap */
     double reserve;     /* of it, that is kept for sweeps, */
@@ -138,6 +146,9 @@ double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
 /* Solves with the friction bounds in `frictionBound`; coupled, goes on to those of the solution itself. False: that
  * did not converge, and the solution is the one with these; or work or iterations ran out, and it is by sweeps. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
+/* A tangent or a linear problem with the factors of the last one, where states and N are the same. False: d is 0, p are
+ * kept. */
+MeBool kea_problemRefine(KeaProblem *q);
 /* How far B d + g is from Jᵀ p, in tolerances. */
 double kea_problemError(KeaProblem *q);
 /* The rows without bounds alone, exactly, where all others have the impulses that they have: one linear solve, which

@@ -1,0 +1,106 @@
+/* What rag dolls cost that fall on a plane, each by itself: the factorizations and the time of one doll's step.
+ *
+ *     ragdolls [--dolls N] [--steps N]      100 dolls, 300 steps
+ *
+ * The figures of tutorial Ragdolls, thrown and turning in any way, 7 m apart, with the universe's defaults, friction
+ * .5, steps of 1/60 s, nothing put to sleep. A line for every sixty steps; times are those of solves. */
+#include "timing.h"
+
+#include "MdtReport.h"
+#include "ragdoll.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { STRETCH = 60 }; /* steps */
+
+typedef struct Sum {
+    double factorizations, passes, parts, stages, time; /* s */
+    int most, inexact, steps;                           /* steps: of single dolls */
+} Sum;
+
+static MstUniverseID universe;
+static Doll *doll;
+
+static double randomFrom(double low, double high) {
+    static unsigned int seed = 1;
+    seed = seed * 1664525u + 1013904223u;
+    return low + (high - low) * (double)(seed >> 8) / (1 << 24);
+}
+
+static void makeUniverse(void) {
+    static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+    universe = MstUniverseCreate(&MstUniverseGrowingSizes);
+    if (!universe)
+        abort();
+    MdtWorldSetGravity(universe->world, 0, (MeReal)-9.81, 0);
+    MdtWorldSetAutoDisable(universe->world, MEFALSE);
+    MdtWorldEnableReport(universe->world);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(universe->bridge, 0, 0), (MeReal).5, 0);
+    MstFixedModelCreate(universe, McdPlaneCreate(universe->frame), floorTM);
+}
+
+static void makeDolls(int dolls) {
+    for (int i = 0; i < dolls; i++) {
+        const double feet[3] = {7 * (i % 10), randomFrom(.05, 1), 7 * (i / 10)};
+        double v[3], w[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = randomFrom(-2, 2), w[k] = randomFrom(-3, 3);
+        doll_make(&doll[i], universe, feet);
+        doll_throw(&doll[i], v, w);
+    }
+}
+
+static void add(Sum *sum) {
+    MdtReport r;
+    for (int i = 0; i < MdtWorldGetReportCount(universe->world); i++) {
+        MdtWorldGetPartitionReport(universe->world, i, &r);
+        sum->factorizations += r.factorizations;
+        sum->passes += r.passes;
+        sum->parts += r.parts;
+        sum->stages += r.stages;
+        sum->time += (double)r.time[MdtReportStageSolve];
+        sum->most = r.factorizations > sum->most ? r.factorizations : sum->most;
+        sum->inexact += r.fallbacks > 0;
+    }
+}
+
+static void tell(const Sum *sum, int steps, int dolls) {
+    const double n = (double)STRETCH * dolls;
+    double open = 0;
+    for (int i = 0; i < dolls; i++)
+        open = fmax(open, doll_opening(&doll[i]));
+    printf("| %d | %.1f | %d | %.2f | %.2f | %.2f | %d | %.4f | %.1e |\n", steps, sum->factorizations / n, sum->most,
+           sum->passes / n, sum->parts / n, sum->stages / n, sum->inexact, 1e3 * sum->time / n, open);
+    fflush(stdout);
+}
+
+int main(int argc, char **argv) {
+    int dolls = 100, steps = 300;
+    for (int i = 1; i + 1 < argc; i += 2)
+        *(strcmp(argv[i], "--dolls") == 0 ? &dolls : &steps) = atoi(argv[i + 1]);
+    if (argc % 2 == 0 || dolls < 1 || steps < 1) {
+        fprintf(stderr, "usage: ragdolls [--dolls N] [--steps N]\n");
+        return 2;
+    }
+    doll = calloc((size_t)dolls, sizeof *doll);
+    if (!doll)
+        abort();
+    makeUniverse();
+    makeDolls(dolls);
+    printf("| to step | factorizations of a doll's step | at most | passes | parts | velocity stages | inexact | ms | "
+           "joints open, m |\n");
+    printf("|---|---|---|---|---|---|---|---|---|\n");
+    Sum sum = {0};
+    for (int i = 1; i <= steps; i++) {
+        MstUniverseStep(universe, (MeReal)(1. / 60));
+        add(&sum);
+        if (i % STRETCH == 0) {
+            tell(&sum, i, dolls);
+            memset(&sum, 0, sizeof sum);
+        }
+    }
+    MstUniverseDestroy(universe);
+    free(doll);
+    return 0;
+}
