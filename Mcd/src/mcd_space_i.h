@@ -16,11 +16,14 @@
 #define MCD_SPACE_I_H
 
 #include "McdSpace.h"
+#include "MeTeam.h"
 #include "mcd_i.h"
 #include "mcd_tree_i.h"
 #include <stdbool.h>
 
 enum { MCD_NONE = -1 };
+/* Models that a worker updates at a time, some 10 us; fewer than so many ranges are not worth to call workers. */
+enum { MCD_RANGE = 64, MCD_LEAST_RANGES = 4 };
 /* Pairs in the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
 enum { MCD_PAIR_BLOCK = 128, MCD_PAIR_BLOCKS = 23 };
 
@@ -102,6 +105,9 @@ struct _McdSpace {
     int proxyRoom;
     int proxyCount, firstProxy, lastProxy, freeProxy;
     int firstAwake, lastAwake;      /* what is updated: frozen models cost no time */
+    int *awake;                     /* the same, while workers update them; proxyRoom */
+    MeU8 *news;                     /* beside awake: an McdBoxNews */
+    MeTeam *team;                   /* workers; null: none */
     int *dirty, dirtyCount;         /* proxies; proxyRoom */
     int *unbounded, unboundedCount; /* proxies that are in no tree; proxyRoom */
     McdTree *tree;
