@@ -22,7 +22,9 @@
 #include <stdbool.h>
 
 enum { MCD_NONE = -1 };
-/* Models that a worker updates at a time, some 10 us; fewer than so many ranges are not worth to call workers. */
+/* Models that a worker updates at a time: .5 us each, against 1 to begin and end a loop. With half as many and twice as
+ * many, a heap of 1000 boxes takes the same time, within 5 % (bench/threads). Fewer than so many ranges are not worth
+ * waking a thread for. */
 enum { MCD_RANGE = 64, MCD_LEAST_RANGES = 4 };
 /* Pairs in the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
 enum { MCD_PAIR_BLOCK = 128, MCD_PAIR_BLOCKS = 23 };
