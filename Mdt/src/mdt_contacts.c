@@ -25,12 +25,10 @@ static MeBool hasApart(const MdtManifold *block) {
     return MEFALSE;
 }
 
-int mdt_contactsCount(const MdtIsland *p) {
+int mdt_contactsCount(const MdtManifold *first) {
     int count = 0;
-    for (int i = 0; i < p->numActing; i++)
-        if (mdt_isManifold(p->acting[i]))
-            for (const MdtManifold *block = mdt_asManifold(p->acting[i]); block; block = block->next)
-                count += hasApart(block) ? mdt_countSlots(block) : 1;
+    for (const MdtManifold *block = first; block; block = block->next)
+        count += hasApart(block) ? mdt_countSlots(block) : mdt_countSlots(block) > 0;
     return count;
 }
 
@@ -45,7 +43,7 @@ size_t mdt_contactsSize(int count) {
 void mdt_contactsLayOut(MdtIsland *p, void *memory, int count) {
     p->kea.manifolds = memory;
     p->manifolds = (MdtIslandManifold *)(void *)((char *)memory + keaSize(count));
-    p->kea.numManifolds = 0;
+    p->kea.numManifolds = count;
 }
 
 /* ---- manifolds for Kea ---- */
@@ -64,11 +62,10 @@ static void packPoint(MdtKeaManifold *m, MdtIslandManifold *own, MdtPoint *point
 }
 
 /* A manifold of no points, with what the point shares with those that may follow. */
-static MdtKeaManifold *beginManifold(MdtIsland *p, const MdtPoint *first) {
+static void beginManifold(MdtKeaManifold *m, const MdtPoint *first, int *problems) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(first)->base;
     const MdtBclContactParams *params = mdt_pointParams(first);
     const MdtKeaVelocity *velocity = mdt_pointWorldVelocity(first);
-    MdtKeaManifold *m = &p->kea.manifolds[p->kea.numManifolds++];
     m->numPoints = 0;
     m->worldVelocity = isMoving(velocity) ? velocity : NULL;
     mdt_pointNormal(first, m->normal);
@@ -79,25 +76,25 @@ static MdtKeaManifold *beginManifold(MdtIsland *p, const MdtPoint *first) {
         m->rim[k] = mdt_pointRim(first, k, m->axis[k]);
     }
     MdtBclContactSurface(params, &m->surface);
-    p->worker->surfaceProblems |= mdt_surfaceProblem(params);
-    return m;
+    *problems |= mdt_surfaceProblem(params);
 }
 
-static void packBlock(MdtIsland *p, const MdtManifold *block) {
+/* Returns the first one behind those that it has written. */
+static int packBlock(const MdtIsland *p, const MdtManifold *block, int at, int *problems) {
     const MeBool areApart = hasApart(block);
-    MdtKeaManifold *m = NULL;
+    int end = at;
     for (MdtPoint *point = mdt_pointIn(block, 0); point; point = mdt_pointIn(block, point->slot + 1)) {
-        if (!m || areApart)
-            m = beginManifold(p, point);
-        packPoint(m, &p->manifolds[m - p->kea.manifolds], point);
+        if (end == at || areApart)
+            beginManifold(&p->kea.manifolds[end++], point, problems);
+        packPoint(&p->kea.manifolds[end - 1], &p->manifolds[end - 1], point);
     }
+    return end;
 }
 
-void mdt_contactsPack(MdtIsland *p) {
-    for (int i = 0; i < p->numActing; i++)
-        if (mdt_isManifold(p->acting[i]))
-            for (const MdtManifold *block = mdt_asManifold(p->acting[i]); block; block = block->next)
-                packBlock(p, block);
+int mdt_contactsPack(const MdtIsland *p, const MdtManifold *first, int at, int *problems) {
+    for (const MdtManifold *block = first; block; block = block->next)
+        at = packBlock(p, block, at, problems);
+    return at;
 }
 
 void mdt_contactsCarry(MdtIsland *p) {

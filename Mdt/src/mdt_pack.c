@@ -1,28 +1,83 @@
 /* Pack: scratch memory for a partition's step, and what acts on its bodies. */
 #include "MeAssert.h"
+#include "MeMath.h"
 #include "mdt_step_i.h"
 #include <limits.h>
 #include <string.h>
 
-/* Counts the joints, the contacts, and the rows that there may be for Kea. */
-static int mostRows(MdtIsland *p) {
-    int rows = 0;
-    p->numJoints = p->numContacts = 0;
-    for (int i = 0; i < p->numActing; i++) {
-        const MdtJoint *j = mdt_asJoint(p->acting[i]);
-        rows += j ? j->type->maxRows : 0;
-        p->numJoints += j != NULL;
-        p->numContacts += j ? 0 : mdt_asManifold(p->acting[i])->numPoints;
+/* ---- what acts, in chunks ---- */
+
+/* Of the constraints of a chunk: how many, and what was found as they were packed. */
+typedef struct Chunk {
+    int rows, joints, points, manifolds; /* rows: of joints, at most */
+    int firstManifold, surfaceProblems;
+} Chunk;
+
+/* Chunks depend on the number of constraints alone, and so do the manifolds' places. */
+enum { MOST_CHUNKS = 128 };
+
+typedef struct Acting {
+    MdtIsland *p;
+    int chunkSize, numChunks;
+    Chunk chunk[MOST_CHUNKS];
+} Acting;
+
+static void MEAPI countChunk(void *context, int item, int worker) {
+    Acting *a = context;
+    const int first = item * a->chunkSize, end = MeMIN(first + a->chunkSize, a->p->numActing);
+    Chunk c = {0};
+    (void)worker;
+    for (int i = first; i < end; i++) {
+        const MdtJoint *j = mdt_asJoint(a->p->acting[i]);
+        const MdtManifold *m = j ? NULL : mdt_asManifold(a->p->acting[i]);
+        c.rows += j ? j->type->maxRows : 0;
+        c.joints += j != NULL;
+        c.points += m ? m->numPoints : 0;
+        c.manifolds += m ? mdt_contactsCount(m) : 0;
     }
-    const int contactRows = p->numContacts * MdtBclGETMAXROWSCONTACT;
-    p->isFast = mdt_crowdIsChosen(p, rows + contactRows);
-    return rows + (p->isFast ? 0 : contactRows);
+    a->chunk[item] = c;
 }
 
+static void MEAPI packChunk(void *context, int item, int worker) {
+    Acting *a = context;
+    const int first = item * a->chunkSize, end = MeMIN(first + a->chunkSize, a->p->numActing);
+    Chunk *c = &a->chunk[item];
+    int at = c->firstManifold;
+    (void)worker;
+    for (int i = first; i < end; i++)
+        if (mdt_isManifold(a->p->acting[i]))
+            at = mdt_contactsPack(a->p, mdt_asManifold(a->p->acting[i]), at, &c->surfaceProblems);
+    MEASSERT(at == c->firstManifold + c->manifolds);
+}
+
+/* Returns the sums over all chunks. */
+static Chunk countActing(Acting *a) {
+    MdtIsland *p = a->p;
+    Chunk all = {0};
+    a->chunkSize = MeMAX(MDT_RANGE, (p->numActing + MOST_CHUNKS - 1) / MOST_CHUNKS);
+    a->numChunks = (p->numActing + a->chunkSize - 1) / a->chunkSize;
+    MeTeamRun(p->team, a->numChunks, countChunk, a);
+    for (int i = 0; i < a->numChunks; i++) {
+        a->chunk[i].firstManifold = all.manifolds;
+        all.rows += a->chunk[i].rows;
+        all.joints += a->chunk[i].joints;
+        all.points += a->chunk[i].points;
+        all.manifolds += a->chunk[i].manifolds;
+    }
+    return all;
+}
+
+static void packContacts(Acting *a) {
+    MeTeamRun(a->p->team, a->numChunks, packChunk, a);
+    for (int i = 0; i < a->numChunks; i++)
+        a->p->worker->surfaceProblems |= a->chunk[i].surfaceProblems;
+}
+
+/* ---- the system ---- */
+
 /* Room for Kea's arrays and, behind them, the manifolds. */
-static MeBool takeScratch(MdtIsland *p) {
+static MeBool takeScratch(MdtIsland *p, int manifolds) {
     const size_t bytes = MdtKeaScratchSize(p->numBodies, p->kea.maxRows, p->kea.maxContacts);
-    const int manifolds = mdt_contactsCount(p);
     const size_t total = bytes + mdt_contactsSize(manifolds);
     char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->worker->scratch, (int)total) : NULL;
     if (!scratch) {
@@ -35,10 +90,14 @@ static MeBool takeScratch(MdtIsland *p) {
     return METRUE;
 }
 
-static void setSystem(MdtIsland *p) {
+static void setSystem(MdtIsland *p, const Chunk *all) {
+    const int contactRows = all->points * MdtBclGETMAXROWSCONTACT;
+    p->numJoints = all->joints;
+    p->numContacts = all->points;
+    p->isFast = mdt_crowdIsChosen(p, all->rows + contactRows);
     p->kea.numBodies = p->numBodies;
     p->kea.bodies = p->world->keaOf + p->world->bodyStart[p->number];
-    p->kea.maxRows = mostRows(p);
+    p->kea.maxRows = all->rows + (p->isFast ? 0 : contactRows);
     p->kea.maxContacts = p->isFast ? 0 : p->numContacts;
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
     p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
@@ -48,6 +107,8 @@ static void setSystem(MdtIsland *p) {
     p->kea.parameters.solver = p->isFast ? MdtKeaSolverFast : MdtKeaSolverExact;
     p->kea.parameters.accuracy = mdt_worldAccuracy(p->world, p->h);
 }
+
+/* ---- bodies ---- */
 
 static void addGravity(MdtWorldID w, MdtBodyID b) {
     for (int i = 0; i < 3; i++)
@@ -74,11 +135,14 @@ static void MEAPI packBodies(void *island, int first, int end, int worker) {
 }
 
 MeBool mdt_islandPack(MdtIsland *p) {
-    setSystem(p);
-    if (!takeScratch(p))
+    Acting acting; /* no initializer: most partitions have one chunk */
+    acting.p = p;
+    const Chunk all = countActing(&acting);
+    setSystem(p, &all);
+    if (!takeScratch(p, all.manifolds))
         return MEFALSE;
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, packBodies, p);
-    mdt_contactsPack(p);
+    packContacts(&acting);
     return METRUE;
 }
 

@@ -124,12 +124,13 @@ MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows);
 
 /* ---- contacts, as Kea takes them (mdt_contacts.c) ---- */
 
-/* How many manifolds it will have at most, and the bytes that they need; where these are. */
-int mdt_contactsCount(const MdtIsland *p);
+/* How many manifolds of Kea's a group's are; the bytes that so many of a partition need; where these are. */
+int mdt_contactsCount(const MdtManifold *first);
 size_t mdt_contactsSize(int count);
 void mdt_contactsLayOut(MdtIsland *p, void *memory, int count);
-/* For the step: the manifolds. For a part of it that is not the first, of the fast solver: where their points are. */
-void mdt_contactsPack(MdtIsland *p);
+/* For the step: a group's manifolds, from that one on; returns the next one, and adds what is wrong with their
+ * surfaces. For a part of it that is not the first, of the fast solver: where points are. */
+int mdt_contactsPack(const MdtIsland *p, const MdtManifold *first, int at, int *problems);
 void mdt_contactsCarry(MdtIsland *p);
 /* This share of their forces is added to what the step has done; these are the points' forces, and whether they are a
  * guess at those of the next part. */
