@@ -3,7 +3,7 @@
  *
  *     threads [--workers N] [--steps N] [--scene NAME]
  *
- * 2 workers, 300 steps, all scenes if not given. For each scene: ms a step in the mean with one worker and with N, their
+ * 2 workers, 300 steps, all scenes if not given. For each scene: ms a step on one worker and on N in the mean, their
  * ratio, and the share of the time that each worker was busy with the world's tasks. It says so, should the states
  * differ. */
 #include "timing.h"
