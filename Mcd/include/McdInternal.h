@@ -5,6 +5,7 @@
 #define MCDINTERNAL_H
 
 #include "McdCTypes.h"
+#include "MeTeam.h"
 
 ME_BEGIN_C
 
@@ -15,6 +16,12 @@ ME_BEGIN_C
 MEPUBLIC void MEAPI McdFrameworkRenameLimits(McdFrameworkID frame, const char *types, const char *models,
                                              const char *instances);
 MEPUBLIC void MEAPI McdSpaceRenameLimits(McdSpaceID s, const char *models, const char *pairs);
+/** @} */
+
+/** @name Workers
+ *  @{ */
+/** Whose workers update the boxes of models from now on; null: nobody's. */
+MEPUBLIC void MEAPI McdSpaceSetTeam(McdSpaceID s, MeTeam *team);
 /** @} */
 
 /** @name Tests that need not be made again

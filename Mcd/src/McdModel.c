@@ -23,6 +23,11 @@ static void setFilter(McdModelRecord *m, McdFilter filter) {
         m->frame->spaceFilter(&m->model);
 }
 
+static void setUpdate(McdModelRecord *m, McdModelUpdateFnPtr f) {
+    m->frame->updateCallbacks += (f != 0) - (m->update != 0);
+    m->update = f;
+}
+
 /* Everything but its geometry, its space and its place in the framework. */
 static void setDefaults(McdModelRecord *m) {
     m->model.mBody = 0;
@@ -35,7 +40,7 @@ static void setDefaults(McdModelRecord *m) {
     m->isSwept = m->isSensor = m->isFast = MEFALSE;
     setFilter(m, (McdFilter){.category = 1, .mask = 0xffffffffu, .group = 0});
     m->requestId = McdModelGetDefaultRequestID();
-    m->update = 0;
+    setUpdate(m, 0);
     m->intersect = 0;
     m->userData = 0;
 }
@@ -59,6 +64,7 @@ static McdModelRecord *recordFromPool(McdFramework *frame) {
     memset(m, 0, sizeof *m);
     m->frame = frame;
     m->serial = ++frame->serial;
+    m->lastStamp = (MeU64)m->serial << 32;
     m->magic = MCD_MODEL;
     m->previous = frame->lastModel;
     *(m->previous ? &m->previous->next : &frame->firstModel) = m;
@@ -142,6 +148,7 @@ void MEAPI McdModelDestroy(McdModelID cm) {
         m->frame->spaceForget(cm);
     leaveBody(m);
     freeRelative(m);
+    setUpdate(m, 0);
     dropGeometry(m);
     recordToPool(m);
 }
@@ -460,7 +467,7 @@ void MEAPI McdModelUpdatePathCompatible(McdModelID cm, MeReal dummy) {
 void MEAPI McdModelSetUpdateCallback(McdModelID cm, McdModelUpdateFnPtr f) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetUpdateCallback");
     if (m)
-        m->update = f;
+        setUpdate(m, f);
 }
 
 McdModelUpdateFnPtr MEAPI McdModelGetUpdateCallback(McdModelID cm) {

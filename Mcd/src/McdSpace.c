@@ -67,6 +67,8 @@ static void freeSpace(McdSpace *s) {
     MeMemoryGiveAligned(s->proxy);
     MeMemoryGive(s->dirty);
     MeMemoryGive(s->unbounded);
+    MeMemoryGive(s->awake);
+    MeMemoryGive(s->news);
     s->magic = 0;
     MeMemoryGive(s);
 }
@@ -75,6 +77,8 @@ static void freeSpace(McdSpace *s) {
 static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
     const size_t room = (size_t)s->proxyRoom, more = (size_t)count;
     if (!MeMemoryGrow(&s->dirty, room, more, sizeof *s->dirty, function, "models that moved") ||
+        !MeMemoryGrow(&s->awake, room, more, sizeof *s->awake, function, "models that are updated") ||
+        !MeMemoryGrow(&s->news, room, more, sizeof *s->news, function, "models that are updated") ||
         !MeMemoryGrow(&s->unbounded, room, more, sizeof *s->unbounded, function, "models without bounds"))
         return MEFALSE;
     McdProxy *proxy = MeMemoryTakeAligned(more, sizeof *proxy, MCD_CACHE_LINE, function, "boxes of models");
@@ -347,8 +351,18 @@ static void putInTree(McdSpace *s, McdProxy *p) {
     }
 }
 
-/* Takes the model's box over. */
-static void takeBox(McdSpace *s, McdProxy *p) {
+/* What has become of a proxy's box. */
+typedef enum McdBoxNews {
+    MCD_BOX_KEPT,
+    MCD_BOX_MOVED,   /* within its fat one */
+    MCD_BOX_LEFT,    /* which is another one now */
+    MCD_BOX_UNSET,   /* there is no transform */
+    MCD_BOX_UNBOUND, /* not a number, or infinite */
+    MCD_BOX_LATER,   /* not looked at */
+} McdBoxNews;
+
+/* Takes the model's box over. Writes to the proxy alone. */
+static McdBoxNews takeBox(McdProxy *p) {
     const McdModelRecord *m = p->model;
     double moved[3] = {0, 0, 0};
     MeBool isSame = p->hasBox && p->tolerance == mcd_modelReach(m);
@@ -358,17 +372,26 @@ static void takeBox(McdSpace *s, McdProxy *p) {
             moved[i] = (double)m->instance.min[i] - (double)p->min[i];
     }
     if (isSame)
-        return;
+        return MCD_BOX_KEPT;
     MeVector3Copy(p->min, m->instance.min);
     MeVector3Copy(p->max, m->instance.max);
     p->tolerance = mcd_modelReach(m);
-    mcd_proxyTouch(s, indexOf(s, p));
     const MeBool hadBox = p->hasBox;
     p->hasBox = METRUE;
     if (hadBox && isFatBoxGood(p))
-        return;
+        return MCD_BOX_MOVED;
     fatten(p, moved);
     p->isMoved = METRUE;
+    return MCD_BOX_LEFT;
+}
+
+/* What belongs to the space, of a box that was taken over. */
+static void placeBox(McdSpace *s, McdProxy *p, McdBoxNews news) {
+    if (news == MCD_BOX_KEPT)
+        return;
+    mcd_proxyTouch(s, indexOf(s, p));
+    if (news != MCD_BOX_LEFT)
+        return;
     if (isWithoutBounds(largestSide(p)))
         putUnbounded(s, p);
     else
@@ -462,32 +485,41 @@ static MeBool isUpToDate(const McdSpace *s, McdModelRecord *m, MeReal duration) 
 /* Pairs that were tested under another margin see another stamp. */
 static void noteBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     if (m->boxDuration != duration || m->boxAhead != s->lookAhead)
-        m->stamp = m->stamp ? ++m->frame->lastStamp : 0;
+        m->stamp = m->stamp ? mcd_modelNewStamp(m) : 0;
     m->boxStamp = m->stamp; /* 0 until it was looked at once */
     m->boxDuration = duration;
     m->boxAhead = s->lookAhead;
 }
 
-/* With the warning that belongs to it, where a transform is bad. */
-static void updateProxy(McdSpace *s, McdProxy *p, MeReal duration) {
+/* Writes to the proxy and its model alone. */
+static McdBoxNews updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
     McdModelRecord *m = p->model;
     if (p->hasBox && isUpToDate(s, m, duration))
-        return;
-    if (!m->instance.tm && !m->update && !s->update) {
-        warnOfTransform(p, "is not set");
-        return;
-    }
+        return MCD_BOX_KEPT;
+    if (!m->instance.tm && !m->update && !s->update)
+        return MCD_BOX_UNSET;
     updateBox(s, m, duration);
     if (!m->instance.tm || !mcd_modelIsPlaced(m) || !isBox(m)) {
-        warnOfTransform(p, m->instance.tm ? "or box is not finite" : "is not set");
         MeVector3Copy(m->instance.min, p->min);
         MeVector3Copy(m->instance.max, p->max);
-        return;
+        return m->instance.tm ? MCD_BOX_UNBOUND : MCD_BOX_UNSET;
     }
     p->isWarned = MEFALSE;
     lookAhead(s, m);
-    takeBox(s, p);
+    const McdBoxNews news = takeBox(p);
     noteBox(s, m, duration);
+    return news;
+}
+
+/* With the warning that belongs to it, where a transform is bad. */
+static void hear(McdSpace *s, McdProxy *p, McdBoxNews news) {
+    MEASSERT(news != MCD_BOX_LATER);
+    if (news == MCD_BOX_UNSET)
+        warnOfTransform(p, "is not set");
+    else if (news == MCD_BOX_UNBOUND)
+        warnOfTransform(p, "or box is not finite");
+    else
+        placeBox(s, p, news);
 }
 
 /* ---- updating ---------------------------------------------------------------------------------------------------- */
@@ -518,23 +550,79 @@ static MeBool isToRest(const McdProxy *p) {
     return p->isFrozen && (p->hasBox || !p->model->instance.tm);
 }
 
+static void updateInOrder(McdSpace *s, MeReal duration) {
+    for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
+        if (isToRest(&s->proxy[i]))
+            rest(s, &s->proxy[i]);
+        else /* whose callback may freeze and unfreeze models */
+            hear(s, &s->proxy[i], updateProxy(s, &s->proxy[i], duration));
+}
+
+/* ---- by workers ---- */
+
+typedef struct Updating {
+    McdSpace *s;
+    MeReal duration;
+} Updating;
+
+/* Types of a program have functions of its own. */
+static void MEAPI updateRange(void *context, int first, int end, int worker) {
+    const Updating *u = context;
+    McdSpace *s = u->s;
+    (void)worker;
+    for (int i = first; i < end; i++) {
+        McdProxy *p = &s->proxy[s->awake[i]];
+        s->news[i] = (MeU8)(mcd_modelStamp(p->model) != 0 ? updateProxy(s, p, u->duration) : MCD_BOX_LATER);
+    }
+}
+
+/* Returns how many are updated, in their order. */
+static int listAwake(McdSpace *s) {
+    int count = 0;
+    for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
+        if (isToRest(&s->proxy[i]))
+            rest(s, &s->proxy[i]);
+        else
+            s->awake[count++] = i;
+    return count;
+}
+
+/* The rule for order: a range writes to its proxies and their models alone. The tree, and the list of proxies whose
+ * links are to be classified, follow on the calling thread, in the order that there is without workers. */
+static void updateByWorkers(McdSpace *s, MeReal duration) {
+    Updating u = {s, duration};
+    const int count = listAwake(s);
+    MeTeamOpen(s->team);
+    MeTeamRunRanges(s->team, count, MCD_RANGE, updateRange, &u);
+    MeTeamClose(s->team);
+    for (int i = 0; i < count; i++) {
+        McdProxy *p = &s->proxy[s->awake[i]];
+        if (s->news[i] != MCD_BOX_KEPT)
+            hear(s, p, s->news[i] == MCD_BOX_LATER ? updateProxy(s, p, duration) : (McdBoxNews)s->news[i]);
+    }
+}
+
 static void updateAll(McdSpace *s, MeReal duration) {
     const MeBool isAlone = !s->isChanging;
     const int before = s->proxyCount;
     if (isAlone)
         beginBlock(s);
     s->isUpdating = METRUE;
-    for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
-        if (isToRest(&s->proxy[i]))
-            rest(s, &s->proxy[i]);
-        else
-            updateProxy(s, &s->proxy[i], duration); /* whose callback may freeze and unfreeze models */
+    if (s->team && s->proxyCount >= MCD_LEAST_RANGES * MCD_RANGE && !s->update && s->frame->updateCallbacks == 0)
+        updateByWorkers(s, duration);
+    else
+        updateInOrder(s, duration);
     s->isUpdating = MEFALSE;
     MEASSERT(before == s->proxyCount); /* no callback changes which models there are */
     (void)before;
     s->isUpdated = METRUE;
     if (isAlone)
         endBlock(s);
+}
+
+void MEAPI McdSpaceSetTeam(McdSpaceID s, MeTeam *team) {
+    MEASSERT(s);
+    s->team = team;
 }
 
 void MEAPI McdSpaceSetLookAhead(McdSpaceID s, MeReal duration) {
@@ -577,7 +665,7 @@ void MEAPI McdSpaceUpdateModel(McdModelID cm) {
     if (p->isFrozen)
         MeWarning(1, "McdSpaceUpdateModel: the model is frozen: see McdSpaceUnfreezeModel");
     else
-        updateProxy(p->model->space, p, 0);
+        hear(p->model->space, p, updateProxy(p->model->space, p, 0));
 }
 
 void MEAPI McdSpaceSetAABBFn(McdSpaceID s, McdSpaceUpdateAABBFnPtr updateAABBFn) {
@@ -683,7 +771,7 @@ static void insert(McdSpace *s, McdModelRecord *m) {
     m->space = s;
     m->proxy = p;
     if (wasUpdated(m))
-        takeBox(s, p);
+        placeBox(s, p, takeBox(p));
 }
 
 MeBool MEAPI McdSpaceInsertModel(McdSpaceID s, McdModelID cm) {

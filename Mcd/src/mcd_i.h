@@ -179,11 +179,12 @@ typedef struct McdModelRecord {
     void *proxy; /* the space's record of the model */
     McdFilter filter;
     MeI16 sortKey;
-    int requestId;
+    MeU64 lastStamp; /* that it was given, or the first one less one */
     /* hot: 7 */
     McdGeometryInstance instance;
     /* cold */
     void *userData;
+    int requestId;
     MeMatrix4Ptr refTM; /* null unless relative */
     MeBool ownsRelative;
     unsigned long serial;                   /* counts creations in the framework */
@@ -282,7 +283,7 @@ struct _McdFramework {
     McdRequest *defaultRequest;
     McdTermActionLink *termActions;
     int spaceCount;
-    MeU64 lastStamp; /* counts changes of models that were looked at */
+    int updateCallbacks; /* models that have one */
     MeU64 round;     /* of tests, in which models stay as they are */
     struct McdScratch *freeScratch; /* what queries work in (mcd_scratch_i.h): those that no query has */
     atomic_int scratchIsLocked;
@@ -337,6 +338,8 @@ static inline MeReal mcd_modelReach(const McdModelRecord *m) {
 /* A number that is another one as soon as anything is that the model's box and tests depend on; 0: that cannot be
  * known. */
 MeU64 mcd_modelStamp(McdModelRecord *m);
+/* A stamp that no model has had. */
+MeU64 mcd_modelNewStamp(McdModelRecord *m);
 /* Do the pair's models interact as the library has it, not by a function of the program's? */
 MeBool mcd_interactionIsBuiltIn(const McdModelPair *p);
 /* The gap up to which a pair of models makes contacts: its tolerances, and the way that the two may get nearer. */

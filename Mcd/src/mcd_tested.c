@@ -36,12 +36,17 @@ static MeBool look(const McdModelRecord *m, McdSeen *seen) {
     return METRUE;
 }
 
+/* A model has its own range of stamps: models can be looked at in any order, each by one thread. */
+MeU64 mcd_modelNewStamp(McdModelRecord *m) {
+    return ++m->lastStamp;
+}
+
 /* Another look at the model: the stamps, and what pairs read of it that follows from `seen`. */
 static void see(McdModelRecord *m, const McdSeen *now) {
     const MeBool isOtherShape = m->shapeStamp == 0 || memcmp(&now->shape, &m->seen.shape, sizeof now->shape) != 0;
     MeVector3 centre;
     m->seen = *now;
-    m->stamp = ++m->frame->lastStamp;
+    m->stamp = mcd_modelNewStamp(m);
     m->isPlaced = mcd_isPlace(mcd_const(m->instance.tm));
     if (m->isPlaced)
         mcd_shapeAxes(mcd_const(m->instance.tm), m->axis);

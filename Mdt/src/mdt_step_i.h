@@ -66,8 +66,8 @@ typedef struct MdtIsland {
 
 #define MDT_NO_BOUND DBL_MAX
 
-/* Bodies, or manifolds, that a worker takes at a time: some 10 us, against 1 to begin a loop. Of a heap of 1000 boxes
- * half as many and twice as many cost the same (bench/threads). */
+/* Bodies, or manifolds, that a worker takes at a time: .5 us each in pack, against 1 to begin and end a loop. With half
+ * as many and twice as many, a heap of 1000 boxes takes the same time, within 5 % (bench/threads). */
 enum { MDT_RANGE = 64 };
 
 static inline MdtJoint *mdt_asJoint(MdtConstraintID c) {

@@ -126,9 +126,11 @@ void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     const char *before = MeCallerSet("MstUniverseStep");
     MEASSERT(McdFrameworkGetModelCount(u->frame) >= McdSpaceGetModelCount(u->space));
     McdSpaceSetLookAhead(u->space, step);
+    McdSpaceSetTeam(u->space, MdtWorldGetTeam(u->world));
     McdSpacePathUpdateAll(u->space, step);
     MstBridgeUpdateContacts(u->bridge, u->space, u->world);
     mst_stepWorld(u, step);
+    McdSpaceSetTeam(u->space, 0); /* the program may change it now */
     MstBridgeUpdateEvents(u->bridge, u->world);
     MeCallerSet(before);
 }
