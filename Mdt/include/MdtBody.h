@@ -5,6 +5,10 @@
  *  Newton's laws. They are the same until MdtBodySetCenterOfMassRelativePosition or ...Transform parts them.
  *  Units are SI throughout; vectors are in the world frame unless a comment says otherwise.
  *
+ *  A new body has 1 kg and the inertia of a solid ball of 1 m radius, 0.4 kg m² (MdtDefaults.h). MdtBodySetMass leaves
+ *  the inertia as it is: a body that is heavier and no harder to turn topples too easily, so both are to be set. In a
+ *  universe MstModelAndBodyCreate finds both from the geometry and its density.
+ *
  *  A new body is disabled: MdtBodyEnable lets it take part. A body at rest is disabled by the world (MdtWorld.h); it
  *  wakes when it is enabled, when a constraint ties it to an enabled body, when it is given a position, an orientation
  *  or a velocity, and when a force, torque or impulse would move it faster than the thresholds of rest allow. A body

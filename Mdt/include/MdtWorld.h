@@ -1,6 +1,9 @@
 /** @file MdtWorld.h
  *  Worlds: creating them, their parameters, stepping (Dynamics guide ch. 2, 4 and 5).
  *
+ *  A new world has no gravity: MdtWorldSetGravity. Its bodies take part in a step once they are enabled, each by
+ *  MdtBodyEnable.
+ *
  *  Worlds are independent of each other. A world and what is in it belong to one thread at a time; different worlds
  *  may be stepped by different threads. A null or destroyed world gets a warning and a neutral result everywhere. A
  *  number that is not finite, or out of its range, gets a warning and leaves the old value.
