@@ -48,7 +48,7 @@ struct MeTeam {
     MeFinishTaskCB finish;
     void *userContext;
     int size, depth;
-    MeBool isRunning, isTimed;
+    MeBool isRunning, isTimed, isKept, isOut; /* isOut: tasks are */
     Worker *worker;
     Loop loop;
     const char *opener;                         /* threadMark of the thread that opened it, */
@@ -279,27 +279,51 @@ static void nextNumber(MeTeam *t, unsigned int step) {
     atomic_store_explicit(&t->number, number + step, memory_order_release);
 }
 
-void MEAPI MeTeamOpen(MeTeam *t) {
-    if (!t || t->depth++ > 0)
-        return;
+static void sendOut(MeTeam *t) {
     t->opener = &threadMark;
     t->caller = MeCallerName(NULL);
     fegetenv(&t->arithmetic);
+    t->isOut = METRUE;
     nextNumber(t, 1);
     for (int i = 1; i < t->size; i++)
         t->worker[i].task = t->enqueue(serve, &t->worker[i], t->userContext);
 }
 
-void MEAPI MeTeamClose(MeTeam *t) {
-    if (!t || --t->depth > 0)
-        return;
-    MEASSERT(t->depth == 0 && !t->isRunning);
+static void callBack(MeTeam *t) {
     nextNumber(t, 1);
     for (int i = 1; i < t->size; i++) {
         if (t->worker[i].task)
             t->finish(t->worker[i].task, t->userContext);
         t->worker[i].task = NULL;
     }
+    t->isOut = MEFALSE;
+}
+
+void MEAPI MeTeamOpen(MeTeam *t) {
+    if (t && t->depth++ == 0 && !t->isOut)
+        sendOut(t);
+}
+
+void MEAPI MeTeamClose(MeTeam *t) {
+    if (!t || --t->depth > 0)
+        return;
+    MEASSERT(t->depth == 0 && !t->isRunning);
+    if (!t->isKept)
+        callBack(t);
+}
+
+void MEAPI MeTeamKeep(MeTeam *t) {
+    if (t)
+        t->isKept = METRUE;
+}
+
+void MEAPI MeTeamRelease(MeTeam *t) {
+    if (!t)
+        return;
+    MEASSERT(t->depth == 0);
+    t->isKept = MEFALSE;
+    if (t->isOut)
+        callBack(t);
 }
 
 /* ---- loops ------------------------------------------------------------------------------------------------------- */

@@ -9,6 +9,7 @@
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
+#include "MeTeam.h"
 #include "mst_i.h"
 
 const MstUniverseSizes MstUniverseDefaultSizes = {100, 500, 0, 100, 500, 100, 10, 1, 1};
@@ -126,10 +127,13 @@ void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     const char *before = MeCallerSet("MstUniverseStep");
     MEASSERT(McdFrameworkGetModelCount(u->frame) >= McdSpaceGetModelCount(u->space));
     McdSpaceSetLookAhead(u->space, step);
-    McdSpaceSetTeam(u->space, MdtWorldGetTeam(u->world));
+    MeTeam *team = MdtWorldGetTeam(u->world);
+    McdSpaceSetTeam(u->space, team);
+    MeTeamKeep(team);
     McdSpacePathUpdateAll(u->space, step);
     MstBridgeUpdateContacts(u->bridge, u->space, u->world);
     mst_stepWorld(u, step);
+    MeTeamRelease(team);
     McdSpaceSetTeam(u->space, 0); /* the program may change it now */
     MstBridgeUpdateEvents(u->bridge, u->world);
     MeCallerSet(before);

@@ -248,7 +248,46 @@ START_TEST(messages_of_items_come_in_the_items_order) {
 }
 END_TEST
 
+static int tasksOut, tasksDone;
+
+static void *MEAPI countOut(MeTaskCB task, void *taskContext, void *userContext) {
+    (void)task, (void)taskContext, (void)userContext;
+    tasksOut++;
+    return &tasksOut;
+}
+
+static void MEAPI countDone(void *userTask, void *userContext) {
+    (void)userTask, (void)userContext;
+    tasksDone++;
+}
+
+static void openAndClose(MeTeam *team) {
+    MeTeamOpen(team);
+    MeTeamClose(team);
+}
+
+START_TEST(a_team_that_is_kept_has_its_tasks_out_once) {
+    MeTeam *team = MeTeamCreate(3, countOut, countDone, NULL, "test");
+    tasksOut = tasksDone = 0;
+    openAndClose(team);
+    ck_assert(tasksOut == 2 && tasksDone == 2);
+    MeTeamKeep(team);
+    MeTeamRelease(team); /* nobody has opened it */
+    ck_assert(tasksOut == 2 && tasksDone == 2);
+    MeTeamKeep(team);
+    openAndClose(team);
+    openAndClose(team);
+    ck_assert(tasksOut == 4 && tasksDone == 2);
+    MeTeamRelease(team);
+    ck_assert(tasksOut == 4 && tasksDone == 4);
+    openAndClose(team);
+    ck_assert(tasksOut == 6 && tasksDone == 6);
+    MeTeamDestroy(team);
+}
+END_TEST
+
 static void tests(TCase *t) {
+    tcase_add_test(t, a_team_that_is_kept_has_its_tasks_out_once);
     tcase_add_test(t, each_task_is_called_once);
     tcase_add_test(t, a_pool_takes_the_nearest_number_of_workers);
     tcase_add_test(t, each_item_of_a_loop_is_done_once);

@@ -352,10 +352,12 @@ enum { KEA_MANIFOLD_VISIT = 300, KEA_MANIFOLD_PREPARATION = 1200 };
 
 /* ---- workers ---- */
 
-/* Groups, and bodies, that a worker takes at a time. Part of the answer's bits: what chunks sum up is summed in their
- * order. With half of either and with twice as much, a heap of 1000 boxes and a pyramid of 820 take the same time,
- * within the 5 % by which runs differ (bench/threads). */
-enum { KEA_CHUNK = 8, KEA_BODY_CHUNK = 64 };
+/* Manifolds of a region, at least, and bodies that a worker takes at a time. The first is part of the answer's bits:
+ * manifolds between regions come after those in them. On two threads, ms a step of a pyramid of 820 and of a heap of
+ * 1000 boxes (bench/threads): 2.3, 2.1, 1.9, 1.9, 2.7 and 7.8, 7.4, 6.9, 6.8, 7.8 with 100, 200, 400, 800, 1600; small
+ * regions leave lanes of their groups empty, large ones leave workers without. With half of the second and with twice
+ * as much, the same within 5 %. */
+enum { KEA_REGION_MANIFOLDS = 400, KEA_BODY_CHUNK = 64 };
 
 /* ---- memory ---- */
 

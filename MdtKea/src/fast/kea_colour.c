@@ -1,74 +1,122 @@
-/* Manifolds that share no body get the same colour: eight of them are solved at once, and the order within a colour
- * does not matter, so that neither the width of registers nor the number of threads does. Greedy, in the manifolds'
- * order: the lowest colour that neither body has. The world is nobody's neighbour.
+/* Manifolds of a node that share no body get the same colour: eight of them are solved at once, and the order within a
+ * colour does not matter, so that the width of registers does not. Greedy, in the manifolds' order: the lowest colour
+ * that neither body has. The world is nobody's neighbour.
  *
  * A body with more neighbours than there are colours: the rest of its manifolds are alone in their groups, one after
  * the other, in the last colour. */
-#include "fast/kea_fast_i.h"
+#include "fast/kea_regions_i.h"
 #include "MeAssert.h"
 #include <string.h>
 
+enum { COLOURS = 64, ALONE = COLOURS - 1 };
+
+typedef struct Colouring {
+    const MdtKeaSystem *s;
+    KeaRegions *regions;
+} Colouring;
+
 static int lowestFree(MeU64 taken) {
     int colour = 0;
-    while (colour < KEA_ALONE && (taken >> colour & 1))
+    while (colour < ALONE && (taken >> colour & 1))
         colour++;
     return colour;
 }
 
-static void chooseColours(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int count[KEA_COLOURS][KEA_POINTS + 1]) {
-    memset(taken, 0, (size_t)s->numBodies * sizeof *taken);
-    for (int i = 0; i < s->numManifolds; i++) {
-        const MdtKeaManifold *m = &s->manifolds[i];
-        MeU64 both = 0;
+/* By side, of KeaRegions.taken; null: the world. */
+static MeU64 *takenBy(const Colouring *c, const MdtKeaManifold *m, int k) {
+    return m->body[k] >= 0 ? &c->regions->taken[c->regions->place[m->body[k]]] : NULL;
+}
+
+static void forgetColours(const Colouring *c, const KeaNode *node) {
+    for (int i = 0; i < node->numManifolds; i++)
+        for (int k = 0; k < 2; k++) {
+            MeU64 *taken = takenBy(c, &c->s->manifolds[c->regions->manifold[node->firstManifold + i]], k);
+            if (taken)
+                *taken = 0;
+        }
+}
+
+static void chooseColours(const Colouring *c, const KeaNode *node, int count[COLOURS][KEA_POINTS + 1]) {
+    for (int i = 0; i < node->numManifolds; i++) {
+        const int index = c->regions->manifold[node->firstManifold + i];
+        const MdtKeaManifold *m = &c->s->manifolds[index];
+        MeU64 *taken[2], both = 0;
+        for (int k = 0; k < 2; k++) {
+            taken[k] = takenBy(c, m, k);
+            both |= taken[k] ? *taken[k] : 0;
+        }
+        const int colour = lowestFree(both);
         for (int k = 0; k < 2; k++)
-            both |= m->body[k] >= 0 ? taken[m->body[k]] : 0;
-        colour[i] = (MeU8)lowestFree(both);
-        for (int k = 0; k < 2; k++)
-            if (m->body[k] >= 0 && colour[i] < KEA_ALONE)
-                taken[m->body[k]] |= (MeU64)1 << colour[i];
-        count[colour[i]][m->numPoints]++;
+            if (taken[k] && colour < ALONE)
+                *taken[k] |= (MeU64)1 << colour;
+        c->regions->colour[index] = (MeU8)colour;
+        count[colour][m->numPoints]++;
     }
 }
 
 /* By colour, and in it the most points first: faces share their lanes with faces. A counting sort. */
-static void sortByColour(const MdtKeaSystem *s, const MeU8 colour[], int count[KEA_COLOURS][KEA_POINTS + 1],
-                         int order[]) {
-    int at = 0;
-    for (int c = 0; c < KEA_COLOURS; c++)
+static void sortByColour(const Colouring *c, const KeaNode *node, int count[COLOURS][KEA_POINTS + 1]) {
+    const KeaRegions *r = c->regions;
+    int at = node->firstManifold;
+    for (int colour = 0; colour < COLOURS; colour++)
         for (int n = KEA_POINTS; n >= 0; n--) {
-            const int here = count[c][n];
-            count[c][n] = at;
+            const int here = count[colour][n];
+            count[colour][n] = at;
             at += here;
         }
-    for (int i = 0; i < s->numManifolds; i++)
-        order[count[colour[i]][s->manifolds[i].numPoints]++] = i;
+    for (int i = node->firstManifold; i < node->firstManifold + node->numManifolds; i++) {
+        const int index = r->manifold[i];
+        r->sorted[count[r->colour[index]][c->s->manifolds[index].numPoints]++] = index;
+    }
 }
 
-int kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[], int firstGroup[KEA_COLOURS + 1]) {
-    int count[KEA_COLOURS][KEA_POINTS + 1] = {{0}}, inColour[KEA_COLOURS] = {0};
-    chooseColours(s, taken, colour, count);
-    for (int k = 0; k < KEA_COLOURS; k++)
+static int groupsOf(int count[COLOURS][KEA_POINTS + 1]) {
+    int groups = 0;
+    for (int colour = 0; colour < COLOURS; colour++) {
+        int here = 0;
         for (int n = 0; n <= KEA_POINTS; n++)
-            inColour[k] += count[k][n];
-    firstGroup[0] = 0;
-    for (int k = 0; k < KEA_COLOURS; k++)
-        firstGroup[k + 1] = firstGroup[k] + (k == KEA_ALONE ? inColour[k] : (inColour[k] + KEA_LANES - 1) / KEA_LANES);
-    sortByColour(s, colour, count, order);
-    return firstGroup[KEA_COLOURS];
+            here += count[colour][n];
+        groups += colour == ALONE ? here : (here + KEA_LANES - 1) / KEA_LANES;
+    }
+    return groups;
 }
 
-int kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int order[], KeaGroup groups[]) {
-    int group = -1, lane = KEA_LANES;
-    for (int i = 0; i < s->numManifolds; i++) {
-        const MeBool isNew =
-            i == 0 || lane == KEA_LANES || colour[order[i]] != colour[order[i - 1]] || colour[order[i]] == KEA_ALONE;
-        if (isNew) {
-            memset(&groups[++group], 0, sizeof *groups);
-            for (lane = 0; lane < KEA_LANES; lane++)
-                groups[group].manifold[lane] = -1;
+static void colourNode(void *context, KeaNode *node) {
+    const Colouring *c = context;
+    int count[COLOURS][KEA_POINTS + 1] = {{0}};
+    forgetColours(c, node);
+    chooseColours(c, node, count);
+    node->numGroups = groupsOf(count);
+    sortByColour(c, node, count);
+}
+
+int kea_colour(const MdtKeaSystem *s, KeaRegions *r) {
+    Colouring c = {s, r};
+    int groups = 0;
+    kea_inOrder(r, colourNode, &c);
+    for (int n = 1; n < 2 * r->count; n++) {
+        r->node[n].firstGroup = groups;
+        groups += r->node[n].numGroups;
+    }
+    return groups;
+}
+
+static void clearGroup(KeaGroup *g) {
+    memset(g, 0, sizeof *g);
+    for (int lane = 0; lane < KEA_LANES; lane++)
+        g->manifold[lane] = -1;
+}
+
+void kea_groupManifolds(const KeaRegions *r, const KeaNode *node, KeaGroup groups[]) {
+    const int *sorted = r->sorted + node->firstManifold;
+    int group = node->firstGroup - 1, lane = KEA_LANES;
+    for (int i = 0; i < node->numManifolds; i++) {
+        const int colour = r->colour[sorted[i]];
+        if (lane == KEA_LANES || colour == ALONE || colour != r->colour[sorted[i - 1]]) {
+            clearGroup(&groups[++group]);
             lane = 0;
         }
-        groups[group].manifold[lane++] = order[i];
+        groups[group].manifold[lane++] = sorted[i];
     }
-    return group + 1;
+    MEASSERT(group == node->firstGroup + node->numGroups - 1);
 }

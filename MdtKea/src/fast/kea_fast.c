@@ -1,8 +1,9 @@
 /* The fast solver: one step of many bodies that touch, in time proportional to their manifolds.
  *
- *     velocities   block Gauss-Seidel over the manifolds, eight at a time, with Nesterov's extrapolation of the
- *                  impulses within the step and its restart (O'Donoghue and Candès 2015, "Adaptive restart for
- *                  accelerated gradient schemes"): bodies come to no more than closing their gaps
+ *     velocities   block Gauss-Seidel over the manifolds, eight at a time, region by region (kea_regions_i.h), with
+ *                  Nesterov's extrapolation of the impulses within the step and its restart (O'Donoghue and Candès
+ *                  2015, "Adaptive restart for accelerated gradient schemes"): bodies come to no more than closing
+ *                  their gaps
  *     positions    the same without friction, on displacements: out of overlaps, without velocity
  *     rebounds     velocities again, of where bodies met; they have moved by then
  *
@@ -11,7 +12,7 @@
  * alike.
  */
 #include "fast/kea_joints_i.h"
-#include "fast/kea_loops_i.h"
+#include "fast/kea_regions_i.h"
 #include "inner/kea_factor_i.h"
 #include "common/kea_policy_i.h"
 #include "MeAssert.h"
@@ -21,15 +22,11 @@
 typedef struct Step {
     MdtKeaSystem *s;
     const KeaKernel *kernel;
-    int numMotions; /* the world, the bodies, and where worlds move, one for each manifold */
-    KeaMotion *motion, *before, *way;
-    double (*change)[6]; /* by body: N s, N m s */
-    MeU64 *taken;
-    MeU8 *colour;
-    int *order;
+    KeaRegions regions;
+    KeaMotion *motion, *before, *way; /* the world, the bodies by place, and where worlds move, one for each manifold */
+    double (*change)[6];              /* by place: N s, N m s */
     KeaGroup *groups;
     int numGroups;
-    KeaLoops loops;
     KeaJoints joints;
     double fall[3];     /* m, see fallOfCentre */
     double load;        /* of how many bodies one carries the weight, see loadRatio */
@@ -55,19 +52,16 @@ static size_t layOut(Step *p, char *memory) {
     p->before = kea_carve(&arena, motions, sizeof *p->before);
     p->way = kea_carve(&arena, motions, sizeof *p->way);
     p->change = kea_carve(&arena, n, sizeof *p->change);
-    p->taken = kea_carve(&arena, n, sizeof *p->taken);
-    p->colour = kea_carve(&arena, m, sizeof *p->colour);
-    p->order = kea_carve(&arena, m, sizeof *p->order);
+    kea_regionsLayOut(p->s, &p->regions, &arena);
     return arena.used;
 }
 
 /* ---- begin ---- */
 
-static void setMotionsOf(void *context, int first, int count, float *none) {
+static void setMotionsOf(void *context, KeaNode *node) {
     const Step *p = context;
-    (void)none;
-    for (int i = first; i < first + count; i++) {
-        const MdtKeaVelocity *v = &p->s->predicted[i];
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
+        const MdtKeaVelocity *v = &p->s->predicted[p->regions.body[i]];
         KeaMotion *m = &p->motion[1 + i];
         for (int k = 0; k < 3; k++) {
             m->lin[k] = (float)v->lin[k];
@@ -79,34 +73,23 @@ static void setMotionsOf(void *context, int first, int count, float *none) {
 
 static void setMotions(Step *p) {
     memset(p->motion, 0, sizeof *p->motion);
-    kea_overBodies(&p->loops, p->s->numBodies, setMotionsOf, p);
+    kea_overRegions(&p->regions, setMotionsOf, p);
 }
 
-static void fillGroups(void *context, int first, int count, float *none) {
+static void fillGroups(void *context, KeaNode *node) {
     const Step *p = context;
-    (void)none;
-    kea_fillGroups(p->s, p->groups + first, count, p->motion);
-    p->kernel->prepare(p->groups + first, count, (float)p->s->parameters.stepsize);
-}
-
-static MeBool doWorldsMove(const MdtKeaSystem *s) {
-    for (int i = 0; i < s->numManifolds; i++)
-        if (s->manifolds[i].worldVelocity)
-            return METRUE;
-    return MEFALSE;
+    KeaGroup *groups = p->groups + node->firstGroup;
+    kea_groupManifolds(&p->regions, node, p->groups);
+    kea_fillGroups(p->s, p->regions.place, groups, node->numGroups, p->motion, p->way);
+    p->kernel->prepare(groups, node->numGroups, (float)p->s->parameters.stepsize);
 }
 
 static MeBool takeGroups(Step *p) {
-    MdtKeaSystem *s = p->s;
-    p->numGroups = kea_colour(s, p->taken, p->colour, p->order, p->loops.firstGroup);
-    p->groups = kea_cacheScratch(s->cache, KEA_GROUP_BLOCK, (size_t)p->numGroups * sizeof *p->groups);
-    const int chunks = kea_loopsPlan(&p->loops);
-    p->loops.partial = kea_cacheScratch(s->cache, KEA_PARTIAL_BLOCK, (size_t)chunks * sizeof *p->loops.partial);
-    if (!p->groups || !p->loops.partial)
+    p->numGroups = kea_colour(p->s, &p->regions);
+    p->groups = kea_cacheScratch(p->s->cache, KEA_GROUP_BLOCK, (size_t)p->numGroups * sizeof *p->groups);
+    if (!p->groups)
         return MEFALSE;
-    const int filled = kea_groupManifolds(s, p->colour, p->order, p->groups);
-    MEASSERT(filled == p->numGroups);
-    (void)filled;
+    kea_overNodes(&p->regions, fillGroups, p);
     return METRUE;
 }
 
@@ -116,26 +99,63 @@ static MeBool begin(Step *p) {
     if (!memory)
         return MEFALSE;
     layOut(p, memory);
-    p->loops.team = s->team;
+    p->regions.team = s->team;
+    kea_regionsDivide(s, &p->regions);
     setMotions(p);
-    if (!takeGroups(p))
-        return MEFALSE;
-    p->numMotions = 1 + s->numBodies;
-    if (doWorldsMove(s)) {
-        memset(p->motion + p->numMotions, 0, (size_t)s->numManifolds * sizeof *p->motion);
-        p->numMotions += s->numManifolds;
-    }
-    kea_overGroups(&p->loops, fillGroups, p);
-    return kea_jointsBegin(s, &p->joints);
+    return takeGroups(p) && kea_jointsBegin(s, p->regions.place, &p->joints);
+}
+
+static void applyGroups(void *context, KeaNode *node) {
+    const Step *p = context;
+    p->kernel->apply(p->groups + node->firstGroup, node->numGroups, p->motion);
+}
+
+static void keepMotions(void *context, KeaNode *node) {
+    const Step *p = context;
+    memcpy(p->before + 1 + node->firstPlace, p->motion + 1 + node->firstPlace,
+           (size_t)node->numPlaces * sizeof *p->motion);
+}
+
+/* Adds what impulses do to the motions. */
+static void applyImpulses(Step *p) {
+    kea_inOrder(&p->regions, applyGroups, p);
+    kea_jointsApply(p->s, &p->joints, p->motion);
+}
+
+/* ---- sums ---- */
+
+/* Of what the bodies of each region have left. */
+static double sumOverRegions(const KeaRegions *r, int k) {
+    double sum = 0;
+    for (int n = r->count; n < 2 * r->count; n++)
+        sum += r->node[n].sum[k];
+    return sum;
+}
+
+static double mostOverRegions(const KeaRegions *r, int k) {
+    double most = 0;
+    for (int n = r->count; n < 2 * r->count; n++)
+        most = keaMax(most, r->node[n].sum[k]);
+    return most;
 }
 
 /* ---- passes ---- */
 
-static double uphillOf(const float uphill[KEA_LANES]) {
+/* Of what the groups of all nodes have left. */
+static double sumOfLanes(const KeaRegions *r) {
     double sum = 0;
-    for (int i = 0; i < KEA_LANES; i++)
-        sum += (double)uphill[i];
+    for (int n = 1; n < 2 * r->count; n++)
+        for (int i = 0; i < KEA_LANES; i++)
+            sum += (double)r->node[n].lanes[i];
     return sum;
+}
+
+static double mostOfLanes(const KeaRegions *r) {
+    double most = 0;
+    for (int n = 1; n < 2 * r->count; n++)
+        for (int i = 0; i < KEA_LANES; i++)
+            most = keaMax(most, (double)r->node[n].lanes[i]);
+    return most;
 }
 
 static void restart(Step *p) {
@@ -143,89 +163,102 @@ static void restart(Step *p) {
     p->beta = 0;
 }
 
-static void passGroups(void *context, int first, int count, float uphill[KEA_LANES]) {
+/* A region's bodies are extrapolated before its manifolds are visited, and so are both regions of a cut. */
+static void passNode(void *context, KeaNode *node) {
     const Step *p = context;
-    p->kernel->pass(p->groups + first, count, p->motion, (float)p->beta, uphill);
+    const float beta = (float)p->beta;
+    memset(node->lanes, 0, sizeof node->lanes);
+    p->kernel->extrapolate(p->motion + 1 + node->firstPlace, p->before + 1 + node->firstPlace, node->numPlaces, beta);
+    p->kernel->pass(p->groups + node->firstGroup, node->numGroups, p->motion, beta, node->lanes);
 }
 
-static void extrapolateMotions(void *context, int first, int count, float *none) {
+static void measureGroups(void *context, KeaNode *node) {
     const Step *p = context;
-    (void)none;
-    p->kernel->extrapolate(p->motion + first, p->before + first, count, (float)p->beta);
-}
-
-static void applyGroups(void *context, int first, int count, float *none) {
-    const Step *p = context;
-    (void)none;
-    p->kernel->apply(p->groups + first, count, p->motion);
-}
-
-static void measureGroups(void *context, int first, int count, float most[KEA_LANES]) {
-    const Step *p = context;
-    p->kernel->measure(p->groups + first, count, p->motion, most);
+    memset(node->lanes, 0, sizeof node->lanes);
+    p->kernel->measure(p->groups + node->firstGroup, node->numGroups, p->motion, node->lanes);
 }
 
 /* Nesterov's extrapolation; it begins anew where a pass goes against it. */
 static void takePasses(Step *p, int passes) {
     for (int i = 0; i < passes; i++) {
-        float uphill[KEA_LANES] = {0};
-        kea_overBodies(&p->loops, p->numMotions, extrapolateMotions, p);
-        kea_overColours(&p->loops, passGroups, p, uphill);
+        kea_inOrder(&p->regions, passNode, p);
         const double ofJoints = kea_jointsPass(p->s, &p->joints, p->motion, (double)(float)p->beta);
         const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
         p->beta = (p->theta - 1) / next;
         p->theta = next;
-        if (uphillOf(uphill) + ofJoints > 0)
+        if (sumOfLanes(&p->regions) + ofJoints > 0)
             restart(p);
     }
     p->s->report.iterations += passes;
 }
 
 static double residualOf(Step *p) {
-    float most[KEA_LANES] = {0};
-    double residual = kea_jointsResidual(p->s, &p->joints, p->motion);
-    kea_mostOverGroups(&p->loops, measureGroups, p, most);
-    for (int i = 0; i < KEA_LANES; i++)
-        residual = keaMax(residual, (double)most[i]);
-    return residual;
+    kea_overNodes(&p->regions, measureGroups, p);
+    return keaMax(kea_jointsResidual(p->s, &p->joints, p->motion), mostOfLanes(&p->regions));
+}
+
+/* m/s, what loads add to a body's velocity in the step. */
+static double loadOf(const MdtKeaSystem *s, int body) {
+    double load[3];
+    keaSubtract(load, s->predicted[body].lin, s->velocity[body].lin);
+    return keaLength(load);
+}
+
+/* Adds the normal forces of the last step, N, to the bodies' changes. */
+static void addNormalForces(void *context, KeaNode *node) {
+    const Step *p = context;
+    const KeaRegions *r = &p->regions;
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
+        p->change[i][0] = 0;
+    for (int i = node->firstManifold; i < node->firstManifold + node->numManifolds; i++) {
+        const MdtKeaManifold *m = &p->s->manifolds[r->manifold[i]];
+        double force = 0;
+        for (int n = 0; n < m->numPoints; n++)
+            force += keaMax(m->point[n].guess[0], 0);
+        for (int k = 0; k < 2; k++)
+            if (m->body[k] >= 0)
+                p->change[r->place[m->body[k]]][0] += force;
+    }
+}
+
+static void compareWithLoads(void *context, KeaNode *node) {
+    const Step *p = context;
+    const MdtKeaSystem *s = p->s;
+    node->sum[0] = 0;
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
+        const MdtKeaBody *b = s->bodies[p->regions.body[i]];
+        const double load = loadOf(s, p->regions.body[i]), weight = load / (s->parameters.stepsize * b->invMass);
+        const MeBool isCalm = keaLength(b->acceleration) * s->parameters.stepsize < kea_impactLoads * load;
+        if (isCalm && weight > 0)
+            node->sum[0] = keaMax(node->sum[0], 0.5 * p->change[i][0] / weight);
+    }
 }
 
 /* Of how many bodies each carries the weight, at most: its normal forces of the last step, in its own loads'. Where it
  * gained much more velocity than its loads give, these were those of an impact. */
-static double loadRatio(const Step *p) {
-    const MdtKeaSystem *s = p->s;
-    double most = 0;
-    for (int i = 0; i < s->numBodies; i++)
-        p->change[i][0] = 0;
-    for (int i = 0; i < s->numManifolds; i++)
-        for (int k = 0; k < 2; k++)
-            for (int n = 0; n < s->manifolds[i].numPoints && s->manifolds[i].body[k] >= 0; n++)
-                p->change[s->manifolds[i].body[k]][0] += keaMax(s->manifolds[i].point[n].guess[0], 0);
-    for (int i = 0; i < s->numBodies; i++) {
-        double load[3];
-        keaSubtract(load, s->predicted[i].lin, s->velocity[i].lin);
-        const double weight = keaLength(load) / (s->parameters.stepsize * s->bodies[i]->invMass);
-        const MeBool isCalm =
-            keaLength(s->bodies[i]->acceleration) * s->parameters.stepsize < kea_impactLoads * keaLength(load);
-        if (isCalm && weight > 0)
-            most = keaMax(most, 0.5 * p->change[i][0] / weight);
+static double loadRatio(Step *p) {
+    kea_inOrder(&p->regions, addNormalForces, p);
+    kea_overRegions(&p->regions, compareWithLoads, p);
+    return mostOverRegions(&p->regions, 0);
+}
+
+static void sumSpeeds(void *context, KeaNode *node) {
+    const Step *p = context;
+    node->sum[0] = node->sum[1] = 0;
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
+        const int body = p->regions.body[i];
+        node->sum[0] += keaDot(p->s->velocity[body].lin, p->s->velocity[body].lin);
+        node->sum[1] = keaMax(node->sum[1], loadOf(p->s, body));
     }
-    return most;
 }
 
 /* m/s: a residual of each of the contacts that n bodies stand on each other by adds up to n of them, for the uppermost.
  * Where bodies still meet, faster than loads make them in a step, a share of their speeds. */
-static double wantedResidual(const Step *p) {
-    const MdtKeaSystem *s = p->s;
-    double sum = 0, loads = 0;
-    for (int i = 0; i < s->numBodies; i++) {
-        double load[3];
-        keaSubtract(load, s->predicted[i].lin, s->velocity[i].lin);
-        loads = keaMax(loads, keaLength(load));
-        sum += keaDot(s->velocity[i].lin, s->velocity[i].lin);
-    }
-    const double beyond = keaMax(sqrt(sum / s->numBodies) - loads, 0);
-    return keaMax(s->parameters.accuracy / keaMax(p->load, 1), kea_impactAccuracy * beyond);
+static double wantedResidual(Step *p) {
+    kea_overRegions(&p->regions, sumSpeeds, p);
+    const double speed = sqrt(sumOverRegions(&p->regions, 0) / p->s->numBodies);
+    const double beyond = keaMax(speed - mostOverRegions(&p->regions, 1), 0);
+    return keaMax(p->s->parameters.accuracy / keaMax(p->load, 1), kea_impactAccuracy * beyond);
 }
 
 /* As many passes as are given, and more of them while the residual is above what is wanted. */
@@ -263,69 +296,82 @@ static Passes choosePasses(Step *p) {
 
 /* ---- rebounds ---- */
 
-/* Where bodies met and push each other they part with their rebound. */
-static MeBool setRebounds(Step *p) {
-    MeBool isAny = MEFALSE;
-    for (int i = 0; i < p->numGroups; i++)
+static void setReboundsOf(void *context, KeaNode *node) {
+    const Step *p = context;
+    node->sum[0] = 0;
+    for (int i = node->firstGroup; i < node->firstGroup + node->numGroups; i++)
         for (int k = 0; k < KEA_POINTS; k++)
             for (int lane = 0; lane < KEA_LANES; lane++) {
                 KeaGroup *g = &p->groups[i];
                 if (g->rebound[k][lane] > 0 && g->impulse[k][lane] > 0) {
                     g->target[k][lane] = g->rebound[k][lane];
-                    isAny = METRUE;
+                    node->sum[0] = 1;
                 }
             }
+}
+
+/* Where bodies met and push each other they part with their rebound. */
+static MeBool setRebounds(Step *p) {
+    MeBool isAny = MEFALSE;
+    kea_overNodes(&p->regions, setReboundsOf, p);
+    for (int n = 1; n < 2 * p->regions.count; n++)
+        isAny |= p->regions.node[n].sum[0] > 0;
     return isAny;
 }
 
 /* ---- end ---- */
 
-static void addImpulses(void *context, int first, int count, float *none) {
+static void addImpulses(void *context, KeaNode *node) {
     const Step *p = context;
-    (void)none;
-    kea_addImpulses(p->s, p->groups + first, count, p->change);
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
+        memset(p->change[i], 0, sizeof p->change[i]);
+    kea_addImpulses(p->s, p->groups + node->firstGroup, node->numGroups, p->change);
 }
 
-static void setEndMomenta(void *context, int first, int count, float *none) {
+static void setEndMomenta(void *context, KeaNode *node) {
     const Step *p = context;
-    (void)none;
-    for (int i = first; i < first + count; i++) {
-        const KeaBody *b = &p->s->work->body[i];
-        KeaEnd *end = &p->s->work->end[i];
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
+        const int body = p->regions.body[i];
+        const KeaBody *b = &p->s->work->body[body];
+        KeaEnd *end = &p->s->work->end[body];
         keaCopy(end->velocity, b->freeVelocity);
-        keaAddScaled(end->velocity, p->s->bodies[i]->invMass, p->change[i]);
+        keaAddScaled(end->velocity, p->s->bodies[body]->invMass, p->change[i]);
         keaCopy(end->angularMomentum, b->freeMomentum);
         keaAddScaled(end->angularMomentum, 1, p->change[i] + 3);
     }
 }
 
 static void setEndMomentum(Step *p) {
-    MdtKeaSystem *s = p->s;
-    memset(p->change, 0, (size_t)s->numBodies * sizeof *p->change);
-    kea_overColours(&p->loops, addImpulses, p, NULL);
-    kea_jointsAddImpulses(s, &p->joints, p->change);
-    kea_overBodies(&p->loops, s->numBodies, setEndMomenta, p);
+    kea_inOrder(&p->regions, addImpulses, p);
+    kea_jointsAddImpulses(p->s, &p->joints, p->change);
+    kea_overRegions(&p->regions, setEndMomenta, p);
 }
 
 /* ---- the guard ---- */
 
-/* J, what the impulses have added to the kinetic energy, in the start's pose; `all`: with the loads alone. */
-static double energyGained(const Step *p, double *all) {
+static void sumEnergy(void *context, KeaNode *node) {
+    const Step *p = context;
     const MdtKeaSystem *s = p->s;
-    double gained = 0;
-    *all = 0;
-    for (int i = 0; i < s->numBodies; i++) {
-        const KeaBody *b = &s->work->body[i];
-        const KeaEnd *end = &s->work->end[i];
-        const double mass = 1 / s->bodies[i]->invMass;
+    node->sum[0] = node->sum[1] = 0;
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
+        const int body = p->regions.body[i];
+        const KeaBody *b = &s->work->body[body];
+        const KeaEnd *end = &s->work->end[body];
+        const double mass = 1 / s->bodies[body]->invMass;
         double w[3];
-        keaApply(w, (const double(*)[3])s->invMass[i].inertia, end->angularMomentum);
+        keaApply(w, (const double(*)[3])s->invMass[body].inertia, end->angularMomentum);
         const double before =
-            mass * keaDot(b->freeVelocity, b->freeVelocity) + keaDot(s->predicted[i].ang, b->freeMomentum);
-        gained += 0.5 * (mass * keaDot(end->velocity, end->velocity) + keaDot(w, end->angularMomentum) - before);
-        *all += 0.5 * before;
+            mass * keaDot(b->freeVelocity, b->freeVelocity) + keaDot(s->predicted[body].ang, b->freeMomentum);
+        node->sum[0] += 0.5 * (mass * keaDot(end->velocity, end->velocity) + keaDot(w, end->angularMomentum) - before);
+        node->sum[1] += 0.5 * before;
     }
-    return gained;
+}
+
+/* J, what the impulses have added to the kinetic energy, in the start's pose; `all`: with the loads alone. */
+static double energyGained(Step *p, double *all) {
+    kea_overRegions(&p->regions, sumEnergy, p);
+    *all = sumOverRegions(&p->regions, 1);
+    return sumOverRegions(&p->regions, 0);
 }
 
 /* Does anything drive the bodies: joints, belts, worlds that move? */
@@ -357,7 +403,7 @@ static void shareImpulses(Step *p) {
     const MdtKeaSystem *s = p->s;
     double linear = 0, square = 0;
     for (int i = 0; i < s->numBodies; i++) {
-        const double *change = p->change[i];
+        const double *change = p->change[p->regions.place[i]];
         double turned[3];
         keaApply(turned, (const double(*)[3])s->invMass[i].inertia, change + 3);
         linear += keaDot(change, s->predicted[i].lin) + keaDot(change + 3, s->predicted[i].ang);
@@ -365,25 +411,30 @@ static void shareImpulses(Step *p) {
     }
     kea_scaleImpulses(p->groups, p->numGroups, (float)keaMin(keaMax(-linear / square, 0), 1));
     setMotions(p);
-    kea_overColours(&p->loops, applyGroups, p, NULL);
+    kea_inOrder(&p->regions, applyGroups, p);
     setEndMomentum(p);
+}
+
+static void compareMotions(void *context, KeaNode *node) {
+    const Step *p = context;
+    node->sum[0] = node->sum[1] = 0;
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
+        for (int k = 0; k < 3; k++) {
+            const double now = (double)p->motion[1 + i].lin[k], before = (double)p->before[1 + i].lin[k];
+            node->sum[0] = keaMax(node->sum[0], fabs(now - before));
+            node->sum[1] = keaMax(node->sum[1], fabs(now));
+        }
 }
 
 /* Velocities that passes have added up are those that the impulses give, but for rounding: unless impulses have been so
  * large on the way that it is more than is wanted. What they give is taken for the rest of the step. */
 static MeBool isFollowed(Step *p) {
-    const MdtKeaSystem *s = p->s;
-    double off = 0, speed = 0;
-    memcpy(p->before, p->motion, (size_t)p->numMotions * sizeof *p->motion);
+    kea_overRegions(&p->regions, keepMotions, p);
     setMotions(p);
-    kea_overColours(&p->loops, applyGroups, p, NULL);
-    kea_jointsApply(s, &p->joints, p->motion);
-    for (int i = 1; i <= s->numBodies; i++)
-        for (int k = 0; k < 3; k++) {
-            off = keaMax(off, fabs((double)(p->motion[i].lin[k] - p->before[i].lin[k])));
-            speed = keaMax(speed, fabs((double)p->motion[i].lin[k]));
-        }
-    return off <= s->parameters.accuracy + kea_impactAccuracy * speed;
+    applyImpulses(p);
+    kea_overRegions(&p->regions, compareMotions, p);
+    const double off = mostOverRegions(&p->regions, 0), speed = mostOverRegions(&p->regions, 1);
+    return off <= p->s->parameters.accuracy + kea_impactAccuracy * speed;
 }
 
 /* Contacts that only push and rub take energy, or none. Should the passes have gone astray, where masses or levers
@@ -435,11 +486,12 @@ static void fallOfCentre(Step *p) {
 }
 
 /* With the velocities of the end, turning as a free body does with that momentum; and out of overlaps. */
-static void setEndPose(const Step *p, int i) {
+static void setEndPose(const Step *p, int place) {
     MdtKeaSystem *s = p->s;
+    const int i = p->regions.body[place];
     const double h = s->parameters.stepsize;
     const MdtKeaBody *body = s->bodies[i];
-    const KeaMotion *way = &p->way[1 + i];
+    const KeaMotion *way = &p->way[1 + place];
     KeaEnd *end = &s->work->end[i];
     const double out[3] = {(double)way->ang[0], (double)way->ang[1], (double)way->ang[2]};
     double turn[4], free[4];
@@ -456,33 +508,32 @@ static void setEndPose(const Step *p, int i) {
     keaQuaternionToMatrix(s->work->endPose[i].R, end->quaternion);
 }
 
-static void setEndPosesOf(void *context, int first, int count, float *none) {
-    (void)none;
-    for (int i = first; i < first + count; i++)
+static void setEndPosesOf(void *context, KeaNode *node) {
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
         setEndPose(context, i);
 }
 
 static void setEndPoses(Step *p) {
-    kea_overBodies(&p->loops, p->s->numBodies, setEndPosesOf, p);
+    kea_overRegions(&p->regions, setEndPosesOf, p);
 }
 
-static void advanceGroups(void *context, int first, int count, float *none) {
+/* Gaps are those at the end of the step; bodies stand there. */
+static void advanceNode(void *context, KeaNode *node) {
     const Step *p = context;
-    (void)none;
-    p->kernel->advance(p->groups + first, count, p->motion, (float)p->s->parameters.stepsize);
+    memset(p->way + 1 + node->firstPlace, 0, (size_t)node->numPlaces * sizeof *p->way);
+    p->kernel->advance(p->groups + node->firstGroup, node->numGroups, p->motion, (float)p->s->parameters.stepsize);
 }
 
-static void pushGroups(void *context, int first, int count, float *none) {
+static void pushGroups(void *context, KeaNode *node) {
     const Step *p = context;
-    (void)none;
-    p->kernel->push(p->groups + first, count, p->way);
+    p->kernel->push(p->groups + node->firstGroup, node->numGroups, p->way);
 }
 
 /* Joints turn with their bodies: their errors are found anew for every few passes. */
 static void findPositions(Step *p) {
     const int rounds = p->joints.numBlocks > 0 ? KEA_JOINT_ROUNDS : 1;
-    memset(p->way, 0, (size_t)p->numMotions * sizeof *p->way);
-    kea_overGroups(&p->loops, advanceGroups, p);
+    memset(p->way, 0, sizeof *p->way);
+    kea_overNodes(&p->regions, advanceNode, p);
     kea_keepRows(p->s);
     for (int round = 0; round < rounds; round++) {
         if (p->joints.numBlocks > 0) {
@@ -490,7 +541,7 @@ static void findPositions(Step *p) {
             kea_jointsAdvance(p->s, &p->joints, p->way);
         }
         for (int i = 0; i < KEA_POSITION_PASSES / rounds; i++) {
-            kea_overColours(&p->loops, pushGroups, p, NULL);
+            kea_inOrder(&p->regions, pushGroups, p);
             kea_jointsPush(p->s, &p->joints, p->way);
         }
     }
@@ -505,11 +556,16 @@ static MeBool isNone(const KeaMotion *way) {
     return METRUE;
 }
 
+static void findFree(void *context, KeaNode *node) {
+    const Step *p = context;
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
+        p->s->work->body[p->regions.body[i]].isFree =
+            isNone(&p->way[1 + i]) && keaLength(p->change[i]) + keaLength(p->change[i] + 3) == 0;
+}
+
 /* What nothing has touched flies. */
 static void moveFreely(Step *p) {
-    for (int i = 0; i < p->s->numBodies; i++)
-        p->s->work->body[i].isFree =
-            isNone(&p->way[1 + i]) && keaLength(p->change[i]) + keaLength(p->change[i] + 3) == 0;
+    kea_overRegions(&p->regions, findFree, p);
     kea_moveFreely(p->s);
 }
 
@@ -520,10 +576,9 @@ static void report(Step *p) {
     r->work = r->iterations * workOfPass(p) + workBeside(p);
 }
 
-static void returnGroups(void *context, int first, int count, float *none) {
+static void returnGroups(void *context, KeaNode *node) {
     const Step *p = context;
-    (void)none;
-    kea_returnManifolds(p->s, p->groups + first, count);
+    kea_returnManifolds(p->s, p->groups + node->firstGroup, node->numGroups);
 }
 
 static void clearForces(MdtKeaSystem *s) {
@@ -546,9 +601,8 @@ void kea_fastSolve(MdtKeaSystem *s) {
     }
     p.load = loadRatio(&p);
     const Passes passes = choosePasses(&p);
-    kea_overColours(&p.loops, applyGroups, &p, NULL);
-    kea_jointsApply(s, &p.joints, p.motion);
-    memcpy(p.before, p.motion, (size_t)p.numMotions * sizeof *p.motion);
+    applyImpulses(&p);
+    kea_overRegions(&p.regions, keepMotions, &p);
     findVelocities(&p, passes);
     setEndMomentum(&p);
     keepEnergy(&p);
@@ -562,7 +616,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
         limitRebounds(&p);
     }
     report(&p);
-    kea_overGroups(&p.loops, returnGroups, &p);
+    kea_overNodes(&p.regions, returnGroups, &p);
     kea_jointsReturn(s, &p.joints);
     moveFreely(&p);
 }

@@ -1,8 +1,8 @@
 /* Inside Kea: the fast solver's data.
  *
  *     kea_fast.c          a step: groups of manifolds, passes for velocities, for positions, for rebounds; the end
+ *     kea_regions.c       bodies in regions, and loops over these, on several threads
  *     kea_colour.c        manifolds that share no body, in groups of eight
- *     kea_loops.c         loops over groups and bodies, on several threads
  *     kea_gather.c        what manifolds say, to groups, and the answer back
  *     kea_lanes_i.h       eight floats at a time
  *     kea_kernel_i.h      what is done with a group, eight manifolds at a time
@@ -43,7 +43,7 @@ typedef struct KeaGroup {
     /* kea_colour.c */
     int manifold[KEA_LANES]; /* -1: the lane is not in use */
     /* kea_fast.c, from the manifolds */
-    int body[2][KEA_LANES]; /* of KeaMotions: 0 is the world */
+    int body[2][KEA_LANES]; /* of KeaMotions: 0 is the world, the others 1 + their place */
     KeaLanes3 normal, along, arm[2];
     KeaLanes invMass[2], invInertia[2][6];
     KeaLanes x[KEA_POINTS], y[KEA_POINTS];  /* m */
@@ -94,23 +94,12 @@ extern const KeaKernel kea_kernel;
 extern const KeaKernel kea_kernelAvx2;
 #endif
 
-/* ---- kea_colour.c ---- */
-
-enum { KEA_COLOURS = 64 };
-/* The last colour, of manifolds that are alone in their groups: a loop takes these groups one after the other. */
-enum { KEA_ALONE = KEA_COLOURS - 1 };
-
-/* Writes the colour of each manifold, their order by colours, and which group is the first of each colour, and behind
- * the last; returns how many groups that makes. `taken` is scratch, by body. */
-int kea_colour(const MdtKeaSystem *s, MeU64 taken[], MeU8 colour[], int order[], int firstGroup[KEA_COLOURS + 1]);
-/* Empties the groups, and writes which manifolds are in them; returns how many. */
-int kea_groupManifolds(const MdtKeaSystem *s, const MeU8 colour[], const int order[], KeaGroup groups[]);
-
 /* ---- kea_gather.c ---- */
 
-/* Fills groups; a world that moves is its manifold's own, behind the bodies. */
-void kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMotion motion[]);
-/* What the manifolds of groups do to momenta: is added to `change`, by body, N s and N m s. */
+/* Fills groups. A world that moves is its manifold's own: a motion behind the bodies', without displacement. */
+void kea_fillGroups(const MdtKeaSystem *s, const int place[], KeaGroup groups[], int count, KeaMotion motion[],
+                    KeaMotion way[]);
+/* What the manifolds of groups do to momenta: is added to `change`, by place, N s and N m s. */
 void kea_addImpulses(const MdtKeaSystem *s, const KeaGroup groups[], int count, double (*change)[6]);
 /* Takes a share of all impulses; 0: there are none. */
 void kea_scaleImpulses(KeaGroup groups[], int count, float share);

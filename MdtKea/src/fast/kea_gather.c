@@ -62,14 +62,15 @@ static float bounded(double bound) {
     return (float)keaMin(bound, kea_mostBound);
 }
 
-static void fillBody(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, int k, KeaGroup *g, int lane) {
+static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, const Patch *p, int k,
+                     KeaGroup *g, int lane) {
     static const double noPlace[3];
     const int body = m->body[k];
     const MdtKeaInverseMassMatrix *mass = body >= 0 ? &s->invMass[body] : NULL;
     double arm[3];
     keaSubtract(arm, p->centre, mass ? s->pose[body].pos : noPlace);
     setLane3(&g->arm[k], lane, arm);
-    g->body[k][lane] = body + 1;
+    g->body[k][lane] = body >= 0 ? 1 + place[body] : 0;
     g->invMass[k][lane] = mass ? (float)mass->mass : 0;
     for (int i = 0, at = 0; i < 3; i++)
         for (int j = i; j < 3; j++, at++)
@@ -177,13 +178,14 @@ static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const P
     g->isCone[lane] = m->surface.isCone ? -1 : 0;
 }
 
-static void fillLane(const MdtKeaSystem *s, const MdtKeaManifold *m, float correction, KeaGroup *g, int lane) {
+static void fillLane(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, float correction, KeaGroup *g,
+                     int lane) {
     Patch p;
     setPatch(m, &p);
     setLane3(&g->normal, lane, m->normal);
     setLane3(&g->along, lane, m->direction);
     for (int k = 0; k < 2; k++)
-        fillBody(s, m, &p, k, g, lane);
+        fillBody(s, place, m, &p, k, g, lane);
     const MeBool soft = isSoft(s, m);
     g->compliance[lane] = soft ? (float)softnessOf(s, m) : 0;
     g->correction[lane] = soft ? 0 : correction;
@@ -204,7 +206,8 @@ static void setWorld(const MdtKeaVelocity *velocity, KeaMotion *world) {
     }
 }
 
-void kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMotion motion[]) {
+void kea_fillGroups(const MdtKeaSystem *s, const int place[], KeaGroup groups[], int count, KeaMotion motion[],
+                    KeaMotion way[]) {
     const double share = 1 / (double)KEA_POSITION_PASSES; /* of a pass, so that all of them take gamma away */
     const float correction = (float)(1 - pow(1 - s->parameters.gamma, share));
     for (int i = 0; i < count; i++)
@@ -213,11 +216,12 @@ void kea_fillGroups(const MdtKeaSystem *s, KeaGroup groups[], int count, KeaMoti
             if (g->manifold[lane] < 0)
                 continue;
             const MdtKeaManifold *m = &s->manifolds[g->manifold[lane]];
-            fillLane(s, m, correction, g, lane);
+            fillLane(s, place, m, correction, g, lane);
             for (int k = 0; k < 2 && m->worldVelocity; k++)
                 if (m->body[k] < 0) {
                     g->body[k][lane] = 1 + s->numBodies + g->manifold[lane];
                     setWorld(m->worldVelocity, &motion[g->body[k][lane]]);
+                    memset(&way[g->body[k][lane]], 0, sizeof *way);
                 }
         }
 }
@@ -246,8 +250,9 @@ static void addImpulse(const MdtKeaSystem *s, const MdtKeaManifold *m, const Kea
         keaSubtract(arm, p.centre, s->pose[m->body[k]].pos);
         keaCross(turn, arm, impulse);
         keaAddScaled(turn, 1, couple);
-        keaAddScaled(change[m->body[k]], k == 0 ? 1 : -1, impulse);
-        keaAddScaled(change[m->body[k]] + 3, k == 0 ? 1 : -1, turn);
+        double *of = change[g->body[k][lane] - 1];
+        keaAddScaled(of, k == 0 ? 1 : -1, impulse);
+        keaAddScaled(of + 3, k == 0 ? 1 : -1, turn);
     }
 }
 

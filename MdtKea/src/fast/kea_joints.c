@@ -106,9 +106,11 @@ static void setPosition(const MdtKeaSystem *s, const MdtKeaRow *row, KeaJointRow
                                   : keaMax(row->target, row->drift);
 }
 
-static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
+static void setRow(const MdtKeaSystem *s, const int place[], KeaJointRow *r) {
     const MdtKeaRow *row = &s->rows[r->index];
     const double h = s->parameters.stepsize;
+    for (int k = 0; k < 2; k++)
+        r->motion[k] = row->body[k] >= 0 ? 1 + place[row->body[k]] : 0;
     setResponse(s, row, r);
     r->size = mobilityOf(row, r, row);
     r->isOff = !(r->size > 0);
@@ -205,7 +207,7 @@ size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory) {
     return arena.used;
 }
 
-MeBool kea_jointsBegin(MdtKeaSystem *s, KeaJoints *j) {
+MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
     size_t doubles = 0;
     j->numBlocks = 0;
     if (s->numRows == 0)
@@ -220,7 +222,7 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, KeaJoints *j) {
         KeaJointBlock *b = &j->block[i];
         b->count = b[1].first - b->first;
         for (int k = 0; k < b->count; k++)
-            setRow(s, &j->row[b->first + k]);
+            setRow(s, place, &j->row[b->first + k]);
         b->numFree = partition(&j->row[b->first], b->count);
         doubles += (size_t)b->numFree * (size_t)b->numFree;
     }
@@ -237,21 +239,21 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, KeaJoints *j) {
 
 /* ---- passes ---- */
 
-static double rateOf(const MdtKeaRow *row, const KeaMotion motion[]) {
+static double rateOf(const MdtKeaRow *row, const KeaJointRow *r, const KeaMotion motion[]) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0) {
-            const KeaMotion *m = &motion[1 + row->body[k]];
+        if (r->motion[k] > 0) {
+            const KeaMotion *m = &motion[r->motion[k]];
             for (int i = 0; i < 3; i++)
                 rate += row->J[k].lin[i] * (double)m->lin[i] + row->J[k].ang[i] * (double)m->ang[i];
         }
     return rate;
 }
 
-static void push(const MdtKeaRow *row, const KeaJointRow *r, double impulse, KeaMotion motion[]) {
+static void push(const KeaJointRow *r, double impulse, KeaMotion motion[]) {
     for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0) {
-            KeaMotion *m = &motion[1 + row->body[k]];
+        if (r->motion[k] > 0) {
+            KeaMotion *m = &motion[r->motion[k]];
             for (int i = 0; i < 3; i++) {
                 m->lin[i] = (float)((double)m->lin[i] + impulse * r->response[k][i]);
                 m->ang[i] = (float)((double)m->ang[i] + impulse * r->response[k][3 + i]);
@@ -261,7 +263,7 @@ static void push(const MdtKeaRow *row, const KeaJointRow *r, double impulse, Kea
 
 void kea_jointsApply(const MdtKeaSystem *s, const KeaJoints *j, KeaMotion motion[]) {
     for (int i = 0; i < s->numRows; i++)
-        push(&s->rows[j->row[i].index], &j->row[i], j->row[i].impulse, motion);
+        push(&j->row[i], j->row[i].impulse, motion);
 }
 
 static double take(KeaJointRow *r, double guess, double next) {
@@ -278,12 +280,12 @@ double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], d
         KeaJointRow *rows = &j->row[b->first];
         for (int k = 0; k < b->numFree; k++) {
             const double guess = rows[k].impulse + beta * (rows[k].impulse - rows[k].before);
-            j->x[k] = rows[k].target - rateOf(&s->rows[rows[k].index], motion) - rows[k].compliance * guess;
+            j->x[k] = rows[k].target - rateOf(&s->rows[rows[k].index], &rows[k], motion) - rows[k].compliance * guess;
         }
         solve(b->factor, b->numFree, j->x);
         for (int k = 0; k < b->numFree; k++) {
             const double guess = rows[k].impulse + beta * (rows[k].impulse - rows[k].before);
-            push(&s->rows[rows[k].index], &rows[k], j->x[k], motion);
+            push(&rows[k], j->x[k], motion);
             uphill += take(&rows[k], guess, guess + j->x[k]);
         }
         for (int k = b->numFree; k < b->count; k++) {
@@ -292,9 +294,9 @@ double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], d
             const double guess = r->impulse + beta * (r->impulse - r->before);
             if (r->isOff)
                 continue;
-            const double off = r->target - rateOf(row, motion) - r->compliance * guess;
+            const double off = r->target - rateOf(row, r, motion) - r->compliance * guess;
             const double next = keaMin(keaMax(guess + off / (r->size + r->compliance), r->lower), r->upper);
-            push(row, r, next - guess, motion);
+            push(r, next - guess, motion);
             uphill += take(r, guess, next);
         }
     }
@@ -308,7 +310,8 @@ double kea_jointsResidual(const MdtKeaSystem *s, const KeaJoints *j, const KeaMo
         const MdtKeaRow *row = &s->rows[r->index];
         if (r->isOff)
             continue;
-        const double off = r->target - rateOf(row, motion) - r->compliance * r->impulse, size = r->size + r->compliance;
+        const double off = r->target - rateOf(row, r, motion) - r->compliance * r->impulse,
+                     size = r->size + r->compliance;
         const double next = keaMin(keaMax(r->impulse + off / size, r->lower), r->upper);
         most = keaMax(most, fabs(next - r->impulse) * size * kea_lengthOf(s, row));
     }
@@ -330,7 +333,7 @@ void kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
         KeaJointRow *r = &j->row[i];
         if (r->isHeld)
             r->gap = j->errors[r->index] - (r->wanted - h * s->rows[r->index].softness * r->impulse) -
-                     rateOf(&s->rows[r->index], way);
+                     rateOf(&s->rows[r->index], r, way);
     }
 }
 
@@ -339,17 +342,17 @@ void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]) {
         KeaJointBlock *b = &j->block[i];
         const KeaJointRow *rows = &j->row[b->first];
         for (int k = 0; k < b->numFree; k++)
-            j->x[k] = rows[k].isHeld ? -(rows[k].gap + rateOf(&s->rows[rows[k].index], way)) : 0;
+            j->x[k] = rows[k].isHeld ? -(rows[k].gap + rateOf(&s->rows[rows[k].index], &rows[k], way)) : 0;
         solve(b->factor, b->numFree, j->x);
         for (int k = 0; k < b->numFree; k++)
             if (rows[k].isHeld)
-                push(&s->rows[rows[k].index], &rows[k], j->x[k], way);
+                push(&rows[k], j->x[k], way);
         for (int k = b->numFree; k < b->count; k++) {
             const MdtKeaRow *row = &s->rows[rows[k].index];
             if (!rows[k].isHeld || rows[k].isOff)
                 continue;
-            const double need = -(rows[k].gap + rateOf(row, way)) / rows[k].size;
-            push(row, &rows[k], row->lower == 0 ? keaMax(need, 0) : keaMin(need, 0), way);
+            const double need = -(rows[k].gap + rateOf(row, &rows[k], way)) / rows[k].size;
+            push(&rows[k], row->lower == 0 ? keaMax(need, 0) : keaMin(need, 0), way);
         }
     }
 }
@@ -371,11 +374,12 @@ MeBool kea_jointsRebound(const MdtKeaSystem *s, KeaJoints *j) {
 
 void kea_jointsAddImpulses(const MdtKeaSystem *s, const KeaJoints *j, double (*change)[6]) {
     for (int i = 0; i < s->numRows; i++) {
-        const MdtKeaRow *row = &s->rows[j->row[i].index];
+        const KeaJointRow *r = &j->row[i];
+        const MdtKeaRow *row = &s->rows[r->index];
         for (int k = 0; k < 2; k++)
-            if (row->body[k] >= 0) {
-                keaAddScaled(change[row->body[k]], j->row[i].impulse, row->J[k].lin);
-                keaAddScaled(change[row->body[k]] + 3, j->row[i].impulse, row->J[k].ang);
+            if (r->motion[k] > 0) {
+                keaAddScaled(change[r->motion[k] - 1], r->impulse, row->J[k].lin);
+                keaAddScaled(change[r->motion[k] - 1] + 3, r->impulse, row->J[k].ang);
             }
     }
 }

@@ -6,7 +6,8 @@
 
 /* A row, in N s and m/s. */
 typedef struct KeaJointRow {
-    int index; /* of the system's row */
+    int index;     /* of the system's row */
+    int motion[2]; /* by side; 0: the world */
     MeBool isOff, isBounded;
     MeBool isHeld;         /* its error is taken away by displacements */
     double response[2][6]; /* M⁻¹ Jᵀ, by side */
@@ -33,8 +34,8 @@ typedef struct KeaJoints {
 
 /* Bytes of the arrays; with memory, lays them out. */
 size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory);
-/* False: no memory. */
-MeBool kea_jointsBegin(MdtKeaSystem *s, KeaJoints *j);
+/* By body, its place among motions. False: no memory. */
+MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j);
 /* The rows' Jacobians are others now. */
 void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j);
 /* Adds what the impulses do to the bodies. */
@@ -48,7 +49,7 @@ void kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]);
 void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]);
 /* Stops that were hit part with their rebound; whether there are any. */
 MeBool kea_jointsRebound(const MdtKeaSystem *s, KeaJoints *j);
-/* What the rows do to momenta, by body. */
+/* What the rows do to momenta, by place. */
 void kea_jointsAddImpulses(const MdtKeaSystem *s, const KeaJoints *j, double (*change)[6]);
 void kea_jointsReturn(MdtKeaSystem *s, const KeaJoints *j);
 

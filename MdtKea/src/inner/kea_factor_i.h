@@ -26,7 +26,7 @@ KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size
                          const int (*edges)[2]);
 /* Scratch memory, aligned to KEA_SCRATCH_LINE, of one of KEA_PASS_BLOCKS; what it holds is lost when it is taken again.
  * Null: no memory. */
-enum { KEA_STEP_BLOCK, KEA_GROUP_BLOCK, KEA_JOINT_BLOCK, KEA_JOINT_FACTOR_BLOCK, KEA_PARTIAL_BLOCK, KEA_PASS_BLOCKS };
+enum { KEA_STEP_BLOCK, KEA_GROUP_BLOCK, KEA_JOINT_BLOCK, KEA_JOINT_FACTOR_BLOCK, KEA_PASS_BLOCKS };
 enum { KEA_SCRATCH_LINE = 64 };
 void *kea_cacheScratch(struct MdtKeaCache *cache, int block, size_t bytes);
 /* Whether f was created for this very graph. */

@@ -1,0 +1,265 @@
+/* Regions of a large partition, and loops over them (kea_regions_i.h). */
+#include "fast/kea_regions_i.h"
+#include "MeAssert.h"
+#include "common/kea_policy_i.h"
+#include <string.h>
+
+/* A body, by its place along the longest side. */
+typedef struct KeaBisected {
+    double at; /* m */
+    int body;
+} KeaBisected;
+
+void kea_regionsLayOut(const MdtKeaSystem *s, KeaRegions *r, KeaArena *arena) {
+    const size_t n = (size_t)s->numBodies, m = (size_t)s->numManifolds;
+    r->body = kea_carve(arena, n, sizeof *r->body);
+    r->place = kea_carve(arena, n, sizeof *r->place);
+    r->manifold = kea_carve(arena, m, sizeof *r->manifold);
+    r->sorted = kea_carve(arena, m, sizeof *r->sorted);
+    r->leaf = kea_carve(arena, n, sizeof *r->leaf);
+    r->home = kea_carve(arena, m, sizeof *r->home);
+    r->colour = kea_carve(arena, m, sizeof *r->colour);
+    r->taken = kea_carve(arena, n, sizeof *r->taken);
+    r->bisected = kea_carve(arena, n, sizeof *r->bisected);
+}
+
+/* ---- loops ---- */
+
+typedef struct Visit {
+    KeaRegions *regions;
+    KeaNodeWork work;
+    void *context;
+    int first; /* node */
+} Visit;
+
+static void MEAPI visitNode(void *context, int item, int worker) {
+    const Visit *v = context;
+    (void)worker;
+    v->work(v->context, &v->regions->node[v->first + item]);
+}
+
+/* A region and one of the other nodes: each worker has the same regions in all loops. */
+static void MEAPI visitRegionAndNode(void *context, int item, int worker) {
+    const Visit *v = context;
+    (void)worker;
+    v->work(v->context, &v->regions->node[v->first + item]);
+    if (item > 0)
+        v->work(v->context, &v->regions->node[item]);
+}
+
+void kea_inOrder(KeaRegions *r, KeaNodeWork work, void *context) {
+    for (int nodes = r->count; nodes >= 1; nodes /= 2) {
+        Visit v = {r, work, context, nodes};
+        MeTeamRun(r->team, nodes, visitNode, &v);
+    }
+}
+
+void kea_overRegions(KeaRegions *r, KeaNodeWork work, void *context) {
+    Visit v = {r, work, context, r->count};
+    MeTeamRun(r->team, r->count, visitNode, &v);
+}
+
+void kea_overNodes(KeaRegions *r, KeaNodeWork work, void *context) {
+    Visit v = {r, work, context, r->count};
+    MeTeamRun(r->team, r->count, visitRegionAndNode, &v);
+}
+
+/* ---- bodies ---- */
+
+/* What is being divided. */
+typedef struct Division {
+    const MdtKeaSystem *s;
+    KeaRegions *regions;
+} Division;
+
+static int numRegionsOf(const MdtKeaSystem *s) {
+    int count = 1;
+    while (count < KEA_MOST_REGIONS && s->numManifolds >= 2 * count * KEA_REGION_MANIFOLDS)
+        count *= 2;
+    return count;
+}
+
+/* The places of the bodies of a node: from the top down, the first or the second half. */
+static void placesOf(int node, int numBodies, int *first, int *end) {
+    int depth = 0;
+    while (node >> (depth + 1) > 0)
+        depth++;
+    *first = 0;
+    *end = numBodies;
+    while (depth-- > 0) {
+        const int middle = *first + (*end - *first) / 2;
+        *(node >> depth & 1 ? first : end) = middle;
+    }
+}
+
+/* The axis along which the bodies are spread most. */
+static int longestSide(const MdtKeaSystem *s, const int body[], int count) {
+    double low[3], high[3];
+    int longest = 0;
+    for (int k = 0; k < 3; k++)
+        low[k] = high[k] = s->pose[body[0]].pos[k];
+    for (int i = 1; i < count; i++)
+        for (int k = 0; k < 3; k++) {
+            low[k] = keaMin(low[k], s->pose[body[i]].pos[k]);
+            high[k] = keaMax(high[k], s->pose[body[i]].pos[k]);
+        }
+    for (int k = 1; k < 3; k++)
+        if (high[k] - low[k] > high[longest] - low[longest])
+            longest = k;
+    return longest;
+}
+
+static MeBool isBefore(KeaBisected a, KeaBisected b) {
+    return a.at < b.at || (a.at == b.at && a.body < b.body);
+}
+
+static void swap(KeaBisected *a, KeaBisected *b) {
+    const KeaBisected c = *a;
+    *a = *b;
+    *b = c;
+}
+
+/* The middle one of the first, the middle, and the last. */
+static KeaBisected pivotOf(const KeaBisected b[], int first, int last) {
+    const KeaBisected x = b[first], y = b[first + (last - first) / 2], z = b[last];
+    if (isBefore(x, y))
+        return isBefore(y, z) ? y : isBefore(x, z) ? z : x;
+    return isBefore(x, z) ? x : isBefore(y, z) ? z : y;
+}
+
+/* Orders them so that none of the first `middle` comes after any other (Hoare 1961, "Algorithm 65: find"). */
+static void select(KeaBisected b[], int count, int middle) {
+    int first = 0, last = count - 1;
+    while (first < last) {
+        const KeaBisected pivot = pivotOf(b, first, last);
+        int i = first, j = last;
+        while (i <= j) {
+            while (isBefore(b[i], pivot))
+                i++;
+            while (isBefore(pivot, b[j]))
+                j--;
+            if (i <= j)
+                swap(&b[i++], &b[j--]);
+        }
+        if (middle <= j)
+            last = j;
+        else if (middle >= i)
+            first = i;
+        else
+            return;
+    }
+}
+
+static void halve(void *context, KeaNode *node) {
+    const Division *d = context;
+    KeaRegions *r = d->regions;
+    int first, end;
+    placesOf((int)(node - r->node), d->s->numBodies, &first, &end);
+    const int count = end - first;
+    if (count < 2)
+        return;
+    KeaBisected *b = r->bisected + first;
+    const int side = longestSide(d->s, r->body + first, count);
+    for (int i = 0; i < count; i++)
+        b[i] = (KeaBisected){d->s->pose[r->body[first + i]].pos[side], r->body[first + i]};
+    select(b, count, count / 2);
+    for (int i = 0; i < count; i++)
+        r->body[first + i] = b[i].body;
+}
+
+static void settle(void *context, KeaNode *node) {
+    const Division *d = context;
+    KeaRegions *r = d->regions;
+    int end;
+    placesOf((int)(node - r->node), d->s->numBodies, &node->firstPlace, &end);
+    node->numPlaces = end - node->firstPlace;
+    for (int i = node->firstPlace; i < end; i++) {
+        r->place[r->body[i]] = i;
+        r->leaf[r->body[i]] = (MeU8)(node - r->node);
+    }
+}
+
+static void divideBodies(Division *d) {
+    KeaRegions *r = d->regions;
+    memset(r->node, 0, sizeof r->node);
+    for (int i = 0; i < d->s->numBodies; i++)
+        r->body[i] = i;
+    for (int nodes = 1; nodes < r->count; nodes *= 2) {
+        Visit v = {r, halve, d, nodes};
+        MeTeamRun(r->team, nodes, visitNode, &v);
+    }
+    kea_overRegions(r, settle, d);
+}
+
+/* ---- manifolds ---- */
+
+/* The lowest node that both leaves are below. */
+static int commonNode(int a, int b) {
+    while (a != b) {
+        a /= 2;
+        b /= 2;
+    }
+    return a;
+}
+
+static void MEAPI findHomes(void *context, int first, int end, int worker) {
+    const Division *d = context;
+    KeaRegions *r = d->regions;
+    (void)worker;
+    for (int i = first; i < end; i++) {
+        const int *body = d->s->manifolds[i].body;
+        const int leaf[2] = {body[0] >= 0 ? r->leaf[body[0]] : r->leaf[body[1]],
+                             body[1] >= 0 ? r->leaf[body[1]] : r->leaf[body[0]]};
+        r->home[i] = (MeU8)commonNode(leaf[0], leaf[1]);
+    }
+}
+
+/* By node, in their order: a counting sort. */
+static void sortByNode(const MdtKeaSystem *s, KeaRegions *r) {
+    int at = 0;
+    for (int i = 0; i < s->numManifolds; i++)
+        r->node[r->home[i]].numManifolds++;
+    for (int n = 1; n < 2 * r->count; n++) {
+        r->node[n].firstManifold = at;
+        at += r->node[n].numManifolds;
+        r->node[n].numManifolds = 0;
+    }
+    for (int i = 0; i < s->numManifolds; i++) {
+        KeaNode *node = &r->node[r->home[i]];
+        r->manifold[node->firstManifold + node->numManifolds++] = i;
+    }
+}
+
+static MeBool isBelow(int node, int above) {
+    while (node > above)
+        node /= 2;
+    return node == above;
+}
+
+/* Bodies have one place each, in the region that they say, and manifolds a node that is above both their bodies'. */
+static MeBool areRegionsGood(const MdtKeaSystem *s, const KeaRegions *r) {
+    int places = 0, manifolds = 0;
+    for (int n = r->count; n < 2 * r->count; n++) {
+        const KeaNode *node = &r->node[n];
+        for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++, places++)
+            if (i != places || r->place[r->body[i]] != i || r->leaf[r->body[i]] != n)
+                return MEFALSE;
+    }
+    for (int n = 1; n < 2 * r->count; n++)
+        for (int i = 0; i < r->node[n].numManifolds; i++, manifolds++) {
+            const int *body = s->manifolds[r->manifold[manifolds]].body;
+            for (int k = 0; k < 2; k++)
+                if (body[k] >= 0 && !isBelow(r->leaf[body[k]], n))
+                    return MEFALSE;
+        }
+    return places == s->numBodies && manifolds == s->numManifolds;
+}
+
+void kea_regionsDivide(const MdtKeaSystem *s, KeaRegions *r) {
+    Division d = {s, r};
+    r->count = numRegionsOf(s);
+    divideBodies(&d);
+    MeTeamRunRanges(r->team, s->numManifolds, KEA_REGION_MANIFOLDS, findHomes, &d);
+    sortByNode(s, r);
+    MEVALIDATE(areRegionsGood(s, r));
+}
