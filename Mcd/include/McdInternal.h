@@ -18,10 +18,15 @@ MEPUBLIC void MEAPI McdFrameworkRenameLimits(McdFrameworkID frame, const char *t
 MEPUBLIC void MEAPI McdSpaceRenameLimits(McdSpaceID s, const char *models, const char *pairs);
 /** @} */
 
+/** Pairs that come, stay and go: outside of change blocks. */
+MEPUBLIC int MEAPI McdSpaceGetPairCount(McdSpaceID s);
+
 /** @name Workers
  *  @{ */
 /** Whose workers update the boxes of models from now on; null: nobody's. */
 MEPUBLIC void MEAPI McdSpaceSetTeam(McdSpaceID s, MeTeam *team);
+/** Looks at all models that are not frozen (McdModelPairLookAtModels), by the space's workers. */
+MEPUBLIC void MEAPI McdSpaceLookAtModels(McdSpaceID s);
 /** @} */
 
 /** @name Tests that need not be made again
@@ -37,6 +42,8 @@ typedef enum McdPairChange {
 /** Looks at both models, if nobody has in this round: then looks at pairs of them write to the pairs alone, and may be
  *  taken by several threads at once. */
 MEPUBLIC void MEAPI McdModelPairLookAtModels(const McdModelPair *p);
+/** Has somebody looked at both models in this round? */
+MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
 /** Looks at a pair of two convex models or planes, under the library's own interaction and without a callback, whose
  *  sizes and margins have not changed. By little: since the last test that was noted, no point of the smaller model has
  *  moved against the other by more than @a part of its size, or a quarter of the pair's margin; and only models that

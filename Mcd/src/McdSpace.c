@@ -66,6 +66,8 @@ static void freeSpace(McdSpace *s) {
         mcd_treeDestroy(s->tree);
     MeMemoryGiveAligned(s->proxy);
     MeMemoryGive(s->dirty);
+    MeMemoryGive(s->found);
+    MeMemoryGive(s->foundEnd);
     MeMemoryGive(s->unbounded);
     MeMemoryGive(s->awake);
     MeMemoryGive(s->news);
@@ -600,6 +602,23 @@ static void updateByWorkers(McdSpace *s, MeReal duration) {
         if (s->news[i] != MCD_BOX_KEPT)
             hear(s, p, s->news[i] == MCD_BOX_LATER ? updateProxy(s, p, duration) : (McdBoxNews)s->news[i]);
     }
+}
+
+static void MEAPI lookAtRange(void *space, int first, int end, int worker) {
+    const McdSpace *s = space;
+    (void)worker;
+    for (int i = first; i < end; i++)
+        mcd_modelStampInRound(s->proxy[s->awake[i]].model);
+}
+
+int MEAPI McdSpaceGetPairCount(McdSpaceID s) {
+    MEASSERT(s);
+    return s->hello.count + s->staying.count + s->goodbye.count;
+}
+
+void MEAPI McdSpaceLookAtModels(McdSpaceID s) {
+    MEASSERT(s);
+    MeTeamRunRanges(s->team, listAwake(s), MCD_RANGE, lookAtRange, s);
 }
 
 static void updateAll(McdSpace *s, MeReal duration) {

@@ -338,6 +338,8 @@ static inline MeReal mcd_modelReach(const McdModelRecord *m) {
 /* A number that is another one as soon as anything is that the model's box and tests depend on; 0: that cannot be
  * known. */
 MeU64 mcd_modelStamp(McdModelRecord *m);
+/* The same, if nobody has looked in this round. */
+MeU64 mcd_modelStampInRound(McdModelRecord *m);
 /* A stamp that no model has had. */
 MeU64 mcd_modelNewStamp(McdModelRecord *m);
 /* Do the pair's models interact as the library has it, not by a function of the program's? */

@@ -345,30 +345,107 @@ typedef struct Search {
     MeBool isDone; /* false: there was no memory */
 } Search;
 
+static MeBool isNews(const McdSpace *s, int proxy, int other) {
+    const McdProxy *a = &s->proxy[proxy], *b = &s->proxy[other];
+    return other != proxy && !(a->isFrozen && b->isFrozen) && findLink(s, proxy, other) == MCD_NONE;
+}
+
 static MeBool addLink(void *context, int other) {
     Search *search = context;
-    McdSpace *s = search->space;
-    const McdProxy *a = &s->proxy[search->proxy], *b = &s->proxy[other];
-    if (other == search->proxy || (a->isFrozen && b->isFrozen) || findLink(s, search->proxy, other) != MCD_NONE)
-        return METRUE;
-    search->isDone = makeLink(s, search->proxy, other) != MCD_NONE;
+    if (isNews(search->space, search->proxy, other))
+        search->isDone = makeLink(search->space, search->proxy, other) != MCD_NONE;
     return search->isDone;
 }
 
-/* False: there was no memory for all of them. */
-static MeBool findLinks(McdSpace *s, int proxy) {
+/* Visits what overlaps the proxy's fat box, until a visit returns false. */
+static void visitOverlaps(const McdSpace *s, int proxy, McdTreeVisit visit, void *context) {
     McdTreeBox box = s->proxy[proxy].fat;
-    Search search = {s, proxy, METRUE};
+    MeBool isDone = METRUE;
     for (int i = 0; i < 3; i++)
         if (!(s->axes & 1 << i)) {
             box.min[i] = (float)-MCD_TREE_REACH;
             box.max[i] = (float)MCD_TREE_REACH;
         }
-    mcd_treeQuery(s->tree, &box, addLink, &search);
-    for (int i = 0; i < s->unboundedCount && search.isDone; i++)
+    mcd_treeQuery(s->tree, &box, visit, context);
+    for (int i = 0; i < s->unboundedCount && isDone; i++)
         if (fatBoxesOverlap(s, &s->proxy[proxy], &s->proxy[s->unbounded[i]]))
-            addLink(&search, s->unbounded[i]);
+            isDone = visit(context, s->unbounded[i]);
+}
+
+static MeBool isToSearch(const McdProxy *p) {
+    return p->isMoved && p->hasBox;
+}
+
+/* False: there was no memory for all of them. */
+static MeBool findLinks(McdSpace *s, int proxy) {
+    Search search = {s, proxy, METRUE};
+    visitOverlaps(s, proxy, addLink, &search);
     return search.isDone;
+}
+
+/* Workers search; links are made by the calling thread, in the order that there is without workers. */
+
+enum { FOUND_ROOM = 8 * MCD_RANGE }; /* of a range of dirty proxies: what they overlap and are not linked with */
+
+typedef struct Range {
+    const McdSpace *space;
+    int proxy;
+    int *found, count; /* of the range: -1: there was no room */
+} Range;
+
+static MeBool noteFound(void *context, int other) {
+    Range *r = context;
+    if (!isNews(r->space, r->proxy, other))
+        return METRUE;
+    if (r->count == FOUND_ROOM)
+        r->count = -1;
+    else
+        r->found[r->count++] = other;
+    return r->count >= 0;
+}
+
+/* Writes foundEnd of the range's proxies: where in its part of `found` theirs end; -1: they are to be found again. */
+static void MEAPI searchRange(void *space, int first, int end, int worker) {
+    const McdSpace *s = space;
+    Range r = {.space = s, .found = s->found + first / MCD_RANGE * FOUND_ROOM};
+    (void)worker;
+    for (int i = first; i < end; i++) {
+        r.proxy = s->dirty[i];
+        if (r.count >= 0 && isToSearch(&s->proxy[r.proxy]))
+            visitOverlaps(s, r.proxy, noteFound, &r);
+        s->foundEnd[i] = r.count;
+    }
+}
+
+static MeBool addFound(McdSpace *s, int i) {
+    const int *found = s->found + i / MCD_RANGE * FOUND_ROOM;
+    Search search = {s, s->dirty[i], METRUE};
+    for (int k = i % MCD_RANGE ? s->foundEnd[i - 1] : 0; k < s->foundEnd[i] && search.isDone; k++)
+        addLink(&search, found[k]);
+    return search.isDone;
+}
+
+static MeBool reserveFound(McdSpace *s) {
+    const int ranges = (s->dirtyCount + MCD_RANGE - 1) / MCD_RANGE;
+    return reserve(&s->found, &s->foundRoom, ranges * FOUND_ROOM, sizeof *s->found, "near models") &&
+           reserve(&s->foundEnd, &s->foundEndRoom, s->dirtyCount, sizeof *s->foundEnd, "near models");
+}
+
+/* Links of the dirty proxies that have moved; they stay moved where there was no memory. */
+static void findAllLinks(McdSpace *s) {
+    const MeBool isShared = s->team && s->dirtyCount >= MCD_LEAST_RANGES * MCD_RANGE && reserveFound(s);
+    if (isShared) {
+        MeTeamOpen(s->team);
+        MeTeamRunRanges(s->team, s->dirtyCount, MCD_RANGE, searchRange, s);
+        MeTeamClose(s->team);
+    }
+    for (int i = 0; i < s->dirtyCount; i++) {
+        McdProxy *p = &s->proxy[s->dirty[i]];
+        if (isToSearch(p))
+            p->isMoved = !(isShared && s->foundEnd[i] >= 0 ? addFound(s, i) : findLinks(s, s->dirty[i]));
+        else
+            p->isMoved = MEFALSE;
+    }
 }
 
 static void classifyPairsOf(McdSpace *s, int proxy) {
@@ -605,10 +682,7 @@ static MeBool areBoxesGood(const McdSpace *s) {
 void mcd_pairsEnd(McdSpace *s) {
     mcd_pairsTidy(s);
     mcd_treeSettle(s->tree);
-    for (int i = 0; i < s->dirtyCount; i++) {
-        McdProxy *p = &s->proxy[s->dirty[i]];
-        p->isMoved = p->isMoved && p->hasBox && !findLinks(s, s->dirty[i]);
-    }
+    findAllLinks(s);
     helloBecomesStaying(s);
     classifyPairs(s);
     keepUnfinished(s);

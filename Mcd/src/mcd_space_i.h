@@ -106,11 +106,13 @@ struct _McdSpace {
     McdProxy *proxy; /* proxyRoom; moves when there is no room for another one */
     int proxyRoom;
     int proxyCount, firstProxy, lastProxy, freeProxy;
-    int firstAwake, lastAwake;      /* what is updated: frozen models cost no time */
-    int *awake;                     /* the same, while workers update them; proxyRoom */
-    MeU8 *news;                     /* beside awake: an McdBoxNews */
-    MeTeam *team;                   /* workers; null: none */
-    int *dirty, dirtyCount;         /* proxies; proxyRoom */
+    int firstAwake, lastAwake; /* what is updated: frozen models cost no time */
+    int *awake;                /* the same, while workers update them; proxyRoom */
+    MeU8 *news;                /* beside awake: an McdBoxNews */
+    MeTeam *team;              /* workers; null: none */
+    int *dirty, dirtyCount;    /* proxies; proxyRoom */
+    int *found, *foundEnd;     /* beside dirty: what workers have found (mcd_pairs.c) */
+    int foundRoom, foundEndRoom;
     int *unbounded, unboundedCount; /* proxies that are in no tree; proxyRoom */
     McdTree *tree;
 

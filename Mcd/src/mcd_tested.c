@@ -66,8 +66,12 @@ MeU64 mcd_modelStamp(McdModelRecord *m) {
     return m->stamp;
 }
 
-static MeU64 stampInRound(McdModelRecord *m) {
-    return m->lookedIn == m->frame->round ? m->stamp : mcd_modelStamp(m);
+static MeBool isSeen(const McdModelRecord *m) {
+    return m->lookedIn == m->frame->round;
+}
+
+MeU64 mcd_modelStampInRound(McdModelRecord *m) {
+    return isSeen(m) ? m->stamp : mcd_modelStamp(m);
 }
 
 void MEAPI McdFrameworkBeginRound(McdFrameworkID frame) {
@@ -120,16 +124,20 @@ static MeBool isAlike(const McdTest *now, const McdTest *before, const MeBool ma
 }
 
 void MEAPI McdModelPairLookAtModels(const McdModelPair *p) {
-    stampInRound(mcd_record(p->model1));
-    stampInRound(mcd_record(p->model2));
+    mcd_modelStampInRound(mcd_record(p->model1));
+    mcd_modelStampInRound(mcd_record(p->model2));
+}
+
+MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p) {
+    return isSeen(mcd_record(p->model1)) && isSeen(mcd_record(p->model2));
 }
 
 McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]) {
     MEASSERT(p && p->model1 && p->model2 && mayMove);
     McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     const McdRequest *request = p->request ? p->request : m1->frame->defaultRequest;
-    const McdTest before = p->test, now = {.stamp1 = stampInRound(m1),
-                                           .stamp2 = stampInRound(m2),
+    const McdTest before = p->test, now = {.stamp1 = mcd_modelStampInRound(m1),
+                                           .stamp2 = mcd_modelStampInRound(m2),
                                            .shape1 = m1->shapeStamp,
                                            .shape2 = m2->shapeStamp,
                                            .contactMaxCount = request->contactMaxCount,

@@ -44,6 +44,10 @@ typedef struct MdtFoundContact {
 MEPUBLIC int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
                                         MdtContactID contacts[]);
 
+/** Would MdtContactGroupRenew make no contact and destroy none, and write to nothing but the group, and to its bodies
+ *  that their rest has ended? Then groups can be renewed by several threads at once, each by one. */
+MEPUBLIC MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact found[], int count);
+
 /**
  * Carries the group's contacts along with those of its bodies that have moved, by the motion of their last step: the
  * points of the two surfaces stay where they are in their bodies, and the normal in the second one. Returns the least

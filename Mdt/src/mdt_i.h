@@ -166,10 +166,13 @@ void mdt_bodyKeepForces(MdtBodyID b);      /* those that the step began with act
 void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */
 void mdt_bodyTerm(MdtBodyID b);            /* detaches its constraints, returns the record */
 
-/* What the body's next step depends on has changed: its rest certificate ends. */
+/* What the body's next step depends on has changed: its rest certificate ends. Any number of threads may say so at
+ * once, as contacts are updated. */
 static inline void mdt_bodyDisturb(MdtBodyID b) {
-    b->calmSteps = b->certificate ? 0 : b->calmSteps;
-    b->certificate = 0;
+    if (__atomic_load_n(&b->certificate, __ATOMIC_RELAXED) == 0)
+        return;
+    __atomic_store_n(&b->calmSteps, 0, __ATOMIC_RELAXED);
+    __atomic_store_n(&b->certificate, 0, __ATOMIC_RELAXED);
 }
 
 /* ---- constraints --------------------------------------------------------------------------------------------- */

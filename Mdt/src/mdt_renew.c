@@ -127,6 +127,24 @@ static void setPoint(MdtPoint *p, const MdtFoundContact *found) {
     p->feature = found->feature;
 }
 
+/* Has the contact nothing of its own, as the group's first one? */
+static MeBool isShared(const MdtFoundContact *found, const MdtFoundContact *first) {
+    return memcmp(found->normal, first->normal, sizeof found->normal) == 0 &&
+           memcmp(found->radius, first->radius, sizeof found->radius) == 0 && found->params == first->params &&
+           !(found->rim[0] > 0) && !(found->rim[1] > 0);
+}
+
+MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact found[], int count) {
+    const MdtManifold *m = mdt_groupOf(g, __func__);
+    if (!m || m->next || m->extras || m->numPoints != count || count == 0)
+        return MEFALSE;
+    for (int i = 0; i < count; i++)
+        if (!isShared(&found[i], &found[0]))
+            return MEFALSE;
+    return !(found->params->options & MdtBclContactOptionUseDirection) &&
+           memcmp(&m->surface->params, found->params, sizeof *found->params) == 0;
+}
+
 int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
                                MdtContactID contacts[]) {
     MdtManifold *m = mdt_groupOf(g, __func__);

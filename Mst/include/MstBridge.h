@@ -74,7 +74,7 @@ MEPUBLIC MeReal MEAPI MstBridgeGetContactReuse(const MstBridgeID b);
  *  @{ */
 /** How many collision contacts a pair may have: 1 or more; default 40. */
 MEPUBLIC void MEAPI MstBridgeSetContactBufferSize(const MstBridgeID b, const unsigned int s);
-/** How many pairs are handled at once: 8 or more; default 1000. */
+/** How many pairs are handled at once: 8 or more; default: all. */
 MEPUBLIC void MEAPI MstBridgeSetModelPairBufferSize(const MstBridgeID b, const unsigned int s);
 /** @} */
 

@@ -31,6 +31,7 @@ MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function) {
 void mst_runTerm(MstRun *run) {
     MeMemoryGive(run->contacts);
     MeMemoryGive(run->found);
+    MeMemoryGive(run->made);
 }
 
 /* No run ends for want of room before its pairs have so many contacts each on average. */
@@ -42,7 +43,9 @@ MeBool mst_runInit(MstRun *run, int most, const char *function) {
     made.contacts = MeMemoryTake((size_t)made.contactMax, sizeof *made.contacts, function, "contacts");
     if (made.contacts)
         made.found = MeMemoryTake((size_t)made.foundMax, sizeof *made.found, function, "contacts");
-    if (!made.found) {
+    if (made.found)
+        made.made = MeMemoryTake((size_t)made.contactMax, sizeof *made.made, function, "contacts");
+    if (!made.made) {
         mst_runTerm(&made);
         return MEFALSE;
     }
@@ -53,14 +56,9 @@ MeBool mst_runInit(MstRun *run, int most, const char *function) {
 
 /* False: there is no memory, and all is as it was. */
 static MeBool makeContacts(MstBridgeRecord *b, int most, const char *function) {
-    MdtContactID *ids = MeMemoryTake((size_t)most, sizeof *ids, function, "contacts");
-    if (!ids || !mst_runInit(&b->run, most, function)) {
-        MeMemoryGive(ids);
+    if (!mst_runInit(&b->run, most, function))
         return MEFALSE;
-    }
     mst_workersTerm(b); /* their runs have the same room */
-    MeMemoryGive(b->made);
-    b->made = ids;
     return METRUE;
 }
 
@@ -72,7 +70,6 @@ static void freeAll(MstBridgeRecord *b) {
     MeMemoryGive(b->materials);
     mst_workersTerm(b);
     mst_runTerm(&b->run);
-    MeMemoryGive(b->made);
     mst_eventsTerm(b);
     MeMemoryGive(b->clamped);
     MeMemoryGive(b);
@@ -175,6 +172,16 @@ unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair) {
     return record->version;
 }
 
+/* Asks for the versions of all, unless there are more pairs of materials than pairs of models. */
+static void lookAtMaterials(MstBridgeRecord *b, int count) {
+    if (0.5 * b->materialCount * (b->materialCount + 1.0) > (double)count)
+        return;
+    for (unsigned int i = 0; i < b->materialCount; i++)
+        for (unsigned int k = 0; k <= i; k++)
+            mst_materialVersion(b, &b->materials[i][k].pair);
+    b->allSeenIn = b->round;
+}
+
 void mst_beginRound(MstBridgeRecord *b) {
     b->round++;
     McdFrameworkBeginRound(b->frame);
@@ -266,6 +273,8 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
     if (!record || !pairs)
         return;
     mst_beginRound(record);
+    lookAtMaterials(record, pairs->stayingEnd - pairs->helloFirst);
+    mst_lookByWorkers(record, pairs->stayingEnd - pairs->helloFirst, s, w);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
         i += mst_handleByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
         if (i == pairs->stayingEnd)
@@ -273,6 +282,25 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
         i += mst_collideRun(record, &record->run, &pairs->array[i], pairs->stayingEnd - i, s);
         mst_commitRun(record, &record->run, s, w);
     }
+}
+
+static MeBool setPairsSize(MstBridgeRecord *b, int size) {
+    McdModelPairContainer *pairs = McdModelPairContainerCreate(size);
+    if (!pairs)
+        return MEFALSE;
+    McdModelPairContainerDestroy(b->bridge.pairs);
+    b->bridge.pairs = pairs;
+    return METRUE;
+}
+
+/* Room for all pairs at once, unless the program has said otherwise: workers wait as each round ends. Without memory,
+ * they come in several rounds. Half of a container is for goodbyes. */
+static void reservePairs(MstBridgeRecord *b, int count) {
+    int size = b->bridge.pairs->size;
+    while (size / 2 < count && size <= INT_MAX / 2)
+        size *= 2;
+    if (!b->isPairsSizeSet && size > b->bridge.pairs->size)
+        setPairsSize(b, size);
 }
 
 void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
@@ -284,10 +312,11 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
     const char *before = MeCallerSet("MstBridgeUpdateContacts");
     MeProfileStartSection("Collision", 0);
     if (record->part == 0)
-        mst_eventsBegin(record);
+        mst_eventsBegin(record, w ? MdtWorldGetTeam(w) : 0);
     mst_clearSafeTimes(record);
     record->ahead = McdSpaceGetLookAhead(s);
     McdSpaceEndChanges(s);
+    reservePairs(record, McdSpaceGetPairCount(s));
     McdSpacePairIteratorBegin(s, &iterator);
     do {
         McdModelPairContainerReset(b->pairs);
@@ -351,9 +380,6 @@ void MEAPI MstBridgeSetModelPairBufferSize(const MstBridgeID b, const unsigned i
         MeWarning(1, "MstBridgeSetModelPairBufferSize: %u pairs: it must be 8 .. %d", s, INT_MAX);
         return;
     }
-    McdModelPairContainer *pairs = McdModelPairContainerCreate((int)s);
-    if (!pairs)
-        return;
-    McdModelPairContainerDestroy(record->bridge.pairs);
-    record->bridge.pairs = pairs;
+    if (setPairsSize(record, (int)s))
+        record->isPairsSizeSet = METRUE;
 }

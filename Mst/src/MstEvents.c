@@ -14,6 +14,7 @@
 #include "MdtWorld.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
+#include "MeTeam.h"
 #include "mst_i.h"
 #include <string.h>
 
@@ -213,22 +214,37 @@ void MEAPI mst_touchForget(McdModelPair *p) {
     mst_touchGive(t);
 }
 
-/* Nobody has asked: what touches is kept, and no more. */
-static void skipList(MstBridgeRecord *b) {
+typedef struct Skipped {
+    const MstEvents *events;
+    MeBool areForcesKnown;
+} Skipped;
+
+/* Writes to touches alone, each by one thread. */
+static void MEAPI skipRange(void *context, int first, int end, int worker) {
     enum { AHEAD = 8 }; /* touches: their first line comes from memory in time */
-    MstEvents *e = &b->events;
-    const MeBool areForcesKnown = MdtWorldIsValid(e->world);
-    for (int i = 0; i < e->listedCount; i++) {
-        MstTouch *t = e->listed[i];
-        if (i + AHEAD < e->listedCount)
-            ME_PREFETCH(e->listed[i + AHEAD]);
+    const Skipped *s = context;
+    (void)worker;
+    for (int i = first; i < end; i++) {
+        MstTouch *t = s->events->listed[i];
+        if (i + AHEAD < end)
+            ME_PREFETCH(s->events->listed[i + AHEAD]);
         if (!t)
             continue;
-        if (areForcesKnown && !isDecided(t))
+        if (s->areForcesKnown && !isDecided(t))
             gather(t);
         t->isTouching = touches(t);
         t->isListed = MEFALSE;
     }
+}
+
+/* Nobody has asked: what touches is kept, and no more. */
+static void skipList(MstBridgeRecord *b, MeTeam *team) {
+    MstEvents *e = &b->events;
+    Skipped s = {e, MdtWorldIsValid(e->world)};
+    MeTeam *workers = e->listedCount >= MST_LEAST_RUNS * MST_RUN ? team : 0;
+    MeTeamOpen(workers);
+    MeTeamRunRanges(workers, e->listedCount, MST_RUN, skipRange, &s);
+    MeTeamClose(workers);
     e->listedCount = 0;
     e->ended.count = 0;
     e->isPending = MEFALSE;
@@ -247,9 +263,9 @@ void MEAPI MstBridgeUpdateEvents(const MstBridgeID b, const MdtWorldID w) {
     }
 }
 
-void mst_eventsBegin(MstBridgeRecord *b) {
+void mst_eventsBegin(MstBridgeRecord *b, MeTeam *team) {
     if (b->events.isPending)
-        skipList(b);
+        skipList(b, team);
     clearList(&b->events);
 }
 

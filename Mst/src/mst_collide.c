@@ -194,6 +194,7 @@ static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *
 static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, McdSpaceID s) {
     MstFinding *f = &run->finding[run->pairCount++];
     f->pair = p;
+    f->updated = 0;
     f->count = 0;
     f->timeToTouch = MST_UNKNOWN;
     f->outcome = outcomeOfModels(b, p);
@@ -227,6 +228,7 @@ int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pa
         const int i = run->pairCount;
         prefetchPairs(pairs, i, count);
         collidePair(b, run, pairs[i], s);
+        mst_updatePair(b, run, &run->finding[i]);
         if (run->finding[i].outcome == MST_TO_TEST || run->finding[i].outcome == MST_TO_SENSE)
             break;
     }

@@ -88,36 +88,27 @@ static void keepContacts(MstBridgeRecord *b, McdModelPair *p, MstMaterialPair *m
     mst_touchNoteAgain(b, p);
 }
 
-static void noteMoves(const McdModelPair *p) {
-    MstTouch *t = p->touch;
-    t->moves[0] = mst_movesOf(p->model1);
-    t->moves[1] = mst_movesOf(p->model2);
-}
-
-/* Here and not in collide, as Mdt ends the rest certificates of the bodies, which pairs share. */
 static void carryContacts(MstBridgeRecord *b, const MstFinding *f) {
-    MstTouch *t = f->pair->touch;
-    t->separation = MdtContactGroupCarry(f->pair->responseData, f->hasMoved);
-    t->carried++;
-    noteMoves(f->pair);
+    mst_carry(f);
     keepContacts(b, f->pair, f->materials);
 }
 
 /* ---- contacts that were found ------------------------------------------------------------------------------------ */
 
 /* A contact that its callback does not want is destroyed. */
-static void callPerContact(MstBridgeRecord *b, MdtContactGroupID group, McdIntersectResult *result, int count) {
+static void callPerContact(const MstBridgeRecord *b, MstRun *run, MdtContactGroupID group, int count) {
+    McdIntersectResult *result = &run->result;
     for (int i = 0; i < count; i++) {
         McdContact *from = &result->contacts[i];
         const MstMaterialPair *materials = mst_materialsOf(b, from);
-        if (materials->perContactCb && !materials->perContactCb(result, from, b->made[i]))
-            MdtContactGroupDestroyContact(group, b->made[i]);
+        if (materials->perContactCb && !materials->perContactCb(result, from, run->made[i]))
+            MdtContactGroupDestroyContact(group, run->made[i]);
     }
 }
 
 /* The group's contacts become those that were found; returns how many there was room for. */
 static int renewContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtContactGroupID group) {
-    return MdtContactGroupRenew(group, &run->found[f->first], f->count, b->ahead, b->made);
+    return MdtContactGroupRenew(group, &run->found[f->first], f->count, b->ahead, run->made);
 }
 
 /* As collide found them. */
@@ -145,29 +136,18 @@ static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, 
         emptyGroup(f->pair);
         return;
     }
-    callPerContact(b, group, result, renewContacts(b, run, f, group));
+    callPerContact(b, run, group, renewContacts(b, run, f, group));
     if (MdtContactGroupGetCount(group) > 0)
         MdtContactGroupEnable(group);
     if (materials->perPairCb && !materials->perPairCb(result, group))
         emptyGroup(f->pair);
 }
 
-/* What the contacts were made from, unless it is to be tested in every step: what is fast, or has callbacks, or has not
- * got all the contacts that were found. */
 static void rememberTest(MstBridgeRecord *b, const MstFinding *f) {
-    McdModelPair *p = f->pair;
-    MstTouch *t = p->touch;
-    const MdtContactGroupID group = p->responseData;
-    if (!t && f->count > 0) /* the world, or memory, was full: there may be room in the next step */
-        McdModelPairForgetTest(p);
-    if (!t)
-        return;
-    noteMoves(p);
-    t->carried = 0;
-    t->version = mst_materialVersion(b, f->materials);
-    t->found = group && MdtContactGroupGetCount(group) == f->count && !mst_hasCallback(f->materials) && !mst_isFast(p)
-                   ? f->count
-                   : MST_UNKNOWN;
+    if (f->pair->touch)
+        mst_rememberTest(f, mst_materialVersion(b, f->materials));
+    else if (f->count > 0) /* the world, or memory, was full: there may be room in the next step */
+        McdModelPairForgetTest(f->pair);
 }
 
 static void finishTest(MstBridgeRecord *b, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
@@ -203,6 +183,10 @@ static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
 }
 
 static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
+    if (f->updated) {
+        mst_touchList(f->updated);
+        return;
+    }
     switch (f->outcome) {
     case MST_NOTHING:
         return;

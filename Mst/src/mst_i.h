@@ -4,14 +4,17 @@
  *     pairs     MstBridge.c       the space's pairs -> the bridge's buffer of them; hello and goodbye pairs
  *     collide   mst_collide.c     models, poses, motion of bodies; the pair's manifold and touch -> a run's
  *                                 findings; of each pair, what Mcd keeps of its test
- *     commit    mst_commit.c      findings -> manifolds, touches, safe times of bodies; callbacks of the program
- *     touches   mst_touch.c       contacts of a pair -> its touch; the step's list of touches
+ *     update    mst_update.c      findings about contacts that go on -> the pair's manifold and touch
+ *     commit    mst_commit.c      all other findings -> manifolds, touches, safe times of bodies; callbacks of the
+ *                                 program; the step's list of touches
+ *     touches   mst_touch.c       contacts of a pair -> its touch
  *     parts     mst_continuous.c  findings of fast models -> safe times; the world's step, in parts
  *     events    MstEvents.c       touches, forces of their contacts -> events; callbacks of the program
  *
  * Collide and commit take turns, run by run (MstHandleCollisions): a run is as many pairs as stay in the nearest cache
- * from one to the other. Collide calls no function of the program, takes nothing from a pool, and writes to nothing
- * that two pairs share, but for the stamp that Mcd gives a model at its first look in a round. A pair whose test or
+ * from one to the other. Collide and update call no function of the program, take nothing from a pool, and write to
+ * nothing that two pairs share, but for the stamp that Mcd gives a model at its first look in a round, and for the mark
+ * that a body's certificate of rest has ended, which any number of threads may set. A pair whose test or
  * contacts involve a function of the program (callsProgram) is only looked at there: it ends the run, and commit tests
  * it.
  *
@@ -23,8 +26,8 @@
  *     McdModelPair.test, .stand           Mcd, as collide looks at the pair; commit, where no touch could be had
  *     McdModelPair.responseData, .forget  commit (mst_commit.c, mst_touch.c)
  *     MstRun                              collide; commit, of a pair that it has to test
- *     MstTouch                            commit (mst_commit.c: of the last test; mst_touch.c: of this step); events
- *     manifolds                           Mdt, at commit's call
+ *     MstTouch                            update and commit (of the last test; mst_touch.c: of this step); events
+ *     manifolds                           Mdt, at the call of update and commit
  *     versions of materials               commit
  *     MdtBody's safe time                 commit (mst_continuous.c)
  */
@@ -46,6 +49,9 @@ enum { MST_UNKNOWN = -1 };
 /* Pairs of a run: their touches, pairs and manifolds, 900 bytes each, and what is found of them fit into 32 kB.
  * In a heap of 1000 boxes, half as many and twice as many cost the same. */
 enum { MST_RUN = 32 };
+/* Runs that are worth calling workers for: some 20 us each in a heap of boxes. A thread that sleeps needs up to .35 ms
+ * to wake, on a virtual machine. */
+enum { MST_LEAST_RUNS = 4 };
 enum { MST_CACHE_LINE = 64 }; /* bytes */
 /* Runs that workers may be ahead of the calling thread: twice as many as have a worker each on eight cores. */
 enum { MST_AHEAD = 16 };
@@ -157,6 +163,7 @@ typedef struct MstFinding {
     int first, count;   /* the same: contacts, in MstRun.found */
     MeReal separation;  /* m, the least of these */
     MeReal timeToTouch; /* s; MST_UNKNOWN: nobody has asked for it */
+    MstTouch *updated;  /* is all that is left to do to list it? (mst_update.c) */
 } MstFinding;
 
 /* Findings of consecutive pairs, and the memory in which they are made. */
@@ -166,6 +173,7 @@ typedef struct MstRun {
     MdtFoundContact *found;    /* of all pairs; foundMax */
     McdContact *contacts;      /* of the pair that was tested last; contactMax */
     McdIntersectResult result; /* the same */
+    MdtContactID *made;        /* what the contacts of a pair have become; the same */
     int contactMax, foundMax;
 } MstRun;
 
@@ -179,9 +187,11 @@ struct MstBridgeRecord {
     MstMaterialRecord **materials; /* of the pair (m1 >= m2): materials[m1][m2] */
     unsigned long lastVersion;     /* counts changes of what holds between materials */
     unsigned long round;           /* of pairs, in which nothing changes but by callbacks */
+    unsigned long allSeenIn;       /* the last one in which all versions were asked for before its pairs */
+    MeBool isPairsSizeSet;         /* by the program: bridge.pairs does not grow */
     MstRun run;
-    MstRun *runsAhead;  /* MST_AHEAD of them; null: no worker has helped yet */
-    MdtContactID *made; /* what the contacts of a pair have become; run.contactMax */
+    MstRun *runsAhead; /* MST_AHEAD of them; null: no worker has helped yet */
+    int runsLooked;    /* mst_workers.c: how many runs are looked through at once for pairs that workers may collide */
     MstEvents events;
     MdtBodyID *clamped; /* bodies that have a safe time in this part of the step */
     int clampedCount, clampedMax;
@@ -205,6 +215,13 @@ MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, Ms
 MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c);
 /* A number that changes with anything that holds between two materials. */
 unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair);
+/* Are those of all materials known in this round? Then it is: */
+static inline MeBool mst_areMaterialsSeen(const MstBridgeRecord *b) {
+    return b->allSeenIn == b->round;
+}
+static inline unsigned long mst_versionSeen(const MstMaterialPair *pair) {
+    return ((const MstMaterialRecord *)pair)->version;
+}
 /* Pairs are looked at: programs may have changed anything before, and in a callback. */
 void mst_beginRound(MstBridgeRecord *b);
 
@@ -214,7 +231,9 @@ void mst_runTerm(MstRun *run);
 
 /* ---- workers (mst_workers.c) ------------------------------------------------------------------------------------- */
 
-/* Collides and commits pairs, from the first on, by the world's workers; returns how many: none, where a function of
+/* So many pairs are about to be handled: looks at the models that move. */
+void mst_lookByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w);
+/* Collides and commits some pairs, from the first on, by the workers; returns how many: none, where a function of
  * the program has to do with the first, or there are no workers. */
 int mst_handleByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, McdSpaceID s, MdtWorldID w);
 void mst_workersTerm(MstBridgeRecord *b);
@@ -238,6 +257,17 @@ MeBool mst_hasCallback(const MstMaterialPair *materials);
 MeBool mst_isFast(const McdModelPair *p);
 unsigned long mst_movesOf(McdModelID m);
 
+/* ---- update (mst_update.c) --------------------------------------------------------------------------------------- */
+
+/* Updates the contacts and the touch of a pair that has just been collided, if it may be done beside other pairs;
+ * writes f->updated, or that nothing is left to do. */
+void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f);
+/* Its contacts move with its bodies. */
+void mst_carry(const MstFinding *f);
+/* What the contacts were made from, unless it is to be tested in every step: what is fast, or has callbacks, or has not
+ * got all the contacts that were found. */
+void mst_rememberTest(const MstFinding *f, unsigned long version);
+
 /* ---- commit (mst_commit.c) --------------------------------------------------------------------------------------- */
 
 void mst_commitRun(MstBridgeRecord *b, MstRun *run, McdSpaceID s, MdtWorldID w);
@@ -248,6 +278,11 @@ void MEAPI mst_pairForget(McdModelPair *p);
 
 /* ---- touches (mst_touch.c) --------------------------------------------------------------------------------------- */
 
+/* The touch, about which something was noted, is one of this step's. */
+void mst_touchList(MstTouch *t);
+/* As mst_touchNote and mst_touchNoteAgain, of a pair that has a touch, which is not listed yet. */
+void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int found, MeReal separation);
+void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p);
 /* A pair was tested, and has the group's contacts now; the least separation of those found. */
 void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int found, MeReal separation);
 /* It is as it was when that was last noted. */
@@ -271,7 +306,8 @@ void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
 
 /* ---- events (MstEvents.c) ---------------------------------------------------------------------------------------- */
 
-void mst_eventsBegin(MstBridgeRecord *b);
+/* A step begins: touches are told from those of the last one, by the workers. */
+void mst_eventsBegin(MstBridgeRecord *b, MeTeam *team);
 /* Adds what contacts did in the part of the step just done. */
 void mst_eventsGather(MstBridgeRecord *b);
 /* Ends the touch of a pair that goes. */

@@ -94,8 +94,13 @@ static MeBool list(MstTouch *t) {
         e->listedMax = more;
     }
     e->listed[e->listedCount++] = t;
-    t->isListed = METRUE;
     return METRUE;
+}
+
+void mst_touchList(MstTouch *t) {
+    MEASSERT(t->isListed);
+    if (!list(t))
+        t->isListed = MEFALSE;
 }
 
 void mst_touchUnlist(MstTouch *t) {
@@ -132,6 +137,20 @@ MeReal mst_lagOfPair(const McdModelPair *p) {
     return MeMAX(lag1, lag2);
 }
 
+/* What is known of the step's contacts before any of them is looked at. */
+static void beginTouch(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
+    MstTouch *t = p->touch;
+    t->isListed = METRUE;
+    t->lag = b->part == 0 ? MEINFINITY : mst_lagOfPair(p);
+    t->hasContacts = hasContacts;
+    t->isSensor = isSensor;
+    t->material[0] = McdModelGetMaterial(p->model1);
+    t->material[1] = McdModelGetMaterial(p->model2);
+    t->tolerance = McdModelGetContactTolerance(p->model1) + McdModelGetContactTolerance(p->model2);
+    t->separation = t->deepest = MEINFINITY;
+    t->approachSpeed = t->impulse = t->largestImpulse = 0;
+}
+
 /* The touch of a pair that was looked at, listed for this step; null where there is nothing to note. */
 static MstTouch *listedTouch(MstBridgeRecord *b, McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
     const MeBool isSpaces = p->phase != kMcdFFStateInactive; /* a program's own pair may go at any time, unnoticed */
@@ -143,14 +162,7 @@ static MstTouch *listedTouch(MstBridgeRecord *b, McdModelPair *p, MeBool hasCont
     }
     if (!list(t))
         return 0;
-    t->lag = b->part == 0 ? MEINFINITY : mst_lagOfPair(p);
-    t->hasContacts = hasContacts;
-    t->isSensor = isSensor;
-    t->material[0] = McdModelGetMaterial(p->model1);
-    t->material[1] = McdModelGetMaterial(p->model2);
-    t->tolerance = McdModelGetContactTolerance(p->model1) + McdModelGetContactTolerance(p->model2);
-    t->separation = t->deepest = MEINFINITY;
-    t->approachSpeed = t->impulse = t->largestImpulse = 0;
+    beginTouch(b, p, hasContacts, isSensor);
     return t;
 }
 
@@ -211,26 +223,48 @@ static MeReal leastSeparation(MdtContactGroupID group, int found, MeReal separat
     return least;
 }
 
+static void noteAgain(MstTouch *t, MeReal separation) {
+    t->separation = MeMIN(t->separation, separation);
+    if (!t->isTouching)
+        mst_touchNoteGroup(t, t->pair->responseData);
+}
+
 void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p) {
     MstTouch *t = p->touch;
     const MeReal separation = t->separation;
-    if (!listedTouch(b, p, METRUE, MEFALSE))
-        return;
-    t->separation = MeMIN(t->separation, separation);
-    if (!t->isTouching)
-        mst_touchNoteGroup(t, p->responseData);
+    if (listedTouch(b, p, METRUE, MEFALSE))
+        noteAgain(t, separation);
 }
 
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int found, MeReal separation) {
-    const MdtContactGroupID group = p->responseData;
-    const MeBool hasContacts = group && MdtContactGroupGetCount(group) > 0;
-    MstTouch *t = listedTouch(b, p, hasContacts, MEFALSE);
-    if (!t || !hasContacts)
-        return;
+void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p) {
+    MstTouch *t = p->touch;
+    const MeReal separation = t->separation;
+    beginTouch(b, p, METRUE, MEFALSE);
+    noteAgain(t, separation);
+}
+
+static MeBool hasContacts(const McdModelPair *p) {
+    return p->responseData && MdtContactGroupGetCount(p->responseData) > 0;
+}
+
+static void noteFound(MstTouch *t, int found, MeReal separation) {
+    const MdtContactGroupID group = t->pair->responseData;
     if (!t->isTouching) /* how fast they come is known now only */
         mst_touchNoteGroup(t, group);
     else
         t->separation = MeMIN(t->separation, leastSeparation(group, found, separation));
+}
+
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int found, MeReal separation) {
+    MstTouch *t = listedTouch(b, p, hasContacts(p), MEFALSE);
+    if (t && hasContacts(p))
+        noteFound(t, found, separation);
+}
+
+void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int found, MeReal separation) {
+    beginTouch(b, p, hasContacts(p), MEFALSE);
+    if (hasContacts(p))
+        noteFound(p->touch, found, separation);
 }
 
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {

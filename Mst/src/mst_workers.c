@@ -6,10 +6,6 @@
 #include "MeTeam.h"
 #include "mst_i.h"
 
-/* Runs that are worth calling workers for: some 20 us each in a heap of boxes. A thread that sleeps needs up to .35 ms
- * to wake, on a virtual machine. */
-enum { LEAST_RUNS = 4 };
-
 typedef struct Piping {
     MstBridgeRecord *b;
     McdModelPair *const *pairs;
@@ -43,17 +39,57 @@ static MeBool makeRuns(MstBridgeRecord *b) {
     return runs != 0;
 }
 
-/* Pairs from the first on that workers may collide; their models have got their stamps. */
-static int countPlainPairs(const MstBridgeRecord *b, McdModelPair *const pairs[], int count) {
-    int i = 0;
-    for (; i < count && mst_isPlainPair(b, pairs[i]); i++)
-        McdModelPairLookAtModels(pairs[i]);
-    return i;
-}
+/* ---- pairs that workers may collide ---- */
 
 static int firstOf(int run) {
     return run * MST_RUN;
 }
+
+static int runsOf(int count) {
+    return (count + MST_RUN - 1) / MST_RUN;
+}
+
+/* How many pairs are looked through at once: in runs. Fewer once one has been found that workers may not collide, and
+ * twice as many as long as there is none. */
+enum { MOST_RUNS = 1024 };
+
+typedef struct Plain {
+    const MstBridgeRecord *b;
+    McdModelPair *const *pairs;
+    int count;
+    int end[MOST_RUNS];    /* by run: behind its first pairs that are plain */
+    int unseen[MOST_RUNS]; /* the first of them with a model that nobody has looked at; or its end */
+} Plain;
+
+static void MEAPI findPlainPairs(void *context, int run, int worker) {
+    Plain *p = context;
+    const int end = MeMIN(firstOf(run + 1), p->count);
+    int i = firstOf(run), unseen = i;
+    (void)worker;
+    for (; i < end && mst_isPlainPair(p->b, p->pairs[i]); i++)
+        if (unseen == i && McdModelPairHasSeenModels(p->pairs[i]))
+            unseen++;
+    p->end[run] = i;
+    p->unseen[run] = unseen;
+}
+
+/* Pairs from the first on that workers may collide. All models of these have been looked at then: what is fixed or
+ * sleeps, with the first pair that it is in. */
+static int countPlainPairs(MeTeam *team, MstBridgeRecord *b, McdModelPair *const pairs[], int count) {
+    Plain p = {.b = b, .pairs = pairs, .count = MeMIN(count, firstOf(b->runsLooked))};
+    const int runs = runsOf(p.count);
+    int plain = 0;
+    MeTeamRun(team, runs, findPlainPairs, &p);
+    for (int run = 0; run < runs && plain == firstOf(run); run++) {
+        plain = p.end[run];
+        for (int i = p.unseen[run]; i < plain; i++)
+            McdModelPairLookAtModels(pairs[i]);
+    }
+    b->runsLooked = plain < p.count ? MST_LEAST_RUNS : MeMIN(2 * b->runsLooked, MOST_RUNS);
+    return plain;
+}
+
+/* ---- collide and commit ---- */
 
 static int endOf(const Piping *p, int run) {
     return MeMIN(firstOf(run + 1), p->count);
@@ -78,15 +114,28 @@ static void MEAPI commit(void *context, int item, int worker) {
     }
 }
 
+static MeBool areWorth(const MstBridgeRecord *b, const MeTeam *team, int count) {
+    return team && b->part == 0 && count >= MST_LEAST_RUNS * MST_RUN;
+}
+
+/* Where there are more models than pairs, only those are looked at that pairs are of. */
+void mst_lookByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w) {
+    MeTeam *team = w ? MdtWorldGetTeam(w) : 0;
+    b->runsLooked = MOST_RUNS;
+    if (!areWorth(b, team, count) || count < McdSpaceGetModelCount(s))
+        return;
+    MeTeamOpen(team);
+    McdSpaceLookAtModels(s);
+    MeTeamClose(team);
+}
+
 int mst_handleByWorkers(MstBridgeRecord *b, McdModelPair *const pairs[], int count, McdSpaceID s, MdtWorldID w) {
     MeTeam *team = w ? MdtWorldGetTeam(w) : 0;
-    if (!team || b->part > 0 || count < LEAST_RUNS * MST_RUN || !makeRuns(b))
-        return 0;
-    Piping p = {b, pairs, countPlainPairs(b, pairs, count), s, w};
-    if (p.count < LEAST_RUNS * MST_RUN)
+    if (!areWorth(b, team, count) || !makeRuns(b))
         return 0;
     MeTeamOpen(team);
-    MeTeamPipe(team, (p.count + MST_RUN - 1) / MST_RUN, MST_AHEAD, collide, commit, &p);
+    Piping p = {b, pairs, countPlainPairs(team, b, pairs, count), s, w};
+    MeTeamPipe(team, runsOf(p.count), MST_AHEAD, collide, commit, &p);
     MeTeamClose(team);
     return p.count;
 }

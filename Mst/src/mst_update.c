@@ -1,0 +1,90 @@
+/* Update: contacts that go on, and what is known of their pair. It follows collide, for each pair by the same thread,
+ * which has all of it in its cache then.
+ *
+ * Writes the pair's own group and touch alone, and that the certificates of rest of its bodies have ended. Where
+ * contacts come or go, where the program is called, or what pairs share is to be written, commit does it all.
+ */
+#include "McdModelPair.h"
+#include "MdtContactGroup.h"
+#include "MdtInternal.h"
+#include "MeAssert.h"
+#include "mst_i.h"
+
+/* ---- what is remembered ------------------------------------------------------------------------------------------ */
+
+static void noteMoves(const McdModelPair *p) {
+    MstTouch *t = p->touch;
+    t->moves[0] = mst_movesOf(p->model1);
+    t->moves[1] = mst_movesOf(p->model2);
+}
+
+void mst_rememberTest(const MstFinding *f, unsigned long version) {
+    const McdModelPair *p = f->pair;
+    MstTouch *t = p->touch;
+    const MdtContactGroupID group = p->responseData;
+    noteMoves(p);
+    t->carried = 0;
+    t->version = version;
+    t->found = group && MdtContactGroupGetCount(group) == f->count && !mst_hasCallback(f->materials) && !mst_isFast(p)
+                   ? f->count
+                   : MST_UNKNOWN;
+}
+
+/* ---- may it be done here? ---------------------------------------------------------------------------------------- */
+
+static MeBool isGroupToStay(const MstRun *run, const MstFinding *f) {
+    const MdtContactGroupID group = f->pair->responseData;
+    if (f->outcome != MST_TESTED)
+        return MdtContactGroupIsEnabled(group);
+    if (f->count == 0)
+        return !group || (MdtContactGroupGetCount(group) == 0 && !MdtContactGroupIsEnabled(group));
+    return group && MdtContactGroupIsEnabled(group) && MdtContactGroupGoesOn(group, &run->found[f->first], f->count);
+}
+
+/* Parts after the first are commit's: what is listed then is listed already. */
+static MeBool isOwn(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
+    const McdModelPair *p = f->pair;
+    const MstTouch *t = p->touch;
+    if (b->part > 0 || p->phase == kMcdFFStateInactive || !t || t->isListed || mst_isFast(p) ||
+        !mst_areMaterialsSeen(b))
+        return MEFALSE;
+    if (f->outcome == MST_TESTED ? !f->isKnown : t->version != mst_versionSeen(f->materials))
+        return MEFALSE;
+    return isGroupToStay(run, f);
+}
+
+/* ---- the update -------------------------------------------------------------------------------------------------- */
+
+void mst_carry(const MstFinding *f) {
+    MstTouch *t = f->pair->touch;
+    t->separation = MdtContactGroupCarry(f->pair->responseData, f->hasMoved);
+    t->carried++;
+    noteMoves(f->pair);
+}
+
+static void renew(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
+    if (f->count > 0)
+        MdtContactGroupRenew(f->pair->responseData, &run->found[f->first], f->count, b->ahead, run->made);
+    mst_touchUpdate(b, f->pair, f->count, f->separation);
+    mst_rememberTest(f, mst_versionSeen(f->materials));
+}
+
+/* Was nothing found of a pair of which nothing was known? */
+static MeBool isNothing(const MstFinding *f) {
+    const McdModelPair *p = f->pair;
+    return f->outcome == MST_TESTED && f->count == 0 && !p->touch && !p->responseData && !mst_isFast(p);
+}
+
+void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f) {
+    if (isNothing(f))
+        f->outcome = MST_NOTHING;
+    if ((f->outcome != MST_KEPT && f->outcome != MST_CARRIED && f->outcome != MST_TESTED) || !isOwn(b, run, f))
+        return;
+    if (f->outcome == MST_CARRIED)
+        mst_carry(f);
+    if (f->outcome == MST_TESTED)
+        renew(b, run, f);
+    else
+        mst_touchUpdateAgain(b, f->pair);
+    f->updated = f->pair->touch;
+}
