@@ -104,6 +104,7 @@ enum {
     MDT_WATCHED = 8,  /* programs write its parameters through a pointer; of a body: those of a constraint of it */
     MDT_LONE = 16,    /* a manifold of one contact that is in no group */
     MDT_SWAPPED = 32, /* a group that was attached as (null, body) */
+    MDT_APART = 64,   /* a joint whose bodies do not collide with each other; a body that has had such a one */
 };
 
 /* What is read together lies together, in cache lines of 64 bytes in single precision (records begin with one). */
@@ -238,6 +239,8 @@ void mdt_constraintUncount(MdtWorldID w);
 MdtJoint *mdt_jointCreate(MdtWorldID w, MdtBclJointType type, const char *caller);
 /* The joint if it is live and of the type; else null, with a warning. */
 MdtJoint *mdt_jointOfType(void *handle, MdtBclJointType type, const char *caller);
+/* The joint goes, and its switch with it (mdt_apart.c). */
+void mdt_apartForget(MdtJoint *j);
 /* The constraint as a joint of the type for MdtConstraintDCast*: null, without a warning, when it is another. */
 void *mdt_jointCast(MdtConstraintID c, MdtBclJointType type, const char *caller);
 /* What kind of constraint it is: a point is a contact, a manifold a group, or the contact that is alone in it. */
@@ -375,6 +378,7 @@ struct MdtWorld {
     unsigned long nextSerial;
     int enabledBodies, asleepBodies, enabledConstraints;
     int breakable;           /* constraints with a limit */
+    int apart;               /* joints whose bodies do not collide with each other */
     int userConstraints;     /* whose rows a function of the program makes */
     MdtConstraintID *broken; /* in the last step; constraintRoom */
     int numBroken;

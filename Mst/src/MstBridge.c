@@ -3,6 +3,7 @@
 #include "McdGeometryInstance.h"
 #include "McdInteractions.h"
 #include "McdInternal.h"
+#include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
@@ -266,6 +267,7 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
     if (!record || !pairs)
         return;
     mst_beginRound(record);
+    record->areApart = MdtWorldIsValid(w) && MdtWorldHasBodiesApart(w);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
         i += mst_handleByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
         if (i == pairs->stayingEnd)

@@ -202,6 +202,12 @@ static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
         mst_touchNoteSensor(b, p, &run->result);
 }
 
+/* As if the space had said goodbye; what was tested says nothing of when they collide again. */
+static void part(McdModelPair *p) {
+    mst_pairForget(p);
+    McdModelPairForgetTest(p);
+}
+
 static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
     switch (f->outcome) {
     case MST_NOTHING:
@@ -217,6 +223,9 @@ static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceI
         return;
     case MST_TO_TEST:
         testAndCommit(b, run, f, s, w);
+        return;
+    case MST_TO_PART:
+        part(f->pair);
         return;
     case MST_TO_SENSE:
         senseAndCommit(b, run, f->pair);
