@@ -382,8 +382,13 @@ struct MdtWorld {
     int userConstraints;     /* whose rows a function of the program makes */
     MdtConstraintID *broken; /* in the last step; constraintRoom */
     int numBroken;
-    MdtBreakCBPtr breakCb;     /* null: none */
-    double lastStep;           /* s, 0 before the first */
+    MdtBreakCBPtr breakCb; /* null: none */
+    double lastStep;       /* s, 0 before the first */
+    struct {
+        MeBool isOver;         /* gravity was set, something has acted, or it was told */
+        double time;           /* s, in which nothing has acted on the bodies, */
+        unsigned long sum;     /* which were as many, and where they are now */
+    } idle;                    /* mdt_idle.c */
     unsigned long certificate; /* of rest, valid now (mdt_rest.c) */
     MdtRestInputs restInputs;  /* with which it was */
     int surfaceWarnings;       /* MdtContactParams.c: which were given */
@@ -441,6 +446,8 @@ MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
 
 /* Draws what MdtWorldSetDebugDrawing has chosen (mdt_debug.c). */
 void mdt_debugDraw(MdtWorldID w);
+/* Before a step of h seconds: has the program forgotten gravity? */
+void mdt_idleWatch(MdtWorldID w, double h);
 
 /* ---- joints that break (mdt_break.c) ---- */
 

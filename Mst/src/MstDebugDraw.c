@@ -232,8 +232,8 @@ static MeBool isMeasured(MdtLimitID limit) {
 }
 
 /* The sector between a hinge's stops, a needle that moves with the first body and is in the sector while the angle is
- * between them, and an arrow from where the angle is zero to the needle, less full turns. With the world in place of the first body, all is seen from the second one: `side` is -1. Stops of
- * ten turns and more are none. */
+ * between them, and an arrow from where the angle is zero to the needle, less full turns. With the world in place of
+ * the first body, all is seen from the second one: `side` is -1. Stops of ten turns and more are none. */
 static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, const MeVector3 axis,
                       const MeVector3 second, MeReal side) {
     enum { STEPS = 16, MOST_TURN = 63 };

@@ -257,8 +257,8 @@ static void lastStroke(int first, int strokes, double way[3]) {
         way[k] = marks[first + strokes - 1].p[1][k] - marks[first].p[0][k];
 }
 
-/* The orange arrow of a hinge shows where a point of the moving body goes when the angle grows, the one of a slider where
- * the body goes, whichever body is the world; and the arrows of the limits begin at zero and end where the joint is. */
+/* The arrow of a hinge shows where a point of the moving body goes as the angle grows, the one of a slider where the
+ * body goes, whichever body is the world. The arrows of the limits begin at zero and end where the joint is. */
 START_TEST(the_sense_of_a_coordinate_is_seen) {
     MdtWorldSetGravity(u->world, 0, 0, 0);
     for (int first = 0; first < 2; first++) {
