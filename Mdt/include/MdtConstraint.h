@@ -109,6 +109,22 @@ MEPUBLIC MeReal MEAPI MdtConstraintGetBreakTorque(const MdtConstraintID c);
 MEPUBLIC void MEAPI MdtConstraintGetJointTorque(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 t);
 /** @} */
 
+/** @name Collision between the bodies
+ *  The models of bodies that a joint ties collide as all others do, as in the guide: it keeps a joint's parts from each
+ *  other by limits "wherever possible", and by contacts elsewhere (Dynamics guide, "Joint Limits versus Contacts").
+ *  Where shapes overlap at their joint, as arm and shoulder do, contacts push against the joint: switch them off.
+ *  Beyond Karma.
+ *  @{ */
+/**
+ * Whether the two bodies collide with each other; at first they do. Off, their models make no contacts, events or
+ * sensors' touches as long as the joint is enabled: from the next step on, in which those that they have go, and until
+ * it is disabled, breaks or is destroyed. Of several joints between two bodies one is enough. Without effect where one
+ * body is the world, which has no model: McdModelSetFilter is for that. Contacts and contact groups get a warning.
+ */
+MEPUBLIC void MEAPI MdtConstraintSetBodiesCollide(const MdtConstraintID c, const MeBool collide);
+MEPUBLIC MeBool MEAPI MdtConstraintGetBodiesCollide(const MdtConstraintID c);
+/** @} */
+
 /** @name A moving world
  *  The velocity of the world where the constraint is attached to it, for moving platforms and belts: m/s, and rad/s
  *  about the world's origin. Default 0. Without effect between two bodies.

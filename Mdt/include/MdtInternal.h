@@ -57,6 +57,11 @@ MEPUBLIC MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool has
 /** Are all surfaces corners, edges or faces (MdtContactSetRadius)? */
 MEPUBLIC MeBool MEAPI MdtContactGroupIsFlat(MdtContactGroupID g);
 
+/** Has the world a joint whose bodies do not collide with each other (MdtConstraintSetBodiesCollide)? */
+MEPUBLIC MeBool MEAPI MdtWorldHasBodiesApart(const MdtWorldID w);
+/** Does an enabled joint between the two say so? Neither is null. */
+MEPUBLIC MeBool MEAPI MdtBodiesAreApart(const MdtBodyID b1, const MdtBodyID b2);
+
 /** The world's workers, for all that belongs to its step; null: there is one. */
 MEPUBLIC MeTeam *MEAPI MdtWorldGetTeam(const MdtWorldID w);
 

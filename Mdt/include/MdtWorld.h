@@ -80,7 +80,11 @@ MEPUBLIC int MEAPI MdtWorldStepRest(const MdtWorldID w);
 /** How many bodies are behind. Beyond Karma. */
 MEPUBLIC int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w);
 
-/** Gravity, m/s², world frame. Default 0. Bodies at rest are not woken: enable them when it changes. */
+/**
+ * Gravity, m/s², world frame. Default 0. Bodies at rest are not woken: enable them when it changes. Check builds warn
+ * once of a world for which this was never called, and on whose bodies nothing acts in a second of steps: no velocity,
+ * force, impulse or constraint.
+ */
 MEPUBLIC void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal gy, const MeReal gz);
 MEPUBLIC void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g);
 

@@ -56,6 +56,7 @@ static void termJoint(MdtJoint *j) {
     mdt_constraintTerm(&j->base);
     mdt_jointFree(j);
     mdt_breakForget(j);
+    mdt_apartForget(j);
     j->base.world->userConstraints -= j->bcl.type == MdtBclUSER;
     mdt_constraintUncount(j->base.world);
     mdt_poolPut(&j->base.world->jointPool, j);
@@ -192,7 +193,7 @@ static void attach(MdtConstraintID c, int side, MdtBodyID b) {
     if (at->next)
         at->next->previous = at;
     b->attachments = at;
-    b->record.flags |= c->record.flags & MDT_WATCHED;
+    b->record.flags |= c->record.flags & (MDT_WATCHED | MDT_APART);
     mdt_graphChanged(c->world);
     mdt_constraintDisturb(c);
     MEVALIDATE(mdt_attachmentsAreLinked(b));

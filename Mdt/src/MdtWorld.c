@@ -214,6 +214,7 @@ void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal 
     if (!mdt_isFinite3(__func__, "gravity", gx, gy, gz))
         return;
     w->params.gravity[0] = gx, w->params.gravity[1] = gy, w->params.gravity[2] = gz;
+    w->idle.isOver = METRUE;
     setThresholdsOfRest(w);
 }
 
@@ -534,6 +535,7 @@ static void step(MdtWorldID w, MeReal h, MeBool safely) {
     w->lastStep = (double)h;
     for (int i = 0; i < w->sizeLogLength; i++)
         w->sizeLog[i] = 0;
+    mdt_idleWatch(w, (double)h);
     mdt_breakBegin(w);
     mdt_worldStep(w, (double)h, safely);
     mdt_breakEnd(w);

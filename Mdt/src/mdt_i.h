@@ -104,6 +104,7 @@ enum {
     MDT_WATCHED = 8,  /* programs write its parameters through a pointer; of a body: those of a constraint of it */
     MDT_LONE = 16,    /* a manifold of one contact that is in no group */
     MDT_SWAPPED = 32, /* a group that was attached as (null, body) */
+    MDT_APART = 64,   /* a joint whose bodies do not collide with each other; a body that has had such a one */
 };
 
 /* What is read together lies together, in cache lines of 64 bytes in single precision (records begin with one). */
@@ -241,6 +242,8 @@ void mdt_constraintUncount(MdtWorldID w);
 MdtJoint *mdt_jointCreate(MdtWorldID w, MdtBclJointType type, const char *caller);
 /* The joint if it is live and of the type; else null, with a warning. */
 MdtJoint *mdt_jointOfType(void *handle, MdtBclJointType type, const char *caller);
+/* The joint goes, and its switch with it (mdt_apart.c). */
+void mdt_apartForget(MdtJoint *j);
 /* The constraint as a joint of the type for MdtConstraintDCast*: null, without a warning, when it is another. */
 void *mdt_jointCast(MdtConstraintID c, MdtBclJointType type, const char *caller);
 /* What kind of constraint it is: a point is a contact, a manifold a group, or the contact that is alone in it. */
@@ -378,11 +381,17 @@ struct MdtWorld {
     unsigned long nextSerial;
     int enabledBodies, asleepBodies, enabledConstraints;
     int breakable;           /* constraints with a limit */
+    int apart;               /* joints whose bodies do not collide with each other */
     int userConstraints;     /* whose rows a function of the program makes */
     MdtConstraintID *broken; /* in the last step; constraintRoom */
     int numBroken;
-    MdtBreakCBPtr breakCb;     /* null: none */
-    double lastStep;           /* s, 0 before the first */
+    MdtBreakCBPtr breakCb; /* null: none */
+    double lastStep;       /* s, 0 before the first */
+    struct {
+        MeBool isOver;         /* gravity was set, something has acted, or it was told */
+        double time;           /* s, in which nothing has acted on the bodies, */
+        unsigned long sum;     /* which were as many, and where they are now */
+    } idle;                    /* mdt_idle.c */
     unsigned long certificate; /* of rest, valid now (mdt_rest.c) */
     MdtRestInputs restInputs;  /* with which it was */
     int surfaceWarnings;       /* MdtContactParams.c: which were given */
@@ -440,6 +449,8 @@ MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
 
 /* Draws what MdtWorldSetDebugDrawing has chosen (mdt_debug.c). */
 void mdt_debugDraw(MdtWorldID w);
+/* Before a step of h seconds: has the program forgotten gravity? */
+void mdt_idleWatch(MdtWorldID w, double h);
 
 /* ---- joints that break (mdt_break.c) ---- */
 

@@ -141,7 +141,7 @@ static char *takeValue(MeCommandLineOptions *options, const char *arg, MeBool ea
     else if (next != NULL && !looksLikeOption(next))
         value = next;
     else
-        MeWarning(1, "%s: option %s has no value", function, arg);
+        MeWarning(1, "%s: option %s has no value: write %s VALUE", function, arg, arg);
     if (eat)
         MeCommandLineOptionsEat(options, places, value != NULL && value == next ? 2 : 1);
     return value;

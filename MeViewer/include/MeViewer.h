@@ -6,6 +6,7 @@
  *
  *      MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
  *      rc = RRenderContextCreate(options, 0, 1);
+ *      RRenderRefuseOptions(rc, options);
  *      MeCommandLineOptionsDestroy(options);
  *      if (!rc)
  *          return 1;
@@ -47,7 +48,8 @@ ME_BEGIN_C
 /**
  * Creates a context with default values and starts what it draws with (RInit).
  * Options in @a overrideoptions win over those in @a options; either may be null. With @a eat, the options that the
- * viewer has understood are removed from both. `-help` prints the options and ends the program.
+ * viewer has understood are removed from both. `-help` prints the options and ends the program. An option whose value
+ * cannot be used counts as not given, after a warning; RRenderRefuseOptions ends the program then.
  * Destroy the context with RRenderContextDestroy. Returns null, after a warning that says why, if it cannot draw.
  */
 MEPUBLIC RRender *MEAPI RRenderContextCreate(MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions,
@@ -58,6 +60,13 @@ MEPUBLIC RRender *MEAPI RRenderContextCreate(MeCommandLineOptions *options, MeCo
  */
 MEPUBLIC RRender *MEAPI RRenderContextCreate2(MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions,
                                               int eat, void *pWnd, RCreateCallback cb);
+/**
+ * Ends a program that was started with options which nobody knows: to be called with the options of
+ * RRenderContextCreate, which has eaten its own, when the program has eaten its own too. Where a word is left, or the
+ * viewer could not use the value of one of its options, a warning names the first of them and what to write instead;
+ * context and options are destroyed, and the program ends with exit code 2. Does nothing if @a rc is null.
+ */
+MEPUBLIC void MEAPI RRenderRefuseOptions(RRender *rc, MeCommandLineOptions *options);
 /** Starts what the context draws with. Called by RRenderContextCreate. Returns 1, or 0 if it cannot be started. */
 MEPUBLIC int MEAPI RInit(RRender *rc);
 /**

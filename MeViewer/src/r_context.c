@@ -126,11 +126,12 @@ RRender *MEAPI RRenderContextCreate2(MeCommandLineOptions *options, MeCommandLin
     addContext(rc);
     setDefaults(rc);
     struct RViewer *v = rc->m_pViewer;
-    r_optionsRead(&rc->m_Options, options, overrideoptions, eat != 0);
+    v->isMistaken = !r_optionsRead(&rc->m_Options, options, overrideoptions, eat != 0);
     v->width = rc->m_Options.m_nWidth;
     v->height = rc->m_Options.m_nHeight;
     rc->m_bPause = rc->m_Options.m_bPaused;
-    r_inputScript(rc, rc->m_Options.m_Keys);
+    if (!r_inputScript(rc, rc->m_Options.m_Keys))
+        v->isMistaken = true;
     if (cb)
         cb(rc);
     if (!RInit(rc)) {

@@ -101,7 +101,7 @@ typedef struct {
 
 void r_post(RRender *rc, REvent event);
 void r_inputInit(RInput *input);
-void r_inputScript(RRender *rc, const char *script); /* Takes what -key says. */
+bool r_inputScript(RRender *rc, const char *script); /* Takes what -key says; false if a key is no key. */
 void r_inputFrame(RRender *rc);                      /* Handles what has come in since the last frame. */
 void r_inputFree(RInput *input);
 int r_keyByName(const char *name, size_t length); /* RKEY_NONE if there is no such key. */
@@ -354,9 +354,12 @@ typedef struct {
 
 extern const RBackend r_backendGlut, r_backendOsmesa, r_backendNull;
 
-/* ---- Options (r_options.c) ---- */
+/* ---- Options (r_options.c, r_refuse.c) ---- */
 
-void r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions, bool eat);
+/* False, after messages, if a value cannot be used; that option counts as not given then. */
+bool r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions, bool eat);
+/* Says what of the options is left; false if nothing is. */
+bool r_refuseRest(const MeCommandLineOptions *options);
 
 /* ---- The main loop (r_loop.c) ---- */
 
@@ -414,6 +417,7 @@ struct RViewer {
     void *backendState;
     struct RDraw *draw;
     int width, height; /* Pixels. */
+    bool isMistaken;   /* An option has a value that cannot be used, which has been told. */
     RGraphic *last3D, *last2D;
     int graphicsListed;
     RGraphic *sky;

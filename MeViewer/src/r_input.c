@@ -91,7 +91,7 @@ static bool takePrefix(const char **name, const char *end, const char *prefix) {
 }
 
 /* One "NAME@FRAME". */
-static void scriptKey(RRender *rc, const char *text, const char *end) {
+static bool scriptKey(RRender *rc, const char *text, const char *end) {
     RInput *in = &rc->m_pViewer->input;
     const char *at = memchr(text, '@', (size_t)(end - text)), *name = text;
     RScriptedKey k = {0};
@@ -107,18 +107,23 @@ static void scriptKey(RRender *rc, const char *text, const char *end) {
         const long frame = strtol(at + 1, &rest, 10);
         k.frame = rest == end && frame > 0 && frame < 1000000000 ? (int)frame : 0;
     }
-    if (k.key == RKEY_NONE || k.frame == 0)
-        MeWarning(1, "-key %.*s: it must be NAME@FRAME, as in F1@30", (int)(end - text), text);
+    const bool understood = k.key != RKEY_NONE && k.frame > 0;
+    if (!understood)
+        MeWarning(1, "-key %.*s: write NAME@FRAME, as in F1@30", (int)(end - text), text);
     else if (r_grow(in->script, 1))
         in->script.items[in->script.count++] = k;
+    return understood;
 }
 
-void r_inputScript(RRender *rc, const char *script) {
+bool r_inputScript(RRender *rc, const char *script) {
+    bool understood = true;
     while (*script) {
         const char *end = script + strcspn(script, ",");
-        scriptKey(rc, script, end);
+        if (!scriptKey(rc, script, end))
+            understood = false;
         script = *end ? end + 1 : end;
     }
+    return understood;
 }
 
 /* ---- Callbacks ---- */

@@ -1,16 +1,19 @@
 /* What the command line and $KARMA_VIEWER say: where to draw, how long, and what to keep of it. */
+#define _POSIX_C_SOURCE 200809L /* S_ISDIR */
 #include "r_i.h"
 
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* All sets of options, asked as one; an earlier set wins. */
 enum { OVERRIDING, PROGRAM, ENVIRONMENT, SETS };
 typedef struct {
     MeCommandLineOptions *sets[SETS];
     bool eat[SETS];
+    bool *mistaken; /* Set where a value cannot be used, which has been told then. */
 } Source;
 
 /* The words of $KARMA_VIEWER, as if they stood on the command line; null if there are none. */
@@ -25,7 +28,7 @@ static MeCommandLineOptions *environmentOptions(void) {
             continue;
         }
         if (argc == WORDS) {
-            MeWarning(1, "KARMA_VIEWER: only its first %d words are read", WORDS - 1);
+            MeWarning(1, "KARMA_VIEWER: only its first %d words are read: write fewer", WORDS - 1);
             break;
         }
         argv[argc++] = at;
@@ -38,10 +41,16 @@ static MeCommandLineOptions *environmentOptions(void) {
 }
 
 /* Nobody else reads these options: what is left of them is a mistake. */
-static void finishEnvironment(MeCommandLineOptions *options) {
-    for (int i = 1; options && i < options->argc; i++)
-        MeWarning(1, "KARMA_VIEWER: %s is not an option of the viewer (-help lists them)", options->argv[i]);
-    MeCommandLineOptionsDestroy(options);
+static void finishEnvironment(const Source *s) {
+    if (r_refuseRest(s->sets[ENVIRONMENT]))
+        *s->mistaken = true;
+    MeCommandLineOptionsDestroy(s->sets[ENVIRONMENT]);
+}
+
+/* A value that cannot be used: the option counts as not given. */
+static void mistake(const Source *s, const char *name, const char *value, const char *instead) {
+    MeWarning(1, "%s %s: write %s", name, value, instead);
+    *s->mistaken = true;
 }
 
 static bool has(const Source *s, const char *name) {
@@ -52,15 +61,20 @@ static bool has(const Source *s, const char *name) {
     return found;
 }
 
-/* The text after an option; false if it is not there. MeGlobals warns when it is missing. */
+/* The text after an option; false if it is not there, or too long. MeGlobals warns when the text alone is missing. */
 static bool getText(const Source *s, const char *name, char *out, size_t size) {
     bool found = false;
     for (int i = 0; i < SETS; i++) {
+        const bool given = MeCommandLineOptionsGetPos(s->sets[i], name) > 0;
         const char *text = MeCommandLineOptionsGetString(s->sets[i], name, s->eat[i]);
+        if (given && !text)
+            *s->mistaken = true;
         if (text && !found) {
-            found = true;
-            if (snprintf(out, size, "%s", text) >= (int)size)
-                MeWarning(1, "the value of %s is longer than %zu characters and is cut", name, size - 1);
+            found = snprintf(out, size, "%s", text) < (int)size;
+            if (!found) {
+                *out = 0;
+                mistake(s, name, text, "a shorter value");
+            }
         }
     }
     return found;
@@ -73,7 +87,7 @@ static int getCount(const Source *s, const char *name) {
     const long value = strtol(text, &end, 10);
     if (end != text && !*end && value > 0 && value < 1000000000)
         return (int)value;
-    MeWarning(1, "%s %s: it must be a whole number above 0", name, text);
+    mistake(s, name, text, "a whole number above 0, as in 60");
     return 0;
 }
 
@@ -88,7 +102,7 @@ static void getSize(const Source *s, RRenderOptions *out) {
         out->m_nHeight = height;
         return;
     }
-    MeWarning(1, "-size %s: it must be WIDTHxHEIGHT, each 16 to 16384, as in 960x600", text);
+    mistake(s, "-size", text, "WIDTHxHEIGHT, each 16 to 16384, as in 960x600");
 }
 
 static void getCamera(const Source *s, RRenderOptions *out) {
@@ -102,7 +116,22 @@ static void getCamera(const Source *s, RRenderOptions *out) {
         out->m_bCamera = 1;
         return;
     }
-    MeWarning(1, "-camera %s: it must be DISTANCE,THETA,PHI, as in 20,0.5,0.3", text);
+    mistake(s, "-camera", text, "DISTANCE,THETA,PHI, as in 20,0.5,0.3");
+}
+
+/* A file to be written: where its directory is missing, the run would be for nothing. */
+static void getFile(const Source *s, const char *name, char *out, size_t size) {
+    char directory[512];
+    struct stat status;
+    if (!getText(s, name, out, size))
+        return;
+    const char *slash = strrchr(out, '/');
+    snprintf(directory, sizeof directory, "%.*s", slash == out ? 1 : slash ? (int)(slash - out) : 0, out);
+    if (!slash || (stat(directory, &status) == 0 && S_ISDIR(status.st_mode)))
+        return;
+    MeWarning(1, "%s %s: there is no directory %s: make it first, or write another", name, out, directory);
+    *s->mistaken = true;
+    *out = 0;
 }
 
 static const struct {
@@ -154,15 +183,20 @@ void MEAPI RDisplayCommandLineHelp(void) {
               "  -film FILE           a film by ffmpeg, .mp4 or .gif, that plays as fast as the simulation ran\n"
               "  -bar                 show the performance bar off-screen too\n"
               "  -profile             print how long everything took\n"
-              "  -help                this text\n"
+              "  -help, --help, -h    this text\n"
               "The environment variable KARMA_VIEWER may hold options too; those on the command line win.");
 }
 
-void r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions,
+static bool wantsHelp(const Source *s) {
+    const bool one = has(s, "-help"), other = has(s, "--help"), letter = has(s, "-h");
+    return one || other || letter;
+}
+
+bool r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions,
                    bool eat) {
-    MeCommandLineOptions *environment = environmentOptions();
-    const Source source = {{overrideoptions, options, environment}, {eat, eat, true}}, *s = &source;
-    if (has(s, "-help")) {
+    bool mistaken = false;
+    const Source source = {{overrideoptions, options, environmentOptions()}, {eat, eat, true}, &mistaken}, *s = &source;
+    if (wantsHelp(s)) {
         RDisplayCommandLineHelp();
         exit(EXIT_SUCCESS);
     }
@@ -176,8 +210,9 @@ void r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommand
     out->m_bPaused = has(s, "-paused");
     out->m_bBar = has(s, "-bar");
     out->m_bProfile = has(s, "-profile");
-    (void)getText(s, "-screenshot", out->m_Screenshot, sizeof out->m_Screenshot);
-    (void)getText(s, "-film", out->m_Film, sizeof out->m_Film);
+    getFile(s, "-screenshot", out->m_Screenshot, sizeof out->m_Screenshot);
+    getFile(s, "-film", out->m_Film, sizeof out->m_Film);
     (void)getText(s, "-key", out->m_Keys, sizeof out->m_Keys);
-    finishEnvironment(environment);
+    finishEnvironment(s);
+    return !mistaken;
 }

@@ -33,9 +33,11 @@ typedef enum MstDebugLayer {
     MstDebugBoxes = 2,          /**< Their boxes along the world's axes, as of the last update; not of planes. */
     MstDebugContacts = 4,       /**< A point and the normal, 0.2 L; red where they penetrate. */
     MstDebugForces = 8,         /**< At contacts: 0.1 L for each L/s² that it gives the first body that moves. */
-    MstDebugJoints = 16,        /**< A line from each body's centre of mass, and the axes: 0.4 L, with a head. */
+    MstDebugJoints = 16,        /**< A line from each body's centre of mass, and the axes: 0.4 L, with a head. Of hinges
+                                    and sliders, in orange: the way in which the first body moves (the second, where the
+                                    first is the world) as the coordinate grows. */
     MstDebugLimits = 32,        /**< Of hinges, sliders and cones: sectors, tracks, sides; where the joint is, and its
-                                    coordinate as a text. */
+                                    coordinate as a text; of hinges and sliders an orange arrow from zero to there. */
     MstDebugCentresOfMass = 64, /**< The axes of the inertia tensor's frame, 0.2 L: red, green, blue. */
     MstDebugVelocities = 128,   /**< Way in a tenth of a second; angular velocity along its axis, 0.1 L for 1 rad/s. */
     MstDebugPartitions = 256,   /**< Outlines of models with bodies, a colour for each partition of the last step. */

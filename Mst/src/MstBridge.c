@@ -3,6 +3,7 @@
 #include "McdGeometryInstance.h"
 #include "McdInteractions.h"
 #include "McdInternal.h"
+#include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
@@ -275,6 +276,7 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
     mst_beginRound(record);
     lookAtMaterials(record, pairs->stayingEnd - pairs->helloFirst);
     mst_lookByWorkers(record, pairs->stayingEnd - pairs->helloFirst, s, w);
+    record->areApart = MdtWorldIsValid(w) && MdtWorldHasBodiesApart(w);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
         i += mst_handleByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
         if (i == pairs->stayingEnd)

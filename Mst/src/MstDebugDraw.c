@@ -9,6 +9,7 @@
 #include "MeMessage.h"
 #include "MstModelDynamics.h"
 #include "MstUniverse.h"
+#include <math.h>
 #include <stdio.h>
 
 /* What all functions here need. */
@@ -199,6 +200,27 @@ static void turn(const MeVector3 v, const MeVector3 axis, MeReal angle, MeVector
         out[i] = cosine * v[i] + sine * cross[i] + along * axis[i];
 }
 
+/* A part of a circle about a point, from a unit direction on, with a head where it ends. */
+static void arcArrow(const Drawing *d, const MeVector3 at, const MeVector3 axis, const MeVector3 from, MeReal radius,
+                     MeReal angle, const float color[4]) {
+    enum { STEPS = 12 };
+    const MeReal head = (angle < 0 ? -1 : 1) * (MeReal)0.25 * radius;
+    MeVector3 edge, end, before, ahead, barb;
+    for (int i = 0; i <= STEPS; i++) {
+        turn(from, axis, angle * (MeReal)i / STEPS, edge);
+        MeVector3ScaleAndAdd(end, edge, radius, at);
+        if (i > 0)
+            line(d, before, end, color);
+        MeVector3Copy(before, end);
+    }
+    MeVector3Cross(ahead, axis, edge);
+    for (int i = -1; i <= 1; i += 2) {
+        for (int k = 0; k < 3; k++)
+            barb[k] = end[k] - head * ahead[k] + (MeReal)(0.12 * i) * radius * edge[k];
+        line(d, end, barb, color);
+    }
+}
+
 static void sayAngle(const Drawing *d, const MeVector3 at, MeReal angle) {
     char words[32];
     snprintf(words, sizeof words, "%.1f\xc2\xb0", (double)angle * 57.29577951308232);
@@ -209,9 +231,9 @@ static MeBool isMeasured(MdtLimitID limit) {
     return MdtLimitIsActive(limit) || MdtLimitIsMotorized(limit) || MdtLimitPositionIsCalculated(limit);
 }
 
-/* The sector between a hinge's stops, and a needle that moves with the first body and is in the sector while the angle
- * is between them. With the world in place of the first body, all is seen from the second one: `side` is -1. Stops of
- * ten turns and more are none. */
+/* The sector between a hinge's stops, a needle that moves with the first body and is in the sector while the angle is
+ * between them, and an arrow from where the angle is zero to the needle, less full turns. With the world in place of
+ * the first body, all is seen from the second one: `side` is -1. Stops of ten turns and more are none. */
 static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, const MeVector3 axis,
                       const MeVector3 second, MeReal side) {
     enum { STEPS = 16, MOST_TURN = 63 };
@@ -222,6 +244,9 @@ static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, co
         return;
     lineAlong(d, at, second, radius, yellow, end);
     sayAngle(d, end, angle);
+    turn(second, axis, -side * angle, edge);
+    lineAlong(d, at, edge, radius, orange, end);
+    arcArrow(d, at, axis, edge, (MeReal)0.75 * radius, side * (MeReal)fmod((double)angle, 2 * ME_PI), orange);
     const MeReal low = side * (MdtSingleLimitGetStop(MdtLimitGetLowerLimit(limit)) - angle);
     const MeReal high = side * (MdtSingleLimitGetStop(MdtLimitGetUpperLimit(limit)) - angle);
     if (!MdtLimitIsActive(limit) || !(MeFabs(low) < MOST_TURN) || !(MeFabs(high) < MOST_TURN))
@@ -237,7 +262,7 @@ static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, co
     }
 }
 
-/* The track between a slider's stops, and where it is. */
+/* The track between a slider's stops, and an arrow from where its coordinate is zero to where it is. */
 static void drawSlider(const Drawing *d, MdtPrismaticID slider, const MeVector3 at, const MeVector3 axis, MeReal side) {
     const MdtLimitID limit = MdtPrismaticGetLimit(slider);
     const MeReal now = MdtLimitGetPosition(limit);
@@ -249,6 +274,9 @@ static void drawSlider(const Drawing *d, MdtPrismaticID slider, const MeVector3 
         return;
     snprintf(words, sizeof words, "%.3g m", (double)now);
     text(d, at, words, yellow);
+    MeVector3ScaleAndAdd(a, axis, -side * now, at);
+    if (now != 0)
+        arrow(d, a, axis, side * now, orange);
     if (!MdtLimitIsActive(limit) || !(MeFabs(high - low) < (MeReal)1e6 * d->length))
         return;
     MeVector3ScaleAndAdd(a, axis, low, at);
@@ -293,6 +321,21 @@ static void drawLimits(const Drawing *d, MdtConstraintID c, const MeVector3 at, 
         drawCone(d, MdtConstraintDCastConeLimit(c), at);
 }
 
+/* Which way its coordinate grows when the first body moves; with the world in place of that one, the second: a quarter
+ * of a turn about the axis of a hinge, an arrow beside that of a slider. */
+static void drawSense(const Drawing *d, MdtConstraintID c, const MeVector3 at, const MeVector3 axis,
+                      const MeVector3 second) {
+    const MeReal side = MdtConstraintGetBody(c, 0) ? 1 : -1;
+    MeVector3 beside;
+    if (MdtConstraintDCastHinge(c)) {
+        MeVector3ScaleAndAdd(beside, axis, (MeReal)0.2 * d->length, at);
+        arcArrow(d, beside, axis, second, (MeReal)0.15 * d->length, side * (MeReal)(ME_PI / 2), orange);
+    } else if (MdtConstraintDCastPrismatic(c)) {
+        MeVector3ScaleAndAdd(beside, second, (MeReal)0.08 * d->length, at);
+        arrow(d, beside, axis, side * (MeReal)0.3 * d->length, orange);
+    }
+}
+
 static void drawJoint(const Drawing *d, MdtConstraintID c) {
     MeVector3 at, axis, second, centre;
     const float *color = MdtConstraintIsEnabled(c) ? cyan : grey;
@@ -309,6 +352,7 @@ static void drawJoint(const Drawing *d, MdtConstraintID c) {
         }
         MdtConstraintGetAxes(c, axis, second);
         arrow(d, at, axis, (MeReal)0.4 * d->length, color);
+        drawSense(d, c, at, axis, second);
     }
     if (wants(d, MstDebugLimits))
         drawLimits(d, c, at, axis, second);

@@ -13,6 +13,7 @@
 #include "McdInternal.h"
 #include "MdtBody.h"
 #include "MdtContactGroup.h"
+#include "MdtInternal.h"
 #include "MeAssert.h"
 #include "mst_i.h"
 #include <string.h>
@@ -170,11 +171,17 @@ static MeBool callsProgram(const MstFinding *f) {
 
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p) {
     const MstMaterialID m1 = McdModelGetMaterial(p->model1), m2 = McdModelGetMaterial(p->model2);
-    return m1 < b->materialCount && m2 < b->materialCount && !McdModelIsSensor(p->model1) &&
+    const MeBool parts = (p->touch || p->responseData) && mst_isHeldApart(b, p);
+    return !parts && m1 < b->materialCount && m2 < b->materialCount && !McdModelIsSensor(p->model1) &&
            !McdModelIsSensor(p->model2) && McdModelPairIsPlain(p) && !mst_hasCallback(mst_materialPair(b, m1, m2));
 }
 
 /* ---- runs -------------------------------------------------------------------------------------------------------- */
+
+MeBool mst_isHeldApart(const MstBridgeRecord *b, const McdModelPair *p) {
+    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
+    return b->areApart && body1 && body2 && MdtBodiesAreApart(body1, body2);
+}
 
 static MeBool isAsleep(McdModelID m) {
     return McdModelGetSpace(m) && McdSpaceModelIsFrozen(m);
@@ -184,6 +191,8 @@ static MeBool isAsleep(McdModelID m) {
 static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *p) {
     if (isAsleep(p->model1) && isAsleep(p->model2))
         return MST_NOTHING;
+    if (mst_isHeldApart(b, p))
+        return p->touch || p->responseData ? MST_TO_PART : MST_NOTHING;
     if (b->part > 0 && !mst_mayMeet(p))
         return mst_mustWait(p) ? MST_TO_WAIT : MST_NOTHING;
     if (McdModelIsSensor(p->model1) || McdModelIsSensor(p->model2))

@@ -182,6 +182,12 @@ static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
         mst_touchNoteSensor(b, p, &run->result);
 }
 
+/* As if the space had said goodbye; what was tested says nothing of when they collide again. */
+static void part(McdModelPair *p) {
+    mst_pairForget(p);
+    McdModelPairForgetTest(p);
+}
+
 static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceID s, MdtWorldID w) {
     if (f->updated) {
         mst_touchList(f->updated);
@@ -201,6 +207,9 @@ static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceI
         return;
     case MST_TO_TEST:
         testAndCommit(b, run, f, s, w);
+        return;
+    case MST_TO_PART:
+        part(f->pair);
         return;
     case MST_TO_SENSE:
         senseAndCommit(b, run, f->pair);

@@ -149,6 +149,7 @@ typedef enum MstOutcome {
     MST_CARRIED,  /* they move with their bodies */
     MST_TESTED,   /* they become those that were found */
     MST_TO_TEST,  /* the same, but commit has to test the pair */
+    MST_TO_PART,  /* their joint lets them pass: contacts and touch go */
     MST_TO_SENSE, /* a model is a sensor: the same, without contacts of bodies */
     MST_TO_WAIT   /* one body lags, and must not push the other, which has done its step */
 } MstOutcome;
@@ -195,9 +196,10 @@ struct MstBridgeRecord {
     MstEvents events;
     MdtBodyID *clamped; /* bodies that have a safe time in this part of the step */
     int clampedCount, clampedMax;
-    MeReal ahead; /* s, the longest that a model may move in this part of the step */
-    int part;     /* of the step: 0 is the first, in which all bodies move */
-    MeReal reuse; /* MstBridgeSetContactReuse */
+    MeReal ahead;    /* s, the longest that a model may move in this part of the step */
+    MeBool areApart; /* some joint of the world lets its bodies pass through each other, as this container begins */
+    int part;        /* of the step: 0 is the first, in which all bodies move */
+    MeReal reuse;    /* MstBridgeSetContactReuse */
 };
 
 /* A model's body: McdModelGetBody without the question whether it is a model, which costs a lock. */
@@ -247,6 +249,8 @@ int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pa
 MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
 /* The same, and its contacts become part of the run's. */
 void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
+/* Do joints of the pair's bodies let them pass through each other? */
+MeBool mst_isHeldApart(const MstBridgeRecord *b, const McdModelPair *p);
 /* Is the pair's outcome found without a function of the program, and without a sensor? */
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p);
 /* The run's result, as a callback left it, becomes part of its contacts. */

@@ -145,7 +145,7 @@ START_TEST(missing_values_warn) {
     assert_warned("-in");
     ck_assert_str_eq(MeCommandLineOptionsGetString(o, "-out", 0), "-5");
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-frames", 0), 0);
-    assert_warned("MeCommandLineOptionsGetNumeric: option -frames has no value");
+    assert_warned("MeCommandLineOptionsGetNumeric: option -frames has no value: write -frames VALUE");
     ck_assert(MeCommandLineOptionsGetFloat(o, "-frames", 1) == 0);
     assert_warned("MeCommandLineOptionsGetFloat");
     ck_assert_int_eq(MeCommandLineOptionsGetNumeric(o, "-in", 1), 0);

@@ -217,7 +217,7 @@ START_TEST(joints_have_axes_and_lead_to_their_bodies) {
     const MdtBodyID b = McdModelGetBody(box(1, 0, 2));
     hinge(b, 0);
     draw(MstDebugJoints);
-    ck_assert_int_eq(count, 4); /* To the only body, the axis, the strokes of its head. */
+    ck_assert_int_eq(count, 4 + 12 + 2); /* To the only body, the axis, the strokes of its head; the sense. */
     assert_near(away(marks[0].p[0], (double[3]){1, 0, 2}), 0, 1e-6);
     assert_near(away(marks[0].p[1], (double[3]){0, 0, 2}), 0, 1e-6);
     assert_near(away(marks[1].p[1], (double[3]){0, 0.4, 2}), 0, 1e-6);
@@ -248,6 +248,68 @@ START_TEST(joints_have_axes_and_lead_to_their_bodies) {
         assert_near(end[2] - at[2], 0.4 * cos(0.6), 1e-5);
     }
     ck_assert_int_eq(sides, 16);
+}
+END_TEST
+
+/* The direction of the last line of an arrow's shaft; `from` is its first point. */
+static void lastStroke(int first, int strokes, double way[3]) {
+    for (int k = 0; k < 3; k++)
+        way[k] = marks[first + strokes - 1].p[1][k] - marks[first].p[0][k];
+}
+
+/* The arrow of a hinge shows where a point of the moving body goes as the angle grows, the one of a slider where the
+ * body goes, whichever body is the world. The arrows of the limits begin at zero and end where the joint is. */
+START_TEST(the_sense_of_a_coordinate_is_seen) {
+    MdtWorldSetGravity(u->world, 0, 0, 0);
+    for (int first = 0; first < 2; first++) {
+        const McdModelID m = box(0, 0, 2);
+        const MdtBodyID b = McdModelGetBody(m);
+        const MdtHingeID h = first ? hinge(0, b) : hinge(b, 0);
+        double way[3], half[3];
+        draw(MstDebugJoints);
+        lastStroke(4, 12, way); /* After the line to the body and the axis. */
+        double start[3];
+        for (int k = 0; k < 3; k++) { /* From the axis, which is along y, to where the arc begins. */
+            half[k] = marks[4].p[0][k] - (k == 2 ? 2 : k == 1 ? 0.2 : 0);
+            start[k] = half[k];
+        }
+        assert_near(sqrt(start[0] * start[0] + start[2] * start[2]), 0.15, 1e-6);
+        MdtBodySetAngularVelocity(b, 0, first ? -1 : 1, 0);
+        run(15);
+        const double angle = (double)MdtLimitGetPosition(MdtHingeGetLimit(h));
+        assert_near(angle, 0.25, 1e-3);
+        /* omega x r, of the motion that made the angle positive. */
+        const double spin = first ? -1 : 1, moved[3] = {spin * start[2], 0, -spin * start[0]};
+        ck_assert(way[0] * moved[0] + way[2] * moved[2] > 0.01);
+        draw(MstDebugLimits);
+        int arc = -1;
+        for (int i = 0; i < count && arc < 0;
+             i++) /* The first line in orange is where zero is, the next one the arc. */
+            arc = marks[i].kind == 2 && marks[i].color[1] < 0.7f && marks[i].color[0] > 0.9f ? i + 1 : -1;
+        ck_assert_int_gt(arc, 0);
+        const double *needle = marks[0].p[1], *end = marks[arc + 11].p[1];
+        const double hub[3] = {0, 0, 2};
+        for (int k = 0; k < 3; k++)
+            assert_near(end[k] - hub[k], 0.75 * (needle[k] - hub[k]), TOL(1e-5, 1e-12));
+        assert_near(away(marks[arc].p[0], end), 2 * 0.3 * sin(angle / 2), TOL(1e-5, 1e-12));
+        MdtHingeDestroy(h);
+        MdtPrismaticID slider = MdtPrismaticCreate(u->world);
+        MdtPrismaticSetBodies(slider, first ? 0 : b, first ? b : 0);
+        MdtPrismaticSetAxis(slider, 1, 0, 0);
+        MdtLimitCalculatePosition(MdtPrismaticGetLimit(slider), METRUE);
+        MdtPrismaticEnable(slider);
+        draw(MstDebugJoints);
+        MdtBodySetAngularVelocity(b, 0, 0, 0);
+        MdtBodySetLinearVelocity(b, first ? -1 : 1, 0, 0);
+        ck_assert((marks[4].p[1][0] - marks[4].p[0][0]) * (first ? -1 : 1) > 0.29);
+        run(15);
+        assert_near((double)MdtLimitGetPosition(MdtPrismaticGetLimit(slider)), 0.25, TOL(1e-5, 1e-9));
+        draw(MstDebugLimits);
+        ck_assert_int_eq(countOf(2), 3);
+        assert_near(marks[1].p[1][0] - marks[1].p[0][0], first ? -0.25 : 0.25, TOL(1e-5, 1e-9));
+        MdtPrismaticDestroy(slider);
+        MstModelAndBodyDestroy(m);
+    }
 }
 END_TEST
 
@@ -367,6 +429,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, boxes_and_shapes);
     tcase_add_test(t, a_hinges_sector_is_where_its_stops_are);
     tcase_add_test(t, joints_have_axes_and_lead_to_their_bodies);
+    tcase_add_test(t, the_sense_of_a_coordinate_is_seen);
     tcase_add_test(t, bodies_have_centres_and_velocities);
     tcase_add_test(t, outlines_tell_of_partitions_sleep_and_solver);
     tcase_add_test(t, names);

@@ -51,7 +51,20 @@ with tempfile.TemporaryDirectory() as directory:
     run('-null -frames 5 -screenshot none.png', 2, r'none\.png')
     run('-null -frames 5 -profile', 0)
     run('-gl -frames 5', 1, r'-osmesa')
-    run('-help', 0, r'-frames', r'-screenshot', r'-osmesa')
+    for way in ('-help', '--help', '-h'):
+        run(way, 0, r'-frames', r'-screenshot', r'-osmesa')
+
+    # What nobody knows ends the program before its first tick, with one message that says what to write.
+    for words, message in (('-fraems 50', '-fraems is no option: write -frames'), ('--size 64x48', 'write -size'),
+                           ('-nonsense', '-nonsense is no option: -help lists all'), ('file', 'file belongs to no option'),
+                           ('-frames 5 -frames abc', '-frames is given more than once'),
+                           ('-frames=5 -frames=9', '-frames is given more than once'),
+                           ('-frames abc', '-frames abc: write a whole number above 0'),
+                           ('-size 7', '-size 7: write WIDTHxHEIGHT'), ('-key Foo@3', '-key Foo@3: write NAME@FRAME'),
+                           ('-frames', 'option -frames has no value: write -frames VALUE'),
+                           ('-screenshot none/such.png', 'there is no directory none: make it first')):
+        said = run(f'-null {words}', 2, re.escape(message))
+        expect(said.count('Karma warning') == 1 and 'tick' not in said, f'{words}: more than one message, or a tick:\n{said}')
 
     run('-osmesa -size 320x240 -frames 12 -screenshot a.png', 0, r'wrote a\.png \(320x240\)')
     run('-size 320x240 -frames 12 -screenshot b.png', 0, r'wrote b\.png')  # no display: off-screen by itself
@@ -66,7 +79,9 @@ with tempfile.TemporaryDirectory() as directory:
     expect(sorted(f for f in os.listdir('.') if f.startswith('series')) ==
            [f'series-000{i}.png' for i in (1, 2, 3)], '-every wrote other files')
     run('-osmesa -size 64x48', 0, r'wrote test_viewer_program\.png \(64x48\)')
-    run('-osmesa -size 64x48 -frames 3 -screenshot no/such/place.png', 2, r'no/such/place\.png')
+    os.mkdir('place.png')
+    run('-osmesa -size 64x48 -frames 3 -screenshot place.png', 2, r'place\.png cannot be written')
+    os.rmdir('place.png')
     run('-osmesa -size 64x48 -frames 3 -key F2@2,F2@3', 0, r'test_viewer_program-0001\.png',
         r'test_viewer_program-0002\.png')
 

@@ -71,6 +71,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     const MeBool warn = MeCommandLineOptionsCheckFor(options, "-warn", 1);
     exitAt = MeCommandLineOptionsGetNumeric(options, "-exit", 1);
     destroyAt = MeCommandLineOptionsGetNumeric(options, "-destroy", 1);
+    RRenderRefuseOptions(rc, options);
     MeCommandLineOptionsDestroy(options);
     if (!rc)
         return 1;

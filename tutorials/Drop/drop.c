@@ -130,6 +130,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     };
     MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
     rc = RRenderContextCreate(options, 0, 1);
+    RRenderRefuseOptions(rc, options);
     MeCommandLineOptionsDestroy(options);
     if (!rc)
         return 1;

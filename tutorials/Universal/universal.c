@@ -347,6 +347,7 @@ static void createControls(void) {
 int MEAPI_CDECL main(int argc, const char **argv) {
     MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
     rc = RRenderContextCreate(options, 0, 1);
+    RRenderRefuseOptions(rc, options);
     MeCommandLineOptionsDestroy(options);
     if (!rc)
         return 1;

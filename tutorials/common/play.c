@@ -71,6 +71,7 @@ MeBool playStart(int argc, const char **argv, const char *name, int models) {
     MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
     char title[80];
     playRc = RRenderContextCreate(options, 0, 1);
+    RRenderRefuseOptions(playRc, options);
     MeCommandLineOptionsDestroy(options);
     if (!playRc)
         return MEFALSE;

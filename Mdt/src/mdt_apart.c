@@ -1,0 +1,67 @@
+/* Joints whose bodies do not collide with each other: the switch of each joint, and the question of Mst for two bodies.
+ *
+ * The question is asked for every pair of models in every step. A world without such a joint is told at once; else a
+ * bit of each body says whether it has ever had one, and only where both have, their joints are looked through.
+ */
+#include "MdtInternal.h"
+#include "MeAssert.h"
+#include "mdt_i.h"
+
+void mdt_apartForget(MdtJoint *j) {
+    const MdtConstraintID c = &j->base;
+    c->world->apart -= (c->record.flags & MDT_APART) != 0;
+    c->record.flags &= ~MDT_APART;
+    MEASSERT(c->world->apart >= 0);
+}
+
+static void setApart(MdtConstraintID c) {
+    c->world->apart++;
+    c->record.flags |= MDT_APART;
+    for (int k = 0; k < 2; k++)
+        if (c->side[k].body)
+            c->side[k].body->record.flags |= MDT_APART;
+}
+
+void MEAPI MdtConstraintSetBodiesCollide(const MdtConstraintID c, const MeBool collide) {
+    MDT_NEED_CONSTRAINT(c, );
+    if (!mdt_isJoint(c)) {
+        MeWarning(1, "%s: a %s is what a collision makes; nothing is changed", __func__, mdt_constraintName(c));
+        return;
+    }
+    if (!collide == ((c->record.flags & MDT_APART) != 0))
+        return;
+    if (collide)
+        mdt_apartForget((MdtJoint *)(void *)c);
+    else
+        setApart(c);
+    for (int k = 0; k < 2; k++) /* contacts, or their lack, may have held it in its sleep */
+        if (c->side[k].body && (c->record.flags & MDT_ENABLED))
+            mdt_bodyWakeIfAsleep(c->side[k].body);
+}
+
+MeBool MEAPI MdtConstraintGetBodiesCollide(const MdtConstraintID c) {
+    MDT_NEED_CONSTRAINT(c, 0);
+    return !(c->record.flags & MDT_APART);
+}
+
+MeBool MEAPI MdtWorldHasBodiesApart(const MdtWorldID w) {
+    MEASSERT(MdtWorldIsValid(w));
+    return w->apart > 0;
+}
+
+static MeBool holdsApart(const MdtAttachment *at, const MdtBody *other) {
+    const MdtConstraintID c = mdt_attachmentOwner(at);
+    const int both = MDT_ENABLED | MDT_APART;
+    return (c->record.flags & both) == both && c->side[1 - mdt_attachmentSide(at)].body == other;
+}
+
+/* A joint of both is in the lists of both: the end of the shorter one decides. */
+MeBool MEAPI MdtBodiesAreApart(const MdtBodyID b1, const MdtBodyID b2) {
+    const MdtAttachment *of1 = b1->attachments, *of2 = b2->attachments;
+    if (!(b1->record.flags & b2->record.flags & MDT_APART))
+        return MEFALSE;
+    for (; of1 && of2; of1 = of1->next, of2 = of2->next)
+        if (holdsApart(of1, b2) || holdsApart(of2, b1))
+            return METRUE;
+    return MEFALSE;
+}

@@ -1,0 +1,56 @@
+/* Check builds: a world in which nothing falls, as its program has forgotten gravity, which a new world does not have.
+ *
+ * Told once, after a second in which there are bodies that have been enabled, and nothing ever acts on them: the
+ * program has not called MdtWorldSetGravity, no body has a velocity or a load, no constraint is enabled. The second
+ * begins anew where the program moves a body itself, as one does that uses bodies to carry models.
+ */
+#include "MdtBody.h"
+#include "MdtInternal.h"
+#include "mdt_i.h"
+
+#if KARMA_CHECK
+static MeBool isZero(const double v[3]) {
+    return v[0] == 0 && v[1] == 0 && v[2] == 0;
+}
+
+static MeBool isAlone(const MdtBody *b) {
+    return isZero(b->force) && isZero(b->torque) && isZero(b->impulse) && isZero(b->twist) &&
+           MeVector3MagnitudeSqr(b->velocity) == 0 && MeVector3MagnitudeSqr(b->angularVelocity) == 0;
+}
+
+/* Does nothing act on any body as a step begins? The sum counts bodies, and how often they have been moved. */
+static MeBool areAllAlone(const MdtWorld *w, unsigned long *sum) {
+    *sum = 0;
+    if (w->enabledBodies + w->asleepBodies == 0 || w->enabledConstraints > 0)
+        return MEFALSE;
+    for (const MdtLink *link = w->bodies.first; link; link = link->next) {
+        const MdtBody *b = mdt_linkOwner(link);
+        *sum += 1 + b->moves;
+        if (!isAlone(b))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+void mdt_idleWatch(MdtWorldID w, double h) {
+    unsigned long sum;
+    if (w->idle.isOver)
+        return;
+    if (!areAllAlone(w, &sum)) {
+        w->idle.isOver = w->enabledBodies + w->asleepBodies > 0;
+        return;
+    }
+    w->idle.time = sum == w->idle.sum ? w->idle.time + h : 0;
+    w->idle.sum = sum;
+    if (w->idle.time < 1)
+        return;
+    w->idle.isOver = METRUE;
+    MeWarning(
+        1, "MdtWorldStep: for a second nothing has acted on the world's bodies, and there is no gravity: a new world "
+           "has none. Call MdtWorldSetGravity; with zeros, if it is to have none");
+}
+#else
+void mdt_idleWatch(MdtWorldID w, double h) {
+    (void)w, (void)h;
+}
+#endif
