@@ -47,7 +47,11 @@ typedef struct MeApp {
     MeAppContactDrawInfo *contacts; /**< Never null. */
     McdModelID selected; /**< What was clicked last, or null: MeAppGetSelected says whether it is still there. */
     struct MeAppControls *controls; /**< Null before MeAppCreateControls. */
+    struct MeAppShown *shown;       /**< The graphics of MeAppShowModel; null before the first. */
 } MeApp;
+
+/** Called by MeAppRun before each step. */
+typedef void(MEAPI *MeAppStepCB)(MeApp *app, void *userdata);
 
 ME_END_C
 

@@ -96,6 +96,7 @@ void MEAPI MeAppDestroy(MeApp *const app) {
         MeMemoryAPI.destroy(app->contacts);
     }
     meapp_controlsFree(app);
+    meapp_shownFree(app);
     MeMemoryAPI.destroy(app);
 }
 
