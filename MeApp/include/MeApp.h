@@ -53,7 +53,8 @@ MEPUBLIC MeApp *MEAPI MeAppCreateFromUniverse(const MstUniverseID u, RRender *rc
 MEPUBLIC void MEAPI MeAppDestroy(MeApp *const app);
 /** The universe it was created from; null if it was created from a world and a space. */
 MEPUBLIC MstUniverseID MEAPI MeAppGetMstUniverse(MeApp *app);
-/** Once before each step of the world: MeAppUpdateMouseSpring, then MeAppDrawContacts. It does not step the world. */
+/** Once before each step of the world: MeAppUpdateMouseSpring, MeAppDrawContacts, and the camera of MeAppFollow. It
+ *  does not step the world. */
 MEPUBLIC void MEAPI MeAppStep(MeApp *app);
 /** @} */
 
@@ -89,6 +90,20 @@ MEPUBLIC int MEAPI MeAppShowUniverse(MeApp *app);
  * and MeAppDestroy remove it. Null for a geometry without a shape of its own, and, with a warning, for a bad argument.
  */
 MEPUBLIC RGraphic *MEAPI MeAppShowModel(MeApp *app, McdModelID m, const float color[4]);
+/** @} */
+
+/** @name Driving
+ *  Additions to the 1.2 interface. RKey.h tells for how long a single key has been held.
+ *  @{ */
+/** Two keys as an axis: 1 while @a more is held, -1 while @a less is, 0 while both or none are. Names are those of
+ *  RRenderGetKeyFrames: MeAppGetKeyAxis(app, "Left", "Right"). */
+MEPUBLIC int MEAPI MeAppGetKeyAxis(MeApp *app, const char *less, const char *more);
+/**
+ * Puts the camera behind a body that looks along its x, y up, @a distance away and @a elevation (rad) above it; from
+ * then on each MeAppStep moves it after the body and turns it as the body turns. The user may turn it further. It ends
+ * with the body, or with a null one.
+ */
+MEPUBLIC void MEAPI MeAppFollow(MeApp *app, MdtBodyID body, AcmeReal distance, AcmeReal elevation);
 /** @} */
 
 /** @name Contacts

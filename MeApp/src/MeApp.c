@@ -109,6 +109,7 @@ void MEAPI MeAppStep(MeApp *app) {
         return;
     MeAppUpdateMouseSpring(app);
     MeAppDrawContacts(app);
+    meapp_followStep(app);
     if (app->controls)
         meapp_sampleReport(app);
 }
