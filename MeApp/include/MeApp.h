@@ -1,6 +1,16 @@
 /** @file MeApp.h
- *  What demonstration programs share: bodies that the mouse pulls, and contacts that are seen. RGeometry.h makes
- *  graphics of collision geometries. It brings along Mst.h and MeViewer.h.
+ *  What demonstration programs share: a universe on the screen, bodies that the mouse pulls, and contacts that are
+ *  drawn. RGeometry.h makes graphics of collision geometries. It brings along Mst.h and MeViewer.h.
+ *
+ *  A program that leaves window, universe and main loop to MeApp:
+ *
+ *      MeApp *app = MeAppStart(argc, argv, "Falling box", 0);
+ *      MstUniverseID universe = MeAppGetMstUniverse(app);
+ *      MdtWorldSetGravity(MstUniverseGetWorld(universe), 0, (MeReal)-9.8, 0);
+ *      MstModelAndBodyCreate(universe, McdBoxCreate(MstUniverseGetFramework(universe), 1, 1, 1), 1000);
+ *      MeAppRun(app, (MeReal)(1.0 / 60), 0, 0);
+ *
+ *  A program that has its own:
  *
  *      MeApp *app = MeAppCreateFromUniverse(universe, rc);
  *      MeAppCreateControls(app);               // the mouse, F, Space, panels; or the mouse alone:
@@ -43,8 +53,58 @@ MEPUBLIC MeApp *MEAPI MeAppCreateFromUniverse(const MstUniverseID u, RRender *rc
 MEPUBLIC void MEAPI MeAppDestroy(MeApp *const app);
 /** The universe it was created from; null if it was created from a world and a space. */
 MEPUBLIC MstUniverseID MEAPI MeAppGetMstUniverse(MeApp *app);
-/** Once before each step of the world: MeAppUpdateMouseSpring, then MeAppDrawContacts. It does not step the world. */
+/** Once before each step of the world: MeAppUpdateMouseSpring, MeAppDrawContacts, and the camera of MeAppFollow. It
+ *  does not step the world. */
 MEPUBLIC void MEAPI MeAppStep(MeApp *app);
+/** @} */
+
+/** @name A universe on the screen
+ *  Additions to the 1.2 interface.
+ *  @{ */
+/**
+ * A viewer context for the options of the command line (MeViewer.h; others end the program, RRenderRefuseOptions), a
+ * universe of these sizes (null:
+ * MstUniverseGrowingSizes), the helpers of both, and their controls (MeAppCreateControls). @a name is the title of the
+ * window. The universe has no gravity and no friction yet, as MstUniverseCreate makes it. The camera looks at the
+ * origin from 12 length scales away; RCameraSetView and the others change that, the context is MeApp::rc. Null, after
+ * a warning that says why, if there is nothing to draw on or no memory.
+ */
+MEPUBLIC MeApp *MEAPI MeAppStart(int argc, const char **argv, const char *name, const MstUniverseSizes *sizes);
+/** Destroys what MeAppStart made, in the right order. MeAppRun calls it when the program ends. Null does nothing. */
+MEPUBLIC void MEAPI MeAppEnd(MeApp *app);
+/**
+ * The main loop of a program that MeAppStart started. Each frame: MeAppStep, @a beforeStep (may be null) with @a
+ * userdata, a step of the universe by @a step seconds (> 0), MeAppShowUniverse, and the picture. It does not return:
+ * when the user leaves, or the frames of `-frames` are over, MeAppEnd is called by exit(). A bad argument gets a
+ * warning; then it returns at once.
+ */
+MEPUBLIC void MEAPI MeAppRun(MeApp *app, MeReal step, MeAppStepCB beforeStep, void *userdata);
+/**
+ * Gives each model of the space that has none a graphic (RGraphicCreateFromModel): fixed models a grey one, the others
+ * colours of RPalette in turn. Graphics of models that have left the space or were destroyed are removed. To be called
+ * after models came or went, and before the next picture; it costs a look at each model. A graphic keeps the shape that
+ * the geometry had. Returns how many models are shown.
+ */
+MEPUBLIC int MEAPI MeAppShowUniverse(MeApp *app);
+/**
+ * Gives a model a graphic of a colour, or its graphic that colour. It belongs to the helpers: MeAppShowUniverse
+ * and MeAppDestroy remove it. Null for a geometry without a shape of its own, and, with a warning, for a bad argument.
+ */
+MEPUBLIC RGraphic *MEAPI MeAppShowModel(MeApp *app, McdModelID m, const float color[4]);
+/** @} */
+
+/** @name Driving
+ *  Additions to the 1.2 interface. RKey.h tells for how long a single key has been held.
+ *  @{ */
+/** Two keys as an axis: 1 while @a more is held, -1 while @a less is, 0 while both or none are. Names are those of
+ *  RRenderGetKeyFrames: MeAppGetKeyAxis(app, "Left", "Right"). */
+MEPUBLIC int MEAPI MeAppGetKeyAxis(MeApp *app, const char *less, const char *more);
+/**
+ * Puts the camera behind a body that looks along its x, y up, @a distance away and @a elevation (rad) above it; from
+ * then on each MeAppStep moves it after the body and turns it as the body turns. The user may turn it further. It ends
+ * with the body, or with a null one.
+ */
+MEPUBLIC void MEAPI MeAppFollow(MeApp *app, MdtBodyID body, AcmeReal distance, AcmeReal elevation);
 /** @} */
 
 /** @name Contacts

@@ -32,6 +32,13 @@ typedef struct MeAppContactDrawInfo {
     RNativeLine **lines; /**< All lines; null before MeAppDrawContactsInit. */
 } MeAppContactDrawInfo;
 
+/** What the camera follows. */
+typedef struct MeAppFollowInfo {
+    MdtBodyID body; /**< Null: nothing. */
+    MeVector3 at;   /**< Where the camera looks. */
+    MeReal heading; /**< Of the camera, rad, anticlockwise from x as seen from above. */
+} MeAppFollowInfo;
+
 /** A demonstration program's helpers. Created by MeAppCreate. */
 typedef struct MeApp {
     MdtWorldID world;
@@ -47,7 +54,12 @@ typedef struct MeApp {
     MeAppContactDrawInfo *contacts; /**< Never null. */
     McdModelID selected; /**< What was clicked last, or null: MeAppGetSelected says whether it is still there. */
     struct MeAppControls *controls; /**< Null before MeAppCreateControls. */
+    MeAppFollowInfo follow;         /**< MeAppFollow. */
+    struct MeAppShown *shown;       /**< The graphics of MeAppShowModel; null before the first. */
 } MeApp;
+
+/** Called by MeAppRun before each step. */
+typedef void(MEAPI *MeAppStepCB)(MeApp *app, void *userdata);
 
 ME_END_C
 

@@ -96,6 +96,7 @@ void MEAPI MeAppDestroy(MeApp *const app) {
         MeMemoryAPI.destroy(app->contacts);
     }
     meapp_controlsFree(app);
+    meapp_shownFree(app);
     MeMemoryAPI.destroy(app);
 }
 
@@ -108,6 +109,7 @@ void MEAPI MeAppStep(MeApp *app) {
         return;
     MeAppUpdateMouseSpring(app);
     MeAppDrawContacts(app);
+    meapp_followStep(app);
     if (app->controls)
         meapp_sampleReport(app);
 }

@@ -10,7 +10,6 @@
 #include "MeViewer.h"
 #include "MstModelDynamics.h"
 #include "MstUtils.h"
-#include "RGeometry.h"
 #include "RMark.h"
 #include "RPanel.h"
 #include "me_app_i.h"
@@ -76,7 +75,7 @@ static McdModelID createBall(MeApp *app) {
     if (!ball)
         return 0;
     McdModelSetSwept(ball, METRUE);
-    RGraphicCreateFromModel(app->rc, ball, color);
+    MeAppShowModel(app, ball, color);
     return ball;
 }
 

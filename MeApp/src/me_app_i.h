@@ -18,6 +18,12 @@ void meapp_lineShow(RRender *rc, RNativeLine *line, const MeVector3 start, const
 /* Has it no longer drawn. */
 void meapp_lineHide(RNativeLine *line);
 
+/* The camera of MeAppFollow, a frame further (MeAppDrive.c). */
+void meapp_followStep(MeApp *app);
+
+/* Removes the graphics of models (MeAppUniverse.c). */
+void meapp_shownFree(MeApp *app);
+
 /* Frees the lines of the contacts. */
 void meapp_contactsFree(MeAppContactDrawInfo *info);
 

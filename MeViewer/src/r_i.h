@@ -76,7 +76,7 @@ typedef struct {
 
 typedef struct {
     int key, modifiers;
-    int frame; /* 1 is the first. */
+    int frame, last; /* In which it is down; 1 is the first. */
 } RScriptedKey;
 
 /* RRenderSetKeyCallBack's. */

@@ -90,6 +90,19 @@ static bool takePrefix(const char **name, const char *end, const char *prefix) {
     return true;
 }
 
+/* "FRAME" or "FIRST-LAST"; false for what is neither. */
+static bool scriptFrames(RScriptedKey *k, const char *text, const char *end) {
+    enum { MOST = 1000000000 };
+    char *rest;
+    const long first = strtol(text, &rest, 10);
+    const long last = rest < end && *rest == '-' ? strtol(rest + 1, &rest, 10) : first;
+    if (rest != end || first < 1 || last < first || last >= MOST)
+        return false;
+    k->frame = (int)first;
+    k->last = (int)last;
+    return true;
+}
+
 /* One "NAME@FRAME". */
 static bool scriptKey(RRender *rc, const char *text, const char *end) {
     RInput *in = &rc->m_pViewer->input;
@@ -102,14 +115,18 @@ static bool scriptKey(RRender *rc, const char *text, const char *end) {
             k.modifiers = RCONTROL;
         else if (takePrefix(&name, at, "Shift+"))
             k.modifiers = RSHIFT;
-        char *rest;
-        k.key = r_keyByName(name, (size_t)(at - name));
-        const long frame = strtol(at + 1, &rest, 10);
-        k.frame = rest == end && frame > 0 && frame < 1000000000 ? (int)frame : 0;
+        if (scriptFrames(&k, at + 1, end))
+            k.key = r_keyByName(name, (size_t)(at - name));
     }
+<<<<<<< HEAD
     const bool understood = k.key != RKEY_NONE && k.frame > 0;
     if (!understood)
         MeWarning(1, "-key %.*s: write NAME@FRAME, as in F1@30", (int)(end - text), text);
+=======
+    if (k.key == RKEY_NONE)
+        MeWarning(1, "-key %.*s: it must be NAME@FRAME or NAME@FIRST-LAST, as in F1@30 or Up@10-70", (int)(end - text),
+                  text);
+>>>>>>> words
     else if (r_grow(in->script, 1))
         in->script.items[in->script.count++] = k;
     return understood;
@@ -395,14 +412,19 @@ static void handle(RRender *rc, const REvent *e) {
     }
 }
 
+/* Keys come up before they go down, so that one may be pressed in each of several frames, or several times in one. */
 static void postScript(RRender *rc) {
     const RInput *in = &rc->m_pViewer->input;
+    const int frame = rc->m_pViewer->loop.frames;
+    for (size_t i = 0; i < in->script.count; i++)
+        if (in->script.items[i].last + 1 == frame)
+            r_post(rc, (REvent){.kind = rKeyUp, .key = in->script.items[i].key});
     for (size_t i = 0; i < in->script.count; i++) {
         const RScriptedKey *k = &in->script.items[i];
-        if (k->frame != rc->m_pViewer->loop.frames)
+        if (k->frame != frame)
             continue;
-        r_post(rc, (REvent){.kind = rKeyDown, .key = k->key, .modifiers = k->modifiers});
         r_post(rc, (REvent){.kind = rKeyUp, .key = k->key});
+        r_post(rc, (REvent){.kind = rKeyDown, .key = k->key, .modifiers = k->modifiers});
     }
 }
 

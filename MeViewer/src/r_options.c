@@ -176,7 +176,7 @@ void MEAPI RDisplayCommandLineHelp(void) {
               "How long:\n"
               "  -frames N            stop after N frames; the exit code is then 2 if there were warnings, else 0\n"
               "  -paused              begin paused\n"
-              "  -key NAME@FRAME,...  press keys: F1@30,Enter@60,Ctrl+Left@61,a@70\n"
+              "  -key NAME@FRAME,...  press keys: F1@30,Enter@60,Ctrl+Left@61,a@70; hold: Up@10-70\n"
               "What to keep:\n"
               "  -screenshot FILE     a PNG picture of the last frame\n"
               "  -every N             with -screenshot: every N frames one, FILE-0001.png and so on\n"

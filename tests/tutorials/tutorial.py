@@ -24,8 +24,8 @@ def status(frames, keys='', again=False):
 
 
 def held(key, first, last):
-    """-> what to press to hold an arrow key: for tutorials that drive, a press counts for 26 frames."""
-    return ','.join(f'{key}@{frame}' for frame in range(first, last - 25, 24))
+    """-> what to press to hold a key from a frame on, up to the one before another."""
+    return f'{key}@{first}-{last - 1}'
 
 
 def figure(line, name):

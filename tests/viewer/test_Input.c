@@ -1,5 +1,6 @@
 /* Keys and the mouse, and what they do to callbacks, the camera, the pause; frames and their end. */
 #include "MeDebugDraw.h"
+#include "RKey.h"
 #include "RMenu.h"
 #include "viewer_test.h"
 
@@ -497,6 +498,44 @@ START_TEST(scripted_keys_and_the_number_of_frames) {
 }
 END_TEST
 
+START_TEST(keys_are_held_and_released) {
+    static const int up[] = {0, 1, 2, 3, 0, 1, 1, 0};
+    RRender *own = make_context("-null -key Up@2-4,Up@6,Up@7,a@3");
+    RRender *const before = rc;
+    rc = own;
+    for (int i = 0; i < 8; i++) {
+        frames(1);
+        ck_assert_int_eq(RRenderGetKeyFrames(rc, "up"), up[i]);
+        ck_assert_int_eq(RRenderGetKeyFrames(rc, "A"), i == 2);
+    }
+    ck_assert_int_eq(RRenderGetKeyFrames(rc, "Foo"), 0);
+    assert_warned("RRenderGetKeyFrames");
+    ck_assert_int_eq(RRenderGetKeyFrames(rc, 0), 0);
+    assert_warned("RRenderGetKeyFrames");
+    ck_assert_int_eq(RRenderGetKeyFrames(0, "Up"), 0);
+    assert_warned("RRenderGetKeyFrames");
+    RRenderContextDestroy(own);
+    rc = before;
+}
+END_TEST
+
+START_TEST(a_script_presses_once_what_it_holds_and_may_press_often) {
+    RRender *own = make_context("-null -key Enter@2-9,Enter@10,Enter@12,Enter@12,Enter@12");
+    RRender *const before = rc;
+    rc = own;
+    RRenderSetActionNCallBack(rc, 2, onPress, 0);
+    calls = 0;
+    frames(9);
+    ck_assert_int_eq(calls, 1);
+    frames(1);
+    ck_assert_int_eq(calls, 2);
+    frames(2);
+    ck_assert_int_eq(calls, 5);
+    RRenderContextDestroy(own);
+    rc = before;
+}
+END_TEST
+
 START_TEST(key_names) {
     char name[16];
     ck_assert_int_eq(r_keyByName("F1", 2), RKEY_F1);
@@ -533,6 +572,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, arrows_work_a_menu);
     tcase_add_test(t, leaving);
     tcase_add_test(t, scripted_keys_and_the_number_of_frames);
+    tcase_add_test(t, keys_are_held_and_released);
+    tcase_add_test(t, a_script_presses_once_what_it_holds_and_may_press_often);
     tcase_add_test(t, key_names);
 }
 TEST_MAIN("Input", tests)

@@ -40,7 +40,8 @@ enum { COURSE = sizeof course / sizeof course[0] };
 static McdModelID chassis, wheel[WHEELS], crate[CRATES];
 static MdtCarWheelID joint[WHEELS];
 static MstMaterialID wheelMaterial;
-static MeMatrix4 groundTM, rampTM, lowerTM, cabinTM;
+static MeAppTerrain *terrain;
+static MeMatrix4 rampTM, lowerTM, cabinTM;
 
 static MeBool isAutomatic, handbrake;
 static int gear, target; /* gear: 0 to GEARS - 1, or -1 for reverse; target: of the course */
@@ -196,7 +197,7 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     placeCrates();
     isAutomatic = METRUE;
     target = 0;
-    driveCamera(playRc, body(), 9, .22f);
+    MeAppFollow(playApp, body(), 9, .22f);
     RCameraRotateAngle(playRc, -.6f); /* a little from the side */
 }
 
@@ -252,10 +253,8 @@ static void showFigures(void) {
 
 static void MEAPI Tick(RRender *context) {
     (void)context;
-    driveTick();
     control();
     MstUniverseStep(playUniverse, playFrame);
-    driveFollow(playRc, body());
     showFigures();
 }
 
@@ -321,9 +320,8 @@ static void createRamp(void) {
 static void createWorld(void) {
     static const float wood[4] = {.76f, .58f, .36f, 1};
     const McdGeometryID cube = McdBoxCreate(playUniverse->frame, (MeReal)0.7, (MeReal)0.7, (MeReal)0.7);
-    terrainMake((MeReal)1.5, 30, 3);
-    playFixed(terrainHeightField(playUniverse->frame, groundTM), groundTM, 0);
-    terrainGraphic(playRc);
+    MeAppTerrainCreateModel(terrain, playUniverse);
+    MeAppTerrainShow(terrain, playRc);
     createRamp();
     for (int i = 0; i < CRATES; i++)
         crate[i] = playModel(cube, 40, 0, 0, 0, wood);
@@ -360,13 +358,13 @@ int MEAPI_CDECL main(int argc, const char **argv) {
         "$ACTION4 - back on its wheels",
         "The figures: m/s, turns a minute, N m, degrees, degrees a second, wheels on the ground, m, cm.",
     };
-    if (!playStart(argc, argv, "Car", 1 + WHEELS + CRATES))
+    terrain = terrainCreate(30, 3);
+    if (!terrain || !playStart(argc, argv, "Car", 1 + WHEELS + CRATES))
         return 1;
     createWorld();
     createCar();
     createCarGraphics();
     playHelp(help, 9);
-    driveStart(playRc);
     RRenderSetActionNCallBack(playRc, 1, toggleHandbrake, 0);
     RRenderSetActionNCallBack(playRc, 2, Reset, 0);
     RRenderSetActionNCallBack(playRc, 3, toggleAutomatic, 0);

@@ -173,13 +173,15 @@ static const MeReal maxAng = (MeReal)0.35; /* rad, of the rider's leaning */
 
 static MeBool isAutomatic;
 static int target; /* of the course */
+static MeAppTerrain *terrain;
 
 /* ---- terrain --------------------------------------------------------------------------------------------------- */
 
 /* The row or column of cells that is a way from the middle. */
 static int cellAt(MeReal way) {
-    const int n = (int)((MeReal)(TERRAIN_POINTS / 2) + way / terrainCell());
-    return MeCLAMP(n, 0, TERRAIN_POINTS - 2);
+    const int points = MeAppTerrainGetPoints(terrain);
+    const int n = (int)((MeReal)(points / 2) + way / MeAppTerrainGetCell(terrain));
+    return MeCLAMP(n, 0, points - 2);
 }
 
 /* Hands over the triangles of the cells round a place: the grid tells at once which those are. */
@@ -193,7 +195,7 @@ static int MEAPI TriListGeneratorCB(McdModelPair *pair, McdUserTriangle *triangl
         for (int i = i0; i <= i1; i++) {
             for (int t = 0; t < 2 && count < most; t++, count++) {
                 for (int k = 0; k < 3; k++)
-                    triangle[count].vertices[k] = terrainCorner(i, j, t, k);
+                    triangle[count].vertices[k] = MeAppTerrainGetCorner(terrain, i, j, t, k);
                 triangle[count].normal = 0;
                 triangle[count].flags = (McdTriangleFlags)(kMcdTriangleUseSmallestPenetration | kMcdTriangleUseEdges);
                 triangle[count].triangleData.ptr = 0;
@@ -205,7 +207,6 @@ static int MEAPI TriListGeneratorCB(McdModelPair *pair, McdUserTriangle *triangl
 
 static void InitialiseTerrain(void) {
     MeVector3 min = {-80, -10, -80}, max = {80, 30, 80};
-    terrainMake((MeReal)1.5, 24, (MeReal)1.8);
     landscape.collGeom = McdTriangleListCreate(playUniverse->frame, min, max, TRI_LIST_SIZE, TriListGeneratorCB);
     landscape.collModel = McdModelCreate(landscape.collGeom);
     MeMatrix4TMMakeIdentity(landscape.transform);
@@ -509,7 +510,7 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     quadBike.steeringInput = 0;
     isAutomatic = METRUE;
     target = 0;
-    driveCamera(playRc, quadBike.chassisBody, 5.5f, .22f);
+    MeAppFollow(playApp, quadBike.chassisBody, 5.5f, .22f);
     RCameraRotateAngle(playRc, -.7f); /* a little from the side */
 }
 
@@ -543,14 +544,12 @@ static void showFigures(void) {
 
 static void MEAPI Tick(RRender *context) {
     (void)context;
-    driveTick();
     readInput(&quadBike);
     UpdateVehicleControls(&quadBike);
     UpdateRiderControls(&character);
     McdSpaceUpdateAll(playUniverse->space);
     MstBridgeUpdateContacts(playUniverse->bridge, playUniverse->space, playUniverse->world);
     MdtWorldStep(playUniverse->world, playFrame);
-    driveFollow(playRc, quadBike.chassisBody);
     showFigures();
 }
 
@@ -609,7 +608,7 @@ static void createEverything(void) {
     InitialiseVehicle(&quadBike);
     InitialiseRider(&character);
     keepStart();
-    terrainGraphic(playRc);
+    MeAppTerrainShow(terrain, playRc);
     CreateVehicleGraphics();
     CreateRiderGraphics();
 }
@@ -623,11 +622,11 @@ int MEAPI_CDECL main(int argc, const char **argv) {
         "$ACTION2 - start again",
         "$ACTION3 - let it ride round its course, or stop that",
     };
-    if (!playStart(argc, argv, "Quadbike", BODIES))
+    terrain = terrainCreate(24, (MeReal)1.8);
+    if (!terrain || !playStart(argc, argv, "Quadbike", BODIES))
         return 1;
     createEverything();
     playHelp(help, 6);
-    driveStart(playRc);
     RRenderSetActionNCallBack(playRc, 2, Reset, 0);
     RRenderSetActionNCallBack(playRc, 3, toggleAutomatic, 0);
     Reset(playRc, 0);

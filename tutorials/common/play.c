@@ -1,15 +1,14 @@
 #include "play.h"
 #include "MeMessage.h"
-#include "RGeometry.h"
 #include <stdio.h>
 #include <stdlib.h>
 
+MeApp *playApp;
 RRender *playRc;
 MstUniverseID playUniverse;
 const MeReal playFrame = (MeReal)(1.0 / 60);
 
 static MeMatrix4 floorTM;
-static MeApp *app;
 static MeBool showContacts;
 static RMainLoopCallBackNoData programTick;
 
@@ -34,9 +33,7 @@ static MeU32 stateHash(void) {
 static void MEAPI_CDECL cleanup(void) {
     if (playRc->m_Options.m_nFrames > 0)
         MeInfo(0, "state %08x", (unsigned int)stateHash());
-    MeAppDestroy(app);
-    RRenderContextDestroy(playRc);
-    MstUniverseDestroy(playUniverse);
+    MeAppEnd(playApp);
 }
 
 static void setDefaults(void) {
@@ -48,48 +45,39 @@ static void setDefaults(void) {
 static void MEAPI toggleContacts(RRender *rc, void *userdata) {
     (void)rc, (void)userdata;
     showContacts = !showContacts;
-    MeAppToggleDrawContacts(app, showContacts);
-    MeAppDrawContacts(app);
+    MeAppToggleDrawContacts(playApp, showContacts);
+    MeAppDrawContacts(playApp);
 }
 
-/* The mouse, and the contacts: hidden at first. */
-static MeBool createHelpers(int contacts) {
+/* Contacts are hidden at first. */
+static void prepareContacts(int contacts) {
     static float orange[4] = {1, .45f, 0, 1};
-    app = MeAppCreateFromUniverse(playUniverse, playRc);
-    if (!app)
-        return MEFALSE;
-    MeAppDrawContactsInit(app, orange, contacts);
-    MeAppToggleDrawContacts(app, MEFALSE);
-    MeAppCreateControls(app);
+    MeAppDrawContactsInit(playApp, orange, contacts);
+    MeAppToggleDrawContacts(playApp, MEFALSE);
     RRenderSetActionNKey(playRc, 5, 'c');
     RRenderSetActionNCallBackWithText(playRc, 5, toggleContacts, 0, "show contacts, or hide them");
-    return METRUE;
 }
 
 MeBool playStart(int argc, const char **argv, const char *name, int models) {
     MstUniverseSizes sizes = MstUniverseDefaultSizes;
-    MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
     char title[80];
-    playRc = RRenderContextCreate(options, 0, 1);
-    RRenderRefuseOptions(playRc, options);
-    MeCommandLineOptionsDestroy(options);
-    if (!playRc)
-        return MEFALSE;
-    snprintf(title, sizeof title, "Karma tutorial: %s", name);
-    RRenderSetWindowTitle(playRc, title);
-    RRenderSetAppName(playRc, name);
     models += 8; /* the balls that Space throws */
     sizes.dynamicBodiesMaxCount = (unsigned int)models;
     sizes.collisionModelsMaxCount = (unsigned int)models + 16;
     sizes.collisionGeometryInstancesMaxCount = 8 * (unsigned int)models;
     sizes.collisionPairsMaxCount = 16 * (unsigned int)models + 64;
     sizes.dynamicConstraintsMaxCount = 40 * (unsigned int)models + 64;
-    playUniverse = MstUniverseCreate(&sizes);
-    if (!playUniverse)
+    playApp = MeAppStart(argc, argv, name, &sizes);
+    if (!playApp)
         return MEFALSE;
-    setDefaults();
     atexit(cleanup);
-    return createHelpers((int)sizes.dynamicConstraintsMaxCount);
+    playRc = playApp->rc;
+    playUniverse = MeAppGetMstUniverse(playApp);
+    snprintf(title, sizeof title, "Karma tutorial: %s", name);
+    RRenderSetWindowTitle(playRc, title);
+    setDefaults();
+    prepareContacts((int)sizes.dynamicConstraintsMaxCount);
+    return METRUE;
 }
 
 void playHelp(const char *const help[], int lines) {
@@ -103,7 +91,7 @@ void playCamera(float x, float y, float z, float distance, float angle, float el
 }
 
 static void MEAPI tickWithHelpers(RRender *rc) {
-    MeAppStep(app);
+    MeAppStep(playApp);
     programTick(rc);
 }
 
@@ -129,18 +117,18 @@ McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal
     if (!m)
         return 0;
     McdModelDynamicsSetPosition(m, x, y, z);
-    McdModelSetUserData(m, RGraphicCreateFromModel(playRc, m, color));
+    MeAppShowModel(playApp, m, color);
     return m;
 }
 
 void playColor(McdModelID m, const float color[4]) {
-    RGraphicSetColor(McdModelGetUserData(m), color);
+    MeAppShowModel(playApp, m, color);
 }
 
 McdModelID playFixed(McdGeometryID g, MeMatrix4Ptr tm, const float color[4]) {
     const McdModelID m = MstFixedModelCreate(playUniverse, g, tm);
     if (m && color)
-        RGraphicCreateFromModel(playRc, m, color);
+        MeAppShowModel(playApp, m, color);
     return m;
 }
 

@@ -1,4 +1,4 @@
-/* A universe on the screen: what the tutorials of collision and dynamics together have in common.
+/* A universe on the screen, by MeApp: what the tutorials of collision and dynamics together have in common.
  *
  * y is up, gravity 9.81 m/s². There is one of everything, so that a tutorial shows what it is about. Models have
  * graphics that follow them; all of it is given back when the program ends. The key C (action 5) shows contacts; the
@@ -11,7 +11,8 @@
 #include "MeViewer.h"
 #include "Mst.h"
 
-extern RRender *playRc;
+extern MeApp *playApp;
+extern RRender *playRc; /* its context */
 extern MstUniverseID playUniverse;
 extern const MeReal playFrame; /* s, of a step: 1/60 */
 
@@ -32,7 +33,7 @@ void playCentre(McdAggregateID whole, MeVector3 was);
 /* A model with an enabled body of a density (kg/m³), its middle at a place, and its graphic. Null if there is no
  * room. */
 McdModelID playModel(McdGeometryID g, MeReal density, MeReal x, MeReal y, MeReal z, const float color[4]);
-/* Another colour for such a model's graphic, which is its user data. */
+/* Another colour for such a model's graphic. */
 void playColor(McdModelID m, const float color[4]);
 /* A model that does not move, at a transform that is kept. */
 McdModelID playFixed(McdGeometryID g, MeMatrix4Ptr tm, const float color[4]);

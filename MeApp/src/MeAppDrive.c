@@ -1,0 +1,60 @@
+/* Driving: two keys as an axis, and a camera that follows a body. */
+#include "MdtBody.h"
+#include "MeMath.h"
+#include "MeMessage.h"
+#include "MeViewer.h"
+#include "RKey.h"
+#include "me_app_i.h"
+
+int MEAPI MeAppGetKeyAxis(MeApp *app, const char *less, const char *more) {
+    if (!meapp_check(app, "MeAppGetKeyAxis"))
+        return 0;
+    return (RRenderGetKeyFrames(app->rc, more) > 0) - (RRenderGetKeyFrames(app->rc, less) > 0);
+}
+
+/* Anticlockwise from x as seen from above; as it was while the body looks straight up or down. */
+static MeReal headingOf(MdtBodyID body, MeReal old) {
+    const MeReal *forward = MdtBodyGetTransformPtr(body)[0];
+    const MeReal level = forward[0] * forward[0] + forward[2] * forward[2];
+    return level > (MeReal)0.1 ? MeAtan2(-forward[2], forward[0]) : old;
+}
+
+static void lookAt(const MeApp *app) {
+    const AcmeVector3 at = {(AcmeReal)app->follow.at[0], (AcmeReal)app->follow.at[1], (AcmeReal)app->follow.at[2]};
+    RCameraSetLookAt(app->rc, at);
+}
+
+void MEAPI MeAppFollow(MeApp *app, MdtBodyID body, AcmeReal distance, AcmeReal elevation) {
+    if (!meapp_check(app, "MeAppFollow"))
+        return;
+    app->follow.body = 0;
+    if (!body)
+        return;
+    if (!MdtBodyIsValid(body)) {
+        MeWarning(1, "MeAppFollow: the body has been destroyed");
+        return;
+    }
+    app->follow.body = body;
+    app->follow.heading = headingOf(body, 0);
+    MdtBodyGetPosition(body, app->follow.at);
+    lookAt(app);
+    RCameraSetView(app->rc, distance, (AcmeReal)(app->follow.heading - ME_PI / 2), elevation);
+}
+
+/* A part of what is missing in each frame: at 60 a second the point is reached with a time constant of 1/17 s, the
+ * heading with one of 1/3 s, so that the picture swings less than the body does. */
+void meapp_followStep(MeApp *app) {
+    const MeReal pointPart = (MeReal)0.25, headingPart = (MeReal)0.05;
+    MeVector3 at;
+    if (!app->follow.body || !MdtBodyIsValid(app->follow.body)) {
+        app->follow.body = 0;
+        return;
+    }
+    const MeReal missing = headingOf(app->follow.body, app->follow.heading) - app->follow.heading;
+    const MeReal turn = headingPart * MeAtan2(MeSin(missing), MeCos(missing));
+    MdtBodyGetPosition(app->follow.body, at);
+    MeVector3Lerp(app->follow.at, app->follow.at, at, pointPart);
+    app->follow.heading += turn;
+    lookAt(app);
+    RCameraRotateAngle(app->rc, (AcmeReal)turn);
+}

@@ -1,0 +1,251 @@
+/* A universe on the screen: a context and a universe in one call, graphics of all models, and the main loop. */
+#include "McdModel.h"
+#include "McdSpace.h"
+#include "MeMemory.h"
+#include "MeMessage.h"
+#include "MeViewer.h"
+#include "MstModelDynamics.h"
+#include "MstUniverse.h"
+#include "RGeometry.h"
+#include "me_app_i.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- graphics of models ------------------------------------------------------------------------------------------ */
+
+typedef struct {
+    MeU64 serial;      /* A model's: never used again, so a new model in an old one's memory is another. */
+    RGraphic *graphic; /* Null: the geometry has no shape of its own. */
+    MeBool isInSpace;  /* As the space was walked last. */
+} ShownModel;
+
+/* In the order of serials, so that a model's is found by bisection. */
+struct MeAppShown {
+    ShownModel *items;
+    int count, capacity;
+    int colors; /* How many of the palette have been handed out. */
+};
+
+/* The first that has this serial or a larger one. */
+static int indexOf(const struct MeAppShown *shown, MeU64 serial) {
+    int low = 0, high = shown->count;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (shown->items[middle].serial < serial)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static ShownModel *shownOf(const MeApp *app, McdModelID m) {
+    const struct MeAppShown *shown = app->shown;
+    const MeU64 serial = McdModelGetSerial(m);
+    const int i = shown ? indexOf(shown, serial) : 0;
+    return shown && i < shown->count && shown->items[i].serial == serial ? &shown->items[i] : 0;
+}
+
+static MeBool createShown(MeApp *app) {
+    if (!app->shown && (app->shown = MeMemoryAPI.create(sizeof *app->shown)) != 0)
+        memset(app->shown, 0, sizeof *app->shown);
+    return app->shown != 0;
+}
+
+static MeBool makeRoom(MeApp *app) {
+    struct MeAppShown *shown = createShown(app) ? app->shown : 0;
+    if (shown && shown->count < shown->capacity)
+        return METRUE;
+    const int capacity = shown ? 2 * shown->capacity + 64 : 0;
+    ShownModel *items = shown ? MeMemoryAPI.create((size_t)capacity * sizeof *items) : 0;
+    if (!items) {
+        MeFatalError(1, "MeAppShowModel: no memory");
+        return MEFALSE;
+    }
+    if (shown->items) {
+        memcpy(items, shown->items, (size_t)shown->count * sizeof *items);
+        MeMemoryAPI.destroy(shown->items);
+    }
+    shown->items = items;
+    shown->capacity = capacity;
+    return METRUE;
+}
+
+static ShownModel *addShown(MeApp *app, McdModelID m, const float color[4]) {
+    if (!makeRoom(app))
+        return 0;
+    struct MeAppShown *shown = app->shown;
+    const int i = indexOf(shown, McdModelGetSerial(m));
+    memmove(&shown->items[i + 1], &shown->items[i], (size_t)(shown->count - i) * sizeof *shown->items);
+    shown->items[i] = (ShownModel){McdModelGetSerial(m), RGraphicCreateFromModel(app->rc, m, color), METRUE};
+    shown->count++;
+    return &shown->items[i];
+}
+
+/* Fixed models are grey, the others go round the palette but for its grey, which is the last one. */
+static const float *nextColor(MeApp *app, McdModelID m) {
+    static const float grey[4] = {.82f, .83f, .80f, 1};
+    if (!McdModelGetBody(m) || !createShown(app))
+        return grey;
+    return RPalette[app->shown->colors++ % 7];
+}
+
+RGraphic *MEAPI MeAppShowModel(MeApp *app, McdModelID m, const float color[4]) {
+    if (!meapp_check(app, "MeAppShowModel") || !meapp_canDraw("MeAppShowModel", app->rc, color))
+        return 0;
+    if (!m || !McdModelIsValid(m)) {
+        MeWarning(1, "MeAppShowModel: m is null, or has been destroyed");
+        return 0;
+    }
+    ShownModel *shown = shownOf(app, m);
+    if (!shown)
+        shown = addShown(app, m, color);
+    else if (shown->graphic)
+        RGraphicSetColor(shown->graphic, color);
+    return shown ? shown->graphic : 0;
+}
+
+/* Notes the models of the space and gives new ones a graphic. Each graphic follows its model's present transform. */
+static void showModelsOfSpace(MeApp *app) {
+    McdSpaceModelIterator it;
+    McdModelID m;
+    McdSpaceModelIteratorBegin(app->space, &it);
+    while (McdSpaceGetModel(app->space, &it, &m)) {
+        ShownModel *shown = shownOf(app, m);
+        if (!shown)
+            shown = addShown(app, m, nextColor(app, m));
+        if (!shown)
+            return;
+        shown->isInSpace = METRUE;
+        if (shown->graphic)
+            RGraphicSetTransformPtr(shown->graphic, McdModelGetTransformPtr(m));
+    }
+}
+
+static void removeGraphic(const MeApp *app, const ShownModel *shown) {
+    if (shown->graphic)
+        RGraphicDelete(app->rc, shown->graphic, 0);
+}
+
+int MEAPI MeAppShowUniverse(MeApp *app) {
+    if (!meapp_check(app, "MeAppShowUniverse"))
+        return 0;
+    for (int i = 0; app->shown && i < app->shown->count; i++)
+        app->shown->items[i].isInSpace = MEFALSE;
+    showModelsOfSpace(app);
+    int kept = 0;
+    for (int i = 0; app->shown && i < app->shown->count; i++) {
+        if (app->shown->items[i].isInSpace)
+            app->shown->items[kept++] = app->shown->items[i];
+        else
+            removeGraphic(app, &app->shown->items[i]);
+    }
+    if (app->shown)
+        app->shown->count = kept;
+    return kept;
+}
+
+void meapp_shownFree(MeApp *app) {
+    if (!app->shown)
+        return;
+    for (int i = 0; i < app->shown->count; i++)
+        removeGraphic(app, &app->shown->items[i]);
+    if (app->shown->items)
+        MeMemoryAPI.destroy(app->shown->items);
+    MeMemoryAPI.destroy(app->shown);
+    app->shown = 0;
+}
+
+/* ---- start and end ----------------------------------------------------------------------------------------------- */
+
+static RRender *createContext(int argc, const char **argv, const char *name) {
+    MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
+    RRender *rc = RRenderContextCreate(options, 0, 1);
+    RRenderRefuseOptions(rc, options);
+    MeCommandLineOptionsDestroy(options);
+    if (!rc)
+        return 0;
+    RRenderSetWindowTitle(rc, name);
+    RRenderSetAppName(rc, name);
+    return rc;
+}
+
+/* From above and from the side, at the origin. */
+static void placeCamera(RRender *rc, MeReal lengthScale) {
+    const AcmeVector3 origin = {0, 0, 0};
+    RCameraSetLookAt(rc, origin);
+    RCameraSetView(rc, 12 * (AcmeReal)lengthScale, .5f, .3f);
+}
+
+MeApp *MEAPI MeAppStart(int argc, const char **argv, const char *name, const MstUniverseSizes *sizes) {
+    if (!argv || !name) {
+        MeWarning(1, "MeAppStart: %s is null", argv ? "name" : "argv");
+        return 0;
+    }
+    RRender *rc = createContext(argc, argv, name);
+    const MstUniverseID u = rc ? MstUniverseCreate(sizes ? sizes : &MstUniverseGrowingSizes) : 0;
+    MeApp *app = u ? MeAppCreateFromUniverse(u, rc) : 0;
+    if (app) {
+        placeCamera(rc, app->lengthScale);
+        MeAppCreateControls(app);
+        return app;
+    }
+    if (rc)
+        RRenderContextDestroy(rc);
+    MstUniverseDestroy(u);
+    return 0;
+}
+
+void MEAPI MeAppEnd(MeApp *app) {
+    if (!app)
+        return;
+    RRender *rc = app->rc;
+    const MstUniverseID u = app->universe;
+    MeAppDestroy(app);
+    RRenderContextDestroy(rc);
+    MstUniverseDestroy(u);
+}
+
+/* ---- main loop --------------------------------------------------------------------------------------------------- */
+
+/* What exit() has to end, since RRun does not return. */
+static struct {
+    MeApp *app;
+    MeReal step;
+    MeAppStepCB beforeStep;
+    void *userdata;
+} running;
+
+static void MEAPI_CDECL endRunning(void) {
+    MeAppEnd(running.app);
+    running.app = 0;
+}
+
+static void MEAPI tick(RRender *rc) {
+    MeApp *app = running.app;
+    (void)rc;
+    MeAppStep(app);
+    if (running.beforeStep)
+        running.beforeStep(app, running.userdata);
+    MstUniverseStep(app->universe, running.step);
+    MeAppShowUniverse(app);
+}
+
+void MEAPI MeAppRun(MeApp *app, MeReal step, MeAppStepCB beforeStep, void *userdata) {
+    if (!meapp_check(app, "MeAppRun"))
+        return;
+    if (!app->universe || running.app || !(step > 0) || !MeRealIsValid(step)) {
+        MeWarning(1, "MeAppRun: %s",
+                  !app->universe ? "app has no universe"
+                  : running.app  ? "it is running"
+                                 : "step is not above 0");
+        return;
+    }
+    running.app = app;
+    running.step = step;
+    running.beforeStep = beforeStep;
+    running.userdata = userdata;
+    atexit(endRunning);
+    MeAppShowUniverse(app); /* for a start in pause */
+    RRun(app->rc, tick);
+}

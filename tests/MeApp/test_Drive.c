@@ -1,0 +1,154 @@
+/* The camera that follows a body, and terrain. Keys as an axis are tested by what drives: the tutorials Car and
+ * Quadbike, and docs/howto.md. */
+#include "MeAppTerrain.h"
+#include "RKey.h"
+#include "app_test.h"
+
+START_TEST(the_camera_is_behind_the_body_and_comes_after_it) {
+    const McdModelID box = make_box(1, 2, 3);
+    AcmeVector3 at, from;
+    MeAppFollow(app, McdModelGetBody(box), 5, 0);
+    RCameraGetLookAt(rc, at);
+    RCameraGetPosition(rc, from);
+    assert_vec3_near(at, 1, 2, 3, 1e-6);
+    assert_vec3_near(from, 1 - 5, 2, 3, 1e-5); /* The body looks along x. */
+    McdModelDynamicsSetPosition(box, 5, 2, 3);
+    MeAppStep(app);
+    RCameraGetLookAt(rc, at);
+    assert_vec3_near(at, 2, 2, 3, 1e-6); /* A quarter of the way. */
+    for (int i = 0; i < 100; i++)
+        MeAppStep(app);
+    RCameraGetLookAt(rc, at);
+    assert_vec3_near(at, 5, 2, 3, 1e-5);
+}
+END_TEST
+
+START_TEST(the_camera_turns_as_the_body_turns) {
+    const McdModelID box = make_box(0, 0, 0);
+    AcmeVector3 from;
+    const MeReal half = ME_PI / 4;
+    MeAppFollow(app, McdModelGetBody(box), 5, 0);
+    McdModelDynamicsSetQuaternion(box, MeCos(half), 0, MeSin(half), 0); /* x looks along -z. */
+    for (int i = 0; i < 300; i++)
+        MeAppStep(app);
+    RCameraGetPosition(rc, from);
+    assert_vec3_near(from, 0, 0, 5, 1e-4);
+}
+END_TEST
+
+START_TEST(following_ends_with_the_body) {
+    const McdModelID box = make_box(0, 0, 0);
+    AcmeVector3 at;
+    MeAppFollow(app, McdModelGetBody(box), 5, 0);
+    MstModelAndBodyDestroy(box);
+    MeAppStep(app);
+    ck_assert_ptr_null(app->follow.body);
+    const McdModelID other = make_box(0, 0, 0);
+    MeAppFollow(app, McdModelGetBody(other), 5, 0);
+    MeAppFollow(app, 0, 5, 0);
+    McdModelDynamicsSetPosition(other, 9, 9, 9);
+    MeAppStep(app);
+    RCameraGetLookAt(rc, at);
+    assert_vec3_near(at, 0, 0, 0, 0);
+}
+END_TEST
+
+static MeReal MEAPI slope(MeReal x, MeReal z, void *userdata) {
+    return *(MeReal *)userdata + (MeReal)0.25 * x - (MeReal)0.5 * z;
+}
+
+static int graphics_drawn(void) {
+    int n = 0;
+    for (RGraphic *g = rc->m_p3DGraphics; g; g = g->m_pNext)
+        n++;
+    return n;
+}
+
+/* A ball that falls along y onto the plane y = 2 + x / 4 - z / 2 lies on it. */
+START_TEST(the_model_is_where_the_function_is) {
+    MeReal level = 2;
+    MeAppTerrain *t = MeAppTerrainCreate(9, 2, slope, &level);
+    const McdModelID ground = MeAppTerrainCreateModel(t, u);
+    McdLineSegIntersectResult hit;
+    for (int i = -3; i <= 3; i++) {
+        MeVector3 from = {(MeReal)i, 20, (MeReal)(2 - i)}, to = {(MeReal)i, -20, (MeReal)(2 - i)};
+        ck_assert(McdLineSegIntersect(ground, from, to, &hit));
+        assert_near(hit.position[1], 2 + .25 * i - .5 * (2 - i), TOL(1e-5, 1e-12));
+    }
+    MstUniverseDestroy(u);
+    MeAppTerrainDestroy(t);
+    u = MstUniverseCreate(NULL);
+    MeAppDestroy(app);
+    app = MeAppCreateFromUniverse(u, rc);
+}
+END_TEST
+
+START_TEST(corners_are_in_the_world) {
+    MeReal level = 0;
+    MeAppTerrain *t = MeAppTerrainCreate(5, 3, slope, &level);
+    ck_assert_int_eq(MeAppTerrainGetPoints(t), 5);
+    assert_near(MeAppTerrainGetCell(t), 3, 0);
+    for (int k = 0; k < 2; k++) {
+        MeVector3 *a = MeAppTerrainGetCorner(t, 1, 3, k, 0), *b = MeAppTerrainGetCorner(t, 1, 3, k, 1),
+                  *c = MeAppTerrainGetCorner(t, 1, 3, k, 2), ab, ac, up;
+        MeVector3Subtract(ab, *b, *a);
+        MeVector3Subtract(ac, *c, *a);
+        MeVector3Cross(up, ab, ac);
+        assert_below(0, up[1]); /* Counter-clockwise as seen from above. */
+        assert_vec3_near(*a, -3, .25 * -3 - .5 * -3, -3, 1e-6);
+    }
+    messages_catch();
+    ck_assert_ptr_null(MeAppTerrainGetCorner(t, 4, 0, 0, 0));
+    assert_warned("MeAppTerrainGetCorner");
+    ck_assert_ptr_null(MeAppTerrainGetCorner(t, 0, 0, 2, 0));
+    assert_warned("MeAppTerrainGetCorner");
+    messages_release();
+    MeAppTerrainDestroy(t);
+}
+END_TEST
+
+/* All cells are drawn, whatever of them is level. */
+START_TEST(it_is_drawn_whole) {
+    MeReal level = 1;
+    MeAppTerrain *t = MeAppTerrainCreate(5, 3, slope, &level);
+    MeAppTerrainShow(t, rc);
+    ck_assert_int_eq(graphics_drawn(), 1);
+    ck_assert_int_eq(rc->m_p3DGraphics->m_pObject->m_nNumVertices, 6 * 16);
+    MeAppTerrainDestroy(t);
+}
+END_TEST
+
+START_TEST(bad_arguments_get_a_warning) {
+    MeReal level = 0;
+    messages_catch();
+    ck_assert_ptr_null(MeAppTerrainCreate(1, 1, slope, &level));
+    assert_warned("MeAppTerrainCreate");
+    ck_assert_ptr_null(MeAppTerrainCreate(9, 0, slope, &level));
+    assert_warned("MeAppTerrainCreate");
+    ck_assert_ptr_null(MeAppTerrainCreate(9, 1, 0, 0));
+    assert_warned("MeAppTerrainCreate");
+    MeAppTerrainShow(0, rc);
+    assert_warned("MeAppTerrainShow");
+    ck_assert_ptr_null(MeAppTerrainCreateModel(0, u));
+    assert_warned("MeAppTerrainCreateModel");
+    ck_assert_int_eq(MeAppGetKeyAxis(0, "Left", "Right"), 0);
+    assert_warned("MeAppGetKeyAxis");
+    ck_assert_int_eq(MeAppGetKeyAxis(app, "Left", "Rigth"), 0);
+    assert_warned("RRenderGetKeyFrames");
+    MeAppFollow(0, 0, 1, 0);
+    assert_warned("MeAppFollow");
+    messages_release();
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    tcase_add_test(t, the_camera_is_behind_the_body_and_comes_after_it);
+    tcase_add_test(t, the_camera_turns_as_the_body_turns);
+    tcase_add_test(t, following_ends_with_the_body);
+    tcase_add_test(t, the_model_is_where_the_function_is);
+    tcase_add_test(t, corners_are_in_the_world);
+    tcase_add_test(t, it_is_drawn_whole);
+    tcase_add_test(t, bad_arguments_get_a_warning);
+}
+TEST_MAIN("Drive", tests)

@@ -1,0 +1,147 @@
+/* A universe on the screen: graphics of all models come and go with them, and one call starts all that a program needs.
+ */
+#include "RGeometry.h"
+#include "app_test.h"
+
+static const float red[4] = {.8f, .1f, .1f, 1}, blue[4] = {.1f, .2f, .8f, 1};
+static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, -3, 1}};
+
+static int graphics_drawn(void) {
+    int n = 0;
+    for (RGraphic *g = rc->m_p3DGraphics; g; g = g->m_pNext)
+        n++;
+    return n;
+}
+
+/* The last of the list. */
+static RGraphic *newest(void) {
+    RGraphic *g = rc->m_p3DGraphics;
+    while (g && g->m_pNext)
+        g = g->m_pNext;
+    return g;
+}
+
+START_TEST(each_model_has_one_graphic) {
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
+    make_box(1, 2, 3);
+    ck_assert_int_eq(MeAppShowUniverse(app), 2);
+    ck_assert_int_eq(graphics_drawn(), 2);
+    make_box(4, 5, 6);
+    ck_assert_int_eq(MeAppShowUniverse(app), 3);
+    ck_assert_int_eq(MeAppShowUniverse(app), 3);
+    ck_assert_int_eq(graphics_drawn(), 3);
+}
+END_TEST
+
+START_TEST(graphics_follow_their_models) {
+    McdModelID m = make_box(1, 2, 3);
+    MeAppShowUniverse(app);
+    RRenderUpdateGraphicMatrices(rc);
+    assert_vec3_near(rc->m_p3DGraphics->m_pObject->m_Matrix[3], 1, 2, 3, 0);
+    static MeMatrix4 other = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {7, 8, 9, 1}};
+    McdModelSetTransformPtr(m, other);
+    MeAppShowUniverse(app);
+    RRenderUpdateGraphicMatrices(rc);
+    assert_vec3_near(rc->m_p3DGraphics->m_pObject->m_Matrix[3], 7, 8, 9, 0);
+    McdModelSetBody(m, McdModelGetBody(m));
+}
+END_TEST
+
+START_TEST(graphics_go_with_their_models) {
+    McdModelID m[200];
+    for (int i = 0; i < 60; i++)
+        m[i] = make_box(i, 0, 0);
+    ck_assert_int_eq(MeAppShowUniverse(app), 60);
+    RGraphic *kept = MeAppShowModel(app, m[1], red);
+    for (int i = 0; i < 60; i += 2)
+        MstModelAndBodyDestroy(m[i]);
+    for (int i = 0; i < 20; i++) /* They may come to be in the memory of those that went. */
+        make_box(i, 1, 0);
+    ck_assert_int_eq(MeAppShowUniverse(app), 50);
+    ck_assert_int_eq(graphics_drawn(), 50);
+    ck_assert_ptr_eq(MeAppShowModel(app, m[1], red), kept);
+    McdSpaceRemoveModel(m[1]);
+    ck_assert_int_eq(MeAppShowUniverse(app), 49);
+    ck_assert_int_eq(graphics_drawn(), 49);
+    McdSpaceInsertModel(u->space, m[1]); /* Older than most that are shown. */
+    ck_assert_int_eq(MeAppShowUniverse(app), 50);
+    ck_assert_int_eq(graphics_drawn(), 50);
+}
+END_TEST
+
+START_TEST(a_model_has_the_colour_that_it_was_given) {
+    float color[4];
+    McdModelID m = make_box(0, 0, 0);
+    RGraphic *g = MeAppShowModel(app, m, red);
+    ck_assert_ptr_nonnull(g);
+    MeAppShowUniverse(app);
+    RGraphicGetColor(g, color);
+    assert_near(color[0], red[0], 0);
+    ck_assert_ptr_eq(MeAppShowModel(app, m, blue), g);
+    RGraphicGetColor(g, color);
+    assert_near(color[2], blue[2], 0);
+    ck_assert_int_eq(graphics_drawn(), 1);
+}
+END_TEST
+
+START_TEST(colours_are_in_turn_and_fixed_models_grey) {
+    float first[4], second[4], fixed[4];
+    make_box(0, 0, 0);
+    MeAppShowUniverse(app);
+    RGraphicGetColor(newest(), first);
+    make_box(2, 0, 0);
+    MeAppShowUniverse(app);
+    RGraphicGetColor(newest(), second);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
+    MeAppShowUniverse(app);
+    RGraphicGetColor(newest(), fixed);
+    for (int i = 0; i < 3; i++) {
+        assert_near(first[i], RPalette[0][i], 0);
+        assert_near(second[i], RPalette[1][i], 0);
+    }
+    ck_assert_msg(fabsf(fixed[0] - fixed[2]) < .1f, "not grey");
+}
+END_TEST
+
+START_TEST(ending_the_helpers_removes_their_graphics) {
+    make_box(0, 0, 0);
+    MeAppShowUniverse(app);
+    MeAppDestroy(app);
+    ck_assert_int_eq(graphics_drawn(), 0);
+    app = MeAppCreateFromUniverse(u, rc);
+}
+END_TEST
+
+START_TEST(bad_arguments_get_a_warning) {
+    McdModelID m = make_box(0, 0, 0);
+    messages_catch();
+    ck_assert_int_eq(MeAppShowUniverse(0), 0);
+    assert_warned("MeAppShowUniverse");
+    ck_assert_ptr_null(MeAppShowModel(0, m, red));
+    assert_warned("MeAppShowModel");
+    ck_assert_ptr_null(MeAppShowModel(app, 0, red));
+    assert_warned("MeAppShowModel");
+    ck_assert_ptr_null(MeAppShowModel(app, m, 0));
+    assert_warned("MeAppShowModel");
+    MeAppRun(0, 1, 0, 0);
+    assert_warned("MeAppRun");
+    MeAppRun(app, 0, 0, 0);
+    assert_warned("MeAppRun");
+    ck_assert_ptr_null(MeAppStart(0, 0, "name", 0));
+    assert_warned("MeAppStart");
+    messages_release();
+    ck_assert_int_eq(graphics_drawn(), 0);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    tcase_add_test(t, each_model_has_one_graphic);
+    tcase_add_test(t, graphics_follow_their_models);
+    tcase_add_test(t, graphics_go_with_their_models);
+    tcase_add_test(t, a_model_has_the_colour_that_it_was_given);
+    tcase_add_test(t, colours_are_in_turn_and_fixed_models_grey);
+    tcase_add_test(t, ending_the_helpers_removes_their_graphics);
+    tcase_add_test(t, bad_arguments_get_a_warning);
+}
+TEST_MAIN("Universe", tests)
