@@ -118,15 +118,10 @@ static bool scriptKey(RRender *rc, const char *text, const char *end) {
         if (scriptFrames(&k, at + 1, end))
             k.key = r_keyByName(name, (size_t)(at - name));
     }
-<<<<<<< HEAD
-    const bool understood = k.key != RKEY_NONE && k.frame > 0;
+    const bool understood = k.key != RKEY_NONE;
     if (!understood)
-        MeWarning(1, "-key %.*s: write NAME@FRAME, as in F1@30", (int)(end - text), text);
-=======
-    if (k.key == RKEY_NONE)
-        MeWarning(1, "-key %.*s: it must be NAME@FRAME or NAME@FIRST-LAST, as in F1@30 or Up@10-70", (int)(end - text),
+        MeWarning(1, "-key %.*s: write NAME@FRAME or NAME@FIRST-LAST, as in F1@30 or Up@10-70", (int)(end - text),
                   text);
->>>>>>> words
     else if (r_grow(in->script, 1))
         in->script.items[in->script.count++] = k;
     return understood;
