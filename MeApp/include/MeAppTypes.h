@@ -4,6 +4,7 @@
 #ifndef MEAPPTYPES_H
 #define MEAPPTYPES_H
 
+#include "MeTask.h"
 #include "MeViewerTypes.h"
 #include "MstTypes.h"
 
@@ -56,6 +57,7 @@ typedef struct MeApp {
     struct MeAppControls *controls; /**< Null before MeAppCreateControls. */
     MeAppFollowInfo follow;         /**< MeAppFollow. */
     struct MeAppShown *shown;       /**< The graphics of MeAppShowModel; null before the first. */
+    MeTaskPoolID pool;              /**< Of MeAppStart, for -workers; null: the universe steps on one thread. */
 } MeApp;
 
 /** Called by MeAppRun before each step. */

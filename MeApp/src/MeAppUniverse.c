@@ -177,6 +177,14 @@ static void placeCamera(RRender *rc, MeReal lengthScale) {
     RCameraSetView(rc, 12 * (AcmeReal)lengthScale, .5f, .3f);
 }
 
+/* -workers; without memory for them the calling thread steps alone, after a warning. */
+static void startWorkers(MeApp *app, int workers) {
+    if (workers < 2)
+        return;
+    app->pool = MeTaskPoolCreate(workers);
+    MdtWorldSetTaskPool(MstUniverseGetWorld(app->universe), app->pool);
+}
+
 MeApp *MEAPI MeAppStart(int argc, const char **argv, const char *name, const MstUniverseSizes *sizes) {
     if (!argv || !name) {
         MeWarning(1, "MeAppStart: %s is null", argv ? "name" : "argv");
@@ -188,6 +196,7 @@ MeApp *MEAPI MeAppStart(int argc, const char **argv, const char *name, const Mst
     if (app) {
         placeCamera(rc, app->lengthScale);
         MeAppCreateControls(app);
+        startWorkers(app, rc->m_Options.m_nWorkers);
         return app;
     }
     if (rc)
@@ -201,9 +210,11 @@ void MEAPI MeAppEnd(MeApp *app) {
         return;
     RRender *rc = app->rc;
     const MstUniverseID u = app->universe;
+    const MeTaskPoolID pool = app->pool;
     MeAppDestroy(app);
     RRenderContextDestroy(rc);
     MstUniverseDestroy(u);
+    MeTaskPoolDestroy(pool);
 }
 
 /* ---- main loop --------------------------------------------------------------------------------------------------- */

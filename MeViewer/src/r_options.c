@@ -177,6 +177,7 @@ void MEAPI RDisplayCommandLineHelp(void) {
               "  -frames N            stop after N frames; the exit code is then 2 if there were warnings, else 0\n"
               "  -paused              begin paused\n"
               "  -key NAME@FRAME,...  press keys: F1@30,Enter@60,Ctrl+Left@61,a@70; hold: Up@10-70\n"
+              "  -workers N           simulate on N threads, with the same result; programs of MeAppStart\n"
               "What to keep:\n"
               "  -screenshot FILE     a PNG picture of the last frame\n"
               "  -every N             with -screenshot: every N frames one, FILE-0001.png and so on\n"
@@ -206,6 +207,7 @@ bool r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommand
     getSize(s, out);
     getCamera(s, out);
     out->m_nFrames = getCount(s, "-frames");
+    out->m_nWorkers = getCount(s, "-workers");
     out->m_nEvery = getCount(s, "-every");
     out->m_bPaused = has(s, "-paused");
     out->m_bBar = has(s, "-bar");

@@ -18,9 +18,9 @@ def run(*arguments):
 
 
 @functools.lru_cache(None)
-def status(frames, keys='', again=False):
-    """-> the status line after so many frames. The same is run but once, unless again."""
-    return run('-null', '-frames', str(frames), *(['-key', keys] if keys else []))
+def status(frames, keys='', workers=1):
+    """-> the status line after so many frames, and a hash of the bodies' state. The same is run but once."""
+    return run('-null', '-frames', str(frames), '-workers', str(workers), *(['-key', keys] if keys else []))
 
 
 def held(key, first, last):
