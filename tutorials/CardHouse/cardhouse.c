@@ -139,6 +139,8 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     };
     if (!playStart(argc, argv, "CardHouse", CARDS + 1))
         return 1;
+    /* Some 5 ms of a step at most, where the ball is among the cards; standing needs less. */
+    MdtWorldSetWorkBudget(playUniverse->world, 24);
     createModels();
     playHelp(help, 4);
     RRenderSetActionNCallBack(playRc, 2, Reset, 0);

@@ -40,12 +40,19 @@ static void placePlank(int i) {
         playPlace(plank[i], 0, y, aside, 1, 0);
 }
 
+/* From now on keys draw. What is drawn by itself moves by the fast solver, in a fiftieth of the time; keys get the
+ * exact one, with which the pull is right to a percent. */
+static void takeOver(void) {
+    next = NOTHING;
+    MdtWorldSetSolver(playUniverse->world, MdtSolverAuto);
+}
+
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     for (int i = 0; i < PLANKS; i++)
         placePlank(i);
     drawn = NONE;
-    next = NOTHING;
+    takeOver();
 }
 
 static void beginToDraw(int i, MeReal speed) {
@@ -69,13 +76,13 @@ static void beginSide(void) {
 
 static void MEAPI drawMiddle(RRender *context, void *userdata) {
     (void)context, (void)userdata;
-    next = NOTHING;
+    takeOver();
     beginMiddle();
 }
 
 static void MEAPI drawSide(RRender *context, void *userdata) {
     (void)context, (void)userdata;
-    next = NOTHING;
+    takeOver();
     beginSide();
 }
 
@@ -156,6 +163,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     Reset(playRc, 0);
     next = MIDDLE;
     wait = 60;
+    MdtWorldSetSolver(playUniverse->world, MdtSolverFast);
     playRun(Tick);
     return 0;
 }
