@@ -268,6 +268,8 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
         return;
     mst_beginRound(record);
     record->areApart = MdtWorldIsValid(w) && MdtWorldHasBodiesApart(w);
+    if (record->areApart)
+        mst_noteHeldApart(&pairs->array[pairs->helloFirst], pairs->stayingEnd - pairs->helloFirst);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
         i += mst_handleByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
         if (i == pairs->stayingEnd)
