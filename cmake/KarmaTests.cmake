@@ -1,7 +1,8 @@
 # karma_find_tests(<variable>): are the tests to be built? KARMA_TESTS is
-#   AUTO  where Karma is a project of its own and Check and Python are there; a status line says what is missing,
-#   ON    yes: what is missing is an error, as in the presets of CI,
-#   OFF   no.
+#   AUTO     where Karma is a project of its own and Check and Python are there; a status line says what is missing,
+#   ON       yes: what is missing is an error, as in the presets of CI,
+#   THREADS  the same, but only those of threads, as with ThreadSanitizer,
+#   OFF      no.
 function(karma_find_tests variable)
   set(${variable} OFF PARENT_SCOPE)
   if(NOT KARMA_TESTS OR (KARMA_TESTS STREQUAL AUTO AND NOT PROJECT_IS_TOP_LEVEL))

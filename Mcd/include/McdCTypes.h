@@ -117,6 +117,7 @@ struct _McdModelPair {
     void *userData;          /**< The program's. */
     void *m_cachedData;      /**< What the interaction's hello function prepared, its own; null: nothing. */
     void(MEAPI *forget)(McdModelPair *); /**< The Simulation Toolkit's: called before the space takes the pair back. */
+    MeBool isHeldApart;                  /**< The same: as its last step began, where some joint holds bodies apart. */
 };
 
 /**

@@ -277,6 +277,8 @@ void MEAPI MstHandleCollisions(McdModelPairContainer *pairs, const McdSpaceID s,
     lookAtMaterials(record, pairs->stayingEnd - pairs->helloFirst);
     mst_lookByWorkers(record, pairs->stayingEnd - pairs->helloFirst, s, w);
     record->areApart = MdtWorldIsValid(w) && MdtWorldHasBodiesApart(w);
+    if (record->areApart)
+        mst_noteHeldApart(&pairs->array[pairs->helloFirst], pairs->stayingEnd - pairs->helloFirst);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
         i += mst_handleByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, s, w);
         if (i == pairs->stayingEnd)

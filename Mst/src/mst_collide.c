@@ -169,19 +169,25 @@ static MeBool callsProgram(const MstFinding *f) {
     return mst_hasCallback(f->materials) || !McdModelPairIsPlain(f->pair);
 }
 
+void mst_noteHeldApart(McdModelPair *const pairs[], int count) {
+    for (int i = 0; i < count; i++) {
+        const MdtBodyID body1 = mst_bodyOf(pairs[i]->model1), body2 = mst_bodyOf(pairs[i]->model2);
+        pairs[i]->isHeldApart = body1 && body2 && MdtBodiesAreApart(body1, body2);
+    }
+}
+
+static MeBool isHeldApart(const MstBridgeRecord *b, const McdModelPair *p) {
+    return b->areApart && p->isHeldApart;
+}
+
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p) {
     const MstMaterialID m1 = McdModelGetMaterial(p->model1), m2 = McdModelGetMaterial(p->model2);
-    const MeBool parts = (p->touch || p->responseData) && mst_isHeldApart(b, p);
+    const MeBool parts = (p->touch || p->responseData) && isHeldApart(b, p);
     return !parts && m1 < b->materialCount && m2 < b->materialCount && !McdModelIsSensor(p->model1) &&
            !McdModelIsSensor(p->model2) && McdModelPairIsPlain(p) && !mst_hasCallback(mst_materialPair(b, m1, m2));
 }
 
 /* ---- runs -------------------------------------------------------------------------------------------------------- */
-
-MeBool mst_isHeldApart(const MstBridgeRecord *b, const McdModelPair *p) {
-    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
-    return b->areApart && body1 && body2 && MdtBodiesAreApart(body1, body2);
-}
 
 static MeBool isAsleep(McdModelID m) {
     return McdModelGetSpace(m) && McdSpaceModelIsFrozen(m);
@@ -191,7 +197,7 @@ static MeBool isAsleep(McdModelID m) {
 static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *p) {
     if (isAsleep(p->model1) && isAsleep(p->model2))
         return MST_NOTHING;
-    if (mst_isHeldApart(b, p))
+    if (isHeldApart(b, p))
         return p->touch || p->responseData ? MST_TO_PART : MST_NOTHING;
     if (b->part > 0 && !mst_mayMeet(p))
         return mst_mustWait(p) ? MST_TO_WAIT : MST_NOTHING;

@@ -249,8 +249,9 @@ int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pa
 MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
 /* The same, and its contacts become part of the run's. */
 void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
-/* Do joints of the pair's bodies let them pass through each other? */
-MeBool mst_isHeldApart(const MstBridgeRecord *b, const McdModelPair *p);
+/* Notes of each pair whether a joint of its bodies lets them pass through each other: before any is collided, as commit
+ * changes the lists in which bodies have their joints. */
+void mst_noteHeldApart(McdModelPair *const pairs[], int count);
 /* Is the pair's outcome found without a function of the program, and without a sensor? */
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p);
 /* The run's result, as a callback left it, becomes part of its contacts. */

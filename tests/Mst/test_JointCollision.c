@@ -1,5 +1,5 @@
 /* Joints whose bodies do not collide with each other: what goes, what stays, and when it comes back. */
-#include "MdtReport.h"
+#include "MeTask.h"
 #include "Mst.h"
 #include "karma_test.h"
 
@@ -236,6 +236,57 @@ START_TEST(swept_models_pass_too) {
 }
 END_TEST
 
+/* Chains of boxes that overlap, in a heap: their joints' switches change while workers collide and commit. */
+static void heap(MeTaskPoolID pool, MeMatrix4 end[]) {
+    enum { CHAINS = 40, LINKS = 6 };
+    MeMatrix4 ground;
+    McdModelID m[CHAINS * LINKS];
+    MdtConstraintID joint[CHAINS * LINKS] = {0};
+    MstUniverseDestroy(u);
+    u = MstUniverseCreate(&MstUniverseGrowingSizes);
+    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)0.5, 0);
+    MdtWorldSetSolver(u->world, MdtSolverFast);
+    MdtWorldSetTaskPool(u->world, pool);
+    MeMatrix4TMMakeIdentity(ground);
+    MstFixedModelCreate(u, McdPlaneCreate(u->frame), ground);
+    for (int i = 0; i < CHAINS * LINKS; i++) {
+        const int chain = i / LINKS, k = i % LINKS;
+        m[i] = box(0.8 * k + 0.1 * (chain % 3), 0.6 * (chain % 5), 0.3 + 0.52 * (chain / 5));
+        if (k == 0)
+            continue;
+        MdtBSJointID j = MdtBSJointCreate(u->world);
+        MdtBSJointSetBodies(j, McdModelGetBody(m[i - 1]), McdModelGetBody(m[i]));
+        MdtBSJointSetPosition(j, (MeReal)(0.8 * k - 0.4 + 0.1 * (chain % 3)), (MeReal)(0.6 * (chain % 5)),
+                              (MeReal)(0.3 + 0.52 * (chain / 5)));
+        MdtBSJointEnable(j);
+        joint[i] = MdtBSJointQuaConstraint(j);
+        MdtConstraintSetBodiesCollide(joint[i], MEFALSE);
+    }
+    for (int step = 0; step < 40; step++) {
+        for (int i = step % 7; i < CHAINS * LINKS; i += 7)
+            if (joint[i])
+                MdtConstraintSetBodiesCollide(joint[i], !MdtConstraintGetBodiesCollide(joint[i]) && step > 20);
+        run(1);
+    }
+    for (int i = 0; i < CHAINS * LINKS; i++)
+        memcpy(end[i], MdtBodyGetTransformPtr(McdModelGetBody(m[i])), sizeof end[i]);
+}
+
+START_TEST(on_any_number_of_workers) {
+    static MeMatrix4 alone[240], shared[240];
+    heap(0, alone);
+    for (int workers = 2; workers <= 4; workers += 2) {
+        MeTaskPoolID pool = MeTaskPoolCreate(workers);
+        heap(pool, shared);
+        ck_assert_int_eq(memcmp(alone, shared, sizeof alone), 0);
+        MstUniverseDestroy(u);
+        u = MstUniverseCreate(&MstUniverseGrowingSizes);
+        MeTaskPoolDestroy(pool);
+    }
+}
+END_TEST
+
 START_TEST(bad_input) {
     run(1);
     const MdtConstraintID c = MdtConstraintGetFirst(u->world);
@@ -261,6 +312,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_hub_and_the_world);
     tcase_add_test(t, what_slept_on_its_contacts_wakes);
     tcase_add_test(t, swept_models_pass_too);
+    tcase_add_test(t, on_any_number_of_workers);
     tcase_add_test(t, bad_input);
 }
 TEST_MAIN("JointCollision", tests)

@@ -2,19 +2,20 @@
  *
  * Fifteen equal wedges, each a convex mesh, make a half circle. Every stone is held by the thrust of its neighbours and
  * by friction. That there is a line of thrust within the stones is a matter of thickness: at least .107 of the radius
- * (Heyman 1969); here it is .18. Watch how little the crown sinks, with and without a weight on it; then take the
- * keystone away.
+ * (Heyman 1969); here it is .18. Watch how little the crown sinks, with and without a weight on it: it comes by itself
+ * after two seconds, and after five the keystone goes. An arch that is built again waits for you to do that.
  */
 #include "play.h"
 #include <math.h>
 #include <stdio.h>
 
-enum { STONES = 15, KEYSTONE = STONES / 2 };
+enum { STONES = 15, KEYSTONE = STONES / 2, NONE = -1 };
 
 static const double inner = 3, outer = 3.6, depth = 1.4; /* m */
 static const double pi = 3.14159265358979;
 
 static McdModelID stone[STONES], weight;
+static int shown;     /* frames of what happens by itself; NONE: a key was pressed, and nothing does */
 static double radius; /* m, from the middle of the arch to the middle of a stone's mass */
 
 /* The middle of mass of a trapezium, from the two sides that are parallel. */
@@ -35,6 +36,7 @@ static McdGeometryID createWedge(void) {
 
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    shown = NONE;
     for (int i = 0; i < STONES; i++) {
         const double angle = pi * (i + .5) / STONES;
         playPlace(stone[i], (MeReal)(radius * cos(angle)), (MeReal)(radius * sin(angle)), 0, 2,
@@ -44,16 +46,36 @@ static void MEAPI Reset(RRender *context, void *userdata) {
 }
 
 /* A block as heavy as three stones comes down on the crown. */
+static void putWeight(void) {
+    playPlace(weight, 0, (MeReal)(outer + .505), 0, 0, 0);
+}
+
+static void takeStone(void) {
+    playPlace(stone[KEYSTONE], 0, (MeReal)0.5, 4, 0, 0);
+    for (int i = 0; i < STONES; i++) /* what leaned on it is to notice */
+        McdModelDynamicsEnable(stone[i]);
+}
+
 static void MEAPI load(RRender *context, void *userdata) {
     (void)context, (void)userdata;
-    playPlace(weight, 0, (MeReal)(outer + .505), 0, 0, 0);
+    shown = NONE;
+    putWeight();
 }
 
 static void MEAPI takeKeystone(RRender *context, void *userdata) {
     (void)context, (void)userdata;
-    playPlace(stone[KEYSTONE], 0, (MeReal)0.5, 4, 0, 0);
-    for (int i = 0; i < STONES; i++) /* what leaned on it is to notice */
-        McdModelDynamicsEnable(stone[i]);
+    shown = NONE;
+    takeStone();
+}
+
+static void showItself(void) {
+    if (shown == NONE)
+        return;
+    shown++;
+    if (shown == 120)
+        putWeight();
+    else if (shown == 300)
+        takeStone();
 }
 
 /* m, by which the lower of the keystone's neighbours is lower than it was built. */
@@ -71,6 +93,7 @@ static double sunk(void) {
 static void MEAPI Tick(RRender *context) {
     char text[160];
     (void)context;
+    showItself();
     MstUniverseStep(playUniverse, playFrame);
     snprintf(text, sizeof text, "sunk by %.4f mm    awake %d of %d    motion %.1e J", 1000 * sunk(), playAwake(),
              STONES + 1, playEnergy());
@@ -90,7 +113,7 @@ static void createModels(void) {
 
 int MEAPI_CDECL main(int argc, const char **argv) {
     static const char *const help[] = {
-        "An arch of stones without glue.",
+        "An arch of stones without glue; a weight comes after two seconds, the keystone goes after five.",
         "$ACTION2 - build it again",
         "$ACTION3 - put a weight on the crown",
         "$ACTION4 - take the keystone away",
@@ -104,6 +127,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     RRenderSetActionNCallBack(playRc, 4, takeKeystone, 0);
     playCamera(.6f, 1.6f, 0, 12.5f, .45f, .2f);
     Reset(playRc, 0);
+    shown = 0;
     playRun(Tick);
     return 0;
 }

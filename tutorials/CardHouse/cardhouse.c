@@ -3,7 +3,8 @@
  * Four storeys: cards lean on each other in pairs, 25 degrees from the upright, and others lie flat across the tops of
  * neighbouring pairs. Nothing holds them but contacts of edges with faces. A flat card pulls the feet above it together
  * like a tie rod, by friction; an error of a tenth of a millimetre a second would soon open the house. Watch how far
- * any card has moved since the house was built, and how it falls asleep; then pull a card out of it, or throw the ball.
+ * any card has moved since the house was built, and how it falls asleep. After two seconds a ball is thrown; a house
+ * that is built again stands until you pull a card out of it, or throw the ball.
  */
 #include "play.h"
 #include <math.h>
@@ -18,7 +19,8 @@ static const double lean = 25 * degree, leanMore = .5 * degree; /* rad, from the
 
 static McdModelID card[CARDS], ball; /* the leaning ones first */
 static MeVector3 built[CARDS];
-static int pull; /* steps that the hand still pulls */
+static int pull;       /* steps that the hand still pulls */
+static int untilThrow; /* frames, until the ball is thrown by itself; 0: it is not */
 
 /* A card that stands on its inner lower edge at (x, y) and leans to the right by an angle, or to the left by a
  * negative. */
@@ -54,7 +56,7 @@ static void placeStorey(int level, int *leaning, int *flat) {
 static void MEAPI Reset(RRender *context, void *userdata) {
     int leaning = 0, flat = LEANING;
     (void)context, (void)userdata;
-    pull = 0;
+    pull = untilThrow = 0;
     for (int level = 0; level < STOREYS; level++)
         placeStorey(level, &leaning, &flat);
     for (int i = 0; i < CARDS; i++)
@@ -64,6 +66,7 @@ static void MEAPI Reset(RRender *context, void *userdata) {
 
 static void MEAPI throwBall(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    untilThrow = 0;
     playPlace(ball, (MeReal)-1.4, (MeReal)0.5, 0, 0, 0);
     MdtBodySetLinearVelocity(McdModelGetBody(ball), 5, 1, 0);
 }
@@ -72,6 +75,7 @@ static void MEAPI throwBall(RRender *context, void *userdata) {
  * friction. What it bore comes down; the rest leans on itself, and stays. */
 static void MEAPI pullCard(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    untilThrow = 0;
     pull = 15;
 }
 
@@ -103,6 +107,8 @@ static double top(void) {
 static void MEAPI Tick(RRender *context) {
     char text[160];
     (void)context;
+    if (untilThrow > 0 && --untilThrow == 0)
+        throwBall(context, 0);
     pullOn();
     MstUniverseStep(playUniverse, playFrame);
     snprintf(text, sizeof text, "top at %.4f m    moved %.4f mm    awake %d of %d    motion %.1e J", top(), farthest(),
@@ -126,13 +132,15 @@ static void createModels(void) {
 
 int MEAPI_CDECL main(int argc, const char **argv) {
     static const char *const help[] = {
-        "A house of cards, held by friction alone.",
+        "A house of cards, held by friction alone; after two seconds a ball comes.",
         "$ACTION2 - build it again",
         "$ACTION3 - throw the ball",
         "$ACTION4 - pull a card out of the lowest storey",
     };
     if (!playStart(argc, argv, "CardHouse", CARDS + 1))
         return 1;
+    /* Some 5 ms of a step at most, where the ball is among the cards; standing needs less. */
+    MdtWorldSetWorkBudget(playUniverse->world, 24);
     createModels();
     playHelp(help, 4);
     RRenderSetActionNCallBack(playRc, 2, Reset, 0);
@@ -140,6 +148,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     RRenderSetActionNCallBack(playRc, 4, pullCard, 0);
     playCamera(0, .72f, 0, 3.4f, .45f, .2f);
     Reset(playRc, 0);
+    untilThrow = 120;
     playRun(Tick);
     return 0;
 }

@@ -103,10 +103,10 @@ static double pullOf(MdtBSJointID j) {
     return sqrt((double)f[0] * f[0] + (double)f[1] * f[1] + (double)f[2] * f[2]);
 }
 
-/* From green, without load, over yellow to red at three times the weight. */
+/* From green, without load, over yellow to red at one and a half times the weight. */
 static void showPulls(void) {
     for (int i = 0; i < LINKS; i++) {
-        const double share = pullOf(joint[i]) / (3 * 9.8 * (double)(ballMass + LINKS * linkMass));
+        const double share = pullOf(joint[i]) / (1.5 * 9.8 * (double)(ballMass + LINKS * linkMass));
         const float hue = (float)(120 * (1 - (share > 1 ? 1 : share)));
         float color[4];
         MeHSVtoRGB(hue, .55f, .8f, color);

@@ -94,6 +94,8 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     };
     if (!playStart(argc, argv, "Chair", CHAIRS))
         return 1;
+    /* Some 5 ms of a step at most, where a chair comes down on several feet at once. */
+    MdtWorldSetWorkBudget(playUniverse->world, 24);
     playFloor();
     const McdGeometryID geometry = createGeometry();
     for (int i = 0; i < CHAIRS; i++)

@@ -5,6 +5,7 @@
  *   white crosses     contacts, each with its normal as a line: the way in which the blue model would be pushed
  *   green line        the nearest points of both, while they are apart; where they overlap, the shortest way out
  *   red, orange blue  the models, orange while they do not touch and red while they do
+ * Until you press a key the blue model goes to and fro by itself, and every two seconds one of the two is another one.
  * Key 5 moves the blue model out, along the normal and by the depth that the library reports: then they only just
  * touch.
  */
@@ -18,7 +19,21 @@
 enum { MOST_CONTACTS = 20, MOST_PARTS = 16, GRID = 9, TRIANGLES = 2 * (GRID - 1) * (GRID - 1) };
 
 /* The kinds of geometries, the ones that can be driven first. */
-enum { BALL, BOX, CYLINDER, SPHYL, CONE, HULL, STOOL, DRIVEN_KINDS, PLANE = DRIVEN_KINDS, LIST, FIELD, KINDS };
+enum {
+    BALL,
+    BOX,
+    CYLINDER,
+    SPHYL,
+    CONE,
+    HULL,
+    STOOL,
+    DRIVEN_KINDS,
+    PLANE = DRIVEN_KINDS,
+    LIST,
+    FIELD,
+    KINDS,
+    NONE = -1
+};
 
 static const char *const name[KINDS] = {"ball", "box",   "cylinder", "sphyl",         "cone",
                                         "hull", "stool", "plane",    "triangle list", "height field"};
@@ -30,6 +45,7 @@ static McdGeometryID geometry[KINDS], seat, leg;
 static McdModelID driven, fixed;
 static McdModelPairID pair;
 static int drivenKind, fixedKind;
+static int shown; /* frames, while the shapes move and change by themselves; NONE: a key was pressed */
 static MeMatrix4 drivenTM, fixedTM;
 static MeMatrix4 part[5]; /* of the stool */
 
@@ -115,7 +131,7 @@ static McdGeometryID makeStool(void) {
 static McdGeometryID makeList(void) {
     MeVector3 low = {-4, -2, -4}, high = {4, 1, 4};
     makeTriangles();
-    return McdTriangleListCreate(frame, low, high, TRIANGLES, getTriangles);
+    return McdTriangleListCreate(frame, low, high, TRIANGLES + 1, getTriangles);
 }
 
 /* The same hills, as heights along z. */
@@ -227,17 +243,20 @@ static void chooseFixed(int kind) {
 
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    shown = NONE;
     standDriven();
 }
 
 static void MEAPI nextDriven(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    shown = NONE;
     chooseDriven((drivenKind + 1) % DRIVEN_KINDS);
     makePair();
 }
 
 static void MEAPI nextFixed(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    shown = NONE;
     chooseFixed((fixedKind + 1) % KINDS);
     standDriven();
     makePair();
@@ -247,6 +266,7 @@ static void MEAPI nextFixed(RRender *context, void *userdata) {
 static void MEAPI pushOut(RRender *context, void *userdata) {
     const McdContact *deepest = 0;
     (void)context, (void)userdata;
+    shown = NONE;
     for (int i = 0; i < touch.contactCount; i++)
         if (!deepest || contact[i].separation < deepest->separation)
             deepest = &contact[i];
@@ -255,16 +275,42 @@ static void MEAPI pushOut(RRender *context, void *userdata) {
 }
 
 static void shift(int axis, MeReal by) {
+    shown = NONE;
     drivenTM[3][axis] += by;
 }
 
 /* About an axis of the world. */
-static void turn(int axis, MeReal by) {
-    MeVector3 spin = {0, 0, 0}, still = {0, 0, 0};
+static void spin(int axis, MeReal by) {
+    MeVector3 angle = {0, 0, 0}, still = {0, 0, 0};
     MeMatrix4 before;
-    spin[axis] = by;
+    angle[axis] = by;
     memcpy(before, drivenTM, sizeof before);
-    MeMatrix4TMUpdateFromVelocities(drivenTM, 0, 1, still, spin, (const MeVector4 *)before);
+    MeMatrix4TMUpdateFromVelocities(drivenTM, 0, 1, still, angle, (const MeVector4 *)before);
+}
+
+static void turn(int axis, MeReal by) {
+    shown = NONE;
+    spin(axis, by);
+}
+
+/* A second after the start: the blue shape comes and goes, and turns a little, and every two seconds one of the two is
+ * another one. */
+static void showItself(void) {
+    enum { FIRST = 60, EACH = 120 };
+    const int since = shown - FIRST;
+    if (shown == NONE || ++shown <= FIRST)
+        return;
+    if (since > 0 && since % EACH == 0) {
+        if (since / EACH % 2)
+            chooseFixed((fixedKind + 1) % KINDS);
+        else
+            chooseDriven((drivenKind + 1) % DRIVEN_KINDS);
+        makePair();
+    }
+    const MeReal phase = 2 * ME_PI * (MeReal)(since % EACH) / EACH;
+    standDriven();
+    spin(2, (MeReal)0.4 * MeSin(phase));
+    drivenTM[3][1] += (MeReal)0.15 * MeSin(phase);
 }
 
 static void MEAPI left(RRender *context, void *userdata) {
@@ -371,6 +417,7 @@ static void showFigures(void) {
 
 static void MEAPI Tick(RRender *context) {
     (void)context;
+    showItself();
     collide();
     draw();
     showFigures();
@@ -387,9 +434,9 @@ static void MEAPI_CDECL cleanup(void) {
 }
 
 static void createGraphics(void) {
-    const AcmeVector3 lookAt = {0, .4f, 0};
+    const AcmeVector3 lookAt = {0, .8f, 0};
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 7, .5f, .35f);
+    RCameraSetView(rc, 8, .5f, .35f);
 }
 
 static void createControls(void) {

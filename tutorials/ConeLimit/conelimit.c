@@ -218,7 +218,7 @@ static void createStand(void) {
 static void createGraphics(void) {
     static const int colorOf[PENDULUMS] = {2, 1, 0};
     const float ground[4] = {.82f, .83f, .80f, 1};
-    const AcmeVector3 lookAt = {0, 1.9f, 0};
+    const AcmeVector3 lookAt = {.5f, 1.75f, 0};
     for (int i = 0; i < PENDULUMS; i++) {
         MeMatrix4Ptr tm = MdtBodyGetTransformPtr(ball[i]);
         const MeVector3 middle = {0, length / 2, 0};
@@ -229,7 +229,7 @@ static void createGraphics(void) {
     createStand();
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 11.5f, .4f, .16f);
+    RCameraSetView(rc, 14.5f, .3f, .16f);
 }
 
 static void createControls(void) {

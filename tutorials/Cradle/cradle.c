@@ -176,7 +176,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     playHelp(help, 3);
     RRenderSetActionNCallBack(playRc, 2, Reset, 0);
     RRenderSetActionNCallBack(playRc, 3, releaseMore, 0);
-    playCamera(0, 2.6f, 0, 12.5f, .45f, .15f);
+    playCamera(-.2f, 2.2f, 0, 16, .4f, .15f);
     Reset(playRc, 0);
     playRun(Tick);
     return 0;

@@ -6,14 +6,15 @@
  *     for each of the two directions by itself. Slantwise it holds more: up to 1.41 times as much.
  *   - cone, green: the same for both directions together. It is as strong whichever way the box is pulled.
  * The boxes lie askew to the contacts' directions, as it mostly happens. The coefficient is 0.4663, the tangent of 25
- * degrees, so the green box slides as soon as the slope is steeper than that.
+ * degrees, so the green box slides as soon as the slope is steeper than that. The slope is 24 degrees first, then 30,
+ * then 36, and so on, until you set it.
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { BOX, NORMAL_FORCE, CONE, MODELS };
+enum { BOX, NORMAL_FORCE, CONE, MODELS, NONE = -1 };
 
 static const MeReal step = (MeReal)(1.0 / 60);        /* s */
 static const MeReal size[3] = {1, (MeReal)0.5, 1};    /* m */
@@ -24,6 +25,7 @@ static MdtWorldID world;
 static BoxOnPlane box[MODELS];
 static Plane slope;
 static MeReal degrees = 24;
+static int shown; /* frames, while the slope changes by itself; NONE: a key was pressed */
 
 static RRender *rc;
 static MeMatrix4 slopeTM;
@@ -53,16 +55,36 @@ static void placeBox(int i) {
     MdtBodyEnable(box[i].body);
 }
 
-static void MEAPI Reset(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
+static void begin(MeReal slopeDegrees) {
+    degrees = slopeDegrees;
     setSlope();
     for (int i = 0; i < MODELS; i++)
         placeBox(i);
 }
 
+static void MEAPI Reset(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
+    shown = NONE;
+    begin(degrees);
+}
+
 static void tilt(MeReal more) {
-    degrees = MeCLAMP(degrees + more, 5, 45);
-    Reset(rc, 0);
+    shown = NONE;
+    begin(MeCLAMP(degrees + more, 5, 45));
+}
+
+/* All hold at 24 degrees, and the normal force alone at 30, for as long as it takes to see that. */
+static void tiltByItself(void) {
+    enum { HOLDS = 75, SLIDES = 210, ALL = HOLDS + 2 * SLIDES };
+    if (shown == NONE)
+        return;
+    if (shown % ALL == 0)
+        begin(24);
+    else if (shown % ALL == HOLDS)
+        begin(30);
+    else if (shown % ALL == HOLDS + SLIDES)
+        begin(36);
+    shown++;
 }
 
 static void MEAPI steeper(RRender *context, void *userdata) {
@@ -99,6 +121,7 @@ static void bringBack(int i) {
 
 static void MEAPI Tick(RRender *context) {
     (void)context;
+    tiltByItself();
     for (int i = 0; i < MODELS; i++)
         boxTouchPlane(&box[i], &slope);
     MdtWorldStep(world, step);
@@ -167,7 +190,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     createDynamics();
     createGraphics();
     createControls();
-    Reset(rc, 0);
+    shown = 0;
 
     atexit(cleanup);
     RRun(rc, Tick); /* does not return */

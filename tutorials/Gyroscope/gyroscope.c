@@ -162,7 +162,7 @@ static void createBox(void) {
 
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, grey[4] = {.45f, .47f, .50f, 1};
-    const AcmeVector3 lookAt = {0, 1.5f, 0};
+    const AcmeVector3 lookAt = {-.1f, 1.7f, 0};
     static MeMatrix4 postTM;
     MeMatrix4Ptr tm = MdtBodyGetTransformPtr(wheel);
     RGraphic *axle = RGraphicCylinderCreate(rc, .05f, (float)arm, grey, tm);
@@ -183,7 +183,7 @@ static void createGraphics(void) {
 
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 9, .45f, .25f);
+    RCameraSetView(rc, 9.5f, .3f, .2f);
 }
 
 static void createControls(void) {

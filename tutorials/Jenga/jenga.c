@@ -6,6 +6,7 @@
  * left, it stands. Key 4 draws a side plank of the same layer, faster: where the middle one is still there, the tower
  * stands, too; where it is gone, one plank at the side has to carry all, and the tower falls.
  *
+ * After a second the middle plank is drawn by itself, and when it is out, the one beside it: until you press a key.
  * Watch the pull in the status line: nothing moves until it is greater than the friction can be.
  */
 #include "play.h"
@@ -18,12 +19,14 @@ static const double gap = .003;                              /* m, between neigh
 static const double density = 600;                           /* kg/m³ */
 
 static McdModelID plank[PLANKS];
-static int drawn;       /* the plank that a key draws, or NONE */
-static MeVector3 start; /* where it was */
-static MeVector3 way;   /* of length 1: along the plank */
-static MeReal farEnd;   /* m, from the start: the spring's far end */
-static MeReal pace;     /* m/s, of the far end */
-static MeReal pull;     /* N */
+static int drawn;                           /* the plank that a key draws, or NONE */
+static MeVector3 start;                     /* where it was */
+static MeVector3 way;                       /* of length 1: along the plank */
+static MeReal farEnd;                       /* m, from the start: the spring's far end */
+static MeReal pace;                         /* m/s, of the far end */
+static MeReal pull;                         /* N */
+static enum { MIDDLE, SIDE, NOTHING } next; /* what is drawn by itself, until a key is pressed */
+static int wait;                            /* frames until then, where no plank is being drawn */
 
 /* ---- motion ----------------------------------------------------------------------------------------------------- */
 
@@ -37,11 +40,19 @@ static void placePlank(int i) {
         playPlace(plank[i], 0, y, aside, 1, 0);
 }
 
+/* From now on keys draw. What is drawn by itself moves by the fast solver, in a fiftieth of the time; keys get the
+ * exact one, with which the pull is right to a percent. */
+static void takeOver(void) {
+    next = NOTHING;
+    MdtWorldSetSolver(playUniverse->world, MdtSolverAuto);
+}
+
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     for (int i = 0; i < PLANKS; i++)
         placePlank(i);
     drawn = NONE;
+    takeOver();
 }
 
 static void beginToDraw(int i, MeReal speed) {
@@ -53,16 +64,38 @@ static void beginToDraw(int i, MeReal speed) {
     pace = speed;
 }
 
-static void MEAPI drawMiddle(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
+static void beginMiddle(void) {
     beginToDraw(3 * DRAWN_LAYER + 1, (MeReal)0.1);
 }
 
 /* Fast: where the middle plank is gone, this one bears half of what lies above, and drags it along with the friction
  * that the other side holds it with. Drawn at .6 m/s, the tower above came along by .3 m, and might stand on it. */
+static void beginSide(void) {
+    beginToDraw(3 * DRAWN_LAYER, 2);
+}
+
+static void MEAPI drawMiddle(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
+    takeOver();
+    beginMiddle();
+}
+
 static void MEAPI drawSide(RRender *context, void *userdata) {
     (void)context, (void)userdata;
-    beginToDraw(3 * DRAWN_LAYER, 2);
+    takeOver();
+    beginSide();
+}
+
+/* First the middle plank, a second after the start; two seconds after that one is out, the one beside it. */
+static void drawByItself(void) {
+    if (next == NOTHING || drawn != NONE || --wait > 0)
+        return;
+    if (next == MIDDLE)
+        beginMiddle();
+    else
+        beginSide();
+    next++;
+    wait = 120;
 }
 
 /* m, from where the plank was */
@@ -90,6 +123,7 @@ static void MEAPI Tick(RRender *context) {
     char text[160];
     (void)context;
     pull = 0;
+    drawByItself();
     if (drawn != NONE)
         draw();
     MstUniverseStep(playUniverse, playFrame);
@@ -127,6 +161,9 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     RRenderSetActionNCallBack(playRc, 4, drawSide, 0);
     playCamera(0, 1.25f, 0, 5.6f, -2.5f, .2f);
     Reset(playRc, 0);
+    next = MIDDLE;
+    wait = 60;
+    MdtWorldSetSolver(playUniverse->world, MdtSolverFast);
     playRun(Tick);
     return 0;
 }

@@ -214,13 +214,13 @@ static void createPlace(int i) {
 
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, grey[4] = {.45f, .47f, .50f, 1};
-    const AcmeVector3 lookAt = {0, 2.5f, 0};
+    const AcmeVector3 lookAt = {0, 2.1f, 0};
     for (int i = 0; i < WEIGHTS; i++)
         createPlace(i);
     boxAt(2 * (float)placeX(WEIGHTS - 1) + 1, .15f, .3f, 0, (MeReal)5.2, grey);
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 10.5f, .35f, .15f);
+    RCameraSetView(rc, 14, .3f, .15f);
 }
 
 static void createControls(void) {

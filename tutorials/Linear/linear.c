@@ -244,7 +244,7 @@ static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, grey[4] = {.45f, .47f, .50f, 1};
     const float glass[4] = {RPalette[5][0], RPalette[5][1], RPalette[5][2], .2f};
     const float w = (float)width, h = (float)slope;
-    const AcmeVector3 lookAt = {.5f, 1, 0};
+    const AcmeVector3 lookAt = {.4f, .8f, 0};
     for (int i = 0; i < BEADS; i++)
         RGraphicSphereCreate(rc, (float)radius, RPalette[colorOf[i]], MdtBodyGetTransformPtr(bead[i]));
     boxAt(w, h, .03f, 0, 0, 0, glass, paneTM);
@@ -257,7 +257,7 @@ static void createGraphics(void) {
         boxAt(.1f, 1, .1f, 0, 0, 0, grey, postTM[i]);
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 9, .3f, .38f);
+    RCameraSetView(rc, 11.5f, .3f, .38f);
 }
 
 static void createControls(void) {

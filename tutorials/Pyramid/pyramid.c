@@ -4,7 +4,8 @@
  * Every box stands on two others, so that there are many ways to share the weight and the solver has to choose one. The
  * status line tells how many equations a step had (rows), how many iterations it took, by how much the answer is off
  * (residual, the largest speed that a contact should have prevented), and how deep the deepest contact is. Watch the
- * rows vanish when the pyramid has come to rest, and come back with the weight that key 3 puts on top.
+ * rows vanish when the pyramid has come to rest, and come back with the weight that is put on top after two seconds, or
+ * by key 3.
  */
 #include "play.h"
 #include <stdio.h>
@@ -14,11 +15,13 @@ enum { ROWS = 10, BOXES = ROWS * (ROWS + 1) / 2 };
 static const double width = 1, height = .6; /* m, of a box */
 
 static McdModelID box[BOXES], block;
+static int untilLoad; /* frames, until the block is put on top by itself; 0: it is not */
 
 /* The lowest row first, a quarter of a box free between neighbours. */
 static void MEAPI Reset(RRender *context, void *userdata) {
     int n = 0;
     (void)context, (void)userdata;
+    untilLoad = 0;
     for (int row = 0; row < ROWS; row++)
         for (int i = 0; i < ROWS - row; i++, n++)
             playPlace(box[n], (MeReal)(1.25 * width * (i - (ROWS - row - 1) / 2.)), (MeReal)((row + .5) * height), 0, 0,
@@ -29,6 +32,7 @@ static void MEAPI Reset(RRender *context, void *userdata) {
 /* As heavy as all the boxes together: just above the top, to come down gently. */
 static void MEAPI load(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    untilLoad = 0;
     playPlace(block, 0, (MeReal)(ROWS * height + .41), 0, 0, 0);
 }
 
@@ -36,6 +40,7 @@ static void MEAPI load(RRender *context, void *userdata) {
 static void MEAPI toggleSleep(RRender *context, void *userdata) {
     const MdtWorldID w = playUniverse->world;
     (void)context, (void)userdata;
+    untilLoad = 0;
     MdtWorldSetAutoDisable(w, !MdtWorldGetAutoDisable(w));
     for (int i = 0; i < BOXES; i++)
         McdModelDynamicsEnable(box[i]);
@@ -60,6 +65,8 @@ static void showReport(void) {
 
 static void MEAPI Tick(RRender *context) {
     (void)context;
+    if (untilLoad > 0 && --untilLoad == 0)
+        load(context, 0);
     MstUniverseStep(playUniverse, playFrame);
     showReport();
 }
@@ -78,7 +85,7 @@ static void createModels(void) {
 
 int MEAPI_CDECL main(int argc, const char **argv) {
     static const char *const help[] = {
-        "A pyramid, and the solver's own report of every step.",
+        "A pyramid, on which a block is put after two seconds, and the solver's report of every step.",
         "$ACTION2 - build it again",
         "$ACTION3 - put a heavy block on top",
         "$ACTION4 - sleep or stay awake",
@@ -93,6 +100,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     RRenderSetActionNCallBack(playRc, 4, toggleSleep, 0);
     playCamera(0, 2.6f, 0, 18, .35f, .22f);
     Reset(playRc, 0);
+    untilLoad = 120;
     playRun(Tick);
     return 0;
 }

@@ -6,15 +6,16 @@
  * that is enough the arm is exactly where the animation wants it. When it is not, the joint gives way, and comes back
  * when it can: a cheap way to let a figure play a movement and be pushed about all the same.
  *
- * The pale arm is what the animation wants. Try: key 3 hangs a weight on the hand, too heavy for the shoulder when the
- * arm is stretched out; Up makes the joints stronger; key 4 strikes the hand.
+ * The pale arm is what the animation wants. By itself a weight comes and goes every five seconds, too heavy for the
+ * shoulder when the arm is stretched out, until you press a key. Try: key 3 hangs it on the hand or takes it off; Up
+ * makes the joints stronger; key 4 strikes the hand.
  */
 #include "Mdt.h"
 #include "MeViewer.h"
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { UPPER, FORE, PARTS }; /* the arm's two parts, and the joints at their near ends: shoulder and elbow */
+enum { UPPER, FORE, PARTS, NONE = -1 }; /* the arm's two parts, and the joints at their near ends: shoulder and elbow */
 
 static const MeReal step = (MeReal)(1.0 / 60);                  /* s */
 static const MeReal length[PARTS] = {(MeReal)1.4, (MeReal)1.2}; /* m */
@@ -31,6 +32,7 @@ static MdtBSJointID hook;
 static MeReal strength = 200; /* N m, of the shoulder */
 static MeReal animationTime;  /* s */
 static int isMoving;
+static int shown;               /* frames, while the weight comes and goes by itself; NONE: a key was pressed */
 static MeVector4 wanted[PARTS]; /* the quaternions for the joints */
 
 static RRender *rc;
@@ -136,16 +138,28 @@ static void hangUpLoad(void) {
     MdtBSJointEnable(hook);
 }
 
-static void MEAPI toggleLoad(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
+static void changeLoad(void) {
     if (MdtBSJointIsEnabled(hook))
         takeOffLoad();
     else
         hangUpLoad();
 }
 
+static void changeLoadByItself(void) {
+    enum { FIRST = 75, EACH = 300 };
+    if (shown != NONE && ++shown % EACH == FIRST)
+        changeLoad();
+}
+
+static void MEAPI toggleLoad(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
+    shown = NONE;
+    changeLoad();
+}
+
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    shown = NONE;
     animationTime = 0;
     isMoving = 1;
     takeOffLoad();
@@ -162,12 +176,14 @@ static void MEAPI Reset(RRender *context, void *userdata) {
 static void MEAPI strike(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     MeVector3 p;
+    shown = NONE;
     handAt(p);
     MdtBodyAddImpulseAtPosition(part[FORE], 0, -15, -15, p[0], p[1], p[2]);
 }
 
 static void MEAPI toggleAnimation(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    shown = NONE;
     isMoving = !isMoving;
 }
 
@@ -236,6 +252,7 @@ static void drawCord(void) {
 
 static void MEAPI Tick(RRender *context) {
     (void)context;
+    changeLoadByItself();
     animate();
     MdtWorldStep(world, step);
     drawCord();
@@ -348,6 +365,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     createGraphics();
     createControls();
     Reset(rc, 0);
+    shown = 0;
 
     atexit(cleanup);
     RRun(rc, Tick); /* does not return */

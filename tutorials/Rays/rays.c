@@ -255,14 +255,14 @@ static void MEAPI_CDECL cleanup(void) {
 static void createGraphics(void) {
     static const float stone[4] = {.62f, .64f, .70f, 1}, glass[4] = {.45f, .75f, .85f, .35f};
     static const float white[4] = {1, .95f, .7f, 1}, ground[4] = {.82f, .83f, .80f, 1};
-    const AcmeVector3 lookAt = {0, .3f, 0};
+    const AcmeVector3 lookAt = {.5f, 0, .4f};
     for (int i = 0; i < MODELS; i++)
         RGraphicCreateFromModel(rc, model[i], room[i].isGlass ? glass : stone);
     MeMatrix4TMMakeIdentity(lampTM);
     RGraphicSphereCreate(rc, .12f, white, lampTM);
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, -.4f);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 13, .3f, .9f);
+    RCameraSetView(rc, 17, .3f, .9f);
 }
 
 static void createControls(void) {

@@ -2,7 +2,8 @@
  *
  * The belt does not move at all. Its contacts are told that their surface has a speed along their primary direction:
  * the slide. Friction then pulls each box to that speed. How hard it pulls is up to the friction: the three boxes have
- * coefficients of 0.1, 0.3 and 0.9, and take their time accordingly.
+ * coefficients of 0.1, 0.3 and 0.9, and take their time accordingly. The yellow stripe goes with the belt from where
+ * the boxes began: a box stays behind it by what it has lost until it moved along, v² / (2 friction g).
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
@@ -24,6 +25,8 @@ static MeReal speed = 2; /* m/s, of the belt along x */
 static RRender *rc;
 static MeMatrix4 slatTM[18];
 static MeReal beltMoved; /* m */
+static MeMatrix4 stripeTM;
+static MeReal stripeAt; /* m, of the stripe along the belt */
 
 static MeReal laneOf(int i) {
     return (MeReal)1.3 * (MeReal)(i - 1);
@@ -41,6 +44,7 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     for (int i = 0; i < BOXES; i++)
         placeBox(i);
+    stripeAt = 1 - beltLength / 2;
 }
 
 static void setSpeed(MeReal v) {
@@ -73,6 +77,9 @@ static void bringBack(int i) {
 /* The slats show how the belt would move if it did. */
 static void moveSlats(void) {
     beltMoved += speed * step;
+    stripeAt = MeCLAMP(stripeAt + speed * step, -beltLength / 2, beltLength / 2);
+    MeMatrix4TMMakeIdentity(stripeTM);
+    MeMatrix4TMSetPosition(stripeTM, stripeAt, 1, 0);
     for (int i = 0; i < 18; i++) {
         const MeReal x = (MeReal)fmod((double)((MeReal)i + beltMoved) + 1800, 18) - beltLength / 2;
         MeMatrix4TMMakeIdentity(slatTM[i]);
@@ -122,7 +129,8 @@ static void createDynamics(void) {
 
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, grey[4] = {.45f, .47f, .50f, 1}, dark[4] = {.30f, .31f, .33f, 1};
-    const AcmeVector3 lookAt = {0, 1, 0};
+    const float yellow[4] = {.95f, .80f, .20f, 1};
+    const AcmeVector3 lookAt = {.6f, -.4f, 0};
     static MeMatrix4 beltTM, rollerTM[2];
     MeMatrix3 R;
     MeMatrix4TMMakeIdentity(beltTM);
@@ -130,6 +138,7 @@ static void createGraphics(void) {
     RGraphicBoxCreate(rc, (float)beltLength, .18f, 4.2f, dark, beltTM);
     for (int i = 0; i < 18; i++)
         RGraphicBoxCreate(rc, .08f, .02f, 4.2f, grey, slatTM[i]);
+    RGraphicBoxCreate(rc, .12f, .03f, 4.2f, yellow, stripeTM);
     MeMatrix3MakeRotationX(R, 0);
     for (int i = 0; i < 2; i++) {
         MeMatrix4TMMakeFromRotationAndPosition(rollerTM[i], R, i == 0 ? -beltLength / 2 : beltLength / 2, (MeReal)0.8,
@@ -141,13 +150,13 @@ static void createGraphics(void) {
                           MdtBodyGetTransformPtr(box[i].body));
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 19, .45f, .3f);
+    RCameraSetView(rc, 22, .3f, .65f);
     moveSlats();
 }
 
 static void createControls(void) {
     static const char *const help[] = {
-        "A conveyor belt takes boxes along.",
+        "A conveyor belt takes boxes along; the stripe goes with it.",
         "$ACTION2 - start again",
         "$UP, $DOWN - the belt's speed",
     };

@@ -4,7 +4,7 @@
  * but the joints of the second one are taken away and made anew in another order, as it happens when a game restarts a
  * level. Constraints are solved in the order of their sort keys, then of their creation. With a key for each joint both
  * chains do the same to the last bit, for ever. Without keys they are apart by a rounding error at first, and soon by
- * metres.
+ * metres, as the third chain shows, which is made like the second and never has keys.
  */
 #include "Mdt.h"
 #include "MeViewer.h"
@@ -12,11 +12,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RODS = 6, COPIES = 2 };
+enum { RODS = 6, KEYLESS = 2, COPIES };
 
-static const MeReal step = (MeReal)(1.0 / 60);                                       /* s */
-static const MeReal size[3] = {(MeReal)0.7, (MeReal)0.12, (MeReal)0.12};             /* m */
-static const MeReal hookAt[COPIES][3] = {{(MeReal)-2.6, 5, 0}, {(MeReal)2.6, 5, 0}}; /* m */
+static const MeReal step = (MeReal)(1.0 / 60);                              /* s */
+static const MeReal size[3] = {(MeReal)0.7, (MeReal)0.12, (MeReal)0.12};    /* m */
+static const MeReal hookAt[COPIES][3] = {{(MeReal)-4.6, 5, 0}, {0, 5, 0}, {(MeReal)4.6, 5, 0}}; /* m */
 
 static MdtWorldID world[COPIES]; /* worlds have nothing to do with each other */
 static MdtBodyID rod[COPIES][RODS];
@@ -44,11 +44,11 @@ static void createJoint(int c, int i) {
     joint[c][i] = MdtBSJointCreate(world[c]);
     MdtBSJointSetBodies(joint[c][i], rod[c][i], i > 0 ? rod[c][i - 1] : 0);
     MdtBSJointSetPosition(joint[c][i], (MeReal)i * size[0], 0, 0);
-    MdtBSJointSetSortKey(joint[c][i], usesKeys ? i : 0);
+    MdtBSJointSetSortKey(joint[c][i], usesKeys && c != KEYLESS ? i : 0);
     MdtBSJointEnable(joint[c][i]);
 }
 
-/* The joints of the second copy are made from the last to the first. */
+/* The joints of all copies but the first are made from the last to the first. */
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     for (int c = 0; c < COPIES; c++) {
@@ -72,25 +72,29 @@ static int areSame(void) {
     return 1;
 }
 
-/* m, of the ends. */
-static double distanceBetween(void) {
-    MeVector3 p[COPIES];
+/* m, of the ends of a copy and the first one. */
+static double distanceTo(int copy) {
+    MeVector3 p[2];
     double square = 0;
-    for (int c = 0; c < COPIES; c++)
-        MdtBodyGetPosition(rod[c][RODS - 1], p[c]);
+    MdtBodyGetPosition(rod[0][RODS - 1], p[0]);
+    MdtBodyGetPosition(rod[copy][RODS - 1], p[1]);
     for (int i = 0; i < 3; i++)
         square += pow((double)p[0][i] - (double)p[1][i], 2);
     return sqrt(square);
 }
 
 static void showFigures(void) {
-    char text[160];
-    snprintf(text, sizeof text, "sort keys %s    step %d    %s    the ends are %.2e m apart    the same for %d steps",
-             usesKeys ? "on" : "off", steps, areSame() ? "same bits" : "different", distanceBetween(), sameUntil);
+    char text[200];
+    snprintf(
+        text, sizeof text,
+        "sort keys %s    step %d    %s    the ends are %.2e m apart    the same for %d steps    red, without keys: "
+        "%.2e m apart",
+        usesKeys ? "on" : "off", steps, areSame() ? "same bits" : "different", distanceTo(1), sameUntil,
+        distanceTo(KEYLESS));
     RRenderSetStatusText(rc, text);
 }
 
-/* Both worlds have their hook at the origin, since numbers round differently elsewhere; the pictures are moved apart.
+/* All worlds have their hook at the origin, since numbers round differently elsewhere; the pictures are moved apart.
  * */
 static void showRods(void) {
     for (int c = 0; c < COPIES; c++) {
@@ -134,23 +138,24 @@ static void createDynamics(int c) {
 
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, grey[4] = {.45f, .47f, .50f, 1};
-    const AcmeVector3 lookAt = {0, 3.2f, 0};
+    const AcmeVector3 lookAt = {.6f, 3, 0};
     static MeMatrix4 hookTM[COPIES];
     for (int c = 0; c < COPIES; c++) {
         MeMatrix4TMMakeIdentity(hookTM[c]);
         MeMatrix4TMSetPosition(hookTM[c], hookAt[c][0], hookAt[c][1], hookAt[c][2]);
         RGraphicBoxCreate(rc, .3f, .3f, .3f, grey, hookTM[c]);
         for (int i = 0; i < RODS; i++)
-            RGraphicBoxCreate(rc, (float)size[0] * .94f, (float)size[1], (float)size[2], RPalette[c], shownTM[c][i]);
+            RGraphicBoxCreate(rc, (float)size[0] * .94f, (float)size[1], (float)size[2],
+                              c == KEYLESS ? RPalette[3] : RPalette[c], shownTM[c][i]);
     }
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 13, .15f, .1f);
+    RCameraSetView(rc, 21, .15f, .1f);
 }
 
 static void createControls(void) {
     static const char *const help[] = {
-        "Two chains, made in different order, do the same to the last bit.",
+        "Two chains, made in different order, do the same to the last bit; the red one has no keys.",
         "$ACTION2 - start again",
         "$ACTION3 - sort keys on or off",
     };

@@ -1,7 +1,8 @@
 /* Stack: a tower of boxes (User Guide, chapter 5, "The Bridge").
  *
  * Collision finds where boxes touch, the bridge makes contacts of that, dynamics holds them. The tower stands, goes to
- * sleep, and costs nothing then; a ball wakes what it hits. Watch the number of bodies that are awake.
+ * sleep, and costs nothing then; a ball wakes what it hits. Watch the number of bodies that are awake. After two
+ * seconds the ball is thrown; a tower that is built again stands until you throw it.
  */
 #include "play.h"
 #include <stdio.h>
@@ -9,10 +10,12 @@
 enum { BOXES = 20 };
 
 static McdModelID box[BOXES], ball;
+static int untilThrow; /* frames, until the ball is thrown by itself; 0: it is not */
 
 /* Not quite straight, as a child builds. */
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    untilThrow = 0;
     for (int i = 0; i < BOXES; i++)
         playPlace(box[i], (MeReal)(0.03 * (i % 3 - 1)), (MeReal)(0.5 + 1.005 * i), (MeReal)(0.03 * (i % 2)), 1,
                   (MeReal)(0.05 * (i % 5 - 2)));
@@ -21,6 +24,7 @@ static void MEAPI Reset(RRender *context, void *userdata) {
 
 static void MEAPI throwBall(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    untilThrow = 0;
     playPlace(ball, -8, 6, 0, 0, 0);
     MdtBodySetLinearVelocity(McdModelGetBody(ball), 16, 2, 0);
 }
@@ -34,6 +38,8 @@ static double topOf(McdModelID m) {
 static void MEAPI Tick(RRender *context) {
     char text[160];
     (void)context;
+    if (untilThrow > 0 && --untilThrow == 0)
+        throwBall(context, 0);
     MstUniverseStep(playUniverse, playFrame);
     snprintf(text, sizeof text, "top at %.4f m    awake %d of %d    contacts and groups %d    motion %.3f J",
              topOf(box[BOXES - 1]), playAwake(), BOXES + 1, MdtWorldGetTotalConstraints(playUniverse->world),
@@ -53,7 +59,7 @@ static void createModels(void) {
 
 int MEAPI_CDECL main(int argc, const char **argv) {
     static const char *const help[] = {
-        "Twenty boxes, and a ball that you may throw.",
+        "Twenty boxes, and a ball that is thrown after two seconds.",
         "$ACTION2 - build the tower again",
         "$ACTION3 - throw the ball",
     };
@@ -65,6 +71,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     RRenderSetActionNCallBack(playRc, 3, throwBall, 0);
     playCamera(0, 9, 0, 36, .5f, .2f);
     Reset(playRc, 0);
+    untilThrow = 120;
     playRun(Tick);
     return 0;
 }

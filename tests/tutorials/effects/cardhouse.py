@@ -7,10 +7,11 @@ IS_LONG = True
 def check():
     """The house stands and sleeps; a pulled card takes a part of it down, and the ball all but the lowest storey."""
     for frames in 20, 3600:
-        line = status(frames)
+        line = status(frames, 'Enter@1')
         near(figure(line, 'top at'), 1.497, 1e-4, 'the top')
         assert figure(line, 'moved') < 0.05, line
     assert figure(line, 'awake') == 0, line
+    assert figure(status(115), 'moved') < 0.05 and figure(status(180), 'moved') > 300, 'the ball that comes by itself'
     line = status(900, '4@60')
     assert figure(line, 'moved') > 300 and figure(line, 'awake') == 0, line
     lines = [status(frames, '3@60') for frames in (600, 900)]

@@ -16,6 +16,8 @@ def check():
     assert figure(line, 'contacts') == 4, line
     near(figure(line, 'deepest'), -0.05, 2e-4, 'the depth')
     near(figure(line, 'distance'), -0.05, 2e-4, 'the distance')
+    assert status(60) == line and 'box against cylinder' in status(200), 'the shapes do not change by themselves'
+    assert status(200, 'Enter@1') == line, 'the shapes change after a key'
     line = status(30, ','.join(presses('Up', 10, 1)))
     assert 'no contact' in line, line
     near(figure(line, 'distance'), 0.15, 2e-4, 'the distance after ten steps up')

@@ -21,3 +21,13 @@ def check():
         near(figure(line, 'cone'), slide(slope, mu * normal), 0.03, f'cone at {slope}')
         near(figure(line, 'normal force'), slide(slope, math.sqrt(2) * mu * normal), 0.03, f'normal force at {slope}')
         near(figure(line, 'box model'), slide(slope, boxed), 0.03, f'box model at {slope}')
+    by_itself(mu, boxed)
+
+
+def by_itself(mu, boxed):
+    """24 degrees for 75 frames, then 30 and 36 for 210 each: of each one second."""
+    for slope, frames in (24, 60), (30, 75 + 60), (36, 75 + 210 + 60), (24, 75 + 420 + 60):
+        line = status(frames)
+        assert figure(line, 'slope') == slope, line
+        near(figure(line, 'cone'), slide(slope, mu * math.cos(math.radians(slope))), 0.05, f'by itself, cone at {slope}')
+        near(figure(line, 'box model'), slide(slope, boxed), 0.05, f'by itself, box model at {slope}')

@@ -9,7 +9,8 @@ LIFT, BEND, LOAD = 0.6, -1.0, 6 * 9.8  # rad, rad, N: the animation stopped at i
 def check():
     """The arm follows the animation exactly as long as it is strong enough, else its torque is the strength."""
     for frames in 60, 300, 600:
-        assert max(errors(status(frames))) <= 0.05, 'it does not follow the animation'
+        assert max(errors(status(frames, 'Enter@1'))) <= 0.05, 'it does not follow the animation'
+    assert figure(status(200), 'shoulder off by') > 20, 'the weight that comes by itself'
     follows('5@1', 0)
     follows('5@1,3@1,Up@1', LOAD)
     line = status(3000, '5@1,3@1,Down@1,Down@1')
