@@ -53,7 +53,7 @@ class Shell:
     def __init__(self, arguments, scratch):
         self.home = scratch / 'home'
         self.home.mkdir()
-        prefix = scratch / 'prefix'
+        prefix = self.home / 'karma'
         done = subprocess.run(['cmake', '--install', arguments.build, '--prefix', prefix], capture_output=True, text=True, check=False)
         if done.returncode:
             sys.exit(done.stdout + done.stderr)
