@@ -60,7 +60,8 @@ class Shell:
         libraries = next(prefix.rglob('karma-mdt*.pc')).parent.parent
         tools = scratch / 'tools'
         tools.mkdir()
-        (tools / 'cc').write_text(f'#!/bin/sh\nexec {arguments.cc} {STRICT} {arguments.flags} "$@"\n')
+        behind = '-lstdc++' if arguments.flags else ''  # for a sanitizer's run-time library for C++, which is in Mcd
+        (tools / 'cc').write_text(f'#!/bin/sh\nexec {arguments.cc} {STRICT} {arguments.flags} "$@" {behind}\n')
         (tools / 'cc').chmod(0o755)
         mine = {key: value for key, value in os.environ.items() if key != 'DISPLAY'}
         self.environment = {**mine, 'HOME': str(self.home), 'PATH': f'{tools}:{os.environ["PATH"]}',
