@@ -68,5 +68,10 @@ function(karma_install)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/KarmaConfigVersion.cmake COMPATIBILITY SameMajorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/KarmaConfig.cmake ${PROJECT_BINARY_DIR}/KarmaConfigVersion.cmake
     DESTINATION ${destination})
-  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  # Pages with their pictures, as they link to each other, and what a reader copies from.
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+    ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "Doxyfile.in" EXCLUDE)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/tutorials DESTINATION ${CMAKE_INSTALL_DATADIR}/karma
+    FILES_MATCHING PATTERN "*.c" PATTERN "*.h" PATTERN "browser" EXCLUDE PATTERN "menu" EXCLUDE)
 endfunction()

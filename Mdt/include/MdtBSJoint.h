@@ -19,9 +19,55 @@ MEPUBLIC MdtConstraintID MEAPI MdtBSJointQuaConstraint(const MdtBSJointID j);
 /** The constraint as a ball-and-socket joint; null when it is none. */
 MEPUBLIC MdtBSJointID MEAPI MdtConstraintDCastBSJoint(const MdtConstraintID c);
 
-/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
-MDT_JOINT_COMMON(BSJoint)
-MDT_JOINT_POSITION(BSJoint)
+/** @name What every constraint has, under this joint's name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  @{ */
+static inline void MdtBSJointDestroy(const MdtBSJointID j) {
+    MdtConstraintDestroy(MdtBSJointQuaConstraint(j));
+}
+static inline void MdtBSJointEnable(const MdtBSJointID j) {
+    MdtConstraintEnable(MdtBSJointQuaConstraint(j));
+}
+static inline void MdtBSJointDisable(const MdtBSJointID j) {
+    MdtConstraintDisable(MdtBSJointQuaConstraint(j));
+}
+static inline MeBool MdtBSJointIsEnabled(const MdtBSJointID j) {
+    return MdtConstraintIsEnabled(MdtBSJointQuaConstraint(j));
+}
+static inline void MdtBSJointSetBodies(const MdtBSJointID j, const MdtBodyID b1, const MdtBodyID b2) {
+    MdtConstraintSetBodies(MdtBSJointQuaConstraint(j), b1, b2);
+}
+static inline MdtBodyID MdtBSJointGetBody(const MdtBSJointID j, const unsigned int bodyindex) {
+    return MdtConstraintGetBody(MdtBSJointQuaConstraint(j), bodyindex);
+}
+static inline void MdtBSJointGetForce(const MdtBSJointID j, const unsigned int bodyindex, MeVector3 force) {
+    MdtConstraintGetForce(MdtBSJointQuaConstraint(j), bodyindex, force);
+}
+static inline void MdtBSJointGetTorque(const MdtBSJointID j, const unsigned int bodyindex, MeVector3 torque) {
+    MdtConstraintGetTorque(MdtBSJointQuaConstraint(j), bodyindex, torque);
+}
+static inline MdtWorldID MdtBSJointGetWorld(const MdtBSJointID j) {
+    return MdtConstraintGetWorld(MdtBSJointQuaConstraint(j));
+}
+static inline void MdtBSJointSetUserData(const MdtBSJointID j, void *data) {
+    MdtConstraintSetUserData(MdtBSJointQuaConstraint(j), data);
+}
+static inline void *MdtBSJointGetUserData(const MdtBSJointID j) {
+    return MdtConstraintGetUserData(MdtBSJointQuaConstraint(j));
+}
+static inline void MdtBSJointSetSortKey(const MdtBSJointID j, const MeI32 key) {
+    MdtConstraintSetSortKey(MdtBSJointQuaConstraint(j), key);
+}
+static inline MeI32 MdtBSJointGetSortKey(const MdtBSJointID j) {
+    return MdtConstraintGetSortKey(MdtBSJointQuaConstraint(j));
+}
+static inline void MdtBSJointSetPosition(const MdtBSJointID j, const MeReal x, const MeReal y, const MeReal z) {
+    MdtConstraintSetPosition(MdtBSJointQuaConstraint(j), x, y, z);
+}
+static inline void MdtBSJointGetPosition(const MdtBSJointID j, MeVector3 position) {
+    MdtConstraintGetPosition(MdtBSJointQuaConstraint(j), position);
+}
+/** @} */
 
 ME_END_C
 

@@ -82,9 +82,55 @@ MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionHeight(const MdtCarWheelID j);
 MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionRate(const MdtCarWheelID j);
 /** @} */
 
-/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
-MDT_JOINT_COMMON(CarWheel)
-MDT_JOINT_POSITION(CarWheel)
+/** @name What every constraint has, under this joint's name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  @{ */
+static inline void MdtCarWheelDestroy(const MdtCarWheelID j) {
+    MdtConstraintDestroy(MdtCarWheelQuaConstraint(j));
+}
+static inline void MdtCarWheelEnable(const MdtCarWheelID j) {
+    MdtConstraintEnable(MdtCarWheelQuaConstraint(j));
+}
+static inline void MdtCarWheelDisable(const MdtCarWheelID j) {
+    MdtConstraintDisable(MdtCarWheelQuaConstraint(j));
+}
+static inline MeBool MdtCarWheelIsEnabled(const MdtCarWheelID j) {
+    return MdtConstraintIsEnabled(MdtCarWheelQuaConstraint(j));
+}
+static inline void MdtCarWheelSetBodies(const MdtCarWheelID j, const MdtBodyID b1, const MdtBodyID b2) {
+    MdtConstraintSetBodies(MdtCarWheelQuaConstraint(j), b1, b2);
+}
+static inline MdtBodyID MdtCarWheelGetBody(const MdtCarWheelID j, const unsigned int bodyindex) {
+    return MdtConstraintGetBody(MdtCarWheelQuaConstraint(j), bodyindex);
+}
+static inline void MdtCarWheelGetForce(const MdtCarWheelID j, const unsigned int bodyindex, MeVector3 force) {
+    MdtConstraintGetForce(MdtCarWheelQuaConstraint(j), bodyindex, force);
+}
+static inline void MdtCarWheelGetTorque(const MdtCarWheelID j, const unsigned int bodyindex, MeVector3 torque) {
+    MdtConstraintGetTorque(MdtCarWheelQuaConstraint(j), bodyindex, torque);
+}
+static inline MdtWorldID MdtCarWheelGetWorld(const MdtCarWheelID j) {
+    return MdtConstraintGetWorld(MdtCarWheelQuaConstraint(j));
+}
+static inline void MdtCarWheelSetUserData(const MdtCarWheelID j, void *data) {
+    MdtConstraintSetUserData(MdtCarWheelQuaConstraint(j), data);
+}
+static inline void *MdtCarWheelGetUserData(const MdtCarWheelID j) {
+    return MdtConstraintGetUserData(MdtCarWheelQuaConstraint(j));
+}
+static inline void MdtCarWheelSetSortKey(const MdtCarWheelID j, const MeI32 key) {
+    MdtConstraintSetSortKey(MdtCarWheelQuaConstraint(j), key);
+}
+static inline MeI32 MdtCarWheelGetSortKey(const MdtCarWheelID j) {
+    return MdtConstraintGetSortKey(MdtCarWheelQuaConstraint(j));
+}
+static inline void MdtCarWheelSetPosition(const MdtCarWheelID j, const MeReal x, const MeReal y, const MeReal z) {
+    MdtConstraintSetPosition(MdtCarWheelQuaConstraint(j), x, y, z);
+}
+static inline void MdtCarWheelGetPosition(const MdtCarWheelID j, MeVector3 position) {
+    MdtConstraintGetPosition(MdtCarWheelQuaConstraint(j), position);
+}
+/** @} */
 
 ME_END_C
 

@@ -37,12 +37,74 @@ MEPUBLIC MeReal MEAPI MdtConeLimitGetDamping(const MdtConeLimitID j);
     MdtConstraintBodySetAxesRel(MdtConeLimitQuaConstraint(j), (k), (px), (py), (pz), (ox), (oy), (oz))
 #define MdtConeLimitGetAxes(j, p, o) MdtConstraintGetAxes(MdtConeLimitQuaConstraint(j), (p), (o))
 
-/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
-MDT_JOINT_COMMON(ConeLimit)
-MDT_JOINT_POSITION(ConeLimit)
-MDT_JOINT_AXIS(ConeLimit)
-MDT_JOINT_AXES(ConeLimit)
-MDT_JOINT_BODY_AXES(ConeLimit)
+/** @name What every constraint has, under this joint's name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  @{ */
+static inline void MdtConeLimitDestroy(const MdtConeLimitID j) {
+    MdtConstraintDestroy(MdtConeLimitQuaConstraint(j));
+}
+static inline void MdtConeLimitEnable(const MdtConeLimitID j) {
+    MdtConstraintEnable(MdtConeLimitQuaConstraint(j));
+}
+static inline void MdtConeLimitDisable(const MdtConeLimitID j) {
+    MdtConstraintDisable(MdtConeLimitQuaConstraint(j));
+}
+static inline MeBool MdtConeLimitIsEnabled(const MdtConeLimitID j) {
+    return MdtConstraintIsEnabled(MdtConeLimitQuaConstraint(j));
+}
+static inline void MdtConeLimitSetBodies(const MdtConeLimitID j, const MdtBodyID b1, const MdtBodyID b2) {
+    MdtConstraintSetBodies(MdtConeLimitQuaConstraint(j), b1, b2);
+}
+static inline MdtBodyID MdtConeLimitGetBody(const MdtConeLimitID j, const unsigned int bodyindex) {
+    return MdtConstraintGetBody(MdtConeLimitQuaConstraint(j), bodyindex);
+}
+static inline void MdtConeLimitGetForce(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 force) {
+    MdtConstraintGetForce(MdtConeLimitQuaConstraint(j), bodyindex, force);
+}
+static inline void MdtConeLimitGetTorque(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 torque) {
+    MdtConstraintGetTorque(MdtConeLimitQuaConstraint(j), bodyindex, torque);
+}
+static inline MdtWorldID MdtConeLimitGetWorld(const MdtConeLimitID j) {
+    return MdtConstraintGetWorld(MdtConeLimitQuaConstraint(j));
+}
+static inline void MdtConeLimitSetUserData(const MdtConeLimitID j, void *data) {
+    MdtConstraintSetUserData(MdtConeLimitQuaConstraint(j), data);
+}
+static inline void *MdtConeLimitGetUserData(const MdtConeLimitID j) {
+    return MdtConstraintGetUserData(MdtConeLimitQuaConstraint(j));
+}
+static inline void MdtConeLimitSetSortKey(const MdtConeLimitID j, const MeI32 key) {
+    MdtConstraintSetSortKey(MdtConeLimitQuaConstraint(j), key);
+}
+static inline MeI32 MdtConeLimitGetSortKey(const MdtConeLimitID j) {
+    return MdtConstraintGetSortKey(MdtConeLimitQuaConstraint(j));
+}
+static inline void MdtConeLimitSetPosition(const MdtConeLimitID j, const MeReal x, const MeReal y, const MeReal z) {
+    MdtConstraintSetPosition(MdtConeLimitQuaConstraint(j), x, y, z);
+}
+static inline void MdtConeLimitGetPosition(const MdtConeLimitID j, MeVector3 position) {
+    MdtConstraintGetPosition(MdtConeLimitQuaConstraint(j), position);
+}
+static inline void MdtConeLimitSetAxis(const MdtConeLimitID j, const MeReal x, const MeReal y, const MeReal z) {
+    MdtConstraintSetAxis(MdtConeLimitQuaConstraint(j), x, y, z);
+}
+static inline void MdtConeLimitGetAxis(const MdtConeLimitID j, MeVector3 axis) {
+    MdtConstraintGetAxis(MdtConeLimitQuaConstraint(j), axis);
+}
+static inline void MdtConeLimitSetAxes(const MdtConeLimitID j, const MeReal px, const MeReal py, const MeReal pz,
+                                       const MeReal ox, const MeReal oy, const MeReal oz) {
+    MdtConstraintSetAxes(MdtConeLimitQuaConstraint(j), px, py, pz, ox, oy, oz);
+}
+static inline void MdtConeLimitBodySetAxes(const MdtConeLimitID j, const unsigned int bodyindex, const MeReal px,
+                                           const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
+                                           const MeReal oz) {
+    MdtConstraintBodySetAxes(MdtConeLimitQuaConstraint(j), bodyindex, px, py, pz, ox, oy, oz);
+}
+static inline void MdtConeLimitBodyGetAxes(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 primary,
+                                           MeVector3 ortho) {
+    MdtConstraintBodyGetAxes(MdtConeLimitQuaConstraint(j), bodyindex, primary, ortho);
+}
+/** @} */
 
 ME_END_C
 

@@ -150,89 +150,10 @@ MEPUBLIC MdtConstraintID MEAPI MdtConstraintGetFirst(const MdtWorldID w);
 MEPUBLIC MdtConstraintID MEAPI MdtConstraintGetNext(const MdtConstraintID c);
 /** @} */
 
-/** @name The same functions under each joint's own name
- *  The header of every joint, say MdtHinge.h, uses these to declare
- *
- *      MdtHingeDestroy, Enable, Disable, IsEnabled, SetBodies, GetBody, GetForce, GetTorque, GetWorld, SetUserData,
- *      GetUserData, SetSortKey, GetSortKey            MDT_JOINT_COMMON(Hinge)
- *      MdtHingeSetPosition, GetPosition               MDT_JOINT_POSITION(Hinge)
- *      MdtHingeSetAxis, GetAxis                       MDT_JOINT_AXIS(Hinge)
- *      MdtHingeSetAxes                                MDT_JOINT_AXES(Hinge)
- *      MdtHingeBodySetAxes, BodyGetAxes               MDT_JOINT_BODY_AXES(Hinge)
- *
- *  Each does what the MdtConstraint function of that name does.
- *  @{ */
-#define MDT_JOINT_COMMON(Joint)                                                                                        \
-    static inline void Mdt##Joint##Destroy(const Mdt##Joint##ID j) {                                                   \
-        MdtConstraintDestroy(Mdt##Joint##QuaConstraint(j));                                                            \
-    }                                                                                                                  \
-    static inline void Mdt##Joint##Enable(const Mdt##Joint##ID j) {                                                    \
-        MdtConstraintEnable(Mdt##Joint##QuaConstraint(j));                                                             \
-    }                                                                                                                  \
-    static inline void Mdt##Joint##Disable(const Mdt##Joint##ID j) {                                                   \
-        MdtConstraintDisable(Mdt##Joint##QuaConstraint(j));                                                            \
-    }                                                                                                                  \
-    static inline MeBool Mdt##Joint##IsEnabled(const Mdt##Joint##ID j) {                                               \
-        return MdtConstraintIsEnabled(Mdt##Joint##QuaConstraint(j));                                                   \
-    }                                                                                                                  \
-    static inline void Mdt##Joint##SetBodies(const Mdt##Joint##ID j, const MdtBodyID b1, const MdtBodyID b2) {         \
-        MdtConstraintSetBodies(Mdt##Joint##QuaConstraint(j), b1, b2);                                                  \
-    }                                                                                                                  \
-    static inline MdtBodyID Mdt##Joint##GetBody(const Mdt##Joint##ID j, const unsigned int bodyindex) {                \
-        return MdtConstraintGetBody(Mdt##Joint##QuaConstraint(j), bodyindex);                                          \
-    }                                                                                                                  \
-    static inline void Mdt##Joint##GetForce(const Mdt##Joint##ID j, const unsigned int bodyindex, MeVector3 force) {   \
-        MdtConstraintGetForce(Mdt##Joint##QuaConstraint(j), bodyindex, force);                                         \
-    }                                                                                                                  \
-    static inline void Mdt##Joint##GetTorque(const Mdt##Joint##ID j, const unsigned int bodyindex, MeVector3 torque) { \
-        MdtConstraintGetTorque(Mdt##Joint##QuaConstraint(j), bodyindex, torque);                                       \
-    }                                                                                                                  \
-    static inline MdtWorldID Mdt##Joint##GetWorld(const Mdt##Joint##ID j) {                                            \
-        return MdtConstraintGetWorld(Mdt##Joint##QuaConstraint(j));                                                    \
-    }                                                                                                                  \
-    static inline void Mdt##Joint##SetUserData(const Mdt##Joint##ID j, void *data) {                                   \
-        MdtConstraintSetUserData(Mdt##Joint##QuaConstraint(j), data);                                                  \
-    }                                                                                                                  \
-    static inline void *Mdt##Joint##GetUserData(const Mdt##Joint##ID j) {                                              \
-        return MdtConstraintGetUserData(Mdt##Joint##QuaConstraint(j));                                                 \
-    }                                                                                                                  \
-    static inline void Mdt##Joint##SetSortKey(const Mdt##Joint##ID j, const MeI32 key) {                               \
-        MdtConstraintSetSortKey(Mdt##Joint##QuaConstraint(j), key);                                                    \
-    }                                                                                                                  \
-    static inline MeI32 Mdt##Joint##GetSortKey(const Mdt##Joint##ID j) {                                               \
-        return MdtConstraintGetSortKey(Mdt##Joint##QuaConstraint(j));                                                  \
-    }
-#define MDT_JOINT_POSITION(Joint)                                                                                      \
-    static inline void Mdt##Joint##SetPosition(const Mdt##Joint##ID j, const MeReal x, const MeReal y,                 \
-                                               const MeReal z) {                                                       \
-        MdtConstraintSetPosition(Mdt##Joint##QuaConstraint(j), x, y, z);                                               \
-    }                                                                                                                  \
-    static inline void Mdt##Joint##GetPosition(const Mdt##Joint##ID j, MeVector3 position) {                           \
-        MdtConstraintGetPosition(Mdt##Joint##QuaConstraint(j), position);                                              \
-    }
-#define MDT_JOINT_AXIS(Joint)                                                                                          \
-    static inline void Mdt##Joint##SetAxis(const Mdt##Joint##ID j, const MeReal x, const MeReal y, const MeReal z) {   \
-        MdtConstraintSetAxis(Mdt##Joint##QuaConstraint(j), x, y, z);                                                   \
-    }                                                                                                                  \
-    static inline void Mdt##Joint##GetAxis(const Mdt##Joint##ID j, MeVector3 axis) {                                   \
-        MdtConstraintGetAxis(Mdt##Joint##QuaConstraint(j), axis);                                                      \
-    }
-#define MDT_JOINT_AXES(Joint)                                                                                          \
-    static inline void Mdt##Joint##SetAxes(const Mdt##Joint##ID j, const MeReal px, const MeReal py, const MeReal pz,  \
-                                           const MeReal ox, const MeReal oy, const MeReal oz) {                        \
-        MdtConstraintSetAxes(Mdt##Joint##QuaConstraint(j), px, py, pz, ox, oy, oz);                                    \
-    }
-#define MDT_JOINT_BODY_AXES(Joint)                                                                                     \
-    static inline void Mdt##Joint##BodySetAxes(const Mdt##Joint##ID j, const unsigned int bodyindex, const MeReal px,  \
-                                               const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,     \
-                                               const MeReal oz) {                                                      \
-        MdtConstraintBodySetAxes(Mdt##Joint##QuaConstraint(j), bodyindex, px, py, pz, ox, oy, oz);                     \
-    }                                                                                                                  \
-    static inline void Mdt##Joint##BodyGetAxes(const Mdt##Joint##ID j, const unsigned int bodyindex,                   \
-                                               MeVector3 primary, MeVector3 ortho) {                                   \
-        MdtConstraintBodyGetAxes(Mdt##Joint##QuaConstraint(j), bodyindex, primary, ortho);                             \
-    }
-/** @} */
+/* The header of every joint, say MdtHinge.h, has the same functions under its own name: MdtHingeDestroy, Enable,
+ * Disable, IsEnabled, SetBodies, GetBody, GetForce, GetTorque, GetWorld, SetUserData, GetUserData, SetSortKey,
+ * GetSortKey; and, of those that have a position and axes, SetPosition, GetPosition, SetAxis, GetAxis, SetAxes,
+ * BodySetAxes, BodyGetAxes. Each does what the MdtConstraint function of that name does. */
 
 ME_END_C
 

@@ -111,8 +111,49 @@ MEPUBLIC MdtContactID MEAPI MdtContactGetNext(const MdtContactID c);
 /** The group that the contact belongs to (MdtContactGroup.h); null: none. */
 MEPUBLIC MdtContactGroupID MEAPI MdtContactGetContactGroup(const MdtContactID c);
 
-/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
-MDT_JOINT_COMMON(Contact)
+/** @name What every constraint has, under its own name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  @{ */
+static inline void MdtContactDestroy(const MdtContactID j) {
+    MdtConstraintDestroy(MdtContactQuaConstraint(j));
+}
+static inline void MdtContactEnable(const MdtContactID j) {
+    MdtConstraintEnable(MdtContactQuaConstraint(j));
+}
+static inline void MdtContactDisable(const MdtContactID j) {
+    MdtConstraintDisable(MdtContactQuaConstraint(j));
+}
+static inline MeBool MdtContactIsEnabled(const MdtContactID j) {
+    return MdtConstraintIsEnabled(MdtContactQuaConstraint(j));
+}
+static inline void MdtContactSetBodies(const MdtContactID j, const MdtBodyID b1, const MdtBodyID b2) {
+    MdtConstraintSetBodies(MdtContactQuaConstraint(j), b1, b2);
+}
+static inline MdtBodyID MdtContactGetBody(const MdtContactID j, const unsigned int bodyindex) {
+    return MdtConstraintGetBody(MdtContactQuaConstraint(j), bodyindex);
+}
+static inline void MdtContactGetForce(const MdtContactID j, const unsigned int bodyindex, MeVector3 force) {
+    MdtConstraintGetForce(MdtContactQuaConstraint(j), bodyindex, force);
+}
+static inline void MdtContactGetTorque(const MdtContactID j, const unsigned int bodyindex, MeVector3 torque) {
+    MdtConstraintGetTorque(MdtContactQuaConstraint(j), bodyindex, torque);
+}
+static inline MdtWorldID MdtContactGetWorld(const MdtContactID j) {
+    return MdtConstraintGetWorld(MdtContactQuaConstraint(j));
+}
+static inline void MdtContactSetUserData(const MdtContactID j, void *data) {
+    MdtConstraintSetUserData(MdtContactQuaConstraint(j), data);
+}
+static inline void *MdtContactGetUserData(const MdtContactID j) {
+    return MdtConstraintGetUserData(MdtContactQuaConstraint(j));
+}
+static inline void MdtContactSetSortKey(const MdtContactID j, const MeI32 key) {
+    MdtConstraintSetSortKey(MdtContactQuaConstraint(j), key);
+}
+static inline MeI32 MdtContactGetSortKey(const MdtContactID j) {
+    return MdtConstraintGetSortKey(MdtContactQuaConstraint(j));
+}
+/** @} */
 
 ME_END_C
 

@@ -5,10 +5,10 @@
  *  copies into contacts. "Friction" sets both directions where no direction is named. A null set, a number that is not
  *  finite or out of its range gets a warning and changes nothing; accessors then return 0.
  *
- *  Friction needs a type, a model, and what the model goes by: a coefficient alone does nothing, a type alone is
- *  friction without bound. MdtContactParamsSetSurface sets all of it. A contact that has only some gets a warning in
- *  the step, once a world and kind of lack; one whose type, or whose friction of MEINFINITY, was set by its function
- *  gets none.
+ *  Friction needs three things: a type, a model, and the model's force or coefficient. A coefficient alone does
+ *  nothing; a type alone is friction without bound. MdtContactParamsSetSurface sets all of them. If some are missing,
+ *  the step gives a warning, once for each world and kind of omission; not if the type, or a friction of MEINFINITY,
+ *  was set by its function, which shows that it is meant.
  */
 #ifndef MDTCONTACTPARAMS_H
 #define MDTCONTACTPARAMS_H
@@ -58,9 +58,8 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtC
 /** @} */
 
 /** @name Slip: tangential velocity per tangential force, m/s per N, >= 0; 0 turns it off
- *  It holds in every step for the
- *  force that the contact passes. A body that is pushed has the speed of slip times the push after some slip times mass
- *  seconds: at once, for what slip is made for.
+ *  The surface gives way at a velocity of slip times the tangential force of the contact. A body that is pushed with a
+ *  force reaches the velocity slip times force with a time constant of slip times mass.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetSlip(const MdtContactParamsID p, MeReal f);
 MEPUBLIC void MEAPI MdtContactParamsSetPrimarySlip(const MdtContactParamsID p, MeReal s);
@@ -78,8 +77,7 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID
 /** @} */
 
 /** @name Restitution: rebound speed over impact speed, 0..1, for impacts above the threshold [m/s, >= 0]
- *  An approach
- *  that is no faster than what one step's own acceleration explains is rest, not impact, and does not bounce.
+ *  Bodies that close no faster than by the acceleration of one step are at rest against each other and do not bounce.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetRestitution(const MdtContactParamsID p, MeReal r);
 MEPUBLIC MeReal MEAPI MdtContactParamsGetRestitution(const MdtContactParamsID p);

@@ -23,8 +23,49 @@ MEPUBLIC void MEAPI MdtFPFOJointSetPosition(const MdtFPFOJointID j, const MeReal
 /** Where it is on the body of index 0 or 1, world frame. */
 MEPUBLIC void MEAPI MdtFPFOJointGetPosition(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 pos);
 
-/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
-MDT_JOINT_COMMON(FPFOJoint)
+/** @name What every constraint has, under this joint's name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  @{ */
+static inline void MdtFPFOJointDestroy(const MdtFPFOJointID j) {
+    MdtConstraintDestroy(MdtFPFOJointQuaConstraint(j));
+}
+static inline void MdtFPFOJointEnable(const MdtFPFOJointID j) {
+    MdtConstraintEnable(MdtFPFOJointQuaConstraint(j));
+}
+static inline void MdtFPFOJointDisable(const MdtFPFOJointID j) {
+    MdtConstraintDisable(MdtFPFOJointQuaConstraint(j));
+}
+static inline MeBool MdtFPFOJointIsEnabled(const MdtFPFOJointID j) {
+    return MdtConstraintIsEnabled(MdtFPFOJointQuaConstraint(j));
+}
+static inline void MdtFPFOJointSetBodies(const MdtFPFOJointID j, const MdtBodyID b1, const MdtBodyID b2) {
+    MdtConstraintSetBodies(MdtFPFOJointQuaConstraint(j), b1, b2);
+}
+static inline MdtBodyID MdtFPFOJointGetBody(const MdtFPFOJointID j, const unsigned int bodyindex) {
+    return MdtConstraintGetBody(MdtFPFOJointQuaConstraint(j), bodyindex);
+}
+static inline void MdtFPFOJointGetForce(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 force) {
+    MdtConstraintGetForce(MdtFPFOJointQuaConstraint(j), bodyindex, force);
+}
+static inline void MdtFPFOJointGetTorque(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 torque) {
+    MdtConstraintGetTorque(MdtFPFOJointQuaConstraint(j), bodyindex, torque);
+}
+static inline MdtWorldID MdtFPFOJointGetWorld(const MdtFPFOJointID j) {
+    return MdtConstraintGetWorld(MdtFPFOJointQuaConstraint(j));
+}
+static inline void MdtFPFOJointSetUserData(const MdtFPFOJointID j, void *data) {
+    MdtConstraintSetUserData(MdtFPFOJointQuaConstraint(j), data);
+}
+static inline void *MdtFPFOJointGetUserData(const MdtFPFOJointID j) {
+    return MdtConstraintGetUserData(MdtFPFOJointQuaConstraint(j));
+}
+static inline void MdtFPFOJointSetSortKey(const MdtFPFOJointID j, const MeI32 key) {
+    MdtConstraintSetSortKey(MdtFPFOJointQuaConstraint(j), key);
+}
+static inline MeI32 MdtFPFOJointGetSortKey(const MdtFPFOJointID j) {
+    return MdtConstraintGetSortKey(MdtFPFOJointQuaConstraint(j));
+}
+/** @} */
 
 ME_END_C
 

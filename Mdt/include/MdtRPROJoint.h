@@ -55,8 +55,49 @@ MEPUBLIC void MEAPI MdtRPROJointSetAngularStrength(const MdtRPROJointID j, const
                                                    const MeReal sZ);
 MEPUBLIC void MEAPI MdtRPROJointGetAngularStrength(const MdtRPROJointID j, MeVector3 v);
 /** @} */
-/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
-MDT_JOINT_COMMON(RPROJoint)
+/** @name What every constraint has, under this joint's name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  @{ */
+static inline void MdtRPROJointDestroy(const MdtRPROJointID j) {
+    MdtConstraintDestroy(MdtRPROJointQuaConstraint(j));
+}
+static inline void MdtRPROJointEnable(const MdtRPROJointID j) {
+    MdtConstraintEnable(MdtRPROJointQuaConstraint(j));
+}
+static inline void MdtRPROJointDisable(const MdtRPROJointID j) {
+    MdtConstraintDisable(MdtRPROJointQuaConstraint(j));
+}
+static inline MeBool MdtRPROJointIsEnabled(const MdtRPROJointID j) {
+    return MdtConstraintIsEnabled(MdtRPROJointQuaConstraint(j));
+}
+static inline void MdtRPROJointSetBodies(const MdtRPROJointID j, const MdtBodyID b1, const MdtBodyID b2) {
+    MdtConstraintSetBodies(MdtRPROJointQuaConstraint(j), b1, b2);
+}
+static inline MdtBodyID MdtRPROJointGetBody(const MdtRPROJointID j, const unsigned int bodyindex) {
+    return MdtConstraintGetBody(MdtRPROJointQuaConstraint(j), bodyindex);
+}
+static inline void MdtRPROJointGetForce(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 force) {
+    MdtConstraintGetForce(MdtRPROJointQuaConstraint(j), bodyindex, force);
+}
+static inline void MdtRPROJointGetTorque(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 torque) {
+    MdtConstraintGetTorque(MdtRPROJointQuaConstraint(j), bodyindex, torque);
+}
+static inline MdtWorldID MdtRPROJointGetWorld(const MdtRPROJointID j) {
+    return MdtConstraintGetWorld(MdtRPROJointQuaConstraint(j));
+}
+static inline void MdtRPROJointSetUserData(const MdtRPROJointID j, void *data) {
+    MdtConstraintSetUserData(MdtRPROJointQuaConstraint(j), data);
+}
+static inline void *MdtRPROJointGetUserData(const MdtRPROJointID j) {
+    return MdtConstraintGetUserData(MdtRPROJointQuaConstraint(j));
+}
+static inline void MdtRPROJointSetSortKey(const MdtRPROJointID j, const MeI32 key) {
+    MdtConstraintSetSortKey(MdtRPROJointQuaConstraint(j), key);
+}
+static inline MeI32 MdtRPROJointGetSortKey(const MdtRPROJointID j) {
+    return MdtConstraintGetSortKey(MdtRPROJointQuaConstraint(j));
+}
+/** @} */
 
 /** @name Other names of the guides and of old programs for the above
  *  @{ */

@@ -29,15 +29,64 @@ MEPUBLIC void MEAPI MdtUniversalSetAxis(const MdtUniversalID j, const unsigned i
 /** Where that axis is now, world frame. */
 MEPUBLIC void MEAPI MdtUniversalGetAxis(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 axis);
 
-/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
-MDT_JOINT_COMMON(Universal)
-MDT_JOINT_POSITION(Universal)
+/** @name What every constraint has, under this joint's name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  @{ */
+static inline void MdtUniversalDestroy(const MdtUniversalID j) {
+    MdtConstraintDestroy(MdtUniversalQuaConstraint(j));
+}
+static inline void MdtUniversalEnable(const MdtUniversalID j) {
+    MdtConstraintEnable(MdtUniversalQuaConstraint(j));
+}
+static inline void MdtUniversalDisable(const MdtUniversalID j) {
+    MdtConstraintDisable(MdtUniversalQuaConstraint(j));
+}
+static inline MeBool MdtUniversalIsEnabled(const MdtUniversalID j) {
+    return MdtConstraintIsEnabled(MdtUniversalQuaConstraint(j));
+}
+static inline void MdtUniversalSetBodies(const MdtUniversalID j, const MdtBodyID b1, const MdtBodyID b2) {
+    MdtConstraintSetBodies(MdtUniversalQuaConstraint(j), b1, b2);
+}
+static inline MdtBodyID MdtUniversalGetBody(const MdtUniversalID j, const unsigned int bodyindex) {
+    return MdtConstraintGetBody(MdtUniversalQuaConstraint(j), bodyindex);
+}
+static inline void MdtUniversalGetForce(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 force) {
+    MdtConstraintGetForce(MdtUniversalQuaConstraint(j), bodyindex, force);
+}
+static inline void MdtUniversalGetTorque(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 torque) {
+    MdtConstraintGetTorque(MdtUniversalQuaConstraint(j), bodyindex, torque);
+}
+static inline MdtWorldID MdtUniversalGetWorld(const MdtUniversalID j) {
+    return MdtConstraintGetWorld(MdtUniversalQuaConstraint(j));
+}
+static inline void MdtUniversalSetUserData(const MdtUniversalID j, void *data) {
+    MdtConstraintSetUserData(MdtUniversalQuaConstraint(j), data);
+}
+static inline void *MdtUniversalGetUserData(const MdtUniversalID j) {
+    return MdtConstraintGetUserData(MdtUniversalQuaConstraint(j));
+}
+static inline void MdtUniversalSetSortKey(const MdtUniversalID j, const MeI32 key) {
+    MdtConstraintSetSortKey(MdtUniversalQuaConstraint(j), key);
+}
+static inline MeI32 MdtUniversalGetSortKey(const MdtUniversalID j) {
+    return MdtConstraintGetSortKey(MdtUniversalQuaConstraint(j));
+}
+static inline void MdtUniversalSetPosition(const MdtUniversalID j, const MeReal x, const MeReal y, const MeReal z) {
+    MdtConstraintSetPosition(MdtUniversalQuaConstraint(j), x, y, z);
+}
+static inline void MdtUniversalGetPosition(const MdtUniversalID j, MeVector3 position) {
+    MdtConstraintGetPosition(MdtUniversalQuaConstraint(j), position);
+}
 /** Both axes at once: the primary one is that of body 0, the second one that of body 1 (User Guide app. D). */
-MDT_JOINT_AXES(Universal)
+static inline void MdtUniversalSetAxes(const MdtUniversalID j, const MeReal px, const MeReal py, const MeReal pz,
+                                       const MeReal ox, const MeReal oy, const MeReal oz) {
+    MdtConstraintSetAxes(MdtUniversalQuaConstraint(j), px, py, pz, ox, oy, oz);
+}
 static inline void MdtUniversalGetAxes(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 primary,
                                        MeVector3 ortho) {
     MdtConstraintBodyGetAxes(MdtUniversalQuaConstraint(j), bodyindex, primary, ortho);
 }
+/** @} */
 
 ME_END_C
 

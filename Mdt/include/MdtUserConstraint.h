@@ -29,8 +29,51 @@ MEPUBLIC MdtBclAddConstraintFn MEAPI MdtUserConstraintGetFunction(const MdtUserC
 MEPUBLIC void MEAPI MdtUserConstraintSetConstraintData(const MdtUserConstraintID j, void *d);
 MEPUBLIC void *MEAPI MdtUserConstraintGetConstraintData(const MdtUserConstraintID j);
 
-/* What every constraint has, under this joint's name: see the end of MdtConstraint.h. */
-MDT_JOINT_COMMON(UserConstraint)
+/** @name What every constraint has, under this joint's name
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  @{ */
+static inline void MdtUserConstraintDestroy(const MdtUserConstraintID j) {
+    MdtConstraintDestroy(MdtUserConstraintQuaConstraint(j));
+}
+static inline void MdtUserConstraintEnable(const MdtUserConstraintID j) {
+    MdtConstraintEnable(MdtUserConstraintQuaConstraint(j));
+}
+static inline void MdtUserConstraintDisable(const MdtUserConstraintID j) {
+    MdtConstraintDisable(MdtUserConstraintQuaConstraint(j));
+}
+static inline MeBool MdtUserConstraintIsEnabled(const MdtUserConstraintID j) {
+    return MdtConstraintIsEnabled(MdtUserConstraintQuaConstraint(j));
+}
+static inline void MdtUserConstraintSetBodies(const MdtUserConstraintID j, const MdtBodyID b1, const MdtBodyID b2) {
+    MdtConstraintSetBodies(MdtUserConstraintQuaConstraint(j), b1, b2);
+}
+static inline MdtBodyID MdtUserConstraintGetBody(const MdtUserConstraintID j, const unsigned int bodyindex) {
+    return MdtConstraintGetBody(MdtUserConstraintQuaConstraint(j), bodyindex);
+}
+static inline void MdtUserConstraintGetForce(const MdtUserConstraintID j, const unsigned int bodyindex,
+                                             MeVector3 force) {
+    MdtConstraintGetForce(MdtUserConstraintQuaConstraint(j), bodyindex, force);
+}
+static inline void MdtUserConstraintGetTorque(const MdtUserConstraintID j, const unsigned int bodyindex,
+                                              MeVector3 torque) {
+    MdtConstraintGetTorque(MdtUserConstraintQuaConstraint(j), bodyindex, torque);
+}
+static inline MdtWorldID MdtUserConstraintGetWorld(const MdtUserConstraintID j) {
+    return MdtConstraintGetWorld(MdtUserConstraintQuaConstraint(j));
+}
+static inline void MdtUserConstraintSetUserData(const MdtUserConstraintID j, void *data) {
+    MdtConstraintSetUserData(MdtUserConstraintQuaConstraint(j), data);
+}
+static inline void *MdtUserConstraintGetUserData(const MdtUserConstraintID j) {
+    return MdtConstraintGetUserData(MdtUserConstraintQuaConstraint(j));
+}
+static inline void MdtUserConstraintSetSortKey(const MdtUserConstraintID j, const MeI32 key) {
+    MdtConstraintSetSortKey(MdtUserConstraintQuaConstraint(j), key);
+}
+static inline MeI32 MdtUserConstraintGetSortKey(const MdtUserConstraintID j) {
+    return MdtConstraintGetSortKey(MdtUserConstraintQuaConstraint(j));
+}
+/** @} */
 
 ME_END_C
 

@@ -89,16 +89,16 @@ MEPUBLIC void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, cons
 MEPUBLIC void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g);
 
 /** @name Epsilon and gamma (Dynamics guide ch. 5, "The Meaning of Epsilon and Gamma")
- *  Epsilon [1/kg], >= 0: the compliance of joints and of contacts along their normals. A load F sags by epsilon F h² /
- *  gamma, h the step: at 60 Hz and the defaults by 1.4 mm for each tonne; 0 is rigid. A moment turns what holds a
- *  direction by as much as if it acted at a lever arm of the length scale: epsilon / lengthScale² there.
+ *  Epsilon [1/kg], >= 0: the compliance (CFM) of joints and of contacts along their normals; 0 is rigid. Under a load F
+ *  they give way by epsilon F h² / gamma, h the step: by 1.4 mm for each tonne at 60 Hz and the defaults. Constraints
+ *  of rotation have the compliance epsilon / lengthScale², as if the load acted at a lever arm of the length scale.
  *  Default 0.0001 / massScale; a universe sets its own (MstUniverseCreate). A value that a program sets is absolute,
  *  whatever massScale is.
  *
- *  Friction, motors and brakes have no epsilon: on a row without a position it would be viscosity, and what they can
- *  hold would creep. What is to give way there is said with slip (MdtContactParamsSetPrimarySlip) or friction.
+ *  Friction, motors and brakes have no epsilon. They act on velocities, so a compliance would be viscosity: a body that
+ *  friction can hold would creep. Slip (MdtContactParamsSetPrimarySlip) makes a surface that gives way.
  *
- *  Gamma, 0..1: the fraction of a joint's error that one step removes. Default 0.2.
+ *  Gamma, 0..1: the fraction of a constraint's error that one step removes (ERP). Default 0.2.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetEpsilon(const MdtWorldID w, const MeReal e);
 MEPUBLIC MeReal MEAPI MdtWorldGetEpsilon(const MdtWorldID w);
@@ -112,12 +112,14 @@ MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const Me
 /** @} */
 
 /** @name Putting bodies to rest (Dynamics guide ch. 4, "Enabling/Disabling Bodies")
- *  A partition is disabled when for all its bodies the squares of velocity, angular velocity, acceleration and angular
- *  acceleration are below the thresholds, and the alive window has passed; but not where a contact pushes whose
- *  surface moves (MdtContactParamsSetPrimarySlide, MdtConstraintSetWorldLinearVelocity). On by default. The thresholds
- *  are squares of magnitudes, >= 0, and start at the values of MdtDefaults.h; those of velocity and acceleration times
- *  the square of the length scale, as far as the acceleration is no more than a tenth of gravity: both follow
- *  MdtWorldSetGravity until the program sets them. Times are in seconds: in other units of time the program scales all
+ *  A partition is disabled ("falls asleep") when all its bodies have been enabled for the alive window, and the squares
+ *  of their velocity, angular velocity, acceleration and angular acceleration are below the thresholds. It stays
+ *  enabled while a contact with a moving surface pushes one of them (MdtContactParamsSetPrimarySlide,
+ *  MdtConstraintSetWorldLinearVelocity). On by default.
+ *
+ *  The thresholds are squares, >= 0. They start at the values of MdtDefaults.h, those of velocity and acceleration
+ *  times the square of the length scale; the acceleration's is limited to a tenth of gravity, and both follow
+ *  MdtWorldSetGravity until the program sets them. They are for seconds; a program with another unit of time sets all
  *  of them.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d);
@@ -159,7 +161,7 @@ ME_BEGIN_C
 #endif
 /** @} */
 
-/** @name Safe time: the shortest that MdtWorldStepSafeTime moves on, s, > 0. Default 0.001 s.
+/** @name Safe time: the shortest part of a step that MdtWorldStepSafeTime takes, s, > 0. Default 0.001 s.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetMinSafeTime(const MdtWorldID w, const MeReal t);
 MEPUBLIC MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w);
@@ -205,29 +207,27 @@ MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
 MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
 
 /** @name The cap on the Newton iterations of a partition's step (Karma: pivoting iterations)
- *  0, the default: no cap,
- *  and the work budget alone bounds the step. With fewer iterations a step costs less and is softer, as with a smaller
- *  budget of work: forces are within their bounds, but inexact, energy is not gained, and a warning says so. Each part
- *  that a step is divided into (MdtReport) has one iteration at least.
+ *  0, the default: no cap; the work budget alone bounds the step. With a cap a step costs less and its forces are
+ *  inexact: they keep their bounds, energy is not gained, contacts give way a little, and a warning says so. Each part
+ *  that a step is divided into (MdtReport) takes at least one iteration.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi);
 MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
 /** @} */
 
-/** @name The budget of work: what a partition may cost in a step at most
+/** @name The budget of work: the largest cost of a partition in one step
  *
- *  In millions of multiplications as Kea counts them, of sparse factorizations and of visits of rows: the same on every
- *  machine, so that results are, and about a millisecond each on one core of 2020. All that a step of a partition does
- *  draws from the same budget: sub-steps, halves of violent motion, events, impacts. Of a step that is taken in parts
- *  by safe times, each part has its share, at least a sixteenth.
+ *  In millions of multiplications, counted in factorizations and in visits of rows, so that it is the same on every
+ *  machine, and the results with it. A million takes about a millisecond on one core of 2020. Sub-steps, halves of
+ *  violent motion, events and impacts of a partition's step draw from one budget. If a step is taken in parts (safe
+ *  times), each part has its share, at least a sixteenth.
  *
- *  Newton's method has half of it at least; where friction bounds do not settle, three eighths. When that is used up,
- *  the best answer so far is finished by accelerated sweeps over the rows (projected Gauss-Seidel), and by a direct
- *  solve of the joints' rows that have no bounds, in up to eight passes as far as the budget goes: momentum and bounds
- *  are kept, energy is never gained beyond what loads, springs and motors give. Joints stay as closed as ever; what is
- *  left over, mostly 1e-4 m/s, is in contacts and stops, which give way by that, and it is taken back in later steps
- *  (gamma). The budget goes too low where each pass has but a few sweeps: with 3000 rows in a partition or more.
- *  MdtReport tells (`way`, `limited`, `fallbacks`, `residualVelocity`).
+ *  Newton's method may use half of it, or three eighths if friction bounds do not settle. After that, the best answer
+ *  so far is finished iteratively: up to eight passes of accelerated sweeps over the rows (projected Gauss-Seidel),
+ *  each with a direct solve of the joint rows that have no bounds. Such an answer keeps momentum and bounds, and energy
+ *  does not grow beyond what loads, springs and motors give. Joints stay closed. Contacts and stops give way by the
+ *  rest of the error, mostly 1e-4 m/s, which later steps remove (gamma). Partitions of 3000 rows or more get only a few
+ *  sweeps in each pass; they want a larger budget. MdtReport tells (`way`, `limited`, `fallbacks`, `residualVelocity`).
  *
  *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
  *
@@ -240,15 +240,20 @@ MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work)
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
 /** @} */
 
-/** @name The solver: exact, or fast
+/** @name The choice of solver: exact or fast
  *
- *  Exact: Newton's method, to the tolerances that docs/solver.md states. Fast: passes over a partition's contacts,
- *  eight pairs at a time, as many as its height and its masses ask for; they leave velocities of contacts that
- *  MdtReport tells (`residualVelocity`), from which bodies sink and creep a little until they rest. MdtSolverAuto, the
- *  default, takes the fast one for partitions of 64 bodies or more, which may have joints if they are few: twelve that
- *  are tied together, half as many as contacts; and, without joints, for those of more than MdtWorldSetTimedContacts
- *  that touch nothing fixed, or in which bodies meet: from then on until all are slow (MdtPartitionParams). Others are
- *  exact, whatever is chosen, and so are bodies that bounce and of which few touch anything. Beyond Karma.
+ *  Exact: Newton's method, to the tolerances that docs/solver.md states. Fast: an iterative method in single precision
+ *  that visits contacts in passes, more of them the higher a pile is and the more masses differ. It leaves small
+ *  velocities at contacts (MdtReport, `residualVelocity`), by which bodies sink and creep a little until they rest.
+ *
+ *  MdtSolverAuto, the default, takes the fast one for
+ *  - partitions of 64 bodies or more, without joints or with few: at most twelve tied together, and at least twice as
+ *    many contacts as joints;
+ *  - partitions without joints of more bodies than MdtWorldSetTimedContacts that touch nothing fixed, or in which
+ *    bodies have just met, until all are slow (MdtPartitionParams).
+ *
+ *  All others are solved exactly, whatever is chosen, and so are bouncing bodies of which few touch anything. Beyond
+ *  Karma.
  *  @{ */
 typedef enum MdtSolver {
     MdtSolverAuto,
@@ -261,12 +266,13 @@ MEPUBLIC MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w);
 /** @} */
 
 /** @name Threads
- *  Who steps the world: the thread that calls, and workers beside it. One worker, the calling thread, is the default.
- *  A step gives the same bits with any number of them. Collision stays on the calling thread.
+ *  A world is stepped by the calling thread and, if there is more than one worker, by others beside it; in a universe
+ *  they also test pairs (docs/threads.md). One worker, the calling thread, is the default. The results have the same
+ *  bits with any number of workers.
  *
- *  Functions of the program are called on the calling thread alone, one after the other. Two exceptions: the memory
- *  functions (MeMemory.h) are called by all workers at once where workers are more than one, and a fatal error is
- *  handled where it happens. Messages of workers wait until the partitions are done, and come in the partitions' order.
+ *  Functions of the program are called by the calling thread only, one after the other, with two exceptions: memory
+ *  functions (MeMemory.h) may be called by several workers at once, and a fatal error is handled by the thread in which
+ *  it happens. Messages of workers are given when the partitions are done, in the partitions' order.
  *
  *  A world with constraints whose rows the program makes (MdtUserConstraint.h), with an importance callback or a
  *  partition callback is stepped by the calling thread. docs/threads.md has an example of callbacks. Beyond Karma.
@@ -290,10 +296,11 @@ MEPUBLIC int MEAPI MdtWorldGetWorkerCount(const MdtWorldID w);
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkerTime(const MdtWorldID w, const int worker);
 /** @} */
 
-/** @name The accuracy that is wanted of the fast solver
- *  m/s, of the worst velocity at a contact: the solver takes more passes, up to four times as many, while it is off by
- *  more. Bodies that are ten times slower count as resting. 0: auto is exact. Negative, the default: a hundredth of
- *  what gravity changes a velocity by in a step; without gravity 1e-3 of the length scale in a second. Beyond Karma.
+/** @name The accuracy of the fast solver
+ *  The largest error of the velocity at a contact, m/s: while the error is larger, the solver takes more passes, up to
+ *  four times as many. Bodies that are ten times slower count as resting. 0: the automatic choice takes the exact
+ *  solver. Negative, the default: a hundredth of the velocity that gravity gives in a step; without gravity 1e-3 of the
+ *  length scale in a second. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity);
 /** As it was set, or what the last step's length makes of the default. */
@@ -301,10 +308,9 @@ MEPUBLIC MeReal MEAPI MdtWorldGetAccuracy(const MdtWorldID w);
 /** @} */
 
 /** @name The cap on a partition's rows (Dynamics guide ch. 4, "Limiting the Matrix Size")
- *  A partition with more rows
- *  than @a size (positive; default INT_MAX) loses rows of contacts: first friction rows, then contacts between bodies,
- *  then contacts with the world, each from the shallowest to the deepest. Joints keep theirs, and every contact group
- *  keeps a contact, so the cap may not be reached.
+ *  If a partition has more rows than @a size (positive; default INT_MAX), rows of contacts are left out of the step:
+ *  first friction rows, then contacts between bodies, then contacts with the world, each from the shallowest to the
+ *  deepest. Joints keep their rows, and every contact group keeps one contact, so there may still be more than @a size.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetMaxMatrixSize(const MdtWorldID w, const int size);
 MEPUBLIC int MEAPI MdtWorldGetMaxMatrixSize(const MdtWorldID w);

@@ -53,14 +53,15 @@ class Shell:
     def __init__(self, arguments, scratch):
         self.home = scratch / 'home'
         self.home.mkdir()
-        prefix = scratch / 'prefix'
+        prefix = self.home / 'karma'
         done = subprocess.run(['cmake', '--install', arguments.build, '--prefix', prefix], capture_output=True, text=True, check=False)
         if done.returncode:
             sys.exit(done.stdout + done.stderr)
         libraries = next(prefix.rglob('karma-mdt*.pc')).parent.parent
         tools = scratch / 'tools'
         tools.mkdir()
-        (tools / 'cc').write_text(f'#!/bin/sh\nexec {arguments.cc} {STRICT} {arguments.flags} "$@"\n')
+        behind = '-lstdc++' if arguments.flags else ''  # for a sanitizer's run-time library for C++, which is in Mcd
+        (tools / 'cc').write_text(f'#!/bin/sh\nexec {arguments.cc} {STRICT} {arguments.flags} "$@" {behind}\n')
         (tools / 'cc').chmod(0o755)
         mine = {key: value for key, value in os.environ.items() if key != 'DISPLAY'}
         self.environment = {**mine, 'HOME': str(self.home), 'PATH': f'{tools}:{os.environ["PATH"]}',
