@@ -83,6 +83,13 @@ MEPUBLIC void MEAPI RRenderSetWindowTitle(RRender *rc, const char *title);
 MEPUBLIC void MEAPI RRenderSetAppName(RRender *rc, const char *appname);
 /** The background at the horizon; it darkens towards the top. Alpha is not used. */
 MEPUBLIC void MEAPI RRenderSetBackgroundColor(RRender *rc, const float color[4]);
+/**
+ * How often the tick is called in a second of the clock: above 0, at first 60. The option -rate wins. In a window a
+ * frame that takes long has several ticks, as far as these are done within 1/30 s; beyond that the simulation is slower
+ * than the clock, and the window says so ("x0.4"). Without a window, and with -frames, -every, -film or
+ * -key, each frame has one tick. MeAppRun calls it for its step. An addition to the 1.2 interface.
+ */
+MEPUBLIC void MEAPI RRenderSetTickRate(RRender *rc, int ticksPerSecond);
 /** Pauses (not 0) or continues (0): while paused, the tick is not called. */
 MEPUBLIC void MEAPI RRenderSetPause(RRender *rc, int p);
 /**

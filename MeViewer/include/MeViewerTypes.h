@@ -256,6 +256,7 @@ typedef struct RRenderOptions {
     RRenderType m_Type;      /**< As asked for; RRender::m_RenderType says what it came to. */
     int m_nWidth, m_nHeight; /**< -size, pixels. */
     int m_nFrames;           /**< -frames; 0 for no end. */
+    int m_nRate;             /**< -rate: ticks in a second (RRenderSetTickRate); 0 if it was not given. */
     int m_nWorkers;          /**< -workers: threads that a program's worlds are to step on; 0 if it was not given. */
     int m_nEvery;            /**< -every; 0 for no series of pictures. */
     int m_bPaused;           /**< -paused */

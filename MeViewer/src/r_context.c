@@ -95,6 +95,7 @@ static void setDefaults(RRender *rc) {
     rc->m_nCapabilities = RMOUSE | RTEXT | RLINES | RAMBIENT | RDIFFUSE | REMISSIVE | RSPECULAR | RWIREFRAME |
                           RFLATSHADED | RSMOOTH | RTEXTURES | MENUS | ASSIGNABLEBUTTONS;
     v->fps = -1;
+    v->tickRate = 60;
     v->sphereSides = 48;
     v->shadows = true;
     r_cameraInit(rc);
@@ -271,6 +272,15 @@ void MEAPI RRenderSetBackgroundColor(RRender *rc, const float color[4]) {
         return;
     memcpy(rc->m_pViewer->background, color, sizeof rc->m_pViewer->background);
     rc->m_pViewer->hasBackground = true;
+}
+
+void MEAPI RRenderSetTickRate(RRender *rc, int ticksPerSecond) {
+    if (!r_isContext(rc, __func__))
+        return;
+    if (ticksPerSecond < 1)
+        MeWarning(1, "RRenderSetTickRate: %d ticks a second: it must be 1 or more", ticksPerSecond);
+    else
+        rc->m_pViewer->tickRate = ticksPerSecond;
 }
 
 void MEAPI RRenderSetPause(RRender *rc, int p) {

@@ -81,12 +81,22 @@ static void label(RRender *rc, float x, float bottom, bool right, const char *te
     r_uiText(left + pad, roundf(top + 0.5f * pad + 0.95f * size), size, wrap, rTextPlain, r_white, text);
 }
 
+/* The simulation is slower than the clock. Above the line of the status, which may be long. */
+static void labelPace(RRender *rc, float right, float bottom) {
+    char text[16];
+    snprintf(text, sizeof text, "x%.1f", rc->m_pViewer->loop.clock.pace);
+    label(rc, right, bottom - 26 * r_uiScale(rc), true, text);
+}
+
 static void drawLabels(RRender *rc) {
     enum { HINT_FRAMES = 240 };
+    const double SLOW = 0.95; /* else it would say x1.0 */
     const struct RViewer *v = rc->m_pViewer;
     const float margin = 10 * r_uiScale(rc), right = (float)v->width - margin, bottom = (float)v->height - margin;
     if (v->status)
         label(rc, margin, bottom, false, v->status);
+    if (r_isByClock(rc) && !rc->m_bPause && v->loop.clock.pace < SLOW)
+        labelPace(rc, right, bottom);
     if (v->backend->window && v->loop.frames < HINT_FRAMES)
         label(rc, right, bottom, true, "F1 help, F9 panels");
     else if (v->backend->window && rc->m_bPause && !rc->m_bShowHelp)

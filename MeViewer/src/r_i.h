@@ -369,8 +369,18 @@ typedef struct {
     void *userdata;
 } RTick;
 
+/* r_clock.c. Times in ns. */
+typedef struct {
+    int64_t last, begun;  /* The frame before began, as counted; this one began, by the clock. */
+    double owed;          /* To the simulation. */
+    int64_t measuredFrom; /* The pace; */
+    double paid;          /* simulated since then. */
+    double pace;          /* Simulated time over that of the clock, in the last second. */
+} RClock;
+
 typedef struct {
     int frames, ticks; /* Done; a frame that is paused has no tick. */
+    RClock clock;
     bool quit, step, pictureAsked;
     int pictures;     /* Of the series, written. */
     int64_t deadline; /* Nanoseconds: when the next frame begins. */
@@ -379,6 +389,14 @@ typedef struct {
     bool isDrawn; /* This frame. */
 } RLoop;
 
+/* From now on time is owed; what was owed is forgotten. */
+void r_clockRestart(RClock *c, int64_t now);
+/* A frame begins. */
+void r_clockFrame(RClock *c, int64_t now);
+/* Has the frame another tick, of so many in a second? */
+bool r_clockTakes(RClock *c, int64_t now, double rate);
+/* Does the program's tick follow the clock: in a window, where no number of frames was asked for? */
+bool r_isByClock(const RRender *rc);
 void r_frame(RRender *rc, const RTick *tick); /* One turn of the main loop; tick may be null. */
 void r_drawNow(RRender *rc);                  /* This frame, if it has not been drawn yet. */
 bool r_loopEnded(const RRender *rc);
@@ -441,7 +459,8 @@ struct RViewer {
     bool overlaying;         /* A panel or marks may be called: the context has to stay. */
     int ownPanelSeen;        /* As RPanel::seen, of the viewer's own. */
     bool panelsShown;        /* F9. */
-    int slow;                /* The tick is called in one of so many frames; 0 is 1. */
+    int slow;                /* The tick is called in one of so many frames, or so many times less often; 0 is 1. */
+    int tickRate;            /* Ticks in a second, without the option. */
     int64_t rateBegin;       /* When ticks began to be counted, */
     int rateTicks;           /* from which number, */
     float rate;              /* and how many there are in a second. */

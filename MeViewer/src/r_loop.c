@@ -22,12 +22,14 @@ void r_afterCallBack(const RRender *rc) {
         exit(EXIT_SUCCESS);
 }
 
+/* Runs that are counted, drawn into files, or not seen have a tick in each frame, whatever the clock says. */
+bool r_isByClock(const RRender *rc) {
+    const RRenderOptions *o = &rc->m_Options;
+    return rc->m_pViewer->backend->window && o->m_nFrames == 0 && o->m_nEvery == 0 && !o->m_Film[0] && !o->m_Keys[0];
+}
+
 static void callTick(RRender *rc, const RTick *tick) {
     struct RViewer *v = rc->m_pViewer;
-    const bool run = (!rc->m_bPause && r_tickIsDue(rc)) || v->loop.step;
-    v->loop.step = false;
-    if (!run || !tick)
-        return;
     r_debugLinesForget(rc);
     if (tick->func)
         tick->func(rc, tick->userdata);
@@ -35,6 +37,34 @@ static void callTick(RRender *rc, const RTick *tick) {
         tick->funcNoData(rc);
     r_afterCallBack(rc);
     v->loop.ticks++;
+}
+
+static void tickOnce(RRender *rc, const RTick *tick) {
+    RLoop *loop = &rc->m_pViewer->loop;
+    const bool run = (!rc->m_bPause && r_tickIsDue(rc)) || loop->step;
+    loop->step = false;
+    if (run && tick)
+        callTick(rc, tick);
+}
+
+static void tickByClock(RRender *rc, const RTick *tick) {
+    struct RViewer *v = rc->m_pViewer;
+    const int rate = rc->m_Options.m_nRate > 0 ? rc->m_Options.m_nRate : v->tickRate;
+    const int slow = v->slow > 1 ? v->slow : 1;
+    r_clockFrame(&v->loop.clock, r_now());
+    while (!rc->m_bPause && !v->loop.quit && r_clockTakes(&v->loop.clock, r_now(), (double)rate / slow))
+        callTick(rc, tick);
+}
+
+static void callTicks(RRender *rc, const RTick *tick) {
+    RLoop *loop = &rc->m_pViewer->loop;
+    if (tick && r_isByClock(rc) && !rc->m_bPause) {
+        loop->step = false;
+        tickByClock(rc, tick);
+        return;
+    }
+    tickOnce(rc, tick);
+    r_clockRestart(&loop->clock, r_now());
 }
 
 /* Nobody sees the frames of an off-screen buffer but those that a picture is made of; a profile wants them all. */
@@ -59,12 +89,12 @@ void r_frame(RRender *rc, const RTick *tick) {
     struct RViewer *v = rc->m_pViewer;
     const bool profiling = v->profiling; /* A callback may start it in the middle of a frame. */
     v->loop.frames++;
-    MEASSERT(r_isLive(rc) && v->backend && v->loop.ticks < v->loop.frames);
+    MEASSERT(r_isLive(rc) && v->backend && (v->loop.ticks < v->loop.frames || r_isByClock(rc)));
     if (profiling)
         MeProfileStartFrame();
     r_inputFrame(rc);
     if (!v->loop.quit) { /* After that there may be no window any more. */
-        callTick(rc, tick);
+        callTicks(rc, tick);
         v->loop.isDrawn = false;
         if (isSeen(v))
             r_drawNow(rc);
@@ -125,6 +155,7 @@ static void begin(RRender *rc) {
         r_profileStart(rc);
     r_barStart(rc); /* It may have been created before the context was started. */
     v->loop.deadline = v->loop.progress = r_now();
+    r_clockRestart(&v->loop.clock, v->loop.deadline);
 }
 
 static int exitCode(const RRender *rc) {

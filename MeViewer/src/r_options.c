@@ -177,6 +177,7 @@ void MEAPI RDisplayCommandLineHelp(void) {
               "  -frames N            stop after N frames; the exit code is then 2 if there were warnings, else 0\n"
               "  -paused              begin paused\n"
               "  -key NAME@FRAME,...  press keys: F1@30,Enter@60,Ctrl+Left@61,a@70; hold: Up@10-70\n"
+              "  -rate N              ticks in a second of the clock, at first 60; in a window without -frames\n"
               "  -workers N           simulate on N threads, with the same result; programs of MeAppStart\n"
               "What to keep:\n"
               "  -screenshot FILE     a PNG picture of the last frame\n"
@@ -208,6 +209,7 @@ bool r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommand
     getCamera(s, out);
     out->m_nFrames = getCount(s, "-frames");
     out->m_nWorkers = getCount(s, "-workers");
+    out->m_nRate = getCount(s, "-rate");
     out->m_nEvery = getCount(s, "-every");
     out->m_bPaused = has(s, "-paused");
     out->m_bBar = has(s, "-bar");
