@@ -352,24 +352,23 @@ static MeBool isNews(const McdSpace *s, int proxy, int other) {
 
 static MeBool addLink(void *context, int other) {
     Search *search = context;
-    if (isNews(search->space, search->proxy, other))
+    if (search->isDone && isNews(search->space, search->proxy, other))
         search->isDone = makeLink(search->space, search->proxy, other) != MCD_NONE;
     return search->isDone;
 }
 
-/* Visits what overlaps the proxy's fat box, until a visit returns false. */
+/* Visits what overlaps the proxy's fat box. A visit that returns false wants no more; it may get some all the same. */
 static void visitOverlaps(const McdSpace *s, int proxy, McdTreeVisit visit, void *context) {
     McdTreeBox box = s->proxy[proxy].fat;
-    MeBool isDone = METRUE;
     for (int i = 0; i < 3; i++)
         if (!(s->axes & 1 << i)) {
             box.min[i] = (float)-MCD_TREE_REACH;
             box.max[i] = (float)MCD_TREE_REACH;
         }
     mcd_treeQuery(s->tree, &box, visit, context);
-    for (int i = 0; i < s->unboundedCount && isDone; i++)
-        if (fatBoxesOverlap(s, &s->proxy[proxy], &s->proxy[s->unbounded[i]]))
-            isDone = visit(context, s->unbounded[i]);
+    for (int i = 0; i < s->unboundedCount; i++)
+        if (fatBoxesOverlap(s, &s->proxy[proxy], &s->proxy[s->unbounded[i]]) && !visit(context, s->unbounded[i]))
+            return;
 }
 
 static MeBool isToSearch(const McdProxy *p) {
@@ -395,8 +394,8 @@ typedef struct Range {
 
 static MeBool noteFound(void *context, int other) {
     Range *r = context;
-    if (!isNews(r->space, r->proxy, other))
-        return METRUE;
+    if (r->count < 0 || !isNews(r->space, r->proxy, other))
+        return r->count >= 0;
     if (r->count == FOUND_ROOM)
         r->count = -1;
     else

@@ -141,6 +141,23 @@ static void append(MeAppControls *c, const MdtReport *r) {
     }
 }
 
+/* The time that each worker was busy in the step before, in a mean that forgets within some 30 steps. */
+static void sampleWorkers(MeApp *app) {
+    const double share = 1. / 30;
+    for (int i = 0; i < MeMIN(MdtWorldGetWorkerCount(app->world), MEAPP_WORKERS); i++) {
+        const double now = (double)MdtWorldGetWorkerTime(app->world, i), before = app->controls->worker[i].before;
+        if (before > 0)
+            app->controls->worker[i].mean += share * (MeMAX(now - before, 0) - app->controls->worker[i].mean);
+        app->controls->worker[i].before = now;
+    }
+}
+
+static void showWorkers(const MeApp *app) {
+    const int count = MdtWorldGetWorkerCount(app->world);
+    for (int i = 0; count > 1 && i < MeMIN(count, MEAPP_WORKERS); i++)
+        say("worker %d busy for %.2f ms a step", i, 1e3 * app->controls->worker[i].mean);
+}
+
 void meapp_sampleReport(MeApp *app) {
     MeAppControls *c = app->controls;
     MdtReport report;
@@ -153,9 +170,12 @@ void meapp_sampleReport(MeApp *app) {
         MdtWorldDisableReport(app->world);
         c->reportIsOurs = MEFALSE;
     }
-    if (!isWanted)
+    if (!isWanted) {
+        memset(c->worker, 0, sizeof c->worker);
         return;
+    }
     c->figuresSeen -= c->figuresSeen > 0;
+    sampleWorkers(app);
     const MeBool isOne = c->partition >= 0 && c->partition < MdtWorldGetReportCount(app->world);
     if (isOne ? MdtWorldGetPartitionReport(app->world, c->partition, &report) : MdtWorldGetReport(app->world, &report))
         append(c, &report);
@@ -188,6 +208,7 @@ static void MEAPI showReport(RRender *rc, void *userdata) {
     RPanelWhole("partition", &c->partition, -1, MeMAX(MdtWorldGetReportCount(app->world) - 1, 0));
     RPanelText(c->partition < 0 ? "-1: all of them" : "");
     showWay(app);
+    showWorkers(app);
     for (int i = 0; i < MEAPP_PLOTS; i++)
         RPanelPlot(plots[i].name, c->history[i], MEAPP_HISTORY, 0, plots[i].unit);
 }

@@ -28,7 +28,7 @@ void meapp_shownFree(MeApp *app);
 void meapp_contactsFree(MeAppContactDrawInfo *info);
 
 /* What MeAppCreateControls made. */
-enum { MEAPP_BALLS = 8, MEAPP_HISTORY = 120, MEAPP_PLOTS = 9 };
+enum { MEAPP_BALLS = 8, MEAPP_HISTORY = 120, MEAPP_PLOTS = 9, MEAPP_WORKERS = 8 };
 typedef struct MeAppControls {
     McdModelID balls[MEAPP_BALLS];
     MeU64 ballSerials[MEAPP_BALLS]; /* Another model may come to be in the same place. */
@@ -39,6 +39,9 @@ typedef struct MeAppControls {
     MeBool reportIsOurs;
     unsigned int layers; /* MstDebugLayer */
     float history[MEAPP_PLOTS][MEAPP_HISTORY];
+    struct {
+        double before, mean; /* s: in all as of the last step, 0 if that was not looked at; a step. */
+    } worker[MEAPP_WORKERS];
 } MeAppControls;
 
 /* The report of the step before, for the plots (MeAppPanels.c). */

@@ -75,7 +75,14 @@ static void makeMixed(Scene *s) {
         put(s, i % 3 ? box : rod, -20 + 1.05 * (i % 6) + chance(s, 0, .2), .6 + 1.1 * (i / 36), 1.05 * (i / 6 % 6));
 }
 
-static void (*const scenes[])(Scene *s) = {makeHeap, makeChains, makeMixed};
+/* Each ball is near more others than a range of workers has room for (mcd_pairs.c), and the floor is everywhere. */
+static void makeDense(Scene *s) {
+    const McdGeometryID ball = McdSphereCreate(s->u->frame, (MeReal).3);
+    for (int i = 0; i < 343; i++)
+        put(s, ball, .605 * (i % 7), .31 + .605 * (i / 49), .605 * (i / 7 % 7));
+}
+
+static void (*const scenes[])(Scene *s) = {makeHeap, makeChains, makeMixed, makeDense};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 /* FNV-1a. */
