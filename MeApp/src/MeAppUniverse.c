@@ -1,7 +1,6 @@
 /* A universe on the screen: a context and a universe in one call, graphics of all models, and the main loop. */
 #include "McdModel.h"
 #include "McdSpace.h"
-#include "MeMath.h"
 #include "MeMemory.h"
 #include "MeMessage.h"
 #include "MeViewer.h"
@@ -259,6 +258,6 @@ void MEAPI MeAppRun(MeApp *app, MeReal step, MeAppStepCB beforeStep, void *userd
     running.userdata = userdata;
     atexit(endRunning);
     MeAppShowUniverse(app); /* for a start in pause */
-    RRenderSetTickRate(app->rc, (int)MeMAX(1, (MeReal)0.5 + 1 / step));
+    RRenderSetTickRate(app->rc, (AcmeReal)(1 / step));
     RRun(app->rc, tick);
 }

@@ -89,7 +89,7 @@ MEPUBLIC void MEAPI RRenderSetBackgroundColor(RRender *rc, const float color[4])
  * than the clock, and the window says so ("x0.4"). Without a window, and with -frames, -every, -film or
  * -key, each frame has one tick. MeAppRun calls it for its step. An addition to the 1.2 interface.
  */
-MEPUBLIC void MEAPI RRenderSetTickRate(RRender *rc, int ticksPerSecond);
+MEPUBLIC void MEAPI RRenderSetTickRate(RRender *rc, AcmeReal ticksPerSecond);
 /** Pauses (not 0) or continues (0): while paused, the tick is not called. */
 MEPUBLIC void MEAPI RRenderSetPause(RRender *rc, int p);
 /**

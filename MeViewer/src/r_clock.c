@@ -11,6 +11,9 @@
 enum { FRAME = 16666667 };
 /* ns of ticks in a frame: with as much for drawing, 15 frames a second, the least that a hand can steer by. */
 enum { BUDGET = 33333333 };
+/* ns that a frame owes at most: what takes longer is a window or a process that stood still, and not to be caught up
+ * with; nobody steers by 4 frames a second. */
+enum { STALL = 250000000 };
 /* ns over which the pace is measured. */
 enum { SECOND = 1000000000 };
 
@@ -30,7 +33,7 @@ static void measure(RClock *c, int64_t now) {
 void r_clockFrame(RClock *c, int64_t now) {
     const int64_t passed = now - c->last < FRAME + FRAME / 2 ? FRAME : now - c->last;
     c->last = passed == FRAME ? c->last + FRAME : now;
-    c->owed += (double)passed;
+    c->owed += (double)(passed < STALL ? passed : STALL);
     c->begun = now;
     measure(c, now);
 }

@@ -274,11 +274,12 @@ void MEAPI RRenderSetBackgroundColor(RRender *rc, const float color[4]) {
     rc->m_pViewer->hasBackground = true;
 }
 
-void MEAPI RRenderSetTickRate(RRender *rc, int ticksPerSecond) {
+void MEAPI RRenderSetTickRate(RRender *rc, AcmeReal ticksPerSecond) {
     if (!r_isContext(rc, __func__))
         return;
-    if (ticksPerSecond < 1)
-        MeWarning(1, "RRenderSetTickRate: %d ticks a second: it must be 1 or more", ticksPerSecond);
+    if (!(ticksPerSecond > 0 && ticksPerSecond <= 1e6f))
+        MeWarning(1, "RRenderSetTickRate: %g ticks a second: it must be above 0, and a million at most",
+                  (double)ticksPerSecond);
     else
         rc->m_pViewer->tickRate = ticksPerSecond;
 }

@@ -460,7 +460,7 @@ struct RViewer {
     int ownPanelSeen;        /* As RPanel::seen, of the viewer's own. */
     bool panelsShown;        /* F9. */
     int slow;                /* The tick is called in one of so many frames, or so many times less often; 0 is 1. */
-    int tickRate;            /* Ticks in a second, without the option. */
+    AcmeReal tickRate;       /* Ticks in a second, without the option. */
     int64_t rateBegin;       /* When ticks began to be counted, */
     int rateTicks;           /* from which number, */
     float rate;              /* and how many there are in a second. */

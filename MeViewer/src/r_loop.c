@@ -49,10 +49,10 @@ static void tickOnce(RRender *rc, const RTick *tick) {
 
 static void tickByClock(RRender *rc, const RTick *tick) {
     struct RViewer *v = rc->m_pViewer;
-    const int rate = rc->m_Options.m_nRate > 0 ? rc->m_Options.m_nRate : v->tickRate;
+    const double rate = rc->m_Options.m_nRate > 0 ? rc->m_Options.m_nRate : (double)v->tickRate;
     const int slow = v->slow > 1 ? v->slow : 1;
     r_clockFrame(&v->loop.clock, r_now());
-    while (!rc->m_bPause && !v->loop.quit && r_clockTakes(&v->loop.clock, r_now(), (double)rate / slow))
+    while (!rc->m_bPause && !v->loop.quit && r_clockTakes(&v->loop.clock, r_now(), rate / slow))
         callTick(rc, tick);
 }
 

@@ -73,7 +73,20 @@ START_TEST(what_was_owed_before_a_pause_is_forgotten) {
 }
 END_TEST
 
+/* A stopped process, or a window that was dragged, for a minute: a quarter of a second of it is simulated. */
+START_TEST(a_long_stall_is_not_caught_up_with) {
+    int64_t now;
+    RClock c = start(&now);
+    int ticks = 0;
+    now += 60 * SECOND;
+    for (r_clockFrame(&c, now); r_clockTakes(&c, now, 60);)
+        ticks++;
+    ck_assert_int_eq(ticks, 15);
+}
+END_TEST
+
 static void tests(TCase *t) {
+    tcase_add_test(t, a_long_stall_is_not_caught_up_with);
     tcase_add_test(t, frames_on_time_have_one_tick_each);
     tcase_add_test(t, slow_frames_have_as_many_ticks_as_time_has_passed);
     tcase_add_test(t, ticks_that_take_too_long_slow_the_simulation_and_not_the_window);

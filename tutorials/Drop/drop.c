@@ -144,6 +144,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     Reset(rc, 0);
 
     atexit(cleanup);
+    RRenderSetTickRate(rc, (AcmeReal)(1 / step));
     RRun(rc, Tick); /* does not return */
     return 0;
 }
