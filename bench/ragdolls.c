@@ -1,7 +1,8 @@
 /* What rag dolls cost that fall on a plane, each by itself: the factorizations and the time of one doll's step.
  *
- *     ragdolls [--dolls N] [--steps N]      100 dolls, 300 steps
+ *     ragdolls [--dolls N] [--steps N] [--exact]      100 dolls, 300 steps
  *
+ * With --exact all is solved exactly (MdtWorldSetSolver), else only until a doll is hit.
  * The figures of tutorial Ragdolls, thrown and turning in any way, 7 m apart, with the universe's defaults, friction
  * .5, steps of 1/60 s, nothing put to sleep. A line for every sixty steps; times are those of solves. */
 #include "timing.h"
@@ -28,7 +29,7 @@ static double randomFrom(double low, double high) {
     return low + (high - low) * (double)(seed >> 8) / (1 << 24);
 }
 
-static void makeUniverse(void) {
+static void makeUniverse(MdtSolver solver) {
     static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
     universe = MstUniverseCreate(&MstUniverseGrowingSizes);
     if (!universe)
@@ -36,6 +37,7 @@ static void makeUniverse(void) {
     MdtWorldSetGravity(universe->world, 0, (MeReal)-9.81, 0);
     MdtWorldSetAutoDisable(universe->world, MEFALSE);
     MdtWorldEnableReport(universe->world);
+    MdtWorldSetSolver(universe->world, solver);
     MdtContactParamsSetSurface(MstBridgeGetContactParams(universe->bridge, 0, 0), (MeReal).5, 0);
     MstFixedModelCreate(universe, McdPlaneCreate(universe->frame), floorTM);
 }
@@ -75,18 +77,25 @@ static void tell(const Sum *sum, int steps, int dolls) {
     fflush(stdout);
 }
 
+static int usage(void) {
+    fprintf(stderr, "usage: ragdolls [--dolls N] [--steps N] [--exact]\n");
+    return 2;
+}
+
 int main(int argc, char **argv) {
     int dolls = 100, steps = 300;
-    for (int i = 1; i + 1 < argc; i += 2)
-        *(strcmp(argv[i], "--dolls") == 0 ? &dolls : &steps) = atoi(argv[i + 1]);
-    if (argc % 2 == 0 || dolls < 1 || steps < 1) {
-        fprintf(stderr, "usage: ragdolls [--dolls N] [--steps N]\n");
-        return 2;
+    MdtSolver solver = MdtSolverAuto;
+    for (int i = 1; i < argc; i++) {
+        int *number = strcmp(argv[i], "--dolls") == 0 ? &dolls : strcmp(argv[i], "--steps") == 0 ? &steps : NULL;
+        if (strcmp(argv[i], "--exact") == 0)
+            solver = MdtSolverExact;
+        else if (!number || ++i == argc || (*number = atoi(argv[i])) < 1)
+            return usage();
     }
     doll = calloc((size_t)dolls, sizeof *doll);
     if (!doll)
         abort();
-    makeUniverse();
+    makeUniverse(solver);
     makeDolls(dolls);
     printf("| to step | factorizations of a doll's step | at most | passes | parts | velocity stages | inexact | ms | "
            "joints open, m |\n");

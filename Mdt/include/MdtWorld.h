@@ -247,13 +247,15 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  velocities at contacts (MdtReport, `residualVelocity`), by which bodies sink and creep a little until they rest.
  *
  *  MdtSolverAuto, the default, takes the fast one for
- *  - partitions of 64 bodies or more, without joints or with few: at most twelve tied together, and at least twice as
- *    many contacts as joints;
- *  - partitions without joints of more bodies than MdtWorldSetTimedContacts that touch nothing fixed, or in which
- *    bodies have just met, until all are slow (MdtPartitionParams).
+ *  - partitions of 64 bodies or more;
+ *  - partitions of more bodies than MdtWorldSetTimedContacts that touch nothing fixed, or in which bodies have just
+ *    met, until all are slow (MdtPartitionParams);
+ *  - such with joints for which the exact solver has taken more than 12 factorizations in a step, too; what joints tie
+ *    stays with the fast solver until it is at rest.
  *
- *  All others are solved exactly, whatever is chosen, and so are bouncing bodies of which few touch anything. Beyond
- *  Karma.
+ *  All others are solved exactly, and so are, whatever is chosen, partitions without contacts and those with
+ *  constraints whose rows the program makes; with MdtSolverAuto bouncing bodies of which few touch anything, too.
+ *  Beyond Karma.
  *  @{ */
 typedef enum MdtSolver {
     MdtSolverAuto,

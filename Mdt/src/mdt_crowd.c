@@ -47,15 +47,23 @@ static MeBool hasImpacts(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* From an impact on until all that it has disturbed is slow: a partition does not go to and fro between the solvers.
- * What leaves a crowd counts as disturbed. Writes isDisturbed of its bodies. */
+/* From an impact on until all that it has disturbed is slow. What joints tie goes on swinging: from an impact on, or a
+ * step whose contacts did not settle, until it is at rest (mdt_rest.c). A partition does not go to and fro between the
+ * solvers. What leaves a crowd counts as disturbed. Writes isDisturbed of its bodies. */
 static MeBool isDisturbed(const MdtIsland *p) {
     MeBool is = p->numBodies >= MDT_CROWD || hasImpacts(p);
     for (int i = 0; i < p->numBodies && !is; i++)
-        is = p->bodies[i]->isDisturbed && p->bodies[i]->slowTime == 0;
+        is = p->bodies[i]->isDisturbed && (p->numJoints > 0 || p->bodies[i]->slowTime == 0);
     for (int i = 0; i < p->numBodies; i++)
         p->bodies[i]->isDisturbed = is;
     return is;
+}
+
+void mdt_crowdNote(const MdtIsland *p) {
+    if (p->isFast || p->numJoints == 0 || p->kea.report.factorizations <= MDT_UNSETTLED)
+        return;
+    for (int i = 0; i < p->numBodies; i++)
+        p->bodies[i]->isDisturbed = METRUE;
 }
 
 /* Nothing in it touches the world: it carries no weight, and its forces come of meetings and of overlaps alone. */
@@ -87,56 +95,21 @@ static MeBool isMetInTime(const MdtIsland *p) {
     return doesBounce && touching <= p->world->timedBodies;
 }
 
-static int rootOf(int parent[], int i) {
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
-
-/* Joins the bodies of joints; false where more than a few are tied together: such are solved exactly, since passes
- * would let long chains stretch. */
-static MeBool areTiesShort(const MdtIsland *p, int parent[], int joints[]) {
-    for (int i = 0; i < p->numBodies; i++) {
-        p->bodies[i]->index = parent[i] = i;
-        joints[i] = 0;
-    }
-    for (int i = 0; i < p->numActing; i++) {
-        const MdtJoint *j = mdt_asJoint(p->acting[i]);
-        if (!j)
-            continue;
-        const MdtBodyID a = j->base.side[0].body, b = j->base.side[1].body;
-        const int first = rootOf(parent, (a ? a : b)->index), second = rootOf(parent, (b ? b : a)->index);
-        if (first != second)
-            joints[first] += joints[second];
-        parent[second] = first;
-        if (++joints[first] > MDT_TIED_JOINTS || mdt_constraintType(p->acting[i]) == MdtBclUSER)
-            return MEFALSE;
-    }
-    return METRUE;
-}
-
-/* Are there many contacts for each joint, and joints in small groups? */
-static MeBool areJointsApart(const MdtIsland *p) {
-    const int size = 2 * p->numBodies * (int)sizeof(int);
-    if (p->numContacts < MDT_CROWD || p->numContacts < 2 * p->numJoints)
-        return MEFALSE;
-    int *parent = MeChunkGetMem(&p->worker->scratch, size);
-    const MeBool areShort = parent && areTiesShort(p, parent, parent + p->numBodies);
-    if (parent)
-        MeChunkPutMem(&p->worker->scratch, parent);
-    return areShort;
+/* Rows of user constraints are the program's: how they move with the bodies is not known. */
+static MeBool hasUserConstraints(const MdtIsland *p) {
+    for (int i = 0; i < p->numActing; i++)
+        if (mdt_isJoint(p->acting[i]) && mdt_constraintType(p->acting[i]) == MdtBclUSER)
+            return METRUE;
+    return MEFALSE;
 }
 
 MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
     const MdtWorld *w = p->world;
-    if (p->numContacts == 0 || (p->numJoints > 0 && !areJointsApart(p)) || w->solver == MdtSolverExact ||
-        maxRows > w->maxMatrixSize)
+    if (p->numContacts == 0 || w->solver == MdtSolverExact || maxRows > w->maxMatrixSize || hasUserConstraints(p))
         return MEFALSE;
     if (w->solver == MdtSolverFast)
         return METRUE;
     if (p->numBodies <= w->timedBodies || mdt_worldAccuracy(w, p->h) == 0 || isMetInTime(p))
         return MEFALSE;
-    if (p->numJoints > 0)
-        return p->numBodies >= MDT_CROWD;
     return isDisturbed(p) || isInFlight(p);
 }

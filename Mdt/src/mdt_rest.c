@@ -235,6 +235,15 @@ static MeBool dependsOnProgram(const MdtIsland *p) {
     return p->world->importance && p->isCapped;
 }
 
+/* What the fast solver leaves of joints comes to nothing more slowly than it tells from rest where passes go to and fro
+ * between joints and contacts: the rest is the exact solver's. */
+static MeBool areJointsClosed(const MdtIsland *p) {
+    const MeBool are = !p->isFast || p->kea.report.opening <= MDT_CLOSED;
+    for (int i = 0; i < p->numBodies && !are; i++)
+        p->bodies[i]->isDisturbed = MEFALSE;
+    return are;
+}
+
 /* In one part, and within tolerances. */
 static MeBool wasAnswerFound(const MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
@@ -244,7 +253,7 @@ static MeBool wasAnswerFound(const MdtIsland *p) {
 }
 
 MeBool mdt_restIsSettled(const MdtIsland *p) {
-    return isCalmForLong(p) && wasAnswerFound(p) && !dependsOnProgram(p) && !mayCreep(p);
+    return isCalmForLong(p) && wasAnswerFound(p) && !dependsOnProgram(p) && !mayCreep(p) && areJointsClosed(p);
 }
 
 void mdt_restStay(MdtIsland *p) {
@@ -257,8 +266,10 @@ void mdt_restStay(MdtIsland *p) {
 
 void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
     MEASSERT(p->world->certificate != 0 && p->elapsed > 0);
-    for (int i = 0; i < p->numBodies; i++)
+    for (int i = 0; i < p->numBodies; i++) {
         p->bodies[i]->certificate = isSettled ? p->world->certificate : 0;
+        p->bodies[i]->isDisturbed = p->bodies[i]->isDisturbed && !isSettled;
+    }
     for (int i = 0; i < p->numActing && isSettled; i++)
         if (p->acting[i]->record.flags & MDT_WATCHED)
             certifyConstraint(p->acting[i]);

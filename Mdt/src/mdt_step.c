@@ -19,6 +19,7 @@ void mdt_partSolveRows(MdtIsland *p) {
     MeProfileStartSection("Solve", 0);
     mdt_budgetGrant(p);
     MdtKeaSolve(&p->kea);
+    mdt_crowdNote(p);
     mdt_budgetDraw(p);
     MeProfileEndSection("Solve");
     if (p->report)

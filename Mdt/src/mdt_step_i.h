@@ -121,6 +121,8 @@ void mdt_islandRelease(MdtIsland *p);
 
 /* Whether Kea's fast solver is chosen for it (mdt_crowd.c). */
 MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows);
+/* After a solve: contacts that did not settle disturb what joints tie. */
+void mdt_crowdNote(const MdtIsland *p);
 
 /* ---- contacts, as Kea takes them (mdt_contacts.c) ---- */
 

@@ -245,6 +245,8 @@ typedef struct MdtKeaReport {
     double resolution;  /**< m/s: residuals up to this count as none; 0 where nothing was solved */
     double force;       /**< N: the largest change of a row's force that such a violation asks for */
     double error;       /**< m: the largest error left in a position row, against what it asked for */
+    double opening;     /**< of the smaller body's size: the largest error of a position row that is not a contact's, as
+                             the fast solver leaves it */
 } MdtKeaReport;
 
 /**

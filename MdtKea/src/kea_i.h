@@ -33,6 +33,7 @@
  *     kea_sweep.c             its solution by sweeps, when work runs out
  *     kea_factor.c            sparse factorization: numbers
  *     kea_structure.c, kea_order.c                its structure, the order of elimination
+ *     kea_graph.c             the graph that rows make of bodies
  *     kea_cache.c             kept structures, and the memory of all factors
  *
  * inner/ calls no other room, common/ only inner/; exact/ and fast/ call both, but not each other
@@ -121,6 +122,8 @@ void kea_invert(double inverse[3][3], const double M[3][3]);
 double kea_leastEigenvalue(const double S[3][3]);
 /* Eigenvalues of a symmetric matrix, left on the diagonal of S, and eigenvectors, as the columns of V. */
 void kea_eigen(double S[3][3], double V[3][3]);
+/* Takes its negative eigenvalues from a symmetric matrix, unless these are less than `harmless`. */
+void kea_clampPositive(double K[3][3], double harmless);
 
 /* ---- kea_step.c ---- */
 

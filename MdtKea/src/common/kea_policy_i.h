@@ -314,18 +314,28 @@ static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;
 
 /* Passes over velocities: at least, at most, and per body whose weight one carries. An accelerated method's error falls
  * with the square of the passes and grows with the height that forces have to pass, and what is left of a mode of the
- * whole pile is a small residual of each contact. 12 let a tower of 20 sag by 1e-3 of its height; without the last, one
- * of 40 sways ever more, and what lies under things of 10 times its weight is passed through by 1e-2 m. Reasoned: above
- * the most, Newton's method is cheaper. */
-enum { KEA_LEAST_PASSES = 24, KEA_MOST_PASSES = 96, KEA_MORE_PASSES = 8 /* at a time */ };
-static const double kea_passesPerLoad = 0.7;
+ * whole pile is a small residual of each contact. A tower of 20 sags by 1e-3 of its height with 12; without the last,
+ * one of 40 sways ever more, and what lies under things of 10 times its weight is passed through by 1e-2 m. Of what
+ * carries little, 8 are as good as 24: a heap of 1000 that falls overlaps as much, a rag doll's step costs .6 of it.
+ * Reasoned: above the most, Newton's method is cheaper. */
+enum { KEA_LEAST_PASSES = 8, KEA_MOST_PASSES = 96, KEA_MORE_PASSES = 8 /* at a time */ };
+static const double kea_passesPerLoad = 1.2;
 /* Times its loads, an acceleration that only an impact gives: what settles does not reach it. */
 static const double kea_impactLoads = 4;
 /* Passes over displacements. 1 leaves half of the overlaps of a heap, 12 gain nothing. */
 enum { KEA_POSITION_PASSES = 6 };
-/* In so many rounds where there are joints, whose errors are not linear in a turn. 1 leaves 1e-2 m of a whipping chain
- * (Mst_Crowd). */
-enum { KEA_JOINT_ROUNDS = 3 };
+/* In so many rounds where there are joints, whose errors are not linear in a turn; and rounds of joints alone, at most,
+ * until they are closed. Without the latter a ton on a light chain opens it by 1e-2 m (Mst_Jointed). */
+enum { KEA_JOINT_ROUNDS = 3, KEA_MOST_JOINT_ROUNDS = 8 };
+/* Of a body's size: joints and stops are closed. gamma adds up five steps' of it; a net of 225 balls in loops, whose
+ * rows contradict each other by rounding, comes no nearer than 1.5e-6. 1e-5 lets the ropes of tutorial Bridge give way
+ * by 2.5e-5 m. */
+static const double kea_closedJoint = 3e-6;
+/* Of its error: a round of Newton's method that leaves more had the derivatives of another pose. */
+static const double kea_roundShare = 0.1;
+/* Rad, that a round turns a body of what is tied: errors are linear for small turns only, and a chain that is pulled
+ * straight asks for large ones. Without it a ton on a light chain opens it by a metre (Mst_Jointed). */
+static const double kea_mostPush = 0.1;
 /* Sweeps over the four points of a manifold where they do not all act: 1 lets a tower of 20 fall, 8 gain nothing. */
 enum { KEA_POINT_SWEEPS = 3 };
 /* Of the product of its diagonal, a determinant in single precision: 6e-8 / 1e-4 is what is wrong with the inverse. */
@@ -341,8 +351,6 @@ static const double kea_softShare = 1e-3;
 /* Of the smaller body's radius of gyration: overlaps up to this are left alone, or contacts that rest would open and
  * close by the rounding of their passes. */
 static const double kea_restingDepth = 1e-4;
-/* Of its diagonal entry: a pivot of joints below this is rounding, and its row follows from others. */
-static const double kea_redundantPivot = 1e-9;
 /* Of the kinetic energy: what the passes of a step may add to it by their rounding and by what they leave. */
 static const double kea_energyRoom = 1e-5;
 /* N s, a bound that is none: sums of such stay within single precision. */

@@ -12,6 +12,7 @@
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
+#include <string.h>
 
 /* Turns the body for time t by the part of H that belongs to `axis`: q from the right, L (principal) the other way. */
 static void flowAboutAxis(double q[4], double L[3], int axis, double rate, double t) {
@@ -239,4 +240,20 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
         body->moments[i] = S[i][i];
     keaQuaternionFromMatrix(body->principal, (const double(*)[3])V); /* rotations only: V is never a reflection */
     return METRUE;
+}
+
+void kea_clampPositive(double K[3][3], double harmless) {
+    double V[3][3], S[3][3];
+    if (kea_leastEigenvalue((const double(*)[3])K) > -harmless)
+        return;
+    memcpy(S, K, sizeof S);
+    kea_eigen(S, V);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j <= i; j++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++)
+                sum += V[i][k] * keaMax(S[k][k], 0) * V[j][k];
+            K[i][j] = K[j][i] = sum;
+        }
+    }
 }

@@ -179,23 +179,6 @@ static void addStiffness(double K[3][3], const double P[3], const double r[3], d
             K[i][j] += 0.5 * h * ((i == j ? Pr : 0) - 0.5 * (r[i] * P[j] + r[j] * P[i]));
 }
 
-/* What is negative by less than `harmless` may stay: it is Newton's own. */
-static void clampPositive(double K[3][3], double harmless) {
-    double V[3][3], S[3][3];
-    if (kea_leastEigenvalue((const double(*)[3])K) > -harmless)
-        return;
-    memcpy(S, K, sizeof S);
-    kea_eigen(S, V);
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j <= i; j++) {
-            double sum = 0;
-            for (int k = 0; k < 3; k++)
-                sum += V[i][k] * keaMax(S[k][k], 0) * V[j][k];
-            K[i][j] = K[j][i] = sum;
-        }
-    }
-}
-
 static double largestEntry(const double K[3][3]) {
     double most = 0;
     for (int i = 0; i < 3; i++)
@@ -230,7 +213,7 @@ static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
     double inertia[3][3];
     meanInertia(body, b, inertia);
     if (largestEntry((const double(*)[3])B->angular) > kea_smallStiffness * least)
-        clampPositive(B->angular, kea_harmlessStiffness * least);
+        kea_clampPositive(B->angular, kea_harmlessStiffness * least);
     else
         memset(B->angular, 0, sizeof B->angular);
     MEASSERT(b->theta >= 0.5 && b->theta <= 1);

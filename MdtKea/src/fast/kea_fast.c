@@ -25,6 +25,7 @@ typedef struct Step {
     KeaRegions regions;
     KeaMotion *motion, *before, *way; /* the world, the bodies by place, and where worlds move, one for each manifold */
     double (*change)[6];              /* by place: N s, N m s */
+    double (*turned)[4];              /* by place: the orientation at the end, but for `way` */
     KeaGroup *groups;
     int numGroups;
     KeaJoints joints;
@@ -52,6 +53,7 @@ static size_t layOut(Step *p, char *memory) {
     p->before = kea_carve(&arena, motions, sizeof *p->before);
     p->way = kea_carve(&arena, motions, sizeof *p->way);
     p->change = kea_carve(&arena, n, sizeof *p->change);
+    p->turned = kea_carve(&arena, n, sizeof *p->turned);
     kea_regionsLayOut(p->s, &p->regions, &arena);
     return arena.used;
 }
@@ -101,8 +103,10 @@ static MeBool begin(Step *p) {
     layOut(p, memory);
     p->regions.team = s->team;
     kea_regionsDivide(s, &p->regions);
+    if (!kea_jointsBegin(s, p->regions.place, &p->joints))
+        return MEFALSE;
     setMotions(p);
-    return takeGroups(p) && kea_jointsBegin(s, p->regions.place, &p->joints);
+    return takeGroups(p);
 }
 
 static void applyGroups(void *context, KeaNode *node) {
@@ -182,7 +186,7 @@ static void measureGroups(void *context, KeaNode *node) {
 static void takePasses(Step *p, int passes) {
     for (int i = 0; i < passes; i++) {
         kea_inOrder(&p->regions, passNode, p);
-        const double ofJoints = kea_jointsPass(p->s, &p->joints, p->motion, (double)(float)p->beta);
+        const double ofJoints = kea_jointsPass(&p->joints, p->motion, (double)(float)p->beta);
         const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
         p->beta = (p->theta - 1) / next;
         p->theta = next;
@@ -194,7 +198,7 @@ static void takePasses(Step *p, int passes) {
 
 static double residualOf(Step *p) {
     kea_overNodes(&p->regions, measureGroups, p);
-    return keaMax(kea_jointsResidual(p->s, &p->joints, p->motion), mostOfLanes(&p->regions));
+    return keaMax(kea_jointsResidual(&p->joints, p->motion), mostOfLanes(&p->regions));
 }
 
 /* m/s, what loads add to a body's velocity in the step. */
@@ -277,10 +281,11 @@ static void findVelocities(Step *p, Passes passes) {
 
 /* What passes cost; those over displacements, and getting ready. */
 static double workOfPass(const Step *p) {
-    return (double)p->numGroups * KEA_LANES * KEA_MANIFOLD_VISIT;
+    return (double)p->numGroups * KEA_LANES * KEA_MANIFOLD_VISIT + kea_jointsWorkOfPass(&p->joints);
 }
 static double workBeside(const Step *p) {
-    return KEA_POSITION_PASSES * workOfPass(p) + (double)p->s->numManifolds * KEA_MANIFOLD_PREPARATION;
+    return KEA_POSITION_PASSES * workOfPass(p) + (double)p->s->numManifolds * KEA_MANIFOLD_PREPARATION +
+           kea_jointsWorkBeside(&p->joints);
 }
 
 /* At least as many as the loads want, and at most as the budget allows. */
@@ -343,7 +348,7 @@ static void setEndMomenta(void *context, KeaNode *node) {
 
 static void setEndMomentum(Step *p) {
     kea_inOrder(&p->regions, addImpulses, p);
-    kea_jointsAddImpulses(p->s, &p->joints, p->change);
+    kea_jointsAddImpulses(&p->joints, p->change);
     kea_overRegions(&p->regions, setEndMomenta, p);
 }
 
@@ -374,22 +379,25 @@ static double energyGained(Step *p, double *all) {
     return sumOverRegions(&p->regions, 0);
 }
 
-/* Does anything drive the bodies: joints, belts, worlds that move? */
+/* Does anything drive the bodies: motors, springs, belts, worlds that move? */
 static MeBool isDriven(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].spring || s->rows[i].drift != 0 || (!s->rows[i].position && s->rows[i].target != 0))
+            return METRUE;
     for (int i = 0; i < s->numManifolds; i++) {
         const MdtKeaManifold *m = &s->manifolds[i];
         if (m->worldVelocity || m->surface.slide[0] != 0 || m->surface.slide[1] != 0)
             return METRUE;
     }
-    return s->numRows > 0;
+    return MEFALSE;
 }
 
 static void descend(Step *p) {
     kea_scaleImpulses(p->groups, p->numGroups, 0);
+    kea_jointsScale(&p->joints, 0);
     for (int i = 0; i < p->numGroups; i++)
         memset(&p->groups[i].isDirect, 0, sizeof p->groups[i].isDirect);
     setMotions(p);
-    kea_jointsApply(p->s, &p->joints, p->motion);
     for (int i = 0; i < KEA_MOST_PASSES; i++) {
         restart(p);
         takePasses(p, 1);
@@ -398,7 +406,8 @@ static void descend(Step *p) {
     setEndMomentum(p);
 }
 
-/* With a share of the impulses P the energy changes by share P·v + share² |P|²/2: the largest that gains none. */
+/* With a share of the impulses P the energy changes by share P·v + share² |P|²/2: the largest that gains none. Joints
+ * that this opens are closed again, which takes energy. */
 static void shareImpulses(Step *p) {
     const MdtKeaSystem *s = p->s;
     double linear = 0, square = 0;
@@ -409,9 +418,12 @@ static void shareImpulses(Step *p) {
         linear += keaDot(change, s->predicted[i].lin) + keaDot(change + 3, s->predicted[i].ang);
         square += 0.5 * (s->invMass[i].mass * keaDot(change, change) + keaDot(change + 3, turned));
     }
-    kea_scaleImpulses(p->groups, p->numGroups, (float)keaMin(keaMax(-linear / square, 0), 1));
+    const double share = keaMin(keaMax(-linear / square, 0), 1);
+    kea_scaleImpulses(p->groups, p->numGroups, (float)share);
+    kea_jointsScale(&p->joints, share);
     setMotions(p);
-    kea_inOrder(&p->regions, applyGroups, p);
+    applyImpulses(p);
+    kea_jointsPass(&p->joints, p->motion, 0);
     setEndMomentum(p);
 }
 
@@ -485,24 +497,33 @@ static void fallOfCentre(Step *p) {
     keaScale(p->fall, 0.5 * s->parameters.stepsize / mass, p->fall);
 }
 
-/* With the velocities of the end, turning as a free body does with that momentum; and out of overlaps. */
+/* As a free body turns with the momentum of the end. */
+static void turnFreely(void *context, KeaNode *node) {
+    const Step *p = context;
+    for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++) {
+        const int i = p->regions.body[place];
+        const MdtKeaBody *body = p->s->bodies[i];
+        kea_rotateFree(body, body->quaternion, p->s->work->end[i].angularMomentum, p->s->parameters.stepsize,
+                       p->turned[place]);
+    }
+}
+
+/* With the velocities of the end, and out of overlaps. */
 static void setEndPose(const Step *p, int place) {
     MdtKeaSystem *s = p->s;
     const int i = p->regions.body[place];
     const double h = s->parameters.stepsize;
-    const MdtKeaBody *body = s->bodies[i];
     const KeaMotion *way = &p->way[1 + place];
     KeaEnd *end = &s->work->end[i];
     const double out[3] = {(double)way->ang[0], (double)way->ang[1], (double)way->ang[2]};
-    double turn[4], free[4];
-    keaCopy(end->position, body->position);
+    double turn[4];
+    keaCopy(end->position, s->bodies[i]->position);
     keaAddScaled(end->position, h, end->velocity);
     keaAddScaled(end->position, 1, p->fall);
     for (int k = 0; k < 3; k++)
         end->position[k] += (double)way->lin[k];
-    kea_rotateFree(body, body->quaternion, end->angularMomentum, h, free);
     keaQuaternionExp(turn, out);
-    keaQuaternionProduct(end->quaternion, turn, free);
+    keaQuaternionProduct(end->quaternion, turn, p->turned[place]);
     keaQuaternionNormalize(end->quaternion);
     keaCopy(s->work->endPose[i].pos, end->position);
     keaQuaternionToMatrix(s->work->endPose[i].R, end->quaternion);
@@ -529,23 +550,42 @@ static void pushGroups(void *context, KeaNode *node) {
     p->kernel->push(p->groups + node->firstGroup, node->numGroups, p->way);
 }
 
-/* Joints turn with their bodies: their errors are found anew for every few passes. */
-static void findPositions(Step *p) {
-    const int rounds = p->joints.numBlocks > 0 ? KEA_JOINT_ROUNDS : 1;
-    memset(p->way, 0, sizeof *p->way);
-    kea_overNodes(&p->regions, advanceNode, p);
+static void pushApart(Step *p) {
+    kea_inOrder(&p->regions, pushGroups, p);
+    kea_jointsPush(&p->joints, p->way);
+}
+
+/* Joints turn with their bodies: their errors are found anew for every few passes, and where that does not bring them
+ * down, their derivatives too. Contacts take part in the first rounds only. */
+static void pushJoined(Step *p) {
+    double before = HUGE_VAL;
     kea_keepRows(p->s);
-    for (int round = 0; round < rounds; round++) {
-        if (p->joints.numBlocks > 0) {
-            setEndPoses(p);
-            kea_jointsAdvance(p->s, &p->joints, p->way);
-        }
-        for (int i = 0; i < KEA_POSITION_PASSES / rounds; i++) {
-            kea_inOrder(&p->regions, pushGroups, p);
-            kea_jointsPush(p->s, &p->joints, p->way);
-        }
+    for (int round = 0; round < KEA_MOST_JOINT_ROUNDS; round++) {
+        setEndPoses(p);
+        const double open = kea_jointsAdvance(p->s, &p->joints, p->way);
+        if (round >= KEA_JOINT_ROUNDS && open <= kea_closedJoint)
+            break;
+        if (round > 0 && open > kea_closedJoint && open > kea_roundShare * before)
+            kea_jointsTurn(p->s, &p->joints, p->way);
+        before = open;
+        if (round >= KEA_JOINT_ROUNDS)
+            kea_jointsPush(&p->joints, p->way);
+        else
+            for (int i = 0; i < KEA_POSITION_PASSES / KEA_JOINT_ROUNDS; i++)
+                pushApart(p);
     }
     kea_recallRows(p->s);
+}
+
+static void findPositions(Step *p) {
+    memset(p->way, 0, sizeof *p->way);
+    kea_overNodes(&p->regions, advanceNode, p);
+    kea_overRegions(&p->regions, turnFreely, p);
+    if (p->joints.numBlocks > 0)
+        pushJoined(p);
+    else
+        for (int i = 0; i < KEA_POSITION_PASSES; i++)
+            kea_inOrder(&p->regions, pushGroups, p);
     setEndPoses(p);
 }
 
@@ -606,14 +646,16 @@ void kea_fastSolve(MdtKeaSystem *s) {
     findVelocities(&p, passes);
     setEndMomentum(&p);
     keepEnergy(&p);
+    kea_jointsSetMomenta(s, &p.joints);
     fallOfCentre(&p);
     findPositions(&p);
     const MeBool doRebound = setRebounds(&p);
-    if (kea_jointsRebound(s, &p.joints) || doRebound) {
+    if (kea_jointsRebound(&p.joints) || doRebound) {
         kea_jointsRefill(s, &p.joints);
         findVelocities(&p, passes);
         setEndMomentum(&p);
         limitRebounds(&p);
+        kea_jointsSetMomenta(s, &p.joints);
     }
     report(&p);
     kea_overNodes(&p.regions, returnGroups, &p);

@@ -1,13 +1,17 @@
-/* Joints among the manifolds of the fast solver: the rows of bodies that joints tie together, directly or through
- * others, are one block, solved at once in each pass by a dense factor of J M⁻¹ Jᵀ + E; rows with bounds follow one by
- * one, projected.
+/* Joints among the manifolds of the fast solver. The bodies that they tie together are a block, solved at once in each
+ * pass, whatever trees and loops they make, by a sparse factor on the bodies' side (S = M + Jᵀ W J):
+ *
+ *     S Δv = Jᵀ W r,    Δp = W (r - J Δv),    r = t - J v - E p,    W = 1 / (E + N)
+ *
+ * N, the method's own softness, leaves that part of a pass's change to the next one. Rows with bounds follow one by
+ * one, projected; what a unit of their impulses does is S⁻¹ Jᵀ, so that the block stays tied.
  *
  * Velocities: J v⁺ = t - E p. A position row has no part of its error in t, but for a stop that may close; a spring is
  * implicit, E = 1 / (h (h k + d)), t = E h (d s - k φ). Positions: what the velocities leave of
  *
  *     φ(x⁺) = φ(x) + h (s - E p)
  *
- * is taken away by displacements.
+ * is taken away by displacements, by the same factors: Newton's method with the derivative of the start.
  */
 #include "fast/kea_joints_i.h"
 #include "inner/kea_factor_i.h"
@@ -15,7 +19,151 @@
 #include "MeAssert.h"
 #include <string.h>
 
-/* ---- which rows are tied together ---- */
+/* ---- rows ---- */
+
+static MeBool isTwoSided(const MdtKeaRow *row) {
+    return row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
+}
+
+/* J M⁻¹ Jᵀ */
+static double sizeOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double size = 0, turned[3];
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] < 0)
+            continue;
+        const MdtKeaInverseMassMatrix *m = &s->invMass[row->body[k]];
+        keaApply(turned, (const double(*)[3])m->inertia, row->J[k].ang);
+        size += m->mass * keaDot(row->J[k].lin, row->J[k].lin) + keaDot(row->J[k].ang, turned);
+    }
+    return size;
+}
+
+/* A spring without stiffness and damping is none. */
+static void setSpring(double h, KeaJointRow *r) {
+    const MdtKeaRow *row = r->row;
+    const double hold = h * (h * row->stiffness + row->damping);
+    r->isOff = !(hold > 0);
+    r->compliance = r->isOff ? 0 : 1 / hold;
+    r->target = r->compliance * h * (row->damping * row->target - row->stiffness * row->error);
+}
+
+static void setPosition(double h, KeaJointRow *r) {
+    const MdtKeaRow *row = r->row;
+    const MeBool isSoft = row->softness > kea_softShare * r->size;
+    r->isHeld = !isSoft && (isTwoSided(row) || row->lower == 0 || row->upper == 0);
+    if (!r->isHeld)
+        return;
+    r->compliance = 0;
+    r->wanted = row->error + h * row->target;
+    r->target = isTwoSided(row)   ? row->drift
+                : row->lower == 0 ? keaMin(row->target, row->drift)
+                                  : keaMax(row->target, row->drift);
+}
+
+static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
+    const MdtKeaRow *row = r->row;
+    const double h = s->parameters.stepsize;
+    r->size = sizeOf(s, row);
+    r->length = kea_lengthOf(s, row);
+    r->isOff = !(r->size > 0);
+    r->isHeld = MEFALSE;
+    r->target = row->target;
+    r->compliance = row->softness;
+    r->wanted = r->gap = 0;
+    r->blockSize = 0;
+    if (row->spring)
+        setSpring(h, r);
+    else if (row->position)
+        setPosition(h, r);
+    r->lower = h * row->lower;
+    r->upper = h * row->upper;
+    r->impulse = r->before = r->isOff ? 0 : keaMin(keaMax(h * row->force, r->lower), r->upper);
+    r->weight = r->isOff ? 0 : 1 / (r->compliance + kea_proximalLimit * r->size);
+}
+
+/* ---- the block's bodies ---- */
+
+/* r += a Jᵀ, and J r, by node. */
+static void addAlong(const KeaJointRow *r, double a, double (*x)[6]) {
+    for (int k = 0; k < 2; k++)
+        if (r->node[k] >= 0) {
+            keaAddScaled(x[r->node[k]], a, r->row->J[k].lin);
+            keaAddScaled(x[r->node[k]] + 3, a, r->row->J[k].ang);
+        }
+}
+static double rateOf(const KeaJointRow *r, double (*const x)[6]) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++)
+        if (r->node[k] >= 0)
+            rate += keaDot(r->row->J[k].lin, x[r->node[k]]) + keaDot(r->row->J[k].ang, x[r->node[k]] + 3);
+    return rate;
+}
+
+/* The same of the bodies' motions. */
+static double motionRate(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, const KeaMotion motion[]) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++)
+        if (r->node[k] >= 0) {
+            const KeaMotion *m = &motion[j->body[b->firstNode + r->node[k]].motion];
+            for (int i = 0; i < 3; i++)
+                rate += r->row->J[k].lin[i] * (double)m->lin[i] + r->row->J[k].ang[i] * (double)m->ang[i];
+        }
+    return rate;
+}
+
+static void moveBodies(const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[]) {
+    for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++) {
+        KeaMotion *m = &motion[j->body[n].motion];
+        for (int i = 0; i < 3; i++) {
+            m->lin[i] = (float)((double)m->lin[i] + j->x[n][i]);
+            m->ang[i] = (float)((double)m->ang[i] + j->x[n][3 + i]);
+        }
+    }
+}
+
+static double (*unknownsOf(const KeaJoints *j, const KeaJointBlock *b))[6] {
+    return j->x + b->firstNode;
+}
+
+/* ---- the matrix ---- */
+
+static void addOuter(double *block, double w, const MdtKeaJBlock *a, const MdtKeaJBlock *b) {
+    const double row[6] = {a->lin[0], a->lin[1], a->lin[2], a->ang[0], a->ang[1], a->ang[2]};
+    const double column[6] = {b->lin[0], b->lin[1], b->lin[2], b->ang[0], b->ang[1], b->ang[2]};
+    for (int i = 0; i < 6; i++)
+        for (int k = 0; k < 6; k++)
+            block[6 * i + k] += w * row[i] * column[k];
+}
+
+static void addRow(KeaFactor *f, const KeaJointRow *r) {
+    for (int k = 0; k < 2; k++)
+        if (r->node[k] >= 0)
+            addOuter(kea_factorDiagonal(f, r->node[k]), r->weight, &r->row->J[k], &r->row->J[k]);
+    if (r->edge < 0)
+        return;
+    const int low = r->node[0] < r->node[1] ? 0 : 1;
+    addOuter(kea_factorUpper(f, r->edge), r->weight, &r->row->J[low], &r->row->J[!low]);
+}
+
+static void factorize(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
+    kea_factorClearIn(b->factor, b->numbers);
+    for (int n = 0; n < b->numNodes; n++) {
+        const KeaJointBody *body = &j->body[b->firstNode + n];
+        double *block = kea_factorDiagonal(b->factor, n);
+        for (int i = 0; i < 3; i++) {
+            block[7 * i] = 1 / s->invMass[body->body].mass;
+            for (int k = 0; k < 3; k++)
+                block[6 * (i + 3) + k + 3] = body->inertia[i][k];
+        }
+    }
+    for (int i = b->firstRow; i < b->firstRow + b->numTied; i++)
+        addRow(b->factor, &j->row[i]);
+    const MeBool isPositive = kea_factorCholesky(b->factor, kea_leastPivot);
+    MEASSERT(isPositive);
+    (void)isPositive;
+}
+
+/* ---- blocks ---- */
 
 static int rootOf(int parent[], int i) {
     while (parent[i] != i)
@@ -39,176 +187,196 @@ static void join(const MdtKeaSystem *s, int parent[]) {
     }
 }
 
-/* By the first body of their block, in their order: a counting sort. Returns how many blocks there are. */
-static int sortRows(const MdtKeaSystem *s, KeaJoints *j) {
-    int blocks = 0, at = 0;
-    memset(j->count, 0, (size_t)s->numBodies * sizeof *j->count);
+/* By the first body of their block, in their order: a counting sort. */
+static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
+    int at = 0;
+    memset(j->sum, 0, (size_t)s->numBodies * sizeof *j->sum);
     for (int i = 0; i < s->numRows; i++)
-        j->count[rootOf(j->parent, bodyOf(&s->rows[i]))]++;
+        j->sum[rootOf(j->parent, bodyOf(&s->rows[i]))]++;
+    j->numBlocks = 0;
     for (int b = 0; b < s->numBodies; b++) {
-        const int here = j->count[b];
-        j->count[b] = at;
+        const int here = j->sum[b];
+        j->sum[b] = at;
         if (here > 0)
-            j->block[blocks++].first = at;
+            j->block[j->numBlocks++] = (KeaJointBlock){.firstRow = at, .numRows = here};
         at += here;
     }
-    j->block[blocks].first = at;
     for (int i = 0; i < s->numRows; i++)
-        j->row[j->count[rootOf(j->parent, bodyOf(&s->rows[i]))]++].index = i;
-    return blocks;
+        j->sorted[j->sum[rootOf(j->parent, bodyOf(&s->rows[i]))]++] = &s->rows[i];
 }
 
-/* ---- rows ---- */
-
-static MeBool isTwoSided(const MdtKeaRow *row) {
-    return row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
-}
-
-/* J M⁻¹ Jᵀ of two rows, of which the other's response is known. */
-static double mobilityOf(const MdtKeaRow *row, const KeaJointRow *b, const MdtKeaRow *other) {
-    double sum = 0;
-    for (int k = 0; k < 2; k++)
-        for (int m = 0; m < 2; m++)
-            if (row->body[k] >= 0 && row->body[k] == other->body[m])
-                sum += keaDot(row->J[k].lin, b->response[m]) + keaDot(row->J[k].ang, b->response[m] + 3);
-    return sum;
-}
-
-static void setResponse(const MdtKeaSystem *s, const MdtKeaRow *row, KeaJointRow *r) {
-    memset(r->response, 0, sizeof r->response);
-    for (int k = 0; k < 2; k++) {
-        if (row->body[k] < 0)
-            continue;
-        const MdtKeaInverseMassMatrix *m = &s->invMass[row->body[k]];
-        keaScale(r->response[k], m->mass, row->J[k].lin);
-        keaApply(r->response[k] + 3, (const double(*)[3])m->inertia, row->J[k].ang);
+/* Gives a body its number in the block, if it has none yet. */
+static void addBody(const MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b, int body) {
+    if (body >= 0 && j->node[body] < 0) {
+        KeaJointBody *own = &j->body[b->firstNode + b->numNodes];
+        j->node[body] = b->numNodes++;
+        *own = (KeaJointBody){.body = body, .motion = 1 + place[body]};
+        kea_inertia(s->bodies[body], s->bodies[body]->quaternion, own->inertia);
     }
 }
 
-/* A spring without stiffness and damping is none. */
-static void setSpring(const MdtKeaSystem *s, const MdtKeaRow *row, KeaJointRow *r) {
-    const double h = s->parameters.stepsize, hold = h * (h * row->stiffness + row->damping);
-    r->isOff = !(hold > 0);
-    r->compliance = r->isOff ? 0 : 1 / hold;
-    r->target = r->compliance * h * (row->damping * row->target - row->stiffness * row->error);
+/* ---- geometric stiffness ---- */
+
+/* What an impulse P of the last step costs, whose arm r turns with the body: h of the symmetric part of
+ * (P·r) 1 - r Pᵀ. */
+static void addStiffness(double K[3][3], double h, const double P[3], const double r[3]) {
+    const double Pr = keaDot(P, r);
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            K[i][k] += h * ((i == k ? Pr : 0) - 0.5 * (r[i] * P[k] + r[k] * P[i]));
 }
 
-static void setPosition(const MdtKeaSystem *s, const MdtKeaRow *row, KeaJointRow *r) {
+static void gatherStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBlock *b) {
     const double h = s->parameters.stepsize;
-    const MeBool isSoft = row->softness > kea_softShare * r->size;
-    r->isHeld = !isSoft && (isTwoSided(row) || row->lower == 0 || row->upper == 0);
-    if (!r->isHeld)
+    for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
+        const MdtKeaRow *row = j->sorted[i];
+        for (int k = 0; k < 2; k++) {
+            double P[3];
+            if (row->body[k] < 0 || !(row->position || row->spring))
+                continue;
+            keaScale(P, h * row->force, row->J[k].lin);
+            addStiffness(j->body[b->firstNode + j->node[row->body[k]]].stiffness, h, P, row->arm[k]);
+        }
+    }
+}
+
+static double largestEntry(double (*const K)[3]) {
+    double most = 0;
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            most = keaMax(most, fabs(K[i][k]));
+    return most;
+}
+
+/* I w⁺ = L + Jᵀ p - K w⁺: to all that pushes it the body has the inertia I + K. */
+static void stiffen(MdtKeaSystem *s, KeaJointBody *body) {
+    KeaJointBody b = *body;
+    const double *I = s->bodies[b.body]->moments, least = keaMin(I[0], keaMin(I[1], I[2]));
+    double(*inverse)[3] = s->invMass[b.body].inertia;
+    if (largestEntry(b.stiffness) <= kea_smallStiffness * least)
         return;
-    r->compliance = 0;
-    r->wanted = row->error + h * row->target;
-    r->target = isTwoSided(row)   ? row->drift
-                : row->lower == 0 ? keaMin(row->target, row->drift)
-                                  : keaMax(row->target, row->drift);
+    b.isStiff = METRUE;
+    kea_clampPositive(b.stiffness, 0);
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            b.inertia[i][k] += b.stiffness[i][k];
+    kea_invert(inverse, (const double(*)[3])b.inertia);
+    keaApply(s->predicted[b.body].ang, (const double(*)[3])inverse, s->work->body[b.body].freeMomentum);
+    *body = b;
 }
 
-static void setRow(const MdtKeaSystem *s, const int place[], KeaJointRow *r) {
-    const MdtKeaRow *row = &s->rows[r->index];
-    const double h = s->parameters.stepsize;
-    for (int k = 0; k < 2; k++)
-        r->motion[k] = row->body[k] >= 0 ? 1 + place[row->body[k]] : 0;
-    setResponse(s, row, r);
-    r->size = mobilityOf(row, r, row);
-    r->isOff = !(r->size > 0);
-    r->isHeld = MEFALSE;
-    r->isBounded = !isTwoSided(row);
-    r->target = row->target;
-    r->compliance = row->softness;
-    r->wanted = 0;
-    if (row->spring)
-        setSpring(s, row, r);
-    else if (row->position)
-        setPosition(s, row, r);
-    r->lower = h * row->lower;
-    r->upper = h * row->upper;
-    r->impulse = r->before = r->isOff ? 0 : keaMin(keaMax(h * row->force, r->lower), r->upper);
+void kea_jointsSetMomenta(MdtKeaSystem *s, const KeaJoints *j) {
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int n = j->block[i].firstNode; n < j->block[i].firstNode + j->block[i].numNodes; n++) {
+            const KeaJointBody *b = &j->body[n];
+            double w[3], inertia[3][3], *L = s->work->end[b->body].angularMomentum;
+            if (!b->isStiff)
+                continue;
+            keaApply(w, (const double(*)[3])s->invMass[b->body].inertia, L);
+            kea_inertia(s->bodies[b->body], s->bodies[b->body]->quaternion, inertia);
+            keaApply(L, (const double(*)[3])inertia, w);
+        }
 }
 
-/* ---- factors ---- */
+/* ---- setting blocks up ---- */
 
-/* L D Lᵀ in place; a row that others imply is left out: its pivot vanishes. */
-static void factor(double *A, int n) {
-    for (int j = 0; j < n; j++) {
-        const double before = A[j * n + j];
-        for (int k = 0; k < j; k++)
-            A[j * n + j] -= A[j * n + k] * A[j * n + k] * A[k * n + k];
-        if (!(A[j * n + j] > kea_redundantPivot * before)) {
-            A[j * n + j] = 0;
-            for (int i = j + 1; i < n; i++)
-                A[i * n + j] = 0;
-            continue;
+static void setBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJointBlock *b) {
+    for (int i = b->firstRow; i < b->firstRow + b->numRows; i++)
+        for (int k = 0; k < 2; k++)
+            addBody(s, place, j, b, j->sorted[i]->body[k]);
+    gatherStiffness(s, j, b);
+    for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
+        stiffen(s, &j->body[n]);
+}
+
+static void setRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
+    int at = b->firstRow;
+    kea_graphBegin(&j->graph, b->numRows);
+    for (int bounded = 0; bounded < 2; bounded++) {
+        for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
+            const MdtKeaRow *row = j->sorted[i];
+            if (isTwoSided(row) == bounded)
+                continue;
+            KeaJointRow *r = &j->row[at++];
+            r->row = row;
+            for (int k = 0; k < 2; k++)
+                r->node[k] = row->body[k] >= 0 ? j->node[row->body[k]] : -1;
+            r->edge = r->node[0] >= 0 && r->node[1] >= 0 ? kea_graphEdge(&j->graph, r->node[0], r->node[1]) : -1;
+            setRow(s, r);
         }
-        for (int i = j + 1; i < n; i++) {
-            for (int k = 0; k < j; k++)
-                A[i * n + j] -= A[i * n + k] * A[j * n + k] * A[k * n + k];
-            A[i * n + j] /= A[j * n + j];
-        }
+        b->numTied = bounded ? b->numTied : at - b->firstRow;
     }
 }
 
-static void solve(const double *A, int n, double x[]) {
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k < i; k++)
-            x[i] -= A[i * n + k] * x[k];
-    for (int i = 0; i < n; i++)
-        x[i] = A[i * n + i] > 0 ? x[i] / A[i * n + i] : 0;
-    for (int i = n - 1; i >= 0; i--)
-        for (int k = i + 1; k < n; k++)
-            x[i] -= A[k * n + i] * x[k];
-}
-
-/* The rows without bounds come first. */
-static int partition(KeaJointRow rows[], int count) {
-    int free = 0;
-    for (int i = 0; i < count; i++)
-        if (!rows[i].isBounded && !rows[i].isOff) {
-            const KeaJointRow row = rows[i];
-            memmove(&rows[free + 1], &rows[free], (size_t)(i - free) * sizeof *rows);
-            rows[free++] = row;
-        }
-    return free;
-}
-
-static void fillFactor(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
-    const KeaJointRow *rows = &j->row[b->first];
-    const int n = b->numFree;
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k <= i; k++)
-            b->factor[i * n + k] = mobilityOf(&s->rows[rows[i].index], &rows[k], &s->rows[rows[k].index]) +
-                                   (i == k ? rows[i].compliance : 0);
-    factor(b->factor, n);
-}
-
-void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
+/* Factors that look alike are one: there may be so many different ones as a cache keeps. */
+static MeBool areKept(const KeaJoints *j) {
+    const KeaFactor *kept[KEA_MAX_FACTORS];
+    int count = 0;
     for (int i = 0; i < j->numBlocks; i++) {
-        KeaJointBlock *b = &j->block[i];
-        for (int k = 0; k < b->count; k++) {
-            KeaJointRow *r = &j->row[b->first + k];
-            setResponse(s, &s->rows[r->index], r);
-            r->size = mobilityOf(&s->rows[r->index], r, &s->rows[r->index]);
+        int k = 0;
+        while (k < count && kept[k] != j->block[i].factor)
+            k++;
+        if (k == KEA_MAX_FACTORS)
+            return MEFALSE;
+        kept[k] = j->block[i].factor;
+        count = k == count ? count + 1 : count;
+    }
+    return METRUE;
+}
+
+/* False: no memory for a factor. */
+static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
+    int node = 0;
+    sortRows(s, j);
+    memset(j->node, 0xff, (size_t)s->numBodies * sizeof *j->node);
+    for (int i = 0; i < j->numBlocks; i++) {
+        j->block[i].firstNode = node;
+        setBodies(s, place, j, &j->block[i]);
+        setRows(s, j, &j->block[i]);
+        j->block[i].factor =
+            kea_cacheFind(s->cache, j->block[i].numNodes, NULL, j->graph.numEdges, (const int(*)[2])j->graph.edges);
+        if (!j->block[i].factor)
+            return MEFALSE;
+        node += j->block[i].numNodes;
+    }
+    return METRUE;
+}
+
+/* The memory of factors, and of the responses of rows with bounds. */
+static MeBool takeMemory(const MdtKeaSystem *s, KeaJoints *j) {
+    for (char *memory = NULL;;) {
+        KeaArena arena = {memory, 0};
+        for (int i = 0; i < j->numBlocks; i++) {
+            KeaJointBlock *b = &j->block[i];
+            b->numbers = kea_carve(&arena, kea_factorNumbersSize(b->factor), 1);
+            for (int k = b->firstRow + b->numTied; k < b->firstRow + b->numRows; k++)
+                j->row[k].response = kea_carve(&arena, (size_t)b->numNodes, 6 * sizeof(double));
         }
-        fillFactor(s, j, b);
+        if (memory)
+            return METRUE;
+        memory = kea_cacheScratch(s->cache, KEA_JOINT_FACTOR_BLOCK, arena.used);
+        if (!memory)
+            return MEFALSE;
     }
 }
 
 size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory) {
     KeaArena arena = {memory, 0};
     const size_t n = (size_t)s->numBodies, m = (size_t)s->numRows;
-    j->parent = kea_carve(&arena, n, sizeof *j->parent);
-    j->count = kea_carve(&arena, n, sizeof *j->count);
+    j->block = kea_carve(&arena, n, sizeof *j->block);
+    j->body = kea_carve(&arena, n, sizeof *j->body);
     j->row = kea_carve(&arena, m, sizeof *j->row);
-    j->block = kea_carve(&arena, m + 1, sizeof *j->block);
-    j->x = kea_carve(&arena, m, sizeof *j->x);
+    j->x = kea_carve(&arena, n, sizeof *j->x);
     j->errors = kea_carve(&arena, m, sizeof *j->errors);
+    j->parent = kea_carve(&arena, n, sizeof *j->parent);
+    j->node = kea_carve(&arena, n, sizeof *j->node);
+    j->sum = kea_carve(&arena, n, sizeof *j->sum);
+    j->sorted = kea_carve(&arena, m, sizeof *j->sorted);
+    kea_graphLayOut(&j->graph, m, &arena);
     return arena.used;
 }
 
 MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
-    size_t doubles = 0;
     j->numBlocks = 0;
     if (s->numRows == 0)
         return METRUE;
@@ -217,176 +385,291 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
         return MEFALSE;
     kea_jointsLayOut(s, j, memory);
     join(s, j->parent);
-    j->numBlocks = sortRows(s, j);
-    for (int i = 0; i < j->numBlocks; i++) {
-        KeaJointBlock *b = &j->block[i];
-        b->count = b[1].first - b->first;
-        for (int k = 0; k < b->count; k++)
-            setRow(s, place, &j->row[b->first + k]);
-        b->numFree = partition(&j->row[b->first], b->count);
-        doubles += (size_t)b->numFree * (size_t)b->numFree;
-    }
-    double *factors = kea_cacheScratch(s->cache, KEA_JOINT_FACTOR_BLOCK, doubles * sizeof *factors + sizeof *factors);
-    if (!factors)
+    if (!setBlocks(s, place, j))
         return MEFALSE;
-    for (int i = 0; i < j->numBlocks; i++) {
-        j->block[i].factor = factors;
-        factors += j->block[i].numFree * j->block[i].numFree;
-        fillFactor(s, j, &j->block[i]);
+    if (!areKept(j)) {
+        memset(j->parent, 0, (size_t)s->numBodies * sizeof *j->parent); /* as one block */
+        if (!setBlocks(s, place, j))
+            return MEFALSE;
     }
+    if (!takeMemory(s, j))
+        return MEFALSE;
+    for (int i = 0; i < j->numBlocks; i++)
+        factorize(s, j, &j->block[i]);
     return METRUE;
 }
 
-/* ---- passes ---- */
+/* N s and N m s, by node, of all impulses. */
+static void sumImpulses(const KeaJoints *j) {
+    for (int i = 0; i < j->numBlocks; i++) {
+        const KeaJointBlock *b = &j->block[i];
+        memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
+        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++)
+            addAlong(&j->row[k], j->row[k].impulse, unknownsOf(j, b));
+    }
+}
 
-static double rateOf(const MdtKeaRow *row, const KeaJointRow *r, const KeaMotion motion[]) {
-    double rate = 0;
-    for (int k = 0; k < 2; k++)
-        if (r->motion[k] > 0) {
-            const KeaMotion *m = &motion[r->motion[k]];
-            for (int i = 0; i < 3; i++)
-                rate += row->J[k].lin[i] * (double)m->lin[i] + row->J[k].ang[i] * (double)m->ang[i];
+void kea_jointsApply(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[]) {
+    sumImpulses(j);
+    for (int i = 0; i < j->numBlocks; i++) {
+        const KeaJointBlock *b = &j->block[i];
+        for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++) {
+            const MdtKeaInverseMassMatrix *m = &s->invMass[j->body[n].body];
+            double turned[3];
+            keaApply(turned, (const double(*)[3])m->inertia, j->x[n] + 3);
+            keaScale(j->x[n], m->mass, j->x[n]);
+            keaCopy(j->x[n] + 3, turned);
         }
-    return rate;
+        moveBodies(j, b, motion);
+    }
 }
 
-static void push(const KeaJointRow *r, double impulse, KeaMotion motion[]) {
-    for (int k = 0; k < 2; k++)
-        if (r->motion[k] > 0) {
-            KeaMotion *m = &motion[r->motion[k]];
-            for (int i = 0; i < 3; i++) {
-                m->lin[i] = (float)((double)m->lin[i] + impulse * r->response[k][i]);
-                m->ang[i] = (float)((double)m->ang[i] + impulse * r->response[k][3 + i]);
-            }
-        }
+double kea_jointsWorkOfPass(const KeaJoints *j) {
+    double work = 0;
+    for (int i = 0; i < j->numBlocks; i++)
+        work += 2 * (double)kea_factorEntries(j->block[i].factor) + (double)j->block[i].numRows * KEA_VISIT;
+    return work;
 }
 
-void kea_jointsApply(const MdtKeaSystem *s, const KeaJoints *j, KeaMotion motion[]) {
-    for (int i = 0; i < s->numRows; i++)
-        push(&j->row[i], j->row[i].impulse, motion);
+double kea_jointsWorkBeside(const KeaJoints *j) {
+    double work = 0;
+    for (int i = 0; i < j->numBlocks; i++)
+        work += kea_factorFlops(j->block[i].factor) + (double)j->block[i].numRows * KEA_ASSEMBLY;
+    return work;
 }
 
+void kea_jointsScale(KeaJoints *j, double share) {
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
+            j->row[k].impulse = j->row[k].before = share * j->row[k].impulse;
+}
+
+/* ---- all at once ---- */
+
+/* What is missing to the rows without bounds. */
+static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
+    double(*x)[6] = unknownsOf(j, b);
+    memset(x, 0, (size_t)b->numNodes * sizeof *x);
+    for (int i = b->firstRow; i < b->firstRow + b->numTied; i++)
+        addAlong(&j->row[i], j->row[i].weight * j->row[i].missing, x);
+    kea_factorTakeNumbers(b->factor, b->numbers);
+    kea_factorSolve(b->factor, x[0]);
+}
+
+/* What a unit of a row's impulse does to the block, and by how much that changes the row's rate. */
+static void findResponse(const KeaJointBlock *b, KeaJointRow *r) {
+    double(*response)[6] = (double(*)[6])(void *)r->response;
+    memset(response, 0, (size_t)b->numNodes * sizeof *response);
+    addAlong(r, 1, response);
+    kea_factorTakeNumbers(b->factor, b->numbers);
+    kea_factorSolve(b->factor, response[0]);
+    r->blockSize = rateOf(r, response);
+}
+
+static void pushBlock(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, double impulse) {
+    double *x = unknownsOf(j, b)[0];
+    for (int i = 0; i < 6 * b->numNodes; i++)
+        x[i] += impulse * r->response[i];
+}
+
+/* ---- velocities ---- */
+
+static double guessOf(const KeaJointRow *r, double beta) {
+    return r->impulse + beta * (r->impulse - r->before);
+}
+
+/* Impulses of angular rows count by what they do at the bodies' size. */
 static double take(KeaJointRow *r, double guess, double next) {
-    const double uphill = -(next - guess) * (next - r->impulse);
+    const double uphill = -(next - guess) * (next - r->impulse) / (r->length * r->length);
     r->before = r->impulse;
     r->impulse = next;
     return uphill;
 }
 
-double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta) {
-    double uphill = 0;
-    for (int i = 0; i < j->numBlocks; i++) {
-        KeaJointBlock *b = &j->block[i];
-        KeaJointRow *rows = &j->row[b->first];
-        for (int k = 0; k < b->numFree; k++) {
-            const double guess = rows[k].impulse + beta * (rows[k].impulse - rows[k].before);
-            j->x[k] = rows[k].target - rateOf(&s->rows[rows[k].index], &rows[k], motion) - rows[k].compliance * guess;
-        }
-        solve(b->factor, b->numFree, j->x);
-        for (int k = 0; k < b->numFree; k++) {
-            const double guess = rows[k].impulse + beta * (rows[k].impulse - rows[k].before);
-            push(&rows[k], j->x[k], motion);
-            uphill += take(&rows[k], guess, guess + j->x[k]);
-        }
-        for (int k = b->numFree; k < b->count; k++) {
-            KeaJointRow *r = &rows[k];
-            const MdtKeaRow *row = &s->rows[r->index];
-            const double guess = r->impulse + beta * (r->impulse - r->before);
-            if (r->isOff)
-                continue;
-            const double off = r->target - rateOf(row, r, motion) - r->compliance * guess;
-            const double next = keaMin(keaMax(guess + off / (r->size + r->compliance), r->lower), r->upper);
-            push(r, next - guess, motion);
-            uphill += take(r, guess, next);
-        }
+static void setMissing(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion motion[], double beta) {
+    for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
+        KeaJointRow *r = &j->row[i];
+        r->missing = r->target - motionRate(j, b, r, motion) - r->compliance * guessOf(r, beta);
     }
+}
+
+/* A row at its bound, which stays there, costs no more than its rate. */
+static double visitBounded(const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r, double beta) {
+    if (r->isOff)
+        return 0;
+    const double guess = guessOf(r, beta), off = r->missing - rateOf(r, unknownsOf(j, b));
+    if ((guess == r->lower && off <= 0) || (guess == r->upper && off >= 0))
+        return take(r, guess, guess);
+    if (r->blockSize == 0)
+        findResponse(b, r);
+    const double next = keaMin(keaMax(guess + off / (r->blockSize + r->compliance), r->lower), r->upper);
+    pushBlock(j, b, r, next - guess);
+    return take(r, guess, next);
+}
+
+static double visitBlock(const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[], double beta) {
+    double uphill = 0;
+    setMissing(j, b, motion, beta);
+    solveTied(j, b);
+    for (int i = b->firstRow + b->numTied; i < b->firstRow + b->numRows; i++)
+        uphill += visitBounded(j, b, &j->row[i], beta);
+    for (int i = b->firstRow; i < b->firstRow + b->numTied; i++) {
+        KeaJointRow *r = &j->row[i];
+        const double guess = guessOf(r, beta);
+        uphill += take(r, guess, guess + r->weight * (r->missing - rateOf(r, unknownsOf(j, b))));
+    }
+    moveBodies(j, b, motion);
     return uphill;
 }
 
-double kea_jointsResidual(const MdtKeaSystem *s, const KeaJoints *j, const KeaMotion motion[]) {
+double kea_jointsPass(KeaJoints *j, KeaMotion motion[], double beta) {
+    double uphill = 0;
+    for (int i = 0; i < j->numBlocks; i++)
+        uphill += visitBlock(j, &j->block[i], motion, beta);
+    return uphill;
+}
+
+static double residualOf(const KeaJointRow *r, double rate) {
+    const double off = r->target - rate - r->compliance * r->impulse, size = r->size + r->compliance;
+    const double next = keaMin(keaMax(r->impulse + off / size, r->lower), r->upper);
+    return fabs(next - r->impulse) * size * r->length;
+}
+
+double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[]) {
     double most = 0;
-    for (int i = 0; i < s->numRows; i++) {
-        const KeaJointRow *r = &j->row[i];
-        const MdtKeaRow *row = &s->rows[r->index];
-        if (r->isOff)
-            continue;
-        const double off = r->target - rateOf(row, r, motion) - r->compliance * r->impulse,
-                     size = r->size + r->compliance;
-        const double next = keaMin(keaMax(r->impulse + off / size, r->lower), r->upper);
-        most = keaMax(most, fabs(next - r->impulse) * size * kea_lengthOf(s, row));
+    for (int i = 0; i < j->numBlocks; i++) {
+        const KeaJointBlock *b = &j->block[i];
+        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++)
+            if (!j->row[k].isOff)
+                most = keaMax(most, residualOf(&j->row[k], motionRate(j, b, &j->row[k], motion)));
     }
     return most;
 }
 
 /* ---- positions ---- */
 
-void kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
+/* Of the smaller body's size. */
+static double opening(const MdtKeaSystem *s, const KeaJointRow *r, double error) {
+    double size = HUGE_VAL;
+    for (int k = 0; k < 2; k++)
+        if (r->row->body[k] >= 0)
+            size = keaMin(size, s->work->body[r->row->body[k]].size);
+    return fabs(error) * r->length / size;
+}
+
+/* A stop is wrong on one side only. */
+static double violationOf(const KeaJointRow *r, double error) {
+    return isTwoSided(r->row) ? error : r->lower == 0 ? keaMin(error, 0) : keaMax(error, 0);
+}
+
+double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
     const double h = s->parameters.stepsize;
-    if (s->numRows == 0 || !s->errors)
-        return;
-    if (s->jacobians) {
-        s->jacobians(s->context, s->work->endPose);
-        kea_jointsRefill(s, j);
-    }
+    double most = 0, all = 0;
+    if (!s->errors)
+        return 0;
     s->errors(s->context, s->work->endPose, j->errors);
-    for (int i = 0; i < s->numRows; i++) {
-        KeaJointRow *r = &j->row[i];
-        if (r->isHeld)
-            r->gap = j->errors[r->index] - (r->wanted - h * s->rows[r->index].softness * r->impulse) -
-                     rateOf(&s->rows[r->index], r, way);
+    for (int i = 0; i < j->numBlocks; i++) {
+        const KeaJointBlock *b = &j->block[i];
+        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
+            KeaJointRow *r = &j->row[k];
+            if (!r->isHeld)
+                continue;
+            const double error = j->errors[r->row - s->rows] - (r->wanted - h * r->row->softness * r->impulse);
+            r->gap = error - motionRate(j, b, r, way);
+            most = keaMax(most, opening(s, r, violationOf(r, error)));
+            all = keaMax(all, opening(s, r, violationOf(r, j->errors[r->row - s->rows])));
+        }
+    }
+    s->report.opening = all;
+    return most;
+}
+
+void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
+    if (!s->jacobians)
+        return;
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
+            j->row[k].gap += motionRate(j, &j->block[i], &j->row[k], way);
+    s->jacobians(s->context, s->work->endPose);
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
+            j->row[k].gap -= motionRate(j, &j->block[i], &j->row[k], way);
+    kea_jointsRefill(s, j);
+}
+
+void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
+    for (int i = 0; i < j->numBlocks; i++) {
+        const KeaJointBlock *b = &j->block[i];
+        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++)
+            j->row[k].blockSize = 0;
+        factorize(s, j, b);
     }
 }
 
-void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]) {
-    for (int i = 0; i < j->numBlocks && s->errors; i++) {
-        KeaJointBlock *b = &j->block[i];
-        const KeaJointRow *rows = &j->row[b->first];
-        for (int k = 0; k < b->numFree; k++)
-            j->x[k] = rows[k].isHeld ? -(rows[k].gap + rateOf(&s->rows[rows[k].index], &rows[k], way)) : 0;
-        solve(b->factor, b->numFree, j->x);
-        for (int k = 0; k < b->numFree; k++)
-            if (rows[k].isHeld)
-                push(&rows[k], j->x[k], way);
-        for (int k = b->numFree; k < b->count; k++) {
-            const MdtKeaRow *row = &s->rows[rows[k].index];
-            if (!rows[k].isHeld || rows[k].isOff)
-                continue;
-            const double need = -(rows[k].gap + rateOf(row, &rows[k], way)) / rows[k].size;
-            push(&rows[k], row->lower == 0 ? keaMax(need, 0) : keaMin(need, 0), way);
+/* A stop is pushed away from, not back to. */
+static void pushStop(const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r) {
+    const double off = r->missing - rateOf(r, unknownsOf(j, b));
+    const double need = r->lower == 0 ? keaMax(off, 0) : keaMin(off, 0);
+    if (!r->isHeld || r->isOff || need == 0)
+        return;
+    if (r->blockSize == 0)
+        findResponse(b, r);
+    pushBlock(j, b, r, need / r->blockSize);
+}
+
+/* Errors are linear in displacements for small turns only: a chain pulled straight asks for large ones. */
+static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
+    double most = 0;
+    for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
+        most = keaMax(most, keaLength(j->x[n] + 3));
+    if (most <= kea_mostPush)
+        return;
+    for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
+        for (int i = 0; i < 6; i++)
+            j->x[n][i] *= kea_mostPush / most;
+}
+
+void kea_jointsPush(KeaJoints *j, KeaMotion way[]) {
+    for (int i = 0; i < j->numBlocks; i++) {
+        const KeaJointBlock *b = &j->block[i];
+        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
+            KeaJointRow *r = &j->row[k];
+            r->missing = r->isHeld ? -(r->gap + motionRate(j, b, r, way)) : 0;
         }
+        solveTied(j, b);
+        for (int k = b->firstRow + b->numTied; k < b->firstRow + b->numRows; k++)
+            pushStop(j, b, &j->row[k]);
+        limitTurn(j, b);
+        moveBodies(j, b, way);
     }
 }
 
 /* ---- rebounds, and the end ---- */
 
-MeBool kea_jointsRebound(const MdtKeaSystem *s, KeaJoints *j) {
+MeBool kea_jointsRebound(KeaJoints *j) {
     MeBool isAny = MEFALSE;
-    for (int i = 0; i < s->numRows; i++) {
-        KeaJointRow *r = &j->row[i];
-        const MdtKeaRow *row = &s->rows[r->index];
-        if (row->bounces && r->impulse > 0) {
-            r->target = row->rebound;
-            isAny = METRUE;
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++) {
+            KeaJointRow *r = &j->row[k];
+            if (r->row->bounces && r->impulse > 0) {
+                r->target = r->row->rebound;
+                isAny = METRUE;
+            }
         }
-    }
     return isAny;
 }
 
-void kea_jointsAddImpulses(const MdtKeaSystem *s, const KeaJoints *j, double (*change)[6]) {
-    for (int i = 0; i < s->numRows; i++) {
-        const KeaJointRow *r = &j->row[i];
-        const MdtKeaRow *row = &s->rows[r->index];
-        for (int k = 0; k < 2; k++)
-            if (r->motion[k] > 0) {
-                keaAddScaled(change[r->motion[k] - 1], r->impulse, row->J[k].lin);
-                keaAddScaled(change[r->motion[k] - 1] + 3, r->impulse, row->J[k].ang);
-            }
-    }
+void kea_jointsAddImpulses(const KeaJoints *j, double (*change)[6]) {
+    sumImpulses(j);
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int n = j->block[i].firstNode; n < j->block[i].firstNode + j->block[i].numNodes; n++)
+            kea_addScaled6(change[j->body[n].motion - 1], 1, j->x[n]);
 }
 
 void kea_jointsReturn(MdtKeaSystem *s, const KeaJoints *j) {
-    for (int i = 0; i < s->numRows; i++) {
-        s->rows[j->row[i].index].force = j->row[i].impulse / s->parameters.stepsize;
-        s->rows[j->row[i].index].ripple = 0;
-    }
+    for (int i = 0; i < s->numRows; i++)
+        s->rows[i].ripple = 0;
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
+            s->rows[j->row[k].row - s->rows].force = j->row[k].impulse / s->parameters.stepsize;
 }

@@ -35,9 +35,22 @@ size_t kea_factorEntries(const KeaFactor *f) {
 
 /* ---- the matrix ---- */
 
-void kea_factorClear(KeaFactor *f) {
-    kea_structureLayOutNumbers(f, f->numbers->block.memory);
+size_t kea_factorNumbersSize(const KeaFactor *f) {
+    KeaFactor plan = *f;
+    return kea_structureLayOutNumbers(&plan, NULL);
+}
+
+void kea_factorTakeNumbers(KeaFactor *f, char *memory) {
+    kea_structureLayOutNumbers(f, memory);
     f->numbers->owner = f;
+}
+
+void kea_factorClear(KeaFactor *f) {
+    kea_factorClearIn(f, f->numbers->block.memory);
+}
+
+void kea_factorClearIn(KeaFactor *f, char *memory) {
+    kea_factorTakeNumbers(f, memory);
     memset(f->diagonal, 0, f->diagonalSize * sizeof(double));
     memset(f->upperInput, 0, f->inputSize * sizeof(double));
     memset(f->lowerInput, 0, f->inputSize * sizeof(double));
@@ -288,18 +301,56 @@ MeBool kea_factorLU(KeaFactor *f, double least) {
 /* ---- solution ---- */
 
 /* x_i -= Xᵀ x_j. */
-static void subtractTransposed(double *xi, const double *X, const double *xj, int n, int m) {
+static inline void subtractTransposedOf(double *restrict xi, const double *restrict X, const double *restrict xj, int n,
+                                        int m) {
     for (int p = 0; p < n; p++)
         for (int i = 0; i < m; i++)
             xi[i] -= X[p * m + i] * xj[p];
 }
 
-static void solveUpper(const double *D, double *x, int n) {
+static void subtractTransposed(double *xi, const double *X, const double *xj, int n, int m) {
+    if (n == 6 && m == 6)
+        subtractTransposedOf(xi, X, xj, 6, 6);
+    else
+        subtractTransposedOf(xi, X, xj, n, m);
+}
+
+/* x_j -= U x_i. */
+static inline void subtractAppliedOf(double *restrict xj, const double *restrict U, const double *restrict xi, int n,
+                                     int m) {
+    for (int p = 0; p < n; p++)
+        for (int i = 0; i < m; i++)
+            xj[p] -= U[p * m + i] * xi[i];
+}
+
+static void subtractApplied(double *xj, const double *U, const double *xi, int n, int m) {
+    if (n == 6 && m == 6)
+        subtractAppliedOf(xj, U, xi, 6, 6);
+    else
+        subtractAppliedOf(xj, U, xi, n, m);
+}
+
+static inline void solveUpperOf(const double *restrict D, double *restrict x, int n) {
     for (int r = n - 1; r >= 0; r--) {
         for (int p = r + 1; p < n; p++)
             x[r] -= D[r * n + p] * x[p];
         x[r] *= D[r * n + r];
     }
+}
+
+static void solveUpper(const double *D, double *x, int n) {
+    if (n == 6)
+        solveUpperOf(D, x, 6);
+    else
+        solveUpperOf(D, x, n);
+}
+
+/* x := U⁻ᵀ x, of one column. */
+static void solveLower(const double *D, double *x, int n) {
+    if (n == 6)
+        divideUpperOf(x, D, 6, 1);
+    else
+        divideUpperOf(x, D, n, 1);
 }
 
 static void solveForward(const KeaFactor *f, double x[]) {
@@ -309,7 +360,7 @@ static void solveForward(const KeaFactor *f, double x[]) {
         const double *D = f->pivot + f->diagonalAt[j];
         double *xj = x + f->offset[j];
         if (f->isSymmetric)
-            divideUpper(xj, D, n, 1);
+            solveLower(D, xj, n);
         else
             divideLower(xj, D, f->exchange + f->offset[j], n, 1);
         for (int k = f->start[t]; k < f->start[t + 1]; k++) {
@@ -326,10 +377,7 @@ static void solveBackward(const KeaFactor *f, double x[]) {
         for (int k = f->start[t]; k < f->start[t + 1]; k++) {
             const KeaFactorEntry *e = &f->entry[k];
             const double *U = f->upper + e->at, *xi = x + f->offset[f->node[e->row]];
-            const int m = sizeOfRow(f, e);
-            for (int p = 0; p < n; p++)
-                for (int i = 0; i < m; i++)
-                    xj[p] -= U[p * m + i] * xi[i];
+            subtractApplied(xj, U, xi, n, sizeOfRow(f, e));
         }
         solveUpper(f->pivot + f->diagonalAt[j], xj, n);
     }

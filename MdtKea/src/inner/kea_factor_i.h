@@ -34,6 +34,11 @@ MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int
 
 /* Begins a matrix: sets all its blocks to zero, in the memory that the factors of the cache share. */
 void kea_factorClear(KeaFactor *f);
+/* Several matrices of one structure, or of several: each has memory of its own, of so many bytes; it is named when the
+ * matrix begins, and whenever another one has been used since. */
+size_t kea_factorNumbersSize(const KeaFactor *f);
+void kea_factorClearIn(KeaFactor *f, char *memory);
+void kea_factorTakeNumbers(KeaFactor *f, char *memory);
 /* The blocks of the matrix, row-major, to be added to. Of an edge e = (i, j): `upper` is A_ij, size[i] rows by size[j]
  * columns; `lower` is A_ji, and is read by kea_factorLU only. */
 double *kea_factorDiagonal(KeaFactor *f, int node);

@@ -21,33 +21,13 @@ void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *aren
     q->length = kea_carve(arena, n, sizeof(double));
     q->allowed = kea_carve(arena, n, sizeof(double));
     q->x = kea_carve(arena, 6 * n, sizeof(double));
-    q->edges = kea_carve(arena, m, sizeof *q->edges);
-    q->table = kea_carve(arena, 4 * m + 4, sizeof(int));
+    kea_graphLayOut(&q->graph, m, arena);
 }
 
 /* ---- the graph ---- */
 
-/* The number of the edge between two bodies; new ones are appended. `table` is a hash with open addressing. */
-static int edgeOf(KeaProblem *q, int a, int b, unsigned int mask) {
-    const int low = a < b ? a : b, high = a < b ? b : a;
-    unsigned int at = ((unsigned int)low * 2654435761u) ^ ((unsigned int)high * 40503u);
-    for (at = (at ^ (at >> 15)) & mask; q->table[at] >= 0; at = (at + 1) & mask) {
-        const int e = q->table[at];
-        if (q->edges[e][0] == low && q->edges[e][1] == high)
-            return e;
-    }
-    q->table[at] = q->numEdges;
-    q->edges[q->numEdges][0] = low;
-    q->edges[q->numEdges][1] = high;
-    return q->numEdges++;
-}
-
 static void findEdges(KeaProblem *q) {
-    unsigned int slots = 1;
-    while (slots <= 2 * (unsigned int)q->numRows)
-        slots *= 2;
-    memset(q->table, 0xff, slots * sizeof *q->table);
-    q->numEdges = 0;
+    kea_graphBegin(&q->graph, q->numRows);
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i], *before = row - 1;
         if (row->body[0] < 0 || row->body[1] < 0 || row->isOut)
@@ -55,9 +35,9 @@ static void findEdges(KeaProblem *q) {
         else if (i > 0 && !before->isOut && before->body[0] == row->body[0] && before->body[1] == row->body[1])
             row->edge = before->edge;
         else
-            row->edge = edgeOf(q, row->body[0], row->body[1], slots - 1);
+            row->edge = kea_graphEdge(&q->graph, row->body[0], row->body[1]);
     }
-    MEASSERT(q->numEdges <= q->numRows);
+    MEASSERT(q->graph.numEdges <= q->numRows);
 }
 
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
@@ -70,7 +50,7 @@ MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
         q->hasFriction = q->hasFriction || row->normal >= 0;
         q->hasBounds = q->hasBounds || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL;
     }
-    q->factor = kea_cacheFind(cache, q->numBodies, NULL, q->numEdges, (const int(*)[2])q->edges);
+    q->factor = kea_cacheFind(cache, q->numBodies, NULL, q->graph.numEdges, (const int(*)[2])q->graph.edges);
     return q->factor != NULL;
 }
 

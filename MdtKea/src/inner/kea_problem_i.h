@@ -22,6 +22,7 @@
 #include "MdtKeaMath.h"
 #include "common/kea_arena_i.h"
 #include "inner/kea_factor_i.h"
+#include "inner/kea_graph_i.h"
 
 typedef struct KeaMetric {
     double linear;        /* kg, times the unit matrix */
@@ -80,9 +81,7 @@ typedef struct KeaProblem {
     double *scale, *length;             /* by body: N s, m, what gradients are compared with */
     double *allowed;                    /* by body: N s, of its gradient */
     double *x;                          /* unknowns as the factor has them */
-    int (*edges)[2];
-    int numEdges;
-    int *table; /* hash of edges, 4 per row */
+    KeaGraph graph;                     /* of the bodies, by rows that join two */
     KeaFactor *factor;
     MeBool hasFriction; /* friction that depends on normal forces */
     MeBool hasBounds;   /* of any kind */

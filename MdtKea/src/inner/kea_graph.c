@@ -1,0 +1,30 @@
+/* The graph that rows make of bodies (kea_graph_i.h). */
+#include "inner/kea_graph_i.h"
+#include <string.h>
+
+void kea_graphLayOut(KeaGraph *g, size_t maxRows, KeaArena *arena) {
+    g->edges = kea_carve(arena, maxRows, sizeof *g->edges);
+    g->table = kea_carve(arena, 4 * maxRows + 4, sizeof *g->table);
+}
+
+void kea_graphBegin(KeaGraph *g, int maxRows) {
+    g->numEdges = 0;
+    for (g->slots = 1; g->slots <= 2 * (unsigned int)maxRows;)
+        g->slots *= 2;
+    memset(g->table, 0xff, g->slots * sizeof *g->table);
+}
+
+int kea_graphEdge(KeaGraph *g, int a, int b) {
+    const int low = a < b ? a : b, high = a < b ? b : a;
+    const unsigned int mask = g->slots - 1;
+    unsigned int at = ((unsigned int)low * 2654435761u) ^ ((unsigned int)high * 40503u);
+    for (at = (at ^ (at >> 15)) & mask; g->table[at] >= 0; at = (at + 1) & mask) {
+        const int e = g->table[at];
+        if (g->edges[e][0] == low && g->edges[e][1] == high)
+            return e;
+    }
+    g->table[at] = g->numEdges;
+    g->edges[g->numEdges][0] = low;
+    g->edges[g->numEdges][1] = high;
+    return g->numEdges++;
+}

@@ -1,0 +1,21 @@
+/* Inside Kea: the graph that rows make of bodies. Its edges are numbered as they come up, each once. */
+#ifndef KEA_GRAPH_I_H
+#define KEA_GRAPH_I_H
+
+#include "common/kea_arena_i.h"
+
+typedef struct KeaGraph {
+    int numEdges;
+    int (*edges)[2]; /* lower end first */
+    int *table;      /* hash of edges, with open addressing: as many slots as */
+    unsigned int slots;
+} KeaGraph;
+
+/* Room for as many edges as there are rows. */
+void kea_graphLayOut(KeaGraph *g, size_t maxRows, KeaArena *arena);
+/* No edges; there will be at most so many rows. */
+void kea_graphBegin(KeaGraph *g, int maxRows);
+/* The number of the edge between two nodes, which is appended if it is new. */
+int kea_graphEdge(KeaGraph *g, int a, int b);
+
+#endif
