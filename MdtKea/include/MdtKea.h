@@ -219,6 +219,7 @@ typedef struct MdtKeaParameters {
     double maxWork;    /**< multiplications of the whole solve, roughly; 0: as many as it takes */
     MeBool mayRefuse;  /**< a step in which bodies turn too far may be reported as violent without being solved */
     MeBool isPart;     /**< of a step that the bodies do not take together: energy from errors of joints is not given */
+    MeBool isStage;    /**< of a composition of higher order: ripples of joints' velocities are left to the others */
     MeBool timed;      /**< contacts are met in time: bodies move with their mean velocities throughout */
     MdtKeaSolver solver;
     double accuracy; /**< m/s, of the fast solver: the residual that passes are to reach */
@@ -340,6 +341,17 @@ MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
  * about to meet faster: an event would follow the other. The rows are filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *system);
+
+/**
+ * Whether a step of the system can be gone back on: with velocities turned round at its end, a step of the same length
+ * comes to where it began, but for rounding. So have joints without bounds, targets and compliance, springs without
+ * damping that are not too stiff to be followed, and bodies without damping; gamma is not looked at. The rows are
+ * filled; nothing is changed.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaIsReversible(const MdtKeaSystem *system);
+
+/** Turns the bodies' velocities and angular momenta round. MdtKeaInit and the rows are wanted again after it. */
+MEPUBLIC void MEAPI MdtKeaReverse(MdtKeaSystem *system);
 
 /**
  * Whether a contact with restitution may be met within the step by a speed of which it gives back more than loads make

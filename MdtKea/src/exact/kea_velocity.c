@@ -187,7 +187,7 @@ static double leftOver(const MdtKeaSystem *s, int i) {
 
 /* The undamped velocity of the midpoint rule changes its sign at every step; what motion itself leaves does not. */
 static MeBool alternates(const MdtKeaSystem *s, double residual) {
-    if (residual < kea_velocityTolerance * kea_loadSpeed(s))
+    if (s->parameters.isStage || residual < kea_velocityTolerance * kea_loadSpeed(s))
         return MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const double now = leftOver(s, i), before = s->rows[i].ripple;
