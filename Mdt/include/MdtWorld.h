@@ -195,8 +195,8 @@ MEPUBLIC int MEAPI MdtWorldGetSubSteps(const MdtWorldID w);
 
 /**
  * The order of the integration scheme, 2 (default) or 4: by which power of the step's length errors fall. Order 4 is
- * for partitions of joints only, and costs about five times as much: each sub-step is composed of five of order 2, one
- * of them back in time. A pendulum's period at 60 Hz is a thousand times as exact (docs/solver.md, "Order 4").
+ * for partitions of joints only, and costs about eight times as much: each sub-step is composed of ten of order 2, two
+ * of them back in time. A pendulum at 60 Hz is a hundred thousand times as exact (docs/solver.md, "Order 4").
  *
  * Such partitions have no contacts; their joints no motors, no strengths, no stops within reach, no springs that are
  * damped or too stiff to be followed, no attachments that move by a velocity of their own; their bodies no damping and
