@@ -25,6 +25,8 @@ MeBool mdt_mayCompose(const MdtIsland *p) {
     return p->world->order == 4 && p->numJoints > 0 && p->numContacts == 0 && !p->isFast;
 }
 
+enum { STAGES = 5 };
+
 /* One of two halves of a stage, if it can be reversed. False: the bodies were stopped. */
 static MeBool takeHalf(MdtIsland *p, double half, MeBool *isTaken) {
     mdt_partMakeRows(p, half);
@@ -38,27 +40,39 @@ static MeBool takeHalf(MdtIsland *p, double half, MeBool *isTaken) {
 static MeBool takeStage(MdtIsland *p, double stage, MeBool *isTaken) {
     const double half = 0.5 * fabs(stage);
     p->stage = stage < 0 ? MDT_STAGE_BACK : MDT_STAGE_FORWARD;
+    p->kea.parameters.pair = MdtKeaPairFirst;
     if (stage < 0)
         MdtKeaReverse(&p->kea);
     const MeBool isFinite = takeHalf(p, half, isTaken) && (!*isTaken || takeHalf(p, half, isTaken));
     if (stage < 0)
         MdtKeaReverse(&p->kea);
     p->stage = MDT_STAGE_NONE;
+    p->kea.parameters.pair = MdtKeaPairNone;
     return isFinite;
 }
 
-MeBool mdt_partCompose(MdtIsland *p, double part) {
-    enum { STAGES = 5 };
-    const double a = 1 / (4 - cbrt(4)), share[STAGES] = {a, a, 1 - 4 * a, a, a};
+/* One composition, and what is left of the part where that comes to an end. */
+static MeBool takeStages(MdtIsland *p, const double share[], double part) {
     const double end = p->elapsed + part, least = 1e-9 * part;
-    p->forward = 4 * a;
-    p->kea.parameters.isStage = METRUE;
     MeBool isTaken = METRUE;
     for (int i = 0; i < STAGES && isTaken; i++)
         if (!takeStage(p, share[i] * part, &isTaken))
             return MEFALSE;
-    p->kea.parameters.isStage = MEFALSE;
     if (isTaken && p->report)
         mdt_reportComposed(p->report);
     return end - p->elapsed <= least || mdt_partTake(p, end - p->elapsed);
+}
+
+/* Halved, as takePart would halve its stages, but all of them alike: their errors cancel only so. */
+static MeBool divide(MdtIsland *p, const double share[], double part, int halvings) {
+    enum { MOST = 6 };
+    if (halvings < MOST && MdtKeaTurnsTooFar(&p->kea, 0.5 * fabs(share[STAGES / 2]) * part))
+        return divide(p, share, 0.5 * part, halvings + 1) && divide(p, share, 0.5 * part, halvings + 1);
+    return takeStages(p, share, part);
+}
+
+MeBool mdt_partCompose(MdtIsland *p, double part) {
+    const double a = 1 / (4 - cbrt(4)), share[STAGES] = {a, a, 1 - 4 * a, a, a};
+    p->forward = 4 * a;
+    return divide(p, share, part, 0);
 }

@@ -121,6 +121,8 @@ static void warnOfSolver(const MdtIsland *p) {
 void mdt_partEnd(MdtIsland *p) {
     warnOfSolver(p);
     p->elapsed += mdt_partTime(p);
+    if (p->stage != MDT_STAGE_NONE)
+        p->kea.parameters.pair = p->kea.parameters.pair == MdtKeaPairFirst ? MdtKeaPairSecond : MdtKeaPairFirst;
     MEASSERT(p->elapsed <= p->h * (1 + 1e-6));
 }
 

@@ -36,6 +36,18 @@ MeBool MEAPI MdtKeaIsReversible(const MdtKeaSystem *s) {
     return METRUE;
 }
 
+MeBool MEAPI MdtKeaTurnsTooFar(const MdtKeaSystem *s, double step) {
+    for (int i = 0; i < s->numBodies; i++) {
+        const double *I = s->bodies[i]->moments;
+        const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
+        double w[3];
+        MdtKeaBodyGetAngularVelocity(s->bodies[i], w);
+        if (step * keaLength(w) * (most - least) > kea_farTurn * most)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
 void MEAPI MdtKeaReverse(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++) {
         keaScale(s->bodies[i]->velocity, -1, s->bodies[i]->velocity);
