@@ -195,7 +195,7 @@ MEPUBLIC int MEAPI MdtWorldGetSubSteps(const MdtWorldID w);
 
 /**
  * The order of the integration scheme, 2 (default) or 4: by which power of the step's length errors fall. Order 4 is
- * for partitions of joints only, and costs about eight times as much: each sub-step is composed of ten of order 2, two
+ * for partitions of joints only, and costs two to eight times as much: each sub-step is composed of ten of order 2, two
  * of them back in time. A pendulum at 60 Hz is a hundred thousand times as exact (docs/solver.md, "Order 4").
  *
  * Such partitions have no contacts; their joints no motors, no strengths, no stops within reach, no springs that are
