@@ -36,7 +36,7 @@ typedef struct Engine {
 } Engine;
 
 /* Karma's settings; or-ed with ENGINE_STRICT, for tests, a universe's step that is not exact counts as giving up. */
-enum { ENGINE_RIGID, ENGINE_DEFAULTS, ENGINE_STRICT = 16 };
+enum { ENGINE_RIGID, ENGINE_DEFAULTS, ENGINE_ORDER_4, ENGINE_STRICT = 16 };
 
 extern const Engine engine_karma_single, engine_karma_double;       /* with contacts made by the scene's code */
 extern const Engine engine_universe_single, engine_universe_double; /* Mcd's contacts, through the bridge */

@@ -149,7 +149,8 @@ static void destroy(EngineWorld *w) {
     free(w);
 }
 
-static const char *const settings[] = {[ENGINE_RIGID] = "eps 0", [ENGINE_DEFAULTS] = "eps 1e-4", NULL};
+static const char *const settings[] = {
+    [ENGINE_RIGID] = "eps 0", [ENGINE_DEFAULTS] = "eps 1e-4", [ENGINE_ORDER_4] = "order 4", NULL};
 
 #ifdef _ME_API_DOUBLE
 #define ENGINE_KARMA engine_karma_double
@@ -161,8 +162,9 @@ MEPUBLIC extern const Engine ENGINE_KARMA;
 const Engine ENGINE_KARMA = {
     .name = KARMA_NAME,
     .version = ME_VERSION_STRING,
-    .about = KARMA_PRECISION "; epsilon 0 or a world's 1e-4, gamma .2, the friction cone; contacts by the scene's "
-                             "code, not by Mcd, ahead of touch",
+    .about = KARMA_PRECISION
+    "; epsilon 0 or a world's 1e-4, order 2 or 4, gamma .2, the friction cone; contacts by the scene's "
+    "code, not by Mcd, ahead of touch",
     .settings = settings,
     .bounces = true,
     .create = create,

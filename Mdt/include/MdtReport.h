@@ -49,6 +49,8 @@ typedef struct MdtReport {
     MdtReportWay way;
     int parts;          /**< that the step was taken in: 1 if it was not divided, 0 of a partition put to rest */
     int rested;         /**< 1: the way is MdtReportWayRest; no rows are made then, and no error is measured */
+    int composed;       /**< compositions of order 4 (MdtWorldSetIntegratorOrder), in each sub-step one where no body
+                             turns far; 0: all was of order 2 */
     int events;         /**< how often a step was divided where bodies met or came to stick */
     int passes;         /**< linearizations */
     int iterations;     /**< of Newton's method (Karma: pivots) */

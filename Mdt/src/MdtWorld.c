@@ -158,6 +158,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     w->timedBodies = MDT_TIMED_BODIES;
     w->accuracy = -1;
     w->subSteps = 1;
+    w->order = 2;
     w->certificate = 1;   /* 0 is none */
     w->graph.changes = 1; /* nothing has been seen */
     w->numReports = MDT_NO_REPORTS;
@@ -434,6 +435,19 @@ void MEAPI MdtWorldSetSubSteps(const MdtWorldID w, const int n) {
 int MEAPI MdtWorldGetSubSteps(const MdtWorldID w) {
     MDT_NEED_WORLD(w, 1);
     return w->subSteps;
+}
+
+void MEAPI MdtWorldSetIntegratorOrder(const MdtWorldID w, const int order) {
+    MDT_NEED_WORLD(w, );
+    if (order == 2 || order == 4)
+        w->order = order;
+    else
+        MeWarning(1, "%s: %d is neither 2 nor 4; nothing is changed", __func__, order);
+}
+
+int MEAPI MdtWorldGetIntegratorOrder(const MdtWorldID w) {
+    MDT_NEED_WORLD(w, 2);
+    return w->order;
 }
 
 void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies) {

@@ -347,7 +347,7 @@ typedef struct MdtGraph {
 typedef struct MdtRestInputs {
     double h, gravity[3], epsilon, gamma, workBudget, accuracy;
     MdtContactImportanceCBPtr importance;
-    int maxLcpIterations, subSteps, timedBodies, maxMatrixSize, solver, spare;
+    int maxLcpIterations, subSteps, timedBodies, maxMatrixSize, solver, order;
 } MdtRestInputs;
 
 /* What a worker has of its own while it steps partitions, and what it found out there that concerns all of them. */
@@ -369,6 +369,7 @@ struct MdtWorld {
     MdtSolver solver;
     MeReal accuracy; /* m/s; negative: derived */
     int subSteps;
+    int order;                                /* of the scheme, 2 or 4, where nothing touches (mdt_compose.c) */
     int timedBodies;                          /* most bodies of a partition whose contacts are met in time */
     int maxMatrixSize;                        /* rows of a partition */
     MdtContactImportanceCBPtr importance;     /* null: depth */
@@ -476,6 +477,8 @@ void mdt_reportLap(struct MdtIsland *p, MdtReportStage stage);
 void mdt_reportImpact(MdtReport *r);
 void mdt_reportEvent(MdtReport *r);
 void mdt_reportDivision(MdtReport *r);
+/* A sub-step was of order 4. */
+void mdt_reportComposed(MdtReport *r);
 /* The last step's answer was taken without a solve. */
 void mdt_reportRest(MdtReport *r);
 /* What a solve cost; its stage ends. */

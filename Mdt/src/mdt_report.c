@@ -158,6 +158,10 @@ void mdt_reportEvent(MdtReport *r) {
     keepWay(r, MdtReportWayTimed);
 }
 
+void mdt_reportComposed(MdtReport *r) {
+    r->composed++;
+}
+
 void mdt_reportRest(MdtReport *r) {
     r->parts = r->rested = 1;
     keepWay(r, MdtReportWayRest);
@@ -278,6 +282,7 @@ static void addCounts(MdtReport *sum, const MdtReport *r) {
     sum->rows += r->rows;
     sum->parts += r->parts;
     sum->rested += r->rested;
+    sum->composed += r->composed;
     sum->events += r->events;
     sum->passes += r->passes;
     sum->iterations += r->iterations;

@@ -32,6 +32,7 @@ void mdt_restBegin(MdtWorldID w) {
     now.importance = w->importance;
     now.maxLcpIterations = w->maxLcpIterations;
     now.subSteps = w->subSteps;
+    now.order = w->order;
     now.timedBodies = w->timedBodies;
     now.maxMatrixSize = w->maxMatrixSize;
     now.solver = (int)w->solver;

@@ -30,6 +30,9 @@ typedef struct MdtIslandManifold {
     double mean[MdtKeaMANIFOLDPOINTS][3]; /* N, of the parts of the step that are done, on the first body */
 } MdtIslandManifold;
 
+/* Whether a part is a stage of order 4 (mdt_compose.c), and in which direction of time. */
+typedef enum MdtStage { MDT_STAGE_NONE, MDT_STAGE_FORWARD, MDT_STAGE_BACK } MdtStage;
+
 /* One partition in one step. Each group of fields names its only writer. */
 typedef struct MdtIsland {
     /* mdt_islandOf; mdt_parallel.c */
@@ -58,6 +61,9 @@ typedef struct MdtIsland {
     double work;                       /* multiplications that the step may still cost; MDT_NO_BOUND: any number */
     int iterations;                    /* of Newton's method, the same; 0: any number */
     MeBool hasMet;                     /* bodies met as a part began */
+    /* mdt_compose.c */
+    MdtStage stage;
+    double forward; /* the sum of the stages that go forward, over the part that they make up */
     /* rows */
     MeBool isDegenerate; /* some joint was in this step */
     int numRows;         /* of the part: of joints, and that the contacts have, or would have for the exact solver */
@@ -75,6 +81,10 @@ static inline MdtJoint *mdt_asJoint(MdtConstraintID c) {
 }
 static inline MdtManifold *mdt_asManifold(MdtConstraintID c) {
     return (MdtManifold *)(void *)c;
+}
+/* s, by which the part takes the step on. */
+static inline double mdt_partTime(const MdtIsland *p) {
+    return p->stage == MDT_STAGE_BACK ? -p->parameters.stepsize : p->parameters.stepsize;
 }
 static inline MeBool mdt_bounces(const MdtBclContactParams *params) {
     return (params->options & MdtBclContactOptionBounce) && params->restitution > 0;
@@ -146,6 +156,13 @@ MeBool mdt_islandSubdivide(MdtIsland *p);
 void mdt_partBegin(MdtIsland *p, double part);
 void mdt_partImpact(MdtIsland *p);
 void mdt_partEnd(MdtIsland *p);
+/* Takes a part, in halves where its motion is violent; the same when its rows are made. False: the bodies were
+ * stopped. */
+MeBool mdt_partTake(MdtIsland *p, double part);
+MeBool mdt_partTakeMade(MdtIsland *p, double part);
+/* Whether parts may be taken in stages of order 4; takes one so, as far as that goes (mdt_compose.c). */
+MeBool mdt_mayCompose(const MdtIsland *p);
+MeBool mdt_partCompose(MdtIsland *p, double part);
 /* What a solve may cost; what the last one has cost. */
 void mdt_budgetGrant(MdtIsland *p);
 void mdt_budgetDraw(MdtIsland *p);

@@ -2,6 +2,7 @@
  *
  *     whole step -> sub-steps (MdtWorldSetSubSteps) -> up to the next event, where few bodies touch each other
  *                                                   -> halves, where joints turn too violently for the whole of it
+ *                                                   -> stages of order 4, each as above (mdt_compose.c)
  *
  * A partition's step has one budget of work (MdtWorldSetWorkBudget) and of iterations (MdtWorldSetMaxLCPIterations).
  * Every solve draws from it: of whole steps, sub-steps, halves, events and impacts, those that are thrown away
@@ -58,10 +59,14 @@ static MeBool mayDivide(const MdtIsland *p, int halvings) {
  * error away, however short it is, at the same speed γ φ / H. */
 static void setPart(MdtIsland *p, double part) {
     MEASSERT(part > 0 && part <= p->h * (1 + 1e-9) && p->h <= p->whole * (1 + 1e-9));
-    const double n = p->whole / part, gamma = p->world->gamma;
+    const double n = p->whole / part * (p->stage == MDT_STAGE_NONE ? 1 : p->forward), gamma = p->world->gamma;
     p->parameters.stepsize = part;
     p->parameters.gamma = n > 1 ? 1 - pow(1 - gamma, 1 / n) : gamma;
     p->parameters.softening = gamma > 0 ? n * n * p->parameters.gamma / gamma : n;
+    if (p->stage != MDT_STAGE_NONE) {
+        p->parameters.gamma = p->stage == MDT_STAGE_BACK ? 0 : p->parameters.gamma;
+        p->parameters.softening = 0;
+    }
     p->parameters.epsilon = p->parameters.softening * (double)p->world->epsilon;
     p->kea.parameters.stepsize = part;
     p->kea.parameters.elapsed = p->elapsed;
@@ -115,16 +120,20 @@ static void warnOfSolver(const MdtIsland *p) {
 
 void mdt_partEnd(MdtIsland *p) {
     warnOfSolver(p);
-    p->elapsed += p->parameters.stepsize;
+    p->elapsed += mdt_partTime(p);
+    if (p->stage != MDT_STAGE_NONE)
+        p->kea.parameters.pair = p->kea.parameters.pair == MdtKeaPairFirst ? MdtKeaPairSecond : MdtKeaPairFirst;
     MEASSERT(p->elapsed <= p->h * (1 + 1e-6));
 }
 
 /* ---- halves ---- */
 
+static MeBool takePart(MdtIsland *p, double part, int halvings);
+
 /* Takes one part of the step, in halves where its motion is violent. False: the bodies were stopped. */
-static MeBool takePart(MdtIsland *p, double part, int halvings) {
+static MeBool takeMade(MdtIsland *p, double part, int halvings) {
     p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
-    mdt_partSolve(p, part);
+    mdt_partSolveRows(p);
     if (!p->kea.report.violent)
         return mdt_partIntegrate(p);
     if (!mayDivide(p, halvings))
@@ -135,6 +144,19 @@ static MeBool takePart(MdtIsland *p, double part, int halvings) {
     const MeBool isTaken = takePart(p, 0.5 * part, halvings + 1);
     p->work += kept;
     return isTaken && takePart(p, 0.5 * part, halvings + 1);
+}
+
+static MeBool takePart(MdtIsland *p, double part, int halvings) {
+    mdt_partMakeRows(p, part);
+    return takeMade(p, part, halvings);
+}
+
+MeBool mdt_partTake(MdtIsland *p, double part) {
+    return takePart(p, part, 0);
+}
+
+MeBool mdt_partTakeMade(MdtIsland *p, double part) {
+    return takeMade(p, part, 0);
 }
 
 /* ---- events ---- */
@@ -234,9 +256,10 @@ MeBool mdt_islandSubdivide(MdtIsland *p) {
     beginBudget(p);
     p->parameters.hasContacts = p->numContacts > 0;
     const int n = p->world->subSteps;
+    MeBool (*const take)(MdtIsland *, double) = mdt_mayCompose(p) ? mdt_partCompose : mdt_partTake;
     for (int i = 0; i < n; i++) {
         const double kept = keepWork(p, 1. / (n - i));
-        if (!(isTimed(p, p->h / n) ? takeInTime(p, p->h / n) : takePart(p, p->h / n, 0)))
+        if (!(isTimed(p, p->h / n) ? takeInTime(p, p->h / n) : take(p, p->h / n)))
             return MEFALSE;
         p->work += kept;
     }

@@ -55,7 +55,7 @@ static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
 
 void mdt_unpackConstraints(MdtIsland *p) {
     const MeBool isGuess = p->parameters.stepsize > 0.1 * p->h; /* the forces of a shorter part are none */
-    addForces(p, p->parameters.stepsize / p->h);
+    addForces(p, mdt_partTime(p) / p->h);
     for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
         if (j)

@@ -208,6 +208,13 @@ typedef struct MdtKeaMove {
 } MdtKeaMove;
 typedef MdtKeaMove MdtKeaMovePair[2]; /**< the mean of start and end; the end */
 
+/** Of a step by the midpoint rule, what it leaves along the directions that joints hold is taken back by the next. */
+typedef enum MdtKeaPair {
+    MdtKeaPairNone,
+    MdtKeaPairFirst,  /**< its velocities are left to the second, but for rebounds */
+    MdtKeaPairSecond, /**< jerks are made right; ripples are the composition's own */
+} MdtKeaPair;
+
 /** What holds for the whole system. Epsilon and gamma are in the rows that the owner fills already. */
 typedef struct MdtKeaParameters {
     double stepsize;   /**< s */
@@ -219,6 +226,7 @@ typedef struct MdtKeaParameters {
     double maxWork;    /**< multiplications of the whole solve, roughly; 0: as many as it takes */
     MeBool mayRefuse;  /**< a step in which bodies turn too far may be reported as violent without being solved */
     MeBool isPart;     /**< of a step that the bodies do not take together: energy from errors of joints is not given */
+    MdtKeaPair pair;   /**< a composition of higher order takes steps in pairs */
     MeBool timed;      /**< contacts are met in time: bodies move with their mean velocities throughout */
     MdtKeaSolver solver;
     double accuracy; /**< m/s, of the fast solver: the residual that passes are to reach */
@@ -342,6 +350,21 @@ MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
  * about to meet faster: an event would follow the other. The rows are filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *system);
+
+/**
+ * Whether a step of the system can be gone back on: with velocities turned round at its end, a step of the same length
+ * comes to where it began, but for rounding. So have joints without bounds, targets and compliance, springs without
+ * damping that are not too stiff to be followed, and bodies without damping; gamma is not looked at. The rows are
+ * filled; nothing is changed.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaIsReversible(const MdtKeaSystem *system);
+
+/** Whether some body turns too far for the midpoint rule in a step of so many seconds, were nothing in contact. Bodies
+ *  are filled. */
+MEPUBLIC MeBool MEAPI MdtKeaTurnsTooFar(const MdtKeaSystem *system, double step);
+
+/** Turns the bodies' velocities and angular momenta round. MdtKeaInit and the rows are wanted again after it. */
+MEPUBLIC void MEAPI MdtKeaReverse(MdtKeaSystem *system);
 
 /**
  * Whether a contact with restitution may be met within the step by a speed of which it gives back more than loads make

@@ -165,6 +165,8 @@ void kea_rateAhead(MdtKeaSystem *s);
 void kea_linearizeRows(MdtKeaSystem *s);
 /* Contacts that were thought out of reach and are reached. Returns whether there were any. */
 MeBool kea_admitContacts(MdtKeaSystem *s);
+/* Whether a spring is followed by the end of the step instead of its middle (θ = 1). */
+MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row);
 
 /* ---- kea_contact.c ---- */
 

@@ -67,8 +67,11 @@ static void assertPartsAreSteps(const char *what, Run run, double duration, doub
 
 static const double g = 9.8125; /* m/s², the same in both precisions */
 
+static int integratorOrder = 2; /* of the worlds that tests make from here on */
+
 static void run(MdtWorldID w, double duration, double h, int parts) {
     MdtWorldSetSubSteps(w, parts);
+    MdtWorldSetIntegratorOrder(w, integratorOrder);
     steps(w, (int)lround(duration / h), (MeReal)h);
 }
 
@@ -245,6 +248,197 @@ START_TEST(free_rotation_is_of_order_4) {
 }
 END_TEST
 
+/* The slope of the error from 1 to .4 of h, from 1/`rate` s on: longer steps have the velocity stage's jerks, and of
+ * shorter ones the error is what Kea is content with, 1e-10 of a step's way. */
+static double slopeOf(Run scene, double duration, double rate, const double *reference) {
+    const double coarse = errorOf(scene, duration, 1 / rate, 1, reference);
+    const double fine = errorOf(scene, duration, .4 / rate, 1, reference);
+    return log(coarse / fine) / log(2.5);
+}
+
+/* In double precision: single has no digits for that. */
+START_TEST(pendulums_of_order_4_are_of_order_4) {
+    double y[2] = {0, 0}, place[6];
+    integrate(2, pendulumRates, 1, 20000, y);
+    doublePendulumReference(1, place);
+    integratorOrder = 4;
+    const double single = slopeOf(pendulum, 1, 24, y), two = slopeOf(doublePendulum, 1, 48, place);
+    ck_assert_msg(fabs(single - 4) <= .2, "pendulum: order %g", single);
+    ck_assert_msg(fabs(two - 4) <= .2, "double pendulum: order %g", two);
+}
+END_TEST
+
+/* A hundredth of the error at 60 Hz, in either precision but for what a float's digits hide. */
+START_TEST(order_4_has_a_hundredth_of_the_error_at_60_hz) {
+    double y[2] = {0, 0}, place[6];
+    integrate(2, pendulumRates, 1, 20000, y);
+    doublePendulumReference(1, place);
+    integratorOrder = 2;
+    const double pendulum2 = errorOf(pendulum, 1, 1. / 60, 1, y),
+                 double2 = errorOf(doublePendulum, 1, 1. / 60, 1, place);
+    integratorOrder = 4;
+    const double pendulum4 = errorOf(pendulum, 1, 1. / 60, 1, y),
+                 double4 = errorOf(doublePendulum, 1, 1. / 60, 1, place);
+    ck_assert_msg(pendulum4 < TOL(2e-4, 2e-5) * pendulum2, "pendulum: %g, %g", pendulum2, pendulum4);
+    ck_assert_msg(double4 < TOL(1e-3, 1e-3) * double2, "double pendulum: %g, %g", double2, double4);
+}
+END_TEST
+
+/* A fast heavy top, whose steps are divided: where its centre is after a second. */
+static int top(double duration, double h, int parts, double result[]) {
+    const double edge[3] = {.2, .02, .2};
+    MdtWorldID w = scene_world(1, 1, g);
+    MdtBodyID b = scene_box(w, 1, edge, 0, .1, 0);
+    MdtBSJointID joint = MdtBSJointCreate(w);
+    MdtBSJointSetBodies(joint, b, 0);
+    MdtBSJointSetPosition(joint, 0, 0, 0);
+    MdtBSJointEnable(joint);
+    MdtBodySetAngularVelocity(b, 1, 100, 0);
+    MdtBodySetLinearVelocity(b, 0, 0, (MeReal).1);
+    MdtWorldSetEpsilon(w, 0);
+    run(w, duration, h, parts);
+    measure_position(b, result);
+    MdtWorldDestroy(w);
+    return 3;
+}
+
+START_TEST(a_fast_top_of_order_4_is_divided_evenly) {
+    double place[3];
+    integratorOrder = 4;
+    top(1, 1. / 960, 1, place);
+    const double error4 = errorOf(top, 1, 1. / 60, 1, place);
+    integratorOrder = 2;
+    const double error2 = errorOf(top, 1, 1. / 60, 1, place);
+    ck_assert_msg(error4 < TOL(.05, .01) * error2, "%g, %g", error4, error2);
+    ck_assert_msg(error2 > 1e-5, "%g", error2);
+}
+END_TEST
+
+/* Turned round, the motion is taken back. */
+START_TEST(order_4_goes_back_where_it_came_from) {
+    HingedBar s = scene_hingedBar(g);
+    double before[3], after[3];
+    MeVector3 v, w;
+    MdtWorldSetIntegratorOrder(s.world, 4);
+    measure_position(s.bar, before);
+    steps(s.world, 300, FRAME);
+    MdtBodyGetLinearVelocity(s.bar, v);
+    MdtBodyGetAngularVelocity(s.bar, w);
+    MdtBodySetLinearVelocity(s.bar, -v[0], -v[1], -v[2]);
+    MdtBodySetAngularVelocity(s.bar, -w[0], -w[1], -w[2]);
+    steps(s.world, 300, FRAME);
+    measure_position(s.bar, after);
+    ck_assert_msg(distance(3, before, after) < TOL(1e-4, 1e-7), "%g", distance(3, before, after));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+/* How many sub-steps of a step were composed. */
+static int composedOf(MdtWorldID w) {
+    MdtReport r;
+    MdtWorldSetIntegratorOrder(w, 4);
+    MdtWorldEnableReport(w);
+    MdtWorldStep(w, FRAME);
+    ck_assert_int_eq(MdtWorldGetReport(w, &r), 1);
+    return r.composed;
+}
+
+static int composedBar(void (*change)(HingedBar s)) {
+    HingedBar s = scene_hingedBar(g);
+    if (change)
+        change(s);
+    const int composed = composedOf(s.world);
+    MdtWorldDestroy(s.world);
+    return composed;
+}
+
+static void divide(HingedBar s) {
+    MdtWorldSetSubSteps(s.world, 3);
+}
+static void soften(HingedBar s) {
+    MdtWorldSetEpsilon(s.world, (MeReal)1e-4);
+}
+static void damp(HingedBar s) {
+    MdtBodySetLinearVelocityDamping(s.bar, (MeReal).1);
+}
+static void drive(HingedBar s) {
+    MdtLimitActivateMotor(s.limit, 1);
+    MdtLimitSetLimitedForceMotor(s.limit, 1, 1);
+}
+static void stop(HingedBar s) {
+    MdtLimitActivateLimits(s.limit, 1);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(s.limit), (MeReal)0);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(s.limit), (MeReal)1);
+}
+static void touch(HingedBar s) {
+    MdtContactID c = MdtContactCreate(s.world);
+    MdtContactSetBodies(c, s.bar, 0);
+    MdtContactSetPosition(c, 1, 0, 0);
+    MdtContactSetNormal(c, 0, 1, 0);
+    MdtContactEnable(c);
+}
+
+START_TEST(order_4_is_for_what_can_be_reversed) {
+    ck_assert_int_eq(composedBar(NULL), 1);
+    ck_assert_int_eq(composedBar(soften), 1);
+    ck_assert_int_eq(composedBar(divide), 3);
+    ck_assert_int_eq(composedBar(damp), 0);
+    ck_assert_int_eq(composedBar(drive), 0);
+    ck_assert_int_eq(composedBar(stop), 0);
+    ck_assert_int_eq(composedBar(touch), 0);
+}
+END_TEST
+
+/* What cannot be composed is, to the last bit, what it is with order 2. */
+START_TEST(others_are_as_with_order_2) {
+    double place[2][3];
+    for (int i = 0; i < 2; i++) {
+        HingedBar s = scene_hingedBar(g);
+        stop(s);
+        MdtWorldSetIntegratorOrder(s.world, i ? 4 : 2);
+        MdtBodySetLinearVelocityDamping(s.bar, (MeReal).1);
+        steps(s.world, 60, FRAME);
+        measure_position(s.bar, place[i]);
+        MdtWorldDestroy(s.world);
+    }
+    ck_assert(memcmp(place[0], place[1], sizeof place[0]) == 0);
+}
+END_TEST
+
+/* A stop that comes within reach in the middle of a step: it holds. */
+START_TEST(a_stop_in_the_way_of_order_4_holds) {
+    HingedBar s = scene_hingedBar(g);
+    double p[3], lowest = 0;
+    MdtLimitActivateLimits(s.limit, 1);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(s.limit), (MeReal)-1);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(s.limit), (MeReal)1);
+    MdtSingleLimitSetRestitution(MdtLimitGetLowerLimit(s.limit), 0);
+    MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(s.limit), 0);
+    MdtWorldSetIntegratorOrder(s.world, 4);
+    for (int i = 0; i < 600; i++) {
+        MdtWorldStep(s.world, FRAME);
+        measure_position(s.bar, p);
+        lowest = fmax(lowest, fabs(atan2(p[1], p[0])));
+    }
+    ck_assert_msg(lowest < 1.001, "%g rad", lowest);
+    ck_assert_msg(fabs(fabs(atan2(p[1], p[0])) - 1) < 1e-3, "%g rad", atan2(p[1], p[0]));
+    MdtWorldDestroy(s.world);
+}
+END_TEST
+
+START_TEST(the_order_is_2_or_4) {
+    MdtWorldID w = scene_world(1, 1, 0);
+    ck_assert_int_eq(MdtWorldGetIntegratorOrder(w), 2);
+    MdtWorldSetIntegratorOrder(w, 4);
+    messages_catch();
+    MdtWorldSetIntegratorOrder(w, 3);
+    assert_warned("MdtWorldSetIntegratorOrder");
+    messages_release();
+    ck_assert_int_eq(MdtWorldGetIntegratorOrder(w), 4);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 /* A load F on a joint comes to rest ε F h²/γ away, h the whole step, in however many parts it is done. Kea is content
  * with an error of 1e-12 of a body's size (the radius of gyration), of which a part of the step takes only `share`
  * away. */
@@ -285,6 +479,15 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_double_pendulum_is_of_order_2);
     tcase_add_test(t, a_chain_of_springs_is_of_order_2);
     tcase_add_test(t, free_rotation_is_of_order_4);
+    if (sizeof(MeReal) == sizeof(double))
+        tcase_add_test(t, pendulums_of_order_4_are_of_order_4);
+    tcase_add_test(t, order_4_has_a_hundredth_of_the_error_at_60_hz);
+    tcase_add_test(t, a_fast_top_of_order_4_is_divided_evenly);
+    tcase_add_test(t, order_4_goes_back_where_it_came_from);
+    tcase_add_test(t, order_4_is_for_what_can_be_reversed);
+    tcase_add_test(t, others_are_as_with_order_2);
+    tcase_add_test(t, a_stop_in_the_way_of_order_4_holds);
+    tcase_add_test(t, the_order_is_2_or_4);
     tcase_add_test(t, the_sag_of_a_load_is_epsilon_force_over_gamma);
 }
 

@@ -76,7 +76,7 @@ static double inverseMassOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return sum;
 }
 
-static MeBool isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row) {
+MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const double h = s->parameters.stepsize;
     return row->spring && h * h * row->stiffness * inverseMassOf(s, row) > kea_stiffSpring;
 }
@@ -102,7 +102,7 @@ static void chooseTheta(MdtKeaSystem *s) {
         const MeBool holds = row->contact == i ? !s->work->problem.row[i].isOff
                                                : row->position && kea_mayReachBound(row) && row->force != 0 &&
                                                      rateWith(row, s->velocity) <= 0;
-        if (holds || isTooStiff(s, row))
+        if (holds || kea_isTooStiff(s, row))
             setTheta(s, row);
     }
     spreadTheta(s);

@@ -187,7 +187,7 @@ static double leftOver(const MdtKeaSystem *s, int i) {
 
 /* The undamped velocity of the midpoint rule changes its sign at every step; what motion itself leaves does not. */
 static MeBool alternates(const MdtKeaSystem *s, double residual) {
-    if (residual < kea_velocityTolerance * kea_loadSpeed(s))
+    if (s->parameters.pair != MdtKeaPairNone || residual < kea_velocityTolerance * kea_loadSpeed(s))
         return MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const double now = leftOver(s, i), before = s->rows[i].ripple;
@@ -246,6 +246,10 @@ static void limitMotion(MdtKeaSystem *s, double allowed) {
         addVelocities(s, s->work->added);
 }
 
+static MeBool isJerk(const MdtKeaSystem *s, double residual) {
+    return s->parameters.pair != MdtKeaPairFirst && residual > kea_calmResidual * kea_loadSpeed(s);
+}
+
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     if (!mayBeNeeded(s) && !needsEnergyLimit(s) && !isJammed(s))
@@ -257,9 +261,8 @@ void kea_velocityStage(MdtKeaSystem *s) {
     kea_keepRows(s);
     setProblem(s);
     const double start = kea_problemResidual(q, NULL);
-    const MeBool isNeeded = !s->work->isSettled &&
-                            (isHit || start > kea_calmResidual * kea_loadSpeed(s) || alternates(s, start)) &&
-                            kea_problemMaySweep(q);
+    const MeBool isNeeded =
+        !s->work->isSettled && (isHit || isJerk(s, start) || alternates(s, start)) && kea_problemMaySweep(q);
     noteRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start, allowed);

@@ -1,0 +1,78 @@
+/* A part of a step by stages that together are of order 4 (MdtWorldSetIntegratorOrder).
+ *
+ * The step of joints alone is symmetric, but it is no map near the identity: what velocities have along the directions
+ * that joints hold changes its sign at every step (kea_velocity.c has more of it). Two of them, each of h/2, are: their
+ * expansion is that of a symmetric method of order 2, which has odd powers of h only, h³ first. Five such pairs,
+ *
+ *     (a, a, b, a, a) h,   a = 1/(4 - 4^(1/3)) = .4145,   b = 1 - 4 a = -.6579,   4 a³ + b³ = 0,
+ *
+ * have no term of h³ and, being symmetric too, none of h⁴ (Suzuki 1990; Hairer, Lubich and Wanner, Geometric Numerical
+ * Integration, II.4). The triple jump has three pairs, and fifty times the error at a pendulum at 60 Hz; and it leaves
+ * the step, by a third of its length, where this one stays within: it can be ended after any stage.
+ *
+ * Stages take joints for rigid, whatever epsilon: compliance looks at the end of a stage. The part of the errors that
+ * gamma takes away is divided over the stages that go forward. The one that goes back is taken forward by the system
+ * with its velocities turned round (MdtKeaReverse).
+ *
+ * Where a stage is not reversible (MdtKeaIsReversible), or is not solved to its end, what is left of the part is taken
+ * as ever.
+ */
+#include "MeAssert.h"
+#include "mdt_step_i.h"
+
+/* Joints only: whether they are such as can be reversed is known when they have rows. */
+MeBool mdt_mayCompose(const MdtIsland *p) {
+    return p->world->order == 4 && p->numJoints > 0 && p->numContacts == 0 && !p->isFast;
+}
+
+enum { STAGES = 5 };
+
+/* One of two halves of a stage, if it can be reversed. False: the bodies were stopped. */
+static MeBool takeHalf(MdtIsland *p, double half, MeBool *isTaken) {
+    mdt_partMakeRows(p, half);
+    *isTaken = MdtKeaIsReversible(&p->kea);
+    const MeBool isFinite = !*isTaken || mdt_partTakeMade(p, half);
+    *isTaken = *isTaken && !p->kea.report.capped;
+    return isFinite;
+}
+
+/* False: the bodies were stopped. *isTaken: the whole stage was, and was solved to its end. */
+static MeBool takeStage(MdtIsland *p, double stage, MeBool *isTaken) {
+    const double half = 0.5 * fabs(stage);
+    p->stage = stage < 0 ? MDT_STAGE_BACK : MDT_STAGE_FORWARD;
+    p->kea.parameters.pair = MdtKeaPairFirst;
+    if (stage < 0)
+        MdtKeaReverse(&p->kea);
+    const MeBool isFinite = takeHalf(p, half, isTaken) && (!*isTaken || takeHalf(p, half, isTaken));
+    if (stage < 0)
+        MdtKeaReverse(&p->kea);
+    p->stage = MDT_STAGE_NONE;
+    p->kea.parameters.pair = MdtKeaPairNone;
+    return isFinite;
+}
+
+/* One composition, and what is left of the part where that comes to an end. */
+static MeBool takeStages(MdtIsland *p, const double share[], double part) {
+    const double end = p->elapsed + part, least = 1e-9 * part;
+    MeBool isTaken = METRUE;
+    for (int i = 0; i < STAGES && isTaken; i++)
+        if (!takeStage(p, share[i] * part, &isTaken))
+            return MEFALSE;
+    if (isTaken && p->report)
+        mdt_reportComposed(p->report);
+    return end - p->elapsed <= least || mdt_partTake(p, end - p->elapsed);
+}
+
+/* Halved, as takePart would halve its stages, but all of them alike: their errors cancel only so. */
+static MeBool divide(MdtIsland *p, const double share[], double part, int halvings) {
+    enum { MOST = 6 };
+    if (halvings < MOST && MdtKeaTurnsTooFar(&p->kea, 0.5 * fabs(share[STAGES / 2]) * part))
+        return divide(p, share, 0.5 * part, halvings + 1) && divide(p, share, 0.5 * part, halvings + 1);
+    return takeStages(p, share, part);
+}
+
+MeBool mdt_partCompose(MdtIsland *p, double part) {
+    const double a = 1 / (4 - cbrt(4)), share[STAGES] = {a, a, 1 - 4 * a, a, a};
+    p->forward = 4 * a;
+    return divide(p, share, part, 0);
+}

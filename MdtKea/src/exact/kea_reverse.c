@@ -1,0 +1,56 @@
+/* Time reversal, for schemes that are composed of steps, of which some go back in time.
+ *
+ * The scheme of kea_scheme.c with θ = 1/2 is symmetric: a step, and one from its end with velocities turned round, come
+ * back to the start. What looks at one end of the step only is not: rows of velocities, bounds, damping, θ = 1, gamma
+ * and compliance; nor is what does not turn round with the velocities: joints that are driven. A step back in time is
+ * one of a system that is turned round, so that no solver meets a step below 0.
+ */
+#include "kea_i.h"
+#include "common/kea_policy_i.h"
+
+/* Its Coriolis term is missing, or the loads damp it. */
+static MeBool isBodyReversible(const MdtKeaBody *body) {
+    const double *I = body->moments;
+    const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
+    return body->linearDamping == 0 && body->angularDamping == 0 &&
+           ((body->flags & MdtKeaBodyFlagAddCoriolisForce) || most - least < kea_equalMoments * most);
+}
+
+static MeBool isRowReversible(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    if (row->contact >= 0 || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL)
+        return MEFALSE;
+    if (row->spring)
+        return row->damping == 0 && row->target == 0 && !kea_isTooStiff(s, row);
+    return row->position && row->drift == 0 && row->softness == 0;
+}
+
+MeBool MEAPI MdtKeaIsReversible(const MdtKeaSystem *s) {
+    if (s->numManifolds > 0 || s->parameters.timed)
+        return MEFALSE;
+    for (int i = 0; i < s->numBodies; i++)
+        if (!isBodyReversible(s->bodies[i]))
+            return MEFALSE;
+    for (int i = 0; i < s->numRows; i++)
+        if (!isRowReversible(s, &s->rows[i]))
+            return MEFALSE;
+    return METRUE;
+}
+
+MeBool MEAPI MdtKeaTurnsTooFar(const MdtKeaSystem *s, double step) {
+    for (int i = 0; i < s->numBodies; i++) {
+        const double *I = s->bodies[i]->moments;
+        const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));
+        double w[3];
+        MdtKeaBodyGetAngularVelocity(s->bodies[i], w);
+        if (step * keaLength(w) * (most - least) > kea_farTurn * most)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+void MEAPI MdtKeaReverse(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++) {
+        keaScale(s->bodies[i]->velocity, -1, s->bodies[i]->velocity);
+        keaScale(s->bodies[i]->angularMomentum, -1, s->bodies[i]->angularMomentum);
+    }
+}
