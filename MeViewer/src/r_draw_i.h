@@ -157,11 +157,11 @@ typedef struct {
 
 typedef R_ARRAY(RMesh *) RMeshes;
 
-/* ---- What is drawn in a frame (r_scene.c) ---- */
+/* ---- What is drawn in a frame (r_scene.c), in the upright frame ---- */
 
 /* One instance, as the shaders read it: seven vectors. */
 typedef struct {
-    float row[3][4];                                        /* World = row . (x, y, z, 1). */
+    float row[3][4];                                        /* Place = row . (x, y, z, 1). */
     float diffuse[4], ambient[4], emissive[4], specular[4]; /* Linear; specular[3] and emissive[3]: see r_scene.c. */
 } RInstance;
 
@@ -171,9 +171,9 @@ typedef struct {
     RClass class;
     const RMesh *mesh;
     int texture;
-    float centre[3], radius; /* World. */
-    float depth;             /* From the camera, for blending order. */
-    size_t order;            /* In the list. */
+    float centre[3], radius;
+    float depth;  /* From the camera, for blending order. */
+    size_t order; /* In the list. */
     RInstance instance;
 } RItem;
 
@@ -183,7 +183,8 @@ typedef struct {
     RLineSegments lines;
     size_t casters;
     float casterLow[3], casterHigh[3];
-    float casterSize; /* The mean radius. */
+    float casterSize;        /* The mean radius. */
+    float eye[3], lookAt[3]; /* The camera's. */
     bool hasGround;
     float groundHeight; /* Of the first ground. */
     float farthest;     /* Distance from the camera to what is farthest. */

@@ -111,7 +111,10 @@ const RCallBackDataButton *r_actionOfKey(const RRender *rc, int key); /* The pro
 
 /* ---- Camera (r_camera.c) ---- */
 
+/* The upright frame is the world turned so that the program's up axis (RCameraSetUp) is y. Angles of the camera, the
+ * ground, the sky, and all that is drawn are in it, so that nothing else has to know which axis is up. */
 typedef struct {
+    AcmeReal upright[3][3]; /* The upright frame's axes in the world: upright = rows . world. */
     bool orthographic;
     bool ownMatrix; /* RCameraSetMatrix */
     AcmeReal orthoHeight, orthoDepth;
@@ -121,6 +124,8 @@ typedef struct {
 } RCamera;
 
 void r_cameraInit(RRender *rc);
+void r_toUpright(const RRender *rc, const AcmeReal world[3], AcmeReal upright[3]);
+void r_fromUpright(const RRender *rc, const AcmeReal upright[3], AcmeReal world[3]);
 void r_cameraApplyOption(RRender *rc); /* -camera */
 void r_cameraKeepHome(RRender *rc);
 void r_cameraHome(RRender *rc);
@@ -198,6 +203,9 @@ typedef struct {
 } RLights;
 
 void r_lightsInit(RRender *rc);
+/* Directions and place of the lights, so that they can stay where they are in the upright frame. */
+void r_lightsToUpright(RRender *rc, AcmeReal upright[3][3]);
+void r_lightsFromUpright(RRender *rc, AcmeReal upright[3][3]);
 void r_lightsUpdate(RRender *rc); /* Takes over what the force-update flags say has changed. */
 
 /* ---- Textures (r_texture.c) ---- */

@@ -344,14 +344,13 @@ static const char overlayVertex[] =
     "    gl_Position = vec4(2.0 * aPlace.x / viewport.x - 1.0, 1.0 - 2.0 * aPlace.y / viewport.y, 0.0, 1.0);\n"
     "}\n";
 
-static const char overlayFragment[] =
-    "in vec2 vTexture;\n"
-    "in vec4 vColor;\n"
-    "out vec4 oColor;\n"
-    "uniform sampler2D uTexture;\n"
-    "void main() {\n"
-    "    oColor = vColor * texture(uTexture, vTexture);\n"
-    "}\n";
+static const char overlayFragment[] = "in vec2 vTexture;\n"
+                                      "in vec4 vColor;\n"
+                                      "out vec4 oColor;\n"
+                                      "uniform sampler2D uTexture;\n"
+                                      "void main() {\n"
+                                      "    oColor = vColor * texture(uTexture, vTexture);\n"
+                                      "}\n";
 
 /* ---- Put together ---- */
 

@@ -57,7 +57,7 @@ static void regionOf(const RRender *rc, const RScene *s, float centre[3], float 
     *radius = step(sqrtf(square));
     if (*radius > seenRadius(rc)) {
         *radius = step(seenRadius(rc));
-        memcpy(centre, rc->m_CameraLookAt, 3 * sizeof *centre);
+        memcpy(centre, s->lookAt, 3 * sizeof *centre);
     }
 }
 
