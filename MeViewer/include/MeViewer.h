@@ -91,6 +91,16 @@ MEPUBLIC void MEAPI RRenderSetBackgroundColor(RRender *rc, const float color[4])
  * -key, each frame has one tick. MeAppRun calls it for its step. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RRenderSetTickRate(RRender *rc, AcmeReal ticksPerSecond);
+/**
+ * How much is spent on a window's picture: 3 is full, 2 without smooth outlines, 1 and 0 are drawn smaller and scaled
+ * up, with coarser shadows; -1, as at first, lets the viewer choose by the time that frames take: down, one level after
+ * half a second of frames that are longer than 1/30 s because of drawing, and up, after two seconds of frames so short
+ * that the next level fits; longer where that has failed before. Without a window, with -frames, -every, -film or -key,
+ * and in pictures that are written, it is full. The option -quality wins. An addition to the 1.2 interface.
+ */
+MEPUBLIC void MEAPI RRenderSetPictureQuality(RRender *rc, int quality);
+/** The level of the next picture, 0 to 3. An addition to the 1.2 interface. */
+MEPUBLIC int MEAPI RRenderGetPictureQuality(RRender *rc);
 /** Pauses (not 0) or continues (0): while paused, the tick is not called. */
 MEPUBLIC void MEAPI RRenderSetPause(RRender *rc, int p);
 /**

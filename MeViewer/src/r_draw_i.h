@@ -212,13 +212,15 @@ typedef struct RDraw {
     int fontVersion; /* That the texture has. */
     GLuint textures[R_MAX_TEXTURES];
     bool textureTried[R_MAX_TEXTURES];
-    RTarget samples;   /* Several samples per pixel, linear light. */
-    RTarget linear;    /* The same, one per pixel. */
-    RTarget picture;   /* As it is shown. */
-    RTarget shadow;    /* Depth from the key light. */
-    RTarget below;     /* Depth from below. */
-    RTarget occlusion; /* How much sky the ground sees. */
-    int width, height; /* Of the first three. */
+    RTarget samples;             /* Several samples per pixel, linear light. */
+    RTarget linear;              /* The same, one per pixel. */
+    RTarget picture;             /* As it is shown. */
+    RTarget shadow;              /* Depth from the key light. */
+    RTarget below;               /* Depth from below. */
+    RTarget occlusion;           /* How much sky the ground sees. */
+    int width, height;           /* Of the picture. */
+    int drawnWidth, drawnHeight; /* Of the two before it. */
+    int level;                   /* Of quality; -1 before the first picture. */
     int frame;
     bool drawn;  /* There is a picture. */
     bool warned; /* That there is no room for one. */
@@ -227,8 +229,9 @@ typedef struct RDraw {
 } RDraw;
 
 /* r_target.c */
-enum { R_SHADOW_SIZE = 1024, R_OCCLUSION_SIZE = 192 }; /* Pixels. */
-bool r_targetsResize(RDraw *d, int width, int height);
+enum { R_OCCLUSION_SIZE = 192 }; /* Pixels. */
+/* To a picture's size and a level of quality; false if there is no room. */
+bool r_targetsResize(RDraw *d, int width, int height, int level);
 bool r_targetsStart(RDraw *d);
 void r_targetsStop(RDraw *d);
 

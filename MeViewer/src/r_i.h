@@ -395,7 +395,32 @@ typedef struct {
     int64_t progress; /* When progress was last shown. */
     bool progressShown;
     bool isDrawn; /* This frame. */
+    bool saving;  /* A picture for a file. */
 } RLoop;
+
+/* r_quality.c. Times in ns. */
+typedef struct {
+    int samples;    /* Of a pixel. */
+    int shadowSize; /* Texels, of a side of the shadow's map. */
+    float scale;    /* Of what is drawn to the picture's width and height. */
+} RQualityLevel;
+enum { R_QUALITY_AUTO = -1, R_QUALITY_FULL = 3 };
+extern const RQualityLevel r_qualityLevels[R_QUALITY_FULL + 1];
+
+typedef struct {
+    int level;
+    int frames;               /* Since times were last added up, */
+    int64_t elapsed, drawing; /* what these took. */
+    int patience;             /* How many times as long frames have to be short. */
+    bool raised;              /* The last change was a raise, not yet proved right. */
+    bool isNew;               /* The next frame does not count. */
+} RQuality;
+
+void r_qualityRestart(RQuality *q);
+/* A frame took so long in all, without waiting for the next one, and its drawing so long. */
+void r_qualityFrame(RQuality *q, int64_t frame, int64_t drawing);
+int r_pictureQuality(const RRender *rc); /* As asked for: R_QUALITY_AUTO to R_QUALITY_FULL. */
+int r_qualityLevel(const RRender *rc);   /* With which the next picture is drawn. */
 
 /* From now on time is owed; what was owed is forgotten. */
 void r_clockRestart(RClock *c, int64_t now);
@@ -457,6 +482,8 @@ struct RViewer {
     RHelp help;
     RHelpLayout helpLayout;
     RLoop loop;
+    RQuality quality;
+    int pictureQuality; /* RRenderSetPictureQuality's. */
     RFilm film;
     ROverlay overlay;
     struct RPanels *panels; /* Null unless something is drawn. */
