@@ -317,6 +317,8 @@ MEPUBLIC void MEAPI RParticleSystemDestroy(RParticleSystem *ps);
  * about the origin: they shine on the screen from where they did. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RCameraSetUp(RRender *rc, AcmeReal x, AcmeReal y, AcmeReal z);
+/** The axis of RCameraSetUp, of length 1; RCameraGetUp is the camera's own. An addition to the 1.2 interface. */
+MEPUBLIC void MEAPI RCameraGetUpAxis(RRender *rc, AcmeVector3 axis);
 /**
  * The angles of a camera that is in this direction (world, of any length) from its look-at point. @a theta keeps its
  * value for a direction along the up axis, both keep theirs for one without length. An addition to the 1.2 interface.

@@ -139,6 +139,11 @@ void MEAPI RCameraSetUp(RRender *rc, AcmeReal x, AcmeReal y, AcmeReal z) {
     update(rc);
 }
 
+void MEAPI RCameraGetUpAxis(RRender *rc, AcmeVector3 axis) {
+    if (r_isContext(rc, __func__) && r_isPointer(axis, __func__, "axis"))
+        memcpy(axis, rc->m_pViewer->camera.upright[1], 3 * sizeof *axis);
+}
+
 /* The angles of a direction; theta stays as it is for one along the up axis, phi for one without length. */
 static void anglesOf(const RRender *rc, const AcmeReal direction[3], AcmeReal *theta, AcmeReal *phi) {
     AcmeReal d[3];

@@ -409,8 +409,9 @@ extern const RQualityLevel r_qualityLevels[R_QUALITY_FULL + 1];
 
 typedef struct {
     int level;
-    int frames;               /* Since times were last added up, */
+    int frames;               /* Of this window, */
     int64_t elapsed, drawing; /* what these took. */
+    int64_t shortFor;         /* How long frames have been short. */
     int patience;             /* How many times as long frames have to be short. */
     bool raised;              /* The last change was a raise, not yet proved right. */
     bool isNew;               /* The next frame does not count. */

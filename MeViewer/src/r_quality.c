@@ -16,8 +16,10 @@ enum { LATE = 33333333, SHORT = 17500000 };
 enum { PERIOD = 16666667 };
 /* ns, as which what takes longer counts: five such frames are no hiccup any more, one is. */
 enum { HICCUP = 100000000 };
-/* ns: how long frames have to be late, and, at first, short. Half a second is no hiccup. */
-enum { LOWER_AFTER = 500000000, RAISE_AFTER = 2000000000 };
+/* ns, over which frames are averaged, and after which the level is lowered: with HICCUP, no single frame does it. */
+enum { WINDOW = 500000000 };
+/* ns: how long frames have to be short at first. */
+enum { RAISE_AFTER = 2000000000 };
 /* A raise that was a mistake doubles the time to the next one, up to so many times. */
 enum { MOST_PATIENCE = 32 };
 
@@ -38,24 +40,29 @@ static void add(RQuality *q, int64_t frame, int64_t drawing) {
     q->drawing += drawing < counted ? drawing : counted;
 }
 
+static void chooseLevel(RQuality *q) {
+    const bool late = q->elapsed > q->frames * (int64_t)LATE, isShort = q->elapsed < q->frames * (int64_t)SHORT;
+    /* Where drawing takes less than half, a lower level saves too little to be worth its look. */
+    const bool helps = 2 * q->drawing > q->elapsed;
+    q->shortFor = isShort ? q->shortFor + q->elapsed : 0;
+    q->frames = 0;
+    q->elapsed = q->drawing = 0;
+    if (late && helps && q->level > 0)
+        change(q, -1);
+    else if (q->shortFor >= q->patience * (int64_t)RAISE_AFTER && q->level < R_QUALITY_FULL)
+        change(q, 1);
+    else
+        q->raised = false; /* It has proved right. */
+}
+
 void r_qualityFrame(RQuality *q, int64_t frame, int64_t drawing) {
     if (q->isNew) { /* Its buffers and shaders have just been made. */
         q->isNew = false;
         return;
     }
     add(q, frame, drawing);
-    const bool late = q->elapsed > q->frames * (int64_t)LATE, isShort = q->elapsed < q->frames * (int64_t)SHORT;
-    /* Where drawing takes less than half, a lower level saves too little to be worth its look. */
-    const bool helps = 2 * q->drawing > q->elapsed;
-    if (q->elapsed >= LOWER_AFTER && late && helps && q->level > 0)
-        change(q, -1);
-    else if (q->elapsed >= q->patience * (int64_t)RAISE_AFTER && isShort && q->level < R_QUALITY_FULL)
-        change(q, 1);
-    else if (q->elapsed >= (isShort ? q->patience * (int64_t)RAISE_AFTER : (int64_t)LOWER_AFTER)) {
-        q->raised = false; /* It has proved right. */
-        q->frames = 0;
-        q->elapsed = q->drawing = 0;
-    }
+    if (q->elapsed >= WINDOW)
+        chooseLevel(q);
 }
 
 static bool isAutomatic(const RRender *rc) {

@@ -45,6 +45,18 @@ START_TEST(a_fast_machine_keeps_full_quality) {
 }
 END_TEST
 
+/* However long all was well, a scene that becomes heavy is answered within a second or so a level. */
+START_TEST(it_is_lowered_soon) {
+    RQuality q = fresh();
+    run(&q, 600, (const double[]){10, 15, 17, 60}, 0); /* Full has been tried in vain, and is put off for long. */
+    ck_assert_int_eq(q.level, 2);
+    for (int i = 0; i < 200; i++)
+        r_qualityFrame(&q, 17 * MS, 17 * MS);
+    ck_assert_int_eq(run(&q, 1, (const double[]){15, 25, 70, 120}, 0), 1);
+    ck_assert_int_eq(q.level, 1);
+}
+END_TEST
+
 /* One frame of .3 s among short ones, as when a window is dragged or a file is read. */
 START_TEST(a_hiccup_changes_nothing) {
     RQuality q = fresh();
@@ -167,6 +179,7 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_test(t, it_goes_down_until_thirty_frames_a_second_hold);
     tcase_add_test(t, a_fast_machine_keeps_full_quality);
+    tcase_add_test(t, it_is_lowered_soon);
     tcase_add_test(t, a_hiccup_changes_nothing);
     tcase_add_test(t, slow_physics_does_not_cost_quality);
     tcase_add_test(t, it_comes_back_up);

@@ -163,6 +163,9 @@ START_TEST(positions_and_angles) {
         RCameraGetLookDir(rc, dir);
         const double length =
             sqrt(pow((double)axes[i][0], 2) + pow((double)axes[i][1], 2) + pow((double)axes[i][2], 2));
+        AcmeVector3 axis;
+        RCameraGetUpAxis(rc, axis);
+        assert_vec3_near(axis, -dir[0], -dir[1], -dir[2], 1e-6);
         assert_vec3_near(dir, -axes[i][0] / length, -axes[i][1] / length, -axes[i][2] / length, 1e-6);
         memcpy(m, rc->m_pViewer->camera.upright, sizeof m); /* A rotation. */
         for (int a = 0; a < 3; a++)
@@ -188,6 +191,8 @@ START_TEST(bad_axes_change_nothing) {
     assert_warned("RCameraSetUp");
     RCameraSetUp(NULL, 0, 0, 1);
     assert_warned("RCameraSetUp");
+    RCameraGetUpAxis(rc, NULL);
+    assert_warned("RCameraGetUpAxis");
     RCameraFindAngles(rc, (const AcmeVector3){NAN, 0, 0}, &theta, &phi);
     assert_warned("RCameraFindAngles");
     RCameraFindAngles(rc, (const AcmeVector3){1, 0, 0}, NULL, &phi);
