@@ -6,7 +6,7 @@
  *
  *      MeApp *app = MeAppStart(argc, argv, "Falling box", 0);
  *      MstUniverseID universe = MeAppGetMstUniverse(app);
- *      MdtWorldSetGravity(MstUniverseGetWorld(universe), 0, (MeReal)-9.8, 0);
+ *      MdtWorldSetGravity(MstUniverseGetWorld(universe), 0, 0, (MeReal)-9.8);
  *      MstModelAndBodyCreate(universe, McdBoxCreate(MstUniverseGetFramework(universe), 1, 1, 1), 1000);
  *      MeAppRun(app, (MeReal)(1.0 / 60), 0, 0);
  *
@@ -65,8 +65,9 @@ MEPUBLIC void MEAPI MeAppStep(MeApp *app);
  * A viewer context for the options of the command line (MeViewer.h; others end the program, RRenderRefuseOptions), a
  * universe of these sizes (null:
  * MstUniverseGrowingSizes), the helpers of both, and their controls (MeAppCreateControls). @a name is the title of the
- * window. The universe has no gravity and no friction yet, as MstUniverseCreate makes it. The camera looks at the
- * origin from 12 length scales away; RCameraSetView and the others change that, the context is MeApp::rc. Null, after
+ * window. The universe has no gravity and no friction yet, as MstUniverseCreate makes it. z is up
+ * on the screen, as planes and height fields have it (RCameraSetUp changes that). The camera looks at the origin from
+ * 12 length scales away; RCameraSetView and the others change that, the context is MeApp::rc. Null, after
  * a warning that says why, if there is nothing to draw on or no memory.
  */
 MEPUBLIC MeApp *MEAPI MeAppStart(int argc, const char **argv, const char *name, const MstUniverseSizes *sizes);
@@ -100,9 +101,9 @@ MEPUBLIC RGraphic *MEAPI MeAppShowModel(MeApp *app, McdModelID m, const float co
  *  RRenderGetKeyFrames: MeAppGetKeyAxis(app, "Left", "Right"). */
 MEPUBLIC int MEAPI MeAppGetKeyAxis(MeApp *app, const char *less, const char *more);
 /**
- * Puts the camera behind a body that looks along its x, y up, @a distance away and @a elevation (rad) above it; from
- * then on each MeAppStep moves it after the body and turns it as the body turns. The user may turn it further. It ends
- * with the body, or with a null one.
+ * Puts the camera behind a body that looks along its x, @a distance away and @a elevation (rad) above it; from then on
+ * each MeAppStep moves it after the body and turns it as the body turns. The user may turn it further. It ends with the
+ * body, or with a null one.
  */
 MEPUBLIC void MEAPI MeAppFollow(MeApp *app, MdtBodyID body, AcmeReal distance, AcmeReal elevation);
 /** @} */

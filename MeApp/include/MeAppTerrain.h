@@ -1,10 +1,10 @@
 /** @file MeAppTerrain.h
- *  Terrain for demonstration programs whose y is up: a square grid of heights that a function gives, as a height field
+ *  Terrain for demonstration programs: a square grid of heights that a function gives, as a height field
  *  to collide with, as triangles for a triangle list, and as a picture. An addition to the 1.2 interface.
  *
- *      static MeReal MEAPI hill(MeReal x, MeReal z, void *userdata) { return 3 * MeSin(x / 10) * MeCos(z / 10); }
+ *      static MeReal MEAPI hill(MeReal x, MeReal y, void *userdata) { return 3 * MeSin(x / 10) * MeCos(y / 10); }
  *      ...
- *      MeAppTerrain *terrain = MeAppTerrainCreate(97, (MeReal)1.5, hill, 0);   // 144 m by 144 m round the origin
+ *      MeAppTerrain *terrain = MeAppTerrainCreateZUp(97, (MeReal)1.5, hill, 0);   // 144 m by 144 m round the origin
  *      MeAppTerrainCreateModel(terrain, universe);
  *      MeAppTerrainShow(terrain, app->rc);
  *
@@ -19,16 +19,18 @@ ME_BEGIN_C
 
 typedef struct MeAppTerrain MeAppTerrain;
 
-/** The height (m) at a place. */
-typedef MeReal(MEAPI *MeAppHeightCB)(MeReal x, MeReal z, void *userdata);
+/** The height (m) at a place: its x and z where y is up, its x and y where z is. */
+typedef MeReal(MEAPI *MeAppHeightCB)(MeReal x, MeReal across, void *userdata);
 
 /** @name Life
  *  @{ */
 /**
- * Heights at @a points by @a points places (2 to 4097 a side), @a cell metres (> 0) apart: point (i, j) is at
+ * Heights at @a points by @a points places (2 to 4097 a side), @a cell metres (> 0) apart, y up: point (i, j) is at
  * x = (i - points / 2) cell, z = (points / 2 - j) cell. Null, with a warning, for a bad argument.
  */
 MEPUBLIC MeAppTerrain *MEAPI MeAppTerrainCreate(int points, MeReal cell, MeAppHeightCB height, void *userdata);
+/** The same with z up, as MeAppStart draws it: point (i, j) is at y = (j - points / 2) cell. */
+MEPUBLIC MeAppTerrain *MEAPI MeAppTerrainCreateZUp(int points, MeReal cell, MeAppHeightCB height, void *userdata);
 /** To be called after the universe of its model is destroyed. Null does nothing. */
 MEPUBLIC void MEAPI MeAppTerrainDestroy(MeAppTerrain *t);
 /** @} */

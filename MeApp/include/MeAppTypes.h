@@ -37,7 +37,7 @@ typedef struct MeAppContactDrawInfo {
 typedef struct MeAppFollowInfo {
     MdtBodyID body; /**< Null: nothing. */
     MeVector3 at;   /**< Where the camera looks. */
-    MeReal heading; /**< Of the camera, rad, anticlockwise from x as seen from above. */
+    MeReal heading; /**< theta of a camera behind it, rad. */
 } MeAppFollowInfo;
 
 /** A demonstration program's helpers. Created by MeAppCreate. */

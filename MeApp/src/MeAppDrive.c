@@ -12,11 +12,13 @@ int MEAPI MeAppGetKeyAxis(MeApp *app, const char *less, const char *more) {
     return (RRenderGetKeyFrames(app->rc, more) > 0) - (RRenderGetKeyFrames(app->rc, less) > 0);
 }
 
-/* Anticlockwise from x as seen from above; as it was while the body looks straight up or down. */
-static MeReal headingOf(MdtBodyID body, MeReal old) {
+/* theta of a camera behind the body; as it was while the body looks nearly straight up or down. */
+static MeReal headingOf(const MeApp *app, MdtBodyID body, MeReal old) {
     const MeReal *forward = MdtBodyGetTransformPtr(body)[0];
-    const MeReal level = forward[0] * forward[0] + forward[2] * forward[2];
-    return level > (MeReal)0.1 ? MeAtan2(-forward[2], forward[0]) : old;
+    const AcmeVector3 back = {-(AcmeReal)forward[0], -(AcmeReal)forward[1], -(AcmeReal)forward[2]};
+    AcmeReal theta = (AcmeReal)old, phi = 0;
+    RCameraFindAngles(app->rc, back, &theta, &phi);
+    return MeCos((MeReal)phi) * MeCos((MeReal)phi) > (MeReal)0.1 ? (MeReal)theta : old;
 }
 
 static void lookAt(const MeApp *app) {
@@ -35,10 +37,10 @@ void MEAPI MeAppFollow(MeApp *app, MdtBodyID body, AcmeReal distance, AcmeReal e
         return;
     }
     app->follow.body = body;
-    app->follow.heading = headingOf(body, 0);
+    app->follow.heading = headingOf(app, body, 0);
     MdtBodyGetPosition(body, app->follow.at);
     lookAt(app);
-    RCameraSetView(app->rc, distance, (AcmeReal)(app->follow.heading - ME_PI / 2), elevation);
+    RCameraSetView(app->rc, distance, (AcmeReal)app->follow.heading, elevation);
 }
 
 /* A part of what is missing in each frame: at 60 a second the point is reached with a time constant of 1/17 s, the
@@ -50,7 +52,7 @@ void meapp_followStep(MeApp *app) {
         app->follow.body = 0;
         return;
     }
-    const MeReal missing = headingOf(app->follow.body, app->follow.heading) - app->follow.heading;
+    const MeReal missing = headingOf(app, app->follow.body, app->follow.heading) - app->follow.heading;
     const MeReal turn = headingPart * MeAtan2(MeSin(missing), MeCos(missing));
     MdtBodyGetPosition(app->follow.body, at);
     MeVector3Lerp(app->follow.at, app->follow.at, at, pointPart);

@@ -31,17 +31,19 @@ static void say(const char *format, ...) {
 
 /* ---- Simulation -------------------------------------------------------------------------------------------------- */
 
-/* Its strength; the direction stays, and is -y where there was none. What sleeps wakes: it would not fall. */
+/* Its strength; the direction stays, and is down where there was none. What sleeps wakes: it would not fall. */
 static void showGravity(MeApp *app) {
     MeReal *way = app->controls->gravity;
     MeVector3 g;
+    AcmeVector3 up;
     MdtWorldGetGravity(app->world, g);
+    RCameraGetUpAxis(app->rc, up);
     MeReal strength = MeVector3Magnitude(g);
     if (strength > 0)
         for (int i = 0; i < 3; i++)
             way[i] = g[i] / strength;
     else if (MeVector3MagnitudeSqr(way) == 0)
-        way[1] = -1;
+        MeVector3Set(way, -(MeReal)up[0], -(MeReal)up[1], -(MeReal)up[2]);
     if (!RPanelSlider("gravity", &strength, 0, 30 * app->lengthScale, "m/s\xc2\xb2"))
         return;
     MdtWorldSetGravity(app->world, way[0] * strength, way[1] * strength, way[2] * strength);

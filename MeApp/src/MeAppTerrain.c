@@ -15,16 +15,16 @@ struct MeAppTerrain {
     MeReal cell;
     MeReal *heights;   /* [j points + i] */
     MeVector3 *corner; /* the same points in the world */
-    MeMatrix4 tm;      /* the field's z becomes the world's y, its y the world's -z */
+    MeMatrix4 tm;      /* from the field, whose z is up, to the world */
 };
 
 /* ---- life -------------------------------------------------------------------------------------------------------- */
 
-static MeBool areGood(int points, MeReal cell, MeAppHeightCB height) {
+static MeBool areGood(const char *function, int points, MeReal cell, MeAppHeightCB height) {
     enum { MOST = 4097 };
     if (height && points >= 2 && points <= MOST && cell > 0 && MeRealIsValid(cell))
         return METRUE;
-    MeWarning(1, "MeAppTerrainCreate: %s",
+    MeWarning(1, "%s: %s", function,
               !height                       ? "height is null"
               : points < 2 || points > MOST ? "points must be 2 to 4097"
                                             : "cell must be above 0");
@@ -36,19 +36,29 @@ static MeReal placeOf(const MeAppTerrain *t, int i) {
     return (MeReal)(i - t->points / 2) * t->cell;
 }
 
+static MeBool isZUp(const MeAppTerrain *t) {
+    return t->tm[2][2] == 1;
+}
+
+static void toWorld(const MeAppTerrain *t, MeReal x, MeReal y, MeReal z, MeVector3 world) {
+    const MeVector3 inField = {x, y, z};
+    MeMatrix4TMRotate(world, t->tm, inField);
+}
+
 static void setHeights(MeAppTerrain *t, MeAppHeightCB height, void *userdata) {
     for (int j = 0; j < t->points; j++) {
         for (int i = 0; i < t->points; i++) {
             const int at = j * t->points + i;
-            const MeReal x = placeOf(t, i), z = -placeOf(t, j);
-            t->heights[at] = height(x, z, userdata);
-            MeVector3Set(t->corner[at], x, t->heights[at], z);
+            const MeReal x = placeOf(t, i), y = placeOf(t, j);
+            t->heights[at] = height(x, isZUp(t) ? y : -y, userdata);
+            toWorld(t, x, y, t->heights[at], t->corner[at]);
         }
     }
 }
 
-MeAppTerrain *MEAPI MeAppTerrainCreate(int points, MeReal cell, MeAppHeightCB height, void *userdata) {
-    if (!areGood(points, cell, height))
+static MeAppTerrain *create(const char *function, int points, MeReal cell, MeAppHeightCB height, void *userdata,
+                            MeBool zUp) {
+    if (!areGood(function, points, cell, height))
         return 0;
     const size_t count = (size_t)points * (size_t)points;
     MeAppTerrain *t = MeMemoryAPI.create(sizeof *t);
@@ -58,15 +68,25 @@ MeAppTerrain *MEAPI MeAppTerrainCreate(int points, MeReal cell, MeAppHeightCB he
                             .heights = MeMemoryAPI.create(count * sizeof(MeReal)),
                             .corner = MeMemoryAPI.create(count * sizeof(MeVector3))};
     if (!t || !t->heights || !t->corner) {
-        MeFatalError(1, "MeAppTerrainCreate: no memory");
+        MeFatalError(1, "%s: no memory", function);
         MeAppTerrainDestroy(t);
         return 0;
     }
     MeMatrix4TMMakeIdentity(t->tm);
-    MeVector3Set(t->tm[1], 0, 0, -1);
-    MeVector3Set(t->tm[2], 0, 1, 0);
+    if (!zUp) { /* The field's z becomes the world's y, its y the world's -z. */
+        MeVector3Set(t->tm[1], 0, 0, -1);
+        MeVector3Set(t->tm[2], 0, 1, 0);
+    }
     setHeights(t, height, userdata);
     return t;
+}
+
+MeAppTerrain *MEAPI MeAppTerrainCreate(int points, MeReal cell, MeAppHeightCB height, void *userdata) {
+    return create("MeAppTerrainCreate", points, cell, height, userdata, MEFALSE);
+}
+
+MeAppTerrain *MEAPI MeAppTerrainCreateZUp(int points, MeReal cell, MeAppHeightCB height, void *userdata) {
+    return create("MeAppTerrainCreateZUp", points, cell, height, userdata, METRUE);
 }
 
 void MEAPI MeAppTerrainDestroy(MeAppTerrain *t) {
@@ -126,8 +146,8 @@ static MeReal heightOf(const MeAppTerrain *t, int i, int j) {
 
 /* Of the smooth surface through the points. */
 static void normalAt(const MeAppTerrain *t, int i, int j, MeVector3 normal) {
-    MeVector3Set(normal, heightOf(t, i - 1, j) - heightOf(t, i + 1, j), 2 * t->cell,
-                 heightOf(t, i, j + 1) - heightOf(t, i, j - 1));
+    toWorld(t, heightOf(t, i - 1, j) - heightOf(t, i + 1, j), heightOf(t, i, j - 1) - heightOf(t, i, j + 1),
+            2 * t->cell, normal);
     MeVector3Normalize(normal);
 }
 
@@ -137,7 +157,7 @@ static void setVertex(MeAppTerrain *t, RObjectVertex *v, int i, int j, int trian
     MeVector3 normal;
     const int at = (int)((MeVector3 *)p - t->corner);
     normalAt(t, at % t->points, at / t->points, normal);
-    RSetVertex(v, p, normal, p[0] / 16, p[2] / 16);
+    RSetVertex(v, p, normal, placeOf(t, at % t->points) / 16, -placeOf(t, at / t->points) / 16);
 }
 
 static MeBool isLevel(const MeAppTerrain *t, int i, int j) {

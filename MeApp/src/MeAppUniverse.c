@@ -173,6 +173,7 @@ static RRender *createContext(int argc, const char **argv, const char *name) {
 /* From above and from the side, at the origin. */
 static void placeCamera(RRender *rc, MeReal lengthScale) {
     const AcmeVector3 origin = {0, 0, 0};
+    RCameraSetUp(rc, 0, 0, 1);
     RCameraSetLookAt(rc, origin);
     RCameraSetView(rc, 12 * (AcmeReal)lengthScale, .5f, .3f);
 }

@@ -20,9 +20,10 @@
  *  choice it is a window if one can be opened, else the off-screen buffer.
  *
  *  The world is drawn as it is simulated, right-handed: x to the right, y up and z out of the screen for a camera at
- *  theta 0. (The User Guide, Preface, excepts its viewer from "right-handed coordinate systems everywhere"; here it is
- *  no exception. The camera's angles are the guide's, App. B.) Lengths are the program's own; one cell of the ground's
- *  grid is one unit. 2D graphics have the window's lower left corner at (-1, -1) and its upper right corner at (1, 1).
+ *  theta 0, or, after RCameraSetUp(rc, 0, 0, 1), z up and y into the screen. (The User Guide, Preface, excepts its
+ *  viewer from "right-handed coordinate systems everywhere"; here it is no exception. The camera's angles are the
+ *  guide's, App. B.) Lengths are the program's own; one cell of the ground's grid is one unit. 2D graphics have the
+ *  window's lower left corner at (-1, -1) and its upper right corner at (1, 1).
  *
  *  Bad input (a null context or graphic, a NaN, a size that is not positive, a number out of range) gets a MeWarning
  *  that names function and argument; then the call does nothing and returns 0. This holds for every function here
@@ -90,6 +91,16 @@ MEPUBLIC void MEAPI RRenderSetBackgroundColor(RRender *rc, const float color[4])
  * -key, each frame has one tick. MeAppRun calls it for its step. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RRenderSetTickRate(RRender *rc, AcmeReal ticksPerSecond);
+/**
+ * How much is spent on a window's picture: 3 is full, 2 without smooth outlines, 1 and 0 are drawn smaller and scaled
+ * up, with coarser shadows; -1, as at first, lets the viewer choose by the time that frames take: down, one level after
+ * half a second of frames that are longer than 1/30 s because of drawing, and up, after two seconds of frames so short
+ * that the next level fits; longer where that has failed before. Without a window, with -frames, -every, -film or -key,
+ * and in pictures that are written, it is full. The option -quality wins. An addition to the 1.2 interface.
+ */
+MEPUBLIC void MEAPI RRenderSetPictureQuality(RRender *rc, int quality);
+/** The level of the next picture, 0 to 3. An addition to the 1.2 interface. */
+MEPUBLIC int MEAPI RRenderGetPictureQuality(RRender *rc);
 /** Pauses (not 0) or continues (0): while paused, the tick is not called. */
 MEPUBLIC void MEAPI RRenderSetPause(RRender *rc, int p);
 /**
@@ -161,8 +172,9 @@ MEPUBLIC RGraphic *MEAPI RGraphicTorusCreate(RRender *rc, AcmeReal innerRadius, 
 /** In the xy plane, its normal along z, seen from both sides. */
 MEPUBLIC RGraphic *MEAPI RGraphicSquareCreate(RRender *rc, AcmeReal side, const float color[4], MeMatrix4Ptr matrix);
 /**
- * A square in x and z at height @a y_position, with a grid of unit lines (every tenth bolder) in tints of @a color,
- * fading out towards its edge. With the texture "checkerboard" its squares are one unit wide. It casts no shadow.
+ * A level square (across the axis of RCameraSetUp) at height @a y_position, with a grid of unit lines (every tenth
+ * bolder) in tints of @a color, fading out towards its edge. With the texture "checkerboard" its squares are one unit
+ * wide. It casts no shadow.
  */
 MEPUBLIC RGraphic *MEAPI RGraphicGroundPlaneCreate(RRender *rc, AcmeReal side_length, int triangles_per_side,
                                                    const float color[4], AcmeReal y_position);
@@ -290,11 +302,28 @@ MEPUBLIC void MEAPI RParticleSystemDestroy(RParticleSystem *ps);
 /** @name The camera
  *  It looks at a point from a distance (at least 0.01), in a direction given by two angles in radians: theta in the
  *  xz plane, anticlockwise from the z axis as seen from above, and phi, the elevation above that plane:
- *  position = look-at + distance (cos phi sin theta, sin phi, cos phi cos theta).
+ *  position = look-at + distance (cos phi sin theta, sin phi, cos phi cos theta); with z up (RCameraSetUp) it is
+ *  look-at + distance (cos phi sin theta, -cos phi cos theta, sin phi).
  *  At first, as in 1.2: distance 15, theta 0, phi 0, at (0, 0, 1); so the camera is at (0, 0, 16) and looks along -z, x
  *  to the right and y up. theta is wrapped to -pi..pi, phi is kept in -pi/2..pi/2.
  *  `-camera` wins over what the program sets before RRun.
  *  @{ */
+/**
+ * The axis of the world that is up on the screen, of any length but 0: at first (0, 1, 0); MeAppStart makes it
+ * (0, 0, 1). What this header says of x, y and z of the camera's angles and views, the ground and the sky holds in the
+ * world turned by the shortest rotation that takes the axis to y (the other way about, by half a turn about x and the
+ * shortest after it, for an axis whose y is negative). So with z up, theta 0 is seen from -y, with x to the right.
+ * Angles, distance and look-at point stay as they are, grounds and sky that exist turn along, and so do the lights,
+ * about the origin: they shine on the screen from where they did. An addition to the 1.2 interface.
+ */
+MEPUBLIC void MEAPI RCameraSetUp(RRender *rc, AcmeReal x, AcmeReal y, AcmeReal z);
+/** The axis of RCameraSetUp, of length 1; RCameraGetUp is the camera's own. An addition to the 1.2 interface. */
+MEPUBLIC void MEAPI RCameraGetUpAxis(RRender *rc, AcmeVector3 axis);
+/**
+ * The angles of a camera that is in this direction (world, of any length) from its look-at point. @a theta keeps its
+ * value for a direction along the up axis, both keep theirs for one without length. An addition to the 1.2 interface.
+ */
+MEPUBLIC void MEAPI RCameraFindAngles(RRender *rc, const AcmeVector3 direction, AcmeReal *theta, AcmeReal *phi);
 MEPUBLIC void MEAPI RCameraSetLookAt(RRender *rc, const AcmeVector3 lookAt);
 MEPUBLIC void MEAPI RCameraGetLookAt(RRender *rc, AcmeVector3 camlookat);
 MEPUBLIC void MEAPI RCameraSetView(RRender *rc, AcmeReal dist, AcmeReal angle, AcmeReal elevation);
@@ -325,7 +354,7 @@ MEPUBLIC void MEAPI RCameraSetFov(RRender *rc, AcmeReal fov);
  * @a viewDepth along the line of sight is drawn. RCameraSetFov brings the perspective back.
  */
 MEPUBLIC void MEAPI RCameraSetOrthographicView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
-/** The same from one side: from +z, -z, -x, +x, +y and -y. */
+/** The same from one side: from +z, -z, -x, +x, +y and -y; with z up, from -y, +y, -x, +x, +z and -z. */
 MEPUBLIC void MEAPI RCameraSetFrontView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
 MEPUBLIC void MEAPI RCameraSetBackView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
 MEPUBLIC void MEAPI RCameraSetLeftView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);

@@ -264,6 +264,8 @@ typedef struct RRenderOptions {
     int m_bProfile;          /**< -profile */
     int m_bCamera;           /**< -camera was given. */
     AcmeReal m_Camera[3];    /**< -camera: distance, theta, phi. */
+    int m_bQuality;          /**< -quality was given. */
+    int m_nQuality;          /**< -quality: as RRenderSetPictureQuality. */
     char m_Screenshot[256];  /**< -screenshot; "" if not given. */
     char m_Film[256];        /**< -film; "" if not given. */
     char m_Keys[512];        /**< -key; "" if not given. */

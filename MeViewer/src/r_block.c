@@ -1,4 +1,4 @@
-/* The numbers that all shaders share in a frame: camera, lights, background. */
+/* The numbers that all shaders share in a frame: camera, lights, background. All is in the upright frame. */
 #include "r_draw_i.h"
 
 #include <string.h>
@@ -23,16 +23,29 @@ static void set3(float to[4], const float from[3], float factor) {
         to[k] = from[k] * factor;
 }
 
+/* RRender::m_CameraMatrix for what is in the upright frame. */
+static void uprightToCamera(const RRender *rc, MeMatrix4 out) {
+    memcpy(out, rc->m_CameraMatrix, sizeof(MeMatrix4));
+    for (int i = 0; i < 3; i++) {
+        const AcmeReal *axis = rc->m_pViewer->camera.upright[i];
+        for (int j = 0; j < 3; j++)
+            out[i][j] = (MeReal)axis[0] * rc->m_CameraMatrix[0][j] + (MeReal)axis[1] * rc->m_CameraMatrix[1][j] +
+                        (MeReal)axis[2] * rc->m_CameraMatrix[2][j];
+    }
+}
+
 static void fillCamera(const RRender *rc, RFrameBlock *b) {
     const RCamera *c = &rc->m_pViewer->camera;
     const float width = (float)rc->m_pViewer->width, height = (float)rc->m_pViewer->height;
     const float slope = c->orthographic ? 0 : tanf(rc->m_CameraFov / 2);
-    multiply(rc->m_CameraMatrix, rc->m_ProjectionMatrix, b->viewProjection);
+    MeMatrix4 camera;
+    uprightToCamera(rc, camera);
+    multiply((const MeVector4 *)camera, rc->m_ProjectionMatrix, b->viewProjection);
+    r_toUpright(rc, rc->m_CameraPos, b->eye);
     for (int k = 0; k < 3; k++) {
-        b->eye[k] = rc->m_CameraPos[k];
-        b->right[k] = (float)rc->m_CameraMatrix[k][0] * slope * width / height;
-        b->up[k] = (float)rc->m_CameraMatrix[k][1] * slope;
-        b->back[k] = (float)rc->m_CameraMatrix[k][2];
+        b->right[k] = (float)camera[k][0] * slope * width / height;
+        b->up[k] = (float)camera[k][1] * slope;
+        b->back[k] = (float)camera[k][2];
     }
     b->eye[3] = c->orthographic ? 0 : 1;
     b->viewport[0] = width;
@@ -41,8 +54,9 @@ static void fillCamera(const RRender *rc, RFrameBlock *b) {
 }
 
 /* The direction to the light, of length 1; straight up for a direction without length. */
-static void toLight(const RDirectLight *light, float out[4]) {
-    const float *d = light->m_Direction;
+static void toLight(const RRender *rc, const RDirectLight *light, float out[4]) {
+    float d[3];
+    r_toUpright(rc, light->m_Direction, d);
     const float length = sqrtf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     const float up[3] = {0, 1, 0};
     set3(out, length > 0 && isfinite(length) ? d : up, length > 0 && isfinite(length) ? -1 / length : 1);
@@ -60,13 +74,13 @@ static void fillLights(const RRender *rc, RFrameBlock *b) {
         b->sky[k] = all * skyTint[k];
         b->bounce[k] = all * bounceTint[k];
     }
-    toLight(&l->key, b->keyDirection);
-    toLight(&l->fill, b->fillDirection);
+    toLight(rc, &l->key, b->keyDirection);
+    toLight(rc, &l->fill, b->fillDirection);
     set3(b->keyColor, l->key.m_rgbDiffuse, key);
     set3(b->keySpecular, l->key.m_rgbSpecular, key);
     set3(b->fillColor, l->fill.m_rgbDiffuse, fill);
     set3(b->fillSpecular, l->fill.m_rgbSpecular, fill);
-    set3(b->pointPosition, l->point.m_Position, 1);
+    r_toUpright(rc, l->point.m_Position, b->pointPosition);
     set3(b->pointColor, l->point.m_rgbDiffuse, point);
     set3(b->pointSpecular, l->point.m_rgbSpecular, point);
     b->pointAttenuation[0] = l->point.m_AttenuationConstant;
@@ -89,8 +103,8 @@ static void fillGround(const RRender *rc, const RScene *scene, RFrameBlock *b) {
     b->ground[0] = scene->groundHeight;
     b->ground[1] = scene->hasGround ? 1 : 0;
     b->ground[2] = fmaxf(scene->casterSize, 1e-6f);
-    b->fade[0] = rc->m_CameraLookAt[0];
-    b->fade[1] = rc->m_CameraLookAt[2];
+    b->fade[0] = scene->lookAt[0];
+    b->fade[1] = scene->lookAt[2];
     b->fade[2] = 3 * distance;
     b->fade[3] = 9 * distance;
 }

@@ -1,10 +1,32 @@
-/* The camera: a look-at point, a distance and two angles; or a matrix of the program's own. */
+/* The camera: a look-at point, a distance and two angles about the up axis; or a matrix of the program's own. */
 #include "r_i.h"
 
 #include <string.h>
 
 static const AcmeReal pi = 3.14159265f;
 static const AcmeReal nearest = 0.01f;
+
+void r_toUpright(const RRender *rc, const AcmeReal world[3], AcmeReal upright[3]) {
+    AcmeReal(*m)[3] = rc->m_pViewer->camera.upright;
+    for (int i = 0; i < 3; i++)
+        upright[i] = m[i][0] * world[0] + m[i][1] * world[1] + m[i][2] * world[2];
+}
+
+void r_fromUpright(const RRender *rc, const AcmeReal upright[3], AcmeReal world[3]) {
+    AcmeReal(*m)[3] = rc->m_pViewer->camera.upright;
+    for (int i = 0; i < 3; i++)
+        world[i] = m[0][i] * upright[0] + m[1][i] * upright[1] + m[2][i] * upright[2];
+}
+
+/* The shortest turn that takes the unit vector a to y; for an a below the xz plane, the shortest that takes -a to y and
+ * half a turn about x after it, so that no denominator comes near 0. */
+static void setUpright(RCamera *c, const AcmeReal a[3]) {
+    const AcmeReal side = a[1] < 0 ? -1.f : 1.f, x = side * a[0], y = side * a[1], z = side * a[2];
+    const AcmeReal mixed = -x * z / (1 + y);
+    const AcmeReal rows[3][3] = {
+        {1 - x * x / (1 + y), -x, mixed}, {a[0], a[1], a[2]}, {side * mixed, -side * z, side * (1 - z * z / (1 + y))}};
+    memcpy(c->upright, rows, sizeof rows);
+}
 
 /* The camera's axes: right, up, and back (towards the viewer). They stay orthonormal at the poles. */
 static void axes(const RRender *rc, AcmeReal right[3], AcmeReal up[3], AcmeReal back[3]) {
@@ -19,9 +41,9 @@ static void axes(const RRender *rc, AcmeReal right[3], AcmeReal up[3], AcmeReal 
     const AcmeReal st = sinf(rc->m_CameraAngle), ct = cosf(rc->m_CameraAngle);
     const AcmeReal sp = sinf(rc->m_CameraElevation), cp = cosf(rc->m_CameraElevation);
     const AcmeReal r[3] = {ct, 0, -st}, u[3] = {-sp * st, cp, -sp * ct}, b[3] = {cp * st, sp, cp * ct};
-    memcpy(right, r, sizeof r);
-    memcpy(up, u, sizeof u);
-    memcpy(back, b, sizeof b);
+    r_fromUpright(rc, r, right);
+    r_fromUpright(rc, u, up);
+    r_fromUpright(rc, b, back);
 }
 
 static AcmeReal clamp(AcmeReal x, AcmeReal lo, AcmeReal hi) {
@@ -66,6 +88,8 @@ void MEAPI RCameraUpdate(RRender *rc) {
 }
 
 void r_cameraInit(RRender *rc) {
+    static const AcmeReal y[3] = {0, 1, 0};
+    setUpright(&rc->m_pViewer->camera, y);
     rc->m_CameraLookAt[2] = 1; /* As in 1.2: programs zoom and turn relative to this view. */
     rc->m_CameraDist = 15;
     rc->m_CameraFov = 0.7f;
@@ -95,6 +119,46 @@ void r_cameraHome(RRender *rc) {
     rc->m_CameraAngle = c->home[4];
     rc->m_CameraElevation = c->home[5];
     update(rc);
+}
+
+void MEAPI RCameraSetUp(RRender *rc, AcmeReal x, AcmeReal y, AcmeReal z) {
+    AcmeReal up[3] = {x, y, z}, lights[3][3];
+    if (!r_isContext(rc, __func__) || !r_isFinite(up, 3, __func__, "the axis"))
+        return;
+    const AcmeReal most = fmaxf(fmaxf(fabsf(x), fabsf(y)), fabsf(z)); /* Squares would over- or underflow. */
+    if (most == 0) {
+        MeWarning(1, "%s: the axis is 0: it must have a length", __func__);
+        return;
+    }
+    const AcmeReal length = hypotf(hypotf(x / most, y / most), z / most);
+    for (int i = 0; i < 3; i++)
+        up[i] = up[i] / most / length;
+    r_lightsToUpright(rc, lights);
+    setUpright(&rc->m_pViewer->camera, up);
+    r_lightsFromUpright(rc, lights);
+    update(rc);
+}
+
+void MEAPI RCameraGetUpAxis(RRender *rc, AcmeVector3 axis) {
+    if (r_isContext(rc, __func__) && r_isPointer(axis, __func__, "axis"))
+        memcpy(axis, rc->m_pViewer->camera.upright[1], 3 * sizeof *axis);
+}
+
+/* The angles of a direction; theta stays as it is for one along the up axis, phi for one without length. */
+static void anglesOf(const RRender *rc, const AcmeReal direction[3], AcmeReal *theta, AcmeReal *phi) {
+    AcmeReal d[3];
+    r_toUpright(rc, direction, d);
+    const AcmeReal level = hypotf(d[0], d[2]);
+    if (level > 0)
+        *theta = atan2f(d[0], d[2]);
+    if (level > 0 || d[1] != 0)
+        *phi = atan2f(d[1], level);
+}
+
+void MEAPI RCameraFindAngles(RRender *rc, const AcmeVector3 direction, AcmeReal *theta, AcmeReal *phi) {
+    if (r_isContext(rc, __func__) && r_isFinite(direction, 3, __func__, "direction") &&
+        r_isPointer(theta, __func__, "theta") && r_isPointer(phi, __func__, "phi"))
+        anglesOf(rc, direction, theta, phi);
 }
 
 void MEAPI RCameraSetLookAt(RRender *rc, const AcmeVector3 lookAt) {
@@ -130,13 +194,9 @@ void MEAPI RCameraSetLookAtAndPosition(RRender *rc, const MeVector3 lookAt, cons
     }
     if (!r_isFinite(at, 3, __func__, "lookAt") || !r_isFinite(d, 3, __func__, "position"))
         return;
-    const AcmeReal level = hypotf(d[0], d[2]), distance = hypotf(level, d[1]);
     memcpy(rc->m_CameraLookAt, at, sizeof at);
-    rc->m_CameraDist = distance;
-    if (level > 0)
-        rc->m_CameraAngle = atan2f(d[0], d[2]);
-    if (distance > 0)
-        rc->m_CameraElevation = atan2f(d[1], level);
+    rc->m_CameraDist = hypotf(hypotf(d[0], d[2]), d[1]);
+    anglesOf(rc, d, &rc->m_CameraAngle, &rc->m_CameraElevation);
     update(rc);
 }
 

@@ -96,6 +96,8 @@ static void setDefaults(RRender *rc) {
                           RFLATSHADED | RSMOOTH | RTEXTURES | MENUS | ASSIGNABLEBUTTONS;
     v->fps = -1;
     v->tickRate = 60;
+    v->pictureQuality = R_QUALITY_AUTO;
+    r_qualityRestart(&v->quality);
     v->sphereSides = 48;
     v->shadows = true;
     r_cameraInit(rc);

@@ -130,7 +130,7 @@ static void blend(const RGL *gl, bool on) {
 static void drawWorld(RRender *rc, RDraw *d) {
     const RGL *gl = &d->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, d->samples.frame);
-    gl->Viewport(0, 0, d->width, d->height);
+    gl->Viewport(0, 0, d->drawnWidth, d->drawnHeight);
     gl->DepthMask(GL_TRUE);
     gl->DepthFunc(GL_LEQUAL);
     gl->Clear(GL_DEPTH_BUFFER_BIT);
@@ -158,8 +158,10 @@ static void drawPicture(RRender *rc, RDraw *d) {
     const RGL *gl = &d->gl;
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, d->samples.frame);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, d->linear.frame);
-    gl->BlitFramebuffer(0, 0, d->width, d->height, 0, 0, d->width, d->height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl->BlitFramebuffer(0, 0, d->drawnWidth, d->drawnHeight, 0, 0, d->drawnWidth, d->drawnHeight, GL_COLOR_BUFFER_BIT,
+                        GL_NEAREST);
     gl->BindFramebuffer(GL_FRAMEBUFFER, d->picture.frame);
+    gl->Viewport(0, 0, d->width, d->height);
     gl->BindTexture(GL_TEXTURE_2D, d->linear.color);
     drawFull(d, rProgramResolve);
     blend(gl, true);
@@ -182,7 +184,7 @@ void r_drawFrame(RRender *rc) {
     RDraw *d = v->draw;
     if (!v->backend->makeCurrent(rc)) /* There may be another context. */
         return;
-    if (!r_targetsResize(d, v->width, v->height)) {
+    if (!r_targetsResize(d, v->width, v->height, r_qualityLevel(rc))) {
         if (!d->warned)
             MeWarning(1, "MeViewer: OpenGL has no room for a picture of %dx%d", v->width, v->height);
         d->warned = true;

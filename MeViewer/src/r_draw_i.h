@@ -157,11 +157,11 @@ typedef struct {
 
 typedef R_ARRAY(RMesh *) RMeshes;
 
-/* ---- What is drawn in a frame (r_scene.c) ---- */
+/* ---- What is drawn in a frame (r_scene.c), in the upright frame ---- */
 
 /* One instance, as the shaders read it: seven vectors. */
 typedef struct {
-    float row[3][4];                                        /* World = row . (x, y, z, 1). */
+    float row[3][4];                                        /* Place = row . (x, y, z, 1). */
     float diffuse[4], ambient[4], emissive[4], specular[4]; /* Linear; specular[3] and emissive[3]: see r_scene.c. */
 } RInstance;
 
@@ -171,9 +171,9 @@ typedef struct {
     RClass class;
     const RMesh *mesh;
     int texture;
-    float centre[3], radius; /* World. */
-    float depth;             /* From the camera, for blending order. */
-    size_t order;            /* In the list. */
+    float centre[3], radius;
+    float depth;  /* From the camera, for blending order. */
+    size_t order; /* In the list. */
     RInstance instance;
 } RItem;
 
@@ -183,7 +183,8 @@ typedef struct {
     RLineSegments lines;
     size_t casters;
     float casterLow[3], casterHigh[3];
-    float casterSize; /* The mean radius. */
+    float casterSize;        /* The mean radius. */
+    float eye[3], lookAt[3]; /* The camera's. */
     bool hasGround;
     float groundHeight; /* Of the first ground. */
     float farthest;     /* Distance from the camera to what is farthest. */
@@ -211,13 +212,15 @@ typedef struct RDraw {
     int fontVersion; /* That the texture has. */
     GLuint textures[R_MAX_TEXTURES];
     bool textureTried[R_MAX_TEXTURES];
-    RTarget samples;   /* Several samples per pixel, linear light. */
-    RTarget linear;    /* The same, one per pixel. */
-    RTarget picture;   /* As it is shown. */
-    RTarget shadow;    /* Depth from the key light. */
-    RTarget below;     /* Depth from below. */
-    RTarget occlusion; /* How much sky the ground sees. */
-    int width, height; /* Of the first three. */
+    RTarget samples;             /* Several samples per pixel, linear light. */
+    RTarget linear;              /* The same, one per pixel. */
+    RTarget picture;             /* As it is shown. */
+    RTarget shadow;              /* Depth from the key light. */
+    RTarget below;               /* Depth from below. */
+    RTarget occlusion;           /* How much sky the ground sees. */
+    int width, height;           /* Of the picture. */
+    int drawnWidth, drawnHeight; /* Of the two before it. */
+    int level;                   /* Of quality; -1 before the first picture. */
     int frame;
     bool drawn;  /* There is a picture. */
     bool warned; /* That there is no room for one. */
@@ -226,8 +229,9 @@ typedef struct RDraw {
 } RDraw;
 
 /* r_target.c */
-enum { R_SHADOW_SIZE = 1024, R_OCCLUSION_SIZE = 192 }; /* Pixels. */
-bool r_targetsResize(RDraw *d, int width, int height);
+enum { R_OCCLUSION_SIZE = 192 }; /* Pixels. */
+/* To a picture's size and a level of quality; false if there is no room. */
+bool r_targetsResize(RDraw *d, int width, int height, int level);
 bool r_targetsStart(RDraw *d);
 void r_targetsStop(RDraw *d);
 

@@ -111,7 +111,10 @@ const RCallBackDataButton *r_actionOfKey(const RRender *rc, int key); /* The pro
 
 /* ---- Camera (r_camera.c) ---- */
 
+/* The upright frame is the world turned so that the program's up axis (RCameraSetUp) is y. Angles of the camera, the
+ * ground, the sky, and all that is drawn are in it, so that nothing else has to know which axis is up. */
 typedef struct {
+    AcmeReal upright[3][3]; /* The upright frame's axes in the world: upright = rows . world. */
     bool orthographic;
     bool ownMatrix; /* RCameraSetMatrix */
     AcmeReal orthoHeight, orthoDepth;
@@ -121,6 +124,8 @@ typedef struct {
 } RCamera;
 
 void r_cameraInit(RRender *rc);
+void r_toUpright(const RRender *rc, const AcmeReal world[3], AcmeReal upright[3]);
+void r_fromUpright(const RRender *rc, const AcmeReal upright[3], AcmeReal world[3]);
 void r_cameraApplyOption(RRender *rc); /* -camera */
 void r_cameraKeepHome(RRender *rc);
 void r_cameraHome(RRender *rc);
@@ -198,6 +203,9 @@ typedef struct {
 } RLights;
 
 void r_lightsInit(RRender *rc);
+/* Directions and place of the lights, so that they can stay where they are in the upright frame. */
+void r_lightsToUpright(RRender *rc, AcmeReal upright[3][3]);
+void r_lightsFromUpright(RRender *rc, AcmeReal upright[3][3]);
 void r_lightsUpdate(RRender *rc); /* Takes over what the force-update flags say has changed. */
 
 /* ---- Textures (r_texture.c) ---- */
@@ -387,7 +395,33 @@ typedef struct {
     int64_t progress; /* When progress was last shown. */
     bool progressShown;
     bool isDrawn; /* This frame. */
+    bool saving;  /* A picture for a file. */
 } RLoop;
+
+/* r_quality.c. Times in ns. */
+typedef struct {
+    int samples;    /* Of a pixel. */
+    int shadowSize; /* Texels, of a side of the shadow's map. */
+    float scale;    /* Of what is drawn to the picture's width and height. */
+} RQualityLevel;
+enum { R_QUALITY_AUTO = -1, R_QUALITY_FULL = 3 };
+extern const RQualityLevel r_qualityLevels[R_QUALITY_FULL + 1];
+
+typedef struct {
+    int level;
+    int frames;               /* Of this window, */
+    int64_t elapsed, drawing; /* what these took. */
+    int64_t shortFor;         /* How long frames have been short. */
+    int patience;             /* How many times as long frames have to be short. */
+    bool raised;              /* The last change was a raise, not yet proved right. */
+    bool isNew;               /* The next frame does not count. */
+} RQuality;
+
+void r_qualityRestart(RQuality *q);
+/* A frame took so long in all, without waiting for the next one, and its drawing so long. */
+void r_qualityFrame(RQuality *q, int64_t frame, int64_t drawing);
+int r_pictureQuality(const RRender *rc); /* As asked for: R_QUALITY_AUTO to R_QUALITY_FULL. */
+int r_qualityLevel(const RRender *rc);   /* With which the next picture is drawn. */
 
 /* From now on time is owed; what was owed is forgotten. */
 void r_clockRestart(RClock *c, int64_t now);
@@ -449,6 +483,8 @@ struct RViewer {
     RHelp help;
     RHelpLayout helpLayout;
     RLoop loop;
+    RQuality quality;
+    int pictureQuality; /* RRenderSetPictureQuality's. */
     RFilm film;
     ROverlay overlay;
     struct RPanels *panels; /* Null unless something is drawn. */

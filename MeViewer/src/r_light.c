@@ -31,6 +31,27 @@ void r_lightsInit(RRender *rc) {
     rc->m_bForceDirectLight1Update = rc->m_bForceDirectLight2Update = rc->m_bForcePointLightUpdate = 1;
 }
 
+static void vectorsOf(RRender *rc, AcmeReal *vectors[3]) {
+    vectors[0] = rc->m_DirectLight1.m_Direction;
+    vectors[1] = rc->m_DirectLight2.m_Direction;
+    vectors[2] = rc->m_PointLight.m_Position;
+}
+
+void r_lightsToUpright(RRender *rc, AcmeReal upright[3][3]) {
+    AcmeReal *world[3];
+    vectorsOf(rc, world);
+    for (int i = 0; i < 3; i++)
+        r_toUpright(rc, world[i], upright[i]);
+}
+
+void r_lightsFromUpright(RRender *rc, AcmeReal upright[3][3]) {
+    AcmeReal *world[3];
+    vectorsOf(rc, world);
+    for (int i = 0; i < 3; i++)
+        r_fromUpright(rc, upright[i], world[i]);
+    rc->m_bForceDirectLight1Update = rc->m_bForceDirectLight2Update = rc->m_bForcePointLightUpdate = 1;
+}
+
 /* Before the main loop everything is taken over as it is; in it, what is flagged. */
 void r_lightsUpdate(RRender *rc) {
     RLights *in = &rc->m_pViewer->lights;

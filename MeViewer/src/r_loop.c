@@ -85,8 +85,21 @@ void r_drawNow(RRender *rc) {
         MeProfileEndSection("Render");
 }
 
+/* The first picture has shaders compiled: its time says nothing, and is not owed to the simulation. */
+static void drawTimed(RRender *rc, int64_t frameBegin) {
+    struct RViewer *v = rc->m_pViewer;
+    const int64_t begin = r_now();
+    r_drawNow(rc);
+    const int64_t end = r_now();
+    if (v->loop.frames > 1)
+        r_qualityFrame(&v->quality, end - frameBegin, end - begin);
+    else
+        r_clockRestart(&v->loop.clock, end);
+}
+
 void r_frame(RRender *rc, const RTick *tick) {
     struct RViewer *v = rc->m_pViewer;
+    const int64_t begin = r_now();
     const bool profiling = v->profiling; /* A callback may start it in the middle of a frame. */
     v->loop.frames++;
     MEASSERT(r_isLive(rc) && v->backend && (v->loop.ticks < v->loop.frames || r_isByClock(rc)));
@@ -97,7 +110,7 @@ void r_frame(RRender *rc, const RTick *tick) {
         callTicks(rc, tick);
         v->loop.isDrawn = false;
         if (isSeen(v))
-            r_drawNow(rc);
+            drawTimed(rc, begin);
         else
             RRenderUpdateProjectionMatrices(rc);
         r_pictureFrame(rc);

@@ -119,6 +119,17 @@ static void getCamera(const Source *s, RRenderOptions *out) {
     mistake(s, "-camera", text, "DISTANCE,THETA,PHI, as in 20,0.5,0.3");
 }
 
+static void getQuality(const Source *s, RRenderOptions *out) {
+    char text[64];
+    if (!getText(s, "-quality", text, sizeof text))
+        return;
+    const bool isAuto = strcmp(text, "auto") == 0;
+    out->m_bQuality = isAuto || (text[0] >= '0' && text[0] <= '0' + R_QUALITY_FULL && !text[1]);
+    out->m_nQuality = isAuto ? R_QUALITY_AUTO : text[0] - '0';
+    if (!out->m_bQuality)
+        mistake(s, "-quality", text, "auto, or 0 (fastest) to 3 (best)");
+}
+
 /* A file to be written: where its directory is missing, the run would be for nothing. */
 static void getFile(const Source *s, const char *name, char *out, size_t size) {
     char directory[512];
@@ -173,6 +184,7 @@ void MEAPI RDisplayCommandLineHelp(void) {
               "  -null, -bench        nowhere, as fast as possible\n"
               "  -size WxH            pixels, at first 960x600\n"
               "  -camera D,THETA,PHI  distance and angles (radians), instead of the program's\n"
+              "  -quality auto|0..3   of a window's picture, 3 is best; at first auto: so that 30 frames/s hold\n"
               "How long:\n"
               "  -frames N            stop after N frames; the exit code is then 2 if there were warnings, else 0\n"
               "  -paused              begin paused\n"
@@ -211,6 +223,7 @@ bool r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommand
     out->m_nWorkers = getCount(s, "-workers");
     out->m_nRate = getCount(s, "-rate");
     out->m_nEvery = getCount(s, "-every");
+    getQuality(s, out);
     out->m_bPaused = has(s, "-paused");
     out->m_bBar = has(s, "-bar");
     out->m_bProfile = has(s, "-profile");

@@ -144,6 +144,15 @@ static void showLine(RRender *rc, const char *line) {
         RPanelText(end + 3);
 }
 
+static void showQuality(RRender *rc) {
+    static const char *const names[] = {"by itself", "fastest", "fast", "outlines not smooth", "full"};
+    if (rc->m_Options.m_bQuality) /* It wins. */
+        return;
+    int which = r_pictureQuality(rc) - R_QUALITY_AUTO;
+    if (RPanelChoice("picture", &which, names, sizeof names / sizeof names[0]))
+        RRenderSetPictureQuality(rc, which + R_QUALITY_AUTO);
+}
+
 static void showViewer(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
     showRun(rc);
@@ -153,6 +162,7 @@ static void showViewer(RRender *rc) {
         r_barToggle(rc);
     check("wireframe (F4)", &v->wireframe);
     check("shadows (F5)", &v->shadows);
+    showQuality(rc);
     if (v->help.lines.count && RPanelSection("This program's keys"))
         for (size_t i = 0; i < v->help.lines.count; i++)
             showLine(rc, v->help.lines.items[i]);

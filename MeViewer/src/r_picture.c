@@ -9,13 +9,24 @@
 
 enum { PATH_SIZE = 320 };
 
+/* In full quality, though the window may have less. */
+static void drawForFile(RRender *rc) {
+    RLoop *loop = &rc->m_pViewer->loop;
+    const int level = r_qualityLevel(rc);
+    loop->saving = true;
+    if (r_qualityLevel(rc) != level && !loop->quit) /* After that there may be no window any more. */
+        loop->isDrawn = false;
+    r_drawNow(rc);
+    loop->saving = false;
+}
+
 static bool save(RRender *rc, const char *path) {
     RPicture picture;
     if (!rc->m_pViewer->backend->draws) {
         MeWarning(1, "no picture %s: nothing is drawn with -null", path);
         return false;
     }
-    r_drawNow(rc);
+    drawForFile(rc);
     if (!r_drawRead(rc, &picture)) {
         MeWarning(1, "no picture %s: nothing has been drawn, or the window is closed", path);
         return false;

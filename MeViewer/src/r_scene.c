@@ -112,7 +112,7 @@ static void addItem(RRender *rc, RScene *scene, const RGraphic *rg, const RMesh 
     }
     float distance = 0;
     for (int k = 0; k < 3; k++)
-        distance += (item->centre[k] - rc->m_CameraPos[k]) * (item->centre[k] - rc->m_CameraPos[k]);
+        distance += (item->centre[k] - scene->eye[k]) * (item->centre[k] - scene->eye[k]);
     item->depth = sqrtf(distance);
     scene->items.count++;
 }
@@ -132,16 +132,34 @@ static void addEdges(RScene *scene, const RGraphic *rg, RMesh *mesh, const float
 }
 
 /* How large a unit is on the screen, at most, where the transform's origin is. */
-static float pixelsPerUnit(const RRender *rc, const float m[16]) {
+static float pixelsPerUnit(const RRender *rc, const RScene *s, const float m[16]) {
     const struct RViewer *v = rc->m_pViewer;
     float scale = 0, away = 0;
     for (int i = 0; i < 3; i++) {
         scale = fmaxf(scale, m[4 * i] * m[4 * i] + m[4 * i + 1] * m[4 * i + 1] + m[4 * i + 2] * m[4 * i + 2]);
-        away += (m[12 + i] - rc->m_CameraPos[i]) * (m[12 + i] - rc->m_CameraPos[i]);
+        away += (m[12 + i] - s->eye[i]) * (m[12 + i] - s->eye[i]);
     }
     const float seen =
         v->camera.orthographic ? v->camera.orthoHeight : 2 * tanf(rc->m_CameraFov / 2) * fmaxf(sqrtf(away), NEARZ);
     return sqrtf(scale) * (float)v->height / seen;
+}
+
+/* From a graphic's own frame to the upright one. The ground's own frame is upright already. */
+static void transformToUpright(const RRender *rc, bool isGround, float m[16]) {
+    float axes[3][3];
+    for (int i = 0; i < 3; i++)
+        memcpy(axes[i], m + 4 * i, sizeof axes[i]);
+    for (int i = 0; i < 3; i++) {
+        float axis[3];
+        memcpy(axis, axes[i], sizeof axis);
+        for (int k = 0; isGround && k < 3; k++)
+            axis[k] = rc->m_pViewer->camera.upright[i][0] * axes[0][k] +
+                      rc->m_pViewer->camera.upright[i][1] * axes[1][k] +
+                      rc->m_pViewer->camera.upright[i][2] * axes[2][k];
+        r_toUpright(rc, axis, m + 4 * i);
+    }
+    const float origin[3] = {m[12], m[13], m[14]};
+    r_toUpright(rc, origin, m + 12);
 }
 
 static void gatherGraphic(RRender *rc, RDraw *d, RGraphic *rg) {
@@ -152,9 +170,10 @@ static void gatherGraphic(RRender *rc, RDraw *d, RGraphic *rg) {
     if ((rg->m_pPart->kind != rMesh && !ground) || !vertexCountIsGood(rg) || rg->m_pObject->m_nNumVertices == 0 ||
         !r_graphicTransform(rg, m))
         return;
+    transformToUpright(rc, ground, m);
     RMesh *mesh = NULL;
     if (!wire && rc->m_Quality != kRQualityFlat)
-        mesh = r_detailMesh(d, rg, pixelsPerUnit(rc, m));
+        mesh = r_detailMesh(d, rg, pixelsPerUnit(rc, &d->scene, m));
     if (mesh)
         r_detailTransform(&rg->m_pPart->shape, m);
     else
@@ -222,14 +241,26 @@ static void uploadInstances(RDraw *d) {
                      GL_STREAM_DRAW);
 }
 
+static void gatherLines(RRender *rc, RScene *s) {
+    const size_t first = s->lines.count;
+    r_linesCollect(rc, &s->lines);
+    for (size_t i = first; i < s->lines.count; i++) {
+        const RLineSegment world = s->lines.items[i];
+        r_toUpright(rc, world.a, s->lines.items[i].a);
+        r_toUpright(rc, world.b, s->lines.items[i].b);
+    }
+}
+
 void r_sceneGather(RRender *rc, RDraw *d) {
     RScene *s = &d->scene;
     s->items.count = s->lines.count = 0;
     s->hasGround = false;
+    r_toUpright(rc, rc->m_CameraPos, s->eye);
+    r_toUpright(rc, rc->m_CameraLookAt, s->lookAt);
     r_particlesUpdate(rc);
     for (RGraphic *rg = rc->m_p3DGraphics; rg; rg = rg->m_pNext)
         gatherGraphic(rc, d, rg);
-    r_linesCollect(rc, &s->lines);
+    gatherLines(rc, s);
     if (s->items.count)
         qsort(s->items.items, s->items.count, sizeof *s->items.items, compareItems);
     measure(s);
@@ -328,13 +359,13 @@ void r_drawCasters(RDraw *d) {
 
 void r_drawSky(RRender *rc, RDraw *d) {
     const RGL *gl = &d->gl;
+    const RScene *s = &d->scene;
     RGraphic *sky = rc->m_pViewer->sky;
     RMesh *mesh = sky ? r_meshOf(d, sky) : NULL;
     if (!mesh)
         return;
     const float r = 1000; /* Any size: it is drawn before everything else and hides nothing. */
-    const float m[16] = {r, 0, 0, 0, 0, r, 0, 0, 0, 0, r, 0, rc->m_CameraPos[0], rc->m_CameraPos[1], rc->m_CameraPos[2],
-                         1};
+    const float m[16] = {r, 0, 0, 0, 0, r, 0, 0, 0, 0, r, 0, s->eye[0], s->eye[1], s->eye[2], 1};
     RInstance instance;
     setInstance(&instance, sky, m);
     instance.emissive[3] = 1;

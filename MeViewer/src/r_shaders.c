@@ -284,7 +284,7 @@ static const char resolveFragment[] =
     "out vec4 oColor;\n"
     "uniform sampler2D uTexture;\n"
     "void main() {\n"
-    "    vec3 c = max(texelFetch(uTexture, ivec2(gl_FragCoord.xy), 0).rgb, 0.0);\n"
+    "    vec3 c = max(texture(uTexture, 0.5 + 0.5 * vPlace).rgb, 0.0);\n"
     "    c = mix(c, 0.75 + 0.25 * (1.0 - exp((0.75 - c) / 0.25)), step(0.75, c));\n"
     "    c = mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));\n"
     "    float noise = fract(52.9829189 * fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715))));\n"
@@ -344,14 +344,13 @@ static const char overlayVertex[] =
     "    gl_Position = vec4(2.0 * aPlace.x / viewport.x - 1.0, 1.0 - 2.0 * aPlace.y / viewport.y, 0.0, 1.0);\n"
     "}\n";
 
-static const char overlayFragment[] =
-    "in vec2 vTexture;\n"
-    "in vec4 vColor;\n"
-    "out vec4 oColor;\n"
-    "uniform sampler2D uTexture;\n"
-    "void main() {\n"
-    "    oColor = vColor * texture(uTexture, vTexture);\n"
-    "}\n";
+static const char overlayFragment[] = "in vec2 vTexture;\n"
+                                      "in vec4 vColor;\n"
+                                      "out vec4 oColor;\n"
+                                      "uniform sampler2D uTexture;\n"
+                                      "void main() {\n"
+                                      "    oColor = vColor * texture(uTexture, vTexture);\n"
+                                      "}\n";
 
 /* ---- Put together ---- */
 

@@ -57,7 +57,7 @@ static void regionOf(const RRender *rc, const RScene *s, float centre[3], float 
     *radius = step(sqrtf(square));
     if (*radius > seenRadius(rc)) {
         *radius = step(seenRadius(rc));
-        memcpy(centre, rc->m_CameraLookAt, 3 * sizeof *centre);
+        memcpy(centre, s->lookAt, 3 * sizeof *centre);
     }
 }
 
@@ -81,10 +81,11 @@ static void snap(Box *box, float texel) {
 
 static void fitShadow(RDraw *d, const float centre[3], float radius) {
     RFrameBlock *b = &d->block;
+    const int size = r_qualityLevels[d->level].shadowSize;
     Box box = {.half = radius, .front = radius, .back = radius};
     memcpy(box.centre, centre, sizeof box.centre);
     lightAxes(b->keyDirection, &box);
-    const float texel = 2 * radius / R_SHADOW_SIZE;
+    const float texel = 2 * radius / (float)size;
     snap(&box, texel);
     if (d->scene.hasGround && box.z[1] > 0.05f) { /* Down to where the shadow falls. */
         const float down = (centre[1] - d->scene.groundHeight + radius * sqrtf(1 - box.z[1] * box.z[1])) / box.z[1];
@@ -93,7 +94,7 @@ static void fitShadow(RDraw *d, const float centre[3], float radius) {
     boxMatrix(&box, d->shadowMatrix);
     toTexture(d->shadowMatrix, b->shadow);
     const float perLength = 0.5f / radius, depthPerLength = 1 / (box.front + box.back);
-    b->shadowSettings[0] = 1.0f / R_SHADOW_SIZE;
+    b->shadowSettings[0] = 1 / (float)size;
     b->shadowSettings[1] = 1.2f * texel;
     b->shadowSettings[2] = 1;
     b->shadowSettings[3] = (depthPerLength / perLength) * (depthPerLength / perLength);
@@ -162,7 +163,7 @@ void r_shadowDraw(RDraw *d) {
     if (d->block.shadowSettings[2] > 0) {
         gl->Enable(GL_POLYGON_OFFSET_FILL);
         gl->PolygonOffset(1, 2);
-        drawDepth(d, &d->shadow, R_SHADOW_SIZE, d->shadowMatrix);
+        drawDepth(d, &d->shadow, r_qualityLevels[d->level].shadowSize, d->shadowMatrix);
         gl->Disable(GL_POLYGON_OFFSET_FILL);
     }
     if (d->block.occlusion[3] > 0) {

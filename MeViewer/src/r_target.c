@@ -1,8 +1,6 @@
 /* What is drawn into: the picture in its three stages, and the maps for shadow and occlusion. */
 #include "r_draw_i.h"
 
-enum { SAMPLES = 4 };
-
 static bool isComplete(const RGL *gl) {
     return gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
@@ -39,13 +37,15 @@ static bool makeDepthTarget(const RGL *gl, RTarget *t, int size, GLint filter) {
     return isComplete(gl);
 }
 
-static bool makeSampleTarget(const RGL *gl, RTarget *t, int width, int height) {
+/* One sample: without multisampling. */
+static bool makeSampleTarget(const RGL *gl, RTarget *t, int samples, int width, int height) {
+    const GLsizei several = samples > 1 ? samples : 0;
     gl->GenRenderbuffers(1, &t->color);
     gl->BindRenderbuffer(GL_RENDERBUFFER, t->color);
-    gl->RenderbufferStorageMultisample(GL_RENDERBUFFER, SAMPLES, GL_RGBA16F, width, height);
+    gl->RenderbufferStorageMultisample(GL_RENDERBUFFER, several, GL_RGBA16F, width, height);
     gl->GenRenderbuffers(1, &t->depth);
     gl->BindRenderbuffer(GL_RENDERBUFFER, t->depth);
-    gl->RenderbufferStorageMultisample(GL_RENDERBUFFER, SAMPLES, GL_DEPTH_COMPONENT24, width, height);
+    gl->RenderbufferStorageMultisample(GL_RENDERBUFFER, several, GL_DEPTH_COMPONENT24, width, height);
     gl->GenFramebuffers(1, &t->frame);
     gl->BindFramebuffer(GL_FRAMEBUFFER, t->frame);
     gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, t->color);
@@ -73,13 +73,34 @@ static void freePicture(RDraw *d) {
     d->drawn = false;
 }
 
-bool r_targetsResize(RDraw *d, int width, int height) {
+static int scaled(int length, float scale) {
+    const int pixels = (int)lroundf((float)length * scale);
+    return pixels > 1 ? pixels : 1;
+}
+
+static bool makeShadow(RDraw *d, int size) {
     const RGL *gl = &d->gl;
-    if (width == d->width && height == d->height)
+    freeTarget(gl, &d->shadow, false);
+    if (!makeDepthTarget(gl, &d->shadow, size, GL_LINEAR))
+        return false;
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    return true;
+}
+
+bool r_targetsResize(RDraw *d, int width, int height, int level) {
+    const RGL *gl = &d->gl;
+    const RQualityLevel *q = &r_qualityLevels[level];
+    if (width == d->width && height == d->height && level == d->level)
         return true;
     freePicture(d);
-    if (!makeSampleTarget(gl, &d->samples, width, height) ||
-        !makeColorTarget(gl, &d->linear, GL_RGBA16F, width, height, GL_RGBA, GL_FLOAT, GL_NEAREST) ||
+    d->level = level;
+    d->drawnWidth = scaled(width, q->scale);
+    d->drawnHeight = scaled(height, q->scale);
+    const GLint filter = q->scale < 1 ? GL_LINEAR : GL_NEAREST;
+    if (!makeShadow(d, q->shadowSize) ||
+        !makeSampleTarget(gl, &d->samples, q->samples, d->drawnWidth, d->drawnHeight) ||
+        !makeColorTarget(gl, &d->linear, GL_RGBA16F, d->drawnWidth, d->drawnHeight, GL_RGBA, GL_FLOAT, filter) ||
         !makeColorTarget(gl, &d->picture, GL_RGBA8, width, height, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST)) {
         freePicture(d);
         return false;
@@ -91,10 +112,7 @@ bool r_targetsResize(RDraw *d, int width, int height) {
 
 bool r_targetsStart(RDraw *d) {
     const RGL *gl = &d->gl;
-    if (!makeDepthTarget(gl, &d->shadow, R_SHADOW_SIZE, GL_LINEAR))
-        return false;
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    d->level = -1;
     return makeDepthTarget(gl, &d->below, R_OCCLUSION_SIZE, GL_LINEAR) &&
            makeColorTarget(gl, &d->occlusion, GL_R8, R_OCCLUSION_SIZE, R_OCCLUSION_SIZE, GL_RED, GL_UNSIGNED_BYTE,
                            GL_LINEAR);

@@ -22,11 +22,12 @@ static void sayIfNew(const char *what, double now, double *before) {
 }
 
 static void MEAPI tick(RRender *context) {
-    static double selected, bodies, gravity, distance, angle, held, substeps, solver, budget, sleeps, friction,
+    static double frame, selected, bodies, gravity, distance, angle, held, substeps, solver, budget, sleeps, friction,
         restitution, report;
     const MdtContactParamsID params = MstBridgeGetContactParams(u->bridge, 0, 0);
     MeVector3 g;
     MdtWorldGetGravity(u->world, g);
+    sayIfNew("frame", frame + 1, &frame);
     sayIfNew("selected", MeAppGetSelected(app) != 0, &selected);
     sayIfNew("held", app->pick.model != 0, &held);
     sayIfNew("bodies", MdtWorldGetTotalBodies(u->world), &bodies);

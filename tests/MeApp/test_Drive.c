@@ -36,6 +36,23 @@ START_TEST(the_camera_turns_as_the_body_turns) {
 }
 END_TEST
 
+/* The same with z up: behind is still behind, and a body that turns about z is followed. */
+START_TEST(the_camera_follows_about_the_up_axis) {
+    const McdModelID box = make_box(0, 0, 0);
+    AcmeVector3 from;
+    const MeReal half = ME_PI / 4;
+    RCameraSetUp(rc, 0, 0, 1);
+    MeAppFollow(app, McdModelGetBody(box), 5, (AcmeReal)(ME_PI / 6));
+    RCameraGetPosition(rc, from);
+    assert_vec3_near(from, -5 * cos(acos(-1) / 6), 0, 2.5, 1e-5);
+    McdModelDynamicsSetQuaternion(box, MeCos(half), 0, 0, MeSin(half)); /* x looks along y. */
+    for (int i = 0; i < 300; i++)
+        MeAppStep(app);
+    RCameraGetPosition(rc, from);
+    assert_vec3_near(from, 0, -5 * cos(acos(-1) / 6), 2.5, 1e-4);
+}
+END_TEST
+
 START_TEST(following_ends_with_the_body) {
     const McdModelID box = make_box(0, 0, 0);
     AcmeVector3 at;
@@ -107,6 +124,32 @@ START_TEST(corners_are_in_the_world) {
 }
 END_TEST
 
+/* With z up the plane is z = 2 + x / 4 - y / 2, the model's and the picture's. */
+START_TEST(z_may_be_up) {
+    MeReal level = 2;
+    MeAppTerrain *t = MeAppTerrainCreateZUp(9, 2, slope, &level);
+    const McdModelID ground = MeAppTerrainCreateModel(t, u);
+    McdLineSegIntersectResult hit;
+    const MeVector3 from = {1, 3, 20}, to = {1, 3, -20};
+    ck_assert(McdLineSegIntersect(ground, (MeReal *)from, (MeReal *)to, &hit));
+    assert_near(hit.position[2], 2 + .25 * 1 - .5 * 3, TOL(1e-5, 1e-12));
+    MeVector3 *corner = MeAppTerrainGetCorner(t, 1, 3, 0, 0);
+    assert_vec3_near(*corner, -6, -2, 2 + .25 * -6 - .5 * -2, 1e-6);
+    MeAppTerrainShow(t, rc);
+    const RObjectVertex *v = rc->m_p3DGraphics->m_pVertices;
+    assert_near(v->m_Z, 2 + .25 * v->m_X - .5 * v->m_Y, 1e-5);
+    const double length = sqrt(1 + .25 * .25 + .5 * .5);
+    assert_near(v[6 * 9].m_NX * length, -.25, 1e-5);
+    assert_near(v[6 * 9].m_NY * length, .5, 1e-5);
+    assert_near(v[6 * 9].m_NZ * length, 1, 1e-5);
+    MstUniverseDestroy(u);
+    MeAppTerrainDestroy(t);
+    u = MstUniverseCreate(NULL);
+    MeAppDestroy(app);
+    app = MeAppCreateFromUniverse(u, rc);
+}
+END_TEST
+
 /* All cells are drawn, whatever of them is level. */
 START_TEST(it_is_drawn_whole) {
     MeReal level = 1;
@@ -145,9 +188,11 @@ static void tests(TCase *t) {
     tcase_add_checked_fixture(t, set_up, tear_down);
     tcase_add_test(t, the_camera_is_behind_the_body_and_comes_after_it);
     tcase_add_test(t, the_camera_turns_as_the_body_turns);
+    tcase_add_test(t, the_camera_follows_about_the_up_axis);
     tcase_add_test(t, following_ends_with_the_body);
     tcase_add_test(t, the_model_is_where_the_function_is);
     tcase_add_test(t, corners_are_in_the_world);
+    tcase_add_test(t, z_may_be_up);
     tcase_add_test(t, it_is_drawn_whole);
     tcase_add_test(t, bad_arguments_get_a_warning);
 }

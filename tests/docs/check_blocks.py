@@ -64,7 +64,9 @@ class Shell:
         (tools / 'cc').write_text(f'#!/bin/sh\nexec {arguments.cc} {STRICT} {arguments.flags} "$@" {behind}\n')
         (tools / 'cc').chmod(0o755)
         mine = {key: value for key, value in os.environ.items() if key != 'DISPLAY'}
-        self.environment = {**mine, 'HOME': str(self.home), 'PATH': f'{tools}:{os.environ["PATH"]}',
+        # Were the compiler ccache, it would look for the real one in PATH, and find `cc` above, which calls ccache.
+        self.environment = {'CCACHE_PATH': os.environ['PATH'], **mine,
+                            'HOME': str(self.home), 'PATH': f'{tools}:{os.environ["PATH"]}',
                             'PKG_CONFIG_PATH': str(libraries / 'pkgconfig'), 'LD_LIBRARY_PATH': str(libraries),
                             'KARMA_VIEWER': '-null -frames 60', 'KARMA': str(prefix)}
 

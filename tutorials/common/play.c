@@ -72,6 +72,7 @@ MeBool playStart(int argc, const char **argv, const char *name, int models) {
         return MEFALSE;
     atexit(cleanup);
     playRc = playApp->rc;
+    RCameraSetUp(playRc, 0, 1, 0);
     playUniverse = MeAppGetMstUniverse(playApp);
     snprintf(title, sizeof title, "Karma tutorial: %s", name);
     RRenderSetWindowTitle(playRc, title);
