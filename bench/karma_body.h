@@ -48,7 +48,7 @@ static inline void karma_push(MdtBodyID body, const double force[3]) {
 /* Nothing comes to rest. */
 static inline void karma_setWorld(MdtWorldID world, int setting, const double gravity[3]) {
     MdtWorldSetAutoDisable(world, 0);
-    if (setting == ENGINE_RIGID)
+    if (setting != ENGINE_DEFAULTS)
         MdtWorldSetEpsilon(world, 0);
     MdtWorldSetGravity(world, (MeReal)gravity[0], (MeReal)gravity[1], (MeReal)gravity[2]);
 }
