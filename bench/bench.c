@@ -20,6 +20,7 @@ typedef struct Options {
     const char *scene, *engine; /* null: all */
     const char *csv, *markdown; /* null: none */
     int substeps[MAX_SUBSTEPS], numSubsteps;
+    double budget;               /* s, asked for; 0: what --quick says */
     double runBudget, rowBudget; /* s, of one run, and after which a row gets no further one */
 } Options;
 
@@ -74,6 +75,7 @@ static void usage(FILE *to) {
           "  --engine NAME      only engines whose names begin so\n"
           "  --peer FILE        also the engine of that shared library, see engine.h\n"
           "  --substeps N,...   steps per frame of 1/60 s, at most 8 numbers; 1,4 if not given\n"
+          "  --budget S         s that a run may take before it is too slow\n"
           "  --csv FILE         also write all figures there, a line for each run\n"
           "  --markdown FILE    also write a table of the first errors and the median times there\n"
           "  --list             name the scenes\n",
@@ -138,6 +140,10 @@ static int readOption(Options *o, const char *name, const char *value) {
     }
     if (strcmp(name, "--peer") == 0)
         return addPeer(value) ? 2 : 0;
+    if (strcmp(name, "--budget") == 0 && atof(value) > 0) {
+        o->budget = atof(value);
+        return 2;
+    }
     if (strcmp(name, "--csv") == 0) {
         o->csv = value;
         return 2;
@@ -172,6 +178,8 @@ static Options readOptions(int argc, char *argv[]) {
         o.runBudget = .5;
         o.rowBudget = .05;
     }
+    if (o.budget > 0)
+        o.runBudget = o.budget;
     return o;
 }
 
