@@ -178,6 +178,15 @@ def head(directory):
     yield from ['All that follows is made again by', ''] + command(command_line)
 
 
+def scenes(directory):
+    yield from ['## The scenes', '', 'What happens, and what the errors are; the first is the one that tables and diagrams '
+                'show.', '']
+    for line in (directory / 'scenes.txt').read_text(encoding='utf8').splitlines():
+        name, text = line.split(': ', 1)
+        yield f'* **{name}**: {text}'
+    yield from ['', *command('tools/bench --list')]
+
+
 def levels(rows):
     yield from ['## Levels', '', 'Platinum: every error of the scene is within the goal that is set for Karma at one '
                 f'step a frame. Gold: within {GOLD:g} times', 'that. Bronze: it holds to the end, and what was to be '
@@ -198,7 +207,10 @@ def levels(rows):
 def leads(rows):
     yield from ['## Where Karma leads, where it trails', '', 'For each scene and level the cheapest row of any setting '
                 'and number of sub-steps, and how many times as much CPU time Karma', 'takes: below 1 it leads. '
-                '`only Karma`: no other engine gets there; `not Karma`: one does and Karma does not.', '']
+                '`only Karma`: no other engine gets there; `not Karma`: one does and Karma does not; `nobody`: none does, or',
+                'not in the time that the command above gives a run. Nothing is put to sleep; but what stands still in '
+                'Karma with unchanged', 'inputs is not solved again ([architecture.md](architecture.md), rest '
+                'certificate), which is where towers at rest gain most.', '']
     lines = []
     for scene in dict.fromkeys(r.scene for r in rows):
         line = [scene]
@@ -275,14 +287,46 @@ def marginal(directory):
     yield from command('tools/bench --quick && build/bench/bench/marginal')
 
 
+ADVICE = (  # the cheaper one, the dearer one, what to do, what is lost; both are lines of marginal.csv
+    ('box that sleeps', 'box that slides, four contacts, cone', 'Let bodies sleep (`MdtWorldSetAutoDisable`).',
+     'nothing, while nothing touches them'),
+    ('sphere that rolls, one contact, cone', 'box that slides, four contacts, cone',
+     'Take a sphere where the shape is not seen: one contact instead of four.', 'it rolls'),
+    ('box that slides, four contacts, no friction', 'box that slides, four contacts, cone',
+     'Leave out friction where nothing is to stop.', 'it slides for ever'),
+    ('box that slides, four contacts, box friction', 'box that slides, four contacts, cone',
+     'Box friction instead of the cone.', 'the bound does not follow the weight, and depends on the direction'),
+    ('box that slides, four contacts, normal force', 'box that slides, four contacts, cone',
+     'Two bounds by the normal force instead of the cone.', 'on a diagonal friction is the root of 2 times too large'),
+    ('body on a ball joint', 'body on a hinge', 'A ball joint where the axis need not be held.', 'it may turn any way'),
+    ('body in a plane (linear 1)', 'body on a prismatic joint', 'One row where one direction is all that is held.',
+     'the rest is free'),
+    ('body on a hinge', 'body on a hinge with a motor', 'A hinge without its motor.', 'it is not driven'),
+)
+
+
+def advice(directory):
+    with open(directory / 'marginal.csv', encoding='utf8') as source:
+        costs = {line['what']: float(line['ns']) for line in csv.DictReader(source)}
+    lines = [(what, f'{costs[dear]:.0f}', f'{costs[cheap]:.0f}', f'{costs[cheap] / costs[dear]:.2f}', lost)
+             for cheap, dear, what, lost in ADVICE]
+    yield from ['# Model only what a scene needs', '',
+                'What a feature costs, and what leaving it out loses. The costs, ns of a step for one more, are those of',
+                '[performance.md](performance.md); this page is made along with it. A share near 1 gains nothing: then take',
+                'what is right.', '']
+    yield from table(('advice', 'ns as it was', 'ns after', 'share', 'what is lost'), lines)
+    yield from command('tools/bench --quick')
+
+
 def main(directory):
     groups = {name: list(read_rows(directory / f'{name}.csv')) for name in ('free', 'contact')
               if (directory / f'{name}.csv').exists()}
     rows = [r for group in groups.values() for r in group]
-    page = [*head(directory), *levels(rows), *leads(rows), *diagrams(rows), *distribution(rows), *marginal(directory),
+    page = [*head(directory), *scenes(directory), *levels(rows), *leads(rows), *diagrams(rows), *distribution(rows), *marginal(directory),
             *everything(groups['free'], 'All scenes without contact', 'free'),
             *everything(groups['contact'], 'All scenes with contact', 'contact')]
     (TOP / 'docs' / 'performance.md').write_text('\n'.join(page).rstrip() + '\n', encoding='utf8')
+    (TOP / 'docs' / 'advice.md').write_text('\n'.join(advice(directory)).rstrip() + '\n', encoding='utf8')
     print(f'{len(rows)} rows: docs/performance.md')
 
 
