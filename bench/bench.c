@@ -186,8 +186,8 @@ static Options readOptions(int argc, char *argv[]) {
 /* Running */
 
 static bool isWantedScene(const Options *o, const Scene *s) {
-    if (o->scene)
-        return strcmp(s->name, o->scene) == 0;
+    if (o->scene && strcmp(s->name, o->scene) != 0)
+        return false;
     SceneWorld world = {.numBodies = 0};
     s->build(s, &world);
 #ifdef BENCH_PIPELINE

@@ -16,9 +16,11 @@ import sys
 TOP = pathlib.Path(__file__).resolve().parent.parent
 PICTURES = TOP / 'docs' / 'pictures'
 SHOWN = ('pendulum', 'tumbling', 'chain-level', 'tower', 'incline', 'cards')  # as work-precision diagrams
-TIMED = ('chain-level', 'tower-shaken', 'cards', 'heap-300', 'isotropy')      # whose distribution of times is shown
+TIMED = ('chain-level', 'tower-shaken', 'cards', 'heap', 'isotropy')      # whose distribution of times is shown
 LEVELS = ('platinum', 'gold', 'bronze')
 GOLD = 1e3     # times the goal
+KEY = "set key outside right vertical maxcols 1 font ',9'\n"
+SHAPES, COLOURS = 5, 8  # of gnuplot's points: odd numbers from 5 on are filled, the even ones before them open
 FLOOR = 1e-16  # errors below it are drawn there
 
 Row = collections.namedtuple('Row', 'scene engine setting substeps outcome times p95 p99 worst cpus errors')
@@ -106,21 +108,22 @@ def work_precision(rows, scene):
     of = [r for r in rows if r.scene == scene and r.outcome != 'impossible']
     values = [max(r.errors[0].value, FLOOR) for r in of if holds(r)]
     edge = 10 * max(values, default=1)
-    script = (f"set logscale xy\nset format '%.0e'\nset key outside right\nset grid\nset title '{scene}'\n"
+    script = (f"set logscale xy\nset format '%.0e'\n{KEY}set grid\nset title '{scene}'\n"
               f"set xlabel 'CPU time per simulated second, s'\nset ylabel '{of[0].errors[0].name}'\n"
               f'set yrange [:{2 * edge}]\n')
     plots = []
     for index, name in enumerate(dict.fromkeys(map(solver, of))):
         mine = [r for r in of if solver(r) == name]
-        good = [(cost(r), max(r.errors[0].value, FLOOR), 1 if r.substeps == 1 else .5) for r in mine if holds(r)]
+        good = [(cost(r), max(r.errors[0].value, FLOOR), 1.2 if r.substeps == 1 else .6) for r in mine if holds(r)]
         bad = [(cost(r), edge) for r in mine if not holds(r)]
-        colour = f'lc {index + 1}'
+        colour, shape = f'lc {index % COLOURS + 1}', 5 + 2 * (index % SHAPES)
         if good:
             script += block(f'good{index}', good)
-            plots.append(f"$good{index} using 1:2:3 with linespoints pt 7 ps variable {colour} title '{name}'")
+            plots.append(f"$good{index} using 1:2:3 with linespoints pt {shape} ps variable {colour} title '{name}'")
         if bad:
             script += block(f'bad{index}', bad)
-            plots.append(f"$bad{index} with points pt 6 {colour} title '{name}: fails'")
+            plots.append(f'$bad{index} with points pt {shape - 1} {colour} ' +
+                         ('notitle' if good else f"title '{name}'"))
     return draw(f'performance-{scene}', script + 'plot ' + ', '.join(plots) + '\n')
 
 
@@ -134,8 +137,8 @@ def cheapest(rows, scene, name, least):
 def profile(rows, least):
     """Dolan and More 2002: of all scenes, the share that a solver does within a factor of the cheapest's cost."""
     scenes, names = list(dict.fromkeys(r.scene for r in rows)), profile_solvers(rows)
-    best = {s: min(cheapest(rows, s, n, least) for n in names) for s in scenes}
-    script = ("set logscale x\nset yrange [0:1]\nset xrange [1:1000]\nset grid\nset key outside right\n"
+    best = {s: min(merged_cost(rows, s, n, least) for n in names) for s in scenes}
+    script = (KEY + "set logscale x\nset yrange [0:1]\nset xrange [1:1000]\nset grid\n"
               f"set title 'reaches {LEVELS[least]}'\nset xlabel 'cost, times the cheapest'\n"
               "set ylabel 'share of the scenes'\n")
     plots = []
@@ -144,7 +147,7 @@ def profile(rows, least):
         points = [(1, sum(r <= 1 for r in ratios) / len(scenes))]
         points += [(r, (i + 1) / len(scenes)) for i, r in enumerate(ratios)] + [(1000, len(ratios) / len(scenes))]
         script += block(f'p{index}', points)
-        plots.append(f"$p{index} with steps lw 2 lc {index + 1} title '{name}'")
+        plots.append(f"$p{index} with steps lw 2 lc {index % COLOURS + 1} dt {1 + index // COLOURS} title '{name}'")
     return draw(f'performance-profile-{LEVELS[least]}', script + 'plot ' + ', '.join(plots) + '\n')
 
 
@@ -163,6 +166,15 @@ def merged_cost(rows, scene, name, least):
 
 # Sections
 
+def load_warning(machine):
+    cores = int(machine['processor'].split(',')[-1].split()[0])
+    loads = [float(machine[key].split()[0]) for key in ('load at the start', 'load at the end') if key in machine]
+    if max(loads, default=0) > cores:
+        yield from ['**The machine was not quiet**: more processes wanted to run than there are cores. CPU times are little '
+                    'touched by that;', 'times by the clock are: those of two threads, the 99th percentiles and worst '
+                    'frames, and what is said to be too slow.', '']
+
+
 def head(directory):
     yield from ['# Speed against error', '',
                 'Scenes whose right answer is known, in Karma and in the engines that Debian packages, in one program and',
@@ -170,6 +182,7 @@ def head(directory):
                 'digits. What is not said to be of another number of sub-steps has one step a frame of 1/60 s.', '']
     lines = (directory / 'machine.txt').read_text(encoding='utf8').splitlines()
     yield from table(('', ''), [line.split('|', 1) for line in lines])
+    yield from load_warning(dict(line.split('|', 1) for line in lines))
     told = dict.fromkeys(line for name in ('free', 'contact') if (directory / f'{name}.txt').exists()
                          for line in (directory / f'{name}.txt').read_text(encoding='utf8').splitlines()
                          if line.startswith('* '))
@@ -190,7 +203,9 @@ def scenes(directory):
 def levels(rows):
     yield from ['## Levels', '', 'Platinum: every error of the scene is within the goal that is set for Karma at one '
                 f'step a frame. Gold: within {GOLD:g} times', 'that. Bronze: it holds to the end, and what was to be '
-                'measured happened. `-`: the engine lacks what the scene needs.', '']
+                'measured happened. `-`: the engine lacks what the scene needs. Karma has a row for each setting of its world '
+                '(eps, scenes without contact)', 'and of its universe (scenes with contact): two rows of one precision '
+                'together are all scenes, as are the single ones of others.', '']
     counts = []
     for name in dict.fromkeys(map(solver, rows)):
         mine = [r for r in rows if solver(r) == name and r.substeps == 1]
@@ -234,7 +249,7 @@ def diagrams(rows):
     for scene in SHOWN:
         if scene in present:
             yield from work_precision(rows, scene)
-            yield from command(f'tools/bench --scene {scene} --substeps 1,2,4,8,16')
+            yield from command(f'tools/bench --scene {scene}          # its figures alone')
     yield from ['## Performance profiles', '', 'Of all scenes, the share that a solver does at the level for at most so '
                 'many times the CPU time of the cheapest (Dolan and', 'Moré 2002), each with its best number of '
                 'sub-steps of those that were run.', '']
@@ -252,7 +267,7 @@ def distribution(rows):
             lines.append((r.scene, solver(r), f'{figure(statistics.median(r.times))} ({figure(min(r.times))} to '
                           f'{figure(max(r.times))})', *(figure(statistics.median(t)) for t in (r.p95, r.p99, r.worst))))
     yield from table(('scene', 'solver', 'p50', 'p95', 'p99', 'worst'), lines)
-    yield from command('tools/bench --substeps 1')
+    yield from command('tools/bench --report')
 
 
 def cell(row):
@@ -284,7 +299,7 @@ def marginal(directory):
         yield from table(('one more', 'ns', 'least', 'largest'), [
             (line['what'], *(f'{float(line[c]):.0f}' for c in ('ns', 'least', 'largest')))
             for line in csv.DictReader(source)])
-    yield from command('tools/bench --quick && build/bench/bench/marginal')
+    yield from command('build/bench/bench/marginal')
 
 
 ADVICE = (  # the cheaper one, the dearer one, what to do, what is lost; both are lines of marginal.csv
@@ -308,14 +323,14 @@ ADVICE = (  # the cheaper one, the dearer one, what to do, what is lost; both ar
 def advice(directory):
     with open(directory / 'marginal.csv', encoding='utf8') as source:
         costs = {line['what']: float(line['ns']) for line in csv.DictReader(source)}
-    lines = [(what, f'{costs[dear]:.0f}', f'{costs[cheap]:.0f}', f'{costs[cheap] / costs[dear]:.2f}', lost)
+    lines = [(what, f'{costs[dear]:.0f}', f'{costs[cheap]:.0f}', f'{costs[cheap] / costs[dear]:.2g}', lost)
              for cheap, dear, what, lost in ADVICE]
     yield from ['# Model only what a scene needs', '',
                 'What a feature costs, and what leaving it out loses. The costs, ns of a step for one more, are those of',
-                '[performance.md](performance.md); this page is made along with it. A share near 1 gains nothing: then take',
-                'what is right.', '']
+                '[performance.md](performance.md); this page is made along with it. A share of 1 or more gains nothing: then',
+                'take what is right.', '']
     yield from table(('advice', 'ns as it was', 'ns after', 'share', 'what is lost'), lines)
-    yield from command('tools/bench --quick')
+    yield from command('build/bench/bench/marginal')
 
 
 def main(directory):
