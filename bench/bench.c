@@ -2,6 +2,8 @@
  *
  * Built twice: as bench, where Karma's contacts are those of the scenes, so that dynamics is compared; and, with
  * BENCH_PIPELINE, as pipeline, where Karma is a universe and finds them itself: scenes without contact are left out. */
+#include "timing.h"
+
 #include "run.h"
 
 #include <dlfcn.h>
@@ -11,13 +13,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_SUBSTEPS = 8, MAX_ROWS = 64, RUNS = 5, MAX_ENGINES = 8 };
+enum { MAX_SUBSTEPS = 8, MAX_ROWS = 256, RUNS = 5, MAX_ENGINES = 8 };
 
 typedef struct Options {
-    bool quick;
+    bool quick, free;
     const char *scene, *engine; /* null: all */
     const char *csv, *markdown; /* null: none */
     int substeps[MAX_SUBSTEPS], numSubsteps;
+    double budget;               /* s, asked for; 0: what --quick says */
     double runBudget, rowBudget; /* s, of one run, and after which a row gets no further one */
 } Options;
 
@@ -67,11 +70,13 @@ static const char *const absent[] = {
 static void usage(FILE *to) {
     fputs("usage: bench [options]\n"
           "  --quick            fewer runs of slow rows, and no run of more than some seconds\n"
+          "  --free             only scenes without contact\n"
           "  --scene NAME       only this scene (see --list)\n"
           "  --engine NAME      only engines whose names begin so\n"
           "  --peer FILE        also the engine of that shared library, see engine.h\n"
           "  --substeps N,...   steps per frame of 1/60 s, at most 8 numbers; 1,4 if not given\n"
-          "  --csv FILE         also write all figures there\n"
+          "  --budget S         s that a run may take before it is too slow\n"
+          "  --csv FILE         also write all figures there, a line for each run\n"
           "  --markdown FILE    also write a table of the first errors and the median times there\n"
           "  --list             name the scenes\n",
           to);
@@ -119,6 +124,10 @@ static int readOption(Options *o, const char *name, const char *value) {
         o->quick = true;
         return 1;
     }
+    if (strcmp(name, "--free") == 0) {
+        o->free = true;
+        return 1;
+    }
     if (!value)
         return 0;
     if (strcmp(name, "--scene") == 0 && scene_find(value)) {
@@ -131,6 +140,10 @@ static int readOption(Options *o, const char *name, const char *value) {
     }
     if (strcmp(name, "--peer") == 0)
         return addPeer(value) ? 2 : 0;
+    if (strcmp(name, "--budget") == 0 && atof(value) > 0) {
+        o->budget = atof(value);
+        return 2;
+    }
     if (strcmp(name, "--csv") == 0) {
         o->csv = value;
         return 2;
@@ -143,7 +156,7 @@ static int readOption(Options *o, const char *name, const char *value) {
 }
 
 static Options readOptions(int argc, char *argv[]) {
-    Options o = {.substeps = {1, 4}, .numSubsteps = 2, .runBudget = 120, .rowBudget = 240};
+    Options o = {.substeps = {1, 4}, .numSubsteps = 2, .runBudget = 10, .rowBudget = 4};
     for (int i = 1; i < argc;) {
         if (strcmp(argv[i], "--help") == 0) {
             usage(stdout);
@@ -162,23 +175,25 @@ static Options readOptions(int argc, char *argv[]) {
         i += taken;
     }
     if (o.quick) {
-        o.runBudget = 10;
-        o.rowBudget = .5;
+        o.runBudget = .5;
+        o.rowBudget = .05;
     }
+    if (o.budget > 0)
+        o.runBudget = o.budget;
     return o;
 }
 
 /* Running */
 
 static bool isWantedScene(const Options *o, const Scene *s) {
-    if (o->scene)
-        return strcmp(s->name, o->scene) == 0;
-#ifdef BENCH_PIPELINE
+    if (o->scene && strcmp(s->name, o->scene) != 0)
+        return false;
     SceneWorld world = {.numBodies = 0};
     s->build(s, &world);
+#ifdef BENCH_PIPELINE
     return world.collides;
 #else
-    return true;
+    return !(o->free && world.collides);
 #endif
 }
 
@@ -209,17 +224,11 @@ static void runRows(const Options *o, const Scene *scene, Row rows[], int n) {
         }
 }
 
-static int compare(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static double medianOf(const Row *r, size_t offset) {
     double values[RUNS];
     for (int i = 0; i < r->numRuns; i++)
         memcpy(&values[i], (const char *)&r->runs[i] + offset, sizeof values[i]);
-    qsort(values, (size_t)r->numRuns, sizeof *values, compare);
-    return r->numRuns ? values[r->numRuns / 2] : 0;
+    return r->numRuns ? median(values, r->numRuns) : 0;
 }
 
 /* What the runs agree in is taken from the first. */
@@ -291,19 +300,27 @@ static void printRow(const Scene *s, const Row *r) {
     printf("%12.1f%12.1f\n", result.median, result.worst);
 }
 
-static void writeRow(FILE *csv, const Scene *s, const Row *r) {
+static void writeRun(FILE *csv, const Scene *s, const Row *r, int run) {
     static const char *const outcomes[] = {"holds", "fails", "too slow"};
-    if (r->numRuns == 0)
-        return;
-    const RunResult result = resultOf(r);
-    fprintf(csv, "%s,%s,%s,%d,%s,%g,%d,%.4g,%.4g", s->name, r->engine->name, r->engine->settings[r->setting],
-            r->substeps, outcomes[result.outcome], result.simulated, r->numRuns, result.median, result.worst);
+    const RunResult *result = &r->runs[run];
+    fprintf(csv, "%s,%s,%s,%d,%d,%s,%g,%.4g,%.4g,%.4g,%.4g,%.4g", s->name, r->engine->name,
+            r->engine->settings[r->setting], r->substeps, run, outcomes[result->outcome], result->simulated,
+            result->median, result->p95, result->p99, result->worst, result->cpu);
     for (int k = 0; k < SCENE_MAX_ERRORS; k++)
         if (s->errors[k].name)
-            fprintf(csv, ",%s,%.6g", s->errors[k].name, result.errors[k]);
+            fprintf(csv, ",%s,%g,%.6g", s->errors[k].name, s->errors[k].goal, result->errors[k]);
         else
-            fputs(",,", csv);
+            fputs(",,,", csv);
     fputc('\n', csv);
+}
+
+/* What an engine has nothing for is a line without run. */
+static void writeRow(FILE *csv, const Scene *s, const Row *r) {
+    if (r->numRuns == 0)
+        fprintf(csv, "%s,%s,%s,%d,,impossible,,,,,,,,,,,,,,,\n", s->name, r->engine->name,
+                r->engine->settings[r->setting], r->substeps);
+    for (int i = 0; i < r->numRuns; i++)
+        writeRun(csv, s, r, i);
 }
 
 /* Columns are engines and settings, lines are scenes and sub-steps. */
@@ -393,17 +410,37 @@ static void closeFile(FILE *file) {
         fclose(file);
 }
 
+static int countScenes(const Options *o) {
+    int n = 0;
+    for (int i = 0; scenes[i]; i++)
+        n += isWantedScene(o, scenes[i]);
+    return n;
+}
+
+/* The rest takes as long a scene as those that are done, if it is known yet. */
+static void tellProgress(const Scene *s, int done, int wanted, double spent) {
+    fprintf(stderr, "scene %d of %d, %s", done + 1, wanted, s->name);
+    if (done)
+        fprintf(stderr, ", about %.0f s left", spent / done * (wanted - done));
+    fputc('\n', stderr);
+}
+
 int main(int argc, char *argv[]) {
     const Options o = readOptions(argc, argv);
-    FILE *csv = openFile(o.csv, "scene,engine,setting,substeps,outcome,simulated s,runs,median us,worst us,"
-                                "error,value,error,value,error,value\n");
+    FILE *csv =
+        openFile(o.csv, "scene,engine,setting,substeps,run,outcome,simulated s,median us,p95 us,p99 us,worst us,"
+                        "cpu s/s,error,goal,value,error 2,goal 2,value 2,error 3,goal 3,value 3\n");
     FILE *markdown = openFile(o.markdown, "");
     if (markdown)
         writeMarkdownHead(markdown, &o);
     printLegend();
-    for (int i = 0; scenes[i]; i++)
-        if (isWantedScene(&o, scenes[i]))
+    const double start = now();
+    const int wanted = countScenes(&o);
+    for (int i = 0, done = 0; scenes[i]; i++)
+        if (isWantedScene(&o, scenes[i])) {
+            tellProgress(scenes[i], done++, wanted, now() - start);
             benchScene(&o, scenes[i], csv, markdown);
+        }
     closeFile(csv);
     closeFile(markdown);
     return 0;

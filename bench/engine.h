@@ -35,8 +35,12 @@ typedef struct Engine {
     void (*destroy)(EngineWorld *w);
 } Engine;
 
-/* Karma's settings; or-ed with ENGINE_STRICT, for tests, a universe's step that is not exact counts as giving up. */
-enum { ENGINE_RIGID, ENGINE_DEFAULTS, ENGINE_ORDER_4, ENGINE_STRICT = 16 };
+/* Karma's settings, all rigid but the defaults. Those after them: of a world with the scene's contacts its integrator of
+ * order 4; of a universe its solver of contacts (MdtWorldSetSolver), the fast one ten times as accurate
+ * (MdtWorldSetAccuracy), two workers. Or-ed with ENGINE_STRICT, for tests, a universe's step that is not exact counts as
+ * giving up. */
+enum { ENGINE_RIGID, ENGINE_DEFAULTS, ENGINE_ORDER_4 };
+enum { ENGINE_EXACT = ENGINE_DEFAULTS + 1, ENGINE_FAST, ENGINE_FINE, ENGINE_TWO_WORKERS, ENGINE_STRICT = 16 };
 
 extern const Engine engine_karma_single, engine_karma_double;       /* with contacts made by the scene's code */
 extern const Engine engine_universe_single, engine_universe_double; /* Mcd's contacts, through the bridge */

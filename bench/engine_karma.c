@@ -33,6 +33,8 @@ static EngineWorld *create(int setting, const double gravity[3], bool collides) 
         abort();
     w->world = MdtWorldCreate(SCENE_MAX_BODIES, SCENE_MAX_JOINTS + (collides ? SCENE_MAX_CONTACTS : 0));
     karma_setWorld(w->world, setting, gravity);
+    if (setting == ENGINE_ORDER_4)
+        MdtWorldSetIntegratorOrder(w->world, 4);
     return w;
 }
 

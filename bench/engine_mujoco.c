@@ -1,4 +1,5 @@
-/* MuJoCo with its defaults: the Newton solver, pyramidal friction, and the Euler or the RK4 integrator.
+/* MuJoCo with its defaults: the Newton solver, pyramidal friction, and the Euler, the implicit or the RK4
+ * integrator.
  *
  * A model is compiled from XML before it can be simulated, so bodies and joints are collected until the first step.
  * Joints are MuJoCo's own kind, coordinates of a tree, whose gaps are 0 by construction. It has no restitution. */
@@ -27,7 +28,7 @@ struct EngineWorld {
     bool isFresh; /* what getState reads has been computed since the last step */
 };
 
-static const char *const settings[] = {"Euler", "RK4", NULL};
+static const char *const settings[] = {"Euler", "implicit", "RK4", NULL};
 
 /* The model as XML */
 

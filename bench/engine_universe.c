@@ -19,8 +19,24 @@ struct EngineWorld {
     int numBodies;
     const SceneBody *materials[MAX_MATERIALS]; /* a body of each; null: the ground's, which has no friction */
     int numMaterials;
+    MeTaskPoolID pool; /* null: one worker */
     bool isStrict, hasFallenBack;
 };
+
+/* Of the solver of contacts, and of workers. */
+static void choose(EngineWorld *w, int setting, const double gravity[3]) {
+    const MdtWorldID world = w->universe->world;
+    if (setting == ENGINE_EXACT)
+        MdtWorldSetSolver(world, MdtSolverExact);
+    if (setting == ENGINE_FAST || setting == ENGINE_FINE)
+        MdtWorldSetSolver(world, MdtSolverFast);
+    if (setting == ENGINE_FINE) /* a tenth of the default, g h / 100 */
+        MdtWorldSetAccuracy(world, (MeReal)(1e-3 * sqrt(scene_dot(gravity, gravity)) * SCENE_FRAME));
+    if (setting == ENGINE_TWO_WORKERS) {
+        w->pool = MeTaskPoolCreate(2);
+        MdtWorldSetTaskPool(world, w->pool);
+    }
+}
 
 static EngineWorld *create(int setting, const double gravity[3], bool collides) {
     (void)collides;
@@ -37,6 +53,7 @@ static EngineWorld *create(int setting, const double gravity[3], bool collides) 
     w->numMaterials = 1;
     w->isStrict = (setting & ENGINE_STRICT) != 0;
     karma_setWorld(w->universe->world, setting & ~ENGINE_STRICT, gravity);
+    choose(w, setting & ~ENGINE_STRICT, gravity);
     if (w->isStrict)
         MdtWorldEnableReport(w->universe->world);
     return w;
@@ -120,10 +137,20 @@ static bool hasGivenUp(EngineWorld *w) {
 
 static void destroy(EngineWorld *w) {
     MstUniverseDestroy(w->universe);
+    if (w->pool)
+        MeTaskPoolDestroy(w->pool);
     free(w);
 }
 
-static const char *const settings[] = {[ENGINE_RIGID] = "eps 0", [ENGINE_DEFAULTS] = "defaults", NULL};
+static const char *const settings[] = {
+    [ENGINE_RIGID] = "auto",
+    [ENGINE_DEFAULTS] = "defaults",
+    [ENGINE_EXACT] = "exact",
+    [ENGINE_FAST] = "fast",
+    [ENGINE_FINE] = "fast/10",
+    [ENGINE_TWO_WORKERS] = "2 threads",
+    NULL,
+};
 
 #ifdef _ME_API_DOUBLE
 #define ENGINE_UNIVERSE engine_universe_double
@@ -136,7 +163,7 @@ const Engine ENGINE_UNIVERSE = {
     .name = KARMA_NAME,
     .version = ME_VERSION_STRING,
     .about = KARMA_PRECISION
-    "; epsilon 0 or a universe's 7.2e-11, gamma .2, the friction cone; contacts by Mcd, ahead of touch, "
+    "; epsilon 0 or (defaults) a universe's 7.2e-11, gamma .2, the friction cone; contacts by Mcd, ahead of touch, "
     "through the bridge",
     .settings = settings,
     .bounces = true,

@@ -50,8 +50,6 @@ static inline void karma_setWorld(MdtWorldID world, int setting, const double gr
     MdtWorldSetAutoDisable(world, 0);
     if (setting != ENGINE_DEFAULTS)
         MdtWorldSetEpsilon(world, 0);
-    if (setting == ENGINE_ORDER_4)
-        MdtWorldSetIntegratorOrder(world, 4);
     MdtWorldSetGravity(world, (MeReal)gravity[0], (MeReal)gravity[1], (MeReal)gravity[2]);
 }
 

@@ -85,6 +85,8 @@ static double frame(Run *r, int substeps) {
 
 static void summarize(const Run *r, double times[], int n, RunResult *result) {
     result->median = n ? 1e6 * median(times, n) : 0;
+    result->p95 = n ? 1e6 * times[95 * n / 100] : 0;
+    result->p99 = n ? 1e6 * times[99 * n / 100] : 0;
     result->worst = n ? 1e6 * times[n - 1] : 0;
     r->scene->measure(&r->trace, &r->world, result->errors);
     for (int k = 0; k < SCENE_MAX_ERRORS && r->scene->errors[k].name; k++)
@@ -97,6 +99,7 @@ RunResult run_scene(const Scene *scene, const Engine *engine, int setting, int s
     Run *r = calloc(1, sizeof *r);
     const int frames = (int)lround(scene->duration / SCENE_FRAME);
     double *times = calloc((size_t)frames, sizeof *times), spent = 0;
+    double cpu = 0;
     int n = 0;
     if (!r || !times)
         abort();
@@ -108,13 +111,16 @@ RunResult run_scene(const Scene *scene, const Engine *engine, int setting, int s
     readStates(r);
     observe(r, 0);
     while (n < frames && !r->trace.isDone && result.outcome == RUN_HOLDS) {
+        const double before = cpuTime();
         spent += times[n] = frame(r, substeps);
+        cpu += cpuTime() - before;
         readStates(r);
         hash(r, &result.hash);
         observe(r, ++n * SCENE_FRAME);
         result.outcome = hasFailed(r) ? RUN_FAILS : spent > budget ? RUN_TIMES_OUT : RUN_HOLDS;
     }
     result.simulated = n * SCENE_FRAME;
+    result.cpu = n ? cpu / result.simulated : 0;
     summarize(r, times, n, &result);
     engine->destroy(r->in);
     free(times);

@@ -16,8 +16,9 @@ typedef struct RunResult {
     RunOutcome outcome;
     double simulated; /* s */
     double errors[SCENE_MAX_ERRORS];
-    uint64_t hash;        /* of the states after every frame, bit for bit */
-    double median, worst; /* µs of a frame, contacts made by hand included */
+    uint64_t hash;                  /* of the states after every frame, bit for bit */
+    double median, p95, p99, worst; /* µs of a frame, contacts made by hand included */
+    double cpu;                     /* s of all threads per simulated second, reading the clock included */
 } RunResult;
 
 /* Whether the engine has what the scene needs. */

@@ -1,0 +1,351 @@
+#!/usr/bin/env python3
+"""Makes docs/performance.md, and its pictures by gnuplot, of the figures that tools/bench has written into a directory.
+
+    report.py DIRECTORY
+
+free.csv and contact.csv have a line for each run of a scene, marginal.csv one for each cost, machine.txt and the heads
+of free.txt and contact.txt say what was measured. No figure stands in this file."""
+import collections
+import csv
+import math
+import pathlib
+import statistics
+import subprocess
+import sys
+
+TOP = pathlib.Path(__file__).resolve().parent.parent
+PICTURES = TOP / 'docs' / 'pictures'
+SHOWN = ('pendulum', 'tumbling', 'chain-level', 'tower', 'incline', 'cards')  # as work-precision diagrams
+TIMED = ('chain-level', 'tower-shaken', 'cards', 'heap', 'isotropy')      # whose distribution of times is shown
+LEVELS = ('platinum', 'gold', 'bronze')
+GOLD = 1e3     # times the goal
+KEY = "set key outside right vertical maxcols 1 font ',9'\n"
+SHAPES, COLOURS = 5, 8  # of gnuplot's points: odd numbers from 5 on are filled, the even ones before them open
+FLOOR = 1e-16  # errors below it are drawn there
+
+Row = collections.namedtuple('Row', 'scene engine setting substeps outcome times p95 p99 worst cpus errors')
+Error = collections.namedtuple('Error', 'name goal value')
+
+
+def number(text):
+    return float(text) if text else math.nan
+
+
+def errors_of(line):
+    for suffix in ('', ' 2', ' 3'):
+        if line['error' + suffix]:
+            yield Error(line['error' + suffix], number(line['goal' + suffix]), number(line['value' + suffix]))
+
+
+def read_rows(file):
+    """The runs of a scene by one engine, with one setting and number of sub-steps, as one row."""
+    runs = collections.OrderedDict()
+    with open(file, encoding='utf8') as source:
+        for line in csv.DictReader(source):
+            key = line['scene'], line['engine'], line['setting'], int(line['substeps'])
+            runs.setdefault(key, []).append(line)
+    for key, lines in runs.items():
+        def column(name):
+            return [number(line[name]) for line in lines]
+        yield Row(*key, lines[0]['outcome'], column('median us'), column('p95 us'), column('p99 us'),
+                  column('worst us'), column('cpu s/s'), list(errors_of(lines[0])))
+
+
+def solver(row):
+    return f'{row.engine} {row.setting}'
+
+
+def cost(row):
+    return statistics.median(row.cpus)
+
+
+def holds(row):
+    return row.outcome == 'holds' and not any(math.isnan(e.value) or math.isinf(e.value) for e in row.errors)
+
+
+def level(row):
+    """Index into LEVELS, or None of a row that fails."""
+    if not holds(row):
+        return None
+    if all(e.value <= e.goal for e in row.errors):
+        return 0
+    return 1 if all(e.value <= GOLD * e.goal for e in row.errors) else 2
+
+
+def table(head, lines):
+    yield '| ' + ' | '.join(head) + ' |'
+    yield '|' + '---|' * len(head)
+    for line in lines:
+        yield '| ' + ' | '.join(line) + ' |'
+    yield ''
+
+
+def figure(x):
+    return f'{x:.2g}' if x < 100 else f'{x:.0f}'
+
+
+def command(text):
+    return ['```sh', text, '```', '']
+
+
+# Pictures
+
+def draw(name, script):
+    """gnuplot's picture docs/pictures/NAME.svg. Returns the line that shows it."""
+    PICTURES.mkdir(exist_ok=True)
+    file = PICTURES / f'{name}.svg'
+    head = f"set terminal svg size 760,420 font 'sans,11' background 'white'\nset output '{file}'\n"
+    subprocess.run(['gnuplot'], input=head + script, text=True, check=True)
+    return [f'![{name}](pictures/{name}.svg)', '']
+
+
+def block(name, points):
+    return f'${name} << EOD\n' + ''.join(' '.join(map(str, p)) + '\n' for p in points) + 'EOD\n'
+
+
+def work_precision(rows, scene):
+    """Curves over sub-steps; a larger point is one step a frame; failures are open points at the upper edge."""
+    of = [r for r in rows if r.scene == scene and r.outcome != 'impossible']
+    values = [max(r.errors[0].value, FLOOR) for r in of if holds(r)]
+    edge = 10 * max(values, default=1)
+    script = (f"set logscale xy\nset format '%.0e'\n{KEY}set grid\nset title '{scene}'\n"
+              f"set xlabel 'CPU time per simulated second, s'\nset ylabel '{of[0].errors[0].name}'\n"
+              f'set yrange [:{2 * edge}]\n')
+    plots = []
+    for index, name in enumerate(dict.fromkeys(map(solver, of))):
+        mine = [r for r in of if solver(r) == name]
+        good = [(cost(r), max(r.errors[0].value, FLOOR), 1.2 if r.substeps == 1 else .6) for r in mine if holds(r)]
+        bad = [(cost(r), edge) for r in mine if not holds(r)]
+        colour, shape = f'lc {index % COLOURS + 1}', 5 + 2 * (index % SHAPES)
+        if good:
+            script += block(f'good{index}', good)
+            plots.append(f"$good{index} using 1:2:3 with linespoints pt {shape} ps variable {colour} title '{name}'")
+        if bad:
+            script += block(f'bad{index}', bad)
+            plots.append(f'$bad{index} with points pt {shape - 1} {colour} ' +
+                         ('notitle' if good else f"title '{name}'"))
+    return draw(f'performance-{scene}', script + 'plot ' + ', '.join(plots) + '\n')
+
+
+def cheapest(rows, scene, name, least):
+    """s per simulated second of the cheapest row that reaches the level, over all numbers of sub-steps."""
+    costs = [cost(r) for r in rows if r.scene == scene and solver(r) == name and level(r) is not None and
+             level(r) <= least]
+    return min(costs, default=math.inf)
+
+
+def profile(rows, least):
+    """Dolan and More 2002: of all scenes, the share that a solver does within a factor of the cheapest's cost."""
+    scenes, names = list(dict.fromkeys(r.scene for r in rows)), profile_solvers(rows)
+    best = {s: min(merged_cost(rows, s, n, least) for n in names) for s in scenes}
+    script = (KEY + "set logscale x\nset yrange [0:1]\nset xrange [1:1000]\nset grid\n"
+              f"set title 'reaches {LEVELS[least]}'\nset xlabel 'cost, times the cheapest'\n"
+              "set ylabel 'share of the scenes'\n")
+    plots = []
+    for index, name in enumerate(names):
+        ratios = sorted(c / best[s] for s in scenes if math.isfinite(c := merged_cost(rows, s, name, least)))
+        points = [(1, sum(r <= 1 for r in ratios) / len(scenes))]
+        points += [(r, (i + 1) / len(scenes)) for i, r in enumerate(ratios)] + [(1000, len(ratios) / len(scenes))]
+        script += block(f'p{index}', points)
+        plots.append(f"$p{index} with steps lw 2 lc {index % COLOURS + 1} dt {1 + index // COLOURS} title '{name}'")
+    return draw(f'performance-profile-{LEVELS[least]}', script + 'plot ' + ', '.join(plots) + '\n')
+
+
+def profile_solvers(rows):
+    """One name for each solver; Karma's two programs have different names for their first setting."""
+    return [n for n in dict.fromkeys(map(solver, rows)) if not n.endswith('eps 0') and not n.endswith('eps 1e-4')]
+
+
+def merged_cost(rows, scene, name, least):
+    """Without contact a universe's settings of contacts do not matter: the rigid world stands for them."""
+    if name.startswith('Karma') and not any(r.scene == scene and solver(r) == name for r in rows):
+        precision = ' '.join(name.split()[:2])
+        name = precision + (' eps 1e-4' if name.endswith('defaults') else ' eps 0')
+    return cheapest(rows, scene, name, least)
+
+
+# Sections
+
+def load_warning(machine):
+    cores = int(machine['processor'].split(',')[-1].split()[0])
+    loads = [float(machine[key].split()[0]) for key in ('load at the start', 'load at the end') if key in machine]
+    if max(loads, default=0) > cores:
+        yield from ['**The machine was not quiet**: more processes wanted to run than there are cores. CPU times are little '
+                    'touched by that;', 'times by the clock are: those of two threads, the 99th percentiles and worst '
+                    'frames, and what is said to be too slow.', '']
+
+
+def head(directory):
+    yield from ['# Speed against error', '',
+                'Scenes whose right answer is known, in Karma and in the engines that Debian packages, in one program and',
+                'in turns. This page is made by `tools/bench`; [bench.md](bench.md) says how it measures. Read ratios, not',
+                'digits. What is not said to be of another number of sub-steps has one step a frame of 1/60 s.', '']
+    lines = (directory / 'machine.txt').read_text(encoding='utf8').splitlines()
+    yield from table(('', ''), [line.split('|', 1) for line in lines])
+    yield from load_warning(dict(line.split('|', 1) for line in lines))
+    told = dict.fromkeys(line for name in ('free', 'contact') if (directory / f'{name}.txt').exists()
+                         for line in (directory / f'{name}.txt').read_text(encoding='utf8').splitlines()
+                         if line.startswith('* '))
+    yield from [*told, '']
+    command_line = lines[0].split('|')[1]
+    yield from ['All that follows is made again by', ''] + command(command_line)
+
+
+def scenes(directory):
+    yield from ['## The scenes', '', 'What happens, and what the errors are; the first is the one that tables and diagrams '
+                'show.', '']
+    for line in (directory / 'scenes.txt').read_text(encoding='utf8').splitlines():
+        name, text = line.split(': ', 1)
+        yield f'* **{name}**: {text}'
+    yield from ['', *command('tools/bench --list')]
+
+
+def levels(rows):
+    yield from ['## Levels', '', 'Platinum: every error of the scene is within the goal that is set for Karma at one '
+                f'step a frame. Gold: within {GOLD:g} times', 'that. Bronze: it holds to the end, and what was to be '
+                'measured happened. `-`: the engine lacks what the scene needs. Karma has a row for each setting of its world '
+                '(eps, scenes without contact)', 'and of its universe (scenes with contact): two rows of one precision '
+                'together are all scenes, as are the single ones of others.', '']
+    counts = []
+    for name in dict.fromkeys(map(solver, rows)):
+        mine = [r for r in rows if solver(r) == name and r.substeps == 1]
+        able = [r for r in mine if r.outcome != 'impossible']
+        of = [level(r) for r in able]
+        counts.append((name, *(str(of.count(i)) for i in range(3)),
+                       str(sum(not holds(r) and r.outcome == 'fails' or r.outcome == 'holds' and not holds(r)
+                               for r in able)),
+                       str(sum(r.outcome == 'too slow' for r in able)), str(len(mine) - len(able))))
+    yield from table(('solver', *LEVELS, 'fails', 'too slow', '-'), counts)
+    yield from command('tools/bench --report')
+
+
+def leads(rows):
+    yield from ['## Where Karma leads, where it trails', '', 'For each scene and level the cheapest row of any setting '
+                'and number of sub-steps, and how many times as much CPU time Karma', 'takes: below 1 it leads. '
+                '`only Karma`: no other engine gets there; `not Karma`: one does and Karma does not; `nobody`: none does, or',
+                'not in the time that the command above gives a run. Nothing is put to sleep; but what stands still in '
+                'Karma with unchanged', 'inputs is not solved again ([architecture.md](architecture.md), rest '
+                'certificate), which is where towers at rest gain most.', '']
+    lines = []
+    for scene in dict.fromkeys(r.scene for r in rows):
+        line = [scene]
+        for least in (2, 1, 0):
+            got = [r for r in rows if r.scene == scene and level(r) is not None and level(r) <= least]
+            ours = min((r for r in got if r.engine.startswith('Karma')), key=cost, default=None)
+            theirs = min((r for r in got if not r.engine.startswith('Karma')), key=cost, default=None)
+            if ours and theirs:
+                line.append(f'{figure(cost(ours) / cost(theirs))} ({solver(theirs)}, {theirs.substeps} sub)')
+            else:
+                line.append('only Karma' if ours else 'not Karma' if theirs else 'nobody')
+        lines.append(line)
+    yield from table(('scene', *reversed(LEVELS)), lines)
+    yield from command('tools/bench --report')
+
+
+def diagrams(rows):
+    yield from ['## Work and precision', '', 'One curve a solver over its numbers of sub-steps; the large points have '
+                'one step a frame. Open points at the upper edge fail.', f'Errors below {FLOOR:g} are drawn there.', '']
+    present = {r.scene for r in rows}
+    for scene in SHOWN:
+        if scene in present:
+            yield from work_precision(rows, scene)
+            yield from command(f'tools/bench --scene {scene}          # its figures alone')
+    yield from ['## Performance profiles', '', 'Of all scenes, the share that a solver does at the level for at most so '
+                'many times the CPU time of the cheapest (Dolan and', 'Moré 2002), each with its best number of '
+                'sub-steps of those that were run.', '']
+    for least in (2, 1):
+        yield from profile(rows, least)
+        yield from command('tools/bench --report')
+
+
+def distribution(rows):
+    yield from ['## Times of frames', '', 'µs, one step a frame: medians over the runs; of the median frame also the '
+                'least and the largest run.', '']
+    lines = []
+    for r in rows:
+        if r.scene in TIMED and r.substeps == 1 and holds(r):
+            lines.append((r.scene, solver(r), f'{figure(statistics.median(r.times))} ({figure(min(r.times))} to '
+                          f'{figure(max(r.times))})', *(figure(statistics.median(t)) for t in (r.p95, r.p99, r.worst))))
+    yield from table(('scene', 'solver', 'p50', 'p95', 'p99', 'worst'), lines)
+    yield from command('tools/bench --report')
+
+
+def cell(row):
+    if row.outcome == 'impossible':
+        return '-'
+    what = f'{row.errors[0].value:.1e}' if holds(row) else 'too slow' if row.outcome == 'too slow' else 'fails'
+    return f'{what}, {figure(statistics.median(row.times))}'
+
+
+def everything(rows, title, name):
+    yield from [f'## {title}', '', 'The first error of the scene, and the median time of a frame in µs.', '']
+    solvers = list(dict.fromkeys(map(solver, rows)))
+    lines = []
+    for scene, substeps in dict.fromkeys((r.scene, r.substeps) for r in rows):
+        cells = {solver(r): cell(r) for r in rows if r.scene == scene and r.substeps == substeps}
+        lines.append((scene, str(substeps), *(cells.get(s, '') for s in solvers)))
+    yield from table(('scene', 'sub', *solvers), lines)
+    yield from command(f'column -s, -t out/bench/{name}.csv | less -S')
+
+
+def marginal(directory):
+    file = directory / 'marginal.csv'
+    if not file.exists():
+        return
+    yield from ['## What one more costs', '', 'ns of a step of 1/60 s in single precision, on one thread: the difference '
+                'of two worlds of different numbers, over the', 'difference of the numbers. Least and largest of the '
+                'runs beside it. [advice.md](advice.md) says what follows.', '']
+    with open(file, encoding='utf8') as source:
+        yield from table(('one more', 'ns', 'least', 'largest'), [
+            (line['what'], *(f'{float(line[c]):.0f}' for c in ('ns', 'least', 'largest')))
+            for line in csv.DictReader(source)])
+    yield from command('build/bench/bench/marginal')
+
+
+ADVICE = (  # the cheaper one, the dearer one, what to do, what is lost; both are lines of marginal.csv
+    ('box that sleeps', 'box that slides, four contacts, cone', 'Let bodies sleep (`MdtWorldSetAutoDisable`).',
+     'nothing, while nothing touches them'),
+    ('sphere that rolls, one contact, cone', 'box that slides, four contacts, cone',
+     'Take a sphere where the shape is not seen: one contact instead of four.', 'it rolls'),
+    ('box that slides, four contacts, no friction', 'box that slides, four contacts, cone',
+     'Leave out friction where nothing is to stop.', 'it slides for ever'),
+    ('box that slides, four contacts, box friction', 'box that slides, four contacts, cone',
+     'Box friction instead of the cone.', 'the bound does not follow the weight, and depends on the direction'),
+    ('box that slides, four contacts, normal force', 'box that slides, four contacts, cone',
+     'Two bounds by the normal force instead of the cone.', 'on a diagonal friction is the root of 2 times too large'),
+    ('body on a ball joint', 'body on a hinge', 'A ball joint where the axis need not be held.', 'it may turn any way'),
+    ('body in a plane (linear 1)', 'body on a prismatic joint', 'One row where one direction is all that is held.',
+     'the rest is free'),
+    ('body on a hinge', 'body on a hinge with a motor', 'A hinge without its motor.', 'it is not driven'),
+)
+
+
+def advice(directory):
+    with open(directory / 'marginal.csv', encoding='utf8') as source:
+        costs = {line['what']: float(line['ns']) for line in csv.DictReader(source)}
+    lines = [(what, f'{costs[dear]:.0f}', f'{costs[cheap]:.0f}', f'{costs[cheap] / costs[dear]:.2g}', lost)
+             for cheap, dear, what, lost in ADVICE]
+    yield from ['# Model only what a scene needs', '',
+                'What a feature costs, and what leaving it out loses. The costs, ns of a step for one more, are those of',
+                '[performance.md](performance.md); this page is made along with it. A share of 1 or more gains nothing: then',
+                'take what is right.', '']
+    yield from table(('advice', 'ns as it was', 'ns after', 'share', 'what is lost'), lines)
+    yield from command('build/bench/bench/marginal')
+
+
+def main(directory):
+    groups = {name: list(read_rows(directory / f'{name}.csv')) for name in ('free', 'contact')
+              if (directory / f'{name}.csv').exists()}
+    rows = [r for group in groups.values() for r in group]
+    page = [*head(directory), *scenes(directory), *levels(rows), *leads(rows), *diagrams(rows), *distribution(rows), *marginal(directory),
+            *everything(groups['free'], 'All scenes without contact', 'free'),
+            *everything(groups['contact'], 'All scenes with contact', 'contact')]
+    (TOP / 'docs' / 'performance.md').write_text('\n'.join(page).rstrip() + '\n', encoding='utf8')
+    (TOP / 'docs' / 'advice.md').write_text('\n'.join(advice(directory)).rstrip() + '\n', encoding='utf8')
+    print(f'{len(rows)} rows: docs/performance.md')
+
+
+if __name__ == '__main__':
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(pathlib.Path(sys.argv[1]))
