@@ -35,10 +35,10 @@ typedef struct Engine {
     void (*destroy)(EngineWorld *w);
 } Engine;
 
-/* Karma's settings, all rigid but the defaults. Those after them: of a world with the scene's contacts its integrator of
- * order 4; of a universe its solver of contacts (MdtWorldSetSolver), the fast one ten times as accurate
- * (MdtWorldSetAccuracy), two workers. Or-ed with ENGINE_STRICT, for tests, a universe's step that is not exact counts as
- * giving up. */
+/* Karma's settings, all rigid but the defaults. Those after them: of a world with the scene's contacts its integrator
+ * of order 4; of a universe its solver of contacts (MdtWorldSetSolver), the fast one ten times as accurate
+ * (MdtWorldSetAccuracy), two workers. Or-ed with ENGINE_STRICT, for tests, a universe's step that is not exact counts
+ * as giving up. */
 enum { ENGINE_RIGID, ENGINE_DEFAULTS, ENGINE_ORDER_4 };
 enum { ENGINE_EXACT = ENGINE_DEFAULTS + 1, ENGINE_FAST, ENGINE_FINE, ENGINE_TWO_WORKERS, ENGINE_STRICT = 16 };
 
