@@ -1,7 +1,7 @@
 /* Joints among many contacts, which the fast solver takes: heavy chains, nets, machines, figures of any kind. Joints
  * hold, nothing gains energy, and motions are those of the exact solver where that has an answer. */
 #include "MdtReport.h"
-#include "Mst.h"
+#include "jointed.h"
 #include "karma_test.h"
 
 #ifdef TEST_IS_SLOW
@@ -10,87 +10,7 @@ enum { FIGURES = 4, FIGURE_STEPS = 150 };
 enum { FIGURES = 40, FIGURE_STEPS = 200 };
 #endif
 
-enum { MOST = 400 };
-
-static const double gravity = 9.81;
-static MstUniverseID u;
-static McdModelID model[MOST];
-static MdtConstraintID joint[MOST];
-static int numModels, numJoints;
-static unsigned int seed;
-
-static double between(double low, double high) {
-    seed = seed * 1664525u + 1013904223u;
-    return low + (high - low) * (double)(seed >> 8) / (1 << 24);
-}
-
-static void makeWorld(MdtSolver solver, double friction) {
-    static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
-    u = MstUniverseCreate(&MstUniverseGrowingSizes);
-    numModels = numJoints = 0;
-    MdtWorldSetGravity(u->world, 0, (MeReal)-gravity, 0);
-    MdtWorldSetAutoDisable(u->world, MEFALSE);
-    MdtWorldSetSolver(u->world, solver);
-    MdtWorldEnableReport(u->world);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
-    MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
-}
-
-static McdModelID put(McdGeometryID g, const double at[3], double density) {
-    const McdModelID m = MstModelAndBodyCreate(u, g, (MeReal)density);
-    McdModelDynamicsSetPosition(m, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
-    return model[numModels++] = m;
-}
-
-static McdModelID putAt(McdGeometryID g, double x, double y, double z, double density) {
-    return put(g, (double[3]){x, y, z}, density);
-}
-
-static McdGeometryID box(double x, double y, double z) {
-    return McdBoxCreate(u->frame, (MeReal)x, (MeReal)y, (MeReal)z);
-}
-
-static McdGeometryID ball(double radius) {
-    return McdSphereCreate(u->frame, (MeReal)radius);
-}
-
-/* b null: the world. */
-static void joinByBall(McdModelID a, McdModelID b, double x, double y, double z) {
-    const MdtBSJointID j = MdtBSJointCreate(u->world);
-    MdtBSJointSetBodies(j, McdModelGetBody(a), b ? McdModelGetBody(b) : 0);
-    MdtBSJointSetPosition(j, (MeReal)x, (MeReal)y, (MeReal)z);
-    MdtBSJointEnable(j);
-    joint[numJoints++] = MdtBSJointQuaConstraint(j);
-    if (b)
-        McdSpaceDisablePair(a, b);
-}
-
-static MdtLimitID joinByHinge(McdModelID a, McdModelID b, const double at[3], const double axis[3]) {
-    const MdtHingeID j = MdtHingeCreate(u->world);
-    MdtHingeSetBodies(j, McdModelGetBody(a), McdModelGetBody(b));
-    MdtHingeSetPosition(j, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
-    MdtHingeSetAxis(j, (MeReal)axis[0], (MeReal)axis[1], (MeReal)axis[2]);
-    MdtHingeEnable(j);
-    joint[numJoints++] = MdtHingeQuaConstraint(j);
-    McdSpaceDisablePair(a, b);
-    return MdtHingeGetLimit(j);
-}
-
 /* ---- what is measured ---- */
-
-/* m, of the joint that is open furthest. */
-static double opening(void) {
-    double most = 0;
-    for (int i = 0; i < numJoints; i++) {
-        MeVector3 a, b;
-        MdtConstraintBodyGetPosition(joint[i], 0, a);
-        MdtConstraintBodyGetPosition(joint[i], 1, b);
-        MeVector3Subtract(a, a, b);
-        const double open = (double)MeVector3Magnitude(a);
-        most = open <= most ? most : open;
-    }
-    return most;
-}
 
 static double energyOf(MdtBodyID b) {
     MeVector3 v, w, x, turned;
@@ -152,20 +72,6 @@ static Course run(int steps) {
 
 /* ---- scenes ---- */
 
-/* Twenty links of half a kilogram and a ball of a ton, let go level, swing into a pile. */
-static void makeHeavyChain(MdtSolver solver) {
-    McdModelID last = 0;
-    makeWorld(solver, .5);
-    for (int i = 0; i < 20; i++) {
-        const McdModelID m = putAt(box(.2, .05, .05), .1 + .2 * i, 6, 0, 1000);
-        joinByBall(m, last, .2 * i, 6, 0);
-        last = m;
-    }
-    joinByBall(putAt(ball(.4), 4.4, 6, 0, 1000 / (4. / 3 * ME_PI * .4 * .4 * .4)), last, 4, 6, 0);
-    for (int i = 0; i < 60; i++)
-        putAt(box(.5, .5, .5), -2 + .55 * (i % 6), .25 + .5 * (i / 12), -.3 + .55 * (i / 6 % 2), 300);
-}
-
 /* The ball comes with 60 kJ. Without geometric stiffness the chain opens by more than a metre. */
 START_TEST(a_ton_on_a_light_chain_stays_on_it_where_it_hits) {
     makeHeavyChain(MdtSolverAuto);
@@ -178,32 +84,9 @@ START_TEST(a_ton_on_a_light_chain_stays_on_it_where_it_hits) {
 }
 END_TEST
 
-enum { KNOTS = 10 };
-
-/* Balls joined to their neighbours, the rim to the world, and boxes of five times their mass above it. */
-static void makeNet(void) {
-    McdModelID knot[KNOTS][KNOTS];
-    const double middle = .2 * (KNOTS - 1);
-    makeWorld(MdtSolverAuto, .5);
-    for (int i = 0; i < KNOTS; i++)
-        for (int k = 0; k < KNOTS; k++) {
-            const double x = .4 * i - middle, z = .4 * k - middle;
-            const MeBool isRim = i == 0 || k == 0 || i == KNOTS - 1 || k == KNOTS - 1;
-            knot[i][k] = putAt(ball(.12), x, 4, z, 1000);
-            if (i > 0)
-                joinByBall(knot[i][k], knot[i - 1][k], x - .2, 4, z);
-            if (k > 0)
-                joinByBall(knot[i][k], knot[i][k - 1], x, 4, z - .2);
-            if (isRim)
-                joinByBall(knot[i][k], 0, x, 4, z);
-        }
-    for (int i = 0; i < 36; i++)
-        putAt(box(.5, .5, .5), .7 * (i % 3) - .7, 4.6 + .6 * (i / 9), .7 * (i / 3 % 3) - .7, 300);
-}
-
 /* 216 joints in loops, a ton in it. */
 START_TEST(a_net_catches_boxes) {
-    makeNet();
+    makeNet(MdtSolverAuto);
     const Course c = run(90);
     printf("net: open by %.1e m, gains %.1e J\n", c.open, c.gain);
     assert_below(c.open, 1e-4);
@@ -212,42 +95,13 @@ START_TEST(a_net_catches_boxes) {
 }
 END_TEST
 
-/* A car with motors at its four wheels and an arm of five links before it, each driven. */
-static void makeMachine(double z) {
-    static const double across[3] = {0, 0, 1};
-    const McdModelID car = putAt(box(2, .4, 1), 0, .7, z, 200);
-    McdModelID last = car;
-    for (int k = 0; k < 4; k++) {
-        const double at[3] = {k & 1 ? .8 : -.8, .4, z + (k & 2 ? .75 : -.75)};
-        const McdModelID wheel = put(McdCylinderCreate(u->frame, (MeReal).4, (MeReal).3), at, 200);
-        const MdtLimitID drive = joinByHinge(wheel, car, at, across);
-        MdtLimitSetLimitedForceMotor(drive, -8, 400);
-        MdtLimitActivateMotor(drive, METRUE);
-    }
-    for (int k = 0; k < 5; k++) {
-        const McdModelID link = putAt(box(1, .15, .15), 1.5 + k, 1.2, z, 100);
-        const MdtLimitID drive = joinByHinge(link, last, (double[3]){1 + k, 1.2, z}, across);
-        MdtLimitSetLimitedForceMotor(drive, (MeReal)(.3 * sin(k)), 300);
-        MdtLimitActivateMotor(drive, METRUE);
-        last = link;
-    }
-}
-
-static void makeMachines(MdtSolver solver) {
-    makeWorld(solver, .5);
-    for (int i = 0; i < 4; i++)
-        makeMachine(4 * i);
-    for (int i = 0; i < 60; i++)
-        putAt(box(.6, .6, .6), 9 + .9 * (i % 4), .3, .9 * (i / 4) - .5, 100);
-}
-
 /* In single precision their wheels touch with the rounding of places, so that the exact solver does not settle which of
  * them stick: 40 factorizations a step; after the first such step a machine is the fast one's. In double precision none
  * is. */
 START_TEST(machines_move_as_the_exact_solver_moves_them_and_settle) {
-    makeMachines(MdtSolverExact);
+    makeMachines(MdtSolverExact, 4, 60);
     const Course exact = run(90);
-    makeMachines(MdtSolverAuto);
+    makeMachines(MdtSolverAuto, 4, 60);
     const Course c = run(90);
     printf("machines: %.6g J, exact %.6g J; %d factorizations, exact %d; open by %.1e m\n", c.energy, exact.energy,
            c.factorizations, exact.factorizations, c.open);
