@@ -5,9 +5,9 @@
 #include "karma_test.h"
 
 #ifdef TEST_IS_SLOW
-enum { FIGURES = 4, FIGURE_STEPS = 150 };
+enum { FIGURES = 4, FIGURE_STEPS = 150, TEST_STEPS = 30 };
 #else
-enum { FIGURES = 40, FIGURE_STEPS = 200 };
+enum { FIGURES = 40, FIGURE_STEPS = 200, TEST_STEPS = 120 };
 #endif
 
 /* ---- what is measured ---- */
@@ -112,6 +112,41 @@ START_TEST(machines_move_as_the_exact_solver_moves_them_and_settle) {
 }
 END_TEST
 
+/* ---- long, and out of proportion ---- */
+
+/* Links on hinges that rub, dropped onto boxes: more bodies than are given the response of all to each motor. */
+START_TEST(a_chain_of_150_motors_holds) {
+    McdModelID last = 0;
+    makeWorld(MdtSolverFast, .5);
+    for (int i = 0; i < 150; i++) {
+        const McdModelID m = putAt(box(.18, .08, .08), .2 * i, 1.5, 0, 1000);
+        if (last) {
+            const MdtLimitID rub = joinByHinge(m, last, (double[3]){.2 * i - .1, 1.5, 0}, (double[3]){0, 0, 1});
+            MdtLimitSetLimitedForceMotor(rub, 0, (MeReal).2);
+            MdtLimitActivateMotor(rub, METRUE);
+        }
+        last = m;
+    }
+    for (int i = 0; i < 20; i++)
+        putAt(box(.5, .5, .5), 1.5 * i, .25, 0, 300);
+    const Course c = run(TEST_STEPS);
+    printf("150 motors: open by %.1e m, gains %.1e J\n", c.open, c.gain);
+    assert_below(c.open, 1e-4);
+    assert_below(c.gain, 1);
+}
+END_TEST
+
+/* Fourteen decades of mass: further than a double bears. Joints may open, but nothing is lost. */
+START_TEST(masses_out_of_proportion_end_in_no_nan) {
+    makeWorld(MdtSolverFast, .5);
+    const McdModelID heavy = putAt(ball(.5), 0, .5, 0, 1e9), light = putAt(ball(.1), 0, 1.2, 0, 1e-5);
+    joinByBall(light, heavy, 0, 1.1, 0);
+    joinByBall(putAt(ball(.5), 0, 1.9, 0, 1e9), light, 0, 1.3, 0);
+    const Course c = run(60);
+    ck_assert(isfinite(c.energy) && isfinite(c.open));
+}
+END_TEST
+
 /* ---- figures of any kind ---- */
 
 static McdGeometryID anyShape(void) {
@@ -205,6 +240,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_ton_on_a_light_chain_stays_on_it_where_it_hits);
     tcase_add_test(t, a_net_catches_boxes);
     tcase_add_test(t, machines_move_as_the_exact_solver_moves_them_and_settle);
+    tcase_add_test(t, a_chain_of_150_motors_holds);
+    tcase_add_test(t, masses_out_of_proportion_end_in_no_nan);
     tcase_add_test(t, figures_of_any_kind_hold_together_and_gain_no_energy);
 }
 

@@ -336,6 +336,11 @@ static const double kea_roundShare = 0.1;
 /* Rad, that a round turns a body of what is tied: errors are linear for small turns only, and a chain that is pulled
  * straight asks for large ones. Without it a ton on a light chain opens it by a metre (Mst_Jointed). */
 static const double kea_mostPush = 0.1;
+/* Times kea_proximalLimit, where a block has no factor: half of its decades, so that the third trial is A_ii itself. */
+static const double kea_softerJoint = 1e3;
+/* Bodies that joints tie together, for which rows with bounds are given the response of all: their memory, and a visit,
+ * go with the bodies. Reasoned: 128 are 6 kB a row. */
+enum { KEA_WIDE_BLOCK = 128 };
 /* Sweeps over the four points of a manifold where they do not all act: 1 lets a tower of 20 fall, 8 gain nothing. */
 enum { KEA_POINT_SWEEPS = 3 };
 /* Of the product of its diagonal, a determinant in single precision: 6e-8 / 1e-4 is what is wrong with the inverse. */

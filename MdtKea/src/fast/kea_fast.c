@@ -186,7 +186,7 @@ static void measureGroups(void *context, KeaNode *node) {
 static void takePasses(Step *p, int passes) {
     for (int i = 0; i < passes; i++) {
         kea_inOrder(&p->regions, passNode, p);
-        const double ofJoints = kea_jointsPass(&p->joints, p->motion, (double)(float)p->beta);
+        const double ofJoints = kea_jointsPass(p->s, &p->joints, p->motion, (double)(float)p->beta);
         const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
         p->beta = (p->theta - 1) / next;
         p->theta = next;
@@ -423,7 +423,7 @@ static void shareImpulses(Step *p) {
     kea_jointsScale(&p->joints, share);
     setMotions(p);
     applyImpulses(p);
-    kea_jointsPass(&p->joints, p->motion, 0);
+    kea_jointsPass(p->s, &p->joints, p->motion, 0);
     setEndMomentum(p);
 }
 
@@ -552,7 +552,7 @@ static void pushGroups(void *context, KeaNode *node) {
 
 static void pushApart(Step *p) {
     kea_inOrder(&p->regions, pushGroups, p);
-    kea_jointsPush(&p->joints, p->way);
+    kea_jointsPush(p->s, &p->joints, p->way);
 }
 
 /* Joints turn with their bodies: their errors are found anew for every few passes, and where that does not bring them
@@ -569,7 +569,7 @@ static void pushJoined(Step *p) {
             kea_jointsTurn(p->s, &p->joints, p->way);
         before = open;
         if (round >= KEA_JOINT_ROUNDS)
-            kea_jointsPush(&p->joints, p->way);
+            kea_jointsPush(p->s, &p->joints, p->way);
         else
             for (int i = 0; i < KEA_POSITION_PASSES / KEA_JOINT_ROUNDS; i++)
                 pushApart(p);
@@ -614,6 +614,7 @@ static void report(Step *p) {
     r->passes = 1;
     r->resolution = kea_restingShare * p->s->parameters.accuracy;
     r->work = r->iterations * workOfPass(p) + workBeside(p);
+    r->capped = r->capped || !kea_jointsAreSound(&p->joints);
 }
 
 static void returnGroups(void *context, KeaNode *node) {

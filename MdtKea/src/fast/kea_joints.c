@@ -78,7 +78,6 @@ static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
     r->lower = h * row->lower;
     r->upper = h * row->upper;
     r->impulse = r->before = r->isOff ? 0 : keaMin(keaMax(h * row->force, r->lower), r->upper);
-    r->weight = r->isOff ? 0 : 1 / (r->compliance + kea_proximalLimit * r->size);
 }
 
 /* ---- the block's bodies ---- */
@@ -145,7 +144,8 @@ static void addRow(KeaFactor *f, const KeaJointRow *r) {
     addOuter(kea_factorUpper(f, r->edge), r->weight, &r->row->J[low], &r->row->J[!low]);
 }
 
-static void factorize(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
+/* `soft`: N, of the rows' sizes. False: the matrix is not positive in double precision. */
+static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, double soft) {
     kea_factorClearIn(b->factor, b->numbers);
     for (int n = 0; n < b->numNodes; n++) {
         const KeaJointBody *body = &j->body[b->firstNode + n];
@@ -156,11 +156,20 @@ static void factorize(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointB
                 block[6 * (i + 3) + k + 3] = body->inertia[i][k];
         }
     }
-    for (int i = b->firstRow; i < b->firstRow + b->numTied; i++)
-        addRow(b->factor, &j->row[i]);
-    const MeBool isPositive = kea_factorCholesky(b->factor, kea_leastPivot);
-    MEASSERT(isPositive);
-    (void)isPositive;
+    for (int i = b->firstRow; i < b->firstRow + b->numTied; i++) {
+        KeaJointRow *r = &j->row[i];
+        r->weight = r->isOff ? 0 : 1 / (r->compliance + soft * r->size);
+        addRow(b->factor, r);
+    }
+    return kea_factorCholesky(b->factor, kea_leastPivot);
+}
+
+/* Masses that differ by more than N bears, one over the rounding of a double, make joints softer. Where nothing helps,
+ * the block's joints do nothing in this step. */
+static void factorize(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBlock *b) {
+    b->isSound = MEFALSE;
+    for (double soft = kea_proximalLimit; soft <= 1 && !b->isSound; soft *= kea_softerJoint)
+        b->isSound = factorizeWith(s, j, b, soft);
 }
 
 /* ---- blocks ---- */
@@ -333,6 +342,7 @@ static MeBool setBlocks(MdtKeaSystem *s, const int place[], KeaJoints *j) {
         j->block[i].firstNode = node;
         setBodies(s, place, j, &j->block[i]);
         setRows(s, j, &j->block[i]);
+        j->block[i].isWide = j->block[i].numNodes > KEA_WIDE_BLOCK;
         j->block[i].factor =
             kea_cacheFind(s->cache, j->block[i].numNodes, NULL, j->graph.numEdges, (const int(*)[2])j->graph.edges);
         if (!j->block[i].factor)
@@ -350,7 +360,7 @@ static MeBool takeMemory(const MdtKeaSystem *s, KeaJoints *j) {
             KeaJointBlock *b = &j->block[i];
             b->numbers = kea_carve(&arena, kea_factorNumbersSize(b->factor), 1);
             for (int k = b->firstRow + b->numTied; k < b->firstRow + b->numRows; k++)
-                j->row[k].response = kea_carve(&arena, (size_t)b->numNodes, 6 * sizeof(double));
+                j->row[k].response = kea_carve(&arena, b->isWide ? 2 : (size_t)b->numNodes, 6 * sizeof(double));
         }
         if (memory)
             return METRUE;
@@ -396,6 +406,13 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
         return MEFALSE;
     for (int i = 0; i < j->numBlocks; i++)
         factorize(s, j, &j->block[i]);
+    return METRUE;
+}
+
+MeBool kea_jointsAreSound(const KeaJoints *j) {
+    for (int i = 0; i < j->numBlocks; i++)
+        if (!j->block[i].isSound)
+            return MEFALSE;
     return METRUE;
 }
 
@@ -456,9 +473,21 @@ static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
     kea_factorSolve(b->factor, x[0]);
 }
 
-/* What a unit of a row's impulse does to the block, and by how much that changes the row's rate. */
-static void findResponse(const KeaJointBlock *b, KeaJointRow *r) {
+/* What a unit of a row's impulse does to the block, or in a wide one to the row's own bodies, and by how much that
+ * changes the row's rate. */
+static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJointRow *r) {
     double(*response)[6] = (double(*)[6])(void *)r->response;
+    if (b->isWide) {
+        r->blockSize = r->size;
+        for (int k = 0; k < 2; k++) {
+            if (r->node[k] < 0)
+                continue;
+            const MdtKeaInverseMassMatrix *m = &s->invMass[r->row->body[k]];
+            keaScale(response[k], m->mass, r->row->J[k].lin);
+            keaApply(response[k] + 3, (const double(*)[3])m->inertia, r->row->J[k].ang);
+        }
+        return;
+    }
     memset(response, 0, (size_t)b->numNodes * sizeof *response);
     addAlong(r, 1, response);
     kea_factorTakeNumbers(b->factor, b->numbers);
@@ -467,9 +496,15 @@ static void findResponse(const KeaJointBlock *b, KeaJointRow *r) {
 }
 
 static void pushBlock(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, double impulse) {
-    double *x = unknownsOf(j, b)[0];
+    double(*x)[6] = unknownsOf(j, b);
+    if (b->isWide) {
+        for (int k = 0; k < 2; k++)
+            if (r->node[k] >= 0)
+                kea_addScaled6(x[r->node[k]], impulse, r->response + 6 * k);
+        return;
+    }
     for (int i = 0; i < 6 * b->numNodes; i++)
-        x[i] += impulse * r->response[i];
+        x[0][i] += impulse * r->response[i];
 }
 
 /* ---- velocities ---- */
@@ -494,25 +529,43 @@ static void setMissing(const KeaJoints *j, const KeaJointBlock *b, const KeaMoti
 }
 
 /* A row at its bound, which stays there, costs no more than its rate. */
-static double visitBounded(const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r, double beta) {
+static double visitBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r,
+                           double beta) {
     if (r->isOff)
         return 0;
     const double guess = guessOf(r, beta), off = r->missing - rateOf(r, unknownsOf(j, b));
     if ((guess == r->lower && off <= 0) || (guess == r->upper && off >= 0))
         return take(r, guess, guess);
     if (r->blockSize == 0)
-        findResponse(b, r);
+        findResponse(s, b, r);
     const double next = keaMin(keaMax(guess + off / (r->blockSize + r->compliance), r->lower), r->upper);
     pushBlock(j, b, r, next - guess);
     return take(r, guess, next);
 }
 
-static double visitBlock(const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[], double beta) {
+static double visitAllBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, double beta) {
     double uphill = 0;
-    setMissing(j, b, motion, beta);
-    solveTied(j, b);
     for (int i = b->firstRow + b->numTied; i < b->firstRow + b->numRows; i++)
-        uphill += visitBounded(j, b, &j->row[i], beta);
+        uphill += visitBounded(s, j, b, &j->row[i], beta);
+    return uphill;
+}
+
+/* In a wide block, whose joints rows with bounds would open, these come first. */
+static double visitBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[],
+                         double beta) {
+    double uphill = 0;
+    if (!b->isSound)
+        return 0;
+    setMissing(j, b, motion, beta);
+    if (b->isWide) {
+        memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
+        uphill += visitAllBounded(s, j, b, beta);
+        moveBodies(j, b, motion);
+        setMissing(j, b, motion, beta);
+    }
+    solveTied(j, b);
+    if (!b->isWide)
+        uphill += visitAllBounded(s, j, b, beta);
     for (int i = b->firstRow; i < b->firstRow + b->numTied; i++) {
         KeaJointRow *r = &j->row[i];
         const double guess = guessOf(r, beta);
@@ -522,10 +575,10 @@ static double visitBlock(const KeaJoints *j, const KeaJointBlock *b, KeaMotion m
     return uphill;
 }
 
-double kea_jointsPass(KeaJoints *j, KeaMotion motion[], double beta) {
+double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta) {
     double uphill = 0;
     for (int i = 0; i < j->numBlocks; i++)
-        uphill += visitBlock(j, &j->block[i], motion, beta);
+        uphill += visitBlock(s, j, &j->block[i], motion, beta);
     return uphill;
 }
 
@@ -599,7 +652,7 @@ void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
 
 void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
-        const KeaJointBlock *b = &j->block[i];
+        KeaJointBlock *b = &j->block[i];
         for (int k = b->firstRow; k < b->firstRow + b->numRows; k++)
             j->row[k].blockSize = 0;
         factorize(s, j, b);
@@ -607,13 +660,13 @@ void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
 }
 
 /* A stop is pushed away from, not back to. */
-static void pushStop(const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r) {
+static void pushStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r) {
     const double off = r->missing - rateOf(r, unknownsOf(j, b));
     const double need = r->lower == 0 ? keaMax(off, 0) : keaMin(off, 0);
     if (!r->isHeld || r->isOff || need == 0)
         return;
     if (r->blockSize == 0)
-        findResponse(b, r);
+        findResponse(s, b, r);
     pushBlock(j, b, r, need / r->blockSize);
 }
 
@@ -629,16 +682,33 @@ static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
             j->x[n][i] *= kea_mostPush / most;
 }
 
-void kea_jointsPush(KeaJoints *j, KeaMotion way[]) {
+static void setMissingWay(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion way[]) {
+    for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
+        KeaJointRow *r = &j->row[k];
+        r->missing = r->isHeld ? -(r->gap + motionRate(j, b, r, way)) : 0;
+    }
+}
+
+static void pushStops(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
+    for (int k = b->firstRow + b->numTied; k < b->firstRow + b->numRows; k++)
+        pushStop(s, j, b, &j->row[k]);
+}
+
+void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]) {
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
-        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
-            KeaJointRow *r = &j->row[k];
-            r->missing = r->isHeld ? -(r->gap + motionRate(j, b, r, way)) : 0;
+        if (!b->isSound)
+            continue;
+        setMissingWay(j, b, way);
+        if (b->isWide) {
+            memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
+            pushStops(s, j, b);
+            moveBodies(j, b, way);
+            setMissingWay(j, b, way);
         }
         solveTied(j, b);
-        for (int k = b->firstRow + b->numTied; k < b->firstRow + b->numRows; k++)
-            pushStop(j, b, &j->row[k]);
+        if (!b->isWide)
+            pushStops(s, j, b);
         limitTurn(j, b);
         moveBodies(j, b, way);
     }

@@ -33,7 +33,9 @@ typedef struct KeaJointBody {
 typedef struct KeaJointBlock {
     int firstNode, numNodes, firstRow, numRows, numTied;
     KeaFactor *factor;
-    char *numbers; /* the factor's */
+    char *numbers;  /* the factor's */
+    MeBool isWide;  /* of so many bodies that rows with bounds act on their own two only */
+    MeBool isSound; /* the factor is there */
 } KeaJointBlock;
 
 typedef struct KeaJoints {
@@ -53,6 +55,8 @@ size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory);
 /* By body, its place among motions. What turns under load has more inertia from here on, and is predicted to turn less.
  * False: no memory. */
 MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j);
+/* Has every block its factor? Joints of others do nothing. */
+MeBool kea_jointsAreSound(const KeaJoints *j);
 /* Multiplications of a pass; of getting ready. */
 double kea_jointsWorkOfPass(const KeaJoints *j);
 double kea_jointsWorkBeside(const KeaJoints *j);
@@ -61,7 +65,7 @@ void kea_jointsApply(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[]);
 /* Takes a share of all impulses. */
 void kea_jointsScale(KeaJoints *j, double share);
 /* A pass over velocities; returns how much goes against the extrapolation by beta. */
-double kea_jointsPass(KeaJoints *j, KeaMotion motion[], double beta);
+double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta);
 /* m/s */
 double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[]);
 /* Errors at the bodies' ends as they are now, displacements included; returns the largest, of a body's size. */
@@ -71,7 +75,7 @@ void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]);
 /* The rows' Jacobians are others now. */
 void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j);
 /* A pass over displacements. */
-void kea_jointsPush(KeaJoints *j, KeaMotion way[]);
+void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]);
 /* Stops that were hit part with their rebound; whether there are any. */
 MeBool kea_jointsRebound(KeaJoints *j);
 /* What the rows do to momenta, by place. */
