@@ -290,8 +290,11 @@ static double workBeside(const Step *p) {
 
 /* At least as many as the loads want, and at most as the budget allows. */
 static Passes choosePasses(Step *p) {
-    const double most = p->s->parameters.maxWork, wanted = kea_passesPerLoad * p->load;
-    const double least = keaMin(keaMax(wanted, KEA_LEAST_PASSES), KEA_MOST_PASSES);
+    const MeBool isTied = p->joints.numBlocks > 0;
+    const double most = p->s->parameters.maxWork;
+    const double wanted = isTied ? keaMax(kea_tiedPassesPerLoad * p->load, KEA_LEAST_TIED_PASSES)
+                                 : keaMax(kea_passesPerLoad * p->load, KEA_LEAST_PASSES);
+    const double least = keaMin(wanted, KEA_MOST_PASSES);
     const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MOST_PASSES;
     const double paid = most > 0 ? keaMax((most - workBeside(p)) / workOfPass(p), 1) : KEA_MOST_PASSES;
     const double affordable = keaMin(paid, cap);
