@@ -503,8 +503,8 @@ static void pushBlock(const KeaJoints *j, const KeaJointBlock *b, const KeaJoint
                 kea_addScaled6(x[r->node[k]], impulse, r->response + 6 * k);
         return;
     }
-    for (int i = 0; i < 6 * b->numNodes; i++)
-        x[0][i] += impulse * r->response[i];
+    for (int n = 0; n < b->numNodes; n++)
+        kea_addScaled6(x[n], impulse, r->response + 6 * n);
 }
 
 /* ---- velocities ---- */
