@@ -47,11 +47,16 @@ static MeBool hasImpacts(const MdtIsland *p) {
     return MEFALSE;
 }
 
+/* So few bodies are met in time. */
+static MeBool isSmall(const MdtIsland *p) {
+    return p->numBodies <= p->world->timedBodies;
+}
+
 /* From an impact on until all that it has disturbed is slow. What joints tie goes on swinging: from an impact on, or a
  * step whose contacts did not settle, until it is at rest (mdt_rest.c). A partition does not go to and fro between the
  * solvers. What leaves a crowd counts as disturbed. Writes isDisturbed of its bodies. */
 static MeBool isDisturbed(const MdtIsland *p) {
-    MeBool is = p->numBodies >= MDT_CROWD || hasImpacts(p);
+    MeBool is = !isSmall(p) && (p->numBodies >= MDT_CROWD || hasImpacts(p));
     for (int i = 0; i < p->numBodies && !is; i++)
         is = p->bodies[i]->isDisturbed && (p->numJoints > 0 || p->bodies[i]->slowTime == 0);
     for (int i = 0; i < p->numBodies; i++)
@@ -60,7 +65,7 @@ static MeBool isDisturbed(const MdtIsland *p) {
 }
 
 void mdt_crowdNote(const MdtIsland *p) {
-    if (p->isFast || p->numJoints == 0 || p->kea.report.factorizations <= MDT_UNSETTLED)
+    if (p->isFast || p->numJoints == 0 || isSmall(p) || p->kea.report.factorizations <= MDT_UNSETTLED)
         return;
     for (int i = 0; i < p->numBodies; i++)
         p->bodies[i]->isDisturbed = METRUE;
@@ -109,7 +114,7 @@ MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
         return MEFALSE;
     if (w->solver == MdtSolverFast)
         return METRUE;
-    if (p->numBodies <= w->timedBodies || mdt_worldAccuracy(w, p->h) == 0 || isMetInTime(p))
+    if ((isSmall(p) && p->numJoints > 0) || mdt_worldAccuracy(w, p->h) == 0 || isMetInTime(p))
         return MEFALSE;
-    return isDisturbed(p) || isInFlight(p);
+    return isDisturbed(p) || (!isSmall(p) && isInFlight(p));
 }

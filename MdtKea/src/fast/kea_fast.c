@@ -30,6 +30,7 @@ typedef struct Step {
     int numGroups;
     KeaJoints joints;
     double fall[3];     /* m, see fallOfCentre */
+    MeBool isMoving;    /* see isMoving */
     double load;        /* of how many bodies one carries the weight, see loadRatio */
     double theta, beta; /* of the extrapolation */
 } Step;
@@ -238,8 +239,7 @@ static void compareWithLoads(void *context, KeaNode *node) {
     }
 }
 
-/* Of how many bodies each carries the weight, at most: its normal forces of the last step, in its own loads'. Where it
- * gained much more velocity than its loads give, these were those of an impact. */
+/* Of how many bodies each carries the weight, at most: its normal forces of the last step, in its own loads'. */
 static double loadRatio(Step *p) {
     kea_inOrder(&p->regions, addNormalForces, p);
     kea_overRegions(&p->regions, compareWithLoads, p);
@@ -256,13 +256,18 @@ static void sumSpeeds(void *context, KeaNode *node) {
     }
 }
 
-/* m/s: a residual of each of the contacts that n bodies stand on each other by adds up to n of them, for the uppermost.
- * Where bodies still meet, faster than loads make them in a step, a share of their speeds. */
-static double wantedResidual(Step *p) {
+/* Do bodies move faster, in the mean, than loads make them in a step? Their forces are those of impacts then, and not
+ * of weights; and what passes leave is no larger than what the next step changes. */
+static MeBool isMoving(Step *p) {
     kea_overRegions(&p->regions, sumSpeeds, p);
     const double speed = sqrt(sumOverRegions(&p->regions, 0) / p->s->numBodies);
-    const double beyond = keaMax(speed - mostOverRegions(&p->regions, 1), 0);
-    return keaMax(p->s->parameters.accuracy / keaMax(p->load, 1), kea_impactAccuracy * beyond);
+    return speed > mostOverRegions(&p->regions, 1);
+}
+
+/* m/s: a residual of each of the contacts that n bodies stand on each other by adds up to n of them, for the uppermost.
+ */
+static double wantedResidual(const Step *p) {
+    return p->isMoving ? HUGE_VAL : p->s->parameters.accuracy / keaMax(p->load, 1);
 }
 
 /* As many passes as are given, and more of them while the residual is above what is wanted. */
@@ -643,7 +648,8 @@ void kea_fastSolve(MdtKeaSystem *s) {
         kea_moveFreely(s);
         return;
     }
-    p.load = loadRatio(&p);
+    p.isMoving = isMoving(&p);
+    p.load = p.isMoving ? 1 : loadRatio(&p);
     const Passes passes = choosePasses(&p);
     applyImpulses(&p);
     kea_overRegions(&p.regions, keepMotions, &p);
