@@ -30,7 +30,7 @@ typedef struct Step {
     int numGroups;
     KeaJoints joints;
     double fall[3];     /* m, see fallOfCentre */
-    MeBool isMoving;    /* see isMoving */
+    double speed;       /* m/s, of the bodies: root of the mean square */
     double load;        /* of how many bodies one carries the weight, see loadRatio */
     double theta, beta; /* of the extrapolation */
 } Step;
@@ -256,18 +256,17 @@ static void sumSpeeds(void *context, KeaNode *node) {
     }
 }
 
-/* Do bodies move faster, in the mean, than loads make them in a step? Their forces are those of impacts then, and not
- * of weights; and what passes leave is no larger than what the next step changes. */
-static MeBool isMoving(Step *p) {
+/* m/s: the bodies' speed, root of the mean square; of what loads add to it in the step, the most. */
+static double speedOf(Step *p, double *ofLoads) {
     kea_overRegions(&p->regions, sumSpeeds, p);
-    const double speed = sqrt(sumOverRegions(&p->regions, 0) / p->s->numBodies);
-    return speed > mostOverRegions(&p->regions, 1);
+    *ofLoads = mostOverRegions(&p->regions, 1);
+    return sqrt(sumOverRegions(&p->regions, 0) / p->s->numBodies);
 }
 
 /* m/s: a residual of each of the contacts that n bodies stand on each other by adds up to n of them, for the uppermost.
- */
+ * What is less than the speed with which bodies move anyhow is left to the next step. */
 static double wantedResidual(const Step *p) {
-    return p->isMoving ? HUGE_VAL : p->s->parameters.accuracy / keaMax(p->load, 1);
+    return keaMax(p->s->parameters.accuracy / keaMax(p->load, 1), p->speed);
 }
 
 /* As many passes as are given, and more of them while the residual is above what is wanted. */
@@ -640,6 +639,7 @@ static void clearForces(MdtKeaSystem *s) {
 
 void kea_fastSolve(MdtKeaSystem *s) {
     Step p = {.s = s, .kernel = kernelOfMachine()};
+    double ofLoads;
     if (!begin(&p)) {
         s->report.capped = METRUE;
         clearForces(s);
@@ -648,8 +648,8 @@ void kea_fastSolve(MdtKeaSystem *s) {
         kea_moveFreely(s);
         return;
     }
-    p.isMoving = isMoving(&p);
-    p.load = p.isMoving ? 1 : loadRatio(&p);
+    p.speed = speedOf(&p, &ofLoads);
+    p.load = p.speed > ofLoads ? 1 : loadRatio(&p); /* forces of what moves are those of impacts, not of weights */
     const Passes passes = choosePasses(&p);
     applyImpulses(&p);
     kea_overRegions(&p.regions, keepMotions, &p);
