@@ -59,9 +59,9 @@ typedef struct KeaGroup {
     KeaLanes lever[KEA_POINTS], boundTwist; /* m, N m s: of friction's moment about n */
     KeaMask isPoint[KEA_POINTS], isCone, isOneWay;
     /* prepare */
-    KeaLanes mobility[6];          /* of u, 1/kg: how impulses change it: 00 01 02 11 12 22 */
+    KeaLanes coupling[10];         /* 1/kg, of points: how impulses change rates; rows of an upper triangle */
     KeaLanes response[KEA_POINTS]; /* kg, of one point alone */
-    KeaLanes direct[10];           /* kg, of all points at once: rows of an upper triangle */
+    KeaLanes direct[10];           /* kg, of all points at once: its inverse */
     KeaMask isDirect;
     KeaLanes grip[3], twistMass; /* kg, kg m²: of friction: 11 12 22 */
     /* pass */

@@ -78,9 +78,9 @@ KEA_INLINE int entryOf(int i, int j) {
 /* Complementarity of the normal impulses: rate + compliance impulse >= 0, impulse >= least, and one of them equal.
  * First as if all points acted; where that pulls at one, by projected Gauss-Seidel sweeps over the points, forwards and
  * backwards. `impulse` is where they start, `rate` what they aim at there. */
-KEA_INLINE void solvePoints(const KeaGroup *g, const KeaLanes rate[KEA_POINTS], KeaLanes compliance, KeaLanes least,
+KEA_INLINE void solvePoints(const KeaGroup *g, const KeaLanes rate[KEA_POINTS], KeaLanes least,
                             KeaLanes impulse[KEA_POINTS]) {
-    KeaLanes all[KEA_POINTS], swept[KEA_POINTS], du[3] = {lanesOf(0), lanesOf(0), lanesOf(0)};
+    KeaLanes all[KEA_POINTS], swept[KEA_POINTS], left[KEA_POINTS];
     KeaMask isAnswer = g->isDirect;
     for (int k = 0; k < KEA_POINTS; k++) {
         all[k] = impulse[k];
@@ -93,18 +93,17 @@ KEA_INLINE void solvePoints(const KeaGroup *g, const KeaLanes rate[KEA_POINTS], 
             impulse[k] = all[k];
         return;
     }
-    for (int k = 0; k < KEA_POINTS; k++)
+    for (int k = 0; k < KEA_POINTS; k++) {
         swept[k] = impulse[k];
+        left[k] = rate[k];
+    }
     for (int sweep = 0; sweep < KEA_POINT_SWEEPS; sweep++)
         for (int turn = 0; turn < KEA_POINTS; turn++) {
             const int k = sweep % 2 == 0 ? turn : KEA_POINTS - 1 - turn;
-            const KeaLanes x = g->x[k], y = g->y[k], *K = g->mobility;
-            const KeaLanes now = rate[k] + du[0] + x * du[1] + y * du[2] + compliance * (swept[k] - impulse[k]);
-            const KeaLanes next = lanesMax(swept[k] - g->response[k] * now, least), change = next - swept[k];
+            const KeaLanes next = lanesMax(swept[k] - g->response[k] * left[k], least), change = next - swept[k];
             swept[k] = next;
-            du[0] += change * (K[0] + x * K[1] + y * K[2]);
-            du[1] += change * (K[1] + x * K[3] + y * K[4]);
-            du[2] += change * (K[2] + x * K[4] + y * K[5]);
+            for (int j = 0; j < KEA_POINTS; j++)
+                left[j] += change * g->coupling[entryOf(k, j)];
         }
     for (int k = 0; k < KEA_POINTS; k++)
         impulse[k] = lanesSelect(isAnswer, all[k], swept[k]);
@@ -160,7 +159,7 @@ KEA_INLINE void visitNormals(KeaGroup *g, Pair *p, KeaLanes3 across, KeaLanes be
         guess[k] = next[k] = g->impulse[k] + beta * (g->impulse[k] - g->before[k]);
         rate[k] = u[0] + g->x[k] * u[1] + g->y[k] * u[2] - g->target[k] + g->compliance * guess[k];
     }
-    solvePoints(g, rate, g->compliance, g->least, next);
+    solvePoints(g, rate, g->least, next);
     for (int k = 0; k < KEA_POINTS; k++) {
         next[k] = lanesSelect(g->isPoint[k], next[k], lanesOf(0));
         change[k] = next[k] - guess[k];
@@ -216,15 +215,8 @@ static void pass(KeaGroup groups[], int count, KeaMotion motion[], float beta, f
 
 /* ---- before passes ---- */
 
-/* A_kj: how an impulse at one point changes the rate of another. */
-KEA_INLINE KeaLanes coupling(const KeaGroup *g, int k, int j) {
-    const KeaLanes *K = g->mobility;
-    return K[0] + (g->x[k] + g->x[j]) * K[1] + (g->y[k] + g->y[j]) * K[2] + g->x[k] * g->x[j] * K[3] +
-           (g->x[k] * g->y[j] + g->x[j] * g->y[k]) * K[4] + g->y[k] * g->y[j] * K[5];
-}
-
-KEA_INLINE void setMobility(KeaGroup *g, KeaLanes3 across) {
-    KeaLanes *K = g->mobility;
+/* How impulses change u, 1/kg: 00 01 02 11 12 22. */
+KEA_INLINE void findMobility(const KeaGroup *g, KeaLanes3 across, KeaLanes K[6]) {
     for (int i = 0; i < 6; i++)
         K[i] = lanesOf(0);
     for (int b = 0; b < 2; b++) {
@@ -237,6 +229,23 @@ KEA_INLINE void setMobility(KeaGroup *g, KeaLanes3 across) {
         K[3] += lanesDot(across, atAcross);
         K[4] -= lanesDot(across, atAlong);
         K[5] += lanesDot(g->along, atAlong);
+    }
+}
+
+/* A + E: how an impulse at one point changes the aim of another. */
+KEA_INLINE void setCoupling(KeaGroup *g, KeaLanes3 across) {
+    KeaLanes K[6];
+    findMobility(g, across, K);
+    for (int k = 0; k < KEA_POINTS; k++)
+        for (int j = k; j < KEA_POINTS; j++) {
+            const KeaLanes own = k == j ? g->compliance : lanesOf(0);
+            g->coupling[entryOf(k, j)] = own + K[0] + (g->x[k] + g->x[j]) * K[1] + (g->y[k] + g->y[j]) * K[2] +
+                                         g->x[k] * g->x[j] * K[3] +
+                                         (g->x[k] * g->y[j] + g->x[j] * g->y[k]) * K[4] + g->y[k] * g->y[j] * K[5];
+        }
+    for (int k = 0; k < KEA_POINTS; k++) {
+        const KeaLanes own = g->coupling[entryOf(k, k)];
+        g->response[k] = lanesSelect(g->isPoint[k] & (own > lanesOf(0)), lanesOf(1) / own, lanesOf(0));
     }
 }
 
@@ -291,13 +300,12 @@ KEA_INLINE void invertDirect(KeaLanes M[10], KeaMask *isSound) {
  * pseudo-inverse is (A + s q qᵀ)⁻¹ - q qᵀ / s, with the null vector q and any s. Four targets may then contradict each
  * other, which the answer would ignore: where they do by more than the sag it is not taken. */
 KEA_INLINE void setDirect(KeaGroup *g, float stepsize) {
-    const KeaLanes scale = coupling(g, 0, 0);
+    const KeaLanes scale = g->coupling[0];
     KeaLanes null[KEA_POINTS], misfit = lanesOf(0), sag = lanesOf(0);
     setNull(g, null);
     for (int k = 0; k < KEA_POINTS; k++)
         for (int j = k; j < KEA_POINTS; j++) {
-            const KeaLanes own = k == j ? g->compliance : lanesOf(0);
-            const KeaLanes both = coupling(g, k, j) + own + scale * null[k] * null[j];
+            const KeaLanes both = g->coupling[entryOf(k, j)] + scale * null[k] * null[j];
             g->direct[entryOf(k, j)] = lanesSelect(g->isPoint[k] & g->isPoint[j], both, k == j ? scale : lanesOf(0));
         }
     g->isDirect = (KeaMask){-1, -1, -1, -1, -1, -1, -1, -1};
@@ -334,12 +342,9 @@ static void prepare(KeaGroup groups[], int count, float stepsize) {
     for (int i = 0; i < count; i++) {
         KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
-        setMobility(g, across);
-        for (int k = 0; k < KEA_POINTS; k++) {
-            const KeaLanes own = coupling(g, k, k) + g->compliance;
-            g->response[k] = lanesSelect(g->isPoint[k] & (own > lanesOf(0)), lanesOf(1) / own, lanesOf(0));
+        setCoupling(g, across);
+        for (int k = 0; k < KEA_POINTS; k++)
             g->before[k] = g->impulse[k];
-        }
         setDirect(g, stepsize);
         setGrip(g, across);
         g->rubBefore[0] = g->rub[0];
@@ -398,7 +403,7 @@ static void pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) {
             rate[k] = lanesSelect(gap > lanesOf(0), gap, g->correction * overlap);
             way[k] = lanesOf(0);
         }
-        solvePoints(g, rate, lanesOf(0), lanesOf(0), way);
+        solvePoints(g, rate, lanesOf(0), way);
         for (int k = 0; k < KEA_POINTS; k++)
             way[k] = lanesSelect(g->isPoint[k] & (g->correction > lanesOf(0)), way[k], lanesOf(0));
         pushPoints(g, &p, across, way);

@@ -25,11 +25,20 @@ KEA_INLINE KeaLanes lanesOf(float a) {
 KEA_INLINE KeaLanes lanesSelect(KeaMask m, KeaLanes a, KeaLanes b) {
     return (KeaLanes)(((KeaMask)a & m) | ((KeaMask)b & ~m));
 }
+/* a > b ? a : b, which is what the machine's instruction gives, also of zeros and of what is no number. */
 KEA_INLINE KeaLanes lanesMax(KeaLanes a, KeaLanes b) {
+#if defined(__AVX__)
+    return (KeaLanes)_mm256_max_ps((__m256)a, (__m256)b);
+#else
     return lanesSelect(a > b, a, b);
+#endif
 }
 KEA_INLINE KeaLanes lanesMin(KeaLanes a, KeaLanes b) {
+#if defined(__AVX__)
+    return (KeaLanes)_mm256_min_ps((__m256)a, (__m256)b);
+#else
     return lanesSelect(a < b, a, b);
+#endif
 }
 KEA_INLINE KeaLanes lanesAbs(KeaLanes a) {
     return (KeaLanes)((KeaMask)a & 0x7fffffff);
