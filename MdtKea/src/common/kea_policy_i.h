@@ -345,8 +345,6 @@ static const double kea_softerJoint = 1e3;
 /* Bodies that joints tie together, for which rows with bounds are given the response of all: their memory, and a visit,
  * go with the bodies. Reasoned: 128 are 6 kB a row. */
 enum { KEA_WIDE_BLOCK = 128 };
-/* Sweeps over the four points of a manifold where they do not all act: 1 lets a tower of 20 fall, 8 gain nothing. */
-enum { KEA_POINT_SWEEPS = 3 };
 /* Of the product of its diagonal, a determinant in single precision: 6e-8 / 1e-4 is what is wrong with the inverse. */
 static const float kea_soundDeterminant = 1e-4f;
 /* Of the bodies' speeds (root of the mean square) beyond what loads make in a step: what impacts may leave. Less takes

@@ -75,9 +75,17 @@ KEA_INLINE int entryOf(int i, int j) {
     return i <= j ? 4 * i - i * (i - 1) / 2 + j - i : 4 * j - j * (j - 1) / 2 + i - j;
 }
 
+KEA_INLINE void visitPoint(const KeaGroup *g, int k, KeaLanes least, KeaLanes swept[KEA_POINTS],
+                           KeaLanes left[KEA_POINTS]) {
+    const KeaLanes next = lanesMax(swept[k] - g->response[k] * left[k], least), change = next - swept[k];
+    swept[k] = next;
+    for (int j = 0; j < KEA_POINTS; j++)
+        left[j] += change * g->coupling[entryOf(k, j)];
+}
+
 /* Complementarity of the normal impulses: rate + compliance impulse >= 0, impulse >= least, and one of them equal.
- * First as if all points acted; where that pulls at one, by projected Gauss-Seidel sweeps over the points, forwards and
- * backwards. `impulse` is where they start, `rate` what they aim at there. */
+ * First as if all points acted; where that pulls at one, by three projected Gauss-Seidel sweeps over the points, forwards
+ * and backwards: one lets a tower of 20 fall, eight gain nothing. `impulse` is where they start, `rate` what they aim at there. */
 KEA_INLINE void solvePoints(const KeaGroup *g, const KeaLanes rate[KEA_POINTS], KeaLanes least,
                             KeaLanes impulse[KEA_POINTS]) {
     KeaLanes all[KEA_POINTS], swept[KEA_POINTS], left[KEA_POINTS];
@@ -97,14 +105,12 @@ KEA_INLINE void solvePoints(const KeaGroup *g, const KeaLanes rate[KEA_POINTS], 
         swept[k] = impulse[k];
         left[k] = rate[k];
     }
-    for (int sweep = 0; sweep < KEA_POINT_SWEEPS; sweep++)
-        for (int turn = 0; turn < KEA_POINTS; turn++) {
-            const int k = sweep % 2 == 0 ? turn : KEA_POINTS - 1 - turn;
-            const KeaLanes next = lanesMax(swept[k] - g->response[k] * left[k], least), change = next - swept[k];
-            swept[k] = next;
-            for (int j = 0; j < KEA_POINTS; j++)
-                left[j] += change * g->coupling[entryOf(k, j)];
-        }
+    for (int k = 0; k < KEA_POINTS; k++)
+        visitPoint(g, k, least, swept, left);
+    for (int k = KEA_POINTS - 1; k >= 0; k--)
+        visitPoint(g, k, least, swept, left);
+    for (int k = 0; k < KEA_POINTS; k++)
+        visitPoint(g, k, least, swept, left);
     for (int k = 0; k < KEA_POINTS; k++)
         impulse[k] = lanesSelect(isAnswer, all[k], swept[k]);
 }
