@@ -347,8 +347,11 @@ static const double kea_softerJoint = 1e3;
 enum { KEA_WIDE_BLOCK = 128 };
 /* Of the product of its diagonal, a determinant in single precision: 6e-8 / 1e-4 is what is wrong with the inverse. */
 static const float kea_soundDeterminant = 1e-4f;
-/* Of the bodies' speeds (root of the mean square) beyond what loads make in a step: what impacts may leave. Less takes
- * more passes while a heap falls, and overlaps are the same. x2 fails Mst_Crowd, in double:
+/* Of a body's size, at the end of the step: a contact that closes further into a deeper overlap takes more passes, also
+ * while bodies move. x2 fails Mst_Crowd: chains_hold_in_a_crowd. */
+static const double kea_smallOverlap = 0.1;
+/* Of the bodies' speeds (root of the mean square): what passes may leave where bodies are slow, and of deep overlaps.
+ * Less takes more passes while a heap settles, and overlaps are the same. x2 fails Mst_Crowd, in double:
  * things_thrown_gain_no_energy, where 100 kg press a thing of 1 kg through the ground. */
 static const double kea_impactAccuracy = 0.05;
 /* Of the accuracy: velocities of bodies that are not told from none. The accuracy is the worst of all contacts. */

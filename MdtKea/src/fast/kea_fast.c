@@ -31,6 +31,7 @@ typedef struct Step {
     KeaJoints joints;
     double fall[3];     /* m, see fallOfCentre */
     double speed;       /* m/s, of the bodies: root of the mean square */
+    MeBool isMoving;    /* see findSpeed */
     double load;        /* of how many bodies one carries the weight, see loadRatio */
     double theta, beta; /* of the extrapolation */
 } Step;
@@ -155,12 +156,13 @@ static double sumOfLanes(const KeaRegions *r) {
     return sum;
 }
 
-static double mostOfLanes(const KeaRegions *r) {
-    double most = 0;
+static void mostOfLanes(const KeaRegions *r, double *most, double *closing) {
+    *most = *closing = 0;
     for (int n = 1; n < 2 * r->count; n++)
-        for (int i = 0; i < KEA_LANES; i++)
-            most = keaMax(most, (double)r->node[n].lanes[i]);
-    return most;
+        for (int i = 0; i < KEA_LANES; i++) {
+            *most = keaMax(*most, (double)r->node[n].lanes[i]);
+            *closing = keaMax(*closing, (double)r->node[n].closing[i]);
+        }
 }
 
 static void restart(Step *p) {
@@ -180,7 +182,9 @@ static void passNode(void *context, KeaNode *node) {
 static void measureGroups(void *context, KeaNode *node) {
     const Step *p = context;
     memset(node->lanes, 0, sizeof node->lanes);
-    p->kernel->measure(p->groups + node->firstGroup, node->numGroups, p->motion, node->lanes);
+    memset(node->closing, 0, sizeof node->closing);
+    p->kernel->measure(p->groups + node->firstGroup, node->numGroups, p->motion, (float)p->s->parameters.stepsize,
+                       node->lanes, node->closing);
 }
 
 /* Nesterov's extrapolation; it begins anew where a pass goes against it. */
@@ -197,9 +201,13 @@ static void takePasses(Step *p, int passes) {
     p->s->report.iterations += passes;
 }
 
-static double residualOf(Step *p) {
+/* Sets the report's residual; returns how fast deep overlaps grow. Both m/s. */
+static double measureAll(Step *p) {
+    double most, closing;
     kea_overNodes(&p->regions, measureGroups, p);
-    return keaMax(kea_jointsResidual(&p->joints, p->motion), mostOfLanes(&p->regions));
+    mostOfLanes(&p->regions, &most, &closing);
+    p->s->report.residual = keaMax(kea_jointsResidual(&p->joints, p->motion), most);
+    return closing;
 }
 
 /* m/s, what loads add to a body's velocity in the step. */
@@ -256,29 +264,31 @@ static void sumSpeeds(void *context, KeaNode *node) {
     }
 }
 
-/* m/s: the bodies' speed, root of the mean square; of what loads add to it in the step, the most. */
-static double speedOf(Step *p, double *ofLoads) {
+/* Forces of what moves faster than its loads make it in a step are those of impacts, and not of weights. */
+static void findSpeed(Step *p) {
     kea_overRegions(&p->regions, sumSpeeds, p);
-    *ofLoads = mostOverRegions(&p->regions, 1);
-    return sqrt(sumOverRegions(&p->regions, 0) / p->s->numBodies);
+    p->speed = sqrt(sumOverRegions(&p->regions, 0) / p->s->numBodies);
+    p->isMoving = p->speed > mostOverRegions(&p->regions, 1);
+    p->load = p->isMoving ? 1 : loadRatio(p);
 }
 
 /* m/s: a residual of each of the contacts that n bodies stand on each other by adds up to n of them, for the uppermost.
- * What is less than the speed with which bodies move anyhow is left to the next step. */
-static double wantedResidual(const Step *p) {
-    return keaMax(p->s->parameters.accuracy / keaMax(p->load, 1), p->speed);
+ * The share of the speed with which bodies move anyhow is left to the next step; where they move faster than loads make
+ * them in a step, all of that speed is, but of overlaps that are deep. */
+static MeBool isEnough(const Step *p, double closing) {
+    const double least = keaMax(p->s->parameters.accuracy / keaMax(p->load, 1), kea_impactAccuracy * p->speed);
+    return p->s->report.residual <= (p->isMoving ? p->speed : least) && closing <= least;
 }
 
-/* As many passes as are given, and more of them while the residual is above what is wanted. */
+/* As many passes as are given, and more of them while they are not enough. */
 static void findVelocities(Step *p, Passes passes) {
-    const double accuracy = wantedResidual(p);
     restart(p);
     takePasses(p, passes.least);
-    p->s->report.residual = residualOf(p);
-    for (int done = passes.least; done < passes.most && p->s->report.residual > accuracy;) {
+    double closing = measureAll(p);
+    for (int done = passes.least; done < passes.most && !isEnough(p, closing);) {
         const int more = passes.most - done < KEA_MORE_PASSES ? passes.most - done : KEA_MORE_PASSES;
         takePasses(p, more);
-        p->s->report.residual = residualOf(p);
+        closing = measureAll(p);
         done += more;
     }
 }
@@ -409,7 +419,7 @@ static void descend(Step *p) {
         restart(p);
         takePasses(p, 1);
     }
-    p->s->report.residual = residualOf(p);
+    measureAll(p);
     setEndMomentum(p);
 }
 
@@ -639,7 +649,6 @@ static void clearForces(MdtKeaSystem *s) {
 
 void kea_fastSolve(MdtKeaSystem *s) {
     Step p = {.s = s, .kernel = kernelOfMachine()};
-    double ofLoads;
     if (!begin(&p)) {
         s->report.capped = METRUE;
         clearForces(s);
@@ -648,8 +657,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
         kea_moveFreely(s);
         return;
     }
-    p.speed = speedOf(&p, &ofLoads);
-    p.load = p.speed > ofLoads ? 1 : loadRatio(&p); /* forces of what moves are those of impacts, not of weights */
+    findSpeed(&p);
     const Passes passes = choosePasses(&p);
     applyImpulses(&p);
     kea_overRegions(&p.regions, keepMotions, &p);

@@ -47,6 +47,7 @@ typedef struct KeaGroup {
     KeaLanes3 normal, along, arm[2];
     KeaLanes invMass[2], invInertia[2][6];
     KeaLanes x[KEA_POINTS], y[KEA_POINTS];  /* m */
+    KeaLanes size;                          /* m, of the smaller body */
     KeaLanes gap[KEA_POINTS];               /* m; negative: overlap */
     KeaLanes sag[KEA_POINTS];               /* m, the overlap that is left alone: epsilon under load, and rounding */
     KeaLanes target[KEA_POINTS];            /* m/s, of normal velocities at least; */
@@ -85,8 +86,9 @@ typedef struct KeaKernel {
     void (*advance)(KeaGroup groups[], int count, const KeaMotion motion[], float stepsize);
     /* One pass over displacements: out of overlaps. */
     void (*push)(const KeaGroup groups[], int count, KeaMotion motion[]);
-    /* m/s, the largest violation of the laws of contact, by lane. */
-    void (*measure)(const KeaGroup groups[], int count, const KeaMotion motion[], float most[KEA_LANES]);
+    /* m/s, by lane: the largest violation of the laws of contact; how fast deep overlaps grow (kea_smallOverlap). */
+    void (*measure)(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, float most[KEA_LANES],
+                    float closing[KEA_LANES]);
 } KeaKernel;
 
 extern const KeaKernel kea_kernel;

@@ -110,14 +110,15 @@ static KeaApproach approachOf(const MdtKeaSystem *s, const MdtKeaManifold *m, co
 /* m, along the normal: what the point is to be moved by within the step, at least. What rests does so within a depth; a
  * gap of that size at a point that has carried something is a tilt of it, and no way to go: the points of a face would
  * ask for velocities that contradict each other. */
-static double aimOf(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *point, MeBool isSoft) {
-    const double resting = point->guess[0] > 0 ? kea_restingDepth * sizeOf(s, m) : 0;
+static double aimOf(const MdtKeaSystem *s, const MdtKeaPoint *point, double size, MeBool isSoft) {
+    const double resting = point->guess[0] > 0 ? kea_restingDepth * size : 0;
     if (point->depth >= 0)
         return isSoft ? s->parameters.gamma * point->depth : 0;
     return keaMin(point->depth + resting, 0);
 }
 
-static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, int k, KeaGroup *g, int lane) {
+static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, double size, int k, KeaGroup *g,
+                      int lane) {
     const MdtKeaPoint *point = &m->point[k];
     const double h = s->parameters.stepsize, gamma = s->parameters.gamma;
     const MeBool soft = g->correction[lane] == 0;
@@ -127,8 +128,8 @@ static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patc
     g->x[k][lane] = (float)p->x[k];
     g->y[k][lane] = (float)p->y[k];
     g->gap[k][lane] = (float)-point->depth;
-    g->sag[k][lane] = (float)(sag + kea_restingDepth * sizeOf(s, m));
-    g->target[k][lane] = (float)(aimOf(s, m, point, soft) / h);
+    g->sag[k][lane] = (float)(sag + kea_restingDepth * size);
+    g->target[k][lane] = (float)(aimOf(s, point, size, soft) / h);
     g->lever[k][lane] = (float)sqrt(along * along + p->y[k] * p->y[k]);
     g->impulse[k][lane] = (float)(h * keaMax(point->guess[0], -m->surface.adhesion));
 }
@@ -191,8 +192,10 @@ static void fillLane(const MdtKeaSystem *s, const int place[], const MdtKeaManif
     g->correction[lane] = soft ? 0 : correction;
     g->least[lane] = -bounded(s->parameters.stepsize * m->surface.adhesion);
     g->isOneWay[lane] = m->surface.isOneWay ? -1 : 0;
+    const double size = sizeOf(s, m);
+    g->size[lane] = (float)size;
     for (int k = 0; k < m->numPoints; k++)
-        fillPoint(s, m, &p, k, g, lane);
+        fillPoint(s, m, &p, size, k, g, lane);
     fillRebounds(s, m, g, lane);
     fillBounds(s, m, g, lane);
     fillFriction(s, m, &p, g, lane);

@@ -84,8 +84,9 @@ KEA_INLINE void visitPoint(const KeaGroup *g, int k, KeaLanes least, KeaLanes sw
 }
 
 /* Complementarity of the normal impulses: rate + compliance impulse >= 0, impulse >= least, and one of them equal.
- * First as if all points acted; where that pulls at one, by three projected Gauss-Seidel sweeps over the points, forwards
- * and backwards: one lets a tower of 20 fall, eight gain nothing. `impulse` is where they start, `rate` what they aim at there. */
+ * First as if all points acted; where that pulls at one, by three projected Gauss-Seidel sweeps over the points,
+ * forwards and backwards: one lets a tower of 20 fall, eight gain nothing. `impulse` is where they start, `rate` what
+ * they aim at there. */
 KEA_INLINE void solvePoints(const KeaGroup *g, const KeaLanes rate[KEA_POINTS], KeaLanes least,
                             KeaLanes impulse[KEA_POINTS]) {
     KeaLanes all[KEA_POINTS], swept[KEA_POINTS], left[KEA_POINTS];
@@ -246,8 +247,8 @@ KEA_INLINE void setCoupling(KeaGroup *g, KeaLanes3 across) {
         for (int j = k; j < KEA_POINTS; j++) {
             const KeaLanes own = k == j ? g->compliance : lanesOf(0);
             g->coupling[entryOf(k, j)] = own + K[0] + (g->x[k] + g->x[j]) * K[1] + (g->y[k] + g->y[j]) * K[2] +
-                                         g->x[k] * g->x[j] * K[3] +
-                                         (g->x[k] * g->y[j] + g->x[j] * g->y[k]) * K[4] + g->y[k] * g->y[j] * K[5];
+                                         g->x[k] * g->x[j] * K[3] + (g->x[k] * g->y[j] + g->x[j] * g->y[k]) * K[4] +
+                                         g->y[k] * g->y[j] * K[5];
         }
     for (int k = 0; k < KEA_POINTS; k++) {
         const KeaLanes own = g->coupling[entryOf(k, k)];
@@ -419,9 +420,18 @@ static void pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) {
 
 /* ---- how far from the laws ---- */
 
-static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], float most[KEA_LANES]) {
-    KeaLanes worst;
+/* m/s: how fast the point comes further into an overlap that is not small by the end of the step. */
+KEA_INLINE KeaLanes closingOf(const KeaGroup *g, int k, KeaLanes rate, KeaLanes h) {
+    const KeaMask isDeep = h * rate + g->gap[k] < -lanesOf((float)kea_smallOverlap) * g->size;
+    return lanesSelect(g->isPoint[k] & isDeep & (rate < lanesOf(0)), -rate, lanesOf(0));
+}
+
+static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, float most[KEA_LANES],
+                    float closing[KEA_LANES]) {
+    const KeaLanes h = lanesOf(stepsize);
+    KeaLanes worst, fastest;
     memcpy(&worst, most, sizeof worst);
+    memcpy(&fastest, closing, sizeof fastest);
     for (int i = 0; i < count; i++) {
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
@@ -430,10 +440,12 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         KeaLanes u[3], rate[2], rub[2] = {g->rub[0], g->rub[1]};
         normalRates(g, &p, across, u);
         for (int k = 0; k < KEA_POINTS; k++) {
-            const KeaLanes off = u[0] + g->x[k] * u[1] + g->y[k] * u[2] - g->target[k] + g->compliance * g->impulse[k];
+            const KeaLanes speed = u[0] + g->x[k] * u[1] + g->y[k] * u[2];
+            const KeaLanes off = speed - g->target[k] + g->compliance * g->impulse[k];
             const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * off, g->least);
             const KeaLanes miss = lanesAbs(next - g->impulse[k]) / g->response[k];
             worst = lanesSelect(g->isPoint[k] & (miss > worst), miss, worst);
+            fastest = lanesMax(closingOf(g, k, speed, h), fastest);
         }
         rubRates(g, &p, across, rub, rate);
         solveRub(g, rate, &limits, rub);
@@ -443,6 +455,7 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         }
     }
     memcpy(most, &worst, sizeof worst);
+    memcpy(closing, &fastest, sizeof fastest);
 }
 
 const KeaKernel KEA_KERNEL = {.prepare = prepare,

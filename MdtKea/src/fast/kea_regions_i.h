@@ -28,7 +28,7 @@ typedef struct KeaNode {
     /* kea_colour.c */
     int firstGroup, numGroups;
     /* the loop at hand */
-    float lanes[KEA_LANES];
+    float lanes[KEA_LANES], closing[KEA_LANES];
     double sum[2];
 } KeaNode;
 
