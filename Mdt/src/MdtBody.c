@@ -105,18 +105,22 @@ MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves) {
     return b->start.moves == moves && b->start.movesAfter == b->moves && b->moves == moves + 1;
 }
 
-void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]) {
-    double p[3], q[4], R[3][3], off[3], local[3];
-    getFrame(b, p, q);
-    keaQuaternionToMatrix(R, q);
+void mdt_bodyFrame(const MdtBody *b, MdtFrame *frame) {
+    double q[4];
+    getFrame(b, frame->position, q);
+    keaQuaternionToMatrix(frame->axes, q);
+}
+
+void mdt_bodyLostByRounding(const MdtBody *b, const MdtFrame *frame, const double point[3], double lost[3]) {
+    double off[3], local[3];
     for (int i = 0; i < 3; i++)
         off[i] = point[i] - (double)b->transform[3][i];
     for (int i = 0; i < 3; i++)
         local[i] = off[0] * (double)b->transform[i][0] + off[1] * (double)b->transform[i][1] +
                    off[2] * (double)b->transform[i][2];
-    keaApply(lost, (const double(*)[3])R, local);
+    keaApply(lost, frame->axes, local);
     for (int i = 0; i < 3; i++)
-        lost[i] += p[i] - point[i];
+        lost[i] += frame->position[i] - point[i];
 }
 
 /* Half the spacing of numbers there is half the length scale. */

@@ -155,8 +155,13 @@ _Static_assert(offsetof(MdtBody, transform) == 64, "a pose is one line");
 #endif
 
 void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from the state in kea */
+/* The body's frame in double: its transform, but for rounding. */
+typedef struct MdtFrame {
+    double position[3], axes[3][3]; /* m; its axes are columns */
+} MdtFrame;
+void mdt_bodyFrame(const MdtBody *b, MdtFrame *frame);
 /* How far the body's point at a world position that was found by its shown transform is from there, m. */
-void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]);
+void mdt_bodyLostByRounding(const MdtBody *b, const MdtFrame *frame, const double point[3], double lost[3]);
 void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v);
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
 void mdt_bodyKeepWithinReach(MdtBodyID b);  /* stops a body that has come to the bound of positions */

@@ -3,32 +3,6 @@
 #include "MeAssert.h"
 #include <string.h>
 
-/* ---- which belongs to which -------------------------------------------------------------------------------------- */
-
-MdtPoint *mdt_pointIn(const MdtManifold *block, int slot) {
-    for (; slot < MDT_POINTS; slot++)
-        if (block->point[slot].magic == MDT_POINT)
-            return (MdtPoint *)(uintptr_t)&block->point[slot];
-    return NULL;
-}
-
-static MdtPoint *firstFrom(const MdtManifold *block) {
-    MdtPoint *p = NULL;
-    for (; block && !p; block = block->next)
-        p = mdt_pointIn(block, 0);
-    return p;
-}
-
-MdtPoint *mdt_pointFirst(const MdtManifold *m) {
-    return m->numPoints > 0 ? firstFrom(m) : NULL;
-}
-
-MdtPoint *mdt_pointAfter(const MdtPoint *p) {
-    const MdtManifold *block = mdt_blockOf(p);
-    MdtPoint *next = mdt_pointIn(block, p->slot + 1);
-    return next ? next : firstFrom(block->next);
-}
-
 int mdt_countSlots(const MdtManifold *block) {
     int count = 0;
     for (MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1))

@@ -76,11 +76,28 @@ static inline MdtManifold *mdt_manifoldOf(const MdtPoint *p) {
 static inline MeBool mdt_isInGroup(const MdtPoint *p) {
     return !(mdt_manifoldOf(p)->base.record.flags & MDT_LONE);
 }
+/* The first point in use from a slot of the record on; null: there is none. */
+static inline MdtPoint *mdt_pointIn(const MdtManifold *block, int slot) {
+    for (; slot < MDT_POINTS; slot++)
+        if (block->point[slot].magic == MDT_POINT)
+            return (MdtPoint *)(uintptr_t)&block->point[slot];
+    return NULL;
+}
+static inline MdtPoint *mdt_pointFrom(const MdtManifold *block) {
+    MdtPoint *p = NULL;
+    for (; block && !p; block = block->next)
+        p = mdt_pointIn(block, 0);
+    return p;
+}
 /* Those in use, in the order of simulation; null after the last. */
-MdtPoint *mdt_pointFirst(const MdtManifold *m);
-MdtPoint *mdt_pointAfter(const MdtPoint *p);
-/* The same within one record. */
-MdtPoint *mdt_pointIn(const MdtManifold *block, int slot);
+static inline MdtPoint *mdt_pointFirst(const MdtManifold *m) {
+    return m->numPoints > 0 ? mdt_pointFrom(m) : NULL;
+}
+static inline MdtPoint *mdt_pointAfter(const MdtPoint *p) {
+    const MdtManifold *block = mdt_blockOf(p);
+    MdtPoint *next = mdt_pointIn(block, p->slot + 1);
+    return next ? next : mdt_pointFrom(block->next);
+}
 
 static inline MeBool mdt_isManifold(const MdtBaseConstraint *c) {
     return c->record.magic == MDT_MANIFOLD;
@@ -137,8 +154,10 @@ void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]);
 void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params);
 void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]);
 void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius);
-/* Place and depth that were found between bodies as they are shown, in double; see MdtContactSetExact. */
-void mdt_pointSetFound(MdtPoint *p, const double position[3], double depth);
+/* Place and depth that were found between bodies as they are shown, in double; see MdtContactSetExact. `frames`: of the
+ * manifold's bodies. */
+void mdt_manifoldFrames(const MdtManifold *m, MdtFrame frames[2]);
+void mdt_pointSetFound(MdtPoint *p, const MdtFrame frames[2], const double position[3], double depth);
 /* Where its bodies have carried it to since the step began. */
 void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth);
 /* Everything but the bodies as in a new contact. */

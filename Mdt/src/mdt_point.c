@@ -186,7 +186,13 @@ static double shareOf(const MdtPoint *p, const MdtBaseConstraint *base, int k) {
     return base->side[1 - k].body ? 0.5 : 1;
 }
 
-void mdt_pointSetFound(MdtPoint *p, const double position[3], double depth) {
+void mdt_manifoldFrames(const MdtManifold *m, MdtFrame frames[2]) {
+    for (int k = 0; k < 2; k++)
+        if (m->base.side[k].body)
+            mdt_bodyFrame(m->base.side[k].body, &frames[k]);
+}
+
+void mdt_pointSetFound(MdtPoint *p, const MdtFrame frames[2], const double position[3], double depth) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(p)->base;
     double place[3], normal[3];
     keaCopy(place, position);
@@ -195,7 +201,7 @@ void mdt_pointSetFound(MdtPoint *p, const double position[3], double depth) {
         double lost[3];
         if (!base->side[k].body)
             continue;
-        mdt_bodyLostByRounding(base->side[k].body, position, lost);
+        mdt_bodyLostByRounding(base->side[k].body, &frames[k], position, lost);
         keaAddScaled(place, shareOf(p, base, k), lost);
         depth -= (k == 0 ? 1 : -1) * keaDot(normal, lost);
     }

@@ -118,12 +118,21 @@ static void setRound(MdtPoint *p, int side, const MdtFoundContact *found) {
     mdt_pointSetRim(p, side, found->rim[side], found->axis[side]);
 }
 
-static void setPoint(MdtPoint *p, const MdtFoundContact *found) {
-    mdt_pointSetParams(p, found->params);
-    mdt_pointSetNormal(p, found->normal);
-    for (int k = 0; k < 2; k++)
-        setRound(p, k, found);
-    mdt_pointSetFound(p, found->position, found->depth);
+/* Has the record all that was found of the contact but its place? */
+static MeBool isAsRecord(const MdtManifold *block, const MdtFoundContact *found) {
+    return !block->extras && memcmp(block->normal, found->normal, sizeof block->normal) == 0 &&
+           memcmp(block->radius, found->radius, sizeof block->radius) == 0 && !(found->rim[0] > 0) &&
+           !(found->rim[1] > 0) && memcmp(&block->surface->params, found->params, sizeof *found->params) == 0;
+}
+
+static void setPoint(MdtPoint *p, const MdtFrame frames[2], const MdtFoundContact *found) {
+    if (!isAsRecord(mdt_blockOf(p), found)) {
+        mdt_pointSetParams(p, found->params);
+        mdt_pointSetNormal(p, found->normal);
+        for (int k = 0; k < 2; k++)
+            setRound(p, k, found);
+    }
+    mdt_pointSetFound(p, frames, found->position, found->depth);
     p->feature = found->feature;
 }
 
@@ -148,8 +157,10 @@ MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact fo
 int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
                                MdtContactID contacts[]) {
     MdtManifold *m = mdt_groupOf(g, __func__);
+    MdtFrame frames[2];
     if (!m)
         return 0;
+    mdt_manifoldFrames(m, frames);
     matchContacts(m, found, count, (double)time, contacts);
     destroyOthers(m, contacts, count);
     if (count > 0)
@@ -158,7 +169,7 @@ int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[
         MdtPoint *p = contacts[i] ? mdt_asPoint((MdtConstraintID)contacts[i]) : addPoint(m, &found[i]);
         if (!p)
             return i; /* the world is full, and has said so */
-        setPoint(p, &found[i]);
+        setPoint(p, frames, &found[i]);
         contacts[i] = (MdtContactID)p;
     }
     MEVALIDATE(mdt_manifoldIsConsistent(m));

@@ -92,7 +92,7 @@ static void makeGroups(unsigned int from) {
 }
 
 /* All that a step does; what comes out is in groups, motion, way and `measured`. */
-static void run(const KeaKernel *kernel, float measured[KEA_LANES]) {
+static void run(const KeaKernel *kernel, float measured[2][KEA_LANES]) {
     float uphill[KEA_LANES] = {0};
     kernel->prepare(groups, GROUPS, 1.f / 60);
     kernel->apply(groups, GROUPS, motion);
@@ -102,8 +102,8 @@ static void run(const KeaKernel *kernel, float measured[KEA_LANES]) {
         kernel->extrapolate(motion, before, BODIES, beta);
         kernel->pass(groups, GROUPS, motion, beta, uphill);
     }
-    memset(measured, 0, KEA_LANES * sizeof *measured);
-    kernel->measure(groups, GROUPS, motion, measured);
+    memset(measured, 0, 2 * sizeof *measured);
+    kernel->measure(groups, GROUPS, motion, 1.f / 60, measured[0], measured[1]);
     kernel->advance(groups, GROUPS, motion, 1.f / 60);
     for (int i = 0; i < 4; i++)
         kernel->push(groups, GROUPS, way);
@@ -113,7 +113,7 @@ START_TEST(every_width_gives_the_same_bits) {
 #ifdef KEA_HAS_AVX2
     static KeaGroup narrow[GROUPS];
     static KeaMotion narrowMotion[BODIES], narrowWay[BODIES];
-    float measured[KEA_LANES], narrowMeasured[KEA_LANES];
+    float measured[2][KEA_LANES], narrowMeasured[2][KEA_LANES];
     if (!__builtin_cpu_supports("avx2"))
         return;
     makeGroups((unsigned int)_i);

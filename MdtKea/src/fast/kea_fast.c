@@ -24,6 +24,7 @@ typedef struct Step {
     const KeaKernel *kernel;
     KeaRegions regions;
     KeaMotion *motion, *before, *way; /* the world, the bodies by place, and where worlds move, one for each manifold */
+    KeaPatch *patch;                  /* by manifold */
     double (*change)[6];              /* by place: N s, N m s */
     double (*turned)[4];              /* by place: the orientation at the end, but for `way` */
     KeaGroup *groups;
@@ -54,6 +55,7 @@ static size_t layOut(Step *p, char *memory) {
     p->motion = kea_carve(&arena, motions, sizeof *p->motion);
     p->before = kea_carve(&arena, motions, sizeof *p->before);
     p->way = kea_carve(&arena, motions, sizeof *p->way);
+    p->patch = kea_carve(&arena, m, sizeof *p->patch);
     p->change = kea_carve(&arena, n, sizeof *p->change);
     p->turned = kea_carve(&arena, n, sizeof *p->turned);
     kea_regionsLayOut(p->s, &p->regions, &arena);
@@ -80,11 +82,16 @@ static void setMotions(Step *p) {
     kea_overRegions(&p->regions, setMotionsOf, p);
 }
 
+static KeaGathering gathering(const Step *p) {
+    return (KeaGathering){p->s, p->regions.place, p->patch, p->motion, p->way};
+}
+
 static void fillGroups(void *context, KeaNode *node) {
     const Step *p = context;
+    const KeaGathering from = gathering(p);
     KeaGroup *groups = p->groups + node->firstGroup;
     kea_groupManifolds(&p->regions, node, p->groups);
-    kea_fillGroups(p->s, p->regions.place, groups, node->numGroups, p->motion, p->way);
+    kea_fillGroups(&from, groups, node->numGroups);
     p->kernel->prepare(groups, node->numGroups, (float)p->s->parameters.stepsize);
 }
 
@@ -345,9 +352,10 @@ static MeBool setRebounds(Step *p) {
 
 static void addImpulses(void *context, KeaNode *node) {
     const Step *p = context;
+    const KeaGathering from = gathering(p);
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
         memset(p->change[i], 0, sizeof p->change[i]);
-    kea_addImpulses(p->s, p->groups + node->firstGroup, node->numGroups, p->change);
+    kea_addImpulses(&from, p->groups + node->firstGroup, node->numGroups, p->change);
 }
 
 static void setEndMomenta(void *context, KeaNode *node) {
@@ -636,7 +644,8 @@ static void report(Step *p) {
 
 static void returnGroups(void *context, KeaNode *node) {
     const Step *p = context;
-    kea_returnManifolds(p->s, p->groups + node->firstGroup, node->numGroups);
+    const KeaGathering from = gathering(p);
+    kea_returnManifolds(&from, p->groups + node->firstGroup, node->numGroups);
 }
 
 static void clearForces(MdtKeaSystem *s) {

@@ -37,6 +37,11 @@ typedef struct KeaMotion {
     float ang[4];
 } KeaMotion;
 
+/* A manifold's centre, and its points along t1 and t2. */
+typedef struct KeaPatch {
+    double centre[3], across[3], x[KEA_POINTS], y[KEA_POINTS]; /* m; across: t2 */
+} KeaPatch;
+
 /* Eight manifolds. Written once a step, but for what passes write. Lanes that are not in use have the world as both
  * bodies. */
 typedef struct KeaGroup {
@@ -98,15 +103,22 @@ extern const KeaKernel kea_kernelAvx2;
 
 /* ---- kea_gather.c ---- */
 
+/* What is the same for all groups of a step. */
+typedef struct KeaGathering {
+    const MdtKeaSystem *s;
+    const int *place;        /* by body */
+    KeaPatch *patch;         /* by manifold; written by kea_fillGroups */
+    KeaMotion *motion, *way; /* of worlds that move, see kea_fillGroups */
+} KeaGathering;
+
 /* Fills groups. A world that moves is its manifold's own: a motion behind the bodies', without displacement. */
-void kea_fillGroups(const MdtKeaSystem *s, const int place[], KeaGroup groups[], int count, KeaMotion motion[],
-                    KeaMotion way[]);
+void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count);
 /* What the manifolds of groups do to momenta: is added to `change`, by place, N s and N m s. */
-void kea_addImpulses(const MdtKeaSystem *s, const KeaGroup groups[], int count, double (*change)[6]);
+void kea_addImpulses(const KeaGathering *from, const KeaGroup groups[], int count, double (*change)[6]);
 /* Takes a share of all impulses; 0: there are none. */
 void kea_scaleImpulses(KeaGroup groups[], int count, float share);
 /* Writes the forces of the manifolds' points. */
-void kea_returnManifolds(const MdtKeaSystem *s, const KeaGroup groups[], int count);
+void kea_returnManifolds(const KeaGathering *from, const KeaGroup groups[], int count);
 
 /* ---- kea_fast.c ---- */
 

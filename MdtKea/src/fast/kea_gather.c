@@ -5,11 +5,6 @@
 #include "MeAssert.h"
 #include <float.h>
 
-/* A manifold's centre, and the points in its frame. */
-typedef struct Patch {
-    double centre[3], across[3], x[KEA_POINTS], y[KEA_POINTS];
-} Patch;
-
 /* Makes the sum 1; false where it is 0. */
 static MeBool normalize(double share[], int count) {
     double sum = 0;
@@ -35,7 +30,7 @@ static void setShares(const MdtKeaManifold *m, double share[KEA_POINTS]) {
 }
 
 /* Friction acts at the centre: where the load is, so that a point that carries nothing gives it no lever. */
-static void setPatch(const MdtKeaManifold *m, Patch *p) {
+static void setPatch(const MdtKeaManifold *m, KeaPatch *p) {
     double share[KEA_POINTS];
     setShares(m, share);
     keaZero(p->centre);
@@ -62,7 +57,7 @@ static float bounded(double bound) {
     return (float)keaMin(bound, kea_mostBound);
 }
 
-static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, const Patch *p, int k,
+static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, const KeaPatch *p, int k,
                      KeaGroup *g, int lane) {
     static const double noPlace[3];
     const int body = m->body[k];
@@ -117,8 +112,8 @@ static double aimOf(const MdtKeaSystem *s, const MdtKeaPoint *point, double size
     return keaMin(point->depth + resting, 0);
 }
 
-static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, double size, int k, KeaGroup *g,
-                      int lane) {
+static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p, double size, int k,
+                      KeaGroup *g, int lane) {
     const MdtKeaPoint *point = &m->point[k];
     const double h = s->parameters.stepsize, gamma = s->parameters.gamma;
     const MeBool soft = g->correction[lane] == 0;
@@ -160,7 +155,7 @@ static void fillBounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup 
 }
 
 /* Friction as it was: of all points at the centre, and about the normal. */
-static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const Patch *p, KeaGroup *g, int lane) {
+static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p, KeaGroup *g, int lane) {
     const double h = s->parameters.stepsize;
     double twist = 0, rub[2] = {0, 0};
     for (int k = 0; k < m->numPoints; k++) {
@@ -179,26 +174,27 @@ static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const P
     g->isCone[lane] = m->surface.isCone ? -1 : 0;
 }
 
-static void fillLane(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, float correction, KeaGroup *g,
-                     int lane) {
-    Patch p;
-    setPatch(m, &p);
+static void fillLane(const KeaGathering *from, int manifold, float correction, KeaGroup *g, int lane) {
+    const MdtKeaSystem *s = from->s;
+    const MdtKeaManifold *m = &s->manifolds[manifold];
+    KeaPatch *p = &from->patch[manifold];
+    const double size = sizeOf(s, m);
+    setPatch(m, p);
     setLane3(&g->normal, lane, m->normal);
     setLane3(&g->along, lane, m->direction);
     for (int k = 0; k < 2; k++)
-        fillBody(s, place, m, &p, k, g, lane);
+        fillBody(s, from->place, m, p, k, g, lane);
     const MeBool soft = isSoft(s, m);
+    g->size[lane] = (float)size;
     g->compliance[lane] = soft ? (float)softnessOf(s, m) : 0;
     g->correction[lane] = soft ? 0 : correction;
     g->least[lane] = -bounded(s->parameters.stepsize * m->surface.adhesion);
     g->isOneWay[lane] = m->surface.isOneWay ? -1 : 0;
-    const double size = sizeOf(s, m);
-    g->size[lane] = (float)size;
     for (int k = 0; k < m->numPoints; k++)
-        fillPoint(s, m, &p, size, k, g, lane);
+        fillPoint(s, m, p, size, k, g, lane);
     fillRebounds(s, m, g, lane);
     fillBounds(s, m, g, lane);
-    fillFriction(s, m, &p, g, lane);
+    fillFriction(s, m, p, g, lane);
 }
 
 static void setWorld(const MdtKeaVelocity *velocity, KeaMotion *world) {
@@ -209,48 +205,51 @@ static void setWorld(const MdtKeaVelocity *velocity, KeaMotion *world) {
     }
 }
 
-void kea_fillGroups(const MdtKeaSystem *s, const int place[], KeaGroup groups[], int count, KeaMotion motion[],
-                    KeaMotion way[]) {
+static void fillWorlds(const KeaGathering *from, const MdtKeaManifold *m, KeaGroup *g, int lane) {
+    for (int k = 0; k < 2; k++)
+        if (m->body[k] < 0) {
+            const int world = g->body[k][lane] = 1 + from->s->numBodies + g->manifold[lane];
+            setWorld(m->worldVelocity, &from->motion[world]);
+            memset(&from->way[world], 0, sizeof *from->way);
+        }
+}
+
+void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count) {
+    const MdtKeaSystem *s = from->s;
     const double share = 1 / (double)KEA_POSITION_PASSES; /* of a pass, so that all of them take gamma away */
     const float correction = (float)(1 - pow(1 - s->parameters.gamma, share));
     for (int i = 0; i < count; i++)
         for (int lane = 0; lane < KEA_LANES; lane++) {
-            KeaGroup *g = &groups[i];
-            if (g->manifold[lane] < 0)
+            const int manifold = groups[i].manifold[lane];
+            if (manifold < 0)
                 continue;
-            const MdtKeaManifold *m = &s->manifolds[g->manifold[lane]];
-            fillLane(s, place, m, correction, g, lane);
-            for (int k = 0; k < 2 && m->worldVelocity; k++)
-                if (m->body[k] < 0) {
-                    g->body[k][lane] = 1 + s->numBodies + g->manifold[lane];
-                    setWorld(m->worldVelocity, &motion[g->body[k][lane]]);
-                    memset(&way[g->body[k][lane]], 0, sizeof *way);
-                }
+            fillLane(from, manifold, correction, &groups[i], lane);
+            if (s->manifolds[manifold].worldVelocity)
+                fillWorlds(from, &s->manifolds[manifold], &groups[i], lane);
         }
 }
 
 /* ---- back to manifolds ---- */
 
 /* In double, about the bodies' centres of mass: what one body gets the other loses, to the last bit. */
-static void addImpulse(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaGroup *g, int lane,
-                       double (*change)[6]) {
+static void addImpulse(const KeaGathering *from, const KeaGroup *g, int lane, double (*change)[6]) {
+    const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
+    const KeaPatch *p = &from->patch[g->manifold[lane]];
     double impulse[3], couple[3];
-    Patch p;
-    setPatch(m, &p);
     keaScale(impulse, (double)g->rub[0][lane], m->direction);
-    keaAddScaled(impulse, (double)g->rub[1][lane], p.across);
+    keaAddScaled(impulse, (double)g->rub[1][lane], p->across);
     keaScale(couple, (double)g->twist[lane], m->normal);
     for (int k = 0; k < m->numPoints; k++) {
         const double normal = (double)g->impulse[k][lane];
         keaAddScaled(impulse, normal, m->normal);
-        keaAddScaled(couple, normal * p.y[k], m->direction);
-        keaAddScaled(couple, -normal * p.x[k], p.across);
+        keaAddScaled(couple, normal * p->y[k], m->direction);
+        keaAddScaled(couple, -normal * p->x[k], p->across);
     }
     for (int k = 0; k < 2; k++) {
         double arm[3], turn[3];
         if (m->body[k] < 0)
             continue;
-        keaSubtract(arm, p.centre, s->pose[m->body[k]].pos);
+        keaSubtract(arm, p->centre, from->s->pose[m->body[k]].pos);
         keaCross(turn, arm, impulse);
         keaAddScaled(turn, 1, couple);
         double *of = change[g->body[k][lane] - 1];
@@ -259,11 +258,11 @@ static void addImpulse(const MdtKeaSystem *s, const MdtKeaManifold *m, const Kea
     }
 }
 
-void kea_addImpulses(const MdtKeaSystem *s, const KeaGroup groups[], int count, double (*change)[6]) {
+void kea_addImpulses(const KeaGathering *from, const KeaGroup groups[], int count, double (*change)[6]) {
     for (int i = 0; i < count; i++)
         for (int lane = 0; lane < KEA_LANES; lane++)
             if (groups[i].manifold[lane] >= 0)
-                addImpulse(s, &s->manifolds[groups[i].manifold[lane]], &groups[i], lane, change);
+                addImpulse(from, &groups[i], lane, change);
 }
 
 void kea_scaleImpulses(KeaGroup groups[], int count, float share) {
@@ -285,33 +284,33 @@ static double square(double x) {
 /* Friction of the manifold is shared out by the points' normal forces w, and its moment by w times their distance from
  * where these push:
  *     f_k = w_k f + w_k (tau - tau_0) n x (q_k - q_m) / Σ w q²,     tau_0: the moment of the first part. */
-static void returnPoints(const MdtKeaSystem *s, MdtKeaManifold *m, const KeaGroup *g, int lane) {
-    const double h = s->parameters.stepsize, rub[2] = {(double)g->rub[0][lane], (double)g->rub[1][lane]};
+static void returnPoints(const KeaGathering *from, const KeaGroup *g, int lane) {
+    MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
+    const KeaPatch *p = &from->patch[g->manifold[lane]];
+    const double h = from->s->parameters.stepsize, rub[2] = {(double)g->rub[0][lane], (double)g->rub[1][lane]};
     double sum = 0, middle[2] = {0, 0}, spread = 0, share[KEA_POINTS];
-    Patch p;
-    setPatch(m, &p);
     for (int k = 0; k < m->numPoints; k++)
         sum += keaMax((double)g->impulse[k][lane], 0);
     for (int k = 0; k < m->numPoints; k++) {
         share[k] = sum > 0 ? keaMax((double)g->impulse[k][lane], 0) / sum : 1 / (double)m->numPoints;
-        middle[0] += share[k] * p.x[k];
-        middle[1] += share[k] * p.y[k];
+        middle[0] += share[k] * p->x[k];
+        middle[1] += share[k] * p->y[k];
     }
     for (int k = 0; k < m->numPoints; k++)
-        spread += share[k] * (square(p.x[k] - middle[0]) + square(p.y[k] - middle[1]));
+        spread += share[k] * (square(p->x[k] - middle[0]) + square(p->y[k] - middle[1]));
     const double rest = (double)g->twist[lane] - (middle[0] * rub[1] - middle[1] * rub[0]);
     const double turn = spread > 0 ? rest / spread : 0;
     for (int k = 0; k < m->numPoints; k++) {
         double *force = m->point[k].force;
         force[0] = (double)g->impulse[k][lane] / h;
-        force[1] = share[k] * (rub[0] - turn * (p.y[k] - middle[1])) / h;
-        force[2] = share[k] * (rub[1] + turn * (p.x[k] - middle[0])) / h;
+        force[1] = share[k] * (rub[0] - turn * (p->y[k] - middle[1])) / h;
+        force[2] = share[k] * (rub[1] + turn * (p->x[k] - middle[0])) / h;
     }
 }
 
-void kea_returnManifolds(const MdtKeaSystem *s, const KeaGroup groups[], int count) {
+void kea_returnManifolds(const KeaGathering *from, const KeaGroup groups[], int count) {
     for (int i = 0; i < count; i++)
         for (int lane = 0; lane < KEA_LANES; lane++)
             if (groups[i].manifold[lane] >= 0)
-                returnPoints(s, &s->manifolds[groups[i].manifold[lane]], &groups[i], lane);
+                returnPoints(from, &groups[i], lane);
 }
