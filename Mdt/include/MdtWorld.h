@@ -264,6 +264,7 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  - partitions of 64 bodies or more;
  *  - partitions of more bodies than MdtWorldSetTimedContacts that touch nothing fixed, or in which bodies have just
  *    met, until all are slow (MdtPartitionParams);
+ *  - what comes out of these, until it is slow, however few bodies, without joints;
  *  - such with joints for which the exact solver has taken more than 12 factorizations in a step, too; what joints tie
  *    stays with the fast solver until it is at rest.
  *

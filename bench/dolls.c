@@ -1,6 +1,6 @@
 /* What rag dolls cost that fall on a plane, each by itself: the factorizations and the time of one doll's step.
  *
- *     ragdolls [--dolls N] [--steps N] [--exact]      100 dolls, 300 steps
+ *     dolls [--dolls N] [--steps N] [--exact]      100 dolls, 300 steps
  *
  * With --exact all is solved exactly (MdtWorldSetSolver), else only until a doll is hit.
  * The figures of tutorial Ragdolls, thrown and turning in any way, 7 m apart, with the universe's defaults, friction
@@ -78,7 +78,7 @@ static void tell(const Sum *sum, int steps, int dolls) {
 }
 
 static int usage(void) {
-    fprintf(stderr, "usage: ragdolls [--dolls N] [--steps N] [--exact]\n");
+    fprintf(stderr, "usage: dolls [--dolls N] [--steps N] [--exact]\n");
     return 2;
 }
 
