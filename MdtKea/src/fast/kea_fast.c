@@ -31,7 +31,7 @@ typedef struct Step {
     int numGroups;
     KeaJoints joints;
     double fall[3];     /* m, see fallOfCentre */
-    double speed;       /* m/s, of the bodies: root of the mean square */
+    double speed;       /* m/s, of the bodies: root of the mean square, see findSpeed */
     MeBool isMoving;    /* see findSpeed */
     double load;        /* of how many bodies one carries the weight, see loadRatio */
     double theta, beta; /* of the extrapolation */
@@ -261,20 +261,28 @@ static double loadRatio(Step *p) {
     return mostOverRegions(&p->regions, 0);
 }
 
+/* Σ v², the most that loads add to a velocity, Σ v. */
 static void sumSpeeds(void *context, KeaNode *node) {
     const Step *p = context;
-    node->sum[0] = node->sum[1] = 0;
+    memset(node->sum, 0, sizeof node->sum);
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
         const int body = p->regions.body[i];
-        node->sum[0] += keaDot(p->s->velocity[body].lin, p->s->velocity[body].lin);
+        const double *v = p->s->velocity[body].lin;
+        node->sum[0] += keaDot(v, v);
         node->sum[1] = keaMax(node->sum[1], loadOf(p->s, body));
+        keaAddScaled(node->sum + 2, 1, v);
     }
 }
 
-/* Forces of what moves faster than its loads make it in a step are those of impacts, and not of weights. */
+/* Against what all have in common, as on a train. Forces of what moves faster than its loads make it in a step are
+ * those of impacts, and not of weights. */
 static void findSpeed(Step *p) {
+    const double n = p->s->numBodies;
     kea_overRegions(&p->regions, sumSpeeds, p);
-    p->speed = sqrt(sumOverRegions(&p->regions, 0) / p->s->numBodies);
+    double spread = sumOverRegions(&p->regions, 0) / n;
+    for (int k = 2; k < 5; k++)
+        spread -= sumOverRegions(&p->regions, k) / n * (sumOverRegions(&p->regions, k) / n);
+    p->speed = sqrt(keaMax(spread, 0));
     p->isMoving = p->speed > mostOverRegions(&p->regions, 1);
     p->load = p->isMoving ? 1 : loadRatio(p);
 }

@@ -29,7 +29,7 @@ typedef struct KeaNode {
     int firstGroup, numGroups;
     /* the loop at hand */
     float lanes[KEA_LANES], closing[KEA_LANES];
-    double sum[2];
+    double sum[5];
 } KeaNode;
 
 typedef struct KeaRegions {
