@@ -1,12 +1,13 @@
 /* Dispatch of the convex narrow phase: which algorithm serves which pair of shapes.
  *
  * A cell finds the normal, by closed form where there is a short one; the faces along it give the contacts, the same
- * way for all pairs (mcd_face.c). What is empty is served by the cell across the diagonal, with the shapes swapped. */
+ * way for all pairs (mcd_face.c). An empty cell is served by its mirror image across the diagonal, with the shapes
+ * swapped. */
 #include "mcd_kind_i.h"
 
 typedef MeBool (*Proximity)(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 
-/* Boxes that are apart may be nearest at their corners, of which the separating axes know nothing. */
+/* Boxes that are apart may be nearest at their corners, along none of the separating axes. */
 static MeBool boxBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     if (!mcd_boxBoxProximity(a, b, limit, p))
         return MEFALSE;
