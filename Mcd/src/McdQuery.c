@@ -235,7 +235,7 @@ static MeBool visitClosest(void *context, int proxy) {
     return METRUE;
 }
 
-/* Looks farther and farther away until nothing nearer can be farther out. */
+/* Enlarges the searched box until no nearer point can be outside of it. */
 static void search(Closest *c, double most) {
     double reach = fmin(c->q.shape.extent, most);
     for (;;) {

@@ -1042,8 +1042,7 @@ static void addHit(Segment *q, const McdLineSegIntersectResult *hit) {
     MEASSERT(q->count <= q->max && (at + 1 >= q->count || !isNearer(&q->list[at + 1], hit)));
 }
 
-/* How far the segment is of interest: what is not nearer than the last of a full list is not. A little more, for
- * rounding. */
+/* The fraction of the segment to search: with a full list, up to its last hit. A little more, for rounding. */
 static double searchFraction(const Segment *q) {
     if (q->count < q->max || q->length == 0)
         return 1;

@@ -170,7 +170,7 @@ static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdPr
     return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
 }
 
-/* Of what stands, or is a little above what it stood on, a face's normal mostly needs no more than being tried. */
+/* For shapes that stand, or have just lifted off, it is mostly enough to verify a face's normal. */
 static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     const double limit = margin + a->rounding + b->rounding;
     McdProximity p;

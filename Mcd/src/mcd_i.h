@@ -334,8 +334,7 @@ MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
     return m->tolerance + m->ahead;
 }
-/* A number that is another one as soon as anything is that the model's box and tests depend on; 0: that cannot be
- * known. */
+/* A stamp that changes with every input of the model's box and tests; 0: those cannot be compared. */
 MeU64 mcd_modelStamp(McdModelRecord *m);
 /* The same, unless it has a stamp of this round. */
 MeU64 mcd_modelStampInRound(McdModelRecord *m);

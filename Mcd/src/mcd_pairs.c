@@ -570,7 +570,7 @@ static void reportFull(McdSpace *s, int first) {
     }
 }
 
-/* Those that found no room before ask again, with the new ones, in order. */
+/* Links that found no room before are tried again, with the new ones, in order. */
 static void requeueWaiting(McdSpace *s) {
     s->wanted.count = 0;
     for (int i = 0; i < s->linkMax; i++)

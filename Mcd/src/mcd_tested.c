@@ -15,7 +15,7 @@ static void copyIfThere(MeVector3 to, const MeReal *from) {
         memcpy(to, from, sizeof(MeVector3));
 }
 
-/* All that tests of a model read, but for how far the space has it look ahead. */
+/* All inputs of a model's tests, except the space's look-ahead. */
 static MeBool readInputs(const McdModelRecord *m, McdSeen *seen) {
     const McdGeometry *g = m->instance.geometry;
     const McdKind *kind = mcd_kindOf(g);
