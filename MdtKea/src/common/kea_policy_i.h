@@ -211,12 +211,12 @@ static const double kea_roundingSteps = 8;
  * iterations_of_steps; x2 of the second a_line_search_looks_sixty_four_steps_ahead. Without a longest step
  * Mst_SweptJoints fails: swept_pairs_on_hinges_do_not_explode. */
 static const double kea_lineSearchTolerance = 1e-3, kea_longestStep = 64;
-/* In tolerances: an error below the first that the convex problem's step leaves more than the second of, or that the
- * coupled one's does not lessen, is rounding. x2 and /2 of either fail MdtKea_policy: iterations_of_solves. */
-static const double kea_newtonRounding = 1e5, kea_convexProgress = 0.3;
-/* The coupled step must leave at most this of the error; else it is shorter, or ends. x2 and /2 fail MdtKea_policy:
- * iterations_of_solves. */
-static const double kea_coupledProgress = 0.9;
+/* In tolerances: where the convex problem's error is below the first and falls by less than the second a step, it is
+ * rounding. x2 and /2 of either fail MdtKea_policy: iterations_of_solves. */
+static const double kea_convexRounding = 1e5, kea_convexProgress = 0.3;
+/* The coupled step must leave at most this of the error; else it is shorter, or rounding below the second, in
+ * tolerances. x2 and /2 of either fail MdtKea_policy: iterations_of_solves. */
+static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
 /* Of the error: what a solve with kept factors may leave; else there is a new factor. x2 and /2 fail MdtKea_policy:
  * factors_that_are_kept_are_good_enough. */
 static const double kea_refinedShare = 0.1;
@@ -329,6 +329,9 @@ static const double kea_touchingGap = 1e-5;
  * case. Reasoned: it is work against accuracy of slow rotation. x2 and /2 fail MdtKea_policy:
  * rotation_beyond_a_hundredth_of_a_radian_is_of_fourth_order. */
 static const double kea_slowRotation = 1e-2;
+/* Of the diagonal's squares: off-diagonal entries of 1e-16 of it are rounding. x2 and /2 fail MdtKea_policy:
+ * an_off_diagonal_of_rounding_is_none. */
+static const double kea_jacobiTolerance = 1e-32;
 /* A program's tensor: by so little it may miss symmetry, single precision; and its least moment of its largest:
  * thinner is no body. x2 and /2 of either fail MdtKea_rotation: tensors_are_refused_where_they_are_said_to_be. */
 static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;

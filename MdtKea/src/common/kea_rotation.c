@@ -12,7 +12,6 @@
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
-#include <float.h>
 #include <string.h>
 
 /* Turns the body for time t by the part of H that belongs to `axis`: q from the right, L (principal) the other way. */
@@ -189,7 +188,7 @@ static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
 /* But for rounding of the diagonal; and where its squares are no numbers. */
 static MeBool isDiagonal(const double S[3][3]) {
     const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
-    return !(off > DBL_EPSILON * DBL_EPSILON * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
+    return !(off > kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
 }
 
 void kea_eigen(double S[3][3], double V[3][3]) {

@@ -311,7 +311,7 @@ static MeBool solveConvex(KeaProblem *q) {
     kea_newtonForces(q, 0, MEFALSE);
     for (int i = 0; i < KEA_MAX_CONVEX; i++) {
         const double error = kea_newtonError(q, 0);
-        if (error < 1 || (error < kea_newtonRounding && error > kea_convexProgress * before))
+        if (error < 1 || (error < kea_convexRounding && error > kea_convexProgress * before))
             return METRUE; /* found, or as far as rounding allows */
         if (!kea_problemMaySpend(q, MEFALSE))
             return MEFALSE;
@@ -326,7 +326,7 @@ static MeBool solveConvex(KeaProblem *q) {
         if (!q->hasBounds)
             return METRUE; /* it was linear */
     }
-    return kea_newtonError(q, 0) < kea_newtonRounding;
+    return kea_newtonError(q, 0) < kea_convexRounding;
 }
 
 static MeBool solveCoupled(KeaProblem *q) {
@@ -348,12 +348,12 @@ static MeBool solveCoupled(KeaProblem *q) {
         }
         if (!(next < kea_coupledProgress * error)) {
             kea_newtonForces(q, 0, METRUE);
-            return error < kea_newtonRounding; /* rounding */
+            return error < kea_coupledRounding; /* rounding */
         }
         kea_newtonTake(q, step);
         error = next;
     }
-    return error < kea_newtonRounding;
+    return error < kea_coupledRounding;
 }
 
 static void keepConvex(KeaProblem *q) {
