@@ -122,7 +122,7 @@ MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID id, int i) 
 
 /* ---- parts of an instance ---------------------------------------------------------------------------------------- */
 
-/* What is done with each part; finalTM is null if none was given. */
+/* Visits a part; finalTM is null if none was given. */
 typedef void (*PartFn)(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *data);
 
 /* A model's instance has children; for the stand-ins of McdGeometry.h, parts are made up. */

@@ -10,7 +10,8 @@ typedef struct Nearest {
     MeBool isFound;
 } Nearest;
 
-static void take(Nearest *nearest, double distance, const double onA[3], const double onB[3], const double normal[3]) {
+static void keepNearest(Nearest *nearest, double distance, const double onA[3], const double onB[3],
+                        const double normal[3]) {
     if (nearest->isFound && distance >= nearest->distance)
         return;
     nearest->isFound = METRUE;
@@ -20,14 +21,14 @@ static void take(Nearest *nearest, double distance, const double onA[3], const d
     memcpy(nearest->normal, normal, sizeof nearest->normal);
 }
 
-/* What was measured from a convex shape to the other one; turned: the shape is the second of the pair. */
+/* The distance from a convex shape to the other one; turned: the shape is the second of the pair. */
 static void takeTurned(Nearest *nearest, MeBool isTurned, double distance, const double onShape[3],
                        const double onOther[3], const double n[3]) {
     const double back[3] = {-n[0], -n[1], -n[2]};
     if (isTurned)
-        take(nearest, distance, onOther, onShape, back);
+        keepNearest(nearest, distance, onOther, onShape, back);
     else
-        take(nearest, distance, onShape, onOther, n);
+        keepNearest(nearest, distance, onShape, onOther, n);
 }
 
 static void measurePlane(const McdShape *a, McdGeometryInstance *plane, const double origin[3], MeBool isTurned,
@@ -55,7 +56,7 @@ static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const
     const MeBool isConvexA = mcd_shapeOf(a, origin, &shapeA), isConvexB = mcd_shapeOf(b, origin, &shapeB);
     if (isConvexA && isConvexB) {
         const double distance = mcd_convexDistance(&shapeA, &shapeB, onA, onB, normal);
-        take(nearest, distance, onA, onB, normal);
+        keepNearest(nearest, distance, onA, onB, normal);
         return METRUE;
     }
     if (isConvexA && mcd_isHalfSpace(b))
@@ -71,16 +72,17 @@ static MeBool measureParts(McdGeometryInstance *a, McdGeometryInstance *b, const
     return METRUE;
 }
 
-static MeBool measure(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3], Nearest *nearest) {
+static MeBool measureInstances(McdGeometryInstance *a, McdGeometryInstance *b, const double origin[3],
+                               Nearest *nearest) {
     MeBool isGood = METRUE;
     if (mcd_partsOf(a->geometry)) {
         for (McdGeometryInstance *child = a->firstChild; child; child = child->nextSibling)
-            isGood = measure(child, b, origin, nearest) && isGood;
+            isGood = measureInstances(child, b, origin, nearest) && isGood;
         return isGood;
     }
     if (mcd_partsOf(b->geometry)) {
         for (McdGeometryInstance *child = b->firstChild; child; child = child->nextSibling)
-            isGood = measure(a, child, origin, nearest) && isGood;
+            isGood = measureInstances(a, child, origin, nearest) && isGood;
         return isGood;
     }
     return measureParts(a, b, origin, nearest);
@@ -98,7 +100,7 @@ MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
         return MEFALSE;
     }
     mcd_pairOrigin(&a->instance, &b->instance, origin);
-    if (!measure(&a->instance, &b->instance, origin, &nearest) || !nearest.isFound)
+    if (!measureInstances(&a->instance, &b->instance, origin, &nearest) || !nearest.isFound)
         return MEFALSE;
     MEASSERT(!isnan(nearest.distance) && isfinite(mcd_dot(nearest.normal, nearest.normal)));
     result->distance = mcd_real(nearest.distance);

@@ -174,7 +174,7 @@ McdFrameworkID MEAPI McdInitUnscaled(int geoTypeMaxCount, int modelCount, int in
     return (McdInit)(geoTypeMaxCount, modelCount, instanceCount, 1);
 }
 
-/* What nothing refers to goes first: an aggregate before its parts, whichever is older. */
+/* Unreferenced geometries go first: an aggregate before its parts, whichever is older. */
 static void destroyGeometries(McdFramework *frame) {
     while (frame->lastGeometry) {
         const int before = frame->geometryCount;

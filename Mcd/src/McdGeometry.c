@@ -1,4 +1,4 @@
-/* What all geometries have: a head, a type, a reference count; queries go to the type's functions. */
+/* Common to all geometries: a head, a type, a reference count; queries go to the type's functions. */
 #include "mcd_i.h"
 #include <string.h>
 

@@ -154,8 +154,8 @@ static void turnContacts(McdIntersectResult *result) {
     }
 }
 
-/* An interaction of a program's own knows nothing of the members that McdContact gained: it leaves those of an unused
- * contact as they are, or zero. Radii are never below 0, so that is what an unused one has. */
+/* A program's own interaction may not write members that were added to McdContact later: it leaves those of an unused
+ * contact as they are, or zero. Radii are never below 0, so a negative one marks an unused contact. */
 static void markUnused(McdContact *c) {
     c->radius[0] = c->radius[1] = -1;
 }

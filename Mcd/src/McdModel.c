@@ -286,7 +286,7 @@ void MEAPI McdModelSetTransformPtr(const McdModelID cm, const MeMatrix4Ptr geome
     m->instance.tm = geometryTM;
 }
 
-static void compound(McdModelRecord *m) {
+static void composeTransforms(McdModelRecord *m) {
     if (m->relTM && m->refTM && m->instance.tm)
         MeMatrix4TMCompound(m->instance.tm, mcd_const(m->relTM), mcd_const(m->refTM));
 }
@@ -305,7 +305,7 @@ void MEAPI McdModelSetRelativeTransformPtrs(McdModelID cm, MeMatrix4 relTM, MeMa
     m->refTM = refTM;
     m->instance.tm = compoundTM;
     m->ownsRelative = own;
-    compound(m);
+    composeTransforms(m);
 }
 
 void MEAPI McdModelGetRelativeTransformPtrs(McdModelID cm, MeMatrix4Ptr *relTM, MeMatrix4Ptr *refTM) {
@@ -346,7 +346,7 @@ MeMatrix4Ptr MEAPI McdModelGetRelativeTransform(McdModelID cm) {
 void MEAPI McdModelCompoundTransforms(McdModelID cm) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelCompoundTransforms");
     if (m)
-        compound(m);
+        composeTransforms(m);
 }
 
 void MEAPI McdModelSetLinearVelocityPtr(McdModelID cm, MeReal *velocity) {
@@ -420,7 +420,7 @@ static MeBool isPlaced(McdModelRecord *m, const char *function) {
         MeWarning(1, "%s: the model has no transform: see McdModelSetTransformPtr", function);
         return MEFALSE;
     }
-    compound(m);
+    composeTransforms(m);
     mcd_instancePlaceChildren(&m->instance);
     return METRUE;
 }
@@ -433,7 +433,7 @@ void MEAPI McdModelUpdate(McdModelID cm) {
 
 /* How far a point of the model leaves the straight line between its two ends while the model turns by an angle:
  * r (1 - cos(angle / 2)), r the farthest distance of a point from the transform's origin; more than half a turn: r. */
-static MeReal bulge(const McdModelRecord *m, MeReal duration) {
+static MeReal deviationByTurning(const McdModelRecord *m, MeReal duration) {
     MeVector3 centre;
     MeReal radius;
     if (!m->angularVelocity)
@@ -452,7 +452,7 @@ void MEAPI McdModelUpdatePath(McdModelID cm, MeReal motionDuration) {
     MeMatrix4 finalTM;
     mcd_modelPlaceAt(m, motionDuration, finalTM);
     updateBoxes(&m->instance, finalTM);
-    const MeReal more = bulge(m, motionDuration);
+    const MeReal more = deviationByTurning(m, motionDuration);
     for (int i = 0; i < 3; i++) {
         m->instance.min[i] -= more;
         m->instance.max[i] += more;

@@ -72,7 +72,7 @@ MeBool MEAPI McdModelPairContainerInsertGoodbyePair(McdModelPairContainer *c, Mc
 }
 
 /* Moves array[first .. last - 1] by one place. */
-static void shift(McdModelPairContainer *c, int first, int last, int by) {
+static void movePairs(McdModelPairContainer *c, int first, int last, int by) {
     MEASSERT(first + by >= 0 && first <= last && last + by <= c->size);
     memmove(c->array + first + by, c->array + first, (size_t)(last - first) * sizeof *c->array);
 }
@@ -84,39 +84,40 @@ void MEAPI McdModelPairContainerRemovePair(McdModelPairContainer *c, McdModelPai
     while (at < c->size && c->array + at != p)
         at++;
     if (at >= c->goodbyeFirst && at < c->goodbyeEnd)
-        shift(c, at + 1, c->goodbyeEnd--, -1);
+        movePairs(c, at + 1, c->goodbyeEnd--, -1);
     else if (at >= c->helloFirst && at < c->helloEnd)
-        shift(c, c->helloFirst++, at, 1);
+        movePairs(c, c->helloFirst++, at, 1);
     else if (at >= c->stayingFirst && at < c->stayingEnd)
-        shift(c, at + 1, c->stayingEnd--, -1);
+        movePairs(c, at + 1, c->stayingEnd--, -1);
     else
         MeWarning(1, "McdModelPairContainerRemovePair: that is no place of a pair in the container");
 }
 
-static McdModelPair **part(McdModelPairContainer *c, int first, int end, int *count) {
+static McdModelPair **pairsOfRange(McdModelPairContainer *c, int first, int end, int *count) {
     if (count)
         *count = end - first;
     return c->array + first;
 }
 
-static McdModelPair **none(int *count) {
+static McdModelPair **noPairs(int *count) {
     if (count)
         *count = 0;
     return 0;
 }
 
 McdModelPair **MEAPI McdModelPairContainerGetHelloArray(McdModelPairContainer *c, int *count) {
-    return check(c, "McdModelPairContainerGetHelloArray") ? part(c, c->helloFirst, c->helloEnd, count) : none(count);
+    return check(c, "McdModelPairContainerGetHelloArray") ? pairsOfRange(c, c->helloFirst, c->helloEnd, count)
+                                                          : noPairs(count);
 }
 
 McdModelPair **MEAPI McdModelPairContainerGetStayingArray(McdModelPairContainer *c, int *count) {
-    return check(c, "McdModelPairContainerGetStayingArray") ? part(c, c->stayingFirst, c->stayingEnd, count)
-                                                            : none(count);
+    return check(c, "McdModelPairContainerGetStayingArray") ? pairsOfRange(c, c->stayingFirst, c->stayingEnd, count)
+                                                            : noPairs(count);
 }
 
 McdModelPair **MEAPI McdModelPairContainerGetGoodbyeArray(McdModelPairContainer *c, int *count) {
-    return check(c, "McdModelPairContainerGetGoodbyeArray") ? part(c, c->goodbyeFirst, c->goodbyeEnd, count)
-                                                            : none(count);
+    return check(c, "McdModelPairContainerGetGoodbyeArray") ? pairsOfRange(c, c->goodbyeFirst, c->goodbyeEnd, count)
+                                                            : noPairs(count);
 }
 
 int MEAPI McdModelPairContainerGetHelloCount(McdModelPairContainer *c) {

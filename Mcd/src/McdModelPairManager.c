@@ -146,7 +146,7 @@ MeBool MEAPI McdModelPairManagerActivate(McdModelPairManagerID manager, McdModel
     return METRUE;
 }
 
-static void drop(McdModelPairManager *manager, Record *r) {
+static void removePair(McdModelPairManager *manager, Record *r) {
     Record **place = placeOf(manager, r->pair.model1, r->pair.model2);
     MEASSERT(*place == r);
     if (r->pair.m_cachedData)
@@ -167,7 +167,7 @@ MeBool MEAPI McdModelPairManagerDeactivate(McdModelPairManagerID manager, McdMod
         return MEFALSE;
     manager->step++;
     if (r->pair.phase == kMcdFFStateHello)
-        drop(manager, r);
+        removePair(manager, r);
     else
         r->pair.phase = kMcdFFStateGoodbye;
     return METRUE;
@@ -180,7 +180,7 @@ void MEAPI McdModelPairManagerFlush(McdModelPairManagerID manager) {
     for (Record *r = manager->first, *after; r; r = after) {
         after = r->after;
         if (r->pair.phase == kMcdFFStateGoodbye)
-            drop(manager, r);
+            removePair(manager, r);
         else
             r->pair.phase = kMcdFFStateStaying;
     }
@@ -200,8 +200,8 @@ void MEAPI McdModelPairManagerResetIterator(McdModelPairManagerID manager, McdSp
 }
 
 /* Puts the pairs of a phase after the first *done ones to array[at ..], at most `room`; returns how many. */
-static int take(const McdModelPairManager *manager, McdModelPairPhase phase, int *done, McdModelPair **array,
-                int room) {
+static int copyPairsOfPhase(const McdModelPairManager *manager, McdModelPairPhase phase, int *done,
+                            McdModelPair **array, int room) {
     int seen = 0, taken = 0;
     for (Record *r = manager->first; r && taken < room; r = r->after)
         if (r->pair.phase == phase && seen++ >= *done)
@@ -221,14 +221,14 @@ static int countOf(const McdModelPairManager *manager, McdModelPairPhase phase) 
 static MeBool fill(const McdModelPairManager *manager, McdSpacePairIterator *it, McdModelPairContainer *c,
                    MeBool withStaying) {
     c->goodbyeFirst = 0;
-    c->goodbyeEnd = take(manager, kMcdFFStateGoodbye, &it->goodbye, c->array, c->size);
+    c->goodbyeEnd = copyPairsOfPhase(manager, kMcdFFStateGoodbye, &it->goodbye, c->array, c->size);
     c->helloFirst = c->goodbyeEnd;
-    c->helloEnd =
-        c->helloFirst + take(manager, kMcdFFStateHello, &it->hello, c->array + c->helloFirst, c->size - c->helloFirst);
+    c->helloEnd = c->helloFirst + copyPairsOfPhase(manager, kMcdFFStateHello, &it->hello, c->array + c->helloFirst,
+                                                   c->size - c->helloFirst);
     c->stayingFirst = c->stayingEnd = c->helloEnd;
     if (withStaying)
-        c->stayingEnd +=
-            take(manager, kMcdFFStateStaying, &it->staying, c->array + c->stayingFirst, c->size - c->stayingFirst);
+        c->stayingEnd += copyPairsOfPhase(manager, kMcdFFStateStaying, &it->staying, c->array + c->stayingFirst,
+                                          c->size - c->stayingFirst);
     MEASSERT(c->stayingEnd <= c->size);
     return it->goodbye < countOf(manager, kMcdFFStateGoodbye) || it->hello < countOf(manager, kMcdFFStateHello) ||
            (withStaying && it->staying < countOf(manager, kMcdFFStateStaying));

@@ -17,14 +17,14 @@ typedef struct Query {
     void *filterData;
     McdModelID self; /* is not met */
     double origin[3];
-    McdShape shape; /* what asks, relative to the origin */
+    McdShape shape; /* the querying shape, relative to the origin */
     double min[3], max[3];
     double reach;     /* triangles farther away do not count */
     McdModelID *list; /* overlaps */
     int count, listSize;
 } Query;
 
-/* One part of a model next to the shape that asks. */
+/* One part of a model next to the querying shape. */
 typedef struct Gap {
     McdGeometryInstance *part;
     double distance, onShape[3], onPart[3], normal[3];
@@ -66,7 +66,7 @@ static MeBool isPlane(const McdGeometryInstance *part) {
 }
 
 /* other: the part's shape, or one triangle of it; null for planes. */
-static void measure(const Query *q, const McdShape *shape, const McdShape *other, Gap *gap) {
+static void measureGap(const Query *q, const McdShape *shape, const McdShape *other, Gap *gap) {
     if (other)
         gap->distance = mcd_convexDistance(shape, other, gap->onShape, gap->onPart, gap->normal);
     else
@@ -74,7 +74,7 @@ static void measure(const Query *q, const McdShape *shape, const McdShape *other
                                           gap->onPart, gap->normal);
 }
 
-/* False for a part that is too far away or cannot be asked. */
+/* False for a part that is too far away or does not support the query. */
 static MeBool measurePart(const Query *q, Gap *gap) {
     McdShape other;
     if (!mcd_instanceIsPlaced(gap->part))
@@ -83,9 +83,9 @@ static MeBool measurePart(const Query *q, Gap *gap) {
         return mcd_meshNearest(&q->shape, gap->part, q->self, q->origin, q->reach, &gap->distance, gap->onShape,
                                gap->onPart, gap->normal);
     if (isPlane(gap->part))
-        measure(q, &q->shape, 0, gap);
+        measureGap(q, &q->shape, 0, gap);
     else if (mcd_shapeOf(gap->part, q->origin, &other))
-        measure(q, &q->shape, &other, gap);
+        measureGap(q, &q->shape, &other, gap);
     else
         return MEFALSE;
     return METRUE;
@@ -104,7 +104,7 @@ static McdGeometryInstance *nextLeaf(McdGeometryInstance *ins) {
     return ins && ins->parent ? firstLeaf(ins->nextSibling) : 0;
 }
 
-/* The nearest part of a model; false if it has none that can be asked. */
+/* The nearest part of a model; false if none supports the query. */
 static MeBool nearestPart(const Query *q, McdModelID cm, Gap *nearest) {
     Gap gap;
     MeBool isFound = MEFALSE;
@@ -235,7 +235,7 @@ static MeBool visitClosest(void *context, int proxy) {
     return METRUE;
 }
 
-/* Looks farther and farther away until nothing nearer can be farther out. */
+/* Enlarges the searched box until no nearer point can be outside of it. */
 static void search(Closest *c, double most) {
     double reach = fmin(c->q.shape.extent, most);
     for (;;) {
@@ -286,19 +286,19 @@ typedef struct Cast {
     Gap gap;
 } Cast;
 
-static double touch(const Cast *c) {
+static double touchingGap(const Cast *c) {
     return (sizeof(MeReal) == sizeof(double) ? 1 : 10) * touching * c->q.shape.extent;
 }
 
 /* Conservative advancement: while a gap is open, there is a plane across it, and both stay apart at least until the
  * motion has closed that gap along the plane's normal. False if they do not meet up to fraction. */
-static MeBool advance(const Cast *c, const McdShape *other, double last, Gap *gap, double *fraction) {
-    const double enough = touch(c);
+static MeBool advanceToTouch(const Cast *c, const McdShape *other, double last, Gap *gap, double *fraction) {
+    const double enough = touchingGap(c);
     McdShape moved = c->q.shape;
     double t = 0;
     for (int i = 0; i < MAX_ADVANCES; i++) {
         mcd_mad(moved.place, c->q.shape.place, t, c->by);
-        measure(&c->q, &moved, other, gap);
+        measureGap(&c->q, &moved, other, gap);
         const double closing = -mcd_dot(gap->normal, c->by);
         if (gap->distance < -enough || (gap->distance <= enough && closing > 0))
             break;
@@ -311,7 +311,7 @@ static MeBool advance(const Cast *c, const McdShape *other, double last, Gap *ga
     return METRUE;
 }
 
-static void take(Cast *c, McdModelID cm, const Gap *gap, double t) {
+static void keepFirstHit(Cast *c, McdModelID cm, const Gap *gap, double t) {
     MEASSERT(t >= 0 && t <= c->fraction);
     const MeBool isFirst =
         !c->model || t < c->fraction || (cm != c->model && mcd_modelPrecedes(mcd_record(cm), mcd_record(c->model)));
@@ -326,8 +326,8 @@ static void castAt(Cast *c, McdModelID cm, McdGeometryInstance *part, const McdS
     Gap gap;
     double t;
     gap.part = part;
-    if (advance(c, other, c->fraction, &gap, &t))
-        take(c, cm, &gap, t);
+    if (advanceToTouch(c, other, c->fraction, &gap, &t))
+        keepFirstHit(c, cm, &gap, t);
 }
 
 /* ---- casts onto triangles */
@@ -344,11 +344,11 @@ static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdSh
     Gap gap;
     double fraction;
     gap.part = m->part;
-    if (!advance(c, triangle, c->fraction, &gap, &fraction))
+    if (!advanceToTouch(c, triangle, c->fraction, &gap, &fraction))
         return METRUE;
     const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && mcd_dot(t->normal, c->by) > 0;
-    if (!isFromBehind || (fraction == 0 && gap.distance < -touch(c)))
-        take(c, m->model, &gap, fraction);
+    if (!isFromBehind || (fraction == 0 && gap.distance < -touchingGap(c)))
+        keepFirstHit(c, m->model, &gap, fraction);
     return METRUE;
 }
 
@@ -359,8 +359,8 @@ static MeBool clip(const Cast *c, McdGeometryInstance *part, double *enter, doub
     *enter = 0;
     *leave = c->fraction;
     for (int i = 0; i < 3; i++) {
-        const double from = low[i] - (c->q.max[i] - c->q.origin[i]) - touch(c);
-        const double to = high[i] - (c->q.min[i] - c->q.origin[i]) + touch(c);
+        const double from = low[i] - (c->q.max[i] - c->q.origin[i]) - touchingGap(c);
+        const double to = high[i] - (c->q.min[i] - c->q.origin[i]) + touchingGap(c);
         if (c->by[i] == 0 && (from > 0 || to < 0))
             return MEFALSE;
         if (c->by[i] == 0)
@@ -385,8 +385,8 @@ static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *part) {
         if (from > c->fraction)
             return;
         for (int i = 0; i < 3; i++) {
-            low[i] = c->q.min[i] - c->q.origin[i] + fmin(from * c->by[i], to * c->by[i]) - touch(c);
-            high[i] = c->q.max[i] - c->q.origin[i] + fmax(from * c->by[i], to * c->by[i]) + touch(c);
+            low[i] = c->q.min[i] - c->q.origin[i] + fmin(from * c->by[i], to * c->by[i]) - touchingGap(c);
+            high[i] = c->q.max[i] - c->q.origin[i] + fmax(from * c->by[i], to * c->by[i]) + touchingGap(c);
         }
         mcd_meshForEachNear(part, c->q.self, c->q.origin, low, high, visitTriangle, &m);
     }

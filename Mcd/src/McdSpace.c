@@ -150,7 +150,7 @@ static McdSpace *makeSpace(int objectCount) {
 
 static void releaseModel(McdSpace *s, McdProxy *p);
 
-/* What the framework calls for a model that goes with it. */
+/* Called by the framework for a model that is destroyed with it. */
 static void forget(McdModelID cm) {
     McdModelRecord *m = mcd_record(cm);
     McdProxy *p = m->proxy;
@@ -268,7 +268,7 @@ static MeBool isWithoutBounds(double side) {
     return !(side < 1e-6 * MCD_TREE_REACH);
 }
 
-/* What the fat box is measured by: the model's size, or, where that is without bounds, that of a medium-sized one. */
+/* The size that the fat box's margin is a part of: the model's, or, if it is unbounded, that of a medium-sized one. */
 static double sizeOf(const McdProxy *p, double side) {
     return isWithoutBounds(side) ? (double)p->model->frame->lengthScale : side;
 }
@@ -332,7 +332,7 @@ static void dropLeaf(McdSpace *s, McdProxy *p) {
     p->leaf = 0;
 }
 
-/* A box without bounds would spoil the tree: there are few of them, and they are asked one by one. */
+/* An unbounded box would overlap all of the tree: there are few of them, and they are visited one by one. */
 static void putUnbounded(McdSpace *s, McdProxy *p) {
     dropLeaf(s, p);
     MEASSERT(s->unboundedCount - p->isUnbounded < s->proxyRoom);
@@ -353,7 +353,7 @@ static void putInTree(McdSpace *s, McdProxy *p) {
     }
 }
 
-/* What has become of a proxy's box. */
+/* The result of a proxy's update. */
 typedef enum McdBoxNews {
     MCD_BOX_KEPT,
     MCD_BOX_MOVED,   /* within its fat one */
@@ -387,7 +387,7 @@ static McdBoxNews takeBox(McdProxy *p) {
     return MCD_BOX_LEFT;
 }
 
-/* What belongs to the space, of a box that was taken over. */
+/* The changes to shared data of the space, after a box has been taken over. */
 static void placeBox(McdSpace *s, McdProxy *p, McdBoxNews news) {
     if (news == MCD_BOX_KEPT)
         return;
@@ -446,8 +446,8 @@ static MeReal thicknessOf(McdModelRecord *m, MeReal most) {
     return MeMAX(least, 0);
 }
 
-/* A swept model that gets far is asked when it touches (McdSafeTime), and has contacts only when it is there: ahead of
- * time, they would speak of where it is now, not of where it comes to. */
+/* A swept model that moves far is tested for its time of impact (McdSafeTime), and has contacts only when it has
+ * arrived: contacts ahead of time would be at its present place, not at that of the impact. */
 static void sweep(McdModelRecord *m, MeReal reach, MeReal way, MeReal turn) {
     const MeReal thickness = thicknessOf(m, reach);
     m->isFast = way + turn > thickness;
@@ -477,8 +477,8 @@ static void lookAhead(const McdSpace *s, McdModelRecord *m) {
     MEASSERT(m->ahead >= 0 && m->turnAhead >= 0 && m->turnAhead <= m->ahead);
 }
 
-/* Has the model the box and the margin that it would get? Its callback, or the space's, may give it any, and where it
- * is a relative transform tells when it is updated. */
+/* Are the model's box and margin what an update would give? Not known with a callback, its own or the space's, which
+ * may give any, or with a relative transform, which is applied in the update. */
 static MeBool isUpToDate(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     return !m->update && !s->update && !m->relTM && mcd_modelStamp(m) != 0 && m->stamp == m->boxStamp &&
            m->boxDuration == duration && m->boxAhead == s->lookAhead;
@@ -514,7 +514,7 @@ static McdBoxNews updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
 }
 
 /* With the warning that belongs to it, where a transform is bad. */
-static void hear(McdSpace *s, McdProxy *p, McdBoxNews news) {
+static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxNews news) {
     MEASSERT(news != MCD_BOX_LATER);
     if (news == MCD_BOX_UNSET)
         warnOfTransform(p, "is not set");
@@ -538,7 +538,7 @@ static void wake(McdSpace *s, McdProxy *p) {
     s->lastAwake = indexOf(s, p);
 }
 
-static void rest(McdSpace *s, McdProxy *p) {
+static void unlinkAwake(McdSpace *s, McdProxy *p) {
     if (!p->isAwake)
         return;
     p->isAwake = MEFALSE;
@@ -547,7 +547,7 @@ static void rest(McdSpace *s, McdProxy *p) {
     MEASSERT((s->firstAwake == MCD_NONE) == (s->lastAwake == MCD_NONE));
 }
 
-/* What is frozen is not updated, but for once, where nobody has told yet where it is. */
+/* Frozen models are not updated, except once if they have no box yet. */
 static MeBool isToRest(const McdProxy *p) {
     return p->isFrozen && (p->hasBox || !p->model->instance.tm);
 }
@@ -555,9 +555,9 @@ static MeBool isToRest(const McdProxy *p) {
 static void updateInOrder(McdSpace *s, MeReal duration) {
     for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
         if (isToRest(&s->proxy[i]))
-            rest(s, &s->proxy[i]);
+            unlinkAwake(s, &s->proxy[i]);
         else /* whose callback may freeze and unfreeze models */
-            hear(s, &s->proxy[i], updateProxy(s, &s->proxy[i], duration));
+            applyUpdate(s, &s->proxy[i], updateProxy(s, &s->proxy[i], duration));
 }
 
 /* ---- by workers ---- */
@@ -583,7 +583,7 @@ static int listAwake(McdSpace *s) {
     int count = 0;
     for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
         if (isToRest(&s->proxy[i]))
-            rest(s, &s->proxy[i]);
+            unlinkAwake(s, &s->proxy[i]);
         else
             s->awake[count++] = i;
     return count;
@@ -600,7 +600,7 @@ static void updateByWorkers(McdSpace *s, MeReal duration) {
     for (int i = 0; i < count; i++) {
         McdProxy *p = &s->proxy[s->awake[i]];
         if (s->news[i] != MCD_BOX_KEPT)
-            hear(s, p, s->news[i] == MCD_BOX_LATER ? updateProxy(s, p, duration) : (McdBoxNews)s->news[i]);
+            applyUpdate(s, p, s->news[i] == MCD_BOX_LATER ? updateProxy(s, p, duration) : (McdBoxNews)s->news[i]);
     }
 }
 
@@ -684,7 +684,7 @@ void MEAPI McdSpaceUpdateModel(McdModelID cm) {
     if (p->isFrozen)
         MeWarning(1, "McdSpaceUpdateModel: the model is frozen: see McdSpaceUnfreezeModel");
     else
-        hear(p->model->space, p, updateProxy(p->model->space, p, 0));
+        applyUpdate(p->model->space, p, updateProxy(p->model->space, p, 0));
 }
 
 void MEAPI McdSpaceSetAABBFn(McdSpaceID s, McdSpaceUpdateAABBFnPtr updateAABBFn) {
@@ -763,7 +763,7 @@ static void releaseModel(McdSpace *s, McdProxy *p) {
     MEASSERT(p->firstLink == MCD_NONE && !p->isDirty && p->model->proxy == p);
     dropLeaf(s, p);
     dropUnbounded(s, p);
-    rest(s, p);
+    unlinkAwake(s, p);
     lookNowhere(p->model);
     p->model->space = 0;
     p->model->proxy = 0;
@@ -933,7 +933,7 @@ static void copyPairs(McdModelPairContainer *c, int at, const McdPairList *list,
 }
 
 /* Goodbye and hello pairs share the front, staying pairs have the back; the middle is where all fit, or half-way. */
-static int fill(const McdSpace *s, McdSpacePairIterator *it, McdModelPairContainer *c, MeBool withStaying) {
+static int fillContainer(const McdSpace *s, McdSpacePairIterator *it, McdModelPairContainer *c, MeBool withStaying) {
     const int goodbye = s->goodbye.count - it->goodbye, hello = s->hello.count - it->hello;
     const int staying = withStaying ? s->staying.count - it->staying : 0;
     const int middle = min(goodbye + hello, max((c->size + 1) / 2, c->size - staying));
@@ -966,7 +966,7 @@ static int getPairs(McdSpaceID s, McdSpacePairIterator *it, McdModelPairContaine
         return 0;
     }
     mcd_pairsTidy(s);
-    return fill(s, it, c, withStaying);
+    return fillContainer(s, it, c, withStaying);
 }
 
 int MEAPI(McdSpaceGetPairs)(McdSpaceID s, McdSpacePairIterator *iter, McdModelPairContainer *c) {
@@ -1042,9 +1042,8 @@ static void addHit(Segment *q, const McdLineSegIntersectResult *hit) {
     MEASSERT(q->count <= q->max && (at + 1 >= q->count || !isNearer(&q->list[at + 1], hit)));
 }
 
-/* How far the segment is of interest: what is not nearer than the last of a full list is not. A little more, for
- * rounding. */
-static double reach(const Segment *q) {
+/* The fraction of the segment to search: with a full list, up to its last hit. A little more, for rounding. */
+static double searchFraction(const Segment *q) {
     if (q->count < q->max || q->length == 0)
         return 1;
     return fmin(1, (double)q->list[q->max - 1].distance / q->length * (1 + 16 * (double)ME_EPSILON) +
@@ -1059,7 +1058,7 @@ static double intersectModel(void *context, int proxy, double fraction) {
         return fraction;
     hit.model = cm;
     addHit(q, &hit);
-    return reach(q);
+    return searchFraction(q);
 }
 
 static MeBool checkSegment(McdSpaceID s, const MeReal *from, const MeReal *to, const char *function) {

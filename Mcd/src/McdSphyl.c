@@ -14,7 +14,7 @@ static void support(const McdGeometry *g, const double d[3], double point[3]) {
     point[2] += d[2] < 0 ? -(double)get(g)->halfHeight : (double)get(g)->halfHeight;
 }
 
-/* What a line has in common with the sphyl is what it has in common with its three parts. */
+/* A line's overlap with the sphyl is the union of those with its three parts. */
 static void clip(const McdGeometry *g, McdClip *c) {
     const double h = (double)get(g)->halfHeight, low[3] = {0, 0, -h}, high[3] = {0, 0, h};
     mcd_clipCapsule(c, low, high, (double)get(g)->radius);
@@ -44,9 +44,12 @@ static void face(const McdShape *s, const double direction[3], McdFace *f) {
     mcd_faceAdd(s, f, 0, 0, s->size[2], 1);
 }
 
-static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphyl, mcd_geometryFree), .size = sizeof(McdSphyl),
-                             .setShape = setShape, .support = farthestEnd,
-                             .face = face, .rank = MCD_RANK_SPHYL};
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphyl, mcd_geometryFree),
+                             .size = sizeof(McdSphyl),
+                             .setShape = setShape,
+                             .support = farthestEnd,
+                             .face = face,
+                             .rank = MCD_RANK_SPHYL};
 MCD_DEFINE_GEOMETRY_TYPE(Sphyl)
 
 McdSphylID MEAPI McdSphylCreate(McdFramework *frame, MeReal r, MeReal h) {

@@ -195,7 +195,8 @@ static void releaseArray(McdTriangleListRecord *list, const Generated *generated
         memset(generated->triangle, 0, (size_t)generated->room * sizeof *generated->triangle);
 }
 
-/* What the callback has near a point of the list's frame; never more than there is place for. releaseArray ends it. */
+/* Gets the triangles near a point of the list's frame from the callback; never more than there is room for.
+ * releaseArray ends their use. */
 static void callGenerator(McdTriangleListRecord *list, McdModelPair *p, McdScratch *scratch, const double centre[3],
                           double radius, Generated *generated) {
     MeVector3 pos = {(MeReal)centre[0], (MeReal)centre[1], (MeReal)centre[2]};

@@ -11,8 +11,7 @@
  *
  * libccd does the same, but its EPA leaves exactly aligned cubes without a normal and gets a quarter of the depths
  * of nearly aligned ones wrong, so this is our own: what is returned was measured by a support point, never taken
- * from a facet's plane alone. /
- */
+ * from a facet's plane alone. */
 #include "mcd_kind_i.h"
 
 #include <string.h>
@@ -71,13 +70,13 @@ typedef struct Simplex {
     MeBool inside;  /* the origin is within the tetrahedron */
 } Simplex;
 
-/* What is known of the nearest point of some of a simplex's corners. */
+/* The nearest point of the hull of some of a simplex's corners. */
 typedef struct Candidate {
     int count, corner[3];
     double weight[3], point[3], squared;
 } Candidate;
 
-static void offer(Candidate *best, const Candidate *c) {
+static void keepIfNearer(Candidate *best, const Candidate *c) {
     if (c->squared < best->squared)
         *best = *c;
 }
@@ -86,7 +85,7 @@ static void offerCorner(const Simplex *s, int i, Candidate *best) {
     Candidate c = {.count = 1, .corner = {i}, .weight = {1}};
     mcd_copy(c.point, s->corner[i].w);
     c.squared = mcd_dot(c.point, c.point);
-    offer(best, &c);
+    keepIfNearer(best, &c);
 }
 
 static void offerEdge(const Simplex *s, int i, int j, Candidate *best) {
@@ -99,7 +98,7 @@ static void offerEdge(const Simplex *s, int i, int j, Candidate *best) {
     Candidate c = {.count = 2, .corner = {i, j}, .weight = {1 - t, t}};
     mcd_mad(c.point, p, t, along);
     c.squared = mcd_dot(c.point, c.point);
-    offer(best, &c);
+    keepIfNearer(best, &c);
 }
 
 /* The origin's foot on the triangle's plane is inside if all three parts of the area have the same sign. */
@@ -123,7 +122,7 @@ static void offerFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
         c.weight[l] = part[l] / all;
     mcd_scale(c.point, n, mcd_dot(n, p) / squared);
     c.squared = mcd_dot(c.point, c.point);
-    offer(best, &c);
+    keepIfNearer(best, &c);
 }
 
 /* Is the origin on the same side of each face as the corner opposite? */
@@ -416,7 +415,7 @@ static int nearestFacet(const Polytope *t) {
     return best;
 }
 
-static void keep(Polytope *t, const Facet *f, double support) {
+static void keepFacet(Polytope *t, const Facet *f, double support) {
     t->support = support;
     mcd_copy(t->normal, f->normal);
 }
@@ -445,11 +444,11 @@ static void runEpa(const Pair *p, const Guess *guess, Polytope *t) {
         const double *w = t->corner[corner].w, support = mcd_dot(f.normal, w);
         MEASSERT(support >= f.offset - p->tolerance); /* M holds the facet's own corners */
         if (support - f.offset <= p->tolerance) {
-            keep(t, &f, support);
+            keepFacet(t, &f, support);
             return;
         }
         if (support < t->support)
-            keep(t, &f, support);
+            keepFacet(t, &f, support);
         const int count = findVisible(t, nearest, round, w, seen);
         t->cornerCount++;
         if (!closeHorizon(t, seen, count, round, corner))
@@ -611,8 +610,8 @@ static int facetUnderOrigin(const Polytope *t, double weight[3]) {
     return best;
 }
 
-/* Both ends of the way out: points of the cores whose difference is the point of M that is nearest to the origin. What
- * the polytope lacks of M there, at most the tolerance of the depth, is shared between them. */
+/* Both ends of the way out: points of the cores whose difference is the point of M that is nearest to the origin. The
+ * distance of the polytope from M's boundary there, at most the tolerance of the depth, is shared between them. */
 static void reportPenetration(const Polytope *t, McdProximity *out) {
     double weight[3], lack[3], sum = 0;
     const int facet = facetUnderOrigin(t, weight);
@@ -681,7 +680,7 @@ void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p) {
 
 /* M's farthest points almost along d, a little to four sides: of a face across d, corners on all sides. */
 static void aroundFace(const Pair *p, const double d[3], double corner[4][3]) {
-    /* What is not across d is lower by at most this part of its size. */
+    /* Points that are not exactly across d are lower by at most this part of the size. */
     static const double aside = 1e-8;
     /* Turned from the axes, along which a box's corners are as far as each other. */
     static const double turn[4][2] = {{1, .45}, {-.45, 1}, {-1, -.45}, {.45, -1}};

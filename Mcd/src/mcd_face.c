@@ -8,15 +8,15 @@
 
 #include <string.h>
 
-/* What rounding does to places, relative to the smaller shape: corners that stand out by less are inside, separations
- * that differ by less are the same. Depths are promised to 1e-6. */
+/* Rounding of places, relative to the smaller shape: corners that stand out by less are inside, separations that differ
+ * by less are equal. Depths are promised to 1e-6. */
 static const double slack = 2e-7;
 /* Of the pair's size, and of how much deeper one corner of a face is than another: corners that are so near to the
  * deepest may carry. Without the first, what lies flat would change its four corners with each step's rounding;
  * without the second, a box that leans on an edge keeps one end of it, and rocks from one to the other for ever. Twice
  * either fails Mcd_BoxBox. */
 static const double carryingShare = 1e-3, tiltShare = 0.25;
-/* What preferring a face over a slightly better normal does to separations. */
+/* The change of separations by preferring a face over a slightly better normal. */
 static const double preference = 1e-5;
 /* Lines that cross at less than this angle touch along a length. */
 static const double parallelSine = .05;
@@ -35,8 +35,8 @@ static MeU32 kindOf(MeU32 feature) {
     return feature >> 6 & 3;
 }
 
-/* What of a meets what of b. */
-static MeU64 meeting(MeU32 a, MeU32 b) {
+/* Which feature of a meets which feature of b. */
+static MeU64 featureOfPair(MeU32 a, MeU32 b) {
     return (MeU64)a << 32 | b;
 }
 
@@ -133,7 +133,7 @@ static Candidate cross(const Candidate *p, const Candidate *q, double dp, double
         const int corner = j == (p->index + 1) % b->count ? j : p->index;
         s.feature = code(CORNER, b->id, b->name[corner]);
     } else {
-        s.feature = meeting(p->edge, code(EDGE, b->id, b->name[j]));
+        s.feature = featureOfPair(p->edge, code(EDGE, b->id, b->name[j]));
     }
     return s;
 }
@@ -193,7 +193,7 @@ static int cutByEdge(const Candidate *in, int count, MeBool isClosed, const doub
         s.edgeIsB = dp >= 0 ? 1 : p->edgeIsB;
         s.index = dp >= 0 ? j : p->index;
         if (p->edgeIsB)
-            s.feature |= meeting(insideA, 0);
+            s.feature |= featureOfPair(insideA, 0);
         out[made++] = s;
     }
     return made;
@@ -204,7 +204,7 @@ static int startCandidates(const Outline *a, const Outline *b, Candidate *candid
         candidate[i] = (Candidate){.x = a->x[i],
                                    .y = a->y[i],
                                    .a = a->z[i],
-                                   .feature = meeting(code(CORNER, a->id, a->name[i]), code(INSIDE, b->id, 0)),
+                                   .feature = featureOfPair(code(CORNER, a->id, a->name[i]), code(INSIDE, b->id, 0)),
                                    .edge = code(EDGE, a->id, a->name[i])};
     return a->count;
 }
@@ -271,7 +271,7 @@ static int overlapLines(const Outline *a, const Outline *b, double bend, Candida
                                    .y = y + (b->y[0] + tb * by - y) / 2,
                                    .a = a->z[0] + ta * (a->z[1] - a->z[0]) + away,
                                    .b = b->z[0] + tb * (b->z[1] - b->z[0]),
-                                   .feature = meeting(nameA, nameB)};
+                                   .feature = featureOfPair(nameA, nameB)};
     }
     return 2;
 }
@@ -424,9 +424,9 @@ static int bringForward(Candidate *candidate, int count, double band) {
 }
 
 /* Four that support as well as all: two ends of those that may carry, and the farthest from their line on either side,
- * again of these if there are any there; where one side is empty, the fourth adds most to the other three. What is
- * deepest by no more than rounding does not decide: it could be the middle of an edge, and a corner would be left
- * without support. A disc rolls on its rim: there the farthest may carry wherever it is.
+ * again of these if there are any there; where one side is empty, the fourth adds most to the other three. A point that
+ * is deepest only by rounding is not preferred: it could be the middle of an edge, and a corner would be left without
+ * support. A disc rolls on its rim: there the farthest may carry wherever it is.
  *
  * Not mcd_spread: here all is in one plane, the slack decides between spots that are as good, so that a body at rest
  * keeps its points, and mcd_spread's look at all of them from every side would cost a pair a fifth more time. */
@@ -561,7 +561,8 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     if (short_ <= preference * mcd_pairSize(a, b))
         candidate[least].a = candidate[least].b + p->separation;
     else if (p->separation <= coreMargin)
-        candidate[count++] = supportCandidate(&v, p, meeting(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0)));
+        candidate[count++] =
+            supportCandidate(&v, p, featureOfPair(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0)));
     if (count > MCD_MANIFOLD_POINTS)
         count = reduceToFour(candidate, count, faceA->isDisc || faceB->isDisc, mcd_pairSize(a, b));
     MEASSERT(count <= MCD_MANIFOLD_POINTS);

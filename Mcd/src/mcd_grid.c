@@ -1,12 +1,13 @@
 /* Dispatch of the convex narrow phase: which algorithm serves which pair of shapes.
  *
  * A cell finds the normal, by closed form where there is a short one; the faces along it give the contacts, the same
- * way for all pairs (mcd_face.c). What is empty is served by the cell across the diagonal, with the shapes swapped. */
+ * way for all pairs (mcd_face.c). An empty cell is served by its mirror image across the diagonal, with the shapes
+ * swapped. */
 #include "mcd_kind_i.h"
 
 typedef MeBool (*Proximity)(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 
-/* Boxes that are apart may be nearest at their corners, of which the separating axes know nothing. */
+/* Boxes that are apart may be nearest at their corners, along none of the separating axes. */
 static MeBool boxBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     if (!mcd_boxBoxProximity(a, b, limit, p))
         return MEFALSE;
@@ -169,7 +170,7 @@ static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdPr
     return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
 }
 
-/* Of what stands, or is a little above what it stood on, a face's normal mostly needs no more than being tried. */
+/* For shapes that stand, or have just lifted off, it is mostly enough to verify a face's normal. */
 static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     const double limit = margin + a->rounding + b->rounding;
     McdProximity p;

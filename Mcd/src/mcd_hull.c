@@ -1,10 +1,9 @@
 /* The convex hull of some points, by Qhull: polygons, edges, and which vertices are joined.
  *
- * Qhull works on points that are centred and scaled to unit size, so that a hull of 1 mm is made like one of 1 km. What
- * it returns is made simpler by a tolerance that is well below what collision resolves: points that are the same become
- * one, facets that lie in one plane become one polygon, and vertices within a face or an edge vanish. Then everything
- * is put into an order that depends on the order of the points only.
- */
+ * Qhull works on points that are centred and scaled to unit size, so that a hull of 1 mm is made like one of 1 km. Its
+ * result is simplified with a tolerance well below the resolution of collision: points that are the same become one,
+ * facets that lie in one plane become one polygon, and vertices within a face or an edge vanish. Then everything is put
+ * into an order that depends on the order of the points only. */
 #define _POSIX_C_SOURCE 200809L /* fmemopen */
 #include "mcd_geometries_i.h"
 
@@ -41,7 +40,7 @@ typedef struct Work {
     MeBool isExhausted;
 } Work;
 
-static void *take(Work *w, size_t count, size_t size) {
+static void *takeMemory(Work *w, size_t count, size_t size) {
     Block *b = (Block *)MeMemoryTake(1, sizeof(Block) + count * size, w->function, "making the hull");
     if (!b) {
         w->isExhausted = 1;
@@ -144,10 +143,10 @@ static void markCopies(const double (*p)[3], Sortable *order, int count, char *i
 static MeBool makeCloud(Work *w, Cloud *c, const double (*point)[3], int count) {
     if (!findScale(c, point, count, w->function))
         return MEFALSE;
-    c->point = (double(*)[3])take(w, (size_t)count, sizeof *c->point);
-    c->source = (int *)take(w, (size_t)count, sizeof *c->source);
-    Sortable *order = (Sortable *)take(w, (size_t)count, sizeof *order);
-    char *isCopy = (char *)take(w, (size_t)count, 1);
+    c->point = (double(*)[3])takeMemory(w, (size_t)count, sizeof *c->point);
+    c->source = (int *)takeMemory(w, (size_t)count, sizeof *c->source);
+    Sortable *order = (Sortable *)takeMemory(w, (size_t)count, sizeof *order);
+    char *isCopy = (char *)takeMemory(w, (size_t)count, 1);
     if (w->isExhausted)
         return MEFALSE;
     for (int i = 0; i < count; i++)
@@ -187,12 +186,12 @@ static int nextCorner(const Facets *f, int corner) {
 static MeBool makeRoom(Work *w, Facets *f, int points) {
     f->faceMax = 2 * points;
     f->cornerMax = 6 * points;
-    f->first = (int *)take(w, (size_t)f->faceMax + 1, sizeof(int));
-    f->normal = (double(*)[3])take(w, (size_t)f->faceMax, sizeof *f->normal);
-    f->area = (double *)take(w, (size_t)f->faceMax, sizeof(double));
-    f->vertex = (int *)take(w, (size_t)f->cornerMax, sizeof(int));
-    f->face = (int *)take(w, (size_t)f->cornerMax, sizeof(int));
-    f->twin = (int *)take(w, (size_t)f->cornerMax, sizeof(int));
+    f->first = (int *)takeMemory(w, (size_t)f->faceMax + 1, sizeof(int));
+    f->normal = (double(*)[3])takeMemory(w, (size_t)f->faceMax, sizeof *f->normal);
+    f->area = (double *)takeMemory(w, (size_t)f->faceMax, sizeof(double));
+    f->vertex = (int *)takeMemory(w, (size_t)f->cornerMax, sizeof(int));
+    f->face = (int *)takeMemory(w, (size_t)f->cornerMax, sizeof(int));
+    f->twin = (int *)takeMemory(w, (size_t)f->cornerMax, sizeof(int));
     return !w->isExhausted;
 }
 
@@ -294,7 +293,7 @@ static int byVertices(const void *a, const void *b) {
 
 /* Finds the twins; false if the surface is not closed. */
 static MeBool joinFacets(Work *w, Facets *f) {
-    EdgeKey *key = (EdgeKey *)take(w, (size_t)f->cornerCount, sizeof *key);
+    EdgeKey *key = (EdgeKey *)takeMemory(w, (size_t)f->cornerCount, sizeof *key);
     if (!key || f->cornerCount % 2)
         return MEFALSE;
     for (int i = 0; i < f->cornerCount; i++) {
@@ -348,9 +347,9 @@ static void growRegion(const Facets *f, const Cloud *c, Regions *r, int seed) {
 
 /* The larger facets first: their planes are known best. */
 static MeBool makeRegions(Work *w, const Facets *f, const Cloud *c, Regions *r) {
-    Sortable *order = (Sortable *)take(w, (size_t)f->count, sizeof *order);
-    r->of = (int *)take(w, (size_t)f->count, sizeof(int));
-    r->stack = (int *)take(w, (size_t)f->count, sizeof(int));
+    Sortable *order = (Sortable *)takeMemory(w, (size_t)f->count, sizeof *order);
+    r->of = (int *)takeMemory(w, (size_t)f->count, sizeof(int));
+    r->stack = (int *)takeMemory(w, (size_t)f->count, sizeof(int));
     if (w->isExhausted)
         return MEFALSE;
     for (int i = 0; i < f->count; i++) {
@@ -428,12 +427,12 @@ static MeBool linkLoops(const Facets *f, Regions *r, Loops *l, int *seen, int po
 }
 
 static MeBool makeLoops(Work *w, const Facets *f, const Cloud *c, Regions *r, Loops *l) {
-    int *seen = (int *)take(w, (size_t)c->count, sizeof(int));
-    l->next = (int *)take(w, (size_t)f->cornerCount, sizeof(int));
-    l->previous = (int *)take(w, (size_t)f->cornerCount, sizeof(int));
-    l->start = (int *)take(w, (size_t)f->count, sizeof(int));
-    l->size = (int *)take(w, (size_t)f->count, sizeof(int));
-    l->degree = (int *)take(w, (size_t)c->count, sizeof(int));
+    int *seen = (int *)takeMemory(w, (size_t)c->count, sizeof(int));
+    l->next = (int *)takeMemory(w, (size_t)f->cornerCount, sizeof(int));
+    l->previous = (int *)takeMemory(w, (size_t)f->cornerCount, sizeof(int));
+    l->start = (int *)takeMemory(w, (size_t)f->count, sizeof(int));
+    l->size = (int *)takeMemory(w, (size_t)f->count, sizeof(int));
+    l->degree = (int *)takeMemory(w, (size_t)c->count, sizeof(int));
     if (w->isExhausted)
         return MEFALSE;
     memset(r->stack, 0, (size_t)f->count * sizeof(int)); /* from here on: which facets part */
@@ -480,7 +479,7 @@ static void findCorners(const Facets *f, const Loops *l, int (*corner)[2], int p
 }
 
 static MeBool straightenEdges(Work *w, const Facets *f, const Cloud *c, const Regions *r, Loops *l) {
-    int(*corner)[2] = (int(*)[2])take(w, (size_t)c->count, sizeof *corner);
+    int(*corner)[2] = (int(*)[2])takeMemory(w, (size_t)c->count, sizeof *corner);
     if (!corner)
         return MEFALSE;
     countDegrees(f, c, l);
@@ -523,7 +522,7 @@ static McdHull *allocateHull(Work *w, int vertices, int faces, int corners) {
     return h;
 }
 
-/* What becomes of the loops: which vertices are used, what numbers they get, and the faces in order. */
+/* The result of the loops: which vertices are used, their new indices, and the faces in order. */
 typedef struct Plan {
     int vertices, faces, corners;
     int *number; /* of a point of the cloud: its vertex in the hull */
@@ -539,7 +538,7 @@ static void beginAtFirstVertex(const Facets *f, Loops *l, int region) {
     l->start[region] = best;
 }
 
-/* Three vertices tell faces apart: two faces share an edge at most. */
+/* Three vertices identify a face: two faces share an edge at most. */
 typedef struct FaceKey {
     int v[3], region;
 } FaceKey;
@@ -553,9 +552,9 @@ static int byCorners(const void *a, const void *b) {
 }
 
 static MeBool makePlan(Work *w, const Facets *f, const Cloud *c, Loops *l, Plan *p) {
-    FaceKey *key = (FaceKey *)take(w, (size_t)f->count, sizeof *key);
-    p->number = (int *)take(w, (size_t)c->count, sizeof(int));
-    p->region = (int *)take(w, (size_t)f->count, sizeof(int));
+    FaceKey *key = (FaceKey *)takeMemory(w, (size_t)f->count, sizeof *key);
+    p->number = (int *)takeMemory(w, (size_t)c->count, sizeof(int));
+    p->region = (int *)takeMemory(w, (size_t)f->count, sizeof(int));
     if (w->isExhausted)
         return MEFALSE;
     p->vertices = p->faces = p->corners = 0;
@@ -644,7 +643,7 @@ static int byEnds(const void *a, const void *b) {
 
 /* Edges in the order of their vertices; the face whose border runs along with an edge is on its left. */
 static MeBool fillEdges(Work *w, McdHull *h) {
-    HullEdge *half = (HullEdge *)take(w, 2 * (size_t)h->edgeCount, sizeof *half);
+    HullEdge *half = (HullEdge *)takeMemory(w, 2 * (size_t)h->edgeCount, sizeof *half);
     if (!half)
         return MEFALSE;
     int n = 0;
@@ -702,7 +701,7 @@ static McdHull *buildHull(Work *w, const Facets *f, const Cloud *c, const Region
 
 /* ---- all of it --------------------------------------------------------------------------------------------------- */
 
-/* The least width is across a face or between two edges; the faces' own tell as much as is needed here. */
+/* The least width is across a face or between two edges; the faces' widths are exact enough here. */
 static MeBool isThick(const McdHull *h, const Cloud *c) {
     for (int i = 0; i < h->faceCount; i++) {
         double width = 0;

@@ -36,8 +36,8 @@ enum {
 };
 
 /* A program's pointer is looked up in the table of live objects before anything is read through it: in check builds by
- * every function, in all builds by those that destroy, so that programs may end their objects in any order. Instances
- * are in the table in check builds only: nobody destroys them by themselves. */
+ * every function, in all builds by those that destroy, so that programs may destroy their objects in any order.
+ * Instances are in the table in check builds only: programs do not destroy them. */
 #if KARMA_CHECK
 #define MCD_IS_KNOWN(p, kind) MeHandleIsLive((p), (kind))
 #else
@@ -98,13 +98,12 @@ static inline MeBool mcd_areNear(const MeReal *x, int count) {
     return areNear;
 }
 
-/* What programs get: numbers beyond the range of MeReal become its largest. */
+/* A result for programs: numbers beyond the range of MeReal become its largest. */
 static inline MeReal mcd_real(double x) {
     return (MeReal)MeCLAMP(x, -(double)MEINFINITY, (double)MEINFINITY);
 }
 
-/* Of a transform whose axes are far from length 1, which are not rigid, that no product overflows is all that is
- * asked. */
+/* Transforms whose axes are far from length 1 are accepted, though not rigid: only overflow of products is excluded. */
 static inline MeBool mcd_isPlace(const MeVector4 *tm) {
     MeBool areAxes = tm != 0;
     for (int i = 0; areAxes && i < 3; i++)
@@ -283,8 +282,8 @@ struct _McdFramework {
     McdRequest *defaultRequest;
     McdTermActionLink *termActions;
     int spaceCount;
-    int updateCallbacks; /* models that have one */
-    MeU64 round;     /* of tests, in which models stay as they are */
+    int updateCallbacks;            /* models that have one */
+    MeU64 round;                    /* of tests, in which models stay as they are */
     struct McdScratch *freeScratch; /* what queries work in (mcd_scratch_i.h): those that no query has */
     atomic_int scratchIsLocked;
     /* Set when a space is created, so that a program without spaces does not link them: takes a model out of the space
@@ -308,7 +307,7 @@ MeBool mcd_geometryIs(McdGeometryID g, McdGeometryType type, const char *functio
 MeBool mcd_geometryBelongs(McdGeometryID g, const McdFramework *frame, const char *function);
 /* Mcd...Destroy of a type: McdGeometryDestroy of a live geometry of it, nothing for what has gone. */
 void mcd_geometryDestroyAs(McdGeometryID g, McdGeometryType type, const char *function);
-/* What a type without memory of its own registers for its end: the head is undone before. */
+/* The destructor that a type without memory of its own registers: the head has been released before. */
 void MEAPI mcd_geometryFree(McdGeometryID g);
 
 /* ---- contacts ------------------------------------------------------------------------------------------------- */
@@ -331,14 +330,13 @@ MeU32 mcd_featureNumber(MeU64 feature);
 int mcd_resultEnd(McdIntersectResult *result); /* the mean normal; 1 if there are contacts */
 /* May these be a pair: two models of one framework? Warns if not. */
 MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
-/* How far a model may touch: its tolerance, and the way that it may get before it is asked again. */
+/* A model's margin of contacts: its tolerance, and the way that it may move before the next test. */
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
     return m->tolerance + m->ahead;
 }
-/* A number that is another one as soon as anything is that the model's box and tests depend on; 0: that cannot be
- * known. */
+/* A stamp that changes with every input of the model's box and tests; 0: those cannot be compared. */
 MeU64 mcd_modelStamp(McdModelRecord *m);
-/* The same, if nobody has looked in this round. */
+/* The same, unless it has a stamp of this round. */
 MeU64 mcd_modelStampInRound(McdModelRecord *m);
 /* A stamp that no model has had. */
 MeU64 mcd_modelNewStamp(McdModelRecord *m);

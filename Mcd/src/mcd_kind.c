@@ -1,4 +1,4 @@
-/* The interactions of a convex type with whatever the framework knows, by the tables of both types. */
+/* The interactions of a convex type with the framework's other types, by the tables of both. */
 #include "mcd_kind_i.h"
 #include "mcd_motion_i.h"
 
@@ -16,7 +16,7 @@ static int MEAPI intersectSurface(McdModelPair *p, McdIntersectResult *result) {
     return mcd_meshIntersect(p, result, mcd_kindOf(mcd_record(p->model2)->instance.geometry)->gather);
 }
 
-/* How a convex type meets another one; nothing for those that it does not. */
+/* The interaction of a convex type with another one; none for unsupported pairs. */
 static McdInteractions interactionsWith(const McdKind *other) {
     if (other->setShape)
         return (McdInteractions){.intersectFn = intersectConvex, .safeTimeFn = mcd_safeTimeConvex};

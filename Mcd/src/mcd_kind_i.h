@@ -1,9 +1,9 @@
-/* Inside Mcd: what a geometry type is to the rest of the library: one constant table of functions per type, in the
- * type's own file.
+/* Inside Mcd: the interface of a geometry type to the rest of the library: one constant table of functions per type, in
+ * the type's own file.
  *
- * The nearfield, the queries and the framework ask the table, never the type's number: a new geometry brings its
- * table, and nothing that is there has to be changed (docs/collision.md, "How to add a geometry"). What a type has
- * nothing to say to is null. */
+ * The nearfield, the queries and the framework ask the table, never the type's number: a new geometry brings its table,
+ * and no existing code changes (docs/collision.md, "How to add a geometry"). Functions that a type does not support are
+ * null. */
 #ifndef MCD_KIND_H
 #define MCD_KIND_H
 
@@ -75,8 +75,8 @@ void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *func
  * convex ones, half-spaces, surfaces of triangles. (Aggregates: McdAggregateGenericRegisterInteractions, after it.) */
 void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, const char *function);
 
-/* What the interactions of convex types do with pairs whose types are right: two of them; one and a half-space, in
- * either order. The function is named in messages. */
+/* Interactions of convex types, with pairs whose types have been checked: two of them; one and a half-space, in either
+ * order. The function is named in messages. */
 int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 

@@ -1,4 +1,4 @@
-/* What the geometry types share: from the geometry's own frame, in double, to the world and MeReal. */
+/* Shared by the geometry types: conversions from the geometry's own frame, in double, to the world and MeReal. */
 #include "mcd_local_i.h"
 #include "MeDebugDraw.h"
 #include <string.h>
@@ -49,8 +49,8 @@ MeReal mcd_roundDown(double x) {
 
 /* ---- boxes and farthest points ----------------------------------------------------------------------------------- */
 
-/* The extent along world axis i of the geometry at tm: sum of tm[j][i] x_j, which a direction in its frame measures.
- * What double may have lost on the way is added. */
+/* The extent along world axis i of the geometry at tm: sum of tm[j][i] x_j, which a direction in its frame measures. A
+ * bound of the rounding errors is added. */
 static void extentAlong(const McdGeometry *g, const MeVector4 *tm, int i, McdLocalSupportFn support, double *low,
                         double *high) {
     const double d[3] = {(double)tm[0][i], (double)tm[1][i], (double)tm[2][i]}, back[3] = {-d[0], -d[1], -d[2]};

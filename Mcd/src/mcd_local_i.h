@@ -49,7 +49,7 @@ void mcd_clipBall(McdClip *c, const double centre[3], double radius);
 void mcd_clipCylinder(McdClip *c, const double point[3], const double axis[3], double radius); /* endless; length 1 */
 /* All points within radius of the segment from a to b, which has a length. */
 void mcd_clipCapsule(McdClip *c, const double a[3], const double b[3], double radius);
-/* What of the line is in either of two solids, whose union is convex. */
+/* The part of the line in either of two solids, whose union is convex. */
 void mcd_clipUnion(McdClip *c, const McdClip *other);
 void mcd_clipAt(const McdClip *c, double t, double point[3]);
 
@@ -63,13 +63,14 @@ int mcd_segmentHit(const MeVector4 *tm, const MeReal *from, const MeReal *to, do
 /* Clips the line, which comes unclipped, by the geometry. */
 typedef void (*McdLocalClipFn)(const McdGeometry *g, McdClip *c);
 
-/* What McdLineSegIntersectFnPtr asks for. */
+/* The results of an McdLineSegIntersectFnPtr. */
 int mcd_localLineSegment(McdModelID cm, const MeReal *from, const MeReal *to, McdLineSegIntersectResult *result,
                          McdLocalClipFn clip);
 
 /* ---- mass -------------------------------------------------------------------------------------------------------- */
 
-/* Fills what McdGeometryGetMassPropertiesFnPtr asks for, from a volume, the centre of mass and the inertia about it. */
+/* Fills the results of an McdGeometryGetMassPropertiesFnPtr, from a volume, the centre of mass and the inertia about
+ * it. */
 void mcd_massProperties(MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume, double mass, const double centre[3],
                         double moment[3][3]);
 /* The same, for a shape whose centre is its origin and that has no products of inertia. */

@@ -135,7 +135,7 @@ static MeBool visitNearest(void *context, const McdMeshTriangle *t, const McdSha
     return METRUE;
 }
 
-/* Looks farther and farther away until nothing nearer can be farther out. */
+/* Enlarges the searched box until no nearer point can be outside of it. */
 static void search(Nearest *n, McdGeometryInstance *ins, McdModelID asker, const double origin[3], double most) {
     double boundsLow[3], boundsHigh[3], low[3], high[3];
     double reach = isfinite(most) ? most : n->shape->extent;

@@ -143,8 +143,8 @@ static MeBool isWithinQuery(const McdMeshQuery *q, const McdMeshTriangle *t, int
     return mcd_dot(off, off) <= q->ballRadius * q->ballRadius;
 }
 
-/* The features of a triangle are told apart by its farthest corners along the normal: one: a corner, two: an edge,
- * three: the face. */
+/* The feature of a triangle is given by its farthest corners along the normal: one: a corner, two: an edge, three: the
+ * face. */
 McdMeshRegion mcd_meshRegion(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]) {
     const int mask = mcd_meshFarthestCorners(t, normal);
     for (int i = 0; i < 3; i++) {

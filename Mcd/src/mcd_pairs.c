@@ -357,7 +357,7 @@ static MeBool addLink(void *context, int other) {
     return search->isDone;
 }
 
-/* Visits what overlaps the proxy's fat box. A visit that returns false wants no more; it may get some all the same. */
+/* Visits proxies that overlap the fat box. A visit that returns false may still be called a few times. */
 static void visitOverlaps(const McdSpace *s, int proxy, McdTreeVisit visit, void *context) {
     McdTreeBox box = s->proxy[proxy].fat;
     for (int i = 0; i < 3; i++)
@@ -451,7 +451,7 @@ static void classifyPairsOf(McdSpace *s, int proxy) {
     for (int i = s->proxy[proxy].firstLink, next; i != MCD_NONE; i = next) {
         const int first = s->link[i].proxy[0];
         next = nextLink(s, i, proxy);
-        if (first == proxy || !s->proxy[first].isDirty) /* else it is judged from there */
+        if (first == proxy || !s->proxy[first].isDirty) /* else it is classified from there */
             classifyPair(s, i);
     }
 }
@@ -570,7 +570,7 @@ static void reportFull(McdSpace *s, int first) {
     }
 }
 
-/* Those that found no room before ask again, with the new ones, in order. */
+/* Links that found no room before are tried again, with the new ones, in order. */
 static void requeueWaiting(McdSpace *s) {
     s->wanted.count = 0;
     for (int i = 0; i < s->linkMax; i++)

@@ -3,8 +3,8 @@
 #include "mcd_spread_i.h"
 #include "mcd_vector_i.h"
 
-/* How much the gap of two models may shrink before they are asked again. */
-static double approach(const McdModelRecord *a, const McdModelRecord *b) {
+/* How much the gap of two models may shrink before the next test. */
+static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b) {
     const double time = fmax((double)a->lookAhead, (double)b->lookAhead), most = (double)a->ahead + (double)b->ahead;
     double square = 0;
     if (!(most > 0))
@@ -19,10 +19,10 @@ static double approach(const McdModelRecord *a, const McdModelRecord *b) {
 
 double mcd_pairMargin(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
-    if (a->isFast || b->isFast) /* what is there now: what comes, McdSafeTime says */
+    if (a->isFast || b->isFast) /* the current overlap: McdSafeTime predicts coming ones */
         return fmax(a->isFast ? (double)a->ahead : 0, b->isFast ? (double)b->ahead : 0);
-    MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(approach(a, b) < 0));
-    return (double)a->tolerance + (double)b->tolerance + approach(a, b);
+    MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(greatestApproach(a, b) < 0));
+    return (double)a->tolerance + (double)b->tolerance + greatestApproach(a, b);
 }
 
 void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {
@@ -33,7 +33,7 @@ void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {
 }
 
 /* The finalizer of MurmurHash3, which is one to one. */
-static MeU64 stir(MeU64 x) {
+static MeU64 mixBits(MeU64 x) {
     x ^= x >> 33;
     x *= 0xff51afd7ed558ccdull;
     x ^= x >> 33;
@@ -42,12 +42,12 @@ static MeU64 stir(MeU64 x) {
 }
 
 MeU32 mcd_featureMix(MeU32 feature, MeU32 part) {
-    return (MeU32)stir((MeU64)part << 32 | feature);
+    return (MeU32)mixBits((MeU64)part << 32 | feature);
 }
 
 MeU32 mcd_featureNumber(MeU64 feature) {
     const MeU32 a = (MeU32)(feature >> 32), b = (MeU32)feature;
-    return a < 1u << 16 && b < 1u << 16 ? a << 16 | b : (MeU32)stir(feature);
+    return a < 1u << 16 && b < 1u << 16 ? a << 16 | b : (MeU32)mixBits(feature);
 }
 
 /* Contacts of one result have numbers of their own: where two hashes are the same, the later one gets another. */
@@ -129,7 +129,7 @@ static MeBool isNormalGood(const McdContact *c) {
     return !isRigid(c->instance1) || !isRigid(c->instance2) || fabs(mcd_length(n) - 1) < 1e-3;
 }
 
-/* What response relies on: numbers, unit normals, each contact within reach, of parts of the pair, and its own
+/* Preconditions of response: numbers, unit normals, each contact within reach, of parts of the pair, and its own
  * feature. */
 static MeBool isContactGood(const McdIntersectResult *result, int i) {
     const McdContact *c = &result->contacts[i];

@@ -1,4 +1,4 @@
-/* Inside Mcd: memory that a query works in, which belongs to the query and to nothing that is shared.
+/* Inside Mcd: working memory of a query, which is not shared.
  *
  * A query takes a scratch from its framework and gives it back at its end; a nested query, and one in another thread,
  * takes another one. There are as many as queries ever ran at once, each as large as the largest query that had it, so
@@ -10,7 +10,7 @@
 #include "mcd_mesh_i.h"
 
 typedef struct McdScratch {
-    struct McdScratch *next; /* of those that nobody has */
+    struct McdScratch *next; /* of the free ones */
     McdMesh mesh;
     McdUserTriangle *triangle; /* zeros between queries: programs need not set all members */
     int triangleRoom;

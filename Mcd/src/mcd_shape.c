@@ -28,8 +28,8 @@ MeBool mcd_shapeIsRigid(const McdShape *s) {
     return areAxesRigid(s->axis);
 }
 
-/* What single precision has rounded becomes as square as double can tell, so that a box's faces are across its axes:
- * R + (I - R R^T) R / 2, one step towards the nearest rotation. Other matrices are left as they are. */
+/* Makes a rotation that was rounded to single precision orthonormal in double, so that a box's faces are across its
+ * axes: R + (I - R R^T) R / 2, one step towards the nearest rotation. Other matrices are left as they are. */
 static void squareAxes(double axis[3][3]) {
     static const double rounded = 1e-5, square = 1e-13;
     double off[3][3], old[3][3], most = 0;

@@ -46,7 +46,7 @@ typedef struct McdShape {
     double extent;       /* no point is farther than this from `place`: tolerances are relative to it */
 } McdShape;
 
-/* What pairs share as their coordinates' origin: the middle of the overlap of their boxes. */
+/* The common origin of a pair's coordinates: the middle of the overlap of their boxes. */
 void mcd_pairOrigin(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3]);
 /* The convex shape of an instance; false for geometries that are none (plane, lists, aggregates, null). */
 MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape);

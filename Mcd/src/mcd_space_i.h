@@ -79,6 +79,7 @@ typedef struct McdPairList {
     int count, max;
 } McdPairList;
 
+/* Of each pair of near boxes, together 256 bytes in single precision (docs/solver.md, "At rest"). */
 typedef struct McdLink {
     int proxy[2]; /* proxy[0] comes later in the order: it is model1; MCD_NONE: the link is free */
     int previous[2], next[2];
@@ -87,6 +88,9 @@ typedef struct McdLink {
     bool isSilent;              /* its pair stays, but both models are frozen: it is in no list */
     McdPairRecord *record;
 } McdLink;
+
+_Static_assert(sizeof(McdPairRecord) == 3 * MCD_CACHE_LINE || sizeof(MeReal) > 4, "three lines");
+_Static_assert(sizeof(McdLink) <= 40 && sizeof(McdPairEntry) <= 24, "256 bytes with a pair's record");
 
 struct _McdSpace {
     MeU32 magic;

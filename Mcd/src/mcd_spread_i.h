@@ -5,7 +5,7 @@
 #include "McdCTypes.h"
 #include <stddef.h>
 
-/* What counts for the choice. */
+/* The criteria of the choice. */
 typedef struct McdSpot {
     double position[3], normal[3], separation;
     double apart; /* mcd_spread's own: how much it differs from what is chosen */

@@ -15,8 +15,8 @@ static void copyIfThere(MeVector3 to, const MeReal *from) {
         memcpy(to, from, sizeof(MeVector3));
 }
 
-/* All that tests of a model read, but for how far the space has it look ahead. */
-static MeBool look(const McdModelRecord *m, McdSeen *seen) {
+/* All inputs of a model's tests, except the space's look-ahead. */
+static MeBool readInputs(const McdModelRecord *m, McdSeen *seen) {
     const McdGeometry *g = m->instance.geometry;
     const McdKind *kind = mcd_kindOf(g);
     if (!kind || kind->size == 0 || m->intersect || !m->instance.tm)
@@ -42,7 +42,7 @@ MeU64 mcd_modelNewStamp(McdModelRecord *m) {
 }
 
 /* Another look at the model: the stamps, and what pairs read of it that follows from `seen`. */
-static void see(McdModelRecord *m, const McdSeen *now) {
+static void noteInputs(McdModelRecord *m, const McdSeen *now) {
     const MeBool isOtherShape = m->shapeStamp == 0 || memcmp(&now->shape, &m->seen.shape, sizeof now->shape) != 0;
     MeVector3 centre;
     m->seen = *now;
@@ -59,10 +59,10 @@ static void see(McdModelRecord *m, const McdSeen *now) {
 MeU64 mcd_modelStamp(McdModelRecord *m) {
     McdSeen now;
     m->lookedIn = m->frame->round;
-    if (!look(m, &now))
+    if (!readInputs(m, &now))
         m->stamp = m->shapeStamp = 0;
     else if (m->stamp == 0 || memcmp(&now, &m->seen, sizeof now) != 0)
-        see(m, &now);
+        noteInputs(m, &now);
     return m->stamp;
 }
 

@@ -1,8 +1,7 @@
 /* Inside Mcd: a tree of boxes, over FCL's. The one door between C and C++: nothing of FCL shows, nothing is thrown.
  *
- * Boxes are float: whoever makes them rounds outward (mcd_treeBox). An item is any number that the caller knows.
- * Which items a query meets does not depend on the tree's form; in which order does, so callers sort what they show.
- */
+ * Boxes are float, rounded outward (mcd_treeBox). An item is any number that the caller knows. Which items a query
+ * meets does not depend on the tree's form; in which order does, so callers sort what they show. */
 #ifndef MCD_TREE_H
 #define MCD_TREE_H
 
@@ -28,7 +27,7 @@ void mcd_treeMove(McdTree *tree, McdTreeLeaf *leaf, const McdTreeBox *box);
 void mcd_treeRemove(McdTree *tree, McdTreeLeaf *leaf);
 /* Makes the tree anew from the top down: after many insertions. */
 void mcd_treeBalance(McdTree *tree);
-/* The same if it got too deep; before it is asked. */
+/* The same if it got too deep; before queries. */
 void mcd_treeSettle(McdTree *tree);
 size_t mcd_treeBytesPerItem(void); /* what an item takes: its leaf and the node above */
 

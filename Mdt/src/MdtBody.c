@@ -26,13 +26,13 @@ static void getFrame(const MdtBody *b, double p[3], double q[4]) {
     keaSubtract(p, b->kea.position, offset);
 }
 
-/* What the last step did is no guess any more for a body that moves otherwise now, */
+/* The motion of the last step is no first guess for a body that moves differently now, */
 static void forgetMotion(MdtBodyID b) {
     mdt_bodyDisturb(b);
     memset(b->kea.acceleration, 0, sizeof b->kea.acceleration);
 }
 
-/* nor are the forces at a body that is elsewhere: what is put back as it was goes on as it did. */
+/* nor are the forces, if its pose has changed; a body that is put back to the same state keeps them. */
 static void forgetForces(MdtBodyID b) {
     forgetMotion(b);
     for (MdtAttachment *a = b->attachments; a; a = a->next)
@@ -373,8 +373,8 @@ void mdt_bodyAge(MdtBodyID b, double h) {
     b->slowTime = isFast(b, &b->world->rest) ? 0 : b->slowTime + h;
 }
 
-/* Slow for long, though with a high acceleration: solver jitter, which does not keep a body from sleeping. Two and a
- * half times as long as such an acceleration takes from rest to the fast velocities, 0.5 s by default. */
+/* Slow for long in spite of a high acceleration: solver jitter, and the body may sleep. Two and a half times as long as
+ * such an acceleration takes from rest to the fast velocities, 0.5 s by default. */
 static MeBool isJittering(const MdtBody *b, const MdtPartitionParams *params) {
     return b->slowTime * b->slowTime * (double)params->acc_thresh > 2.5 * 2.5 * (double)params->vel_thresh;
 }

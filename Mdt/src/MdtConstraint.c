@@ -1,4 +1,4 @@
-/* What all constraints have: bodies, frames, forces read back. */
+/* Common to all constraints: bodies, frames, forces read back. */
 #include "MeAssert.h"
 #include "mdt_manifold_i.h"
 #include <string.h>
@@ -70,7 +70,7 @@ static MdtManifold *manifoldOf(MdtConstraintID c) {
     return mdt_isPoint(c) ? mdt_manifoldOf(mdt_asPoint(c)) : mdt_isManifold(c) ? (MdtManifold *)(void *)c : NULL;
 }
 
-/* What is attached to bodies: of a contact the manifold that it is in. */
+/* The record that is attached to bodies: of a contact its manifold. */
 static MdtConstraintID baseOf(MdtConstraintID c) {
     return mdt_isPoint(c) ? &mdt_manifoldOf(mdt_asPoint(c))->base : c;
 }
@@ -372,8 +372,8 @@ static int mainSide(MdtConstraintID c) {
     return c->side[0].body ? 0 : 1;
 }
 
-/* The joint, whose frames are asked for; null, with a warning. */
-static MdtJoint *framed(MdtConstraintID c, const char *caller) {
+/* Checks a joint whose frames a program reads; null, with a warning. */
+static MdtJoint *checkJoint(MdtConstraintID c, const char *caller) {
     if (!mdt_isConstraint(c, caller))
         return NULL;
     if (!mdt_isJoint(c))
@@ -394,7 +394,7 @@ void MEAPI MdtConstraintGetPosition(const MdtConstraintID c, MeVector3 p) {
 
 void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
                                         const MeReal y, const MeReal z) {
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
         return;
     const double world[3] = {x, y, z};
@@ -405,7 +405,7 @@ void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned 
 void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
     if (!mdt_isResult(__func__, p, 3))
         return;
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     if (!j || !mdt_isSide(__func__, bodyindex))
         return;
     double world[3];
@@ -415,7 +415,7 @@ void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned 
 
 void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
                                            const MeReal y, const MeReal z) {
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
         return;
     const double local[3] = {x, y, z};
@@ -426,7 +426,7 @@ void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsign
 void MEAPI MdtConstraintBodyGetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
     if (!mdt_isResult(__func__, p, 3))
         return;
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     if (j && mdt_isSide(__func__, bodyindex))
         mdt_toReal(p, j->bcl.frame[bodyindex].position);
 }
@@ -469,7 +469,7 @@ static void setBothAxes(MdtJoint *j, const double p[3], const double o[3]) {
 }
 
 void MEAPI MdtConstraintSetAxis(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz) {
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     double p[3] = {px, py, pz}, o[3];
     mdt_chooseOrthogonal(p, o);
     if (!j || !mdt_makeAxes(__func__, p, o))
@@ -479,7 +479,7 @@ void MEAPI MdtConstraintSetAxis(const MdtConstraintID c, const MeReal px, const 
 
 void MEAPI MdtConstraintSetAxes(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz,
                                 const MeReal ox, const MeReal oy, const MeReal oz) {
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
     if (!j || !mdt_makeAxes(__func__, p, o))
         return;
@@ -489,7 +489,7 @@ void MEAPI MdtConstraintSetAxes(const MdtConstraintID c, const MeReal px, const 
 void MEAPI MdtConstraintBodySetAxes(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
                                     const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                     const MeReal oz) {
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
     if (j && mdt_isSide(__func__, bodyindex) && mdt_makeAxes(__func__, p, o))
         setAxesOf(j, (int)bodyindex, p, o);
@@ -498,7 +498,7 @@ void MEAPI MdtConstraintBodySetAxes(const MdtConstraintID c, const unsigned int 
 void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
                                        const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                        const MeReal oz) {
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
     if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_makeAxes(__func__, p, o))
         return;
@@ -537,7 +537,7 @@ static void zeroAxes(MeVector3 p, MeVector3 o) {
     }
 }
 
-/* Either result may be null: that axis is not asked for. */
+/* Either result may be null. */
 static void getAxes(MdtJoint *j, int side, MeVector3 p, MeVector3 o) {
     double axis[3];
     if (p) {
@@ -552,14 +552,14 @@ static void getAxes(MdtJoint *j, int side, MeVector3 p, MeVector3 o) {
 
 void MEAPI MdtConstraintGetAxes(const MdtConstraintID c, MeVector3 p, MeVector3 o) {
     zeroAxes(p, o);
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     if (j)
         getAxes(j, mainSide(c), p, o);
 }
 
 void MEAPI MdtConstraintBodyGetAxes(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p, MeVector3 o) {
     zeroAxes(p, o);
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     if (j && mdt_isSide(__func__, bodyindex))
         getAxes(j, (int)bodyindex, p, o);
 }
@@ -571,7 +571,7 @@ void MEAPI MdtConstraintBodyGetAxis(const MdtConstraintID c, const unsigned int 
 void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
                                        MeVector3 o) {
     zeroAxes(p, o);
-    MdtJoint *j = framed(c, __func__);
+    MdtJoint *j = checkJoint(c, __func__);
     if (!j || !mdt_isSide(__func__, bodyindex))
         return;
     if (p)
@@ -782,7 +782,7 @@ static MeBool isStill(const MdtBaseConstraint *c, unsigned int magic, unsigned l
     return c->record.magic == magic && c->link.serial == serial;
 }
 
-/* The callback may destroy what it is given, and for a contact its group. */
+/* The callback may destroy its argument, and a contact's group. */
 void mdt_constraintVisit(MdtConstraintID base, MdtConstraintIteratorCBPtr cb, void *data) {
     const unsigned int magic = base->record.magic;
     const unsigned long serial = base->link.serial;

@@ -183,7 +183,7 @@ void MEAPI MdtContactGetDirection(const MdtContactID c, MeVector3 v) {
 
 /* ---- parameters ---- */
 
-/* Those that a program may write from now on: the contact's own, which are looked at in every step. */
+/* Parameters of the contact's own, which a program may write from now on: they are compared in every step. */
 static MdtBclContactParams *watchedParams(MdtPoint *p, const char *caller) {
     MdtManifold *m = mdt_manifoldOf(p);
     const MdtBclContactParams shown = *mdt_pointParams(p);

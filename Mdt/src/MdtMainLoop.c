@@ -1,4 +1,4 @@
-/* What a program's callback may do with the partitions of a step (MdtMainLoop.h). */
+/* The functions that a program's callback may call with the partitions of a step (MdtMainLoop.h). */
 #include "mdt_step_i.h"
 
 static MeBool hasPartition(const MdtPartitionOutput *po, int i, const char *caller) {

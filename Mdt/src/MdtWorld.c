@@ -15,8 +15,8 @@ static MeReal scaleOr1(const char *what, MeReal scale) {
 }
 
 /* The default thresholds of rest, as far as the program has set none. They grow with the length scale until the one of
- * accelerations is a tenth of gravity: above it, what falls would count as resting. Both by one factor, so that such an
- * acceleration takes as long to such a velocity. */
+ * accelerations is a tenth of gravity: above it, a falling body would count as resting. Both by one factor, so that
+ * such an acceleration takes as long to such a velocity. */
 static void setThresholdsOfRest(MdtWorldID w) {
     const double length = (double)w->params.lengthScale, full = MDTWORLD_DEFAULT_ACC_THRESH * length * length;
     double g[3];

@@ -1,4 +1,4 @@
-/* A world's workers: who they are, and what each has of its own. */
+/* A world's workers: their number, and the memory of each. */
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "mdt_i.h"

@@ -1,8 +1,7 @@
-/* Joints whose bodies do not collide with each other: the switch of each joint, and the question of Mst for two bodies.
+/* Joints whose bodies do not collide with each other: the switch of each joint, and the query of Mst for two bodies.
  *
- * The question is asked for every pair of models in every step. A world without such a joint is told at once; else a
- * bit of each body says whether it has ever had one, and only where both have, their joints are looked through.
- */
+ * Mst queries every pair of models in every step. A world without such a joint answers at once; else a bit of each body
+ * says whether it has ever had one, and only where both have, their joints are looked through. */
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "mdt_i.h"
@@ -34,7 +33,7 @@ void MEAPI MdtConstraintSetBodiesCollide(const MdtConstraintID c, const MeBool c
         mdt_apartForget((MdtJoint *)(void *)c);
     else
         setApart(c);
-    for (int k = 0; k < 2; k++) /* contacts, or their lack, may have held it in its sleep */
+    for (int k = 0; k < 2; k++) /* it may be asleep because of these contacts, or because there were none */
         if (c->side[k].body && (c->record.flags & MDT_ENABLED))
             mdt_bodyWakeIfAsleep(c->side[k].body);
 }

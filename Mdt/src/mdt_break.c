@@ -1,4 +1,4 @@
-/* Joints that break: whose force, or torque about their position, was larger in a step than they bear. */
+/* Breaking joints: those whose force, or torque about their position, exceeded its limit in a step. */
 #include "MeAssert.h"
 #include "mdt_i.h"
 

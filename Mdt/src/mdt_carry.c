@@ -9,7 +9,7 @@ typedef struct Motion {
     double R[3][3], from[3], to[3];
 } Motion;
 
-static void stay(Motion *m) {
+static void setNoMotion(Motion *m) {
     keaQuaternionToMatrix(m->R, (const double[4]){1, 0, 0, 0});
     keaZero(m->from);
     keaZero(m->to);
@@ -80,7 +80,7 @@ void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth) {
         if (m->base.side[k].body)
             motionOfStep(m->base.side[k].body, &motion[k]);
         else
-            stay(&motion[k]);
+            setNoMotion(&motion[k]);
     moveSurfaces(&carried, motion, normal, normal, !m->base.side[1].body);
     keaCopy(position, carried.position);
     *depth = carried.depth;
@@ -97,7 +97,7 @@ MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2])
         if (hasMoved[k])
             motionOfStep(m->base.side[k].body, &motion[k]);
         else
-            stay(&motion[k]);
+            setNoMotion(&motion[k]);
     }
     for (MdtManifold *block = m; block; block = block->next) {
         for (MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1))

@@ -1,4 +1,4 @@
-/* Is this handle alive, is this number a number? Every warning about misuse comes from here.
+/* Checks of handles and numbers. All warnings about misuse are here.
  *
  * A handle points to a record whose magic says what it is and that it lives. Records of destroyed bodies and
  * constraints stay in their world's pool, so the magic can be read. All live objects are also in a table

@@ -1,7 +1,7 @@
 /* A part of a step by stages that together are of order 4 (MdtWorldSetIntegratorOrder).
  *
- * The step of joints alone is symmetric, but it is no map near the identity: what velocities have along the directions
- * that joints hold changes its sign at every step (kea_velocity.c has more of it). Two of them, each of h/2, are: their
+ * The step of joints alone is symmetric, but it is no map near the identity: the velocities' components along the
+ * directions that joints hold change their sign at every step (kea_velocity.c). Two of them, each of h/2, are: their
  * expansion is that of a symmetric method of order 2, which has odd powers of h only, h³ first. Five such pairs,
  *
  *     (a, a, b, a, a) h,   a = 1/(4 - 4^(1/3)) = .4145,   b = 1 - 4 a = -.6579,   4 a³ + b³ = 0,
@@ -64,15 +64,16 @@ static MeBool takeStages(MdtIsland *p, const double share[], double part) {
 }
 
 /* Halved, as takePart would halve its stages, but all of them alike: their errors cancel only so. */
-static MeBool divide(MdtIsland *p, const double share[], double part, int halvings) {
+static MeBool divideComposition(MdtIsland *p, const double share[], double part, int halvings) {
     enum { MOST = 6 };
     if (halvings < MOST && MdtKeaTurnsTooFar(&p->kea, 0.5 * fabs(share[STAGES / 2]) * part))
-        return divide(p, share, 0.5 * part, halvings + 1) && divide(p, share, 0.5 * part, halvings + 1);
+        return divideComposition(p, share, 0.5 * part, halvings + 1) &&
+               divideComposition(p, share, 0.5 * part, halvings + 1);
     return takeStages(p, share, part);
 }
 
 MeBool mdt_partCompose(MdtIsland *p, double part) {
     const double a = 1 / (4 - cbrt(4)), share[STAGES] = {a, a, 1 - 4 * a, a, a};
     p->forward = 4 * a;
-    return divide(p, share, part, 0);
+    return divideComposition(p, share, part, 0);
 }

@@ -21,7 +21,7 @@
 
 /* ---- records and pools --------------------------------------------------------------------------------------- */
 
-/* What every record begins with. */
+/* The head of every record. */
 typedef struct MdtRecord {
     unsigned int magic; /* says what it is; 0: not in use */
     int flags;
@@ -107,7 +107,7 @@ enum {
     MDT_APART = 64,   /* a joint whose bodies do not collide with each other; a body that has had such a one */
 };
 
-/* What is read together lies together, in cache lines of 64 bytes in single precision (records begin with one). */
+/* Fields that are read together share cache lines of 64 bytes, in single precision (records begin with one). */
 struct MdtBody {
     MdtRecord record;
     MdtLink link;
@@ -119,10 +119,10 @@ struct MdtBody {
     int partition; /* in this step; -1: none */
     int index;     /* in Kea's arrays, in this step */
     int place;     /* in the order of simulation, when partitions were found last */
-    int calmSteps; /* in a row, in which its partition had no velocity that Kea tells from none */
+    int calmSteps; /* in a row, in which all velocities of its partition were below Kea's threshold of rest */
     MdtWorldID world;
     MdtAttachment *attachments; /* its joints and manifolds */
-    /* what a partition at rest is asked */
+    /* read for partitions at rest */
     unsigned long certificate;                     /* of rest, the world's when it was given; 0: none (mdt_rest.c) */
     MeVector3 shownVelocity, shownAngularVelocity; /* as last written by us: a difference is a program's */
     double force[3], torque[3];                    /* N, N m, added since the last step */
@@ -160,7 +160,7 @@ typedef struct MdtFrame {
     double position[3], axes[3][3]; /* m; its axes are columns */
 } MdtFrame;
 void mdt_bodyFrame(const MdtBody *b, MdtFrame *frame);
-/* How far the body's point at a world position that was found by its shown transform is from there, m. */
+/* m: the offset between a world position found with the body's shown transform and that with its state in double. */
 void mdt_bodyLostByRounding(const MdtBody *b, const MdtFrame *frame, const double point[3], double lost[3]);
 void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v);
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
@@ -173,8 +173,8 @@ void mdt_bodyKeepForces(MdtBodyID b);      /* those that the step began with act
 void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */
 void mdt_bodyTerm(MdtBodyID b);            /* detaches its constraints, returns the record */
 
-/* What the body's next step depends on has changed: its rest certificate ends. Any number of threads may say so at
- * once, as contacts are updated. */
+/* An input of the body's next step has changed: its rest certificate ends. Any number of threads may call this at once,
+ * as contacts are updated. */
 static inline void mdt_bodyDisturb(MdtBodyID b) {
     if (__atomic_load_n(&b->certificate, __ATOMIC_RELAXED) == 0)
         return;
@@ -190,8 +190,8 @@ struct MdtAttachment {
     MdtAttachment *next, *previous;
 };
 
-/* What joints and manifolds begin with. A contact is neither: an MdtConstraintID may also be a point of a manifold,
- * and every function of the API that takes one says what it does then. */
+/* The head of joints and manifolds. A contact has none: an MdtConstraintID may also be a point of a manifold, and every
+ * function of the API that takes one says what it does then. */
 struct MdtBaseConstraint {
     MdtRecord record;
     MdtLink link;
@@ -208,7 +208,7 @@ static inline MdtConstraintID mdt_attachmentOwner(const MdtAttachment *at) {
     return (MdtConstraintID)(void *)((char *)(at - mdt_attachmentSide(at)) - offsetof(MdtBaseConstraint, side));
 }
 
-/* A joint, spring or limit: whatever has rows of its own and is no contact. */
+/* A joint, spring or limit: any constraint that is no contact. */
 typedef struct MdtJoint {
     MdtBaseConstraint base;
     void *userData;
@@ -229,7 +229,7 @@ static inline MeBool mdt_isJoint(const MdtBaseConstraint *c) {
     return c->record.magic == MDT_JOINT;
 }
 
-/* What the rows of the constraint depend on has changed. */
+/* An input of the constraint's rows has changed. */
 static inline void mdt_constraintDisturb(MdtConstraintID c) {
     for (int k = 0; k < 2; k++)
         if (c->side[k].body)
@@ -252,7 +252,7 @@ MdtJoint *mdt_jointOfType(void *handle, MdtBclJointType type, const char *caller
 void mdt_apartForget(MdtJoint *j);
 /* The constraint as a joint of the type for MdtConstraintDCast*: null, without a warning, when it is another. */
 void *mdt_jointCast(MdtConstraintID c, MdtBclJointType type, const char *caller);
-/* What kind of constraint it is: a point is a contact, a manifold a group, or the contact that is alone in it. */
+/* The kind of a constraint: a point is a contact, a manifold a group, or the contact that is alone in it. */
 MdtBclJointType mdt_constraintType(const MdtBaseConstraint *c);
 static inline const char *mdt_constraintName(const MdtBaseConstraint *c) {
     return MdtBclTypeOf(mdt_constraintType(c))->name;
@@ -278,7 +278,7 @@ void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]);
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after);
 /* The forces of the last step are no guess for the next. */
 void mdt_constraintForget(MdtConstraintID c);
-/* What it is said to have done in the last step; of a group that is the sum of its contacts. */
+/* Its force and torque in the last step; of a group the sum over its contacts. */
 void mdt_constraintSetForce(MdtConstraintID c, const MdtKeaForcePair *force);
 void mdt_jointFree(MdtJoint *j); /* memory that it has outside of its record */
 
@@ -310,8 +310,8 @@ MdtConstraintID mdt_constraintAfterOf(MdtBodyID b, MdtConstraintID c);
         return mdt_jointCast(c, TYPE, __func__);                                                                       \
     }
 
-/* What is wrong with a contact whose friction cannot act, or has no bound, unless it was set up like that; 0: nothing.
- * A warning of each problem, once a world. */
+/* The problem of a contact whose friction cannot act, or has no bound, unless it was set up like that; 0: none. A
+ * warning of each problem, once a world. */
 int mdt_surfaceProblem(const MdtBclContactParams *params);
 void mdt_surfaceWarn(MdtWorldID w, int problems);
 
@@ -328,7 +328,7 @@ enum { MDT_IMPACT = 4 };
 enum { MDT_UNSETTLED = 12 };
 /* Of a body's size: how far joints may be open at rest. As much as overlaps may be there. */
 #define MDT_CLOSED 1e-4
-/* m/s: what a step of h seconds may leave of the laws of contact (MdtWorldSetAccuracy). */
+/* m/s: the residual of contact laws that a step of h seconds may leave (MdtWorldSetAccuracy). */
 double mdt_worldAccuracy(const MdtWorld *w, double h);
 
 struct MdtIsland;
@@ -338,7 +338,7 @@ size_t mdt_tasksSize(size_t bodies); /* ints that the tasks of so many bodies ne
 
 /* Bodies and the constraints that tie them, when partitions were found last (mdt_island.c). */
 typedef struct MdtGraph {
-    unsigned long changes; /* of the graph or its order, counted by whatever changes it (mdt_graphChanged), */
+    unsigned long changes; /* of the graph or its order, counted by each change (mdt_graphChanged), */
     unsigned long seen;    /* up to when the partitions are right */
     int numBodies, numActing;
     MdtBodyID *body;         /* by place, bodyRoom */
@@ -348,14 +348,14 @@ typedef struct MdtGraph {
     int *actsOn;             /* by acting constraint: the place of one of its bodies */
 } MdtGraph;
 
-/* What a step of any partition depends on in its world. All of it is compared, so there is no padding. */
+/* The world's inputs of a step of any partition. They are compared as bytes, so there is no padding. */
 typedef struct MdtRestInputs {
     double h, gravity[3], epsilon, gamma, workBudget, accuracy;
     MdtContactImportanceCBPtr importance;
     int maxLcpIterations, subSteps, timedBodies, maxMatrixSize, solver, order;
 } MdtRestInputs;
 
-/* What a worker has of its own while it steps partitions, and what it found out there that concerns all of them. */
+/* A worker's own memory while it steps partitions, and its results that concern all of them. */
 typedef struct MdtWorker {
     MeChunk scratch, ranking; /* of Kea and contacts; of contacts, to rank them */
     MdtKeaCache *keaCache;
@@ -437,21 +437,21 @@ struct MdtWorld {
     MeHandle handle;
 };
 
-/* So many workers, whatever there were; their memory, but for what steps need. False: no memory, and all is as it was.
- * All of them end (MdtWorldTasks.c). */
+/* Sets the number of workers, with their own memory except for scratch of steps. False: no memory, and nothing has
+ * changed. Ends all of them (MdtWorldTasks.c). */
 MeBool mdt_workersInit(MdtWorldID w, int count, const char *caller);
 void mdt_workersTerm(MdtWorldID w);
 
 /* Room for so many bodies and constraints in the arrays of a step. False: no memory. */
 MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller);
 
-/* What is enabled, what it is tied to, or the order has changed. What is created is not enabled yet, and what is
- * destroyed has been disabled before. */
+/* The set of enabled constraints, their bodies, or the order has changed. Creating and destroying do not count: a new
+ * constraint is not enabled yet, and one is disabled before it is destroyed. */
 static inline void mdt_graphChanged(MdtWorldID w) {
     w->graph.changes++;
 }
 
-/* Finds the partitions of this step, waking what is tied to something awake (mdt_island.c). */
+/* Finds the partitions of this step; bodies tied to awake ones wake (mdt_island.c). */
 void mdt_islandsUpdate(MdtWorldID w);
 /* Makes the lists of their constraints for programs; what programs see of one partition then: it is not disabled. */
 void mdt_islandsList(MdtWorldID w);
@@ -478,7 +478,7 @@ struct MdtIsland;
 void mdt_reportBegin(struct MdtIsland *p);
 /* The stage ends. */
 void mdt_reportLap(struct MdtIsland *p, MdtReportStage stage);
-/* Bodies met as a part began; a part ends early, where something happens; the step is halved. */
+/* Notes an impact at the start of a part; a part that ends early, at an event; a step that is halved. */
 void mdt_reportImpact(MdtReport *r);
 void mdt_reportEvent(MdtReport *r);
 void mdt_reportDivision(MdtReport *r);
@@ -486,7 +486,7 @@ void mdt_reportDivision(MdtReport *r);
 void mdt_reportComposed(MdtReport *r);
 /* The last step's answer was taken without a solve. */
 void mdt_reportRest(MdtReport *r);
-/* What a solve cost; its stage ends. */
+/* Reports the cost of a solve; its stage ends. */
 void mdt_reportSolve(struct MdtIsland *p);
 /* A part was integrated: its errors, before anything is read back. */
 void mdt_reportPart(MdtReport *r, const struct MdtIsland *p, MeBool isFinite);

@@ -1,9 +1,8 @@
-/* Check builds: a world in which nothing falls, as its program has forgotten gravity, which a new world does not have.
+/* Check builds: warns of a world without gravity, which a new world has not, in which nothing moves.
  *
- * Told once, after a second in which there are bodies that have been enabled, and nothing ever acts on them: the
- * program has not called MdtWorldSetGravity, no body has a velocity or a load, no constraint is enabled. The second
- * begins anew where the program moves a body itself, as one does that uses bodies to carry models.
- */
+ * The warning is given once, after a second in which there are bodies that have been enabled, and nothing ever acts on
+ * them: the program has not called MdtWorldSetGravity, no body has a velocity or a load, no constraint is enabled. The
+ * second begins anew where the program moves a body itself, as one does that uses bodies to carry models. */
 #include "MdtBody.h"
 #include "MdtInternal.h"
 #include "mdt_i.h"

@@ -1,8 +1,8 @@
 /* Partition: sets of bodies that constraints tie together (Dynamics guide ch. 1, "Partitioning the World").
  *
- * The world joins nothing: two boxes on the ground are two partitions. A set with one enabled body is enabled whole.
- * Partitions are numbered by their first body, and their bodies and constraints keep the world's order, so that the
- * same scene is solved in the same order every time.
+ * Contacts with the world do not join bodies: two boxes on the ground are two partitions. A set with one enabled body
+ * is enabled whole. Partitions are numbered by their first body, and their bodies and constraints keep the world's
+ * order, so that the same scene is solved in the same order every time.
  *
  * Union-find with path halving on the bodies' places in that order, one walk over the constraints, and a counting sort.
  * Where the graph has not changed since (MdtGraph.changes), the partitions stay as they are.

@@ -1,5 +1,5 @@
-/* Steps by safe time: a partition is moved on by what its bodies' safe times allow, and lacks the rest of the step,
- * which MdtWorldStepRest makes up for in parts. */
+/* Steps by safe time: a partition advances by its bodies' least safe time, and the rest of the step, its lag, follows
+ * in parts (MdtWorldStepRest). */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 #include <math.h>
@@ -19,7 +19,7 @@ void mdt_lagSet(const MdtIsland *p, double lack) {
     }
 }
 
-/* What all bodies of the partition lack, but for those that have just been woken; 0: one of them lacks nothing. */
+/* The common lag of the partition's bodies, but for those that have just been woken; 0: one of them has none. */
 static double lagOf(const MdtIsland *p) {
     double least = INFINITY;
     for (int i = 0; i < p->numBodies; i++)

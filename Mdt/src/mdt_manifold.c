@@ -71,7 +71,7 @@ static void continueWith(MdtManifold *group, MdtManifold *block) {
     block->group = group;
 }
 
-static void uncontinue(MdtManifold *block) {
+static void unlinkContinuation(MdtManifold *block) {
     MdtManifold *before = block->group;
     while (before->next != block)
         before = before->next;
@@ -169,7 +169,7 @@ void mdt_pointTerm(MdtPoint *p) {
         mdt_constraintTerm(&m->base);
     freeSlot(p);
     if (block->group && mdt_countSlots(block) == 0)
-        uncontinue(block), giveBlock(block);
+        unlinkContinuation(block), giveBlock(block);
     else if (m->base.record.flags & MDT_LONE)
         giveBlock(m);
     else
@@ -208,7 +208,7 @@ void mdt_pointLeave(MdtPoint *p) {
     MdtManifold *block = mdt_blockOf(p), *group = block->group;
     MEASSERT(mdt_pointIsAlone(p) && group);
     mdt_constraintDisturb(&group->base);
-    uncontinue(block);
+    unlinkContinuation(block);
     group->numPoints--;
     block->numPoints = 1;
     block->base.record.flags = MDT_LONE;

@@ -28,7 +28,7 @@ typedef struct MdtPoint {
     double force[3];    /* N, of the rows of the last part of a step: normal, primary, secondary */
 } MdtPoint;
 
-/* What an MdtExtra has instead of what the manifold's points share: flags beside MDT_WATCHED. */
+/* Which shared values of the manifold's points an MdtExtra replaces: flags beside MDT_WATCHED. */
 enum { MDT_OWN_NORMAL = 256, MDT_OWN_RADIUS = 512, MDT_OWN_PARAMS = 1024, MDT_OWN_DIRECTION = 2048 };
 
 typedef struct MdtExtra {
@@ -133,10 +133,10 @@ MeBool mdt_pointIsAlone(const MdtPoint *p);
 /* A slot of the record comes into use; how many are. */
 MdtPoint *mdt_slotTake(MdtManifold *block, int slot);
 int mdt_countSlots(const MdtManifold *block);
-/* What its points share. */
+/* The values that its points share. */
 void mdt_blockSetSurface(MdtManifold *block, const MdtBclContactParams *params);
 
-/* What the contact, or with MDT_GROUP_SLOT the manifold itself, has beyond the rest; null: nothing. */
+/* The extras of a contact, or with MDT_GROUP_SLOT of the manifold itself; null: none. */
 MdtExtra *mdt_extraOf(const MdtManifold *block, int slot);
 /* The same, made where there is none; null, with a warning: there is no memory. */
 MdtExtra *mdt_extraMake(MdtManifold *block, int slot, const char *caller);

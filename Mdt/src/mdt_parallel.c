@@ -13,11 +13,11 @@
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 
-/* What a task is worth at least, in bodies and constraints: 150 us where these are chains of balls; taking it costs
- * less than 1. */
+/* The least size of a task, in bodies and constraints: 150 us where these are chains of balls; taking it costs less
+ * than 1. */
 enum { TASK_SIZE = 32 };
-/* What a step is worth at least before workers are called: .6 ms of such chains. A sleeping thread needs up to .35 ms
- * to wake, on a virtual machine. */
+/* The least size of a step for which workers are called: .6 ms of such chains. A sleeping thread needs up to .35 ms to
+ * wake, on a virtual machine. */
 enum { STEP_SIZE = 4 * TASK_SIZE };
 enum { SIZES = 32 }; /* powers of two */
 
@@ -92,7 +92,7 @@ static MeBool isTakenTogether(const MdtWorld *w, int i) {
 }
 
 /* Steps a partition on a worker's memory; what it has to say is held. */
-static void take(const Stepping *s, int partition, int worker, MeTeam *team) {
+static void stepPartition(const Stepping *s, int partition, int worker, MeTeam *team) {
     MdtIsland p = mdt_islandOf(s->world, partition, s->h);
     p.worker = &s->world->workers[worker];
     p.team = team;
@@ -106,7 +106,7 @@ static void take(const Stepping *s, int partition, int worker, MeTeam *team) {
 static void takeTogether(const Stepping *s) {
     for (int i = 0; i < s->world->numPartitions; i++)
         if (isTakenTogether(s->world, i))
-            take(s, i, 0, s->world->team);
+            stepPartition(s, i, 0, s->world->team);
 }
 
 static int log2Of(int size) {
@@ -148,7 +148,7 @@ static void makeTasks(Stepping *s) {
 static void MEAPI doTask(void *context, int task, int worker) {
     const Stepping *s = context;
     for (int i = s->firstOf[task]; i < s->firstOf[task + 1]; i++)
-        take(s, s->partition[i], worker, NULL);
+        stepPartition(s, s->partition[i], worker, NULL);
 }
 
 static void sendMessages(MdtWorldID w) {

@@ -75,7 +75,7 @@ static void destroyOthers(MdtManifold *m, const MdtContactID contacts[], int cou
     }
 }
 
-/* What the points of a record share is that of its first one; the others get their own later. */
+/* A record's shared values are those of its first point; points that differ get their own later. */
 static void shareFrom(MdtManifold *block, const MdtFoundContact *found) {
     if (memcmp(&block->surface->params, found->params, sizeof *found->params) != 0)
         mdt_blockSetSurface(block, found->params);

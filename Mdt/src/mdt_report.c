@@ -1,4 +1,4 @@
-/* The report of a step (MdtReport.h): what mdt_step.c tells while it steps, and what programs ask for.
+/* The report of a step (MdtReport.h): written by mdt_step.c while it steps, read by programs.
  *
  * Time is measured in laps: each reading of the clock ends one stage and begins the next. Small partitions are stepped
  * in less than a microsecond, so that reading it for each stage would show: one of them in sixteen is timed by stage,
@@ -46,7 +46,7 @@ MeBool MEAPI MdtWorldReportIsEnabled(const MdtWorldID w) {
     return w->isReported;
 }
 
-/* ---- what a step tells ---- */
+/* ---- written by a step ---- */
 
 static MeU64 ticksNow(void) {
     MeProfileTimerResult t;
@@ -77,7 +77,7 @@ void mdt_reportLap(MdtIsland *p, MdtReportStage stage) {
         p->report->time[stage] += (MeReal)lapTime(p->clock);
 }
 
-/* What a callback takes before a partition is the program's time. */
+/* The time of a callback before a partition is the program's. */
 static MeBool isTimedByStage(const MdtWorld *w, int partition) {
     const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
     const int constraints = w->actingStart[partition + 1] - w->actingStart[partition];
@@ -191,7 +191,7 @@ static void addSquare(double *sum, double x) {
     *sum += x * x;
 }
 
-/* The rows of a joint are at right angles to each other, so what they lack adds up like a vector. Attachments that move
+/* The rows of a joint are at right angles to each other, so their errors add up like a vector. Attachments that move
  * take their drift along. */
 static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtKeaSystem *kea) {
     const MdtKeaRow *rows = kea->rows + j->firstRow;

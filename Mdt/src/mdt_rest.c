@@ -1,10 +1,10 @@
 /* Rest certificate: a partition at rest, in which nothing has changed since the last step, is not solved again.
  *
- * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if no body has had a
- * velocity that Kea tells from none, for long enough that what gamma relaxes is done. The bodies then stay where they
- * are, bit for bit, so that contacts are found again as they were. In the next step the inputs may be the same to the
- * last bit: then so are the forces, and the step costs a look at each body. Bodies age meanwhile, so that they are put
- * to sleep as ever.
+ * A step settles a partition if it was taken whole, if Kea's answer is within its tolerances, and if all bodies'
+ * velocities have been below Kea's threshold of rest, for long enough that gamma has relaxed position errors. The
+ * bodies then stay where they are, bit for bit, so that contacts are found again as they were. In the next step the
+ * inputs may be the same to the last bit: then so are the forces, and the step costs a look at each body. Bodies age
+ * meanwhile, so that they are put to sleep as ever.
  *
  * Inputs, and how a change of them is noticed:
  *     of the world           a copy of them (MdtRestInputs)
@@ -159,8 +159,8 @@ static MeBool comesNearerForEver(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* m/s: mean velocities of a step up to this are not told from none. Each row is within its tolerance; from body to body
- * the errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3 times). */
+/* m/s: the threshold of rest, for mean velocities of a step. Each row is within its tolerance; from body to body the
+ * errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3 times). */
 static double resolvedSpeed(const MdtIsland *p) {
     if (p->isFast)
         return p->kea.report.resolution;
@@ -218,7 +218,7 @@ static MeBool isCalmForLong(const MdtIsland *p) {
     return isLong;
 }
 
-/* What slips or is carried along moves for ever, if more slowly than the fast solver tells from rest. */
+/* Slipping or carried bodies never stop, though they may be slower than the fast solver's threshold of rest. */
 static MeBool mayCreep(const MdtIsland *p) {
     for (int i = 0; i < p->kea.numManifolds && p->isFast; i++) {
         const MdtKeaSurface *s = &p->kea.manifolds[i].surface;
@@ -236,8 +236,8 @@ static MeBool dependsOnProgram(const MdtIsland *p) {
     return p->world->importance && p->isCapped;
 }
 
-/* What the fast solver leaves of joints comes to nothing more slowly than it tells from rest where passes go to and fro
- * between joints and contacts: the rest is the exact solver's. */
+/* Where passes alternate between joints and contacts, the joints' error decays more slowly than the fast solver's
+ * threshold of rest: the exact solver takes over. */
 static MeBool areJointsClosed(const MdtIsland *p) {
     const MeBool are = !p->isFast || p->kea.report.opening <= MDT_CLOSED;
     for (int i = 0; i < p->numBodies && !are; i++)

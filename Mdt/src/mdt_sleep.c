@@ -3,7 +3,7 @@
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 
-/* A body that is still coming out of an overlap has no velocity, but it is under way. */
+/* A body that is being pushed out of an overlap moves, though its velocity is 0. */
 static MeBool isPushedOut(MdtBodyID b, const MdtPartitionParams *rest) {
     const double slow = 1e-4; /* of vel_thresh: squares of velocities */
     return keaDot(b->push, b->push) > slow * (double)rest->vel_thresh;
@@ -19,7 +19,7 @@ static MeBool isSurfaceMoving(const MdtPoint *point) {
            keaDot(world->lin, world->lin) + keaDot(world->ang, world->ang) > 0;
 }
 
-/* What stands on a belt is under way, however slow the belt is; and what is held up there is rubbed until it moves. */
+/* A body on a belt moves with it, however slow the belt is; and one that is held there is dragged on by friction. */
 static MeBool isCarried(const MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++) {
         if (mdt_isJoint(p->acting[i]))

@@ -59,7 +59,7 @@ void mdt_islandStep(MdtIsland *p) {
     mdt_islandRelease(p);
 }
 
-/* One that was put to rest is reported all the same. */
+/* A partition that was put to rest is reported, too. */
 void mdt_islandTake(MdtIsland *p, MeBool safely) {
     const double lack = p->h;
     if (safely)

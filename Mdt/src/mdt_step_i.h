@@ -37,8 +37,8 @@ typedef enum MdtStage { MDT_STAGE_NONE, MDT_STAGE_FORWARD, MDT_STAGE_BACK } MdtS
 typedef struct MdtIsland {
     /* mdt_islandOf; mdt_parallel.c */
     MdtWorldID world;
-    MdtWorker *worker; /* who steps it, */
-    MeTeam *team;      /* and who help; null: nobody */
+    MdtWorker *worker; /* the worker that steps it, */
+    MeTeam *team;      /* and the team that helps; null: none */
     int number, numBodies, numActing;
     MdtBodyID *bodies;
     MdtConstraintID *acting; /* joints and manifolds */
@@ -163,7 +163,7 @@ MeBool mdt_partTakeMade(MdtIsland *p, double part);
 /* Whether parts may be taken in stages of order 4; takes one so, as far as that goes (mdt_compose.c). */
 MeBool mdt_mayCompose(const MdtIsland *p);
 MeBool mdt_partCompose(MdtIsland *p, double part);
-/* What a solve may cost; what the last one has cost. */
+/* The budget of a solve; the cost of the last one. */
 void mdt_budgetGrant(MdtIsland *p);
 void mdt_budgetDraw(MdtIsland *p);
 
@@ -172,7 +172,7 @@ void mdt_rowsMake(MdtIsland *p);
 /* For Kea: the rows of joints, and their errors, were the bodies elsewhere. The context is the island. */
 void MEAPI mdt_rowsMove(void *island, const MdtKeaTransformation poses[]);
 void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], double errors[]);
-/* What a constraint knows of its surroundings in this part, but for its first row. */
+/* The system as a constraint sees it in this part, but for its first row. */
 void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x);
 /* Leaves out rows of contacts until the partition, which has that many, has at most `most`, in the documented order
  * (mdt_cap.c). Returns how many it has then. */
@@ -192,7 +192,7 @@ void mdt_unpackStopped(MdtIsland *p);
 
 /* How far a partition may move: the shortest safe time of its bodies, within bounds. */
 double mdt_lagSafeStep(const MdtIsland *p);
-/* The partition is moved on by its h, of what it lacks. */
+/* The partition has advanced by its h: its lag is less by so much. */
 void mdt_lagSet(const MdtIsland *p, double lack);
 
 #endif

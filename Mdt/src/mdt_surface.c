@@ -19,7 +19,7 @@ static MdtSurface **bucketOf(const MdtSurfaces *s, const MdtBclContactParams *pa
     return &s->bucket[hash & (MeU64)(s->numBuckets - 1)];
 }
 
-static void enter(MdtSurfaces *s, MdtSurface *surface) {
+static void linkSurface(MdtSurfaces *s, MdtSurface *surface) {
     MdtSurface **bucket = bucketOf(s, &surface->params);
     surface->next = *bucket;
     *bucket = surface;
@@ -49,7 +49,7 @@ static void addBuckets(MdtSurfaces *s, const char *caller) {
     for (int i = 0; i < old.numBuckets; i++)
         for (MdtSurface *surface = old.bucket[i], *next; surface; surface = next) {
             next = surface->next;
-            enter(s, surface);
+            linkSurface(s, surface);
         }
     MeMemoryGive(old.bucket);
 }
@@ -62,7 +62,7 @@ MeBool mdt_surfacesInit(MdtSurfaces *s, MeReal lengthScale, const char *caller) 
     s->numBuckets = FIRST_BUCKETS;
     if (!s->bucket || !addBlock(s, caller))
         return MEFALSE;
-    enter(s, &s->standard);
+    linkSurface(s, &s->standard);
     return METRUE;
 }
 
@@ -92,7 +92,7 @@ const MdtSurface *mdt_surfaceTake(MdtSurfaces *s, const MdtBclContactParams *par
     memcpy(&surface->params, params, sizeof *params); /* padding and all: they are compared */
     surface->users = 1;
     s->count++;
-    enter(s, surface);
+    linkSurface(s, surface);
     return surface;
 }
 

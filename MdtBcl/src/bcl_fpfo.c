@@ -8,7 +8,7 @@ static void reset(MdtBclConstraint *c) {
     bcl_resetFrames(c);
 }
 
-/* What the bodies' places are when they are attached, they stay. */
+/* Keeps the relative pose that the bodies had when they were attached. */
 static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
     bcl_matchAxes(c, pose);
     bcl_matchPositions(c, pose);

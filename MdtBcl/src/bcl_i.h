@@ -23,7 +23,7 @@ void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x);
 /* Makes a row pull its error back: s = -γ φ / h, checked at the step's end. */
 void bcl_aimAtZero(MdtKeaRow *row, const MdtBclContext *x, double error);
 
-/* What must be true of rows whatever a program writes into public parameters (which may make errors and targets
+/* Invariants of rows, for any values that a program writes into public parameters (which may make errors and targets
  * infinite): Jacobians are finite, bounds leave room for a force, no compliance, spring or friction feeds energy. */
 MeBool bcl_areRows(const MdtKeaRow rows[], int count);
 

@@ -35,7 +35,7 @@ void mst_runTerm(MstRun *run) {
     MeMemoryGive(run->made);
 }
 
-/* No run ends for want of room before its pairs have so many contacts each on average. */
+/* Room for contacts of a run: so many per pair on average. */
 MeBool mst_runInit(MstRun *run, int most, const char *function) {
     enum { AVERAGE = 8 };
     if (most > INT_MAX - AVERAGE * MST_RUN)
@@ -143,7 +143,7 @@ MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b) {
     return addMaterial(record, "MstBridgeGetNewMaterial") ? m : MstBridgeGetDefaultMaterial();
 }
 
-static MstMaterialID known(const MstBridgeRecord *b, MstMaterialID m) {
+static MstMaterialID knownMaterial(const MstBridgeRecord *b, MstMaterialID m) {
     if (m < b->materialCount)
         return m;
     MeWarning(1, "MstBridge: there is no material %u; there are %u. The default one is taken", m, b->materialCount);
@@ -151,7 +151,7 @@ static MstMaterialID known(const MstBridgeRecord *b, MstMaterialID m) {
 }
 
 MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2) {
-    const MstMaterialID a = known(b, m1), c = known(b, m2), high = MeMAX(a, c), low = MeMIN(a, c);
+    const MstMaterialID a = knownMaterial(b, m1), c = knownMaterial(b, m2), high = MeMAX(a, c), low = MeMIN(a, c);
     MEASSERT(high < b->materialCount && b->materialCount <= b->materialRoom);
     return &b->materials[high][low].pair;
 }
@@ -173,7 +173,7 @@ unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair) {
     return record->version;
 }
 
-/* Asks for the versions of all, unless there are more pairs of materials than pairs of models. */
+/* Computes the versions of all, unless there are more pairs of materials than pairs of models. */
 static void lookAtMaterials(MstBridgeRecord *b, int count) {
     if (0.5 * b->materialCount * (b->materialCount + 1.0) > (double)count)
         return;

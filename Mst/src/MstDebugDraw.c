@@ -12,7 +12,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* What all functions here need. */
+/* Common arguments of the functions here. */
 typedef struct Drawing {
     const MstDebugDraw *to;
     unsigned int layers;
@@ -71,7 +71,7 @@ static void arrow(const Drawing *d, const MeVector3 from, const MeVector3 v, MeR
 
 /* ---- models ------------------------------------------------------------------------------------------------------ */
 
-/* McdGeometryDebugDraw knows one function for all; this is for whom it draws now. */
+/* McdGeometryDebugDraw has one callback without context; this is the context of the present call. */
 static _Thread_local const Drawing *outlinesFor;
 
 static void MEAPI outlineLine(MeVector3 a, MeVector3 b, MeReal r, MeReal g, MeReal bl) {

@@ -1,11 +1,10 @@
-/* Events: what begins, persists and ends, told of the step's touches (mst_touch.c) once it is done.
+/* Events: beginning, persisting and ending touches, made of the step's touches (mst_touch.c) once it is done.
  *
  * Reads the touches that are listed, and the forces of their contacts, which say which of them touch. Writes whether
  * they do, what only events need of them, and the list of events; calls the program's callbacks of touches.
  *
- * The list of events is made when somebody asks for it, or has a callback, or destroys what it is about. When nobody
- * has until the next step begins, only whether each pair touches is kept: most pairs go on touching.
- */
+ * The list of events is made when a program reads it, has a callback, or destroys an object that it names. If it has
+ * not been made when the next step begins, only whether each pair touches is kept: most pairs go on touching. */
 #include "MstEvents.h"
 #include "MdtBody.h"
 #include "MdtContact.h"
@@ -32,7 +31,7 @@ static MeBool hasRoom(MstEventList *list) {
     return METRUE;
 }
 
-static void add(MstEventList *list, const MstEvent *event, const MeU64 serial[2]) {
+static void addEvent(MstEventList *list, const MstEvent *event, const MeU64 serial[2]) {
     if (!hasRoom(list))
         return;
     list->event[list->count] = *event;
@@ -64,10 +63,10 @@ static MstEvent eventOf(const MstTouch *t, MstEventKind kind) {
     return event;
 }
 
-static void tell(MstEventList *list, const MstTouch *t, MstEventKind kind) {
+static void addTouchEvent(MstEventList *list, const MstTouch *t, MstEventKind kind) {
     const MstEvent event = eventOf(t, kind);
     const MeU64 serial[2] = {t->model[0].serial, t->model[1].serial};
-    add(list, &event, serial);
+    addEvent(list, &event, serial);
 }
 
 void mst_eventsTerm(MstBridgeRecord *b) {
@@ -132,14 +131,14 @@ static void tellChange(MstEvents *e, MstTouch *t) {
     const MeBool was = t->isTouching, is = touches(t);
     t->isTouching = is;
     if (is)
-        tell(&e->done, t, was ? MstEventPersist : MstEventBegin);
+        addTouchEvent(&e->done, t, was ? MstEventPersist : MstEventBegin);
     else if (was)
-        tell(&e->done, t, MstEventEnd);
+        addTouchEvent(&e->done, t, MstEventEnd);
 }
 
 static void takeEnded(MstEvents *e) {
     for (int i = 0; i < e->ended.count; i++)
-        add(&e->done, &e->ended.event[i], e->ended.serial[i]);
+        addEvent(&e->done, &e->ended.event[i], e->ended.serial[i]);
     e->ended.count = 0;
 }
 
@@ -154,7 +153,7 @@ static void tellBreaks(MstEvents *e, MdtWorldID w) {
         memset(&event, 0, sizeof event);
         event.kind = MstEventBreak;
         event.joint = broken[i];
-        add(&e->done, &event, none);
+        addEvent(&e->done, &event, none);
     }
 }
 
@@ -163,7 +162,7 @@ static McdModelID ifAlive(McdModelID m, MeU64 serial) {
 }
 
 /* Nulls what was destroyed since. Breaks come last, in the order of the world's list. */
-static void refresh(MstEvents *e, int i) {
+static void refreshEvent(MstEvents *e, int i) {
     MstEvent *event = &e->done.event[i];
     if (event->kind == MstEventBreak) {
         event->joint = MdtWorldGetBrokenJoints(e->world, 0)[i - e->firstBreak];
@@ -175,7 +174,7 @@ static void refresh(MstEvents *e, int i) {
 
 static void callBack(MstBridgeRecord *b) {
     for (int i = 0; i < b->events.firstBreak; i++) {
-        refresh(&b->events, i);
+        refreshEvent(&b->events, i);
         const MstEvent *event = &b->events.done.event[i];
         const MstTouchCBPtr cb = mst_materialPair(b, event->material1, event->material2)->touchCb;
         if (cb)
@@ -208,7 +207,7 @@ void MEAPI mst_touchForget(McdModelPair *p) {
     MEASSERT(t->pair == p);
     p->touch = 0;
     if (t->isTouching)
-        tell(&t->bridge->events.ended, t, MstEventEnd);
+        addTouchEvent(&t->bridge->events.ended, t, MstEventEnd);
     if (t->isListed)
         mst_touchUnlist(t);
     mst_touchGive(t);
@@ -237,7 +236,7 @@ static void MEAPI skipRange(void *context, int first, int end, int worker) {
     }
 }
 
-/* Nobody has asked: what touches is kept, and no more. */
+/* No list was made: only whether each pair touches is kept. */
 static void skipList(MstBridgeRecord *b, MeTeam *team) {
     MstEvents *e = &b->events;
     Skipped s = {e, MdtWorldIsValid(e->world)};
@@ -278,6 +277,6 @@ const MstEvent *MEAPI MstBridgeGetEvents(const MstBridgeID b, int *count) {
     if (!record)
         return 0;
     for (int i = 0; i < record->events.done.count; i++)
-        refresh(&record->events, i);
+        refreshEvent(&record->events, i);
     return record->events.done.event;
 }

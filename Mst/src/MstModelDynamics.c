@@ -1,4 +1,4 @@
-/* Models with bodies: who belongs to whom. A body knows its first model, a model the next one of its body. */
+/* Links between models and bodies. A body knows its first model, a model the next one of its body. */
 #include "MstModelDynamics.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
@@ -22,7 +22,7 @@ static MeBool isOfBody(const McdModel *m, MdtBodyID b) {
 }
 
 /* Takes the model out of its body's list. */
-static void MEAPI leave(McdModel *m) {
+static void MEAPI unlinkModel(McdModel *m) {
     const MdtBodyID b = m->mBody;
     const MeBool isLive = MdtBodyIsValid(b); /* it may have gone with its world */
     McdModelID first = isLive ? MdtBodyGetModel(b) : 0;
@@ -37,25 +37,25 @@ static void MEAPI leave(McdModel *m) {
     m->mBody = 0;
 }
 
-static void part(McdModelID m) {
+static void detachModel(McdModelID m) {
     const MdtBodyID b = m->mBody;
     if (McdModelGetTransformPtr(m) == MdtBodyGetTransformPtr(b))
         McdModelSetTransformPtr(m, 0);
     McdModelSetLinearVelocityPtr(m, 0);
     McdModelSetAngularVelocityPtr(m, 0);
-    leave(m);
+    unlinkModel(m);
 }
 
 void MEAPI McdModelSetBody(const McdModelID m, const MdtBodyID b) {
     if (!isModel(m, "McdModelSetBody"))
         return;
     if (m->mLeave)
-        part(m);
+        detachModel(m);
     McdModelSetBodyData(m, b);
     if (!b)
         return;
     m->mOfBody = MdtBodyGetModel(b);
-    m->mLeave = leave;
+    m->mLeave = unlinkModel;
     MdtBodySetModel(b, m);
     MEVALIDATE(isOfBody(m, b));
     McdModelSetTransformPtr(m, MdtBodyGetTransformPtr(b));

@@ -28,7 +28,7 @@ static MeBool isUniverse(MstUniverseID u, const char *function) {
     return MEFALSE;
 }
 
-/* What was created of it. */
+/* The parts that have been created. */
 static void destroyParts(MstUniverse *u) {
     if (u->space)
         McdSpaceDestroy(u->space);
@@ -80,7 +80,7 @@ static void createParts(MstUniverse *u) {
 
 #define MEMBER(member) "MstUniverseSizes." #member
 
-/* What messages call the limits of the parts. */
+/* Names of the parts' limits, for messages. */
 static void nameLimits(MstUniverse *u) {
     MdtWorldRenameLimits(u->world, MEMBER(dynamicBodiesMaxCount), MEMBER(dynamicConstraintsMaxCount));
     McdFrameworkRenameLimits(u->frame, MEMBER(collisionUserGeometryTypesMaxCount), MEMBER(collisionModelsMaxCount),

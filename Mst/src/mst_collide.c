@@ -1,8 +1,8 @@
-/* Collide: what has become of pairs of models since the last step, as findings of a run.
+/* Collide: the narrow phase of a run of pairs. Its results are findings, which update and commit take.
  *
- * Reads models, the poses and the motion of their bodies, materials; of each pair its manifold and its touch. Writes
- * the run, and of each pair what Mcd keeps of its last look and test. Nothing here calls the program, takes from a
- * pool, or writes to what two pairs share (mst_i.h says what is still missing of that).
+ * Reads models, poses and motion of their bodies, materials; of each pair its manifold and its touch. Writes the run,
+ * and in each pair Mcd's record of its last test. Nothing here calls the program, takes from a pool, or writes to
+ * anything that two pairs share (mst_i.h names the two exceptions).
  *
  * A pair that has stood still to the last bit since its last test keeps its contacts. One that has hardly moved has
  * them carried with its bodies. All others are tested.
@@ -20,8 +20,8 @@
 
 /* ---- memory that will be read ------------------------------------------------------------------------------------ */
 
-/* So many pairs ahead the pair itself is fetched, and later what it points to. In a heap of 1000 boxes, twice as far
- * costs the same. */
+/* Prefetch distances, in pairs: of the pair itself, and of the records that it points to. In a heap of 1000 boxes,
+ * twice as far costs the same. */
 enum { PAIR_AHEAD = 8, CONTENT_AHEAD = 4 };
 
 static void prefetchLines(const void *start, size_t bytes) {
@@ -104,7 +104,7 @@ static MeBool mayReuse(const McdModelPair *p) {
     return (mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2))) && !mst_isFast(p);
 }
 
-/* Would a test give what the last one gave, or what has been carried since? MST_TO_TEST: it might not. */
+/* The outcome if the last test, or the contacts carried since, still hold; MST_TO_TEST: they may not. */
 static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     McdModelPair *p = f->pair;
     const MeBool mayMove[2] = {mst_bodyOf(p->model1) != 0, mst_bodyOf(p->model2) != 0};
@@ -193,7 +193,7 @@ static MeBool isAsleep(McdModelID m) {
     return McdModelGetSpace(m) && McdSpaceModelIsFrozen(m);
 }
 
-/* Of what happens before any contact is looked at; MST_TO_TEST: nothing does. */
+/* The outcome that follows from the models alone; MST_TO_TEST: none does. */
 static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *p) {
     if (isAsleep(p->model1) && isAsleep(p->model2))
         return MST_NOTHING;

@@ -1,4 +1,4 @@
-/* Commit: what was found of pairs becomes contacts of their bodies. In the pairs' order, in one thread.
+/* Commit: makes contacts of bodies from findings, in the pairs' order, in one thread.
  *
  * Reads the findings of a run. Writes manifolds, touches and safe times, and calls the program: a pair whose test or
  * contacts a function of the program sees is tested here, and ends its run, as that function may change anything.
@@ -106,7 +106,7 @@ static void callPerContact(const MstBridgeRecord *b, MstRun *run, MdtContactGrou
     }
 }
 
-/* The group's contacts become those that were found; returns how many there was room for. */
+/* Replaces the group's contacts by those found; returns how many there was room for. */
 static int renewContacts(MstBridgeRecord *b, const MstRun *run, const MstFinding *f, MdtContactGroupID group) {
     return MdtContactGroupRenew(group, &run->found[f->first], f->count, b->ahead, run->made);
 }
@@ -173,7 +173,7 @@ static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpa
     finishTest(b, f, s, w);
 }
 
-/* Overlap makes an event, and nothing is pushed. Two sensors do not see each other. */
+/* A sensor's overlap makes an event, but no contacts. Two sensors do not overlap. */
 static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
     destroyGroup(p);
     if (McdModelIsSensor(p->model1) && McdModelIsSensor(p->model2))
@@ -182,8 +182,8 @@ static void senseAndCommit(MstBridgeRecord *b, MstRun *run, McdModelPair *p) {
         mst_touchNoteSensor(b, p, &run->result);
 }
 
-/* As if the space had said goodbye; what was tested says nothing of when they collide again. */
-static void part(McdModelPair *p) {
+/* As at the space's goodbye. The last test is no longer valid when they collide again. */
+static void forgetContacts(McdModelPair *p) {
     mst_pairForget(p);
     McdModelPairForgetTest(p);
 }
@@ -209,7 +209,7 @@ static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpaceI
         testAndCommit(b, run, f, s, w);
         return;
     case MST_TO_PART:
-        part(f->pair);
+        forgetContacts(f->pair);
         return;
     case MST_TO_SENSE:
         senseAndCommit(b, run, f->pair);

@@ -74,8 +74,8 @@ static void addWay(MeVector3 way, McdModelID m, MeReal time) {
         way[i] += time * velocity[i];
 }
 
-/* McdSafeTime does not know surfaces of triangles: there the shape is cast along its way, without its turning. It is
- * stopped a little before. */
+/* McdSafeTime does not support surfaces of triangles: there the shape is cast along its way, without its rotation. It
+ * is stopped a little before. */
 static MeReal timeToSurface(McdModelID shape, McdModelID surface, McdSpaceID s, MeReal most) {
     enum { STOP = 1000 };
     McdCastResult hit;
@@ -188,7 +188,7 @@ static MeBool isLagging(McdModelID m) {
     return lagOf(mst_bodyOf(m)) > 0;
 }
 
-/* Does one body lag, so that it may move on, and is the pair one that contacts can push? */
+/* Does a body lag, so that it may still move, and may the pair have contacts? */
 static MeBool mayMove(const McdModelPair *p) {
     return (isLagging(p->model1) || isLagging(p->model2)) && !McdModelIsSensor(p->model1) &&
            !McdModelIsSensor(p->model2);

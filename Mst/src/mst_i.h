@@ -79,7 +79,7 @@ typedef struct MstModelRef {
     MeU64 serial;
 } MstModelRef;
 
-/* What the bridge knows of a pair: from its first contact until the space takes the pair back. */
+/* The bridge's record of a pair, from its first contact until the space releases the pair. */
 struct MstTouch {
     /* Read or written in every step: one cache line in single precision.
      * As of the last test of the pair: */
@@ -111,6 +111,7 @@ struct MstTouch {
 #ifndef _ME_API_DOUBLE
 _Static_assert(offsetof(MstTouch, pair) == MST_CACHE_LINE && offsetof(MstTouch, model) <= 2 * MST_CACHE_LINE,
                "two cache lines for what a step reads and writes");
+_Static_assert(sizeof(MstTouch) == 3 * MST_CACHE_LINE, "and one for the models");
 #endif
 
 /* Events, and for each the serials of its two models: whether a handle still means the same one. */
@@ -120,21 +121,21 @@ typedef struct MstEventList {
     int count, max;
 } MstEventList;
 
-/* What a bridge knows of touches. */
+/* All touches of a bridge, and the lists of events made of them. */
 typedef struct MstEvents {
     MstTouch *block[MST_TOUCH_BLOCKS]; /* all touches, free ones too */
     int blockCount;
     MstTouch *free;
     MstTouch **listed; /* those of this step, in the order of the space's pairs */
     int listedCount, listedMax;
-    MeBool isPending;         /* the step is done, and its list has not been made: nobody has asked */
+    MeBool isPending;         /* the step is done, and its list of events has not been made yet */
     int callbacks;            /* material pairs that have one: the list is made at once */
     MstEventList done, ended; /* of the step just done, and ends since then */
     MdtWorldID world;         /* whose joints broke */
     int firstBreak;           /* from this event on */
 } MstEvents;
 
-/* What holds between two materials, and whether that is what it was: programs write it at any time. */
+/* The parameters of two materials, and a copy to detect changes: programs write them at any time. */
 typedef struct MstMaterialRecord {
     MstMaterialPair pair, seen; /* first: what programs see; as of the last look, */
     unsigned long version;      /* since when it has been like that, */
@@ -154,7 +155,7 @@ typedef enum MstOutcome {
     MST_TO_WAIT   /* one body lags, and must not push the other, which has done its step */
 } MstOutcome;
 
-/* What has been found out about one pair. */
+/* The result of collide for one pair. */
 typedef struct MstFinding {
     McdModelPair *pair;
     MstMaterialPair *materials; /* of its models */
@@ -163,7 +164,7 @@ typedef struct MstFinding {
     MeBool isKnown;     /* MST_TESTED: there is an interaction, which has found the contacts */
     int first, count;   /* the same: contacts, in MstRun.found */
     MeReal separation;  /* m, the least of these */
-    MeReal timeToTouch; /* s; MST_UNKNOWN: nobody has asked for it */
+    MeReal timeToTouch; /* s; MST_UNKNOWN: not computed */
     MstTouch *updated;  /* is all that is left to do to list it? (mst_update.c) */
 } MstFinding;
 
@@ -188,7 +189,7 @@ struct MstBridgeRecord {
     MstMaterialRecord **materials; /* of the pair (m1 >= m2): materials[m1][m2] */
     unsigned long lastVersion;     /* counts changes of what holds between materials */
     unsigned long round;           /* of pairs, in which nothing changes but by callbacks */
-    unsigned long allSeenIn;       /* the last one in which all versions were asked for before its pairs */
+    unsigned long allSeenIn;       /* the last one in which all versions were computed before its pairs */
     MeBool isPairsSizeSet;         /* by the program: bridge.pairs does not grow */
     MstRun run;
     MstRun *runsAhead; /* MST_AHEAD of them; null: no worker has helped yet */
@@ -211,9 +212,9 @@ static inline MdtBodyID mst_bodyOf(McdModelID m) {
 
 /* The record of a live bridge; null, with a warning, for anything else. */
 MstBridgeRecord *mst_bridgeCheck(MstBridgeID b, const char *function);
-/* What holds between two materials; unknown ones count as the default one. */
+/* The parameters of two materials; an unknown material counts as the default one. */
 MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2);
-/* What holds at a contact: parts of models may have materials of their own. */
+/* The parameters at a contact: parts of models may have materials of their own. */
 MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c);
 /* A number that changes with anything that holds between two materials. */
 unsigned long mst_materialVersion(MstBridgeRecord *b, MstMaterialPair *pair);
@@ -224,7 +225,7 @@ static inline MeBool mst_areMaterialsSeen(const MstBridgeRecord *b) {
 static inline unsigned long mst_versionSeen(const MstMaterialPair *pair) {
     return ((const MstMaterialRecord *)pair)->version;
 }
-/* Pairs are looked at: programs may have changed anything before, and in a callback. */
+/* Pairs are about to be looked at: programs may have changed any input before, or in a callback. */
 void mst_beginRound(MstBridgeRecord *b);
 
 /* Room for the contacts of one pair, and of the rest of a run. False: there is no memory, and the run is as it was. */
@@ -269,8 +270,8 @@ unsigned long mst_movesOf(McdModelID m);
 void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f);
 /* Its contacts move with its bodies. */
 void mst_carry(const MstFinding *f);
-/* What the contacts were made from, unless it is to be tested in every step: what is fast, or has callbacks, or has not
- * got all the contacts that were found. */
+/* Notes the state of the models that the contacts were made from. Not for pairs that are tested in every step: fast
+ * ones, those with callbacks, and those with fewer contacts than were found. */
 void mst_rememberTest(const MstFinding *f, unsigned long version);
 
 /* ---- commit (mst_commit.c) --------------------------------------------------------------------------------------- */
@@ -298,7 +299,7 @@ void mst_touchNoteGroup(MstTouch *t, MdtContactGroupID group);
 /* The touch is no longer among those of this step; it is free. */
 void mst_touchUnlist(MstTouch *t);
 void mst_touchGive(MstTouch *t);
-/* Does every touch know its pair, which knows it, and does what is listed say so? */
+/* Check: do touches and pairs refer to each other, and does the list hold exactly those marked as listed? */
 MeBool mst_touchesAreConsistent(const MstEvents *e);
 /* Returns their memory. Pairs know of none any more. */
 void mst_touchesTerm(MstEvents *e);
@@ -311,7 +312,7 @@ void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
 
 /* ---- events (MstEvents.c) ---------------------------------------------------------------------------------------- */
 
-/* A step begins: touches are told from those of the last one, by the workers. */
+/* A step begins: the workers mark the touches of the last one as such. */
 void mst_eventsBegin(MstBridgeRecord *b, MeTeam *team);
 /* Adds what contacts did in the part of the step just done. */
 void mst_eventsGather(MstBridgeRecord *b);
@@ -335,7 +336,7 @@ void mst_followFast(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts,
 MeBool mst_isInCrowd(MdtBodyID body);
 /* A part of the step begins: no body has a safe time. */
 void mst_clearSafeTimes(MstBridgeRecord *b);
-/* The world's step after the contacts were made: in parts, where something fast meets something. */
+/* The world's step after the contacts were made: in parts, where a fast model has an impact. */
 void mst_stepWorld(MstUniverse *u, MeReal step);
 
 #endif

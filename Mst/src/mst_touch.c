@@ -1,4 +1,4 @@
-/* Touches: what the bridge knows of pairs from step to step, and notes of them as their contacts are committed.
+/* Touches: the bridge's records of pairs, kept from step to step and updated as their contacts are committed.
  *
  * A pair has a touch from its first contact until the space takes the pair back. Those of pairs that were looked at in
  * a step, and have or had contacts, are listed, in the order of the pairs; events are made of that list (MstEvents.c).
@@ -84,7 +84,7 @@ static MstTouch *ensureTouch(MstBridgeRecord *b, McdModelPair *p) {
 
 /* ---- the list of the step ---------------------------------------------------------------------------------------- */
 
-static MeBool list(MstTouch *t) {
+static MeBool listTouch(MstTouch *t) {
     MstEvents *e = &t->bridge->events;
     if (e->listedCount == e->listedMax) {
         const int more = e->listedMax ? 2 * e->listedMax : 64;
@@ -99,7 +99,7 @@ static MeBool list(MstTouch *t) {
 
 void mst_touchList(MstTouch *t) {
     MEASSERT(t->isListed);
-    if (!list(t))
+    if (!listTouch(t))
         t->isListed = MEFALSE;
 }
 
@@ -137,7 +137,7 @@ MeReal mst_lagOfPair(const McdModelPair *p) {
     return MeMAX(lag1, lag2);
 }
 
-/* What is known of the step's contacts before any of them is looked at. */
+/* Begins the touch of this step: no contact has been added to its sums yet. */
 static void beginTouch(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasContacts, MeBool isSensor) {
     MstTouch *t = p->touch;
     t->isListed = METRUE;
@@ -160,7 +160,7 @@ static MstTouch *listedTouch(MstBridgeRecord *b, McdModelPair *p, MeBool hasCont
             t->hasContacts = t->hasContacts || hasContacts;
         return t;
     }
-    if (!list(t))
+    if (!listTouch(t))
         return 0;
     beginTouch(b, p, hasContacts, isSensor);
     return t;

@@ -1,5 +1,5 @@
-/* Update: contacts that go on, and what is known of their pair. It follows collide, for each pair by the same thread,
- * which has all of it in its cache then.
+/* Update: persisting contacts and the records of their pairs. It follows collide, for each pair in the same thread,
+ * which has it in its cache.
  *
  * Writes the pair's own group and touch alone, and that the certificates of rest of its bodies have ended. Where
  * contacts come or go, where the program is called, or what pairs share is to be written, commit does it all.
@@ -41,7 +41,7 @@ static MeBool isGroupToStay(const MstRun *run, const MstFinding *f) {
     return group && MdtContactGroupIsEnabled(group) && MdtContactGroupGoesOn(group, &run->found[f->first], f->count);
 }
 
-/* Parts after the first are commit's: what is listed then is listed already. */
+/* Later parts are left to commit: their touches may be listed already. */
 static MeBool isOwn(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
     const McdModelPair *p = f->pair;
     const MstTouch *t = p->touch;

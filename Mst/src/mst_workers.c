@@ -58,7 +58,7 @@ typedef struct Plain {
     McdModelPair *const *pairs;
     int count;
     int end[MOST_RUNS];    /* by run: behind its first pairs that are plain */
-    int unseen[MOST_RUNS]; /* the first of them with a model that nobody has looked at; or its end */
+    int unseen[MOST_RUNS]; /* the first of them with a model that has no stamp of this round; or its end */
 } Plain;
 
 static void MEAPI findPlainPairs(void *context, int run, int worker) {
@@ -118,7 +118,7 @@ static MeBool areWorth(const MstBridgeRecord *b, const MeTeam *team, int count) 
     return team && b->part == 0 && count >= MST_LEAST_RUNS * MST_RUN;
 }
 
-/* Where there are more models than pairs, only those are looked at that pairs are of. */
+/* Where there are more models than pairs, only the models of pairs are looked at. */
 void mst_lookByWorkers(MstBridgeRecord *b, int count, McdSpaceID s, MdtWorldID w) {
     MeTeam *team = w ? MdtWorldGetTeam(w) : 0;
     b->runsLooked = MOST_RUNS;

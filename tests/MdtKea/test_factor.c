@@ -572,7 +572,7 @@ END_TEST
 /* More graphs than the cache has room for: the last ones are found again, and the first is made anew in the place of
  * the one that was not used for longest. */
 START_TEST(the_cache_keeps_what_was_used_last) {
-    enum { FIRST = 2, END = FIRST + 100, KEPT = END - KEA_MAX_FACTORS };
+    enum { FIRST = 2, END = FIRST + 100, KEPT = END - 64 };
     const int edges[][2] = {{0, 1}};
     KeaFactor *made[END] = {NULL};
     cache = MdtKeaCacheCreate();

@@ -303,7 +303,7 @@ MeBool kea_impact(MdtKeaSystem *s) {
     kea_problemMeasure(&s->work->problem);
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
-    const double slowest = keaMax(kea_meetingSpeed * kea_eventSpeed(s), kea_meetingSpeed * s->work->speed);
+    const double slowest = kea_velocityTolerance * keaMax(kea_eventSpeed(s), s->work->speed);
     for (int round = 0; round < KEA_MAX_ROUNDS && chooseMeeting(s, slowest, gate, target, takesPart); round++)
         if (!takeRound(s, target, takesPart) || s->work->problem.counts.isLimited)
             break;

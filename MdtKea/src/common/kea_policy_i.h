@@ -1,8 +1,8 @@
 /* Inside Kea: every number that is a choice. What follows from arithmetic or geometry stays in its formula.
  *
  * Of each: its unit, and why it is what it is: a derivation, a measurement, or a test that fails when it is halved
- * (/2) or doubled (x2), of those of Kea, Mdt, the guide and Mst that take below two seconds, in single precision. `No
- * test tells' is said where all of these pass; where nothing of the kind stands, it was not tried.
+ * (/2) or doubled (x2). Most of those are in tests/MdtKea/test_policy.c, and what only steers cost is seen there in
+ * counted iterations.
  *
  * Units: `A_ii' is a row's J B⁻¹ Jᵀ, 1/kg, the inverse of its effective mass; `load speed' the greatest change of a
  * body's velocity by its loads in the step, m/s (kea_loadSpeed): g h under gravity.
@@ -38,7 +38,7 @@ static const double kea_momentumSlack = 1e2;
  * answers_are_exact_enough_to_a_millionth. */
 static const double kea_loosePosition = 1e4, kea_looseVelocity = 1e5;
 /* Of kea_loose...: where passes by sweeps stop. A digit, so that a sweep's answer is not at the edge of being
- * reported. No test tells (x2). */
+ * reported. x2 and /2 fail MdtKea_policy: sweeps_end_a_digit_below_what_is_reported. */
 static const double kea_sweptMargin = 0.1;
 
 /* Of a body's velocity, in the speed that residuals are compared with, beside the load speed: something that flies
@@ -48,7 +48,8 @@ static const double kea_ownSpeedShare = 0.1;
 /* Of a body's radius of gyration, and of its distance from the origin, in the size that a position error is compared
  * with: the first is for rows with no lever arm and no motion, the second for the rounding of far places (1e-4 x 1e-10
  * = 1e-14 of the distance, 50 times the rounding of a double). x2 of the first fails Mdt_Order:
- * the_sag_of_a_load_is_epsilon_force_over_gamma. */
+ * the_sag_of_a_load_is_epsilon_force_over_gamma; x2 and /2 of the second MdtKea_policy:
+ * far_places_are_known_to_fourteen_digits. */
 static const double kea_bodySizeShare = 1e-2, kea_distanceShare = 1e-4;
 /* Of the momentum, in the scale of a body's impulses beside its loads': else a body without loads would ask for 0. It
  * is 1e-14 of the momentum with kea_newtonTolerance, 50 times the rounding of a double. x2 and /2 fail MdtKea_system:
@@ -59,14 +60,9 @@ static const double kea_momentumShare = 1e-4;
 static const double kea_inconsistentShare = 0.5;
 /* Of lever arms and distances from the origin, and rad: what may be wrong with attachments that a program gives in
  * single precision, eight of its roundings. A linkage may be too long by so much to pass its change point, and joints
- * that contradict each other by less agree. */
+ * that contradict each other by less agree. x2 and /2 fail MdtKea_policy:
+ * joints_may_disagree_by_the_rounding_of_places. */
 static const double kea_attachmentRounding = 5e-7;
-/* Of a body's size: an answer this far in a step from one that attachments are as good for is on another branch. A
- * thousand times kea_attachmentRounding. */
-static const double kea_branchWay = 5e-4;
-/* Times the best residual of the tangent problem's passes: its matrix is not positive, and a pass may lead anywhere;
- * Newton's method does not come back from there in the passes that it has. */
-static const double kea_tangentDivergence = 1e3;
 /* Rad, h |w| of any body: turning further, partitions without loops do not take the tangent problem. 0 costs rag dolls
  * a sixth of their factorizations more. x2 fails Mst_SweptJoints: swept_pairs_on_hinges_do_not_explode. */
 static const double kea_tangentTurn = 0.3;
@@ -74,28 +70,33 @@ static const double kea_tangentTurn = 0.3;
 /* ---- passes of a step ---- */
 
 enum {
-    /* Friction bounds go all the way to μ p_n in so many passes and impact passes, then half of it, accelerated. Where
-     * they settle at all, they have mostly done so in 3 to 6. */
+    /* Friction bounds go all the way to μ p_n in so many passes and impact passes, then half of it, accelerated; of the
+     * velocity stage these are all passes. Where bounds settle at all, they have mostly done so in 3 to 6. x2 and /2
+     * fail MdtKea_policy: friction_bounds_follow_in_full_then_by_a_secant. */
     KEA_FULL_BOUND_PASSES = 6,
     /* Passes after which friction bounds are frozen: once the answer is within kea_looseVelocity; and whatever it is.
-     * Collapsing heaps settle within 60 in all but 3 % of their steps (tests/Mst/test_Heaps). */
+     * Collapsing heaps settle within 60 in all but 3 % of their steps (tests/Mst/test_Heaps). x2 and /2 of either fail
+     * MdtKea_policy: friction_bounds_that_do_not_settle_are_frozen. */
     KEA_FREEZE_PASS = 12,
     KEA_MAX_COUPLED_PASSES = 60,
-    /* With frozen bounds the rest is convex; passes converge by 3 to 70 each, so 4 gain two to seven digits. */
+    /* With frozen bounds the rest is convex; passes converge by 3 to 70 each, so 4 gain two to seven digits. x2 and /2
+     * fail MdtKea_policy: friction_bounds_that_do_not_settle_are_frozen. */
     KEA_FROZEN_PASSES = 4,
     /* Passes of the tangent problem, which converges quadratically: 2 to 4 where it is regular, 6 near a change point;
-     * at one, and with redundant joints, more do not converge either. */
+     * at one, and with redundant joints, more do not converge either. x2 and /2 fail scenes_linkage:
+     * momentum_chooses_the_branch_at_a_change_point. */
     KEA_TANGENT_PASSES = 6,
-    /* Passes of sweeps that share what work is left, so that the geometry is followed (test_Mst_WorkBudget). */
+    /* Passes of sweeps that share what work is left, so that the geometry is followed (test_Mst_WorkBudget).
+     * /2 fails MdtKea_policy: sweeps_leave_work_for_eight_passes. */
     KEA_SWEPT_PASSES = 8,
     /* More passes than this, and the motion's energy is watched: ordinary steps take 3 to 6; contradicting rows may be
-     * found to agree in a motion of a hundred times the energy. Two times the ordinary. */
-    KEA_UNUSUAL_PASSES = 12,
-    /* Of the velocity stage: linear but for bounds, so that it takes 1 to 3. A cap only. */
-    KEA_MAX_VELOCITY_PASSES = 6
+     * found to agree in a motion of a hundred times the energy. Two times the ordinary. /2 fails MdtKea_system:
+     * velocity_rows_obey_their_law. */
+    KEA_UNUSUAL_PASSES = 12
 };
 /* The range of the secant's t, which takes back that part of the last approach: t -> 1 is division by zero, and a
- * straight line is not to be trusted beyond five times its length. No test tells (x2). */
+ * straight line is not to be trusted beyond five times its length. x2 and /2 of either fail MdtKea_policy:
+ * friction_bounds_follow_in_full_then_by_a_secant. */
 static const double kea_leastSecant = -4, kea_mostSecant = 0.9;
 
 /* Of the budget of work (MdtKeaParameters.maxWork): what passes may use, so that velocities and positions at the end
@@ -103,7 +104,8 @@ static const double kea_leastSecant = -4, kea_mostSecant = 0.9;
  * random_joints_end_their_steps_and_give_no_energy. */
 static const double kea_workForMotion = 0.9;
 /* Of it: what may be spent while friction bounds do not settle. Those that settled had taken 17 million at most, a
- * third of a budget of 50 million. No test tells (x2). */
+ * third of a budget of 50 million. x2 and /2 fail MdtKea_policy:
+ * friction_bounds_that_do_not_settle_cost_part_of_the_work. */
 static const double kea_workForFriction = 0.375;
 
 /* Rad, h |w_m| of the Cayley map, which turns by 2 atan of half of it, 1.8: near half a turn (infinite h w) the
@@ -119,11 +121,12 @@ static const double kea_farTurn = 0.1, kea_farTurnInContact = 0.5;
  * most. x2 fails Mdt_Report: a_whirling_ball_is_divided_where_a_contact_pushes_past_its_centre. */
 static const double kea_centredArm = 1e-3;
 /* Times the energy at the greatest speed in the partition: an answer above it is no motion. Room for answers cut
- * short, whose energy is limited later. No test tells (x2): more lets runaways through to the limiter, less lets go of
- * rows that still hold. */
+ * short, whose energy is limited later: more lets runaways through to the limiter, less lets go of rows that still
+ * hold. x2 and /2 fail MdtKea_policy: a_runaway_has_ten_times_the_energy. */
 static const double kea_runawayRoom = 10;
-/* Times the load speed: a greater acceleration in the last step was a jerk, and is no guess for this one. No test
- * tells (x2): it changes the first guess only, never the answer beyond tolerance. */
+/* Times the load speed: a greater acceleration in the last step was a jerk, and is no guess for this one. It
+ * changes the first guess only, never the answer beyond tolerance. x2 and /2 fail MdtKea_policy:
+ * an_acceleration_goes_on_up_to_thirty_loads. */
 static const double kea_jerk = 30;
 
 /* ---- theta and geometric stiffness ---- */
@@ -143,9 +146,11 @@ static const double kea_nearBound = 0.5;
  * schemes). x2 and /2 fail MdtKea_system: springs_too_stiff_are_damped, springs_follow_the_midpoint_rule. */
 static const double kea_stiffSpring = 4;
 /* Of the least moment: a geometric stiffness below it is left out: Newton's method then leaves 1 % of an error a pass,
- * no more than it does anyway. No test tells (x2). */
+ * no more than it does anyway. x2 and /2 fail MdtKea_policy:
+ * stiffness_counts_where_it_is_felt_and_harmless. */
 static const double kea_smallStiffness = 0.01;
-/* Of the least moment: so much negative stiffness may stay: B is positive with half its inertia. No test tells (x2). */
+/* Of the least moment: so much negative stiffness may stay: B is positive with half its inertia. x2 and /2
+ * fail MdtKea_policy: stiffness_counts_where_it_is_felt_and_harmless. */
 static const double kea_harmlessStiffness = 0.5;
 /* Relative difference of moments that counts as none: what a program's tensor in double arithmetic leaves. x2 and
  * /2 fail MdtKea_system: tops_are_refused_from_a_tenth_of_a_radian_on. */
@@ -160,60 +165,72 @@ static const double kea_equalMoments = 1e-9;
 static const double kea_proximalJoint = 1e-8, kea_proximalLimit = 1e-6;
 /* Contacts, by passes that went well, of an impact by all of them: 1e-4 and a tenth a pass. A start of 1e-3 saves 14 %
  * of the factorizations of small partitions and fails the heavy cube and the creep of tests/scenes; constant 1e-4 takes
- * 22 to 35 factorizations a step in a heap at rest. No test tells of the last: less is nearer to a singular matrix. */
+ * 22 to 35 factorizations a step in a heap at rest. The last is kea_velocityTolerance: a pass then leaves no more than
+ * is tolerated. x2 and /2 fail MdtKea_policy: the_first_pass_leaves_a_ten_thousandth_of_a_contact,
+ * contacts_harden_to_the_tolerance. */
 enum { KEA_PROXIMAL_LEVELS = 6 };
 static const double kea_proximalContact[KEA_PROXIMAL_LEVELS] = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
 /* Of the projection of positions: with N of 1e-5 A_ii, a contact's after a pass that went well, 1e-15 is left of a row
  * alone. 1e-6 fails Mst_Cases_Defaults in double precision: stacks_stand_by_default. */
 enum { KEA_PROJECTION_PASSES = 3 };
 /* The joints' side, of A_ii, where it is not taken out: rows of one joint may coincide but for rounding, which this is
- * 500 times. No test tells (x2). */
+ * 500 times. x2 and /2 fail MdtKea_policy: rigid_joints_are_soft_by_rounding. */
 static const double kea_dualRegularization = 1e-13;
 /* Redundant joints, of the metric: the part by which their smallest impulses miss; rounding of it at a mass ratio of
- * 1e4. No test tells (x2). */
+ * 1e4. x2 and /2 fail MdtKea_policy: rigid_joints_are_soft_by_rounding. */
 static const double kea_redundancyRegularization = 1e-12;
 
 /* ---- semismooth Newton ---- */
 
 enum {
     /* Iterations of the convex problem; a cap: with an exact line search it ends by itself, but collapsing heaps reach
-     * 60. */
+     * 60. /2 fails MdtKea_policy: iterations_of_solves. */
     KEA_MAX_CONVEX = 60,
     /* Of the coupled one, which has no potential: quadratic near the answer, else the outer iteration has to bring it
-     * there. */
+     * there. /2 fails MdtKea_policy: iterations_of_solves. */
     KEA_MAX_COUPLED = 12,
-    /* Solves with kept factors: each leaves 1e-2 of the error or less where they are any good. */
+    /* Solves with kept factors: each leaves 1e-2 of the error or less where they are any good. x2 and /2 fail
+     * MdtKea_policy: factors_that_are_kept_are_good_enough. */
     KEA_MAX_REFINEMENTS = 4,
-    /* Halvings of its step: an eighth at least. Reasoned: shorter steps go to the outer iteration instead. */
+    /* Halvings of its step: an eighth at least. Reasoned: shorter steps go to the outer iteration instead. x2 and /2
+     * fail MdtKea_policy: iterations_of_solves. */
     KEA_MAX_HALVINGS = 4,
-    /* Of the line search, which halves its interval in every second: 2^-50, a double's digits. */
+    /* Of the line search, which halves its interval in every second: 2^-50, a double's digits. /2 fails MdtKea_policy:
+     * iterations_of_steps. */
     KEA_MAX_LINE_SEARCH = 100
 };
-/* A pivot of a block's factor, of its diagonal entry: below 4 roundings of a double there is no digit left. No test
- * tells (x2). */
+/* A pivot of a block's factor, of its diagonal entry: below 4 roundings of a double there is no digit left. x2 and /2
+ * fail MdtKea_policy: a_pivot_of_four_roundings_is_none. */
 static const double kea_leastPivot = 1e-15;
 /* Times a double's rounding: of the sums r - J d, 12 products. With 6 (and kea_leastPivot of 4 roundings)
- * Mst_SweptJoints fails, swept_pairs_on_hinges_do_not_explode, which hangs on single bits. No test tells (x2). */
+ * Mst_SweptJoints fails, swept_pairs_on_hinges_do_not_explode, which hangs on single bits. x2 and /2 fail
+ * MdtKea_policy: eight_roundings_of_rates_are_no_error. */
 static const double kea_roundingSteps = 8;
-/* The line search: what is left of the slope, 1e-3, costs Newton's method nothing, and the longest step. No test tells
- * (x2): tighter is more visits of rows, looser more factorizations. Without a longest step Mst_SweptJoints fails:
- * swept_pairs_on_hinges_do_not_explode. */
+/* The line search: what is left of the slope, 1e-3, costs Newton's method nothing, tighter is more visits of rows,
+ * looser more factorizations; and the longest step that is looked at. x2 and /2 of the first fail MdtKea_policy:
+ * iterations_of_steps; x2 of the second a_line_search_looks_sixty_four_steps_ahead. Without a longest step
+ * Mst_SweptJoints fails: swept_pairs_on_hinges_do_not_explode. */
 static const double kea_lineSearchTolerance = 1e-3, kea_longestStep = 64;
 /* In tolerances: where the convex problem's error is below the first and falls by less than the second a step, it is
- * rounding. No test tells (x2). */
+ * rounding. x2 and /2 of either fail MdtKea_policy: iterations_of_solves. */
 static const double kea_convexRounding = 1e5, kea_convexProgress = 0.3;
 /* The coupled step must leave at most this of the error; else it is shorter, or rounding below the second, in
- * tolerances. No test tells (x2). */
+ * tolerances. x2 and /2 of either fail MdtKea_policy: iterations_of_solves. */
 static const double kea_coupledProgress = 0.9, kea_coupledRounding = 1e3;
-/* Of the error: what a solve with kept factors may leave. No test tells (x2): more of them, or a new factor. */
+/* Of the error: what a solve with kept factors may leave; else there is a new factor. x2 and /2 fail MdtKea_policy:
+ * factors_that_are_kept_are_good_enough. */
 static const double kea_refinedShare = 0.1;
-/* In tolerances: an answer above it is refined with the factors that there are, which costs no factorization. No
- * test tells (x2): the next step's first guess is that much worse. */
+/* In tolerances: an answer above it is refined with the factors that there are, which costs no factorization: the next
+ * step's first guess is that much better. x2 and /2 fail MdtKea_policy: iterations_of_steps. */
 static const double kea_refinedEnough = 1e-2;
-/* Relative: friction bounds that agree with μ p_n so well need no coupled solve. No test tells (x2). */
+/* Relative: friction bounds that agree with μ p_n so well need no coupled solve. x2 and /2 fail MdtKea_policy:
+ * bounds_that_agree_to_twelve_digits_stay. */
 static const double kea_boundsAgree = 1e-12;
 
-/* ---- work, in multiplications per row, as counted ---- */
+/* ---- work, in multiplications per row, as counted ----
+ *
+ * x2 and /2 of each fail MdtKea_policy: work_is_counted_in_multiplications, of sweeps sweeps_share_what_work_is_left.
+ * */
 
 enum {
     KEA_VISIT = 32,          /* J d of two bodies, bounds, Jᵀ p */
@@ -223,7 +240,9 @@ enum {
     KEA_ITERATION_VISITS = 8 /* of an iteration: gradient, forces, and five of the line search */
 };
 
-/* ---- sweeps ---- */
+/* ---- sweeps ----
+ *
+ * x2 and /2 of each fail MdtKea_policy: sweeps_share_what_work_is_left. */
 
 enum {
     KEA_SWEEPS = 32,       /* of a solve, at most: accelerated they do what 500 plain ones do in a pyramid */
@@ -232,7 +251,8 @@ enum {
     KEA_SOME_SWEEPS = 8    /* passes that would have less are fewer: a quarter of the most */
 };
 /* Of the impulses: a sweep that moves them by less has settled: a hundredth of where passes by sweeps stop
- * (kea_sweptMargin kea_looseVelocity kea_velocityTolerance, 1e-5). No test tells (x2). */
+ * (kea_sweptMargin kea_looseVelocity kea_velocityTolerance, 1e-5). x2 and /2 fail MdtKea_policy:
+ * sweeps_end_when_they_have_settled. */
 static const double kea_sweepTolerance = 1e-7;
 
 /* ---- the velocity stage ---- */
@@ -250,20 +270,24 @@ static const double kea_rippleBalance = 0.5, kea_rippleShare = 0.1;
 /* ---- energy ---- */
 
 /* Of a body's size: a joint's error above it is an open joint. Solved joints leave 1e-9 of it; piles of swept boxes on
- * hinges gained energy from 1.5e-4 of it on (test_Mst_SweptJoints); with 1e-3 two of 4000 gain over 1e-3 of theirs. */
+ * hinges gained energy from 1.5e-4 of it on (test_Mst_SweptJoints); with 1e-3 two of 4000 gain over 1e-3 of theirs. x2
+ * and /2 fail MdtKea_policy: open_joints_close_calmly_among_contacts. */
 static const double kea_openJoint = 1e-5;
-/* Relative: rounding of sums of energies, which is not gained energy. No test tells (x2). */
+/* Relative: rounding of sums of energies, which is not gained energy. x2 and /2 fail MdtKea_policy:
+ * energy_is_known_to_twelve_digits. */
 static const double kea_energyRounding = 1e-12;
-/* Relative: what assertions allow to energies, bounds and unit quaternions that were computed in another order. */
+/* Relative: what assertions of check builds allow to energies, bounds and unit quaternions that were computed in
+ * another order: a thousand times kea_energyRounding. No answer depends on it. */
 static const double kea_assertedRounding = 1e-9;
 
 /* ---- contacts in time ---- */
 
 enum {
-    /* Rounds of an impact; a cap: a cradle of n balls takes n. */
+    /* Rounds of an impact; a cap: a cradle of n balls takes n. x2 and /2 fail MdtKea_policy:
+     * an_impact_has_sixty_rounds. */
     KEA_MAX_ROUNDS = 60,
     /* Passes of a round: 6 take N from the first to the last of kea_proximalContact, the rest is for friction
-     * bounds. */
+     * bounds. x2 and /2 fail MdtKea_policy: iterations_of_impacts. */
     KEA_MAX_IMPACT_PASSES = 14
 };
 /* Of the load speed: what leaves faster is open, what slides faster can stop; what meets faster as a step begins, but
@@ -278,20 +302,21 @@ static const double kea_minImpactSpeed = 1e-6;
  * giving_way_to_a_load_is_no_impact. */
 static const double kea_softContactSpeed = 0.05;
 /* The same: what meets more slowly does not rebound, nor divides a step by itself: half of what one step's loads give,
- * so that a ball at rest stays there. */
+ * so that a ball at rest stays there. x2 and /2 fail MdtKea_policy: half_of_a_steps_loads_do_not_rebound. */
 static const double kea_minReboundSpeed = 0.5;
-/* Of the body's own speeds, in the load speed where there are no loads. */
+/* Of the body's own speeds, in the load speed where there are no loads. x2 and /2 fail MdtKea_policy:
+ * half_of_a_steps_loads_do_not_rebound. */
 static const double kea_unloadedSpeed = 1e-6;
-/* Of the load speed or the partition's speed: what meets faster is part of a round. Rounding of a reflected velocity
- * is 1e-15 of it. */
-static const double kea_meetingSpeed = 1e-9;
-/* Of the speed: where an impact's passes end. Three digits below kea_meetingSpeed, so that what is reflected does not
- * meet again. */
+/* Of the speed: where an impact's passes end. Three digits below kea_velocityTolerance, the slowest meeting that is
+ * part of a round, so that what is reflected does not meet again. x2 and /2 fail MdtKea_policy:
+ * impacts_are_solved_to_twelve_digits. */
 static const double kea_impactTolerance = 1e-12;
-/* Of friction: a force that is less than the bound by more than this sticks. */
+/* Of friction: a force that is less than the bound by more than this sticks. x2 and /2 fail MdtKea_policy:
+ * friction_below_its_bound_by_rounding_slides. */
 static const double kea_stickMargin = 1e-7;
 /* Of the smaller body's size: a gap below it touches. 1e-5 in double precision toppled a tower, 1e-6 left it rocking
- * in 3 of 8 runs; in single precision programs place bodies no better than that. */
+ * in 3 of 8 runs; in single precision programs place bodies no better than that. x2 and /2 fail
+ * MdtKea_policy: a_gap_that_counts_as_none. */
 #ifdef _ME_API_DOUBLE
 static const double kea_touchingGap = 1e-7;
 #else
@@ -301,13 +326,14 @@ static const double kea_touchingGap = 1e-5;
 /* ---- rotation, inertia ---- */
 
 /* Rad a step by the splitting's own rates: below it the leapfrog's error, angle³/12, is 1e-7 of a radian in the worst
- * case. Reasoned: it is work against accuracy of slow rotation. */
+ * case. Reasoned: it is work against accuracy of slow rotation. x2 and /2 fail MdtKea_policy:
+ * rotation_beyond_a_hundredth_of_a_radian_is_of_fourth_order. */
 static const double kea_slowRotation = 1e-2;
-enum { KEA_MAX_JACOBI_SWEEPS = 12 }; /* 4 or 5 suffice: convergence is quadratic */
-/* Of the diagonal's squares: off-diagonal entries of 1e-16 of it are rounding. */
+/* Of the diagonal's squares: off-diagonal entries of 1e-16 of it are rounding. x2 and /2 fail MdtKea_policy:
+ * an_off_diagonal_of_rounding_is_none. */
 static const double kea_jacobiTolerance = 1e-32;
 /* A program's tensor: by so little it may miss symmetry, single precision; and its least moment of its largest:
- * thinner is no body. */
+ * thinner is no body. x2 and /2 of either fail MdtKea_rotation: tensors_are_refused_where_they_are_said_to_be. */
 static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;
 
 /* ---- the fast solver ---- */
@@ -317,7 +343,8 @@ static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;
  * whole pile is a small residual of each contact. 12 let a tower of 20 sag by 1e-3 of its height; with 8 a heap of 1000
  * that lies is not at rest after 15 s, with 24 after 9 s; without the last, one of 40 sways ever more, and what lies
  * under things of 10 times its weight is passed through by 1e-2 m. Reasoned: above the most, Newton's method is
- * cheaper. */
+ * cheaper. x2 of the least fails Mst_Crowd: more_accuracy_is_more_passes_and_less_error; /2 of the most
+ * a_tower_of_forty_comes_to_rest. */
 enum { KEA_LEAST_PASSES = 24, KEA_MOST_PASSES = 96, KEA_MORE_PASSES = 8 /* at a time */ };
 static const double kea_passesPerLoad = 0.7;
 /* The same where there are joints, which pass forces on at once: a rag doll's step costs .6 of it, and joints are as
@@ -329,7 +356,8 @@ static const double kea_impactLoads = 4;
 /* Passes over displacements. 1 leaves half of the overlaps of a heap, 12 gain nothing. */
 enum { KEA_POSITION_PASSES = 6 };
 /* In so many rounds where there are joints, whose errors are not linear in a turn; and rounds of joints alone, at most,
- * until they are closed. Without the latter a ton on a light chain opens it by 1e-2 m (Mst_Jointed). */
+ * until they are closed. Without the latter a ton on a light chain opens it by 1e-2 m (Mst_Jointed). /2 of the first
+ * fails Mst_Jointed: a_chain_of_150_motors_holds; of the second Mst_Crowd: chains_hold_in_a_crowd. */
 enum { KEA_JOINT_ROUNDS = 3, KEA_MOST_JOINT_ROUNDS = 8 };
 /* Of a body's size: joints and stops are closed. gamma adds up five steps' of it; a net of 225 balls in loops, whose
  * rows contradict each other by rounding, comes no nearer than 1.5e-6. 1e-5 lets the ropes of tutorial Bridge give way
@@ -338,7 +366,8 @@ static const double kea_closedJoint = 3e-6;
 /* Of its error: a round of Newton's method that leaves more had the derivatives of another pose. */
 static const double kea_roundShare = 0.1;
 /* Rad, that a round turns a body of what is tied: errors are linear for small turns only, and a chain that is pulled
- * straight asks for large ones. Without it a ton on a light chain opens it by a metre (Mst_Jointed). */
+ * straight asks for large ones. Without it a ton on a light chain opens it by a metre (Mst_Jointed). /2 fails
+ * Mst_Crowd: chains_hold_in_a_crowd. */
 static const double kea_mostPush = 0.1;
 /* Times kea_proximalLimit, where a block has no factor: half of its decades, so that the third trial is A_ii itself. */
 static const double kea_softerJoint = 1e3;
@@ -359,7 +388,7 @@ static const double kea_restingShare = 0.1;
 /* Of 1/m_0 + 1/m_1: a compliance above is felt within the step, and solved for. */
 static const double kea_softShare = 1e-3;
 /* Of the smaller body's radius of gyration: overlaps up to this are left alone, or contacts that rest would open and
- * close by the rounding of their passes. */
+ * close by the rounding of their passes. /2 fails Mst_Crowd: a_pyramid_of_forty_rows_comes_to_rest. */
 static const double kea_restingDepth = 1e-4;
 /* Of the kinetic energy: what the passes of a step may add to it by their rounding and by what they leave. */
 static const double kea_energyRoom = 1e-5;
@@ -379,7 +408,8 @@ enum { KEA_REGION_MANIFOLDS = 400, KEA_BODY_CHUNK = 64 };
 
 /* ---- memory ---- */
 
-/* Factors that a world keeps: partitions that look alike share one. No test tells: fewer are found anew more often. */
+/* Factors that a world keeps: partitions that look alike share one; fewer are found anew more often. x2 and /2 fail
+ * MdtKea_factor: the_cache_keeps_what_was_used_last. */
 enum { KEA_MAX_FACTORS = 64 };
 
 /* ---- contacts as they come ---- */
@@ -390,15 +420,17 @@ static const double kea_poseRounding = 1.2e-16;
 #else
 static const double kea_poseRounding = 6e-8;
 #endif
-/* Of lengths: directions may have come in single precision. */
+/* Of lengths, in assertions: directions may have come in single precision, a hundred roundings of it. No answer depends
+ * on it. */
 static const double kea_unitRounding = 1e-5;
 /* Of a ball's radius: a centre that is so near to its body's does not move when that turns. Collision gives normals and
- * radii in MeReal, and so this centre to some 1e-7 of the radius. */
+ * radii in MeReal, and so this centre to some 1e-7 of the radius. x2 and /2 fail MdtKea_policy:
+ * a_ball_whose_centre_is_off_by_a_millionth_moves. */
 static const double kea_centredBall = 1e-6;
 /* rad, sqrt(2 DBL_EPSILON): the square of a smaller turn, over 2, is lost in rounding. */
 static const double kea_leastTurn = 2.1e-8;
 /* Of the change of an approach by one step's own acceleration: a body that fell for just one step must not seem faster
- * by rounding. */
+ * by rounding. x2 and /2 fail MdtKea_policy: one_steps_own_acceleration_is_no_blow. */
 static const double kea_ownChangeMargin = 1.1;
 
 #endif

@@ -185,14 +185,17 @@ static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
     }
 }
 
+/* But for rounding of the diagonal; and where its squares are no numbers. */
+static MeBool isDiagonal(const double S[3][3]) {
+    const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
+    return !(off > kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));
+}
+
 void kea_eigen(double S[3][3], double V[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             V[i][j] = i == j;
-    for (int sweep = 0; sweep < KEA_MAX_JACOBI_SWEEPS; sweep++) {
-        const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
-        if (off <= kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]))
-            break;
+    while (!isDiagonal((const double(*)[3])S)) { /* 4 or 5 sweeps: convergence is quadratic */
         jacobiRotate(S, V, 0, 1);
         jacobiRotate(S, V, 0, 2);
         jacobiRotate(S, V, 1, 2);

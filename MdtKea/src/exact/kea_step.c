@@ -191,9 +191,9 @@ static void moveWithoutRows(MdtKeaSystem *s) {
 /* Where joints make loops, passes begin with the tangent problem, which follows a linkage through its change point. At
  * one its matrix is singular, and no answer may be found; nor is one with redundant joints, for which the symmetric
  * problem is then solved: they are no trouble there. */
-static MeBool mustLeaveTangent(const MdtKeaSystem *s, int pass, const KeaResiduals *e, double best) {
+static MeBool mustLeaveTangent(const MdtKeaSystem *s, int pass, const KeaResiduals *e) {
     return s->work->problem.hasTangent && s->work->hasLoops && !kea_isConverged(e) &&
-           (pass >= KEA_TANGENT_PASSES || !(e->worst <= kea_tangentDivergence * best));
+           (pass >= KEA_TANGENT_PASSES || !isfinite(e->worst));
 }
 
 /* Where they make none, the tangent problem is left once the motion has got worse by it twice: what the direction of
@@ -205,15 +205,17 @@ static MeBool isLost(const KeaResiduals *e, double *motion, int *worse) {
     return *worse >= 2;
 }
 
-/* Has removing errors that attachments have anyhow moved the bodies a thousand times as far? Then by impulses that
- * chose another branch of the motion than momentum does. */
+/* Has removing errors within the rounding ε of attachments moved a body by more than such an error can? At a change
+ * point, where a joint's error is x²/2 of the way x, that is sqrt(2 ε) of its size: a larger motion is one on another
+ * branch than the one that momentum chooses. */
 static MeBool hasLeftBranch(const MdtKeaSystem *s) {
+    const double most = sqrt(2 * kea_attachmentRounding);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
         double dv[3], dw[3];
         keaSubtract(dv, b->u, s->work->nearU[i]);
         keaSubtract(dw, b->u + 3, s->work->nearU[i] + 3);
-        if (s->parameters.stepsize * (keaLength(dv) + b->size * keaLength(dw)) > kea_branchWay * b->size)
+        if (s->parameters.stepsize * (keaLength(dv) + b->size * keaLength(dw)) > most * b->size)
             return METRUE;
     }
     return MEFALSE;
@@ -257,7 +259,7 @@ static void takePasses(MdtKeaSystem *s) {
             keepAnswer(s, s->work->nearU, s->work->nearP);
         }
         q->hasTangent = q->hasTangent && (s->work->hasLoops || !isLost(&e, &motion, &worse));
-        if (mustLeaveTangent(s, pass, &e, best)) {
+        if (mustLeaveTangent(s, pass, &e)) {
             q->hasTangent = MEFALSE;
             takeBest(s);
             e = kea_residuals(s, speed);

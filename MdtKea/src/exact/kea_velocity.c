@@ -127,7 +127,7 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
     double residual = start;
     q->isWarm = q->isLinear = s->work->hasJoints;
     q->isFactored = MEFALSE;
-    for (int pass = 0; pass < KEA_MAX_VELOCITY_PASSES && residual > kea_velocityTolerance * start; pass++) {
+    for (int pass = 0; pass < KEA_FULL_BOUND_PASSES && residual > kea_velocityTolerance * start; pass++) {
         kea_frictionRenewBounds(q);
         if (!kea_problemRefine(q))
             kea_problemSolve(q, METRUE);
