@@ -1,15 +1,18 @@
 /* One worker against several: the same scene in universes of their own, step by step in turn, so that what else the
  * machine does falls on all alike.
  *
- *     threads [--workers N] [--steps N] [--scene NAME]
+ *     threads [--workers N] [--steps N] [--scene NAME] [--critical]
  *
- * 2 workers, 300 steps, all scenes if not given. For each scene: ms a step on one worker and on N in the mean, their
- * ratio, and the share of the time that each worker was busy with the world's tasks. It says so, should the states
- * differ. */
+ * 2 workers, 300 steps, all scenes if not given; the small scenes make ten times as many steps, the largest a tenth.
+ * For each scene: ms a step on one worker and on N in the mean, their ratio, and the share of the time that each worker
+ * was busy with the world's tasks. It says so, should the states differ. With --critical, what 2, 4, 8 and 16 cores
+ * would gain, and what one thread does alone, both from task times of one core (critical.h). */
 #include "timing.h"
 
 #include "MeTask.h"
-#include "Mst.h"
+#include "critical.h"
+#include "twelve.h"
+#include "ragdoll.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -95,6 +98,42 @@ static void makeChains(MstUniverseID u) {
     }
 }
 
+/* As in bench/ragdolls: thrown and turning in any way, each by itself. */
+static void makeRagdolls(MstUniverseID u) {
+    unsigned int seed = 1;
+    for (int i = 0; i < 100; i++) {
+        const double feet[3] = {7 * (i % 10), randomFrom(&seed, .05, 1), 7 * (i / 10)};
+        double v[3], w[3];
+        Doll doll;
+        for (int k = 0; k < 3; k++)
+            v[k] = randomFrom(&seed, -2, 2), w[k] = randomFrom(&seed, -3, 3);
+        doll_make(&doll, u, feet);
+        doll_throw(&doll, v, w);
+    }
+}
+
+/* The test's, over two sills. */
+static void makeCar(MstUniverseID u) {
+    static Place place[2]; /* one universe and its like */
+    static int made;
+    for (int i = 0; i < TWELVE; i++)
+        if (strcmp(twelve[i].name, "car") == 0)
+            twelve_make(&place[made++ % 2], &twelve[i], u, 0, 0);
+}
+
+typedef struct Bench {
+    const char *name;
+    void (*make)(MstUniverseID u);
+    double steps; /* of those asked for */
+} Bench;
+
+static const Bench benches[] = {
+    {"tower 20", makeTower, 10},       {"car", makeCar, 10},
+    {"chains 200", makeChains, 1},     {"ragdolls 100", makeRagdolls, 1},
+    {"pyramid 820", makePyramid, 1},   {"heap 1000", makeHeap1000, 1},
+    {"heap 10000", makeHeap10000, .1},
+};
+
 static void step(Run *r) {
     const double start = now();
     MstUniverseStep(r->u, (MeReal)(1. / 60));
@@ -109,20 +148,16 @@ static int areAlike(MstUniverseID a, MstUniverseID b) {
     return !x && !y;
 }
 
-static const char *wanted; /* null: all */
-
-static void compare(const char *name, void (*make)(MstUniverseID u), MeTaskPoolID pool, int steps) {
-    if (wanted && strcmp(wanted, name) != 0)
-        return;
+static void compare(const Bench *b, MeTaskPoolID pool, int steps) {
     Run alone = {makeUniverse(), 0}, many = {makeUniverse(), 0};
-    make(alone.u);
-    make(many.u);
+    b->make(alone.u);
+    b->make(many.u);
     MdtWorldSetTaskPool(many.u->world, pool);
     for (int i = 0; i < steps; i++) {
         step(&alone);
         step(&many);
     }
-    printf("%-12s %8.3f ms %8.3f ms   ratio %.2f   busy", name, 1e3 * alone.time / steps, 1e3 * many.time / steps,
+    printf("%-12s %8.3f ms %8.3f ms   ratio %.2f   busy", b->name, 1e3 * alone.time / steps, 1e3 * many.time / steps,
            alone.time / many.time);
     for (int i = 0; i < MdtWorldGetWorkerCount(many.u->world); i++)
         printf(" %.0f %%", 100 * (double)MdtWorldGetWorkerTime(many.u->world, i) / many.time);
@@ -130,6 +165,19 @@ static void compare(const char *name, void (*make)(MstUniverseID u), MeTaskPoolI
     fflush(stdout);
     MstUniverseDestroy(alone.u);
     MstUniverseDestroy(many.u);
+}
+
+static const Bench *critical; /* whose universe is to be made */
+
+static MstUniverseID makeCritical(void) {
+    const MstUniverseID u = makeUniverse();
+    critical->make(u);
+    return u;
+}
+
+static void tellCritical(const Bench *b, int steps) {
+    critical = b;
+    critical_tell(b->name, makeCritical, steps);
 }
 
 static int countOf(const char *text) {
@@ -141,7 +189,8 @@ static int countOf(const char *text) {
 }
 
 int main(int argc, char **argv) {
-    int workers = 2, steps = 300;
+    int workers = 2, steps = 300, isCritical = 0;
+    const char *wanted = NULL; /* all */
     for (int i = 1; i < argc; i++)
         if (!strcmp(argv[i], "--workers"))
             workers = countOf(argv[++i]);
@@ -149,14 +198,20 @@ int main(int argc, char **argv) {
             steps = countOf(argv[++i]);
         else if (!strcmp(argv[i], "--scene"))
             wanted = argv[++i];
+        else if (!strcmp(argv[i], "--critical"))
+            isCritical = 1;
         else
-            return fputs("threads [--workers N] [--steps N] [--scene NAME]\n", stderr), 2;
+            return fputs("threads [--workers N] [--steps N] [--scene NAME] [--critical]\n", stderr), 2;
     MeTaskPoolID pool = MeTaskPoolCreate(workers);
-    compare("tower 20", makeTower, pool, 10 * steps);
-    compare("chains 200", makeChains, pool, steps);
-    compare("pyramid 820", makePyramid, pool, steps);
-    compare("heap 1000", makeHeap1000, pool, steps);
-    compare("heap 10000", makeHeap10000, pool, steps / 10 + 1);
+    for (size_t i = 0; i < sizeof benches / sizeof *benches; i++) {
+        const int count = (int)(steps * benches[i].steps) + 1;
+        if (wanted && strcmp(wanted, benches[i].name) != 0)
+            continue;
+        if (isCritical)
+            tellCritical(&benches[i], count);
+        else
+            compare(&benches[i], pool, count);
+    }
     MeTaskPoolDestroy(pool);
     return 0;
 }

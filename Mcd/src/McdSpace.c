@@ -68,6 +68,7 @@ static void freeSpace(McdSpace *s) {
     MeMemoryGive(s->dirty);
     MeMemoryGive(s->found);
     MeMemoryGive(s->foundEnd);
+    MeMemoryGive(s->changes);
     MeMemoryGive(s->unbounded);
     MeMemoryGive(s->awake);
     MeMemoryGive(s->news);
@@ -138,7 +139,7 @@ static McdSpace *makeSpace(int objectCount) {
     McdSpace *s = MeMemoryTakeZeroed(1, sizeof *s, function, "a space");
     if (!s)
         return 0;
-    s->firstProxy = s->lastProxy = s->firstAwake = s->lastAwake = s->freeLink = s->freeProxy = MCD_NONE;
+    s->firstProxy = s->lastProxy = s->firstAwake = s->lastAwake = s->awakeCount = s->freeLink = s->freeProxy = MCD_NONE;
     s->tree = mcd_treeCreate();
     if (!s->tree)
         MeFatalError(0, "%s: no memory for the tree of boxes", MeCallerName(function));
@@ -357,6 +358,7 @@ static void putInTree(McdSpace *s, McdProxy *p) {
 typedef enum McdBoxNews {
     MCD_BOX_KEPT,
     MCD_BOX_MOVED,   /* within its fat one */
+    MCD_BOX_TOUCHED, /* the same, and its proxy has been marked as dirty: it is to be listed */
     MCD_BOX_LEFT,    /* which is another one now */
     MCD_BOX_UNSET,   /* there is no transform */
     MCD_BOX_UNBOUND, /* not a number, or infinite */
@@ -515,7 +517,7 @@ static McdBoxNews updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
 
 /* With the warning that belongs to it, where a transform is bad. */
 static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxNews news) {
-    MEASSERT(news != MCD_BOX_LATER);
+    MEASSERT(news != MCD_BOX_LATER && news != MCD_BOX_TOUCHED);
     if (news == MCD_BOX_UNSET)
         warnOfTransform(p, "is not set");
     else if (news == MCD_BOX_UNBOUND)
@@ -530,6 +532,7 @@ static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxNews news) {
 static void wake(McdSpace *s, McdProxy *p) {
     if (p->isAwake)
         return;
+    s->awakeCount = MCD_NONE;
     p->isAwake = METRUE;
     p->nextAwake = MCD_NONE;
     p->previousAwake = s->lastAwake;
@@ -541,6 +544,7 @@ static void wake(McdSpace *s, McdProxy *p) {
 static void unlinkAwake(McdSpace *s, McdProxy *p) {
     if (!p->isAwake)
         return;
+    s->awakeCount = MCD_NONE;
     p->isAwake = MEFALSE;
     *(p->previousAwake == MCD_NONE ? &s->firstAwake : &s->proxy[p->previousAwake].nextAwake) = p->nextAwake;
     *(p->nextAwake == MCD_NONE ? &s->lastAwake : &s->proxy[p->nextAwake].previousAwake) = p->previousAwake;
@@ -567,6 +571,17 @@ typedef struct Updating {
     MeReal duration;
 } Updating;
 
+/* What has moved within its fat box is dirty now: then the calling thread has only to list it, and need not have the
+ * proxy in its cache. */
+static McdBoxNews touch(McdProxy *p, McdBoxNews news) {
+    if (news != MCD_BOX_MOVED)
+        return news;
+    if (p->isDirty)
+        return MCD_BOX_KEPT;
+    p->isDirty = METRUE;
+    return MCD_BOX_TOUCHED;
+}
+
 /* Types of a program have functions of its own. */
 static void MEAPI updateRange(void *context, int first, int end, int worker) {
     const Updating *u = context;
@@ -574,18 +589,23 @@ static void MEAPI updateRange(void *context, int first, int end, int worker) {
     (void)worker;
     for (int i = first; i < end; i++) {
         McdProxy *p = &s->proxy[s->awake[i]];
-        s->news[i] = (MeU8)(mcd_modelStamp(p->model) != 0 ? updateProxy(s, p, u->duration) : MCD_BOX_LATER);
+        s->news[i] = (MeU8)(mcd_modelStamp(p->model) != 0 ? touch(p, updateProxy(s, p, u->duration)) : MCD_BOX_LATER);
     }
 }
 
-/* Returns how many are updated, in their order. */
+/* Returns how many are updated, in their order. The list holds until one is added or removed, or may be at rest. */
 static int listAwake(McdSpace *s) {
-    int count = 0;
-    for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake)
+    int count = 0, frozen = 0;
+    if (s->awakeCount != MCD_NONE)
+        return s->awakeCount;
+    for (int i = s->firstAwake; i != MCD_NONE; i = s->proxy[i].nextAwake) {
+        frozen += s->proxy[i].isFrozen;
         if (isToRest(&s->proxy[i]))
             unlinkAwake(s, &s->proxy[i]);
         else
             s->awake[count++] = i;
+    }
+    s->awakeCount = frozen > 0 ? MCD_NONE : count;
     return count;
 }
 
@@ -599,11 +619,15 @@ static void updateByWorkers(McdSpace *s, MeReal duration) {
     MeTeamClose(s->team);
     for (int i = 0; i < count; i++) {
         McdProxy *p = &s->proxy[s->awake[i]];
-        if (s->news[i] != MCD_BOX_KEPT)
+        if (s->news[i] == MCD_BOX_TOUCHED)
+            s->dirty[s->dirtyCount++] = s->awake[i];
+        else if (s->news[i] != MCD_BOX_KEPT)
             applyUpdate(s, p, s->news[i] == MCD_BOX_LATER ? updateProxy(s, p, duration) : (McdBoxNews)s->news[i]);
     }
+    MEASSERT(s->dirtyCount <= s->proxyRoom);
 }
 
+/* The rule for order: each model is in one range, and only its stamp is written. */
 static void MEAPI lookAtRange(void *space, int first, int end, int worker) {
     const McdSpace *s = space;
     (void)worker;
@@ -699,6 +723,7 @@ static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
     if (p->isFrozen == isFrozen)
         return METRUE;
     p->isFrozen = isFrozen;
+    p->model->space->awakeCount = MCD_NONE;
     if (isFrozen) { /* it does not move */
         lookNowhere(p->model);
         p->tolerance = mcd_modelReach(p->model);

@@ -315,12 +315,24 @@ static void queueForRoom(McdSpace *s, int i) {
     listAdd(&s->wanted, &entry);
 }
 
+static MeBool isPairOf(const McdSpace *s, const McdLink *link) {
+    const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
+    return !link->isDisabled && isNear(s, a, b) && !isCulled(a, b) && !areFiltered(&a->filter, &b->filter);
+}
+
+/* Would classifyPair leave it as it is? */
+static MeBool isClassified(const McdSpace *s, const McdLink *link) {
+    const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
+    const MeBool areFrozen = a->isFrozen && b->isFrozen;
+    if (isPairOf(s, link))
+        return link->record ? link->isSilent == areFrozen : !areFrozen && link->isWaiting;
+    return !link->record && !link->isWaiting && (link->isDisabled || (!areFrozen && fatBoxesOverlap(s, a, b)));
+}
+
 static void classifyPair(McdSpace *s, int i) {
     McdLink *link = &s->link[i];
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];
-    const MeBool areFrozen = a->isFrozen && b->isFrozen;
-    const MeBool isPair =
-        !link->isDisabled && isNear(s, a, b) && !isCulled(a, b) && !areFiltered(&a->filter, &b->filter);
+    const MeBool areFrozen = a->isFrozen && b->isFrozen, isPair = isPairOf(s, link);
     if (isPair && link->record) {
         setSilent(s, i, areFrozen);
         return;
@@ -382,7 +394,8 @@ static MeBool findLinks(McdSpace *s, int proxy) {
     return search.isDone;
 }
 
-/* Workers search; links are made by the calling thread, in the order that there is without workers. */
+/* The rule for order (MeTeam.h): workers search, and each range writes to its own part of `found`; links are made by
+ * the calling thread, in the order that there is without workers. */
 
 enum { FOUND_ROOM = 8 * MCD_RANGE }; /* of a range of dirty proxies: what they overlap and are not linked with */
 
@@ -456,14 +469,40 @@ static void classifyPairsOf(McdSpace *s, int proxy) {
     }
 }
 
+/* Is it one of a dirty proxy, whose state will change? */
+static MeBool isToClassify(const McdSpace *s, int i) {
+    const int *p = s->link[i].proxy;
+    return p[0] != MCD_NONE && (s->proxy[p[0]].isDirty || s->proxy[p[1]].isDirty) && !isClassified(s, &s->link[i]);
+}
+
+/* The rule for order (MeTeam.h): a range writes down which of its links are to be classified, and nothing else; that
+ * depends on the link and its proxies alone. */
+static void MEAPI lookThroughRange(void *space, int first, int end, int worker) {
+    McdSpace *s = space;
+    (void)worker;
+    for (int i = first; i < end; i++)
+        s->changes[i] = (MeU8)isToClassify(s, i);
+}
+
+/* Links as they lie in memory: workers look them through, and those that change are classified by the calling thread,
+ * in the order that there is without workers. */
+static void classifyAll(McdSpace *s) {
+    const MeBool isShared = s->team && s->linkMax >= MCD_LEAST_RANGES * MCD_LINK_RANGE &&
+                            reserve(&s->changes, &s->changesRoom, s->linkMax, sizeof *s->changes, "near models");
+    if (isShared) {
+        MeTeamOpen(s->team);
+        MeTeamRunRanges(s->team, s->linkMax, MCD_LINK_RANGE, lookThroughRange, s);
+        MeTeamClose(s->team);
+    }
+    for (int i = 0; i < s->linkMax; i++)
+        if (isShared ? s->changes[i] : isToClassify(s, i))
+            classifyPair(s, i);
+}
+
 /* Each link of the dirty proxies once. Where many are dirty, links are taken as they lie in memory, which is faster. */
 static void classifyPairs(McdSpace *s) {
     if (s->dirtyCount > s->proxyCount / 4) {
-        for (int i = 0; i < s->linkMax; i++) {
-            const int *p = s->link[i].proxy;
-            if (p[0] != MCD_NONE && (s->proxy[p[0]].isDirty || s->proxy[p[1]].isDirty))
-                classifyPair(s, i);
-        }
+        classifyAll(s);
         return;
     }
     for (int i = 0; i < s->dirtyCount; i++)

@@ -26,6 +26,8 @@ enum { MCD_NONE = -1 };
  * many, a heap of 1000 boxes takes the same time, within 5 % (bench/threads). Fewer than so many ranges are not worth
  * waking a thread for. */
 enum { MCD_RANGE = 64, MCD_LEAST_RANGES = 4 };
+/* Links that a worker looks through at a time: some 10 us, against 1 to begin and end a loop. */
+enum { MCD_LINK_RANGE = 1024 };
 /* Pairs in the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
 enum { MCD_PAIR_BLOCK = 128, MCD_PAIR_BLOCKS = 23 };
 
@@ -111,7 +113,7 @@ struct _McdSpace {
     int proxyRoom;
     int proxyCount, firstProxy, lastProxy, freeProxy;
     int firstAwake, lastAwake; /* what is updated: frozen models cost no time */
-    int *awake;                /* the same, while workers update them; proxyRoom */
+    int *awake, awakeCount;    /* the same, as they were listed for workers; MCD_NONE: not since; proxyRoom */
     MeU8 *news;                /* beside awake: an McdBoxNews */
     MeTeam *team;              /* workers; null: none */
     int *dirty, dirtyCount;    /* proxies; proxyRoom */
@@ -122,6 +124,8 @@ struct _McdSpace {
 
     McdLink *link;
     int linkMax, freeLink, linkCount;
+    MeU8 *changes; /* beside link: which are to be classified, as workers have found (mcd_pairs.c) */
+    int changesRoom;
     int *hash, hashSize; /* a power of 2, or 0 */
 
     /* All lists of pairs have room for all records in the blocks, and wanted for all links: only making these larger

@@ -68,10 +68,10 @@ static void freeWorld(MdtWorldID w) {
         MeHandleLeave(&((MdtBodyID)mdt_linkOwner(link))->record.handle);
     for (MdtLink *link = w->constraints.first; link; link = link->next)
         releaseConstraint(mdt_linkOwner(link));
-    void *arrays[] = {w->bodyOf,       w->actingOf,      w->constraintOf,    w->keaOf,
-                      w->bodyStart,    w->actingStart,   w->constraintStart, w->taskOf,
-                      w->output.info,  w->reports,       w->broken,          w->graph.body,
-                      w->graph.parent, w->graph.isAwake, w->graph.acting,    w->graph.actsOn};
+    void *arrays[] = {w->bodyOf,       w->actingOf,        w->constraintOf,   w->keaOf,         w->bodyStart,
+                      w->actingStart,  w->constraintStart, w->taskOf,         w->output.info,   w->reports,
+                      w->broken,       w->graph.body,      w->graph.parent,   w->graph.isAwake, w->graph.acting,
+                      w->graph.actsOn, w->graph.isEnabled, w->graph.partition};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         MeMemoryGive(arrays[i]);
     mdt_workersTerm(w);
@@ -93,7 +93,9 @@ static MeBool reserveBodies(MdtWorldID w, int bodies, const char *caller) {
         !MeMemoryGrow(&w->keaOf, 0, n, sizeof *w->keaOf, caller, "the bodies of a step") ||
         !MeMemoryGrow(&w->graph.body, 0, n, sizeof *w->graph.body, caller, "the bodies of a step") ||
         !MeMemoryGrow(&w->graph.parent, 0, n, sizeof *w->graph.parent, caller, "the bodies of a step") ||
+        !MeMemoryGrow(&w->graph.isEnabled, 0, n, sizeof *w->graph.isEnabled, caller, "the bodies of a step") ||
         !MeMemoryGrow(&w->graph.isAwake, 0, n, sizeof *w->graph.isAwake, caller, "the bodies of a step") ||
+        !MeMemoryGrow(&w->graph.partition, 0, n, sizeof *w->graph.partition, caller, "the bodies of a step") ||
         !MeMemoryGrow(&w->bodyStart, 0, n + 1, sizeof *w->bodyStart, caller, "partitions") ||
         !MeMemoryGrow(&w->actingStart, 0, n + 1, sizeof *w->actingStart, caller, "partitions") ||
         !MeMemoryGrow(&w->constraintStart, 0, n + 1, sizeof *w->constraintStart, caller, "partitions") ||

@@ -116,6 +116,7 @@ static void addForce(const MdtKeaManifold *m, const double force[3], double shar
     MEASSERT(isfinite(keaDot(mean, mean)));
 }
 
+/* The rule for order (MeTeam.h): a range of manifolds writes to these, and to their contacts, alone. */
 typedef struct Unpacking {
     MdtIsland *p;
     double share;

@@ -343,7 +343,9 @@ typedef struct MdtGraph {
     int numBodies, numActing;
     MdtBodyID *body;         /* by place, bodyRoom */
     int *parent;             /* by place: of union-find */
-    MeBool *isAwake;         /* by place, of a set's first body: some body of it is enabled */
+    MeBool *isEnabled;       /* by place, */
+    MeBool *isAwake;         /* and of a set's first body: some body of it is */
+    int *partition;          /* by place: as in the bodies, which are not in the cache */
     MdtConstraintID *acting; /* joints and manifolds that act on bodies, constraintRoom */
     int *actsOn;             /* by acting constraint: the place of one of its bodies */
 } MdtGraph;

@@ -37,10 +37,9 @@ static void placeBodies(MdtWorldID w) {
     for (MdtLink *link = w->bodies.first; link; link = link->next, n++) {
         MdtBodyID b = mdt_linkOwner(link);
         b->place = n;
-        b->partition = NONE;
         g->body[n] = b;
         g->parent[n] = n;
-        g->isAwake[n] = (b->record.flags & MDT_ENABLED) != 0;
+        g->isEnabled[n] = g->isAwake[n] = (b->record.flags & MDT_ENABLED) != 0;
     }
     MEASSERT(n == w->bodies.count);
     g->numBodies = n;
@@ -66,10 +65,6 @@ static void joinBodies(MdtWorldID w) {
 
 /* ---- partitions ---- */
 
-static int islandAt(const MdtGraph *g, int place) {
-    return g->body[place]->partition;
-}
-
 /* Numbers the awake sets and counts their bodies into bodyStart[partition + 1]. A root comes before all others of its
  * set. */
 static void numberIslands(MdtWorldID w) {
@@ -78,18 +73,18 @@ static void numberIslands(MdtWorldID w) {
     w->bodyStart[0] = w->actingStart[0] = 0;
     for (int i = 0; i < g->numBodies; i++) {
         const int root = rootOf(g->parent, i);
-        MdtBodyID b = g->body[i];
+        g->partition[i] = NONE;
         if (!g->isAwake[root])
             continue;
-        if (!(b->record.flags & MDT_ENABLED))
-            MdtBodyEnable(b);
+        if (!g->isEnabled[i] && !(g->body[i]->record.flags & MDT_ENABLED)) /* a callback may have enabled it */
+            MdtBodyEnable(g->body[i]);
         if (root == i) {
-            b->partition = w->numPartitions++;
+            g->partition[i] = w->numPartitions++;
             w->bodyStart[w->numPartitions] = w->actingStart[w->numPartitions] = 0;
         }
-        b->partition = islandAt(g, root);
-        MEASSERT(b->partition >= 0 && b->partition < w->numPartitions);
-        w->bodyStart[b->partition + 1]++;
+        g->partition[i] = g->partition[root];
+        MEASSERT(g->partition[i] >= 0 && g->partition[i] < w->numPartitions);
+        w->bodyStart[g->partition[i] + 1]++;
     }
 }
 
@@ -104,7 +99,7 @@ static void sumCounts(MdtWorldID w) {
 static void countActing(MdtWorldID w) {
     const MdtGraph *g = &w->graph;
     for (int i = 0; i < g->numActing; i++) {
-        const int p = islandAt(g, g->actsOn[i]);
+        const int p = g->partition[g->actsOn[i]];
         if (p != NONE)
             w->actingStart[p + 1]++;
     }
@@ -113,6 +108,7 @@ static void countActing(MdtWorldID w) {
 static void sortBodies(MdtWorldID w) {
     for (int i = 0; i < w->graph.numBodies; i++) {
         MdtBodyID b = w->graph.body[i];
+        b->partition = w->graph.partition[i];
         if (b->partition == NONE)
             continue;
         const int at = w->bodyStart[b->partition]++;
@@ -125,7 +121,7 @@ static void sortBodies(MdtWorldID w) {
 static void sortActing(MdtWorldID w) {
     const MdtGraph *g = &w->graph;
     for (int i = 0; i < g->numActing; i++) {
-        const int p = islandAt(g, g->actsOn[i]);
+        const int p = g->partition[g->actsOn[i]];
         if (p != NONE)
             w->actingOf[w->actingStart[p]++] = g->acting[i];
     }

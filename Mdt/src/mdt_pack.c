@@ -13,7 +13,8 @@ typedef struct Chunk {
     int firstManifold, surfaceProblems;
 } Chunk;
 
-/* Chunks depend on the number of constraints alone, and so do the manifolds' places. */
+/* The rule for order (MeTeam.h): chunks depend on the number of constraints alone, and so do the manifolds' places,
+ * which each chunk writes; what chunks count is summed in their order. */
 enum { MOST_CHUNKS = 128 };
 
 typedef struct Acting {
@@ -122,6 +123,7 @@ static void rememberStart(MdtBodyID b) {
     b->start.moves = b->moves;
 }
 
+/* The rule for order: a range writes to its own bodies alone. */
 static void MEAPI packBodies(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
     (void)worker;

@@ -204,15 +204,34 @@ static double relaxationSteps(const MdtWorld *w) {
     return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log(1 - gamma)) : 1;
 }
 
+static MeBool isCalm(const MdtIsland *p) {
+    const double speed = resolvedSpeed(p);
+    for (int i = 0; i < p->numBodies; i++)
+        if (!isResting(p, i, speed))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* The rule for order (MeTeam.h), here and as bodies are certified: a range writes to its own bodies alone. */
+static void MEAPI forgetCalmSteps(void *island, int first, int end, int worker) {
+    const MdtIsland *p = island;
+    (void)worker;
+    for (int i = first; i < end; i++)
+        p->bodies[i]->calmSteps = 0;
+}
+
 /* Counts the calm steps of each body; whether there were enough. A certificate that was lost begins them anew. */
-static MeBool isCalmForLong(const MdtIsland *p) {
-    const double speed = resolvedSpeed(p), enough = relaxationSteps(p->world);
-    MeBool isCalm = METRUE, isLong = METRUE;
-    for (int i = 0; i < p->numBodies && isCalm; i++)
-        isCalm = isResting(p, i, speed);
+static MeBool isCalmForLong(MdtIsland *p) {
+    const double enough = relaxationSteps(p->world);
+    MeBool isLong = METRUE;
+    MEASSERT(enough >= 1 && p->numBodies > 0);
+    if (!isCalm(p)) {
+        MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, forgetCalmSteps, p);
+        return MEFALSE;
+    }
     for (int i = 0; i < p->numBodies; i++) {
         MdtBodyID b = p->bodies[i];
-        b->calmSteps = isCalm && !b->certificate ? b->calmSteps + 1 : 0;
+        b->calmSteps = b->certificate ? 0 : b->calmSteps + 1;
         isLong = isLong && b->calmSteps >= enough;
     }
     return isLong;
@@ -253,7 +272,7 @@ static MeBool wasAnswerFound(const MdtIsland *p) {
     return isWhole && isExact && p->numRows > 0 && !p->hasMet && r->residual <= r->resolution;
 }
 
-MeBool mdt_restIsSettled(const MdtIsland *p) {
+MeBool mdt_restIsSettled(MdtIsland *p) {
     return isCalmForLong(p) && wasAnswerFound(p) && !dependsOnProgram(p) && !mayCreep(p) && areJointsClosed(p);
 }
 
@@ -265,12 +284,25 @@ void mdt_restStay(MdtIsland *p) {
     }
 }
 
-void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
-    MEASSERT(p->world->certificate != 0 && p->elapsed > 0);
-    for (int i = 0; i < p->numBodies; i++) {
-        p->bodies[i]->certificate = isSettled ? p->world->certificate : 0;
-        p->bodies[i]->isDisturbed = p->bodies[i]->isDisturbed && !isSettled;
+typedef struct Certifying {
+    const MdtIsland *p;
+    MeBool isSettled;
+} Certifying;
+
+static void MEAPI certifyBodies(void *context, int first, int end, int worker) {
+    const Certifying *c = context;
+    (void)worker;
+    for (int i = first; i < end; i++) {
+        MdtBodyID b = c->p->bodies[i];
+        b->certificate = c->isSettled ? c->p->world->certificate : 0;
+        b->isDisturbed = b->isDisturbed && !c->isSettled;
     }
+}
+
+void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
+    Certifying certifying = {p, isSettled};
+    MEASSERT(p->world->certificate != 0 && p->elapsed > 0);
+    MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, certifyBodies, &certifying);
     for (int i = 0; i < p->numActing && isSettled; i++)
         if (p->acting[i]->record.flags & MDT_WATCHED)
             certifyConstraint(p->acting[i]);

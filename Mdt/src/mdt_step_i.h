@@ -121,7 +121,7 @@ void mdt_restBegin(MdtWorldID w);
 MeBool mdt_restHolds(const MdtIsland *p);
 void mdt_restKeep(MdtIsland *p);
 /* Whether this step's answer may hold in the next one; then its bodies stay where they were, and get a certificate. */
-MeBool mdt_restIsSettled(const MdtIsland *p);
+MeBool mdt_restIsSettled(MdtIsland *p);
 void mdt_restStay(MdtIsland *p);
 void mdt_restCertify(MdtIsland *p, MeBool isSettled);
 

@@ -92,6 +92,7 @@ static void unpackBody(MdtBodyID b, double h) {
     b->start.movesAfter = b->moves;
 }
 
+/* The rule for order (MeTeam.h): a range writes to its own bodies alone. */
 static void MEAPI unpackBodies(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
     (void)worker;

@@ -100,6 +100,7 @@ static void predict(MdtKeaSystem *s, int i) {
     kea_angularVelocity(body, body->quaternion, b->freeMomentum, s->predicted[i].ang);
 }
 
+/* The rule for order (MeTeam.h), here and as bodies are committed: a range writes to its own bodies alone. */
 static void MEAPI beginBodies(void *system, int first, int end, int worker) {
     MdtKeaSystem *s = system;
     (void)worker;

@@ -99,6 +99,15 @@ MEPUBLIC MeHeldMessages *MEAPI MeMessagesHold(MeHeldMessages *held);
 MEPUBLIC void MEAPI MeMessagesSend(MeHeldMessages *const held[], int count);
 /** @} */
 
+/** @name Sections (MeProfile.h)
+ *  For who asks what is done by one thread alone (bench/critical.c).
+ *  @{ */
+/** The innermost one in progress; null: none is, or this thread is not timed. Valid until the profile is stopped. */
+MEPUBLIC const char *MEAPI MeProfileCurrentSection(void);
+/** From now on, @a watch is called on the timed thread before a section begins or ends; null: nothing is. */
+MEPUBLIC void MEAPI MeProfileWatch(void(MEAPI *watch)(void *watchContext), void *watchContext);
+/** @} */
+
 /** How many of something there may be. */
 typedef struct MeLimit {
     int most;         /**< MeNoLimit: as many as there is memory for. */

@@ -67,6 +67,30 @@ MEPUBLIC void MEAPI MeTeamTime(MeTeam *team, MeBool isTimed);
 MEPUBLIC double MEAPI MeTeamGetBusyTime(const MeTeam *team, int worker);
 /** @} */
 
+/** @name Watching
+ *  For who asks what more workers would gain (bench/critical.c): all that an open team does is told as it is done, on
+ *  the thread that has done it. Loops inside an item are a part of the item.
+ *  @{ */
+typedef enum MeTeamEvent {
+    MeTeamLoopBegins,
+    MeTeamPipeBegins,
+    MeTeamItemDone, /**< of a pipe: made */
+    MeTeamItemUsed,
+    MeTeamLoopEnds /**< or the pipe */
+} MeTeamEvent;
+
+typedef struct MeTeamNews {
+    MeTeamEvent event;
+    int number; /**< of the item; where a loop or a pipe begins or ends, how many there are */
+    int ahead;  /**< of a pipe that begins: how many items may be made and not used */
+} MeTeamNews;
+
+typedef void(MEAPI *MeTeamWatchCB)(const MeTeamNews *news, void *watchContext);
+
+/** Null: nobody watches any more. Not while the team is open. */
+MEPUBLIC void MEAPI MeTeamWatch(MeTeam *team, MeTeamWatchCB watch, void *watchContext);
+/** @} */
+
 ME_END_C
 
 #endif

@@ -3,6 +3,7 @@
 #include "MeProfile_i.h"
 
 #include "MeAssert.h"
+#include "MeInternal.h"
 #include "MeMath.h"
 #include "MeMemory_i.h"
 #include "MeMessage.h"
@@ -17,6 +18,17 @@ MeProfileState me_profile;
 /* One thread is timed, the one that switched timing on: the address of its mark is the owner. Null when off. */
 static _Thread_local char threadMark;
 static _Atomic(const char *) owner;
+
+/* Who looks at sections (MeProfileWatch). */
+static struct {
+    void(MEAPI *call)(void *context);
+    void *context;
+} watcher;
+
+static void callWatcher(void) {
+    if (watcher.call)
+        watcher.call(watcher.context);
+}
 
 static MeBool isOn(void) {
     return atomic_load_explicit(&owner, memory_order_relaxed) == &threadMark;
@@ -234,6 +246,7 @@ void MEAPI MeProfileStartSectionFn(const char *codeSection, char unsigned autoSt
         MeWarning(1, "MeProfileStartSection: the name is null");
         return;
     }
+    callWatcher();
     const uint64_t now = me_now();
     if (autoStop && me_profile.current->isAutoStop)
         endCurrentCall(now);
@@ -266,9 +279,19 @@ void MEAPI MeProfileEndSectionFn(const char *codeSection) {
     }
     if (isInnerLeft)
         warnOnce(name, "ends before a section that was started in it");
+    callWatcher();
     const uint64_t now = me_now();
     while (me_profile.current != ending->parent)
         endCurrentCall(now);
+}
+
+void MEAPI MeProfileWatch(void(MEAPI *watch)(void *watchContext), void *watchContext) {
+    watcher.call = watch;
+    watcher.context = watchContext;
+}
+
+const char *MEAPI MeProfileCurrentSection(void) {
+    return isOn() && me_profile.current->parent ? me_profile.current->name : NULL;
 }
 
 /* ---- results ---- */

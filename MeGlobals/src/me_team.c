@@ -49,6 +49,8 @@ struct MeTeam {
     void *userContext;
     int size, depth;
     MeBool isRunning, isTimed, isKept, isOut; /* isOut: tasks are */
+    MeTeamWatchCB watch;
+    void *watchContext;
     Worker *worker;
     Loop loop;
     const char *opener;                         /* threadMark of the thread that opened it, */
@@ -138,6 +140,14 @@ double MEAPI MeTeamGetBusyTime(const MeTeam *t, int worker) {
     return t && worker >= 0 && worker < t->size ? (double)t->worker[worker].busy / (double)MeProfileGetClockSpeed() : 0;
 }
 
+void MEAPI MeTeamWatch(MeTeam *t, MeTeamWatchCB watch, void *watchContext) {
+    if (!t)
+        return;
+    MEASSERT(t->depth == 0 && !t->isOut);
+    t->watch = watch;
+    t->watchContext = watchContext;
+}
+
 /* ---- what a worker does ------------------------------------------------------------------------------------------ */
 
 /* The next item of a share; -1: there is none. */
@@ -167,12 +177,18 @@ static int startOf(const MeTeam *t, int share) {
     return (int)((long)t->loop.items * share / t->size);
 }
 
+static void tell(const MeTeam *t, MeTeamEvent event, int number, int ahead) {
+    if (t->watch)
+        t->watch(&(MeTeamNews){event, number, ahead}, t->watchContext);
+}
+
 /* Returns how many items it has done. */
 static int doShare(MeTeam *t, int share, int worker) {
     int done = 0;
     for (int item = takeFrom(&t->share[share]); item >= 0; item = takeFrom(&t->share[share]), done++) {
         t->worker[worker].messages.key = startOf(t, share) + item;
         t->loop.work(t->loop.context, startOf(t, share) + item, worker);
+        tell(t, MeTeamItemDone, startOf(t, share) + item, 0);
     }
     return done;
 }
@@ -219,6 +235,7 @@ static MeBool makeOne(MeTeam *t, int worker) {
     const int ahead = itemsOf(atomic_load_explicit(&t->used.claim, memory_order_relaxed));
     MeHeldMessages *const before = MeMessagesHold(&t->messages[item % ahead]);
     t->loop.work(t->loop.context, item, worker);
+    tell(t, MeTeamItemDone, item, 0);
     MeMessagesHold(before);
     stopClock(t, worker, start); /* before the item is out: who opened the team may read the time then */
     atomic_store_explicit(&t->made[item % ahead], item + 1, memory_order_release);
@@ -349,12 +366,29 @@ static void sendMessages(MeTeam *t) {
     MeMessagesSend(held, t->size);
 }
 
+/* Is what the calling thread does alone a loop of the team all the same, of one item? */
+static MeBool isToldAlone(const MeTeam *t, int items) {
+    return t && t->depth > 0 && !t->isRunning && items == 1;
+}
+
+static void runAlone(MeTeam *t, int items, MeTeamWork work, void *context) {
+    const MeBool isTold = isToldAlone(t, items);
+    if (isTold)
+        tell(t, MeTeamLoopBegins, items, 0);
+    for (int i = 0; i < items; i++)
+        work(context, i, 0);
+    if (isTold) {
+        tell(t, MeTeamItemDone, 0, 0);
+        tell(t, MeTeamLoopEnds, items, 0);
+    }
+}
+
 void MEAPI MeTeamRun(MeTeam *t, int items, MeTeamWork work, void *context) {
     if (isAlone(t, items)) {
-        for (int i = 0; i < items; i++)
-            work(context, i, 0);
+        runAlone(t, items, work, context);
         return;
     }
+    tell(t, MeTeamLoopBegins, items, 0);
     const MeU64 number = describe(t, items, work, context);
     for (int i = 0; i < t->size; i++)
         atomic_store_explicit(&t->share[i].claim, pack(number, startOf(t, i + 1) - startOf(t, i), 0),
@@ -365,6 +399,7 @@ void MEAPI MeTeamRun(MeTeam *t, int items, MeTeamWork work, void *context) {
         waitABit(&spins);
     t->isRunning = MEFALSE;
     sendMessages(t);
+    tell(t, MeTeamLoopEnds, items, 0);
 }
 
 typedef struct Ranges {
@@ -399,6 +434,7 @@ void MEAPI MeTeamPipe(MeTeam *t, int items, int ahead, MeTeamWork make, MeTeamWo
         return;
     }
     const int buffers = MeMIN(ahead, MOST_AHEAD);
+    tell(t, MeTeamPipeBegins, items, buffers);
     const MeU64 number = describe(t, items, make, context);
     for (int i = 0; i < buffers; i++)
         atomic_store_explicit(&t->made[i], 0, memory_order_relaxed);
@@ -411,7 +447,9 @@ void MEAPI MeTeamPipe(MeTeam *t, int items, int ahead, MeTeamWork make, MeTeamWo
                 waitABit(&spins);
         MeMessagesSend((MeHeldMessages *[]){&t->messages[i % buffers]}, 1);
         use(context, i, 0);
+        tell(t, MeTeamItemUsed, i, 0);
         atomic_store_explicit(&t->used.claim, pack(number, buffers, i + 1), memory_order_release);
     }
     t->isRunning = MEFALSE;
+    tell(t, MeTeamLoopEnds, items, 0);
 }

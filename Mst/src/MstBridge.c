@@ -319,7 +319,9 @@ void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, cons
         mst_eventsBegin(record, w ? MdtWorldGetTeam(w) : 0);
     mst_clearSafeTimes(record);
     record->ahead = McdSpaceGetLookAhead(s);
+    MeProfileStartSection("Pairs", 0);
     McdSpaceEndChanges(s);
+    MeProfileEndSection("Pairs");
     reservePairs(record, McdSpaceGetPairCount(s));
     McdSpacePairIteratorBegin(s, &iterator);
     do {

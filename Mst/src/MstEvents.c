@@ -218,7 +218,7 @@ typedef struct Skipped {
     MeBool areForcesKnown;
 } Skipped;
 
-/* Writes to touches alone, each by one thread. */
+/* The rule for order (MeTeam.h): each touch is listed once, and a range writes to its own alone. */
 static void MEAPI skipRange(void *context, int first, int end, int worker) {
     enum { AHEAD = 8 }; /* touches: their first line comes from memory in time */
     const Skipped *s = context;

@@ -9,6 +9,7 @@
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeMessage.h"
+#include "MeProfile.h"
 #include "MeTeam.h"
 #include "mst_i.h"
 
@@ -121,6 +122,14 @@ void MEAPI MstUniverseDestroy(const MstUniverseID u) {
         mst_warnGone(u, "universe", "MstUniverseDestroy");
 }
 
+static void updateBoxes(McdSpaceID s, MeReal step) {
+    MeProfileStartSection("Collision", 0);
+    MeProfileStartSection("Boxes", 0);
+    McdSpacePathUpdateAll(s, step);
+    MeProfileEndSection("Boxes");
+    MeProfileEndSection("Collision");
+}
+
 void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     if (!isUniverse(u, "MstUniverseStep"))
         return;
@@ -130,7 +139,7 @@ void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     MeTeam *team = MdtWorldGetTeam(u->world);
     McdSpaceSetTeam(u->space, team);
     MeTeamKeep(team);
-    McdSpacePathUpdateAll(u->space, step);
+    updateBoxes(u->space, step);
     MstBridgeUpdateContacts(u->bridge, u->space, u->world);
     mst_stepWorld(u, step);
     MeTeamRelease(team);

@@ -81,6 +81,50 @@ static void runLoops(MeTeam *team) {
     ck_assert_int_eq(atomic_load(&wrong), 0);
 }
 
+/* ---- watching ---- */
+
+static int told[MeTeamLoopEnds + 1]; /* by event */
+
+/* Loops and pipes are told between their beginning and their end, and items in their order where no task is started. */
+static void MEAPI noteNews(const MeTeamNews *news, void *watchContext) {
+    const int begun = told[MeTeamLoopBegins] + told[MeTeamPipeBegins];
+    ck_assert(watchContext == told);
+    if (news->event == MeTeamLoopBegins || news->event == MeTeamPipeBegins)
+        ck_assert_int_eq(begun, told[MeTeamLoopEnds]);
+    else
+        ck_assert_int_eq(begun, told[MeTeamLoopEnds] + 1);
+    if (news->event == MeTeamPipeBegins)
+        ck_assert_int_eq(news->ahead, 2);
+    told[news->event]++;
+}
+
+static void MEAPI doNothing(void *context, int item, int worker) {
+    (void)context, (void)item, (void)worker;
+}
+
+START_TEST(who_watches_is_told_all_that_an_open_team_does) {
+    MeTeam *team = MeTeamCreate(4, keepJob, runKeptJob, NULL, "test");
+    MeTeamWatch(team, noteNews, told);
+    MeTeamRun(team, 3, doNothing, NULL); /* it is not open */
+    MeTeamOpen(team);
+    MeTeamRun(team, 7, doNothing, NULL);
+    MeTeamRun(team, 1, doNothing, NULL);
+    MeTeamPipe(team, 5, 2, doNothing, doNothing, NULL);
+    MeTeamClose(team);
+    ck_assert_int_eq(told[MeTeamLoopBegins], 2);
+    ck_assert_int_eq(told[MeTeamPipeBegins], 1);
+    ck_assert_int_eq(told[MeTeamItemDone], 7 + 1 + 5);
+    ck_assert_int_eq(told[MeTeamItemUsed], 5);
+    ck_assert_int_eq(told[MeTeamLoopEnds], 3);
+    MeTeamWatch(team, NULL, NULL);
+    MeTeamOpen(team);
+    MeTeamRun(team, 7, doNothing, NULL);
+    MeTeamClose(team);
+    ck_assert_int_eq(told[MeTeamLoopBegins], 2);
+    MeTeamDestroy(team);
+}
+END_TEST
+
 START_TEST(each_item_of_a_loop_is_done_once) {
     runLoops(NULL);
     for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
@@ -290,6 +334,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_team_that_is_kept_has_its_tasks_out_once);
     tcase_add_test(t, each_task_is_called_once);
     tcase_add_test(t, a_pool_takes_the_nearest_number_of_workers);
+    tcase_add_test(t, who_watches_is_told_all_that_an_open_team_does);
     tcase_add_test(t, each_item_of_a_loop_is_done_once);
     tcase_add_test(t, a_loop_ends_though_no_task_is_started);
     tcase_add_test(t, a_pipe_hands_over_its_items_in_their_order);
