@@ -11,9 +11,9 @@ const float r_panel[4] = {0.09f, 0.11f, 0.14f, 0.86f};
 
 float r_uiScale(const RRender *rc) {
     const struct RViewer *v = rc->m_pViewer;
-    const float fit = fminf((float)v->width / 960, (float)v->height / 600);
+    const float fit = fminf((float)v->width / 960, (float)v->height / 600) / v->scale;
     /* Large windows have larger text, but not in proportion; small ones text that can still be read. */
-    return fmaxf(powf(fit, 0.85f), 0.75f);
+    return v->scale * fmaxf(powf(fit, 0.85f), 0.75f);
 }
 
 static float opaque(float alpha) {
