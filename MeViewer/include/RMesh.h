@@ -1,6 +1,7 @@
 /** @file RMesh.h
  *  Graphics of meshes in files: .obj, .stl, .ply, .gltf, .glb and the other formats of the library assimp, which is
- *  loaded when the first one is read. An addition to the 1.2 interface. RHull.h (library MeApp) makes hulls of them.
+ *  loaded when the first one is read. An addition to the 1.2 interface. MeAppHull.h (library MeApp) makes hulls of
+ *  them.
  */
 #ifndef RMESH_H
 #define RMESH_H

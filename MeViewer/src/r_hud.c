@@ -125,6 +125,7 @@ void r_overlayFree(ROverlay *overlay) {
 }
 
 static bool drawAll(RRender *rc, ROverlay *overlay) {
+    rc->m_pViewer->panelMoved = false;
     r_panelsBegin(rc);
     r_marksDraw(rc);
     draw2DList(rc);
@@ -138,10 +139,10 @@ static bool drawAll(RRender *rc, ROverlay *overlay) {
     r_panelsDraw(rc);
     if (rc->m_bShowHelp)
         r_helpDraw(rc, &rc->m_pViewer->helpLayout);
-    return r_panelsEnd(rc, overlay);
+    return r_panelsEnd(rc, overlay) && !rc->m_pViewer->panelMoved;
 }
 
-/* Off-screen there may be one picture only: a panel that is new in it has to be measured before. */
+/* Off-screen there may be one picture only: a panel that is new in it has to be measured, and put, before. */
 void r_hudDraw(RRender *rc, ROverlay *overlay) {
     enum { TRIES = 3 };
     rc->m_pViewer->overlaying = true;

@@ -522,6 +522,7 @@ struct RViewer {
     bool marking;            /* It is being called. */
     bool overlaying;         /* A panel or marks may be called: the context has to stay. */
     int ownPanelSeen;        /* As RPanel::seen, of the viewer's own. */
+    bool panelMoved;         /* After it was drawn: the picture has it where it is no longer. */
     bool panelsShown;        /* F9. */
     int slow;                /* The tick is called in one of so many frames, or so many times less often; 0 is 1. */
     AcmeReal tickRate;       /* Ticks in a second, without the option. */
@@ -542,7 +543,7 @@ struct RViewer {
 };
 
 void r_setScale(RRender *rc, float scale); /* Before there is a window: it also has its first size from it. */
-int r_warnings(void); /* Given since the first live context was created. */
+int r_warnings(void);                      /* Given since the first live context was created. */
 const char *r_programName(void);
 
 #endif

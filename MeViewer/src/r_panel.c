@@ -200,6 +200,7 @@ static bool drawPanel(RRender *rc, Place *place, const char *title, int *seen, R
         place->x = place->right + gap;
         place->y = 30 * scale;
         r_uiPanelMove(title, place->x, place->y, &right, &bottom);
+        rc->m_pViewer->panelMoved = true;
     }
     *seen += *seen < FINDS_ITS_SIZE;
     place->y = bottom + gap;

@@ -1,5 +1,5 @@
 /* Meshes from files, and hulls of them. */
-#include "RHull.h"
+#include "MeAppHull.h"
 #include "RMesh.h"
 #include "app_test.h"
 
@@ -105,7 +105,7 @@ END_TEST
 START_TEST(a_hull_for_a_body) {
     MeVector3 centre;
     RGraphic *g = load("test_Mesh.obj", obj, 1);
-    const McdConvexMeshID hull = RHullCreate(u->frame, rc, g, centre);
+    const McdConvexMeshID hull = MeAppHullCreate(u->frame, rc, g, centre);
     ck_assert_ptr_nonnull(hull);
     assert_vec3_near(centre, 1, 2, 3, TOL(1e-5, 1e-12));
     assert_near(g->m_pVertices[0].m_X * g->m_pVertices[0].m_X, 1, 1e-6);
@@ -139,11 +139,11 @@ START_TEST(bad_input) {
     ck_assert_ptr_null(load("test_Mesh.obj", obj, 0));
     assert_warned("scale");
     RGraphic *flat = load("test_Mesh.stl", stl, 1);
-    ck_assert_ptr_null(RHullCreate(u->frame, rc, flat, 0));
-    assert_warned("RHullCreate");
-    ck_assert_ptr_null(RHullCreate(0, rc, flat, 0));
+    ck_assert_ptr_null(MeAppHullCreate(u->frame, rc, flat, 0));
+    assert_warned("MeAppHullCreate");
+    ck_assert_ptr_null(MeAppHullCreate(0, rc, flat, 0));
     assert_warned("frame");
-    ck_assert_ptr_null(RHullCreate(u->frame, rc, 0, 0));
+    ck_assert_ptr_null(MeAppHullCreate(u->frame, rc, 0, 0));
     assert_warned("rg");
     ck_assert_ptr_null(MeAppShowModelAs(app, 0, flat));
     assert_warned("m is null");

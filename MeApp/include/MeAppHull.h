@@ -1,12 +1,12 @@
-/** @file RHull.h
+/** @file MeAppHull.h
  *  Convex hulls of graphics, as of meshes from files (RMesh.h). An addition to the 1.2 interface.
  *
  *      RGraphic *rock = RGraphicLoadMesh(app->rc, "rock.stl", 1, RPalette[0], 0);
- *      McdConvexMeshID hull = RHullCreate(frame, app->rc, rock, 0);
+ *      McdConvexMeshID hull = MeAppHullCreate(frame, app->rc, rock, 0);
  *      MeAppShowModelAs(app, MstModelAndBodyCreate(u, hull, 2000), rock);
  */
-#ifndef RHULL_H
-#define RHULL_H
+#ifndef MEAPPHULL_H
+#define MEAPPHULL_H
 
 #include "McdGeometryTypes.h"
 #include "MeViewerTypes.h"
@@ -18,7 +18,7 @@ ME_BEGIN_C
  * geometry: so the vertices of hull and graphic are moved until the hull's centre of mass is there; @a centre (may be
  * null) is told where it was. Null, with a warning, for a bad argument, or if the vertices span no volume.
  */
-MEPUBLIC McdConvexMeshID MEAPI RHullCreate(McdFrameworkID frame, RRender *rc, RGraphic *rg, MeVector3 centre);
+MEPUBLIC McdConvexMeshID MEAPI MeAppHullCreate(McdFrameworkID frame, RRender *rc, RGraphic *rg, MeVector3 centre);
 
 ME_END_C
 

@@ -1,5 +1,5 @@
 /* Convex hulls of graphics. */
-#include "RHull.h"
+#include "MeAppHull.h"
 #include "McdConvexMesh.h"
 #include "McdGeometry.h"
 #include "MeMemory.h"
@@ -17,13 +17,13 @@ static McdConvexMeshID hullAround(McdFrameworkID frame, const RGraphic *rg, MeVe
     return McdConvexMeshCreateHull(frame, (const MeVector3 *)points, count, 0);
 }
 
-McdConvexMeshID MEAPI RHullCreate(McdFrameworkID frame, RRender *rc, RGraphic *rg, MeVector3 centre) {
+McdConvexMeshID MEAPI MeAppHullCreate(McdFrameworkID frame, RRender *rc, RGraphic *rg, MeVector3 centre) {
     static const MeVector3 origin = {0, 0, 0};
     MeMatrix4 tm;
     MeMatrix3 moments;
     MeReal volume;
     if (!frame || !rc || !rg || rg->m_pObject->m_nNumVertices < 1) {
-        MeWarning(1, "RHullCreate: %s",
+        MeWarning(1, "MeAppHullCreate: %s",
                   !frame ? "frame is null"
                   : !rc  ? "rc is null"
                          : "rg is null, or has no vertices");
@@ -31,7 +31,7 @@ McdConvexMeshID MEAPI RHullCreate(McdFrameworkID frame, RRender *rc, RGraphic *r
     }
     MeVector3 *points = MeMemoryAPI.create((size_t)rg->m_pObject->m_nNumVertices * sizeof *points);
     if (!points) {
-        MeFatalError(1, "RHullCreate: no memory");
+        MeFatalError(1, "MeAppHullCreate: no memory");
         return 0;
     }
     const McdConvexMeshID first = hullAround(frame, rg, points, origin);
@@ -42,7 +42,7 @@ McdConvexMeshID MEAPI RHullCreate(McdFrameworkID frame, RRender *rc, RGraphic *r
         hull = hullAround(frame, rg, points, tm[3]);
     }
     if (!hull)
-        MeWarning(1, "RHullCreate: the graphic's vertices span no volume");
+        MeWarning(1, "MeAppHullCreate: the graphic's vertices span no volume");
     else {
         const MeVector3 back = {-tm[3][0], -tm[3][1], -tm[3][2]};
         RGraphicTranslateVertices(rc, rg, back);
