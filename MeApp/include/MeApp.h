@@ -92,6 +92,12 @@ MEPUBLIC int MEAPI MeAppShowUniverse(MeApp *app);
  * and MeAppDestroy remove it. Null for a geometry without a shape of its own, and, with a warning, for a bad argument.
  */
 MEPUBLIC RGraphic *MEAPI MeAppShowModel(MeApp *app, McdModelID m, const float color[4]);
+/**
+ * The same with a graphic of the program's, in the context's 3D list and in the model's own frame, as one of a file
+ * (RMesh.h): it takes the place of the one that the model has, follows the model, and belongs to the helpers from now
+ * on. Returns it, or null, with a warning, for a bad argument.
+ */
+MEPUBLIC RGraphic *MEAPI MeAppShowModelAs(MeApp *app, McdModelID m, RGraphic *rg);
 /** @} */
 
 /** @name Driving

@@ -71,15 +71,23 @@ static MeBool makeRoom(MeApp *app) {
     return METRUE;
 }
 
-static ShownModel *addShown(MeApp *app, McdModelID m, const float color[4]) {
+/* Of a model that has none yet, without a graphic. */
+static ShownModel *insertShown(MeApp *app, McdModelID m) {
     if (!makeRoom(app))
         return 0;
     struct MeAppShown *shown = app->shown;
     const int i = indexOf(shown, McdModelGetSerial(m));
     memmove(&shown->items[i + 1], &shown->items[i], (size_t)(shown->count - i) * sizeof *shown->items);
-    shown->items[i] = (ShownModel){McdModelGetSerial(m), RGraphicCreateFromModel(app->rc, m, color), METRUE};
+    shown->items[i] = (ShownModel){McdModelGetSerial(m), 0, METRUE};
     shown->count++;
     return &shown->items[i];
+}
+
+static ShownModel *addShown(MeApp *app, McdModelID m, const float color[4]) {
+    ShownModel *shown = insertShown(app, m);
+    if (shown)
+        shown->graphic = RGraphicCreateFromModel(app->rc, m, color);
+    return shown;
 }
 
 /* Fixed models are grey, the others go round the palette but for its grey, which is the last one. */
@@ -105,6 +113,30 @@ RGraphic *MEAPI MeAppShowModel(MeApp *app, McdModelID m, const float color[4]) {
     return shown ? shown->graphic : 0;
 }
 
+static void removeGraphic(const MeApp *app, const ShownModel *shown) {
+    if (shown->graphic)
+        RGraphicDelete(app->rc, shown->graphic, 0);
+}
+
+RGraphic *MEAPI MeAppShowModelAs(MeApp *app, McdModelID m, RGraphic *rg) {
+    if (!meapp_check(app, "MeAppShowModelAs"))
+        return 0;
+    if (!m || !McdModelIsValid(m) || !rg) {
+        MeWarning(1, "MeAppShowModelAs: %s", rg ? "m is null, or has been destroyed" : "rg is null");
+        return 0;
+    }
+    ShownModel *shown = shownOf(app, m);
+    if (!shown)
+        shown = insertShown(app, m);
+    if (!shown)
+        return 0;
+    if (shown->graphic != rg)
+        removeGraphic(app, shown);
+    shown->graphic = rg;
+    RGraphicSetTransformPtr(rg, McdModelGetTransformPtr(m));
+    return rg;
+}
+
 /* Notes the models of the space and gives new ones a graphic. Each graphic follows its model's present transform. */
 static void showModelsOfSpace(MeApp *app) {
     McdSpaceModelIterator it;
@@ -120,11 +152,6 @@ static void showModelsOfSpace(MeApp *app) {
         if (shown->graphic)
             RGraphicSetTransformPtr(shown->graphic, McdModelGetTransformPtr(m));
     }
-}
-
-static void removeGraphic(const MeApp *app, const ShownModel *shown) {
-    if (shown->graphic)
-        RGraphicDelete(app->rc, shown->graphic, 0);
 }
 
 int MEAPI MeAppShowUniverse(MeApp *app) {

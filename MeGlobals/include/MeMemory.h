@@ -24,8 +24,8 @@
  *
  *  What other libraries allocate is theirs: FCL's tree of boxes in each McdSpace (C++'s new: two nodes for each model
  *  there, mended without failing where there is no memory), Qhull while McdConvexMeshCreateHull runs (malloc; its hooks
- *  qh_malloc and qh_free are functions of the whole program, which Karma leaves to it), and OpenGL, freeglut and libpng
- *  in the viewer.
+ *  qh_malloc and qh_free are functions of the whole program, which Karma leaves to it), and OpenGL, freeglut, stb,
+ *  Dear ImGui and assimp in the viewer.
  */
 #ifndef MEMEMORY_H
 #define MEMEMORY_H

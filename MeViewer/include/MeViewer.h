@@ -92,11 +92,12 @@ MEPUBLIC void MEAPI RRenderSetBackgroundColor(RRender *rc, const float color[4])
  */
 MEPUBLIC void MEAPI RRenderSetTickRate(RRender *rc, AcmeReal ticksPerSecond);
 /**
- * How much is spent on a window's picture: 3 is full, 2 without smooth outlines, 1 and 0 are drawn smaller and scaled
- * up, with coarser shadows; -1, as at first, lets the viewer choose by the time that frames take: down, one level after
- * half a second of frames that are longer than 1/30 s because of drawing, and up, after two seconds of frames so short
- * that the next level fits; longer where that has failed before. Without a window, with -frames, -every, -film or -key,
- * and in pictures that are written, it is full. The option -quality wins. An addition to the 1.2 interface.
+ * How much is spent on a window's picture: 3 is full, 2 without smooth outlines and without darker corners between
+ * bodies, 1 and 0 are drawn smaller and scaled up, with coarser shadows; -1, as at first, lets the viewer choose by the
+ * time that frames take: down, one level after half a second of frames that are longer than 1/30 s because of drawing,
+ * and up, after two seconds of frames so short that the next level fits; longer where that has failed before. Without a
+ * window, with -frames, -every, -film or -key, and in pictures that are written, it is full. The option -quality wins.
+ * An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RRenderSetPictureQuality(RRender *rc, int quality);
 /** The level of the next picture, 0 to 3. An addition to the 1.2 interface. */
@@ -178,6 +179,12 @@ MEPUBLIC RGraphic *MEAPI RGraphicSquareCreate(RRender *rc, AcmeReal side, const 
  */
 MEPUBLIC RGraphic *MEAPI RGraphicGroundPlaneCreate(RRender *rc, AcmeReal side_length, int triangles_per_side,
                                                    const float color[4], AcmeReal y_position);
+/**
+ * All grounds of a context look like this (an RGroundLook), whatever their textures; -1, as at first: each by its
+ * texture. The option -ground wins. An addition to the 1.2 interface.
+ */
+MEPUBLIC void MEAPI RRenderSetGroundLook(RRender *rc, int look);
+MEPUBLIC int MEAPI RRenderGetGroundLook(RRender *rc);
 /** A line as a graphic; it is drawn as native lines are. */
 MEPUBLIC RGraphic *MEAPI RGraphicLineCreate(RRender *rc, const AcmeReal origin[3], const AcmeReal end[3],
                                             const float color[4], MeMatrix4Ptr matrix);
@@ -194,7 +201,10 @@ MEPUBLIC RGraphic *MEAPI RGraphic2DRectangleCreate(RRender *rc, AcmeReal orig_x,
 MEPUBLIC RGraphic *MEAPI RGraphicCreate(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
                                         AcmeReal zScale, const float color[4], MeMatrix4Ptr matrix, MeBool is2D,
                                         MeBool bKeepAspectRatio);
-/** An object from an .ASE file, scaled. Its materials are not read. Null after a warning, if it cannot be read. */
+/**
+ * An object from an .ASE file, scaled. Its materials are not read. Null after a warning, if it cannot be read. RMesh.h
+ * has other formats.
+ */
 MEPUBLIC RGraphic *MEAPI RGraphicLoadASE(RRender *rc, const char *filename, AcmeReal xScale, AcmeReal yScale,
                                          AcmeReal zScale, const float color[4], MeMatrix4Ptr matrix);
 /**
@@ -384,7 +394,7 @@ MEPUBLIC void MEAPI RLightSwitchOff(RRender *rc, RRenderLight light);
 /** @} */
 
 /** @name Textures
- *  Up to 100; the guide's viewer had 25. A texture is a .bmp file of 24 bits or, beyond Karma, a .png file, given by
+ *  Up to 100; the guide's viewer had 25. A texture is a .bmp file or, beyond Karma, a .png, .jpg or .tga file, given by
  *  name without the extension. It is looked for in the working directory, in $KARMA_TEXTURES, and in `textures` and
  *  `../textures`, and is read when it is first drawn; without the file there is a message (MeInfo, once) and no
  *  texture. Two are built in: "checkerboard" and "font".

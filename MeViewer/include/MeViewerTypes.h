@@ -242,6 +242,14 @@ typedef struct RCallBackDataJoystick {
     char m_Text[64];
 } RCallBackDataJoystick;
 
+/** How a ground (RGraphicGroundPlaneCreate) looks. */
+typedef enum RGroundLook {
+    kRGroundGrid,    /**< Lines, one unit apart, every tenth bolder. */
+    kRGroundChecker, /**< Squares in two tones, one unit wide. */
+    kRGroundPlain,   /**< One tone. */
+    kRGroundEarth    /**< Spots of many sizes in brown and green. */
+} RGroundLook;
+
 /** All callbacks of a context. Read only; the RRenderSet*CallBack functions write them. */
 typedef struct RRenderCallBacks {
     RCallBackDataButton m_Button[kRButtons];
@@ -254,7 +262,9 @@ typedef RRenderCallBacks *RRenderCallBacksPtr;
 /** The options that a context was created with. Read only. */
 typedef struct RRenderOptions {
     RRenderType m_Type;      /**< As asked for; RRender::m_RenderType says what it came to. */
-    int m_nWidth, m_nHeight; /**< -size, pixels. */
+    int m_nWidth, m_nHeight; /**< -size, pixels; else 960x600 times the scale. */
+    int m_bSize;             /**< -size was given. */
+    AcmeReal m_Scale;        /**< -scale; 0 if it was not given. */
     int m_nFrames;           /**< -frames; 0 for no end. */
     int m_nRate;             /**< -rate: ticks in a second (RRenderSetTickRate); 0 if it was not given. */
     int m_nWorkers;          /**< -workers: threads that a program's worlds are to step on; 0 if it was not given. */
@@ -266,6 +276,7 @@ typedef struct RRenderOptions {
     AcmeReal m_Camera[3];    /**< -camera: distance, theta, phi. */
     int m_bQuality;          /**< -quality was given. */
     int m_nQuality;          /**< -quality: as RRenderSetPictureQuality. */
+    int m_Ground;            /**< -ground: an RGroundLook; -1 if it was not given. */
     char m_Screenshot[256];  /**< -screenshot; "" if not given. */
     char m_Film[256];        /**< -film; "" if not given. */
     char m_Keys[512];        /**< -key; "" if not given. */

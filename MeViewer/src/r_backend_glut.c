@@ -6,9 +6,11 @@
 #include "r_i.h"
 
 #include <GL/freeglut.h>
+#include <X11/Xlib.h>
 #include <ctype.h>
 #include <setjmp.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* freeglut's callbacks know no context, and there is one window at most. */
@@ -108,15 +110,40 @@ static void onClose(void) {
 /* The main loop draws; freeglut only wants to be given a function. */
 static void onDisplay(void) {}
 
+/* ---- The display's density ---- */
+
+/* What the user has set for text, else what the screen says of its size; 0 if neither is known. */
+static float dotsPerInch(void) {
+    Display *display = XOpenDisplay(NULL);
+    if (!display)
+        return 0;
+    const char *set = XGetDefault(display, "Xft", "dpi");
+    const float wish = set ? strtof(set, NULL) : 0;
+    const int millimetres = XDisplayWidthMM(display, DefaultScreen(display));
+    const float measured =
+        millimetres > 0 ? 25.4f * (float)XDisplayWidth(display, DefaultScreen(display)) / (float)millimetres : 0;
+    XCloseDisplay(display);
+    return wish > 0 ? wish : measured;
+}
+
+/* In quarters, as desktops have it. 96 dots per inch is a usual display; none is taken for coarser, and few screens
+ * that claim more than four times that say the truth. */
+static float displayScale(void) {
+    const float quarters = roundf(4 * dotsPerInch() / 96);
+    return quarters < 4 || quarters > 16 ? 1 : quarters / 4;
+}
+
 /* ---- The backend ---- */
 
-static void openWindow(const RRender *rc) {
+static void openWindow(RRender *rc) {
     char name[] = "karma", *arguments[] = {name, NULL};
     int n = 1;
     glutInitErrorFunc(onError);
     glutInitWarningFunc(onWarning);
     if (!glutGet(GLUT_INIT_STATE))
         glutInit(&n, arguments);
+    if (rc->m_Options.m_Scale == 0)
+        r_setScale(rc, displayScale());
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE); /* Some drivers have 3.3 only so. */

@@ -98,6 +98,7 @@ static void setDefaults(RRender *rc) {
     v->tickRate = 60;
     v->pictureQuality = R_QUALITY_AUTO;
     r_qualityRestart(&v->quality);
+    v->ground = -1;
     v->sphereSides = 48;
     v->shadows = true;
     r_cameraInit(rc);
@@ -117,6 +118,14 @@ static RRender *allocate(void) {
     return rc;
 }
 
+void r_setScale(RRender *rc, float scale) {
+    struct RViewer *v = rc->m_pViewer;
+    const float by = rc->m_Options.m_bSize ? 1 : scale;
+    v->scale = scale;
+    v->width = (int)lroundf(by * (float)rc->m_Options.m_nWidth);
+    v->height = (int)lroundf(by * (float)rc->m_Options.m_nHeight);
+}
+
 RRender *MEAPI RRenderContextCreate2(MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions, int eat,
                                      void *pWnd, RCreateCallback cb) {
     if (pWnd) {
@@ -130,8 +139,7 @@ RRender *MEAPI RRenderContextCreate2(MeCommandLineOptions *options, MeCommandLin
     setDefaults(rc);
     struct RViewer *v = rc->m_pViewer;
     v->isMistaken = !r_optionsRead(&rc->m_Options, options, overrideoptions, eat != 0);
-    v->width = rc->m_Options.m_nWidth;
-    v->height = rc->m_Options.m_nHeight;
+    r_setScale(rc, rc->m_Options.m_Scale > 0 ? rc->m_Options.m_Scale : 1);
     rc->m_bPause = rc->m_Options.m_bPaused;
     if (!r_inputScript(rc, rc->m_Options.m_Keys))
         v->isMistaken = true;
@@ -203,7 +211,7 @@ int MEAPI RInit(RRender *rc) {
         break;
     }
     if (!started)
-        MeWarning(1, "%s: cannot draw: %s; %s", __func__, reason, advice);
+        MeWarning(1, "MeViewer: cannot draw: %s; %s", reason, advice);
     return started;
 }
 
@@ -216,6 +224,7 @@ static void freeState(RRender *rc) {
     r_linesFree(rc);
     r_menusFree(rc);
     r_helpFree(&v->help);
+    r_parametersFree(&v->parameters);
     r_filmEnd(rc);
     r_panelsFree(rc);
     r_panelListFree(&v->panelList);

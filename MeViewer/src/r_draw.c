@@ -19,7 +19,7 @@ static bool makePrograms(RDraw *d, char *reason, size_t size) {
     return true;
 }
 
-/* Which texture unit each map is on: 0 a graphic's own, 1 the shadow, 2 the occlusion. */
+/* Which texture unit each map is on: 0 a graphic's own, 1 the shadow, 2 the occlusion, 3 ambient, 4 the depth. */
 static void setSamplers(RDraw *d) {
     static const RProgram programs[] = {rProgramSolid, rProgramGround, rProgramSolidExtra, rProgramGroundExtra};
     const RGL *gl = &d->gl;
@@ -30,6 +30,13 @@ static void setSamplers(RDraw *d) {
         gl->Uniform1i(gl->GetUniformLocation(program, "uShadow"), 1);
         gl->Uniform1i(gl->GetUniformLocation(program, "uOcclusion"), 2);
     }
+    gl->UseProgram(d->programs[rProgramAmbient]);
+    gl->Uniform1i(gl->GetUniformLocation(d->programs[rProgramAmbient], "uDepth"), 4);
+    gl->UseProgram(d->programs[rProgramAmbientMean]);
+    gl->Uniform1i(gl->GetUniformLocation(d->programs[rProgramAmbientMean], "uAmbient"), 3);
+    gl->UseProgram(d->programs[rProgramResolve]);
+    gl->Uniform1i(gl->GetUniformLocation(d->programs[rProgramResolve], "uTexture"), 0);
+    gl->Uniform1i(gl->GetUniformLocation(d->programs[rProgramResolve], "uAmbient"), 3);
 }
 
 static bool makeObjects(RDraw *d) {
@@ -153,13 +160,54 @@ static void drawWorld(RRender *rc, RDraw *d) {
     blend(gl, false);
 }
 
+/* Corners between things get less of the sky. With shadows, and lights at all; not without perspective. */
+static bool hasAmbient(const RRender *rc, const RDraw *d) {
+    return r_qualityLevels[d->level].ambient && rc->m_pViewer->shadows && d->block.quality[0] > 0.5f &&
+           d->block.eye[3] > 0.5f;
+}
+
+/* The depth on the screen is x + y / distance: what is so far along the line of sight has -1 or 1 times that as its z
+ * in the camera's frame, which the projection turns to (z P22 + P32) / (z P23). */
+static void setProjection(const RRender *rc, const RDraw *d) {
+    const MeVector4 *p = rc->m_ProjectionMatrix;
+    d->gl.UseProgram(d->programs[rProgramAmbient]);
+    d->gl.Uniform2f(d->gl.GetUniformLocation(d->programs[rProgramAmbient], "uProjection"), (float)(p[2][2] / p[2][3]),
+                    (float)p[3][2]);
+}
+
+static void bindTo(const RGL *gl, GLenum unit, GLuint texture) {
+    gl->ActiveTexture(unit);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+}
+
+/* A target's texture is bound nowhere while it is drawn into. */
+static void drawAmbient(const RRender *rc, RDraw *d) {
+    const RGL *gl = &d->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, d->ambient.frame);
+    gl->Viewport(0, 0, (d->drawnWidth + 1) / 2, (d->drawnHeight + 1) / 2);
+    bindTo(gl, GL_TEXTURE3, 0);
+    bindTo(gl, GL_TEXTURE4, d->linear.depth);
+    setProjection(rc, d);
+    drawFull(d, rProgramAmbient);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, d->ambientMean.frame);
+    bindTo(gl, GL_TEXTURE3, d->ambient.color);
+    drawFull(d, rProgramAmbientMean);
+    bindTo(gl, GL_TEXTURE3, d->ambientMean.color);
+    gl->ActiveTexture(GL_TEXTURE0);
+}
+
 /* One sample per pixel, then a screen's colours, then what is laid over it. */
 static void drawPicture(RRender *rc, RDraw *d) {
     const RGL *gl = &d->gl;
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, d->samples.frame);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, d->linear.frame);
-    gl->BlitFramebuffer(0, 0, d->drawnWidth, d->drawnHeight, 0, 0, d->drawnWidth, d->drawnHeight, GL_COLOR_BUFFER_BIT,
-                        GL_NEAREST);
+    const bool ambient = hasAmbient(rc, d);
+    gl->BlitFramebuffer(0, 0, d->drawnWidth, d->drawnHeight, 0, 0, d->drawnWidth, d->drawnHeight,
+                        GL_COLOR_BUFFER_BIT | (ambient ? GL_DEPTH_BUFFER_BIT : 0u), GL_NEAREST);
+    if (ambient)
+        drawAmbient(rc, d);
+    gl->UseProgram(d->programs[rProgramResolve]);
+    gl->Uniform1f(gl->GetUniformLocation(d->programs[rProgramResolve], "uHasAmbient"), ambient ? 1 : 0);
     gl->BindFramebuffer(GL_FRAMEBUFFER, d->picture.frame);
     gl->Viewport(0, 0, d->width, d->height);
     gl->BindTexture(GL_TEXTURE_2D, d->linear.color);

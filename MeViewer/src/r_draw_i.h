@@ -16,6 +16,8 @@ typedef enum {
     rProgramGroundExtra,
     rProgramDepth,
     rProgramOcclusion,
+    rProgramAmbient,
+    rProgramAmbientMean,
     rProgramLine,
     rProgramResolve,
     rProgramOverlay,
@@ -213,7 +215,9 @@ typedef struct RDraw {
     GLuint textures[R_MAX_TEXTURES];
     bool textureTried[R_MAX_TEXTURES];
     RTarget samples;             /* Several samples per pixel, linear light. */
-    RTarget linear;              /* The same, one per pixel. */
+    RTarget linear;              /* The same, one per pixel; with depth where that is used for ambient. */
+    RTarget ambient;             /* Half as wide and high: how much of the sky is open; how far away. */
+    RTarget ambientMean;         /* The former, averaged. */
     RTarget picture;             /* As it is shown. */
     RTarget shadow;              /* Depth from the key light. */
     RTarget below;               /* Depth from below. */
@@ -253,6 +257,7 @@ void r_detailTransform(const RShape *shape, float m[16]); /* From the shape of s
 void r_sceneGather(RRender *rc, RDraw *d);
 void r_sceneFree(RScene *scene);
 void r_drawItems(RRender *rc, RDraw *d, RClass class);
+bool r_castsShadow(const RItem *item);
 void r_drawCasters(RDraw *d);
 void r_drawSky(RRender *rc, RDraw *d);
 

@@ -139,6 +139,18 @@ static void addCallBacks(const RRender *rc, Page *page) {
         addText(page, "Left mouse button", rc->m_CallBacks.m_Mouse.m_Text);
 }
 
+/* What parameters have of keys. */
+static void addParameters(const RRender *rc, Page *page) {
+    const RParameters *list = &rc->m_pViewer->parameters;
+    char keys[48], text[256];
+    for (size_t i = 0; i < list->count; i++) {
+        r_parameterKeys(&list->items[i], keys, sizeof keys);
+        r_parameterText(&list->items[i], text, sizeof text);
+        if (*keys)
+            addText(page, keys, text);
+    }
+}
+
 static const char *title(const RRender *rc) {
     const bool named = strcmp(rc->m_AppName, r_programName()) != 0;
     return !named && rc->m_pViewer->title ? rc->m_pViewer->title : rc->m_AppName;
@@ -166,6 +178,7 @@ static void fillPage(RRender *rc, Page *page) {
         RParseText(rc, h->lines.items[i], line, sizeof line);
         addLine(page, line);
     }
+    addParameters(rc, page);
     addCallBacks(rc, page);
     if (page->count == 1)
         addText(page, "", "This program has no keys of its own.");

@@ -11,9 +11,9 @@ const float r_panel[4] = {0.09f, 0.11f, 0.14f, 0.86f};
 
 float r_uiScale(const RRender *rc) {
     const struct RViewer *v = rc->m_pViewer;
-    const float fit = fminf((float)v->width / 960, (float)v->height / 600);
+    const float fit = fminf((float)v->width / 960, (float)v->height / 600) / v->scale;
     /* Large windows have larger text, but not in proportion; small ones text that can still be read. */
-    return fmaxf(powf(fit, 0.85f), 0.75f);
+    return v->scale * fmaxf(powf(fit, 0.85f), 0.75f);
 }
 
 static float opaque(float alpha) {
@@ -125,6 +125,7 @@ void r_overlayFree(ROverlay *overlay) {
 }
 
 static bool drawAll(RRender *rc, ROverlay *overlay) {
+    rc->m_pViewer->panelMoved = false;
     r_panelsBegin(rc);
     r_marksDraw(rc);
     draw2DList(rc);
@@ -138,10 +139,10 @@ static bool drawAll(RRender *rc, ROverlay *overlay) {
     r_panelsDraw(rc);
     if (rc->m_bShowHelp)
         r_helpDraw(rc, &rc->m_pViewer->helpLayout);
-    return r_panelsEnd(rc, overlay);
+    return r_panelsEnd(rc, overlay) && !rc->m_pViewer->panelMoved;
 }
 
-/* Off-screen there may be one picture only: a panel that is new in it has to be measured before. */
+/* Off-screen there may be one picture only: a panel that is new in it has to be measured, and put, before. */
 void r_hudDraw(RRender *rc, ROverlay *overlay) {
     enum { TRIES = 3 };
     rc->m_pViewer->overlaying = true;

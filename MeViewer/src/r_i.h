@@ -106,8 +106,28 @@ void r_inputFrame(RRender *rc);                      /* Handles what has come in
 void r_inputFree(RInput *input);
 int r_keyByName(const char *name, size_t length); /* RKEY_NONE if there is no such key. */
 void r_keyName(int key, char *name, size_t size);
-bool r_keyIsFree(const RRender *rc, int key); /* The program has no action, button or menu on it. */
+bool r_keyIsFree(const RRender *rc, int key); /* The program has no action, parameter, button or menu on it. */
+void r_press(RRender *rc, const RCallBackDataButton *b);              /* Calls the program, if it wants to be. */
 const RCallBackDataButton *r_actionOfKey(const RRender *rc, int key); /* The program's action on it, or null. */
+
+/* ---- Parameters (r_parameter.c) ---- */
+
+/* RParameter, kept. */
+typedef struct {
+    char *name, *unit;
+    MeReal *value, first; /* The program's; as it was when the parameter was made. */
+    MeReal low, high, step;
+    bool isFactor;
+    int key[2]; /* For less and for more; RKEY_NONE. */
+    RCallBackDataButton changed;
+} RParameterKept;
+typedef R_ARRAY(RParameterKept) RParameters;
+
+const RParameterKept *r_parameterOfKey(const RRender *rc, int key, bool *isMore); /* Null; isMore may be null. */
+bool r_parameterKey(RRender *rc, int key); /* Does what a key does to a parameter; false if it does nothing to any. */
+void r_parameterText(const RParameterKept *p, char *text, size_t size); /* Name and unit. */
+void r_parameterKeys(const RParameterKept *p, char *text, size_t size); /* Their names; empty for none. */
+void r_parametersFree(RParameters *list);
 
 /* ---- Camera (r_camera.c) ---- */
 
@@ -225,12 +245,11 @@ typedef struct {
 
 /* Built in or from a file; warns if there is none. The caller frees picture->rgba. */
 bool r_texturePicture(const char *name, RPicture *picture);
-/* These warn if the file is there but cannot be used. The caller frees picture->rgba. */
-bool r_bmpRead(const char *path, RPicture *picture);
-bool r_pngRead(const char *path, RPicture *picture); /* r_png.c */
+/* Warns if the file is there but cannot be used. The caller frees picture->rgba. (r_image.c) */
+bool r_imageRead(const char *path, RPicture *picture);
 void r_texturesFree(RTextures *textures);
 
-/* ---- Pictures as files (r_png.c) ---- */
+/* ---- Pictures as files (r_image.c) ---- */
 
 bool r_writePng(const char *path, const RPicture *picture); /* Warns, naming the file, if it cannot be written. */
 
@@ -284,13 +303,15 @@ void r_uiWindowEnd(void);
 bool r_uiPanel(const char *title, float x, float y, bool put, bool *shown);
 void r_uiPanelEnd(float *right, float *bottom);
 void r_uiPanelMove(const char *title, float x, float y, float *right, float *bottom); /* After its end. */
+/* A slider with its value beside the label; logarithmic: low is above 0. */
+bool r_uiSlider(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit, bool logarithmic);
 bool r_uiClicked(const char *name, float x, float y, float width, float height);
 float r_uiMouseX(void);
 
 /* ---- What the viewer itself lays over the picture: r_hud.c, r_help.c, r_menu.c, r_bar.c, r_panel.c ---- */
 
 extern const float r_white[4], r_dimmed[4], r_accent[4], r_panel[4];
-float r_uiScale(const RRender *rc);          /* 1 in a window of 960x600. */
+float r_uiScale(const RRender *rc);          /* 1 in a window of 960x600 of a usual display. */
 uint32_t r_nextCharacter(const char **text); /* Moves on to the next one; the text must not be at its end. */
 void r_hudDraw(RRender *rc, ROverlay *overlay);
 
@@ -364,6 +385,9 @@ extern const RBackend r_backendGlut, r_backendOsmesa, r_backendNull;
 
 /* ---- Options (r_options.c, r_refuse.c) ---- */
 
+enum { R_GROUNDS = 4 };
+extern const char *const r_groundNames[R_GROUNDS]; /* Of RGroundLook (r_scene.c). */
+
 /* False, after messages, if a value cannot be used; that option counts as not given then. */
 bool r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommandLineOptions *overrideoptions, bool eat);
 /* Says what of the options is left; false if nothing is. */
@@ -403,6 +427,7 @@ typedef struct {
     int samples;    /* Of a pixel. */
     int shadowSize; /* Texels, of a side of the shadow's map. */
     float scale;    /* Of what is drawn to the picture's width and height. */
+    bool ambient;   /* Corners between things are darker. */
 } RQualityLevel;
 enum { R_QUALITY_AUTO = -1, R_QUALITY_FULL = 3 };
 extern const RQualityLevel r_qualityLevels[R_QUALITY_FULL + 1];
@@ -469,6 +494,8 @@ struct RViewer {
     void *backendState;
     struct RDraw *draw;
     int width, height; /* Pixels. */
+    float scale;       /* Pixels for one of a usual display. */
+    int ground;        /* RRenderSetGroundLook's; -1: each ground has its own. */
     bool isMistaken;   /* An option has a value that cannot be used, which has been told. */
     RGraphic *last3D, *last2D;
     int graphicsListed;
@@ -480,6 +507,7 @@ struct RViewer {
     RLights lights;
     RTextures textures;
     RInput input;
+    RParameters parameters;
     RHelp help;
     RHelpLayout helpLayout;
     RLoop loop;
@@ -494,6 +522,7 @@ struct RViewer {
     bool marking;            /* It is being called. */
     bool overlaying;         /* A panel or marks may be called: the context has to stay. */
     int ownPanelSeen;        /* As RPanel::seen, of the viewer's own. */
+    bool panelMoved;         /* After it was drawn: the picture has it where it is no longer. */
     bool panelsShown;        /* F9. */
     int slow;                /* The tick is called in one of so many frames, or so many times less often; 0 is 1. */
     AcmeReal tickRate;       /* Ticks in a second, without the option. */
@@ -513,7 +542,8 @@ struct RViewer {
     RRender *next; /* Of the live contexts. */
 };
 
-int r_warnings(void); /* Given since the first live context was created. */
+void r_setScale(RRender *rc, float scale); /* Before there is a window: it also has its first size from it. */
+int r_warnings(void);                      /* Given since the first live context was created. */
 const char *r_programName(void);
 
 #endif

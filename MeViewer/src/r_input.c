@@ -140,7 +140,7 @@ bool r_inputScript(RRender *rc, const char *script) {
 
 /* ---- Callbacks ---- */
 
-static void press(RRender *rc, const RCallBackDataButton *b) {
+void r_press(RRender *rc, const RCallBackDataButton *b) {
     if (b->m_Func)
         b->m_Func(rc, b->m_pUserData);
     else if (b->m_FuncNoData)
@@ -189,7 +189,7 @@ static int buttonOf(int key) {
 }
 
 bool r_keyIsFree(const RRender *rc, int key) {
-    return !r_actionOfKey(rc, key) && buttonOf(key) == kRButtons;
+    return !r_actionOfKey(rc, key) && !r_parameterOfKey(rc, key, NULL) && buttonOf(key) == kRButtons;
 }
 
 static void callMouse(RRender *rc, const REvent *e, RMouseButtonEvent event) {
@@ -279,7 +279,8 @@ static void viewerKey(RRender *rc, int key) {
     }
 }
 
-/* What keys do again and again while they are held: the camera smoothly, the direction buttons now and then. */
+/* What keys do again and again while they are held: the camera smoothly, parameters and the direction buttons now and
+ * then. */
 static void holdKey(RRender *rc, int key) {
     enum { CAMERA_DELAY = 12, BUTTON_DELAY = 24, BUTTON_PERIOD = 4 };
     const RInput *in = &rc->m_pViewer->input;
@@ -288,9 +289,9 @@ static void holdKey(RRender *rc, int key) {
         r_cameraDolly(rc, key == RKEY_PAGE_UP ? holdZoom : 1 / holdZoom);
     else if (isArrow(key) && in->heldControl[key] && frames > CAMERA_DELAY)
         orbitKey(rc, key, holdAngle);
-    else if (button != kRButtons && !in->heldControl[key] && frames > BUTTON_DELAY && frames % BUTTON_PERIOD == 0 &&
-             !rc->m_pCurrentMenu && !r_actionOfKey(rc, key))
-        press(rc, &rc->m_CallBacks.m_Button[button]);
+    else if (!in->heldControl[key] && frames > BUTTON_DELAY && frames % BUTTON_PERIOD == 0 && !rc->m_pCurrentMenu &&
+             !r_actionOfKey(rc, key) && !r_parameterKey(rc, key) && button != kRButtons)
+        r_press(rc, &rc->m_CallBacks.m_Button[button]);
 }
 
 static void keyDown(RRender *rc, int key, int modifiers) {
@@ -308,15 +309,17 @@ static void keyDown(RRender *rc, int key, int modifiers) {
     else if (control && key < RKEY_F1)
         return;                      /* Ctrl and a letter means nothing here. */
     else if (r_actionOfKey(rc, key)) /* Before the viewer's own keys: the program's win. */
-        press(rc, r_actionOfKey(rc, key));
+        r_press(rc, r_actionOfKey(rc, key));
     else if (isArrow(key) && rc->m_pCurrentMenu)
         menuKey(rc, key);
+    else if (r_parameterKey(rc, key))
+        return;
     else if (key == RKEY_PAGE_UP || key == RKEY_PAGE_DOWN)
         r_cameraDolly(rc, key == RKEY_PAGE_UP ? tapZoom : 1 / tapZoom);
     else if (buttonOf(key) != kRButtons)
-        press(rc, &rc->m_CallBacks.m_Button[buttonOf(key)]);
+        r_press(rc, &rc->m_CallBacks.m_Button[buttonOf(key)]);
     else if (extraOfKey(rc, key))
-        press(rc, extraOfKey(rc, key));
+        r_press(rc, extraOfKey(rc, key));
     else
         viewerKey(rc, key);
 }

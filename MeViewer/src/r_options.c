@@ -98,11 +98,24 @@ static void getSize(const Source *s, RRenderOptions *out) {
         return;
     if (sscanf(text, "%dx%d%c", &width, &height, &rest) == 2 && width >= 16 && height >= 16 && width <= 16384 &&
         height <= 16384) {
+        out->m_bSize = 1;
         out->m_nWidth = width;
         out->m_nHeight = height;
         return;
     }
     mistake(s, "-size", text, "WIDTHxHEIGHT, each 16 to 16384, as in 960x600");
+}
+
+/* The same at another density of pixels: text, lines, and the window, if its size is not given. */
+static void getScale(const Source *s, RRenderOptions *out) {
+    char text[64], rest;
+    float scale;
+    if (!getText(s, "-scale", text, sizeof text))
+        return;
+    if (sscanf(text, "%f%c", &scale, &rest) == 1 && scale >= .5f && scale <= 4)
+        out->m_Scale = scale;
+    else
+        mistake(s, "-scale", text, "a number from 0.5 to 4, as in 2");
 }
 
 static void getCamera(const Source *s, RRenderOptions *out) {
@@ -128,6 +141,18 @@ static void getQuality(const Source *s, RRenderOptions *out) {
     out->m_nQuality = isAuto ? R_QUALITY_AUTO : text[0] - '0';
     if (!out->m_bQuality)
         mistake(s, "-quality", text, "auto, or 0 (fastest) to 3 (best)");
+}
+
+static void getGround(const Source *s, RRenderOptions *out) {
+    char text[64];
+    out->m_Ground = -1;
+    if (!getText(s, "-ground", text, sizeof text))
+        return;
+    for (int i = 0; i < R_GROUNDS; i++)
+        if (strcmp(text, r_groundNames[i]) == 0)
+            out->m_Ground = i;
+    if (out->m_Ground < 0)
+        mistake(s, "-ground", text, "grid, checker, plain or earth");
 }
 
 /* A file to be written: where its directory is missing, the run would be for nothing. */
@@ -183,9 +208,11 @@ void MEAPI RDisplayCommandLineHelp(void) {
               "  -osmesa              an off-screen buffer; 60 frames, and a picture NAME.png, unless told otherwise\n"
               "  -null, -bench        nowhere, as fast as possible\n"
               "  -size WxH            pixels, at first 960x600\n"
+              "  -scale S             text and lines S times as large; at first as the display's density asks for\n"
+              "  -ground NAME         grid, checker, plain or earth, instead of the program's\n"
               "  -camera D,THETA,PHI  distance and angles (radians), instead of the program's\n"
-              "  -quality auto|0..3   of a window's picture, 3 is best; at first auto: so that 30 frames/s hold\n"
-              "How long:\n"
+              "  -quality auto|0..3   of a window's picture, 3 is best; at first auto: so that 30 frames/s hold");
+    MeInfo(0, "How long:\n"
               "  -frames N            stop after N frames; the exit code is then 2 if there were warnings, else 0\n"
               "  -paused              begin paused\n"
               "  -key NAME@FRAME,...  press keys: F1@30,Enter@60,Ctrl+Left@61,a@70; hold: Up@10-70\n"
@@ -218,6 +245,8 @@ bool r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommand
     out->m_nWidth = 960;
     out->m_nHeight = 600;
     getSize(s, out);
+    getScale(s, out);
+    getGround(s, out);
     getCamera(s, out);
     out->m_nFrames = getCount(s, "-frames");
     out->m_nWorkers = getCount(s, "-workers");

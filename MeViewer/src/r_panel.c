@@ -153,6 +153,15 @@ static void showQuality(RRender *rc) {
         RRenderSetPictureQuality(rc, which + R_QUALITY_AUTO);
 }
 
+static void showGround(RRender *rc) {
+    static const char *const names[] = {"as it is", "grid", "checker", "plain", "earth"};
+    if (rc->m_Options.m_Ground >= 0) /* It wins. */
+        return;
+    int which = RRenderGetGroundLook(rc) + 1;
+    if (RPanelChoice("ground", &which, names, sizeof names / sizeof names[0]))
+        RRenderSetGroundLook(rc, which - 1);
+}
+
 static void showViewer(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
     showRun(rc);
@@ -163,6 +172,7 @@ static void showViewer(RRender *rc) {
     check("wireframe (F4)", &v->wireframe);
     check("shadows (F5)", &v->shadows);
     showQuality(rc);
+    showGround(rc);
     if (v->help.lines.count && RPanelSection("This program's keys"))
         for (size_t i = 0; i < v->help.lines.count; i++)
             showLine(rc, v->help.lines.items[i]);
@@ -190,6 +200,7 @@ static bool drawPanel(RRender *rc, Place *place, const char *title, int *seen, R
         place->x = place->right + gap;
         place->y = 30 * scale;
         r_uiPanelMove(title, place->x, place->y, &right, &bottom);
+        rc->m_pViewer->panelMoved = true;
     }
     *seen += *seen < FINDS_ITS_SIZE;
     place->y = bottom + gap;

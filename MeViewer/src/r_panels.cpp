@@ -504,6 +504,17 @@ MeBool MEAPI RPanelCheck(const char *label, MeBool *value) {
     return changed;
 }
 
+bool r_uiSlider(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit, bool logarithmic) {
+    char format[48];
+    float shown = static_cast<float>(*value);
+    ImFormatString(format, sizeof format, "%%.4g %.32s", unit ? unit : "");
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    if (!ImGui::SliderFloat(label, &shown, static_cast<float>(low), static_cast<float>(high), format, flags))
+        return false;
+    *value = static_cast<MeReal>(shown);
+    return true;
+}
+
 MeBool MEAPI RPanelSlider(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit) {
     if (!canShow(__func__, label, "label") || !r_isPointer(value, __func__, "value"))
         return MEFALSE;
@@ -511,14 +522,7 @@ MeBool MEAPI RPanelSlider(const char *label, MeReal *value, MeReal low, MeReal h
         MeWarning(1, "%s: low is %g and high is %g", __func__, static_cast<double>(low), static_cast<double>(high));
         return MEFALSE;
     }
-    char format[48];
-    float shown = static_cast<float>(*value);
-    ImFormatString(format, sizeof format, "%%.4g %.32s", unit ? unit : "");
-    if (!ImGui::SliderFloat(label, &shown, static_cast<float>(low), static_cast<float>(high), format,
-                            ImGuiSliderFlags_AlwaysClamp))
-        return MEFALSE;
-    *value = static_cast<MeReal>(shown);
-    return METRUE;
+    return r_uiSlider(label, value, low, high, unit, false);
 }
 
 MeBool MEAPI RPanelWhole(const char *label, int *value, int low, int high) {

@@ -60,18 +60,40 @@ static void setTone(RInstance *out, const RGraphic *rg) {
     }
 }
 
+const char *const r_groundNames[R_GROUNDS] = {"grid", "checker", "plain", "earth"};
+
+int MEAPI RRenderGetGroundLook(RRender *rc) {
+    if (!r_isContext(rc, __func__))
+        return -1;
+    return rc->m_Options.m_Ground >= 0 ? rc->m_Options.m_Ground : rc->m_pViewer->ground;
+}
+
+void MEAPI RRenderSetGroundLook(RRender *rc, int look) {
+    if (!r_isContext(rc, __func__))
+        return;
+    if (look < -1 || look >= R_GROUNDS)
+        MeWarning(1, "%s: look is %d: it must be an RGroundLook, or -1", __func__, look);
+    else
+        rc->m_pViewer->ground = look;
+}
+
 /* The ground's pattern goes where other graphics have their highlights. */
-static void setGroundInstance(const RRender *rc, RInstance *out, const RGraphic *rg) {
+static void setGroundInstance(RRender *rc, RInstance *out, const RGraphic *rg) {
     const float side = rg->m_pPart->side;
     const int texture = rg->m_pObject->m_nTextureID;
     const struct RViewer *v = rc->m_pViewer;
+    const int look = RRenderGetGroundLook(rc);
     const bool named = texture >= 0 && texture < v->textures.count;
     float cell = 1;
     if (side < 4 || side > 1000) /* For very small and very large worlds. */
         cell = powf(10, roundf(log10f(side / 40)));
     out->specular[0] = side / 2;
     out->specular[1] = cell;
-    out->specular[2] = named && strcmp(v->textures.names[texture], "checkerboard") == 0;
+    out->specular[2] = kRGroundGrid;
+    if (look >= 0)
+        out->specular[2] = (float)look;
+    else if (named && strcmp(v->textures.names[texture], "checkerboard") == 0)
+        out->specular[2] = kRGroundChecker;
 }
 
 static void setPlace(RItem *item, const RMesh *mesh, const float m[16]) {
@@ -104,7 +126,7 @@ static void addItem(RRender *rc, RScene *scene, const RGraphic *rg, const RMesh 
     }
     if (item->class == rFloor) {
         setGroundInstance(rc, &item->instance, rg);
-        if (item->instance.specular[2] > 0) /* Its own shader draws it, without a texture. */
+        if (item->instance.specular[2] > 0 || RRenderGetGroundLook(rc) >= 0) /* Its own shader draws it. */
             item->texture = -1;
         if (!scene->hasGround)
             scene->groundHeight = item->centre[1];
@@ -204,7 +226,7 @@ static int compareItems(const void *a, const void *b) {
     return p->order < q->order ? -1 : 1;
 }
 
-static bool castsShadow(const RItem *item) {
+bool r_castsShadow(const RItem *item) {
     return item->class == rOpaque || (item->class == rBlended && item->instance.diffuse[3] > 0.5f);
 }
 
@@ -215,7 +237,7 @@ static void measure(RScene *scene) {
     for (size_t i = 0; i < scene->items.count; i++) {
         const RItem *item = &scene->items.items[i];
         scene->farthest = fmaxf(scene->farthest, item->depth + item->radius);
-        if (!castsShadow(item))
+        if (!r_castsShadow(item))
             continue;
         for (int k = 0; k < 3; k++) {
             const float low = item->centre[k] - item->radius, high = item->centre[k] + item->radius;
@@ -297,7 +319,7 @@ static size_t runLength(const RScene *s, size_t i, bool byTexture) {
     while (i + n < s->items.count) {
         const RItem *item = &s->items.items[i + n];
         if (item->class != first->class || item->mesh != first->mesh ||
-            (byTexture && item->texture != first->texture) || castsShadow(item) != castsShadow(first))
+            (byTexture && item->texture != first->texture) || r_castsShadow(item) != r_castsShadow(first))
             break;
         n++;
     }
@@ -351,7 +373,7 @@ void r_drawCasters(RDraw *d) {
     for (size_t i = 0, n; i < s->items.count; i += n) {
         const RItem *item = &s->items.items[i];
         n = runLength(s, i, false);
-        if (castsShadow(item))
+        if (r_castsShadow(item))
             drawRun(d, item->mesh, i, n);
     }
     d->gl.BindVertexArray(0);

@@ -181,7 +181,7 @@ static const char solidFragment[] =
     "    oColor = vec4(c, alpha * t.a);\n"
     "}\n";
 
-/* The ground's own pattern: vSpecular is half its side, the grid's cell, 1 for a checkerboard, 1 for no pattern. */
+/* The ground's own pattern: vSpecular is half its side, the grid's cell, its look (RGroundLook). */
 static const char groundFragment[] =
     "/* Lines of a width (cells) on whole numbers, filtered over the pixel. */\n"
     "float grid(vec2 p, vec2 pixel, float width) {\n"
@@ -199,11 +199,40 @@ static const char groundFragment[] =
     "    vec2 i = (a - b) / w;\n"
     "    return 0.5 - 0.5 * i.x * i.y;\n"
     "}\n"
+    "float random(vec2 p) {\n"
+    "    p = fract(p * vec2(0.1031, 0.1030));\n"
+    "    p += dot(p, p.yx + 33.33);\n"
+    "    return fract((p.x + p.y) * p.x);\n"
+    "}\n"
+    "/* Values at whole places, smoothly between; its mean is 0. */\n"
+    "float spots(vec2 p) {\n"
+    "    vec2 i = floor(p), f = p - i;\n"
+    "    f = f * f * (3.0 - 2.0 * f);\n"
+    "    float near = mix(random(i), random(i + vec2(1.0, 0.0)), f.x);\n"
+    "    float far = mix(random(i + vec2(0.0, 1.0)), random(i + 1.0), f.x);\n"
+    "    return mix(near, far, f.y) - 0.5;\n"
+    "}\n"
+    "/* Earth and grass: what is finer than a pixel is left out. */\n"
+    "vec3 earth(vec2 p, vec2 pixel) {\n"
+    "    float coarse = spots(0.23 * p + 71.0), sum = 0.0, size = 0.5, most = max(pixel.x, pixel.y);\n"
+    "    for (int i = 0; i < 4; i++) {\n"
+    "        sum += size * clamp(1.6 - 2.0 * most, 0.0, 1.0) * spots(p);\n"
+    "        p = mat2(1.7, 1.3, -1.3, 1.7) * p + 17.0;\n"
+    "        most *= 2.1;\n"
+    "        size *= 0.6;\n"
+    "    }\n"
+    "    vec3 tone = mix(vec3(0.36, 0.27, 0.18), vec3(0.27, 0.33, 0.15), smoothstep(-0.15, 0.2, coarse + 0.5 * sum));\n"
+    "    return tone * (1.0 + 0.7 * sum);\n"
+    "}\n"
     "void main() {\n"
     "    vec2 p = vLocal.xz / vSpecular.y, pixel = fwidth(p);\n"
     "    vec3 base = vDiffuse.rgb;\n"
     "    if (uTextured > 0.5) {\n"
     "        base *= toLinear(texture(uTexture, vTexture).rgb);\n"
+    "    } else if (vSpecular.z > 2.5) {\n"
+    "        base = earth(p, pixel);\n"
+    "    } else if (vSpecular.z > 1.5) {\n"
+    "        base *= 0.72;\n"
     "    } else if (vSpecular.z > 0.5) {\n"
     "        base *= mix(0.58, 0.77, checker(p, pixel));\n"
     "    } else {\n"
@@ -278,13 +307,78 @@ static const char occlusionFragment[] =
     "    oColor = vec4(clamp(1.0 - sum, 0.0, 1.0));\n"
     "}\n";
 
+/* From the depth buffer: distances along the line of sight, and places as seen from the eye. Needs perspective. */
+static const char depthFunctions[] =
+    "uniform sampler2D uDepth;\n"
+    "uniform vec2 uProjection; /* The depth on the screen, -1 to 1, is x + y / distance. */\n"
+    "float distanceAt(vec2 at) {\n"
+    "    return uProjection.y / (2.0 * texture(uDepth, at).r - 1.0 - uProjection.x);\n"
+    "}\n"
+    "/* Of the middle of a pixel: depth and direction have to belong together. */\n"
+    "vec3 placeAt(vec2 at) {\n"
+    "    vec2 size = vec2(textureSize(uDepth, 0)), middle = (floor(at * size) + 0.5) / size, p = 2.0 * middle - 1.0;\n"
+    "    return distanceAt(middle) * (p.x * right.xyz + p.y * up.xyz - back.xyz);\n"
+    "}\n";
+
+/* How open the half space over a surface is: 8 places of the picture round it, which tell how high above the surface
+ * they stand, weighted down to 0 at the radius. Four by four pixels look in different directions, which
+ * rProgramAmbientMean averages again. */
+static const char ambientFragment[] =
+    "out vec4 oColor;\n"
+    "/* Towards the neighbour that is nearer in depth: not over an edge. */\n"
+    "vec3 along(vec3 p, vec2 at, vec2 by) {\n"
+    "    vec3 a = placeAt(at + by) - p, b = p - placeAt(at - by);\n"
+    "    return dot(a, a) < dot(b, b) ? a : b;\n"
+    "}\n"
+    "void main() {\n"
+    "    vec2 texel = 1.0 / vec2(textureSize(uDepth, 0)), at = (2.0 * floor(gl_FragCoord.xy) + 0.5) * texel;\n"
+    "    float t = distanceAt(at);\n"
+    "    vec3 p = placeAt(at);\n"
+    "    vec3 n = normalize(cross(along(p, at, vec2(texel.x, 0.0)), along(p, at, vec2(0.0, texel.y))));\n"
+    "    n *= -sign(dot(n, p));\n"
+    "    /* A body's size, but a twelfth of the picture's height at most. */\n"
+    "    float radius = min(0.7 * ground.z, 0.166 * length(up.xyz) * t);\n"
+    "    vec2 reach = 0.5 * radius / (t * vec2(length(right.xyz), length(up.xyz)));\n"
+    "    vec2 pixel = mod(floor(gl_FragCoord.xy), 4.0);\n"
+    "    float turn = 0.39269908 * mod(5.0 * pixel.x + 7.0 * pixel.y, 16.0), sum = 0.0;\n"
+    "    for (int i = 0; i < 8; i++) {\n"
+    "        float angle = turn + 2.3999632 * float(i), part = (float(i) + 0.6) / 8.0;\n"
+    "        vec3 q = placeAt(at + part * reach * vec2(cos(angle), sin(angle))) - p;\n"
+    "        float square = dot(q, q) + 1e-12;\n"
+    "        sum += max(dot(q, n) * inversesqrt(square) - 0.12, 0.0) * max(1.0 - square / (radius * radius), 0.0);\n"
+    "    }\n"
+    "    float seen = smoothstep(1.0, 4.0, reach.y / texel.y);\n"
+    "    oColor = vec4(clamp(1.0 - 0.3 * seen * sum, 0.0, 1.0), t, 0.0, 1.0);\n"
+    "}\n";
+
+/* The mean over four by four of its pixels that are about as far away. */
+static const char ambientMeanFragment[] =
+    "in vec2 vPlace;\n"
+    "out vec4 oColor;\n"
+    "uniform sampler2D uAmbient;\n"
+    "void main() {\n"
+    "    vec2 at = 0.5 + 0.5 * vPlace, texel = 1.0 / vec2(textureSize(uAmbient, 0));\n"
+    "    float t = texture(uAmbient, at).g, sum = 0.0, all = 0.0;\n"
+    "    for (int i = 0; i < 4; i++) {\n"
+    "        vec2 a = texture(uAmbient, at + texel * vec2(i % 2 == 0 ? -1.5 : 0.5, i < 2 ? -1.5 : 0.5)).rg;\n"
+    "        float weight = max(1.0 - abs(a.g - t) / (0.04 * t), 1e-3);\n"
+    "        sum += weight * a.r;\n"
+    "        all += weight;\n"
+    "    }\n"
+    "    oColor = vec4(sum / all);\n"
+    "}\n";
+
 /* A soft shoulder for what is too bright, the screen's curve, and a little noise against bands in gradients. */
 static const char resolveFragment[] =
     "in vec2 vPlace;\n"
     "out vec4 oColor;\n"
-    "uniform sampler2D uTexture;\n"
+    "uniform sampler2D uTexture, uAmbient;\n"
+    "uniform float uHasAmbient;\n"
     "void main() {\n"
-    "    vec3 c = max(texture(uTexture, 0.5 + 0.5 * vPlace).rgb, 0.0);\n"
+    "    vec2 at = 0.5 + 0.5 * vPlace;\n"
+    "    vec3 c = max(texture(uTexture, at).rgb, 0.0);\n"
+    "    if (uHasAmbient > 0.5)\n"
+    "        c *= texture(uAmbient, at).r;\n"
     "    c = mix(c, 0.75 + 0.25 * (1.0 - exp((0.75 - c) / 0.25)), step(0.75, c));\n"
     "    c = mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));\n"
     "    float noise = fract(52.9829189 * fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715))));\n"
@@ -372,6 +466,8 @@ const RProgramSource r_programSources[R_PROGRAMS] = {
     [rProgramDepth] = {PIECES(depthVertex), PIECES(depthFragment)},
     [rProgramOcclusion] = {PIECES(fullVertex), PIECES(occlusionFragment)},
     [rProgramLine] = {PIECES(frame, lineVertex), PIECES(frame, linearFunction, lineFragment)},
+    [rProgramAmbient] = {PIECES(fullVertex), PIECES(frame, depthFunctions, ambientFragment)},
+    [rProgramAmbientMean] = {PIECES(fullVertex), PIECES(ambientMeanFragment)},
     [rProgramResolve] = {PIECES(fullVertex), PIECES(resolveFragment)},
     [rProgramOverlay] = {PIECES(frame, overlayVertex), PIECES(overlayFragment)},
 };

@@ -79,17 +79,78 @@ static void snap(Box *box, float texel) {
         box->centre[k] -= dx * box->x[k] + dy * box->y[k];
 }
 
-static void fitShadow(RDraw *d, const float centre[3], float radius) {
+/* A range along each axis of a box. */
+typedef struct {
+    float low[3], high[3];
+} Range;
+
+static void extend(Range *range, const Box *box, const float p[3], float radius) {
+    const float *const axes[3] = {box->x, box->y, box->z};
+    for (int k = 0; k < 3; k++) {
+        const float at = dot(axes[k], p);
+        range->low[k] = fminf(range->low[k], at - radius);
+        range->high[k] = fmaxf(range->high[k], at + radius);
+    }
+}
+
+static const Range nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static Range rangeOfCasters(const RScene *s, const Box *box) {
+    Range range = nothing;
+    for (size_t i = 0; i < s->items.count; i++)
+        if (r_castsShadow(&s->items.items[i]))
+            extend(&range, box, s->items.items[i].centre, s->items.items[i].radius);
+    return range;
+}
+
+/* What the camera sees: a pyramid as deep as something can be made out, or a ball without perspective. */
+static Range rangeSeen(const RRender *rc, const RDraw *d, const Box *box) {
+    const RFrameBlock *b = &d->block;
+    Range range = nothing;
+    if (b->eye[3] < 0.5f) {
+        extend(&range, box, d->scene.lookAt, seenRadius(rc));
+        return range;
+    }
+    const float depth = fminf(d->scene.farthest, rc->m_CameraDist + seenRadius(rc));
+    extend(&range, box, d->scene.eye, 0);
+    for (int corner = 0; corner < 4; corner++) {
+        float p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = d->scene.eye[k] + depth * (-b->back[k] + (corner & 1 ? 1.f : -1.f) * b->right[k] +
+                                              (corner & 2 ? 1.f : -1.f) * b->up[k]);
+        extend(&range, box, p, 0);
+    }
+    return range;
+}
+
+/* A shadow lies where its caster does, seen from the light: so the map has to hold no more than both ranges share. */
+static void fitShadow(const RRender *rc, RDraw *d) {
     RFrameBlock *b = &d->block;
     const int size = r_qualityLevels[d->level].shadowSize;
-    Box box = {.half = radius, .front = radius, .back = radius};
-    memcpy(box.centre, centre, sizeof box.centre);
+    Box box;
     lightAxes(b->keyDirection, &box);
+    const Range casters = rangeOfCasters(&d->scene, &box), seen = rangeSeen(rc, d, &box);
+    /* The shadow's edge is as soft as some of the map's texels, so the map must not be too fine for the picture. */
+    float middle[3], radius = step(0.4f * seenRadius(rc));
+    for (int k = 0; k < 3; k++) {
+        float low = casters.low[k], high = casters.high[k];
+        if (k < 2 && fmaxf(low, seen.low[k]) < fminf(high, seen.high[k])) {
+            low = fmaxf(low, seen.low[k]);
+            high = fminf(high, seen.high[k]);
+        }
+        middle[k] = (low + high) / 2;
+        if (k < 2)
+            radius = fmaxf(radius, step((high - low) / 2));
+    }
+    for (int k = 0; k < 3; k++)
+        box.centre[k] = middle[0] * box.x[k] + middle[1] * box.y[k] + middle[2] * box.z[k];
+    box.half = radius;
+    box.front = box.back = step((casters.high[2] - casters.low[2]) / 2);
     const float texel = 2 * radius / (float)size;
     snap(&box, texel);
     if (d->scene.hasGround && box.z[1] > 0.05f) { /* Down to where the shadow falls. */
-        const float down = (centre[1] - d->scene.groundHeight + radius * sqrtf(1 - box.z[1] * box.z[1])) / box.z[1];
-        box.back = fminf(fmaxf(radius, down), 50 * radius);
+        const float down = (box.centre[1] - d->scene.groundHeight + radius * sqrtf(1 - box.z[1] * box.z[1])) / box.z[1];
+        box.back = fminf(fmaxf(box.back, down), 50 * fmaxf(radius, box.back));
     }
     boxMatrix(&box, d->shadowMatrix);
     toTexture(d->shadowMatrix, b->shadow);
@@ -124,9 +185,8 @@ void r_shadowFit(RRender *rc, RDraw *d) {
     regionOf(rc, &d->scene, centre, &radius);
     if (d->scene.hasGround)
         fitOcclusion(d, centre, radius);
-    /* The shadow's edge is as soft as some of the map's texels, so the map must not be too fine for the picture. */
     if (rc->m_pViewer->lights.key.m_bUseLight)
-        fitShadow(d, centre, fmaxf(radius, step(0.4f * seenRadius(rc))));
+        fitShadow(rc, d);
 }
 
 static void drawDepth(RDraw *d, const RTarget *target, GLsizei size, const float matrix[16]) {

@@ -53,6 +53,13 @@ static bool makeSampleTarget(const RGL *gl, RTarget *t, int samples, int width, 
     return isComplete(gl);
 }
 
+/* A depth buffer beside a target's colours, to be read as a texture. */
+static bool addDepth(const RGL *gl, RTarget *t, int width, int height) {
+    t->depth = makeTexture(gl, GL_DEPTH_COMPONENT24, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, GL_NEAREST);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, t->depth, 0);
+    return isComplete(gl);
+}
+
 static void freeTarget(const RGL *gl, RTarget *t, bool renderbuffers) {
     gl->DeleteFramebuffers(1, &t->frame); /* 0 is ignored, everywhere here. */
     if (renderbuffers) {
@@ -68,6 +75,8 @@ static void freeTarget(const RGL *gl, RTarget *t, bool renderbuffers) {
 static void freePicture(RDraw *d) {
     freeTarget(&d->gl, &d->samples, true);
     freeTarget(&d->gl, &d->linear, false);
+    freeTarget(&d->gl, &d->ambient, false);
+    freeTarget(&d->gl, &d->ambientMean, false);
     freeTarget(&d->gl, &d->picture, false);
     d->width = d->height = 0;
     d->drawn = false;
@@ -88,6 +97,15 @@ static bool makeShadow(RDraw *d, int size) {
     return true;
 }
 
+/* After the picture's linear target, which is bound. */
+static bool makeAmbient(RDraw *d) {
+    const RGL *gl = &d->gl;
+    const int width = (d->drawnWidth + 1) / 2, height = (d->drawnHeight + 1) / 2;
+    return addDepth(gl, &d->linear, d->drawnWidth, d->drawnHeight) &&
+           makeColorTarget(gl, &d->ambient, GL_RG16F, width, height, GL_RG, GL_FLOAT, GL_LINEAR) &&
+           makeColorTarget(gl, &d->ambientMean, GL_R8, width, height, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR);
+}
+
 bool r_targetsResize(RDraw *d, int width, int height, int level) {
     const RGL *gl = &d->gl;
     const RQualityLevel *q = &r_qualityLevels[level];
@@ -101,6 +119,7 @@ bool r_targetsResize(RDraw *d, int width, int height, int level) {
     if (!makeShadow(d, q->shadowSize) ||
         !makeSampleTarget(gl, &d->samples, q->samples, d->drawnWidth, d->drawnHeight) ||
         !makeColorTarget(gl, &d->linear, GL_RGBA16F, d->drawnWidth, d->drawnHeight, GL_RGBA, GL_FLOAT, filter) ||
+        (q->ambient && !makeAmbient(d)) ||
         !makeColorTarget(gl, &d->picture, GL_RGBA8, width, height, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST)) {
         freePicture(d);
         return false;

@@ -56,16 +56,13 @@ static bool checkerboard(RPicture *p) {
     return true;
 }
 
-/* The file of a texture in a directory: .bmp, or else .png. */
+/* The file of a texture in a directory. */
 static bool readFrom(const char *place, const char *name, RPicture *picture) {
-    static const struct {
-        const char *ending;
-        bool (*read)(const char *path, RPicture *picture);
-    } kinds[] = {{"bmp", r_bmpRead}, {"png", r_pngRead}};
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+    static const char *const endings[] = {"bmp", "png", "jpg", "tga"};
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
         char path[1024];
-        if (snprintf(path, sizeof path, "%s/%s.%s", place, name, kinds[i].ending) < (int)sizeof path &&
-            kinds[i].read(path, picture))
+        if (snprintf(path, sizeof path, "%s/%s.%s", place, name, endings[i]) < (int)sizeof path &&
+            r_imageRead(path, picture))
             return true;
     }
     return false;
@@ -81,7 +78,9 @@ bool r_texturePicture(const char *name, RPicture *picture) {
         if (places[i] && *places[i] && readFrom(places[i], name, picture))
             return true;
     /* Programs run without their pictures: that is worth a message, but no trouble that the exit code tells. */
-    MeInfo(0, "there is no texture %s.bmp or %s.png in ., $KARMA_TEXTURES, textures or ../textures; drawing without it",
-           name, name);
+    MeInfo(0,
+           "there is no texture %s.bmp, .png, .jpg or .tga in ., $KARMA_TEXTURES, textures or ../textures; drawing "
+           "without it",
+           name);
     return false;
 }

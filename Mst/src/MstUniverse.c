@@ -133,6 +133,10 @@ static void updateBoxes(McdSpaceID s, MeReal step) {
 void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     if (!isUniverse(u, "MstUniverseStep"))
         return;
+    if (!(step > 0) || !MeRealIsValid(step)) {
+        MeWarning(1, "MstUniverseStep: the step is %g: it must be positive; nothing is changed", (double)step);
+        return;
+    }
     const char *before = MeCallerSet("MstUniverseStep");
     MEASSERT(McdFrameworkGetModelCount(u->frame) >= McdSpaceGetModelCount(u->space));
     McdSpaceSetLookAhead(u->space, step);

@@ -14,7 +14,7 @@ static MeBool massOf(McdModelID model, MeMatrix3 inertia, MeReal *volume, const 
     MeMatrix4 relative;
     if (!McdModelIsValid(model) ||
         !McdGeometryGetMassProperties(McdModelGetGeometry(model), relative, inertia, volume) || !(*volume > 0)) {
-        MeWarning(1, "%s: the model's geometry has no mass properties; nothing is changed", function);
+        MeWarning(1, "%s: the model's geometry has no mass properties; nothing is changed", MeCallerName(function));
         return MEFALSE;
     }
     return METRUE;
@@ -29,8 +29,8 @@ void MEAPI MstAutoSetMassProperties(const MdtBodyID body, const McdModelID model
     MeMatrix3 inertia;
     MeReal volume;
     if (!(density > 0) || !MeRealIsValid(density)) {
-        MeWarning(1, "MstAutoSetMassProperties: density is %g: it must be positive; nothing is changed",
-                  (double)density);
+        MeWarning(1, "%s: density is %g: it must be positive; nothing is changed",
+                  MeCallerName("MstAutoSetMassProperties"), (double)density);
         return;
     }
     if (!massOf(model, inertia, &volume, "MstAutoSetMassProperties"))
@@ -65,6 +65,13 @@ static MeBool insertModel(McdSpaceID s, McdModelID m, MeBool isPlaced) {
     return isIn;
 }
 
+static MeBool isGeometry(McdGeometryID g, const char *function) {
+    if (g && McdGeometryIsValid(g))
+        return METRUE;
+    MeWarning(1, "%s: g %s", function, g ? "is no geometry, or has been destroyed" : "is null: it must be a geometry");
+    return MEFALSE;
+}
+
 /* All of it, or nothing. */
 static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density) {
     const McdModelID m = McdModelCreate(g);
@@ -82,7 +89,7 @@ static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density
 }
 
 McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density) {
-    if (!MstUniverseGetWorld(u))
+    if (!MstUniverseGetWorld(u) || !isGeometry(g, "MstModelAndBodyCreate"))
         return 0;
     const char *before = MeCallerSet("MstModelAndBodyCreate");
     const McdModelID m = createWithBody(u, g, density);
@@ -95,7 +102,7 @@ static McdModelID createFixed(McdSpaceID s, McdGeometryID g, MeMatrix4Ptr transf
     if (!m)
         return 0;
     McdModelSetTransformPtr(m, transformation);
-    if (!insertModel(s, m, METRUE)) {
+    if (!insertModel(s, m, transformation != 0)) {
         McdModelDestroy(m);
         return 0;
     }
@@ -105,8 +112,11 @@ static McdModelID createFixed(McdSpaceID s, McdGeometryID g, MeMatrix4Ptr transf
 
 McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID g, MeMatrix4Ptr transformation) {
     const McdSpaceID s = MstUniverseGetSpace(u);
-    if (!s)
+    if (!s || !isGeometry(g, "MstFixedModelCreate"))
         return 0;
+    if (!transformation)
+        MeWarning(1,
+                  "MstFixedModelCreate: the transform is null: set one (McdModelSetTransformPtr) before the next step");
     const char *before = MeCallerSet("MstFixedModelCreate");
     const McdModelID m = createFixed(s, g, transformation);
     MeCallerSet(before);

@@ -74,9 +74,9 @@ def check_panels(window, at):
     change('friction', (120, 268))
     change('restitution', (120, 293))
     # In the panel "Viewer", the last of the panels' names.
-    window.send(*at(672, 336), 'click', '1')
+    window.send(*at(672, 361), 'click', '1')
     window.expect('report 1')
-    window.send(*at(672, 336), 'click', '1')
+    window.send(*at(672, 361), 'click', '1')
     window.wait_for('the report is off', lambda: value(window, 'report') == 0)
     # The first panel is "Simulation", its first line the slider of gravity.
     window.wait_for('the slider moves', lambda: window.send(*at(60, 104), 'mousedown', '1') is not None and

@@ -135,10 +135,38 @@ START_TEST(a_world_may_go_before_its_models) {
 }
 END_TEST
 
+/* A message names the function that the program called, and not those that this one calls. */
+START_TEST(messages_name_what_was_called) {
+    const MstUniverseID u = makeUniverse();
+    const McdGeometryID box = McdBoxCreate(u->frame, 1, 1, 1);
+    messages_catch();
+    ck_assert_ptr_null(MstModelAndBodyCreate(u, 0, 1));
+    assert_warned("MstModelAndBodyCreate: g");
+    ck_assert_ptr_nonnull(MstModelAndBodyCreate(u, box, 0));
+    assert_warned("MstModelAndBodyCreate: density");
+    ck_assert_ptr_nonnull(MstModelAndBodyCreate(u, McdPlaneCreate(u->frame), 1));
+    assert_warned("MstModelAndBodyCreate: the model's geometry");
+    ck_assert_ptr_null(MstFixedModelCreate(u, 0, identity));
+    assert_warned("MstFixedModelCreate: g");
+    const McdModelID placeless = MstFixedModelCreate(u, box, 0);
+    ck_assert_ptr_nonnull(placeless);
+    assert_warned("MstFixedModelCreate: the transform");
+    McdModelDestroy(placeless);
+    for (int i = 0; i < 3; i++) {
+        MstUniverseStep(u, (const MeReal[]){0, -1, (MeReal)NAN}[i]);
+        ck_assert_int_eq(caught.warnings, 1);
+        assert_warned("MstUniverseStep: the step");
+    }
+    messages_release();
+    MstUniverseDestroy(u);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, what_stands_on_a_destroyed_floor_falls);
     tcase_add_test(t, a_destroyed_ball_leaves_nothing_with_the_world);
     tcase_add_test(t, all_may_go_after_their_universe);
     tcase_add_test(t, a_world_may_go_before_its_models);
+    tcase_add_test(t, messages_name_what_was_called);
 }
 TEST_MAIN("MstEnds", tests)

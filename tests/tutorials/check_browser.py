@@ -56,6 +56,12 @@ def check_window(display, directory):
     window.expect('browser: Stack')
     if window.find('Karma tutorial: Stack') != name:
         fail('after a click on next, another window')
+    # Stack has its context by MeAppStart: from there, too, one comes on.
+    window.send('key', 'bracketright')
+    window.expect('browser: Hinge')
+    window.send('key', 'bracketleft')
+    window.wait_for('Stack again', lambda: window.output().count('browser: Stack') == 2)
+    window.find('Karma tutorial: Stack')
     window.send('key', 'Escape')
     if window.end() != 0:
         fail(f'the browser ended with {window.process.returncode}:\n{window.output()}')

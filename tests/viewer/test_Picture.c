@@ -3,7 +3,7 @@
 #include "viewer_test.h"
 
 #include "RMenu.h"
-#include "r_i.h"
+#include "r_draw_i.h"
 
 enum { WIDTH = 320, HEIGHT = 240 };
 
@@ -640,6 +640,107 @@ START_TEST(resizing) {
 }
 END_TEST
 
+/* A wall on a floor, both bodies: where they meet both are darker than a metre away, and were not without. F5 is the
+ * switch. The light comes along the view, so that the wall casts its shadow behind itself. */
+START_TEST(corners_between_bodies_are_darker) {
+    static const double towards[3] = {9, 0, 0.5}, at[3] = {0, 1, 0};
+    static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, -0.5f, 0, 1}};
+    static MeMatrix4 wallTM = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 1.5f, -0.5f, 1}};
+    const AcmeVector3 middle = {0, 1, 0};
+    double share[2];
+    start("-osmesa -size 320x240");
+    RCameraSetLookAt(rc, middle);
+    RCameraSetView(rc, (float)towards[0], (float)towards[1], (float)towards[2]);
+    RGraphicBoxCreate(rc, 8, 1, 8, WHITE, floorTM);
+    RGraphicBoxCreate(rc, 4, 3, 1, WHITE, wallTM);
+    rc->m_pViewer->lights.key.m_bUseLight = 0;
+    for (int i = 0; i < 2; i++) {
+        double corner[2], wall[2];
+        RPicture p = shoot(1);
+        project(towards, at, (const double[3]){0, 0.06, 0}, &p, corner);
+        project(towards, at, (const double[3]){0, 1.6, 0}, &p, wall);
+        share[i] = (double)brightness(&p, corner) / brightness(&p, wall);
+        r_free(p.rgba);
+        press(RKEY_F5);
+    }
+    ck_assert_msg(share[0] < 0.92 && share[1] > 0.98, "with: %.3f, without: %.3f", share[0], share[1]);
+    stop();
+}
+END_TEST
+
+/* Of a long row of balls the camera sees a few: the map holds these alone, and their shadows. */
+START_TEST(the_shadow_map_holds_what_is_seen) {
+    enum { BALLS = 41 };
+    static MeMatrix4 place[BALLS];
+    const AcmeVector3 origin = {0, 0, 0};
+    start("-osmesa -size 320x240");
+    RGraphicGroundPlaneCreate(rc, 400, 2, WHITE, -1);
+    for (int i = 0; i < BALLS; i++) {
+        MeMatrix4TMMakeIdentity(place[i]);
+        place[i][3][0] = (MeReal)(5 * (i - BALLS / 2));
+        RGraphicSphereCreate(rc, 1, BLUE, place[i]);
+    }
+    RCameraSetLookAt(rc, origin);
+    float texel[2];
+    for (int i = 0; i < 2; i++) { /* From near, and from where all are seen. */
+        RCameraSetView(rc, i == 0 ? 10 : 250, 0.3f, 0.5f);
+        RPicture p = shoot(1);
+        r_free(p.rgba);
+        texel[i] = rc->m_pViewer->draw->block.shadowSettings[1] / 1.2f;
+    }
+    ck_assert_msg(texel[0] * 1024 > 10 && texel[0] * 1024 < 40, "the map is %g m wide", (double)texel[0] * 1024);
+    ck_assert_msg(texel[1] * 1024 > 200, "the map is %g m wide where all is seen", (double)texel[1] * 1024);
+    stop();
+}
+END_TEST
+
+/* Each look differs from each other in a good part of the ground, and -1 is the ground's own. */
+START_TEST(grounds_look_different) {
+    RPicture p[R_GROUNDS + 1];
+    start("-osmesa -size 320x240");
+    sphereOnGround();
+    for (int i = 0; i <= R_GROUNDS; i++) {
+        RRenderSetGroundLook(rc, i - 1);
+        ck_assert_int_eq(RRenderGetGroundLook(rc), i - 1);
+        p[i] = shoot(1);
+    }
+    ck_assert_uint_eq(differences(&p[0], &p[1]), 0);
+    for (int i = 1; i <= R_GROUNDS; i++)
+        for (int k = 1; k < i; k++)
+            ck_assert_uint_gt(differences(&p[i], &p[k]), (size_t)WIDTH * HEIGHT / 8);
+    for (int i = 0; i <= R_GROUNDS; i++)
+        r_free(p[i].rgba);
+    RRenderSetGroundLook(rc, R_GROUNDS);
+    assert_warned("look");
+    RRenderSetGroundLook(rc, -2);
+    assert_warned("look");
+    ck_assert_int_eq(RRenderGetGroundLook(rc), R_GROUNDS - 1);
+    stop();
+}
+END_TEST
+
+/* The same picture at twice the pixels: text is twice as large, and the window's size only if it was not given. */
+START_TEST(a_scale_is_for_dense_displays) {
+    static const struct {
+        const char *options;
+        int width;
+        double scale;
+    } cases[] = {{"-null", 960, 1}, {"-null -scale 2", 1920, 2}, {"-null -scale 2 -size 960x600", 960, 1.5}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        start(cases[i].options);
+        ck_assert_int_eq(rc->m_pViewer->width, cases[i].width);
+        assert_near(r_uiScale(rc), cases[i].scale, 1e-6);
+        stop();
+    }
+    static const char *const mistakes[] = {"-null -scale 9", "-null -scale 2x", "-null -ground sand"};
+    for (size_t i = 0; i < sizeof mistakes / sizeof mistakes[0]; i++) {
+        start(mistakes[i]);
+        assert_warned(i < 2 ? "-scale" : "-ground");
+        stop();
+    }
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, the_sphere_is_where_the_camera_sees_it);
     tcase_add_test(t, the_transform_is_read_in_every_frame);
@@ -659,5 +760,9 @@ static void tests(TCase *t) {
     tcase_add_test(t, equal_neighbours_have_tones_of_their_own);
     tcase_add_test(t, the_bar_has_figures_after_three_slow_frames);
     tcase_add_test(t, resizing);
+    tcase_add_test(t, corners_between_bodies_are_darker);
+    tcase_add_test(t, the_shadow_map_holds_what_is_seen);
+    tcase_add_test(t, grounds_look_different);
+    tcase_add_test(t, a_scale_is_for_dense_displays);
 }
 TEST_MAIN("Picture", tests)

@@ -11,6 +11,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -70,35 +71,10 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     strike(context, userdata);
 }
 
-static void applySettings(void) {
+static void MEAPI applySettings(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     MdtAngular3SetStiffness(joint[SPRINGY], stiffness);
     MdtAngular3SetDamping(joint[SPRINGY], damping);
-}
-
-static void change(MeReal stiffer, MeReal duller) {
-    stiffness = MeCLAMP(stiffness + stiffer, 5, 80);
-    damping = MeCLAMP(damping + duller, 0, 2);
-    applySettings();
-}
-
-static void MEAPI stiffer(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(5, 0);
-}
-
-static void MEAPI softer(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(-5, 0);
-}
-
-static void MEAPI duller(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, (MeReal)0.1);
-}
-
-static void MEAPI livelier(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, (MeReal)-0.1);
 }
 
 /* The balls at the foot and at the head may touch the ground with their lowest points. There is no friction, and a
@@ -176,7 +152,7 @@ static void createDynamics(void) {
         if (i != FREE)
             createJoint(i);
     }
-    applySettings();
+    applySettings(0, 0);
 }
 
 /* A ball for a foot, a body that narrows towards the top, a head, and two arms, so that one sees it turn. */
@@ -207,20 +183,24 @@ static void createGraphics(void) {
 
 static void createControls(void) {
     static const char *const help[] = {
-        "Four hopping tops, three of them kept upright.", "$ACTION2 - start again",
-        "$ACTION3 - strike them off their middle",        "$ACTION4 - throw them up",
-        "$UP, $DOWN - stiffness of the springy one",      "$RIGHT, $LEFT - its damping",
+        "Four hopping tops, three of them kept upright.",
+        "$ACTION2 - start again",
+        "$ACTION3 - strike them off their middle",
+        "$ACTION4 - throw them up",
+    };
+    static const RParameter parameters[] = {
+        {"stiffness of the springy one", "N m/rad", &stiffness, 5, 80, 5, .less = "Down", .more = "Up",
+         .changed = applySettings},
+        {"its damping", "N m s/rad", &damping, 0, 2, (MeReal)0.1, .less = "Left", .more = "Right",
+         .changed = applySettings},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Angular3");
     RRenderSetAppName(rc, "Angular3");
-    RRenderCreateUserHelp(rc, help, 6);
+    RRenderCreateUserHelp(rc, help, 4);
+    RRenderCreateParameters(rc, parameters, 2);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, strike, 0);
     RRenderSetActionNCallBack(rc, 4, throwUp, 0);
-    RRenderSetUpCallBack(rc, stiffer, 0);
-    RRenderSetDownCallBack(rc, softer, 0);
-    RRenderSetRightCallBack(rc, duller, 0);
-    RRenderSetLeftCallBack(rc, livelier, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

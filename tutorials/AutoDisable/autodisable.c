@@ -6,6 +6,7 @@
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -14,7 +15,7 @@ enum { ROWS = 4, COLUMNS = 6, BOXES = ROWS * COLUMNS };
 static const MeReal step = (MeReal)(1.0 / 60);                         /* s */
 static const MeReal size[3] = {(MeReal)0.8, (MeReal)0.5, (MeReal)0.6}; /* m */
 static const Plane floorPlane = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
-static const MeReal usualThreshold = (MeReal)0.02; /* m²/s², the guide's default */
+static MeReal threshold = (MeReal)0.02; /* m²/s², the guide's default */
 
 static MdtWorldID world;
 static BoxOnPlane box[BOXES];
@@ -46,19 +47,10 @@ static void MEAPI kick(RRender *context, void *userdata) {
 }
 
 /* The thresholds are squares: 0.02 m²/s² is 14 cm/s. */
-static void setThreshold(MeReal value) {
-    MdtWorldSetAutoDisableVelocityThreshold(world, value);
-}
-
-static void MEAPI raise(RRender *context, void *userdata) {
+static void MEAPI applyThreshold(RRender *context, void *userdata) {
     (void)context, (void)userdata;
-    setThreshold(usualThreshold);
-}
-
-static void MEAPI lower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setThreshold(0); /* nothing is slower than that */
-    for (int i = 0; i < BOXES; i++)
+    MdtWorldSetAutoDisableVelocityThreshold(world, threshold);
+    for (int i = 0; i < BOXES; i++) /* nothing is slower than 0 */
         MdtBodyEnable(box[i].body);
 }
 
@@ -114,16 +106,17 @@ static void createControls(void) {
         "Boxes that have come to rest turn grey and cost nothing.",
         "$ACTION2 - start again",
         "$ACTION3 - kick the next one",
-        "$DOWN - a threshold of 0 keeps all of them awake",
-        "$UP - the usual threshold",
+    };
+    static const RParameter parameters[] = {
+        {"threshold of the velocity", "m²/s²", &threshold, 0, (MeReal)0.06, (MeReal)0.02, .less = "Down", .more = "Up",
+         .changed = applyThreshold},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: AutoDisable");
     RRenderSetAppName(rc, "AutoDisable");
-    RRenderCreateUserHelp(rc, help, 5);
+    RRenderCreateUserHelp(rc, help, 3);
+    RRenderCreateParameters(rc, parameters, 1);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, kick, 0);
-    RRenderSetUpCallBack(rc, raise, 0);
-    RRenderSetDownCallBack(rc, lower, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

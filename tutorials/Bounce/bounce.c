@@ -9,6 +9,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -42,20 +43,6 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     MdtBodySetAngularVelocity(body, 0, 0, 0);
     MdtBodyEnable(body); /* it may have come to rest and been disabled */
     forgetPath();
-}
-
-static void setRestitution(MeReal r) {
-    restitution = r < 0 ? 0 : r > 1 ? 1 : r;
-}
-
-static void MEAPI bouncier(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setRestitution(restitution + (MeReal)0.05);
-}
-
-static void MEAPI duller(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setRestitution(restitution - (MeReal)0.05);
 }
 
 /* An old contact tells of the past: away with it. */
@@ -156,8 +143,9 @@ int MEAPI_CDECL main(int argc, const char **argv) {
         "A ball rebounds, lower each time.",
         "The line shows where it has been.",
         "$ACTION2 - throw it again",
-        "$UP - bouncier",
-        "$DOWN - duller",
+    };
+    static const RParameter parameters[] = {
+        {"restitution", 0, &restitution, 0, 1, (MeReal)0.05, .less = "Down", .more = "Up"},
     };
     MeCommandLineOptions *options = MeCommandLineOptionsCreate(argc, argv);
     rc = RRenderContextCreate(options, 0, 1);
@@ -167,10 +155,9 @@ int MEAPI_CDECL main(int argc, const char **argv) {
         return 1;
     RRenderSetWindowTitle(rc, "Karma tutorial: Bounce");
     RRenderSetAppName(rc, "Bounce");
-    RRenderCreateUserHelp(rc, help, 5);
+    RRenderCreateUserHelp(rc, help, 3);
+    RRenderCreateParameters(rc, parameters, 1);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
-    RRenderSetUpCallBack(rc, bouncier, 0);
-    RRenderSetDownCallBack(rc, duller, 0);
 
     createDynamics();
     createGraphics();

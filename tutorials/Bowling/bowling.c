@@ -8,6 +8,7 @@
  *
  * Watch the status line: the pins that have fallen, the ball's speed and its slip, which ends when it rolls.
  */
+#include "RParameter.h"
 #include "play.h"
 #include <math.h>
 #include <stdio.h>
@@ -29,7 +30,8 @@ static McdModelID pin[PINS], ball;
 static MeMatrix4 part[2]; /* of a pin, kept by pointer */
 static MeReal foot;       /* m, from a pin's foot up to its centre of mass */
 
-static MeReal speed = 7, aim, hook, backspin; /* m/s, rad, rad/s, rad/s: of the next ball */
+static MeReal speed = 7, aim, hook,
+              backspin; /* m/s, rad, rad/s, rad/s: of the next ball; a hook to the left is positive */
 
 /* ---- pins -------------------------------------------------------------------------------------------------------- */
 
@@ -137,40 +139,6 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     throwBall(context, userdata);
 }
 
-static void change(MeReal *what, MeReal by, MeReal most) {
-    *what = MeMAX(MeMIN(*what + by, most), -most);
-}
-
-static void MEAPI left(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(&aim, (MeReal)-0.002, (MeReal)0.06);
-}
-
-static void MEAPI right(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(&aim, (MeReal)0.002, (MeReal)0.06);
-}
-
-static void MEAPI hookLeft(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(&hook, 1, 40);
-}
-
-static void MEAPI hookRight(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(&hook, -1, 40);
-}
-
-static void MEAPI moreBackspin(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(&backspin, 2, 100);
-}
-
-static void MEAPI lessBackspin(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(&backspin, -2, 100);
-}
-
 /* ---- the program ------------------------------------------------------------------------------------------------- */
 
 /* m/s, of the ball's lowest point over the lane. */
@@ -201,19 +169,17 @@ static void createControls(void) {
         "Ten pins, and a ball that slides before it rolls.",
         "$ACTION2 - set the pins, and throw",
         "$ACTION3 - throw once more, at what stands",
-        "$LEFT, $RIGHT - aim",
-        "$LEFT2, $RIGHT2 - spin for a hook to the left, to the right",
-        "$UP2, $DOWN2 - more backspin, less",
     };
-    playHelp(help, 6);
+    static const RParameter parameters[] = {
+        {"speed of the next ball", "m/s", &speed, 4, 12, (MeReal)0.5, .less = "Down", .more = "Up"},
+        {"aim", "rad", &aim, (MeReal)-0.06, (MeReal)0.06, (MeReal)0.002, .less = "Left", .more = "Right"},
+        {"spin for a hook to the left", "rad/s", &hook, -40, 40, 1, .less = "d", .more = "a"},
+        {"backspin", "rad/s", &backspin, -100, 100, 2, .less = "s", .more = "w"},
+    };
+    playHelp(help, 3);
+    RRenderCreateParameters(playRc, parameters, 4);
     RRenderSetActionNCallBack(playRc, 2, Reset, 0);
     RRenderSetActionNCallBack(playRc, 3, throwBall, 0);
-    RRenderSetLeftCallBack(playRc, left, 0);
-    RRenderSetRightCallBack(playRc, right, 0);
-    RRenderSetLeft2CallBack(playRc, hookLeft, 0);
-    RRenderSetRight2CallBack(playRc, hookRight, 0);
-    RRenderSetUp2CallBack(playRc, moreBackspin, 0);
-    RRenderSetDown2CallBack(playRc, lessBackspin, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

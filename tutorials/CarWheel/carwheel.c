@@ -12,6 +12,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include "RGeometryUtils.h"
 #include "parts.h"
 #include <stdio.h>
@@ -92,40 +93,21 @@ static void applySuspension(void) {
         MdtCarWheelSetSuspension(joint[i], stiffness, damping, 0, (MeReal)-0.25, (MeReal)0.25, -sag);
 }
 
-static void drive(MeReal faster, MeReal further) {
+static void MEAPI driveByHand(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     isAutomatic = 0;
-    speed = MeCLAMP(speed + faster, -3, 12);
-    steering = MeCLAMP(steering + further, (MeReal)-0.6, (MeReal)0.6);
-}
-
-static void MEAPI faster(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    drive((MeReal)0.5, 0);
-}
-
-static void MEAPI slower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    drive((MeReal)-0.5, 0);
-}
-
-static void MEAPI left(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    drive(0, (MeReal)0.05);
-}
-
-static void MEAPI right(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    drive(0, (MeReal)-0.05);
 }
 
 static void MEAPI brake(RRender *context, void *userdata) {
     (void)context, (void)userdata;
-    drive(-speed, 0);
+    isAutomatic = 0;
+    speed = 0;
 }
 
 static void MEAPI straightOn(RRender *context, void *userdata) {
     (void)context, (void)userdata;
-    drive(0, -steering);
+    isAutomatic = 0;
+    steering = 0;
 }
 
 static void MEAPI toggleDamping(RRender *context, void *userdata) {
@@ -401,20 +383,20 @@ static void createControls(void) {
         "$ACTION3 - wheels straight",
         "$ACTION4 - brake",
         "$ACTION5 - good or worn dampers",
-        "$UP, $DOWN - faster, slower",
-        "$LEFT, $RIGHT - steer",
+    };
+    static const RParameter parameters[] = {
+        {"speed", "m/s", &speed, -3, 12, (MeReal)0.5, .less = "Down", .more = "Up", .changed = driveByHand},
+        {"steering to the left", "rad", &steering, (MeReal)-0.6, (MeReal)0.6, (MeReal)0.05, .less = "Right",
+         .more = "Left", .changed = driveByHand},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: CarWheel");
     RRenderSetAppName(rc, "CarWheel");
-    RRenderCreateUserHelp(rc, help, 7);
+    RRenderCreateUserHelp(rc, help, 5);
+    RRenderCreateParameters(rc, parameters, 2);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, straightOn, 0);
     RRenderSetActionNCallBack(rc, 4, brake, 0);
     RRenderSetActionNCallBack(rc, 5, toggleDamping, 0);
-    RRenderSetUpCallBack(rc, faster, 0);
-    RRenderSetDownCallBack(rc, slower, 0);
-    RRenderSetLeftCallBack(rc, left, 0);
-    RRenderSetRightCallBack(rc, right, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

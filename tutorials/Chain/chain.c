@@ -8,6 +8,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -63,21 +64,6 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     MdtBSJointEnable(joint[LINKS]);
     RGraphicDelete(rc, ballG, 0);
     ballG = RGraphicSphereCreate(rc, (float)ballRadius(), RPalette[0], MdtBodyGetTransformPtr(ball));
-}
-
-static void changeWeight(MeReal times) {
-    ballMass = MeCLAMP(ballMass * times, 1, 1000);
-    Reset(rc, 0);
-}
-
-static void MEAPI heavier(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeWeight(10);
-}
-
-static void MEAPI lighter(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeWeight((MeReal)0.1);
 }
 
 /* A kick across the way that it swings, of one metre per second. */
@@ -187,16 +173,21 @@ static void createGraphics(void) {
 
 static void createControls(void) {
     static const char *const help[] = {
-        "A chain with a weight at its end.", "Green links pull little, red ones much.",    "$ACTION2 - start again",
-        "$ACTION3 - kick it sideways",       "$UP, $DOWN - ten times the weight, a tenth",
+        "A chain with a weight at its end.",
+        "Green links pull little, red ones much.",
+        "$ACTION2 - start again",
+        "$ACTION3 - kick it sideways",
+    };
+    static const RParameter parameters[] = {
+        {"the weight", "kg", &ballMass, 1, 1000, 10, .isFactor = METRUE, .less = "Down", .more = "Up",
+         .changed = Reset},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Chain");
     RRenderSetAppName(rc, "Chain");
-    RRenderCreateUserHelp(rc, help, 5);
+    RRenderCreateUserHelp(rc, help, 4);
+    RRenderCreateParameters(rc, parameters, 1);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, kick, 0);
-    RRenderSetUpCallBack(rc, heavier, 0);
-    RRenderSetDownCallBack(rc, lighter, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

@@ -8,6 +8,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -25,8 +26,9 @@ static MdtBodyID ball[PENDULUMS];
 static MdtBSJointID pivot[PENDULUMS];
 static MdtConeLimitID cone[PENDULUMS];
 
-static int degrees[PENDULUMS] = {15, 30, 50}; /* half angles */
-static int tilt;                              /* degrees, of the cones' axes from the vertical */
+static const MeReal width[PENDULUMS] = {15, 30, 50}; /* degrees, half angles of the cones, */
+static MeReal wider;                                 /* and by how much they are wider */
+static MeReal tilt;                                  /* degrees, of the cones' axes from the vertical */
 static int isSoft;
 static MeReal most[PENDULUMS]; /* rad, the greatest angles since Reset */
 
@@ -34,8 +36,12 @@ static RRender *rc;
 static RGraphic *coneG[PENDULUMS];
 static MeMatrix4 coneTM[PENDULUMS];
 
-static MeReal radians(int d) {
-    return (MeReal)d * ME_PI / 180;
+static MeReal radians(MeReal degrees) {
+    return degrees * ME_PI / 180;
+}
+
+static MeReal halfAngle(int i) {
+    return MeCLAMP(width[i] + wider, 10, 80);
 }
 
 static MeReal pivotX(int i) {
@@ -71,7 +77,7 @@ static void MEAPI push(RRender *context, void *userdata) {
 /* The cone as it is drawn: its apex at the pivot, its side as long as the pendulum. */
 static void drawCone(int i) {
     const float *c = RPalette[5], color[4] = {c[0], c[1], c[2], .28f};
-    const MeReal half = radians(degrees[i]);
+    const MeReal half = radians(halfAngle(i));
     const MeVector3 z = {0, 0, 1};
     MeVector3 axis, back;
     MeVector4 q;
@@ -97,7 +103,7 @@ static void applySettings(void) {
         MeVector3Copy(y, tm[1]);
         MdtConeLimitBodySetAxes(cone[i], 0, -y[0], -y[1], -y[2], tm[0][0], tm[0][1], tm[0][2]);
         MdtConeLimitBodySetAxes(cone[i], 1, axis[0], axis[1], axis[2], 1, 0, 0);
-        MdtConeLimitSetConeHalfAngle(cone[i], radians(degrees[i]));
+        MdtConeLimitSetConeHalfAngle(cone[i], radians(halfAngle(i)));
         MdtConeLimitSetStiffness(cone[i], isSoft ? stiffness : MEINFINITY);
         MdtConeLimitSetDamping(cone[i], isSoft ? damping : MEINFINITY);
         drawCone(i);
@@ -106,7 +112,7 @@ static void applySettings(void) {
 
 static void MEAPI Reset(RRender *context, void *userdata) {
     for (int i = 0; i < PENDULUMS; i++) {
-        placeBall(i, radians(degrees[i]) * (MeReal)0.7);
+        placeBall(i, radians(halfAngle(i)) * (MeReal)0.7);
         most[i] = 0;
     }
     applySettings();
@@ -116,33 +122,6 @@ static void MEAPI Reset(RRender *context, void *userdata) {
 static void MEAPI toggleSoft(RRender *context, void *userdata) {
     isSoft = !isSoft;
     Reset(context, userdata);
-}
-
-static void change(int wider, int further) {
-    tilt = MeCLAMP(tilt + further, 0, 60);
-    for (int i = 0; i < PENDULUMS; i++)
-        degrees[i] = MeCLAMP(degrees[i] + wider, 10, 80);
-    Reset(rc, 0);
-}
-
-static void MEAPI wider(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(5, 0);
-}
-
-static void MEAPI narrower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(-5, 0);
-}
-
-static void MEAPI tiltMore(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, 10);
-}
-
-static void MEAPI tiltLess(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, -10);
 }
 
 static MeReal angleOf(int i) {
@@ -155,11 +134,13 @@ static MeReal angleOf(int i) {
 
 static void showFigures(void) {
     char text[200];
-    int n = snprintf(text, sizeof text, "tilt %d deg, sides %s    angles (deg):", tilt, isSoft ? "soft" : "hard");
+    int n =
+        snprintf(text, sizeof text, "tilt %.0f deg, sides %s    angles (deg):", (double)tilt, isSoft ? "soft" : "hard");
     for (int i = 0; i < PENDULUMS; i++) {
         most[i] = MeMAX(most[i], angleOf(i));
-        n += snprintf(text + n, sizeof text - (size_t)n, "    %.2f of %d, most %.2f",
-                      (double)angleOf(i) * 180 / (double)ME_PI, degrees[i], (double)most[i] * 180 / (double)ME_PI);
+        n += snprintf(text + n, sizeof text - (size_t)n, "    %.2f of %.0f, most %.2f",
+                      (double)angleOf(i) * 180 / (double)ME_PI, (double)halfAngle(i),
+                      (double)most[i] * 180 / (double)ME_PI);
     }
     RRenderSetStatusText(rc, text);
 }
@@ -234,20 +215,22 @@ static void createGraphics(void) {
 
 static void createControls(void) {
     static const char *const help[] = {
-        "Pendulums that stay in cones.",      "$ACTION2 - start again",
-        "$ACTION3 - hard or soft sides",      "$ACTION4 - push the balls",
-        "$UP, $DOWN - wider, narrower cones", "$RIGHT, $LEFT - tilt the cones",
+        "Pendulums that stay in cones.",
+        "$ACTION2 - start again",
+        "$ACTION3 - hard or soft sides",
+        "$ACTION4 - push the balls",
+    };
+    static const RParameter parameters[] = {
+        {"cones wider by", "degrees", &wider, -20, 40, 5, .less = "Down", .more = "Up", .changed = Reset},
+        {"their tilt", "degrees", &tilt, 0, 60, 10, .less = "Left", .more = "Right", .changed = Reset},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: ConeLimit");
     RRenderSetAppName(rc, "ConeLimit");
-    RRenderCreateUserHelp(rc, help, 6);
+    RRenderCreateUserHelp(rc, help, 4);
+    RRenderCreateParameters(rc, parameters, 2);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, toggleSoft, 0);
     RRenderSetActionNCallBack(rc, 4, push, 0);
-    RRenderSetUpCallBack(rc, wider, 0);
-    RRenderSetDownCallBack(rc, narrower, 0);
-    RRenderSetRightCallBack(rc, tiltMore, 0);
-    RRenderSetLeftCallBack(rc, tiltLess, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

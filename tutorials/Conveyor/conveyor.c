@@ -8,6 +8,7 @@
  *
  * Watch the status line: the speed of boxes on the straight, and the laps of the slowest and of the fastest one.
  */
+#include "RParameter.h"
 #include "play.h"
 #include <math.h>
 #include <stdio.h>
@@ -173,25 +174,15 @@ static double speedOnTheStraight(void) {
 /* ---- the program ------------------------------------------------------------------------------------------------- */
 
 /* Boxes that have fallen asleep do not notice that the belt below them moves again. */
-static void setSpeed(MeReal v) {
-    speed = MeMAX(MeMIN(v, 3), 0);
+static void MEAPI wakeBoxes(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     for (int i = 0; i < BOXES; i++)
         McdModelDynamicsEnable(box[i]);
 }
 
 static void MEAPI stopOrGo(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setSpeed(speed > 0 ? 0 : (MeReal)1.5);
-}
-
-static void MEAPI faster(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setSpeed(speed + (MeReal)0.05);
-}
-
-static void MEAPI slower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setSpeed(speed - (MeReal)0.05);
+    speed = speed > 0 ? 0 : (MeReal)1.5;
+    wakeBoxes(context, userdata);
 }
 
 static void showFigures(void) {
@@ -237,16 +228,17 @@ int MEAPI_CDECL main(int argc, const char **argv) {
         "Belts whose surfaces move, and boxes on them.",
         "$ACTION2 - once more",
         "$ACTION3 - stop, or go",
-        "$UP, $DOWN - faster, slower",
+    };
+    static const RParameter parameters[] = {
+        {"speed of the belts", "m/s", &speed, 0, 3, (MeReal)0.05, .less = "Down", .more = "Up", .changed = wakeBoxes},
     };
     if (!playStart(argc, argv, "Conveyor", BOXES))
         return 1;
     createModels();
-    playHelp(help, 4);
+    playHelp(help, 3);
+    RRenderCreateParameters(playRc, parameters, 1);
     RRenderSetActionNCallBack(playRc, 2, Reset, 0);
     RRenderSetActionNCallBack(playRc, 3, stopOrGo, 0);
-    RRenderSetUpCallBack(playRc, faster, 0);
-    RRenderSetDownCallBack(playRc, slower, 0);
     playCamera(0, .4f, 0, 13, .5f, .6f);
     Reset(playRc, 0);
     playRun(Tick);

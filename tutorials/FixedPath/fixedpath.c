@@ -11,6 +11,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -98,32 +99,6 @@ static void MEAPI otherPath(RRender *context, void *userdata) {
     isEight = !isEight;
     omega = isEight ? (MeReal)0.6 : 1; /* z goes twice as fast, which is near the pendulum's own frequency at 0.9 */
     Reset(context, userdata);
-}
-
-static void change(MeReal faster, MeReal larger) {
-    omega = MeCLAMP(omega + faster, (MeReal)0.1, (MeReal)1.3);
-    radius = MeCLAMP(radius + larger, (MeReal)0.5, 3);
-    Reset(rc, 0);
-}
-
-static void MEAPI faster(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change((MeReal)0.1, 0);
-}
-
-static void MEAPI slower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change((MeReal)-0.1, 0);
-}
-
-static void MEAPI larger(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, (MeReal)0.25);
-}
-
-static void MEAPI smaller(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, (MeReal)-0.25);
 }
 
 /* Before the step: where the path is now, and how fast it moves on. A step goes straight on, so it is given the
@@ -239,19 +214,20 @@ static void createControls(void) {
         "$ACTION2 - start again",
         "$ACTION3 - give the path's velocity, or not",
         "$ACTION4 - circle or figure of eight",
-        "$UP, $DOWN - faster, slower",
-        "$RIGHT, $LEFT - a larger or smaller path",
+    };
+    static const RParameter parameters[] = {
+        {"speed on the path", "rad/s", &omega, (MeReal)0.1, (MeReal)1.3, (MeReal)0.1, .less = "Down", .more = "Up",
+         .changed = Reset},
+        {"radius of the path", "m", &radius, (MeReal)0.5, 3, (MeReal)0.25, .less = "Left", .more = "Right",
+         .changed = Reset},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: FixedPath");
     RRenderSetAppName(rc, "FixedPath");
-    RRenderCreateUserHelp(rc, help, 6);
+    RRenderCreateUserHelp(rc, help, 4);
+    RRenderCreateParameters(rc, parameters, 2);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, toggleVelocity, 0);
     RRenderSetActionNCallBack(rc, 4, otherPath, 0);
-    RRenderSetUpCallBack(rc, faster, 0);
-    RRenderSetDownCallBack(rc, slower, 0);
-    RRenderSetRightCallBack(rc, larger, 0);
-    RRenderSetLeftCallBack(rc, smaller, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

@@ -11,15 +11,16 @@
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
 enum { BOX, NORMAL_FORCE, CONE, MODELS, NONE = -1 };
 
-static const MeReal step = (MeReal)(1.0 / 60);        /* s */
-static const MeReal size[3] = {1, (MeReal)0.5, 1};    /* m */
-static const MeReal coefficient = (MeReal)0.46630766; /* tan of 25 degrees */
-static const MeReal length = 12;                      /* m, of the slope */
+static const MeReal step = (MeReal)(1.0 / 60);     /* s */
+static const MeReal size[3] = {1, (MeReal)0.5, 1}; /* m */
+static MeReal coefficient = (MeReal)0.46630766;    /* tan of 25 degrees */
+static const MeReal length = 12;                   /* m, of the slope */
 
 static MdtWorldID world;
 static BoxOnPlane box[MODELS];
@@ -62,15 +63,21 @@ static void begin(MeReal slopeDegrees) {
         placeBox(i);
 }
 
+/* The box model wants forces: what a quarter of the weight gives on a slope of 25 degrees, for each of four contacts,
+ * and of that the part for each of two directions at 45 degrees. */
+static void setCoefficient(void) {
+    for (int i = 0; i < MODELS; i++)
+        MdtContactParamsSetFrictionCoeffecient(&box[i].params, coefficient);
+    MdtContactParamsSetFriction(&box[BOX].params,
+                                coefficient * (MeReal)9.8 / 4 * MeCos(25 * ME_PI / 180) * MeSqrt((MeReal)0.5));
+}
+
+/* Also called when the user has changed a number. */
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     shown = NONE;
+    setCoefficient();
     begin(degrees);
-}
-
-static void tilt(MeReal more) {
-    shown = NONE;
-    begin(MeCLAMP(degrees + more, 5, 45));
 }
 
 /* All hold at 24 degrees, and the normal force alone at 30, for as long as it takes to see that. */
@@ -85,16 +92,6 @@ static void tiltByItself(void) {
     else if (shown % ALL == HOLDS + SLIDES)
         begin(36);
     shown++;
-}
-
-static void MEAPI steeper(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    tilt(1);
-}
-
-static void MEAPI flatter(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    tilt(-1);
 }
 
 /* How fast it slides down. */
@@ -146,12 +143,8 @@ static void createDynamics(void) {
         boxCreate(&box[i], world, size, 1);
         MdtContactParamsSetType(p, MdtContactTypeFriction2D);
         MdtContactParamsSetFrictionModel(p, model[i]);
-        MdtContactParamsSetFrictionCoeffecient(p, coefficient);
     }
-    /* The box model wants forces: what a quarter of the weight gives on a slope of 25 degrees, for each of four
-     * contacts, and of that the part for each of two directions at 45 degrees. */
-    MdtContactParamsSetFriction(&box[BOX].params,
-                                coefficient * (MeReal)9.8 / 4 * MeCos(25 * ME_PI / 180) * MeSqrt((MeReal)0.5));
+    setCoefficient();
 }
 
 static void createGraphics(void) {
@@ -170,14 +163,17 @@ static void createControls(void) {
     static const char *const help[] = {
         "Three models of friction on one slope.",
         "$ACTION2 - start again",
-        "$UP, $DOWN - steeper, flatter",
+    };
+    static const RParameter parameters[] = {
+        {"the slope", "degrees", &degrees, 5, 45, 1, .less = "Down", .more = "Up", .changed = Reset},
+        {"friction coefficient", 0, &coefficient, 0, 1, (MeReal)0.01, .less = "Left", .more = "Right",
+         .changed = Reset},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Friction");
     RRenderSetAppName(rc, "Friction");
-    RRenderCreateUserHelp(rc, help, 3);
+    RRenderCreateUserHelp(rc, help, 2);
+    RRenderCreateParameters(rc, parameters, 2);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
-    RRenderSetUpCallBack(rc, steeper, 0);
-    RRenderSetDownCallBack(rc, flatter, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

@@ -7,6 +7,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -80,21 +81,6 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     lastHeading = headingOf(wheel);
     steps = flips = 0;
     isOver = 0;
-}
-
-static void changeSpin(MeReal more) {
-    spin = MeCLAMP(spin + more, 10, 100);
-    Reset(rc, 0);
-}
-
-static void MEAPI faster(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeSpin(10);
-}
-
-static void MEAPI slower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeSpin(-10);
 }
 
 /* Counts on from the last heading, the short way round. */
@@ -190,14 +176,15 @@ static void createControls(void) {
     static const char *const help[] = {
         "A spinning wheel that does not fall, and a box that turns over.",
         "$ACTION2 - start again",
-        "$UP, $DOWN - the wheel's spin",
+    };
+    static const RParameter parameters[] = {
+        {"the wheel's spin", "rad/s", &spin, 10, 100, 10, .less = "Down", .more = "Up", .changed = Reset},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Gyroscope");
     RRenderSetAppName(rc, "Gyroscope");
-    RRenderCreateUserHelp(rc, help, 3);
+    RRenderCreateUserHelp(rc, help, 2);
+    RRenderCreateParameters(rc, parameters, 1);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
-    RRenderSetUpCallBack(rc, faster, 0);
-    RRenderSetDownCallBack(rc, slower, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

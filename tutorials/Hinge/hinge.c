@@ -9,6 +9,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -51,7 +52,8 @@ static void MEAPI Reset(RRender *context, void *userdata) {
 
 /* The motor's and the stops' properties as the variables above have them. The motor's switch is left as it
  * was. */
-static void applySettings(void) {
+static void MEAPI applySettings(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     const MeBool isMotorized = MdtLimitIsMotorized(limit);
     MdtLimitSetLimitedForceMotor(limit, speed, torque);
     MdtLimitActivateMotor(limit, isMotorized);
@@ -77,47 +79,21 @@ static void showStops(void) {
 static void MEAPI toggleMotor(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     MdtLimitActivateMotor(limit, !MdtLimitIsMotorized(limit));
-    applySettings();
+    applySettings(0, 0);
 }
 
 static void MEAPI toggleStops(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     MdtLimitActivateLimits(limit, !MdtLimitIsActive(limit));
-    applySettings();
+    applySettings(0, 0);
     showStops();
 }
 
 static void MEAPI toggleSoft(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     isSoft = !isSoft;
-    applySettings();
+    applySettings(0, 0);
     showStops();
-}
-
-static void changeMotor(MeReal faster, MeReal stronger) {
-    speed += faster;
-    torque = torque + stronger < 0 ? 0 : torque + stronger;
-    applySettings();
-}
-
-static void MEAPI faster(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeMotor((MeReal)0.5, 0);
-}
-
-static void MEAPI slower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeMotor((MeReal)-0.5, 0);
-}
-
-static void MEAPI stronger(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeMotor(0, 1);
-}
-
-static void MEAPI weaker(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeMotor(0, -1);
 }
 
 static void showFigures(void) {
@@ -215,20 +191,20 @@ static void createControls(void) {
         "$ACTION3 - motor on or off",
         "$ACTION4 - stops on or off",
         "$ACTION5 - hard or soft stops",
-        "$UP, $DOWN - the motor's speed",
-        "$RIGHT, $LEFT - the motor's torque",
+    };
+    static const RParameter parameters[] = {
+        {"the motor's speed", "rad/s", &speed, -10, 10, (MeReal)0.5, .less = "Down", .more = "Up",
+         .changed = applySettings},
+        {"the motor's torque", "N m", &torque, 0, 100, 1, .less = "Left", .more = "Right", .changed = applySettings},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Hinge");
     RRenderSetAppName(rc, "Hinge");
-    RRenderCreateUserHelp(rc, help, 7);
+    RRenderCreateUserHelp(rc, help, 5);
+    RRenderCreateParameters(rc, parameters, 2);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, toggleMotor, 0);
     RRenderSetActionNCallBack(rc, 4, toggleStops, 0);
     RRenderSetActionNCallBack(rc, 5, toggleSoft, 0);
-    RRenderSetUpCallBack(rc, faster, 0);
-    RRenderSetDownCallBack(rc, slower, 0);
-    RRenderSetRightCallBack(rc, stronger, 0);
-    RRenderSetLeftCallBack(rc, weaker, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {
@@ -239,7 +215,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     if (!rc)
         return 1;
     createDynamics();
-    applySettings();
+    applySettings(0, 0);
     createGraphics();
     createControls();
     Reset(rc, 0);

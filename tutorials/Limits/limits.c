@@ -10,6 +10,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -69,6 +70,7 @@ static void applySettings(void) {
 
 static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
+    applySettings();
     for (int i = 0; i < WEIGHTS; i++) {
         MdtBodySetPosition(weight[i], placeX(i), stopHeight + drop + size / 2, 0);
         MdtBodySetLinearVelocity(weight[i], 0, 0, 0);
@@ -79,43 +81,9 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     }
 }
 
-static void change(MeReal stiffer, MeReal higher, MeReal bouncier) {
-    stiffness = MeCLAMP(stiffness + stiffer, 50, 1000);
-    drop = MeCLAMP(drop + higher, (MeReal)0.5, 3);
-    restitution[1] = MeCLAMP(restitution[1] + bouncier, 0, 1);
-    applySettings();
-    Reset(rc, 0);
-}
-
 static void MEAPI toggleThreshold(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
     hasLowThreshold = !hasLowThreshold;
-    change(0, 0, 0);
-}
-
-static void MEAPI bouncier(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, 0, restitution[1] < (MeReal)0.95 ? (MeReal)0.1 : -1);
-}
-
-static void MEAPI higher(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, (MeReal)0.5, 0);
-}
-
-static void MEAPI lower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, (MeReal)-0.5, 0);
-}
-
-static void MEAPI stiffer(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(50, 0, 0);
-}
-
-static void MEAPI softer(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(-50, 0, 0);
+    Reset(context, userdata);
 }
 
 /* How deep a weight went, and how high between the first time that it turned upward and the next time that it turned
@@ -228,20 +196,20 @@ static void createControls(void) {
         "Weights fall on hard stops and on soft ones.",
         "$ACTION2 - start again",
         "$ACTION3 - a low stiffness threshold, or none at all",
-        "$ACTION4 - second stop's restitution",
-        "$UP, $DOWN - drop from higher, from lower",
-        "$RIGHT, $LEFT - stiffness of the springs",
+    };
+    static const RParameter parameters[] = {
+        {"height of the drop", "m", &drop, (MeReal)0.5, 3, (MeReal)0.5, .less = "Down", .more = "Up", .changed = Reset},
+        {"stiffness of the springs", "N/m", &stiffness, 50, 1000, 50, .less = "Left", .more = "Right",
+         .changed = Reset},
+        {"the second stop's restitution", 0, &restitution[1], 0, 1, (MeReal)0.1, .less = "a", .more = "d",
+         .changed = Reset},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Limits");
     RRenderSetAppName(rc, "Limits");
-    RRenderCreateUserHelp(rc, help, 6);
+    RRenderCreateUserHelp(rc, help, 3);
+    RRenderCreateParameters(rc, parameters, 3);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, toggleThreshold, 0);
-    RRenderSetActionNCallBack(rc, 4, bouncier, 0);
-    RRenderSetUpCallBack(rc, higher, 0);
-    RRenderSetDownCallBack(rc, lower, 0);
-    RRenderSetRightCallBack(rc, stiffer, 0);
-    RRenderSetLeftCallBack(rc, softer, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {
@@ -252,7 +220,6 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     if (!rc)
         return 1;
     createDynamics();
-    applySettings();
     createGraphics();
     createControls();
     Reset(rc, 0);

@@ -11,6 +11,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -30,7 +31,7 @@ static MdtBodyID bead[BEADS];
 static MdtLinear1ID plane[IN_PLANE];
 static MdtLinear2ID rail;
 
-static int tilt = 30;    /* degrees, from the horizontal */
+static MeReal tilt = 30; /* degrees, from the horizontal */
 static MeReal speed = 5; /* m/s, of the throws */
 static int isWindy;
 
@@ -45,26 +46,26 @@ static MeReal radians(MeReal degrees) {
 
 /* A point of the pane, so far across (from its middle) and up the slope (from where the beads are thrown). */
 static void paneAt(MeReal across, MeReal up, MeVector3 p) {
-    const MeReal a = radians((MeReal)tilt), y = up + (MeReal)0.2;
+    const MeReal a = radians(tilt), y = up + (MeReal)0.2;
     MeVector3Set(p, across, low + y * MeSin(a), (slope / 2 - y) * MeCos(a));
 }
 
 /* At right angles to the pane, upward. */
 static void normalOf(MeVector3 n) {
-    const MeReal a = radians((MeReal)tilt);
+    const MeReal a = radians(tilt);
     MeVector3Set(n, 0, MeCos(a), MeSin(a));
 }
 
 /* How far up the slope a bead is. */
 static MeReal upSlope(int i) {
-    const MeReal a = radians((MeReal)tilt), *at = MdtBodyGetTransformPtr(bead[i])[3];
+    const MeReal a = radians(tilt), *at = MdtBodyGetTransformPtr(bead[i])[3];
     MeVector3 start;
     paneAt(0, 0, start);
     return (at[1] - start[1]) * MeSin(a) - (at[2] - start[2]) * MeCos(a);
 }
 
 static void throwBead(int i) {
-    const MeReal e = radians(elevation[i]), a = radians((MeReal)tilt), up = speed * MeSin(e);
+    const MeReal e = radians(elevation[i]), a = radians(tilt), up = speed * MeSin(e);
     MeVector3 p;
     paneAt(i < IN_PLANE ? (MeReal)0.4 - width / 2 : railX, 0, p);
     MdtBodySetPosition(bead[i], p[0], p[1], p[2]);
@@ -101,7 +102,7 @@ static void placeGraphics(void) {
     const MeReal x[4] = {-width / 2, width / 2, railX, railX};
     MeMatrix3 R;
     MeVector3 p;
-    MeMatrix3MakeRotationX(R, radians((MeReal)tilt) - ME_PI / 2);
+    MeMatrix3MakeRotationX(R, radians(tilt) - ME_PI / 2);
     paneAt(0, slope / 2 - (MeReal)0.2, p);
     MeMatrix4TMMakeFromRotationAndPosition(paneTM, R, p[0], p[1], p[2]);
     MeMatrix4TMMakeFromRotationAndPosition(railTM, R, railX, p[1], p[2]);
@@ -127,32 +128,6 @@ static void MEAPI Reset(RRender *context, void *userdata) {
 static void MEAPI toggleWind(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     isWindy = !isWindy;
-}
-
-static void change(int steeper, MeReal faster) {
-    tilt = MeCLAMP(tilt + steeper, 10, 80);
-    speed = MeCLAMP(speed + faster, 1, 7);
-    Reset(rc, 0);
-}
-
-static void MEAPI steeper(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(5, 0);
-}
-
-static void MEAPI flatter(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(-5, 0);
-}
-
-static void MEAPI faster(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, (MeReal)0.5);
-}
-
-static void MEAPI slower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, (MeReal)-0.5);
 }
 
 /* The wind blows against the pane, and forces have to be added anew before every step. */
@@ -198,9 +173,9 @@ static void showFigures(void) {
     MdtLinear2GetForce(rail, 0, g);
     const MeReal *middle = MdtBodyGetTransformPtr(bead[1])[3], *onRail = MdtBodyGetTransformPtr(bead[IN_PLANE])[3];
     snprintf(text, sizeof text,
-             "tilt %d deg    middle bead: across %.3f m, up %.3f m, off the pane %.1f mm, force %.1f N    "
+             "tilt %.0f deg    middle bead: across %.3f m, up %.3f m, off the pane %.1f mm, force %.1f N    "
              "on the rail: rises %.3f m, off %.1f mm, bears %.1f N",
-             tilt, (double)(middle[0] + width / 2 - (MeReal)0.4), (double)upSlope(1), offPlane(1),
+             (double)tilt, (double)(middle[0] + width / 2 - (MeReal)0.4), (double)upSlope(1), offPlane(1),
              (double)MeVector3Magnitude(f), (double)upSlope(IN_PLANE),
              hypot(offPlane(IN_PLANE), ((double)onRail[0] - (double)railX) * 1000), (double)MeVector3Magnitude(g));
     RRenderSetStatusText(rc, text);
@@ -265,18 +240,17 @@ static void createControls(void) {
         "Beads in a tilted pane, and one on a rail.",
         "$ACTION2 - start again",
         "$ACTION3 - wind on or off",
-        "$UP, $DOWN - steeper, flatter",
-        "$RIGHT, $LEFT - throw faster, slower",
+    };
+    static const RParameter parameters[] = {
+        {"the slope", "degrees", &tilt, 10, 80, 5, .less = "Down", .more = "Up", .changed = Reset},
+        {"speed of the throws", "m/s", &speed, 1, 7, (MeReal)0.5, .less = "Left", .more = "Right", .changed = Reset},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Linear");
     RRenderSetAppName(rc, "Linear");
-    RRenderCreateUserHelp(rc, help, 5);
+    RRenderCreateUserHelp(rc, help, 3);
+    RRenderCreateParameters(rc, parameters, 2);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, toggleWind, 0);
-    RRenderSetUpCallBack(rc, steeper, 0);
-    RRenderSetDownCallBack(rc, flatter, 0);
-    RRenderSetRightCallBack(rc, faster, 0);
-    RRenderSetLeftCallBack(rc, slower, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

@@ -8,6 +8,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -15,14 +16,13 @@ enum { STOREYS = 5, BALLS = STOREYS * (STOREYS + 1) / 2, BASE = STOREYS + 1, MOS
 
 static const MeReal step = (MeReal)(1.0 / 60); /* s */
 static const MeReal radius = (MeReal)0.5;      /* m */
-static const int caps[] = {100, 80, 60, 40, 30, 20, 15, 10};
 
 static MdtWorldID world;
 static MdtBodyID ball[BALLS];
 static MdtContactID contact[MOST_CONTACTS];
 static int contacts;
-static int cap;     /* index */
-static int rows[1]; /* of the one partition that there is, written by the world */
+static MeReal cap = 100; /* rows */
+static int rows[1];      /* of the one partition that there is, written by the world */
 static MeReal startHeight;
 
 static RRender *rc;
@@ -57,19 +57,9 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     }
 }
 
-static void setCap(int index) {
-    cap = MeCLAMP(index, 0, (int)(sizeof caps / sizeof *caps) - 1);
-    MdtWorldSetMaxMatrixSize(world, caps[cap]);
-}
-
-static void MEAPI more(RRender *context, void *userdata) {
+static void MEAPI applyCap(RRender *context, void *userdata) {
     (void)context, (void)userdata;
-    setCap(cap - 1);
-}
-
-static void MEAPI less(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setCap(cap + 1);
+    MdtWorldSetMaxMatrixSize(world, (int)cap);
 }
 
 /* ---- contacts, made by hand ---- */
@@ -143,8 +133,8 @@ static void showFigures(void) {
         with[count > 1 ? 2 : count]++;
     }
     snprintf(text, sizeof text,
-             "cap %d    rows %d    contacts with friction %d, without %d, left out %d    the top has sunk by %.3f m",
-             caps[cap], rows[0], with[2], with[1], with[0],
+             "cap %.0f    rows %d    contacts with friction %d, without %d, left out %d    the top has sunk by %.3f m",
+             (double)cap, rows[0], with[2], with[1], with[0],
              (double)(startHeight - MdtBodyGetTransformPtr(ball[BALLS - 1])[3][1]));
     RRenderSetStatusText(rc, text);
 }
@@ -174,7 +164,7 @@ static void createDynamics(void) {
         ball[i] = MdtBodyCreate(world);
         MdtBodySetInertiaTensor(ball[i], inertia);
     }
-    setCap(0);
+    applyCap(0, 0);
 }
 
 static void createGraphics(void) {
@@ -200,14 +190,15 @@ static void createControls(void) {
         "A pyramid of balls, solved with fewer and fewer rows.",
         "Green contacts have friction, yellow ones none, red ones are left out.",
         "$ACTION2 - start again",
-        "$DOWN, $UP - lower or raise the cap",
+    };
+    static const RParameter parameters[] = {
+        {"the cap", "rows", &cap, 10, 100, 10, .less = "Down", .more = "Up", .changed = applyCap},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: MatrixCap");
     RRenderSetAppName(rc, "MatrixCap");
-    RRenderCreateUserHelp(rc, help, 4);
+    RRenderCreateUserHelp(rc, help, 3);
+    RRenderCreateParameters(rc, parameters, 1);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
-    RRenderSetUpCallBack(rc, more, 0);
-    RRenderSetDownCallBack(rc, less, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

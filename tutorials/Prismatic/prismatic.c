@@ -10,6 +10,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -92,16 +93,6 @@ static void MEAPI up(RRender *context, void *userdata) {
 static void MEAPI down(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     call(goal - 1);
-}
-
-static void MEAPI stronger(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    force += 250;
-}
-
-static void MEAPI weaker(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    force = MeMAX(force - 250, 0);
 }
 
 /* By itself it goes up floor by floor and down again, and waits at each. */
@@ -259,18 +250,19 @@ static void createControls(void) {
         "$ACTION3 - motor on or off",
         "$ACTION4 - 150 kg in or out",
         "$UP, $DOWN - call it a floor higher or lower",
-        "$RIGHT, $LEFT - the motor's force",
+    };
+    static const RParameter parameters[] = {
+        {"the motor's force", "N", &force, 0, 8000, 250, .less = "Left", .more = "Right"},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Prismatic");
     RRenderSetAppName(rc, "Prismatic");
-    RRenderCreateUserHelp(rc, help, 6);
+    RRenderCreateUserHelp(rc, help, 5);
+    RRenderCreateParameters(rc, parameters, 1);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, toggleMotor, 0);
     RRenderSetActionNCallBack(rc, 4, toggleLoad, 0);
     RRenderSetUpCallBack(rc, up, 0);
     RRenderSetDownCallBack(rc, down, 0);
-    RRenderSetRightCallBack(rc, stronger, 0);
-    RRenderSetLeftCallBack(rc, weaker, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

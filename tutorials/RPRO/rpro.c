@@ -12,6 +12,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -103,7 +104,8 @@ static void animate(void) {
     poseOf(wanted, ghostTM);
 }
 
-static void applyStrength(void) {
+static void MEAPI applyStrength(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     for (int i = 0; i < PARTS; i++) {
         const MeReal s = strength * share[i];
         MdtRPROJointSetAngularStrength(joint[i], s, s, s);
@@ -187,21 +189,6 @@ static void MEAPI toggleAnimation(RRender *context, void *userdata) {
     isMoving = !isMoving;
 }
 
-static void changeStrength(MeReal more) {
-    strength = MeCLAMP(strength + more, 25, 500);
-    applyStrength();
-}
-
-static void MEAPI stronger(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeStrength(25);
-}
-
-static void MEAPI weaker(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeStrength(-25);
-}
-
 /* How far a joint is from what is wanted, rad. */
 static MeReal errorOf(int i) {
     MeVector4 q[PARTS], relative;
@@ -283,7 +270,7 @@ static void createDynamics(void) {
     MdtRPROJointSetAttachmentPosition(joint[FORE], length[UPPER] / 2, 0, 0, 1);
     for (int i = 0; i < PARTS; i++)
         MdtRPROJointEnable(joint[i]);
-    applyStrength();
+    applyStrength(0, 0);
 
     load = MdtBodyCreate(world);
     MdtBodySetMass(load, loadMass);
@@ -341,17 +328,18 @@ static void createControls(void) {
         "$ACTION3 - hang up or take off a weight",
         "$ACTION4 - strike the hand",
         "$ACTION5 - the animation stops or goes on",
-        "$UP, $DOWN - stronger, weaker",
+    };
+    static const RParameter parameters[] = {
+        {"strength", "N m", &strength, 25, 500, 25, .less = "Down", .more = "Up", .changed = applyStrength},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: RPRO");
     RRenderSetAppName(rc, "RPRO");
-    RRenderCreateUserHelp(rc, help, 6);
+    RRenderCreateUserHelp(rc, help, 5);
+    RRenderCreateParameters(rc, parameters, 1);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, toggleLoad, 0);
     RRenderSetActionNCallBack(rc, 4, strike, 0);
     RRenderSetActionNCallBack(rc, 5, toggleAnimation, 0);
-    RRenderSetUpCallBack(rc, stronger, 0);
-    RRenderSetDownCallBack(rc, weaker, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

@@ -7,6 +7,7 @@
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -47,23 +48,13 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     stripeAt = 1 - beltLength / 2;
 }
 
-static void setSpeed(MeReal v) {
-    speed = MeCLAMP(v, -4, 4);
+static void MEAPI applySpeed(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     for (int i = 0; i < BOXES; i++) {
         /* The surface moves against the box, so the box is to move along with it: the slide is its speed. */
         MdtContactParamsSetPrimarySlide(&box[i].params, speed);
         MdtBodyEnable(box[i].body); /* a box at rest on a belt that stands still may have been disabled */
     }
-}
-
-static void MEAPI faster(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setSpeed(speed + (MeReal)0.5);
-}
-
-static void MEAPI slower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setSpeed(speed - (MeReal)0.5);
 }
 
 /* A box that has left the belt starts again at its beginning. */
@@ -124,7 +115,7 @@ static void createDynamics(void) {
         boxCreate(&box[i], world, size, 1);
         MdtContactParamsSetSurface(&box[i].params, friction[i], 0);
     }
-    setSpeed(speed);
+    applySpeed(0, 0);
 }
 
 static void createGraphics(void) {
@@ -158,14 +149,15 @@ static void createControls(void) {
     static const char *const help[] = {
         "A conveyor belt takes boxes along; the stripe goes with it.",
         "$ACTION2 - start again",
-        "$UP, $DOWN - the belt's speed",
+    };
+    static const RParameter parameters[] = {
+        {"the belt's speed", "m/s", &speed, -4, 4, (MeReal)0.5, .less = "Down", .more = "Up", .changed = applySpeed},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Slide");
     RRenderSetAppName(rc, "Slide");
-    RRenderCreateUserHelp(rc, help, 3);
+    RRenderCreateUserHelp(rc, help, 2);
+    RRenderCreateParameters(rc, parameters, 1);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
-    RRenderSetUpCallBack(rc, faster, 0);
-    RRenderSetDownCallBack(rc, slower, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

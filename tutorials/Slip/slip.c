@@ -8,6 +8,7 @@
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -43,35 +44,14 @@ static void MEAPI Reset(RRender *context, void *userdata) {
 }
 
 /* The box stands on four contacts, which share its push: each of them has to give way four times as easily. */
-static void applySlip(void) {
+static void MEAPI applySlip(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     MdtContactParamsSetSlip(&box[SLIPPERY].params, 4 * slip);
 }
 
 static void MEAPI toggle(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     isPushed = !isPushed;
-}
-
-static void MEAPI stronger(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    force = MeCLAMP(force + (MeReal)0.25, 0, 3);
-}
-
-static void MEAPI weaker(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    force = MeCLAMP(force - (MeReal)0.25, 0, 3);
-}
-
-static void MEAPI slippier(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    slip = MeCLAMP(slip + (MeReal)0.25, 0, 2);
-    applySlip();
-}
-
-static void MEAPI stickier(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    slip = MeCLAMP(slip - (MeReal)0.25, 0, 2);
-    applySlip();
 }
 
 /* At the height of the floor, so that the box does not tip. Enabled, since a push does not wake a body that rests. */
@@ -136,7 +116,7 @@ static void createDynamics(void) {
         boxCreate(&box[i], world, size, mass);
     MdtContactParamsSetType(&box[SLIPPERY].params,
                             MdtContactTypeFriction2D); /* of unlimited strength, but for the slip */
-    applySlip();
+    applySlip(0, 0);
 }
 
 static void createGraphics(void) {
@@ -152,7 +132,7 @@ static void createGraphics(void) {
     }
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 19, .4f, .4f);
+    RCameraSetView(rc, 23, .4f, .4f);
 }
 
 static void createControls(void) {
@@ -160,18 +140,17 @@ static void createControls(void) {
         "Two boxes are pushed: over a slippery surface, and over ice.",
         "$ACTION2 - start again",
         "$ACTION3 - push, let go",
-        "$UP, $DOWN - the force",
-        "$RIGHT, $LEFT - the slip",
+    };
+    static const RParameter parameters[] = {
+        {"the force", "N", &force, 0, 3, (MeReal)0.25, .less = "Down", .more = "Up"},
+        {"the slip", "m/s per N", &slip, 0, 2, (MeReal)0.25, .less = "Left", .more = "Right", .changed = applySlip},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Slip");
     RRenderSetAppName(rc, "Slip");
-    RRenderCreateUserHelp(rc, help, 5);
+    RRenderCreateUserHelp(rc, help, 3);
+    RRenderCreateParameters(rc, parameters, 2);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, toggle, 0);
-    RRenderSetUpCallBack(rc, stronger, 0);
-    RRenderSetDownCallBack(rc, weaker, 0);
-    RRenderSetRightCallBack(rc, slippier, 0);
-    RRenderSetLeftCallBack(rc, stickier, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

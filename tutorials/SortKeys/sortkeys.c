@@ -138,7 +138,7 @@ static void createDynamics(int c) {
 
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, grey[4] = {.45f, .47f, .50f, 1};
-    const AcmeVector3 lookAt = {.6f, 3, 0};
+    const AcmeVector3 lookAt = {.6f, 3.9f, 0};
     static MeMatrix4 hookTM[COPIES];
     for (int c = 0; c < COPIES; c++) {
         MeMatrix4TMMakeIdentity(hookTM[c]);
@@ -150,7 +150,7 @@ static void createGraphics(void) {
     }
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 21, .15f, .1f);
+    RCameraSetView(rc, 13, .15f, .1f);
 }
 
 static void createControls(void) {

@@ -16,6 +16,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -67,7 +68,8 @@ static void setStops(int kind, MeReal kShorter, MeReal kLonger) {
 }
 
 /* The four kinds. MEINFINITY makes a stop hard; with stiffness and damping 0 it does nothing. */
-static void applySettings(void) {
+static void MEAPI applySettings(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     setStops(SPRING, stiffness, stiffness);
     setStops(ROD, MEINFINITY, MEINFINITY);
     setStops(STRING, 0, MEINFINITY);
@@ -101,33 +103,7 @@ static void MEAPI otherStart(RRender *context, void *userdata) {
 static void MEAPI toggleElastic(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     isStiffWhenShort = !isStiffWhenShort;
-    applySettings();
-}
-
-static void change(MeReal stiffer, MeReal duller) {
-    stiffness = MeCLAMP(stiffness + stiffer, 5, 100);
-    damping = MeCLAMP(damping + duller, 0, 5);
-    applySettings();
-}
-
-static void MEAPI stiffer(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(5, 0);
-}
-
-static void MEAPI softer(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(-5, 0);
-}
-
-static void MEAPI duller(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, (MeReal)0.1);
-}
-
-static void MEAPI livelier(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    change(0, (MeReal)-0.1);
+    applySettings(0, 0);
 }
 
 /* Draws the way of the last step. */
@@ -283,19 +259,22 @@ static void createGraphics(void) {
 
 static void createControls(void) {
     static const char *const help[] = {
-        "A spring, a rod, a string and an elastic.", "$ACTION2 - start again", "$ACTION3 - let go above or below",
-        "$ACTION4 - can the elastic be compressed?", "$UP, $DOWN - stiffness", "$RIGHT, $LEFT - damping",
+        "A spring, a rod, a string and an elastic.",
+        "$ACTION2 - start again",
+        "$ACTION3 - let go above or below",
+        "$ACTION4 - can the elastic be compressed?",
+    };
+    static const RParameter parameters[] = {
+        {"stiffness", "N/m", &stiffness, 5, 100, 5, .less = "Down", .more = "Up", .changed = applySettings},
+        {"damping", "N s/m", &damping, 0, 5, (MeReal)0.1, .less = "Left", .more = "Right", .changed = applySettings},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Spring");
     RRenderSetAppName(rc, "Spring");
-    RRenderCreateUserHelp(rc, help, 6);
+    RRenderCreateUserHelp(rc, help, 4);
+    RRenderCreateParameters(rc, parameters, 2);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, otherStart, 0);
     RRenderSetActionNCallBack(rc, 4, toggleElastic, 0);
-    RRenderSetUpCallBack(rc, stiffer, 0);
-    RRenderSetDownCallBack(rc, softer, 0);
-    RRenderSetRightCallBack(rc, duller, 0);
-    RRenderSetLeftCallBack(rc, livelier, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {
@@ -306,7 +285,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     if (!rc)
         return 1;
     createDynamics();
-    applySettings();
+    applySettings(0, 0);
     createGraphics();
     createControls();
     Reset(rc, 0);

@@ -10,6 +10,7 @@
  * no box gets out.
  */
 #include "RGeometry.h"
+#include "RParameter.h"
 #include "play.h"
 #include <math.h>
 #include <stdio.h>
@@ -133,25 +134,15 @@ static int countInside(void) {
 /* ---- the program ------------------------------------------------------------------------------------------------- */
 
 /* The drum and what is in it may be asleep. */
-static void setSpeed(MeReal v) {
-    speed = MeMAX(MeMIN(v, (MeReal)2.5), (MeReal)-2.5);
+static void MEAPI applySpeed(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(axle), speed, strength);
     McdModelDynamicsEnable(drum);
 }
 
 static void MEAPI stopOrGo(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setSpeed(speed != 0 ? 0 : (MeReal)0.8);
-}
-
-static void MEAPI faster(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setSpeed(speed + (MeReal)0.02);
-}
-
-static void MEAPI slower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    setSpeed(speed - (MeReal)0.02);
+    speed = speed != 0 ? 0 : (MeReal)0.8;
+    applySpeed(context, userdata);
 }
 
 static void MEAPI Tick(RRender *context) {
@@ -172,7 +163,10 @@ int MEAPI_CDECL main(int argc, const char **argv) {
         "A drum that turns, and sixty-four boxes in it.",
         "$ACTION2 - once more",
         "$ACTION3 - stop, or go",
-        "$UP, $DOWN - faster, slower",
+    };
+    static const RParameter parameters[] = {
+        {"speed of the drum", "rad/s", &speed, (MeReal)-2.5, (MeReal)2.5, (MeReal)0.02, .less = "Down", .more = "Up",
+         .changed = applySpeed},
     };
     if (!playStart(argc, argv, "Tumbler", BOXES + 1))
         return 1;
@@ -182,11 +176,10 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     createPost();
     createDrum();
     createBoxes();
-    playHelp(help, 4);
+    playHelp(help, 3);
+    RRenderCreateParameters(playRc, parameters, 1);
     RRenderSetActionNCallBack(playRc, 2, Reset, 0);
     RRenderSetActionNCallBack(playRc, 3, stopOrGo, 0);
-    RRenderSetUpCallBack(playRc, faster, 0);
-    RRenderSetDownCallBack(playRc, slower, 0);
     playCamera(0, (float)height, 0, 14, .35f, .1f);
     Reset(playRc, 0);
     playRun(Tick);

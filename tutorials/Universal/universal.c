@@ -10,6 +10,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -28,9 +29,9 @@ static MdtBodyID shaft[SHAFTS];
 static MdtHingeID bearing[2]; /* of the first and the last shaft; the middle one needs none */
 static MdtUniversalID cross[2];
 
-static MeReal bend = (MeReal)(40 * 3.14159265358979 / 180); /* rad */
-static MeReal speed = 3;                                    /* rad/s, of the motor */
-static int isTurned;                                        /* the bars of the second joint, by 90 degrees */
+static MeReal bend = 40; /* degrees */
+static MeReal speed = 3; /* rad/s, of the motor */
+static int isTurned;     /* the bars of the second joint, by 90 degrees */
 
 static RRender *rc;
 static RGraphic *post[2];
@@ -84,10 +85,10 @@ static void setCrosses(void) {
 
 /* The bearings in which the first and the last shaft turn. */
 static void setBearings(void) {
-    placeShafts(bend);
+    placeShafts(bend * ME_PI / 180);
     for (int i = 0; i < 2; i++) {
         MeVector3 p;
-        jointAt(i, bend, p);
+        jointAt(i, bend * ME_PI / 180, p);
         MdtHingeDisable(bearing[i]);
         MdtHingeSetBodies(bearing[i], shaft[i == 0 ? FIRST : LAST], 0);
         MdtHingeSetPosition(bearing[i], p[0] + (i == 0 ? -1 : 1), p[1], 0);
@@ -96,7 +97,8 @@ static void setBearings(void) {
     }
 }
 
-static void setMotor(void) {
+static void MEAPI setMotor(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     MdtLimitSetLimitedForceMotor(MdtHingeGetLimit(bearing[0]), speed, 200);
 }
 
@@ -118,7 +120,7 @@ static void MEAPI Reset(RRender *context, void *userdata) {
     (void)context, (void)userdata;
     setCrosses();
     setBearings();
-    setMotor();
+    setMotor(context, userdata);
     createPosts();
     RLineRemoveAll(rc);
     turned = turnedBefore = 0;
@@ -139,33 +141,6 @@ static void MEAPI turnBars(RRender *context, void *userdata) {
     isTurned = !isTurned;
     showForks();
     Reset(context, userdata);
-}
-
-static void changeBend(MeReal degrees) {
-    bend = MeCLAMP(bend + degrees * ME_PI / 180, 0, ME_PI / 3);
-    Reset(rc, 0);
-}
-
-static void MEAPI bendMore(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeBend(5);
-}
-
-static void MEAPI bendLess(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    changeBend(-5);
-}
-
-static void MEAPI faster(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    speed += (MeReal)0.5;
-    setMotor();
-}
-
-static void MEAPI slower(RRender *context, void *userdata) {
-    (void)context, (void)userdata;
-    speed -= (MeReal)0.5;
-    setMotor();
 }
 
 /* How fast a shaft turns about its own x axis. */
@@ -214,8 +189,8 @@ static void showFigures(void) {
     snprintf(text, sizeof text,
              "bend %.0f deg    first %.2f rad/s    middle: slowest %.3f, fastest %.3f times that    "
              "last: slowest %.3f, fastest %.3f",
-             (double)bend * 180 / (double)ME_PI, (double)rate(FIRST), (double)least[MIDDLE], (double)most[MIDDLE],
-             (double)least[LAST], (double)most[LAST]);
+             (double)bend, (double)rate(FIRST), (double)least[MIDDLE], (double)most[MIDDLE], (double)least[LAST],
+             (double)most[LAST]);
     RRenderSetStatusText(rc, text);
 }
 
@@ -330,18 +305,17 @@ static void createControls(void) {
         "Universal joints carry a rotation round two bends.",
         "$ACTION2 - start again",
         "$ACTION3 - turn the second joint's bars",
-        "$UP, $DOWN - the motor's speed",
-        "$RIGHT, $LEFT - the bend",
+    };
+    static const RParameter parameters[] = {
+        {"the motor's speed", "rad/s", &speed, -10, 10, (MeReal)0.5, .less = "Down", .more = "Up", .changed = setMotor},
+        {"the bend", "degrees", &bend, 0, 60, 5, .less = "Left", .more = "Right", .changed = Reset},
     };
     RRenderSetWindowTitle(rc, "Karma tutorial: Universal");
     RRenderSetAppName(rc, "Universal");
-    RRenderCreateUserHelp(rc, help, 5);
+    RRenderCreateUserHelp(rc, help, 3);
+    RRenderCreateParameters(rc, parameters, 2);
     RRenderSetActionNCallBack(rc, 2, Reset, 0);
     RRenderSetActionNCallBack(rc, 3, turnBars, 0);
-    RRenderSetUpCallBack(rc, faster, 0);
-    RRenderSetDownCallBack(rc, slower, 0);
-    RRenderSetRightCallBack(rc, bendMore, 0);
-    RRenderSetLeftCallBack(rc, bendLess, 0);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

@@ -229,10 +229,11 @@ static void MEAPI toPrevious(RRender *rc, void *userdata) {
     choose(rc, order[(placeOf(here) + COUNT - 1) % COUNT]);
 }
 
+RRender *MEAPI __real_RRenderContextCreate(MeCommandLineOptions *options, MeCommandLineOptions *overriding, MeBool eat);
 MEPUBLIC RRender *MEAPI __wrap_RRenderContextCreate(MeCommandLineOptions *options, MeCommandLineOptions *overriding,
                                                     MeBool eat);
 
-/* A tutorial's context, in a window that is as large as the user has made it. */
+/* A tutorial's context, its own or that of MeAppStart, in a window that is as large as the user has made it. */
 RRender *MEAPI __wrap_RRenderContextCreate(MeCommandLineOptions *options, MeCommandLineOptions *overriding,
                                            MeBool eat) {
     char size[32];
@@ -243,7 +244,7 @@ RRender *MEAPI __wrap_RRenderContextCreate(MeCommandLineOptions *options, MeComm
         snprintf(size, sizeof size, "%dx%d", glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
         ours = MeCommandLineOptionsCreate(3, words);
     }
-    RRender *rc = RRenderContextCreate(options, ours ? ours : overriding, eat);
+    RRender *rc = __real_RRenderContextCreate(options, ours ? ours : overriding, eat);
     MeCommandLineOptionsDestroy(ours);
     if (!rc)
         return 0;

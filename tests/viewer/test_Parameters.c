@@ -1,0 +1,220 @@
+/* Parameters: one table makes keys, lines of the help, and sliders. */
+#include "RPanel.h"
+#include "RParameter.h"
+#include "viewer_test.h"
+
+#include "r_i.h"
+
+static RRender *rc;
+static MeReal slope, weight;
+static int calls;
+
+static void MEAPI onChange(RRender *r, void *userdata) {
+    ck_assert_ptr_eq(r, rc);
+    ck_assert_ptr_eq(userdata, &calls);
+    calls++;
+}
+
+static const RParameter both[] = {
+    {"the slope", "degrees", &slope, 5, 45, 2, .less = "Down", .more = "Up", .changed = onChange, .userdata = &calls},
+    {"the weight", 0, &weight, 1, 1000, 10, .isFactor = METRUE, .less = "a", .more = "d"},
+};
+
+static void setup(void) {
+    calls = 0;
+    slope = 25;
+    weight = 100;
+    rc = make_context("-null -size 960x600");
+    ck_assert(r_panelsStart(rc));
+    messages_catch();
+}
+
+static void teardown(void) {
+    assert_silent();
+    messages_release();
+    RRenderContextDestroy(rc);
+}
+
+static void frame(void) {
+    r_frame(rc, NULL);
+    r_hudDraw(rc, &rc->m_pViewer->overlay);
+}
+
+static void tap(int code) {
+    r_post(rc, (REvent){.kind = rKeyDown, .key = code});
+    r_post(rc, (REvent){.kind = rKeyUp, .key = code});
+    frame();
+}
+
+START_TEST(keys_step_within_the_range) {
+    RRenderCreateParameters(rc, both, 2);
+    tap(RKEY_UP);
+    ck_assert_double_eq(slope, 27);
+    tap(RKEY_DOWN);
+    tap(RKEY_DOWN);
+    ck_assert_double_eq(slope, 23);
+    ck_assert_int_eq(calls, 3);
+    for (int i = 0; i < 20; i++)
+        tap(RKEY_UP);
+    ck_assert_double_eq(slope, 45);
+    for (int i = 0; i < 40; i++)
+        tap(RKEY_DOWN);
+    ck_assert_double_eq(slope, 5);
+    ck_assert_double_eq(weight, 100);
+}
+END_TEST
+
+START_TEST(a_factor_multiplies) {
+    RRenderCreateParameters(rc, both, 2);
+    tap('d');
+    ck_assert_double_eq(weight, 1000);
+    tap('d');
+    ck_assert_double_eq(weight, 1000);
+    tap('a');
+    tap('a');
+    ck_assert_double_eq(weight, 10);
+    ck_assert_int_eq(calls, 0);
+}
+END_TEST
+
+START_TEST(a_key_that_is_held_goes_on) {
+    RRenderCreateParameters(rc, both, 2);
+    r_post(rc, (REvent){.kind = rKeyDown, .key = RKEY_DOWN});
+    for (int i = 0; i < 24; i++)
+        frame();
+    ck_assert_double_eq(slope, 23);
+    for (int i = 0; i < 9; i++)
+        frame();
+    ck_assert_double_eq(slope, 19);
+    r_post(rc, (REvent){.kind = rKeyUp, .key = RKEY_DOWN});
+    for (int i = 0; i < 30; i++)
+        frame();
+    ck_assert_double_eq(slope, 19);
+}
+END_TEST
+
+static void MEAPI onAction(RRender *r, void *userdata) {
+    (void)r;
+    ++*(int *)userdata;
+}
+
+/* Actions come first, then parameters, then the buttons. */
+START_TEST(its_keys_are_between_actions_and_buttons) {
+    int actions = 0, buttons = 0;
+    RRenderSetUpCallBackWithText(rc, onAction, &buttons, "nothing");
+    RRenderCreateParameters(rc, both, 2);
+    RRenderSetActionNKey(rc, 3, 'd');
+    RRenderSetActionNCallBack(rc, 3, onAction, &actions);
+    tap(RKEY_UP);
+    tap('d');
+    ck_assert_int_eq(buttons, 0);
+    ck_assert_int_eq(actions, 1);
+    ck_assert_double_eq(slope, 27);
+    ck_assert_double_eq(weight, 100);
+}
+END_TEST
+
+static void point(REventKind kind, int x, int y) {
+    r_post(rc, (REvent){.kind = kind, .which = kRLeftButton, .x = x, .y = y});
+    frame();
+}
+
+/* Where the panel has its first slider, from x = 18 to 183, and its button. */
+enum { SLIDER_Y = 99, BUTTON_Y = 150 };
+
+START_TEST(the_slider_goes_by_steps) {
+    static const struct {
+        int x;
+        MeReal value;
+    } places[] = {{20, 5}, {181, 45}, {101, 25}, {60, 15}};
+    RRenderCreateParameters(rc, both, 2);
+    tap(RKEY_F9);
+    frame();
+    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+        const int before = calls;
+        point(rMouseMove, places[i].x, SLIDER_Y);
+        point(rMouseDown, places[i].x, SLIDER_Y);
+        frame();
+        point(rMouseUp, places[i].x, SLIDER_Y);
+        frame();
+        ck_assert_msg(MeFabs(slope - places[i].value) <= 2, "at %d: %g", places[i].x, (double)slope);
+        ck_assert_double_eq(fmod((double)slope - 5, 2), 0);
+        ck_assert_int_eq(calls, before + 1);
+    }
+}
+END_TEST
+
+START_TEST(all_go_back_to_where_they_were_at_first) {
+    RRenderCreateParameters(rc, both, 2);
+    tap(RKEY_UP);
+    tap('d');
+    calls = 0;
+    tap(RKEY_F9);
+    frame();
+    point(rMouseMove, 50, BUTTON_Y);
+    point(rMouseDown, 50, BUTTON_Y);
+    point(rMouseUp, 50, BUTTON_Y);
+    frame();
+    ck_assert_double_eq(slope, 25);
+    ck_assert_double_eq(weight, 100);
+    ck_assert_int_eq(calls, 1);
+}
+END_TEST
+
+START_TEST(the_help_names_them) {
+    char text[64];
+    RRenderCreateParameters(rc, both, 2);
+    const RParameterKept *p = r_parameterOfKey(rc, 'd', NULL);
+    r_parameterKeys(p, text, sizeof text);
+    ck_assert_str_eq(text, "A, D");
+    r_parameterText(&rc->m_pViewer->parameters.items[0], text, sizeof text);
+    ck_assert_str_eq(text, "the slope (degrees)");
+    RRenderToggleUserHelp(rc);
+    frame();
+    const float with = rc->m_pViewer->helpLayout.bottom - rc->m_pViewer->helpLayout.top;
+    r_parametersFree(&rc->m_pViewer->parameters);
+    frame();
+    ck_assert_float_gt(with, rc->m_pViewer->helpLayout.bottom - rc->m_pViewer->helpLayout.top);
+}
+END_TEST
+
+/* What is mistaken is told, and left out; the rest is there. */
+START_TEST(mistakes_are_told) {
+    const RParameter mistaken[] = {
+        {.value = &slope, .low = 0, .high = 1, .step = 1},
+        {.name = "no value", .low = 0, .high = 1, .step = 1},
+        {"no range", 0, &slope, 1, 1, 1, .changed = 0},
+        {"not finite", 0, &slope, 0, INFINITY, 1, .changed = 0},
+        {.name = "no step", .value = &slope, .low = 0, .high = 1},
+        {"no factor", 0, &slope, 1, 2, 1, .isFactor = METRUE},
+        {"no root", 0, &slope, 0, 2, 2, .isFactor = METRUE},
+        {"no key", 0, &slope, 0, 2, 1, .less = "Nowhere"},
+        {"its key", 0, &slope, 0, 2, 1, .less = "Up"},
+        {"the slope", 0, &slope, 0, 2, 1, .changed = 0},
+    };
+    enum { COUNT = sizeof mistaken / sizeof mistaken[0] };
+    RRenderCreateParameters(rc, both, 2);
+    for (int i = 0; i < COUNT; i++) {
+        RRenderCreateParameters(rc, &mistaken[i], 1);
+        assert_warned("RRenderCreateParameters");
+    }
+    RRenderCreateParameters(rc, NULL, 1);
+    assert_warned("RRenderCreateParameters");
+    RRenderCreateParameters(NULL, both, 2);
+    assert_warned("RRenderCreateParameters");
+    ck_assert_uint_eq(rc->m_pViewer->parameters.count, 2);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_checked_fixture(t, setup, teardown);
+    tcase_add_test(t, keys_step_within_the_range);
+    tcase_add_test(t, a_factor_multiplies);
+    tcase_add_test(t, a_key_that_is_held_goes_on);
+    tcase_add_test(t, its_keys_are_between_actions_and_buttons);
+    tcase_add_test(t, the_slider_goes_by_steps);
+    tcase_add_test(t, all_go_back_to_where_they_were_at_first);
+    tcase_add_test(t, the_help_names_them);
+    tcase_add_test(t, mistakes_are_told);
+}
+TEST_MAIN("Parameters", tests)
