@@ -328,7 +328,8 @@ def advice(directory):
     yield from ['# Model only what a scene needs', '',
                 'What a feature costs, and what leaving it out loses. The costs, ns of a step for one more, are those of',
                 '[performance.md](performance.md); this page is made along with it. A share of 1 or more gains nothing: then',
-                'take what is right.', '']
+                'take what is right. What settings cost and lose in a scene of your own its program tells by `-advise`',
+                '([How do I](howto.md#settings-that-make-a-scene-faster)).', '']
     yield from table(('advice', 'ns as it was', 'ns after', 'share', 'what is lost'), lines)
     yield from command('build/bench/bench/marginal')
 

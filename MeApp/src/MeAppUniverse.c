@@ -4,6 +4,7 @@
 #include "MeMemory.h"
 #include "MeMessage.h"
 #include "MeViewer.h"
+#include "MstAdvise.h"
 #include "MstModelDynamics.h"
 #include "MstUniverse.h"
 #include "RGeometry.h"
@@ -213,6 +214,25 @@ static void startWorkers(MeApp *app, int workers) {
     MdtWorldSetTaskPool(MstUniverseGetWorld(app->universe), app->pool);
 }
 
+static void MEAPI printAdviceAndEnd(const MstAdvice *advice, void *userdata) {
+    (void)userdata;
+    MstAdvicePrint(advice);
+    exit(advice->count > 0 ? EXIT_SUCCESS : EXIT_FAILURE);
+}
+
+/* -advise */
+static void askForAdvice(MeApp *app) {
+    AcmeReal *asked = app->rc->m_Options.m_Advise;
+    MstAdviceParams params;
+    if (!(asked[0] > 0))
+        return;
+    MstAdviceParamsReset(&params);
+    params.seconds = (MeReal)asked[0];
+    params.after = (MeReal)asked[1];
+    MstAdvise(app->universe, &params, printAdviceAndEnd, 0);
+    asked[0] = 0;
+}
+
 MeApp *MEAPI MeAppStart(int argc, const char **argv, const char *name, const MstUniverseSizes *sizes) {
     if (!argv || !name) {
         MeWarning(1, "MeAppStart: %s is null", argv ? "name" : "argv");
@@ -225,6 +245,7 @@ MeApp *MEAPI MeAppStart(int argc, const char **argv, const char *name, const Mst
         placeCamera(rc, app->lengthScale);
         MeAppCreateControls(app);
         startWorkers(app, rc->m_Options.m_nWorkers);
+        askForAdvice(app);
         return app;
     }
     if (rc)

@@ -268,6 +268,8 @@ typedef struct RRenderOptions {
     int m_nFrames;           /**< -frames; 0 for no end. */
     int m_nRate;             /**< -rate: ticks in a second (RRenderSetTickRate); 0 if it was not given. */
     int m_nWorkers;          /**< -workers: threads that a program's worlds are to step on; 0 if it was not given. */
+    AcmeReal m_Advise[2];    /**< -advise: seconds to try settings for, and to wait before; 0 if it was not given, or a
+                                  program has seen to it. */
     int m_nEvery;            /**< -every; 0 for no series of pictures. */
     int m_bPaused;           /**< -paused */
     int m_bBar;              /**< -bar */

@@ -153,6 +153,14 @@ bool r_loopEnded(const RRender *rc) {
     return v->loop.quit || (rc->m_Options.m_nFrames > 0 && done >= rc->m_Options.m_nFrames);
 }
 
+/* MeAppStart takes the option for itself. */
+static void refuseAdvise(const RRender *rc) {
+    if (!(rc->m_Options.m_Advise[0] > 0))
+        return;
+    MeWarning(1, "-advise: this program has no universe of MeAppStart, on which settings could be tried");
+    exit(2);
+}
+
 static void begin(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
     const bool offscreen = v->backend->type == kROSMesa;
@@ -178,6 +186,7 @@ static int exitCode(const RRender *rc) {
 
 static void run(RRender *rc, const RTick *tick) {
     RLoop *loop = &rc->m_pViewer->loop;
+    refuseAdvise(rc);
     begin(rc);
     while (!r_loopEnded(rc)) {
         r_frame(rc, tick);

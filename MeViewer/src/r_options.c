@@ -132,6 +132,20 @@ static void getCamera(const Source *s, RRenderOptions *out) {
     mistake(s, "-camera", text, "DISTANCE,THETA,PHI, as in 20,0.5,0.3");
 }
 
+static void getAdvise(const Source *s, RRenderOptions *out) {
+    char text[64], rest;
+    float at[2] = {0, 0};
+    if (!getText(s, "-advise", text, sizeof text))
+        return;
+    const int count = sscanf(text, "%f@%f%c", &at[0], &at[1], &rest);
+    if ((count == 2 || (count == 1 && !strchr(text, '@') && sscanf(text, "%f%c", &at[0], &rest) == 1)) &&
+        isfinite(at[0]) && isfinite(at[1]) && at[0] > 0 && at[1] >= 0) {
+        memcpy(out->m_Advise, at, sizeof at);
+        return;
+    }
+    mistake(s, "-advise", text, "SECONDS or SECONDS@START, as in 3 or 3@2");
+}
+
 static void getQuality(const Source *s, RRenderOptions *out) {
     char text[64];
     if (!getText(s, "-quality", text, sizeof text))
@@ -202,6 +216,7 @@ static RRenderType getPlace(const Source *s) {
     return places[place].type;
 }
 
+/* Several messages: one holds MeMAXMESSAGE bytes. */
 void MEAPI RDisplayCommandLineHelp(void) {
     MeInfo(0, "Where to draw (without a choice: a window if there can be one, else off-screen):\n"
               "  -gl                  a window\n"
@@ -218,7 +233,9 @@ void MEAPI RDisplayCommandLineHelp(void) {
               "  -key NAME@FRAME,...  press keys: F1@30,Enter@60,Ctrl+Left@61,a@70; hold: Up@10-70\n"
               "  -rate N              ticks in a second of the clock, at first 60; in a window without -frames\n"
               "  -workers N           simulate on N threads, with the same result; programs of MeAppStart\n"
-              "What to keep:\n"
+              "  -advise S[@START]    try settings on S seconds of the scene, print what they gain and lose, and end;\n"
+              "                       begin after START seconds; draws nowhere; programs of MeAppStart");
+    MeInfo(0, "What to keep:\n"
               "  -screenshot FILE     a PNG picture of the last frame\n"
               "  -every N             with -screenshot: every N frames one, FILE-0001.png and so on\n"
               "  -film FILE           a film by ffmpeg, .mp4 or .gif, that plays as fast as the simulation ran\n"
@@ -242,6 +259,9 @@ bool r_optionsRead(RRenderOptions *out, MeCommandLineOptions *options, MeCommand
         exit(EXIT_SUCCESS);
     }
     out->m_Type = getPlace(s);
+    getAdvise(s, out);
+    if (out->m_Advise[0] > 0)
+        out->m_Type = kRNull; /* copies of the process would draw into the same window */
     out->m_nWidth = 960;
     out->m_nHeight = 600;
     getSize(s, out);

@@ -6,9 +6,10 @@
 #include <string.h>
 
 /* The options of the viewer that programs may mean, as RDisplayCommandLineHelp has them. */
-static const char *const names[] = {"-gl",      "-osmesa", "-null",    "-bench",      "-d3d",     "-size",  "-camera",
-                                    "-frames",  "-paused", "-key",     "-screenshot", "-every",   "-film",  "-bar",
-                                    "-profile", "-help",   "-quality", "-rate",       "-workers", "-scale", "-ground"};
+static const char *const names[] = {"-gl",      "-osmesa", "-null",    "-bench", "-d3d",        "-size",
+                                    "-camera",  "-frames", "-paused",  "-key",   "-screenshot", "-every",
+                                    "-film",    "-bar",    "-profile", "-help",  "-quality",    "-rate",
+                                    "-workers", "-scale",  "-ground",  "-advise"};
 enum { NAMES = sizeof names / sizeof names[0], LONGEST = 31 };
 
 static int least(int a, int b) {

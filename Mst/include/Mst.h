@@ -6,6 +6,7 @@
 
 #include "Mcd.h"
 #include "Mdt.h"
+#include "MstAdvise.h"
 #include "MstBridge.h"
 #include "MstDebugDraw.h"
 #include "MstEvents.h"

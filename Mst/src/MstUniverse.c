@@ -11,6 +11,7 @@
 #include "MeMessage.h"
 #include "MeProfile.h"
 #include "MeTeam.h"
+#include "mst_advise_i.h"
 #include "mst_i.h"
 
 const MstUniverseSizes MstUniverseDefaultSizes = {100, 500, 0, 100, 500, 100, 10, 1, 1};
@@ -20,6 +21,7 @@ typedef struct MstUniverseRecord {
     MstUniverse universe; /* what programs see: first */
     MeU32 magic;
     MeHandle handle;
+    MstAdviser *adviser; /* null: nobody has asked for advice */
 } MstUniverseRecord;
 
 static MeBool isUniverse(MstUniverseID u, const char *function) {
@@ -40,6 +42,7 @@ static void destroyParts(MstUniverse *u) {
     MstBridgeDestroy(u->bridge);
     if (u->world)
         MdtWorldDestroy(u->world);
+    mst_adviserDestroy(((MstUniverseRecord *)u)->adviser);
     MeHandleLeave(&((MstUniverseRecord *)u)->handle);
     ((MstUniverseRecord *)u)->magic = 0;
     MeMemoryGive(u);
@@ -64,7 +67,7 @@ static void createCollision(MstUniverse *u) {
 
 /* A load of a million times the mass scale, under 10 m/s² and in steps of 1/60 s, sags by 1e-7 of the length scale:
  * epsilon = sag gamma / (F h²). */
-static double epsilonOf(const MstUniverseSizes *sizes) {
+double mst_epsilonOf(const MstUniverseSizes *sizes) {
     const double sag = 1e-7 * (double)sizes->lengthScale, F = 10 * 1e6 * (double)sizes->massScale, h = 1. / 60;
     return sag * MDTWORLD_DEFAULT_GAMMA / (F * h * h);
 }
@@ -107,7 +110,7 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
         return 0;
     }
     MEASSERT(u->world && u->frame && u->space);
-    MdtWorldSetEpsilon(u->world, (MeReal)epsilonOf(&u->sizes));
+    MdtWorldSetEpsilon(u->world, (MeReal)mst_epsilonOf(&u->sizes));
     nameLimits(u);
     McdSpaceSetLookAhead(u->space, (MeReal)(1. / 60)); /* until a step says how long it is */
     MdtWorldSetMinSafeTime(u->world, (MeReal)1e-9);    /* what is fast is stopped where it touches */
@@ -137,6 +140,9 @@ void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
         MeWarning(1, "MstUniverseStep: the step is %g: it must be positive; nothing is changed", (double)step);
         return;
     }
+    MstAdviser **adviser = &((MstUniverseRecord *)u)->adviser;
+    if (*adviser)
+        mst_adviserStepBegins(u, adviser, (double)step);
     const char *before = MeCallerSet("MstUniverseStep");
     MEASSERT(McdFrameworkGetModelCount(u->frame) >= McdSpaceGetModelCount(u->space));
     McdSpaceSetLookAhead(u->space, step);
@@ -150,6 +156,12 @@ void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     McdSpaceSetTeam(u->space, 0); /* the program may change it now */
     MstBridgeUpdateEvents(u->bridge, u->world);
     MeCallerSet(before);
+    if (*adviser)
+        mst_adviserStepEnds(u, *adviser, (double)step);
+}
+
+MstAdviser **mst_universeAdviser(MstUniverseID u, const char *function) {
+    return isUniverse(u, function) ? &((MstUniverseRecord *)u)->adviser : 0;
 }
 
 const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count) {

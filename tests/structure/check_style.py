@@ -16,7 +16,7 @@ COLUMNS = 120
 
 
 def sources():
-    for directory in LIBRARIES + ('tests', 'tutorials', 'bench'):
+    for directory in LIBRARIES + ('tests', 'tutorials', 'bench', 'KarmaSweep'):
         for pattern in ('*.c', '*.h', '*.cpp'):
             yield from sorted((top / directory).rglob(pattern))
 

@@ -1,0 +1,124 @@
+/* Inside karma-sweep: what its files share.
+ *
+ *     file              what
+ *     sweep_main.c      options, and the course
+ *     sweep_scene.c     the scene: loads it, or compiles it first
+ *     sweep_plan.c      which values the parameters have in run i: a grid or a sample
+ *     sweep_journal.c   rows, as they come, in a file that survives; and all of them in order as CSV
+ *     sweep_pool.c      processes of this machine that run the scene
+ *     sweep_ranks.c     processes of MPI, each with a pool of its own
+ */
+#ifndef SWEEP_I_H
+#define SWEEP_I_H
+
+#include "KarmaSweep.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+enum { SWEEP_ROW = 2048 }; /* bytes of a row's text: SWEEP_RESULTS numbers of 25, and its head */
+
+/* To stderr, after "karma-sweep: "; the second also ends the program, with exit code 2. */
+void sweep_say(const char *format, ...) __attribute__((__format__(__printf__, 1, 2)));
+_Noreturn void sweep_fail(const char *format, ...) __attribute__((__format__(__printf__, 1, 2)));
+void *sweep_memory(size_t count, size_t size); /* zeroed; none: fails */
+
+/* FNV-1a, 64 bits. */
+uint64_t sweep_hash(uint64_t hash, const void *data, size_t size);
+#define SWEEP_HASH 14695981039346656037u
+
+/* The fewest digits that read back as the same number. */
+void sweep_number(char *text, size_t size, double x);
+
+/* ---- scene ---- */
+
+typedef struct SweepLoaded {
+    const SweepScene *scene;
+    uint64_t id; /* of the file's contents */
+} SweepLoaded;
+
+/* A path of a library, or of a .c file. Fails with a message. */
+SweepLoaded sweep_sceneLoad(const char *path);
+
+/* ---- plan ---- */
+
+typedef struct SweepPlan {
+    const SweepScene *scene;
+    SweepParameter parameter[SWEEP_PARAMETERS];
+    long runs;
+    bool isSample;
+    unsigned long seed;
+    uint64_t id; /* of the scene's contents and all of the plan: rows of one id belong together */
+} SweepPlan;
+
+void sweep_planInit(SweepPlan *p, const SweepScene *scene);
+/* "name=value", "name=least:largest" or "name=least:largest:count"; the name up to its unit will do. */
+void sweep_planSet(SweepPlan *p, const char *text);
+/* A sample of so many runs; 0: the grid. */
+void sweep_planFinish(SweepPlan *p, long sample, unsigned long seed, uint64_t sceneId);
+void sweep_planValues(const SweepPlan *p, long run, double *value);
+
+/* ---- journal ---- */
+
+typedef struct SweepJournal {
+    const SweepPlan *plan;
+    int file;
+    char **row; /* by run: "status result ..."; null: not yet */
+    long done;
+    bool isWithoutEnd; /* a rank has died: MPI does not end */
+} SweepJournal;
+
+/* Opens it, or makes it; reads what it has. `again`: forgets that. */
+void sweep_journalOpen(SweepJournal *j, const char *path, const SweepPlan *plan, bool again);
+/* Adds a row; of a run that has one already nothing is changed. */
+void sweep_journalAdd(SweepJournal *j, long run, const char *row);
+/* All rows in order; replaces the file when it is whole. */
+void sweep_journalWrite(const SweepJournal *j, const char *path);
+void sweep_journalClose(SweepJournal *j);
+
+/* ---- queue: which runs are still to be given away ---- */
+
+typedef struct SweepQueue {
+    const SweepJournal *journal;
+    long next;
+    long *again; /* given back: `againCount` of them */
+    long againCount, againRoom;
+} SweepQueue;
+
+long sweep_queueTake(SweepQueue *q); /* -1: none is left */
+void sweep_queueGiveBack(SweepQueue *q, long run);
+
+/* ---- pool ---- */
+
+/* Where a pool gets its runs from, and where its rows go. */
+typedef struct SweepClient {
+    void *data;
+    long (*take)(void *data); /* -1: none now */
+    void (*row)(void *data, long run, const char *row);
+} SweepClient;
+
+typedef struct SweepPool SweepPool;
+/* limit: s that a run may take, 0: any. */
+SweepPool *sweep_poolCreate(const SweepPlan *plan, int workers, int limit, const SweepClient *client);
+/* Gives runs to workers that wait, and takes rows; waits for some for so many ms. False: there is nothing to do. */
+bool sweep_poolTurn(SweepPool *pool, int wait);
+void sweep_poolDestroy(SweepPool *pool);
+
+/* ---- ranks ---- */
+
+typedef struct SweepRanks {
+    int rank, count;
+    bool isLaunched; /* by mpirun */
+    int silence;     /* s, after which a rank is taken for dead */
+} SweepRanks;
+
+/* Of a program that mpirun has started; else, and without MPI, one rank. */
+SweepRanks sweep_ranksBegin(int *argc, char ***argv);
+/* The whole sweep, of rank 0: its pool and the others'. */
+void sweep_ranksLead(SweepRanks ranks, const SweepPlan *plan, SweepJournal *journal, int workers, int limit);
+/* Of the others: until rank 0 says that all is done. */
+void sweep_ranksFollow(const SweepPlan *plan, int workers, int limit);
+void sweep_ranksEnd(SweepRanks ranks);
+
+#endif

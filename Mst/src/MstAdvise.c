@@ -1,0 +1,451 @@
+/* Advice: what is tried in which order, and who is told (MstAdvise.h, mst_advise_i.h).
+ *
+ *     scene as it is      -> its traits, and by them the settings
+ *     reference, twice    -> how long it holds
+ *     each setting, once  -> errors
+ *     all of them, again  -> times, in turns
+ *     what is to be taken, together
+ *
+ * Each of these runs a copy of the process. In the copy the function that made it returns METRUE, and so do those that
+ * called it, up to MstUniverseStep: the copy goes on with the program. */
+#include "MstAdvise.h"
+#include "MdtWorld.h"
+#include "MeAssert.h"
+#include "MeMessage.h"
+#include "mst_advise_i.h"
+#include "mst_i.h"
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_ROUNDS = 15, TRIALS = MST_SETTINGS + 2 }; /* as it is, each setting, those taken together */
+enum { MOST_STEPS = 1000000, MOST_SAMPLES = 128 };
+enum { MOST_RECORD_BYTES = 64 << 20 }; /* of one copy */
+/* Times the time of the scene as it is: what takes longer is no advice, whatever its error. */
+enum { TOO_SLOW = 20 };
+/* Settings that are slower than this are timed once. */
+static const double slow = 3;
+
+struct MstAdviser {
+    MstAdviceParams params;
+    MstAdviceCB done;
+    void *userdata;
+    double waited; /* s of the scene */
+    MeBool isCopy;
+    MstCopy copy;
+    /* of the course */
+    double deadline; /* s, of the clock */
+    MstSetting setting[MST_SETTINGS];
+    int settings;
+    MstRecord *right; /* the better reference */
+    int lastSample;
+    int rounds; /* done */
+    double cost[TRIALS][MOST_ROUNDS];
+    MstTrial trial[TRIALS];
+    int together[MST_KNOBS]; /* by knob: which trial is taken, 0: none */
+    MstAdvice advice;
+};
+
+/* ---- parameters -------------------------------------------------------------------------------------------------- */
+
+void MEAPI MstAdviceParamsReset(MstAdviceParams *p) {
+    if (p)
+        *p = (MstAdviceParams){3, 0, 0, 5, 60, MEFALSE};
+    else
+        MeWarning(1, "MstAdviceParamsReset: p is null");
+}
+
+static const char *mistakeIn(const MstAdviceParams *p) {
+    if (!(p->seconds > 0) || !MeRealIsValid(p->seconds))
+        return "seconds must be above 0";
+    if (!(p->after >= 0) || !MeRealIsValid(p->after))
+        return "after must be 0 or more";
+    if (!(p->tolerance >= 0) || !MeRealIsValid(p->tolerance))
+        return "tolerance must be 0 or more";
+    if (p->rounds < 1 || p->rounds > MOST_ROUNDS)
+        return "rounds must be 1 to 15";
+    return p->patience > 0 && MeRealIsValid(p->patience) ? 0 : "patience must be above 0";
+}
+
+MeBool MEAPI MstAdvise(const MstUniverseID u, const MstAdviceParams *params, MstAdviceCB done, void *userdata) {
+    MstAdviceParams all;
+    MstAdviceParamsReset(&all);
+    if (params)
+        all = *params;
+    MstAdviser **place = mst_universeAdviser(u, "MstAdvise");
+    const char *mistake = mistakeIn(&all);
+    if (place && mistake)
+        MeWarning(1, "MstAdvise: %s", mistake);
+    else if (place && *place)
+        MeWarning(1, "MstAdvise: an earlier call still waits for its steps");
+    if (!place || mistake || *place)
+        return MEFALSE;
+    MstAdviser *a = MeMemoryTakeZeroed(1, sizeof *a, "MstAdvise", "advice");
+    if (!a)
+        return MEFALSE;
+    a->params = all;
+    a->done = done;
+    a->userdata = userdata;
+    *place = a;
+    return METRUE;
+}
+
+MeBool MEAPI MstAdviseIsCopy(const MstUniverseID u) {
+    MstAdviser **place = mst_universeAdviser(u, "MstAdviseIsCopy");
+    return place && *place && (*place)->isCopy;
+}
+
+void mst_adviserDestroy(MstAdviser *a) {
+    if (a)
+        MeMemoryGive(a);
+}
+
+/* ---- one copy ---------------------------------------------------------------------------------------------------- */
+
+static double timeLeft(const MstAdviser *a) {
+    return a->deadline - mst_clock();
+}
+
+/* Runs settings in a copy, which leaves the record. METRUE: this is the copy. */
+static MeBool runCopy(MstAdviser *a, MstUniverseID u, MstRecord *record, const MstSetting *const setting[], int count,
+                      double limit) {
+    a->copy.record = record;
+    a->isCopy = mst_copyRun(&a->copy, u, setting, count, limit);
+    return a->isCopy;
+}
+
+/* The cost of a step in a record; negative: it has not made all steps. */
+static double costOf(const MstAdviser *a, const MstRecord *r) {
+    const MstRecordSize *size = &a->copy.size;
+    if (r->steps < size->steps)
+        return -1;
+    return a->params.byWork ? r->work / r->steps : r->time / (size->steps - size->warmUp);
+}
+
+/* ---- how much is kept -------------------------------------------------------------------------------------------- */
+
+static MstRecordSize sizeOf(const MstAdviser *a, MstUniverseID u, double step) {
+    enum { FEW = 64, WARM_UP = 8 };
+    MstRecordSize size;
+    const double steps = (double)a->params.seconds / step;
+    size.steps = steps < 1 ? 1 : steps > MOST_STEPS ? MOST_STEPS : (int)(steps + .5);
+    size.warmUp = size.steps >= 4 * WARM_UP ? WARM_UP : 0;
+    size.stride = (size.steps + MOST_SAMPLES - 1) / MOST_SAMPLES;
+    size.samples = size.steps / size.stride;
+    size.bodies = MdtWorldGetTotalBodies(u->world) + FEW;
+    const double most = (double)MOST_RECORD_BYTES / ((double)size.samples * sizeof(MstSample));
+    if (size.bodies > most)
+        size.bodies = most < 1 ? 1 : (int)most;
+    return size;
+}
+
+/* ---- the course -------------------------------------------------------------------------------------------------- */
+
+static const MstSetting nothing = {MST_KNOB_NONE, 0, 0, "as it is"};
+
+/* Which settings a trial has. */
+static int settingsOf(const MstAdviser *a, int trial, const MstSetting *setting[MST_KNOBS]) {
+    int count = 0;
+    if (trial == 0)
+        setting[count++] = &nothing;
+    else if (trial <= a->settings)
+        setting[count++] = &a->setting[trial - 1];
+    else
+        for (int knob = 0; knob < MST_KNOBS; knob++)
+            if (a->together[knob])
+                setting[count++] = &a->setting[a->together[knob] - 1];
+    return count;
+}
+
+static MeBool runTrial(MstAdviser *a, MstUniverseID u, MstRecord *record, int trial, double limit) {
+    const MstSetting *setting[MST_KNOBS];
+    const int count = settingsOf(a, trial, setting);
+    return runCopy(a, u, record, setting, count, limit);
+}
+
+static MeBool runAsItIs(MstAdviser *a, MstUniverseID u, MstRecord *record) {
+    if (runTrial(a, u, record, 0, timeLeft(a)))
+        return METRUE;
+    if (record->steps < a->copy.size.steps) {
+        a->advice.restriction = "The program ended, or its patience did, before all steps were made.";
+        a->copy.size.steps = record->steps;
+        if (a->copy.size.warmUp >= record->steps)
+            a->copy.size.warmUp = 0;
+    }
+    return MEFALSE;
+}
+
+/* A copy that is cut has made fewer steps, and the comparison ends with them. */
+static MeBool runReference(MstAdviser *a, MstUniverseID u, MstRecord *record) {
+    const MeBool hasRunners = record->traits.hasRunners;
+    for (int i = 0; i < 2; i++) {
+        const MstSetting reference = {MST_KNOB_REFERENCE, i ? 8 : 4, hasRunners, "reference"};
+        const MstSetting *setting = &reference;
+        if (runCopy(a, u, i ? a->right : record, &setting, 1, timeLeft(a) / 4))
+            return METRUE;
+    }
+    if (a->right->steps < a->copy.size.steps)
+        a->advice.restriction = "The reference took too long to make all steps.";
+    double largest;
+    a->lastSample = mst_recordsAgree(record, a->right, &a->copy.size, (double)a->advice.tolerance, &largest);
+    a->advice.referenceError = (MeReal)largest;
+    a->advice.comparedTime = (MeReal)((a->lastSample + 1) * a->copy.size.stride * (double)a->advice.step);
+    return MEFALSE;
+}
+
+/* The first run of a trial: all there is to know of it but how long it takes among others. */
+static void noteTrial(MstAdviser *a, const MstRecord *record, int trial) {
+    MstTrial *t = &a->trial[trial];
+    mst_trialMeasure(t, record, a->right, &a->copy.size, a->lastSample);
+    a->cost[trial][0] = costOf(a, record);
+    if (trial > 0 && a->cost[trial][0] < 0)
+        t->verdict = MstVerdictFailed;
+}
+
+static double limitOf(const MstAdviser *a, double asItIs) {
+    return fmin(timeLeft(a), fmax(1, TOO_SLOW * asItIs));
+}
+
+static MeBool runTrials(MstAdviser *a, MstUniverseID u, MstRecord *record, double asItIs) {
+    for (int trial = 1; trial <= a->settings; trial++) {
+        snprintf(a->trial[trial].setting, sizeof a->trial[trial].setting, "%s", a->setting[trial - 1].call);
+        if (timeLeft(a) <= 0) {
+            a->advice.restriction = "Patience ended before all settings were tried.";
+            a->trial[trial].verdict = MstVerdictFailed;
+            continue;
+        }
+        if (runTrial(a, u, record, trial, limitOf(a, asItIs)))
+            return METRUE;
+        noteTrial(a, record, trial);
+    }
+    return MEFALSE;
+}
+
+/* Trials `first` to `last` and the scene as it is, in turns. */
+static MeBool timeTrials(MstAdviser *a, MstUniverseID u, MstRecord *record, int first, int last) {
+    const int rounds = a->params.byWork ? 1 : a->params.rounds;
+    for (a->rounds = 1; a->rounds < rounds && timeLeft(a) > 0; a->rounds++)
+        for (int trial = 0; trial <= last; trial = trial < first ? first : trial + 1) {
+            double *cost = a->cost[trial];
+            cost[a->rounds] = -1;
+            if (trial > 0 && (cost[0] < 0 || cost[0] > slow * a->cost[0][0]))
+                continue;
+            if (runTrial(a, u, record, trial, fmax(timeLeft(a), 1)))
+                return METRUE;
+            cost[a->rounds] = costOf(a, record);
+        }
+    mst_trialTime(&a->trial[0], a->cost[0], a->cost[0], a->rounds, !a->params.byWork);
+    for (int trial = first; trial <= last; trial++)
+        mst_trialTime(&a->trial[trial], a->cost[trial], a->cost[0], a->rounds, !a->params.byWork);
+    return MEFALSE;
+}
+
+/* Of each knob what saves most; and what the scene needs. Returns how many. */
+static int chooseTogether(MstAdviser *a) {
+    int count = 0;
+    for (int pass = 0; pass < 2; pass++)
+        for (int trial = 1; trial <= a->settings; trial++) {
+            const MstTrial *t = &a->trial[trial];
+            int *taken = &a->together[a->setting[trial - 1].knob];
+            if (t->verdict != (pass ? MstVerdictTake : MstVerdictMend))
+                continue;
+            if (!*taken || (a->trial[*taken].verdict == MstVerdictTake && t->ratio < a->trial[*taken].ratio)) {
+                count += !*taken;
+                *taken = trial;
+            }
+        }
+    return count;
+}
+
+static void nameTogether(MstAdviser *a, MstTrial *t) {
+    int length = 0;
+    for (int knob = 0; knob < MST_KNOBS; knob++)
+        if (a->together[knob] && length < (int)sizeof t->setting)
+            length += snprintf(t->setting + length, sizeof t->setting - (size_t)length, "%s%d",
+                               length ? " and " : "together: ", a->together[knob]);
+}
+
+/* The one that saves most, or mends, by itself. */
+static int bestAlone(const MstAdviser *a) {
+    int best = 0;
+    for (int i = 1; i <= a->settings; i++) {
+        const MstTrial *t = &a->trial[i];
+        if (t->verdict == MstVerdictMend)
+            return i;
+        if (t->verdict == MstVerdictTake && (!best || t->ratio < a->trial[best].ratio))
+            best = i;
+    }
+    return best;
+}
+
+static MeBool runTogether(MstAdviser *a, MstUniverseID u, MstRecord *record, double asItIs) {
+    const int trial = a->settings + 1, chosen = chooseTogether(a);
+    a->advice.best = bestAlone(a);
+    if (chosen < 2)
+        return MEFALSE;
+    const double spread = (double)a->params.patience / 4; /* as much again may be left of no patience */
+    a->deadline = fmax(a->deadline, mst_clock() + spread);
+    nameTogether(a, &a->trial[trial]);
+    if (runTrial(a, u, record, trial, limitOf(a, asItIs)))
+        return METRUE;
+    noteTrial(a, record, trial);
+    a->advice.count++;
+    if (timeTrials(a, u, record, trial, trial))
+        return METRUE;
+    mst_trialsJudge(a->trial, a->advice.count, (double)a->advice.tolerance, METRUE);
+    const MstTrial *all = &a->trial[trial], *alone = &a->trial[a->advice.best];
+    const MeBool isNeeded = alone->verdict == MstVerdictMend;
+    if (mst_trialHolds(all, isNeeded ? alone : &a->trial[0], (double)a->advice.tolerance) && all->ratio < alone->ratio)
+        a->advice.best = trial;
+    return MEFALSE;
+}
+
+static void listBest(MstAdviser *a) {
+    MstAdvice *advice = &a->advice;
+    if (advice->best > a->settings) {
+        for (int knob = 0; knob < MST_KNOBS; knob++)
+            if (a->together[knob])
+                advice->follow[advice->followCount++] = a->together[knob];
+    } else if (advice->best > 0)
+        advice->follow[advice->followCount++] = advice->best;
+}
+
+/* METRUE: this is a copy. */
+static MeBool runAll(MstAdviser *a, MstUniverseID u, MstRecord *record) {
+    const double begin = mst_clock();
+    snprintf(a->trial[0].setting, sizeof a->trial[0].setting, "%s", nothing.call);
+    if (runAsItIs(a, u, record))
+        return METRUE;
+    const double asItIs = mst_clock() - begin;
+    if (record->steps == 0)
+        return MEFALSE;
+    a->settings = mst_settingsPlan(u, &record->traits, a->setting);
+    a->advice.count = 1 + a->settings;
+    if (runReference(a, u, record) || runTrial(a, u, record, 0, fmax(timeLeft(a), 1)))
+        return METRUE;
+    noteTrial(a, record, 0);
+    if (runTrials(a, u, record, asItIs) || timeTrials(a, u, record, 1, a->settings))
+        return METRUE;
+    mst_trialsJudge(a->trial, a->advice.count, (double)a->advice.tolerance, a->lastSample >= 0);
+    if (runTogether(a, u, record, asItIs))
+        return METRUE;
+    listBest(a);
+    return MEFALSE;
+}
+
+/* ---- around a step ----------------------------------------------------------------------------------------------- */
+
+static void prepare(MstAdviser *a, MstUniverseID u, double step) {
+    const double tolerance = (double)a->params.tolerance;
+    a->deadline = mst_clock() + (double)a->params.patience;
+    a->lastSample = -1;
+    a->copy.size = sizeOf(a, u, step);
+    a->advice.trial = a->trial;
+    a->advice.restriction = "";
+    a->advice.step = (MeReal)step;
+    a->advice.bodies = MdtWorldGetTotalBodies(u->world);
+    a->advice.tolerance = (MeReal)(tolerance > 0 ? tolerance : 1e-3 * (double)u->sizes.lengthScale);
+}
+
+/* METRUE: this is a copy. */
+static MeBool advise(MstAdviser *a, MstUniverseID u, double step) {
+    prepare(a, u, step);
+    const MstRecordSize size = a->copy.size;
+    MstRecord *record = mst_recordCreate(&size);
+    a->right = mst_recordCreate(&size);
+    if (!record || !a->right)
+        MeWarning(1, "MstAdvise: there is no memory for the records of copies");
+    else if (runAll(a, u, record))
+        return METRUE;
+    mst_recordDestroy(record, &size);
+    mst_recordDestroy(a->right, &size);
+    return MEFALSE;
+}
+
+/* The callback may ask again, or end the program: nothing is owned any more then. */
+static void tell(MstAdviser *a) {
+    MstTrial trial[TRIALS];
+    MstAdvice advice = a->advice;
+    const MstAdviceCB done = a->done;
+    void *userdata = a->userdata;
+    memcpy(trial, a->trial, sizeof trial);
+    advice.trial = trial;
+    mst_adviserDestroy(a);
+    if (done)
+        done(&advice, userdata);
+    else
+        MstAdvicePrint(&advice);
+}
+
+void mst_adviserStepBegins(MstUniverseID u, MstAdviser **adviser, double step) {
+    MstAdviser *a = *adviser;
+    if (!(step > 0) || !MeRealIsValid((MeReal)step))
+        return; /* nothing will move */
+    if (!a->isCopy && a->waited < (double)a->params.after - .5 * step) {
+        a->waited += step;
+        return;
+    }
+    if (a->isCopy || advise(a, u, step)) {
+        mst_copyStepBegins(&a->copy);
+        return;
+    }
+    *adviser = 0;
+    tell(a);
+}
+
+void mst_adviserStepEnds(MstUniverseID u, MstAdviser *a, double step) {
+    if (a->isCopy)
+        mst_copyStepEnds(&a->copy, u, step);
+}
+
+/* ---- printing ---------------------------------------------------------------------------------------------------- */
+
+static void printHead(const MstAdvice *advice) {
+    MeInfo(0, "%d bodies, %d steps of %.4g s each time", advice->bodies, advice->trial[0].steps, (double)advice->step);
+    if (advice->comparedTime > 0)
+        MeInfo(0, "errors are those of the first %.3g s, in which the reference is right to %.1g m",
+               (double)advice->comparedTime, (double)advice->referenceError);
+    else
+        MeInfo(0, "chance decides so soon in this scene that no errors can be told: a larger tolerance, or a later "
+                  "start, may help");
+    if (advice->restriction[0])
+        MeInfo(0, "%s", advice->restriction);
+    MeInfo(0, "%2s %9s %6s %13s %9s %9s %9s %9s %9s %9s  %s", "", "ms/step", "ratio", "", "M mult.", "error m",
+           "error m/s", "energy", "deep m", "gap m", "setting");
+}
+
+static void printTrial(const MstTrial *t, int number) {
+    char spread[32];
+    snprintf(spread, sizeof spread, "(%.2f .. %.2f)", (double)t->leastRatio, (double)t->largestRatio);
+    MeInfo(0, "%2d %9.4f %6.2f %13s %9.3g %9.2g %9.2g %9.2g %9.2g %9.2g  %s", number, 1e3 * (double)t->time,
+           (double)t->ratio, spread, (double)t->work, (double)t->error, (double)t->velocityError,
+           (double)t->energyError, (double)t->penetration, (double)t->jointGap, t->setting);
+}
+
+static void printBest(const MstAdvice *advice) {
+    const MstTrial *best = &advice->trial[advice->best];
+    if (advice->best == 0)
+        MeInfo(0, "best: leave all as it is");
+    else
+        MeInfo(0, "best: %d, %.0f %% of the time, error %.2g m instead of %.2g:", advice->best,
+               100 * (double)best->ratio, (double)best->error, (double)advice->trial[0].error);
+    for (int i = 0; i < advice->followCount; i++)
+        MeInfo(0, "    %s", advice->trial[advice->follow[i]].setting);
+}
+
+void MEAPI MstAdvicePrint(const MstAdvice *advice) {
+    if (!advice) {
+        MeWarning(1, "MstAdvicePrint: advice is null");
+        return;
+    }
+    if (advice->count == 0) {
+        MeInfo(0, "no advice: not a step of the scene could be made in a copy of the process");
+        return;
+    }
+    printHead(advice);
+    for (int i = 0; i < advice->count; i++)
+        printTrial(&advice->trial[i], i);
+    for (int i = 1; i < advice->count; i++)
+        if (advice->trial[i].verdict != MstVerdictNone)
+            MeInfo(0, "%2d %s", i, advice->trial[i].advice);
+    printBest(advice);
+}

@@ -1,0 +1,227 @@
+/* A setting in a copy of the process (MstAdvise.h): fork, and a record in memory that both share.
+ *
+ * The record is laid out once, for so many samples of so many bodies: the copy writes as it goes, so that what a copy
+ * has done before it crashed, or was ended, is known all the same. */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS, fork */
+#include "MdtBody.h"
+#include "MdtConstraint.h"
+#include "MdtContactGroup.h"
+#include "MdtWorld.h"
+#include "MeAssert.h"
+#include "MeMath.h"
+#include "mst_advise_i.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+/* ---- the record -------------------------------------------------------------------------------------------------- */
+
+static size_t sampleBytes(const MstRecordSize *size) {
+    return sizeof(MstMoment) + (size_t)size->bodies * sizeof(MstSample);
+}
+
+size_t mst_recordBytes(const MstRecordSize *size) {
+    return sizeof(MstRecord) + (size_t)size->samples * sampleBytes(size);
+}
+
+MstMoment *mst_recordMoment(const MstRecord *r, int sample) {
+    return (MstMoment *)(r + 1) + sample;
+}
+
+MstSample *mst_recordSamples(const MstRecord *r, const MstRecordSize *size, int sample) {
+    MstSample *first = (MstSample *)(mst_recordMoment(r, size->samples));
+    return first + (size_t)sample * (size_t)size->bodies;
+}
+
+MstRecord *mst_recordCreate(const MstRecordSize *size) {
+    void *memory = mmap(NULL, mst_recordBytes(size), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    return memory == MAP_FAILED ? NULL : memory;
+}
+
+void mst_recordDestroy(MstRecord *r, const MstRecordSize *size) {
+    if (r)
+        munmap(r, mst_recordBytes(size));
+}
+
+/* ---- clocks ------------------------------------------------------------------------------------------------------ */
+
+static double secondsOf(clockid_t clock) {
+    struct timespec t;
+    clock_gettime(clock, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+double mst_clock(void) {
+    return secondsOf(CLOCK_MONOTONIC);
+}
+
+/* ---- in the copy ------------------------------------------------------------------------------------------------- */
+
+/* What the program says, it has said already, or will say. */
+static void swallowTexts(void) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    if (nowhere < 0)
+        return;
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    close(nowhere);
+}
+
+/* Should whoever asked be gone, the copy ends of its own. */
+static void limitTime(double seconds) {
+    const struct rlimit limit = {(rlim_t)ceil(seconds) + 1, (rlim_t)ceil(seconds) + 2};
+    setrlimit(RLIMIT_CPU, &limit);
+}
+
+static void becomeCopy(MstUniverseID u, const MstSetting *const setting[], int count, double limit) {
+    swallowTexts();
+    limitTime(limit);
+    MdtWorldSetTaskPool(u->world, 0); /* its threads are not here */
+    MdtWorldEnableReport(u->world);
+    for (int i = 0; i < count; i++)
+        mst_settingApply(u, setting[i]);
+}
+
+void mst_copyStepBegins(MstCopy *c) {
+    c->begun = secondsOf(CLOCK_THREAD_CPUTIME_ID);
+}
+
+static double gyrationOf(MdtBodyID b) {
+    MeMatrix3 inertia;
+    MdtBodyGetInertiaTensor(b, inertia);
+    return sqrt((double)(inertia[0][0] + inertia[1][1] + inertia[2][2]) / (2 * (double)MdtBodyGetMass(b)));
+}
+
+static void sampleBody(MdtBodyID b, MstSample *s) {
+    MeVector3 p, v, w;
+    MeVector4 q;
+    MdtBodyGetPosition(b, p);
+    MdtBodyGetQuaternion(b, q);
+    MdtBodyGetLinearVelocity(b, v);
+    MdtBodyGetAngularVelocity(b, w);
+    for (int i = 0; i < 3; i++)
+        s->position[i] = (double)p[i], s->velocity[i] = (double)v[i], s->turning[i] = (double)w[i];
+    for (int i = 0; i < 4; i++)
+        s->quaternion[i] = (double)q[i];
+    s->radius = gyrationOf(b);
+}
+
+static void sampleBodies(const MstCopy *c, MdtWorldID w) {
+    MstRecord *r = c->record;
+    MstMoment *moment = mst_recordMoment(r, r->sampleCount);
+    MstSample *s = mst_recordSamples(r, &c->size, r->sampleCount);
+    MeVector3 g, p;
+    *moment = (MstMoment){0, 0, 0};
+    MdtWorldGetGravity(w, g);
+    for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetNext(b)) {
+        MdtBodyGetPosition(b, p);
+        const double kinetic = (double)MdtBodyGetKineticEnergy(b);
+        moment->kinetic += kinetic;
+        moment->energy += kinetic - (double)MdtBodyGetMass(b) * (double)MeVector3Dot(g, p);
+        if (moment->bodies < c->size.bodies)
+            sampleBody(b, &s[moment->bodies]);
+        moment->bodies++;
+    }
+    r->sampleCount++;
+}
+
+/* How far apart bodies have to be for a step to carry one past another, as far as one can tell without shapes. */
+static MeBool hasRunner(MdtWorldID w, double step) {
+    MeVector3 v;
+    for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetNext(b)) {
+        MdtBodyGetLinearVelocity(b, v);
+        if ((double)MeVector3Magnitude(v) * step > gyrationOf(b))
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+static void MEAPI noteConstraint(MdtConstraintID c, void *traits) {
+    MstSceneTraits *t = traits;
+    if (MdtConstraintDCastContactGroup(c) || MdtConstraintDCastContact(c))
+        t->hasContacts = METRUE;
+    else
+        t->hasJoints = METRUE;
+}
+
+static void noteTraits(MstRecord *r, MdtWorldID w, double step) {
+    MstSceneTraits *t = &r->traits;
+    MdtReport report;
+    if (!t->hasContacts || !t->hasJoints)
+        MdtWorldForAllConstraints(w, noteConstraint, t);
+    if (!t->hasRunners)
+        t->hasRunners = hasRunner(w, step);
+    for (int i = 0; i < MdtWorldGetReportCount(w); i++) {
+        MdtWorldGetPartitionReport(w, i, &report);
+        t->hasFast |= report.way == MdtReportWayFast;
+        t->hasExactContacts |= t->hasContacts && report.way >= MdtReportWayExact;
+        t->hasLimits |= report.limited > 0;
+        t->hasCrowd |= report.bodies > 32; /* the bridge reuses contacts of such (MstBridgeSetContactReuse) */
+    }
+}
+
+static void noteReport(MstRecord *r, MdtWorldID w) {
+    MdtReport report;
+    if (!MdtWorldGetReport(w, &report)) {
+        r->isReporting = 0;
+        return;
+    }
+    r->work += (double)report.work;
+    r->penetration = fmax(r->penetration, (double)report.penetration);
+    r->jointGap = fmax(r->jointGap, (double)report.jointGap);
+    r->residualVelocity = fmax(r->residualVelocity, (double)report.residualVelocity);
+}
+
+void mst_copyStepEnds(MstCopy *c, MstUniverseID u, double step) {
+    const double taken = secondsOf(CLOCK_THREAD_CPUTIME_ID) - c->begun;
+    MstRecord *r = c->record;
+    if (r->steps >= c->size.warmUp)
+        r->time += taken;
+    noteReport(r, u->world);
+    noteTraits(r, u->world, step);
+    if ((r->steps + 1) % c->size.stride == 0 && r->sampleCount < c->size.samples)
+        sampleBodies(c, u->world);
+    if (++r->steps >= c->size.steps)
+        _exit(0);
+}
+
+/* ---- in the process that asked ----------------------------------------------------------------------------------- */
+
+/* Until it has ended, or must. */
+static void await(pid_t copy, double limit) {
+    const double end = mst_clock() + limit;
+    const struct timespec pause = {0, 1000000};
+    for (;;) {
+        const pid_t gone = waitpid(copy, NULL, WNOHANG);
+        if (gone == copy || (gone < 0 && errno != EINTR))
+            return;
+        if (mst_clock() > end) {
+            kill(copy, SIGKILL);
+            waitpid(copy, NULL, 0);
+            return;
+        }
+        nanosleep(&pause, NULL);
+    }
+}
+
+MeBool mst_copyRun(MstCopy *c, MstUniverseID u, const MstSetting *const setting[], int count, double limit) {
+    memset(c->record, 0, sizeof *c->record);
+    c->record->isReporting = 1;
+    fflush(NULL); /* else the copy has it, too */
+    const pid_t copy = fork();
+    if (copy == 0) {
+        becomeCopy(u, setting, count, limit);
+        return METRUE;
+    }
+    if (copy > 0)
+        await(copy, limit);
+    return MEFALSE;
+}
