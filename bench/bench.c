@@ -14,7 +14,8 @@
 #include <string.h>
 
 enum { MAX_SUBSTEPS = 8, MAX_ROWS = 256, RUNS = 5 };
-enum { CROWD_SUBSTEPS = 2, CROWD_SHARE = 5 }; /* numbers of sub-steps, and times as long as another scene */
+enum { CROWD_SUBSTEPS = 2, CROWD_SHARE = 8, GENEROUS = 3 }; /* numbers of sub-steps; times as long as another scene, */
+                                                            /* as its share */
 
 typedef struct Options {
     bool quick, free;
@@ -40,7 +41,7 @@ typedef struct Row {
 
 static void usage(FILE *to) {
     fputs("usage: bench [options]\n"
-          "  --quick            fewer runs of slow rows, and no run of more than some seconds\n"
+          "  --quick            one step a frame, fewer settings, fewer runs of slow rows, none of more than 2 s\n"
           "  --free             only scenes without contact\n"
           "  --scene NAME       only this scene (see --list)\n"
           "  --engine NAME      only engines whose names begin so\n"
@@ -138,7 +139,9 @@ static Options readOptions(int argc, char *argv[]) {
         i += taken;
     }
     if (o.quick) {
-        o.runBudget = .5;
+        if (!o.hasSubsteps)
+            o.numSubsteps = 1;
+        o.runBudget = 2;
         o.rowBudget = .05;
     }
     if (o.budget > 0)
@@ -175,7 +178,7 @@ static int chooseSubsteps(const Options *o, const Scene *scene, int substeps[MAX
     if (scene->frame > 0 && !o->hasSubsteps) {
         substeps[0] = 1;
         substeps[1] = (int)lround(scene->frame / .001);
-        return 2;
+        return o->quick ? 1 : 2;
     }
     const int n =
         scene->isCrowd && !o->hasSubsteps && o->numSubsteps > CROWD_SUBSTEPS ? CROWD_SUBSTEPS : o->numSubsteps;
@@ -183,17 +186,18 @@ static int chooseSubsteps(const Options *o, const Scene *scene, int substeps[MAX
     return n;
 }
 
-static bool isSettingWanted(const Scene *scene, const Engine *e, int setting) {
-    return !scene->isCrowd || !e->crowds || (e->crowds & 1u << setting);
+static bool isSettingWanted(const Options *o, const Scene *scene, const Engine *e, int setting) {
+    return !(scene->isCrowd || o->quick) || !e->crowds || (e->crowds & 1u << setting);
 }
 
+/* Those with few sub-steps come first: they shall not lack time. */
 static int makeRows(const Options *o, const Scene *scene, Row rows[MAX_ROWS]) {
     int n = 0, substeps[MAX_SUBSTEPS];
     const int numSubsteps = chooseSubsteps(o, scene, substeps);
-    for (int e = 0; engines[e]; e++)
-        for (int s = 0; engines[e]->settings[s]; s++)
-            for (int k = 0; k < numSubsteps && n < MAX_ROWS; k++)
-                if (isWanted(o, engines[e]) && isSettingWanted(scene, engines[e], s))
+    for (int k = 0; k < numSubsteps; k++)
+        for (int e = 0; engines[e]; e++)
+            for (int s = 0; engines[e]->settings[s] && n < MAX_ROWS; s++)
+                if (isWanted(o, engines[e]) && isSettingWanted(o, scene, engines[e], s))
                     rows[n++] = (Row){.engine = engines[e],
                                       .setting = s,
                                       .substeps = substeps[k],
@@ -201,11 +205,12 @@ static int makeRows(const Options *o, const Scene *scene, Row rows[MAX_ROWS]) {
     return n;
 }
 
-/* Whether a row has one more run. What a first run may take is its share of what is left; others are as long as it. */
+/* Whether a row has one more run. A first run may take so many times its share of what is left, since many take less;
+ * others are as long as it. */
 static bool runsOnce(const Options *o, const Row *r, int run, double left, double *budget) {
     if (r->lack)
         return false;
-    *budget = run == 0 && left < o->runBudget ? left : o->runBudget;
+    *budget = run == 0 && left < o->runBudget ? fmax(left, 0) : o->runBudget;
     return run == 0 || (r->spent <= o->rowBudget && r->spent / run < left);
 }
 
@@ -216,7 +221,8 @@ static void runRows(const Options *o, const Scene *scene, Row rows[], int n, dou
         for (int i = 0; i < n; i++) {
             Row *r = &rows[i];
             double budget;
-            if (!runsOnce(o, r, run, (end - now()) / (run == 0 ? n - i : 1), &budget))
+            const double left = end - now();
+            if (!runsOnce(o, r, run, run == 0 ? fmin(left, GENEROUS * left / (n - i)) : left, &budget))
                 continue;
             RunResult *result = &r->runs[r->numRuns++];
             *result = run_scene(scene, r->engine, r->setting, r->substeps, budget);

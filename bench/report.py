@@ -420,8 +420,11 @@ def scaling(directory):
             "set ylabel 'CPU time of a frame, us'\n", []
         for index, name in enumerate(dict.fromkeys(map(solver_of, of))):
             at = {int(line['size']): line for line in of if solver_of(line) == name}
-            points = [(size, float(line['value'])) for size, line in at.items() if float(line['value']) > 0]
+            points = [(size, float(line['value'])) for size, line in at.items()
+                      if line['outcome'] == 'holds' and float(line['value']) > 0]
             found.append((name, *(growth_cell(at.get(size)) for size in sizes), f'{exponent(points):.2f}'))
+            if not points:
+                continue
             script += block(f's{index}', points)
             plots.append(f"$s{index} with linespoints pt {5 + 2 * (index % SHAPES)} lc {index % COLOURS + 1} title '{name}'")
         yield from [f'**{kind}**', '']
@@ -431,9 +434,10 @@ def scaling(directory):
     weights = [line for line in lines if line['what'] == 'memory']
     kinds = list(dict.fromkeys(line['kind'] for line in weights))
     yield from ['## Memory', '', 'Bytes that the process has taken for one more, at the number of bodies in the last column: '
-                'what has grown over an empty world,', 'divided by the number. A body has its model and its shape.', '']
+                'what has grown over an empty world,', 'divided by the number. A body has its model and its shape. `-`: no more, since MuJoCo takes room for the most that may '
+                'come in advance.', '']
     yield from table(('engine', *kinds, 'bodies'), [
-        (engine, *(next(line['value'] for line in weights if line['engine'] == engine and line['kind'] == kind)
+        (engine, *(next(line['value'] if float(line['value']) > 0 else '-' for line in weights if line['engine'] == engine and line['kind'] == kind)
                    for kind in kinds), next(line['size'] for line in weights if line['engine'] == engine))
         for engine in dict.fromkeys(line['engine'] for line in weights)])
     yield from command('build/bench/bench/scaling')

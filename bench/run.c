@@ -75,7 +75,7 @@ static void observe(Run *r, double time) {
     r->scene->observe(&r->trace, &r->world, r->states, time);
     for (int i = 0; i < r->world.numBodies; i++)
         memcpy(r->trace.before[i], r->trace.last[i].position, sizeof r->trace.before[i]);
-    memcpy(r->trace.last, r->states, sizeof r->trace.last);
+    memcpy(r->trace.last, r->states, (size_t)r->world.numBodies * sizeof r->states[0]);
     r->trace.lastTime = time;
 }
 
@@ -108,7 +108,8 @@ RunResult run_scene(const Scene *scene, const Engine *engine, int setting, int s
     RunResult result = {.outcome = RUN_HOLDS, .hash = 14695981039346656037u};
     Run *r = calloc(1, sizeof *r);
     const int frames = (int)lround(scene->duration / scene_frame(scene));
-    double *times = calloc((size_t)frames, sizeof *times), spent = 0;
+    double *times = calloc((size_t)frames, sizeof *times);
+    const double start = now();
     double cpu = 0;
     int n = 0;
     if (!r || !times)
@@ -122,12 +123,12 @@ RunResult run_scene(const Scene *scene, const Engine *engine, int setting, int s
     observe(r, 0);
     while (n < frames && !r->trace.isDone && result.outcome == RUN_HOLDS) {
         const double before = cpuTime();
-        spent += times[n] = frame(r, substeps);
+        times[n] = frame(r, substeps);
         cpu += cpuTime() - before;
         readStates(r);
         hash(r, &result.hash);
         observe(r, ++n * scene_frame(scene));
-        result.outcome = hasFailed(r) ? RUN_FAILS : spent > budget ? RUN_TIMES_OUT : RUN_HOLDS;
+        result.outcome = hasFailed(r) ? RUN_FAILS : now() - start > budget ? RUN_TIMES_OUT : RUN_HOLDS;
     }
     result.simulated = n * scene_frame(scene);
     result.cpu = n ? cpu / result.simulated : 0;

@@ -27,7 +27,8 @@ const char *run_lack(const Scene *scene, const Engine *engine, int setting);
 /* The engine's world with the scene's, which must live as long. Destroyed by the engine. */
 EngineWorld *run_make(const Engine *engine, int setting, const SceneWorld *world);
 
-/* Every frame is `substeps` steps. Ends early when the scene is done, has failed, or has taken `budget` seconds. */
+/* Every frame is `substeps` steps. Ends early when the scene is done, has failed, or has taken `budget` seconds,
+ * watching included. */
 RunResult run_scene(const Scene *scene, const Engine *engine, int setting, int substeps, double budget);
 
 #endif
