@@ -3,9 +3,9 @@
  *     hour [--minutes N] [--peer FILE]        60
  *
  * A pendulum, a box that tumbles without gravity, and a quadruped robot that turns without gravity, its legs on hinges.
- * The largest errors so far, after a hundredth, a tenth and all of the time: of the energy over its scale (m g l, or the
- * kinetic energy at the start), of the angular momentum about the origin over that at the start, of the linear one over
- * the mass times 1 m/s. Nothing is put to sleep and nothing is damped. A run may take `budget` seconds. */
+ * The largest errors so far, after a hundredth, a tenth and all of the time: of the energy over its scale (m g l, or
+ * the kinetic energy at the start), of the angular momentum about the origin over that at the start, of the linear one
+ * over the mass times 1 m/s. Nothing is put to sleep and nothing is damped. A run may take `budget` seconds. */
 #include "timing.h"
 
 #include "engines.h"

@@ -192,8 +192,8 @@ static void watchDominoes(SceneTrace *t, const SceneWorld *w, const SceneState s
         scenes_note(t, 2, scenes_deepest(w, states));
 }
 
-/* s, for the wave from the one to the other: 5.268, 5.212, 5.191, 5.177 with 1, 4, 16, 64 sub-steps of the exact solver in
- * double precision, 5.179 with 64 of the fast one, and 5.179 with 64 of Bullet. */
+/* s, for the wave from the one to the other: 5.268, 5.212, 5.191, 5.177 with 1, 4, 16, 64 sub-steps of the exact solver
+ * in double precision, 5.179 with 64 of the fast one, and 5.179 with 64 of Bullet. */
 static const double waveTime = 5.18;
 
 static void measureDominoes(const SceneTrace *t, const SceneWorld *w, double errors[SCENE_MAX_ERRORS]) {

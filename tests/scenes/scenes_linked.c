@@ -309,12 +309,12 @@ const Scene scenes_cars = {
 
 /* A bridge with a crate on every plank, in its equilibrium
  *
- * The forces in the joints have a constant part H to the side, and an upright part that grows by the weight G of a plank
- * with its crate from joint to joint, and is 0 in the middle by symmetry: n G beside the n-th plank from the middle, on
- * average. A plank (length L) at the angle a is in balance about its middle if
+ * The forces in the joints have a constant part H to the side, and an upright part that grows by the weight G of a
+ * plank with its crate from joint to joint, and is 0 in the middle by symmetry: n G beside the n-th plank from the
+ * middle, on average. A plank (length L) at the angle a is in balance about its middle if
  *   cos a L n G = sin a (L H - d G'),
- * G' the weight of the crate, whose centre is d above the plank's line: tan a = n k, with k = G / (H - d G' / L). So k may
- * be chosen, and H follows. */
+ * G' the weight of the crate, whose centre is d above the plank's line: tan a = n k, with k = G / (H - d G' / L). So k
+ * may be chosen, and H follows. */
 
 enum { PLANKS = 30 };
 static const double plankLength = .5, plankThickness = .05, plankWidth = 2, crateSize = .3; /* m */
