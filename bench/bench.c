@@ -14,8 +14,7 @@
 #include <string.h>
 
 enum { MAX_SUBSTEPS = 8, MAX_ROWS = 256, RUNS = 5 };
-enum { CROWD_SUBSTEPS = 2, CROWD_SHARE = 8, GENEROUS = 3 }; /* numbers of sub-steps; times as long as another scene, */
-                                                            /* as its share */
+enum { CROWD_SUBSTEPS = 2, CROWD_SHARE = 8 }; /* numbers of sub-steps, and times as long as another scene */
 
 typedef struct Options {
     bool quick, free;
@@ -205,8 +204,7 @@ static int makeRows(const Options *o, const Scene *scene, Row rows[MAX_ROWS]) {
     return n;
 }
 
-/* Whether a row has one more run. A first run may take so many times its share of what is left, since many take less;
- * others are as long as it. */
+/* Whether a row has one more run. What a first run may take is its share of what is left; others are as long as it. */
 static bool runsOnce(const Options *o, const Row *r, int run, double left, double *budget) {
     if (r->lack)
         return false;
@@ -222,7 +220,7 @@ static void runRows(const Options *o, const Scene *scene, Row rows[], int n, dou
             Row *r = &rows[i];
             double budget;
             const double left = end - now();
-            if (!runsOnce(o, r, run, run == 0 ? fmin(left, GENEROUS * left / (n - i)) : left, &budget))
+            if (!runsOnce(o, r, run, run == 0 ? left / (n - i) : left, &budget))
                 continue;
             RunResult *result = &r->runs[r->numRuns++];
             *result = run_scene(scene, r->engine, r->setting, r->substeps, budget);
