@@ -4,23 +4,26 @@
  * BENCH_PIPELINE, as pipeline, where Karma is a universe and finds them itself: scenes without contact are left out. */
 #include "timing.h"
 
+#include "engines.h"
 #include "run.h"
 
-#include <dlfcn.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_SUBSTEPS = 8, MAX_ROWS = 256, RUNS = 5, MAX_ENGINES = 8 };
+enum { MAX_SUBSTEPS = 8, MAX_ROWS = 256, RUNS = 5 };
+enum { CROWD_SUBSTEPS = 2, CROWD_SHARE = 8 }; /* numbers of sub-steps, and times as long as another scene */
 
 typedef struct Options {
     bool quick, free;
     const char *scene, *engine; /* null: all */
     const char *csv, *markdown; /* null: none */
     int substeps[MAX_SUBSTEPS], numSubsteps;
+    bool hasSubsteps;            /* as asked for */
     double budget;               /* s, asked for; 0: what --quick says */
+    double total;                /* s, of all scenes; 0: as long as they take */
     double runBudget, rowBudget; /* s, of one run, and after which a row gets no further one */
 } Options;
 
@@ -28,54 +31,23 @@ typedef struct Options {
 typedef struct Row {
     const Engine *engine;
     int setting, substeps, numRuns;
-    double spent; /* s */
+    const char *lack; /* of what the scene needs; null: nothing */
+    double spent;     /* s */
     RunResult runs[RUNS];
 } Row;
-
-static const Engine *engines[MAX_ENGINES + 1] = {
-#ifdef BENCH_PIPELINE
-    &engine_universe_single,
-    &engine_universe_double,
-#else
-    &engine_karma_single,
-    &engine_karma_double,
-#endif
-#ifdef BENCH_ODE
-    &engine_ode,
-#endif
-#ifdef BENCH_BULLET
-    &engine_bullet,
-#endif
-#ifdef BENCH_MUJOCO
-    &engine_mujoco,
-#endif
-    NULL,
-};
-
-static const char *const absent[] = {
-#ifndef BENCH_ODE
-    "ODE is not there: the Debian package libode-dev brings it.",
-#endif
-#ifndef BENCH_BULLET
-    "Bullet is not there: the Debian package libbullet-dev brings it.",
-#endif
-#ifndef BENCH_MUJOCO
-    "MuJoCo is not there: the Debian package libmujoco-dev brings it.",
-#endif
-    NULL,
-};
 
 /* Options */
 
 static void usage(FILE *to) {
     fputs("usage: bench [options]\n"
-          "  --quick            fewer runs of slow rows, and no run of more than some seconds\n"
+          "  --quick            one step a frame, fewer settings, fewer runs of slow rows, none of more than 2 s\n"
           "  --free             only scenes without contact\n"
           "  --scene NAME       only this scene (see --list)\n"
           "  --engine NAME      only engines whose names begin so\n"
           "  --peer FILE        also the engine of that shared library, see engine.h\n"
           "  --substeps N,...   steps per frame of 1/60 s, at most 8 numbers; 1,4 if not given\n"
           "  --budget S         s that a run may take before it is too slow\n"
+          "  --total S          s that all may take: each scene gets its share, and a run that of its scene\n"
           "  --csv FILE         also write all figures there, a line for each run\n"
           "  --markdown FILE    also write a table of the first errors and the median times there\n"
           "  --list             name the scenes\n",
@@ -87,22 +59,9 @@ static void list(void) {
         printf("%s: %s.\n", scenes[i]->name, scenes[i]->text);
 }
 
-/* A peer from outside: a shared library with an Engine called `engine`. False, with a message, if it is none. */
-static bool addPeer(const char *file) {
-    int n = 0;
-    while (engines[n])
-        n++;
-    void *library = dlopen(file, RTLD_NOW);
-    const Engine *peer = library ? dlsym(library, "engine") : NULL;
-    if (!peer)
-        fprintf(stderr, "%s: %s\n", file, dlerror());
-    if (peer && n < MAX_ENGINES)
-        engines[n] = peer;
-    return peer && n < MAX_ENGINES;
-}
-
 static bool readSubsteps(Options *o, const char *text) {
     o->numSubsteps = 0;
+    o->hasSubsteps = true;
     while (o->numSubsteps < MAX_SUBSTEPS) {
         char *end;
         const long n = strtol(text, &end, 10);
@@ -139,9 +98,13 @@ static int readOption(Options *o, const char *name, const char *value) {
         return 2;
     }
     if (strcmp(name, "--peer") == 0)
-        return addPeer(value) ? 2 : 0;
+        return engines_addPeer(value) ? 2 : 0;
     if (strcmp(name, "--budget") == 0 && atof(value) > 0) {
         o->budget = atof(value);
+        return 2;
+    }
+    if (strcmp(name, "--total") == 0 && atof(value) > 0) {
+        o->total = atof(value);
         return 2;
     }
     if (strcmp(name, "--csv") == 0) {
@@ -175,7 +138,9 @@ static Options readOptions(int argc, char *argv[]) {
         i += taken;
     }
     if (o.quick) {
-        o.runBudget = .5;
+        if (!o.hasSubsteps)
+            o.numSubsteps = 1;
+        o.runBudget = 2;
         o.rowBudget = .05;
     }
     if (o.budget > 0)
@@ -197,30 +162,69 @@ static bool isWantedScene(const Options *o, const Scene *s) {
 #endif
 }
 
+/* Karma's engine of the other program is left out. */
 static bool isWanted(const Options *o, const Engine *e) {
-    return !o->engine || strncmp(e->name, o->engine, strlen(o->engine)) == 0;
+#ifdef BENCH_PIPELINE
+    const bool isOther = e == &engine_karma_single || e == &engine_karma_double;
+#else
+    const bool isOther = e == &engine_universe_single || e == &engine_universe_double;
+#endif
+    return !isOther && (!o->engine || strncmp(e->name, o->engine, strlen(o->engine)) == 0);
 }
 
-static int makeRows(const Options *o, Row rows[MAX_ROWS]) {
-    int n = 0;
-    for (int e = 0; engines[e]; e++)
-        for (int s = 0; engines[e]->settings[s]; s++)
-            for (int k = 0; k < o->numSubsteps && n < MAX_ROWS; k++)
-                if (isWanted(o, engines[e]))
-                    rows[n++] = (Row){.engine = engines[e], .setting = s, .substeps = o->substeps[k]};
+/* Frames of a published scene are longer or shorter, and it has steps of 1 ms. */
+static int chooseSubsteps(const Options *o, const Scene *scene, int substeps[MAX_SUBSTEPS]) {
+    if (scene->frame > 0 && !o->hasSubsteps) {
+        substeps[0] = 1;
+        substeps[1] = (int)lround(scene->frame / .001);
+        return o->quick ? 1 : 2;
+    }
+    const int n =
+        scene->isCrowd && !o->hasSubsteps && o->numSubsteps > CROWD_SUBSTEPS ? CROWD_SUBSTEPS : o->numSubsteps;
+    memcpy(substeps, o->substeps, (size_t)n * sizeof *substeps);
     return n;
 }
 
+static bool isSettingWanted(const Options *o, const Scene *scene, const Engine *e, int setting) {
+    return !(scene->isCrowd || o->quick) || !e->crowds || (e->crowds & 1u << setting);
+}
+
+/* Those with few sub-steps come first: they shall not lack time. */
+static int makeRows(const Options *o, const Scene *scene, Row rows[MAX_ROWS]) {
+    int n = 0, substeps[MAX_SUBSTEPS];
+    const int numSubsteps = chooseSubsteps(o, scene, substeps);
+    for (int k = 0; k < numSubsteps; k++)
+        for (int e = 0; engines[e]; e++)
+            for (int s = 0; engines[e]->settings[s] && n < MAX_ROWS; s++)
+                if (isWanted(o, engines[e]) && isSettingWanted(o, scene, engines[e], s))
+                    rows[n++] = (Row){.engine = engines[e],
+                                      .setting = s,
+                                      .substeps = substeps[k],
+                                      .lack = run_lack(scene, engines[e], s)};
+    return n;
+}
+
+/* Whether a row has one more run. What a first run may take is its share of what is left; others are as long as it. */
+static bool runsOnce(const Options *o, const Row *r, int run, double left, double *budget) {
+    if (r->lack)
+        return false;
+    *budget = run == 0 && left < o->runBudget ? fmax(left, 0) : o->runBudget;
+    return run == 0 || (r->spent <= o->rowBudget && r->spent / run < left);
+}
+
 /* The rows take turns, so that what else the machine does meets all of them. */
-static void runRows(const Options *o, const Scene *scene, Row rows[], int n) {
+static void runRows(const Options *o, const Scene *scene, Row rows[], int n, double seconds) {
+    const double end = now() + seconds;
     for (int run = 0; run < RUNS; run++)
         for (int i = 0; i < n; i++) {
             Row *r = &rows[i];
-            if (!run_isPossible(scene, r->engine) || (run > 0 && r->spent > o->rowBudget))
+            double budget;
+            const double left = end - now();
+            if (!runsOnce(o, r, run, run == 0 ? left / (n - i) : left, &budget))
                 continue;
             RunResult *result = &r->runs[r->numRuns++];
-            *result = run_scene(scene, r->engine, r->setting, r->substeps, o->runBudget);
-            r->spent += 1e-6 * result->median * result->simulated / SCENE_FRAME;
+            *result = run_scene(scene, r->engine, r->setting, r->substeps, budget);
+            r->spent += 1e-6 * result->median * result->simulated / scene_frame(scene);
         }
 }
 
@@ -292,7 +296,7 @@ static void printErrors(const Scene *s, const RunResult *result) {
 static void printRow(const Scene *s, const Row *r) {
     printf("%-14s%-10s%4d", r->engine->name, r->engine->settings[r->setting], r->substeps);
     if (r->numRuns == 0) {
-        printf("%15s\n", "-");
+        printf("%15s %s\n", "-", r->lack);
         return;
     }
     const RunResult result = resultOf(r);
@@ -311,14 +315,14 @@ static void writeRun(FILE *csv, const Scene *s, const Row *r, int run) {
             fprintf(csv, ",%s,%g,%.6g", s->errors[k].name, s->errors[k].goal, result->errors[k]);
         else
             fputs(",,,", csv);
-    fputc('\n', csv);
+    fputs(",\n", csv);
 }
 
 /* What an engine has nothing for is a line without run. */
 static void writeRow(FILE *csv, const Scene *s, const Row *r) {
     if (r->numRuns == 0)
-        fprintf(csv, "%s,%s,%s,%d,,impossible,,,,,,,,,,,,,,,\n", s->name, r->engine->name,
-                r->engine->settings[r->setting], r->substeps);
+        fprintf(csv, "%s,%s,%s,%d,,impossible,,,,,,,,,,,,,,,,%s\n", s->name, r->engine->name,
+                r->engine->settings[r->setting], r->substeps, r->lack);
     for (int i = 0; i < r->numRuns; i++)
         writeRun(csv, s, r, i);
 }
@@ -355,19 +359,21 @@ static void writeMarkdownCell(FILE *markdown, const Row *r) {
 }
 
 static void writeMarkdown(FILE *markdown, const Options *o, const Scene *s, const Row rows[], int n) {
-    for (int k = 0; k < o->numSubsteps; k++) {
-        fprintf(markdown, "| %s | %d |", s->name, o->substeps[k]);
+    int substeps[MAX_SUBSTEPS];
+    const int numSubsteps = chooseSubsteps(o, s, substeps);
+    for (int k = 0; k < numSubsteps; k++) {
+        fprintf(markdown, "| %s | %d |", s->name, substeps[k]);
         for (int i = 0; i < n; i++)
-            if (rows[i].substeps == o->substeps[k])
+            if (rows[i].substeps == substeps[k])
                 writeMarkdownCell(markdown, &rows[i]);
         fputc('\n', markdown);
     }
 }
 
-static void benchScene(const Options *o, const Scene *s, FILE *csv, FILE *markdown) {
+static void benchScene(const Options *o, const Scene *s, double seconds, FILE *csv, FILE *markdown) {
     Row rows[MAX_ROWS];
-    const int n = makeRows(o, rows);
-    runRows(o, s, rows, n);
+    const int n = makeRows(o, s, rows);
+    runRows(o, s, rows, n, seconds);
     printHead(s);
     printGoals(s);
     for (int i = 0; i < n; i++) {
@@ -380,7 +386,7 @@ static void benchScene(const Options *o, const Scene *s, FILE *csv, FILE *markdo
     fflush(stdout);
 }
 
-static void printLegend(void) {
+static void printLegend(const Options *o) {
     puts("Times are of a frame of 1/60 s, sub-steps and contacts included: medians over runs of the median and of the\n"
          "worst frame. '-': the engine has nothing for it; 'fails T': broke, fell or gave up after T simulated "
          "seconds;\n"
@@ -388,9 +394,10 @@ static void printLegend(void) {
          "frame;\n"
          "goal: what Karma is to reach with one step per frame.");
     for (int e = 0; engines[e]; e++)
-        printf("* %s %s: %s.\n", engines[e]->name, engines[e]->version, engines[e]->about);
-    for (int i = 0; absent[i]; i++)
-        printf("* %s\n", absent[i]);
+        if (isWanted(o, engines[e]))
+            printf("* %s %s: %s.\n", engines[e]->name, engines[e]->version, engines[e]->about);
+    for (int i = 0; engines_absent[i]; i++)
+        printf("* %s\n", engines_absent[i]);
 }
 
 /* Null where none is wanted. */
@@ -410,36 +417,47 @@ static void closeFile(FILE *file) {
         fclose(file);
 }
 
-static int countScenes(const Options *o) {
+static int shareOf(const Scene *s) {
+    return s->isCrowd ? CROWD_SHARE : 1;
+}
+
+static int countShares(const Options *o) {
     int n = 0;
     for (int i = 0; scenes[i]; i++)
-        n += isWantedScene(o, scenes[i]);
+        n += isWantedScene(o, scenes[i]) ? shareOf(scenes[i]) : 0;
     return n;
 }
 
-/* The rest takes as long a scene as those that are done, if it is known yet. */
-static void tellProgress(const Scene *s, int done, int wanted, double spent) {
-    fprintf(stderr, "scene %d of %d, %s", done + 1, wanted, s->name);
+/* The rest takes as long a share as those that are done, if it is known yet, and no longer than is allowed. */
+static void tellProgress(const Options *o, const Scene *s, int done, int shares, double spent) {
+    const double left = done ? spent / done * (shares - done) : 0, most = o->total > 0 ? o->total - spent : INFINITY;
+    fprintf(stderr, "%d %%, %s", 100 * done / shares, s->name);
     if (done)
-        fprintf(stderr, ", about %.0f s left", spent / done * (wanted - done));
+        fprintf(stderr, ", about %.0f s left", fmax(fmin(left, most), 0));
     fputc('\n', stderr);
+}
+
+/* s, that the scene may take: its share of what is left. */
+static double secondsOf(const Options *o, const Scene *s, int sharesLeft, double spent) {
+    return o->total > 0 ? fmax(o->total - spent, 0) * shareOf(s) / sharesLeft : INFINITY;
 }
 
 int main(int argc, char *argv[]) {
     const Options o = readOptions(argc, argv);
     FILE *csv =
         openFile(o.csv, "scene,engine,setting,substeps,run,outcome,simulated s,median us,p95 us,p99 us,worst us,"
-                        "cpu s/s,error,goal,value,error 2,goal 2,value 2,error 3,goal 3,value 3\n");
+                        "cpu s/s,error,goal,value,error 2,goal 2,value 2,error 3,goal 3,value 3,lack\n");
     FILE *markdown = openFile(o.markdown, "");
     if (markdown)
         writeMarkdownHead(markdown, &o);
-    printLegend();
+    printLegend(&o);
     const double start = now();
-    const int wanted = countScenes(&o);
+    const int shares = countShares(&o);
     for (int i = 0, done = 0; scenes[i]; i++)
         if (isWantedScene(&o, scenes[i])) {
-            tellProgress(scenes[i], done++, wanted, now() - start);
-            benchScene(&o, scenes[i], csv, markdown);
+            tellProgress(&o, scenes[i], done, shares, now() - start);
+            benchScene(&o, scenes[i], secondsOf(&o, scenes[i], shares - done, now() - start), csv, markdown);
+            done += shareOf(scenes[i]);
         }
     closeFile(csv);
     closeFile(markdown);

@@ -37,7 +37,13 @@ struct EngineWorld {
     btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
     std::vector<std::unique_ptr<btCollisionShape>> shapes;
     std::vector<std::unique_ptr<btRigidBody>> bodies;
-    std::vector<btVector3> forces; /* N */
+    std::vector<SceneBody> from;
+    double time = 0; /* s */
+    struct Motor {
+        btHingeConstraint *hinge;
+        double torque;
+    };
+    std::vector<Motor> motors;
     std::vector<std::unique_ptr<btTypedConstraint>> joints;
     std::unique_ptr<btRigidBody> ground;
 
@@ -68,6 +74,8 @@ void addGround(EngineWorld *w) {
 std::unique_ptr<btCollisionShape> shapeOf(const SceneBody *b) {
     if (b->shape == SCENE_SPHERE)
         return std::make_unique<btSphereShape>(btScalar(b->half[0]));
+    if (b->shape == SCENE_CAPSULE)
+        return std::make_unique<btCapsuleShapeZ>(btScalar(b->half[0]), btScalar(2 * (b->half[2] - b->half[0])));
     return std::make_unique<btBoxShape>(vector(b->half));
 }
 
@@ -87,7 +95,7 @@ void addBody(EngineWorld *w, const SceneBody *b) {
     w->shapes.push_back(shapeOf(b));
     w->bodies.push_back(
         std::make_unique<btRigidBody>(btScalar(b->mass), nullptr, w->shapes.back().get(), vector(inertia)));
-    w->forces.push_back(vector(b->force));
+    w->from.push_back(*b);
     btRigidBody *body = w->bodies.back().get();
     place(body, &b->start);
     body->setFriction(btScalar(b->friction));
@@ -116,15 +124,31 @@ std::unique_ptr<btTypedConstraint> makeJoint(const SceneJoint *j, btRigidBody &c
     return std::make_unique<btPoint2PointConstraint>(child, point);
 }
 
+/* Its angle is that of the second body against the first, its largest impulse that of one step. */
+void setHinge(EngineWorld *w, const SceneJoint *j, btHingeConstraint *hinge) {
+    if (j->stops[0] < j->stops[1])
+        hinge->setLimit(btScalar(j->stops[0]), btScalar(j->stops[1]));
+    if (j->torque > 0) {
+        hinge->enableAngularMotor(true, btScalar(j->speed), 0);
+        w->motors.push_back({hinge, j->torque});
+    }
+}
+
 void addJoint(EngineWorld *w, const SceneJoint *j) {
     btRigidBody *parent = j->parent == SCENE_WORLD ? nullptr : w->bodies[size_t(j->parent)].get();
     w->joints.push_back(makeJoint(j, *w->bodies[size_t(j->child)], parent));
+    if (j->kind == SCENE_HINGE)
+        setHinge(w, j, static_cast<btHingeConstraint *>(w->joints.back().get()));
     w->world.addConstraint(w->joints.back().get(), true);
 }
 
 void step(EngineWorld *w, double h) {
     for (size_t i = 0; i < w->bodies.size(); i++)
-        w->bodies[i]->applyCentralForce(w->forces[i]); /* the last step has taken them away */
+        if (scene_isPushed(&w->from[i], w->time)) /* the last step has taken it away */
+            w->bodies[i]->applyCentralForce(vector(w->from[i].force));
+    w->time += h;
+    for (const EngineWorld::Motor &motor : w->motors)
+        motor.hinge->setMaxMotorImpulse(btScalar(motor.torque * h));
     w->world.stepSimulation(btScalar(h), 0);
 }
 

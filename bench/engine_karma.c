@@ -20,9 +20,10 @@ typedef struct Contact {
 struct EngineWorld {
     MdtWorldID world;
     MdtBodyID bodies[SCENE_MAX_BODIES];
-    double sizes[SCENE_MAX_BODIES];     /* m, smallest half edges */
-    double forces[SCENE_MAX_BODIES][3]; /* N */
+    double sizes[SCENE_MAX_BODIES]; /* m, smallest half edges */
+    SceneBody from[SCENE_MAX_BODIES];
     int numBodies;
+    double time; /* s */
     Contact contacts[SCENE_MAX_CONTACTS];
     int numContacts;
 };
@@ -46,7 +47,7 @@ static void addBody(EngineWorld *w, const SceneBody *b) {
     double inertia[3];
     scene_inertia(b, inertia);
     const MeMatrix3 tensor = {{(MeReal)inertia[0], 0, 0}, {0, (MeReal)inertia[1], 0}, {0, 0, (MeReal)inertia[2]}};
-    memcpy(w->forces[w->numBodies], b->force, sizeof b->force);
+    w->from[w->numBodies] = *b;
     w->sizes[w->numBodies] = fmin(b->half[0], fmin(b->half[1], b->half[2]));
     const MdtBodyID body = w->bodies[w->numBodies++] = MdtBodyCreate(w->world);
     MdtBodySetMass(body, (MeReal)b->mass);
@@ -138,7 +139,8 @@ static void setContacts(EngineWorld *w, const SceneContact contacts[], int n) {
 
 static void step(EngineWorld *w, double h) {
     for (int i = 0; i < w->numBodies; i++)
-        karma_push(w->bodies[i], w->forces[i]);
+        karma_push(w->bodies[i], &w->from[i], w->time);
+    w->time += h;
     MdtWorldStep(w->world, (MeReal)h);
 }
 

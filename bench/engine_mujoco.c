@@ -2,29 +2,37 @@
  * integrator.
  *
  * A model is compiled from XML before it can be simulated, so bodies and joints are collected until the first step.
- * Joints are MuJoCo's own kind, coordinates of a tree, whose gaps are 0 by construction. It has no restitution. */
+ * Joints are MuJoCo's own kind, coordinates of a tree, whose gaps are 0 by construction; those that close loops are
+ * constraints. It has no restitution. */
 #include "engine.h"
 
 #include <mujoco/mujoco.h>
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_TEXT = 1 << 17 };
+enum { MAX_TEXT = 1 << 20, MAX_BODIES = 250, MAX_DEPTH = 90 /* its reader of XML nests to 100 */ };
+
+static const double unreachable = 100; /* rad/s: a motor of such a speed is a constant torque */
 
 struct EngineWorld {
     int setting, numBodies;
     bool collides, hasGround;
     double gravity[3];
     SceneBody bodies[SCENE_MAX_BODIES];
-    const SceneJoint *joints[SCENE_MAX_BODIES]; /* by child; null: free */
-    int ids[SCENE_MAX_BODIES];                  /* the model's */
-    char text[MAX_TEXT];                        /* of the model */
+    const SceneJoint *joints[SCENE_MAX_BODIES]; /* the first of each child; null: free */
+    const SceneJoint *loops[SCENE_MAX_JOINTS];  /* the others */
+    int numLoops;
+    int ids[SCENE_MAX_BODIES]; /* the model's */
+    char text[MAX_TEXT];       /* of the model */
     size_t length;
     mjModel *model;
     mjData *data;
+    double time;  /* s */
+    bool hasNone; /* it could not be made */
     bool isFresh; /* what getState reads has been computed since the last step */
 };
 
@@ -73,13 +81,32 @@ static void sayJoint(EngineWorld *w, const SceneJoint *j, const SceneState *s) {
     sayNumbers(w, "pos", point, 3);
     if (j->kind == SCENE_HINGE)
         sayNumbers(w, "axis", axis, 3);
+    if (j->stops[0] < j->stops[1]) {
+        say(w, " limited='true'");
+        sayNumbers(w, "range", j->stops, 2);
+    }
+    say(w, "/>");
+}
+
+static void sayMass(EngineWorld *w, const SceneBody *b) {
+    double inertia[3];
+    scene_inertia(b, inertia);
+    say(w, "<inertial pos='0 0 0' mass='%.17g'", b->mass);
+    sayNumbers(w, "diaginertia", inertia, 3);
     say(w, "/>");
 }
 
 static void sayShape(EngineWorld *w, const SceneBody *b) {
-    say(w, "<geom type='%s' mass='%.17g' friction='%.17g .005 .0001' contype='%d' conaffinity='%d'",
-        b->shape == SCENE_SPHERE ? "sphere" : "box", b->mass, b->friction, w->collides, w->collides);
-    sayNumbers(w, "size", b->half, b->shape == SCENE_SPHERE ? 1 : 3);
+    static const char *const types[] = {[SCENE_BOX] = "box", [SCENE_SPHERE] = "sphere", [SCENE_CAPSULE] = "capsule"};
+    const double capsule[2] = {b->half[0], b->half[2] - b->half[0]};
+    if (b->mass > 0)
+        sayMass(w, b);
+    say(w, "<geom type='%s' friction='%.17g .005 .0001' contype='%d' conaffinity='%d'", types[b->shape], b->friction,
+        w->collides, w->collides);
+    if (b->shape == SCENE_CAPSULE)
+        sayNumbers(w, "size", capsule, 2);
+    else
+        sayNumbers(w, "size", b->half, b->shape == SCENE_SPHERE ? 1 : 3);
     say(w, "/>");
 }
 
@@ -90,7 +117,8 @@ static void sayBody(EngineWorld *w, int i, const SceneState *parent) {
     say(w, "<body name='b%d'", i);
     sayPose(w, &b->start, parent);
     say(w, ">");
-    sayJoint(w, w->joints[i], &b->start);
+    if (b->mass > 0)
+        sayJoint(w, w->joints[i], &b->start);
     sayShape(w, b);
     sayChildren(w, i);
     say(w, "</body>\n");
@@ -103,8 +131,32 @@ static void sayChildren(EngineWorld *w, int parent) {
             sayBody(w, i, parent == SCENE_WORLD ? &origin : &w->bodies[parent].start);
 }
 
+/* They are met softly, and their bodies do not collide. */
+static void sayLoops(EngineWorld *w) {
+    if (w->numLoops == 0)
+        return;
+    say(w, "<equality>");
+    for (int i = 0; i < w->numLoops; i++) {
+        const SceneJoint *j = w->loops[i];
+        double anchor[3];
+        for (int c = 0; c < 3; c++)
+            anchor[c] = j->point[c] - w->bodies[j->child].start.position[c];
+        scene_rotateBack(w->bodies[j->child].start.quaternion, anchor, anchor);
+        say(w, "<connect body1='b%d'", j->child);
+        if (j->parent != SCENE_WORLD)
+            say(w, " body2='b%d'", j->parent);
+        sayNumbers(w, "anchor", anchor, 3);
+        say(w, "/>\n");
+    }
+    say(w, "</equality><contact>");
+    for (int i = 0; i < w->numLoops; i++)
+        if (w->loops[i]->parent != SCENE_WORLD)
+            say(w, "<exclude body1='b%d' body2='b%d'/>", w->loops[i]->child, w->loops[i]->parent);
+    say(w, "</contact>");
+}
+
 static void sayModel(EngineWorld *w) {
-    say(w, "<mujoco><option integrator='%s'", settings[w->setting]);
+    say(w, "<mujoco><compiler angle='radian'/><option integrator='%s'", settings[w->setting]);
     sayNumbers(w, "gravity", w->gravity, 3);
     say(w, "/>");
     if (w->collides) /* else bodies fall through the ground where the default 500 rows are used up */
@@ -113,7 +165,9 @@ static void sayModel(EngineWorld *w) {
     if (w->hasGround) /* its normal is its z-axis */
         say(w, "<geom type='plane' size='1 1 1' zaxis='0 1 0' friction='0 .005 .0001'/>");
     sayChildren(w, SCENE_WORLD);
-    say(w, "</worldbody></mujoco>");
+    say(w, "</worldbody>");
+    sayLoops(w);
+    say(w, "</mujoco>");
 }
 
 /* Compiling it */
@@ -122,6 +176,7 @@ static void keepQuiet(const char *text) {
     (void)text; /* else they go to a file in the working directory */
 }
 
+/* Null, with a message, if there is no memory for it. */
 static mjModel *compile(const char *text, size_t length) {
     char error[500] = "";
     mjVFS *files = malloc(sizeof *files);
@@ -133,10 +188,8 @@ static mjModel *compile(const char *text, size_t length) {
     mjModel *model = mj_loadXML("scene.xml", files, error, sizeof error);
     mj_deleteVFS(files);
     free(files);
-    if (!model) {
-        fprintf(stderr, "MuJoCo does not take its model: %s\n%s\n", error, text);
-        abort();
-    }
+    if (!model)
+        fprintf(stderr, "MuJoCo does not take its model: %s\n", error);
     return model;
 }
 
@@ -144,6 +197,8 @@ static mjModel *compile(const char *text, size_t length) {
 static void setVelocity(EngineWorld *w, int i) {
     const SceneState *s = &w->bodies[i].start;
     const SceneJoint *j = w->joints[i];
+    if (w->bodies[i].mass <= 0)
+        return;
     double *at = w->data->qvel + w->model->body_dofadr[w->ids[i]], spin[3], local[3];
     for (int c = 0; c < 3; c++)
         spin[c] = s->spin[c] - (j && j->parent != SCENE_WORLD ? w->bodies[j->parent].start.spin[c] : 0);
@@ -156,15 +211,22 @@ static void setVelocity(EngineWorld *w, int i) {
         memcpy(j ? at : at + 3, local, sizeof local);
 }
 
-/* It stays until it is set anew. */
+/* They stay until they are set anew. */
 static void setForce(EngineWorld *w, int i) {
-    memcpy(w->data->xfrc_applied + 6 * w->ids[i], w->bodies[i].force, sizeof w->bodies[i].force);
+    const SceneJoint *j = w->joints[i];
+    for (int c = 0; c < 3; c++)
+        w->data->xfrc_applied[6 * w->ids[i] + c] = scene_isPushed(&w->bodies[i], w->time) ? w->bodies[i].force[c] : 0;
+    if (j && j->torque > 0)
+        w->data->qfrc_applied[w->model->body_dofadr[w->ids[i]]] = j->speed > 0 ? j->torque : -j->torque;
 }
 
 static void makeModel(EngineWorld *w) {
     mju_user_warning = keepQuiet;
     sayModel(w);
     w->model = compile(w->text, w->length);
+    w->hasNone = !w->model;
+    if (w->hasNone)
+        return;
     w->data = mj_makeData(w->model);
     for (int i = 0; i < w->numBodies; i++) {
         char name[16];
@@ -196,10 +258,19 @@ static void addBody(EngineWorld *w, const SceneBody *b) {
 }
 
 static void addJoint(EngineWorld *w, const SceneJoint *j) {
-    w->joints[j->child] = j;
+    if (w->joints[j->child])
+        w->loops[w->numLoops++] = j;
+    else
+        w->joints[j->child] = j;
 }
 
 static void step(EngineWorld *w, double h) {
+    if (w->hasNone)
+        return;
+    for (int i = 0; i < w->numBodies; i++)
+        if (w->bodies[i].forceEnds > 0)
+            setForce(w, i);
+    w->time += h;
     w->model->opt.timestep = h;
     mj_step(w->model, w->data);
     w->isFresh = false;
@@ -207,9 +278,9 @@ static void step(EngineWorld *w, double h) {
 
 /* mj_step leaves the poses of the step's start. */
 static void refresh(EngineWorld *w) {
-    if (!w->model)
+    if (!w->model && !w->hasNone)
         makeModel(w);
-    if (w->isFresh)
+    if (w->isFresh || w->hasNone)
         return;
     mj_kinematics(w->model, w->data);
     mj_comPos(w->model, w->data);
@@ -220,6 +291,10 @@ static void refresh(EngineWorld *w) {
 static void getState(EngineWorld *w, int body, SceneState *s) {
     double motion[6];
     refresh(w);
+    if (w->hasNone) {
+        *s = w->bodies[body].start;
+        return;
+    }
     memcpy(s->position, w->data->xpos + 3 * w->ids[body], sizeof s->position);
     memcpy(s->quaternion, w->data->xquat + 4 * w->ids[body], sizeof s->quaternion);
     mj_objectVelocity(w->model, w->data, mjOBJ_XBODY, w->ids[body], motion, 0);
@@ -229,24 +304,52 @@ static void getState(EngineWorld *w, int body, SceneState *s) {
 
 /* It starts anew from the first pose after a number that is none or too large, and leaves out what has no room. */
 static bool hasGivenUp(EngineWorld *w) {
+    if (w->hasNone)
+        return true;
     const mjWarningStat *warnings = w->data->warning;
     return warnings[mjWARN_CONTACTFULL].number || warnings[mjWARN_CNSTRFULL].number ||
            warnings[mjWARN_BADQPOS].number || warnings[mjWARN_BADQVEL].number || warnings[mjWARN_BADQACC].number;
 }
 
 static void destroy(EngineWorld *w) {
-    mj_deleteData(w->data);
-    mj_deleteModel(w->model);
+    if (!w->hasNone) {
+        mj_deleteData(w->data);
+        mj_deleteModel(w->model);
+    }
     free(w);
+}
+
+/* Of the tree of bodies: parents stand before their children. */
+static int depthOf(const SceneWorld *world) {
+    int depths[SCENE_MAX_BODIES] = {0}, deepest = 0;
+    for (int i = 0; i < world->numJoints; i++) {
+        const SceneJoint *j = &world->joints[i];
+        if (depths[j->child] == 0)
+            depths[j->child] = 1 + (j->parent == SCENE_WORLD ? 0 : depths[j->parent]);
+        deepest = depths[j->child] > deepest ? depths[j->child] : deepest;
+    }
+    return deepest;
+}
+
+static const char *lack(const Scene *scene, const SceneWorld *world, int setting) {
+    (void)scene, (void)setting;
+    if (depthOf(world) > MAX_DEPTH)
+        return "its XML does not nest so deep";
+    for (int i = 0; i < world->numJoints; i++)
+        if (world->joints[i].torque > 0 && fabs(world->joints[i].speed) < unreachable)
+            return "no motor that holds a speed with a bounded torque";
+    return world->numBodies > MAX_BODIES ? "no memory for its dense matrix of so many bodies" : NULL;
 }
 
 const Engine engine_mujoco = {
     .name = "MuJoCo",
     .version = PEER_VERSION,
-    .about = "double precision; its defaults: Newton, friction pyramid, soft contacts; joints are coordinates; no "
-             "restitution",
+    .about =
+        "double precision; its defaults: Newton, friction pyramid, soft contacts; joints are coordinates, those that "
+        "close loops soft constraints; no restitution",
     .settings = settings,
-    .maxLinks = 90, /* its reader of XML nests to 100; of 300 boxes its dense matrix finds no memory */
+    .crowds = 1,
+    .lack = lack,
     .create = create,
     .addGround = addGround,
     .addBody = addBody,

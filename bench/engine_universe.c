@@ -9,14 +9,17 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { MAX_MATERIALS = 16, CONTACTS_PER_BODY = 40, PAIRS_PER_BODY = 16 };
+enum { MAX_MATERIALS = 16 };
 
 struct EngineWorld {
     MstUniverseID universe;
     MeMatrix4 ground;
-    MdtBodyID bodies[SCENE_MAX_BODIES];
-    double forces[SCENE_MAX_BODIES][3]; /* N */
+    MeMatrix4 places[SCENE_MAX_BODIES]; /* of what never moves */
+    McdModelID models[SCENE_MAX_BODIES];
+    MdtBodyID bodies[SCENE_MAX_BODIES]; /* null: it never moves */
+    SceneBody from[SCENE_MAX_BODIES];
     int numBodies;
+    double time;                               /* s */
     const SceneBody *materials[MAX_MATERIALS]; /* a body of each; null: the ground's, which has no friction */
     int numMaterials;
     MeTaskPoolID pool; /* null: one worker */
@@ -43,11 +46,7 @@ static EngineWorld *create(int setting, const double gravity[3], bool collides) 
     EngineWorld *w = calloc(1, sizeof *w);
     if (!w)
         abort();
-    MstUniverseSizes sizes = MstUniverseDefaultSizes;
-    sizes.dynamicBodiesMaxCount = SCENE_MAX_BODIES;
-    sizes.collisionModelsMaxCount = SCENE_MAX_BODIES + 1;
-    sizes.collisionPairsMaxCount = PAIRS_PER_BODY * SCENE_MAX_BODIES;
-    sizes.dynamicConstraintsMaxCount = CONTACTS_PER_BODY * SCENE_MAX_BODIES;
+    MstUniverseSizes sizes = MstUniverseGrowingSizes;
     sizes.materialsMaxCount = MAX_MATERIALS;
     w->universe = MstUniverseCreate(&sizes);
     w->numMaterials = 1;
@@ -91,21 +90,48 @@ static McdGeometryID shapeOf(const EngineWorld *w, const SceneBody *b) {
     const McdFrameworkID frame = w->universe->frame;
     if (b->shape == SCENE_SPHERE)
         return McdSphereCreate(frame, (MeReal)b->half[0]);
+    if (b->shape == SCENE_CAPSULE)
+        return McdSphylCreate(frame, (MeReal)b->half[0], (MeReal)(2 * (b->half[2] - b->half[0])));
     return McdBoxCreate(frame, (MeReal)(2 * b->half[0]), (MeReal)(2 * b->half[1]), (MeReal)(2 * b->half[2]));
 }
 
 static double volumeOf(const SceneBody *b) {
-    const double cuboid = b->half[0] * b->half[1] * b->half[2];
-    return b->shape == SCENE_SPHERE ? 4 * (double)ME_PI / 3 * cuboid : 8 * cuboid;
+    const double r = b->half[0], ball = 4 * (double)ME_PI / 3 * r * r * r;
+    if (b->shape == SCENE_SPHERE)
+        return ball;
+    if (b->shape == SCENE_CAPSULE)
+        return ball + 2 * (double)ME_PI * r * r * (b->half[2] - r);
+    return 8 * b->half[0] * b->half[1] * b->half[2];
+}
+
+static McdModelID addFixed(EngineWorld *w, const SceneBody *b) {
+    const SceneState *s = &b->start;
+    const MeVector4 q = {(MeReal)s->quaternion[0], (MeReal)s->quaternion[1], (MeReal)s->quaternion[2],
+                         (MeReal)s->quaternion[3]};
+    MeMatrix3 turn;
+    MeQuaternionToR(turn, q);
+    MeMatrix4TMMakeFromRotationAndPosition(w->places[w->numBodies], turn, (MeReal)s->position[0],
+                                           (MeReal)s->position[1], (MeReal)s->position[2]);
+    return MstFixedModelCreate(w->universe, shapeOf(w, b), w->places[w->numBodies]);
+}
+
+static McdModelID addMoving(EngineWorld *w, const SceneBody *b) {
+    const McdModelID m = MstModelAndBodyCreate(w->universe, shapeOf(w, b), (MeReal)(b->mass / volumeOf(b)));
+    const MdtBodyID body = w->bodies[w->numBodies] = McdModelGetBody(m);
+    if (b->inertia[0] > 0) {
+        const MeMatrix3 tensor = {
+            {(MeReal)b->inertia[0], 0, 0}, {0, (MeReal)b->inertia[1], 0}, {0, 0, (MeReal)b->inertia[2]}};
+        MdtBodySetInertiaTensor(body, tensor);
+    }
+    karma_setState(body, &b->start);
+    return m;
 }
 
 static void addBody(EngineWorld *w, const SceneBody *b) {
-    const McdModelID m = MstModelAndBodyCreate(w->universe, shapeOf(w, b), (MeReal)(b->mass / volumeOf(b)));
-    McdModelSetMaterial(m, materialOf(w, b));
-    for (int i = 0; i < 3; i++)
-        w->forces[w->numBodies][i] = b->force[i];
-    w->bodies[w->numBodies++] = McdModelGetBody(m);
-    karma_setState(McdModelGetBody(m), &b->start);
+    const McdModelID m = b->mass > 0 ? addMoving(w, b) : addFixed(w, b);
+    w->from[w->numBodies] = *b;
+    McdModelSetMaterial(m, materialOf(w, &w->from[w->numBodies]));
+    w->models[w->numBodies++] = m;
 }
 
 static MdtBodyID bodyAt(const EngineWorld *w, int index) {
@@ -114,11 +140,15 @@ static MdtBodyID bodyAt(const EngineWorld *w, int index) {
 
 static void addJoint(EngineWorld *w, const SceneJoint *j) {
     karma_join(w->universe->world, bodyAt(w, j->child), bodyAt(w, j->parent), j);
+    if (j->parent != SCENE_WORLD && !McdSpaceDisablePair(w->models[j->child], w->models[j->parent]))
+        abort();
 }
 
 static void step(EngineWorld *w, double h) {
     for (int i = 0; i < w->numBodies; i++)
-        karma_push(w->bodies[i], w->forces[i]);
+        if (w->bodies[i])
+            karma_push(w->bodies[i], &w->from[i], w->time);
+    w->time += h;
     MstUniverseStep(w->universe, (MeReal)h);
     if (w->isStrict) {
         MdtReport report;
@@ -128,7 +158,10 @@ static void step(EngineWorld *w, double h) {
 }
 
 static void getState(EngineWorld *w, int body, SceneState *s) {
-    karma_getState(w->bodies[body], s);
+    if (w->bodies[body])
+        karma_getState(w->bodies[body], s);
+    else
+        *s = w->from[body].start;
 }
 
 static bool hasGivenUp(EngineWorld *w) {
@@ -167,6 +200,7 @@ const Engine ENGINE_UNIVERSE = {
     "through the bridge",
     .settings = settings,
     .bounces = true,
+    .crowds = 1u << ENGINE_RIGID | 1u << ENGINE_FINE | 1u << ENGINE_TWO_WORKERS,
     .create = create,
     .addGround = addGround,
     .addBody = addBody,

@@ -40,9 +40,9 @@ static inline void karma_getState(MdtBodyID body, SceneState *s) {
     }
 }
 
-static inline void karma_push(MdtBodyID body, const double force[3]) {
-    if (scene_dot(force, force) > 0)
-        MdtBodyAddForce(body, (MeReal)force[0], (MeReal)force[1], (MeReal)force[2]);
+static inline void karma_push(MdtBodyID body, const SceneBody *b, double time) {
+    if (scene_isPushed(b, time))
+        MdtBodyAddForce(body, (MeReal)b->force[0], (MeReal)b->force[1], (MeReal)b->force[2]);
 }
 
 /* Nothing comes to rest. */
@@ -53,13 +53,29 @@ static inline void karma_setWorld(MdtWorldID world, int setting, const double gr
     MdtWorldSetGravity(world, (MeReal)gravity[0], (MeReal)gravity[1], (MeReal)gravity[2]);
 }
 
+static inline void karma_setLimit(MdtLimitID limit, const SceneJoint *j) {
+    if (j->stops[0] < j->stops[1]) {
+        MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), (MeReal)j->stops[0]);
+        MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), (MeReal)j->stops[1]);
+        MdtSingleLimitSetRestitution(MdtLimitGetLowerLimit(limit), 0);
+        MdtSingleLimitSetRestitution(MdtLimitGetUpperLimit(limit), 0);
+        MdtLimitActivateLimits(limit, METRUE);
+    }
+    if (j->torque > 0) {
+        MdtLimitSetLimitedForceMotor(limit, (MeReal)j->speed, (MeReal)j->torque);
+        MdtLimitActivateMotor(limit, METRUE);
+    }
+}
+
 static inline void karma_join(MdtWorldID world, MdtBodyID child, MdtBodyID parent, const SceneJoint *j) {
     const MdtConstraintID c = j->kind == SCENE_HINGE ? MdtHingeQuaConstraint(MdtHingeCreate(world))
                                                      : MdtBSJointQuaConstraint(MdtBSJointCreate(world));
     MdtConstraintSetBodies(c, child, parent);
     MdtConstraintSetPosition(c, (MeReal)j->point[0], (MeReal)j->point[1], (MeReal)j->point[2]);
-    if (j->kind == SCENE_HINGE)
+    if (j->kind == SCENE_HINGE) {
         MdtConstraintSetAxis(c, (MeReal)j->axis[0], (MeReal)j->axis[1], (MeReal)j->axis[2]);
+        karma_setLimit(MdtHingeGetLimit(MdtConstraintDCastHinge(c)), j);
+    }
     MdtConstraintEnable(c);
 }
 

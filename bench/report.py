@@ -3,8 +3,10 @@
 
     report.py DIRECTORY
 
-free.csv and contact.csv have a line for each run of a scene, marginal.csv one for each cost, machine.txt and the heads
-of free.txt and contact.txt say what was measured. No figure stands in this file."""
+free.csv and contact.csv have a line for each run of a scene, marginal.csv one for each cost, scaling.csv one for each
+size and each weight, hour.csv and consistency.csv one for each row of theirs; machine.txt and the heads of free.txt and
+contact.txt say what was measured. bench/published.csv has the figures that others have published. No figure stands in
+this file."""
 import collections
 import csv
 import math
@@ -15,15 +17,17 @@ import sys
 
 TOP = pathlib.Path(__file__).resolve().parent.parent
 PICTURES = TOP / 'docs' / 'pictures'
-SHOWN = ('pendulum', 'tumbling', 'chain-level', 'tower', 'incline', 'cards')  # as work-precision diagrams
-TIMED = ('chain-level', 'tower-shaken', 'cards', 'heap', 'isotropy')      # whose distribution of times is shown
+SHOWN = ('pendulum', 'tumbling', 'chain-level', 'tower', 'incline', 'cards', 'pyramid-820', 'ragdolls-100', 'net',
+         'bridge')  # as work-precision diagrams
+TIMED = ('chain-level', 'tower-shaken', 'cards', 'heap', 'isotropy', 'heap-1000', 'pyramid-820', 'ragdolls-100', 'net',
+         'machines', 'cars')  # whose distribution of times is shown
 LEVELS = ('platinum', 'gold', 'bronze')
 GOLD = 1e3     # times the goal
 KEY = "set key outside right vertical maxcols 1 font ',9'\n"
 SHAPES, COLOURS = 5, 8  # of gnuplot's points: odd numbers from 5 on are filled, the even ones before them open
 FLOOR = 1e-16  # errors below it are drawn there
 
-Row = collections.namedtuple('Row', 'scene engine setting substeps outcome times p95 p99 worst cpus errors')
+Row = collections.namedtuple('Row', 'scene engine setting substeps outcome times p95 p99 worst cpus errors lack')
 Error = collections.namedtuple('Error', 'name goal value')
 
 
@@ -48,7 +52,7 @@ def read_rows(file):
         def column(name):
             return [number(line[name]) for line in lines]
         yield Row(*key, lines[0]['outcome'], column('median us'), column('p95 us'), column('p99 us'),
-                  column('worst us'), column('cpu s/s'), list(errors_of(lines[0])))
+                  column('worst us'), column('cpu s/s'), list(errors_of(lines[0])), lines[0].get('lack') or '')
 
 
 def solver(row):
@@ -134,12 +138,18 @@ def cheapest(rows, scene, name, least):
     return min(costs, default=math.inf)
 
 
-def profile(rows, least):
-    """Dolan and More 2002: of all scenes, the share that a solver does within a factor of the cheapest's cost."""
+def crowds(rows):
+    """The scenes that are compared with fewer settings."""
+    ran = {(r.scene, r.setting) for r in rows if r.engine.startswith('Karma')}
+    return {scene for scene, setting in ran if setting == 'auto' and (scene, 'exact') not in ran}
+
+
+def profile(rows, least, group, text):
+    """Dolan and More 2002: of the scenes, the share that a solver does within a factor of the cheapest's cost."""
     scenes, names = list(dict.fromkeys(r.scene for r in rows)), profile_solvers(rows)
     best = {s: min(merged_cost(rows, s, n, least) for n in names) for s in scenes}
     script = (KEY + "set logscale x\nset yrange [0:1]\nset xrange [1:1000]\nset grid\n"
-              f"set title 'reaches {LEVELS[least]}'\nset xlabel 'cost, times the cheapest'\n"
+              f"set title '{text}: reaches {LEVELS[least]}'\nset xlabel 'cost, times the cheapest'\n"
               "set ylabel 'share of the scenes'\n")
     plots = []
     for index, name in enumerate(names):
@@ -148,7 +158,7 @@ def profile(rows, least):
         points += [(r, (i + 1) / len(scenes)) for i, r in enumerate(ratios)] + [(1000, len(ratios) / len(scenes))]
         script += block(f'p{index}', points)
         plots.append(f"$p{index} with steps lw 2 lc {index % COLOURS + 1} dt {1 + index // COLOURS} title '{name}'")
-    return draw(f'performance-profile-{LEVELS[least]}', script + 'plot ' + ', '.join(plots) + '\n')
+    return draw(f'performance-{group}-{LEVELS[least]}', script + 'plot ' + ', '.join(plots) + '\n')
 
 
 def profile_solvers(rows):
@@ -253,9 +263,13 @@ def diagrams(rows):
     yield from ['## Performance profiles', '', 'Of all scenes, the share that a solver does at the level for at most so '
                 'many times the CPU time of the cheapest (Dolan and', 'Moré 2002), each with its best number of '
                 'sub-steps of those that were run.', '']
-    for least in (2, 1):
-        yield from profile(rows, least)
-        yield from command('tools/bench --report')
+    many = crowds(rows)
+    for group, text, of in (('profile', 'scenes of few bodies', [r for r in rows if r.scene not in many]),
+                            ('crowds', 'crowds', [r for r in rows if r.scene in many])):
+        for least in (2, 1):
+            if of:
+                yield from profile(of, least, group, text)
+                yield from command('tools/bench --report')
 
 
 def distribution(rows):
@@ -268,6 +282,186 @@ def distribution(rows):
                           f'{figure(max(r.times))})', *(figure(statistics.median(t)) for t in (r.p95, r.p99, r.worst))))
     yield from table(('scene', 'solver', 'p50', 'p95', 'p99', 'worst'), lines)
     yield from command('tools/bench --report')
+
+
+def lacks(rows):
+    """What an engine has not, as it says itself."""
+    yield from ['## What an engine cannot do', '', 'Scenes that it is not compared in, `-` elsewhere on this page.', '']
+    found = collections.OrderedDict()
+    for r in rows:
+        if r.lack:
+            found.setdefault((r.engine, r.lack), ([], []))
+            settings, names = found[r.engine, r.lack]
+            settings.append(r.setting)
+            names.append(r.scene)
+    yield from table(('engine', 'settings', 'what it lacks', 'scenes'), [
+        (engine, ', '.join(dict.fromkeys(settings)), lack, ', '.join(dict.fromkeys(names)))
+        for (engine, lack), (settings, names) in found.items()])
+    yield from command('tools/bench --report')
+
+
+def best(rows):
+    yield from ['## Best settings', '', 'Of each engine the cheapest row of the best level that it reaches, of all settings '
+                'and numbers of sub-steps that were run:', 'the level, the setting, sub-steps, and the CPU time per '
+                'simulated second in ms. The sweep: ' + sweep(rows) + '.', '']
+    engines = list(dict.fromkeys(r.engine for r in rows))
+    lines = []
+    for scene in dict.fromkeys(r.scene for r in rows):
+        line = [scene]
+        for engine in engines:
+            able = [r for r in rows if r.scene == scene and r.engine == engine and level(r) is not None]
+            top = min(able, key=lambda r: (level(r), cost(r)), default=None)
+            line.append(f'{LEVELS[level(top)]}: {top.setting}, {top.substeps}, {figure(1e3 * cost(top))}' if top else '-')
+        lines.append(line)
+    yield from table(('scene', *engines), lines)
+    yield from command('tools/bench --report')
+
+
+def sweep(rows):
+    parts = []
+    for engine in dict.fromkeys(r.engine for r in rows):
+        settings = dict.fromkeys(r.setting for r in rows if r.engine == engine)
+        parts.append(f'{engine} with {", ".join(settings)}')
+    substeps = sorted({r.substeps for r in rows})
+    return '; '.join(parts) + f'; sub-steps {", ".join(map(str, substeps))}, of crowds the first two'
+
+
+def published(rows):
+    """SimBenchmark: our figures beside the published ones, at the same steps."""
+    theirs = collections.OrderedDict()
+    with open(TOP / 'bench' / 'published.csv', encoding='utf8') as source:
+        for line in csv.DictReader(source):
+            name = f"{line['engine']} {line['solver']}".strip()
+            theirs.setdefault(line['scene'], collections.OrderedDict()).setdefault(name, {})[line['step s']] = line['error']
+    if not any(r.scene in theirs for r in rows):
+        return
+    yield from ['## Published benchmarks', '', 'SimBenchmark (Kang and Hwangbo 2018): the mean square error that each of its '
+                'scenes defines, with steps of 10 and 1 ms;', 'beside it what its authors published (their repository\'s '
+                'files `data/*/sample.csv` and `default.csv`, without error reduction: `bench/published.csv`).',
+                'Their peers are older versions, with other settings of their own. [bench.md](bench.md) says what differs.', '']
+    for scene, figures in theirs.items():
+        mine = [r for r in rows if r.scene == scene]
+        lines = []
+        for name in dict.fromkeys(map(solver, mine)):
+            at = {r.substeps: r for r in mine if solver(r) == name}
+            coarse, fine = at.get(1), at[max(at)] if len(at) > 1 else None
+            lines.append((name, 'here', *(short(r) if r else '' for r in (coarse, fine)), *(
+                figure(1e3 * cost(r)) if r and r.cpus and holds(r) else '' for r in (coarse, fine))))
+        for name, by_step in figures.items():
+            lines.append((name, 'published', *(f'{float(by_step[h]):.1e}' if h in by_step else ''
+                                               for h in ('0.01', '0.001')), '', ''))
+        yield from [f'**{scene}**', '']
+        yield from table(('solver', '', '10 ms', '1 ms', 'ms a second, 10 ms', '1 ms'), lines)
+        yield from command(f'tools/bench --scene {scene}')
+
+
+def short(row):
+    if row.outcome == 'impossible':
+        return '-'
+    return f'{row.errors[0].value:.1e}' if holds(row) else 'too slow' if row.outcome == 'too slow' else 'fails'
+
+
+def read_lines(directory, name):
+    file = directory / f'{name}.csv'
+    if not file.exists():
+        return []
+    with open(file, encoding='utf8') as source:
+        return list(csv.DictReader(source))
+
+
+def consistency(directory):
+    """After Erez, Tassa, Todorov 2015."""
+    lines = read_lines(directory, 'consistency')
+    if not lines:
+        return
+    yield from ['## Consistency', '', 'After Erez, Tassa and Todorov 2015: from states along a run with steps of 1/3840 s, '
+                'how far a tenth of a second with larger', 'steps ends from where the fine ones do, in the same engine: root '
+                'mean square over the bodies, mean over the starts, m.', 'The curves are steps of 1/60 to 1/960 s. What an '
+                'engine does consistently wrong is not seen.', '']
+    for scene in dict.fromkeys(line['scene'] for line in lines):
+        of = [line for line in lines if line['scene'] == scene]
+        script = (f"set logscale xy\nset format '%.0e'\n{KEY}set grid\nset title '{scene}'\n"
+                  "set xlabel 'CPU time of a frame, us'\nset ylabel 'distance, m'\n")
+        plots = []
+        for index, name in enumerate(dict.fromkeys(solver_of(line) for line in of)):
+            points = [(line['us'], max(float(line['error']), FLOOR)) for line in of if solver_of(line) == name
+                      and math.isfinite(float(line['error'])) and float(line['us']) > 0]
+            if points:
+                script += block(f'c{index}', points)
+                plots.append(f"$c{index} with linespoints pt {5 + 2 * (index % SHAPES)} lc {index % COLOURS + 1} title '{name}'")
+        yield from draw(f'performance-consistency-{scene}', script + 'plot ' + ', '.join(plots) + '\n')
+    yield from command('build/bench/bench/consistency')
+
+
+def solver_of(line):
+    return f"{line['engine']} {line['setting']}"
+
+
+def exponent(points):
+    """The slope of the best straight line through the logarithms."""
+    if len(points) < 2:
+        return math.nan
+    xs, ys = [math.log(x) for x, _ in points], [math.log(y) for _, y in points]
+    mx, my = statistics.mean(xs), statistics.mean(ys)
+    return sum((x - mx) * (y - my) for x, y in zip(xs, ys)) / sum((x - mx) ** 2 for x in xs)
+
+
+def scaling(directory):
+    lines = read_lines(directory, 'scaling')
+    if not lines:
+        return
+    yield from ['## Growth', '', 'Mean CPU time of a frame of 1/60 s over 2 s of game time, ms, one step a frame, and the '
+                'exponent of the power of the size that', 'fits best. Empty: not in the time that a size may take, or the '
+                'engine cannot; in brackets: the scene fails.', '']
+    for kind in dict.fromkeys(line['kind'] for line in lines if line['what'] == 'time'):
+        of = [line for line in lines if line['kind'] == kind and line['what'] == 'time']
+        sizes = sorted({int(line['size']) for line in of})
+        found, script, plots = [], f"set logscale xy\n{KEY}set grid\nset title '{kind}'\nset xlabel '{of[0]['unit']}'\n" \
+            "set ylabel 'CPU time of a frame, us'\n", []
+        for index, name in enumerate(dict.fromkeys(map(solver_of, of))):
+            at = {int(line['size']): line for line in of if solver_of(line) == name}
+            points = [(size, float(line['value'])) for size, line in at.items()
+                      if line['outcome'] == 'holds' and float(line['value']) > 0]
+            found.append((name, *(growth_cell(at.get(size)) for size in sizes), f'{exponent(points):.2f}'))
+            if not points:
+                continue
+            script += block(f's{index}', points)
+            plots.append(f"$s{index} with linespoints pt {5 + 2 * (index % SHAPES)} lc {index % COLOURS + 1} title '{name}'")
+        yield from [f'**{kind}**', '']
+        yield from draw('performance-growth-' + kind.replace(' ', '-'), script + 'plot ' + ', '.join(plots) + '\n')
+        yield from table(('solver', *(f"{size} {of[0]['unit']}" for size in sizes), 'exponent'), found)
+        yield from command('build/bench/bench/scaling')
+    weights = [line for line in lines if line['what'] == 'memory']
+    kinds = list(dict.fromkeys(line['kind'] for line in weights))
+    yield from ['## Memory', '', 'Bytes that the process has taken for one more, at the number of bodies in the last column: '
+                'what has grown over an empty world,', 'divided by the number. A body has its model and its shape. `-`: no more, since MuJoCo takes room for the most that may '
+                'come in advance.', '']
+    yield from table(('engine', *kinds, 'bodies'), [
+        (engine, *(next(line['value'] if float(line['value']) > 0 else '-' for line in weights if line['engine'] == engine and line['kind'] == kind)
+                   for kind in kinds), next(line['size'] for line in weights if line['engine'] == engine))
+        for engine in dict.fromkeys(line['engine'] for line in weights)])
+    yield from command('build/bench/bench/scaling')
+
+
+def growth_cell(line):
+    if not line:
+        return ''
+    text = figure(float(line['value']) / 1e3)
+    return text if line['outcome'] == 'holds' else f'({text})'
+
+
+def hour(directory):
+    lines = read_lines(directory, 'hour')
+    if not lines:
+        return
+    yield from ['## Energy and momentum', '', 'The largest errors so far, at three times of one run with one step a frame: '
+                'of the energy over m g l or the kinetic energy at', 'the start, of the angular momentum over that at the '
+                'start, of the momentum over the mass times 1 m/s. `-`: it is tied to the world.', '']
+    yield from table(('scene', 'solver', 'minutes', 'energy', 'angular momentum', 'momentum', ''), [
+        (line['scene'], solver_of(line), f"{float(line['minutes']):g}", f"{float(line['energy']):.1e}",
+         *(f'{float(line[c]):.1e}' if line[c] else '-' for c in ('angular momentum', 'momentum')),
+         line['outcome'] if line['outcome'] != 'holds' else '') for line in lines])
+    yield from command('build/bench/bench/hour')
 
 
 def cell(row):
@@ -338,7 +532,9 @@ def main(directory):
     groups = {name: list(read_rows(directory / f'{name}.csv')) for name in ('free', 'contact')
               if (directory / f'{name}.csv').exists()}
     rows = [r for group in groups.values() for r in group]
-    page = [*head(directory), *scenes(directory), *levels(rows), *leads(rows), *diagrams(rows), *distribution(rows), *marginal(directory),
+    page = [*head(directory), *scenes(directory), *lacks(rows), *levels(rows), *leads(rows), *best(rows), *diagrams(rows),
+            *published(rows), *consistency(directory), *distribution(rows), *scaling(directory), *hour(directory),
+            *marginal(directory),
             *everything(groups['free'], 'All scenes without contact', 'free'),
             *everything(groups['contact'], 'All scenes with contact', 'contact')]
     (TOP / 'docs' / 'performance.md').write_text('\n'.join(page).rstrip() + '\n', encoding='utf8')

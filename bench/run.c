@@ -24,19 +24,29 @@ static void hash(const Run *r, uint64_t *sum) {
         *sum = (*sum ^ bytes[i]) * 1099511628211u;
 }
 
-bool run_isPossible(const Scene *scene, const Engine *engine) {
-    return (engine->bounces || !scene->bounces) && (!scene->hasEdges || !engine->setContacts) &&
-           (!engine->maxLinks || scene->count <= engine->maxLinks);
+const char *run_lack(const Scene *scene, const Engine *engine, int setting) {
+    if (scene->bounces && !engine->bounces)
+        return "no restitution";
+    if (scene->hasEdges && engine->setContacts)
+        return "no collision of its own";
+    SceneWorld *world = calloc(1, sizeof *world);
+    if (!world)
+        abort();
+    scene->build(scene, world);
+    const char *lack = engine->lack ? engine->lack(scene, world, setting) : NULL;
+    free(world);
+    return lack;
 }
 
-static void populate(Run *r, int setting) {
-    r->in = r->engine->create(setting, r->world.gravity, r->world.collides);
-    if (r->world.collides)
-        r->engine->addGround(r->in);
-    for (int i = 0; i < r->world.numBodies; i++)
-        r->engine->addBody(r->in, &r->world.bodies[i]);
-    for (int i = 0; i < r->world.numJoints; i++)
-        r->engine->addJoint(r->in, &r->world.joints[i]);
+EngineWorld *run_make(const Engine *engine, int setting, const SceneWorld *world) {
+    EngineWorld *w = engine->create(setting, world->gravity, world->collides);
+    if (world->collides)
+        engine->addGround(w);
+    for (int i = 0; i < world->numBodies; i++)
+        engine->addBody(w, &world->bodies[i]);
+    for (int i = 0; i < world->numJoints; i++)
+        engine->addJoint(w, &world->joints[i]);
+    return w;
 }
 
 static void readStates(Run *r) {
@@ -65,13 +75,13 @@ static void observe(Run *r, double time) {
     r->scene->observe(&r->trace, &r->world, r->states, time);
     for (int i = 0; i < r->world.numBodies; i++)
         memcpy(r->trace.before[i], r->trace.last[i].position, sizeof r->trace.before[i]);
-    memcpy(r->trace.last, r->states, sizeof r->trace.last);
+    memcpy(r->trace.last, r->states, (size_t)r->world.numBodies * sizeof r->states[0]);
     r->trace.lastTime = time;
 }
 
 /* Returns the seconds that it took. */
 static double frame(Run *r, int substeps) {
-    const double start = now(), h = SCENE_FRAME / substeps;
+    const double start = now(), h = scene_frame(r->scene) / substeps;
     for (int i = 0; i < substeps; i++) {
         if (r->engine->setContacts && r->world.collides) {
             readStates(r);
@@ -97,8 +107,9 @@ static void summarize(const Run *r, double times[], int n, RunResult *result) {
 RunResult run_scene(const Scene *scene, const Engine *engine, int setting, int substeps, double budget) {
     RunResult result = {.outcome = RUN_HOLDS, .hash = 14695981039346656037u};
     Run *r = calloc(1, sizeof *r);
-    const int frames = (int)lround(scene->duration / SCENE_FRAME);
-    double *times = calloc((size_t)frames, sizeof *times), spent = 0;
+    const int frames = (int)lround(scene->duration / scene_frame(scene));
+    double *times = calloc((size_t)frames, sizeof *times);
+    const double start = now();
     double cpu = 0;
     int n = 0;
     if (!r || !times)
@@ -107,19 +118,19 @@ RunResult run_scene(const Scene *scene, const Engine *engine, int setting, int s
     r->engine = engine;
     scene->build(scene, &r->world);
     r->trace.energy = scene_startEnergy(&r->world);
-    populate(r, setting);
+    r->in = run_make(engine, setting, &r->world);
     readStates(r);
     observe(r, 0);
     while (n < frames && !r->trace.isDone && result.outcome == RUN_HOLDS) {
         const double before = cpuTime();
-        spent += times[n] = frame(r, substeps);
+        times[n] = frame(r, substeps);
         cpu += cpuTime() - before;
         readStates(r);
         hash(r, &result.hash);
-        observe(r, ++n * SCENE_FRAME);
-        result.outcome = hasFailed(r) ? RUN_FAILS : spent > budget ? RUN_TIMES_OUT : RUN_HOLDS;
+        observe(r, ++n * scene_frame(scene));
+        result.outcome = hasFailed(r) ? RUN_FAILS : now() - start > budget ? RUN_TIMES_OUT : RUN_HOLDS;
     }
-    result.simulated = n * SCENE_FRAME;
+    result.simulated = n * scene_frame(scene);
     result.cpu = n ? cpu / result.simulated : 0;
     summarize(r, times, n, &result);
     engine->destroy(r->in);

@@ -21,10 +21,14 @@ typedef struct RunResult {
     double cpu;                     /* s of all threads per simulated second, reading the clock included */
 } RunResult;
 
-/* Whether the engine has what the scene needs. */
-bool run_isPossible(const Scene *scene, const Engine *engine);
+/* What the scene needs and the engine has not, in words; null: it has all. */
+const char *run_lack(const Scene *scene, const Engine *engine, int setting);
 
-/* Every frame is `substeps` steps. Ends early when the scene is done, has failed, or has taken `budget` seconds. */
+/* The engine's world with the scene's, which must live as long. Destroyed by the engine. */
+EngineWorld *run_make(const Engine *engine, int setting, const SceneWorld *world);
+
+/* Every frame is `substeps` steps. Ends early when the scene is done, has failed, or has taken `budget` seconds,
+ * watching included. */
 RunResult run_scene(const Scene *scene, const Engine *engine, int setting, int substeps, double budget);
 
 #endif

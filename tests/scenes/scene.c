@@ -43,11 +43,22 @@ SceneBody *scene_addSphere(SceneWorld *w, double mass, double radius, double x, 
     return b;
 }
 
+SceneBody *scene_addCapsule(SceneWorld *w, double mass, double radius, double length, double x, double y, double z) {
+    SceneBody *b = addBody(w, SCENE_CAPSULE, mass, x, y, z);
+    b->half[0] = b->half[1] = radius;
+    b->half[2] = length / 2;
+    return b;
+}
+
 SceneJoint *scene_joinLast(SceneWorld *w, SceneJointKind kind, double x, double y, double z) {
+    return scene_join(w, kind, w->numBodies - 1, w->numBodies > 1 ? w->numBodies - 2 : SCENE_WORLD, x, y, z);
+}
+
+SceneJoint *scene_join(SceneWorld *w, SceneJointKind kind, int child, int parent, double x, double y, double z) {
     SceneJoint *j = &w->joints[w->numJoints++];
     j->kind = kind;
-    j->child = w->numBodies - 1;
-    j->parent = w->numBodies > 1 ? w->numBodies - 2 : SCENE_WORLD;
+    j->child = child;
+    j->parent = parent;
     j->point[0] = x;
     j->point[1] = y;
     j->point[2] = z;
@@ -55,7 +66,23 @@ SceneJoint *scene_joinLast(SceneWorld *w, SceneJointKind kind, double x, double 
     return j;
 }
 
+/* A cylinder of the length l, and two halves of a ball whose centres of mass are 3 r / 8 beyond its ends. */
+static void capsuleInertia(const SceneBody *b, double inertia[3]) {
+    const double r = b->half[0], l = 2 * (b->half[2] - r), share = l / (l + 4 * r / 3);
+    const double cylinder = share * b->mass, ball = b->mass - cylinder;
+    inertia[2] = cylinder * r * r / 2 + .4 * ball * r * r;
+    inertia[0] = inertia[1] = cylinder * (r * r / 4 + l * l / 12) + ball * (.4 * r * r + l * l / 4 + 3 * l * r / 8);
+}
+
 void scene_inertia(const SceneBody *b, double inertia[3]) {
+    if (b->inertia[0] > 0) {
+        memcpy(inertia, b->inertia, sizeof b->inertia);
+        return;
+    }
+    if (b->shape == SCENE_CAPSULE) {
+        capsuleInertia(b, inertia);
+        return;
+    }
     for (int i = 0; i < 3; i++) {
         const double p = b->half[(i + 1) % 3], q = b->half[(i + 2) % 3];
         inertia[i] = b->shape == SCENE_SPHERE ? .4 * b->mass * p * p : b->mass * (p * p + q * q) / 3;
@@ -86,8 +113,11 @@ double scene_startEnergy(const SceneWorld *w) {
     return sum;
 }
 
-/* Where the body has taken the point that was at `point` at the start. */
-static void attachment(const SceneWorld *w, const SceneState states[], int body, const double point[3], double out[3]) {
+double scene_frame(const Scene *s) {
+    return s->frame > 0 ? s->frame : SCENE_FRAME;
+}
+
+void scene_attachment(const SceneWorld *w, const SceneState states[], int body, const double point[3], double out[3]) {
     memcpy(out, point, 3 * sizeof *out);
     if (body == SCENE_WORLD)
         return;
@@ -104,8 +134,8 @@ double scene_gap(const SceneWorld *w, const SceneState states[]) {
     double worst = 0;
     for (int j = 0; j < w->numJoints; j++) {
         double a[3], b[3];
-        attachment(w, states, w->joints[j].child, w->joints[j].point, a);
-        attachment(w, states, w->joints[j].parent, w->joints[j].point, b);
+        scene_attachment(w, states, w->joints[j].child, w->joints[j].point, a);
+        scene_attachment(w, states, w->joints[j].parent, w->joints[j].point, b);
         for (int i = 0; i < 3; i++)
             a[i] -= b[i];
         worst = fmax(worst, sqrt(scene_dot(a, a)));

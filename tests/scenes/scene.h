@@ -14,7 +14,7 @@ extern "C" {
 #define SCENE_FRAME (1.0 / 60) /* s, one picture of a game */
 #define SCENE_WORLD (-1)       /* in place of a body's index */
 
-enum { SCENE_MAX_BODIES = 320, SCENE_MAX_JOINTS = 128, SCENE_MAX_ERRORS = 3 };
+enum { SCENE_MAX_BODIES = 1200, SCENE_MAX_JOINTS = 1024, SCENE_MAX_ERRORS = 3 };
 
 typedef struct SceneState {
     double position[3];   /* m, of the centre of mass */
@@ -23,26 +23,33 @@ typedef struct SceneState {
     double spin[3];       /* rad/s, in the world's axes */
 } SceneState;
 
-typedef enum SceneShape { SCENE_BOX, SCENE_SPHERE } SceneShape;
+typedef enum SceneShape { SCENE_BOX, SCENE_SPHERE, SCENE_CAPSULE } SceneShape;
 
 /* Solid and of one density. Where two touch, the larger friction and the larger restitution hold; the ground has 0. */
 typedef struct SceneBody {
     SceneShape shape;
-    double half[3]; /* m, half edges; a sphere's radius, three times */
-    double mass;    /* kg */
+    double
+        half[3]; /* m, half edges; a sphere's radius, three times; a capsule's, twice, and half its length, along z */
+    double mass; /* kg; 0: it never moves */
+    double inertia[3]; /* kg m², about its own axes, if not those of one density; else 0 */
     double friction, restitution;
-    double force[3]; /* N, that pushes its centre of mass all the time */
+    double force[3];  /* N, that pushes its centre of mass, */
+    double forceEnds; /* s, until then; 0: all the time */
     SceneState start;
 } SceneBody;
 
 typedef enum SceneJointKind { SCENE_BALL_JOINT, SCENE_HINGE } SceneJointKind;
 
-/* Joints make trees: every body is the child of one joint at most. */
+/* The first joint of each child makes a tree; further ones, of ball joints, close loops. Bodies that are joined do not
+ * collide. Angles of a hinge are the child's against the parent, about the axis, 0 at the start. */
 typedef struct SceneJoint {
     SceneJointKind kind;
     int child, parent; /* indices of bodies; the parent may be SCENE_WORLD */
     double point[3];   /* m, in the world, at the start */
     double axis[3];    /* unit, in the world, at the start; of a hinge */
+    double stops[2];   /* rad, the least and the largest angle of a hinge; both 0: none */
+    double speed;      /* rad/s, of a hinge's motor */
+    double torque;     /* N m, the largest of the motor; 0: there is none */
 } SceneJoint;
 
 typedef struct SceneWorld {
@@ -82,8 +89,11 @@ struct Scene {
     double parameter; /* mass [kg] where several scenes are alike */
     int count;        /* of links, where several are alike; of the boxes of a heap */
     double duration;  /* s, at most */
+    double frame;     /* s, between two looks at the states, where it is not SCENE_FRAME; else 0 */
     bool bounces;     /* needs restitution */
     bool hasEdges;    /* edges meet faces: needs an engine that finds contacts itself (contacts.h does not) */
+    int heaped;       /* bodies that lean on each other, all in one partition, where they are many; else 0 */
+    bool isCrowd;     /* many bodies: fewer settings are compared */
     SceneError errors[SCENE_MAX_ERRORS];
     void (*build)(const Scene *scene, SceneWorld *world);
     void (*observe)(SceneTrace *trace, const SceneWorld *world, const SceneState states[], double time);
@@ -92,12 +102,17 @@ struct Scene {
 
 extern const Scene *const scenes[]; /* ends with a null */
 
+/* s, between two looks at the states. */
+double scene_frame(const Scene *s);
 /* Null if there is none of that name. */
 const Scene *scene_find(const char *name);
 
 /* At rest, or not yet placed. */
 SceneBody *scene_addBox(SceneWorld *w, double mass, double lx, double ly, double lz, double x, double y, double z);
 SceneBody *scene_addSphere(SceneWorld *w, double mass, double radius, double x, double y, double z);
+SceneBody *scene_addCapsule(SceneWorld *w, double mass, double radius, double length, double x, double y, double z);
+/* Of a child with a parent, at a point. */
+SceneJoint *scene_join(SceneWorld *w, SceneJointKind kind, int child, int parent, double x, double y, double z);
 /* Of the body that was added last with the one before it, or, for the first body, with the world. */
 SceneJoint *scene_joinLast(SceneWorld *w, SceneJointKind kind, double x, double y, double z);
 
@@ -105,10 +120,18 @@ SceneJoint *scene_joinLast(SceneWorld *w, SceneJointKind kind, double x, double 
 void scene_inertia(const SceneBody *b, double inertia[3]);
 /* J, kinetic and of gravity, of all bodies. */
 double scene_energy(const SceneWorld *w, const SceneState states[]);
+/* Where the body (or SCENE_WORLD) has taken the point that was at `point` at the start. */
+void scene_attachment(const SceneWorld *w, const SceneState states[], int body, const double point[3], double out[3]);
 /* m, of the joint whose two attachments are the farthest from each other. */
 double scene_gap(const SceneWorld *w, const SceneState states[]);
 /* J, the same energy at the start of the world. */
 double scene_startEnergy(const SceneWorld *w);
+
+/* Whether its force acts now: in a step that begins then. */
+static inline bool scene_isPushed(const SceneBody *b, double time) {
+    return (b->force[0] != 0 || b->force[1] != 0 || b->force[2] != 0) &&
+           (b->forceEnds <= 0 || time < b->forceEnds - 1e-9);
+}
 
 /* Vectors, and quaternions w x y z. */
 static inline double scene_dot(const double a[3], const double b[3]) {

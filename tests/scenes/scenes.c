@@ -19,6 +19,11 @@ void scenes_copyWorst(const SceneTrace *t, const SceneWorld *w, double errors[SC
     memcpy(errors, t->worst, sizeof t->worst);
 }
 
+void scenes_measureCounted(const SceneTrace *t, const SceneWorld *w, double errors[SCENE_MAX_ERRORS]) {
+    scenes_copyWorst(t, w, errors);
+    errors[2] = t->events[0];
+}
+
 const Scene *const scenes[] = {
     &scenes_pendulum,
     &scenes_hinge,
@@ -44,6 +49,17 @@ const Scene *const scenes[] = {
     &scenes_towerHundred,
     &scenes_cards,
     &scenes_heap,
+    &scenes_heap1000,
+    &scenes_mixedHeap,
+    &scenes_columns,
+    &scenes_pyramid210,
+    &scenes_pyramid820,
+    &scenes_dominoes,
+    &scenes_dolls,
+    &scenes_net,
+    &scenes_machines,
+    &scenes_bridge,
+    &scenes_cars,
     &scenes_incline,
     &scenes_isotropy,
     &scenes_rolling,
@@ -51,6 +67,17 @@ const Scene *const scenes[] = {
     &scenes_block,
     &scenes_bounce,
     &scenes_cradle,
+    &scenes_rollingXY,
+    &scenes_rollingY,
+    &scenes_bouncing49,
+    &scenes_666,
+    &scenes_elastic666,
+    &scenes_quadrupedMomentum,
+    &scenes_quadrupedEnergy,
+    &scenes_planarChain,
+    &scenes_capsules,
+    &scenes_humanoid,
+    &scenes_grasp,
     NULL,
 };
 

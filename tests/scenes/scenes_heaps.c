@@ -86,17 +86,18 @@ const Scene scenes_cards = CARD_HOUSE("", 20), scenes_longCards = CARD_HOUSE("-6
 
 /* A heap: boxes that fall in layers, each turned its own way. */
 
-enum { LAYER = 5, LAYERS = 12, HEAP_WATCHED = 15 /* frames */ };
+enum { HEAP_WATCHED = 15 /* frames */ };
 
+/* In layers of `parameter` times `parameter`. */
 static void buildHeap(const Scene *s, SceneWorld *w) {
-    (void)s;
+    const int layer = (int)s->parameter;
     scenes_setDown(w);
     w->collides = true;
-    for (int n = 0; n < LAYER * LAYER * LAYERS; n++) {
-        const int x = n % LAYER, z = n / LAYER % LAYER, y = n / LAYER / LAYER;
+    for (int n = 0; n < s->count; n++) {
+        const int x = n % layer, z = n / layer % layer, y = n / layer / layer;
         const double angle = .3 + .7 * n, axis[3] = {sin(1. * n), sin(2. * n + 1), sin(3. * n + 2)};
-        SceneBody *b =
-            scene_addBox(w, 1, 1, .8, .6, 1.5 * (x - 2) + .1 * (y % 3), 1.2 + 1.5 * y, 1.5 * (z - 2) - .1 * (y % 2));
+        SceneBody *b = scene_addBox(w, 1, 1, .8, .6, 1.5 * (x - layer / 2) + .1 * (y % 3), 1.2 + 1.5 * y,
+                                    1.5 * (z - layer / 2) - .1 * (y % 2));
         const double size = sqrt(scene_dot(axis, axis));
         b->friction = .5;
         b->start.quaternion[0] = cos(angle / 2);
@@ -105,84 +106,23 @@ static void buildHeap(const Scene *s, SceneWorld *w) {
     }
 }
 
-/* How deep two boxes are in each other: the least of what they overlap by along the 15 directions of faces and
- * edges. */
-static double overlapAlong(const double axis[3], const double between[3], const double sides[2][3][3]) {
-    const double size = sqrt(scene_dot(axis, axis));
-    double sum = 0;
-    if (size < 1e-6)
-        return INFINITY;
-    for (int k = 0; k < 6; k++)
-        sum += fabs(scene_dot(axis, sides[k / 3][k % 3]));
-    return (sum - fabs(scene_dot(axis, between))) / size;
-}
-
-static double overlap(const SceneBody *a, const SceneState *p, const SceneBody *b, const SceneState *q) {
-    const SceneBody *bodies[2] = {a, b};
-    const SceneState *states[2] = {p, q};
-    const double between[3] = {q->position[0] - p->position[0], q->position[1] - p->position[1],
-                               q->position[2] - p->position[2]};
-    double sides[2][3][3] = {{{0}}}, units[2][3][3] = {{{0}}}, least = INFINITY;
-    for (int k = 0; k < 6; k++) {
-        double *side = sides[k / 3][k % 3], *unit = units[k / 3][k % 3];
-        unit[k % 3] = 1;
-        scene_rotate(states[k / 3]->quaternion, unit, unit);
-        for (int c = 0; c < 3; c++)
-            side[c] = bodies[k / 3]->half[k % 3] * unit[c];
-    }
-    for (int k = 0; k < 6; k++)
-        least = fmin(least, overlapAlong(units[k / 3][k % 3], between, sides));
-    for (int k = 0; k < 9; k++) {
-        const double *u = units[0][k / 3], *v = units[1][k % 3];
-        const double cross[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-        least = fmin(least, overlapAlong(cross, between, sides));
-    }
-    return least;
-}
-
-static double below(const SceneBody *b, const SceneState *s) {
-    double reach = 0;
-    for (int i = 0; i < 3; i++) {
-        double unit[3] = {0, 0, 0};
-        unit[i] = 1;
-        scene_rotate(s->quaternion, unit, unit);
-        reach += b->half[i] * fabs(unit[1]);
-    }
-    return reach - s->position[1];
-}
-
-static double deepest(const SceneWorld *w, const SceneState states[]) {
-    double deep = 0;
-    for (int i = 0; i < w->numBodies; i++) {
-        deep = fmax(deep, below(&w->bodies[i], &states[i]));
-        for (int j = 0; j < i; j++) {
-            const double *p = states[i].position, *q = states[j].position;
-            const double d[3] = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-            if (scene_dot(d, d) < 4 * scene_dot(w->bodies[i].half, w->bodies[i].half))
-                deep = fmax(deep, overlap(&w->bodies[i], &states[i], &w->bodies[j], &states[j]));
-        }
-    }
-    return deep;
-}
-
 /* The overlap is looked for four times a second; the speed is the present one. */
 static void watchHeap(SceneTrace *t, const SceneWorld *w, const SceneState states[], double time) {
     if (lround(time / SCENE_FRAME) % HEAP_WATCHED == 0)
-        scenes_note(t, 0, t->worst[1] = deepest(w, states));
+        scenes_note(t, 0, t->worst[1] = scenes_deepest(w, states));
     t->worst[2] = 0;
     for (int i = 0; i < w->numBodies; i++)
         scenes_note(t, 2, sqrt(scene_dot(states[i].velocity, states[i].velocity)));
 }
 
-const Scene scenes_heap = {
-    .name = "heap",
-    .text = "300 boxes of 1 x .8 x .6 m, turned any way, fall on each other, mu .5, 10 s: how deep any two are in each "
-            "other, at most and at the end, largest speed at the end",
-    .count = LAYER * LAYER * LAYERS,
-    .duration = 10,
-    .hasEdges = true,
-    .errors = {{"worst m", .8, 1e-2}, {"at end m", .8, 1e-3}, {"speed m/s", INFINITY, .1}},
-    .build = buildHeap,
-    .observe = watchHeap,
-    .measure = scenes_copyWorst,
-};
+#define HEAP(label, boxes, boxesText, side, many)                                                                      \
+    {                                                                                                                  \
+        .name = "heap" label,                                                                                          \
+        .text =                                                                                                        \
+            boxesText " boxes of 1 x .8 x .6 m, turned any way, fall on each other, mu .5, 10 s: how deep any two "    \
+                      "are in each other, at most and at the end, largest speed at the end",                           \
+        .parameter = side, .count = boxes, .heaped = boxes, .isCrowd = many, .duration = 10, .hasEdges = true,         \
+        .errors = {{"worst m", .8, 1e-2}, {"at end m", .8, 1e-3}, {"speed m/s", INFINITY, .1}}, .build = buildHeap,    \
+        .observe = watchHeap, .measure = scenes_copyWorst,                                                             \
+    }
+const Scene scenes_heap = HEAP("", 300, "300", 5, false), scenes_heap1000 = HEAP("-1000", 1000, "1000", 10, true);

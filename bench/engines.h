@@ -1,0 +1,19 @@
+/* The engines of a program: those that were built in, and those of --peer. */
+#ifndef BENCH_ENGINES_H
+#define BENCH_ENGINES_H
+
+#include "engine.h"
+
+/* Karma with contacts of the scene's code, for scenes without contact; Karma as a universe, for those with; peers. They
+ * end with a null. */
+extern const Engine *engines[];
+/* In words, which engines are not there and what brings them; ends with a null. */
+extern const char *const engines_absent[];
+
+/* An engine of Karma's that the scene is not for: what it has not is the ground, or the lack of one. */
+bool engines_isForScene(const Engine *e, const SceneWorld *world);
+
+/* A peer from outside: a shared library with an Engine called `engine`. False, with a message, if it is none. */
+bool engines_addPeer(const char *file);
+
+#endif
