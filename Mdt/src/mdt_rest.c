@@ -270,6 +270,7 @@ void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
     for (int i = 0; i < p->numBodies; i++) {
         p->bodies[i]->certificate = isSettled ? p->world->certificate : 0;
         p->bodies[i]->isDisturbed = p->bodies[i]->isDisturbed && !isSettled;
+        p->bodies[i]->collapse = isSettled ? 0 : p->bodies[i]->collapse;
     }
     for (int i = 0; i < p->numActing && isSettled; i++)
         if (p->acting[i]->record.flags & MDT_WATCHED)
