@@ -51,6 +51,8 @@ const Scene *const scenes[] = {
     &scenes_block,
     &scenes_bounce,
     &scenes_cradle,
+    &scenes_pendulums,
+    &scenes_elastic,
     NULL,
 };
 

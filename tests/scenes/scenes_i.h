@@ -21,6 +21,7 @@ extern const Scene scenes_heavy100, scenes_heavy1e4, scenes_heavy1e6, scenes_tow
 extern const Scene scenes_towerCentimetre, scenes_towerDecimetre, scenes_towerMetre, scenes_towerTen,
     scenes_towerHundred;
 extern const Scene scenes_cards, scenes_longCards, scenes_heap;
+extern const Scene scenes_pendulums, scenes_elastic;
 extern const Scene scenes_incline, scenes_isotropy, scenes_rolling, scenes_backspin, scenes_block;
 
 #endif
