@@ -15,8 +15,8 @@ START_TEST(a_cradle_passes_the_blow_on_to_the_last_ball) {
 }
 END_TEST
 
-/* Contacts begin later than the blow before: a ball meets the next one up to a step late, and overlaps it then. Where such
- * an overlap was no blow, the last one rose to .06. */
+/* Contacts begin later than the blow before: a ball meets the next one up to a step late, and overlaps it then. Where
+ * such an overlap was no blow, the last one rose to .06. */
 START_TEST(so_do_pendulums) {
     static const SceneBound bounds[] = {{"pendulums", 1, 0, .02, .02}, {"pendulums", 1, 1, .02, .02}};
     assert_cases(bounds);

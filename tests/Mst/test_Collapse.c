@@ -1,5 +1,5 @@
-/* What falls apart, or is torn about: an arch without its keystone, boxes in flight, a rag doll on a stiff spring. How often their steps are divided, and how many
- * matrices that takes. */
+/* What falls apart, or is torn about: an arch without its keystone, boxes in flight, a rag doll on a stiff spring.
+ * How often their steps are divided, and how many matrices that takes. */
 #include "MdtReport.h"
 #include "Mst.h"
 #include "karma_test.h"
