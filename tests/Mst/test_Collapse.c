@@ -1,8 +1,9 @@
-/* What falls apart: an arch without its keystone, boxes in flight. How often their steps are divided, and how many
- * matrices that takes. */
+/* What falls apart, or is torn about: an arch without its keystone, boxes in flight, a rag doll on a stiff spring.
+ * How often their steps are divided, and how many matrices that takes. */
 #include "MdtReport.h"
 #include "Mst.h"
 #include "karma_test.h"
+#include "ragdoll.h"
 
 #define GRAVITY 9.81
 #define FRAME   ((MeReal)(1. / 60))
@@ -87,13 +88,17 @@ static Cost dropArch(MdtSolver solver) {
     return cost;
 }
 
-/* Stones do not rebound, and what one blow makes is the next one at most. */
+/* Stones do not rebound, and what one blow makes is the next one at most. Halves of seven stones that wedge each other
+ * are given up by the exact solver: it takes 29 928 matrices, and 1616 in a step, and with them nine times the work. */
 START_TEST(an_arch_falls_in_few_parts) {
     const Cost byDefault = dropArch(MdtSolverAuto), exact = dropArch(MdtSolverExact);
     tell("arch", &byDefault);
     tell("arch, exact", &exact);
-    ck_assert_int_eq(byDefault.most, 2);
+    ck_assert_int_le(byDefault.most, 2);
     ck_assert_int_eq(exact.most, 2);
+    ck_assert_int_le(byDefault.worst, 121);
+    ck_assert_int_le(byDefault.factorizations, 4000);
+    assert_below(byDefault.work, exact.work / 4);
     ck_assert(byDefault.energy < .5 * byDefault.start && exact.energy < .5 * exact.start);
 }
 END_TEST
@@ -143,7 +148,67 @@ START_TEST(nor_is_what_lands) {
 }
 END_TEST
 
+/* ---- a rag doll on a spring ------------------------------------------------------------------------------------- */
+
+enum { DRAGGED_STEPS = 600 };
+static const double stiffness = 1e5, dragSpeed = 3, dragRadius = 1.5, dragHeight = 1.3;
+
+static MdtSpringID pull(McdModelID part, const MeVector3 at) {
+    const MdtSpringID s = MdtSpringCreate(u->world);
+    MdtSpringSetBodies(s, McdModelGetBody(part), 0);
+    for (unsigned int k = 0; k < 2; k++)
+        MdtSpringSetPosition(s, k, at[0], at[1], at[2]);
+    MdtSpringSetNaturalLength(s, 0);
+    MdtSpringSetStiffness(s, (MeReal)stiffness);
+    MdtSpringSetDamping(s, 0);
+    MdtSpringEnable(s);
+    return s;
+}
+
+/* On a circle, up to its height in a second. */
+static void lead(MdtSpringID s, const MeVector3 from, double time) {
+    const double angle = dragSpeed / dragRadius * time, up = (dragHeight - (double)from[1]) * fmin(1, time);
+    MdtSpringSetPosition(s, 1, from[0] + (MeReal)(dragRadius * sin(angle)), from[1] + (MeReal)up,
+                         from[2] + (MeReal)(dragRadius * (1 - cos(angle))));
+}
+
+/* In how many steps a partition is divided. */
+static int drag(int part, Cost *c) {
+    static const double feet[3] = {0, 0, 0};
+    Doll doll;
+    MeVector3 at;
+    int divided = 0;
+    begin(.7);
+    doll_make(&doll, u, feet);
+    McdModelDynamicsGetPosition(doll.model[part], at);
+    const MdtSpringID s = pull(doll.model[part], at);
+    for (int i = 0; i < DRAGGED_STEPS; i++) {
+        MdtReport r;
+        lead(s, at, (i + 1) * (double)FRAME);
+        stepAndCount(c);
+        ck_assert(MdtWorldGetReport(u->world, &r));
+        divided += r.parts > MdtWorldGetReportCount(u->world);
+        assert_below(doll_opening(&doll), 1e-5);
+    }
+    MstUniverseDestroy(u);
+    return divided;
+}
+
+/* Solved exactly, 591 of the steps were divided. */
+START_TEST(a_doll_on_a_stiff_spring_is_followed_in_whole_steps) {
+    static const int parts[] = {DOLL_PELVIS, DOLL_FOREARMS};
+    for (int i = 0; i < 2; i++) {
+        Cost cost = {0};
+        const int divided = drag(parts[i], &cost);
+        printf("%d steps divided; ", divided);
+        tell("doll", &cost);
+        ck_assert_int_le(divided, 591 / 4);
+    }
+}
+END_TEST
+
 static void tests(TCase *t) {
+    tcase_add_test(t, a_doll_on_a_stiff_spring_is_followed_in_whole_steps);
     tcase_add_test(t, an_arch_falls_in_few_parts);
     tcase_add_test(t, what_flies_is_no_work_for_newton);
     tcase_add_test(t, nor_is_what_lands);

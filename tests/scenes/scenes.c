@@ -78,6 +78,8 @@ const Scene *const scenes[] = {
     &scenes_capsules,
     &scenes_humanoid,
     &scenes_grasp,
+    &scenes_pendulums,
+    &scenes_elastic,
     NULL,
 };
 

@@ -35,6 +35,7 @@ extern const Scene scenes_dolls, scenes_net, scenes_machines, scenes_bridge, sce
 extern const Scene scenes_rollingXY, scenes_rollingY, scenes_bouncing49, scenes_666, scenes_elastic666,
     scenes_quadrupedMomentum, scenes_quadrupedEnergy;
 extern const Scene scenes_planarChain, scenes_capsules, scenes_humanoid, scenes_grasp;
+extern const Scene scenes_pendulums, scenes_elastic;
 extern const Scene scenes_incline, scenes_isotropy, scenes_rolling, scenes_backspin, scenes_block;
 
 #endif

@@ -43,18 +43,22 @@ static MeBool isDeep(const MdtKeaSystem *s, const MdtKeaRow *row) {
 }
 
 /* Forces of springs change within a step, and stiff ones have to be damped: what they hold is not followed. What
- * overlaps is moved out of it, which against joints costs energy, or gives it. */
+ * overlaps is moved out of it, which against joints costs energy, or gives it; but what still comes together there is
+ * met late, as by a body that was hit in the last step and had no contact yet with the next one. */
 MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     const double gate = kea_minReboundSpeed * kea_eventSpeed(s), reach = kea_reach * s->parameters.stepsize;
     MeBool bounces = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (row->spring || (row->contact == i && isDeep(s, row)))
+        if (row->spring)
             return MEFALSE;
-        if (row->contact != i || !(row->restitution > 0))
+        if (row->contact != i)
             continue;
         const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
-        if (-rate > row->threshold && -rate * row->restitution > gate && row->error + reach * rate < 0)
+        const MeBool isFast = -rate > row->threshold && -rate * row->restitution > gate;
+        if (isDeep(s, row) && !isFast)
+            return MEFALSE;
+        if (isFast && row->error + reach * rate < 0)
             bounces = METRUE;
     }
     return bounces;
