@@ -264,9 +264,7 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  - partitions of 64 bodies or more;
  *  - partitions of more bodies than MdtWorldSetTimedContacts that touch nothing fixed, or in which bodies have just
  *    met, until all are slow (MdtPartitionParams);
- *  - partitions of fewer that move, without joints and restitution, once the exact solver has taken 48 factorizations
- *    in a step: for the rest of that step, and until all have been slow for 32 steps; and what comes out of a larger
- *    partition of the fast one's, without joints, as long;
+ *  - what comes out of these, however few bodies, without joints, until it is at rest;
  *  - such with joints for which the exact solver has taken more than 12 factorizations in a step, too; what joints tie
  *    stays with the fast solver until it is at rest.
  *

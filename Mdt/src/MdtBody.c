@@ -399,7 +399,6 @@ void mdt_bodySleep(MdtBodyID b) {
     keaZero(b->kea.lastStep.lin);
     keaZero(b->kea.lastStep.ang);
     b->isDisturbed = MEFALSE;
-    b->collapse = 0;
     keaZero(b->push);
     mdt_bodyShow(b);
 }

@@ -53,12 +53,13 @@ static MeBool isSmall(const MdtIsland *p) {
 }
 
 /* From an impact on until all that it has disturbed is slow. What joints tie goes on swinging: from an impact on, or a
- * step whose contacts did not settle, until it is at rest (mdt_rest.c). A partition does not go to and fro between the
- * solvers. What leaves a crowd counts as disturbed. Writes isDisturbed of its bodies. */
+ * step whose contacts did not settle, until it is at rest (mdt_rest.c). What leaves a crowd counts as disturbed; few
+ * bodies, too, until they are at rest, as they may wedge each other, slow as they are. A partition does not go to and
+ * fro between the solvers. Writes isDisturbed of its bodies. */
 static MeBool isDisturbed(const MdtIsland *p) {
-    MeBool is = p->numBodies >= MDT_CROWD || hasImpacts(p);
+    MeBool is = !isSmall(p) && (p->numBodies >= MDT_CROWD || hasImpacts(p));
     for (int i = 0; i < p->numBodies && !is; i++)
-        is = p->bodies[i]->isDisturbed && (p->numJoints > 0 || p->bodies[i]->slowTime == 0);
+        is = p->bodies[i]->isDisturbed && (p->numJoints > 0 || isSmall(p) || p->bodies[i]->slowTime == 0);
     for (int i = 0; i < p->numBodies; i++)
         p->bodies[i]->isDisturbed = is;
     return is;
@@ -70,62 +71,6 @@ void mdt_crowdNote(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++)
         p->bodies[i]->isDisturbed = METRUE;
 }
-
-/* ---- few bodies that collapse ---- */
-
-static MeBool bounces(const MdtIsland *p) {
-    for (int i = 0; i < p->kea.numManifolds; i++)
-        if (p->kea.manifolds[i].surface.restitution > 0)
-            return METRUE;
-    return MEFALSE;
-}
-
-/* What stands is not given up, however long it takes: only what moves, and what did until it is at rest. What was put
- * there in its place has no last answer, and takes its time for once. */
-static MeBool mayCollapse(const MdtIsland *p) {
-    for (int i = 0; i < p->numBodies; i++)
-        if (p->bodies[i]->enabledSteps > 0 && (p->bodies[i]->slowTime == 0 || p->bodies[i]->collapse > 0))
-            return METRUE;
-    return MEFALSE;
-}
-
-int mdt_crowdPatience(const MdtIsland *p) {
-    const MdtWorld *w = p->world;
-    const MeBool isChoice = w->solver == MdtSolverAuto && mdt_worldAccuracy(w, p->h) > 0 && !p->isFast;
-    const MeBool areFew = isSmall(p) && p->kea.maxRows <= w->maxMatrixSize && p->numJoints == 0;
-    return isChoice && areFew && !bounces(p) && mayCollapse(p) ? MDT_PATIENCE : 0;
-}
-
-void mdt_crowdTake(MdtIsland *p) {
-    MEASSERT(!p->isFast && p->numJoints == 0);
-    p->isFast = METRUE;
-    p->patience = 0;
-    p->kea.maxRows = p->kea.maxContacts = 0; /* the fast solver's scratch is part of the exact one's */
-    p->kea.parameters.solver = MdtKeaSolverFast;
-    p->kea.parameters.timed = MEFALSE;
-    for (int i = 0; i < p->numBodies; i++)
-        p->bodies[i]->collapse = 1 + MDT_SECOND_TRIAL;
-}
-
-/* As long as anything in it moves, and for some steps after that; what comes out of a crowd collapses, too. Writes
- * `collapse' and isDisturbed of its bodies. */
-static MeBool isCollapsing(const MdtIsland *p) {
-    MeBool areSlow = METRUE;
-    int collapse = 0;
-    for (int i = 0; i < p->numBodies; i++) {
-        const MdtBody *b = p->bodies[i];
-        areSlow = areSlow && b->slowTime > 0;
-        collapse = MeMAX(collapse, b->isDisturbed ? 1 + MDT_SECOND_TRIAL : b->collapse);
-    }
-    collapse -= areSlow && collapse > 1;
-    for (int i = 0; i < p->numBodies; i++) {
-        p->bodies[i]->collapse = collapse;
-        p->bodies[i]->isDisturbed = MEFALSE;
-    }
-    return collapse > 1 && p->numJoints == 0;
-}
-
-/* ---- the choice ---- */
 
 /* Nothing in it touches the world: it carries no weight, and its forces come of meetings and of overlaps alone. */
 static MeBool isInFlight(const MdtIsland *p) {
@@ -170,7 +115,7 @@ MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
         return MEFALSE;
     if (w->solver == MdtSolverFast)
         return METRUE;
-    if (mdt_worldAccuracy(w, p->h) == 0 || isMetInTime(p))
+    if ((isSmall(p) && p->numJoints > 0) || mdt_worldAccuracy(w, p->h) == 0 || isMetInTime(p))
         return MEFALSE;
-    return isSmall(p) ? isCollapsing(p) : isDisturbed(p) || isInFlight(p);
+    return isDisturbed(p) || (!isSmall(p) && isInFlight(p));
 }

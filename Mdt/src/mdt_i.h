@@ -133,9 +133,6 @@ struct MdtBody {
     double enabledTime;                            /* s */
     int enabledSteps;
     MeReal safeTime;
-    int collapse; /* 0: it stands; else contacts of few bodies took the exact solver too long, or it came out of a
-                     crowd, and it has not come to rest since: the steps that the fast one has it yet, and 1
-                     (mdt_crowd.c) */
     MeBool isDisturbed; /* by an impact, or by contacts that do not settle, in its partition, and not come to rest since
                            (mdt_crowd.c) */
 
@@ -329,13 +326,6 @@ enum { MDT_IMPACT = 4 };
 /* Factorizations of a part of a step: where the exact solver takes more, contacts do not settle whether they stick.
  * Ordinary steps take 1 to 6. 30 machines of 10 bodies among crates, ms a step: 2.0, 2.3, 3.0 with 12, 24, 48. */
 enum { MDT_UNSETTLED = 12 };
-/* Of a step of few bodies in contact of which nothing bounces: where the exact solver takes more while they move, the
- * fast one has them. Of an arch of 15 stones that falls, in 240 steps and at most in one: 535 and 73 with 36, 1007 and
- * 82 with 48, 1992 and 189 with 96, 29 928 and 1616 without (Mst_Collapse). */
-enum { MDT_PATIENCE = 48 };
-/* Steps of slow bodies, after which the exact solver tries again: what it may give up then is no more, a step, than the
- * one or two of an ordinary one. */
-enum { MDT_SECOND_TRIAL = 32 };
 /* Of a body's size: how far joints may be open at rest. As much as overlaps may be there. */
 #define MDT_CLOSED 1e-4
 /* m/s: the residual of contact laws that a step of h seconds may leave (MdtWorldSetAccuracy). */

@@ -296,7 +296,6 @@ static void MEAPI certifyBodies(void *context, int first, int end, int worker) {
         MdtBodyID b = c->p->bodies[i];
         b->certificate = c->isSettled ? c->p->world->certificate : 0;
         b->isDisturbed = b->isDisturbed && !c->isSettled;
-        b->collapse = c->isSettled ? 0 : b->collapse;
     }
 }
 

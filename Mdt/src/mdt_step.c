@@ -9,23 +9,6 @@ void mdt_partMakeRows(MdtIsland *p, double part) {
     MeProfileEndSection("Rows");
 }
 
-static void solve(MdtIsland *p) {
-    mdt_budgetGrant(p);
-    MdtKeaSolve(&p->kea);
-    mdt_crowdNote(p);
-    mdt_budgetDraw(p);
-}
-
-/* The exact solver has given up: the fast one has this part, and the rest of the step. */
-static void solveOtherwise(MdtIsland *p) {
-    if (p->report)
-        mdt_reportSolve(p);
-    mdt_crowdTake(p);
-    mdt_partBegin(p, p->parameters.stepsize);
-    mdt_rowsMake(p);
-    solve(p);
-}
-
 void mdt_partSolveRows(MdtIsland *p) {
     MeProfileStartSection("Rows", 0);
     if (p->kea.parameters.timed && MdtKeaMeets(&p->kea))
@@ -34,9 +17,10 @@ void mdt_partSolveRows(MdtIsland *p) {
     if (p->report && p->numRows > 0)
         mdt_reportLap(p, MdtReportStageRows);
     MeProfileStartSection("Solve", 0);
-    solve(p);
-    if (p->kea.report.unsettled)
-        solveOtherwise(p);
+    mdt_budgetGrant(p);
+    MdtKeaSolve(&p->kea);
+    mdt_crowdNote(p);
+    mdt_budgetDraw(p);
     MeProfileEndSection("Solve");
     if (p->report)
         mdt_reportSolve(p);

@@ -60,8 +60,7 @@ typedef struct MdtIsland {
     double elapsed;                    /* s, of the step before that part */
     double work;                       /* multiplications that the step may still cost; MDT_NO_BOUND: any number */
     int iterations;                    /* of Newton's method, the same; 0: any number */
-    int patience;  /* factorizations, until the fast solver has the rest of the step; 0: any number */
-    MeBool hasMet; /* bodies met as a part began */
+    MeBool hasMet;                     /* bodies met as a part began */
     /* mdt_compose.c */
     MdtStage stage;
     double forward; /* the sum of the stages that go forward, over the part that they make up */
@@ -134,10 +133,6 @@ void mdt_islandRelease(MdtIsland *p);
 MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows);
 /* After a solve: contacts that did not settle disturb what joints tie. */
 void mdt_crowdNote(const MdtIsland *p);
-/* How many factorizations the exact solver may take for the step; 0: any number. Then the fast one has the rest of it.
- */
-int mdt_crowdPatience(const MdtIsland *p);
-void mdt_crowdTake(MdtIsland *p);
 
 /* ---- contacts, as Kea takes them (mdt_contacts.c) ---- */
 

@@ -32,7 +32,6 @@ static double keepWork(MdtIsland *p, double share) {
 /* The least of either is not none, which would mean any number. */
 void mdt_budgetGrant(MdtIsland *p) {
     p->kea.parameters.maxWork = p->work < MDT_NO_BOUND ? fmax(p->work, 1) : 0;
-    p->kea.parameters.maxFactorizations = p->patience;
     p->kea.parameters.maxIterations = p->world->maxLcpIterations == 0 ? 0 : p->iterations > 1 ? p->iterations : 1;
 }
 
@@ -41,7 +40,6 @@ void mdt_budgetDraw(MdtIsland *p) {
     MEASSERT(cost->work >= 0 && cost->iterations >= 0);
     p->work = p->work < MDT_NO_BOUND ? fmax(p->work - cost->work, 0) : MDT_NO_BOUND;
     MEASSERT(p->work >= 0 && p->work <= MDT_NO_BOUND);
-    p->patience = p->patience > cost->factorizations ? p->patience - cost->factorizations : p->patience > 0;
     p->iterations -= p->iterations < cost->iterations ? p->iterations : cost->iterations;
     if (p->report)
         p->report->work += (MeReal)(1e-6 * cost->work);
@@ -256,7 +254,6 @@ static MeBool isTimed(MdtIsland *p, double part) {
 
 MeBool mdt_islandSubdivide(MdtIsland *p) {
     beginBudget(p);
-    p->patience = mdt_crowdPatience(p);
     p->parameters.hasContacts = p->numContacts > 0;
     const int n = p->world->subSteps;
     MeBool (*const take)(MdtIsland *, double) = mdt_mayCompose(p) ? mdt_partCompose : mdt_partTake;

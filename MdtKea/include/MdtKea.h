@@ -217,19 +217,17 @@ typedef enum MdtKeaPair {
 
 /** What holds for the whole system. Epsilon and gamma are in the rows that the owner fills already. */
 typedef struct MdtKeaParameters {
-    double stepsize;       /**< s */
-    double elapsed;        /**< s, of the step before this part of it; 0: it begins */
-    double epsilon;        /**< 1/kg, of contacts */
-    double softening;      /**< by which a contact's own softness is multiplied, in a part of a step; else 1 */
-    double gamma;          /**< the part of a position error that the step takes away, 0..1 */
-    int maxIterations;     /**< Newton iterations of the whole solve; 0: as many as it takes */
-    double maxWork;        /**< multiplications of the whole solve, roughly; 0: as many as it takes */
-    int maxFactorizations; /**< of matrices: an exact solve that has taken more and has not found the motion gives up,
-                                see MdtKeaReport.unsettled; 0: as many as it takes */
-    MeBool mayRefuse;      /**< a step in which bodies turn too far may be reported as violent without being solved */
-    MeBool isPart;   /**< of a step that the bodies do not take together: energy from errors of joints is not given */
-    MdtKeaPair pair; /**< a composition of higher order takes steps in pairs */
-    MeBool timed;    /**< contacts are met in time: bodies move with their mean velocities throughout */
+    double stepsize;   /**< s */
+    double elapsed;    /**< s, of the step before this part of it; 0: it begins */
+    double epsilon;    /**< 1/kg, of contacts */
+    double softening;  /**< by which a contact's own softness is multiplied, in a part of a step; else 1 */
+    double gamma;      /**< the part of a position error that the step takes away, 0..1 */
+    int maxIterations; /**< Newton iterations of the whole solve; 0: as many as it takes */
+    double maxWork;    /**< multiplications of the whole solve, roughly; 0: as many as it takes */
+    MeBool mayRefuse;  /**< a step in which bodies turn too far may be reported as violent without being solved */
+    MeBool isPart;     /**< of a step that the bodies do not take together: energy from errors of joints is not given */
+    MdtKeaPair pair;   /**< a composition of higher order takes steps in pairs */
+    MeBool timed;      /**< contacts are met in time: bodies move with their mean velocities throughout */
     MdtKeaSolver solver;
     double accuracy; /**< m/s, of the fast solver: the residual that passes are to reach */
 } MdtKeaParameters;
@@ -247,8 +245,6 @@ typedef struct MdtKeaReport {
     MeBool capped;      /**< passes, work or iterations ran out: the forces are within bounds, but not exact, and the
                              bodies have no more energy than loads, springs and motors explain */
     MeBool violent;     /**< the motion could not be followed in a step of this length: take shorter ones */
-    MeBool unsettled;   /**< given up, see MdtKeaParameters.maxFactorizations: there are no forces, the bodies are where
-                             they would be without */
     MeBool refused;     /**< `violent` without having been solved, see MdtKeaParameters.mayRefuse */
     MeBool conflicting; /**< rows contradict each other: a compromise was taken */
     double event;       /**< s: when something happens in a timed step that divides it; the step's length if nothing */

@@ -89,7 +89,8 @@ static Cost dropArch(MdtSolver solver) {
 }
 
 /* Stones do not rebound, and what one blow makes is the next one at most. Halves of seven stones that wedge each other
- * are given up by the exact solver: it takes 29 928 matrices, and 1616 in a step, and with them nine times the work. */
+ * come out of a partition of the fast solver, and stay with it: Newton's method takes 29 928 matrices, and 1616 in a
+ * step, and with them nine times the work. */
 START_TEST(an_arch_falls_in_few_parts) {
     const Cost byDefault = dropArch(MdtSolverAuto), exact = dropArch(MdtSolverExact);
     tell("arch", &byDefault);

@@ -232,12 +232,6 @@ static MeBool mayBeTangent(const MdtKeaSystem *s) {
     return s->work->hasJoints && s->work->problem.hasFriction;
 }
 
-/* Enough was spent; another solver is to have the step. */
-static MeBool isGivenUp(const MdtKeaSystem *s) {
-    return s->parameters.maxFactorizations > 0 &&
-           s->work->problem.counts.factorizations > s->parameters.maxFactorizations;
-}
-
 static void takePasses(MdtKeaSystem *s) {
     int last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES;
     KeaProblem *q = &s->work->problem;
@@ -279,9 +273,6 @@ static void takePasses(MdtKeaSystem *s) {
         if (isFinal(q, &e, isPolished) || pass == last ||
             (ranOut && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
             break;
-        s->report.unsettled = isGivenUp(s);
-        if (s->report.unsettled)
-            return;
         isPolished = kea_isConverged(&e);
         if (!improve(s, pass, &e, isNear))
             break;
@@ -346,8 +337,7 @@ static void solveMotion(MdtKeaSystem *s) {
     kea_beginRows(s);
     kea_guessMotion(s);
     takePasses(s);
-    if (!s->report.unsettled)
-        kea_balanceMomentum(s);
+    kea_balanceMomentum(s);
 }
 
 /* A stop needs a second solve, in which what stops slides on; should it not stop within the step after all, the first
@@ -358,8 +348,6 @@ static void solveInTime(MdtKeaSystem *s) {
     double event = kea_firstEvent(s, &mustRepeat);
     if (mustRepeat) {
         solveMotion(s);
-        if (s->report.unsettled)
-            return;
         event = kea_firstEvent(s, &isNew);
         if (event > h) {
             kea_releaseSlides(s);
@@ -449,13 +437,8 @@ void kea_exactSolve(MdtKeaSystem *s) {
         s->work->hasJoints = hasJoint(s);
         kea_dualBegin(s);
         solveMotion(s);
-        if (s->parameters.timed && !s->report.unsettled)
+        if (s->parameters.timed)
             solveInTime(s);
-        if (s->report.unsettled) {
-            kea_moveFreely(s); /* a state; the step is not to be taken */
-            kea_reportWork(s);
-            return;
-        }
         setFree(s);
         kea_setBudget(s, 1, 1);
         if (!s->parameters.timed || s->work->hasJoints)
