@@ -117,8 +117,8 @@ typedef struct SweepRanks {
 SweepRanks sweep_ranksBegin(int *argc, char ***argv);
 /* The whole sweep, of rank 0: its pool and the others'. */
 void sweep_ranksLead(SweepRanks ranks, const SweepPlan *plan, SweepJournal *journal, int workers, int limit);
-/* Of the others: until rank 0 says that all is done. */
-void sweep_ranksFollow(const SweepPlan *plan, int workers, int limit);
+/* Of the others: until rank 0 says that all is done. False: a rank has died, and MPI_Finalize would wait for it. */
+bool sweep_ranksFollow(const SweepPlan *plan, int workers, int limit);
 void sweep_ranksEnd(SweepRanks ranks);
 
 #endif

@@ -190,8 +190,8 @@ int main(int argc, char **argv) {
         list(&plan);
     else if (!o.list && ranks.rank == 0)
         code = lead(&o, ranks, &plan);
-    else if (!o.list)
-        sweep_ranksFollow(&plan, workersOf(&o, ranks), (int)o.limit);
+    else if (!o.list && !sweep_ranksFollow(&plan, workersOf(&o, ranks), (int)o.limit))
+        _exit(0); /* MPI_Finalize would wait for the dead */
     sweep_ranksEnd(ranks);
     return code;
 }

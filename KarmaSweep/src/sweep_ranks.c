@@ -59,8 +59,9 @@ void sweep_ranksLead(SweepRanks ranks, const SweepPlan *plan, SweepJournal *jour
     free(local.queue.again);
 }
 
-void sweep_ranksFollow(const SweepPlan *plan, int workers, int limit) {
+bool sweep_ranksFollow(const SweepPlan *plan, int workers, int limit) {
     (void)plan, (void)workers, (void)limit;
+    return true;
 }
 
 void sweep_ranksEnd(SweepRanks ranks) {
@@ -180,13 +181,13 @@ static void missDead(Leader *l) {
 }
 
 static bool sayDone(Leader *l) {
-    bool areAllAlive = true;
-    for (int i = 1; i < l->count; i++) {
+    long dead = 0;
+    for (int i = 1; i < l->count; i++)
+        dead += l->rank[i].isDead;
+    for (int i = 1; i < l->count; i++)
         if (!l->rank[i].isDead)
-            MPI_Send(NULL, 0, MPI_LONG, i, DONE, MPI_COMM_WORLD);
-        areAllAlive &= !l->rank[i].isDead;
-    }
-    return areAllAlive;
+            MPI_Send(&dead, 1, MPI_LONG, i, DONE, MPI_COMM_WORLD);
+    return dead == 0;
 }
 
 static long takeAsLeader(void *data) {
@@ -224,6 +225,7 @@ void sweep_ranksLead(SweepRanks ranks, const SweepPlan *plan, SweepJournal *jour
 typedef struct Follower {
     long run[MOST_AT_ONCE];
     int count;
+    bool areAllAlive;
 } Follower;
 
 static long takeGiven(void *data) {
@@ -251,14 +253,16 @@ static bool obey(Follower *f, bool *isAsking) {
     if (!isThere)
         return true;
     MPI_Recv(f->run, MOST_AT_ONCE, MPI_LONG, 0, status.MPI_TAG, MPI_COMM_WORLD, &status);
-    if (status.MPI_TAG == DONE)
+    if (status.MPI_TAG == DONE) {
+        f->areAllAlive = f->run[0] == 0;
         return false;
+    }
     MPI_Get_count(&status, MPI_LONG, &f->count);
     *isAsking = false;
     return true;
 }
 
-void sweep_ranksFollow(const SweepPlan *plan, int workers, int limit) {
+bool sweep_ranksFollow(const SweepPlan *plan, int workers, int limit) {
     Follower f = {.count = 0};
     const SweepClient client = {&f, takeGiven, sendRow};
     SweepPool *pool = sweep_poolCreate(plan, workers, limit, &client);
@@ -275,6 +279,7 @@ void sweep_ranksFollow(const SweepPlan *plan, int workers, int limit) {
         isAsking |= wants;
     }
     sweep_poolDestroy(pool);
+    return f.areAllAlive;
 }
 
 #endif

@@ -22,7 +22,7 @@ static void begin(double friction) {
 }
 
 typedef struct Cost {
-    int events, most, factorizations, worst; /* most: events of a partition in a step; worst: matrices of a step */
+    int events, most, factorizations, worst; /* of a partition in a step: most events, worst: matrices */
     double work, start, energy;              /* millions of multiplications; J, before and now */
 } Cost;
 
@@ -34,11 +34,11 @@ static void stepAndCount(Cost *c) {
     c->start = c->start > 0 ? c->start : c->energy;
     c->events += r.events;
     c->factorizations += r.factorizations;
-    c->worst = c->worst > r.factorizations ? c->worst : r.factorizations;
     c->work += (double)r.work;
     for (int i = 0; i < MdtWorldGetReportCount(u->world); i++) {
         ck_assert(MdtWorldGetPartitionReport(u->world, i, &r));
         c->most = c->most > r.events ? c->most : r.events;
+        c->worst = c->worst > r.factorizations ? c->worst : r.factorizations;
     }
 }
 
@@ -97,7 +97,7 @@ START_TEST(an_arch_falls_in_few_parts) {
     tell("arch, exact", &exact);
     ck_assert_int_le(byDefault.most, 2);
     ck_assert_int_eq(exact.most, 2);
-    ck_assert_int_le(byDefault.worst, 121);
+    ck_assert_int_le(byDefault.worst, (int)TOL(121, 242)); /* eleven stones that are slow and have not settled */
     ck_assert_int_le(byDefault.factorizations, 4000);
     assert_below(byDefault.work, exact.work / 4);
     ck_assert(byDefault.energy < .5 * byDefault.start && exact.energy < .5 * exact.start);
