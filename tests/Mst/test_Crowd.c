@@ -416,8 +416,8 @@ START_TEST(crowds_are_fast_and_others_exact) {
 }
 END_TEST
 
-/* How often forty boxes that fall onto each other go from the fast solver to the exact one: once, when all are slow, but
- * for those that others join or leave. If the solver depended on the impacts of the step alone, 17 times. */
+/* How often forty boxes that fall onto each other go from the fast solver to the exact one: once, when all are slow,
+ * but for those that others join or leave. If the solver depended on the impacts of the step alone, 17 times. */
 START_TEST(what_was_hit_stays_fast_until_it_is_slow) {
     makeWorld(MdtSolverAuto);
     makeFloor();
