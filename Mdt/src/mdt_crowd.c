@@ -47,15 +47,15 @@ static MeBool hasImpacts(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* So few bodies are met in time. */
+/* Partitions of so few bodies meet their contacts in time (MdtWorldSetTimedContacts). */
 static MeBool isSmall(const MdtIsland *p) {
     return p->numBodies <= p->world->timedBodies;
 }
 
-/* From an impact on until all that it has disturbed is slow. What joints tie goes on swinging: from an impact on, or a
- * step whose contacts did not settle, until it is at rest (mdt_rest.c). What leaves a crowd counts as disturbed; few
- * bodies, too, until they are at rest, as they may wedge each other, slow as they are. A partition does not go to and
- * fro between the solvers. Writes isDisturbed of its bodies. */
+/* A partition is disturbed from an impact on until all its bodies are slow. With joints, which go on swinging, it is
+ * from an impact or a step whose contacts did not settle until it is at rest (mdt_rest.c); and so are few bodies that
+ * come out of a disturbed partition, since they may be slow and wedged. So a partition does not change its solver to
+ * and fro. Writes isDisturbed of its bodies. */
 static MeBool isDisturbed(const MdtIsland *p) {
     MeBool is = !isSmall(p) && (p->numBodies >= MDT_CROWD || hasImpacts(p));
     for (int i = 0; i < p->numBodies && !is; i++)

@@ -274,8 +274,8 @@ static void sumSpeeds(void *context, KeaNode *node) {
     }
 }
 
-/* Against what all have in common, as on a train. Forces of what moves faster than its loads make it in a step are
- * those of impacts, and not of weights. */
+/* Speeds are relative to the mean velocity, so that a pile on a train is at rest. Where bodies are faster than their
+ * loads make them in a step, contact forces are those of impacts, and tell nothing of weights. */
 static void findSpeed(Step *p) {
     const double n = p->s->numBodies;
     kea_overRegions(&p->regions, sumSpeeds, p);
@@ -287,9 +287,9 @@ static void findSpeed(Step *p) {
     p->load = p->isMoving ? 1 : loadRatio(p);
 }
 
-/* m/s: a residual of each of the contacts that n bodies stand on each other by adds up to n of them, for the uppermost.
- * The share of the speed with which bodies move anyhow is left to the next step; where they move faster than loads make
- * them in a step, all of that speed is, but of overlaps that are deep. */
+/* Is the residual small enough? In a stack of n bodies the contacts' residuals add up, so each may be an n-th of the
+ * accuracy. While bodies move, a part of their speed is left to the next step; where impacts dominate, all of it,
+ * except at deep overlaps that grow, by `closing' m/s. */
 static MeBool isEnough(const Step *p, double closing) {
     const double least = keaMax(p->s->parameters.accuracy / keaMax(p->load, 1), kea_impactAccuracy * p->speed);
     return p->s->report.residual <= (p->isMoving ? p->speed : least) && closing <= least;
