@@ -2,7 +2,9 @@
 #include "inner/kea_factor_i.h"
 #include "MeMemory.h"
 #include "common/kea_policy_i.h"
+#include "common/kea_machine_i.h"
 #include "inner/kea_problem_i.h"
+#include "inner/kea_structure_i.h"
 #include "karma_test.h"
 
 enum { MOST_NODES = 24, MOST_EDGES = MOST_NODES * MOST_NODES / 2, MOST = MOST_NODES * KEA_FACTOR_MAX_BLOCK };
@@ -632,7 +634,58 @@ START_TEST(a_warm_cache_allocates_nothing) {
 }
 END_TEST
 
+/* ---- kernels ---- */
+
+#ifdef KEA_HAS_AVX2
+/* Of a matrix that depends on the seed alone: A⁻¹ of a vector, by one kernel. */
+static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, MeBool isSymmetric, double x[MOST]) {
+    state = (unsigned long long)seed;
+    KeaFactor *f = create(g);
+    double a[6], b[6];
+    fill(f, g, isSymmetric ? 0 : 0.3);
+    for (int i = 0; i < g->numNodes; i++) {
+        for (int k = 0; k < 6; k++) {
+            a[k] = uniform(-1, 1);
+            b[k] = uniform(-0.1, 0.1) + a[k] * isSymmetric;
+        }
+        if (g->size[i] == 6)
+            kernel->addOuter(kea_factorDiagonal(f, i), 1, a, isSymmetric ? a : b);
+    }
+    for (int i = 0; i < MOST; i++)
+        x[i] = uniform(-1, 1);
+    f->isSymmetric = isSymmetric;
+    ck_assert(kernel->factorize(f, kea_leastPivot));
+    kernel->solve(f, x);
+    destroy();
+}
+#endif
+
+/* With blocks of any size, and of six all, and of three. */
+START_TEST(every_width_gives_the_same_bits) {
+#ifdef KEA_HAS_AVX2
+    static double narrow[MOST], wide[MOST];
+    static Graph g;
+    if (!kea_machineHasAvx2())
+        return;
+    for (int kind = 0; kind < KINDS; kind++)
+        for (int sizes = 0; sizes < 3; sizes++) {
+            state = (unsigned long long)(_i + 1);
+            makeGraph(&g, (Kind)kind, 4 + 4 * _i);
+            for (int i = 0; i < g.numNodes && sizes > 0; i++)
+                g.size[i] = sizes == 1 ? 6 : 3;
+            for (int symmetric = 0; symmetric < 2; symmetric++) {
+                solveBy(&kea_factorKernel, &g, _i, symmetric, narrow);
+                solveBy(&kea_factorKernelAvx2, &g, _i, symmetric, wide);
+                ck_assert_msg(memcmp(narrow, wide, sizeof wide) == 0, "kind %d, sizes %d, symmetric %d", kind, sizes,
+                              symmetric);
+            }
+        }
+#endif
+}
+END_TEST
+
 static void tests(TCase *t) {
+    tcase_add_loop_test(t, every_width_gives_the_same_bits, 0, 6);
     tcase_add_test(t, cholesky_solves_as_elimination_does);
     tcase_add_test(t, lu_solves_as_elimination_does);
     tcase_add_test(t, equal_blocks_solve_as_elimination_does);

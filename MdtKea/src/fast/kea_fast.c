@@ -14,6 +14,7 @@
 #include "fast/kea_joints_i.h"
 #include "fast/kea_regions_i.h"
 #include "inner/kea_factor_i.h"
+#include "common/kea_machine_i.h"
 #include "common/kea_policy_i.h"
 #include "MeAssert.h"
 #include <string.h>
@@ -43,7 +44,7 @@ typedef struct Passes {
 
 static const KeaKernel *kernelOfMachine(void) {
 #ifdef KEA_HAS_AVX2
-    if (__builtin_cpu_supports("avx2"))
+    if (kea_machineHasAvx2())
         return &kea_kernelAvx2;
 #endif
     return &kea_kernel;

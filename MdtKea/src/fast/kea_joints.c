@@ -126,12 +126,11 @@ static double (*unknownsOf(const KeaJoints *j, const KeaJointBlock *b))[6] {
 
 /* ---- the matrix ---- */
 
+/* Adds w aᵀ b. */
 static void addOuter(double *block, double w, const MdtKeaJBlock *a, const MdtKeaJBlock *b) {
     const double row[6] = {a->lin[0], a->lin[1], a->lin[2], a->ang[0], a->ang[1], a->ang[2]};
     const double column[6] = {b->lin[0], b->lin[1], b->lin[2], b->ang[0], b->ang[1], b->ang[2]};
-    for (int i = 0; i < 6; i++)
-        for (int k = 0; k < 6; k++)
-            block[6 * i + k] += w * row[i] * column[k];
+    kea_factorAddOuter(block, w, row, column);
 }
 
 static void addRow(KeaFactor *f, const KeaJointRow *r) {

@@ -44,6 +44,8 @@ void kea_factorTakeNumbers(KeaFactor *f, char *memory);
 double *kea_factorDiagonal(KeaFactor *f, int node);
 double *kea_factorUpper(KeaFactor *f, int edge);
 double *kea_factorLower(KeaFactor *f, int edge);
+/* Adds w aᵀ b to a block of six by six. */
+void kea_factorAddOuter(double block[6 * 6], double w, const double a[6], const double b[6]);
 
 /* Where the unknowns of a node start in vectors; of numNodes: how many there are in all. */
 int kea_factorOffset(const KeaFactor *f, int node);

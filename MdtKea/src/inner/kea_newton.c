@@ -90,6 +90,13 @@ void kea_newtonForces(KeaProblem *q, double step, MeBool coupled) {
     }
 }
 
+/* N s: what p of a row within its bounds is known to, by rounding of r and J d. */
+static double roundingOf(const KeaProblemRow *row) {
+    if (row->isOff || row->state != KEA_HELD)
+        return 0;
+    return kea_roundingSteps * DBL_EPSILON * (fabs(row->r) + fabs(row->Jd)) / softness(row);
+}
+
 /* The gradient, and by how much it is too large: 1 is what is tolerated. A p that is known to rounding of r and J d
  * only is not asked for more. */
 double kea_newtonError(KeaProblem *q, double step) {
@@ -104,13 +111,12 @@ double kea_newtonError(KeaProblem *q, double step) {
     }
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
-        const double rounding = kea_roundingSteps * DBL_EPSILON * (fabs(row->r) + fabs(row->Jd)) / softness(row);
+        const double known = kea_newtonTolerance * fabs(row->p) + roundingOf(row);
         for (int k = 0; k < 2; k++) {
             if (row->body[k] < 0)
                 continue;
             kea_addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
-            q->allowed[row->body[k]] += row->weight[k] * (kea_newtonTolerance * fabs(row->p) +
-                                                          (row->isOff || row->state != KEA_HELD ? 0 : rounding));
+            q->allowed[row->body[k]] += row->weight[k] * known;
         }
     }
     for (int b = 0; b < q->numBodies; b++) {
@@ -123,26 +129,18 @@ double kea_newtonError(KeaProblem *q, double step) {
 
 /* ---- the matrix ---- */
 
-static void addOuter(double *block, double w, const double a[6], const double b[6]) {
-    for (int i = 0; i < 6; i++) {
-        const double s = w * a[i];
-        for (int j = 0; j < 6; j++)
-            block[6 * i + j] += s * b[j];
-    }
-}
-
 /* w aᵀ b over the bodies of the rows; they are the same. */
 static void addRows(KeaProblem *q, const KeaProblemRow *row, double w, double (*const a)[6], double (*const b)[6],
                     MeBool isSymmetric) {
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
-            addOuter(kea_factorDiagonal(q->factor, row->body[k]), w, a[k], b[k]);
+            kea_factorAddOuter(kea_factorDiagonal(q->factor, row->body[k]), w, a[k], b[k]);
     if (row->edge < 0)
         return;
     const int low = row->body[0] < row->body[1] ? 0 : 1;
-    addOuter(kea_factorUpper(q->factor, row->edge), w, a[low], b[!low]);
+    kea_factorAddOuter(kea_factorUpper(q->factor, row->edge), w, a[low], b[!low]);
     if (!isSymmetric)
-        addOuter(kea_factorLower(q->factor, row->edge), w, a[!low], b[low]);
+        kea_factorAddOuter(kea_factorLower(q->factor, row->edge), w, a[!low], b[low]);
 }
 
 static void combine(double r[2][6], double s, double (*const a)[6], double t, double (*const b)[6]) {

@@ -104,7 +104,7 @@ static inline double kea_dot6(const double a[6], const double b[6]) {
 }
 
 /* r += s a */
-static inline void kea_addScaled6(double r[6], double s, const double a[6]) {
+static inline void kea_addScaled6(double *restrict r, double s, const double *restrict a) {
     for (int i = 0; i < 6; i++)
         r[i] += s * a[i];
 }

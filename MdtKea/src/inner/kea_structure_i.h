@@ -50,6 +50,18 @@ struct KeaFactor {
     MeBool isSymmetric;
 };
 
+/* Loops over the numbers, once for each width of registers that the machine may have (kea_factor_kernel_i.h). */
+typedef struct KeaFactorKernel {
+    MeBool (*factorize)(KeaFactor *f, double least);
+    void (*solve)(const KeaFactor *f, double x[]);
+    void (*addOuter)(double block[6 * 6], double w, const double a[6], const double b[6]);
+} KeaFactorKernel;
+
+extern const KeaFactorKernel kea_factorKernel;
+#ifdef KEA_HAS_AVX2
+extern const KeaFactorKernel kea_factorKernelAvx2;
+#endif
+
 /* What the factor of a graph will need. Returns the bytes of its structure. */
 size_t kea_structurePlan(KeaFactor *f, const KeaOrder *o, const int size[], int numEdges, const int (*edges)[2]);
 /* Writes the structure that was planned. */

@@ -1,0 +1,465 @@
+/* The kernel of sparse factors: their numbers are factored and solved with, by dense blocks. Compiled for each width of
+ * registers by a file that defines KEA_FACTOR_KERNEL; all operations are in the same order in each, so bits are too.
+ *
+ * A = L U, by blocks, left-looking: when the turn of node j comes, it gathers from every earlier node k that has j in
+ * its structure,
+ *
+ *     A_jj -= L_jk U_kj,    A_ji -= L_jk U_ki,    A_ij -= L_ik U_kj     for i after j in the structure of k,
+ *
+ * factors A_jj, and divides by it: U_ji = L_jj⁻¹ A_ji, L_ij = A_ij U_jj⁻¹. A column of L is kept as its transpose, so
+ * that all products are sums of Xᵀ Y, row by row. Of a symmetric matrix L = Uᵀ: only U is kept.
+ */
+#include "MeAssert.h"
+#include "inner/kea_structure_i.h"
+#include <math.h>
+#include <string.h>
+
+/* ---- blocks ---- */
+
+/* Blocks of six by six, row-major, are nine vectors of four: three to two rows. */
+typedef double KeaFour __attribute__((vector_size(4 * 8)));
+typedef double KeaTwo __attribute__((vector_size(2 * 8)));
+
+#define KEA_INLINE static inline __attribute__((always_inline))
+
+KEA_INLINE KeaFour fourAt(const double *p) {
+    KeaFour v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+KEA_INLINE void putFour(double *p, KeaFour v) {
+    memcpy(p, &v, sizeof v);
+}
+KEA_INLINE KeaTwo twoAt(const double *p) {
+    KeaTwo v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+KEA_INLINE void putTwo(double *p, KeaTwo v) {
+    memcpy(p, &v, sizeof v);
+}
+
+/* Two rows of xᵀ y: the first row's six products, then the second's. */
+typedef struct KeaRows {
+    KeaFour v[3];
+} KeaRows;
+
+KEA_INLINE KeaRows rowsAt(const double *p) {
+    return (KeaRows){{fourAt(p), fourAt(p + 4), fourAt(p + 8)}};
+}
+KEA_INLINE void putRows(double *p, KeaRows r) {
+    putFour(p, r.v[0]);
+    putFour(p + 4, r.v[1]);
+    putFour(p + 8, r.v[2]);
+}
+/* y twice. */
+KEA_INLINE KeaRows twice(const double y[6]) {
+    return (KeaRows){{fourAt(y), {y[4], y[5], y[0], y[1]}, fourAt(y + 2)}};
+}
+KEA_INLINE KeaRows products(double x0, double x1, KeaRows y) {
+    return (KeaRows){
+        {(KeaFour){x0, x0, x0, x0} * y.v[0], (KeaFour){x0, x0, x1, x1} * y.v[1], (KeaFour){x1, x1, x1, x1} * y.v[2]}};
+}
+
+static void addOuter(double block[6 * 6], double w, const double a[6], const double b[6]) {
+    const KeaRows y = twice(b);
+    for (int i = 0; i < 6; i += 2) {
+        KeaRows c = rowsAt(block + 6 * i);
+        const KeaRows d = products(w * a[i], w * a[i + 1], y);
+        for (int k = 0; k < 3; k++)
+            c.v[k] += d.v[k];
+        putRows(block + 6 * i, c);
+    }
+}
+
+KEA_INLINE void subtractProduct6(double *C, const double *X, const double *Y) {
+    KeaRows c[3];
+    for (int i = 0; i < 3; i++)
+        c[i] = rowsAt(C + 12 * i);
+    for (int p = 0; p < 6; p++) {
+        const KeaRows y = twice(Y + 6 * p);
+        for (int i = 0; i < 3; i++) {
+            const KeaRows d = products(X[6 * p + 2 * i], X[6 * p + 2 * i + 1], y);
+            for (int k = 0; k < 3; k++)
+                c[i].v[k] -= d.v[k];
+        }
+    }
+    for (int i = 0; i < 3; i++)
+        putRows(C + 12 * i, c[i]);
+}
+
+KEA_INLINE void subtractProductOf(double *restrict C, const double *restrict X, const double *restrict Y, int inner,
+                                  int rows, int columns) {
+    for (int p = 0; p < inner; p++) {
+        for (int i = 0; i < rows; i++) {
+            const double x = X[p * rows + i];
+            for (int j = 0; j < columns; j++)
+                C[i * columns + j] -= x * Y[p * columns + j];
+        }
+    }
+}
+
+/* C -= Xᵀ Y; X has `inner` rows. */
+static void subtractProduct(double *C, const double *X, const double *Y, int inner, int rows, int columns) {
+    if (inner == 6 && rows == 6 && columns == 6)
+        subtractProduct6(C, X, Y);
+    else if (inner == 3 && rows == 3 && columns == 3)
+        subtractProductOf(C, X, Y, 3, 3, 3);
+    else
+        subtractProductOf(C, X, Y, inner, rows, columns);
+}
+
+static void transpose(double *r, const double *a, int rows, int columns) {
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++)
+            r[j * rows + i] = a[i * columns + j];
+}
+
+/* D = Uᵀ U in place, the upper triangle; its diagonal is kept inverted. */
+KEA_INLINE MeBool choleskyOf(double *D, int n, double least) {
+    for (int k = 0; k < n; k++) {
+        const double start = D[k * n + k];
+        double d = start;
+        for (int p = 0; p < k; p++)
+            d -= D[p * n + k] * D[p * n + k];
+        if (!(d > least * start))
+            return MEFALSE;
+        MEASSERT(d > 0);
+        const double inverse = 1 / sqrt(d);
+        D[k * n + k] = inverse;
+        for (int j = k + 1; j < n; j++) {
+            double sum = D[k * n + j];
+            for (int p = 0; p < k; p++)
+                sum -= D[p * n + k] * D[p * n + j];
+            D[k * n + j] = sum * inverse;
+        }
+    }
+    return METRUE;
+}
+
+static MeBool cholesky(double *D, int n, double least) {
+    return n == 6 ? choleskyOf(D, 6, least) : choleskyOf(D, n, least);
+}
+
+/* What an entry a_ij is compared with is sqrt(size_i size_j), which has its unit: a block may have rows of kg and of
+ * kg m². Of the block as it was given. */
+static void measureRows(const double *A, int n, double size[]) {
+    for (int i = 0; i < n; i++) {
+        size[i] = fabs(A[i * n + i]);
+        for (int j = 0; j < n && A[i * n + i] == 0; j++)
+            size[i] = fmax(size[i], fabs(A[i * n + j]));
+    }
+}
+
+static void exchangeRows(double *D, int n, double size[], int i, int k) {
+    for (int j = 0; j < n && i != k; j++) {
+        const double t = D[k * n + j];
+        D[k * n + j] = D[i * n + j];
+        D[i * n + j] = t;
+    }
+    const double t = size[k];
+    size[k] = size[i];
+    size[i] = t;
+}
+
+/* P D = L U in place, L with a unit diagonal; the diagonal of U is kept inverted. */
+KEA_INLINE MeBool luOf(double *D, const double *given, int n, int exchange[], double least) {
+    double size[KEA_FACTOR_MAX_BLOCK], own[KEA_FACTOR_MAX_BLOCK];
+    MEASSERT(n <= KEA_FACTOR_MAX_BLOCK);
+    measureRows(given, n, size);
+    memcpy(own, size, sizeof own);
+    for (int k = 0; k < n; k++) {
+        int best = k;
+        double most = 0; /* of a_ik² / size_i */
+        for (int i = k; i < n; i++) {
+            const double square = D[i * n + k] * D[i * n + k];
+            if (square > most * size[i]) {
+                most = square / size[i];
+                best = i;
+            }
+        }
+        exchange[k] = best;
+        if (!(most > least * least * own[k]))
+            return MEFALSE;
+        exchangeRows(D, n, size, best, k);
+        const double inverse = 1 / D[k * n + k];
+        for (int i = k + 1; i < n; i++) {
+            const double factor = D[i * n + k] *= inverse;
+            for (int j = k + 1; j < n; j++)
+                D[i * n + j] -= factor * D[k * n + j];
+        }
+        D[k * n + k] = inverse;
+    }
+    return METRUE;
+}
+
+static MeBool lu(double *D, const double *given, int n, int exchange[], double least) {
+    return n == 6 ? luOf(D, given, 6, exchange, least) : luOf(D, given, n, exchange, least);
+}
+
+KEA_INLINE void divideUpperOf(double *restrict B, const double *restrict D, int n, int columns) {
+    for (int r = 0; r < n; r++) {
+        for (int p = 0; p < r; p++) {
+            const double u = D[p * n + r];
+            for (int j = 0; j < columns; j++)
+                B[r * columns + j] -= u * B[p * columns + j];
+        }
+        for (int j = 0; j < columns; j++)
+            B[r * columns + j] *= D[r * n + r];
+    }
+}
+
+KEA_INLINE void divideUpper6(double *B, const double *D) {
+    KeaFour four[6];
+    KeaTwo two[6];
+    for (int r = 0; r < 6; r++) {
+        four[r] = fourAt(B + 6 * r);
+        two[r] = twoAt(B + 6 * r + 4);
+        for (int p = 0; p < r; p++) {
+            four[r] -= D[6 * p + r] * four[p];
+            two[r] -= D[6 * p + r] * two[p];
+        }
+        four[r] *= D[7 * r];
+        two[r] *= D[7 * r];
+    }
+    for (int r = 0; r < 6; r++) {
+        putFour(B + 6 * r, four[r]);
+        putTwo(B + 6 * r + 4, two[r]);
+    }
+}
+
+/* B := U⁻ᵀ B, U the upper triangle of D with its diagonal inverted. */
+static void divideUpper(double *B, const double *D, int n, int columns) {
+    if (n == 6 && columns == 6)
+        divideUpper6(B, D);
+    else
+        divideUpperOf(B, D, n, columns);
+}
+
+static void exchangeRowsOf(double *B, const int exchange[], int n, int columns) {
+    for (int r = 0; r < n; r++) {
+        for (int j = 0; j < columns && exchange[r] != r; j++) {
+            const double t = B[r * columns + j];
+            B[r * columns + j] = B[exchange[r] * columns + j];
+            B[exchange[r] * columns + j] = t;
+        }
+    }
+}
+
+KEA_INLINE void divideLowerOf(double *restrict B, const double *restrict D, int n, int columns) {
+    for (int r = 0; r < n; r++)
+        for (int p = 0; p < r; p++)
+            for (int j = 0; j < columns; j++)
+                B[r * columns + j] -= D[r * n + p] * B[p * columns + j];
+}
+
+KEA_INLINE void divideLower6(double *B, const double *D) {
+    KeaFour four[6];
+    KeaTwo two[6];
+    for (int r = 0; r < 6; r++) {
+        four[r] = fourAt(B + 6 * r);
+        two[r] = twoAt(B + 6 * r + 4);
+        for (int p = 0; p < r; p++) {
+            four[r] -= D[6 * r + p] * four[p];
+            two[r] -= D[6 * r + p] * two[p];
+        }
+    }
+    for (int r = 1; r < 6; r++) {
+        putFour(B + 6 * r, four[r]);
+        putTwo(B + 6 * r + 4, two[r]);
+    }
+}
+
+/* B := L⁻¹ P B. */
+static void divideLower(double *B, const double *D, const int exchange[], int n, int columns) {
+    exchangeRowsOf(B, exchange, n, columns);
+    if (n == 6 && columns == 6)
+        divideLower6(B, D);
+    else if (n == 6 && columns == 1)
+        divideLowerOf(B, D, 6, 1);
+    else
+        divideLowerOf(B, D, n, columns);
+}
+
+/* ---- factorization ---- */
+
+static int sizeOfRow(const KeaFactor *f, const KeaFactorEntry *e) {
+    return f->size[f->node[e->row]];
+}
+
+static void loadColumn(KeaFactor *f, int t) {
+    const int j = f->node[t], n = f->size[j];
+    memcpy(f->pivot + f->diagonalAt[j], f->diagonal + f->diagonalAt[j], (size_t)(n * n) * sizeof(double));
+    for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+        const KeaFactorEntry *e = &f->entry[k];
+        const int m = sizeOfRow(f, e);
+        const size_t bytes = (size_t)(n * m) * sizeof(double);
+        f->place[e->row] = k;
+        if (e->edge < 0) {
+            memset(f->upper + e->at, 0, bytes);
+            if (!f->isSymmetric)
+                memset(f->lower + e->at, 0, bytes);
+            continue;
+        }
+        const double *upper = f->upperInput + f->edgeAt[e->edge], *lower = f->lowerInput + f->edgeAt[e->edge];
+        /* the block of rows j, columns i; of the symmetric matrix it is the transpose of the given one if flipped */
+        if (!e->flip)
+            memcpy(f->upper + e->at, upper, bytes);
+        else if (f->isSymmetric)
+            transpose(f->upper + e->at, upper, m, n);
+        else
+            memcpy(f->upper + e->at, lower, bytes);
+        if (!f->isSymmetric)
+            transpose(f->lower + e->at, e->flip ? upper : lower, m, n);
+    }
+}
+
+static void gatherUpdates(KeaFactor *f, int t) {
+    const int j = f->node[t], n = f->size[j];
+    const double *left = f->isSymmetric ? f->upper : f->lower;
+    for (int s = f->sourceStart[t]; s < f->sourceStart[t + 1]; s++) {
+        const int k = f->source[s].turn, first = f->source[s].entry, inner = f->size[f->node[k]];
+        const KeaFactorEntry *own = &f->entry[first];
+        subtractProduct(f->pivot + f->diagonalAt[j], left + own->at, f->upper + own->at, inner, n, n);
+        for (int e = first + 1; e < f->start[k + 1]; e++) {
+            const KeaFactorEntry *other = &f->entry[e], *target = &f->entry[f->place[other->row]];
+            const int m = sizeOfRow(f, other);
+            subtractProduct(f->upper + target->at, left + own->at, f->upper + other->at, inner, n, m);
+            if (!f->isSymmetric)
+                subtractProduct(f->lower + target->at, f->upper + own->at, f->lower + other->at, inner, n, m);
+        }
+    }
+}
+
+static MeBool divideColumn(KeaFactor *f, int t, double least) {
+    const int j = f->node[t], n = f->size[j];
+    double *D = f->pivot + f->diagonalAt[j];
+    int *exchange = f->exchange + f->offset[j];
+    if (!(f->isSymmetric ? cholesky(D, n, least) : lu(D, f->diagonal + f->diagonalAt[j], n, exchange, least)))
+        return MEFALSE;
+    for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+        const KeaFactorEntry *e = &f->entry[k];
+        const int m = sizeOfRow(f, e);
+        if (f->isSymmetric) {
+            divideUpper(f->upper + e->at, D, n, m);
+        } else {
+            divideLower(f->upper + e->at, D, exchange, n, m);
+            divideUpper(f->lower + e->at, D, n, m);
+        }
+    }
+    return METRUE;
+}
+
+static MeBool factorize(KeaFactor *f, double least) {
+    MEASSERT(f->numbers->owner == f);
+    for (int t = 0; t < f->numNodes; t++) {
+        loadColumn(f, t);
+        gatherUpdates(f, t);
+        if (!divideColumn(f, t, least))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+/* ---- solution ---- */
+
+/* x_i -= Xᵀ x_j. */
+KEA_INLINE void subtractTransposedOf(double *restrict xi, const double *restrict X, const double *restrict xj, int n,
+                                     int m) {
+    for (int p = 0; p < n; p++)
+        for (int i = 0; i < m; i++)
+            xi[i] -= X[p * m + i] * xj[p];
+}
+
+KEA_INLINE void subtractTransposed6(double *xi, const double *X, const double *xj) {
+    KeaFour four = fourAt(xi);
+    KeaTwo two = twoAt(xi + 4);
+    for (int p = 0; p < 6; p++) {
+        four -= xj[p] * fourAt(X + 6 * p);
+        two -= xj[p] * twoAt(X + 6 * p + 4);
+    }
+    putFour(xi, four);
+    putTwo(xi + 4, two);
+}
+
+static void subtractTransposed(double *xi, const double *X, const double *xj, int n, int m) {
+    if (n == 6 && m == 6)
+        subtractTransposed6(xi, X, xj);
+    else
+        subtractTransposedOf(xi, X, xj, n, m);
+}
+
+/* x_j -= U x_i. */
+KEA_INLINE void subtractAppliedOf(double *restrict xj, const double *restrict U, const double *restrict xi, int n,
+                                  int m) {
+    for (int p = 0; p < n; p++)
+        for (int i = 0; i < m; i++)
+            xj[p] -= U[p * m + i] * xi[i];
+}
+
+static void subtractApplied(double *xj, const double *U, const double *xi, int n, int m) {
+    if (n == 6 && m == 6)
+        subtractAppliedOf(xj, U, xi, 6, 6);
+    else
+        subtractAppliedOf(xj, U, xi, n, m);
+}
+
+KEA_INLINE void solveUpperOf(const double *restrict D, double *restrict x, int n) {
+    for (int r = n - 1; r >= 0; r--) {
+        for (int p = r + 1; p < n; p++)
+            x[r] -= D[r * n + p] * x[p];
+        x[r] *= D[r * n + r];
+    }
+}
+
+static void solveUpper(const double *D, double *x, int n) {
+    if (n == 6)
+        solveUpperOf(D, x, 6);
+    else
+        solveUpperOf(D, x, n);
+}
+
+/* x := U⁻ᵀ x, of one column. */
+static void solveLower(const double *D, double *x, int n) {
+    if (n == 6)
+        divideUpperOf(x, D, 6, 1);
+    else
+        divideUpperOf(x, D, n, 1);
+}
+
+static void solveForward(const KeaFactor *f, double x[]) {
+    const double *left = f->isSymmetric ? f->upper : f->lower;
+    for (int t = 0; t < f->numNodes; t++) {
+        const int j = f->node[t], n = f->size[j];
+        const double *D = f->pivot + f->diagonalAt[j];
+        double *xj = x + f->offset[j];
+        if (f->isSymmetric)
+            solveLower(D, xj, n);
+        else
+            divideLower(xj, D, f->exchange + f->offset[j], n, 1);
+        for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+            const KeaFactorEntry *e = &f->entry[k];
+            subtractTransposed(x + f->offset[f->node[e->row]], left + e->at, xj, n, sizeOfRow(f, e));
+        }
+    }
+}
+
+static void solveBackward(const KeaFactor *f, double x[]) {
+    for (int t = f->numNodes - 1; t >= 0; t--) {
+        const int j = f->node[t], n = f->size[j];
+        double *xj = x + f->offset[j];
+        for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+            const KeaFactorEntry *e = &f->entry[k];
+            const double *U = f->upper + e->at, *xi = x + f->offset[f->node[e->row]];
+            subtractApplied(xj, U, xi, n, sizeOfRow(f, e));
+        }
+        solveUpper(f->pivot + f->diagonalAt[j], xj, n);
+    }
+}
+
+static void solve(const KeaFactor *f, double x[]) {
+    solveForward(f, x);
+    solveBackward(f, x);
+}
+
+const KeaFactorKernel KEA_FACTOR_KERNEL = {factorize, solve, addOuter};
