@@ -99,6 +99,7 @@ typedef struct McdStand {
     MeReal axes[3][3]; /**< row i: axis i of the first, in the second's frame */
     MeReal place[3];   /**< m, of its origin there */
     MeReal size;       /**< m, of the smaller model; 0: it is not known */
+    MeReal apart;      /**< m, by so much at least they were apart; 0: it is not known, or they were not */
 } McdStand;
 
 /**
@@ -178,6 +179,7 @@ struct _McdIntersectResult {
     int touch;            /**< 1 if the models touch, to within their contact tolerance; else 0. */
     MeVector3 normal;     /**< The mean of the contacts' normals, length 1; (0, 0, 0) where there is no contact. */
     void *data;           /**< The program's. */
+    MeReal apart;         /**< Mcd's own: m, the models are so far apart at least; 0: it is not known. */
 };
 
 /** What McdSafeTime finds. */

@@ -46,7 +46,8 @@ MEPUBLIC void MEAPI McdModelPairLookAtModels(const McdModelPair *p);
 MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
 /** Looks at a pair of two convex models or planes, under the library's own interaction and without a callback, whose
  *  sizes and margins have not changed. By little: since the last test that was noted, no point of the smaller model has
- *  moved against the other by more than @a part of its size, or a quarter of the pair's margin; and only models that
+ *  moved against the other by more than @a part of its size, or a quarter of the pair's margin; or, whatever the part,
+ *  by as much as they were apart then (McdModelPairNoteApart), so that a test would find nothing; and only models that
  *  @a mayMove have moved since the pair was looked at last. */
 MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
 /** Is the pair two convex models or planes, under the library's own interaction and without a callback? Then no
@@ -54,6 +55,8 @@ MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, cons
 MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);
 /** The pair is about to be tested. */
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
+/** That test has found them so far apart at least, m (McdIntersectResult.apart). 0: it is not known, or they were not. */
+MEPUBLIC void MEAPI McdModelPairNoteApart(McdModelPair *p, MeReal apart);
 /** What was found has been given away: the next answer is false. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */

@@ -40,6 +40,7 @@ int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *
         return notPlaced(function);
     if (mcd_convexManifold(&a, &b, mcd_pairMargin(p), &m))
         mcd_resultAdd(result, &m, origin, ins1, ins2);
+    result->apart = (MeReal)m.apart;
     return mcd_resultEnd(result);
 }
 

@@ -34,11 +34,17 @@ static void compare(const McdShape *a, const McdShape *b, Boxes *x) {
     }
 }
 
+/* An axis along which they are so far apart settles it: false. */
+static MeBool isApart(Best *best, double separation) {
+    best->separation = separation;
+    return MEFALSE;
+}
+
 static MeBool facesOfA(const Boxes *x, double limit, Best *best) {
     for (int i = 0; i < 3; i++) {
         const double s = fabs(x->apart[i]) - x->sizeA[i] - mcd_dot(x->steep[i], x->sizeB);
         if (s > limit)
-            return MEFALSE;
+            return isApart(best, s);
         if (s > best->separation) {
             *best = (Best){s, {0, 0, 0}, -1, -1};
             best->axis[i] = x->apart[i] < 0 ? -1 : 1;
@@ -54,7 +60,7 @@ static MeBool facesOfB(const Boxes *x, double limit, double bias, Best *best) {
         const double along = mcd_dot(x->apart, axis);
         const double s = fabs(along) - x->sizeB[j] - mcd_dot(steep, x->sizeA);
         if (s > limit)
-            return MEFALSE;
+            return isApart(best, s);
         if (s > best->separation + bias) {
             *best = (Best){s, {0, 0, 0}, -1, -1};
             mcd_scale(best->axis, axis, along < 0 ? -1 : 1);
@@ -81,7 +87,7 @@ static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
                 continue;
             const double sine = sqrt(squared), s = gap / sine;
             if (s > limit)
-                return MEFALSE;
+                return isApart(best, s);
             if (s > least) {
                 const double k = (along < 0 ? -1 : 1) / sine;
                 least = s;
@@ -145,11 +151,13 @@ MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, M
     Best best = {-INFINITY, {0, 0, 0}, -1, -1};
     const double bias = faceBias * mcd_pairSize(a, b);
     compare(a, b, &x);
-    if (!facesOfA(&x, limit, &best) || !facesOfB(&x, limit, bias, &best) || !edges(&x, limit, bias, &best))
+    const MeBool isNear =
+        facesOfA(&x, limit, &best) && facesOfB(&x, limit, bias, &best) && edges(&x, limit, bias, &best);
+    p->separation = best.separation;
+    if (!isNear)
         return MEFALSE;
     for (int i = 0; i < 3; i++)
         p->normal[i] = a->axis[0][i] * best.axis[0] + a->axis[1][i] * best.axis[1] + a->axis[2][i] * best.axis[2];
-    p->separation = best.separation;
     p->isGuess = best.separation > 0;
     MEASSERT((best.edgeA < 0) == (best.edgeB < 0));
     if (best.edgeA >= 0)

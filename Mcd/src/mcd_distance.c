@@ -185,8 +185,9 @@ static void startGjk(const Pair *p, Simplex *s) {
 
 typedef enum { BEYOND_LIMIT, SEPARATED, OVERLAPPING } GjkResult;
 
-/* Iterates until the plane through the nearest point supports M: no point of M is nearer. */
-static GjkResult runGjk(const Pair *p, double limit, Simplex *s) {
+/* Iterates until the plane through the nearest point supports M: no point of M is nearer. Beyond the limit, `bound` is
+ * what all points of M are farther than. */
+static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) {
     startGjk(p, s);
     for (int step = 0; step < GJK_STEPS; step++) {
         const double distance = sqrt(s->squared);
@@ -196,10 +197,10 @@ static GjkResult runGjk(const Pair *p, double limit, Simplex *s) {
         Corner *c = &next.corner[next.count];
         const double d[3] = {-s->nearest[0], -s->nearest[1], -s->nearest[2]};
         farthest(p, d, c);
-        const double bound = -mcd_dot(d, c->w) / distance; /* no point of M is nearer than that */
-        if (bound > limit)
+        *bound = -mcd_dot(d, c->w) / distance; /* no point of M is nearer than that */
+        if (*bound > limit)
             return BEYOND_LIMIT;
-        if (distance - bound <= .1 * p->tolerance || isCorner(s, c))
+        if (distance - *bound <= .1 * p->tolerance || isCorner(s, c))
             return SEPARATED;
         next.count++;
         reduce(&next);
@@ -732,10 +733,11 @@ MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, Mcd
     const Pair pair = makePair(a, b);
     const Guess guess = guessAxis(&pair);
     p->isGuess = 0;
+    p->separation = guess.separation;
     if (guess.separation > limit)
         return MEFALSE;
     Simplex s = {.count = 0};
-    switch (runGjk(&pair, limit, &s)) {
+    switch (runGjk(&pair, limit, &s, &p->separation)) {
     case BEYOND_LIMIT:
         return MEFALSE;
     case SEPARATED:

@@ -107,17 +107,25 @@ static MeBool isProximityGood(const McdShape *a, const McdShape *b, const McdPro
     return mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= most;
 }
 
+/* By the spheres about their places. */
+static MeBool mayBeWithin(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
+    const double reach = a->extent + b->extent + MeMAX(limit, 0), squared = mcd_distanceSquared(a->place, b->place);
+    p->separation = sqrt(squared) - a->extent - b->extent;
+    return squared <= reach * reach;
+}
+
 /* The normal is the other shape's outward: from b to a. */
 static MeBool findProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const McdRank i = rankOf(a), j = rankOf(b);
-    const double reach = a->extent + b->extent + MeMAX(limit, 0);
-    if (!(mcd_distanceSquared(a->place, b->place) <= reach * reach))
+    if (!mayBeWithin(a, b, limit, p))
         return MEFALSE;
     if (i <= j)
         return proximityOf(i, j)(a, b, limit, p);
     McdProximity turned;
-    if (!proximityOf(j, i)(b, a, limit, &turned))
+    if (!proximityOf(j, i)(b, a, limit, &turned)) {
+        p->separation = turned.separation;
         return MEFALSE;
+    }
     mcd_scale(p->normal, turned.normal, -1);
     p->separation = turned.separation;
     p->isGuess = 0;
@@ -150,8 +158,7 @@ static MeBool areBoxes(const McdShape *a, const McdShape *b) {
 
 /* A guess, or, of boxes that overlap, the answer; false if it shows that they are too far apart. */
 static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
-    const double reach = a->extent + b->extent + MeMAX(limit, 0);
-    if (!(mcd_distanceSquared(a->place, b->place) <= reach * reach))
+    if (!mayBeWithin(a, b, limit, p))
         return MEFALSE;
     if (areBoxes(a, b))
         return mcd_boxBoxProximity(a, b, limit, p);
@@ -170,20 +177,27 @@ static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdPr
     return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
 }
 
+/* No contacts: how far the surfaces are apart, which are round about their cores. */
+static int noneOf(const McdShape *a, const McdShape *b, const McdProximity *p, McdManifold *m) {
+    m->apart = fmax(p->separation - a->rounding - b->rounding, 0);
+    return 0;
+}
+
 /* For shapes that stand, or have just lifted off, it is mostly enough to verify a face's normal. */
 static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     const double limit = margin + a->rounding + b->rounding;
     McdProximity p;
     m->count = 0;
+    m->apart = 0;
     mcd_set(m->normal, 0, 0, 1);
     if (isPoint(a) || isPoint(b))
-        return proximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : 0;
+        return proximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : noneOf(a, b, &p, m);
     if (!guess(a, b, limit, &p))
-        return 0;
+        return noneOf(a, b, &p, m);
     if ((p.separation > 0 || (p.isGuess && mcd_isLeastDepth(a, b, &p))) && alongFaces(a, b, margin, &p, m))
         return m->count;
     if (p.isGuess && !proximity(a, b, limit, &p))
-        return 0;
+        return noneOf(a, b, &p, m);
     return alongFaces(a, b, margin, &p, m);
 }
 

@@ -20,6 +20,7 @@
 #include "MeMessage.h"
 #include <float.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -170,10 +171,11 @@ typedef struct McdModelRecord {
     MeReal ahead, turnAhead; /* m, how far it may get in the time lookAhead, and by turning alone */
     /* hot: 5, 6; the first three follow from `seen` */
     double axis[3][3]; /* mcd_shapeAxes of its transform, if isPlaced */
-    MeBool isPlaced;   /* mcd_isPlace of its transform */
-    MeReal radius;     /* m, of the bounding sphere */
+    bool isPlaced;     /* mcd_isPlace of its transform */
+    bool isFast;       /* in the time lookAhead */
+    MeReal radius;     /* m, of the bounding sphere; */
+    MeReal reach;      /* and of one about the origin */
     MeReal lookAhead;  /* s */
-    MeBool isFast;     /* in that time */
     McdSpaceID space;
     void *proxy; /* the space's record of the model */
     McdFilter filter;

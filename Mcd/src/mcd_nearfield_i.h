@@ -5,7 +5,8 @@
 #include "mcd_shape_i.h"
 #include "mcd_vector_i.h"
 
-/* The signed distance of two cores, and its witness points. */
+/* The signed distance of two cores, and its witness points. Where the cores are farther apart than a limit, functions
+ * that find it return false, and only the separation is valid: a lower bound. */
 typedef struct McdProximity {
     double normal[3];      /* from b to a, length 1 */
     double separation;     /* of the cores along it; negative: depth */

@@ -29,6 +29,7 @@ void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {
     result->pair = p;
     result->contactCount = 0;
     result->touch = 0;
+    result->apart = 0;
     MeVector3Set(result->normal, 0, 0, 0);
 }
 

@@ -98,6 +98,7 @@ typedef struct McdManifoldPoint {
 struct McdManifold {
     double normal[3]; /* from b to a, length 1 */
     int count;
+    double apart; /* m: without points, the surfaces are so far apart at least; 0: it is not known */
     McdManifoldPoint point[MCD_MANIFOLD_POINTS];
 };
 

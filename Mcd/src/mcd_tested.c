@@ -54,6 +54,7 @@ static void noteInputs(McdModelRecord *m, const McdSeen *now) {
         return;
     m->shapeStamp = m->stamp;
     McdGeometryGetBSphere(m->instance.geometry, centre, &m->radius);
+    m->reach = m->radius + MeVector3Magnitude(centre);
 }
 
 MeU64 mcd_modelStamp(McdModelRecord *m) {
@@ -91,29 +92,47 @@ static McdStand standOf(const McdModelPair *p) {
     MeVector3Subtract(between, tm1[3], tm2[3]);
     for (int j = 0; j < 3; j++)
         s.place[j] = between[0] * tm2[j][0] + between[1] * tm2[j][1] + between[2] * tm2[j][2];
-    s.size = 0;
+    s.size = s.apart = 0;
     return s;
 }
 
-/* How far a point of the smaller model may have moved against the other: its place by the sum of the coordinates'
- * changes at most, and by its turning sqrt(3) times the largest change of an axis' coordinate times its distance, which
- * is at most the size. */
-static MeReal motionSince(const McdStand *before, const McdStand *now) {
+/* How far a point of the first model may have moved against the second, if it is within that reach of the origin: the
+ * origin by the sum of its coordinates' changes at most, and by turning ||R' - R|| times the reach. The difference of
+ * two rotations has the norm ||.||_F / sqrt(2), which is 3 / sqrt(2) times its largest entry at most. */
+static MeReal motionSince(const McdStand *before, const McdStand *now, MeReal reach) {
     MeReal turn = 0, way = 0;
     for (int i = 0; i < 3; i++) {
         way += MeFabs(now->place[i] - before->place[i]);
         for (int j = 0; j < 3; j++)
             turn = MeMAX(turn, MeFabs(now->axes[i][j] - before->axes[i][j]));
     }
-    return way + 2 * turn * before->size;
+    return way + (MeReal)2.1214 * turn * reach;
 }
 
-static MeBool hasHardlyMoved(const McdModelPair *p, MeReal part) {
-    if (!(p->stand.size > 0) || !(part > 0))
+static MeReal sumOfCoordinates(const MeReal v[3]) {
+    return MeFabs(v[0]) + MeFabs(v[1]) + MeFabs(v[2]);
+}
+
+/* They were farther apart than they can have come nearer since, and than contacts are made ahead of time now. */
+static MeBool isStillApart(const McdModelPair *p, const McdStand *now) {
+    const McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
+    const MeReal rounding =
+        8 * ME_EPSILON * (sumOfCoordinates(p->stand.place) + sumOfCoordinates(now->place) + m1->reach);
+    return p->stand.apart > 0 && !m1->isFast && !m2->isFast &&
+           motionSince(&p->stand, now, m1->reach) + (MeReal)mcd_pairMargin(p) + rounding < p->stand.apart;
+}
+
+/* Points of the smaller model, by a part of its size: contacts that are carried along are as good as new ones. */
+static MeBool hasHardlyMoved(const McdModelPair *p, const McdStand *now, MeReal part) {
+    const MeReal margin = mcd_record(p->model1)->tolerance + mcd_record(p->model2)->tolerance;
+    return motionSince(&p->stand, now, p->stand.size) < MeMIN(part * p->stand.size, margin / 4);
+}
+
+static MeBool doesTestHold(const McdModelPair *p, MeReal part) {
+    if (!(p->stand.size > 0) || !(p->stand.apart > 0 || part > 0))
         return MEFALSE;
     const McdStand now = standOf(p);
-    const MeReal margin = mcd_record(p->model1)->tolerance + mcd_record(p->model2)->tolerance;
-    return motionSince(&p->stand, &now) < MeMIN(part * p->stand.size, margin / 4);
+    return isStillApart(p, &now) || (part > 0 && hasHardlyMoved(p, &now, part));
 }
 
 /* Is all that its test reads as it was, but for the places and velocities of those that may move? */
@@ -147,7 +166,7 @@ McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool 
         return McdPairHasChanged;
     if (memcmp(&now, &before, sizeof now) == 0)
         return McdPairIsUnchanged;
-    return isAlike(&now, &before, mayMove) && hasHardlyMoved(p, part) ? McdPairHasMoved : McdPairHasChanged;
+    return isAlike(&now, &before, mayMove) && doesTestHold(p, part) ? McdPairHasMoved : McdPairHasChanged;
 }
 
 MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
@@ -156,15 +175,20 @@ MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
 
 void MEAPI McdModelPairNoteTest(McdModelPair *p) {
     if (p->test.stamp1 == 0 || p->test.stamp2 == 0) {
-        p->stand.size = 0;
+        p->stand.size = p->stand.apart = 0;
         return;
     }
     p->stand = standOf(p);
     p->stand.size = MeMIN(mcd_record(p->model1)->radius, mcd_record(p->model2)->radius);
 }
 
+void MEAPI McdModelPairNoteApart(McdModelPair *p, MeReal apart) {
+    MEASSERT(p && apart >= 0);
+    p->stand.apart = apart;
+}
+
 void MEAPI McdModelPairForgetTest(McdModelPair *p) {
     MEASSERT(p);
     memset(&p->test, 0, sizeof p->test);
-    p->stand.size = 0;
+    p->stand.size = p->stand.apart = 0;
 }

@@ -226,6 +226,7 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
         return;
     f->outcome = MST_TESTED;
     mst_testPair(b, run, f);
+    McdModelPairNoteApart(p, f->count == 0 ? run->result.apart : 0);
     if (f->count == 0 && mst_isFast(p))
         f->timeToTouch = mst_timeToTouch(b, p, s);
 }

@@ -68,9 +68,12 @@ static void meetBoxes(void) {
 
 START_TEST(convex_shapes_and_planes_that_stay_are_as_tested) {
     static const MeReal tip[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
-    const McdGeometryID shape[] = {McdSphereCreate(p.frame, 1),           McdBoxCreate(p.frame, 1, 1, 1),
-                                   McdCylinderCreate(p.frame, 1, 1),      McdSphylCreate(p.frame, 1, 1),
-                                   McdConeCreate(p.frame, 1, 1),          McdPlaneCreate(p.frame),
+    const McdGeometryID shape[] = {McdSphereCreate(p.frame, 1),
+                                   McdBoxCreate(p.frame, 1, 1, 1),
+                                   McdCylinderCreate(p.frame, 1, 1),
+                                   McdSphylCreate(p.frame, 1, 1),
+                                   McdConeCreate(p.frame, 1, 1),
+                                   McdPlaneCreate(p.frame),
                                    McdConvexMeshCreateHull(p.frame, tip, 4, 0)};
     for (int i = 0; i < 7; i++)
         for (int k = 0; k < 7; k++) {
@@ -258,6 +261,90 @@ START_TEST(what_is_made_of_parts_is_always_tested) {
 }
 END_TEST
 
+/* ---- what is still apart ----------------------------------------------------------------------------------------- */
+
+/* One of each type; the hull is off its origin. */
+static McdGeometryID anyShape(void) {
+    MeReal corner[6][3];
+    const int kind = (int)uniform(0, 6);
+    const MeReal a = (MeReal)uniform(.1, 1), b = (MeReal)uniform(.1, 1), c = (MeReal)uniform(.1, 3);
+    for (int i = 0; i < 6; i++)
+        for (int k = 0; k < 3; k++)
+            corner[i][k] = (k == 0 ? 1 : 0) + (i % 3 == k ? (i < 3 ? a : -b) : 0);
+    return kind == 0   ? McdSphereCreate(p.frame, a)
+           : kind == 1 ? McdBoxCreate(p.frame, a, b, c)
+           : kind == 2 ? McdCylinderCreate(p.frame, a, c)
+           : kind == 3 ? McdSphylCreate(p.frame, a, c)
+           : kind == 4 ? McdConeCreate(p.frame, a, c)
+                       : McdConvexMeshCreateHull(p.frame, (const MeReal(*)[3])corner, 6, 0);
+}
+
+/* Turned by the quaternion start + time way, made of length 1. */
+static void put(int which, const double start[4], const double way[4], double time, const double at[3]) {
+    double length = 0;
+    MeVector4 q;
+    MeMatrix3 R;
+    for (int i = 0; i < 4; i++)
+        length += pow(start[i] + time * way[i], 2);
+    for (int i = 0; i < 4; i++)
+        q[i] = (MeReal)((start[i] + time * way[i]) / sqrt(length));
+    MeQuaternionToR(R, q);
+    MeMatrix4TMMakeFromRotationAndPosition(p.tm[which], R, (MeReal)at[0], (MeReal)at[1], (MeReal)at[2]);
+}
+
+static int contactsOf(McdModelPair *pair, MeReal *apart) {
+    McdContact contact[20];
+    McdIntersectResult result = {.contacts = contact, .contactMaxCount = 20};
+    McdIntersect(pair, &result);
+    *apart = result.apart;
+    return result.contactCount;
+}
+
+/* Pairs of any shapes that fly past each other, turning: where it is said that a test still holds, it finds nothing. */
+START_TEST(models_that_are_still_apart_have_no_contacts) {
+    enum { FLIGHTS = 300, STEPS = 60 };
+    static const MeBool mayMove[2] = {METRUE, METRUE};
+    int kept = 0, found = 0;
+    randomState = 1;
+    for (int flight = 0; flight < FLIGHTS; flight++) {
+        double start[2][4], way[2][4], at[2][3], velocity[2][3];
+        const McdGeometryID first = anyShape(), second = anyShape();
+        meet(first, second);
+        for (int k = 0; k < 2; k++) {
+            for (int i = 0; i < 4; i++) {
+                start[k][i] = uniform(-1, 1);
+                way[k][i] = uniform(-.05, .05);
+            }
+            for (int i = 0; i < 3; i++) {
+                at[k][i] = uniform(-2, 2);
+                velocity[k][i] = -at[k][i] / STEPS * uniform(1, 3);
+            }
+        }
+        for (int step = 0; step < STEPS; step++) {
+            MeReal apart;
+            for (int k = 0; k < 2; k++) {
+                for (int i = 0; i < 3; i++)
+                    at[k][i] += velocity[k][i];
+                put(k, start[k], way[k], step, at[k]);
+            }
+            McdFrameworkBeginRound(p.frame);
+            if (McdModelPairLook(&p.pair, 0, mayMove) == McdPairHasMoved) {
+                kept++;
+                ck_assert_msg(contactsOf(&p.pair, &apart) == 0, "flight %d, step %d", flight, step);
+                continue;
+            }
+            McdModelPairNoteTest(&p.pair);
+            const int count = contactsOf(&p.pair, &apart);
+            found += count > 0;
+            McdModelPairNoteApart(&p.pair, count == 0 ? apart : 0);
+        }
+        McdFrameworkDestroyAllModelsAndGeometries(p.frame);
+    }
+    ck_assert_int_gt(kept, FLIGHTS * STEPS / 4);
+    ck_assert_int_gt(found, FLIGHTS);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_checked_fixture(t, setUp, tearDown);
     tcase_add_test(t, convex_shapes_and_planes_that_stay_are_as_tested);
@@ -271,6 +358,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_relative_model_follows_what_it_is_relative_to);
     tcase_add_test(t, what_a_program_answers_is_always_asked);
     tcase_add_test(t, what_is_made_of_parts_is_always_tested);
+    tcase_add_test(t, models_that_are_still_apart_have_no_contacts);
 }
 
 TEST_MAIN("Tested", tests)
