@@ -93,7 +93,7 @@ START_TEST(passes_go_with_the_bodies_that_one_carries) {
 }
 END_TEST
 
-/* What an impact has pressed with is no weight. */
+/* Contact forces of an impact are not counted as weights. */
 START_TEST(four_times_its_loads_accelerate_a_body_in_impacts_only) {
     ck_assert_int_eq(passesUnder(80, 3, MEFALSE), 56);
     ck_assert_int_eq(passesUnder(80, 5, MEFALSE), 24);
@@ -310,7 +310,7 @@ static double speedOfDriven(int n) {
     return body[0].velocity[0];
 }
 
-/* With all that hang on it, or as if it were alone. */
+/* It is driven with the response of the whole block, or with that of the first body alone. */
 START_TEST(motors_feel_a_block_of_up_to_128_bodies) {
     assert_near(speedOfDriven(127), 1, 1e-3);
     assert_near(speedOfDriven(129), 1. / 129, 1e-3);
