@@ -431,6 +431,27 @@ START_TEST(a_hundred_thousandth_of_the_energy_may_be_gained) {
 }
 END_TEST
 
+/* m/s along the ground, with friction without bound, of a body that these forces, N, pull along it and press on it. */
+static double speedOfHeld(double along, double down) {
+    begin(1, 1, 0);
+    body[0].force[0] = along;
+    body[0].force[1] = -down;
+    manifold[0].surface.coefficient[0] = manifold[0].surface.coefficient[1] = HUGE_VAL;
+    MdtKeaInit(&s, scratch);
+    solve();
+    end();
+    return body[0].velocity[0];
+}
+
+/* It holds with any load, and not without one. The bound is the largest power of two whose products are finite. */
+START_TEST(friction_without_bound_is_bounded_by_single_precision) {
+    const volatile float bound = (float)kea_mostBound;
+    assert_near(speedOfHeld(gravity, 1e-6 * gravity), 0, 1e-7);
+    assert_near(speedOfHeld(gravity, -gravity), gravity * h, 1e-7);
+    ck_assert(isfinite(bound * bound + bound) && !isfinite(2 * bound * 2 * bound));
+}
+END_TEST
+
 START_TEST(a_tenth_of_the_accuracy_is_rest) {
     begin(1, 1, 0);
     s.parameters.accuracy = 1e-3;
@@ -523,6 +544,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, overlaps_of_a_ten_thousandth_rest);
     tcase_add_test(t, a_thousandth_of_the_mobility_is_soft);
     tcase_add_test(t, a_hundred_thousandth_of_the_energy_may_be_gained);
+    tcase_add_test(t, friction_without_bound_is_bounded_by_single_precision);
     tcase_add_test(t, a_tenth_of_the_accuracy_is_rest);
     tcase_add_test(t, regions_have_four_hundred_manifolds);
     tcase_add_test(t, a_worker_takes_sixty_four_bodies_at_a_time);

@@ -409,7 +409,8 @@ static const double kea_restingDepth = 1e-4;
  * fail MdtKea_fast_policy: a_hundred_thousandth_of_the_energy_may_be_gained. */
 static const double kea_energyRoom = 1e-5;
 /* N s, or a coefficient of friction: a bound that is none. Derived: a coefficient times an impulse of that size, and
- * such a bound beside it, are within single precision, 2^128. */
+ * such a bound beside it, are within single precision, 2^128. x2 and /2 fail MdtKea_fast_policy:
+ * friction_without_bound_is_bounded_by_single_precision. */
 static const double kea_mostBound = 0x1p63;
 /* Multiplications, counted: of a visit to a manifold, 275 in a pass (kea_kernel_i.h), and the measure of the residual
  * after each eighth; of preparation and of what follows passes, 600 in the kernel, and about as many in double
