@@ -1,8 +1,8 @@
 /* Inside Kea: every number that is a choice. What follows from arithmetic or geometry stays in its formula.
  *
  * Of each: its unit, and why it is what it is: a derivation, a measurement, or a test that fails when it is halved
- * (/2) or doubled (x2). Most of those are in tests/MdtKea/test_policy.c, and what only steers cost is seen there in
- * counted iterations.
+ * (/2) or doubled (x2). Most of those are in tests/MdtKea/test_policy.c and test_fast_policy.c, and what only steers
+ * cost is seen there in counted iterations.
  *
  * Units: `A_ii' is a row's J B⁻¹ Jᵀ, 1/kg, the inverse of its effective mass; `load speed' the greatest change of a
  * body's velocity by its loads in the step, m/s (kea_loadSpeed): g h under gravity.
@@ -344,57 +344,78 @@ static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;
  * that lies is not at rest after 15 s, with 24 after 9 s; without the last, one of 40 sways ever more, and what lies
  * under things of 10 times its weight is passed through by 1e-2 m. Reasoned: above the most, Newton's method is
  * cheaper. x2 of the least fails Mst_Crowd: more_accuracy_is_more_passes_and_less_error; /2 of the most
- * a_tower_of_forty_comes_to_rest. */
-enum { KEA_LEAST_PASSES = 24, KEA_MOST_PASSES = 96, KEA_MORE_PASSES = 8 /* at a time */ };
+ * a_tower_of_forty_comes_to_rest; x2 and /2 of each MdtKea_fast_policy: passes_go_with_the_bodies_that_one_carries, of
+ * those at a time more_passes_come_by_eight. */
+enum { KEA_LEAST_PASSES = 24, KEA_MOST_PASSES = 96, KEA_MORE_PASSES = 8 /* at a time: a third of the least */ };
 static const double kea_passesPerLoad = 0.7;
 /* The same where there are joints, which pass forces on at once: a rag doll's step costs .6 of it, and joints are as
- * closed. */
+ * closed. x2 and /2 of either fail MdtKea_fast_policy: passes_go_with_the_bodies_that_one_carries. */
 enum { KEA_LEAST_TIED_PASSES = 8 };
 static const double kea_tiedPassesPerLoad = 1.2;
-/* Times its loads, an acceleration that only an impact gives: what settles does not reach it. */
+/* Times its loads, an acceleration that only an impact gives: what settles does not reach it. x2 and /2 fail
+ * MdtKea_fast_policy: four_times_its_loads_accelerate_a_body_in_impacts_only. */
 static const double kea_impactLoads = 4;
-/* Passes over displacements. 1 leaves half of the overlaps of a heap, 12 gain nothing. */
+/* Passes over displacements. 1 leaves half of the overlaps of a heap, 12 gain nothing. x2 and /2 fail
+ * MdtKea_fast_policy: six_passes_push_bodies_apart. */
 enum { KEA_POSITION_PASSES = 6 };
 /* In so many rounds where there are joints, whose errors are not linear in a turn; and rounds of joints alone, at most,
  * until they are closed. Without the latter a ton on a light chain opens it by 1e-2 m (Mst_Jointed). /2 of the first
- * fails Mst_Jointed: a_chain_of_150_motors_holds; of the second Mst_Crowd: chains_hold_in_a_crowd. */
+ * fails Mst_Jointed: a_chain_of_150_motors_holds; of the second Mst_Crowd: chains_hold_in_a_crowd; x2 and /2 of either
+ * MdtKea_fast_policy: joints_are_closed_at_three_millionths. */
 enum { KEA_JOINT_ROUNDS = 3, KEA_MOST_JOINT_ROUNDS = 8 };
 /* Of a body's size: joints and stops are closed. gamma adds up five steps' of it; a net of 225 balls in loops, whose
  * rows contradict each other by rounding, comes no nearer than 1.5e-6. 1e-5 lets the ropes of tutorial Bridge give way
- * by 2.5e-5 m. */
+ * by 2.5e-5 m. x2 and /2 fail MdtKea_fast_policy: joints_are_closed_at_three_millionths. */
 static const double kea_closedJoint = 3e-6;
-/* Of its error: a round of Newton's method that leaves more had the derivatives of another pose. */
+/* Of its error: a round of Newton's method that leaves more had the derivatives of another pose. The rounds of joints
+ * alone are five, and gain five digits if each gains one: from .3 of a size to kea_closedJoint. x2 and /2 fail
+ * MdtKea_fast_policy: rounds_that_gain_no_digit_have_new_derivatives. */
 static const double kea_roundShare = 0.1;
-/* Rad, that a round turns a body of what is tied: errors are linear for small turns only, and a chain that is pulled
- * straight asks for large ones. Without it a ton on a light chain opens it by a metre (Mst_Jointed). /2 fails
- * Mst_Crowd: chains_hold_in_a_crowd. */
+/* Rad, that a pass over displacements turns a body of what is tied by, at most: errors are linear for small turns only,
+ * and a chain that is pulled straight asks for large ones. Without it a ton on a light chain opens it by a metre
+ * (Mst_Jointed). /2 fails Mst_Crowd: chains_hold_in_a_crowd; x2 and /2 MdtKea_fast_policy:
+ * a_pass_turns_by_a_tenth_of_a_radian. */
 static const double kea_mostPush = 0.1;
-/* Times kea_proximalLimit, where a block has no factor: half of its decades, so that the third trial is A_ii itself. */
+/* Times kea_proximalLimit, where a block has no factor: half of its decades, so that the third trial is A_ii itself.
+ * x2 and /2 fail MdtKea_fast_policy: joints_of_thin_bodies_are_softer_by_half_of_the_decades. */
 static const double kea_softerJoint = 1e3;
 /* Bodies that joints tie together, for which rows with bounds are given the response of all: their memory, and a visit,
- * go with the bodies. Reasoned: 128 are 6 kB a row. */
+ * go with the bodies. Reasoned: 128 are 6 kB a row. x2 and /2 fail MdtKea_fast_policy:
+ * motors_feel_a_block_of_up_to_128_bodies. */
 enum { KEA_WIDE_BLOCK = 128 };
-/* Of the product of its diagonal, a determinant in single precision: 6e-8 / 1e-4 is what is wrong with the inverse. */
+/* Of the product of its diagonal, a determinant in single precision: 6e-8 / 1e-4 is what is wrong with the inverse. x2
+ * and /2 fail MdtKea_fast_policy: a_determinant_of_a_ten_thousandth_is_inverted. */
 static const float kea_soundDeterminant = 1e-4f;
 /* Of a body's size, at the end of the step: a contact that closes further into a deeper overlap takes more passes, also
- * while bodies move. x2 fails Mst_Crowd: chains_hold_in_a_crowd. */
+ * while bodies move. x2 fails Mst_Crowd: chains_hold_in_a_crowd; x2 and /2 MdtKea_fast_policy:
+ * an_overlap_of_a_tenth_is_deep. */
 static const double kea_smallOverlap = 0.1;
 /* Of the bodies' speeds (root of the mean square): the residual that passes may leave where bodies are slow, and at
  * deep overlaps. Less takes more passes while a heap settles, and overlaps are the same. x4 fails Mst_Crowd:
- * a_pyramid_of_forty_rows_comes_to_rest, which sinks by more than a millimetre; x2 does not. */
+ * a_pyramid_of_forty_rows_comes_to_rest, which sinks by more than a millimetre; x2 and /2 MdtKea_fast_policy:
+ * a_twentieth_of_the_speed_is_left_to_the_next_step. */
 static const double kea_impactAccuracy = 0.05;
-/* Of the accuracy: velocities of bodies that are not told from none. The accuracy is the worst of all contacts. */
+/* Of the accuracy: velocities of bodies that are not told from none. The accuracy is the worst of all contacts. x2 and
+ * /2 fail MdtKea_fast_policy: a_tenth_of_the_accuracy_is_rest. */
 static const double kea_restingShare = 0.1;
-/* Of 1/m_0 + 1/m_1: a compliance above is felt within the step, and solved for. */
+/* Of 1/m_0 + 1/m_1, or of a joint's A_ii: a compliance above is felt within the step, and solved for. x2 and /2 fail
+ * MdtKea_fast_policy: a_thousandth_of_the_mobility_is_soft. */
 static const double kea_softShare = 1e-3;
 /* Of the smaller body's radius of gyration: overlaps up to this are left alone, or contacts that rest would open and
- * close by the rounding of their passes. /2 fails Mst_Crowd: a_pyramid_of_forty_rows_comes_to_rest. */
+ * close by the rounding of their passes. /2 fails Mst_Crowd: a_pyramid_of_forty_rows_comes_to_rest; x2 and /2
+ * MdtKea_fast_policy: overlaps_of_a_ten_thousandth_rest. */
 static const double kea_restingDepth = 1e-4;
-/* Of the kinetic energy: what the passes of a step may add to it by their rounding and by what they leave. */
+/* Of the kinetic energy: what the passes of a step may add to it by their rounding and by what they leave. x2 and /2
+ * fail MdtKea_fast_policy: a_hundred_thousandth_of_the_energy_may_be_gained. */
 static const double kea_energyRoom = 1e-5;
-/* N s, a bound that is none: sums of such stay within single precision. */
-static const double kea_mostBound = 1e30;
-/* Multiplications of a visit to a manifold, and of making one ready: counted. */
+/* N s, or a coefficient of friction: a bound that is none. Derived: a coefficient times an impulse of that size, and
+ * such a bound beside it, are within single precision, 2^128. x2 and /2 fail MdtKea_fast_policy:
+ * friction_without_bound_is_bounded_by_single_precision. */
+static const double kea_mostBound = 0x1p63;
+/* Multiplications, counted: of a visit to a manifold, 275 in a pass (kea_kernel_i.h), and the measure of the residual
+ * after each eighth; of preparation and of what follows passes, 600 in the kernel, and about as many in double
+ * precision, of the manifold and of its share of a body. x2 and /2 of either fail MdtKea_fast_policy:
+ * work_is_counted_by_visits_of_manifolds. */
 enum { KEA_MANIFOLD_VISIT = 300, KEA_MANIFOLD_PREPARATION = 1200 };
 
 /* ---- workers ---- */
@@ -403,7 +424,8 @@ enum { KEA_MANIFOLD_VISIT = 300, KEA_MANIFOLD_PREPARATION = 1200 };
  * manifolds between regions come after those in them. On two threads, ms a step of a pyramid of 820 and of a heap of
  * 1000 boxes (bench/threads): 2.3, 2.1, 1.9, 1.9, 2.7 and 7.8, 7.4, 6.9, 6.8, 7.8 with 100, 200, 400, 800, 1600; small
  * regions leave lanes of their groups empty, large ones leave workers without. With half of the second and with twice
- * as much, the same within 5 %. */
+ * as much, the same within 5 %. x2 and /2 of the first fail MdtKea_fast_policy: regions_have_four_hundred_manifolds; of
+ * the second a_worker_takes_sixty_four_bodies_at_a_time. */
 enum { KEA_REGION_MANIFOLDS = 400, KEA_BODY_CHUNK = 64 };
 
 /* ---- memory ---- */

@@ -22,12 +22,12 @@ static int lowestFree(MeU64 taken) {
     return colour;
 }
 
-/* By side, of KeaRegions.taken; null: the world. */
+/* The colours that one of its bodies has (KeaRegions.taken); null: the world. */
 static MeU64 *takenBy(const Colouring *c, const MdtKeaManifold *m, int k) {
     return m->body[k] >= 0 ? &c->regions->taken[c->regions->place[m->body[k]]] : NULL;
 }
 
-static void forgetColours(const Colouring *c, const KeaNode *node) {
+static void clearColours(const Colouring *c, const KeaNode *node) {
     for (int i = 0; i < node->numManifolds; i++)
         for (int k = 0; k < 2; k++) {
             MeU64 *taken = takenBy(c, &c->s->manifolds[c->regions->manifold[node->firstManifold + i]], k);
@@ -84,7 +84,7 @@ static int groupsOf(int count[COLOURS][KEA_POINTS + 1]) {
 static void colourNode(void *context, KeaNode *node) {
     const Colouring *c = context;
     int count[COLOURS][KEA_POINTS + 1] = {{0}};
-    forgetColours(c, node);
+    clearColours(c, node);
     chooseColours(c, node, count);
     node->numGroups = groupsOf(count);
     sortByColour(c, node, count);

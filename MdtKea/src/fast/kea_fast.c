@@ -2,10 +2,10 @@
  *
  *     velocities   block Gauss-Seidel over the manifolds, eight at a time, region by region (kea_regions_i.h), with
  *                  Nesterov's extrapolation of the impulses within the step and its restart (O'Donoghue and Candès
- *                  2015, "Adaptive restart for accelerated gradient schemes"): bodies come to no more than closing
- *                  their gaps
- *     positions    the same without friction, on displacements: out of overlaps, without velocity
- *     rebounds     velocities again, of where bodies met; they have moved by then
+ *                  2015, "Adaptive restart for accelerated gradient schemes"): gaps may close, but no further
+ *     positions    the same without friction, on displacements, which reduce overlaps and give no velocity (split
+ *                  impulses)
+ *     rebounds     velocities again, with restitution at the points that push; bodies have been moved by then
  *
  * Velocities are linear in the impulses: those of the extrapolated impulses are the extrapolated velocities. Passes
  * work in single precision; the momenta of the end are summed from their impulses in double, action and reaction
@@ -138,7 +138,7 @@ static void applyImpulses(Step *p) {
 
 /* ---- sums ---- */
 
-/* Of what the bodies of each region have left. */
+/* Over the regions, of node->sum[k], which the last loop over bodies has left. */
 static double sumOverRegions(const KeaRegions *r, int k) {
     double sum = 0;
     for (int n = r->count; n < 2 * r->count; n++)
@@ -155,8 +155,8 @@ static double mostOverRegions(const KeaRegions *r, int k) {
 
 /* ---- passes ---- */
 
-/* Of what the groups of all nodes have left. */
-static double sumOfLanes(const KeaRegions *r) {
+/* Over all nodes, of what the last loop over groups has left. */
+static double sumOverNodes(const KeaRegions *r) {
     double sum = 0;
     for (int n = 1; n < 2 * r->count; n++)
         for (int i = 0; i < KEA_LANES; i++)
@@ -164,7 +164,7 @@ static double sumOfLanes(const KeaRegions *r) {
     return sum;
 }
 
-static void mostOfLanes(const KeaRegions *r, double *most, double *closing) {
+static void mostOverNodes(const KeaRegions *r, double *most, double *closing) {
     *most = *closing = 0;
     for (int n = 1; n < 2 * r->count; n++)
         for (int i = 0; i < KEA_LANES; i++) {
@@ -173,12 +173,12 @@ static void mostOfLanes(const KeaRegions *r, double *most, double *closing) {
         }
 }
 
-static void restart(Step *p) {
+static void restartExtrapolation(Step *p) {
     p->theta = 1;
     p->beta = 0;
 }
 
-/* A region's bodies are extrapolated before its manifolds are visited, and so are both regions of a cut. */
+/* Regions come before the cuts between them, so that both bodies of a manifold have been extrapolated. */
 static void passNode(void *context, KeaNode *node) {
     const Step *p = context;
     const float beta = (float)p->beta;
@@ -195,7 +195,7 @@ static void measureGroups(void *context, KeaNode *node) {
                        node->lanes, node->closing);
 }
 
-/* Nesterov's extrapolation; it begins anew where a pass goes against it. */
+/* With Nesterov's extrapolation, which is restarted after a pass that goes against it. */
 static void takePasses(Step *p, int passes) {
     for (int i = 0; i < passes; i++) {
         kea_inOrder(&p->regions, passNode, p);
@@ -203,8 +203,8 @@ static void takePasses(Step *p, int passes) {
         const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
         p->beta = (p->theta - 1) / next;
         p->theta = next;
-        if (sumOfLanes(&p->regions) + ofJoints > 0)
-            restart(p);
+        if (sumOverNodes(&p->regions) + ofJoints > 0)
+            restartExtrapolation(p);
     }
     p->s->report.iterations += passes;
 }
@@ -213,7 +213,7 @@ static void takePasses(Step *p, int passes) {
 static double measureAll(Step *p) {
     double most, closing;
     kea_overNodes(&p->regions, measureGroups, p);
-    mostOfLanes(&p->regions, &most, &closing);
+    mostOverNodes(&p->regions, &most, &closing);
     p->s->report.residual = keaMax(kea_jointsResidual(&p->joints, p->motion), most);
     return closing;
 }
@@ -255,7 +255,7 @@ static void compareWithLoads(void *context, KeaNode *node) {
     }
 }
 
-/* Of how many bodies each carries the weight, at most: its normal forces of the last step, in its own loads'. */
+/* Of how many bodies one carries the weight, at most: half of the last step's normal forces on it, in its own loads. */
 static double loadRatio(Step *p) {
     kea_inOrder(&p->regions, addNormalForces, p);
     kea_overRegions(&p->regions, compareWithLoads, p);
@@ -288,20 +288,20 @@ static void findSpeed(Step *p) {
     p->load = p->isMoving ? 1 : loadRatio(p);
 }
 
-/* Is the residual small enough? In a stack of n bodies the contacts' residuals add up, so each may be an n-th of the
- * accuracy. While bodies move, a part of their speed is left to the next step; where impacts dominate, all of it,
- * except at deep overlaps that grow, by `closing' m/s. */
-static MeBool isEnough(const Step *p, double closing) {
+/* Whether the residual is small enough. In a stack of n bodies the contacts' residuals add up, so each may be an n-th
+ * of the accuracy. While bodies move, a part of their speed is left to the next step; where impacts dominate, all of
+ * it, except at deep overlaps that grow, by `closing' m/s. */
+static MeBool isResidualSmall(const Step *p, double closing) {
     const double least = keaMax(p->s->parameters.accuracy / keaMax(p->load, 1), kea_impactAccuracy * p->speed);
     return p->s->report.residual <= (p->isMoving ? p->speed : least) && closing <= least;
 }
 
-/* As many passes as are given, and more of them while they are not enough. */
+/* The least passes, then more, up to the most, while the residual is too large. */
 static void findVelocities(Step *p, Passes passes) {
-    restart(p);
+    restartExtrapolation(p);
     takePasses(p, passes.least);
     double closing = measureAll(p);
-    for (int done = passes.least; done < passes.most && !isEnough(p, closing);) {
+    for (int done = passes.least; done < passes.most && !isResidualSmall(p, closing);) {
         const int more = passes.most - done < KEA_MORE_PASSES ? passes.most - done : KEA_MORE_PASSES;
         takePasses(p, more);
         closing = measureAll(p);
@@ -309,7 +309,7 @@ static void findVelocities(Step *p, Passes passes) {
     }
 }
 
-/* What passes cost; those over displacements, and getting ready. */
+/* Multiplications of a pass over velocities; of passes over displacements and of preparation. */
 static double workOfPass(const Step *p) {
     return (double)p->numGroups * KEA_LANES * KEA_MANIFOLD_VISIT + kea_jointsWorkOfPass(&p->joints);
 }
@@ -348,7 +348,7 @@ static void setReboundsOf(void *context, KeaNode *node) {
             }
 }
 
-/* Where bodies met and push each other they part with their rebound. */
+/* The target of points that push becomes their rebound; whether there are any. */
 static MeBool setRebounds(Step *p) {
     MeBool isAny = MEFALSE;
     kea_overNodes(&p->regions, setReboundsOf, p);
@@ -406,14 +406,15 @@ static void sumEnergy(void *context, KeaNode *node) {
     }
 }
 
-/* J, what the impulses have added to the kinetic energy, in the start's pose; `all`: with the loads alone. */
+/* J, what the impulses have added to the kinetic energy, in the start's pose; `all`: what it is with the loads
+ * alone. */
 static double energyGained(Step *p, double *all) {
     kea_overRegions(&p->regions, sumEnergy, p);
     *all = sumOverRegions(&p->regions, 1);
     return sumOverRegions(&p->regions, 0);
 }
 
-/* Does anything drive the bodies: motors, springs, belts, worlds that move? */
+/* Whether something may give the bodies energy: motors, springs, belts, worlds that move. */
 static MeBool isDriven(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].spring || s->rows[i].drift != 0 || (!s->rows[i].position && s->rows[i].target != 0))
@@ -426,23 +427,24 @@ static MeBool isDriven(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-static void descend(Step *p) {
+/* Solves again from no impulses, point by point and without extrapolation, so that each visit is a descent. */
+static void solveByDescent(Step *p) {
     kea_scaleImpulses(p->groups, p->numGroups, 0);
     kea_jointsScale(&p->joints, 0);
     for (int i = 0; i < p->numGroups; i++)
         memset(&p->groups[i].isDirect, 0, sizeof p->groups[i].isDirect);
     setMotions(p);
     for (int i = 0; i < KEA_MOST_PASSES; i++) {
-        restart(p);
+        restartExtrapolation(p);
         takePasses(p, 1);
     }
     measureAll(p);
     setEndMomentum(p);
 }
 
-/* With a share of the impulses P the energy changes by share P·v + share² |P|²/2: the largest that gains none. Joints
- * that this opens are closed again, which takes energy. */
-static void shareImpulses(Step *p) {
+/* With a share of the impulses P the energy changes by share P·v + share² |P|²/2 (norm by M⁻¹): takes the largest share
+ * that gains none. A pass over the joints follows, since a share leaves them a velocity; it only takes energy. */
+static void limitImpulses(Step *p) {
     const MdtKeaSystem *s = p->s;
     double linear = 0, square = 0;
     for (int i = 0; i < s->numBodies; i++) {
@@ -472,9 +474,9 @@ static void compareMotions(void *context, KeaNode *node) {
         }
 }
 
-/* Velocities that passes have added up are those that the impulses give, but for rounding: unless impulses have been so
- * large on the way that it is more than is wanted. What they give is taken for the rest of the step. */
-static MeBool isFollowed(Step *p) {
+/* Passes accumulate velocities in single precision. Computes them anew from the impulses, for the rest of the step.
+ * False: they differ by more than is allowed, since impulses were so large in between that their rounding counts. */
+static MeBool doMotionsMatchImpulses(Step *p) {
     kea_overRegions(&p->regions, keepMotions, p);
     setMotions(p);
     applyImpulses(p);
@@ -483,35 +485,35 @@ static MeBool isFollowed(Step *p) {
     return off <= p->s->parameters.accuracy + kea_impactAccuracy * speed;
 }
 
-/* Contacts that only push and rub take energy, or none. Should the passes have gone astray, where masses or levers
- * differ too much for single precision, others begin from no impulses, point by point and without extrapolation: each
- * visit is then a descent. What these may still gain is left out, by taking a share of all impulses. */
-static void keepEnergy(Step *p) {
+/* Contacts do not add energy, unless something is driven. Where the answer does, or is inaccurate, since masses or
+ * levers differ too much for single precision, it is found again by descent; should that still gain energy, by
+ * rounding, all impulses are multiplied by a share. */
+static void guardEnergy(Step *p) {
     double all, gained = energyGained(p, &all);
     const MeBool isGained = gained > kea_energyRoom * all && !isDriven(p->s);
-    if (!isGained && isFollowed(p))
+    if (!isGained && doMotionsMatchImpulses(p))
         return;
-    descend(p);
+    solveByDescent(p);
     gained = energyGained(p, &all);
     if (gained <= kea_energyRoom * all || isDriven(p->s))
         return;
-    shareImpulses(p);
+    limitImpulses(p);
     p->s->report.capped = METRUE;
 }
 
-/* Restitution at several points asks for energy that is not there (Newton's law has that flaw): a share of all impulses
- * is taken, with which none is gained. */
+/* Newton's law of restitution at several points together may add energy: then all impulses are multiplied by the share
+ * with which none is gained. */
 static void limitRebounds(Step *p) {
     double all;
     const double gained = energyGained(p, &all);
     if (gained > kea_energyRoom * all && !isDriven(p->s))
-        shareImpulses(p);
+        limitImpulses(p);
 }
 
 /* ---- where bodies are then ---- */
 
-/* What touches nothing but itself flies: its centre of mass moves by the mean of its velocities at the start and the
- * end, so that all of it is moved back by half of what loads have made of the latter. */
+/* A partition that nothing joins to the world flies: its centre of mass moves by the mean of its velocities at the
+ * start and the end. Positions are advanced with the latter; `fall` takes half of the difference, by loads, back. */
 static void fallOfCentre(Step *p) {
     const MdtKeaSystem *s = p->s;
     double mass = 0;
@@ -531,7 +533,7 @@ static void fallOfCentre(Step *p) {
     keaScale(p->fall, 0.5 * s->parameters.stepsize / mass, p->fall);
 }
 
-/* As a free body turns with the momentum of the end. */
+/* Orientations at the end, as a free body turns with the end's angular momentum. */
 static void turnFreely(void *context, KeaNode *node) {
     const Step *p = context;
     for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++) {
@@ -542,7 +544,7 @@ static void turnFreely(void *context, KeaNode *node) {
     }
 }
 
-/* With the velocities of the end, and out of overlaps. */
+/* By the velocities of the end and the displacements. */
 static void setEndPose(const Step *p, int place) {
     MdtKeaSystem *s = p->s;
     const int i = p->regions.body[place];
@@ -572,7 +574,7 @@ static void setEndPoses(Step *p) {
     kea_overRegions(&p->regions, setEndPosesOf, p);
 }
 
-/* Gaps are those at the end of the step; bodies stand there. */
+/* Gaps are those at the end of the step from here on; there are no displacements yet. */
 static void advanceNode(void *context, KeaNode *node) {
     const Step *p = context;
     memset(p->way + 1 + node->firstPlace, 0, (size_t)node->numPlaces * sizeof *p->way);
@@ -589,8 +591,8 @@ static void pushApart(Step *p) {
     kea_jointsPush(p->s, &p->joints, p->way);
 }
 
-/* Joints turn with their bodies: their errors are found anew for every few passes, and where that does not bring them
- * down, their derivatives too. Contacts take part in the first rounds only. */
+/* Newton's method in rounds: errors of joints are evaluated anew in each, and their Jacobians where the last round has
+ * not reduced the errors enough. Contacts take part in the first rounds only. */
 static void pushJoined(Step *p) {
     double before = HUGE_VAL;
     kea_keepRows(p->s);
@@ -623,7 +625,7 @@ static void findPositions(Step *p) {
     setEndPoses(p);
 }
 
-static MeBool isNone(const KeaMotion *way) {
+static MeBool isZero(const KeaMotion *way) {
     for (int k = 0; k < 3; k++)
         if (way->lin[k] != 0 || way->ang[k] != 0)
             return MEFALSE;
@@ -634,10 +636,10 @@ static void findFree(void *context, KeaNode *node) {
     const Step *p = context;
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
         p->s->work->body[p->regions.body[i]].isFree =
-            isNone(&p->way[1 + i]) && keaLength(p->change[i]) + keaLength(p->change[i] + 3) == 0;
+            isZero(&p->way[1 + i]) && keaLength(p->change[i]) + keaLength(p->change[i] + 3) == 0;
 }
 
-/* What nothing has touched flies. */
+/* Bodies without impulse and displacement move as free ones. */
 static void moveFreely(Step *p) {
     kea_overRegions(&p->regions, findFree, p);
     kea_moveFreely(p->s);
@@ -681,7 +683,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
     kea_overRegions(&p.regions, keepMotions, &p);
     findVelocities(&p, passes);
     setEndMomentum(&p);
-    keepEnergy(&p);
+    guardEnergy(&p);
     kea_jointsSetMomenta(s, &p.joints);
     fallOfCentre(&p);
     findPositions(&p);

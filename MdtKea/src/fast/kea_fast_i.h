@@ -3,9 +3,9 @@
  *     kea_fast.c          a step: groups of manifolds, passes for velocities, for positions, for rebounds; the end
  *     kea_regions.c       bodies in regions, and loops over these, on several threads
  *     kea_colour.c        manifolds that share no body, in groups of eight
- *     kea_gather.c        what manifolds say, to groups, and the answer back
+ *     kea_gather.c        copies manifolds into groups, and forces back
  *     kea_lanes_i.h       eight floats at a time
- *     kea_kernel_i.h      what is done with a group, eight manifolds at a time
+ *     kea_kernel_i.h      the operations on groups, eight manifolds at a time
  *     kea_kernel.c, kea_kernel_avx2.c      the same, compiled for two widths of registers
  *
  * A manifold is solved as a whole. About its centre c, with the normal n, t1 along the primary direction, and
@@ -13,7 +13,7 @@
  *
  *     u_0 + x u_1 + y u_2,     u = (n·dv, -t2·dw, t1·dw),     dv, dw: of the first body against the second at c
  *
- * a system of rank 3 whatever their number. Impulses are in N s, of the first body, positive apart.
+ * a system of rank 3 whatever their number. Impulses are in N s, on the first body, positive where they push apart.
  */
 #ifndef KEA_FAST_I_H
 #define KEA_FAST_I_H
@@ -42,56 +42,57 @@ typedef struct KeaPatch {
     double centre[3], across[3], x[KEA_POINTS], y[KEA_POINTS]; /* m; across: t2 */
 } KeaPatch;
 
-/* Eight manifolds. Written once a step, but for what passes write. Lanes that are not in use have the world as both
- * bodies. */
+/* Eight manifolds. Passes over velocities write the last fields only. Lanes that are not in use have the world as
+ * both bodies. */
 typedef struct KeaGroup {
     /* kea_colour.c */
     int manifold[KEA_LANES]; /* -1: the lane is not in use */
-    /* kea_fast.c, from the manifolds */
+    /* kea_gather.c */
     int body[2][KEA_LANES]; /* of KeaMotions: 0 is the world, the others 1 + their place */
     KeaLanes3 normal, along, arm[2];
     KeaLanes invMass[2], invInertia[2][6];
-    KeaLanes x[KEA_POINTS], y[KEA_POINTS];  /* m */
-    KeaLanes size;                          /* m, of the smaller body */
-    KeaLanes gap[KEA_POINTS];               /* m; negative: overlap */
-    KeaLanes sag[KEA_POINTS];               /* m, the overlap that is left alone: epsilon under load, and rounding */
-    KeaLanes target[KEA_POINTS];            /* m/s, of normal velocities at least; */
-    KeaLanes rebound[KEA_POINTS];           /* m/s, and once positions are found, where bodies met; 0: they did not */
-    KeaLanes compliance;                    /* 1/kg, of soft contacts */
-    KeaLanes correction;                    /* the share of an overlap that a pass for positions takes away */
-    KeaLanes least;                         /* N s, of normal impulses: 0, or adhesion */
+    KeaLanes x[KEA_POINTS], y[KEA_POINTS]; /* m */
+    KeaLanes size;                         /* m, of the smaller body */
+    KeaLanes gap[KEA_POINTS];              /* m; negative: overlap */
+    KeaLanes sag[KEA_POINTS];              /* m, overlap that is allowed (slop): epsilon under load, and rounding */
+    KeaLanes target[KEA_POINTS];           /* m/s, the lower bound of normal velocities (bias) */
+    KeaLanes rebound[KEA_POINTS]; /* m/s, by restitution: the target of points that push, in a second solve; 0: none */
+    KeaLanes compliance;          /* 1/kg, of soft contacts */
+    KeaLanes correction;          /* the share of an overlap that one pass over displacements removes */
+    KeaLanes least;               /* N s, the lower bound of normal impulses: 0, or minus adhesion */
     KeaLanes coefficient[2], bound[2];      /* of friction: of the normal impulse, and N s */
-    KeaLanes slip[2], slide[2];             /* 1/kg, m/s */
+    KeaLanes slip[2], slide[2];             /* 1/kg, compliance of friction; m/s, velocity of the surface */
     KeaLanes lever[KEA_POINTS], boundTwist; /* m, N m s: of friction's moment about n */
     KeaMask isPoint[KEA_POINTS], isCone, isOneWay;
     /* prepare */
-    KeaLanes coupling[10];         /* 1/kg, of points: how impulses change rates; rows of an upper triangle */
-    KeaLanes response[KEA_POINTS]; /* kg, of one point alone */
-    KeaLanes direct[10];           /* kg, of all points at once: its inverse */
-    KeaMask isDirect;
-    KeaLanes grip[3], twistMass; /* kg, kg m²: of friction: 11 12 22 */
+    KeaLanes coupling[10];         /* 1/kg, J M⁻¹ Jᵀ + E of the points' normals: the rows of its upper triangle */
+    KeaLanes response[KEA_POINTS]; /* kg, the inverse of its diagonal */
+    KeaLanes direct[10];           /* kg, its inverse, or pseudo-inverse */
+    KeaMask isDirect;              /* that is well enough conditioned */
+    KeaLanes grip[3], twistMass;   /* kg, of friction along t1 and t2: 11 12 22; kg m², about n (effective masses) */
     /* pass */
-    KeaLanes impulse[KEA_POINTS], before[KEA_POINTS]; /* N s, and after the pass before */
-    KeaLanes rub[2], rubBefore[2];                    /* along t1 and t2, at the centre */
+    KeaLanes impulse[KEA_POINTS], before[KEA_POINTS]; /* N s, and one pass earlier */
+    KeaLanes rub[2], rubBefore[2];                    /* of friction: along t1 and t2, at the centre */
     KeaLanes twist, twistBefore;                      /* N m s, about n */
 } KeaGroup;
 
 /* What passes over groups do, in their order, for one width of registers. */
 typedef struct KeaKernel {
-    /* From what the manifolds say, what passes need. */
+    /* Effective masses, from what kea_fillGroups has written. */
     void (*prepare)(KeaGroup groups[], int count, float stepsize);
-    /* Adds what the impulses do to the bodies. */
+    /* Adds M⁻¹ Jᵀ p, of all impulses, to the motions: the warm start. */
     void (*apply)(const KeaGroup groups[], int count, KeaMotion motion[]);
     /* motion += beta (motion - before), and before becomes what motion was. */
     void (*extrapolate)(KeaMotion motion[], KeaMotion before[], int count, float beta);
-    /* One pass over velocities, from impulses extrapolated by beta; adds to `uphill`, by lane, how much of the change
-     * goes against the extrapolation. */
+    /* One pass over velocities, from impulses extrapolated by beta. Adds to `uphill`, by lane, (guess - next)·(next -
+     * last), which is positive where extrapolation went too far: the criterion of restarts. */
     void (*pass)(KeaGroup groups[], int count, KeaMotion motion[], float beta, float uphill[KEA_LANES]);
-    /* Gaps at the end of a step with these velocities. */
+    /* Turns gaps into those at the end of a step with these velocities. */
     void (*advance)(KeaGroup groups[], int count, const KeaMotion motion[], float stepsize);
-    /* One pass over displacements: out of overlaps. */
+    /* One pass over displacements, which reduces overlaps. */
     void (*push)(const KeaGroup groups[], int count, KeaMotion motion[]);
-    /* m/s, by lane: the largest violation of the laws of contact; how fast deep overlaps grow (kea_smallOverlap). */
+    /* m/s, by lane: the residual, which is the largest violation of the laws of contact; the largest speed at which
+     * deep overlaps grow (kea_smallOverlap). */
     void (*measure)(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, float most[KEA_LANES],
                     float closing[KEA_LANES]);
 } KeaKernel;
@@ -103,7 +104,7 @@ extern const KeaKernel kea_kernelAvx2;
 
 /* ---- kea_gather.c ---- */
 
-/* What is the same for all groups of a step. */
+/* The step that groups are filled from. */
 typedef struct KeaGathering {
     const MdtKeaSystem *s;
     const int *place;        /* by body */
@@ -111,18 +112,19 @@ typedef struct KeaGathering {
     KeaMotion *motion, *way; /* of worlds that move, see kea_fillGroups */
 } KeaGathering;
 
-/* Fills groups. A world that moves is its manifold's own: a motion behind the bodies', without displacement. */
+/* Fills groups, whose manifolds are chosen. A world that moves has a motion of its own for each manifold, behind the
+ * bodies', without displacement. */
 void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count);
-/* What the manifolds of groups do to momenta: is added to `change`, by place, N s and N m s. */
+/* Adds what the groups' impulses change momenta by, N s and N m s, to `change`, by place. */
 void kea_addImpulses(const KeaGathering *from, const KeaGroup groups[], int count, double (*change)[6]);
-/* Takes a share of all impulses; 0: there are none. */
+/* Multiplies all impulses by a share; by 0 also such as are not finite. */
 void kea_scaleImpulses(KeaGroup groups[], int count, float share);
 /* Writes the forces of the manifolds' points. */
 void kea_returnManifolds(const KeaGathering *from, const KeaGroup groups[], int count);
 
 /* ---- kea_fast.c ---- */
 
-/* Finds the forces of the system's manifolds, and where the bodies will be. */
+/* Finds the forces of the system's manifolds and rows, and the bodies' state at the end. */
 void kea_fastSolve(MdtKeaSystem *s);
 
 #endif

@@ -1,11 +1,11 @@
-/* Between manifolds, in double precision, and the groups of eight that passes work on. */
+/* Copies manifolds, in double precision, into the groups of eight that passes work on, and their impulses back. */
 #include "common/kea_policy_i.h"
 #include <string.h>
 #include "fast/kea_fast_i.h"
 #include "MeAssert.h"
 #include <float.h>
 
-/* Makes the sum 1; false where it is 0. */
+/* Divides by the sum; false where it is 0. */
 static MeBool normalize(double share[], int count) {
     double sum = 0;
     for (int k = 0; k < count; k++)
@@ -29,7 +29,7 @@ static void setShares(const MdtKeaManifold *m, double share[KEA_POINTS]) {
         share[k] = 1 / (double)m->numPoints;
 }
 
-/* Friction acts at the centre: where the load is, so that a point that carries nothing gives it no lever. */
+/* The centre, at which friction acts, is the centre of the load, so that a point without load gives it no lever. */
 static void setPatch(const MdtKeaManifold *m, KeaPatch *p) {
     double share[KEA_POINTS];
     setShares(m, share);
@@ -53,7 +53,7 @@ static void setLane3(KeaLanes3 *to, int lane, const double from[3]) {
     to->z[lane] = (float)from[2];
 }
 
-static float bounded(double bound) {
+static float clampBound(double bound) {
     return (float)keaMin(bound, kea_mostBound);
 }
 
@@ -72,8 +72,8 @@ static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManif
             g->invInertia[k][at][lane] = mass ? (float)mass->inertia[i][j] : 0;
 }
 
-/* m: what sizes of contacts are compared with, the smaller radius of gyration. */
-static double sizeOf(const MdtKeaSystem *s, const MdtKeaManifold *m) {
+/* m, the smaller radius of gyration, which depths of contacts are compared with. */
+static double smallerSize(const MdtKeaSystem *s, const MdtKeaManifold *m) {
     double size = DBL_MAX;
     for (int k = 0; k < 2; k++)
         if (m->body[k] >= 0)
@@ -85,8 +85,8 @@ static double softnessOf(const MdtKeaSystem *s, const MdtKeaManifold *m) {
     return s->parameters.epsilon + s->parameters.softening * m->surface.softness;
 }
 
-/* A compliance that is small against the masses is not felt as a velocity, but as the sag E F h² / gamma; a larger one
- * is solved for, and then its correction is a velocity, too. */
+/* The effect of a compliance that is small against the masses is allowed as overlap, the sag E F h² / gamma; a larger
+ * one is a part of the matrix, and gamma then corrects by velocities. */
 static MeBool isSoft(const MdtKeaSystem *s, const MdtKeaManifold *m) {
     double mobility = 0;
     for (int k = 0; k < 2; k++)
@@ -102,9 +102,9 @@ static KeaApproach approachOf(const MdtKeaSystem *s, const MdtKeaManifold *m, co
     return kea_approachOfPoint(s, m, (const double(*)[3])arm);
 }
 
-/* m, along the normal: what the point is to be moved by within the step, at least. What rests does so within a depth; a
- * gap of that size at a point that has carried something is a tilt of it, and no way to go: the points of a face would
- * ask for velocities that contradict each other. */
+/* m, along the normal: the least displacement of the point within the step. A gap may close; but one below the resting
+ * depth, at a point that has carried a load, counts as closed: it is a tilt of the face, whose points would else have
+ * targets that contradict each other. */
 static double aimOf(const MdtKeaSystem *s, const MdtKeaPoint *point, double size, MeBool isSoft) {
     const double resting = point->guess[0] > 0 ? kea_restingDepth * size : 0;
     if (point->depth >= 0)
@@ -137,8 +137,8 @@ static void fillRebounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGrou
     }
 }
 
-/* Friction that does not depend on the normal force acts where bodies touch in this step: N, N m, of both directions,
- * and about the normal. */
+/* Friction that does not depend on the normal force acts at points that may touch in this step: N s, in both
+ * directions, and N m s, about the normal. */
 static void fillBounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup *g, int lane) {
     const double h = s->parameters.stepsize, *bound = m->surface.bound;
     double count = 0, lever = 0;
@@ -150,11 +150,12 @@ static void fillBounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup 
         lever += (double)g->lever[k][lane];
     }
     for (int i = 0; i < 2; i++)
-        g->bound[i][lane] = count > 0 ? bounded(h * count * bound[i]) : 0;
-    g->boundTwist[lane] = lever > 0 ? bounded(h * lever * bound[0]) : 0;
+        g->bound[i][lane] = count > 0 ? clampBound(h * count * bound[i]) : 0;
+    g->boundTwist[lane] = lever > 0 ? clampBound(h * lever * bound[0]) : 0;
 }
 
-/* Friction as it was: of all points at the centre, and about the normal. */
+/* Coefficients, and the warm start: the last step's friction of all points, as an impulse at the centre and a
+ * moment. */
 static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p, KeaGroup *g, int lane) {
     const double h = s->parameters.stepsize;
     double twist = 0, rub[2] = {0, 0};
@@ -166,7 +167,7 @@ static void fillFriction(const MdtKeaSystem *s, const MdtKeaManifold *m, const K
     }
     for (int i = 0; i < 2; i++) {
         g->rub[i][lane] = (float)(h * rub[i]);
-        g->coefficient[i][lane] = bounded(m->surface.coefficient[i]);
+        g->coefficient[i][lane] = clampBound(m->surface.coefficient[i]);
         g->slip[i][lane] = (float)(m->surface.slip[i] / (h * m->numPoints));
         g->slide[i][lane] = (float)m->surface.slide[i];
     }
@@ -178,7 +179,7 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     const MdtKeaSystem *s = from->s;
     const MdtKeaManifold *m = &s->manifolds[manifold];
     KeaPatch *p = &from->patch[manifold];
-    const double size = sizeOf(s, m);
+    const double size = smallerSize(s, m);
     setPatch(m, p);
     setLane3(&g->normal, lane, m->normal);
     setLane3(&g->along, lane, m->direction);
@@ -188,7 +189,7 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     g->size[lane] = (float)size;
     g->compliance[lane] = soft ? (float)softnessOf(s, m) : 0;
     g->correction[lane] = soft ? 0 : correction;
-    g->least[lane] = -bounded(s->parameters.stepsize * m->surface.adhesion);
+    g->least[lane] = -clampBound(s->parameters.stepsize * m->surface.adhesion);
     g->isOneWay[lane] = m->surface.isOneWay ? -1 : 0;
     for (int k = 0; k < m->numPoints; k++)
         fillPoint(s, m, p, size, k, g, lane);
@@ -197,7 +198,7 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     fillFriction(s, m, p, g, lane);
 }
 
-static void setWorld(const MdtKeaVelocity *velocity, KeaMotion *world) {
+static void setWorldMotion(const MdtKeaVelocity *velocity, KeaMotion *world) {
     memset(world, 0, sizeof *world);
     for (int c = 0; c < 3; c++) {
         world->lin[c] = (float)velocity->lin[c];
@@ -209,7 +210,7 @@ static void fillWorlds(const KeaGathering *from, const MdtKeaManifold *m, KeaGro
     for (int k = 0; k < 2; k++)
         if (m->body[k] < 0) {
             const int world = g->body[k][lane] = 1 + from->s->numBodies + g->manifold[lane];
-            setWorld(m->worldVelocity, &from->motion[world]);
+            setWorldMotion(m->worldVelocity, &from->motion[world]);
             memset(&from->way[world], 0, sizeof *from->way);
         }
 }
@@ -231,7 +232,7 @@ void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count) {
 
 /* ---- back to manifolds ---- */
 
-/* In double, about the bodies' centres of mass: what one body gets the other loses, to the last bit. */
+/* In double precision, about the bodies' centres of mass: what one body gets the other loses, to the last bit. */
 static void addImpulse(const KeaGathering *from, const KeaGroup *g, int lane, double (*change)[6]) {
     const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
     const KeaPatch *p = &from->patch[g->manifold[lane]];
@@ -281,8 +282,8 @@ static double square(double x) {
     return x * x;
 }
 
-/* Friction of the manifold is shared out by the points' normal forces w, and its moment by w times their distance from
- * where these push:
+/* Distributes friction to the points by their normal forces w, and its moment by w times the distance from the centre
+ * q_m of these:
  *     f_k = w_k f + w_k (tau - tau_0) n x (q_k - q_m) / Σ w q²,     tau_0: the moment of the first part. */
 static void returnPoints(const KeaGathering *from, const KeaGroup *g, int lane) {
     MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];

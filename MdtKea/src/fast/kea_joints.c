@@ -1,17 +1,17 @@
-/* Joints among the manifolds of the fast solver. The bodies that they tie together are a block, solved at once in each
- * pass, whatever trees and loops they make, by a sparse factor on the bodies' side (S = M + Jᵀ W J):
+/* Joints in the fast solver. The bodies that they tie together are a block, which each pass solves at once, whatever
+ * trees and loops they make, by a sparse Cholesky factor on the bodies' side (S = M + Jᵀ W J):
  *
  *     S Δv = Jᵀ W r,    Δp = W (r - J Δv),    r = t - J v - E p,    W = 1 / (E + N)
  *
- * N, the method's own softness, leaves that part of a pass's change to the next one. Rows with bounds follow one by
- * one, projected; what a unit of their impulses does is S⁻¹ Jᵀ, so that the block stays tied.
+ * N, the proximal parameter, leaves that part of a pass's change to the next one. Rows with bounds follow one by one
+ * (projected Gauss-Seidel), with the response S⁻¹ Jᵀ of the whole block, so that its joints stay closed.
  *
- * Velocities: J v⁺ = t - E p. A position row has no part of its error in t, but for a stop that may close; a spring is
- * implicit, E = 1 / (h (h k + d)), t = E h (d s - k φ). Positions: what the velocities leave of
+ * Velocities: J v⁺ = t - E p. The target t of a position row corrects no error; that of a stop lets it close. A spring
+ * is implicit, E = 1 / (h (h k + d)), t = E h (d s - k φ). Positions: the error that the velocities leave of
  *
  *     φ(x⁺) = φ(x) + h (s - E p)
  *
- * is taken away by displacements, by the same factors: Newton's method with the derivative of the start.
+ * is removed by displacements, with the same factors: simplified Newton, with the Jacobian of the start.
  */
 #include "fast/kea_joints_i.h"
 #include "inner/kea_factor_i.h"
@@ -38,7 +38,7 @@ static double sizeOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return size;
 }
 
-/* A spring without stiffness and damping is none. */
+/* A spring without stiffness and damping is inactive. */
 static void setSpring(double h, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const double hold = h * (h * row->stiffness + row->damping);
@@ -98,7 +98,7 @@ static double rateOf(const KeaJointRow *r, double (*const x)[6]) {
     return rate;
 }
 
-/* The same of the bodies' motions. */
+/* J v of the bodies' motions. */
 static double motionRate(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, const KeaMotion motion[]) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
@@ -163,8 +163,8 @@ static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const Kea
     return kea_factorCholesky(b->factor, kea_leastPivot);
 }
 
-/* Masses that differ by more than N bears, one over the rounding of a double, make joints softer. Where nothing helps,
- * the block's joints do nothing in this step. */
+/* Where masses differ so much that S is not positive definite in double precision, a larger N is tried. Where even that
+ * of A_ii fails, the block's joints have no force in this step. */
 static void factorize(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBlock *b) {
     b->isSound = MEFALSE;
     for (double soft = kea_proximalLimit; soft <= 1 && !b->isSound; soft *= kea_softerJoint)
@@ -179,7 +179,7 @@ static int rootOf(int parent[], int i) {
     return i;
 }
 
-static int bodyOf(const MdtKeaRow *row) {
+static int anyBodyOf(const MdtKeaRow *row) {
     return row->body[0] >= 0 ? row->body[0] : row->body[1];
 }
 
@@ -195,12 +195,12 @@ static void join(const MdtKeaSystem *s, int parent[]) {
     }
 }
 
-/* By the first body of their block, in their order: a counting sort. */
+/* Sorts rows by the first body of their block, stably: a counting sort. */
 static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
     int at = 0;
     memset(j->sum, 0, (size_t)s->numBodies * sizeof *j->sum);
     for (int i = 0; i < s->numRows; i++)
-        j->sum[rootOf(j->parent, bodyOf(&s->rows[i]))]++;
+        j->sum[rootOf(j->parent, anyBodyOf(&s->rows[i]))]++;
     j->numBlocks = 0;
     for (int b = 0; b < s->numBodies; b++) {
         const int here = j->sum[b];
@@ -210,7 +210,7 @@ static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
         at += here;
     }
     for (int i = 0; i < s->numRows; i++)
-        j->sorted[j->sum[rootOf(j->parent, bodyOf(&s->rows[i]))]++] = &s->rows[i];
+        j->sorted[j->sum[rootOf(j->parent, anyBodyOf(&s->rows[i]))]++] = &s->rows[i];
 }
 
 /* Gives a body its number in the block, if it has none yet. */
@@ -225,7 +225,7 @@ static void addBody(const MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJ
 
 /* ---- geometric stiffness ---- */
 
-/* What an impulse P of the last step costs, whose arm r turns with the body: h of the symmetric part of
+/* The stiffness of an impulse P of the last step whose arm r turns with the body: h times the symmetric part of
  * (P·r) 1 - r Pᵀ. */
 static void addStiffness(double K[3][3], double h, const double P[3], const double r[3]) {
     const double Pr = keaDot(P, r);
@@ -234,7 +234,7 @@ static void addStiffness(double K[3][3], double h, const double P[3], const doub
             K[i][k] += h * ((i == k ? Pr : 0) - 0.5 * (r[i] * P[k] + r[k] * P[i]));
 }
 
-static void gatherStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBlock *b) {
+static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBlock *b) {
     const double h = s->parameters.stepsize;
     for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
         const MdtKeaRow *row = j->sorted[i];
@@ -256,8 +256,8 @@ static double largestEntry(double (*const K)[3]) {
     return most;
 }
 
-/* I w⁺ = L + Jᵀ p - K w⁺: to all that pushes it the body has the inertia I + K. */
-static void stiffen(MdtKeaSystem *s, KeaJointBody *body) {
+/* I w⁺ = L + Jᵀ p - K w⁺: impulses act on the inertia I + K. */
+static void addToInertia(MdtKeaSystem *s, KeaJointBody *body) {
     KeaJointBody b = *body;
     const double *I = s->bodies[b.body]->moments, least = keaMin(I[0], keaMin(I[1], I[2]));
     double(*inverse)[3] = s->invMass[b.body].inertia;
@@ -292,9 +292,9 @@ static void setBodies(MdtKeaSystem *s, const int place[], KeaJoints *j, KeaJoint
     for (int i = b->firstRow; i < b->firstRow + b->numRows; i++)
         for (int k = 0; k < 2; k++)
             addBody(s, place, j, b, j->sorted[i]->body[k]);
-    gatherStiffness(s, j, b);
+    sumStiffness(s, j, b);
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
-        stiffen(s, &j->body[n]);
+        addToInertia(s, &j->body[n]);
 }
 
 static void setRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
@@ -316,8 +316,8 @@ static void setRows(const MdtKeaSystem *s, KeaJoints *j, KeaJointBlock *b) {
     }
 }
 
-/* Factors that look alike are one: there may be so many different ones as a cache keeps. */
-static MeBool areKept(const KeaJoints *j) {
+/* Blocks with the same graph share one factor's structure; false: they have more graphs than a cache keeps. */
+static MeBool areFactorsKept(const KeaJoints *j) {
     const KeaFactor *kept[KEA_MAX_FACTORS];
     int count = 0;
     for (int i = 0; i < j->numBlocks; i++) {
@@ -396,7 +396,7 @@ MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j) {
     join(s, j->parent);
     if (!setBlocks(s, place, j))
         return MEFALSE;
-    if (!areKept(j)) {
+    if (!areFactorsKept(j)) {
         memset(j->parent, 0, (size_t)s->numBodies * sizeof *j->parent); /* as one block */
         if (!setBlocks(s, place, j))
             return MEFALSE;
@@ -415,7 +415,7 @@ MeBool kea_jointsAreSound(const KeaJoints *j) {
     return METRUE;
 }
 
-/* N s and N m s, by node, of all impulses. */
+/* Jᵀ p of all impulses, by node, N s and N m s. */
 static void sumImpulses(const KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
@@ -462,7 +462,7 @@ void kea_jointsScale(KeaJoints *j, double share) {
 
 /* ---- all at once ---- */
 
-/* What is missing to the rows without bounds. */
+/* S x = Jᵀ W r of the rows without bounds. */
 static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
     double(*x)[6] = unknownsOf(j, b);
     memset(x, 0, (size_t)b->numNodes * sizeof *x);
@@ -472,8 +472,8 @@ static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
     kea_factorSolve(b->factor, x[0]);
 }
 
-/* What a unit of a row's impulse does to the block, or in a wide one to the row's own bodies, and by how much that
- * changes the row's rate. */
+/* The velocities that a unit of a row's impulse gives the block, or in a wide one the row's own bodies, and the rate of
+ * the row with these. */
 static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJointRow *r) {
     double(*response)[6] = (double(*)[6])(void *)r->response;
     if (b->isWide) {
@@ -494,7 +494,7 @@ static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJoint
     r->blockSize = rateOf(r, response);
 }
 
-static void pushBlock(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, double impulse) {
+static void addResponse(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, double impulse) {
     double(*x)[6] = unknownsOf(j, b);
     if (b->isWide) {
         for (int k = 0; k < 2; k++)
@@ -512,34 +512,35 @@ static double guessOf(const KeaJointRow *r, double beta) {
     return r->impulse + beta * (r->impulse - r->before);
 }
 
-/* Impulses of angular rows count by what they do at the bodies' size. */
-static double take(KeaJointRow *r, double guess, double next) {
+/* Returns its part of the criterion of restarts (KeaKernel.pass), in which impulses of angular rows are divided by the
+ * bodies' size. */
+static double setImpulse(KeaJointRow *r, double guess, double next) {
     const double uphill = -(next - guess) * (next - r->impulse) / (r->length * r->length);
     r->before = r->impulse;
     r->impulse = next;
     return uphill;
 }
 
-static void setMissing(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion motion[], double beta) {
+static void setResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion motion[], double beta) {
     for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
         KeaJointRow *r = &j->row[i];
         r->missing = r->target - motionRate(j, b, r, motion) - r->compliance * guessOf(r, beta);
     }
 }
 
-/* A row at its bound, which stays there, costs no more than its rate. */
+/* A row that stays at its bound needs no response. */
 static double visitBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r,
                            double beta) {
     if (r->isOff)
         return 0;
     const double guess = guessOf(r, beta), off = r->missing - rateOf(r, unknownsOf(j, b));
     if ((guess == r->lower && off <= 0) || (guess == r->upper && off >= 0))
-        return take(r, guess, guess);
+        return setImpulse(r, guess, guess);
     if (r->blockSize == 0)
         findResponse(s, b, r);
     const double next = keaMin(keaMax(guess + off / (r->blockSize + r->compliance), r->lower), r->upper);
-    pushBlock(j, b, r, next - guess);
-    return take(r, guess, next);
+    addResponse(j, b, r, next - guess);
+    return setImpulse(r, guess, next);
 }
 
 static double visitAllBounded(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, double beta) {
@@ -549,18 +550,18 @@ static double visitAllBounded(const MdtKeaSystem *s, const KeaJoints *j, const K
     return uphill;
 }
 
-/* In a wide block, whose joints rows with bounds would open, these come first. */
+/* In a wide block rows with bounds, which open its joints, come first. */
 static double visitBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[],
                          double beta) {
     double uphill = 0;
     if (!b->isSound)
         return 0;
-    setMissing(j, b, motion, beta);
+    setResiduals(j, b, motion, beta);
     if (b->isWide) {
         memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
         uphill += visitAllBounded(s, j, b, beta);
         moveBodies(j, b, motion);
-        setMissing(j, b, motion, beta);
+        setResiduals(j, b, motion, beta);
     }
     solveTied(j, b);
     if (!b->isWide)
@@ -568,7 +569,7 @@ static double visitBlock(const MdtKeaSystem *s, const KeaJoints *j, const KeaJoi
     for (int i = b->firstRow; i < b->firstRow + b->numTied; i++) {
         KeaJointRow *r = &j->row[i];
         const double guess = guessOf(r, beta);
-        uphill += take(r, guess, guess + r->weight * (r->missing - rateOf(r, unknownsOf(j, b))));
+        uphill += setImpulse(r, guess, guess + r->weight * (r->missing - rateOf(r, unknownsOf(j, b))));
     }
     moveBodies(j, b, motion);
     return uphill;
@@ -609,7 +610,7 @@ static double opening(const MdtKeaSystem *s, const KeaJointRow *r, double error)
     return fabs(error) * r->length / size;
 }
 
-/* A stop is wrong on one side only. */
+/* A stop is violated on one side only. */
 static double violationOf(const KeaJointRow *r, double error) {
     return isTwoSided(r->row) ? error : r->lower == 0 ? keaMin(error, 0) : keaMax(error, 0);
 }
@@ -658,7 +659,7 @@ void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
     }
 }
 
-/* A stop is pushed away from, not back to. */
+/* Removes the violation of a stop; it does not pull back to the stop. */
 static void pushStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b, KeaJointRow *r) {
     const double off = r->missing - rateOf(r, unknownsOf(j, b));
     const double need = r->lower == 0 ? keaMax(off, 0) : keaMin(off, 0);
@@ -666,10 +667,10 @@ static void pushStop(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBl
         return;
     if (r->blockSize == 0)
         findResponse(s, b, r);
-    pushBlock(j, b, r, need / r->blockSize);
+    addResponse(j, b, r, need / r->blockSize);
 }
 
-/* Errors are linear in displacements for small turns only: a chain pulled straight asks for large ones. */
+/* Scales a pass's displacements down to the largest turn for which errors are linear in them (kea_mostPush). */
 static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
     double most = 0;
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
@@ -681,7 +682,7 @@ static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
             j->x[n][i] *= kea_mostPush / most;
 }
 
-static void setMissingWay(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion way[]) {
+static void setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion way[]) {
     for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
         KeaJointRow *r = &j->row[k];
         r->missing = r->isHeld ? -(r->gap + motionRate(j, b, r, way)) : 0;
@@ -698,12 +699,12 @@ void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]) {
         const KeaJointBlock *b = &j->block[i];
         if (!b->isSound)
             continue;
-        setMissingWay(j, b, way);
+        setPositionResiduals(j, b, way);
         if (b->isWide) {
             memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
             pushStops(s, j, b);
             moveBodies(j, b, way);
-            setMissingWay(j, b, way);
+            setPositionResiduals(j, b, way);
         }
         solveTied(j, b);
         if (!b->isWide)

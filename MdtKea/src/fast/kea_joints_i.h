@@ -4,27 +4,27 @@
 
 #include "fast/kea_fast_i.h"
 
-/* A row, in N s and m/s. */
+/* A row, with impulses in N s and rates in m/s. */
 typedef struct KeaJointRow {
     const MdtKeaRow *row;
-    int node[2], edge;    /* of the block; -1: the world; none */
-    MeBool isOff, isHeld; /* it does nothing; its error is taken away by displacements */
+    int node[2], edge;    /* of the block's graph; -1: the world; no edge */
+    MeBool isOff, isHeld; /* it is inactive; displacements remove its position error */
     double length;        /* m per unit of the row: 1, or the bodies' size */
     double size;          /* J M⁻¹ Jᵀ, 1/kg */
     double weight;        /* kg, of a row without bounds: 1 / (E + N) */
-    double *response;     /* of a row with bounds, by node, six: what the block does for a unit of impulse; */
-    double blockSize;     /* J response; 0: not found yet */
+    double *response; /* of a row with bounds, by node, six: S⁻¹ Jᵀ, the block's velocities by a unit of impulse */
+    double blockSize; /* J S⁻¹ Jᵀ, 1/kg; 0: not computed yet */
     double target, compliance, lower, upper;
-    double wanted;  /* m, the error at the end, but for what the compliance adds */
-    double gap;     /* m, what the velocities leave to displacements */
-    double missing; /* m/s or m, in this pass */
+    double wanted;  /* m, the error that is aimed at for the end, without the compliance's part */
+    double gap;     /* m, the error with the end's velocities, which displacements are to remove */
+    double missing; /* m/s or m, the residual in this pass */
     double impulse, before;
 } KeaJointRow;
 
 /* A body that joints hold. */
 typedef struct KeaJointBody {
     int body, motion;
-    double inertia[3][3]; /* kg m² (world), with the stiffness if */
+    double inertia[3][3]; /* kg m² (world), with the stiffness added if isStiff */
     MeBool isStiff;
     double stiffness[3][3]; /* kg m²: geometric, of its joints' impulses */
 } KeaJointBody;
@@ -34,8 +34,8 @@ typedef struct KeaJointBlock {
     int firstNode, numNodes, firstRow, numRows, numTied;
     KeaFactor *factor;
     char *numbers;  /* the factor's */
-    MeBool isWide;  /* of so many bodies that rows with bounds act on their own two only */
-    MeBool isSound; /* the factor is there */
+    MeBool isWide;  /* of more than KEA_WIDE_BLOCK bodies: rows with bounds act on their own two only */
+    MeBool isSound; /* it has been factorized */
 } KeaJointBlock;
 
 typedef struct KeaJoints {
@@ -43,7 +43,7 @@ typedef struct KeaJoints {
     KeaJointBlock *block;
     KeaJointBody *body;       /* by block */
     KeaJointRow *row;         /* by block */
-    double (*x)[6];           /* by block and node: what a pass asks for, and what it gives */
+    double (*x)[6];           /* by block and node: right sides, and solutions */
     double *errors;           /* by the system's row */
     int *parent, *node, *sum; /* by body: scratch */
     const MdtKeaRow **sorted; /* by block: scratch */
@@ -52,36 +52,37 @@ typedef struct KeaJoints {
 
 /* Bytes of the arrays; with memory, lays them out. */
 size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory);
-/* By body, its place among motions. What turns under load has more inertia from here on, and is predicted to turn less.
- * False: no memory. */
+/* `place`: of bodies, among motions. Adds geometric stiffness to the inertia of bodies, in invMass and `predicted`,
+ * from here to the end of the solve. False: no memory. */
 MeBool kea_jointsBegin(MdtKeaSystem *s, const int place[], KeaJoints *j);
-/* Has every block its factor? Joints of others do nothing. */
+/* Whether every block could be factorized; the joints of others have no force. */
 MeBool kea_jointsAreSound(const KeaJoints *j);
-/* Multiplications of a pass; of getting ready. */
+/* Multiplications of a pass; of assembly and factorization. */
 double kea_jointsWorkOfPass(const KeaJoints *j);
 double kea_jointsWorkBeside(const KeaJoints *j);
-/* Adds what the impulses do to the bodies. */
+/* Adds M⁻¹ Jᵀ p, of all impulses, to the motions: the warm start. */
 void kea_jointsApply(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[]);
-/* Takes a share of all impulses. */
+/* Multiplies all impulses by a share. */
 void kea_jointsScale(KeaJoints *j, double share);
-/* A pass over velocities; returns how much goes against the extrapolation by beta. */
+/* A pass over velocities, from impulses extrapolated by beta; returns the criterion of restarts (KeaKernel.pass). */
 double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta);
-/* m/s */
+/* m/s, the largest violation of the rows' laws. */
 double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[]);
-/* Errors at the bodies' ends as they are now, displacements included; returns the largest, of a body's size. */
+/* Evaluates position errors at the end's poses, displacements included; returns the largest, of a body's size. */
 double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]);
-/* Their derivatives there. */
+/* Evaluates the rows' Jacobians there, and factorizes with them. */
 void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]);
-/* The rows' Jacobians are others now. */
+/* Factorizes again, after the rows' Jacobians have changed. */
 void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j);
-/* A pass over displacements. */
+/* A pass over displacements, which removes position errors. */
 void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]);
-/* Stops that were hit part with their rebound; whether there are any. */
+/* Makes the rebound the target of stops that were hit; whether there are any. */
 MeBool kea_jointsRebound(KeaJoints *j);
-/* What the rows do to momenta, by place. */
+/* Adds what the impulses change momenta by, N s and N m s, to `change`, by place. */
 void kea_jointsAddImpulses(const KeaJoints *j, double (*change)[6]);
-/* What stiffness does to the momenta at the end, once they are found. */
+/* Takes the part of geometric stiffness out of the end's angular momenta, once they are found. */
 void kea_jointsSetMomenta(MdtKeaSystem *s, const KeaJoints *j);
+/* Writes the forces of the system's rows. */
 void kea_jointsReturn(MdtKeaSystem *s, const KeaJoints *j);
 
 #endif

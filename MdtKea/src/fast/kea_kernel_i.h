@@ -1,9 +1,9 @@
-/* Inside Kea: what the fast solver does with eight manifolds at a time (kea_fast_i.h). Included by one source for each
+/* Inside Kea: the fast solver's operations on groups of eight manifolds (kea_fast_i.h). Included by one source for each
  * width of registers, which gives KEA_KERNEL, the name of its table. */
 #include "fast/kea_lanes_i.h"
 #include "common/kea_policy_i.h"
 
-/* The bodies of a group, while it is visited. */
+/* Velocities, or displacements, of the bodies of a group. */
 typedef struct Pair {
     KeaLanes3 lin[2], ang[2];
 } Pair;
@@ -22,7 +22,7 @@ KEA_INLINE Pair gather(const KeaGroup *g, const KeaMotion motion[]) {
     return p;
 }
 
-/* The world does not move, and belongs to no group: nothing is written to it. */
+/* The world does not move, and groups share it: nothing is written to it. */
 KEA_INLINE void scatter(const KeaGroup *g, const Pair *p, KeaMotion motion[]) {
     KeaMotion world;
     for (int k = 0; k < 2; k++) {
@@ -44,7 +44,7 @@ KEA_INLINE KeaLanes3 rateAtCentre(const KeaGroup *g, const Pair *p) {
 }
 
 /* An impulse at the centre and a couple. */
-KEA_INLINE void push(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaLanes3 couple) {
+KEA_INLINE void applyImpulse(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaLanes3 couple) {
     p->lin[0] = lanesSum(p->lin[0], lanesScale(g->invMass[0], impulse));
     p->lin[1] = lanesDifference(p->lin[1], lanesScale(g->invMass[1], impulse));
     p->ang[0] = lanesSum(p->ang[0], lanesApply(g->invInertia[0], lanesSum(lanesCross(g->arm[0], impulse), couple)));
@@ -53,16 +53,18 @@ KEA_INLINE void push(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaLanes3 co
 }
 
 /* Normal impulses as an impulse at the centre and a couple. */
-KEA_INLINE void pushPoints(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes change[KEA_POINTS]) {
+KEA_INLINE void applyNormals(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes change[KEA_POINTS]) {
     KeaLanes sum = lanesOf(0), sumX = lanesOf(0), sumY = lanesOf(0);
     for (int k = 0; k < KEA_POINTS; k++) {
         sum += change[k];
         sumX += change[k] * g->x[k];
         sumY += change[k] * g->y[k];
     }
-    push(g, p, lanesScale(sum, g->normal), lanesDifference(lanesScale(sumY, g->along), lanesScale(sumX, across)));
+    applyImpulse(g, p, lanesScale(sum, g->normal),
+                 lanesDifference(lanesScale(sumY, g->along), lanesScale(sumX, across)));
 }
 
+/* u of kea_fast_i.h. */
 KEA_INLINE void normalRates(const KeaGroup *g, const Pair *p, KeaLanes3 across, KeaLanes u[3]) {
     const KeaLanes3 turn = lanesDifference(p->ang[0], p->ang[1]);
     u[0] = lanesDot(g->normal, rateAtCentre(g, p));
@@ -70,11 +72,12 @@ KEA_INLINE void normalRates(const KeaGroup *g, const Pair *p, KeaLanes3 across, 
     u[2] = lanesDot(g->along, turn);
 }
 
-/* The entry of the upper triangle of a symmetric matrix, 4 by 4. */
+/* The place of an entry of a symmetric matrix, 4 by 4, of which the rows of the upper triangle are kept. */
 KEA_INLINE int entryOf(int i, int j) {
     return i <= j ? 4 * i - i * (i - 1) / 2 + j - i : 4 * j - j * (j - 1) / 2 + i - j;
 }
 
+/* Projected Gauss-Seidel at one point; `left` are the rates of all. */
 KEA_INLINE void visitPoint(const KeaGroup *g, int k, KeaLanes least, KeaLanes swept[KEA_POINTS],
                            KeaLanes left[KEA_POINTS]) {
     const KeaLanes next = lanesMax(swept[k] - g->response[k] * left[k], least), change = next - swept[k];
@@ -84,9 +87,9 @@ KEA_INLINE void visitPoint(const KeaGroup *g, int k, KeaLanes least, KeaLanes sw
 }
 
 /* Complementarity of the normal impulses: rate + compliance impulse >= 0, impulse >= least, and one of them equal.
- * First as if all points acted; where that pulls at one, by three projected Gauss-Seidel sweeps over the points,
- * forwards and backwards: one lets a tower of 20 fall, eight gain nothing. `impulse` is where they start, `rate` what
- * they aim at there. */
+ * First by the inverse, as if all points acted; where that pulls at one, by three projected Gauss-Seidel sweeps over
+ * the points, forwards and backwards: one lets a tower of 20 fall, eight gain nothing. `impulse` is the guess, `rate`
+ * the rates with it, less their targets. */
 KEA_INLINE void solvePoints(const KeaGroup *g, const KeaLanes rate[KEA_POINTS], KeaLanes least,
                             KeaLanes impulse[KEA_POINTS]) {
     KeaLanes all[KEA_POINTS], swept[KEA_POINTS], left[KEA_POINTS];
@@ -123,7 +126,7 @@ typedef struct Limits {
     KeaLanes rub[2], twist;
 } Limits;
 
-KEA_INLINE Limits limitsOf(const KeaGroup *g, const KeaLanes impulse[KEA_POINTS]) {
+KEA_INLINE Limits frictionLimits(const KeaGroup *g, const KeaLanes impulse[KEA_POINTS]) {
     KeaLanes load = lanesOf(0), moment = lanesOf(0);
     Limits limits;
     for (int k = 0; k < KEA_POINTS; k++) {
@@ -137,21 +140,22 @@ KEA_INLINE Limits limitsOf(const KeaGroup *g, const KeaLanes impulse[KEA_POINTS]
     return limits;
 }
 
-KEA_INLINE void withinLimits(const KeaGroup *g, const Limits *limits, KeaLanes rub[2]) {
+KEA_INLINE void clampFriction(const KeaGroup *g, const Limits *limits, KeaLanes rub[2]) {
     const KeaLanes size = lanesRoot(rub[0] * rub[0] + rub[1] * rub[1]);
     const KeaLanes share = lanesSelect(size > limits->rub[0], limits->rub[0] / size, lanesOf(1));
     for (int i = 0; i < 2; i++)
         rub[i] = lanesSelect(g->isCone, share * rub[i], lanesClamp(rub[i], limits->rub[i]));
 }
 
-/* Where friction goes, from `rub`: the rates along t1 and t2 vanish, or it is at its limits. */
-KEA_INLINE void solveRub(const KeaGroup *g, const KeaLanes rate[2], const Limits *limits, KeaLanes rub[2]) {
+/* Friction from the guess `rub`: the rates along t1 and t2 vanish, or it is at its limits. */
+KEA_INLINE void solveFriction(const KeaGroup *g, const KeaLanes rate[2], const Limits *limits, KeaLanes rub[2]) {
     rub[0] -= g->grip[0] * rate[0] + g->grip[1] * rate[1];
     rub[1] -= g->grip[1] * rate[0] + g->grip[2] * rate[1];
-    withinLimits(g, limits, rub);
+    clampFriction(g, limits, rub);
 }
 
-KEA_INLINE void rubRates(const KeaGroup *g, const Pair *p, KeaLanes3 across, const KeaLanes rub[2], KeaLanes rate[2]) {
+KEA_INLINE void slidingRates(const KeaGroup *g, const Pair *p, KeaLanes3 across, const KeaLanes rub[2],
+                             KeaLanes rate[2]) {
     const KeaLanes3 slide = rateAtCentre(g, p);
     rate[0] = lanesDot(g->along, slide) - g->slide[0] + g->slip[0] * rub[0];
     rate[1] = lanesDot(across, slide) - g->slide[1] + g->slip[1] * rub[1];
@@ -174,7 +178,7 @@ KEA_INLINE void visitNormals(KeaGroup *g, Pair *p, KeaLanes3 across, KeaLanes be
         g->before[k] = g->impulse[k];
         g->impulse[k] = next[k];
     }
-    pushPoints(g, p, across, change);
+    applyNormals(g, p, across, change);
 }
 
 KEA_INLINE void visitTwist(KeaGroup *g, Pair *p, const Limits *limits, KeaLanes beta) {
@@ -188,15 +192,16 @@ KEA_INLINE void visitTwist(KeaGroup *g, Pair *p, const Limits *limits, KeaLanes 
     p->ang[1] = lanesDifference(p->ang[1], lanesApply(g->invInertia[1], couple));
 }
 
-KEA_INLINE void visitRub(KeaGroup *g, Pair *p, KeaLanes3 across, const Limits *limits, KeaLanes beta,
-                         KeaLanes *uphill) {
+KEA_INLINE void visitFriction(KeaGroup *g, Pair *p, KeaLanes3 across, const Limits *limits, KeaLanes beta,
+                              KeaLanes *uphill) {
     KeaLanes guess[2], next[2], rate[2];
     for (int i = 0; i < 2; i++)
         guess[i] = next[i] = g->rub[i] + beta * (g->rub[i] - g->rubBefore[i]);
-    rubRates(g, p, across, guess, rate);
-    solveRub(g, rate, limits, next);
+    slidingRates(g, p, across, guess, rate);
+    solveFriction(g, rate, limits, next);
     const KeaLanes3 none = {lanesOf(0), lanesOf(0), lanesOf(0)};
-    push(g, p, lanesSum(lanesScale(next[0] - guess[0], g->along), lanesScale(next[1] - guess[1], across)), none);
+    applyImpulse(g, p, lanesSum(lanesScale(next[0] - guess[0], g->along), lanesScale(next[1] - guess[1], across)),
+                 none);
     for (int i = 0; i < 2; i++) {
         *uphill -= (next[i] - guess[i]) * (next[i] - g->rub[i]);
         g->rubBefore[i] = g->rub[i];
@@ -212,9 +217,9 @@ static void pass(KeaGroup groups[], int count, KeaMotion motion[], float beta, f
         const KeaLanes3 across = lanesCross(g->normal, g->along);
         Pair p = gather(g, motion);
         visitNormals(g, &p, across, lanesOf(beta), &sum);
-        const Limits limits = limitsOf(g, g->impulse);
+        const Limits limits = frictionLimits(g, g->impulse);
         visitTwist(g, &p, &limits, lanesOf(beta));
-        visitRub(g, &p, across, &limits, lanesOf(beta), &sum);
+        visitFriction(g, &p, across, &limits, lanesOf(beta), &sum);
         scatter(g, &p, motion);
     }
     memcpy(uphill, &sum, sizeof sum);
@@ -222,7 +227,7 @@ static void pass(KeaGroup groups[], int count, KeaMotion motion[], float beta, f
 
 /* ---- before passes ---- */
 
-/* How impulses change u, 1/kg: 00 01 02 11 12 22. */
+/* The matrix by which impulses along u change u, 1/kg: 00 01 02 11 12 22. */
 KEA_INLINE void findMobility(const KeaGroup *g, KeaLanes3 across, KeaLanes K[6]) {
     for (int i = 0; i < 6; i++)
         K[i] = lanesOf(0);
@@ -239,7 +244,7 @@ KEA_INLINE void findMobility(const KeaGroup *g, KeaLanes3 across, KeaLanes K[6])
     }
 }
 
-/* A + E: how an impulse at one point changes the aim of another. */
+/* A + E of the points, and the inverse of its diagonal. */
 KEA_INLINE void setCoupling(KeaGroup *g, KeaLanes3 across) {
     KeaLanes K[6];
     findMobility(g, across, K);
@@ -256,24 +261,26 @@ KEA_INLINE void setCoupling(KeaGroup *g, KeaLanes3 across) {
     }
 }
 
-/* Of four points, the combination of impulses that does nothing: of the areas of the triangles that leave one out. Of
- * fewer points there is none. Of unit length, or 0. */
-KEA_INLINE KeaLanes triangle(const KeaGroup *g, int a, int b, int c) {
+/* Twice the area. */
+KEA_INLINE KeaLanes areaOf(const KeaGroup *g, int a, int b, int c) {
     return (g->x[b] - g->x[a]) * (g->y[c] - g->y[a]) - (g->x[c] - g->x[a]) * (g->y[b] - g->y[a]);
 }
-KEA_INLINE void setNull(const KeaGroup *g, KeaLanes null[KEA_POINTS]) {
+/* The null vector of A of four points, of unit length: the areas of the triangles that leave one out, with alternating
+ * signs. 0 of fewer points, which are taken to be independent, and with a compliance. */
+KEA_INLINE void findNullVector(const KeaGroup *g, KeaLanes null[KEA_POINTS]) {
     const KeaMask isFull = g->isPoint[3] & ~(g->compliance > lanesOf(0));
-    null[0] = triangle(g, 1, 2, 3);
-    null[1] = -triangle(g, 0, 2, 3);
-    null[2] = triangle(g, 0, 1, 3);
-    null[3] = -triangle(g, 0, 1, 2);
+    null[0] = areaOf(g, 1, 2, 3);
+    null[1] = -areaOf(g, 0, 2, 3);
+    null[2] = areaOf(g, 0, 1, 3);
+    null[3] = -areaOf(g, 0, 1, 2);
     const KeaLanes size = lanesRoot(null[0] * null[0] + null[1] * null[1] + null[2] * null[2] + null[3] * null[3]);
     const KeaMask isThere = isFull & (size > lanesOf(0));
     for (int k = 0; k < KEA_POINTS; k++)
         null[k] = lanesSelect(isThere, null[k] / size, lanesOf(0));
 }
 
-/* The inverse of a symmetric matrix by blocks of two; false lanes: it is too near to singular for floats. */
+/* The inverse of a symmetric matrix by blocks of two; isSound becomes false where it is too near to singular for single
+ * precision. */
 typedef struct Block {
     KeaLanes a, b, d; /* a b, b d */
 } Block;
@@ -285,7 +292,7 @@ KEA_INLINE Block inverseOf(Block m, KeaMask *isSound) {
     return (Block){scale * m.d, -scale * m.b, scale * m.a};
 }
 
-KEA_INLINE void invertDirect(KeaLanes M[10], KeaMask *isSound) {
+KEA_INLINE void invertBlocks(KeaLanes M[10], KeaMask *isSound) {
     const Block P = inverseOf((Block){M[0], M[1], M[4]}, isSound);
     const KeaLanes q[4] = {M[2], M[3], M[5], M[6]};
     const KeaLanes w[4] = {P.a * q[0] + P.b * q[2], P.a * q[1] + P.b * q[3], P.b * q[0] + P.d * q[2],
@@ -303,20 +310,20 @@ KEA_INLINE void invertDirect(KeaLanes M[10], KeaMask *isSound) {
     M[7] = S.a, M[8] = S.b, M[9] = S.d;
 }
 
-/* A + E, and where points are missing a diagonal that does no harm. Of four rigid points A has rank 3: its
- * pseudo-inverse is (A + s q qᵀ)⁻¹ - q qᵀ / s, with the null vector q and any s. Four targets may then contradict each
- * other, which the answer would ignore: where they do by more than the sag it is not taken. */
-KEA_INLINE void setDirect(KeaGroup *g, float stepsize) {
+/* The inverse of A + E, in which missing points have a diagonal of the others' size. Of four rigid points A has rank 3:
+ * its pseudo-inverse is (A + s q qᵀ)⁻¹ - q qᵀ / s, with the null vector q and any s. Four targets may then contradict
+ * each other, which the pseudo-inverse would ignore: where they do by more than the sag it is not used. */
+KEA_INLINE void setInverse(KeaGroup *g, float stepsize) {
     const KeaLanes scale = g->coupling[0];
     KeaLanes null[KEA_POINTS], misfit = lanesOf(0), sag = lanesOf(0);
-    setNull(g, null);
+    findNullVector(g, null);
     for (int k = 0; k < KEA_POINTS; k++)
         for (int j = k; j < KEA_POINTS; j++) {
             const KeaLanes both = g->coupling[entryOf(k, j)] + scale * null[k] * null[j];
             g->direct[entryOf(k, j)] = lanesSelect(g->isPoint[k] & g->isPoint[j], both, k == j ? scale : lanesOf(0));
         }
     g->isDirect = (KeaMask){-1, -1, -1, -1, -1, -1, -1, -1};
-    invertDirect(g->direct, &g->isDirect);
+    invertBlocks(g->direct, &g->isDirect);
     for (int k = 0; k < KEA_POINTS; k++) {
         misfit += null[k] * g->target[k];
         sag = lanesMax(sag, g->sag[k]);
@@ -327,7 +334,8 @@ KEA_INLINE void setDirect(KeaGroup *g, float stepsize) {
     g->isDirect &= lanesAbs(misfit) * lanesOf(stepsize) <= sag;
 }
 
-KEA_INLINE void setGrip(KeaGroup *g, KeaLanes3 across) {
+/* Effective masses of friction: along t1 and t2 together, and about n. */
+KEA_INLINE void setFrictionMass(KeaGroup *g, KeaLanes3 across) {
     KeaLanes T[3] = {g->slip[0], lanesOf(0), g->slip[1]}, twist = lanesOf(0);
     for (int b = 0; b < 2; b++) {
         const KeaLanes3 first = lanesCross(g->arm[b], g->along), second = lanesCross(g->arm[b], across);
@@ -352,8 +360,8 @@ static void prepare(KeaGroup groups[], int count, float stepsize) {
         setCoupling(g, across);
         for (int k = 0; k < KEA_POINTS; k++)
             g->before[k] = g->impulse[k];
-        setDirect(g, stepsize);
-        setGrip(g, across);
+        setInverse(g, stepsize);
+        setFrictionMass(g, across);
         g->rubBefore[0] = g->rub[0];
         g->rubBefore[1] = g->rub[1];
         g->twistBefore = g->twist;
@@ -365,9 +373,9 @@ static void apply(const KeaGroup groups[], int count, KeaMotion motion[]) {
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
         Pair p = gather(g, motion);
-        pushPoints(g, &p, across, g->impulse);
-        push(g, &p, lanesSum(lanesScale(g->rub[0], g->along), lanesScale(g->rub[1], across)),
-             lanesScale(g->twist, g->normal));
+        applyNormals(g, &p, across, g->impulse);
+        applyImpulse(g, &p, lanesSum(lanesScale(g->rub[0], g->along), lanesScale(g->rub[1], across)),
+                     lanesScale(g->twist, g->normal));
         scatter(g, &p, motion);
     }
 }
@@ -396,7 +404,7 @@ static void advance(KeaGroup groups[], int count, const KeaMotion motion[], floa
     }
 }
 
-/* What is beyond the sag shrinks by the share; a gap may close, but not open into an overlap. */
+/* Overlap beyond the sag shrinks by the share; a gap may close, but no further. */
 static void pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) {
     for (int i = 0; i < count; i++) {
         const KeaGroup *g = &groups[i];
@@ -413,19 +421,20 @@ static void pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) {
         solvePoints(g, rate, lanesOf(0), way);
         for (int k = 0; k < KEA_POINTS; k++)
             way[k] = lanesSelect(g->isPoint[k] & (g->correction > lanesOf(0)), way[k], lanesOf(0));
-        pushPoints(g, &p, across, way);
+        applyNormals(g, &p, across, way);
         scatter(g, &p, motion);
     }
 }
 
-/* ---- how far from the laws ---- */
+/* ---- the residual ---- */
 
-/* m/s: how fast the point comes further into an overlap that is not small by the end of the step. */
+/* m/s, at which an overlap grows that is deep at the end of the step; else 0. */
 KEA_INLINE KeaLanes closingOf(const KeaGroup *g, int k, KeaLanes rate, KeaLanes h) {
     const KeaMask isDeep = h * rate + g->gap[k] < -lanesOf((float)kea_smallOverlap) * g->size;
     return lanesSelect(g->isPoint[k] & isDeep & (rate < lanesOf(0)), -rate, lanesOf(0));
 }
 
+/* Of a row it is the change of its projected impulse in one visit, as a velocity. */
 static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, float most[KEA_LANES],
                     float closing[KEA_LANES]) {
     const KeaLanes h = lanesOf(stepsize);
@@ -436,7 +445,7 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
         const Pair p = gather(g, motion);
-        const Limits limits = limitsOf(g, g->impulse);
+        const Limits limits = frictionLimits(g, g->impulse);
         KeaLanes u[3], rate[2], rub[2] = {g->rub[0], g->rub[1]};
         normalRates(g, &p, across, u);
         for (int k = 0; k < KEA_POINTS; k++) {
@@ -447,8 +456,8 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
             worst = lanesSelect(g->isPoint[k] & (miss > worst), miss, worst);
             fastest = lanesMax(closingOf(g, k, speed, h), fastest);
         }
-        rubRates(g, &p, across, rub, rate);
-        solveRub(g, rate, &limits, rub);
+        slidingRates(g, &p, across, rub, rate);
+        solveFriction(g, rate, &limits, rub);
         for (int k = 0; k < 2; k++) {
             const KeaLanes miss = lanesAbs(rub[k] - g->rub[k]) / g->grip[2 * k];
             worst = lanesSelect(g->isPoint[0] & (g->grip[2 * k] > lanesOf(0)) & (miss > worst), miss, worst);

@@ -86,8 +86,8 @@ KEA_INLINE KeaLanes3 lanesApply(const KeaLanes M[6], KeaLanes3 a) {
 
 /* ---- of eight places in memory ---- */
 
-/* The 4x4 blocks of two halves are turned over. */
-KEA_INLINE void lanesTurnOver(KeaLanes r[4]) {
+/* Transposes the two 4x4 blocks, of the lower and of the upper lanes. */
+KEA_INLINE void lanesTranspose(KeaLanes r[4]) {
     const KeaLanes a = __builtin_shufflevector(r[0], r[1], 0, 8, 1, 9, 4, 12, 5, 13);
     const KeaLanes b = __builtin_shufflevector(r[0], r[1], 2, 10, 3, 11, 6, 14, 7, 15);
     const KeaLanes c = __builtin_shufflevector(r[2], r[3], 0, 8, 1, 9, 4, 12, 5, 13);
@@ -104,14 +104,14 @@ KEA_INLINE KeaLanes3 lanesGather(const float *const at[KEA_LANES]) {
     for (int i = 0; i < 4; i++)
         r[i] = __builtin_shufflevector(*(const KeaQuad *)(const void *)at[i], *(const KeaQuad *)(const void *)at[i + 4],
                                        0, 1, 2, 3, 4, 5, 6, 7);
-    lanesTurnOver(r);
+    lanesTranspose(r);
     return (KeaLanes3){r[0], r[1], r[2]};
 }
 
 /* The fourth becomes 0. */
 KEA_INLINE void lanesScatter(float *const at[KEA_LANES], KeaLanes3 a) {
     KeaLanes r[4] = {a.x, a.y, a.z, {0}};
-    lanesTurnOver(r);
+    lanesTranspose(r);
     for (int i = 0; i < 4; i++) {
         *(KeaQuad *)(void *)at[i] = __builtin_shufflevector(r[i], r[i], 0, 1, 2, 3);
         *(KeaQuad *)(void *)at[i + 4] = __builtin_shufflevector(r[i], r[i], 4, 5, 6, 7);

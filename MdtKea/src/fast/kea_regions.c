@@ -4,7 +4,7 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-/* A body, by its place along the longest side. */
+/* A body, with its coordinate along the longest side. */
 typedef struct KeaBisected {
     double at; /* m */
     int body;
@@ -66,7 +66,7 @@ void kea_overNodes(KeaRegions *r, KeaNodeWork work, void *context) {
 
 /* ---- bodies ---- */
 
-/* What is being divided. */
+/* The context of loops that divide the partition. */
 typedef struct Division {
     const MdtKeaSystem *s;
     KeaRegions *regions;
@@ -119,7 +119,7 @@ static void swap(KeaBisected *a, KeaBisected *b) {
     *b = c;
 }
 
-/* The middle one of the first, the middle, and the last. */
+/* Median of three. */
 static KeaBisected pivotOf(const KeaBisected b[], int first, int last) {
     const KeaBisected x = b[first], y = b[first + (last - first) / 2], z = b[last];
     if (isBefore(x, y))
@@ -127,7 +127,8 @@ static KeaBisected pivotOf(const KeaBisected b[], int first, int last) {
     return isBefore(x, z) ? x : isBefore(y, z) ? z : y;
 }
 
-/* Orders them so that none of the first `middle` comes after any other (Hoare 1961, "Algorithm 65: find"). */
+/* Quickselect: orders them so that none of the first `middle` comes after any other (Hoare 1961, "Algorithm 65:
+ * find"). */
 static void select(KeaBisected b[], int count, int middle) {
     int first = 0, last = count - 1;
     while (first < last) {
@@ -150,7 +151,7 @@ static void select(KeaBisected b[], int count, int middle) {
     }
 }
 
-static void halve(void *context, KeaNode *node) {
+static void halveNode(void *context, KeaNode *node) {
     const Division *d = context;
     KeaRegions *r = d->regions;
     int first, end;
@@ -167,7 +168,7 @@ static void halve(void *context, KeaNode *node) {
         r->body[first + i] = b[i].body;
 }
 
-static void settle(void *context, KeaNode *node) {
+static void setPlaces(void *context, KeaNode *node) {
     const Division *d = context;
     KeaRegions *r = d->regions;
     int end;
@@ -185,10 +186,10 @@ static void divideBodies(Division *d) {
     for (int i = 0; i < d->s->numBodies; i++)
         r->body[i] = i;
     for (int nodes = 1; nodes < r->count; nodes *= 2) {
-        Visit v = {r, halve, d, nodes};
+        Visit v = {r, halveNode, d, nodes};
         MeTeamRun(r->team, nodes, visitNode, &v);
     }
-    kea_overRegions(r, settle, d);
+    kea_overRegions(r, setPlaces, d);
 }
 
 /* ---- manifolds ---- */
