@@ -37,6 +37,11 @@ static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return rate;
 }
 
+/* Would it part again with a speed that counts, of what meets at that rate? */
+static MeBool rebounds(const MdtKeaRow *row, double rate, double gate) {
+    return -rate > row->threshold && -rate * row->restitution > gate;
+}
+
 static MeBool isDeep(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const MdtKeaRow out = {.body = {row->body[0], row->body[1]}, .error = -row->error};
     return row->error < 0 && !kea_isTouching(s, &out);
@@ -55,7 +60,7 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
         if (row->contact != i)
             continue;
         const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
-        const MeBool isFast = -rate > row->threshold && -rate * row->restitution > gate;
+        const MeBool isFast = rebounds(row, rate, gate);
         if (isDeep(s, row) && !isFast)
             return MEFALSE;
         if (isFast && row->error + reach * rate < 0)
@@ -64,13 +69,22 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     return bounces;
 }
 
+/* A contact that is met late, deep already, holds nothing either: it rebounds at once. */
+static MeBool isHeldBy(const MdtKeaSystem *s, int i, double speed) {
+    const MdtKeaRow *row = &s->rows[i];
+    if (row->contact < 0)
+        return METRUE;
+    return row->contact == i && !isOpen(s, i, speed) &&
+           !rebounds(row, kea_startRate(s, i), kea_minReboundSpeed * speed);
+}
+
 int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     int *isHeld = s->work->parent, count = 0;
     memset(isHeld, 0, (size_t)s->numBodies * sizeof *isHeld);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const MeBool holds = row->contact < 0 || (row->contact == i && !isOpen(s, i, speed));
+        const MeBool holds = isHeldBy(s, i, speed);
         for (int k = 0; holds && k < 2; k++)
             if (row->body[k] >= 0)
                 isHeld[row->body[k]] = 1;
