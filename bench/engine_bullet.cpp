@@ -41,7 +41,7 @@ struct EngineWorld {
     double time = 0; /* s */
     struct Motor {
         btHingeConstraint *hinge;
-        double torque;
+        const SceneJoint *joint;
     };
     std::vector<Motor> motors;
     std::vector<std::unique_ptr<btTypedConstraint>> joints;
@@ -76,6 +76,8 @@ std::unique_ptr<btCollisionShape> shapeOf(const SceneBody *b) {
         return std::make_unique<btSphereShape>(btScalar(b->half[0]));
     if (b->shape == SCENE_CAPSULE)
         return std::make_unique<btCapsuleShapeZ>(btScalar(b->half[0]), btScalar(2 * (b->half[2] - b->half[0])));
+    if (b->shape == SCENE_CYLINDER)
+        return std::make_unique<btCylinderShapeZ>(vector(b->half));
     return std::make_unique<btBoxShape>(vector(b->half));
 }
 
@@ -128,10 +130,8 @@ std::unique_ptr<btTypedConstraint> makeJoint(const SceneJoint *j, btRigidBody &c
 void setHinge(EngineWorld *w, const SceneJoint *j, btHingeConstraint *hinge) {
     if (j->stops[0] < j->stops[1])
         hinge->setLimit(btScalar(j->stops[0]), btScalar(j->stops[1]));
-    if (j->torque > 0) {
-        hinge->enableAngularMotor(true, btScalar(j->speed), 0);
-        w->motors.push_back({hinge, j->torque});
-    }
+    if (j->torque > 0)
+        w->motors.push_back({hinge, j});
 }
 
 void addJoint(EngineWorld *w, const SceneJoint *j) {
@@ -146,9 +146,10 @@ void step(EngineWorld *w, double h) {
     for (size_t i = 0; i < w->bodies.size(); i++)
         if (scene_isPushed(&w->from[i], w->time)) /* the last step has taken it away */
             w->bodies[i]->applyCentralForce(vector(w->from[i].force));
-    w->time += h;
     for (const EngineWorld::Motor &motor : w->motors)
-        motor.hinge->setMaxMotorImpulse(btScalar(motor.torque * h));
+        motor.hinge->enableAngularMotor(true, btScalar(scene_motorSpeed(motor.joint, w->time, h)),
+                                        btScalar(motor.joint->torque * h));
+    w->time += h;
     w->world.stepSimulation(btScalar(h), 0);
 }
 

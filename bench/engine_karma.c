@@ -23,7 +23,11 @@ struct EngineWorld {
     double sizes[SCENE_MAX_BODIES]; /* m, smallest half edges */
     SceneBody from[SCENE_MAX_BODIES];
     int numBodies;
+    const SceneJoint *joints[SCENE_MAX_JOINTS];
+    MdtConstraintID joined[SCENE_MAX_JOINTS];
+    int numJoints;
     double time; /* s */
+    bool isStrict, isInexact;
     Contact contacts[SCENE_MAX_CONTACTS];
     int numContacts;
 };
@@ -33,9 +37,12 @@ static EngineWorld *create(int setting, const double gravity[3], bool collides) 
     if (!w)
         abort();
     w->world = MdtWorldCreate(SCENE_MAX_BODIES, SCENE_MAX_JOINTS + (collides ? SCENE_MAX_CONTACTS : 0));
-    karma_setWorld(w->world, setting, gravity);
-    if (setting == ENGINE_ORDER_4)
+    karma_setWorld(w->world, setting & ~ENGINE_STRICT, gravity);
+    if ((setting & ~ENGINE_STRICT) == ENGINE_ORDER_4)
         MdtWorldSetIntegratorOrder(w->world, 4);
+    w->isStrict = (setting & ENGINE_STRICT) != 0;
+    if (w->isStrict)
+        MdtWorldEnableReport(w->world);
     return w;
 }
 
@@ -60,7 +67,8 @@ static MdtBodyID bodyAt(const EngineWorld *w, int index) {
 }
 
 static void addJoint(EngineWorld *w, const SceneJoint *j) {
-    karma_join(w->world, bodyAt(w, j->child), bodyAt(w, j->parent), j);
+    w->joints[w->numJoints] = j;
+    w->joined[w->numJoints++] = karma_join(w->world, bodyAt(w, j->child), bodyAt(w, j->parent), j);
 }
 
 static MdtContactID makeContact(const EngineWorld *w, const SceneContact *from) {
@@ -140,8 +148,17 @@ static void setContacts(EngineWorld *w, const SceneContact contacts[], int n) {
 static void step(EngineWorld *w, double h) {
     for (int i = 0; i < w->numBodies; i++)
         karma_push(w->bodies[i], &w->from[i], w->time);
+    for (int i = 0; i < w->numJoints; i++)
+        if (w->joints[i]->path)
+            karma_lead(w->joined[i], w->joints[i], w->time, h);
     w->time += h;
     MdtWorldStep(w->world, (MeReal)h);
+    if (w->isStrict)
+        w->isInexact |= karma_isInexact(w->world);
+}
+
+static bool hasGivenUp(EngineWorld *w) {
+    return w->isInexact;
 }
 
 static void getState(EngineWorld *w, int body, SceneState *s) {
@@ -178,5 +195,6 @@ const Engine ENGINE_KARMA = {
     .setContacts = setContacts,
     .step = step,
     .getState = getState,
+    .hasGivenUp = hasGivenUp,
     .destroy = destroy,
 };

@@ -97,14 +97,17 @@ static void sayMass(EngineWorld *w, const SceneBody *b) {
 }
 
 static void sayShape(EngineWorld *w, const SceneBody *b) {
-    static const char *const types[] = {[SCENE_BOX] = "box", [SCENE_SPHERE] = "sphere", [SCENE_CAPSULE] = "capsule"};
-    const double capsule[2] = {b->half[0], b->half[2] - b->half[0]};
+    static const char *const types[] = {
+        [SCENE_BOX] = "box", [SCENE_SPHERE] = "sphere", [SCENE_CAPSULE] = "capsule", [SCENE_CYLINDER] = "cylinder"};
+    const double capsule[2] = {b->half[0], b->half[2] - b->half[0]}, cylinder[2] = {b->half[0], b->half[2]};
     if (b->mass > 0)
         sayMass(w, b);
     say(w, "<geom type='%s' friction='%.17g .005 .0001' contype='%d' conaffinity='%d'", types[b->shape], b->friction,
         w->collides, w->collides);
     if (b->shape == SCENE_CAPSULE)
         sayNumbers(w, "size", capsule, 2);
+    else if (b->shape == SCENE_CYLINDER)
+        sayNumbers(w, "size", cylinder, 2);
     else
         sayNumbers(w, "size", b->half, b->shape == SCENE_SPHERE ? 1 : 3);
     say(w, "/>");

@@ -17,6 +17,9 @@ struct EngineWorld {
     int numBodies;
     dBodyID bodies[SCENE_MAX_BODIES]; /* null: it never moves */
     SceneBody from[SCENE_MAX_BODIES];
+    const SceneJoint *joints[SCENE_MAX_JOINTS];
+    dJointID joined[SCENE_MAX_JOINTS];
+    int numJoints;
     double time; /* s */
 };
 
@@ -64,9 +67,10 @@ static void addGround(EngineWorld *w) {
 
 static void addShape(EngineWorld *w, dBodyID body, const SceneBody *b) {
     const double *half = b->half, *p = b->start.position;
-    const dGeomID geom = b->shape == SCENE_SPHERE    ? dCreateSphere(w->space, half[0])
-                         : b->shape == SCENE_CAPSULE ? dCreateCapsule(w->space, half[0], 2 * (half[2] - half[0]))
-                                                     : dCreateBox(w->space, 2 * half[0], 2 * half[1], 2 * half[2]);
+    const dGeomID geom = b->shape == SCENE_SPHERE     ? dCreateSphere(w->space, half[0])
+                         : b->shape == SCENE_CAPSULE  ? dCreateCapsule(w->space, half[0], 2 * (half[2] - half[0]))
+                         : b->shape == SCENE_CYLINDER ? dCreateCylinder(w->space, half[0], 2 * half[2])
+                                                      : dCreateBox(w->space, 2 * half[0], 2 * half[1], 2 * half[2]);
     dGeomSetData(geom, (void *)(size_t)b);
     if (body) {
         dGeomSetBody(geom, body);
@@ -119,6 +123,8 @@ static void addJoint(EngineWorld *w, const SceneJoint *j) {
         dJointSetBallAnchor(joint, j->point[0], j->point[1], j->point[2]);
     else
         setHinge(joint, j);
+    w->joints[w->numJoints] = j;
+    w->joined[w->numJoints++] = joint;
 }
 
 static double largerOf(double a, double b) {
@@ -153,6 +159,9 @@ static void step(EngineWorld *w, double h) {
         if (w->bodies[i] && scene_isPushed(&w->from[i], w->time))
             dBodyAddForce(w->bodies[i], force[0], force[1], force[2]);
     }
+    for (int i = 0; i < w->numJoints; i++)
+        if (w->joints[i]->path)
+            dJointSetHingeParam(w->joined[i], dParamVel, scene_motorSpeed(w->joints[i], w->time, h));
     w->time += h;
     if (w->space)
         dSpaceCollide(w->space, w, meet);

@@ -19,11 +19,14 @@ struct EngineWorld {
     MdtBodyID bodies[SCENE_MAX_BODIES]; /* null: it never moves */
     SceneBody from[SCENE_MAX_BODIES];
     int numBodies;
+    const SceneJoint *joints[SCENE_MAX_JOINTS];
+    MdtConstraintID joined[SCENE_MAX_JOINTS];
+    int numJoints;
     double time;                               /* s */
     const SceneBody *materials[MAX_MATERIALS]; /* a body of each; null: the ground's, which has no friction */
     int numMaterials;
     MeTaskPoolID pool; /* null: one worker */
-    bool isStrict, hasFallenBack;
+    bool isStrict, isInexact;
 };
 
 /* Of the solver of contacts, and of workers. */
@@ -92,6 +95,8 @@ static McdGeometryID shapeOf(const EngineWorld *w, const SceneBody *b) {
         return McdSphereCreate(frame, (MeReal)b->half[0]);
     if (b->shape == SCENE_CAPSULE)
         return McdSphylCreate(frame, (MeReal)b->half[0], (MeReal)(2 * (b->half[2] - b->half[0])));
+    if (b->shape == SCENE_CYLINDER)
+        return McdCylinderCreate(frame, (MeReal)b->half[0], (MeReal)(2 * b->half[2]));
     return McdBoxCreate(frame, (MeReal)(2 * b->half[0]), (MeReal)(2 * b->half[1]), (MeReal)(2 * b->half[2]));
 }
 
@@ -101,6 +106,8 @@ static double volumeOf(const SceneBody *b) {
         return ball;
     if (b->shape == SCENE_CAPSULE)
         return ball + 2 * (double)ME_PI * r * r * (b->half[2] - r);
+    if (b->shape == SCENE_CYLINDER)
+        return 2 * (double)ME_PI * r * r * b->half[2];
     return 8 * b->half[0] * b->half[1] * b->half[2];
 }
 
@@ -139,7 +146,8 @@ static MdtBodyID bodyAt(const EngineWorld *w, int index) {
 }
 
 static void addJoint(EngineWorld *w, const SceneJoint *j) {
-    karma_join(w->universe->world, bodyAt(w, j->child), bodyAt(w, j->parent), j);
+    w->joints[w->numJoints] = j;
+    w->joined[w->numJoints++] = karma_join(w->universe->world, bodyAt(w, j->child), bodyAt(w, j->parent), j);
     if (j->parent != SCENE_WORLD && !McdSpaceDisablePair(w->models[j->child], w->models[j->parent]))
         abort();
 }
@@ -148,13 +156,13 @@ static void step(EngineWorld *w, double h) {
     for (int i = 0; i < w->numBodies; i++)
         if (w->bodies[i])
             karma_push(w->bodies[i], &w->from[i], w->time);
+    for (int i = 0; i < w->numJoints; i++)
+        if (w->joints[i]->path)
+            karma_lead(w->joined[i], w->joints[i], w->time, h);
     w->time += h;
     MstUniverseStep(w->universe, (MeReal)h);
-    if (w->isStrict) {
-        MdtReport report;
-        MdtWorldGetReport(w->universe->world, &report);
-        w->hasFallenBack |= report.fallbacks > 0;
-    }
+    if (w->isStrict)
+        w->isInexact |= karma_isInexact(w->universe->world);
 }
 
 static void getState(EngineWorld *w, int body, SceneState *s) {
@@ -165,7 +173,7 @@ static void getState(EngineWorld *w, int body, SceneState *s) {
 }
 
 static bool hasGivenUp(EngineWorld *w) {
-    return w->hasFallenBack;
+    return w->isInexact;
 }
 
 static void destroy(EngineWorld *w) {

@@ -6,6 +6,7 @@
 #include "scene.h"
 
 #include "Mdt.h"
+#include "MdtReport.h"
 
 #ifdef _ME_API_DOUBLE
 #define KARMA_NAME      "Karma double"
@@ -45,6 +46,13 @@ static inline void karma_push(MdtBodyID body, const SceneBody *b, double time) {
         MdtBodyAddForce(body, (MeReal)b->force[0], (MeReal)b->force[1], (MeReal)b->force[2]);
 }
 
+/* By its own report of the last step: a step that is not exact, or joints that contradict each other. */
+static inline bool karma_isInexact(MdtWorldID world) {
+    MdtReport report;
+    MdtWorldGetReport(world, &report);
+    return report.fallbacks > 0 || report.conflicts > 0;
+}
+
 /* Nothing comes to rest. */
 static inline void karma_setWorld(MdtWorldID world, int setting, const double gravity[3]) {
     MdtWorldSetAutoDisable(world, 0);
@@ -67,7 +75,7 @@ static inline void karma_setLimit(MdtLimitID limit, const SceneJoint *j) {
     }
 }
 
-static inline void karma_join(MdtWorldID world, MdtBodyID child, MdtBodyID parent, const SceneJoint *j) {
+static inline MdtConstraintID karma_join(MdtWorldID world, MdtBodyID child, MdtBodyID parent, const SceneJoint *j) {
     const MdtConstraintID c = j->kind == SCENE_HINGE ? MdtHingeQuaConstraint(MdtHingeCreate(world))
                                                      : MdtBSJointQuaConstraint(MdtBSJointCreate(world));
     MdtConstraintSetBodies(c, child, parent);
@@ -77,6 +85,14 @@ static inline void karma_join(MdtWorldID world, MdtBodyID child, MdtBodyID paren
         karma_setLimit(MdtHingeGetLimit(MdtConstraintDCastHinge(c)), j);
     }
     MdtConstraintEnable(c);
+    return c;
+}
+
+/* A motor that leads along a path follows it by the angle, not by the speed at the end of the step. */
+static inline void karma_lead(MdtConstraintID c, const SceneJoint *j, double time, double h) {
+    const MdtLimitID limit = MdtHingeGetLimit(MdtConstraintDCastHinge(c));
+    MdtLimitSetMotorTracking(limit, METRUE);
+    MdtLimitSetLimitedForceMotor(limit, (MeReal)scene_motorSpeed(j, time, h), (MeReal)j->torque);
 }
 
 /* The friction cone, and how much it bounces. */

@@ -127,8 +127,16 @@ double scenes_overlap(const SceneBody *a, const SceneState *p, const SceneBody *
     return b->shape != SCENE_BOX ? ofRound(b, q, a, p) : ofBoxes(a, p, b, q);
 }
 
+static double cylinderBelow(const SceneBody *b, const SceneState *s) {
+    double axis[3] = {0, 0, 1};
+    scene_rotate(s->quaternion, axis, axis);
+    return b->half[2] * fabs(axis[1]) + b->half[0] * hypot(axis[0], axis[2]) - s->position[1];
+}
+
 double scenes_below(const SceneBody *b, const SceneState *s) {
     double ends[2][3], reach = 0;
+    if (b->shape == SCENE_CYLINDER)
+        return cylinderBelow(b, s);
     if (b->shape != SCENE_BOX) {
         segment(b, s, ends);
         return b->half[0] - fmin(ends[0][1], ends[1][1]);

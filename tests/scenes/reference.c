@@ -108,6 +108,20 @@ double reference_rollingDistance(double speed, double surface, double friction, 
     return speed * slips - brakes * slips * slips / 2 + rolls * (time - slips);
 }
 
+/* The axis a leans down by l from the outward radial direction, e is the steepest way up the disc, b half its width,
+ * and from contact to centre it is d = R e + b a, outward d_x = b cos l - R sin l, upward d_z = R cos l + b sin l. The
+ * contact goes round at the rate W on a circle of radius r; rolling asks for the spin -W r/R about a. The angular
+ * momentum L about the centre turns with W, and the ground pushes with F, which keeps the centre on its circle:
+ *     dL/dt = W up x L = -d x F,   F = (-m W² (r + d_x), 0, m g)
+ * for
+ *     W² [m d_z (r + d_x) + A cos l r/R + (B - A) sin l cos l] = -m g d_x. */
+double reference_rollingDisc(const ReferenceDisc *d, double gravity) {
+    const double c = cos(d->lean), s = sin(d->lean), out = d->halfWidth * c - d->radius * s,
+                 up = d->radius * c + d->halfWidth * s;
+    return sqrt(-gravity * out /
+                (up * (d->circle + out) + d->along * c * d->circle / d->radius + (d->across - d->along) * s * c));
+}
+
 /* da/dt = L x a / across, for the spin along a moves it not; dL/dt = l a x m g */
 static void topRate(const double y[6], double across, double weight, double rate[6]) {
     rate[0] = (y[4] * y[2] - y[5] * y[1]) / across;

@@ -30,6 +30,15 @@ bool reference_topples(double halfWidth, double halfHeight, double speed, double
 double reference_rollingSpeed(double speed, double surface);
 double reference_rollingDistance(double speed, double surface, double friction, double gravity, double time);
 
+/* A disc of 1 kg, whose plane leans from upright, rolls steadily: the point of contact goes round a circle. */
+typedef struct ReferenceDisc {
+    double radius, halfWidth; /* m */
+    double along, across;     /* m², moments of inertia, of 1 kg, about its axis and at right angles to it */
+    double lean, circle;      /* rad; m, of the point of contact */
+} ReferenceDisc;
+/* rad/s, of its going round; no number if there is no such motion. */
+double reference_rollingDisc(const ReferenceDisc *d, double gravity);
+
 /* Moves a heavy symmetric top on by `time`: the unit vector along its axis, and its angular momentum about the pivot.
  * `across` is the moment of inertia about the pivot at right angles to the axis, `weight` m g l [N m], gravity -y. */
 void reference_top(double axisAndMomentum[6], double across, double weight, double time);

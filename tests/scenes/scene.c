@@ -50,6 +50,13 @@ SceneBody *scene_addCapsule(SceneWorld *w, double mass, double radius, double le
     return b;
 }
 
+SceneBody *scene_addCylinder(SceneWorld *w, double mass, double radius, double length, double x, double y, double z) {
+    SceneBody *b = addBody(w, SCENE_CYLINDER, mass, x, y, z);
+    b->half[0] = b->half[1] = radius;
+    b->half[2] = length / 2;
+    return b;
+}
+
 SceneJoint *scene_joinLast(SceneWorld *w, SceneJointKind kind, double x, double y, double z) {
     return scene_join(w, kind, w->numBodies - 1, w->numBodies > 1 ? w->numBodies - 2 : SCENE_WORLD, x, y, z);
 }
@@ -74,6 +81,12 @@ static void capsuleInertia(const SceneBody *b, double inertia[3]) {
     inertia[0] = inertia[1] = cylinder * (r * r / 4 + l * l / 12) + ball * (.4 * r * r + l * l / 4 + 3 * l * r / 8);
 }
 
+static void cylinderInertia(const SceneBody *b, double inertia[3]) {
+    const double r = b->half[0], l = 2 * b->half[2];
+    inertia[2] = b->mass * r * r / 2;
+    inertia[0] = inertia[1] = b->mass * (r * r / 4 + l * l / 12);
+}
+
 void scene_inertia(const SceneBody *b, double inertia[3]) {
     if (b->inertia[0] > 0) {
         memcpy(inertia, b->inertia, sizeof b->inertia);
@@ -81,6 +94,10 @@ void scene_inertia(const SceneBody *b, double inertia[3]) {
     }
     if (b->shape == SCENE_CAPSULE) {
         capsuleInertia(b, inertia);
+        return;
+    }
+    if (b->shape == SCENE_CYLINDER) {
+        cylinderInertia(b, inertia);
         return;
     }
     for (int i = 0; i < 3; i++) {

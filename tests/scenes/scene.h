@@ -23,13 +23,14 @@ typedef struct SceneState {
     double spin[3];       /* rad/s, in the world's axes */
 } SceneState;
 
-typedef enum SceneShape { SCENE_BOX, SCENE_SPHERE, SCENE_CAPSULE } SceneShape;
+typedef enum SceneShape { SCENE_BOX, SCENE_SPHERE, SCENE_CAPSULE, SCENE_CYLINDER } SceneShape;
 
 /* Solid and of one density. Where two touch, the larger friction and the larger restitution hold; the ground has 0. */
 typedef struct SceneBody {
     SceneShape shape;
     double
-        half[3]; /* m, half edges; a sphere's radius, three times; a capsule's, twice, and half its length, along z */
+        half[3]; /* m, half edges; a sphere's radius, three times; of a capsule and of a cylinder its radius, twice, and
+                  half its length, along z */
     double mass; /* kg; 0: it never moves */
     double inertia[3]; /* kg m², about its own axes, if not those of one density; else 0 */
     double friction, restitution;
@@ -40,7 +41,8 @@ typedef struct SceneBody {
 
 typedef enum SceneJointKind { SCENE_BALL_JOINT, SCENE_HINGE } SceneJointKind;
 
-/* The first joint of each child makes a tree; further ones, of ball joints, close loops. Bodies that are joined do not
+/* The first joint of each child makes a tree; further ones close loops. An engine that closes them with constraints
+ * may hold a hinge there by its point alone, which in a plane linkage is the same. Bodies that are joined do not
  * collide. Angles of a hinge are the child's against the parent, about the axis, 0 at the start. */
 typedef struct SceneJoint {
     SceneJointKind kind;
@@ -50,6 +52,8 @@ typedef struct SceneJoint {
     double stops[2];   /* rad, the least and the largest angle of a hinge; both 0: none */
     double speed;      /* rad/s, of a hinge's motor */
     double torque;     /* N m, the largest of the motor; 0: there is none */
+    /* rad: where the motor is to have led the hinge to at that time; null: it keeps its speed */
+    double (*path)(double time);
 } SceneJoint;
 
 typedef struct SceneWorld {
@@ -111,6 +115,7 @@ const Scene *scene_find(const char *name);
 SceneBody *scene_addBox(SceneWorld *w, double mass, double lx, double ly, double lz, double x, double y, double z);
 SceneBody *scene_addSphere(SceneWorld *w, double mass, double radius, double x, double y, double z);
 SceneBody *scene_addCapsule(SceneWorld *w, double mass, double radius, double length, double x, double y, double z);
+SceneBody *scene_addCylinder(SceneWorld *w, double mass, double radius, double length, double x, double y, double z);
 /* Of a child with a parent, at a point. */
 SceneJoint *scene_join(SceneWorld *w, SceneJointKind kind, int child, int parent, double x, double y, double z);
 /* Of the body that was added last with the one before it, or, for the first body, with the world. */
@@ -131,6 +136,11 @@ double scene_startEnergy(const SceneWorld *w);
 static inline bool scene_isPushed(const SceneBody *b, double time) {
     return (b->force[0] != 0 || b->force[1] != 0 || b->force[2] != 0) &&
            (b->forceEnds <= 0 || time < b->forceEnds - 1e-9);
+}
+
+/* rad/s, of a motor in a step of h that begins then: along a path it is the mean speed of the step. */
+static inline double scene_motorSpeed(const SceneJoint *j, double time, double h) {
+    return j->path ? (j->path(time + h) - j->path(time)) / h : j->speed;
 }
 
 /* Vectors, and quaternions w x y z. */

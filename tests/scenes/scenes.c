@@ -80,6 +80,14 @@ const Scene *const scenes[] = {
     &scenes_grasp,
     &scenes_pendulums,
     &scenes_elastic,
+    &scenes_coin,
+    &scenes_coinFalls,
+    &scenes_turning,
+    &scenes_turningLimit,
+    &scenes_linkage,
+    &scenes_ring,
+    &scenes_slackBridge,
+    &scenes_ledArm,
     NULL,
 };
 
