@@ -119,6 +119,7 @@ struct _McdModelPair {
     void *m_cachedData;      /**< What the interaction's hello function prepared, its own; null: nothing. */
     void(MEAPI *forget)(McdModelPair *); /**< The Simulation Toolkit's: called before the space takes the pair back. */
     MeBool isHeldApart;                  /**< The same: as its last step began, where some joint holds bodies apart. */
+    MeBool mayTurnRound; /**< The same: both models may rebound from others before the next test. */
 };
 
 /**

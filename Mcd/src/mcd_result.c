@@ -3,12 +3,13 @@
 #include "mcd_spread_i.h"
 #include "mcd_vector_i.h"
 
-/* How much the gap of two models may shrink before the next test. */
-static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b) {
+/* How much the gap of two models may shrink before the next test. What rebounds may turn round on the way: then each
+ * comes as far as it can. */
+static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b, MeBool mayTurnRound) {
     const double time = fmax((double)a->lookAhead, (double)b->lookAhead), most = (double)a->ahead + (double)b->ahead;
     double square = 0;
-    if (!(most > 0))
-        return 0;
+    if (!(most > 0) || mayTurnRound)
+        return fmax(most, 0);
     for (int i = 0; i < 3; i++) {
         const double va = a->linearVelocity ? (double)a->linearVelocity[i] : 0;
         const double vb = b->linearVelocity ? (double)b->linearVelocity[i] : 0;
@@ -21,8 +22,8 @@ double mcd_pairMargin(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (a->isFast || b->isFast) /* the current overlap: McdSafeTime predicts coming ones */
         return fmax(a->isFast ? (double)a->ahead : 0, b->isFast ? (double)b->ahead : 0);
-    MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(greatestApproach(a, b) < 0));
-    return (double)a->tolerance + (double)b->tolerance + greatestApproach(a, b);
+    MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(greatestApproach(a, b, p->mayTurnRound) < 0));
+    return (double)a->tolerance + (double)b->tolerance + greatestApproach(a, b, p->mayTurnRound);
 }
 
 void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {

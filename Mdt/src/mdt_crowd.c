@@ -80,25 +80,36 @@ static MeBool isInFlight(const MdtIsland *p) {
     return METRUE;
 }
 
-static MeBool touches(const MdtPoint *point) {
-    return point->depth >= 0 || (point->numWarm > 0 && point->force[0] > 0);
+static MeBool holds(const MdtPoint *point, double loadSpeed) {
+    const MdtBaseConstraint *base = &mdt_manifoldOf(point)->base;
+    const MdtKeaBody *bodies[2];
+    for (int k = 0; k < 2; k++)
+        bodies[k] = base->side[k].body ? &base->side[k].body->kea : NULL;
+    return MdtKeaContactHolds(bodies, -point->depth, -approachAt(point), mdt_pointParams(point)->restitution,
+                              loadSpeed);
 }
 
-/* Bodies that bounce, of which only few touch anything, are met one after the other (mdt_subdivide.c). */
+int mdt_mostHeld(const MdtIsland *p) {
+    return p->world->timedBodies == 0 ? 0 : MeMAX(p->world->timedBodies, p->numBodies / MDT_HELD);
+}
+
+/* Bodies that bounce, of which only few are held, are met one after the other (mdt_subdivide.c). */
 static MeBool isMetInTime(const MdtIsland *p) {
     MeBool doesBounce = MEFALSE;
-    int touching = 0;
+    double g[3];
+    int holding = 0;
+    mdt_fromReal(g, p->world->params.gravity);
     for (int i = 0; i < p->numActing; i++) {
         if (mdt_isJoint(p->acting[i]))
             continue;
-        MeBool isTouching = MEFALSE;
+        MeBool isHeld = MEFALSE;
         for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at)) {
             doesBounce = doesBounce || mdt_bounces(mdt_pointParams(at));
-            isTouching = isTouching || touches(at);
+            isHeld = isHeld || holds(at, keaLength(g) * p->h);
         }
-        touching += isTouching;
+        holding += isHeld;
     }
-    return doesBounce && touching <= p->world->timedBodies;
+    return doesBounce && holding <= mdt_mostHeld(p);
 }
 
 /* Rows of user constraints are the program's: how they move with the bodies is not known. */

@@ -133,6 +133,8 @@ void mdt_islandRelease(MdtIsland *p);
 MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows);
 /* After a solve: contacts that did not settle disturb what joints tie. */
 void mdt_crowdNote(const MdtIsland *p);
+/* How many bodies may be held in a partition whose impacts are met in time; 0: none are. */
+int mdt_mostHeld(const MdtIsland *p);
 
 /* ---- contacts, as Kea takes them (mdt_contacts.c) ---- */
 

@@ -251,7 +251,7 @@ static MeBool isTimed(MdtIsland *p, double part) {
         return MEFALSE;
     mdt_partBegin(p, part);
     mdt_rowsMake(p);
-    return MdtKeaHeldBodies(&p->kea) <= most && (p->numJoints == 0 || MdtKeaBounces(&p->kea));
+    return MdtKeaHeldBodies(&p->kea) <= mdt_mostHeld(p) && (p->numJoints == 0 || MdtKeaBounces(&p->kea));
 }
 
 /* ---- sub-steps ---- */

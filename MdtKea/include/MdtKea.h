@@ -377,6 +377,15 @@ MEPUBLIC MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *system);
  * filled; nothing is changed but scratch memory.
  */
 MEPUBLIC int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *system);
+/**
+ * Whether a contact holds its bodies: it touches, and neither parts nor is met so fast that it rebounds.
+ *  @param bodies    of which one may be null, the world
+ *  @param gap       m, negative where they overlap
+ *  @param rate      m/s, at which the gap grows
+ *  @param loadSpeed m/s, by which the loads change the bodies' velocities in a step
+ */
+MEPUBLIC MeBool MEAPI MdtKeaContactHolds(const MdtKeaBody *const bodies[2], double gap, double rate, double restitution,
+                                         double loadSpeed);
 
 /**
  * An impact at the start of the step: changes the velocities of the bodies so that those that touch part with their

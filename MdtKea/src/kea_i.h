@@ -115,6 +115,8 @@ void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double
 void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double w[3], double L[3]);
 /* The inertia tensor, and its inverse, in world axes at orientation q. */
 void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]);
+/* m, the largest radius of gyration. */
+double kea_sizeOf(const MdtKeaBody *body);
 void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double inverse[3][3]);
 /* Of any tensor that has an inverse. */
 void kea_invert(double inverse[3][3], const double M[3][3]);

@@ -87,13 +87,17 @@ static void advance(double r[3], const double v[3], const double a[3], double sc
         r[i] = keep * v[i] + h * gain * scale * a[i];
 }
 
+double kea_sizeOf(const MdtKeaBody *body) {
+    const double *I = body->moments;
+    return sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
+}
+
 /* Velocity and momentum at the end of the step without rows, and the rates that they mean at the start's pose. */
 static void predict(MdtKeaSystem *s, int i) {
     const MdtKeaBody *body = s->bodies[i];
     KeaBody *b = &s->work->body[i];
     const double h = s->parameters.stepsize;
-    const double *I = body->moments;
-    b->size = sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
+    b->size = kea_sizeOf(body);
     advance(b->freeVelocity, body->velocity, body->force, body->invMass, body->linearDamping, h);
     advance(b->freeMomentum, body->angularMomentum, body->torque, 1, body->angularDamping, h);
     keaCopy(s->predicted[i].lin, b->freeVelocity);

@@ -218,6 +218,7 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
     if (f->outcome != MST_TO_TEST)
         return;
     f->materials = mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2));
+    p->mayTurnRound = f->materials->params.restitution > 0;
     f->outcome = outcomeWithoutTest(b, f);
     if (f->outcome != MST_TO_TEST)
         return;

@@ -237,22 +237,25 @@ MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
     return meets;
 }
 
-/* Which touching contacts meet faster than `slowest`, the speeds with which they leave, and whether any of them
- * rebounds. */
-static MeBool chooseMeeting(MdtKeaSystem *s, double slowest, double gate, double target[], char takesPart[]) {
+/* Which touching contacts meet faster than `slowest`; whether any of them rebounds. */
+static MeBool findMeeting(MdtKeaSystem *s, double slowest, double gate, char takesPart[]) {
     MeBool rebounds = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        takesPart[i] = 0;
-        target[i] = 0;
-        if (row->contact != i || !kea_isTouching(s, row))
-            continue;
         const double speed = -kea_startRate(s, i);
-        takesPart[i] = speed > slowest;
-        target[i] = takesPart[i] ? kea_reboundOfImpact(row->restitution, row->threshold, speed, gate) : 0;
-        rebounds = rebounds || target[i] > 0;
+        takesPart[i] = (char)(row->contact == i && kea_isTouching(s, row) && speed > slowest);
+        rebounds = rebounds || (takesPart[i] && kea_reboundOfImpact(row->restitution, row->threshold, speed, gate) > 0);
     }
     return rebounds;
+}
+
+/* The speeds with which they leave. Beside what rebounds, what meets slowly does so too: held, it would take p v / 2 of
+ * energy, with an impulse p that comes from the others and may be large. */
+static void setTargets(const MdtKeaSystem *s, const char takesPart[], double target[]) {
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        target[i] = takesPart[i] ? kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), 0) : 0;
+    }
 }
 
 /* ---- rounds ---- */
@@ -304,9 +307,11 @@ MeBool kea_impact(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
     const double slowest = kea_velocityTolerance * keaMax(kea_eventSpeed(s), s->work->speed);
-    for (int round = 0; round < KEA_MAX_ROUNDS && chooseMeeting(s, slowest, gate, target, takesPart); round++)
+    for (int round = 0; round < KEA_MAX_ROUNDS && findMeeting(s, slowest, gate, takesPart); round++) {
+        setTargets(s, takesPart, target);
         if (!takeRound(s, target, takesPart) || s->work->problem.counts.isLimited)
             break;
+    }
     touchAll(s, target, takesPart);
     takeRound(s, target, takesPart);
     MEASSERT(!(energyWith(s, NULL) > before * (1 + kea_assertedRounding)));

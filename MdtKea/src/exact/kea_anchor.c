@@ -44,7 +44,7 @@ static double depthUnderLoad(const MdtKeaSystem *s, const KeaContact *c) {
  * the depths that it may be, the one nearest to rest is taken: 0, or what the load has sunk by, if that is less than
  * the rounding. With 0 it would go on sinking, by h E λ a second, until the rounding is passed. */
 static double beyondRounding(const MdtKeaSystem *s, const KeaContact *c) {
-    const double *n = c->manifold->normal, depth = c->at->depth;
+    const double *n = c->normal, depth = c->at->depth;
     double extent = 0;
     for (int k = 0; k < 2; k++) {
         const double *place = poseOf(s, c, k)->pos;
@@ -67,7 +67,7 @@ static double beyondRounding(const MdtKeaSystem *s, const KeaContact *c) {
  * the axis a the way to its point farthest along o, r (o - a (a·o)) / |..|, none where it lies flat; of corners, edges
  * and faces, which move with the body themselves, 0. */
 static void outOfCentre(const KeaContact *c, int k, const double axis[3], double out[3]) {
-    keaScale(out, k == 0 ? -1 : 1, c->manifold->normal);
+    keaScale(out, k == 0 ? -1 : 1, c->normal);
     if (c->circle[k] > 0) {
         keaAddScaled(out, -keaDot(out, axis) / keaDot(axis, axis), axis);
         keaScale(out, c->circle[k] / fmax(keaLength(out), DBL_MIN), out);
@@ -76,18 +76,26 @@ static void outOfCentre(const KeaContact *c, int k, const double axis[3], double
     }
 }
 
+/* Is it round about the body's own centre? */
+static MeBool isAboutCentre(const KeaContact *c, int k) {
+    return c->manifold->radius[k] > 0 && !(c->circle[k] > 0) &&
+           keaLength(c->anchor[k]) <= kea_centredBall * c->manifold->radius[k];
+}
+
 /* The circle that touches, if the part of the step cannot bring its axis to the normal: there it would lie flat, no
  * point of it would be farthest out, and the one that is, near that, would go far round it. */
 static double circleOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *axis = c->manifold->axis[k];
     double aside[3], turn[3];
-    keaCross(aside, axis, c->manifold->normal);
+    keaCross(aside, axis, c->normal);
     keaCross(turn, axis, velocityOf(s, c, k)->ang);
     return keaLength(aside) > s->parameters.stepsize * keaLength(turn) ? c->manifold->rim[k] : 0;
 }
 
 static void attach(const MdtKeaSystem *s, KeaContact *c) {
     const double *normal = c->manifold->normal;
+    keaCopy(c->normal, normal);
+    keaCopy(c->direction, c->manifold->direction);
     keaCopy(c->point, c->at->position);
     c->depth = beyondRounding(s, c);
     MEASSERT(fabs(keaDot(normal, normal) - 1) < kea_unitRounding && isfinite(c->depth));
@@ -124,9 +132,35 @@ static void axisOf(const MdtKeaSystem *s, const KeaContact *c, int k, double axi
         keaZero(axis);
 }
 
+/* Is the surface a ball's about its body's centre? A sphyl's is round, too, but moments tell them apart. */
+static MeBool isBall(const MdtKeaSystem *s, const KeaContact *c, int k) {
+    const double *I = isWorld(c, k) ? NULL : s->bodies[c->manifold->body[k]]->moments;
+    const double most = I ? kea_equalMoments * I[0] : 0;
+    return I && isAboutCentre(c, k) && fabs(I[1] - I[0]) <= most && fabs(I[2] - I[0]) <= most;
+}
+
+/* Two balls touch along the line of their centres, wherever these have come to. */
+static void renewNormal(const MdtKeaSystem *s, KeaContact *c) {
+    double n[3], d[3];
+    keaSubtract(n, poseOf(s, c, 0)->pos, poseOf(s, c, 1)->pos);
+    keaCopy(d, c->direction);
+    const double distance = keaLength(n);
+    if (!(distance > 0))
+        return;
+    keaScale(n, 1 / distance, n);
+    keaAddScaled(d, -keaDot(d, n), n);
+    const double across = keaLength(d);
+    if (!(across > 0.5)) /* turned by more than the part of a step that follows can mean */
+        return;
+    keaCopy(c->normal, n);
+    keaScale(c->direction, 1 / across, d);
+}
+
 static void carry(const MdtKeaSystem *s, KeaContact *c) {
     const int owner = ownerOf(c);
     double p[2][3], between[3];
+    if (isBall(s, c, 0) && isBall(s, c, 1))
+        renewNormal(s, c);
     for (int k = 0; k < 2; k++) {
         const MdtKeaTransformation *pose = poseOf(s, c, k);
         double axis[3], out[3];
@@ -137,9 +171,9 @@ static void carry(const MdtKeaSystem *s, KeaContact *c) {
         keaAddScaled(p[k], 1, out);
     }
     keaSubtract(between, p[1], p[0]);
-    c->depth = keaDot(c->manifold->normal, between);
+    c->depth = keaDot(c->normal, between);
     for (int i = 0; i < 3; i++) {
-        const double off = 0.5 * c->depth * c->manifold->normal[i];
+        const double off = 0.5 * c->depth * c->normal[i];
         const double on[2] = {p[0][i] + off, p[1][i] - off};
         c->point[i] = owner == BOTH ? 0.5 * (on[0] + on[1]) : on[owner];
     }
@@ -178,7 +212,7 @@ static void roundPoint(const MdtKeaSystem *s, const KeaContact *c, int k, double
     keaApply(p, pose->R, c->anchor[k]);
     turnBy(turn, share, p);
     keaAddScaled(p, 1, out);
-    keaAddScaled(p, (k == 0 ? 0.5 : -0.5) * c->depth, c->manifold->normal);
+    keaAddScaled(p, (k == 0 ? 0.5 : -0.5) * c->depth, c->normal);
     keaAddScaled(p, 1, pose->pos);
     keaAddScaled(p, share, way);
 }
@@ -199,8 +233,7 @@ static MeBool isStill(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *spin = velocityOf(s, c, k)->ang;
     if (isWorld(c, k) && keaDot(spin, spin) == 0)
         return METRUE;
-    return c->manifold->radius[k] > 0 && !(c->circle[k] > 0) &&
-           keaLength(c->anchor[k]) <= kea_centredBall * c->manifold->radius[k];
+    return isAboutCentre(c, k);
 }
 
 /* From what a side turns about to the contact: the body's centre, or, where the world moves with v at the origin and

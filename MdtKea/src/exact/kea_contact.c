@@ -106,7 +106,7 @@ static void normalRow(const MdtKeaSystem *s, const KeaContact *c, int owner, Mdt
     const MdtKeaParameters *p = &s->parameters;
     const MdtKeaSurface *surface = &c->manifold->surface;
     const double aim = c->depth > 0 ? p->gamma * c->depth : c->depth; /* m, by the end of the part */
-    startRow(c, c->manifold->normal, owner, aim / p->stepsize, row);
+    startRow(c, c->normal, owner, aim / p->stepsize, row);
     row->error = -c->depth;
     for (int k = 0; k < 2; k++)
         row->radius[k] = c->manifold->radius[k];
@@ -120,9 +120,9 @@ static void normalRow(const MdtKeaSystem *s, const KeaContact *c, int owner, Mdt
 
 static void directionOf(const KeaContact *c, int direction, double d[3]) {
     if (direction == 0)
-        keaCopy(d, c->manifold->direction);
+        keaCopy(d, c->direction);
     else
-        keaCross(d, c->manifold->normal, c->manifold->direction);
+        keaCross(d, c->normal, c->direction);
     MEASSERT(fabs(keaDot(d, d) - 1) < kea_unitRounding);
 }
 
@@ -143,7 +143,7 @@ static void frictionRow(const MdtKeaSystem *s, const KeaContact *c, int directio
 
 /* The friction of the last step turns with the contact, about the normal. */
 static void guessFriction(const KeaContact *c, MdtKeaRow rows[]) {
-    const double *guess = c->at->guess, angle = c->moves ? keaDot(c->turn, c->manifold->normal) : 0;
+    const double *guess = c->at->guess, angle = c->moves ? keaDot(c->turn, c->normal) : 0;
     const double cosine = cos(angle), sine = sin(angle);
     if (c->rubs == (PRIMARY | SECONDARY)) {
         rows[0].force = cosine * guess[1] - sine * guess[2];

@@ -17,11 +17,12 @@ typedef struct KeaContact {
     double circle[2];    /* m, the manifold's rim, or 0 where it may come to lie flat */
     double axle[2][3];   /* unit, its axis, in their frames */
     /* kea_anchor.c, as the part of the step begins */
-    double point[3];  /* m */
-    double depth;     /* m */
-    double arm[2][3]; /* m, from the bodies' centres to the point */
-    double turn[3];   /* rad, by which the arms of flat surfaces turn in this part; 0: round */
-    MeBool moves;     /* arms change within this part */
+    double normal[3], direction[3]; /* the manifold's; of two balls the normal turns with their centres */
+    double point[3];                /* m; of two round surfaces the middle of their own */
+    double depth;                   /* m */
+    double arm[2][3];               /* m, from the bodies' centres to the point */
+    double turn[3];                 /* rad, by which the arms of flat surfaces turn in this part; 0: round */
+    MeBool moves;                   /* arms change within this part */
     /* kea_contact.c */
     int rubs;     /* directions that have a row: 1 primary, 2 secondary */
     int firstRow; /* where its rows begin */

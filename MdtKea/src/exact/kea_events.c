@@ -69,13 +69,25 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     return bounces;
 }
 
-/* A contact that is met late, deep already, holds nothing either: it rebounds at once. */
+/* Of what touches: that which is met late, deep already, rebounds at once. */
+static MeBool holds(double rate, double restitution, double speed) {
+    return rate <= kea_partingSpeed * speed && -rate * restitution <= kea_minReboundSpeed * speed;
+}
+
+MeBool MEAPI MdtKeaContactHolds(const MdtKeaBody *const bodies[2], double gap, double rate, double restitution,
+                                double loadSpeed) {
+    double size = HUGE_VAL;
+    for (int k = 0; k < 2; k++)
+        if (bodies[k])
+            size = keaMin(size, kea_sizeOf(bodies[k]));
+    return gap < kea_touchingGap * size && holds(rate, restitution, loadSpeed);
+}
+
 static MeBool isHeldBy(const MdtKeaSystem *s, int i, double speed) {
     const MdtKeaRow *row = &s->rows[i];
     if (row->contact < 0)
         return METRUE;
-    return row->contact == i && !isOpen(s, i, speed) &&
-           !rebounds(row, kea_startRate(s, i), kea_minReboundSpeed * speed);
+    return row->contact == i && kea_isTouching(s, row) && holds(kea_startRate(s, i), row->restitution, speed);
 }
 
 int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
