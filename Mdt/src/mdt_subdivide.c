@@ -205,10 +205,10 @@ static MeBool hasRestitution(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* How many events a part may be divided at. A column of n balls that lands has n (n + 1)/2 impacts, since the lowest one
- * hits the ground once for each of them; so has each column of a crowd that is as high as it is wide, (n + 1)/2 for a
- * ball. Where nothing rebounds, one event, and another that follows from it, as where a box comes down on one edge and
- * then on the other: what meets after that is held at the end of the step, no more than a step too late. */
+/* How many events a part may be divided at. A column of n balls that lands has n (n + 1)/2 impacts, as the lowest one
+ * hits the ground once for each of them; so has each column of a crowd that is as high as it is wide, (n + 1)/2 for
+ * each ball. Where nothing rebounds, one event, and another that follows from it, as where a box comes down on one edge
+ * and then on the other: what meets after that is held at the end of the step, no more than a step too late. */
 static int mostEvents(const MdtIsland *p) {
     enum { EVENTS = 8, PLASTIC_EVENTS = 2 };
     int high = 1;
