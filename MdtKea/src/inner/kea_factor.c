@@ -1,4 +1,4 @@
-/* Numbers of a sparse factor (kea_factor_i.h).
+/* Numerical phase of the sparse block factorization (kea_factor_i.h).
  *
  * A = L U, by blocks, left-looking: when the turn of node j comes, it gathers from every earlier node k that has j in
  * its structure,
@@ -121,8 +121,8 @@ static MeBool choleskyOf(double *D, int n, double least) {
     return METRUE;
 }
 
-/* What an entry a_ij is compared with is sqrt(size_i size_j), which has its unit: a block may have rows of kg and of
- * kg m². Of the block as it was given. */
+/* Scales of the rows of a block before elimination: an entry a_ij is relative to sqrt(size_i size_j), which has its
+ * unit, as a block may have rows in kg and in kg m². */
 static void measureRows(const double *A, int n, double size[]) {
     for (int i = 0; i < n; i++) {
         size[i] = fabs(A[i * n + i]);
