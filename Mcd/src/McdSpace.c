@@ -101,7 +101,7 @@ static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
     return METRUE;
 }
 
-/* There is a free proxy then. */
+/* Makes sure that there is a free proxy. */
 static MeBool makeRoom(McdSpace *s, const char *function) {
     enum { FIRST_ROOM = 64 };
     if (s->freeProxy != MCD_NONE)
@@ -288,8 +288,8 @@ static MeBool isWithinFatBox(const McdProxy *p) {
     return METRUE;
 }
 
-/* The model will move on as it moved in the last step: where it will be in four more is in, but not more than twice
- * its size. */
+/* Predictive enlargement: the fat box covers four more steps of the last step's motion, but at most twice the model's
+ * size. */
 static void fatten(McdProxy *p, const double moved[3]) {
     const double size = sizeOf(p, largestSide(p)), margin = fatMargin(p, size), rounding = 4 * (double)ME_EPSILON;
     double min[3], max[3];
@@ -333,7 +333,7 @@ static void dropLeaf(McdSpace *s, McdProxy *p) {
     p->leaf = 0;
 }
 
-/* An unbounded box would overlap all of the tree: there are few of them, and they are visited one by one. */
+/* Unbounded boxes (planes) are not in the tree, as they overlap all of it: they are few, and tested one by one. */
 static void putUnbounded(McdSpace *s, McdProxy *p) {
     dropLeaf(s, p);
     MEASSERT(s->unboundedCount - p->isUnbounded < s->proxyRoom);
@@ -350,7 +350,7 @@ static void putInTree(McdSpace *s, McdProxy *p) {
         p->leaf = mcd_treeInsert(s->tree, &p->fat, indexOf(s, p));
     if (!p->leaf) {
         MeFatalError(0, "%s: no memory for the tree of boxes", MeCallerName("McdSpaceUpdateModel"));
-        putUnbounded(s, p); /* slower, and right */
+        putUnbounded(s, p); /* no memory: slower, but correct */
     }
 }
 
@@ -457,8 +457,8 @@ static void sweep(McdModelRecord *m, MeReal reach, MeReal way, MeReal turn) {
     m->turnAhead = MeMIN(turn, m->ahead);
 }
 
-/* How far the model may get in the time that the space looks ahead: no farther than its own radius, or things that it
- * would pass by would be in its way. */
+/* m: the distance that the model may move in the space's look-ahead time, at most its own radius: with more, it would
+ * get speculative contacts with obstacles that it passes by. */
 static void lookAhead(const McdSpace *s, McdModelRecord *m) {
     MeVector3 centre;
     MeReal radius;

@@ -24,8 +24,8 @@
 
 /* Lengths relative to half the largest side of the box around the points. Single precision leaves about 1e-7 of noise
  * in the coordinates of a face's corners. */
-static const double flatness = 3e-7;       /* what is as near as this to a plane or a line lies in it */
-static const double leastThickness = 1e-6; /* thinner things have no inside */
+static const double flatness = 3e-7;       /* points nearer than this to a plane or a line lie in it */
+static const double leastThickness = 1e-6; /* thinner clouds are refused as flat */
 
 /* ---- memory for the time of making a hull ---------------------------------------------------------------------- */
 

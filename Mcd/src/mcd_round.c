@@ -1,5 +1,5 @@
 /* Cores that are points or segments, in closed form: those of spheres and sphyls, against each other, boxes and
- * cylinders. Where cores touch, no direction is shorter than another: the normal is then a fixed one across them. */
+ * cylinders. Where cores intersect or touch, the normal is not unique: a fixed direction orthogonal to them. */
 #include "mcd_nearfield_i.h"
 
 /* Relative to the smaller shape: nearer cores touch. */
@@ -7,7 +7,7 @@ static const double touching = 1e-12;
 
 static const double up[3] = {0, 0, 1};
 
-/* From the nearest points; across where these are one. */
+/* The normal from the nearest points; a fixed orthogonal direction where these coincide. */
 static MeBool fromPoints(const McdShape *a, const McdShape *b, const double across[3], double limit, McdProximity *p) {
     double d[3];
     mcd_sub(d, p->onA, p->onB);
