@@ -185,14 +185,14 @@ void mdt_unpackImpact(MdtIsland *p);
 void mdt_unpackConstraints(MdtIsland *p);
 /* Bodies, at the end of the step. */
 void mdt_unpackBodies(MdtIsland *p);
-/* The last resort: bodies whose next state is not finite stay where they are and stop. */
+/* Fallback: bodies whose next state is not finite keep their pose, with velocity 0. */
 void mdt_unpackStopped(MdtIsland *p);
 
 /* ---- steps by safe time (mdt_lag.c) ------------------------------------------------------------------------------ */
 
 /* How far a partition may move: the shortest safe time of its bodies, within bounds. */
 double mdt_lagSafeStep(const MdtIsland *p);
-/* The partition has advanced by its h: its lag is less by so much. */
+/* The partition has advanced by h: subtracts it from the lag of its bodies. */
 void mdt_lagSet(const MdtIsland *p, double lack);
 
 #endif
