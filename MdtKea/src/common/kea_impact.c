@@ -69,8 +69,7 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->state = KEA_HELD;
 }
 
-/* Whether a row has an impulse in an instant: of touching contacts, joints without bounds, and stops that are reached.
- * */
+/* Whether a row has an impulse in an instant: touching contacts, joints without bounds, and stops that are reached. */
 static MeBool actsInInstant(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     if (row->contact >= 0)

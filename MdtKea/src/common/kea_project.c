@@ -51,8 +51,7 @@ static void solveDisplacement(MdtKeaSystem *s, const double target[]) {
     }
 }
 
-/* The least displacement, in the metric of the masses, that removes the part γ of every overlap and makes none deeper.
- * */
+/* The least displacement, in the metric of masses, that removes the part γ of every overlap and makes none deeper. */
 void kea_project(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     double *target = s->work->target, error, most = 0;

@@ -184,8 +184,7 @@ static void pointOfRound(const MdtKeaSystem *s, const KeaContact *c, int k, doub
     keaAddScaled(p, share, displacement);
 }
 
-/* Lever arms of a rolling contact: of two round surfaces each has its own point; a flat one has that of the round one.
- * */
+/* Lever arms of a rolling contact: two round surfaces have a point each; a flat one has that of the round one. */
 static void rollArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {
     for (int k = 0; k < 2; k++) {
         double p[3], displacement[3], turn[3];

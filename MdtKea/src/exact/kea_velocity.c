@@ -213,8 +213,7 @@ static MeBool hasActingContact(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Whether a joint between two bodies is open. One to the world is not considered: the program may move its attachment.
- * */
+/* Whether a joint of two bodies is open. One to the world is left out: the program may move its attachment. */
 static MeBool isOpenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (!row->position || isUnilateral(row) || row->body[0] < 0 || row->body[1] < 0)
         return MEFALSE;
