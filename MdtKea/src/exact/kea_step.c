@@ -237,11 +237,28 @@ static MeBool mayBeTangent(const MdtKeaSystem *s) {
     return s->work->hasJoints && s->work->problem.hasFriction;
 }
 
+/* Writes how the passes have ended: missed positions, capped or limited solves, residuals. */
+static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimited) {
+    const MeBool isMissed =
+        (!s->work->usesTangentAnswer && !(e->position <= kea_loosePosition && e->momentum <= kea_loosePosition)) ||
+        turnsOver(s);
+    s->report.violent = isMissed && !isLimited;
+    s->report.capped = isMissed || !(e->velocity <= kea_looseVelocity);
+    s->report.limited = s->report.capped && isLimited;
+    s->report.resolution = e->resolution;
+    s->report.residual = e->velocity * e->resolution;
+    s->report.force = e->impulse / s->parameters.stepsize;
+}
+
+/* Newton's method for the step: passes until the residuals are below tolerance, or the budget or the passes are used
+ * up. The answer is the best iterate; of linkages the tangent one, if symmetric passes leave its branch or do not
+ * converge; the motion without rows, if passes run away. */
 static void takePasses(MdtKeaSystem *s) {
     int last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES;
     KeaProblem *q = &s->work->problem;
     MeBool isLimited = MEFALSE;
-    double speed = 0, best = HUGE_VAL, bestTangent = HUGE_VAL;
+    double speed = 0;                               /* m/s: the largest scale of velocities so far */
+    double best = HUGE_VAL, bestTangent = HUGE_VAL; /* worst residuals of the kept iterates */
     KeaResiduals e = {.worst = HUGE_VAL};
     double motion = HUGE_VAL, before = HUGE_VAL;
     int worse = 0;
@@ -306,15 +323,7 @@ static void takePasses(MdtKeaSystem *s) {
     q->hasTangent = q->isWarm = q->isFactored = MEFALSE;
     s->report.conflicting = kea_isConflicting(s);
     s->work->isInconsistent = kea_isInconsistent(s);
-    const MeBool isMissed =
-        (!s->work->usesTangentAnswer && !(e.position <= kea_loosePosition && e.momentum <= kea_loosePosition)) ||
-        turnsOver(s);
-    s->report.violent = isMissed && !isLimited;
-    s->report.capped = isMissed || !(e.velocity <= kea_looseVelocity);
-    s->report.limited = s->report.capped && isLimited;
-    s->report.resolution = e.resolution;
-    s->report.residual = e.velocity * e.resolution;
-    s->report.force = e.impulse / s->parameters.stepsize;
+    reportMotion(s, &e, isLimited);
 }
 
 static void markFreeBodies(MdtKeaSystem *s) {
