@@ -3,7 +3,7 @@
 #include "mcd_kind_i.h"
 #include "mcd_local_i.h"
 
-/* As far as planes reach: sums and differences of such numbers are finite. */
+/* The extent given for unbounded planes: sums and differences of such numbers are finite. */
 static const double reach = (double)(MEINFINITY / 4);
 
 /* A half-space has no farthest point; the result is a far point in that direction. */

@@ -162,12 +162,12 @@ typedef struct McdModelRecord {
     McdModelUpdateFnPtr update;
     MeMatrix4Ptr relTM; /* null unless relative */
     MeReal *linearVelocity, *angularVelocity;
-    MeU64 boxStamp;               /* the stamp that the box belongs to, */
-    MeReal boxDuration, boxAhead; /* s, and its motion and look-ahead */
+    MeU64 boxStamp;                   /* the stamp that the box belongs to, */
+    MeReal boxDuration, boxLookAhead; /* s, duration and look-ahead with which it was made */
     MeBool isSwept, isSensor;
     /* hot: 3, 4 */
-    McdModelInputs inputs;   /* at the last comparison */
-    MeReal ahead, turnAhead; /* m, how far it may get in the time lookAhead, and by turning alone */
+    McdModelInputs inputs;     /* at the last comparison */
+    MeReal travel, turnTravel; /* m, upper bounds of its displacement within lookAhead, and of that by rotation */
     /* hot: 5, 6; the first three follow from `inputs` */
     double axis[3][3]; /* mcd_shapeAxes of its transform, if isPlaced */
     MeBool isPlaced;   /* mcd_isPlace of its transform */
@@ -332,7 +332,7 @@ int mcd_resultEnd(McdIntersectResult *result); /* the mean normal; 1 if there ar
 MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
 /* m: a model's share of the speculative margin: its tolerance, and how far it may move before the next test. */
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
-    return m->tolerance + m->ahead;
+    return m->tolerance + m->travel;
 }
 /* A version that changes with every input of the model's box and tests; 0: its inputs cannot be compared. */
 MeU64 mcd_modelStamp(McdModelRecord *m);
