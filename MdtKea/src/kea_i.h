@@ -51,7 +51,7 @@ typedef struct KeaEnd {
     double position[3], quaternion[4], velocity[3], angularMomentum[3];
 } KeaEnd;
 
-/* A body on its way through a step. */
+/* The working data of a body in a step. */
 typedef struct KeaBody {
     double theta;           /* 1/2: midpoint rule; 1: backward Euler */
     double size;            /* m, radius of gyration */

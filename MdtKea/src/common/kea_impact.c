@@ -111,7 +111,7 @@ static double changeOfRate(const MdtKeaSystem *s, int i, const double target[]) 
     return row->lower == -HUGE_VAL && row->upper == HUGE_VAL ? 0 : row->drift - row->target - kea_startRate(s, i);
 }
 
-/* One round: the contacts in `takesPart` (by normal row) get the relative velocities that they ask for, joints hold,
+/* One round: the contacts in `takesPart` (by normal row) get their target velocities, joints hold,
  * the rest does nothing. The change of velocities is left in `change`. */
 static void solveRound(MdtKeaSystem *s, const double target[], const char takesPart[], double (*change)[6]) {
     KeaProblem *q = &s->work->problem;

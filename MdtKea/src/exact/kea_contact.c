@@ -1,6 +1,7 @@
 /* Rows of contacts (Dynamics guide ch. 3, "MdtContact").
  *
- * n is the normal, the way the first body is pushed; t1 the primary direction, t2 = n x t1 the secondary. With r_k
+ * n is the normal, the direction in which the first body is pushed; t1 the primary direction, t2 = n x t1 the
+ * secondary. With r_k
  * from body k's centre to the contact, the row along d has J_0 = [d, r_0 x d], J_1 = -[d, r_1 x d]: its rate is the
  * velocity of body 0 against body 1 along d.
  *
