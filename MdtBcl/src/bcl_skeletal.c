@@ -6,7 +6,7 @@
  * swing has the coordinates σ = θ t: towards y the primary limit α holds, towards z the secondary one, β.
  *   cone:  f = |(σ_y/α, σ_z/β)| <= 1, one row, scaled to radians by the gradient of f.
  *          From da/dt = ω x a (axes of frame 1):  dθ/dt = cos θ t·a' - sin θ a'_x,   θ dt/dt = (θ/sin θ) (a' across t).
- *          The row of a hard side is met where the axis arrives.
+ *          A hard limit is a position row, met at the end of the step.
  *   twist: τ = 2 atan2(D_x, D_w), with D as a quaternion (w, v):
  *          dτ/dt = (w (w ω_x + ω_y v_z - ω_z v_y) + v_x v·ω) / (w² + v_x²).
  */
