@@ -310,7 +310,7 @@ static MeBool isLinkedBack(const Polytope *t, int g, int from, int to, int f) {
     return MEFALSE;
 }
 
-/* Each edge of each live facet is another one's, the other way round, and both know that. */
+/* For checks: each edge of a live facet is its neighbour's too, in the opposite direction, and links are mutual. */
 static MeBool isClosed(const Polytope *t) {
     for (int i = 0; i < t->facetCount; i++)
         for (int edge = 0; edge < 3 && t->offset[i] < INFINITY; edge++) {

@@ -592,11 +592,11 @@ static void fillVertices(McdHull *h, const Plan *p, const Cloud *c, const double
 static void fillNormal(McdHullFace *face, const McdHull *h, const Cloud *c, const double spare[3]) {
     newell((const double(*)[3])h->vertex, h->faceVertex + face->first, face->count, face->normal);
     const double size = sqrt(dot(face->normal, face->normal));
-    for (int k = 0; k < 3; k++) /* a sliver has no area to speak of, but Qhull's normal */
+    for (int k = 0; k < 3; k++) /* the area of a sliver is rounding: Qhull's normal is taken */
         face->normal[k] = size > 1e-12 * c->scale * c->scale ? face->normal[k] / size : spare[k];
 }
 
-/* Planes are so far out that all corners of their facets are behind them, those that vanished too. */
+/* The plane of each face passes through the farthest corner of its facets, removed ones included: all are behind it. */
 static void fillOffsets(McdHull *h, const Facets *f, const Cloud *c, const Regions *r, const int *faceOf) {
     for (int i = 0; i < h->faceCount; i++)
         h->face[i].offset = -DBL_MAX;

@@ -81,7 +81,7 @@ static void fromOwn(const McdShape *b, const double x[3], double out[3]) {
         out[i] = b->axis[0][i] * x[0] + b->axis[1][i] * x[1] + b->axis[2][i] * x[2];
 }
 
-/* Both in b's axes: the way out and the nearest point of its surface. */
+/* In b's axes: the outward normal and the nearest point of its surface. */
 static MeBool report(const McdShape *a, const McdShape *b, const double normal[3], const double nearest[3],
                      double separation, double limit, McdProximity *p) {
     double d[3];
