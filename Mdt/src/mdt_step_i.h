@@ -1,4 +1,4 @@
-/* Inside Mdt: a partition on its way through a step, and the stages that it passes.
+/* Inside Mdt: the working data of a partition in a step, and the stages of the step.
  *
  *     stage       file              reads -> writes
  *     partition   mdt_island.c      bodies, constraints -> the world's partitions; wakes what is tied to awake bodies
@@ -42,7 +42,7 @@ typedef struct MdtIsland {
     int number, numBodies, numActing;
     MdtBodyID *bodies;
     MdtConstraintID *acting; /* joints and manifolds */
-    double whole;            /* s, the step that the program asked for */
+    double whole;            /* s, the argument of MdtWorldStep */
     /* mdt_step.c, mdt_lag.c */
     double h; /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
     /* mdt_report.c */
@@ -60,7 +60,7 @@ typedef struct MdtIsland {
     double elapsed;                    /* s, of the step before that part */
     double work;                       /* multiplications that the step may still cost; MDT_NO_BOUND: any number */
     int iterations;                    /* of Newton's method, the same; 0: any number */
-    MeBool hasMet;                     /* bodies met as a part began */
+    MeBool hasMet;                     /* there was an impact at the start of a part */
     /* mdt_compose.c */
     MdtStage stage;
     double forward; /* the sum of the stages that go forward, over the part that they make up */
