@@ -225,7 +225,7 @@ static inline MeBool mst_areMaterialsSeen(const MstBridgeRecord *b) {
 static inline unsigned long mst_versionSeen(const MstMaterialPair *pair) {
     return ((const MstMaterialRecord *)pair)->version;
 }
-/* Pairs are about to be looked at: programs may have changed any input before, or in a callback. */
+/* Begins a round of pairs: inputs are compared anew, as programs may have changed them before, or in a callback. */
 void mst_beginRound(MstBridgeRecord *b);
 
 /* Room for the contacts of one pair, and of the rest of a run. False: there is no memory, and the run is as it was. */
@@ -305,7 +305,7 @@ MeBool mst_touchesAreConsistent(const MstEvents *e);
 void mst_touchesTerm(MstEvents *e);
 /* s, by which the pair's bodies are behind their world: those that are tied move together. */
 MeReal mst_lagOfPair(const McdModelPair *p);
-/* m/s, at which the models approach each other at a point, along the way in which the first one is pushed. */
+/* m/s: the approach speed of the models at a point, along the normal, which pushes the first one. */
 MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal);
 /* A contact's normal as it pushes the first model, whichever body its group has first. */
 void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
