@@ -18,55 +18,56 @@ MEPUBLIC void MEAPI McdFrameworkRenameLimits(McdFrameworkID frame, const char *t
 MEPUBLIC void MEAPI McdSpaceRenameLimits(McdSpaceID s, const char *models, const char *pairs);
 /** @} */
 
-/** Pairs that come, stay and go: outside of change blocks. */
+/** The number of hello, staying and goodbye pairs; outside of change blocks. */
 MEPUBLIC int MEAPI McdSpaceGetPairCount(McdSpaceID s);
 
 /** @name Workers
  *  @{ */
-/** Whose workers update the boxes of models from now on; null: nobody's. */
+/** Sets the workers that update the boxes of models; null: the calling thread alone. */
 MEPUBLIC void MEAPI McdSpaceSetTeam(McdSpaceID s, MeTeam *team);
-/** Looks at all models that are not frozen (McdModelPairLookAtModels), by the space's workers. */
+/** McdModelPairLookAtModels for all models that are not frozen, by the space's workers. */
 MEPUBLIC void MEAPI McdSpaceLookAtModels(McdSpaceID s);
 /** @} */
 
-/** @name Tests that need not be made again
+/** @name Change detection: tests that need not be repeated
  *  @{ */
-/** The framework's models stay as they are while pairs are asked, until this is called again. */
+/** Begins a round: until the next one, models do not change, and each is compared with its last inputs once. */
 MEPUBLIC void MEAPI McdFrameworkBeginRound(McdFrameworkID frame);
-/** Whether a test would find what was found before. */
+/** Whether the result of a pair's last test is still valid. */
 typedef enum McdPairChange {
-    McdPairHasChanged,  /**< who knows */
-    McdPairHasMoved,    /**< by little since the last test: what was found moves with the models */
-    McdPairIsUnchanged, /**< to the last bit since the pair was looked at last */
+    McdPairHasChanged,  /**< unknown: test it */
+    McdPairHasMoved,    /**< little relative motion since the last test: its contacts may be moved with the models */
+    McdPairIsUnchanged, /**< all inputs are equal, to the last bit, to those of the last McdModelPairLook */
 } McdPairChange;
-/** Looks at both models, if nobody has in this round: then looks at pairs of them write to the pairs alone, and may be
- *  taken by several threads at once. */
+/** Compares both models with their last inputs, unless that was done in this round. After it McdModelPairLook writes to
+ *  the pair only, so that several threads may call it for different pairs. */
 MEPUBLIC void MEAPI McdModelPairLookAtModels(const McdModelPair *p);
-/** Has somebody looked at both models in this round? */
+/** Whether both models have been compared in this round. */
 MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
-/** Looks at a pair of two convex models or planes, under the library's own interaction and without a callback, whose
- *  sizes and margins have not changed. By little: since the last test that was noted, no point of the smaller model has
- *  moved against the other by more than @a part of its size, or a quarter of the pair's margin; or, whatever the part,
- *  by as much as they were apart then (McdModelPairNoteApart), so that a test would find nothing; and only models that
- *  @a mayMove have moved since the pair was looked at last. */
+/** Compares a pair with its last test. Other results than McdPairHasChanged are given only for two convex models or
+ *  planes with the library's own interaction, without callbacks, and with unchanged sizes and margins. McdPairHasMoved:
+ *  since the last test (McdModelPairNoteTest) no point of the smaller model has moved relative to the other by more
+ *  than @a part of its size, or a quarter of the pair's margin; or, whatever the part, by as much as the models were
+ *  apart then (McdModelPairNoteApart), so that a test would find nothing; and only models that @a mayMove have moved
+ *  since the last call. */
 MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
 /** Is the pair two convex models or planes, under the library's own interaction and without a callback? Then no
  *  function of the program runs in its test. */
 MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);
-/** The pair is about to be tested. */
+/** Stores the inputs of the test that follows. */
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
-/** That test has found them so far apart at least, m (McdIntersectResult.apart). 0: it is not known, or they were not. */
+/** Stores the gap that the test has found, m, a lower bound (McdIntersectResult.apart); 0: unknown, or none. */
 MEPUBLIC void MEAPI McdModelPairNoteApart(McdModelPair *p, MeReal apart);
-/** What was found has been given away: the next answer is false. */
+/** Invalidates the last test: the next McdModelPairLook returns McdPairHasChanged. */
 MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** @} */
 
-/** @name What a model's geometry is
+/** @name Kinds of geometries
  *  MEFALSE, with a warning, for what is no model.
  *  @{ */
 /** Is it one convex shape, which can be cast (McdSpaceCastGeometry)? */
 MEPUBLIC MeBool MEAPI McdModelIsConvex(McdModelID cm);
-/** Is it a surface of triangles, of which McdSafeTime knows nothing? */
+/** Is it a surface of triangles, which McdSafeTime does not support? */
 MEPUBLIC MeBool MEAPI McdModelIsSurface(McdModelID cm);
 /** @} */
 

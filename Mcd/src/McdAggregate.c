@@ -1,4 +1,4 @@
-/* Aggregates: what they are made of, and how the whole follows from the parts. */
+/* Aggregates: their elements; AABB, bounding sphere and mass properties of the whole from those of the elements. */
 #include "McdAggregate.h"
 #include "mcd_geometries_i.h"
 #include "mcd_kind_i.h"
@@ -125,7 +125,7 @@ MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID id, int i) 
 /* Visits a part; finalTM is null if none was given. */
 typedef void (*PartFn)(McdGeometryInstance *part, const MeMatrix4Ptr finalTM, void *data);
 
-/* A model's instance has children; for the stand-ins of McdGeometry.h, parts are made up. */
+/* Visits all parts: children of a model's instance; of an instance without a model (McdGeometry.h) temporary ones. */
 static void forEachPart(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM, PartFn f, void *data) {
     const McdAggregate *a = (const McdAggregate *)ins->geometry;
     McdGeometryInstance *child = ins->firstChild;

@@ -133,7 +133,8 @@ static int farthestByClimbing(const McdHull *h, const double d[3]) {
             }
         }
     } while (next != here);
-    /* Corners that flatness let vanish are missing from the walk: local bests may be that much below. */
+    /* Corners that were removed within mcd_hull.c's flatness are not walked over: a local maximum may be lower by as
+     * much. */
     MEVALIDATE(most >= mcd_dot(h->vertex[farthestOfAll(h, d)], d) - 1e-6 * h->extent * mcd_length(d));
     return here;
 }
@@ -159,7 +160,7 @@ static void hullFace(const McdShape *s, const double direction[3], McdFace *f) {
         }
     }
     const McdHullFace *face = &h->face[best];
-    /* Of more corners than there is place for, some all round it. */
+    /* A face with more corners than fit is sampled evenly. */
     const int count = MeMIN(face->count, MCD_FACE_POINTS - 1);
     MEASSERT(face->count >= 3 && face->first >= 0);
     mcd_shapeDirection(s, face->normal[0], face->normal[1], face->normal[2], f->normal);

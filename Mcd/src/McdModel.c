@@ -134,7 +134,7 @@ static void freeRelative(McdModelRecord *m) {
     m->ownsRelative = MEFALSE;
 }
 
-/* Tells whoever keeps models by body. */
+/* Calls mLeave, by which the model is removed from its body's list. */
 static void leaveBody(McdModelRecord *m) {
     if (m->model.mLeave)
         m->model.mLeave(&m->model);
@@ -521,7 +521,7 @@ MeBool MEAPI McdModelIsSwept(McdModelID cm) {
 
 MeReal MEAPI McdModelGetFastMargin(McdModelID cm) {
     const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFastMargin");
-    return m && m->isFast ? m->ahead : 0;
+    return m && m->isFast ? m->travel : 0;
 }
 
 void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor) {

@@ -1,4 +1,4 @@
-/* Places for the pairs that a space hands over. */
+/* Containers, arrays that a space fills with its pairs. */
 #include "McdModelPairContainer.h"
 #include "MeAssert.h"
 #include "MeInternal.h"

@@ -3,10 +3,10 @@
 #include "mcd_kind_i.h"
 #include "mcd_local_i.h"
 
-/* As far as planes reach: sums and differences of such numbers are finite. */
+/* The extent given for unbounded planes: sums and differences of such numbers are finite. */
 static const double reach = (double)(MEINFINITY / 4);
 
-/* Of an endless shape there is no farthest point; this one is in the right direction. */
+/* A half-space has no farthest point; the result is a far point in that direction. */
 static void support(const McdGeometry *g, const double d[3], double point[3]) {
     (void)g;
     point[0] = d[0] > 0 ? reach : d[0] < 0 ? -reach : 0;

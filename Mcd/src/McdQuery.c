@@ -7,19 +7,19 @@
 #include <string.h>
 
 enum { MAX_ADVANCES = 100, MAX_PIECES = 64 };
-static const double touching = 1e-7; /* of the sizes: so near, shapes count as touching; 1e-6 in single */
+static const double touching = 1e-7; /* relative to the sizes: gap at which shapes count as touching; 1e-6 in single */
 
-/* ---- what all have ----------------------------------------------------------------------------------------------- */
+/* ---- common to all queries --------------------------------------------------------------------------------------- */
 
 typedef struct Query {
     const McdSpace *space;
     McdLineSegIntersectEnableCallback filter;
     void *filterData;
-    McdModelID self; /* is not met */
+    McdModelID self; /* excluded from the results */
     double origin[3];
     McdShape shape; /* the querying shape, relative to the origin */
     double min[3], max[3];
-    double reach;     /* triangles farther away do not count */
+    double reach;     /* m: triangles farther away are ignored */
     McdModelID *list; /* overlaps */
     int count, listSize;
 } Query;
@@ -371,7 +371,7 @@ static MeBool clip(const Cast *c, McdGeometryInstance *part, double *enter, doub
     return *enter <= *leave;
 }
 
-/* Piece by piece, so that the box around a piece has few triangles that are not near the way. */
+/* In pieces of the motion, so that the box around each has few triangles that are not near the swept shape. */
 static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *part) {
     MeshCast m = {c, cm, part};
     double enter, leave;

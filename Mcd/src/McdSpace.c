@@ -71,7 +71,7 @@ static void freeSpace(McdSpace *s) {
     MeMemoryGive(s->changes);
     MeMemoryGive(s->unbounded);
     MeMemoryGive(s->awake);
-    MeMemoryGive(s->news);
+    MeMemoryGive(s->updates);
     s->magic = 0;
     MeMemoryGive(s);
 }
@@ -81,7 +81,7 @@ static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
     const size_t room = (size_t)s->proxyRoom, more = (size_t)count;
     if (!MeMemoryGrow(&s->dirty, room, more, sizeof *s->dirty, function, "models that moved") ||
         !MeMemoryGrow(&s->awake, room, more, sizeof *s->awake, function, "models that are updated") ||
-        !MeMemoryGrow(&s->news, room, more, sizeof *s->news, function, "models that are updated") ||
+        !MeMemoryGrow(&s->updates, room, more, sizeof *s->updates, function, "models that are updated") ||
         !MeMemoryGrow(&s->unbounded, room, more, sizeof *s->unbounded, function, "models without bounds"))
         return MEFALSE;
     McdProxy *proxy = MeMemoryTakeAligned(more, sizeof *proxy, MCD_CACHE_LINE, function, "boxes of models");
@@ -101,7 +101,7 @@ static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
     return METRUE;
 }
 
-/* There is a free proxy then. */
+/* Makes sure that there is a free proxy. */
 static MeBool makeRoom(McdSpace *s, const char *function) {
     enum { FIRST_ROOM = 64 };
     if (s->freeProxy != MCD_NONE)
@@ -288,8 +288,8 @@ static MeBool isWithinFatBox(const McdProxy *p) {
     return METRUE;
 }
 
-/* The model will move on as it moved in the last step: where it will be in four more is in, but not more than twice
- * its size. */
+/* Predictive enlargement: the fat box covers four more steps of the last step's motion, but at most twice the model's
+ * size. */
 static void fatten(McdProxy *p, const double moved[3]) {
     const double size = sizeOf(p, largestSide(p)), margin = fatMargin(p, size), rounding = 4 * (double)ME_EPSILON;
     double min[3], max[3];
@@ -333,7 +333,7 @@ static void dropLeaf(McdSpace *s, McdProxy *p) {
     p->leaf = 0;
 }
 
-/* An unbounded box would overlap all of the tree: there are few of them, and they are visited one by one. */
+/* Unbounded boxes (planes) are not in the tree, as they overlap all of it: they are few, and tested one by one. */
 static void putUnbounded(McdSpace *s, McdProxy *p) {
     dropLeaf(s, p);
     MEASSERT(s->unboundedCount - p->isUnbounded < s->proxyRoom);
@@ -350,23 +350,23 @@ static void putInTree(McdSpace *s, McdProxy *p) {
         p->leaf = mcd_treeInsert(s->tree, &p->fat, indexOf(s, p));
     if (!p->leaf) {
         MeFatalError(0, "%s: no memory for the tree of boxes", MeCallerName("McdSpaceUpdateModel"));
-        putUnbounded(s, p); /* slower, and right */
+        putUnbounded(s, p); /* no memory: slower, but correct */
     }
 }
 
 /* The result of a proxy's update. */
-typedef enum McdBoxNews {
+typedef enum McdBoxUpdate {
     MCD_BOX_KEPT,
-    MCD_BOX_MOVED,   /* within its fat one */
-    MCD_BOX_TOUCHED, /* the same, and its proxy has been marked as dirty: it is to be listed */
-    MCD_BOX_LEFT,    /* which is another one now */
+    MCD_BOX_MOVED,   /* within its fat box */
+    MCD_BOX_TOUCHED, /* the same, and the proxy has become dirty: add it to the list */
+    MCD_BOX_LEFT,    /* left its fat box, which is a new one now */
     MCD_BOX_UNSET,   /* there is no transform */
     MCD_BOX_UNBOUND, /* not a number, or infinite */
-    MCD_BOX_LATER,   /* not looked at */
-} McdBoxNews;
+    MCD_BOX_LATER,   /* left to the calling thread */
+} McdBoxUpdate;
 
 /* Takes the model's box over. Writes to the proxy alone. */
-static McdBoxNews takeBox(McdProxy *p) {
+static McdBoxUpdate takeBox(McdProxy *p) {
     const McdModelRecord *m = p->model;
     double moved[3] = {0, 0, 0};
     MeBool isSame = p->hasBox && p->tolerance == mcd_modelReach(m);
@@ -389,12 +389,12 @@ static McdBoxNews takeBox(McdProxy *p) {
     return MCD_BOX_LEFT;
 }
 
-/* The changes to shared data of the space, after a box has been taken over. */
-static void placeBox(McdSpace *s, McdProxy *p, McdBoxNews news) {
-    if (news == MCD_BOX_KEPT)
+/* Changes to shared data of the space that follow an update of a box. */
+static void placeBox(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
+    if (update == MCD_BOX_KEPT)
         return;
     mcd_proxyTouch(s, indexOf(s, p));
-    if (news != MCD_BOX_LEFT)
+    if (update != MCD_BOX_LEFT)
         return;
     if (isWithoutBounds(largestSide(p)))
         putUnbounded(s, p);
@@ -424,8 +424,8 @@ static void updateBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
         McdModelUpdate(&m->model);
 }
 
-static void lookNowhere(McdModelRecord *m) {
-    m->lookAhead = m->ahead = m->turnAhead = 0;
+static void clearLookAhead(McdModelRecord *m) {
+    m->lookAhead = m->travel = m->turnTravel = 0;
     m->isFast = MEFALSE;
 }
 
@@ -433,7 +433,7 @@ static MeReal rateOf(const MeReal *velocity) {
     return velocity ? MeVector3Magnitude(velocity) : 0;
 }
 
-/* Half of its least extent along its own axes. */
+/* m: half of the model's least extent along its own axes, at most `most`. */
 static MeReal thicknessOf(McdModelRecord *m, MeReal most) {
     MeReal least = most;
     for (int i = 0; i < 3; i++) {
@@ -448,55 +448,56 @@ static MeReal thicknessOf(McdModelRecord *m, MeReal most) {
     return MeMAX(least, 0);
 }
 
-/* A swept model that moves far is tested for its time of impact (McdSafeTime), and has contacts only when it has
- * arrived: contacts ahead of time would be at its present place, not at that of the impact. */
-static void sweep(McdModelRecord *m, MeReal reach, MeReal way, MeReal turn) {
+/* The margin of a swept model: one that moves by more than its thickness is tested for its time of impact
+ * (McdSafeTime), and gets nearly no speculative contacts, which would be at its present position instead of that of the
+ * impact. */
+static void setSweptMargin(McdModelRecord *m, MeReal reach, MeReal displacement, MeReal turn) {
     const MeReal thickness = thicknessOf(m, reach);
-    m->isFast = way + turn > thickness;
-    m->ahead = m->isFast ? MeMAX((MeReal)0.02 * thickness, (MeReal)(3 * MCD_TOUCH) * reach) : way + turn;
-    m->turnAhead = MeMIN(turn, m->ahead);
+    m->isFast = displacement + turn > thickness;
+    m->travel = m->isFast ? MeMAX((MeReal)0.02 * thickness, (MeReal)(3 * MCD_TOUCH) * reach) : displacement + turn;
+    m->turnTravel = MeMIN(turn, m->travel);
 }
 
-/* How far the model may get in the time that the space looks ahead: no farther than its own radius, or things that it
- * would pass by would be in its way. */
+/* m: the distance that the model may move in the space's look-ahead time, at most its own radius: with more, it would
+ * get speculative contacts with obstacles that it passes by. */
 static void lookAhead(const McdSpace *s, McdModelRecord *m) {
     MeVector3 centre;
     MeReal radius;
-    lookNowhere(m);
+    clearLookAhead(m);
     if (!(s->lookAhead > 0) || (!m->linearVelocity && !m->angularVelocity))
         return;
     McdGeometryGetBSphere(m->instance.geometry, centre, &radius);
     const MeReal reach = MeVector3Magnitude(centre) + radius;
     const MeReal turn = s->lookAhead * rateOf(m->angularVelocity) * reach;
-    const MeReal way = s->lookAhead * rateOf(m->linearVelocity);
+    const MeReal displacement = s->lookAhead * rateOf(m->linearVelocity);
     m->lookAhead = s->lookAhead;
-    m->turnAhead = MeMIN(turn, radius);
-    m->ahead = MeMIN(way + turn, radius);
+    m->turnTravel = MeMIN(turn, radius);
+    m->travel = MeMIN(displacement + turn, radius);
     if (m->isSwept)
-        sweep(m, reach, way, turn);
-    if (!MeRealIsValid(m->ahead) || !MeRealIsValid(m->turnAhead))
-        lookNowhere(m);
-    MEASSERT(m->ahead >= 0 && m->turnAhead >= 0 && m->turnAhead <= m->ahead);
+        setSweptMargin(m, reach, displacement, turn);
+    if (!MeRealIsValid(m->travel) || !MeRealIsValid(m->turnTravel))
+        clearLookAhead(m);
+    MEASSERT(m->travel >= 0 && m->turnTravel >= 0 && m->turnTravel <= m->travel);
 }
 
-/* Are the model's box and margin what an update would give? Not known with a callback, its own or the space's, which
- * may give any, or with a relative transform, which is applied in the update. */
+/* Whether the model's box and margin are still valid. Unknown, so false, with an update callback of the model or the
+ * space, or a relative transform, which is applied in the update. */
 static MeBool isUpToDate(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     return !m->update && !s->update && !m->relTM && mcd_modelStamp(m) != 0 && m->stamp == m->boxStamp &&
-           m->boxDuration == duration && m->boxAhead == s->lookAhead;
+           m->boxDuration == duration && m->boxLookAhead == s->lookAhead;
 }
 
-/* Pairs that were tested under another margin see another stamp. */
-static void noteBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
-    if (m->boxDuration != duration || m->boxAhead != s->lookAhead)
+/* Marks the box as valid; another margin gives another stamp, as tests depend on it. */
+static void markBoxValid(const McdSpace *s, McdModelRecord *m, MeReal duration) {
+    if (m->boxDuration != duration || m->boxLookAhead != s->lookAhead)
         m->stamp = m->stamp ? mcd_modelNewStamp(m) : 0;
     m->boxStamp = m->stamp; /* 0 until it was looked at once */
     m->boxDuration = duration;
-    m->boxAhead = s->lookAhead;
+    m->boxLookAhead = s->lookAhead;
 }
 
 /* Writes to the proxy and its model alone. */
-static McdBoxNews updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
+static McdBoxUpdate updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
     McdModelRecord *m = p->model;
     if (p->hasBox && isUpToDate(s, m, duration))
         return MCD_BOX_KEPT;
@@ -510,20 +511,20 @@ static McdBoxNews updateProxy(const McdSpace *s, McdProxy *p, MeReal duration) {
     }
     p->isWarned = MEFALSE;
     lookAhead(s, m);
-    const McdBoxNews news = takeBox(p);
-    noteBox(s, m, duration);
-    return news;
+    const McdBoxUpdate update = takeBox(p);
+    markBoxValid(s, m, duration);
+    return update;
 }
 
 /* With the warning that belongs to it, where a transform is bad. */
-static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxNews news) {
-    MEASSERT(news != MCD_BOX_LATER && news != MCD_BOX_TOUCHED);
-    if (news == MCD_BOX_UNSET)
+static void applyUpdate(McdSpace *s, McdProxy *p, McdBoxUpdate update) {
+    MEASSERT(update != MCD_BOX_LATER && update != MCD_BOX_TOUCHED);
+    if (update == MCD_BOX_UNSET)
         warnOfTransform(p, "is not set");
-    else if (news == MCD_BOX_UNBOUND)
+    else if (update == MCD_BOX_UNBOUND)
         warnOfTransform(p, "or box is not finite");
     else
-        placeBox(s, p, news);
+        placeBox(s, p, update);
 }
 
 /* ---- updating ---------------------------------------------------------------------------------------------------- */
@@ -573,9 +574,9 @@ typedef struct Updating {
 
 /* What has moved within its fat box is dirty now: then the calling thread has only to list it, and need not have the
  * proxy in its cache. */
-static McdBoxNews touch(McdProxy *p, McdBoxNews news) {
-    if (news != MCD_BOX_MOVED)
-        return news;
+static McdBoxUpdate touch(McdProxy *p, McdBoxUpdate update) {
+    if (update != MCD_BOX_MOVED)
+        return update;
     if (p->isDirty)
         return MCD_BOX_KEPT;
     p->isDirty = METRUE;
@@ -589,7 +590,8 @@ static void MEAPI updateRange(void *context, int first, int end, int worker) {
     (void)worker;
     for (int i = first; i < end; i++) {
         McdProxy *p = &s->proxy[s->awake[i]];
-        s->news[i] = (MeU8)(mcd_modelStamp(p->model) != 0 ? touch(p, updateProxy(s, p, u->duration)) : MCD_BOX_LATER);
+        s->updates[i] =
+            (MeU8)(mcd_modelStamp(p->model) != 0 ? touch(p, updateProxy(s, p, u->duration)) : MCD_BOX_LATER);
     }
 }
 
@@ -619,10 +621,11 @@ static void updateByWorkers(McdSpace *s, MeReal duration) {
     MeTeamClose(s->team);
     for (int i = 0; i < count; i++) {
         McdProxy *p = &s->proxy[s->awake[i]];
-        if (s->news[i] == MCD_BOX_TOUCHED)
+        if (s->updates[i] == MCD_BOX_TOUCHED)
             s->dirty[s->dirtyCount++] = s->awake[i];
-        else if (s->news[i] != MCD_BOX_KEPT)
-            applyUpdate(s, p, s->news[i] == MCD_BOX_LATER ? updateProxy(s, p, duration) : (McdBoxNews)s->news[i]);
+        else if (s->updates[i] != MCD_BOX_KEPT)
+            applyUpdate(s, p,
+                        s->updates[i] == MCD_BOX_LATER ? updateProxy(s, p, duration) : (McdBoxUpdate)s->updates[i]);
     }
     MEASSERT(s->dirtyCount <= s->proxyRoom);
 }
@@ -725,7 +728,7 @@ static MeBool setFrozen(McdModelID cm, MeBool isFrozen, const char *function) {
     p->isFrozen = isFrozen;
     p->model->space->awakeCount = MCD_NONE;
     if (isFrozen) { /* it does not move */
-        lookNowhere(p->model);
+        clearLookAhead(p->model);
         p->tolerance = mcd_modelReach(p->model);
     } else {
         wake(p->model->space, p);
@@ -789,7 +792,7 @@ static void releaseModel(McdSpace *s, McdProxy *p) {
     dropLeaf(s, p);
     dropUnbounded(s, p);
     unlinkAwake(s, p);
-    lookNowhere(p->model);
+    clearLookAhead(p->model);
     p->model->space = 0;
     p->model->proxy = 0;
     p->model = 0;

@@ -1,4 +1,4 @@
-/* The triangle list: a box, and a callback that knows what is in it. */
+/* The triangle list: a box, and a program's callback that returns the triangles in it near a point. */
 #include "McdTriangleList.h"
 #include "mcd_geometries_i.h"
 #include "mcd_kind_i.h"

@@ -10,7 +10,7 @@
 typedef struct PartPairs PartPairs;
 struct PartPairs {
     McdModelPair *pair;
-    MeReal margin; /* how far boxes may be apart; negative: as far as they like */
+    MeReal margin; /* m: pairs of parts whose boxes are farther apart are skipped; negative: none are */
     void (*visit)(PartPairs *, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2);
     void *data;
 };

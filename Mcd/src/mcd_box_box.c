@@ -1,17 +1,18 @@
-/* Two boxes by the separating-axis theorem: of the 15 directions across their faces and across pairs of their edges,
- * the one along which they overlap least is the shortest way apart. */
+/* Two boxes by the separating axis theorem (Gottschalk, Lin and Manocha, OBBTree, 1996): of the 15 axes, face normals
+ * and cross products of edges, the one with the least overlap is the contact normal. */
 #include "mcd_nearfield_i.h"
 
-/* Faces win against edges that are better by less, relative to the smaller box: so a resting box keeps its face. */
+/* Relative to the smaller box: an edge axis has to be better than a face axis by more, so that a resting box keeps its
+ * face. */
 static const double faceBias = 2e-7;
-/* Edges closer to parallel than this (sine) give no direction that the faces don't. */
+/* Pairs of edges with a smaller sine are parallel: their cross product is skipped. */
 static const double parallelSine = 1e-7;
 
 /* Both boxes in the axes of the first. */
 typedef struct Boxes {
     const double *sizeA, *sizeB;
     double apart[3];    /* from b's centre to a's */
-    double turn[3][3];  /* turn[i][j]: a's axis i . b's axis j */
+    double turn[3][3];  /* relative rotation: turn[i][j] = a's axis i . b's axis j */
     double steep[3][3]; /* |turn| */
 } Boxes;
 

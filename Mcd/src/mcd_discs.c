@@ -130,8 +130,8 @@ double mcd_discsRadius(const McdShape *s, const double outward[3], const double 
     return (lower + t * (upper - lower)) / out;
 }
 
-/* Where the axis is not the normal, a rim, or the side, touches with the point of a circle about the axis that lies
- * farthest along the normal. */
+/* The radius of the circle about the axis on which the contact point lies, on a rim or on the side; 0 where a disc
+ * touches flat, the normal being the axis. */
 double mcd_discsRim(const McdShape *s, const double outward[3], const double point[3]) {
     static const double least = .05, near = .9987502603949663; /* rad: nearer to the axis it is a disc that touches */
     const double up = mcd_dot(s->axis[2], outward);

@@ -9,20 +9,21 @@
  * nearest facet from below and by a supporting plane of M from above. For polyhedra both meet exactly, on a facet
  * of M; for round shapes at `tolerance`.
  *
- * libccd does the same, but its EPA leaves exactly aligned cubes without a normal and gets a quarter of the depths
- * of nearly aligned ones wrong, so this is our own: what is returned was measured by a support point, never taken
- * from a facet's plane alone. */
+ * libccd has the same algorithms, but its EPA finds no normal for exactly aligned cubes, and wrong depths in a quarter
+ * of nearly aligned ones. Here the result is always measured by a support point, never taken from a facet's plane
+ * alone. */
 #include "mcd_kind_i.h"
 
 #include <string.h>
 
-/* Relative to the smaller shape; the second is what the larger one's coordinates can resolve. */
+/* Of distances, relative to the smaller shape; rounding of coordinates, relative to the larger one. */
 static const double tolerance = 1e-9, resolution = 1e-14;
-/* A face's normal is taken if no other can be better by more than this: half of what mcd_grid.c gives faces anyway. */
+/* A face's normal is taken if no other direction can have a separation larger by more than this (relative to the
+ * smaller shape): half of the preference that mcd_grid.c gives to faces. */
 static const double guessTolerance = 1e-7;
 enum { GJK_STEPS = 96 };
 
-/* A point of M, and where it comes from. */
+/* A point w = a - b of M, with its points of A and B. */
 typedef struct Corner {
     double w[3], a[3], b[3];
 } Corner;
@@ -32,7 +33,7 @@ typedef struct Pair {
     double tolerance, guessTolerance; /* lengths */
 } Pair;
 
-/* A direction that may be the normal, and the separation along it. */
+/* A candidate for the normal, and the separation along it. */
 typedef struct Guess {
     double normal[3], separation;
 } Guess;
@@ -42,7 +43,7 @@ static Pair makePair(const McdShape *a, const McdShape *b) {
     return (Pair){a, b, MeMAX(tolerance * small, resolution * large), guessTolerance * small};
 }
 
-/* M's farthest point in a direction. */
+/* The support point of M in a direction. */
 static void farthest(const Pair *p, const double direction[3], Corner *c) {
     const double back[3] = {-direction[0], -direction[1], -direction[2]};
     mcd_coreSupport(p->a, direction, c->a);
@@ -101,7 +102,7 @@ static void offerEdge(const Simplex *s, int i, int j, Candidate *best) {
     keepIfNearer(best, &c);
 }
 
-/* The origin's foot on the triangle's plane is inside if all three parts of the area have the same sign. */
+/* The projection of the origin on the triangle's plane is inside if the areas of all three parts have the same sign. */
 static void offerFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
     const double *p = s->corner[i].w, *q = s->corner[j].w, *r = s->corner[k].w;
     double pq[3], pr[3], n[3], x[3], part[3];
@@ -126,7 +127,7 @@ static void offerFacet(const Simplex *s, int i, int j, int k, Candidate *best) {
 }
 
 /* Is the origin on the same side of each face as the corner opposite? */
-static MeBool holdsOrigin(const Simplex *s) {
+static MeBool containsOrigin(const Simplex *s) {
     const double *p = s->corner[0].w, *q = s->corner[1].w, *r = s->corner[2].w, *t = s->corner[3].w;
     double qr[3], rt[3], tq[3], part[4];
     mcd_cross(qr, q, r);
@@ -141,11 +142,11 @@ static MeBool holdsOrigin(const Simplex *s) {
 }
 
 /* Finds the nearest point among all parts of the simplex that have its newest, last corner, and keeps that part: the
- * parts without it were beaten by the point from which the newest corner was looked for. */
+ * parts without it are farther than the previous nearest point, whose direction gave the newest corner. */
 static void reduce(Simplex *s) {
     const int last = s->count - 1;
     Candidate best = {.squared = INFINITY};
-    s->inside = s->count == 4 && holdsOrigin(s);
+    s->inside = s->count == 4 && containsOrigin(s);
     if (s->inside)
         return;
     offerCorner(s, last, &best);
@@ -173,7 +174,7 @@ static MeBool isCorner(const Simplex *s, const Corner *c) {
     return MEFALSE;
 }
 
-static void startGjk(const Pair *p, Simplex *s) {
+static void beginGjk(const Pair *p, Simplex *s) {
     double v[3];
     mcd_sub(v, p->b->place, p->a->place);
     if (!(mcd_dot(v, v) > 0))
@@ -188,7 +189,7 @@ typedef enum { BEYOND_LIMIT, SEPARATED, OVERLAPPING } GjkResult;
 /* Iterates until the plane through the nearest point supports M: no point of M is nearer. Beyond the limit, `bound` is
  * what all points of M are farther than. */
 static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) {
-    startGjk(p, s);
+    beginGjk(p, s);
     for (int step = 0; step < GJK_STEPS; step++) {
         const double distance = sqrt(s->squared);
         if (!(distance > p->tolerance))
@@ -205,7 +206,7 @@ static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) 
         next.count++;
         reduce(&next);
         if (!next.inside && next.squared >= s->squared)
-            return SEPARATED; /* rounding: it gets no nearer */
+            return SEPARATED; /* no progress: rounding */
         *s = next;
         if (s->inside)
             return OVERLAPPING;
@@ -253,10 +254,10 @@ typedef struct Facet {
 typedef struct Polytope {
     Corner corner[MAX_CORNERS];
     Facet facet[MAX_FACETS];
-    double offset[MAX_FACETS]; /* of the live ones; infinite for the others: what is searched every round */
+    double offset[MAX_FACETS]; /* of live facets, INFINITY of others: searched for the least in every round */
     int cornerCount, facetCount, freeCount, freeFacet[MAX_FACETS], startsAt[MAX_CORNERS];
     double epsilon;
-    double normal[3], support; /* the best direction so far, and how far M reaches along it */
+    double normal[3], support; /* the best direction so far; the support of M along it, which bounds the depth */
 } Polytope;
 
 /* Makes the facet's plane; false if its corners are on a line. */
@@ -310,7 +311,7 @@ static MeBool isLinkedBack(const Polytope *t, int g, int from, int to, int f) {
     return MEFALSE;
 }
 
-/* Each edge of each live facet is another one's, the other way round, and both know that. */
+/* For checks: each edge of a live facet is its neighbour's too, in the opposite direction, and links are mutual. */
 static MeBool isClosed(const Polytope *t) {
     for (int i = 0; i < t->facetCount; i++)
         for (int edge = 0; edge < 3 && t->offset[i] < INFINITY; edge++) {
@@ -426,8 +427,8 @@ static void keepGuess(Polytope *t, const Guess *guess) {
     mcd_scale(t->normal, guess->normal, -1);
 }
 
-/* Grows the polytope until the plane of its nearest facet supports M. Where rounding spoils its shape it stops,
- * with the best plane so far: a true bound, if not the least. */
+/* Expands the polytope until the plane of its nearest facet supports M. If rounding makes it degenerate, the result is
+ * the best plane so far: an upper bound of the depth, not the least. */
 static void runEpa(const Pair *p, const Guess *guess, Polytope *t) {
     int seen[MAX_FACETS];
     t->support = INFINITY;
@@ -461,8 +462,8 @@ static void runEpa(const Pair *p, const Guess *guess, Polytope *t) {
 
 /* ---- overlapping: the first tetrahedron ---------------------------------------------------------------------- */
 
-/* How far w is from the point, line or plane of the first corners. */
-static double awayFrom(const Polytope *t, const double w[3]) {
+/* The distance of w from the point, line or plane through the corners so far. */
+static double distanceFromHull(const Polytope *t, const double w[3]) {
     const double *p = t->corner[0].w;
     double x[3], y[3], z[3], n[3];
     mcd_sub(x, w, p);
@@ -477,8 +478,8 @@ static double awayFrom(const Polytope *t, const double w[3]) {
     return fabs(mcd_dot(n, x)) / mcd_length(n);
 }
 
-/* Directions away from the first corners: any; across a line; across a plane. */
-static int directionsAway(const Polytope *t, double d[6][3]) {
+/* Directions orthogonal to the affine hull of the corners so far: all axes; across a line; across a plane. */
+static int orthogonalDirections(const Polytope *t, double d[6][3]) {
     double x[3], y[3], u[3], w[3];
     mcd_set(u, 1, 0, 0);
     mcd_set(w, 0, 1, 0);
@@ -504,14 +505,14 @@ static int directionsAway(const Polytope *t, double d[6][3]) {
     return 2 * count;
 }
 
-/* The farthest from the first corners that M has; false if that is nothing. */
+/* Adds the support point farthest from the affine hull of the corners so far; false if M is flat there. */
 static MeBool addFarthest(const Pair *p, Polytope *t) {
     double d[6][3], most = 0;
-    const int count = directionsAway(t, d);
+    const int count = orthogonalDirections(t, d);
     for (int i = 0; i < count; i++) {
         Corner c;
         farthest(p, d[i], &c);
-        const double away = awayFrom(t, c.w);
+        const double away = distanceFromHull(t, c.w);
         if (away > most) {
             most = away;
             t->corner[t->cornerCount] = c;
@@ -541,13 +542,13 @@ static Simplex nearestOfFacets(const Simplex *s) {
     return best;
 }
 
-/* M is a point, line or plane polygon, to within the tolerance: the shortest way out is across it. Which of all such
- * directions it is, is a convention: for a plane the better one, else that from the first shape's origin to the plane's
- * side where corners turn counter-clockwise; for a line or a point the first that is across. GJK ended at a point
- * of M that is the origin, to within the tolerance. */
+/* M is a point, line or plane polygon, to within the tolerance, and contains the origin: the depth is 0 and every
+ * direction orthogonal to M is a normal. By convention of a plane the one with the larger separation, if equal the side
+ * from which its corners are counter-clockwise; of a line or a point the first orthogonal axis. Witness points are
+ * those where GJK ended. */
 static void reportFlat(const Pair *p, const Simplex *s, const Polytope *t, McdProximity *out) {
     double d[6][3];
-    const int count = directionsAway(t, d);
+    const int count = orthogonalDirections(t, d);
     for (int i = 0; i < count; i++) {
         const double along = mcd_separationAlong(p->a, p->b, d[i]);
         if (i == 0 || along > out->separation + p->tolerance) {
@@ -560,12 +561,13 @@ static void reportFlat(const Pair *p, const Simplex *s, const Polytope *t, McdPr
     weighted(corner, end.weight, end.count, out);
 }
 
-/* From the corners of GJK's simplex, which surround the origin, as far as they are apart from each other. */
+/* The first tetrahedron: corners of GJK's simplex, which contains the origin, as far as these are apart from each
+ * other, completed by support points. */
 static MeBool startPolytope(const Pair *p, const Simplex *s, Polytope *t) {
     t->cornerCount = t->facetCount = t->freeCount = 0;
     t->epsilon = .1 * p->tolerance;
     for (int i = 0; i < s->count; i++)
-        if (!t->cornerCount || awayFrom(t, s->corner[i].w) > .02 * mcd_pairSize(p->a, p->b))
+        if (!t->cornerCount || distanceFromHull(t, s->corner[i].w) > .02 * mcd_pairSize(p->a, p->b))
             t->corner[t->cornerCount++] = s->corner[i];
     while (t->cornerCount < 4)
         if (!addFarthest(p, t))
@@ -611,8 +613,8 @@ static int facetUnderOrigin(const Polytope *t, double weight[3]) {
     return best;
 }
 
-/* Both ends of the way out: points of the cores whose difference is the point of M that is nearest to the origin. The
- * distance of the polytope from M's boundary there, at most the tolerance of the depth, is shared between them. */
+/* Witness points: points of the cores whose difference is the point of M's boundary nearest to the origin. The distance
+ * of the polytope from that boundary, at most the tolerance, is divided evenly between the two. */
 static void reportPenetration(const Polytope *t, McdProximity *out) {
     double weight[3], lack[3], sum = 0;
     const int facet = facetUnderOrigin(t, weight);
@@ -643,7 +645,7 @@ static void findPenetration(const Pair *p, const Simplex *s, const Guess *guess,
     reportPenetration(&t, out);
 }
 
-/* ---- a guess: the faces' normals ------------------------------------------------------------------------------- */
+/* ---- guesses: normals of flat faces ------------------------------------------------------------------------------ */
 
 static void tryAxis(const Pair *p, const double axis[3], const double apart[3], Guess *g) {
     double n[3];
@@ -655,8 +657,8 @@ static void tryAxis(const Pair *p, const double axis[3], const double apart[3], 
     mcd_copy(g->normal, n);
 }
 
-/* The normals of its flat faces: what stands has its normal there. */
-static void guessFrom(const Pair *p, const McdShape *s, const double apart[3], Guess *g) {
+/* Tries the normals of a shape's flat faces: resting contacts mostly have one of them. */
+static void tryFaceNormals(const Pair *p, const McdShape *s, const double apart[3], Guess *g) {
     for (int i = 0; i < 3; i++)
         if (s->kind->flatAxes & 1u << i)
             tryAxis(p, s->axis[i], apart, g);
@@ -666,8 +668,8 @@ static Guess guessAxis(const Pair *p) {
     Guess g = {.separation = -INFINITY};
     double apart[3];
     mcd_sub(apart, p->a->place, p->b->place);
-    guessFrom(p, p->a, apart, &g);
-    guessFrom(p, p->b, apart, &g);
+    tryFaceNormals(p, p->a, apart, &g);
+    tryFaceNormals(p, p->b, apart, &g);
     return g;
 }
 
@@ -679,8 +681,8 @@ void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p) {
     mcd_copy(p->normal, g.normal);
 }
 
-/* M's farthest points almost along d, a little to four sides: of a face across d, corners on all sides. */
-static void aroundFace(const Pair *p, const double d[3], double corner[4][3]) {
+/* Support points of M in four directions slightly off d: corners on all sides of a face orthogonal to d. */
+static void cornersAroundFace(const Pair *p, const double d[3], double corner[4][3]) {
     /* Points that are not exactly across d are lower by at most this part of the size. */
     static const double aside = 1e-8;
     /* Turned from the axes, along which a box's corners are as far as each other. */
@@ -697,9 +699,9 @@ static void aroundFace(const Pair *p, const double d[3], double corner[4][3]) {
     }
 }
 
-/* How far inside of the plane through an edge of the pyramid's base, counter-clockwise, and its tip the origin is;
- * infinite for an edge of no length. */
-static double insideSide(const double from[3], const double to[3], const double tip[3]) {
+/* The distance of the origin, positive inside, from the side plane of a pyramid through a base edge (counter-clockwise)
+ * and the tip; INFINITY for an edge without length. */
+static double distanceInside(const double from[3], const double to[3], const double tip[3]) {
     double along[3], up[3], n[3];
     mcd_sub(along, to, from);
     mcd_sub(up, tip, from);
@@ -708,8 +710,9 @@ static double insideSide(const double from[3], const double to[3], const double 
     return squared > 0 ? mcd_dot(n, from) / sqrt(squared) : INFINITY;
 }
 
-/* The guess is right if M holds a ball around the origin that reaches as far: one that is within the pyramid over M's
- * face there, with its tip on M's other side, is. */
+/* The guess is right if M contains the ball around the origin with the guessed depth as radius. It does if the ball is
+ * inside the pyramid whose base is M's face in that direction and whose tip is the support point opposite: both are
+ * parts of M. */
 MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p) {
     const Pair pair = makePair(a, b);
     const double down[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
@@ -718,13 +721,13 @@ MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity
     Corner tip;
     if (!(radius > pair.guessTolerance && radius < INFINITY))
         return MEFALSE;
-    aroundFace(&pair, down, base);
+    cornersAroundFace(&pair, down, base);
     farthest(&pair, p->normal, &tip);
     double least = INFINITY; /* and stays that if the base is a point */
     for (int i = 0; i < 4; i++) {
         if (!(mcd_dot(base[i], down) >= radius))
             return MEFALSE;
-        least = MeMIN(least, insideSide(base[i], base[(i + 1) % 4], tip.w));
+        least = MeMIN(least, distanceInside(base[i], base[(i + 1) % 4], tip.w));
     }
     return least >= radius && least < INFINITY;
 }

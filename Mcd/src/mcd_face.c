@@ -1,26 +1,27 @@
-/* Manifolds: clipping of two faces that look at each other, and reduction to four points.
+/* Manifolds: clipping of the two supporting faces against each other, and reduction to four points.
  *
- * Seen along the normal, both faces are points, lines or convex polygons in the plane across it. The points of contact
- * are the corners of what they have in common; each has a height on either surface, whose difference is its separation.
+ * Projected along the normal, both faces are points, lines or convex polygons in the plane orthogonal to it. Contacts
+ * are the corners of their intersection; each has a height on either surface, and the difference is its separation.
  * Where faces are flat that difference is linear, so that the deepest point is among these corners.
  */
 #include "mcd_kind_i.h"
 
 #include <string.h>
 
-/* Rounding of places, relative to the smaller shape: corners that stand out by less are inside, separations that differ
- * by less are equal. Depths are promised to 1e-6. */
+/* Rounding of positions, relative to the smaller shape: corners outside by less count as inside, separations that
+ * differ by less as equal. Depths are documented to 1e-6. */
 static const double slack = 2e-7;
-/* Of the pair's size, and of how much deeper one corner of a face is than another: corners that are so near to the
- * deepest may carry. Without the first, what lies flat would change its four corners with each step's rounding;
- * without the second, a box that leans on an edge keeps one end of it, and rocks from one to the other for ever. Twice
- * either fails Mcd_BoxBox. */
+/* Contacts within this depth of the deepest are preferred as support: a share of the pair's size, or of the range of
+ * depths. Without the first, a body that lies flat would change its four contacts with the rounding of each step;
+ * without the second, a box on an edge would keep one end of it and rock between the two. Twice either fails
+ * Mcd_BoxBox. */
 static const double carryingShare = 1e-3, tiltShare = 0.25;
-/* The change of separations by preferring a face over a slightly better normal. */
+/* Relative to the pair's size: by how much separations may change where a face's normal is preferred over a slightly
+ * better one. */
 static const double preference = 1e-5;
-/* Lines that cross at less than this angle touch along a length. */
+/* Lines at a smaller angle (sine) touch along a segment, others in a point. */
 static const double parallelSine = .05;
-/* Surfaces steeper than this against the normal have no heights. */
+/* Faces whose normal has a smaller cosine with the contact normal are seen edge-on and are not clipped. */
 static const double leastSlope = 1e-2;
 
 /* A feature's number: on which face, what it is, which of the face's corners (McdFace). All faces of a hull that memory
@@ -35,14 +36,14 @@ static MeU32 kindOf(MeU32 feature) {
     return feature >> 6 & 3;
 }
 
-/* Which feature of a meets which feature of b. */
+/* The feature id of a contact: a's feature in the upper half, b's in the lower one. */
 static MeU64 featureOfPair(MeU32 a, MeU32 b) {
     return (MeU64)a << 32 | b;
 }
 
 /* ---- faces ------------------------------------------------------------------------------------------ */
 
-/* Corners have numbers of their own, and turn counter-clockwise about the normal, which has length 1. */
+/* For checks: the corners have different names and are counter-clockwise about the unit normal. */
 static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
     const double slack_ = 1e-9 * s->extent * s->extent;
     for (int i = 0; i < f->count; i++)
@@ -72,15 +73,15 @@ void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
     MEVALIDATE(isFaceGood(s, f));
 }
 
-/* ---- what they have in common ------------------------------------------------------------------------- */
+/* ---- intersection of the faces ------------------------------------------------------------------------- */
 
 /* A point in the plane across the normal, with its heights on both surfaces. */
 typedef struct Candidate {
     double x, y, a, b;
     MeU64 feature;
-    MeU32 edge; /* code of that which begins here, and whether it is b's */
-    MeBool edgeIsB;
-    int index; /* of the corner of b's where that edge begins */
+    MeU32 edge;     /* feature of the edge that begins here */
+    MeBool edgeIsB; /* that edge is b's */
+    int index;      /* of b's corner where it begins */
 } Candidate;
 
 enum { MAX_CANDIDATES = 2 * MCD_FACE_POINTS };
@@ -142,7 +143,7 @@ typedef struct Circle {
     double x, y, radius;
 } Circle;
 
-/* Around an outline's corners, if that is worth the while. */
+/* The bounding circle of an outline, of infinite radius for up to 4 corners, where testing it would not pay. */
 static Circle circleAround(const Outline *o) {
     Circle c = {0, 0, INFINITY};
     double most = 0;
@@ -160,8 +161,8 @@ static Circle circleAround(const Outline *o) {
     return c;
 }
 
-/* How far spots are inside of b's edge from corner j on, times its length; false if none is outside. A circle around
- * them mostly shows that. */
+/* Signed distances, times the edge's length, of the candidates from b's edge that begins at corner j, positive inside.
+ * False if none is outside, which the bounding circle mostly shows. */
 static MeBool isEdgeCutting(const Candidate *candidate, int count, const Circle *around, const Outline *b, int j,
                             double slack_, double *inside) {
     const int next = j + 1 < b->count ? j + 1 : 0;
@@ -235,7 +236,7 @@ static int clip(const Outline *a, const Outline *b, double slack_, Candidate *ca
     return count;
 }
 
-static void turnCandidates(Candidate *candidate, int count) {
+static void swapCandidates(Candidate *candidate, int count) {
     for (int i = 0; i < count; i++) {
         const double a = candidate[i].a;
         candidate[i].a = candidate[i].b;
@@ -244,8 +245,8 @@ static void turnCandidates(Candidate *candidate, int count) {
     }
 }
 
-/* Lines that lie nearly the same way touch where they are beside each other: both ends of that. The surfaces bend away
- * across the lines, by bend - sqrt(bend^2 - offset^2). */
+/* Two nearly parallel lines: the ends of the segment along which they overlap. Across the lines the surfaces fall away
+ * by bend - sqrt(bend^2 - offset^2), bend the sum of their radii. */
 static int overlapLines(const Outline *a, const Outline *b, double bend, Candidate *candidate) {
     double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0];
     double bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
@@ -285,9 +286,9 @@ static int clipFaces(const Outline *a, const Outline *b, double bend, double sla
         return overlapLines(a, b, bend, candidate);
     if (a->count == 2)
         return clip(a, b, slack_, candidate);
-    /* The one with fewer corners cuts: fewer passes over the other's. */
+    /* The face with fewer corners clips the other: fewer passes. */
     const int count = clip(b, a, slack_, candidate);
-    turnCandidates(candidate, count);
+    swapCandidates(candidate, count);
     return count;
 }
 
@@ -316,7 +317,7 @@ static double depthOf(const Candidate *s) {
     return s->b - s->a;
 }
 
-/* The farthest from a place. Ties go to the first, so that a body at rest keeps its points. */
+/* The candidate farthest from a point. Within the slack the first wins, so that a body at rest keeps its contacts. */
 static int farthestOf(const Candidate *candidate, int count, const Candidate *from, double slack_) {
     int best = 0;
     double enough = slack_ * slack_; /* (most + slack)^2 */
@@ -369,7 +370,7 @@ static int deepestOf(const Candidate *candidate, int count) {
     return best;
 }
 
-/* The deepest takes the place of the nearest, where all that are kept leave more than the slack of it out. */
+/* The deepest candidate replaces the nearest kept one if all kept ones are shallower by more than the slack. */
 static void includeDeepest(const Candidate *candidate, int count, Candidate *kept, int made, double slack_) {
     const Candidate *deepest = &candidate[deepestOf(candidate, count)];
     int nearest = 0;
@@ -382,8 +383,8 @@ static void includeDeepest(const Candidate *candidate, int count, Candidate *kep
     kept[nearest] = *deepest;
 }
 
-/* A fourth corner, beyond the side from one of the first two to the third where it adds most. Returns how many there
- * are. */
+/* Adds to a triangle of kept points the candidate that enlarges its area most, beyond one of the two sides at the third
+ * point. Returns the number of points. */
 static int addBeyond(const Candidate *candidate, int count, Candidate *kept, double slack_) {
     double most = 0;
     int best = -1;
@@ -404,11 +405,11 @@ static int addBeyond(const Candidate *candidate, int count, Candidate *kept, dou
     return best >= 0 ? 4 : 3;
 }
 
-/* Those that may carry: a body that rests rocks by less than the share of its size, or of how far it is tilted; they
- * come first. Returns how many they are. */
-static int bringForward(Candidate *candidate, int count, double band) {
+/* Moves the candidates that are within `band`, or tiltShare of the range of depths, of the deepest to the front.
+ * Returns their number. */
+static int moveDeepestToFront(Candidate *candidate, int count, double band) {
     double deepest = -INFINITY, shallowest = INFINITY;
-    int near = 0;
+    int nearDeepest = 0;
     for (int i = 0; i < count; i++) {
         deepest = fmax(deepest, depthOf(&candidate[i]));
         shallowest = fmin(shallowest, depthOf(&candidate[i]));
@@ -417,28 +418,29 @@ static int bringForward(Candidate *candidate, int count, double band) {
     for (int i = 0; i < count; i++)
         if (depthOf(&candidate[i]) >= least) {
             const Candidate c = candidate[i];
-            memmove(&candidate[near + 1], &candidate[near], (size_t)(i - near) * sizeof *candidate);
-            candidate[near++] = c;
+            memmove(&candidate[nearDeepest + 1], &candidate[nearDeepest],
+                    (size_t)(i - nearDeepest) * sizeof *candidate);
+            candidate[nearDeepest++] = c;
         }
-    return near;
+    return nearDeepest;
 }
 
-/* Four that support as well as all: two ends of those that may carry, and the farthest from their line on either side,
- * again of these if there are any there; where one side is empty, the fourth adds most to the other three. A point that
- * is deepest only by rounding is not preferred: it could be the middle of an edge, and a corner would be left without
- * support. A disc rolls on its rim: there the farthest may carry wherever it is.
+/* Four points that support as well as all: two mutually far points among those near the deepest, and the
+ * farthest from their line on either side, if possible among these too; if one side is empty, the one that adds most
+ * area. A point that is deepest by rounding only is not preferred: it could be in the middle of an edge, and a corner
+ * would remain without support. Of a disc, which may roll on its rim, points of any depth are candidates.
  *
- * Not mcd_spread: here all is in one plane, the slack decides between spots that are as good, so that a body at rest
- * keeps its points, and mcd_spread's look at all of them from every side would cost a pair a fifth more time. */
+ * mcd_spread is not used: here all points are in one plane, ties within the slack keep the contacts of bodies at rest,
+ * and mcd_spread would make a pair a fifth slower. */
 static int reduceToFour(Candidate *candidate, int count, MeBool isDisc, double size) {
     const double slack_ = slack * size;
-    const int near = isDisc ? count : bringForward(candidate, count, carryingShare * size);
-    const Candidate middle = middleOf(candidate, near);
+    const int nearDeepest = isDisc ? count : moveDeepestToFront(candidate, count, carryingShare * size);
+    const Candidate middle = middleOf(candidate, nearDeepest);
     Candidate kept[4];
     int of[2], all[2], made = 0;
-    kept[made++] = candidate[farthestOf(candidate, near, &middle, slack_)];
-    kept[made++] = candidate[farthestOf(candidate, near > 1 ? near : count, &kept[0], slack_)];
-    farthestBeside(candidate, near, &kept[0], &kept[1], slack_, of);
+    kept[made++] = candidate[farthestOf(candidate, nearDeepest, &middle, slack_)];
+    kept[made++] = candidate[farthestOf(candidate, nearDeepest > 1 ? nearDeepest : count, &kept[0], slack_)];
+    farthestBeside(candidate, nearDeepest, &kept[0], &kept[1], slack_, of);
     farthestBeside(candidate, count, &kept[0], &kept[1], slack_, all);
     for (int i = 0; i < 2; i++)
         if (all[i] >= 0)
@@ -464,7 +466,7 @@ static void addContact(const McdShape *a, const McdShape *b, const View *v, cons
     p->radius[1] = mcd_surfaceRadius(b, v->n, p->position);
 }
 
-/* The proximity's own points: the deepest, whatever the faces are. */
+/* The midpoint of the proximity's witness points: the deepest contact, independent of the faces. */
 static Candidate supportCandidate(const View *v, const McdProximity *p, MeU64 feature) {
     double middle[3];
     for (int i = 0; i < 3; i++)
@@ -499,8 +501,8 @@ int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *
     return 1;
 }
 
-/* Is a candidate's height on a face as exact as its place? Not where the face rises more than it goes across; the
- * ends of a line are. */
+/* Whether a candidate's height on a face is as exact as its position: not where the face is steeper than 45 degrees
+ * against the plane, but for the ends of a line. */
 static MeBool isExact(const Outline *o, MeU32 feature) {
     if (o->count > 2)
         return o->slopeX * o->slopeX + o->slopeY * o->slopeY < 1;
@@ -508,8 +510,8 @@ static MeBool isExact(const Outline *o, MeU32 feature) {
     return kindOf(feature) == CORNER || z * z < x * x + y * y;
 }
 
-/* The deepest candidate; -1 if there is none. None is deeper than the cores are: on a steep face one may seem so,
- * where the slack lets it stand out. */
+/* Limits the depth of all candidates to that of the cores, which the slack lets them exceed on steep faces. Returns the
+ * deepest one; -1: there is none. */
 static int clampSeparations(Candidate *candidate, int count, double separation) {
     int least = -1;
     for (int i = 0; i < count; i++) {
@@ -520,7 +522,7 @@ static int clampSeparations(Candidate *candidate, int count, double separation) 
     return least;
 }
 
-/* Points have features of their own, and none is deeper than the cores are, or than the margin lets be. */
+/* For checks: features are unique, and separations between that of the cores and the margin. */
 static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProximity *p, double margin,
                              const McdManifold *m) {
     const double rounding = a->rounding + b->rounding;
@@ -548,17 +550,17 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     MEASSERT(isfinite(mcd_dot(p->normal, p->normal)) && !isnan(p->separation));
     MEASSERT(faceA->count > 0 && faceA->count <= MCD_FACE_POINTS && faceB->count > 0 &&
              faceB->count <= MCD_FACE_POINTS);
-    /* b's face looks along the normal, so that its corners turn counter-clockwise; a's looks the other way. */
+    /* b's face has its normal along the contact normal, so that its corners are counter-clockwise; a's is mirrored. */
     if (makeOutline(&v, faceA, 1, &outA) && makeOutline(&v, faceB, 0, &outB))
         count = clipFaces(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, candidate);
     count = dropFarAndDuplicates(candidate, count, coreMargin, v.slack);
     const int least = clampSeparations(candidate, count, p->separation);
-    const double short_ = least < 0 ? INFINITY : candidate[least].a - candidate[least].b - p->separation;
-    if (p->isGuess && !(short_ <= v.slack && isExact(&outA, (MeU32)(candidate[least].feature >> 32)) &&
+    const double missing = least < 0 ? INFINITY : candidate[least].a - candidate[least].b - p->separation;
+    if (p->isGuess && !(missing <= v.slack && isExact(&outA, (MeU32)(candidate[least].feature >> 32)) &&
                         isExact(&outB, (MeU32)candidate[least].feature)))
         return 0;
-    /* A face that is preferred although another normal is slightly better has its farthest corner beside the other. */
-    if (short_ <= preference * mcd_pairSize(a, b))
+    /* Where a face's normal was preferred to a slightly better one, the deepest candidate is off by that preference. */
+    if (missing <= preference * mcd_pairSize(a, b))
         candidate[least].a = candidate[least].b + p->separation;
     else if (p->separation <= coreMargin)
         candidate[count++] =

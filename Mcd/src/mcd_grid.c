@@ -42,7 +42,7 @@ static McdRank rankOf(const McdShape *s) {
     return s->kind->rank;
 }
 
-/* ---- the face's normal instead of one that is as good --------------------------------------------------------- */
+/* ---- preference for a face's normal --------------------------------------------------------- */
 
 /* Of the smaller shape; see mcd_box_box.c. */
 static const double faceBias = 2e-7;
@@ -77,12 +77,12 @@ static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *
     tryNormal(a, b, n, p, least);
 }
 
-/* A normal that is a face's to within rounding becomes it, so that it is the same from step to step. */
+/* A normal within rounding of a face's normal is replaced by it, so that it is constant from step to step. */
 static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                         McdProximity *p) {
     const double least = p->separation - faceBias * mcd_pairSize(a, b);
     const double turned[3] = {-faceA->normal[0], -faceA->normal[1], -faceA->normal[2]};
-    const int first = faceA->count >= faceB->count; /* a polygon's normal is firmer than a line's */
+    const int first = faceA->count >= faceB->count; /* the normal of a polygon is better defined than that of a line */
     double best[3];
     if (faceA->count == 2 && faceB->count == 2) {
         tryAcrossLines(a, b, faceA, faceB, p, least);
@@ -156,7 +156,7 @@ static MeBool areBoxes(const McdShape *a, const McdShape *b) {
     return rankOf(a) == MCD_RANK_BOX && rankOf(b) == MCD_RANK_BOX;
 }
 
-/* A guess, or, of boxes that overlap, the answer; false if it shows that they are too far apart. */
+/* A guess of the normal; of overlapping boxes the exact result. False if they are farther apart than the limit. */
 static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     if (!mayBeWithin(a, b, limit, p))
         return MEFALSE;
@@ -177,13 +177,13 @@ static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdPr
     return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
 }
 
-/* No contacts: how far the surfaces are apart, which are round about their cores. */
+/* No contacts: m->apart, of the surfaces, which are round about their cores. */
 static int noneOf(const McdShape *a, const McdShape *b, const McdProximity *p, McdManifold *m) {
     m->apart = fmax(p->separation - a->rounding - b->rounding, 0);
     return 0;
 }
 
-/* For shapes that stand, or have just lifted off, it is mostly enough to verify a face's normal. */
+/* For resting shapes verifying a face's normal is mostly enough. */
 static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     const double limit = margin + a->rounding + b->rounding;
     McdProximity p;
@@ -218,9 +218,8 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdM
     return count;
 }
 
-/* Both ends of the way out of two boxes, where a face meets more than a corner: at the deepest of what the faces
- * have in common. The deepest corner alone may be aside of the other's face, if another is as deep to within
- * rounding. */
+/* Witness points of two overlapping boxes where a face is involved: at the deepest point of the faces' intersection.
+ * The deepest corner itself may be outside of the other face if several are equally deep to within rounding. */
 static void endsAtFaces(const McdShape *a, const McdShape *b, McdProximity *p) {
     McdFace faceA, faceB;
     McdManifold m;

@@ -24,8 +24,8 @@
 
 /* Lengths relative to half the largest side of the box around the points. Single precision leaves about 1e-7 of noise
  * in the coordinates of a face's corners. */
-static const double flatness = 3e-7;       /* what is as near as this to a plane or a line lies in it */
-static const double leastThickness = 1e-6; /* thinner things have no inside */
+static const double flatness = 3e-7;       /* points nearer than this to a plane or a line lie in it */
+static const double leastThickness = 1e-6; /* thinner clouds are refused as flat */
 
 /* ---- memory for the time of making a hull ---------------------------------------------------------------------- */
 
@@ -592,11 +592,11 @@ static void fillVertices(McdHull *h, const Plan *p, const Cloud *c, const double
 static void fillNormal(McdHullFace *face, const McdHull *h, const Cloud *c, const double spare[3]) {
     newell((const double(*)[3])h->vertex, h->faceVertex + face->first, face->count, face->normal);
     const double size = sqrt(dot(face->normal, face->normal));
-    for (int k = 0; k < 3; k++) /* a sliver has no area to speak of, but Qhull's normal */
+    for (int k = 0; k < 3; k++) /* the area of a sliver is rounding: Qhull's normal is taken */
         face->normal[k] = size > 1e-12 * c->scale * c->scale ? face->normal[k] / size : spare[k];
 }
 
-/* Planes are so far out that all corners of their facets are behind them, those that vanished too. */
+/* The plane of each face passes through the farthest corner of its facets, removed ones included: all are behind it. */
 static void fillOffsets(McdHull *h, const Facets *f, const Cloud *c, const Regions *r, const int *faceOf) {
     for (int i = 0; i < h->faceCount; i++)
         h->face[i].offset = -DBL_MAX;

@@ -1,4 +1,4 @@
-/* Inside Mcd: what frameworks, models and instances are made of, and what the files of this library share.
+/* Inside Mcd: the records of frameworks, models and instances, and functions shared by the files of this library.
  *
  * Ownership: a framework owns its type table, a pool of models and a pool of aggregates' child instances, and the list
  * of geometries. A model's own instance is a part of the model; its children come from the pool.
@@ -47,7 +47,7 @@ enum {
 
 /* "function: 0x123 is no model: ..." */
 void mcd_warnGone(const void *p, const char *what, const char *function);
-/* May it be destroyed? Null and what has gone may not: that gets a warning while there is a framework at all. */
+/* Whether it is a live object that may be destroyed; else a warning, if any framework lives. */
 MeBool mcd_mayDestroy(const void *p, unsigned int kind, const char *what, const char *function);
 
 /* A transform for functions that only read it: before C23, C does not convert the pointer by itself. */
@@ -113,7 +113,7 @@ static inline MeBool mcd_isPlace(const MeVector4 *tm) {
     return areAxes && mcd_areNear(tm[3], 3);
 }
 
-/* Has it a transform that places it? */
+/* Has it a valid transform? */
 static inline MeBool mcd_instanceIsPlaced(McdGeometryInstanceID ins) {
     return mcd_isPlace(mcd_const(mcd_instanceTM(ins)));
 }
@@ -136,9 +136,9 @@ typedef struct McdFilter {
     int group;
 } McdFilter;
 
-/* All input of a model's box, margin and tests; compared bit by bit (mcd_tested.c): no padding. */
-typedef struct McdSeen {
-    struct McdSeenShape {
+/* All inputs of a model's box, margin and tests; compared bit by bit (mcd_tested.c), so without padding. */
+typedef struct McdModelInputs {
+    struct McdShapeInputs {
         const McdGeometry *geometry;
         MeU64 parameters[4]; /* the geometry's members behind its head */
         MeReal tolerance;
@@ -146,7 +146,7 @@ typedef struct McdSeen {
     } shape;
     MeVector3 axis[3], place; /* rows of the transform */
     MeVector3 velocity, spin;
-} McdSeen;
+} McdModelInputs;
 
 /* Grouped by cache lines of 64 bytes, in single precision: the pair loop reads the first, of models that move all of
  * the hot ones; a space's update reads the hot ones; the others are read by the program's calls. */
@@ -156,20 +156,20 @@ typedef struct McdModelRecord {
     MeU32 magic;
     MeReal tolerance;
     McdFramework *frame;
-    MeU64 stamp, shapeStamp; /* as of when the model, its shape have been like `seen`; 0: never */
-    MeU64 lookedIn;          /* the framework's round of the last comparison with `seen` */
+    MeU64 stamp, shapeStamp; /* versions of the model's inputs, and of its shape's; 0: none yet */
+    MeU64 comparedIn;        /* the framework's round of the last comparison with `inputs` */
     /* hot: 2 */
     McdModelIntersectFnPtr intersect;
     McdModelUpdateFnPtr update;
     MeMatrix4Ptr relTM; /* null unless relative */
     MeReal *linearVelocity, *angularVelocity;
-    MeU64 boxStamp;               /* the stamp that the box belongs to, */
-    MeReal boxDuration, boxAhead; /* s, and its motion and look-ahead */
+    MeU64 boxStamp;                   /* the stamp that the box belongs to, */
+    MeReal boxDuration, boxLookAhead; /* s, duration and look-ahead with which it was made */
     MeBool isSwept, isSensor;
     /* hot: 3, 4 */
-    McdSeen seen;            /* the model at the last comparison */
-    MeReal ahead, turnAhead; /* m, how far it may get in the time lookAhead, and by turning alone */
-    /* hot: 5, 6; the first three follow from `seen` */
+    McdModelInputs inputs;     /* at the last comparison */
+    MeReal travel, turnTravel; /* m, upper bounds of its displacement within lookAhead, and of that by rotation */
+    /* hot: 5, 6; the first three follow from `inputs` */
     double axis[3][3]; /* mcd_shapeAxes of its transform, if isPlaced */
     bool isPlaced;     /* mcd_isPlace of its transform */
     bool isFast;       /* in the time lookAhead */
@@ -180,7 +180,7 @@ typedef struct McdModelRecord {
     void *proxy; /* the space's record of the model */
     McdFilter filter;
     MeI16 sortKey;
-    MeU64 lastStamp; /* that it was given, or the first one less one */
+    MeU64 lastStamp; /* the last stamp that it was given; at first one less than its first */
     /* hot: 7 */
     McdGeometryInstance instance;
     /* cold */
@@ -194,18 +194,18 @@ typedef struct McdModelRecord {
 } McdModelRecord;
 
 _Static_assert(offsetof(McdModelRecord, intersect) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
-_Static_assert(offsetof(McdModelRecord, seen) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
+_Static_assert(offsetof(McdModelRecord, inputs) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
 _Static_assert(offsetof(McdModelRecord, axis) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
 _Static_assert(offsetof(McdModelRecord, instance) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
 _Static_assert(offsetof(McdGeometryInstance, element) <= MCD_CACHE_LINE || sizeof(MeReal) > 4, "its boxes are in it");
-_Static_assert(sizeof(McdSeen) == 40 + 20 * sizeof(MeReal) || sizeof(MeReal) > 4, "no padding");
+_Static_assert(sizeof(McdModelInputs) == 40 + 20 * sizeof(MeReal) || sizeof(MeReal) > 4, "no padding");
 
 static inline McdModelRecord *mcd_record(McdModelID cm) {
     return (McdModelRecord *)cm;
 }
 
-/* A model that stands for one part of an aggregate: all of the aggregate's model, but at the part's place. It lives
- * from mcd_standInBegin to mcd_standInEnd. */
+/* A temporary model for one part of an aggregate: a copy of the aggregate's model with the part's geometry and
+ * transform, valid from mcd_standInBegin to mcd_standInEnd. */
 typedef struct McdStandIn {
     McdModelRecord record;
     MeVector3 velocity; /* of the part's origin */
@@ -220,18 +220,18 @@ McdModelRecord *mcd_modelCheck(McdModelID cm, const char *function);
 MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b);
 /* Renews children and boxes from the present transform, without the program's callback. */
 void mcd_modelRefresh(McdModelRecord *m);
-/* Is its transform, to the last bit, the one in `seen`, and one that places it? */
+/* Is its transform valid and, to the last bit, the one in `inputs`? */
 static inline MeBool mcd_isPlacedAsSeen(const McdModelRecord *m) {
     const MeMatrix4Ptr tm = m->instance.tm;
-    return m->isPlaced && tm && memcmp(tm[0], m->seen.axis[0], sizeof(MeVector3)) == 0 &&
-           memcmp(tm[1], m->seen.axis[1], sizeof(MeVector3)) == 0 &&
-           memcmp(tm[2], m->seen.axis[2], sizeof(MeVector3)) == 0 &&
-           memcmp(tm[3], m->seen.place, sizeof(MeVector3)) == 0;
+    return m->isPlaced && tm && memcmp(tm[0], m->inputs.axis[0], sizeof(MeVector3)) == 0 &&
+           memcmp(tm[1], m->inputs.axis[1], sizeof(MeVector3)) == 0 &&
+           memcmp(tm[2], m->inputs.axis[2], sizeof(MeVector3)) == 0 &&
+           memcmp(tm[3], m->inputs.place, sizeof(MeVector3)) == 0;
 }
 
-/* Has it a transform that places it, see mcd_areNear? */
+/* Has it a valid transform (mcd_isPlace)? */
 MeBool mcd_modelIsPlaced(const McdModelRecord *m);
-/* Writes where the model will be after time: its transform moved by its velocities (exact screw-free rotation). */
+/* Writes the transform of the model after `time`, s, at constant linear and angular velocity. */
 void mcd_modelPlaceAt(const McdModelRecord *m, double time, MeMatrix4 tm);
 
 /* ---- frameworks ---------------------------------------------------------------------------------------------- */
@@ -332,11 +332,11 @@ MeU32 mcd_featureNumber(MeU64 feature);
 int mcd_resultEnd(McdIntersectResult *result); /* the mean normal; 1 if there are contacts */
 /* May these be a pair: two models of one framework? Warns if not. */
 MeBool mcd_modelsMakeAPair(McdModelID m1, McdModelID m2, const char *function);
-/* A model's margin of contacts: its tolerance, and the way that it may move before the next test. */
+/* m: a model's share of the speculative margin: its tolerance, and how far it may move before the next test. */
 static inline MeReal mcd_modelReach(const McdModelRecord *m) {
-    return m->tolerance + m->ahead;
+    return m->tolerance + m->travel;
 }
-/* A stamp that changes with every input of the model's box and tests; 0: those cannot be compared. */
+/* A version that changes with every input of the model's box and tests; 0: its inputs cannot be compared. */
 MeU64 mcd_modelStamp(McdModelRecord *m);
 /* The same, unless it has a stamp of this round. */
 MeU64 mcd_modelStampInRound(McdModelRecord *m);
@@ -344,7 +344,8 @@ MeU64 mcd_modelStampInRound(McdModelRecord *m);
 MeU64 mcd_modelNewStamp(McdModelRecord *m);
 /* Do the pair's models interact as the library has it, not by a function of the program's? */
 MeBool mcd_interactionIsBuiltIn(const McdModelPair *p);
-/* The gap up to which a pair of models makes contacts: its tolerances, and the way that the two may get nearer. */
+/* m: the gap up to which a pair gets contacts (speculative margin): its tolerances, and the distance by which the two
+ * may approach before the next test. */
 double mcd_pairMargin(const McdModelPair *p);
 
 #endif

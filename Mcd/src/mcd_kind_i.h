@@ -47,7 +47,7 @@ struct McdKind {
     /* The radius of the circle about its own z axis that it touches with at a point; 0: with none. May be null. */
     double (*rim)(const McdShape *s, const double outward[3], const double point[3]);
     McdRank rank;
-    MeU32 flatAxes; /* 1, 2, 4: its own axis x, y, z is a flat face's normal: what stands mostly has its normal there */
+    MeU32 flatAxes; /* bits 1, 2, 4: local axis x, y, z is the normal of a flat face, tried first as separating axis */
     /* The edges of the solid in the geometry's frame, for cross-sections; of round sides, so many. */
     void (*edges)(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context);
 
@@ -55,8 +55,8 @@ struct McdKind {
     McdMeshGather gather;
 
     MeBool isHalfSpace; /* all below z = 0 of its frame */
-    MeBool isStatic;    /* stands still as a rule: no message where two of them have no interaction */
-    MeBool isEmpty;     /* no message where it has none with any type */
+    MeBool isStatic;    /* usually fixed: no warning where two of them have no interaction */
+    MeBool isEmpty;     /* no warning where it has no interaction with any type */
 };
 
 /* The table of a geometry's type; null for a program's own types. */

@@ -1,5 +1,5 @@
-/* Inside Mcd: what the geometry types share. Each says, in its own frame and in double, where its farthest point in a
- * direction is and where a line passes through it; boxes, farthest points and line segments in the world follow. */
+/* Inside Mcd: helpers of the geometry types. Each type has, in its own frame and in double, a support function and a
+ * function that clips a line; from these follow AABBs, farthest points and line segment tests in the world. */
 #ifndef MCD_LOCAL_H
 #define MCD_LOCAL_H
 
@@ -27,7 +27,7 @@ void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, M
                            McdLocalSupportFn support);
 void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support);
 
-/* For geometries of which a box in their own frame is all that is known. */
+/* For geometries that have no better bound than a box in their own frame. */
 void mcd_boxSupport(const MeReal *min, const MeReal *max, const double direction[3], double point[3]);
 void mcd_boxBSphere(const MeReal *min, const MeReal *max, MeVector3 center, MeReal *radius);
 

@@ -33,7 +33,7 @@ typedef struct McdMeshContact {
     MeU32 feature;
     McdElementData element;
     int dims;  /* of its manifold: McdContact.dims */
-    int isCut; /* no corner of the shape; of two points at one place, the corner is kept */
+    int isCut; /* made by clipping, not a corner of the shape; of two points at one position the corner is kept */
 } McdMeshContact;
 
 struct McdScratch;

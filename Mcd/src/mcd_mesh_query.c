@@ -32,7 +32,7 @@ static MeBool overlap(const double low1[3], const double high1[3], const double 
     return METRUE;
 }
 
-/* Where the mesh is, and the box in the mesh's frame: as large as it must be to hold the given one. */
+/* Sets the mesh's frame, and the box in it that contains the given one. */
 static void place(McdMeshQuery *q, const McdGeometryInstance *ins, const double low[3], const double high[3]) {
     const MeMatrix4Ptr tm = mcd_instanceTM((McdGeometryInstance *)ins);
     double middle[3], sum = 0;

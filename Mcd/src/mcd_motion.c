@@ -72,7 +72,7 @@ static MeBool moverOf(McdModelID cm, const double origin[3], Mover *mover) {
     return METRUE;
 }
 
-/* The fastest that any point of the mover gets along n. */
+/* m/s: an upper bound of the velocity of any point of the mover along n. */
 static double speedAlong(const Mover *m, const double n[3]) {
     double lever[3];
     cross(lever, n, m->spin);
@@ -91,7 +91,8 @@ static double separationAlong(const Mover *a, const Mover *b, const double n[3],
     return dot(low, n) - dot(high, n);
 }
 
-/* Follows one direction, along which the separation at `time` is s, as long as that helps; returns the new time. */
+/* Advances time along one fixed direction, whose separation at `time` is s, as long as progress is good; returns the
+ * new time. */
 static double advanceAlong(const Mover *a, const Mover *b, const double n[3], double s, double target, double time,
                            double maxTime) {
     const double back[3] = {-n[0], -n[1], -n[2]};
@@ -173,8 +174,8 @@ static double heightAbove(const Mover *a, const double n[3], double offset, doub
     return dot(at, n) - offset;
 }
 
-/* How fast a shape and a moving plane can close in, to the end of the motion. While the plane turns at rate w, the
- * height n.(x - p) changes by up to w |x - p| more, and n itself does not stay. */
+/* m/s: an upper bound of the approach velocity of a shape and a moving plane. With the plane's angular velocity w the
+ * height n.(x - p) changes by up to w |x - p| more, as n changes. */
 static double closingSpeed(const Mover *a, const McdModelRecord *plane, const double origin[3], const double n[3],
                            double maxTime) {
     const double back[3] = {-n[0], -n[1], -n[2]};

@@ -1,4 +1,4 @@
-/* Inside Mcd: shapes in motion. */
+/* Inside Mcd: continuous collision: moving shapes and times of impact. */
 #ifndef MCD_MOTION_H
 #define MCD_MOTION_H
 

@@ -1,4 +1,4 @@
-/* Inside Mcd's nearfield: what finding the normal, and finding the points along it, share. */
+/* Inside Mcd's narrow phase: the result of the search for the normal, and the faces from which the manifold is made. */
 #ifndef MCD_NEARFIELD_H
 #define MCD_NEARFIELD_H
 
@@ -14,7 +14,7 @@ typedef struct McdProximity {
     MeBool isGuess;        /* only normal and separation are valid; the separation, where >= 0, is a lower bound */
 } McdProximity;
 
-/* The smaller one's size: what errors are measured by. */
+/* The smaller extent of the two shapes: tolerances are relative to it. */
 static inline double mcd_pairSize(const McdShape *a, const McdShape *b) {
     return a->extent < b->extent ? a->extent : b->extent;
 }
@@ -30,23 +30,23 @@ void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p);
 /* Verifies a guessed normal of cores that overlap: is no direction less deep? Conservative: may say no to a right
  * guess. */
 MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p);
-/* For two boxes the answer, where they overlap; else a face's normal along which they are apart. */
+/* Two boxes: if they overlap, the exact result; else a face's normal that separates them, as a guess. */
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
-/* For cores that are points or segments, and for a point and a box or cylinder. */
+/* Closed forms for cores that are points or segments, and for a point and a box or cylinder. */
 MeBool mcd_pointPoint(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 MeBool mcd_pointSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 MeBool mcd_segmentSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 MeBool mcd_pointBox(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 MeBool mcd_pointCylinder(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 
-/* The part of a core's surface that looks in a direction: a point, a line, or a convex polygon, counter-clockwise from
+/* The supporting face of a core in a direction: a point, a line, or a convex polygon, counter-clockwise seen from
  * outside. A disc is a polygon of 16 corners on its rim, and of the rim's farthest point if that is none of them. */
 enum { MCD_FACE_POINTS = 64 };
 typedef struct McdFace {
     int count;
     double normal[3]; /* outward, length 1; of a line: the surface's there; of a point: 0 */
-    double bend;      /* of a line: the radius of the surface about it, across */
-    MeBool isDisc;    /* its corners are places on a rim, of which only the farthest is one that it stands on */
+    double bend;      /* m, of a line: radius of curvature of the surface across it */
+    MeBool isDisc;    /* its corners are sampled from a circular rim */
     MeU32 id;         /* which face of the shape */
     double point[MCD_FACE_POINTS][3];
     MeU32 name[MCD_FACE_POINTS]; /* which corner; an edge goes by the corner where it begins */
@@ -58,12 +58,12 @@ static inline void mcd_faceAdd(const McdShape *s, McdFace *f, double x, double y
     f->name[f->count++] = name;
 }
 
-/* The manifold along a normal: the faces clipped against each other, and the proximity's own points where none of
- * these is as deep. Returns the count; the roundings are taken into account. A guess is verified: 0 unless the
- * faces are as near to each other as it says. */
+/* The manifold along a normal: both faces clipped against each other, and the witness points of the proximity if none
+ * of these is as deep. Roundings are included. Returns the count. A guess is verified: 0 unless the faces are as near
+ * as its separation says. */
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                       const McdProximity *p, double margin, McdManifold *m);
-/* One contact, at the proximity's own points. */
+/* A manifold of one contact, at the witness points of the proximity. */
 int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *p, MeU64 feature, double margin,
                       McdManifold *m);
 

@@ -182,7 +182,7 @@ static MeBool growLinks(McdSpace *s) {
     return METRUE;
 }
 
-/* Hangs a link into the list of its proxy number `end`. */
+/* Inserts a link into the list of its proxy at end 0 or 1. */
 static void linkIntoList(McdSpace *s, int i, int end) {
     McdProxy *p = &s->proxy[s->link[i].proxy[end]];
     const int next = p->firstLink;
@@ -290,7 +290,7 @@ static void sayGoodbye(McdSpace *s, int i) {
     listAdd(&s->goodbye, &entry);
 }
 
-/* Between staying pairs and silent ones. */
+/* Moves a pair between the staying pairs and the silent ones (of two frozen models). */
 static void setSilent(McdSpace *s, int i, MeBool isSilent) {
     McdLink *link = &s->link[i];
     McdPairEntry entry = entryOf(s, i);
@@ -469,7 +469,7 @@ static void classifyPairsOf(McdSpace *s, int proxy) {
     }
 }
 
-/* Is it one of a dirty proxy, whose state will change? */
+/* Whether a link has a dirty proxy and will change its state. */
 static MeBool isToClassify(const McdSpace *s, int i) {
     const int *p = s->link[i].proxy;
     return p[0] != MCD_NONE && (s->proxy[p[0]].isDirty || s->proxy[p[1]].isDirty) && !isClassified(s, &s->link[i]);
@@ -511,7 +511,7 @@ static void classifyPairs(McdSpace *s) {
 
 /* ---- lists ------------------------------------------------------------------------------------------------------- */
 
-/* Where in entry[first .. end - 1], which are in order, the first is that does not precede another one. */
+/* Binary search in entry[first .. end - 1], which is sorted: the index of the first that does not precede `other`. */
 static int placeOf(const McdPairEntry *entry, int first, int end, const McdPairEntry *other) {
     while (first < end) {
         const int middle = first + (end - first) / 2;
@@ -581,7 +581,7 @@ static void renewStaying(McdSpace *s) {
     addToStaying(s, &s->woken);
 }
 
-/* False: there is no memory; the link goes on waiting. */
+/* False: no memory; the link stays in the waiting list. */
 static MeBool sayHello(McdSpace *s, McdPairEntry entry) {
     McdLink *link = &s->link[entry.link];
     McdPairRecord *record = takePair(s);
@@ -664,7 +664,7 @@ static void keepUnfinished(McdSpace *s) {
     s->dirtyCount = kept;
 }
 
-/* A link is found, joins two models in their order, and its pair is theirs and lives. */
+/* For checks: a link is in the hash table, joins two models in their order, and its pair is live and theirs. */
 static MeBool isLinkGood(const McdSpace *s, int i) {
     const McdLink *link = &s->link[i];
     const McdProxy *a = &s->proxy[link->proxy[0]], *b = &s->proxy[link->proxy[1]];

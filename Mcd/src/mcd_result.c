@@ -3,10 +3,10 @@
 #include "mcd_spread_i.h"
 #include "mcd_vector_i.h"
 
-/* How much the gap of two models may shrink before the next test. What rebounds may turn round on the way: then each
- * comes as far as it can. */
+/* m: an upper bound of the approach of two models before the next test. What rebounds may turn round on the way: then
+ * each comes as far as it can. */
 static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b, MeBool mayTurnRound) {
-    const double time = fmax((double)a->lookAhead, (double)b->lookAhead), most = (double)a->ahead + (double)b->ahead;
+    const double time = fmax((double)a->lookAhead, (double)b->lookAhead), most = (double)a->travel + (double)b->travel;
     double square = 0;
     if (!(most > 0) || mayTurnRound)
         return fmax(most, 0);
@@ -15,13 +15,13 @@ static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b,
         const double vb = b->linearVelocity ? (double)b->linearVelocity[i] : 0;
         square += (va - vb) * (va - vb);
     }
-    return fmin(most, time * sqrt(square) + (double)a->turnAhead + (double)b->turnAhead);
+    return fmin(most, time * sqrt(square) + (double)a->turnTravel + (double)b->turnTravel);
 }
 
 double mcd_pairMargin(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (a->isFast || b->isFast) /* the current overlap: McdSafeTime predicts coming ones */
-        return fmax(a->isFast ? (double)a->ahead : 0, b->isFast ? (double)b->ahead : 0);
+        return fmax(a->isFast ? (double)a->travel : 0, b->isFast ? (double)b->travel : 0);
     MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(greatestApproach(a, b, p->mayTurnRound) < 0));
     return (double)a->tolerance + (double)b->tolerance + greatestApproach(a, b, p->mayTurnRound);
 }
@@ -52,7 +52,7 @@ MeU32 mcd_featureNumber(MeU64 feature) {
     return a < 1u << 16 && b < 1u << 16 ? a << 16 | b : (MeU32)mixBits(feature);
 }
 
-/* Contacts of one result have numbers of their own: where two hashes are the same, the later one gets another. */
+/* Makes the feature ids of a result unique: of two equal hashes the later one is changed. */
 static void tellApart(McdIntersectResult *result) {
     for (int i = 1; i < result->contactCount; i++)
         for (int k = 0; k < i; k++)
@@ -160,7 +160,7 @@ int mcd_resultEnd(McdIntersectResult *result) {
     const MeReal length = MeVector3Magnitude(sum);
     if (length > ME_SMALL_EPSILON)
         MeVector3MultiplyScalar(result->normal, sum, 1 / length);
-    else /* they cancel: the first stands for them */
+    else /* they cancel: the first one's */
         MeVector3Copy(result->normal, result->contacts[0].normal);
     tellApart(result);
     MEVALIDATE(areContactsGood(result));

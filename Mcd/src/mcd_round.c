@@ -1,5 +1,5 @@
 /* Cores that are points or segments, in closed form: those of spheres and sphyls, against each other, boxes and
- * cylinders. Where cores touch, no direction is shorter than another: the normal is then a fixed one across them. */
+ * cylinders. Where cores intersect or touch, the normal is not unique: a fixed direction orthogonal to them. */
 #include "mcd_nearfield_i.h"
 
 /* Relative to the smaller shape: nearer cores touch. */
@@ -7,7 +7,7 @@ static const double touching = 1e-12;
 
 static const double up[3] = {0, 0, 1};
 
-/* From the nearest points; across where these are one. */
+/* The normal from the nearest points; a fixed orthogonal direction where these coincide. */
 static MeBool fromPoints(const McdShape *a, const McdShape *b, const double across[3], double limit, McdProximity *p) {
     double d[3];
     mcd_sub(d, p->onA, p->onB);
@@ -81,7 +81,7 @@ static void fromOwn(const McdShape *b, const double x[3], double out[3]) {
         out[i] = b->axis[0][i] * x[0] + b->axis[1][i] * x[1] + b->axis[2][i] * x[2];
 }
 
-/* Both in b's axes: the way out and the nearest point of its surface. */
+/* In b's axes: the outward normal and the nearest point of its surface. */
 static MeBool report(const McdShape *a, const McdShape *b, const double normal[3], const double nearest[3],
                      double separation, double limit, McdProximity *p) {
     double d[3];

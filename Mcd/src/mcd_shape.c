@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* Planes have boxes without end, and a box may be older than the transform or not a number. */
+/* The middle of an interval; 0 where it is not finite: boxes of planes are infinite, and a program's box may be NaN. */
 static double middleOf(double lower, double upper) {
     const double middle = (lower + upper) / 2;
     return isfinite(middle) ? middle : 0;

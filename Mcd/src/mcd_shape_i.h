@@ -2,9 +2,9 @@
  *
  * A shape is a core and a rounding: all points within `rounding` of the core. A sphere's core is a point, a sphyl's a
  * segment, a fat convex mesh's the mesh; all others have rounding 0. Coordinates are the world's axes with the origin
- * moved near the pair (mcd_pairOrigin), so that nothing is lost far from the world's origin.
+ * moved near the pair (mcd_pairOrigin), so that precision does not depend on the distance from the world's origin.
  *
- * Normals point from the second shape (b) to the first (a): the way in which a is pushed.
+ * Normals point from the second shape (b) to the first (a): the direction in which a is pushed.
  */
 #ifndef MCD_SHAPE_H
 #define MCD_SHAPE_H
@@ -72,8 +72,7 @@ static inline void mcd_shapeOwn(const McdShape *s, const double direction[3], do
         own[i] = s->axis[i][0] * direction[0] + s->axis[i][1] * direction[1] + s->axis[i][2] * direction[2];
 }
 
-/* Are its axes those of a rotation? Only then lengths are what they are in its own frame: checks ask that first, as
- * programs may set any transform. */
+/* Are its axes orthonormal? Programs may set any transform; checks of lengths apply to rigid ones only. */
 MeBool mcd_shapeIsRigid(const McdShape *s);
 
 /* The point of the core farthest in a direction of any length. */

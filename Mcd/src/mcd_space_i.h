@@ -1,4 +1,4 @@
-/* Inside Mcd: what spaces are made of.
+/* Inside Mcd: the records of spaces: proxies, links and pairs of the broad phase.
  *
  * A model in a space is a proxy: its box of the last update, and a fat box around that which is in the tree. A link
  * joins two proxies whose fat boxes overlap, or that are disabled; links are found by a hash table and hang in a list
@@ -35,7 +35,7 @@ enum { MCD_PAIR_BLOCK = 128, MCD_PAIR_BLOCKS = 23 };
  * classification of near pairs, read the first one only. */
 typedef struct McdProxy {
     _Alignas(MCD_CACHE_LINE) MeReal min[3];
-    MeReal max[3], tolerance; /* that, and how far it looks ahead */
+    MeReal max[3], tolerance; /* m: margin of contacts, mcd_modelReach */
     bool hasBox : 1, isFrozen : 1;
     bool isDirty : 1;     /* its links are to be classified */
     bool isAwake : 1;     /* linked by previousAwake, nextAwake; a frozen one until the next update unlinks it */
@@ -114,7 +114,7 @@ struct _McdSpace {
     int proxyCount, firstProxy, lastProxy, freeProxy;
     int firstAwake, lastAwake; /* what is updated: frozen models cost no time */
     int *awake, awakeCount;    /* the same, as they were listed for workers; MCD_NONE: not since; proxyRoom */
-    MeU8 *news;                /* beside awake: an McdBoxNews */
+    MeU8 *updates;             /* beside awake: an McdBoxUpdate */
     MeTeam *team;              /* workers; null: none */
     int *dirty, dirtyCount;    /* proxies; proxyRoom */
     int *found, *foundEnd;     /* beside dirty: what workers have found (mcd_pairs.c) */

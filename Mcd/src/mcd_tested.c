@@ -1,9 +1,9 @@
-/* Whether a model's box, and what a pair has in common, would be found as they were.
+/* Change detection: whether a model's box, and the result of a pair's test, are still valid.
  *
- * For convex shapes and planes that depends on where they are, how large they are and how fast, and on nothing else. A
- * model gets a new stamp when any of that has another bit than at the last look; a pair keeps the stamps of the last
- * look at it, and how its models stood to each other when it was tested. Triangle lists, fields, aggregates and a
- * program's own types may depend on more: they are always tested.
+ * For convex shapes and planes they depend on transform, size and velocity only. A model gets a new stamp (version)
+ * when any bit of these has changed since the last comparison; a pair keeps the stamps of its models at its last test,
+ * and their relative pose. Triangle lists, height fields, aggregates and a program's own types may depend on more: they
+ * are always tested.
  */
 #include "McdInternal.h"
 #include "mcd_kind_i.h"
@@ -16,23 +16,23 @@ static void copyIfThere(MeVector3 to, const MeReal *from) {
 }
 
 /* All inputs of a model's tests, except the space's look-ahead. */
-static MeBool readInputs(const McdModelRecord *m, McdSeen *seen) {
+static MeBool readInputs(const McdModelRecord *m, McdModelInputs *inputs) {
     const McdGeometry *g = m->instance.geometry;
     const McdKind *kind = mcd_kindOf(g);
     if (!kind || kind->size == 0 || m->intersect || !m->instance.tm)
         return MEFALSE;
     const size_t bytes = kind->size - sizeof *g;
-    MEASSERT(bytes <= sizeof seen->shape.parameters);
-    memset(seen, 0, sizeof *seen);
-    seen->shape.geometry = g;
-    memcpy(seen->shape.parameters, (const char *)g + sizeof *g, bytes);
+    MEASSERT(bytes <= sizeof inputs->shape.parameters);
+    memset(inputs, 0, sizeof *inputs);
+    inputs->shape.geometry = g;
+    memcpy(inputs->shape.parameters, (const char *)g + sizeof *g, bytes);
     for (int i = 0; i < 3; i++)
-        memcpy(seen->axis[i], m->instance.tm[i], sizeof seen->axis[i]);
-    memcpy(seen->place, m->instance.tm[3], sizeof seen->place);
-    copyIfThere(seen->velocity, m->linearVelocity);
-    copyIfThere(seen->spin, m->angularVelocity);
-    seen->shape.tolerance = m->tolerance;
-    seen->shape.isSwept = m->isSwept;
+        memcpy(inputs->axis[i], m->instance.tm[i], sizeof inputs->axis[i]);
+    memcpy(inputs->place, m->instance.tm[3], sizeof inputs->place);
+    copyIfThere(inputs->velocity, m->linearVelocity);
+    copyIfThere(inputs->spin, m->angularVelocity);
+    inputs->shape.tolerance = m->tolerance;
+    inputs->shape.isSwept = m->isSwept;
     return METRUE;
 }
 
@@ -41,11 +41,11 @@ MeU64 mcd_modelNewStamp(McdModelRecord *m) {
     return ++m->lastStamp;
 }
 
-/* Another look at the model: the stamps, and what pairs read of it that follows from `seen`. */
-static void noteInputs(McdModelRecord *m, const McdSeen *now) {
-    const MeBool isOtherShape = m->shapeStamp == 0 || memcmp(&now->shape, &m->seen.shape, sizeof now->shape) != 0;
+/* Stores changed inputs: new stamps, and the members of the record that follow from the inputs. */
+static void storeInputs(McdModelRecord *m, const McdModelInputs *now) {
+    const MeBool isOtherShape = m->shapeStamp == 0 || memcmp(&now->shape, &m->inputs.shape, sizeof now->shape) != 0;
     MeVector3 centre;
-    m->seen = *now;
+    m->inputs = *now;
     m->stamp = mcd_modelNewStamp(m);
     m->isPlaced = mcd_isPlace(mcd_const(m->instance.tm));
     if (m->isPlaced)
@@ -58,17 +58,17 @@ static void noteInputs(McdModelRecord *m, const McdSeen *now) {
 }
 
 MeU64 mcd_modelStamp(McdModelRecord *m) {
-    McdSeen now;
-    m->lookedIn = m->frame->round;
+    McdModelInputs now;
+    m->comparedIn = m->frame->round;
     if (!readInputs(m, &now))
         m->stamp = m->shapeStamp = 0;
-    else if (m->stamp == 0 || memcmp(&now, &m->seen, sizeof now) != 0)
-        noteInputs(m, &now);
+    else if (m->stamp == 0 || memcmp(&now, &m->inputs, sizeof now) != 0)
+        storeInputs(m, &now);
     return m->stamp;
 }
 
 static MeBool isSeen(const McdModelRecord *m) {
-    return m->lookedIn == m->frame->round;
+    return m->comparedIn == m->frame->round;
 }
 
 MeU64 mcd_modelStampInRound(McdModelRecord *m) {
@@ -80,7 +80,7 @@ void MEAPI McdFrameworkBeginRound(McdFrameworkID frame) {
     frame->round++;
 }
 
-/* How the first model stands to the second. */
+/* The pose of the first model relative to the second. */
 static McdStand standOf(const McdModelPair *p) {
     const MeVector4 *tm1 = (const MeVector4 *)mcd_record(p->model1)->instance.tm;
     const MeVector4 *tm2 = (const MeVector4 *)mcd_record(p->model2)->instance.tm;
@@ -96,9 +96,9 @@ static McdStand standOf(const McdModelPair *p) {
     return s;
 }
 
-/* How far a point of the first model may have moved against the second, if it is within that reach of the origin: the
- * origin by the sum of its coordinates' changes at most, and by turning ||R' - R|| times the reach. The difference of
- * two rotations has the norm ||.||_F / sqrt(2), which is 3 / sqrt(2) times its largest entry at most. */
+/* m: an upper bound of the displacement, relative to the second model, of any point of the first one that is within
+ * `reach` of its origin: the sum of the changes of the relative position's coordinates, and ||R' - R|| times the reach.
+ * The difference of two rotations has the norm ||.||_F / sqrt(2), at most 3 / sqrt(2) times its largest entry. */
 static MeReal motionSince(const McdStand *before, const McdStand *now, MeReal reach) {
     MeReal turn = 0, way = 0;
     for (int i = 0; i < 3; i++) {
@@ -113,7 +113,8 @@ static MeReal sumOfCoordinates(const MeReal v[3]) {
     return MeFabs(v[0]) + MeFabs(v[1]) + MeFabs(v[2]);
 }
 
-/* They were farther apart than they can have come nearer since, and than contacts are made ahead of time now. */
+/* Whether the gap at the last test exceeds the relative displacement since, and the margin within which contacts are
+ * made ahead of time now. */
 static MeBool isStillApart(const McdModelPair *p, const McdStand *now) {
     const McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
     const MeReal rounding =
@@ -122,7 +123,7 @@ static MeBool isStillApart(const McdModelPair *p, const McdStand *now) {
            motionSince(&p->stand, now, m1->reach) + (MeReal)mcd_pairMargin(p) + rounding < p->stand.apart;
 }
 
-/* Points of the smaller model, by a part of its size: contacts that are carried along are as good as new ones. */
+/* Whether no point of the smaller model has moved by more than a part of its size: its contacts may be moved along. */
 static MeBool hasHardlyMoved(const McdModelPair *p, const McdStand *now, MeReal part) {
     const MeReal margin = mcd_record(p->model1)->tolerance + mcd_record(p->model2)->tolerance;
     return motionSince(&p->stand, now, p->stand.size) < MeMIN(part * p->stand.size, margin / 4);
@@ -135,7 +136,7 @@ static MeBool doesTestHold(const McdModelPair *p, MeReal part) {
     return isStillApart(p, &now) || (part > 0 && hasHardlyMoved(p, &now, part));
 }
 
-/* Is all that its test reads as it was, but for the places and velocities of those that may move? */
+/* Whether all inputs of its test are unchanged, but for poses and velocities of the models that may move. */
 static MeBool isAlike(const McdTest *now, const McdTest *before, const MeBool mayMove[2]) {
     return (now->stamp1 == before->stamp1 || mayMove[0]) && (now->stamp2 == before->stamp2 || mayMove[1]) &&
            now->shape1 == before->shape1 && now->shape2 == before->shape2 &&

@@ -23,8 +23,8 @@ struct McdTree {
 
 namespace {
 
-/* Levels beyond twice those of a balanced tree: from here on the tree is to be made anew, before it is asked; and at
- * the latest here, as boxes that come in order make it a list. */
+/* Levels beyond twice those of a balanced tree at which the tree is rebuilt: before the next query, or at once, as
+ * boxes inserted in order would make it a list. */
 const int spareDepth = 40, mostSpareDepth = 1000;
 
 Node *nodeOf(McdTreeLeaf *leaf) {

@@ -13,14 +13,14 @@ ME_BEGIN_C
  *  MdtWorldCreate. Strings that stay. Each limit is spoken of once then. */
 MEPUBLIC void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies, const char *constraints);
 
-/** Whether that is a world, and a living one. */
+/** Whether it is a live world. */
 MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
 
-/** Counts how often the body's exact place or direction became another one, to the last bit of a double: what was found
- *  of it holds as long as this stays. */
+/** A version of the body's pose in double, which changes with its last bit: collision results are valid while it is the
+ *  same. */
 MEPUBLIC unsigned long MEAPI MdtBodyGetMoves(const MdtBodyID b);
 
-/** Has the body, since MdtBodyGetMoves was @a moves, made the motion of its last step, and no other? */
+/** Whether the body's only motion since MdtBodyGetMoves was @a moves is that of its last step. */
 MEPUBLIC MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves);
 
 /** A contact as collision found it, between bodies whose transforms were read from MdtBodyGetTransformPtr. World frame.
@@ -28,7 +28,7 @@ MEPUBLIC MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves)
 typedef struct MdtFoundContact {
     double position[3];                /**< m */
     double depth;                      /**< m; negative: a gap */
-    MeReal normal[3];                  /**< the way the group's first body is pushed; not zero */
+    MeReal normal[3];                  /**< direction in which the group's first body is pushed; not zero */
     MeReal radius[2];                  /**< m, MdtContactSetRadius, by the group's bodies */
     double rim[2], axis[2][3];         /**< m, unit: MdtContactSetRim, the same */
     MeU32 feature;                     /**< MdtContactSetFeature */
@@ -36,22 +36,22 @@ typedef struct MdtFoundContact {
 } MdtFoundContact;
 
 /**
- * The group's contacts become those that were found, and contacts[i] that of found[i]. One that was there goes on, with
- * its force, where its feature is found again, or else where it is the nearest to where its body has carried it in
- * @a time seconds; the rest is destroyed. Returns how many there are: fewer than @a count where the world is full,
- * which it has said then.
+ * Replaces the group's contacts by those found; contacts[i] is that of found[i]. A contact of the last step persists,
+ * with its force as warm start, where its feature id is found again, or else for the contact nearest to where its body
+ * has moved it in @a time seconds; the others are destroyed. Returns their number: fewer than @a count, after a
+ * warning, where the world is full.
  */
 MEPUBLIC int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
                                         MdtContactID contacts[]);
 
-/** Would MdtContactGroupRenew make no contact and destroy none, and write to nothing but the group, and to its bodies
- *  that their rest has ended? Then groups can be renewed by several threads at once, each by one. */
+/** Whether MdtContactGroupRenew would neither create nor destroy a contact, and would write to the group only, and end
+ *  the rest certificates of its bodies: then several threads may renew different groups at once. */
 MEPUBLIC MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact found[], int count);
 
 /**
- * Carries the group's contacts along with those of its bodies that have moved, by the motion of their last step: the
- * points of the two surfaces stay where they are in their bodies, and the normal in the second one. Returns the least
- * separation, m; MEINFINITY where there is no contact.
+ * Moves the group's contacts along with those of its bodies that have moved, by the motion of their last step: the two
+ * surface points are fixed in their bodies, and the normal in the second one. Returns the least separation, m;
+ * MEINFINITY where there is no contact.
  */
 MEPUBLIC MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2]);
 /** Are all surfaces corners, edges or faces (MdtContactSetRadius)? */

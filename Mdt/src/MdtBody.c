@@ -26,20 +26,20 @@ static void getFrame(const MdtBody *b, double p[3], double q[4]) {
     keaSubtract(p, b->kea.position, offset);
 }
 
-/* The motion of the last step is no first guess for a body that moves differently now, */
+/* Clears the guess of the acceleration, for a body whose motion was changed by the program, */
 static void forgetMotion(MdtBodyID b) {
     mdt_bodyDisturb(b);
     memset(b->kea.acceleration, 0, sizeof b->kea.acceleration);
 }
 
-/* nor are the forces, if its pose has changed; a body that is put back to the same state keeps them. */
+/* and the warm start of its constraints, if its pose has changed; setting the same state again keeps both. */
 static void forgetForces(MdtBodyID b) {
     forgetMotion(b);
     for (MdtAttachment *a = b->attachments; a; a = a->next)
         mdt_constraintForget(mdt_attachmentOwner(a));
 }
 
-/* It begins to be watched for rest anew. */
+/* Restarts the time for which it has been slow. */
 static void forgetRest(MdtBodyID b) {
     b->enabledTime = b->slowTime = 0;
     b->enabledSteps = 0;
@@ -57,7 +57,7 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     keaQuaternionNormalize(b->kea.quaternion);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
     forgetForces(b);
-    forgetRest(b); /* how it rested where it was says nothing of how it does here */
+    forgetRest(b); /* it was slow elsewhere */
     mdt_bodyShow(b);
 }
 
@@ -123,7 +123,7 @@ void mdt_bodyLostByRounding(const MdtBody *b, const MdtFrame *frame, const doubl
         lost[i] += frame->position[i] - point[i];
 }
 
-/* Half the spacing of numbers there is half the length scale. */
+/* The bound of positions: where the rounding of MeReal is half the length scale. */
 static double positionBound(const MdtBody *b) {
     return fmin(2 / (double)ME_EPSILON * (double)b->world->params.lengthScale, (double)MEINFINITY / 4);
 }
@@ -152,7 +152,7 @@ void mdt_bodyKeepWithinReach(MdtBodyID b) {
     b->record.flags |= MDT_FAR;
 }
 
-/* Is it a place for a body? */
+/* Whether a position is finite and within the bound. */
 static MeBool isPlace(const char *caller, MdtBodyID b, MeReal x, MeReal y, MeReal z) {
     const double most = positionBound(b);
     if (!mdt_isFinite3(caller, "the position", x, y, z))

@@ -153,7 +153,7 @@ void MEAPI MdtConstraintDisable(const MdtConstraintID handle) {
     mdt_constraintDisturb(c);
     c->world->enabledConstraints--;
     MEASSERT(c->world->enabledConstraints >= 0);
-    for (int k = 0; k < 2; k++) /* what it held in its sleep has to be looked at */
+    for (int k = 0; k < 2; k++) /* the body may have slept because of it */
         if (c->side[k].body)
             mdt_bodyWakeIfAsleep(c->side[k].body);
 }

@@ -9,7 +9,7 @@ static void setOption(MdtContactParamsID p, int option, MeBool on) {
     p->options = on ? p->options | option : p->options & ~option;
 }
 
-/* Sets a number that must not be negative. */
+/* Sets a number >= 0; else warns. */
 static MeBool setAtLeast0(MdtContactParamsID p, MeReal *value, MeReal x, const char *caller, const char *what) {
     if (!isParams(p, caller) || !mdt_isAtLeast(caller, what, x, 0))
         return MEFALSE;

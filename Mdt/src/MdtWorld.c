@@ -14,9 +14,9 @@ static MeReal scaleOr1(const char *what, MeReal scale) {
     return 1;
 }
 
-/* The default thresholds of rest, as far as the program has set none. They grow with the length scale until the one of
- * accelerations is a tenth of gravity: above it, a falling body would count as resting. Both by one factor, so that
- * such an acceleration takes as long to such a velocity. */
+/* The default thresholds of rest, unless the program has set them. They scale with the length scale, but the one of
+ * accelerations is at most a tenth of gravity, or a falling body would count as resting. Both have one factor, so that
+ * their ratio, a time, is constant. */
 static void setThresholdsOfRest(MdtWorldID w) {
     const double length = (double)w->params.lengthScale, full = MDTWORLD_DEFAULT_ACC_THRESH * length * length;
     double g[3];
@@ -162,7 +162,7 @@ MdtWorldID MEAPI(MdtWorldCreate)(const unsigned int maxBodies, const unsigned in
     w->subSteps = 1;
     w->order = 2;
     w->certificate = 1;   /* 0 is none */
-    w->graph.changes = 1; /* nothing has been seen */
+    w->graph.changes = 1; /* seen is 0: partitions are to be found */
     w->numReports = MDT_NO_REPORTS;
     setDefaults(w, scaleOr1("length", lengthScale), scaleOr1("mass", massScale));
     if (!allocateParts(w, (int)maxBodies, (int)maxConstraints, "MdtWorldCreate")) {

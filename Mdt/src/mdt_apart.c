@@ -54,7 +54,7 @@ static MeBool holdsApart(const MdtAttachment *at, const MdtBody *other) {
     return (c->record.flags & both) == both && c->side[1 - mdt_attachmentSide(at)].body == other;
 }
 
-/* A joint of both is in the lists of both: the end of the shorter one decides. */
+/* Both lists are walked at once: a joint of both is in both, so the end of the shorter list decides. */
 MeBool MEAPI MdtBodiesAreApart(const MdtBodyID b1, const MdtBodyID b2) {
     const MdtAttachment *of1 = b1->attachments, *of2 = b2->attachments;
     if (!(b1->record.flags & b2->record.flags & MDT_APART))

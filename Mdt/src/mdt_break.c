@@ -73,7 +73,7 @@ static MeBool isOverloaded(MdtJoint *j) {
     return keaLength(j->force.body[side].lin) > (double)j->breakForce || keaLength(torque) > (double)j->breakTorque;
 }
 
-/* Did it act in this step? */
+/* Whether the joint was in the system of this step. */
 static MeBool wasStepped(const MdtBaseConstraint *c) {
     for (int k = 0; k < 2; k++)
         if (c->side[k].body && c->side[k].body->partition >= 0 && (c->side[k].body->record.flags & MDT_ENABLED))

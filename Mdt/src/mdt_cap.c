@@ -15,10 +15,10 @@ typedef struct MdtRanked {
     double importance;
     int first;   /* of its group, or itself */
     int numKept; /* of the first: how many of the group are not left out */
-    int place;   /* no property of the contact: the one that is so many from the least important */
+    int place;   /* not of this contact: index of the contact with this rank, least important first */
 } MdtRanked;
 
-/* Contacts that are worth as much go in the order of simulation. */
+/* Contacts of equal importance are ordered as in simulation. */
 static MeBool isBefore(const MdtRanked ranking[], int a, int b) {
     const double x = ranking[a].importance, y = ranking[b].importance;
     return x != y ? x < y : a < b;

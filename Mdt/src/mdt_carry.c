@@ -1,4 +1,5 @@
-/* Contacts carried along with their bodies, where these have hardly moved against each other (MdtInternal.h). */
+/* Moves contacts along with their bodies, instead of finding them anew, where these have hardly moved relative to each
+ * other (MdtInternal.h). */
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "mdt_manifold_i.h"

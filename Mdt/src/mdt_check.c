@@ -39,8 +39,8 @@ MeBool MEAPI MdtBodyIsValid(const MdtBodyID b) {
     return b && MeHandleIsLive(b, MDT_BODY) && b->record.magic == MDT_BODY;
 }
 
-/* A contact is a part of a manifold's record, which is entered: in one of its slots, the address tells that of the
- * record. Nothing is read before that is known to live. */
+/* A contact is a slot of a manifold's record, and only records are in the table of live objects: the record's address
+ * follows from the contact's, and nothing is read before it is known to live. */
 static MeBool isLivePoint(const void *handle) {
     for (int slot = 0; slot < MDT_POINTS; slot++) {
         const size_t offset = offsetof(MdtManifold, point) + (size_t)slot * sizeof(MdtPoint);

@@ -14,13 +14,13 @@
  * gamma takes away is divided over the stages that go forward. The one that goes back is taken forward by the system
  * with its velocities turned round (MdtKeaReverse).
  *
- * Where a stage is not reversible (MdtKeaIsReversible), or is not solved to its end, what is left of the part is taken
- * as ever.
+ * Where a stage is not reversible (MdtKeaIsReversible), or is not solved to its end, the rest of the part is taken
+ * without composition.
  */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 
-/* Joints only: whether they are such as can be reversed is known when they have rows. */
+/* Only for partitions without contacts; whether the joints are reversible is known when their rows are made. */
 MeBool mdt_mayCompose(const MdtIsland *p) {
     return p->world->order == 4 && p->numJoints > 0 && p->numContacts == 0 && !p->isFast;
 }
@@ -63,7 +63,8 @@ static MeBool takeStages(MdtIsland *p, const double share[], double part) {
     return end - p->elapsed <= least || mdt_partTake(p, end - p->elapsed);
 }
 
-/* Halved, as takePart would halve its stages, but all of them alike: their errors cancel only so. */
+/* Where the motion is violent the whole composition is halved, not its stages: errors of order 3 cancel only among
+ * stages of one composition. */
 static MeBool divideComposition(MdtIsland *p, const double share[], double part, int halvings) {
     enum { MOST = 6 };
     if (halvings < MOST && MdtKeaTurnsTooFar(&p->kea, 0.5 * fabs(share[STAGES / 2]) * part))

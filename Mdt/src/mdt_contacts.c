@@ -17,7 +17,8 @@ static MeBool isApart(const MdtExtra *extra) {
            ((extra->record.flags & own) || isMoving(&extra->worldVelocity) || extra->rim[0] > 0 || extra->rim[1] > 0);
 }
 
-/* Has a point what a manifold of Kea's shares? */
+/* Whether a point of the record has a normal, radius or surface of its own, and so needs a manifold of Kea's for
+ * itself. */
 static MeBool hasApart(const MdtManifold *block) {
     for (const MdtExtra *extra = block->extras; extra; extra = extra->next)
         if (isApart(extra))

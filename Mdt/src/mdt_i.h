@@ -1,4 +1,4 @@
-/* Inside Mdt: what worlds, bodies and constraints are made of, and what the files of this library share.
+/* Inside Mdt: the records of worlds, bodies and constraints, and functions shared by the files of this library.
  *
  * Ownership: a world owns pools of records, which never move: bodies, joints, and the manifolds of contacts
  * (mdt_manifold_i.h). Live records are linked into the world's lists in the order of simulation: sort key, then
@@ -100,11 +100,11 @@ typedef struct MdtStart {
 enum {
     MDT_ENABLED = 1,  /* takes part in the simulation */
     MDT_ASLEEP = 2,   /* was disabled by the world, not by the program */
-    MDT_FAR = 4,      /* has come to the bound of positions, and said so */
+    MDT_FAR = 4,      /* was stopped at the bound of positions, with a warning */
     MDT_WATCHED = 8,  /* programs write its parameters through a pointer; of a body: those of a constraint of it */
     MDT_LONE = 16,    /* a manifold of one contact that is in no group */
     MDT_SWAPPED = 32, /* a group that was attached as (null, body) */
-    MDT_APART = 64,   /* a joint whose bodies do not collide with each other; a body that has had such a one */
+    MDT_APART = 64,   /* a joint whose bodies do not collide with each other; a body that has or had such a joint */
 };
 
 /* Fields that are read together share cache lines of 64 bytes, in single precision (records begin with one). */
@@ -124,11 +124,12 @@ struct MdtBody {
     MdtAttachment *attachments; /* its joints and manifolds */
     /* read for partitions at rest */
     unsigned long certificate;                     /* of rest, the world's when it was given; 0: none (mdt_rest.c) */
-    MeVector3 shownVelocity, shownAngularVelocity; /* as last written by us: a difference is a program's */
+    MeVector3 shownVelocity, shownAngularVelocity; /* as last written by the library: a difference was written by a
+                                                      program */
     double force[3], torque[3];                    /* N, N m, added since the last step */
     double impulse[3], twist[3];                   /* N s, N m s, the same */
     double lastForce[3], lastTorque[3];            /* N, N m, those that the step in progress began with */
-    double lag, part;                              /* s: that it is behind its world; that it was moved on last */
+    double lag, part;                              /* s: time by which it is behind its world; its last step */
     double slowTime;                               /* s, for which it has been below the thresholds of rest */
     double enabledTime;                            /* s */
     int enabledSteps;
@@ -138,7 +139,8 @@ struct MdtBody {
 
     MdtKeaBody kea; /* the centre of mass: the authoritative state */
     MdtStart start;
-    double push[3];                     /* m/s: its way in the last step beyond its velocity: out of an overlap */
+    double push[3];                     /* m/s: displacement of the last step over h, less the velocity: position
+                                           correction */
     double centre[3];                   /* m, of mass, in the body's frame */
     double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
     double shownPlace[3], shownTurn[4]; /* of the frame, as last shown: by setters, and at a step's end */
@@ -236,7 +238,7 @@ static inline void mdt_constraintDisturb(MdtConstraintID c) {
             mdt_bodyDisturb(c->side[k].body);
 }
 
-/* Its parameters may be written without a setter from now on. */
+/* Marks that a program has a pointer to its parameters, and may write them without a setter. */
 void mdt_constraintWatch(MdtConstraintID c);
 
 /* One more, or less, of the constraints that the world has room for: joints, groups, contacts. False, with a warning
@@ -276,7 +278,7 @@ void mdt_constraintTerm(MdtConstraintID c);
 void mdt_constraintPoses(MdtConstraintID c, MdtKeaTransformation pose[2]);
 /* The body's centre of mass was moved within it: the attachment stays where it is in the world. */
 void mdt_constraintReframe(MdtConstraintID c, int side, const MdtKeaBody *before, const MdtKeaBody *after);
-/* The forces of the last step are no guess for the next. */
+/* Clears the warm start: the forces of the last step are no guess for the next. */
 void mdt_constraintForget(MdtConstraintID c);
 /* Its force and torque in the last step; of a group the sum over its contacts. */
 void mdt_constraintSetForce(MdtConstraintID c, const MdtKeaForcePair *force);
@@ -402,7 +404,7 @@ struct MdtWorld {
     MdtBreakCBPtr breakCb; /* null: none */
     double lastStep;       /* s, 0 before the first */
     struct {
-        MeBool isOver;         /* gravity was set, something has acted, or it was told */
+        MeBool isOver;         /* gravity was set, something has acted, or the warning was given */
         double time;           /* s, in which nothing has acted on the bodies, */
         unsigned long sum;     /* which were as many, and where they are now */
     } idle;                    /* mdt_idle.c */
@@ -463,7 +465,7 @@ MdtPartitionInfo mdt_islandInfo(MdtWorldID w, int p);
 
 /* Draws what MdtWorldSetDebugDrawing has chosen (mdt_debug.c). */
 void mdt_debugDraw(MdtWorldID w);
-/* Before a step of h seconds: has the program forgotten gravity? */
+/* Check builds, before a step of h seconds: warns of a world without gravity in which nothing moves. */
 void mdt_idleWatch(MdtWorldID w, double h);
 
 /* ---- joints that break (mdt_break.c) ---- */

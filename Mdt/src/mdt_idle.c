@@ -17,7 +17,8 @@ static MeBool isAlone(const MdtBody *b) {
            MeVector3MagnitudeSqr(b->velocity) == 0 && MeVector3MagnitudeSqr(b->angularVelocity) == 0;
 }
 
-/* Does nothing act on any body as a step begins? The sum counts bodies, and how often they have been moved. */
+/* Whether nothing acts on any body as a step begins. The sum of bodies and of their moves detects bodies that the
+ * program moves itself. */
 static MeBool areAllAlone(const MdtWorld *w, unsigned long *sum) {
     *sum = 0;
     if (w->enabledBodies + w->asleepBodies == 0 || w->enabledConstraints > 0)

@@ -32,7 +32,7 @@ void mdt_lagSet(const MdtIsland *p, double lack) {
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, setLags, &lagging);
 }
 
-/* The common lag of the partition's bodies, but for those that have just been woken; 0: one of them has none. */
+/* s: the common lag of the partition's bodies, without those that have just been woken; 0: one of them has no lag. */
 static double lagOf(const MdtIsland *p) {
     double least = INFINITY;
     for (int i = 0; i < p->numBodies; i++)

@@ -53,7 +53,7 @@ typedef struct MdtManifold {
     MdtExtra *extras;
     const MdtSurface *surface;
     void *generator, **holder; /* MdtContactGroup.h */
-    MeReal normal[3];          /* the way the first body is pushed; of any length */
+    MeReal normal[3];          /* direction in which the first body is pushed; of any length */
     MeReal radius[2];          /* m, MdtContactSetRadius */
     int numPoints;             /* of the whole group */
     MdtPoint point[MDT_POINTS];
@@ -122,7 +122,7 @@ MdtPoint *mdt_pointCreateIn(MdtManifold *group, const char *caller);
 void mdt_pointTerm(MdtPoint *p);
 void mdt_manifoldClear(MdtManifold *m); /* destroys its contacts */
 void mdt_manifoldTerm(MdtManifold *m);
-/* A contact that is in no group comes into one; one that is alone in its record leaves it. */
+/* Moves a contact that is in no group into one; removes a contact that is alone in its record from its group. */
 void mdt_pointJoin(MdtPoint *p, MdtManifold *group);
 void mdt_pointLeave(MdtPoint *p);
 /* Has it a record of its own, so that it can leave its group? */
@@ -148,7 +148,7 @@ MeReal mdt_pointRadius(const MdtPoint *p, int side);
 const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p);
 /* The radius of the circle that the surface touches with, and its axis; 0: none. */
 double mdt_pointRim(const MdtPoint *p, int side, double axis[3]);
-/* Does the surface roll there? */
+/* Whether the surface is round there, so that the contact rolls. */
 MeBool mdt_pointIsRound(const MdtPoint *p, int side);
 void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]);
 void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params);
@@ -160,7 +160,7 @@ void mdt_manifoldFrames(const MdtManifold *m, MdtFrame frames[2]);
 void mdt_pointSetFound(MdtPoint *p, const MdtFrame frames[2], const double position[3], double depth);
 /* Where its bodies have carried it to since the step began. */
 void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth);
-/* Everything but the bodies as in a new contact. */
+/* Resets everything but the bodies to the values of a new contact. */
 void mdt_pointReset(MdtPoint *p);
 /* The forces of the last step are no guess for the next. */
 void mdt_manifoldForget(MdtManifold *m);

@@ -116,7 +116,7 @@ static int log2Of(int size) {
     return log;
 }
 
-/* The others by size, the largest first, as powers of two tell: a counting sort. Returns how many. */
+/* Sorts the other partitions by size, in powers of two, the largest first: a counting sort. Returns how many. */
 static int sortPartitions(Stepping *s) {
     int first[SIZES + 1] = {0};
     const MdtWorld *w = s->world;

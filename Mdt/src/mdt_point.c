@@ -3,14 +3,14 @@
 #include "MeAssert.h"
 #include <string.h>
 
-/* The extra of a point if it has its own of that. */
+/* The extra of a point if it replaces this shared value; else null. */
 static MdtExtra *ownOf(const MdtPoint *p, int own) {
     const MdtManifold *block = mdt_blockOf(p);
     MdtExtra *extra = block->extras ? mdt_extraOf(block, p->slot) : NULL;
     return extra && (extra->record.flags & own) ? extra : NULL;
 }
 
-/* Writes what the points of a record share, or have of their own; what is written as it was is no change. */
+/* Writes a value that points of a record share or replace. Writing an equal value does not end rest certificates. */
 static void setPart(MdtPoint *p, void *part, const void *value, size_t size) {
     if (memcmp(part, value, size) == 0)
         return;
@@ -146,9 +146,9 @@ static MeBool layIntoPlane(const double normal[3], double direction[3]) {
     return METRUE;
 }
 
-/* An axis across the normal gives the direction: x, or z, or y, if it is clearly more across than those before it. Of
- * two that are alike, as on level ground, rounding must not choose another one in the next step: friction forces are
- * kept as numbers along it. */
+/* The default primary direction: the projection of x, z or y on the contact plane, a later one only if it is clearly
+ * more orthogonal to the normal. Hysteresis between equivalent axes, as on level ground: rounding must not change the
+ * choice from step to step, as the warm start of friction has coordinates along it. */
 static void chooseDirection(const double n[3], double direction[3]) {
     static const int order[] = {0, 2, 1};
     const double clearly = 0.1;
@@ -178,7 +178,8 @@ const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p) {
     return extra ? &extra->worldVelocity : &MdtBclWorldVelocity;
 }
 
-/* How much of a body's displacement its contact's position follows: that of the one that rolls, or moves at all. */
+/* The weight of each body's displacement in that of the contact: 1 and 0 where only one surface is round, which rolls;
+ * 1 of the only body; else 1/2. */
 static double shareOf(const MdtPoint *p, const MdtBaseConstraint *base, int k) {
     const MeBool isRound[2] = {mdt_pointIsRound(p, 0), mdt_pointIsRound(p, 1)};
     if (base->side[0].body && base->side[1].body && isRound[0] != isRound[1])

@@ -1,10 +1,11 @@
-/* Contacts as collision finds them (MdtInternal.h): which of the old ones each of them continues. */
+/* Persistent contacts (MdtInternal.h): matches the contacts found by collision with those of the last step, for warm
+ * starting. */
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "mdt_manifold_i.h"
 #include <string.h>
 
-/* Is it the contact that one of the first `count` of those found continues? */
+/* Whether one of the first `count` contacts found has been matched with it. */
 static MeBool isContinued(const MdtPoint *p, const MdtContactID contacts[], int count) {
     for (int i = 0; i < count; i++)
         if (contacts[i] == (MdtContactID)p)
@@ -32,8 +33,7 @@ static double squareDistance(const MdtPoint *p, double time, const double positi
     return keaDot(way, way);
 }
 
-/* Of all contacts found that continue none, and all of the group that are not continued, the two that are nearest to
- * each other become one. False: there are none. */
+/* Matches the nearest two of the contacts found and those of the group that are unmatched. False: there are none. */
 static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
                            MdtContactID contacts[]) {
     const MdtPoint *nearest = NULL;
@@ -56,9 +56,8 @@ static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], 
     return nearest != NULL;
 }
 
-/* Features of boxes that lie flat on each other change with their last bits, corner for edge, while the points stay
- * where they are and go on carrying what they carried: what is left over after the features continues the nearest of
- * the old contacts that are left. */
+/* Contacts that are unmatched by feature id are matched by distance. Feature ids of boxes that lie flat change with
+ * rounding, from a corner to an edge, while the points and their forces remain. */
 static void matchContacts(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
                           MdtContactID contacts[]) {
     for (int i = 0; i < count; i++)
@@ -118,7 +117,7 @@ static void setRound(MdtPoint *p, int side, const MdtFoundContact *found) {
     mdt_pointSetRim(p, side, found->rim[side], found->axis[side]);
 }
 
-/* Has the record all that was found of the contact but its place? */
+/* Whether the record's shared values are those found of the contact; only its position is its own. */
 static MeBool isAsRecord(const MdtManifold *block, const MdtFoundContact *found) {
     return !block->extras && memcmp(block->normal, found->normal, sizeof block->normal) == 0 &&
            memcmp(block->radius, found->radius, sizeof block->radius) == 0 && !(found->rim[0] > 0) &&

@@ -77,7 +77,8 @@ void mdt_reportLap(MdtIsland *p, MdtReportStage stage) {
         p->report->time[stage] += (MeReal)lapTime(p->clock);
 }
 
-/* The time of a callback before a partition is the program's. */
+/* Whether a partition is timed by stage, and not together with others: one in GROUP, those above SMALL, and all if a
+ * callback of the program runs between them, whose time must not be shared out. */
 static MeBool isTimedByStage(const MdtWorld *w, int partition) {
     const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
     const int constraints = w->actingStart[partition + 1] - w->actingStart[partition];
@@ -106,7 +107,7 @@ static void shareTime(MdtWorldID w, int end) {
     w->firstUntimed = end;
 }
 
-/* A worker beside others has a clock of its own, and no others' time to divide. */
+/* With several workers each has its own clock, and times its own partitions only. */
 static MeBool hasOwnClock(const MdtIsland *p) {
     return p->clock == &p->lap;
 }
@@ -124,7 +125,7 @@ void mdt_reportBegin(MdtIsland *p) {
         shareTime(w, p->number);
 }
 
-/* How a small partition's time divides. */
+/* Keeps the shares of the stages in the time of a small partition, for those that are not timed by stage. */
 static void keepShares(MdtWorldID w, const MdtReport *r) {
     double sum = 0;
     for (int i = 0; i < MdtReportStages; i++)

@@ -86,7 +86,7 @@ static void certifyConstraint(MdtConstraintID c) {
         forWatchedContacts(mdt_asManifold(c), certifyContact);
 }
 
-/* Each watched constraint of the body that is not looked at from its other side. */
+/* Visits the watched constraints of the body, each once, from one of its two bodies. */
 static MeBool isWatchedFrom(const MdtAttachment *at, const MdtBaseConstraint *c) {
     return (c->record.flags & MDT_WATCHED) && (c->record.flags & MDT_ENABLED) &&
            (mdt_attachmentSide(at) == 0 || !c->side[0].body);
@@ -151,7 +151,7 @@ void mdt_restKeep(MdtIsland *p) {
 
 /* ---- giving it ---- */
 
-/* A joint or a spring under load comes to where it rests as slowly as it likes, and gets there. */
+/* Joints and springs approach their equilibrium asymptotically, at any speed: a threshold would stop them too early. */
 static MeBool comesNearerForEver(const MdtIsland *p) {
     for (int i = 0; i < p->kea.numRows; i++)
         if (p->kea.rows[i].spring || p->kea.rows[i].position)
@@ -159,8 +159,8 @@ static MeBool comesNearerForEver(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* m/s: the threshold of rest, for mean velocities of a step. Each row is within its tolerance; from body to body the
- * errors of n of them, which are independent, add up to sqrt(n) as much (a tower of 20 boxes: to 3 times). */
+/* m/s: the threshold of rest, for mean velocities of a step. Each row's velocity error is within its tolerance;
+ * independent errors along a chain of n bodies add up to sqrt(n) times that (3 times in a tower of 20 boxes). */
 static double resolvedSpeed(const MdtIsland *p) {
     if (p->isFast)
         return p->kea.report.resolution;
@@ -176,7 +176,7 @@ static MeBool isSlow(const MdtBody *b, const MdtKeaVelocity *v, double speed) {
     return keaLength(v->lin) <= speed && turningSpeed(b, v->ang) <= speed;
 }
 
-/* m/s: the way of the step, which may be more than its velocities: out of overlaps. */
+/* m/s, rad/s: displacement of the step over h; it includes position corrections, which velocities do not. */
 static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
     const MdtKeaBody *b = &p->bodies[i]->kea;
     MdtKeaVelocity way;
@@ -189,7 +189,7 @@ static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
     return way;
 }
 
-/* The midpoint rule makes an error of the mean velocity twice as large at either end of the step. */
+/* The factor 2: with the midpoint rule an error of the mean velocity is twice as large at either end of the step. */
 static MeBool isResting(const MdtIsland *p, int i, double speed) {
     const MdtBody *b = p->bodies[i];
     const MdtKeaVelocity way = meanVelocity(p, i);
@@ -220,7 +220,8 @@ static void MEAPI forgetCalmSteps(void *island, int first, int end, int worker) 
         p->bodies[i]->calmSteps = 0;
 }
 
-/* Counts the calm steps of each body; whether there were enough. A certificate that was lost begins them anew. */
+/* Counts the calm steps of each body. Returns whether all have enough. The count begins anew when a body loses its
+ * certificate. */
 static MeBool isCalmForLong(MdtIsland *p) {
     const double enough = relaxationSteps(p->world);
     MeBool isLong = METRUE;
@@ -237,7 +238,7 @@ static MeBool isCalmForLong(MdtIsland *p) {
     return isLong;
 }
 
-/* Slipping or carried bodies never stop, though they may be slower than the fast solver's threshold of rest. */
+/* Contacts with slip or moving surfaces keep bodies in motion, be it below the fast solver's threshold of rest. */
 static MeBool mayCreep(const MdtIsland *p) {
     for (int i = 0; i < p->kea.numManifolds && p->isFast; i++) {
         const MdtKeaSurface *s = &p->kea.manifolds[i].surface;
@@ -247,7 +248,7 @@ static MeBool mayCreep(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* A function of the program may write other rows, or choose others, the next time. */
+/* Whether rows depend on a function of the program, which may give another result in the next step. */
 static MeBool dependsOnProgram(const MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++)
         if (mdt_constraintType(p->acting[i]) == MdtBclUSER)
@@ -264,7 +265,7 @@ static MeBool areJointsClosed(const MdtIsland *p) {
     return are;
 }
 
-/* In one part, and within tolerances. */
+/* Whether the step was taken in one part, and its solve is within tolerances. */
 static MeBool wasAnswerFound(const MdtIsland *p) {
     const MdtKeaReport *r = &p->kea.report;
     const MeBool isWhole = p->h >= p->whole && p->parameters.stepsize >= p->h;

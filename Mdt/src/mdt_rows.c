@@ -28,7 +28,7 @@ static void jointContext(const MdtIsland *p, MdtJoint *j, MdtBclContext *x) {
 
 /* ---- how many ---- */
 
-/* Once when a joint comes there, not at every step, or part of one, that it stays. */
+/* Warns when a joint becomes degenerate, not in each step or part while it stays so. */
 static void noteDegenerate(MdtIsland *p, MdtJoint *j) {
     p->isDegenerate = p->isDegenerate || j->bcl.isDegenerate;
     if (!j->bcl.isDegenerate || j->isDegenerate)
@@ -60,7 +60,7 @@ static int countJoints(MdtIsland *p) {
 
 /* ---- what they are ---- */
 
-/* A row's rate is the velocity of one side relative to the other: the world's part. */
+/* m/s: the part of a row's rate that comes from the motion of the world's side. */
 static double worldRate(const MdtKeaVelocity *v, const MdtKeaRow *row) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
@@ -69,14 +69,14 @@ static double worldRate(const MdtKeaVelocity *v, const MdtKeaRow *row) {
     return rate;
 }
 
-/* That is known and goes to the target. */
+/* The motion of the world is known: its rate goes to the target, with the sign turned round. */
 static void subtractWorldVelocity(const MdtKeaVelocity *v, MdtKeaRow *row) {
     const double rate = worldRate(v, row);
     row->target -= rate;
     row->drift -= rate;
 }
 
-/* 1/(kg m²): a row that only turns bodies has epsilon at a lever arm of the length scale. */
+/* 1/(kg m²): the epsilon of an angular row, as of a linear row at a lever arm of the length scale. */
 static void softenTurns(const MdtWorld *w, MdtKeaRow rows[], int count) {
     const double length = (double)w->params.lengthScale;
     for (int r = 0; r < count; r++)
@@ -104,7 +104,7 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     p->kea.numRows += j->numRows;
 }
 
-/* Count, leave out what is too much, fill. */
+/* Count, leave out rows beyond the cap, fill. */
 void mdt_rowsMake(MdtIsland *p) {
     MdtWorldID w = p->world;
     p->numRows = countJoints(p) + MdtKeaCountContactRows(&p->kea);

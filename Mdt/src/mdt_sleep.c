@@ -3,7 +3,7 @@
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 
-/* A body that is being pushed out of an overlap moves, though its velocity is 0. */
+/* A body whose overlap is being corrected moves though its velocity is 0: it must not be put to sleep. */
 static MeBool isPushedOut(MdtBodyID b, const MdtPartitionParams *rest) {
     const double slow = 1e-4; /* of vel_thresh: squares of velocities */
     return keaDot(b->push, b->push) > slow * (double)rest->vel_thresh;
@@ -19,7 +19,7 @@ static MeBool isSurfaceMoving(const MdtPoint *point) {
            keaDot(world->lin, world->lin) + keaDot(world->ang, world->ang) > 0;
 }
 
-/* A body on a belt moves with it, however slow the belt is; and one that is held there is dragged on by friction. */
+/* Bodies on a moving surface stay awake: they move with it, however slowly, or are held against its friction. */
 static MeBool isCarried(const MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++) {
         if (mdt_isJoint(p->acting[i]))

@@ -1,4 +1,4 @@
-/* Inside Mdt: a partition on its way through a step, and the stages that it passes.
+/* Inside Mdt: the working data of a partition in a step, and the stages of the step.
  *
  *     stage       file              reads -> writes
  *     partition   mdt_island.c      bodies, constraints -> the world's partitions; wakes what is tied to awake bodies
@@ -42,7 +42,7 @@ typedef struct MdtIsland {
     int number, numBodies, numActing;
     MdtBodyID *bodies;
     MdtConstraintID *acting; /* joints and manifolds */
-    double whole;            /* s, the step that the program asked for */
+    double whole;            /* s, the argument of MdtWorldStep */
     /* mdt_step.c, mdt_lag.c */
     double h; /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
     /* mdt_report.c */
@@ -60,7 +60,7 @@ typedef struct MdtIsland {
     double elapsed;                    /* s, of the step before that part */
     double work;                       /* multiplications that the step may still cost; MDT_NO_BOUND: any number */
     int iterations;                    /* of Newton's method, the same; 0: any number */
-    MeBool hasMet;                     /* bodies met as a part began */
+    MeBool hasMet;                     /* there was an impact at the start of a part */
     /* mdt_compose.c */
     MdtStage stage;
     double forward; /* the sum of the stages that go forward, over the part that they make up */
@@ -187,14 +187,14 @@ void mdt_unpackImpact(MdtIsland *p);
 void mdt_unpackConstraints(MdtIsland *p);
 /* Bodies, at the end of the step. */
 void mdt_unpackBodies(MdtIsland *p);
-/* The last resort: bodies whose next state is not finite stay where they are and stop. */
+/* Fallback: bodies whose next state is not finite keep their pose, with velocity 0. */
 void mdt_unpackStopped(MdtIsland *p);
 
 /* ---- steps by safe time (mdt_lag.c) ------------------------------------------------------------------------------ */
 
 /* How far a partition may move: the shortest safe time of its bodies, within bounds. */
 double mdt_lagSafeStep(const MdtIsland *p);
-/* The partition has advanced by its h: its lag is less by so much. */
+/* The partition has advanced by h: subtracts it from the lag of its bodies. */
 void mdt_lagSet(const MdtIsland *p, double lack);
 
 #endif

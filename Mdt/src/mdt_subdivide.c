@@ -22,14 +22,15 @@ static void beginBudget(MdtIsland *p) {
     p->iterations = p->world->maxLcpIterations;
 }
 
-/* What is left is kept for later but for this share; the caller gives it back. */
+/* Reserves all but this share of the work that is left for later parts. Returns the reserve, which the caller adds
+ * back. */
 static double keepWork(MdtIsland *p, double share) {
     const double kept = p->work < MDT_NO_BOUND ? (1 - share) * p->work : 0;
     p->work -= kept;
     return kept;
 }
 
-/* The least of either is not none, which would mean any number. */
+/* Kea's budgets are at least 1, as 0 means unlimited. */
 void mdt_budgetGrant(MdtIsland *p) {
     p->kea.parameters.maxWork = p->work < MDT_NO_BOUND ? fmax(p->work, 1) : 0;
     p->kea.parameters.maxIterations = p->world->maxLcpIterations == 0 ? 0 : p->iterations > 1 ? p->iterations : 1;
@@ -45,7 +46,7 @@ void mdt_budgetDraw(MdtIsland *p) {
         p->report->work += (MeReal)(1e-6 * cost->work);
 }
 
-/* Whether both halves of the part would have enough for some passes. */
+/* Whether the budget allows both halves of the part some passes. */
 static MeBool mayDivide(const MdtIsland *p, int halvings) {
     enum { PASSES = 8 };
     return halvings < MAX_HALVINGS && p->work > 2 * PASSES * p->kea.report.least;
@@ -97,11 +98,11 @@ void mdt_partImpact(MdtIsland *p) {
     mdt_rowsMake(p);
 }
 
-/* That a solve was inexact is in the report (MdtReport's fallbacks). A warning is for what a program can change: motion
- * that the step is too long for, or a cap that it has set. */
+/* An inexact solve is reported (MdtReport's fallbacks). A warning is given only where the program can do something:
+ * take shorter steps, or raise a cap that it has set. */
 static void warnOfSolver(const MdtIsland *p) {
     const MeBool isMendable = p->kea.report.violent || p->kea.parameters.maxIterations > 0;
-    if (p->kea.report.capped && !p->isDegenerate && isMendable) /* degenerate: that has been said */
+    if (p->kea.report.capped && !p->isDegenerate && isMendable) /* of degenerate joints there was a warning already */
         MeWarning(
             2,
             "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
@@ -161,17 +162,17 @@ MeBool mdt_partTakeMade(MdtIsland *p, double part) {
 
 /* ---- events ---- */
 
-/* Was the part solved, or so nearly that what is wrong with velocities takes nothing farther than 1e-7 of a step's
- * fall, as in parts that are short against rounding? */
+/* Whether the solve of the part has converged, or its residual moves nothing by more than 1e-7 of the fall in a step, g
+ * h²: in very short parts rounding leaves a residual above tolerance. */
 static MeBool isFollowed(const MdtIsland *p) {
     const MeReal *g = p->world->params.gravity;
     const double fall = sqrt((double)(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])) * p->h * p->h;
     const double way = p->kea.report.residual * p->parameters.stepsize;
-    const MeBool isNear = !p->kea.report.violent && way < 1e-7 * fall; /* violent: the motion itself was not found */
+    const MeBool isNear = !p->kea.report.violent && way < 1e-7 * fall; /* violent: positions have not converged */
     return !p->kea.report.capped || (isNear && !p->kea.report.limited);
 }
 
-/* Up to the next event, at most for `rest`. False where that could not be followed. */
+/* Solves a timed part up to the next event, at most `rest` s. False: not solved accurately, or impacts chatter. */
 static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
     p->kea.parameters.timed = METRUE;
     mdt_partMakeRows(p, rest);
@@ -182,7 +183,7 @@ static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
         return MEFALSE;
     if (p->kea.report.event >= rest - least)
         return METRUE;
-    if (p->kea.report.trembles) /* an event would follow the other */
+    if (p->kea.report.trembles) /* chattering: slow impacts would follow each other without end */
         return MEFALSE;
     if (p->report)
         mdt_reportEvent(p->report);
@@ -190,7 +191,7 @@ static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
     return isFollowed(p);
 }
 
-/* The same, nearer by halves while the motion is violent. */
+/* The same, with the part halved while the motion is violent. */
 static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least) {
     for (double ahead = rest; !solveToEvent(p, ahead, least); ahead *= 0.5)
         if (!p->kea.report.violent || ahead < 0.2 * rest)
@@ -205,7 +206,7 @@ static MeBool hasRestitution(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* How many events a part may be divided at. A column of n balls that lands has n (n + 1)/2 impacts, as the lowest one
+/* The most events at which a part is divided. A column of n balls that lands has n (n + 1)/2 impacts, as the lowest one
  * hits the ground once for each of them; so has each column of a crowd that is as high as it is wide, (n + 1)/2 for
  * each ball. Where nothing rebounds, one event, and another that follows from it, as where a box comes down on one edge
  * and then on the other: what meets after that is held at the end of the step, no more than a step too late. */
@@ -219,8 +220,8 @@ static int mostEvents(const MdtIsland *p) {
     return EVENTS + p->numBodies * (high + 1) / 2;
 }
 
-/* A part of the step of a partition whose contacts are met in time: up to the next event, and on. When there are too
- * many of them, or they cannot be followed so exactly, the rest is taken as it is elsewhere. */
+/* A part of the step with timed contacts: divided at each event. After too many events, or where a solve is not
+ * accurate, the rest is one part that is not timed. */
 static MeBool takeInTime(MdtIsland *p, double part) {
     const double least = 1e-9 * part;
     const int most = mostEvents(p);
@@ -238,9 +239,9 @@ static MeBool takeInTime(MdtIsland *p, double part) {
     return METRUE;
 }
 
-/* Few bodies that only touch; and of others those whose contacts have restitution, while only few are held: a
- * crowd of balls that fly, whatever contacts with gaps tie together. With joints, when something is about to bounce,
- * and not in the parts by safe time, which end at impacts by themselves. */
+/* Whether contacts are timed: in partitions without joints of few bodies; with restitution also in those in which only
+ * few bodies are held by joints or closed contacts, such as a crowd of flying balls. With joints only if an impact is
+ * predicted, and not in a step by safe time, which ends at impacts anyway. */
 static MeBool isTimed(MdtIsland *p, double part) {
     const int most = p->world->timedBodies;
     if (most == 0 || p->numActing == 0 || p->isFast)

@@ -17,7 +17,7 @@ void mdt_unpackBegin(MdtIsland *p) {
     }
 }
 
-/* The force of a divided step is the mean over its parts. */
+/* The force of a divided step is the mean over its parts, weighted by their lengths. */
 static void addJointForces(MdtJoint *j, const MdtKeaRow rows[], double share) {
     for (int r = 0; r < j->numRows; r++)
         for (int k = 0; k < 2; k++) {
@@ -54,7 +54,7 @@ static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
 }
 
 void mdt_unpackConstraints(MdtIsland *p) {
-    const MeBool isGuess = p->parameters.stepsize > 0.1 * p->h; /* the forces of a shorter part are none */
+    const MeBool isGuess = p->parameters.stepsize > 0.1 * p->h; /* those of a very short part are no warm start */
     addForces(p, mdt_partTime(p) / p->h);
     for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);

@@ -63,8 +63,9 @@ typedef struct MdtBclRelative {
     double quaternion[4];         /**< w x y z, of frame 0 in frame 1 */
     double velocity[3];           /**< rad/s, of that, in the axes of frame 1 */
     MeReal linear[3], angular[3]; /**< N, N m, strengths, in the axes of frame 1 and of the wanted frame */
-    /* Kept by the library: the wanted quaternion as the part of the step begins and ends, and the way between. */
-    double now[4], then[4], way[3];
+    /* Kept by the library: the target quaternion at the start and the end of the part of the step, and the rotation
+     * between. */
+    double now[4], then[4], rotation[3];
 } MdtBclRelative;
 
 /** What a distance is: see bcl_spring.c. */
@@ -100,10 +101,10 @@ typedef struct MdtBclCone {
     double normal[3];          /**< kept by the library: unit, about which the angle grows */
 } MdtBclCone;
 
-/** A motor that is just that. */
+/** A velocity motor. */
 typedef struct MdtBclMotor {
     MeReal velocity; /**< rad/s */
-    MeReal force;    /**< N m, the most that it gives */
+    MeReal force;    /**< N m, its bound, either way */
 } MdtBclMotor;
 
 /** CarWheel. */

@@ -1,7 +1,7 @@
-/* Angular3: the bodies keep their orientation to each other and are free to move (Dynamics guide ch. 3, "MdtAngular3").
+/* Angular3: the bodies keep their relative orientation and may translate freely (Dynamics guide ch. 3, "MdtAngular3").
  *
- * Three rows of the turn between the frames (bcl_turnRows). With the rotation enabled it is Angular2: the two rows that
- * hold the primary axes together, as in a hinge.
+ * Three rows of the relative orientation of the frames (bcl_turnRows). With rotation enabled (Angular2) the two rows of
+ * a hinge that keep the primary axes parallel.
  *
  * With finite stiffness and damping it is a damped spring instead, whose torque on body 0 is -k θ n - c ω however large
  * the angle is: θ n is the rotation vector between the frames, or, with the rotation enabled, between the primary axes.
@@ -14,13 +14,13 @@ static void reset(MdtBclConstraint *c) {
     c->of.angular = (MdtBclAngular){.stiffness = MEINFINITY, .damping = MEINFINITY};
 }
 
-/* The orientation that the bodies have when they are attached is the one to keep. */
+/* The relative orientation to be kept is the one at the time of attachment. */
 static void attached(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
     bcl_matchAxes(c, pose);
 }
 
-/* Axes that were set later name the axis of rotation and leave that orientation: frame 1 turns within its body as frame
- * 0 has within its own, F_1' = F_1 F_0ᵀ F_0'. */
+/* Setting axes later changes the axis of rotation, not the relative orientation to be kept: frame 1 is turned within
+ * its body as frame 0 was, F_1' = F_1 F_0ᵀ F_0'. */
 static void axesSet(MdtBclConstraint *c, const MdtBclFrame before[2], const MdtKeaTransformation *const pose[2]) {
     (void)pose;
     double third[2][3], *set[2] = {c->frame[1].primary, c->frame[1].ortho};
@@ -52,8 +52,8 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
         bcl_turnErrors(c, pose, NULL, e);
 }
 
-/* The rotation vector from the primary axis of frame 1 to that of frame 0, in the axes of frame 0: it has no first
- * component. Opposite axes have no direction to turn back in; then it is 0. */
+/* The rotation vector from the primary axis of frame 1 to that of frame 0, in the axes of frame 0: its first component
+ * is 0. For opposite axes, where its direction is undefined, it is 0. */
 static void leaning(double axes[3][3], const double to[3], double rotation[3]) {
     const double y = keaDot(axes[1], to), z = keaDot(axes[2], to), sine = keaHypotenuse(y, z);
     const double scale = sine > 0 ? atan2(sine, keaDot(axes[0], to)) / sine : 0;

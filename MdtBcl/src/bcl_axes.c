@@ -1,4 +1,4 @@
-/* The parts of joints that constrain directions: axes held together or at right angles, orientations held. */
+/* Parts of joints that constrain directions: parallel axes, orthogonal axes, relative orientations. */
 #include "bcl_i.h"
 
 void bcl_axes(double axes[3][3], const MdtBclConstraint *c, int k, const MdtKeaTransformation *pose) {
@@ -77,8 +77,8 @@ void bcl_turnErrors(const MdtBclConstraint *c, const MdtKeaTransformation *const
     keaScale(errors, 2, turn + 1);
 }
 
-/* The axes of the wanted frame, fixed in body 1. */
-static void wantedAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKeaTransformation *pose,
+/* The axes of the target frame, which is fixed in body 1. */
+static void targetAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKeaTransformation *pose,
                        const double q[4]) {
     double frame[3][3], R[3][3];
     bcl_axes(frame, c, 1, pose);
@@ -96,14 +96,14 @@ static void wantedAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKe
     }
 }
 
-/* φ = 2 v with the turn (w, v) in the axes of the wanted frame T. From d(w, v)/dt = 1/2 (0, ω)(w, v), ω = Tᵀ(ω_0 -
- * ω_1):
+/* φ = 2 v with the relative quaternion (w, v) in the axes of the target frame T. From d(w, v)/dt = 1/2 (0, ω)(w, v), ω
+ * = Tᵀ(ω_0 - ω_1):
  *     dφ/dt = (w I - [v]x) ω.
- * It is regular but for a half turn. */
+ * The matrix is singular at half a turn only. */
 void bcl_turnRows(const MdtBclConstraint *c, const MdtBclContext *x, const double q[4], MdtKeaRow rows[3]) {
     double turn[4], T[3][3];
     bcl_turnBetween(turn, c, x->pose, q);
-    wantedAxes(T, c, x->pose[1], q);
+    targetAxes(T, c, x->pose[1], q);
     const double w = turn[0], *v = turn + 1;
     const double G[3][3] = {{w, v[2], -v[1]}, {-v[2], w, v[0]}, {v[1], -v[0], w}};
     for (int i = 0; i < 3; i++) {

@@ -8,7 +8,7 @@
  *     locked: φ_4 = t·h    the wheel does not steer; else the steering motor's row
  *     steering: the wheel's angle ψ about s, dψ/dt = (s - (s·h) h)·(ω_1 - ω_0) / (1 - (s·h)²). The motor's row is met
  *                          where the wheel arrives: a rolling wheel turns so far in a step that its rate does not tell
- *     suspension: a damped spring on the height s·d, and one-sided rows at its stops
+ *     suspension: a damped spring of the height s·d, and one-sided rows at its stops
  *     the hinge motor's row
  * The steering angle is that of the chassis against the wheel, -angle(o, h) about s, as hinges count theirs (body 0
  * against body 1); motors drive the wheel against the chassis.
@@ -47,13 +47,13 @@ static double wheelAngle(const Axes *a) {
     return atan2(keaDot(a->t, a->h), keaDot(a->o, a->h));
 }
 
-/* Along a direction of the chassis, positive for the wheel moving with it. */
+/* The row of d·direction, fixed in the chassis: its rate is that of the wheel relative to the chassis. */
 static void wheelRow(const MdtBclConstraint *c, const MdtBclContext *x, const double direction[3], MdtKeaRow *row) {
     bcl_alongRow(c, x, direction, 0, row);
     bcl_negate(row);
 }
 
-/* Turning of the wheel against the chassis about an axis. */
+/* The row of the wheel's rotation relative to the chassis about a world axis. */
 static void spinRow(const MdtBclContext *x, const double axis[3], MdtKeaRow *row) {
     bcl_startRow(row, x);
     keaCopy(row->J[1].ang, axis);
@@ -64,8 +64,8 @@ static MeBool isNearStop(const MdtBclCarWheel *w, int side, double z, double rat
     return z <= 0 || w->stopForce[side] > 0 || z + 2 * h * rate < 0;
 }
 
-/* Which rows this step needs. */
-static int choose(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a) {
+/* The set of rows of this step (STEER .. ROLL). */
+static int chooseRows(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a) {
     const MdtBclCarWheel *w = &c->of.wheel;
     MdtKeaRow along;
     wheelRow(c, x, a->s, &along);
@@ -91,7 +91,7 @@ static int countRows(const MdtBclCarWheel *w) {
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     Axes a;
     axesOf(c, x->pose, &a);
-    c->of.wheel.rows = choose(c, x, &a);
+    c->of.wheel.rows = chooseRows(c, x, &a);
     c->of.wheel.startAngle = wheelAngle(&a);
     c->isDegenerate = keaDot(a.s, a.h) * keaDot(a.s, a.h) > 0.99;
     return countRows(&c->of.wheel);
@@ -134,7 +134,8 @@ static void steeringRow(const MdtBclConstraint *c, const MdtBclContext *x, const
     }
 }
 
-/* z: how far it is to the stop. The softness of the guide's limit_softness is like that of a contact. */
+/* A stop of the suspension, a one-sided position row of the distance to it; the guide's limit_softness is a compliance
+ * as a contact's. */
 static void stopRow(const MdtBclConstraint *c, const MdtBclContext *x, const Axes *a, int side, MdtKeaRow *row) {
     const MdtBclCarWheel *w = &c->of.wheel;
     const double height = keaDot(a->s, a->d), h = x->parameters.stepsize;

@@ -2,8 +2,8 @@
  *
  *     θ = angle(a_0, a_1),   dθ/dt = m·(ω_1 - ω_0),   m = a_0 x a_1 / |a_0 x a_1|.
  *
- * θ is the coordinate of a limit that has an upper stop only, without rebound. m turns with the axes, so that the row
- * of a hard stop is met where they arrive. Where the axes are parallel, they have no common plane, and the last m is
+ * θ is the coordinate of a limit with an upper stop only, without restitution. m changes with the axes, so that a hard
+ * stop is a position row, met at the end of the step. Where the axes are parallel m is undefined, and the last one is
  * kept.
  */
 #include "bcl_i.h"
@@ -42,7 +42,7 @@ static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRo
     keaScale(row->J[0].ang, -1, row->J[1].ang);
 }
 
-/* The hard stop is that of a limit; a spring has both of stiffness and damping. */
+/* Copies stiffness and damping to the stop: hard if either is infinite. */
 static void setStop(MdtBclCone *cone) {
     const MeBool isSpring = bcl_isSpring(cone->stiffness, cone->damping);
     cone->limit.limit[1].stiffness = isSpring ? cone->stiffness : MEINFINITY;
@@ -61,7 +61,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     const MeBool hasPlane = sine > BCL_PARALLEL;
     if (hasPlane)
         keaScale(cone->normal, 1 / sine, across);
-    if (!hasPlane && angle < (double)cone->limit.limit[1].stop) { /* in the middle of the cone: it has nothing to do */
+    if (!hasPlane && angle < (double)cone->limit.limit[1].stop) { /* in the middle of the cone: no row */
         c->isDegenerate = MEFALSE;
         cone->limit.rows = 0;
         return 0;

@@ -1,5 +1,5 @@
-/* Contact: what its parameters (Dynamics guide ch. 3, "MdtContactParams") say to Kea, which takes contacts as manifolds
- * and not as rows. */
+/* Contact: its parameters (Dynamics guide ch. 3, "MdtContactParams") as Kea's MdtKeaSurface. Its rows are made by Kea
+ * (kea_contact.c). */
 #include "bcl_i.h"
 #include <string.h>
 
@@ -35,7 +35,7 @@ static void setFriction(const MdtBclContactParams *params, int directions, MdtKe
     for (int i = 0; i < directions; i++) {
         s->coefficient[i] = frictionCoefficient(params, i);
         s->bound[i] = frictionBound(params, i);
-        s->slip[i] = params->options & slips[i] ? fmax(slip[i], 0) : 0; /* 0 for what is no number */
+        s->slip[i] = params->options & slips[i] ? fmax(slip[i], 0) : 0; /* 0 for NaN */
         s->slide[i] = params->options & slides[i] ? slide[i] : 0;
     }
     s->isOneWay = directions < 2 || (s->coefficient[1] == 0 && s->bound[1] == 0);

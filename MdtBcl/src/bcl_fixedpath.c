@@ -2,8 +2,9 @@
  *
  *     φ = P_0 - P_1,   dP_k/dt = v_k + ω_k x r_k + R_k u_k,   u_k the attachment's velocity in body k.
  *
- * The rows are those of the ball and socket, which aim at -γ φ / h - (R_0 u_0 - R_1 u_1): with the velocities the
- * bodies move on with the attachments, and the forces are those of the motion; without, they are pulled after them.
+ * The rows are those of the ball and socket with the target -γ φ / h - (R_0 u_0 - R_1 u_1). If the program sets the
+ * velocities u, the bodies follow the attachments without lag and the forces are those of the motion; else they lag,
+ * pulled by γ.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -20,7 +21,7 @@ static void pathVelocity(const MdtBclConstraint *c, const MdtKeaTransformation *
     keaSubtract(u, u, other);
 }
 
-/* The program gave the places at the start of the step; a later part of it finds them further on. */
+/* The program sets the attachments for the start of the step; in a later part of the step they are moved on by u. */
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclPath *path = &c->of.path;
     for (int k = 0; k < 2; k++) {
@@ -35,7 +36,7 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     return 3;
 }
 
-/* Where the attachments will be by then, less the way that the targets know of. */
+/* φ at the end of the step, less what the targets have of the attachments' displacement: the change of R u remains. */
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     double u[3];
     pathVelocity(c, pose, u);

@@ -1,4 +1,4 @@
-/* FPFO: the bodies are one (Dynamics guide ch. 3, "MdtFPFOJoint").
+/* FPFO (fixed position, fixed orientation): the bodies are rigidly joined (Dynamics guide ch. 3, "MdtFPFOJoint").
  *
  *     φ_1..3 = P_0 - P_1,   φ_4..6: the frames have one orientation (bcl_turnRows).
  */

@@ -1,7 +1,7 @@
 /* Hinge: the bodies turn about a common axis (Dynamics guide ch. 3, "MdtHinge").
  *
  *     φ_1..3 = (x_0 + R_0 p_0) - (x_1 + R_1 p_1)      the attachments coincide
- *     φ_4 = u_0 · a_1,  φ_5 = v_0 · a_1               the axis a_1 of body 1 has no part across that of body 0
+ *     φ_4 = u_0 · a_1,  φ_5 = v_0 · a_1               the axis a_1 of body 1 is parallel to a_0
  *
  * with u_0, v_0 and a_0 = u_0 x v_0 fixed in body 0.
  *
@@ -15,7 +15,7 @@ static void reset(MdtBclConstraint *c) {
     MdtBclLimitReset(&c->of.limit);
 }
 
-/* One row that turns about the axis: its rate is that of the angle. */
+/* The row of the angle: rotation about the axis. */
 static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
     bcl_startRow(row, x);
     keaApply(row->J[0].ang, x->pose[0]->R, c->frame[0].primary);
@@ -23,7 +23,7 @@ static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRo
     keaScale(row->J[1].ang, -1, row->J[0].ang);
 }
 
-/* The angle as counted on from the last one; `turned` is how far it is thought to have gone since. */
+/* rad: the angle, with full turns counted from the last measured one; `turned`: the expected change since then. */
 static double measure(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double turned) {
     double u0[3], u1[3], a1[3], across[3];
     keaApply(u0, pose[0]->R, c->frame[0].ortho);

@@ -1,17 +1,16 @@
 /* Stops and motor of one degree of freedom (Dynamics guide ch. 3, "Joint Limit").
  *
- * For a stop let z be the distance that is left before it (negative: beyond), its rate J v, and λ >= 0 the force that
- * keeps z from falling.
- *   hard:  J v⁺ >= -z/h while z > 0 (it may arrive), >= -γ z/h beyond, and >= -e J v when e > 0 and the stop is hit
- *          faster than one step's own acceleration explains (otherwise a load at rest on the stop would rattle). The
- *          rebound comes in the step that would pass the stop, which it therefore never does: at its end the stop is
- *          reached, and left with e times the speed of the arrival.
- *   soft:  beyond the stop a damped spring that only pushes, λ = -kp z - kd J v >= 0; Kea finds its row. In the step
- *          that comes to it the spring is there already, without damping, so that it acts from first contact.
- * The motor is a row J v⁺ = desired velocity with |λ| <= fmax, without ε, so that a brake holds; one that tracks its
- * position is a row of the coordinate itself, q⁺ - q = h x desired velocity, from where it is: what a bound on the
- * force has kept it from is not made up for. The lock, which takes its place, is the row of a joint,
- * J v⁺ = -γ (position - lock) / h with |λ| <= its force.
+ * For a stop let z be the distance to it (negative: beyond it), J v its rate, and λ >= 0 the force that increases z.
+ *   hard:  J v⁺ >= -z/h while z > 0 (speculative: the stop may be reached, not passed), >= -γ z/h beyond, and >= -e J v
+ *          when e > 0 and the stop is hit faster than the acceleration of one step explains (a load at rest on the stop
+ *          would rattle otherwise). The rebound is in the step that would pass the stop: at its end the stop is
+ *          reached, and the velocity is e times that of the approach.
+ *   soft:  beyond the stop a damped spring that only pushes, λ = -kp z - kd J v >= 0. The row is added, without
+ *          damping, in the step in which the stop is reached, so that the spring acts from first contact.
+ * The motor is a velocity row J v⁺ = desired velocity with |λ| <= fmax, without ε, so that a brake holds. If it tracks,
+ * it is a position row of the coordinate q, q⁺ - q = h x desired velocity: an error due to the bound of the force is
+ * not made up for later. The lock, which replaces the motor, is the row of a joint, J v⁺ = -γ (position - lock) / h
+ * with |λ| <= lockForce.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -36,7 +35,7 @@ MeBool bcl_limitIsMeasured(const MdtBclLimit *limit) {
     return limit->bActive || limit->bPowered || limit->bLocked || limit->bCalculatePosition;
 }
 
-/* An infinite stiffness is hard at any threshold: no spring has it. */
+/* A stop is hard if its stiffness is infinite or above the threshold. */
 static MeBool isHard(const MdtBclLimit *limit, int side) {
     const MeReal stiffness = limit->limit[side].stiffness;
     return stiffness >= MEINFINITY || stiffness > limit->stiffnessThreshold;
@@ -51,15 +50,16 @@ static double distanceToStop(const MdtBclLimit *limit, int side) {
     return distanceFrom(limit, side, limit->measured);
 }
 
-/* The fastest rate of z downwards that this step may see: as it is, as the loads make it, or as the motor does. */
-static double fastestTowards(const MdtBclLimit *limit, int side, double rate, double predicted) {
+/* The least rate of z in this step: of the present rate, the one predicted without constraints, and the motor's
+ * velocity. */
+static double leastRate(const MdtBclLimit *limit, int side, double rate, double predicted) {
     const double sign = side == 0 ? 1 : -1, slowest = fmin(sign * rate, sign * predicted);
     return limit->rows & MOTOR ? fmin(slowest, sign * (double)limit->desired_vel) : slowest;
 }
 
-/* rad/s: how fast a body may turn after it has hit something in this step: with its speed about its radius of gyration,
- * whose inverse square is its mass over its moment. */
-static double speedOfBlow(const MdtBclContext *x) {
+/* rad/s: an upper estimate of the angular velocity that an impact in this step can give a body: its speed over its
+ * least radius of gyration, sqrt(moment / mass). */
+static double spinAfterImpact(const MdtBclContext *x) {
     double most = 0;
     for (int k = 0; k < 2; k++) {
         const MdtKeaInverseMassMatrix *m = x->invMass[k];
@@ -75,16 +75,17 @@ static MeBool isAngle(const MdtKeaRow *coordinate) {
     return keaDot(J[0].lin, J[0].lin) + keaDot(J[1].lin, J[1].lin) == 0;
 }
 
-/* Whether the stop can matter in this step. The margin of twice the way that is left covers what other rows may add,
- * and that of an angle what a blow may; a stop that carried a force in the last step stays in, or a load at rest on it
- * would rattle. */
-static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double blow, double h) {
+/* Whether the stop gets a row in this step: if twice the predicted displacement would pass it, which allows for other
+ * constraints; of an angle, if an impact could turn it that far; or if it carried a force in the last step, so that a
+ * load at rest on it does not rattle. */
+static MeBool isWithinReach(const MdtBclLimit *limit, int side, double rate, double predicted, double impactSpin,
+                            double h) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
     const double z = distanceToStop(limit, side);
     if (!isHard(limit, side) && !(stop->stiffness > 0))
         return z < 0 && stop->damping > 0;
-    return z <= 0 || limit->stopForce[side] > 0 || z < h * blow ||
-           z + 2 * h * fastestTowards(limit, side, rate, predicted) < 0;
+    return z <= 0 || limit->stopForce[side] > 0 || z < h * impactSpin ||
+           z + 2 * h * leastRate(limit, side, rate, predicted) < 0;
 }
 
 int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow *coordinate, double measured) {
@@ -94,7 +95,7 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
     limit->measured = measured;
     limit->isMeasured = METRUE;
     const double rate = bcl_rate(coordinate, x->velocity), predicted = bcl_rate(coordinate, x->predicted);
-    const double blow = x->parameters.hasContacts && isAngle(coordinate) ? speedOfBlow(x) : 0;
+    const double impactSpin = x->parameters.hasContacts && isAngle(coordinate) ? spinAfterImpact(x) : 0;
     MEASSERT(isfinite(measured) && isfinite(rate) && isfinite(predicted));
     int count = 0;
     if (limit->bLocked || (limit->bPowered && limit->fmax > 0)) {
@@ -102,7 +103,7 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
         count++;
     }
     for (int side = 0; side < 2; side++) {
-        if (limit->bActive && isWithinReach(limit, side, rate, predicted, blow, x->parameters.stepsize)) {
+        if (limit->bActive && isWithinReach(limit, side, rate, predicted, impactSpin, x->parameters.stepsize)) {
             limit->rows |= side == 0 ? LOWER : UPPER;
             count++;
         }
@@ -122,7 +123,7 @@ static void motorRow(const MdtBclLimit *limit, MdtKeaRow *row) {
     bcl_makeMotor(row, limit->desired_vel, limit->fmax);
     if (!limit->bMotorTracks)
         return;
-    row->error = 0; /* counted from where the step starts */
+    row->error = 0; /* relative to the start of the step */
     row->drift = row->target;
     row->position = METRUE;
 }
@@ -146,7 +147,7 @@ static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, 
                        row->error > 0 ? 0 : (double)limit->limit[side].damping);
 }
 
-/* Of those that bcl_limitPrepare chose. */
+/* The number of rows that bcl_limitPrepare chose. */
 static int countRows(const MdtBclLimit *limit) {
     return ((limit->rows & (MOTOR | LOCK)) != 0) + ((limit->rows & LOWER) != 0) + ((limit->rows & UPPER) != 0);
 }

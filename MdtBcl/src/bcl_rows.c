@@ -1,4 +1,4 @@
-/* The parts that joints are made of: frames, rows, coinciding points. */
+/* Parts of joints: frames, rows, coinciding points. */
 #include "bcl_i.h"
 #include <string.h>
 
@@ -26,7 +26,7 @@ MeBool bcl_areRows(const MdtKeaRow rows[], int count) {
     return METRUE;
 }
 
-static const double axisTolerance = 1e-5; /* they may have come in single precision */
+static const double axisTolerance = 1e-5; /* axes may have been given in single precision */
 
 MeBool bcl_isUnit(const double d[3]) {
     return fabs(keaDot(d, d) - 1) < axisTolerance;
@@ -71,7 +71,7 @@ void bcl_makeSpring(MdtKeaRow *row, double error, double stiffness, double dampi
 }
 
 void bcl_makeMotor(MdtKeaRow *row, MeReal velocity, MeReal force) {
-    MEASSERT(!row->position); /* a velocity is all that a motor knows */
+    MEASSERT(!row->position); /* a motor is a velocity row */
     row->target = velocity;
     row->upper = bcl_boundOf(force);
     row->lower = -row->upper;
@@ -132,8 +132,8 @@ void bcl_separation(const MdtBclConstraint *c, const MdtKeaTransformation *const
     bcl_pointErrors(c, pose, d);
 }
 
-/* For d fixed in the body of side k, d/dt d·(P_0 - P_1) has the further term ω_k·(d x (P_0 - P_1)): that body's arm
- * goes to the other's point. */
+/* For d fixed in the body of side k, d/dt d·(P_0 - P_1) has the further term ω_k·(d x (P_0 - P_1)), hence the lever arm
+ * of that body ends at the other body's attachment. */
 void bcl_alongRow(const MdtBclConstraint *c, const MdtBclContext *x, const double d[3], int carrier, MdtKeaRow *row) {
     bcl_startRow(row, x);
     for (int k = 0; k < 2; k++) {

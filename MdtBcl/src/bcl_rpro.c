@@ -1,12 +1,12 @@
-/* RPRO: the attachment frames coincide, turned against each other as the program says, up to a strength (Dynamics guide
- * ch. 3, "MdtRPROJoint").
+/* RPRO (relative position, relative orientation): the attachments coincide, and the program sets the relative
+ * orientation of the frames; the forces are bounded (Dynamics guide ch. 3, "MdtRPROJoint").
  *
  *     φ_1..3 = e_i·(P_0 - P_1), e_i the axes of frame 1,   φ_4..6: frame 0 is frame 1 turned by q (bcl_turnRows).
  *
- * w is the angular velocity of q in the axes of frame 1: the angular rows aim at -γ φ / h + T_i·w, T the wanted frame,
- * and are met at q turned on by w h. Each row's force or torque is bounded by its component of the strengths: a bound
- * that is reached lets the joint give way, as long as it takes. The further it is turned away, the shorter an angular
- * row becomes (by cos θ/2 about the axis of the turn θ); its multiplier may grow accordingly.
+ * w is the angular velocity of q in the axes of frame 1: the angular rows have the target -γ φ / h + T_i·w, T the
+ * target frame, and are position rows for q turned on by w h. The force or torque of each row is bounded by its
+ * strength: while a bound is reached, the joint yields. With an error of the angle θ the Jacobian of an angular row is
+ * shorter by cos θ/2, and the bound of its multiplier is larger by as much.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -20,16 +20,17 @@ static void reset(MdtBclConstraint *c) {
         r->linear[i] = r->angular[i] = MEINFINITY;
 }
 
-/* q after the time t, turned on by w. */
-static void wantedAfter(const MdtBclRelative *r, double t, double q[4]) {
+/* q after the time t, s, with the angular velocity w. */
+static void targetAfter(const MdtBclRelative *r, double t, double q[4]) {
     double turn[3], step[4];
     keaScale(turn, t, r->velocity);
     keaQuaternionExp(step, turn);
     keaQuaternionProduct(q, step, r->quaternion);
 }
 
-/* The wanted motion in the rows' own coordinates: with the turn (w, v) and G of bcl_turnRows, G Tᵀ F_1 ω. */
-static void wantedRate(const double turn[4], const double now[4], const double velocity[3], double rate[3]) {
+/* The rate of the rows that follows from the target's angular velocity: G Tᵀ F_1 ω, with G = w I - [v]x of
+ * bcl_turnRows. */
+static void targetRate(const double turn[4], const double now[4], const double velocity[3], double rate[3]) {
     double R[3][3], w[3];
     keaQuaternionToMatrix(R, now);
     keaApplyTransposed(w, (const double(*)[3])R, velocity);
@@ -40,12 +41,12 @@ static void wantedRate(const double turn[4], const double now[4], const double v
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclRelative *r = &c->of.relative;
     double turn[4];
-    wantedAfter(r, x->elapsed, r->now);
-    wantedAfter(r, x->elapsed + x->parameters.stepsize, r->then);
+    targetAfter(r, x->elapsed, r->now);
+    targetAfter(r, x->elapsed + x->parameters.stepsize, r->then);
     bcl_turnBetween(turn, c, x->pose, r->now);
-    wantedRate(turn, r->now, r->velocity, r->way);
-    keaScale(r->way, x->parameters.stepsize, r->way);
-    MEASSERT(isfinite(keaDot(r->way, r->way)));
+    targetRate(turn, r->now, r->velocity, r->rotation);
+    keaScale(r->rotation, x->parameters.stepsize, r->rotation);
+    MEASSERT(isfinite(keaDot(r->rotation, r->rotation)));
     c->isDegenerate = bcl_isHalfATurn(turn);
     return 6;
 }
@@ -58,7 +59,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     for (int i = 0; i < 3; i++)
         e[i] = keaDot(axes[i], d);
     bcl_turnErrors(c, pose, r->then, e + 3);
-    keaAddScaled(e + 3, 1, r->way);
+    keaAddScaled(e + 3, 1, r->rotation);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
@@ -70,7 +71,7 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     for (int i = 0; i < 3; i++) {
         bcl_alongRow(c, x, axes[i], 1, &rows[i]);
         bcl_aimAtZero(&rows[i], x, keaDot(axes[i], d));
-        rows[3 + i].drift = r->way[i] / x->parameters.stepsize;
+        rows[3 + i].drift = r->rotation[i] / x->parameters.stepsize;
         rows[3 + i].target += rows[3 + i].drift;
         rows[i].upper = bcl_boundOf(r->linear[i]);
         rows[i].lower = -rows[i].upper;

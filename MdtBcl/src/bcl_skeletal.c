@@ -6,7 +6,7 @@
  * swing has the coordinates σ = θ t: towards y the primary limit α holds, towards z the secondary one, β.
  *   cone:  f = |(σ_y/α, σ_z/β)| <= 1, one row, scaled to radians by the gradient of f.
  *          From da/dt = ω x a (axes of frame 1):  dθ/dt = cos θ t·a' - sin θ a'_x,   θ dt/dt = (θ/sin θ) (a' across t).
- *          The row of a hard side is met where the axis arrives.
+ *          A hard limit is a position row, met at the end of the step.
  *   twist: τ = 2 atan2(D_x, D_w), with D as a quaternion (w, v):
  *          dτ/dt = (w (w ω_x + ω_y v_z - ω_z v_y) + v_x v·ω) / (w² + v_x²).
  */
@@ -32,7 +32,7 @@ static void reset(MdtBclConstraint *c) {
     resetLimit(&s->turn);
 }
 
-/* Where the joint stands, and in the axes of frame 1 what turns into its coordinates: rate = row·ω. */
+/* The coordinates of the joint, and their derivatives in the axes of frame 1: rate = row·ω, ω = ω_0 - ω_1. */
 typedef struct {
     double sigma[2], f, tau;       /* swing, share of the cone, twist */
     double cone[3], swing[2][3];   /* of the cone's coordinate and of σ */
@@ -99,7 +99,7 @@ static void setStop(MdtBclSingleLimit *stop, double at, MeReal stiffness, MeReal
     stop->damping = isSpring ? damping : 0;
 }
 
-/* Of the swing's two coordinates, those that are held: neither, the secondary, or both. */
+/* How many of the swing's two coordinates are constrained to 0: none, the secondary one, or both. */
 static int heldSwings(const MdtBclSkeletal *s) {
     return s->coneOption == MdtSkeletalConeOptionFixed ? 2 : s->coneOption == MdtSkeletalConeOptionSlot ? 1 : 0;
 }
@@ -110,8 +110,8 @@ static MeBool hasCone(const MdtBclSkeletal *s) {
                                                       : s->coneOption == MdtSkeletalConeOptionCone && least < ME_PI;
 }
 
-/* The way from the cone's axis as far as the cone lets it: f, in radians on the way that f falls fastest, with the
- * scale of the step's start throughout the step. In a slot it is the angle to the primary side. */
+/* rad: the coordinate that the cone limits, positive outside: (f - 1) / |∇f|, with |∇f| of the start of the step; in a
+ * slot |σ_y| - α. */
 static double coneCoordinate(const MdtBclSkeletal *s, const Pose *p) {
     return s->coneOption == MdtSkeletalConeOptionSlot ? fabs(p->sigma[0]) - (double)s->primary : (p->f - 1) / s->scale;
 }
@@ -200,7 +200,7 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     bcl_limitReadBack(&s->turn, p.tau, bcl_rate(&row, x->velocity), rows);
 }
 
-/* Frame 0 turns back about its primary axis by the twist. */
+/* Turns frame 0 about its primary axis by minus the present twist. */
 void MEAPI MdtBclSkeletalZeroTwist(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
     MdtBclFrame *frame = &c->frame[0];
     double third[3], turned[3];

@@ -1,16 +1,16 @@
-/* Spring: the distance between the attachments is a rod's, a string's, or a spring's (Dynamics guide ch. 3,
+/* Spring: the distance of the attachments is constrained as by a rod, a string or a spring (Dynamics guide ch. 3,
  * "MdtSpring").
  *
  *     φ = |P_0 - P_1| - l,   J_0 = [n, r_0 x n],   J_1 = -[n, r_1 x n],   n the direction from P_1 to P_0.
  *
  * The distance is the coordinate of a limit. Both stops hard and at one length: a rod, φ = 0. Both soft and at one
- * length: a damped spring with the properties of the side on which it is. Anything else, a string or an elastic among
- * them, is just the limit, whose hard stops are met where the bodies arrive: n turns with them.
+ * length: a damped spring with the stiffness and damping of the side on which the distance is. Anything else, such as a
+ * string or an elastic, is the limit itself, with hard stops as position rows, as n changes with the bodies.
  */
 #include "bcl_i.h"
 #include <string.h>
 
-/* The length of attachments that have no direction counts as 0, and the last direction is kept. */
+/* m: attachments that are nearer have no direction n; the last one is kept. */
 static const double noLength = 1e-9;
 
 static void reset(MdtBclConstraint *c) {
@@ -32,7 +32,7 @@ static double distanceOf(const MdtBclConstraint *c, const MdtKeaTransformation *
     return keaLength(d);
 }
 
-/* Until a natural length is set, it is the distance at which the bodies are attached. */
+/* The natural length, unless the program has set one, is the distance at the time of attachment. */
 static void positioned(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
     MdtBclDistance *s = &c->of.distance;
     if (s->lengthIsSet)
@@ -116,7 +116,7 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     MdtKeaRow row;
     distanceRow(c, x, &row);
     if (s->kind != MdtBclDistanceLimits)
-        s->limit.rows = 0; /* its rows were not the limit's */
+        s->limit.rows = 0; /* the rows were those of a rod or spring */
     bcl_limitReadBack(&s->limit, distanceOf(c, x->pose), bcl_rate(&row, x->velocity), rows);
 }
 

@@ -21,7 +21,7 @@ MdtKeaRow *MEAPI MdtBclAddRow(MdtKeaConstraints *list) {
     return row;
 }
 
-/* Kea asks for errors at the end of the step only of joints that it knows. */
+/* All rows are velocity rows: there is no function for position errors at other poses. */
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclUser *user = &c->of.user;
     MdtKeaConstraints list = {.rows = user->rows, .maxRows = MdtBclGETMAXROWSUSER, .context = x};

@@ -20,13 +20,13 @@
  *  error φ that one step takes away, ε [1/kg] the compliance: a joint that carries the weight F sags by ε F h² / γ.
  *  ε = 0 means rigid. What regularization the factorization needs is internal, relative, and taken out again.
  *
- *  What the positions came to with a jerk, the velocity stage makes right: the velocities nearest to v⁺ that joints,
- *  stops and contacts allow where the bodies have arrived. A timed system (MdtKeaParameters) has θ = 1/2 throughout,
- *  impacts of its own, and a velocity stage only where it has joints.
+ *  After a discontinuity the velocity stage corrects v⁺: it finds the velocities nearest to it that joints, stops and
+ *  contacts allow at the end poses. A timed system (MdtKeaParameters) has θ = 1/2 throughout, impacts of its own, and a
+ *  velocity stage only where it has joints.
  *
- *  Contacts come as manifolds (MdtKeaManifold). The exact solver makes rows of them; the fast one, for many bodies that
- *  mostly only touch, solves manifold by manifold: x⁺ = x + h v⁺, and out of overlaps, and v⁺ obeys the laws of contact
- *  to an accuracy.
+ *  Contacts come as manifolds (MdtKeaManifold). The exact solver makes rows of them; the fast one, for many bodies with
+ *  few joints, solves manifold by manifold: x⁺ = x + h v⁺ and a correction of overlaps, where v⁺ fulfils the contact
+ *  laws to a given accuracy.
  *
  *      the owner               fills the manifolds, once for all parts of a step
  *      MdtKeaInit              reads bodies, parameters, numBodies, maxRows, maxContacts; writes pose, velocity,
@@ -36,7 +36,7 @@
  *      MdtKeaMakeContactRows   writes their rows and moves behind the others
  *      MdtKeaMeets             reads rows; writes nothing
  *      MdtKeaImpact            reads rows, parameters; writes velocities of bodies, forces (N s), report.work and
- *                              .limited; MdtKeaInit and the rows are wanted again after it
+ *                              .limited; MdtKeaInit is called, and the rows are filled, again after it
  *      MdtKeaSolve             reads all of these; calls errors and jacobians, by which J, arm and bounds of rows move;
  *                              writes forces of rows and points, .ripple, and report
  *      MdtKeaIntegrate         writes the state and the acceleration of bodies, pose and velocity of the end
@@ -83,11 +83,11 @@ typedef struct MdtKeaBody {
     double angularDamping; /**< 1/s: dL/dt = -d L */
     int flags;             /**< MdtKeaBodyFlag */
     /* load of this step, set by the owner */
-    double force[3];        /**< N, gravity included */
-    double torque[3];       /**< N m, about the centre of mass */
-    double acceleration[6]; /**< m/s², rad/s² (world), of the last part of a step: a guess for this, which may be 0 */
-    MdtKeaVelocity lastStep; /**< m/s², rad/s²: acceleration of the last whole step; an approach that it explains is not
-                                  an impact (the law of restitution) */
+    double force[3];         /**< N, gravity included */
+    double torque[3];        /**< N m, about the centre of mass */
+    double acceleration[6];  /**< m/s², rad/s² (world), of the last part of a step: the warm start; 0: none */
+    MdtKeaVelocity lastStep; /**< m/s², rad/s²: acceleration of the last whole step: an approach no faster than what it
+                                  gives in one step is no impact (restitution) */
 } MdtKeaBody;
 
 /** Where a body is: world = R x + pos. */
@@ -111,7 +111,7 @@ typedef struct MdtKeaInverseMassMatrix {
     double inertia[3][3]; /**< 1/(kg m²), world frame */
 } MdtKeaInverseMassMatrix;
 
-/** The part of a row that belongs to one body: the row's velocity is the sum of lin·v + ang·ω over its bodies. */
+/** The Jacobian of a row for one body: the row's rate J v is the sum of lin·v + ang·ω over its bodies. */
 typedef struct MdtKeaJBlock {
     double lin[3];
     double ang[3];
@@ -124,33 +124,33 @@ typedef int MdtKeaBodyIndexPair[2]; /**< Indices of the system's bodies, or MdtK
 typedef struct MdtKeaRow {
     MdtKeaJBlockPair J;
     MdtKeaBodyIndexPair body;
-    double arm[2][3]; /**< m, where a position or spring row pulls, from the centre of mass; 0 for an angular row */
-    double error;     /**< φ, m: how far the bodies are from obeying the row (position rows, springs, contacts) */
-    double target;    /**< s, m/s: the velocity that the row aims at */
-    double drift;     /**< m/s: the part of the target that takes no error away: attachments, or the world, that move */
-    double softness;  /**< E, 1/kg: ε, or the row's own compliance */
+    double arm[2][3]; /**< m, lever arms of a position or spring row, from the centres of mass; 0 of an angular row */
+    double error;     /**< φ, m: the position error (position rows, springs; of a contact the gap) */
+    double target;    /**< s, m/s: target of the rate, with the bias that corrects the error (Baumgarte) */
+    double drift;     /**< m/s: the part of the target without that bias: motion of attachments, or of the world */
+    double softness;  /**< E, 1/kg: compliance (CFM): ε, or the row's own */
     double lower;     /**< N, -HUGE_VAL where there is none */
     double upper;     /**< N, HUGE_VAL where there is none */
     double friction;  /**< μ of a row that `normal` limits, else unused */
     int normal;       /**< -1, or the index of the row whose force times μ bounds this one, both ways */
     int partner;      /**< -1, or the index of the other friction row of a cone: |λ| <= μ λ_normal for the two */
-    int owner;        /**< a number that the rows of one constraint have in common */
+    int owner;        /**< a number that identifies the row's constraint */
     int contact;      /**< -1, or the index of the normal row of the contact that this row is part of */
-    MeBool moves;     /**< of a contact: its place moves within the step, see MdtKeaMove */
-    MeBool isOpen;    /**< of a contact: it is known not to act in this step */
-    MeBool position;  /**< φ is met at the end of the step, as MdtKeaErrorFn tells it; else the velocity is */
+    MeBool moves;     /**< of a contact: its lever arms change within the step, see MdtKeaMove */
+    MeBool isOpen;    /**< of a contact in a timed step: it has a gap or separates, and does not act */
+    MeBool position;  /**< the row constrains φ at the end of the step (MdtKeaErrorFn); else the velocity */
     MeBool spring;    /**< A damped spring; its target is the rate at which it is at rest, and softness is not read. */
     double restitution; /**< of a contact or a stop, 0..1, */
     double threshold;   /**< m/s: for speeds above this */
     double radius[2];   /**< m, of a contact's normal row: of either body's surface where that is round, else 0 */
-    MeBool bounces;     /**< Kea's own: it is hit in this step, */
-    double rebound;     /**< m/s: and has this velocity at its end, > 0 */
-    MeBool isForced;    /**< Kea's own: a friction row that slides in a known direction, */
-    double forced;      /**< whose force is this times the bound */
+    MeBool bounces;     /**< Kea's own: an impact in this step has restitution */
+    double rebound;     /**< m/s, > 0: its separating velocity at the end of the step */
+    MeBool isForced;    /**< Kea's own: a friction row that slides in a known direction */
+    double forced;      /**< its component of that direction: the force is this times the bound */
     double stiffness;   /**< N/m of a spring, >= 0 */
     double damping;     /**< N s/m of a spring, >= 0 */
-    double ripple;      /**< m/s: what the last step left of the row's velocity at its end, and this step leaves */
-    double force;       /**< λ, N: the answer; before, a guess at it, such as the last step's */
+    double ripple;      /**< m/s: in: residual of the row's end velocity in the last step; out: in this one */
+    double force;       /**< λ, N: in: the warm start; out: the answer */
 } MdtKeaRow;
 
 enum { MdtKeaMANIFOLDPOINTS = 4 }; /**< Points that a manifold has at most. */
@@ -160,11 +160,11 @@ typedef struct MdtKeaSurface {
     double coefficient[2]; /**< of friction along the primary and the secondary direction, times the normal force */
     double bound[2];       /**< N, of friction at each point, whatever its normal force */
     double slip[2];        /**< m/s per N, along either direction */
-    double slide[2];       /**< m/s, the velocity at which friction rests */
+    double slide[2];       /**< m/s, surface velocity: the relative velocity to which friction drives */
     double softness;       /**< 1/kg, the contact's own; epsilon is in the parameters */
-    double adhesion;       /**< N: how hard a point may pull */
+    double adhesion;       /**< N: bound of the pulling force of a point */
     double restitution;    /**< 0..1; 0: points do not bounce */
-    double threshold;      /**< m/s: nor where they meet no faster than this */
+    double threshold;      /**< m/s: slower impacts have no restitution */
     MeBool isCone;         /**< friction along both directions together has the primary coefficient */
     MeBool isOneWay;       /**< there is none along the secondary direction */
 } MdtKeaSurface;
@@ -173,7 +173,7 @@ typedef struct MdtKeaSurface {
 typedef struct MdtKeaPoint {
     double position[3]; /**< m, as the step begins */
     double depth;       /**< m, as the step begins; negative: a gap */
-    double guess[3];    /**< N, normal, primary, secondary: of the last step or part of one; 0 where there was none */
+    double guess[3];    /**< N, normal, primary, secondary: the warm start; 0: none */
     double force[3];    /**< N, the same: the answer (MdtKeaSolve); of an impact, N s (MdtKeaImpact) */
     double depthNow;    /**< m, as this part of the step begins (MdtKeaCountContactRows, of the exact solver) */
     int numRows;        /**< rows that the exact solver makes of it (the same): 1 and friction. The owner may leave out
@@ -185,10 +185,10 @@ typedef struct MdtKeaPoint {
 typedef struct MdtKeaManifold {
     MdtKeaBodyIndexPair body;
     int numPoints;
-    double normal[3];    /**< unit, the way the first body is pushed */
+    double normal[3];    /**< unit, the direction in which the first body is pushed */
     double direction[3]; /**< unit, primary, at right angles to the normal */
-    double radius[2];    /**< m, of the spheres that the two surfaces are there; 0: a corner, an edge, a face */
-    double rim[2];       /**< m, of circles that the two surfaces touch with instead; 0: none */
+    double radius[2];    /**< m, of the two surfaces where they are spherical; 0: a corner, an edge, a face */
+    double rim[2];       /**< m, radii of the circles, such as rims of wheels, with which the surfaces touch; 0: none */
     double axis[2][3];   /**< unit, of these; unused where there is none */
     MdtKeaSurface surface;
     const MdtKeaVelocity *worldVelocity; /**< null: none; of the world's part, as if it were a body at the origin */
@@ -201,33 +201,33 @@ typedef enum MdtKeaSolver {
     MdtKeaSolverFast,  /**< manifolds, by accelerated passes: its time is proportional to the manifolds */
 } MdtKeaSolver;
 
-/** What a row of a contact that moves is later in the step. */
+/** The Jacobian of a row of a contact whose lever arms change, later in the step. */
 typedef struct MdtKeaMove {
     MdtKeaJBlockPair J;
-    double rate; /**< m/s, by which a side that is the moving world gains on what it has in the row's target */
+    double rate; /**< m/s, change of the moving world's part of the rate since the start of the step */
 } MdtKeaMove;
 typedef MdtKeaMove MdtKeaMovePair[2]; /**< the mean of start and end; the end */
 
-/** Of a step by the midpoint rule, what it leaves along the directions that joints hold is taken back by the next. */
+/** Place in a pair of midpoint steps: velocities along joint directions that one leaves, the next cancels. */
 typedef enum MdtKeaPair {
     MdtKeaPairNone,
-    MdtKeaPairFirst,  /**< its velocities are left to the second, but for rebounds */
-    MdtKeaPairSecond, /**< jerks are made right; ripples are the composition's own */
+    MdtKeaPairFirst,  /**< no velocity stage but for rebounds */
+    MdtKeaPairSecond, /**< velocity stage after discontinuities, but not against the alternating mode */
 } MdtKeaPair;
 
-/** What holds for the whole system. Epsilon and gamma are in the rows that the owner fills already. */
+/** Parameters of the whole system. The rows that the owner fills contain epsilon and gamma already. */
 typedef struct MdtKeaParameters {
     double stepsize;   /**< s */
-    double elapsed;    /**< s, of the step before this part of it; 0: it begins */
+    double elapsed;    /**< s, of the step before this part of it; 0: the first part */
     double epsilon;    /**< 1/kg, of contacts */
     double softening;  /**< by which a contact's own softness is multiplied, in a part of a step; else 1 */
     double gamma;      /**< the part of a position error that the step takes away, 0..1 */
     int maxIterations; /**< Newton iterations of the whole solve; 0: as many as it takes */
     double maxWork;    /**< multiplications of the whole solve, roughly; 0: as many as it takes */
     MeBool mayRefuse;  /**< a step in which bodies turn too far may be reported as violent without being solved */
-    MeBool isPart;     /**< of a step that the bodies do not take together: energy from errors of joints is not given */
+    MeBool isPart;     /**< a part of a step by safe times: corrections of joints must not add energy */
     MdtKeaPair pair;   /**< a composition of higher order takes steps in pairs */
-    MeBool timed;      /**< contacts are met in time: bodies move with their mean velocities throughout */
+    MeBool timed;      /**< impacts are resolved at their time; bodies move with their mean velocities (θ = 1/2) */
     MdtKeaSolver solver;
     double accuracy; /**< m/s, of the fast solver: the residual that passes are to reach */
 } MdtKeaParameters;
@@ -238,22 +238,22 @@ typedef struct MdtKeaReport {
     int iterations;     /**< of Newton's method in all passes */
     int factorizations; /**< of sparse matrices */
     int stages;         /**< velocity stages, 0 or 1 */
-    int freezes;        /**< passes whose friction bounds were not renewed, since that did not settle */
+    int freezes;        /**< passes with frozen friction bounds, whose iteration did not converge */
     double work;        /**< multiplications, roughly: of factorizations, and of visits of rows */
     double least;       /**< the same, of one linearization: no solve can do with less than a few of these */
     MeBool limited;     /**< the work or the iterations that it was given ran out: the best answer so far, see capped */
     MeBool capped;      /**< passes, work or iterations ran out: the forces are within bounds, but not exact, and the
                              bodies have no more energy than loads, springs and motors explain */
-    MeBool violent;     /**< the motion could not be followed in a step of this length: take shorter ones */
+    MeBool violent;     /**< positions have not converged: the step is too long for the motion */
     MeBool refused;     /**< `violent` without having been solved, see MdtKeaParameters.mayRefuse */
-    MeBool conflicting; /**< rows contradict each other: a compromise was taken */
-    double event;       /**< s: when something happens in a timed step that divides it; the step's length if nothing */
-    MeBool trembles;    /**< what divides a timed step are impacts alone, all of them too slow to rebound */
-    double residual;    /**< m/s: the largest violation of J v⁺ = s - h E λ that the row's bound does not explain */
-    double resolution;  /**< m/s: residuals up to this count as none; 0 where nothing was solved */
-    double force;       /**< N: the largest change of a row's force that such a violation asks for */
-    double error;       /**< m: the largest error left in a position row, against what it asked for */
-    double opening;     /**< of the smaller body's size: the largest error of a position row that is not a contact's, as
+    MeBool conflicting; /**< joints contradict each other: the answer is a compromise */
+    double event;       /**< s: the first event of a timed step, which is to be divided there; none: its length */
+    MeBool trembles;    /**< chattering: the only events are impacts, all too slow to rebound */
+    double residual;   /**< m/s: the largest violation of J v⁺ = s - h E λ, but for rows at a bound that allows it */
+    double resolution; /**< m/s: residuals up to this count as none; 0 where nothing was solved */
+    double force;      /**< N: the largest change of a row's force that such a violation asks for */
+    double error;      /**< m: the largest error left in a position row, against what it asked for */
+    double opening;    /**< of the smaller body's size: the largest error of a position row that is not a contact's, as
                              the fast solver leaves it */
 } MdtKeaReport;
 
@@ -340,22 +340,23 @@ MEPUBLIC void MEAPI MdtKeaSolve(MdtKeaSystem *system);
 MEPUBLIC MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *system);
 
 /**
- * Whether bodies meet, at the start of the step, faster than they can go on (contacts that touch; timed systems). The
- * rows are filled; nothing is changed.
+ * Whether there is an impact at the start of the step: a touching contact that approaches (timed systems). The rows are
+ * filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *system);
 
 /**
- * Whether what touches meets, as MdtKeaMeets has it, but all of it too slowly to rebound, and nothing that is apart is
- * about to meet faster: an event would follow the other. The rows are filled; nothing is changed.
+ * Whether impacts would chatter: touching contacts approach (MdtKeaMeets), but all too slowly to rebound, and no open
+ * contact is about to close faster. Events would then follow each other without end. The rows are filled; nothing is
+ * changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *system);
 
 /**
- * Whether a step of the system can be gone back on: with velocities turned round at its end, a step of the same length
- * comes to where it began, but for rounding. So have joints without bounds, targets and compliance, springs without
- * damping that are not too stiff to be followed, and bodies without damping; gamma is not looked at. The rows are
- * filled; nothing is changed.
+ * Whether a step of the system is reversible: from its end, with velocities negated, a step of the same length returns
+ * to the start, but for rounding. True for joints without bounds, targets and compliance, springs without damping that
+ * are not too stiff for the midpoint rule, and bodies without damping; gamma is ignored. The rows are filled; nothing
+ * is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaIsReversible(const MdtKeaSystem *system);
 
@@ -363,18 +364,18 @@ MEPUBLIC MeBool MEAPI MdtKeaIsReversible(const MdtKeaSystem *system);
  *  are filled. */
 MEPUBLIC MeBool MEAPI MdtKeaTurnsTooFar(const MdtKeaSystem *system, double step);
 
-/** Turns the bodies' velocities and angular momenta round. MdtKeaInit and the rows are wanted again after it. */
+/** Negates the bodies' velocities and angular momenta. Call MdtKeaInit and fill the rows again after it. */
 MEPUBLIC void MEAPI MdtKeaReverse(MdtKeaSystem *system);
 
 /**
- * Whether a contact with restitution may be met within the step by a speed of which it gives back more than loads make
- * in a step, and there are no springs. The rows are filled; nothing is changed.
+ * Whether an impact within the step is predicted that rebounds faster than half the change of velocity by loads in a
+ * step, and there are no springs. The rows are filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *system);
 
 /**
- * How many bodies joints, or contacts that touch, hold: contacts that have a gap, or part, hold nothing. The rows are
- * filled; nothing is changed but scratch memory.
+ * The number of bodies with joints or closed contacts; contacts with a gap, or that separate, do not count. The rows
+ * are filled; nothing is changed but scratch memory.
  */
 MEPUBLIC int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *system);
 /**

@@ -4,27 +4,27 @@
  *
  *   exact/, a step by Newton's method to the tolerance:
  *     kea_step.c              one step: passes of linearization, then the velocity stage
- *     kea_scheme.c            where unknown velocities take the bodies, the momentum that is missing, its derivative
- *     kea_contact.c           rows of contacts, from manifolds; kea_anchor.c: where these are
- *     kea_rows.c              linearization of rows; theta
- *     kea_dual.c              the inner problem by the joints' side
- *     kea_redundancy.c        of redundant joints' impulses, the smallest
- *     kea_velocity.c          the velocity stage: what joints and contacts allow where the bodies have arrived
- *     kea_events.c            what divides a step of contacts in time
+ *     kea_scheme.c            time integration: end poses from the unknowns u, the residual of momentum, its derivative
+ *     kea_contact.c           rows of contacts, from manifolds; kea_anchor.c: their places and lever arms
+ *     kea_rows.c              linearization of rows; the choice of θ per body
+ *     kea_dual.c              the inner problem solved for the joints' impulses (dual)
+ *     kea_redundancy.c        redundant joints: the impulses of least norm
+ *     kea_velocity.c          the velocity stage: projects the end velocities onto the rows at the end poses
+ *     kea_events.c            times of impact and of stick within a timed step
  *
  *   fast/, a step by passes over manifolds (fast/kea_fast_i.h)
  *
  *   common/, laws and measures that do not depend on the solver:
  *     kea_policy_i.h          every constant that is a choice
  *     kea_budget.c            the work that a solve may take
- *     kea_rates.c             rates of rows; which may reach a bound
- *     kea_residual.c          how far an answer is from the laws; converged
- *     kea_energy.c            kinetic energy, the one limiter
+ *     kea_rates.c             rates of rows, J v; which rows may reach a bound
+ *     kea_residual.c          residuals and the test of convergence
+ *     kea_energy.c            kinetic energy and its limit
  *     kea_restitution.c       the law of restitution
- *     kea_impact.c            impacts
- *     kea_project.c           bodies moved out of each other
+ *     kea_impact.c            simultaneous impacts
+ *     kea_project.c           position projection: removes overlaps
  *     kea_rotation.c          inertia, free rotation
- *     kea_free.c              where bodies arrive; free motion
+ *     kea_free.c              end poses; motion of bodies without rows
  *
  *   inner/, the inner problem, which knows bodies with a quadratic metric and rows with bounds and cones, but no step:
  *     kea_problem_i.h, .c     its data, its measure of error
@@ -51,7 +51,7 @@ typedef struct KeaEnd {
     double position[3], quaternion[4], velocity[3], angularMomentum[3];
 } KeaEnd;
 
-/* A body on its way through a step. */
+/* The working data of a body in a step. */
 typedef struct KeaBody {
     double theta;           /* 1/2: midpoint rule; 1: backward Euler */
     double size;            /* m, radius of gyration */
@@ -61,22 +61,22 @@ typedef struct KeaBody {
     double inertia[3][3];   /* kg m², world, at the start; of a spatial body */
     double freeVelocity[3]; /* at the end, without rows */
     double freeMomentum[3]; /* angular, at the end, without rows */
-    double scale;           /* N s: what an impulse is compared with */
-    double u[6];            /* the unknown: m/s and rad/s with which it moves through the step */
+    double scale;           /* N s: the impulses of the step, to which tolerances are relative */
+    double u[6];            /* the unknown: mean velocity of the step, m/s and rad/s (world) */
     double endAxes[3][3];
     double endVelocity[6]; /* m/s, rad/s (world) */
     MeBool isFree;         /* no row acts on it: it moves as a free body */
 } KeaBody;
 
-/* The graph of joints (kea_dual.c). */
+/* The graph of joints (kea_dual.c): nodes are joints, edges are bodies that two joints share. */
 typedef struct KeaDual {
-    KeaFactor *factor; /* null: the bodies' side is taken */
+    KeaFactor *factor; /* null: the primal problem is solved instead */
     int numNodes, numEdges;
     int *start, *size;           /* by node: its rows */
     int (*edges)[2], (*side)[2]; /* of an edge: its nodes, and on which side each has the shared body */
-    int *met;                    /* by node: the last one that it was joined with */
-    int *first, (*next)[2];      /* by body, by node and side: lists of 2 node + side */
-    double *x;                   /* by row */
+    int *lastJoined;             /* by node: the last node that it got an edge to */
+    int *first, (*next)[2]; /* list heads by body, links by node and side: the joints of a body, as 2 node + side */
+    double *x;              /* by row */
 } KeaDual;
 
 typedef struct MdtKeaWork {
@@ -85,25 +85,26 @@ typedef struct MdtKeaWork {
     KeaBody *body;
     KeaEnd *end;
     MdtKeaTransformation *endPose, *meanPose; /* by body */
-    double *endErrors;                        /* by row: φ at the end */
-    double *ahead;                            /* m/s, by row: see kea_rateAhead */
-    MdtKeaJBlockPair *keptJ;                  /* by row */
+    double *endErrors;                        /* by row: φ at the end poses */
+    double *movingRate;                       /* m/s, by row (kea_setMovingRates) */
+    MdtKeaJBlockPair *savedJ;                 /* by row */
     double (*bestU)[6], *bestP;               /* by body, by row: of the best pass so far */
-    double (*nearU)[6], *nearP;               /* of the best tangent pass within the rounding of attachments */
-    double (*added)[6];                       /* by body: what the velocity stage has found */
-    double (*plastic)[6], speed;              /* of impacts */
-    double *target;        /* by row, twice: what impacts, m/s, or projection, m, ask of normal rows */
-    double (*velocity)[6]; /* by body: what the limiter of energy starts from */
-    double *keptP;         /* by row: impulses while the inner problem is lent */
-    char *takesPart;
-    int *acting, *placeOf; /* of impacts: the row of each of the problem's rows; by row: its place among these */
-    int *parent;           /* by body, and one more */
+    double (*tangentU)[6], *tangentP; /* of the best tangent pass with joint errors below the rounding of attachments */
+    double (*added)[6];               /* by body: change of velocity found by the velocity stage, m/s, rad/s */
+    double (*plastic)[6];             /* by body: change of velocity without restitution, m/s, rad/s */
+    double speed;                     /* m/s: the fastest body before an impact */
+    double *target;                   /* by row, twice: targets of normal rows, of impacts in m/s, of projection in m */
+    double (*velocity)[6];            /* by body: input of the energy limit, m/s, rad/s */
+    double *savedP;                   /* by row: impulses, while the inner problem is used for something else */
+    char *takesPart;                  /* by row: whether an impact or a projection has it */
+    int *activeRow, *problemRowOf;    /* of impacts: system row of a problem row; problem row of a system row */
+    int *parent;                      /* union-find, by body, the world last */
     KeaProblem problem;
     KeaDual dual;
-    MeBool hasLoops;     /* of joints */
-    MeBool isCompromise; /* some joints miss their aims, if only by rounding, since others contradict them */
-    MeBool hasJoints;    /* of rows that are no contacts' */
-    MeBool isSettled;    /* the passes have ended with position errors within the rounding of attachments */
+    MeBool hasLoops;          /* of joints */
+    MeBool isInconsistent;    /* joints contradict each other: some keep a residual above tolerance */
+    MeBool hasJoints;         /* there are rows that are not contacts' */
+    MeBool usesTangentAnswer; /* the answer is tangentU, tangentP: symmetric passes did not improve on it */
 } MdtKeaWork;
 
 /* ---- kea_rotation.c ---- */
@@ -118,13 +119,13 @@ void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]
 /* m, the largest radius of gyration. */
 double kea_sizeOf(const MdtKeaBody *body);
 void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double inverse[3][3]);
-/* Of any tensor that has an inverse. */
+/* The inverse of any regular matrix. */
 void kea_invert(double inverse[3][3], const double M[3][3]);
 /* The smallest eigenvalue of a symmetric matrix. */
 double kea_leastEigenvalue(const double S[3][3]);
-/* Eigenvalues of a symmetric matrix, left on the diagonal of S, and eigenvectors, as the columns of V. */
+/* Diagonalizes a symmetric matrix S in place: eigenvalues on its diagonal, eigenvectors as columns of V. */
 void kea_eigen(double S[3][3], double V[3][3]);
-/* Takes its negative eigenvalues from a symmetric matrix, unless these are less than `harmless`. */
+/* Sets the negative eigenvalues of a symmetric matrix to 0, unless all of them are above -harmless. */
 void kea_clampPositive(double K[3][3], double harmless);
 
 /* ---- kea_step.c ---- */
@@ -134,40 +135,40 @@ void kea_exactSolve(MdtKeaSystem *s);
 
 /* ---- kea_scheme.c ---- */
 
-/* What is fixed through the step. */
+/* Sets the quantities of KeaBody that are constant in the step. */
 void kea_beginBodies(MdtKeaSystem *s);
-/* The first guess of the unknowns; needs theta. */
+/* Initial guess of u by the accelerations of the last step; after kea_beginRows, which chooses θ. */
 void kea_guessMotion(MdtKeaSystem *s);
-/* Where u takes the bodies: ends and poses. */
+/* End states and poses of all bodies from u. */
 void kea_moveBodies(MdtKeaSystem *s);
-/* Metric and load of the problem: the momentum that rows must give, and how it changes with u. */
+/* Load and metric of the inner problem: the residual of momentum without rows, and its derivative with u, symmetric and
+ * positive definite. */
 void kea_linearizeBodies(MdtKeaSystem *s);
-/* The derivative of the momentum itself, for the tangent problem; after kea_linearizeBodies. */
+/* The exact, unsymmetric derivative of the momentum, for the tangent problem; after kea_linearizeBodies. */
 void kea_differentiateBodies(MdtKeaSystem *s);
-/* The derivative of cay(h w) with w, as a turn in the world's axes. */
+/* D such that a change dw of w changes cay(h w) by the rotation vector D dw (world). */
 void kea_turnDerivative(double D[3][3], const double w[3], double h);
-/* Velocities at the end from the impulses, so that momentum is kept whatever else is left over. */
+/* Velocities at the end from the impulses: momentum is conserved exactly, also by an answer that has not converged. */
 void kea_balanceMomentum(MdtKeaSystem *s);
 /* The inertia tensor (world) where the body has arrived. */
 void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]);
 
 /* ---- kea_rows.c ---- */
 
-/* Reach, theta, and what of the problem's rows stays as it is. */
+/* Which rows can act in this step, θ, and those members of the problem's rows that are constant in it. */
 void kea_beginRows(MdtKeaSystem *s);
-/* Jacobians at these poses, and bounds that depend on them. */
+/* Jacobians, and on request bounds, of the joints' rows at these poses. */
 void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool withBounds);
-/* The derivatives of the rows' errors at the end, for the tangent problem; of those that ask for velocities, their
- * Jacobians. */
+/* T of the tangent problem: of position and spring rows the derivative of the error at the end, of velocity rows J. */
 void kea_differentiateRows(MdtKeaSystem *s);
-/* By how much the rates of contacts that move, where they are asked for, differ from those along the J that impulses
- * act by; after kea_moveBodies. */
-void kea_rateAhead(MdtKeaSystem *s);
-/* The residual r of each row; after kea_linearizeBodies. */
+/* Of contacts whose lever arms change in the step: how much the rate at the pose where it is constrained exceeds J v
+ * with the J that the impulse acts along; after kea_moveBodies. */
+void kea_setMovingRates(MdtKeaSystem *s);
+/* r, E and N of each row of the inner problem; after kea_linearizeBodies. */
 void kea_linearizeRows(MdtKeaSystem *s);
-/* Contacts that were thought out of reach and are reached. Returns whether there were any. */
+/* Activates contacts that were inactive (out of reach) and would be passed through. Returns whether there were any. */
 MeBool kea_admitContacts(MdtKeaSystem *s);
-/* Whether a spring is followed by the end of the step instead of its middle (θ = 1). */
+/* Whether a spring is too stiff for the midpoint rule and is integrated by backward Euler (θ = 1). */
 MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row);
 
 /* ---- kea_contact.c ---- */
@@ -177,137 +178,141 @@ void kea_returnContacts(MdtKeaSystem *s);
 
 /* ---- kea_restitution.c ---- */
 
-/* How two sides come together along a direction. */
+/* The relative motion of two bodies along a direction. */
 typedef struct KeaApproach {
     double rate, predicted; /* m/s, positive apart: now; at the end of the step without rows */
-    double fastest;         /* m/s: the least that it may become. Other contacts may hold either body at its velocity of
-                               now: of two that stand on each other, the lower one does not fall */
-    double acceleration;    /* m/s², in the last step */
+    double fastest;      /* m/s: lower bound of the rate in the step, from the lesser of present and predicted rate of
+                               each body: of two stacked bodies, the lower one does not fall as predicted */
+    double acceleration; /* m/s², in the last step */
 } KeaApproach;
 
 KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* Along the manifold's normal; arms are from the bodies' centres, or the world's origin, to the point. */
 KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]);
-/* Whether the sides touch, or may within the step. */
+/* Whether the bodies touch, or may within the step; gap in m. */
 MeBool kea_mayTouch(const MdtKeaSystem *s, const KeaApproach *a, double gap);
-/* m/s, the velocity apart: after an impact; at the end of the step, 0 where it is not hit. */
-double kea_reboundOfImpact(double restitution, double threshold, double speed, double gate);
+/* m/s, >= 0: the separating velocity by the law of restitution, after an impact that is resolved when it happens,
+ * faster than minSpeed; or at the end of a step that contains the impact, 0 where there is none. */
+double kea_reboundOfImpact(double restitution, double threshold, double speed, double minSpeed);
 double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double restitution, double threshold);
-/* Writes which rows bounce in this step, and how fast. */
+/* Sets `bounces` and `rebound` of all rows. */
 void kea_setRebounds(MdtKeaSystem *s);
 
 /* ---- kea_rates.c ---- */
 
-/* Stops, and joints that are about to give way; those whose strength is far off hold as if they had no bound. */
+/* Whether a row may be at a bound: one-sided rows always, two-sided ones only where the last force is near a bound. */
 MeBool kea_mayReachBound(const MdtKeaRow *row);
-/* The rate of a row at the end. */
+/* m/s: J v of a row with the velocities at the end. */
 double kea_endRate(const MdtKeaSystem *s, int i);
-/* The rate of a row through the step. */
+/* m/s: J u of a row, with the mean velocities of the step. */
 double kea_meanRate(const MdtKeaSystem *s, int i);
-/* m per unit of a row's coordinate: an angle moves a body's parts by its size. */
+/* m per unit of a row's coordinate: 1 of a linear row, the larger radius of gyration of an angular one. */
 double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row);
-/* Keeps the rows' Jacobians while others take their place, and brings them back. */
+/* Save and restore the rows' Jacobians. */
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);
-/* m/s: what a row pushes for of a speed that it aims at; a stop with room left, and a contact with a gap, for none. */
+/* m/s: the part of a target speed that a row's bounds let it push for: 0 of a stop or a contact with a gap. */
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 
 /* ---- kea_events.c ---- */
 
-/* Which contacts are closed. */
+/* Sets isOpen of all contacts. */
 void kea_timedBegin(MdtKeaSystem *s);
-/* When something happens within the step (HUGE_VAL: nothing); `mustRepeat`: only after another solve is it known, in
- * which contacts that stop slide on. kea_releaseSlides takes that back. */
+/* s: the first impact or end of sliding within the step; HUGE_VAL: none. `mustRepeat`: contacts stop sliding, and their
+ * friction is now fixed against the sliding of the start (isForced): solve and call again for the time.
+ * kea_releaseSlides undoes that. */
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat);
 void kea_releaseSlides(MdtKeaSystem *s);
-/* The same where no row acts; at most the step. */
+/* s: the first impact of ballistic motion; at most the step. */
 double kea_firstEventOfFlight(const MdtKeaSystem *s);
 
 /* ---- kea_impact.c ---- */
 
-/* Finds the velocities after all blows of this moment, and the impulses. False: there was no memory. */
+/* Velocities after all impacts at the start of the step, and the impulses. False: no memory. */
 MeBool kea_impact(MdtKeaSystem *s);
-/* m/s: what speeds of contacts in time are compared with: the load speed; without loads, a little of the bodies'
- * speeds. */
+/* m/s: the scale of speeds in timed steps: the change of velocity by the loads in one step, or a small share of the
+ * bodies' speeds if that is more. */
 double kea_eventSpeed(const MdtKeaSystem *s);
-/* Whether a contact's gap counts as none. */
+/* Whether a contact is closed: its gap is below a tolerance. */
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row);
-/* The rate of a row at the start, against its target; of a normal row against its drift. */
+/* m/s: J v - s of a row at the start; of a normal row J v - drift. */
 double kea_startRate(const MdtKeaSystem *s, int i);
-/* A body, a row of the inner problem for what happens in no time: masses at the start, no loads, no springs. */
+/* A body and a row of the inner problem for an instant: masses at the start pose, no loads, no springs. */
 void kea_setInstantMetric(MdtKeaSystem *s, int i);
 void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p);
 
 /* ---- kea_project.c ---- */
 
-/* Moves bodies out of each other, without velocity. */
+/* Reduces overlaps by a displacement, without changing velocities. */
 void kea_project(MdtKeaSystem *s);
 
 /* ---- kea_budget.c ---- */
 
-/* Sets the budget of what follows: this share of the whole solve's; of it, so many passes by sweeps are reserved for
- * when it runs out. */
+/* Sets the budget of work up to the next call, a share of the whole solve's, and reserves part of it for so many passes
+ * by sweeps. */
 void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses);
-/* Writes what it has cost. */
+/* Copies the counts of work into the report. */
 void kea_reportWork(MdtKeaSystem *s);
 
 /* ---- kea_free.c ---- */
 
 /* The poses of body i at the end, from its KeaEnd, and in the middle. */
 void kea_setPoses(MdtKeaSystem *s, int i);
-/* Bodies that no row acts on take the free motion instead. */
+/* End states of the bodies that no row acts on: free motion. */
 void kea_moveFreely(MdtKeaSystem *s);
 
 /* ---- kea_energy.c ---- */
 
-/* J, in the metric of the inner problem; change may be null. */
+/* J: kinetic energy of velocity + change, in the metric of the inner problem; change may be null. */
 double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]);
-/* J: the energy that there can be: what the step started with, and what loads, springs, motors and
- * whatever else moves have done in it. */
+/* J: an upper bound of the kinetic energy at the end: that of the start and the work of loads, springs, motors and
+ * moving attachments or surfaces. */
 double kea_energyAllowed(const MdtKeaSystem *s);
-/* J: the whole partition at the speed at which the worst error of its joints is taken away. */
+/* J: kinetic energy of the whole partition at the speed with which the largest joint error is corrected. */
 double kea_energyOfCorrection(const MdtKeaSystem *s);
-/* Shortens the way of the bodies that rows act on to where loads have taken all energy that there was. They may be
- * lifted by an error that is taken away. False: there is enough. */
-MeBool kea_stopShort(const MdtKeaSystem *s);
+/* Scales u of the bodies that rows act on, where the loads would take more energy from them than there is, down to
+ * where they have taken all. Energy for the correction of errors is allowed for. False: nothing to scale. */
+MeBool kea_limitTravel(const MdtKeaSystem *s);
 /* The largest share a in [0, 1] for which velocity + plastic + a (elastic - plastic) has no more energy than
  * allowed. */
 double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*elastic)[6], double (*plastic)[6],
                         double allowed);
-/* The last resort of a step whose motion was not found: `change` takes the velocities of all bodies that rows act on
- * down to the energy allowed. False: there is nothing to change. */
-MeBool kea_slowDown(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]);
+/* Fallback for a step that has not converged: `change` scales the velocities of all bodies that rows act on down to the
+ * energy allowed. False: they have no more than that. */
+MeBool kea_scaleVelocities(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]);
 
 /* ---- kea_residual.c ---- */
 
-/* How far a pass is from the laws, in tolerances (kea_policy_i.h). */
+/* Residuals of a pass, in units of their tolerances (kea_policy_i.h): below 1 is converged. */
 typedef struct KeaResiduals {
     double position, velocity, momentum, worst;
-    double attachment; /* the position error, in roundings of where joints are attached */
-    double impulse;    /* N s, that the velocity would take */
+    double attachment; /* the position error over the rounding of the joints' attachments */
+    double impulse;    /* N s, of the largest violation of a velocity row */
     double resolution; /* m/s, of the velocity: its tolerance */
 } KeaResiduals;
 
-/* m/s: by how much the loads change velocities in a step, at most. */
+/* m/s: the largest change of a body's velocity by loads in the step. */
 double kea_loadSpeed(const MdtKeaSystem *s);
-/* m/s: what velocities are compared with: those of the bodies, and what loads, springs and motors do to them. */
-double kea_speedOf(const MdtKeaSystem *s);
+/* m/s: the scale of velocities, to which tolerances are relative: of bodies, and of their changes by loads, springs and
+ * motors. */
+double kea_velocityScale(const MdtKeaSystem *s);
 /* After a linearization. Writes report.error. */
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);
 MeBool kea_isConverged(const KeaResiduals *e);
-/* Not converged, but within this times what is reported as exact. */
+/* Whether residuals are below margin times the loose tolerances, within which an answer is reported as exact. */
 MeBool kea_isExactEnough(const KeaResiduals *e, double margin);
-/* After every pass: which joints are inconsistent; whether such miss their aims by more than attachments are known, and
- * whether by anything at all. */
+/* After every pass: marks inconsistent joints, which contradict each other. Whether the residual of one exceeds the
+ * rounding of attachments; whether it exceeds the position tolerance. */
 void kea_noteInconsistent(MdtKeaSystem *s);
 MeBool kea_isConflicting(const MdtKeaSystem *s);
-MeBool kea_isCompromise(const MdtKeaSystem *s);
+MeBool kea_isInconsistent(const MdtKeaSystem *s);
 
 /* ---- kea_dual.c ---- */
 
 /* Chooses the primal or dual factorization by flop count. */
 void kea_dualBegin(MdtKeaSystem *s);
-/* Solves the inner problem by the joints' side. False: that is not possible here. */
+/* Solves the inner problem for the joints' impulses. False: kea_dualBegin has chosen the primal factorization, or the
+ * factorization failed. */
 MeBool kea_dualSolve(MdtKeaSystem *s);
 
 /* ---- kea_redundancy.c ---- */
@@ -315,11 +320,13 @@ MeBool kea_dualSolve(MdtKeaSystem *s);
 /* Whether joints, and the world, make a loop. */
 MeBool kea_hasLoops(const MdtKeaSystem *s);
 
-/* Of impulses that do the same, the smallest; the metric is lost. */
-void kea_shareForces(MdtKeaSystem *s);
+/* Replaces the impulses of redundant joints by those of least norm with the same resultant on each body; overwrites the
+ * metric. */
+void kea_minimizeRedundantForces(MdtKeaSystem *s);
 
 /* ---- kea_velocity.c ---- */
 
+/* Corrects the velocities at the end of the step. */
 void kea_velocityStage(MdtKeaSystem *s);
 
 #endif

@@ -1,4 +1,5 @@
-/* The system of one partition: memory, what would be without rows, and the end of the step. */
+/* The system of one partition: its memory, the prediction without rows, the choice of solver, and the commit of end
+ * states. */
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "MeTeam.h"
@@ -26,26 +27,26 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->endPose = kea_carve(arena, n, sizeof *work->endPose);
     work->meanPose = kea_carve(arena, n, sizeof *work->meanPose);
     work->endErrors = kea_carve(arena, m, sizeof(double));
-    work->ahead = kea_carve(arena, m, sizeof(double));
-    work->keptJ = kea_carve(arena, m, sizeof *work->keptJ);
+    work->movingRate = kea_carve(arena, m, sizeof(double));
+    work->savedJ = kea_carve(arena, m, sizeof *work->savedJ);
     work->bestU = kea_carve(arena, n, sizeof *work->bestU);
     work->bestP = kea_carve(arena, m, sizeof(double));
-    work->nearU = kea_carve(arena, n, sizeof *work->nearU);
-    work->nearP = kea_carve(arena, m, sizeof(double));
+    work->tangentU = kea_carve(arena, n, sizeof *work->tangentU);
+    work->tangentP = kea_carve(arena, m, sizeof(double));
     work->added = kea_carve(arena, n, sizeof *work->added);
     work->plastic = kea_carve(arena, n, sizeof *work->plastic);
     work->target = kea_carve(arena, 2 * m, sizeof(double));
     work->velocity = kea_carve(arena, n, sizeof *work->velocity);
-    work->keptP = kea_carve(arena, m, sizeof(double));
+    work->savedP = kea_carve(arena, m, sizeof(double));
     work->takesPart = kea_carve(arena, m, 1);
-    work->acting = kea_carve(arena, m, sizeof(int));
-    work->placeOf = kea_carve(arena, m, sizeof(int));
+    work->activeRow = kea_carve(arena, m, sizeof(int));
+    work->problemRowOf = kea_carve(arena, m, sizeof(int));
     work->parent = kea_carve(arena, n + 1, sizeof(int));
     work->dual.start = kea_carve(arena, m + 1, sizeof(int));
     work->dual.size = kea_carve(arena, m, sizeof(int));
     work->dual.edges = kea_carve(arena, m, sizeof *work->dual.edges);
     work->dual.side = kea_carve(arena, m, sizeof *work->dual.side);
-    work->dual.met = kea_carve(arena, m, sizeof(int));
+    work->dual.lastJoined = kea_carve(arena, m, sizeof(int));
     work->dual.first = kea_carve(arena, n, sizeof(int));
     work->dual.next = kea_carve(arena, m, sizeof *work->dual.next);
     work->dual.x = kea_carve(arena, m, sizeof(double));
@@ -92,7 +93,8 @@ double kea_sizeOf(const MdtKeaBody *body) {
     return sqrt(keaMax(I[0], keaMax(I[1], I[2])) * body->invMass);
 }
 
-/* Velocity and momentum at the end of the step without rows, and the rates that they mean at the start's pose. */
+/* Velocity and momentum at the end of the step without rows, and the angular velocity of that momentum at the start
+ * pose. */
 static void predict(MdtKeaSystem *s, int i) {
     const MdtKeaBody *body = s->bodies[i];
     KeaBody *b = &s->work->body[i];

@@ -1,4 +1,4 @@
-/* The one framework of programs that know of none. */
+/* The default framework, for programs written for interfaces without frameworks. */
 #include "KarmaClassic.h"
 
 static McdFrameworkID classicFrame;

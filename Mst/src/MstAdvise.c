@@ -1,4 +1,4 @@
-/* Advice: what is tried in which order, and who is told (MstAdvise.h, mst_advise_i.h).
+/* Advice: the order of trials, and the report to the program (MstAdvise.h, mst_advise_i.h).
  *
  *     scene as it is      -> its traits, and by them the settings
  *     reference, twice    -> how long it holds
@@ -20,7 +20,7 @@
 enum { MOST_ROUNDS = 15, TRIALS = MST_SETTINGS + 2 }; /* as it is, each setting, those taken together */
 enum { MOST_STEPS = 1000000, MOST_SAMPLES = 128 };
 enum { MOST_RECORD_BYTES = 64 << 20 }; /* of one copy */
-/* Times the time of the scene as it is: what takes longer is no advice, whatever its error. */
+/* Settings that take more than this factor of the scene's present time are not advised, whatever their error. */
 enum { TOO_SLOW = 20 };
 /* Settings that are slower than this are timed once. */
 static const double slow = 3;
@@ -192,7 +192,7 @@ static MeBool runReference(MstAdviser *a, MstUniverseID u, MstRecord *record) {
     return MEFALSE;
 }
 
-/* The first run of a trial: all there is to know of it but how long it takes among others. */
+/* The first run of a trial: its errors and residuals; times are measured later, in turns with other trials. */
 static void noteTrial(MstAdviser *a, const MstRecord *record, int trial) {
     MstTrial *t = &a->trial[trial];
     mst_trialMeasure(t, record, a->right, &a->copy.size, a->lastSample);
@@ -239,7 +239,7 @@ static MeBool timeTrials(MstAdviser *a, MstUniverseID u, MstRecord *record, int 
     return MEFALSE;
 }
 
-/* Of each knob what saves most; and what the scene needs. Returns how many. */
+/* Chooses for each knob the setting that saves most, and those that the scene needs. Returns their number. */
 static int chooseTogether(MstAdviser *a) {
     int count = 0;
     for (int pass = 0; pass < 2; pass++)
@@ -264,7 +264,7 @@ static void nameTogether(MstAdviser *a, MstTrial *t) {
                                length ? " and " : "together: ", a->together[knob]);
 }
 
-/* The one that saves most, or mends, by itself. */
+/* The single setting that saves most, or that corrects errors. */
 static int bestAlone(const MstAdviser *a) {
     int best = 0;
     for (int i = 1; i <= a->settings; i++) {
@@ -379,7 +379,7 @@ static void tell(MstAdviser *a) {
 void mst_adviserStepBegins(MstUniverseID u, MstAdviser **adviser, double step) {
     MstAdviser *a = *adviser;
     if (!(step > 0) || !MeRealIsValid((MeReal)step))
-        return; /* nothing will move */
+        return; /* nothing moves: no advice */
     if (!a->isCopy && a->waited < (double)a->params.after - .5 * step) {
         a->waited += step;
         return;

@@ -19,7 +19,7 @@
 
 /* ---- memory ---------------------------------------------------------------------------------------------------- */
 
-/* Room for one more. False, after MeFatalError, if there is no memory: all is as it was then. */
+/* Room for one more. False, after MeFatalError: no memory, and the list is unchanged. */
 static MeBool hasRoom(MstEventList *list) {
     const size_t count = (size_t)list->count, more = count ? 2 * count : 64;
     if (list->count < list->max)

@@ -1,4 +1,4 @@
-/* Models with and without bodies, their mass, and what freezes them. */
+/* Models with and without bodies: creation, mass properties, freezing. */
 #include "MstUtils.h"
 #include "McdGeometry.h"
 #include "McdInteractions.h"

@@ -72,13 +72,13 @@ static MeBool isAsTested(const McdModelPair *p) {
     return hasAllContacts(p) && t->moves[0] == mst_movesOf(p->model1) && t->moves[1] == mst_movesOf(p->model2);
 }
 
-/* Did its last test find it apart? */
+/* Whether its last test found no contacts. */
 static MeBool isApart(const McdModelPair *p) {
     const MstTouch *t = p->touch;
     return t ? t->found == 0 && !t->isTouching : !p->responseData;
 }
 
-/* A body that has moved, has moved by its last step. */
+/* Whether the body's only motion since then is that of its last step. */
 static MeBool movedByStep(McdModelID m, unsigned long before, MeBool *hasMoved) {
     *hasMoved = mst_movesOf(m) != before;
     return !*hasMoved || MdtBodyMovedByStep(mst_bodyOf(m), before);
@@ -98,8 +98,8 @@ static MeBool mayCarry(const MstBridgeRecord *b, const McdModelPair *p, MeBool h
     return b->part == 0 && MdtContactGroupIsFlat(p->responseData);
 }
 
-/* Partitions of a few bodies are solved to the rounding of their contacts: there each test counts (a million kilograms
- * on one show contacts that are off by 1e-7 m). */
+/* Contacts are carried in large partitions only: small ones are solved so exactly that contacts off by 1e-7 m would
+ * show (as under a mass ratio of a million). */
 static MeBool mayReuse(const McdModelPair *p) {
     return (mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2))) && !mst_isFast(p);
 }
@@ -114,7 +114,7 @@ static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
         return MST_TO_TEST;
     if (t ? isAsTested(p) : change == McdPairIsUnchanged && !p->responseData)
         return t && t->found != 0 ? MST_KEPT : MST_NOTHING;
-    if (isApart(p)) /* by more than they have moved */
+    if (isApart(p)) /* the gap exceeds their relative displacement */
         return MST_NOTHING;
     return mayCarry(b, p, f->hasMoved) ? MST_CARRIED : MST_TO_TEST;
 }
@@ -164,7 +164,7 @@ void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     mst_convertContacts(b, run, f);
 }
 
-/* Does a function of the program see the pair's test, or its contacts? */
+/* Whether a callback of the program is involved in the pair's test or contacts. */
 static MeBool callsProgram(const MstFinding *f) {
     return mst_hasCallback(f->materials) || !McdModelPairIsPlain(f->pair);
 }
@@ -232,8 +232,8 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
         f->timeToTouch = mst_timeToTouch(b, p, s);
 }
 
-/* In the first part of a step no pair depends on what is committed of another one. In the later ones a pair waits for a
- * body that is done, and one that was asleep is, once a pair before has woken it. */
+/* In the first part of a step pairs are independent of each other's commits. In later parts a pair has to wait for a
+ * body that has advanced already, which may be one that an earlier pair has woken. */
 static int mostPairs(const MstBridgeRecord *b) {
     return b->part == 0 ? MST_RUN : 1;
 }

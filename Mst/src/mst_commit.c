@@ -18,7 +18,7 @@
 
 /* ---- groups ------------------------------------------------------------------------------------------------------ */
 
-/* Does the pair's group, if it has one, push the pair's bodies, and know the pair? */
+/* Whether the pair's group, if any, has the pair's bodies and refers to the pair. */
 static MeBool ownsGroup(const McdModelPair *p) {
     const MdtContactGroupID group = p->responseData;
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
@@ -95,7 +95,7 @@ static void carryContacts(MstBridgeRecord *b, const MstFinding *f) {
 
 /* ---- contacts that were found ------------------------------------------------------------------------------------ */
 
-/* A contact that its callback does not want is destroyed. */
+/* Calls the callback of a contact, and destroys the contact if it is rejected. */
 static void callPerContact(const MstBridgeRecord *b, MstRun *run, MdtContactGroupID group, int count) {
     McdIntersectResult *result = &run->result;
     for (int i = 0; i < count; i++) {
@@ -169,7 +169,7 @@ static void testAndCommit(MstBridgeRecord *b, MstRun *run, MstFinding *f, McdSpa
     if (f->isKnown)
         commitWithCallbacks(b, run, f, w);
     if (mst_hasCallback(f->materials))
-        mst_beginRound(b); /* they may have changed anything */
+        mst_beginRound(b); /* callbacks may have changed any input */
     finishTest(b, f, s, w);
 }
 

@@ -1,13 +1,13 @@
 /* Continuous motion: fast models are stopped where they touch, and go on from there.
  *
- * A step is taken in parts. In the first all bodies move, but the partition of a fast model that would meet something
- * only up to there; the others are done then. In each further part the lagging ones get new contacts, and move on to
+ * A step is taken in parts. In the first all bodies move, but the partition of a fast model only up to its time of
+ * impact; the others have then done their step. In each further part the lagging ones get new contacts, and advance to
  * the next impact or to the end of the step. A pair of bodies that will meet is tied into one partition before it
- * touches, so that both are at the same time when they do. The impact itself is a short part too, as where the body
- * goes after it is not known before.
+ * touches, so that both are at the same time when they do. The impact itself is a short part of its own, as the motion
+ * after it is not known before.
  *
- * Lagging bodies must not push those already advanced, which would move for longer than the step. Where a lagging body
- * meets such a one it waits, and the rest of its step is lost; so it is after the last part.
+ * Lagging bodies must not push those already advanced, which would move for longer than the step. A lagging body that
+ * meets such a one is stopped, and loses the rest of its step; so do bodies that still lag after the last part.
  *
  * A large partition is not held back by what hits it, which would cost as many solves of it: the fast body waits for it
  * and meets it in the next step, which is not divided either. A fast body in a large partition has safe times in the
@@ -62,7 +62,7 @@ static void clampSafeTime(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
     b->clamped[b->clampedCount++] = body;
 }
 
-/* ---- when they meet -------------------------------------------------------------------------------------------- */
+/* ---- time of impact -------------------------------------------------------------------------------------------- */
 
 static int MEAPI isThatOne(McdModelID m, void *wanted) {
     return m == (McdModelID)wanted;
@@ -128,20 +128,20 @@ static MeReal approachOf(const McdModelPair *p) {
     return most;
 }
 
-/* An impact takes a part of its own, twice as long as it takes to close the gap: where the body goes after it is looked
- * at in the next part. Not so where the pair slides or rests, and its motion remains what it is. */
+/* s: an impact gets a part of its own, twice as long as it takes to close the gap; the motion after it is predicted in
+ * the next part. Not where the pair slides or rests, and its motion continues. */
 static MeReal timeOfImpact(const McdModelPair *p, MeReal most) {
     const MeReal approach = approachOf(p), margin = marginOf(p);
     return approach * most > 4 * margin ? 2 * margin / approach : most;
 }
 
-/* In the shortest part a body gets no farther than where its contacts are made ahead of time, or little: what passes
- * 100 of its own size in a step, 1 % of that size. */
+/* s: the shortest part. In it a body moves by no more, or little more, than its speculative margin: at 100 times its
+ * size per step by 1 % of its size. */
 static MeReal shortestPart(const MstBridgeRecord *b) {
     return b->ahead / SHORTEST;
 }
 
-/* Nothing is stopped for a rest of the step that would be shorter than a part. */
+/* Bodies are not stopped if the rest of the step would be shorter than the shortest part. */
 static MeBool stopsBefore(const MstBridgeRecord *b, MeReal time, MeReal most) {
     return most - time > shortestPart(b);
 }
@@ -179,7 +179,7 @@ MeBool mst_isInCrowd(MdtBodyID body) {
 
 /* ---- the parts after the first --------------------------------------------------------------------------------- */
 
-/* Has the body done its step, so that it must not be pushed? */
+/* Whether the body has done its step, so that it must not be pushed. */
 static MeBool isDone(MdtBodyID body) {
     return body && MdtBodyIsEnabled(body) && !(MdtBodyGetLag(body) > 0);
 }
@@ -188,7 +188,7 @@ static MeBool isLagging(McdModelID m) {
     return lagOf(mst_bodyOf(m)) > 0;
 }
 
-/* Does a body lag, so that it may still move, and may the pair have contacts? */
+/* Whether a body of the pair lags, so that it still moves in this step, and the pair may have contacts. */
 static MeBool mayMove(const McdModelPair *p) {
     return (isLagging(p->model1) || isLagging(p->model2)) && !McdModelIsSensor(p->model1) &&
            !McdModelIsSensor(p->model2);

@@ -65,7 +65,7 @@ double mst_clock(void) {
 
 /* ---- in the copy ------------------------------------------------------------------------------------------------- */
 
-/* What the program says, it has said already, or will say. */
+/* Silences the copy: the process itself prints the same messages. */
 static void swallowTexts(void) {
     const int nowhere = open("/dev/null", O_WRONLY);
     if (nowhere < 0)
@@ -75,7 +75,7 @@ static void swallowTexts(void) {
     close(nowhere);
 }
 
-/* Should whoever asked be gone, the copy ends of its own. */
+/* Limits the CPU time, s: a copy that hangs ends even if the process that made it has ended. */
 static void limitTime(double seconds) {
     const struct rlimit limit = {(rlim_t)ceil(seconds) + 1, (rlim_t)ceil(seconds) + 2};
     setrlimit(RLIMIT_CPU, &limit);
@@ -84,7 +84,7 @@ static void limitTime(double seconds) {
 static void becomeCopy(MstUniverseID u, const MstSetting *const setting[], int count, double limit) {
     swallowTexts();
     limitTime(limit);
-    MdtWorldSetTaskPool(u->world, 0); /* its threads are not here */
+    MdtWorldSetTaskPool(u->world, 0); /* threads do not survive fork */
     MdtWorldEnableReport(u->world);
     for (int i = 0; i < count; i++)
         mst_settingApply(u, setting[i]);
@@ -215,7 +215,7 @@ static void await(pid_t copy, double limit) {
 MeBool mst_copyRun(MstCopy *c, MstUniverseID u, const MstSetting *const setting[], int count, double limit) {
     memset(c->record, 0, sizeof *c->record);
     c->record->isReporting = 1;
-    fflush(NULL); /* else the copy has it, too */
+    fflush(NULL); /* or the copy would print buffered output again */
     const pid_t copy = fork();
     if (copy == 0) {
         becomeCopy(u, setting, count, limit);

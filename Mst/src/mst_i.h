@@ -1,4 +1,4 @@
-/* Inside Mst: the bridge's record, and the stages that pairs of models pass on their way to contacts of their bodies.
+/* Inside Mst: the bridge's records, and the stages from pairs of models to contacts of their bodies.
  *
  *     stage     file              reads -> writes
  *     pairs     MstBridge.c       the space's pairs -> the bridge's buffer of them; hello and goodbye pairs
@@ -49,16 +49,16 @@ enum { MST_UNKNOWN = -1 };
 /* Pairs of a run: their touches, pairs and manifolds, 900 bytes each, and what is found of them fit into 32 kB.
  * In a heap of 1000 boxes, half as many and twice as many cost the same. */
 enum { MST_RUN = 32 };
-/* Runs that are worth calling workers for: some 20 us each in a heap of boxes. A thread that sleeps needs up to .35 ms
- * to wake, on a virtual machine. */
+/* The least number of runs for which workers are woken: some 20 us each in a heap of boxes, while a sleeping thread
+ * takes up to .35 ms to wake on a virtual machine. */
 enum { MST_LEAST_RUNS = 4 };
 enum { MST_CACHE_LINE = 64 }; /* bytes */
-/* Runs that workers may be ahead of the calling thread: twice as many as have a worker each on eight cores. */
+/* Runs that workers may be ahead of the calling thread: two for each of eight cores. */
 enum { MST_AHEAD = 16 };
 /* Touches of the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
 enum { MST_TOUCH_BLOCK = 64, MST_TOUCH_BLOCKS = 24 };
-/* So often contacts are carried along with their bodies before they are found anew. Each time rounds the normal to
- * MeReal: 64 times half of 2^-24, in any direction, are 2.4e-7 in all, as one rounding of a transform. */
+/* How many steps contacts are carried along with their bodies before they are found anew. Each step rounds the normal
+ * to MeReal: 64 random roundings of half of 2^-24 add up to 2.4e-7, as one rounding of a transform. */
 enum { MST_CARRIES = 64 };
 enum { MST_BRIDGE = 0x4d425244, MST_UNIVERSE = 0x4d554e49, MST_CONTACTS = 40, MST_PAIRS = 1000, MST_MATERIALS = 10000 };
 
@@ -73,7 +73,7 @@ void mst_warnGone(const void *p, const char *what, const char *function);
 typedef struct MstBridgeRecord MstBridgeRecord;
 typedef struct MstTouch MstTouch;
 
-/* A model that may have been destroyed since. */
+/* A model handle with its serial, by which a destroyed model is noticed. */
 typedef struct MstModelRef {
     McdModelID model;
     MeU64 serial;
@@ -145,14 +145,14 @@ typedef struct MstMaterialRecord {
 /* ---- what collide hands to commit -------------------------------------------------------------------------------- */
 
 typedef enum MstOutcome {
-    MST_NOTHING,  /* there is nothing to do */
+    MST_NOTHING,  /* nothing to do */
     MST_KEPT,     /* the contacts stay as they are */
     MST_CARRIED,  /* they move with their bodies */
     MST_TESTED,   /* they become those that were found */
     MST_TO_TEST,  /* the same, but commit has to test the pair */
-    MST_TO_PART,  /* their joint lets them pass: contacts and touch go */
-    MST_TO_SENSE, /* a model is a sensor: the same, without contacts of bodies */
-    MST_TO_WAIT   /* one body lags, and must not push the other, which has done its step */
+    MST_TO_PART,  /* a joint disables their collision: contacts and touch are removed */
+    MST_TO_SENSE, /* a model is a sensor: test it, for events only */
+    MST_TO_WAIT   /* one body lags, and must not push the other, which has advanced already */
 } MstOutcome;
 
 /* The result of collide for one pair. */
@@ -225,7 +225,7 @@ static inline MeBool mst_areMaterialsSeen(const MstBridgeRecord *b) {
 static inline unsigned long mst_versionSeen(const MstMaterialPair *pair) {
     return ((const MstMaterialRecord *)pair)->version;
 }
-/* Pairs are about to be looked at: programs may have changed any input before, or in a callback. */
+/* Begins a round of pairs: inputs are compared anew, as programs may have changed them before, or in a callback. */
 void mst_beginRound(MstBridgeRecord *b);
 
 /* Room for the contacts of one pair, and of the rest of a run. False: there is no memory, and the run is as it was. */
@@ -257,7 +257,7 @@ void mst_noteHeldApart(McdModelPair *const pairs[], int count);
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p);
 /* The run's result, as a callback left it, becomes part of its contacts. */
 void mst_convertContacts(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
-/* Has the pair of materials a callback that sees contacts? */
+/* Whether the pair of materials has a callback of contacts. */
 MeBool mst_hasCallback(const MstMaterialPair *materials);
 /* Is a model of the pair fast, so that its motion is continuous in this step? */
 MeBool mst_isFast(const McdModelPair *p);
@@ -277,7 +277,7 @@ void mst_rememberTest(const MstFinding *f, unsigned long version);
 /* ---- commit (mst_commit.c) --------------------------------------------------------------------------------------- */
 
 void mst_commitRun(MstBridgeRecord *b, MstRun *run, McdSpaceID s, MdtWorldID w);
-/* The pair's bodies are one partition, whether they touch or not. */
+/* Joins the pair's bodies into one partition, whether they touch or not. */
 void mst_pairTie(McdModelPair *p, MdtWorldID w);
 /* Destroys the contacts of a pair. */
 void MEAPI mst_pairForget(McdModelPair *p);
@@ -286,12 +286,12 @@ void MEAPI mst_pairForget(McdModelPair *p);
 
 /* The touch, about which something was noted, is one of this step's. */
 void mst_touchList(MstTouch *t);
-/* As mst_touchNote and mst_touchNoteAgain, of a pair that has a touch, which is not listed yet. */
+/* As mst_touchNote and mst_touchNoteAgain, for a pair that has a touch that is not listed yet. */
 void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int found, MeReal separation);
 void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p);
 /* A pair was tested, and has the group's contacts now; the least separation of those found. */
 void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int found, MeReal separation);
-/* It is as it was when that was last noted. */
+/* The pair is unchanged since its touch was last noted. */
 void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p);
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);
 /* Notes the contacts of a group. */
@@ -305,7 +305,7 @@ MeBool mst_touchesAreConsistent(const MstEvents *e);
 void mst_touchesTerm(MstEvents *e);
 /* s, by which the pair's bodies are behind their world: those that are tied move together. */
 MeReal mst_lagOfPair(const McdModelPair *p);
-/* m/s, at which the models approach each other at a point, along the way in which the first one is pushed. */
+/* m/s: the approach speed of the models at a point, along the normal, which pushes the first one. */
 MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal);
 /* A contact's normal as it pushes the first model, whichever body its group has first. */
 void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
@@ -322,15 +322,15 @@ void mst_eventsTerm(MstBridgeRecord *b);
 
 /* ---- continuous motion (mst_continuous.c) ------------------------------------------------------------------------ */
 
-/* May the pair have contacts in this later part of the step? */
+/* Whether the pair may get contacts in a later part of the step. */
 MeBool mst_mayMeet(const McdModelPair *p);
-/* Else: does a fast one of its models have to wait for the other? */
+/* If not: whether its fast model has to wait for the other one. */
 MeBool mst_mustWait(const McdModelPair *p);
 /* s, for which the models of a pair without contacts do not touch, at most as long as they move in this part. */
 MeReal mst_timeToTouch(const MstBridgeRecord *b, McdModelPair *p, McdSpaceID s);
-/* The one that has to wait gets that as its safe time. */
+/* Sets that time as the safe time of the body that has to wait. */
 void mst_waitFor(MstBridgeRecord *b, const MstFinding *f);
-/* If a model of the pair is fast: gives its bodies a safe time, where they meet now or later in the step. */
+/* For a pair with a fast model: sets the safe time of its bodies, if they meet now or later in the step. */
 void mst_followFast(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w);
 /* Is the body part of a large partition, in which a single pair matters little, and a solve costs much? */
 MeBool mst_isInCrowd(MdtBodyID body);

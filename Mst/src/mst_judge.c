@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* In every round: what is faster by less is not worth a line in a program, and may be chance. */
+/* The least gain, in every round: less may be noise, and is not worth a line in a program. */
 static const double worthIt = .95;
 
 /* ---- errors ------------------------------------------------------------------------------------------------------ */
@@ -23,7 +23,8 @@ static double turnBetween(const double a[4], const double b[4]) {
     return 4 * asin(fmin(1, .5 * sqrt(fmin(minus, plus))));
 }
 
-/* How far a point of a body at its radius of gyration may be from where it is in the other record. */
+/* m: the distance between two states of a body: of its position, and of a point at its radius of gyration by its
+ * rotation. */
 static double placeError(const MstSample *a, const MstSample *b) {
     return distance(a->position, b->position) + b->radius * turnBetween(a->quaternion, b->quaternion);
 }
@@ -136,7 +137,7 @@ void mst_trialTime(MstTrial *t, const double *cost, const double *asItIs, int ro
 
 /* ---- verdicts ---------------------------------------------------------------------------------------------------- */
 
-/* A tenth more is no difference that anybody sees. */
+/* Whether a value is within tolerance, or at most 10 % above the one before: no visible difference. */
 static MeBool isNoWorse(MeReal value, MeReal before, double tolerance) {
     return (double)value <= fmax(tolerance, 1.1 * (double)before);
 }
@@ -165,7 +166,7 @@ static MstVerdict verdictOf(const MstTrial *t, const MstTrial *asItIs, double to
                                                                                          : MstVerdictNone;
 }
 
-/* Of what makes the scene right, the cheapest. */
+/* The cheapest setting that corrects the scene's errors. */
 static void chooseMend(MstTrial *t, int count, double tolerance) {
     MstTrial *best = 0;
     for (int i = 1; i < count; i++)
@@ -188,7 +189,7 @@ static void sayCost(const MstTrial *t, char *text, size_t size) {
         snprintf(text, size, "%.1f times", ratio);
 }
 
-/* What is worse than now, beyond the tolerance. */
+/* Names what a trial makes worse than the scene as it is, beyond the tolerance. */
 static void sayLoss(const MstTrial *t, const MstTrial *asItIs, double tolerance, char *text, size_t size) {
     int length = 0;
     *text = 0;

@@ -186,7 +186,7 @@ MeReal mst_approachAt(const McdModelPair *p, MeVector3 point, const MeVector3 no
     return -MeVector3Dot(v1, normal);
 }
 
-/* The deepest contact is where it touches, until forces say better. */
+/* The touch's position is that of the deepest contact, until forces tell the one with the largest impulse. */
 static void noteContact(MstTouch *t, MeVector3 position, const MeVector3 normal, MeReal separation) {
     t->separation = MeMIN(t->separation, separation);
     if (separation < t->deepest) {
@@ -249,7 +249,7 @@ static MeBool hasContacts(const McdModelPair *p) {
 
 static void noteFound(MstTouch *t, int found, MeReal separation) {
     const MdtContactGroupID group = t->pair->responseData;
-    if (!t->isTouching) /* how fast they come is known now only */
+    if (!t->isTouching) /* the approach speed can be measured before the solve only */
         mst_touchNoteGroup(t, group);
     else
         t->separation = MeMIN(t->separation, leastSeparation(group, found, separation));

@@ -69,7 +69,7 @@ static void renew(const MstBridgeRecord *b, const MstRun *run, const MstFinding 
     mst_rememberTest(f, mst_versionSeen(f->materials));
 }
 
-/* Was nothing found of a pair of which nothing was known? */
+/* Whether the pair was tested without contacts, and had none before. */
 static MeBool isNothing(const MstFinding *f) {
     const McdModelPair *p = f->pair;
     return f->outcome == MST_TESTED && f->count == 0 && !p->touch && !p->responseData && !mst_isFast(p);

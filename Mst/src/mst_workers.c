@@ -28,7 +28,7 @@ void mst_workersTerm(MstBridgeRecord *b) {
     b->runsAhead = 0;
 }
 
-/* Once, for as long as contacts need the same room. */
+/* Allocates the runs once; again only if contacts need more room. */
 static MeBool makeRuns(MstBridgeRecord *b) {
     if (b->runsAhead)
         return METRUE;

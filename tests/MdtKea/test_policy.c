@@ -45,7 +45,7 @@ static void begin(int numBodies, int numRows) {
 
 static void measure(void) {
     ck_assert(kea_problemBegin(&q, cache));
-    kea_problemMeasure(&q);
+    kea_problemSetEffectiveMasses(&q);
 }
 
 static void end(void) {
@@ -205,7 +205,7 @@ START_TEST(sweeps_end_when_they_have_settled) {
     for (int k = 1; k <= 8; k++) {
         makeColumn(2);
         q.metric[1].linear = k;
-        kea_problemMeasure(&q);
+        kea_problemSetEffectiveMasses(&q);
         q.sweptPasses = 1;
         kea_problemSweep(&q);
         sweeps += q.counts.work / (96. * 2) - 2;

@@ -195,9 +195,9 @@ static void randomProblem(int numBodies, int numRows, MeBool isSoft, MeBool isRe
 static void measure(void) {
     cache = MdtKeaCacheCreate();
     ck_assert(kea_problemBegin(&q, cache));
-    kea_problemMeasure(&q);
+    kea_problemSetEffectiveMasses(&q);
     for (int i = 0; i < q.numRows; i++)
-        q.row[i].N = 1e-6 * q.row[i].size;
+        q.row[i].N = 1e-6 * q.row[i].Aii;
     for (int i = 0; i < q.numRows; i++)
         if (q.row[i].partner > i)
             q.row[i].N = q.row[q.row[i].partner].N = fmax(q.row[i].N, q.row[q.row[i].partner].N);
@@ -214,7 +214,7 @@ static void solve(void) {
     for (int pass = 0; pass < MAX_PASSES && !isDone; pass++) {
         kea_frictionRenewBounds(&q);
         kea_problemSolve(&q, METRUE);
-        kea_problemCarryOn(&q, total);
+        kea_problemAccumulate(&q, total);
         isDone = kea_problemResidual(&q, NULL) < 1e-13 && kea_problemError(&q) < 1;
     }
 }
@@ -431,8 +431,8 @@ START_TEST(residual_tells_what_is_missing) {
             const double r = row->r;
             if (row->p <= row->lower || row->p >= row->upper)
                 continue;
-            row->r += 1e-3 * fmin(1, row->size * fmin(row->p - row->lower, row->upper - row->p));
-            assert_near_rel(kea_problemResidual(&q, NULL), (row->r - r) * row->size / (row->size + row->E),
+            row->r += 1e-3 * fmin(1, row->Aii * fmin(row->p - row->lower, row->upper - row->p));
+            assert_near_rel(kea_problemResidual(&q, NULL), (row->r - r) * row->Aii / (row->Aii + row->E),
                             TOL(5e-7, 4e-9));
             row->r = r;
         }
@@ -471,7 +471,7 @@ START_TEST(contradictory_rows_end_in_a_compromise) {
     assert_near(q.d[0][0], 0, 9e-16);
     assert_near_rel(q.row[0].p, 1e6, TOL(5e-7, 9e-16)); /* r / N */
     assert_near_rel(q.row[1].p, -1e6, TOL(5e-7, 9e-16));
-    kea_problemCarryOn(&q, total);
+    kea_problemAccumulate(&q, total);
     assert_near(kea_problemResidual(&q, NULL), 1, 9e-16);
     end();
 }
@@ -878,7 +878,7 @@ START_TEST(sweeps_carry_weight_down_a_column) {
     measure();
     q.sweptPasses = 1;
     kea_problemSweep(&q);
-    kea_problemCarryOn(&q, total);
+    kea_problemAccumulate(&q, total);
     assertBalance(1e-12, "column", 0);
     for (int i = 0; i < q.numRows; i++)
         assert_near(q.row[i].p, MOST_BODIES - i, 0.03);
@@ -901,7 +901,7 @@ START_TEST(joints_hold_after_sweeps) {
                 ck_assert_msg(fabs(row->Jd + row->E * row->p - row->r) < 1e-4, "seed %u, row %d: %g", seed, i,
                               row->Jd + row->E * row->p - row->r);
         }
-        kea_problemCarryOn(&q, total);
+        kea_problemAccumulate(&q, total);
         assertBalance(1e-9, "joints", seed);
         end();
     }

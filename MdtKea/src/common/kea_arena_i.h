@@ -17,8 +17,7 @@ static inline void *kea_carve(KeaArena *a, size_t count, size_t size) {
     return at;
 }
 
-/* A block that is used again and again, and is twice as large as was needed when it last grew: what needs at most that
- * allocates nothing. */
+/* Memory that is reused. It grows to twice what is needed, so that later requests up to that allocate nothing. */
 typedef struct KeaBlock {
     char *memory;
     size_t size;

@@ -2,6 +2,8 @@
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 
+/* Under an iteration cap, the number of passes by sweeps is capped in proportion, as the cap is to make a step cheaper.
+ * Sweeps get at most half of the work that is left. */
 void kea_setBudget(MdtKeaSystem *s, double share, int sweptPasses) {
     KeaProblem *q = &s->work->problem;
     q->maxIterations = s->parameters.maxIterations;

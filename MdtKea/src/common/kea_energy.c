@@ -1,8 +1,8 @@
-/* Kinetic energy, and the one limiter: no answer that was not found, and no rebound, adds energy.
+/* Kinetic energy and its limit: neither rebounds nor answers that have not converged may add energy.
  *
- * Two sets of velocities, an elastic one that may have too much and a plastic one that has not, are blended along the
- * straight line between them: E(v + a (elastic - plastic)) is a parabola in a, and the largest a in [0, 1] that is
- * allowed is its root. What has no plastic answer is slowed down as a whole.
+ * Changes of velocity with restitution (elastic), which may have too much energy, and without (plastic), which have
+ * not, are interpolated: E(v + plastic + a (elastic - plastic)) is quadratic in a, and the largest a in [0, 1] with E
+ * <= allowed is a root. Where there is no plastic answer, all velocities are scaled.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -32,7 +32,7 @@ static double workOfLoads(const MdtKeaSystem *s, int b) {
     return keaDot(dv, u) / s->bodies[b]->invMass + keaDot(dL, u + 3);
 }
 
-/* Of springs and motors, and of surfaces and attachments that move. */
+/* J: work of springs, motors, and moving surfaces and attachments. */
 static double workOfRows(const MdtKeaSystem *s) {
     double sum = 0;
     for (int i = 0; i < s->numRows; i++) {
@@ -52,9 +52,9 @@ double kea_energyAllowed(const MdtKeaSystem *s) {
     return sum + workOfRows(s);
 }
 
-/* ---- the way ---- */
+/* ---- correction of errors ---- */
 
-/* m/s, at which the worst error is taken away, of joints or of contacts too. */
+/* m/s: the speed at which the largest error of joints, or of contacts too, is corrected. */
 static double speedOfCorrection(const MdtKeaSystem *s, MeBool withContacts) {
     double speed = 0;
     for (int i = 0; i < s->numRows; i++) {
@@ -73,7 +73,8 @@ double kea_energyOfCorrection(const MdtKeaSystem *s) {
     return 0.5 * mass * speed * speed;
 }
 
-/* What lifting takes: the momentum that loads give, times that speed. */
+/* J: a bound of the work against loads done by the correction of errors: the momentum given by the loads times its
+ * speed. */
 static double workOfCorrection(const MdtKeaSystem *s) {
     double momentum = 0;
     for (int b = 0; b < s->numBodies; b++) {
@@ -84,7 +85,7 @@ static double workOfCorrection(const MdtKeaSystem *s) {
     return momentum * speedOfCorrection(s, METRUE);
 }
 
-MeBool kea_stopShort(const MdtKeaSystem *s) {
+MeBool kea_limitTravel(const MdtKeaSystem *s) {
     double start = workOfCorrection(s), work = workOfRows(s);
     for (int b = 0; b < s->numBodies; b++)
         if (!s->work->body[b].isFree) {
@@ -101,7 +102,7 @@ MeBool kea_stopShort(const MdtKeaSystem *s) {
     return METRUE;
 }
 
-/* ---- blending ---- */
+/* ---- interpolation ---- */
 
 /* The largest a in [0, 1] with c[0] + c[1] a + c[2] a² <= 0; 0 if there is none. */
 static double largestRoot(const double c[3]) {
@@ -129,9 +130,9 @@ double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*e
     return share;
 }
 
-/* ---- slowing down ---- */
+/* ---- scaling ---- */
 
-/* Of the bodies that no row acts on; they keep it. */
+/* J: of the bodies that no row acts on, which are not scaled. */
 static double freeEnergy(const MdtKeaSystem *s, double (*velocity)[6]) {
     double sum = 0;
     for (int b = 0; b < s->numBodies; b++)
@@ -140,7 +141,7 @@ static double freeEnergy(const MdtKeaSystem *s, double (*velocity)[6]) {
     return sum;
 }
 
-MeBool kea_slowDown(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]) {
+MeBool kea_scaleVelocities(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]) {
     const double energy = kea_kineticEnergy(s, velocity, NULL);
     if (energy <= allowed)
         return MEFALSE;

@@ -1,4 +1,4 @@
-/* Where bodies arrive: their poses at the end and in the middle of the step; and bodies that no row acts on. */
+/* Poses at the end and the middle of the step, and the motion of bodies that no row acts on. */
 #include "kea_i.h"
 
 void kea_setPoses(MdtKeaSystem *s, int i) {
@@ -13,7 +13,8 @@ void kea_setPoses(MdtKeaSystem *s, int i) {
     }
 }
 
-/* Half the loads, free flight and rotation, the other half: of second order, and exact where loads are constant. */
+/* Half of the loads, free flight and rotation, the other half (Strang splitting): second order; the positions are exact
+ * for constant forces. */
 void kea_moveFreely(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     for (int i = 0; i < s->numBodies; i++) {

@@ -1,9 +1,9 @@
-/* Impacts: what changes velocities in an instant, by the law of restitution (kea_restitution.c).
+/* Simultaneous impacts: velocities change in an instant, by the law of restitution (kea_restitution.c).
  *
- * They go by rounds (generalized reflections: Smith et al., Reflections on Simultaneous
- * Impact, 2012): all contacts that meet are reflected at once, and again while some still meet. That brings the last
- * ball of a cradle out alone and keeps a flat box from turning. A round that gains energy is blended with the plastic
- * one (kea_energy.c).
+ * They are resolved in rounds (generalized reflections: Smith et al., Reflections on Simultaneous Impact, 2012): each
+ * reflects all contacts that approach at once, until none does. So only the last ball of a Newton's cradle leaves, and
+ * a box that lands flat does not turn. A round that would gain energy is interpolated with the one without restitution
+ * (kea_energy.c).
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -60,17 +60,16 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->normal = row->normal;
     p->partner = row->partner;
     p->friction = row->friction;
-    /* a force of given strength does nothing in an instant */
+    /* a bounded force has no impulse in an instant */
     p->lower = row->normal >= 0 || row->lower == -HUGE_VAL ? -HUGE_VAL : 0;
     p->upper = row->normal >= 0 || row->upper == HUGE_VAL ? HUGE_VAL : 0;
     p->E = row->contact == i ? 0 : row->softness;
     p->p = p->p0 = 0;
-    p->isForced = p->isElsewhere = p->isOut = MEFALSE;
+    p->isForced = p->isCheckedElsewhere = p->isOut = MEFALSE;
     p->state = KEA_HELD;
 }
 
-/* What gives no force of given strength, and is where it acts: rows of touching contacts, joints, and stops that are
- * reached. */
+/* Whether a row has an impulse in an instant: touching contacts, joints without bounds, and stops that are reached. */
 static MeBool actsInInstant(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     if (row->contact >= 0)
@@ -81,10 +80,10 @@ static MeBool actsInInstant(const MdtKeaSystem *s, int i) {
     return isStop ? row->error <= 0 : row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
-/* The problem has the rows that act, in their order: work->acting tells which they are. */
+/* The inner problem of the rows that act in an instant; work->activeRow maps its rows to those of the system. */
 static void setProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    int *place = s->work->placeOf;
+    int *place = s->work->problemRowOf;
     q->numBodies = s->numBodies;
     q->numRows = 0;
     for (int i = 0; i < s->numBodies; i++)
@@ -92,7 +91,7 @@ static void setProblem(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (actsInInstant(s, i)) {
             place[i] = q->numRows;
-            s->work->acting[q->numRows] = i;
+            s->work->activeRow[q->numRows] = i;
             kea_setInstantRow(s, i, &q->row[q->numRows++]);
         }
     for (int k = 0; k < q->numRows; k++) {
@@ -104,7 +103,7 @@ static void setProblem(MdtKeaSystem *s) {
 
 /* ---- one round ---- */
 
-/* What a row asks of the change of its rate. Joints keep the rates that they have, stops are not passed. */
+/* m/s: the change of a row's rate that is aimed at: 0 of joints; stops are not passed. */
 static double changeOfRate(const MdtKeaSystem *s, int i, const double target[]) {
     const MdtKeaRow *row = &s->rows[i];
     if (row->contact >= 0)
@@ -112,15 +111,15 @@ static double changeOfRate(const MdtKeaSystem *s, int i, const double target[]) 
     return row->lower == -HUGE_VAL && row->upper == HUGE_VAL ? 0 : row->drift - row->target - kea_startRate(s, i);
 }
 
-/* One round: the contacts in `takesPart` (by normal row) get the relative velocities that they ask for, joints hold,
+/* One round: the contacts in `takesPart` (by normal row) get their target velocities, joints hold,
  * the rest does nothing. The change of velocities is left in `change`. */
 static void solveRound(MdtKeaSystem *s, const double target[], const char takesPart[], double (*change)[6]) {
     KeaProblem *q = &s->work->problem;
     double start = -1;
     for (int k = 0; k < q->numRows; k++) {
         KeaProblemRow *p = &q->row[k];
-        const int i = s->work->acting[k], contact = s->rows[i].contact;
-        p->isOff = (contact >= 0 && !takesPart[contact]) || p->size == 0;
+        const int i = s->work->activeRow[k], contact = s->rows[i].contact;
+        p->isOff = (contact >= 0 && !takesPart[contact]) || p->Aii == 0;
         p->p = p->p0 = 0;
         p->frictionBound = HUGE_VAL;
         p->Jd = 0;
@@ -134,14 +133,14 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char takesP
         for (int i = 0; i < q->numRows; i++)
             q->row[i].N = keaMax(kea_proximalContact[0] * pow(kea_proximalContact[0] / kea_proximalContact[1], -pass),
                                  kea_proximalContact[KEA_PROXIMAL_LEVELS - 1]) *
-                          q->row[i].size;
+                          q->row[i].Aii;
         for (int i = 0; i < q->numRows; i++)
             if (q->row[i].partner > i)
                 q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
         if (pass > 0)
             kea_frictionApproachBounds(q, pass);
         kea_problemSolve(q, METRUE);
-        kea_problemCarryOn(q, change);
+        kea_problemAccumulate(q, change);
         const double residual = kea_problemResidual(q, NULL);
         start = start < 0 ? residual : start;
         if ((pass > 0 && residual <= kea_impactTolerance * (start + s->work->speed)) || q->counts.isLimited)
@@ -169,12 +168,12 @@ static double energyWith(const MdtKeaSystem *s, double (*change)[6]) {
     return kea_kineticEnergy(s, startVelocities(s), change);
 }
 
-/* False too where the change is not finite: friction bounds need not settle. */
+/* Whether the change does not add energy; false if it is not finite, as where friction bounds do not converge. */
 static MeBool isAffordable(const MdtKeaSystem *s, double (*change)[6]) {
     return energyWith(s, change) <= energyWith(s, NULL) * (1 + kea_energyRounding);
 }
 
-/* The velocities get the plastic change, and as much of the elastic one as energy allows. */
+/* Adds the plastic change, and the largest part of the difference to the elastic one that adds no energy. */
 static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plastic)[6]) {
     const double before = energyWith(s, NULL);
     MEASSERT(isAffordable(s, plastic));
@@ -190,14 +189,14 @@ static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plastic)[6]) {
     MEASSERT(energyWith(s, NULL) <= before * (1 + kea_assertedRounding));
 }
 
-static void keepImpulses(MdtKeaSystem *s) {
+static void storeImpulses(MdtKeaSystem *s) {
     const KeaProblem *q = &s->work->problem;
     for (int k = 0; k < q->numRows; k++)
         if (!q->row[k].isOff)
-            s->rows[s->work->acting[k]].force += q->row[k].p;
+            s->rows[s->work->activeRow[k]].force += q->row[k].p;
 }
 
-/* ---- what meets ---- */
+/* ---- approaching contacts ---- */
 
 /* kg */
 static double totalMass(const MdtKeaSystem *s) {
@@ -207,8 +206,9 @@ static double totalMass(const MdtKeaSystem *s) {
     return sum;
 }
 
-/* A soft contact gives way to its load, J v⁺ = -h E λ, where λ is no more than the weight of all: that is no impact. */
-static double impactGate(const MdtKeaRow *row, double mass) {
+/* Of the event speed: approaches slower than this are no impact. A soft contact yields to its load with J v⁺ = -h E λ,
+ * where λ is at most the weight of all bodies. */
+static double minImpactSpeedOf(const MdtKeaRow *row, double mass) {
     return keaMin(kea_minImpactSpeed + row->softness * mass, kea_softContactSpeed);
 }
 
@@ -216,14 +216,14 @@ MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s), mass = totalMass(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) &&
-            kea_startRate(s, i) < -impactGate(&s->rows[i], mass) * speed)
+            kea_startRate(s, i) < -minImpactSpeedOf(&s->rows[i], mass) * speed)
             return METRUE;
     return MEFALSE;
 }
 
 MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s), mass = totalMass(s);
-    MeBool meets = MEFALSE;
+    MeBool approaches = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         if (row->contact != i)
@@ -232,25 +232,26 @@ MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
         const double rate = kea_startRate(s, i);
         if (rate < -kea_minReboundSpeed * speed && (isTouching || row->error + s->parameters.stepsize * rate < 0))
             return MEFALSE;
-        meets = meets || (isTouching && rate < -keaMax(kea_partingSpeed, impactGate(row, mass)) * speed);
+        approaches =
+            approaches || (isTouching && rate < -keaMax(kea_partingSpeed, minImpactSpeedOf(row, mass)) * speed);
     }
-    return meets;
+    return approaches;
 }
 
-/* Which touching contacts meet faster than `slowest`; whether any of them rebounds. */
-static MeBool findMeeting(MdtKeaSystem *s, double slowest, double gate, char takesPart[]) {
+/* The touching contacts that approach faster than `slowest` (takesPart). Returns whether any of them rebounds. */
+static MeBool findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpeed, char takesPart[]) {
     MeBool rebounds = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         const double speed = -kea_startRate(s, i);
         takesPart[i] = (char)(row->contact == i && kea_isTouching(s, row) && speed > slowest);
-        rebounds = rebounds || (takesPart[i] && kea_reboundOfImpact(row->restitution, row->threshold, speed, gate) > 0);
+        rebounds = rebounds || (takesPart[i] && kea_reboundOfImpact(row->restitution, row->threshold, speed, minReboundSpeed) > 0);
     }
     return rebounds;
 }
 
-/* The speeds with which they leave. Beside what rebounds, what meets slowly does so too: held, it would take p v / 2 of
- * energy, with an impulse p that comes from the others and may be large. */
+/* The velocities with which they separate. Beside a contact that rebounds the slow ones do so too: stopped, one would
+ * dissipate p v / 2, with an impulse p that comes from the others and may be large. */
 static void setTargets(const MdtKeaSystem *s, const char takesPart[], double target[]) {
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
@@ -260,11 +261,11 @@ static void setTargets(const MdtKeaSystem *s, const char takesPart[], double tar
 
 /* ---- rounds ---- */
 
-/* False: there is no change that energy allows, and the contacts are left to the step. */
-static MeBool takeRound(MdtKeaSystem *s, const double target[], const char takesPart[]) {
+/* False: every change of velocity would add energy; the contacts are left to the solve of the step. */
+static MeBool applyRound(MdtKeaSystem *s, const double target[], const char takesPart[]) {
     solveRound(s, target, takesPart, s->work->added);
     if (isAffordable(s, s->work->added)) {
-        keepImpulses(s);
+        storeImpulses(s);
         addChange(s, s->work->added);
         return METRUE;
     }
@@ -272,12 +273,12 @@ static MeBool takeRound(MdtKeaSystem *s, const double target[], const char takes
     solveRound(s, s->work->target + s->numRows, takesPart, s->work->plastic);
     if (!isAffordable(s, s->work->plastic))
         return MEFALSE;
-    keepImpulses(s);
+    storeImpulses(s);
     blend(s, s->work->added, s->work->plastic);
     return METRUE;
 }
 
-static void touchAll(MdtKeaSystem *s, double target[], char takesPart[]) {
+static void selectTouching(MdtKeaSystem *s, double target[], char takesPart[]) {
     for (int i = 0; i < s->numRows; i++) {
         target[i] = 0;
         takesPart[i] = (char)(s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]));
@@ -294,7 +295,7 @@ static void commitVelocities(MdtKeaSystem *s) {
 MeBool kea_impact(MdtKeaSystem *s) {
     double *target = s->work->target;
     char *takesPart = s->work->takesPart;
-    const double gate = kea_minReboundSpeed * kea_eventSpeed(s);
+    const double minReboundSpeed = kea_minReboundSpeed * kea_eventSpeed(s);
     s->work->speed = 0;
     for (int b = 0; b < s->numBodies; b++)
         s->work->speed = keaMax(s->work->speed, keaLength(s->velocity[b].lin));
@@ -303,17 +304,17 @@ MeBool kea_impact(MdtKeaSystem *s) {
         return MEFALSE;
     kea_setBudget(s, 1, 1);
     const double before = energyWith(s, NULL);
-    kea_problemMeasure(&s->work->problem);
+    kea_problemSetEffectiveMasses(&s->work->problem);
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
     const double slowest = kea_velocityTolerance * keaMax(kea_eventSpeed(s), s->work->speed);
-    for (int round = 0; round < KEA_MAX_ROUNDS && findMeeting(s, slowest, gate, takesPart); round++) {
+    for (int round = 0; round < KEA_MAX_ROUNDS && findImpacts(s, slowest, minReboundSpeed, takesPart); round++) {
         setTargets(s, takesPart, target);
-        if (!takeRound(s, target, takesPart) || s->work->problem.counts.isLimited)
+        if (!applyRound(s, target, takesPart) || s->work->problem.counts.isLimited)
             break;
     }
-    touchAll(s, target, takesPart);
-    takeRound(s, target, takesPart);
+    selectTouching(s, target, takesPart);
+    applyRound(s, target, takesPart);
     MEASSERT(!(energyWith(s, NULL) > before * (1 + kea_assertedRounding)));
     commitVelocities(s);
     kea_reportWork(s);

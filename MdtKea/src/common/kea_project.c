@@ -1,9 +1,9 @@
-/* Projection of positions: moves bodies out of each other, without velocity. */
+/* Position projection: reduces overlaps by a displacement of the bodies, without changing velocities. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-static MeBool mustBeMovedOut(const MdtKeaSystem *s, int i, double *error) {
+static MeBool isOverlapping(const MdtKeaSystem *s, int i, double *error) {
     const MdtKeaRow *row = &s->rows[i];
     double size = HUGE_VAL;
     for (int k = 0; k < 2; k++)
@@ -13,12 +13,12 @@ static MeBool mustBeMovedOut(const MdtKeaSystem *s, int i, double *error) {
     return row->contact == i && !row->isOpen && *error < -kea_touchingGap * size;
 }
 
-/* What a soft contact keeps of γ times its overlap. */
-static double sagOf(const MdtKeaSystem *s, int i) {
+/* m: γ times the sag of a soft contact under its load, which remains. */
+static double correctedSag(const MdtKeaSystem *s, int i) {
     return s->parameters.stepsize * s->rows[i].softness * s->work->problem.row[i].p;
 }
 
-/* Joints are not opened. */
+/* Joints take part, with the target 0. */
 static MeBool isJoint(const MdtKeaRow *row) {
     return row->position && row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
@@ -45,25 +45,25 @@ static void solveDisplacement(MdtKeaSystem *s, const double target[]) {
     }
     for (int pass = 0; pass < KEA_PROJECTION_PASSES && !q->counts.isLimited; pass++) {
         for (int i = 0; i < s->numRows; i++)
-            q->row[i].N = kea_proximalContact[1] * q->row[i].size;
+            q->row[i].N = kea_proximalContact[1] * q->row[i].Aii;
         kea_problemSolve(q, MEFALSE);
-        kea_problemCarryOn(q, s->work->added);
+        kea_problemAccumulate(q, s->work->added);
     }
 }
 
-/* The smallest displacement, in the metric of the masses, that takes γ of every overlap away and makes none deeper. */
+/* The least displacement, in the metric of masses, that removes the part γ of every overlap and makes none deeper. */
 void kea_project(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     double *target = s->work->target, error, most = 0;
     for (int i = 0; i < s->numRows; i++) {
-        s->work->takesPart[i] = (char)mustBeMovedOut(s, i, &error);
-        target[i] = s->work->takesPart[i] ? keaMax(-s->parameters.gamma * error - sagOf(s, i), 0) : 0;
+        s->work->takesPart[i] = (char)isOverlapping(s, i, &error);
+        target[i] = s->work->takesPart[i] ? keaMax(-s->parameters.gamma * error - correctedSag(s, i), 0) : 0;
         most = keaMax(most, target[i]);
     }
     if (!(most > 0))
         return;
     for (int i = 0; i < s->numRows; i++)
-        s->work->keptP[i] = q->row[i].p;
+        s->work->savedP[i] = q->row[i].p;
     for (int b = 0; b < s->numBodies; b++) {
         kea_setInstantMetric(s, b);
         q->scale[b] = q->metric[b].linear * most; /* kg m: of displacements */
@@ -71,11 +71,11 @@ void kea_project(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         s->work->takesPart[i] = (char)(isJoint(&s->rows[i]) || (s->rows[i].contact == i && !s->rows[i].isOpen));
         kea_setInstantRow(s, i, &q->row[i]);
-        q->row[i].isElsewhere = s->rows[i].contact != i;
+        q->row[i].isCheckedElsewhere = s->rows[i].contact != i;
     }
-    kea_problemMeasure(q);
+    kea_problemSetEffectiveMasses(q);
     solveDisplacement(s, target);
     for (int i = 0; i < s->numRows; i++)
-        q->row[i].p = s->work->keptP[i];
+        q->row[i].p = s->work->savedP[i];
     displace(s);
 }

@@ -1,4 +1,4 @@
-/* What is asked of rows by whoever solves them: their rates, and whether they may reach a bound. */
+/* Quantities of rows: rates J v, lengths, whether they may be at a bound; their Jacobians saved and restored. */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 #include <string.h>
@@ -11,7 +11,7 @@ MeBool kea_mayReachBound(const MdtKeaRow *row) {
 
 double kea_endRate(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
-    double rate = s->work->ahead[i];
+    double rate = s->work->movingRate[i];
     for (int k = 0; k < 2; k++) {
         if (p->body[k] < 0)
             continue;
@@ -48,14 +48,14 @@ double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed) 
     return pushed * kea_lengthOf(s, row);
 }
 
-/* ---- Jacobians, kept ---- */
+/* ---- Jacobians, saved and restored ---- */
 
 void kea_keepRows(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        memcpy(s->work->keptJ[i], s->rows[i].J, sizeof s->rows[i].J);
+        memcpy(s->work->savedJ[i], s->rows[i].J, sizeof s->rows[i].J);
 }
 
 void kea_recallRows(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        memcpy(s->rows[i].J, s->work->keptJ[i], sizeof s->rows[i].J);
+        memcpy(s->rows[i].J, s->work->savedJ[i], sizeof s->rows[i].J);
 }

@@ -1,10 +1,9 @@
-/* How far an answer is from the laws that it should keep, in tolerances; and the one definition of `converged'.
+/* Residuals of an answer, in tolerances, and the test of convergence.
  *
- *   velocity  of every row of the inner problem, by how much its impulse would change were it solved alone (a projected
- *             residual: 0 exactly where complementarity holds), times its A_ii, m/s; of a row that only turns bodies,
- *             rad/s times the larger one's size, as m/s, so that no unit is preferred
- *   position  of every position row, the error that it asked to be taken away and that is left, m; of one that only
- *             turns bodies rad, compared with angles
+ *   velocity  of every row of the inner problem, the change of its impulse if it were solved alone (projected residual:
+ *             0 exactly where complementarity holds), times its A_ii, m/s; of an angular row rad/s times the size of
+ *             the larger body
+ *   position  of every position row, the part of the error to be corrected that is left, m; of an angular row rad
  *   momentum  of every body, B d + g - Jᵀ p, N s
  */
 #include "kea_i.h"
@@ -12,9 +11,8 @@
 
 /* ---- position rows ---- */
 
-/* What the error of a position row is compared with: the error it started with, its lever arms, the way that its bodies
- * move, a little of their size and, for the rounding of places far from the origin, of their distance. Of a row that
- * only turns bodies all of this is angles: there are no places in it. */
+/* Scale of a position row's error: its initial error, lever arms, the displacement of its bodies, a share of their size
+ * and, for rounding far from the origin, of their distance from it. Of an angular row all of these are angles. */
 static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const double h = s->parameters.stepsize;
     double size = fabs(row->error);
@@ -32,7 +30,7 @@ static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return size;
 }
 
-/* What single precision, in which programs give them, leaves of the places where a row's bodies are attached. */
+/* m or rad: the rounding of a row's attachments, which programs give in single precision. */
 static double roundingOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double size = 0;
     for (int k = 0; k < 2; k++) {
@@ -69,8 +67,9 @@ static double positionError(MdtKeaSystem *s, double *attachment) {
 
 /* ---- joints that contradict each other ---- */
 
-/* Where friction holds what a stop is to move, the stop's impulse grows from pass to pass until something slides. What
- * is less than attachments are known by is not worth that: the stop contradicts the contacts. */
+/* Whether a row can be inconsistent: joints, and a stop whose bodies friction holds. The impulse of the latter would
+ * grow from pass to pass until a contact slides; while its error is below the rounding of attachments, it counts as
+ * contradicting the contacts instead. */
 static MeBool mayContradict(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     const KeaProblemRow *p = &s->work->problem.row[i];
@@ -80,8 +79,8 @@ static MeBool mayContradict(const MdtKeaSystem *s, int i) {
            s->parameters.stepsize * fabs(p->r - p->E * p->p) < roundingOfRow(s, row);
 }
 
-/* Inconsistent joints: what a pass asked of them, it did not get, whatever their impulses. Rows with negligible
- * residual are ignored. */
+/* A joint is inconsistent if two passes in succession have left most of its residual, for any impulse. Rows with
+ * negligible residual are ignored. */
 void kea_noteInconsistent(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &s->work->problem.row[i];
@@ -99,7 +98,7 @@ static double missingOf(const MdtKeaSystem *s, int i) {
     return p->isInconsistent && !p->isOff ? s->parameters.stepsize * fabs(p->r - p->E * p->p) : 0;
 }
 
-MeBool kea_isCompromise(const MdtKeaSystem *s) {
+MeBool kea_isInconsistent(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (missingOf(s, i) > kea_positionTolerance * sizeOfRow(s, &s->rows[i]))
             return METRUE;
@@ -127,7 +126,7 @@ double kea_loadSpeed(const MdtKeaSystem *s) {
 }
 
 /* m/s: what velocities are compared with: those of the bodies, and what loads, springs and motors do to them. */
-double kea_speedOf(const MdtKeaSystem *s) {
+double kea_velocityScale(const MdtKeaSystem *s) {
     double speed = 0;
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
@@ -138,7 +137,7 @@ double kea_speedOf(const MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0 && !s->rows[i].position)
-            speed = keaMax(speed, kea_lengthOf(s, &s->rows[i]) * s->work->problem.row[i].size *
+            speed = keaMax(speed, kea_lengthOf(s, &s->rows[i]) * s->work->problem.row[i].Aii *
                                       fabs(s->work->problem.row[i].p));
     return speed + kea_tiny;
 }

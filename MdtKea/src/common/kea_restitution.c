@@ -1,18 +1,18 @@
 /* The law of restitution.
  *
- * A contact or a stop that meets with the speed u leaves with e u, where u is above its threshold; else with 0. That
- * is asked
+ * A contact or stop with the approach speed u separates with e u if u is above its threshold, else with 0 (Newton's
+ * law). There are two cases:
  *
- *   of an impact, which is met when it happens: u is the speed of that moment, and must be above a gate too;
- *   of a step that it happens in: if the bodies come together in it, faster than one step's own acceleration explains
- *   (what rests on something would else rattle), e u is the velocity at the step's end.  u² = rate² + 2 gap a: the
- *   speed when the gap is closed, with the acceleration a of the last step.
+ *   an impact that is resolved at its time: u is the speed at that time, and has to be above a minimum as well;
+ *   an impact within a step: if the bodies meet in it, faster than the acceleration of one step explains (bodies at
+ *   rest would rattle otherwise), e u is the velocity at the end of the step, with u² = rate² + 2 gap a: the speed when
+ *   the gap is closed, with the acceleration a of the last step.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
 
-/* ---- how two sides come together ---- */
+/* ---- approach ---- */
 
 static double along(const MdtKeaJBlock *J, const MdtKeaVelocity *v) {
     return keaDot(J->lin, v->lin) + keaDot(J->ang, v->ang);
@@ -26,7 +26,7 @@ static void addBody(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, KeaA
     a->acceleration += along(J, &s->bodies[body]->lastStep);
 }
 
-static void addWorld(double rate, KeaApproach *a) {
+static void addWorldRate(double rate, KeaApproach *a) {
     a->rate += rate;
     a->predicted += rate;
     a->fastest += rate;
@@ -37,7 +37,7 @@ KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             addBody(s, row->body[k], &row->J[k], &a);
-    addWorld(-row->drift, &a);
+    addWorldRate(-row->drift, &a);
     return a;
 }
 
@@ -50,7 +50,7 @@ KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, 
         if (m->body[k] >= 0)
             addBody(s, m->body[k], &J, &a);
         else if (m->worldVelocity)
-            addWorld(along(&J, m->worldVelocity), &a);
+            addWorldRate(along(&J, m->worldVelocity), &a);
     }
     return a;
 }
@@ -61,14 +61,14 @@ MeBool kea_mayTouch(const MdtKeaSystem *s, const KeaApproach *a, double gap) {
 
 /* ---- the law ---- */
 
-double kea_reboundOfImpact(double restitution, double threshold, double speed, double gate) {
+double kea_reboundOfImpact(double restitution, double threshold, double speed, double minSpeed) {
     MEASSERT(restitution >= 0 && restitution <= 1);
-    return speed > keaMax(threshold, gate) ? restitution * speed : 0;
+    return speed > keaMax(threshold, minSpeed) ? restitution * speed : 0;
 }
 
-/* m/s: by how much the rate changes in one step without an impact: by loads, or as it did in the last step, which knows
- * the other constraints. */
-static double ownChange(const MdtKeaSystem *s, const KeaApproach *a) {
+/* m/s: the change of the rate in one step without an impact: by loads, or as in the last step, which includes
+ * constraint forces. */
+static double changeWithoutImpact(const MdtKeaSystem *s, const KeaApproach *a) {
     const double loads = fabs(a->predicted - a->rate), before = s->parameters.stepsize * fabs(a->acceleration);
     return kea_ownChangeMargin * keaMax(loads, before);
 }
@@ -77,7 +77,7 @@ double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap
                          double threshold) {
     const MeBool isHit = gap + s->parameters.stepsize * a->predicted < 0;
     MEASSERT(isfinite(a->rate) && isfinite(a->acceleration));
-    if (!(restitution > 0) || !isHit || !(a->rate < -keaMax(threshold, ownChange(s, a))))
+    if (!(restitution > 0) || !isHit || !(a->rate < -keaMax(threshold, changeWithoutImpact(s, a))))
         return 0;
     return restitution * sqrt(a->rate * a->rate + 2 * keaMax(gap, 0) * keaMax(-a->acceleration, 0));
 }

@@ -14,7 +14,8 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-/* Turns the body for time t by the part of H that belongs to `axis`: q from the right, L (principal) the other way. */
+/* The exact flow for time t of the part of H that belongs to `axis`: turns q from the right, and L (principal axes)
+ * inversely. */
 static void flowAboutAxis(double q[4], double L[3], int axis, double rate, double t) {
     const double half = 0.5 * t * rate * L[axis];
     const double sh = sin(half), ch = cos(half);
@@ -185,7 +186,7 @@ static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
     }
 }
 
-/* But for rounding of the diagonal; and where its squares are no numbers. */
+/* True if off-diagonal entries are below the rounding of the diagonal; also for NaN, so that the iteration ends. */
 static MeBool isDiagonal(const double S[3][3]) {
     const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
     return !(off > kea_jacobiTolerance * (S[0][0] * S[0][0] + S[1][1] * S[1][1] + S[2][2] * S[2][2]));

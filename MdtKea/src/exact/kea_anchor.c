@@ -1,8 +1,9 @@
-/* Where a contact is.
+/* The place, depth and lever arms of a contact throughout the parts of a step.
  *
- * As a step begins it is where its maker found it, and the surface points p_k of the two bodies lie half the depth on
- * either side. Within a divided step they move with their bodies: depth = n·(p_1 - p_0). What moves with a body is that
- * point, or, of a round surface, the centre of its sphere or circle.
+ * At the start of the step a contact is where collision detection found it, and the surface points p_k of the two
+ * bodies lie half the depth on either side of it. In later parts of the step each point moves with its body, and
+ * depth = n·(p_1 - p_0). The anchor, which is fixed in the body, is that point, or the centre of the sphere or circle
+ * if the surface is round there.
  */
 #include "exact/kea_contact_i.h"
 #include "MeAssert.h"
@@ -39,12 +40,12 @@ static double depthUnderLoad(const MdtKeaSystem *s, const KeaContact *c) {
     return p->gamma > 0 ? p->stepsize * p->stepsize * E * fmax(c->at->guess[0], 0) / p->gamma : 0;
 }
 
-/* The depth, or gap, is known but for the rounding of the transforms that it was found from, as far as that moves the
- * surfaces along the normal: the noise of each step would else move what rests, and the last answer would not hold. Of
- * the depths that it may be, the one nearest to rest is taken: 0, or what the load has sunk by, if that is less than
- * the rounding. With 0 it would go on sinking, by h E λ a second, until the rounding is passed. */
-static double beyondRounding(const MdtKeaSystem *s, const KeaContact *c) {
-    const double *n = c->normal, depth = c->at->depth;
+/* m: the depth within the rounding error of the given one that is nearest to rest. The given depth has the rounding of
+ * the transforms that it was computed from, projected on the normal; this noise would move bodies at rest, and the last
+ * step's answer would not be one of this step. At rest the depth is 0, or the sag under the load if that is below the
+ * rounding: with 0 a soft contact would sink by h E λ a second until its depth exceeds the rounding. */
+static double depthWithinRounding(const MdtKeaSystem *s, const KeaContact *c) {
+    const double *n = c->manifold->normal, depth = c->at->depth;
     double extent = 0;
     for (int k = 0; k < 2; k++) {
         const double *place = poseOf(s, c, k)->pos;
@@ -61,12 +62,11 @@ static double beyondRounding(const MdtKeaSystem *s, const KeaContact *c) {
     return fmin(fmax(sunk <= rounding ? sunk : 0, depth - rounding), depth + rounding);
 }
 
-/* ---- attached ---- */
+/* ---- anchors, at the start of the step ---- */
 
-/* From what moves with the body to the surface point, with the outward normal o: of a sphere r o; of a circle about
- * the axis a the way to its point farthest along o, r (o - a (a·o)) / |..|, none where it lies flat; of corners, edges
- * and faces, which move with the body themselves, 0. */
-static void outOfCentre(const KeaContact *c, int k, const double axis[3], double out[3]) {
+/* The vector from the anchor to the surface point, with the outward normal o: of a sphere r o; of a circle with the
+ * axis a to its point farthest along o, r (o - a (a·o)) / |..|, 0 where it lies flat; of corners, edges and faces 0. */
+static void offsetToSurface(const KeaContact *c, int k, const double axis[3], double out[3]) {
     keaScale(out, k == 0 ? -1 : 1, c->normal);
     if (c->circle[k] > 0) {
         keaAddScaled(out, -keaDot(out, axis) / keaDot(axis, axis), axis);
@@ -82,8 +82,8 @@ static MeBool isAboutCentre(const KeaContact *c, int k) {
            keaLength(c->anchor[k]) <= kea_centredBall * c->manifold->radius[k];
 }
 
-/* The circle that touches, if the part of the step cannot bring its axis to the normal: there it would lie flat, no
- * point of it would be farthest out, and the one that is, near that, would go far round it. */
+/* m: the radius of the circle that touches; 0 if its axis may reach the normal within this part of the step. A circle
+ * that lies flat has no farthest point, and near that the farthest point moves far along the circle. */
 static double circleOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *axis = c->manifold->axis[k];
     double aside[3], turn[3];
@@ -92,31 +92,31 @@ static double circleOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
     return keaLength(aside) > s->parameters.stepsize * keaLength(turn) ? c->manifold->rim[k] : 0;
 }
 
-static void attach(const MdtKeaSystem *s, KeaContact *c) {
+static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
     const double *normal = c->manifold->normal;
     keaCopy(c->normal, normal);
     keaCopy(c->direction, c->manifold->direction);
     keaCopy(c->point, c->at->position);
-    c->depth = beyondRounding(s, c);
+    c->depth = depthWithinRounding(s, c);
     MEASSERT(fabs(keaDot(normal, normal) - 1) < kea_unitRounding && isfinite(c->depth));
     for (int k = 0; k < 2; k++) {
         const MdtKeaTransformation *pose = poseOf(s, c, k);
         double arm[3], out[3];
         c->circle[k] = c->manifold->rim[k] > 0 ? circleOf(s, c, k) : 0;
-        outOfCentre(c, k, c->manifold->axis[k], out);
+        offsetToSurface(c, k, c->manifold->axis[k], out);
         keaSubtract(arm, c->point, pose->pos);
         keaAddScaled(arm, (k == 0 ? -1 : 1) * 0.5 * c->depth, normal);
         keaAddScaled(arm, -1, out);
         keaApplyTransposed(c->anchor[k], pose->R, arm);
         if (c->circle[k] > 0)
-            keaApplyTransposed(c->axle[k], pose->R, c->manifold->axis[k]);
+            keaApplyTransposed(c->circleAxis[k], pose->R, c->manifold->axis[k]);
     }
 }
 
-/* ---- carried along ---- */
+/* ---- later parts of the step ---- */
 
-/* Whose point it is where the bodies slide past each other: that of a round surface rather than another, of a body
- * rather than the world's. */
+/* The side whose surface point the contact follows where the bodies slide past each other: a round surface before a
+ * flat one, a body before the world; else the mean of both. */
 enum { BOTH = 2 };
 static int ownerOf(const KeaContact *c) {
     if (isRound(c, 0) != isRound(c, 1))
@@ -124,10 +124,10 @@ static int ownerOf(const KeaContact *c) {
     return isWorld(c, 1) ? 0 : isWorld(c, 0) ? 1 : BOTH;
 }
 
-/* Of its circle; 0: there is none. */
+/* The axis of the circle (world); 0 where there is none. */
 static void axisOf(const MdtKeaSystem *s, const KeaContact *c, int k, double axis[3]) {
     if (c->circle[k] > 0)
-        keaApply(axis, poseOf(s, c, k)->R, c->axle[k]);
+        keaApply(axis, poseOf(s, c, k)->R, c->circleAxis[k]);
     else
         keaZero(axis);
 }
@@ -156,7 +156,7 @@ static void renewNormal(const MdtKeaSystem *s, KeaContact *c) {
     keaScale(c->direction, 1 / across, d);
 }
 
-static void carry(const MdtKeaSystem *s, KeaContact *c) {
+static void followBodies(const MdtKeaSystem *s, KeaContact *c) {
     const int owner = ownerOf(c);
     double p[2][3], between[3];
     if (isBall(s, c, 0) && isBall(s, c, 1))
@@ -165,7 +165,7 @@ static void carry(const MdtKeaSystem *s, KeaContact *c) {
         const MdtKeaTransformation *pose = poseOf(s, c, k);
         double axis[3], out[3];
         axisOf(s, c, k, axis);
-        outOfCentre(c, k, axis, out);
+        offsetToSurface(c, k, axis, out);
         keaApply(p[k], pose->R, c->anchor[k]);
         keaAddScaled(p[k], 1, pose->pos);
         keaAddScaled(p[k], 1, out);
@@ -194,51 +194,53 @@ static void turnBy(const double turn[3], double share, double r[3]) {
     keaAddScaled(r, 0.5 * part, twice);
 }
 
-/* A fixed model stays where it is, even where its surface moves. */
-static void movedBy(const MdtKeaSystem *s, const KeaContact *c, int k, double way[3], double turn[3]) {
+/* The displacement, m, and the rotation vector of a side in this part of the step; 0 of the world, even where its
+ * surface moves (conveyor belt). */
+static void motionOf(const MdtKeaSystem *s, const KeaContact *c, int k, double displacement[3], double turn[3]) {
     const double h = isWorld(c, k) ? 0 : s->parameters.stepsize;
-    keaScale(way, h, velocityOf(s, c, k)->lin);
+    keaScale(displacement, h, velocityOf(s, c, k)->lin);
     keaScale(turn, h, velocityOf(s, c, k)->ang);
 }
 
-/* The point that a round surface touches with. */
-static void roundPoint(const MdtKeaSystem *s, const KeaContact *c, int k, double share, double p[3]) {
+/* The contact point of a round surface after a share of this part of the step. */
+static void pointOfRound(const MdtKeaSystem *s, const KeaContact *c, int k, double share, double p[3]) {
     const MdtKeaTransformation *pose = poseOf(s, c, k);
-    double way[3], turn[3], axis[3], out[3];
-    movedBy(s, c, k, way, turn);
+    double displacement[3], turn[3], axis[3], out[3];
+    motionOf(s, c, k, displacement, turn);
     axisOf(s, c, k, axis);
     turnBy(turn, share, axis);
-    outOfCentre(c, k, axis, out);
+    offsetToSurface(c, k, axis, out);
     keaApply(p, pose->R, c->anchor[k]);
     turnBy(turn, share, p);
     keaAddScaled(p, 1, out);
     keaAddScaled(p, (k == 0 ? 0.5 : -0.5) * c->depth, c->normal);
     keaAddScaled(p, 1, pose->pos);
-    keaAddScaled(p, share, way);
+    keaAddScaled(p, share, displacement);
 }
 
-/* A flat surface touches where the round one does; of two round ones each has its own point. */
+/* Lever arms of a rolling contact: two round surfaces have a point each; a flat one has that of the round one. */
 static void rollArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {
     for (int k = 0; k < 2; k++) {
-        double p[3], way[3], turn[3];
-        roundPoint(s, c, isRound(c, k) ? k : 1 - k, share, p);
-        movedBy(s, c, k, way, turn);
+        double p[3], displacement[3], turn[3];
+        pointOfRound(s, c, isRound(c, k) ? k : 1 - k, share, p);
+        motionOf(s, c, k, displacement, turn);
         keaSubtract(arm[k], p, poseOf(s, c, k)->pos);
-        keaAddScaled(arm[k], -share, way);
+        keaAddScaled(arm[k], -share, displacement);
     }
 }
 
-/* Does the arm of this side stay as it is: of a world that does not turn, of a ball about its own centre? */
-static MeBool isStill(const MdtKeaSystem *s, const KeaContact *c, int k) {
+/* Whether the lever arm of this side is constant: of a world that does not turn, of a ball that turns about its own
+ * centre. */
+static MeBool isArmConstant(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *spin = velocityOf(s, c, k)->ang;
     if (isWorld(c, k) && keaDot(spin, spin) == 0)
         return METRUE;
     return isAboutCentre(c, k);
 }
 
-/* From what a side turns about to the contact: the body's centre, or, where the world moves with v at the origin and
- * turns with w, the axis through w x v / w². */
-static void fromAxis(const MdtKeaSystem *s, const KeaContact *c, int k, double r[3]) {
+/* The arm from the axis of rotation: through the body's centre, or, of a world that moves with v at the origin and
+ * turns with w, through w x v / w². */
+static void armFromAxis(const MdtKeaSystem *s, const KeaContact *c, int k, double r[3]) {
     const MdtKeaVelocity *v = velocityOf(s, c, k);
     const double w2 = keaDot(v->ang, v->ang);
     keaCopy(r, c->arm[k]);
@@ -249,33 +251,34 @@ static void fromAxis(const MdtKeaSystem *s, const KeaContact *c, int k, double r
     }
 }
 
-/* What of flat surfaces turns is not known: a corner turns with its body, an edge that another one slides along does
- * not. What holds for all is that a contact turns by what both sides turn, taken to be the turn of the side that moves
- * it less. False: that is so little that its square, over 2, is lost in rounding. */
+/* Chooses the rotation of a contact of flat surfaces. It is not known which features touch: a corner turns with its
+ * body, an edge that another one slides along does not. In any case a contact turns with a rotation that both sides
+ * share, which is taken to be that of the side that displaces it less. False: so small that half its square is lost in
+ * rounding. */
 static MeBool findSharedTurn(const MdtKeaSystem *s, KeaContact *c) {
     const double h = s->parameters.stepsize, least = kea_leastTurn;
     const double *spin[2] = {velocityOf(s, c, 0)->ang, velocityOf(s, c, 1)->ang};
-    double way2[2] = {0, 0}, size2 = 0;
+    double distance2[2] = {0, 0}, size2 = 0;
     if (h * keaLength(spin[0]) <= least || h * keaLength(spin[1]) <= least)
         return MEFALSE;
     for (int k = 0; k < 2; k++) {
         double r[3], speed[3];
-        fromAxis(s, c, k, r);
+        armFromAxis(s, c, k, r);
         size2 += keaDot(r, r);
         for (int side = 0; side < 2; side++) {
             keaCross(speed, spin[side], r);
-            way2[side] += h * h * keaDot(speed, speed);
+            distance2[side] += h * h * keaDot(speed, speed);
         }
     }
-    const int less = way2[1] <= way2[0];
+    const int less = distance2[1] <= distance2[0];
     keaScale(c->turn, h, spin[less]);
-    return way2[less] > least * least * size2;
+    return distance2[less] > least * least * size2;
 }
 
 static void turnArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {
     for (int k = 0; k < 2; k++) {
         double r[3], turned[3];
-        fromAxis(s, c, k, r);
+        armFromAxis(s, c, k, r);
         keaCopy(turned, r);
         turnBy(c->turn, share, turned);
         keaSubtract(r, turned, r);
@@ -290,13 +293,13 @@ static MeBool rolls(const KeaContact *c) {
 
 void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c) {
     if (s->parameters.elapsed > 0)
-        carry(s, c);
+        followBodies(s, c);
     else
-        attach(s, c);
+        setAnchors(s, c);
     keaZero(c->turn);
     for (int k = 0; k < 2; k++)
         keaSubtract(c->arm[k], c->point, poseOf(s, c, k)->pos);
-    c->moves = rolls(c) ? !isStill(s, c, 0) || !isStill(s, c, 1) : findSharedTurn(s, c);
+    c->moves = rolls(c) ? !isArmConstant(s, c, 0) || !isArmConstant(s, c, 1) : findSharedTurn(s, c);
 }
 
 void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]) {

@@ -1,6 +1,7 @@
 /* Rows of contacts (Dynamics guide ch. 3, "MdtContact").
  *
- * n is the normal, the way the first body is pushed; t1 the primary direction, t2 = n x t1 the secondary. With r_k
+ * n is the normal, the direction in which the first body is pushed; t1 the primary direction, t2 = n x t1 the
+ * secondary. With r_k
  * from body k's centre to the contact, the row along d has J_0 = [d, r_0 x d], J_1 = -[d, r_1 x d]: its rate is the
  * velocity of body 0 against body 1 along d.
  *
@@ -22,10 +23,10 @@ static MeBool hasFriction(const MdtKeaSurface *s, int direction) {
     return s->coefficient[direction] > 0 || s->bound[direction] > 0;
 }
 
-/* ---- how many ---- */
+/* ---- counting ---- */
 
-static int countDirections(int rubs) {
-    return !!(rubs & PRIMARY) + !!(rubs & SECONDARY);
+static int countDirections(int frictionRows) {
+    return !!(frictionRows & PRIMARY) + !!(frictionRows & SECONDARY);
 }
 
 static void countRows(const MdtKeaSystem *s, KeaContact *c) {
@@ -33,12 +34,12 @@ static void countRows(const MdtKeaSystem *s, KeaContact *c) {
     kea_contactPlace(s, c);
     const KeaApproach approach = kea_approachOfPoint(s, c->manifold, (const double(*)[3])c->arm);
     const MeBool touches = kea_mayTouch(s, &approach, -c->depth);
-    c->rubs = touches ? hasFriction(surface, 0) * PRIMARY + hasFriction(surface, 1) * SECONDARY : 0;
+    c->frictionRows = touches ? hasFriction(surface, 0) * PRIMARY + hasFriction(surface, 1) * SECONDARY : 0;
     c->at->depthNow = c->depth;
-    c->at->numRows = 1 + countDirections(c->rubs);
+    c->at->numRows = 1 + countDirections(c->frictionRows);
 }
 
-static int countOfFast(MdtKeaSystem *s) {
+static int countRowsForFast(MdtKeaSystem *s) {
     int rows = 0;
     for (int i = 0; i < s->numManifolds; i++) {
         const MdtKeaSurface *surface = &s->manifolds[i].surface;
@@ -53,7 +54,7 @@ static int countOfFast(MdtKeaSystem *s) {
 int MEAPI MdtKeaCountContactRows(MdtKeaSystem *s) {
     int rows = 0, n = 0;
     if (s->parameters.solver == MdtKeaSolverFast)
-        return countOfFast(s);
+        return countRowsForFast(s);
     for (int i = 0; i < s->numManifolds; i++)
         for (int k = 0; k < s->manifolds[i].numPoints; k++) {
             KeaContact *c = &s->work->contact[n++];
@@ -67,7 +68,7 @@ int MEAPI MdtKeaCountContactRows(MdtKeaSystem *s) {
     return rows;
 }
 
-/* ---- what they are ---- */
+/* ---- filling ---- */
 
 static void contactJacobian(const double arm[2][3], const double d[3], MdtKeaJBlock J[2]) {
     for (int k = 0; k < 2; k++) {
@@ -76,7 +77,7 @@ static void contactJacobian(const double arm[2][3], const double d[3], MdtKeaJBl
     }
 }
 
-/* m/s: the rate that a moving world alone gives a row. */
+/* m/s: the part of a row's rate that comes from the motion of the world's side (conveyor belts). */
 static double worldRate(const KeaContact *c, const MdtKeaJBlock J[2]) {
     const MdtKeaVelocity *v = c->manifold->worldVelocity;
     double rate = 0;
@@ -86,7 +87,7 @@ static double worldRate(const KeaContact *c, const MdtKeaJBlock J[2]) {
     return rate;
 }
 
-/* What a moving world does is known, and goes to the target. */
+/* A row along d. The motion of the world is known: it goes to the target, with the sign turned round. */
 static void startRow(const KeaContact *c, const double d[3], int owner, double target, MdtKeaRow *row) {
     memset(row, 0, sizeof *row);
     for (int k = 0; k < 2; k++)
@@ -141,19 +142,19 @@ static void frictionRow(const MdtKeaSystem *s, const KeaContact *c, int directio
     }
 }
 
-/* The friction of the last step turns with the contact, about the normal. */
+/* Warm start of friction: the force of the last step, turned with the contact about the normal. */
 static void guessFriction(const KeaContact *c, MdtKeaRow rows[]) {
     const double *guess = c->at->guess, angle = c->moves ? keaDot(c->turn, c->normal) : 0;
     const double cosine = cos(angle), sine = sin(angle);
-    if (c->rubs == (PRIMARY | SECONDARY)) {
+    if (c->frictionRows == (PRIMARY | SECONDARY)) {
         rows[0].force = cosine * guess[1] - sine * guess[2];
         rows[1].force = sine * guess[1] + cosine * guess[2];
     } else {
-        rows[0].force = guess[c->rubs == PRIMARY ? 1 : 2];
+        rows[0].force = guess[c->frictionRows == PRIMARY ? 1 : 2];
     }
 }
 
-/* The rows' Jacobians in the middle and at the end of the part. */
+/* Jacobians of a contact's rows for the middle and the end of the part. */
 static void moveRows(MdtKeaSystem *s, const KeaContact *c, int count) {
     static const double share[2] = {0.5, 1};
     for (int k = 0; k < 2; k++) {
@@ -171,16 +172,16 @@ static void moveRows(MdtKeaSystem *s, const KeaContact *c, int count) {
 static void makeRows(MdtKeaSystem *s, KeaContact *c, int owner) {
     const MdtKeaSurface *surface = &c->manifold->surface;
     MdtKeaRow *rows = &s->rows[s->numRows];
-    c->rubs = c->at->numRows > 1 ? c->rubs : 0;
+    c->frictionRows = c->at->numRows > 1 ? c->frictionRows : 0;
     c->firstRow = s->numRows;
     if (c->at->numRows == 0)
         return;
     normalRow(s, c, owner, rows);
     int count = 1;
     for (int direction = 0; direction < 2; direction++)
-        if (c->rubs & (direction == 0 ? PRIMARY : SECONDARY))
+        if (c->frictionRows & (direction == 0 ? PRIMARY : SECONDARY))
             frictionRow(s, c, direction, owner, &rows[count++]);
-    if (c->rubs == (PRIMARY | SECONDARY) && surface->isCone) {
+    if (c->frictionRows == (PRIMARY | SECONDARY) && surface->isCone) {
         rows[1].partner = s->numRows + 2;
         rows[2].partner = s->numRows + 1;
     }
@@ -199,7 +200,7 @@ void MEAPI MdtKeaMakeContactRows(MdtKeaSystem *s) {
         makeRows(s, &s->work->contact[i], -1 - i); /* owners of joints are counted from 0 */
 }
 
-/* ---- and back ---- */
+/* ---- forces ---- */
 
 void kea_returnContacts(MdtKeaSystem *s) {
     for (int i = 0; i < s->work->numContacts; i++) {
@@ -210,7 +211,7 @@ void kea_returnContacts(MdtKeaSystem *s) {
             continue;
         c->at->force[0] = s->rows[row++].force;
         for (int direction = 0; direction < 2; direction++)
-            if (c->rubs & (direction == 0 ? PRIMARY : SECONDARY))
+            if (c->frictionRows & (direction == 0 ? PRIMARY : SECONDARY))
                 c->at->force[1 + direction] = s->rows[row++].force;
     }
 }

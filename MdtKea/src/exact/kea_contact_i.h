@@ -1,6 +1,7 @@
-/* Inside Kea: contacts of the exact solver, on their way from manifolds to rows.
+/* Inside Kea: contacts of the exact solver, from manifolds to rows.
  *
- *     kea_anchor.c        where a contact is: attached to its bodies, carried along with them, moving within a part
+ *     kea_anchor.c        the place of a contact: anchors in its bodies, place and depth at a later part of the step,
+ *                         lever arms
  *     kea_contact.c       its rows
  */
 #ifndef KEA_CONTACT_I_H
@@ -8,29 +9,29 @@
 
 #include "kea_i.h"
 
-/* A point of a manifold in the parts of a step. */
+/* A point of a manifold, kept through the parts of a divided step. Frame: world, but for anchor and circleAxis. */
 typedef struct KeaContact {
     const MdtKeaManifold *manifold;
-    MdtKeaPoint *at;
+    MdtKeaPoint *at; /* the manifold's point */
     /* kea_anchor.c, as the step begins */
-    double anchor[2][3]; /* m, the surface points of the two bodies, or centres of what is round, in their frames */
-    double circle[2];    /* m, the manifold's rim, or 0 where it may come to lie flat */
-    double axle[2][3];   /* unit, its axis, in their frames */
+    double anchor[2][3];     /* m, body frames: the surface point of each body, or the centre of its sphere or circle */
+    double circle[2];        /* m, radius of the circle (the manifold's rim); 0: none, or it may come to lie flat */
+    double circleAxis[2][3]; /* unit, body frames: axis of the circle */
     /* kea_anchor.c, as the part of the step begins */
     double normal[3], direction[3]; /* the manifold's; of two balls the normal turns with their centres */
     double point[3];                /* m; of two round surfaces the middle of their own */
     double depth;                   /* m */
     double arm[2][3];               /* m, from the bodies' centres to the point */
-    double turn[3];                 /* rad, by which the arms of flat surfaces turn in this part; 0: round */
-    MeBool moves;                   /* arms change within this part */
+    double turn[3];                 /* rad, rotation vector of the contact in this part, of flat surfaces; 0 of round */
+    MeBool moves;                   /* lever arms change within this part */
     /* kea_contact.c */
-    int rubs;     /* directions that have a row: 1 primary, 2 secondary */
-    int firstRow; /* where its rows begin */
+    int frictionRows; /* set of directions that have a friction row: 1 primary, 2 secondary */
+    int firstRow;     /* index of its normal row */
 } KeaContact;
 
-/* Where it is as this part of the step begins, and how it moves in it. */
+/* Sets place, depth, arms and their motion as this part of the step begins. */
 void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c);
-/* m, its arms after this share of the way in the part: 1 to the end, 1/2 for the mean of start and end. */
+/* m, lever arms at a later moment of the part: share 1 is its end, 1/2 the mean of start and end. */
 void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, double share, double arm[2][3]);
 
 #endif

@@ -1,10 +1,10 @@
-/* The joints' side of the inner problem: where nothing is bounded and no joints make loops, the impulses are the fewer
+/* The dual of the inner problem, whose unknowns are impulses: for joints without bounds and loops, where it has fewer
  * unknowns. With p = p_0 + Δp,
  *
  *     (J B⁻¹ Jᵀ + E) Δp = r - E p_0 - J B⁻¹ (Jᵀ p_0 - g),      d = B⁻¹ (Jᵀ p - g).
  *
- * The matrix has a block for every joint, coupled where two joints share a body: of a chain of ball joints it is
- * factored with a seventh of the work that the bodies' side takes. Which side is cheaper follows from the two graphs.
+ * The matrix has a block for every joint, coupled where two joints share a body: for a chain of ball joints its
+ * factorization takes a seventh of the work of the primal one. The cheaper one is chosen by flop count.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -15,7 +15,7 @@ static MeBool areOfOneJoint(const MdtKeaRow *a, const MdtKeaRow *b) {
     return a->owner == b->owner && a->body[0] == b->body[0] && a->body[1] == b->body[1];
 }
 
-/* Runs of rows of one constraint are the nodes. False: something is bounded. */
+/* Nodes are runs of rows of one joint. False: a row is bounded, belongs to a contact or is inactive. */
 static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
     d->numNodes = 0;
     for (int i = 0; i < s->numRows; i++) {
@@ -35,24 +35,24 @@ static MeBool findNodes(MdtKeaSystem *s, KeaDual *d) {
     return METRUE;
 }
 
-/* Joints that share a body, by way of a list of the nodes of every body. False: there are too many, or two share
- * both. */
+/* Edges are pairs of joints that share a body, found by a list of the joints of each body. False: more edges than there
+ * is memory for, or two joints share both bodies. */
 static MeBool findEdges(MdtKeaSystem *s, KeaDual *d) {
     d->numEdges = 0;
     for (int b = 0; b < s->numBodies; b++)
         d->first[b] = -1;
     for (int n = 0; n < d->numNodes; n++) {
         const KeaProblemRow *row = &s->work->problem.row[d->start[n]];
-        d->met[n] = -1;
+        d->lastJoined[n] = -1;
         for (int k = 0; k < 2; k++) {
             const int b = row->body[k];
             if (b < 0)
                 continue;
             for (int m = d->first[b]; m >= 0; m = d->next[m / 2][m % 2]) {
-                if (d->numEdges == s->maxRows || d->met[m / 2] == n)
+                if (d->numEdges == s->maxRows || d->lastJoined[m / 2] == n)
                     return MEFALSE;
                 MEASSERT(m / 2 < n);
-                d->met[m / 2] = n;
+                d->lastJoined[m / 2] = n;
                 d->edges[d->numEdges][0] = m / 2;
                 d->edges[d->numEdges][1] = n;
                 d->side[d->numEdges][0] = m % 2;
@@ -102,7 +102,7 @@ static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
             for (int j = 0; j < size; j++)
                 block[i * size + j] += dotOfBody(response, q->row[start + j].J[k]);
         }
-        block[i * size + i] += a->E + kea_dualRegularization * a->size;
+        block[i * size + i] += a->E + kea_dualRegularization * a->Aii;
     }
 }
 
@@ -129,7 +129,7 @@ static MeBool factorize(KeaProblem *q, KeaDual *d) {
     return kea_factorCholesky(d->factor, kea_leastPivot);
 }
 
-/* d := B⁻¹ (Jᵀ p - g), with p that are there. */
+/* d := B⁻¹ (Jᵀ p - g) with the present p, and Jd of all rows. */
 static void setMotion(KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++)
         for (int i = 0; i < 6; i++)

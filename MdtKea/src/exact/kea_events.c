@@ -1,14 +1,15 @@
-/* Events of a timed step: what divides it.
+/* Events that divide a timed step: times of impact, and times at which sliding stops.
  *
- * In a timed step bodies move with their mean velocities, x⁺ = x + h (v + v⁺)/2, and contacts that are closed hold the
- * velocity at the end: exact for constant forces, where a step that moves with v⁺ is off by a h²/2. What changes the
- * forces within the step divides it:
+ * In a timed step bodies move with their mean velocities, x⁺ = x + h (v + v⁺)/2, and closed contacts constrain the
+ * velocity at the end. That is exact for constant forces, where a step that moves with v⁺ has the error a h²/2. The
+ * step is divided where forces change discontinuously:
  *
  *   an impact: an open contact's gap, φ + J v t + J (v⁺ - v) t²/2h, vanishes at some t, its time of impact;
- *   a stop:    a contact that slides would stick or slide back at the end. With the friction still against the slip u
- *              of the start, it vanishes at t = h |u| / (|u| - u⁺·u/|u|).
+ *   a stop:    a sliding contact would stick or slide back at the end. With friction still against the slip velocity u
+ *   of the start, the slip vanishes at t = h |u| / (|u| - u⁺·u/|u|).
  *
- * Where there are impacts alone, and none of them fast enough to rebound, bodies tremble: division would not end.
+ * Impacts that are all too slow to rebound may follow each other without end (chattering, report.trembles); the owner
+ * then does not divide the step.
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
@@ -25,9 +26,9 @@ void kea_timedBegin(MdtKeaSystem *s) {
             s->rows[i].isOpen = isOpen(s, i, speed);
 }
 
-/* ---- what is to be met in time ---- */
+/* ---- which systems are timed ---- */
 
-/* The rate at the end without rows. */
+/* m/s: J v of a row at the end without constraint forces. */
 static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
@@ -47,11 +48,11 @@ static MeBool isDeep(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return row->error < 0 && !kea_isTouching(s, &out);
 }
 
-/* Forces of springs change within a step, and stiff ones have to be damped: what they hold is not followed. What
- * overlaps is moved out of it, which against joints costs energy, or gives it; but what still comes together there is
- * met late, as by a body that was hit in the last step and had no contact yet with the next one. */
+/* Not with springs: their forces change within a step, and stiff ones need the damping of θ = 1. Not with deep
+ * overlaps, whose projection against joints changes the energy; unless the bodies still approach fast, as where a body
+ * that was hit in the last step had no contact with the next one yet: that is a late impact. */
 MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
-    const double gate = kea_minReboundSpeed * kea_eventSpeed(s), reach = kea_reach * s->parameters.stepsize;
+    const double minSpeed = kea_minReboundSpeed * kea_eventSpeed(s), reach = kea_reach * s->parameters.stepsize;
     MeBool bounces = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
@@ -60,7 +61,7 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
         if (row->contact != i)
             continue;
         const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
-        const MeBool isFast = rebounds(row, rate, gate);
+        const MeBool isFast = rebounds(row, rate, minSpeed);
         if (isDeep(s, row) && !isFast)
             return MEFALSE;
         if (isFast && row->error + reach * rate < 0)
@@ -108,8 +109,8 @@ int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
 
 /* ---- impacts ---- */
 
-/* When φ + a t + b t²/2 falls through zero; HUGE_VAL: never. */
-static double timeOfFall(double gap, double a, double b) {
+/* s: the first t >= 0 with gap + a t + b t²/2 = 0 and falling; HUGE_VAL: none. */
+static double timeOfImpact(double gap, double a, double b) {
     gap = keaMax(gap, 0);
     const double root = a * a - 2 * b * gap;
     if (root < 0)
@@ -119,25 +120,25 @@ static double timeOfFall(double gap, double a, double b) {
     return b < 0 ? (a + sqrt(root)) / -b : HUGE_VAL;
 }
 
-typedef struct Meeting {
-    double time, speed; /* s into the step, HUGE_VAL: never; m/s */
-} Meeting;
+typedef struct Impact {
+    double time, speed; /* s into the step, HUGE_VAL: none; approach velocity, m/s */
+} Impact;
 
-/* Of a contact whose rate changes steadily to what it is at the end. */
-static Meeting meetingOf(const MdtKeaSystem *s, int i, double endRate) {
+/* The impact of a contact whose rate changes linearly to endRate. */
+static Impact impactOf(const MdtKeaSystem *s, int i, double endRate) {
     const MdtKeaRow *row = &s->rows[i];
     const double a = kea_startRate(s, i), b = (endRate - row->drift - a) / s->parameters.stepsize;
-    const double time = timeOfFall(row->error, a, b);
-    return (Meeting){time, time < HUGE_VAL ? -(a + b * time) : 0};
+    const double time = timeOfImpact(row->error, a, b);
+    return (Impact){time, time < HUGE_VAL ? -(a + b * time) : 0};
 }
 
-/* The first, at the greatest speed of all that come within the step. */
-static Meeting firstImpact(const MdtKeaSystem *s) {
-    Meeting first = {HUGE_VAL, 0};
+/* The time of the first impact; the speed is the greatest of all impacts within the step. */
+static Impact firstImpact(const MdtKeaSystem *s) {
+    Impact first = {HUGE_VAL, 0};
     for (int i = 0; i < s->numRows; i++) {
         if (s->rows[i].contact != i || !s->rows[i].isOpen)
             continue;
-        const Meeting m = meetingOf(s, i, kea_endRate(s, i));
+        const Impact m = impactOf(s, i, kea_endRate(s, i));
         first.time = keaMin(first.time, m.time);
         if (m.time < s->parameters.stepsize)
             first.speed = keaMax(first.speed, m.speed);
@@ -149,7 +150,7 @@ double kea_firstEventOfFlight(const MdtKeaSystem *s) {
     double first = s->parameters.stepsize;
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            first = keaMin(first, meetingOf(s, i, freeRate(s, &s->rows[i])).time);
+            first = keaMin(first, impactOf(s, i, freeRate(s, &s->rows[i])).time);
     return first;
 }
 
@@ -169,11 +170,12 @@ static Slip slipOf(const MdtKeaSystem *s, int i) {
     return slip;
 }
 
-/* Rows of friction that depends on the normal force and that slide at the start; a cone by its first row. */
-static MeBool canStop(const MdtKeaSystem *s, int i, double gate) {
+/* Whether a friction row, bounded by a normal force, slides faster than minSpeed at the start; a cone is represented by
+ * its first row. */
+static MeBool canStop(const MdtKeaSystem *s, int i, double minSpeed) {
     const MdtKeaRow *row = &s->rows[i];
     return row->normal >= 0 && !s->rows[row->contact].isOpen && !(row->partner >= 0 && row->partner < i) &&
-           slipOf(s, i).size > gate;
+           slipOf(s, i).size > minSpeed;
 }
 
 static MeBool hasStopped(const MdtKeaSystem *s, const Slip *slip) {
@@ -183,11 +185,12 @@ static MeBool hasStopped(const MdtKeaSystem *s, const Slip *slip) {
     return sticks || slip->start[0] * slip->end[0] + slip->start[1] * slip->end[1] < 0;
 }
 
-/* Contacts that stop are held to slide on against the slip of the start. Returns whether there are any. */
-static MeBool forceSlides(MdtKeaSystem *s, double gate) {
+/* Fixes the friction of contacts that stop within the step against the slip of the start (isForced). Returns whether
+ * there are any. */
+static MeBool forceSlides(MdtKeaSystem *s, double minSpeed) {
     MeBool any = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
-        if (!canStop(s, i, gate) || s->rows[i].isForced)
+        if (!canStop(s, i, minSpeed) || s->rows[i].isForced)
             continue;
         const Slip slip = slipOf(s, i);
         if (!hasStopped(s, &slip))
@@ -218,7 +221,7 @@ static double firstStop(const MdtKeaSystem *s) {
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     const double speed = kea_eventSpeed(s);
     *mustRepeat = forceSlides(s, kea_partingSpeed * speed);
-    const Meeting impact = firstImpact(s);
+    const Impact impact = firstImpact(s);
     const double stop = firstStop(s);
     s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed;
     return keaMin(impact.time, stop);

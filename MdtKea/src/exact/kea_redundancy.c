@@ -1,12 +1,13 @@
-/* How redundant joints share their load.
+/* Impulses of redundant joints: the solution of least norm.
  *
- * Where joints make a loop, Jᵀ has a null space. The null-space part of p is arbitrary, and where the joints
- * contradict each other by as little as rounding, it grows from step to step. The smallest is taken, reported, and
- * kept as the next warm start:
+ * Where joints make a loop, Jᵀ has a null space. The component of p in it is arbitrary, and grows from step to step if
+ * the joints contradict each other, be it by rounding. The p of least weighted norm is reported and kept as the next
+ * warm start:
  *
  *     min 1/2 Σ p_i² / w_i,  Jᵀ p = f:    p = W J y,   (Jᵀ W J + δ B) y = f,
  *
- * w the inverse of the row's A_ii without lever arms, B the metric, δ what rounding needs.
+ * with w the inverse of the row's A_ii without lever arms, f the resultant on the bodies, B the metric, and δ a
+ * regularization.
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
@@ -18,7 +19,7 @@ static int rootOf(int parent[], int i) {
     return i;
 }
 
-/* A union-find over the bodies and the world, behind the last of them. Stops make no loop: they let go. */
+/* By union-find over the bodies and the world, whose index is numBodies. One-sided rows (stops) make no loop. */
 MeBool kea_hasLoops(const MdtKeaSystem *s) {
     int *parent = s->work->parent, owner = 0;
     MeBool isFirst = METRUE;
@@ -39,7 +40,7 @@ MeBool kea_hasLoops(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Rigid joints only: what is bounded or soft has found its value. */
+/* Only rigid joints are redundant: the impulse of a bounded or soft row is unique. */
 static MeBool isRigidJoint(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     return row->position && row->softness == 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL &&
@@ -52,7 +53,7 @@ static double weightOf(const MdtKeaSystem *s, int i) {
     for (int k = 0; k < 2; k++)
         if (p->body[k] >= 0)
             sum += s->bodies[p->body[k]]->invMass * keaDot(p->J[k], p->J[k]);
-    return 1 / (sum > 0 ? sum : p->size);
+    return 1 / (sum > 0 ? sum : p->Aii);
 }
 
 static void setProblem(MdtKeaSystem *s) {
@@ -79,14 +80,14 @@ static void setProblem(MdtKeaSystem *s) {
     }
 }
 
-/* The problem's own equations, B d + g = Jᵀ p and p = -J d / N, are these with g = -f and d = -y. */
-void kea_shareForces(MdtKeaSystem *s) {
+/* Solved as an inner problem, B d + g = Jᵀ p with p = -J d / N, g = -f and d = -y. */
+void kea_minimizeRedundantForces(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const MeBool hadBounds = q->hasBounds;
     if (!s->work->hasLoops || !kea_problemHasBudget(q, MEFALSE))
-        return; /* forces that do the same are as good */
+        return; /* any solution has the same effect on the bodies */
     for (int i = 0; i < s->numRows; i++)
-        s->work->keptP[i] = q->row[i].p;
+        s->work->savedP[i] = q->row[i].p;
     setProblem(s);
     for (int i = 0; i < s->numRows; i++)
         if (q->row[i].isOff)
@@ -96,7 +97,7 @@ void kea_shareForces(MdtKeaSystem *s) {
     q->hasBounds = hadBounds;
     for (int i = 0; i < s->numRows; i++)
         if (!isSolved || q->row[i].isOff)
-            q->row[i].p = s->work->keptP[i];
+            q->row[i].p = s->work->savedP[i];
         else
             q->row[i].p = -q->row[i].p;
 }

@@ -1,14 +1,14 @@
-/* Time reversal, for schemes that are composed of steps, of which some go back in time.
+/* Time reversal, for composition schemes, in which some steps go back in time.
  *
- * The scheme of kea_scheme.c with θ = 1/2 is symmetric: a step, and one from its end with velocities turned round, come
- * back to the start. What looks at one end of the step only is not: rows of velocities, bounds, damping, θ = 1, gamma
- * and compliance; nor is what does not turn round with the velocities: joints that are driven. A step back in time is
- * one of a system that is turned round, so that no solver meets a step below 0.
+ * The scheme of kea_scheme.c with θ = 1/2 is symmetric: a step, and one from its end with reversed velocities, return
+ * to the start. Not symmetric are terms that depend on one end of the step only (velocity rows, bounds, damping, θ = 1,
+ * gamma, compliance), and driven joints, whose velocities are not reversed. A step back in time is a step forward of
+ * the reversed system, so that the step length is always positive.
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
 
-/* Its Coriolis term is missing, or the loads damp it. */
+/* Not a damped body, nor one with different moments whose Coriolis term is off. */
 static MeBool isBodyReversible(const MdtKeaBody *body) {
     const double *I = body->moments;
     const double most = keaMax(I[0], keaMax(I[1], I[2])), least = keaMin(I[0], keaMin(I[1], I[2]));

@@ -1,20 +1,21 @@
-/* What the rows of a system ask of the unknowns of a step (kea_scheme.c), pass by pass.
+/* Linearization of the rows of a system: J, E, r and N of the inner problem in each pass, and θ of each body.
  *
- * With d what a pass adds to u, p the impulses, φ_k and v_k⁺ what the last pass came to, every row is J d + E p = r:
+ * With d the change of u in a pass, p the impulses, φ_k and v_k⁺ the errors and end velocities of the last pass, every
+ * row is J d + E p = r:
  *
  *   position:  φ⁺ = φ_0 + h (s - E p)             r = s - (φ_k - φ_0)/h
  *   spring:    p = -h [kp φ_0 + (θ h kp + kd)(J u - s)],  1/E = θ h² kp + h kd,   r = s - J u_k - E h kp φ_0;
- *              one that only pushes and has the way φ_0 > 0 left is not strained at the start: (1 - θ) φ_0 less
+ *              one that only pushes and has a gap, φ_0 > 0, carries no force at the start: (1 - θ) φ_0 less
  *   velocity:  J v⁺ = s - E p, v⁺ = v + (u - v)/θ     r = θ (s - J v_k⁺), E := θ E
  *
  * The velocity v⁺ is, to second order, that of the time h/2θ: of the middle of the step with θ = 1, of its end
- * with 1/2. So the rate J v⁺ of a contact is asked for where its place is then; impulses act at the mean, as those of
- * joints do. With θ = 1, where v⁺ = u, what friction holds is met in place: a box on a turning disc goes round with it.
- * With 1/2 the rates at both ends are met, which is the same forwards and backwards in time.
+ * with 1/2. So the rate J v⁺ of a contact is evaluated with its lever arms at that time; impulses act with the mean of
+ * the lever arms, as those of joints do. With θ = 1, where v⁺ = u, friction that holds causes no drift: a box on a
+ * turning disc goes round with it. With θ = 1/2 the scheme is symmetric in time.
  *
- * θ is a choice of each body's. It is 1 where a contact can act or a limit does, so that they hold v⁺ and not only the
- * mean of the step, and where a spring is too stiff to be followed; it is one and the same for the two bodies of a
- * velocity row, which would not be symmetric otherwise.
+ * θ is chosen per body. It is 1 where a contact may act or a stop does, so that these constrain v⁺ and not only the
+ * mean velocity, and where a spring is too stiff for the midpoint rule. The two bodies of a velocity row have the same
+ * θ, since J of the row would differ from that of its impulse otherwise.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -35,13 +36,14 @@ static double rateWith(const MdtKeaRow *row, const MdtKeaVelocity *velocity) {
 /* ---- theta ---- */
 
 /* Whether the normal row of a contact may carry something in this step. */
-static MeBool isWithinReach(const MdtKeaSystem *s, const MdtKeaRow *row) {
+static MeBool mayBeReached(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double size = 0;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             size = keaMax(size, s->work->body[row->body[k]].size);
     const double speed = keaMin(rateWith(row, s->velocity), rateWith(row, s->predicted));
-    const double h = s->parameters.stepsize, gap = row->error + h * keaMax(speed, 0); /* at best, if it is being left */
+    const double h = s->parameters.stepsize,
+                 gap = row->error + h * keaMax(speed, 0); /* at the end, if the bodies part */
     return row->lower < 0 || gap < kea_nearbyGap * size || row->error + kea_reach * h * speed < 0;
 }
 
@@ -122,17 +124,17 @@ static void copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J) {
     }
 }
 
-static MeBool isIdle(const MdtKeaSystem *s, const MdtKeaRow *row) {
+static MeBool isInactive(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (row->contact >= 0)
-        return s->rows[row->contact].isOpen || (!s->parameters.timed && !isWithinReach(s, &s->rows[row->contact]));
+        return s->rows[row->contact].isOpen || (!s->parameters.timed && !mayBeReached(s, &s->rows[row->contact]));
     return row->spring && !(row->stiffness > 0) && !(row->damping > 0);
 }
 
-/* Cold start of the friction bound: none, so that the answer sticks, or shows where it slides to; 0 where the slip is
- * more than friction could stop. */
-static double firstBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
+/* Friction bound of the first pass. Warm start: μ p_n. Cold start: no bound, so that the first answer sticks or has the
+ * direction of sliding; or 0 where the predicted slip is more than friction can stop. */
+static double startingBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
     const KeaProblemRow *normal = &s->work->problem.row[row->normal];
-    if (normal->p > 0 || row->isForced) /* forced: where it slides to is known */
+    if (normal->p > 0 || row->isForced) /* forced: the direction of sliding is known */
         return row->friction * keaMax(normal->p, 0);
     const double along = rateWith(row, s->predicted) - row->target;
     const double across =
@@ -157,16 +159,16 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->friction = row->friction;
         copyBounds(p, row, h);
         copyJacobian(p, row->moves ? s->moves[i][0].J : row->J);
-        s->work->ahead[i] = 0;
-        p->isOff = isIdle(s, row);
+        s->work->movingRate[i] = 0;
+        p->isOff = isInactive(s, row);
         p->isOut = row->contact >= 0 && s->rows[row->contact].isOpen;
         p->p = p->p0 = p->isOff || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
         p->isInconsistent = p->isUnmet = MEFALSE;
-        p->isElsewhere = row->position;
+        p->isCheckedElsewhere = row->position;
         p->isForced = row->isForced;
         p->forced = row->forced;
-        p->frictionBound = row->normal >= 0 ? firstBound(s, row) : 0;
+        p->frictionBound = row->normal >= 0 ? startingBound(s, row) : 0;
     }
     chooseTheta(s);
 }
@@ -207,7 +209,7 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
         copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
 }
 
-static double rateAhead(const MdtKeaSystem *s, int i) {
+static double movingRate(const MdtKeaSystem *s, int i) {
     const MdtKeaMove *mean = &s->moves[i][0], *end = &s->moves[i][1];
     double rate = s->parameters.timed ? end->rate : mean->rate;
     for (int k = 0; k < 2 && s->parameters.timed; k++) {
@@ -221,13 +223,13 @@ static double rateAhead(const MdtKeaSystem *s, int i) {
     return rate;
 }
 
-void kea_rateAhead(MdtKeaSystem *s) {
+void kea_setMovingRates(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].moves)
-            s->work->ahead[i] = rateAhead(s, i);
+            s->work->movingRate[i] = movingRate(s, i);
 }
 
-/* By the way that d makes the body turn at the end, over h. */
+/* The derivative with d: J at the end pose, its angular part times D / h (kea_turnDerivative). */
 static void tangentOf(double tangent[6], const MdtKeaJBlock *J, const double w[3], double h) {
     double D[3][3];
     kea_turnDerivative(D, w, h);
@@ -261,13 +263,13 @@ static void springRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->N = 0;
 }
 
-/* A row's A_ii without lever arms, so that joints that share a load share it evenly. */
-static double ownSize(const MdtKeaSystem *s, const KeaProblemRow *p) {
+/* 1/kg: A_ii = J B⁻¹ Jᵀ without the angular part: with it, joints that share a load would not share it evenly. */
+static double inverseMassWithoutArms(const MdtKeaSystem *s, const KeaProblemRow *p) {
     double sum = 0;
     for (int k = 0; k < 2; k++)
         if (p->body[k] >= 0)
             sum += keaDot(p->J[k], p->J[k]) / s->work->problem.metric[p->body[k]].linear;
-    return sum > 0 ? sum : p->size;
+    return sum > 0 ? sum : p->Aii;
 }
 
 static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
@@ -276,11 +278,13 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->E = row->softness;
     p->r = row->target - (s->work->endErrors[i] - row->error) / h;
     const MeBool mayContradict = s->work->hasLoops && !s->work->problem.hasTangent;
-    p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) * ownSize(s, p);
+    p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) *
+           inverseMassWithoutArms(s, p);
 }
 
-/* A contact that is met in time keeps no velocity from being pushed apart (kea_project does that), but a soft one sinks
- * only until γ of its overlap balances its load. */
+/* m/s: the target of a contact in a timed step, where overlaps are removed by kea_project instead of by a velocity.
+ * Only a soft contact gets part of the separating velocity, so that it sags no further than to where γ times its depth
+ * balances the load. */
 static double timedTarget(const MdtKeaRow *row, const KeaProblemRow *p) {
     if (row->lower < 0) /* it may pull */
         return row->target;
@@ -295,23 +299,23 @@ static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->r = theta * ((s->parameters.timed && row->contact == i ? timedTarget(row, p) : row->target) - kea_endRate(s, i));
     p->N = (row->contact >= 0 ? kea_proximalContact[level < KEA_PROXIMAL_LEVELS ? level : KEA_PROXIMAL_LEVELS - 1]
                               : kea_proximalLimit) *
-           p->size;
+           p->Aii;
 }
 
-/* On a cone both rows have one softness, or the direction of friction would not be that of the slip. */
+/* The two rows of a cone get the same N: otherwise friction would not be antiparallel to the slip. */
 static void shareSoftness(KeaProblemRow *a, KeaProblemRow *b) {
     a->N = b->N = 0.5 * (a->N + b->N);
 }
 
 void kea_linearizeRows(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    kea_problemMeasure(q);
+    kea_problemSetEffectiveMasses(q);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         KeaProblemRow *p = &q->row[i];
         p->p0 = p->p;
         p->Jd = 0;
-        if (p->size == 0)
+        if (p->Aii == 0)
             p->isOff = METRUE;
         if (row->spring)
             springRow(s, i, p);

@@ -1,4 +1,4 @@
-/* The scheme of a step: where unknown velocities take the bodies, and what momentum that costs.
+/* Time integration: end states from the unknown velocities u, the residual of momentum, and its derivatives.
  *
  * Per body, u = (v_m, w_m) moves it through the step, and θ is 1/2 (midpoint rule) or 1 (backward Euler):
  *
@@ -6,7 +6,8 @@
  *     q⁺ = cay(h w_m) q            W⁺ = W + (Rᵀ w_m - W)/θ           W: in the body, cay(a) = (1, a/2) normalized
  *     momentum:  m v⁺ - m v_free = Σ p,    R⁺ I W⁺ - L_free = Σ r_m x p,
  *
- * with what v and L would be at the end without rows. Rows act on the mean of the poses, R_m = (R + R⁺)/2, for which
+ * with v_free, L_free the values at the end without rows. Rows act on the mean of the poses, R_m = (R + R⁺)/2, for
+ * which
  *
  *     R⁺ - R = h [w_m]x R_m        exactly, so that φ⁺ - φ = h J_m u for every φ that is quadratic in the poses:
  *
@@ -14,10 +15,10 @@
  *
  *     E⁺ - E = -Σ (θ - 1/2) |v⁺ - v|²_M  +  the work of loads, springs, motors and contacts
  *
- * (Simo & Wong 1991; Gonzalez 2000). Where θ = 1/2 it is kept; where θ = 1, at bodies that touch something, it falls.
+ * (Simo & Wong 1991; Gonzalez 2000). With θ = 1/2 it is conserved; with θ = 1, of bodies in contact, it decreases.
  *
  * The derivative of the momentum is M/θ and the geometric stiffness: an impulse P at the arm r, which turns with the
- * body, costs (h/2) [P]x[r]x. Its symmetric part keeps the problem convex once it is clamped to positive values.
+ * body, contributes (h/2) [P]x[r]x. Its symmetric part, without negative eigenvalues, keeps the inner problem convex.
  *
  * A body whose moments are equal, or that has no Coriolis term, changes its angular velocity in the world's axes,
  * w⁺ = w + (w_m - w)/θ, which is the same identity with less work.
@@ -53,7 +54,7 @@ static void fromAngular(const MdtKeaBody *body, KeaBody *b) {
         b->spin[i] = L[i] / body->moments[i];
 }
 
-/* What impulses of the step are compared with: the loads', and a little of the momentum. */
+/* N s: the scale of impulses: that of the loads, and a small share of the momentum. */
 static double scaleOf(const MdtKeaBody *body, const KeaBody *b, double size) {
     double dv[3], dL[3];
     keaSubtract(dv, b->freeVelocity, body->velocity);
@@ -62,7 +63,7 @@ static double scaleOf(const MdtKeaBody *body, const KeaBody *b, double size) {
     return keaLength(dv) / body->invMass + keaLength(dL) / size + kea_momentumShare * momentum + DBL_MIN;
 }
 
-/* The first guess: the acceleration of the last step goes on, unless that was a jerk. */
+/* Initial guess: the acceleration of the last step, unless it was an impact's or the like. */
 static void guessVelocity(const MdtKeaBody *body, const MdtKeaVelocity *v, KeaBody *b, double h) {
     const double *a = body->acceleration;
     const double change = h * (keaLength(a) + b->size * keaLength(a + 3)) / body->invMass;
@@ -187,7 +188,7 @@ static double largestEntry(const double K[3][3]) {
     return most;
 }
 
-/* The stiffness of all rows on each body, gathered in metric[].angular. */
+/* The geometric stiffness of all rows on each body, summed up in metric[].angular. */
 static void gatherStiffness(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const double h = s->parameters.stepsize;
@@ -207,7 +208,8 @@ static void gatherStiffness(MdtKeaSystem *s) {
     }
 }
 
-/* A stiffness that is small against the inertia is left out: Newton's method converges as well without. */
+/* Metric B = inertia / θ + geometric stiffness. Stiffness far below the inertia is left out: Newton's method converges
+ * as well without it. */
 static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
     const double *I = body->moments, least = keaMin(I[0], keaMin(I[1], I[2])) / b->theta;
     double inertia[3][3];
@@ -243,7 +245,7 @@ static void addProduct(double r[3][3], double s, double (*const A)[3], double (*
                 r[i][j] += s * A[i][k] * D[k][j];
 }
 
-/* Of R⁺ I W⁺, or of a spatial body's I (w⁺ - w), with w_m. */
+/* r = derivative with w_m of R⁺ I W⁺, or of a spatial body's I (w⁺ - w). */
 static void momentumDerivative(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double (*const D)[3],
                                double r[3][3]) {
     const double *L = end->angularMomentum;
@@ -279,7 +281,7 @@ void kea_differentiateBodies(MdtKeaSystem *s) {
     double D[3][3];
     for (int i = 0; i < s->numBodies; i++) {
         kea_turnDerivative(D, s->work->body[i].u + 3, h);
-        momentumDerivative(s->bodies[i], &s->work->body[i], &s->work->end[i], D, q->turning[i]);
+        momentumDerivative(s->bodies[i], &s->work->body[i], &s->work->end[i], D, q->tangentInertia[i]);
     }
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
@@ -290,7 +292,7 @@ void kea_differentiateBodies(MdtKeaSystem *s) {
                 continue;
             keaScale(P, q->row[i].p, row->J[k].lin);
             kea_turnDerivative(D, s->work->body[b].u + 3, h);
-            addExactStiffness(q->turning[b], P, row->arm[k], s->work->body[b].u + 3, h, D);
+            addExactStiffness(q->tangentInertia[b], P, row->arm[k], s->work->body[b].u + 3, h, D);
         }
     }
 }

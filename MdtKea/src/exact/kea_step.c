@@ -5,8 +5,9 @@
  *             until the residuals are below tolerance
  *     velocity stage: the nearest velocities that joints and contacts allow where the bodies have arrived
  *
- * Passes solve the tangent problem (kea_problem_i.h), which is Newton's method for the geometry, where no body turns
- * far; where joints make loops, the first of them, and none if anything rubs.
+ * Passes solve the tangent problem (kea_problem_i.h), which is Newton's method for the geometry, if joints and friction
+ * meet but make no loop, and no body turns far. Where joints make loops without friction, only the first passes do;
+ * where they make loops with friction, none.
  *
  * A pass is at once a Newton iteration for the geometry, a proximal step for rigid rows, and a renewal of the friction
  * bounds. Where the last answer still holds, no pass is needed and nothing is factored.
@@ -22,14 +23,12 @@ static double workOfLinearization(const MdtKeaSystem *s) {
     return KEA_LINEARIZATION * ((double)s->numRows + s->numBodies);
 }
 
-/* With an iteration cap, passes by sweeps are capped in proportion: the cap is to make a step cheaper. Sweeps have no
- * more kept for them than Newton's method has. */
 /* ---- passes ---- */
 
 static void linearize(MdtKeaSystem *s) {
     kea_moveBodies(s);
     kea_refreshRows(s, s->work->meanPose, METRUE);
-    kea_rateAhead(s);
+    kea_setMovingRates(s);
     if (s->errors)
         s->errors(s->context, s->work->endPose, s->work->endErrors);
     kea_linearizeBodies(s);
@@ -37,28 +36,29 @@ static void linearize(MdtKeaSystem *s) {
     kea_problemSpend(&s->work->problem, workOfLinearization(s));
 }
 
-/* What the tangent problem needs beside. */
+/* The derivatives that only the tangent problem needs: of the bodies' momentum and of the rows' errors. */
 static void differentiate(MdtKeaSystem *s) {
     kea_differentiateBodies(s);
     kea_differentiateRows(s);
     kea_problemSpend(&s->work->problem, workOfLinearization(s));
 }
 
-static void takePass(MdtKeaSystem *s) {
+static void applyPass(MdtKeaSystem *s) {
     const KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numBodies; i++)
         for (int k = 0; k < 6; k++)
             s->work->body[i].u[k] += q->d[i][k];
 }
 
-/* The work goes on friction bounds that do not settle. */
-static MeBool isLate(const MdtKeaSystem *s) {
+/* Whether the share of the work that the iteration of friction bounds may take is used up. */
+static MeBool isFrictionBudgetSpent(const MdtKeaSystem *s) {
     return s->parameters.maxWork > 0 && s->work->problem.counts.work > kea_workForFriction * s->parameters.maxWork;
 }
 
-/* Friction bounds follow the normal forces, later on more carefully; should that not settle, they are left where they
- * are once the answer is good enough, or in the end. */
-static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough, MeBool isExactEnough) {
+/* One solve of the inner problem. Friction bounds are a fixed point, R = μ p_n(R), of which each pass takes one step,
+ * damped from some pass on. Where the iteration does not converge, they are frozen: early if the velocity residual is
+ * below its loose tolerance, else after KEA_MAX_COUPLED_PASSES. */
+static void solveInnerProblem(MdtKeaSystem *s, int pass, MeBool isGoodEnough, MeBool isExactEnough) {
     KeaProblem *q = &s->work->problem;
     if (kea_dualSolve(s))
         return;
@@ -73,33 +73,34 @@ static void solvePass(MdtKeaSystem *s, int pass, MeBool isGoodEnough, MeBool isE
     q->hasTangent = q->hasTangent && !(q->isSingular && s->work->hasLoops);
 }
 
-/* A pass towards the answer: where that is near, by the factors of the last pass, if these are still right. False: it
- * has converged, and cannot be refined. */
-static MeBool improve(MdtKeaSystem *s, int pass, const KeaResiduals *e, MeBool isNear) {
+/* One pass. Where passes converge fast, the factors of the last one are tried first. False: the answer has converged,
+ * and these factors do not refine it. */
+static MeBool runPass(MdtKeaSystem *s, int pass, const KeaResiduals *e, MeBool isConvergingFast) {
     KeaProblem *q = &s->work->problem;
     if (q->hasTangent)
         differentiate(s);
-    if (isNear && kea_problemRefine(q))
+    if (isConvergingFast && kea_problemRefine(q))
         return METRUE;
     if (kea_isConverged(e))
         return MEFALSE;
-    solvePass(s, pass, e->velocity < kea_looseVelocity, isNear && q->hasTangent);
+    solveInnerProblem(s, pass, e->velocity < kea_looseVelocity, isConvergingFast && q->hasTangent);
     return METRUE;
 }
 
-/* An answer that has converged is refined once where that costs no factorization: the next step begins with it. */
-static MeBool isFinal(const KeaProblem *q, const KeaResiduals *e, MeBool isPolished) {
-    return isPolished || (kea_isConverged(e) && !(q->isFactored && e->worst > kea_refinedEnough));
+/* Whether passes end here. A converged answer is refined once more where that costs no factorization, since it is the
+ * warm start of the next step. */
+static MeBool isFinal(const KeaProblem *q, const KeaResiduals *e, MeBool isRefined) {
+    return isRefined || (kea_isConverged(e) && !(q->isFactored && e->worst > kea_refinedEnough));
 }
 
-static void keepAnswer(MdtKeaSystem *s, double (*u)[6], double p[]) {
+static void saveIterate(MdtKeaSystem *s, double (*u)[6], double p[]) {
     for (int i = 0; i < s->numBodies; i++)
         memcpy(u[i], s->work->body[i].u, sizeof u[i]);
     for (int i = 0; i < s->numRows; i++)
         p[i] = s->work->problem.row[i].p;
 }
 
-static void takeAnswer(MdtKeaSystem *s, double (*const u)[6], const double p[]) {
+static void restoreIterate(MdtKeaSystem *s, double (*const u)[6], const double p[]) {
     for (int i = 0; i < s->numBodies; i++)
         memcpy(s->work->body[i].u, u[i], sizeof u[i]);
     for (int i = 0; i < s->numRows; i++)
@@ -107,11 +108,12 @@ static void takeAnswer(MdtKeaSystem *s, double (*const u)[6], const double p[]) 
     linearize(s);
 }
 
-static void takeBest(MdtKeaSystem *s) {
-    takeAnswer(s, s->work->bestU, s->work->bestP);
+static void restoreBest(MdtKeaSystem *s) {
+    restoreIterate(s, s->work->bestU, s->work->bestP);
 }
 
-/* Does the body roll on the contact, about its own centre? */
+/* Whether the normal of this contact goes through the body's centre, so that the body may turn without changing the
+ * contact. */
 static MeBool isCentred(const MdtKeaRow *normal, int k) {
     return normal->radius[k] > 0 && keaLength(normal->J[k].ang) <= kea_centredArm * normal->radius[k];
 }
@@ -129,7 +131,8 @@ static MeBool isTurnRelevant(const MdtKeaSystem *s, int body) {
     return MEFALSE;
 }
 
-/* The Cayley map turns a body by less than half a turn, however fast it is: near that, the velocity means nothing. */
+/* The Cayley map turns a body by less than half a turn for any angular velocity: near half a turn, the velocity does
+ * not determine the motion. */
 static MeBool turnsOver(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         if (!(s->parameters.stepsize * keaLength(s->work->body[i].u + 3) <= kea_mostTurn) && isTurnRelevant(s, i))
@@ -137,7 +140,8 @@ static MeBool turnsOver(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* The coupled problem of contradictory rows may be singular: its step is then no number, and no pass can follow it. */
+/* The matrix of the coupled problem is singular where rows contradict each other; d may then be NaN or infinite, and
+ * passes have to end. */
 static MeBool isStepFinite(const KeaProblem *q) {
     for (int i = 0; i < q->numBodies; i++)
         for (int k = 0; k < 6; k++)
@@ -146,9 +150,9 @@ static MeBool isStepFinite(const KeaProblem *q) {
     return METRUE;
 }
 
-/* Has an answer that was not found taken the bodies where no motion goes? Mean velocities lie between those at the
- * start and those at the end, and have less energy than the whole partition at the greatest speed that anything in it
- * has or wants. */
+/* Whether an iterate that has not converged has more kinetic energy than any motion of the step: than the whole
+ * partition at the greatest speed that a body has or that a row aims at. Mean velocities lie between those of the start
+ * and of the end, so that no real motion exceeds it. */
 static MeBool isRunaway(const MdtKeaSystem *s) {
     double energy = 0, mass = 0, speed = 0;
     for (int b = 0; b < s->numBodies; b++) {
@@ -164,8 +168,8 @@ static MeBool isRunaway(const MdtKeaSystem *s) {
     return !(energy <= kea_runawayRoom * mass * speed * speed);
 }
 
-/* How far the pass is from the laws. At half a turn a row's mean Jacobian vanishes, and asks for nothing: a runaway
- * that turns so far meets them all, but is no answer. */
+/* Residuals of the pass. At half a turn the mean of the poses, and with it a row's Jacobian, vanishes, so that a
+ * runaway iterate fulfils all rows: its residual is set to infinity. */
 static KeaResiduals residualsOfPass(MdtKeaSystem *s, double speed) {
     KeaResiduals e = kea_residuals(s, speed);
     if (turnsOver(s) && isRunaway(s))
@@ -173,7 +177,8 @@ static KeaResiduals residualsOfPass(MdtKeaSystem *s, double speed) {
     return e;
 }
 
-/* The last resort: the bodies move as if there were no rows. Joints open by no more than a step's way. */
+/* Fallback for a runaway: the bodies move as if there were no rows. Joints open by no more than the bodies move in one
+ * step. */
 static void moveWithoutRows(MdtKeaSystem *s) {
     for (int b = 0; b < s->numBodies; b++) {
         KeaBody *body = &s->work->body[b];
@@ -188,110 +193,127 @@ static void moveWithoutRows(MdtKeaSystem *s) {
     linearize(s);
 }
 
-/* Where joints make loops, passes begin with the tangent problem, which follows a linkage through its change point. At
- * one its matrix is singular, and no answer may be found; nor is one with redundant joints, for which the symmetric
- * problem is then solved: they are no trouble there. */
+/* Whether to go on with the symmetric problem. Where joints make loops, passes begin with the tangent problem, which
+ * follows a linkage through its change point. Its matrix is singular at the change point itself and where joints are
+ * redundant; the symmetric problem is regular in both cases. */
 static MeBool mustLeaveTangent(const MdtKeaSystem *s, int pass, const KeaResiduals *e) {
     return s->work->problem.hasTangent && s->work->hasLoops && !kea_isConverged(e) &&
            (pass >= KEA_TANGENT_PASSES || !isfinite(e->worst));
 }
 
-/* Where they make none, the tangent problem is left once the motion has got worse by it twice: what the direction of
- * an angular row changes by is not in it, and may be more than the rest. */
-static MeBool isLost(const KeaResiduals *e, double *motion, int *worse) {
+/* Where joints make no loops, the tangent problem is given up once the residual of position or momentum has grown
+ * twice. It can diverge, since the derivative of an angular row's direction is left out of it. */
+static MeBool isDiverging(const KeaResiduals *e, double *motion, int *worse) {
     const double before = *motion;
     *motion = keaMax(e->position, e->momentum);
     *worse += *motion > 1 && *motion > before;
     return *worse >= 2;
 }
 
-/* Has removing errors within the rounding ε of attachments moved a body by more than such an error can? At a change
- * point, where a joint's error is x²/2 of the way x, that is sqrt(2 ε) of its size: a larger motion is one on another
- * branch than the one that momentum chooses. */
+/* Whether the symmetric passes have left the branch of motion that the tangent passes found. They removed joint errors
+ * below the rounding ε of attachments, which moves a body by at most sqrt(2 ε) of its size: at a change point a
+ * displacement x (in sizes) gives the error x²/2. More means another branch than the one that momentum selects. */
 static MeBool hasLeftBranch(const MdtKeaSystem *s) {
     const double most = sqrt(2 * kea_attachmentRounding);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
         double dv[3], dw[3];
-        keaSubtract(dv, b->u, s->work->nearU[i]);
-        keaSubtract(dw, b->u + 3, s->work->nearU[i] + 3);
+        keaSubtract(dv, b->u, s->work->tangentU[i]);
+        keaSubtract(dw, b->u + 3, s->work->tangentU[i] + 3);
         if (s->parameters.stepsize * (keaLength(dv) + b->size * keaLength(dw)) > most * b->size)
             return METRUE;
     }
     return MEFALSE;
 }
 
-/* The tangent problem has a matrix that is not positive: where bodies turn far in a step, it may lead to another of
- * the motions that keep all laws, one with energy from nowhere. */
+/* Whether passes begin with the tangent problem. Its matrix is not positive definite: where bodies turn far in a step,
+ * it may converge to another solution of the equations, one that gains energy. */
 static MeBool mayBeTangent(const MdtKeaSystem *s) {
     if (s->work->hasLoops)
-        return !s->work->problem.hasFriction; /* that holds what makes loops: passes would not settle */
+        return !s->work->problem.hasFriction; /* where friction holds bodies of a loop, passes do not converge */
     for (int i = 0; i < s->numBodies; i++)
         if (s->parameters.stepsize * keaLength(s->velocity[i].ang) > kea_tangentTurn)
             return MEFALSE;
     return s->work->hasJoints && s->work->problem.hasFriction;
 }
 
+/* Writes how the passes have ended: missed positions, capped or limited solves, residuals. */
+static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimited) {
+    const MeBool isMissed =
+        (!s->work->usesTangentAnswer && !(e->position <= kea_loosePosition && e->momentum <= kea_loosePosition)) ||
+        turnsOver(s);
+    s->report.violent = isMissed && !isLimited;
+    s->report.capped = isMissed || !(e->velocity <= kea_looseVelocity);
+    s->report.limited = s->report.capped && isLimited;
+    s->report.resolution = e->resolution;
+    s->report.residual = e->velocity * e->resolution;
+    s->report.force = e->impulse / s->parameters.stepsize;
+}
+
+/* Newton's method for the step: passes until the residuals are below tolerance, or the budget or the passes are used
+ * up. The answer is the best iterate; of linkages the tangent one, if symmetric passes leave its branch or do not
+ * converge; the motion without rows, if passes run away. */
 static void takePasses(MdtKeaSystem *s) {
     int last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES;
     KeaProblem *q = &s->work->problem;
-    MeBool ranOut = MEFALSE;
-    double speed = 0, best = HUGE_VAL, nearest = HUGE_VAL;
+    MeBool isLimited = MEFALSE;
+    double speed = 0;                               /* m/s: the largest scale of velocities so far */
+    double best = HUGE_VAL, bestTangent = HUGE_VAL; /* worst residuals of the kept iterates */
     KeaResiduals e = {.worst = HUGE_VAL};
     double motion = HUGE_VAL, before = HUGE_VAL;
     int worse = 0;
-    MeBool hasNear = MEFALSE, isPolished = MEFALSE;
+    MeBool hasTangentAnswer = MEFALSE, isRefined = MEFALSE;
     q->hasTangent = mayBeTangent(s);
-    q->isWarm = s->work->hasJoints; /* of contacts alone, the convex problem shares loads evenly */
+    q->isWarm = s->work->hasJoints; /* contacts alone start from the convex problem, which shares loads evenly */
     q->isFactored = MEFALSE;
     q->sweptPasses =
         q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
     for (int pass = 0;; pass++) {
         linearize(s);
-        speed = keaMax(speed, kea_speedOf(s));
+        speed = keaMax(speed, kea_velocityScale(s));
         e = residualsOfPass(s, speed);
         if (e.worst < best || pass == 0) {
             best = e.worst;
-            keepAnswer(s, s->work->bestU, s->work->bestP);
+            saveIterate(s, s->work->bestU, s->work->bestP);
         }
-        if (q->hasTangent && s->work->hasLoops && e.attachment < 1 && e.worst < nearest) {
-            nearest = e.worst;
-            keepAnswer(s, s->work->nearU, s->work->nearP);
+        if (q->hasTangent && s->work->hasLoops && e.attachment < 1 && e.worst < bestTangent) {
+            bestTangent = e.worst;
+            saveIterate(s, s->work->tangentU, s->work->tangentP);
         }
-        q->hasTangent = q->hasTangent && (s->work->hasLoops || !isLost(&e, &motion, &worse));
+        q->hasTangent = q->hasTangent && (s->work->hasLoops || !isDiverging(&e, &motion, &worse));
         if (mustLeaveTangent(s, pass, &e)) {
             q->hasTangent = MEFALSE;
-            takeBest(s);
+            restoreBest(s);
             e = kea_residuals(s, speed);
-            hasNear = nearest < HUGE_VAL;
-            last = hasNear ? pass + KEA_UNUSUAL_PASSES : last;
+            hasTangentAnswer = bestTangent < HUGE_VAL;
+            last = hasTangentAnswer ? pass + KEA_UNUSUAL_PASSES : last;
         }
-        q->counts.isLimited = q->counts.isLimited || (isLate(s) && q->counts.stuck > 0);
-        ranOut = q->counts.isLimited;
-        const MeBool isNear = kea_isExactEnough(&e, 1) && e.worst < kea_refinedShare * before;
+        q->counts.isLimited = q->counts.isLimited || (isFrictionBudgetSpent(s) && q->counts.stuck > 0);
+        isLimited = q->counts.isLimited;
+        const MeBool isConvergingFast = kea_isExactEnough(&e, 1) && e.worst < kea_refinedShare * before;
         before = e.worst;
-        if (isFinal(q, &e, isPolished) || pass == last ||
-            (ranOut && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
+        if (isFinal(q, &e, isRefined) || pass == last ||
+            (isLimited && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
             break;
-        isPolished = kea_isConverged(&e);
-        if (!improve(s, pass, &e, isNear))
+        isRefined = kea_isConverged(&e);
+        if (!runPass(s, pass, &e, isConvergingFast))
             break;
         if (!isStepFinite(q)) {
             e.worst = HUGE_VAL;
             break;
         }
         kea_noteInconsistent(s);
-        takePass(s);
+        applyPass(s);
         kea_admitContacts(s);
         s->report.passes++;
     }
-    if (!(e.worst <= best) && !(ranOut && e.position <= kea_loosePosition)) {
-        takeBest(s);
+    if (!(e.worst <= best) && !(isLimited && e.position <= kea_loosePosition)) {
+        restoreBest(s);
         e = kea_residuals(s, speed);
     }
-    s->work->isSettled = hasNear && (!kea_isConverged(&e) || hasLeftBranch(s));
-    if (s->work->isSettled) {
-        takeAnswer(s, s->work->nearU, s->work->nearP);
+    s->work->usesTangentAnswer = hasTangentAnswer && (!kea_isConverged(&e) || hasLeftBranch(s));
+    if (s->work->usesTangentAnswer) {
+        restoreIterate(s, s->work->tangentU, s->work->tangentP);
         e = kea_residuals(s, speed);
     }
     if (!kea_isConverged(&e) && isRunaway(s)) {
@@ -300,18 +322,11 @@ static void takePasses(MdtKeaSystem *s) {
     }
     q->hasTangent = q->isWarm = q->isFactored = MEFALSE;
     s->report.conflicting = kea_isConflicting(s);
-    s->work->isCompromise = kea_isCompromise(s);
-    const MeBool isMissed =
-        (!s->work->isSettled && !(e.position <= kea_loosePosition && e.momentum <= kea_loosePosition)) || turnsOver(s);
-    s->report.violent = isMissed && !ranOut;
-    s->report.capped = isMissed || !(e.velocity <= kea_looseVelocity);
-    s->report.limited = s->report.capped && ranOut;
-    s->report.resolution = e.resolution;
-    s->report.residual = e.velocity * e.resolution;
-    s->report.force = e.impulse / s->parameters.stepsize;
+    s->work->isInconsistent = kea_isInconsistent(s);
+    reportMotion(s, &e, isLimited);
 }
 
-static void setFree(MdtKeaSystem *s) {
+static void markFreeBodies(MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         s->work->body[i].isFree = METRUE;
     for (int i = 0; i < s->numRows; i++) {
@@ -323,8 +338,9 @@ static void setFree(MdtKeaSystem *s) {
     }
 }
 
-/* Bounds may move with the bodies (MdtKeaJacobianFn): the last pass has met those of the pass before. */
-static void returnForces(MdtKeaSystem *s) {
+/* Forces, N, clamped: bounds may move with the bodies (MdtKeaJacobianFn), and p was solved with those of the pass
+ * before. */
+static void storeForces(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         const KeaProblemRow *p = &s->work->problem.row[i];
         const double within = p->normal >= 0 ? p->p : keaMin(keaMax(p->p, p->lower), p->upper);
@@ -332,7 +348,7 @@ static void returnForces(MdtKeaSystem *s) {
     }
 }
 
-/* Passes from the last answer. */
+/* Passes, started from the last step's forces and accelerations. */
 static void solveMotion(MdtKeaSystem *s) {
     kea_beginRows(s);
     kea_guessMotion(s);
@@ -340,9 +356,10 @@ static void solveMotion(MdtKeaSystem *s) {
     kea_balanceMomentum(s);
 }
 
-/* A stop needs a second solve, in which what stops slides on; should it not stop within the step after all, the first
- * solution was right. */
-static void solveInTime(MdtKeaSystem *s) {
+/* Finds the motion up to the first event. A contact that stops sliding needs a second solve, in which its friction
+ * still acts against the sliding of the start, to find the time of the stop; if that is after the end of the step, the
+ * first solution was right. */
+static void solveToFirstEvent(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     MeBool mustRepeat, isNew;
     double event = kea_firstEvent(s, &mustRepeat);
@@ -365,10 +382,9 @@ static MeBool hasActingContact(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* The midpoint rule follows a body whose moments differ only as long as it does not turn far in a step: a fast top
- * would precess wrongly, and by (h w)²/12 it turns less far than it should. Bodies with contacts are left alone, and
- * where there are any, others may turn five times as far: more is lost in an impact than the 2 % of the angle that
- * this is. */
+/* Whether a body turns too far for the midpoint rule, which turns a body with different moments too little by (h w)²/12
+ * and lets a fast top precess wrongly. Bodies with contacts (θ = 1) are not checked; if any contact acts, the others
+ * may turn five times as far: the error, 2 % of the angle, is less than what an impact loses. */
 static MeBool turnsTooFar(const MdtKeaSystem *s) {
     const double far =
         hasActingContact(s) ? kea_farTurnInContact : kea_farTurn; /* rad, times the moments' relative difference */
@@ -390,9 +406,9 @@ static MeBool hasJoint(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* All contacts are open, and there is nothing else: the bodies fly up to the first of them that is met. One that turns
- * over is not followed by the rates of its contacts. */
-static MeBool isFlight(const MdtKeaSystem *s) {
+/* Whether all rows are those of open contacts: the bodies then move ballistically up to the first time of impact. Not
+ * where a body turns by half a turn or so: rates of its contacts do not predict the time of impact. */
+static MeBool isBallistic(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0 || !s->rows[s->rows[i].contact].isOpen)
             return MEFALSE;
@@ -402,7 +418,7 @@ static MeBool isFlight(const MdtKeaSystem *s) {
     return s->parameters.timed;
 }
 
-static void fly(MdtKeaSystem *s) {
+static void moveBallistically(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
     kea_moveFreely(s);
@@ -420,17 +436,17 @@ void kea_exactSolve(MdtKeaSystem *s) {
     kea_beginBodies(s);
     if (s->parameters.timed)
         kea_timedBegin(s);
-    if (isFlight(s)) {
-        fly(s);
+    if (isBallistic(s)) {
+        moveBallistically(s);
         return;
     }
     kea_beginRows(s);
     if (s->parameters.mayRefuse && s->numRows > 0 && turnsTooFar(s)) {
         s->report.violent = s->report.refused = METRUE;
-        kea_moveFreely(s); /* a state, should the step be taken all the same */
+        kea_moveFreely(s); /* a defined end of the step, should the caller integrate it all the same */
         return;
     }
-    s->report.capped = s->numRows > 0; /* until they are solved: there may be no memory */
+    s->report.capped = s->numRows > 0; /* stays if kea_problemBegin has no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
         kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
@@ -438,13 +454,13 @@ void kea_exactSolve(MdtKeaSystem *s) {
         kea_dualBegin(s);
         solveMotion(s);
         if (s->parameters.timed)
-            solveInTime(s);
-        setFree(s);
+            solveToFirstEvent(s);
+        markFreeBodies(s);
         kea_setBudget(s, 1, 1);
         if (!s->parameters.timed || s->work->hasJoints)
             kea_velocityStage(s);
-        kea_shareForces(s);
-        returnForces(s);
+        kea_minimizeRedundantForces(s);
+        storeForces(s);
     }
     kea_moveFreely(s);
     if (s->parameters.timed && s->numRows > 0 && q->factor) /* null: there was no memory */

@@ -1,17 +1,19 @@
-/* The velocity stage: the velocities at the end that joints, limits, motors and contacts allow where the bodies have
- * arrived, nearest to those that the positions came with.
+/* The velocity stage: projects the velocities at the end onto the rows at the end poses.
+ *
+ * The position stage leaves v⁺, which fulfils the rows as means of the step only. This stage finds the velocities
+ * nearest to v⁺ in the metric of the masses that joints, limits, motors and contacts allow at the end poses.
  *
  *     min 1/2 |v - v⁺|²_M   over what the rows allow:   M (v - v⁺) = Jᵀ (p - p_1),  J at the end,
  *
- * where bounds and cones hold for the whole impulse p of the step: the stage may take some of p_1 back, as when a push
- * out of an overlap is not to go on as a motion. Energy can only fall, and what a rebound gives back is part of what
- * was there.
+ * where p_1 are the impulses of the position stage, and bounds and cones hold for the whole impulse p: the stage may
+ * take part of p_1 back, so that the correction of an overlap does not remain as a velocity. The projection cannot add
+ * energy, but for rebounds, which limitEnergy bounds.
  *
  *   rigid joint  J v = 0        soft joint  J v + ε'/(1 - γ') p = -γ' φ⁺ / ((1 - γ') h)       motor  J v = s
- *   contact, limit: J v >= 0, or >= the rebound; only those that carry something; springs stay as they are.
+ *   contact, limit: J v >= 0, or >= the rebound; only those with p_1 > 0. Springs keep their impulse.
  *
- * Makes impacts plastic that come through joints, and damps the midpoint rule's +-1 mode after a discontinuity. In
- * calm motion it is left out: done always, it would cost energy.
+ * It makes impacts through joints plastic, and damps the midpoint rule's +-1 mode after a discontinuity. In smooth
+ * motion it is left out, since the projection dissipates energy.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -22,7 +24,7 @@ static MeBool isUnilateral(const MdtKeaRow *row) {
     return (row->lower > -HUGE_VAL) != (row->upper < HUGE_VAL);
 }
 
-/* The joint's error goes on to be taken away at the same rate: what γ leaves of it, φ⁺ = (1 - γ) φ, asks for γ φ /
+/* E and r of a joint. The error φ⁺ = (1 - γ) φ that the position stage leaves goes on to be corrected at the rate γ φ /
  * h. */
 static void jointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
@@ -34,15 +36,15 @@ static void jointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->r -= gamma * (s->work->endErrors[i] - h * row->drift) / ((1 - gamma) * h);
 }
 
-/* The row's law for the velocity, as what is to be added to the one at the end. */
+/* The row of the inner problem for d = v - v⁺. */
 static void setRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const MeBool isStop = row->contact == i || (row->position && isUnilateral(row));
     p->p0 = p->p;
     p->Jd = p->E = p->r = 0;
-    p->isElsewhere = MEFALSE;
-    p->N = (row->position && !isUnilateral(row) ? kea_proximalJoint : kea_proximalLimit) * p->size;
-    if (row->spring || p->size == 0)
+    p->isCheckedElsewhere = MEFALSE;
+    p->N = (row->position && !isUnilateral(row) ? kea_proximalJoint : kea_proximalLimit) * p->Aii;
+    if (row->spring || p->Aii == 0)
         p->isOff = METRUE;
     else if (isStop)
         p->r = row->drift + row->rebound;
@@ -62,7 +64,7 @@ static void setMetric(MdtKeaSystem *s, int i) {
     kea_invert(B->inverse, (const double(*)[3])B->angular);
 }
 
-/* Jᵀ p_1: what the rows have given already. */
+/* The load Jᵀ p_1. */
 static void setLoads(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numBodies; i++)
@@ -77,10 +79,10 @@ static void setLoads(MdtKeaSystem *s) {
 
 static void setProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    kea_refreshRows(s, s->work->endPose, MEFALSE); /* the impulse is one of the whole step */
+    kea_refreshRows(s, s->work->endPose, MEFALSE); /* bounds stay: p is the impulse of the whole step */
     for (int i = 0; i < s->numBodies; i++)
         setMetric(s, i);
-    kea_problemMeasure(q);
+    kea_problemSetEffectiveMasses(q);
     for (int i = 0; i < s->numRows; i++)
         setRow(s, i, &q->row[i]);
     for (int i = 0; i < s->numRows; i++)
@@ -100,7 +102,7 @@ static void addVelocities(MdtKeaSystem *s, double (*added)[6]) {
     }
 }
 
-/* Whether there can be anything to do: midpoint bodies, rebounds, contacts that push out of an overlap. */
+/* Whether the projection can change anything: bodies with θ < 1, rebounds, contacts that correct an overlap. */
 static MeBool mayBeNeeded(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         if (s->work->body[i].theta < 1)
@@ -111,7 +113,7 @@ static MeBool mayBeNeeded(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* Rebounds, and joints that are moved, whose velocity is known. */
+/* Whether the stage is needed whatever the residual is: rebounds, and joints whose attachments are moved. */
 static MeBool isRequired(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if ((s->work->problem.row[i].p > 0 && s->rows[i].bounces) ||
@@ -120,7 +122,7 @@ static MeBool isRequired(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
-/* The change of velocities that the rows ask for. */
+/* Solves for the change of velocities, `added`, until the residual is below tolerance. */
 static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
     KeaProblem *q = &s->work->problem;
     memset(added, 0, (size_t)s->numBodies * sizeof *added);
@@ -131,7 +133,7 @@ static void solveRows(MdtKeaSystem *s, double start, double (*added)[6]) {
         kea_frictionRenewBounds(q);
         if (!kea_problemRefine(q))
             kea_problemSolve(q, METRUE);
-        kea_problemCarryOn(q, added);
+        kea_problemAccumulate(q, added);
         residual = q->counts.isLimited ? 0 : kea_problemResidual(q, NULL);
     }
     q->isWarm = q->isLinear = MEFALSE;
@@ -151,12 +153,12 @@ static double (*endVelocities(const MdtKeaSystem *s))[6] {
     return s->work->velocity;
 }
 
-/* Restitution and friction together, or restitution at several points, can ask for energy that is not there (Newton's
- * law has that flaw): then part of the rebound is taken back. */
+/* Newton's law of restitution, with friction or at several points at once, may add energy. Then the answer is blended
+ * with the plastic one, which has no rebounds, down to the energy allowed. */
 static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numRows; i++)
-        q->row[i].p = q->row[i].p0 = s->work->keptP[i];
+        q->row[i].p = q->row[i].p0 = s->work->savedP[i];
     setProblem(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].bounces && !q->row[i].isOff)
@@ -171,7 +173,7 @@ static void limitEnergy(MdtKeaSystem *s, double start, double allowed) {
 
 static void solveStage(MdtKeaSystem *s, double start, double allowed) {
     for (int i = 0; i < s->numRows; i++)
-        s->work->keptP[i] = s->work->problem.row[i].p;
+        s->work->savedP[i] = s->work->problem.row[i].p;
     s->report.stages++;
     solveRows(s, start, s->work->added);
     if (rebounds(s) && kea_kineticEnergy(s, endVelocities(s), s->work->added) > allowed)
@@ -179,18 +181,18 @@ static void solveStage(MdtKeaSystem *s, double start, double allowed) {
     addVelocities(s, s->work->added);
 }
 
-/* m/s, as residuals are. */
-static double leftOver(const MdtKeaSystem *s, int i) {
+/* m/s: E p - r of a row, what is left to its velocity. */
+static double velocityResidual(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
     return (p->E * p->p - p->r) * kea_lengthOf(s, &s->rows[i]);
 }
 
-/* The undamped velocity of the midpoint rule changes its sign at every step; what motion itself leaves does not. */
+/* Whether the residual is of the midpoint rule's undamped mode, which changes its sign at every step. */
 static MeBool alternates(const MdtKeaSystem *s, double residual) {
     if (s->parameters.pair != MdtKeaPairNone || residual < kea_velocityTolerance * kea_loadSpeed(s))
         return MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
-        const double now = leftOver(s, i), before = s->rows[i].ripple;
+        const double now = velocityResidual(s, i), before = s->rows[i].ripple;
         const MeBool counts = s->rows[i].position && !s->work->problem.row[i].isOff;
         if (counts && now * before < 0 && fabs(now + before) < kea_rippleBalance * fabs(now - before) &&
             fabs(now) > kea_rippleShare * residual)
@@ -199,19 +201,19 @@ static MeBool alternates(const MdtKeaSystem *s, double residual) {
     return MEFALSE;
 }
 
-static void noteRipples(MdtKeaSystem *s, MeBool isQuieted) {
+static void storeRipples(MdtKeaSystem *s, MeBool isDamped) {
     for (int i = 0; i < s->numRows; i++)
-        s->rows[i].ripple = isQuieted ? 0 : leftOver(s, i);
+        s->rows[i].ripple = isDamped ? 0 : velocityResidual(s, i);
 }
 
-static MeBool isPushed(const MdtKeaSystem *s) {
+static MeBool hasActingContact(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i && s->work->problem.row[i].p > 0)
             return METRUE;
     return MEFALSE;
 }
 
-/* Two bodies whose joint is open. What opens to the world may be led by the program. */
+/* Whether a joint of two bodies is open. One to the world is left out: the program may move its attachment. */
 static MeBool isOpenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (!row->position || isUnilateral(row) || row->body[0] < 0 || row->body[1] < 0)
         return MEFALSE;
@@ -219,34 +221,35 @@ static MeBool isOpenJoint(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return fabs(row->error) * kea_lengthOf(s, row) > kea_openJoint * size;
 }
 
-/* A joint that contacts keep open may take its error away, wedged, in a motion of many times the energy. */
+/* Whether contacts act while a joint is open: the correction of its error, against the contacts, may then add a
+ * multiple of the energy. */
 static MeBool isJammed(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         if (isOpenJoint(s, &s->rows[i]))
-            return isPushed(s);
+            return hasActingContact(s);
     return MEFALSE;
 }
 
-/* Answers that are not the motion: cut short, or a compromise between joints that contradict each other, each of which
- * takes its error away at the cost of the others'. Parts of a step by safe times are watched as well, and so is what
- * took many passes: rows that contradict each other may be found to agree in a motion that has a hundred times the
- * energy. */
+/* Whether the answer may have energy from nowhere: it has not converged; joints contradict each other, so that each
+ * corrects its error at the cost of others; it took many passes, after which contradicting rows may have converged to a
+ * motion of a hundred times the energy; or it is a part of a step by safe times. */
 static MeBool needsEnergyLimit(const MdtKeaSystem *s) {
-    return s->report.capped || s->work->isCompromise || s->work->isSettled || s->report.passes > KEA_UNUSUAL_PASSES ||
-           s->work->problem.counts.isLimited || s->parameters.isPart;
+    return s->report.capped || s->work->isInconsistent || s->work->usesTangentAnswer ||
+           s->report.passes > KEA_UNUSUAL_PASSES || s->work->problem.counts.isLimited || s->parameters.isPart;
 }
 
-/* The limiter; of a jam that was solved, it leaves the energy with which errors are taken away. */
+/* Limits the kinetic energy to `allowed`; if the answer has converged but is jammed, to at least the energy of the
+ * correction of errors. */
 static void limitMotion(MdtKeaSystem *s, double allowed) {
-    const MeBool isAnswerBad = needsEnergyLimit(s);
-    if (!isAnswerBad && !isJammed(s))
+    const MeBool isSuspect = needsEnergyLimit(s);
+    if (!isSuspect && !isJammed(s))
         return;
-    const double most = isAnswerBad ? allowed : keaMax(allowed, kea_energyOfCorrection(s));
-    if (kea_slowDown(s, endVelocities(s), most, s->work->added))
+    const double most = isSuspect ? allowed : keaMax(allowed, kea_energyOfCorrection(s));
+    if (kea_scaleVelocities(s, endVelocities(s), most, s->work->added))
         addVelocities(s, s->work->added);
 }
 
-static MeBool isJerk(const MdtKeaSystem *s, double residual) {
+static MeBool isDiscontinuity(const MdtKeaSystem *s, double residual) {
     return s->parameters.pair != MdtKeaPairFirst && residual > kea_calmResidual * kea_loadSpeed(s);
 }
 
@@ -254,16 +257,17 @@ void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     if (!mayBeNeeded(s) && !needsEnergyLimit(s) && !isJammed(s))
         return;
-    if (needsEnergyLimit(s) && kea_stopShort(s))
+    if (needsEnergyLimit(s) && kea_limitTravel(s))
         kea_moveBodies(s);
-    const MeBool isHit = isRequired(s);
+    const MeBool isMandatory = isRequired(s);
     const double allowed = kea_energyAllowed(s);
     kea_keepRows(s);
     setProblem(s);
     const double start = kea_problemResidual(q, NULL);
-    const MeBool isNeeded =
-        !s->work->isSettled && (isHit || isJerk(s, start) || alternates(s, start)) && kea_problemMaySweep(q);
-    noteRipples(s, isNeeded);
+    const MeBool isNeeded = !s->work->usesTangentAnswer &&
+                            (isMandatory || isDiscontinuity(s, start) || alternates(s, start)) &&
+                            kea_problemMaySweep(q);
+    storeRipples(s, isNeeded);
     if (isNeeded)
         solveStage(s, start, allowed);
     limitMotion(s, allowed);

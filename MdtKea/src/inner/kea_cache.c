@@ -1,9 +1,9 @@
-/* Factors for the graphs that have come up: a partition whose bodies are joined as before finds its own again, and so
- * do all partitions that look alike. The least recently used one makes room.
+/* A cache of symbolic factorizations, by graph: a partition whose graph has not changed finds its factor again, and
+ * partitions with equal graphs share one. The least recently used one is replaced.
  *
  * A cache owns all memory of factors, in blocks that grow by doubling and are kept: where the graphs are no larger than
- * those before, nothing is allocated. Structures lie one behind the other in one block. Where its end is reached, those
- * that are kept move together; after that at most half of the block is in use, so that no more is moved than is
+ * those before, nothing is allocated. Structures lie one behind the other in one block. At its end those still in use
+ * are compacted, and the block grows so that at most half of it is in use: on average no more bytes are moved than
  * written.
  */
 #include "MdtKea.h"
@@ -14,8 +14,8 @@
 #include <string.h>
 
 typedef struct Entry {
-    KeaFactor factor; /* stays where it is: users have its address */
-    size_t at, bytes; /* of its structure; none: there is no factor */
+    KeaFactor factor; /* its address is given out: it never moves */
+    size_t at, bytes; /* of its structure; 0: the entry is empty */
     unsigned long used;
 } Entry;
 
@@ -26,8 +26,8 @@ struct MdtKeaCache {
     KeaBlock structures;
     size_t end; /* of the last structure */
     KeaNumbers numbers;
-    KeaBlock sizes;                   /* of the nodes of a graph of bodies: 6 each, */
-    int numSizes;                     /* so many are written */
+    KeaBlock sizes;                   /* block sizes of a graph of bodies: 6 each */
+    int numSizes;                     /* entries written so far */
     KeaBlock passes[KEA_PASS_BLOCKS]; /* scratch of the fast solver */
 };
 
@@ -60,7 +60,7 @@ static Entry *nextFrom(MdtKeaCache *c, size_t at) {
     return next;
 }
 
-static void moveTogether(MdtKeaCache *c) {
+static void compact(MdtKeaCache *c) {
     size_t end = 0;
     for (Entry *e = nextFrom(c, 0); e; e = nextFrom(c, end)) {
         MEASSERT(e->at >= end);
@@ -71,20 +71,21 @@ static void moveTogether(MdtKeaCache *c) {
     c->end = end;
 }
 
-static void pointAgain(MdtKeaCache *c) {
+static void updatePointers(MdtKeaCache *c) {
     for (int i = 0; i < KEA_MAX_FACTORS; i++)
         if (c->entry[i].bytes > 0)
             kea_structureMove(&c->entry[i].factor, c->structures.memory + c->entry[i].at);
 }
 
-/* Room for so many bytes at the end, and as many again as all have then. False: no memory. */
+/* Makes room for so many bytes at the end, with twice as much in all as is then used. False: no memory. */
 static MeBool makeRoom(MdtKeaCache *c, size_t bytes) {
     if (c->structures.memory && c->end + bytes <= c->structures.size)
         return METRUE;
-    moveTogether(c);
-    const MeBool isThere = kea_blockReserve(&c->structures, c->end, 2 * (c->end + bytes), "the structures of factors");
-    pointAgain(c);
-    return isThere;
+    compact(c);
+    const MeBool hasMemory =
+        kea_blockReserve(&c->structures, c->end, 2 * (c->end + bytes), "the structures of factors");
+    updatePointers(c);
+    return hasMemory;
 }
 
 /* ---- factors ---- */
@@ -112,7 +113,7 @@ static MeBool makeRoomForNumbers(MdtKeaCache *c, KeaFactor *f) {
 }
 
 /* Null: no memory. */
-static const int *sixes(MdtKeaCache *c, int n) {
+static const int *bodySizes(MdtKeaCache *c, int n) {
     if (!kea_blockReserve(&c->sizes, (size_t)c->numSizes * sizeof(int), (size_t)n * sizeof(int), "sizes of a graph"))
         return NULL;
     int *size = (int *)(void *)c->sizes.memory;
@@ -139,7 +140,7 @@ static Entry *leastRecentlyUsed(MdtKeaCache *c) {
 }
 
 KeaFactor *kea_cacheFind(MdtKeaCache *c, int numNodes, const int size[], int numEdges, const int (*edges)[2]) {
-    size = size ? size : sixes(c, numNodes);
+    size = size ? size : bodySizes(c, numNodes);
     if (!size)
         return NULL;
     Entry *e = find(c, numNodes, size, numEdges, edges);

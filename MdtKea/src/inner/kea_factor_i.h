@@ -1,7 +1,7 @@
 /* Inside Kea: sparse factorization of matrices of small dense blocks, whose structure is a graph.
  *
  * Node i of the graph has size[i] unknowns (1..KEA_FACTOR_MAX_BLOCK); an edge (i, j) says that the blocks A_ij and A_ji
- * are there. Kea uses it for bodies (6 each, edges are rows that join two bodies) and for constraints (their rows,
+ * are not zero. Kea uses it for bodies (6 each, edges are rows that join two bodies) and for constraints (their rows,
  * edges are shared bodies). The order of elimination and the structure of the factor depend on the graph alone and are
  * found once, and kept, by a cache (kea_cacheFind); numbers are filled in and factored as often as they change.
  *
@@ -29,13 +29,13 @@ KeaFactor *kea_cacheFind(struct MdtKeaCache *cache, int numNodes, const int size
 enum { KEA_STEP_BLOCK, KEA_GROUP_BLOCK, KEA_JOINT_BLOCK, KEA_JOINT_FACTOR_BLOCK, KEA_PASS_BLOCKS };
 enum { KEA_SCRATCH_LINE = 64 };
 void *kea_cacheScratch(struct MdtKeaCache *cache, int block, size_t bytes);
-/* Whether f was created for this very graph. */
+/* Whether f is the factor of this graph. */
 MeBool kea_factorMatches(const KeaFactor *f, int numNodes, const int size[], int numEdges, const int (*edges)[2]);
 
 /* Begins a matrix: sets all its blocks to zero, in the memory that the factors of the cache share. */
 void kea_factorClear(KeaFactor *f);
-/* Several matrices of one structure, or of several: each has memory of its own, of so many bytes; it is named when the
- * matrix begins, and whenever another one has been used since. */
+/* For several matrices at once: the memory of each is the caller's, kea_factorNumbersSize bytes. kea_factorClearIn
+ * begins a matrix there; kea_factorTakeNumbers returns to one after others were used. */
 size_t kea_factorNumbersSize(const KeaFactor *f);
 void kea_factorClearIn(KeaFactor *f, char *memory);
 void kea_factorTakeNumbers(KeaFactor *f, char *memory);

@@ -24,8 +24,8 @@ void kea_frictionRenewBounds(KeaProblem *q) {
             q->row[i].frictionBound = kea_frictionBound(q, &q->row[i]);
 }
 
-/* How much of the last step towards the fixed point to take back: t = f·Δf / |Δf|², f what is missing, Δf its
- * change. */
+/* The coefficient t = f·Δf / |Δf|² of Anderson's acceleration, f = μ p_n - R the residual, Δf its change since the last
+ * step. */
 static double secant(const KeaProblem *q) {
     double above = 0, below = 0;
     for (int i = 0; i < q->numRows; i++) {
@@ -39,8 +39,8 @@ static double secant(const KeaProblem *q) {
     return below > 0 ? keaMin(keaMax(above / below, kea_leastSecant), kea_mostSecant) : 0;
 }
 
-/* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a memory of one step. Once full steps have not
- * settled, β is a half: bounds that alternate between two answers meet in the middle. */
+/* R' = R + β f - t (ΔR + β Δf): Anderson's acceleration (1965) with a memory of one step. β is 1 in the first passes,
+ * then 1/2, which damps bounds that alternate between two values. */
 void kea_frictionApproachBounds(KeaProblem *q, int pass) {
     const double share = pass < KEA_FULL_BOUND_PASSES ? 1 : 0.5, t = pass > KEA_FULL_BOUND_PASSES ? secant(q) : 0;
     for (int i = 0; i < q->numRows; i++) {

@@ -6,10 +6,10 @@
  *     H = B + Jᵀ D J,    D = 1/(E + N) within the bounds, 0 at them,
  *                        D = R/|y| (1 - ŷ ŷᵀ) / (E + N) on the cone.
  *
- * With R fixed this is convex: H is positive definite whatever rows there are, and the step along -H⁻¹ (gradient) is as
- * long as is best. Coupled, R = μ p of the normal row at every moment: then D has the further block μ ŷ / (E + N) from
- * the normal row to the friction rows, H is not symmetric, and the step is shortened until the gradient falls. So it is
- * in a tangent problem, H = B + Jᵀ D T.
+ * This is a semismooth Newton method. With fixed R the problem is convex: H is positive definite for any rows, and a
+ * line search minimizes along -H⁻¹ (gradient). In the coupled problem R = μ p of the normal row, D has the further
+ * block μ ŷ / (E + N) from the normal row to the friction rows, and H is not symmetric; the step is then halved until
+ * the gradient decreases. The same holds for the tangent problem, H = B + Jᵀ D T.
  */
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
@@ -18,7 +18,7 @@
 #include <float.h>
 #include <string.h>
 
-/* What turns d into the rates of a row: T, or J. */
+/* The derivative of a row with d: T in a tangent problem, else J. */
 static double (*ratesOf(const KeaProblem *q, int i))[6] {
     return q->isTangent ? q->tangent[i] : q->row[i].J;
 }
@@ -27,7 +27,7 @@ static double (*ratesOf(const KeaProblem *q, int i))[6] {
 static void applyBody(const KeaProblem *q, int b, double r[6], const double d[6]) {
     kea_applyMetric(r, &q->metric[b], d);
     if (q->isTangent)
-        keaApply(r + 3, (const double(*)[3])q->turning[b], d + 3);
+        keaApply(r + 3, (const double(*)[3])q->tangentInertia[b], d + 3);
 }
 
 static double rateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
@@ -57,7 +57,7 @@ static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
     a->across = b->across = holds || size == 0 ? 0 : a->frictionBound / size / softness(a);
 }
 
-/* y, p and states of all rows at d + step * along. */
+/* y, p and states of all rows at d + step * direction. */
 void kea_newtonForces(KeaProblem *q, double step, MeBool coupled) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
@@ -90,24 +90,23 @@ void kea_newtonForces(KeaProblem *q, double step, MeBool coupled) {
     }
 }
 
-/* N s: what p of a row within its bounds is known to, by rounding of r and J d. */
+/* N s: the rounding of p of a row within its bounds, by that of r and J d. */
 static double roundingOf(const KeaProblemRow *row) {
     if (row->isOff || row->state != KEA_HELD)
         return 0;
     return kea_roundingSteps * DBL_EPSILON * (fabs(row->r) + fabs(row->Jd)) / softness(row);
 }
 
-/* The gradient, and by how much it is too large: 1 is what is tolerated. A p that is known to rounding of r and J d
- * only is not asked for more. */
+/* The gradient, and the largest of its norms over their tolerances, which allow for the rounding of r and J d in p. */
 double kea_newtonError(KeaProblem *q, double step) {
     double worst = 0;
     for (int b = 0; b < q->numBodies; b++) {
         double *g = q->gradient[b], d[6];
         for (int i = 0; i < 6; i++)
-            d[i] = q->d[b][i] + step * q->along[b][i];
+            d[i] = q->d[b][i] + step * q->direction[b][i];
         applyBody(q, b, g, d);
         kea_addScaled6(g, 1, q->load[b]);
-        q->allowed[b] = kea_newtonTolerance * q->scale[b];
+        q->tolerance[b] = kea_newtonTolerance * q->scale[b];
     }
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
@@ -116,20 +115,20 @@ double kea_newtonError(KeaProblem *q, double step) {
             if (row->body[k] < 0)
                 continue;
             kea_addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
-            q->allowed[row->body[k]] += row->weight[k] * known;
+            q->tolerance[row->body[k]] += row->weight[k] * known;
         }
     }
     for (int b = 0; b < q->numBodies; b++) {
         const double *g = q->gradient[b];
         const double size = keaMax(keaLength(g), keaLength(g + 3) / q->length[b]);
-        worst = keaMax(worst, size / (q->allowed[b] + DBL_MIN));
+        worst = keaMax(worst, size / (q->tolerance[b] + DBL_MIN));
     }
     return worst;
 }
 
 /* ---- the matrix ---- */
 
-/* w aᵀ b over the bodies of the rows; they are the same. */
+/* Adds w aᵀ b to the matrix, a and b the Jacobians of two rows between the same bodies. */
 static void addRows(KeaProblem *q, const KeaProblemRow *row, double w, double (*const a)[6], double (*const b)[6],
                     MeBool isSymmetric) {
     for (int k = 0; k < 2; k++)
@@ -155,7 +154,7 @@ static void addForced(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
         addRows(q, row, row->forced * row->friction / softness(normal), row->J, normal->J, MEFALSE);
 }
 
-/* A sliding row or cone; `unsymmetric`: with what the normal force does to it. */
+/* A sliding row or cone; `unsymmetric`: with the derivative of its bound with the normal force. */
 static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     if (row->isForced) {
         addForced(q, row, unsymmetric);
@@ -186,7 +185,7 @@ static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
     for (int b = 0; b < q->numBodies; b++) {
         double *block = kea_factorDiagonal(q->factor, b);
         const KeaMetric *B = &q->metric[b];
-        double(*const angular)[3] = q->isTangent ? q->turning[b] : q->metric[b].angular;
+        double(*const angular)[3] = q->isTangent ? q->tangentInertia[b] : q->metric[b].angular;
         for (int i = 0; i < 3; i++) {
             block[7 * i] = B->linear;
             for (int j = 0; j < 3; j++)
@@ -204,7 +203,7 @@ static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
     }
 }
 
-/* Impulses are within their bounds, and those of friction within their bound. */
+/* For assertions: p of all rows are within their bounds or cones. */
 static inline MeBool areWithinBounds(const KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
@@ -238,24 +237,24 @@ void kea_newtonDirection(KeaProblem *q) {
     }
     kea_factorSolve(q->factor, q->x);
     for (int b = 0; b < q->numBodies; b++)
-        memcpy(q->along[b], q->x + kea_factorOffset(q->factor, b), sizeof q->along[b]);
+        memcpy(q->direction[b], q->x + kea_factorOffset(q->factor, b), sizeof q->direction[b]);
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].Je = rateAlong(q, i, q->along);
+        q->row[i].Je = rateAlong(q, i, q->direction);
 }
 
-void kea_newtonTake(KeaProblem *q, double step) {
+void kea_newtonApply(KeaProblem *q, double step) {
     for (int b = 0; b < q->numBodies; b++)
-        kea_addScaled6(q->d[b], step, q->along[b]);
+        kea_addScaled6(q->d[b], step, q->direction[b]);
     for (int i = 0; i < q->numRows; i++) {
         q->row[i].Jd += step * q->row[i].Je;
         q->row[i].Je = 0;
     }
-    memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
+    memset(q->direction, 0, (size_t)q->numBodies * sizeof *q->direction);
 }
 
 /* ---- line search ---- */
 
-/* The derivative of the convex function along the direction. */
+/* The derivative of the convex function along the search direction. */
 static double slopeAt(KeaProblem *q, double constant, double linear, double step) {
     kea_newtonForces(q, step, MEFALSE);
     double slope = constant + step * linear;
@@ -264,8 +263,9 @@ static double slopeAt(KeaProblem *q, double constant, double linear, double step
     return slope;
 }
 
-/* Where the derivative vanishes, to a thousandth of what it was: mostly the full step. A rigid row that is bounded on
- * both sides makes it jump within a very short way, so what the secant does not halve, the next point does. */
+/* Line search: the step at which the derivative along the direction vanishes, to kea_lineSearchTolerance; mostly 1. By
+ * regula falsi, with a bisection whenever that did not halve the interval: the derivative is steep where a rigid row
+ * with two bounds passes from one to the other. */
 static double bestStep(KeaProblem *q) {
     double constant = 0, linear = 0, Bd[6];
     if (!q->hasBounds)
@@ -273,13 +273,13 @@ static double bestStep(KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++) {
         kea_applyMetric(Bd, &q->metric[b], q->d[b]);
         kea_addScaled6(Bd, 1, q->load[b]);
-        constant += kea_dot6(Bd, q->along[b]);
-        kea_applyMetric(Bd, &q->metric[b], q->along[b]);
-        linear += kea_dot6(Bd, q->along[b]);
+        constant += kea_dot6(Bd, q->direction[b]);
+        kea_applyMetric(Bd, &q->metric[b], q->direction[b]);
+        linear += kea_dot6(Bd, q->direction[b]);
     }
     const double start = slopeAt(q, constant, linear, 0), enough = kea_lineSearchTolerance * fabs(start);
     if (!(start < 0))
-        return 0; /* downhill by rounding only: there is nothing left to gain */
+        return 0; /* no descent direction: the gradient is rounding */
     double low = 0, high = 1, atLow = start, atHigh = slopeAt(q, constant, linear, 1);
     while (atHigh < -enough && high < kea_longestStep) {
         low = high, atLow = atHigh;
@@ -303,14 +303,14 @@ static double bestStep(KeaProblem *q) {
 
 /* ---- the iteration ---- */
 
-/* False: it was not found, or not in what work there is. */
+/* The convex problem, with fixed friction bounds. False: not converged, or the budget is used up. */
 static MeBool solveConvex(KeaProblem *q) {
     double before = HUGE_VAL;
     kea_newtonForces(q, 0, MEFALSE);
     for (int i = 0; i < KEA_MAX_CONVEX; i++) {
         const double error = kea_newtonError(q, 0);
         if (error < 1 || (error < kea_convexRounding && error > kea_convexProgress * before))
-            return METRUE; /* found, or as far as rounding allows */
+            return METRUE; /* converged, or stagnates at rounding */
         if (!kea_problemMaySpend(q, MEFALSE))
             return MEFALSE;
         before = error;
@@ -319,14 +319,15 @@ static MeBool solveConvex(KeaProblem *q) {
             return MEFALSE;
         kea_newtonDirection(q);
         const double step = bestStep(q);
-        kea_newtonTake(q, step);
+        kea_newtonApply(q, step);
         kea_newtonForces(q, 0, MEFALSE);
         if (!q->hasBounds)
-            return METRUE; /* it was linear */
+            return METRUE; /* linear: exact after one step */
     }
     return kea_newtonError(q, 0) < kea_convexRounding;
 }
 
+/* The coupled problem, from the present d and p. False: not converged. */
 static MeBool solveCoupled(KeaProblem *q) {
     kea_newtonForces(q, 0, METRUE);
     double error = kea_newtonError(q, 0);
@@ -346,22 +347,22 @@ static MeBool solveCoupled(KeaProblem *q) {
         }
         if (!(next < kea_coupledProgress * error)) {
             kea_newtonForces(q, 0, METRUE);
-            return error < kea_coupledRounding; /* rounding */
+            return error < kea_coupledRounding; /* no shorter step decreases it */
         }
-        kea_newtonTake(q, step);
+        kea_newtonApply(q, step);
         error = next;
     }
     return error < kea_coupledRounding;
 }
 
 static void keepConvex(KeaProblem *q) {
-    memcpy(q->kept, q->d, (size_t)q->numBodies * sizeof *q->d);
+    memcpy(q->savedD, q->d, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].keptJd = q->row[i].Jd, q->row[i].keptBound = q->row[i].frictionBound;
 }
 
 static void restoreConvex(KeaProblem *q) {
-    memcpy(q->d, q->kept, (size_t)q->numBodies * sizeof *q->d);
+    memcpy(q->d, q->savedD, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].Jd = q->row[i].keptJd, q->row[i].frictionBound = q->row[i].keptBound, q->row[i].Je = 0;
     kea_newtonForces(q, 0, MEFALSE);
@@ -371,7 +372,7 @@ static void startAtZero(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
         q->row[i].Jd = q->row[i].Je = 0;
     memset(q->d, 0, (size_t)q->numBodies * sizeof *q->d);
-    memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
+    memset(q->direction, 0, (size_t)q->numBodies * sizeof *q->direction);
 }
 
 static MeBool isFinite(const KeaProblem *q) {
@@ -385,7 +386,8 @@ static MeBool isFinite(const KeaProblem *q) {
     return METRUE;
 }
 
-/* The coupled problem from the states that the impulses tell. False: what there was is left, and the bounds. */
+/* The coupled problem, from the states that follow from p (kea_states.c). False: not converged; d = 0, and friction
+ * bounds are restored. */
 static MeBool solveFromStates(KeaProblem *q) {
     keepConvex(q);
     q->isTangent = q->hasTangent;
@@ -400,7 +402,7 @@ static MeBool solveFromStates(KeaProblem *q) {
     return MEFALSE;
 }
 
-/* The coupled problem from the answer of the convex one. */
+/* The coupled problem, from the answer of the convex one, which is restored if it does not converge. */
 static MeBool solveFromConvex(KeaProblem *q) {
     keepConvex(q);
     q->isTangent = q->hasTangent;
@@ -446,19 +448,19 @@ MeBool kea_problemSolve(KeaProblem *q, MeBool coupled) {
 }
 
 double kea_problemError(KeaProblem *q) {
-    memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
+    memset(q->direction, 0, (size_t)q->numBodies * sizeof *q->direction);
     for (int b = 0; b < q->numBodies; b++)
         memset(q->d[b], 0, sizeof q->d[b]);
     return kea_newtonError(q, 0);
 }
 
-/* ---- unbounded rows alone ---- */
+/* ---- unbounded rows with all others fixed ---- */
 
 static MeBool isUnbounded(const KeaProblemRow *row) {
     return row->normal < 0 && row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
-/* Takes all other rows out of the problem. False: none is left. */
+/* Makes all bounded rows inactive for the time being (isAside). False: no row is left. */
 static MeBool setAside(KeaProblem *q) {
     MeBool isLeft = MEFALSE;
     for (int i = 0; i < q->numRows; i++) {
@@ -484,7 +486,7 @@ void kea_problemSolveJoints(KeaProblem *q) {
         kea_newtonError(q, 0);
         if (kea_newtonFactorize(q, MEFALSE)) {
             kea_newtonDirection(q);
-            kea_newtonTake(q, 1);
+            kea_newtonApply(q, 1);
             kea_newtonForces(q, 0, MEFALSE);
         } else {
             for (int i = 0; i < q->numRows; i++)

@@ -1,24 +1,25 @@
-/* Inside Kea: what the two ways to solve the coupled problem share (kea_newton.c, kea_states.c). */
+/* Inside Kea: shared by the two methods for the coupled problem (kea_newton.c, kea_states.c). */
 #ifndef KEA_NEWTON_I_H
 #define KEA_NEWTON_I_H
 
 #include "inner/kea_problem_i.h"
 
-/* 1/kg: the row's own, and the method's. */
+/* 1/kg: E + N. */
 static inline double softness(const KeaProblemRow *row) {
     return row->E + row->N;
 }
 
-/* y, p and states of all rows at d + step * along. */
+/* y, p and states of all rows at d + step * direction. */
 void kea_newtonForces(KeaProblem *q, double step, MeBool coupled);
-/* The gradient there with the p that there are, and by how much it is too large: 1 is what is tolerated. */
+/* The gradient at d + step * direction with the present p, and its largest norm in tolerances. */
 double kea_newtonError(KeaProblem *q, double step);
-/* Fills the matrix, by states, and factors it. False: it is singular. */
+/* Assembles the matrix H for the present states and factors it. False: singular. */
 MeBool kea_newtonFactorize(KeaProblem *q, MeBool coupled);
-/* The step against the gradient, in `along`; and takes a part of it. */
+/* The Newton direction -H⁻¹ (gradient); d += step * direction. */
 void kea_newtonDirection(KeaProblem *q);
-void kea_newtonTake(KeaProblem *q, double step);
-/* The coupled problem from d = 0 and the states that p0 and r tell. False: those alternate, d is near or is not. */
+void kea_newtonApply(KeaProblem *q, double step);
+/* The coupled problem from d = 0 and the states that follow from p0 and r. False: the states do not settle, and d is of
+ * no use. */
 MeBool kea_statesSolve(KeaProblem *q);
 /* The same with the factors of the last problem. */
 MeBool kea_statesRefine(KeaProblem *q);

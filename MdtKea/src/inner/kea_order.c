@@ -27,10 +27,10 @@ typedef struct Node {
     int weight;         /* what it is queued by */
     int next, previous; /* among the nodes of one weight */
     int column;         /* the last turn in whose column it is */
-    int met;            /* the last visit that has counted it */
+    int lastVisit;      /* the last visit that has counted it */
 } Node;
 
-/* What became of an eliminated node. */
+/* An eliminated node in the quotient graph. */
 typedef struct Element {
     int start, end; /* of its nodes, in rows; none: it was dropped */
     Degree whole;   /* its nodes */
@@ -73,7 +73,7 @@ static void dequeue(Elimination *g, int i) {
         g->first[node[i].weight] = node[i].next;
 }
 
-/* A leaf joins nothing: it comes before all that do, however large its neighbour is. */
+/* Nodes are queued by the unknowns of their neighbours; a leaf, which causes no fill-in, before all others. */
 static int weightOf(Degree d) {
     return d.nodes == 1 ? 1 : d.unknowns;
 }
@@ -212,9 +212,9 @@ static void addElements(Elimination *g, Degree *d, const Node *n, int t) {
         const Element *e = &g->element[g->slots[k]];
         for (int r = e->start; r < e->end; r++) {
             Node *other = &g->node[g->order->row[r]];
-            if (other->column != t && other->met != g->visits)
+            if (other->column != t && other->lastVisit != g->visits)
                 add(d, g->size[g->order->row[r]]);
-            other->met = g->visits;
+            other->lastVisit = g->visits;
         }
     }
 }

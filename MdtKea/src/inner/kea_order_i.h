@@ -1,4 +1,4 @@
-/* Inside Kea: the order of elimination of a graph, and what it makes of it. */
+/* Inside Kea: the order of elimination of a graph, and the fill-in that follows (symbolic factorization). */
 #ifndef KEA_ORDER_I_H
 #define KEA_ORDER_I_H
 

@@ -11,15 +11,15 @@ void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *aren
     q->row = kea_carve(arena, m, sizeof *q->row);
     q->tangent = kea_carve(arena, m, sizeof *q->tangent);
     q->metric = kea_carve(arena, n, sizeof *q->metric);
-    q->turning = kea_carve(arena, n, sizeof *q->turning);
+    q->tangentInertia = kea_carve(arena, n, sizeof *q->tangentInertia);
     q->load = kea_carve(arena, n, sizeof *q->load);
     q->d = kea_carve(arena, n, sizeof *q->d);
-    q->kept = kea_carve(arena, n, sizeof *q->kept);
+    q->savedD = kea_carve(arena, n, sizeof *q->savedD);
     q->gradient = kea_carve(arena, n, sizeof *q->gradient);
-    q->along = kea_carve(arena, n, sizeof *q->along);
+    q->direction = kea_carve(arena, n, sizeof *q->direction);
     q->scale = kea_carve(arena, n, sizeof(double));
     q->length = kea_carve(arena, n, sizeof(double));
-    q->allowed = kea_carve(arena, n, sizeof(double));
+    q->tolerance = kea_carve(arena, n, sizeof(double));
     q->x = kea_carve(arena, 6 * n, sizeof(double));
     kea_graphLayOut(&q->graph, m, arena);
 }
@@ -78,27 +78,27 @@ MeBool kea_problemMaySpend(KeaProblem *q, MeBool unsymmetric) {
     return !q->counts.isLimited;
 }
 
-/* ---- effective masses, and from pass to pass ---- */
+/* ---- effective masses; from pass to pass ---- */
 
-void kea_problemMeasure(KeaProblem *q) {
+void kea_problemSetEffectiveMasses(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         MEASSERT(row->normal < i && row->partner < q->numRows && row->body[0] < q->numBodies &&
                  row->body[1] < q->numBodies);
-        row->size = 0;
+        row->Aii = 0;
         for (int k = 0; k < 2; k++) {
             if (row->body[k] < 0)
                 continue;
             const KeaMetric *B = &q->metric[row->body[k]];
             double turn[3];
             keaApply(turn, B->inverse, row->J[k] + 3);
-            row->size += keaDot(row->J[k], row->J[k]) / B->linear + keaDot(row->J[k] + 3, turn);
+            row->Aii += keaDot(row->J[k], row->J[k]) / B->linear + keaDot(row->J[k] + 3, turn);
             row->weight[k] = keaLength(row->J[k]) + keaLength(row->J[k] + 3) / q->length[row->body[k]];
         }
     }
 }
 
-void kea_problemCarryOn(KeaProblem *q, double (*total)[6]) {
+void kea_problemAccumulate(KeaProblem *q, double (*total)[6]) {
     for (int b = 0; b < q->numBodies; b++) {
         double push[6];
         kea_applyMetric(push, &q->metric[b], q->d[b]);
@@ -119,7 +119,7 @@ double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]) {
     return 0.5 * kea_dot6(Ba, b);
 }
 
-/* ---- how far the laws are from being kept ---- */
+/* ---- residuals ---- */
 
 /* m per unit of a row's coordinate, as kea_lengthOf. */
 static double lengthOf(const KeaProblem *q, const KeaProblemRow *row) {
@@ -134,24 +134,25 @@ static double lengthOf(const KeaProblem *q, const KeaProblemRow *row) {
     return size;
 }
 
-static double conePart(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
+/* The projected residual of a friction cone, m/s. */
+static double coneResidual(const KeaProblem *q, const KeaProblemRow *row, const double slip[2]) {
     const KeaProblemRow *other = &q->row[row->partner];
     const double bound = kea_frictionBound(q, row);
-    const double unit = row->size + row->E; /* a soft row's impulse hardly moves */
+    const double unit = row->Aii + row->E; /* the impulse of a soft row changes little */
     const double a = row->p - slip[0] / unit, b = other->p - slip[1] / unit, size = keaHypotenuse(a, b);
     const double share = size > bound ? bound / size : 1;
-    return row->size * keaHypotenuse(row->p - share * a, other->p - share * b);
+    return row->Aii * keaHypotenuse(row->p - share * a, other->p - share * b);
 }
 
 double kea_problemResidual(const KeaProblem *q, double *impulse) {
     double worst = 0, most = 0;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
-        if (row->isOff || row->isElsewhere || row->size == 0)
+        if (row->isOff || row->isCheckedElsewhere || row->Aii == 0)
             continue;
         if (row->isForced) {
             const double projected = row->forced * kea_frictionBound(q, row);
-            worst = keaMax(worst, row->size * fabs(row->p - projected));
+            worst = keaMax(worst, row->Aii * fabs(row->p - projected));
             most = keaMax(most, fabs(row->p - projected));
         }
         if (row->isForced || (row->partner >= 0 && row->partner < i))
@@ -162,15 +163,15 @@ double kea_problemResidual(const KeaProblem *q, double *impulse) {
                                              q->row[row->partner].r
                                        : 0};
         if (row->partner >= 0) {
-            const double part = conePart(q, row, missing);
+            const double part = coneResidual(q, row, missing);
             worst = keaMax(worst, part);
-            most = keaMax(most, part / row->size);
+            most = keaMax(most, part / row->Aii);
             continue;
         }
         const double bound = row->normal >= 0 ? kea_frictionBound(q, row) : HUGE_VAL;
-        const double projected = keaMin(keaMax(row->p - missing[0] / (row->size + row->E), keaMax(row->lower, -bound)),
+        const double projected = keaMin(keaMax(row->p - missing[0] / (row->Aii + row->E), keaMax(row->lower, -bound)),
                                         keaMin(row->upper, bound));
-        worst = keaMax(worst, lengthOf(q, row) * row->size * fabs(row->p - projected));
+        worst = keaMax(worst, lengthOf(q, row) * row->Aii * fabs(row->p - projected));
         most = keaMax(most, fabs(row->p - projected));
     }
     if (impulse)

@@ -4,16 +4,17 @@
  *
  *     B d + g = Jᵀ p,       J d + E p = r   where p is within its bounds,
  *
- * p at a bound where J d + E p - r has the sign that the bound allows. Bounds of friction rows are μ times the p of
- * their normal row; two friction rows may share a cone. Without friction this is the minimum of a convex function.
+ * and at a bound J d + E p - r has the sign that the bound allows (complementarity). Bounds of friction rows are μ
+ * times the p of their normal row; two friction rows may share a cone. Without friction this is the minimum of a convex
+ * function.
  *
  * In a tangent problem d changes rows by the derivative T of their errors at the end of the step, while their impulses
  * act along J at its middle, and B is the derivative of the momentum itself: T d + E p = r. That is Newton's method for
- * the step, unsymmetric, and quadratic where the symmetric one diverges: where T and J differ in sign, as when a
- * linkage passes its change point within the step, the latter leaves the answer that it has found.
+ * the whole step: unsymmetric, but quadratically convergent. The symmetric one diverges, even from the solution, where
+ * T and J differ in sign, as when a linkage passes its change point within the step.
  *
- * Rows that are rigid, E = 0, or redundant make no trouble: the method works on the bodies' side, with a softness N of
- * its own that it takes out again (a proximal point: (E + N) p = r - J d + N p0, then p0 := p).
+ * Rows may be rigid (E = 0) or redundant: the primal problem is solved by the proximal point method with the parameter
+ * N (augmented Lagrangian), (E + N) p = r - J d + N p0, then p0 := p; N has no effect on the converged answer.
  */
 #ifndef KEA_PROBLEM_I_H
 #define KEA_PROBLEM_I_H
@@ -30,7 +31,7 @@ typedef struct KeaMetric {
     double inverse[3][3]; /* of angular */
 } KeaMetric;
 
-typedef enum KeaRowState { KEA_IDLE, KEA_HELD, KEA_SLIPS } KeaRowState; /* at a bound; within; on the cone */
+typedef enum KeaRowState { KEA_IDLE, KEA_HELD, KEA_SLIPS } KeaRowState; /* at a bound; within bounds; on the cone */
 
 typedef struct KeaProblemRow {
     double J[2][6];
@@ -40,62 +41,66 @@ typedef struct KeaProblemRow {
     double friction;
     double lower, upper;  /* N s */
     double E;             /* 1/kg */
-    double N;             /* 1/kg, the method's own softness */
+    double N;             /* 1/kg, parameter of the proximal point method */
     double r;             /* m/s */
     double p0, p;         /* N s */
-    double y;             /* N s, what p would be without bounds */
-    double affine;        /* N s, p as the last states have it, bounds or not */
-    double along, across; /* of what slides: its part of the direction; kg, the stiffness across that */
-    double frictionBound; /* N s, of the row or its cone, as last set */
+    double y;             /* N s, p without bounds */
+    double affine;        /* N s, p as an affine function of d for fixed states (kea_states.c), not clamped */
+    double along, across; /* sliding: component of the unit direction of sliding; kg, stiffness at right angles to it */
+    double frictionBound; /* N s, R of the row or its cone */
     double keptJd, keptBound;
-    double lastBound, lastBoundError; /* N s, of the last approach to the bounds that the normal forces give */
+    double lastBound, lastBoundError; /* N s, R and μ p_n - R in the last kea_frictionApproachBounds */
     double Jd, Je;                    /* along d, along the search direction */
-    double last, best;                /* N s, before the last sweep; with the least energy of all sweeps */
-    double size;                      /* J B⁻¹ Jᵀ, 1/kg */
-    double weight[2];                 /* by body: the momentum, in its scale, that a unit of p gives */
-    MeBool isForced;                  /* p is `forced` times the friction bound: the direction of sliding is known */
+    double previousP, bestP;          /* N s, of sweeps: p before the last one; p of the least objective */
+    double Aii;                       /* 1/kg, J B⁻¹ Jᵀ: the inverse of the effective mass */
+    double weight[2];                 /* by body: |J| with lengths in units of the body's size */
+    MeBool isForced;                  /* the direction of sliding is known: p is `forced` times the friction bound */
     double forced;
-    MeBool isUnmet, isInconsistent; /* a joint that left most of its residual: in the last pass, in the last two */
-    MeBool isElsewhere;             /* its law is checked by others (kea_problemResidual) */
-    MeBool isOff;                   /* takes no part: p stays what it is; */
-    MeBool isAside;                 /* for the time being; */
-    MeBool isOut;                   /* for good: it has no place in the matrix */
+    MeBool isUnmet, isInconsistent; /* a joint that kept most of its residual in the last pass; in the last two */
+    MeBool isCheckedElsewhere;      /* kea_problemResidual leaves it out: its error is checked in positions */
+    MeBool isOff;                   /* inactive: p is constant */
+    MeBool isAside;                 /* inactive during kea_problemSolveJoints */
+    MeBool isOut;                   /* inactive throughout: it has no edge in the graph */
     KeaRowState state, factored;    /* now; when the matrix was factored */
 } KeaProblemRow;
 
 typedef struct KeaCounts {
-    int iterations, factorizations, freezes, stuck, level;
+    int iterations, factorizations;
+    int freezes;      /* passes with frozen friction bounds */
+    int stuck;        /* 1: in the last pass friction bounds did not converge, or were frozen */
+    int level;        /* index of N in kea_proximalContact */
     double work;      /* multiplications */
-    MeBool isLimited; /* the work or the iterations have run out: from there on, solves are by sweeps */
+    MeBool isLimited; /* the budget is used up: from there on, solves are by sweeps */
 } KeaCounts;
 
 typedef struct KeaProblem {
     int numBodies, numRows;
     KeaProblemRow *row;
-    double (*tangent)[2][6];            /* by row: T of a tangent problem, else unused */
-    KeaMetric *metric;                  /* by body */
-    double (*turning)[3][3];            /* by body: in a tangent problem in place of metric.angular */
-    double (*load)[6], (*d)[6];         /* g, d */
-    double (*kept)[6];                  /* d before the friction bounds were coupled */
-    double (*gradient)[6], (*along)[6]; /* of the last iteration */
-    double *scale, *length;             /* by body: N s, m, what gradients are compared with */
-    double *allowed;                    /* by body: N s, of its gradient */
-    double *x;                          /* unknowns as the factor has them */
-    KeaGraph graph;                     /* of the bodies, by rows that join two */
+    double (*tangent)[2][6];        /* by row: T of a tangent problem, else unused */
+    KeaMetric *metric;              /* by body */
+    double (*tangentInertia)[3][3]; /* by body: in a tangent problem in place of metric.angular */
+    double (*load)[6], (*d)[6];     /* g, d */
+    double (*savedD)[6];            /* d of the convex problem; of sweeps, d before the last one */
+    double (*gradient)[6];          /* B d + g - Jᵀ p in the last iteration */
+    double (*direction)[6];         /* search direction of the last iteration */
+    double *scale, *length;         /* by body: N s, m, scales of the gradient */
+    double *tolerance;              /* by body: N s, of its gradient */
+    double *x;                      /* unknowns as the factor has them */
+    KeaGraph graph;                 /* of the bodies, by rows that join two */
     KeaFactor *factor;
     MeBool hasFriction; /* friction that depends on normal forces */
     MeBool hasBounds;   /* of any kind */
-    MeBool hasTangent;  /* T and the derivatives of momenta are there: coupled solves are of the tangent problem; */
-    MeBool isTangent;   /* what is being solved is one; */
-    MeBool isSingular;  /* that failed in the last solve */
-    MeBool isLinear;    /* J, T and N stay what they are from solve to solve */
-    MeBool isFactored;  /* the factors are those of a tangent or linear problem of this step, */
-    int factoredLevel;  /* with this level of N */
-    MeBool isWarm;      /* p tell the states of the rows: coupled solves begin with these */
+    MeBool hasTangent;  /* T and tangentInertia are set: coupled solves are of the tangent problem */
+    MeBool isTangent;   /* the solve in progress is of the tangent problem */
+    MeBool isSingular;  /* the last solve of the tangent problem failed */
+    MeBool isLinear;    /* J, T and N are constant from solve to solve */
+    MeBool isFactored;  /* the factors are of a tangent or linear problem of this step */
+    int factoredLevel;  /* counts.level of these factors */
+    MeBool isWarm;      /* coupled solves begin with the states that follow from p */
     int maxIterations;  /* of all solves together; 0: no cap */
     double maxWork;     /* the same; 0: no cap */
-    double reserve;     /* of it, that is kept for sweeps, */
-    int sweptPasses;    /* that share what work is left when it runs out */
+    double reserve;     /* the part of maxWork that is reserved for sweeps */
+    int sweptPasses;    /* passes by sweeps left, which share the work that is left */
     KeaCounts counts;
 } KeaProblem;
 
@@ -125,49 +130,50 @@ static inline double kea_frictionBound(const KeaProblem *q, const KeaProblemRow 
 void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *arena);
 /* Finds the graph of the rows and its factor in the cache. False: no memory. */
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache);
-/* Sizes of the rows, from the metric. */
-void kea_problemMeasure(KeaProblem *q);
-/* Whether the budget, of work and of iterations, has room for one more of Newton's; the second notes that the solve is
- * limited from now on if it has not. `unsymmetric`: of the coupled problem. */
+/* Sets Aii and weight of all rows, from the metric. */
+void kea_problemSetEffectiveMasses(KeaProblem *q);
+/* Whether the budget has room for one more Newton iteration; kea_problemMaySpend also sets isLimited if it has not.
+ * `unsymmetric`: of the coupled problem. */
 MeBool kea_problemHasBudget(const KeaProblem *q, MeBool unsymmetric);
 MeBool kea_problemMaySpend(KeaProblem *q, MeBool unsymmetric);
-/* Multiplications of one iteration: the matrix and its factors, a solution with them, and some visits of each row. */
+/* Multiplications of one Newton iteration. */
 double kea_problemIterationWork(const KeaProblem *q, MeBool unsymmetric);
 void kea_problemSpend(KeaProblem *q, double work);
-/* How far the rows' laws are from being kept by d and p, m/s, without what their own softness takes; and in impulses,
- * N s, if asked for. */
+/* The largest projected residual of all rows, m/s: A_ii times the change of p by which the row alone would fulfil its
+ * law within its bounds. `impulse`, unless null: that change, N s. */
 double kea_problemResidual(const KeaProblem *q, double *impulse);
-/* Adds d to `total` and makes it part of the load and the targets: the next solve asks for what is left. */
-void kea_problemCarryOn(KeaProblem *q, double (*total)[6]);
-/* The product of two velocities in a metric, halved: of one with itself its kinetic energy. */
+/* Adds d to `total`, and moves it into loads and targets, so that the next solve is for the rest. */
+void kea_problemAccumulate(KeaProblem *q, double (*total)[6]);
+/* J: aᵀ B b / 2. */
 double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
 /* ---- kea_newton.c ---- */
-/* Solves with the friction bounds in `frictionBound`; coupled, goes on to those of the solution itself. False: that
- * did not converge, and the solution is the one with these; or work or iterations ran out, and it is by sweeps. */
+/* Solves the convex problem with the fixed friction bounds in `frictionBound`; if `coupled`, then the problem in which
+ * they are μ p_n of the solution. False: the coupled problem did not converge, and the solution is the convex one; or
+ * the budget is used up, and it is by sweeps. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
-/* A tangent or a linear problem with the factors of the last one, where states and N are the same. False: d is 0, p are
- * kept. */
+/* Solves a tangent or linear problem with the factors of the last one. False: states or N have changed, or it does not
+ * converge; d is 0, p unchanged. */
 MeBool kea_problemRefine(KeaProblem *q);
-/* How far B d + g is from Jᵀ p, in tolerances. */
+/* |B d + g - Jᵀ p| at d = 0, in tolerances. */
 double kea_problemError(KeaProblem *q);
-/* The rows without bounds alone, exactly, where all others have the impulses that they have: one linear solve, which
- * lowers the energy, as a sweep does. Needs d and Jd; and its work, 0 where there are no such rows. */
+/* Solves for the impulses of unbounded rows (joints), all others fixed: one linear solve, which lowers the objective as
+ * a sweep does. Needs d and Jd. Its work, multiplications: 0 where there are no such rows. */
 void kea_problemSolveJoints(KeaProblem *q);
 double kea_problemWorkOfJoints(const KeaProblem *q);
 /* ---- kea_sweep.c ---- */
-/* Solves by sweeps, in a share of what work is left, but at least a few. Needs the metric's inverse and the sizes. */
+/* Solves by sweeps, within a share of the work that is left, but KEA_FEWEST_SWEEPS at least. Needs the metric's inverse
+ * and Aii. */
 void kea_problemSweep(KeaProblem *q);
-/* The work of a solve by so many sweeps, and of the linearization that goes with it. */
+/* Multiplications of a solve by so many sweeps and of its linearization. */
 double kea_problemSweptPass(const KeaProblem *q, int sweeps);
-/* Whether there is work, and a pass, left for one with the fewest. */
+/* Whether one more pass of KEA_FEWEST_SWEEPS is within the budget. */
 MeBool kea_problemMaySweep(const KeaProblem *q);
 /* ---- kea_friction.c ---- */
-/* How far the friction bounds are from μ p of their normal rows, relative. */
+/* The largest relative difference of a friction bound from μ p of its normal row. */
 double kea_frictionBoundsError(const KeaProblem *q);
 /* Sets every friction bound to μ p of its normal row. */
 void kea_frictionRenewBounds(KeaProblem *q);
-/* Takes every friction bound towards it: all the way in the first passes, later on with what the last call has
- * taught. */
+/* One accelerated step of the fixed point iteration of the friction bounds. */
 void kea_frictionApproachBounds(KeaProblem *q, int pass);
 
 #endif

@@ -94,7 +94,7 @@ static void moveBack(int starts[], int n) {
     starts[0] = 0;
 }
 
-/* Turn by turn, each enters itself where its column has a row: so sources ascend. */
+/* Enters each column in the source lists of its rows, by ascending turn, so that these lists ascend. */
 static void listSources(KeaFactor *f, const KeaOrder *o) {
     memset(f->sourceStart, 0, (size_t)(f->numNodes + 1) * sizeof *f->sourceStart);
     for (int k = 0; k < f->numEntries; k++)
@@ -106,7 +106,7 @@ static void listSources(KeaFactor *f, const KeaOrder *o) {
     moveBack(f->sourceStart, f->numNodes);
 }
 
-/* Turn by turn, each is entered in the columns of its sources: so rows ascend. */
+/* Enters each row in the columns of its sources, by ascending turn, so that columns ascend. */
 static void writeColumns(KeaFactor *f, const KeaOrder *o) {
     memcpy(f->node, o->node, (size_t)f->numNodes * sizeof *f->node);
     memcpy(f->start, o->start, (size_t)(f->numNodes + 1) * sizeof *f->start);

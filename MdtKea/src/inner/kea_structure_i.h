@@ -1,6 +1,6 @@
-/* Inside Kea: a sparse factor as its files see it (kea_factor_i.h). The structure is that of one graph, and kept for as
- * long as the graph may come up again. The numbers are those of one matrix, of use from when it is filled until it is
- * solved with: factors share their memory. */
+/* Inside Kea: a sparse factor as its files see it (kea_factor_i.h). The structure (symbolic phase) belongs to a graph
+ * and is kept in the cache. The numbers belong to one matrix, from kea_factorClear to kea_factorSolve: factors share
+ * their memory. */
 #ifndef KEA_STRUCTURE_I_H
 #define KEA_STRUCTURE_I_H
 
@@ -10,12 +10,12 @@
 
 typedef struct KeaFactorEntry {
     size_t at;   /* where the block is, in upper and lower */
-    int row;     /* its turn */
-    int edge;    /* of the graph, or -1: it came into being */
+    int row;     /* turn of the row's node */
+    int edge;    /* of the graph; -1: fill-in */
     MeBool flip; /* A_ij of the edge is the lower block */
 } KeaFactorEntry;
 
-/* That the node of a turn, at this entry of its column, has another one in its structure. */
+/* A column `turn` that updates another one, by the block at this entry of its own. */
 typedef struct KeaFactorSource {
     int turn, entry;
 } KeaFactorSource;
@@ -66,7 +66,7 @@ extern const KeaFactorKernel kea_factorKernelAvx2;
 size_t kea_structurePlan(KeaFactor *f, const KeaOrder *o, const int size[], int numEdges, const int (*edges)[2]);
 /* Writes the structure that was planned. */
 void kea_structureWrite(KeaFactor *f, char *memory, const KeaOrder *o, const int size[], const int (*edges)[2]);
-/* Tells that the structure lies elsewhere now. */
+/* Sets the pointers of a structure that was moved to `memory`. */
 void kea_structureMove(KeaFactor *f, char *memory);
 /* Lays the numbers out; with no memory it only measures. Returns their bytes. */
 size_t kea_structureLayOutNumbers(KeaFactor *f, char *memory);

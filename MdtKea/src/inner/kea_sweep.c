@@ -1,26 +1,27 @@
-/* The inner problem by sweeps over its rows: what is done when the work of a step runs out (kea_problem_i.h).
+/* The inner problem by accelerated projected Gauss-Seidel: the fallback when the budget of work is used up
+ * (kea_problem_i.h).
  *
- * Projected Gauss-Seidel on the rows' side. With d = B⁻¹ (Jᵀ p - g) at all times, so that momentum is kept whatever
- * else is left over, row by row
+ * The unknowns are impulses. With d = B⁻¹ (Jᵀ p - g) at all times, so that momentum is conserved even if the rest has
+ * not converged, row by row
  *
  *     Δp = (r - J d - E p) / (A_ii + E),  p within its bounds,  d += B⁻¹ Jᵀ Δp.
  *
  * Sweeps are accelerated (Nesterov 1983): each starts from y = p + β (p - p_before), d likewise, with β = (θ - 1)/θ',
- * θ' = (1 + √(1 + 4 θ²))/2, and from rest again where the last one went against its momentum, Σ A_ii (y - p)(p -
- * p_before) > 0 (O'Donoghue & Candès 2015). 32 of them do what 500 plain ones do in a pyramid. All go the same way
- * through the rows: momentum does not bear turning round.
+ * θ' = (1 + √(1 + 4 θ²))/2, and without momentum again (restart) where the last sweep went against it, Σ A_ii (y - p)(p
+ * - p_before) > 0 (O'Donoghue & Candès 2015). 32 of them do what 500 plain ones do in a pyramid. All visit the rows in
+ * the same order: with alternating order the momentum does not help.
  *
  * Without friction a sweep lowers
  *
  *     D(p) = 1/2 (Jᵀ p - g)ᵀ B⁻¹ (Jᵀ p - g) + 1/2 pᵀ E p - pᵀ r,
  *
- * which for contacts that ask for no velocity, r = -J v, is the kinetic energy after the impulses but for a constant.
- * So an answer with a D no higher than that of no impulses at all has gained no energy, and the last sweep's is taken
- * if that holds; if not, that of all sweeps and starts that has the least D. Least is not best: with friction D is
- * lowest where normal forces are raised for the friction that they allow. The start is the one with the least D of the
- * impulses that the problem came with, those that Newton's method had come to, and none.
+ * which for contacts with the target velocity 0, r = -J v, is the kinetic energy after the impulses but for a constant.
+ * An answer with D(p) <= D(0) has gained no energy: the last sweep's is taken if that holds, else that of least D of
+ * all sweeps and starts. The least D is not taken in the first place since, with friction, D decreases as normal forces
+ * grow beyond what is needed, for the friction that they allow. The start is the one of least D among the impulses that
+ * the problem came with, those of Newton's last iterate, and p = 0.
  *
- * It costs some multiplications per row and no matrix.
+ * The cost is some multiplications per row, without a matrix.
  */
 #include "inner/kea_problem_i.h"
 #include "MeAssert.h"
@@ -51,7 +52,7 @@ static double rateOfChange(const KeaProblem *q, const KeaProblemRow *row) {
     return rate;
 }
 
-/* d of the impulses that there are. */
+/* d := B⁻¹ (Jᵀ p - g). */
 static void setMotion(KeaProblem *q) {
     for (int b = 0; b < q->numBodies; b++) {
         double minus[6];
@@ -83,7 +84,7 @@ static void keepIfBetter(KeaProblem *q, double *least) {
         return;
     *least = D;
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].best = q->row[i].p;
+        q->row[i].bestP = q->row[i].p;
 }
 
 static void setFrictionBound(const KeaProblem *q, KeaProblemRow *row) {
@@ -92,7 +93,7 @@ static void setFrictionBound(const KeaProblem *q, KeaProblemRow *row) {
 
 static void takeBest(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].p = q->row[i].best;
+        q->row[i].p = q->row[i].bestP;
     for (int i = 0; i < q->numRows; i++)
         if (q->row[i].normal >= 0)
             setFrictionBound(q, &q->row[i]);
@@ -103,7 +104,7 @@ static double clampToBounds(const KeaProblemRow *row, double p) {
     return keaMin(keaMax(p, row->lower), row->upper);
 }
 
-/* Takes the impulses back within their bounds; those of normal forces come before those of friction. */
+/* Clamps impulses to their bounds; normal rows come before their friction rows. */
 static void projectImpulses(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i], *other = row->partner >= 0 ? &q->row[row->partner] : NULL;
@@ -127,35 +128,34 @@ static void projectImpulses(KeaProblem *q) {
     }
 }
 
-static void considerStart(KeaProblem *q, double *least) {
+static void tryStart(KeaProblem *q, double *least) {
     projectImpulses(q);
     setMotion(q);
     keepIfBetter(q, least);
 }
 
-/* The best of those that there are: none, what the problem came with, what Newton's method had come to. Returns its
- * D. */
+/* Chooses the start of least D. Returns its 2 D, and 2 D(0) in `none`. */
 static double chooseStart(KeaProblem *q, double *none) {
     double least = HUGE_VAL;
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].best = q->row[i].p; /* should no D be a number */
-    considerStart(q, &least);
+        q->row[i].bestP = q->row[i].p; /* in case that all D are NaN */
+    tryStart(q, &least);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].p = q->row[i].isOff ? q->row[i].p : q->row[i].p0;
-    considerStart(q, &least);
+    tryStart(q, &least);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].p = q->row[i].isOff ? q->row[i].p : 0;
-    considerStart(q, &least);
+    tryStart(q, &least);
     *none = objective(q);
     takeBest(q);
     MEASSERT(!(objective(q) > least + kea_assertedRounding * fabs(least)));
-    memcpy(q->kept, q->d, (size_t)q->numBodies * sizeof *q->d);
+    memcpy(q->savedD, q->d, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
-        q->row[i].last = q->row[i].p;
+        q->row[i].previousP = q->row[i].p;
     return least;
 }
 
-/* What p would be without bounds, all others given; a cone's two rows with one and the same unit. */
+/* The Gauss-Seidel update of p without bounds; `unit` is A_ii + E, of a cone the larger one of its two rows. */
 static double freeImpulse(const KeaProblem *q, const KeaProblemRow *row, double unit) {
     return row->p + (row->r - rateOfChange(q, row) - row->E * row->p) / unit;
 }
@@ -165,7 +165,7 @@ static void setImpulse(KeaProblem *q, KeaProblemRow *row, double p) {
     row->p = p;
 }
 
-static void visitFriction(KeaProblem *q, int i) {
+static void relaxFriction(KeaProblem *q, int i) {
     KeaProblemRow *row = &q->row[i], *other = row->partner >= 0 ? &q->row[row->partner] : NULL;
     setFrictionBound(q, row);
     const double bound = row->frictionBound;
@@ -174,26 +174,26 @@ static void visitFriction(KeaProblem *q, int i) {
     } else if (other && !other->isForced) {
         if (row->partner < i)
             return; /* with its partner */
-        const double unit = keaMax(row->size + row->E, other->size + other->E);
+        const double unit = keaMax(row->Aii + row->E, other->Aii + other->E);
         const double a = freeImpulse(q, row, unit), b = freeImpulse(q, other, unit), size = keaHypotenuse(a, b);
         const double share = size > bound ? bound / size : 1;
         other->frictionBound = bound;
         setImpulse(q, row, share * a);
         setImpulse(q, other, share * b);
     } else {
-        const double p = freeImpulse(q, row, row->size + row->E);
+        const double p = freeImpulse(q, row, row->Aii + row->E);
         setImpulse(q, row, keaMin(keaMax(p, keaMax(row->lower, -bound)), keaMin(row->upper, bound)));
     }
 }
 
-static void visit(KeaProblem *q, int i) {
+static void relaxRow(KeaProblem *q, int i) {
     KeaProblemRow *row = &q->row[i];
-    if (row->isOff || !(row->size > 0))
+    if (row->isOff || !(row->Aii > 0))
         return;
     if (row->normal >= 0)
-        visitFriction(q, i);
+        relaxFriction(q, i);
     else
-        setImpulse(q, row, clampToBounds(row, freeImpulse(q, row, row->size + row->E)));
+        setImpulse(q, row, clampToBounds(row, freeImpulse(q, row, row->Aii + row->E)));
 }
 
 /* ---- acceleration ---- */
@@ -207,36 +207,36 @@ static Momentum noMomentum(void) {
     return m;
 }
 
-/* From p, on along the way of the last sweep; d goes with it, and `last` and `kept` are where it was. */
+/* p := p + β (p - previousP), d likewise; previousP, savedD and y hold the values before and after. */
 static void extrapolate(KeaProblem *q, double beta) {
     for (int b = 0; b < q->numBodies; b++)
         for (int k = 0; k < 6; k++) {
             const double d = q->d[b][k];
-            q->d[b][k] += beta * (d - q->kept[b][k]);
-            q->kept[b][k] = d;
+            q->d[b][k] += beta * (d - q->savedD[b][k]);
+            q->savedD[b][k] = d;
         }
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         const double p = row->p;
-        row->p = row->y = row->isOff ? p : p + beta * (p - row->last);
-        row->last = p;
+        row->p = row->y = row->isOff ? p : p + beta * (p - row->previousP);
+        row->previousP = p;
     }
 }
 
-/* What a sweep has done, in the rows' own energies, 2 J. */
+/* The change of p by a sweep, in squares weighted by A_ii, 2 J. */
 typedef struct Change {
-    double back;         /* of its way against that of the last one; positive: momentum does harm */
-    double moved, total; /* of its way, of the impulses */
+    double against;      /* scalar product with the momentum, negated; positive: restart */
+    double moved, total; /* squared norms of the change and of p */
 } Change;
 
 static Change changeOf(const KeaProblem *q) {
     Change c = {0, 0, 0};
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
-        const double way = row->p - row->y;
-        c.back -= row->size * way * (row->p - row->last);
-        c.moved += row->size * way * way;
-        c.total += row->size * row->p * row->p;
+        const double change = row->p - row->y;
+        c.against -= row->Aii * change * (row->p - row->previousP);
+        c.moved += row->Aii * change * change;
+        c.total += row->Aii * row->p * row->p;
     }
     return c;
 }
@@ -253,7 +253,7 @@ static Momentum nextMomentum(Momentum m) {
 static void sweepOnce(KeaProblem *q, double beta) {
     extrapolate(q, beta);
     for (int i = 0; i < q->numRows; i++)
-        visit(q, i);
+        relaxRow(q, i);
 }
 
 double kea_problemSweptPass(const KeaProblem *q, int sweeps) {
@@ -266,8 +266,8 @@ MeBool kea_problemMaySweep(const KeaProblem *q) {
            (!(q->maxWork > 0) || q->counts.work + kea_problemSweptPass(q, KEA_FEWEST_SWEEPS) <= q->maxWork);
 }
 
-/* In this pass's share of what work is left but for a linearization, should an earlier answer be gone back to; there
- * are fewer passes where each would have less than some sweeps. */
+/* The sweeps within this pass's share of the work that is left; one linearization is kept back, for restoring an
+ * earlier answer. Passes with less than KEA_SOME_SWEEPS are merged into fewer. */
 static int numberOfSweeps(const KeaProblem *q) {
     if (!(q->maxWork > 0))
         return KEA_SWEEPS;
@@ -287,7 +287,7 @@ void kea_problemSweep(KeaProblem *q) {
         sweepOnce(q, m.beta);
         keepIfBetter(q, &least);
         c = changeOf(q);
-        m = c.back > 0 ? noMomentum() : nextMomentum(m);
+        m = c.against > 0 ? noMomentum() : nextMomentum(m);
     }
     if (!(objective(q) <= none))
         takeBest(q);
@@ -297,7 +297,7 @@ void kea_problemSweep(KeaProblem *q) {
         q->row[i].Je = 0;
         q->row[i].state = KEA_HELD;
     }
-    memset(q->along, 0, (size_t)q->numBodies * sizeof *q->along);
+    memset(q->direction, 0, (size_t)q->numBodies * sizeof *q->direction);
     kea_problemSpend(q, (double)q->numRows * KEA_SWEEP * (sweeps + KEA_START_SWEEPS));
     kea_problemSolveJoints(q);
 }
