@@ -105,9 +105,11 @@ int MEAPI McdPlaneIntersectTest(McdModelID modplane, McdModelID mod, McdIntersec
     memset(&p, 0, sizeof p);
     p.model1 = modplane;
     p.model2 = mod;
+    const char *const before = MeMessagesAs(__func__); /* the first thing wrong is said */
     if (typeOfModel(modplane, "McdPlaneIntersectTest") != kMcdGeometryTypePlane)
         MeWarning(1, "McdPlaneIntersectTest: the first model must be a plane");
     const int answer = planeWithAny(&p, result, "McdPlaneIntersectTest");
+    MeMessagesAs(before);
     if (result)
         result->pair = NULL;
     return answer;
@@ -168,11 +170,13 @@ DEFINE_PLANE(ConvexMesh, Plane)
 DEFINE_PLANE(Plane, ConvexMesh)
 
 MeBool MEAPI McdConvexMeshRegisterBoxAndSphereFns(McdFramework *frame) {
-    return McdSphereConvexMeshRegisterInteraction(frame) && McdBoxConvexMeshRegisterInteraction(frame);
+    ME_RETURN_UNDER_OWN_NAME(MeBool, McdSphereConvexMeshRegisterInteraction(frame) &&
+                                         McdBoxConvexMeshRegisterInteraction(frame));
 }
 
 MeBool MEAPI McdConePrimitivesRegisterInteractions(McdFramework *frame) {
-    return McdConeSphereRegisterInteraction(frame) && McdConeBoxRegisterInteraction(frame) &&
-           McdConeCylinderRegisterInteraction(frame) && McdConeSphylRegisterInteraction(frame) &&
-           McdConePlaneRegisterInteraction(frame) && McdConeConeRegisterInteraction(frame);
+    ME_RETURN_UNDER_OWN_NAME(MeBool,
+                             McdConeSphereRegisterInteraction(frame) && McdConeBoxRegisterInteraction(frame) &&
+                                 McdConeCylinderRegisterInteraction(frame) && McdConeSphylRegisterInteraction(frame) &&
+                                 McdConePlaneRegisterInteraction(frame) && McdConeConeRegisterInteraction(frame));
 }

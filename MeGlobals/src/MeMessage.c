@@ -45,21 +45,24 @@ void MEAPI_CDECL MeLog(const int level, const char *const format, ...) {
 }
 
 void MEAPI_CDECL MeWarning(const int level, const char *const format, ...) {
-    if (level > MeWarningLevel)
+    char renamed[MeMAXMESSAGE];
+    if (level > MeWarningLevel || me_messageIsRepeated())
         return;
     va_list ap;
     va_start(ap, format);
-    if (!me_messageHold(MeWarning, level, format, ap))
-        MeWarningHandler(level, format, ap);
+    const char *text = me_messageRename(format, &ap, renamed);
+    if (!me_messageHold(MeWarning, level, text, ap))
+        MeWarningHandler(level, text, ap);
     va_end(ap);
 }
 
 void MEAPI_CDECL MeFatalError(const int level, const char *const format, ...) {
+    char renamed[MeMAXMESSAGE];
     if (level > MeFatalErrorLevel)
         return;
     va_list ap;
     va_start(ap, format);
-    MeFatalErrorHandler(level, format, ap);
+    MeFatalErrorHandler(level, me_messageRename(format, &ap, renamed), ap);
     va_end(ap);
 }
 

@@ -6,6 +6,7 @@
 #include "MdtReport.h"
 #include "MeDebugDraw.h"
 #include "MeMath.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
 #include "MstModelDynamics.h"
 #include "MstUniverse.h"
@@ -429,7 +430,8 @@ void MEAPI MstDebugDrawParts(const MdtWorldID w, const McdSpaceID s, const MeRea
 }
 
 void MEAPI MstDebugDrawUniverse(const MstUniverseID u, const unsigned int layers, const MstDebugDraw *draw) {
-    const MdtWorldID w = MstUniverseGetWorld(u);
+    MdtWorldID w;
+    ME_UNDER_OWN_NAME(w = MstUniverseGetWorld(u));
     if (!w || !isGood("MstDebugDrawUniverse", layers, draw))
         return;
     drawAll(&(Drawing){draw, layers, u->sizes.lengthScale}, w, u->space);

@@ -99,9 +99,9 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
         return 0;
     MstUniverse *u = &record->universe;
     u->sizes = sizes ? *sizes : MstUniverseDefaultSizes;
-    const char *before = MeCallerSet("MstUniverseCreate");
+    const char *before = MeMessagesAs("MstUniverseCreate");
     createParts(u);
-    MeCallerSet(before);
+    MeMessagesAs(before);
     record->magic = MST_UNIVERSE;
     MeHandleEnter(&record->handle, record, MST_UNIVERSE);
     if (!u->bridge) {
@@ -165,7 +165,11 @@ MstAdviser **mst_universeAdviser(MstUniverseID u, const char *function) {
 }
 
 const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count) {
-    return MstBridgeGetEvents(isUniverse(u, "MstUniverseGetEvents") ? u->bridge : 0, count);
+    if (isUniverse(u, "MstUniverseGetEvents"))
+        return MstBridgeGetEvents(u->bridge, count);
+    if (count)
+        *count = 0;
+    return 0;
 }
 
 MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u) {

@@ -43,7 +43,9 @@ void MEAPI MstAutoSetMassProperties(const MdtBodyID body, const McdModelID model
 void MEAPI MstAutoSetInertialTensor(const McdModelID model) {
     MeMatrix3 inertia;
     MeReal volume;
-    const MdtBodyID body = McdModelGetBody(model);
+    const MdtBodyID body = McdModelIsValid(model) ? McdModelGetBody(model) : 0;
+    if (!body)
+        MeWarning(1, "MstAutoSetInertialTensor: the model is null, or has no body; nothing is changed");
     if (!body || !massOf(model, inertia, &volume, "MstAutoSetInertialTensor"))
         return;
     scaleInertia(inertia, MdtBodyGetMass(body) / volume);
@@ -89,15 +91,16 @@ static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density
 }
 
 McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density) {
-    if (!MstUniverseGetWorld(u) || !isGeometry(g, "MstModelAndBodyCreate"))
-        return 0;
-    const char *before = MeCallerSet("MstModelAndBodyCreate");
-    const McdModelID m = createWithBody(u, g, density);
-    MeCallerSet(before);
-    return m;
+    ME_RETURN_UNDER_OWN_NAME(McdModelID,
+                             MstUniverseGetWorld(u) && isGeometry(g, __func__) ? createWithBody(u, g, density) : 0);
 }
 
 static McdModelID createFixed(McdSpaceID s, McdGeometryID g, MeMatrix4Ptr transformation) {
+    if (!s || !isGeometry(g, "MstFixedModelCreate"))
+        return 0;
+    if (!transformation)
+        MeWarning(1,
+                  "MstFixedModelCreate: the transform is null: set one (McdModelSetTransformPtr) before the next step");
     const McdModelID m = McdModelCreate(g);
     if (!m)
         return 0;
@@ -111,16 +114,7 @@ static McdModelID createFixed(McdSpaceID s, McdGeometryID g, MeMatrix4Ptr transf
 }
 
 McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID g, MeMatrix4Ptr transformation) {
-    const McdSpaceID s = MstUniverseGetSpace(u);
-    if (!s || !isGeometry(g, "MstFixedModelCreate"))
-        return 0;
-    if (!transformation)
-        MeWarning(1,
-                  "MstFixedModelCreate: the transform is null: set one (McdModelSetTransformPtr) before the next step");
-    const char *before = MeCallerSet("MstFixedModelCreate");
-    const McdModelID m = createFixed(s, g, transformation);
-    MeCallerSet(before);
-    return m;
+    ME_RETURN_UNDER_OWN_NAME(McdModelID, createFixed(MstUniverseGetSpace(u), g, transformation));
 }
 
 /* Hands over the goodbye pairs of a model that leaves, so that their contacts go. */
@@ -179,5 +173,5 @@ static void MEAPI unfreezeModels(const MdtBodyID b) {
 }
 
 void MEAPI MstSetWorldHandlers(const MdtWorldID world) {
-    MdtWorldSetBodyHandlers(world, unfreezeModels, freezeModels);
+    ME_UNDER_OWN_NAME(MdtWorldSetBodyHandlers(world, unfreezeModels, freezeModels));
 }
