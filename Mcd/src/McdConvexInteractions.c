@@ -22,7 +22,8 @@ static MeBool hasTypes(McdModelPair *p, McdIntersectResult *result, int type1, i
 }
 
 static int notPlaced(const char *function) {
-    MeWarning(1, "%s: a model has no transform, or one that is not finite", function);
+    MeWarning(1, "%s: a model has no transform, or one that is not finite, or zero: they do not touch",
+              MeCallerName(function));
     return 0;
 }
 
@@ -52,7 +53,8 @@ static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double norm
         normal[i] = (double)tm[2][i];
         *offset += normal[i] * ((double)tm[3][i] - origin[i]);
     }
-    return isfinite(*offset) && isfinite(mcd_dot(normal, normal));
+    const double square = mcd_dot(normal, normal);
+    return isfinite(*offset) && isfinite(square) && square > 0;
 }
 
 static int planeIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {

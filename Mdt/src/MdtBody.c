@@ -146,9 +146,9 @@ void mdt_bodyKeepWithinReach(MdtBodyID b) {
     forgetMotion(b);
     if (!(b->record.flags & MDT_FAR))
         MeWarning(2,
-                  "MdtWorldStep: a body (sort key %d) has come to %g m, where positions have no digits left, and is "
+                  "%s: a body (sort key %d) has come to %g m, where positions have no digits left, and is "
                   "stopped; disable or destroy what leaves the scene",
-                  b->link.sortKey, most);
+                  MeCallerName("MdtWorldStep"), b->link.sortKey, most);
     b->record.flags |= MDT_FAR;
 }
 

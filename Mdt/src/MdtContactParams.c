@@ -77,8 +77,8 @@ void mdt_surfaceWarn(MdtWorldID w, int problems) {
     w->surfaceWarnings |= problems;
     for (size_t i = 0; i < sizeof surfaceTexts / sizeof *surfaceTexts; i++)
         if (surfaceTexts[i].problem & more)
-            MeWarning(2, "MdtWorldStep: a contact %s; MdtContactParamsSetSurface sets all that friction needs",
-                      surfaceTexts[i].text);
+            MeWarning(2, "%s: a contact %s; MdtContactParamsSetSurface sets all that friction needs",
+                      MeCallerName("MdtWorldStep"), surfaceTexts[i].text);
 }
 
 /* ---- kind of friction ---- */
