@@ -76,7 +76,8 @@ static void visitEdges(const McdGeometry *g, int sides, McdEdgeVisit visit, void
         }
 }
 
-static const McdKind kind = {MCD_KIND_FUNCTIONS(Box, mcd_geometryFree), .size = sizeof(McdBox),
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Box, mcd_geometryFree),
+                             .size = sizeof(McdBox),
                              .setShape = setShape,
                              .support = farthestCorner,
                              .face = face,
@@ -108,6 +109,8 @@ void MEAPI McdBoxSetDimensions(McdGeometryID g, MeReal dx, MeReal dy, MeReal dz)
 }
 
 void MEAPI McdBoxGetDimensions(McdGeometryID g, MeReal *dx, MeReal *dy, MeReal *dz) {
+    if (!mcd_areGiven(__func__, dx, dy, dz))
+        return;
     const MeBool isBox = mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetDimensions");
     *dx = isBox ? 2 * get(g)->radii[0] : 0;
     *dy = isBox ? 2 * get(g)->radii[1] : 0;
@@ -119,12 +122,16 @@ MeReal *MEAPI McdBoxGetRadii(McdBoxID g) {
 }
 
 void MEAPI McdBoxGetXYAABB(McdBoxID g, MeMatrix4 tm, MeReal bounds[4]) {
+    if (!mcd_areGiven(__func__, tm, bounds, bounds))
+        return;
     MeVectorSetZero(bounds, 4);
     if (mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxGetXYAABB"))
         mcd_localXYAABB(g, tm, bounds, support);
 }
 
 void MEAPI McdBoxMaximumPointLocal(McdBoxID g, MeReal *inDir, MeReal *outPoint) {
+    if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))
+        return;
     const MeBool isBox = mcd_geometryIs(g, kMcdGeometryTypeBox, "McdBoxMaximumPointLocal");
     for (int k = 0; k < 3; k++)
         outPoint[k] = !isBox ? 0 : inDir[k] < 0 ? -get(g)->radii[k] : get(g)->radii[k];

@@ -22,7 +22,8 @@ static MeBool hasTypes(McdModelPair *p, McdIntersectResult *result, int type1, i
 }
 
 static int notPlaced(const char *function) {
-    MeWarning(1, "%s: a model has no transform, or one that is not finite", function);
+    MeWarning(1, "%s: a model has no transform, or one that is not finite, or zero: they do not touch",
+              MeCallerName(function));
     return 0;
 }
 
@@ -53,7 +54,8 @@ static MeBool planeAt(const MeMatrix4Ptr tm, const double origin[3], double norm
         normal[i] = (double)tm[2][i];
         *offset += normal[i] * ((double)tm[3][i] - origin[i]);
     }
-    return isfinite(*offset) && isfinite(mcd_dot(normal, normal));
+    const double square = mcd_dot(normal, normal);
+    return isfinite(*offset) && isfinite(square) && square > 0;
 }
 
 static int planeIntersect(McdModelPair *p, McdIntersectResult *result, int type1, int type2, const char *function) {
@@ -106,9 +108,11 @@ int MEAPI McdPlaneIntersectTest(McdModelID modplane, McdModelID mod, McdIntersec
     memset(&p, 0, sizeof p);
     p.model1 = modplane;
     p.model2 = mod;
+    const char *const before = MeMessagesAs(__func__); /* the first thing wrong is said */
     if (typeOfModel(modplane, "McdPlaneIntersectTest") != kMcdGeometryTypePlane)
         MeWarning(1, "McdPlaneIntersectTest: the first model must be a plane");
     const int answer = planeWithAny(&p, result, "McdPlaneIntersectTest");
+    MeMessagesAs(before);
     if (result)
         result->pair = NULL;
     return answer;
@@ -169,11 +173,13 @@ DEFINE_PLANE(ConvexMesh, Plane)
 DEFINE_PLANE(Plane, ConvexMesh)
 
 MeBool MEAPI McdConvexMeshRegisterBoxAndSphereFns(McdFramework *frame) {
-    return McdSphereConvexMeshRegisterInteraction(frame) && McdBoxConvexMeshRegisterInteraction(frame);
+    ME_RETURN_UNDER_OWN_NAME(MeBool, McdSphereConvexMeshRegisterInteraction(frame) &&
+                                         McdBoxConvexMeshRegisterInteraction(frame));
 }
 
 MeBool MEAPI McdConePrimitivesRegisterInteractions(McdFramework *frame) {
-    return McdConeSphereRegisterInteraction(frame) && McdConeBoxRegisterInteraction(frame) &&
-           McdConeCylinderRegisterInteraction(frame) && McdConeSphylRegisterInteraction(frame) &&
-           McdConePlaneRegisterInteraction(frame) && McdConeConeRegisterInteraction(frame);
+    ME_RETURN_UNDER_OWN_NAME(MeBool,
+                             McdConeSphereRegisterInteraction(frame) && McdConeBoxRegisterInteraction(frame) &&
+                                 McdConeCylinderRegisterInteraction(frame) && McdConeSphylRegisterInteraction(frame) &&
+                                 McdConePlaneRegisterInteraction(frame) && McdConeConeRegisterInteraction(frame));
 }

@@ -184,7 +184,8 @@ static void visitEdges(const McdGeometry *g, int sides, McdEdgeVisit visit, void
         }
 }
 
-static const McdKind kind = {MCD_KIND_FUNCTIONS(ConvexMesh, release), .size = sizeof(McdConvexMesh),
+static const McdKind kind = {MCD_KIND_FUNCTIONS(ConvexMesh, release),
+                             .size = sizeof(McdConvexMesh),
                              .setShape = setShape,
                              .support = hullSupport,
                              .face = hullFace,
@@ -294,6 +295,8 @@ int MEAPI McdConvexMeshGetPolygonVertexCount(McdConvexMeshID g, int polyID) {
 }
 
 void MEAPI McdConvexMeshGetPolygonNormal(McdConvexMeshID g, int polyID, MeVector3 normal) {
+    if (!mcd_areGiven(__func__, normal, normal, normal))
+        return;
     const McdHullFace *f = faceOf(g, polyID, "McdConvexMeshGetPolygonNormal");
     for (int k = 0; k < 3; k++)
         normal[k] = f ? (MeReal)f->normal[k] : 0;
@@ -309,6 +312,8 @@ static const MeReal *vertexOf(McdConvexMeshID g, int polyID, int vertexID, const
 }
 
 void MEAPI McdConvexMeshGetPolygonVertex(McdConvexMeshID g, int polyID, int vertexID, MeVector3 vertex) {
+    if (!mcd_areGiven(__func__, vertex, vertex, vertex))
+        return;
     const MeReal *v = vertexOf(g, polyID, vertexID, "McdConvexMeshGetPolygonVertex");
     MeVector3Set(vertex, v ? v[0] : 0, v ? v[1] : 0, v ? v[2] : 0);
 }
@@ -318,6 +323,8 @@ const MeReal *MEAPI McdConvexMeshGetPolygonVertexPtr(McdConvexMeshID g, int poly
 }
 
 void MEAPI McdConvexMeshGetXYAABB(McdConvexMeshID g, MeMatrix4 tm, MeReal bounds[4]) {
+    if (!mcd_areGiven(__func__, tm, bounds, bounds))
+        return;
     MeVectorSetZero(bounds, 4);
     if (isMesh(g, "McdConvexMeshGetXYAABB"))
         mcd_localXYAABB(g, tm, bounds, support);
@@ -543,8 +550,9 @@ MeI16 MEAPI McdConvexMeshGetMassProperties(McdConvexMeshID mesh, MeMatrix4 relTM
 
 /* Here, so that programs without meshes do not link the triangle list. */
 MeBool MEAPI McdConvexMeshPrimitivesRegisterInteractions(McdFramework *frame) {
-    return McdSphereConvexMeshRegisterInteraction(frame) && McdBoxConvexMeshRegisterInteraction(frame) &&
-           McdCylinderConvexMeshRegisterInteraction(frame) && McdSphylConvexMeshRegisterInteraction(frame) &&
-           McdConvexMeshPlaneRegisterInteraction(frame) && McdConvexMeshConvexMeshRegisterInteraction(frame) &&
-           McdConvexMeshTriangleListRegisterInteraction(frame);
+    ME_RETURN_UNDER_OWN_NAME(
+        MeBool, McdSphereConvexMeshRegisterInteraction(frame) && McdBoxConvexMeshRegisterInteraction(frame) &&
+                    McdCylinderConvexMeshRegisterInteraction(frame) && McdSphylConvexMeshRegisterInteraction(frame) &&
+                    McdConvexMeshPlaneRegisterInteraction(frame) && McdConvexMeshConvexMeshRegisterInteraction(frame) &&
+                    McdConvexMeshTriangleListRegisterInteraction(frame));
 }

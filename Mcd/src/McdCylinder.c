@@ -43,7 +43,8 @@ static void visitEdges(const McdGeometry *g, int sides, McdEdgeVisit visit, void
     }
 }
 
-static const McdKind kind = {MCD_KIND_FUNCTIONS(Cylinder, mcd_geometryFree), .size = sizeof(McdCylinder),
+static const McdKind kind = {MCD_KIND_FUNCTIONS(Cylinder, mcd_geometryFree),
+                             .size = sizeof(McdCylinder),
                              .setShape = setShape,
                              .support = mcd_discsSupport,
                              .face = mcd_discsFace,
@@ -104,12 +105,16 @@ void MEAPI McdCylinderSetGeometricalParameters(McdCylinderID g, MeReal inRadius,
 }
 
 void MEAPI McdCylinderGetXYAABB(McdGeometry *g, MeMatrix4 tm, MeReal bounds[4]) {
+    if (!mcd_areGiven(__func__, tm, bounds, bounds))
+        return;
     MeVectorSetZero(bounds, 4);
     if (isCylinder(g, "McdCylinderGetXYAABB"))
         mcd_localXYAABB(g, tm, bounds, support);
 }
 
 void MEAPI McdCylinderMaximumPointLocal(McdGeometry *g, MeReal *const inDir, MeReal *const outPoint) {
+    if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))
+        return;
     double d[3], p[3] = {0, 0, 0};
     for (int k = 0; k < 3; k++)
         d[k] = (double)inDir[k];

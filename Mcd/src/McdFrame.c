@@ -17,6 +17,13 @@ static const McdRequest builtInRequest = {20, MEFALSE};
 
 static atomic_int liveFrames;
 
+MeBool mcd_areGiven(const char *function, const void *a, const void *b, const void *c) {
+    if (a && b && c)
+        return METRUE;
+    MeWarning(1, "%s: a pointer is null: it must say where to read or write", function);
+    return MEFALSE;
+}
+
 void mcd_warnGone(const void *p, const char *what, const char *function) {
     if (p)
         MeWarning(1, "%s: %p is no %s: it has been destroyed, or never was one", function, p, what);
@@ -171,7 +178,7 @@ void MEAPI McdFrameworkRenameLimits(McdFrameworkID frame, const char *types, con
 }
 
 McdFrameworkID MEAPI McdInitUnscaled(int geoTypeMaxCount, int modelCount, int instanceCount) {
-    return (McdInit)(geoTypeMaxCount, modelCount, instanceCount, 1);
+    ME_RETURN_UNDER_OWN_NAME(McdFrameworkID, (McdInit)(geoTypeMaxCount, modelCount, instanceCount, 1));
 }
 
 /* Unreferenced geometries go first: an aggregate before its parts, whichever is older. */
@@ -296,7 +303,8 @@ MeI16 MEAPI McdFrameworkGetRegisteredTypeCount(McdFrameworkID frame) {
 }
 
 MeBool MEAPI McdFrameworkTypeIsRegistered(McdFrameworkID frame, int typeId) {
-    return McdFrameworkTypeIsValid(frame, typeId) && frame->types[typeId].isRegistered;
+    return mcd_frameCheck(frame, "McdFrameworkTypeIsRegistered") && McdFrameworkTypeIsValid(frame, typeId) &&
+           frame->types[typeId].isRegistered;
 }
 
 const char *MEAPI McdFrameworkGetTypeName(McdFrameworkID frame, int typeId) {

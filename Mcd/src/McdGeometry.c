@@ -171,6 +171,8 @@ static McdGeometryInstance standIn(McdGeometryID g, const MeMatrix4 tm) {
 }
 
 void MEAPI McdGeometryGetAABB(McdGeometryID g, const MeMatrix4 tm, MeVector3 minCorner, MeVector3 maxCorner) {
+    if (!mcd_areGiven(__func__, minCorner, maxCorner, maxCorner))
+        return;
     const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryGetAABB");
     MeVector3Set(minCorner, 0, 0, 0);
     MeVector3Set(maxCorner, 0, 0, 0);
@@ -183,6 +185,8 @@ void MEAPI McdGeometryGetAABB(McdGeometryID g, const MeMatrix4 tm, MeVector3 min
 }
 
 void MEAPI McdGeometryGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryGetBSphere");
     MeVector3Set(center, 0, 0, 0);
     *radius = 0;
@@ -191,6 +195,8 @@ void MEAPI McdGeometryGetBSphere(const McdGeometryID g, MeVector3 center, MeReal
 }
 
 void MEAPI McdGeometryMaximumPoint(McdGeometryID g, const MeMatrix4 tm, MeReal *const inDir, MeReal *const outPoint) {
+    if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))
+        return;
     const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryMaximumPoint");
     MeVector3Set(outPoint, 0, 0, 0);
     if (!type || !type->maximumPoint || !tm)
@@ -201,6 +207,8 @@ void MEAPI McdGeometryMaximumPoint(McdGeometryID g, const MeMatrix4 tm, MeReal *
 
 MeI16 MEAPI McdGeometryGetMassProperties(McdGeometryID g, MeMatrix4 relativeTransform, MeMatrix3 inertiaMatrix,
                                          MeReal *volume) {
+    if (!mcd_areGiven(__func__, relativeTransform, inertiaMatrix, volume))
+        return 0;
     const McdTypeRecord *type = mcd_geometryType(g, "McdGeometryGetMassProperties");
     MeMatrix4TMMakeIdentity(relativeTransform);
     memset(inertiaMatrix, 0, sizeof(MeMatrix3));

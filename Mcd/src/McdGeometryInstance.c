@@ -175,6 +175,8 @@ void MEAPI McdGeometryInstanceReset(McdGeometryInstanceID ins) {
 /* ---- extent ---------------------------------------------------------------------------------------------------- */
 
 void MEAPI McdGeometryInstanceGetAABB(McdGeometryInstanceID ins, MeVector3 minCorner, MeVector3 maxCorner) {
+    if (!mcd_areGiven(__func__, minCorner, maxCorner, maxCorner))
+        return;
     static const MeVector3 origin = {0, 0, 0};
     const MeBool isGood = mcd_instanceCheck(ins, "McdGeometryInstanceGetAABB");
     MeVector3Copy(minCorner, isGood ? ins->min : origin);
@@ -208,6 +210,8 @@ MeBool MEAPI McdGeometryInstanceOverlap(McdGeometryInstanceID a, McdGeometryInst
 }
 
 void MEAPI McdGeometryInstanceGetBSphere(const McdGeometryInstanceID ins, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     MeVector3Set(center, 0, 0, 0);
     *radius = 0;
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceGetBSphere"))
@@ -221,6 +225,8 @@ void MEAPI McdGeometryInstanceGetBSphere(const McdGeometryInstanceID ins, MeVect
 }
 
 void MEAPI McdGeometryInstanceMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {
+    if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))
+        return;
     MeVector3Set(outPoint, 0, 0, 0);
     if (!mcd_instanceCheck(ins, "McdGeometryInstanceMaximumPoint") || !mcd_instanceTM(ins))
         return;

@@ -221,7 +221,7 @@ static void runIntersect(McdIntersectFn intersect, McdModelPair *p, MeBool isTur
 static MeBool arePlaced(const McdModelPair *p, const char *function) {
     if (mcd_modelIsPlaced(mcd_record(p->model1)) && mcd_modelIsPlaced(mcd_record(p->model2)))
         return METRUE;
-    MeWarning(1, "%s: a model has no transform, or one that is not finite: they do not touch", function);
+    MeWarning(1, "%s: a model has no transform, or one that is not finite: they do not touch", MeCallerName(function));
     return MEFALSE;
 }
 

@@ -255,6 +255,8 @@ McdGeometryInstanceID MEAPI McdModelGetGeometryInstance(McdModelID cm) {
 }
 
 void MEAPI McdModelGetAABB(McdModelID cm, MeVector3 minCorner, MeVector3 maxCorner) {
+    if (!mcd_areGiven(__func__, minCorner, maxCorner, maxCorner))
+        return;
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetAABB");
     MeVector3Set(minCorner, 0, 0, 0);
     MeVector3Set(maxCorner, 0, 0, 0);
@@ -263,6 +265,8 @@ void MEAPI McdModelGetAABB(McdModelID cm, MeVector3 minCorner, MeVector3 maxCorn
 }
 
 void MEAPI McdModelGetBSphere(McdModelID cm, MeVector3 center, MeReal *radius) {
+    if (!mcd_areGiven(__func__, center, radius, radius))
+        return;
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetBSphere");
     MeVector3Set(center, 0, 0, 0);
     *radius = 0;
@@ -309,6 +313,8 @@ void MEAPI McdModelSetRelativeTransformPtrs(McdModelID cm, MeMatrix4 relTM, MeMa
 }
 
 void MEAPI McdModelGetRelativeTransformPtrs(McdModelID cm, MeMatrix4Ptr *relTM, MeMatrix4Ptr *refTM) {
+    if (!mcd_areGiven(__func__, relTM, refTM, refTM))
+        return;
     const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetRelativeTransformPtrs");
     *relTM = m ? m->relTM : 0;
     *refTM = m ? m->refTM : 0;
@@ -460,8 +466,10 @@ void MEAPI McdModelUpdatePath(McdModelID cm, MeReal motionDuration) {
 }
 
 void MEAPI McdModelUpdatePathCompatible(McdModelID cm, MeReal dummy) {
-    (void)dummy;
-    McdModelUpdate(cm);
+    ME_UNDER_OWN_NAME({
+        (void)dummy;
+        McdModelUpdate(cm);
+    });
 }
 
 void MEAPI McdModelSetUpdateCallback(McdModelID cm, McdModelUpdateFnPtr f) {
@@ -485,7 +493,7 @@ McdSpaceID MEAPI McdModelGetSpace(McdModelID cm) {
 void MEAPI McdModelSetMaterial(McdModelID cm, int material) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetMaterial");
     if (m)
-        McdGeometryInstanceSetMaterial(&m->instance, material);
+        ME_UNDER_OWN_NAME(McdGeometryInstanceSetMaterial(&m->instance, material));
 }
 
 unsigned int MEAPI McdModelGetMaterial(McdModelID cm) {

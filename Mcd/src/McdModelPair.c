@@ -52,12 +52,16 @@ McdRequest *MEAPI McdModelPairGetRequestPtr(const McdModelPairID p) {
 }
 
 void MEAPI McdModelPairGetModels(McdModelPairID p, McdModelID *m1, McdModelID *m2) {
+    if (!mcd_areGiven(__func__, m1, m2, m2))
+        return;
     const MeBool isGood = isPair(p, "McdModelPairGetModels");
     *m1 = isGood ? p->model1 : 0;
     *m2 = isGood ? p->model2 : 0;
 }
 
 void MEAPI McdModelPairGetGeometryNames(McdModelPairID p, const char **name1, const char **name2) {
+    if (!mcd_areGiven(__func__, name1, name2, name2))
+        return;
     const MeBool isGood = isPair(p, "McdModelPairGetGeometryNames");
     *name1 = isGood ? McdGeometryGetTypeName(McdModelGetGeometry(p->model1)) : "(none)";
     *name2 = isGood ? McdGeometryGetTypeName(McdModelGetGeometry(p->model2)) : "(none)";

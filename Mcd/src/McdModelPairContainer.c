@@ -146,5 +146,5 @@ void MEAPI McdModelPairContainerPrintStats(McdModelPairContainer *c) {
 }
 
 void MEAPI McdPairContainerPrintStats(McdModelPairContainer *c) {
-    McdModelPairContainerPrintStats(c);
+    ME_UNDER_OWN_NAME(McdModelPairContainerPrintStats(c));
 }

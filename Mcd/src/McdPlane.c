@@ -45,11 +45,15 @@ McdPlaneID MEAPI McdPlaneCreate(McdFramework *frame) {
 }
 
 void MEAPI McdPlaneGetNormal(const McdGeometry *g, const MeMatrix4 tm, MeVector3 normal) {
+    if (!mcd_areGiven(__func__, tm, normal, normal))
+        return;
     (void)g;
     MeVector3Copy(normal, tm[2]);
 }
 
 MeReal MEAPI McdPlaneGetDistanceToPoint(const McdGeometry *g, const MeMatrix4 tm, const MeVector3 point) {
+    if (!mcd_areGiven(__func__, tm, point, point))
+        return 0;
     double distance = 0;
     (void)g;
     for (int k = 0; k < 3; k++)

@@ -81,18 +81,24 @@ void MEAPI McdRGHeightFieldUpdateHeights(McdRGHeightFieldID g) {
 }
 
 void MEAPI McdRGHeightFieldGetCounts(McdRGHeightFieldID g, int *xCount, int *yCount) {
+    if (!mcd_areGiven(__func__, xCount, yCount, yCount))
+        return;
     const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetCounts");
     *xCount = f ? f->xCount : 0;
     *yCount = f ? f->yCount : 0;
 }
 
 void MEAPI McdRGHeightFieldGetSteps(McdRGHeightFieldID g, MeReal *xStep, MeReal *yStep) {
+    if (!mcd_areGiven(__func__, xStep, yStep, yStep))
+        return;
     const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetSteps");
     *xStep = f ? f->xStep : 0;
     *yStep = f ? f->yStep : 0;
 }
 
 void MEAPI McdRGHeightFieldGetOrigin(McdRGHeightFieldID g, MeReal *x0, MeReal *y0) {
+    if (!mcd_areGiven(__func__, x0, y0, y0))
+        return;
     const McdRGHeightField *f = fieldOf(g, "McdRGHeightFieldGetOrigin");
     *x0 = f ? f->x0 : 0;
     *y0 = f ? f->y0 : 0;
@@ -169,6 +175,8 @@ void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, M
 }
 
 MeI16 MEAPI McdRGHeightFieldGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
+    if (!mcd_areGiven(__func__, relTM, m, volume))
+        return 0;
     (void)g;
     MeMatrix4TMMakeIdentity(relTM);
     memset(m, 0, sizeof(MeMatrix3));
@@ -338,5 +346,5 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
 }
 
 void MEAPI McdRGHeightFieldLineSegmentRegisterInteraction(McdFramework *frame) {
-    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeRGHeightField, intersectSegment);
+    ME_UNDER_OWN_NAME(McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeRGHeightField, intersectSegment));
 }

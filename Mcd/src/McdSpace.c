@@ -752,7 +752,7 @@ MeBool MEAPI McdSpaceModelIsFrozen(McdModelID cm) {
 }
 
 MeBool MEAPI McdSpaceIsFrozen(McdModelID cm) {
-    return McdSpaceModelIsFrozen(cm);
+    ME_RETURN_UNDER_OWN_NAME(MeBool, McdSpaceModelIsFrozen(cm));
 }
 
 /* ---- models ------------------------------------------------------------------------------------------------------ */
@@ -901,7 +901,7 @@ static MeBool proxiesOf(McdModelID cm1, McdModelID cm2, McdProxy **p1, McdProxy 
 
 MeBool MEAPI McdSpaceDisablePair(McdModelID cm1, McdModelID cm2) {
     McdProxy *a, *b;
-    if (cm1 == cm2 && mcd_modelCheck(cm1, "McdSpaceDisablePair")) /* they never meet */
+    if (cm1 == cm2 && cm1 && mcd_modelCheck(cm1, "McdSpaceDisablePair")) /* they never meet */
         return METRUE;
     if (!proxiesOf(cm1, cm2, &a, &b, "McdSpaceDisablePair") || !checkInside(a->model->space, "McdSpaceDisablePair"))
         return MEFALSE;

@@ -63,6 +63,8 @@ static void MEAPI release(McdGeometryID g) {
 /* ---- what it is made of ------------------------------------------------------------------------------------------ */
 
 void MEAPI McdTriangleListGetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max) {
+    if (!mcd_areGiven(__func__, min, max, max))
+        return;
     const McdTriangleListRecord *list = listOf(g, "McdTriangleListGetBoundingBox");
     MeVector3Set(min, 0, 0, 0);
     MeVector3Set(max, 0, 0, 0);
@@ -138,6 +140,8 @@ void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, Me
 }
 
 MeI16 MEAPI McdTriangleListGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume) {
+    if (!mcd_areGiven(__func__, relTM, m, volume))
+        return 0;
     (void)g;
     MeMatrix4TMMakeIdentity(relTM);
     memset(m, 0, sizeof(MeMatrix3));
@@ -303,5 +307,5 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
 }
 
 void MEAPI McdTriangleListLineSegmentRegisterInteraction(McdFramework *frame) {
-    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeTriangleList, intersectSegment);
+    ME_UNDER_OWN_NAME(McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeTriangleList, intersectSegment));
 }

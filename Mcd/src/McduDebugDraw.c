@@ -3,6 +3,8 @@
 #include "mcd_local_i.h"
 
 void MEAPI McduDebugDrawAABB(const MeVector3 min, const MeVector3 max, const MeReal colour[3]) {
+    if (!mcd_areGiven(__func__, min, max, colour))
+        return;
     static const MeMatrix4 world = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
     double corner[8][3];
     for (int i = 0; i < 8; i++)
@@ -15,7 +17,7 @@ void MEAPI McduDebugDrawAABB(const MeVector3 min, const MeVector3 max, const MeR
 }
 
 void MEAPI McduDebugDrawGeometry(const McdGeometryID geometry, const MeMatrix4Ptr tm, const MeReal colour[3]) {
-    McdGeometryDebugDraw(geometry, tm, colour);
+    ME_UNDER_OWN_NAME(McdGeometryDebugDraw(geometry, tm, colour));
 }
 
 /* By the type's registered function, so that no type is linked that the program does not use. */

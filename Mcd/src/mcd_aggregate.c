@@ -162,7 +162,7 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
 }
 
 void MEAPI McdAggregateLineSegmentRegisterInteraction(McdFramework *frame) {
-    McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeAggregate, intersectSegment);
+    ME_UNDER_OWN_NAME(McdFrameworkSetLineSegInteraction(frame, kMcdGeometryTypeAggregate, intersectSegment));
 }
 
 /* ---- registration ------------------------------------------------------------------------------------------------ */
@@ -179,6 +179,6 @@ MeBool MEAPI McdAggregateGenericRegisterInteractions(McdFrameworkID frame) {
 }
 
 void MEAPI McdAggregateRegisterInteractions(McdFrameworkID frame) {
-    if (McdAggregateGenericRegisterInteractions(frame))
-        McdAggregateLineSegmentRegisterInteraction(frame);
+    ME_UNDER_OWN_NAME(if (McdAggregateGenericRegisterInteractions(frame))
+                          McdAggregateLineSegmentRegisterInteraction(frame));
 }

@@ -47,6 +47,8 @@ enum {
 
 /* "function: 0x123 is no model: ..." */
 void mcd_warnGone(const void *p, const char *what, const char *function);
+/* Have all of these an address? Else a warning: one is null. Say a pointer twice where there are two. */
+MeBool mcd_areGiven(const char *function, const void *a, const void *b, const void *c);
 /* Whether it is a live object that may be destroyed; else a warning, if any framework lives. */
 MeBool mcd_mayDestroy(const void *p, unsigned int kind, const char *what, const char *function);
 

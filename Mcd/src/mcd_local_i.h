@@ -113,6 +113,8 @@ void mcd_drawSides(const MeVector4 *tm, const MeReal colour[3], double z1, doubl
         return name;                                                                                                   \
     }                                                                                                                  \
     void MEAPI Mcd##Type##MaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint) {       \
+        if (!mcd_areGiven(__func__, inDir, outPoint, outPoint))                                                        \
+            return;                                                                                                    \
         MeVector3Set(outPoint, 0, 0, 0);                                                                               \
         if (mcd_instanceIs(ins, kMcdGeometryType##Type, "Mcd" #Type "MaximumPoint"))                                   \
             mcd_localMaximumPoint(ins, inDir, outPoint, support);                                                      \

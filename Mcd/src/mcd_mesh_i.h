@@ -19,9 +19,9 @@ typedef struct McdMeshTriangle {
     double corner[3][3]; /* in the query's coordinates */
     double normal[3];
     double inward[3][3]; /* unit vectors across the edges, in the triangle's plane; set by mcd_meshFindContacts */
-    int vertex[3]; /* numbers of the corners: equal coordinates, equal numbers */
-    MeU32 key[3];  /* hashes of the corners' coordinates in the mesh's frame */
-    int flags;     /* McdTriangleFlags */
+    int vertex[3];       /* numbers of the corners: equal coordinates, equal numbers */
+    MeU32 key[3];        /* hashes of the corners' coordinates in the mesh's frame */
+    int flags;           /* McdTriangleFlags */
     McdElementData element;
     int facing;       /* the only admissible contact normal: 1 its own, -1 the opposite; 0: to be searched */
     MeBool isPending; /* within reach of the shape, without contacts so far */
@@ -114,10 +114,11 @@ MeBool mcd_meshRegister(McdFramework *frame, McdGeometryType type, McdGeometryTy
 /* Defines Mcd<shape><mesh>Intersect and ...RegisterInteraction for all convex shapes. */
 #define MCD_MESH_INTERACTION(shape, mesh, intersect)                                                                   \
     int MEAPI Mcd##shape##mesh##Intersect(McdModelPair *p, McdIntersectResult *result) {                               \
-        return intersect(p, result);                                                                                   \
+        return mcd_areGiven(__func__, p, result, result) ? intersect(p, result) : 0;                                   \
     }                                                                                                                  \
     MeBool MEAPI Mcd##shape##mesh##RegisterInteraction(McdFramework *frame) {                                          \
-        return mcd_meshRegister(frame, kMcdGeometryType##shape, kMcdGeometryType##mesh, Mcd##shape##mesh##Intersect);  \
+        ME_RETURN_UNDER_OWN_NAME(MeBool, mcd_meshRegister(frame, kMcdGeometryType##shape, kMcdGeometryType##mesh,      \
+                                                          Mcd##shape##mesh##Intersect));                               \
     }
 #define MCD_MESH_INTERACTIONS(mesh, intersect)                                                                         \
     MCD_MESH_INTERACTION(Sphere, mesh, intersect)                                                                      \

@@ -40,51 +40,21 @@ MEPUBLIC MeReal MEAPI MdtAngular3GetDamping(const MdtAngular3ID j);
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtAngular3Destroy(const MdtAngular3ID j) {
-    MdtConstraintDestroy(MdtAngular3QuaConstraint(j));
-}
-static inline void MdtAngular3Enable(const MdtAngular3ID j) {
-    MdtConstraintEnable(MdtAngular3QuaConstraint(j));
-}
-static inline void MdtAngular3Disable(const MdtAngular3ID j) {
-    MdtConstraintDisable(MdtAngular3QuaConstraint(j));
-}
-static inline MeBool MdtAngular3IsEnabled(const MdtAngular3ID j) {
-    return MdtConstraintIsEnabled(MdtAngular3QuaConstraint(j));
-}
-static inline void MdtAngular3SetBodies(const MdtAngular3ID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtAngular3QuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtAngular3GetBody(const MdtAngular3ID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtAngular3QuaConstraint(j), bodyindex);
-}
-static inline void MdtAngular3GetForce(const MdtAngular3ID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtAngular3QuaConstraint(j), bodyindex, force);
-}
-static inline void MdtAngular3GetTorque(const MdtAngular3ID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtAngular3QuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtAngular3GetWorld(const MdtAngular3ID j) {
-    return MdtConstraintGetWorld(MdtAngular3QuaConstraint(j));
-}
-static inline void MdtAngular3SetUserData(const MdtAngular3ID j, void *data) {
-    MdtConstraintSetUserData(MdtAngular3QuaConstraint(j), data);
-}
-static inline void *MdtAngular3GetUserData(const MdtAngular3ID j) {
-    return MdtConstraintGetUserData(MdtAngular3QuaConstraint(j));
-}
-static inline void MdtAngular3SetSortKey(const MdtAngular3ID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtAngular3QuaConstraint(j), key);
-}
-static inline MeI32 MdtAngular3GetSortKey(const MdtAngular3ID j) {
-    return MdtConstraintGetSortKey(MdtAngular3QuaConstraint(j));
-}
-static inline void MdtAngular3SetAxis(const MdtAngular3ID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetAxis(MdtAngular3QuaConstraint(j), x, y, z);
-}
-static inline void MdtAngular3GetAxis(const MdtAngular3ID j, MeVector3 axis) {
-    MdtConstraintGetAxis(MdtAngular3QuaConstraint(j), axis);
-}
+MEPUBLIC void MEAPI MdtAngular3Destroy(const MdtAngular3ID j);
+MEPUBLIC void MEAPI MdtAngular3Enable(const MdtAngular3ID j);
+MEPUBLIC void MEAPI MdtAngular3Disable(const MdtAngular3ID j);
+MEPUBLIC MeBool MEAPI MdtAngular3IsEnabled(const MdtAngular3ID j);
+MEPUBLIC void MEAPI MdtAngular3SetBodies(const MdtAngular3ID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtAngular3GetBody(const MdtAngular3ID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtAngular3GetForce(const MdtAngular3ID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtAngular3GetTorque(const MdtAngular3ID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtAngular3GetWorld(const MdtAngular3ID j);
+MEPUBLIC void MEAPI MdtAngular3SetUserData(const MdtAngular3ID j, void *data);
+MEPUBLIC void *MEAPI MdtAngular3GetUserData(const MdtAngular3ID j);
+MEPUBLIC void MEAPI MdtAngular3SetSortKey(const MdtAngular3ID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtAngular3GetSortKey(const MdtAngular3ID j);
+MEPUBLIC void MEAPI MdtAngular3SetAxis(const MdtAngular3ID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtAngular3GetAxis(const MdtAngular3ID j, MeVector3 axis);
 /** @} */
 
 ME_END_C

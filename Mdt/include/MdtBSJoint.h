@@ -22,51 +22,21 @@ MEPUBLIC MdtBSJointID MEAPI MdtConstraintDCastBSJoint(const MdtConstraintID c);
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtBSJointDestroy(const MdtBSJointID j) {
-    MdtConstraintDestroy(MdtBSJointQuaConstraint(j));
-}
-static inline void MdtBSJointEnable(const MdtBSJointID j) {
-    MdtConstraintEnable(MdtBSJointQuaConstraint(j));
-}
-static inline void MdtBSJointDisable(const MdtBSJointID j) {
-    MdtConstraintDisable(MdtBSJointQuaConstraint(j));
-}
-static inline MeBool MdtBSJointIsEnabled(const MdtBSJointID j) {
-    return MdtConstraintIsEnabled(MdtBSJointQuaConstraint(j));
-}
-static inline void MdtBSJointSetBodies(const MdtBSJointID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtBSJointQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtBSJointGetBody(const MdtBSJointID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtBSJointQuaConstraint(j), bodyindex);
-}
-static inline void MdtBSJointGetForce(const MdtBSJointID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtBSJointQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtBSJointGetTorque(const MdtBSJointID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtBSJointQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtBSJointGetWorld(const MdtBSJointID j) {
-    return MdtConstraintGetWorld(MdtBSJointQuaConstraint(j));
-}
-static inline void MdtBSJointSetUserData(const MdtBSJointID j, void *data) {
-    MdtConstraintSetUserData(MdtBSJointQuaConstraint(j), data);
-}
-static inline void *MdtBSJointGetUserData(const MdtBSJointID j) {
-    return MdtConstraintGetUserData(MdtBSJointQuaConstraint(j));
-}
-static inline void MdtBSJointSetSortKey(const MdtBSJointID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtBSJointQuaConstraint(j), key);
-}
-static inline MeI32 MdtBSJointGetSortKey(const MdtBSJointID j) {
-    return MdtConstraintGetSortKey(MdtBSJointQuaConstraint(j));
-}
-static inline void MdtBSJointSetPosition(const MdtBSJointID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetPosition(MdtBSJointQuaConstraint(j), x, y, z);
-}
-static inline void MdtBSJointGetPosition(const MdtBSJointID j, MeVector3 position) {
-    MdtConstraintGetPosition(MdtBSJointQuaConstraint(j), position);
-}
+MEPUBLIC void MEAPI MdtBSJointDestroy(const MdtBSJointID j);
+MEPUBLIC void MEAPI MdtBSJointEnable(const MdtBSJointID j);
+MEPUBLIC void MEAPI MdtBSJointDisable(const MdtBSJointID j);
+MEPUBLIC MeBool MEAPI MdtBSJointIsEnabled(const MdtBSJointID j);
+MEPUBLIC void MEAPI MdtBSJointSetBodies(const MdtBSJointID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtBSJointGetBody(const MdtBSJointID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtBSJointGetForce(const MdtBSJointID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtBSJointGetTorque(const MdtBSJointID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtBSJointGetWorld(const MdtBSJointID j);
+MEPUBLIC void MEAPI MdtBSJointSetUserData(const MdtBSJointID j, void *data);
+MEPUBLIC void *MEAPI MdtBSJointGetUserData(const MdtBSJointID j);
+MEPUBLIC void MEAPI MdtBSJointSetSortKey(const MdtBSJointID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtBSJointGetSortKey(const MdtBSJointID j);
+MEPUBLIC void MEAPI MdtBSJointSetPosition(const MdtBSJointID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtBSJointGetPosition(const MdtBSJointID j, MeVector3 position);
 /** @} */
 
 ME_END_C

@@ -33,10 +33,11 @@ MEPUBLIC void MEAPI MdtCarWheelGetSteeringAxis(const MdtCarWheelID j, MeVector3 
 MEPUBLIC void MEAPI MdtCarWheelSetHingeAxis(const MdtCarWheelID j, const MeReal xHinge, const MeReal yHinge,
                                             const MeReal zHinge);
 MEPUBLIC void MEAPI MdtCarWheelGetHingeAxis(const MdtCarWheelID j, MeVector3 v);
-#define MdtCarWheelSetSteeringAndHingeAxes(j, px, py, pz, ox, oy, oz)                                                  \
-    MdtConstraintSetAxes(MdtCarWheelQuaConstraint(j), (px), (py), (pz), (ox), (oy), (oz))
-#define MdtCarWheelGetSteeringAndHingeAxes(j, k, p, o)                                                                 \
-    MdtConstraintBodyGetAxes(MdtCarWheelQuaConstraint(j), (k), (p), (o))
+MEPUBLIC void MEAPI MdtCarWheelSetSteeringAndHingeAxes(const MdtCarWheelID j, const MeReal px, const MeReal py,
+                                                       const MeReal pz, const MeReal ox, const MeReal oy,
+                                                       const MeReal oz);
+MEPUBLIC void MEAPI MdtCarWheelGetSteeringAndHingeAxes(const MdtCarWheelID j, const unsigned int bodyindex,
+                                                       MeVector3 primary, MeVector3 ortho);
 /** @} */
 /** @name Steering: locked, or moved by a motor of limited force
  *  A new wheel's motor holds the steering at rest with up
@@ -85,51 +86,21 @@ MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionRate(const MdtCarWheelID j);
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtCarWheelDestroy(const MdtCarWheelID j) {
-    MdtConstraintDestroy(MdtCarWheelQuaConstraint(j));
-}
-static inline void MdtCarWheelEnable(const MdtCarWheelID j) {
-    MdtConstraintEnable(MdtCarWheelQuaConstraint(j));
-}
-static inline void MdtCarWheelDisable(const MdtCarWheelID j) {
-    MdtConstraintDisable(MdtCarWheelQuaConstraint(j));
-}
-static inline MeBool MdtCarWheelIsEnabled(const MdtCarWheelID j) {
-    return MdtConstraintIsEnabled(MdtCarWheelQuaConstraint(j));
-}
-static inline void MdtCarWheelSetBodies(const MdtCarWheelID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtCarWheelQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtCarWheelGetBody(const MdtCarWheelID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtCarWheelQuaConstraint(j), bodyindex);
-}
-static inline void MdtCarWheelGetForce(const MdtCarWheelID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtCarWheelQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtCarWheelGetTorque(const MdtCarWheelID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtCarWheelQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtCarWheelGetWorld(const MdtCarWheelID j) {
-    return MdtConstraintGetWorld(MdtCarWheelQuaConstraint(j));
-}
-static inline void MdtCarWheelSetUserData(const MdtCarWheelID j, void *data) {
-    MdtConstraintSetUserData(MdtCarWheelQuaConstraint(j), data);
-}
-static inline void *MdtCarWheelGetUserData(const MdtCarWheelID j) {
-    return MdtConstraintGetUserData(MdtCarWheelQuaConstraint(j));
-}
-static inline void MdtCarWheelSetSortKey(const MdtCarWheelID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtCarWheelQuaConstraint(j), key);
-}
-static inline MeI32 MdtCarWheelGetSortKey(const MdtCarWheelID j) {
-    return MdtConstraintGetSortKey(MdtCarWheelQuaConstraint(j));
-}
-static inline void MdtCarWheelSetPosition(const MdtCarWheelID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetPosition(MdtCarWheelQuaConstraint(j), x, y, z);
-}
-static inline void MdtCarWheelGetPosition(const MdtCarWheelID j, MeVector3 position) {
-    MdtConstraintGetPosition(MdtCarWheelQuaConstraint(j), position);
-}
+MEPUBLIC void MEAPI MdtCarWheelDestroy(const MdtCarWheelID j);
+MEPUBLIC void MEAPI MdtCarWheelEnable(const MdtCarWheelID j);
+MEPUBLIC void MEAPI MdtCarWheelDisable(const MdtCarWheelID j);
+MEPUBLIC MeBool MEAPI MdtCarWheelIsEnabled(const MdtCarWheelID j);
+MEPUBLIC void MEAPI MdtCarWheelSetBodies(const MdtCarWheelID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtCarWheelGetBody(const MdtCarWheelID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtCarWheelGetForce(const MdtCarWheelID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtCarWheelGetTorque(const MdtCarWheelID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtCarWheelGetWorld(const MdtCarWheelID j);
+MEPUBLIC void MEAPI MdtCarWheelSetUserData(const MdtCarWheelID j, void *data);
+MEPUBLIC void *MEAPI MdtCarWheelGetUserData(const MdtCarWheelID j);
+MEPUBLIC void MEAPI MdtCarWheelSetSortKey(const MdtCarWheelID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtCarWheelGetSortKey(const MdtCarWheelID j);
+MEPUBLIC void MEAPI MdtCarWheelSetPosition(const MdtCarWheelID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtCarWheelGetPosition(const MdtCarWheelID j, MeVector3 position);
 /** @} */
 
 ME_END_C

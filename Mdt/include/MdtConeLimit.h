@@ -33,77 +33,38 @@ MEPUBLIC void MEAPI MdtConeLimitSetDamping(const MdtConeLimitID j, const MeReal 
 MEPUBLIC MeReal MEAPI MdtConeLimitGetDamping(const MdtConeLimitID j);
 /** @} */
 /** The axes of one body in the frame of its centre of mass. */
-#define MdtConeLimitBodySetAxesRel(j, k, px, py, pz, ox, oy, oz)                                                       \
-    MdtConstraintBodySetAxesRel(MdtConeLimitQuaConstraint(j), (k), (px), (py), (pz), (ox), (oy), (oz))
-#define MdtConeLimitGetAxes(j, p, o) MdtConstraintGetAxes(MdtConeLimitQuaConstraint(j), (p), (o))
+MEPUBLIC void MEAPI MdtConeLimitBodySetAxesRel(const MdtConeLimitID j, const unsigned int bodyindex, const MeReal px,
+                                               const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
+                                               const MeReal oz);
+MEPUBLIC void MEAPI MdtConeLimitGetAxes(const MdtConeLimitID j, MeVector3 primary, MeVector3 ortho);
 
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtConeLimitDestroy(const MdtConeLimitID j) {
-    MdtConstraintDestroy(MdtConeLimitQuaConstraint(j));
-}
-static inline void MdtConeLimitEnable(const MdtConeLimitID j) {
-    MdtConstraintEnable(MdtConeLimitQuaConstraint(j));
-}
-static inline void MdtConeLimitDisable(const MdtConeLimitID j) {
-    MdtConstraintDisable(MdtConeLimitQuaConstraint(j));
-}
-static inline MeBool MdtConeLimitIsEnabled(const MdtConeLimitID j) {
-    return MdtConstraintIsEnabled(MdtConeLimitQuaConstraint(j));
-}
-static inline void MdtConeLimitSetBodies(const MdtConeLimitID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtConeLimitQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtConeLimitGetBody(const MdtConeLimitID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtConeLimitQuaConstraint(j), bodyindex);
-}
-static inline void MdtConeLimitGetForce(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtConeLimitQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtConeLimitGetTorque(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtConeLimitQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtConeLimitGetWorld(const MdtConeLimitID j) {
-    return MdtConstraintGetWorld(MdtConeLimitQuaConstraint(j));
-}
-static inline void MdtConeLimitSetUserData(const MdtConeLimitID j, void *data) {
-    MdtConstraintSetUserData(MdtConeLimitQuaConstraint(j), data);
-}
-static inline void *MdtConeLimitGetUserData(const MdtConeLimitID j) {
-    return MdtConstraintGetUserData(MdtConeLimitQuaConstraint(j));
-}
-static inline void MdtConeLimitSetSortKey(const MdtConeLimitID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtConeLimitQuaConstraint(j), key);
-}
-static inline MeI32 MdtConeLimitGetSortKey(const MdtConeLimitID j) {
-    return MdtConstraintGetSortKey(MdtConeLimitQuaConstraint(j));
-}
-static inline void MdtConeLimitSetPosition(const MdtConeLimitID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetPosition(MdtConeLimitQuaConstraint(j), x, y, z);
-}
-static inline void MdtConeLimitGetPosition(const MdtConeLimitID j, MeVector3 position) {
-    MdtConstraintGetPosition(MdtConeLimitQuaConstraint(j), position);
-}
-static inline void MdtConeLimitSetAxis(const MdtConeLimitID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetAxis(MdtConeLimitQuaConstraint(j), x, y, z);
-}
-static inline void MdtConeLimitGetAxis(const MdtConeLimitID j, MeVector3 axis) {
-    MdtConstraintGetAxis(MdtConeLimitQuaConstraint(j), axis);
-}
-static inline void MdtConeLimitSetAxes(const MdtConeLimitID j, const MeReal px, const MeReal py, const MeReal pz,
-                                       const MeReal ox, const MeReal oy, const MeReal oz) {
-    MdtConstraintSetAxes(MdtConeLimitQuaConstraint(j), px, py, pz, ox, oy, oz);
-}
-static inline void MdtConeLimitBodySetAxes(const MdtConeLimitID j, const unsigned int bodyindex, const MeReal px,
-                                           const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
-                                           const MeReal oz) {
-    MdtConstraintBodySetAxes(MdtConeLimitQuaConstraint(j), bodyindex, px, py, pz, ox, oy, oz);
-}
-static inline void MdtConeLimitBodyGetAxes(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 primary,
-                                           MeVector3 ortho) {
-    MdtConstraintBodyGetAxes(MdtConeLimitQuaConstraint(j), bodyindex, primary, ortho);
-}
+MEPUBLIC void MEAPI MdtConeLimitDestroy(const MdtConeLimitID j);
+MEPUBLIC void MEAPI MdtConeLimitEnable(const MdtConeLimitID j);
+MEPUBLIC void MEAPI MdtConeLimitDisable(const MdtConeLimitID j);
+MEPUBLIC MeBool MEAPI MdtConeLimitIsEnabled(const MdtConeLimitID j);
+MEPUBLIC void MEAPI MdtConeLimitSetBodies(const MdtConeLimitID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtConeLimitGetBody(const MdtConeLimitID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtConeLimitGetForce(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtConeLimitGetTorque(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtConeLimitGetWorld(const MdtConeLimitID j);
+MEPUBLIC void MEAPI MdtConeLimitSetUserData(const MdtConeLimitID j, void *data);
+MEPUBLIC void *MEAPI MdtConeLimitGetUserData(const MdtConeLimitID j);
+MEPUBLIC void MEAPI MdtConeLimitSetSortKey(const MdtConeLimitID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtConeLimitGetSortKey(const MdtConeLimitID j);
+MEPUBLIC void MEAPI MdtConeLimitSetPosition(const MdtConeLimitID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtConeLimitGetPosition(const MdtConeLimitID j, MeVector3 position);
+MEPUBLIC void MEAPI MdtConeLimitSetAxis(const MdtConeLimitID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtConeLimitGetAxis(const MdtConeLimitID j, MeVector3 axis);
+MEPUBLIC void MEAPI MdtConeLimitSetAxes(const MdtConeLimitID j, const MeReal px, const MeReal py, const MeReal pz,
+                                        const MeReal ox, const MeReal oy, const MeReal oz);
+MEPUBLIC void MEAPI MdtConeLimitBodySetAxes(const MdtConeLimitID j, const unsigned int bodyindex, const MeReal px,
+                                            const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
+                                            const MeReal oz);
+MEPUBLIC void MEAPI MdtConeLimitBodyGetAxes(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 primary,
+                                            MeVector3 ortho);
 /** @} */
 
 ME_END_C

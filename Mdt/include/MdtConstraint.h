@@ -7,7 +7,7 @@
  *  frame and move with the bodies; the functions named ...Rel use the frame of the body's centre of mass.
  *
  *  Life: create (disabled, unattached), SetBodies, SetPosition and axes, Enable. Place the bodies before attaching
- *  them. Each joint's header maps its own names onto these functions.
+ *  them. Each joint's header has these functions under its own name.
  *
  *  Bad input (null or destroyed handles, numbers that are not finite, an axis of length zero, a body index other than 0
  *  and 1) gets a warning and changes nothing; accessors then return zeros.
@@ -73,14 +73,16 @@ MEPUBLIC void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const u
                                                 MeVector3 o);
 /** The primary axis alone. */
 MEPUBLIC void MEAPI MdtConstraintBodyGetAxis(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 a);
-#define MdtConstraintGetAxis(c, axis) MdtConstraintGetAxes((c), (axis), 0)
+MEPUBLIC void MEAPI MdtConstraintGetAxis(const MdtConstraintID c, MeVector3 axis);
 /** Deprecated names of the guides. */
-#define MdtConstraintSetBothAxis(c, px, py, pz, ox, oy, oz)                                                            \
-    MdtConstraintSetAxes((c), (px), (py), (pz), (ox), (oy), (oz))
-#define MdtConstraintGetBothAxes(c, p, o)        MdtConstraintGetAxes((c), (p), (o))
-#define MdtConstraintBodyGetBothAxes(c, k, p, o) MdtConstraintBodyGetAxes((c), (k), (p), (o))
-#define MdtConstraintBodySetBothAxis(c, k, px, py, pz, ox, oy, oz)                                                     \
-    MdtConstraintBodySetAxes((c), (k), (px), (py), (pz), (ox), (oy), (oz))
+MEPUBLIC void MEAPI MdtConstraintSetBothAxis(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz,
+                                             const MeReal ox, const MeReal oy, const MeReal oz);
+MEPUBLIC void MEAPI MdtConstraintGetBothAxes(const MdtConstraintID c, MeVector3 p, MeVector3 o);
+MEPUBLIC void MEAPI MdtConstraintBodyGetBothAxes(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
+                                                 MeVector3 o);
+MEPUBLIC void MEAPI MdtConstraintBodySetBothAxis(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
+                                                 const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
+                                                 const MeReal oz);
 /** @} */
 
 /** @name What the constraint did in the last step

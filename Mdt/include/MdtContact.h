@@ -114,45 +114,19 @@ MEPUBLIC MdtContactGroupID MEAPI MdtContactGetContactGroup(const MdtContactID c)
 /** @name What every constraint has, under its own name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtContactDestroy(const MdtContactID j) {
-    MdtConstraintDestroy(MdtContactQuaConstraint(j));
-}
-static inline void MdtContactEnable(const MdtContactID j) {
-    MdtConstraintEnable(MdtContactQuaConstraint(j));
-}
-static inline void MdtContactDisable(const MdtContactID j) {
-    MdtConstraintDisable(MdtContactQuaConstraint(j));
-}
-static inline MeBool MdtContactIsEnabled(const MdtContactID j) {
-    return MdtConstraintIsEnabled(MdtContactQuaConstraint(j));
-}
-static inline void MdtContactSetBodies(const MdtContactID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtContactQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtContactGetBody(const MdtContactID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtContactQuaConstraint(j), bodyindex);
-}
-static inline void MdtContactGetForce(const MdtContactID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtContactQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtContactGetTorque(const MdtContactID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtContactQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtContactGetWorld(const MdtContactID j) {
-    return MdtConstraintGetWorld(MdtContactQuaConstraint(j));
-}
-static inline void MdtContactSetUserData(const MdtContactID j, void *data) {
-    MdtConstraintSetUserData(MdtContactQuaConstraint(j), data);
-}
-static inline void *MdtContactGetUserData(const MdtContactID j) {
-    return MdtConstraintGetUserData(MdtContactQuaConstraint(j));
-}
-static inline void MdtContactSetSortKey(const MdtContactID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtContactQuaConstraint(j), key);
-}
-static inline MeI32 MdtContactGetSortKey(const MdtContactID j) {
-    return MdtConstraintGetSortKey(MdtContactQuaConstraint(j));
-}
+MEPUBLIC void MEAPI MdtContactDestroy(const MdtContactID j);
+MEPUBLIC void MEAPI MdtContactEnable(const MdtContactID j);
+MEPUBLIC void MEAPI MdtContactDisable(const MdtContactID j);
+MEPUBLIC MeBool MEAPI MdtContactIsEnabled(const MdtContactID j);
+MEPUBLIC void MEAPI MdtContactSetBodies(const MdtContactID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtContactGetBody(const MdtContactID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtContactGetForce(const MdtContactID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtContactGetTorque(const MdtContactID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtContactGetWorld(const MdtContactID j);
+MEPUBLIC void MEAPI MdtContactSetUserData(const MdtContactID j, void *data);
+MEPUBLIC void *MEAPI MdtContactGetUserData(const MdtContactID j);
+MEPUBLIC void MEAPI MdtContactSetSortKey(const MdtContactID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtContactGetSortKey(const MdtContactID j);
 /** @} */
 
 ME_END_C

@@ -62,47 +62,21 @@ MEPUBLIC void MEAPI MdtContactGroupSetHolder(MdtContactGroupID g, void **holder)
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Force and torque are the sums over
  *  the contacts. Destroying the group destroys them.
  *  @{ */
-static inline void MdtContactGroupDestroy(const MdtContactGroupID j) {
-    MdtConstraintDestroy(MdtContactGroupQuaConstraint(j));
-}
-static inline void MdtContactGroupEnable(const MdtContactGroupID j) {
-    MdtConstraintEnable(MdtContactGroupQuaConstraint(j));
-}
-static inline void MdtContactGroupDisable(const MdtContactGroupID j) {
-    MdtConstraintDisable(MdtContactGroupQuaConstraint(j));
-}
-static inline MeBool MdtContactGroupIsEnabled(const MdtContactGroupID j) {
-    return MdtConstraintIsEnabled(MdtContactGroupQuaConstraint(j));
-}
-static inline void MdtContactGroupSetBodies(const MdtContactGroupID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtContactGroupQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtContactGroupGetBody(const MdtContactGroupID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtContactGroupQuaConstraint(j), bodyindex);
-}
-static inline void MdtContactGroupGetForce(const MdtContactGroupID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtContactGroupQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtContactGroupGetTorque(const MdtContactGroupID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtContactGroupQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtContactGroupGetWorld(const MdtContactGroupID j) {
-    return MdtConstraintGetWorld(MdtContactGroupQuaConstraint(j));
-}
-static inline void MdtContactGroupSetUserData(const MdtContactGroupID j, void *data) {
-    MdtConstraintSetUserData(MdtContactGroupQuaConstraint(j), data);
-}
-static inline void *MdtContactGroupGetUserData(const MdtContactGroupID j) {
-    return MdtConstraintGetUserData(MdtContactGroupQuaConstraint(j));
-}
-static inline void MdtContactGroupSetSortKey(const MdtContactGroupID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtContactGroupQuaConstraint(j), key);
-}
-static inline MeI32 MdtContactGroupGetSortKey(const MdtContactGroupID j) {
-    return MdtConstraintGetSortKey(MdtContactGroupQuaConstraint(j));
-}
+MEPUBLIC void MEAPI MdtContactGroupDestroy(const MdtContactGroupID j);
+MEPUBLIC void MEAPI MdtContactGroupEnable(const MdtContactGroupID j);
+MEPUBLIC void MEAPI MdtContactGroupDisable(const MdtContactGroupID j);
+MEPUBLIC MeBool MEAPI MdtContactGroupIsEnabled(const MdtContactGroupID j);
+MEPUBLIC void MEAPI MdtContactGroupSetBodies(const MdtContactGroupID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtContactGroupGetBody(const MdtContactGroupID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtContactGroupGetForce(const MdtContactGroupID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtContactGroupGetTorque(const MdtContactGroupID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtContactGroupGetWorld(const MdtContactGroupID j);
+MEPUBLIC void MEAPI MdtContactGroupSetUserData(const MdtContactGroupID j, void *data);
+MEPUBLIC void *MEAPI MdtContactGroupGetUserData(const MdtContactGroupID j);
+MEPUBLIC void MEAPI MdtContactGroupSetSortKey(const MdtContactGroupID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtContactGroupGetSortKey(const MdtContactGroupID j);
 /** Another name of old programs. */
-#define MdtContactGroupTorque(j, k, t) MdtContactGroupGetTorque((j), (k), (t))
+MEPUBLIC void MEAPI MdtContactGroupTorque(const MdtContactGroupID j, const unsigned int bodyindex, MeVector3 torque);
 /** @} */
 
 ME_END_C

@@ -26,45 +26,19 @@ MEPUBLIC void MEAPI MdtFPFOJointGetPosition(const MdtFPFOJointID j, const unsign
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtFPFOJointDestroy(const MdtFPFOJointID j) {
-    MdtConstraintDestroy(MdtFPFOJointQuaConstraint(j));
-}
-static inline void MdtFPFOJointEnable(const MdtFPFOJointID j) {
-    MdtConstraintEnable(MdtFPFOJointQuaConstraint(j));
-}
-static inline void MdtFPFOJointDisable(const MdtFPFOJointID j) {
-    MdtConstraintDisable(MdtFPFOJointQuaConstraint(j));
-}
-static inline MeBool MdtFPFOJointIsEnabled(const MdtFPFOJointID j) {
-    return MdtConstraintIsEnabled(MdtFPFOJointQuaConstraint(j));
-}
-static inline void MdtFPFOJointSetBodies(const MdtFPFOJointID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtFPFOJointQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtFPFOJointGetBody(const MdtFPFOJointID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtFPFOJointQuaConstraint(j), bodyindex);
-}
-static inline void MdtFPFOJointGetForce(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtFPFOJointQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtFPFOJointGetTorque(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtFPFOJointQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtFPFOJointGetWorld(const MdtFPFOJointID j) {
-    return MdtConstraintGetWorld(MdtFPFOJointQuaConstraint(j));
-}
-static inline void MdtFPFOJointSetUserData(const MdtFPFOJointID j, void *data) {
-    MdtConstraintSetUserData(MdtFPFOJointQuaConstraint(j), data);
-}
-static inline void *MdtFPFOJointGetUserData(const MdtFPFOJointID j) {
-    return MdtConstraintGetUserData(MdtFPFOJointQuaConstraint(j));
-}
-static inline void MdtFPFOJointSetSortKey(const MdtFPFOJointID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtFPFOJointQuaConstraint(j), key);
-}
-static inline MeI32 MdtFPFOJointGetSortKey(const MdtFPFOJointID j) {
-    return MdtConstraintGetSortKey(MdtFPFOJointQuaConstraint(j));
-}
+MEPUBLIC void MEAPI MdtFPFOJointDestroy(const MdtFPFOJointID j);
+MEPUBLIC void MEAPI MdtFPFOJointEnable(const MdtFPFOJointID j);
+MEPUBLIC void MEAPI MdtFPFOJointDisable(const MdtFPFOJointID j);
+MEPUBLIC MeBool MEAPI MdtFPFOJointIsEnabled(const MdtFPFOJointID j);
+MEPUBLIC void MEAPI MdtFPFOJointSetBodies(const MdtFPFOJointID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtFPFOJointGetBody(const MdtFPFOJointID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtFPFOJointGetForce(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtFPFOJointGetTorque(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtFPFOJointGetWorld(const MdtFPFOJointID j);
+MEPUBLIC void MEAPI MdtFPFOJointSetUserData(const MdtFPFOJointID j, void *data);
+MEPUBLIC void *MEAPI MdtFPFOJointGetUserData(const MdtFPFOJointID j);
+MEPUBLIC void MEAPI MdtFPFOJointSetSortKey(const MdtFPFOJointID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtFPFOJointGetSortKey(const MdtFPFOJointID j);
 /** @} */
 
 ME_END_C

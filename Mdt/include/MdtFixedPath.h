@@ -34,45 +34,19 @@ MEPUBLIC void MEAPI MdtFixedPathGetVelocity(const MdtFixedPathID j, const unsign
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtFixedPathDestroy(const MdtFixedPathID j) {
-    MdtConstraintDestroy(MdtFixedPathQuaConstraint(j));
-}
-static inline void MdtFixedPathEnable(const MdtFixedPathID j) {
-    MdtConstraintEnable(MdtFixedPathQuaConstraint(j));
-}
-static inline void MdtFixedPathDisable(const MdtFixedPathID j) {
-    MdtConstraintDisable(MdtFixedPathQuaConstraint(j));
-}
-static inline MeBool MdtFixedPathIsEnabled(const MdtFixedPathID j) {
-    return MdtConstraintIsEnabled(MdtFixedPathQuaConstraint(j));
-}
-static inline void MdtFixedPathSetBodies(const MdtFixedPathID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtFixedPathQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtFixedPathGetBody(const MdtFixedPathID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtFixedPathQuaConstraint(j), bodyindex);
-}
-static inline void MdtFixedPathGetForce(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtFixedPathQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtFixedPathGetTorque(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtFixedPathQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtFixedPathGetWorld(const MdtFixedPathID j) {
-    return MdtConstraintGetWorld(MdtFixedPathQuaConstraint(j));
-}
-static inline void MdtFixedPathSetUserData(const MdtFixedPathID j, void *data) {
-    MdtConstraintSetUserData(MdtFixedPathQuaConstraint(j), data);
-}
-static inline void *MdtFixedPathGetUserData(const MdtFixedPathID j) {
-    return MdtConstraintGetUserData(MdtFixedPathQuaConstraint(j));
-}
-static inline void MdtFixedPathSetSortKey(const MdtFixedPathID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtFixedPathQuaConstraint(j), key);
-}
-static inline MeI32 MdtFixedPathGetSortKey(const MdtFixedPathID j) {
-    return MdtConstraintGetSortKey(MdtFixedPathQuaConstraint(j));
-}
+MEPUBLIC void MEAPI MdtFixedPathDestroy(const MdtFixedPathID j);
+MEPUBLIC void MEAPI MdtFixedPathEnable(const MdtFixedPathID j);
+MEPUBLIC void MEAPI MdtFixedPathDisable(const MdtFixedPathID j);
+MEPUBLIC MeBool MEAPI MdtFixedPathIsEnabled(const MdtFixedPathID j);
+MEPUBLIC void MEAPI MdtFixedPathSetBodies(const MdtFixedPathID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtFixedPathGetBody(const MdtFixedPathID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtFixedPathGetForce(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtFixedPathGetTorque(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtFixedPathGetWorld(const MdtFixedPathID j);
+MEPUBLIC void MEAPI MdtFixedPathSetUserData(const MdtFixedPathID j, void *data);
+MEPUBLIC void *MEAPI MdtFixedPathGetUserData(const MdtFixedPathID j);
+MEPUBLIC void MEAPI MdtFixedPathSetSortKey(const MdtFixedPathID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtFixedPathGetSortKey(const MdtFixedPathID j);
 /** @} */
 
 ME_END_C

@@ -31,57 +31,23 @@ MEPUBLIC void MEAPI MdtHingeSetLimit(const MdtHingeID j, const MdtLimitID NewLim
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtHingeDestroy(const MdtHingeID j) {
-    MdtConstraintDestroy(MdtHingeQuaConstraint(j));
-}
-static inline void MdtHingeEnable(const MdtHingeID j) {
-    MdtConstraintEnable(MdtHingeQuaConstraint(j));
-}
-static inline void MdtHingeDisable(const MdtHingeID j) {
-    MdtConstraintDisable(MdtHingeQuaConstraint(j));
-}
-static inline MeBool MdtHingeIsEnabled(const MdtHingeID j) {
-    return MdtConstraintIsEnabled(MdtHingeQuaConstraint(j));
-}
-static inline void MdtHingeSetBodies(const MdtHingeID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtHingeQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtHingeGetBody(const MdtHingeID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtHingeQuaConstraint(j), bodyindex);
-}
-static inline void MdtHingeGetForce(const MdtHingeID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtHingeQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtHingeGetTorque(const MdtHingeID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtHingeQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtHingeGetWorld(const MdtHingeID j) {
-    return MdtConstraintGetWorld(MdtHingeQuaConstraint(j));
-}
-static inline void MdtHingeSetUserData(const MdtHingeID j, void *data) {
-    MdtConstraintSetUserData(MdtHingeQuaConstraint(j), data);
-}
-static inline void *MdtHingeGetUserData(const MdtHingeID j) {
-    return MdtConstraintGetUserData(MdtHingeQuaConstraint(j));
-}
-static inline void MdtHingeSetSortKey(const MdtHingeID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtHingeQuaConstraint(j), key);
-}
-static inline MeI32 MdtHingeGetSortKey(const MdtHingeID j) {
-    return MdtConstraintGetSortKey(MdtHingeQuaConstraint(j));
-}
-static inline void MdtHingeSetPosition(const MdtHingeID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetPosition(MdtHingeQuaConstraint(j), x, y, z);
-}
-static inline void MdtHingeGetPosition(const MdtHingeID j, MeVector3 position) {
-    MdtConstraintGetPosition(MdtHingeQuaConstraint(j), position);
-}
-static inline void MdtHingeSetAxis(const MdtHingeID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetAxis(MdtHingeQuaConstraint(j), x, y, z);
-}
-static inline void MdtHingeGetAxis(const MdtHingeID j, MeVector3 axis) {
-    MdtConstraintGetAxis(MdtHingeQuaConstraint(j), axis);
-}
+MEPUBLIC void MEAPI MdtHingeDestroy(const MdtHingeID j);
+MEPUBLIC void MEAPI MdtHingeEnable(const MdtHingeID j);
+MEPUBLIC void MEAPI MdtHingeDisable(const MdtHingeID j);
+MEPUBLIC MeBool MEAPI MdtHingeIsEnabled(const MdtHingeID j);
+MEPUBLIC void MEAPI MdtHingeSetBodies(const MdtHingeID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtHingeGetBody(const MdtHingeID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtHingeGetForce(const MdtHingeID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtHingeGetTorque(const MdtHingeID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtHingeGetWorld(const MdtHingeID j);
+MEPUBLIC void MEAPI MdtHingeSetUserData(const MdtHingeID j, void *data);
+MEPUBLIC void *MEAPI MdtHingeGetUserData(const MdtHingeID j);
+MEPUBLIC void MEAPI MdtHingeSetSortKey(const MdtHingeID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtHingeGetSortKey(const MdtHingeID j);
+MEPUBLIC void MEAPI MdtHingeSetPosition(const MdtHingeID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtHingeGetPosition(const MdtHingeID j, MeVector3 position);
+MEPUBLIC void MEAPI MdtHingeSetAxis(const MdtHingeID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtHingeGetAxis(const MdtHingeID j, MeVector3 axis);
 /** @} */
 
 ME_END_C

@@ -26,7 +26,7 @@ MEPUBLIC void MEAPI MdtLimitReset(const MdtLimitID limit);
 /** Forgets the measured position (and with it the full turns), not the settings: for bodies that were put elsewhere. */
 MEPUBLIC void MEAPI MdtLimitResetState(const MdtLimitID limit);
 /** The coordinate at the end of the last step, offset included. Measured while the limit is active, powered or asked to
- *  calculate it. */
+ *  calculate it (MdtLimitCalculatePosition); else a warning. */
 MEPUBLIC MeReal MEAPI MdtLimitGetPosition(const MdtLimitID l);
 /** Its rate. */
 MEPUBLIC MeReal MEAPI MdtLimitGetVelocity(const MdtLimitID l);
@@ -48,7 +48,7 @@ MEPUBLIC void MEAPI MdtLimitSetUpperLimit(const MdtLimitID l, const MdtSingleLim
 
 /** @name Switches
  *  @{ */
-/** The stops. Off by default. */
+/** The stops. Off by default. A warning where the lower one is above the upper one now. */
 MEPUBLIC void MEAPI MdtLimitActivateLimits(const MdtLimitID l, const MeBool NewActivationState);
 MEPUBLIC MeBool MEAPI MdtLimitIsActive(const MdtLimitID l);
 /** The motor. Off by default (the guides' text says on; their tables and samples need off). */

@@ -23,57 +23,23 @@ MEPUBLIC MdtLinear1ID MEAPI MdtConstraintDCastLinear1(const MdtConstraintID c);
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtLinear1Destroy(const MdtLinear1ID j) {
-    MdtConstraintDestroy(MdtLinear1QuaConstraint(j));
-}
-static inline void MdtLinear1Enable(const MdtLinear1ID j) {
-    MdtConstraintEnable(MdtLinear1QuaConstraint(j));
-}
-static inline void MdtLinear1Disable(const MdtLinear1ID j) {
-    MdtConstraintDisable(MdtLinear1QuaConstraint(j));
-}
-static inline MeBool MdtLinear1IsEnabled(const MdtLinear1ID j) {
-    return MdtConstraintIsEnabled(MdtLinear1QuaConstraint(j));
-}
-static inline void MdtLinear1SetBodies(const MdtLinear1ID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtLinear1QuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtLinear1GetBody(const MdtLinear1ID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtLinear1QuaConstraint(j), bodyindex);
-}
-static inline void MdtLinear1GetForce(const MdtLinear1ID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtLinear1QuaConstraint(j), bodyindex, force);
-}
-static inline void MdtLinear1GetTorque(const MdtLinear1ID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtLinear1QuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtLinear1GetWorld(const MdtLinear1ID j) {
-    return MdtConstraintGetWorld(MdtLinear1QuaConstraint(j));
-}
-static inline void MdtLinear1SetUserData(const MdtLinear1ID j, void *data) {
-    MdtConstraintSetUserData(MdtLinear1QuaConstraint(j), data);
-}
-static inline void *MdtLinear1GetUserData(const MdtLinear1ID j) {
-    return MdtConstraintGetUserData(MdtLinear1QuaConstraint(j));
-}
-static inline void MdtLinear1SetSortKey(const MdtLinear1ID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtLinear1QuaConstraint(j), key);
-}
-static inline MeI32 MdtLinear1GetSortKey(const MdtLinear1ID j) {
-    return MdtConstraintGetSortKey(MdtLinear1QuaConstraint(j));
-}
-static inline void MdtLinear1SetPosition(const MdtLinear1ID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetPosition(MdtLinear1QuaConstraint(j), x, y, z);
-}
-static inline void MdtLinear1GetPosition(const MdtLinear1ID j, MeVector3 position) {
-    MdtConstraintGetPosition(MdtLinear1QuaConstraint(j), position);
-}
-static inline void MdtLinear1SetAxis(const MdtLinear1ID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetAxis(MdtLinear1QuaConstraint(j), x, y, z);
-}
-static inline void MdtLinear1GetAxis(const MdtLinear1ID j, MeVector3 axis) {
-    MdtConstraintGetAxis(MdtLinear1QuaConstraint(j), axis);
-}
+MEPUBLIC void MEAPI MdtLinear1Destroy(const MdtLinear1ID j);
+MEPUBLIC void MEAPI MdtLinear1Enable(const MdtLinear1ID j);
+MEPUBLIC void MEAPI MdtLinear1Disable(const MdtLinear1ID j);
+MEPUBLIC MeBool MEAPI MdtLinear1IsEnabled(const MdtLinear1ID j);
+MEPUBLIC void MEAPI MdtLinear1SetBodies(const MdtLinear1ID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtLinear1GetBody(const MdtLinear1ID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtLinear1GetForce(const MdtLinear1ID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtLinear1GetTorque(const MdtLinear1ID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtLinear1GetWorld(const MdtLinear1ID j);
+MEPUBLIC void MEAPI MdtLinear1SetUserData(const MdtLinear1ID j, void *data);
+MEPUBLIC void *MEAPI MdtLinear1GetUserData(const MdtLinear1ID j);
+MEPUBLIC void MEAPI MdtLinear1SetSortKey(const MdtLinear1ID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtLinear1GetSortKey(const MdtLinear1ID j);
+MEPUBLIC void MEAPI MdtLinear1SetPosition(const MdtLinear1ID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtLinear1GetPosition(const MdtLinear1ID j, MeVector3 position);
+MEPUBLIC void MEAPI MdtLinear1SetAxis(const MdtLinear1ID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtLinear1GetAxis(const MdtLinear1ID j, MeVector3 axis);
 /** @} */
 
 ME_END_C

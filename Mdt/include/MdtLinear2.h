@@ -26,51 +26,21 @@ MEPUBLIC void MEAPI MdtLinear2GetDirection(const MdtLinear2ID j, MeVector3 direc
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtLinear2Destroy(const MdtLinear2ID j) {
-    MdtConstraintDestroy(MdtLinear2QuaConstraint(j));
-}
-static inline void MdtLinear2Enable(const MdtLinear2ID j) {
-    MdtConstraintEnable(MdtLinear2QuaConstraint(j));
-}
-static inline void MdtLinear2Disable(const MdtLinear2ID j) {
-    MdtConstraintDisable(MdtLinear2QuaConstraint(j));
-}
-static inline MeBool MdtLinear2IsEnabled(const MdtLinear2ID j) {
-    return MdtConstraintIsEnabled(MdtLinear2QuaConstraint(j));
-}
-static inline void MdtLinear2SetBodies(const MdtLinear2ID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtLinear2QuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtLinear2GetBody(const MdtLinear2ID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtLinear2QuaConstraint(j), bodyindex);
-}
-static inline void MdtLinear2GetForce(const MdtLinear2ID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtLinear2QuaConstraint(j), bodyindex, force);
-}
-static inline void MdtLinear2GetTorque(const MdtLinear2ID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtLinear2QuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtLinear2GetWorld(const MdtLinear2ID j) {
-    return MdtConstraintGetWorld(MdtLinear2QuaConstraint(j));
-}
-static inline void MdtLinear2SetUserData(const MdtLinear2ID j, void *data) {
-    MdtConstraintSetUserData(MdtLinear2QuaConstraint(j), data);
-}
-static inline void *MdtLinear2GetUserData(const MdtLinear2ID j) {
-    return MdtConstraintGetUserData(MdtLinear2QuaConstraint(j));
-}
-static inline void MdtLinear2SetSortKey(const MdtLinear2ID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtLinear2QuaConstraint(j), key);
-}
-static inline MeI32 MdtLinear2GetSortKey(const MdtLinear2ID j) {
-    return MdtConstraintGetSortKey(MdtLinear2QuaConstraint(j));
-}
-static inline void MdtLinear2SetPosition(const MdtLinear2ID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetPosition(MdtLinear2QuaConstraint(j), x, y, z);
-}
-static inline void MdtLinear2GetPosition(const MdtLinear2ID j, MeVector3 position) {
-    MdtConstraintGetPosition(MdtLinear2QuaConstraint(j), position);
-}
+MEPUBLIC void MEAPI MdtLinear2Destroy(const MdtLinear2ID j);
+MEPUBLIC void MEAPI MdtLinear2Enable(const MdtLinear2ID j);
+MEPUBLIC void MEAPI MdtLinear2Disable(const MdtLinear2ID j);
+MEPUBLIC MeBool MEAPI MdtLinear2IsEnabled(const MdtLinear2ID j);
+MEPUBLIC void MEAPI MdtLinear2SetBodies(const MdtLinear2ID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtLinear2GetBody(const MdtLinear2ID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtLinear2GetForce(const MdtLinear2ID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtLinear2GetTorque(const MdtLinear2ID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtLinear2GetWorld(const MdtLinear2ID j);
+MEPUBLIC void MEAPI MdtLinear2SetUserData(const MdtLinear2ID j, void *data);
+MEPUBLIC void *MEAPI MdtLinear2GetUserData(const MdtLinear2ID j);
+MEPUBLIC void MEAPI MdtLinear2SetSortKey(const MdtLinear2ID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtLinear2GetSortKey(const MdtLinear2ID j);
+MEPUBLIC void MEAPI MdtLinear2SetPosition(const MdtLinear2ID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtLinear2GetPosition(const MdtLinear2ID j, MeVector3 position);
 /** @} */
 
 ME_END_C

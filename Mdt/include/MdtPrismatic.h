@@ -31,51 +31,21 @@ MEPUBLIC void MEAPI MdtPrismaticSetLimit(const MdtPrismaticID j, const MdtLimitI
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtPrismaticDestroy(const MdtPrismaticID j) {
-    MdtConstraintDestroy(MdtPrismaticQuaConstraint(j));
-}
-static inline void MdtPrismaticEnable(const MdtPrismaticID j) {
-    MdtConstraintEnable(MdtPrismaticQuaConstraint(j));
-}
-static inline void MdtPrismaticDisable(const MdtPrismaticID j) {
-    MdtConstraintDisable(MdtPrismaticQuaConstraint(j));
-}
-static inline MeBool MdtPrismaticIsEnabled(const MdtPrismaticID j) {
-    return MdtConstraintIsEnabled(MdtPrismaticQuaConstraint(j));
-}
-static inline void MdtPrismaticSetBodies(const MdtPrismaticID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtPrismaticQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtPrismaticGetBody(const MdtPrismaticID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtPrismaticQuaConstraint(j), bodyindex);
-}
-static inline void MdtPrismaticGetForce(const MdtPrismaticID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtPrismaticQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtPrismaticGetTorque(const MdtPrismaticID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtPrismaticQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtPrismaticGetWorld(const MdtPrismaticID j) {
-    return MdtConstraintGetWorld(MdtPrismaticQuaConstraint(j));
-}
-static inline void MdtPrismaticSetUserData(const MdtPrismaticID j, void *data) {
-    MdtConstraintSetUserData(MdtPrismaticQuaConstraint(j), data);
-}
-static inline void *MdtPrismaticGetUserData(const MdtPrismaticID j) {
-    return MdtConstraintGetUserData(MdtPrismaticQuaConstraint(j));
-}
-static inline void MdtPrismaticSetSortKey(const MdtPrismaticID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtPrismaticQuaConstraint(j), key);
-}
-static inline MeI32 MdtPrismaticGetSortKey(const MdtPrismaticID j) {
-    return MdtConstraintGetSortKey(MdtPrismaticQuaConstraint(j));
-}
-static inline void MdtPrismaticSetAxis(const MdtPrismaticID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetAxis(MdtPrismaticQuaConstraint(j), x, y, z);
-}
-static inline void MdtPrismaticGetAxis(const MdtPrismaticID j, MeVector3 axis) {
-    MdtConstraintGetAxis(MdtPrismaticQuaConstraint(j), axis);
-}
+MEPUBLIC void MEAPI MdtPrismaticDestroy(const MdtPrismaticID j);
+MEPUBLIC void MEAPI MdtPrismaticEnable(const MdtPrismaticID j);
+MEPUBLIC void MEAPI MdtPrismaticDisable(const MdtPrismaticID j);
+MEPUBLIC MeBool MEAPI MdtPrismaticIsEnabled(const MdtPrismaticID j);
+MEPUBLIC void MEAPI MdtPrismaticSetBodies(const MdtPrismaticID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtPrismaticGetBody(const MdtPrismaticID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtPrismaticGetForce(const MdtPrismaticID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtPrismaticGetTorque(const MdtPrismaticID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtPrismaticGetWorld(const MdtPrismaticID j);
+MEPUBLIC void MEAPI MdtPrismaticSetUserData(const MdtPrismaticID j, void *data);
+MEPUBLIC void *MEAPI MdtPrismaticGetUserData(const MdtPrismaticID j);
+MEPUBLIC void MEAPI MdtPrismaticSetSortKey(const MdtPrismaticID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtPrismaticGetSortKey(const MdtPrismaticID j);
+MEPUBLIC void MEAPI MdtPrismaticSetAxis(const MdtPrismaticID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtPrismaticGetAxis(const MdtPrismaticID j, MeVector3 axis);
 /** @} */
 
 ME_END_C

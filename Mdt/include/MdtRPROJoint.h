@@ -58,62 +58,30 @@ MEPUBLIC void MEAPI MdtRPROJointGetAngularStrength(const MdtRPROJointID j, MeVec
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtRPROJointDestroy(const MdtRPROJointID j) {
-    MdtConstraintDestroy(MdtRPROJointQuaConstraint(j));
-}
-static inline void MdtRPROJointEnable(const MdtRPROJointID j) {
-    MdtConstraintEnable(MdtRPROJointQuaConstraint(j));
-}
-static inline void MdtRPROJointDisable(const MdtRPROJointID j) {
-    MdtConstraintDisable(MdtRPROJointQuaConstraint(j));
-}
-static inline MeBool MdtRPROJointIsEnabled(const MdtRPROJointID j) {
-    return MdtConstraintIsEnabled(MdtRPROJointQuaConstraint(j));
-}
-static inline void MdtRPROJointSetBodies(const MdtRPROJointID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtRPROJointQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtRPROJointGetBody(const MdtRPROJointID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtRPROJointQuaConstraint(j), bodyindex);
-}
-static inline void MdtRPROJointGetForce(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtRPROJointQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtRPROJointGetTorque(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtRPROJointQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtRPROJointGetWorld(const MdtRPROJointID j) {
-    return MdtConstraintGetWorld(MdtRPROJointQuaConstraint(j));
-}
-static inline void MdtRPROJointSetUserData(const MdtRPROJointID j, void *data) {
-    MdtConstraintSetUserData(MdtRPROJointQuaConstraint(j), data);
-}
-static inline void *MdtRPROJointGetUserData(const MdtRPROJointID j) {
-    return MdtConstraintGetUserData(MdtRPROJointQuaConstraint(j));
-}
-static inline void MdtRPROJointSetSortKey(const MdtRPROJointID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtRPROJointQuaConstraint(j), key);
-}
-static inline MeI32 MdtRPROJointGetSortKey(const MdtRPROJointID j) {
-    return MdtConstraintGetSortKey(MdtRPROJointQuaConstraint(j));
-}
+MEPUBLIC void MEAPI MdtRPROJointDestroy(const MdtRPROJointID j);
+MEPUBLIC void MEAPI MdtRPROJointEnable(const MdtRPROJointID j);
+MEPUBLIC void MEAPI MdtRPROJointDisable(const MdtRPROJointID j);
+MEPUBLIC MeBool MEAPI MdtRPROJointIsEnabled(const MdtRPROJointID j);
+MEPUBLIC void MEAPI MdtRPROJointSetBodies(const MdtRPROJointID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtRPROJointGetBody(const MdtRPROJointID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtRPROJointGetForce(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtRPROJointGetTorque(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtRPROJointGetWorld(const MdtRPROJointID j);
+MEPUBLIC void MEAPI MdtRPROJointSetUserData(const MdtRPROJointID j, void *data);
+MEPUBLIC void *MEAPI MdtRPROJointGetUserData(const MdtRPROJointID j);
+MEPUBLIC void MEAPI MdtRPROJointSetSortKey(const MdtRPROJointID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtRPROJointGetSortKey(const MdtRPROJointID j);
 /** @} */
 
 /** @name Other names of the guides and of old programs for the above
  *  @{ */
-static inline void MdtRPROJointGetAttachmentOrientation(const MdtRPROJointID j, const unsigned int bodyindex,
-                                                        MeVector4 quaternion) {
-    MdtRPROJointGetAttachmentQuaternion(j, bodyindex, quaternion);
-}
-static inline void MdtRPROJointGetPosition(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 position) {
-    MdtRPROJointGetAttachmentPosition(j, bodyindex, position);
-}
-static inline void MdtRPROJointSetPosition(const MdtRPROJointID j, const MeReal x, const MeReal y, const MeReal z,
-                                           const unsigned int bodyindex) {
-    MdtRPROJointSetAttachmentPosition(j, x, y, z, bodyindex);
-}
-#define MdtRPROSetSortKey(j, key) MdtRPROJointSetSortKey((j), (key))
-#define MdtRPROGetSortKey(j)      MdtRPROJointGetSortKey(j)
+MEPUBLIC void MEAPI MdtRPROJointGetAttachmentOrientation(const MdtRPROJointID j, const unsigned int bodyindex,
+                                                         MeVector4 quaternion);
+MEPUBLIC void MEAPI MdtRPROJointGetPosition(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 position);
+MEPUBLIC void MEAPI MdtRPROJointSetPosition(const MdtRPROJointID j, const MeReal x, const MeReal y, const MeReal z,
+                                            const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtRPROSetSortKey(const MdtRPROJointID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtRPROGetSortKey(const MdtRPROJointID j);
 /** @} */
 
 ME_END_C

@@ -53,69 +53,33 @@ MEPUBLIC MdtSkeletalTwistOption MEAPI MdtSkeletalGetTwistOption(const MdtSkeleta
 /** @} */
 /** Makes the twist that the bodies have now the zero of the twist. */
 MEPUBLIC void MEAPI MdtSkeletalZeroTwist(const MdtSkeletalID j);
-#define MdtSkeletalBodyGetAxis(j, k, a) MdtConstraintBodyGetAxis(MdtSkeletalQuaConstraint(j), (k), (a))
+MEPUBLIC void MEAPI MdtSkeletalBodyGetAxis(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 axis);
 
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtSkeletalDestroy(const MdtSkeletalID j) {
-    MdtConstraintDestroy(MdtSkeletalQuaConstraint(j));
-}
-static inline void MdtSkeletalEnable(const MdtSkeletalID j) {
-    MdtConstraintEnable(MdtSkeletalQuaConstraint(j));
-}
-static inline void MdtSkeletalDisable(const MdtSkeletalID j) {
-    MdtConstraintDisable(MdtSkeletalQuaConstraint(j));
-}
-static inline MeBool MdtSkeletalIsEnabled(const MdtSkeletalID j) {
-    return MdtConstraintIsEnabled(MdtSkeletalQuaConstraint(j));
-}
-static inline void MdtSkeletalSetBodies(const MdtSkeletalID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtSkeletalQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtSkeletalGetBody(const MdtSkeletalID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtSkeletalQuaConstraint(j), bodyindex);
-}
-static inline void MdtSkeletalGetForce(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtSkeletalQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtSkeletalGetTorque(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtSkeletalQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtSkeletalGetWorld(const MdtSkeletalID j) {
-    return MdtConstraintGetWorld(MdtSkeletalQuaConstraint(j));
-}
-static inline void MdtSkeletalSetUserData(const MdtSkeletalID j, void *data) {
-    MdtConstraintSetUserData(MdtSkeletalQuaConstraint(j), data);
-}
-static inline void *MdtSkeletalGetUserData(const MdtSkeletalID j) {
-    return MdtConstraintGetUserData(MdtSkeletalQuaConstraint(j));
-}
-static inline void MdtSkeletalSetSortKey(const MdtSkeletalID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtSkeletalQuaConstraint(j), key);
-}
-static inline MeI32 MdtSkeletalGetSortKey(const MdtSkeletalID j) {
-    return MdtConstraintGetSortKey(MdtSkeletalQuaConstraint(j));
-}
-static inline void MdtSkeletalSetPosition(const MdtSkeletalID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetPosition(MdtSkeletalQuaConstraint(j), x, y, z);
-}
-static inline void MdtSkeletalGetPosition(const MdtSkeletalID j, MeVector3 position) {
-    MdtConstraintGetPosition(MdtSkeletalQuaConstraint(j), position);
-}
-static inline void MdtSkeletalSetAxes(const MdtSkeletalID j, const MeReal px, const MeReal py, const MeReal pz,
-                                      const MeReal ox, const MeReal oy, const MeReal oz) {
-    MdtConstraintSetAxes(MdtSkeletalQuaConstraint(j), px, py, pz, ox, oy, oz);
-}
-static inline void MdtSkeletalBodySetAxes(const MdtSkeletalID j, const unsigned int bodyindex, const MeReal px,
-                                          const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
-                                          const MeReal oz) {
-    MdtConstraintBodySetAxes(MdtSkeletalQuaConstraint(j), bodyindex, px, py, pz, ox, oy, oz);
-}
-static inline void MdtSkeletalBodyGetAxes(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 primary,
-                                          MeVector3 ortho) {
-    MdtConstraintBodyGetAxes(MdtSkeletalQuaConstraint(j), bodyindex, primary, ortho);
-}
+MEPUBLIC void MEAPI MdtSkeletalDestroy(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalEnable(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalDisable(const MdtSkeletalID j);
+MEPUBLIC MeBool MEAPI MdtSkeletalIsEnabled(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalSetBodies(const MdtSkeletalID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtSkeletalGetBody(const MdtSkeletalID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtSkeletalGetForce(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtSkeletalGetTorque(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtSkeletalGetWorld(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalSetUserData(const MdtSkeletalID j, void *data);
+MEPUBLIC void *MEAPI MdtSkeletalGetUserData(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalSetSortKey(const MdtSkeletalID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtSkeletalGetSortKey(const MdtSkeletalID j);
+MEPUBLIC void MEAPI MdtSkeletalSetPosition(const MdtSkeletalID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtSkeletalGetPosition(const MdtSkeletalID j, MeVector3 position);
+MEPUBLIC void MEAPI MdtSkeletalSetAxes(const MdtSkeletalID j, const MeReal px, const MeReal py, const MeReal pz,
+                                       const MeReal ox, const MeReal oy, const MeReal oz);
+MEPUBLIC void MEAPI MdtSkeletalBodySetAxes(const MdtSkeletalID j, const unsigned int bodyindex, const MeReal px,
+                                           const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
+                                           const MeReal oz);
+MEPUBLIC void MEAPI MdtSkeletalBodyGetAxes(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 primary,
+                                           MeVector3 ortho);
 /** @} */
 
 ME_END_C

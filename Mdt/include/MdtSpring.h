@@ -47,45 +47,19 @@ MEPUBLIC void MEAPI MdtSpringSetDamping(const MdtSpringID j, const MeReal NewDam
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtSpringDestroy(const MdtSpringID j) {
-    MdtConstraintDestroy(MdtSpringQuaConstraint(j));
-}
-static inline void MdtSpringEnable(const MdtSpringID j) {
-    MdtConstraintEnable(MdtSpringQuaConstraint(j));
-}
-static inline void MdtSpringDisable(const MdtSpringID j) {
-    MdtConstraintDisable(MdtSpringQuaConstraint(j));
-}
-static inline MeBool MdtSpringIsEnabled(const MdtSpringID j) {
-    return MdtConstraintIsEnabled(MdtSpringQuaConstraint(j));
-}
-static inline void MdtSpringSetBodies(const MdtSpringID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtSpringQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtSpringGetBody(const MdtSpringID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtSpringQuaConstraint(j), bodyindex);
-}
-static inline void MdtSpringGetForce(const MdtSpringID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtSpringQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtSpringGetTorque(const MdtSpringID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtSpringQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtSpringGetWorld(const MdtSpringID j) {
-    return MdtConstraintGetWorld(MdtSpringQuaConstraint(j));
-}
-static inline void MdtSpringSetUserData(const MdtSpringID j, void *data) {
-    MdtConstraintSetUserData(MdtSpringQuaConstraint(j), data);
-}
-static inline void *MdtSpringGetUserData(const MdtSpringID j) {
-    return MdtConstraintGetUserData(MdtSpringQuaConstraint(j));
-}
-static inline void MdtSpringSetSortKey(const MdtSpringID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtSpringQuaConstraint(j), key);
-}
-static inline MeI32 MdtSpringGetSortKey(const MdtSpringID j) {
-    return MdtConstraintGetSortKey(MdtSpringQuaConstraint(j));
-}
+MEPUBLIC void MEAPI MdtSpringDestroy(const MdtSpringID j);
+MEPUBLIC void MEAPI MdtSpringEnable(const MdtSpringID j);
+MEPUBLIC void MEAPI MdtSpringDisable(const MdtSpringID j);
+MEPUBLIC MeBool MEAPI MdtSpringIsEnabled(const MdtSpringID j);
+MEPUBLIC void MEAPI MdtSpringSetBodies(const MdtSpringID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtSpringGetBody(const MdtSpringID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtSpringGetForce(const MdtSpringID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtSpringGetTorque(const MdtSpringID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtSpringGetWorld(const MdtSpringID j);
+MEPUBLIC void MEAPI MdtSpringSetUserData(const MdtSpringID j, void *data);
+MEPUBLIC void *MEAPI MdtSpringGetUserData(const MdtSpringID j);
+MEPUBLIC void MEAPI MdtSpringSetSortKey(const MdtSpringID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtSpringGetSortKey(const MdtSpringID j);
 /** @} */
 
 ME_END_C

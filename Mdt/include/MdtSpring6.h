@@ -44,56 +44,24 @@ MEPUBLIC void MEAPI MdtSpring6GetWorldAngularVelocity(const MdtSpring6ID j, MeVe
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtSpring6Destroy(const MdtSpring6ID j) {
-    MdtConstraintDestroy(MdtSpring6QuaConstraint(j));
-}
-static inline void MdtSpring6Enable(const MdtSpring6ID j) {
-    MdtConstraintEnable(MdtSpring6QuaConstraint(j));
-}
-static inline void MdtSpring6Disable(const MdtSpring6ID j) {
-    MdtConstraintDisable(MdtSpring6QuaConstraint(j));
-}
-static inline MeBool MdtSpring6IsEnabled(const MdtSpring6ID j) {
-    return MdtConstraintIsEnabled(MdtSpring6QuaConstraint(j));
-}
-static inline void MdtSpring6SetBodies(const MdtSpring6ID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtSpring6QuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtSpring6GetBody(const MdtSpring6ID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtSpring6QuaConstraint(j), bodyindex);
-}
-static inline void MdtSpring6GetForce(const MdtSpring6ID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtSpring6QuaConstraint(j), bodyindex, force);
-}
-static inline void MdtSpring6GetTorque(const MdtSpring6ID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtSpring6QuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtSpring6GetWorld(const MdtSpring6ID j) {
-    return MdtConstraintGetWorld(MdtSpring6QuaConstraint(j));
-}
-static inline void MdtSpring6SetUserData(const MdtSpring6ID j, void *data) {
-    MdtConstraintSetUserData(MdtSpring6QuaConstraint(j), data);
-}
-static inline void *MdtSpring6GetUserData(const MdtSpring6ID j) {
-    return MdtConstraintGetUserData(MdtSpring6QuaConstraint(j));
-}
-static inline void MdtSpring6SetSortKey(const MdtSpring6ID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtSpring6QuaConstraint(j), key);
-}
-static inline MeI32 MdtSpring6GetSortKey(const MdtSpring6ID j) {
-    return MdtConstraintGetSortKey(MdtSpring6QuaConstraint(j));
-}
-static inline void MdtSpring6SetPosition(const MdtSpring6ID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetPosition(MdtSpring6QuaConstraint(j), x, y, z);
-}
-static inline void MdtSpring6GetPosition(const MdtSpring6ID j, MeVector3 position) {
-    MdtConstraintGetPosition(MdtSpring6QuaConstraint(j), position);
-}
-static inline void MdtSpring6SetAxes(const MdtSpring6ID j, const MeReal px, const MeReal py, const MeReal pz,
-                                     const MeReal ox, const MeReal oy, const MeReal oz) {
-    MdtConstraintSetAxes(MdtSpring6QuaConstraint(j), px, py, pz, ox, oy, oz);
-}
-#define MdtSpring6GetAxes(j, p, o) MdtConstraintGetAxes(MdtSpring6QuaConstraint(j), (p), (o))
+MEPUBLIC void MEAPI MdtSpring6Destroy(const MdtSpring6ID j);
+MEPUBLIC void MEAPI MdtSpring6Enable(const MdtSpring6ID j);
+MEPUBLIC void MEAPI MdtSpring6Disable(const MdtSpring6ID j);
+MEPUBLIC MeBool MEAPI MdtSpring6IsEnabled(const MdtSpring6ID j);
+MEPUBLIC void MEAPI MdtSpring6SetBodies(const MdtSpring6ID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtSpring6GetBody(const MdtSpring6ID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtSpring6GetForce(const MdtSpring6ID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtSpring6GetTorque(const MdtSpring6ID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtSpring6GetWorld(const MdtSpring6ID j);
+MEPUBLIC void MEAPI MdtSpring6SetUserData(const MdtSpring6ID j, void *data);
+MEPUBLIC void *MEAPI MdtSpring6GetUserData(const MdtSpring6ID j);
+MEPUBLIC void MEAPI MdtSpring6SetSortKey(const MdtSpring6ID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtSpring6GetSortKey(const MdtSpring6ID j);
+MEPUBLIC void MEAPI MdtSpring6SetPosition(const MdtSpring6ID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtSpring6GetPosition(const MdtSpring6ID j, MeVector3 position);
+MEPUBLIC void MEAPI MdtSpring6SetAxes(const MdtSpring6ID j, const MeReal px, const MeReal py, const MeReal pz,
+                                      const MeReal ox, const MeReal oy, const MeReal oz);
+MEPUBLIC void MEAPI MdtSpring6GetAxes(const MdtSpring6ID j, MeVector3 primary, MeVector3 ortho);
 /** @} */
 
 ME_END_C

@@ -32,60 +32,26 @@ MEPUBLIC void MEAPI MdtUniversalGetAxis(const MdtUniversalID j, const unsigned i
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtUniversalDestroy(const MdtUniversalID j) {
-    MdtConstraintDestroy(MdtUniversalQuaConstraint(j));
-}
-static inline void MdtUniversalEnable(const MdtUniversalID j) {
-    MdtConstraintEnable(MdtUniversalQuaConstraint(j));
-}
-static inline void MdtUniversalDisable(const MdtUniversalID j) {
-    MdtConstraintDisable(MdtUniversalQuaConstraint(j));
-}
-static inline MeBool MdtUniversalIsEnabled(const MdtUniversalID j) {
-    return MdtConstraintIsEnabled(MdtUniversalQuaConstraint(j));
-}
-static inline void MdtUniversalSetBodies(const MdtUniversalID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtUniversalQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtUniversalGetBody(const MdtUniversalID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtUniversalQuaConstraint(j), bodyindex);
-}
-static inline void MdtUniversalGetForce(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 force) {
-    MdtConstraintGetForce(MdtUniversalQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtUniversalGetTorque(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 torque) {
-    MdtConstraintGetTorque(MdtUniversalQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtUniversalGetWorld(const MdtUniversalID j) {
-    return MdtConstraintGetWorld(MdtUniversalQuaConstraint(j));
-}
-static inline void MdtUniversalSetUserData(const MdtUniversalID j, void *data) {
-    MdtConstraintSetUserData(MdtUniversalQuaConstraint(j), data);
-}
-static inline void *MdtUniversalGetUserData(const MdtUniversalID j) {
-    return MdtConstraintGetUserData(MdtUniversalQuaConstraint(j));
-}
-static inline void MdtUniversalSetSortKey(const MdtUniversalID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtUniversalQuaConstraint(j), key);
-}
-static inline MeI32 MdtUniversalGetSortKey(const MdtUniversalID j) {
-    return MdtConstraintGetSortKey(MdtUniversalQuaConstraint(j));
-}
-static inline void MdtUniversalSetPosition(const MdtUniversalID j, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintSetPosition(MdtUniversalQuaConstraint(j), x, y, z);
-}
-static inline void MdtUniversalGetPosition(const MdtUniversalID j, MeVector3 position) {
-    MdtConstraintGetPosition(MdtUniversalQuaConstraint(j), position);
-}
+MEPUBLIC void MEAPI MdtUniversalDestroy(const MdtUniversalID j);
+MEPUBLIC void MEAPI MdtUniversalEnable(const MdtUniversalID j);
+MEPUBLIC void MEAPI MdtUniversalDisable(const MdtUniversalID j);
+MEPUBLIC MeBool MEAPI MdtUniversalIsEnabled(const MdtUniversalID j);
+MEPUBLIC void MEAPI MdtUniversalSetBodies(const MdtUniversalID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtUniversalGetBody(const MdtUniversalID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtUniversalGetForce(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 force);
+MEPUBLIC void MEAPI MdtUniversalGetTorque(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtUniversalGetWorld(const MdtUniversalID j);
+MEPUBLIC void MEAPI MdtUniversalSetUserData(const MdtUniversalID j, void *data);
+MEPUBLIC void *MEAPI MdtUniversalGetUserData(const MdtUniversalID j);
+MEPUBLIC void MEAPI MdtUniversalSetSortKey(const MdtUniversalID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtUniversalGetSortKey(const MdtUniversalID j);
+MEPUBLIC void MEAPI MdtUniversalSetPosition(const MdtUniversalID j, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI MdtUniversalGetPosition(const MdtUniversalID j, MeVector3 position);
 /** Both axes at once: the primary one is that of body 0, the second one that of body 1 (User Guide app. D). */
-static inline void MdtUniversalSetAxes(const MdtUniversalID j, const MeReal px, const MeReal py, const MeReal pz,
-                                       const MeReal ox, const MeReal oy, const MeReal oz) {
-    MdtConstraintSetAxes(MdtUniversalQuaConstraint(j), px, py, pz, ox, oy, oz);
-}
-static inline void MdtUniversalGetAxes(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 primary,
-                                       MeVector3 ortho) {
-    MdtConstraintBodyGetAxes(MdtUniversalQuaConstraint(j), bodyindex, primary, ortho);
-}
+MEPUBLIC void MEAPI MdtUniversalSetAxes(const MdtUniversalID j, const MeReal px, const MeReal py, const MeReal pz,
+                                        const MeReal ox, const MeReal oy, const MeReal oz);
+MEPUBLIC void MEAPI MdtUniversalGetAxes(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 primary,
+                                        MeVector3 ortho);
 /** @} */
 
 ME_END_C

@@ -32,47 +32,21 @@ MEPUBLIC void *MEAPI MdtUserConstraintGetConstraintData(const MdtUserConstraintI
 /** @name What every constraint has, under this joint's name
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
  *  @{ */
-static inline void MdtUserConstraintDestroy(const MdtUserConstraintID j) {
-    MdtConstraintDestroy(MdtUserConstraintQuaConstraint(j));
-}
-static inline void MdtUserConstraintEnable(const MdtUserConstraintID j) {
-    MdtConstraintEnable(MdtUserConstraintQuaConstraint(j));
-}
-static inline void MdtUserConstraintDisable(const MdtUserConstraintID j) {
-    MdtConstraintDisable(MdtUserConstraintQuaConstraint(j));
-}
-static inline MeBool MdtUserConstraintIsEnabled(const MdtUserConstraintID j) {
-    return MdtConstraintIsEnabled(MdtUserConstraintQuaConstraint(j));
-}
-static inline void MdtUserConstraintSetBodies(const MdtUserConstraintID j, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtConstraintSetBodies(MdtUserConstraintQuaConstraint(j), b1, b2);
-}
-static inline MdtBodyID MdtUserConstraintGetBody(const MdtUserConstraintID j, const unsigned int bodyindex) {
-    return MdtConstraintGetBody(MdtUserConstraintQuaConstraint(j), bodyindex);
-}
-static inline void MdtUserConstraintGetForce(const MdtUserConstraintID j, const unsigned int bodyindex,
-                                             MeVector3 force) {
-    MdtConstraintGetForce(MdtUserConstraintQuaConstraint(j), bodyindex, force);
-}
-static inline void MdtUserConstraintGetTorque(const MdtUserConstraintID j, const unsigned int bodyindex,
-                                              MeVector3 torque) {
-    MdtConstraintGetTorque(MdtUserConstraintQuaConstraint(j), bodyindex, torque);
-}
-static inline MdtWorldID MdtUserConstraintGetWorld(const MdtUserConstraintID j) {
-    return MdtConstraintGetWorld(MdtUserConstraintQuaConstraint(j));
-}
-static inline void MdtUserConstraintSetUserData(const MdtUserConstraintID j, void *data) {
-    MdtConstraintSetUserData(MdtUserConstraintQuaConstraint(j), data);
-}
-static inline void *MdtUserConstraintGetUserData(const MdtUserConstraintID j) {
-    return MdtConstraintGetUserData(MdtUserConstraintQuaConstraint(j));
-}
-static inline void MdtUserConstraintSetSortKey(const MdtUserConstraintID j, const MeI32 key) {
-    MdtConstraintSetSortKey(MdtUserConstraintQuaConstraint(j), key);
-}
-static inline MeI32 MdtUserConstraintGetSortKey(const MdtUserConstraintID j) {
-    return MdtConstraintGetSortKey(MdtUserConstraintQuaConstraint(j));
-}
+MEPUBLIC void MEAPI MdtUserConstraintDestroy(const MdtUserConstraintID j);
+MEPUBLIC void MEAPI MdtUserConstraintEnable(const MdtUserConstraintID j);
+MEPUBLIC void MEAPI MdtUserConstraintDisable(const MdtUserConstraintID j);
+MEPUBLIC MeBool MEAPI MdtUserConstraintIsEnabled(const MdtUserConstraintID j);
+MEPUBLIC void MEAPI MdtUserConstraintSetBodies(const MdtUserConstraintID j, const MdtBodyID b1, const MdtBodyID b2);
+MEPUBLIC MdtBodyID MEAPI MdtUserConstraintGetBody(const MdtUserConstraintID j, const unsigned int bodyindex);
+MEPUBLIC void MEAPI MdtUserConstraintGetForce(const MdtUserConstraintID j, const unsigned int bodyindex,
+                                              MeVector3 force);
+MEPUBLIC void MEAPI MdtUserConstraintGetTorque(const MdtUserConstraintID j, const unsigned int bodyindex,
+                                               MeVector3 torque);
+MEPUBLIC MdtWorldID MEAPI MdtUserConstraintGetWorld(const MdtUserConstraintID j);
+MEPUBLIC void MEAPI MdtUserConstraintSetUserData(const MdtUserConstraintID j, void *data);
+MEPUBLIC void *MEAPI MdtUserConstraintGetUserData(const MdtUserConstraintID j);
+MEPUBLIC void MEAPI MdtUserConstraintSetSortKey(const MdtUserConstraintID j, const MeI32 key);
+MEPUBLIC MeI32 MEAPI MdtUserConstraintGetSortKey(const MdtUserConstraintID j);
 /** @} */
 
 ME_END_C

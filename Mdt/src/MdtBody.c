@@ -146,9 +146,9 @@ void mdt_bodyKeepWithinReach(MdtBodyID b) {
     forgetMotion(b);
     if (!(b->record.flags & MDT_FAR))
         MeWarning(2,
-                  "MdtWorldStep: a body (sort key %d) has come to %g m, where positions have no digits left, and is "
+                  "%s: a body (sort key %d) has come to %g m, where positions have no digits left, and is "
                   "stopped; disable or destroy what leaves the scene",
-                  b->link.sortKey, most);
+                  MeCallerName("MdtWorldStep"), b->link.sortKey, most);
     b->record.flags |= MDT_FAR;
 }
 
@@ -278,6 +278,7 @@ void MEAPI MdtBodyDestroy(const MdtBodyID b) {
 
 MdtBodyID MEAPI MdtBodyCopy(const MdtBodyID b, const MdtWorldID w) {
     MDT_NEED_BODY(b, NULL);
+    MDT_NEED_WORLD(w, NULL);
     MdtBodyID copy = MdtBodyCreate(w);
     if (!copy)
         return NULL;
@@ -1043,9 +1044,13 @@ MdtBodyID MEAPI MdtBodyGetNext(const MdtBodyID b) {
 
 /* ---- the body's constraints ---- */
 
+static MdtConstraintID firstConstraint(MdtBodyID b) {
+    return b->attachments ? mdt_constraintShown(mdt_attachmentOwner(b->attachments)) : NULL;
+}
+
 MdtConstraintID MEAPI MdtBodyGetFirstConstraint(MdtBodyID b) {
     MDT_NEED_BODY(b, NULL);
-    return b->attachments ? mdt_constraintShown(mdt_attachmentOwner(b->attachments)) : NULL;
+    return firstConstraint(b);
 }
 
 MdtConstraintID MEAPI MdtBodyGetNextConstraint(MdtBodyID b, MdtConstraintID c) {
@@ -1060,26 +1065,32 @@ static MeBool isContact(MdtConstraintID c) {
 
 static MdtContactID contactFrom(MdtBodyID b, MdtConstraintID c) {
     while (c && mdt_constraintType(c) != MdtBclCONTACT)
-        c = MdtBodyGetNextConstraint(b, c);
+        c = mdt_constraintAfterOf(b, c);
     return (MdtContactID)c;
 }
 
 MdtContactID MEAPI MdtBodyGetFirstContact(MdtBodyID b) {
-    return contactFrom(b, MdtBodyGetFirstConstraint(b));
+    MDT_NEED_BODY(b, NULL);
+    return contactFrom(b, firstConstraint(b));
 }
 
 MdtContactID MEAPI MdtBodyGetNextContact(MdtBodyID b, MdtContactID c) {
-    return contactFrom(b, MdtBodyGetNextConstraint(b, (MdtConstraintID)c));
+    MDT_NEED_BODY(b, NULL);
+    MDT_NEED_CONSTRAINT((MdtConstraintID)c, NULL);
+    return contactFrom(b, mdt_constraintAfterOf(b, (MdtConstraintID)c));
 }
 
-void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPtr cb, void *ccbdata) {
-    MDT_NEED_BODY(b, );
-    if (!mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
-        return;
+static void forAllConstraints(MdtBodyID b, MdtConstraintIteratorCBPtr cb, void *ccbdata) {
     for (MdtAttachment *at = b->attachments, *next; at && at->body == b; at = next) {
         next = at->next;
         mdt_constraintVisit(mdt_attachmentOwner(at), cb, ccbdata);
     }
+}
+
+void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPtr cb, void *ccbdata) {
+    MDT_NEED_BODY(b, );
+    if (mdt_isPointer(__func__, "the callback", (const void *)(size_t)cb))
+        forAllConstraints(b, cb, ccbdata);
 }
 
 static void destroyOne(const MdtConstraintID c, void *contactsOnly) {
@@ -1093,17 +1104,21 @@ static void disableOne(const MdtConstraintID c, void *contactsOnly) {
 }
 
 void MEAPI MdtBodyDestroyConstraints(const MdtBodyID b) {
-    MdtBodyForAllConstraints(b, destroyOne, NULL);
+    MDT_NEED_BODY(b, );
+    forAllConstraints(b, destroyOne, NULL);
 }
 
 void MEAPI MdtBodyDestroyContacts(const MdtBodyID b) {
-    MdtBodyForAllConstraints(b, destroyOne, b);
+    MDT_NEED_BODY(b, );
+    forAllConstraints(b, destroyOne, b);
 }
 
 void MEAPI MdtBodyDisableConstraints(const MdtBodyID b) {
-    MdtBodyForAllConstraints(b, disableOne, NULL);
+    MDT_NEED_BODY(b, );
+    forAllConstraints(b, disableOne, NULL);
 }
 
 void MEAPI MdtBodyDisableContacts(const MdtBodyID b) {
-    MdtBodyForAllConstraints(b, disableOne, b);
+    MDT_NEED_BODY(b, );
+    forAllConstraints(b, disableOne, b);
 }

@@ -1,6 +1,7 @@
 /* Common to all constraints: bodies, frames, forces read back. */
 #include "MeAssert.h"
 #include "mdt_manifold_i.h"
+#include "mdt_named_i.h"
 #include <string.h>
 
 /* ---- life ---- */
@@ -44,7 +45,7 @@ void mdt_jointFree(MdtJoint *j) {
 }
 
 void mdt_constraintTerm(MdtConstraintID c) {
-    MdtConstraintDisable(c);
+    mdt_constraintDisable(c, __func__);
     mdt_constraintDetach(c, 0);
     mdt_constraintDetach(c, 1);
     MEASSERT(!c->side[0].body && !c->side[1].body && !(c->record.flags & MDT_ENABLED));
@@ -110,8 +111,9 @@ void *mdt_jointCast(MdtConstraintID c, MdtBclJointType type, const char *caller)
     return mdt_isConstraint(c, caller) && mdt_constraintType(c) == type ? c : NULL;
 }
 
-void MEAPI MdtConstraintDestroy(const MdtConstraintID c) {
-    MDT_NEED_CONSTRAINT(c, );
+void mdt_constraintDestroy(MdtConstraintID c, const char *caller) {
+    if (!mdt_isConstraint(c, caller))
+        return;
     if (mdt_isPoint(c))
         mdt_pointTerm(mdt_asPoint(c));
     else if (mdt_isManifold(c))
@@ -127,13 +129,14 @@ void mdt_constraintForget(MdtConstraintID c) {
         mdt_manifoldForget(manifoldOf(c));
 }
 
-void MEAPI MdtConstraintEnable(const MdtConstraintID handle) {
-    MDT_NEED_CONSTRAINT(handle, );
+void mdt_constraintEnable(MdtConstraintID handle, const char *caller) {
+    if (!mdt_isConstraint(handle, caller))
+        return;
     const MdtConstraintID c = baseOf(handle);
     if ((c->record.flags & MDT_ENABLED) || isGroupMember(handle))
         return;
     if (!c->side[0].body && !c->side[1].body) {
-        MeWarning(1, "MdtConstraintEnable: the %s is attached to no body; it stays disabled", mdt_constraintName(c));
+        MeWarning(1, "%s: the %s is attached to no body; it stays disabled", caller, mdt_constraintName(c));
         return;
     }
     c->record.flags |= MDT_ENABLED;
@@ -143,8 +146,9 @@ void MEAPI MdtConstraintEnable(const MdtConstraintID handle) {
     c->world->enabledConstraints++;
 }
 
-void MEAPI MdtConstraintDisable(const MdtConstraintID handle) {
-    MDT_NEED_CONSTRAINT(handle, );
+void mdt_constraintDisable(MdtConstraintID handle, const char *caller) {
+    if (!mdt_isConstraint(handle, caller))
+        return;
     const MdtConstraintID c = baseOf(handle);
     if (!(c->record.flags & MDT_ENABLED) || isGroupMember(handle))
         return;
@@ -158,8 +162,9 @@ void MEAPI MdtConstraintDisable(const MdtConstraintID handle) {
             mdt_bodyWakeIfAsleep(c->side[k].body);
 }
 
-MeBool MEAPI MdtConstraintIsEnabled(const MdtConstraintID c) {
-    MDT_NEED_CONSTRAINT(c, 0);
+MeBool mdt_constraintIsEnabled(MdtConstraintID c, const char *caller) {
+    if (!mdt_isConstraint(c, caller))
+        return MEFALSE;
     return (baseOf(c)->record.flags & MDT_ENABLED) != 0;
 }
 
@@ -267,23 +272,22 @@ static void attachGroup(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2) {
     mdt_constraintAttach(c, b1 ? b1 : b2, b1 ? b2 : NULL);
 }
 
-void MEAPI MdtConstraintSetBodies(const MdtConstraintID c, const MdtBodyID b1, const MdtBodyID b2) {
-    MDT_NEED_CONSTRAINT(c, );
+void mdt_constraintSetBodies(MdtConstraintID c, MdtBodyID b1, MdtBodyID b2, const char *caller) {
+    if (!mdt_isConstraint(c, caller))
+        return;
     const MdtConstraintID base = baseOf(c);
-    if (!mayAttach(base, b1, __func__) || !mayAttach(base, b2, __func__))
+    if (!mayAttach(base, b1, caller) || !mayAttach(base, b2, caller))
         return;
     if (b1 == b2) {
-        MeWarning(1, "MdtConstraintSetBodies: %s; nothing is changed",
-                  b1 ? "the two bodies are the same" : "both bodies are null");
+        MeWarning(1, "%s: %s; nothing is changed", caller, b1 ? "the two bodies are the same" : "both bodies are null");
         return;
     }
     if (isGroupMember(c)) {
-        MeWarning(1, "MdtConstraintSetBodies: the contact belongs to a group, whose bodies it has; nothing is changed");
+        MeWarning(1, "%s: the contact belongs to a group, whose bodies it has; nothing is changed", caller);
         return;
     }
     if (base->record.flags & MDT_ENABLED)
-        MeWarning(1, "MdtConstraintSetBodies: the %s is enabled; disable it before changing its bodies",
-                  mdt_constraintName(c));
+        MeWarning(1, "%s: the %s is enabled; disable it before changing its bodies", caller, mdt_constraintName(c));
     if (mdt_isManifold(c))
         attachGroup(c, b1, b2);
     else
@@ -297,9 +301,10 @@ MeBool mdt_isSide(const char *caller, unsigned int bodyindex) {
     return MEFALSE;
 }
 
-MdtBodyID MEAPI MdtConstraintGetBody(const MdtConstraintID c, const unsigned int bodyindex) {
-    MDT_NEED_CONSTRAINT(c, NULL);
-    return mdt_isSide(__func__, bodyindex) ? baseOf(c)->side[bodyindex].body : NULL;
+MdtBodyID mdt_constraintGetBody(MdtConstraintID c, unsigned int bodyindex, const char *caller) {
+    if (!mdt_isConstraint(c, caller))
+        return NULL;
+    return mdt_isSide(caller, bodyindex) ? baseOf(c)->side[bodyindex].body : NULL;
 }
 
 /* ---- frames: stored in the frame of the body's centre of mass, or the world's ---- */
@@ -381,32 +386,40 @@ static MdtJoint *checkJoint(MdtConstraintID c, const char *caller) {
     return jointOf(c);
 }
 
-void MEAPI MdtConstraintSetPosition(const MdtConstraintID c, const MeReal x, const MeReal y, const MeReal z) {
-    MdtConstraintBodySetPosition(c, 0, x, y, z);
-    MdtConstraintBodySetPosition(c, 1, x, y, z);
-}
-
-void MEAPI MdtConstraintGetPosition(const MdtConstraintID c, MeVector3 p) {
-    if (!mdt_isResult(__func__, p, 3) || !mdt_isConstraint(c, __func__))
-        return;
-    MdtConstraintBodyGetPosition(c, (unsigned int)mainSide(baseOf(c)), p);
-}
-
-void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
-                                        const MeReal y, const MeReal z) {
-    MdtJoint *j = checkJoint(c, __func__);
-    if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_isFinite3(__func__, "the position", x, y, z))
-        return;
-    const double world[3] = {x, y, z};
-    pointToBody(c, (int)bodyindex, world, j->bcl.frame[bodyindex].position);
+static void setPosition(MdtJoint *j, unsigned int side, const double world[3]) {
+    pointToBody(&j->base, (int)side, world, j->bcl.frame[side].position);
     notifyPositioned(j);
 }
 
-void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p) {
-    if (!mdt_isResult(__func__, p, 3))
+void mdt_constraintSetPosition(MdtConstraintID c, MeReal x, MeReal y, MeReal z, const char *caller) {
+    MdtJoint *j = checkJoint(c, caller);
+    if (!j || !mdt_isFinite3(caller, "the position", x, y, z))
         return;
-    MdtJoint *j = checkJoint(c, __func__);
-    if (!j || !mdt_isSide(__func__, bodyindex))
+    const double world[3] = {x, y, z};
+    setPosition(j, 0, world);
+    setPosition(j, 1, world);
+}
+
+void mdt_constraintGetPosition(MdtConstraintID c, MeVector3 p, const char *caller) {
+    if (!mdt_isResult(caller, p, 3) || !mdt_isConstraint(c, caller))
+        return;
+    mdt_constraintBodyGetPosition(c, (unsigned int)mainSide(baseOf(c)), p, caller);
+}
+
+void mdt_constraintBodySetPosition(MdtConstraintID c, unsigned int bodyindex, MeReal x, MeReal y, MeReal z,
+                                   const char *caller) {
+    MdtJoint *j = checkJoint(c, caller);
+    if (!j || !mdt_isSide(caller, bodyindex) || !mdt_isFinite3(caller, "the position", x, y, z))
+        return;
+    const double world[3] = {x, y, z};
+    setPosition(j, bodyindex, world);
+}
+
+void mdt_constraintBodyGetPosition(MdtConstraintID c, unsigned int bodyindex, MeVector3 p, const char *caller) {
+    if (!mdt_isResult(caller, p, 3))
+        return;
+    MdtJoint *j = checkJoint(c, caller);
+    if (!j || !mdt_isSide(caller, bodyindex))
         return;
     double world[3];
     pointToWorld(c, (int)bodyindex, j->bcl.frame[bodyindex].position, world);
@@ -468,39 +481,37 @@ static void setBothAxes(MdtJoint *j, const double p[3], const double o[3]) {
     notifyAxesSet(j, before);
 }
 
-void MEAPI MdtConstraintSetAxis(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz) {
-    MdtJoint *j = checkJoint(c, __func__);
+void mdt_constraintSetAxis(MdtConstraintID c, MeReal px, MeReal py, MeReal pz, const char *caller) {
+    MdtJoint *j = checkJoint(c, caller);
     double p[3] = {px, py, pz}, o[3];
     mdt_chooseOrthogonal(p, o);
-    if (!j || !mdt_makeAxes(__func__, p, o))
+    if (!j || !mdt_makeAxes(caller, p, o))
         return;
     setBothAxes(j, p, o);
 }
 
-void MEAPI MdtConstraintSetAxes(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz,
-                                const MeReal ox, const MeReal oy, const MeReal oz) {
-    MdtJoint *j = checkJoint(c, __func__);
+void mdt_constraintSetAxes(MdtConstraintID c, MeReal px, MeReal py, MeReal pz, MeReal ox, MeReal oy, MeReal oz,
+                           const char *caller) {
+    MdtJoint *j = checkJoint(c, caller);
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
-    if (!j || !mdt_makeAxes(__func__, p, o))
+    if (!j || !mdt_makeAxes(caller, p, o))
         return;
     setBothAxes(j, p, o);
 }
 
-void MEAPI MdtConstraintBodySetAxes(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
-                                    const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
-                                    const MeReal oz) {
-    MdtJoint *j = checkJoint(c, __func__);
+void mdt_constraintBodySetAxes(MdtConstraintID c, unsigned int bodyindex, MeReal px, MeReal py, MeReal pz, MeReal ox,
+                               MeReal oy, MeReal oz, const char *caller) {
+    MdtJoint *j = checkJoint(c, caller);
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
-    if (j && mdt_isSide(__func__, bodyindex) && mdt_makeAxes(__func__, p, o))
+    if (j && mdt_isSide(caller, bodyindex) && mdt_makeAxes(caller, p, o))
         setAxesOf(j, (int)bodyindex, p, o);
 }
 
-void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
-                                       const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
-                                       const MeReal oz) {
-    MdtJoint *j = checkJoint(c, __func__);
+void mdt_constraintBodySetAxesRel(MdtConstraintID c, unsigned int bodyindex, MeReal px, MeReal py, MeReal pz, MeReal ox,
+                                  MeReal oy, MeReal oz, const char *caller) {
+    MdtJoint *j = checkJoint(c, caller);
     double p[3] = {px, py, pz}, o[3] = {ox, oy, oz};
-    if (!j || !mdt_isSide(__func__, bodyindex) || !mdt_makeAxes(__func__, p, o))
+    if (!j || !mdt_isSide(caller, bodyindex) || !mdt_makeAxes(caller, p, o))
         return;
     keaCopy(j->bcl.frame[bodyindex].primary, p);
     keaCopy(j->bcl.frame[bodyindex].ortho, o);
@@ -550,22 +561,19 @@ static void getAxes(MdtJoint *j, int side, MeVector3 p, MeVector3 o) {
     }
 }
 
-void MEAPI MdtConstraintGetAxes(const MdtConstraintID c, MeVector3 p, MeVector3 o) {
+void mdt_constraintGetAxes(MdtConstraintID c, MeVector3 p, MeVector3 o, const char *caller) {
     zeroAxes(p, o);
-    MdtJoint *j = checkJoint(c, __func__);
+    MdtJoint *j = checkJoint(c, caller);
     if (j)
         getAxes(j, mainSide(c), p, o);
 }
 
-void MEAPI MdtConstraintBodyGetAxes(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p, MeVector3 o) {
+void mdt_constraintBodyGetAxes(MdtConstraintID c, unsigned int bodyindex, MeVector3 p, MeVector3 o,
+                               const char *caller) {
     zeroAxes(p, o);
-    MdtJoint *j = checkJoint(c, __func__);
-    if (j && mdt_isSide(__func__, bodyindex))
+    MdtJoint *j = checkJoint(c, caller);
+    if (j && mdt_isSide(caller, bodyindex))
         getAxes(j, (int)bodyindex, p, o);
-}
-
-void MEAPI MdtConstraintBodyGetAxis(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 a) {
-    MdtConstraintBodyGetAxes(c, bodyindex, a, NULL);
 }
 
 void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
@@ -617,15 +625,15 @@ void mdt_constraintSetForce(MdtConstraintID c, const MdtKeaForcePair *force) {
     mdt_constraintDisturb(baseOf(c)); /* its forces are not those of a step any more */
 }
 
-void MEAPI MdtConstraintGetForce(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 f) {
-    if (!mdt_isResult(__func__, f, 3) || !mdt_isConstraint(c, __func__) || !mdt_isSide(__func__, bodyindex))
+void mdt_constraintGetForce(MdtConstraintID c, unsigned int bodyindex, MeVector3 f, const char *caller) {
+    if (!mdt_isResult(caller, f, 3) || !mdt_isConstraint(c, caller) || !mdt_isSide(caller, bodyindex))
         return;
     const MdtKeaForcePair force = forceOf(c);
     mdt_toReal(f, force.body[bodyindex].lin);
 }
 
-void MEAPI MdtConstraintGetTorque(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 t) {
-    if (!mdt_isResult(__func__, t, 3) || !mdt_isConstraint(c, __func__) || !mdt_isSide(__func__, bodyindex))
+void mdt_constraintGetTorque(MdtConstraintID c, unsigned int bodyindex, MeVector3 t, const char *caller) {
+    if (!mdt_isResult(caller, t, 3) || !mdt_isConstraint(c, caller) || !mdt_isSide(caller, bodyindex))
         return;
     const MdtKeaForcePair force = forceOf(c);
     mdt_toReal(t, force.body[bodyindex].ang);
@@ -705,32 +713,36 @@ void MEAPI MdtConstraintGetWorldAngularVelocity(const MdtConstraintID c, MeVecto
     mdt_toReal(av, worldVelocityOf(c)->ang);
 }
 
-MdtWorldID MEAPI MdtConstraintGetWorld(const MdtConstraintID c) {
-    MDT_NEED_CONSTRAINT(c, NULL);
+MdtWorldID mdt_constraintGetWorld(MdtConstraintID c, const char *caller) {
+    if (!mdt_isConstraint(c, caller))
+        return NULL;
     return baseOf(c)->world;
 }
 
-void MEAPI MdtConstraintSetUserData(const MdtConstraintID c, void *d) {
-    MDT_NEED_CONSTRAINT(c, );
-    MdtExtra *extra = mdt_isJoint(c) ? NULL : extraMake(c, __func__);
+void mdt_constraintSetUserData(MdtConstraintID c, void *d, const char *caller) {
+    if (!mdt_isConstraint(c, caller))
+        return;
+    MdtExtra *extra = mdt_isJoint(c) ? NULL : extraMake(c, caller);
     if (mdt_isJoint(c))
         jointOf(c)->userData = d;
     else if (extra)
         extra->userData = d;
 }
 
-void *MEAPI MdtConstraintGetUserData(const MdtConstraintID c) {
-    MDT_NEED_CONSTRAINT(c, NULL);
+void *mdt_constraintGetUserData(MdtConstraintID c, const char *caller) {
+    if (!mdt_isConstraint(c, caller))
+        return NULL;
     const MdtExtra *extra = mdt_isJoint(c) ? NULL : extraOf(c);
     return mdt_isJoint(c) ? jointOf(c)->userData : extra ? extra->userData : NULL;
 }
 
-void MEAPI MdtConstraintSetSortKey(const MdtConstraintID c, MeI32 key) {
-    MDT_NEED_CONSTRAINT(c, );
-    if (!mdt_isSortKey(__func__, key))
+void mdt_constraintSetSortKey(MdtConstraintID c, MeI32 key, const char *caller) {
+    if (!mdt_isConstraint(c, caller))
+        return;
+    if (!mdt_isSortKey(caller, key))
         return;
     if (isGroupMember(c)) {
-        MdtExtra *extra = extraMake(c, __func__);
+        MdtExtra *extra = extraMake(c, caller);
         if (extra)
             extra->sortKey = key;
         return;
@@ -739,8 +751,9 @@ void MEAPI MdtConstraintSetSortKey(const MdtConstraintID c, MeI32 key) {
     mdt_graphChanged(baseOf(c)->world);
 }
 
-MeI32 MEAPI MdtConstraintGetSortKey(const MdtConstraintID c) {
-    MDT_NEED_CONSTRAINT(c, 0);
+MeI32 mdt_constraintGetSortKey(MdtConstraintID c, const char *caller) {
+    if (!mdt_isConstraint(c, caller))
+        return 0;
     if (!isGroupMember(c))
         return baseOf(c)->link.sortKey;
     const MdtExtra *extra = extraOf(c);

@@ -1,5 +1,6 @@
 /* Contacts: geometry, parameters, the list that their maker keeps. */
 #include "mdt_manifold_i.h"
+#include "mdt_named_i.h"
 #include "MeAssert.h"
 #include <string.h>
 
@@ -10,9 +11,9 @@ MdtContactID MEAPI(MdtContactCreate)(const MdtWorldID w) {
 }
 
 MdtContactID MEAPI MdtContactCreateBetween(const MdtWorldID w, const MdtBodyID b1, const MdtBodyID b2) {
-    MdtContactID c = (MdtContactCreate)(w);
+    MdtContactID c = (MdtContactID)mdt_pointCreate(w, "MdtContactCreate");
     if (c)
-        MdtContactSetBodies(c, b1, b2);
+        mdt_constraintSetBodies((MdtConstraintID)c, b1, b2, "MdtContactCreate");
     return c;
 }
 
@@ -212,11 +213,11 @@ void MEAPI MdtContactSetParams(const MdtContactID c, const MdtContactParamsID pa
 void MEAPI MdtContactSetWorldVelocity(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z) {
     MdtPoint *p = mdt_pointOf(c, __func__);
     if (p)
-        MdtConstraintSetWorldLinearVelocity((MdtConstraintID)c, x, y, z);
+        ME_UNDER_OWN_NAME(MdtConstraintSetWorldLinearVelocity((MdtConstraintID)c, x, y, z));
 }
 
 void MEAPI MdtContactGetWorldVelocity(const MdtContactID c, MeVector3 v) {
-    MdtConstraintGetWorldLinearVelocity(MdtContactQuaConstraint(c), v);
+    ME_UNDER_OWN_NAME(MdtConstraintGetWorldLinearVelocity(MdtContactQuaConstraint(c), v));
 }
 
 void MEAPI MdtContactGetRelativeVelocity(const MdtContactID c, MeVector3 v) {

@@ -2,7 +2,7 @@
 #include "mdt_i.h"
 
 static MeBool isParams(const MdtContactParamsID p, const char *caller) {
-    return mdt_isPointer(caller, "the parameters", p);
+    return mdt_isPointer(caller, "the pointer to the parameters", p);
 }
 
 static void setOption(MdtContactParamsID p, int option, MeBool on) {
@@ -77,8 +77,8 @@ void mdt_surfaceWarn(MdtWorldID w, int problems) {
     w->surfaceWarnings |= problems;
     for (size_t i = 0; i < sizeof surfaceTexts / sizeof *surfaceTexts; i++)
         if (surfaceTexts[i].problem & more)
-            MeWarning(2, "MdtWorldStep: a contact %s; MdtContactParamsSetSurface sets all that friction needs",
-                      surfaceTexts[i].text);
+            MeWarning(2, "%s: a contact %s; MdtContactParamsSetSurface sets all that friction needs",
+                      MeCallerName("MdtWorldStep"), surfaceTexts[i].text);
 }
 
 /* ---- kind of friction ---- */
@@ -98,18 +98,20 @@ MdtContactType MEAPI MdtContactParamsGetType(const MdtContactParamsID p) {
     return isParams(p, __func__) ? p->type : MdtContactTypeUnknown;
 }
 
-static void setModel(MdtContactParamsID p, MdtFrictionModel *model, MdtFrictionModel m, const char *caller) {
+static MeBool setModel(MdtContactParamsID p, MdtFrictionModel *model, MdtFrictionModel m, const char *caller) {
     if (!isParams(p, caller))
-        return;
-    if (m < MdtFrictionModelBox || m > MdtFrictionModelCone)
+        return MEFALSE;
+    if (m < MdtFrictionModelBox || m > MdtFrictionModelCone) {
         MeWarning(1, "%s: there is no friction model %d; nothing is changed", caller, (int)m);
-    else
-        *model = m;
+        return MEFALSE;
+    }
+    *model = m;
+    return METRUE;
 }
 
 void MEAPI MdtContactParamsSetFrictionModel(const MdtContactParamsID p, MdtFrictionModel m) {
-    MdtContactParamsSetPrimaryFrictionModel(p, m);
-    MdtContactParamsSetSecondaryFrictionModel(p, m);
+    if (setModel(p, FIELD(p, model1), m, __func__))
+        p->model2 = m;
 }
 
 void MEAPI MdtContactParamsSetPrimaryFrictionModel(const MdtContactParamsID p, MdtFrictionModel m) {
@@ -130,19 +132,28 @@ MdtFrictionModel MEAPI MdtContactParamsGetSecondaryFrictionModel(const MdtContac
 
 /* ---- friction ---- */
 
+static MeBool setBound(MdtContactParamsID p, MeReal *bound, MeReal f, const char *caller) {
+    if (!setAtLeast0(p, bound, f, caller, "the friction"))
+        return MEFALSE;
+    setOption(p, MdtBclContactOptionBoundSet, METRUE);
+    return METRUE;
+}
+
+static MeBool setCoefficient(MdtContactParamsID p, MeReal *coefficient, MeReal f, const char *caller) {
+    return setAtLeast0(p, coefficient, f, caller, "the friction coefficient");
+}
+
 void MEAPI MdtContactParamsSetFriction(const MdtContactParamsID p, MeReal f) {
-    MdtContactParamsSetPrimaryFriction(p, f);
-    MdtContactParamsSetSecondaryFriction(p, f);
+    if (setBound(p, FIELD(p, friction1), f, __func__))
+        p->friction2 = f;
 }
 
 void MEAPI MdtContactParamsSetPrimaryFriction(const MdtContactParamsID p, MeReal f) {
-    if (setAtLeast0(p, FIELD(p, friction1), f, __func__, "the friction"))
-        setOption(p, MdtBclContactOptionBoundSet, METRUE);
+    setBound(p, FIELD(p, friction1), f, __func__);
 }
 
 void MEAPI MdtContactParamsSetSecondaryFriction(const MdtContactParamsID p, MeReal f) {
-    if (setAtLeast0(p, FIELD(p, friction2), f, __func__, "the friction"))
-        setOption(p, MdtBclContactOptionBoundSet, METRUE);
+    setBound(p, FIELD(p, friction2), f, __func__);
 }
 
 MeReal MEAPI MdtContactParamsGetPrimaryFriction(const MdtContactParamsID p) {
@@ -154,16 +165,16 @@ MeReal MEAPI MdtContactParamsGetSecondaryFriction(const MdtContactParamsID p) {
 }
 
 void MEAPI MdtContactParamsSetFrictionCoeffecient(const MdtContactParamsID p, MeReal f) {
-    MdtContactParamsSetPrimaryFrictionCoeffecient(p, f);
-    MdtContactParamsSetSecondaryFrictionCoeffecient(p, f);
+    if (setCoefficient(p, FIELD(p, FrictionCoefficient), f, __func__))
+        p->FrictionCoefficient2 = f;
 }
 
 void MEAPI MdtContactParamsSetPrimaryFrictionCoeffecient(const MdtContactParamsID p, MeReal f) {
-    setAtLeast0(p, FIELD(p, FrictionCoefficient), f, __func__, "the friction coefficient");
+    setCoefficient(p, FIELD(p, FrictionCoefficient), f, __func__);
 }
 
 void MEAPI MdtContactParamsSetSecondaryFrictionCoeffecient(const MdtContactParamsID p, MeReal f) {
-    setAtLeast0(p, FIELD(p, FrictionCoefficient2), f, __func__, "the friction coefficient");
+    setCoefficient(p, FIELD(p, FrictionCoefficient2), f, __func__);
 }
 
 MeReal MEAPI MdtContactParamsGetPrimaryFrictionCoeffecient(const MdtContactParamsID p) {
@@ -176,19 +187,24 @@ MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtContactPar
 
 /* ---- slip and slide ---- */
 
+static MeBool setSlip(MdtContactParamsID p, MeReal *slip, MeReal s, int option, const char *caller) {
+    if (!setAtLeast0(p, slip, s, caller, "the slip"))
+        return MEFALSE;
+    setOption(p, option, s > 0);
+    return METRUE;
+}
+
 void MEAPI MdtContactParamsSetSlip(const MdtContactParamsID p, MeReal f) {
-    MdtContactParamsSetPrimarySlip(p, f);
-    MdtContactParamsSetSecondarySlip(p, f);
+    if (setSlip(p, FIELD(p, slip1), f, MdtBclContactOptionSlip1, __func__))
+        setSlip(p, &p->slip2, f, MdtBclContactOptionSlip2, __func__);
 }
 
 void MEAPI MdtContactParamsSetPrimarySlip(const MdtContactParamsID p, MeReal s) {
-    if (setAtLeast0(p, FIELD(p, slip1), s, __func__, "the slip"))
-        setOption(p, MdtBclContactOptionSlip1, s > 0);
+    setSlip(p, FIELD(p, slip1), s, MdtBclContactOptionSlip1, __func__);
 }
 
 void MEAPI MdtContactParamsSetSecondarySlip(const MdtContactParamsID p, MeReal s) {
-    if (setAtLeast0(p, FIELD(p, slip2), s, __func__, "the slip"))
-        setOption(p, MdtBclContactOptionSlip2, s > 0);
+    setSlip(p, FIELD(p, slip2), s, MdtBclContactOptionSlip2, __func__);
 }
 
 MeReal MEAPI MdtContactParamsGetPrimarySlip(const MdtContactParamsID p) {

@@ -1,12 +1,12 @@
 /* The FPFO joint's part of the API. */
-#include "mdt_i.h"
+#include "mdt_named_i.h"
 
 MDT_JOINT_BASICS(FPFOJoint, MdtBclFPFOJOINT)
 
 void MEAPI MdtFPFOJointSetPosition(const MdtFPFOJointID j, const MeReal x, const MeReal y, const MeReal z) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclFPFOJOINT, __func__);
     if (c)
-        MdtConstraintSetPosition(&c->base, x, y, z);
+        mdt_constraintSetPosition(&c->base, x, y, z, __func__);
 }
 
 void MEAPI MdtFPFOJointGetPosition(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 pos) {

@@ -9,6 +9,18 @@ static MeBool isInUse(const MdtBclLimit *l) {
     return l->bActive || l->bPowered || l->bLocked;
 }
 
+/* A limit whose coordinate is read: null is none. One that is not measured gets a warning. */
+static MeBool isRead(const MdtBclLimit *l, const char *caller) {
+    if (!isLimit(l, caller))
+        return MEFALSE;
+    if (!isInUse(l) && !l->bCalculatePosition)
+        MeWarning(2,
+                  "%s: neither stops nor motor are active, and so it is not measured: call "
+                  "MdtLimitCalculatePosition(limit, METRUE)",
+                  caller);
+    return METRUE;
+}
+
 /* ---- the whole limit ---- */
 
 void MEAPI MdtLimitReset(const MdtLimitID limit) {
@@ -44,11 +56,11 @@ void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from) {
 }
 
 MeReal MEAPI MdtLimitGetPosition(const MdtLimitID l) {
-    return isLimit(l, __func__) ? l->position : 0;
+    return isRead(l, __func__) ? l->position : 0;
 }
 
 MeReal MEAPI MdtLimitGetVelocity(const MdtLimitID l) {
-    return isLimit(l, __func__) ? l->velocity : 0;
+    return isRead(l, __func__) ? l->velocity : 0;
 }
 
 void MEAPI MdtLimitSetPosition(MdtLimitID l, const MeReal NewPosition) {
@@ -59,7 +71,7 @@ void MEAPI MdtLimitSetPosition(MdtLimitID l, const MeReal NewPosition) {
 }
 
 MeReal MEAPI MdtLimitGetOvershoot(const MdtLimitID l) {
-    if (!isLimit(l, __func__))
+    if (!isRead(l, __func__))
         return 0;
     const MeReal below = l->limit[0].stop - l->position, above = l->position - l->limit[1].stop;
     return below > 0 ? below : above > 0 ? above : 0;
@@ -101,8 +113,12 @@ void MEAPI MdtLimitSetUpperLimit(const MdtLimitID l, const MdtSingleLimitID sl) 
 /* ---- switches ---- */
 
 void MEAPI MdtLimitActivateLimits(const MdtLimitID l, const MeBool NewActivationState) {
-    if (isLimit(l, __func__))
-        l->bActive = NewActivationState != 0;
+    if (!isLimit(l, __func__))
+        return;
+    l->bActive = NewActivationState != 0;
+    if (l->bActive && l->limit[0].stop > l->limit[1].stop)
+        MeWarning(1, "%s: the lower stop, %g, is above the upper one, %g: no position satisfies both", __func__,
+                  (double)l->limit[0].stop, (double)l->limit[1].stop);
 }
 
 MeBool MEAPI MdtLimitIsActive(const MdtLimitID l) {

@@ -1,12 +1,12 @@
 /* The Linear2 joint's part of the API. */
-#include "mdt_i.h"
+#include "mdt_named_i.h"
 
 MDT_JOINT_BASICS(Linear2, MdtBclLINEAR2)
 
 void MEAPI MdtLinear2SetDirection(const MdtLinear2ID j, const MeReal x, const MeReal y, const MeReal z) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclLINEAR2, __func__);
     if (c)
-        MdtConstraintSetAxis(&c->base, x, y, z);
+        mdt_constraintSetAxis(&c->base, x, y, z, __func__);
 }
 
 void MEAPI MdtLinear2GetDirection(const MdtLinear2ID j, MeVector3 direction) {

@@ -63,13 +63,13 @@ void MEAPI MdtRPROJointSetAttachmentPosition(const MdtRPROJointID j, const MeRea
                                              const unsigned int bodyindex) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclRPROJOINT, __func__);
     if (c)
-        MdtConstraintBodySetPositionRel(&c->base, bodyindex, x, y, z);
+        ME_UNDER_OWN_NAME(MdtConstraintBodySetPositionRel(&c->base, bodyindex, x, y, z));
 }
 
 void MEAPI MdtRPROJointGetAttachmentPosition(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 position) {
     MdtJoint *c = mdt_isResult(__func__, position, 3) ? mdt_jointOfType(j, MdtBclRPROJOINT, __func__) : NULL;
     if (c)
-        MdtConstraintBodyGetPositionRel(&c->base, bodyindex, position);
+        ME_UNDER_OWN_NAME(MdtConstraintBodyGetPositionRel(&c->base, bodyindex, position));
 }
 
 void MEAPI MdtRPROJointSetAttachmentQuaternion(const MdtRPROJointID j, const MeReal q0, const MeReal q1,
@@ -101,6 +101,22 @@ void MEAPI MdtRPROJointGetAttachmentQuaternion(const MdtRPROJointID j, const uns
     }
     keaQuaternionFromMatrix(q, (const double(*)[3])R);
     copyQuaternion(quaternion, q);
+}
+
+/* ---- their other names ---- */
+
+void MEAPI MdtRPROJointGetAttachmentOrientation(const MdtRPROJointID j, const unsigned int bodyindex,
+                                                MeVector4 quaternion) {
+    ME_UNDER_OWN_NAME(MdtRPROJointGetAttachmentQuaternion(j, bodyindex, quaternion));
+}
+
+void MEAPI MdtRPROJointGetPosition(const MdtRPROJointID j, const unsigned int bodyindex, MeVector3 position) {
+    ME_UNDER_OWN_NAME(MdtRPROJointGetAttachmentPosition(j, bodyindex, position));
+}
+
+void MEAPI MdtRPROJointSetPosition(const MdtRPROJointID j, const MeReal x, const MeReal y, const MeReal z,
+                                   const unsigned int bodyindex) {
+    ME_UNDER_OWN_NAME(MdtRPROJointSetAttachmentPosition(j, x, y, z, bodyindex));
 }
 
 /* ---- strengths ---- */

@@ -1,5 +1,5 @@
 /* The spring's part of the API. */
-#include "mdt_i.h"
+#include "mdt_named_i.h"
 
 MDT_JOINT_BASICS(Spring, MdtBclSPRING)
 
@@ -23,13 +23,13 @@ void MEAPI MdtSpringSetPosition(const MdtSpringID j, const unsigned int bodyinde
                                 const MeReal z) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING, __func__);
     if (c)
-        MdtConstraintBodySetPosition(&c->base, bodyindex, x, y, z);
+        mdt_constraintBodySetPosition(&c->base, bodyindex, x, y, z, __func__);
 }
 
 void MEAPI MdtSpringGetPosition(const MdtSpringID j, MeVector3 v, const unsigned int bodyindex) {
     MdtJoint *c = mdt_isResult(__func__, v, 3) ? mdt_jointOfType(j, MdtBclSPRING, __func__) : NULL;
     if (c)
-        MdtConstraintBodyGetPosition(&c->base, bodyindex, v);
+        mdt_constraintBodyGetPosition(&c->base, bodyindex, v, __func__);
 }
 
 void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNaturalLength) {
@@ -42,12 +42,12 @@ void MEAPI MdtSpringSetNaturalLength(const MdtSpringID j, const MeReal NewNatura
 
 void MEAPI MdtSpringSetStiffness(const MdtSpringID j, const MeReal NewStiffness) {
     MdtBclDistance *s = distanceOf(j, __func__);
-    for (int side = 0; s && side < 2; side++)
-        mdt_setAtLeast0(__func__, "the stiffness", &s->limit.limit[side].stiffness, NewStiffness);
+    if (s && mdt_isAtLeast(__func__, "the stiffness", NewStiffness, 0))
+        s->limit.limit[0].stiffness = s->limit.limit[1].stiffness = NewStiffness;
 }
 
 void MEAPI MdtSpringSetDamping(const MdtSpringID j, const MeReal NewDamping) {
     MdtBclDistance *s = distanceOf(j, __func__);
-    for (int side = 0; s && side < 2; side++)
-        mdt_setAtLeast0(__func__, "the damping", &s->limit.limit[side].damping, NewDamping);
+    if (s && mdt_isAtLeast(__func__, "the damping", NewDamping, 0))
+        s->limit.limit[0].damping = s->limit.limit[1].damping = NewDamping;
 }

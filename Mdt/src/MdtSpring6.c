@@ -59,13 +59,13 @@ MeReal MEAPI MdtSpring6GetAngularDamping(const MdtSpring6ID j, int axisindex) {
 void MEAPI MdtSpring6SetWorldLinearVelocity(const MdtSpring6ID j, MeReal vx, MeReal vy, MeReal vz) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING6, __func__);
     if (c)
-        MdtConstraintSetWorldLinearVelocity(&c->base, vx, vy, vz);
+        ME_UNDER_OWN_NAME(MdtConstraintSetWorldLinearVelocity(&c->base, vx, vy, vz));
 }
 
 void MEAPI MdtSpring6SetWorldAngularVelocity(const MdtSpring6ID j, MeReal vx, MeReal vy, MeReal vz) {
     MdtJoint *c = mdt_jointOfType(j, MdtBclSPRING6, __func__);
     if (c)
-        MdtConstraintSetWorldAngularVelocity(&c->base, vx, vy, vz);
+        ME_UNDER_OWN_NAME(MdtConstraintSetWorldAngularVelocity(&c->base, vx, vy, vz));
 }
 
 void MEAPI MdtSpring6GetWorldLinearVelocity(const MdtSpring6ID j, MeVector3 v) {

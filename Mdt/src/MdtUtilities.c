@@ -67,7 +67,7 @@ void MEAPI MdtLimitController(const MdtLimitID limit, const MeReal desiredPositi
     if (!mdt_isPointer(__func__, "the limit", limit) || !mdt_isFinite(__func__, "the position", desiredPosition) ||
         !mdt_isPositive(__func__, "the gap", gap) || !mdt_isAtLeast(__func__, "the speed", maxSpeed, 0))
         return;
-    const MeReal left = (desiredPosition - MdtLimitGetPosition(limit)) / gap;
+    const MeReal left = (desiredPosition - limit->position) / gap;
     const MeReal share = left > 1 ? 1 : left < -1 ? -1 : left;
     MdtLimitSetLimitedForceMotor(limit, share * maxSpeed, maxForce);
 }

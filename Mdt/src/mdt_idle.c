@@ -45,9 +45,10 @@ void mdt_idleWatch(MdtWorldID w, double h) {
     if (w->idle.time < 1)
         return;
     w->idle.isOver = METRUE;
-    MeWarning(
-        1, "MdtWorldStep: for a second nothing has acted on the world's bodies, and there is no gravity: a new world "
-           "has none. Call MdtWorldSetGravity; with zeros, if it is to have none");
+    MeWarning(1,
+              "%s: for a second nothing has acted on the world's bodies, and there is no gravity: a new world "
+              "has none. Call MdtWorldSetGravity; with zeros, if it is to have none",
+              MeCallerName("MdtWorldStep"));
 }
 #else
 void mdt_idleWatch(MdtWorldID w, double h) {

@@ -82,8 +82,8 @@ static MeBool takeScratch(MdtIsland *p, int manifolds) {
     const size_t total = bytes + mdt_contactsSize(manifolds);
     char *scratch = total <= INT_MAX ? MeChunkGetMem(&p->worker->scratch, (int)total) : NULL;
     if (!scratch) {
-        MeWarning(2, "MdtWorldStep: partition %d (%d bodies, %d rows) is too large for the solver and is not moved",
-                  p->number, p->numBodies, p->kea.maxRows);
+        MeWarning(2, "%s: partition %d (%d bodies, %d rows) is too large for the solver and is not moved",
+                  MeCallerName("MdtWorldStep"), p->number, p->numBodies, p->kea.maxRows);
         return MEFALSE;
     }
     p->scratch = scratch;

@@ -36,8 +36,8 @@ static void noteDegenerate(MdtIsland *p, MdtJoint *j) {
     j->isDegenerate = METRUE;
     if (j->wasDegenerate)
         return;
-    MeWarning(2, "MdtWorldStep: a %s (sort key %d) cannot work as it stands: %s", j->type->name, j->base.link.sortKey,
-              j->type->degenerate);
+    MeWarning(2, "%s: a %s (sort key %d) cannot work as it stands: %s", MeCallerName("MdtWorldStep"), j->type->name,
+              j->base.link.sortKey, j->type->degenerate);
 }
 
 static int countJoint(MdtIsland *p, MdtJoint *j) {

@@ -103,11 +103,10 @@ void mdt_partImpact(MdtIsland *p) {
 static void warnOfSolver(const MdtIsland *p) {
     const MeBool isMendable = p->kea.report.violent || p->kea.parameters.maxIterations > 0;
     if (p->kea.report.capped && !p->isDegenerate && isMendable) /* of degenerate joints there was a warning already */
-        MeWarning(
-            2,
-            "MdtWorldStep: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
-            "inexact; raise MdtWorldSetMaxLCPIterations or epsilon, or take shorter steps",
-            p->number, p->numRows);
+        MeWarning(2,
+                  "%s: partition %d (%d rows) could not be solved in the iterations that it has, the forces are "
+                  "inexact; raise MdtWorldSetMaxLCPIterations or epsilon, or take shorter steps",
+                  MeCallerName("MdtWorldStep"), p->number, p->numRows);
     else if (p->kea.report.limited)
         MeDebug(2, "MdtWorldStep: partition %d (%d rows) has used up its work (MdtWorldSetWorkBudget)", p->number,
                 p->numRows);

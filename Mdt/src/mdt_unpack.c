@@ -106,8 +106,8 @@ void mdt_unpackBodies(MdtIsland *p) {
 
 void mdt_unpackStopped(MdtIsland *p) {
     static const double none[3] = {0, 0, 0};
-    MeWarning(2, "MdtWorldStep: partition %d (%d bodies) would leave the finite numbers; its bodies are stopped",
-              p->number, p->numBodies);
+    MeWarning(2, "%s: partition %d (%d bodies) would leave the finite numbers; its bodies are stopped",
+              MeCallerName("MdtWorldStep"), p->number, p->numBodies);
     for (int i = 0; i < p->numBodies; i++) {
         keaZero(p->bodies[i]->kea.velocity);
         MdtKeaBodySetAngularVelocity(&p->bodies[i]->kea, none);

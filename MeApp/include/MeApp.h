@@ -82,9 +82,9 @@ MEPUBLIC void MEAPI MeAppEnd(MeApp *app);
 MEPUBLIC void MEAPI MeAppRun(MeApp *app, MeReal step, MeAppStepCB beforeStep, void *userdata);
 /**
  * Gives each model of the space that has none a graphic (RGraphicCreateFromModel): fixed models a grey one, the others
- * colours of RPalette in turn. Graphics of models that have left the space or were destroyed are removed. To be called
- * after models came or went, and before the next picture; it costs a look at each model. A graphic keeps the shape that
- * the geometry had. Returns how many models are shown.
+ * colours of RPalette in turn; of sensors the edges are drawn. Graphics of models that have left the space or were
+ * destroyed are removed. To be called after models came or went, and before the next picture; it costs a look at each
+ * model. A graphic keeps the shape that the geometry had. Returns how many models are shown.
  */
 MEPUBLIC int MEAPI MeAppShowUniverse(MeApp *app);
 /**

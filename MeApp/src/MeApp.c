@@ -1,4 +1,5 @@
 /* A demonstration program's helpers: their creation and end, a step of them, and the lines that they draw. */
+#include "MeInternal.h"
 #include "MeMemory.h"
 #include "MeMessage.h"
 #include "MeViewer.h"
@@ -79,8 +80,11 @@ MeApp *MEAPI MeAppCreate(const MdtWorldID world, const McdSpaceID space, RRender
 }
 
 MeApp *MEAPI MeAppCreateFromUniverse(const MstUniverseID u, RRender *rc) {
-    const MdtWorldID world = MstUniverseGetWorld(u);
-    MeApp *app = world ? create(world, u->space, rc, u->sizes.lengthScale) : 0;
+    MeApp *app;
+    ME_UNDER_OWN_NAME({
+        const MdtWorldID world = MstUniverseGetWorld(u);
+        app = world ? create(world, u->space, rc, u->sizes.lengthScale) : 0;
+    });
     if (app)
         app->universe = u;
     return app;

@@ -1,5 +1,6 @@
 /* Driving: two keys as an axis, and a camera that follows a body. */
 #include "MdtBody.h"
+#include "MeInternal.h"
 #include "MeMath.h"
 #include "MeMessage.h"
 #include "MeViewer.h"
@@ -9,7 +10,7 @@
 int MEAPI MeAppGetKeyAxis(MeApp *app, const char *less, const char *more) {
     if (!meapp_check(app, "MeAppGetKeyAxis"))
         return 0;
-    return (RRenderGetKeyFrames(app->rc, more) > 0) - (RRenderGetKeyFrames(app->rc, less) > 0);
+    ME_RETURN_UNDER_OWN_NAME(int, (RRenderGetKeyFrames(app->rc, more) > 0) - (RRenderGetKeyFrames(app->rc, less) > 0));
 }
 
 /* theta of a camera behind the body; as it was while the body looks nearly straight up or down. */
@@ -40,7 +41,7 @@ void MEAPI MeAppFollow(MeApp *app, MdtBodyID body, AcmeReal distance, AcmeReal e
     app->follow.heading = headingOf(app, body, 0);
     MdtBodyGetPosition(body, app->follow.at);
     lookAt(app);
-    RCameraSetView(app->rc, distance, (AcmeReal)app->follow.heading, elevation);
+    ME_UNDER_OWN_NAME(RCameraSetView(app->rc, distance, (AcmeReal)app->follow.heading, elevation));
 }
 
 /* A part of what is missing in each frame: at 60 a second the point is reached with a time constant of 1/17 s, the

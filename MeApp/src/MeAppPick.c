@@ -52,9 +52,15 @@ static void direction(const MeVector3 start, const MeVector3 end, MeVector3 dir)
     MeVector3Normalize(dir);
 }
 
+static MeBool isPlace(const MeReal *result, const char *function) {
+    if (!result)
+        MeWarning(1, "%s: a result is null: it must be a vector to write to", function);
+    return result != 0;
+}
+
 void MEAPI MeAppFindClickDir(const MeApp *const app, int x, int y, MeVector3 normClickDir) {
     MeVector3 start, end;
-    if (!meapp_check(app, "MeAppFindClickDir"))
+    if (!meapp_check(app, "MeAppFindClickDir") || !isPlace(normClickDir, "MeAppFindClickDir"))
         return;
     rayAt(app, x, y, MEFALSE, start, end);
     direction(start, end, normClickDir);
@@ -69,7 +75,7 @@ static void pointAsDeepAs(const MeApp *app, int x, int y, const MeVector3 other,
 }
 
 void MEAPI MeAppFindClickPos(const MeApp *const app, int x, int y, MeVector3 clickPos) {
-    if (!meapp_check(app, "MeAppFindClickPos"))
+    if (!meapp_check(app, "MeAppFindClickPos") || !isPlace(clickPos, "MeAppFindClickPos"))
         return;
     RRenderUpdateProjectionMatrices(app->rc);
     pointAtZ(app, x, y, -(MeReal)app->rc->m_CameraDist, MEFALSE, clickPos);
@@ -95,7 +101,8 @@ McdModelID MEAPI MeAppPickMcdModel(const MeApp *const app, int x, int y, MeVecto
                                    MeBool orth) {
     McdLineSegIntersectResult hit;
     MeVector3 start, end;
-    if (!meapp_check(app, "MeAppPickMcdModel"))
+    if (!meapp_check(app, "MeAppPickMcdModel") || !isPlace(normClickDir, "MeAppPickMcdModel") ||
+        !isPlace(pos, "MeAppPickMcdModel"))
         return 0;
     rayAt(app, x, y, orth, start, end);
     direction(start, end, normClickDir);

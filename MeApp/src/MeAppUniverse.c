@@ -88,6 +88,8 @@ static ShownModel *addShown(MeApp *app, McdModelID m, const float color[4]) {
     ShownModel *shown = insertShown(app, m);
     if (shown)
         shown->graphic = RGraphicCreateFromModel(app->rc, m, color);
+    if (shown && shown->graphic && McdModelIsSensor(m)) /* what goes through it is to be seen */
+        RGraphicSetWireframe(shown->graphic, METRUE);
     return shown;
 }
 

@@ -80,6 +80,27 @@ MEPUBLIC void MEAPI MeMemoryGiveAligned(void *block);
 MEPUBLIC const char *MEAPI MeCallerSet(const char *function);
 /** Who is to be named: who is set, else @a function. */
 MEPUBLIC const char *MEAPI MeCallerName(const char *function);
+/**
+ * As MeCallerSet, for a function that does nothing but by others, and calls no callbacks: from now on, in this thread,
+ * all warnings and fatal errors begin with its name in place of that of the function that sends them, "Name: ...", and
+ * of several warnings the first is sent. So what is said names the function that the program has called.
+ */
+MEPUBLIC const char *MEAPI MeMessagesAs(const char *function);
+/** Runs a statement so, under the name of the function that it stands in. */
+#define ME_UNDER_OWN_NAME(...)                                                                                         \
+    do {                                                                                                               \
+        const char *const nameBefore = MeMessagesAs(__func__);                                                         \
+        __VA_ARGS__;                                                                                                   \
+        MeMessagesAs(nameBefore);                                                                                      \
+    } while (0)
+/** Returns a value that is found so. */
+#define ME_RETURN_UNDER_OWN_NAME(Type, value)                                                                          \
+    do {                                                                                                               \
+        const char *const nameBefore = MeMessagesAs(__func__);                                                         \
+        Type found = (value);                                                                                          \
+        MeMessagesAs(nameBefore);                                                                                      \
+        return found;                                                                                                  \
+    } while (0)
 /** @} */
 
 /** Messages that wait until the program may be told: handlers are called on the thread that steps a world, in an order

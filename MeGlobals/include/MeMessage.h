@@ -43,7 +43,8 @@ MEPUBLIC void MEAPI_CDECL MeDebug(const int level, const char *const format, ...
 MEPUBLIC void MEAPI_CDECL MeLog(const int level, const char *const format, ...) ME_PRINTF_LIKE(2, 3);
 /**
  * Misuse or trouble that Karma has dealt with; the program goes on. Shown on stderr by default.
- * Every Karma function that is given bad input says so here and then does what its documentation promises.
+ * Every Karma function that is given bad input says so here and then does what its documentation promises. The default
+ * handler shows a text twice and not again, unless 64 others came between; a handler of your own gets each of them.
  */
 MEPUBLIC void MEAPI_CDECL MeWarning(const int level, const char *const format, ...) ME_PRINTF_LIKE(2, 3);
 /**

@@ -4,6 +4,7 @@
 #include "MeDict.h"
 #include "MeAssert.h"
 #include "MeMemory.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
 #include <string.h>
 
@@ -285,7 +286,9 @@ MeDictNode *MEAPI MeDictDelete(MeDict *dict, MeDictNode *node) {
 }
 
 void MEAPI MeDictDeleteFree(MeDict *dict, MeDictNode *node) {
-    if (MeDictDelete(dict, node))
+    MeBool isOut;
+    ME_UNDER_OWN_NAME(isOut = MeDictDelete(dict, node) != 0);
+    if (isOut)
         freeNode(dict, node);
 }
 
@@ -358,6 +361,8 @@ void MEAPI MeDictLoadEnd(MeDictLoad *load) {
 /* ---- finding --------------------------------------------------------------------------------------------------- */
 
 MeDictNode *MEAPI MeDictLookup(MeDict *dict, const void *key) {
+    if (!isGiven(dict, "dictionary", __func__))
+        return NULL;
     MeDictNode *node = MeDictLowerBound(dict, key);
     return node && dict->compare(node->key, key) == 0 ? node : NULL;
 }

@@ -1,6 +1,7 @@
 /* Five kinds of messages, each with a limit, a handler and a show function. */
 #include "MeMessage_i.h"
 
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,21 +46,24 @@ void MEAPI_CDECL MeLog(const int level, const char *const format, ...) {
 }
 
 void MEAPI_CDECL MeWarning(const int level, const char *const format, ...) {
-    if (level > MeWarningLevel)
+    char renamed[MeMAXMESSAGE];
+    if (level > MeWarningLevel || me_messageIsRepeated())
         return;
     va_list ap;
     va_start(ap, format);
-    if (!me_messageHold(MeWarning, level, format, ap))
-        MeWarningHandler(level, format, ap);
+    const char *text = me_messageRename(format, &ap, renamed);
+    if (!me_messageHold(MeWarning, level, text, ap))
+        MeWarningHandler(level, text, ap);
     va_end(ap);
 }
 
 void MEAPI_CDECL MeFatalError(const int level, const char *const format, ...) {
+    char renamed[MeMAXMESSAGE];
     if (level > MeFatalErrorLevel)
         return;
     va_list ap;
     va_start(ap, format);
-    MeFatalErrorHandler(level, format, ap);
+    MeFatalErrorHandler(level, me_messageRename(format, &ap, renamed), ap);
     va_end(ap);
 }
 
@@ -119,15 +123,19 @@ MeShow MEAPI MeSetFatalErrorShow(MeShow n) {
 
 /* ---- the default handlers ---- */
 
-/* Formats into at most MeMAXMESSAGE bytes, without the newline that programs may end their messages with. */
-static void formatAndShow(MeShow show, int level, const char *prefix, const char *format, va_list ap) {
-    char text[MeMAXMESSAGE];
+/* Without the newline that programs may end their messages with. */
+static void formatText(char text[MeMAXMESSAGE], const char *prefix, const char *format, va_list ap) {
     const size_t used = strlen(prefix);
     memcpy(text, prefix, used + 1);
-    vsnprintf(text + used, sizeof text - used, format, ap);
+    vsnprintf(text + used, MeMAXMESSAGE - used, format, ap);
     const size_t length = strlen(text);
     if (length > used && text[length - 1] == '\n')
         text[length - 1] = 0;
+}
+
+static void formatAndShow(MeShow show, int level, const char *prefix, const char *format, va_list ap) {
+    char text[MeMAXMESSAGE];
+    formatText(text, prefix, format, ap);
     show(level, text);
 }
 
@@ -143,8 +151,51 @@ void MEAPI MeHandlerLog(const int level, const char *const format, va_list ap) {
     formatAndShow(MeLogShow, level, "", format, ap);
 }
 
+/* How often a text was shown: those of the last warnings that were new. */
+enum { REMEMBERED = 64 };
+static struct {
+    MeU64 text; /* its hash, by FNV-1a; 0: none */
+    int times;
+} remembered[REMEMBERED];
+static unsigned int nextRemembered;
+static atomic_flag isRemembering = ATOMIC_FLAG_INIT;
+
+static MeU64 hashOf(const char *text) {
+    MeU64 hash = 0xcbf29ce484222325u;
+    for (; *text; text++)
+        hash = (hash ^ (unsigned char)*text) * 0x100000001b3u;
+    return hash ? hash : 1;
+}
+
+/* How often it was shown before, as far as that is remembered. */
+static int countText(const char *text) {
+    const MeU64 hash = hashOf(text);
+    unsigned int i = 0;
+    while (atomic_flag_test_and_set(&isRemembering)) {
+    }
+    while (i < REMEMBERED && remembered[i].text != hash)
+        i++;
+    if (i == REMEMBERED) {
+        i = nextRemembered++ % REMEMBERED;
+        remembered[i].text = hash;
+        remembered[i].times = 0;
+    }
+    const int before = remembered[i].times;
+    remembered[i].times += before < 2;
+    atomic_flag_clear(&isRemembering);
+    return before;
+}
+
+/* What is wrong in one step is wrong in the next: a text is shown twice. */
 void MEAPI MeHandlerWarning(const int level, const char *const format, va_list ap) {
-    formatAndShow(MeWarningShow, level, "Karma warning: ", format, ap);
+    static const char again[] = " (again: not shown any more)";
+    char text[MeMAXMESSAGE];
+    formatText(text, "Karma warning: ", format, ap);
+    const int before = countText(text);
+    if (before == 1)
+        strncat(text, again, sizeof text - strlen(text) - 1);
+    if (before < 2)
+        MeWarningShow(level, text);
 }
 
 void MEAPI MeHandlerFatalError(const int level, const char *const format, va_list ap) {

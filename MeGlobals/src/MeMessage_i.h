@@ -11,4 +11,9 @@ typedef void(MEAPI_CDECL *MeSender)(const int level, const char *const format, .
 /* Whether the message waits (MeMessagesHold); else it is to be sent. */
 MeBool me_messageHold(MeSender sender, int level, const char *format, va_list ap);
 
+/* The format under which the message goes out: under the name of MeMessagesAs, where one is set. */
+const char *me_messageRename(const char *format, va_list *ap, char renamed[MeMAXMESSAGE]);
+/* Whether the function of MeMessagesAs has said something already. */
+MeBool me_messageIsRepeated(void);
+
 #endif

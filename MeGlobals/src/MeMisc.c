@@ -1,5 +1,6 @@
 /* Colours. */
 #include "MeMisc.h"
+#include "MeMessage.h"
 
 #include <math.h>
 
@@ -17,6 +18,10 @@ static float share(float distance) {
 }
 
 void MEAPI MeHSVtoRGB(float h, float s, float v, float rgb[3]) {
+    if (!rgb) {
+        MeWarning(1, "MeHSVtoRGB: rgb is null");
+        return;
+    }
     const float turn = isfinite(h) ? fmodf(h, 360) : 0;
     const float hue = (turn < 0 ? turn + 360 : turn) / 60;
     const float saturation = toUnitInterval(s), value = toUnitInterval(v);

@@ -2,6 +2,7 @@
 #include "MePoolx.h"
 
 #include "MeAssert.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
 #include <stdint.h>
 #include <string.h>
@@ -45,7 +46,8 @@ void *MEAPI MePoolxGet(MePoolx *p) {
 }
 
 void *MEAPI MePoolxGetZeroed(MePoolx *p) {
-    void *record = MePoolxGet(p);
+    void *record;
+    ME_UNDER_OWN_NAME(record = MePoolxGet(p));
     return record ? memset(record, 0, (size_t)p->size) : NULL;
 }
 

@@ -1,6 +1,52 @@
-/* Who is named in messages of memory and limits, and what such a message says. */
+/* Who is named in messages: of any kind, and in those of memory and limits, and what such a message says. */
 #include "MeInternal.h"
-#include "MeMessage.h"
+#include "MeMessage_i.h"
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Whose name messages begin with; null: with those of the functions that send them. */
+static _Thread_local struct {
+    const char *name;
+    MeBool hasSpoken;
+} speaker;
+
+const char *MEAPI MeMessagesAs(const char *function) {
+    const char *const before = speaker.name;
+    if (function == NULL || before == NULL) {
+        speaker.name = function;
+        speaker.hasSpoken = MEFALSE;
+    }
+    return before;
+}
+
+/* What follows the name that a message begins with, "%s: ..." or "Name: ...", from its colon on. A name that is an
+ * argument is taken. Null: it begins with no name. */
+static const char *afterName(const char *format, va_list *ap) {
+    const char *c = format;
+    if (strncmp(format, "%s:", 3) == 0) {
+        (void)va_arg(*ap, const char *);
+        return format + 2;
+    }
+    while (isalnum((unsigned char)*c) || *c == '_')
+        c++;
+    return c > format && *c == ':' ? c : NULL;
+}
+
+const char *me_messageRename(const char *format, va_list *ap, char renamed[MeMAXMESSAGE]) {
+    if (!speaker.name)
+        return format;
+    speaker.hasSpoken = METRUE;
+    const char *rest = afterName(format, ap);
+    if (!rest)
+        return format;
+    snprintf(renamed, MeMAXMESSAGE, "%s%s", speaker.name, rest);
+    return renamed;
+}
+
+MeBool me_messageIsRepeated(void) {
+    return speaker.name && speaker.hasSpoken;
+}
 
 static _Thread_local const char *caller;
 

@@ -34,8 +34,16 @@ static RCallBackDataButton *action(RRender *rc, const char *function, int N) {
     return NULL;
 }
 
+/* What programs call: a macro picks the function by the form of the callback. */
+static const char *nameOf(RButtonList which) {
+    static const char *const names[] = {"RRenderSetUpCallBack",    "RRenderSetDownCallBack",  "RRenderSetLeftCallBack",
+                                        "RRenderSetRightCallBack", "RRenderSetUp2CallBack",   "RRenderSetDown2CallBack",
+                                        "RRenderSetLeft2CallBack", "RRenderSetRight2CallBack"};
+    return (unsigned int)which < sizeof names / sizeof names[0] ? names[which] : "RRenderSetButtonCallBack";
+}
+
 void MEAPI RRenderSetButtonCallBack(RRender *rc, RButtonList which, RButtonPressCallBack func, void *userdata) {
-    RCallBackDataButton *b = button(rc, __func__, which);
+    RCallBackDataButton *b = button(rc, nameOf(which), which);
     if (b)
         setButton(b, func, NULL, userdata, NULL);
 }
@@ -43,20 +51,20 @@ void MEAPI RRenderSetButtonCallBack(RRender *rc, RButtonList which, RButtonPress
 void MEAPI RRenderSetButtonCallBackNoData(RRender *rc, RButtonList which, RButtonPressCallBackNoData func,
                                           void *unused) {
     (void)unused;
-    RCallBackDataButton *b = button(rc, __func__, which);
+    RCallBackDataButton *b = button(rc, nameOf(which), which);
     if (b)
         setButton(b, NULL, func, NULL, NULL);
 }
 
 void MEAPI RRenderSetActionCallBack(RRender *rc, int N, RButtonPressCallBack func, void *userdata) {
-    RCallBackDataButton *b = action(rc, __func__, N);
+    RCallBackDataButton *b = action(rc, "RRenderSetActionNCallBack", N);
     if (b)
         setButton(b, func, NULL, userdata, NULL);
 }
 
 void MEAPI RRenderSetActionCallBackNoData(RRender *rc, int N, RButtonPressCallBackNoData func, void *unused) {
     (void)unused;
-    RCallBackDataButton *b = action(rc, __func__, N);
+    RCallBackDataButton *b = action(rc, "RRenderSetActionNCallBack", N);
     if (b)
         setButton(b, NULL, func, NULL, NULL);
 }
@@ -108,7 +116,7 @@ void MEAPI RRenderSetRight2CallBackWithText(RRender *rc, RButtonPressCallBack fu
 }
 
 void MEAPI RRenderSetMouseCallBackWithText(RRender *rc, RMouseCallBack func, void *userdata, const char *text) {
-    if (!r_isContext(rc, __func__))
+    if (!r_isContext(rc, text ? __func__ : "RRenderSetMouseCallBack"))
         return;
     RCallBackDataMouse *m = &rc->m_CallBacks.m_Mouse;
     m->m_Func = func;
@@ -117,7 +125,7 @@ void MEAPI RRenderSetMouseCallBackWithText(RRender *rc, RMouseCallBack func, voi
 }
 
 void MEAPI RRenderSetJoystickCallBackWithText(RRender *rc, RJoystickCallBack func, void *userdata, const char *text) {
-    if (!r_isContext(rc, __func__))
+    if (!r_isContext(rc, text ? __func__ : "RRenderSetJoystickCallBack"))
         return;
     RCallBackDataJoystick *j = &rc->m_CallBacks.m_Joystick;
     j->m_Func = func;

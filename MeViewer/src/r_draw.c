@@ -45,7 +45,8 @@ static bool makeObjects(RDraw *d) {
     gl->GenBuffers(1, &d->instanceBuffer);
     gl->GenBuffers(1, &d->skyBuffer);
     gl->GenVertexArrays(1, &d->emptyArray);
-    return r_targetsStart(d) && r_linesStart(d) && r_overlayStart(d);
+    r_targetsStart(d);
+    return r_linesStart(d) && r_overlayStart(d);
 }
 
 bool r_drawStart(RRender *rc, char *reason, size_t size) {

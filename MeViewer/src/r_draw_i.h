@@ -233,10 +233,9 @@ typedef struct RDraw {
 } RDraw;
 
 /* r_target.c */
-enum { R_OCCLUSION_SIZE = 192 }; /* Pixels. */
 /* To a picture's size and a level of quality; false if there is no room. */
 bool r_targetsResize(RDraw *d, int width, int height, int level);
-bool r_targetsStart(RDraw *d);
+void r_targetsStart(RDraw *d);
 void r_targetsStop(RDraw *d);
 
 /* r_mesh.c */

@@ -426,6 +426,7 @@ typedef struct {
 typedef struct {
     int samples;    /* Of a pixel. */
     int shadowSize; /* Texels, of a side of the shadow's map. */
+    int belowSize;  /* The same of the map of the shade below things: 192 scale, so that it costs as pixels do. */
     float scale;    /* Of what is drawn to the picture's width and height. */
     bool ambient;   /* Corners between things are darker. */
 } RQualityLevel;

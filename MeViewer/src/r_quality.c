@@ -8,7 +8,7 @@
 /* One step up costs at most 1.9 times as much, whatever share of the cost depends on pixels: .55^2 to .75^2 is 1.86,
  * .75^2 to 1 is 1.78, and four samples for one have been measured at 1.3 (Stack) to 1.9 (Car) in software. */
 const RQualityLevel r_qualityLevels[R_QUALITY_FULL + 1] = {
-    {1, 512, .55f, false}, {1, 512, .75f, false}, {1, 1024, 1, false}, {4, 1024, 1, true}};
+    {1, 512, 106, .55f, false}, {1, 512, 144, .75f, false}, {1, 1024, 192, 1, false}, {4, 1024, 192, 1, true}};
 
 /* ns. A frame of 1/30 s is late. One that is 1.9 times as short is not made late by the next level; in a window that
  * waits for the screen, frames of 1/60 s have to count as that short. */

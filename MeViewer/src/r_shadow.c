@@ -168,7 +168,7 @@ static void fitOcclusion(RDraw *d, const float centre[3], float radius) {
     box.centre[0] = centre[0];
     box.centre[1] = d->scene.groundHeight;
     box.centre[2] = centre[2];
-    snap(&box, side / R_OCCLUSION_SIZE);
+    snap(&box, side / (float)r_qualityLevels[d->level].belowSize);
     boxMatrix(&box, d->belowMatrix);
     d->belowSize[0] = side;
     d->belowSize[1] = height;
@@ -227,7 +227,7 @@ void r_shadowDraw(RDraw *d) {
         gl->Disable(GL_POLYGON_OFFSET_FILL);
     }
     if (d->block.occlusion[3] > 0) {
-        drawDepth(d, &d->below, R_OCCLUSION_SIZE, d->belowMatrix);
+        drawDepth(d, &d->below, r_qualityLevels[d->level].belowSize, d->belowMatrix);
         drawOcclusion(d);
     }
 }

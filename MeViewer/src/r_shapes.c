@@ -1,6 +1,7 @@
 /* The triangles of simple shapes (RGeometryUtils.h). Positions on a seam are equal to the last bit, so that closed
  * shapes are closed. */
 #include "r_i.h"
+#include "MeInternal.h"
 #include "RGeometryUtils.h"
 
 static const AcmeReal pi = 3.14159265f;
@@ -142,8 +143,9 @@ static Ring sphereRing(AcmeReal radius, AcmeReal height, int i, int rings) {
 
 void MEAPI RCalculateSphereGeometry(RGraphic *rg, AcmeReal radius, int sides, int rings) {
     Lathe l;
-    const int vertices = RCalculateSphereVertexCount(sides, rings);
-    if (!r_isGraphic(rg, __func__) || vertices == 0 || !hasRoom(rg, vertices, __func__) ||
+    int vertices;
+    ME_UNDER_OWN_NAME(vertices = RCalculateSphereVertexCount(sides, rings));
+    if (vertices == 0 || !r_isGraphic(rg, __func__) || !hasRoom(rg, vertices, __func__) ||
         !r_isSize(radius, __func__, "radius") || !latheBegin(&l, rg, sides, vertices))
         return;
     for (int i = 0; i < rings; i++) {
@@ -165,8 +167,9 @@ int MEAPI RCalculateSphylVertexCount(int sides, int rings) {
 
 void MEAPI RCalculateSphylGeometry(RGraphic *rg, AcmeReal radius, AcmeReal height, int sides, int rings) {
     Lathe l;
-    const int vertices = RCalculateSphylVertexCount(sides, rings);
-    if (!r_isGraphic(rg, __func__) || vertices == 0 || !hasRoom(rg, vertices, __func__) ||
+    int vertices;
+    ME_UNDER_OWN_NAME(vertices = RCalculateSphylVertexCount(sides, rings));
+    if (vertices == 0 || !r_isGraphic(rg, __func__) || !hasRoom(rg, vertices, __func__) ||
         !r_isSize(radius, __func__, "radius") || !r_isSize(height, __func__, "height") ||
         !latheBegin(&l, rg, sides, vertices))
         return;
@@ -257,8 +260,9 @@ static Ring torusRing(AcmeReal middle, AcmeReal tube, int i, int rings) {
 
 void MEAPI RCalculateTorusGeometry(RGraphic *rg, AcmeReal outerRadius, AcmeReal innerRadius, int sides, int rings) {
     Lathe l;
-    const int vertices = RCalculateTorusVertexCount(sides, rings);
-    if (!r_isGraphic(rg, __func__) || vertices == 0 || !hasRoom(rg, vertices, __func__) ||
+    int vertices;
+    ME_UNDER_OWN_NAME(vertices = RCalculateTorusVertexCount(sides, rings));
+    if (vertices == 0 || !r_isGraphic(rg, __func__) || !hasRoom(rg, vertices, __func__) ||
         !r_isSize(innerRadius, __func__, "innerRadius") ||
         !r_isSize(outerRadius - innerRadius, __func__, "outerRadius - innerRadius") ||
         !latheBegin(&l, rg, sides, vertices))
@@ -280,8 +284,9 @@ int MEAPI RCalculateDomeVertexCount(int sides, int rings) {
 /* Turned round z like the others, then laid so that z becomes y; and inside out. */
 void MEAPI RCalculateDomeGeometry(RGraphic *rg, AcmeReal radius, int sides, int rings, int tileU, int tileV) {
     Lathe l;
-    const int vertices = RCalculateDomeVertexCount(sides, rings);
-    if (!r_isGraphic(rg, __func__) || vertices == 0 || !hasRoom(rg, vertices, __func__) ||
+    int vertices;
+    ME_UNDER_OWN_NAME(vertices = RCalculateDomeVertexCount(sides, rings));
+    if (vertices == 0 || !r_isGraphic(rg, __func__) || !hasRoom(rg, vertices, __func__) ||
         !r_isSize(radius, __func__, "radius") || !between(tileU, 1, 1024, __func__, "tileU") ||
         !between(tileV, 1, 1024, __func__, "tileV") || !latheBegin(&l, rg, sides, vertices))
         return;

@@ -97,6 +97,14 @@ static bool makeShadow(RDraw *d, int size) {
     return true;
 }
 
+static bool makeBelow(RDraw *d, int size) {
+    const RGL *gl = &d->gl;
+    freeTarget(gl, &d->below, false);
+    freeTarget(gl, &d->occlusion, false);
+    return makeDepthTarget(gl, &d->below, size, GL_LINEAR) &&
+           makeColorTarget(gl, &d->occlusion, GL_R8, size, size, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR);
+}
+
 /* After the picture's linear target, which is bound. */
 static bool makeAmbient(RDraw *d) {
     const RGL *gl = &d->gl;
@@ -116,7 +124,7 @@ bool r_targetsResize(RDraw *d, int width, int height, int level) {
     d->drawnWidth = scaled(width, q->scale);
     d->drawnHeight = scaled(height, q->scale);
     const GLint filter = q->scale < 1 ? GL_LINEAR : GL_NEAREST;
-    if (!makeShadow(d, q->shadowSize) ||
+    if (!makeShadow(d, q->shadowSize) || !makeBelow(d, q->belowSize) ||
         !makeSampleTarget(gl, &d->samples, q->samples, d->drawnWidth, d->drawnHeight) ||
         !makeColorTarget(gl, &d->linear, GL_RGBA16F, d->drawnWidth, d->drawnHeight, GL_RGBA, GL_FLOAT, filter) ||
         (q->ambient && !makeAmbient(d)) ||
@@ -129,12 +137,8 @@ bool r_targetsResize(RDraw *d, int width, int height, int level) {
     return true;
 }
 
-bool r_targetsStart(RDraw *d) {
-    const RGL *gl = &d->gl;
-    d->level = -1;
-    return makeDepthTarget(gl, &d->below, R_OCCLUSION_SIZE, GL_LINEAR) &&
-           makeColorTarget(gl, &d->occlusion, GL_R8, R_OCCLUSION_SIZE, R_OCCLUSION_SIZE, GL_RED, GL_UNSIGNED_BYTE,
-                           GL_LINEAR);
+void r_targetsStart(RDraw *d) {
+    d->level = -1; /* of none yet */
 }
 
 void r_targetsStop(RDraw *d) {

@@ -22,31 +22,30 @@ MEPUBLIC MdtBodyID MEAPI McdModelGetBody(const McdModelID m);
 MEPUBLIC void MEAPI McdModelDynamicsReset(const McdModelID m);
 
 /** @name The body's properties, by its model
- *  As the functions of MdtBody.h.
+ *  As the functions of MdtBody.h. A model without a body gets a warning, and zeros. A fixed model is moved by its
+ *  transform: McdModelSetTransformPtr.
  *  @{ */
-#define McdModelDynamicsEnable(m)               MdtBodyEnable(McdModelGetBody(m))
-#define McdModelDynamicsDisable(m)              MdtBodyDisable(McdModelGetBody(m))
-#define McdModelDynamicsIsEnabled(m)            MdtBodyIsEnabled(McdModelGetBody(m))
-#define McdModelDynamicsGetPosition(m, p)       MdtBodyGetPosition(McdModelGetBody(m), (p))
-#define McdModelDynamicsSetPosition(m, x, y, z) MdtBodySetPosition(McdModelGetBody(m), (x), (y), (z))
-#define McdModelDynamicsGetQuaternion(m, q)     MdtBodyGetQuaternion(McdModelGetBody(m), (q))
-#define McdModelDynamicsSetQuaternion(m, qw, qx, qy, qz)                                                               \
-    MdtBodySetQuaternion(McdModelGetBody(m), (qw), (qx), (qy), (qz))
-#define McdModelDynamicsSetTransform(m, t)             MdtBodySetTransform(McdModelGetBody(m), (t))
-#define McdModelDynamicsGetLinearVelocity(m, v)        MdtBodyGetLinearVelocity(McdModelGetBody(m), (v))
-#define McdModelDynamicsSetLinearVelocity(m, x, y, z)  MdtBodySetLinearVelocity(McdModelGetBody(m), (x), (y), (z))
-#define McdModelDynamicsGetAngularVelocity(m, v)       MdtBodyGetAngularVelocity(McdModelGetBody(m), (v))
-#define McdModelDynamicsSetAngularVelocity(m, x, y, z) MdtBodySetAngularVelocity(McdModelGetBody(m), (x), (y), (z))
-#define McdModelDynamicsGetForce(m, f)                 MdtBodyGetForce(McdModelGetBody(m), (f))
-#define McdModelDynamicsGetTorque(m, t)                MdtBodyGetTorque(McdModelGetBody(m), (t))
-#define McdModelDynamicsAddForce(m, fx, fy, fz)        MdtBodyAddForce(McdModelGetBody(m), (fx), (fy), (fz))
-#define McdModelDynamicsAddTorque(m, tx, ty, tz)       MdtBodyAddTorque(McdModelGetBody(m), (tx), (ty), (tz))
+MEPUBLIC void MEAPI McdModelDynamicsEnable(const McdModelID m);
+MEPUBLIC void MEAPI McdModelDynamicsDisable(const McdModelID m);
+MEPUBLIC MeBool MEAPI McdModelDynamicsIsEnabled(const McdModelID m);
+MEPUBLIC void MEAPI McdModelDynamicsGetPosition(const McdModelID m, MeVector3 p);
+MEPUBLIC void MEAPI McdModelDynamicsSetPosition(const McdModelID m, const MeReal x, const MeReal y, const MeReal z);
+MEPUBLIC void MEAPI McdModelDynamicsGetQuaternion(const McdModelID m, MeVector4 q);
+MEPUBLIC void MEAPI McdModelDynamicsSetQuaternion(const McdModelID m, const MeReal qw, const MeReal qx, const MeReal qy,
+                                                  const MeReal qz);
+MEPUBLIC void MEAPI McdModelDynamicsSetTransform(const McdModelID m, const MeMatrix4 t);
+MEPUBLIC void MEAPI McdModelDynamicsGetLinearVelocity(const McdModelID m, MeVector3 v);
+MEPUBLIC void MEAPI McdModelDynamicsSetLinearVelocity(const McdModelID m, const MeReal x, const MeReal y,
+                                                      const MeReal z);
+MEPUBLIC void MEAPI McdModelDynamicsGetAngularVelocity(const McdModelID m, MeVector3 v);
+MEPUBLIC void MEAPI McdModelDynamicsSetAngularVelocity(const McdModelID m, const MeReal x, const MeReal y,
+                                                       const MeReal z);
+MEPUBLIC void MEAPI McdModelDynamicsGetForce(const McdModelID m, MeVector3 f);
+MEPUBLIC void MEAPI McdModelDynamicsGetTorque(const McdModelID m, MeVector3 t);
+MEPUBLIC void MEAPI McdModelDynamicsAddForce(const McdModelID m, const MeReal fx, const MeReal fy, const MeReal fz);
+MEPUBLIC void MEAPI McdModelDynamicsAddTorque(const McdModelID m, const MeReal tx, const MeReal ty, const MeReal tz);
 /** Damping of the linear and of the angular velocity. */
-#define McdModelDynamicsSetDamping(m, lvd, avd)                                                                        \
-    do {                                                                                                               \
-        MdtBodySetLinearVelocityDamping(McdModelGetBody(m), (lvd));                                                    \
-        MdtBodySetAngularVelocityDamping(McdModelGetBody(m), (avd));                                                   \
-    } while (0)
+MEPUBLIC void MEAPI McdModelDynamicsSetDamping(const McdModelID m, const MeReal lvd, const MeReal avd);
 /** @} */
 
 ME_END_C

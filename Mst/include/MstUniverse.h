@@ -25,7 +25,8 @@ MEPUBLIC MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const siz
 MEPUBLIC void MEAPI MstUniverseDestroy(const MstUniverseID u);
 /** The next step (s): McdSpaceUpdateAll, MstBridgeUpdateContacts, MdtWorldStep and MstBridgeUpdateEvents, which a
  *  program may also call; swept models (McdModelSetSwept) are moved continuously, up to what they meet and on from
- *  there. Its world's least safe time is 1e-9 s. */
+ *  there. Its world's least safe time is 1e-9 s. A step in which a body that is dropped falls farther than the length
+ *  scale gets a warning, once. */
 MEPUBLIC void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step);
 MEPUBLIC MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u);
 MEPUBLIC McdFrameworkID MEAPI MstUniverseGetFramework(const MstUniverseID u);

@@ -19,7 +19,7 @@ MEPUBLIC McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const Mcd
 /** Takes such a model out of its space and destroys it, its body and its contacts. The geometry stays. */
 MEPUBLIC void MEAPI MstModelAndBodyDestroy(const McdModelID m);
 /** Creates a model that does not move, at a transform that is kept by pointer, in the universe's space, and freezes
- *  it. */
+ *  it. A transform that is more than a rotation and a position, a scale or a mirror image, gets a warning. */
 MEPUBLIC McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID g,
                                               MeMatrix4Ptr transformation);
 /** Takes such a model out of its space and destroys it and its contacts. The geometry stays. */

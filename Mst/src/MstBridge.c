@@ -97,6 +97,10 @@ static MeBool addMaterial(MstBridgeRecord *b, const char *function) {
 
 MstBridgeID MEAPI MstBridgeCreate(McdFrameworkID frame, const unsigned int maxMaterials) {
     static const char function[] = "MstBridgeCreate";
+    if (!frame) {
+        MeWarning(1, "MstBridgeCreate: frame is null");
+        return 0;
+    }
     const MeBool isLimited = maxMaterials != MeNoLimit;
     if (isLimited && (maxMaterials == 0 || maxMaterials > MST_MATERIALS))
         MeWarning(1, "MstBridgeCreate: maxMaterials is %u: it must be 1 .. %d, or MeNoLimit", maxMaterials,
@@ -143,17 +147,24 @@ MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b) {
     return addMaterial(record, "MstBridgeGetNewMaterial") ? m : MstBridgeGetDefaultMaterial();
 }
 
-static MstMaterialID knownMaterial(const MstBridgeRecord *b, MstMaterialID m) {
+static MstMaterialID knownMaterial(const MstBridgeRecord *b, MstMaterialID m, const char *function) {
     if (m < b->materialCount)
         return m;
-    MeWarning(1, "MstBridge: there is no material %u; there are %u. The default one is taken", m, b->materialCount);
+    MeWarning(1, "%s: there is no material %u; there are %u: see MstBridgeGetNewMaterial. The default one is taken",
+              MeCallerName(function), m, b->materialCount);
     return MstBridgeGetDefaultMaterial();
 }
 
-MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2) {
-    const MstMaterialID a = knownMaterial(b, m1), c = knownMaterial(b, m2), high = MeMAX(a, c), low = MeMIN(a, c);
+static MstMaterialPair *materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2,
+                                     const char *function) {
+    const MstMaterialID a = knownMaterial(b, m1, function), c = knownMaterial(b, m2, function);
+    const MstMaterialID high = MeMAX(a, c), low = MeMIN(a, c);
     MEASSERT(high < b->materialCount && b->materialCount <= b->materialRoom);
     return &b->materials[high][low].pair;
+}
+
+MstMaterialPair *mst_materialPair(const MstBridgeRecord *b, MstMaterialID m1, MstMaterialID m2) {
+    return materialPair(b, m1, m2, "MstHandleCollisions");
 }
 
 MstMaterialPair *mst_materialsOf(const MstBridgeRecord *b, const McdContact *c) {
@@ -189,8 +200,11 @@ void mst_beginRound(MstBridgeRecord *b) {
 }
 
 static MstMaterialPair *pairOf(MstBridgeID b, MstMaterialID m1, MstMaterialID m2, const char *function) {
+    const char *const before = MeMessagesAs(function); /* of two materials that are none one is named */
     MstBridgeRecord *record = mst_bridgeCheck(b, function);
-    return record ? mst_materialPair(record, m1, m2) : 0;
+    MstMaterialPair *pair = record ? materialPair(record, m1, m2, function) : 0;
+    MeMessagesAs(before);
+    return pair;
 }
 
 MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b, const MstMaterialID m1,
@@ -307,11 +321,17 @@ static void reservePairs(MstBridgeRecord *b, int count) {
         setPairsSize(b, size);
 }
 
+static MeBool isSpace(McdSpaceID s, const char *function) {
+    if (!s)
+        MeWarning(1, "%s: s is null: it must be a space", function);
+    return s != 0;
+}
+
 void MEAPI MstBridgeUpdateContacts(const MstBridgeID b, const McdSpaceID s, const MdtWorldID w) {
     McdSpacePairIterator iterator;
     int isMore;
     MstBridgeRecord *record = mst_bridgeCheck(b, "MstBridgeUpdateContacts");
-    if (!record)
+    if (!record || !isSpace(s, "MstBridgeUpdateContacts"))
         return;
     const char *before = MeCallerSet("MstBridgeUpdateContacts");
     MeProfileStartSection("Collision", 0);
@@ -340,7 +360,7 @@ void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpaceID s, c
     McdSpacePairIterator iterator;
     int isMore;
     (void)w;
-    if (!mst_bridgeCheck(b, "MstBridgeUpdateTransitions"))
+    if (!mst_bridgeCheck(b, "MstBridgeUpdateTransitions") || !isSpace(s, "MstBridgeUpdateTransitions"))
         return;
     McdSpaceEndChanges(s);
     McdSpacePairIteratorBegin(s, &iterator);

@@ -6,6 +6,7 @@
 #include "MdtReport.h"
 #include "MeDebugDraw.h"
 #include "MeMath.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
 #include "MstModelDynamics.h"
 #include "MstUniverse.h"
@@ -238,10 +239,10 @@ static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, co
                       const MeVector3 second, MeReal side) {
     enum { STEPS = 16, MOST_TURN = 63 };
     const MdtLimitID limit = MdtHingeGetLimit(hinge);
-    const MeReal angle = MdtLimitGetPosition(limit), radius = (MeReal)0.4 * d->length;
-    MeVector3 edge, end, before;
     if (!isMeasured(limit))
         return;
+    const MeReal angle = MdtLimitGetPosition(limit), radius = (MeReal)0.4 * d->length;
+    MeVector3 edge, end, before;
     lineAlong(d, at, second, radius, yellow, end);
     sayAngle(d, end, angle);
     turn(second, axis, -side * angle, edge);
@@ -265,13 +266,13 @@ static void drawHinge(const Drawing *d, MdtHingeID hinge, const MeVector3 at, co
 /* The track between a slider's stops, and an arrow from where its coordinate is zero to where it is. */
 static void drawSlider(const Drawing *d, MdtPrismaticID slider, const MeVector3 at, const MeVector3 axis, MeReal side) {
     const MdtLimitID limit = MdtPrismaticGetLimit(slider);
+    if (!isMeasured(limit))
+        return;
     const MeReal now = MdtLimitGetPosition(limit);
     const MeReal low = side * (MdtSingleLimitGetStop(MdtLimitGetLowerLimit(limit)) - now);
     const MeReal high = side * (MdtSingleLimitGetStop(MdtLimitGetUpperLimit(limit)) - now);
     MeVector3 a, b;
     char words[32];
-    if (!isMeasured(limit))
-        return;
     snprintf(words, sizeof words, "%.3g m", (double)now);
     text(d, at, words, yellow);
     MeVector3ScaleAndAdd(a, axis, -side * now, at);
@@ -429,7 +430,8 @@ void MEAPI MstDebugDrawParts(const MdtWorldID w, const McdSpaceID s, const MeRea
 }
 
 void MEAPI MstDebugDrawUniverse(const MstUniverseID u, const unsigned int layers, const MstDebugDraw *draw) {
-    const MdtWorldID w = MstUniverseGetWorld(u);
+    MdtWorldID w;
+    ME_UNDER_OWN_NAME(w = MstUniverseGetWorld(u));
     if (!w || !isGood("MstDebugDrawUniverse", layers, draw))
         return;
     drawAll(&(Drawing){draw, layers, u->sizes.lengthScale}, w, u->space);

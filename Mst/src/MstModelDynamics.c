@@ -1,6 +1,7 @@
 /* Links between models and bodies. A body knows its first model, a model the next one of its body. */
 #include "MstModelDynamics.h"
 #include "MeAssert.h"
+#include "MeInternal.h"
 #include "MeMessage.h"
 
 static MeBool isModel(McdModelID m, const char *function) {
@@ -68,11 +69,101 @@ MdtBodyID MEAPI McdModelGetBody(const McdModelID m) {
 }
 
 void MEAPI McdModelDynamicsReset(const McdModelID m) {
-    const MdtBodyID b = McdModelGetBody(m);
+    const MdtBodyID b = isModel(m, "McdModelDynamicsReset") ? m->mBody : 0;
     if (!b)
         return;
     MdtBodySetPosition(b, 0, 0, 0);
     MdtBodySetQuaternion(b, 1, 0, 0, 0);
     MdtBodySetLinearVelocity(b, 0, 0, 0);
     MdtBodySetAngularVelocity(b, 0, 0, 0);
+}
+
+/* ---- the body's properties ---- */
+
+/* Null, with a warning: none. */
+static MdtBodyID bodyOf(McdModelID m, const char *function) {
+    if (!isModel(m, function))
+        return 0;
+    if (!m->mBody)
+        MeWarning(1, "%s: the model has no body; a fixed model is moved by its transform: McdModelSetTransformPtr",
+                  function);
+    return m->mBody;
+}
+
+void MEAPI McdModelDynamicsEnable(const McdModelID m) {
+    const MdtBodyID b = bodyOf(m, __func__);
+    if (b)
+        MdtBodyEnable(b);
+}
+
+void MEAPI McdModelDynamicsDisable(const McdModelID m) {
+    const MdtBodyID b = bodyOf(m, __func__);
+    if (b)
+        MdtBodyDisable(b);
+}
+
+MeBool MEAPI McdModelDynamicsIsEnabled(const McdModelID m) {
+    const MdtBodyID b = bodyOf(m, __func__);
+    return b && MdtBodyIsEnabled(b);
+}
+
+void MEAPI McdModelDynamicsGetPosition(const McdModelID m, MeVector3 p) {
+    ME_UNDER_OWN_NAME(MdtBodyGetPosition(bodyOf(m, __func__), p));
+}
+
+void MEAPI McdModelDynamicsSetPosition(const McdModelID m, const MeReal x, const MeReal y, const MeReal z) {
+    ME_UNDER_OWN_NAME(MdtBodySetPosition(bodyOf(m, __func__), x, y, z));
+}
+
+void MEAPI McdModelDynamicsGetQuaternion(const McdModelID m, MeVector4 q) {
+    ME_UNDER_OWN_NAME(MdtBodyGetQuaternion(bodyOf(m, __func__), q));
+}
+
+void MEAPI McdModelDynamicsSetQuaternion(const McdModelID m, const MeReal qw, const MeReal qx, const MeReal qy,
+                                         const MeReal qz) {
+    ME_UNDER_OWN_NAME(MdtBodySetQuaternion(bodyOf(m, __func__), qw, qx, qy, qz));
+}
+
+void MEAPI McdModelDynamicsSetTransform(const McdModelID m, const MeMatrix4 t) {
+    ME_UNDER_OWN_NAME(MdtBodySetTransform(bodyOf(m, __func__), t));
+}
+
+void MEAPI McdModelDynamicsGetLinearVelocity(const McdModelID m, MeVector3 v) {
+    ME_UNDER_OWN_NAME(MdtBodyGetLinearVelocity(bodyOf(m, __func__), v));
+}
+
+void MEAPI McdModelDynamicsSetLinearVelocity(const McdModelID m, const MeReal x, const MeReal y, const MeReal z) {
+    ME_UNDER_OWN_NAME(MdtBodySetLinearVelocity(bodyOf(m, __func__), x, y, z));
+}
+
+void MEAPI McdModelDynamicsGetAngularVelocity(const McdModelID m, MeVector3 v) {
+    ME_UNDER_OWN_NAME(MdtBodyGetAngularVelocity(bodyOf(m, __func__), v));
+}
+
+void MEAPI McdModelDynamicsSetAngularVelocity(const McdModelID m, const MeReal x, const MeReal y, const MeReal z) {
+    ME_UNDER_OWN_NAME(MdtBodySetAngularVelocity(bodyOf(m, __func__), x, y, z));
+}
+
+void MEAPI McdModelDynamicsGetForce(const McdModelID m, MeVector3 f) {
+    ME_UNDER_OWN_NAME(MdtBodyGetForce(bodyOf(m, __func__), f));
+}
+
+void MEAPI McdModelDynamicsGetTorque(const McdModelID m, MeVector3 t) {
+    ME_UNDER_OWN_NAME(MdtBodyGetTorque(bodyOf(m, __func__), t));
+}
+
+void MEAPI McdModelDynamicsAddForce(const McdModelID m, const MeReal fx, const MeReal fy, const MeReal fz) {
+    ME_UNDER_OWN_NAME(MdtBodyAddForce(bodyOf(m, __func__), fx, fy, fz));
+}
+
+void MEAPI McdModelDynamicsAddTorque(const McdModelID m, const MeReal tx, const MeReal ty, const MeReal tz) {
+    ME_UNDER_OWN_NAME(MdtBodyAddTorque(bodyOf(m, __func__), tx, ty, tz));
+}
+
+void MEAPI McdModelDynamicsSetDamping(const McdModelID m, const MeReal lvd, const MeReal avd) {
+    ME_UNDER_OWN_NAME({
+        const MdtBodyID b = bodyOf(m, __func__);
+        MdtBodySetLinearVelocityDamping(b, lvd);
+        MdtBodySetAngularVelocityDamping(b, avd);
+    });
 }

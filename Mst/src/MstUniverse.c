@@ -22,6 +22,7 @@ typedef struct MstUniverseRecord {
     MeU32 magic;
     MeHandle handle;
     MstAdviser *adviser; /* null: nobody has asked for advice */
+    MeBool saidLongStep;
 } MstUniverseRecord;
 
 static MeBool isUniverse(MstUniverseID u, const char *function) {
@@ -99,9 +100,9 @@ MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes) {
         return 0;
     MstUniverse *u = &record->universe;
     u->sizes = sizes ? *sizes : MstUniverseDefaultSizes;
-    const char *before = MeCallerSet("MstUniverseCreate");
+    const char *before = MeMessagesAs("MstUniverseCreate");
     createParts(u);
-    MeCallerSet(before);
+    MeMessagesAs(before);
     record->magic = MST_UNIVERSE;
     MeHandleEnter(&record->handle, record, MST_UNIVERSE);
     if (!u->bridge) {
@@ -133,13 +134,35 @@ static void updateBoxes(McdSpaceID s, MeReal step) {
     MeProfileEndSection("Collision");
 }
 
+/* What rests in the air would fall by more than the size of a medium-sized object in one step, and through floors: the
+ * program means another unit, as a rule. Said once. */
+static void judgeStep(MstUniverseRecord *u, double step) {
+    MeVector3 g;
+    MdtWorldGetGravity(u->universe.world, g);
+    const double fall = 0.5 * (double)MeVector3Magnitude(g) * step * step;
+    if (u->saidLongStep || fall <= (double)u->universe.sizes.lengthScale)
+        return;
+    u->saidLongStep = METRUE;
+    MeWarning(
+        1,
+        "MstUniverseStep: the step is %g s, in which a body falls %g m: things will go through each other. Steps are "
+        "in seconds, 1/60 as a rule",
+        step, fall);
+}
+
 void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step) {
     if (!isUniverse(u, "MstUniverseStep"))
         return;
+    if (!MdtWorldIsValid(u->world)) {
+        MeWarning(1, "MstUniverseStep: the universe's world has been destroyed; it ends with the universe: see "
+                     "MstUniverseDestroy");
+        return;
+    }
     if (!(step > 0) || !MeRealIsValid(step)) {
         MeWarning(1, "MstUniverseStep: the step is %g: it must be positive; nothing is changed", (double)step);
         return;
     }
+    judgeStep((MstUniverseRecord *)u, (double)step);
     MstAdviser **adviser = &((MstUniverseRecord *)u)->adviser;
     if (*adviser)
         mst_adviserStepBegins(u, adviser, (double)step);
@@ -165,7 +188,11 @@ MstAdviser **mst_universeAdviser(MstUniverseID u, const char *function) {
 }
 
 const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *count) {
-    return MstBridgeGetEvents(isUniverse(u, "MstUniverseGetEvents") ? u->bridge : 0, count);
+    if (isUniverse(u, "MstUniverseGetEvents"))
+        return MstBridgeGetEvents(u->bridge, count);
+    if (count)
+        *count = 0;
+    return 0;
 }
 
 MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u) {

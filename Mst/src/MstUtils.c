@@ -14,7 +14,11 @@ static MeBool massOf(McdModelID model, MeMatrix3 inertia, MeReal *volume, const 
     MeMatrix4 relative;
     if (!McdModelIsValid(model) ||
         !McdGeometryGetMassProperties(McdModelGetGeometry(model), relative, inertia, volume) || !(*volume > 0)) {
-        MeWarning(1, "%s: the model's geometry has no mass properties; nothing is changed", MeCallerName(function));
+        MeWarning(1,
+                  "%s: the model's geometry has no mass properties: mass and inertia stay as they are. What does not "
+                  "move is made "
+                  "by MstFixedModelCreate",
+                  MeCallerName(function));
         return MEFALSE;
     }
     return METRUE;
@@ -29,7 +33,7 @@ void MEAPI MstAutoSetMassProperties(const MdtBodyID body, const McdModelID model
     MeMatrix3 inertia;
     MeReal volume;
     if (!(density > 0) || !MeRealIsValid(density)) {
-        MeWarning(1, "%s: density is %g: it must be positive; nothing is changed",
+        MeWarning(1, "%s: density is %g: it must be positive; mass and inertia stay as they are",
                   MeCallerName("MstAutoSetMassProperties"), (double)density);
         return;
     }
@@ -43,7 +47,9 @@ void MEAPI MstAutoSetMassProperties(const MdtBodyID body, const McdModelID model
 void MEAPI MstAutoSetInertialTensor(const McdModelID model) {
     MeMatrix3 inertia;
     MeReal volume;
-    const MdtBodyID body = McdModelGetBody(model);
+    const MdtBodyID body = McdModelIsValid(model) ? McdModelGetBody(model) : 0;
+    if (!body)
+        MeWarning(1, "MstAutoSetInertialTensor: the model is null, or has no body; nothing is changed");
     if (!body || !massOf(model, inertia, &volume, "MstAutoSetInertialTensor"))
         return;
     scaleInertia(inertia, MdtBodyGetMass(body) / volume);
@@ -89,15 +95,40 @@ static McdModelID createWithBody(MstUniverse *u, McdGeometryID g, MeReal density
 }
 
 McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density) {
-    if (!MstUniverseGetWorld(u) || !isGeometry(g, "MstModelAndBodyCreate"))
-        return 0;
-    const char *before = MeCallerSet("MstModelAndBodyCreate");
-    const McdModelID m = createWithBody(u, g, density);
-    MeCallerSet(before);
-    return m;
+    ME_RETURN_UNDER_OWN_NAME(McdModelID,
+                             MstUniverseGetWorld(u) && isGeometry(g, __func__) ? createWithBody(u, g, density) : 0);
+}
+
+/* Are the rows of its rotation at right angles, of length 1, and right-handed, to the digits that people write? */
+static MeBool isRigid(const MeMatrix4 tm) {
+    const double digits = 0.01; /* a rotation whose numbers have two digits; what is meant as a scale is farther off */
+    double cross[3], handed = 0;
+    for (int i = 0; i < 3; i++)
+        for (int k = i; k < 3; k++) {
+            double product = i == k ? -1 : 0;
+            for (int j = 0; j < 3; j++)
+                product += (double)tm[i][j] * (double)tm[k][j];
+            if (!(fabs(product) < 2 * digits))
+                return MEFALSE;
+        }
+    for (int j = 0; j < 3; j++) {
+        const int a = (j + 1) % 3, b = (j + 2) % 3;
+        cross[j] = (double)tm[0][a] * (double)tm[1][b] - (double)tm[0][b] * (double)tm[1][a];
+        handed += cross[j] * (double)tm[2][j];
+    }
+    return handed > 0;
 }
 
 static McdModelID createFixed(McdSpaceID s, McdGeometryID g, MeMatrix4Ptr transformation) {
+    if (!s || !isGeometry(g, "MstFixedModelCreate"))
+        return 0;
+    if (!transformation)
+        MeWarning(1,
+                  "MstFixedModelCreate: the transform is null: set one (McdModelSetTransformPtr) before the next step");
+    else if (!isRigid((const MeVector4 *)transformation))
+        MeWarning(1,
+                  "MstFixedModelCreate: the transform is not a rotation and a position: its first three rows must be "
+                  "axes at right angles, of length 1 and right-handed; sizes belong to the geometry");
     const McdModelID m = McdModelCreate(g);
     if (!m)
         return 0;
@@ -111,16 +142,7 @@ static McdModelID createFixed(McdSpaceID s, McdGeometryID g, MeMatrix4Ptr transf
 }
 
 McdModelID MEAPI MstFixedModelCreate(const MstUniverseID u, const McdGeometryID g, MeMatrix4Ptr transformation) {
-    const McdSpaceID s = MstUniverseGetSpace(u);
-    if (!s || !isGeometry(g, "MstFixedModelCreate"))
-        return 0;
-    if (!transformation)
-        MeWarning(1,
-                  "MstFixedModelCreate: the transform is null: set one (McdModelSetTransformPtr) before the next step");
-    const char *before = MeCallerSet("MstFixedModelCreate");
-    const McdModelID m = createFixed(s, g, transformation);
-    MeCallerSet(before);
-    return m;
+    ME_RETURN_UNDER_OWN_NAME(McdModelID, createFixed(MstUniverseGetSpace(u), g, transformation));
 }
 
 /* Hands over the goodbye pairs of a model that leaves, so that their contacts go. */
@@ -150,16 +172,31 @@ static void removeModel(McdModelID m) {
         McdSpaceBeginChanges(s);
 }
 
-void MEAPI MstFixedModelDestroy(const McdModelID m) {
-    if (!m)
-        return;
+/* Of one that is gone McdModelDestroy says what is to be said. */
+static MeBool mayDestroy(McdModelID m, const char *function) {
+    if (!m || McdModelIsValid(m))
+        return m != 0;
+    const char *const before = MeMessagesAs(function);
+    McdModelDestroy(m);
+    MeMessagesAs(before);
+    return MEFALSE;
+}
+
+static void destroyModel(McdModelID m) {
     removeModel(m);
     McdModelDestroy(m);
 }
 
+void MEAPI MstFixedModelDestroy(const McdModelID m) {
+    if (mayDestroy(m, "MstFixedModelDestroy"))
+        destroyModel(m);
+}
+
 void MEAPI MstModelAndBodyDestroy(const McdModelID m) {
-    const MdtBodyID b = m ? McdModelGetBody(m) : 0;
-    MstFixedModelDestroy(m);
+    if (!mayDestroy(m, "MstModelAndBodyDestroy"))
+        return;
+    const MdtBodyID b = McdModelGetBody(m);
+    destroyModel(m);
     if (b)
         MdtBodyDestroy(b);
 }
@@ -179,5 +216,5 @@ static void MEAPI unfreezeModels(const MdtBodyID b) {
 }
 
 void MEAPI MstSetWorldHandlers(const MdtWorldID world) {
-    MdtWorldSetBodyHandlers(world, unfreezeModels, freezeModels);
+    ME_UNDER_OWN_NAME(MdtWorldSetBodyHandlers(world, unfreezeModels, freezeModels));
 }

@@ -75,9 +75,9 @@ START_TEST(numbers_that_are_not_finite_change_nothing) {
         MdtBodySetCenterOfMassPosition(b, v);
         assert_warned("MdtBodySetCenterOfMassPosition");
         MdtHingeSetPosition(hinge, x, 0, 0);
-        assert_warned("MdtConstraintBodySetPosition");
+        assert_warned("MdtHingeSetPosition");
         MdtHingeSetAxis(hinge, x, 0, 0);
-        assert_warned("MdtConstraintSetAxis");
+        assert_warned("MdtHingeSetAxis");
         MdtContactSetPosition(contact, x, 0, 0);
         assert_warned("MdtContactSetPosition");
         MdtContactSetNormal(contact, 0, x, 0);

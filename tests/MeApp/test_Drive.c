@@ -177,7 +177,7 @@ START_TEST(bad_arguments_get_a_warning) {
     ck_assert_int_eq(MeAppGetKeyAxis(0, "Left", "Right"), 0);
     assert_warned("MeAppGetKeyAxis");
     ck_assert_int_eq(MeAppGetKeyAxis(app, "Left", "Rigth"), 0);
-    assert_warned("RRenderGetKeyFrames");
+    assert_warned("MeAppGetKeyAxis: Rigth");
     MeAppFollow(0, 0, 1, 0);
     assert_warned("MeAppFollow");
     messages_release();

@@ -260,7 +260,7 @@ START_TEST(bad_input_is_named) {
     ck_assert_ptr_null(MeAppCreateFromUniverse(u, NULL));
     assert_warned("rc");
     ck_assert_ptr_null(MeAppCreateFromUniverse(NULL, rc));
-    assert_warned("MstUniverse");
+    assert_warned("MeAppCreateFromUniverse: null is no universe");
     MeAppDestroy(NULL);
     assert_silent();
     MeAppStep(NULL);

@@ -33,6 +33,15 @@ START_TEST(each_model_has_one_graphic) {
 }
 END_TEST
 
+START_TEST(of_a_sensor_the_edges_are_drawn) {
+    McdModelID solid = make_box(1, 2, 3), sensor = make_box(4, 5, 6);
+    McdModelSetSensor(sensor, METRUE);
+    MeAppShowUniverse(app);
+    ck_assert(RGraphicIsWireframe(MeAppShowModel(app, sensor, RPalette[0])));
+    ck_assert(!RGraphicIsWireframe(MeAppShowModel(app, solid, RPalette[0])));
+}
+END_TEST
+
 START_TEST(graphics_follow_their_models) {
     McdModelID m = make_box(1, 2, 3);
     MeAppShowUniverse(app);
@@ -137,6 +146,7 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_checked_fixture(t, set_up, tear_down);
     tcase_add_test(t, each_model_has_one_graphic);
+    tcase_add_test(t, of_a_sensor_the_edges_are_drawn);
     tcase_add_test(t, graphics_follow_their_models);
     tcase_add_test(t, graphics_go_with_their_models);
     tcase_add_test(t, a_model_has_the_colour_that_it_was_given);

@@ -1,5 +1,6 @@
 /* Messages: limits, handlers, show functions, and what the defaults print where. */
 #define _POSIX_C_SOURCE 200809L /* dup2, fork */
+#include "MeInternal.h"
 #include "karma_test.h"
 
 #include <signal.h>
@@ -118,6 +119,50 @@ START_TEST(long_messages_are_cut) {
 }
 END_TEST
 
+/* Of others in between, 64 are remembered. */
+START_TEST(a_warning_that_repeats_is_shown_twice) {
+    enum { REMEMBERED = 64 };
+    memset(&got, 0, sizeof got);
+    MeSetWarningShow(catchText);
+    for (int i = 0; i < 5; i++)
+        MeWarning(0, "again and again");
+    ck_assert_int_eq(got.calls, 2);
+    ck_assert_str_eq(got.text, "Karma warning: again and again (again: not shown any more)");
+    for (int i = 0; i < REMEMBERED - 1; i++)
+        MeWarning(0, "another %d", i);
+    MeWarning(0, "again and again");
+    ck_assert_int_eq(got.calls, 2 + REMEMBERED - 1);
+    MeWarning(0, "one more");
+    MeWarning(0, "again and again");
+    ck_assert_int_eq(got.calls, 2 + REMEMBERED + 1);
+    MeSetWarningShow(NULL);
+}
+END_TEST
+
+/* The name that a message begins with, in its format or as an argument, is replaced; what has none stays as it is. Of
+ * several the first is sent. */
+START_TEST(messages_go_under_the_name_of_the_caller) {
+    messages_catch();
+    const char *before = MeMessagesAs("Outer");
+    ck_assert_ptr_null(before);
+    ck_assert_str_eq(MeMessagesAs("Inner"), "Outer"); /* who is set stays */
+    MeWarning(1, "%s: %d of %s", "Callee", 2, "three");
+    ck_assert_str_eq(caught.last, "Outer: 2 of three");
+    MeWarning(1, "Callee: not sent");
+    ck_assert_int_eq(caught.warnings, 1);
+    MeFatalError(1, "Callee_2: no memory for %d", 7);
+    ck_assert_str_eq(caught.last, "Outer: no memory for 7");
+    MeMessagesAs(before);
+    MeMessagesAs("Outer");
+    MeWarning(1, "no name here: %d", 4);
+    ck_assert_str_eq(caught.last, "no name here: 4");
+    MeMessagesAs(NULL);
+    MeWarning(1, "Callee: sent");
+    ck_assert_str_eq(caught.last, "Callee: sent");
+    messages_release();
+}
+END_TEST
+
 START_TEST(empty_messages) {
     MeSetLogShow(catchText);
     const char *const empty = "";
@@ -216,6 +261,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, show_functions_get_the_finished_text);
     tcase_add_test(t, fatal_show_is_replaceable);
     tcase_add_test(t, long_messages_are_cut);
+    tcase_add_test(t, a_warning_that_repeats_is_shown_twice);
+    tcase_add_test(t, messages_go_under_the_name_of_the_caller);
     tcase_add_test(t, empty_messages);
     tcase_add_test(t, what_goes_to_stdout);
     tcase_add_test(t, what_goes_to_stderr);

@@ -613,7 +613,7 @@ START_TEST(bad_arguments_warn) {
     ck_assert(!MstBridgeGetEvents(0, &count) && count == 0);
     assert_warned("no bridge");
     ck_assert_ptr_null(MstUniverseGetEvents(0, 0));
-    assert_warned("no bridge");
+    assert_warned("MstUniverseGetEvents: null is no universe");
     MstBridgeUpdateEvents(0, u->world);
     assert_warned("no bridge");
     MstBridgeSetTouchCB(0, 0, 0, countCalls);

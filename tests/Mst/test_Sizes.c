@@ -4,7 +4,7 @@
 #include <pthread.h>
 
 static MstUniverseID u;
-static MeMatrix4 ground;
+static MeMatrix4 ground = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 
 static MstUniverseSizes sizesOf(unsigned int all) {
     return (MstUniverseSizes){all, 4 * all, 0, all, 4 * all, all, all, 1, 1};

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """check_joints.py SOURCE - has every joint the functions of all constraints under its own name, written out and alike?
 
-They are inline functions in each joint's header, and no macros, so that editors, search and Doxygen find them. What is
-missing is printed as it is to be written.
+They are functions that each joint's header declares, and no macros, so that editors, search and Doxygen find them, and
+that what they say names them (mdt_named.c). What is missing is printed as it is to be written.
 """
 import pathlib
 import re
@@ -35,10 +35,7 @@ JOINTS = {
 
 def functions(joint, group):
     for result, name, parameters in FUNCTIONS[group]:
-        arguments = ', '.join(re.findall(r'(\w+)(?:,|$)', parameters))
-        head = f'static inline {result} Mdt{joint}{name}(const Mdt{joint}ID j{", " * bool(parameters)}{parameters}) {{'
-        call = f'MdtConstraint{name}(Mdt{joint}QuaConstraint(j){", " * bool(arguments)}{arguments});'
-        yield f'{head}\n    {"" if result == "void" else "return "}{call}\n}}\n'.replace('* Mdt', '*Mdt')
+        yield f'MEPUBLIC {result} MEAPI Mdt{joint}{name}(const Mdt{joint}ID j{", " * bool(parameters)}{parameters});\n'.replace('* MEAPI', '*MEAPI')
 
 
 def packed(text):
