@@ -100,6 +100,29 @@ START_TEST(free_rotation_is_reversible) {
 }
 END_TEST
 
+static double energyOf(const MdtKeaBody *body, const double q[4], const double L[3]) {
+    double w[3];
+    kea_angularVelocity(body, q, L, w);
+    return keaDot(L, w) / 2;
+}
+
+/* About the axis that free rotation leaves: a box of 1 x .5 x .2 m turns over and over. */
+START_TEST(whirling_about_the_middle_axis_keeps_its_energy) {
+    const double speed[] = {30, 300, 3000, 18000}, h = 1. / 60;
+    const MdtKeaBody body = bodyWith(.29, 1.04, 1.25);
+    for (int k = 0; k < 4; k++) {
+        const double L[3] = {1e-3 * speed[k], 1.04 * speed[k], 1e-3 * speed[k]};
+        double q[4] = {1, 0, 0, 0}, worst = 0;
+        const double start = energyOf(&body, q, L);
+        for (int i = 0; i < 600; i++) {
+            kea_rotateFree(&body, q, L, h, q);
+            worst = fmax(worst, fabs(energyOf(&body, q, L) / start - 1));
+        }
+        ck_assert_msg(worst < 1e-7, "%g rad/s: %g of the energy", speed[k], worst);
+    }
+}
+END_TEST
+
 START_TEST(inertia_tensors_split_into_moments_and_axes) {
     const double turn[4] = {.3, .5, -.7, .2}, moments[3] = {1e-3, 2, 5};
     double q[4], R[3][3], tensor[3][3], back[3][3];
@@ -155,6 +178,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, fast_rotation_converges_at_fourth_order);
     tcase_add_test(t, a_symmetric_top_is_exact);
     tcase_add_test(t, free_rotation_is_reversible);
+    tcase_add_test(t, whirling_about_the_middle_axis_keeps_its_energy);
     tcase_add_test(t, inertia_tensors_split_into_moments_and_axes);
     tcase_add_test(t, bad_tensors_are_refused);
     tcase_add_test(t, tensors_are_refused_where_they_are_said_to_be);

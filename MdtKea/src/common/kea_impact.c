@@ -245,7 +245,8 @@ static MeBool findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpee
         const MdtKeaRow *row = &s->rows[i];
         const double speed = -kea_startRate(s, i);
         takesPart[i] = (char)(row->contact == i && kea_isTouching(s, row) && speed > slowest);
-        rebounds = rebounds || (takesPart[i] && kea_reboundOfImpact(row->restitution, row->threshold, speed, minReboundSpeed) > 0);
+        rebounds = rebounds ||
+                   (takesPart[i] && kea_reboundOfImpact(row->restitution, row->threshold, speed, minReboundSpeed) > 0);
     }
     return rebounds;
 }

@@ -52,6 +52,13 @@ static void blanesMoan4(double q[4], double L[3], const Split *s, double h) {
     }
 }
 
+/* In parts that the splitting follows. */
+static void rotateFast(double q[4], double L[3], const Split *s, double h, double angle) {
+    const int parts = (int)keaMin(ceil(angle / kea_fastRotation), KEA_MOST_ROTATIONS);
+    for (int i = 0; i < parts; i++)
+        blanesMoan4(q, L, s, h / parts);
+}
+
 static int middleOf(const double I[3]) {
     for (int i = 0; i < 3; i++) {
         const double x = I[(i + 1) % 3], y = I[(i + 2) % 3];
@@ -94,7 +101,7 @@ void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3
     const Split split = {a, b, 1 / I[a] - 1 / I[r], 1 / I[b] - 1 / I[r]};
     const double angle = fabs(h) * keaLength(L) * (fabs(split.rateA) + fabs(split.rateB));
     if (angle > kea_slowRotation)
-        blanesMoan4(q, l, &split, h);
+        rotateFast(q, l, &split, h, angle);
     else if (angle > 0)
         leapfrog(q, l, &split, h);
 
