@@ -114,7 +114,8 @@ MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const Me
 /** @name Putting bodies to rest (Dynamics guide ch. 4, "Enabling/Disabling Bodies")
  *  A partition is disabled ("falls asleep") when all its bodies have been enabled for the alive window, and the squares
  *  of their velocity, angular velocity, acceleration and angular acceleration are below the thresholds. It stays
- *  enabled while a contact with a moving surface pushes one of them (MdtContactParamsSetPrimarySlide,
+ *  enabled while one of them begins to move: has gained energy in every step, for half of the time or more since it was
+ *  slow; and while a contact with a moving surface pushes one of them (MdtContactParamsSetPrimarySlide,
  *  MdtConstraintSetWorldLinearVelocity). On by default.
  *
  *  The thresholds are squares, >= 0. They start at the values of MdtDefaults.h, those of velocity and acceleration

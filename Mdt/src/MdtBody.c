@@ -41,7 +41,7 @@ static void forgetForces(MdtBodyID b) {
 
 /* Restarts the time for which it has been slow. */
 static void forgetRest(MdtBodyID b) {
-    b->enabledTime = b->slowTime = 0;
+    b->enabledTime = b->slowTime = b->gainTime = 0;
     b->enabledSteps = 0;
 }
 
@@ -238,7 +238,7 @@ static void setDefaults(MdtBodyID b) {
         keaZero(sums[i]);
     b->linearDamping = MDTBODY_DEFAULT_LINEAR_DAMPING;
     b->angularDamping = MDTBODY_DEFAULT_ANGULAR_DAMPING;
-    b->slowTime = 0;
+    b->slowTime = b->gainTime = 0;
     b->safeTime = MEINFINITY;
     mdt_bodyDisturb(b);
     MdtBodySetNoFastSpinAxis(b);
@@ -367,11 +367,30 @@ static MeBool isAccelerated(const MdtBody *b, const MdtPartitionParams *params) 
            keaDot(b->kea.lastStep.ang, b->kea.lastStep.ang) >= (double)params->accrot_thresh;
 }
 
+/* Did its kinetic energy T grow in the last step: dT/dt = m v a + L dω/dt? Not of what is slower than a tenth of the
+ * world's accuracy, which counts as resting (MdtWorldSetAccuracy). */
+static MeBool hasGained(const MdtBody *b, double h) {
+    const MdtKeaBody *k = &b->kea;
+    const double resting = .1 * mdt_worldAccuracy(b->world, h);
+    double w[3];
+    MdtKeaBodyGetAngularVelocity(k, w);
+    return keaDot(k->velocity, k->velocity) + k->invMass * keaDot(k->angularMomentum, w) > resting * resting &&
+           keaDot(k->velocity, k->lastStep.lin) + k->invMass * keaDot(k->angularMomentum, k->lastStep.ang) > 0;
+}
+
 void mdt_bodyAge(MdtBodyID b, double h) {
     MEASSERT(h > 0 && (b->record.flags & MDT_ENABLED));
     b->enabledTime += h;
     b->enabledSteps++;
     b->slowTime = isFast(b, &b->world->rest) ? 0 : b->slowTime + h;
+    b->gainTime = b->slowTime > 0 && hasGained(b, h) ? b->gainTime + h : 0;
+}
+
+/* What begins to slide, roll or tip is slow at first, and is not at rest. It gains energy in every step since it was
+ * slow; what settles loses it. What swings gains for a quarter of a period and loses for the next one, so that it has
+ * gained for half of its slow time in its first quarters only. */
+MeBool mdt_bodyIsStarting(const MdtBody *b) {
+    return b->gainTime > 0 && 2 * b->gainTime >= b->slowTime;
 }
 
 /* Slow for long in spite of a high acceleration: solver jitter, and the body may sleep. Two and a half times as long as

@@ -131,6 +131,7 @@ struct MdtBody {
     double lastForce[3], lastTorque[3];            /* N, N m, those that the step in progress began with */
     double lag, part;                              /* s: time by which it is behind its world; its last step */
     double slowTime;                               /* s, for which it has been below the thresholds of rest */
+    double gainTime;                               /* s, for which it has been so and gained energy in every step */
     double enabledTime;                            /* s */
     int enabledSteps;
     MeReal safeTime;
@@ -169,11 +170,12 @@ void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were w
 void mdt_bodyKeepWithinReach(MdtBodyID b);  /* stops a body that has come to the bound of positions */
 void mdt_bodyWakeIfAsleep(MdtBodyID b);
 void mdt_bodySleep(MdtBodyID b);
-void mdt_bodyAge(MdtBodyID b, double h);   /* after a step of h seconds */
-MeBool mdt_bodyIsPushedAwake(MdtBodyID b); /* asleep, and the waiting forces would move it */
-void mdt_bodyKeepForces(MdtBodyID b);      /* those that the step began with act in the rest of it, too */
-void mdt_bodyPack(MdtBodyID b);            /* loads of this step into kea; empties the accumulators */
-void mdt_bodyTerm(MdtBodyID b);            /* detaches its constraints, returns the record */
+void mdt_bodyAge(MdtBodyID b, double h);     /* after a step of h seconds */
+MeBool mdt_bodyIsStarting(const MdtBody *b); /* slow, but on its way to be fast */
+MeBool mdt_bodyIsPushedAwake(MdtBodyID b);   /* asleep, and the waiting forces would move it */
+void mdt_bodyKeepForces(MdtBodyID b);        /* those that the step began with act in the rest of it, too */
+void mdt_bodyPack(MdtBodyID b);              /* loads of this step into kea; empties the accumulators */
+void mdt_bodyTerm(MdtBodyID b);              /* detaches its constraints, returns the record */
 
 /* An input of the body's next step has changed: its rest certificate ends. Any number of threads may call this at once,
  * as contacts are updated. */

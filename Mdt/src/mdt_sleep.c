@@ -37,7 +37,8 @@ MeBool mdt_islandIsAtRest(const MdtIsland *p) {
         MdtBodyID b = p->bodies[i];
         const MeBool isYoung =
             rest->alive_window < 0 ? b->enabledTime < (double)rest->alive_time : b->enabledSteps < rest->alive_window;
-        if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || isPushedOut(b, rest))
+        if (isYoung || b->enabledSteps == 0 || MdtBodyIsMovingTest(b, rest) || mdt_bodyIsStarting(b) ||
+            isPushedOut(b, rest))
             return MEFALSE;
     }
     return !isCarried(p);

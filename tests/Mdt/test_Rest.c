@@ -124,7 +124,7 @@ START_TEST(auto_disable_can_be_switched_off) {
 }
 END_TEST
 
-/* All four values must be below their thresholds, which are squares. */
+/* All four values must be below their thresholds, which are squares. Pushes are to and fro: what gains speed moves. */
 START_TEST(each_threshold_keeps_a_body_awake) {
     for (int what = 0; what < 4; what++)
         for (int above = 0; above < 2; above++) {
@@ -141,10 +141,11 @@ START_TEST(each_threshold_keeps_a_body_awake) {
             if (what == 1)
                 MdtBodySetAngularVelocity(b, 0, x, 0);
             for (int i = 0; i < 30; i++) {
+                const MeReal push = i % 2 ? -x : x;
                 if (what == 2)
-                    MdtBodyAddForce(b, 0, 0, x);
+                    MdtBodyAddForce(b, 0, 0, push);
                 if (what == 3)
-                    MdtBodyAddTorque(b, x * (MeReal).4, 0, 0);
+                    MdtBodyAddTorque(b, push * (MeReal).4, 0, 0);
                 MdtWorldStep(w, FRAME);
                 if (!MdtBodyIsEnabled(b))
                     break;
@@ -306,6 +307,54 @@ START_TEST(what_trembles_is_put_to_rest_and_what_starts_is_not) {
 }
 END_TEST
 
+/* Below all thresholds, a body that is pushed gently gains speed all the same. */
+START_TEST(what_begins_to_move_slowly_stays_awake) {
+    const double pushes[] = {.01, .1, .6};
+    for (int i = 0; i < 3; i++) {
+        MdtWorldID w = scene_world(1, 1, 0);
+        MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+        MeVector3 v;
+        MdtWorldSetAutoDisable(w, 1);
+        for (int step = 0; step < 300; step++) {
+            MdtBodyAddForce(b, (MeReal)pushes[i], 0, 0);
+            MdtWorldStep(w, FRAME);
+        }
+        MdtBodyGetLinearVelocity(b, v);
+        assert_near(v[0], pushes[i] * 300 * FRAME, TOL(1e-6, 1e-14) * 5);
+        MdtWorldDestroy(w);
+    }
+}
+END_TEST
+
+/* Two that swing a quarter of a period apart, slower than the thresholds, with a rod's length between them that no
+ * spring holds: one of them gains at any time, and yet they sleep: the second after its first gain, which begins a
+ * quarter of a period after the other's and lasts one. */
+START_TEST(what_swings_slowly_is_put_to_rest) {
+    MdtWorldID w = scene_world(2, 3, 0);
+    MdtBodyID b[2] = {scene_body(w, 1, (MeReal).03, 0, 0), scene_body(w, 1, 0, 1, 0)};
+    const double quarter = ME_PI / 2 / MeSqrt((MeReal)10); /* s, of 1 kg on the spring's 10 N/m */
+    MdtWorldSetAutoDisable(w, 1);
+    for (int i = 0; i < 3; i++) {
+        MdtSpringID s = MdtSpringCreate(w);
+        MdtSpringSetBodies(s, b[i % 2], i < 2 ? 0 : b[1]);
+        MdtSpringSetPosition(s, 0, i < 2 ? 0 : (MeReal).03, i == 1, 0);
+        MdtSpringSetPosition(s, 1, i < 2 ? -1 : 0, i != 0, 0);
+        MdtSpringSetNaturalLength(s, 1);
+        MdtSpringSetStiffness(s, i < 2 ? 10 : 0);
+        MdtSpringSetDamping(s, 0);
+        MdtSpringEnable(s);
+    }
+    MdtBodySetLinearVelocity(b[1], (MeReal)(.03 * sqrt(10)), 0, 0);
+    double t = 0;
+    while (MdtBodyIsEnabled(b[0]) && t < 8 * quarter) {
+        MdtWorldStep(w, FRAME);
+        t += FRAME;
+    }
+    ck_assert_msg(t < 2.1 * quarter, "asleep after %g quarters", t / quarter);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 /* A belt that is slower than the threshold (.1 m/s) carries on what is young; once asleep, it stood still. */
 START_TEST(a_surface_that_moves_keeps_awake_what_it_carries) {
     for (int way = 0; way < 3; way++) {
@@ -338,6 +387,8 @@ END_TEST
 
 static void tests(TCase *t) {
     tcase_add_test(t, a_surface_that_moves_keeps_awake_what_it_carries);
+    tcase_add_test(t, what_begins_to_move_slowly_stays_awake);
+    tcase_add_test(t, what_swings_slowly_is_put_to_rest);
     tcase_add_test(t, what_trembles_is_put_to_rest_and_what_starts_is_not);
     tcase_add_test(t, constraints_join_bodies_and_the_world_joins_nothing);
     tcase_add_test(t, an_enabled_body_wakes_what_is_tied_to_it);

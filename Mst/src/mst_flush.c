@@ -1,0 +1,54 @@
+/* Seams: a body slides from one fixed box to the next one as if they were one.
+ *
+ * Contacts are made ahead of time, by the shortest way between two shapes. Of a box that slides on a floor of tiles this
+ * way to the next tile is along the floor, to the tile's side, though it will pass over it: it stopped at the seam. What
+ * lies beyond the plane of a box's face cannot meet the box but through this plane; and if it is apart from the
+ * box, but flush with the plane, it has not got to the face yet. When it does, the contact is with the face. */
+#include "McdBox.h"
+#include "McdGeometry.h"
+#include "mst_i.h"
+
+/* Of a model's radius: flush. More than contacts that rest are deep, and single precision rounds at a hundred times the
+ * model's size from the origin; a step of this height is climbed. */
+static const double flushPart = 1e-4;
+
+static double radiusOf(McdModelID m) {
+    MeVector3 centre;
+    MeReal radius;
+    McdGeometryGetBSphere(McdModelGetGeometry(m), centre, &radius);
+    return (double)radius;
+}
+
+/* How far m is beyond the plane of the box's face, m. */
+static double beyondFace(McdModelID box, McdModelID m, MeVector3 outward) {
+    MeVector3 inward, face, nearest;
+    MeVector3MultiplyScalar(inward, outward, -1);
+    McdGeometryMaximumPoint(McdModelGetGeometry(box), (const MeVector4 *)McdModelGetTransformPtr(box), outward, face);
+    McdGeometryMaximumPoint(McdModelGetGeometry(m), (const MeVector4 *)McdModelGetTransformPtr(m), inward, nearest);
+    MeVector3Subtract(nearest, nearest, face);
+    return (double)MeVector3Dot(nearest, outward);
+}
+
+static MeBool isFlush(McdModelID box, McdModelID m, double most) {
+    const MeMatrix4Ptr tm = McdModelGetTransformPtr(box);
+    for (int i = 0; i < 6; i++) {
+        MeVector3 outward;
+        MeVector3MultiplyScalar(outward, tm[i / 2], i % 2 ? -1 : 1);
+        if (fabs(beyondFace(box, m, outward)) <= most)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+static MeBool isFixedBox(McdModelID m) {
+    return !mst_bodyOf(m) && McdGeometryGetTypeId(McdModelGetGeometry(m)) == McdBoxGetTypeId();
+}
+
+MeBool mst_passesFlush(const McdModelPair *p, double separation) {
+    const MeBool isFirst = isFixedBox(p->model1);
+    if (separation <= 0 || (!isFirst && !isFixedBox(p->model2)))
+        return MEFALSE;
+    const McdModelID box = isFirst ? p->model1 : p->model2, m = isFirst ? p->model2 : p->model1;
+    const double most = flushPart * radiusOf(m);
+    return separation > most && isFlush(box, m, most);
+}
