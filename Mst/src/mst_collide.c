@@ -158,16 +158,17 @@ MeBool mst_intersectPair(MstRun *run, McdModelPair *p) {
     return McdIntersect(p, &run->result);
 }
 
-static double leastSeparation(const McdIntersectResult *result) {
-    double least = INFINITY;
-    for (int i = 0; i < result->contactCount; i++)
-        least = fmin(least, McdContactGetSeparation(&result->contacts[i]));
-    return least;
+static const McdContact *nearestContact(const McdIntersectResult *result) {
+    const McdContact *nearest = result->contacts;
+    for (int i = 1; i < result->contactCount; i++)
+        if (McdContactGetSeparation(&result->contacts[i]) < McdContactGetSeparation(nearest))
+            nearest = &result->contacts[i];
+    return nearest;
 }
 
 void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     f->isKnown = mst_intersectPair(run, f->pair);
-    if (run->result.contactCount > 0 && !mst_isFast(f->pair) && mst_passesFlush(f->pair, leastSeparation(&run->result)))
+    if (run->result.contactCount > 0 && !mst_isFast(f->pair) && mst_passesFlush(f->pair, nearestContact(&run->result)))
         run->result.contactCount = 0;
     f->first = run->foundCount;
     mst_convertContacts(b, run, f);

@@ -1,10 +1,11 @@
 /* Seams: a body slides from one fixed box to the next one as if they were one.
  *
- * Contacts are made ahead of time, by the shortest way between two shapes. Of a box that slides on a floor of tiles this
- * way to the next tile is along the floor, to the tile's side, though it will pass over it: it stopped at the seam. What
- * lies beyond the plane of a box's face cannot meet the box but through this plane; and if it is apart from the
+ * Contacts are made ahead of time, by the shortest way between two shapes. From a box that slides on a floor of tiles
+ * this is the way along the floor to the next tile's side, though it will pass over the tile: it stopped at the seam.
+ * What lies beyond the plane of a box's face cannot meet the box but through this plane; and if it is apart from the
  * box, but flush with the plane, it has not got to the face yet. When it does, the contact is with the face. */
 #include "McdBox.h"
+#include "McdContact.h"
 #include "McdGeometry.h"
 #include "mst_i.h"
 
@@ -29,12 +30,17 @@ static double beyondFace(McdModelID box, McdModelID m, MeVector3 outward) {
     return (double)MeVector3Dot(nearest, outward);
 }
 
-static MeBool isFlush(McdModelID box, McdModelID m, double most) {
+/* Apart, or side by side: a contact that is not with the face, within 60 degrees. */
+static MeBool isBesideFace(const McdContact *contact, const MeVector3 outward, double most) {
+    return McdContactGetSeparation(contact) > most || 2 * MeFabs(MeVector3Dot(contact->normal, outward)) < 1;
+}
+
+static MeBool isFlush(McdModelID box, McdModelID m, const McdContact *contact, double most) {
     const MeMatrix4Ptr tm = McdModelGetTransformPtr(box);
     for (int i = 0; i < 6; i++) {
         MeVector3 outward;
         MeVector3MultiplyScalar(outward, tm[i / 2], i % 2 ? -1 : 1);
-        if (fabs(beyondFace(box, m, outward)) <= most)
+        if (isBesideFace(contact, outward, most) && fabs(beyondFace(box, m, outward)) <= most)
             return METRUE;
     }
     return MEFALSE;
@@ -44,11 +50,11 @@ static MeBool isFixedBox(McdModelID m) {
     return !mst_bodyOf(m) && McdGeometryGetTypeId(McdModelGetGeometry(m)) == McdBoxGetTypeId();
 }
 
-MeBool mst_passesFlush(const McdModelPair *p, double separation) {
+MeBool mst_passesFlush(const McdModelPair *p, const McdContact *nearest) {
     const MeBool isFirst = isFixedBox(p->model1);
-    if (separation <= 0 || (!isFirst && !isFixedBox(p->model2)))
+    if (!isFirst && !isFixedBox(p->model2))
         return MEFALSE;
     const McdModelID box = isFirst ? p->model1 : p->model2, m = isFirst ? p->model2 : p->model1;
     const double most = flushPart * radiusOf(m);
-    return separation > most && isFlush(box, m, most);
+    return McdContactGetSeparation(nearest) > -most && isFlush(box, m, nearest, most);
 }

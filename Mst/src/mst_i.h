@@ -248,8 +248,9 @@ void mst_workersTerm(MstBridgeRecord *b);
 int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s);
 /* Tests a pair: the run's result. False: no interaction of its types is known. */
 MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
-/* Is it apart by that much, m, and flush with a face of a fixed box, which it will slide over (mst_flush.c)? */
-MeBool mst_passesFlush(const McdModelPair *p, double separation);
+/* Is a model flush with a face of a fixed box that it will slide over, of all contacts of them the nearest
+ * notwithstanding (mst_flush.c)? */
+MeBool mst_passesFlush(const McdModelPair *p, const McdContact *nearest);
 /* mst_intersectPair, and its contacts become part of the run's. */
 void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
 /* Notes of each pair whether a joint of its bodies lets them pass through each other: before any is collided, as commit
