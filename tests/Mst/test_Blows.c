@@ -88,18 +88,17 @@ static double energyOfCrowd(void) {
     return sum;
 }
 
-/* Energy after 5 s, of that at the start; `work`: millions of multiplications in a step. */
-static double playCrowd(double apart, MeBool hasWalls, double *work) {
-    enum { STEPS = 300 };
+/* Energy after some steps, of that at the start; `work`: millions of multiplications in a step. */
+static double playSteps(double apart, MeBool hasWalls, int steps, double *work) {
     begin(1, .25); /* contacts with wide gaps tie the crowd into one partition */
     fillCrowd(apart, hasWalls);
     const double start = energyOfCrowd();
     *work = 0;
-    for (int i = 0; i < STEPS; i++) {
+    for (int i = 0; i < steps; i++) {
         MdtReport r;
         MstUniverseStep(u, (MeReal)(1. / 60));
         ck_assert(MdtWorldGetReport(u->world, &r));
-        *work += (double)r.work / STEPS;
+        *work += (double)r.work / steps;
     }
     const double left = energyOfCrowd() / start;
     assert_silent();
@@ -109,6 +108,10 @@ static double playCrowd(double apart, MeBool hasWalls, double *work) {
 
 /* As one step for all, in double precision the three left .88, .71, .37 of their energy, for 9.7, 4.4, 161 million
  * multiplications. */
+static double playCrowd(double apart, MeBool hasWalls, double *work) {
+    return playSteps(apart, hasWalls, 300, work);
+}
+
 START_TEST(an_elastic_crowd_keeps_its_energy) {
     double work;
     assert_near(playCrowd(1.5, MEFALSE, &work), 1, 1e-5);
@@ -117,6 +120,48 @@ START_TEST(an_elastic_crowd_keeps_its_energy) {
     assert_below(work, 4);
     assert_near(playCrowd(1.5, METRUE, &work), 1, 1e-5);
     assert_below(work, 20);
+}
+END_TEST
+
+/* A fiftieth of a ball apart, they meet by dozens in a step, and many touch at once. */
+START_TEST(so_does_a_dense_one) {
+    double work;
+    assert_near(playSteps(1.02, MEFALSE, 90, &work), 1, 1e-3);
+}
+END_TEST
+
+/* ---- two balls --------------------------------------------------------------------------------------------------- */
+
+/* One at rest is hit by another, aside of its centre: what is along the line of centres at that moment is passed on, and
+ * nothing turns, however far they come in a step. */
+static void hitAside(double aside, double restitution, double h) {
+    MeVector3 v[2], w;
+    begin(restitution, .01);
+    MdtWorldSetGravity(u->world, 0, 0, 0);
+    const McdGeometryID shape = makeBall();
+    const McdModelID rests = add(shape, 0, 0, 0), flies = add(shape, aside, 0, 1.3);
+    const double n[3] = {-aside, 0, -sqrt(1 - aside * aside)}, passed = .5 * (1 + restitution) * -5 * n[2];
+    McdModelDynamicsSetLinearVelocity(flies, 0, 0, -5);
+    for (int i = 0; i < .3 / h; i++)
+        MstUniverseStep(u, (MeReal)h);
+    MdtBodyGetLinearVelocity(McdModelGetBody(rests), v[0]);
+    MdtBodyGetLinearVelocity(McdModelGetBody(flies), v[1]);
+    for (int i = 0; i < 3; i++) {
+        assert_near((double)v[0][i], passed * n[i], TOL(1e-5, 1e-5));
+        assert_near((double)v[1][i], (i == 2 ? -5 : 0) - passed * n[i], TOL(1e-5, 1e-5));
+    }
+    MdtBodyGetAngularVelocity(McdModelGetBody(rests), w);
+    assert_below((double)MeVector3Magnitude(w), 1e-6);
+    MstUniverseDestroy(u);
+}
+
+START_TEST(balls_are_hit_along_the_line_of_their_centres) {
+    static const double aside[] = {0, .1, .3, .6, .9}, rate[] = {30, 60, 240};
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 3; k++) {
+            hitAside(aside[i], 1, 1 / rate[k]);
+            hitAside(aside[i], .5, 1 / rate[k]);
+        }
 }
 END_TEST
 
@@ -292,6 +337,8 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_checked_fixture(t, messages_catch, messages_release);
     tcase_add_test(t, an_elastic_crowd_keeps_its_energy);
+    tcase_add_test(t, so_does_a_dense_one);
+    tcase_add_test(t, balls_are_hit_along_the_line_of_their_centres);
     tcase_add_test(t, the_last_pendulum_rises_as_high_as_it_must);
     tcase_add_test(t, so_does_the_last_of_boxes);
     tcase_add_test(t, what_trembles_divides_no_step);
