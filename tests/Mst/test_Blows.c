@@ -132,8 +132,8 @@ END_TEST
 
 /* ---- two balls --------------------------------------------------------------------------------------------------- */
 
-/* One at rest is hit by another, aside of its centre: what is along the line of centres at that moment is passed on, and
- * nothing turns, however far they come in a step. */
+/* One at rest is hit by another, aside of its centre: what is along the line of centres at that moment is passed on,
+ * and nothing turns, however far they come in a step. */
 static void hitAside(double aside, double restitution, double h) {
     MeVector3 v[2], w;
     begin(restitution, .01);
