@@ -10,7 +10,8 @@
 #include "mst_i.h"
 
 /* Of a model's radius: flush. More than contacts that rest are deep, and single precision rounds at a hundred times the
- * model's size from the origin; a step of this height is climbed. */
+ * model's size from the origin; a step of this height is climbed. x2 and /2 fail Mst_Seams:
+ * what_is_flush_to_a_ten_thousandth_of_its_radius_passes. */
 static const double flushPart = 1e-4;
 
 static double radiusOf(McdModelID m) {

@@ -67,9 +67,17 @@ START_TEST(a_step_of_a_thousandth_of_the_size_stops_a_box) {
 }
 END_TEST
 
+START_TEST(what_is_flush_to_a_ten_thousandth_of_its_radius_passes) {
+    const double radius = sqrt(.2 * .2 + .2 * .2 + .05 * .05);
+    assert_near(slide(BOX, .8, 60, .7e-4 * radius), .8, .01);
+    assert_near(slide(BOX, .8, 60, 1.5e-4 * radius), .3, .01);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, a_seam_between_fixed_boxes_is_not_felt);
     tcase_add_test(t, a_step_of_a_thousandth_of_the_size_stops_a_box);
+    tcase_add_test(t, what_is_flush_to_a_ten_thousandth_of_its_radius_passes);
 }
 
 TEST_MAIN("Seams", tests)

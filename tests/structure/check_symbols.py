@@ -8,7 +8,7 @@ import sys
 library = sys.argv[1]
 name = re.match(r'lib([A-Za-z]+)', os.path.basename(library)).group(1)
 PREFIX = {'MeGlobals': r'Me|tic', 'MdtKea': r'MdtKea', 'MdtBcl': r'MdtBcl', 'Mdt': r'Mdt', 'Mcd': r'Mcd',
-          'Mst': r'Mst|McdModel(GetBody|SetBody|DynamicsReset)$',
+          'Mst': r'Mst|McdModel(GetBody$|SetBody$|Dynamics)',
           'MeViewer': r'R[A-Z_]|MeViewer', 'MeApp': r'MeApp|RGraphic(Aggregate|Convex|Triangles)Create$|RGraphicCreateFrom'}
 
 listing = subprocess.run(['nm', '-D', '--defined-only', library], capture_output=True, text=True, check=True).stdout

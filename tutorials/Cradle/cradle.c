@@ -54,10 +54,12 @@ static MdtSpringID createThread(int i, MeReal z) {
     return s;
 }
 
+/* Nothing is put to rest: balls that were hit sway a little, slower than the thresholds, and stopping them takes energy. */
 static void createBalls(void) {
     static const float steel[4] = {.70f, .74f, .80f, 1};
     const McdGeometryID g = McdSphereCreate(playUniverse->frame, radius);
     const MdtContactParamsID p = playContact(0, 0);
+    MdtWorldSetAutoDisable(playUniverse->world, MEFALSE);
     MdtContactParamsSetRestitution(p, 1);
     MdtContactParamsSetType(p, MdtContactTypeFrictionZero);
     for (int i = 0; i < BALLS; i++) {
