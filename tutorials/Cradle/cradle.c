@@ -54,7 +54,7 @@ static MdtSpringID createThread(int i, MeReal z) {
     return s;
 }
 
-/* Nothing is put to rest: balls that were hit sway a little, slower than the thresholds, and stopping them takes energy. */
+/* Nothing is put to rest: balls that were hit sway a little, slower than the thresholds, and a stop takes energy. */
 static void createBalls(void) {
     static const float steel[4] = {.70f, .74f, .80f, 1};
     const McdGeometryID g = McdSphereCreate(playUniverse->frame, radius);
