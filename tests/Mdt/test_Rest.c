@@ -326,6 +326,22 @@ START_TEST(what_begins_to_move_slowly_stays_awake) {
 }
 END_TEST
 
+/* .02 m/s²: after 5 s it is still slower than the threshold. */
+START_TEST(what_begins_to_move_has_twenty_five_alive_times) {
+    MdtWorldID w = scene_world(1, 1, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    int steps = 0;
+    MdtWorldSetAutoDisable(w, 1);
+    for (; MdtBodyIsEnabled(b) && steps < 1000; steps++) {
+        MdtBodyAddForce(b, (MeReal).02, 0, 0);
+        MdtWorldStep(w, FRAME);
+    }
+    ck_assert_int_ge(steps, 295);
+    ck_assert_int_le(steps, 310);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 /* Two that swing a quarter of a period apart, slower than the thresholds, with a rod's length between them that no
  * spring holds: one of them gains at any time, and yet they sleep: the second after its first gain, which begins a
  * quarter of a period after the other's and lasts one. */
@@ -388,6 +404,7 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_test(t, a_surface_that_moves_keeps_awake_what_it_carries);
     tcase_add_test(t, what_begins_to_move_slowly_stays_awake);
+    tcase_add_test(t, what_begins_to_move_has_twenty_five_alive_times);
     tcase_add_test(t, what_swings_slowly_is_put_to_rest);
     tcase_add_test(t, what_trembles_is_put_to_rest_and_what_starts_is_not);
     tcase_add_test(t, constraints_join_bodies_and_the_world_joins_nothing);
