@@ -117,6 +117,7 @@ static MeReal sumOfCoordinates(const MeReal v[3]) {
  * made ahead of time now. */
 static MeBool isStillApart(const McdModelPair *p, const McdStand *now) {
     const McdModelRecord *m1 = mcd_record(p->model1), *m2 = mcd_record(p->model2);
+    /* of places that are sums of three products, and of the axes times the reach: some four roundings each */
     const MeReal rounding =
         8 * ME_EPSILON * (sumOfCoordinates(p->stand.place) + sumOfCoordinates(now->place) + m1->reach);
     return p->stand.apart > 0 && !m1->isFast && !m2->isFast &&

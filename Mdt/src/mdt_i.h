@@ -330,7 +330,9 @@ enum { MDT_IMPACT = 4 };
 /* Factorizations of a part of a step: where the exact solver takes more, contacts do not settle whether they stick.
  * Ordinary steps take 1 to 6. 30 machines of 10 bodies among crates, ms a step: 2.0, 2.3, 3.0 with 12, 24, 48. */
 enum { MDT_UNSETTLED = 12 };
-/* One of so many bodies that bounce may be held, for their impacts to be met in time. */
+/* One of so many bodies that bounce may be held, for their impacts to be met in time. Measured, and no test tells 4
+ * from 8: 216 balls a hundredth apart that land with 4 m/s lose 4, 4, 2 and 14 % of the energy in 5 s with 2, 4, 8, 16,
+ * those a fiftieth apart .2 % with each. */
 enum { MDT_HELD = 4 };
 /* Of a body's size: how far joints may be open at rest. As much as overlaps may be there. */
 #define MDT_CLOSED 1e-4

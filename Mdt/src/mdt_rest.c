@@ -142,7 +142,6 @@ void mdt_restKeep(MdtIsland *p) {
         MEASSERT(b->lag == 0 && b->part == p->h && b->enabledSteps > 0);
         MdtBodyResetForces(b);
         mdt_bodyAge(b, p->h);
-        b->gainTime = 0; /* the change of velocity is that of the last solve */
     }
     if (p->number < p->world->sizeLogLength)
         logRows(p);

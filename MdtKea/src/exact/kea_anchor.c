@@ -150,7 +150,7 @@ static void renewNormal(const MdtKeaSystem *s, KeaContact *c) {
     keaScale(n, 1 / distance, n);
     keaAddScaled(d, -keaDot(d, n), n);
     const double across = keaLength(d);
-    if (!(across > 0.5)) /* turned by more than the part of a step that follows can mean */
+    if (!(across > 0)) /* turned to where the direction was */
         return;
     keaCopy(c->normal, n);
     keaScale(c->direction, 1 / across, d);

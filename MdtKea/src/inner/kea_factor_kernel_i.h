@@ -39,6 +39,24 @@ KEA_INLINE void putTwo(double *p, KeaTwo v) {
     memcpy(p, &v, sizeof v);
 }
 
+/* A row. */
+typedef struct KeaSix {
+    KeaFour four;
+    KeaTwo two;
+} KeaSix;
+
+KEA_INLINE KeaSix sixAt(const double *p) {
+    return (KeaSix){fourAt(p), twoAt(p + 4)};
+}
+KEA_INLINE void putSix(double *p, KeaSix v) {
+    putFour(p, v.four);
+    putTwo(p + 4, v.two);
+}
+/* a - s b */
+KEA_INLINE KeaSix lessScaled(KeaSix a, double s, KeaSix b) {
+    return (KeaSix){a.four - s * b.four, a.two - s * b.two};
+}
+
 /* Two rows of xᵀ y: the first row's six products, then the second's. */
 typedef struct KeaRows {
     KeaFour v[3];
@@ -210,21 +228,14 @@ KEA_INLINE void divideUpperOf(double *restrict B, const double *restrict D, int 
 }
 
 KEA_INLINE void divideUpper6(double *B, const double *D) {
-    KeaFour four[6];
-    KeaTwo two[6];
+    KeaSix row[6];
     for (int r = 0; r < 6; r++) {
-        four[r] = fourAt(B + 6 * r);
-        two[r] = twoAt(B + 6 * r + 4);
-        for (int p = 0; p < r; p++) {
-            four[r] -= D[6 * p + r] * four[p];
-            two[r] -= D[6 * p + r] * two[p];
-        }
-        four[r] *= D[7 * r];
-        two[r] *= D[7 * r];
-    }
-    for (int r = 0; r < 6; r++) {
-        putFour(B + 6 * r, four[r]);
-        putTwo(B + 6 * r + 4, two[r]);
+        row[r] = sixAt(B + 6 * r);
+        for (int p = 0; p < r; p++)
+            row[r] = lessScaled(row[r], D[6 * p + r], row[p]);
+        row[r].four *= D[7 * r];
+        row[r].two *= D[7 * r];
+        putSix(B + 6 * r, row[r]);
     }
 }
 
@@ -254,19 +265,12 @@ KEA_INLINE void divideLowerOf(double *restrict B, const double *restrict D, int 
 }
 
 KEA_INLINE void divideLower6(double *B, const double *D) {
-    KeaFour four[6];
-    KeaTwo two[6];
+    KeaSix row[6];
     for (int r = 0; r < 6; r++) {
-        four[r] = fourAt(B + 6 * r);
-        two[r] = twoAt(B + 6 * r + 4);
-        for (int p = 0; p < r; p++) {
-            four[r] -= D[6 * r + p] * four[p];
-            two[r] -= D[6 * r + p] * two[p];
-        }
-    }
-    for (int r = 1; r < 6; r++) {
-        putFour(B + 6 * r, four[r]);
-        putTwo(B + 6 * r + 4, two[r]);
+        row[r] = sixAt(B + 6 * r);
+        for (int p = 0; p < r; p++)
+            row[r] = lessScaled(row[r], D[6 * r + p], row[p]);
+        putSix(B + 6 * r, row[r]);
     }
 }
 
@@ -372,14 +376,10 @@ KEA_INLINE void subtractTransposedOf(double *restrict xi, const double *restrict
 }
 
 KEA_INLINE void subtractTransposed6(double *xi, const double *X, const double *xj) {
-    KeaFour four = fourAt(xi);
-    KeaTwo two = twoAt(xi + 4);
-    for (int p = 0; p < 6; p++) {
-        four -= xj[p] * fourAt(X + 6 * p);
-        two -= xj[p] * twoAt(X + 6 * p + 4);
-    }
-    putFour(xi, four);
-    putTwo(xi + 4, two);
+    KeaSix x = sixAt(xi);
+    for (int p = 0; p < 6; p++)
+        x = lessScaled(x, xj[p], sixAt(X + 6 * p));
+    putSix(xi, x);
 }
 
 static void subtractTransposed(double *xi, const double *X, const double *xj, int n, int m) {
