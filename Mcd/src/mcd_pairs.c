@@ -1,6 +1,7 @@
 /* Links and pairs of a space: the broad phase's candidates, and the lists of hello, staying and goodbye pairs. */
 #include "mcd_space_i.h"
 #include "McdInteractions.h"
+#include "MeInternal.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -351,22 +352,49 @@ static void classifyPair(McdSpace *s, int i) {
 
 /* ---- finding ----------------------------------------------------------------------------------------------------- */
 
-typedef struct Search {
-    McdSpace *space;
-    int proxy;
-    MeBool isDone; /* false: there was no memory */
-} Search;
-
 static MeBool isNews(const McdSpace *s, int proxy, int other) {
     const McdProxy *a = &s->proxy[proxy], *b = &s->proxy[other];
     return other != proxy && !(a->isFrozen && b->isFrozen) && findLink(s, proxy, other) == MCD_NONE;
 }
 
-static MeBool addLink(void *context, int other) {
-    Search *search = context;
-    if (search->isDone && isNews(search->space, search->proxy, other))
-        search->isDone = makeLink(search->space, search->proxy, other) != MCD_NONE;
-    return search->isDone;
+/* What a proxy's fat box overlaps, looked up some at a time: what the table and the links have of one comes from memory
+ * while those of the others do. */
+enum { LOOKED_UP = 16 }; /* in a heap of 10 000 boxes, 64 cost the same */
+
+typedef struct Search {
+    const McdSpace *space;
+    int proxy, count;
+    int other[LOOKED_UP];
+    MeBool (*take)(void *context, int proxy, int other); /* each that is news; false: no more of them */
+    void *context;
+    MeBool isDone; /* false: take has returned false */
+} Search;
+
+static void lookUp(Search *r) {
+    const McdSpace *s = r->space;
+    for (int i = 0; i < r->count && s->hashSize; i++) {
+        const int first = *bucket(s, r->proxy, r->other[i]);
+        if (first != MCD_NONE)
+            ME_PREFETCH(&s->link[first]);
+    }
+    for (int i = 0; i < r->count && r->isDone; i++)
+        if (isNews(s, r->proxy, r->other[i]))
+            r->isDone = r->take(r->context, r->proxy, r->other[i]);
+    r->count = 0;
+}
+
+static MeBool noteOverlap(void *context, int other) {
+    Search *r = context;
+    if (r->count == LOOKED_UP)
+        lookUp(r);
+    if (r->space->hashSize)
+        ME_PREFETCH(bucket(r->space, r->proxy, other));
+    r->other[r->count++] = other;
+    return r->isDone;
+}
+
+static MeBool addLink(void *space, int proxy, int other) {
+    return makeLink(space, proxy, other) != MCD_NONE;
 }
 
 /* Visits proxies that overlap the fat box. A visit that returns false may still be called a few times. */
@@ -389,8 +417,9 @@ static MeBool isToSearch(const McdProxy *p) {
 
 /* False: there was no memory for all of them. */
 static MeBool findLinks(McdSpace *s, int proxy) {
-    Search search = {s, proxy, METRUE};
-    visitOverlaps(s, proxy, addLink, &search);
+    Search search = {.space = s, .proxy = proxy, .take = addLink, .context = s, .isDone = METRUE};
+    visitOverlaps(s, proxy, noteOverlap, &search);
+    lookUp(&search);
     return search.isDone;
 }
 
@@ -400,41 +429,40 @@ static MeBool findLinks(McdSpace *s, int proxy) {
 enum { FOUND_ROOM = 8 * MCD_RANGE }; /* of a range of dirty proxies: what they overlap and are not linked with */
 
 typedef struct Range {
-    const McdSpace *space;
-    int proxy;
-    int *found, count; /* of the range: -1: there was no room */
+    int *found, count; /* of the range */
 } Range;
 
-static MeBool noteFound(void *context, int other) {
-    Range *r = context;
-    if (r->count < 0 || !isNews(r->space, r->proxy, other))
-        return r->count >= 0;
-    if (r->count == FOUND_ROOM)
-        r->count = -1;
-    else
-        r->found[r->count++] = other;
-    return r->count >= 0;
+static MeBool noteFound(void *range, int proxy, int other) {
+    Range *r = range;
+    (void)proxy;
+    if (r->count < FOUND_ROOM)
+        r->found[r->count] = other;
+    return r->count++ < FOUND_ROOM;
 }
 
 /* Writes foundEnd of the range's proxies: where in its part of `found` theirs end; -1: they are to be found again. */
 static void MEAPI searchRange(void *space, int first, int end, int worker) {
     const McdSpace *s = space;
-    Range r = {.space = s, .found = s->found + first / MCD_RANGE * FOUND_ROOM};
+    Range r = {.found = s->found + first / MCD_RANGE * FOUND_ROOM};
+    Search search = {.space = s, .take = noteFound, .context = &r, .isDone = METRUE};
     (void)worker;
     for (int i = first; i < end; i++) {
-        r.proxy = s->dirty[i];
-        if (r.count >= 0 && isToSearch(&s->proxy[r.proxy]))
-            visitOverlaps(s, r.proxy, noteFound, &r);
-        s->foundEnd[i] = r.count;
+        search.proxy = s->dirty[i];
+        if (search.isDone && isToSearch(&s->proxy[search.proxy])) {
+            visitOverlaps(s, search.proxy, noteOverlap, &search);
+            lookUp(&search);
+        }
+        s->foundEnd[i] = search.isDone ? r.count : -1;
     }
 }
 
+/* Of two proxies that were found from both sides, the link is made once. */
 static MeBool addFound(McdSpace *s, int i) {
-    const int *found = s->found + i / MCD_RANGE * FOUND_ROOM;
-    Search search = {s, s->dirty[i], METRUE};
-    for (int k = i % MCD_RANGE ? s->foundEnd[i - 1] : 0; k < s->foundEnd[i] && search.isDone; k++)
-        addLink(&search, found[k]);
-    return search.isDone;
+    const int *found = s->found + i / MCD_RANGE * FOUND_ROOM, proxy = s->dirty[i];
+    MeBool isDone = METRUE;
+    for (int k = i % MCD_RANGE ? s->foundEnd[i - 1] : 0; k < s->foundEnd[i] && isDone; k++)
+        isDone = !isNews(s, proxy, found[k]) || addLink(s, proxy, found[k]);
+    return isDone;
 }
 
 static MeBool reserveFound(McdSpace *s) {

@@ -13,17 +13,18 @@ static void frameQuaternion(const MdtBody *b, double q[4]) {
     keaQuaternionProduct(q, b->kea.quaternion, back);
 }
 
-static void offsetOfCentre(const MdtBody *b, const double q[4], double offset[3]) {
-    double R[3][3];
+/* R is that of q. */
+static void getAxes(const MdtBody *b, double p[3], double q[4], double R[3][3]) {
+    double offset[3];
+    frameQuaternion(b, q);
     keaQuaternionToMatrix(R, q);
     keaApply(offset, (const double(*)[3])R, b->centre);
+    keaSubtract(p, b->kea.position, offset);
 }
 
 static void getFrame(const MdtBody *b, double p[3], double q[4]) {
-    double offset[3];
-    frameQuaternion(b, q);
-    offsetOfCentre(b, q, offset);
-    keaSubtract(p, b->kea.position, offset);
+    double R[3][3];
+    getAxes(b, p, q, R);
 }
 
 /* Clears the guess of the acceleration, for a body whose motion was changed by the program, */
@@ -47,10 +48,11 @@ static void forgetRest(MdtBodyID b) {
 
 /* Places the frame; the velocities stay, so the angular momentum turns along. */
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
-    double w[3], offset[3];
+    double w[3], R[3][3], offset[3];
     mdt_bodyAcceptVelocities(b);
     MdtKeaBodyGetAngularVelocity(&b->kea, w);
-    offsetOfCentre(b, q, offset);
+    keaQuaternionToMatrix(R, q);
+    keaApply(offset, (const double(*)[3])R, b->centre);
     keaCopy(b->kea.position, p);
     keaAddScaled(b->kea.position, 1, offset);
     keaQuaternionProduct(b->kea.quaternion, q, b->centreTurn);
@@ -61,9 +63,7 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     mdt_bodyShow(b);
 }
 
-static void writeTransform(MeMatrix4 tm, const double p[3], const double q[4]) {
-    double R[3][3];
-    keaQuaternionToMatrix(R, q);
+static void writeTransform(MeMatrix4 tm, const double p[3], const double R[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++)
             tm[i][j] = (MeReal)R[j][i]; /* row i of the transform is the frame's axis i */
@@ -82,12 +82,13 @@ static void noteMove(MdtBodyID b, const double p[3], const double q[4]) {
 }
 
 void mdt_bodyShow(MdtBodyID b) {
-    double p[3], q[4], w[3];
-    getFrame(b, p, q);
+    double p[3], q[4], R[3][3], w[3];
+    getAxes(b, p, q, R);
     noteMove(b, p, q);
     MEASSERT(isfinite((double)(MeReal)keaLength(b->kea.position)));
-    writeTransform(b->transform, p, q);
-    writeTransform(b->centreTransform, b->kea.position, b->kea.quaternion);
+    writeTransform(b->transform, p, (const double(*)[3])R);
+    keaQuaternionToMatrix(R, b->kea.quaternion);
+    writeTransform(b->centreTransform, b->kea.position, (const double(*)[3])R);
     MdtKeaBodyGetAngularVelocity(&b->kea, w);
     mdt_toReal(b->velocity, b->kea.velocity);
     mdt_toReal(b->angularVelocity, w);
@@ -107,8 +108,7 @@ MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves) {
 
 void mdt_bodyFrame(const MdtBody *b, MdtFrame *frame) {
     double q[4];
-    getFrame(b, frame->position, q);
-    keaQuaternionToMatrix(frame->axes, q);
+    getAxes(b, frame->position, q, frame->axes);
 }
 
 void mdt_bodyLostByRounding(const MdtBody *b, const MdtFrame *frame, const double point[3], double lost[3]) {
@@ -638,7 +638,9 @@ void MEAPI MdtBodySetCenterOfMassRelativeTransform(const MdtBodyID b, const MeMa
 void MEAPI MdtBodyGetCenterOfMassRelativeTransform(const MdtBodyID b, MeMatrix4 t) {
     if (!mdt_isResult(__func__, (MeReal *)t, 16) || !mdt_isBody(b, __func__))
         return;
-    writeTransform(t, b->centre, b->centreTurn);
+    double R[3][3];
+    keaQuaternionToMatrix(R, b->centreTurn);
+    writeTransform(t, b->centre, (const double(*)[3])R);
 }
 
 void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos) {

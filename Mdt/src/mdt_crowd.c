@@ -95,11 +95,12 @@ int mdt_mostHeld(const MdtIsland *p) {
 
 /* Bodies that bounce, of which only few are held, are met one after the other (mdt_subdivide.c). */
 static MeBool isMetInTime(const MdtIsland *p) {
+    const int most = mdt_mostHeld(p);
     MeBool doesBounce = MEFALSE;
     double g[3];
     int holding = 0;
     mdt_fromReal(g, p->world->params.gravity);
-    for (int i = 0; i < p->numActing; i++) {
+    for (int i = 0; i < p->numActing && holding <= most; i++) {
         if (mdt_isJoint(p->acting[i]))
             continue;
         MeBool isHeld = MEFALSE;
@@ -109,12 +110,12 @@ static MeBool isMetInTime(const MdtIsland *p) {
         }
         holding += isHeld;
     }
-    return doesBounce && holding <= mdt_mostHeld(p);
+    return doesBounce && holding <= most;
 }
 
 /* Rows of user constraints are the program's: how they move with the bodies is not known. */
 static MeBool hasUserConstraints(const MdtIsland *p) {
-    for (int i = 0; i < p->numActing; i++)
+    for (int i = 0; i < p->numActing && p->numJoints > 0; i++)
         if (mdt_isJoint(p->acting[i]) && mdt_constraintType(p->acting[i]) == MdtBclUSER)
             return METRUE;
     return MEFALSE;

@@ -8,10 +8,12 @@
  * Where the graph has not changed since (MdtGraph.changes), the partitions stay as they are.
  */
 #include "MeAssert.h"
+#include "MeInternal.h"
 #include "MeDict.h"
 #include "mdt_step_i.h"
 
 enum { NONE = -1 };
+enum { LINKS_AHEAD = 16 }; /* constraints */
 
 /* ---- the graph ---- */
 
@@ -45,12 +47,16 @@ static void placeBodies(MdtWorldID w) {
     g->numBodies = n;
 }
 
-/* Those that act on bodies join them, and are listed. */
+/* Those that act on bodies join them, and are listed. Their links lie anywhere in memory, and only the last step's list
+ * knows where the ones ahead are likely to be. */
 static void joinBodies(MdtWorldID w) {
     MdtGraph *g = &w->graph;
+    const int before = g->numActing;
     int n = 0;
     for (MdtLink *link = w->constraints.first; link; link = link->next) {
         MdtConstraintID c = mdt_linkOwner(link);
+        if (n + LINKS_AHEAD < before)
+            me_prefetch(g->acting[n + LINKS_AHEAD], sizeof *c);
         const MdtBodyID b0 = c->side[0].body, b1 = c->side[1].body;
         if (!(c->record.flags & MDT_ENABLED) || (!b0 && !b1))
             continue;
@@ -185,8 +191,10 @@ void mdt_islandsUpdate(MdtWorldID w) {
     wakePushed(w);
     const int room = w->bodyRoom + w->constraintRoom;
     const MeBool isRoom = mdt_worldReserve(w, w->bodies.count, w->numConstraints, "MdtWorldStep");
-    if (room != w->bodyRoom + w->constraintRoom)
-        mdt_graphChanged(w); /* the arrays are new */
+    if (room != w->bodyRoom + w->constraintRoom) { /* the arrays are new */
+        w->graph.numActing = 0;
+        mdt_graphChanged(w);
+    }
     if (!isRoom) {
         dropIslands(w);
         return;

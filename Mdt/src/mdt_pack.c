@@ -1,5 +1,6 @@
 /* Pack: scratch memory for a partition's step, and what acts on its bodies. */
 #include "MeAssert.h"
+#include "MeInternal.h"
 #include "MeMath.h"
 #include "mdt_step_i.h"
 #include <limits.h>
@@ -29,6 +30,8 @@ static void MEAPI countChunk(void *context, int item, int worker) {
     Chunk c = {0};
     (void)worker;
     for (int i = first; i < end; i++) {
+        if (i + MDT_AHEAD < end)
+            me_prefetch(a->p->acting[i + MDT_AHEAD], sizeof(MdtManifold));
         const MdtJoint *j = mdt_asJoint(a->p->acting[i]);
         const MdtManifold *m = j ? NULL : mdt_asManifold(a->p->acting[i]);
         c.rows += j ? j->type->maxRows : 0;
@@ -45,9 +48,12 @@ static void MEAPI packChunk(void *context, int item, int worker) {
     Chunk *c = &a->chunk[item];
     int at = c->firstManifold;
     (void)worker;
-    for (int i = first; i < end; i++)
+    for (int i = first; i < end; i++) {
+        if (i + MDT_AHEAD < end)
+            me_prefetch(a->p->acting[i + MDT_AHEAD], sizeof(MdtManifold));
         if (mdt_isManifold(a->p->acting[i]))
             at = mdt_contactsPack(a->p, mdt_asManifold(a->p->acting[i]), at, &c->surfaceProblems);
+    }
     MEASSERT(at == c->firstManifold + c->manifolds);
 }
 

@@ -76,6 +76,9 @@ typedef struct MdtIsland {
  * as many and twice as many, a heap of 1000 boxes takes the same time, within 5 % (bench/threads). */
 enum { MDT_RANGE = 64 };
 
+/* Bodies, or constraints, ahead of the one that a loop works on, whose memory is asked for. */
+enum { MDT_AHEAD = 4 };
+
 static inline MdtJoint *mdt_asJoint(MdtConstraintID c) {
     return mdt_isJoint(c) ? (MdtJoint *)(void *)c : NULL;
 }

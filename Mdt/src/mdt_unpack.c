@@ -1,6 +1,7 @@
 /* Unpack: forces back to the constraints after each part, states and accelerations to the bodies at the end of the
  * step. */
 #include "MeAssert.h"
+#include "MeInternal.h"
 #include "mdt_step_i.h"
 #include <string.h>
 
@@ -96,8 +97,11 @@ static void unpackBody(MdtBodyID b, double h) {
 static void MEAPI unpackBodies(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
     (void)worker;
-    for (int i = first; i < end; i++)
+    for (int i = first; i < end; i++) {
+        if (i + MDT_AHEAD < end)
+            me_prefetch(p->bodies[i + MDT_AHEAD], sizeof *p->bodies[i]);
         unpackBody(p->bodies[i], p->h);
+    }
 }
 
 void mdt_unpackBodies(MdtIsland *p) {

@@ -114,11 +114,14 @@ void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3
 /* The angular velocity (world) of a body at orientation q with angular momentum L, and the other way round. */
 void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double L[3], double w[3]);
 void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double w[3], double L[3]);
-/* The inertia tensor, and its inverse, in world axes at orientation q. */
+/* The same where the principal axes in the world, the columns of R, are known. */
+void kea_principalAxes(const MdtKeaBody *body, const double q[4], double R[3][3]);
+void kea_angularVelocityBy(const double moments[3], const double R[3][3], const double L[3], double w[3]);
+void kea_inverseInertiaBy(const double moments[3], const double R[3][3], double inverse[3][3]);
+/* The inertia tensor in world axes at orientation q. */
 void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]);
 /* m, the largest radius of gyration. */
 double kea_sizeOf(const MdtKeaBody *body);
-void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double inverse[3][3]);
 /* The inverse of any regular matrix. */
 void kea_invert(double inverse[3][3], const double M[3][3]);
 /* The smallest eigenvalue of a symmetric matrix. */

@@ -2,6 +2,7 @@
  * states. */
 #include "kea_i.h"
 #include "MeAssert.h"
+#include "MeInternal.h"
 #include "MeTeam.h"
 #include "common/kea_policy_i.h"
 #include "exact/kea_contact_i.h"
@@ -95,7 +96,7 @@ double kea_sizeOf(const MdtKeaBody *body) {
 
 /* Velocity and momentum at the end of the step without rows, and the angular velocity of that momentum at the start
  * pose. */
-static void predict(MdtKeaSystem *s, int i) {
+static void predict(MdtKeaSystem *s, int i, const double R[3][3]) {
     const MdtKeaBody *body = s->bodies[i];
     KeaBody *b = &s->work->body[i];
     const double h = s->parameters.stepsize;
@@ -103,21 +104,26 @@ static void predict(MdtKeaSystem *s, int i) {
     advance(b->freeVelocity, body->velocity, body->force, body->invMass, body->linearDamping, h);
     advance(b->freeMomentum, body->angularMomentum, body->torque, 1, body->angularDamping, h);
     keaCopy(s->predicted[i].lin, b->freeVelocity);
-    kea_angularVelocity(body, body->quaternion, b->freeMomentum, s->predicted[i].ang);
+    kea_angularVelocityBy(body->moments, R, b->freeMomentum, s->predicted[i].ang);
 }
 
 /* The rule for order (MeTeam.h), here and as bodies are committed: a range writes to its own bodies alone. */
 static void MEAPI beginBodies(void *system, int first, int end, int worker) {
     MdtKeaSystem *s = system;
+    double R[3][3];
+    const double(*axes)[3] = (const double(*)[3])R; /* principal ones, of the body that the loop is at */
     (void)worker;
     for (int i = first; i < end; i++) {
         const MdtKeaBody *body = s->bodies[i];
+        if (i + KEA_AHEAD < end)
+            me_prefetch(s->bodies[i + KEA_AHEAD], sizeof *body);
         setPose(&s->pose[i], body->position, body->quaternion);
         keaCopy(s->velocity[i].lin, body->velocity);
-        MdtKeaBodyGetAngularVelocity(body, s->velocity[i].ang);
+        kea_principalAxes(body, body->quaternion, R);
+        kea_angularVelocityBy(body->moments, axes, body->angularMomentum, s->velocity[i].ang);
         s->invMass[i].mass = body->invMass;
-        kea_inverseInertia(body, body->quaternion, s->invMass[i].inertia);
-        predict(s, i);
+        kea_inverseInertiaBy(body->moments, axes, s->invMass[i].inertia);
+        predict(s, i, axes);
     }
 }
 
@@ -195,6 +201,8 @@ static void MEAPI commitBodies(void *system, int first, int end, int worker) {
     MdtKeaSystem *s = system;
     (void)worker;
     for (int i = first; i < end; i++) {
+        if (i + KEA_AHEAD < end)
+            me_prefetch(s->bodies[i + KEA_AHEAD], sizeof *s->bodies[i]);
         MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
                       s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < kea_assertedRounding);
         commitState(s->bodies[i], &s->work->end[i]);

@@ -66,6 +66,15 @@ MEPUBLIC void MEAPI MeMemoryGiveAligned(void *block);
 #define ME_PREFETCH(address) ((void)(address))
 #endif
 
+enum { ME_CACHE_LINE = 64 }; /**< bytes, of the processors that Karma is measured on */
+
+/** The same of all lines of a record; null does nothing. For loops over records that lie anywhere in memory, some of
+ *  them ahead: in a heap of 10 000 boxes a record's first line takes longer to come than its work does. */
+static inline void me_prefetch(const void *start, size_t bytes) {
+    for (size_t at = 0; start && at < bytes; at += ME_CACHE_LINE)
+        ME_PREFETCH((const char *)start + at);
+}
+
 /** @name Who is told
  *  A function that does its work by functions of other libraries says its name first, so that what they have to say of
  *  memory and of limits names what the program called:

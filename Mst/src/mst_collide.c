@@ -24,22 +24,17 @@
  * twice as far costs the same. */
 enum { PAIR_AHEAD = 8, CONTENT_AHEAD = 4 };
 
-static void prefetchLines(const void *start, size_t bytes) {
-    for (size_t at = 0; start && at < bytes; at += MST_CACHE_LINE)
-        ME_PREFETCH((const char *)start + at);
-}
-
 static void prefetchPairs(McdModelPair *const pairs[], int i, int count) {
-    enum { GROUP = 4 * MST_CACHE_LINE }; /* bytes of a manifold: its head and two of its points */
+    enum { GROUP = 8 * ME_CACHE_LINE }; /* bytes of a manifold: its head and two of its points */
     if (i + PAIR_AHEAD < count)
-        prefetchLines(pairs[i + PAIR_AHEAD], sizeof *pairs[i]);
+        me_prefetch(pairs[i + PAIR_AHEAD], sizeof *pairs[i]);
     if (i + CONTENT_AHEAD >= count)
         return;
     const McdModelPair *p = pairs[i + CONTENT_AHEAD];
     ME_PREFETCH(p->model1);
     ME_PREFETCH(p->model2);
-    prefetchLines(p->touch, 2 * MST_CACHE_LINE);
-    prefetchLines(p->responseData, GROUP);
+    me_prefetch(p->touch, 2 * ME_CACHE_LINE);
+    me_prefetch(p->responseData, GROUP);
 }
 
 /* ---- pairs whose contacts remain --------------------------------------------------------------------------------- */

@@ -434,6 +434,9 @@ enum { KEA_MANIFOLD_VISIT = 300, KEA_MANIFOLD_PREPARATION = 1200 };
  * the second a_worker_takes_sixty_four_bodies_at_a_time. */
 enum { KEA_REGION_MANIFOLDS = 400, KEA_BODY_CHUNK = 64 };
 
+/* Bodies ahead of the one that a loop works on, whose memory is asked for. */
+enum { KEA_AHEAD = 4 };
+
 /* ---- memory ---- */
 
 /* Factors that a world keeps: partitions that look alike share one; fewer are found anew more often. x2 and /2 fail

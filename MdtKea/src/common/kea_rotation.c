@@ -110,13 +110,23 @@ void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3
     keaQuaternionNormalize(q1);
 }
 
-void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double L[3], double w[3]) {
-    double qp[4], R[3][3], l[3];
+void kea_principalAxes(const MdtKeaBody *body, const double q[4], double R[3][3]) {
+    double qp[4];
     toPrincipal(body, q, qp, R);
-    keaApplyTransposed(l, (const double(*)[3])R, L);
+}
+
+void kea_angularVelocityBy(const double moments[3], const double R[3][3], const double L[3], double w[3]) {
+    double l[3];
+    keaApplyTransposed(l, R, L);
     for (int i = 0; i < 3; i++)
-        l[i] /= body->moments[i];
-    keaApply(w, (const double(*)[3])R, l);
+        l[i] /= moments[i];
+    keaApply(w, R, l);
+}
+
+void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double L[3], double w[3]) {
+    double R[3][3];
+    kea_principalAxes(body, q, R);
+    kea_angularVelocityBy(body->moments, (const double(*)[3])R, L, w);
 }
 
 void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double w[3], double L[3]) {
@@ -128,14 +138,12 @@ void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double
     keaApply(L, (const double(*)[3])R, l);
 }
 
-void kea_inverseInertia(const MdtKeaBody *body, const double q[4], double inverse[3][3]) {
-    double qp[4], R[3][3];
-    toPrincipal(body, q, qp, R);
+void kea_inverseInertiaBy(const double moments[3], const double R[3][3], double inverse[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j <= i; j++) {
             double sum = 0;
             for (int k = 0; k < 3; k++)
-                sum += R[i][k] * R[j][k] / body->moments[k];
+                sum += R[i][k] * R[j][k] / moments[k];
             inverse[i][j] = inverse[j][i] = sum;
         }
     }

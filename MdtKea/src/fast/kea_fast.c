@@ -17,6 +17,7 @@
 #include "common/kea_machine_i.h"
 #include "common/kea_policy_i.h"
 #include "MeAssert.h"
+#include "MeInternal.h"
 #include <string.h>
 
 /* A step's arrays, in the cache's scratch memory. */
@@ -533,12 +534,22 @@ static void fallOfCentre(Step *p) {
     keaScale(p->fall, 0.5 * s->parameters.stepsize / mass, p->fall);
 }
 
+/* What the system keeps of the body some places ahead: bodies of a region lie anywhere in it. */
+static void prefetchBody(const Step *p, const KeaNode *node, int place) {
+    if (place + KEA_AHEAD >= node->firstPlace + node->numPlaces)
+        return;
+    const int i = p->regions.body[place + KEA_AHEAD];
+    me_prefetch(p->s->bodies[i], sizeof *p->s->bodies[i]);
+    me_prefetch(&p->s->work->end[i], sizeof *p->s->work->end);
+}
+
 /* Orientations at the end, as a free body turns with the end's angular momentum. */
 static void turnFreely(void *context, KeaNode *node) {
     const Step *p = context;
     for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++) {
         const int i = p->regions.body[place];
         const MdtKeaBody *body = p->s->bodies[i];
+        prefetchBody(p, node, place);
         kea_rotateFree(body, body->quaternion, p->s->work->end[i].angularMomentum, p->s->parameters.stepsize,
                        p->turned[place]);
     }
@@ -566,8 +577,10 @@ static void setEndPose(const Step *p, int place) {
 }
 
 static void setEndPosesOf(void *context, KeaNode *node) {
-    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++)
-        setEndPose(context, i);
+    for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++) {
+        prefetchBody(context, node, place);
+        setEndPose(context, place);
+    }
 }
 
 static void setEndPoses(Step *p) {

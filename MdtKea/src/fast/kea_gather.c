@@ -3,7 +3,9 @@
 #include <string.h>
 #include "fast/kea_fast_i.h"
 #include "MeAssert.h"
+#include "MeInternal.h"
 #include <float.h>
+#include <stddef.h>
 
 /* Divides by the sum; false where it is 0. */
 static MeBool normalize(double share[], int count) {
@@ -43,6 +45,17 @@ static void setPatch(const MdtKeaManifold *m, KeaPatch *p) {
         p->x[k] = keaDot(off, m->direction);
         p->y[k] = keaDot(off, p->across);
     }
+}
+
+/* ---- memory that will be read ---- */
+
+/* The manifold and the patch in the same lane of the next group: bytes of the manifold, from its head. */
+static void prefetchNext(const KeaGathering *from, const KeaGroup groups[], int i, int count, int lane, size_t bytes) {
+    const int next = i + 1 < count ? groups[i + 1].manifold[lane] : -1;
+    if (next < 0)
+        return;
+    me_prefetch(&from->s->manifolds[next], bytes);
+    me_prefetch(&from->patch[next], sizeof *from->patch);
 }
 
 /* ---- from manifolds ---- */
@@ -222,6 +235,7 @@ void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count) {
     for (int i = 0; i < count; i++)
         for (int lane = 0; lane < KEA_LANES; lane++) {
             const int manifold = groups[i].manifold[lane];
+            prefetchNext(from, groups, i, count, lane, sizeof *s->manifolds);
             if (manifold < 0)
                 continue;
             fillLane(from, manifold, correction, &groups[i], lane);
@@ -261,9 +275,11 @@ static void addImpulse(const KeaGathering *from, const KeaGroup *g, int lane, do
 
 void kea_addImpulses(const KeaGathering *from, const KeaGroup groups[], int count, double (*change)[6]) {
     for (int i = 0; i < count; i++)
-        for (int lane = 0; lane < KEA_LANES; lane++)
+        for (int lane = 0; lane < KEA_LANES; lane++) {
+            prefetchNext(from, groups, i, count, lane, offsetof(MdtKeaManifold, radius));
             if (groups[i].manifold[lane] >= 0)
                 addImpulse(from, &groups[i], lane, change);
+        }
 }
 
 void kea_scaleImpulses(KeaGroup groups[], int count, float share) {
@@ -311,7 +327,9 @@ static void returnPoints(const KeaGathering *from, const KeaGroup *g, int lane) 
 
 void kea_returnManifolds(const KeaGathering *from, const KeaGroup groups[], int count) {
     for (int i = 0; i < count; i++)
-        for (int lane = 0; lane < KEA_LANES; lane++)
+        for (int lane = 0; lane < KEA_LANES; lane++) {
+            prefetchNext(from, groups, i, count, lane, sizeof *from->s->manifolds);
             if (groups[i].manifold[lane] >= 0)
                 returnPoints(from, &groups[i], lane);
+        }
 }
