@@ -25,7 +25,7 @@
 enum { PAIR_AHEAD = 8, CONTENT_AHEAD = 4 };
 
 static void prefetchPairs(McdModelPair *const pairs[], int i, int count) {
-    enum { GROUP = 8 * ME_CACHE_LINE }; /* bytes of a manifold: its head and two of its points */
+    enum { GROUP = 8 * ME_CACHE_LINE }; /* bytes of a manifold */
     if (i + PAIR_AHEAD < count)
         me_prefetch(pairs[i + PAIR_AHEAD], sizeof *pairs[i]);
     if (i + CONTENT_AHEAD >= count)
