@@ -18,7 +18,7 @@ enum { IMPOSSIBLE = 1, TOO_MUCH };
 /* Places of the first two are set when it is known how many there are. A hundred thousand steps of a body take from .02 s
  * (a pendulum in ODE) to 5 s (chains with order 4); all scenes and solvers together a minute on two cores. */
 static SweepParameter parameters[] = {
-    {"scene", 0, 0, 1}, {"solver", 0, 0, 1}, {"sub-steps [power of 2]", 0, 4, 5}, {"most body steps", 4e4, 4e4, 1}};
+    {"scene", 0, 0, 1}, {"solver", 0, 0, 1}, {"sub-steps [power of 2]", 0, 4, 5}, {"most [body steps]", 4e4, 4e4, 1}};
 static const char *const results[] = {"fails", "simulated s", "body steps", "value",  "goal",
                                       "value 2", "goal 2",    "value 3",    "goal 3"};
 
