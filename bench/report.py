@@ -368,7 +368,7 @@ def sweep(rows):
         settings = dict.fromkeys(r.setting for r in rows if r.engine == engine)
         parts.append(f'{engine} with {", ".join(settings)}')
     substeps = sorted({r.substeps for r in rows})
-    return '; '.join(parts) + f'; sub-steps {", ".join(map(str, substeps))}, of crowds the first two'
+    return '; '.join(parts) + f'; sub-steps {", ".join(map(str, substeps))}, not of every scene and setting all'
 
 
 def published(rows):
