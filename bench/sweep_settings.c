@@ -1,7 +1,8 @@
-/* The report's sweep of settings, for karma-sweep: a run of a scene by a solver with a number of sub-steps, and its errors.
+/* The report's sweep of settings, for karma-sweep: a run of a scene by a solver with a number of sub-steps, and its
+ * errors.
  *
- * Nothing is timed: runs share the machine, and a table is to have the same bytes whatever else that does. So runs are not
- * bounded by seconds either, but by their steps times bodies, a parameter. */
+ * Nothing is timed: runs share the machine, and a table is to have the same bytes whatever else that does. So runs are
+ * not bounded by seconds either, but by their steps times bodies, a parameter. */
 #include "KarmaSweep.h"
 
 #include "engines.h"
@@ -15,8 +16,8 @@ enum { SCENE, SOLVER, SUBSTEPS, MOST };
 /* What a run says that made no errors. */
 enum { IMPOSSIBLE = 1, TOO_MUCH };
 
-/* Places of the first two are set when it is known how many there are. With the most steps here all scenes and solvers take
- * one and a half minutes on two cores; the report gives the sweep three. */
+/* Places of the first two are set when it is known how many there are. With the most steps here all scenes and solvers
+ * take one and a half minutes on two cores; the report gives the sweep three. */
 static SweepParameter parameters[] = {
     {"scene", 0, 0, 1}, {"solver", 0, 0, 1}, {"sub-steps [power of 2]", 0, 4, 5}, {"most [body steps]", 4e4, 4e4, 1}};
 static const char *const results[] = {"fails",   "simulated s", "body steps", "value", "goal",

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""check_settings.py SWEEP SETTINGS BENCH PIPELINE - the report's sweep of settings makes the errors that bench makes by itself, with
-any number of workers."""
+"""check_settings.py SWEEP SETTINGS BENCH PIPELINE - the report's sweep of settings makes the errors that bench makes by
+itself, with any number of workers."""
 import csv
 import math
 import pathlib
@@ -29,8 +29,8 @@ def read(path):
 
 def swept(directory, index, workers):
     out = directory / f'{index}-{workers}.csv'
-    done = subprocess.run([program, settings, '-set', f'scene={index}', '-set', 'sub-steps=0:1:2', '-set', 'most=1e9', '-workers',
-                           str(workers), '-out', out], text=True, capture_output=True, check=False)
+    done = subprocess.run([program, settings, '-set', f'scene={index}', '-set', 'sub-steps=0:1:2', '-set', 'most=1e9',
+                           '-workers', str(workers), '-out', out], text=True, capture_output=True, check=False)
     check('karma-sweep ends', done.returncode in (0, 1), done.stderr)  # 1: rows of solvers that are not for the scene
     return out
 
