@@ -20,6 +20,7 @@ typedef struct Options {
     bool quick, free;
     const char *scene, *engine; /* null: all */
     const char *csv, *markdown; /* null: none */
+    const char *rows;           /* a file of rows beside those; null: none */
     int substeps[MAX_SUBSTEPS], numSubsteps;
     bool hasSubsteps;            /* as asked for */
     double budget;               /* s, asked for; 0: what --quick says */
@@ -46,17 +47,26 @@ static void usage(FILE *to) {
           "  --engine NAME      only engines whose names begin so\n"
           "  --peer FILE        also the engine of that shared library, see engine.h\n"
           "  --substeps N,...   steps per frame of 1/60 s, at most 8 numbers; 1,4 if not given\n"
+          "  --rows FILE        and rows of that file, a line SCENE,ENGINE,SETTING,SUBSTEPS each\n"
           "  --budget S         s that a run may take before it is too slow\n"
           "  --total S          s that all may take: each scene gets its share, and a run that of its scene\n"
           "  --csv FILE         also write all figures there, a line for each run\n"
           "  --markdown FILE    also write a table of the first errors and the median times there\n"
-          "  --list             name the scenes\n",
+          "  --list             name the scenes\n"
+          "  --solvers          name the engines' settings, as sweep_settings.c numbers them\n",
           to);
 }
 
 static void list(void) {
     for (int i = 0; scenes[i]; i++)
         printf("%s: %s.\n", scenes[i]->name, scenes[i]->text);
+}
+
+static void listSolvers(void) {
+    for (int n = 0; engines_solver(n).engine; n++) {
+        const EngineSolver solver = engines_solver(n);
+        printf("%d,%s,%s\n", n, solver.engine->name, solver.engine->settings[solver.setting]);
+    }
 }
 
 static bool readSubsteps(Options *o, const char *text) {
@@ -111,6 +121,10 @@ static int readOption(Options *o, const char *name, const char *value) {
         o->csv = value;
         return 2;
     }
+    if (strcmp(name, "--rows") == 0) {
+        o->rows = value;
+        return 2;
+    }
     if (strcmp(name, "--markdown") == 0) {
         o->markdown = value;
         return 2;
@@ -127,6 +141,10 @@ static Options readOptions(int argc, char *argv[]) {
         }
         if (strcmp(argv[i], "--list") == 0) {
             list();
+            exit(0);
+        }
+        if (strcmp(argv[i], "--solvers") == 0) {
+            listSolvers();
             exit(0);
         }
         const int taken = readOption(&o, argv[i], argv[i + 1]);
@@ -165,9 +183,9 @@ static bool isWantedScene(const Options *o, const Scene *s) {
 /* Karma's engine of the other program is left out. */
 static bool isWanted(const Options *o, const Engine *e) {
 #ifdef BENCH_PIPELINE
-    const bool isOther = e == &engine_karma_single || e == &engine_karma_double;
+    const bool isOther = engines_isWorld(e);
 #else
-    const bool isOther = e == &engine_universe_single || e == &engine_universe_double;
+    const bool isOther = engines_isUniverse(e);
 #endif
     return !isOther && (!o->engine || strncmp(e->name, o->engine, strlen(o->engine)) == 0);
 }
@@ -189,6 +207,44 @@ static bool isSettingWanted(const Options *o, const Scene *scene, const Engine *
     return !(scene->isCrowd || o->quick) || !e->crowds || (e->crowds & 1u << setting);
 }
 
+static bool hasRow(const Row rows[], int n, const Row *r) {
+    for (int i = 0; i < n; i++)
+        if (rows[i].engine == r->engine && rows[i].setting == r->setting && rows[i].substeps == r->substeps)
+            return true;
+    return false;
+}
+
+/* The solver of these names, if the program has it. */
+static EngineSolver findSolver(const Options *o, const char *engine, const char *setting) {
+    EngineSolver solver;
+    for (int n = 0; (solver = engines_solver(n)).engine; n++)
+        if (isWanted(o, solver.engine) && strcmp(solver.engine->name, engine) == 0 &&
+            strcmp(solver.engine->settings[solver.setting], setting) == 0)
+            break;
+    return solver;
+}
+
+/* The rows of --rows that are not there yet. Returns how many rows there are then. */
+static int addRows(const Options *o, const Scene *scene, Row rows[MAX_ROWS], int n) {
+    char name[64], engine[64], setting[64];
+    int substeps;
+    FILE *file = fopen(o->rows, "r");
+    if (!file) {
+        fprintf(stderr, "bench: cannot read %s\n", o->rows);
+        exit(1);
+    }
+    while (n < MAX_ROWS && fscanf(file, " %63[^,],%63[^,],%63[^,],%d", name, engine, setting, &substeps) == 4) {
+        const EngineSolver solver = findSolver(o, engine, setting);
+        const Row row = {.engine = solver.engine, .setting = solver.setting, .substeps = substeps};
+        if (strcmp(name, scene->name) != 0 || !solver.engine || hasRow(rows, n, &row))
+            continue;
+        rows[n] = row;
+        rows[n++].lack = run_lack(scene, solver.engine, solver.setting);
+    }
+    fclose(file);
+    return n;
+}
+
 /* Those with few sub-steps come first: they shall not lack time. */
 static int makeRows(const Options *o, const Scene *scene, Row rows[MAX_ROWS]) {
     int n = 0, substeps[MAX_SUBSTEPS];
@@ -201,7 +257,7 @@ static int makeRows(const Options *o, const Scene *scene, Row rows[MAX_ROWS]) {
                                       .setting = s,
                                       .substeps = substeps[k],
                                       .lack = run_lack(scene, engines[e], s)};
-    return n;
+    return o->rows ? addRows(o, scene, rows, n) : n;
 }
 
 /* Whether a row has one more run. What a first run may take is its share of what is left; others are as long as it. */

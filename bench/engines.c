@@ -3,14 +3,36 @@
 
 #include <dlfcn.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 enum { MAX_ENGINES = 10 };
 
+/* A program of one precision (BENCH_SINGLE) has the engines of that. */
+static const Engine *const worlds[] = {
+    &engine_karma_single,
+#ifndef BENCH_SINGLE
+    &engine_karma_double,
+#endif
+    NULL,
+};
+
+static const Engine *const universes[] = {
+    &engine_universe_single,
+#ifndef BENCH_SINGLE
+    &engine_universe_double,
+#endif
+    NULL,
+};
+
 const Engine *engines[MAX_ENGINES + 1] = {
     &engine_karma_single,
+#ifndef BENCH_SINGLE
     &engine_karma_double,
+#endif
     &engine_universe_single,
+#ifndef BENCH_SINGLE
     &engine_universe_double,
+#endif
 #ifdef BENCH_ODE
     &engine_ode,
 #endif
@@ -36,12 +58,44 @@ const char *const engines_absent[] = {
     NULL,
 };
 
+static bool isAmong(const Engine *const some[], const Engine *e) {
+    while (*some && *some != e)
+        some++;
+    return *some != NULL;
+}
+
+bool engines_isWorld(const Engine *e) {
+    return isAmong(worlds, e);
+}
+
+bool engines_isUniverse(const Engine *e) {
+    return isAmong(universes, e);
+}
+
+EngineSolver engines_solver(int n) {
+    for (int e = 0; engines[e]; e++)
+        for (int s = 0; engines[e]->settings[s]; s++)
+            if (n-- == 0)
+                return (EngineSolver){engines[e], s};
+    return (EngineSolver){NULL, 0};
+}
+
 bool engines_isForScene(const Engine *e, const SceneWorld *world) {
-    if (e == &engine_karma_single || e == &engine_karma_double)
+    if (engines_isWorld(e))
         return !world->collides;
-    if (e == &engine_universe_single || e == &engine_universe_double)
+    if (engines_isUniverse(e))
         return world->collides;
     return true;
+}
+
+bool engines_isSolverForScene(EngineSolver solver, const Scene *scene) {
+    SceneWorld *world = calloc(1, sizeof *world);
+    if (!world)
+        abort();
+    scene->build(scene, world);
+    const bool isFor = engines_isForScene(solver.engine, world);
+    free(world);
+    return isFor && !(engines_isUniverse(solver.engine) && solver.setting == ENGINE_TWO_WORKERS);
 }
 
 bool engines_addPeer(const char *file) {

@@ -2,10 +2,12 @@
 """Makes docs/performance.md, and its pictures by gnuplot, of the figures that tools/bench has written into a directory.
 
     report.py DIRECTORY
+    report.py --rows DIRECTORY
 
 free.csv and contact.csv have a line for each run of a scene, marginal.csv one for each cost, scaling.csv one for each
 size and each weight, hour.csv and consistency.csv one for each row of theirs; machine.txt and the heads of free.txt and
-contact.txt say what was measured. bench/published.csv has the figures that others have published. No figure stands in
+contact.txt say what was measured. --rows prints what sweep.csv, of karma-sweep, has found: the rows that are to be timed.
+sweep.txt is its command, scenes.txt and solvers.txt name what it numbers. bench/published.csv has the figures that others have published. No figure stands in
 this file."""
 import collections
 import csv
@@ -300,10 +302,53 @@ def lacks(rows):
     yield from command('tools/bench --report')
 
 
-def best(rows):
+def swept(directory):
+    """The rows of the sweep of settings: errors, no times."""
+    names = [line.split(': ', 1)[0] for line in (directory / 'scenes.txt').read_text(encoding='utf8').splitlines()]
+    with open(directory / 'solvers.txt', encoding='utf8') as source:
+        solvers = {line[0]: line[1:] for line in csv.reader(source)}
+    for line in read_lines(directory, 'sweep'):
+        errors = [Error(suffix, number(line['goal' + suffix]), number(line['value' + suffix]))
+                  for suffix in ('', ' 2', ' 3') if line['status'] == 'ok' and line['goal' + suffix] not in ('', 'nan')]
+        outcome = line['status'] if line['status'] != 'ok' else 'fails' if line['fails'] == '1' else 'holds'
+        yield Row(names[int(line['scene'])], *solvers[line['solver']], 2 ** int(line['sub-steps [power of 2]']), outcome,
+                  [], [], [], [], [], errors, '')
+
+
+def chosen(rows):
+    """Of each scene and engine, each setting that reaches the best level any of its settings does, with the fewest sub-steps."""
+    groups = collections.OrderedDict()
+    for r in rows:
+        if level(r) is not None:
+            groups.setdefault((r.scene, r.engine), []).append(r)
+    for of in groups.values():
+        top = min(map(level, of))
+        for setting in dict.fromkeys(r.setting for r in of):
+            able = [r for r in of if r.setting == setting and level(r) == top]
+            if able:
+                yield min(able, key=lambda r: r.substeps)
+
+
+def sweep_text(directory):
+    rows = list(swept(directory))
+    if not rows:
+        return
+    made = [r for r in rows if not r.outcome.startswith('failed')]
+    late = sum(r.outcome in ('late', 'died') for r in made)
+    substeps = ', '.join(map(str, sorted({r.substeps for r in rows})))
+    yield from ['More numbers of sub-steps than all rows are timed with are swept for their errors alone by `karma-sweep` '
+                '([sweep.md](sweep.md)): '
+                f'{substeps} steps a frame, {len(made)} runs of {len({r.scene for r in made})} scenes ({late} of them ended '
+                'early). For each scene and engine every setting', 'that reaches the best level any of the engine\'s does, with '
+                'the fewest sub-steps that do, is timed along with the others, in turns: '
+                f'{len(list(chosen(rows)))} rows, some of them among the others anyway.', '']
+    yield from command((directory / 'sweep.txt').read_text(encoding='utf8').strip())
+
+
+def best(rows, directory):
     yield from ['## Best settings', '', 'Of each engine the cheapest row of the best level that it reaches, of all settings '
-                'and numbers of sub-steps that were run:', 'the level, the setting, sub-steps, and the CPU time per '
-                'simulated second in ms. The sweep: ' + sweep(rows) + '.', '']
+                'and numbers of sub-steps that were timed:', 'the level, the setting, sub-steps, and the CPU time per '
+                'simulated second in ms. Timed: ' + sweep(rows) + '.', '', *sweep_text(directory)]
     engines = list(dict.fromkeys(r.engine for r in rows))
     lines = []
     for scene in dict.fromkeys(r.scene for r in rows):
@@ -323,7 +368,7 @@ def sweep(rows):
         settings = dict.fromkeys(r.setting for r in rows if r.engine == engine)
         parts.append(f'{engine} with {", ".join(settings)}')
     substeps = sorted({r.substeps for r in rows})
-    return '; '.join(parts) + f'; sub-steps {", ".join(map(str, substeps))}, of crowds the first two'
+    return '; '.join(parts) + f'; sub-steps {", ".join(map(str, substeps))}, not of every scene and setting all'
 
 
 def published(rows):
@@ -532,7 +577,7 @@ def main(directory):
     groups = {name: list(read_rows(directory / f'{name}.csv')) for name in ('free', 'contact')
               if (directory / f'{name}.csv').exists()}
     rows = [r for group in groups.values() for r in group]
-    page = [*head(directory), *scenes(directory), *lacks(rows), *levels(rows), *leads(rows), *best(rows), *diagrams(rows),
+    page = [*head(directory), *scenes(directory), *lacks(rows), *levels(rows), *leads(rows), *best(rows, directory), *diagrams(rows),
             *published(rows), *consistency(directory), *distribution(rows), *scaling(directory), *hour(directory),
             *marginal(directory),
             *everything(groups['free'], 'All scenes without contact', 'free'),
@@ -543,6 +588,10 @@ def main(directory):
 
 
 if __name__ == '__main__':
+    if len(sys.argv) == 3 and sys.argv[1] == '--rows':
+        for row in chosen(swept(pathlib.Path(sys.argv[2]))):
+            print(row.scene, row.engine, row.setting, row.substeps, sep=',')
+        sys.exit()
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     main(pathlib.Path(sys.argv[1]))
