@@ -13,7 +13,7 @@
 #include "mdt_step_i.h"
 
 enum { NONE = -1 };
-enum { LINKS_AHEAD = 16 }; /* constraints */
+enum { LINKS_AHEAD = 16 }; /* constraints: farther than MDT_AHEAD, as one takes some ns only */
 
 /* ---- the graph ---- */
 
