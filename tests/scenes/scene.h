@@ -15,7 +15,7 @@ extern "C" {
 #define SCENE_WORLD (-1)       /* in place of a body's index */
 
 enum { SCENE_MAX_BODIES = 1200, SCENE_MAX_JOINTS = 1024, SCENE_MAX_ERRORS = 3 };
-enum { SCENE_MAX_PARTS = 32, SCENE_MAX_HEIGHTS = 4000 };
+enum { SCENE_MAX_PARTS = 36, SCENE_MAX_HEIGHTS = 4000 };
 
 typedef struct SceneState {
     double position[3];   /* m, of the centre of mass */

@@ -1,4 +1,4 @@
-/* Two toothed wheels: bars that cross in the middle, so that each bar is two teeth. */
+/* Two toothed wheels, whose teeth are boxes. */
 #include "scenes_i.h"
 
 #include <math.h>
@@ -9,14 +9,14 @@ enum { SMALL, LARGE };
 typedef struct Wheel {
     int teeth;
     double tip, mass, torque; /* m, radius of the teeth's ends; kg; N m */
-    double phase;             /* rad, of the first bar at the start */
+    double phase;             /* rad, of the first tooth at the start */
 } Wheel;
 
 /* The pitch circles have radii of .6 and 1.2 m: a tooth and its gap are .314 m wide there. The teeth go .08 m beyond
  * them, and with .1 m leave room for each other; how much is what `isFree` says. A tooth of the small wheel points at a
- * gap of the large one. The load is half of what the drive could hold. */
-static const Wheel wheels[2] = {{12, .68, 40, 8, 0}, {24, 1.28, 80, -8, 3.14159265358979323846 / 24}};
-static const double between = 1.8, toothWidth = .1, thickness = .2; /* m */
+ * gap of the large one. Both turn the same way about z: the load takes a third of the drive. */
+static const Wheel wheels[2] = {{12, .68, 40, 12, 0}, {24, 1.28, 80, 8, 3.14159265358979323846 / 24}};
+static const double between = 1.8, toothLength = .3, toothWidth = .1, thickness = .2; /* m */
 
 static double pitch(int i) {
     return 2 * PI / wheels[i].teeth;
@@ -25,10 +25,12 @@ static double pitch(int i) {
 static void addWheel(SceneWorld *w, int i, double x) {
     const Wheel *g = &wheels[i];
     const double disc = g->mass * g->tip * g->tip, inertia[3] = {disc / 4, disc / 4, disc / 2};
-    const double middle[3] = {0, 0, 0};
     scene_addCompound(w, g->mass, inertia, x, 3, 0)->friction = .1;
-    for (int k = 0; k < g->teeth / 2; k++)
-        scene_addPart(w, 2 * g->tip, toothWidth, thickness, middle, g->phase + k * pitch(i));
+    for (int k = 0; k < g->teeth; k++) {
+        const double turn = g->phase + k * pitch(i), out = g->tip - toothLength / 2;
+        const double middle[3] = {out * cos(turn), out * sin(turn), 0};
+        scene_addPart(w, toothLength, toothWidth, thickness, middle, turn);
+    }
     SceneJoint *j = scene_join(w, SCENE_HINGE, i, SCENE_WORLD, x, 3, 0);
     j->speed = copysign(100, g->torque); /* out of reach: a constant torque */
     j->torque = fabs(g->torque);
@@ -42,7 +44,8 @@ static void buildGears(const Scene *s, SceneWorld *w) {
     addWheel(w, LARGE, between);
 }
 
-/* Whether two bars of these directions are apart: along the normals of their sides, or lengthwise. */
+/* Whether two opposite teeth of each wheel, as one bar of this direction, are apart: along their sides' normals, or
+ * lengthwise. */
 static bool areApart(double small, double large) {
     const double turn = small - large, c = fabs(cos(turn)), s = fabs(sin(turn)), r = wheels[SMALL].tip,
                  t = wheels[LARGE].tip, half = toothWidth / 2;
@@ -105,7 +108,8 @@ static void measureGears(const SceneTrace *t, const SceneWorld *w, double errors
 const Scene scenes_gears = {
     .name = "gears",
     .text =
-        "a wheel of 12 teeth, driven by 8 N m, turns one of 24, which a load of 8 N m holds back: bars of .1 m, mu .1, "
+        "a wheel of 12 teeth, driven by 12 N m, turns one of 24, which a load of 8 N m holds back: boxes of .1 m, mu "
+        ".1, "
         "10 s: how far the large wheel is beyond the play of the teeth from half of the small one's angle, largest gap "
         "of a hinge, teeth that were skipped",
     .hasEdges = true,

@@ -112,7 +112,9 @@ static void buildBumps(const Scene *s, SceneWorld *w) {
     }
 }
 
-static const double bumpsEnd[3] = {0, 0, 0}; /* m */
+/* m: Karma's exact solver with 4, 16, 64 and 256 sub-steps ends at x = 31.446, 31.488, 31.534, 31.546, z = .295 .. .298; ODE with
+ * 16 at x = 31.553, z = .292. */
+static const double bumpsEnd[3] = {31.55, 1.2, .298};
 
 static void watchBumps(SceneTrace *t, const SceneWorld *w, const SceneState states[], double time) {
     const double *at = states[CHASSIS].position, up[3] = {0, 1, 0};
