@@ -186,7 +186,7 @@ static void findHeights(const SceneTerrain *t, double *low, double *high) {
     }
 }
 
-/* Its z is up, so its y is -z here; its origin is the middle of the grid, its lowest height 0, below which it is a metre
+/* Its z is up, so its y is -z here; its origin is the middle of the grid, its lowest height 0. Below that it is a metre
  * thick. */
 static void sayTerrain(EngineWorld *w, const SceneTerrain *t) {
     double low, high;

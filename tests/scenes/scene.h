@@ -32,7 +32,8 @@ typedef struct ScenePart {
     double quaternion[4];        /* w x y z */
 } ScenePart;
 
-/* Solid and of one density, but for compounds, which say their inertia. Where two touch, the larger friction and the larger restitution hold; the ground has 0. */
+/* Solid and of one density, but for compounds, which say their inertia. Where two touch, the larger friction and the
+ * larger restitution hold; the ground has 0. */
 typedef struct SceneBody {
     SceneShape shape;
     double

@@ -14,8 +14,9 @@ typedef struct Wheel {
 
 /* The pitch circles have radii of .6 and 1.2 m: a tooth and its gap are .314 m wide there. The teeth go .08 m beyond
  * them, and with .1 m leave room for each other; how much is what `isFree` says. A tooth of the small wheel points at a
- * gap of the large one. Both turn the same way about z: the load takes a third of the drive. */
-static const Wheel wheels[2] = {{12, .68, 40, 12, 0}, {24, 1.28, 80, 8, 3.14159265358979323846 / 24}};
+ * gap of the large one. Both turn the same way about z: the load takes a third of the drive. Teeth
+ * are so long that only their outer ends meet. */
+static const Wheel wheels[2] = {{12, .68, 40, 12, 0}, {24, 1.28, 80, 8, PI / 24}};
 static const double between = 1.8, toothLength = .3, toothWidth = .1, thickness = .2; /* m */
 
 static double pitch(int i) {

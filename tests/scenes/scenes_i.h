@@ -14,8 +14,8 @@ void scenes_note(SceneTrace *t, int which, double error);
 void scenes_measureCounted(const SceneTrace *t, const SceneWorld *w, double errors[SCENE_MAX_ERRORS]);
 void scenes_copyWorst(const SceneTrace *t, const SceneWorld *w, double errors[SCENE_MAX_ERRORS]);
 
-/* m, how deep two bodies, neither of them a cylinder or a compound, are in each other, and one in the ground; negative where they are
- * apart, for boxes then the largest distance along one of the directions that are looked at. */
+/* m, how deep two bodies, neither of them a cylinder or a compound, are in each other, and one in the ground; negative
+ * where they are apart, for boxes then the largest distance along one of the directions that are looked at. */
 double scenes_overlap(const SceneBody *a, const SceneState *p, const SceneBody *b, const SceneState *q);
 double scenes_below(const SceneBody *b, const SceneState *s);
 /* m, the deepest of all that may collide. */

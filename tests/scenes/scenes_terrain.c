@@ -88,7 +88,8 @@ const Scene scenes_terrainRoll = {
     .measure = scenes_copyWorst,
 };
 
-/* Over bumps, between x = 2 and 27 m, that lie across and askew; flat before and behind. They grow and cease over 3 m. */
+/* Over bumps, between x = 2 and 27 m, that lie across and askew; they grow and cease over 3 m. It is flat before and
+ * behind. */
 
 static double rise(double x) {
     const double share = fmin(fmax(x / 3, 0), 1);
@@ -112,8 +113,8 @@ static void buildBumps(const Scene *s, SceneWorld *w) {
     }
 }
 
-/* m: Karma's exact solver with 4, 16, 64 and 256 sub-steps ends at x = 31.446, 31.488, 31.534, 31.546, z = .295 .. .298; ODE with
- * 16 at x = 31.553, z = .292. */
+/* m: Karma's exact solver with 4, 16, 64 and 256 sub-steps ends at x = 31.446, 31.488, 31.534, 31.546, z = .293 to
+ * .298; ODE with 16 at x = 31.553, z = .292. */
 static const double bumpsEnd[3] = {31.55, 1.2, .298};
 
 static void watchBumps(SceneTrace *t, const SceneWorld *w, const SceneState states[], double time) {

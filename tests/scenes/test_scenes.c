@@ -178,8 +178,8 @@ START_TEST(gaps_and_energies_are_those_of_the_states) {
 }
 END_TEST
 
-/* Teeth mesh where there is room for them to both sides, and never for a whole tooth: for a turn of a tooth of the small
- * wheel, by steps of 1/100. The wheels start in the middle of a gap, so that to both sides there is as much. */
+/* There is room for the teeth to both sides all the time, and never for a whole tooth: over a tooth of the small wheel,
+ * by steps of 1/100. They start in the middle of a gap, so what is free turns to the other side with the wheels. */
 START_TEST(gears_have_room_and_cannot_skip) {
     const double teeth = 2 * pi / 12;
     for (int i = 0; i < 100; i++)
