@@ -21,11 +21,12 @@ typedef struct Engine {
     const char *const *settings; /* names of its solvers, ends with a null */
     bool bounces;                /* has restitution */
     unsigned crowds;             /* which settings scenes of many bodies are compared with, a bit each; 0: all */
-    /* In words, what else the scene needs that it has not; null: nothing. May be null. */
+    /* In words, what else the scene needs that it has not, such as compounds; null: nothing. May be null. */
     const char *(*lack)(const Scene *scene, const SceneWorld *world, int setting);
     /* A world with the `setting`-th solver. Bodies collide, with each other and the ground, or do not. */
     EngineWorld *(*create)(int setting, const double gravity[3], bool collides);
-    void (*addGround)(EngineWorld *w); /* the plane y = 0 */
+    void (*addGround)(EngineWorld *w);                         /* the plane y = 0 */
+    void (*addTerrain)(EngineWorld *w, const SceneTerrain *t); /* in its place; null: it has none */
     /* Bodies are numbered as they are added. */
     void (*addBody)(EngineWorld *w, const SceneBody *b);
     void (*addJoint)(EngineWorld *w, const SceneJoint *j);

@@ -2,6 +2,7 @@
  * default). Friction and restitution of a pair are the larger ones, by its own callbacks. */
 #include "engine.h"
 
+#include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
@@ -45,6 +46,7 @@ struct EngineWorld {
     };
     std::vector<Motor> motors;
     std::vector<std::unique_ptr<btTypedConstraint>> joints;
+    std::vector<float> heights; /* of the terrain */
     std::unique_ptr<btRigidBody> ground;
 
     void add(btRigidBody *body) {
@@ -64,14 +66,46 @@ EngineWorld *create(int setting, const double gravity[3], bool collides) {
     return w;
 }
 
-void addGround(EngineWorld *w) {
-    w->shapes.push_back(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)));
+void addFixed(EngineWorld *w, std::unique_ptr<btCollisionShape> shape, const btVector3 &place) {
+    w->shapes.push_back(std::move(shape));
     w->ground = std::make_unique<btRigidBody>(btScalar(0), nullptr, w->shapes.back().get());
+    w->ground->setWorldTransform(btTransform(btQuaternion::getIdentity(), place));
     w->ground->setFriction(0);
     w->add(w->ground.get());
 }
 
-std::unique_ptr<btCollisionShape> shapeOf(const SceneBody *b) {
+void addGround(EngineWorld *w) {
+    addFixed(w, std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)), btVector3(0, 0, 0));
+}
+
+/* Its origin is the middle of its box. */
+void addTerrain(EngineWorld *w, const SceneTerrain *t) {
+    w->heights.assign(t->heights, t->heights + t->xCount * t->zCount);
+    const auto ends = std::minmax_element(w->heights.begin(), w->heights.end());
+    const btScalar low = *ends.first, high = *ends.second, step = btScalar(t->step);
+    auto shape =
+        std::make_unique<btHeightfieldTerrainShape>(t->xCount, t->zCount, w->heights.data(), low, high, 1, false);
+    shape->setLocalScaling(btVector3(step, 1, step));
+    const double x = t->x0 + (t->xCount - 1) * t->step / 2, z = t->z0 + (t->zCount - 1) * t->step / 2;
+    addFixed(w, std::move(shape), btVector3(btScalar(x), (low + high) / 2, btScalar(z)));
+}
+
+/* A compound does not own its parts. */
+std::unique_ptr<btCollisionShape> compoundOf(EngineWorld *w, const SceneBody *b) {
+    auto whole = std::make_unique<btCompoundShape>();
+    for (int i = 0; i < b->numParts; i++) {
+        const ScenePart &p = b->parts[i];
+        const double *q = p.quaternion;
+        w->shapes.push_back(std::make_unique<btBoxShape>(vector(p.half)));
+        const btQuaternion turned{btScalar(q[1]), btScalar(q[2]), btScalar(q[3]), btScalar(q[0])};
+        whole->addChildShape(btTransform(turned, vector(p.position)), w->shapes.back().get());
+    }
+    return whole;
+}
+
+std::unique_ptr<btCollisionShape> shapeOf(EngineWorld *w, const SceneBody *b) {
+    if (b->shape == SCENE_COMPOUND)
+        return compoundOf(w, b);
     if (b->shape == SCENE_SPHERE)
         return std::make_unique<btSphereShape>(btScalar(b->half[0]));
     if (b->shape == SCENE_CAPSULE)
@@ -94,7 +128,7 @@ void place(btRigidBody *body, const SceneState *s) {
 void addBody(EngineWorld *w, const SceneBody *b) {
     double inertia[3];
     scene_inertia(b, inertia);
-    w->shapes.push_back(shapeOf(b));
+    w->shapes.push_back(shapeOf(w, b));
     w->bodies.push_back(
         std::make_unique<btRigidBody>(btScalar(b->mass), nullptr, w->shapes.back().get(), vector(inertia)));
     w->from.push_back(*b);
@@ -184,6 +218,7 @@ Engine makeEngine() {
     e.bounces = true;
     e.create = create;
     e.addGround = addGround;
+    e.addTerrain = addTerrain;
     e.addBody = addBody;
     e.addJoint = addJoint;
     e.step = step;

@@ -22,6 +22,7 @@ struct EngineWorld {
     int setting, numBodies;
     bool collides, hasGround;
     double gravity[3];
+    const SceneTerrain *terrain; /* null: none */
     SceneBody bodies[SCENE_MAX_BODIES];
     const SceneJoint *joints[SCENE_MAX_BODIES]; /* the first of each child; null: free */
     const SceneJoint *loops[SCENE_MAX_JOINTS];  /* the others */
@@ -96,14 +97,32 @@ static void sayMass(EngineWorld *w, const SceneBody *b) {
     say(w, "/>");
 }
 
+static void sayGeom(EngineWorld *w, const SceneBody *b, const char *type) {
+    say(w, "<geom type='%s' friction='%.17g .005 .0001' contype='%d' conaffinity='%d'", type, b->friction, w->collides,
+        w->collides);
+}
+
+static void sayParts(EngineWorld *w, const SceneBody *b) {
+    for (int i = 0; i < b->numParts; i++) {
+        sayGeom(w, b, "box");
+        sayNumbers(w, "pos", b->parts[i].position, 3);
+        sayNumbers(w, "quat", b->parts[i].quaternion, 4);
+        sayNumbers(w, "size", b->parts[i].half, 3);
+        say(w, "/>");
+    }
+}
+
 static void sayShape(EngineWorld *w, const SceneBody *b) {
     static const char *const types[] = {
         [SCENE_BOX] = "box", [SCENE_SPHERE] = "sphere", [SCENE_CAPSULE] = "capsule", [SCENE_CYLINDER] = "cylinder"};
     const double capsule[2] = {b->half[0], b->half[2] - b->half[0]}, cylinder[2] = {b->half[0], b->half[2]};
     if (b->mass > 0)
         sayMass(w, b);
-    say(w, "<geom type='%s' friction='%.17g .005 .0001' contype='%d' conaffinity='%d'", types[b->shape], b->friction,
-        w->collides, w->collides);
+    if (b->shape == SCENE_COMPOUND) {
+        sayParts(w, b);
+        return;
+    }
+    sayGeom(w, b, types[b->shape]);
     if (b->shape == SCENE_CAPSULE)
         sayNumbers(w, "size", capsule, 2);
     else if (b->shape == SCENE_CYLINDER)
@@ -158,12 +177,48 @@ static void sayLoops(EngineWorld *w) {
     say(w, "</contact>");
 }
 
+/* m */
+static void findHeights(const SceneTerrain *t, double *low, double *high) {
+    *low = *high = t->heights[0];
+    for (int i = 1; i < t->xCount * t->zCount; i++) {
+        *low = fmin(*low, t->heights[i]);
+        *high = fmax(*high, t->heights[i]);
+    }
+}
+
+/* Its z is up, so its y is -z here; its origin is the middle of the grid, its lowest height 0. Below that it is a metre
+ * thick. */
+static void sayTerrain(EngineWorld *w, const SceneTerrain *t) {
+    double low, high;
+    findHeights(t, &low, &high);
+    const double width = (t->xCount - 1) * t->step / 2, depth = (t->zCount - 1) * t->step / 2;
+    const double size[4] = {width, depth, high - low, 1}, place[3] = {t->x0 + width, low, t->z0 + depth};
+    say(w, "<asset><hfield name='terrain' nrow='%d' ncol='%d'", t->zCount, t->xCount);
+    sayNumbers(w, "size", size, 4);
+    say(w, "/></asset><worldbody><geom type='hfield' hfield='terrain' friction='0 .005 .0001' euler='%.17g 0 0'",
+        -acos(0));
+    sayNumbers(w, "pos", place, 3);
+    say(w, "/></worldbody>");
+}
+
+/* As shares of the highest, its rows in the other order. */
+static void setTerrain(mjModel *m, const SceneTerrain *t) {
+    double low, high;
+    findHeights(t, &low, &high);
+    for (int k = 0; k < t->zCount; k++)
+        for (int i = 0; i < t->xCount; i++)
+            m->hfield_data[k * t->xCount + i] =
+                (float)((t->heights[(t->zCount - 1 - k) * t->xCount + i] - low) / (high - low));
+}
+
 static void sayModel(EngineWorld *w) {
     say(w, "<mujoco><compiler angle='radian'/><option integrator='%s'", settings[w->setting]);
     sayNumbers(w, "gravity", w->gravity, 3);
     say(w, "/>");
     if (w->collides) /* else bodies fall through the ground where the default 500 rows are used up */
         say(w, "<size nconmax='%d' njmax='%d'/>", 100 + 16 * w->numBodies, 500 + 64 * w->numBodies);
+    if (w->terrain)
+        sayTerrain(w, w->terrain);
     say(w, "<worldbody>");
     if (w->hasGround) /* its normal is its z-axis */
         say(w, "<geom type='plane' size='1 1 1' zaxis='0 1 0' friction='0 .005 .0001'/>");
@@ -230,6 +285,8 @@ static void makeModel(EngineWorld *w) {
     w->hasNone = !w->model;
     if (w->hasNone)
         return;
+    if (w->terrain)
+        setTerrain(w->model, w->terrain);
     w->data = mj_makeData(w->model);
     for (int i = 0; i < w->numBodies; i++) {
         char name[16];
@@ -254,6 +311,10 @@ static EngineWorld *create(int setting, const double gravity[3], bool collides) 
 
 static void addGround(EngineWorld *w) {
     w->hasGround = true;
+}
+
+static void addTerrain(EngineWorld *w, const SceneTerrain *t) {
+    w->terrain = t;
 }
 
 static void addBody(EngineWorld *w, const SceneBody *b) {
@@ -355,6 +416,7 @@ const Engine engine_mujoco = {
     .lack = lack,
     .create = create,
     .addGround = addGround,
+    .addTerrain = addTerrain,
     .addBody = addBody,
     .addJoint = addJoint,
     .step = step,

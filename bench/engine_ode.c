@@ -11,7 +11,8 @@ enum { MAX_POINTS = 8 /* of a pair of shapes */, MAX_HEAPED = 64 };
 
 struct EngineWorld {
     dWorldID world;
-    dSpaceID space; /* null: nothing collides */
+    dSpaceID space;             /* null: nothing collides */
+    dHeightfieldDataID terrain; /* null: none */
     dJointGroupID contacts;
     void (*advance)(dWorldID, double);
     int numBodies;
@@ -65,7 +66,31 @@ static void addGround(EngineWorld *w) {
     dCreatePlane(w->space, 0, 1, 0, 0);
 }
 
+/* Its origin is the middle of the grid. */
+static void addTerrain(EngineWorld *w, const SceneTerrain *t) {
+    const double width = (t->xCount - 1) * t->step, depth = (t->zCount - 1) * t->step;
+    w->terrain = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildDouble(w->terrain, t->heights, 1, width, depth, t->xCount, t->zCount, 1, 0, 1, 0);
+    const dGeomID geom = dCreateHeightfield(w->space, w->terrain, 1);
+    dGeomSetPosition(geom, t->x0 + width / 2, 0, t->z0 + depth / 2);
+}
+
+static void addCompound(EngineWorld *w, dBodyID body, const SceneBody *b) {
+    for (int i = 0; i < b->numParts; i++) {
+        const ScenePart *p = &b->parts[i];
+        const dGeomID geom = dCreateBox(w->space, 2 * p->half[0], 2 * p->half[1], 2 * p->half[2]);
+        dGeomSetData(geom, (void *)(size_t)b);
+        dGeomSetBody(geom, body);
+        dGeomSetOffsetPosition(geom, p->position[0], p->position[1], p->position[2]);
+        dGeomSetOffsetQuaternion(geom, p->quaternion);
+    }
+}
+
 static void addShape(EngineWorld *w, dBodyID body, const SceneBody *b) {
+    if (b->shape == SCENE_COMPOUND) {
+        addCompound(w, body, b);
+        return;
+    }
     const double *half = b->half, *p = b->start.position;
     const dGeomID geom = b->shape == SCENE_SPHERE     ? dCreateSphere(w->space, half[0])
                          : b->shape == SCENE_CAPSULE  ? dCreateCapsule(w->space, half[0], 2 * (half[2] - half[0]))
@@ -144,7 +169,7 @@ static void meet(void *data, dGeomID g1, dGeomID g2) {
     EngineWorld *w = data;
     const dBodyID b1 = dGeomGetBody(g1), b2 = dGeomGetBody(g2);
     dContact contacts[MAX_POINTS];
-    if ((!b1 && !b2) || (b1 && b2 && dAreConnectedExcluding(b1, b2, dJointTypeContact)))
+    if (b1 == b2 || (b1 && b2 && dAreConnectedExcluding(b1, b2, dJointTypeContact)))
         return;
     const int n = dCollide(g1, g2, MAX_POINTS, &contacts[0].geom, sizeof contacts[0]);
     for (int i = 0; i < n; i++) {
@@ -189,6 +214,8 @@ static void destroy(EngineWorld *w) {
     dJointGroupDestroy(w->contacts);
     if (w->space)
         dSpaceDestroy(w->space);
+    if (w->terrain)
+        dGeomHeightfieldDataDestroy(w->terrain);
     dWorldDestroy(w->world);
     free(w);
 }
@@ -212,6 +239,7 @@ const Engine engine_ode = {
     .lack = lack,
     .create = create,
     .addGround = addGround,
+    .addTerrain = addTerrain,
     .addBody = addBody,
     .addJoint = addJoint,
     .step = step,

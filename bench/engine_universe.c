@@ -14,6 +14,7 @@ enum { MAX_MATERIALS = 16 };
 struct EngineWorld {
     MstUniverseID universe;
     MeMatrix4 ground;
+    MeReal heights[SCENE_MAX_HEIGHTS];  /* of the terrain */
     MeMatrix4 places[SCENE_MAX_BODIES]; /* of what never moves */
     McdModelID models[SCENE_MAX_BODIES];
     MdtBodyID bodies[SCENE_MAX_BODIES]; /* null: it never moves */
@@ -69,6 +70,21 @@ static void addGround(EngineWorld *w) {
     MstFixedModelCreate(w->universe, McdPlaneCreate(w->universe->frame), w->ground);
 }
 
+/* A height field's z is up, so its y is -z here, and its rows come in the other order. */
+static void addTerrain(EngineWorld *w, const SceneTerrain *t) {
+    const MeReal step = (MeReal)t->step;
+    MeMatrix3 upright;
+    for (int k = 0; k < t->zCount; k++)
+        for (int i = 0; i < t->xCount; i++)
+            w->heights[k * t->xCount + i] = (MeReal)t->heights[(t->zCount - 1 - k) * t->xCount + i];
+    MeMatrix3MakeRotationX(upright, -ME_PI / 2);
+    MeMatrix4TMMakeFromRotationAndPosition(w->ground, upright, (MeReal)t->x0, 0,
+                                           (MeReal)(t->z0 + (t->zCount - 1) * t->step));
+    MstFixedModelCreate(w->universe,
+                        McdRGHeightFieldCreate(w->universe->frame, w->heights, t->xCount, t->zCount, step, step, 0, 0),
+                        w->ground);
+}
+
 /* Where two touch, the larger friction and the larger restitution hold. */
 static void mixMaterials(const EngineWorld *w, int m1, int m2) {
     const SceneBody *a = w->materials[m1], *b = w->materials[m2];
@@ -89,17 +105,41 @@ static int materialOf(EngineWorld *w, const SceneBody *b) {
     return material;
 }
 
+static void makePlace(MeMatrix4 tm, const double position[3], const double quaternion[4]) {
+    const MeVector4 q = {(MeReal)quaternion[0], (MeReal)quaternion[1], (MeReal)quaternion[2], (MeReal)quaternion[3]};
+    MeMatrix3 turn;
+    MeQuaternionToR(turn, q);
+    MeMatrix4TMMakeFromRotationAndPosition(tm, turn, (MeReal)position[0], (MeReal)position[1], (MeReal)position[2]);
+}
+
+static McdGeometryID boxOf(McdFrameworkID frame, const double half[3]) {
+    return McdBoxCreate(frame, (MeReal)(2 * half[0]), (MeReal)(2 * half[1]), (MeReal)(2 * half[2]));
+}
+
+static McdGeometryID compoundOf(McdFrameworkID frame, const SceneBody *b) {
+    const McdAggregateID whole = McdAggregateCreate(frame, b->numParts);
+    for (int i = 0; i < b->numParts; i++) {
+        MeMatrix4 place;
+        makePlace(place, b->parts[i].position, b->parts[i].quaternion);
+        McdAggregateAddElement(whole, boxOf(frame, b->parts[i].half), place);
+    }
+    return whole;
+}
+
 static McdGeometryID shapeOf(const EngineWorld *w, const SceneBody *b) {
     const McdFrameworkID frame = w->universe->frame;
+    if (b->shape == SCENE_COMPOUND)
+        return compoundOf(frame, b);
     if (b->shape == SCENE_SPHERE)
         return McdSphereCreate(frame, (MeReal)b->half[0]);
     if (b->shape == SCENE_CAPSULE)
         return McdSphylCreate(frame, (MeReal)b->half[0], (MeReal)(2 * (b->half[2] - b->half[0])));
     if (b->shape == SCENE_CYLINDER)
         return McdCylinderCreate(frame, (MeReal)b->half[0], (MeReal)(2 * b->half[2]));
-    return McdBoxCreate(frame, (MeReal)(2 * b->half[0]), (MeReal)(2 * b->half[1]), (MeReal)(2 * b->half[2]));
+    return boxOf(frame, b->half);
 }
 
+/* Parts count twice where they overlap, as in the mass that the universe makes of the density. */
 static double volumeOf(const SceneBody *b) {
     const double r = b->half[0], ball = 4 * (double)ME_PI / 3 * r * r * r;
     if (b->shape == SCENE_SPHERE)
@@ -108,17 +148,14 @@ static double volumeOf(const SceneBody *b) {
         return ball + 2 * (double)ME_PI * r * r * (b->half[2] - r);
     if (b->shape == SCENE_CYLINDER)
         return 2 * (double)ME_PI * r * r * b->half[2];
-    return 8 * b->half[0] * b->half[1] * b->half[2];
+    double parts = 0;
+    for (int i = 0; i < b->numParts; i++)
+        parts += 8 * b->parts[i].half[0] * b->parts[i].half[1] * b->parts[i].half[2];
+    return b->shape == SCENE_COMPOUND ? parts : 8 * b->half[0] * b->half[1] * b->half[2];
 }
 
 static McdModelID addFixed(EngineWorld *w, const SceneBody *b) {
-    const SceneState *s = &b->start;
-    const MeVector4 q = {(MeReal)s->quaternion[0], (MeReal)s->quaternion[1], (MeReal)s->quaternion[2],
-                         (MeReal)s->quaternion[3]};
-    MeMatrix3 turn;
-    MeQuaternionToR(turn, q);
-    MeMatrix4TMMakeFromRotationAndPosition(w->places[w->numBodies], turn, (MeReal)s->position[0],
-                                           (MeReal)s->position[1], (MeReal)s->position[2]);
+    makePlace(w->places[w->numBodies], b->start.position, b->start.quaternion);
     return MstFixedModelCreate(w->universe, shapeOf(w, b), w->places[w->numBodies]);
 }
 
@@ -211,6 +248,7 @@ const Engine ENGINE_UNIVERSE = {
     .crowds = 1u << ENGINE_RIGID | 1u << ENGINE_FINE | 1u << ENGINE_TWO_WORKERS,
     .create = create,
     .addGround = addGround,
+    .addTerrain = addTerrain,
     .addBody = addBody,
     .addJoint = addJoint,
     .step = step,

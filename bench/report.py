@@ -20,9 +20,9 @@ import sys
 TOP = pathlib.Path(__file__).resolve().parent.parent
 PICTURES = TOP / 'docs' / 'pictures'
 SHOWN = ('pendulum', 'tumbling', 'chain-level', 'tower', 'incline', 'cards', 'pyramid-820', 'ragdolls-100', 'net',
-         'bridge')  # as work-precision diagrams
+         'bridge', 'terrain-car')  # as work-precision diagrams
 TIMED = ('chain-level', 'tower-shaken', 'cards', 'heap', 'isotropy', 'heap-1000', 'pyramid-820', 'ragdolls-100', 'net',
-         'machines', 'cars')  # whose distribution of times is shown
+         'machines', 'cars', 'gears', 'terrain-car')  # whose distribution of times is shown
 LEVELS = ('platinum', 'gold', 'bronze')
 GOLD = 1e3     # times the goal
 KEY = "set key outside right vertical maxcols 1 font ',9'\n"

@@ -33,14 +33,18 @@ const char *run_lack(const Scene *scene, const Engine *engine, int setting) {
     if (!world)
         abort();
     scene->build(scene, world);
-    const char *lack = engine->lack ? engine->lack(scene, world, setting) : NULL;
+    const char *lack = world->terrain.xCount > 0 && !engine->addTerrain ? "no terrain"
+                       : engine->lack                                   ? engine->lack(scene, world, setting)
+                                                                        : NULL;
     free(world);
     return lack;
 }
 
 EngineWorld *run_make(const Engine *engine, int setting, const SceneWorld *world) {
     EngineWorld *w = engine->create(setting, world->gravity, world->collides);
-    if (world->collides)
+    if (world->collides && world->terrain.xCount > 0)
+        engine->addTerrain(w, &world->terrain);
+    else if (world->collides)
         engine->addGround(w);
     for (int i = 0; i < world->numBodies; i++)
         engine->addBody(w, &world->bodies[i]);

@@ -57,6 +57,25 @@ SceneBody *scene_addCylinder(SceneWorld *w, double mass, double radius, double l
     return b;
 }
 
+SceneBody *scene_addCompound(SceneWorld *w, double mass, const double inertia[3], double x, double y, double z) {
+    SceneBody *b = addBody(w, SCENE_COMPOUND, mass, x, y, z);
+    memcpy(b->inertia, inertia, sizeof b->inertia);
+    b->parts = w->parts + w->numParts;
+    return b;
+}
+
+void scene_addPart(SceneWorld *w, double lx, double ly, double lz, const double position[3], double turn) {
+    SceneBody *b = &w->bodies[w->numBodies - 1];
+    ScenePart *p = &w->parts[w->numParts++];
+    *p = (ScenePart){.half = {lx / 2, ly / 2, lz / 2}, .quaternion = {cos(turn / 2), 0, 0, sin(turn / 2)}};
+    memcpy(p->position, position, sizeof p->position);
+    b->numParts++;
+    const double c = fabs(cos(turn)), s = fabs(sin(turn));
+    const double reach[3] = {c * p->half[0] + s * p->half[1], s * p->half[0] + c * p->half[1], p->half[2]};
+    for (int i = 0; i < 3; i++)
+        b->half[i] = fmax(b->half[i], fabs(position[i]) + reach[i]);
+}
+
 SceneJoint *scene_joinLast(SceneWorld *w, SceneJointKind kind, double x, double y, double z) {
     return scene_join(w, kind, w->numBodies - 1, w->numBodies > 1 ? w->numBodies - 2 : SCENE_WORLD, x, y, z);
 }

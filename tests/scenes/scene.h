@@ -15,6 +15,7 @@ extern "C" {
 #define SCENE_WORLD (-1)       /* in place of a body's index */
 
 enum { SCENE_MAX_BODIES = 1200, SCENE_MAX_JOINTS = 1024, SCENE_MAX_ERRORS = 3 };
+enum { SCENE_MAX_PARTS = 36, SCENE_MAX_HEIGHTS = 4000 };
 
 typedef struct SceneState {
     double position[3];   /* m, of the centre of mass */
@@ -23,19 +24,28 @@ typedef struct SceneState {
     double spin[3];       /* rad/s, in the world's axes */
 } SceneState;
 
-typedef enum SceneShape { SCENE_BOX, SCENE_SPHERE, SCENE_CAPSULE, SCENE_CYLINDER } SceneShape;
+typedef enum SceneShape { SCENE_BOX, SCENE_SPHERE, SCENE_CAPSULE, SCENE_CYLINDER, SCENE_COMPOUND } SceneShape;
 
-/* Solid and of one density. Where two touch, the larger friction and the larger restitution hold; the ground has 0. */
+/* A box of a compound, in the body's axes, whose origin is the centre of mass. */
+typedef struct ScenePart {
+    double half[3], position[3]; /* m */
+    double quaternion[4];        /* w x y z */
+} ScenePart;
+
+/* Solid and of one density, but for compounds, which say their inertia. Where two touch, the larger friction and the
+ * larger restitution hold; the ground has 0. */
 typedef struct SceneBody {
     SceneShape shape;
     double
         half[3]; /* m, half edges; a sphere's radius, three times; of a capsule and of a cylinder its radius, twice, and
-                  half its length, along z */
+                  half its length, along z; of a compound the half edges of a box around it */
     double mass; /* kg; 0: it never moves */
     double inertia[3]; /* kg m², about its own axes, if not those of one density; else 0 */
     double friction, restitution;
-    double force[3];  /* N, that pushes its centre of mass, */
-    double forceEnds; /* s, until then; 0: all the time */
+    double force[3];        /* N, that pushes its centre of mass, */
+    double forceEnds;       /* s, until then; 0: all the time */
+    const ScenePart *parts; /* of a compound: in its world, which must live as long */
+    int numParts;
     SceneState start;
 } SceneBody;
 
@@ -56,10 +66,20 @@ typedef struct SceneJoint {
     double (*path)(double time);
 } SceneJoint;
 
+/* Heights over a grid: the point (i, k) is at x0 + i step, heights[k xCount + i], z0 + k step. A cell is two triangles,
+ * on either side of the line from (i + 1, k) to (i, k + 1). Above is outside; no friction of its own. */
+typedef struct SceneTerrain {
+    int xCount, zCount;                /* 0: there is none */
+    double x0, z0, step;               /* m */
+    double heights[SCENE_MAX_HEIGHTS]; /* m */
+} SceneTerrain;
+
 typedef struct SceneWorld {
     double gravity[3]; /* m/s² */
-    bool collides;     /* the bodies with each other and with the ground, the plane y = 0 */
-    int numBodies, numJoints;
+    bool collides;     /* the bodies with each other and with the ground: the terrain, or else the plane y = 0 */
+    int numBodies, numJoints, numParts;
+    SceneTerrain terrain;
+    ScenePart parts[SCENE_MAX_PARTS]; /* of all compounds */
     SceneBody bodies[SCENE_MAX_BODIES];
     SceneJoint joints[SCENE_MAX_JOINTS];
 } SceneWorld;
@@ -116,6 +136,10 @@ SceneBody *scene_addBox(SceneWorld *w, double mass, double lx, double ly, double
 SceneBody *scene_addSphere(SceneWorld *w, double mass, double radius, double x, double y, double z);
 SceneBody *scene_addCapsule(SceneWorld *w, double mass, double radius, double length, double x, double y, double z);
 SceneBody *scene_addCylinder(SceneWorld *w, double mass, double radius, double length, double x, double y, double z);
+/* Without parts yet. */
+SceneBody *scene_addCompound(SceneWorld *w, double mass, const double inertia[3], double x, double y, double z);
+/* To the compound that was added last: its middle, and its turn about the compound's z-axis [rad]. */
+void scene_addPart(SceneWorld *w, double lx, double ly, double lz, const double position[3], double turn);
 /* Of a child with a parent, at a point. */
 SceneJoint *scene_join(SceneWorld *w, SceneJointKind kind, int child, int parent, double x, double y, double z);
 /* Of the body that was added last with the one before it, or, for the first body, with the world. */

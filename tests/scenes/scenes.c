@@ -88,6 +88,9 @@ const Scene *const scenes[] = {
     &scenes_ring,
     &scenes_slackBridge,
     &scenes_ledArm,
+    &scenes_gears,
+    &scenes_terrainRoll,
+    &scenes_terrainCar,
     NULL,
 };
 

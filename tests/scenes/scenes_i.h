@@ -14,8 +14,8 @@ void scenes_note(SceneTrace *t, int which, double error);
 void scenes_measureCounted(const SceneTrace *t, const SceneWorld *w, double errors[SCENE_MAX_ERRORS]);
 void scenes_copyWorst(const SceneTrace *t, const SceneWorld *w, double errors[SCENE_MAX_ERRORS]);
 
-/* m, how deep two bodies, neither of them a cylinder, are in each other, and one in the ground; negative where they are
- * apart, for boxes then the largest distance along one of the directions that are looked at. */
+/* m, how deep two bodies, neither of them a cylinder or a compound, are in each other, and one in the ground; negative
+ * where they are apart, for boxes then the largest distance along one of the directions that are looked at. */
 double scenes_overlap(const SceneBody *a, const SceneState *p, const SceneBody *b, const SceneState *q);
 double scenes_below(const SceneBody *b, const SceneState *s);
 /* m, the deepest of all that may collide. */
@@ -38,6 +38,9 @@ extern const Scene scenes_planarChain, scenes_capsules, scenes_humanoid, scenes_
 extern const Scene scenes_pendulums, scenes_elastic;
 extern const Scene scenes_coin, scenes_coinFalls, scenes_turning, scenes_turningLimit;
 extern const Scene scenes_linkage, scenes_ring, scenes_slackBridge, scenes_ledArm;
+/* rad, that the large wheel may be turned to that side (1 or -1) of half of the small one's angle. */
+double scenes_gearPlay(double small, int side);
+extern const Scene scenes_gears, scenes_terrainRoll, scenes_terrainCar;
 extern const Scene scenes_incline, scenes_isotropy, scenes_rolling, scenes_backspin, scenes_block;
 
 #endif

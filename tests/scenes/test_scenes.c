@@ -178,6 +178,41 @@ START_TEST(gaps_and_energies_are_those_of_the_states) {
 }
 END_TEST
 
+/* There is room for the teeth to both sides all the time, and never for a whole tooth: over a tooth of the small wheel,
+ * by steps of 1/100. They start in the middle of a gap, so what is free turns to the other side with the wheels. */
+START_TEST(gears_have_room_and_cannot_skip) {
+    const double teeth = 2 * pi / 12;
+    for (int i = 0; i < 100; i++)
+        for (int side = -1; side < 2; side += 2) {
+            const double play = scenes_gearPlay(i * teeth / 100, side);
+            ck_assert(play > .02 && play < .05); /* of .26 rad */
+            assert_near(scenes_gearPlay((i + 100) * teeth / 100, side), play, 1e-9);
+            assert_near(scenes_gearPlay(-i * teeth / 100, -side), play, 1e-9);
+        }
+}
+END_TEST
+
+/* Wheels touch the ground where a car starts; the slope is one plane, its heights without rounding. */
+START_TEST(terrain_lies_under_the_wheels) {
+    const char *const names[] = {"terrain-roll", "terrain-car"};
+    for (int n = 0; n < 2; n++) {
+        static SceneWorld w;
+        w = (SceneWorld){.numBodies = 0};
+        find(names[n])->build(find(names[n]), &w);
+        const SceneTerrain *t = &w.terrain;
+        ck_assert_int_le(t->xCount * t->zCount, SCENE_MAX_HEIGHTS);
+        const double slope = n == 0 ? .125 : 0, upright = 1 / sqrt(1 + slope * slope);
+        for (int i = 0; i < t->xCount && t->x0 + i * t->step <= 2; i++)
+            for (int k = 0; k < t->zCount; k++)
+                assert_near(t->heights[k * t->xCount + i], -slope * (t->x0 + i * t->step), 0);
+        for (int i = 2; i < w.numBodies; i++) {
+            const double *at = w.bodies[i].start.position;
+            assert_near((at[1] + slope * at[0]) * upright, w.bodies[i].half[0], 1e-14);
+        }
+    }
+}
+END_TEST
+
 /* Contacts */
 
 /* Two cubes of 1 m, the upper one moved and turned about y. */
@@ -430,6 +465,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, tops_are_integrated_until_they_converge);
     tcase_add_test(t, every_scene_starts_joined_and_is_measured_as_it_starts);
     tcase_add_test(t, gaps_and_energies_are_those_of_the_states);
+    tcase_add_test(t, gears_have_room_and_cannot_skip);
+    tcase_add_test(t, terrain_lies_under_the_wheels);
     tcase_add_test(t, faces_meet_where_they_overlap);
     tcase_add_test(t, corners_and_spheres_meet_the_ground);
     tcase_add_test(t, spheres_meet_where_they_touch);
