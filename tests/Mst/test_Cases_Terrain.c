@@ -17,7 +17,7 @@ END_TEST
 
 START_TEST(a_car_comes_across_bumps) {
     static const SceneBound bounds[] = {
-        {"terrain-car", 1, 0, .5, .5}, {"terrain-car", 1, 1, 1e-5, 1e-9}, {"terrain-car", 1, 2, 0, 0}};
+        {"terrain-car", 1, 0, .15, .15}, {"terrain-car", 1, 1, 1e-5, 1e-9}, {"terrain-car", 1, 2, 0, 0}};
     assert_cases(bounds);
 }
 END_TEST
