@@ -6,9 +6,9 @@
 
 free.csv and contact.csv have a line for each run of a scene, marginal.csv one for each cost, scaling.csv one for each
 size and each weight, hour.csv and consistency.csv one for each row of theirs; machine.txt and the heads of free.txt and
-contact.txt say what was measured. --rows prints what sweep.csv, of karma-sweep, has found: the rows that are to be timed.
-sweep.txt is its command, scenes.txt and solvers.txt name what it numbers. bench/published.csv has the figures that others have published. No figure stands in
-this file."""
+contact.txt say what was measured. --rows prints what sweep.csv, of karma-sweep, has found: the rows that are to be
+timed. sweep.txt is its command, scenes.txt and solvers.txt name what it numbers. bench/published.csv has the figures that
+others have published. No figure stands in this file."""
 import collections
 import csv
 import math
@@ -316,7 +316,8 @@ def swept(directory):
 
 
 def chosen(rows):
-    """Of each scene and engine, each setting that reaches the best level any of its settings does, with the fewest sub-steps."""
+    """Of each scene and engine, each setting that reaches the best level any of its settings does, with the fewest
+    sub-steps."""
     groups = collections.OrderedDict()
     for r in rows:
         if level(r) is not None:
@@ -577,8 +578,8 @@ def main(directory):
     groups = {name: list(read_rows(directory / f'{name}.csv')) for name in ('free', 'contact')
               if (directory / f'{name}.csv').exists()}
     rows = [r for group in groups.values() for r in group]
-    page = [*head(directory), *scenes(directory), *lacks(rows), *levels(rows), *leads(rows), *best(rows, directory), *diagrams(rows),
-            *published(rows), *consistency(directory), *distribution(rows), *scaling(directory), *hour(directory),
+    page = [*head(directory), *scenes(directory), *lacks(rows), *levels(rows), *leads(rows), *best(rows, directory),
+            *diagrams(rows), *published(rows), *consistency(directory), *distribution(rows), *scaling(directory), *hour(directory),
             *marginal(directory),
             *everything(groups['free'], 'All scenes without contact', 'free'),
             *everything(groups['contact'], 'All scenes with contact', 'contact')]

@@ -70,7 +70,7 @@ static void freeFramework(McdFramework *frame) {
 static void *addBlock(McdPoolBlock **blocks, int count, size_t size, const char *function, const char *what) {
     McdPoolBlock *block = 0;
     if ((size_t)count <= (SIZE_MAX - sizeof *block) / size)
-        block = MeMemoryTakeAligned(1, sizeof *block + (size_t)count * size, MCD_CACHE_LINE, function, what);
+        block = MeMemoryTakeAligned(1, sizeof *block + (size_t)count * size, ME_CACHE_LINE, function, what);
     else
         MeFatalError(0, "%s: no memory for %s (%d times %zu bytes)", function, what, count, size);
     if (!block)

@@ -84,7 +84,7 @@ static MeBool reserveProxies(McdSpace *s, int count, const char *function) {
         !MeMemoryGrow(&s->updates, room, more, sizeof *s->updates, function, "models that are updated") ||
         !MeMemoryGrow(&s->unbounded, room, more, sizeof *s->unbounded, function, "models without bounds"))
         return MEFALSE;
-    McdProxy *proxy = MeMemoryTakeAligned(more, sizeof *proxy, MCD_CACHE_LINE, function, "boxes of models");
+    McdProxy *proxy = MeMemoryTakeAligned(more, sizeof *proxy, ME_CACHE_LINE, function, "boxes of models");
     if (!proxy)
         return MEFALSE;
     if (room > 0)

@@ -24,8 +24,6 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { MCD_CACHE_LINE = 64 }; /* bytes; records that loops read are aligned to it */
-
 /* ---- handles ------------------------------------------------------------------------------------------------- */
 
 enum {
@@ -154,7 +152,7 @@ typedef struct McdModelInputs {
  * the hot ones; a space's update reads the hot ones; the others are read by the program's calls. */
 typedef struct McdModelRecord {
     /* hot: 1 */
-    _Alignas(MCD_CACHE_LINE) McdModel model; /* what programs see: first */
+    _Alignas(ME_CACHE_LINE) McdModel model; /* what programs see: first */
     MeU32 magic;
     MeReal tolerance;
     McdFramework *frame;
@@ -195,11 +193,11 @@ typedef struct McdModelRecord {
     MeHandle handle;
 } McdModelRecord;
 
-_Static_assert(offsetof(McdModelRecord, intersect) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
-_Static_assert(offsetof(McdModelRecord, inputs) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
-_Static_assert(offsetof(McdModelRecord, axis) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
-_Static_assert(offsetof(McdModelRecord, instance) % MCD_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
-_Static_assert(offsetof(McdGeometryInstance, element) <= MCD_CACHE_LINE || sizeof(MeReal) > 4, "its boxes are in it");
+_Static_assert(offsetof(McdModelRecord, intersect) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
+_Static_assert(offsetof(McdModelRecord, inputs) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
+_Static_assert(offsetof(McdModelRecord, axis) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "two lines");
+_Static_assert(offsetof(McdModelRecord, instance) % ME_CACHE_LINE == 0 || sizeof(MeReal) > 4, "one line");
+_Static_assert(offsetof(McdGeometryInstance, element) <= ME_CACHE_LINE || sizeof(MeReal) > 4, "its boxes are in it");
 _Static_assert(sizeof(McdModelInputs) == 40 + 20 * sizeof(MeReal) || sizeof(MeReal) > 4, "no padding");
 
 static inline McdModelRecord *mcd_record(McdModelID cm) {
@@ -264,7 +262,7 @@ typedef struct McdTermActionLink McdTermActionLink;
 
 /* Pools grow by further blocks of records, so that records never move. This is a block's head, the records follow. */
 typedef struct McdPoolBlock {
-    _Alignas(MCD_CACHE_LINE) struct McdPoolBlock *next;
+    _Alignas(ME_CACHE_LINE) struct McdPoolBlock *next;
 } McdPoolBlock;
 
 struct _McdFramework {

@@ -85,7 +85,7 @@ static MeBool makePairBlock(McdSpace *s) {
     const int size = sizeOfBlock(s->blockCount), before = size - MCD_PAIR_BLOCK; /* in all blocks so far */
     if (s->blockCount == MCD_PAIR_BLOCKS || !reserveLists(s, before + size))
         return MEFALSE;
-    McdPairRecord *record = MeMemoryTakeAligned((size_t)size, sizeof *record, MCD_CACHE_LINE, caller, "pairs");
+    McdPairRecord *record = MeMemoryTakeAligned((size_t)size, sizeof *record, ME_CACHE_LINE, caller, "pairs");
     if (!record)
         return MEFALSE;
     memset(record, 0, (size_t)size * sizeof *record);

@@ -34,7 +34,7 @@ enum { MCD_PAIR_BLOCK = 128, MCD_PAIR_BLOCKS = 23 };
 /* Two cache lines of 64 bytes, in single precision: an update of models that are where they were, and the
  * classification of near pairs, read the first one only. */
 typedef struct McdProxy {
-    _Alignas(MCD_CACHE_LINE) MeReal min[3];
+    _Alignas(ME_CACHE_LINE) MeReal min[3];
     MeReal max[3], tolerance; /* m: margin of contacts, mcd_modelReach */
     bool hasBox : 1, isFrozen : 1;
     bool isDirty : 1;     /* its links are to be classified */
@@ -55,18 +55,18 @@ typedef struct McdProxy {
     MeU64 order;        /* the model's place in the order of pairs: sort key, then creation */
 } McdProxy;
 
-_Static_assert((offsetof(McdProxy, fat) == MCD_CACHE_LINE && sizeof(McdProxy) == 2 * MCD_CACHE_LINE) ||
+_Static_assert((offsetof(McdProxy, fat) == ME_CACHE_LINE && sizeof(McdProxy) == 2 * ME_CACHE_LINE) ||
                    sizeof(MeReal) > 4,
                "two lines");
 
 typedef struct McdPairRecord McdPairRecord;
 struct McdPairRecord {
-    _Alignas(MCD_CACHE_LINE) McdModelPair pair; /* what programs see: first */
+    _Alignas(ME_CACHE_LINE) McdModelPair pair; /* what programs see: first */
     McdPairRecord *nextFree;
     MeBool wasSilent; /* when it said goodbye: it is among the goodbyes only */
 };
 
-_Static_assert(offsetof(McdModelPair, responseData) == MCD_CACHE_LINE, "McdModelPairLook reads one line");
+_Static_assert(offsetof(McdModelPair, responseData) == ME_CACHE_LINE, "McdModelPairLook reads one line");
 
 typedef struct McdPairEntry {
     MeU64 order2, order1; /* of model2 and model1 */
@@ -91,7 +91,7 @@ typedef struct McdLink {
     McdPairRecord *record;
 } McdLink;
 
-_Static_assert(sizeof(McdPairRecord) == 3 * MCD_CACHE_LINE || sizeof(MeReal) > 4, "three lines");
+_Static_assert(sizeof(McdPairRecord) == 3 * ME_CACHE_LINE || sizeof(MeReal) > 4, "three lines");
 _Static_assert(sizeof(McdLink) <= 40 && sizeof(McdPairEntry) <= 24, "256 bytes with a pair's record");
 
 struct _McdSpace {

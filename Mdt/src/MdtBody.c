@@ -13,12 +13,16 @@ static void frameQuaternion(const MdtBody *b, double q[4]) {
     keaQuaternionProduct(q, b->kea.quaternion, back);
 }
 
-/* R is that of q. */
+/* Of a frame turned by q, in the world: its axes, the columns of R, and the offset of the centre of mass. */
+static void placeCentre(const MdtBody *b, const double q[4], double R[3][3], double offset[3]) {
+    keaQuaternionToMatrix(R, q);
+    keaApply(offset, (const double(*)[3])R, b->centre);
+}
+
 static void getAxes(const MdtBody *b, double p[3], double q[4], double R[3][3]) {
     double offset[3];
     frameQuaternion(b, q);
-    keaQuaternionToMatrix(R, q);
-    keaApply(offset, (const double(*)[3])R, b->centre);
+    placeCentre(b, q, R, offset);
     keaSubtract(p, b->kea.position, offset);
 }
 
@@ -51,8 +55,7 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     double w[3], R[3][3], offset[3];
     mdt_bodyAcceptVelocities(b);
     MdtKeaBodyGetAngularVelocity(&b->kea, w);
-    keaQuaternionToMatrix(R, q);
-    keaApply(offset, (const double(*)[3])R, b->centre);
+    placeCentre(b, q, R, offset);
     keaCopy(b->kea.position, p);
     keaAddScaled(b->kea.position, 1, offset);
     keaQuaternionProduct(b->kea.quaternion, q, b->centreTurn);

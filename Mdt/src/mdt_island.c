@@ -8,12 +8,11 @@
  * Where the graph has not changed since (MdtGraph.changes), the partitions stay as they are.
  */
 #include "MeAssert.h"
-#include "MeInternal.h"
 #include "MeDict.h"
+#include "MeInternal.h"
 #include "mdt_step_i.h"
 
 enum { NONE = -1 };
-enum { LINKS_AHEAD = 16 }; /* constraints: farther than MDT_AHEAD, as one takes some ns only */
 
 /* ---- the graph ---- */
 
@@ -55,8 +54,8 @@ static void joinBodies(MdtWorldID w) {
     int n = 0;
     for (MdtLink *link = w->constraints.first; link; link = link->next) {
         MdtConstraintID c = mdt_linkOwner(link);
-        if (n + LINKS_AHEAD < before)
-            me_prefetch(g->acting[n + LINKS_AHEAD], sizeof *c);
+        if (n + MDT_AHEAD < before)
+            me_prefetch(g->acting[n + MDT_AHEAD], sizeof *c);
         const MdtBodyID b0 = c->side[0].body, b1 = c->side[1].body;
         if (!(c->record.flags & MDT_ENABLED) || (!b0 && !b1))
             continue;

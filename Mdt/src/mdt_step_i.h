@@ -76,8 +76,8 @@ typedef struct MdtIsland {
  * as many and twice as many, a heap of 1000 boxes takes the same time, within 5 % (bench/threads). */
 enum { MDT_RANGE = 64 };
 
-/* Bodies, or constraints, ahead of the one that a loop works on, whose memory is asked for. As with KEA_AHEAD, half of
- * it and twice as much cost the same. */
+/* Bodies, or constraints, ahead of the one that a loop works on, whose memory is asked for: as KEA_AHEAD, with which it
+ * was measured. */
 enum { MDT_AHEAD = 4 };
 
 static inline MdtJoint *mdt_asJoint(MdtConstraintID c) {

@@ -114,7 +114,8 @@ void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3
 /* The angular velocity (world) of a body at orientation q with angular momentum L, and the other way round. */
 void kea_angularVelocity(const MdtKeaBody *body, const double q[4], const double L[3], double w[3]);
 void kea_angularMomentum(const MdtKeaBody *body, const double q[4], const double w[3], double L[3]);
-/* The same where the principal axes in the world, the columns of R, are known. */
+/* The principal axes in the world, the columns of R; and of these and the moments, the angular velocity and the inverse
+ * of the inertia tensor: for who needs more than one of them. */
 void kea_principalAxes(const MdtKeaBody *body, const double q[4], double R[3][3]);
 void kea_angularVelocityBy(const double moments[3], const double R[3][3], const double L[3], double w[3]);
 void kea_inverseInertiaBy(const double moments[3], const double R[3][3], double inverse[3][3]);

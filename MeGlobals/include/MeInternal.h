@@ -66,10 +66,11 @@ MEPUBLIC void MEAPI MeMemoryGiveAligned(void *block);
 #define ME_PREFETCH(address) ((void)(address))
 #endif
 
-enum { ME_CACHE_LINE = 64 }; /**< bytes, of the processors that Karma is measured on */
+/** Bytes that processors read from memory at once. Records that loops read are aligned to it. */
+enum { ME_CACHE_LINE = 64 };
 
-/** The same of all lines of a record; null does nothing. For loops over records that lie anywhere in memory, some of
- *  them ahead: in a heap of 10 000 boxes a record's first line takes longer to come than its work does. */
+/** ME_PREFETCH of a whole record; null does nothing. For loops over records that lie anywhere in memory, which no
+ *  processor foresees. */
 static inline void me_prefetch(const void *start, size_t bytes) {
     for (size_t at = 0; start && at < bytes; at += ME_CACHE_LINE)
         ME_PREFETCH((const char *)start + at);

@@ -52,7 +52,6 @@ enum { MST_RUN = 32 };
 /* The least number of runs for which workers are woken: some 20 us each in a heap of boxes, while a sleeping thread
  * takes up to .35 ms to wake on a virtual machine. */
 enum { MST_LEAST_RUNS = 4 };
-enum { MST_CACHE_LINE = 64 }; /* bytes */
 /* Runs that workers may be ahead of the calling thread: two for each of eight cores. */
 enum { MST_AHEAD = 16 };
 /* Touches of the first block, and so many blocks at most, each twice as large as the last: as many as an int counts. */
@@ -83,18 +82,18 @@ typedef struct MstModelRef {
 struct MstTouch {
     /* Read or written in every step: one cache line in single precision.
      * As of the last test of the pair: */
-    _Alignas(MST_CACHE_LINE) unsigned long moves[2]; /* of its bodies */
-    unsigned long version;                           /* of its materials' record */
-    int found;          /* contacts; MST_UNKNOWN: not all that were found became contacts */
-    int carried;        /* how often they have been carried since; `moves` is as of then */
-    MeBool isTouching;  /* as of the last step */
-    MeBool isSensor;    /* as of this one, like the rest of the line */
-    MeBool isListed;    /* looked at in this step */
-    MeBool hasContacts; /* got any */
-    MeReal lag;         /* s, of its bodies when `impulse` was last added to; MEINFINITY: the step is whole yet */
-    MeReal separation;  /* m, the least of its contacts as the step began */
-    MeReal tolerance;   /* m, of both models */
-    MeReal impulse;     /* N s, of all contacts */
+    _Alignas(ME_CACHE_LINE) unsigned long moves[2]; /* of its bodies */
+    unsigned long version;                          /* of its materials' record */
+    int found;                                      /* contacts; MST_UNKNOWN: not all that were found became contacts */
+    int carried;                                    /* how often they have been carried since; `moves` is as of then */
+    MeBool isTouching;                              /* as of the last step */
+    MeBool isSensor;                                /* as of this one, like the rest of the line */
+    MeBool isListed;                                /* looked at in this step */
+    MeBool hasContacts;                             /* got any */
+    MeReal lag;        /* s, of its bodies when `impulse` was last added to; MEINFINITY: the step is whole yet */
+    MeReal separation; /* m, the least of its contacts as the step began */
+    MeReal tolerance;  /* m, of both models */
+    MeReal impulse;    /* N s, of all contacts */
     /* Cleared in every step; of a touch that goes on, found out only for a list of events. */
     McdModelPair *pair; /* null: the touch is free */
     MstBridgeRecord *bridge;
@@ -109,9 +108,9 @@ struct MstTouch {
 };
 
 #ifndef _ME_API_DOUBLE
-_Static_assert(offsetof(MstTouch, pair) == MST_CACHE_LINE && offsetof(MstTouch, model) <= 2 * MST_CACHE_LINE,
+_Static_assert(offsetof(MstTouch, pair) == ME_CACHE_LINE && offsetof(MstTouch, model) <= 2 * ME_CACHE_LINE,
                "two cache lines for what a step reads and writes");
-_Static_assert(sizeof(MstTouch) == 3 * MST_CACHE_LINE, "and one for the models");
+_Static_assert(sizeof(MstTouch) == 3 * ME_CACHE_LINE, "and one for the models");
 #endif
 
 /* Events, and for each the serials of its two models: whether a handle still means the same one. */

@@ -24,7 +24,7 @@ static MeBool addBlock(MstEvents *e) {
         return MEFALSE;
     const int size = sizeOfBlock(e->blockCount);
     MstTouch *touch =
-        MeMemoryTakeAligned((size_t)size, sizeof *touch, MST_CACHE_LINE, "MstBridgeUpdateContacts", "what touches");
+        MeMemoryTakeAligned((size_t)size, sizeof *touch, ME_CACHE_LINE, "MstBridgeUpdateContacts", "what touches");
     if (!touch)
         return MEFALSE;
     memset(touch, 0, (size_t)size * sizeof *touch);

@@ -14,8 +14,8 @@ typedef struct Wheel {
 
 /* The pitch circles have radii of .6 and 1.2 m: a tooth and its gap are .314 m wide there. The teeth go .08 m beyond
  * them, and with .1 m leave room for each other; how much is what `isFree` says. A tooth of the small wheel points at a
- * gap of the large one. Both turn the same way about z: the load takes a third of the drive. Teeth
- * are so long that only their outer ends meet. */
+ * gap of the large one. Both torques turn the same way about z, and so work against each other: the load takes a third
+ * of the drive. Teeth are so long that only their outer ends meet. */
 static const Wheel wheels[2] = {{12, .68, 40, 12, 0}, {24, 1.28, 80, 8, PI / 24}};
 static const double between = 1.8, toothLength = .3, toothWidth = .1, thickness = .2; /* m */
 
@@ -108,11 +108,9 @@ static void measureGears(const SceneTrace *t, const SceneWorld *w, double errors
 
 const Scene scenes_gears = {
     .name = "gears",
-    .text =
-        "a wheel of 12 teeth, driven by 12 N m, turns one of 24, which a load of 8 N m holds back: boxes of .1 m, mu "
-        ".1, "
-        "10 s: how far the large wheel is beyond the play of the teeth from half of the small one's angle, largest gap "
-        "of a hinge, teeth that were skipped",
+    .text = "a wheel of 12 teeth, driven by 12 N m, turns one of 24, which a load of 8 N m holds back: boxes of .1 m, "
+            "mu .1, 10 s: how far the large wheel is beyond the play of the teeth from half of the small one's angle, "
+            "largest gap of a hinge, teeth that were skipped",
     .hasEdges = true,
     .duration = 10,
     .errors = {{"beyond rad", .13, 1e-3}, {"gap m", .1, 1e-5}, {"skipped", INFINITY, 0}},

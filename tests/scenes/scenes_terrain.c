@@ -130,11 +130,9 @@ static void watchBumps(SceneTrace *t, const SceneWorld *w, const SceneState stat
 
 const Scene scenes_terrainCar = {
     .name = "terrain-car",
-    .text =
-        "a car of 610 kg, its front axle swinging, rolls with 4 m/s at the start on four freely turning balls over 25 "
-        "m "
-        "of bumps of .1 m of triangles, mu .8, 8 s: where it is at the end, largest gap of a joint, whether it has not "
-        "come across upright",
+    .text = "a car of 610 kg, its front axle swinging, rolls with 4 m/s at the start on four freely turning balls over "
+            "25 m of bumps of .1 m of triangles, mu .8, 8 s: where it is at the end, largest gap of a joint, whether "
+            "it has not come across upright",
     .hasEdges = true,
     .duration = 8,
     .errors = {{"way m", INFINITY, .01}, {"gap m", .1, 1e-4}, {"stuck", INFINITY, 0}},
