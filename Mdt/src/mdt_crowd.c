@@ -52,24 +52,35 @@ static MeBool isSmall(const MdtIsland *p) {
     return p->numBodies <= p->world->timedBodies;
 }
 
-/* A partition is disturbed from an impact on until all its bodies are slow. With joints, which go on swinging, it is
- * from an impact or a step whose contacts did not settle until it is at rest (mdt_rest.c); and so are few bodies that
- * come out of a disturbed partition, since they may be slow and wedged. So a partition does not change its solver to
- * and fro. Writes isDisturbed of its bodies. */
-static MeBool isDisturbed(const MdtIsland *p) {
-    MeBool is = !isSmall(p) && (p->numBodies >= MDT_CROWD || hasImpacts(p));
-    for (int i = 0; i < p->numBodies && !is; i++)
-        is = p->bodies[i]->isDisturbed && (p->numJoints > 0 || isSmall(p) || p->bodies[i]->slowTime == 0);
-    for (int i = 0; i < p->numBodies; i++)
-        p->bodies[i]->isDisturbed = is;
+/* A partition is disturbed from an impact on, or from a step in which contacts did not settle, until all its bodies are
+ * slow. With joints, which go on swinging, it is until all are at rest (mdt_rest.c); and so are few bodies that come
+ * out of a disturbed partition, since they may be slow and wedged. So a partition does not change its solver to and
+ * fro. */
+static MeBool isStillDisturbed(const MdtIsland *p, const MdtBody *b) {
+    return b->unrest != MDT_CALM && (p->numJoints > 0 || isSmall(p) || b->slowTime == 0);
+}
+
+static MdtUnrest unrestOf(const MdtIsland *p) {
+    MdtUnrest is = !isSmall(p) && (p->numBodies >= MDT_CROWD || hasImpacts(p)) ? MDT_HIT : MDT_CALM;
+    for (int i = 0; i < p->numBodies && is != MDT_UNSETTLED; i++)
+        if (isStillDisturbed(p, p->bodies[i]))
+            is = MeMAX(is, p->bodies[i]->unrest);
     return is;
 }
 
+/* Takes the unrest of any body to all of them. */
+static MeBool isDisturbed(const MdtIsland *p) {
+    const MdtUnrest is = unrestOf(p);
+    for (int i = 0; i < p->numBodies; i++)
+        p->bodies[i]->unrest = is;
+    return is != MDT_CALM;
+}
+
 void mdt_crowdNote(const MdtIsland *p) {
-    if (p->isFast || p->numJoints == 0 || isSmall(p) || p->kea.report.factorizations <= MDT_UNSETTLED)
+    if (p->isFast || isSmall(p) || p->kea.parameters.timed || p->kea.report.factorizations <= MDT_SETTLING)
         return;
     for (int i = 0; i < p->numBodies; i++)
-        p->bodies[i]->isDisturbed = METRUE;
+        p->bodies[i]->unrest = MDT_UNSETTLED;
 }
 
 /* Nothing in it touches the world: it carries no weight, and its forces come of meetings and of overlaps alone. */
@@ -93,20 +104,39 @@ int mdt_mostHeld(const MdtIsland *p) {
     return p->world->timedBodies == 0 ? 0 : MeMAX(p->world->timedBodies, p->numBodies / MDT_HELD);
 }
 
-/* Bodies that bounce, of which only few are held, are met one after the other (mdt_subdivide.c). */
+static MeBool rebounds(const MdtIsland *p, const MdtPoint *point, double loadSpeed) {
+    const MdtBclContactParams *params = mdt_pointParams(point);
+    return mdt_bounces(params) &&
+           MdtKeaContactRebounds(-point->depth, -approachAt(point) - loadSpeed, params->restitution,
+                                 params->velThreshold, loadSpeed, p->h);
+}
+
+static MeBool isUnsettled(const MdtIsland *p) {
+    for (int i = 0; i < p->numBodies; i++)
+        if (p->bodies[i]->unrest == MDT_UNSETTLED && isStillDisturbed(p, p->bodies[i]))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Bodies that bounce, of which only few are held, are met one after the other (mdt_subdivide.c), unless contacts do not
+ * settle; with joints, which hold as contacts do, only in a step in which some rebound. */
 static MeBool isMetInTime(const MdtIsland *p) {
     const int most = mdt_mostHeld(p);
     MeBool doesBounce = MEFALSE;
     double g[3];
-    int holding = 0;
+    int holding = p->numJoints;
+    if (isUnsettled(p))
+        return MEFALSE;
     mdt_fromReal(g, p->world->params.gravity);
+    const double loadSpeed = keaLength(g) * p->h;
     for (int i = 0; i < p->numActing && holding <= most; i++) {
         if (mdt_isJoint(p->acting[i]))
             continue;
         MeBool isHeld = MEFALSE;
         for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at)) {
-            doesBounce = doesBounce || mdt_bounces(mdt_pointParams(at));
-            isHeld = isHeld || holds(at, keaLength(g) * p->h);
+            doesBounce = doesBounce ||
+                         (p->numJoints > 0 ? rebounds(p, at, loadSpeed) : mdt_bounces(mdt_pointParams(at)));
+            isHeld = isHeld || holds(at, loadSpeed);
         }
         holding += isHeld;
     }

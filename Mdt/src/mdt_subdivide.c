@@ -171,14 +171,19 @@ static MeBool isFollowed(const MdtIsland *p) {
     return !p->kea.report.capped || (isNear && !p->kea.report.limited);
 }
 
-/* Solves a timed part up to the next event, at most `rest` s. False: not solved accurately, or impacts chatter. */
+/* Factorizations of a timed part: where it takes more, contacts do not settle, and each further event would cost as
+ * much. /2 fails Mdt_Friction: a_sliding_cube_keeps_its_direction_and_stops, x2 Mst_Spikes: a_row_of_dominoes. */
+enum { MDT_FOLLOWING = 64 };
+
+/* Solves a timed part up to the next event, at most `rest` s. False: not solved accurately, or too expensive to follow,
+ * or impacts chatter. */
 static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
     p->kea.parameters.timed = METRUE;
     mdt_partMakeRows(p, rest);
     if (MdtKeaTrembles(&p->kea))
         return MEFALSE;
     mdt_partSolveRows(p);
-    if (!isFollowed(p))
+    if (!isFollowed(p) || p->kea.report.factorizations > MDT_FOLLOWING)
         return MEFALSE;
     if (p->kea.report.event >= rest - least)
         return METRUE;

@@ -91,6 +91,12 @@ static MeBool isHeldBy(const MdtKeaSystem *s, int i, double speed) {
     return row->contact == i && kea_isTouching(s, row) && holds(kea_startRate(s, i), row->restitution, speed);
 }
 
+MeBool MEAPI MdtKeaContactRebounds(double gap, double rate, double restitution, double threshold, double loadSpeed,
+                                   double stepsize) {
+    const MdtKeaRow row = {.restitution = restitution, .threshold = threshold};
+    return rebounds(&row, rate, kea_minReboundSpeed * loadSpeed) && gap + kea_reach * stepsize * rate < 0;
+}
+
 int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     int *isHeld = s->work->parent, count = 0;
