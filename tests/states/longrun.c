@@ -1,8 +1,8 @@
 /* Scenes that start over again and again, on one thread and on several: is there ever a difference?
  *
- *     longrun [--steps N] [--workers N]
+ *     longrun [--steps N] [--workers N] [--seed N]
  *
- * Ten million steps and two workers if not given. All small scenes of the twelve lie side by side in one universe, and
+ * Ten million steps and two workers if not given; another seed is another run. All small scenes of the twelve lie side by side in one universe, and
  * in another one just like it that has workers. A step of the universe is a step of each of its scenes: so many are
  * counted. From time to time a scene starts over, with other velocities, and a box of a rain over all of them is
  * destroyed and made anew. Once a second all bodies' states are compared. Ends with 1 where they differ, or where a
@@ -67,9 +67,9 @@ static void makeDrop(Side *s, int i) {
     McdModelDynamicsSetPosition(s->rain[i], (MeReal)x, (MeReal)y, (MeReal)placeZ((int)where));
 }
 
-static void make(Side *s, MeTaskPoolID pool) {
+static void make(Side *s, MeTaskPoolID pool, unsigned int seed) {
     s->u = twelve_makeUniverse();
-    s->seed = 1;
+    s->seed = seed;
     for (int i = 0; i < SMALL; i++) {
         Place *p = &s->place[i];
         twelve_make(p, &twelve[i + 1], s->u, placeX(i), placeZ(i));
@@ -136,17 +136,19 @@ static void run(long frames) {
 
 int main(int argc, char **argv) {
     double steps = 1e7;
-    int workers = 2;
+    int workers = 2, seed = 1;
     for (int i = 1; i + 1 < argc; i += 2)
         if (strcmp(argv[i], "--steps") == 0)
             steps = atof(argv[i + 1]);
         else if (strcmp(argv[i], "--workers") == 0)
             workers = atoi(argv[i + 1]);
+        else if (strcmp(argv[i], "--seed") == 0)
+            seed = atoi(argv[i + 1]);
     if (argc % 2 == 0 || !(steps >= SMALL) || workers < 2)
-        return fputs("longrun [--steps N] [--workers N]\n", stderr), 2;
+        return fputs("longrun [--steps N] [--workers N] [--seed N]\n", stderr), 2;
     MeTaskPoolID pool = MeTaskPoolCreate(workers);
-    make(&sides[0], NULL);
-    make(&sides[1], pool);
+    make(&sides[0], NULL, (unsigned int)seed);
+    make(&sides[1], pool, (unsigned int)seed);
     run((long)(steps / SMALL));
     for (int i = 0; i < 2; i++)
         MstUniverseDestroy(sides[i].u);
