@@ -70,7 +70,8 @@ int main(int argc, char **argv) {
             steps = 0;
     if (steps < 1)
         return fputs("spikes [--steps N] [--exact]\n", stderr), 2;
-    puts("| scene | bodies | mean, ms | median | 99 % | worst | factorizations | at most |\n|---|---|---|---|---|---|---|---|");
+    puts("| scene | bodies | mean, ms | median | 99 % | worst | factorizations | at most |");
+    puts("|---|---|---|---|---|---|---|---|");
     for (int i = 0; i < TWELVE; i++) {
         Cost cost = {.time = calloc((size_t)steps, sizeof(double))};
         if (!cost.time)

@@ -2,11 +2,11 @@
  *
  *     longrun [--steps N] [--workers N] [--seed N]
  *
- * Ten million steps and two workers if not given; another seed is another run. All small scenes of the twelve lie side by side in one universe, and
- * in another one just like it that has workers. A step of the universe is a step of each of its scenes: so many are
- * counted. From time to time a scene starts over, with other velocities, and a box of a rain over all of them is
- * destroyed and made anew. Once a second all bodies' states are compared. Ends with 1 where they differ, or where a
- * body is nowhere, and says in which step. */
+ * Ten million steps and two workers if not given; another seed is another run. All small scenes of the twelve lie side
+ * by side in one universe, and in another one just like it that has workers. A step of the universe is a step of each
+ * of its scenes: so many are counted. From time to time a scene starts over, with other velocities, and a box of a rain
+ * over all of them is destroyed and made anew. Once a second all bodies' states are compared. Ends with 1 where they
+ * differ, or where a body is nowhere, and says in which step. */
 #include "twelve.h"
 
 #include "MeTask.h"
