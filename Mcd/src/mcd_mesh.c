@@ -49,14 +49,19 @@ static MeU32 hashOfPoint(const double place[3]) {
     return key;
 }
 
+/* Does the box around the triangle overlap the query's box, and its ball? A triangle that has a point in neither can be
+ * no neighbour that counts: only edges and corners within both are looked at (isWithinQuery, mcd_mesh_topology.c). */
 static MeBool overlapsQuery(const McdMeshQuery *q, const double corner[3][3]) {
+    double square = 0;
     for (int i = 0; i < 3; i++) {
-        const double low = fmin(corner[0][i], fmin(corner[1][i], corner[2][i]));
-        const double high = fmax(corner[0][i], fmax(corner[1][i], corner[2][i]));
+        const double a = corner[0][i], b = corner[1][i], c = corner[2][i];
+        const double low = a < b ? (a < c ? a : c) : b < c ? b : c, high = a > b ? (a > c ? a : c) : b > c ? b : c;
         if (!(low <= q->high[i] && high >= q->low[i]))
             return MEFALSE;
+        const double off = q->ball[i] < low ? low - q->ball[i] : q->ball[i] > high ? q->ball[i] - high : 0;
+        square += off * off;
     }
-    return METRUE;
+    return square <= q->ballRadius * q->ballRadius;
 }
 
 void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
@@ -64,11 +69,13 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
     McdMesh *mesh = q->mesh;
     const double(*axis)[3] = (const double(*)[3])q->axis;
     double own[3];
+    if (!overlapsQuery(q, corner))
+        return;
     if (!mcd_triangleNormal(corner, normal, own)) {
         mesh->skipped++;
         return;
     }
-    if (!overlapsQuery(q, corner) || !mcd_meshReserve(mesh, mesh->count + 1))
+    if (!mcd_meshReserve(mesh, mesh->count + 1))
         return;
     McdMeshTriangle *t = &mesh->triangle[mesh->count];
     for (int i = 0; i < 3; i++) {
