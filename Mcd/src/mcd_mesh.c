@@ -177,6 +177,7 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
     const MeMatrix4Ptr tm = mcd_instanceTM(ins2);
     q->pair = p;
     q->margin = mcd_pairMargin(p);
+    mcd_pairWay(p, q->way);
     mcd_pairOrigin(ins1, ins2, q->origin);
     if (!mcd_shapeOf(ins1, q->origin, &q->shape))
         return MEFALSE;
@@ -236,6 +237,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather
     if (q.mesh->count) {
         mcd_meshBuildAdjacency(q.mesh);
         mcd_meshFindContacts(&q);
+        mcd_meshFollowWay(&q);
         mcd_meshReduceContacts(&q, result->contactMaxCount);
         addToResult(&q, result);
         touches = mcd_resultEnd(result);

@@ -215,6 +215,14 @@ typedef enum MdtKeaPair {
     MdtKeaPairSecond, /**< velocity stage after discontinuities, but not against the alternating mode */
 } MdtKeaPair;
 
+/** Which contacts that meet within a timed step are held from its start on, instead of dividing it: so that what has a
+ *  gap comes to touch at its end. What comes to stick does not divide it then. */
+typedef enum MdtKeaHold {
+    MdtKeaHoldNone,
+    MdtKeaHoldSlow, /**< those too slow to rebound */
+    MdtKeaHoldAll,
+} MdtKeaHold;
+
 /** Parameters of the whole system. The rows that the owner fills contain epsilon and gamma already. */
 typedef struct MdtKeaParameters {
     double stepsize;   /**< s */
@@ -228,6 +236,7 @@ typedef struct MdtKeaParameters {
     MeBool isPart;     /**< a part of a step by safe times: corrections of joints must not add energy */
     MdtKeaPair pair;   /**< a composition of higher order takes steps in pairs */
     MeBool timed;      /**< impacts are resolved at their time; bodies move with their mean velocities (θ = 1/2) */
+    MdtKeaHold hold;   /**< of a timed step */
     MdtKeaSolver solver;
     double accuracy; /**< m/s, of the fast solver: the residual that passes are to reach */
 } MdtKeaParameters;
@@ -372,6 +381,13 @@ MEPUBLIC void MEAPI MdtKeaReverse(MdtKeaSystem *system);
  * step, and there are no springs. The rows are filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *system);
+
+/**
+ * Whether the system may be timed though it has joints and nothing bounces: all joints hold without bounds, or drive,
+ * and nothing overlaps by more than what is near. Springs and stops need the damping of θ = 1. The rows are filled;
+ * nothing is changed.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *system);
 
 /**
  * The number of bodies with joints or closed contacts; contacts with a gap, or that separate, do not count. The rows

@@ -358,11 +358,15 @@ static void solveMotion(MdtKeaSystem *s) {
 
 /* Finds the motion up to the first event. A contact that stops sliding needs a second solve, in which its friction
  * still acts against the sliding of the start, to find the time of the stop; if that is after the end of the step, the
- * first solution was right. */
+ * first solution was right. Where contacts that meet are held, there is one more solve, without the event. */
 static void solveToFirstEvent(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     MeBool mustRepeat, isNew;
     double event = kea_firstEvent(s, &mustRepeat);
+    while (event < h && (s->report.trembles || s->parameters.hold == MdtKeaHoldAll) && kea_holdMeeting(s)) {
+        solveMotion(s);
+        event = kea_firstEvent(s, &mustRepeat);
+    }
     if (mustRepeat) {
         solveMotion(s);
         event = kea_firstEvent(s, &isNew);
