@@ -169,6 +169,14 @@ static MeBool areAxesUnit(const McdMeshQuery *q) {
            fabs(fabs(mcd_dot(x, q->axis[2])) - 1) < 1e-6;
 }
 
+/* No farther than the triangles are gathered: a model that is fast looks no farther than its radius. */
+static void findWay(McdMeshQuery *q) {
+    mcd_pairWay(q->pair, q->way);
+    const double length = mcd_length(q->way);
+    if (length > q->margin)
+        mcd_scale(q->way, q->way, q->margin / length);
+}
+
 /* ---- the query --------------------------------------------------------------------------------------------------- */
 
 /* False for a shape that is not convex, or has no transform. */
@@ -177,7 +185,7 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
     const MeMatrix4Ptr tm = mcd_instanceTM(ins2);
     q->pair = p;
     q->margin = mcd_pairMargin(p);
-    mcd_pairWay(p, q->way);
+    findWay(q);
     mcd_pairOrigin(ins1, ins2, q->origin);
     if (!mcd_shapeOf(ins1, q->origin, &q->shape))
         return MEFALSE;

@@ -175,7 +175,7 @@ static MeBool isFollowed(const MdtIsland *p) {
 static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
     p->kea.parameters.timed = METRUE;
     mdt_partMakeRows(p, rest);
-    if (p->kea.parameters.hold == MdtKeaHoldNone && MdtKeaTrembles(&p->kea))
+    if (!p->kea.parameters.holdsSlow && MdtKeaTrembles(&p->kea))
         return MEFALSE;
     mdt_partSolveRows(p);
     if (!isFollowed(p))
@@ -220,20 +220,16 @@ static int mostEvents(const MdtIsland *p) {
 }
 
 /* A part of the step with timed contacts: divided at each event. After too many events, or where a solve is not
- * accurate, the rest is one part that is not timed. Where joints tie bodies and nothing rebounds, the slow ones of what
- * meets are held from the start on, and after too many events all: something that rolls meets a surface of triangles
- * slowly in nearly every step, and not timed it loses what backward Euler does. */
+ * accurate, the rest is one part that is not timed. What rolls on a surface of triangles meets some of them slowly in
+ * nearly every step: these do not divide it. */
 static MeBool takeInTime(MdtIsland *p, double part) {
     const double least = 1e-9 * part;
     const int most = mostEvents(p);
     const double kept = 0.5 * p->work; /* for what is left after the events */
-    const MeBool mayHold = p->numJoints > 0 && !hasRestitution(p);
     double rest = part;
-    p->kea.parameters.hold = mayHold ? MdtKeaHoldSlow : MdtKeaHoldNone;
+    p->kea.parameters.holdsSlow = p->numJoints > 0 && !hasRestitution(p);
     for (int events = 0; rest > least; events++) {
-        if (events == most && mayHold)
-            p->kea.parameters.hold = MdtKeaHoldAll;
-        if ((mayHold ? events > most : events == most) || p->work < kept || !solveToEventOrHalf(p, rest, least)) {
+        if (events == most || p->work < kept || !solveToEventOrHalf(p, rest, least)) {
             p->kea.parameters.timed = MEFALSE;
             return takePart(p, rest, 0);
         }
@@ -244,10 +240,10 @@ static MeBool takeInTime(MdtIsland *p, double part) {
     return METRUE;
 }
 
-/* Whether contacts are timed: in partitions of few bodies without joints, or with joints that hold without bounds, as
- * what rolls has; with restitution also in those in which only few bodies are held by joints or closed contacts, such
- * as a crowd of flying balls. With joints and restitution only if an impact is predicted; with joints not in a step by
- * safe time, which ends at impacts anyway. */
+/* Whether contacts are timed: in partitions of few bodies without joints, or of which all rolls that touches; with
+ * restitution also in those in which only few bodies are held by joints or closed contacts, such as a crowd of flying
+ * balls. With joints and restitution only if an impact is predicted; with joints not in a step by safe time, which ends
+ * at impacts anyway. */
 static MeBool isTimed(MdtIsland *p, double part) {
     const int most = p->world->timedBodies;
     if (most == 0 || p->numActing == 0 || p->isFast)

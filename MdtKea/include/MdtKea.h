@@ -215,14 +215,6 @@ typedef enum MdtKeaPair {
     MdtKeaPairSecond, /**< velocity stage after discontinuities, but not against the alternating mode */
 } MdtKeaPair;
 
-/** Which contacts that meet within a timed step are held from its start on, instead of dividing it: so that what has a
- *  gap comes to touch at its end. What comes to stick does not divide it then. */
-typedef enum MdtKeaHold {
-    MdtKeaHoldNone,
-    MdtKeaHoldSlow, /**< those too slow to rebound */
-    MdtKeaHoldAll,
-} MdtKeaHold;
-
 /** Parameters of the whole system. The rows that the owner fills contain epsilon and gamma already. */
 typedef struct MdtKeaParameters {
     double stepsize;   /**< s */
@@ -236,7 +228,8 @@ typedef struct MdtKeaParameters {
     MeBool isPart;     /**< a part of a step by safe times: corrections of joints must not add energy */
     MdtKeaPair pair;   /**< a composition of higher order takes steps in pairs */
     MeBool timed;      /**< impacts are resolved at their time; bodies move with their mean velocities (θ = 1/2) */
-    MdtKeaHold hold;   /**< of a timed step */
+    MeBool holdsSlow;  /**< a timed step is not divided where contacts meet too slowly to rebound, which are held from
+                            its start on so that they touch at its end; nor where something comes to stick */
     MdtKeaSolver solver;
     double accuracy; /**< m/s, of the fast solver: the residual that passes are to reach */
 } MdtKeaParameters;
@@ -383,9 +376,9 @@ MEPUBLIC void MEAPI MdtKeaReverse(MdtKeaSystem *system);
 MEPUBLIC MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *system);
 
 /**
- * Whether the system may be timed though it has joints and nothing bounces: all joints hold without bounds, or drive,
- * and nothing overlaps by more than what is near. Springs and stops need the damping of θ = 1. The rows are filled;
- * nothing is changed.
+ * Whether what joints tie rolls, and so may be timed though nothing bounces: all contacts are those of round surfaces,
+ * none of which overlaps by more than what is near, and joints hold without bounds, or drive. Springs and stops need the
+ * damping of θ = 1. The rows are filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *system);
 

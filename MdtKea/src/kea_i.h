@@ -222,7 +222,7 @@ double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 
 /* Sets isOpen of all contacts. */
 void kea_timedBegin(MdtKeaSystem *s);
-/* Where contacts meet that are to be held (MdtKeaHold), with the end of the last solve: closes them. False: none do. */
+/* Holds the contacts that meet slowly within the step, by the end of the last solve (holdsSlow). False: none do. */
 MeBool kea_holdMeeting(MdtKeaSystem *s);
 /* s: the first impact or end of sliding within the step; HUGE_VAL: none. `mustRepeat`: contacts stop sliding, and their
  * friction is now fixed against the sliding of the start (isForced): solve and call again for the time.

@@ -9,7 +9,7 @@
  *   of the start, the slip vanishes at t = h |u| / (|u| - u⁺·u/|u|).
  *
  * Impacts that are all too slow to rebound may follow each other without end (chattering, report.trembles); the owner
- * then does not divide the step, or has such contacts held from its start (MdtKeaHold): one with the gap φ and the rate
+ * then does not divide the step, or has such contacts held from its start (holdsSlow): one with the gap φ and the rate
  * a comes to touch at the end if J v⁺ = -2 φ/h - a, since the mean rate moves it. One that is faster is stopped.
  */
 #include "kea_i.h"
@@ -64,12 +64,13 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     return bounces;
 }
 
-static MeBool overlapsFar(const MdtKeaSystem *s, const MdtKeaRow *row) {
+/* Of a normal row: round, and no deeper than what is near. */
+static MeBool isRolling(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double size = HUGE_VAL;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             size = keaMin(size, s->work->body[row->body[k]].size);
-    return row->error < -kea_nearbyGap * size;
+    return row->error >= -kea_nearbyGap * size && (row->radius[0] > 0 || row->radius[1] > 0);
 }
 
 MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *s) {
@@ -77,7 +78,7 @@ MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         if (row->contact < 0 ? row->spring || (row->position && kea_mayReachBound(row))
-                             : row->contact == i && overlapsFar(s, row))
+                             : row->contact == i && !isRolling(s, row))
             return MEFALSE;
         hasContact = hasContact || row->contact >= 0;
     }
@@ -151,8 +152,8 @@ static Impact impactOf(const MdtKeaSystem *s, int i, double endRate) {
 /* Whether a contact whose rate changes linearly to endRate meets within the step, and is to be held from its start. */
 static MeBool isToHold(const MdtKeaSystem *s, int i, double endRate) {
     const Impact m = impactOf(s, i, endRate);
-    return s->parameters.hold != MdtKeaHoldNone && m.time < s->parameters.stepsize &&
-           (s->parameters.hold == MdtKeaHoldAll || m.speed <= kea_minReboundSpeed * kea_eventSpeed(s));
+    return s->parameters.holdsSlow && m.time < s->parameters.stepsize &&
+           m.speed <= kea_minReboundSpeed * kea_eventSpeed(s);
 }
 
 void kea_timedBegin(MdtKeaSystem *s) {
@@ -262,7 +263,7 @@ static double firstStop(const MdtKeaSystem *s) {
 
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     const double speed = kea_eventSpeed(s);
-    *mustRepeat = s->parameters.hold == MdtKeaHoldNone && forceSlides(s, kea_partingSpeed * speed);
+    *mustRepeat = !s->parameters.holdsSlow && forceSlides(s, kea_partingSpeed * speed);
     const Impact impact = firstImpact(s);
     const double stop = firstStop(s);
     s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed;
