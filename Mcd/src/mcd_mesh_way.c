@@ -1,7 +1,7 @@
 /* Contacts of a ball along its way. Contacts act throughout a step, in which a ball that rolls over triangles goes from
  * one to the next. Those of its start alone would hold it up on the first one's plane, beyond an edge behind which the
- * surface falls, and let it into the next one, where the surface rises: both by the way times the edge's angle, of first
- * order in the step. So
+ * surface falls, and let it into the next one, where the surface rises: both by the way times the edge's angle, of
+ * first order in the step. So
  *
  *     where the surface falls away below a contact, its normal is that of the chord: from where the ball is to where it
  *     touches the surface after its way. Along that it comes to be on the surface, and no work is done;
@@ -101,8 +101,8 @@ static MeBool hasContactAlong(const McdMesh *mesh, const double normal[3]) {
     return MEFALSE;
 }
 
-/* The share of the way after which the ball, which is over the triangle's plane, comes down to it where the triangle is;
- * infinite: it does not. */
+/* The share of the way after which the ball, which is over the triangle's plane, comes down to it where the triangle
+ * is; infinite: it does not. */
 static double touchOnWay(const McdMeshQuery *q, const McdMeshTriangle *t, double *gap) {
     const double fall = -mcd_dot(q->way, t->normal);
     double end[3], in, out;

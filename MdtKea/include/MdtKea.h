@@ -377,8 +377,8 @@ MEPUBLIC MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *system);
 
 /**
  * Whether what joints tie rolls, and so may be timed though nothing bounces: all contacts are those of round surfaces,
- * none of which overlaps by more than what is near, and joints hold without bounds, or drive. Springs and stops need the
- * damping of θ = 1. The rows are filled; nothing is changed.
+ * none of which overlaps by more than what is near, and joints hold without bounds, or drive. Springs and stops need
+ * the damping of θ = 1. The rows are filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *system);
 
