@@ -49,8 +49,8 @@ static MeU32 hashOfPoint(const double place[3]) {
     return key;
 }
 
-/* Does the box around the triangle overlap the query's box, and its ball? A triangle that has a point in neither can be
- * no neighbour that counts: only edges and corners within both are looked at (isWithinQuery, mcd_mesh_topology.c). */
+/* Does the box around the triangle overlap the query's box, and its ball? All others touch nothing, and are no
+ * neighbours that count: only edges and corners within both are looked at (isWithinQuery, mcd_mesh_topology.c). */
 static MeBool overlapsQuery(const McdMeshQuery *q, const double corner[3][3]) {
     double square = 0;
     for (int i = 0; i < 3; i++) {
