@@ -347,5 +347,8 @@ MeBool mcd_interactionIsBuiltIn(const McdModelPair *p);
 /* m: the gap up to which a pair gets contacts (speculative margin): its tolerances, and the distance by which the two
  * may approach before the next test. */
 double mcd_pairMargin(const McdModelPair *p);
+/* m: by how much model1 moves against model2 until the next test, with the velocities that they have; 0 of fast models,
+ * whose contacts are those of now. */
+void mcd_pairWay(const McdModelPair *p, double way[3]);
 
 #endif

@@ -49,14 +49,19 @@ static MeU32 hashOfPoint(const double place[3]) {
     return key;
 }
 
+/* Does the box around the triangle overlap the query's box, and its ball? All others touch nothing, and are no
+ * neighbours that count: only edges and corners within both are looked at (isWithinQuery, mcd_mesh_topology.c). */
 static MeBool overlapsQuery(const McdMeshQuery *q, const double corner[3][3]) {
+    double square = 0;
     for (int i = 0; i < 3; i++) {
-        const double low = fmin(corner[0][i], fmin(corner[1][i], corner[2][i]));
-        const double high = fmax(corner[0][i], fmax(corner[1][i], corner[2][i]));
+        const double a = corner[0][i], b = corner[1][i], c = corner[2][i];
+        const double low = a < b ? (a < c ? a : c) : b < c ? b : c, high = a > b ? (a > c ? a : c) : b > c ? b : c;
         if (!(low <= q->high[i] && high >= q->low[i]))
             return MEFALSE;
+        const double off = q->ball[i] < low ? low - q->ball[i] : q->ball[i] > high ? q->ball[i] - high : 0;
+        square += off * off;
     }
-    return METRUE;
+    return square <= q->ballRadius * q->ballRadius;
 }
 
 void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
@@ -64,11 +69,13 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
     McdMesh *mesh = q->mesh;
     const double(*axis)[3] = (const double(*)[3])q->axis;
     double own[3];
+    if (!overlapsQuery(q, corner))
+        return;
     if (!mcd_triangleNormal(corner, normal, own)) {
         mesh->skipped++;
         return;
     }
-    if (!overlapsQuery(q, corner) || !mcd_meshReserve(mesh, mesh->count + 1))
+    if (!mcd_meshReserve(mesh, mesh->count + 1))
         return;
     McdMeshTriangle *t = &mesh->triangle[mesh->count];
     for (int i = 0; i < 3; i++) {
@@ -162,6 +169,14 @@ static MeBool areAxesUnit(const McdMeshQuery *q) {
            fabs(fabs(mcd_dot(x, q->axis[2])) - 1) < 1e-6;
 }
 
+/* No farther than the triangles are gathered: a model that is fast looks no farther than its radius. */
+static void findWay(McdMeshQuery *q) {
+    mcd_pairWay(q->pair, q->way);
+    const double length = mcd_length(q->way);
+    if (length > q->margin)
+        mcd_scale(q->way, q->way, q->margin / length);
+}
+
 /* ---- the query --------------------------------------------------------------------------------------------------- */
 
 /* False for a shape that is not convex, or has no transform. */
@@ -170,6 +185,7 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
     const MeMatrix4Ptr tm = mcd_instanceTM(ins2);
     q->pair = p;
     q->margin = mcd_pairMargin(p);
+    findWay(q);
     mcd_pairOrigin(ins1, ins2, q->origin);
     if (!mcd_shapeOf(ins1, q->origin, &q->shape))
         return MEFALSE;
@@ -229,6 +245,7 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather
     if (q.mesh->count) {
         mcd_meshBuildAdjacency(q.mesh);
         mcd_meshFindContacts(&q);
+        mcd_meshFollowWay(&q);
         mcd_meshReduceContacts(&q, result->contactMaxCount);
         addToResult(&q, result);
         touches = mcd_resultEnd(result);

@@ -26,6 +26,14 @@ double mcd_pairMargin(const McdModelPair *p) {
     return (double)a->tolerance + (double)b->tolerance + greatestApproach(a, b, p->mayTurnRound);
 }
 
+void mcd_pairWay(const McdModelPair *p, double way[3]) {
+    const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
+    const double time = a->isFast || b->isFast ? 0 : fmax((double)a->lookAhead, (double)b->lookAhead);
+    for (int i = 0; i < 3; i++)
+        way[i] = time * ((a->linearVelocity ? (double)a->linearVelocity[i] : 0) -
+                         (b->linearVelocity ? (double)b->linearVelocity[i] : 0));
+}
+
 void mcd_resultBegin(McdIntersectResult *result, McdModelPair *p) {
     result->pair = p;
     result->contactCount = 0;

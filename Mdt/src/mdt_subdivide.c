@@ -186,7 +186,7 @@ enum { MDT_FOLLOWING = 64 };
 static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
     p->kea.parameters.timed = METRUE;
     mdt_partMakeRows(p, rest);
-    if (MdtKeaTrembles(&p->kea))
+    if (!p->kea.parameters.holdsSlow && MdtKeaTrembles(&p->kea))
         return MEFALSE;
     mdt_partSolveRows(p);
     if (!isFollowed(p) || p->kea.report.factorizations > MDT_FOLLOWING)
@@ -231,12 +231,14 @@ static int mostEvents(const MdtIsland *p) {
 }
 
 /* A part of the step with timed contacts: divided at each event. After too many events, or where a solve is not
- * accurate, the rest is one part that is not timed. */
+ * accurate, the rest is one part that is not timed. What rolls on a surface of triangles meets some of them slowly in
+ * nearly every step: these do not divide it. */
 static MeBool takeInTime(MdtIsland *p, double part) {
     const double least = 1e-9 * part;
     const int most = mostEvents(p);
     const double kept = 0.5 * p->work; /* for what is left after the events */
     double rest = part;
+    p->kea.parameters.holdsSlow = p->numJoints > 0 && !hasRestitution(p);
     for (int events = 0; rest > least; events++) {
         if (events == most || p->work < kept || !solveToEventOrHalf(p, rest, least)) {
             p->kea.parameters.timed = MEFALSE;
@@ -249,19 +251,23 @@ static MeBool takeInTime(MdtIsland *p, double part) {
     return METRUE;
 }
 
-/* Whether contacts are timed: in partitions without joints of few bodies; with restitution also in those in which only
- * few bodies are held by joints or closed contacts, such as a crowd of flying balls. With joints only if an impact is
- * predicted, and not in a step by safe time, which ends at impacts anyway. */
+/* Whether contacts are timed: in partitions of few bodies without joints, or of which all rolls that touches; with
+ * restitution also in those in which only few bodies are held by joints or closed contacts, such as a crowd of flying
+ * balls. With joints and restitution only if an impact is predicted; with joints not in a step by safe time, which ends
+ * at impacts anyway. */
 static MeBool isTimed(MdtIsland *p, double part) {
     const int most = p->world->timedBodies;
     if (most == 0 || p->numActing == 0 || p->isFast)
         return MEFALSE;
     if (p->numJoints == 0 && p->numBodies <= most)
         return METRUE;
-    if (!hasRestitution(p) || (p->numJoints > 0 && p->h < p->whole))
+    const MeBool bounces = hasRestitution(p), mayRoll = !bounces && p->numContacts > 0 && p->numBodies <= most;
+    if (!(bounces || mayRoll) || (p->numJoints > 0 && p->h < p->whole))
         return MEFALSE;
     mdt_partBegin(p, part);
     mdt_rowsMake(p);
+    if (mayRoll)
+        return MdtKeaRolls(&p->kea);
     return MdtKeaHeldBodies(&p->kea) <= mdt_mostHeld(p) && (p->numJoints == 0 || MdtKeaBounces(&p->kea));
 }
 
@@ -274,6 +280,7 @@ MeBool mdt_islandSubdivide(MdtIsland *p) {
     MeBool (*const take)(MdtIsland *, double) = mdt_mayCompose(p) ? mdt_partCompose : mdt_partTake;
     for (int i = 0; i < n; i++) {
         const double kept = keepWork(p, 1. / (n - i));
+        p->kea.parameters.timed = MEFALSE; /* as the sub-step before this one may have been */
         if (!(isTimed(p, p->h / n) ? takeInTime(p, p->h / n) : take(p, p->h / n)))
             return MEFALSE;
         p->work += kept;

@@ -228,6 +228,8 @@ typedef struct MdtKeaParameters {
     MeBool isPart;     /**< a part of a step by safe times: corrections of joints must not add energy */
     MdtKeaPair pair;   /**< a composition of higher order takes steps in pairs */
     MeBool timed;      /**< impacts are resolved at their time; bodies move with their mean velocities (θ = 1/2) */
+    MeBool holdsSlow;  /**< a timed step is not divided where contacts meet too slowly to rebound, which are held from
+                            its start on so that they touch at its end; nor where something comes to stick */
     MdtKeaSolver solver;
     double accuracy; /**< m/s, of the fast solver: the residual that passes are to reach */
 } MdtKeaParameters;
@@ -372,6 +374,13 @@ MEPUBLIC void MEAPI MdtKeaReverse(MdtKeaSystem *system);
  * step, and there are no springs. The rows are filled; nothing is changed.
  */
 MEPUBLIC MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *system);
+
+/**
+ * Whether what joints tie rolls, and so may be timed though nothing bounces: all contacts are those of round surfaces,
+ * none of which overlaps by more than what is near, and joints hold without bounds, or drive. Springs and stops need
+ * the damping of θ = 1. The rows are filled; nothing is changed.
+ */
+MEPUBLIC MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *system);
 
 /**
  * The number of bodies with joints or closed contacts; contacts with a gap, or that separate, do not count. The rows

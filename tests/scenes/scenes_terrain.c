@@ -113,8 +113,8 @@ static void buildBumps(const Scene *s, SceneWorld *w) {
     }
 }
 
-/* m: Karma's exact solver with 4, 16, 64 and 256 sub-steps ends at x = 31.446, 31.488, 31.534, 31.546, z = .293 to
- * .298; ODE with 16 at x = 31.553, z = .292. */
+/* m: Karma with 4, 16 and 64 sub-steps ends at x = 31.544, 31.554, 31.552, z = .297 to .303; ODE with 8, 16 and 32 at
+ * x = 31.542, 31.553, 31.549, z = .289 to .294. */
 static const double bumpsEnd[3] = {31.55, 1.2, .298};
 
 static void watchBumps(SceneTrace *t, const SceneWorld *w, const SceneState states[], double time) {

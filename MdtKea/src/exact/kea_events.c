@@ -9,7 +9,8 @@
  *   of the start, the slip vanishes at t = h |u| / (|u| - u⁺·u/|u|).
  *
  * Impacts that are all too slow to rebound may follow each other without end (chattering, report.trembles); the owner
- * then does not divide the step.
+ * then does not divide the step, or has such contacts held from its start (holdsSlow): one with the gap φ and the rate
+ * a comes to touch at the end if J v⁺ = -2 φ/h - a, since the mean rate moves it. One that is faster is stopped.
  */
 #include "kea_i.h"
 #include "common/kea_policy_i.h"
@@ -17,13 +18,6 @@
 
 static MeBool isOpen(const MdtKeaSystem *s, int i, double speed) {
     return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_partingSpeed * speed;
-}
-
-void kea_timedBegin(MdtKeaSystem *s) {
-    const double speed = kea_eventSpeed(s);
-    for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact == i)
-            s->rows[i].isOpen = isOpen(s, i, speed);
 }
 
 /* ---- which systems are timed ---- */
@@ -68,6 +62,27 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
             bounces = METRUE;
     }
     return bounces;
+}
+
+/* Of a normal row: round, and no deeper than what is near. */
+static MeBool isRolling(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double size = HUGE_VAL;
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            size = keaMin(size, s->work->body[row->body[k]].size);
+    return row->error >= -kea_nearbyGap * size && (row->radius[0] > 0 || row->radius[1] > 0);
+}
+
+MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *s) {
+    MeBool hasContact = MEFALSE;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->contact < 0 ? row->spring || (row->position && kea_mayReachBound(row))
+                             : row->contact == i && !isRolling(s, row))
+            return MEFALSE;
+        hasContact = hasContact || row->contact >= 0;
+    }
+    return hasContact;
 }
 
 /* Of what touches: that which is met late, deep already, rebounds at once. */
@@ -137,6 +152,34 @@ static Impact impactOf(const MdtKeaSystem *s, int i, double endRate) {
     const double time = timeOfImpact(row->error, a, b);
     return (Impact){time, time < HUGE_VAL ? -(a + b * time) : 0};
 }
+
+/* ---- contacts that are held instead ---- */
+
+/* Whether a contact whose rate changes linearly to endRate meets within the step, and is to be held from its start. */
+static MeBool isToHold(const MdtKeaSystem *s, int i, double endRate) {
+    const Impact m = impactOf(s, i, endRate);
+    return s->parameters.holdsSlow && m.time < s->parameters.stepsize &&
+           m.speed <= kea_minReboundSpeed * kea_eventSpeed(s);
+}
+
+void kea_timedBegin(MdtKeaSystem *s) {
+    const double speed = kea_eventSpeed(s);
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i)
+            s->rows[i].isOpen = isOpen(s, i, speed) && !isToHold(s, i, freeRate(s, &s->rows[i]));
+}
+
+MeBool kea_holdMeeting(MdtKeaSystem *s) {
+    MeBool any = MEFALSE;
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i && s->rows[i].isOpen && isToHold(s, i, kea_endRate(s, i))) {
+            s->rows[i].isOpen = MEFALSE;
+            any = METRUE;
+        }
+    return any;
+}
+
+/* ---- events ---- */
 
 /* The time of the first impact; the speed is the greatest of all impacts within the step. */
 static Impact firstImpact(const MdtKeaSystem *s) {
@@ -226,7 +269,7 @@ static double firstStop(const MdtKeaSystem *s) {
 
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     const double speed = kea_eventSpeed(s);
-    *mustRepeat = forceSlides(s, kea_partingSpeed * speed);
+    *mustRepeat = !s->parameters.holdsSlow && forceSlides(s, kea_partingSpeed * speed);
     const Impact impact = firstImpact(s);
     const double stop = firstStop(s);
     s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed;

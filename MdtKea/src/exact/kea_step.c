@@ -358,11 +358,15 @@ static void solveMotion(MdtKeaSystem *s) {
 
 /* Finds the motion up to the first event. A contact that stops sliding needs a second solve, in which its friction
  * still acts against the sliding of the start, to find the time of the stop; if that is after the end of the step, the
- * first solution was right. */
+ * first solution was right. Where contacts that meet slowly are held, there is a solve more, without their impacts. */
 static void solveToFirstEvent(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     MeBool mustRepeat, isNew;
     double event = kea_firstEvent(s, &mustRepeat);
+    while (s->report.trembles && kea_holdMeeting(s)) {
+        solveMotion(s);
+        event = kea_firstEvent(s, &mustRepeat);
+    }
     if (mustRepeat) {
         solveMotion(s);
         event = kea_firstEvent(s, &isNew);

@@ -1,0 +1,145 @@
+/* Contacts of a ball along its way. Contacts act throughout a step, in which a ball that rolls over triangles goes from
+ * one to the next. Those of its start alone would hold it up on the first one's plane, beyond an edge behind which the
+ * surface falls, and let it into the next one, where the surface rises: both by the way times the edge's angle, of
+ * first order in the step. So
+ *
+ *     where the surface falls away below a contact, its normal is that of the chord: from where the ball is to where it
+ *     touches the surface after its way. Along that it comes to be on the surface, and no work is done;
+ *     the first triangle whose plane it comes down to, over the triangle, is a contact ahead, with the gap of now. The
+ *     narrow phase does not find it, as what is nearest there is still the edge between both, which has no normal.
+ *
+ * The way is that of the velocities now, as for all contacts ahead (mcd_pairMargin). Other shapes than balls touch with
+ * points whose ways differ; their contacts are those of now. */
+#include "mcd_kind_i.h"
+#include "mcd_mesh_stages_i.h"
+
+/* Of the extent: a fall that is no more than the rounding of two distances. */
+#define NO_FALL 1e-9
+
+static double heightOver(const McdMeshTriangle *t, const double point[3]) {
+    double off[3];
+    mcd_sub(off, point, t->corner[0]);
+    return mcd_dot(off, t->normal);
+}
+
+static void nearestOnSegment(const double point[3], const double from[3], const double to[3], double nearest[3]) {
+    double along[3], off[3];
+    mcd_sub(along, to, from);
+    mcd_sub(off, point, from);
+    mcd_mad(nearest, from, MeCLAMP(mcd_dot(off, along) / mcd_dot(along, along), 0, 1), along);
+}
+
+static MeBool isOver(const McdMeshTriangle *t, const double point[3]) {
+    for (int i = 0; i < 3; i++) {
+        double off[3];
+        mcd_sub(off, point, t->corner[i]);
+        if (mcd_dot(off, t->inward[i]) < 0)
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+/* The point of the triangle nearest to another one. */
+static void nearestOnTriangle(const McdMeshTriangle *t, const double point[3], double nearest[3]) {
+    double least = INFINITY;
+    mcd_copy(nearest, t->corner[0]);
+    if (isOver(t, point)) {
+        mcd_mad(nearest, point, -heightOver(t, point), t->normal);
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        double at[3];
+        nearestOnSegment(point, t->corner[i], t->corner[(i + 1) % 3], at);
+        const double square = mcd_distanceSquared(at, point);
+        if (square >= least)
+            continue;
+        least = square;
+        mcd_copy(nearest, at);
+    }
+}
+
+/* m: the distance of the surface, but for triangles that are seen from behind and have a front only; where it is. */
+static double distanceToSurface(const McdMeshQuery *q, const double point[3], double nearest[3]) {
+    double least = INFINITY;
+    mcd_copy(nearest, point);
+    for (int i = 0; i < q->mesh->count; i++) {
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        double at[3];
+        if (heightOver(t, point) < 0 && !(t->flags & kMcdTriangleTwoSided))
+            continue;
+        nearestOnTriangle(t, point, at);
+        const double square = mcd_distanceSquared(at, point);
+        if (square >= least)
+            continue;
+        least = square;
+        mcd_copy(nearest, at);
+    }
+    return sqrt(least);
+}
+
+/* Where the surface falls away below the contact on the way, the way bends with it: the normal is that of the chord to
+ * where the ball touches then. */
+static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
+    double way[3], end[3], nearest[3], chord[3];
+    mcd_mad(way, q->way, -mcd_dot(q->way, c->normal), c->normal);
+    mcd_mad(end, q->shape.place, 1, way);
+    const double distance = distanceToSurface(q, end, nearest);
+    const double drop = distance - q->shape.rounding - c->separation;
+    if (!isfinite(distance) || !(drop > NO_FALL * q->shape.extent))
+        return;
+    mcd_sub(chord, nearest, end);
+    mcd_mad(chord, way, drop / distance, chord);
+    mcd_mad(c->normal, c->normal, -mcd_dot(c->normal, chord) / mcd_dot(chord, chord), chord);
+    mcd_scale(c->normal, c->normal, 1 / mcd_length(c->normal));
+    mcd_mad(c->position, q->shape.place, -(q->shape.rounding + c->separation / 2), c->normal);
+}
+
+static MeBool hasContactAlong(const McdMesh *mesh, const double normal[3]) {
+    for (int i = 0; i < mesh->contactCount; i++)
+        if (mcd_meshAreParallel(mesh->contact[i].normal, normal))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* The share of the way after which the ball, which is over the triangle's plane, comes down to it where the triangle
+ * is; infinite: it does not. */
+static double touchOnWay(const McdMeshQuery *q, const McdMeshTriangle *t, double *gap) {
+    const double fall = -mcd_dot(q->way, t->normal);
+    double end[3], in, out;
+    *gap = heightOver(t, q->shape.place) - q->shape.rounding;
+    if (!(*gap >= 0 && *gap < fall))
+        return INFINITY;
+    mcd_mad(end, q->shape.place, 1, q->way);
+    return mcd_meshClipSegment(t, q->shape.place, end, MCD_MESH_OVERLAP * q->shape.extent, &in, &out) &&
+                   in <= *gap / fall && *gap / fall <= out
+               ? *gap / fall
+               : INFINITY;
+}
+
+/* The first triangle that the ball comes to on its way, unless there is a contact along its normal. */
+static void addContactAhead(McdMeshQuery *q) {
+    const McdMeshTriangle *first = NULL;
+    double soonest = INFINITY, gap = 0, at[3];
+    for (int i = 0; i < q->mesh->count; i++) {
+        double gapOfThis;
+        const double share = touchOnWay(q, &q->mesh->triangle[i], &gapOfThis);
+        if (!(share < soonest) || hasContactAlong(q->mesh, q->mesh->triangle[i].normal))
+            continue;
+        soonest = share;
+        gap = gapOfThis;
+        first = &q->mesh->triangle[i];
+    }
+    if (!first)
+        return;
+    mcd_mad(at, q->shape.place, -(q->shape.rounding + gap / 2), first->normal);
+    mcd_meshAddContact(q, first, at, first->normal, gap, 0, MEFALSE);
+}
+
+void mcd_meshFollowWay(McdMeshQuery *q) {
+    const int found = q->mesh->contactCount; /* without the one ahead */
+    if (q->shape.kind->rank != MCD_RANK_SPHERE || mcd_dot(q->way, q->way) == 0 || found == 0)
+        return;
+    addContactAhead(q);
+    for (int i = 0; i < found; i++)
+        followSurface(q, &q->mesh->contact[i]);
+}
