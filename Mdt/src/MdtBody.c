@@ -425,7 +425,7 @@ void mdt_bodySleep(MdtBodyID b) {
     MdtKeaBodySetAngularVelocity(&b->kea, none);
     keaZero(b->kea.lastStep.lin);
     keaZero(b->kea.lastStep.ang);
-    b->unrest = 0;
+    b->unrest = MDT_CALM;
     keaZero(b->push);
     mdt_bodyShow(b);
 }

@@ -1,6 +1,5 @@
 /* The choice between Kea's solvers: which partitions are the fast one's. */
 #include "mdt_step_i.h"
-#include <string.h>
 
 /* m/s: of the bodies of a contact towards each other, by their velocities at the start of the step. */
 static double approachAt(const MdtPoint *point) {
@@ -54,75 +53,34 @@ static MeBool isSmall(const MdtIsland *p) {
 }
 
 /* A partition is disturbed from an impact on, or from a step in which contacts did not settle, until all its bodies are
- * slow; until all are at rest (mdt_rest.c) with joints, which go on swinging, where few bodies come out of a disturbed
- * partition, since they may be slow and wedged, and where contacts of slow bodies do not settle. So a partition does
- * not change its solver to and fro. */
-static MeBool isDisturbedFor(const MdtIsland *p, const MdtBody *b) {
-    return b->unrest & MDT_WEDGED || (b->unrest && (p->numJoints > 0 || isSmall(p) || b->slowTime == 0));
+ * slow. With joints, which go on swinging, it is until all are at rest (mdt_rest.c); and so are few bodies that come
+ * out of a disturbed partition, since they may be slow and wedged. So a partition does not change its solver to and
+ * fro. */
+static MeBool isStillDisturbed(const MdtIsland *p, const MdtBody *b) {
+    return b->unrest != MDT_CALM && (p->numJoints > 0 || isSmall(p) || b->slowTime == 0);
 }
 
-static MeBool isStillDisturbed(const MdtIsland *p) {
-    for (int i = 0; i < p->numBodies; i++)
-        if (isDisturbedFor(p, p->bodies[i]))
-            return METRUE;
-    return MEFALSE;
-}
-
-/* Takes the unrest of any body to all of them. Contacts of slow bodies get another chance to settle. */
-static MeBool isDisturbed(const MdtIsland *p) {
-    const MeBool isHit = !isSmall(p) && (p->numBodies >= MDT_CROWD || hasImpacts(p)), is = isHit || isStillDisturbed(p);
-    int unrest = isHit ? MDT_HIT : 0;
-    for (int i = 0; i < p->numBodies; i++)
-        unrest |= p->bodies[i]->unrest;
-    for (int i = 0; i < p->numBodies; i++)
-        p->bodies[i]->unrest = is ? unrest : unrest & MDT_HIT;
+static MdtUnrest unrestOf(const MdtIsland *p) {
+    MdtUnrest is = !isSmall(p) && (p->numBodies >= MDT_CROWD || hasImpacts(p)) ? MDT_HIT : MDT_CALM;
+    for (int i = 0; i < p->numBodies && is != MDT_UNSETTLED; i++)
+        if (isStillDisturbed(p, p->bodies[i]))
+            is = MeMAX(is, p->bodies[i]->unrest);
     return is;
 }
 
-static MeBool areSlow(const MdtIsland *p) {
+/* Takes the unrest of any body to all of them. */
+static MeBool isDisturbed(const MdtIsland *p) {
+    const MdtUnrest is = unrestOf(p);
     for (int i = 0; i < p->numBodies; i++)
-        if (p->bodies[i]->slowTime == 0)
-            return MEFALSE;
-    return METRUE;
-}
-
-/* Of how many bodies one carries the weight, at most: half of the last step's normal forces on it, in its own weight. 0:
- * forces are not known. Before Kea's arrays are made. */
-static double loadRatio(const MdtIsland *p) {
-    double g[3], *force = p->scratch, most = 0;
-    mdt_fromReal(g, p->world->params.gravity);
-    memset(force, 0, (size_t)p->numBodies * sizeof *force);
-    for (int i = 0; i < p->kea.numManifolds; i++) {
-        const MdtKeaManifold *m = &p->kea.manifolds[i];
-        for (int n = 0; n < m->numPoints; n++)
-            for (int k = 0; k < 2; k++)
-                if (m->body[k] >= 0)
-                    force[m->body[k]] += keaMax(m->point[n].guess[0], 0);
-    }
-    for (int i = 0; i < p->numBodies; i++)
-        most = keaMax(most, .5 * force[i] * p->bodies[i]->kea.invMass);
-    return most / keaLength(g);
-}
-
-static MeBool wasHit(const MdtIsland *p) {
-    for (int i = 0; i < p->numBodies; i++)
-        if (p->bodies[i]->unrest & MDT_HIT)
-            return METRUE;
-    return MEFALSE;
-}
-
-MeBool mdt_crowdIsOnTrial(const MdtIsland *p) {
-    if (p->isFast || isSmall(p) || !wasHit(p) || !areSlow(p))
-        return MEFALSE;
-    const double load = loadRatio(p);
-    return load > 0 && load < MDT_HIGH;
+        p->bodies[i]->unrest = is;
+    return is != MDT_CALM;
 }
 
 void mdt_crowdNote(const MdtIsland *p) {
     if (p->isFast || isSmall(p) || p->kea.parameters.timed || p->kea.report.factorizations <= MDT_SETTLING)
         return;
     for (int i = 0; i < p->numBodies; i++)
-        p->bodies[i]->unrest |= p->isOnTrial ? MDT_WEDGED : MDT_UNSETTLED;
+        p->bodies[i]->unrest = MDT_UNSETTLED;
 }
 
 /* Nothing in it touches the world: it carries no weight, and its forces come of meetings and of overlaps alone. */
@@ -156,7 +114,7 @@ static MeBool rebounds(const MdtIsland *p, const MdtPoint *point, double loadSpe
 
 static MeBool isUnsettled(const MdtIsland *p) {
     for (int i = 0; i < p->numBodies; i++)
-        if (p->bodies[i]->unrest & (MDT_UNSETTLED | MDT_WEDGED) && isDisturbedFor(p, p->bodies[i]))
+        if (p->bodies[i]->unrest == MDT_UNSETTLED && isStillDisturbed(p, p->bodies[i]))
             return METRUE;
     return MEFALSE;
 }

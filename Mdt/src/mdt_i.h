@@ -107,12 +107,12 @@ enum {
     MDT_APART = 64,   /* a joint whose bodies do not collide with each other; a body that has or had such a joint */
 };
 
-/* What has happened in a body's partition since it was at rest: mdt_crowd.c. */
-enum {
-    MDT_HIT = 1,       /* bodies met */
-    MDT_UNSETTLED = 2, /* whether contacts stick did not settle within few iterations of the exact solver */
-    MDT_WEDGED = 4     /* bodies met, and contacts did not settle although all were slow */
-};
+/* What has happened in a body's partition, and for how long that matters: mdt_crowd.c. */
+typedef enum MdtUnrest {
+    MDT_CALM,
+    MDT_HIT,      /* bodies met */
+    MDT_UNSETTLED /* whether contacts stick did not settle within few iterations of the exact solver */
+} MdtUnrest;
 
 /* Fields that are read together share cache lines of 64 bytes, in single precision (records begin with one). */
 struct MdtBody {
@@ -142,7 +142,7 @@ struct MdtBody {
     double enabledTime;                            /* s */
     int enabledSteps;
     MeReal safeTime;
-    int unrest; /* MDT_HIT and others: of its partition (mdt_crowd.c) */
+    MdtUnrest unrest; /* of its partition (mdt_crowd.c) */
 
     MdtKeaBody kea; /* the centre of mass: the authoritative state */
     MdtStart start;
@@ -336,10 +336,6 @@ enum { MDT_IMPACT = 4 };
 /* Factorizations of a part of a step: where the exact solver takes more, contacts do not settle whether they stick.
  * Ordinary steps take 1 to 6. 30 machines of 10 bodies among crates, ms a step: 2.0, 2.3, 3.0 with 12, 24, 48. */
 enum { MDT_SETTLING = 12 };
-/* Bodies whose weight one carries: where they are more, the exact solver has what is slow, as the fast one's errors add
- * up along a column. In a world that puts to rest, shaken towers of 8, 12, 20 cubes of 1 m were lower by 2, 12, 39 mm
- * when the fast one had them until then, by .1, 1, 1.4 mm otherwise. */
-enum { MDT_HIGH = 12 };
 /* One of so many bodies that bounce may be held, for their impacts to be met in time. Measured, and no test tells 4
  * from 8: 216 balls a hundredth apart that land with 4 m/s lose 4, 4, 2 and 14 % of the energy in 5 s with 2, 4, 8, 16,
  * those a fiftieth apart .2 % with each. */

@@ -261,7 +261,7 @@ static MeBool dependsOnProgram(const MdtIsland *p) {
 static MeBool areJointsClosed(const MdtIsland *p) {
     const MeBool are = !p->isFast || p->kea.report.opening <= MDT_CLOSED;
     for (int i = 0; i < p->numBodies && !are; i++)
-        p->bodies[i]->unrest = 0;
+        p->bodies[i]->unrest = MDT_CALM;
     return are;
 }
 
@@ -296,7 +296,7 @@ static void MEAPI certifyBodies(void *context, int first, int end, int worker) {
     for (int i = first; i < end; i++) {
         MdtBodyID b = c->p->bodies[i];
         b->certificate = c->isSettled ? c->p->world->certificate : 0;
-        b->unrest = c->isSettled ? 0 : b->unrest;
+        b->unrest = c->isSettled ? MDT_CALM : b->unrest;
     }
 }
 

@@ -61,7 +61,6 @@ typedef struct MdtIsland {
     double work;                       /* multiplications that the step may still cost; MDT_NO_BOUND: any number */
     int iterations;                    /* of Newton's method, the same; 0: any number */
     MeBool hasMet;                     /* there was an impact at the start of a part */
-    MeBool isOnTrial;                  /* mdt_crowdIsOnTrial */
     /* mdt_compose.c */
     MdtStage stage;
     double forward; /* the sum of the stages that go forward, over the part that they make up */
@@ -138,8 +137,6 @@ void mdt_islandRelease(MdtIsland *p);
 MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows);
 /* After a solve: contacts that did not settle disturb the partition. */
 void mdt_crowdNote(const MdtIsland *p);
-/* Whether the exact solver gets what the fast one had until it became slow, and gives it back if it does not settle. */
-MeBool mdt_crowdIsOnTrial(const MdtIsland *p);
 /* How many bodies may be held in a partition whose impacts are met in time; 0: none are. */
 int mdt_mostHeld(const MdtIsland *p);
 

@@ -15,16 +15,10 @@ enum { MAX_HALVINGS = 6 };
 
 /* ---- the budget ---- */
 
-/* Of the budget: for contacts of what has become slow to settle in the exact solver. x2 and /2 fail Mst_Spikes:
- * a_wall_that_is_knocked_down. */
-#define MDT_TRIAL .125
-
 /* A part by safe time gets its share of the budget; the bridge may take 16 of them (mst_continuous.c). */
 static void beginBudget(MdtIsland *p) {
     const double budget = (double)p->world->workBudget, least = 1. / 16;
-    p->isOnTrial = mdt_crowdIsOnTrial(p);
-    const double share = p->isOnTrial ? MDT_TRIAL : 1;
-    p->work = budget > 0 ? 1e6 * budget * share * fmax(p->h / p->whole, least) : MDT_NO_BOUND;
+    p->work = budget > 0 ? 1e6 * budget * fmax(p->h / p->whole, least) : MDT_NO_BOUND;
     p->iterations = p->world->maxLcpIterations;
 }
 

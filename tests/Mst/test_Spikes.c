@@ -80,57 +80,10 @@ START_TEST(a_row_of_dominoes) {
 }
 END_TEST
 
-/* Rows of boxes that a ball hits. What lies there in the end is slow, and wedged: the exact solver has little of the
- * budget to settle it, and else the fast one has it until it is at rest. 199 million multiplications where the exact
- * one had all of the budget, in one step after the other. */
-static McdModelID put(MstUniverseID u, McdGeometryID g, double density, double x, double y, double z) {
-    const McdModelID m = MstModelAndBodyCreate(u, g, (MeReal)density);
-    McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
-    return m;
-}
-
-static MstUniverseID makeRows(double friction) {
-    const MstUniverseID u = twelve_makeUniverse();
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
-    return u;
-}
-
-START_TEST(a_wall_that_is_knocked_down) {
-    const MstUniverseID u = makeRows(.5);
-    const McdGeometryID brick = McdBoxCreate(u->frame, (MeReal).5, (MeReal).3, (MeReal).25);
-    for (int row = 0; row < 8; row++)
-        for (int i = 0; i < 7; i++)
-            put(u, brick, 300, .5 * i + row % 2 * .25, .15 + .3 * row, 0);
-    const McdModelID hits = put(u, McdSphereCreate(u->frame, (MeReal).4), 500, 1.75, 1.2, 5);
-    McdModelDynamicsSetLinearVelocity(hits, 0, 0, -10);
-    const Cost cost = costOfSteps("wall", u);
-    ck_assert_int_le(cost.all, 1000);
-    ck_assert_double_lt(cost.late, 40);
-    ck_assert_int_le(cost.awake, 2); /* the ball rolls on, and what it pushes */
-}
-END_TEST
-
-START_TEST(a_pyramid_that_is_knocked_down) {
-    const MstUniverseID u = makeRows(.5);
-    const McdGeometryID cube = McdBoxCreate(u->frame, 1, 1, 1);
-    for (int row = 0; row < 8; row++)
-        for (int i = 0; i < 8 - row; i++)
-            put(u, cube, 100, 1.05 * i + .525 * row, .5 + row, 0);
-    const McdModelID hits = put(u, McdSphereCreate(u->frame, (MeReal).5), 2000, 4, 1.2, 9);
-    McdModelDynamicsSetLinearVelocity(hits, 0, 0, -12);
-    const Cost cost = costOfSteps("pyramid", u);
-    ck_assert_int_le(cost.all, 1000);
-    ck_assert_double_lt(cost.late, 40);
-    ck_assert_int_le(cost.awake, 2);
-}
-END_TEST
-
 static void tests(TCase *t) {
     tcase_add_test(t, a_drum_of_boxes);
     tcase_add_test(t, a_bridge_that_boxes_fall_onto);
     tcase_add_test(t, a_ball_on_a_chain_hits_a_wall);
     tcase_add_test(t, a_row_of_dominoes);
-    tcase_add_test(t, a_wall_that_is_knocked_down);
-    tcase_add_test(t, a_pyramid_that_is_knocked_down);
 }
 TEST_MAIN("Spikes", tests)
