@@ -172,8 +172,8 @@ static MeBool isFollowed(const MdtIsland *p) {
 }
 
 /* Factorizations of a timed part: where it takes more, contacts do not settle, and each further event would cost as
- * much. /2 fails Mdt_Friction: a_sliding_cube_keeps_its_direction_and_stops, x2 Mst_Spikes: a_row_of_dominoes. */
-enum { MDT_FOLLOWING = 64 };
+ * much. /2 fails Mst_Cases_Defaults: stacks_stand_by_default in double, x2 Mst_Spikes: a_row_of_dominoes. */
+enum { MDT_FOLLOWING = 96 };
 
 /* Solves a timed part up to the next event, at most `rest` s. False: not solved accurately, or too expensive to follow,
  * or impacts chatter. */

@@ -288,7 +288,7 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
 static double timedTarget(const MdtKeaSystem *s, const MdtKeaRow *row, const KeaProblemRow *p) {
     if (row->lower < 0) /* it may pull */
         return row->target;
-    if (!kea_isTouching(s, row))
+    if (s->parameters.holdsSlow && !kea_isTouching(s, row))
         return row->drift + keaMin(-2 * row->error / s->parameters.stepsize - kea_startRate(s, row->contact), 0);
     return row->drift + keaMin(keaMax(row->target - row->drift, 0), row->softness * keaMax(p->p, 0));
 }
