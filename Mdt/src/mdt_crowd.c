@@ -76,16 +76,9 @@ static MeBool isDisturbed(const MdtIsland *p) {
     return is != MDT_CALM;
 }
 
-static MeBool mayBounce(const MdtIsland *p) {
-    for (int i = 0; i < p->kea.numManifolds; i++)
-        if (p->kea.manifolds[i].surface.restitution > 0)
-            return METRUE;
-    return MEFALSE;
-}
-
 /* Not what only lies or slides, without joints: towers and houses of cards stand more exactly by the exact solver. */
 void mdt_crowdNote(const MdtIsland *p) {
-    if (p->numJoints == 0 && !mayBounce(p))
+    if (p->numJoints == 0 && !mdt_hasRestitution(p))
         return;
     if (p->isFast || isSmall(p) || p->kea.parameters.timed || p->kea.report.factorizations <= MDT_SETTLING)
         return;

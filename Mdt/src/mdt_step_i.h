@@ -158,6 +158,8 @@ double mdt_contactsPenetration(const MdtIsland *p);
 
 /* Takes the step in parts, within its budget of work. False: the bodies were stopped (mdt_subdivide.c). */
 MeBool mdt_islandSubdivide(MdtIsland *p);
+/* Whether a contact of it rebounds; manifolds are packed. */
+MeBool mdt_hasRestitution(const MdtIsland *p);
 /* A part of the step begins: its parameters, Kea's arrays; bodies meet in it; it has been integrated. */
 void mdt_partBegin(MdtIsland *p, double part);
 void mdt_partImpact(MdtIsland *p);

@@ -203,7 +203,7 @@ static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least) {
     return METRUE;
 }
 
-static MeBool hasRestitution(const MdtIsland *p) {
+MeBool mdt_hasRestitution(const MdtIsland *p) {
     for (int i = 0; i < p->kea.numManifolds; i++)
         if (p->kea.manifolds[i].surface.restitution > 0)
             return METRUE;
@@ -217,7 +217,7 @@ static MeBool hasRestitution(const MdtIsland *p) {
 static int mostEvents(const MdtIsland *p) {
     enum { EVENTS = 8, PLASTIC_EVENTS = 2 };
     int high = 1;
-    if (!hasRestitution(p))
+    if (!mdt_hasRestitution(p))
         return PLASTIC_EVENTS;
     while (high * high * high < p->numBodies)
         high++;
@@ -232,7 +232,7 @@ static MeBool takeInTime(MdtIsland *p, double part) {
     const int most = mostEvents(p);
     const double kept = 0.5 * p->work; /* for what is left after the events */
     double rest = part;
-    p->kea.parameters.holdsSlow = p->numJoints > 0 && !hasRestitution(p);
+    p->kea.parameters.holdsSlow = p->numJoints > 0 && !mdt_hasRestitution(p);
     for (int events = 0; rest > least; events++) {
         if (events == most || p->work < kept || !solveToEventOrHalf(p, rest, least)) {
             p->kea.parameters.timed = MEFALSE;
@@ -255,7 +255,7 @@ static MeBool isTimed(MdtIsland *p, double part) {
         return MEFALSE;
     if (p->numJoints == 0 && p->numBodies <= most)
         return METRUE;
-    const MeBool bounces = hasRestitution(p), mayRoll = !bounces && p->numContacts > 0 && p->numBodies <= most;
+    const MeBool bounces = mdt_hasRestitution(p), mayRoll = !bounces && p->numContacts > 0 && p->numBodies <= most;
     if (!(bounces || mayRoll) || (p->numJoints > 0 && p->h < p->whole))
         return MEFALSE;
     mdt_partBegin(p, part);

@@ -10,12 +10,17 @@ enum { STEPS = 600 };
 typedef struct Cost {
     int all, worst; /* factorizations, of all steps and of one */
     double work;    /* millions of multiplications, of the worst step */
-    double late;    /* the same, but for the first step */
-    int awake;      /* bodies at the end */
 } Cost;
 
-static Cost costOfSteps(const char *name, MstUniverseID u) {
+static Cost costOf(const char *name) {
+    Place place;
     Cost cost = {0};
+    const MstUniverseID u = twelve_makeUniverse();
+    int scene = 0;
+    while (scene < TWELVE - 1 && strcmp(twelve[scene].name, name) != 0)
+        scene++;
+    ck_assert_str_eq(twelve[scene].name, name);
+    twelve_make(&place, &twelve[scene], u, 0, 0);
     MdtWorldEnableReport(u->world);
     for (int i = 0; i < STEPS; i++) {
         MdtReport r;
@@ -24,26 +29,11 @@ static Cost costOfSteps(const char *name, MstUniverseID u) {
         cost.all += r.factorizations;
         cost.worst = MeMAX(cost.worst, r.factorizations);
         cost.work = MeMAX(cost.work, (double)r.work);
-        cost.late = i > 0 ? MeMAX(cost.late, (double)r.work) : 0;
     }
-    for (MdtBodyID b = MdtBodyGetFirst(u->world); b; b = MdtBodyGetNext(b))
-        cost.awake += MdtBodyIsEnabled(b);
     ck_assert(twelve_isFinite(u->world));
     MstUniverseDestroy(u);
-    printf("%-9s %d factorizations, %d in a step, work %.1f at most, %.1f after the first step, %d awake\n", name,
-           cost.all, cost.worst, cost.work, cost.late, cost.awake);
+    printf("%-9s %d factorizations, %d in a step, work %.1f at most\n", name, cost.all, cost.worst, cost.work);
     return cost;
-}
-
-static Cost costOf(const char *name) {
-    Place place;
-    const MstUniverseID u = twelve_makeUniverse();
-    int scene = 0;
-    while (scene < TWELVE - 1 && strcmp(twelve[scene].name, name) != 0)
-        scene++;
-    ck_assert_str_eq(twelve[scene].name, name);
-    twelve_make(&place, &twelve[scene], u, 0, 0);
-    return costOfSteps(name, u);
 }
 
 /* Some contacts among few rebound in every step, and the drum is tied: neither keeps what does not settle with the
