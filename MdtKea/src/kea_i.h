@@ -212,6 +212,8 @@ double kea_endRate(const MdtKeaSystem *s, int i);
 double kea_meanRate(const MdtKeaSystem *s, int i);
 /* m per unit of a row's coordinate: 1 of a linear row, the larger radius of gyration of an angular one. */
 double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row);
+/* m: the smaller radius of gyration of a row's or a manifold's bodies, which gaps and depths are compared with. */
+double kea_smallerSize(const MdtKeaSystem *s, const int body[2]);
 /* Save and restore the rows' Jacobians. */
 void kea_keepRows(MdtKeaSystem *s);
 void kea_recallRows(MdtKeaSystem *s);

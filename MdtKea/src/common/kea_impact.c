@@ -29,11 +29,7 @@ double kea_eventSpeed(const MdtKeaSystem *s) {
 }
 
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    double size = HUGE_VAL;
-    for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            size = keaMin(size, s->work->body[row->body[k]].size);
-    return row->error < kea_touchingGap * size;
+    return row->error < kea_touchingGap * kea_smallerSize(s, row->body);
 }
 
 /* ---- the problem of an instant ---- */

@@ -5,12 +5,8 @@
 
 static MeBool isOverlapping(const MdtKeaSystem *s, int i, double *error) {
     const MdtKeaRow *row = &s->rows[i];
-    double size = HUGE_VAL;
-    for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            size = keaMin(size, s->work->body[row->body[k]].size);
     *error = row->error + 0.5 * s->parameters.stepsize * (kea_startRate(s, i) + kea_endRate(s, i) - row->drift);
-    return row->contact == i && !row->isOpen && *error < -kea_touchingGap * size;
+    return row->contact == i && !row->isOpen && *error < -kea_touchingGap * kea_smallerSize(s, row->body);
 }
 
 /* m: γ times the sag of a soft contact under its load, which remains. */

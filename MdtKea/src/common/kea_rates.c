@@ -43,6 +43,14 @@ double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return size;
 }
 
+double kea_smallerSize(const MdtKeaSystem *s, const int body[2]) {
+    double size = HUGE_VAL;
+    for (int k = 0; k < 2; k++)
+        if (body[k] >= 0)
+            size = keaMin(size, s->work->body[body[k]].size);
+    return size;
+}
+
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed) {
     const double pushed = row->lower >= 0 ? keaMax(speed, 0) : row->upper <= 0 ? keaMax(-speed, 0) : fabs(speed);
     return pushed * kea_lengthOf(s, row);

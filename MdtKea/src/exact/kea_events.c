@@ -33,8 +33,8 @@ static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
 }
 
 /* Would it part again with a speed that counts, of what meets at that rate? */
-static MeBool rebounds(const MdtKeaRow *row, double rate, double gate) {
-    return -rate > row->threshold && -rate * row->restitution > gate;
+static MeBool rebounds(double restitution, double threshold, double rate, double gate) {
+    return -rate > threshold && -rate * restitution > gate;
 }
 
 static MeBool isDeep(const MdtKeaSystem *s, const MdtKeaRow *row) {
@@ -55,7 +55,7 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
         if (row->contact != i)
             continue;
         const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
-        const MeBool isFast = rebounds(row, rate, minSpeed);
+        const MeBool isFast = rebounds(row->restitution, row->threshold, rate, minSpeed);
         if (isDeep(s, row) && !isFast)
             return MEFALSE;
         if (isFast && row->error + reach * rate < 0)
@@ -66,11 +66,7 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
 
 /* Of a normal row: round, and no deeper than what is near. */
 static MeBool isRolling(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    double size = HUGE_VAL;
-    for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            size = keaMin(size, s->work->body[row->body[k]].size);
-    return row->error >= -kea_nearbyGap * size && (row->radius[0] > 0 || row->radius[1] > 0);
+    return row->error >= -kea_nearbyGap * kea_smallerSize(s, row->body) && (row->radius[0] > 0 || row->radius[1] > 0);
 }
 
 MeBool MEAPI MdtKeaRolls(const MdtKeaSystem *s) {
@@ -108,8 +104,8 @@ static MeBool isHeldBy(const MdtKeaSystem *s, int i, double speed) {
 
 MeBool MEAPI MdtKeaContactRebounds(double gap, double rate, double restitution, double threshold, double loadSpeed,
                                    double stepsize) {
-    const MdtKeaRow row = {.restitution = restitution, .threshold = threshold};
-    return rebounds(&row, rate, kea_minReboundSpeed * loadSpeed) && gap + kea_reach * stepsize * rate < 0;
+    return rebounds(restitution, threshold, rate, kea_minReboundSpeed * loadSpeed) &&
+           gap + kea_reach * stepsize * rate < 0;
 }
 
 int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {

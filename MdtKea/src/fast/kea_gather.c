@@ -4,7 +4,6 @@
 #include "fast/kea_fast_i.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
-#include <float.h>
 #include <stddef.h>
 
 /* Divides by the sum; false where it is 0. */
@@ -83,15 +82,6 @@ static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManif
     for (int i = 0, at = 0; i < 3; i++)
         for (int j = i; j < 3; j++, at++)
             g->invInertia[k][at][lane] = mass ? (float)mass->inertia[i][j] : 0;
-}
-
-/* m, the smaller radius of gyration, which depths of contacts are compared with. */
-static double smallerSize(const MdtKeaSystem *s, const MdtKeaManifold *m) {
-    double size = DBL_MAX;
-    for (int k = 0; k < 2; k++)
-        if (m->body[k] >= 0)
-            size = keaMin(size, s->work->body[m->body[k]].size);
-    return size;
 }
 
 static double softnessOf(const MdtKeaSystem *s, const MdtKeaManifold *m) {
@@ -192,7 +182,7 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     const MdtKeaSystem *s = from->s;
     const MdtKeaManifold *m = &s->manifolds[manifold];
     KeaPatch *p = &from->patch[manifold];
-    const double size = smallerSize(s, m);
+    const double size = kea_smallerSize(s, m->body);
     setPatch(m, p);
     setLane3(&g->normal, lane, m->normal);
     setLane3(&g->along, lane, m->direction);
