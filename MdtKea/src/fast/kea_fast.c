@@ -609,8 +609,10 @@ static void pushApart(Step *p) {
 static void pushJoined(Step *p) {
     double before = HUGE_VAL;
     kea_keepRows(p->s);
-    for (int round = 0; round < KEA_MOST_JOINT_ROUNDS; round++) {
+    for (int round = 0;; round++) {
         setEndPoses(p);
+        if (round == KEA_MOST_JOINT_ROUNDS)
+            break;
         const double open = kea_jointsAdvance(p->s, &p->joints, p->way);
         if (round >= KEA_JOINT_ROUNDS && open <= kea_closedJoint)
             break;
@@ -630,11 +632,12 @@ static void findPositions(Step *p) {
     memset(p->way, 0, sizeof *p->way);
     kea_overNodes(&p->regions, advanceNode, p);
     kea_overRegions(&p->regions, turnFreely, p);
-    if (p->joints.numBlocks > 0)
+    if (p->joints.numBlocks > 0) {
         pushJoined(p);
-    else
-        for (int i = 0; i < KEA_POSITION_PASSES; i++)
-            kea_inOrder(&p->regions, pushGroups, p);
+        return;
+    }
+    for (int i = 0; i < KEA_POSITION_PASSES; i++)
+        kea_inOrder(&p->regions, pushGroups, p);
     setEndPoses(p);
 }
 

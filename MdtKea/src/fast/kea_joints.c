@@ -13,6 +13,7 @@
  *
  * is removed by displacements, with the same factors: simplified Newton, with the Jacobian of the start.
  */
+#include "common/kea_doubles_i.h"
 #include "fast/kea_joints_i.h"
 #include "inner/kea_factor_i.h"
 #include "common/kea_policy_i.h"
@@ -26,16 +27,24 @@ static MeBool isTwoSided(const MdtKeaRow *row) {
 }
 
 /* J M⁻¹ Jᵀ */
-static double sizeOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
+static double sizeOf(const MdtKeaSystem *s, const KeaJointRow *r) {
     double size = 0, turned[3];
     for (int k = 0; k < 2; k++) {
-        if (row->body[k] < 0)
+        if (r->row->body[k] < 0)
             continue;
-        const MdtKeaInverseMassMatrix *m = &s->invMass[row->body[k]];
-        keaApply(turned, (const double(*)[3])m->inertia, row->J[k].ang);
-        size += m->mass * keaDot(row->J[k].lin, row->J[k].lin) + keaDot(row->J[k].ang, turned);
+        const MdtKeaInverseMassMatrix *m = &s->invMass[r->row->body[k]];
+        keaApply(turned, (const double(*)[3])m->inertia, r->J[k] + 3);
+        size += m->mass * keaDot(r->J[k], r->J[k]) + keaDot(r->J[k] + 3, turned);
     }
     return size;
+}
+
+/* The row's Jacobian, as it is now. */
+static void takeJacobian(KeaJointRow *r) {
+    for (int k = 0; k < 2; k++) {
+        keaCopy(r->J[k], r->row->J[k].lin);
+        keaCopy(r->J[k] + 3, r->row->J[k].ang);
+    }
 }
 
 /* A spring without stiffness and damping is inactive. */
@@ -63,7 +72,8 @@ static void setPosition(double h, KeaJointRow *r) {
 static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const double h = s->parameters.stepsize;
-    r->size = sizeOf(s, row);
+    takeJacobian(r);
+    r->size = sizeOf(s, r);
     r->length = kea_lengthOf(s, row);
     r->isOff = !(r->size > 0);
     r->isHeld = MEFALSE;
@@ -85,29 +95,27 @@ static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
 /* r += a Jᵀ, and J r, by node. */
 static void addAlong(const KeaJointRow *r, double a, double (*x)[6]) {
     for (int k = 0; k < 2; k++)
-        if (r->node[k] >= 0) {
-            keaAddScaled(x[r->node[k]], a, r->row->J[k].lin);
-            keaAddScaled(x[r->node[k]] + 3, a, r->row->J[k].ang);
-        }
+        for (int i = 0; r->node[k] >= 0 && i < 6; i += 2)
+            putTwo(x[r->node[k]] + i, twoAt(x[r->node[k]] + i) + a * twoAt(r->J[k] + i));
 }
 static double rateOf(const KeaJointRow *r, double (*const x)[6]) {
-    double rate = 0;
+    KeaTwo rate = {0, 0};
     for (int k = 0; k < 2; k++)
-        if (r->node[k] >= 0)
-            rate += keaDot(r->row->J[k].lin, x[r->node[k]]) + keaDot(r->row->J[k].ang, x[r->node[k]] + 3);
-    return rate;
+        for (int i = 0; r->node[k] >= 0 && i < 6; i += 2)
+            rate += twoAt(r->J[k] + i) * twoAt(x[r->node[k]] + i);
+    return rate[0] + rate[1];
 }
 
-/* J v of the bodies' motions. */
-static double motionRate(const KeaJoints *j, const KeaJointBlock *b, const KeaJointRow *r, const KeaMotion motion[]) {
-    double rate = 0;
-    for (int k = 0; k < 2; k++)
-        if (r->node[k] >= 0) {
-            const KeaMotion *m = &motion[j->body[b->firstNode + r->node[k]].motion];
-            for (int i = 0; i < 3; i++)
-                rate += r->row->J[k].lin[i] * (double)m->lin[i] + r->row->J[k].ang[i] * (double)m->ang[i];
+/* The bodies' motions, by node. */
+static double (*motionsOf(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion motion[]))[6] {
+    for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++) {
+        const KeaMotion *m = &motion[j->body[n].motion];
+        for (int i = 0; i < 3; i++) {
+            j->v[n][i] = (double)m->lin[i];
+            j->v[n][3 + i] = (double)m->ang[i];
         }
-    return rate;
+    }
+    return j->v + b->firstNode;
 }
 
 static void moveBodies(const KeaJoints *j, const KeaJointBlock *b, KeaMotion motion[]) {
@@ -126,21 +134,14 @@ static double (*unknownsOf(const KeaJoints *j, const KeaJointBlock *b))[6] {
 
 /* ---- the matrix ---- */
 
-/* Adds w aᵀ b. */
-static void addOuter(double *block, double w, const MdtKeaJBlock *a, const MdtKeaJBlock *b) {
-    const double row[6] = {a->lin[0], a->lin[1], a->lin[2], a->ang[0], a->ang[1], a->ang[2]};
-    const double column[6] = {b->lin[0], b->lin[1], b->lin[2], b->ang[0], b->ang[1], b->ang[2]};
-    kea_factorAddOuter(block, w, row, column);
-}
-
 static void addRow(KeaFactor *f, const KeaJointRow *r) {
     for (int k = 0; k < 2; k++)
         if (r->node[k] >= 0)
-            addOuter(kea_factorDiagonal(f, r->node[k]), r->weight, &r->row->J[k], &r->row->J[k]);
+            kea_factorAddOuter(kea_factorDiagonal(f, r->node[k]), r->weight, r->J[k], r->J[k]);
     if (r->edge < 0)
         return;
     const int low = r->node[0] < r->node[1] ? 0 : 1;
-    addOuter(kea_factorUpper(f, r->edge), r->weight, &r->row->J[low], &r->row->J[!low]);
+    kea_factorAddOuter(kea_factorUpper(f, r->edge), r->weight, r->J[low], r->J[!low]);
 }
 
 /* `soft`: N, of the rows' sizes. False: the matrix is not positive in double precision. */
@@ -376,6 +377,7 @@ size_t kea_jointsLayOut(const MdtKeaSystem *s, KeaJoints *j, char *memory) {
     j->body = kea_carve(&arena, n, sizeof *j->body);
     j->row = kea_carve(&arena, m, sizeof *j->row);
     j->x = kea_carve(&arena, n, sizeof *j->x);
+    j->v = kea_carve(&arena, n, sizeof *j->v);
     j->errors = kea_carve(&arena, m, sizeof *j->errors);
     j->parent = kea_carve(&arena, n, sizeof *j->parent);
     j->node = kea_carve(&arena, n, sizeof *j->node);
@@ -482,8 +484,8 @@ static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJoint
             if (r->node[k] < 0)
                 continue;
             const MdtKeaInverseMassMatrix *m = &s->invMass[r->row->body[k]];
-            keaScale(response[k], m->mass, r->row->J[k].lin);
-            keaApply(response[k] + 3, (const double(*)[3])m->inertia, r->row->J[k].ang);
+            keaScale(response[k], m->mass, r->J[k]);
+            keaApply(response[k] + 3, (const double(*)[3])m->inertia, r->J[k] + 3);
         }
         return;
     }
@@ -522,9 +524,10 @@ static double setImpulse(KeaJointRow *r, double guess, double next) {
 }
 
 static void setResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion motion[], double beta) {
+    double(*const v)[6] = motionsOf(j, b, motion);
     for (int i = b->firstRow; i < b->firstRow + b->numRows; i++) {
         KeaJointRow *r = &j->row[i];
-        r->missing = r->target - motionRate(j, b, r, motion) - r->compliance * guessOf(r, beta);
+        r->missing = r->target - rateOf(r, v) - r->compliance * guessOf(r, beta);
     }
 }
 
@@ -592,9 +595,10 @@ double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[]) {
     double most = 0;
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
+        double(*const v)[6] = motionsOf(j, b, motion);
         for (int k = b->firstRow; k < b->firstRow + b->numRows; k++)
             if (!j->row[k].isOff)
-                most = keaMax(most, residualOf(&j->row[k], motionRate(j, b, &j->row[k], motion)));
+                most = keaMax(most, residualOf(&j->row[k], rateOf(&j->row[k], v)));
     }
     return most;
 }
@@ -603,11 +607,7 @@ double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[]) {
 
 /* Of the smaller body's size. */
 static double opening(const MdtKeaSystem *s, const KeaJointRow *r, double error) {
-    double size = HUGE_VAL;
-    for (int k = 0; k < 2; k++)
-        if (r->row->body[k] >= 0)
-            size = keaMin(size, s->work->body[r->row->body[k]].size);
-    return fabs(error) * r->length / size;
+    return fabs(error) * r->length / kea_smallerSize(s, r->row->body);
 }
 
 /* A stop is violated on one side only. */
@@ -623,12 +623,13 @@ double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
     s->errors(s->context, s->work->endPose, j->errors);
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
+        double(*const v)[6] = motionsOf(j, b, way);
         for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
             KeaJointRow *r = &j->row[k];
             if (!r->isHeld)
                 continue;
             const double error = j->errors[r->row - s->rows] - (r->wanted - h * r->row->softness * r->impulse);
-            r->gap = error - motionRate(j, b, r, way);
+            r->gap = error - rateOf(r, v);
             most = keaMax(most, opening(s, r, violationOf(r, error)));
             all = keaMax(all, opening(s, r, violationOf(r, j->errors[r->row - s->rows])));
         }
@@ -640,21 +641,26 @@ double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
 void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
     if (!s->jacobians)
         return;
-    for (int i = 0; i < j->numBlocks; i++)
-        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
-            j->row[k].gap += motionRate(j, &j->block[i], &j->row[k], way);
     s->jacobians(s->context, s->work->endPose);
-    for (int i = 0; i < j->numBlocks; i++)
-        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
-            j->row[k].gap -= motionRate(j, &j->block[i], &j->row[k], way);
+    for (int i = 0; i < j->numBlocks; i++) {
+        double(*const v)[6] = motionsOf(j, &j->block[i], way);
+        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++) {
+            KeaJointRow *r = &j->row[k];
+            const double before = rateOf(r, v);
+            takeJacobian(r);
+            r->gap += before - rateOf(r, v);
+        }
+    }
     kea_jointsRefill(s, j);
 }
 
 void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         KeaJointBlock *b = &j->block[i];
-        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++)
+        for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
+            takeJacobian(&j->row[k]);
             j->row[k].blockSize = 0;
+        }
         factorize(s, j, b);
     }
 }
@@ -683,9 +689,10 @@ static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
 }
 
 static void setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion way[]) {
+    double(*const v)[6] = motionsOf(j, b, way);
     for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
         KeaJointRow *r = &j->row[k];
-        r->missing = r->isHeld ? -(r->gap + motionRate(j, b, r, way)) : 0;
+        r->missing = r->isHeld ? -(r->gap + rateOf(r, v)) : 0;
     }
 }
 

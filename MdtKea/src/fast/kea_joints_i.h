@@ -6,6 +6,7 @@
 
 /* A row, with impulses in N s and rates in m/s. */
 typedef struct KeaJointRow {
+    double J[2][6]; /* copied from the system's row, to lie with what passes read */
     const MdtKeaRow *row;
     int node[2], edge;    /* of the block's graph; -1: the world; no edge */
     MeBool isOff, isHeld; /* it is inactive; displacements remove its position error */
@@ -44,6 +45,7 @@ typedef struct KeaJoints {
     KeaJointBody *body;       /* by block */
     KeaJointRow *row;         /* by block */
     double (*x)[6];           /* by block and node: right sides, and solutions */
+    double (*v)[6];           /* by block and node: motions or displacements, in double */
     double *errors;           /* by the system's row */
     int *parent, *node, *sum; /* by body: scratch */
     const MdtKeaRow **sorted; /* by block: scratch */

@@ -9,6 +9,7 @@
  * factors A_jj, and divides by it: U_ji = L_jj⁻¹ A_ji, L_ij = A_ij U_jj⁻¹. A column of L is kept as its transpose, so
  * that all products are sums of Xᵀ Y, row by row. Of a symmetric matrix L = Uᵀ: only U is kept.
  */
+#include "common/kea_doubles_i.h"
 #include "MeAssert.h"
 #include "inner/kea_structure_i.h"
 #include <math.h>
@@ -18,9 +19,6 @@
 
 /* Blocks of six by six, row-major, are nine vectors of four: three to two rows. */
 typedef double KeaFour __attribute__((vector_size(4 * 8)));
-typedef double KeaTwo __attribute__((vector_size(2 * 8)));
-
-#define KEA_INLINE static inline __attribute__((always_inline))
 
 KEA_INLINE KeaFour fourAt(const double *p) {
     KeaFour v;
@@ -28,14 +26,6 @@ KEA_INLINE KeaFour fourAt(const double *p) {
     return v;
 }
 KEA_INLINE void putFour(double *p, KeaFour v) {
-    memcpy(p, &v, sizeof v);
-}
-KEA_INLINE KeaTwo twoAt(const double *p) {
-    KeaTwo v;
-    memcpy(&v, p, sizeof v);
-    return v;
-}
-KEA_INLINE void putTwo(double *p, KeaTwo v) {
     memcpy(p, &v, sizeof v);
 }
 

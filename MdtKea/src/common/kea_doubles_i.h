@@ -1,0 +1,20 @@
+/* Inside Kea: two doubles at a time, with the compiler's vectors (GCC and Clang): a register of SSE2, or one by one. */
+#ifndef KEA_DOUBLES_I_H
+#define KEA_DOUBLES_I_H
+
+#include <string.h>
+
+typedef double KeaTwo __attribute__((vector_size(2 * 8)));
+
+#define KEA_INLINE static inline __attribute__((always_inline))
+
+KEA_INLINE KeaTwo twoAt(const double *p) {
+    KeaTwo v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+KEA_INLINE void putTwo(double *p, KeaTwo v) {
+    memcpy(p, &v, sizeof v);
+}
+
+#endif
