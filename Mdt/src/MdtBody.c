@@ -426,6 +426,8 @@ void mdt_bodySleep(MdtBodyID b) {
     keaZero(b->kea.lastStep.lin);
     keaZero(b->kea.lastStep.ang);
     b->unrest = MDT_CALM;
+    b->wasHit = MEFALSE;
+    b->toil = 0;
     keaZero(b->push);
     mdt_bodyShow(b);
 }

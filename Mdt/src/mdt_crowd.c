@@ -32,14 +32,24 @@ static MeBool meetsWith(const MdtIsland *p, const MdtManifold *m, double least) 
     return MEFALSE;
 }
 
+/* m/s², by which only impacts change a velocity. */
+static double leastOfImpacts(const MdtIsland *p) {
+    double g[3];
+    mdt_fromReal(g, p->world->params.gravity);
+    return MDT_IMPACT * keaLength(g);
+}
+
+/* Was it hit in its last step? */
+static MeBool isHit(const MdtBody *b, double least) {
+    return keaLength(b->kea.lastStep.lin) > least;
+}
+
 /* Have bodies met in the last step, or do they in this one? Then their velocities change by far more than gravity
  * explains, and what follows is known no better than the law by which they part. */
 static MeBool hasImpacts(const MdtIsland *p) {
-    double g[3];
-    mdt_fromReal(g, p->world->params.gravity);
-    const double most = MDT_IMPACT * keaLength(g);
+    const double most = leastOfImpacts(p);
     for (int i = 0; i < p->numBodies; i++)
-        if (keaLength(p->bodies[i]->kea.lastStep.lin) > most)
+        if (isHit(p->bodies[i], most))
             return METRUE;
     for (int i = 0; i < p->numActing; i++)
         if (mdt_isManifold(p->acting[i]) && meetsWith(p, mdt_asManifold(p->acting[i]), most * p->h))
@@ -54,10 +64,11 @@ static MeBool isSmall(const MdtIsland *p) {
 
 /* A partition is disturbed from an impact on, or from a step in which contacts did not settle, until all its bodies are
  * slow. With joints, which go on swinging, it is until all are at rest (mdt_rest.c); and so are few bodies that come
- * out of a disturbed partition, since they may be slow and wedged. So a partition does not change its solver to and
- * fro. */
+ * out of a disturbed partition, since they may be slow and wedged, and what the exact solver has toiled at too long. So
+ * a partition does not change its solver to and fro. */
 static MeBool isStillDisturbed(const MdtIsland *p, const MdtBody *b) {
-    return b->unrest != MDT_CALM && (p->numJoints > 0 || isSmall(p) || b->slowTime == 0);
+    return b->unrest != MDT_CALM &&
+           (p->numJoints > 0 || isSmall(p) || b->slowTime == 0 || b->toil > mdt_patience);
 }
 
 static MdtUnrest unrestOf(const MdtIsland *p) {
@@ -68,16 +79,45 @@ static MdtUnrest unrestOf(const MdtIsland *p) {
     return is;
 }
 
-/* Takes the unrest of any body to all of them. */
+/* Takes the unrest of any body to all of them, and the most toil. */
 static MeBool isDisturbed(const MdtIsland *p) {
     const MdtUnrest is = unrestOf(p);
+    const double least = leastOfImpacts(p);
+    double toil = 0;
     for (int i = 0; i < p->numBodies; i++)
-        p->bodies[i]->unrest = is;
+        toil = fmax(toil, p->bodies[i]->toil);
+    for (int i = 0; i < p->numBodies; i++) {
+        MdtBody *b = p->bodies[i];
+        b->unrest = is;
+        b->toil = toil;
+        b->wasHit = b->wasHit || isHit(b, least);
+    }
     return is != MDT_CALM;
+}
+
+MeBool mdt_crowdHasCollapsed(const MdtIsland *p) {
+    int hit = 0;
+    for (int i = 0; i < p->numBodies; i++)
+        hit += p->bodies[i]->wasHit;
+    return hit * MDT_COLLAPSED >= p->numBodies;
+}
+
+/* How it comes to lie, what has collapsed and is wedged, is chance: the exact solver may take so much work to settle
+ * it, and no more. What stands, leans or slides is solved exactly however long that takes. */
+static void noteToil(const MdtIsland *p) {
+    const double budget = 1e6 * (double)p->world->workBudget, work = p->kea.report.work;
+    if (p->isFast || budget == 0 || work <= mdt_affordedWork * budget || !mdt_crowdHasCollapsed(p))
+        return;
+    const double toil = p->bodies[0]->toil + work / budget - mdt_affordedWork;
+    for (int i = 0; i < p->numBodies; i++) {
+        p->bodies[i]->toil = toil;
+        p->bodies[i]->unrest = toil > mdt_patience ? MDT_UNSETTLED : p->bodies[i]->unrest;
+    }
 }
 
 /* Not what only lies or slides, without joints: towers and houses of cards stand more exactly by the exact solver. */
 void mdt_crowdNote(const MdtIsland *p) {
+    noteToil(p);
     if (p->numJoints == 0 && !mdt_hasRestitution(p))
         return;
     if (p->isFast || isSmall(p) || p->kea.parameters.timed || p->kea.report.factorizations <= MDT_SETTLING)

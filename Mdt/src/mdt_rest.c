@@ -296,7 +296,11 @@ static void MEAPI certifyBodies(void *context, int first, int end, int worker) {
     for (int i = first; i < end; i++) {
         MdtBodyID b = c->p->bodies[i];
         b->certificate = c->isSettled ? c->p->world->certificate : 0;
-        b->unrest = c->isSettled ? MDT_CALM : b->unrest;
+        if (!c->isSettled)
+            continue;
+        b->unrest = MDT_CALM;
+        b->wasHit = MEFALSE;
+        b->toil = 0;
     }
 }
 

@@ -13,7 +13,7 @@
  *
  * is removed by displacements, with the same factors: simplified Newton, with the Jacobian of the start.
  */
-#include "common/kea_doubles_i.h"
+#include "inner/kea_doubles_i.h"
 #include "fast/kea_joints_i.h"
 #include "inner/kea_factor_i.h"
 #include "common/kea_policy_i.h"

@@ -9,7 +9,7 @@
  * factors A_jj, and divides by it: U_ji = L_jj⁻¹ A_ji, L_ij = A_ij U_jj⁻¹. A column of L is kept as its transpose, so
  * that all products are sums of Xᵀ Y, row by row. Of a symmetric matrix L = Uᵀ: only U is kept.
  */
-#include "common/kea_doubles_i.h"
+#include "inner/kea_doubles_i.h"
 #include "MeAssert.h"
 #include "inner/kea_structure_i.h"
 #include <math.h>
