@@ -2,13 +2,14 @@
  *
  *     spikes [--steps N] [--exact]      600 steps
  *
- * With --exact all is solved exactly (MdtWorldSetSolver). The scenes of tests/states but for the heap, with the
- * universe's defaults, steps of 1/60 s; what comes to rest is put to rest. Whole steps, through the pipeline; the best
+ * With --exact all is solved exactly (MdtWorldSetSolver). The scenes of tests/states but for the heap, and a wall, with
+ * the universe's defaults, steps of 1/60 s; what comes to rest is put to rest. Whole steps, through the pipeline; the best
  * of three runs, step by step, as a step is the same in each of them. */
 #include "timing.h"
 
 #include "MdtReport.h"
 #include "twelve.h"
+#include "wall.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -20,12 +21,25 @@ typedef struct Cost {
     int factorizations, most;
 } Cost;
 
-static void run(const TwelveScene *scene, MdtSolver solver, int steps, Cost *cost, MeBool isFirst) {
+/* Makes the n-th scene, of which the wall is the last; returns how many bodies it has. */
+static int make(int n, MstUniverseID u) {
     static Place place;
+    if (n == TWELVE)
+        return wall_make(u);
+    twelve_make(&place, &twelve[n], u, 0, 0);
+    return place.count;
+}
+
+static const char *nameOf(int n) {
+    return n == TWELVE ? "wall" : twelve[n].name;
+}
+
+/* Returns how many bodies there are. */
+static int run(int scene, MdtSolver solver, int steps, Cost *cost, MeBool isFirst) {
     const MstUniverseID u = twelve_makeUniverse();
     MdtWorldSetSolver(u->world, solver);
     MdtWorldEnableReport(u->world);
-    twelve_make(&place, scene, u, 0, 0);
+    const int bodies = make(scene, u);
     for (int i = 0; i < steps; i++) {
         MdtReport r;
         const double start = now();
@@ -37,6 +51,7 @@ static void run(const TwelveScene *scene, MdtSolver solver, int steps, Cost *cos
         cost->most = MeMAX(cost->most, r.factorizations);
     }
     MstUniverseDestroy(u);
+    return bodies;
 }
 
 static void tell(const char *name, int bodies, int steps, const Cost *c) {
@@ -47,15 +62,6 @@ static void tell(const char *name, int bodies, int steps, const Cost *c) {
     printf("| %s | %d | %.3f | %.3f | %.3f | %.3f | %.1f | %d |\n", name, bodies, 1e3 * sum / steps, 1e3 * middle,
            1e3 * c->time[steps * 99 / 100], 1e3 * c->time[steps - 1], (double)c->factorizations / steps, c->most);
     fflush(stdout);
-}
-
-static int countBodies(const TwelveScene *scene) {
-    static Place place;
-    const MstUniverseID u = twelve_makeUniverse();
-    twelve_make(&place, scene, u, 0, 0);
-    const int count = place.count;
-    MstUniverseDestroy(u);
-    return count;
 }
 
 int main(int argc, char **argv) {
@@ -72,14 +78,15 @@ int main(int argc, char **argv) {
         return fputs("spikes [--steps N] [--exact]\n", stderr), 2;
     puts("| scene | bodies | mean, ms | median | 99 % | worst | factorizations | at most |");
     puts("|---|---|---|---|---|---|---|---|");
-    for (int i = 0; i < TWELVE; i++) {
+    for (int i = 0; i <= TWELVE; i++) {
         Cost cost = {.time = calloc((size_t)steps, sizeof(double))};
+        int bodies = 0;
         if (!cost.time)
             return 1;
-        for (int k = 0; k < RUNS && strcmp(twelve[i].name, "heap") != 0; k++)
-            run(&twelve[i], solver, steps, &cost, k == 0);
-        if (strcmp(twelve[i].name, "heap") != 0)
-            tell(twelve[i].name, countBodies(&twelve[i]), steps, &cost);
+        for (int k = 0; k < RUNS && strcmp(nameOf(i), "heap") != 0; k++)
+            bodies = run(i, solver, steps, &cost, k == 0);
+        if (bodies > 0)
+            tell(nameOf(i), bodies, steps, &cost);
         free(cost.time);
     }
     return 0;

@@ -247,10 +247,10 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *
  *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
  *
- *  Default 200. A pyramid of 210 boxes, solved exactly (MdtWorldSetSolver), takes 207 in its first step, which has no
- *  forces to begin with, and rests after 31; with 200 it rests after 58, with 100 never. The hard cases in
- *  docs/solver.md take 17 at most (100 links with 1e5 kg), one Newton iteration of 30 boxes in a heap 0.1. 0: no bound.
- *  Beyond Karma.
+ *  What has collapsed has less (MdtWorldSetSolver). Default 200. A pyramid of 210 boxes, solved exactly
+ *  (MdtWorldSetSolver), takes 207 in its first step, which has no forces to begin with, and rests after 31; with 200 it
+ *  rests after 58, with 100 never. The hard cases in docs/solver.md take 17 at most (100 links with 1e5 kg), one Newton
+ *  iteration of 30 boxes in a heap 0.1. 0: no bound. Beyond Karma.
  *  @{ */
 MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work);
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
@@ -267,6 +267,8 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  - partitions of more bodies than MdtWorldSetTimedContacts that touch nothing fixed, or in which bodies have just
  *    met, until all are slow (MdtPartitionParams);
  *  - what comes out of these, however few bodies, without joints, until it is at rest;
+ *  - what has collapsed and is wedged, when the exact solver has taken two work budgets to settle it, until it is at
+ *    rest; a step of it may cost three eighths of the budget (MdtWorldSetWorkBudget; of fewer than 20 bodies less);
  *  - such with joints for which the exact solver has taken more than 12 factorizations in a step, too; what joints tie
  *    stays with the fast solver until it is at rest.
  *

@@ -95,18 +95,29 @@ static MeBool isDisturbed(const MdtIsland *p) {
     return is != MDT_CALM;
 }
 
-MeBool mdt_crowdHasCollapsed(const MdtIsland *p) {
+/* Was one in MDT_COLLAPSED of its bodies hit since it rested? */
+static MeBool hasCollapsed(const MdtIsland *p) {
     int hit = 0;
     for (int i = 0; i < p->numBodies; i++)
         hit += p->bodies[i]->wasHit;
     return hit * MDT_COLLAPSED >= p->numBodies;
 }
 
+/* Multiplications: a work budget of the exact solver for what has collapsed. */
+static double collapsedBudget(const MdtIsland *p) {
+    return 1e6 * (double)p->world->workBudget * fmin(1, p->numBodies / (double)MDT_WHOLE_BUDGET);
+}
+
+double mdt_crowdBudget(const MdtIsland *p) {
+    return !p->isFast && hasCollapsed(p) ? mdt_collapsedWork * collapsedBudget(p)
+                                         : 1e6 * (double)p->world->workBudget;
+}
+
 /* How it comes to lie, what has collapsed and is wedged, is chance: the exact solver may take so much work to settle
  * it, and no more. What stands, leans or slides is solved exactly however long that takes. */
 static void noteToil(const MdtIsland *p) {
-    const double budget = 1e6 * (double)p->world->workBudget, work = p->kea.report.work;
-    if (p->isFast || budget == 0 || work <= mdt_affordedWork * budget || !mdt_crowdHasCollapsed(p))
+    const double budget = collapsedBudget(p), work = p->kea.report.work;
+    if (p->isFast || budget == 0 || work <= mdt_affordedWork * budget || !hasCollapsed(p))
         return;
     const double toil = p->bodies[0]->toil + work / budget - mdt_affordedWork;
     for (int i = 0; i < p->numBodies; i++) {

@@ -343,8 +343,10 @@ enum { MDT_SETTLING = 12 };
 enum { MDT_COLLAPSED = 10 };
 /* Of the work budget, where something collapsed: what a step may cost; what a solve may, for nothing; and how much the
  * rest of it all may add up to, until the partition is the fast solver's. A tower of 20 that is let go askew takes .31
- * in its worst step, and 1.3 in all, until it stands; a wall of 47 bricks would take 25. */
+ * in its worst step, and 1.3 in all, until it stands; a wall of 47 bricks would take 25. Fewer bodies than the tower's
+ * have a smaller budget. */
 static const double mdt_collapsedWork = 0.375, mdt_affordedWork = 1. / 16, mdt_patience = 2;
+enum { MDT_WHOLE_BUDGET = 20 };
 /* One of so many bodies that bounce may be held, for their impacts to be met in time. Measured, and no test tells 4
  * from 8: 216 balls a hundredth apart that land with 4 m/s lose 4, 4, 2 and 14 % of the energy in 5 s with 2, 4, 8, 16,
  * those a fiftieth apart .2 % with each. */

@@ -137,8 +137,8 @@ void mdt_islandRelease(MdtIsland *p);
 MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows);
 /* After a solve: contacts that did not settle disturb the partition. */
 void mdt_crowdNote(const MdtIsland *p);
-/* Whether one in MDT_COLLAPSED of its bodies was hit since it rested. */
-MeBool mdt_crowdHasCollapsed(const MdtIsland *p);
+/* Multiplications that a step of it may cost; 0: any number. Less than the world's where it has collapsed. */
+double mdt_crowdBudget(const MdtIsland *p);
 /* How many bodies may be held in a partition whose impacts are met in time; 0: none are. */
 int mdt_mostHeld(const MdtIsland *p);
 

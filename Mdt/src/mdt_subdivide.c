@@ -15,12 +15,10 @@ enum { MAX_HALVINGS = 6 };
 
 /* ---- the budget ---- */
 
-/* A part by safe time gets its share of the budget; the bridge may take 16 of them (mst_continuous.c). Less has
- * what has collapsed and is solved exactly. */
+/* A part by safe time gets its share of the budget; the bridge may take 16 of them (mst_continuous.c). */
 static void beginBudget(MdtIsland *p) {
-    const double budget = (double)p->world->workBudget, least = 1. / 16;
-    const double share = !p->isFast && mdt_crowdHasCollapsed(p) ? mdt_collapsedWork : 1;
-    p->work = budget > 0 ? 1e6 * budget * share * fmax(p->h / p->whole, least) : MDT_NO_BOUND;
+    const double budget = mdt_crowdBudget(p), least = 1. / 16;
+    p->work = budget > 0 ? budget * fmax(p->h / p->whole, least) : MDT_NO_BOUND;
     p->iterations = p->world->maxLcpIterations;
 }
 
