@@ -3,8 +3,8 @@
  *     spikes [--steps N] [--exact]      600 steps
  *
  * With --exact all is solved exactly (MdtWorldSetSolver). The scenes of tests/states but for the heap, and a wall, with
- * the universe's defaults, steps of 1/60 s; what comes to rest is put to rest. Whole steps, through the pipeline; the best
- * of three runs, step by step, as a step is the same in each of them. */
+ * the universe's defaults, steps of 1/60 s; what comes to rest is put to rest. Whole steps, through the pipeline; the
+ * best of three runs, step by step, as a step is the same in each of them. */
 #include "timing.h"
 
 #include "MdtReport.h"

@@ -28,8 +28,8 @@ static Cost costOfUniverse(const char *name, MstUniverseID u, int steps) {
     }
     ck_assert(twelve_isFinite(u->world));
     MstUniverseDestroy(u);
-    printf("%-9s %d factorizations, %d in a step, work %.1f at most, %.1f beyond\n", name, cost.all, cost.worst, cost.work,
-           cost.beyond);
+    printf("%-9s %d factorizations, %d in a step, work %.1f at most, %.1f beyond\n", name, cost.all, cost.worst,
+           cost.work, cost.beyond);
     return cost;
 }
 
