@@ -75,6 +75,7 @@ static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
     takeJacobian(r);
     r->size = sizeOf(s, r);
     r->length = kea_lengthOf(s, row);
+    r->perSize = r->length / kea_smallerSize(s, row->body);
     r->isOff = !(r->size > 0);
     r->isHeld = MEFALSE;
     r->target = row->target;
@@ -606,8 +607,8 @@ double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[]) {
 /* ---- positions ---- */
 
 /* Of the smaller body's size. */
-static double opening(const MdtKeaSystem *s, const KeaJointRow *r, double error) {
-    return fabs(error) * r->length / kea_smallerSize(s, r->row->body);
+static double opening(const KeaJointRow *r, double error) {
+    return fabs(error) * r->perSize;
 }
 
 /* A stop is violated on one side only. */
@@ -630,8 +631,8 @@ double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
                 continue;
             const double error = j->errors[r->row - s->rows] - (r->wanted - h * r->row->softness * r->impulse);
             r->gap = error - rateOf(r, v);
-            most = keaMax(most, opening(s, r, violationOf(r, error)));
-            all = keaMax(all, opening(s, r, violationOf(r, j->errors[r->row - s->rows])));
+            most = keaMax(most, opening(r, violationOf(r, error)));
+            all = keaMax(all, opening(r, violationOf(r, j->errors[r->row - s->rows])));
         }
     }
     s->report.opening = all;

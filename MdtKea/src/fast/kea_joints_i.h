@@ -11,6 +11,7 @@ typedef struct KeaJointRow {
     int node[2], edge;    /* of the block's graph; -1: the world; no edge */
     MeBool isOff, isHeld; /* it is inactive; displacements remove its position error */
     double length;        /* m per unit of the row: 1, or the bodies' size */
+    double perSize;       /* of the smaller body's size, per unit of the row */
     double size;          /* J M⁻¹ Jᵀ, 1/kg */
     double weight;        /* kg, of a row without bounds: 1 / (E + N) */
     double *response; /* of a row with bounds, by node, six: S⁻¹ Jᵀ, the block's velocities by a unit of impulse */
