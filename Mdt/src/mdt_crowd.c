@@ -95,9 +95,11 @@ static MeBool isDisturbed(const MdtIsland *p) {
     return is != MDT_CALM;
 }
 
-/* Was one in MDT_COLLAPSED of its bodies hit since it rested? */
+/* Was one in MDT_COLLAPSED of its bodies hit since it rested? Not if the program wants the exact solver for all. */
 static MeBool hasCollapsed(const MdtIsland *p) {
     int hit = 0;
+    if (p->world->solver != MdtSolverAuto || mdt_worldAccuracy(p->world, p->h) == 0)
+        return MEFALSE;
     for (int i = 0; i < p->numBodies; i++)
         hit += p->bodies[i]->wasHit;
     return hit * MDT_COLLAPSED >= p->numBodies;

@@ -92,11 +92,26 @@ START_TEST(a_ball_brings_down_a_wall) {
 }
 END_TEST
 
+/* Who asks for the exact solver has all of the budget. */
+START_TEST(a_program_may_have_a_wall_solved_exactly) {
+    enum { UNTIL_IT_IS_WEDGED = 104, STEPS_MORE = 12 };
+    const MstUniverseID u = twelve_makeUniverse();
+    const double budget = (double)MdtWorldGetWorkBudget(u->world);
+    wall_make(u);
+    for (int i = 0; i < UNTIL_IT_IS_WEDGED; i++)
+        MstUniverseStep(u, (MeReal)(1. / 60));
+    MdtWorldSetSolver(u->world, MdtSolverExact);
+    const Cost cost = costOfUniverse("exact", u, STEPS_MORE);
+    ck_assert_double_gt(cost.work, .376 * budget);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, a_drum_of_boxes);
     tcase_add_test(t, a_bridge_that_boxes_fall_onto);
     tcase_add_test(t, a_ball_on_a_chain_hits_a_wall);
     tcase_add_test(t, a_row_of_dominoes);
     tcase_add_test(t, a_ball_brings_down_a_wall);
+    tcase_add_test(t, a_program_may_have_a_wall_solved_exactly);
 }
 TEST_MAIN("Spikes", tests)
