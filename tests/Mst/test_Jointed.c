@@ -253,6 +253,19 @@ START_TEST(figures_of_any_kind_hold_together_and_gain_no_energy) {
 }
 END_TEST
 
+/* Three of four hundred, in which light bodies are hit so hard that the rounds of a step cannot close their joints: these
+ * opened by .1 to .45 m. The step is divided. */
+START_TEST(a_light_body_may_be_whipped_round) {
+    static const int figure[] = {85, 157, 331};
+    for (int i = 0; i < 3; i++) {
+        makeFigure(figure[i]);
+        const Course c = run(90);
+        printf("figure %d: open by %.1e m\n", figure[i], c.open);
+        assert_below(c.open, 5e-3);
+    }
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, a_ton_on_a_light_chain_stays_on_it_where_it_hits);
     tcase_add_test(t, a_net_catches_boxes);
@@ -260,6 +273,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_chain_of_150_motors_holds);
     tcase_add_test(t, masses_out_of_proportion_end_in_no_nan);
     tcase_add_test(t, figures_of_any_kind_hold_together_and_gain_no_energy);
+    tcase_add_test(t, a_light_body_may_be_whipped_round);
 }
 
 TEST_MAIN("Jointed", tests)

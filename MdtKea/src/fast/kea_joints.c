@@ -616,6 +616,15 @@ static double violationOf(const KeaJointRow *r, double error) {
     return isTwoSided(r->row) ? error : r->lower == 0 ? keaMin(error, 0) : keaMax(error, 0);
 }
 
+double kea_jointsOpening(const KeaJoints *j) {
+    double most = 0;
+    for (int i = 0; i < j->numBlocks; i++)
+        for (int k = j->block[i].firstRow; k < j->block[i].firstRow + j->block[i].numRows; k++)
+            if (j->row[k].isHeld)
+                most = keaMax(most, opening(&j->row[k], violationOf(&j->row[k], j->row[k].row->error)));
+    return most;
+}
+
 double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]) {
     const double h = s->parameters.stepsize;
     double most = 0, all = 0;

@@ -71,6 +71,8 @@ void kea_jointsScale(KeaJoints *j, double share);
 double kea_jointsPass(const MdtKeaSystem *s, KeaJoints *j, KeaMotion motion[], double beta);
 /* m/s, the largest violation of the rows' laws. */
 double kea_jointsResidual(const KeaJoints *j, const KeaMotion motion[]);
+/* How far joints are open at the start, of a body's size. */
+double kea_jointsOpening(const KeaJoints *j);
 /* Evaluates position errors at the end's poses, displacements included; returns the largest, of a body's size. */
 double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]);
 /* Evaluates the rows' Jacobians there, and factorizes with them. */
