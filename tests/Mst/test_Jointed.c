@@ -253,8 +253,8 @@ START_TEST(figures_of_any_kind_hold_together_and_gain_no_energy) {
 }
 END_TEST
 
-/* Three of four hundred, in which light bodies are hit so hard that the rounds of a step cannot close their joints: these
- * opened by .1 to .45 m. The step is divided. */
+/* Three of four hundred, in which light bodies are hit so hard that the rounds of a step cannot close their joints:
+ * these opened by .1 to .45 m. The step is divided. */
 START_TEST(a_light_body_may_be_whipped_round) {
     static const int figure[] = {85, 157, 331};
     for (int i = 0; i < 3; i++) {
