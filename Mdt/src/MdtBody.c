@@ -427,7 +427,7 @@ void mdt_bodySleep(MdtBodyID b) {
     keaZero(b->kea.lastStep.ang);
     b->unrest = MDT_CALM;
     b->wasHit = MEFALSE;
-    b->toil = 0;
+    b->settlingWork = 0;
     keaZero(b->push);
     mdt_bodyShow(b);
 }

@@ -64,11 +64,11 @@ static MeBool isSmall(const MdtIsland *p) {
 
 /* A partition is disturbed from an impact on, or from a step in which contacts did not settle, until all its bodies are
  * slow. With joints, which go on swinging, it is until all are at rest (mdt_rest.c); and so are few bodies that come
- * out of a disturbed partition, since they may be slow and wedged, and what the exact solver has toiled at too long. So
+ * out of a disturbed partition, since they may be slow and wedged, and what the exact solver has worked at too long. So
  * a partition does not change its solver to and fro. */
 static MeBool isStillDisturbed(const MdtIsland *p, const MdtBody *b) {
     return b->unrest != MDT_CALM &&
-           (p->numJoints > 0 || isSmall(p) || b->slowTime == 0 || b->toil > mdt_patience);
+           (p->numJoints > 0 || isSmall(p) || b->slowTime == 0 || b->settlingWork > mdt_mostSettlingWork);
 }
 
 static MdtUnrest unrestOf(const MdtIsland *p) {
@@ -79,17 +79,17 @@ static MdtUnrest unrestOf(const MdtIsland *p) {
     return is;
 }
 
-/* Takes the unrest of any body to all of them, and the most toil. */
+/* Takes the unrest of any body to all of them, and the most work of settling. */
 static MeBool isDisturbed(const MdtIsland *p) {
     const MdtUnrest is = unrestOf(p);
     const double least = leastOfImpacts(p);
-    double toil = 0;
+    double settlingWork = 0;
     for (int i = 0; i < p->numBodies; i++)
-        toil = fmax(toil, p->bodies[i]->toil);
+        settlingWork = fmax(settlingWork, p->bodies[i]->settlingWork);
     for (int i = 0; i < p->numBodies; i++) {
         MdtBody *b = p->bodies[i];
         b->unrest = is;
-        b->toil = toil;
+        b->settlingWork = settlingWork;
         b->wasHit = b->wasHit || isHit(b, least);
     }
     return is != MDT_CALM;
@@ -111,26 +111,26 @@ static double collapsedBudget(const MdtIsland *p) {
 }
 
 double mdt_crowdBudget(const MdtIsland *p) {
-    return !p->isFast && hasCollapsed(p) ? mdt_collapsedWork * collapsedBudget(p)
+    return !p->isFast && hasCollapsed(p) ? mdt_collapsedStepWork * collapsedBudget(p)
                                          : 1e6 * (double)p->world->workBudget;
 }
 
-/* How it comes to lie, what has collapsed and is wedged, is chance: the exact solver may take so much work to settle
- * it, and no more. What stands, leans or slides is solved exactly however long that takes. */
-static void noteToil(const MdtIsland *p) {
+/* How a collapsed pile comes to lie, wedged, is chance: the exact solver may take so much work to settle it, and no
+ * more. What stands, leans or slides is solved exactly however long that takes. */
+static void noteSettling(const MdtIsland *p) {
     const double budget = collapsedBudget(p), work = p->kea.report.work;
-    if (p->isFast || budget == 0 || work <= mdt_affordedWork * budget || !hasCollapsed(p))
+    if (p->isFast || budget == 0 || work <= mdt_freeWork * budget || !hasCollapsed(p))
         return;
-    const double toil = p->bodies[0]->toil + work / budget - mdt_affordedWork;
+    const double settlingWork = p->bodies[0]->settlingWork + work / budget - mdt_freeWork;
     for (int i = 0; i < p->numBodies; i++) {
-        p->bodies[i]->toil = toil;
-        p->bodies[i]->unrest = toil > mdt_patience ? MDT_UNSETTLED : p->bodies[i]->unrest;
+        p->bodies[i]->settlingWork = settlingWork;
+        p->bodies[i]->unrest = settlingWork > mdt_mostSettlingWork ? MDT_UNSETTLED : p->bodies[i]->unrest;
     }
 }
 
 /* Not what only lies or slides, without joints: towers and houses of cards stand more exactly by the exact solver. */
 void mdt_crowdNote(const MdtIsland *p) {
-    noteToil(p);
+    noteSettling(p);
     if (p->numJoints == 0 && !mdt_hasRestitution(p))
         return;
     if (p->isFast || isSmall(p) || p->kea.parameters.timed || p->kea.report.factorizations <= MDT_SETTLING)

@@ -300,7 +300,7 @@ static void MEAPI certifyBodies(void *context, int first, int end, int worker) {
             continue;
         b->unrest = MDT_CALM;
         b->wasHit = MEFALSE;
-        b->toil = 0;
+        b->settlingWork = 0;
     }
 }
 

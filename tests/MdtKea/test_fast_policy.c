@@ -242,6 +242,22 @@ START_TEST(joints_are_closed_at_three_millionths) {
 }
 END_TEST
 
+/* The error of a joint at the end, whose bodies have the size 1, and at the start. */
+static MeBool isViolent(double after, double before) {
+    beginJoint(after, 1);
+    s.rows[0].error = before;
+    MdtKeaSolve(&s);
+    end();
+    return s.report.violent;
+}
+
+START_TEST(a_step_that_opens_joints_by_a_twentieth_is_violent) {
+    ck_assert(!isViolent(.04, 0));
+    ck_assert(isViolent(.06, 0));
+    ck_assert(!isViolent(.56, .52));
+}
+END_TEST
+
 static int turnsAt(double ratio) {
     beginJoint(1, ratio);
     solve();
@@ -535,6 +551,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, work_is_counted_by_visits_of_manifolds);
     tcase_add_test(t, six_passes_push_bodies_apart);
     tcase_add_test(t, joints_are_closed_at_three_millionths);
+    tcase_add_test(t, a_step_that_opens_joints_by_a_twentieth_is_violent);
     tcase_add_test(t, rounds_that_gain_no_digit_have_new_derivatives);
     tcase_add_test(t, a_pass_turns_by_a_tenth_of_a_radian);
     tcase_add_test(t, joints_of_thin_bodies_are_softer_by_half_of_the_decades);

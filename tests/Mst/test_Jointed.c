@@ -46,7 +46,7 @@ static double weight(void) {
 
 typedef struct Course {
     double open, gain; /* m; J, of any step */
-    double unlifted;   /* the same, but for what takes overlaps away: gamma of the deepest, of all weights */
+    double beyondLift;   /* the same, but for what takes overlaps away: gamma of the deepest, of all weights */
     double energy;     /* J, at the end */
     int fast, exact;   /* partitions with joints, over the steps, by the solver that took them */
     int factorizations;
@@ -75,9 +75,9 @@ static Course run(int steps) {
         notePartitions(&c);
         MdtReport r;
         MdtWorldGetReport(u->world, &r);
-        const double now = energy(), open = opening(), unlifted = now - before - liftOf((double)r.penetration);
+        const double now = energy(), open = opening(), beyondLift = now - before - liftOf((double)r.penetration);
         c.gain = now - before <= c.gain ? c.gain : now - before;
-        c.unlifted = unlifted <= c.unlifted ? c.unlifted : unlifted;
+        c.beyondLift = beyondLift <= c.beyondLift ? c.beyondLift : beyondLift;
         c.open = open <= c.open ? c.open : open;
         before = now;
     }
@@ -245,9 +245,9 @@ START_TEST(figures_of_any_kind_hold_together_and_gain_no_energy) {
         const double all = weight();
         const Course c = run(FIGURE_STEPS);
         ck_assert_msg(c.open < 1e-3, "figure %d: open by %g m", i, c.open);
-        ck_assert_msg(c.unlifted < 2e-3 * all, "figure %d: gains %g J, weighs %g N", i, c.unlifted, all);
+        ck_assert_msg(c.beyondLift < 2e-3 * all, "figure %d: gains %g J, weighs %g N", i, c.beyondLift, all);
         open = fmax(open, c.open);
-        gain = fmax(gain, c.unlifted / all);
+        gain = fmax(gain, c.beyondLift / all);
     }
     printf("figures: open by %.1e m at most, gain %.1e m of their weights\n", open, gain);
 }

@@ -605,8 +605,8 @@ static void pushApart(Step *p) {
 }
 
 /* Newton's method in rounds: errors of joints are evaluated anew in each, and their Jacobians where the last round has
- * not reduced the errors enough. Contacts take part in the first rounds only. Where joints open
- * further all the same, the step is too long for the motion. */
+ * not reduced the errors enough. Contacts take part in the first rounds only. Where joints open further
+ * all the same, the step is too long for the motion. */
 static void pushJoined(Step *p) {
     const double start = kea_jointsOpening(&p->joints);
     double before = HUGE_VAL;

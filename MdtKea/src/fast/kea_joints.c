@@ -96,8 +96,8 @@ static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
 /* r += a Jᵀ, and J r, by node. */
 static void addAlong(const KeaJointRow *r, double a, double (*x)[6]) {
     for (int k = 0; k < 2; k++)
-        for (int i = 0; r->node[k] >= 0 && i < 6; i += 2)
-            putTwo(x[r->node[k]] + i, twoAt(x[r->node[k]] + i) + a * twoAt(r->J[k] + i));
+        if (r->node[k] >= 0)
+            kea_addScaled6(x[r->node[k]], a, r->J[k]);
 }
 static double rateOf(const KeaJointRow *r, double (*const x)[6]) {
     KeaTwo rate = {0, 0};
