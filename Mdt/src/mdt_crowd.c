@@ -208,9 +208,19 @@ static MeBool hasUserConstraints(const MdtIsland *p) {
     return MEFALSE;
 }
 
-MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows) {
+/* Its rows may not be more than the cap, as it leaves none out. */
+static MeBool mayBeFast(const MdtIsland *p) {
+    return p->numContacts > 0 &&
+           p->jointRows + p->numContacts * MdtBclGETMAXROWSCONTACT <= p->world->maxMatrixSize && !hasUserConstraints(p);
+}
+
+MeBool mdt_crowdMayTakeOver(const MdtIsland *p) {
+    return !p->isFast && mayBeFast(p);
+}
+
+MeBool mdt_crowdIsChosen(const MdtIsland *p) {
     const MdtWorld *w = p->world;
-    if (p->numContacts == 0 || w->solver == MdtSolverExact || maxRows > w->maxMatrixSize || hasUserConstraints(p))
+    if (w->solver == MdtSolverExact || !mayBeFast(p))
         return MEFALSE;
     if (w->solver == MdtSolverFast)
         return METRUE;

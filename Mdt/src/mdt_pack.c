@@ -97,21 +97,25 @@ static MeBool takeScratch(MdtIsland *p, int manifolds) {
     return METRUE;
 }
 
+void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
+    p->isFast = isFast;
+    p->kea.parameters.solver = isFast ? MdtKeaSolverFast : MdtKeaSolverExact;
+    p->kea.maxRows = p->jointRows + (isFast ? 0 : p->numContacts * MdtBclGETMAXROWSCONTACT);
+    p->kea.maxContacts = isFast ? 0 : p->numContacts;
+}
+
 static void setSystem(MdtIsland *p, const Chunk *all) {
-    const int contactRows = all->points * MdtBclGETMAXROWSCONTACT;
     p->numJoints = all->joints;
+    p->jointRows = all->rows;
     p->numContacts = all->points;
-    p->isFast = mdt_crowdIsChosen(p, all->rows + contactRows);
+    mdt_islandSetFast(p, mdt_crowdIsChosen(p));
     p->kea.numBodies = p->numBodies;
     p->kea.bodies = p->world->keaOf + p->world->bodyStart[p->number];
-    p->kea.maxRows = all->rows + (p->isFast ? 0 : contactRows);
-    p->kea.maxContacts = p->isFast ? 0 : p->numContacts;
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
     p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
     p->kea.cache = p->worker->keaCache;
     p->kea.team = p->team;
     p->kea.context = p;
-    p->kea.parameters.solver = p->isFast ? MdtKeaSolverFast : MdtKeaSolverExact;
     p->kea.parameters.accuracy = mdt_worldAccuracy(p->world, p->h);
 }
 

@@ -51,8 +51,8 @@ typedef struct MdtIsland {
     MeU64 lap, *clock;     /* ticks, when the stage began that is being timed: the world's, or of many workers `lap` */
     /* pack */
     void *scratch; /* Kea's arrays, and behind them */
-    MeBool isFast; /* Kea's fast solver is chosen */
-    int numContacts, numJoints;
+    MeBool isFast; /* Kea's fast solver is chosen, or has taken over (mdt_subdivide.c) */
+    int numContacts, numJoints, jointRows; /* of all joints, at most */
     MdtIslandManifold *manifolds; /* beside kea.manifolds */
     MdtKeaSystem kea;             /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */
     /* subdivide */
@@ -132,9 +132,14 @@ void mdt_restCertify(MdtIsland *p, MeBool isSettled);
 /* Takes scratch memory, and loads into Kea's bodies. False, with a message: the partition is too large. */
 MeBool mdt_islandPack(MdtIsland *p);
 void mdt_islandRelease(MdtIsland *p);
+/* Which of Kea's solvers takes the parts from now on. The scratch memory that was taken for the exact one is enough for
+ * the fast one. */
+void mdt_islandSetFast(MdtIsland *p, MeBool isFast);
 
 /* Whether Kea's fast solver is chosen for it (mdt_crowd.c). */
-MeBool mdt_crowdIsChosen(const MdtIsland *p, int maxRows);
+MeBool mdt_crowdIsChosen(const MdtIsland *p);
+/* Whether it may take over a part that the exact one has not solved. */
+MeBool mdt_crowdMayTakeOver(const MdtIsland *p);
 /* After a solve: contacts that did not settle disturb the partition. */
 void mdt_crowdNote(const MdtIsland *p);
 /* Multiplications that a step of it may cost; 0: any number. Less than the world's where it has collapsed. */

@@ -130,14 +130,21 @@ void mdt_partEnd(MdtIsland *p) {
 
 static MeBool takePart(MdtIsland *p, double part, int halvings);
 
-/* Takes one part of the step, in halves where its motion is violent. False: the bodies were stopped. */
+/* Takes one part of the step, in halves where its motion is violent. Where joints would open all the same, the fast
+ * solver takes the rest of the step. False: the bodies were stopped. */
 static MeBool takeMade(MdtIsland *p, double part, int halvings) {
     p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
     mdt_partSolveRows(p);
-    if (!p->kea.report.violent)
+    if (!p->kea.report.violent && !p->kea.report.opens)
         return mdt_partIntegrate(p);
-    if (!mayDivide(p, halvings))
-        return p->kea.report.refused ? takePart(p, part, MAX_HALVINGS) : mdt_partIntegrate(p);
+    if (!p->kea.report.violent || !mayDivide(p, halvings)) {
+        if (p->kea.report.refused)
+            return takePart(p, part, MAX_HALVINGS);
+        if (!p->kea.report.opens || !mdt_crowdMayTakeOver(p))
+            return mdt_partIntegrate(p);
+        mdt_islandSetFast(p, METRUE);
+        return takePart(p, part, halvings);
+    }
     if (p->report)
         mdt_reportDivision(p->report);
     const double kept = keepWork(p, 0.5);

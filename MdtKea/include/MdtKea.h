@@ -256,7 +256,8 @@ typedef struct MdtKeaReport {
     double force;      /**< N: the largest change of a row's force that such a violation asks for */
     double error;      /**< m: the largest error left in a position row, against what it asked for */
     double opening;    /**< of the smaller body's size: the largest error of a position row that is not a contact's, as
-                             the fast solver leaves it */
+                             the fast solver leaves it; of the exact one, what it was to correct and has not */
+    MeBool opens;      /**< by a twentieth or more: in a divided step, or by another solver, it might not */
 } MdtKeaReport;
 
 /**

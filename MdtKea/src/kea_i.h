@@ -306,6 +306,8 @@ double kea_loadSpeed(const MdtKeaSystem *s);
 double kea_velocityScale(const MdtKeaSystem *s);
 /* After a linearization. Writes report.error. */
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);
+/* Of the smaller body's size: the most that a joint was to close and has not. */
+double kea_openingLeft(const MdtKeaSystem *s);
 MeBool kea_isConverged(const KeaResiduals *e);
 /* Whether residuals are below margin times the loose tolerances, within which an answer is reported as exact. */
 MeBool kea_isExactEnough(const KeaResiduals *e, double margin);

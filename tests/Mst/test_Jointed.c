@@ -5,9 +5,9 @@
 #include "karma_test.h"
 
 #ifdef TEST_IS_SLOW
-enum { FIGURES = 4, FIGURE_STEPS = 150, TEST_STEPS = 30 };
+enum { FIGURES = 4, FIGURE_STEPS = 150, TEST_STEPS = 30, EXACT_STEPS = 10 };
 #else
-enum { FIGURES = 40, FIGURE_STEPS = 200, TEST_STEPS = 120 };
+enum { FIGURES = 40, FIGURE_STEPS = 200, TEST_STEPS = 120, EXACT_STEPS = 20 };
 #endif
 
 /* ---- what is measured ---- */
@@ -208,10 +208,10 @@ static void joinAnyhow(McdModelID a, McdModelID b, const double at[3]) {
 }
 
 /* Nine to thirty bodies, a tree and up to two loops, masses over four decades, thrown at some boxes. */
-static void makeFigure(int number) {
+static void makeFigure(MdtSolver solver, int number) {
     double x[30][3];
     seed = 7919u * (unsigned int)number + 1;
-    makeWorld(MdtSolverFast, between(0, 1));
+    makeWorld(solver, between(0, 1));
     const int parts = 9 + (int)between(0, 22), loops = (int)between(0, 3);
     for (int i = 0; i < parts; i++) {
         const int above = i > 0 ? (int)between(0, i) : -1;
@@ -241,7 +241,7 @@ static void makeFigure(int number) {
 START_TEST(figures_of_any_kind_hold_together_and_gain_no_energy) {
     double open = 0, gain = 0;
     for (int i = 0; i < FIGURES; i++) {
-        makeFigure(i);
+        makeFigure(MdtSolverFast, i);
         const double all = weight();
         const Course c = run(FIGURE_STEPS);
         ck_assert_msg(c.open < 1e-3, "figure %d: open by %g m", i, c.open);
@@ -258,10 +258,26 @@ END_TEST
 START_TEST(a_light_body_may_be_whipped_round) {
     static const int figure[] = {85, 157, 331};
     for (int i = 0; i < 3; i++) {
-        makeFigure(figure[i]);
+        makeFigure(MdtSolverFast, figure[i]);
         const Course c = run(90);
         printf("figure %d: open by %.1e m\n", figure[i], c.open);
         assert_below(c.open, 5e-3);
+    }
+}
+END_TEST
+
+/* The same where the exact solver is forced: loops that stops contradict, and masses of four decades, of which it has
+ * not closed the joints when its work is used up. They opened by 98, 2 and .16 m; the fast solver takes over. */
+START_TEST(what_the_exact_solver_leaves_open_the_fast_one_closes) {
+    static const int figure[] = {281, 104, 157};
+    for (int i = 0; i < 3; i++) {
+        makeFigure(MdtSolverExact, figure[i]);
+        const double all = weight();
+        const Course c = run(EXACT_STEPS);
+        printf("figure %d, exact: open by %.1e m, gains %.1e m of its weight\n", figure[i], c.open,
+               c.beyondLift / all);
+        assert_below(c.open, 1e-2);
+        assert_below(c.beyondLift, 2e-3 * all);
     }
 }
 END_TEST
@@ -274,6 +290,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, masses_out_of_proportion_end_in_no_nan);
     tcase_add_test(t, figures_of_any_kind_hold_together_and_gain_no_energy);
     tcase_add_test(t, a_light_body_may_be_whipped_round);
+    tcase_add_test(t, what_the_exact_solver_leaves_open_the_fast_one_closes);
 }
 
 TEST_MAIN("Jointed", tests)

@@ -43,24 +43,36 @@ static double roundingOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return kea_attachmentRounding * size + kea_tiny;
 }
 
+/* m or rad: the part of a row's error that it was to correct and has not; none where its bound keeps it from that. */
+static double leftOf(const MdtKeaSystem *s, int i) {
+    const KeaProblemRow *p = &s->work->problem.row[i];
+    const double missing = s->parameters.stepsize * (p->r - p->E * p->p);
+    const MeBool isKept = (p->p >= p->upper && missing > 0) || (p->p <= p->lower && missing < 0);
+    return s->rows[i].position && !p->isOff && !isKept ? fabs(missing) : 0;
+}
+
+double kea_openingLeft(const MdtKeaSystem *s) {
+    double most = 0;
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact < 0)
+            most = keaMax(most, leftOf(s, i) * kea_lengthOf(s, &s->rows[i]) / kea_smallerSize(s, s->rows[i].body));
+    return most;
+}
+
 static double positionError(MdtKeaSystem *s, double *attachment) {
-    const double h = s->parameters.stepsize;
     double worst = 0;
     *attachment = 0;
     s->report.error = 0;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const KeaProblemRow *p = &s->work->problem.row[i];
-        if (!row->position || p->isOff)
+        const double left = leftOf(s, i);
+        if (left == 0)
             continue;
-        const double missing = h * (p->r - p->E * p->p);
-        if ((p->p >= p->upper && missing > 0) || (p->p <= p->lower && missing < 0))
+        s->report.error = keaMax(s->report.error, left);
+        *attachment = keaMax(*attachment, left / roundingOfRow(s, row));
+        if (s->work->problem.row[i].isInconsistent)
             continue;
-        s->report.error = keaMax(s->report.error, fabs(missing));
-        *attachment = keaMax(*attachment, fabs(missing) / roundingOfRow(s, row));
-        if (p->isInconsistent)
-            continue;
-        worst = keaMax(worst, fabs(missing) / (sizeOfRow(s, row) + kea_tiny));
+        worst = keaMax(worst, left / (sizeOfRow(s, row) + kea_tiny));
     }
     return worst;
 }

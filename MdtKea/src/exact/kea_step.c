@@ -242,6 +242,8 @@ static void reportMotion(MdtKeaSystem *s, const KeaResiduals *e, MeBool isLimite
     const MeBool isMissed =
         (!s->work->usesTangentAnswer && !(e->position <= kea_loosePosition && e->momentum <= kea_loosePosition)) ||
         turnsOver(s);
+    s->report.opening = isMissed ? kea_openingLeft(s) : 0;
+    s->report.opens = s->report.opening > kea_violentOpening;
     s->report.violent = isMissed && !isLimited;
     s->report.capped = isMissed || !(e->velocity <= kea_looseVelocity);
     s->report.limited = s->report.capped && isLimited;

@@ -628,7 +628,7 @@ static void pushJoined(Step *p) {
                 pushApart(p);
     }
     kea_recallRows(p->s);
-    p->s->report.violent = p->s->report.opening > start + kea_violentOpening;
+    p->s->report.violent = p->s->report.opens = p->s->report.opening > start + kea_violentOpening;
 }
 
 static void findPositions(Step *p) {
