@@ -240,11 +240,12 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *
  *  Newton's method may use half of it, or three eighths if friction bounds do not settle. After that, the best answer
  *  so far is finished iteratively: up to eight passes of accelerated sweeps over the rows (projected Gauss-Seidel),
- *  each with a direct solve of the joint rows that have no bounds. Such an answer keeps momentum and bounds, and energy
- *  does not grow beyond what loads, springs and motors give. Contacts and stops give way by the rest of the error,
- *  mostly 1e-4 m/s, which later steps remove (gamma). Joints stay closed; where an answer would open them by a
- *  twentieth of a body, the fast solver takes the rest of the step (MdtWorldSetSolver). Partitions of 3000 rows or more get only a few
- *  sweeps in each pass; they want a larger budget. MdtReport tells (`way`, `limited`, `fallbacks`, `residualVelocity`).
+ *  each with a direct solve of the joint rows that have no bounds. Such an answer keeps momentum and bounds, and
+ *  energy does not grow beyond what loads, springs and motors give. Contacts and stops give way by the rest of the
+ *  error, mostly 1e-4 m/s, which later steps remove (gamma). Joints stay closed; where an answer would open them by a
+ *  twentieth of a body, the fast solver takes the rest of the step (MdtWorldSetSolver). Partitions of 3000 rows or
+ *  more get only a few sweeps in each pass; they want a larger budget. MdtReport tells (`way`, `limited`, `fallbacks`,
+ *  `residualVelocity`).
  *
  *  The making of the rows, a few visits of each, and one such answer for each part are done in any case.
  *

@@ -375,9 +375,9 @@ enum { KEA_JOINT_ROUNDS = 3, KEA_MOST_JOINT_ROUNDS = 8 };
 static const double kea_closedJoint = 3e-6;
 /* Of a body's size: joints that open further in a step are those of motion that is too violent for it, as of a light
  * body that is whipped round by more than the rounds of a step can turn it. Without it one of 22 bodies opens by .45 m
- * (Mst_Jointed: a_light_body_may_be_whipped_round). Where the exact solver's work ran out before it closed them to this,
- * the fast one takes over (Mst_Jointed: what_the_exact_solver_leaves_open_the_fast_one_closes). x2 and /2 fail MdtKea_fast_policy:
- * a_step_that_opens_joints_by_a_twentieth_is_violent. */
+ * (Mst_Jointed: a_light_body_may_be_whipped_round). Where the exact solver's work ran out before it closed them to
+ * this, the fast one takes over (Mst_Jointed: what_the_exact_solver_leaves_open_the_fast_one_closes). x2 and /2 fail
+ * MdtKea_fast_policy: a_step_that_opens_joints_by_a_twentieth_is_violent. */
 static const double kea_violentOpening = 0.05;
 /* Of its error: a round of Newton's method that leaves more had the derivatives of another pose. The rounds of joints
  * alone are five, and gain five digits if each gains one: from .3 of a size to kea_closedJoint. x2 and /2 fail
