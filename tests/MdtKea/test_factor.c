@@ -171,16 +171,26 @@ static double sizeOf(const double *x, int n) {
 }
 
 /* The last factorization against elimination, for a random right-hand side. */
-static void assertSolves(KeaFactor *f, const Graph *g, const char *what, unsigned seed) {
+static void assertSolvesBy(void (*solve)(const KeaFactor *f, double x[]), KeaFactor *f, const Graph *g,
+                           const char *what, unsigned seed) {
     double x[MOST], y[MOST];
     toDense(f, g);
     for (int i = 0; i < dense.n; i++)
         x[i] = y[i] = uniform(-1, 1);
-    kea_factorSolve(f, x);
+    solve(f, x);
     solveDense(y);
     for (int i = 0; i < dense.n; i++)
         ck_assert_msg(fabs(x[i] - y[i]) <= 1e-11 * sizeOf(y, dense.n),
                       "%s, seed %u, unknown %d of %d: %.17g, not %.17g", what, seed, i, dense.n, x[i], y[i]);
+}
+
+static void assertSolves(KeaFactor *f, const Graph *g, const char *what, unsigned seed) {
+    assertSolvesBy(kea_factorSolve, f, g, what, seed);
+}
+
+static void assertSolvesInverted(KeaFactor *f, const Graph *g, unsigned seed) {
+    kea_factorInvert(f);
+    assertSolvesBy(kea_factorSolveInverted, f, g, "inverted blocks", seed);
 }
 
 /* ---- solutions ---- */
@@ -194,6 +204,7 @@ START_TEST(cholesky_solves_as_elimination_does) {
         fill(f, &g, 0);
         ck_assert_msg(kea_factorCholesky(f, 1e-14), "seed %u", seed);
         assertSolves(f, &g, "Cholesky", seed);
+        assertSolvesInverted(f, &g, seed);
         destroy();
     }
 }
@@ -225,6 +236,8 @@ START_TEST(equal_blocks_solve_as_elimination_does) {
         fill(f, &g, seed % 3 ? 0 : 0.7);
         ck_assert_msg(seed % 3 ? kea_factorCholesky(f, 1e-14) : kea_factorLU(f, 1e-14), "seed %u", seed);
         assertSolves(f, &g, seed % 3 ? "Cholesky" : "LU", seed);
+        if (seed % 3)
+            assertSolvesInverted(f, &g, seed);
         destroy();
     }
 }
@@ -638,7 +651,10 @@ END_TEST
 
 #ifdef KEA_HAS_AVX2
 /* Of a matrix that depends on the seed alone: A⁻¹ of a vector, by one kernel. */
-static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, MeBool isSymmetric, double x[MOST]) {
+typedef enum { LU, CHOLESKY, INVERTED, FORMS } Form;
+
+static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, Form form, double x[MOST]) {
+    const MeBool isSymmetric = form != LU;
     state = (unsigned long long)seed;
     KeaFactor *f = create(g);
     double a[6], b[6];
@@ -655,7 +671,9 @@ static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, MeB
         x[i] = uniform(-1, 1);
     f->isSymmetric = isSymmetric;
     ck_assert(kernel->factorize(f, kea_leastPivot));
-    kernel->solve(f, x);
+    if (form == INVERTED)
+        kernel->invert(f);
+    (form == INVERTED ? kernel->solveInverted : kernel->solve)(f, x);
     destroy();
 }
 #endif
@@ -673,11 +691,10 @@ START_TEST(every_width_gives_the_same_bits) {
             makeGraph(&g, (Kind)kind, 4 + 4 * _i);
             for (int i = 0; i < g.numNodes && sizes > 0; i++)
                 g.size[i] = sizes == 1 ? 6 : 3;
-            for (int symmetric = 0; symmetric < 2; symmetric++) {
-                solveBy(&kea_factorKernel, &g, _i, symmetric, narrow);
-                solveBy(&kea_factorKernelAvx2, &g, _i, symmetric, wide);
-                ck_assert_msg(memcmp(narrow, wide, sizeof wide) == 0, "kind %d, sizes %d, symmetric %d", kind, sizes,
-                              symmetric);
+            for (int form = 0; form < FORMS; form++) {
+                solveBy(&kea_factorKernel, &g, _i, (Form)form, narrow);
+                solveBy(&kea_factorKernelAvx2, &g, _i, (Form)form, wide);
+                ck_assert_msg(memcmp(narrow, wide, sizeof wide) == 0, "kind %d, sizes %d, form %d", kind, sizes, form);
             }
         }
 #endif

@@ -174,6 +174,68 @@ START_TEST(tensors_are_refused_where_they_are_said_to_be) {
 }
 END_TEST
 
+/* ---- clamped matrices ---- */
+
+static double largestOf(const double M[3][3]) {
+    double most = 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            most = fmax(most, fabs(M[i][j]));
+    return most;
+}
+
+/* All principal minors: >= 0 if and only if no eigenvalue is negative. */
+static double leastMinor(const double M[3][3]) {
+    double least = HUGE_VAL, det = 0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        least = fmin(least, fmin(M[i][i], M[i][i] * M[j][j] - M[i][j] * M[j][i]));
+        det += M[0][i] * (M[1][j] * M[2][k] - M[1][k] * M[2][j]);
+    }
+    return fmin(least, det);
+}
+
+/* The nearest matrix without negative eigenvalues, and the only one K₊ with K₊ >= 0, K₊ - K >= 0, K₊ (K₊ - K) = 0. Of
+ * eigenvalues apart, equal in pairs, and 0, at all angles. */
+START_TEST(clamping_takes_the_negative_part_away) {
+    static const double sets[][3] = {{-1, 2, 3},    {-3, -2, 1},   {-3, -1, -2},  {-1, 2, 2}, {-2, -2, 1},
+                                     {-1, -1, -1},  {-1, 0, 0},    {-1, -1, 0},   {-1, 0, 1}, {1, 1, -2},
+                                     {-1e-9, 1, 2}, {-1, 1e-9, 2}, {-1, -1, 1e-9}};
+    for (unsigned int i = 0; i < sizeof sets / sizeof sets[0]; i++)
+        for (int angle = 0; angle < 40; angle++) {
+            double q[4] = {cos(angle), sin(1.7 * angle), cos(.3 * angle), sin(.9 * angle)}, R[3][3];
+            double K[3][3] = {{0}}, clamped[3][3], taken[3][3], product[3][3] = {{0}};
+            keaQuaternionNormalize(q);
+            keaQuaternionToMatrix(R, q);
+            for (int j = 0; j < 9; j++)
+                for (int k = 0; k < 3; k++)
+                    K[j / 3][j % 3] += R[j / 3][k] * sets[i][k] * R[j % 3][k];
+            memcpy(clamped, K, sizeof K);
+            kea_clampPositive(clamped, 0);
+            for (int j = 0; j < 9; j++)
+                taken[j / 3][j % 3] = clamped[j / 3][j % 3] - K[j / 3][j % 3];
+            for (int j = 0; j < 9; j++)
+                for (int k = 0; k < 3; k++)
+                    product[j / 3][j % 3] += clamped[j / 3][k] * taken[k][j % 3];
+            ck_assert_msg(leastMinor((const double(*)[3])clamped) > -1e-13, "set %u, angle %d: negative", i, angle);
+            ck_assert_msg(leastMinor((const double(*)[3])taken) > -1e-13, "set %u, angle %d: too little", i, angle);
+            ck_assert_msg(largestOf((const double(*)[3])product) < 1e-13, "set %u, angle %d: not across", i, angle);
+        }
+}
+END_TEST
+
+/* Unless what is negative does no harm. */
+START_TEST(harmless_matrices_stay) {
+    double K[3][3] = {{1, 0, 0}, {0, -.1, 0}, {0, 0, 2}};
+    kea_clampPositive(K, .11);
+    ck_assert(K[1][1] == -.1);
+    kea_clampPositive(K, .09);
+    assert_near(K[1][1], 0, 1e-15);
+    assert_near(K[0][0], 1, 1e-15);
+    assert_near(K[2][2], 2, 1e-15);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, free_rotation_follows_eulers_equations);
     tcase_add_test(t, fast_rotation_converges_at_fourth_order);
@@ -183,6 +245,8 @@ static void tests(TCase *t) {
     tcase_add_test(t, inertia_tensors_split_into_moments_and_axes);
     tcase_add_test(t, bad_tensors_are_refused);
     tcase_add_test(t, tensors_are_refused_where_they_are_said_to_be);
+    tcase_add_test(t, clamping_takes_the_negative_part_away);
+    tcase_add_test(t, harmless_matrices_stay);
 }
 
 TEST_MAIN("rotation", tests)

@@ -46,7 +46,7 @@ static double weight(void) {
 
 typedef struct Course {
     double open, gain; /* m; J, of any step */
-    double beyondLift;   /* the same, but for what takes overlaps away: gamma of the deepest, of all weights */
+    double beyondLift; /* the same, but for what takes overlaps away: gamma of the deepest, of all weights */
     double energy;     /* J, at the end */
     int fast, exact;   /* partitions with joints, over the steps, by the solver that took them */
     int factorizations;
@@ -254,14 +254,15 @@ START_TEST(figures_of_any_kind_hold_together_and_gain_no_energy) {
 END_TEST
 
 /* Three of four hundred, in which light bodies are hit so hard that the rounds of a step cannot close their joints:
- * these opened by .1 to .45 m. The step is divided. */
+ * these opened by .1 to .45 m. The step is divided until no joint opens by a twentieth of a body, .2 m at most from its
+ * centre. */
 START_TEST(a_light_body_may_be_whipped_round) {
     static const int figure[] = {85, 157, 331};
     for (int i = 0; i < 3; i++) {
         makeFigure(MdtSolverFast, figure[i]);
         const Course c = run(90);
         printf("figure %d: open by %.1e m\n", figure[i], c.open);
-        assert_below(c.open, 5e-3);
+        assert_below(c.open, .05 * .2);
     }
 }
 END_TEST
@@ -274,8 +275,7 @@ START_TEST(what_the_exact_solver_leaves_open_the_fast_one_closes) {
         makeFigure(MdtSolverExact, figure[i]);
         const double all = weight();
         const Course c = run(EXACT_STEPS);
-        printf("figure %d, exact: open by %.1e m, gains %.1e m of its weight\n", figure[i], c.open,
-               c.beyondLift / all);
+        printf("figure %d, exact: open by %.1e m, gains %.1e m of its weight\n", figure[i], c.open, c.beyondLift / all);
         assert_below(c.open, 1e-2);
         assert_below(c.beyondLift, 2e-3 * all);
     }

@@ -218,20 +218,6 @@ void kea_eigen(double S[3][3], double V[3][3]) {
     }
 }
 
-/* Trigonometric solution of the characteristic equation (Smith 1961). */
-double kea_leastEigenvalue(const double S[3][3]) {
-    const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
-    const double a = S[0][0] - mean, b = S[1][1] - mean, c = S[2][2] - mean;
-    const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
-    const double p = sqrt((a * a + b * b + c * c + 2 * off) / 6);
-    if (!(p > 0))
-        return mean;
-    const double det = a * (b * c - S[1][2] * S[1][2]) - S[0][1] * (S[0][1] * c - S[1][2] * S[0][2]) +
-                       S[0][2] * (S[0][1] * S[1][2] - b * S[0][2]);
-    const double r = keaMax(-1, keaMin(1, det / (2 * p * p * p)));
-    return mean + 2 * p * cos(acos(r) / 3 + 2.094395102393195492);
-}
-
 static MeBool isSymmetricAndFinite(const double inertia[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
@@ -261,18 +247,45 @@ MeBool MEAPI MdtKeaBodySetInertia(MdtKeaBody *body, const double inertia[3][3]) 
     return METRUE;
 }
 
-void kea_clampPositive(double K[3][3], double harmless) {
-    double V[3][3], S[3][3];
-    if (kea_leastEigenvalue((const double(*)[3])K) > -harmless)
+/* Ascending: the trigonometric solution of the characteristic equation (Smith 1961). */
+static void eigenvalues(const double S[3][3], double e[3]) {
+    const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
+    const double a = S[0][0] - mean, b = S[1][1] - mean, c = S[2][2] - mean;
+    const double off = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
+    const double p = sqrt((a * a + b * b + c * c + 2 * off) / 6);
+    e[0] = e[1] = e[2] = mean;
+    if (!(p > 0))
         return;
-    memcpy(S, K, sizeof S);
-    kea_eigen(S, V);
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j <= i; j++) {
-            double sum = 0;
-            for (int k = 0; k < 3; k++)
-                sum += V[i][k] * keaMax(S[k][k], 0) * V[j][k];
-            K[i][j] = K[j][i] = sum;
-        }
-    }
+    const double det = a * (b * c - S[1][2] * S[1][2]) - S[0][1] * (S[0][1] * c - S[1][2] * S[0][2]) +
+                       S[0][2] * (S[0][1] * S[1][2] - b * S[0][2]);
+    const double r = keaMax(-1, keaMin(1, det / (2 * p * p * p))), angle = acos(r) / 3;
+    e[0] += 2 * p * cos(angle + 2.094395102393195492);
+    e[2] += 2 * p * cos(angle);
+    e[1] = 3 * mean - e[0] - e[2];
+}
+
+/* K := k K + w v vᵀ, v the unit eigenvector of an eigenvalue e of K: v vᵀ = adj(K - e 1) / tr(adj(K - e 1)). Where e is
+ * not apart from the others, the trace is rounding, and so is what would be added. */
+static void addAlongEigenvector(double K[3][3], double k, double w, double e) {
+    const double a = K[0][0] - e, b = K[1][1] - e, c = K[2][2] - e, x = K[1][2], y = K[0][2], z = K[0][1];
+    const double adjugate[3][3] = {{b * c - x * x, x * y - z * c, z * x - b * y},
+                                   {x * y - z * c, a * c - y * y, z * y - a * x},
+                                   {z * x - b * y, z * y - a * x, a * b - z * z}};
+    const double trace = adjugate[0][0] + adjugate[1][1] + adjugate[2][2], share = trace > 0 ? w / trace : 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            K[i][j] = k * K[i][j] + share * adjugate[i][j];
+}
+
+/* Of one negative eigenvalue its part is taken away; of two, what is left is the part of the third. These are apart
+ * from the others by as much as they are from 0. */
+void kea_clampPositive(double K[3][3], double harmless) {
+    double e[3];
+    eigenvalues((const double(*)[3])K, e);
+    if (e[0] > -harmless)
+        return;
+    if (e[1] > 0)
+        addAlongEigenvector(K, 1, -e[0], e[0]);
+    else
+        addAlongEigenvector(K, 0, keaMax(e[2], 0), e[2]);
 }

@@ -166,11 +166,19 @@ static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const Kea
 }
 
 /* Where masses differ so much that S is not positive definite in double precision, a larger N is tried. Where even that
- * of A_ii fails, the block's joints have no force in this step. */
+ * of A_ii fails, the block's joints have no force in this step. Only where no larger one was needed, blocks are
+ * inverted: products with inverses lose digits that the factors keep. */
 static void factorize(const MdtKeaSystem *s, const KeaJoints *j, KeaJointBlock *b) {
-    b->isSound = MEFALSE;
-    for (double soft = kea_proximalLimit; soft <= 1 && !b->isSound; soft *= kea_softerJoint)
+    b->isInverted = b->isSound = factorizeWith(s, j, b, kea_proximalLimit);
+    for (double soft = kea_softerJoint * kea_proximalLimit; soft <= 1 && !b->isSound; soft *= kea_softerJoint)
         b->isSound = factorizeWith(s, j, b, soft);
+    if (b->isInverted)
+        kea_factorInvert(b->factor);
+}
+
+static void solveWithFactor(const KeaJointBlock *b, double x[]) {
+    kea_factorTakeNumbers(b->factor, b->numbers);
+    (b->isInverted ? kea_factorSolveInverted : kea_factorSolve)(b->factor, x);
 }
 
 /* ---- blocks ---- */
@@ -471,8 +479,7 @@ static void solveTied(const KeaJoints *j, const KeaJointBlock *b) {
     memset(x, 0, (size_t)b->numNodes * sizeof *x);
     for (int i = b->firstRow; i < b->firstRow + b->numTied; i++)
         addAlong(&j->row[i], j->row[i].weight * j->row[i].missing, x);
-    kea_factorTakeNumbers(b->factor, b->numbers);
-    kea_factorSolve(b->factor, x[0]);
+    solveWithFactor(b, x[0]);
 }
 
 /* The velocities that a unit of a row's impulse gives the block, or in a wide one the row's own bodies, and the rate of
@@ -492,8 +499,7 @@ static void findResponse(const MdtKeaSystem *s, const KeaJointBlock *b, KeaJoint
     }
     memset(response, 0, (size_t)b->numNodes * sizeof *response);
     addAlong(r, 1, response);
-    kea_factorTakeNumbers(b->factor, b->numbers);
-    kea_factorSolve(b->factor, response[0]);
+    solveWithFactor(b, response[0]);
     r->blockSize = rateOf(r, response);
 }
 

@@ -35,9 +35,10 @@ typedef struct KeaJointBody {
 typedef struct KeaJointBlock {
     int firstNode, numNodes, firstRow, numRows, numTied;
     KeaFactor *factor;
-    char *numbers;  /* the factor's */
-    MeBool isWide;  /* of more than KEA_WIDE_BLOCK bodies: rows with bounds act on their own two only */
-    MeBool isSound; /* it has been factorized */
+    char *numbers;     /* the factor's */
+    MeBool isWide;     /* of more than KEA_WIDE_BLOCK bodies: rows with bounds act on their own two only */
+    MeBool isSound;    /* it has been factorized, */
+    MeBool isInverted; /* and the factor's blocks are inverted */
 } KeaJointBlock;
 
 typedef struct KeaJoints {

@@ -89,3 +89,13 @@ void kea_factorSolve(const KeaFactor *f, double x[]) {
     MEASSERT(f->numbers->owner == f);
     kernelOfMachine()->solve(f, x);
 }
+
+void kea_factorInvert(KeaFactor *f) {
+    MEASSERT(f->numbers->owner == f && f->isSymmetric);
+    kernelOfMachine()->invert(f);
+}
+
+void kea_factorSolveInverted(const KeaFactor *f, double x[]) {
+    MEASSERT(f->numbers->owner == f);
+    kernelOfMachine()->solveInverted(f, x);
+}

@@ -8,6 +8,11 @@
  *
  * factors A_jj, and divides by it: U_ji = L_jj⁻¹ A_ji, L_ij = A_ij U_jj⁻¹. A column of L is kept as its transpose, so
  * that all products are sums of Xᵀ Y, row by row. Of a symmetric matrix L = Uᵀ: only U is kept.
+ *
+ * A solve with U_jj takes one unknown after the other, each waiting for the last. Where a symmetric matrix is solved
+ * with many times, blocks are inverted once, E_j = (U_jjᵀ U_jj)⁻¹ and M_ji = U_jj⁻¹ U_ji, and a solve only multiplies:
+ *
+ *     forward   x_i -= M_jiᵀ x_j,     backward   x_j := E_j x_j - Σ M_ji x_i.
  */
 #include "inner/kea_doubles_i.h"
 #include "MeAssert.h"
@@ -372,7 +377,7 @@ KEA_INLINE void subtractTransposed6(double *xi, const double *X, const double *x
     putSix(xi, x);
 }
 
-static void subtractTransposed(double *xi, const double *X, const double *xj, int n, int m) {
+KEA_INLINE void subtractTransposed(double *xi, const double *X, const double *xj, int n, int m) {
     if (n == 6 && m == 6)
         subtractTransposed6(xi, X, xj);
     else
@@ -452,4 +457,61 @@ static void solve(const KeaFactor *f, double x[]) {
     solveBackward(f, x);
 }
 
-const KeaFactorKernel KEA_FACTOR_KERNEL = {factorize, solve, addOuter};
+/* ---- solution by inverted blocks ---- */
+
+/* The pivot becomes -E_j, an entry M_ji, with its transpose in `lower`. */
+KEA_INLINE void invertColumnOf(KeaFactor *f, int t, int n) {
+    enum { MOST = KEA_FACTOR_MAX_BLOCK * KEA_FACTOR_MAX_BLOCK };
+    double inverse[MOST], minus[MOST];
+    double *D = f->pivot + f->diagonalAt[f->node[t]];
+    for (int i = 0; i < n * n; i++)
+        inverse[i] = i % (n + 1) == 0;
+    divideUpper(inverse, D, n, n); /* U_jj⁻ᵀ */
+    for (int i = 0; i < n * n; i++) {
+        minus[i] = -inverse[i];
+        D[i] = 0;
+    }
+    subtractProduct(D, inverse, inverse, n, n, n);
+    for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+        const KeaFactorEntry *e = &f->entry[k];
+        const int m = sizeOfRow(f, e);
+        double *M = f->upper + e->at, *turned = f->lower + e->at;
+        for (int i = 0; i < n * m; i++) {
+            turned[i] = M[i];
+            M[i] = 0;
+        }
+        subtractProduct(M, minus, turned, n, n, m);
+        transpose(turned, M, n, m);
+    }
+}
+
+static void invert(KeaFactor *f) {
+    for (int t = 0; t < f->numNodes; t++)
+        if (f->size[f->node[t]] == 6)
+            invertColumnOf(f, t, 6);
+        else
+            invertColumnOf(f, t, f->size[f->node[t]]);
+}
+
+static void solveInverted(const KeaFactor *f, double x[]) {
+    for (int t = 0; t < f->numNodes; t++) {
+        const int j = f->node[t];
+        for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+            const KeaFactorEntry *e = &f->entry[k];
+            subtractTransposed(x + f->offset[f->node[e->row]], f->upper + e->at, x + f->offset[j], f->size[j],
+                               sizeOfRow(f, e));
+        }
+    }
+    for (int t = f->numNodes - 1; t >= 0; t--) {
+        const int j = f->node[t], n = f->size[j];
+        double sum[KEA_FACTOR_MAX_BLOCK] = {0}, *xj = x + f->offset[j];
+        subtractTransposed(sum, f->pivot + f->diagonalAt[j], xj, n, n);
+        for (int k = f->start[t]; k < f->start[t + 1]; k++) {
+            const KeaFactorEntry *e = &f->entry[k];
+            subtractTransposed(sum, f->lower + e->at, x + f->offset[f->node[e->row]], sizeOfRow(f, e), n);
+        }
+        memcpy(xj, sum, (size_t)n * sizeof *xj);
+    }
+}
+
+const KeaFactorKernel KEA_FACTOR_KERNEL = {factorize, solve, invert, solveInverted, addOuter};

@@ -54,6 +54,8 @@ struct KeaFactor {
 typedef struct KeaFactorKernel {
     MeBool (*factorize)(KeaFactor *f, double least);
     void (*solve)(const KeaFactor *f, double x[]);
+    void (*invert)(KeaFactor *f);
+    void (*solveInverted)(const KeaFactor *f, double x[]);
     void (*addOuter)(double block[6 * 6], double w, const double a[6], const double b[6]);
 } KeaFactorKernel;
 
