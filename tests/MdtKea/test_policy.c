@@ -951,6 +951,27 @@ START_TEST(sweeps_leave_work_for_eight_passes) {
 }
 END_TEST
 
+/* The speed with which the first two of three balls in a row that touch leave each other, after the first has hit with
+ * 1 m/s. They part with e, the second hits the third, and is met by the first once more, with (1 - e)²/4. */
+static double partAgain(double restitution) {
+    beginStep(3, 3);
+    body[0].velocity[0] = 1;
+    MdtKeaInit(&s, scratch);
+    s.parameters.timed = METRUE;
+    for (int i = 0; i < 2; i++)
+        addContact(i + 1, i)->restitution = restitution;
+    MdtKeaImpact(&s);
+    endStep();
+    return body[1].velocity[0] - body[0].velocity[0];
+}
+
+START_TEST(rounds_end_at_a_fiftieth_of_the_first_rebound) {
+    const double faster = 1 - sqrt(4 * 0.03), slower = 1 - sqrt(4 * 0.015);
+    assert_near(partAgain(faster), faster * 0.03, 1e-12);
+    assert_near(partAgain(slower), 0, 1e-12);
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_test(t, friction_bounds_follow_in_full_then_by_a_secant);
     tcase_add_test(t, factors_that_are_kept_are_good_enough);
@@ -971,6 +992,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, half_of_a_steps_loads_do_not_rebound);
     tcase_add_test(t, impacts_are_solved_to_twelve_digits);
     tcase_add_test(t, an_impact_has_sixty_rounds);
+    tcase_add_test(t, rounds_end_at_a_fiftieth_of_the_first_rebound);
     tcase_add_test(t, energy_is_known_to_twelve_digits);
     tcase_add_test(t, a_gap_that_counts_as_none);
     tcase_add_test(t, friction_below_its_bound_by_rounding_slides);

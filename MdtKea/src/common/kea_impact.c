@@ -1,9 +1,9 @@
 /* Simultaneous impacts: velocities change in an instant, by the law of restitution (kea_restitution.c).
  *
  * They are resolved in rounds (generalized reflections: Smith et al., Reflections on Simultaneous Impact, 2012): each
- * reflects all contacts that approach at once, until none does. So only the last ball of a Newton's cradle leaves, and
- * a box that lands flat does not turn. A round that would gain energy is interpolated with the one without restitution
- * (kea_energy.c).
+ * reflects all contacts that approach at once, until nothing rebounds by more than a fiftieth of the first rebound. So
+ * only the last ball of a Newton's cradle leaves, and a box that lands flat does not turn. A round that would gain
+ * energy is interpolated with the one without restitution (kea_energy.c).
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -234,17 +234,18 @@ MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
     return approaches;
 }
 
-/* The touching contacts that approach faster than `slowest` (takesPart). Returns whether any of them rebounds. */
-static MeBool findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpeed, char takesPart[]) {
-    MeBool rebounds = MEFALSE;
+/* The touching contacts that approach faster than `slowest` (takesPart). Returns the speed with which the fastest of
+ * them rebounds; 0: none does. */
+static double findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpeed, char takesPart[]) {
+    double fastest = 0;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         const double speed = -kea_startRate(s, i);
         takesPart[i] = (char)(row->contact == i && kea_isTouching(s, row) && speed > slowest);
-        rebounds = rebounds ||
-                   (takesPart[i] && kea_reboundOfImpact(row->restitution, row->threshold, speed, minReboundSpeed) > 0);
+        if (takesPart[i])
+            fastest = keaMax(fastest, kea_reboundOfImpact(row->restitution, row->threshold, speed, minReboundSpeed));
     }
-    return rebounds;
+    return fastest;
 }
 
 /* The velocities with which they separate. Beside a contact that rebounds the slow ones do so too: stopped, one would
@@ -305,7 +306,12 @@ MeBool kea_impact(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
     const double slowest = kea_velocityTolerance * keaMax(kea_eventSpeed(s), s->work->speed);
-    for (int round = 0; round < KEA_MAX_ROUNDS && findImpacts(s, slowest, minReboundSpeed, takesPart); round++) {
+    double first = 0; /* m/s: the fastest rebound of the first round */
+    for (int round = 0; round < KEA_MAX_ROUNDS; round++) {
+        const double fastest = findImpacts(s, slowest, minReboundSpeed, takesPart);
+        first = keaMax(first, fastest);
+        if (!(fastest > kea_lastRound * first))
+            break;
         setTargets(s, takesPart, target);
         if (!applyRound(s, target, takesPart) || s->work->problem.counts.isLimited)
             break;

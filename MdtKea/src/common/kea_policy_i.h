@@ -290,6 +290,10 @@ enum {
      * bounds. x2 and /2 fail MdtKea_policy: iterations_of_impacts. */
     KEA_MAX_IMPACT_PASSES = 14
 };
+/* Of the first round's fastest rebound: rounds end where nothing rebounds faster, and what meets still is stopped. A
+ * tower of 8 bricks with restitution .3 that a ball hits takes a third of the work. x2 and /2 fail MdtKea_policy:
+ * rounds_end_at_a_fiftieth_of_the_first_rebound. */
+static const double kea_lastRound = 0.02;
 /* Of the load speed: what leaves faster is open, what slides faster can stop; what meets faster as a step begins, but
  * does not rebound, trembles: what rolls meets the ground more slowly (with 0 Mst_Rims and Mst_Cases_Friction fail).
  * Far above rounding: with 1e-7 a rolling ball made 794 stops, and far below 1, a step's own change. x2 fails
