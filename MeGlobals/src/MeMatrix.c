@@ -1,5 +1,5 @@
 /* Matrices of 3 x 3 and 4 x 4 numbers, and rotations as 3 x 3 matrices. */
-#include "MeMath.h"
+#include "MeMath_i.h"
 
 #include "MeMessage.h"
 #include <string.h>
@@ -203,9 +203,23 @@ MeBool MEAPI MeMatrix3IsIsotropic(const MeMatrix3 i) {
 
 /* ---- rotations ---- */
 
+/* A plane that is turned by ME_PI / 2 is level then; by the cosine of what that rounds to it would lean by 4e-8. */
+void me_direction(MeReal angle, MeReal *cosine, MeReal *sine) {
+    const double quarter = 1.57079632679489661923, turns = rint((double)angle / quarter);
+    static const MeReal exact[4] = {1, 0, -1, 0};
+    *cosine = MeCos(angle);
+    *sine = MeSin(angle);
+    if (fabs((double)angle - turns * quarter) <= (double)ME_EPSILON * fabs((double)angle)) {
+        const int quarters = (int)(turns - 4 * floor(turns / 4));
+        *cosine = exact[quarters];
+        *sine = exact[(quarters + 3) % 4];
+    }
+}
+
 static void makeRotation(MeMatrix3 m, int axis, MeReal angle) {
     const int j = NextMod3(axis), k = PrevMod3(axis);
-    const MeReal c = MeCos(angle), s = MeSin(angle);
+    MeReal c, s;
+    me_direction(angle, &c, &s);
     MeMatrix3MakeIdentity(m);
     m[j][j] = m[k][k] = c;
     m[k][j] = s;
@@ -225,8 +239,10 @@ void MEAPI MeMatrix3MakeRotationZ(MeMatrix3 m, const MeReal a) {
 }
 
 void MEAPI MeMatrix3FromEulerAngles(MeMatrix3 m, const MeReal xangle, const MeReal yangle, const MeReal zangle) {
-    const MeReal cx = MeCos(xangle), cy = MeCos(yangle), cz = MeCos(zangle);
-    const MeReal sx = MeSin(xangle), sy = MeSin(yangle), sz = MeSin(zangle);
+    MeReal cx, cy, cz, sx, sy, sz;
+    me_direction(xangle, &cx, &sx);
+    me_direction(yangle, &cy, &sy);
+    me_direction(zangle, &cz, &sz);
     MeVector3Set(m[0], cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx);
     MeVector3Set(m[1], sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx);
     MeVector3Set(m[2], -sy, cy * sx, cy * cx);

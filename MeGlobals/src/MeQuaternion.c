@@ -13,8 +13,9 @@ void MEAPI MeQuaternionSet(MeVector4 q, MeReal w, MeReal x, MeReal y, MeReal z) 
 }
 
 void MEAPI MeQuaternionMake(MeVector4 q, const MeVector3 x, const MeReal a) {
-    const MeReal c = MeCos(a / 2), s = MeSin(a / 2);
+    MeReal c, s;
     MeVector3 n;
+    me_direction(a / 2, &c, &s);
     MeVector3Copy(n, x);
     if (MeVector3Normalize(n) == 0) {
         MeWarning(1, "MeQuaternionMake: the axis (%g, %g, %g) has no direction", (double)x[0], (double)x[1],
