@@ -280,8 +280,8 @@ MEPUBLIC MeBool MEAPI MeMatrix3IsIsotropic(const MeMatrix3 i);
 /** @} */
 
 /** @name MeMatrix3: rotations
- *  y = R x, see above. An angle that is a quarter turn, or a multiple, to its rounding, as ME_PI / 2 is, is that
- *  exactly: a plane that it turns is level.
+ *  y = R x, see above. In single precision an angle that is a quarter turn, or a multiple, to its rounding, as
+ *  ME_PI / 2 is, is that exactly: a plane that it turns is level.
  *  @{ */
 /** By the angle a about x: y to z. */
 MEPUBLIC void MEAPI MeMatrix3MakeRotationX(MeMatrix3 m, const MeReal a);

@@ -11,7 +11,8 @@ MeReal me_length(const MeReal *v, int n);
  * direction. */
 MeReal me_normalize(MeReal *v, int n);
 
-/* Cosine and sine of an angle; of what is a quarter turn, or a multiple, to its rounding, as ME_PI / 2 is, exactly. */
+/* Cosine and sine of an angle; of what is a quarter turn, or a multiple, to its rounding in single precision, as
+ * ME_PI / 2 is, exactly. */
 void me_direction(MeReal angle, MeReal *cosine, MeReal *sine);
 
 #endif
