@@ -257,7 +257,8 @@ typedef struct MdtKeaReport {
     double error;      /**< m: the largest error left in a position row, against what it asked for */
     double opening;    /**< of the smaller body's size: the largest error of a position row that is not a contact's, as
                              the fast solver leaves it; of the exact one, what it was to correct and has not */
-    MeBool opens;      /**< by a twentieth or more: in a divided step, or by another solver, it might not */
+    MeBool opens;      /**< joints do, by a twentieth of a body or more: shorter steps, or the other solver, may close
+                             them */
 } MdtKeaReport;
 
 /**

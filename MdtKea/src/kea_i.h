@@ -125,6 +125,8 @@ void kea_inertia(const MdtKeaBody *body, const double q[4], double inertia[3][3]
 double kea_sizeOf(const MdtKeaBody *body);
 /* The inverse of any regular matrix. */
 void kea_invert(double inverse[3][3], const double M[3][3]);
+/* The largest absolute value of an entry. */
+double kea_largestEntry(const double M[3][3]);
 /* Diagonalizes a symmetric matrix S in place: eigenvalues on its diagonal, eigenvectors as columns of V. */
 void kea_eigen(double S[3][3], double V[3][3]);
 /* Sets the negative eigenvalues of a symmetric matrix to 0, unless all of them are above -harmless. */

@@ -176,14 +176,6 @@ END_TEST
 
 /* ---- clamped matrices ---- */
 
-static double largestOf(const double M[3][3]) {
-    double most = 0;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            most = fmax(most, fabs(M[i][j]));
-    return most;
-}
-
 /* All principal minors: >= 0 if and only if no eigenvalue is negative. */
 static double leastMinor(const double M[3][3]) {
     double least = HUGE_VAL, det = 0;
@@ -219,7 +211,8 @@ START_TEST(clamping_takes_the_negative_part_away) {
                     product[j / 3][j % 3] += clamped[j / 3][k] * taken[k][j % 3];
             ck_assert_msg(leastMinor((const double(*)[3])clamped) > -1e-13, "set %u, angle %d: negative", i, angle);
             ck_assert_msg(leastMinor((const double(*)[3])taken) > -1e-13, "set %u, angle %d: too little", i, angle);
-            ck_assert_msg(largestOf((const double(*)[3])product) < 1e-13, "set %u, angle %d: not across", i, angle);
+            ck_assert_msg(kea_largestEntry((const double(*)[3])product) < 1e-13, "set %u, angle %d: not across", i,
+                          angle);
         }
 }
 END_TEST

@@ -180,6 +180,14 @@ void kea_invert(double inverse[3][3], const double M[3][3]) {
             inverse[i][j] = c[j][i] / det;
 }
 
+double kea_largestEntry(const double M[3][3]) {
+    double most = 0;
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            most = keaMax(most, fabs(M[i][k]));
+    return most;
+}
+
 /* One Jacobi rotation that zeroes S[p][q] of a symmetric matrix; the columns of V follow. */
 static void jacobiRotate(double S[3][3], double V[3][3], int p, int q) {
     if (S[p][q] == 0)

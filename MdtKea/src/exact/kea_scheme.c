@@ -180,14 +180,6 @@ static void addStiffness(double K[3][3], const double P[3], const double r[3], d
             K[i][j] += 0.5 * h * ((i == j ? Pr : 0) - 0.5 * (r[i] * P[j] + r[j] * P[i]));
 }
 
-static double largestEntry(const double K[3][3]) {
-    double most = 0;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            most = keaMax(most, fabs(K[i][j]));
-    return most;
-}
-
 /* The geometric stiffness of all rows on each body, summed up in metric[].angular. */
 static void gatherStiffness(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
@@ -214,7 +206,7 @@ static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
     const double *I = body->moments, least = keaMin(I[0], keaMin(I[1], I[2])) / b->theta;
     double inertia[3][3];
     meanInertia(body, b, inertia);
-    if (largestEntry((const double(*)[3])B->angular) > kea_smallStiffness * least)
+    if (kea_largestEntry((const double(*)[3])B->angular) > kea_smallStiffness * least)
         kea_clampPositive(B->angular, kea_harmlessStiffness * least);
     else
         memset(B->angular, 0, sizeof B->angular);

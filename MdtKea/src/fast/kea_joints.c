@@ -258,20 +258,12 @@ static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBloc
     }
 }
 
-static double largestEntry(double (*const K)[3]) {
-    double most = 0;
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            most = keaMax(most, fabs(K[i][k]));
-    return most;
-}
-
 /* I w⁺ = L + Jᵀ p - K w⁺: impulses act on the inertia I + K. */
 static void addToInertia(MdtKeaSystem *s, KeaJointBody *body) {
     KeaJointBody b = *body;
     const double *I = s->bodies[b.body]->moments, least = keaMin(I[0], keaMin(I[1], I[2]));
     double(*inverse)[3] = s->invMass[b.body].inertia;
-    if (largestEntry(b.stiffness) <= kea_smallStiffness * least)
+    if (kea_largestEntry((const double(*)[3])b.stiffness) <= kea_smallStiffness * least)
         return;
     b.isStiff = METRUE;
     kea_clampPositive(b.stiffness, 0);
