@@ -131,6 +131,7 @@ double kea_newtonError(KeaProblem *q, double step) {
 /* Adds w aᵀ b to the matrix, a and b the Jacobians of two rows between the same bodies. */
 static void addRows(KeaProblem *q, const KeaProblemRow *row, double w, double (*const a)[6], double (*const b)[6],
                     MeBool isSymmetric) {
+    MEASSERT(row->edge >= 0 || row->body[0] < 0 || row->body[1] < 0);
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             kea_factorAddOuter(kea_factorDiagonal(q->factor, row->body[k]), w, a[k], b[k]);

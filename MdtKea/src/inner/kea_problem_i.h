@@ -60,7 +60,7 @@ typedef struct KeaProblemRow {
     MeBool isCheckedElsewhere;      /* kea_problemResidual leaves it out: its error is checked in positions */
     MeBool isOff;                   /* inactive: p is constant */
     MeBool isAside;                 /* inactive during kea_problemSolveJoints */
-    MeBool isOut;                   /* inactive throughout: it has no edge in the graph */
+    MeBool isOut;                   /* inactive in all solves of the step: it has no edge in the graph */
     KeaRowState state, factored;    /* now; when the matrix was factored */
 } KeaProblemRow;
 
