@@ -45,6 +45,7 @@
 #include "MdtKea.h"
 #include "MdtKeaMath.h"
 #include "inner/kea_problem_i.h"
+#include <float.h>
 
 /* The state of a body at the end of the step, while the step is being found. */
 typedef struct KeaEnd {
@@ -299,6 +300,11 @@ typedef struct KeaResiduals {
     double resolution; /* m/s, of the velocity: its tolerance */
 } KeaResiduals;
 
+/* m/s: slower, a body moves in the step by less than a double's rounding of its size, and is not told from one at rest.
+ * Without this floor, what a motor has stopped in a world without loads is solved for, for good. */
+static inline double kea_leastSpeed(double size, double stepsize) {
+    return DBL_EPSILON * size / stepsize;
+}
 /* m/s: the largest change of a body's velocity by loads in the step. */
 double kea_loadSpeed(const MdtKeaSystem *s);
 /* m/s: the scale of velocities, to which tolerances are relative: of bodies, and of their changes by loads, springs and

@@ -42,7 +42,6 @@ void kea_setInstantMetric(MdtKeaSystem *s, int i) {
     kea_inertia(s->bodies[i], s->bodies[i]->quaternion, B->angular);
     kea_invert(B->inverse, (const double(*)[3])B->angular);
     q->length[i] = sqrt(keaMax(I[0], keaMax(I[1], I[2])) * s->bodies[i]->invMass);
-    q->scale[i] = B->linear * (keaLength(s->velocity[i].lin) + q->length[i] * keaLength(s->velocity[i].ang)) + kea_tiny;
     memset(q->load[i], 0, sizeof q->load[i]);
 }
 
@@ -76,14 +75,25 @@ static MeBool actsInInstant(const MdtKeaSystem *s, int i) {
     return isStop ? row->error <= 0 : row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
+/* N s: what a body's impulses are compared with. One that is all but at rest beside moving ones is solved for to what
+ * an impact's passes leave of their speed, not to ten digits of its own. */
+static double scaleOf(const MdtKeaSystem *s, int i) {
+    const KeaProblem *q = &s->work->problem;
+    const double own = keaLength(s->velocity[i].lin) + q->length[i] * keaLength(s->velocity[i].ang);
+    return q->metric[i].linear * keaMax(own + kea_impactTolerance / kea_newtonTolerance * s->work->speed,
+                                        kea_leastSpeed(q->length[i], s->parameters.stepsize));
+}
+
 /* The inner problem of the rows that act in an instant; work->activeRow maps its rows to those of the system. */
 static void setProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     int *place = s->work->problemRowOf;
     q->numBodies = s->numBodies;
     q->numRows = 0;
-    for (int i = 0; i < s->numBodies; i++)
+    for (int i = 0; i < s->numBodies; i++) {
         kea_setInstantMetric(s, i);
+        q->scale[i] = scaleOf(s, i);
+    }
     for (int i = 0; i < s->numRows; i++)
         if (actsInInstant(s, i)) {
             place[i] = q->numRows;

@@ -126,14 +126,18 @@ MeBool kea_isConflicting(const MdtKeaSystem *s) {
 
 /* ---- a whole step ---- */
 
+/* m/s: what loads do to a body in the step. */
+static double changeByLoads(const MdtKeaSystem *s, int i) {
+    const KeaBody *b = &s->work->body[i];
+    double change[3];
+    keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
+    return keaMax(keaLength(change), kea_leastSpeed(b->size, s->parameters.stepsize));
+}
+
 double kea_loadSpeed(const MdtKeaSystem *s) {
     double speed = 0;
-    for (int i = 0; i < s->numBodies; i++) {
-        const KeaBody *b = &s->work->body[i];
-        double change[3];
-        keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
-        speed = keaMax(speed, keaLength(change));
-    }
+    for (int i = 0; i < s->numBodies; i++)
+        speed = keaMax(speed, changeByLoads(s, i));
     return speed;
 }
 
@@ -142,16 +146,14 @@ double kea_velocityScale(const MdtKeaSystem *s) {
     double speed = 0;
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
-        double change[3];
-        keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
-        speed = keaMax(speed, keaLength(change) + kea_ownSpeedShare * keaLength(b->freeVelocity) +
+        speed = keaMax(speed, changeByLoads(s, i) + kea_ownSpeedShare * keaLength(b->freeVelocity) +
                                   kea_ownSpeedShare * b->size * keaLength(s->predicted[i].ang));
     }
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0 && !s->rows[i].position)
             speed = keaMax(speed, kea_lengthOf(s, &s->rows[i]) * s->work->problem.row[i].Aii *
                                       fabs(s->work->problem.row[i].p));
-    return speed + kea_tiny;
+    return speed;
 }
 
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed) {

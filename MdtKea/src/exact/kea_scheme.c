@@ -26,7 +26,6 @@
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
-#include <float.h>
 #include <string.h>
 
 static void toPrincipal(const MdtKeaBody *body, const double q[4], double axes[3][3]) {
@@ -55,12 +54,13 @@ static void fromAngular(const MdtKeaBody *body, KeaBody *b) {
 }
 
 /* N s: the scale of impulses: that of the loads, and a small share of the momentum. */
-static double scaleOf(const MdtKeaBody *body, const KeaBody *b, double size) {
+static double scaleOf(const MdtKeaBody *body, const KeaBody *b, double size, double h) {
     double dv[3], dL[3];
     keaSubtract(dv, b->freeVelocity, body->velocity);
     keaSubtract(dL, b->freeMomentum, body->angularMomentum);
     const double momentum = keaLength(body->velocity) / body->invMass + keaLength(body->angularMomentum) / size;
-    return keaLength(dv) / body->invMass + keaLength(dL) / size + kea_momentumShare * momentum + DBL_MIN;
+    return keaMax(keaLength(dv) / body->invMass + keaLength(dL) / size + kea_momentumShare * momentum,
+                  kea_leastSpeed(size, h) / body->invMass);
 }
 
 /* Initial guess: the acceleration of the last step, unless it was an impact's or the like. */
@@ -82,7 +82,7 @@ void kea_beginBodies(MdtKeaSystem *s) {
         MEASSERT(body->invMass > 0 && body->moments[0] > 0 && body->moments[1] > 0 && body->moments[2] > 0);
         b->isFree = METRUE;
         fromAngular(body, b);
-        q->scale[i] = b->scale = scaleOf(body, b, b->size);
+        q->scale[i] = b->scale = scaleOf(body, b, b->size, s->parameters.stepsize);
         q->length[i] = b->size;
     }
 }

@@ -297,6 +297,8 @@ static void takePasses(MdtKeaSystem *s) {
         if (isFinal(q, &e, isRefined) || pass == last ||
             (isLimited && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
             break;
+        if (isnan(e.worst))
+            break; /* of a motion beyond all numbers */
         isRefined = kea_isConverged(&e);
         if (!runPass(s, pass, &e, isConvergingFast))
             break;
