@@ -300,15 +300,17 @@ typedef struct KeaResiduals {
     double resolution; /* m/s, of the velocity: its tolerance */
 } KeaResiduals;
 
-/* m/s: slower, a body moves in the step by less than a double's rounding of its size, and is not told from one at rest.
- * Without this floor, what a motor has stopped in a world without loads is solved for, for good. */
+/* m/s: slower, a body moves in the step by less than a double's rounding of its size, and is not told from one that
+ * rests. Without this floor, what a motor has stopped in a world without loads is solved for, for good. */
 static inline double kea_leastSpeed(double size, double stepsize) {
     return DBL_EPSILON * size / stepsize;
 }
+/* The same, the greatest of all bodies. */
+double kea_stillSpeed(const MdtKeaSystem *s);
 /* m/s: the largest change of a body's velocity by loads in the step. */
 double kea_loadSpeed(const MdtKeaSystem *s);
 /* m/s: the scale of velocities, to which tolerances are relative: of bodies, and of their changes by loads, springs and
- * motors. */
+ * motors; at least kea_stillSpeed. */
 double kea_velocityScale(const MdtKeaSystem *s);
 /* After a linearization. Writes report.error. */
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);

@@ -128,10 +128,9 @@ MeBool kea_isConflicting(const MdtKeaSystem *s) {
 
 /* m/s: what loads do to a body in the step. */
 static double changeByLoads(const MdtKeaSystem *s, int i) {
-    const KeaBody *b = &s->work->body[i];
     double change[3];
-    keaSubtract(change, b->freeVelocity, s->bodies[i]->velocity);
-    return keaMax(keaLength(change), kea_leastSpeed(b->size, s->parameters.stepsize));
+    keaSubtract(change, s->work->body[i].freeVelocity, s->bodies[i]->velocity);
+    return keaLength(change);
 }
 
 double kea_loadSpeed(const MdtKeaSystem *s) {
@@ -141,9 +140,15 @@ double kea_loadSpeed(const MdtKeaSystem *s) {
     return speed;
 }
 
-/* m/s: what velocities are compared with: those of the bodies, and what loads, springs and motors do to them. */
-double kea_velocityScale(const MdtKeaSystem *s) {
+double kea_stillSpeed(const MdtKeaSystem *s) {
     double speed = 0;
+    for (int i = 0; i < s->numBodies; i++)
+        speed = keaMax(speed, kea_leastSpeed(s->work->body[i].size, s->parameters.stepsize));
+    return speed;
+}
+
+double kea_velocityScale(const MdtKeaSystem *s) {
+    double speed = kea_stillSpeed(s);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
         speed = keaMax(speed, changeByLoads(s, i) + kea_ownSpeedShare * keaLength(b->freeVelocity) +
