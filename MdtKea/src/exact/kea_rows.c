@@ -282,15 +282,24 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
            inverseMassWithoutArms(s, p);
 }
 
-/* m/s: the target of a contact in a timed step, where overlaps are removed by kea_project instead of by a velocity.
- * Only a soft contact gets part of the separating velocity, so that it sags no further than to where γ times its depth
- * balances the load. One that is held with a gap comes to touch at the end (kea_events.c). */
-static double timedTarget(const MdtKeaSystem *s, const MdtKeaRow *row, const KeaProblemRow *p) {
+/* A contact in a timed step, where overlaps are removed by kea_project instead of by a velocity. Only a soft one gets
+ * part of the separating velocity G, so that it sags no further than to where γ times its depth balances the load:
+ *
+ *     J v = drift - max(E p - G, 0),
+ *
+ * rigid up to the load G/E; which of both branches holds follows from p of the last pass. One that is held with a gap
+ * comes to touch at the end (kea_events.c). */
+static double timedTarget(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProblemRow *p) {
     if (row->lower < 0) /* it may pull */
         return row->target;
     if (s->parameters.holdsSlow && !kea_isTouching(s, row))
         return row->drift + keaMin(-2 * row->error / s->parameters.stepsize - kea_startRate(s, row->contact), 0);
-    return row->drift + keaMin(keaMax(row->target - row->drift, 0), row->softness * keaMax(p->p, 0));
+    const double separating = keaMax(row->target - row->drift, 0);
+    if (row->softness * p->p < separating) {
+        p->E = 0;
+        return row->drift;
+    }
+    return row->drift + separating;
 }
 
 static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
@@ -298,8 +307,8 @@ static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double theta = thetaOf(s, row);
     p->E = theta * row->softness;
-    p->r =
-        theta * ((s->parameters.timed && row->contact == i ? timedTarget(s, row, p) : row->target) - kea_endRate(s, i));
+    const double target = s->parameters.timed && row->contact == i ? timedTarget(s, row, p) : row->target;
+    p->r = theta * (target - kea_endRate(s, i));
     p->N = (row->contact >= 0 ? kea_proximalContact[level < KEA_PROXIMAL_LEVELS ? level : KEA_PROXIMAL_LEVELS - 1]
                               : kea_proximalLimit) *
            p->Aii;
