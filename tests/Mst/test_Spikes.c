@@ -95,7 +95,7 @@ START_TEST(a_chain_folds_onto_itself) {
 END_TEST
 
 /* A soft contact is rigid up to the load at which its overlap would be corrected; each pass gave way to the load of the
- * last one instead, and passes came to it by a quarter each: 497 factorizations, 146 in a step. */
+ * last one instead, and passes came to it by a quarter each: 902 factorizations in double, 146 in a step in single. */
 START_TEST(a_box_lands_softly) {
     const MstUniverseID u = twelve_makeUniverse();
     const McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, (MeReal).6, (MeReal).8), 1);
@@ -106,8 +106,8 @@ START_TEST(a_box_lands_softly) {
     McdModelDynamicsSetPosition(box, 0, (MeReal).8, 0);
     McdModelDynamicsSetAngularVelocity(box, (MeReal).1, 0, (MeReal).1);
     MdtBodyEnable(McdModelGetBody(box));
-    const Cost cost = costOfUniverse("soft box", u, 300);
-    ck_assert_int_le(cost.all, 250);
+    const Cost cost = costOfUniverse("soft box", u, 60);
+    ck_assert_int_le(cost.all, 700);
     ck_assert_int_le(cost.worst, 80);
 }
 END_TEST

@@ -287,19 +287,20 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
  *
  *     J v = drift - max(E p - G, 0),
  *
- * rigid up to the load G/E; which of both branches holds follows from p of the last pass. One that is held with a gap
- * comes to touch at the end (kea_events.c). */
+ * rigid up to the load G/E; which of both branches holds follows from p of the last pass, and is the one without G in a
+ * first pass, in which contacts share their load by E. One that is held with a gap comes to touch at the end
+ * (kea_events.c). */
 static double timedTarget(const MdtKeaSystem *s, const MdtKeaRow *row, KeaProblemRow *p) {
     if (row->lower < 0) /* it may pull */
         return row->target;
     if (s->parameters.holdsSlow && !kea_isTouching(s, row))
         return row->drift + keaMin(-2 * row->error / s->parameters.stepsize - kea_startRate(s, row->contact), 0);
     const double separating = keaMax(row->target - row->drift, 0);
-    if (row->softness * p->p < separating) {
+    if (p->p > 0 && row->softness * p->p >= separating)
+        return row->drift + separating;
+    if (p->p > 0)
         p->E = 0;
-        return row->drift;
-    }
-    return row->drift + separating;
+    return row->drift;
 }
 
 static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
