@@ -215,12 +215,17 @@ static Slip slipOf(const MdtKeaSystem *s, int i) {
     return slip;
 }
 
-/* Whether a friction row, bounded by a normal force, slides faster than minSpeed at the start; a cone is represented by
- * its first row. */
+/* Friction with slip gives way to any force, and its force grows with the speed from 0: it comes to rest smoothly. */
+static MeBool gives(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    return row->softness > 0 || (row->partner >= 0 && s->rows[row->partner].softness > 0);
+}
+
+/* Whether a friction row, bounded by a normal force, slides faster than minSpeed at the start, and would stop with a
+ * jerk; a cone is represented by its first row. */
 static MeBool canStop(const MdtKeaSystem *s, int i, double minSpeed) {
     const MdtKeaRow *row = &s->rows[i];
     return row->normal >= 0 && !s->rows[row->contact].isOpen && !(row->partner >= 0 && row->partner < i) &&
-           slipOf(s, i).size > minSpeed;
+           !gives(s, row) && slipOf(s, i).size > minSpeed;
 }
 
 static MeBool hasStopped(const MdtKeaSystem *s, const Slip *slip) {
