@@ -854,7 +854,7 @@ static int iterationsBeside(double speed) {
     return iterations;
 }
 
-/* 7 times as many where each body was solved for to ten digits of its own speed. */
+/* 14 times as many where each body was solved for to ten digits of its own speed. */
 START_TEST(what_all_but_rests_beside_an_impact_is_not_solved_for) {
     ck_assert_int_le(iterationsBeside(1e-20), iterationsBeside(0));
     ck_assert_int_gt(iterationsBeside(1e-3), iterationsBeside(0));

@@ -161,7 +161,8 @@ void kea_beginRows(MdtKeaSystem *s) {
         copyJacobian(p, row->moves ? s->moves[i][0].J : row->J);
         s->work->movingRate[i] = 0;
         p->isOff = isInactive(s, row);
-        p->isOut = row->contact >= 0 && s->rows[row->contact].isOpen && !s->parameters.holdsSlow; /* kea_holdMeeting */
+        /* with holdsSlow an open contact may be closed by kea_holdMeeting, and needs its place in the matrix */
+        p->isOut = row->contact >= 0 && s->rows[row->contact].isOpen && !s->parameters.holdsSlow;
         p->p = p->p0 = p->isOff || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
         p->state = KEA_HELD;
         p->isInconsistent = p->isUnmet = MEFALSE;

@@ -298,7 +298,7 @@ static void takePasses(MdtKeaSystem *s) {
             (isLimited && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
             break;
         if (isnan(e.worst))
-            break; /* of a motion beyond all numbers */
+            break; /* a runaway beyond all numbers, from which no pass returns: the best iterate is taken */
         isRefined = kea_isConverged(&e);
         if (!runPass(s, pass, &e, isConvergingFast))
             break;
