@@ -301,7 +301,7 @@ typedef struct KeaResiduals {
 } KeaResiduals;
 
 /* m/s: slower, a body moves in the step by less than a double's rounding of its size, and is not told from one that
- * rests. Without this floor, what a motor has stopped in a world without loads is solved for, for good. */
+ * rests. Without this floor, what a motor has stopped in a world without loads is solved for again and again. */
 static inline double kea_leastSpeed(double size, double stepsize) {
     return DBL_EPSILON * size / stepsize;
 }

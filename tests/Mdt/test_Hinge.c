@@ -250,7 +250,7 @@ START_TEST(the_motor_stalls_at_its_force_limit) {
 END_TEST
 
 /* Without loads there is no speed to compare with but the bar's own, of which a brake leaves less and less: what moves
- * nothing in a step is no speed. From the fourth step on, 66 factorizations were taken, for good. */
+ * nothing in a step is no speed. From the fourth step on, 66 factorizations were taken in a dozen steps, then 3. */
 START_TEST(what_a_motor_has_stopped_costs_nothing) {
     HingedBar s = scene_hingedBar(0);
     MdtWorldEnableReport(s.world);

@@ -215,8 +215,8 @@ static Slip slipOf(const MdtKeaSystem *s, int i) {
     return slip;
 }
 
-/* Friction with slip gives way to any force, and its force grows with the speed from 0: it comes to rest smoothly. */
-static MeBool gives(const MdtKeaSystem *s, const MdtKeaRow *row) {
+/* Friction with slip: below its bound the force is proportional to the speed, so that sliding ends smoothly. */
+static MeBool isViscous(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return row->softness > 0 || (row->partner >= 0 && s->rows[row->partner].softness > 0);
 }
 
@@ -225,7 +225,7 @@ static MeBool gives(const MdtKeaSystem *s, const MdtKeaRow *row) {
 static MeBool canStop(const MdtKeaSystem *s, int i, double minSpeed) {
     const MdtKeaRow *row = &s->rows[i];
     return row->normal >= 0 && !s->rows[row->contact].isOpen && !(row->partner >= 0 && row->partner < i) &&
-           !gives(s, row) && slipOf(s, i).size > minSpeed;
+           !isViscous(s, row) && slipOf(s, i).size > minSpeed;
 }
 
 static MeBool hasStopped(const MdtKeaSystem *s, const Slip *slip) {

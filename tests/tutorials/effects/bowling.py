@@ -26,6 +26,6 @@ def check():
     assert figure(throw('d', 10, 100), 'ball at') > 0.1, 'no hook to the right'
     assert figure(status(135), 'fallen') == 0, 'pins fall by themselves'
     end = status(900)
-    # the ball may roll on, or spin on the spot, which nothing brakes, and lean on a pin
+    # the ball may roll on, or spin on the spot, which nothing brakes, and keep one pin awake that it leans on
     assert figure(end, 'fallen') >= 7 and figure(status(3600), 'awake') <= 2, end
     assert figure(throw('d', 20, 400), 'fallen') == 0, 'the ball in the gutter fells pins'
