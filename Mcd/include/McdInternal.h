@@ -35,7 +35,7 @@ MEPUBLIC void MEAPI McdSpaceLookAtModels(McdSpaceID s);
 MEPUBLIC void MEAPI McdFrameworkBeginRound(McdFrameworkID frame);
 /** Whether the result of a pair's last test is still valid. */
 typedef enum McdPairChange {
-    McdPairHasChanged,  /**< unknown: test it */
+    McdPairHasChanged,  /**< unknown: test it; that test is noted */
     McdPairHasMoved,    /**< little relative motion since the last test: its contacts may be moved with the models */
     McdPairIsUnchanged, /**< all inputs are equal, to the last bit, to those of the last McdModelPairLook */
 } McdPairChange;
@@ -54,7 +54,7 @@ MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, cons
 /** Is the pair two convex models or planes, under the library's own interaction and without a callback? Then no
  *  function of the program runs in its test. */
 MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);
-/** Stores the inputs of the test that follows. */
+/** Stores the inputs of the test that follows, though the last one may hold. */
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);
 /** Stores the gap that the test has found, m, a lower bound (McdIntersectResult.apart); 0: unknown, or none. */
 MEPUBLIC void MEAPI McdModelPairNoteApart(McdModelPair *p, MeReal apart);

@@ -88,8 +88,7 @@ static McdStand standOf(const McdModelPair *p) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             s.axes[i][j] = tm1[i][0] * tm2[j][0] + tm1[i][1] * tm2[j][1] + tm1[i][2] * tm2[j][2];
-    MeVector3 between;
-    MeVector3Subtract(between, tm1[3], tm2[3]);
+    const MeReal between[3] = {tm1[3][0] - tm2[3][0], tm1[3][1] - tm2[3][1], tm1[3][2] - tm2[3][2]};
     for (int j = 0; j < 3; j++)
         s.place[j] = between[0] * tm2[j][0] + between[1] * tm2[j][1] + between[2] * tm2[j][2];
     s.size = s.apart = 0;
@@ -130,11 +129,18 @@ static MeBool hasHardlyMoved(const McdModelPair *p, const McdStand *now, MeReal 
     return motionSince(&p->stand, now, p->stand.size) < MeMIN(part * p->stand.size, margin / 4);
 }
 
-static MeBool doesTestHold(const McdModelPair *p, MeReal part) {
-    if (!(p->stand.size > 0) || !(p->stand.apart > 0 || part > 0))
-        return MEFALSE;
-    const McdStand now = standOf(p);
-    return isStillApart(p, &now) || (part > 0 && hasHardlyMoved(p, &now, part));
+/* Whether the last test can tell anything of a pose that is not its own. */
+static MeBool mayTestHold(const McdModelPair *p, MeReal part) {
+    return p->stand.size > 0 && (p->stand.apart > 0 || part > 0);
+}
+
+static MeBool doesTestHold(const McdModelPair *p, const McdStand *now, MeReal part) {
+    return isStillApart(p, now) || (part > 0 && hasHardlyMoved(p, now, part));
+}
+
+static void noteStand(McdModelPair *p, const McdStand *now) {
+    p->stand = *now;
+    p->stand.size = MeMIN(mcd_record(p->model1)->radius, mcd_record(p->model2)->radius);
 }
 
 /* Whether all inputs of its test are unchanged, but for poses and velocities of the models that may move. */
@@ -164,11 +170,19 @@ McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool 
                                            .contactMaxCount = request->contactMaxCount,
                                            .faceNormalsFirst = request->faceNormalsFirst};
     p->test = now;
-    if (now.stamp1 == 0 || now.stamp2 == 0 || before.stamp1 == 0 || before.stamp2 == 0 || !mcd_interactionIsBuiltIn(p))
-        return McdPairHasChanged;
-    if (memcmp(&now, &before, sizeof now) == 0)
+    const MeBool isComparable =
+        now.stamp1 != 0 && now.stamp2 != 0 && before.stamp1 != 0 && before.stamp2 != 0 && mcd_interactionIsBuiltIn(p);
+    if (isComparable && memcmp(&now, &before, sizeof now) == 0)
         return McdPairIsUnchanged;
-    return isAlike(&now, &before, mayMove) && doesTestHold(p, part) ? McdPairHasMoved : McdPairHasChanged;
+    if (isComparable && isAlike(&now, &before, mayMove) && mayTestHold(p, part)) {
+        const McdStand stand = standOf(p);
+        if (doesTestHold(p, &stand, part))
+            return McdPairHasMoved;
+        noteStand(p, &stand);
+    } else {
+        McdModelPairNoteTest(p);
+    }
+    return McdPairHasChanged;
 }
 
 MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
@@ -180,8 +194,8 @@ void MEAPI McdModelPairNoteTest(McdModelPair *p) {
         p->stand.size = p->stand.apart = 0;
         return;
     }
-    p->stand = standOf(p);
-    p->stand.size = MeMIN(mcd_record(p->model1)->radius, mcd_record(p->model2)->radius);
+    const McdStand now = standOf(p);
+    noteStand(p, &now);
 }
 
 void MEAPI McdModelPairNoteApart(McdModelPair *p, MeReal apart) {

@@ -54,7 +54,7 @@ static void forgetRest(MdtBodyID b) {
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     double w[3], R[3][3], offset[3];
     mdt_bodyAcceptVelocities(b);
-    MdtKeaBodyGetAngularVelocity(&b->kea, w);
+    keaCopy(w, b->spin);
     placeCentre(b, q, R, offset);
     keaCopy(b->kea.position, p);
     keaAddScaled(b->kea.position, 1, offset);
@@ -76,25 +76,25 @@ static void writeTransform(MeMatrix4 tm, const double p[3], const double R[3][3]
     tm[3][3] = 1;
 }
 
-static void noteMove(MdtBodyID b, const double p[3], const double q[4]) {
-    if (memcmp(b->shownPlace, p, sizeof b->shownPlace) == 0 && memcmp(b->shownTurn, q, sizeof b->shownTurn) == 0)
+static void setShownFrame(MdtBodyID b, const MdtFrame *frame) {
+    if (memcmp(&b->frame, frame, sizeof *frame) == 0)
         return;
-    memcpy(b->shownPlace, p, sizeof b->shownPlace);
-    memcpy(b->shownTurn, q, sizeof b->shownTurn);
+    b->frame = *frame;
     b->moves++;
 }
 
 void mdt_bodyShow(MdtBodyID b) {
-    double p[3], q[4], R[3][3], w[3];
-    getAxes(b, p, q, R);
-    noteMove(b, p, q);
+    MdtFrame frame;
+    double q[4], R[3][3];
+    getAxes(b, frame.position, q, frame.axes);
+    setShownFrame(b, &frame);
     MEASSERT(isfinite((double)(MeReal)keaLength(b->kea.position)));
-    writeTransform(b->transform, p, (const double(*)[3])R);
+    writeTransform(b->transform, frame.position, (const double(*)[3])frame.axes);
     keaQuaternionToMatrix(R, b->kea.quaternion);
     writeTransform(b->centreTransform, b->kea.position, (const double(*)[3])R);
-    MdtKeaBodyGetAngularVelocity(&b->kea, w);
+    MdtKeaBodyGetAngularVelocity(&b->kea, b->spin);
     mdt_toReal(b->velocity, b->kea.velocity);
-    mdt_toReal(b->angularVelocity, w);
+    mdt_toReal(b->angularVelocity, b->spin);
     memcpy(b->shownVelocity, b->velocity, sizeof b->velocity);
     memcpy(b->shownAngularVelocity, b->angularVelocity, sizeof b->angularVelocity);
 }
@@ -109,21 +109,16 @@ MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves) {
     return b->start.moves == moves && b->start.movesAfter == b->moves && b->moves == moves + 1;
 }
 
-void mdt_bodyFrame(const MdtBody *b, MdtFrame *frame) {
-    double q[4];
-    getAxes(b, frame->position, q, frame->axes);
-}
-
-void mdt_bodyLostByRounding(const MdtBody *b, const MdtFrame *frame, const double point[3], double lost[3]) {
+void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]) {
     double off[3], local[3];
     for (int i = 0; i < 3; i++)
         off[i] = point[i] - (double)b->transform[3][i];
     for (int i = 0; i < 3; i++)
         local[i] = off[0] * (double)b->transform[i][0] + off[1] * (double)b->transform[i][1] +
                    off[2] * (double)b->transform[i][2];
-    keaApply(lost, frame->axes, local);
+    keaApply(lost, b->frame.axes, local);
     for (int i = 0; i < 3; i++)
-        lost[i] += frame->position[i] - point[i];
+        lost[i] += b->frame.position[i] - point[i];
 }
 
 /* The bound of positions: where the rounding of MeReal is half the length scale. */
@@ -194,7 +189,7 @@ void mdt_bodyAcceptVelocities(MdtBodyID b) {
 
 void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v) {
     keaCopy(v->lin, b->kea.velocity);
-    MdtKeaBodyGetAngularVelocity(&b->kea, v->ang);
+    keaCopy(v->ang, b->spin);
 }
 
 /* ---- mass and inertia ---- */
@@ -359,10 +354,8 @@ MeReal MEAPI MdtBodyGetEnabledTime(const MdtBodyID b) {
 }
 
 static MeBool isFast(const MdtBody *b, const MdtPartitionParams *params) {
-    double w[3];
-    MdtKeaBodyGetAngularVelocity(&b->kea, w);
     return keaDot(b->kea.velocity, b->kea.velocity) >= (double)params->vel_thresh ||
-           keaDot(w, w) >= (double)params->velrot_thresh;
+           keaDot(b->spin, b->spin) >= (double)params->velrot_thresh;
 }
 
 static MeBool isAccelerated(const MdtBody *b, const MdtPartitionParams *params) {
@@ -375,9 +368,7 @@ static MeBool isAccelerated(const MdtBody *b, const MdtPartitionParams *params) 
 static MeBool hasGained(const MdtBody *b, double h) {
     const MdtKeaBody *k = &b->kea;
     const double resting = .1 * mdt_worldAccuracy(b->world, h);
-    double w[3];
-    MdtKeaBodyGetAngularVelocity(k, w);
-    return keaDot(k->velocity, k->velocity) + k->invMass * keaDot(k->angularMomentum, w) > resting * resting &&
+    return keaDot(k->velocity, k->velocity) + k->invMass * keaDot(k->angularMomentum, b->spin) > resting * resting &&
            keaDot(k->velocity, k->lastStep.lin) + k->invMass * keaDot(k->angularMomentum, k->lastStep.ang) > 0;
 }
 
@@ -738,21 +729,19 @@ void MEAPI MdtBodyGetVelocityAtPoint(const MdtBodyID body, MeVector3 p, MeVector
     const double point[3] = {p[0], p[1], p[2]};
     v[0] = v[1] = v[2] = 0;
     MDT_NEED_BODY(body, );
-    double arm[3], w[3], turning[3];
+    double arm[3], turning[3];
     mdt_bodyAcceptVelocities(body);
-    MdtKeaBodyGetAngularVelocity(&body->kea, w);
     keaSubtract(arm, point, body->kea.position);
-    keaCross(turning, w, arm);
+    keaCross(turning, body->spin, arm);
     keaAddScaled(turning, 1, body->kea.velocity);
     mdt_toReal(v, turning);
 }
 
 MeReal MEAPI MdtBodyGetKineticEnergy(const MdtBodyID b) {
     MDT_NEED_BODY(b, 0);
-    double w[3];
     mdt_bodyAcceptVelocities(b);
-    MdtKeaBodyGetAngularVelocity(&b->kea, w);
-    return (MeReal)(0.5 * (b->mass * keaDot(b->kea.velocity, b->kea.velocity) + keaDot(w, b->kea.angularMomentum)));
+    return (MeReal)(0.5 *
+                    (b->mass * keaDot(b->kea.velocity, b->kea.velocity) + keaDot(b->spin, b->kea.angularMomentum)));
 }
 
 /* ---- mass ---- */

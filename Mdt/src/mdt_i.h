@@ -115,13 +115,18 @@ typedef enum MdtUnrest {
 } MdtUnrest;
 
 /* Fields that are read together share cache lines of 64 bytes, in single precision (records begin with one). */
+/* A body's frame in double: its transform, but for rounding. */
+typedef struct MdtFrame {
+    double position[3], axes[3][3]; /* m; its axes are columns */
+} MdtFrame;
+
 struct MdtBody {
     MdtRecord record;
     MdtLink link;
     /* what collision reads and events read */
     MeMatrix4 transform;                 /* what programs see of the pose */
     MeVector3 velocity, angularVelocity; /* what programs see of the velocities, and may write */
-    unsigned long moves;                 /* counts how often shownPlace or shownTurn became another */
+    unsigned long moves;                 /* counts how often `frame` became another */
     /* the graph */
     int partition; /* in this step; -1: none */
     int index;     /* in Kea's arrays, in this step */
@@ -152,7 +157,9 @@ struct MdtBody {
                                            correction */
     double centre[3];                   /* m, of mass, in the body's frame */
     double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
-    double shownPlace[3], shownTurn[4]; /* of the frame, as last shown: by setters, and at a step's end */
+    /* as last shown, by setters, and at a step's end; of `kea` */
+    MdtFrame frame;
+    double spin[3]; /* rad/s */
     MeMatrix4 centreTransform;          /* what programs see of the centre's pose */
 
     double mass;          /* kg */
@@ -166,14 +173,9 @@ _Static_assert(offsetof(MdtBody, transform) == 64, "a pose is one line");
 #endif
 
 void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from the state in kea */
-/* The body's frame in double: its transform, but for rounding. */
-typedef struct MdtFrame {
-    double position[3], axes[3][3]; /* m; its axes are columns */
-} MdtFrame;
-void mdt_bodyFrame(const MdtBody *b, MdtFrame *frame);
 /* m: the offset between a world position found with the body's shown transform and that with its state in double. */
-void mdt_bodyLostByRounding(const MdtBody *b, const MdtFrame *frame, const double point[3], double lost[3]);
-void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v);
+void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]);
+void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v); /* as last shown */
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
 void mdt_bodyKeepWithinReach(MdtBodyID b);  /* stops a body that has come to the bound of positions */
 void mdt_bodyWakeIfAsleep(MdtBodyID b);

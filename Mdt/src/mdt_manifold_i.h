@@ -154,10 +154,9 @@ void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]);
 void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params);
 void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]);
 void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius);
-/* Place and depth that were found between bodies as they are shown, in double; see MdtContactSetExact. `frames`: of the
- * manifold's bodies. */
-void mdt_manifoldFrames(const MdtManifold *m, MdtFrame frames[2]);
-void mdt_pointSetFound(MdtPoint *p, const MdtFrame frames[2], const double position[3], double depth);
+/* Place and depth that were found between bodies as they are shown, in double; see MdtContactSetExact. `normal`: the
+ * contact's. */
+void mdt_pointSetFound(MdtPoint *p, const double normal[3], const double position[3], double depth);
 /* Where its bodies have carried it to since the step began. */
 void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth);
 /* Resets everything but the bodies to the values of a new contact. */

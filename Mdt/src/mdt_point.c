@@ -119,7 +119,7 @@ double mdt_pointRim(const MdtPoint *p, int side, double axis[3]) {
 
 MeBool mdt_pointIsRound(const MdtPoint *p, int side) {
     double axis[3];
-    return mdt_pointRadius(p, side) > 0 || mdt_pointRim(p, side, axis) > 0;
+    return mdt_pointRadius(p, side) > 0 || (mdt_blockOf(p)->extras && mdt_pointRim(p, side, axis) > 0);
 }
 
 void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]) {
@@ -178,36 +178,38 @@ const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p) {
     return extra ? &extra->worldVelocity : &MdtBclWorldVelocity;
 }
 
-/* The weight of each body's displacement in that of the contact: 1 and 0 where only one surface is round, which rolls;
+/* The weights of the bodies' displacements in that of the contact: 1 and 0 where only one surface is round, which rolls;
  * 1 of the only body; else 1/2. */
-static double shareOf(const MdtPoint *p, const MdtBaseConstraint *base, int k) {
-    const MeBool isRound[2] = {mdt_pointIsRound(p, 0), mdt_pointIsRound(p, 1)};
-    if (base->side[0].body && base->side[1].body && isRound[0] != isRound[1])
-        return isRound[k];
-    return base->side[1 - k].body ? 0.5 : 1;
-}
-
-void mdt_manifoldFrames(const MdtManifold *m, MdtFrame frames[2]) {
+static void findShares(const MdtPoint *p, const MdtBaseConstraint *base, double share[2]) {
+    const MeBool hasBoth = base->side[0].body && base->side[1].body;
+    const MeBool isRound[2] = {hasBoth && mdt_pointIsRound(p, 0), hasBoth && mdt_pointIsRound(p, 1)};
     for (int k = 0; k < 2; k++)
-        if (m->base.side[k].body)
-            mdt_bodyFrame(m->base.side[k].body, &frames[k]);
+        share[k] = isRound[0] != isRound[1] ? isRound[k] : hasBoth ? 0.5 : 1;
 }
 
-void mdt_pointSetFound(MdtPoint *p, const MdtFrame frames[2], const double position[3], double depth) {
+/* Writes place and depth, where they are others. */
+static void setPlace(MdtPoint *p, const double place[3], double depth) {
+    if (p->position[0] == place[0] && p->position[1] == place[1] && p->position[2] == place[2] && p->depth == depth)
+        return;
+    keaCopy(p->position, place);
+    p->depth = depth;
+    mdt_constraintDisturb(&mdt_manifoldOf(p)->base);
+}
+
+void mdt_pointSetFound(MdtPoint *p, const double normal[3], const double position[3], double depth) {
     const MdtBaseConstraint *base = &mdt_manifoldOf(p)->base;
-    double place[3], normal[3];
+    double place[3], share[2];
+    findShares(p, base, share);
     keaCopy(place, position);
-    mdt_pointNormal(p, normal);
     for (int k = 0; k < 2; k++) {
         double lost[3];
         if (!base->side[k].body)
             continue;
-        mdt_bodyLostByRounding(base->side[k].body, &frames[k], position, lost);
-        keaAddScaled(place, shareOf(p, base, k), lost);
+        mdt_bodyLostByRounding(base->side[k].body, position, lost);
+        keaAddScaled(place, share[k], lost);
         depth -= (k == 0 ? 1 : -1) * keaDot(normal, lost);
     }
-    setPart(p, p->position, place, sizeof place);
-    setPart(p, &p->depth, &depth, sizeof depth);
+    setPlace(p, place, depth);
 }
 
 void mdt_pointReset(MdtPoint *p) {

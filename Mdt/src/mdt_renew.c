@@ -124,22 +124,36 @@ static MeBool isAsRecord(const MdtManifold *block, const MdtFoundContact *found)
            !(found->rim[1] > 0) && memcmp(&block->surface->params, found->params, sizeof *found->params) == 0;
 }
 
-static void setPoint(MdtPoint *p, const MdtFrame frames[2], const MdtFoundContact *found) {
-    if (!isAsRecord(mdt_blockOf(p), found)) {
-        mdt_pointSetParams(p, found->params);
-        mdt_pointSetNormal(p, found->normal);
-        for (int k = 0; k < 2; k++)
-            setRound(p, k, found);
-    }
-    mdt_pointSetFound(p, frames, found->position, found->depth);
-    p->feature = found->feature;
-}
-
 /* Has the contact nothing of its own, as the group's first one? */
 static MeBool isShared(const MdtFoundContact *found, const MdtFoundContact *first) {
     return memcmp(found->normal, first->normal, sizeof found->normal) == 0 &&
            memcmp(found->radius, first->radius, sizeof found->radius) == 0 && found->params == first->params &&
            !(found->rim[0] > 0) && !(found->rim[1] > 0);
+}
+
+/* What the last point was set from, where its record's shared values are those found; else without a record. */
+typedef struct Shared {
+    const MdtManifold *block;
+    const MdtFoundContact *found;
+    double normal[3]; /* unit */
+} Shared;
+
+static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
+    const MdtManifold *block = mdt_blockOf(p);
+    if (block != last->block || !isShared(found, last->found)) {
+        const MeBool isAlike = isAsRecord(block, found);
+        if (!isAlike) {
+            mdt_pointSetParams(p, found->params);
+            mdt_pointSetNormal(p, found->normal);
+            for (int k = 0; k < 2; k++)
+                setRound(p, k, found);
+        }
+        last->block = isAlike ? block : NULL;
+        last->found = found;
+        mdt_pointNormal(p, last->normal);
+    }
+    mdt_pointSetFound(p, last->normal, found->position, found->depth);
+    p->feature = found->feature;
 }
 
 MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact found[], int count) {
@@ -156,10 +170,9 @@ MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact fo
 int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
                                MdtContactID contacts[]) {
     MdtManifold *m = mdt_groupOf(g, __func__);
-    MdtFrame frames[2];
+    Shared last = {NULL, NULL, {0, 0, 0}};
     if (!m)
         return 0;
-    mdt_manifoldFrames(m, frames);
     matchContacts(m, found, count, (double)time, contacts);
     destroyOthers(m, contacts, count);
     if (count > 0)
@@ -168,7 +181,7 @@ int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[
         MdtPoint *p = contacts[i] ? mdt_asPoint((MdtConstraintID)contacts[i]) : addPoint(m, &found[i]);
         if (!p)
             return i; /* the world is full, and has said so */
-        setPoint(p, frames, &found[i]);
+        setPoint(p, &found[i], &last);
         contacts[i] = (MdtContactID)p;
     }
     MEVALIDATE(mdt_manifoldIsConsistent(m));

@@ -193,8 +193,9 @@ static MdtKeaVelocity meanVelocity(const MdtIsland *p, int i) {
 static MeBool isResting(const MdtIsland *p, int i, double speed) {
     const MdtBody *b = p->bodies[i];
     const MdtKeaVelocity way = meanVelocity(p, i);
-    MdtKeaVelocity end;
-    mdt_bodyVelocity(b, &end);
+    MdtKeaVelocity end; /* not yet shown */
+    keaCopy(end.lin, b->kea.velocity);
+    MdtKeaBodyGetAngularVelocity(&b->kea, end.ang);
     return isSlow(b, &p->bodies[i]->start.velocity, 2 * speed) && isSlow(b, &end, 2 * speed) && isSlow(b, &way, speed);
 }
 

@@ -80,6 +80,8 @@ static void notePush(MdtBodyID b, const MdtStart *start, const MdtKeaVelocity *e
 
 static void unpackBody(MdtBodyID b, double h) {
     MdtKeaVelocity end;
+    mdt_bodyKeepWithinReach(b);
+    mdt_bodyShow(b);
     mdt_bodyVelocity(b, &end);
     for (int k = 0; k < 3; k++) {
         b->kea.lastStep.lin[k] = (end.lin[k] - b->start.velocity.lin[k]) / h;
@@ -88,8 +90,6 @@ static void unpackBody(MdtBodyID b, double h) {
     notePush(b, &b->start, &end, h);
     MEASSERT(isfinite(keaLength(b->kea.lastStep.lin) + keaLength(b->kea.lastStep.ang) + keaLength(b->push)));
     mdt_bodyAge(b, h);
-    mdt_bodyKeepWithinReach(b);
-    mdt_bodyShow(b);
     b->start.movesAfter = b->moves;
 }
 

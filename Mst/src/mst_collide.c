@@ -60,11 +60,11 @@ static MeBool hasAllContacts(const McdModelPair *p) {
 }
 
 /* The same, and did its bodies stay where they were then, to the last bit? */
-static MeBool isAsTested(const McdModelPair *p) {
+static MeBool isAsTested(const McdModelPair *p, MeBool hasAll) {
     const MstTouch *t = p->touch;
     if (t->found == 0)
         return !t->isTouching;
-    return hasAllContacts(p) && t->moves[0] == mst_movesOf(p->model1) && t->moves[1] == mst_movesOf(p->model2);
+    return hasAll && t->moves[0] == mst_movesOf(p->model1) && t->moves[1] == mst_movesOf(p->model2);
 }
 
 /* Whether its last test found no contacts. */
@@ -79,12 +79,12 @@ static MeBool movedByStep(McdModelID m, unsigned long before, MeBool *hasMoved) 
     return !*hasMoved || MdtBodyMovedByStep(mst_bodyOf(m), before);
 }
 
-/* The bodies of the pair's group that have moved since its contacts were found, or carried. False: they cannot be
+/* The bodies of the pair's group that have moved since all its contacts were found, or carried. False: they cannot be
  * carried. */
 static MeBool mayCarry(const MstBridgeRecord *b, const McdModelPair *p, MeBool hasMoved[2]) {
     const MstTouch *t = p->touch;
     MeBool moved[2];
-    if (!hasAllContacts(p) || t->carried >= MST_CARRIES || !movedByStep(p->model1, t->moves[0], &moved[0]) ||
+    if (t->carried >= MST_CARRIES || !movedByStep(p->model1, t->moves[0], &moved[0]) ||
         !movedByStep(p->model2, t->moves[1], &moved[1]))
         return MEFALSE;
     const MeBool isTurned = !mst_bodyOf(p->model1);
@@ -99,19 +99,25 @@ static MeBool mayReuse(const McdModelPair *p) {
     return (mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2))) && !mst_isFast(p);
 }
 
-/* The outcome if the last test, or the contacts carried since, still hold; MST_TO_TEST: they may not. */
+/* The outcome if the last test, or the contacts carried since, still hold; MST_TO_TEST, which is noted: they may not. */
 static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     McdModelPair *p = f->pair;
     const MeBool mayMove[2] = {mst_bodyOf(p->model1) != 0, mst_bodyOf(p->model2) != 0};
     const McdPairChange change = McdModelPairLook(p, mayReuse(p) ? b->reuse : 0, mayMove);
     const MstTouch *t = p->touch;
-    if (change == McdPairHasChanged || mst_hasCallback(f->materials))
+    if (change == McdPairHasChanged)
         return MST_TO_TEST;
-    if (t ? isAsTested(p) : change == McdPairIsUnchanged && !p->responseData)
-        return t && t->found != 0 ? MST_KEPT : MST_NOTHING;
-    if (isApart(p)) /* the gap exceeds their relative displacement */
-        return MST_NOTHING;
-    return mayCarry(b, p, f->hasMoved) ? MST_CARRIED : MST_TO_TEST;
+    if (!mst_hasCallback(f->materials)) {
+        const MeBool hasAll = hasAllContacts(p);
+        if (t ? isAsTested(p, hasAll) : change == McdPairIsUnchanged && !p->responseData)
+            return t && t->found != 0 ? MST_KEPT : MST_NOTHING;
+        if (isApart(p)) /* the gap exceeds their relative displacement */
+            return MST_NOTHING;
+        if (hasAll && mayCarry(b, p, f->hasMoved))
+            return MST_CARRIED;
+    }
+    McdModelPairNoteTest(p);
+    return MST_TO_TEST;
 }
 
 /* ---- tests ------------------------------------------------------------------------------------------------------- */
@@ -227,7 +233,6 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
     f->outcome = outcomeWithoutTest(b, f);
     if (f->outcome != MST_TO_TEST)
         return;
-    McdModelPairNoteTest(p);
     if (callsProgram(f))
         return;
     f->outcome = MST_TESTED;
@@ -250,10 +255,11 @@ int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pa
         const int i = run->pairCount;
         prefetchPairs(pairs, i, count);
         collidePair(b, run, pairs[i], s);
-        mst_updatePair(b, run, &run->finding[i]);
         if (run->finding[i].outcome == MST_TO_TEST || run->finding[i].outcome == MST_TO_SENSE)
             break;
     }
     MEASSERT(run->pairCount > 0);
+    for (int i = 0; i < run->pairCount; i++)
+        mst_updatePair(b, run, &run->finding[i]);
     return run->pairCount;
 }

@@ -143,16 +143,18 @@ static void commitWithCallbacks(MstBridgeRecord *b, MstRun *run, MstFinding *f, 
         emptyGroup(f->pair);
 }
 
-static void rememberTest(MstBridgeRecord *b, const MstFinding *f) {
+static void rememberTest(MstBridgeRecord *b, const MstFinding *f, int held) {
     if (f->pair->touch)
-        mst_rememberTest(f, mst_materialVersion(b, f->materials));
+        mst_rememberTest(f, held, mst_materialVersion(b, f->materials));
     else if (f->count > 0) /* the world, or memory, was full: there may be room in the next step */
         McdModelPairForgetTest(f->pair);
 }
 
 static void finishTest(MstBridgeRecord *b, const MstFinding *f, McdSpaceID s, MdtWorldID w) {
-    mst_touchNote(b, f->pair, f->count, f->separation);
-    rememberTest(b, f);
+    const MdtContactGroupID group = f->pair->responseData;
+    const int held = group ? MdtContactGroupGetCount(group) : 0;
+    mst_touchNote(b, f->pair, held, f->count, f->separation);
+    rememberTest(b, f, held);
     mst_followFast(b, f, f->count > 0, s, w);
 }
 

@@ -273,8 +273,8 @@ void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f);
 /* Its contacts move with its bodies. */
 void mst_carry(const MstFinding *f);
 /* Notes the state of the models that the contacts were made from. Not for pairs that are tested in every step: fast
- * ones, those with callbacks, and those with fewer contacts than were found. */
-void mst_rememberTest(const MstFinding *f, unsigned long version);
+ * ones, those with callbacks, and those whose group holds fewer contacts than were found. */
+void mst_rememberTest(const MstFinding *f, int held, unsigned long version);
 
 /* ---- commit (mst_commit.c) --------------------------------------------------------------------------------------- */
 
@@ -289,10 +289,10 @@ void MEAPI mst_pairForget(McdModelPair *p);
 /* The touch, about which something was noted, is one of this step's. */
 void mst_touchList(MstTouch *t);
 /* As mst_touchNote and mst_touchNoteAgain, for a pair that has a touch that is not listed yet. */
-void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int found, MeReal separation);
+void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int held, int found, MeReal separation);
 void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p);
-/* A pair was tested, and has the group's contacts now; the least separation of those found. */
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int found, MeReal separation);
+/* A pair was tested, and its group holds so many contacts now; the least separation of those found. */
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int held, int found, MeReal separation);
 /* The pair is unchanged since its touch was last noted. */
 void mst_touchNoteAgain(MstBridgeRecord *b, McdModelPair *p);
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result);

@@ -214,9 +214,9 @@ void mst_touchNoteGroup(MstTouch *t, MdtContactGroupID group) {
 }
 
 /* Of the contacts found, or of those that callbacks have left. */
-static MeReal leastSeparation(MdtContactGroupID group, int found, MeReal separation) {
+static MeReal leastSeparation(MdtContactGroupID group, int held, int found, MeReal separation) {
     MeReal least = MEINFINITY;
-    if (MdtContactGroupGetCount(group) == found)
+    if (held == found)
         return separation;
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c))
         least = MeMIN(least, -MdtContactGetPenetration(c));
@@ -243,28 +243,24 @@ void mst_touchUpdateAgain(const MstBridgeRecord *b, const McdModelPair *p) {
     noteAgain(t, separation);
 }
 
-static MeBool hasContacts(const McdModelPair *p) {
-    return p->responseData && MdtContactGroupGetCount(p->responseData) > 0;
-}
-
-static void noteFound(MstTouch *t, int found, MeReal separation) {
+static void noteFound(MstTouch *t, int held, int found, MeReal separation) {
     const MdtContactGroupID group = t->pair->responseData;
     if (!t->isTouching) /* the approach speed can be measured before the solve only */
         mst_touchNoteGroup(t, group);
     else
-        t->separation = MeMIN(t->separation, leastSeparation(group, found, separation));
+        t->separation = MeMIN(t->separation, leastSeparation(group, held, found, separation));
 }
 
-void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int found, MeReal separation) {
-    MstTouch *t = listedTouch(b, p, hasContacts(p), MEFALSE);
-    if (t && hasContacts(p))
-        noteFound(t, found, separation);
+void mst_touchNote(MstBridgeRecord *b, McdModelPair *p, int held, int found, MeReal separation) {
+    MstTouch *t = listedTouch(b, p, held > 0, MEFALSE);
+    if (t && held > 0)
+        noteFound(t, held, found, separation);
 }
 
-void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int found, MeReal separation) {
-    beginTouch(b, p, hasContacts(p), MEFALSE);
-    if (hasContacts(p))
-        noteFound(p->touch, found, separation);
+void mst_touchUpdate(const MstBridgeRecord *b, const McdModelPair *p, int held, int found, MeReal separation) {
+    beginTouch(b, p, held > 0, MEFALSE);
+    if (held > 0)
+        noteFound(p->touch, held, found, separation);
 }
 
 void mst_touchNoteSensor(MstBridgeRecord *b, McdModelPair *p, const McdIntersectResult *result) {

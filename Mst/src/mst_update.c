@@ -18,16 +18,14 @@ static void noteMoves(const McdModelPair *p) {
     t->moves[1] = mst_movesOf(p->model2);
 }
 
-void mst_rememberTest(const MstFinding *f, unsigned long version) {
+void mst_rememberTest(const MstFinding *f, int held, unsigned long version) {
     const McdModelPair *p = f->pair;
     MstTouch *t = p->touch;
-    const MdtContactGroupID group = p->responseData;
+    const MeBool isWhole = p->responseData && held == f->count;
     noteMoves(p);
     t->carried = 0;
     t->version = version;
-    t->found = group && MdtContactGroupGetCount(group) == f->count && !mst_hasCallback(f->materials) && !mst_isFast(p)
-                   ? f->count
-                   : MST_UNKNOWN;
+    t->found = isWhole && !mst_hasCallback(f->materials) && !mst_isFast(p) ? f->count : MST_UNKNOWN;
 }
 
 /* ---- may it be done here? ---------------------------------------------------------------------------------------- */
@@ -63,10 +61,11 @@ void mst_carry(const MstFinding *f) {
 }
 
 static void renew(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
+    int held = 0;
     if (f->count > 0)
-        MdtContactGroupRenew(f->pair->responseData, &run->found[f->first], f->count, b->ahead, run->made);
-    mst_touchUpdate(b, f->pair, f->count, f->separation);
-    mst_rememberTest(f, mst_versionSeen(f->materials));
+        held = MdtContactGroupRenew(f->pair->responseData, &run->found[f->first], f->count, b->ahead, run->made);
+    mst_touchUpdate(b, f->pair, held, f->count, f->separation);
+    mst_rememberTest(f, held, mst_versionSeen(f->materials));
 }
 
 /* Whether the pair was tested without contacts, and had none before. */

@@ -333,7 +333,6 @@ START_TEST(models_that_are_still_apart_have_no_contacts) {
                 ck_assert_msg(contactsOf(&p.pair, &apart) == 0, "flight %d, step %d", flight, step);
                 continue;
             }
-            McdModelPairNoteTest(&p.pair);
             const int count = contactsOf(&p.pair, &apart);
             found += count > 0;
             McdModelPairNoteApart(&p.pair, count == 0 ? apart : 0);

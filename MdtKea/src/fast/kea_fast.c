@@ -687,7 +687,8 @@ static void clearForces(MdtKeaSystem *s) {
 }
 
 void kea_fastSolve(MdtKeaSystem *s) {
-    Step p = {.s = s, .kernel = kernelOfMachine()};
+    KeaNode nodes[KEA_MOST_NODES]; /* no initializer: 24 kB, of which most partitions use two nodes */
+    Step p = {.s = s, .kernel = kernelOfMachine(), .regions.node = nodes};
     if (!begin(&p)) {
         s->report.capped = METRUE;
         clearForces(s);

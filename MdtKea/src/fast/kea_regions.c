@@ -182,7 +182,7 @@ static void setPlaces(void *context, KeaNode *node) {
 
 static void divideBodies(Division *d) {
     KeaRegions *r = d->regions;
-    memset(r->node, 0, sizeof r->node);
+    memset(r->node, 0, 2 * (size_t)r->count * sizeof *r->node);
     for (int i = 0; i < d->s->numBodies; i++)
         r->body[i] = i;
     for (int nodes = 1; nodes < r->count; nodes *= 2) {

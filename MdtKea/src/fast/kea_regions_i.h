@@ -19,7 +19,7 @@
 #include "fast/kea_fast_i.h"
 #include "MeTeam.h"
 
-enum { KEA_MOST_REGIONS = MeTaskMaxWorkers };
+enum { KEA_MOST_REGIONS = MeTaskMaxWorkers, KEA_MOST_NODES = 2 * KEA_MOST_REGIONS };
 
 typedef struct KeaNode {
     /* kea_regions.c */
@@ -41,7 +41,7 @@ typedef struct KeaRegions {
     MeU8 *leaf, *home, *colour;         /* by body, the region; by manifold, the node; by manifold */
     MeU64 *taken;                       /* by place: scratch of kea_colour.c */
     struct KeaBisected *bisected;       /* by place: scratch */
-    KeaNode node[2 * KEA_MOST_REGIONS]; /* from 1 on */
+    KeaNode *node;                      /* the caller's KEA_MOST_NODES, from 1 on; only 2 count are touched */
 } KeaRegions;
 
 typedef void (*KeaNodeWork)(void *context, KeaNode *node);
