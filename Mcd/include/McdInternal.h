@@ -51,6 +51,14 @@ MEPUBLIC MeBool MEAPI McdModelPairHasSeenModels(const McdModelPair *p);
  *  apart then (McdModelPairNoteApart), so that a test would find nothing; and only models that @a mayMove have moved
  *  since the last call. */
 MEPUBLIC McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool mayMove[2]);
+/** What of a pair's models decides how it is handled; flags. */
+typedef enum McdPairTrait {
+    McdPairIsAsleep = 1,  /**< both are frozen in their space (McdSpaceModelIsFrozen) */
+    McdPairHasSensor = 2, /**< one is a sensor at least */
+    McdPairIsFast = 4,    /**< one has a fast margin at least (McdModelGetFastMargin) */
+} McdPairTrait;
+/** The traits of a pair, and the materials of its models. Of a model that is gone, with a warning: none, and 0. */
+MEPUBLIC MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]);
 /** Is the pair two convex models or planes, under the library's own interaction and without a callback? Then no
  *  function of the program runs in its test. */
 MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);

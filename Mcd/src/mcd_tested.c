@@ -7,6 +7,7 @@
  */
 #include "McdInternal.h"
 #include "mcd_kind_i.h"
+#include "mcd_space_i.h"
 #include <string.h>
 
 /* Bit by bit; leaves the vector as it is where there is none. */
@@ -183,6 +184,20 @@ McdPairChange MEAPI McdModelPairLook(McdModelPair *p, MeReal part, const MeBool 
         McdModelPairNoteTest(p);
     }
     return McdPairHasChanged;
+}
+
+static MeBool isFrozen(const McdModelRecord *m) {
+    return m->space && ((const McdProxy *)m->proxy)->isFrozen;
+}
+
+MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]) {
+    const McdModelRecord *a = mcd_modelCheck(p->model1, __func__), *b = mcd_modelCheck(p->model2, __func__);
+    material[0] = a ? mcd_instanceMaterial(&a->instance) : 0;
+    material[1] = b ? mcd_instanceMaterial(&b->instance) : 0;
+    if (!a || !b)
+        return 0;
+    return (isFrozen(a) && isFrozen(b) ? McdPairIsAsleep : 0) | (a->isSensor || b->isSensor ? McdPairHasSensor : 0) |
+           ((a->isFast && a->travel > 0) || (b->isFast && b->travel > 0) ? McdPairIsFast : 0);
 }
 
 MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {

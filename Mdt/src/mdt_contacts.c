@@ -28,8 +28,10 @@ static MeBool hasApart(const MdtManifold *block) {
 
 int mdt_contactsCount(const MdtManifold *first) {
     int count = 0;
+    if (!first->next && !hasApart(first)) /* most: their points need not come from memory */
+        return first->numPoints > 0;
     for (const MdtManifold *block = first; block; block = block->next)
-        count += hasApart(block) ? mdt_countSlots(block) : mdt_countSlots(block) > 0;
+        count += hasApart(block) ? mdt_countSlots(block) : mdt_pointIn(block, 0) != NULL;
     return count;
 }
 

@@ -178,8 +178,8 @@ const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p) {
     return extra ? &extra->worldVelocity : &MdtBclWorldVelocity;
 }
 
-/* The weights of the bodies' displacements in that of the contact: 1 and 0 where only one surface is round, which rolls;
- * 1 of the only body; else 1/2. */
+/* The weights of the bodies' displacements in that of the contact: 1 and 0 where only one surface is round, which
+ * rolls; 1 of the only body; else 1/2. */
 static void findShares(const MdtPoint *p, const MdtBaseConstraint *base, double share[2]) {
     const MeBool hasBoth = base->side[0].body && base->side[1].body;
     const MeBool isRound[2] = {hasBoth && mdt_pointIsRound(p, 0), hasBoth && mdt_pointIsRound(p, 1)};

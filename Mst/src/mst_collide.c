@@ -48,10 +48,6 @@ MeBool mst_hasCallback(const MstMaterialPair *materials) {
     return materials->intersectCb || materials->perContactCb || materials->perPairCb;
 }
 
-MeBool mst_isFast(const McdModelPair *p) {
-    return McdModelGetFastMargin(p->model1) > 0 || McdModelGetFastMargin(p->model2) > 0;
-}
-
 /* Has the pair's group all the contacts that were found in its last test? */
 static MeBool hasAllContacts(const McdModelPair *p) {
     const MstTouch *t = p->touch;
@@ -95,15 +91,17 @@ static MeBool mayCarry(const MstBridgeRecord *b, const McdModelPair *p, MeBool h
 
 /* Contacts are carried in large partitions only: small ones are solved so exactly that contacts off by 1e-7 m would
  * show (as under a mass ratio of a million). */
-static MeBool mayReuse(const McdModelPair *p) {
-    return (mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2))) && !mst_isFast(p);
+static MeBool mayReuse(const MstFinding *f) {
+    const McdModelPair *p = f->pair;
+    return !f->isFast && (mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2)));
 }
 
-/* The outcome if the last test, or the contacts carried since, still hold; MST_TO_TEST, which is noted: they may not. */
+/* The outcome if the last test, or the contacts carried since, still hold; MST_TO_TEST, a test that is noted: they may
+ * not. */
 static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     McdModelPair *p = f->pair;
     const MeBool mayMove[2] = {mst_bodyOf(p->model1) != 0, mst_bodyOf(p->model2) != 0};
-    const McdPairChange change = McdModelPairLook(p, mayReuse(p) ? b->reuse : 0, mayMove);
+    const McdPairChange change = McdModelPairLook(p, mayReuse(f) ? b->reuse : 0, mayMove);
     const MstTouch *t = p->touch;
     if (change == McdPairHasChanged)
         return MST_TO_TEST;
@@ -169,7 +167,7 @@ static const McdContact *nearestContact(const McdIntersectResult *result) {
 
 void mst_testPair(const MstBridgeRecord *b, MstRun *run, MstFinding *f) {
     f->isKnown = mst_intersectPair(run, f->pair);
-    if (run->result.contactCount > 0 && !mst_isFast(f->pair) && mst_passesFlush(f->pair, nearestContact(&run->result)))
+    if (run->result.contactCount > 0 && !f->isFast && mst_passesFlush(f->pair, nearestContact(&run->result)))
         run->result.contactCount = 0;
     f->first = run->foundCount;
     mst_convertContacts(b, run, f);
@@ -192,43 +190,43 @@ static MeBool isHeldApart(const MstBridgeRecord *b, const McdModelPair *p) {
 }
 
 MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p) {
-    const MstMaterialID m1 = McdModelGetMaterial(p->model1), m2 = McdModelGetMaterial(p->model2);
+    MeU32 m[2];
+    const MeU32 traits = McdModelPairGetTraits(p, m);
     const MeBool parts = (p->touch || p->responseData) && isHeldApart(b, p);
-    return !parts && m1 < b->materialCount && m2 < b->materialCount && !McdModelIsSensor(p->model1) &&
-           !McdModelIsSensor(p->model2) && McdModelPairIsPlain(p) && !mst_hasCallback(mst_materialPair(b, m1, m2));
+    return !parts && m[0] < b->materialCount && m[1] < b->materialCount && !(traits & McdPairHasSensor) &&
+           McdModelPairIsPlain(p) && !mst_hasCallback(mst_materialPair(b, m[0], m[1]));
 }
 
 /* ---- runs -------------------------------------------------------------------------------------------------------- */
 
-static MeBool isAsleep(McdModelID m) {
-    return McdModelGetSpace(m) && McdSpaceModelIsFrozen(m);
-}
-
 /* The outcome that follows from the models alone; MST_TO_TEST: none does. */
-static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *p) {
-    if (isAsleep(p->model1) && isAsleep(p->model2))
+static MstOutcome outcomeOfModels(const MstBridgeRecord *b, const McdModelPair *p, MeU32 traits) {
+    if (traits & McdPairIsAsleep)
         return MST_NOTHING;
     if (isHeldApart(b, p))
         return p->touch || p->responseData ? MST_TO_PART : MST_NOTHING;
     if (b->part > 0 && !mst_mayMeet(p))
         return mst_mustWait(p) ? MST_TO_WAIT : MST_NOTHING;
-    if (McdModelIsSensor(p->model1) || McdModelIsSensor(p->model2))
+    if (traits & McdPairHasSensor)
         return MST_TO_SENSE;
     return mst_bodyOf(p->model1) || mst_bodyOf(p->model2) ? MST_TO_TEST : MST_NOTHING;
 }
 
 static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, McdSpaceID s) {
     MstFinding *f = &run->finding[run->pairCount++];
+    MeU32 material[2];
+    const MeU32 traits = McdModelPairGetTraits(p, material);
     f->pair = p;
+    f->isFast = (traits & McdPairIsFast) != 0;
     f->updated = 0;
     f->count = 0;
     f->timeToTouch = MST_UNKNOWN;
-    f->outcome = outcomeOfModels(b, p);
+    f->outcome = outcomeOfModels(b, p, traits);
     if (f->outcome == MST_TO_WAIT)
         f->timeToTouch = mst_timeToTouch(b, p, s);
     if (f->outcome != MST_TO_TEST)
         return;
-    f->materials = mst_materialPair(b, McdModelGetMaterial(p->model1), McdModelGetMaterial(p->model2));
+    f->materials = mst_materialPair(b, material[0], material[1]);
     p->mayTurnRound = f->materials->params.restitution > 0;
     f->outcome = outcomeWithoutTest(b, f);
     if (f->outcome != MST_TO_TEST)
@@ -238,7 +236,7 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
     f->outcome = MST_TESTED;
     mst_testPair(b, run, f);
     McdModelPairNoteApart(p, f->count == 0 ? run->result.apart : 0);
-    if (f->count == 0 && mst_isFast(p))
+    if (f->count == 0 && f->isFast)
         f->timeToTouch = mst_timeToTouch(b, p, s);
 }
 

@@ -160,7 +160,7 @@ static void stopAt(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal tim
 
 void mst_followFast(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, McdSpaceID s, MdtWorldID w) {
     McdModelPair *p = f->pair;
-    if (!mst_isFast(p))
+    if (!f->isFast)
         return;
     if (hasContacts && (mst_isInCrowd(mst_bodyOf(p->model1)) || mst_isInCrowd(mst_bodyOf(p->model2))))
         return;

@@ -159,6 +159,7 @@ typedef struct MstFinding {
     McdModelPair *pair;
     MstMaterialPair *materials; /* of its models */
     MstOutcome outcome;
+    MeBool isFast;      /* a model is, so that its motion is continuous in this step */
     MeBool hasMoved[2]; /* MST_CARRIED: the bodies of its group */
     MeBool isKnown;     /* MST_TESTED: there is an interaction, which has found the contacts */
     int first, count;   /* the same: contacts, in MstRun.found */
@@ -261,8 +262,6 @@ MeBool mst_isPlainPair(const MstBridgeRecord *b, const McdModelPair *p);
 void mst_convertContacts(const MstBridgeRecord *b, MstRun *run, MstFinding *f);
 /* Whether the pair of materials has a callback of contacts. */
 MeBool mst_hasCallback(const MstMaterialPair *materials);
-/* Is a model of the pair fast, so that its motion is continuous in this step? */
-MeBool mst_isFast(const McdModelPair *p);
 unsigned long mst_movesOf(McdModelID m);
 
 /* ---- update (mst_update.c) --------------------------------------------------------------------------------------- */

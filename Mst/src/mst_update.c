@@ -25,7 +25,7 @@ void mst_rememberTest(const MstFinding *f, int held, unsigned long version) {
     noteMoves(p);
     t->carried = 0;
     t->version = version;
-    t->found = isWhole && !mst_hasCallback(f->materials) && !mst_isFast(p) ? f->count : MST_UNKNOWN;
+    t->found = isWhole && !mst_hasCallback(f->materials) && !f->isFast ? f->count : MST_UNKNOWN;
 }
 
 /* ---- may it be done here? ---------------------------------------------------------------------------------------- */
@@ -43,8 +43,7 @@ static MeBool isGroupToStay(const MstRun *run, const MstFinding *f) {
 static MeBool isOwn(const MstBridgeRecord *b, const MstRun *run, const MstFinding *f) {
     const McdModelPair *p = f->pair;
     const MstTouch *t = p->touch;
-    if (b->part > 0 || p->phase == kMcdFFStateInactive || !t || t->isListed || mst_isFast(p) ||
-        !mst_areMaterialsSeen(b))
+    if (b->part > 0 || p->phase == kMcdFFStateInactive || !t || t->isListed || f->isFast || !mst_areMaterialsSeen(b))
         return MEFALSE;
     if (f->outcome == MST_TESTED ? !f->isKnown : t->version != mst_versionSeen(f->materials))
         return MEFALSE;
@@ -71,7 +70,7 @@ static void renew(const MstBridgeRecord *b, const MstRun *run, const MstFinding 
 /* Whether the pair was tested without contacts, and had none before. */
 static MeBool isNothing(const MstFinding *f) {
     const McdModelPair *p = f->pair;
-    return f->outcome == MST_TESTED && f->count == 0 && !p->touch && !p->responseData && !mst_isFast(p);
+    return f->outcome == MST_TESTED && f->count == 0 && !p->touch && !p->responseData && !f->isFast;
 }
 
 void mst_updatePair(const MstBridgeRecord *b, const MstRun *run, MstFinding *f) {

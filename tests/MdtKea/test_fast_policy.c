@@ -93,6 +93,26 @@ START_TEST(passes_go_with_the_bodies_that_one_carries) {
 }
 END_TEST
 
+/* Of two bodies on the ground that move apart so many times as fast as their loads make them in a step. */
+static int passesOfMoving(double times) {
+    begin(2, 2, 0);
+    for (int i = 0; i < 2; i++) {
+        manifold[i].body[0] = i;
+        body[i].force[1] = -gravity;
+        body[i].velocity[0] = (i ? -1 : 1) * times * gravity * h;
+    }
+    MdtKeaInit(&s, scratch);
+    solve();
+    end();
+    return s.report.iterations;
+}
+
+START_TEST(what_moves_takes_half_of_the_passes) {
+    ck_assert_int_eq(passesOfMoving(0.9), 24);
+    ck_assert_int_eq(passesOfMoving(1.1), 12);
+}
+END_TEST
+
 /* Contact forces of an impact are not counted as weights. */
 START_TEST(four_times_its_loads_accelerate_a_body_in_impacts_only) {
     ck_assert_int_eq(passesUnder(80, 3, MEFALSE), 56);
@@ -481,7 +501,8 @@ END_TEST
 /* ---- workers ---- */
 
 static int regionsOf(int manifolds) {
-    static KeaRegions regions;
+    static KeaNode nodes[KEA_MOST_NODES];
+    static KeaRegions regions = {.node = nodes};
     begin(16, manifolds, 0);
     for (int i = 0; i < 16; i++)
         body[i].position[0] = i;
@@ -545,6 +566,7 @@ END_TEST
 
 static void tests(TCase *t) {
     tcase_add_test(t, passes_go_with_the_bodies_that_one_carries);
+    tcase_add_test(t, what_moves_takes_half_of_the_passes);
     tcase_add_test(t, four_times_its_loads_accelerate_a_body_in_impacts_only);
     tcase_add_test(t, more_passes_come_by_eight);
     tcase_add_test(t, a_twentieth_of_the_speed_is_left_to_the_next_step);

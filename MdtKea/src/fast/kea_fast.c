@@ -319,13 +319,16 @@ static double workBeside(const Step *p) {
            kea_jointsWorkBeside(&p->joints);
 }
 
+static double passesWanted(const Step *p) {
+    if (p->joints.numBlocks > 0)
+        return keaMax(kea_tiedPassesPerLoad * p->load, KEA_LEAST_TIED_PASSES);
+    return p->isMoving ? KEA_LEAST_MOVING_PASSES : keaMax(kea_passesPerLoad * p->load, KEA_LEAST_PASSES);
+}
+
 /* At least as many as the loads want, and at most as the budget allows. */
 static Passes choosePasses(Step *p) {
-    const MeBool isTied = p->joints.numBlocks > 0;
     const double most = p->s->parameters.maxWork;
-    const double wanted = isTied ? keaMax(kea_tiedPassesPerLoad * p->load, KEA_LEAST_TIED_PASSES)
-                                 : keaMax(kea_passesPerLoad * p->load, KEA_LEAST_PASSES);
-    const double least = keaMin(wanted, KEA_MOST_PASSES);
+    const double least = keaMin(passesWanted(p), KEA_MOST_PASSES);
     const int cap = p->s->parameters.maxIterations > 0 ? p->s->parameters.maxIterations : KEA_MOST_PASSES;
     const double paid = most > 0 ? keaMax((most - workBeside(p)) / workOfPass(p), 1) : KEA_MOST_PASSES;
     const double affordable = keaMin(paid, cap);

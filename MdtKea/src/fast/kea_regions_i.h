@@ -34,14 +34,14 @@ typedef struct KeaNode {
 
 typedef struct KeaRegions {
     MeTeam *team;
-    int count;                          /* of regions, a power of two: nodes count .. 2 count - 1 */
-    int *body, *place;                  /* by place, and back: bodies of a region lie together */
-    int *manifold;                      /* by node; */
-    int *sorted;                        /* by node, colour, and number of points: kea_colour.c */
-    MeU8 *leaf, *home, *colour;         /* by body, the region; by manifold, the node; by manifold */
-    MeU64 *taken;                       /* by place: scratch of kea_colour.c */
-    struct KeaBisected *bisected;       /* by place: scratch */
-    KeaNode *node;                      /* the caller's KEA_MOST_NODES, from 1 on; only 2 count are touched */
+    int count;                    /* of regions, a power of two: nodes count .. 2 count - 1 */
+    int *body, *place;            /* by place, and back: bodies of a region lie together */
+    int *manifold;                /* by node; */
+    int *sorted;                  /* by node, colour, and number of points: kea_colour.c */
+    MeU8 *leaf, *home, *colour;   /* by body, the region; by manifold, the node; by manifold */
+    MeU64 *taken;                 /* by place: scratch of kea_colour.c */
+    struct KeaBisected *bisected; /* by place: scratch */
+    KeaNode *node;                /* the caller's KEA_MOST_NODES, from 1 on; only 2 count are touched */
 } KeaRegions;
 
 typedef void (*KeaNodeWork)(void *context, KeaNode *node);
