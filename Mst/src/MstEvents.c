@@ -86,17 +86,28 @@ static void clearList(MstEvents *e) {
     e->listedCount = 0;
 }
 
-/* Adds what the contacts did since the last time. */
-static void gather(MstTouch *t) {
+/* The contacts' separations and places. Of a pair that did not touch they were noted before the solve. */
+static void noteContacts(MstTouch *t) {
+    const MdtContactGroupID group = t->pair->responseData;
+    if (group && t->isTouching && !t->isSensor)
+        mst_touchNoteGroup(t, group);
+}
+
+/* Adds the contacts' impulse since the last time; returns for how long they acted, s. */
+static MeReal addImpulse(MstTouch *t) {
     const MdtContactGroupID group = t->pair->responseData;
     const MeReal before = t->lag;
     t->lag = mst_lagOfPair(t->pair);
-    if (group && t->isTouching && !t->isSensor)
-        mst_touchNoteGroup(t, group);
     if (!group || MdtContactGroupGetCount(group) == 0 || !(t->lag < before))
-        return;
+        return 0;
     const MeReal time = MdtBodyGetPart(MdtContactGroupGetBody(group, 0));
     t->impulse += time * MdtContactGroupGetNormalForce(group);
+    return time;
+}
+
+/* The touch is where the largest impulse is, of contacts that acted for so long. */
+static void findLargest(MstTouch *t, MeReal time) {
+    const MdtContactGroupID group = t->pair->responseData;
     for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
         MeVector3 force, normal;
         MdtContactGetNormal(c, normal);
@@ -108,6 +119,14 @@ static void gather(MstTouch *t) {
         MdtContactGetPosition(c, t->position);
         mst_normalOf(t->pair, c, t->normal);
     }
+}
+
+/* What the contacts did since the last time. */
+static void gather(MstTouch *t) {
+    noteContacts(t);
+    const MeReal time = addImpulse(t);
+    if (time > 0)
+        findLargest(t, time);
 }
 
 void mst_eventsGather(MstBridgeRecord *b) {
@@ -229,8 +248,10 @@ static void MEAPI skipRange(void *context, int first, int end, int worker) {
             ME_PREFETCH(s->events->listed[i + AHEAD]);
         if (!t)
             continue;
-        if (s->areForcesKnown && !isDecided(t))
-            gather(t);
+        if (s->areForcesKnown && !isDecided(t)) {
+            noteContacts(t);
+            addImpulse(t);
+        }
         t->isTouching = touches(t);
         t->isListed = MEFALSE;
     }
