@@ -7,32 +7,18 @@
 
 enum { MAX_ENGINES = 10 };
 
-/* A program of one precision (BENCH_SINGLE) has the engines of that. */
-static const Engine *const worlds[] = {
-    &engine_karma_single,
-#ifndef BENCH_SINGLE
-    &engine_karma_double,
+/* Karma's of one kind: a program of one precision (BENCH_SINGLE) has those of that. */
+#ifdef BENCH_SINGLE
+#define KARMA(kind) &engine_##kind##_single
+#else
+#define KARMA(kind) &engine_##kind##_single, &engine_##kind##_double
 #endif
-    NULL,
-};
 
-static const Engine *const universes[] = {
-    &engine_universe_single,
-#ifndef BENCH_SINGLE
-    &engine_universe_double,
-#endif
-    NULL,
-};
+static const Engine *const worlds[] = {KARMA(karma), NULL};
+static const Engine *const universes[] = {KARMA(universe), NULL};
 
 const Engine *engines[MAX_ENGINES + 1] = {
-    &engine_karma_single,
-#ifndef BENCH_SINGLE
-    &engine_karma_double,
-#endif
-    &engine_universe_single,
-#ifndef BENCH_SINGLE
-    &engine_universe_double,
-#endif
+    KARMA(karma),   KARMA(universe),
 #ifdef BENCH_ODE
     &engine_ode,
 #endif

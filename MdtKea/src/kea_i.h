@@ -306,11 +306,11 @@ static inline double kea_leastSpeed(double size, double stepsize) {
     return DBL_EPSILON * size / stepsize;
 }
 /* The same, the greatest of all bodies. */
-double kea_stillSpeed(const MdtKeaSystem *s);
+double kea_leastSpeedOfAll(const MdtKeaSystem *s);
 /* m/s: the largest change of a body's velocity by loads in the step. */
 double kea_loadSpeed(const MdtKeaSystem *s);
 /* m/s: the scale of velocities, to which tolerances are relative: of bodies, and of their changes by loads, springs and
- * motors; at least kea_stillSpeed. */
+ * motors; at least kea_leastSpeedOfAll. */
 double kea_velocityScale(const MdtKeaSystem *s);
 /* After a linearization. Writes report.error. */
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);

@@ -140,7 +140,7 @@ double kea_loadSpeed(const MdtKeaSystem *s) {
     return speed;
 }
 
-double kea_stillSpeed(const MdtKeaSystem *s) {
+double kea_leastSpeedOfAll(const MdtKeaSystem *s) {
     double speed = 0;
     for (int i = 0; i < s->numBodies; i++)
         speed = keaMax(speed, kea_leastSpeed(s->work->body[i].size, s->parameters.stepsize));
@@ -148,7 +148,7 @@ double kea_stillSpeed(const MdtKeaSystem *s) {
 }
 
 double kea_velocityScale(const MdtKeaSystem *s) {
-    double speed = kea_stillSpeed(s);
+    double speed = kea_leastSpeedOfAll(s);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
         speed = keaMax(speed, changeByLoads(s, i) + kea_ownSpeedShare * keaLength(b->freeVelocity) +

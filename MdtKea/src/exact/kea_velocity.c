@@ -264,7 +264,7 @@ void kea_velocityStage(MdtKeaSystem *s) {
     kea_keepRows(s);
     setProblem(s);
     const double start = kea_problemResidual(q, NULL);
-    const MeBool isNeeded = !s->work->usesTangentAnswer && start > kea_velocityTolerance * kea_stillSpeed(s) &&
+    const MeBool isNeeded = !s->work->usesTangentAnswer && start > kea_velocityTolerance * kea_leastSpeedOfAll(s) &&
                             (isMandatory || isDiscontinuity(s, start) || alternates(s, start)) &&
                             kea_problemMaySweep(q);
     storeRipples(s, isNeeded);

@@ -8,6 +8,7 @@
 #define KEA_LANES_I_H
 
 #include "fast/kea_fast_i.h"
+#include "inner/kea_doubles_i.h" /* KEA_INLINE */
 
 #include <math.h>
 #include <string.h>
@@ -16,8 +17,6 @@
 #endif
 
 typedef float KeaQuad __attribute__((vector_size(4 * 4)));
-
-#define KEA_INLINE static inline __attribute__((always_inline))
 
 KEA_INLINE KeaLanes lanesOf(float a) {
     return (KeaLanes){a, a, a, a, a, a, a, a};
