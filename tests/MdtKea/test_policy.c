@@ -455,6 +455,29 @@ START_TEST(a_runaway_has_ten_times_the_energy) {
 }
 END_TEST
 
+/* A joint that does not feel how its body turns: each pass turns it further. */
+static void MEAPI unmoved(void *context, const MdtKeaTransformation poses[], double errors[]) {
+    (void)context, (void)poses;
+    errors[0] = 0;
+}
+
+/* At half a turn, with many times the energy that the row asks for, there is no way back. */
+START_TEST(a_runaway_ends_the_passes) {
+    beginStep(1, 1);
+    s.errors = unmoved;
+    MdtKeaInit(&s, scratch);
+    MdtKeaRow *row = addRow(0, MdtKeaWORLD);
+    memset(row->J, 0, sizeof row->J);
+    row->J[0].ang[0] = 1;
+    row->position = METRUE;
+    row->target = 0.5 / h;
+    MdtKeaSolve(&s);
+    ck_assert(s.report.capped);
+    ck_assert_int_le(s.report.passes, 8);
+    endStep();
+}
+END_TEST
+
 /* ---- work ---- */
 
 START_TEST(work_is_counted_in_multiplications) {
@@ -1015,6 +1038,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, joints_may_disagree_by_the_rounding_of_places);
     tcase_add_test(t, far_places_are_known_to_fourteen_digits);
     tcase_add_test(t, a_runaway_has_ten_times_the_energy);
+    tcase_add_test(t, a_runaway_ends_the_passes);
     tcase_add_test(t, work_is_counted_in_multiplications);
     tcase_add_test(t, half_of_a_steps_loads_do_not_rebound);
     tcase_add_test(t, impacts_are_solved_to_twelve_digits);

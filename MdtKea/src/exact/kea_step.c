@@ -297,8 +297,8 @@ static void takePasses(MdtKeaSystem *s) {
         if (isFinal(q, &e, isRefined) || pass == last ||
             (isLimited && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
             break;
-        if (isnan(e.worst))
-            break; /* a runaway beyond all numbers, from which no pass returns: the best iterate is taken */
+        if (isnan(e.worst) || (isinf(e.worst) && isfinite(best) && !q->hasFriction))
+            break; /* a runaway, from which no pass returns but where its friction is frozen: the best iterate is taken */
         isRefined = kea_isConverged(&e);
         if (!runPass(s, pass, &e, isConvergingFast))
             break;
