@@ -298,7 +298,7 @@ static void takePasses(MdtKeaSystem *s) {
             (isLimited && (kea_isExactEnough(&e, kea_sweptMargin) || !kea_problemMaySweep(q))))
             break;
         if (isnan(e.worst) || (isinf(e.worst) && isfinite(best) && !q->hasFriction))
-            break; /* a runaway, from which no pass returns but where its friction is frozen: the best iterate is taken */
+            break; /* a runaway: none returns but where its friction is frozen, and the best iterate is taken */
         isRefined = kea_isConverged(&e);
         if (!runPass(s, pass, &e, isConvergingFast))
             break;
