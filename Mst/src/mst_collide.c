@@ -229,9 +229,7 @@ static void collidePair(const MstBridgeRecord *b, MstRun *run, McdModelPair *p, 
     f->materials = mst_materialPair(b, material[0], material[1]);
     p->mayTurnRound = f->materials->params.restitution > 0;
     f->outcome = outcomeWithoutTest(b, f);
-    if (f->outcome != MST_TO_TEST)
-        return;
-    if (callsProgram(f))
+    if (f->outcome != MST_TO_TEST || callsProgram(f))
         return;
     f->outcome = MST_TESTED;
     mst_testPair(b, run, f);
@@ -246,6 +244,8 @@ static int mostPairs(const MstBridgeRecord *b) {
     return b->part == 0 ? MST_RUN : 1;
 }
 
+/* All are collided before any is updated: the code of both together does not fit into an instruction cache of 32 kB,
+ * and would be loaded anew for each pair. */
 int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s) {
     const int most = MeMIN(count, mostPairs(b));
     run->pairCount = run->foundCount = 0;

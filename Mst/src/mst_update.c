@@ -1,5 +1,5 @@
-/* Update: persisting contacts and the records of their pairs. It follows collide, for each pair in the same thread,
- * which has it in its cache.
+/* Update: persisting contacts and the records of their pairs. It follows collide in the same thread, which has the
+ * pairs of a run in its cache.
  *
  * Writes the pair's own group and touch alone, and that the certificates of rest of its bodies have ended. Where
  * contacts come or go, where the program is called, or what pairs share is to be written, commit does it all.
