@@ -463,7 +463,10 @@ void mdt_bodyPack(MdtBodyID b) {
     keaCopy(b->lastTorque, b->torque);
     mdt_bodyAcceptVelocities(b);
     keaAddScaled(b->kea.velocity, b->kea.invMass, b->impulse);
-    keaAddScaled(b->kea.angularMomentum, 1, b->twist);
+    if (keaLength(b->twist) > 0) {
+        keaAddScaled(b->kea.angularMomentum, 1, b->twist);
+        MdtKeaBodyGetAngularVelocity(&b->kea, b->spin);
+    }
     keaCopy(b->kea.force, b->force);
     keaCopy(b->kea.torque, b->torque);
     b->kea.linearDamping = b->linearDamping;

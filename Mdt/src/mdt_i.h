@@ -159,7 +159,7 @@ struct MdtBody {
     double centreTurn[4];               /* w x y z, axes of the centre of mass to the body's frame */
     /* as last shown, by setters, and at a step's end; of `kea` */
     MdtFrame frame;
-    double spin[3]; /* rad/s */
+    double spin[3]; /* rad/s; in a step, with the twist that it began with */
     MeMatrix4 centreTransform;          /* what programs see of the centre's pose */
 
     double mass;          /* kg */
@@ -175,7 +175,7 @@ _Static_assert(offsetof(MdtBody, transform) == 64, "a pose is one line");
 void mdt_bodyShow(MdtBodyID b); /* refreshes what programs see from the state in kea */
 /* m: the offset between a world position found with the body's shown transform and that with its state in double. */
 void mdt_bodyLostByRounding(const MdtBody *b, const double point[3], double lost[3]);
-void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v); /* as last shown */
+void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v); /* with `spin`: as last shown */
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* takes over velocities that were written through pointers */
 void mdt_bodyKeepWithinReach(MdtBodyID b);  /* stops a body that has come to the bound of positions */
 void mdt_bodyWakeIfAsleep(MdtBodyID b);

@@ -110,6 +110,24 @@ START_TEST(a_free_body_keeps_its_momenta) {
 }
 END_TEST
 
+/* What an impulse gives a body as a step begins is not among what the step adds. */
+START_TEST(an_impulse_is_no_acceleration) {
+    const double edge[3] = {1, 1, 1};
+    MeVector3 acceleration, spin;
+    MdtWorldID w = scene_world(1, 0, 0);
+    MdtBodyID b = scene_box(w, 1, edge, 0, 0, 0);
+    MdtBodyAddImpulseAtPosition(b, 1, 0, 0, 0, (MeReal).5, 0);
+    MdtWorldStep(w, FRAME);
+    MdtBodyGetAngularVelocity(b, spin);
+    assert_near(spin[2], -3, TOL(1e-6, 1e-14));
+    MdtBodyGetLinearAcceleration(b, acceleration);
+    assert_near(MeVector3Magnitude(acceleration), 0, 1e-12);
+    MdtBodyGetAngularAcceleration(b, acceleration);
+    assert_near(MeVector3Magnitude(acceleration), 0, 1e-12);
+    MdtWorldDestroy(w);
+}
+END_TEST
+
 /* Forces between bodies are opposite and act at the same point. */
 START_TEST(bodies_joined_by_joints_keep_their_momenta) {
     const double edge[3] = {1, .3, .2};
@@ -329,6 +347,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, damped_projectile_follows_the_exponential);
     tcase_add_test(t, angular_damping_slows_a_spin_by_the_exponential);
     tcase_add_test(t, a_free_body_keeps_its_momenta);
+    tcase_add_test(t, an_impulse_is_no_acceleration);
     tcase_add_test(t, bodies_joined_by_joints_keep_their_momenta);
     tcase_add_test(t, middle_axis_tumbling_flips_and_keeps_its_energy);
     tcase_add_test(t, a_tilted_tensor_moves_like_a_tilted_body);
