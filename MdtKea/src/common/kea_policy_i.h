@@ -358,11 +358,11 @@ static const double kea_asymmetry = 1e-5, kea_leastMoment = 1e-12;
  * those at a time more_passes_come_by_eight. */
 enum { KEA_LEAST_PASSES = 24, KEA_MOST_PASSES = 96, KEA_MORE_PASSES = 8 /* at a time: a third of the least */ };
 static const double kea_passesPerLoad = 0.7;
-/* The same while bodies move by more than their loads give them in a step, and contacts come and go: what passes leave
- * is taken up by those of the next step. In a heap of 1000 boxes that falls, overlaps are 1.7 times as deep as with 24
- * (5e-5 of a box on average), 2.7 times with 8, and a step costs a tenth less. x2 and /2 fail MdtKea_fast_policy:
- * what_moves_takes_half_of_the_passes. */
-enum { KEA_LEAST_MOVING_PASSES = 12 };
+/* The same while most bodies move by more than their loads give them in a step, and contacts come and go: what passes
+ * leave is taken up by those of the next step. With 12 a pyramid of 210 that a ball hits has overlaps two to four times
+ * as deep, of 8e-4 of a box on average; 24 take 4 % more of a step of a heap that falls. x2 and /2 fail
+ * MdtKea_fast_policy: what_moves_takes_two_thirds_of_the_passes. */
+enum { KEA_LEAST_MOVING_PASSES = 16 };
 /* The same where there are joints, which pass forces on at once: a rag doll's step costs .6 of it, and joints are as
  * closed. x2 and /2 of either fail MdtKea_fast_policy: passes_go_with_the_bodies_that_one_carries. */
 enum { KEA_LEAST_TIED_PASSES = 8 };

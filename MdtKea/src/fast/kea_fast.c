@@ -33,7 +33,8 @@ typedef struct Step {
     int numGroups;
     KeaJoints joints;
     double fall[3];     /* m, see fallOfCentre */
-    double speed;       /* m/s, of the bodies: root of the mean square, see findSpeed */
+    double mean[3];     /* m/s, the bodies' mean velocity, */
+    double speed;       /* and their speed against it: root of the mean square, see findSpeed */
     MeBool isMoving;    /* see findSpeed */
     double load;        /* of how many bodies one carries the weight, see loadRatio */
     double theta, beta; /* of the extrapolation */
@@ -263,29 +264,43 @@ static double loadRatio(Step *p) {
     return mostOverRegions(&p->regions, 0);
 }
 
-/* Σ v², the most that loads add to a velocity, Σ v. */
+/* Σ v², Σ v. */
 static void sumSpeeds(void *context, KeaNode *node) {
     const Step *p = context;
     memset(node->sum, 0, sizeof node->sum);
     for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
-        const int body = p->regions.body[i];
-        const double *v = p->s->velocity[body].lin;
+        const double *v = p->s->velocity[p->regions.body[i]].lin;
         node->sum[0] += keaDot(v, v);
-        node->sum[1] = keaMax(node->sum[1], loadOf(p->s, body));
-        keaAddScaled(node->sum + 2, 1, v);
+        keaAddScaled(node->sum + 1, 1, v);
     }
 }
 
-/* Speeds are relative to the mean velocity, so that a pile on a train is at rest. Where bodies are faster than their
- * loads make them in a step, contact forces are those of impacts, and tell nothing of weights. */
+/* How many bodies are faster than their loads make them in a step: both as they are, so that few that fly do not make a
+ * pile move that they have hit, and against the mean velocity, so that a pile on a train does not. */
+static void countFast(void *context, KeaNode *node) {
+    const Step *p = context;
+    node->sum[0] = 0;
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
+        const int body = p->regions.body[i];
+        const double *v = p->s->velocity[body].lin;
+        double apart[3];
+        keaSubtract(apart, v, p->mean);
+        node->sum[0] += keaMin(keaLength(v), keaLength(apart)) > loadOf(p->s, body);
+    }
+}
+
+/* Bodies move where most are fast: contact forces are those of impacts then, and tell nothing of weights. */
 static void findSpeed(Step *p) {
     const double n = p->s->numBodies;
     kea_overRegions(&p->regions, sumSpeeds, p);
     double spread = sumOverRegions(&p->regions, 0) / n;
-    for (int k = 2; k < 5; k++)
-        spread -= sumOverRegions(&p->regions, k) / n * (sumOverRegions(&p->regions, k) / n);
+    for (int k = 0; k < 3; k++) {
+        p->mean[k] = sumOverRegions(&p->regions, 1 + k) / n;
+        spread -= p->mean[k] * p->mean[k];
+    }
     p->speed = sqrt(keaMax(spread, 0));
-    p->isMoving = p->speed > mostOverRegions(&p->regions, 1);
+    kea_overRegions(&p->regions, countFast, p);
+    p->isMoving = sumOverRegions(&p->regions, 0) > 0.5 * n;
     p->load = p->isMoving ? 1 : loadRatio(p);
 }
 
