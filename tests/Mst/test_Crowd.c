@@ -157,8 +157,8 @@ START_TEST(a_pyramid_of_forty_rows_comes_to_rest) {
 }
 END_TEST
 
-/* A ball of 20 kg hits it with 8 m/s. Were the pyramid taken to move as the ball and what it takes along do, it would get
- * no passes for what its lower rows carry: overlaps would be 4e-4 of a cube on average, not 8e-5. */
+/* A ball of 20 kg hits it with 8 m/s. Were the pyramid taken to move as the ball and what it takes along do, it would
+ * get no passes for what its lower rows carry: overlaps would be 4e-4 of a cube on average, not 8e-5. */
 START_TEST(a_pyramid_that_is_hit_is_pressed_in_by_no_more) {
     double sum = 0;
     makeWorld(MdtSolverAuto);
