@@ -33,15 +33,23 @@ static Cost costOfUniverse(const char *name, MstUniverseID u, int steps) {
     return cost;
 }
 
-static Cost costOf(const char *name) {
+/* Of a scene, under a gravity that is larger by that share. */
+static Cost costUnder(double more, const char *name) {
     Place place;
+    MeVector3 g;
     const MstUniverseID u = twelve_makeUniverse();
     int scene = 0;
     while (scene < TWELVE - 1 && strcmp(twelve[scene].name, name) != 0)
         scene++;
     ck_assert_str_eq(twelve[scene].name, name);
     twelve_make(&place, &twelve[scene], u, 0, 0);
+    MdtWorldGetGravity(u->world, g);
+    MdtWorldSetGravity(u->world, g[0], (MeReal)(1 + more) * g[1], g[2]);
     return costOfUniverse(name, u, STEPS);
+}
+
+static Cost costOf(const char *name) {
+    return costUnder(0, name);
 }
 
 /* Some contacts among few rebound in every step, and the drum is tied: neither keeps what does not settle with the
@@ -61,11 +69,19 @@ START_TEST(a_bridge_that_boxes_fall_onto) {
 }
 END_TEST
 
-/* Bricks without joints settle as little. 72 000 factorizations, 3200 in a step. */
+/* Bricks without joints settle as little. 72 000 factorizations, 3200 in a step. How the wall comes to lie, and with it
+ * the dearest step, is chance: 37 to 725 in 44 runs under gravities that differ by a millionth. */
 START_TEST(a_ball_on_a_chain_hits_a_wall) {
-    const Cost cost = costOf("chain");
-    ck_assert_int_le(cost.all, 12000);
-    ck_assert_int_le(cost.worst, 600);
+    enum { RUNS = 5 };
+    int all = 0, worst = 0;
+    for (int i = 0; i < RUNS; i++) {
+        const Cost cost = costUnder(1e-6 * i, "chain");
+        all += cost.all;
+        worst += cost.worst;
+        ck_assert_int_le(cost.worst, 1200);
+    }
+    ck_assert_int_le(all, RUNS * 8000);
+    ck_assert_int_le(worst, RUNS * 600);
 }
 END_TEST
 
