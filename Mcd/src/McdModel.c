@@ -529,7 +529,7 @@ MeBool MEAPI McdModelIsSwept(McdModelID cm) {
 
 MeReal MEAPI McdModelGetFastMargin(McdModelID cm) {
     const McdModelRecord *m = mcd_modelCheck(cm, "McdModelGetFastMargin");
-    return m && m->isFast ? m->travel : 0;
+    return m ? mcd_fastMargin(m) : 0;
 }
 
 void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor) {

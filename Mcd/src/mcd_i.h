@@ -203,6 +203,10 @@ _Static_assert(sizeof(McdModelInputs) == 40 + 20 * sizeof(MeReal) || sizeof(MeRe
 static inline McdModelRecord *mcd_record(McdModelID cm) {
     return (McdModelRecord *)cm;
 }
+/* m, McdModelGetFastMargin. */
+static inline MeReal mcd_fastMargin(const McdModelRecord *m) {
+    return m->isFast ? m->travel : 0;
+}
 
 /* A temporary model for one part of an aggregate: a copy of the aggregate's model with the part's geometry and
  * transform, valid from mcd_standInBegin to mcd_standInEnd. */

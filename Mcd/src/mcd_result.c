@@ -21,7 +21,7 @@ static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b,
 double mcd_pairMargin(const McdModelPair *p) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (a->isFast || b->isFast) /* the current overlap: McdSafeTime predicts coming ones */
-        return fmax(a->isFast ? (double)a->travel : 0, b->isFast ? (double)b->travel : 0);
+        return fmax((double)mcd_fastMargin(a), (double)mcd_fastMargin(b));
     MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(greatestApproach(a, b, p->mayTurnRound) < 0));
     return (double)a->tolerance + (double)b->tolerance + greatestApproach(a, b, p->mayTurnRound);
 }

@@ -197,7 +197,7 @@ MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]) {
     if (!a || !b)
         return 0;
     return (isFrozen(a) && isFrozen(b) ? McdPairIsAsleep : 0) | (a->isSensor || b->isSensor ? McdPairHasSensor : 0) |
-           ((a->isFast && a->travel > 0) || (b->isFast && b->travel > 0) ? McdPairIsFast : 0);
+           (mcd_fastMargin(a) > 0 || mcd_fastMargin(b) > 0 ? McdPairIsFast : 0);
 }
 
 MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
