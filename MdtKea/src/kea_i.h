@@ -54,7 +54,7 @@ typedef struct KeaEnd {
 
 /* The working data of a body in a step. */
 typedef struct KeaBody {
-    double theta;           /* 1/2: midpoint rule; 1: backward Euler */
+    double theta;           /* 1/2: midpoint rule; 1: backward Euler (no others: divisions by it are exact) */
     double size;            /* m, radius of gyration */
     MeBool isSpatial;       /* its angular velocity changes in the world's axes: no gyroscopic term */
     double axes[3][3];      /* principal axes at the start, as columns */
@@ -66,6 +66,10 @@ typedef struct KeaBody {
     double u[6];            /* the unknown: mean velocity of the step, m/s and rad/s (world) */
     double endAxes[3][3];
     double endVelocity[6]; /* m/s, rad/s (world) */
+    double turning[3][3];  /* s, D: a change dw of w changes cay(h w) by the rotation vector D dw (world); of tangent
+                              problems */
+    double distance;       /* m, of its end from the origin */
+    double reach, turn;    /* m, rad: scales of the errors of its position rows, linear and angular (kea_residual.c) */
     MeBool isFree;         /* no row acts on it: it moves as a free body */
 } KeaBody;
 
@@ -77,7 +81,8 @@ typedef struct KeaDual {
     int (*edges)[2], (*side)[2]; /* of an edge: its nodes, and on which side each has the shared body */
     int *lastJoined;             /* by node: the last node that it got an edge to */
     int *first, (*next)[2]; /* list heads by body, links by node and side: the joints of a body, as 2 node + side */
-    double *x;              /* by row */
+    double *x;                   /* by row */
+    double (*response)[2][6];    /* by row: B⁻¹ Jᵀ of each body */
 } KeaDual;
 
 typedef struct MdtKeaWork {
@@ -151,8 +156,6 @@ void kea_moveBodies(MdtKeaSystem *s);
 void kea_linearizeBodies(MdtKeaSystem *s);
 /* The exact, unsymmetric derivative of the momentum, for the tangent problem; after kea_linearizeBodies. */
 void kea_differentiateBodies(MdtKeaSystem *s);
-/* D such that a change dw of w changes cay(h w) by the rotation vector D dw (world). */
-void kea_turnDerivative(double D[3][3], const double w[3], double h);
 /* Velocities at the end from the impulses: momentum is conserved exactly, also by an answer that has not converged. */
 void kea_balanceMomentum(MdtKeaSystem *s);
 /* The inertia tensor (world) where the body has arrived. */
@@ -164,7 +167,8 @@ void kea_endInertia(const MdtKeaSystem *s, int i, double inertia[3][3]);
 void kea_beginRows(MdtKeaSystem *s);
 /* Jacobians, and on request bounds, of the joints' rows at these poses. */
 void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool withBounds);
-/* T of the tangent problem: of position and spring rows the derivative of the error at the end, of velocity rows J. */
+/* T of the tangent problem: of position and spring rows the derivative of the error at the end, of velocity rows J;
+ * after kea_differentiateBodies. */
 void kea_differentiateRows(MdtKeaSystem *s);
 /* Of contacts whose lever arms change in the step: how much the rate at the pose where it is constrained exceeds J v
  * with the J that the impulse acts along; after kea_moveBodies. */
@@ -309,9 +313,10 @@ static inline double kea_leastSpeed(double size, double stepsize) {
 double kea_leastSpeedOfAll(const MdtKeaSystem *s);
 /* m/s: the largest change of a body's velocity by loads in the step. */
 double kea_loadSpeed(const MdtKeaSystem *s);
-/* m/s: the scale of velocities, to which tolerances are relative: of bodies, and of their changes by loads, springs and
- * motors; at least kea_leastSpeedOfAll. */
-double kea_velocityScale(const MdtKeaSystem *s);
+/* m/s: the scale of velocities, to which tolerances are relative: of bodies and their changes by loads, at least
+ * kea_leastSpeedOfAll; and of their changes by springs and motors, with the present impulses. */
+double kea_bodySpeedScale(const MdtKeaSystem *s);
+double kea_rowSpeedScale(const MdtKeaSystem *s);
 /* After a linearization. Writes report.error. */
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);
 /* Of the smaller body's size: the most that a joint was to close and has not. */
@@ -319,6 +324,8 @@ double kea_openingLeft(const MdtKeaSystem *s);
 MeBool kea_isConverged(const KeaResiduals *e);
 /* Whether residuals are below margin times the loose tolerances, within which an answer is reported as exact. */
 MeBool kea_isExactEnough(const KeaResiduals *e, double margin);
+/* Sets the scales of its rows' errors that a body's motion gives, at its end position. */
+void kea_setErrorScales(MdtKeaSystem *s, int body);
 /* After every pass: marks inconsistent joints, which contradict each other. Whether the residual of one exceeds the
  * rounding of attachments; whether it exceeds the position tolerance. */
 void kea_noteInconsistent(MdtKeaSystem *s);

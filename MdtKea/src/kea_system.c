@@ -51,6 +51,7 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->dual.first = kea_carve(arena, n, sizeof(int));
     work->dual.next = kea_carve(arena, m, sizeof *work->dual.next);
     work->dual.x = kea_carve(arena, m, sizeof(double));
+    work->dual.response = kea_carve(arena, m, sizeof *work->dual.response);
     kea_problemLayOut(&work->problem, s->numBodies, s->maxRows, arena);
 }
 

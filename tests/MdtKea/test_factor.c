@@ -270,6 +270,67 @@ START_TEST(cholesky_reads_upper_parts_only) {
 }
 END_TEST
 
+/* ---- rows ---- */
+
+/* As one row after the other, entry by entry: `count` of random rows that join the nodes of an edge. */
+static void addOneByOne(double block[6][6], int count, const double w[], double (*const a)[6], double (*const b)[6]) {
+    for (int r = 0; r < count; r++)
+        for (int i = 0; i < 6; i++)
+            for (int k = 0; k < 6; k++)
+                block[i][k] += w[r] * a[r][i] * b[r][k];
+}
+
+static void isTheSame(const double *block, double (*const expected)[6]) {
+    ck_assert_int_eq(memcmp(block, expected, 36 * sizeof(double)), 0);
+}
+
+/* Node 0 has the rows' first body if `turned` is 0, else the second. */
+static void checkRows(const KeaFactorKernel *kernel, int count, int turned, MeBool isSymmetric) {
+    const int size[2] = {6, 6}, edges[1][2] = {{0, 1}};
+    KeaFactor *f = createFor(2, size, 1, edges);
+    KeaFactorRows rows = {.node = {turned, !turned}};
+    static double a[2][KEA_FACTOR_ROWS][6], b[2][KEA_FACTOR_ROWS][6], block[4][6][6];
+    memset(block, 0, sizeof block);
+    for (rows.count = 0; rows.count < count; rows.count++) {
+        const int r = rows.count;
+        rows.weight[r] = uniform(0, 10);
+        for (int k = 0; k < 2; k++) {
+            for (int i = 0; i < 6; i++) {
+                a[k][r][i] = uniform(-1, 1);
+                b[k][r][i] = uniform(-1, 1);
+            }
+            rows.a[k][r] = a[k][r];
+            rows.b[k][r] = b[k][r];
+        }
+    }
+    const int low = turned;
+    kernel->addRows(f, &rows, isSymmetric);
+    addOneByOne(block[0], count, rows.weight, a[low], b[low]);
+    addOneByOne(block[1], count, rows.weight, a[!low], b[!low]);
+    addOneByOne(block[2], count, rows.weight, a[low], b[!low]);
+    if (!isSymmetric)
+        addOneByOne(block[3], count, rows.weight, a[!low], b[low]);
+    isTheSame(kea_factorDiagonal(f, 0), block[0]);
+    isTheSame(kea_factorDiagonal(f, 1), block[1]);
+    isTheSame(kea_factorUpper(f, 0), block[2]);
+    isTheSame(kea_factorLower(f, 0), block[3]);
+    destroy();
+}
+
+START_TEST(rows_together_add_what_they_add_one_by_one) {
+    state = 3;
+    for (int count = 1; count <= KEA_FACTOR_ROWS; count++)
+        for (int turned = 0; turned < 2; turned++)
+            for (int isSymmetric = 0; isSymmetric < 2; isSymmetric++) {
+                checkRows(&kea_factorKernel, count, turned, isSymmetric);
+#ifdef KEA_HAS_AVX2
+                if (kea_machineHasAvx2())
+                    checkRows(&kea_factorKernelAvx2, count, turned, isSymmetric);
+#endif
+            }
+}
+END_TEST
+
 /* ---- what cannot be factored ---- */
 
 /* One diagonal entry is made too small; afterwards the matrix, put right again, is factored as before. */
@@ -657,15 +718,19 @@ static void solveBy(const KeaFactorKernel *kernel, const Graph *g, int seed, For
     const MeBool isSymmetric = form != LU;
     state = (unsigned long long)seed;
     KeaFactor *f = create(g);
-    double a[6], b[6];
     fill(f, g, isSymmetric ? 0 : 0.3);
     for (int i = 0; i < g->numNodes; i++) {
-        for (int k = 0; k < 6; k++) {
-            a[k] = uniform(-1, 1);
-            b[k] = uniform(-0.1, 0.1) + a[k] * isSymmetric;
+        double a[KEA_FACTOR_ROWS][2][6], b[KEA_FACTOR_ROWS][2][6];
+        KeaFactorRows rows = {.node = {i, -1}, .edge = -1};
+        for (int r = 0; r < KEA_FACTOR_ROWS; r++) {
+            for (int k = 0; k < 12; k++) {
+                a[r][k / 6][k % 6] = uniform(-1, 1);
+                b[r][k / 6][k % 6] = uniform(-0.1, 0.1) + a[r][k / 6][k % 6] * isSymmetric;
+            }
+            kea_factorPutRow(&rows, 1, a[r], isSymmetric ? a[r] : b[r]);
         }
         if (g->size[i] == 6)
-            kernel->addOuter(kea_factorDiagonal(f, i), 1, a, isSymmetric ? a : b);
+            kernel->addRows(f, &rows, isSymmetric);
     }
     for (int i = 0; i < MOST; i++)
         x[i] = uniform(-1, 1);
@@ -707,6 +772,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, lu_solves_as_elimination_does);
     tcase_add_test(t, equal_blocks_solve_as_elimination_does);
     tcase_add_test(t, cholesky_reads_upper_parts_only);
+    tcase_add_test(t, rows_together_add_what_they_add_one_by_one);
     tcase_add_test(t, not_positive_definite_is_told_and_the_matrix_kept);
     tcase_add_test(t, indefinite_between_blocks_is_told);
     tcase_add_test(t, singular_blocks_are_told);

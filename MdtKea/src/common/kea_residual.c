@@ -11,21 +11,24 @@
 
 /* ---- position rows ---- */
 
+void kea_setErrorScales(MdtKeaSystem *s, int body) {
+    const double h = s->parameters.stepsize;
+    KeaBody *b = &s->work->body[body];
+    b->distance = keaLength(s->work->end[body].position);
+    b->reach = h * keaLength(b->u) + kea_bodySizeShare * b->size + kea_distanceShare * b->distance;
+    b->turn = h * keaLength(b->u + 3);
+}
+
 /* Scale of a position row's error: its initial error, lever arms, the displacement of its bodies, a share of their size
  * and, for rounding far from the origin, of their distance from it. Of an angular row all of these are angles. */
 static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    const double h = s->parameters.stepsize;
     double size = fabs(row->error);
     for (int k = 0; k < 2; k++) {
         if (row->body[k] < 0)
             continue;
         const KeaBody *b = &s->work->body[row->body[k]];
         size += keaLength(row->J[k].ang);
-        if (keaDot(row->J[k].lin, row->J[k].lin) > 0)
-            size += h * keaLength(b->u) + kea_bodySizeShare * b->size +
-                    kea_distanceShare * keaLength(s->work->end[row->body[k]].position);
-        else
-            size += h * keaLength(b->u + 3);
+        size += keaDot(row->J[k].lin, row->J[k].lin) > 0 ? b->reach : b->turn;
     }
     return size;
 }
@@ -38,7 +41,7 @@ static double roundingOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
             continue;
         if (keaDot(row->J[k].lin, row->J[k].lin) == 0)
             return kea_attachmentRounding; /* of an angle */
-        size += keaLength(row->arm[k]) + keaLength(s->work->end[row->body[k]].position);
+        size += keaLength(row->arm[k]) + s->work->body[row->body[k]].distance;
     }
     return kea_attachmentRounding * size + kea_tiny;
 }
@@ -91,15 +94,19 @@ static MeBool mayContradict(const MdtKeaSystem *s, int i) {
            s->parameters.stepsize * fabs(p->r - p->E * p->p) < roundingOfRow(s, row);
 }
 
-/* A joint is inconsistent if two passes in succession have left most of its residual, for any impulse. Rows with
- * negligible residual are ignored. */
+/* Whether a pass has left most of a joint's residual, and that is not negligible. */
+static MeBool isUnmetByPass(const MdtKeaSystem *s, int i) {
+    const KeaProblemRow *p = &s->work->problem.row[i];
+    const double asked = p->r - p->E * p->p0, left = asked - p->Jd - p->E * (p->p - p->p0);
+    return fabs(left) > kea_inconsistentShare * fabs(asked) && mayContradict(s, i) &&
+           s->parameters.stepsize * fabs(asked) > kea_positionTolerance * sizeOfRow(s, &s->rows[i]);
+}
+
+/* A joint is inconsistent if two passes in succession have left most of its residual, for any impulse. */
 void kea_noteInconsistent(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         KeaProblemRow *p = &s->work->problem.row[i];
-        const double asked = p->r - p->E * p->p0;
-        const MeBool asks = s->parameters.stepsize * fabs(asked) > kea_positionTolerance * sizeOfRow(s, &s->rows[i]);
-        const MeBool isUnmet = asks && mayContradict(s, i) &&
-                               fabs(asked - p->Jd - p->E * (p->p - p->p0)) > kea_inconsistentShare * fabs(asked);
+        const MeBool isUnmet = isUnmetByPass(s, i);
         p->isInconsistent = isUnmet && p->isUnmet;
         p->isUnmet = isUnmet;
     }
@@ -147,13 +154,18 @@ double kea_leastSpeedOfAll(const MdtKeaSystem *s) {
     return speed;
 }
 
-double kea_velocityScale(const MdtKeaSystem *s) {
+double kea_bodySpeedScale(const MdtKeaSystem *s) {
     double speed = kea_leastSpeedOfAll(s);
     for (int i = 0; i < s->numBodies; i++) {
         const KeaBody *b = &s->work->body[i];
         speed = keaMax(speed, changeByLoads(s, i) + kea_ownSpeedShare * keaLength(b->freeVelocity) +
                                   kea_ownSpeedShare * b->size * keaLength(s->predicted[i].ang));
     }
+    return speed;
+}
+
+double kea_rowSpeedScale(const MdtKeaSystem *s) {
+    double speed = 0;
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0 && !s->rows[i].position)
             speed = keaMax(speed, kea_lengthOf(s, &s->rows[i]) * s->work->problem.row[i].Aii *

@@ -285,13 +285,20 @@ static void addAlongEigenvector(double K[3][3], double k, double w, double e) {
             K[i][j] = k * K[i][j] + share * adjugate[i][j];
 }
 
+/* Whether all eigenvalues are above -harmless: K + harmless 1 has positive leading minors. */
+static MeBool isHarmless(const double K[3][3], double harmless) {
+    const double a = K[0][0] + harmless, b = K[1][1] + harmless, c = K[2][2] + harmless;
+    const double x = K[1][2], y = K[0][2], z = K[0][1], minor = a * b - z * z;
+    return a > 0 && minor > 0 && c * minor + 2 * x * y * z - a * x * x - b * y * y > 0;
+}
+
 /* Of one negative eigenvalue its part is taken away; of two, what is left is the part of the third. These are apart
  * from the others by as much as they are from 0. */
 void kea_clampPositive(double K[3][3], double harmless) {
     double e[3];
-    eigenvalues((const double(*)[3])K, e);
-    if (e[0] > -harmless)
+    if (isHarmless((const double(*)[3])K, harmless))
         return;
+    eigenvalues((const double(*)[3])K, e);
     if (e[1] > 0)
         addAlongEigenvector(K, 1, -e[0], e[0]);
     else

@@ -90,16 +90,18 @@ static double dotOfBody(const double a[6], const double b[6]) {
     return keaDot(a, b) + keaDot(a + 3, b + 3);
 }
 
+/* The upper triangle, and the responses of the node's rows. */
 static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
-    double *block = kea_factorDiagonal(d->factor, n), response[6];
+    double *block = kea_factorDiagonal(d->factor, n);
     const int size = d->size[n], start = d->start[n];
     for (int i = 0; i < size; i++) {
         const KeaProblemRow *a = &q->row[start + i];
         for (int k = 0; k < 2; k++) {
             if (a->body[k] < 0)
                 continue;
+            double *response = d->response[start + i][k];
             setResponse(&q->metric[a->body[k]], response, a->J[k]);
-            for (int j = 0; j < size; j++)
+            for (int j = i; j < size; j++)
                 block[i * size + j] += dotOfBody(response, q->row[start + j].J[k]);
         }
         block[i * size + i] += a->E + kea_dualRegularization * a->Aii;
@@ -108,13 +110,10 @@ static void fillDiagonal(KeaProblem *q, KeaDual *d, int n) {
 
 static void fillEdge(KeaProblem *q, KeaDual *d, int e) {
     const int m = d->edges[e][0], n = d->edges[e][1], k = d->side[e][0], l = d->side[e][1];
-    const KeaMetric *B = &q->metric[q->row[d->start[m]].body[k]];
-    double *block = kea_factorUpper(d->factor, e), response[6];
-    for (int i = 0; i < d->size[m]; i++) {
-        setResponse(B, response, q->row[d->start[m] + i].J[k]);
+    double *block = kea_factorUpper(d->factor, e);
+    for (int i = 0; i < d->size[m]; i++)
         for (int j = 0; j < d->size[n]; j++)
-            block[i * d->size[n] + j] += dotOfBody(response, q->row[d->start[n] + j].J[l]);
-    }
+            block[i * d->size[n] + j] += dotOfBody(d->response[d->start[m] + i][k], q->row[d->start[n] + j].J[l]);
 }
 
 static MeBool factorize(KeaProblem *q, KeaDual *d) {

@@ -230,12 +230,10 @@ void kea_setMovingRates(MdtKeaSystem *s) {
             s->work->movingRate[i] = movingRate(s, i);
 }
 
-/* The derivative with d: J at the end pose, its angular part times D / h (kea_turnDerivative). */
-static void tangentOf(double tangent[6], const MdtKeaJBlock *J, const double w[3], double h) {
-    double D[3][3];
-    kea_turnDerivative(D, w, h);
+/* The derivative with d: J at the end pose, its angular part times D / h (KeaBody.turning). */
+static void tangentOf(double tangent[6], const MdtKeaJBlock *J, const KeaBody *body, double h) {
     keaCopy(tangent, J->lin);
-    keaApplyTransposed(tangent + 3, (const double(*)[3])D, J->ang);
+    keaApplyTransposed(tangent + 3, body->turning, J->ang);
     keaScale(tangent + 3, 1 / h, tangent + 3);
 }
 
@@ -250,7 +248,7 @@ void kea_differentiateRows(MdtKeaSystem *s) {
             memcpy(q->tangent[i], q->row[i].J, sizeof q->row[i].J);
         for (int k = 0; k < 2 && (row->position || row->spring); k++)
             if (row->body[k] >= 0)
-                tangentOf(q->tangent[i][k], &row->J[k], s->work->body[row->body[k]].u + 3, s->parameters.stepsize);
+                tangentOf(q->tangent[i][k], &row->J[k], &s->work->body[row->body[k]], s->parameters.stepsize);
     }
     kea_recallRows(s);
 }
@@ -264,23 +262,15 @@ static void springRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->N = 0;
 }
 
-/* 1/kg: A_ii = J B⁻¹ Jᵀ without the angular part: with it, joints that share a load would not share it evenly. */
-static double inverseMassWithoutArms(const MdtKeaSystem *s, const KeaProblemRow *p) {
-    double sum = 0;
-    for (int k = 0; k < 2; k++)
-        if (p->body[k] >= 0)
-            sum += keaDot(p->J[k], p->J[k]) / s->work->problem.metric[p->body[k]].linear;
-    return sum > 0 ? sum : p->Aii;
-}
-
 static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize;
     p->E = row->softness;
     p->r = row->target - (s->work->endErrors[i] - row->error) / h;
     const MeBool mayContradict = s->work->hasLoops && !s->work->problem.hasTangent;
-    p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) *
-           inverseMassWithoutArms(s, p);
+    /* without lever arms, with which joints that share a load would not share it evenly */
+    const double size = p->straight > 0 ? p->straight : p->Aii;
+    p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) * size;
 }
 
 /* A contact in a timed step, where overlaps are removed by kea_project instead of by a velocity. Only a soft one gets

@@ -101,6 +101,7 @@ static void cayley(double turn[4], const double u[6], double h) {
 }
 
 static void turnBody(const MdtKeaBody *body, KeaBody *b, KeaEnd *end, double h) {
+    const double share = 1 / b->theta;
     double turn[4], w[3], L[3];
     cayley(turn, b->u, h);
     keaQuaternionProduct(end->quaternion, turn, body->quaternion);
@@ -108,13 +109,13 @@ static void turnBody(const MdtKeaBody *body, KeaBody *b, KeaEnd *end, double h) 
     toPrincipal(body, end->quaternion, b->endAxes);
     if (b->isSpatial) {
         for (int i = 0; i < 3; i++)
-            b->endVelocity[3 + i] = b->spin[i] + (b->u[3 + i] - b->spin[i]) / b->theta;
+            b->endVelocity[3 + i] = b->spin[i] + (b->u[3 + i] - b->spin[i]) * share;
         kea_angularMomentum(body, end->quaternion, b->endVelocity + 3, end->angularMomentum);
         return;
     }
     keaApplyTransposed(w, (const double(*)[3])b->axes, b->u + 3);
     for (int i = 0; i < 3; i++) {
-        w[i] = b->spin[i] + (w[i] - b->spin[i]) / b->theta;
+        w[i] = b->spin[i] + (w[i] - b->spin[i]) * share;
         L[i] = body->moments[i] * w[i];
     }
     keaApply(b->endVelocity + 3, (const double(*)[3])b->endAxes, w);
@@ -127,12 +128,14 @@ void kea_moveBodies(MdtKeaSystem *s) {
         const MdtKeaBody *body = s->bodies[i];
         KeaBody *b = &s->work->body[i];
         KeaEnd *end = &s->work->end[i];
+        const double share = 1 / b->theta;
         keaCopy(end->position, body->position);
         keaAddScaled(end->position, h, b->u);
         for (int k = 0; k < 3; k++)
-            b->endVelocity[k] = end->velocity[k] = body->velocity[k] + (b->u[k] - body->velocity[k]) / b->theta;
+            b->endVelocity[k] = end->velocity[k] = body->velocity[k] + (b->u[k] - body->velocity[k]) * share;
         turnBody(body, b, end, h);
         kea_setPoses(s, i);
+        kea_setErrorScales(s, i);
     }
 }
 
@@ -203,25 +206,25 @@ static void gatherStiffness(MdtKeaSystem *s) {
 /* Metric B = inertia / θ + geometric stiffness. Stiffness far below the inertia is left out: Newton's method converges
  * as well without it. */
 static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
-    const double *I = body->moments, least = keaMin(I[0], keaMin(I[1], I[2])) / b->theta;
+    const double *I = body->moments, share = 1 / b->theta, least = keaMin(I[0], keaMin(I[1], I[2])) * share;
     double inertia[3][3];
     meanInertia(body, b, inertia);
     if (kea_largestEntry((const double(*)[3])B->angular) > kea_smallStiffness * least)
         kea_clampPositive(B->angular, kea_harmlessStiffness * least);
     else
         memset(B->angular, 0, sizeof B->angular);
-    MEASSERT(b->theta >= 0.5 && b->theta <= 1);
+    MEASSERT(b->theta == 0.5 || b->theta == 1);
     B->linear = 1 / (body->invMass * b->theta);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            B->angular[i][j] += inertia[i][j] / b->theta;
+            B->angular[i][j] += inertia[i][j] * share;
     kea_invert(B->inverse, (const double(*)[3])B->angular);
 }
 
 /* ---- the exact derivative of the momentum, for the tangent problem ---- */
 
 /* D = h (1 + h/2 [w]x) / (1 + |h w / 2|²). */
-void kea_turnDerivative(double D[3][3], const double w[3], double h) {
+static void turnDerivative(double D[3][3], const double w[3], double h) {
     const double half = 0.5 * h, share = h / (1 + half * half * keaDot(w, w));
     const double x[3][3] = {{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}};
     for (int i = 0; i < 3; i++)
@@ -230,7 +233,7 @@ void kea_turnDerivative(double D[3][3], const double w[3], double h) {
 }
 
 /* r += s A D */
-static void addProduct(double r[3][3], double s, double (*const A)[3], double (*const D)[3]) {
+static void addProduct(double r[3][3], double s, double (*const A)[3], const double (*D)[3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             for (int k = 0; k < 3; k++)
@@ -238,42 +241,40 @@ static void addProduct(double r[3][3], double s, double (*const A)[3], double (*
 }
 
 /* r = derivative with w_m of R⁺ I W⁺, or of a spatial body's I (w⁺ - w). */
-static void momentumDerivative(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double (*const D)[3],
-                               double r[3][3]) {
-    const double *L = end->angularMomentum;
+static void momentumDerivative(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double r[3][3]) {
+    const double *L = end->angularMomentum, share = 1 / b->theta;
     double x[3][3] = {{0, -L[2], L[1]}, {L[2], 0, -L[0]}, {-L[1], L[0], 0}};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             double sum = b->isSpatial ? b->inertia[i][j] : 0;
             for (int k = 0; k < 3 && !b->isSpatial; k++)
                 sum += b->endAxes[i][k] * body->moments[k] * b->axes[j][k];
-            r[i][j] = sum / b->theta;
+            r[i][j] = sum * share;
         }
     if (!b->isSpatial)
-        addProduct(r, -1, x, D);
+        addProduct(r, -1, x, b->turning);
 }
 
 /* -d (r_m x P) = 1/2 P x (D d w x r⁺), r⁺ = r_m + h/2 w_m x r_m. */
-static void addExactStiffness(double r[3][3], const double P[3], const double arm[3], const double w[3], double h,
-                              double (*const D)[3]) {
+static void addExactStiffness(double r[3][3], const double P[3], const double arm[3], const KeaBody *b, double h) {
     double end[3], K[3][3];
-    keaCross(end, w, arm);
+    keaCross(end, b->u + 3, arm);
     keaScale(end, 0.5 * h, end);
     keaAddScaled(end, 1, arm);
     const double Pr = keaDot(P, end);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             K[i][j] = (i == j ? Pr : 0) - end[i] * P[j];
-    addProduct(r, 0.5, K, D);
+    addProduct(r, 0.5, K, b->turning);
 }
 
 void kea_differentiateBodies(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     const double h = s->parameters.stepsize;
-    double D[3][3];
     for (int i = 0; i < s->numBodies; i++) {
-        kea_turnDerivative(D, s->work->body[i].u + 3, h);
-        momentumDerivative(s->bodies[i], &s->work->body[i], &s->work->end[i], D, q->tangentInertia[i]);
+        KeaBody *b = &s->work->body[i];
+        turnDerivative(b->turning, b->u + 3, h);
+        momentumDerivative(s->bodies[i], b, &s->work->end[i], q->tangentInertia[i]);
     }
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
@@ -283,8 +284,7 @@ void kea_differentiateBodies(MdtKeaSystem *s) {
             if (b < 0)
                 continue;
             keaScale(P, q->row[i].p, row->J[k].lin);
-            kea_turnDerivative(D, s->work->body[b].u + 3, h);
-            addExactStiffness(q->tangentInertia[b], P, row->arm[k], s->work->body[b].u + 3, h, D);
+            addExactStiffness(q->tangentInertia[b], P, row->arm[k], &s->work->body[b], h);
         }
     }
 }

@@ -259,7 +259,7 @@ static void takePasses(MdtKeaSystem *s) {
     int last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES;
     KeaProblem *q = &s->work->problem;
     MeBool isLimited = MEFALSE;
-    double speed = 0;                               /* m/s: the largest scale of velocities so far */
+    double speed = kea_bodySpeedScale(s);           /* m/s: the largest scale of velocities so far */
     double best = HUGE_VAL, bestTangent = HUGE_VAL; /* worst residuals of the kept iterates */
     KeaResiduals e = {.worst = HUGE_VAL};
     double motion = HUGE_VAL, before = HUGE_VAL;
@@ -272,7 +272,7 @@ static void takePasses(MdtKeaSystem *s) {
         q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
     for (int pass = 0;; pass++) {
         linearize(s);
-        speed = keaMax(speed, kea_velocityScale(s));
+        speed = keaMax(speed, kea_rowSpeedScale(s));
         e = residualsOfPass(s, speed);
         if (e.worst < best || pass == 0) {
             best = e.worst;

@@ -135,14 +135,18 @@ static double (*unknownsOf(const KeaJoints *j, const KeaJointBlock *b))[6] {
 
 /* ---- the matrix ---- */
 
-static void addRow(KeaFactor *f, const KeaJointRow *r) {
-    for (int k = 0; k < 2; k++)
-        if (r->node[k] >= 0)
-            kea_factorAddOuter(kea_factorDiagonal(f, r->node[k]), r->weight, r->J[k], r->J[k]);
-    if (r->edge < 0)
-        return;
-    const int low = r->node[0] < r->node[1] ? 0 : 1;
-    kea_factorAddOuter(kea_factorUpper(f, r->edge), r->weight, r->J[low], r->J[!low]);
+/* Adds the tied rows from `first` on that join the same bodies. Returns how many. */
+static int addTied(const KeaJoints *j, const KeaJointBlock *b, int first) {
+    const KeaJointRow *start = &j->row[first];
+    KeaFactorRows rows = {.node = {start->node[0], start->node[1]}, .edge = start->edge};
+    for (int i = first; i < b->firstRow + b->numTied && rows.count < KEA_FACTOR_ROWS; i++) {
+        KeaJointRow *r = &j->row[i];
+        if (r->node[0] != start->node[0] || r->node[1] != start->node[1])
+            break;
+        kea_factorPutRow(&rows, r->weight, r->J, r->J);
+    }
+    kea_factorAddRows(b->factor, &rows, METRUE);
+    return rows.count;
 }
 
 /* `soft`: N, of the rows' sizes. False: the matrix is not positive in double precision. */
@@ -157,11 +161,10 @@ static MeBool factorizeWith(const MdtKeaSystem *s, const KeaJoints *j, const Kea
                 block[6 * (i + 3) + k + 3] = body->inertia[i][k];
         }
     }
-    for (int i = b->firstRow; i < b->firstRow + b->numTied; i++) {
-        KeaJointRow *r = &j->row[i];
-        r->weight = r->isOff ? 0 : 1 / (r->compliance + soft * r->size);
-        addRow(b->factor, r);
-    }
+    for (int i = b->firstRow; i < b->firstRow + b->numTied; i++)
+        j->row[i].weight = j->row[i].isOff ? 0 : 1 / (j->row[i].compliance + soft * j->row[i].size);
+    for (int i = b->firstRow; i < b->firstRow + b->numTied;)
+        i += addTied(j, b, i);
     return kea_factorCholesky(b->factor, kea_leastPivot);
 }
 

@@ -71,8 +71,10 @@ double *kea_factorLower(KeaFactor *f, int edge) {
 
 /* ---- factorization and solution ---- */
 
-void kea_factorAddOuter(double block[6 * 6], double w, const double a[6], const double b[6]) {
-    kernelOfMachine()->addOuter(block, w, a, b);
+void kea_factorAddRows(KeaFactor *f, const KeaFactorRows *rows, MeBool isSymmetric) {
+    MEASSERT(rows->count <= KEA_FACTOR_ROWS && rows->node[0] < f->numNodes && rows->node[1] < f->numNodes);
+    MEASSERT(rows->edge >= 0 || rows->node[0] < 0 || rows->node[1] < 0);
+    kernelOfMachine()->addRows(f, rows, isSymmetric);
 }
 
 MeBool kea_factorCholesky(KeaFactor *f, double least) {

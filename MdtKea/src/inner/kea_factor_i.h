@@ -44,8 +44,28 @@ void kea_factorTakeNumbers(KeaFactor *f, char *memory);
 double *kea_factorDiagonal(KeaFactor *f, int node);
 double *kea_factorUpper(KeaFactor *f, int edge);
 double *kea_factorLower(KeaFactor *f, int edge);
-/* Adds w aᵀ b to a block of six by six. */
-void kea_factorAddOuter(double block[6 * 6], double w, const double a[6], const double b[6]);
+
+/* Rows that join the same two nodes of six unknowns, or belong to one: row i has the weight w_i, and a_i and b_i along
+ * either node's unknowns. Several together are added faster than each by itself, and as exactly. */
+enum { KEA_FACTOR_ROWS = 8 };
+typedef struct KeaFactorRows {
+    int node[2], edge; /* -1: none */
+    int count;
+    double weight[KEA_FACTOR_ROWS];
+    const double *a[2][KEA_FACTOR_ROWS], *b[2][KEA_FACTOR_ROWS];
+} KeaFactorRows;
+
+static inline void kea_factorPutRow(KeaFactorRows *rows, double weight, double (*const a)[6], double (*const b)[6]) {
+    const int i = rows->count++;
+    rows->weight[i] = weight;
+    for (int k = 0; k < 2; k++) {
+        rows->a[k][i] = a[k];
+        rows->b[k][i] = b[k];
+    }
+}
+/* Adds Σ w_i a_iᵀ b_i to the blocks of the nodes and of their edge, in the order of i; to `lower` unless the matrix is
+ * symmetric. */
+void kea_factorAddRows(KeaFactor *f, const KeaFactorRows *rows, MeBool isSymmetric);
 
 /* Where the unknowns of a node start in vectors; of numNodes: how many there are in all. */
 int kea_factorOffset(const KeaFactor *f, int node);

@@ -74,31 +74,50 @@ KEA_INLINE KeaRows products(double x0, double x1, KeaRows y) {
         {(KeaFour){x0, x0, x0, x0} * y.v[0], (KeaFour){x0, x0, x1, x1} * y.v[1], (KeaFour){x1, x1, x1, x1} * y.v[2]}};
 }
 
-static void addOuter(double block[6 * 6], double w, const double a[6], const double b[6]) {
-    const KeaRows y = twice(b);
-    for (int i = 0; i < 6; i += 2) {
-        KeaRows c = rowsAt(block + 6 * i);
-        const KeaRows d = products(w * a[i], w * a[i + 1], y);
-        for (int k = 0; k < 3; k++)
-            c.v[k] += d.v[k];
-        putRows(block + 6 * i, c);
+KEA_INLINE KeaRows plus(KeaRows a, KeaRows b) {
+    return (KeaRows){{a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2]}};
+}
+KEA_INLINE KeaRows minus(KeaRows a, KeaRows b) {
+    return (KeaRows){{a.v[0] - b.v[0], a.v[1] - b.v[1], a.v[2] - b.v[2]}};
+}
+
+/* block += Σ w aᵀ b */
+static void addOuters(double *block, int count, const double w[], const double *const a[], const double *const b[]) {
+    KeaRows top = rowsAt(block), middle = rowsAt(block + 12), bottom = rowsAt(block + 2 * 12);
+    for (int r = 0; r < count; r++) {
+        const KeaRows y = twice(b[r]);
+        top = plus(top, products(w[r] * a[r][0], w[r] * a[r][1], y));
+        middle = plus(middle, products(w[r] * a[r][2], w[r] * a[r][3], y));
+        bottom = plus(bottom, products(w[r] * a[r][4], w[r] * a[r][5], y));
     }
+    putRows(block, top);
+    putRows(block + 12, middle);
+    putRows(block + 2 * 12, bottom);
+}
+
+static void addRows(KeaFactor *f, const KeaFactorRows *rows, MeBool isSymmetric) {
+    const int low = rows->node[0] < rows->node[1] ? 0 : 1, high = !low, n = rows->count;
+    for (int k = 0; k < 2; k++)
+        if (rows->node[k] >= 0)
+            addOuters(f->diagonal + f->diagonalAt[rows->node[k]], n, rows->weight, rows->a[k], rows->b[k]);
+    if (rows->edge < 0)
+        return;
+    addOuters(f->upperInput + f->edgeAt[rows->edge], n, rows->weight, rows->a[low], rows->b[high]);
+    if (!isSymmetric)
+        addOuters(f->lowerInput + f->edgeAt[rows->edge], n, rows->weight, rows->a[high], rows->b[low]);
 }
 
 KEA_INLINE void subtractProduct6(double *C, const double *X, const double *Y) {
-    KeaRows c[3];
-    for (int i = 0; i < 3; i++)
-        c[i] = rowsAt(C + 12 * i);
+    KeaRows top = rowsAt(C), middle = rowsAt(C + 12), bottom = rowsAt(C + 2 * 12);
     for (int p = 0; p < 6; p++) {
         const KeaRows y = twice(Y + 6 * p);
-        for (int i = 0; i < 3; i++) {
-            const KeaRows d = products(X[6 * p + 2 * i], X[6 * p + 2 * i + 1], y);
-            for (int k = 0; k < 3; k++)
-                c[i].v[k] -= d.v[k];
-        }
+        top = minus(top, products(X[6 * p], X[6 * p + 1], y));
+        middle = minus(middle, products(X[6 * p + 2], X[6 * p + 3], y));
+        bottom = minus(bottom, products(X[6 * p + 4], X[6 * p + 5], y));
     }
-    for (int i = 0; i < 3; i++)
-        putRows(C + 12 * i, c[i]);
+    putRows(C, top);
+    putRows(C + 12, middle);
+    putRows(C + 2 * 12, bottom);
 }
 
 KEA_INLINE void subtractProductOf(double *restrict C, const double *restrict X, const double *restrict Y, int inner,
@@ -151,7 +170,7 @@ KEA_INLINE MeBool choleskyOf(double *D, int n, double least) {
 }
 
 static MeBool cholesky(double *D, int n, double least) {
-    return n == 6 ? choleskyOf(D, 6, least) : choleskyOf(D, n, least);
+    return n == 6 ? choleskyOf(D, 6, least) : n == 3 ? choleskyOf(D, 3, least) : choleskyOf(D, n, least);
 }
 
 /* What an entry a_ij is compared with is sqrt(size_i size_j), which has its unit: a block may have rows of kg and of
@@ -238,6 +257,8 @@ KEA_INLINE void divideUpper6(double *B, const double *D) {
 static void divideUpper(double *B, const double *D, int n, int columns) {
     if (n == 6 && columns == 6)
         divideUpper6(B, D);
+    else if (n == 3 && columns == 3)
+        divideUpperOf(B, D, 3, 3);
     else
         divideUpperOf(B, D, n, columns);
 }
@@ -380,6 +401,8 @@ KEA_INLINE void subtractTransposed6(double *xi, const double *X, const double *x
 KEA_INLINE void subtractTransposed(double *xi, const double *X, const double *xj, int n, int m) {
     if (n == 6 && m == 6)
         subtractTransposed6(xi, X, xj);
+    else if (n == 3 && m == 3)
+        subtractTransposedOf(xi, X, xj, 3, 3);
     else
         subtractTransposedOf(xi, X, xj, n, m);
 }
@@ -395,6 +418,8 @@ KEA_INLINE void subtractAppliedOf(double *restrict xj, const double *restrict U,
 static void subtractApplied(double *xj, const double *U, const double *xi, int n, int m) {
     if (n == 6 && m == 6)
         subtractAppliedOf(xj, U, xi, 6, 6);
+    else if (n == 3 && m == 3)
+        subtractAppliedOf(xj, U, xi, 3, 3);
     else
         subtractAppliedOf(xj, U, xi, n, m);
 }
@@ -410,6 +435,8 @@ KEA_INLINE void solveUpperOf(const double *restrict D, double *restrict x, int n
 static void solveUpper(const double *D, double *x, int n) {
     if (n == 6)
         solveUpperOf(D, x, 6);
+    else if (n == 3)
+        solveUpperOf(D, x, 3);
     else
         solveUpperOf(D, x, n);
 }
@@ -418,6 +445,8 @@ static void solveUpper(const double *D, double *x, int n) {
 static void solveLower(const double *D, double *x, int n) {
     if (n == 6)
         divideUpperOf(x, D, 6, 1);
+    else if (n == 3)
+        divideUpperOf(x, D, 3, 1);
     else
         divideUpperOf(x, D, n, 1);
 }
@@ -514,4 +543,4 @@ static void solveInverted(const KeaFactor *f, double x[]) {
     }
 }
 
-const KeaFactorKernel KEA_FACTOR_KERNEL = {factorize, solve, invert, solveInverted, addOuter};
+const KeaFactorKernel KEA_FACTOR_KERNEL = {factorize, solve, invert, solveInverted, addRows};

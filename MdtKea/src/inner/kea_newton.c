@@ -57,13 +57,15 @@ static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
     a->across = b->across = holds || size == 0 ? 0 : a->frictionBound / size / softness(a);
 }
 
-/* y, p and states of all rows at d + step * direction. */
-void kea_newtonForces(KeaProblem *q, double step, MeBool coupled) {
+void kea_newtonUnbounded(KeaProblem *q, double step) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         if (!row->isOff)
             row->y = (row->N * row->p0 + row->r - row->Jd - step * row->Je) / softness(row);
     }
+}
+
+void kea_newtonBound(KeaProblem *q, MeBool coupled) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         if (row->isOff)
@@ -90,6 +92,12 @@ void kea_newtonForces(KeaProblem *q, double step, MeBool coupled) {
     }
 }
 
+/* y, p and states of all rows at d + step * direction. */
+static void setForcesAt(KeaProblem *q, double step, MeBool coupled) {
+    kea_newtonUnbounded(q, step);
+    kea_newtonBound(q, coupled);
+}
+
 /* N s: the rounding of p of a row within its bounds, by that of r and J d. */
 static double roundingOf(const KeaProblemRow *row) {
     if (row->isOff || row->state != KEA_HELD)
@@ -97,26 +105,43 @@ static double roundingOf(const KeaProblemRow *row) {
     return kea_roundingSteps * DBL_EPSILON * (fabs(row->r) + fabs(row->Jd)) / softness(row);
 }
 
-/* The gradient, and the largest of its norms over their tolerances, which allow for the rounding of r and J d in p. */
-double kea_newtonError(KeaProblem *q, double step) {
-    double worst = 0;
+/* B d + g at d + step * direction. */
+static void setLoads(KeaProblem *q, double step) {
     for (int b = 0; b < q->numBodies; b++) {
         double *g = q->gradient[b], d[6];
         for (int i = 0; i < 6; i++)
             d[i] = q->d[b][i] + step * q->direction[b][i];
         applyBody(q, b, g, d);
         kea_addScaled6(g, 1, q->load[b]);
-        q->tolerance[b] = kea_newtonTolerance * q->scale[b];
     }
+}
+
+/* - Jᵀ p of one row. */
+static void subtractForce(KeaProblem *q, const KeaProblemRow *row) {
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            kea_addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
+}
+
+void kea_newtonGradient(KeaProblem *q) {
+    setLoads(q, 0);
+    for (int i = 0; i < q->numRows; i++)
+        subtractForce(q, &q->row[i]);
+}
+
+/* The tolerances allow for the rounding of r and J d in p. */
+double kea_newtonError(KeaProblem *q, double step) {
+    double worst = 0;
+    setLoads(q, step);
+    for (int b = 0; b < q->numBodies; b++)
+        q->tolerance[b] = kea_newtonTolerance * q->scale[b];
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         const double known = kea_newtonTolerance * fabs(row->p) + roundingOf(row);
-        for (int k = 0; k < 2; k++) {
-            if (row->body[k] < 0)
-                continue;
-            kea_addScaled6(q->gradient[row->body[k]], -row->p, row->J[k]);
-            q->tolerance[row->body[k]] += row->weight[k] * known;
-        }
+        subtractForce(q, row);
+        for (int k = 0; k < 2; k++)
+            if (row->body[k] >= 0)
+                q->tolerance[row->body[k]] += row->weight[k] * known;
     }
     for (int b = 0; b < q->numBodies; b++) {
         const double *g = q->gradient[b];
@@ -128,19 +153,38 @@ double kea_newtonError(KeaProblem *q, double step) {
 
 /* ---- the matrix ---- */
 
+static KeaFactorRows rowsLike(const KeaProblemRow *row) {
+    KeaFactorRows rows;
+    rows.node[0] = row->body[0];
+    rows.node[1] = row->body[1];
+    rows.edge = row->edge;
+    rows.count = 0;
+    return rows;
+}
+
 /* Adds w aᵀ b to the matrix, a and b the Jacobians of two rows between the same bodies. */
-static void addRows(KeaProblem *q, const KeaProblemRow *row, double w, double (*const a)[6], double (*const b)[6],
-                    MeBool isSymmetric) {
-    MEASSERT(row->edge >= 0 || row->body[0] < 0 || row->body[1] < 0);
-    for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            kea_factorAddOuter(kea_factorDiagonal(q->factor, row->body[k]), w, a[k], b[k]);
-    if (row->edge < 0)
-        return;
-    const int low = row->body[0] < row->body[1] ? 0 : 1;
-    kea_factorAddOuter(kea_factorUpper(q->factor, row->edge), w, a[low], b[!low]);
-    if (!isSymmetric)
-        kea_factorAddOuter(kea_factorLower(q->factor, row->edge), w, a[!low], b[low]);
+static void addRow(KeaProblem *q, const KeaProblemRow *row, double w, double (*const a)[6], double (*const b)[6],
+                   MeBool isSymmetric) {
+    KeaFactorRows rows = rowsLike(row);
+    kea_factorPutRow(&rows, w, a, b);
+    kea_factorAddRows(q->factor, &rows, isSymmetric);
+}
+
+static MeBool isHeld(const KeaProblemRow *row) {
+    return !row->isOff && row->state == KEA_HELD;
+}
+
+/* Adds the held rows from `first` on that join the same bodies. Returns how many. */
+static int addHeld(KeaProblem *q, int first, MeBool isSymmetric) {
+    const KeaProblemRow *row = &q->row[first];
+    KeaFactorRows rows = rowsLike(row);
+    for (int i = first; i < q->numRows && rows.count < KEA_FACTOR_ROWS && isHeld(&q->row[i]); i++) {
+        if (q->row[i].body[0] != row->body[0] || q->row[i].body[1] != row->body[1])
+            break;
+        kea_factorPutRow(&rows, 1 / softness(&q->row[i]), q->row[i].J, ratesOf(q, i));
+    }
+    kea_factorAddRows(q->factor, &rows, isSymmetric);
+    return rows.count;
 }
 
 static void combine(double r[2][6], double s, double (*const a)[6], double t, double (*const b)[6]) {
@@ -152,7 +196,7 @@ static void combine(double r[2][6], double s, double (*const a)[6], double t, do
 static void addForced(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     KeaProblemRow *normal = &q->row[row->normal];
     if (unsymmetric && !normal->isOff && normal->state == KEA_HELD)
-        addRows(q, row, row->forced * row->friction / softness(normal), row->J, normal->J, MEFALSE);
+        addRow(q, row, row->forced * row->friction / softness(normal), row->J, normal->J, MEFALSE);
 }
 
 /* A sliding row or cone; `unsymmetric`: with the derivative of its bound with the normal force. */
@@ -165,13 +209,13 @@ static void addSliding(KeaProblem *q, KeaProblemRow *row, MeBool unsymmetric) {
     double slip[2][6];
     if (other != row) {
         combine(slip, -other->along, row->J, row->along, other->J);
-        addRows(q, row, row->across, slip, slip, !unsymmetric);
+        addRow(q, row, row->across, slip, slip, !unsymmetric);
         combine(slip, row->along, row->J, other->along, other->J);
     } else {
         combine(slip, row->along, row->J, 0, row->J);
     }
     if (unsymmetric && !normal->isOff && normal->state == KEA_HELD)
-        addRows(q, row, row->friction / softness(normal), slip, normal->J, MEFALSE);
+        addRow(q, row, row->friction / softness(normal), slip, normal->J, MEFALSE);
 }
 
 static MeBool slidesUnderLoad(const KeaProblem *q) {
@@ -193,14 +237,15 @@ static void fillMatrix(KeaProblem *q, MeBool unsymmetric) {
                 block[6 * (i + 3) + j + 3] = angular[i][j];
         }
     }
-    for (int i = 0; i < q->numRows; i++) {
+    for (int i = 0; i < q->numRows;) {
         KeaProblemRow *row = &q->row[i];
-        if (row->isOff || row->state == KEA_IDLE)
+        if (isHeld(row)) {
+            i += addHeld(q, i, !unsymmetric);
             continue;
-        if (row->state == KEA_HELD)
-            addRows(q, row, 1 / softness(row), row->J, ratesOf(q, i), !unsymmetric);
-        else if (row->partner < 0 || row->partner > i || row->isForced)
+        }
+        if (!row->isOff && row->state == KEA_SLIPS && (row->partner < 0 || row->partner > i || row->isForced))
             addSliding(q, row, unsymmetric);
+        i++;
     }
 }
 
@@ -257,7 +302,7 @@ void kea_newtonApply(KeaProblem *q, double step) {
 
 /* The derivative of the convex function along the search direction. */
 static double slopeAt(KeaProblem *q, double constant, double linear, double step) {
-    kea_newtonForces(q, step, MEFALSE);
+    setForcesAt(q, step, MEFALSE);
     double slope = constant + step * linear;
     for (int i = 0; i < q->numRows; i++)
         slope -= q->row[i].p * q->row[i].Je;
@@ -307,7 +352,7 @@ static double bestStep(KeaProblem *q) {
 /* The convex problem, with fixed friction bounds. False: not converged, or the budget is used up. */
 static MeBool solveConvex(KeaProblem *q) {
     double before = HUGE_VAL;
-    kea_newtonForces(q, 0, MEFALSE);
+    setForcesAt(q, 0, MEFALSE);
     for (int i = 0; i < KEA_MAX_CONVEX; i++) {
         const double error = kea_newtonError(q, 0);
         if (error < 1 || (error < kea_convexRounding && error > kea_convexProgress * before))
@@ -321,7 +366,7 @@ static MeBool solveConvex(KeaProblem *q) {
         kea_newtonDirection(q);
         const double step = bestStep(q);
         kea_newtonApply(q, step);
-        kea_newtonForces(q, 0, MEFALSE);
+        setForcesAt(q, 0, MEFALSE);
         if (!q->hasBounds)
             return METRUE; /* linear: exact after one step */
     }
@@ -330,7 +375,7 @@ static MeBool solveConvex(KeaProblem *q) {
 
 /* The coupled problem, from the present d and p. False: not converged. */
 static MeBool solveCoupled(KeaProblem *q) {
-    kea_newtonForces(q, 0, METRUE);
+    setForcesAt(q, 0, METRUE);
     double error = kea_newtonError(q, 0);
     for (int i = 0; i < KEA_MAX_COUPLED && error >= 1; i++) {
         if (!kea_problemMaySpend(q, METRUE))
@@ -341,13 +386,13 @@ static MeBool solveCoupled(KeaProblem *q) {
         kea_newtonDirection(q);
         double step = 1, next = 0;
         for (int half = 0; half < KEA_MAX_HALVINGS; half++, step *= 0.5) {
-            kea_newtonForces(q, step, METRUE);
+            setForcesAt(q, step, METRUE);
             next = kea_newtonError(q, step);
             if (next < kea_coupledProgress * error)
                 break;
         }
         if (!(next < kea_coupledProgress * error)) {
-            kea_newtonForces(q, 0, METRUE);
+            setForcesAt(q, 0, METRUE);
             return error < kea_coupledRounding; /* no shorter step decreases it */
         }
         kea_newtonApply(q, step);
@@ -366,7 +411,7 @@ static void restoreConvex(KeaProblem *q) {
     memcpy(q->d, q->savedD, (size_t)q->numBodies * sizeof *q->d);
     for (int i = 0; i < q->numRows; i++)
         q->row[i].Jd = q->row[i].keptJd, q->row[i].frictionBound = q->row[i].keptBound, q->row[i].Je = 0;
-    kea_newtonForces(q, 0, MEFALSE);
+    setForcesAt(q, 0, MEFALSE);
 }
 
 static void startAtZero(KeaProblem *q) {
@@ -483,12 +528,12 @@ double kea_problemWorkOfJoints(const KeaProblem *q) {
 
 void kea_problemSolveJoints(KeaProblem *q) {
     if (setAside(q)) {
-        kea_newtonForces(q, 0, MEFALSE);
-        kea_newtonError(q, 0);
+        setForcesAt(q, 0, MEFALSE);
+        kea_newtonGradient(q);
         if (kea_newtonFactorize(q, MEFALSE)) {
             kea_newtonDirection(q);
             kea_newtonApply(q, 1);
-            kea_newtonForces(q, 0, MEFALSE);
+            setForcesAt(q, 0, MEFALSE);
         } else {
             for (int i = 0; i < q->numRows; i++)
                 q->row[i].p = q->row[i].isOff ? q->row[i].p : q->row[i].p0;

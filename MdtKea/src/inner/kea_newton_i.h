@@ -9,9 +9,11 @@ static inline double softness(const KeaProblemRow *row) {
     return row->E + row->N;
 }
 
-/* y, p and states of all rows at d + step * direction. */
-void kea_newtonForces(KeaProblem *q, double step, MeBool coupled);
-/* The gradient at d + step * direction with the present p, and its largest norm in tolerances. */
+/* y of all rows at d + step * direction; and from y, p and states. */
+void kea_newtonUnbounded(KeaProblem *q, double step);
+void kea_newtonBound(KeaProblem *q, MeBool coupled);
+/* The gradient at d with the present p; and at d + step * direction, with its largest norm in tolerances. */
+void kea_newtonGradient(KeaProblem *q);
 double kea_newtonError(KeaProblem *q, double step);
 /* Assembles the matrix H for the present states and factors it. False: singular. */
 MeBool kea_newtonFactorize(KeaProblem *q, MeBool coupled);

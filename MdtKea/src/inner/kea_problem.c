@@ -85,15 +85,17 @@ void kea_problemSetEffectiveMasses(KeaProblem *q) {
         KeaProblemRow *row = &q->row[i];
         MEASSERT(row->normal < i && row->partner < q->numRows && row->body[0] < q->numBodies &&
                  row->body[1] < q->numBodies);
-        row->Aii = 0;
+        row->Aii = row->straight = 0;
         for (int k = 0; k < 2; k++) {
             if (row->body[k] < 0)
                 continue;
             const KeaMetric *B = &q->metric[row->body[k]];
+            const double square = keaDot(row->J[k], row->J[k]), straight = square / B->linear;
             double turn[3];
             keaApply(turn, B->inverse, row->J[k] + 3);
-            row->Aii += keaDot(row->J[k], row->J[k]) / B->linear + keaDot(row->J[k] + 3, turn);
-            row->weight[k] = keaLength(row->J[k]) + keaLength(row->J[k] + 3) / q->length[row->body[k]];
+            row->straight += straight;
+            row->Aii += straight + keaDot(row->J[k] + 3, turn);
+            row->weight[k] = sqrt(square) + keaLength(row->J[k] + 3) / q->length[row->body[k]];
         }
     }
 }

@@ -99,12 +99,8 @@ static double slidingForce(const KeaProblem *q, const KeaProblemRow *row) {
     return row->along * bound + row->across * softness(row) * (row->y - row->along * along);
 }
 
-/* p at d for the present states, not clamped. */
+/* p from y for the present states, not clamped. */
 static void setForces(KeaProblem *q) {
-    for (int i = 0; i < q->numRows; i++) {
-        KeaProblemRow *row = &q->row[i];
-        row->y = (row->N * row->p0 + row->r - row->Jd) / softness(row);
-    }
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         if (row->isOff || row->state == KEA_IDLE)
@@ -122,9 +118,10 @@ static void keepAffine(KeaProblem *q) {
 static double takeStep(KeaProblem *q) {
     kea_newtonDirection(q);
     kea_newtonApply(q, 1);
+    kea_newtonUnbounded(q, 0);
     setForces(q);
     keepAffine(q);
-    kea_newtonForces(q, 0, METRUE);
+    kea_newtonBound(q, METRUE);
     return kea_newtonError(q, 0);
 }
 
@@ -139,10 +136,11 @@ MeBool kea_statesRefine(KeaProblem *q) {
     double error = HUGE_VAL;
     keepAffine(q);
     chooseStates(q);
+    kea_newtonUnbounded(q, 0);
     for (int i = 0; i < KEA_MAX_REFINEMENTS && areStatesFactored(q); i++) {
         const double before = error;
         setForces(q);
-        kea_newtonError(q, 0);
+        kea_newtonGradient(q);
         error = takeStep(q);
         if (error < 1)
             return METRUE;
@@ -156,9 +154,10 @@ MeBool kea_statesRefine(KeaProblem *q) {
 MeBool kea_statesSolve(KeaProblem *q) {
     keepAffine(q);
     double violated = chooseStates(q);
+    kea_newtonUnbounded(q, 0);
     for (int i = 0; i < KEA_MAX_COUPLED; i++) {
         setForces(q);
-        kea_newtonError(q, 0);
+        kea_newtonGradient(q);
         if (!kea_problemMaySpend(q, METRUE) || !kea_newtonFactorize(q, METRUE))
             return MEFALSE;
         q->counts.iterations++;

@@ -56,7 +56,7 @@ typedef struct KeaFactorKernel {
     void (*solve)(const KeaFactor *f, double x[]);
     void (*invert)(KeaFactor *f);
     void (*solveInverted)(const KeaFactor *f, double x[]);
-    void (*addOuter)(double block[6 * 6], double w, const double a[6], const double b[6]);
+    void (*addRows)(KeaFactor *f, const KeaFactorRows *rows, MeBool isSymmetric);
 } KeaFactorKernel;
 
 extern const KeaFactorKernel kea_factorKernel;
