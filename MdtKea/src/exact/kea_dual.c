@@ -136,8 +136,8 @@ static void setMotion(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         for (int k = 0; k < 2; k++)
-            for (int c = 0; c < 6 && row->body[k] >= 0; c++)
-                q->gradient[row->body[k]][c] += row->p * row->J[k][c];
+            if (row->body[k] >= 0)
+                kea_addScaled6(q->gradient[row->body[k]], row->p, row->J[k]);
     }
     for (int b = 0; b < q->numBodies; b++)
         setResponse(&q->metric[b], q->d[b], q->gradient[b]);

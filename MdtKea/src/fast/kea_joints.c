@@ -76,6 +76,7 @@ static void setRow(const MdtKeaSystem *s, KeaJointRow *r) {
     r->size = sizeOf(s, r);
     r->length = kea_lengthOf(s, row);
     r->perSize = r->length / kea_smallerSize(s, row->body);
+    r->perSquare = 1 / (r->length * r->length);
     r->isOff = !(r->size > 0);
     r->isHeld = MEFALSE;
     r->target = row->target;
@@ -519,7 +520,7 @@ static double guessOf(const KeaJointRow *r, double beta) {
 /* Returns its part of the criterion of restarts (KeaKernel.pass), in which impulses of angular rows are divided by the
  * bodies' size. */
 static double setImpulse(KeaJointRow *r, double guess, double next) {
-    const double uphill = -(next - guess) * (next - r->impulse) / (r->length * r->length);
+    const double uphill = -(next - guess) * (next - r->impulse) * r->perSquare;
     r->before = r->impulse;
     r->impulse = next;
     return uphill;

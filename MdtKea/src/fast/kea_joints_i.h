@@ -12,6 +12,7 @@ typedef struct KeaJointRow {
     MeBool isOff, isHeld; /* it is inactive; displacements remove its position error */
     double length;        /* m per unit of the row: 1, or the bodies' size */
     double perSize;       /* of the smaller body's size, per unit of the row */
+    double perSquare;     /* 1/length², with which the squares of impulses of all rows are comparable */
     double size;          /* J M⁻¹ Jᵀ, 1/kg */
     double weight;        /* kg, of a row without bounds: 1 / (E + N) */
     double *response; /* of a row with bounds, by node, six: S⁻¹ Jᵀ, the block's velocities by a unit of impulse */

@@ -22,6 +22,7 @@
 #include "MdtKea.h"
 #include "MdtKeaMath.h"
 #include "common/kea_arena_i.h"
+#include "inner/kea_doubles_i.h"
 #include "inner/kea_factor_i.h"
 #include "inner/kea_graph_i.h"
 
@@ -111,8 +112,8 @@ static inline double kea_dot6(const double a[6], const double b[6]) {
 
 /* r += s a */
 static inline void kea_addScaled6(double *restrict r, double s, const double *restrict a) {
-    for (int i = 0; i < 6; i++)
-        r[i] += s * a[i];
+    for (int i = 0; i < 6; i += 2)
+        putTwo(r + i, twoAt(r + i) + s * twoAt(a + i));
 }
 
 /* r = B d */
