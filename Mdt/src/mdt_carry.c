@@ -65,12 +65,6 @@ static void moveSurfaces(MdtPoint *p, const Motion motion[2], const double befor
         keaAddScaled(p->position, 0.5, between);
 }
 
-static void carryPoint(MdtPoint *p, const Motion motion[2], const double before[3], MeBool isOnWorld) {
-    double after[3];
-    mdt_pointNormal(p, after);
-    moveSurfaces(p, motion, before, after, isOnWorld);
-}
-
 void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth) {
     const MdtManifold *m = mdt_manifoldOf(p);
     double normal[3];
@@ -87,9 +81,21 @@ void mdt_pointCarried(const MdtPoint *p, double position[3], double *depth) {
     *depth = carried.depth;
 }
 
+/* The normals of a record's points, by slot: one, unless some have their own. */
+static void findNormals(const MdtManifold *block, double normal[MDT_POINTS][3]) {
+    const MdtPoint *last = NULL;
+    for (const MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1)) {
+        if (last && !block->extras)
+            keaCopy(normal[p->slot], normal[last->slot]);
+        else
+            mdt_pointNormal(p, normal[p->slot]);
+        last = p;
+    }
+}
+
 MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2]) {
     MdtManifold *m = mdt_groupOf(g, __func__);
-    double before[MDT_POINTS][3], least = (double)MEINFINITY;
+    double before[MDT_POINTS][3], after[MDT_POINTS][3], least = (double)MEINFINITY;
     Motion motion[2];
     if (!m)
         return MEINFINITY;
@@ -101,13 +107,13 @@ MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2])
             setNoMotion(&motion[k]);
     }
     for (MdtManifold *block = m; block; block = block->next) {
-        for (MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1))
-            mdt_pointNormal(p, before[p->slot]);
+        findNormals(block, before);
         if (hasMoved[1])
             turnNormals(block, &motion[1]);
+        findNormals(block, after);
         for (MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1)) {
-            carryPoint(p, motion, before[p->slot], !m->base.side[1].body);
-            least = fmin(least, -p->depth);
+            moveSurfaces(p, motion, before[p->slot], after[p->slot], !m->base.side[1].body);
+            least = keaMin(least, -p->depth);
         }
     }
     mdt_constraintDisturb(&m->base);
