@@ -19,73 +19,12 @@ MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const cha
     return MEFALSE;
 }
 
-#ifndef _ME_API_DOUBLE
-/* nextafterf(r, FLT_MAX) without a call: the bits of positive floats are in their order, of negative ones in the
- * opposite one. */
-static float nextAbove(float r) {
-    MeU32 bits;
-    if (!(r < FLT_MAX))
-        return r; /* also NaN */
-    memcpy(&bits, &r, sizeof bits);
-    bits = r > 0 ? bits + 1 : r < 0 ? bits - 1 : 1;
-    memcpy(&r, &bits, sizeof r);
-    return r;
-}
-#endif
-
-MeReal mcd_roundUp(double x) {
-    MeReal r = (MeReal)x;
-#ifndef _ME_API_DOUBLE
-    if (!((double)r >= x))
-        r = nextAbove(r);
-#endif
-    MEASSERT(!((double)r < x) || x > (double)MEINFINITY);
-    return r;
-}
-
-MeReal mcd_roundDown(double x) {
-    return -mcd_roundUp(-x);
-}
-
 /* ---- boxes and farthest points ----------------------------------------------------------------------------------- */
-
-/* The extent along world axis i of the geometry at tm: sum of tm[j][i] x_j, which a direction in its frame measures. A
- * bound of the rounding errors is added. */
-static void extentAlong(const McdGeometry *g, const MeVector4 *tm, int i, McdLocalSupportFn support, double *low,
-                        double *high) {
-    const double d[3] = {(double)tm[0][i], (double)tm[1][i], (double)tm[2][i]}, back[3] = {-d[0], -d[1], -d[2]};
-    const double place = (double)tm[3][i];
-    double most[3], least[3], slack = fabs(place);
-    support(g, d, most);
-    support(g, back, least);
-    for (int k = 0; k < 3; k++)
-        slack += fabs(d[k] * most[k]) + fabs(d[k] * least[k]);
-    slack *= 4 * DBL_EPSILON;
-    *low = place + d[0] * least[0] + d[1] * least[1] + d[2] * least[2] - slack;
-    *high = place + d[0] * most[0] + d[1] * most[1] + d[2] * most[2] + slack;
-}
-
-void mcd_localUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, McdLocalSupportFn support) {
-    MeVector3 min, max;
-    for (int i = 0; i < 3; i++) {
-        double low, high, finalLow, finalHigh;
-        extentAlong(ins->geometry, mcd_const(mcd_instanceTM(ins)), i, support, &low, &high);
-        if (finalTM) {
-            extentAlong(ins->geometry, mcd_const(finalTM), i, support, &finalLow, &finalHigh);
-            low = MeMIN(low, finalLow);
-            high = MeMAX(high, finalHigh);
-        }
-        min[i] = mcd_roundDown(low);
-        max[i] = mcd_roundUp(high);
-        MEASSERT(!(min[i] > max[i]));
-    }
-    McdGeometryInstanceSetAABB(ins, min, max);
-}
 
 void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support) {
     for (int i = 0; i < 2; i++) {
         double low, high;
-        extentAlong(g, mcd_const(tm), i, support, &low, &high);
+        mcd_localExtent(g, mcd_const(tm), i, support, &low, &high);
         bounds[2 * i] = mcd_roundDown(low);
         bounds[2 * i + 1] = mcd_roundUp(high);
     }

@@ -4,6 +4,9 @@
 #define MCD_LOCAL_H
 
 #include "mcd_geometries_i.h"
+#include <float.h>
+#include <math.h>
+#include <string.h>
 
 #define MCD_PI 3.14159265358979323846
 
@@ -13,16 +16,76 @@
 MeBool mcd_sizeIsGood(MeReal size, const char *what, const char *function);
 /* Is the instance one of a live geometry of that type, and placed? Warns if not. */
 MeBool mcd_instanceIs(McdGeometryInstanceID ins, McdGeometryType type, const char *function);
+
+#ifndef _ME_API_DOUBLE
+/* nextafterf(r, FLT_MAX) without a call: the bits of positive floats are in their order, of negative ones in the
+ * opposite one. */
+static inline float mcd_nextAbove(float r) {
+    MeU32 bits;
+    if (!(r < FLT_MAX))
+        return r; /* also NaN */
+    memcpy(&bits, &r, sizeof bits);
+    bits = r > 0 ? bits + 1 : r < 0 ? bits - 1 : 1;
+    memcpy(&r, &bits, sizeof r);
+    return r;
+}
+#endif
+
 /* The least number that is not below x, and the greatest that is not above. */
-MeReal mcd_roundUp(double x);
-MeReal mcd_roundDown(double x);
+static inline MeReal mcd_roundUp(double x) {
+    MeReal r = (MeReal)x;
+#ifndef _ME_API_DOUBLE
+    if (!((double)r >= x))
+        r = mcd_nextAbove(r);
+#endif
+    MEASSERT(!((double)r < x) || x > (double)MEINFINITY);
+    return r;
+}
+static inline MeReal mcd_roundDown(double x) {
+    return -mcd_roundUp(-x);
+}
 
 /* ---- boxes and farthest points ----------------------------------------------------------------------------------- */
 
 /* The geometry's point farthest in a direction of any length; any point for none. */
 typedef void (*McdLocalSupportFn)(const McdGeometry *g, const double direction[3], double point[3]);
 
-void mcd_localUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, McdLocalSupportFn support);
+/* The extent along world axis i of the geometry at tm: sum of tm[j][i] x_j, which a direction in its frame measures. A
+ * bound of the rounding errors is added. */
+static inline void mcd_localExtent(const McdGeometry *g, const MeVector4 *tm, int i, McdLocalSupportFn support,
+                                   double *low, double *high) {
+    const double d[3] = {(double)tm[0][i], (double)tm[1][i], (double)tm[2][i]}, back[3] = {-d[0], -d[1], -d[2]};
+    const double place = (double)tm[3][i];
+    double most[3], least[3], slack = fabs(place);
+    support(g, d, most);
+    support(g, back, least);
+    for (int k = 0; k < 3; k++)
+        slack += fabs(d[k] * most[k]) + fabs(d[k] * least[k]);
+    slack *= 4 * DBL_EPSILON;
+    *low = place + d[0] * least[0] + d[1] * least[1] + d[2] * least[2] - slack;
+    *high = place + d[0] * most[0] + d[1] * most[1] + d[2] * most[2] + slack;
+}
+
+/* Inline, as the extents are, so that each type's support function is part of its loops: boxes are updated in every
+ * step. */
+static inline void mcd_localUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM,
+                                       McdLocalSupportFn support) {
+    MeVector3 min, max;
+    for (int i = 0; i < 3; i++) {
+        double low, high, finalLow, finalHigh;
+        mcd_localExtent(ins->geometry, mcd_const(mcd_instanceTM(ins)), i, support, &low, &high);
+        if (finalTM) {
+            mcd_localExtent(ins->geometry, mcd_const(finalTM), i, support, &finalLow, &finalHigh);
+            low = MeMIN(low, finalLow);
+            high = MeMAX(high, finalHigh);
+        }
+        min[i] = mcd_roundDown(low);
+        max[i] = mcd_roundUp(high);
+        MEASSERT(!(min[i] > max[i]));
+    }
+    McdGeometryInstanceSetAABB(ins, min, max);
+}
+
 void mcd_localMaximumPoint(McdGeometryInstanceID ins, const MeReal *direction, MeReal *point,
                            McdLocalSupportFn support);
 void mcd_localXYAABB(const McdGeometry *g, const MeMatrix4Ptr tm, MeReal bounds[4], McdLocalSupportFn support);
