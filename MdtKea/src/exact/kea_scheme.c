@@ -101,7 +101,7 @@ static void cayley(double turn[4], const double u[6], double h) {
 }
 
 static void turnBody(const MdtKeaBody *body, KeaBody *b, KeaEnd *end, double h) {
-    const double share = 1 / b->theta;
+    const double perTheta = 1 / b->theta;
     double turn[4], w[3], L[3];
     cayley(turn, b->u, h);
     keaQuaternionProduct(end->quaternion, turn, body->quaternion);
@@ -109,13 +109,13 @@ static void turnBody(const MdtKeaBody *body, KeaBody *b, KeaEnd *end, double h) 
     toPrincipal(body, end->quaternion, b->endAxes);
     if (b->isSpatial) {
         for (int i = 0; i < 3; i++)
-            b->endVelocity[3 + i] = b->spin[i] + (b->u[3 + i] - b->spin[i]) * share;
+            b->endVelocity[3 + i] = b->spin[i] + (b->u[3 + i] - b->spin[i]) * perTheta;
         kea_angularMomentum(body, end->quaternion, b->endVelocity + 3, end->angularMomentum);
         return;
     }
     keaApplyTransposed(w, (const double(*)[3])b->axes, b->u + 3);
     for (int i = 0; i < 3; i++) {
-        w[i] = b->spin[i] + (w[i] - b->spin[i]) * share;
+        w[i] = b->spin[i] + (w[i] - b->spin[i]) * perTheta;
         L[i] = body->moments[i] * w[i];
     }
     keaApply(b->endVelocity + 3, (const double(*)[3])b->endAxes, w);
@@ -128,11 +128,11 @@ void kea_moveBodies(MdtKeaSystem *s) {
         const MdtKeaBody *body = s->bodies[i];
         KeaBody *b = &s->work->body[i];
         KeaEnd *end = &s->work->end[i];
-        const double share = 1 / b->theta;
+        const double perTheta = 1 / b->theta;
         keaCopy(end->position, body->position);
         keaAddScaled(end->position, h, b->u);
         for (int k = 0; k < 3; k++)
-            b->endVelocity[k] = end->velocity[k] = body->velocity[k] + (b->u[k] - body->velocity[k]) * share;
+            b->endVelocity[k] = end->velocity[k] = body->velocity[k] + (b->u[k] - body->velocity[k]) * perTheta;
         turnBody(body, b, end, h);
         kea_setPoses(s, i);
         kea_setErrorScales(s, i);
@@ -206,7 +206,7 @@ static void gatherStiffness(MdtKeaSystem *s) {
 /* Metric B = inertia / θ + geometric stiffness. Stiffness far below the inertia is left out: Newton's method converges
  * as well without it. */
 static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
-    const double *I = body->moments, share = 1 / b->theta, least = keaMin(I[0], keaMin(I[1], I[2])) * share;
+    const double *I = body->moments, perTheta = 1 / b->theta, least = keaMin(I[0], keaMin(I[1], I[2])) * perTheta;
     double inertia[3][3];
     meanInertia(body, b, inertia);
     if (kea_largestEntry((const double(*)[3])B->angular) > kea_smallStiffness * least)
@@ -217,7 +217,7 @@ static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
     B->linear = 1 / (body->invMass * b->theta);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            B->angular[i][j] += inertia[i][j] * share;
+            B->angular[i][j] += inertia[i][j] * perTheta;
     kea_invert(B->inverse, (const double(*)[3])B->angular);
 }
 
@@ -242,14 +242,14 @@ static void addProduct(double r[3][3], double s, double (*const A)[3], const dou
 
 /* r = derivative with w_m of R⁺ I W⁺, or of a spatial body's I (w⁺ - w). */
 static void momentumDerivative(const MdtKeaBody *body, const KeaBody *b, const KeaEnd *end, double r[3][3]) {
-    const double *L = end->angularMomentum, share = 1 / b->theta;
+    const double *L = end->angularMomentum, perTheta = 1 / b->theta;
     double x[3][3] = {{0, -L[2], L[1]}, {L[2], 0, -L[0]}, {-L[1], L[0], 0}};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             double sum = b->isSpatial ? b->inertia[i][j] : 0;
             for (int k = 0; k < 3 && !b->isSpatial; k++)
                 sum += b->endAxes[i][k] * body->moments[k] * b->axes[j][k];
-            r[i][j] = sum * share;
+            r[i][j] = sum * perTheta;
         }
     if (!b->isSpatial)
         addProduct(r, -1, x, b->turning);

@@ -46,7 +46,8 @@ double *kea_factorUpper(KeaFactor *f, int edge);
 double *kea_factorLower(KeaFactor *f, int edge);
 
 /* Rows that join the same two nodes of six unknowns, or belong to one: row i has the weight w_i, and a_i and b_i along
- * either node's unknowns. Several together are added faster than each by itself, and as exactly. */
+ * either node's unknowns. Several together are added faster than each by itself, with the same sums: eight are those of
+ * most joints with their limits, and of two points of a contact. */
 enum { KEA_FACTOR_ROWS = 8 };
 typedef struct KeaFactorRows {
     int node[2], edge; /* -1: none */
