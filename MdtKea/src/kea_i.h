@@ -80,9 +80,9 @@ typedef struct KeaDual {
     int *start, *size;           /* by node: its rows */
     int (*edges)[2], (*side)[2]; /* of an edge: its nodes, and on which side each has the shared body */
     int *lastJoined;             /* by node: the last node that it got an edge to */
-    int *first, (*next)[2]; /* list heads by body, links by node and side: the joints of a body, as 2 node + side */
-    double *x;                   /* by row */
-    double (*response)[2][6];    /* by row: B⁻¹ Jᵀ of each body */
+    int *first, (*next)[2];   /* list heads by body, links by node and side: the joints of a body, as 2 node + side */
+    double *x;                /* by row */
+    double (*response)[2][6]; /* by row: B⁻¹ Jᵀ of each body */
 } KeaDual;
 
 typedef struct MdtKeaWork {
