@@ -54,7 +54,7 @@ typedef struct KeaEnd {
 
 /* The working data of a body in a step. */
 typedef struct KeaBody {
-    double theta;           /* 1/2: midpoint rule; 1: backward Euler (no others: divisions by it are exact) */
+    double theta;           /* 1/2: midpoint rule; 1: backward Euler (only these, so that dividing by it is exact) */
     double size;            /* m, radius of gyration */
     MeBool isSpatial;       /* its angular velocity changes in the world's axes: no gyroscopic term */
     double axes[3][3];      /* principal axes at the start, as columns */
@@ -66,11 +66,12 @@ typedef struct KeaBody {
     double u[6];            /* the unknown: mean velocity of the step, m/s and rad/s (world) */
     double endAxes[3][3];
     double endVelocity[6]; /* m/s, rad/s (world) */
-    double turning[3][3];  /* s, D: a change dw of w changes cay(h w) by the rotation vector D dw (world); of tangent
-                              problems */
-    double distance;       /* m, of its end from the origin */
-    double reach, turn;    /* m, rad: scales of the errors of its position rows, linear and angular (kea_residual.c) */
-    MeBool isFree;         /* no row acts on it: it moves as a free body */
+    /* s, of tangent problems: a change dw of w changes cay(h w) by the rotation vector (turnDerivative dw), world */
+    double turnDerivative[3][3];
+    double distance; /* m, of its end from the origin */
+    /* m, rad: the body's part in the scales of position errors (kea_residual.c) */
+    double linearScale, angularScale;
+    MeBool isFree; /* no row acts on it: it moves as a free body */
 } KeaBody;
 
 /* The graph of joints (kea_dual.c): nodes are joints, edges are bodies that two joints share. */

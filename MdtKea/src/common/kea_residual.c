@@ -15,8 +15,8 @@ void kea_setErrorScales(MdtKeaSystem *s, int body) {
     const double h = s->parameters.stepsize;
     KeaBody *b = &s->work->body[body];
     b->distance = keaLength(s->work->end[body].position);
-    b->reach = h * keaLength(b->u) + kea_bodySizeShare * b->size + kea_distanceShare * b->distance;
-    b->turn = h * keaLength(b->u + 3);
+    b->linearScale = h * keaLength(b->u) + kea_bodySizeShare * b->size + kea_distanceShare * b->distance;
+    b->angularScale = h * keaLength(b->u + 3);
 }
 
 /* Scale of a position row's error: its initial error, lever arms, the displacement of its bodies, a share of their size
@@ -28,7 +28,7 @@ static double sizeOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
             continue;
         const KeaBody *b = &s->work->body[row->body[k]];
         size += keaLength(row->J[k].ang);
-        size += keaDot(row->J[k].lin, row->J[k].lin) > 0 ? b->reach : b->turn;
+        size += keaDot(row->J[k].lin, row->J[k].lin) > 0 ? b->linearScale : b->angularScale;
     }
     return size;
 }

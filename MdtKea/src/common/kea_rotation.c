@@ -285,7 +285,7 @@ static void addAlongEigenvector(double K[3][3], double k, double w, double e) {
             K[i][j] = k * K[i][j] + share * adjugate[i][j];
 }
 
-/* Whether all eigenvalues are above -harmless: K + harmless 1 has positive leading minors. */
+/* Whether all eigenvalues are above -harmless: the leading minors of K + harmless 1 are positive (Sylvester). */
 static MeBool isHarmless(const double K[3][3], double harmless) {
     const double a = K[0][0] + harmless, b = K[1][1] + harmless, c = K[2][2] + harmless;
     const double x = K[1][2], y = K[0][2], z = K[0][1], minor = a * b - z * z;

@@ -230,10 +230,10 @@ void kea_setMovingRates(MdtKeaSystem *s) {
             s->work->movingRate[i] = movingRate(s, i);
 }
 
-/* The derivative with d: J at the end pose, its angular part times D / h (KeaBody.turning). */
+/* The derivative with d: J at the end pose, its angular part times D / h (KeaBody.turnDerivative). */
 static void tangentOf(double tangent[6], const MdtKeaJBlock *J, const KeaBody *body, double h) {
     keaCopy(tangent, J->lin);
-    keaApplyTransposed(tangent + 3, body->turning, J->ang);
+    keaApplyTransposed(tangent + 3, body->turnDerivative, J->ang);
     keaScale(tangent + 3, 1 / h, tangent + 3);
 }
 
@@ -269,7 +269,7 @@ static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->r = row->target - (s->work->endErrors[i] - row->error) / h;
     const MeBool mayContradict = s->work->hasLoops && !s->work->problem.hasTangent;
     /* without lever arms, with which joints that share a load would not share it evenly */
-    const double size = p->straight > 0 ? p->straight : p->Aii;
+    const double size = p->AiiLinear > 0 ? p->AiiLinear : p->Aii;
     p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) * size;
 }
 

@@ -224,7 +224,7 @@ static void setMetric(const MdtKeaBody *body, const KeaBody *b, KeaMetric *B) {
 /* ---- the exact derivative of the momentum, for the tangent problem ---- */
 
 /* D = h (1 + h/2 [w]x) / (1 + |h w / 2|²). */
-static void turnDerivative(double D[3][3], const double w[3], double h) {
+static void setTurnDerivative(double D[3][3], const double w[3], double h) {
     const double half = 0.5 * h, share = h / (1 + half * half * keaDot(w, w));
     const double x[3][3] = {{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}};
     for (int i = 0; i < 3; i++)
@@ -252,7 +252,7 @@ static void momentumDerivative(const MdtKeaBody *body, const KeaBody *b, const K
             r[i][j] = sum * perTheta;
         }
     if (!b->isSpatial)
-        addProduct(r, -1, x, b->turning);
+        addProduct(r, -1, x, b->turnDerivative);
 }
 
 /* -d (r_m x P) = 1/2 P x (D d w x r⁺), r⁺ = r_m + h/2 w_m x r_m. */
@@ -265,7 +265,7 @@ static void addExactStiffness(double r[3][3], const double P[3], const double ar
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             K[i][j] = (i == j ? Pr : 0) - end[i] * P[j];
-    addProduct(r, 0.5, K, b->turning);
+    addProduct(r, 0.5, K, b->turnDerivative);
 }
 
 void kea_differentiateBodies(MdtKeaSystem *s) {
@@ -273,7 +273,7 @@ void kea_differentiateBodies(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     for (int i = 0; i < s->numBodies; i++) {
         KeaBody *b = &s->work->body[i];
-        turnDerivative(b->turning, b->u + 3, h);
+        setTurnDerivative(b->turnDerivative, b->u + 3, h);
         momentumDerivative(s->bodies[i], b, &s->work->end[i], q->tangentInertia[i]);
     }
     for (int i = 0; i < s->numRows; i++) {

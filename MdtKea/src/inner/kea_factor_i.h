@@ -46,8 +46,8 @@ double *kea_factorUpper(KeaFactor *f, int edge);
 double *kea_factorLower(KeaFactor *f, int edge);
 
 /* Rows that join the same two nodes of six unknowns, or belong to one: row i has the weight w_i, and a_i and b_i along
- * either node's unknowns. Several together are added faster than each by itself, with the same sums: eight are those of
- * most joints with their limits, and of two points of a contact. */
+ * either node's unknowns. Added together, a block is loaded and stored once for all of them; the sums are the same. A
+ * joint with its limits has up to eight; longer runs are added in parts. */
 enum { KEA_FACTOR_ROWS = 8 };
 typedef struct KeaFactorRows {
     int node[2], edge; /* -1: none */

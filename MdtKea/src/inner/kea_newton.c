@@ -57,7 +57,7 @@ static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
     a->across = b->across = holds || size == 0 ? 0 : a->frictionBound / size / softness(a);
 }
 
-void kea_newtonUnbounded(KeaProblem *q, double step) {
+void kea_newtonSetUnclamped(KeaProblem *q, double step) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         if (!row->isOff)
@@ -65,7 +65,7 @@ void kea_newtonUnbounded(KeaProblem *q, double step) {
     }
 }
 
-void kea_newtonBound(KeaProblem *q, MeBool coupled) {
+void kea_newtonClamp(KeaProblem *q, MeBool coupled) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
         if (row->isOff)
@@ -94,8 +94,8 @@ void kea_newtonBound(KeaProblem *q, MeBool coupled) {
 
 /* y, p and states of all rows at d + step * direction. */
 static void setForcesAt(KeaProblem *q, double step, MeBool coupled) {
-    kea_newtonUnbounded(q, step);
-    kea_newtonBound(q, coupled);
+    kea_newtonSetUnclamped(q, step);
+    kea_newtonClamp(q, coupled);
 }
 
 /* N s: the rounding of p of a row within its bounds, by that of r and J d. */

@@ -9,9 +9,9 @@ static inline double softness(const KeaProblemRow *row) {
     return row->E + row->N;
 }
 
-/* y of all rows at d + step * direction; and from y, p and states. */
-void kea_newtonUnbounded(KeaProblem *q, double step);
-void kea_newtonBound(KeaProblem *q, MeBool coupled);
+/* Sets y of all rows at d + step * direction, the impulses without bounds; clamps y to p, which gives the states. */
+void kea_newtonSetUnclamped(KeaProblem *q, double step);
+void kea_newtonClamp(KeaProblem *q, MeBool coupled);
 /* The gradient at d with the present p; and at d + step * direction, with its largest norm in tolerances. */
 void kea_newtonGradient(KeaProblem *q);
 double kea_newtonError(KeaProblem *q, double step);

@@ -85,16 +85,16 @@ void kea_problemSetEffectiveMasses(KeaProblem *q) {
         KeaProblemRow *row = &q->row[i];
         MEASSERT(row->normal < i && row->partner < q->numRows && row->body[0] < q->numBodies &&
                  row->body[1] < q->numBodies);
-        row->Aii = row->straight = 0;
+        row->Aii = row->AiiLinear = 0;
         for (int k = 0; k < 2; k++) {
             if (row->body[k] < 0)
                 continue;
             const KeaMetric *B = &q->metric[row->body[k]];
-            const double square = keaDot(row->J[k], row->J[k]), straight = square / B->linear;
+            const double square = keaDot(row->J[k], row->J[k]), linear = square / B->linear;
             double turn[3];
             keaApply(turn, B->inverse, row->J[k] + 3);
-            row->straight += straight;
-            row->Aii += straight + keaDot(row->J[k] + 3, turn);
+            row->AiiLinear += linear;
+            row->Aii += linear + keaDot(row->J[k] + 3, turn);
             row->weight[k] = sqrt(square) + keaLength(row->J[k] + 3) / q->length[row->body[k]];
         }
     }

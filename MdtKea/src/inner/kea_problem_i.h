@@ -54,7 +54,7 @@ typedef struct KeaProblemRow {
     double Jd, Je;                    /* along d, along the search direction */
     double previousP, bestP;          /* N s, of sweeps: p before the last one; p of the least objective */
     double Aii;                       /* 1/kg, J B⁻¹ Jᵀ: the inverse of the effective mass, */
-    double straight;                  /* and the part of it that is not by lever arms */
+    double AiiLinear;                 /* and the part of it by translation, without lever arms */
     double weight[2];                 /* by body: |J| with lengths in units of the body's size */
     MeBool isForced;                  /* the direction of sliding is known: p is `forced` times the friction bound */
     double forced;
@@ -132,7 +132,7 @@ static inline double kea_frictionBound(const KeaProblem *q, const KeaProblemRow 
 void kea_problemLayOut(KeaProblem *q, int numBodies, int maxRows, KeaArena *arena);
 /* Finds the graph of the rows and its factor in the cache. False: no memory. */
 MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache);
-/* Sets Aii, its straight part and weight of all rows, from the metric. */
+/* Sets Aii, AiiLinear and weight of all rows, from the metric. */
 void kea_problemSetEffectiveMasses(KeaProblem *q);
 /* Whether the budget has room for one more Newton iteration; kea_problemMaySpend also sets isLimited if it has not.
  * `unsymmetric`: of the coupled problem. */

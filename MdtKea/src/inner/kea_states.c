@@ -118,10 +118,10 @@ static void keepAffine(KeaProblem *q) {
 static double takeStep(KeaProblem *q) {
     kea_newtonDirection(q);
     kea_newtonApply(q, 1);
-    kea_newtonUnbounded(q, 0);
+    kea_newtonSetUnclamped(q, 0);
     setForces(q);
     keepAffine(q);
-    kea_newtonBound(q, METRUE);
+    kea_newtonClamp(q, METRUE);
     return kea_newtonError(q, 0);
 }
 
@@ -136,7 +136,7 @@ MeBool kea_statesRefine(KeaProblem *q) {
     double error = HUGE_VAL;
     keepAffine(q);
     chooseStates(q);
-    kea_newtonUnbounded(q, 0);
+    kea_newtonSetUnclamped(q, 0);
     for (int i = 0; i < KEA_MAX_REFINEMENTS && areStatesFactored(q); i++) {
         const double before = error;
         setForces(q);
@@ -154,7 +154,7 @@ MeBool kea_statesRefine(KeaProblem *q) {
 MeBool kea_statesSolve(KeaProblem *q) {
     keepAffine(q);
     double violated = chooseStates(q);
-    kea_newtonUnbounded(q, 0);
+    kea_newtonSetUnclamped(q, 0);
     for (int i = 0; i < KEA_MAX_COUPLED; i++) {
         setForces(q);
         kea_newtonGradient(q);
