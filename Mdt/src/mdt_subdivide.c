@@ -94,6 +94,8 @@ void mdt_partImpact(MdtIsland *p) {
     if (p->report)
         mdt_reportImpact(p->report);
     mdt_unpackImpact(p);
+    if (MdtKeaFlies(&p->kea))
+        return;
     MdtKeaInit(&p->kea, p->scratch);
     mdt_rowsMake(p);
 }
@@ -198,7 +200,7 @@ static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
         return MEFALSE;
     if (p->report)
         mdt_reportEvent(p->report);
-    mdt_partSolve(p, fmax(p->kea.report.event, least));
+    (p->kea.report.ballistic ? mdt_partFly : mdt_partSolve)(p, fmax(p->kea.report.event, least));
     return isFollowed(p);
 }
 

@@ -35,8 +35,10 @@
  *      MdtKeaCountContactRows  reads manifolds; writes numRows of their points
  *      MdtKeaMakeContactRows   writes their rows and moves behind the others
  *      MdtKeaMeets             reads rows; writes nothing
- *      MdtKeaImpact            reads rows, parameters; writes velocities of bodies, forces (N s), report.work and
- *                              .limited; MdtKeaInit is called, and the rows are filled, again after it
+ *      MdtKeaImpact            reads rows, parameters; writes velocities of bodies and what MdtKeaInit makes of them,
+ *                              forces (N s), report.work and .limited
+ *      MdtKeaFlies             reads rows, velocity, predicted; writes .isOpen of rows. If it says no, MdtKeaInit is
+ *                              called, and the rows are filled, again after an impact
  *      MdtKeaSolve             reads all of these; calls errors and jacobians, by which J, arm and bounds of rows move;
  *                              writes forces of rows and points, .ripple, and report
  *      MdtKeaIntegrate         writes the state and the acceleration of bodies, pose and velocity of the end
@@ -251,6 +253,7 @@ typedef struct MdtKeaReport {
     MeBool conflicting; /**< joints contradict each other: the answer is a compromise */
     double event;       /**< s: the first event of a timed step, which is to be divided there; none: its length */
     MeBool trembles;    /**< chattering: the only events are impacts, all too slow to rebound */
+    MeBool ballistic;   /**< of a timed step: no row acts up to the event, and that part may be solved without rows */
     double residual;   /**< m/s: the largest violation of J v⁺ = s - h E λ, but for rows at a bound that allows it */
     double resolution; /**< m/s: residuals up to this count as none; 0 where nothing was solved */
     double force;      /**< N: the largest change of a row's force that such a violation asks for */
@@ -416,6 +419,10 @@ MEPUBLIC MeBool MEAPI MdtKeaContactRebounds(double gap, double rate, double rest
  * cost into the report.
  */
 MEPUBLIC void MEAPI MdtKeaImpact(MdtKeaSystem *system);
+
+/** Whether no row of a timed system acts before its first event: it has no joints, and all contacts are open. Its rows
+ *  are then read for that event alone, and those that were made before an impact will do. */
+MEPUBLIC MeBool MEAPI MdtKeaFlies(MdtKeaSystem *system);
 
 /** The angular velocity of a body, rad/s, world frame. */
 MEPUBLIC void MEAPI MdtKeaBodyGetAngularVelocity(const MdtKeaBody *body, double w[3]);

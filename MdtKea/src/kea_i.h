@@ -105,6 +105,7 @@ typedef struct MdtKeaWork {
     double *savedP;                   /* by row: impulses, while the inner problem is used for something else */
     char *takesPart;                  /* by row: whether an impact or a projection has it */
     int *activeRow, *problemRowOf;    /* of impacts: system row of a problem row; problem row of a system row */
+    int *activeBody, *problemBodyOf;  /* the same of bodies; -1: it has no part in the impact */
     int *parent;                      /* union-find, by body, the world last */
     KeaProblem problem;
     KeaDual dual;
@@ -113,6 +114,11 @@ typedef struct MdtKeaWork {
     MeBool hasJoints;         /* there are rows that are not contacts' */
     MeBool usesTangentAnswer; /* the answer is tangentU, tangentP: symmetric passes did not improve on it */
 } MdtKeaWork;
+
+/* ---- kea_system.c ---- */
+
+/* What MdtKeaInit sets of one body, from its state and loads. */
+void kea_beginBody(MdtKeaSystem *s, int i);
 
 /* ---- kea_rotation.c ---- */
 
@@ -252,7 +258,7 @@ MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* m/s: J v - s of a row at the start; of a normal row J v - drift. */
 double kea_startRate(const MdtKeaSystem *s, int i);
 /* A body and a row of the inner problem for an instant: masses at the start pose, no loads, no springs. */
-void kea_setInstantMetric(MdtKeaSystem *s, int i);
+void kea_setInstantBody(KeaProblem *q, int b, const MdtKeaBody *body);
 void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p);
 
 /* ---- kea_project.c ---- */
@@ -277,7 +283,7 @@ void kea_moveFreely(MdtKeaSystem *s);
 
 /* ---- kea_energy.c ---- */
 
-/* J: kinetic energy of velocity + change, in the metric of the inner problem; change may be null. */
+/* J: kinetic energy of velocity + change, of the bodies of the inner problem; change may be null. */
 double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]);
 /* J: an upper bound of the kinetic energy at the end: that of the start and the work of loads, springs, motors and
  * moving attachments or surfaces. */

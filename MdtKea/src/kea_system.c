@@ -42,6 +42,8 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->takesPart = kea_carve(arena, m, 1);
     work->activeRow = kea_carve(arena, m, sizeof(int));
     work->problemRowOf = kea_carve(arena, m, sizeof(int));
+    work->activeBody = kea_carve(arena, n, sizeof(int));
+    work->problemBodyOf = kea_carve(arena, n, sizeof(int));
     work->parent = kea_carve(arena, n + 1, sizeof(int));
     work->dual.start = kea_carve(arena, m + 1, sizeof(int));
     work->dual.size = kea_carve(arena, m, sizeof(int));
@@ -108,23 +110,27 @@ static void predict(MdtKeaSystem *s, int i, const double R[3][3]) {
     kea_angularVelocityBy(body->moments, R, b->freeMomentum, s->predicted[i].ang);
 }
 
+void kea_beginBody(MdtKeaSystem *s, int i) {
+    const MdtKeaBody *body = s->bodies[i];
+    double R[3][3];
+    const double(*axes)[3] = (const double(*)[3])R; /* principal ones */
+    setPose(&s->pose[i], body->position, body->quaternion);
+    keaCopy(s->velocity[i].lin, body->velocity);
+    kea_principalAxes(body, body->quaternion, R);
+    kea_angularVelocityBy(body->moments, axes, body->angularMomentum, s->velocity[i].ang);
+    s->invMass[i].mass = body->invMass;
+    kea_inverseInertiaBy(body->moments, axes, s->invMass[i].inertia);
+    predict(s, i, axes);
+}
+
 /* The rule for order (MeTeam.h), here and as bodies are committed: a range writes to its own bodies alone. */
 static void MEAPI beginBodies(void *system, int first, int end, int worker) {
     MdtKeaSystem *s = system;
-    double R[3][3];
-    const double(*axes)[3] = (const double(*)[3])R; /* principal ones, of the body that the loop is at */
     (void)worker;
     for (int i = first; i < end; i++) {
-        const MdtKeaBody *body = s->bodies[i];
         if (i + KEA_AHEAD < end)
-            me_prefetch(s->bodies[i + KEA_AHEAD], sizeof *body);
-        setPose(&s->pose[i], body->position, body->quaternion);
-        keaCopy(s->velocity[i].lin, body->velocity);
-        kea_principalAxes(body, body->quaternion, R);
-        kea_angularVelocityBy(body->moments, axes, body->angularMomentum, s->velocity[i].ang);
-        s->invMass[i].mass = body->invMass;
-        kea_inverseInertiaBy(body->moments, axes, s->invMass[i].inertia);
-        predict(s, i, axes);
+            me_prefetch(s->bodies[i + KEA_AHEAD], sizeof *s->bodies[i]);
+        kea_beginBody(s, i);
     }
 }
 

@@ -1125,6 +1125,134 @@ START_TEST(the_last_ball_of_a_cradle_leaves_alone) {
 }
 END_TEST
 
+/* Three balls in a row that touch, of which the first hits with some m/s, and others elsewhere that move as they like.
+ * Returns the work of the impact. */
+static double hitAmong(int others, double speed) {
+    Scene scene;
+    MdtKeaBody before[MOST_BODIES];
+    begin(&scene, 3 + others, 2, 0.01, 0);
+    for (int i = 0; i < 3; i++)
+        setBody(&scene, i, 1, 0.4, i);
+    scene.body[0].velocity[0] = speed;
+    state = 5;
+    for (int i = 3; i < 3 + others; i++)
+        randomBody(&scene, i);
+    memcpy(before, scene.body, sizeof before);
+    init(&scene);
+    scene.s.parameters.timed = METRUE;
+    for (int i = 0; i < 2; i++) {
+        MdtKeaRow *row = addAlongX(&scene, i + 1, i);
+        row->contact = i;
+        row->lower = 0;
+    }
+    MdtKeaImpact(&scene.s);
+    for (int i = 0; i < 3; i++)
+        assert_near(scene.body[i].velocity[0], speed / 3, 1e-12); /* the third one, too, which nothing approached */
+    for (int i = 3; i < 3 + others; i++)
+        ck_assert_mem_eq(&scene.body[i], &before[i], sizeof before[i]);
+    const double work = scene.s.report.work;
+    end(&scene);
+    return work;
+}
+
+START_TEST(impacts_leave_alone_what_they_do_not_reach) {
+    const double work = hitAmong(0, 1);
+    ck_assert(work > 0);
+    ck_assert(hitAmong(1, 1) == work);
+    ck_assert(hitAmong(8, 1) == work);
+    ck_assert(hitAmong(8, 0) == 0);
+}
+END_TEST
+
+/* Two bodies that spin and fall, .05 m apart, and meet with 1 m/s. Solves for `part`, and returns whether they fly
+ * until they meet. `gap`: no contact is made where it is infinite. */
+static MeBool fly(Scene *scene, double part, double gap) {
+    scene->s.parameters.stepsize = part;
+    scene->s.parameters.timed = METRUE;
+    MdtKeaInit(&scene->s, scene->block + GUARD);
+    if (isfinite(gap)) {
+        MdtKeaRow *row = addAlongX(scene, 1, 0);
+        row->contact = 0;
+        row->lower = 0;
+        row->error = gap;
+    }
+    MdtKeaSolve(&scene->s);
+    return scene->s.report.ballistic;
+}
+
+static void aim(Scene *scene) {
+    begin(scene, 2, 1, 0.1, 0);
+    state = 11;
+    for (int i = 0; i < 2; i++) {
+        randomBody(scene, i);
+        for (int k = 0; k < 3; k++) {
+            scene->body[i].velocity[k] = k == 0 && i == 0;
+            scene->body[i].force[k] = k == 1 ? -10 / scene->body[i].invMass : 0;
+        }
+    }
+}
+
+START_TEST(what_flies_up_to_an_event_needs_no_rows_to_get_there) {
+    Scene with, without;
+    aim(&with);
+    aim(&without);
+    ck_assert(!fly(&with, 0.1, 0));
+    ck_assert(fly(&with, 0.1, 0.05));
+    const double event = with.s.report.event;
+    assert_near(event, 0.05, 1e-12);
+    ck_assert(fly(&with, event, 0.05));
+    ck_assert(fly(&without, event, HUGE_VAL));
+    ck_assert(MdtKeaIntegrate(&with.s) && MdtKeaIntegrate(&without.s));
+    ck_assert_mem_eq(with.body, without.body, 2 * sizeof *with.body);
+    end(&with);
+    end(&without);
+}
+END_TEST
+
+/* Two bodies that spin meet, and one of them has a gap of .03 m to a third. Steps after the impact, with new rows or
+ * with those from before it. Returns whether they flew. */
+static MeBool stepAfterImpact(Scene *scene, double restitution, MeBool renews) {
+    begin(scene, 3, 2, 0.1, 0);
+    state = 17;
+    for (int i = 0; i < 3; i++) {
+        randomBody(scene, i);
+        for (int k = 0; k < 3; k++)
+            scene->body[i].velocity[k] = k == 0 && i == 0;
+    }
+    scene->s.parameters.timed = METRUE;
+    for (int round = 0; round < (renews ? 2 : 1); round++) {
+        MdtKeaInit(&scene->s, scene->block + GUARD);
+        for (int i = 0; i < 2; i++) {
+            MdtKeaRow *row = addAlongX(scene, i + 1, i);
+            row->contact = i;
+            row->lower = 0;
+            row->error = i * .03;
+            row->restitution = restitution;
+        }
+        if (round == 0)
+            MdtKeaImpact(&scene->s);
+    }
+    const MeBool flies = MdtKeaFlies(&scene->s);
+    MdtKeaSolve(&scene->s);
+    ck_assert(scene->s.report.ballistic == flies);
+    ck_assert(MdtKeaIntegrate(&scene->s));
+    return flies;
+}
+
+START_TEST(rows_from_before_an_impact_will_do_for_what_flies) {
+    Scene before, after, held;
+    ck_assert(stepAfterImpact(&before, 1, MEFALSE));
+    ck_assert(stepAfterImpact(&after, 1, METRUE));
+    ck_assert_mem_eq(before.body, after.body, 3 * sizeof *before.body);
+    ck_assert(before.s.report.event == after.s.report.event && before.s.report.event < 0.1);
+    ck_assert(before.body[1].velocity[0] > 0);
+    ck_assert(!stepAfterImpact(&held, 0, METRUE));
+    end(&before);
+    end(&after);
+    end(&held);
+}
+END_TEST
+
 static double kineticEnergyOf(const MdtKeaBody *b) {
     double w[3];
     MdtKeaBodyGetAngularVelocity(b, w);
@@ -1312,6 +1440,9 @@ static void tests(TCase *t) {
     tcase_add_test(t, impacts_obey_newton);
     tcase_add_test(t, giving_way_to_a_load_is_no_impact);
     tcase_add_test(t, the_last_ball_of_a_cradle_leaves_alone);
+    tcase_add_test(t, impacts_leave_alone_what_they_do_not_reach);
+    tcase_add_test(t, what_flies_up_to_an_event_needs_no_rows_to_get_there);
+    tcase_add_test(t, rows_from_before_an_impact_will_do_for_what_flies);
     tcase_add_test(t, impacts_have_friction);
     tcase_add_test(t, rebounds_with_friction_gain_no_energy);
     tcase_add_test(t, steps_depend_on_the_system_alone);

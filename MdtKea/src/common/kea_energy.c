@@ -10,7 +10,7 @@
 
 double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]) {
     double sum = 0, v[6];
-    for (int b = 0; b < s->numBodies; b++) {
+    for (int b = 0; b < s->work->problem.numBodies; b++) {
         for (int k = 0; k < 6; k++)
             v[k] = change ? velocity[b][k] + change[b][k] : velocity[b][k];
         sum += kea_energyOf(&s->work->problem.metric[b], v, v);
@@ -115,7 +115,7 @@ static double largestRoot(const double c[3]) {
 double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*elastic)[6], double (*plastic)[6],
                         double allowed) {
     double c[3] = {-allowed, 0, 0}, v[6], step[6];
-    for (int b = 0; b < s->numBodies; b++) {
+    for (int b = 0; b < s->work->problem.numBodies; b++) {
         const KeaMetric *B = &s->work->problem.metric[b];
         for (int k = 0; k < 6; k++) {
             v[k] = velocity[b][k] + plastic[b][k];

@@ -4,6 +4,9 @@
  * reflects all contacts that approach at once, until nothing rebounds by more than a fiftieth of the first rebound. So
  * only the last ball of a Newton's cradle leaves, and a box that lands flat does not turn. A round that would gain
  * energy is interpolated with the one without restitution (kea_energy.c).
+ *
+ * Only those bodies take part that acting rows connect with a contact that approaches: all else in the partition keeps
+ * its velocity, to the last bit.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -34,15 +37,13 @@ MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row) {
 
 /* ---- the problem of an instant ---- */
 
-void kea_setInstantMetric(MdtKeaSystem *s, int i) {
-    KeaProblem *q = &s->work->problem;
-    KeaMetric *B = &q->metric[i];
-    const double *I = s->bodies[i]->moments;
-    B->linear = 1 / s->bodies[i]->invMass;
-    kea_inertia(s->bodies[i], s->bodies[i]->quaternion, B->angular);
+void kea_setInstantBody(KeaProblem *q, int b, const MdtKeaBody *body) {
+    KeaMetric *B = &q->metric[b];
+    B->linear = 1 / body->invMass;
+    kea_inertia(body, body->quaternion, B->angular);
     kea_invert(B->inverse, (const double(*)[3])B->angular);
-    q->length[i] = sqrt(keaMax(I[0], keaMax(I[1], I[2])) * s->bodies[i]->invMass);
-    memset(q->load[i], 0, sizeof q->load[i]);
+    q->length[b] = kea_sizeOf(body);
+    memset(q->load[b], 0, sizeof q->load[b]);
 }
 
 void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
@@ -75,35 +76,76 @@ static MeBool actsInInstant(const MdtKeaSystem *s, int i) {
     return isStop ? row->error <= 0 : row->lower == -HUGE_VAL && row->upper == HUGE_VAL;
 }
 
-/* N s: what a body's impulses are compared with. One that is all but at rest beside moving ones is solved for to what
- * an impact's passes leave of their speed, not to ten digits of its own. */
-static double scaleOf(const MdtKeaSystem *s, int i) {
-    const KeaProblem *q = &s->work->problem;
-    const double own = keaLength(s->velocity[i].lin) + q->length[i] * keaLength(s->velocity[i].ang);
-    return q->metric[i].linear * keaMax(own + kea_impactTolerance / kea_newtonTolerance * s->work->speed,
-                                        kea_leastSpeed(q->length[i], s->parameters.stepsize));
+/* Whether a contact's bodies approach each other faster than `slowest`, m/s. */
+static MeBool isHit(const MdtKeaSystem *s, int i, double slowest) {
+    return s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) && -kea_startRate(s, i) > slowest;
 }
 
-/* The inner problem of the rows that act in an instant; work->activeRow maps its rows to those of the system. */
-static void setProblem(MdtKeaSystem *s) {
+/* The bodies that acting rows (work->takesPart) connect with a contact that is hit, in the system's order. */
+static void chooseBodies(MdtKeaSystem *s, double slowest) {
     KeaProblem *q = &s->work->problem;
-    int *place = s->work->problemRowOf;
-    q->numBodies = s->numBodies;
-    q->numRows = 0;
-    for (int i = 0; i < s->numBodies; i++) {
-        kea_setInstantMetric(s, i);
-        q->scale[i] = scaleOf(s, i);
+    int *parent = s->work->parent, *place = s->work->problemBodyOf;
+    for (int b = 0; b < s->numBodies; b++) {
+        parent[b] = b;
+        place[b] = -1;
     }
     for (int i = 0; i < s->numRows; i++)
-        if (actsInInstant(s, i)) {
-            place[i] = q->numRows;
-            s->work->activeRow[q->numRows] = i;
-            kea_setInstantRow(s, i, &q->row[q->numRows++]);
+        if (s->work->takesPart[i] && s->rows[i].body[0] >= 0 && s->rows[i].body[1] >= 0)
+            kea_unite(parent, s->rows[i].body[0], s->rows[i].body[1]);
+    for (int i = 0; i < s->numRows; i++) {
+        const MeBool isReached = isHit(s, i, slowest);
+        for (int k = 0; isReached && k < 2; k++)
+            if (s->rows[i].body[k] >= 0)
+                place[kea_rootOf(parent, s->rows[i].body[k])] = 0;
+    }
+    q->numBodies = 0;
+    for (int b = 0; b < s->numBodies; b++)
+        if (place[kea_rootOf(parent, b)] >= 0) {
+            s->work->activeBody[q->numBodies] = b;
+            place[b] = q->numBodies++;
         }
+}
+
+/* N s: what a body's impulses are compared with. One that is all but at rest beside moving ones is solved for to what
+ * an impact's passes leave of their speed, not to ten digits of its own. */
+static double scaleOf(const MdtKeaSystem *s, int b, const MdtKeaVelocity *v) {
+    const KeaProblem *q = &s->work->problem;
+    const double own = keaLength(v->lin) + q->length[b] * keaLength(v->ang);
+    return q->metric[b].linear * keaMax(own + kea_impactTolerance / kea_newtonTolerance * s->work->speed,
+                                        kea_leastSpeed(q->length[b], s->parameters.stepsize));
+}
+
+/* Sets row k of the problem, which is row i of the system. */
+static void setRow(MdtKeaSystem *s, int k, int i) {
+    KeaProblemRow *p = &s->work->problem.row[k];
+    s->work->activeRow[k] = i;
+    s->work->problemRowOf[i] = k;
+    kea_setInstantRow(s, i, p);
+    for (int side = 0; side < 2; side++)
+        p->body[side] = p->body[side] >= 0 ? s->work->problemBodyOf[p->body[side]] : p->body[side];
+}
+
+/* The inner problem of the rows that act in an instant, on bodies that an impact faster than `slowest` may move.
+ * work->activeRow and activeBody map its rows and bodies to those of the system. */
+static void setProblem(MdtKeaSystem *s, double slowest) {
+    KeaProblem *q = &s->work->problem;
+    for (int i = 0; i < s->numRows; i++)
+        s->work->takesPart[i] = (char)actsInInstant(s, i);
+    chooseBodies(s, slowest);
+    for (int b = 0; b < q->numBodies; b++) {
+        kea_setInstantBody(q, b, s->bodies[s->work->activeBody[b]]);
+        q->scale[b] = scaleOf(s, b, &s->velocity[s->work->activeBody[b]]);
+    }
+    q->numRows = 0;
+    for (int i = 0; i < s->numRows; i++) {
+        const int *body = s->rows[i].body;
+        if (s->work->takesPart[i] && s->work->problemBodyOf[body[body[0] >= 0 ? 0 : 1]] >= 0)
+            setRow(s, q->numRows++, i);
+    }
     for (int k = 0; k < q->numRows; k++) {
         KeaProblemRow *p = &q->row[k];
-        p->normal = p->normal >= 0 ? place[p->normal] : p->normal;
-        p->partner = p->partner >= 0 ? place[p->partner] : p->partner;
+        p->normal = p->normal >= 0 ? s->work->problemRowOf[p->normal] : p->normal;
+        p->partner = p->partner >= 0 ? s->work->problemRowOf[p->partner] : p->partner;
     }
 }
 
@@ -131,7 +173,7 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char takesP
         p->Jd = 0;
         p->r = changeOfRate(s, i, target);
     }
-    for (int b = 0; b < s->numBodies; b++) {
+    for (int b = 0; b < q->numBodies; b++) {
         memset(change[b], 0, sizeof change[b]);
         memset(q->load[b], 0, sizeof q->load[b]);
     }
@@ -154,18 +196,23 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char takesP
     }
 }
 
+/* Of a body of the problem. */
+static MdtKeaVelocity *velocityOf(const MdtKeaSystem *s, int b) {
+    return &s->velocity[s->work->activeBody[b]];
+}
+
 static void addChange(MdtKeaSystem *s, double (*change)[6]) {
-    for (int b = 0; b < s->numBodies; b++) {
-        keaAddScaled(s->velocity[b].lin, 1, change[b]);
-        keaAddScaled(s->velocity[b].ang, 1, change[b] + 3);
+    for (int b = 0; b < s->work->problem.numBodies; b++) {
+        keaAddScaled(velocityOf(s, b)->lin, 1, change[b]);
+        keaAddScaled(velocityOf(s, b)->ang, 1, change[b] + 3);
     }
 }
 
 /* The velocities at the start, as the limiter of energy takes them. */
 static double (*startVelocities(const MdtKeaSystem *s))[6] {
-    for (int b = 0; b < s->numBodies; b++) {
-        keaCopy(s->work->velocity[b], s->velocity[b].lin);
-        keaCopy(s->work->velocity[b] + 3, s->velocity[b].ang);
+    for (int b = 0; b < s->work->problem.numBodies; b++) {
+        keaCopy(s->work->velocity[b], velocityOf(s, b)->lin);
+        keaCopy(s->work->velocity[b] + 3, velocityOf(s, b)->ang);
     }
     return s->work->velocity;
 }
@@ -186,10 +233,10 @@ static void blend(MdtKeaSystem *s, double (*elastic)[6], double (*plastic)[6]) {
     const double share =
         isfinite(energyWith(s, elastic)) ? kea_elasticShare(s, startVelocities(s), elastic, plastic, before) : 0;
     addChange(s, plastic);
-    for (int b = 0; share > 0 && b < s->numBodies; b++) {
+    for (int b = 0; share > 0 && b < s->work->problem.numBodies; b++) {
         for (int k = 0; k < 3; k++) {
-            s->velocity[b].lin[k] += share * (elastic[b][k] - plastic[b][k]);
-            s->velocity[b].ang[k] += share * (elastic[b][3 + k] - plastic[b][3 + k]);
+            velocityOf(s, b)->lin[k] += share * (elastic[b][k] - plastic[b][k]);
+            velocityOf(s, b)->ang[k] += share * (elastic[b][3 + k] - plastic[b][3 + k]);
         }
     }
     MEASSERT(energyWith(s, NULL) <= before * (1 + kea_assertedRounding));
@@ -248,12 +295,13 @@ MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
  * them rebounds; 0: none does. */
 static double findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpeed, char takesPart[]) {
     double fastest = 0;
-    for (int i = 0; i < s->numRows; i++) {
+    for (int k = 0; k < s->work->problem.numRows; k++) {
+        const int i = s->work->activeRow[k];
         const MdtKeaRow *row = &s->rows[i];
-        const double speed = -kea_startRate(s, i);
-        takesPart[i] = (char)(row->contact == i && kea_isTouching(s, row) && speed > slowest);
+        takesPart[i] = (char)isHit(s, i, slowest);
         if (takesPart[i])
-            fastest = keaMax(fastest, kea_reboundOfImpact(row->restitution, row->threshold, speed, minReboundSpeed));
+            fastest = keaMax(
+                fastest, kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), minReboundSpeed));
     }
     return fastest;
 }
@@ -261,7 +309,8 @@ static double findImpacts(MdtKeaSystem *s, double slowest, double minReboundSpee
 /* The velocities with which they separate. Beside a contact that rebounds the slow ones do so too: stopped, one would
  * dissipate p v / 2, with an impulse p that comes from the others and may be large. */
 static void setTargets(const MdtKeaSystem *s, const char takesPart[], double target[]) {
-    for (int i = 0; i < s->numRows; i++) {
+    for (int k = 0; k < s->work->problem.numRows; k++) {
+        const int i = s->work->activeRow[k];
         const MdtKeaRow *row = &s->rows[i];
         target[i] = takesPart[i] ? kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), 0) : 0;
     }
@@ -287,35 +336,38 @@ static MeBool applyRound(MdtKeaSystem *s, const double target[], const char take
 }
 
 static void selectTouching(MdtKeaSystem *s, double target[], char takesPart[]) {
-    for (int i = 0; i < s->numRows; i++) {
+    for (int k = 0; k < s->work->problem.numRows; k++) {
+        const int i = s->work->activeRow[k];
         target[i] = 0;
-        takesPart[i] = (char)(s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]));
+        takesPart[i] = (char)(s->rows[i].contact == i);
     }
 }
 
 static void commitVelocities(MdtKeaSystem *s) {
-    for (int b = 0; b < s->numBodies; b++) {
-        keaCopy(s->bodies[b]->velocity, s->velocity[b].lin);
-        MdtKeaBodySetAngularVelocity(s->bodies[b], s->velocity[b].ang);
+    for (int b = 0; b < s->work->problem.numBodies; b++) {
+        MdtKeaBody *body = s->bodies[s->work->activeBody[b]];
+        keaCopy(body->velocity, velocityOf(s, b)->lin);
+        MdtKeaBodySetAngularVelocity(body, velocityOf(s, b)->ang);
+        kea_beginBody(s, s->work->activeBody[b]);
     }
 }
 
 MeBool kea_impact(MdtKeaSystem *s) {
     double *target = s->work->target;
     char *takesPart = s->work->takesPart;
-    const double minReboundSpeed = kea_minReboundSpeed * kea_eventSpeed(s);
+    const double eventSpeed = kea_eventSpeed(s), minReboundSpeed = kea_minReboundSpeed * eventSpeed;
     s->work->speed = 0;
     for (int b = 0; b < s->numBodies; b++)
         s->work->speed = keaMax(s->work->speed, keaLength(s->velocity[b].lin));
-    setProblem(s);
+    const double slowest = kea_velocityTolerance * keaMax(eventSpeed, s->work->speed);
+    for (int i = 0; i < s->numRows; i++)
+        s->rows[i].force = 0;
+    setProblem(s, slowest);
     if (!kea_problemBegin(&s->work->problem, s->cache))
         return MEFALSE;
     kea_setBudget(s, 1, 1);
     const double before = energyWith(s, NULL);
     kea_problemSetEffectiveMasses(&s->work->problem);
-    for (int i = 0; i < s->numRows; i++)
-        s->rows[i].force = 0;
-    const double slowest = kea_velocityTolerance * keaMax(kea_eventSpeed(s), s->work->speed);
     double first = 0; /* m/s: the fastest rebound of the first round */
     for (int round = 0; round < KEA_MAX_ROUNDS; round++) {
         const double fastest = findImpacts(s, slowest, minReboundSpeed, takesPart);

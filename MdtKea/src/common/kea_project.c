@@ -61,7 +61,7 @@ void kea_project(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         s->work->savedP[i] = q->row[i].p;
     for (int b = 0; b < s->numBodies; b++) {
-        kea_setInstantMetric(s, b);
+        kea_setInstantBody(q, b, s->bodies[b]);
         q->scale[b] = q->metric[b].linear * most; /* kg m: of displacements */
     }
     for (int i = 0; i < s->numRows; i++) {

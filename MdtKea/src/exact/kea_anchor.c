@@ -82,6 +82,13 @@ static MeBool isAboutCentre(const KeaContact *c, int k) {
            keaLength(c->anchor[k]) <= kea_centredBall * c->manifold->radius[k];
 }
 
+/* Is it a ball about its body's centre? A sphyl is round, too, but moments tell them apart. */
+static MeBool isBall(const MdtKeaSystem *s, const KeaContact *c, int k) {
+    const double *I = isWorld(c, k) ? NULL : s->bodies[c->manifold->body[k]]->moments;
+    const double most = I ? kea_equalMoments * I[0] : 0;
+    return I && c->isAboutCentre[k] && fabs(I[1] - I[0]) <= most && fabs(I[2] - I[0]) <= most;
+}
+
 /* m: the radius of the circle that touches; 0 if its axis may reach the normal within this part of the step. A circle
  * that lies flat has no farthest point, and near that the farthest point moves far along the circle. */
 static double circleOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
@@ -110,7 +117,9 @@ static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
         keaApplyTransposed(c->anchor[k], pose->R, arm);
         if (c->circle[k] > 0)
             keaApplyTransposed(c->circleAxis[k], pose->R, c->manifold->axis[k]);
+        c->isAboutCentre[k] = isAboutCentre(c, k);
     }
+    c->areBalls = isBall(s, c, 0) && isBall(s, c, 1);
 }
 
 /* ---- later parts of the step ---- */
@@ -130,13 +139,6 @@ static void axisOf(const MdtKeaSystem *s, const KeaContact *c, int k, double axi
         keaApply(axis, poseOf(s, c, k)->R, c->circleAxis[k]);
     else
         keaZero(axis);
-}
-
-/* Is the surface a ball's about its body's centre? A sphyl's is round, too, but moments tell them apart. */
-static MeBool isBall(const MdtKeaSystem *s, const KeaContact *c, int k) {
-    const double *I = isWorld(c, k) ? NULL : s->bodies[c->manifold->body[k]]->moments;
-    const double most = I ? kea_equalMoments * I[0] : 0;
-    return I && isAboutCentre(c, k) && fabs(I[1] - I[0]) <= most && fabs(I[2] - I[0]) <= most;
 }
 
 /* Two balls touch along the line of their centres, wherever these have come to. */
@@ -159,7 +161,7 @@ static void renewNormal(const MdtKeaSystem *s, KeaContact *c) {
 static void followBodies(const MdtKeaSystem *s, KeaContact *c) {
     const int owner = ownerOf(c);
     double p[2][3], between[3];
-    if (isBall(s, c, 0) && isBall(s, c, 1))
+    if (c->areBalls)
         renewNormal(s, c);
     for (int k = 0; k < 2; k++) {
         const MdtKeaTransformation *pose = poseOf(s, c, k);
@@ -235,7 +237,7 @@ static MeBool isArmConstant(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *spin = velocityOf(s, c, k)->ang;
     if (isWorld(c, k) && keaDot(spin, spin) == 0)
         return METRUE;
-    return isAboutCentre(c, k);
+    return c->isAboutCentre[k];
 }
 
 /* The arm from the axis of rotation: through the body's centre, or, of a world that moves with v at the origin and

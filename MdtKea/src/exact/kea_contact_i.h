@@ -17,6 +17,8 @@ typedef struct KeaContact {
     double anchor[2][3];     /* m, body frames: the surface point of each body, or the centre of its sphere or circle */
     double circle[2];        /* m, radius of the circle (the manifold's rim); 0: none, or it may come to lie flat */
     double circleAxis[2][3]; /* unit, body frames: axis of the circle */
+    MeBool isAboutCentre[2]; /* a ball, or the round end of something, about its body's centre of mass */
+    MeBool areBalls;         /* both bodies are */
     /* kea_anchor.c, as the part of the step begins */
     double normal[3], direction[3]; /* the manifold's; of two balls the normal turns with their centres */
     double point[3];                /* m; of two round surfaces the middle of their own */

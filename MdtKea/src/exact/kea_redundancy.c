@@ -13,12 +13,6 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-static int rootOf(int parent[], int i) {
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 /* By union-find over the bodies and the world, whose index is numBodies. One-sided rows (stops) make no loop. */
 MeBool kea_hasLoops(const MdtKeaSystem *s) {
     int *parent = s->work->parent, owner = 0;
@@ -31,11 +25,9 @@ MeBool kea_hasLoops(const MdtKeaSystem *s) {
             continue;
         owner = row->owner;
         isFirst = MEFALSE;
-        const int a = rootOf(parent, row->body[0] < 0 ? s->numBodies : row->body[0]);
-        const int b = rootOf(parent, row->body[1] < 0 ? s->numBodies : row->body[1]);
-        if (a == b)
+        if (!kea_unite(parent, row->body[0] < 0 ? s->numBodies : row->body[0],
+                       row->body[1] < 0 ? s->numBodies : row->body[1]))
             return METRUE;
-        parent[a] = b;
     }
     return MEFALSE;
 }

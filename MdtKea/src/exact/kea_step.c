@@ -426,10 +426,16 @@ static MeBool isBallistic(const MdtKeaSystem *s) {
     return s->parameters.timed;
 }
 
+MeBool MEAPI MdtKeaFlies(MdtKeaSystem *s) {
+    kea_timedBegin(s);
+    return isBallistic(s);
+}
+
 static void moveBallistically(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
     kea_moveFreely(s);
+    s->report.ballistic = METRUE;
     s->report.event = kea_firstEventOfFlight(s);
     kea_problemSpend(&s->work->problem, KEA_VISIT * ((double)s->numRows + s->numBodies));
     kea_reportWork(s);

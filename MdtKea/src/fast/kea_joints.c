@@ -187,12 +187,6 @@ static void solveWithFactor(const KeaJointBlock *b, double x[]) {
 
 /* ---- blocks ---- */
 
-static int rootOf(int parent[], int i) {
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 static int anyBodyOf(const MdtKeaRow *row) {
     return row->body[0] >= 0 ? row->body[0] : row->body[1];
 }
@@ -202,10 +196,8 @@ static void join(const MdtKeaSystem *s, int parent[]) {
         parent[i] = i;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (row->body[0] < 0 || row->body[1] < 0)
-            continue;
-        const int a = rootOf(parent, row->body[0]), b = rootOf(parent, row->body[1]);
-        parent[a > b ? a : b] = a > b ? b : a;
+        if (row->body[0] >= 0 && row->body[1] >= 0)
+            kea_unite(parent, row->body[0], row->body[1]);
     }
 }
 
@@ -214,7 +206,7 @@ static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
     int at = 0;
     memset(j->sum, 0, (size_t)s->numBodies * sizeof *j->sum);
     for (int i = 0; i < s->numRows; i++)
-        j->sum[rootOf(j->parent, anyBodyOf(&s->rows[i]))]++;
+        j->sum[kea_rootOf(j->parent, anyBodyOf(&s->rows[i]))]++;
     j->numBlocks = 0;
     for (int b = 0; b < s->numBodies; b++) {
         const int here = j->sum[b];
@@ -224,7 +216,7 @@ static void sortRows(const MdtKeaSystem *s, KeaJoints *j) {
         at += here;
     }
     for (int i = 0; i < s->numRows; i++)
-        j->sorted[j->sum[rootOf(j->parent, anyBodyOf(&s->rows[i]))]++] = &s->rows[i];
+        j->sorted[j->sum[kea_rootOf(j->parent, anyBodyOf(&s->rows[i]))]++] = &s->rows[i];
 }
 
 /* Gives a body its number in the block, if it has none yet. */
