@@ -1,6 +1,6 @@
 /* What joints among many contacts cost: a ton on a light chain that swings into a pile, a net of a hundred balls that
- * catches boxes, thirty machines that drive through crates; with the automatic choice of the solver and with the exact
- * one, in turn.
+ * catches boxes, one that hangs by a side like a cloth, thirty machines that drive through crates; with the automatic
+ * choice of the solver and with the exact one, in turn.
  *
  *     jointed [--steps N]      300 steps
  *
@@ -22,7 +22,8 @@ static void makeThirtyMachines(MdtSolver solver) {
 static const struct {
     const char *name;
     void (*make)(MdtSolver solver);
-} scenes[] = {{"heavy chain", makeHeavyChain}, {"net", makeNet}, {"30 machines", makeThirtyMachines}};
+} scenes[] = {
+    {"heavy chain", makeHeavyChain}, {"net", makeNet}, {"cloth", makeCloth}, {"30 machines", makeThirtyMachines}};
 
 static void run(const char *name, const char *solver, int steps) {
     double sum = 0, worst = 0, open = 0;

@@ -271,10 +271,11 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  - what comes out of these, however few bodies, without joints, until it is at rest;
  *  - what has collapsed and is wedged, when the exact solver has taken two work budgets to settle it, until it is at
  *    rest; a step of it may cost three eighths of the budget (MdtWorldSetWorkBudget; of fewer than 20 bodies less);
- *  - such with joints for which the exact solver has taken more than 12 factorizations in a step, too; what joints tie
- *    stays with the fast solver until it is at rest.
+ *  - such with joints for which the exact solver has taken more than 12 factorizations, or all of its work, in a step,
+ *    too, and, even without contacts, if the joints make a net (a cloth); what joints tie stays with the fast solver
+ *    until it is at rest.
  *
- *  All others are solved exactly, and so are, whatever is chosen, partitions without contacts and those with
+ *  All others are solved exactly, and so are, whatever is chosen, other partitions without contacts and those with
  *  constraints whose rows the program makes; with MdtSolverAuto bouncing bodies of which few touch anything, too.
  *  Beyond Karma.
  *  @{ */

@@ -133,7 +133,9 @@ void mdt_crowdNote(const MdtIsland *p) {
     noteSettling(p);
     if (p->numJoints == 0 && !mdt_hasRestitution(p))
         return;
-    if (p->isFast || isSmall(p) || p->kea.parameters.timed || p->kea.report.factorizations <= MDT_SETTLING)
+    if (p->isFast || isSmall(p) || p->kea.parameters.timed)
+        return;
+    if (p->kea.report.factorizations <= MDT_SETTLING && !(p->kea.report.limited && p->numJoints > 0))
         return;
     for (int i = 0; i < p->numBodies; i++)
         p->bodies[i]->unrest = MDT_UNSETTLED;
@@ -208,14 +210,43 @@ static MeBool hasUserConstraints(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* Its rows may not be more than the cap, as it leaves none out. */
+/* The other body of a joint that acts; null: the world, or no such joint. */
+static const MdtBody *jointedTo(const MdtAttachment *at) {
+    const MdtConstraintID c = mdt_attachmentOwner(at);
+    return mdt_isJoint(c) && (c->record.flags & MDT_ENABLED) ? c->side[1 - mdt_attachmentSide(at)].body : NULL;
+}
+
+/* How many bodies joints tie it to. */
+static int neighboursOf(const MdtBody *b) {
+    int count = 0;
+    for (const MdtAttachment *at = b->attachments; at; at = at->next) {
+        const MdtBody *other = jointedTo(at);
+        const MdtAttachment *first = b->attachments;
+        while (first != at && jointedTo(first) != other)
+            first = first->next;
+        count += other && first == at;
+    }
+    return count;
+}
+
+/* Do joints make a net of its bodies? */
+static MeBool isNet(const MdtIsland *p) {
+    int neighbours = 0;
+    for (int i = 0; i < p->numBodies; i++)
+        neighbours += neighboursOf(p->bodies[i]);
+    return neighbours > MDT_NET_NEIGHBOURS * p->numBodies;
+}
+
+/* What joints alone hold is the exact solver's, which keeps its energy; but not nets that it cannot cope with: their
+ * matrices fill in, and hanging flat they are singular. Its rows may not be more than the cap, as it leaves none out.
+ */
 static MeBool mayBeFast(const MdtIsland *p) {
-    return p->numContacts > 0 &&
+    return (p->numContacts > 0 || (isUnsettled(p) && isNet(p))) &&
            p->jointRows + p->numContacts * MdtBclGETMAXROWSCONTACT <= p->world->maxMatrixSize && !hasUserConstraints(p);
 }
 
 MeBool mdt_crowdMayTakeOver(const MdtIsland *p) {
-    return !p->isFast && mayBeFast(p);
+    return !p->isFast && p->numContacts > 0 && mayBeFast(p);
 }
 
 MeBool mdt_crowdIsChosen(const MdtIsland *p) {

@@ -46,10 +46,9 @@ void mdt_budgetDraw(MdtIsland *p) {
         p->report->work += (MeReal)(1e-6 * cost->work);
 }
 
-/* Whether the budget allows both halves of the part some passes. */
+/* Whether the budget allows for a solve of each half of the part. */
 static MeBool mayDivide(const MdtIsland *p, int halvings) {
-    enum { PASSES = 8 };
-    return halvings < MAX_HALVINGS && p->work > 2 * PASSES * p->kea.report.least;
+    return halvings < MAX_HALVINGS && p->work > 2 * p->kea.report.least;
 }
 
 /* ---- one part ---- */

@@ -244,7 +244,7 @@ typedef struct MdtKeaReport {
     int stages;         /**< velocity stages, 0 or 1 */
     int freezes;        /**< passes with frozen friction bounds, whose iteration did not converge */
     double work;        /**< multiplications, roughly: of factorizations, and of visits of rows */
-    double least;       /**< the same, of one linearization: no solve can do with less than a few of these */
+    double least;       /**< the same: no solve can do with less, of a few linearizations or passes */
     MeBool limited;     /**< the work or the iterations that it was given ran out: the best answer so far, see capped */
     MeBool capped;      /**< passes, work or iterations ran out: the forces are within bounds, but not exact, and the
                              bodies have no more energy than loads, springs and motors explain */

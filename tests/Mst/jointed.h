@@ -102,11 +102,10 @@ static inline void makeHeavyChain(MdtSolver solver) {
 
 enum { KNOTS = 10 };
 
-/* Balls joined to their neighbours, the rim to the world, and boxes of five times their mass above it. */
-static inline void makeNet(MdtSolver solver) {
+/* Balls joined to their neighbours, level, and the rim to the world, or one side of it. */
+static inline void makeKnots(MeBool isRimHeld) {
     McdModelID knot[KNOTS][KNOTS];
     const double middle = .2 * (KNOTS - 1);
-    makeWorld(solver, .5);
     for (int i = 0; i < KNOTS; i++)
         for (int k = 0; k < KNOTS; k++) {
             const double x = .4 * i - middle, z = .4 * k - middle;
@@ -116,9 +115,21 @@ static inline void makeNet(MdtSolver solver) {
                 joinByBall(knot[i][k], knot[i - 1][k], x - .2, 4, z);
             if (k > 0)
                 joinByBall(knot[i][k], knot[i][k - 1], x, 4, z - .2);
-            if (isRim)
+            if (isRimHeld ? isRim : i == 0)
                 joinByBall(knot[i][k], 0, x, 4, z);
         }
+}
+
+/* Let go level, it swings down, and folds. */
+static inline void makeCloth(MdtSolver solver) {
+    makeWorld(solver, .5);
+    makeKnots(MEFALSE);
+}
+
+/* Boxes of five times the knots' mass above it. */
+static inline void makeNet(MdtSolver solver) {
+    makeWorld(solver, .5);
+    makeKnots(METRUE);
     for (int i = 0; i < 36; i++)
         putAt(box(.5, .5, .5), .7 * (i % 3) - .7, 4.6 + .6 * (i / 9), .7 * (i / 3 % 3) - .7, 300);
 }

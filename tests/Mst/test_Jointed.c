@@ -111,6 +111,46 @@ START_TEST(a_net_catches_boxes) {
 }
 END_TEST
 
+/* A hundred knots, 190 joints in loops: as long as it swings down freely, exactly; from where it folds Newton's method
+ * does not converge. It must not bounce, nor use up a budget of work in a step, as every fifteenth did. */
+START_TEST(a_cloth_swings_and_folds) {
+    makeCloth(MdtSolverAuto);
+    const Course c = run(300);
+    printf("cloth: open by %.1e m, gains %.1e J, %d fast, %d exact, %d factorizations\n", c.open, c.gain, c.fast,
+           c.exact, c.factorizations);
+    assert_below(c.open, 2e-5);
+    assert_below(c.gain, 1e-2);
+    ck_assert_int_ge(c.exact, 20);
+    ck_assert_int_lt(c.factorizations, 2 * 300);
+}
+END_TEST
+
+START_TEST(a_net_that_uses_up_its_work_is_the_fast_solvers) {
+    makeCloth(MdtSolverAuto);
+    MdtWorldSetWorkBudget(u->world, 2);
+    const Course c = run(TEST_STEPS);
+    printf("cloth with little work: open by %.1e m, %d fast, %d exact\n", c.open, c.fast, c.exact);
+    assert_below(c.open, 1e-4);
+    ck_assert_int_ge(c.fast, TEST_STEPS - 2);
+}
+END_TEST
+
+/* A chain is the exact solver's in any case: one factorization at least for each of its steps. */
+START_TEST(a_chain_that_uses_up_its_work_is_not) {
+    McdModelID last = 0;
+    makeWorld(MdtSolverAuto, .5);
+    for (int i = 0; i < 30; i++) {
+        const McdModelID m = putAt(box(.2, .05, .05), .1 + .2 * i, 30, 0, 1000);
+        joinByBall(m, last, .2 * i, 30, 0);
+        last = m;
+    }
+    MdtWorldSetWorkBudget(u->world, (MeReal).1);
+    const Course c = run(TEST_STEPS / 3);
+    printf("chain with little work: open by %.1e m, %d factorizations\n", c.open, c.factorizations);
+    ck_assert_int_ge(c.factorizations, TEST_STEPS / 3);
+}
+END_TEST
+
 /* In single precision their wheels touch with the rounding of places, so that the exact solver does not settle which of
  * them stick: 40 factorizations a step; after the first such step a machine is the fast one's. In double precision none
  * is. */
@@ -285,6 +325,9 @@ END_TEST
 static void tests(TCase *t) {
     tcase_add_test(t, a_ton_on_a_light_chain_stays_on_it_where_it_hits);
     tcase_add_test(t, a_net_catches_boxes);
+    tcase_add_test(t, a_cloth_swings_and_folds);
+    tcase_add_test(t, a_net_that_uses_up_its_work_is_the_fast_solvers);
+    tcase_add_test(t, a_chain_that_uses_up_its_work_is_not);
     tcase_add_test(t, machines_move_as_the_exact_solver_moves_them_and_settle);
     tcase_add_test(t, a_chain_of_150_motors_holds);
     tcase_add_test(t, masses_out_of_proportion_end_in_no_nan);

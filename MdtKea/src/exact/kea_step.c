@@ -446,7 +446,7 @@ void kea_exactSolve(MdtKeaSystem *s) {
     memset(&q->counts, 0, sizeof q->counts);
     q->numBodies = s->numBodies;
     q->numRows = s->numRows;
-    s->report.least = workOfLinearization(s);
+    s->report.least = KEA_SWEPT_PASSES * workOfLinearization(s);
     kea_beginBodies(s);
     if (s->parameters.timed)
         kea_timedBegin(s);

@@ -348,6 +348,7 @@ static Passes choosePasses(Step *p) {
     const double paid = most > 0 ? keaMax((most - workBeside(p)) / workOfPass(p), 1) : KEA_MOST_PASSES;
     const double affordable = keaMin(paid, cap);
     p->s->report.limited = p->s->report.capped = affordable < least;
+    p->s->report.least = workBeside(p) + least * workOfPass(p);
     return (Passes){(int)keaMin(least, affordable), (int)keaMin(KEA_MOST_PASSES, affordable)};
 }
 
