@@ -141,6 +141,12 @@ void mdt_contactsAddForces(MdtIsland *p, double share) {
     MeTeamRunRanges(p->team, p->kea.numManifolds, MDT_RANGE, addForces, &u);
 }
 
+void mdt_contactsClearForces(MdtIsland *p) {
+    for (int i = 0; i < p->kea.numManifolds; i++)
+        for (int k = 0; k < p->kea.manifolds[i].numPoints; k++)
+            keaZero(p->kea.manifolds[i].point[k].force);
+}
+
 static void unpackPoint(MdtKeaPoint *from, MdtPoint *point, const double mean[3], MeBool isGuess) {
     point->numRows = (MeU8)from->numRows;
     point->numWarm = isGuess ? (MeU8)from->numRows : 0;

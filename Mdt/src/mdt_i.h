@@ -514,6 +514,7 @@ void mdt_reportLap(struct MdtIsland *p, MdtReportStage stage);
 /* Notes an impact at the start of a part; a part that ends early, at an event; a step that is halved. */
 void mdt_reportImpact(MdtReport *r);
 void mdt_reportEvent(MdtReport *r);
+void mdt_reportFlight(MdtReport *r, int impacts, MeBool isHeld);
 void mdt_reportDivision(MdtReport *r);
 /* A sub-step was of order 4. */
 void mdt_reportComposed(MdtReport *r);

@@ -159,6 +159,13 @@ void mdt_reportEvent(MdtReport *r) {
     keepWay(r, MdtReportWayTimed);
 }
 
+/* Each impact begins a part, but for that which ended the flight: its part is still to come. */
+void mdt_reportFlight(MdtReport *r, int impacts, MeBool isHeld) {
+    r->events += impacts;
+    r->parts += impacts > 0 && isHeld ? impacts - 1 : impacts;
+    keepWay(r, MdtReportWayTimed);
+}
+
 void mdt_reportComposed(MdtReport *r) {
     r->composed++;
 }

@@ -31,11 +31,6 @@ void mdt_partSolve(MdtIsland *p, double part) {
     mdt_partSolveRows(p);
 }
 
-void mdt_partFly(MdtIsland *p, double part) {
-    mdt_partBegin(p, part);
-    mdt_partSolveRows(p);
-}
-
 MeBool mdt_partIntegrate(MdtIsland *p) {
     MeProfileStartSection("Integrate", 0);
     const MeBool isFinite = MdtKeaIntegrate(&p->kea);

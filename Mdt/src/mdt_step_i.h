@@ -104,9 +104,6 @@ void mdt_islandTake(MdtIsland *p, MeBool safely);
 void mdt_worldStep(MdtWorldID w, double h, MeBool safely);
 /* Rows and solve, of a part of the step of these seconds. Nothing has moved yet: it may be thrown away. */
 void mdt_partSolve(MdtIsland *p, double part);
-/* The same where no row acts on a body, as the solve of a longer part has told (MdtKeaReport.ballistic): without rows.
- */
-void mdt_partFly(MdtIsland *p, double part);
 /* The same by itself: rows; impacts of a timed part, and solve. */
 void mdt_partMakeRows(MdtIsland *p, double part);
 void mdt_partSolveRows(MdtIsland *p);
@@ -163,6 +160,7 @@ void mdt_contactsCarry(MdtIsland *p);
 /* This share of their forces is added to what the step has done; these are the points' forces, and whether they are a
  * guess at those of the next part. */
 void mdt_contactsAddForces(MdtIsland *p, double share);
+void mdt_contactsClearForces(MdtIsland *p);
 void mdt_contactsUnpack(MdtIsland *p, MeBool isGuess);
 double mdt_contactsPenetration(const MdtIsland *p);
 

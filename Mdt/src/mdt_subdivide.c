@@ -183,9 +183,22 @@ static MeBool isFollowed(const MdtIsland *p) {
  * much. /2 fails Mst_Cases_Defaults: stacks_stand_by_default in double, x2 Mst_Spikes: a_row_of_dominoes. */
 enum { MDT_FOLLOWING = 96 };
 
-/* Solves a timed part up to the next event, at most `rest` s. False: not solved accurately, or too expensive to follow,
- * or impacts chatter. */
-static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
+/* Takes what flies on, through at most so many impacts, until it is held or the part of `rest` s ends. */
+static void fly(MdtIsland *p, double rest, double least, int mostImpacts) {
+    mdt_budgetGrant(p);
+    const double flown = MdtKeaFly(&p->kea, least, mostImpacts);
+    mdt_budgetDraw(p);
+    setPart(p, flown);
+    p->hasMet = p->hasMet || p->kea.report.impacts > 0;
+    mdt_unpackImpact(p);
+    mdt_contactsClearForces(p);
+    if (p->report)
+        mdt_reportFlight(p->report, p->kea.report.impacts, flown < rest);
+}
+
+/* Solves a timed part up to the next event, or through at most so many impacts, at most `rest` s. False: not solved
+ * accurately, or too expensive to follow, or impacts chatter. */
+static MeBool solveToEvent(MdtIsland *p, double rest, double least, int mostImpacts) {
     p->kea.parameters.timed = METRUE;
     mdt_partMakeRows(p, rest);
     if (!p->kea.parameters.holdsSlow && MdtKeaTrembles(&p->kea))
@@ -197,15 +210,19 @@ static MeBool solveToEvent(MdtIsland *p, double rest, double least) {
         return METRUE;
     if (p->kea.report.trembles) /* chattering: slow impacts would follow each other without end */
         return MEFALSE;
-    if (p->report)
-        mdt_reportEvent(p->report);
-    (p->kea.report.ballistic ? mdt_partFly : mdt_partSolve)(p, fmax(p->kea.report.event, least));
+    if (p->kea.report.ballistic) {
+        fly(p, rest, least, mostImpacts);
+    } else {
+        if (p->report)
+            mdt_reportEvent(p->report);
+        mdt_partSolve(p, fmax(p->kea.report.event, least));
+    }
     return isFollowed(p);
 }
 
 /* The same, with the part halved while the motion is violent. */
-static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least) {
-    for (double ahead = rest; !solveToEvent(p, ahead, least); ahead *= 0.5)
+static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least, int mostImpacts) {
+    for (double ahead = rest; !solveToEvent(p, ahead, least, mostImpacts); ahead *= 0.5)
         if (!p->kea.report.violent || ahead < 0.2 * rest)
             return MEFALSE;
     return METRUE;
@@ -241,8 +258,8 @@ static MeBool takeInTime(MdtIsland *p, double part) {
     const double kept = 0.5 * p->work; /* for what is left after the events */
     double rest = part;
     p->kea.parameters.holdsSlow = p->numJoints > 0 && !mdt_hasRestitution(p);
-    for (int events = 0; rest > least; events++) {
-        if (events == most || p->work < kept || !solveToEventOrHalf(p, rest, least)) {
+    for (int events = 0; rest > least; events += MeMAX(p->kea.report.impacts, 1)) {
+        if (events >= most || p->work < kept || !solveToEventOrHalf(p, rest, least, most - events)) {
             p->kea.parameters.timed = MEFALSE;
             return takePart(p, rest, 0);
         }

@@ -39,6 +39,7 @@
  *                              forces (N s), report.work and .limited
  *      MdtKeaFlies             reads rows, velocity, predicted; writes .isOpen of rows. If it says no, MdtKeaInit is
  *                              called, and the rows are filled, again after an impact
+ *      MdtKeaFly               reads all of these; writes states of bodies, forces of points (N s), report
  *      MdtKeaSolve             reads all of these; calls errors and jacobians, by which J, arm and bounds of rows move;
  *                              writes forces of rows and points, .ripple, and report
  *      MdtKeaIntegrate         writes the state and the acceleration of bodies, pose and velocity of the end
@@ -253,7 +254,8 @@ typedef struct MdtKeaReport {
     MeBool conflicting; /**< joints contradict each other: the answer is a compromise */
     double event;       /**< s: the first event of a timed step, which is to be divided there; none: its length */
     MeBool trembles;    /**< chattering: the only events are impacts, all too slow to rebound */
-    MeBool ballistic;   /**< of a timed step: no row acts up to the event, and that part may be solved without rows */
+    MeBool ballistic;   /**< of a timed step: no row acts up to the event (MdtKeaFly) */
+    int impacts;        /**< that MdtKeaFly has met */
     double residual;   /**< m/s: the largest violation of J v⁺ = s - h E λ, but for rows at a bound that allows it */
     double resolution; /**< m/s: residuals up to this count as none; 0 where nothing was solved */
     double force;      /**< N: the largest change of a row's force that such a violation asks for */
@@ -423,6 +425,16 @@ MEPUBLIC void MEAPI MdtKeaImpact(MdtKeaSystem *system);
 /** Whether no row of a timed system acts before its first event: it has no joints, and all contacts are open. Its rows
  *  are then read for that event alone, and those that were made before an impact will do. */
 MEPUBLIC MeBool MEAPI MdtKeaFlies(MdtKeaSystem *system);
+
+/**
+ * Moves bodies that fly (MdtKeaFlies) on from impact to impact, each by itself, up to the end of the step or to the
+ * first impact after which a contact is closed. Needs the rows of this step, and leaves none; MdtKeaIntegrate follows.
+ * Writes the sums of the impulses, N s, into the points' force, and report.work and .impacts.
+ * @param least       s, 0 < least < the step's: what counts as no time
+ * @param mostImpacts after so many it ends
+ * @return s, how far the bodies have come, least at the least; it is then the system's stepsize
+ */
+MEPUBLIC double MEAPI MdtKeaFly(MdtKeaSystem *system, double least, int mostImpacts);
 
 /** The angular velocity of a body, rad/s, world frame. */
 MEPUBLIC void MEAPI MdtKeaBodyGetAngularVelocity(const MdtKeaBody *body, double w[3]);

@@ -11,6 +11,7 @@
  *     kea_redundancy.c        redundant joints: the impulses of least norm
  *     kea_velocity.c          the velocity stage: projects the end velocities onto the rows at the end poses
  *     kea_events.c            times of impact and of stick within a timed step
+ *     kea_flight.c            what flies from impact to impact
  *
  *   fast/, a step by passes over manifolds (fast/kea_fast_i.h)
  *
@@ -86,6 +87,18 @@ typedef struct KeaDual {
     double (*response)[2][6]; /* by row: B⁻¹ Jᵀ of each body */
 } KeaDual;
 
+/* What flies (exact/kea_flight.c). */
+typedef struct KeaFlight {
+    double end, least;          /* s: of the step; the least way on to a meeting that was foreseen too early */
+    double *time;               /* s, by body: up to when it has been moved */
+    double *meets;              /* s, by contact: when its bodies meet next; -HUGE_VAL: they do, in this impact */
+    int *start, *list;          /* the contacts of body b: list[start[b] .. start[b + 1]) */
+    int *body, numBodies;       /* those that take part in this impact, */
+    char *isIn;                 /* by body: it is among them; */
+    int *touching, numTouching; /* and their contacts that touch */
+    int impacts, misses;        /* meetings so far, and those that were foreseen too early */
+} KeaFlight;
+
 typedef struct MdtKeaWork {
     struct KeaContact *contact; /* exact/kea_contact_i.h; kept through the parts of a step */
     int numContacts;
@@ -109,6 +122,7 @@ typedef struct MdtKeaWork {
     int *parent;                      /* union-find, by body, the world last */
     KeaProblem problem;
     KeaDual dual;
+    KeaFlight flight;
     MeBool hasLoops;          /* of joints */
     MeBool isInconsistent;    /* joints contradict each other: some keep a residual above tolerance */
     MeBool hasJoints;         /* there are rows that are not contacts' */
@@ -119,6 +133,8 @@ typedef struct MdtKeaWork {
 
 /* What MdtKeaInit sets of one body, from its state and loads. */
 void kea_beginBody(MdtKeaSystem *s, int i);
+/* What MdtKeaIntegrate does with one body: its end state becomes its state. */
+void kea_commitBody(MdtKeaSystem *s, int i);
 
 /* ---- kea_rotation.c ---- */
 
@@ -245,6 +261,10 @@ double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat);
 void kea_releaseSlides(MdtKeaSystem *s);
 /* s: the first impact of ballistic motion; at most the step. */
 double kea_firstEventOfFlight(const MdtKeaSystem *s);
+/* s: when the bodies of an open contact meet, by its normal row and without forces of rows; HUGE_VAL: they do not. */
+double kea_timeOfMeeting(const MdtKeaSystem *s, int i);
+/* Whether a normal row's contact has a gap, or opens. */
+MeBool kea_isOpen(const MdtKeaSystem *s, int i, double speed);
 
 /* ---- kea_impact.c ---- */
 
@@ -278,8 +298,9 @@ void kea_reportWork(MdtKeaSystem *s);
 
 /* The poses of body i at the end, from its KeaEnd, and in the middle. */
 void kea_setPoses(MdtKeaSystem *s, int i);
-/* End states of the bodies that no row acts on: free motion. */
+/* End states of the bodies that no row acts on: free motion; of one body. */
 void kea_moveFreely(MdtKeaSystem *s);
+void kea_moveFree(MdtKeaSystem *s, int i);
 
 /* ---- kea_energy.c ---- */
 

@@ -45,6 +45,13 @@ static void layOut(MdtKeaSystem *s, KeaArena *arena) {
     work->activeBody = kea_carve(arena, n, sizeof(int));
     work->problemBodyOf = kea_carve(arena, n, sizeof(int));
     work->parent = kea_carve(arena, n + 1, sizeof(int));
+    work->flight.time = kea_carve(arena, n, sizeof(double));
+    work->flight.start = kea_carve(arena, n + 1, sizeof(int));
+    work->flight.body = kea_carve(arena, n, sizeof(int));
+    work->flight.isIn = kea_carve(arena, n, 1);
+    work->flight.meets = kea_carve(arena, (size_t)s->maxContacts, sizeof(double));
+    work->flight.list = kea_carve(arena, 2 * (size_t)s->maxContacts, sizeof(int));
+    work->flight.touching = kea_carve(arena, (size_t)s->maxContacts, sizeof(int));
     work->dual.start = kea_carve(arena, m + 1, sizeof(int));
     work->dual.size = kea_carve(arena, m, sizeof(int));
     work->dual.edges = kea_carve(arena, m, sizeof *work->dual.edges);
@@ -204,17 +211,21 @@ static void commitState(MdtKeaBody *body, const KeaEnd *end) {
         MdtKeaBodySetAngularVelocity(body, w);
 }
 
+void kea_commitBody(MdtKeaSystem *s, int i) {
+    MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
+                  s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < kea_assertedRounding);
+    commitState(s->bodies[i], &s->work->end[i]);
+    noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
+    s->pose[i] = s->work->endPose[i];
+}
+
 static void MEAPI commitBodies(void *system, int first, int end, int worker) {
     MdtKeaSystem *s = system;
     (void)worker;
     for (int i = first; i < end; i++) {
         if (i + KEA_AHEAD < end)
             me_prefetch(s->bodies[i + KEA_AHEAD], sizeof *s->bodies[i]);
-        MEASSERT(fabs(keaDot(s->work->end[i].quaternion, s->work->end[i].quaternion) +
-                      s->work->end[i].quaternion[3] * s->work->end[i].quaternion[3] - 1) < kea_assertedRounding);
-        commitState(s->bodies[i], &s->work->end[i]);
-        noteAcceleration(s->bodies[i], &s->velocity[i], s->parameters.stepsize);
-        s->pose[i] = s->work->endPose[i];
+        kea_commitBody(s, i);
     }
 }
 

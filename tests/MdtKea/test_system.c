@@ -1164,51 +1164,6 @@ START_TEST(impacts_leave_alone_what_they_do_not_reach) {
 }
 END_TEST
 
-/* Two bodies that spin and fall, .05 m apart, and meet with 1 m/s. Solves for `part`, and returns whether they fly
- * until they meet. `gap`: no contact is made where it is infinite. */
-static MeBool fly(Scene *scene, double part, double gap) {
-    scene->s.parameters.stepsize = part;
-    scene->s.parameters.timed = METRUE;
-    MdtKeaInit(&scene->s, scene->block + GUARD);
-    if (isfinite(gap)) {
-        MdtKeaRow *row = addAlongX(scene, 1, 0);
-        row->contact = 0;
-        row->lower = 0;
-        row->error = gap;
-    }
-    MdtKeaSolve(&scene->s);
-    return scene->s.report.ballistic;
-}
-
-static void aim(Scene *scene) {
-    begin(scene, 2, 1, 0.1, 0);
-    state = 11;
-    for (int i = 0; i < 2; i++) {
-        randomBody(scene, i);
-        for (int k = 0; k < 3; k++) {
-            scene->body[i].velocity[k] = k == 0 && i == 0;
-            scene->body[i].force[k] = k == 1 ? -10 / scene->body[i].invMass : 0;
-        }
-    }
-}
-
-START_TEST(what_flies_up_to_an_event_needs_no_rows_to_get_there) {
-    Scene with, without;
-    aim(&with);
-    aim(&without);
-    ck_assert(!fly(&with, 0.1, 0));
-    ck_assert(fly(&with, 0.1, 0.05));
-    const double event = with.s.report.event;
-    assert_near(event, 0.05, 1e-12);
-    ck_assert(fly(&with, event, 0.05));
-    ck_assert(fly(&without, event, HUGE_VAL));
-    ck_assert(MdtKeaIntegrate(&with.s) && MdtKeaIntegrate(&without.s));
-    ck_assert_mem_eq(with.body, without.body, 2 * sizeof *with.body);
-    end(&with);
-    end(&without);
-}
-END_TEST
-
 /* Two bodies that spin meet, and one of them has a gap of .03 m to a third. Steps after the impact, with new rows or
  * with those from before it. Returns whether they flew. */
 static MeBool stepAfterImpact(Scene *scene, double restitution, MeBool renews) {
@@ -1441,7 +1396,6 @@ static void tests(TCase *t) {
     tcase_add_test(t, giving_way_to_a_load_is_no_impact);
     tcase_add_test(t, the_last_ball_of_a_cradle_leaves_alone);
     tcase_add_test(t, impacts_leave_alone_what_they_do_not_reach);
-    tcase_add_test(t, what_flies_up_to_an_event_needs_no_rows_to_get_there);
     tcase_add_test(t, rows_from_before_an_impact_will_do_for_what_flies);
     tcase_add_test(t, impacts_have_friction);
     tcase_add_test(t, rebounds_with_friction_gain_no_energy);

@@ -15,22 +15,24 @@ void kea_setPoses(MdtKeaSystem *s, int i) {
 
 /* Half of the loads, free flight and rotation, the other half (Strang splitting): second order; the positions are exact
  * for constant forces. */
-void kea_moveFreely(MdtKeaSystem *s) {
+void kea_moveFree(MdtKeaSystem *s, int i) {
     const double h = s->parameters.stepsize;
-    for (int i = 0; i < s->numBodies; i++) {
-        const MdtKeaBody *body = s->bodies[i];
-        KeaEnd *end = &s->work->end[i];
-        const KeaBody *b = &s->work->body[i];
-        double L[3];
-        if (!b->isFree)
-            continue;
-        for (int k = 0; k < 3; k++) {
-            end->position[k] = body->position[k] + 0.5 * h * (body->velocity[k] + b->freeVelocity[k]);
-            L[k] = 0.5 * (body->angularMomentum[k] + b->freeMomentum[k]);
-        }
-        keaCopy(end->velocity, b->freeVelocity);
-        keaCopy(end->angularMomentum, b->freeMomentum);
-        kea_rotateFree(body, body->quaternion, L, h, end->quaternion);
-        kea_setPoses(s, i);
+    const MdtKeaBody *body = s->bodies[i];
+    const KeaBody *b = &s->work->body[i];
+    KeaEnd *end = &s->work->end[i];
+    double L[3];
+    for (int k = 0; k < 3; k++) {
+        end->position[k] = body->position[k] + 0.5 * h * (body->velocity[k] + b->freeVelocity[k]);
+        L[k] = 0.5 * (body->angularMomentum[k] + b->freeMomentum[k]);
     }
+    keaCopy(end->velocity, b->freeVelocity);
+    keaCopy(end->angularMomentum, b->freeMomentum);
+    kea_rotateFree(body, body->quaternion, L, h, end->quaternion);
+    kea_setPoses(s, i);
+}
+
+void kea_moveFreely(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        if (s->work->body[i].isFree)
+            kea_moveFree(s, i);
 }

@@ -29,7 +29,7 @@ static int countDirections(int frictionRows) {
     return !!(frictionRows & PRIMARY) + !!(frictionRows & SECONDARY);
 }
 
-static void countRows(const MdtKeaSystem *s, KeaContact *c) {
+void kea_contactCount(const MdtKeaSystem *s, KeaContact *c) {
     const MdtKeaSurface *surface = &c->manifold->surface;
     kea_contactPlace(s, c);
     const KeaApproach approach = kea_approachOfPoint(s, c->manifold, (const double(*)[3])c->arm);
@@ -60,7 +60,7 @@ int MEAPI MdtKeaCountContactRows(MdtKeaSystem *s) {
             KeaContact *c = &s->work->contact[n++];
             c->manifold = &s->manifolds[i];
             c->at = &s->manifolds[i].point[k];
-            countRows(s, c);
+            kea_contactCount(s, c);
             rows += c->at->numRows;
         }
     MEASSERT(n <= s->maxContacts);
@@ -169,7 +169,7 @@ static void moveRows(MdtKeaSystem *s, const KeaContact *c, int count) {
     }
 }
 
-static void makeRows(MdtKeaSystem *s, KeaContact *c, int owner) {
+void kea_contactMakeRows(MdtKeaSystem *s, KeaContact *c, int owner) {
     const MdtKeaSurface *surface = &c->manifold->surface;
     MdtKeaRow *rows = &s->rows[s->numRows];
     c->frictionRows = c->at->numRows > 1 ? c->frictionRows : 0;
@@ -197,21 +197,24 @@ void MEAPI MdtKeaMakeContactRows(MdtKeaSystem *s) {
     if (s->parameters.solver == MdtKeaSolverFast)
         return;
     for (int i = 0; i < s->work->numContacts; i++)
-        makeRows(s, &s->work->contact[i], -1 - i); /* owners of joints are counted from 0 */
+        kea_contactMakeRows(s, &s->work->contact[i], -1 - i); /* owners of joints are counted from 0 */
 }
 
 /* ---- forces ---- */
 
+void kea_contactAddForces(const MdtKeaSystem *s, const KeaContact *c) {
+    int row = c->firstRow;
+    if (c->at->numRows == 0)
+        return;
+    c->at->force[0] += s->rows[row++].force;
+    for (int direction = 0; direction < 2; direction++)
+        if (c->frictionRows & (direction == 0 ? PRIMARY : SECONDARY))
+            c->at->force[1 + direction] += s->rows[row++].force;
+}
+
 void kea_returnContacts(MdtKeaSystem *s) {
     for (int i = 0; i < s->work->numContacts; i++) {
-        const KeaContact *c = &s->work->contact[i];
-        int row = c->firstRow;
-        keaZero(c->at->force);
-        if (c->at->numRows == 0)
-            continue;
-        c->at->force[0] = s->rows[row++].force;
-        for (int direction = 0; direction < 2; direction++)
-            if (c->frictionRows & (direction == 0 ? PRIMARY : SECONDARY))
-                c->at->force[1 + direction] = s->rows[row++].force;
+        keaZero(s->work->contact[i].at->force);
+        kea_contactAddForces(s, &s->work->contact[i]);
     }
 }

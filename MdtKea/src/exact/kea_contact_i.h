@@ -3,6 +3,7 @@
  *     kea_anchor.c        the place of a contact: anchors in its bodies, place and depth at a later part of the step,
  *                         lever arms
  *     kea_contact.c       its rows
+ *     kea_flight.c        contacts of bodies that fly
  */
 #ifndef KEA_CONTACT_I_H
 #define KEA_CONTACT_I_H
@@ -31,6 +32,11 @@ typedef struct KeaContact {
     int firstRow;     /* index of its normal row */
 } KeaContact;
 
+/* Sets place, depth, and which rows it gets; makes these behind the others. */
+void kea_contactCount(const MdtKeaSystem *s, KeaContact *c);
+void kea_contactMakeRows(MdtKeaSystem *s, KeaContact *c, int owner);
+/* Adds the forces of its rows to its point's. */
+void kea_contactAddForces(const MdtKeaSystem *s, const KeaContact *c);
 /* Sets place, depth, arms and their motion as this part of the step begins. */
 void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c);
 /* m, lever arms at a later moment of the part: share 1 is its end, 1/2 the mean of start and end. */

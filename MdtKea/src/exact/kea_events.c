@@ -16,7 +16,7 @@
 #include "common/kea_policy_i.h"
 #include <string.h>
 
-static MeBool isOpen(const MdtKeaSystem *s, int i, double speed) {
+MeBool kea_isOpen(const MdtKeaSystem *s, int i, double speed) {
     return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_partingSpeed * speed;
 }
 
@@ -162,7 +162,7 @@ void kea_timedBegin(MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            s->rows[i].isOpen = isOpen(s, i, speed) && !isToHold(s, i, freeRate(s, &s->rows[i]));
+            s->rows[i].isOpen = kea_isOpen(s, i, speed) && !isToHold(s, i, freeRate(s, &s->rows[i]));
 }
 
 MeBool kea_holdMeeting(MdtKeaSystem *s) {
@@ -191,11 +191,15 @@ static Impact firstImpact(const MdtKeaSystem *s) {
     return first;
 }
 
+double kea_timeOfMeeting(const MdtKeaSystem *s, int i) {
+    return impactOf(s, i, freeRate(s, &s->rows[i])).time;
+}
+
 double kea_firstEventOfFlight(const MdtKeaSystem *s) {
     double first = s->parameters.stepsize;
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            first = keaMin(first, impactOf(s, i, freeRate(s, &s->rows[i])).time);
+            first = keaMin(first, kea_timeOfMeeting(s, i));
     return first;
 }
 

@@ -462,6 +462,8 @@ void kea_exactSolve(MdtKeaSystem *s) {
     }
     s->report.capped = s->numRows > 0; /* stays if kea_problemBegin has no memory */
     if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
+        if (s->parameters.timed) /* its rows were made for this part of the step alone */
+            kea_problemSpend(q, workOfLinearization(s));
         kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
         s->work->hasLoops = kea_hasLoops(s);
         s->work->hasJoints = hasJoint(s);
