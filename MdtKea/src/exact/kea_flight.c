@@ -81,6 +81,11 @@ static void listContacts(MdtKeaSystem *s) {
                 f->list[--f->start[bodyOf(s, c, k)]] = c;
 }
 
+/* The owner may have left out all of its rows. */
+static MeBool isLeftOut(const MdtKeaSystem *s, int c) {
+    return s->work->contact[c].at->numRows == 0;
+}
+
 /* -1: nothing meets before the end. */
 static int earliest(const MdtKeaSystem *s) {
     const double *meets = s->work->flight.meets;
@@ -105,6 +110,8 @@ static void makeNormalRow(MdtKeaSystem *s, int c) {
 
 /* When they meet next. */
 static void findMeeting(MdtKeaSystem *s, int c, double t) {
+    if (isLeftOut(s, c))
+        return;
     makeNormalRow(s, c);
     s->rows[0].isOpen = METRUE;
     s->work->flight.meets[c] = t + kea_timeOfMeeting(s, 0);
@@ -129,7 +136,7 @@ static void gather(MdtKeaSystem *s, double t) {
         for (int i = f->start[f->body[n]]; i < f->start[f->body[n] + 1]; i++) {
             const int c = f->list[i], first = s->numRows;
             KeaContact *contact = &s->work->contact[c];
-            if (f->meets[c] == -HUGE_VAL) /* it is among them */
+            if (isLeftOut(s, c) || f->meets[c] == -HUGE_VAL) /* it is among them */
                 continue;
             for (int k = 0; k < 2; k++)
                 moveTo(s, bodyOf(s, c, k), t);
@@ -209,7 +216,7 @@ static void beginFlight(MdtKeaSystem *s, double least) {
         f->isIn[b] = 0;
     }
     for (int c = 0; c < s->work->numContacts; c++) {
-        f->meets[c] = kea_timeOfMeeting(s, s->work->contact[c].firstRow);
+        f->meets[c] = isLeftOut(s, c) ? HUGE_VAL : kea_timeOfMeeting(s, s->work->contact[c].firstRow);
         keaZero(s->work->contact[c].at->force);
     }
 }
