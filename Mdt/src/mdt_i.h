@@ -341,7 +341,8 @@ enum { MDT_IMPACT = 4 };
  * Ordinary steps take 1 to 6. 30 machines of 10 bodies among crates, ms a step: 2.0, 2.3, 3.0 with 12, 24, 48. */
 enum { MDT_SETTLING = 12 };
 /* Bodies of a net are tied to more others than this, on average: knots to four, while links of chains and rings are
- * tied to two, and rungs of ladders to three. */
+ * tied to two, and rungs of ladders to three. x2 fails Mst_Jointed: a_cloth_swings_and_folds, /2
+ * a_chain_that_uses_up_its_work_is_not. */
 enum { MDT_NET_NEIGHBOURS = 3 };
 /* One of so many bodies that were hit since they rested: what collapsed. Of pyramids and walls 4 of 35 to all of them
  * were, of a tower of planks of which one is drawn out 1 of 54. /2 fails Mst_Spikes: a_ball_brings_down_a_wall. */

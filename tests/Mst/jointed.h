@@ -86,15 +86,21 @@ static inline double opening(void) {
     return most;
 }
 
-/* Twenty links of half a kilogram and a ball of a ton, let go level, swing into a pile. */
-static inline void makeHeavyChain(MdtSolver solver) {
+/* A level chain of links of half a kilogram, the first one joined to the world. Returns the last. */
+static inline McdModelID makeLinks(int links, double height) {
     McdModelID last = 0;
-    makeWorld(solver, .5);
-    for (int i = 0; i < 20; i++) {
-        const McdModelID m = putAt(box(.2, .05, .05), .1 + .2 * i, 6, 0, 1000);
-        joinByBall(m, last, .2 * i, 6, 0);
+    for (int i = 0; i < links; i++) {
+        const McdModelID m = putAt(box(.2, .05, .05), .1 + .2 * i, height, 0, 1000);
+        joinByBall(m, last, .2 * i, height, 0);
         last = m;
     }
+    return last;
+}
+
+/* Twenty links of half a kilogram and a ball of a ton, let go level, swing into a pile. */
+static inline void makeHeavyChain(MdtSolver solver) {
+    makeWorld(solver, .5);
+    const McdModelID last = makeLinks(20, 6);
     joinByBall(putAt(ball(.4), 4.4, 6, 0, 1000 / (4. / 3 * ME_PI * .4 * .4 * .4)), last, 4, 6, 0);
     for (int i = 0; i < 60; i++)
         putAt(box(.5, .5, .5), -2 + .55 * (i % 6), .25 + .5 * (i / 12), -.3 + .55 * (i / 6 % 2), 300);

@@ -137,13 +137,8 @@ END_TEST
 
 /* A chain is the exact solver's in any case: one factorization at least for each of its steps. */
 START_TEST(a_chain_that_uses_up_its_work_is_not) {
-    McdModelID last = 0;
     makeWorld(MdtSolverAuto, .5);
-    for (int i = 0; i < 30; i++) {
-        const McdModelID m = putAt(box(.2, .05, .05), .1 + .2 * i, 30, 0, 1000);
-        joinByBall(m, last, .2 * i, 30, 0);
-        last = m;
-    }
+    makeLinks(30, 30);
     MdtWorldSetWorkBudget(u->world, (MeReal).1);
     const Course c = run(TEST_STEPS / 3);
     printf("chain with little work: open by %.1e m, %d factorizations\n", c.open, c.factorizations);

@@ -225,12 +225,12 @@ double MEAPI MdtKeaFly(MdtKeaSystem *s, double least, int mostImpacts) {
     const KeaFlight *f = &s->work->flight;
     const double elapsed = s->parameters.elapsed;
     double t, work = 0;
-    MeBool flies = METRUE;
     MEASSERT(least > 0 && least < s->parameters.stepsize);
     beginFlight(s, least);
-    for (;;) {
+    for (MeBool flies = METRUE; flies;) {
         const int c = earliest(s);
         t = c < 0 ? f->end : f->meets[c];
+        /* misses are few, as a time that is foreseen anew is right to the next order; each would cost f->least */
         if (c < 0 || f->impacts == mostImpacts || f->misses > mostImpacts ||
             (s->parameters.maxWork > 0 && work > s->parameters.maxWork))
             break;
@@ -238,8 +238,6 @@ double MEAPI MdtKeaFly(MdtKeaSystem *s, double least, int mostImpacts) {
         s->report.work = 0;
         flies = collide(s, c, t);
         work += s->report.work;
-        if (!flies)
-            break;
     }
     t = keaMax(t, least);
     endFlight(s, t);
