@@ -266,7 +266,6 @@ static void takePasses(MdtKeaSystem *s) {
     int worse = 0;
     MeBool hasTangentAnswer = MEFALSE, isRefined = MEFALSE;
     q->hasTangent = mayBeTangent(s);
-    q->isWarm = s->work->hasJoints; /* contacts alone start from the convex problem, which shares loads evenly */
     q->isFactored = MEFALSE;
     q->sweptPasses =
         q->sweptPasses > 1 ? q->sweptPasses : 1; /* motions of timed contacts are solved up to three times */
@@ -300,6 +299,8 @@ static void takePasses(MdtKeaSystem *s) {
         if (isnan(e.worst) || (isinf(e.worst) && isfinite(best) && !q->hasFriction))
             break; /* a runaway: none returns but where its friction is frozen, and the best iterate is taken */
         isRefined = kea_isConverged(&e);
+        /* contacts alone start from the convex problem, which shares loads evenly */
+        q->isWarm = s->work->hasJoints || pass > 0;
         if (!runPass(s, pass, &e, isConvergingFast))
             break;
         if (!isStepFinite(q)) {

@@ -300,12 +300,34 @@ void kea_newtonApply(KeaProblem *q, double step) {
 
 /* ---- line search ---- */
 
+static double within(double y, double lower, double upper) {
+    return y < lower ? lower : y > upper ? upper : y;
+}
+
+/* p Je of a row, or of both rows of a cone, at y + step * (the rate of y). */
+static double powerAt(const KeaProblem *q, const KeaProblemRow *row, double step) {
+    const double y = row->y + step * row->yRate, bound = row->frictionBound;
+    if (row->normal < 0)
+        return row->Je * within(y, row->lower, row->upper);
+    if (row->isForced)
+        return row->Je * row->forced * bound;
+    if (row->partner < 0)
+        return row->Je * within(y, keaMax(row->lower, -bound), keaMin(row->upper, bound));
+    const KeaProblemRow *other = &q->row[row->partner];
+    const double otherY = other->y + step * other->yRate, size = keaHypotenuse(y, otherY);
+    return (row->Je * y + other->Je * otherY) * (size < bound ? 1 : size > 0 ? bound / size : 0);
+}
+
 /* The derivative of the convex function along the search direction. */
-static double slopeAt(KeaProblem *q, double constant, double linear, double step) {
-    setForcesAt(q, step, MEFALSE);
+static double slopeAt(const KeaProblem *q, double constant, double linear, double step) {
     double slope = constant + step * linear;
-    for (int i = 0; i < q->numRows; i++)
-        slope -= q->row[i].p * q->row[i].Je;
+    for (int i = 0; i < q->numRows; i++) {
+        const KeaProblemRow *row = &q->row[i];
+        if (row->isOff)
+            slope -= row->Je * row->p;
+        else if (row->isForced || row->partner < 0 || row->partner > i)
+            slope -= powerAt(q, row, step);
+    }
     return slope;
 }
 
@@ -316,6 +338,9 @@ static double bestStep(KeaProblem *q) {
     double constant = 0, linear = 0, Bd[6];
     if (!q->hasBounds)
         return 1;
+    for (int i = 0; i < q->numRows; i++)
+        if (!q->row[i].isOff)
+            q->row[i].yRate = -q->row[i].Je / softness(&q->row[i]);
     for (int b = 0; b < q->numBodies; b++) {
         kea_applyMetric(Bd, &q->metric[b], q->d[b]);
         kea_addScaled6(Bd, 1, q->load[b]);

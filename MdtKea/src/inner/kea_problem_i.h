@@ -45,7 +45,7 @@ typedef struct KeaProblemRow {
     double N;             /* 1/kg, parameter of the proximal point method */
     double r;             /* m/s */
     double p0, p;         /* N s */
-    double y;             /* N s, p without bounds */
+    double y, yRate;      /* N s, p without bounds, and its derivative along the search direction */
     double affine;        /* N s, p as an affine function of d for fixed states (kea_states.c), not clamped */
     double along, across; /* sliding: component of the unit direction of sliding; kg, stiffness at right angles to it */
     double frictionBound; /* N s, R of the row or its cone */
