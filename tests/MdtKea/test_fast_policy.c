@@ -163,6 +163,15 @@ START_TEST(more_passes_come_by_eight) {
 }
 END_TEST
 
+/* Nesterov's sequence, theta' = (1 + sqrt(1 + 4 theta^2)) / 2. */
+START_TEST(held_extrapolation_is_that_of_eight_passes) {
+    double theta = 1;
+    for (int i = 0; i < KEA_MORE_PASSES; i++)
+        theta = .5 * (1 + sqrt(1 + 4 * theta * theta));
+    assert_near(theta, kea_heldTheta, 1e-3);
+}
+END_TEST
+
 /* Passes of the column where the root of the mean square of the speeds is so many times that residual. */
 static int passesAtSpeed(double times) {
     const double n = COLUMN + 1, residual = residualOfColumn();
@@ -389,7 +398,7 @@ END_TEST
 static double growthAt(double depth) {
     static KeaGroup g;
     static KeaMotion motion[2];
-    float most[KEA_LANES] = {0}, closing[KEA_LANES] = {0};
+    KeaMeasure measure = {{0}, {0}, {0}};
     memset(&g, 0, sizeof g);
     g.normal.y[0] = g.along.x[0] = 1;
     g.body[0][0] = 1;
@@ -398,8 +407,8 @@ static double growthAt(double depth) {
     g.response[0][0] = 1;
     g.gap[0][0] = (float)(h - depth);
     motion[1].lin[1] = -1;
-    kea_kernel.measure(&g, 1, motion, (float)h, most, closing);
-    return (double)closing[0];
+    kea_kernel.measure(&g, 1, motion, (float)h, &measure);
+    return (double)measure.closing[0];
 }
 
 START_TEST(an_overlap_of_a_tenth_is_deep) {
@@ -578,6 +587,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_pile_moves_where_most_of_it_does);
     tcase_add_test(t, four_times_its_loads_accelerate_a_body_in_impacts_only);
     tcase_add_test(t, more_passes_come_by_eight);
+    tcase_add_test(t, held_extrapolation_is_that_of_eight_passes);
     tcase_add_test(t, a_twentieth_of_the_speed_is_left_to_the_next_step);
     tcase_add_test(t, work_is_counted_by_visits_of_manifolds);
     tcase_add_test(t, six_passes_push_bodies_apart);

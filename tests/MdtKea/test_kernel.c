@@ -92,7 +92,7 @@ static void makeGroups(unsigned int from) {
 }
 
 /* All that a step does; what comes out is in groups, motion, way and `measured`. */
-static void run(const KeaKernel *kernel, float measured[2][KEA_LANES]) {
+static void run(const KeaKernel *kernel, KeaMeasure *measured) {
     float uphill[KEA_LANES] = {0};
     kernel->prepare(groups, GROUPS, 1.f / 60);
     kernel->apply(groups, GROUPS, motion);
@@ -102,8 +102,8 @@ static void run(const KeaKernel *kernel, float measured[2][KEA_LANES]) {
         kernel->extrapolate(motion, before, BODIES, beta);
         kernel->pass(groups, GROUPS, motion, beta, uphill);
     }
-    memset(measured, 0, 2 * sizeof *measured);
-    kernel->measure(groups, GROUPS, motion, 1.f / 60, measured[0], measured[1]);
+    memset(measured, 0, sizeof *measured);
+    kernel->measure(groups, GROUPS, motion, 1.f / 60, measured);
     kernel->advance(groups, GROUPS, motion, 1.f / 60);
     for (int i = 0; i < 4; i++)
         kernel->push(groups, GROUPS, way);
@@ -113,17 +113,17 @@ START_TEST(every_width_gives_the_same_bits) {
 #ifdef KEA_HAS_AVX2
     static KeaGroup narrow[GROUPS];
     static KeaMotion narrowMotion[BODIES], narrowWay[BODIES];
-    float measured[2][KEA_LANES], narrowMeasured[2][KEA_LANES];
+    KeaMeasure measured, narrowMeasured;
     if (!__builtin_cpu_supports("avx2"))
         return;
     makeGroups((unsigned int)_i);
-    run(&kea_kernel, narrowMeasured);
+    run(&kea_kernel, &narrowMeasured);
     memcpy(narrow, groups, sizeof narrow);
     memcpy(narrowMotion, motion, sizeof motion);
     memcpy(narrowWay, way, sizeof way);
     makeGroups((unsigned int)_i);
-    run(&kea_kernelAvx2, measured);
-    ck_assert_int_eq(memcmp(measured, narrowMeasured, sizeof measured), 0);
+    run(&kea_kernelAvx2, &measured);
+    ck_assert_int_eq(memcmp(&measured, &narrowMeasured, sizeof measured), 0);
     ck_assert_int_eq(memcmp(motion, narrowMotion, sizeof motion), 0);
     ck_assert_int_eq(memcmp(way, narrowWay, sizeof way), 0);
     for (int i = 0; i < GROUPS; i++) {

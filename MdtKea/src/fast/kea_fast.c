@@ -37,12 +37,18 @@ typedef struct Step {
     double speed;       /* and their speed against it: root of the mean square, see findSpeed */
     MeBool isMoving;    /* see findSpeed */
     double load;        /* of how many bodies one carries the weight, see loadRatio */
-    double theta, beta; /* of the extrapolation */
+    double theta, beta; /* of the extrapolation, */
+    double mostTheta;   /* at most */
 } Step;
 
 typedef struct Passes {
     int least, most;
 } Passes;
+
+/* What passes leave, of all lanes (KeaMeasure). */
+typedef struct Residual {
+    double most, squares, closing;
+} Residual;
 
 static const KeaKernel *kernelOfMachine(void) {
 #ifdef KEA_HAS_AVX2
@@ -166,18 +172,28 @@ static double sumOverNodes(const KeaRegions *r) {
     return sum;
 }
 
-static void mostOverNodes(const KeaRegions *r, double *most, double *closing) {
-    *most = *closing = 0;
+static Residual residualOverNodes(const KeaRegions *r) {
+    Residual all = {0, 0, 0};
     for (int n = 1; n < 2 * r->count; n++)
         for (int i = 0; i < KEA_LANES; i++) {
-            *most = keaMax(*most, (double)r->node[n].lanes[i]);
-            *closing = keaMax(*closing, (double)r->node[n].closing[i]);
+            const KeaMeasure *m = &r->node[n].measure;
+            all.most = keaMax(all.most, (double)m->most[i]);
+            all.squares += (double)m->squares[i];
+            all.closing = keaMax(all.closing, (double)m->closing[i]);
         }
+    return all;
 }
 
 static void restartExtrapolation(Step *p) {
     p->theta = 1;
     p->beta = 0;
+}
+
+/* Friction that goes with normal forces has no energy that passes lower, and extrapolation may feed what it leaves from
+ * pass to pass, in few contacts of many, which the criterion of restarts does not feel. */
+static void holdExtrapolation(Step *p) {
+    restartExtrapolation(p);
+    p->mostTheta = kea_heldTheta;
 }
 
 /* Regions come before the cuts between them, so that both bodies of a manifold have been extrapolated. */
@@ -191,10 +207,9 @@ static void passNode(void *context, KeaNode *node) {
 
 static void measureGroups(void *context, KeaNode *node) {
     const Step *p = context;
-    memset(node->lanes, 0, sizeof node->lanes);
-    memset(node->closing, 0, sizeof node->closing);
+    memset(&node->measure, 0, sizeof node->measure);
     p->kernel->measure(p->groups + node->firstGroup, node->numGroups, p->motion, (float)p->s->parameters.stepsize,
-                       node->lanes, node->closing);
+                       &node->measure);
 }
 
 /* With Nesterov's extrapolation, which is restarted after a pass that goes against it. */
@@ -204,20 +219,20 @@ static void takePasses(Step *p, int passes) {
         const double ofJoints = kea_jointsPass(p->s, &p->joints, p->motion, (double)(float)p->beta);
         const double next = 0.5 * (1 + sqrt(1 + 4 * p->theta * p->theta));
         p->beta = (p->theta - 1) / next;
-        p->theta = next;
+        p->theta = keaMin(next, p->mostTheta);
         if (sumOverNodes(&p->regions) + ofJoints > 0)
             restartExtrapolation(p);
     }
     p->s->report.iterations += passes;
 }
 
-/* Sets the report's residual; returns how fast deep overlaps grow. Both m/s. */
-static double measureAll(Step *p) {
-    double most, closing;
+/* Of joints too; the report's residual is the largest. */
+static Residual measureAll(Step *p) {
     kea_overNodes(&p->regions, measureGroups, p);
-    mostOverNodes(&p->regions, &most, &closing);
-    p->s->report.residual = keaMax(kea_jointsResidual(&p->joints, p->motion), most);
-    return closing;
+    Residual r = residualOverNodes(&p->regions);
+    r.most = keaMax(kea_jointsResidual(&p->joints, p->motion), r.most);
+    p->s->report.residual = r.most;
+    return r;
 }
 
 /* m/s, what loads add to a body's velocity in the step. */
@@ -306,22 +321,29 @@ static void findSpeed(Step *p) {
 
 /* Whether the residual is small enough. In a stack of n bodies the contacts' residuals add up, so each may be an n-th
  * of the accuracy. While bodies move, a part of their speed is left to the next step; where impacts dominate, all of
- * it, except at deep overlaps that grow, by `closing' m/s. */
-static MeBool isResidualSmall(const Step *p, double closing) {
+ * it, except at deep overlaps that grow. */
+static MeBool isResidualSmall(const Step *p, const Residual *r) {
     const double least = keaMax(p->s->parameters.accuracy / keaMax(p->load, 1), kea_impactAccuracy * p->speed);
-    return p->s->report.residual <= (p->isMoving ? p->speed : least) && closing <= least;
+    return r->most <= (p->isMoving ? p->speed : least) && r->closing <= least;
 }
 
-/* The least passes, then more, up to the most, while the residual is too large. */
+/* The least passes, then more, up to the most, while the residual is too large. Once more passes have left more, and not
+ * because a deep overlap grows, which only many can stop, there is a last round of the least, with less extrapolation. */
 static void findVelocities(Step *p, Passes passes) {
     restartExtrapolation(p);
+    p->mostTheta = HUGE_VAL;
     takePasses(p, passes.least);
-    double closing = measureAll(p);
-    for (int done = passes.least; done < passes.most && !isResidualSmall(p, closing);) {
-        const int more = passes.most - done < KEA_MORE_PASSES ? passes.most - done : KEA_MORE_PASSES;
+    Residual before, now = measureAll(p);
+    for (int done = passes.least, end = passes.most; done < end && !isResidualSmall(p, &now);) {
+        const int more = end - done < KEA_MORE_PASSES ? end - done : KEA_MORE_PASSES;
         takePasses(p, more);
-        closing = measureAll(p);
+        before = now;
+        now = measureAll(p);
         done += more;
+        if (now.squares > before.squares && now.closing == 0 && p->mostTheta == HUGE_VAL) {
+            holdExtrapolation(p);
+            end = done + KEA_LEAST_PASSES < end ? done + KEA_LEAST_PASSES : end;
+        }
     }
 }
 

@@ -76,6 +76,12 @@ typedef struct KeaGroup {
     KeaLanes twist, twistBefore;                      /* N m s, about n */
 } KeaGroup;
 
+/* What is left after passes, by lane: m/s, the residual, which is the largest violation of the laws of contact; (m/s)²,
+ * the sum of the squares of all; m/s, the largest speed at which deep overlaps grow (kea_smallOverlap). */
+typedef struct KeaMeasure {
+    float most[KEA_LANES], squares[KEA_LANES], closing[KEA_LANES];
+} KeaMeasure;
+
 /* What passes over groups do, in their order, for one width of registers. */
 typedef struct KeaKernel {
     /* Effective masses, from what kea_fillGroups has written. */
@@ -91,10 +97,8 @@ typedef struct KeaKernel {
     void (*advance)(KeaGroup groups[], int count, const KeaMotion motion[], float stepsize);
     /* One pass over displacements, which reduces overlaps. */
     void (*push)(const KeaGroup groups[], int count, KeaMotion motion[]);
-    /* m/s, by lane: the residual, which is the largest violation of the laws of contact; the largest speed at which
-     * deep overlaps grow (kea_smallOverlap). */
-    void (*measure)(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, float most[KEA_LANES],
-                    float closing[KEA_LANES]);
+    /* Adds what these groups leave. */
+    void (*measure)(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, KeaMeasure *measure);
 } KeaKernel;
 
 extern const KeaKernel kea_kernel;

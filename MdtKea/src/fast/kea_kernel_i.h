@@ -434,13 +434,19 @@ KEA_INLINE KeaLanes closingOf(const KeaGroup *g, int k, KeaLanes rate, KeaLanes 
     return lanesSelect(g->isPoint[k] & isDeep & (rate < lanesOf(0)), -rate, lanesOf(0));
 }
 
+KEA_INLINE void addMiss(KeaMask isRow, KeaLanes miss, KeaLanes *worst, KeaLanes *squares) {
+    const KeaLanes counted = lanesSelect(isRow, miss, lanesOf(0));
+    *worst = lanesMax(counted, *worst);
+    *squares += counted * counted;
+}
+
 /* Of a row it is the change of its projected impulse in one visit, as a velocity. */
-static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, float most[KEA_LANES],
-                    float closing[KEA_LANES]) {
+static void measure(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, KeaMeasure *measure) {
     const KeaLanes h = lanesOf(stepsize);
-    KeaLanes worst, fastest;
-    memcpy(&worst, most, sizeof worst);
-    memcpy(&fastest, closing, sizeof fastest);
+    KeaLanes worst, squares, fastest;
+    memcpy(&worst, measure->most, sizeof worst);
+    memcpy(&squares, measure->squares, sizeof squares);
+    memcpy(&fastest, measure->closing, sizeof fastest);
     for (int i = 0; i < count; i++) {
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
@@ -453,18 +459,19 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
             const KeaLanes off = speed - g->target[k] + g->compliance * g->impulse[k];
             const KeaLanes next = lanesMax(g->impulse[k] - g->response[k] * off, g->least);
             const KeaLanes miss = lanesAbs(next - g->impulse[k]) / g->response[k];
-            worst = lanesSelect(g->isPoint[k] & (miss > worst), miss, worst);
+            addMiss(g->isPoint[k], miss, &worst, &squares);
             fastest = lanesMax(closingOf(g, k, speed, h), fastest);
         }
         slidingRates(g, &p, across, rub, rate);
         solveFriction(g, rate, &limits, rub);
         for (int k = 0; k < 2; k++) {
             const KeaLanes miss = lanesAbs(rub[k] - g->rub[k]) / g->grip[2 * k];
-            worst = lanesSelect(g->isPoint[0] & (g->grip[2 * k] > lanesOf(0)) & (miss > worst), miss, worst);
+            addMiss(g->isPoint[0] & (g->grip[2 * k] > lanesOf(0)), miss, &worst, &squares);
         }
     }
-    memcpy(most, &worst, sizeof worst);
-    memcpy(closing, &fastest, sizeof fastest);
+    memcpy(measure->most, &worst, sizeof worst);
+    memcpy(measure->squares, &squares, sizeof squares);
+    memcpy(measure->closing, &fastest, sizeof fastest);
 }
 
 const KeaKernel KEA_KERNEL = {.prepare = prepare,

@@ -28,7 +28,8 @@ typedef struct KeaNode {
     /* kea_colour.c */
     int firstGroup, numGroups;
     /* the loop at hand */
-    float lanes[KEA_LANES], closing[KEA_LANES];
+    float lanes[KEA_LANES];
+    KeaMeasure measure;
     double sum[5];
 } KeaNode;
 
