@@ -263,8 +263,8 @@ static void makePit(double inside) {
         MeMatrix4TMMakeIdentity(place[i]);
         place[i][3][i & 2 ? 0 : 2] = (MeReal)off;
         place[i][3][1] = 3;
-        MstFixedModelCreate(u, McdBoxCreate(u->frame, i & 2 ? 1 : (MeReal)inside + 2, 8, i & 2 ? (MeReal)inside + 2 : 1),
-                            place[i]);
+        const MeReal wide = (MeReal)inside + 2;
+        MstFixedModelCreate(u, McdBoxCreate(u->frame, i & 2 ? 1 : wide, 8, i & 2 ? wide : 1), place[i]);
     }
 }
 

@@ -327,8 +327,9 @@ static MeBool isResidualSmall(const Step *p, const Residual *r) {
     return r->most <= (p->isMoving ? p->speed : least) && r->closing <= least;
 }
 
-/* The least passes, then more, up to the most, while the residual is too large. Once more passes have left more, and not
- * because a deep overlap grows, which only many can stop, there is a last round of the least, with less extrapolation. */
+/* The least passes, then more, up to the most, while the residual is too large. Once more passes have left more, and
+ * not because a deep overlap grows, which only many can stop, there is a last round of the least, with less
+ * extrapolation. */
 static void findVelocities(Step *p, Passes passes) {
     restartExtrapolation(p);
     p->mostTheta = HUGE_VAL;
