@@ -212,8 +212,9 @@ MEPUBLIC int MEAPI MdtWorldGetIntegratorOrder(const MdtWorldID w);
  * Partitions of up to this many bodies that only touch, without joints, meet their contacts in time: bodies move with
  * their mean velocities, and a step is divided where bodies collide or come to stick. By default 8; 0: none. So do
  * those with joints where all that touches is round, as a car's wheels, without springs and stops; larger ones with
- * restitution of which no more bodies are held by touching contacts; and joints between so many, when something
- * bounces. Other partitions take each step at once, right to first order, and never gain energy.
+ * restitution of which no more bodies are held by touching contacts, or a quarter (of 64 bodies or more: none, unless
+ * the restitution is 1); and joints between so many, when something bounces. Other partitions take each step at once,
+ * right to first order, and never gain energy.
  */
 MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies);
 MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);

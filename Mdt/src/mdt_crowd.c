@@ -158,8 +158,24 @@ static MeBool holds(const MdtPoint *point, double loadSpeed) {
                               loadSpeed);
 }
 
+/* Whether some of its impacts take energy. */
+static MeBool losesEnergy(const MdtIsland *p) {
+    for (int i = 0; i < p->numActing; i++) {
+        if (mdt_isJoint(p->acting[i]))
+            continue;
+        for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at))
+            if (mdt_bounces(mdt_pointParams(at)) && (double)mdt_pointParams(at)->restitution < 1)
+                return METRUE;
+    }
+    return MEFALSE;
+}
+
+/* A crowd that keeps its energy is followed also where some of it is held, with a solve at each event; of others only
+ * the flight, where an event costs next to nothing. */
 int mdt_mostHeld(const MdtIsland *p) {
-    return p->world->timedBodies == 0 ? 0 : MeMAX(p->world->timedBodies, p->numBodies / MDT_HELD);
+    if (p->world->timedBodies == 0 || (p->numBodies >= MDT_CROWD && losesEnergy(p)))
+        return 0;
+    return MeMAX(p->world->timedBodies, p->numBodies / MDT_HELD);
 }
 
 /* Do its bodies meet in this step, and rebound? */
@@ -249,13 +265,20 @@ MeBool mdt_crowdMayTakeOver(const MdtIsland *p) {
     return !p->isFast && p->numContacts > 0 && mayBeFast(p);
 }
 
+static MeBool isCrowd(const MdtIsland *p) {
+    return isDisturbed(p) || (!isSmall(p) && isInFlight(p));
+}
+
 MeBool mdt_crowdIsChosen(const MdtIsland *p) {
     const MdtWorld *w = p->world;
     if (w->solver == MdtSolverExact || !mayBeFast(p))
         return MEFALSE;
     if (w->solver == MdtSolverFast)
         return METRUE;
-    if ((isSmall(p) && p->numJoints > 0) || mdt_worldAccuracy(w, p->h) == 0 || isMetInTime(p))
-        return MEFALSE;
-    return isDisturbed(p) || (!isSmall(p) && isInFlight(p));
+    return !(isSmall(p) && p->numJoints > 0) && mdt_worldAccuracy(w, p->h) > 0 && !isMetInTime(p) && isCrowd(p);
+}
+
+MeBool mdt_crowdTakesRest(const MdtIsland *p) {
+    return mdt_crowdMayTakeOver(p) && p->world->solver == MdtSolverAuto && mdt_worldAccuracy(p->world, p->h) > 0 &&
+           !isSmall(p) && isCrowd(p);
 }

@@ -140,6 +140,8 @@ void mdt_islandSetFast(MdtIsland *p, MeBool isFast);
 MeBool mdt_crowdIsChosen(const MdtIsland *p);
 /* Whether it may take over a part that the exact one has not solved. */
 MeBool mdt_crowdMayTakeOver(const MdtIsland *p);
+/* Whether it takes a step, or the rest of one, whose contacts were to be met in time, and cannot. */
+MeBool mdt_crowdTakesRest(const MdtIsland *p);
 /* After a solve: contacts that did not settle disturb the partition. */
 void mdt_crowdNote(const MdtIsland *p);
 /* Multiplications that a step of it may cost; 0: any number. Less than the world's where it has collapsed. */

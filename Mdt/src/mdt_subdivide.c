@@ -196,12 +196,17 @@ static void fly(MdtIsland *p, double rest, double least, int mostImpacts) {
         mdt_reportFlight(p->report, p->kea.report.impacts, flown < rest);
 }
 
+/* Whether joints or closed contacts hold too many of its bodies for a solve at each event. */
+static MeBool hasManyHeld(const MdtIsland *p) {
+    return p->numBodies > p->world->timedBodies && MdtKeaHeldBodies(&p->kea) > mdt_mostHeld(p);
+}
+
 /* Solves a timed part up to the next event, or through at most so many impacts, at most `rest` s. False: not solved
  * accurately, or too expensive to follow, or impacts chatter. */
 static MeBool solveToEvent(MdtIsland *p, double rest, double least, int mostImpacts) {
     p->kea.parameters.timed = METRUE;
     mdt_partMakeRows(p, rest);
-    if (!p->kea.parameters.holdsSlow && MdtKeaTrembles(&p->kea))
+    if (hasManyHeld(p) || (!p->kea.parameters.holdsSlow && MdtKeaTrembles(&p->kea)))
         return MEFALSE;
     mdt_partSolveRows(p);
     if (!isFollowed(p) || p->kea.report.factorizations > MDT_FOLLOWING)
@@ -261,6 +266,8 @@ static MeBool takeInTime(MdtIsland *p, double part) {
     for (int events = 0; rest > least; events += MeMAX(p->kea.report.impacts, 1)) {
         if (events >= most || p->work < kept || !solveToEventOrHalf(p, rest, least, most - events)) {
             p->kea.parameters.timed = MEFALSE;
+            if (mdt_crowdTakesRest(p))
+                mdt_islandSetFast(p, METRUE);
             return takePart(p, rest, 0);
         }
         rest -= p->parameters.stepsize;
@@ -287,20 +294,29 @@ static MeBool isTimed(MdtIsland *p, double part) {
     mdt_rowsMake(p);
     if (mayRoll)
         return MdtKeaRolls(&p->kea);
-    return MdtKeaHeldBodies(&p->kea) <= mdt_mostHeld(p) && (p->numJoints == 0 || MdtKeaBounces(&p->kea));
+    return !hasManyHeld(p) && (p->numJoints == 0 || MdtKeaBounces(&p->kea));
 }
 
 /* ---- sub-steps ---- */
+
+static MeBool takeSubStep(MdtIsland *p, double part) {
+    p->kea.parameters.timed = MEFALSE; /* as the sub-step before this one may have been */
+    if (isTimed(p, part))
+        return takeInTime(p, part);
+    if (mdt_mayCompose(p))
+        return mdt_partCompose(p, part);
+    if (mdt_crowdTakesRest(p))
+        mdt_islandSetFast(p, METRUE);
+    return mdt_partTake(p, part);
+}
 
 MeBool mdt_islandSubdivide(MdtIsland *p) {
     beginBudget(p);
     p->parameters.hasContacts = p->numContacts > 0;
     const int n = p->world->subSteps;
-    MeBool (*const take)(MdtIsland *, double) = mdt_mayCompose(p) ? mdt_partCompose : mdt_partTake;
     for (int i = 0; i < n; i++) {
         const double kept = keepWork(p, 1. / (n - i));
-        p->kea.parameters.timed = MEFALSE; /* as the sub-step before this one may have been */
-        if (!(isTimed(p, p->h / n) ? takeInTime(p, p->h / n) : take(p, p->h / n)))
+        if (!takeSubStep(p, p->h / n))
             return MEFALSE;
         p->work += kept;
     }

@@ -88,7 +88,15 @@ typedef struct KeaDual {
 } KeaDual;
 
 /* What flies (exact/kea_flight.c). */
+/* What speeds and impulses of timed parts are compared with. */
+typedef struct KeaEventScale {
+    double speed;   /* m/s: kea_eventSpeed */
+    double fastest; /* m/s: of a body */
+    double mass;    /* kg: of all bodies */
+} KeaEventScale;
+
 typedef struct KeaFlight {
+    KeaEventScale scale;        /* as flight began */
     double end, least;          /* s: of the step; the least way on to a meeting that was foreseen too early */
     double *time;               /* s, by body: up to when it has been moved */
     double *meets;              /* s, by contact: when its bodies meet next; -HUGE_VAL: they do, in this impact */
@@ -112,7 +120,7 @@ typedef struct MdtKeaWork {
     double (*tangentU)[6], *tangentP; /* of the best tangent pass with joint errors below the rounding of attachments */
     double (*added)[6];               /* by body: change of velocity found by the velocity stage, m/s, rad/s */
     double (*plastic)[6];             /* by body: change of velocity without restitution, m/s, rad/s */
-    double speed;                     /* m/s: the fastest body before an impact */
+    double speed;                     /* m/s: of the fastest body, in an impact */
     double *target;                   /* by row, twice: targets of normal rows, of impacts in m/s, of projection in m */
     double (*velocity)[6];            /* by body: input of the energy limit, m/s, rad/s */
     double *savedP;                   /* by row: impulses, while the inner problem is used for something else */
@@ -268,8 +276,11 @@ MeBool kea_isOpen(const MdtKeaSystem *s, int i, double speed);
 
 /* ---- kea_impact.c ---- */
 
+KeaEventScale kea_eventScale(const MdtKeaSystem *s);
 /* Velocities after all impacts at the start of the step, and the impulses. False: no memory. */
-MeBool kea_impact(MdtKeaSystem *s);
+MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale);
+/* MdtKeaTrembles. */
+MeBool kea_trembles(const MdtKeaSystem *s, const KeaEventScale *scale);
 /* m/s: the scale of speeds in timed steps: the change of velocity by the loads in one step, or a small share of the
  * bodies' speeds if that is more. */
 double kea_eventSpeed(const MdtKeaSystem *s);

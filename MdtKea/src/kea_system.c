@@ -166,7 +166,8 @@ void MEAPI MdtKeaSolve(MdtKeaSystem *s) {
 }
 
 void MEAPI MdtKeaImpact(MdtKeaSystem *s) {
-    if (kea_impact(s))
+    const KeaEventScale scale = kea_eventScale(s);
+    if (kea_impact(s, &scale))
         kea_returnContacts(s);
 }
 

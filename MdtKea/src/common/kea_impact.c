@@ -31,6 +31,15 @@ double kea_eventSpeed(const MdtKeaSystem *s) {
     return keaMax(kea_loadSpeed(s), kea_unloadedSpeed * speed);
 }
 
+KeaEventScale kea_eventScale(const MdtKeaSystem *s) {
+    KeaEventScale scale = {.speed = kea_eventSpeed(s)};
+    for (int b = 0; b < s->numBodies; b++) {
+        scale.fastest = keaMax(scale.fastest, keaLength(s->velocity[b].lin));
+        scale.mass += 1 / s->bodies[b]->invMass;
+    }
+    return scale;
+}
+
 MeBool kea_isTouching(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return row->error < kea_touchingGap * kea_smallerSize(s, row->body);
 }
@@ -81,29 +90,44 @@ static MeBool isHit(const MdtKeaSystem *s, int i, double slowest) {
     return s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) && -kea_startRate(s, i) > slowest;
 }
 
-/* The bodies that acting rows (work->takesPart) connect with a contact that is hit, in the system's order. */
+static void addBody(MdtKeaSystem *s, int b) {
+    KeaProblem *q = &s->work->problem;
+    if (s->work->problemBodyOf[b] >= 0)
+        return;
+    s->work->activeBody[q->numBodies] = b;
+    s->work->problemBodyOf[b] = q->numBodies++;
+}
+
+/* Each body of the rows by itself, and none in the problem. */
+static void separateBodies(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        for (int k = 0; k < 2; k++)
+            if (s->rows[i].body[k] >= 0) {
+                s->work->parent[s->rows[i].body[k]] = s->rows[i].body[k];
+                s->work->problemBodyOf[s->rows[i].body[k]] = -1;
+            }
+}
+
+/* The bodies that acting rows (work->takesPart) connect with a contact that is hit, in the rows' order. A root whose
+ * bodies take part has itself in the problem from the start. */
 static void chooseBodies(MdtKeaSystem *s, double slowest) {
     KeaProblem *q = &s->work->problem;
     int *parent = s->work->parent, *place = s->work->problemBodyOf;
-    for (int b = 0; b < s->numBodies; b++) {
-        parent[b] = b;
-        place[b] = -1;
-    }
+    separateBodies(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->work->takesPart[i] && s->rows[i].body[0] >= 0 && s->rows[i].body[1] >= 0)
             kea_unite(parent, s->rows[i].body[0], s->rows[i].body[1]);
+    q->numBodies = 0;
     for (int i = 0; i < s->numRows; i++) {
         const MeBool isReached = isHit(s, i, slowest);
         for (int k = 0; isReached && k < 2; k++)
             if (s->rows[i].body[k] >= 0)
-                place[kea_rootOf(parent, s->rows[i].body[k])] = 0;
+                addBody(s, kea_rootOf(parent, s->rows[i].body[k]));
     }
-    q->numBodies = 0;
-    for (int b = 0; b < s->numBodies; b++)
-        if (place[kea_rootOf(parent, b)] >= 0) {
-            s->work->activeBody[q->numBodies] = b;
-            place[b] = q->numBodies++;
-        }
+    for (int i = 0; i < s->numRows; i++)
+        for (int k = 0; k < 2; k++)
+            if (s->rows[i].body[k] >= 0 && place[kea_rootOf(parent, s->rows[i].body[k])] >= 0)
+                addBody(s, s->rows[i].body[k]);
 }
 
 /* N s: what a body's impulses are compared with. One that is all but at rest beside moving ones is solved for to what
@@ -252,14 +276,6 @@ static void storeImpulses(MdtKeaSystem *s) {
 
 /* ---- approaching contacts ---- */
 
-/* kg */
-static double totalMass(const MdtKeaSystem *s) {
-    double sum = 0;
-    for (int i = 0; i < s->numBodies; i++)
-        sum += 1 / s->bodies[i]->invMass;
-    return sum;
-}
-
 /* Of the event speed: approaches slower than this are no impact. A soft contact yields to its load with J v⁺ = -h E λ,
  * where λ is at most the weight of all bodies. */
 static double minImpactSpeedOf(const MdtKeaRow *row, double mass) {
@@ -267,16 +283,16 @@ static double minImpactSpeedOf(const MdtKeaRow *row, double mass) {
 }
 
 MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
-    const double speed = kea_eventSpeed(s), mass = totalMass(s);
+    const KeaEventScale scale = kea_eventScale(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i && kea_isTouching(s, &s->rows[i]) &&
-            kea_startRate(s, i) < -minImpactSpeedOf(&s->rows[i], mass) * speed)
+            kea_startRate(s, i) < -minImpactSpeedOf(&s->rows[i], scale.mass) * scale.speed)
             return METRUE;
     return MEFALSE;
 }
 
-MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
-    const double speed = kea_eventSpeed(s), mass = totalMass(s);
+MeBool kea_trembles(const MdtKeaSystem *s, const KeaEventScale *scale) {
+    const double speed = scale->speed;
     MeBool approaches = MEFALSE;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
@@ -287,9 +303,14 @@ MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
         if (rate < -kea_minReboundSpeed * speed && (isTouching || row->error + s->parameters.stepsize * rate < 0))
             return MEFALSE;
         approaches =
-            approaches || (isTouching && rate < -keaMax(kea_partingSpeed, minImpactSpeedOf(row, mass)) * speed);
+            approaches || (isTouching && rate < -keaMax(kea_partingSpeed, minImpactSpeedOf(row, scale->mass)) * speed);
     }
     return approaches;
+}
+
+MeBool MEAPI MdtKeaTrembles(const MdtKeaSystem *s) {
+    const KeaEventScale scale = kea_eventScale(s);
+    return kea_trembles(s, &scale);
 }
 
 /* The touching contacts that approach faster than `slowest` (takesPart). Returns the speed with which the fastest of
@@ -353,14 +374,12 @@ static void commitVelocities(MdtKeaSystem *s) {
     }
 }
 
-MeBool kea_impact(MdtKeaSystem *s) {
+MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale) {
     double *target = s->work->target;
     char *takesPart = s->work->takesPart;
-    const double eventSpeed = kea_eventSpeed(s), minReboundSpeed = kea_minReboundSpeed * eventSpeed;
-    s->work->speed = 0;
-    for (int b = 0; b < s->numBodies; b++)
-        s->work->speed = keaMax(s->work->speed, keaLength(s->velocity[b].lin));
-    const double slowest = kea_velocityTolerance * keaMax(eventSpeed, s->work->speed);
+    const double minReboundSpeed = kea_minReboundSpeed * scale->speed;
+    const double slowest = kea_velocityTolerance * keaMax(scale->speed, scale->fastest);
+    s->work->speed = scale->fastest;
     for (int i = 0; i < s->numRows; i++)
         s->rows[i].force = 0;
     setProblem(s, slowest);

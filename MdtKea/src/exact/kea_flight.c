@@ -156,9 +156,8 @@ static void gather(MdtKeaSystem *s, double t) {
 /* Whether all part, and no body turns so far that its contacts do not tell when it meets the next one. */
 static MeBool doPart(const MdtKeaSystem *s) {
     const KeaFlight *f = &s->work->flight;
-    const double speed = kea_eventSpeed(s);
     for (int i = 0; i < f->numTouching; i++)
-        if (!kea_isOpen(s, s->work->contact[f->touching[i]].firstRow, speed))
+        if (!kea_isOpen(s, s->work->contact[f->touching[i]].firstRow, f->scale.speed))
             return MEFALSE;
     for (int n = 0; n < f->numBodies; n++) {
         const int b = f->body[n];
@@ -192,9 +191,9 @@ static MeBool collide(MdtKeaSystem *s, int c, double t) {
     for (int k = 0; k < 2; k++)
         takeIn(s, bodyOf(s, c, k));
     gather(s, t);
-    if (MdtKeaTrembles(s)) /* too slow to rebound */
+    if (kea_trembles(s, &f->scale)) /* too slow to rebound */
         return MEFALSE;
-    const MeBool isDone = kea_impact(s), doAllPart = isDone && doPart(s);
+    const MeBool isDone = kea_impact(s, &f->scale), doAllPart = isDone && doPart(s);
     addImpulses(s);
     for (int n = 0; n < f->numBodies; n++)
         f->isIn[f->body[n]] = 0;
@@ -207,6 +206,7 @@ static MeBool collide(MdtKeaSystem *s, int c, double t) {
 
 static void beginFlight(MdtKeaSystem *s, double least) {
     KeaFlight *f = &s->work->flight;
+    f->scale = kea_eventScale(s);
     f->end = s->parameters.stepsize;
     f->least = least;
     f->impacts = f->misses = 0;
