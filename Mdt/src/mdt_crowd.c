@@ -95,10 +95,15 @@ static MeBool isDisturbed(const MdtIsland *p) {
     return is != MDT_CALM;
 }
 
+/* Does the program leave the choice to the engine, and bear a residual? */
+static MeBool isLeftToChoose(const MdtIsland *p) {
+    return p->world->solver == MdtSolverAuto && mdt_worldAccuracy(p->world, p->h) > 0;
+}
+
 /* Was one in MDT_COLLAPSED of its bodies hit since it rested? Not if the program wants the exact solver for all. */
 static MeBool hasCollapsed(const MdtIsland *p) {
     int hit = 0;
-    if (p->world->solver != MdtSolverAuto || mdt_worldAccuracy(p->world, p->h) == 0)
+    if (!isLeftToChoose(p))
         return MEFALSE;
     for (int i = 0; i < p->numBodies; i++)
         hit += p->bodies[i]->wasHit;
@@ -270,15 +275,13 @@ static MeBool isCrowd(const MdtIsland *p) {
 }
 
 MeBool mdt_crowdIsChosen(const MdtIsland *p) {
-    const MdtWorld *w = p->world;
-    if (w->solver == MdtSolverExact || !mayBeFast(p))
+    if (p->world->solver == MdtSolverExact || !mayBeFast(p))
         return MEFALSE;
-    if (w->solver == MdtSolverFast)
+    if (p->world->solver == MdtSolverFast)
         return METRUE;
-    return !(isSmall(p) && p->numJoints > 0) && mdt_worldAccuracy(w, p->h) > 0 && !isMetInTime(p) && isCrowd(p);
+    return isLeftToChoose(p) && !(isSmall(p) && p->numJoints > 0) && !isMetInTime(p) && isCrowd(p);
 }
 
 MeBool mdt_crowdTakesRest(const MdtIsland *p) {
-    return mdt_crowdMayTakeOver(p) && p->world->solver == MdtSolverAuto && mdt_worldAccuracy(p->world, p->h) > 0 &&
-           !isSmall(p) && isCrowd(p);
+    return mdt_crowdMayTakeOver(p) && isLeftToChoose(p) && !isSmall(p) && isCrowd(p);
 }

@@ -299,7 +299,7 @@ static void takePasses(MdtKeaSystem *s) {
         if (isnan(e.worst) || (isinf(e.worst) && isfinite(best) && !q->hasFriction))
             break; /* a runaway: none returns but where its friction is frozen, and the best iterate is taken */
         isRefined = kea_isConverged(&e);
-        /* contacts alone start from the convex problem, which shares loads evenly */
+        /* in the first pass contacts alone start from the convex problem, which shares loads evenly */
         q->isWarm = s->work->hasJoints || pass > 0;
         if (!runPass(s, pass, &e, isConvergingFast))
             break;

@@ -40,9 +40,13 @@ static double rateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
 
 /* ---- forces ---- */
 
+static double within(double y, double lower, double upper) {
+    return y < lower ? lower : y > upper ? upper : y;
+}
+
 static double clampTo(double y, double lower, double upper, KeaRowState *state) {
     *state = y > lower && y < upper ? KEA_HELD : KEA_IDLE;
-    return y < lower ? lower : y > upper ? upper : y;
+    return within(y, lower, upper);
 }
 
 static void setCone(KeaProblemRow *a, KeaProblemRow *b) {
@@ -299,10 +303,6 @@ void kea_newtonApply(KeaProblem *q, double step) {
 }
 
 /* ---- line search ---- */
-
-static double within(double y, double lower, double upper) {
-    return y < lower ? lower : y > upper ? upper : y;
-}
 
 /* p Je of a row, or of both rows of a cone, at y + step * (the rate of y). */
 static double powerAt(const KeaProblem *q, const KeaProblemRow *row, double step) {
