@@ -286,7 +286,6 @@ START_TEST(what_friction_feeds_is_held_back) {
     double residual = 0, passes = 0;
     for (int i = 0; i < PITS; i++) {
         makeWorld(MdtSolverFast);
-        MdtWorldSetAutoDisable(u->world, MEFALSE);
         makePit(.65 * 5 + .1);
         fillPit((unsigned int)i + 1);
         step(100);
