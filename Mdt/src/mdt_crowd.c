@@ -175,8 +175,8 @@ static MeBool losesEnergy(const MdtIsland *p) {
     return MEFALSE;
 }
 
-/* A crowd that keeps its energy is followed also where some of it is held, with a solve at each event; of others only
- * the flight, where an event costs next to nothing. */
+/* Impacts of a crowd that keeps its energy are followed also where some bodies are held, with a solve at each event; of
+ * other crowds only as long as all bodies fly. */
 int mdt_mostHeld(const MdtIsland *p) {
     if (p->world->timedBodies == 0 || (p->numBodies >= MDT_CROWD && losesEnergy(p)))
         return 0;
@@ -270,6 +270,7 @@ MeBool mdt_crowdMayTakeOver(const MdtIsland *p) {
     return !p->isFast && p->numContacts > 0 && mayBeFast(p);
 }
 
+/* Has something hit it, or does it fly as a whole? */
 static MeBool isCrowd(const MdtIsland *p) {
     return isDisturbed(p) || (!isSmall(p) && isInFlight(p));
 }

@@ -87,7 +87,6 @@ typedef struct KeaDual {
     double (*response)[2][6]; /* by row: B⁻¹ Jᵀ of each body */
 } KeaDual;
 
-/* What flies (exact/kea_flight.c). */
 /* What speeds and impulses of timed parts are compared with. */
 typedef struct KeaEventScale {
     double speed;   /* m/s: kea_eventSpeed */
@@ -95,6 +94,7 @@ typedef struct KeaEventScale {
     double mass;    /* kg: of all bodies */
 } KeaEventScale;
 
+/* Bodies in flight (exact/kea_flight.c). */
 typedef struct KeaFlight {
     KeaEventScale scale;        /* as flight began */
     double end, least;          /* s: of the step; the least way on to a meeting that was foreseen too early */
@@ -276,6 +276,7 @@ MeBool kea_isOpen(const MdtKeaSystem *s, int i, double speed);
 
 /* ---- kea_impact.c ---- */
 
+/* Of all bodies, as they are now; after MdtKeaInit. */
 KeaEventScale kea_eventScale(const MdtKeaSystem *s);
 /* Velocities after all impacts at the start of the step, and the impulses. False: no memory. */
 MeBool kea_impact(MdtKeaSystem *s, const KeaEventScale *scale);

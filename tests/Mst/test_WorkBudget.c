@@ -124,7 +124,8 @@ static Run runHeap(int boxes, int steps, int cap, double budget) {
 }
 
 /* With one iteration bodies reached 4e10 m/s in single precision, 1e41 m/s in double; with five a step took 40 times as
- * long as without. Nothing falls by more than 12 m: sqrt(2 g 12 m) = 15 m/s. */
+ * long as without. In double, without a cap, the heap takes 449 million multiplications, and 97 with one iteration.
+ * Nothing falls by more than 12 m: sqrt(2 g 12 m) = 15 m/s. */
 START_TEST(a_cap_on_iterations_makes_steps_cheaper_and_softer) {
     static const int caps[] = {1, 5, 20, 0};
     double work = 0, workOfOne = 0;

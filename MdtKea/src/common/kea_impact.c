@@ -211,7 +211,7 @@ static void solveRound(MdtKeaSystem *s, const double target[], const char takesP
                 q->row[i].N = q->row[q->row[i].partner].N = keaMax(q->row[i].N, q->row[q->row[i].partner].N);
         if (pass > 0)
             kea_frictionApproachBounds(q, pass);
-        q->isWarm = pass > 0;
+        q->isWarm = pass > 0; /* the convex problem has shared the impulses evenly by then */
         kea_problemSolve(q, METRUE);
         kea_problemAccumulate(q, change);
         const double residual = kea_problemResidual(q, NULL);
