@@ -59,8 +59,9 @@ typedef enum McdPairTrait {
 } McdPairTrait;
 /** The traits of a pair, and the materials of its models. Of a model that is gone, with a warning: none, and 0. */
 MEPUBLIC MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]);
-/** Is the pair two convex models or planes, under the library's own interaction and without a callback? Then no
- *  function of the program runs in its test. */
+/** Does no function of the program run in the pair's test, of all parts of its models, and do all its contacts have
+ *  the models' materials? Never where something else than two convex models or planes is fast, as the search for its
+ *  time of touch asks the space. */
 MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);
 /** Stores the inputs of the test that follows, though the last one may hold. */
 MEPUBLIC void MEAPI McdModelPairNoteTest(McdModelPair *p);

@@ -123,9 +123,7 @@ static MeBool registerPair(McdFramework *frame, int type1, int type2, McdInterse
     McdInteractions interactions = {.intersectFn = intersect, .safeTimeFn = safeTime};
     if (!mcd_frameCheck(frame, function))
         return MEFALSE;
-    McdFrameworkSetInteractions(frame, type1, type2, &interactions);
-    frame->grid[type1 * frame->typeCount + type2].convex = intersect;
-    return METRUE;
+    return mcd_interactionRegister(frame, type1, type2, &interactions);
 }
 
 /* The three functions of a pair. */

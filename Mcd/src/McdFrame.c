@@ -337,6 +337,15 @@ void MEAPI McdFrameworkSetInteractions(McdFramework *frame, int geoType1, int ge
         cell->interactions = *interactions;
 }
 
+MeBool mcd_interactionRegister(McdFramework *frame, int type1, int type2, const McdInteractions *library) {
+    McdGridCell *cell = gridCell(frame, type1, type2, "McdFrameworkSetInteractions");
+    if (!cell)
+        return MEFALSE;
+    cell->isSet = METRUE;
+    cell->interactions = cell->library = *library;
+    return METRUE;
+}
+
 McdInteractions *MEAPI McdFrameworkGetInteractions(McdFramework *frame, int geoType1, int geoType2) {
     McdGridCell *cell = gridCell(frame, geoType1, geoType2, "McdFrameworkGetInteractions");
     return cell && cell->isSet ? &cell->interactions : 0;

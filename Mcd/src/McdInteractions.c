@@ -15,9 +15,12 @@ static McdGeometryType typeOf(McdModelID cm) {
     return mcd_record(cm)->instance.geometry->type;
 }
 
+static McdGridCell *cellOfTypes(McdFramework *frame, int type1, int type2) {
+    return &frame->grid[type1 * frame->typeCount + type2];
+}
+
 static McdGridCell *cellOf(McdModelID m1, McdModelID m2) {
-    McdFramework *frame = mcd_record(m1)->frame;
-    return &frame->grid[typeOf(m1) * frame->typeCount + typeOf(m2)];
+    return cellOfTypes(mcd_record(m1)->frame, typeOf(m1), typeOf(m2));
 }
 
 /* How the pair interacts; null if it does not. isTurned: as the pair of model2 and model1. */
@@ -29,10 +32,36 @@ static const McdInteractions *interactionOf(const McdModelPair *p, MeBool *isTur
     return turned->isSet ? &turned->interactions : 0;
 }
 
-MeBool mcd_interactionIsBuiltIn(const McdModelPair *p) {
-    const McdGridCell *straight = cellOf(p->model1, p->model2), *turned = cellOf(p->model2, p->model1);
+static MeBool areSame(const McdInteractions *a, const McdInteractions *b) {
+    return a->intersectFn == b->intersectFn && a->safeTimeFn == b->safeTimeFn && a->helloFn == b->helloFn &&
+           a->goodbyeFn == b->goodbyeFn;
+}
+
+static MeBool areTypesBuiltIn(McdFramework *frame, int type1, int type2) {
+    const McdGridCell *straight = cellOfTypes(frame, type1, type2), *turned = cellOfTypes(frame, type2, type1);
     const McdGridCell *cell = straight->isSet ? straight : turned;
-    return cell->isSet && cell->convex && cell->interactions.intersectFn == cell->convex;
+    return cell->isSet && cell->library.intersectFn && areSame(&cell->interactions, &cell->library);
+}
+
+MeBool mcd_interactionIsBuiltIn(const McdModelPair *p) {
+    return areTypesBuiltIn(mcd_record(p->model1)->frame, typeOf(p->model1), typeOf(p->model2));
+}
+
+static MeBool arePartsBuiltIn(const McdGeometryInstance *a, const McdGeometryInstance *b) {
+    const McdKind *kindOfA = mcd_kindOf(a->geometry), *kindOfB = mcd_kindOf(b->geometry);
+    const MeBool areOwn = (a->parent && a->material >= 0) || (b->parent && b->material >= 0);
+    if (areOwn || (kindOfA && kindOfA->callsProgram) || (kindOfB && kindOfB->callsProgram) ||
+        !areTypesBuiltIn(a->geometry->frame, a->geometry->type, b->geometry->type))
+        return MEFALSE;
+    const McdGeometryInstance *parts = a->firstChild ? a->firstChild : b->firstChild;
+    for (const McdGeometryInstance *part = parts; part; part = part->nextSibling)
+        if (a->firstChild ? !arePartsBuiltIn(part, b) : !arePartsBuiltIn(a, part))
+            return MEFALSE;
+    return METRUE;
+}
+
+MeBool mcd_interactionIsBuiltInOfParts(const McdModelPair *p) {
+    return arePartsBuiltIn(&mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance);
 }
 
 static McdModelPair turn(const McdModelPair *p) {

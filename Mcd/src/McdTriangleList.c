@@ -129,7 +129,8 @@ static void support(const McdGeometry *g, const double direction[3], double poin
 }
 
 static void gather(McdMeshQuery *q);
-static const McdKind kind = {MCD_KIND_FUNCTIONS(TriangleList, release), .gather = gather, .isStatic = METRUE};
+static const McdKind kind = {MCD_KIND_FUNCTIONS(TriangleList, release), .gather = gather, .callsProgram = METRUE,
+                             .isStatic = METRUE};
 MCD_DEFINE_GEOMETRY_TYPE(TriangleList)
 
 void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius) {

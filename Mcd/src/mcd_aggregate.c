@@ -174,7 +174,7 @@ MeBool MEAPI McdAggregateGenericRegisterInteractions(McdFrameworkID frame) {
     for (int type = 0; type < frame->typeCount; type++)
         if (type != kMcdGeometryTypeNull && !McdFrameworkGetInteractions(frame, kMcdGeometryTypeAggregate, type) &&
             !McdFrameworkGetInteractions(frame, type, kMcdGeometryTypeAggregate))
-            McdFrameworkSetInteractions(frame, kMcdGeometryTypeAggregate, type, &interactions);
+            mcd_interactionRegister(frame, kMcdGeometryTypeAggregate, type, &interactions);
     return METRUE;
 }
 

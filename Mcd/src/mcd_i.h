@@ -259,7 +259,7 @@ typedef struct McdGridCell {
     MeBool isSet;
     atomic_int warned;            /* by queries too, which may be several at once */
     McdInteractions interactions; /* a program may write them */
-    McdIntersectFn convex; /* the library's, whose contacts depend on nothing but the two models; null: there is none */
+    McdInteractions library;      /* the library's own for these types, if it has any */
 } McdGridCell;
 
 typedef struct McdTermActionLink McdTermActionLink;
@@ -346,8 +346,13 @@ MeU64 mcd_modelStamp(McdModelRecord *m);
 MeU64 mcd_modelStampInRound(McdModelRecord *m);
 /* A stamp that no model has had. */
 MeU64 mcd_modelNewStamp(McdModelRecord *m);
+/* Sets the library's own functions for two types. False, with a warning, for a type that is none. */
+MeBool mcd_interactionRegister(McdFramework *frame, int type1, int type2, const McdInteractions *library);
 /* Do the pair's models interact as the library has it, not by a function of the program's? */
 MeBool mcd_interactionIsBuiltIn(const McdModelPair *p);
+/* Does that hold for all their parts too, which have no materials of their own, and none of which is a surface that a
+ * function of the program makes? */
+MeBool mcd_interactionIsBuiltInOfParts(const McdModelPair *p);
 /* m: the gap up to which a pair gets contacts (speculative margin): its tolerances, and the distance by which the two
  * may approach before the next test. */
 double mcd_pairMargin(const McdModelPair *p);

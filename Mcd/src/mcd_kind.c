@@ -36,6 +36,6 @@ void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, cons
             continue;
         McdInteractions interactions = interactionsWith(other);
         if (interactions.intersectFn)
-            McdFrameworkSetInteractions(frame, kind->type, type, &interactions);
+            mcd_interactionRegister(frame, kind->type, type, &interactions);
     }
 }

@@ -53,6 +53,7 @@ struct McdKind {
 
     /* Surfaces of triangles: adds those near a query's box. */
     McdMeshGather gather;
+    MeBool callsProgram; /* which calls a function of the program */
 
     MeBool isHalfSpace; /* all below z = 0 of its frame */
     MeBool isStatic;    /* usually fixed: no warning where two of them have no interaction */

@@ -258,6 +258,5 @@ int mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result, McdMeshGather
 
 MeBool mcd_meshRegister(McdFramework *frame, McdGeometryType type, McdGeometryType meshType, McdIntersectFn function) {
     McdInteractions interactions = {0, 0, function, 0};
-    McdFrameworkSetInteractions(frame, type, meshType, &interactions);
-    return frame != 0;
+    return mcd_interactionRegister(frame, type, meshType, &interactions);
 }

@@ -200,8 +200,19 @@ MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]) {
            (mcd_fastMargin(a) > 0 || mcd_fastMargin(b) > 0 ? McdPairIsFast : 0);
 }
 
+/* One convex shape, or a plane: what a kind with a size is. */
+static MeBool isSimple(const McdModelRecord *m) {
+    const McdKind *kind = mcd_kindOf(m->instance.geometry);
+    return kind && kind->size > 0;
+}
+
 MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
-    return !mcd_record(p->model1)->intersect && !mcd_record(p->model2)->intersect && mcd_interactionIsBuiltIn(p);
+    const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
+    if (a->intersect || b->intersect)
+        return MEFALSE;
+    if (isSimple(a) && isSimple(b))
+        return mcd_interactionIsBuiltIn(p);
+    return !(mcd_fastMargin(a) > 0) && !(mcd_fastMargin(b) > 0) && mcd_interactionIsBuiltInOfParts(p);
 }
 
 void MEAPI McdModelPairNoteTest(McdModelPair *p) {

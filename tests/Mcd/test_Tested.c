@@ -2,7 +2,9 @@
 #include "McdAggregate.h"
 #include "McdAll.h"
 #include "McdInternal.h"
+#include "McdRGHeightField.h"
 #include "McdSpace.h"
+#include "McdTriangleList.h"
 #include "shapes.h"
 
 typedef struct Probe {
@@ -344,6 +346,71 @@ START_TEST(models_that_are_still_apart_have_no_contacts) {
 }
 END_TEST
 
+/* ---- what calls no function of the program ----------------------------------------------------------------------- */
+
+static McdGeometryID field(void) {
+    static const MeReal flat[9];
+    return McdRGHeightFieldCreate(p.frame, (MeReal *)(uintptr_t)flat, 3, 3, 1, 1, 0, 0);
+}
+
+static McdGeometryID list(void) {
+    MeVector3 low = {-1, -1, -1}, high = {1, 1, 1};
+    return McdTriangleListCreate(p.frame, low, high, 4, 0);
+}
+
+/* In a part of a part. */
+static McdGeometryID wrapped(McdGeometryID g) {
+    MeMatrix4 tm;
+    const McdAggregateID inner = McdAggregateCreate(p.frame, 2), outer = McdAggregateCreate(p.frame, 1);
+    MeMatrix4TMMakeIdentity(tm);
+    McdAggregateAddElement(inner, McdSphereCreate(p.frame, 1), tm);
+    McdAggregateAddElement(inner, g, tm);
+    McdAggregateAddElement(outer, inner, tm);
+    return outer;
+}
+
+static MeBool isPlain(McdGeometryID first, McdGeometryID second) {
+    meet(first, second);
+    return McdModelPairIsPlain(&p.pair);
+}
+
+START_TEST(whatever_the_library_tests_alone_is_plain) {
+    const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), plane = McdPlaneCreate(p.frame);
+    ck_assert(isPlain(box, box) && isPlain(plane, box) && isPlain(box, field()) && isPlain(field(), box));
+    ck_assert(isPlain(wrapped(box), box) && isPlain(box, wrapped(box)) && isPlain(wrapped(box), wrapped(box)));
+    ck_assert(isPlain(wrapped(box), plane) && isPlain(field(), wrapped(box)));
+}
+END_TEST
+
+START_TEST(a_list_of_triangles_is_a_function_of_the_program) {
+    const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1);
+    ck_assert(!isPlain(box, list()) && !isPlain(list(), box));
+    ck_assert(!isPlain(wrapped(list()), box) && !isPlain(box, wrapped(list())));
+    ck_assert(!isPlain(wrapped(box), list()));
+}
+END_TEST
+
+START_TEST(callbacks_and_interactions_of_the_program_are_not_plain) {
+    const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1), whole = wrapped(box);
+    ck_assert(isPlain(whole, field()));
+    McdModelSetIntersectCallback(p.model[1], onIntersect);
+    ck_assert(!McdModelPairIsPlain(&p.pair));
+    McdFrameworkGetInteractions(p.frame, kMcdGeometryTypeBox, kMcdGeometryTypeRGHeightField)->intersectFn =
+        ownIntersect;
+    ck_assert(!isPlain(whole, field()) && !isPlain(box, field()) && isPlain(whole, box));
+}
+END_TEST
+
+START_TEST(parts_with_materials_of_their_own_are_not_plain) {
+    ck_assert(isPlain(wrapped(McdBoxCreate(p.frame, 1, 1, 1)), field()));
+    const McdGeometryInstanceID inner = McdGeometryInstanceGetChild(McdModelGetGeometryInstance(p.model[0]), 0);
+    McdModelSetMaterial(p.model[0], 3);
+    ck_assert(McdModelPairIsPlain(&p.pair));
+    McdGeometryInstanceSetMaterial(McdGeometryInstanceGetChild(inner, 1), 0);
+    ck_assert(!McdModelPairIsPlain(&p.pair));
+}
+END_TEST
+
 static void tests(TCase *t) {
     tcase_add_checked_fixture(t, setUp, tearDown);
     tcase_add_test(t, convex_shapes_and_planes_that_stay_are_as_tested);
@@ -358,6 +425,10 @@ static void tests(TCase *t) {
     tcase_add_test(t, what_a_program_answers_is_always_asked);
     tcase_add_test(t, what_is_made_of_parts_is_always_tested);
     tcase_add_test(t, models_that_are_still_apart_have_no_contacts);
+    tcase_add_test(t, whatever_the_library_tests_alone_is_plain);
+    tcase_add_test(t, a_list_of_triangles_is_a_function_of_the_program);
+    tcase_add_test(t, callbacks_and_interactions_of_the_program_are_not_plain);
+    tcase_add_test(t, parts_with_materials_of_their_own_are_not_plain);
 }
 
 TEST_MAIN("Tested", tests)

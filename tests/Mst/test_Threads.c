@@ -82,7 +82,46 @@ static void makeDense(Scene *s) {
         put(s, ball, .605 * (i % 7), .31 + .605 * (i / 49), .605 * (i / 7 % 7));
 }
 
-static void (*const scenes[])(Scene *s) = {makeHeap, makeChains, makeMixed, makeDense};
+/* A board with a leg: two parts. */
+static McdGeometryID stool(McdFrameworkID frame) {
+    const McdAggregateID a = McdAggregateCreate(frame, 2);
+    MeMatrix4 tm = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    McdAggregateAddElement(a, McdBoxCreate(frame, 1, (MeReal).2, 1), tm);
+    tm[3][1] = (MeReal)-.5;
+    McdAggregateAddElement(a, McdCylinderCreate(frame, (MeReal).2, (MeReal).8), tm);
+    return a;
+}
+
+/* One triangle below everything, told by a function of the program. */
+static int MEAPI giveGround(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 pos, MeReal radius, int max) {
+    static MeVector3 corner[3] = {{-99, -99, 1}, {99, -99, 1}, {0, 99, 1}};
+    (void)pair, (void)pos, (void)radius, (void)max;
+    for (int i = 0; i < 3; i++)
+        triangle->vertices[i] = &corner[i];
+    triangle->flags = kMcdTriangleStandard;
+    return 1;
+}
+
+/* What is tested by workers on a height field, parts against it and each other, and where it is left to the calling
+ * thread: by a function of the program, and by parts with materials of their own. */
+static void makeTerrain(Scene *s) {
+    enum { SIDE = 25 };
+    static MeReal height[SIDE * SIDE];
+    MeVector3 low = {-99, -99, 0}, high = {99, 99, 1};
+    for (int i = 0; i < SIDE * SIDE; i++)
+        height[i] = (MeReal)chance(s, 1, 1.8);
+    MstFixedModelCreate(s->u, McdRGHeightFieldCreate(s->u->frame, height, SIDE, SIDE, 1, 1, -12, -12), floorPlace);
+    MstFixedModelCreate(s->u, McdTriangleListCreate(s->u->frame, low, high, 2, giveGround), floorPlace);
+    const McdGeometryID shape[] = {stool(s->u->frame), McdBoxCreate(s->u->frame, (MeReal).8, (MeReal).6, (MeReal).5),
+                                   McdSphereCreate(s->u->frame, (MeReal).4), stool(s->u->frame)};
+    for (int i = 0; i < 160; i++) {
+        put(s, shape[i % 4], -9 + 2.2 * (i % 8) + chance(s, 0, .2), 3.5 + 1.2 * (i / 64), -9 + 2.2 * (i / 8 % 8));
+        if (i % 40 == 3)
+            McdGeometryInstanceSetMaterial(McdGeometryInstanceGetChild(McdModelGetGeometryInstance(s->model[i]), 1), 0);
+    }
+}
+
+static void (*const scenes[])(Scene *s) = {makeHeap, makeChains, makeMixed, makeDense, makeTerrain};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 /* FNV-1a. */
