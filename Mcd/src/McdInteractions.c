@@ -47,21 +47,33 @@ MeBool mcd_interactionIsBuiltIn(const McdModelPair *p) {
     return areTypesBuiltIn(mcd_record(p->model1)->frame, typeOf(p->model1), typeOf(p->model2));
 }
 
-static MeBool arePartsBuiltIn(const McdGeometryInstance *a, const McdGeometryInstance *b) {
-    const McdKind *kindOfA = mcd_kindOf(a->geometry), *kindOfB = mcd_kindOf(b->geometry);
-    const MeBool areOwn = (a->parent && a->material >= 0) || (b->parent && b->material >= 0);
-    if (areOwn || (kindOfA && kindOfA->callsProgram) || (kindOfB && kindOfB->callsProgram) ||
-        !areTypesBuiltIn(a->geometry->frame, a->geometry->type, b->geometry->type))
+enum { TYPE_BITS = 63 }; /* and one more, by which nothing may be shifted */
+
+/* The types of an instance and its parts, as bits. False: a part has a material of its own, or is a surface that a
+ * function of the program makes; or a type is the program's, or has no bit. */
+static MeBool collectTypes(const McdGeometryInstance *ins, MeU64 *types) {
+    const int type = ins->geometry->type;
+    const McdKind *kind = mcd_kindOf(ins->geometry);
+    if ((ins->parent && ins->material >= 0) || type >= TYPE_BITS || !kind || kind->callsProgram)
         return MEFALSE;
-    const McdGeometryInstance *parts = a->firstChild ? a->firstChild : b->firstChild;
-    for (const McdGeometryInstance *part = parts; part; part = part->nextSibling)
-        if (a->firstChild ? !arePartsBuiltIn(part, b) : !arePartsBuiltIn(a, part))
+    *types |= (MeU64)1 << type;
+    for (const McdGeometryInstance *part = ins->firstChild; part; part = part->nextSibling)
+        if (!collectTypes(part, types))
             return MEFALSE;
     return METRUE;
 }
 
 MeBool mcd_interactionIsBuiltInOfParts(const McdModelPair *p) {
-    return arePartsBuiltIn(&mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance);
+    McdFramework *frame = mcd_record(p->model1)->frame;
+    MeU64 types[2] = {0, 0};
+    if (!collectTypes(&mcd_record(p->model1)->instance, &types[0]) ||
+        !collectTypes(&mcd_record(p->model2)->instance, &types[1]))
+        return MEFALSE;
+    for (int a = 0; types[0] >> a; a++)
+        for (int b = 0; types[0] >> a & 1 && types[1] >> b; b++)
+            if (types[1] >> b & 1 && !areTypesBuiltIn(frame, a, b))
+                return MEFALSE;
+    return METRUE;
 }
 
 static McdModelPair turn(const McdModelPair *p) {

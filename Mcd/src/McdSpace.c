@@ -1,6 +1,7 @@
 /* Spaces: change blocks, models and their boxes, handing over pairs. Which pairs there are is found in mcd_pairs.c. */
 #include "mcd_space_i.h"
 #include "McdInternal.h"
+#include "mcd_kind_i.h"
 #include "mcd_motion_i.h"
 #include <string.h>
 
@@ -583,7 +584,17 @@ static McdBoxUpdate touch(McdProxy *p, McdBoxUpdate update) {
     return MCD_BOX_TOUCHED;
 }
 
-/* Types of a program have functions of its own. */
+/* Does a function of the program make its box, or that of one of its parts? */
+static MeBool isBoxOfProgram(const McdGeometryInstance *ins) {
+    const McdTypeRecord *type = &ins->geometry->frame->types[ins->geometry->type];
+    if (!type->kind || type->getAABB != type->kind->box)
+        return METRUE;
+    for (const McdGeometryInstance *part = ins->firstChild; part; part = part->nextSibling)
+        if (isBoxOfProgram(part))
+            return METRUE;
+    return MEFALSE;
+}
+
 static void MEAPI updateRange(void *context, int first, int end, int worker) {
     const Updating *u = context;
     McdSpace *s = u->s;
@@ -591,7 +602,7 @@ static void MEAPI updateRange(void *context, int first, int end, int worker) {
     for (int i = first; i < end; i++) {
         McdProxy *p = &s->proxy[s->awake[i]];
         s->updates[i] =
-            (MeU8)(mcd_modelStamp(p->model) != 0 ? touch(p, updateProxy(s, p, u->duration)) : MCD_BOX_LATER);
+            (MeU8)(isBoxOfProgram(&p->model->instance) ? MCD_BOX_LATER : touch(p, updateProxy(s, p, u->duration)));
     }
 }
 

@@ -136,7 +136,7 @@ static void noteSettling(const MdtIsland *p) {
 /* Not what only lies or slides, without joints: towers and houses of cards stand more exactly by the exact solver. */
 void mdt_crowdNote(const MdtIsland *p) {
     noteSettling(p);
-    if (p->numJoints == 0 && !mdt_hasRestitution(p))
+    if (p->numJoints == 0 && !p->bounces)
         return;
     if (p->isFast || isSmall(p) || p->kea.parameters.timed)
         return;
@@ -163,22 +163,10 @@ static MeBool holds(const MdtPoint *point, double loadSpeed) {
                               loadSpeed);
 }
 
-/* Whether some of its impacts take energy. */
-static MeBool losesEnergy(const MdtIsland *p) {
-    for (int i = 0; i < p->numActing; i++) {
-        if (mdt_isJoint(p->acting[i]))
-            continue;
-        for (const MdtPoint *at = mdt_pointFirst(mdt_asManifold(p->acting[i])); at; at = mdt_pointAfter(at))
-            if (mdt_bounces(mdt_pointParams(at)) && (double)mdt_pointParams(at)->restitution < 1)
-                return METRUE;
-    }
-    return MEFALSE;
-}
-
 /* Impacts of a crowd that keeps its energy are followed also where some bodies are held, with a solve at each event; of
  * other crowds only as long as all bodies fly. */
 int mdt_mostHeld(const MdtIsland *p) {
-    if (p->world->timedBodies == 0 || (p->numBodies >= MDT_CROWD && losesEnergy(p)))
+    if (p->world->timedBodies == 0 || (p->numBodies >= MDT_CROWD && p->losesEnergy))
         return 0;
     return MeMAX(p->world->timedBodies, p->numBodies / MDT_HELD);
 }
@@ -205,7 +193,7 @@ static MeBool isMetInTime(const MdtIsland *p) {
     MeBool doesBounce = MEFALSE;
     double g[3];
     int holding = p->numJoints;
-    if (isUnsettled(p))
+    if (!p->bounces || isUnsettled(p))
         return MEFALSE;
     mdt_fromReal(g, p->world->params.gravity);
     const double loadSpeed = keaLength(g) * p->h;

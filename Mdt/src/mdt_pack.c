@@ -12,6 +12,7 @@
 typedef struct Chunk {
     int rows, joints, points, manifolds; /* rows: of joints, at most */
     int firstManifold, surfaceProblems;
+    MeBool bounces, losesEnergy;
 } Chunk;
 
 /* The rule for order (MeTeam.h): chunks depend on the number of constraints alone, and so do the manifolds' places,
@@ -24,6 +25,25 @@ typedef struct Acting {
     Chunk chunk[MOST_CHUNKS];
 } Acting;
 
+static void noteRestitution(const MdtBclContactParams *params, Chunk *c) {
+    if (!mdt_bounces(params))
+        return;
+    c->bounces = METRUE;
+    c->losesEnergy = c->losesEnergy || (double)params->restitution < 1;
+}
+
+/* Points mostly have their record's surface. */
+static void countManifold(const MdtManifold *m, Chunk *c) {
+    c->points += m->numPoints;
+    c->manifolds += mdt_contactsCount(m);
+    for (const MdtManifold *block = m->numPoints > 0 ? m : NULL; block; block = block->next) {
+        if (!block->extras)
+            noteRestitution(&block->surface->params, c);
+        for (const MdtPoint *at = mdt_pointIn(block, 0); at && block->extras; at = mdt_pointIn(block, at->slot + 1))
+            noteRestitution(mdt_pointParams(at), c);
+    }
+}
+
 static void MEAPI countChunk(void *context, int item, int worker) {
     Acting *a = context;
     const int first = item * a->chunkSize, end = MeMIN(first + a->chunkSize, a->p->numActing);
@@ -33,11 +53,10 @@ static void MEAPI countChunk(void *context, int item, int worker) {
         if (i + MDT_AHEAD < end)
             me_prefetch(a->p->acting[i + MDT_AHEAD], sizeof(MdtManifold));
         const MdtJoint *j = mdt_asJoint(a->p->acting[i]);
-        const MdtManifold *m = j ? NULL : mdt_asManifold(a->p->acting[i]);
         c.rows += j ? j->type->maxRows : 0;
         c.joints += j != NULL;
-        c.points += m ? m->numPoints : 0;
-        c.manifolds += m ? mdt_contactsCount(m) : 0;
+        if (!j)
+            countManifold(mdt_asManifold(a->p->acting[i]), &c);
     }
     a->chunk[item] = c;
 }
@@ -70,6 +89,8 @@ static Chunk countActing(Acting *a) {
         all.joints += a->chunk[i].joints;
         all.points += a->chunk[i].points;
         all.manifolds += a->chunk[i].manifolds;
+        all.bounces |= a->chunk[i].bounces;
+        all.losesEnergy |= a->chunk[i].losesEnergy;
     }
     return all;
 }
@@ -108,6 +129,8 @@ static void setSystem(MdtIsland *p, const Chunk *all) {
     p->numJoints = all->joints;
     p->jointRows = all->rows;
     p->numContacts = all->points;
+    p->bounces = all->bounces;
+    p->losesEnergy = all->losesEnergy;
     mdt_islandSetFast(p, mdt_crowdIsChosen(p));
     p->kea.numBodies = p->numBodies;
     p->kea.bodies = p->world->keaOf + p->world->bodyStart[p->number];

@@ -156,15 +156,36 @@ static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
     p->feature = found->feature;
 }
 
-MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact found[], int count) {
-    const MdtManifold *m = mdt_groupOf(g, __func__);
-    if (!m || m->next || m->extras || m->numPoints != count || count == 0)
-        return MEFALSE;
+static MeBool areShared(const MdtFoundContact found[], int count) {
     for (int i = 0; i < count; i++)
         if (!isShared(&found[i], &found[0]))
             return MEFALSE;
-    return !(found->params->options & MdtBclContactOptionUseDirection) &&
-           memcmp(&m->surface->params, found->params, sizeof *found->params) == 0;
+    return METRUE;
+}
+
+/* Whether the points of a record take contacts of these parameters without one from a pool: all have the surface, and
+ * what of them is not shared has its place (places are made for all points of a group, or for none). */
+static MeBool hasRoomFor(const MdtManifold *block, const MdtFoundContact *found, MeBool areAlike) {
+    if (memcmp(&block->surface->params, found->params, sizeof *found->params) != 0)
+        return MEFALSE;
+    for (const MdtPoint *p = mdt_pointIn(block, 0); p && !areAlike; p = mdt_pointIn(block, p->slot + 1))
+        if (!mdt_extraOf(block, p->slot))
+            return MEFALSE;
+    return METRUE;
+}
+
+MeBool MEAPI MdtContactGroupGoesOn(MdtContactGroupID g, const MdtFoundContact found[], int count) {
+    const MdtManifold *m = mdt_groupOf(g, __func__);
+    if (!m || m->numPoints != count || count == 0 || (found->params->options & MdtBclContactOptionUseDirection))
+        return MEFALSE;
+    const MeBool areAlike = areShared(found, count);
+    for (int i = 0; i < count; i++)
+        if (found[i].params != found[0].params)
+            return MEFALSE;
+    for (const MdtManifold *block = m; block; block = block->next)
+        if (!hasRoomFor(block, found, areAlike))
+            return MEFALSE;
+    return METRUE;
 }
 
 int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[], int count, MeReal time,
@@ -173,6 +194,7 @@ int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[
     Shared last = {NULL, NULL, {0, 0, 0}};
     if (!m)
         return 0;
+    const MeBool areAlike = areShared(found, count);
     matchContacts(m, found, count, (double)time, contacts);
     destroyOthers(m, contacts, count);
     if (count > 0)
@@ -180,7 +202,9 @@ int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[
     for (int i = 0; i < count; i++) {
         MdtPoint *p = contacts[i] ? mdt_asPoint((MdtConstraintID)contacts[i]) : addPoint(m, &found[i]);
         if (!p)
-            return i; /* the world is full, and has said so */
+            return i;  /* the world is full, and has said so */
+        if (!areAlike) /* what of it is not shared has its place from now on, whichever contact it is next time */
+            mdt_extraMake(mdt_blockOf(p), p->slot, "MdtContactGroupCreateContact");
         setPoint(p, &found[i], &last);
         contacts[i] = (MdtContactID)p;
     }

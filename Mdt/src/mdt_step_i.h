@@ -53,6 +53,7 @@ typedef struct MdtIsland {
     void *scratch; /* Kea's arrays, and behind them */
     MeBool isFast; /* Kea's fast solver is chosen, or has taken over (mdt_subdivide.c) */
     int numContacts, numJoints, jointRows; /* of all joints, at most */
+    MeBool bounces, losesEnergy;  /* a contact has restitution; one has less than 1 */
     MdtIslandManifold *manifolds; /* beside kea.manifolds */
     MdtKeaSystem kea;             /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */
     /* subdivide */
@@ -169,7 +170,6 @@ double mdt_contactsPenetration(const MdtIsland *p);
 /* Takes the step in parts, within its budget of work. False: the bodies were stopped (mdt_subdivide.c). */
 MeBool mdt_islandSubdivide(MdtIsland *p);
 /* Whether a contact of it rebounds; manifolds are packed. */
-MeBool mdt_hasRestitution(const MdtIsland *p);
 /* A part of the step begins: its parameters, Kea's arrays; bodies meet in it; it has been integrated. */
 void mdt_partBegin(MdtIsland *p, double part);
 void mdt_partImpact(MdtIsland *p);

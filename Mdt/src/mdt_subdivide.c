@@ -233,13 +233,6 @@ static MeBool solveToEventOrHalf(MdtIsland *p, double rest, double least, int mo
     return METRUE;
 }
 
-MeBool mdt_hasRestitution(const MdtIsland *p) {
-    for (int i = 0; i < p->kea.numManifolds; i++)
-        if (p->kea.manifolds[i].surface.restitution > 0)
-            return METRUE;
-    return MEFALSE;
-}
-
 /* The most events at which a part is divided. A column of n balls that lands has n (n + 1)/2 impacts, as the lowest one
  * hits the ground once for each of them; so has each column of a crowd that is as high as it is wide, (n + 1)/2 for
  * each ball. Where nothing rebounds, one event, and another that follows from it, as where a box comes down on one edge
@@ -247,7 +240,7 @@ MeBool mdt_hasRestitution(const MdtIsland *p) {
 static int mostEvents(const MdtIsland *p) {
     enum { EVENTS = 8, PLASTIC_EVENTS = 2 };
     int high = 1;
-    if (!mdt_hasRestitution(p))
+    if (!p->bounces)
         return PLASTIC_EVENTS;
     while (high * high * high < p->numBodies)
         high++;
@@ -262,7 +255,7 @@ static MeBool takeInTime(MdtIsland *p, double part) {
     const int most = mostEvents(p);
     const double kept = 0.5 * p->work; /* for what is left after the events */
     double rest = part;
-    p->kea.parameters.holdsSlow = p->numJoints > 0 && !mdt_hasRestitution(p);
+    p->kea.parameters.holdsSlow = p->numJoints > 0 && !p->bounces;
     for (int events = 0; rest > least; events += MeMAX(p->kea.report.impacts, 1)) {
         if (events >= most || p->work < kept || !solveToEventOrHalf(p, rest, least, most - events)) {
             p->kea.parameters.timed = MEFALSE;
@@ -287,8 +280,8 @@ static MeBool isTimed(MdtIsland *p, double part) {
         return MEFALSE;
     if (p->numJoints == 0 && p->numBodies <= most)
         return METRUE;
-    const MeBool bounces = mdt_hasRestitution(p), mayRoll = !bounces && p->numContacts > 0 && p->numBodies <= most;
-    if (!(bounces || mayRoll) || (p->numJoints > 0 && p->h < p->whole))
+    const MeBool mayRoll = !p->bounces && p->numContacts > 0 && p->numBodies <= most;
+    if (!(p->bounces || mayRoll) || (p->numJoints > 0 && p->h < p->whole))
         return MEFALSE;
     mdt_partBegin(p, part);
     mdt_rowsMake(p);

@@ -24,17 +24,21 @@
  * twice as far costs the same. */
 enum { PAIR_AHEAD = 8, CONTENT_AHEAD = 4 };
 
-static void prefetchPairs(McdModelPair *const pairs[], int i, int count) {
-    enum { GROUP = 8 * ME_CACHE_LINE }; /* bytes of a manifold */
+void mst_prefetchModels(McdModelPair *const pairs[], int i, int count) {
     if (i + PAIR_AHEAD < count)
         me_prefetch(pairs[i + PAIR_AHEAD], sizeof *pairs[i]);
     if (i + CONTENT_AHEAD >= count)
         return;
-    const McdModelPair *p = pairs[i + CONTENT_AHEAD];
-    ME_PREFETCH(p->model1);
-    ME_PREFETCH(p->model2);
-    me_prefetch(p->touch, 2 * ME_CACHE_LINE);
-    me_prefetch(p->responseData, GROUP);
+    ME_PREFETCH(pairs[i + CONTENT_AHEAD]->model1);
+    ME_PREFETCH(pairs[i + CONTENT_AHEAD]->model2);
+}
+
+static void prefetchContacts(McdModelPair *const pairs[], int i, int count) {
+    enum { GROUP = 8 * ME_CACHE_LINE }; /* bytes of a manifold */
+    if (i + CONTENT_AHEAD >= count)
+        return;
+    me_prefetch(pairs[i + CONTENT_AHEAD]->touch, 2 * ME_CACHE_LINE);
+    me_prefetch(pairs[i + CONTENT_AHEAD]->responseData, GROUP);
 }
 
 /* ---- pairs whose contacts remain --------------------------------------------------------------------------------- */
@@ -251,7 +255,8 @@ int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pa
     run->pairCount = run->foundCount = 0;
     while (run->pairCount < most && run->foundCount + run->contactMax <= run->foundMax) {
         const int i = run->pairCount;
-        prefetchPairs(pairs, i, count);
+        mst_prefetchModels(pairs, i, count);
+        prefetchContacts(pairs, i, count);
         collidePair(b, run, pairs[i], s);
         if (run->finding[i].outcome == MST_TO_TEST || run->finding[i].outcome == MST_TO_SENSE)
             break;

@@ -246,6 +246,8 @@ void mst_workersTerm(MstBridgeRecord *b);
 /* Looks at pairs from the first on, and tests them, until the run is full, or ends for another reason; returns how
  * many. */
 int mst_collideRun(const MstBridgeRecord *b, MstRun *run, McdModelPair *const pairs[], int count, McdSpaceID s);
+/* Asks for the memory of pairs that follow pairs[i], up to the last of them, and of their models. */
+void mst_prefetchModels(McdModelPair *const pairs[], int i, int count);
 /* Tests a pair: the run's result. False: no interaction of its types is known. */
 MeBool mst_intersectPair(MstRun *run, McdModelPair *p);
 /* Is a model flush with a face of a fixed box that it will slide over, of all contacts of them the nearest

@@ -69,9 +69,11 @@ static void MEAPI findPlainPairs(void *context, int run, int worker) {
     const int end = MeMIN(firstOf(run + 1), p->count);
     int i = firstOf(run), unseen = i;
     (void)worker;
-    for (; i < end && mst_isPlainPair(p->b, p->pairs[i]); i++)
+    for (; i < end && mst_isPlainPair(p->b, p->pairs[i]); i++) {
+        mst_prefetchModels(p->pairs, i, end);
         if (unseen == i && McdModelPairHasSeenModels(p->pairs[i]))
             unseen++;
+    }
     p->end[run] = i;
     p->unseen[run] = unseen;
 }
