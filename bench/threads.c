@@ -1,9 +1,11 @@
-/* One worker against several: the same scene in universes of their own, step by step in turn, so that what else the
- * machine does falls on all alike.
+/* One worker against several: the same scene in universes of their own, some steps of each in turn, so that what else
+ * the machine does falls on all alike.
  *
- *     threads [--workers N] [--steps N] [--scene NAME] [--critical]
+ *     threads [--workers N] [--steps N] [--turn N] [--scene NAME] [--critical]
  *
- * 2 workers, 300 steps, all scenes if not given; the small scenes make ten times as many steps, the largest a tenth.
+ * 2 workers, 300 steps, turns of 20, all scenes if not given; the small scenes make ten times as many steps, the
+ * largest a tenth. With --turn 1 each step comes after a pause, in which the other universe has had the caches and the second
+ * core has gone idle, as between a game's frames.
  * For each scene: ms a step on one worker and on N in the mean, their ratio, and the share of the time that each worker
  * was busy with the world's tasks. It says so, should the states differ. With --critical, what 2, 4, 8 and 16 cores
  * would gain, and what one thread does alone, both from task times of one core (critical.h). */
@@ -134,9 +136,10 @@ static const Bench benches[] = {
     {"heap 10000", makeHeap10000, .1},
 };
 
-static void step(Run *r) {
+static void step(Run *r, int steps) {
     const double start = now();
-    MstUniverseStep(r->u, (MeReal)(1. / 60));
+    for (int i = 0; i < steps; i++)
+        MstUniverseStep(r->u, (MeReal)(1. / 60));
     r->time += now() - start;
 }
 
@@ -148,14 +151,14 @@ static int areAlike(MstUniverseID a, MstUniverseID b) {
     return !x && !y;
 }
 
-static void compare(const Bench *b, MeTaskPoolID pool, int steps) {
+static void compare(const Bench *b, MeTaskPoolID pool, int steps, int turn) {
     Run alone = {makeUniverse(), 0}, many = {makeUniverse(), 0};
     b->make(alone.u);
     b->make(many.u);
     MdtWorldSetTaskPool(many.u->world, pool);
-    for (int i = 0; i < steps; i++) {
-        step(&alone);
-        step(&many);
+    for (int left = steps; left > 0; left -= turn) {
+        step(&alone, left < turn ? left : turn);
+        step(&many, left < turn ? left : turn);
     }
     printf("%-12s %8.3f ms %8.3f ms   ratio %.2f   busy", b->name, 1e3 * alone.time / steps, 1e3 * many.time / steps,
            alone.time / many.time);
@@ -189,19 +192,21 @@ static int countOf(const char *text) {
 }
 
 int main(int argc, char **argv) {
-    int workers = 2, steps = 300, isCritical = 0;
+    int workers = 2, steps = 300, turn = 20, isCritical = 0;
     const char *wanted = NULL; /* all */
     for (int i = 1; i < argc; i++)
         if (!strcmp(argv[i], "--workers"))
             workers = countOf(argv[++i]);
         else if (!strcmp(argv[i], "--steps"))
             steps = countOf(argv[++i]);
+        else if (!strcmp(argv[i], "--turn"))
+            turn = countOf(argv[++i]);
         else if (!strcmp(argv[i], "--scene"))
             wanted = argv[++i];
         else if (!strcmp(argv[i], "--critical"))
             isCritical = 1;
         else
-            return fputs("threads [--workers N] [--steps N] [--scene NAME] [--critical]\n", stderr), 2;
+            return fputs("threads [--workers N] [--steps N] [--turn N] [--scene NAME] [--critical]\n", stderr), 2;
     MeTaskPoolID pool = MeTaskPoolCreate(workers);
     for (size_t i = 0; i < sizeof benches / sizeof *benches; i++) {
         const int count = (int)(steps * benches[i].steps) + 1;
@@ -210,7 +215,7 @@ int main(int argc, char **argv) {
         if (isCritical)
             tellCritical(&benches[i], count);
         else
-            compare(&benches[i], pool, count);
+            compare(&benches[i], pool, count, turn);
     }
     MeTaskPoolDestroy(pool);
     return 0;

@@ -168,9 +168,14 @@ static MeBool isFinite3(const MeReal *v) {
     return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
 }
 
+/* To the last bit; number by number, which takes no call. */
+static MeBool areSame3(const MeReal *a, const MeReal *b) {
+    return memcmp(a, b, sizeof *a) == 0 && memcmp(a + 1, b + 1, sizeof *a) == 0 && memcmp(a + 2, b + 2, sizeof *a) == 0;
+}
+
 void mdt_bodyAcceptVelocities(MdtBodyID b) {
-    const MeBool linear = memcmp(b->velocity, b->shownVelocity, sizeof b->velocity) != 0;
-    const MeBool angular = memcmp(b->angularVelocity, b->shownAngularVelocity, sizeof b->angularVelocity) != 0;
+    const MeBool linear = !areSame3(b->velocity, b->shownVelocity);
+    const MeBool angular = !areSame3(b->angularVelocity, b->shownAngularVelocity);
     if (!linear && !angular)
         return;
     if (!isFinite3(b->velocity) || !isFinite3(b->angularVelocity)) {

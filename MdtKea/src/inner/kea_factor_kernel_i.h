@@ -225,8 +225,49 @@ KEA_INLINE MeBool luOf(double *D, const double *given, int n, int exchange[], do
     return METRUE;
 }
 
+/* The row in which column k has its pivot: where a_ik² / size_i is largest, which becomes `most`. */
+KEA_INLINE int pivotOf6(const double *D, const double size[], int k, double *most) {
+    int best = k;
+    *most = 0;
+    for (int i = k; i < 6; i++) {
+        const double square = D[i * 6 + k] * D[i * 6 + k];
+        if (square > *most * size[i]) {
+            *most = square / size[i];
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* 1 from column k on: what makes a row of U of one that begins with factors of L. */
+static const double fromColumn[6][6] = {{1, 1, 1, 1, 1, 1}, {0, 1, 1, 1, 1, 1}, {0, 0, 1, 1, 1, 1},
+                                        {0, 0, 0, 1, 1, 1}, {0, 0, 0, 0, 1, 1}, {0, 0, 0, 0, 0, 1}};
+
+/* luOf by whole rows: the same operations in the same order. */
+static MeBool lu6(double *D, const double *given, int exchange[], double least) {
+    double size[6], own[6], most;
+    measureRows(given, 6, size);
+    memcpy(own, size, sizeof own);
+    for (int k = 0; k < 6; k++) {
+        exchange[k] = pivotOf6(D, size, k, &most);
+        if (!(most > least * least * own[k]))
+            return MEFALSE;
+        exchangeRows(D, 6, size, exchange[k], k);
+        const KeaSix whole = sixAt(D + 6 * k), from = sixAt(fromColumn[k]);
+        const KeaSix row = {whole.four * from.four, whole.two * from.two};
+        const double inverse = 1 / D[7 * k];
+        for (int i = k + 1; i < 6; i++) {
+            const double factor = D[6 * i + k] * inverse;
+            putSix(D + 6 * i, lessScaled(sixAt(D + 6 * i), factor, row));
+            D[6 * i + k] = factor;
+        }
+        D[7 * k] = inverse;
+    }
+    return METRUE;
+}
+
 static MeBool lu(double *D, const double *given, int n, int exchange[], double least) {
-    return n == 6 ? luOf(D, given, 6, exchange, least) : luOf(D, given, n, exchange, least);
+    return n == 6 ? lu6(D, given, exchange, least) : luOf(D, given, n, exchange, least);
 }
 
 KEA_INLINE void divideUpperOf(double *restrict B, const double *restrict D, int n, int columns) {

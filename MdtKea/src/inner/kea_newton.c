@@ -142,6 +142,8 @@ double kea_newtonError(KeaProblem *q, double step) {
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         const double known = kea_newtonTolerance * fabs(row->p) + roundingOf(row);
+        if (known == 0)
+            continue; /* without a force */
         subtractForce(q, row);
         for (int k = 0; k < 2; k++)
             if (row->body[k] >= 0)
