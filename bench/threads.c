@@ -3,9 +3,9 @@
  *
  *     threads [--workers N] [--steps N] [--turn N] [--scene NAME] [--critical]
  *
- * 2 workers, 300 steps, turns of 20, all scenes if not given; the small scenes make ten times as many steps, the
- * largest a tenth. With --turn 1 each step comes after a pause, in which the other universe has had the caches and the second
- * core has gone idle, as between a game's frames.
+ * 2 workers, 300 steps, turns of 20, all scenes if not given; the small scenes make ten times as many steps,
+ * the largest a tenth. With --turn 1 each step comes after a pause, in which the other universe has had the caches and
+ * the second core has gone idle, as between a game's frames.
  * For each scene: ms a step on one worker and on N in the mean, their ratio, and the share of the time that each worker
  * was busy with the world's tasks. It says so, should the states differ. With --critical, what 2, 4, 8 and 16 cores
  * would gain, and what one thread does alone, both from task times of one core (critical.h). */

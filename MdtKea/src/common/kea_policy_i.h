@@ -379,10 +379,11 @@ static const double kea_impactLoads = 4;
 /* Passes over displacements. 1 leaves half of the overlaps of a heap, 12 gain nothing. x2 and /2 fail
  * MdtKea_fast_policy: six_passes_push_bodies_apart. */
 enum { KEA_POSITION_PASSES = 6 };
-/* In so many rounds where there are joints, whose errors are not linear in a turn; and rounds of joints alone, at most,
+/* In so many rounds where joints are open, whose errors are not linear in a turn; and rounds of joints alone, at most,
  * until they are closed. Without the latter a ton on a light chain opens it by 1e-2 m (Mst_Jointed). /2 of the first
- * fails Mst_Jointed: a_chain_of_150_motors_holds; of the second Mst_Crowd: chains_hold_in_a_crowd; x2 and /2 of either
- * MdtKea_fast_policy: joints_are_closed_at_three_millionths. */
+ * fails Mst_Jointed: figures_of_any_kind_hold_together_and_gain_no_energy; of the second Mst_Crowd:
+ * chains_hold_in_a_crowd; x2 of the first MdtKea_fast_policy: contacts_take_part_in_three_rounds_of_joints, x2 and /2
+ * of the second joints_are_closed_at_three_millionths. */
 enum { KEA_JOINT_ROUNDS = 3, KEA_MOST_JOINT_ROUNDS = 8 };
 /* Of a body's size: joints and stops are closed. gamma adds up five steps' of it; a net of 225 balls in loops, whose
  * rows contradict each other by rounding, comes no nearer than 1.5e-6. 1e-5 lets the ropes of tutorial Bridge give way

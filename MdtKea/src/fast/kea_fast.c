@@ -638,17 +638,34 @@ static void advanceNode(void *context, KeaNode *node) {
 
 static void pushGroups(void *context, KeaNode *node) {
     const Step *p = context;
-    p->kernel->push(p->groups + node->firstGroup, node->numGroups, p->way);
+    node->sum[0] = p->kernel->push(p->groups + node->firstGroup, node->numGroups, p->way);
 }
 
-static void pushApart(Step *p) {
+/* Whether some contact has moved its bodies by so much that joints open. */
+static MeBool pushContacts(Step *p) {
+    MeBool isAny = MEFALSE;
     kea_inOrder(&p->regions, pushGroups, p);
-    kea_jointsPush(p->s, &p->joints, p->way);
+    for (int n = 1; n < 2 * p->regions.count; n++)
+        isAny |= p->regions.node[n].sum[0] != 0;
+    return isAny;
+}
+
+/* The passes of some rounds, over contacts, and over joints as long as these are open. Returns whether contacts have
+ * opened them. */
+static MeBool pushApart(Step *p, int roundCount, double open) {
+    MeBool isPushed = MEFALSE;
+    for (int i = 0; i < roundCount * (KEA_POSITION_PASSES / KEA_JOINT_ROUNDS); i++) {
+        const MeBool isMoved = pushContacts(p);
+        if (isMoved || open > kea_closedJoint)
+            open = kea_jointsPush(p->s, &p->joints, p->way);
+        isPushed |= isMoved;
+    }
+    return isPushed;
 }
 
 /* Newton's method in rounds: errors of joints are evaluated anew in each, and their Jacobians where the last round has
- * not reduced the errors enough. Contacts take part in the first rounds only. Where joints open further
- * all the same, the step is too long for the motion. */
+ * not reduced the errors enough. Contacts take part in the first rounds only, which are one where joints are closed
+ * already. Where joints open further all the same, the step is too long for the motion. */
 static void pushJoined(Step *p) {
     const double start = kea_jointsOpening(&p->joints);
     double before = HUGE_VAL;
@@ -658,16 +675,23 @@ static void pushJoined(Step *p) {
         if (round == KEA_MOST_JOINT_ROUNDS)
             break;
         const double open = kea_jointsAdvance(p->s, &p->joints, p->way);
-        if (round >= KEA_JOINT_ROUNDS && open <= kea_closedJoint)
+        const MeBool areClosed = open <= kea_closedJoint;
+        if (round >= KEA_JOINT_ROUNDS && areClosed)
             break;
-        if (round > 0 && open > kea_closedJoint && open > kea_roundShare * before)
+        if (round > 0 && !areClosed && open > kea_roundShare * before)
             kea_jointsTurn(p->s, &p->joints, p->way);
         before = open;
-        if (round >= KEA_JOINT_ROUNDS)
+        if (round >= KEA_JOINT_ROUNDS) {
             kea_jointsPush(p->s, &p->joints, p->way);
-        else
-            for (int i = 0; i < KEA_POSITION_PASSES / KEA_JOINT_ROUNDS; i++)
-                pushApart(p);
+        } else if (!areClosed) {
+            pushApart(p, 1, open);
+        } else if (pushApart(p, KEA_JOINT_ROUNDS - round, open)) {
+            round = KEA_JOINT_ROUNDS - 1;
+        } else {
+            kea_jointsPush(p->s, &p->joints, p->way); /* or what is small would add up from step to step */
+            setEndPoses(p);
+            break;
+        }
     }
     kea_recallRows(p->s);
     p->s->report.violent = p->s->report.opens = p->s->report.opening > start + kea_violentOpening;

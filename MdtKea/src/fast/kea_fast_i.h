@@ -95,8 +95,8 @@ typedef struct KeaKernel {
     void (*pass)(KeaGroup groups[], int count, KeaMotion motion[], float beta, float uphill[KEA_LANES]);
     /* Turns gaps into those at the end of a step with these velocities. */
     void (*advance)(KeaGroup groups[], int count, const KeaMotion motion[], float stepsize);
-    /* One pass over displacements, which reduces overlaps. */
-    void (*push)(const KeaGroup groups[], int count, KeaMotion motion[]);
+    /* One pass over displacements, which reduces overlaps; whether one moves far enough to open a joint. */
+    MeBool (*push)(const KeaGroup groups[], int count, KeaMotion motion[]);
     /* Adds what these groups leave. */
     void (*measure)(const KeaGroup groups[], int count, const KeaMotion motion[], float stepsize, KeaMeasure *measure);
 } KeaKernel;

@@ -692,12 +692,16 @@ static void limitTurn(const KeaJoints *j, const KeaJointBlock *b) {
             j->x[n][i] *= kea_mostPush / most;
 }
 
-static void setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion way[]) {
+/* Returns the largest, of a size. */
+static double setPositionResiduals(const KeaJoints *j, const KeaJointBlock *b, const KeaMotion way[]) {
     double(*const v)[6] = motionsOf(j, b, way);
+    double most = 0;
     for (int k = b->firstRow; k < b->firstRow + b->numRows; k++) {
         KeaJointRow *r = &j->row[k];
         r->missing = r->isHeld ? -(r->gap + rateOf(r, v)) : 0;
+        most = keaMax(most, opening(r, violationOf(r, -r->missing)));
     }
+    return most;
 }
 
 static void pushStops(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
@@ -705,12 +709,13 @@ static void pushStops(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointB
         pushStop(s, j, b, &j->row[k]);
 }
 
-void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]) {
+double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]) {
+    double most = 0;
     for (int i = 0; i < j->numBlocks; i++) {
         const KeaJointBlock *b = &j->block[i];
         if (!b->isSound)
             continue;
-        setPositionResiduals(j, b, way);
+        most = keaMax(most, setPositionResiduals(j, b, way));
         if (b->isWide) {
             memset(unknownsOf(j, b), 0, (size_t)b->numNodes * sizeof *j->x);
             pushStops(s, j, b);
@@ -723,6 +728,7 @@ void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]) {
         limitTurn(j, b);
         moveBodies(j, b, way);
     }
+    return most;
 }
 
 /* ---- rebounds, and the end ---- */

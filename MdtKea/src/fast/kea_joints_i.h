@@ -81,8 +81,9 @@ double kea_jointsAdvance(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]);
 void kea_jointsTurn(MdtKeaSystem *s, KeaJoints *j, const KeaMotion way[]);
 /* Factorizes again, after the rows' Jacobians have changed. */
 void kea_jointsRefill(const MdtKeaSystem *s, KeaJoints *j);
-/* A pass over displacements, which removes position errors. */
-void kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]);
+/* A pass over displacements, which removes position errors. Returns the largest that there was, as
+ * kea_jointsAdvance. */
+double kea_jointsPush(const MdtKeaSystem *s, KeaJoints *j, KeaMotion way[]);
 /* Makes the rebound the target of stops that were hit; whether there are any. */
 MeBool kea_jointsRebound(KeaJoints *j);
 /* Adds what the impulses change momenta by, N s and N m s, to `change`, by place. */

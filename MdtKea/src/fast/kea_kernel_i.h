@@ -405,7 +405,8 @@ static void advance(KeaGroup groups[], int count, const KeaMotion motion[], floa
 }
 
 /* Overlap beyond the sag shrinks by the share; a gap may close, but no further. */
-static void pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) {
+static MeBool pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) {
+    KeaMask isAny = {0};
     for (int i = 0; i < count; i++) {
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
@@ -419,11 +420,14 @@ static void pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) {
             way[k] = lanesOf(0);
         }
         solvePoints(g, rate, lanesOf(0), way);
-        for (int k = 0; k < KEA_POINTS; k++)
+        for (int k = 0; k < KEA_POINTS; k++) {
+            isAny |= g->isPoint[k] & (rate[k] < -lanesOf((float)kea_closedJoint) * g->size);
             way[k] = lanesSelect(g->isPoint[k] & (g->correction > lanesOf(0)), way[k], lanesOf(0));
+        }
         applyNormals(g, &p, across, way);
         scatter(g, &p, motion);
     }
+    return !lanesAreAll(~isAny);
 }
 
 /* ---- the residual ---- */
