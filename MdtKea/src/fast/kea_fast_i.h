@@ -70,6 +70,9 @@ typedef struct KeaGroup {
     KeaLanes direct[10];           /* kg, its inverse, or pseudo-inverse */
     KeaMask isDirect;              /* that is well enough conditioned */
     KeaLanes grip[3], twistMass;   /* kg, of friction along t1 and t2: 11 12 22; kg m², about n (effective masses) */
+    /* the same of the coupling J_f M⁻¹ J_nᵀ: rates along t1, t2, and about n, by the sum of normal impulses and their
+     * moments Σ x p, Σ y p; and along t1, t2 by friction about n */
+    KeaLanes toSlide[2][3], toSpin[3], twistToSlide[2];
     /* pass */
     KeaLanes impulse[KEA_POINTS], before[KEA_POINTS]; /* N s, and one pass earlier */
     KeaLanes rub[2], rubBefore[2];                    /* of friction: along t1 and t2, at the centre */

@@ -52,24 +52,44 @@ KEA_INLINE void applyImpulse(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaL
         lanesDifference(p->ang[1], lanesApply(g->invInertia[1], lanesSum(lanesCross(g->arm[1], impulse), couple)));
 }
 
-/* Normal impulses as an impulse at the centre and a couple. */
-KEA_INLINE void applyNormals(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes change[KEA_POINTS]) {
-    KeaLanes sum = lanesOf(0), sumX = lanesOf(0), sumY = lanesOf(0);
+/* The sum of normal impulses, and their moments: Σ x p, Σ y p. */
+KEA_INLINE void resultantOf(const KeaGroup *g, const KeaLanes impulse[KEA_POINTS], KeaLanes r[3]) {
+    r[0] = r[1] = r[2] = lanesOf(0);
     for (int k = 0; k < KEA_POINTS; k++) {
-        sum += change[k];
-        sumX += change[k] * g->x[k];
-        sumY += change[k] * g->y[k];
+        r[0] += impulse[k];
+        r[1] += impulse[k] * g->x[k];
+        r[2] += impulse[k] * g->y[k];
     }
-    applyImpulse(g, p, lanesScale(sum, g->normal),
-                 lanesDifference(lanesScale(sumY, g->along), lanesScale(sumX, across)));
 }
 
-/* u of kea_fast_i.h. */
-KEA_INLINE void normalRates(const KeaGroup *g, const Pair *p, KeaLanes3 across, KeaLanes u[3]) {
-    const KeaLanes3 turn = lanesDifference(p->ang[0], p->ang[1]);
-    u[0] = lanesDot(g->normal, rateAtCentre(g, p));
-    u[1] = -lanesDot(across, turn);
-    u[2] = lanesDot(g->along, turn);
+KEA_INLINE KeaLanes3 coupleOf(const KeaGroup *g, KeaLanes3 across, const KeaLanes r[3]) {
+    return lanesDifference(lanesScale(r[2], g->along), lanesScale(r[1], across));
+}
+
+KEA_INLINE void applyNormals(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes change[KEA_POINTS]) {
+    KeaLanes r[3];
+    resultantOf(g, change, r);
+    applyImpulse(g, p, lanesScale(r[0], g->normal), coupleOf(g, across, r));
+}
+
+/* Normal impulses of that resultant, with friction along t1 and t2, and about n. */
+KEA_INLINE void applyAll(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes r[3], const KeaLanes rub[2],
+                         KeaLanes twist) {
+    const KeaLanes3 friction = lanesSum(lanesScale(rub[0], g->along), lanesScale(rub[1], across));
+    applyImpulse(g, p, lanesSum(lanesScale(r[0], g->normal), friction),
+                 lanesSum(coupleOf(g, across, r), lanesScale(twist, g->normal)));
+}
+
+/* Of the first body against the second, at the centre: u of kea_fast_i.h; along t1 and t2, m/s; about n, rad/s. */
+typedef struct Rates {
+    KeaLanes u[3], slide[2], spin;
+} Rates;
+
+KEA_INLINE Rates ratesOf(const KeaGroup *g, const Pair *p, KeaLanes3 across) {
+    const KeaLanes3 v = rateAtCentre(g, p), w = lanesDifference(p->ang[0], p->ang[1]);
+    return (Rates){.u = {lanesDot(g->normal, v), -lanesDot(across, w), lanesDot(g->along, w)},
+                   .slide = {lanesDot(g->along, v), lanesDot(across, v)},
+                   .spin = lanesDot(g->normal, w)};
 }
 
 /* The place of an entry of a symmetric matrix, 4 by 4, of which the rows of the upper triangle are kept. */
@@ -154,18 +174,20 @@ KEA_INLINE void solveFriction(const KeaGroup *g, const KeaLanes rate[2], const L
     clampFriction(g, limits, rub);
 }
 
-KEA_INLINE void slidingRates(const KeaGroup *g, const Pair *p, KeaLanes3 across, const KeaLanes rub[2],
-                             KeaLanes rate[2]) {
-    const KeaLanes3 slide = rateAtCentre(g, p);
-    rate[0] = lanesDot(g->along, slide) - g->slide[0] + g->slip[0] * rub[0];
-    rate[1] = lanesDot(across, slide) - g->slide[1] + g->slip[1] * rub[1];
+/* Less those that the surface is to have, with the compliance of such friction. */
+KEA_INLINE void slidingRates(const KeaGroup *g, const KeaLanes slide[2], const KeaLanes rub[2], KeaLanes rate[2]) {
+    for (int i = 0; i < 2; i++)
+        rate[i] = slide[i] - g->slide[i] + g->slip[i] * rub[i];
 }
 
 /* ---- a visit ---- */
 
-KEA_INLINE void visitNormals(KeaGroup *g, Pair *p, KeaLanes3 across, KeaLanes beta, KeaLanes *uphill) {
-    KeaLanes u[3], rate[KEA_POINTS], guess[KEA_POINTS], next[KEA_POINTS], change[KEA_POINTS];
-    normalRates(g, p, across, u);
+/* Each of these solves for its impulses, from guesses that are extrapolated by beta, and returns their change. The
+ * rates of those after it follow by the coupling, so that bodies are read and written once. */
+
+KEA_INLINE void visitNormals(KeaGroup *g, Rates *rates, KeaLanes beta, KeaLanes *uphill, KeaLanes resultant[3]) {
+    KeaLanes rate[KEA_POINTS], guess[KEA_POINTS], next[KEA_POINTS], change[KEA_POINTS];
+    const KeaLanes *u = rates->u;
     for (int k = 0; k < KEA_POINTS; k++) {
         guess[k] = next[k] = g->impulse[k] + beta * (g->impulse[k] - g->before[k]);
         rate[k] = u[0] + g->x[k] * u[1] + g->y[k] * u[2] - g->target[k] + g->compliance * guess[k];
@@ -178,32 +200,34 @@ KEA_INLINE void visitNormals(KeaGroup *g, Pair *p, KeaLanes3 across, KeaLanes be
         g->before[k] = g->impulse[k];
         g->impulse[k] = next[k];
     }
-    applyNormals(g, p, across, change);
+    resultantOf(g, change, resultant);
+    for (int j = 0; j < 3; j++) {
+        rates->slide[0] += g->toSlide[0][j] * resultant[j];
+        rates->slide[1] += g->toSlide[1][j] * resultant[j];
+        rates->spin += g->toSpin[j] * resultant[j];
+    }
 }
 
-KEA_INLINE void visitTwist(KeaGroup *g, Pair *p, const Limits *limits, KeaLanes beta) {
+KEA_INLINE KeaLanes visitTwist(KeaGroup *g, Rates *rates, const Limits *limits, KeaLanes beta) {
     const KeaLanes guess = g->twist + beta * (g->twist - g->twistBefore);
-    const KeaLanes rate = lanesDot(g->normal, lanesDifference(p->ang[0], p->ang[1]));
-    const KeaLanes next = lanesClamp(guess - g->twistMass * rate, limits->twist);
-    const KeaLanes3 couple = lanesScale(next - guess, g->normal);
+    const KeaLanes next = lanesClamp(guess - g->twistMass * rates->spin, limits->twist), change = next - guess;
     g->twistBefore = g->twist;
     g->twist = next;
-    p->ang[0] = lanesSum(p->ang[0], lanesApply(g->invInertia[0], couple));
-    p->ang[1] = lanesDifference(p->ang[1], lanesApply(g->invInertia[1], couple));
+    for (int i = 0; i < 2; i++)
+        rates->slide[i] += g->twistToSlide[i] * change;
+    return change;
 }
 
-KEA_INLINE void visitFriction(KeaGroup *g, Pair *p, KeaLanes3 across, const Limits *limits, KeaLanes beta,
-                              KeaLanes *uphill) {
+KEA_INLINE void visitFriction(KeaGroup *g, const Rates *rates, const Limits *limits, KeaLanes beta, KeaLanes *uphill,
+                              KeaLanes change[2]) {
     KeaLanes guess[2], next[2], rate[2];
     for (int i = 0; i < 2; i++)
         guess[i] = next[i] = g->rub[i] + beta * (g->rub[i] - g->rubBefore[i]);
-    slidingRates(g, p, across, guess, rate);
+    slidingRates(g, rates->slide, guess, rate);
     solveFriction(g, rate, limits, next);
-    const KeaLanes3 none = {lanesOf(0), lanesOf(0), lanesOf(0)};
-    applyImpulse(g, p, lanesSum(lanesScale(next[0] - guess[0], g->along), lanesScale(next[1] - guess[1], across)),
-                 none);
     for (int i = 0; i < 2; i++) {
-        *uphill -= (next[i] - guess[i]) * (next[i] - g->rub[i]);
+        change[i] = next[i] - guess[i];
+        *uphill -= change[i] * (next[i] - g->rub[i]);
         g->rubBefore[i] = g->rub[i];
         g->rub[i] = next[i];
     }
@@ -216,10 +240,13 @@ static void pass(KeaGroup groups[], int count, KeaMotion motion[], float beta, f
         KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
         Pair p = gather(g, motion);
-        visitNormals(g, &p, across, lanesOf(beta), &sum);
+        Rates rates = ratesOf(g, &p, across);
+        KeaLanes normal[3], rub[2];
+        visitNormals(g, &rates, lanesOf(beta), &sum, normal);
         const Limits limits = frictionLimits(g, g->impulse);
-        visitTwist(g, &p, &limits, lanesOf(beta));
-        visitFriction(g, &p, across, &limits, lanesOf(beta), &sum);
+        const KeaLanes twist = visitTwist(g, &rates, &limits, lanesOf(beta));
+        visitFriction(g, &rates, &limits, lanesOf(beta), &sum, rub);
+        applyAll(g, &p, across, normal, rub, twist);
         scatter(g, &p, motion);
     }
     memcpy(uphill, &sum, sizeof sum);
@@ -353,6 +380,27 @@ KEA_INLINE void setFrictionMass(KeaGroup *g, KeaLanes3 across) {
     g->twistMass = lanesSelect(twist > lanesOf(0), lanesOf(1) / twist, lanesOf(0));
 }
 
+/* Rates of friction by normal impulses, as resultantOf has them, and by friction about n. */
+KEA_INLINE void setFrictionCoupling(KeaGroup *g, KeaLanes3 across) {
+    for (int j = 0; j < 3; j++)
+        g->toSlide[0][j] = g->toSlide[1][j] = g->toSpin[j] = lanesOf(0);
+    g->twistToSlide[0] = g->twistToSlide[1] = lanesOf(0);
+    for (int b = 0; b < 2; b++) {
+        const KeaLanes3 lever[2] = {lanesCross(g->arm[b], g->along), lanesCross(g->arm[b], across)};
+        const KeaLanes3 minus = lanesScale(lanesOf(-1), across);
+        const KeaLanes3 by[3] = {lanesApply(g->invInertia[b], lanesCross(g->arm[b], g->normal)),
+                                 lanesApply(g->invInertia[b], minus), lanesApply(g->invInertia[b], g->along)};
+        const KeaLanes3 byTwist = lanesApply(g->invInertia[b], g->normal);
+        for (int i = 0; i < 2; i++) {
+            g->twistToSlide[i] += lanesDot(lever[i], byTwist);
+            for (int j = 0; j < 3; j++)
+                g->toSlide[i][j] += lanesDot(lever[i], by[j]);
+        }
+        for (int j = 0; j < 3; j++)
+            g->toSpin[j] += lanesDot(g->normal, by[j]);
+    }
+}
+
 static void prepare(KeaGroup groups[], int count, float stepsize) {
     for (int i = 0; i < count; i++) {
         KeaGroup *g = &groups[i];
@@ -362,6 +410,7 @@ static void prepare(KeaGroup groups[], int count, float stepsize) {
             g->before[k] = g->impulse[k];
         setInverse(g, stepsize);
         setFrictionMass(g, across);
+        setFrictionCoupling(g, across);
         g->rubBefore[0] = g->rub[0];
         g->rubBefore[1] = g->rub[1];
         g->twistBefore = g->twist;
@@ -373,9 +422,9 @@ static void apply(const KeaGroup groups[], int count, KeaMotion motion[]) {
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
         Pair p = gather(g, motion);
-        applyNormals(g, &p, across, g->impulse);
-        applyImpulse(g, &p, lanesSum(lanesScale(g->rub[0], g->along), lanesScale(g->rub[1], across)),
-                     lanesScale(g->twist, g->normal));
+        KeaLanes normal[3];
+        resultantOf(g, g->impulse, normal);
+        applyAll(g, &p, across, normal, g->rub, g->twist);
         scatter(g, &p, motion);
     }
 }
@@ -397,8 +446,8 @@ static void advance(KeaGroup groups[], int count, const KeaMotion motion[], floa
     for (int i = 0; i < count; i++) {
         KeaGroup *g = &groups[i];
         const Pair p = gather(g, motion);
-        KeaLanes u[3];
-        normalRates(g, &p, lanesCross(g->normal, g->along), u);
+        const Rates rates = ratesOf(g, &p, lanesCross(g->normal, g->along));
+        const KeaLanes *u = rates.u;
         for (int k = 0; k < KEA_POINTS; k++)
             g->gap[k] += lanesOf(stepsize) * (u[0] + g->x[k] * u[1] + g->y[k] * u[2]);
     }
@@ -411,8 +460,9 @@ static MeBool pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) 
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
         Pair p = gather(g, motion);
-        KeaLanes u[3], rate[KEA_POINTS], way[KEA_POINTS];
-        normalRates(g, &p, across, u);
+        const Rates rates = ratesOf(g, &p, across);
+        const KeaLanes *u = rates.u;
+        KeaLanes rate[KEA_POINTS], way[KEA_POINTS];
         for (int k = 0; k < KEA_POINTS; k++) {
             const KeaLanes gap = g->gap[k] + u[0] + g->x[k] * u[1] + g->y[k] * u[2];
             const KeaLanes overlap = lanesMin(gap + g->sag[k], lanesOf(0));
@@ -456,8 +506,9 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         const KeaLanes3 across = lanesCross(g->normal, g->along);
         const Pair p = gather(g, motion);
         const Limits limits = frictionLimits(g, g->impulse);
-        KeaLanes u[3], rate[2], rub[2] = {g->rub[0], g->rub[1]};
-        normalRates(g, &p, across, u);
+        const Rates rates = ratesOf(g, &p, across);
+        const KeaLanes *u = rates.u;
+        KeaLanes rate[2], rub[2] = {g->rub[0], g->rub[1]};
         for (int k = 0; k < KEA_POINTS; k++) {
             const KeaLanes speed = u[0] + g->x[k] * u[1] + g->y[k] * u[2];
             const KeaLanes off = speed - g->target[k] + g->compliance * g->impulse[k];
@@ -466,7 +517,7 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
             addMiss(g->isPoint[k], miss, &worst, &squares);
             fastest = lanesMax(closingOf(g, k, speed, h), fastest);
         }
-        slidingRates(g, &p, across, rub, rate);
+        slidingRates(g, rates.slide, rub, rate);
         solveFriction(g, rate, &limits, rub);
         for (int k = 0; k < 2; k++) {
             const KeaLanes miss = lanesAbs(rub[k] - g->rub[k]) / g->grip[2 * k];
