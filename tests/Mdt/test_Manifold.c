@@ -148,6 +148,40 @@ START_TEST(the_nearest_goes_on) {
 }
 END_TEST
 
+static void tilt(MdtFoundContact *found) {
+    found->normal[0] = 1;
+}
+
+/* Then threads may renew different groups at once. */
+START_TEST(a_group_goes_on_where_nothing_is_made_or_lost) {
+    MdtFoundContact found[MANY];
+    MdtContactID contact[MANY];
+    corners(found, MANY);
+    ck_assert(!MdtContactGroupGoesOn(group, found, 4));
+    MdtContactGroupRenew(group, found, 4, 0, contact);
+    ck_assert(MdtContactGroupGoesOn(group, found, 4));
+    ck_assert(!MdtContactGroupGoesOn(group, found, 3) && !MdtContactGroupGoesOn(group, found, 5));
+    found[2].params = &smooth;
+    ck_assert(!MdtContactGroupGoesOn(group, found, 4));
+    corners(found, MANY);
+    tilt(&found[2]); /* there is no place for a normal of its own yet */
+    ck_assert(!MdtContactGroupGoesOn(group, found, 4));
+    MdtContactGroupRenew(group, found, 4, 0, contact);
+    ck_assert(MdtContactGroupGoesOn(group, found, 4));
+    tilt(&found[0]);
+    ck_assert(MdtContactGroupGoesOn(group, found, 4));
+    corners(found, MANY);
+    ck_assert(MdtContactGroupGoesOn(group, found, 4));
+    MdtContactGroupRenew(group, found, MANY, 0, contact); /* in three records */
+    ck_assert(MdtContactGroupGoesOn(group, found, MANY));
+    tilt(&found[9]);
+    ck_assert(!MdtContactGroupGoesOn(group, found, MANY));
+    MdtContactGroupRenew(group, found, MANY, 0, contact);
+    ck_assert(MdtContactGroupGoesOn(group, found, MANY));
+    assert_near(heightOf(contact[9]), sqrt(.5), TOL(1e-6, 1e-15));
+}
+END_TEST
+
 START_TEST(what_a_bridge_made_stays_in_its_group) {
     MdtFoundContact found[2];
     MdtContactID contact[2];
@@ -227,6 +261,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, a_full_world_has_fewer);
     tcase_add_test(t, each_has_its_own);
     tcase_add_test(t, the_nearest_goes_on);
+    tcase_add_test(t, a_group_goes_on_where_nothing_is_made_or_lost);
     tcase_add_test(t, what_a_bridge_made_stays_in_its_group);
     tcase_add_test(t, surfaces_are_kept_once_and_go);
     tcase_add_test(t, contacts_are_carried_along);

@@ -686,7 +686,7 @@ static void pushJoined(Step *p) {
         } else if (!areClosed) {
             pushApart(p, 1, open);
         } else if (pushApart(p, KEA_JOINT_ROUNDS - round, open)) {
-            round = KEA_JOINT_ROUNDS - 1;
+            round = KEA_JOINT_ROUNDS - 1; /* all of contacts have been taken */
         } else {
             kea_jointsPush(p->s, &p->joints, p->way); /* or what is small would add up from step to step */
             setEndPoses(p);

@@ -194,26 +194,31 @@ static void exchangeRows(double *D, int n, double size[], int i, int k) {
     size[i] = t;
 }
 
+/* The row in which column k has its pivot: where a_ik² / size_i is largest, which becomes `most`. */
+KEA_INLINE int pivotOf(const double *D, int n, const double size[], int k, double *most) {
+    int best = k;
+    *most = 0;
+    for (int i = k; i < n; i++) {
+        const double square = D[i * n + k] * D[i * n + k];
+        if (square > *most * size[i]) {
+            *most = square / size[i];
+            best = i;
+        }
+    }
+    return best;
+}
+
 /* P D = L U in place, L with a unit diagonal; the diagonal of U is kept inverted. */
 KEA_INLINE MeBool luOf(double *D, const double *given, int n, int exchange[], double least) {
-    double size[KEA_FACTOR_MAX_BLOCK], own[KEA_FACTOR_MAX_BLOCK];
+    double size[KEA_FACTOR_MAX_BLOCK], own[KEA_FACTOR_MAX_BLOCK], most;
     MEASSERT(n <= KEA_FACTOR_MAX_BLOCK);
     measureRows(given, n, size);
     memcpy(own, size, sizeof own);
     for (int k = 0; k < n; k++) {
-        int best = k;
-        double most = 0; /* of a_ik² / size_i */
-        for (int i = k; i < n; i++) {
-            const double square = D[i * n + k] * D[i * n + k];
-            if (square > most * size[i]) {
-                most = square / size[i];
-                best = i;
-            }
-        }
-        exchange[k] = best;
+        exchange[k] = pivotOf(D, n, size, k, &most);
         if (!(most > least * least * own[k]))
             return MEFALSE;
-        exchangeRows(D, n, size, best, k);
+        exchangeRows(D, n, size, exchange[k], k);
         const double inverse = 1 / D[k * n + k];
         for (int i = k + 1; i < n; i++) {
             const double factor = D[i * n + k] *= inverse;
@@ -223,20 +228,6 @@ KEA_INLINE MeBool luOf(double *D, const double *given, int n, int exchange[], do
         D[k * n + k] = inverse;
     }
     return METRUE;
-}
-
-/* The row in which column k has its pivot: where a_ik² / size_i is largest, which becomes `most`. */
-KEA_INLINE int pivotOf6(const double *D, const double size[], int k, double *most) {
-    int best = k;
-    *most = 0;
-    for (int i = k; i < 6; i++) {
-        const double square = D[i * 6 + k] * D[i * 6 + k];
-        if (square > *most * size[i]) {
-            *most = square / size[i];
-            best = i;
-        }
-    }
-    return best;
 }
 
 /* 1 from column k on: what makes a row of U of one that begins with factors of L. */
@@ -249,7 +240,7 @@ static MeBool lu6(double *D, const double *given, int exchange[], double least) 
     measureRows(given, 6, size);
     memcpy(own, size, sizeof own);
     for (int k = 0; k < 6; k++) {
-        exchange[k] = pivotOf6(D, size, k, &most);
+        exchange[k] = pivotOf(D, 6, size, k, &most);
         if (!(most > least * least * own[k]))
             return MEFALSE;
         exchangeRows(D, 6, size, exchange[k], k);
