@@ -172,6 +172,66 @@ static Point pointOf(const KeaGroup *g, int lane, int k) {
     return (Point){rate - (double)g->target[k][lane] + (double)g->compliance[lane] * impulse, impulse};
 }
 
+/* Along t1 and t2 at the centre, and about the normal, from the bodies' motions. */
+static void frictionRatesOf(const KeaGroup *g, int lane, double rate[3]) {
+    double axis[3][3]; /* t1, t2, n */
+    laneOf(&g->along, lane, axis[0]);
+    laneOf(&g->normal, lane, axis[2]);
+    crossOf(axis[1], axis[2], axis[0]);
+    rate[0] = rate[1] = rate[2] = 0;
+    for (int b = 0; b < 2; b++) {
+        const KeaMotion *m = &motion[g->body[b][lane]];
+        const double w[3] = {(double)m->ang[0], (double)m->ang[1], (double)m->ang[2]};
+        double arm[3], turn[3];
+        laneOf(&g->arm[b], lane, arm);
+        crossOf(turn, w, arm);
+        for (int i = 0; i < 3; i++)
+            for (int k = 0; k < 3; k++)
+                rate[k] += (b == 0 ? 1 : -1) * axis[k][i] * (k < 2 ? (double)m->lin[i] + turn[i] : w[i]);
+    }
+}
+
+/* The same by the coupling. */
+static void coupledRatesOf(const KeaGroup *g, int lane, double rate[3]) {
+    double resultant[3] = {0, 0, 0};
+    for (int k = 0; k < KEA_POINTS; k++) {
+        const double p = (double)g->impulse[k][lane];
+        resultant[0] += p;
+        resultant[1] += p * (double)g->x[k][lane];
+        resultant[2] += p * (double)g->y[k][lane];
+    }
+    const double twist = (double)g->twist[lane];
+    for (int k = 0; k < 2; k++)
+        rate[k] = (double)g->twistToSlide[k][lane] * twist;
+    rate[2] = g->twistMass[lane] > 0 ? twist / (double)g->twistMass[lane] : 0;
+    for (int j = 0; j < 3; j++) {
+        rate[0] += (double)g->toSlide[0][j][lane] * resultant[j];
+        rate[1] += (double)g->toSlide[1][j][lane] * resultant[j];
+        rate[2] += (double)g->toSpin[j][lane] * resultant[j];
+    }
+}
+
+START_TEST(rates_of_friction_follow_from_the_coupling) {
+    makeGroups((unsigned int)_i);
+    memset(motion, 0, sizeof motion);
+    for (int i = 0; i < GROUPS; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++)
+            groups[i].twist[lane] = groups[i].manifold[lane] >= 0 ? chance(-.1, .1) : 0;
+    kea_kernel.prepare(groups, GROUPS, 1.f / 60);
+    kea_kernel.apply(groups, GROUPS, motion);
+    for (int i = 0; i < GROUPS; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++) {
+            double found[3], expected[3];
+            if (groups[i].manifold[lane] < 0)
+                continue;
+            frictionRatesOf(&groups[i], lane, found);
+            coupledRatesOf(&groups[i], lane, expected);
+            for (int k = 0; k < 3; k++)
+                assert_near(found[k], expected[k], 1e-5);
+        }
+}
+END_TEST
+
 /* Friction is off here: manifolds that share no body are solved by one visit, four points whose velocities contradict
  * each other by several. */
 START_TEST(a_visit_solves_what_shares_no_body) {
@@ -313,6 +373,7 @@ static void tests(TCase *t) {
     tcase_add_loop_test(t, points_may_coincide, 0, 4);
     tcase_add_loop_test(t, points_may_coincide_anywhere, 1, 4);
     tcase_add_loop_test(t, every_width_gives_the_same_bits, 1, 9);
+    tcase_add_loop_test(t, rates_of_friction_follow_from_the_coupling, 1, 9);
     tcase_add_loop_test(t, a_visit_solves_what_shares_no_body, 1, 9);
 }
 
