@@ -401,6 +401,24 @@ START_TEST(callbacks_and_interactions_of_the_program_are_not_plain) {
 }
 END_TEST
 
+START_TEST(what_is_fast_and_not_one_convex_shape_is_not_plain) {
+    const McdSpaceID s = McdSpaceAxisSortCreate(p.frame, McdAllAxes, 10, 10);
+    MeVector3 velocity = {100, 0, 0};
+    for (int isWhole = 0; isWhole < 2; isWhole++) {
+        const McdGeometryID box = McdBoxCreate(p.frame, 1, 1, 1);
+        ck_assert(isPlain(isWhole ? wrapped(box) : box, isWhole ? field() : McdPlaneCreate(p.frame)));
+        McdModelSetLinearVelocityPtr(p.model[0], velocity);
+        McdModelSetSwept(p.model[0], METRUE);
+        McdSpaceInsertModel(s, p.model[0]);
+        McdSpaceSetLookAhead(s, 1);
+        McdSpaceUpdateAll(s);
+        ck_assert(McdModelGetFastMargin(p.model[0]) > 0);
+        ck_assert_int_eq(McdModelPairIsPlain(&p.pair), !isWhole);
+    }
+    McdSpaceDestroy(s);
+}
+END_TEST
+
 START_TEST(parts_with_materials_of_their_own_are_not_plain) {
     ck_assert(isPlain(wrapped(McdBoxCreate(p.frame, 1, 1, 1)), field()));
     const McdGeometryInstanceID inner = McdGeometryInstanceGetChild(McdModelGetGeometryInstance(p.model[0]), 0);
@@ -428,6 +446,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, whatever_the_library_tests_alone_is_plain);
     tcase_add_test(t, a_list_of_triangles_is_a_function_of_the_program);
     tcase_add_test(t, callbacks_and_interactions_of_the_program_are_not_plain);
+    tcase_add_test(t, what_is_fast_and_not_one_convex_shape_is_not_plain);
     tcase_add_test(t, parts_with_materials_of_their_own_are_not_plain);
 }
 

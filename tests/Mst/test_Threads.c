@@ -113,10 +113,11 @@ static void makeTerrain(Scene *s) {
     MstFixedModelCreate(s->u, McdRGHeightFieldCreate(s->u->frame, height, SIDE, SIDE, 1, 1, -12, -12), floorPlace);
     MstFixedModelCreate(s->u, McdTriangleListCreate(s->u->frame, low, high, 2, giveGround), floorPlace);
     const McdGeometryID shape[] = {stool(s->u->frame), McdBoxCreate(s->u->frame, (MeReal).8, (MeReal).6, (MeReal).5),
-                                   McdSphereCreate(s->u->frame, (MeReal).4), stool(s->u->frame)};
+                                   McdSphereCreate(s->u->frame, (MeReal).4)};
     for (int i = 0; i < 160; i++) {
-        put(s, shape[i % 4], -9 + 2.2 * (i % 8) + chance(s, 0, .2), 3.5 + 1.2 * (i / 64), -9 + 2.2 * (i / 8 % 8));
-        if (i % 40 == 3)
+        put(s, shape[i < 156 ? i % 3 : 0], -9 + 2.2 * (i % 8) + chance(s, 0, .2), 3.5 + 1.2 * (i / 64),
+            -9 + 2.2 * (i / 8 % 8));
+        if (i >= 156) /* the last, or few would be left to workers */
             McdGeometryInstanceSetMaterial(McdGeometryInstanceGetChild(McdModelGetGeometryInstance(s->model[i]), 1), 0);
     }
 }
