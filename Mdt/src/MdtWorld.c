@@ -74,6 +74,7 @@ static void freeWorld(MdtWorldID w) {
                       w->graph.actsOn, w->graph.isEnabled, w->graph.partition};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         MeMemoryGive(arrays[i]);
+    mdt_batchesTerm(&w->batches);
     mdt_workersTerm(w);
     mdt_poolTerm(&w->bodyPool);
     mdt_poolTerm(&w->jointPool);
@@ -124,7 +125,8 @@ static MeBool reserveConstraints(MdtWorldID w, int constraints, const char *call
 
 MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller) {
     const MeBool isDone =
-        reserveBodies(w, MeMAX(bodies, 1), caller) && reserveConstraints(w, MeMAX(constraints, 1), caller);
+        reserveBodies(w, MeMAX(bodies, 1), caller) && reserveConstraints(w, MeMAX(constraints, 1), caller) &&
+        mdt_batchesReserve(&w->batches, w->bodyRoom, w->constraintRoom, caller);
     w->output.world = w;
     w->output.bodies = w->bodyOf;
     w->output.constraints = w->constraintOf;

@@ -71,8 +71,13 @@ static MeBool isStillDisturbed(const MdtIsland *p, const MdtBody *b) {
            (p->numJoints > 0 || isSmall(p) || b->slowTime == 0 || b->settlingWork > mdt_mostSettlingWork);
 }
 
+/* One of few bodies is met in time, unless it is one of many. */
+static MeBool mayBeDisturbed(const MdtIsland *p) {
+    return !isSmall(p) || p->isAmongMany;
+}
+
 static MdtUnrest unrestOf(const MdtIsland *p) {
-    MdtUnrest is = !isSmall(p) && (p->numBodies >= MDT_CROWD || hasImpacts(p)) ? MDT_HIT : MDT_CALM;
+    MdtUnrest is = mayBeDisturbed(p) && (p->numBodies >= MDT_CROWD || hasImpacts(p)) ? MDT_HIT : MDT_CALM;
     for (int i = 0; i < p->numBodies && is != MDT_UNSETTLED; i++)
         if (isStillDisturbed(p, p->bodies[i]))
             is = MeMAX(is, p->bodies[i]->unrest);

@@ -364,6 +364,23 @@ enum { MDT_HELD = 4 };
 double mdt_worldAccuracy(const MdtWorld *w, double h);
 
 struct MdtIsland;
+/* A partition that is stepped together with others, and where its own begin among theirs. */
+typedef struct MdtMember {
+    int partition, firstBody, firstActing;
+} MdtMember;
+
+/* The batches of a step (mdt_batch.c). */
+typedef struct MdtBatches {
+    int bodyRoom, actingRoom;
+    int count, numMembers;
+    int *firstMember;        /* by batch, and the end */
+    MdtMember *member;       /* and the end */
+    MeBool *isIn;            /* by partition, if there are batches */
+    MdtBodyID *body;         /* of members, */
+    MdtKeaBody **kea;        /* parallel to it, */
+    MdtConstraintID *acting; /* and what acts on them */
+} MdtBatches;
+
 size_t mdt_tasksSize(size_t bodies); /* ints that the tasks of so many bodies need */
 
 /* ---- worlds -------------------------------------------------------------------------------------------------- */
@@ -454,6 +471,7 @@ struct MdtWorld {
     MdtConstraintID *actingOf;
     MdtKeaBody **keaOf; /* parallel to bodyOf */
     int *bodyStart, *actingStart;
+    MdtBatches batches;
     /* the same as programs see it, contacts among them; made when they ask (mdt_islandsList) */
     MdtConstraintID *constraintOf;
     int *constraintStart;
@@ -475,6 +493,10 @@ struct MdtWorld {
  * changed. Ends all of them (MdtWorldTasks.c). */
 MeBool mdt_workersInit(MdtWorldID w, int count, const char *caller);
 void mdt_workersTerm(MdtWorldID w);
+
+/* Room for the batches of so many bodies, and constraints that act on them. False: no memory (mdt_batch.c). */
+MeBool mdt_batchesReserve(MdtBatches *b, int bodies, int acting, const char *caller);
+void mdt_batchesTerm(MdtBatches *b);
 
 /* Room for so many bodies and constraints in the arrays of a step. False: no memory. */
 MeBool mdt_worldReserve(MdtWorldID w, int bodies, int constraints, const char *caller);
@@ -527,6 +549,11 @@ void mdt_reportSolve(struct MdtIsland *p);
 void mdt_reportPart(MdtReport *r, const struct MdtIsland *p, MeBool isFinite);
 /* The partition is done, or was put to rest. */
 void mdt_reportEnd(struct MdtIsland *p);
+/* A batch begins, with a report of its own, if there is one; that of a member, when the batch is done; all batches
+ * are. */
+void mdt_reportBatch(struct MdtIsland *p, MdtReport *r);
+void mdt_reportMember(const struct MdtIsland *p, const MdtMember *m, int rows, double penetration);
+void mdt_reportBatchesEnd(MdtWorldID w);
 /* All partitions are done. */
 void mdt_reportStepEnd(MdtWorldID w);
 

@@ -244,6 +244,7 @@ MdtIsland mdt_islandOf(MdtWorldID w, int number, double h) {
                        .numActing = w->actingStart[number + 1] - w->actingStart[number],
                        .bodies = w->bodyOf + w->bodyStart[number],
                        .acting = w->actingOf + w->actingStart[number],
+                       .kea.bodies = w->keaOf + w->bodyStart[number],
                        .whole = w->lastStep,
                        .h = h};
 }

@@ -125,15 +125,17 @@ void mdt_islandSetFast(MdtIsland *p, MeBool isFast) {
     p->kea.maxContacts = isFast ? 0 : p->numContacts;
 }
 
-static void setSystem(MdtIsland *p, const Chunk *all) {
+static void noteActing(MdtIsland *p, const Chunk *all) {
     p->numJoints = all->joints;
     p->jointRows = all->rows;
     p->numContacts = all->points;
     p->bounces = all->bounces;
     p->losesEnergy = all->losesEnergy;
-    mdt_islandSetFast(p, mdt_crowdIsChosen(p));
+}
+
+static void setSystem(MdtIsland *p) {
+    mdt_islandSetFast(p, p->numMembers > 0 || mdt_crowdIsChosen(p));
     p->kea.numBodies = p->numBodies;
-    p->kea.bodies = p->world->keaOf + p->world->bodyStart[p->number];
     p->kea.errors = p->numJoints > 0 ? mdt_rowsErrors : NULL;
     p->kea.jacobians = p->numJoints > 0 ? mdt_rowsMove : NULL;
     p->kea.cache = p->worker->keaCache;
@@ -161,7 +163,7 @@ static void MEAPI packBodies(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
     (void)worker;
     for (int i = first; i < end; i++) {
-        MEASSERT(p->bodies[i]->partition == p->number && (p->bodies[i]->record.flags & MDT_ENABLED));
+        MEASSERT(p->bodies[i]->partition >= p->number && (p->bodies[i]->record.flags & MDT_ENABLED));
         p->bodies[i]->index = i;
         mdt_bodyPack(p->bodies[i]);
         addGravity(p->world, p->bodies[i]);
@@ -169,11 +171,19 @@ static void MEAPI packBodies(void *island, int first, int end, int worker) {
     }
 }
 
+void mdt_islandCount(MdtIsland *p) {
+    Acting acting;
+    acting.p = p;
+    const Chunk all = countActing(&acting);
+    noteActing(p, &all);
+}
+
 MeBool mdt_islandPack(MdtIsland *p) {
     Acting acting; /* no initializer: most partitions have one chunk */
     acting.p = p;
     const Chunk all = countActing(&acting);
-    setSystem(p, &all);
+    noteActing(p, &all);
+    setSystem(p);
     if (!takeScratch(p, all.manifolds))
         return MEFALSE;
     MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, packBodies, p);

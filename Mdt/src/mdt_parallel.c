@@ -1,6 +1,7 @@
 /* A world's partitions, by its workers.
  *
  *     put to rest      one after the other, on the calling thread: programs are told
+ *     in batches       many that have few bodies each, by the fast solver as one system (mdt_batch.c): a task each
  *     together         a partition that is a large share of all work: one after the other, each by all workers (Kea's
  *                      fast solver divides it among them)
  *     at once          all others: tasks of about the same size, the largest partitions first
@@ -44,7 +45,14 @@ static void restAll(MdtWorldID w, double h, MeBool safely) {
 }
 
 static void takeInOrder(MdtWorldID w, double h, MeBool safely) {
+    for (int i = 0; i < w->batches.count; i++) {
+        MdtIsland p = mdt_batchOf(w, i, h);
+        mdt_batchTake(&p);
+    }
+    mdt_reportBatchesEnd(w);
     for (int i = 0; i < w->numPartitions; i++) {
+        if (mdt_isInBatch(w, i))
+            continue;
         MdtIsland p = mdt_islandOf(w, i, h);
         mdt_islandTake(&p, safely);
     }
@@ -91,16 +99,28 @@ static MeBool isTakenTogether(const MdtWorld *w, int i) {
            (double)sizeOf(w, i) * w->numWorkers > (double)sizeOfAll(w);
 }
 
-/* Steps a partition on a worker's memory; what it has to say is held. */
+/* Steps a partition, or a batch, on a worker's memory; what it has to say is held. */
+static void stepOn(const Stepping *s, MdtIsland *p, int worker, MeTeam *team) {
+    p->worker = &s->world->workers[worker];
+    p->team = team;
+    p->clock = &p->lap;
+    MeHeldMessages *const before = MeMessagesHold(&p->worker->messages);
+    p->worker->messages.key = p->number;
+    if (p->numMembers > 0)
+        mdt_batchTake(p);
+    else
+        mdt_islandTake(p, s->safely);
+    MeMessagesHold(before);
+}
+
 static void stepPartition(const Stepping *s, int partition, int worker, MeTeam *team) {
     MdtIsland p = mdt_islandOf(s->world, partition, s->h);
-    p.worker = &s->world->workers[worker];
-    p.team = team;
-    p.clock = &p.lap;
-    MeHeldMessages *const before = MeMessagesHold(&p.worker->messages);
-    p.worker->messages.key = partition;
-    mdt_islandTake(&p, s->safely);
-    MeMessagesHold(before);
+    stepOn(s, &p, worker, team);
+}
+
+static void stepBatch(const Stepping *s, int batch, int worker) {
+    MdtIsland p = mdt_batchOf(s->world, batch, s->h);
+    stepOn(s, &p, worker, NULL);
 }
 
 static void takeTogether(const Stepping *s) {
@@ -116,17 +136,22 @@ static int log2Of(int size) {
     return log;
 }
 
+/* Is it none of those that are taken by all workers, and in no batch? */
+static MeBool isTakenAlone(const MdtWorld *w, int i) {
+    return !mdt_isInBatch(w, i) && !isTakenTogether(w, i);
+}
+
 /* Sorts the other partitions by size, in powers of two, the largest first: a counting sort. Returns how many. */
 static int sortPartitions(Stepping *s) {
     int first[SIZES + 1] = {0};
     const MdtWorld *w = s->world;
     for (int i = 0; i < w->numPartitions; i++)
-        if (!isTakenTogether(w, i))
+        if (isTakenAlone(w, i))
             first[SIZES - log2Of(sizeOf(w, i))]++;
     for (int k = 0; k < SIZES; k++)
         first[k + 1] += first[k];
     for (int i = 0; i < w->numPartitions; i++)
-        if (!isTakenTogether(w, i))
+        if (isTakenAlone(w, i))
             s->partition[first[SIZES - 1 - log2Of(sizeOf(w, i))]++] = i;
     return first[SIZES - 1];
 }
@@ -145,9 +170,13 @@ static void makeTasks(Stepping *s) {
     }
 }
 
+/* Batches are the first tasks. */
 static void MEAPI doTask(void *context, int task, int worker) {
     const Stepping *s = context;
-    for (int i = s->firstOf[task]; i < s->firstOf[task + 1]; i++)
+    const int batches = s->world->batches.count, own = task - batches;
+    if (task < batches)
+        stepBatch(s, task, worker);
+    for (int i = own < 0 ? 0 : s->firstOf[own]; own >= 0 && i < s->firstOf[own + 1]; i++)
         stepPartition(s, s->partition[i], worker, NULL);
 }
 
@@ -163,7 +192,7 @@ static void takeByWorkers(MdtWorldID w, double h, MeBool safely) {
     MeTeamOpen(w->team);
     takeTogether(&s);
     makeTasks(&s);
-    MeTeamRun(w->team, s.numTasks, doTask, &s);
+    MeTeamRun(w->team, w->batches.count + s.numTasks, doTask, &s);
     MeTeamClose(w->team);
     sendMessages(w);
 }
@@ -183,10 +212,12 @@ static void warnOfSurfaces(MdtWorldID w) {
 }
 
 void mdt_islandsStep(MdtWorldID w, double h, MeBool safely) {
+    w->batches.count = 0;
     if (w->partitionCb)
         showInOrder(w, h, safely);
     else {
         restAll(w, h, safely);
+        mdt_batchesFind(w, h, safely);
         if (w->team && !callsProgram(w) && sizeOfAll(w) >= STEP_SIZE)
             takeByWorkers(w, h, safely);
         else

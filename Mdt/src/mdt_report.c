@@ -101,9 +101,10 @@ static void shareTime(MdtWorldID w, int end) {
     const double time = lapTime(&w->lap);
     double work = 0;
     for (int i = w->firstUntimed; i < end; i++)
-        work += workOf(&w->reports[i]);
+        work += mdt_isInBatch(w, i) ? 0 : workOf(&w->reports[i]);
     for (int i = w->firstUntimed; i < end; i++)
-        addShares(&w->reports[i], time * workOf(&w->reports[i]) / work, w->stageShare);
+        if (!mdt_isInBatch(w, i))
+            addShares(&w->reports[i], time * workOf(&w->reports[i]) / work, w->stageShare);
     w->firstUntimed = end;
 }
 
@@ -280,6 +281,39 @@ void mdt_reportEnd(MdtIsland *p) {
     w->firstUntimed = p->number + 1;
     if (r->rows > 0 && r->bodies + r->constraints <= SMALL)
         keepShares(w, r);
+}
+
+/* ---- of batches ---- */
+
+/* Batches come before other partitions, and each has a clock of its own. */
+void mdt_reportBatch(MdtIsland *p, MdtReport *r) {
+    if (!p->world->isReported || p->world->numReports != p->world->numPartitions)
+        return;
+    memset(r, 0, sizeof *r);
+    p->report = r;
+    p->isTimedByStage = METRUE;
+    p->clock = &p->lap;
+    p->lap = ticksNow();
+}
+
+/* Work and time of the batch are divided as those of partitions that are timed together. */
+void mdt_reportMember(const MdtIsland *p, const MdtMember *m, int rows, double penetration) {
+    MdtReport *r = &p->world->reports[m->partition];
+    *r = *p->report;
+    r->bodies = m[1].firstBody - m->firstBody;
+    r->constraints = countConstraints(p->world, m->partition);
+    r->rows = rows;
+    r->penetration = (MeReal)penetration;
+    const double share = workOf(r) / (p->numBodies + p->numRows);
+    r->work = (MeReal)(share * (double)p->report->work);
+    for (int i = 0; i < MdtReportStages; i++)
+        r->time[i] = (MeReal)(share * (double)p->report->time[i]);
+    reportEnergy(r, p->bodies + (m->firstBody - p->member->firstBody), r->bodies, p->world->params.gravity);
+}
+
+void mdt_reportBatchesEnd(MdtWorldID w) {
+    if (w->isReported && w->batches.count > 0)
+        w->lap = ticksNow();
 }
 
 /* ---- what programs ask for ---- */

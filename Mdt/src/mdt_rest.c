@@ -205,9 +205,9 @@ static double relaxationSteps(const MdtWorld *w) {
     return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log(1 - gamma)) : 1;
 }
 
-static MeBool isCalm(const MdtIsland *p) {
+static MeBool areCalm(const MdtIsland *p, int first, int end) {
     const double speed = resolvedSpeed(p);
-    for (int i = 0; i < p->numBodies; i++)
+    for (int i = first; i < end; i++)
         if (!isResting(p, i, speed))
             return MEFALSE;
     return METRUE;
@@ -221,22 +221,24 @@ static void MEAPI forgetCalmSteps(void *island, int first, int end, int worker) 
         p->bodies[i]->calmSteps = 0;
 }
 
-/* Counts the calm steps of each body. Returns whether all have enough. The count begins anew when a body loses its
- * certificate. */
-static MeBool isCalmForLong(MdtIsland *p) {
+/* Returns whether all have enough. The count begins anew when a body loses its certificate. */
+static MeBool countCalmStep(const MdtIsland *p, int first, int end) {
     const double enough = relaxationSteps(p->world);
-    MeBool isLong = METRUE;
-    MEASSERT(enough >= 1 && p->numBodies > 0);
-    if (!isCalm(p)) {
-        MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, forgetCalmSteps, p);
-        return MEFALSE;
-    }
-    for (int i = 0; i < p->numBodies; i++) {
+    MeBool areEnough = METRUE;
+    MEASSERT(enough >= 1 && end > first);
+    for (int i = first; i < end; i++) {
         MdtBodyID b = p->bodies[i];
         b->calmSteps = b->certificate ? 0 : b->calmSteps + 1;
-        isLong = isLong && b->calmSteps >= enough;
+        areEnough = areEnough && b->calmSteps >= enough;
     }
-    return isLong;
+    return areEnough;
+}
+
+static MeBool isCalmForLong(MdtIsland *p) {
+    if (areCalm(p, 0, p->numBodies))
+        return countCalmStep(p, 0, p->numBodies);
+    MeTeamRunRanges(p->team, p->numBodies, MDT_RANGE, forgetCalmSteps, p);
+    return MEFALSE;
 }
 
 /* Contacts with slip or moving surfaces keep bodies in motion, be it below the fast solver's threshold of rest. */
@@ -312,4 +314,25 @@ void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
     for (int i = 0; i < p->numActing && isSettled; i++)
         if (p->acting[i]->record.flags & MDT_WATCHED)
             certifyConstraint(p->acting[i]);
+}
+
+/* ---- of batches ---- */
+
+MeBool mdt_restIsNear(const MdtIsland *p) {
+    const double enough = relaxationSteps(p->world) - 1;
+    for (int i = 0; i < p->numBodies; i++)
+        if (p->bodies[i]->certificate == 0 && p->bodies[i]->calmSteps < enough)
+            return MEFALSE;
+    return METRUE;
+}
+
+void mdt_restCountCalm(MdtIsland *p) {
+    for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++) {
+        const int first = m->firstBody - p->member->firstBody, end = m[1].firstBody - p->member->firstBody;
+        if (areCalm(p, first, end))
+            countCalmStep(p, first, end);
+        else
+            forgetCalmSteps(p, first, end, 0);
+    }
+    mdt_restCertify(p, MEFALSE);
 }

@@ -11,7 +11,7 @@ void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity
     x->elapsed = p->elapsed;
     for (int k = 0; k < 2; k++) {
         MdtBodyID b = c->side[k].body;
-        MEASSERT(!b || (b->partition == p->number && p->bodies[b->index] == b));
+        MEASSERT(!b || p->bodies[b->index] == b);
         x->body[k] = b ? b->index : MdtBclNO_BODY;
         x->kea[k] = b ? &b->kea : NULL;
         x->pose[k] = b ? &kea->pose[b->index] : &MdtBclWorldPose;
@@ -108,7 +108,7 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
 void mdt_rowsMake(MdtIsland *p) {
     MdtWorldID w = p->world;
     p->numRows = countJoints(p) + MdtKeaCountContactRows(&p->kea);
-    if (p->numRows > w->maxMatrixSize)
+    if (p->numRows > w->maxMatrixSize && p->numMembers == 0) /* what is the fast solver's is below the cap */
         p->numRows = mdt_capRows(p, p->numRows, w->maxMatrixSize);
     for (int i = 0; i < p->numActing && p->numJoints > 0; i++) {
         MdtJoint *j = mdt_asJoint(p->acting[i]);
@@ -117,7 +117,7 @@ void mdt_rowsMake(MdtIsland *p) {
     }
     MdtKeaMakeContactRows(&p->kea);
     MEASSERT(p->isFast || p->kea.numRows == p->numRows);
-    if (p->number < w->sizeLogLength)
+    if (p->number < w->sizeLogLength && p->numMembers == 0)
         w->sizeLog[p->number] = p->numRows;
 }
 

@@ -31,9 +31,12 @@ void mdt_partSolve(MdtIsland *p, double part) {
     mdt_partSolveRows(p);
 }
 
-MeBool mdt_partIntegrate(MdtIsland *p) {
-    MeProfileStartSection("Integrate", 0);
-    const MeBool isFinite = MdtKeaIntegrate(&p->kea);
+/* Of a batch nothing is taken that an impulse too large has spoilt for all of its members. */
+static MeBool isOfUse(const MdtIsland *p) {
+    return p->numMembers == 0 || !p->kea.report.capped || p->kea.report.limited;
+}
+
+static void endPart(MdtIsland *p, MeBool isFinite) {
     if (p->report)
         mdt_reportPart(p->report, p, isFinite);
     if (isFinite)
@@ -41,8 +44,15 @@ MeBool mdt_partIntegrate(MdtIsland *p) {
     else
         mdt_unpackStopped(p);
     mdt_partEnd(p);
+}
+
+MeBool mdt_partIntegrate(MdtIsland *p) {
+    MeProfileStartSection("Integrate", 0);
+    const MeBool isTaken = isOfUse(p) && MdtKeaIntegrate(&p->kea);
+    if (isTaken || p->numMembers == 0)
+        endPart(p, isTaken);
     MeProfileEndSection("Integrate");
-    return isFinite;
+    return isTaken;
 }
 
 void mdt_islandStep(MdtIsland *p) {

@@ -42,6 +42,10 @@ typedef struct MdtIsland {
     int number, numBodies, numActing;
     MdtBodyID *bodies;
     MdtConstraintID *acting; /* joints and manifolds */
+    /* mdt_batch.c */
+    const MdtMember *member; /* partitions that it is made of; */
+    int numMembers;          /* 0: it is one */
+    MeBool isAmongMany;      /* that move in this step */
     double whole;            /* s, the argument of MdtWorldStep */
     /* mdt_step.c, mdt_lag.c */
     double h; /* s, by which the partition is moved on: `whole`, or what its safe time allows of it */
@@ -55,7 +59,8 @@ typedef struct MdtIsland {
     int numContacts, numJoints, jointRows; /* of all joints, at most */
     MeBool bounces, losesEnergy;  /* a contact has restitution; one has less than 1 */
     MdtIslandManifold *manifolds; /* beside kea.manifolds */
-    MdtKeaSystem kea;             /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea */
+    MdtKeaSystem kea;             /* its parameters: mdt_subdivide.c; its arrays and answers: rows, MdtKea; its bodies:
+                                     mdt_islandOf, mdt_batch.c */
     /* subdivide */
     MdtBclSolverParameters parameters; /* of the part that is being taken */
     double elapsed;                    /* s, of the step before that part */
@@ -129,7 +134,21 @@ void mdt_restKeep(MdtIsland *p);
 MeBool mdt_restIsSettled(MdtIsland *p);
 void mdt_restStay(MdtIsland *p);
 void mdt_restCertify(MdtIsland *p, MeBool isSettled);
+/* Whether a partition has a certificate, or gets one by itself if it is calm in one step more; counts the calm steps of
+ * a batch's members. */
+MeBool mdt_restIsNear(const MdtIsland *p);
+void mdt_restCountCalm(MdtIsland *p);
 
+/* Finds the batches of a step; such a one; takes it, instead of its members' steps (mdt_batch.c). */
+void mdt_batchesFind(MdtWorldID w, double h, MeBool safely);
+MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h);
+void mdt_batchTake(MdtIsland *p);
+static inline MeBool mdt_isInBatch(const MdtWorld *w, int partition) {
+    return w->batches.count > 0 && w->batches.isIn[partition];
+}
+
+/* Counts joints and contacts, before the choice of a solver. */
+void mdt_islandCount(MdtIsland *p);
 /* Takes scratch memory, and loads into Kea's bodies. False, with a message: the partition is too large. */
 MeBool mdt_islandPack(MdtIsland *p);
 void mdt_islandRelease(MdtIsland *p);

@@ -17,7 +17,7 @@ enum { MAX_HALVINGS = 6 };
 
 /* A part by safe time gets its share of the budget; the bridge may take 16 of them (mst_continuous.c). */
 static void beginBudget(MdtIsland *p) {
-    const double budget = mdt_crowdBudget(p), least = 1. / 16;
+    const double budget = mdt_crowdBudget(p) * MeMAX(p->numMembers, 1), least = 1. / 16;
     p->work = budget > 0 ? budget * fmax(p->h / p->whole, least) : MDT_NO_BOUND;
     p->iterations = p->world->maxLcpIterations;
 }

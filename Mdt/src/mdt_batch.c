@@ -1,0 +1,237 @@
+/* Batches: many partitions of few bodies each, by the fast solver as one system.
+ *
+ * Debris, balls on terrain, what a wall has broken into: a crowd is one also where its bodies do not touch each other.
+ * By itself each is a system of its own, for which the exact solver takes 4 to 100 us a step, and of which the fast one
+ * fills one lane of eight. In a batch the lanes are different partitions.
+ *
+ *     candidates   few bodies, not at rest, and contacts; where there are many of these,
+ *     members      those without joints and restitution, that touch the world, and that are the fast solver's
+ *                  (mdt_crowd.c): hit in this step or before, and not slow again since
+ *     batches      members in their order, until there are enough bodies
+ *
+ * Nothing ties members to each other, and the solver writes no body before its answer is whole. If that is not finite,
+ * or gains energy, the batch is taken apart, and its members are stepped each by itself. Their residual is that of
+ * all of them, so what is calm for long gets its certificate of rest by itself (mdt_rest.c).
+ */
+#include "MeAssert.h"
+#include "mdt_step_i.h"
+#include "MeInternal.h"
+#include <string.h>
+
+/* Bodies of a batch, at least: lanes are full from 8 on, what begins and ends a solve is shared out, and there are enough
+ * batches for some workers. TIMES */
+enum { BATCH = 64 };
+
+/* ---- memory ---- */
+
+static MeBool reserveBodies(MdtBatches *b, size_t n, const char *caller) {
+    return MeMemoryGrow(&b->firstMember, 0, n + 1, sizeof *b->firstMember, caller, "batches") &&
+           MeMemoryGrow(&b->member, 0, n + 1, sizeof *b->member, caller, "batches") &&
+           MeMemoryGrow(&b->isIn, 0, n, sizeof *b->isIn, caller, "batches") &&
+           MeMemoryGrow(&b->body, 0, n, sizeof *b->body, caller, "batches") &&
+           MeMemoryGrow(&b->kea, 0, n, sizeof *b->kea, caller, "batches");
+}
+
+MeBool mdt_batchesReserve(MdtBatches *b, int bodies, int acting, const char *caller) {
+    if (bodies > b->bodyRoom && !reserveBodies(b, (size_t)bodies, caller))
+        return MEFALSE;
+    b->bodyRoom = MeMAX(b->bodyRoom, bodies);
+    if (acting > b->actingRoom && !MeMemoryGrow(&b->acting, 0, (size_t)acting, sizeof *b->acting, caller, "batches"))
+        return MEFALSE;
+    b->actingRoom = MeMAX(b->actingRoom, acting);
+    return METRUE;
+}
+
+void mdt_batchesTerm(MdtBatches *b) {
+    void *arrays[] = {b->firstMember, b->member, b->isIn, b->body, b->kea, b->acting};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
+        MeMemoryGive(arrays[i]);
+}
+
+/* ---- candidates ---- */
+
+/* Is it to be taken by the whole of the step? */
+static MeBool isWhole(const MdtIsland *p, MeBool safely) {
+    return !safely || mdt_lagSafeStep(p) == p->h;
+}
+
+static MeBool hasFewThatTouch(const MdtWorld *w, int partition) {
+    return w->bodyStart[partition + 1] - w->bodyStart[partition] < MDT_CROWD &&
+           w->actingStart[partition + 1] > w->actingStart[partition];
+}
+
+/* How many bodies are in partitions of few, by their numbers alone. */
+static int countInFew(const MdtWorld *w) {
+    int bodies = 0;
+    for (int i = 0; i < w->numPartitions; i++)
+        bodies += hasFewThatTouch(w, i) ? w->bodyStart[i + 1] - w->bodyStart[i] : 0;
+    return bodies;
+}
+
+/* Writes them as the first members; returns how many, and how many bodies they have. */
+static int findCandidates(MdtWorldID w, double h, MeBool safely, int *bodies) {
+    int count = 0;
+    *bodies = 0;
+    for (int i = 0; i < w->numPartitions; i++) {
+        const MdtIsland p = mdt_islandOf(w, i, h);
+        if (!hasFewThatTouch(w, i) || w->output.info[i].isDisabled || mdt_restIsNear(&p) || !isWhole(&p, safely))
+            continue;
+        w->batches.member[count++].partition = i;
+        *bodies += p.numBodies;
+    }
+    return count;
+}
+
+/* ---- members ---- */
+
+/* Two that meet in flight move by the mean of their velocities (kea_fast.c), which a batch does not. */
+static MeBool touchesWorld(const MdtIsland *p) {
+    for (int i = 0; i < p->numActing; i++)
+        if (!p->acting[i]->side[0].body || !p->acting[i]->side[1].body)
+            return METRUE;
+    return MEFALSE;
+}
+
+static MeBool isMember(MdtWorldID w, int partition, double h) {
+    MdtIsland p = mdt_islandOf(w, partition, h);
+    p.isAmongMany = METRUE;
+    mdt_islandCount(&p);
+    return p.numJoints == 0 && !p.bounces && touchesWorld(&p) && mdt_crowdIsChosen(&p);
+}
+
+static void addMember(MdtWorldID w, int partition) {
+    MdtBatches *b = &w->batches;
+    MdtMember *m = &b->member[b->numMembers++];
+    const int bodies = w->bodyStart[partition + 1] - w->bodyStart[partition];
+    const int acting = w->actingStart[partition + 1] - w->actingStart[partition];
+    m->partition = partition;
+    memcpy(b->body + m->firstBody, w->bodyOf + w->bodyStart[partition], (size_t)bodies * sizeof *b->body);
+    memcpy(b->kea + m->firstBody, w->keaOf + w->bodyStart[partition], (size_t)bodies * sizeof *b->kea);
+    memcpy(b->acting + m->firstActing, w->actingOf + w->actingStart[partition], (size_t)acting * sizeof *b->acting);
+    m[1].firstBody = m->firstBody + bodies;
+    m[1].firstActing = m->firstActing + acting;
+    b->isIn[partition] = METRUE;
+}
+
+/* Candidates are read ahead of where members are written. */
+static void findMembers(MdtWorldID w, double h, int candidates) {
+    MdtBatches *b = &w->batches;
+    memset(b->isIn, 0, (size_t)w->numPartitions * sizeof *b->isIn);
+    b->numMembers = 0;
+    b->member[0].firstBody = b->member[0].firstActing = 0;
+    for (int i = 0; i < candidates; i++) {
+        const int partition = b->member[i].partition;
+        if (isMember(w, partition, h))
+            addMember(w, partition);
+    }
+    MEASSERT(b->member[b->numMembers].firstBody <= w->bodyRoom);
+    MEASSERT(b->member[b->numMembers].firstActing <= w->constraintRoom);
+}
+
+static void makeBatches(MdtBatches *b) {
+    b->count = 0;
+    b->firstMember[0] = 0;
+    for (int i = 1; i <= b->numMembers; i++) {
+        const int first = b->firstMember[b->count];
+        if (b->member[i].firstBody - b->member[first].firstBody >= BATCH || i == b->numMembers)
+            b->firstMember[++b->count] = i;
+    }
+}
+
+void mdt_batchesFind(MdtWorldID w, double h, MeBool safely) {
+    int bodies = 0;
+    w->batches.count = 0;
+    if (w->solver == MdtSolverExact || countInFew(w) < MDT_CROWD)
+        return;
+    const int candidates = findCandidates(w, h, safely, &bodies);
+    if (bodies < MDT_CROWD)
+        return;
+    findMembers(w, h, candidates);
+    makeBatches(&w->batches);
+}
+
+/* ---- the step of one ---- */
+
+MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h) {
+    const MdtBatches *b = &w->batches;
+    const MdtMember *first = &b->member[b->firstMember[batch]], *end = &b->member[b->firstMember[batch + 1]];
+    MdtIsland p = mdt_islandOf(w, first->partition, h);
+    p.member = first;
+    p.numMembers = (int)(end - first);
+    p.numBodies = end->firstBody - first->firstBody;
+    p.numActing = end->firstActing - first->firstActing;
+    p.bodies = b->body + first->firstBody;
+    p.kea.bodies = b->kea + first->firstBody;
+    p.acting = b->acting + first->firstActing;
+    return p;
+}
+
+/* Of its contacts: manifolds have the order of the members' constraints. */
+static void measureMembers(const MdtIsland *p,
+                           void (*take)(const MdtIsland *p, const MdtMember *m, int rows, double penetration)) {
+    int at = 0;
+    for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++) {
+        const int end = m[1].firstBody - p->member->firstBody;
+        double penetration = 0;
+        int rows = 0;
+        for (; at < p->kea.numManifolds; at++) {
+            const MdtKeaManifold *manifold = &p->kea.manifolds[at];
+            if (MeMAX(manifold->body[0], manifold->body[1]) >= end)
+                break;
+            for (int k = 0; k < manifold->numPoints; k++) {
+                rows += manifold->point[k].numRows;
+                penetration = fmax(penetration, manifold->point[k].depth);
+            }
+        }
+        take(p, m, rows, penetration);
+    }
+    MEASSERT(at == p->kea.numManifolds);
+}
+
+static void noteMember(const MdtIsland *p, const MdtMember *m, int rows, double penetration) {
+    if (m->partition < p->world->sizeLogLength)
+        p->world->sizeLog[m->partition] = rows;
+    if (p->report)
+        mdt_reportMember(p, m, rows, penetration);
+}
+
+static void unpack(MdtIsland *p) {
+    mdt_restCountCalm(p);
+    mdt_unpackBodies(p);
+    if (p->report)
+        mdt_reportLap(p, MdtReportStageIntegrate);
+    if (p->report || p->world->sizeLogLength > 0)
+        measureMembers(p, noteMember);
+}
+
+/* False: the answer is of no use, and the bodies are as they were, but for their loads. */
+static MeBool stepTogether(MdtIsland *p) {
+    if (!mdt_islandPack(p))
+        return MEFALSE;
+    const MeBool isTaken = mdt_islandSubdivide(p);
+    if (isTaken)
+        unpack(p);
+    for (int i = 0; i < p->numBodies && !isTaken; i++)
+        mdt_bodyKeepForces(p->bodies[i]);
+    mdt_islandRelease(p);
+    return isTaken;
+}
+
+/* Each by itself, for what is left of the step. */
+static void takeApart(const MdtIsland *p) {
+    for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++) {
+        MdtIsland own = mdt_islandOf(p->world, m->partition, p->h - p->elapsed);
+        own.worker = p->worker;
+        own.clock = &own.lap;
+        p->worker->messages.key = m->partition;
+        mdt_islandTake(&own, MEFALSE);
+    }
+}
+
+void mdt_batchTake(MdtIsland *p) {
+    MdtReport report;
+    mdt_reportBatch(p, &report);
+    mdt_lagSet(p, p->h);
+    if (!stepTogether(p))
+        takeApart(p);
+}
