@@ -18,8 +18,9 @@
 #include "MeInternal.h"
 #include <string.h>
 
-/* Bodies of a batch, at least: lanes are full from 8 on, what begins and ends a solve is shared out, and there are enough
- * batches for some workers. TIMES */
+/* Bodies of a batch, at least: lanes are full from 8 on, what begins and ends a solve is shared out, and there are
+ * enough batches for some workers. 600 bodies that tumble or roll take 2 % more instructions with half as many, 1 %
+ * fewer with twice as many. */
 enum { BATCH = 64 };
 
 /* ---- memory ---- */
