@@ -140,8 +140,7 @@ static void cornerOverFace(const McdShape *a, const McdShape *b, McdProximity *p
     }
 }
 
-/* The separation is that of the farthest corners along the normal, which has length 1. */
-static MeBool isAlongNormal(const McdShape *a, const McdShape *b, const McdProximity *p) {
+MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximity *p) {
     const double most = 1e-8 * mcd_pairSize(a, b) + 1e-12 * (MeMAX(a->extent, b->extent) + fabs(p->separation));
     return !mcd_shapeIsRigid(a) || !mcd_shapeIsRigid(b) ||
            (mcd_isUnit(p->normal) && fabs(mcd_separationAlong(a, b, p->normal) - p->separation) <= most);
@@ -165,6 +164,6 @@ MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, M
         crossEdges(a, b, &best, p);
     else
         cornerOverFace(a, b, p);
-    MEVALIDATE(isAlongNormal(a, b, p));
+    MEVALIDATE(mcd_isAlongNormal(a, b, p));
     return isfinite(best.separation) != 0;
 }

@@ -156,12 +156,18 @@ static MeBool areBoxes(const McdShape *a, const McdShape *b) {
     return rankOf(a) == MCD_RANK_BOX && rankOf(b) == MCD_RANK_BOX;
 }
 
-/* A guess of the normal; of overlapping boxes the exact result. False if they are farther apart than the limit. */
+/* Two boxes, or a box and a triangle, of which all axes are tried (mcd_box_box.c, mcd_box_triangle.c). */
+static MeBool haveAxes(const McdShape *a, const McdShape *b) {
+    return areBoxes(a, b) || (rankOf(a) == MCD_RANK_BOX && rankOf(b) == MCD_RANK_TRIANGLE);
+}
+
+/* A guess of the normal; the exact result where all axes are tried and they overlap. False if they are farther apart
+ * than the limit. */
 static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     if (!mayBeWithin(a, b, limit, p))
         return MEFALSE;
-    if (areBoxes(a, b))
-        return mcd_boxBoxProximity(a, b, limit, p);
+    if (haveAxes(a, b))
+        return (areBoxes(a, b) ? mcd_boxBoxProximity : mcd_boxTriangleProximity)(a, b, limit, p);
     mcd_guessProximity(a, b, p);
     return p->separation <= limit;
 }
@@ -169,7 +175,7 @@ static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProxi
 static int alongFaces(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
     McdFace faceA, faceB;
     facesAlong(a, b, p->normal, &faceA, &faceB);
-    if (!p->isGuess && !(areBoxes(a, b) && p->separation <= 0)) { /* boxes that overlap have preferred them */
+    if (!p->isGuess && !(haveAxes(a, b) && p->separation <= 0)) { /* axes of faces were preferred */
         preferFaces(a, b, &faceA, &faceB, p);
         if (faceA.count == 2 || faceB.count == 2) /* lines go with the normal */
             facesAlong(a, b, p->normal, &faceA, &faceB);

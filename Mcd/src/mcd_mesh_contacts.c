@@ -77,24 +77,32 @@ static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, do
            (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
 }
 
-/* Sets inward; isPending, for triangles within reach; facing, for those with one admissible normal. */
+/* The nearest points are those then, as no point of the triangle's plane is nearer. */
+static MeBool isBelowShape(const McdMeshQuery *q, const McdMeshTriangle *t, const double lowest[3], double low) {
+    double in, out;
+    return low + q->shape.rounding > 0 &&
+           mcd_meshClipSegment(t, lowest, lowest, MCD_MESH_OVERLAP * q->shape.extent, &in, &out);
+}
+
+/* Sets inward; isPending, for triangles within reach; facing, for those with one admissible normal; isBelow. */
 static void classifyTriangle(McdMeshQuery *q, McdMeshTriangle *t) {
-    double back[3], lowest[3], highest[3];
+    double back[3], lowest[3], highest[3], off[3];
     t->facing = 0;
-    t->isPending = MEFALSE;
+    t->isPending = t->isBelow = MEFALSE;
     findInward(t);
     if (!overlapsPrism(q, t))
         return;
     mcd_scale(back, t->normal, -1);
     mcd_support(&q->shape, back, lowest);
-    mcd_sub(lowest, lowest, t->corner[0]);
+    mcd_sub(off, lowest, t->corner[0]);
     mcd_support(&q->shape, t->normal, highest);
     mcd_sub(highest, highest, t->corner[0]);
-    const double low = mcd_dot(lowest, t->normal), high = mcd_dot(highest, t->normal);
+    const double low = mcd_dot(off, t->normal), high = mcd_dot(highest, t->normal);
     MEVALIDATE(areHeightsGood(q, t, low, high));
     if (low > q->margin || high < -q->margin)
         return;
     t->isPending = METRUE;
+    t->isBelow = isBelowShape(q, t, lowest, low);
     if (t->flags & kMcdTriangleTwoSided)
         t->facing = !mcd_meshHasOnlyFaceNormal(q, t) ? 0 : low + high < 0 ? -1 : 1;
     else
@@ -274,11 +282,15 @@ static double sideOf(const McdMeshTriangle *t, double cosine, double centreHeigh
     return (fabs(cosine) > .5 ? cosine : centreHeight) < 0 ? -1 : 1;
 }
 
-/* Contacts along the narrow phase's normal, where that is the surface's, else along the face's normal. False if the
- * shape does not touch the triangle. */
+/* Contacts along the narrow phase's normal, where that is the surface's, else along the face's normal; below the shape
+ * these are the same. False if the shape does not touch the triangle. */
 static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     McdManifold m;
     double face[3];
+    if (t->isBelow) {
+        t->facing = 1;
+        return mcd_meshAddClipped(q, t, t->normal, MCD_MESH_OVERLAP);
+    }
     if (!intersectTriangle(q, t, &m))
         return MEFALSE;
     const double height = heightOfCentre(q, t), side = sideOf(t, mcd_dot(m.normal, t->normal), height);

@@ -30,8 +30,13 @@ void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p);
 /* Verifies a guessed normal of cores that overlap: is no direction less deep? Conservative: may say no to a right
  * guess. */
 MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p);
-/* Two boxes: if they overlap, the exact result; else a face's normal that separates them, as a guess. */
+/* Two boxes, a box and a triangle: if they overlap, the exact result; else a normal of a face or across two edges that
+ * separates them, as a guess. The points of a box and a triangle may be beside each other's face where several are
+ * equally deep: contacts, which come of faces, do not need them to be. */
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+MeBool mcd_boxTriangleProximity(const McdShape *box, const McdShape *triangle, double limit, McdProximity *p);
+/* For checks: is the separation that of the farthest corners along the normal, which has length 1? */
+MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximity *p);
 /* Closed forms for cores that are points or segments, and for a point and a box or cylinder. */
 MeBool mcd_pointPoint(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 MeBool mcd_pointSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p);

@@ -16,14 +16,8 @@ static void triangleSupport(const McdShape *s, const double d[3], double point[3
 }
 
 static void triangleFace(const McdShape *s, const double d[3], McdFace *f) {
-    double x[3], y[3], n[3];
-    mcd_sub(x, s->corner[1], s->corner[0]);
-    mcd_sub(y, s->corner[2], s->corner[0]);
-    mcd_cross(n, x, y);
-    const double length = mcd_length(n);
-    const MeBool isBack = mcd_dot(n, d) < 0;
-    if (length > 0)
-        mcd_scale(f->normal, n, (isBack ? -1 : 1) / length);
+    const MeBool isBack = mcd_dot(s->axis[2], d) < 0;
+    mcd_scale(f->normal, s->axis[2], isBack ? -1 : 1);
     f->id = (MeU32)isBack;
     for (int i = 0; i < 3; i++) {
         const int corner = isBack ? 2 - i : i;
@@ -32,20 +26,35 @@ static void triangleFace(const McdShape *s, const double d[3], McdFace *f) {
     }
 }
 
-static const McdKind kind = {
-    .type = MCD_SHAPE_TRIANGLE, .support = triangleSupport, .face = triangleFace, .rank = MCD_RANK_TRIANGLE};
+static const McdKind kind = {.type = MCD_SHAPE_TRIANGLE,
+                             .support = triangleSupport,
+                             .face = triangleFace,
+                             .rank = MCD_RANK_TRIANGLE,
+                             .flatAxes = 4};
+
+/* The third one is the normal, by the right-hand rule; any direction without area. */
+static void setAxes(McdShape *shape) {
+    double x[3], y[3], n[3];
+    mcd_sub(x, shape->corner[1], shape->corner[0]);
+    mcd_sub(y, shape->corner[2], shape->corner[0]);
+    mcd_cross(n, x, y);
+    const double length = mcd_length(n);
+    for (int i = 0; i < 3; i++)
+        shape->axis[2][i] = length > 0 ? n[i] / length : i == 2;
+    mcd_basis(shape->axis[2], shape->axis[0], shape->axis[1]);
+}
 
 void mcd_triangleShape(const double corners[3][3], McdShape *shape) {
     memset(shape, 0, sizeof *shape);
     shape->kind = &kind;
     for (int i = 0; i < 3; i++) {
-        shape->axis[i][i] = 1;
         mcd_copy(shape->corner[i], corners[i]);
         for (int j = 0; j < 3; j++)
             shape->place[j] += corners[i][j] / 3;
     }
     for (int i = 0; i < 3; i++)
         shape->extent = MeMAX(shape->extent, sqrt(mcd_distanceSquared(corners[i], shape->place)));
+    setAxes(shape);
 }
 
 /* ---- its normal -------------------------------------------------------------------------------------------- */

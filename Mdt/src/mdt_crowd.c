@@ -63,12 +63,13 @@ static MeBool isSmall(const MdtIsland *p) {
 }
 
 /* A partition is disturbed from an impact on, or from a step in which contacts did not settle, until all its bodies are
- * slow. With joints, which go on swinging, it is until all are at rest (mdt_rest.c); and so are few bodies that come
- * out of a disturbed partition, since they may be slow and wedged, and what the exact solver has worked at too long. So
- * a partition does not change its solver to and fro. */
+ * slow. With joints, which go on swinging, it is until all are at rest (mdt_rest.c), and so it is among many that are
+ * not at rest (mdt_batch.c); and so are few bodies that come out of a disturbed partition, since they may be slow and
+ * wedged, and what the exact solver has worked at too long. So a partition does not change its solver to and fro. */
 static MeBool isStillDisturbed(const MdtIsland *p, const MdtBody *b) {
     return b->unrest != MDT_CALM &&
-           (p->numJoints > 0 || isSmall(p) || b->slowTime == 0 || b->settlingWork > mdt_mostSettlingWork);
+           (p->numJoints > 0 || isSmall(p) || p->isAmongMany || b->slowTime == 0 ||
+            b->settlingWork > mdt_mostSettlingWork);
 }
 
 /* One of few bodies is met in time, unless it is one of many. */
