@@ -333,7 +333,9 @@ void mdt_surfaceWarn(MdtWorldID w, int problems);
 void mdt_limitAssign(MdtLimitID to, const MdtBclLimit *from);
 
 enum { MDT_TIMED_BODIES = 8, MDT_NO_REPORTS = -1 };
-/* Bodies of a partition, at least, that the fast solver is chosen for: below, Newton's method takes no longer. */
+/* Bodies of a partition, at least, that the fast solver is chosen for: below, Newton's method takes no longer. As many
+ * that are not at rest, of partitions of fewer, make batches (mdt_batch.c): x2 and /2 fail Mst_Debris:
+ * many_that_were_hit_are_the_fast_solvers, few_are_the_exact_solvers. */
 enum { MDT_CROWD = 64 };
 /* Times gravity: what resting and sliding bodies do not reach. */
 enum { MDT_IMPACT = 4 };

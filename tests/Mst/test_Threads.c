@@ -122,7 +122,16 @@ static void makeTerrain(Scene *s) {
     }
 }
 
-static void (*const scenes[])(Scene *s) = {makeHeap, makeChains, makeMixed, makeDense, makeTerrain};
+/* Bodies each by itself, which workers take in batches. */
+static void makeDebris(Scene *s) {
+    MstFixedModelCreate(s->u, McdPlaneCreate(s->u->frame), floorPlace);
+    const McdGeometryID shape[] = {McdBoxCreate(s->u->frame, (MeReal).8, (MeReal).6, (MeReal).5),
+                                   McdSphereCreate(s->u->frame, (MeReal).4)};
+    for (int i = 0; i < 200; i++)
+        put(s, shape[i % 2], 3 * (i % 16) + chance(s, 0, 1), 1 + chance(s, 0, 1), 3 * (i / 16));
+}
+
+static void (*const scenes[])(Scene *s) = {makeHeap, makeChains, makeMixed, makeDense, makeTerrain, makeDebris};
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
 /* FNV-1a. */

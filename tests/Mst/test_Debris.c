@@ -1,0 +1,289 @@
+/* Many bodies each by itself (mdt_batch.c): those that were hit are stepped together by the fast solver, without being
+ * tied to each other; few bodies, and what was not hit, stay the exact solver's. */
+#include "jointed.h"
+#include "MdtReport.h"
+#include "karma_test.h"
+
+#define FRAME ((MeReal)(1. / 60))
+
+enum { MANY = 100, FEW = 60 /* either side of MDT_CROWD */ };
+
+static void turn(McdModelID m) {
+    MeReal q[4];
+    for (int k = 0; k < 4; k++)
+        q[k] = (MeReal)between(-.5, .5);
+    McdModelDynamicsSetQuaternion(m, q[0], q[1], q[2], q[3]);
+}
+
+/* On a grid, 12 m apart, turned any way, thrown in any direction. */
+static void scatter(MdtSolver solver, McdGeometryID (*make)(void), int count) {
+    seed = 1;
+    makeWorld(solver, .5);
+    for (int i = 0; i < count; i++) {
+        const McdModelID m = putAt(make(), 12 * (i % 25), 1, 12 * (i / 25), 500);
+        turn(m);
+        McdModelDynamicsSetLinearVelocity(m, (MeReal)between(-3, 3), 0, (MeReal)between(-3, 3));
+    }
+}
+
+static McdGeometryID brick(void) {
+    return box(.6, .5, .4);
+}
+
+static McdGeometryID marble(void) {
+    return ball(.3);
+}
+
+static MdtReport step(int steps) {
+    MdtReport r;
+    for (int i = 0; i < steps; i++)
+        MstUniverseStep(u, FRAME);
+    ck_assert(MdtWorldGetReport(u->world, &r));
+    return r;
+}
+
+/* Partitions that the last step took that way. */
+static int countWay(MdtReportWay way) {
+    int count = 0;
+    for (int i = 0; i < MdtWorldGetReportCount(u->world); i++) {
+        MdtReport r;
+        ck_assert(MdtWorldGetPartitionReport(u->world, i, &r));
+        count += r.way == way;
+    }
+    return count;
+}
+
+static int mostTaken(MdtReportWay way, int steps) {
+    int most = 0;
+    for (int i = 0; i < steps; i++) {
+        step(1);
+        most = MeMAX(most, countWay(way));
+    }
+    return most;
+}
+
+static void placeOf(int i, double place[3]) {
+    MeVector3 p;
+    MdtBodyGetCenterOfMassPosition(McdModelGetBody(model[i]), p);
+    for (int k = 0; k < 3; k++)
+        place[k] = (double)p[k];
+}
+
+static double distanceOf(const double a[3], const double b[3]) {
+    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+/* ---- the choice ---- */
+
+START_TEST(many_that_were_hit_are_the_fast_solvers) {
+    scatter(MdtSolverAuto, brick, MANY);
+    ck_assert_int_ge(mostTaken(MdtReportWayFast, 60), MANY * 9 / 10);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+START_TEST(few_are_the_exact_solvers) {
+    scatter(MdtSolverAuto, brick, FEW);
+    ck_assert_int_eq(mostTaken(MdtReportWayFast, 60), 0);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+START_TEST(what_the_program_wants_exact_is_exact) {
+    scatter(MdtSolverExact, brick, MANY);
+    ck_assert_int_eq(mostTaken(MdtReportWayFast, 30), 0);
+    MstUniverseDestroy(u);
+    scatter(MdtSolverAuto, brick, MANY);
+    MdtWorldSetAccuracy(u->world, 0);
+    ck_assert_int_eq(mostTaken(MdtReportWayFast, 30), 0);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* v²/(2 μ g). */
+START_TEST(what_slides_without_being_hit_is_exact) {
+    const double speed = 5, way = speed * speed / (2 * .5 * gravity);
+    makeWorld(MdtSolverAuto, .5);
+    for (int i = 0; i < MANY; i++)
+        McdModelDynamicsSetLinearVelocity(putAt(brick(), 4 * (i % 10), .25, 4 * (i / 10), 500), (MeReal)speed, 0, 0);
+    ck_assert_int_eq(mostTaken(MdtReportWayFast, 70), 0);
+    for (int i = 0; i < MANY; i++) {
+        double place[3];
+        placeOf(i, place);
+        assert_near(place[0] - 4 * (i % 10), way, 1e-4);
+    }
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+START_TEST(what_bounces_is_met_in_time) {
+    scatter(MdtSolverAuto, marble, MANY);
+    MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), 1);
+    const double before = (double)step(1).kineticEnergy + (double)step(1).potentialEnergy;
+    ck_assert_int_eq(mostTaken(MdtReportWayFast, 120), 0);
+    const MdtReport r = step(1);
+    ck_assert_double_gt((double)r.kineticEnergy + (double)r.potentialEnergy, .5 * before); /* friction takes the rest */
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* ---- what they do ---- */
+
+static double workOf(MdtSolver solver) {
+    double work = 0;
+    scatter(solver, brick, MANY);
+    for (int i = 0; i < 60; i++)
+        work += (double)step(1).work;
+    MstUniverseDestroy(u);
+    return work;
+}
+
+START_TEST(they_take_less_work) {
+    ck_assert_double_lt(workOf(MdtSolverAuto), workOf(MdtSolverExact) / 3);
+}
+END_TEST
+
+START_TEST(they_come_to_rest_on_the_ground) {
+    scatter(MdtSolverAuto, brick, MANY);
+    const MdtReport r = step(300);
+    ck_assert_int_eq(r.rested, MANY);
+    ck_assert_double_lt((double)r.kineticEnergy, 1e-6);
+    for (int i = 0; i < MANY; i++) {
+        double place[3];
+        placeOf(i, place);
+        const double off = fmin(fabs(place[1] - .3), fmin(fabs(place[1] - .25), fabs(place[1] - .2)));
+        ck_assert_msg(off < 1e-4, "brick %d lies at %g", i, place[1]);
+    }
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+START_TEST(balls_roll) {
+    scatter(MdtSolverAuto, marble, MANY);
+    step(90);
+    for (int i = 0; i < MANY; i++) {
+        MeVector3 v, w;
+        MdtBodyGetLinearVelocity(McdModelGetBody(model[i]), v);
+        MdtBodyGetAngularVelocity(McdModelGetBody(model[i]), w);
+        assert_near((double)w[2], -(double)v[0] / .3, 1e-3);
+        assert_near((double)w[0], (double)v[2] / .3, 1e-3);
+    }
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* ---- they are not tied to each other ---- */
+
+enum { SHORT = 40 };
+
+/* Where the i-th ball is after SHORT steps by the fast solver, alone in its world. */
+static void runAlone(int i, double place[3]) {
+    scatter(MdtSolverFast, marble, MANY);
+    for (int k = 0; k < MANY; k++)
+        if (k != i)
+            McdModelDynamicsSetPosition(model[k], 0, (MeReal)(1000 + 10 * k), 0);
+    step(SHORT);
+    placeOf(i, place);
+    MstUniverseDestroy(u);
+}
+
+START_TEST(each_moves_as_if_it_were_alone) {
+    double alone[3][3], among[3][3];
+    for (int i = 0; i < 3; i++)
+        runAlone(40 * i, alone[i]);
+    scatter(MdtSolverAuto, marble, MANY);
+    ck_assert_int_ge(mostTaken(MdtReportWayFast, SHORT), MANY);
+    for (int i = 0; i < 3; i++) {
+        placeOf(40 * i, among[i]);
+        ck_assert_double_lt(distanceOf(alone[i], among[i]), 1e-3);
+    }
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+/* After SHORT steps and one more, with a ball among them that was given an inertia and a spin whose product is nearly
+ * the largest number that there is. */
+static void placesWith(MeBool isBad, double place[MANY][3]) {
+    const MeReal large = sizeof(MeReal) == 4 ? (MeReal)1e10 : (MeReal)1e100;
+    const MeReal spin = sizeof(MeReal) == 4 ? (MeReal)1e30 : (MeReal)1e207;
+    MeMatrix3 inertia = {{large, 0, 0}, {0, large, 0}, {0, 0, large}};
+    scatter(MdtSolverAuto, marble, MANY);
+    step(SHORT);
+    ck_assert_int_eq(countWay(MdtReportWayFast), MANY);
+    if (isBad) {
+        MdtBodySetInertiaTensor(McdModelGetBody(model[7]), inertia);
+        MdtBodySetAngularVelocity(McdModelGetBody(model[7]), spin, 0, 0);
+    }
+    step(1);
+    for (int i = 0; i < MANY; i++)
+        placeOf(i, place[i]);
+    MstUniverseDestroy(u);
+}
+
+START_TEST(what_one_of_them_spoils_is_solved_by_each) {
+    static double with[MANY][3], without[MANY][3];
+    messages_catch();
+    placesWith(MEFALSE, without);
+    assert_silent();
+    placesWith(METRUE, with);
+    assert_warned("partition 7 (1 bodies) would leave the finite numbers");
+    for (int i = 0; i < MANY; i++) {
+        ck_assert(isfinite(distanceOf(with[i], without[i])));
+        if (i != 7)
+            ck_assert_double_lt(distanceOf(with[i], without[i]), 1e-4);
+    }
+}
+END_TEST
+
+/* ---- what is reported ---- */
+
+START_TEST(each_has_its_own_report) {
+    static int rows[2 * MANY];
+    double time = 0, work = 0;
+    scatter(MdtSolverAuto, brick, MANY);
+    MdtWorldSetMatrixSizeLog(u->world, rows, 2 * MANY);
+    step(40);
+    ck_assert_int_eq(MdtWorldGetReportCount(u->world), MANY);
+    for (int i = 0; i < MANY; i++) {
+        MdtReport r;
+        ck_assert(MdtWorldGetPartitionReport(u->world, i, &r));
+        if (r.way != MdtReportWayFast)
+            continue;
+        const MdtBodyID b = McdModelGetBody(model[i]);
+        double v2 = 0;
+        MeVector3 v;
+        MdtBodyGetLinearVelocity(b, v);
+        for (int k = 0; k < 3; k++)
+            v2 += (double)(v[k] * v[k]);
+        ck_assert_int_eq(r.bodies, 1);
+        ck_assert_int_eq(r.parts, 1);
+        ck_assert_int_eq(r.factorizations, 0);
+        ck_assert_int_gt(r.rows, 0);
+        ck_assert_int_eq(r.rows % 3, 0); /* a normal and two of friction */
+        ck_assert_int_eq(rows[i], r.rows);
+        ck_assert_double_ge((double)r.kineticEnergy, .49 * (double)MdtBodyGetMass(b) * v2);
+        for (int k = 0; k < MdtReportStages; k++)
+            time += (double)r.time[k];
+        work += (double)r.work;
+    }
+    ck_assert_double_gt(time, 0);
+    ck_assert_double_gt(work, 0);
+    MstUniverseDestroy(u);
+}
+END_TEST
+
+static void tests(TCase *t) {
+    tcase_add_test(t, many_that_were_hit_are_the_fast_solvers);
+    tcase_add_test(t, few_are_the_exact_solvers);
+    tcase_add_test(t, what_the_program_wants_exact_is_exact);
+    tcase_add_test(t, what_slides_without_being_hit_is_exact);
+    tcase_add_test(t, what_bounces_is_met_in_time);
+    tcase_add_test(t, they_take_less_work);
+    tcase_add_test(t, they_come_to_rest_on_the_ground);
+    tcase_add_test(t, balls_roll);
+    tcase_add_test(t, each_moves_as_if_it_were_alone);
+    tcase_add_test(t, what_one_of_them_spoils_is_solved_by_each);
+    tcase_add_test(t, each_has_its_own_report);
+}
+
+TEST_MAIN("Debris", tests)
