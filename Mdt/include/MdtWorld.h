@@ -270,6 +270,8 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  - partitions of more bodies than MdtWorldSetTimedContacts that touch nothing fixed, or in which bodies have just
  *    met, until all are slow (MdtPartitionParams);
  *  - what comes out of these, however few bodies, without joints, until it is at rest;
+ *  - what is hit while 64 bodies or more of smaller partitions are not at rest, such as debris, without joints or
+ *    restitution, until it is at rest: many of these are solved together, without acting on each other;
  *  - what has collapsed and is wedged, when the exact solver has taken two work budgets to settle it, until it is at
  *    rest; a step of it may cost three eighths of the budget (MdtWorldSetWorkBudget; of fewer than 20 bodies less);
  *  - such with joints for which the exact solver has taken more than 12 factorizations, or all of its work, in a step,
