@@ -52,8 +52,11 @@ void mdt_batchesTerm(MdtBatches *b) {
 /* ---- candidates ---- */
 
 /* Is it to be taken by the whole of the step? */
-static MeBool isWhole(const MdtIsland *p, MeBool safely) {
-    return !safely || mdt_lagSafeStep(p) == p->h;
+static MeBool isWhole(MdtWorldID w, int partition, double h, MeBool safely) {
+    if (!safely)
+        return METRUE;
+    const MdtIsland p = mdt_islandOf(w, partition, h);
+    return mdt_lagSafeStep(&p) == h;
 }
 
 static MeBool hasFewThatTouch(const MdtWorld *w, int partition) {
@@ -74,11 +77,10 @@ static int findCandidates(MdtWorldID w, double h, MeBool safely, int *bodies) {
     int count = 0;
     *bodies = 0;
     for (int i = 0; i < w->numPartitions; i++) {
-        const MdtIsland p = mdt_islandOf(w, i, h);
-        if (!hasFewThatTouch(w, i) || w->output.info[i].isDisabled || mdt_restIsNear(&p) || !isWhole(&p, safely))
+        if (!hasFewThatTouch(w, i) || w->output.info[i].isDisabled || mdt_restIsNear(w, i) || !isWhole(w, i, h, safely))
             continue;
         w->batches.member[count++].partition = i;
-        *bodies += p.numBodies;
+        *bodies += w->bodyStart[i + 1] - w->bodyStart[i];
     }
     return count;
 }

@@ -456,6 +456,7 @@ struct MdtWorld {
         unsigned long sum;     /* which were as many, and where they are now */
     } idle;                    /* mdt_idle.c */
     unsigned long certificate; /* of rest, valid now (mdt_rest.c) */
+    double calmStepsToRest;    /* after which it is given */
     MdtRestInputs restInputs;  /* with which it was */
     int surfaceWarnings;       /* MdtContactParams.c: which were given */
     MdtWorker *workers;        /* numWorkers of them; the first is the thread that steps the world */

@@ -20,6 +20,12 @@
 
 /* ---- inputs ---- */
 
+/* Steps until the errors that gamma takes away are a thousandth: (1 - γ)^n = 1e-3. */
+static double relaxationSteps(const MdtWorld *w) {
+    const double gamma = w->gamma;
+    return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log(1 - gamma)) : 1;
+}
+
 void mdt_restBegin(MdtWorldID w) {
     MdtRestInputs now;
     memset(&now, 0, sizeof now);
@@ -39,6 +45,7 @@ void mdt_restBegin(MdtWorldID w) {
     if (memcmp(&now, &w->restInputs, sizeof now) != 0)
         w->certificate++;
     w->restInputs = now;
+    w->calmStepsToRest = relaxationSteps(w);
 }
 
 /* Word by word; the multiplier is 2^64 over the golden ratio, and the shift brings high bits down again. */
@@ -199,12 +206,6 @@ static MeBool isResting(const MdtIsland *p, int i, double speed) {
     return isSlow(b, &p->bodies[i]->start.velocity, 2 * speed) && isSlow(b, &end, 2 * speed) && isSlow(b, &way, speed);
 }
 
-/* Steps until the errors that gamma takes away are a thousandth: (1 - γ)^n = 1e-3. */
-static double relaxationSteps(const MdtWorld *w) {
-    const double gamma = w->gamma;
-    return gamma > 0 && gamma < 1 ? ceil(log(1e-3) / log(1 - gamma)) : 1;
-}
-
 static MeBool areCalm(const MdtIsland *p, int first, int end) {
     const double speed = resolvedSpeed(p);
     for (int i = first; i < end; i++)
@@ -223,7 +224,7 @@ static void MEAPI forgetCalmSteps(void *island, int first, int end, int worker) 
 
 /* Returns whether all have enough. The count begins anew when a body loses its certificate. */
 static MeBool countCalmStep(const MdtIsland *p, int first, int end) {
-    const double enough = relaxationSteps(p->world);
+    const double enough = p->world->calmStepsToRest;
     MeBool areEnough = METRUE;
     MEASSERT(enough >= 1 && end > first);
     for (int i = first; i < end; i++) {
@@ -318,10 +319,10 @@ void mdt_restCertify(MdtIsland *p, MeBool isSettled) {
 
 /* ---- of batches ---- */
 
-MeBool mdt_restIsNear(const MdtIsland *p) {
-    const double enough = relaxationSteps(p->world) - 1;
-    for (int i = 0; i < p->numBodies; i++)
-        if (p->bodies[i]->certificate == 0 && p->bodies[i]->calmSteps < enough)
+MeBool mdt_restIsNear(const MdtWorld *w, int partition) {
+    const double enough = w->calmStepsToRest - 1;
+    for (int i = w->bodyStart[partition]; i < w->bodyStart[partition + 1]; i++)
+        if (w->bodyOf[i]->certificate == 0 && w->bodyOf[i]->calmSteps < enough)
             return MEFALSE;
     return METRUE;
 }

@@ -136,7 +136,7 @@ void mdt_restStay(MdtIsland *p);
 void mdt_restCertify(MdtIsland *p, MeBool isSettled);
 /* Whether a partition has a certificate, or gets one by itself if it is calm in one step more; counts the calm steps of
  * a batch's members. */
-MeBool mdt_restIsNear(const MdtIsland *p);
+MeBool mdt_restIsNear(const MdtWorld *w, int partition);
 void mdt_restCountCalm(MdtIsland *p);
 
 /* Finds the batches of a step; such a one; takes it, instead of its members' steps (mdt_batch.c). */
