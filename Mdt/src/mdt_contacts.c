@@ -1,37 +1,107 @@
-/* Contacts of a partition as Kea takes them, and their forces back. A record of points that share a normal, a surface
- * and radii is a manifold of Kea's, and a point that has something of its own (MdtExtra) is one by itself. They come in
- * the order of simulation. */
+/* Contacts of a partition as Kea takes them, and their forces back. Points of a group that share a normal, a surface
+ * and radii are a manifold of Kea's, up to four of them; a point that has something else of its own (MdtExtra) is one
+ * by itself. They come in the order of simulation. */
 #include "MeAssert.h"
 #include "mdt_step_i.h"
 #include <string.h>
 
-/* ---- room ---- */
+/* ---- which points are one manifold ---- */
 
 static MeBool isMoving(const MdtKeaVelocity *v) {
     return keaDot(v->lin, v->lin) + keaDot(v->ang, v->ang) > 0;
 }
 
-static MeBool isApart(const MdtExtra *extra) {
-    const int own = MDT_OWN_NORMAL | MDT_OWN_RADIUS | MDT_OWN_PARAMS | MDT_OWN_DIRECTION | MDT_WATCHED;
-    return extra->slot != MDT_GROUP_SLOT &&
-           ((extra->record.flags & own) || isMoving(&extra->worldVelocity) || extra->rim[0] > 0 || extra->rim[1] > 0);
+/* Has the point something of its own that Kea's manifolds share, other than a normal and radii? */
+static MeBool isAlone(const MdtExtra *extra) {
+    const int own = MDT_OWN_PARAMS | MDT_OWN_DIRECTION | MDT_WATCHED;
+    return (extra->record.flags & own) || isMoving(&extra->worldVelocity) || extra->rim[0] > 0 || extra->rim[1] > 0;
 }
 
-/* Whether a point of the record has a normal, radius or surface of its own, and so needs a manifold of Kea's for
- * itself. */
+/* Whether a point of the record does not share all of its values. */
 static MeBool hasApart(const MdtManifold *block) {
     for (const MdtExtra *extra = block->extras; extra; extra = extra->next)
-        if (isApart(extra))
+        if (extra->slot != MDT_GROUP_SLOT &&
+            ((extra->record.flags & (MDT_OWN_NORMAL | MDT_OWN_RADIUS)) || isAlone(extra)))
             return METRUE;
     return MEFALSE;
+}
+
+static MeBool isAnyApart(const MdtManifold *first) {
+    for (const MdtManifold *block = first; block; block = block->next)
+        if (hasApart(block))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Points of a group in which some are apart: as on the triangles of a surface, or of the parts of compounds. Those of
+ * one normal, the same radii and the same surface are one manifold, whatever records they are in. So many kinds are
+ * told apart; a point of any other is a manifold by itself. */
+enum { MOST_KINDS = 16 };
+
+typedef struct Kind {
+    const MeReal *normal, *radius;
+    const MdtSurface *surface;
+    int manifold, numPoints;
+} Kind;
+
+typedef struct Sorting {
+    int numKinds, numManifolds; /* of the group */
+    Kind kind[MOST_KINDS];
+} Sorting;
+
+static MeBool isOfKind(const Kind *kind, const Kind *other) {
+    return kind->surface == other->surface && memcmp(kind->normal, other->normal, 3 * sizeof *kind->normal) == 0 &&
+           memcmp(kind->radius, other->radius, 2 * sizeof *kind->radius) == 0;
+}
+
+static Kind kindOf(const MdtManifold *block, const MdtExtra *extra) {
+    Kind kind = {.normal = block->normal, .radius = block->radius, .surface = block->surface};
+    if (extra && (extra->record.flags & MDT_OWN_NORMAL))
+        kind.normal = extra->normal;
+    if (extra && (extra->record.flags & MDT_OWN_RADIUS))
+        kind.radius = extra->radius;
+    return kind;
+}
+
+/* Which of the group's manifolds the next point is in; numManifolds, before it was counted: the first one of it. */
+static int manifoldOf(Sorting *s, const MdtManifold *block, const MdtPoint *point) {
+    const MdtExtra *extra = mdt_extraOf(block, point->slot);
+    if (extra && isAlone(extra))
+        return s->numManifolds++;
+    Kind kind = kindOf(block, extra);
+    int at = 0;
+    while (at < s->numKinds && !isOfKind(&s->kind[at], &kind))
+        at++;
+    if (at < s->numKinds && s->kind[at].numPoints < MdtKeaMANIFOLDPOINTS) {
+        s->kind[at].numPoints++;
+        return s->kind[at].manifold;
+    }
+    kind.manifold = s->numManifolds;
+    kind.numPoints = 1;
+    if (at < MOST_KINDS)
+        s->kind[at] = kind;
+    s->numKinds = MeMAX(s->numKinds, MeMIN(at + 1, MOST_KINDS));
+    return s->numManifolds++;
+}
+
+/* ---- room ---- */
+
+static int countSorted(const MdtManifold *first) {
+    Sorting sorting;
+    sorting.numKinds = sorting.numManifolds = 0;
+    for (const MdtPoint *p = mdt_pointFirst(first); p; p = mdt_pointAfter(p))
+        manifoldOf(&sorting, mdt_blockOf(p), p);
+    return sorting.numManifolds;
 }
 
 int mdt_contactsCount(const MdtManifold *first) {
     int count = 0;
     if (!first->next && !hasApart(first)) /* most: their points need not come from memory */
         return first->numPoints > 0;
+    if (isAnyApart(first))
+        return countSorted(first);
     for (const MdtManifold *block = first; block; block = block->next)
-        count += hasApart(block) ? mdt_countSlots(block) : mdt_pointIn(block, 0) != NULL;
+        count += mdt_pointIn(block, 0) != NULL;
     return count;
 }
 
@@ -82,19 +152,32 @@ static void beginManifold(MdtKeaManifold *m, const MdtPoint *first, int *problem
     *problems |= mdt_surfaceProblem(params);
 }
 
-/* Returns the first one behind those that it has written. */
+/* The points of a record. Returns the first manifold behind those that it has written. */
 static int packBlock(const MdtIsland *p, const MdtManifold *block, int at, int *problems) {
-    const MeBool areApart = hasApart(block);
-    int end = at;
-    for (MdtPoint *point = mdt_pointIn(block, 0); point; point = mdt_pointIn(block, point->slot + 1)) {
-        if (end == at || areApart)
-            beginManifold(&p->kea.manifolds[end++], point, problems);
-        packPoint(&p->kea.manifolds[end - 1], &p->manifolds[end - 1], point);
+    MdtPoint *point = mdt_pointIn(block, 0);
+    if (!point)
+        return at;
+    beginManifold(&p->kea.manifolds[at], point, problems);
+    for (; point; point = mdt_pointIn(block, point->slot + 1))
+        packPoint(&p->kea.manifolds[at], &p->manifolds[at], point);
+    return at + 1;
+}
+
+static int packSorted(const MdtIsland *p, const MdtManifold *first, int at, int *problems) {
+    Sorting sorting;
+    sorting.numKinds = sorting.numManifolds = 0;
+    for (MdtPoint *point = mdt_pointFirst(first); point; point = mdt_pointAfter(point)) {
+        const int before = sorting.numManifolds, place = manifoldOf(&sorting, mdt_blockOf(point), point);
+        if (place == before)
+            beginManifold(&p->kea.manifolds[at + place], point, problems);
+        packPoint(&p->kea.manifolds[at + place], &p->manifolds[at + place], point);
     }
-    return end;
+    return at + sorting.numManifolds;
 }
 
 int mdt_contactsPack(const MdtIsland *p, const MdtManifold *first, int at, int *problems) {
+    if (isAnyApart(first))
+        return packSorted(p, first, at, problems);
     for (const MdtManifold *block = first; block; block = block->next)
         at = packBlock(p, block, at, problems);
     return at;
