@@ -26,16 +26,14 @@ static MeBool hasApart(const MdtManifold *block) {
     return MEFALSE;
 }
 
-static MeBool isAnyApart(const MdtManifold *first) {
-    for (const MdtManifold *block = first; block; block = block->next)
-        if (hasApart(block))
-            return METRUE;
-    return MEFALSE;
+/* Most groups: their points need not come from memory to be counted. */
+static MeBool isOneManifold(const MdtManifold *first) {
+    return !first->next && !hasApart(first);
 }
 
-/* Points of a group in which some are apart: as on the triangles of a surface, or of the parts of compounds. Those of
- * one normal, the same radii and the same surface are one manifold, whatever records they are in. So many kinds are
- * told apart; a point of any other is a manifold by itself. */
+/* The points of other groups, as on the triangles of a surface, or of the parts of compounds. Those of one normal, the
+ * same radii and the same surface are one manifold, whatever records they are in. So many kinds are told apart; a point
+ * of any other is a manifold by itself. */
 enum { MOST_KINDS = 16 };
 
 typedef struct Kind {
@@ -95,14 +93,7 @@ static int countSorted(const MdtManifold *first) {
 }
 
 int mdt_contactsCount(const MdtManifold *first) {
-    int count = 0;
-    if (!first->next && !hasApart(first)) /* most: their points need not come from memory */
-        return first->numPoints > 0;
-    if (isAnyApart(first))
-        return countSorted(first);
-    for (const MdtManifold *block = first; block; block = block->next)
-        count += mdt_pointIn(block, 0) != NULL;
-    return count;
+    return isOneManifold(first) ? first->numPoints > 0 : countSorted(first);
 }
 
 static size_t keaSize(int count) {
@@ -176,11 +167,7 @@ static int packSorted(const MdtIsland *p, const MdtManifold *first, int at, int 
 }
 
 int mdt_contactsPack(const MdtIsland *p, const MdtManifold *first, int at, int *problems) {
-    if (isAnyApart(first))
-        return packSorted(p, first, at, problems);
-    for (const MdtManifold *block = first; block; block = block->next)
-        at = packBlock(p, block, at, problems);
-    return at;
+    return isOneManifold(first) ? packBlock(p, first, at, problems) : packSorted(p, first, at, problems);
 }
 
 void mdt_contactsCarry(MdtIsland *p) {

@@ -5,45 +5,54 @@
 #include "mdt_manifold_i.h"
 #include <string.h>
 
-/* Whether one of the first `count` contacts found has been matched with it. */
-static MeBool isContinued(const MdtPoint *p, const MdtContactID contacts[], int count) {
-    for (int i = 0; i < count; i++)
-        if (contacts[i] == (MdtContactID)p)
-            return METRUE;
-    return MEFALSE;
+static void forgetFound(const MdtManifold *m) {
+    for (MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p))
+        p->isFound = MEFALSE;
 }
 
-static MdtPoint *pointOfFeature(const MdtManifold *m, MeU32 feature, const MdtContactID contacts[], int count) {
+static MdtContactID find(MdtPoint *p) {
+    if (p)
+        p->isFound = METRUE;
+    return (MdtContactID)p;
+}
+
+static MdtPoint *pointOfFeature(const MdtManifold *m, MeU32 feature) {
     for (MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p))
-        if (p->feature == feature && !isContinued(p, contacts, count))
+        if (p->feature == feature && !p->isFound)
             return p;
     return NULL;
 }
 
-/* Square of the distance from where a contact has been carried to since it was found, by the body that it pushes. */
-static double squareDistance(const MdtPoint *p, double time, const double position[3]) {
+/* Where a contact has been carried to since it was found, by the body that it pushes. */
+static void carry(const MdtPoint *p, double time, double place[3]) {
     const MdtBodyID body = mdt_manifoldOf(p)->base.side[0].body;
-    MeVector3 place, velocity = {0, 0, 0};
-    double way[3];
-    mdt_toReal(place, p->position);
+    MeVector3 now, velocity = {0, 0, 0};
+    mdt_toReal(now, p->position);
     if (body)
-        MdtBodyGetVelocityAtPoint(body, place, velocity);
+        MdtBodyGetVelocityAtPoint(body, now, velocity);
     for (int i = 0; i < 3; i++)
-        way[i] = p->position[i] + time * (double)velocity[i] - position[i];
+        place[i] = p->position[i] + time * (double)velocity[i];
+}
+
+static double squareDistance(const double a[3], const double b[3]) {
+    double way[3];
+    keaSubtract(way, a, b);
     return keaDot(way, way);
 }
 
 /* Matches the nearest two of the contacts found and those of the group that are unmatched. False: there are none. */
 static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
                            MdtContactID contacts[]) {
-    const MdtPoint *nearest = NULL;
+    MdtPoint *nearest = NULL;
     double least = HUGE_VAL;
     int match = 0;
-    for (const MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p)) {
-        if (isContinued(p, contacts, count))
+    for (MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p)) {
+        double place[3];
+        if (p->isFound)
             continue;
+        carry(p, time, place);
         for (int i = 0; i < count; i++) {
-            const double distance = contacts[i] ? HUGE_VAL : squareDistance(p, time, found[i].position);
+            const double distance = contacts[i] ? HUGE_VAL : squareDistance(place, found[i].position);
             if (distance < least) {
                 least = distance;
                 nearest = p;
@@ -52,7 +61,7 @@ static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], 
         }
     }
     if (nearest)
-        contacts[match] = (MdtContactID)(uintptr_t)nearest;
+        contacts[match] = find(nearest);
     return nearest != NULL;
 }
 
@@ -60,16 +69,20 @@ static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], 
  * rounding, from a corner to an edge, while the points and their forces remain. */
 static void matchContacts(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
                           MdtContactID contacts[]) {
-    for (int i = 0; i < count; i++)
-        contacts[i] = (MdtContactID)pointOfFeature(m, found[i].feature, contacts, i);
-    while (matchNearest(m, found, count, time, contacts))
+    MeBool areAll = METRUE;
+    forgetFound(m);
+    for (int i = 0; i < count; i++) {
+        contacts[i] = find(pointOfFeature(m, found[i].feature));
+        areAll = areAll && contacts[i];
+    }
+    while (!areAll && matchNearest(m, found, count, time, contacts))
         ;
 }
 
-static void destroyOthers(MdtManifold *m, const MdtContactID contacts[], int count) {
+static void destroyOthers(MdtManifold *m) {
     for (MdtPoint *p = mdt_pointFirst(m), *next; p; p = next) {
         next = mdt_pointAfter(p);
-        if (!isContinued(p, contacts, count))
+        if (!p->isFound)
             mdt_pointTerm(p);
     }
 }
@@ -124,6 +137,22 @@ static MeBool isAsRecord(const MdtManifold *block, const MdtFoundContact *found)
            !(found->rim[1] > 0) && memcmp(&block->surface->params, found->params, sizeof *found->params) == 0;
 }
 
+static MeBool hasRimFound(const MdtExtra *extra, const MdtFoundContact *found, int side) {
+    return extra->rim[side] == found->rim[side] &&
+           (!(found->rim[side] > 0) || memcmp(extra->axis[side], found->axis[side], sizeof extra->axis[side]) == 0);
+}
+
+/* Has the point what is found of the contact, of its own or with its record? So do most of those on triangles. */
+static MeBool isAsFound(const MdtManifold *block, const MdtExtra *extra, const MdtFoundContact *found) {
+    if (!extra || (extra->record.flags & (MDT_WATCHED | MDT_OWN_PARAMS)))
+        return MEFALSE;
+    const MeReal *normal = extra->record.flags & MDT_OWN_NORMAL ? extra->normal : block->normal;
+    const MeReal *radius = extra->record.flags & MDT_OWN_RADIUS ? extra->radius : block->radius;
+    return memcmp(normal, found->normal, sizeof extra->normal) == 0 &&
+           memcmp(radius, found->radius, sizeof extra->radius) == 0 && hasRimFound(extra, found, 0) &&
+           hasRimFound(extra, found, 1) && memcmp(&block->surface->params, found->params, sizeof *found->params) == 0;
+}
+
 /* Has the contact nothing of its own, as the group's first one? */
 static MeBool isShared(const MdtFoundContact *found, const MdtFoundContact *first) {
     return memcmp(found->normal, first->normal, sizeof found->normal) == 0 &&
@@ -142,7 +171,7 @@ static void setPoint(MdtPoint *p, const MdtFoundContact *found, Shared *last) {
     const MdtManifold *block = mdt_blockOf(p);
     if (block != last->block || !isShared(found, last->found)) {
         const MeBool isAlike = isAsRecord(block, found);
-        if (!isAlike) {
+        if (!isAlike && !isAsFound(block, mdt_extraOf(block, p->slot), found)) {
             mdt_pointSetParams(p, found->params);
             mdt_pointSetNormal(p, found->normal);
             for (int k = 0; k < 2; k++)
@@ -196,7 +225,7 @@ int MEAPI MdtContactGroupRenew(MdtContactGroupID g, const MdtFoundContact found[
         return 0;
     const MeBool areAlike = areShared(found, count);
     matchContacts(m, found, count, (double)time, contacts);
-    destroyOthers(m, contacts, count);
+    destroyOthers(m);
     if (count > 0)
         shareAll(m, found, count, contacts);
     for (int i = 0; i < count; i++) {
