@@ -142,30 +142,31 @@ static MeBool containsOrigin(const Simplex *s) {
     return part[0] * sign > 0 && part[1] * sign > 0 && part[2] * sign > 0 && part[3] * sign > 0;
 }
 
-/* Finds the nearest point among all parts of the simplex that have its newest, last corner, and keeps that part: the
- * parts without it are farther than the previous nearest point, whose direction gave the newest corner. */
-static void reduce(Simplex *s) {
+/* The nearest point among all parts of the simplex that have its newest, last corner: the parts without it are farther
+ * than the previous nearest point, whose direction gave the newest corner. */
+static Candidate nearestPart(const Simplex *s) {
     const int last = s->count - 1;
     Candidate best = {.squared = INFINITY};
-    s->inside = s->count == 4 && containsOrigin(s);
-    if (s->inside)
-        return;
     offerCorner(s, last, &best);
     for (int i = 0; i < last; i++) {
         offerEdge(s, last, i, &best);
         for (int j = i + 1; j < last; j++)
             offerFacet(s, last, i, j, &best);
     }
-    Corner kept[3];
     MEASSERT(best.count >= 1 && best.count <= 3 && best.squared < INFINITY);
-    for (int i = 0; i < best.count; i++) {
-        kept[i] = s->corner[best.corner[i]];
-        s->weight[i] = best.weight[i];
+    return best;
+}
+
+static void keepPart(Simplex *s, const Candidate *part) {
+    Corner kept[3];
+    for (int i = 0; i < part->count; i++) {
+        kept[i] = s->corner[part->corner[i]];
+        s->weight[i] = part->weight[i];
     }
-    memcpy(s->corner, kept, (size_t)best.count * sizeof *kept);
-    s->count = best.count;
-    mcd_copy(s->nearest, best.point);
-    s->squared = best.squared;
+    memcpy(s->corner, kept, (size_t)part->count * sizeof *kept);
+    s->count = part->count;
+    mcd_copy(s->nearest, part->point);
+    s->squared = part->squared;
 }
 
 static MeBool isCorner(const Simplex *s, const Corner *c) {
@@ -182,7 +183,9 @@ static void beginGjk(const Pair *p, Simplex *s) {
         mcd_set(v, 1, 0, 0);
     farthest(p, v, &s->corner[0]);
     s->count = 1;
-    reduce(s);
+    s->inside = MEFALSE;
+    const Candidate part = nearestPart(s);
+    keepPart(s, &part);
 }
 
 typedef enum { BEYOND_LIMIT, SEPARATED, OVERLAPPING } GjkResult;
@@ -195,8 +198,7 @@ static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) 
         const double distance = sqrt(s->squared);
         if (!(distance > p->tolerance))
             return OVERLAPPING;
-        Simplex next = *s;
-        Corner *c = &next.corner[next.count];
+        Corner *c = &s->corner[s->count];
         const double d[3] = {-s->nearest[0], -s->nearest[1], -s->nearest[2]};
         farthest(p, d, c);
         *bound = -mcd_dot(d, c->w) / distance; /* no point of M is nearer than that */
@@ -204,13 +206,16 @@ static GjkResult runGjk(const Pair *p, double limit, Simplex *s, double *bound) 
             return BEYOND_LIMIT;
         if (distance - *bound <= .1 * p->tolerance || isCorner(s, c))
             return SEPARATED;
-        next.count++;
-        reduce(&next);
-        if (!next.inside && next.squared >= s->squared) /* no progress: rounding */
-            return distance > p->guessTolerance ? SEPARATED : OVERLAPPING;
-        *s = next;
+        s->count++;
+        s->inside = s->count == 4 && containsOrigin(s);
         if (s->inside)
             return OVERLAPPING;
+        const Candidate part = nearestPart(s);
+        if (part.squared >= s->squared) { /* no progress: rounding */
+            s->count--;
+            return distance > p->guessTolerance ? SEPARATED : OVERLAPPING;
+        }
+        keepPart(s, &part);
     }
     return SEPARATED;
 }
@@ -530,13 +535,14 @@ static MeBool addFarthest(const Pair *p, Polytope *t) {
 static Simplex nearestOfFacets(const Simplex *s) {
     Simplex best = {.squared = INFINITY};
     for (int omitted = 0; omitted < 4; omitted++)
-        for (int turn = 1; turn < 4; turn++) { /* reduce() looks only at the parts that have the last corner */
+        for (int turn = 1; turn < 4; turn++) { /* nearestPart() looks only at those that have the last corner */
             Simplex part = {.count = 0};
             for (int i = 0; i < 4; i++)
                 if (i != omitted && i != (omitted + turn) % 4)
                     part.corner[part.count++] = s->corner[i];
             part.corner[part.count++] = s->corner[(omitted + turn) % 4];
-            reduce(&part);
+            const Candidate nearest = nearestPart(&part);
+            keepPart(&part, &nearest);
             if (part.squared < best.squared)
                 best = part;
         }

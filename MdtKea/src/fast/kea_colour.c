@@ -107,7 +107,7 @@ static void clearGroup(KeaGroup *g) {
         g->manifold[lane] = -1;
 }
 
-void kea_groupManifolds(const KeaRegions *r, const KeaNode *node, KeaGroup groups[]) {
+void kea_groupManifolds(const MdtKeaSystem *s, const KeaRegions *r, const KeaNode *node, KeaGroup groups[]) {
     const int *sorted = r->sorted + node->firstManifold;
     int group = node->firstGroup - 1, lane = KEA_LANES;
     for (int i = 0; i < node->numManifolds; i++) {
@@ -116,6 +116,8 @@ void kea_groupManifolds(const KeaRegions *r, const KeaNode *node, KeaGroup group
             clearGroup(&groups[++group]);
             lane = 0;
         }
+        if (lane == 0) /* of a colour the most come first */
+            groups[group].points = s->manifolds[sorted[i]].numPoints;
         groups[group].manifold[lane++] = sorted[i];
     }
     MEASSERT(group == node->firstGroup + node->numGroups - 1);

@@ -99,7 +99,7 @@ static void fillGroups(void *context, KeaNode *node) {
     const Step *p = context;
     const KeaGathering from = gathering(p);
     KeaGroup *groups = p->groups + node->firstGroup;
-    kea_groupManifolds(&p->regions, node, p->groups);
+    kea_groupManifolds(p->s, &p->regions, node, p->groups);
     kea_fillGroups(&from, groups, node->numGroups);
     p->kernel->prepare(groups, node->numGroups, (float)p->s->parameters.stepsize);
 }

@@ -47,6 +47,7 @@ typedef struct KeaPatch {
 typedef struct KeaGroup {
     /* kea_colour.c */
     int manifold[KEA_LANES]; /* -1: the lane is not in use */
+    int points;              /* of a manifold, at most */
     /* kea_gather.c */
     int body[2][KEA_LANES]; /* of KeaMotions: 0 is the world, the others 1 + their place */
     KeaLanes3 normal, along, arm[2];

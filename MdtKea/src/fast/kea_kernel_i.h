@@ -52,10 +52,13 @@ KEA_INLINE void applyImpulse(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaL
         lanesDifference(p->ang[1], lanesApply(g->invInertia[1], lanesSum(lanesCross(g->arm[1], impulse), couple)));
 }
 
+/* A visit is compiled for groups of at most one, two and four points. The others' impulses are 0, and what they would
+ * add is: the same bits. */
+
 /* The sum of normal impulses, and their moments: Σ x p, Σ y p. */
-KEA_INLINE void resultantOf(const KeaGroup *g, const KeaLanes impulse[KEA_POINTS], KeaLanes r[3]) {
+KEA_INLINE void resultantOf(const KeaGroup *g, int points, const KeaLanes impulse[], KeaLanes r[3]) {
     r[0] = r[1] = r[2] = lanesOf(0);
-    for (int k = 0; k < KEA_POINTS; k++) {
+    for (int k = 0; k < points; k++) {
         r[0] += impulse[k];
         r[1] += impulse[k] * g->x[k];
         r[2] += impulse[k] * g->y[k];
@@ -66,9 +69,9 @@ KEA_INLINE KeaLanes3 coupleOf(const KeaGroup *g, KeaLanes3 across, const KeaLane
     return lanesDifference(lanesScale(r[2], g->along), lanesScale(r[1], across));
 }
 
-KEA_INLINE void applyNormals(const KeaGroup *g, Pair *p, KeaLanes3 across, const KeaLanes change[KEA_POINTS]) {
+KEA_INLINE void applyNormals(const KeaGroup *g, int points, Pair *p, KeaLanes3 across, const KeaLanes change[]) {
     KeaLanes r[3];
-    resultantOf(g, change, r);
+    resultantOf(g, points, change, r);
     applyImpulse(g, p, lanesScale(r[0], g->normal), coupleOf(g, across, r));
 }
 
@@ -98,11 +101,10 @@ KEA_INLINE int entryOf(int i, int j) {
 }
 
 /* Projected Gauss-Seidel at one point; `left` are the rates of all. */
-KEA_INLINE void visitPoint(const KeaGroup *g, int k, KeaLanes least, KeaLanes swept[KEA_POINTS],
-                           KeaLanes left[KEA_POINTS]) {
+KEA_INLINE void visitPoint(const KeaGroup *g, int points, int k, KeaLanes least, KeaLanes swept[], KeaLanes left[]) {
     const KeaLanes next = lanesMax(swept[k] - g->response[k] * left[k], least), change = next - swept[k];
     swept[k] = next;
-    for (int j = 0; j < KEA_POINTS; j++)
+    for (int j = 0; j < points; j++)
         left[j] += change * g->coupling[entryOf(k, j)];
 }
 
@@ -110,32 +112,32 @@ KEA_INLINE void visitPoint(const KeaGroup *g, int k, KeaLanes least, KeaLanes sw
  * First by the inverse, as if all points acted; where that pulls at one, by three projected Gauss-Seidel sweeps over
  * the points, forwards and backwards: one lets a tower of 20 fall, eight gain nothing. `impulse` is the guess, `rate`
  * the rates with it, less their targets. */
-KEA_INLINE void solvePoints(const KeaGroup *g, const KeaLanes rate[KEA_POINTS], KeaLanes least,
-                            KeaLanes impulse[KEA_POINTS]) {
+KEA_INLINE void solvePoints(const KeaGroup *g, int points, const KeaLanes rate[], KeaLanes least,
+                            KeaLanes impulse[]) {
     KeaLanes all[KEA_POINTS], swept[KEA_POINTS], left[KEA_POINTS];
     KeaMask isAnswer = g->isDirect;
-    for (int k = 0; k < KEA_POINTS; k++) {
+    for (int k = 0; k < points; k++) {
         all[k] = impulse[k];
-        for (int j = 0; j < KEA_POINTS; j++)
+        for (int j = 0; j < points; j++)
             all[k] -= g->direct[entryOf(k, j)] * rate[j];
         isAnswer &= all[k] >= least;
     }
     if (lanesAreAll(isAnswer)) {
-        for (int k = 0; k < KEA_POINTS; k++)
+        for (int k = 0; k < points; k++)
             impulse[k] = all[k];
         return;
     }
-    for (int k = 0; k < KEA_POINTS; k++) {
+    for (int k = 0; k < points; k++) {
         swept[k] = impulse[k];
         left[k] = rate[k];
     }
-    for (int k = 0; k < KEA_POINTS; k++)
-        visitPoint(g, k, least, swept, left);
-    for (int k = KEA_POINTS - 1; k >= 0; k--)
-        visitPoint(g, k, least, swept, left);
-    for (int k = 0; k < KEA_POINTS; k++)
-        visitPoint(g, k, least, swept, left);
-    for (int k = 0; k < KEA_POINTS; k++)
+    for (int k = 0; k < points; k++)
+        visitPoint(g, points, k, least, swept, left);
+    for (int k = points - 1; k >= 0; k--)
+        visitPoint(g, points, k, least, swept, left);
+    for (int k = 0; k < points; k++)
+        visitPoint(g, points, k, least, swept, left);
+    for (int k = 0; k < points; k++)
         impulse[k] = lanesSelect(isAnswer, all[k], swept[k]);
 }
 
@@ -146,10 +148,10 @@ typedef struct Limits {
     KeaLanes rub[2], twist;
 } Limits;
 
-KEA_INLINE Limits frictionLimits(const KeaGroup *g, const KeaLanes impulse[KEA_POINTS]) {
+KEA_INLINE Limits frictionLimits(const KeaGroup *g, int points, const KeaLanes impulse[]) {
     KeaLanes load = lanesOf(0), moment = lanesOf(0);
     Limits limits;
-    for (int k = 0; k < KEA_POINTS; k++) {
+    for (int k = 0; k < points; k++) {
         const KeaLanes pressing = lanesMax(impulse[k], lanesOf(0));
         load += pressing;
         moment += pressing * g->lever[k];
@@ -185,22 +187,23 @@ KEA_INLINE void slidingRates(const KeaGroup *g, const KeaLanes slide[2], const K
 /* Each of these solves for its impulses, from guesses that are extrapolated by beta, and returns their change. The
  * rates of those after it follow by the coupling, so that bodies are read and written once. */
 
-KEA_INLINE void visitNormals(KeaGroup *g, Rates *rates, KeaLanes beta, KeaLanes *uphill, KeaLanes resultant[3]) {
+KEA_INLINE void visitNormals(KeaGroup *g, int points, Rates *rates, KeaLanes beta, KeaLanes *uphill,
+                             KeaLanes resultant[3]) {
     KeaLanes rate[KEA_POINTS], guess[KEA_POINTS], next[KEA_POINTS], change[KEA_POINTS];
     const KeaLanes *u = rates->u;
-    for (int k = 0; k < KEA_POINTS; k++) {
+    for (int k = 0; k < points; k++) {
         guess[k] = next[k] = g->impulse[k] + beta * (g->impulse[k] - g->before[k]);
         rate[k] = u[0] + g->x[k] * u[1] + g->y[k] * u[2] - g->target[k] + g->compliance * guess[k];
     }
-    solvePoints(g, rate, g->least, next);
-    for (int k = 0; k < KEA_POINTS; k++) {
+    solvePoints(g, points, rate, g->least, next);
+    for (int k = 0; k < points; k++) {
         next[k] = lanesSelect(g->isPoint[k], next[k], lanesOf(0));
         change[k] = next[k] - guess[k];
         *uphill -= change[k] * (next[k] - g->impulse[k]);
         g->before[k] = g->impulse[k];
         g->impulse[k] = next[k];
     }
-    resultantOf(g, change, resultant);
+    resultantOf(g, points, change, resultant);
     for (int j = 0; j < 3; j++) {
         rates->slide[0] += g->toSlide[0][j] * resultant[j];
         rates->slide[1] += g->toSlide[1][j] * resultant[j];
@@ -233,22 +236,35 @@ KEA_INLINE void visitFriction(KeaGroup *g, const Rates *rates, const Limits *lim
     }
 }
 
+/* A point by itself is its manifold's centre, and has no friction about the normal. */
+KEA_INLINE void visit(KeaGroup *g, int points, KeaMotion motion[], KeaLanes beta, KeaLanes *uphill) {
+    const KeaLanes3 across = lanesCross(g->normal, g->along);
+    Pair p = gather(g, motion);
+    Rates rates = ratesOf(g, &p, across);
+    KeaLanes normal[3], rub[2], twist = lanesOf(0);
+    visitNormals(g, points, &rates, beta, uphill, normal);
+    const Limits limits = frictionLimits(g, points, g->impulse);
+    if (points > 1)
+        twist = visitTwist(g, &rates, &limits, beta);
+    visitFriction(g, &rates, &limits, beta, uphill, rub);
+    applyAll(g, &p, across, normal, rub, twist);
+    scatter(g, &p, motion);
+}
+
 static void pass(KeaGroup groups[], int count, KeaMotion motion[], float beta, float uphill[KEA_LANES]) {
     KeaLanes sum;
     memcpy(&sum, uphill, sizeof sum);
-    for (int i = 0; i < count; i++) {
-        KeaGroup *g = &groups[i];
-        const KeaLanes3 across = lanesCross(g->normal, g->along);
-        Pair p = gather(g, motion);
-        Rates rates = ratesOf(g, &p, across);
-        KeaLanes normal[3], rub[2];
-        visitNormals(g, &rates, lanesOf(beta), &sum, normal);
-        const Limits limits = frictionLimits(g, g->impulse);
-        const KeaLanes twist = visitTwist(g, &rates, &limits, lanesOf(beta));
-        visitFriction(g, &rates, &limits, lanesOf(beta), &sum, rub);
-        applyAll(g, &p, across, normal, rub, twist);
-        scatter(g, &p, motion);
-    }
+    for (int i = 0; i < count; i++)
+        switch (groups[i].points) {
+        case 1:
+            visit(&groups[i], 1, motion, lanesOf(beta), &sum);
+            break;
+        case 2:
+            visit(&groups[i], 2, motion, lanesOf(beta), &sum);
+            break;
+        default:
+            visit(&groups[i], KEA_POINTS, motion, lanesOf(beta), &sum);
+        }
     memcpy(uphill, &sum, sizeof sum);
 }
 
@@ -423,7 +439,7 @@ static void apply(const KeaGroup groups[], int count, KeaMotion motion[]) {
         const KeaLanes3 across = lanesCross(g->normal, g->along);
         Pair p = gather(g, motion);
         KeaLanes normal[3];
-        resultantOf(g, g->impulse, normal);
+        resultantOf(g, KEA_POINTS, g->impulse, normal);
         applyAll(g, &p, across, normal, g->rub, g->twist);
         scatter(g, &p, motion);
     }
@@ -453,30 +469,43 @@ static void advance(KeaGroup groups[], int count, const KeaMotion motion[], floa
     }
 }
 
-/* Overlap beyond the sag shrinks by the share; a gap may close, but no further. */
+/* Overlap beyond the sag shrinks by the share; a gap may close, but no further. Returns which joints may be opened. */
+KEA_INLINE KeaMask pushGroup(const KeaGroup *g, int points, KeaMotion motion[]) {
+    const KeaLanes3 across = lanesCross(g->normal, g->along);
+    Pair p = gather(g, motion);
+    const Rates rates = ratesOf(g, &p, across);
+    const KeaLanes *u = rates.u;
+    KeaLanes rate[KEA_POINTS], way[KEA_POINTS];
+    KeaMask isAny = {0};
+    for (int k = 0; k < points; k++) {
+        const KeaLanes gap = g->gap[k] + u[0] + g->x[k] * u[1] + g->y[k] * u[2];
+        const KeaLanes overlap = lanesMin(gap + g->sag[k], lanesOf(0));
+        rate[k] = lanesSelect(gap > lanesOf(0), gap, g->correction * overlap);
+        way[k] = lanesOf(0);
+    }
+    solvePoints(g, points, rate, lanesOf(0), way);
+    for (int k = 0; k < points; k++) {
+        isAny |= g->isPoint[k] & (rate[k] < -lanesOf((float)kea_closedJoint) * g->size);
+        way[k] = lanesSelect(g->isPoint[k] & (g->correction > lanesOf(0)), way[k], lanesOf(0));
+    }
+    applyNormals(g, points, &p, across, way);
+    scatter(g, &p, motion);
+    return isAny;
+}
+
 static MeBool pushApart(const KeaGroup groups[], int count, KeaMotion motion[]) {
     KeaMask isAny = {0};
-    for (int i = 0; i < count; i++) {
-        const KeaGroup *g = &groups[i];
-        const KeaLanes3 across = lanesCross(g->normal, g->along);
-        Pair p = gather(g, motion);
-        const Rates rates = ratesOf(g, &p, across);
-        const KeaLanes *u = rates.u;
-        KeaLanes rate[KEA_POINTS], way[KEA_POINTS];
-        for (int k = 0; k < KEA_POINTS; k++) {
-            const KeaLanes gap = g->gap[k] + u[0] + g->x[k] * u[1] + g->y[k] * u[2];
-            const KeaLanes overlap = lanesMin(gap + g->sag[k], lanesOf(0));
-            rate[k] = lanesSelect(gap > lanesOf(0), gap, g->correction * overlap);
-            way[k] = lanesOf(0);
+    for (int i = 0; i < count; i++)
+        switch (groups[i].points) {
+        case 1:
+            isAny |= pushGroup(&groups[i], 1, motion);
+            break;
+        case 2:
+            isAny |= pushGroup(&groups[i], 2, motion);
+            break;
+        default:
+            isAny |= pushGroup(&groups[i], KEA_POINTS, motion);
         }
-        solvePoints(g, rate, lanesOf(0), way);
-        for (int k = 0; k < KEA_POINTS; k++) {
-            isAny |= g->isPoint[k] & (rate[k] < -lanesOf((float)kea_closedJoint) * g->size);
-            way[k] = lanesSelect(g->isPoint[k] & (g->correction > lanesOf(0)), way[k], lanesOf(0));
-        }
-        applyNormals(g, &p, across, way);
-        scatter(g, &p, motion);
-    }
     return !lanesAreAll(~isAny);
 }
 
@@ -505,7 +534,7 @@ static void measure(const KeaGroup groups[], int count, const KeaMotion motion[]
         const KeaGroup *g = &groups[i];
         const KeaLanes3 across = lanesCross(g->normal, g->along);
         const Pair p = gather(g, motion);
-        const Limits limits = frictionLimits(g, g->impulse);
+        const Limits limits = frictionLimits(g, KEA_POINTS, g->impulse);
         const Rates rates = ratesOf(g, &p, across);
         const KeaLanes *u = rates.u;
         KeaLanes rate[2], rub[2] = {g->rub[0], g->rub[1]};

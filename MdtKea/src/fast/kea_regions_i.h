@@ -65,6 +65,6 @@ void kea_overRegions(KeaRegions *r, KeaNodeWork work, void *context);
  * many there are in all. */
 int kea_colour(const MdtKeaSystem *s, KeaRegions *r);
 /* Empties the groups of a node, and writes which manifolds are in them. */
-void kea_groupManifolds(const KeaRegions *r, const KeaNode *node, KeaGroup groups[]);
+void kea_groupManifolds(const MdtKeaSystem *s, const KeaRegions *r, const KeaNode *node, KeaGroup groups[]);
 
 #endif
