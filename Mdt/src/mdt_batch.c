@@ -102,6 +102,20 @@ static MeBool isMember(MdtWorldID w, int partition, double h) {
     return p.numJoints == 0 && !p.bounces && touchesWorld(&p) && mdt_crowdIsChosen(&p);
 }
 
+typedef struct Choosing {
+    MdtWorldID world;
+    double h;
+} Choosing;
+
+/* The rule for order (MeTeam.h): a partition's choice reads and writes its own bodies alone. */
+static void MEAPI chooseMembers(void *context, int first, int end, int worker) {
+    const Choosing *c = context;
+    MdtBatches *b = &c->world->batches;
+    (void)worker;
+    for (int i = first; i < end; i++)
+        b->isIn[b->member[i].partition] = isMember(c->world, b->member[i].partition, c->h);
+}
+
 static void addMember(MdtWorldID w, int partition) {
     MdtBatches *b = &w->batches;
     MdtMember *m = &b->member[b->numMembers++];
@@ -113,18 +127,19 @@ static void addMember(MdtWorldID w, int partition) {
     memcpy(b->acting + m->firstActing, w->actingOf + w->actingStart[partition], (size_t)acting * sizeof *b->acting);
     m[1].firstBody = m->firstBody + bodies;
     m[1].firstActing = m->firstActing + acting;
-    b->isIn[partition] = METRUE;
 }
 
 /* Candidates are read ahead of where members are written. */
-static void findMembers(MdtWorldID w, double h, int candidates) {
+static void findMembers(MdtWorldID w, double h, MeTeam *team, int candidates) {
     MdtBatches *b = &w->batches;
+    Choosing choosing = {w, h};
     memset(b->isIn, 0, (size_t)w->numPartitions * sizeof *b->isIn);
+    MeTeamRunRanges(team, candidates, MDT_RANGE, chooseMembers, &choosing);
     b->numMembers = 0;
     b->member[0].firstBody = b->member[0].firstActing = 0;
     for (int i = 0; i < candidates; i++) {
         const int partition = b->member[i].partition;
-        if (isMember(w, partition, h))
+        if (b->isIn[partition])
             addMember(w, partition);
     }
     MEASSERT(b->member[b->numMembers].firstBody <= w->bodyRoom);
@@ -141,7 +156,7 @@ static void makeBatches(MdtBatches *b) {
     }
 }
 
-void mdt_batchesFind(MdtWorldID w, double h, MeBool safely) {
+void mdt_batchesFind(MdtWorldID w, double h, MeBool safely, MeTeam *team) {
     int bodies = 0;
     w->batches.count = 0;
     if (w->solver == MdtSolverExact || countInFew(w) < MDT_CROWD)
@@ -149,7 +164,7 @@ void mdt_batchesFind(MdtWorldID w, double h, MeBool safely) {
     const int candidates = findCandidates(w, h, safely, &bodies);
     if (bodies < MDT_CROWD)
         return;
-    findMembers(w, h, candidates);
+    findMembers(w, h, team, candidates);
     makeBatches(&w->batches);
 }
 

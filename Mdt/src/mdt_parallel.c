@@ -45,6 +45,7 @@ static void restAll(MdtWorldID w, double h, MeBool safely) {
 }
 
 static void takeInOrder(MdtWorldID w, double h, MeBool safely) {
+    mdt_batchesFind(w, h, safely, NULL);
     for (int i = 0; i < w->batches.count; i++) {
         MdtIsland p = mdt_batchOf(w, i, h);
         mdt_batchTake(&p);
@@ -190,6 +191,7 @@ static void sendMessages(MdtWorldID w) {
 static void takeByWorkers(MdtWorldID w, double h, MeBool safely) {
     Stepping s = {.world = w, .h = h, .safely = safely, .partition = w->taskOf, .firstOf = w->taskOf + w->bodyRoom};
     MeTeamOpen(w->team);
+    mdt_batchesFind(w, h, safely, w->team);
     takeTogether(&s);
     makeTasks(&s);
     MeTeamRun(w->team, w->batches.count + s.numTasks, doTask, &s);
@@ -217,7 +219,6 @@ void mdt_islandsStep(MdtWorldID w, double h, MeBool safely) {
         showInOrder(w, h, safely);
     else {
         restAll(w, h, safely);
-        mdt_batchesFind(w, h, safely);
         if (w->team && !callsProgram(w) && sizeOfAll(w) >= STEP_SIZE)
             takeByWorkers(w, h, safely);
         else

@@ -139,8 +139,9 @@ void mdt_restCertify(MdtIsland *p, MeBool isSettled);
 MeBool mdt_restIsNear(const MdtWorld *w, int partition);
 void mdt_restCountCalm(MdtIsland *p);
 
-/* Finds the batches of a step; such a one; takes it, instead of its members' steps (mdt_batch.c). */
-void mdt_batchesFind(MdtWorldID w, double h, MeBool safely);
+/* Finds the batches of a step, with a team's help unless it is null; such a one; takes it, instead of its members'
+ * steps (mdt_batch.c). */
+void mdt_batchesFind(MdtWorldID w, double h, MeBool safely, MeTeam *team);
 MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h);
 void mdt_batchTake(MdtIsland *p);
 static inline MeBool mdt_isInBatch(const MdtWorld *w, int partition) {
