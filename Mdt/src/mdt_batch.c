@@ -6,7 +6,7 @@
  *
  *     candidates   few bodies, not at rest, and contacts; where there are many of these,
  *     members      those without joints and restitution, that touch the world, and that are the fast solver's
- *                  (mdt_crowd.c): hit in this step or before, and not slow again since
+ *                  (mdt_crowd.c): hit in this step or before, and not at rest since
  *     batches      members in their order, until there are enough bodies
  *
  * Nothing ties members to each other, and the solver writes no body before its answer is whole. If that is not finite,

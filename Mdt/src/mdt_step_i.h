@@ -12,7 +12,8 @@
  *     integrate   MdtKeaIntegrate   those -> the states of Kea's bodies
  *     unpack      mdt_unpack.c      forces of rows -> constraints; states -> what programs see of bodies
  *
- * mdt_parallel.c takes partitions through these stages: one after the other, or by the world's workers.
+ * mdt_parallel.c takes partitions through these stages: one after the other, or by the world's workers; many of few
+ * bodies together, as batches (mdt_batch.c).
  * Rows, solve, integrate and the constraints' part of unpack are repeated for every part that a step is taken in
  * (mdt_subdivide.c). A part is the whole step where nothing divides it.
  */
