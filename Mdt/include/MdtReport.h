@@ -38,8 +38,8 @@ typedef enum MdtReportStage {
 /**
  * Of one partition, or of all partitions of a step: counts, energies and times are sums, errors are maxima. Solves
  * count that were thrown away, because their part of the step was divided; their errors do not. The work of impacts
- * shows in the time only. Of small partitions that were solved together (MdtWorldSetSolver: debris), each has the parts,
- * passes, iterations and residuals of all, and its share of their work and time, by bodies and rows.
+ * shows in the time only. Of small partitions that were solved together (MdtWorldSetSolver: debris), each has the
+ * parts, passes, iterations and residuals of all, and its share of their work and time, by bodies and rows.
  */
 typedef struct MdtReport {
     /* what was solved */
