@@ -225,6 +225,30 @@ START_TEST(each_moves_as_if_it_were_alone) {
 }
 END_TEST
 
+/* Among others that fall on the ground meanwhile, pairs that meet in flight: the middle of each falls by g t²/2, to the
+ * rounding of places, whatever its two do to each other. */
+START_TEST(what_meets_in_flight_falls_as_one_body) {
+    enum { PAIRS = 40, STEPS = 45 };
+    const double fall = gravity / 2 * STEPS * STEPS / (60. * 60.);
+    makeWorld(MdtSolverAuto, .5);
+    for (int i = 0; i < PAIRS; i++) {
+        const double apart = 1.4 + .02 * i,
+                     height = .5 + .005 * i; /* they meet, and hit the ground, at steps 12 to 25 */
+        McdModelDynamicsSetLinearVelocity(putAt(marble(), 12 * i, 50, 0, 500), 2, 0, 0);
+        McdModelDynamicsSetLinearVelocity(putAt(marble(), 12 * i + apart, 50, 0, 500), -2, 0, 0);
+        McdModelDynamicsSetLinearVelocity(putAt(marble(), 12 * i, height, 6, 500), 3, 0, 0);
+    }
+    ck_assert_int_gt(mostTaken(MdtReportWayFast, STEPS), PAIRS / 2);
+    for (int i = 0; i < PAIRS; i++) {
+        double a[3], b[3];
+        placeOf(3 * i, a);
+        placeOf(3 * i + 1, b);
+        assert_near((a[1] + b[1]) / 2, 50 - fall, 1e-4);
+    }
+    MstUniverseDestroy(u);
+}
+END_TEST
+
 /* After SHORT steps and one more, with a ball among them that was given an inertia and a spin whose product is nearly
  * the largest number that there is. */
 static void placesWith(MeBool isBad, double place[MANY][3]) {
@@ -307,6 +331,7 @@ static void tests(TCase *t) {
     tcase_add_test(t, balls_roll);
     tcase_add_test(t, what_spins_while_it_slides_is_stopped_earlier_by_the_fast_solver);
     tcase_add_test(t, each_moves_as_if_it_were_alone);
+    tcase_add_test(t, what_meets_in_flight_falls_as_one_body);
     tcase_add_test(t, what_one_of_them_spoils_is_solved_by_each);
     tcase_add_test(t, each_has_its_own_report);
 }
