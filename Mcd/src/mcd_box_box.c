@@ -2,12 +2,6 @@
  * and cross products of edges, the one with the least overlap is the contact normal. */
 #include "mcd_nearfield_i.h"
 
-/* Relative to the smaller box: an edge axis has to be better than a face axis by more, so that a resting box keeps its
- * face. */
-static const double faceBias = 2e-7;
-/* Pairs of edges with a smaller sine are parallel: their cross product is skipped. */
-static const double parallelSine = 1e-7;
-
 /* Both boxes in the axes of the first. */
 typedef struct Boxes {
     const double *sizeA, *sizeB;
@@ -77,7 +71,7 @@ static MeBool edges(const Boxes *x, double limit, double bias, Best *best) {
         for (int j = 0; j < 3; j++) {
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
             const double y = -x->turn[i2][j], z = x->turn[i1][j], squared = y * y + z * z;
-            if (squared < parallelSine * parallelSine)
+            if (squared < mcd_parallelSine * mcd_parallelSine)
                 continue;
             const double along = x->apart[i1] * y + x->apart[i2] * z;
             const double reach = x->sizeA[i1] * x->steep[i2][j] + x->sizeA[i2] * x->steep[i1][j] +
@@ -149,7 +143,7 @@ MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximit
 MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     Boxes x;
     Best best = {-INFINITY, {0, 0, 0}, -1, -1};
-    const double bias = faceBias * mcd_pairSize(a, b);
+    const double bias = mcd_faceBias * mcd_pairSize(a, b);
     compare(a, b, &x);
     const MeBool isNear =
         facesOfA(&x, limit, &best) && facesOfB(&x, limit, bias, &best) && edges(&x, limit, bias, &best);

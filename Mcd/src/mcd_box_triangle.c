@@ -2,18 +2,14 @@
  * the one with the least overlap is the contact normal. Their Minkowski difference has no faces but across these. */
 #include "mcd_nearfield_i.h"
 
-/* As in mcd_box_box.c: how much better an edge axis has to be, relative to the smaller shape. */
-static const double faceBias = 2e-7;
-/* Pairs of edges with a smaller sine are parallel: their cross product is skipped. */
-static const double parallelSine = 1e-7;
-
 /* Both in the box' axes, relative to its centre. */
 typedef struct BoxTriangle {
     const double *size; /* half of the box' sides */
     double corner[3][3], edge[3][3], normal[3];
     double limit, bias;
     double separation, axis[3]; /* the best axis so far, from the triangle to the box, length 1 */
-    int boxEdge, edgeOf;        /* whose cross product it is: of the box' axis and the triangle's edge; -1: a face */
+    MeBool isTriangleFace;
+    int boxEdge, triangleEdge; /* of a cross product: the box' axis, the triangle's edge; -1: it is a face's normal */
 } BoxTriangle;
 
 static void toBox(const McdShape *box, const McdShape *triangle, BoxTriangle *x) {
@@ -21,45 +17,45 @@ static void toBox(const McdShape *box, const McdShape *triangle, BoxTriangle *x)
     for (int k = 0; k < 3; k++) {
         double off[3];
         mcd_sub(off, triangle->corner[k], box->place);
-        for (int i = 0; i < 3; i++)
-            x->corner[k][i] = mcd_dot(box->axis[i], off);
-        x->normal[k] = mcd_dot(box->axis[k], triangle->axis[2]);
+        mcd_shapeOwn(box, off, x->corner[k]);
     }
+    mcd_shapeOwn(box, triangle->axis[2], x->normal);
     for (int k = 0; k < 3; k++)
         mcd_sub(x->edge[k], x->corner[(k + 1) % 3], x->corner[k]);
 }
 
-/* An axis that is better. False: they are farther apart along it than the limit, which settles it. */
-static MeBool take(BoxTriangle *x, double separation, const double direction[3], double side, double scale) {
+/* False: along this axis the shapes are farther apart than the limit. */
+static MeBool keepAxis(BoxTriangle *x, double separation, const double direction[3], double side, double scale) {
     x->separation = separation;
     mcd_scale(x->axis, direction, side * scale);
     return !(separation > x->limit);
 }
 
-static MeBool facesOfBox(BoxTriangle *x) {
-    x->boxEdge = x->edgeOf = -1;
+static MeBool tryBoxFaces(BoxTriangle *x) {
+    x->boxEdge = x->triangleEdge = -1;
     for (int i = 0; i < 3; i++) {
         const double a = x->corner[0][i], b = x->corner[1][i], c = x->corner[2][i];
         const double low = MeMIN(a, MeMIN(b, c)), high = MeMAX(a, MeMAX(b, c));
         const double below = low - x->size[i], above = -high - x->size[i]; /* the box is below, or above */
         double direction[3] = {0, 0, 0};
         direction[i] = 1;
-        if (MeMAX(below, above) > x->separation && !take(x, MeMAX(below, above), direction, below > above ? -1 : 1, 1))
+        if (MeMAX(below, above) > x->separation &&
+            !keepAxis(x, MeMAX(below, above), direction, below > above ? -1 : 1, 1))
             return MEFALSE;
     }
     return METRUE;
 }
 
-static MeBool faceOfTriangle(BoxTriangle *x) {
+static MeBool tryTriangleFace(BoxTriangle *x) {
     const double height = -mcd_dot(x->normal, x->corner[0]); /* of the box' centre */
     const double reach =
         x->size[0] * fabs(x->normal[0]) + x->size[1] * fabs(x->normal[1]) + x->size[2] * fabs(x->normal[2]);
-    return fabs(height) - reach <= x->separation + x->bias ||
-           take(x, fabs(height) - reach, x->normal, height < 0 ? -1 : 1, 1);
+    x->isTriangleFace = !(fabs(height) - reach <= x->separation + x->bias);
+    return !x->isTriangleFace || keepAxis(x, fabs(height) - reach, x->normal, height < 0 ? -1 : 1, 1);
 }
 
-/* The box' axis i times the triangle's edge k: of length zero along i, and seen along it the edge is a point. */
-static MeBool crossing(BoxTriangle *x, int i, int k, double least) {
+/* The cross product of the box' axis i and the triangle's edge k; both corners of the edge project to one point. */
+static MeBool tryEdgeAxis(BoxTriangle *x, int i, int k, double least) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     const double *edge = x->edge[k], *on = x->corner[k], *off = x->corner[(k + 2) % 3];
     double d[3];
@@ -67,7 +63,7 @@ static MeBool crossing(BoxTriangle *x, int i, int k, double least) {
     d[i1] = -edge[i2];
     d[i2] = edge[i1];
     const double squared = d[i1] * d[i1] + d[i2] * d[i2];
-    if (!(squared > parallelSine * parallelSine * mcd_dot(edge, edge)))
+    if (!(squared > mcd_parallelSine * mcd_parallelSine * mcd_dot(edge, edge)))
         return METRUE;
     const double p = d[i1] * on[i1] + d[i2] * on[i2], q = d[i1] * off[i1] + d[i2] * off[i2];
     const double reach = x->size[i1] * fabs(d[i1]) + x->size[i2] * fabs(d[i2]);
@@ -79,25 +75,25 @@ static MeBool crossing(BoxTriangle *x, int i, int k, double least) {
     if (gap * scale <= least)
         return METRUE;
     x->boxEdge = i;
-    x->edgeOf = k;
-    return take(x, gap * scale, d, below > above ? -1 : 1, scale);
+    x->triangleEdge = k;
+    return keepAxis(x, gap * scale, d, below > above ? -1 : 1, scale);
 }
 
-static MeBool crossings(BoxTriangle *x) {
+static MeBool tryEdgeAxes(BoxTriangle *x) {
     const double ofFaces = x->separation + x->bias; /* to be better than */
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            if (!crossing(x, i, k, MeMAX(ofFaces, x->separation)))
+            if (!tryEdgeAxis(x, i, k, MeMAX(ofFaces, x->separation)))
                 return MEFALSE;
     return METRUE;
 }
 
 /* The nearest points of the triangle's edge and the box' edge that is farthest towards it. */
 static void crossEdges(const McdShape *box, const McdShape *triangle, const BoxTriangle *x, McdProximity *p) {
-    const double *u = box->axis[x->boxEdge], *to = triangle->corner[x->edgeOf];
+    const double *u = box->axis[x->boxEdge], *to = triangle->corner[x->triangleEdge];
     const double length = box->size[x->boxEdge];
     double w[3], from[3], d[3];
-    mcd_sub(w, triangle->corner[(x->edgeOf + 1) % 3], to);
+    mcd_sub(w, triangle->corner[(x->triangleEdge + 1) % 3], to);
     mcd_copy(from, box->place);
     for (int i = 0; i < 3; i++)
         if (i != x->boxEdge)
@@ -110,9 +106,9 @@ static void crossEdges(const McdShape *box, const McdShape *triangle, const BoxT
 }
 
 /* The box' farthest corner over the triangle, or the triangle's in the box' face. */
-static void cornerOverFace(const McdShape *box, const McdShape *triangle, McdProximity *p) {
+static void cornerOverFace(const McdShape *box, const McdShape *triangle, MeBool isTriangleFace, McdProximity *p) {
     const double back[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
-    if (fabs(mcd_dot(triangle->axis[2], p->normal)) > 1 - 1e-12) {
+    if (isTriangleFace) {
         mcd_coreSupport(box, back, p->onA);
         mcd_mad(p->onB, p->onA, -p->separation, p->normal);
     } else {
@@ -122,19 +118,18 @@ static void cornerOverFace(const McdShape *box, const McdShape *triangle, McdPro
 }
 
 MeBool mcd_boxTriangleProximity(const McdShape *box, const McdShape *triangle, double limit, McdProximity *p) {
-    BoxTriangle x = {.limit = limit, .bias = faceBias * mcd_pairSize(box, triangle), .separation = -INFINITY};
+    BoxTriangle x = {.limit = limit, .bias = mcd_faceBias * mcd_pairSize(box, triangle), .separation = -INFINITY};
     toBox(box, triangle, &x);
-    const MeBool isNear = facesOfBox(&x) && faceOfTriangle(&x) && crossings(&x);
+    const MeBool isNear = tryBoxFaces(&x) && tryTriangleFace(&x) && tryEdgeAxes(&x);
     p->separation = x.separation;
     if (!isNear)
         return MEFALSE;
-    for (int i = 0; i < 3; i++)
-        p->normal[i] = box->axis[0][i] * x.axis[0] + box->axis[1][i] * x.axis[1] + box->axis[2][i] * x.axis[2];
+    mcd_shapeDirection(box, x.axis[0], x.axis[1], x.axis[2], p->normal);
     p->isGuess = x.separation > 0;
-    if (x.edgeOf >= 0)
+    if (x.triangleEdge >= 0)
         crossEdges(box, triangle, &x, p);
     else
-        cornerOverFace(box, triangle, p);
+        cornerOverFace(box, triangle, x.isTriangleFace, p);
     MEVALIDATE(mcd_isAlongNormal(box, triangle, p));
     return isfinite(x.separation) != 0;
 }

@@ -44,9 +44,6 @@ static McdRank rankOf(const McdShape *s) {
 
 /* ---- preference for a face's normal --------------------------------------------------------- */
 
-/* Of the smaller shape; see mcd_box_box.c. */
-static const double faceBias = 2e-7;
-
 static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], McdProximity *p, double least) {
     if (!(mcd_dot(n, p->normal) > .9))
         return;
@@ -80,7 +77,7 @@ static void tryAcrossLines(const McdShape *a, const McdShape *b, const McdFace *
 /* A normal within rounding of a face's normal is replaced by it, so that it is constant from step to step. */
 static void preferFaces(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                         McdProximity *p) {
-    const double least = p->separation - faceBias * mcd_pairSize(a, b);
+    const double least = p->separation - mcd_faceBias * mcd_pairSize(a, b);
     const double turned[3] = {-faceA->normal[0], -faceA->normal[1], -faceA->normal[2]};
     const int first = faceA->count >= faceB->count; /* the normal of a polygon is better defined than that of a line */
     double best[3];

@@ -77,7 +77,8 @@ static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, do
            (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
 }
 
-/* The nearest points are those then, as no point of the triangle's plane is nearer. */
+/* Whether the core is above the triangle's plane, and its lowest point projects into the triangle: then these are the
+ * closest points, and the contact normal is the face's. */
 static MeBool isBelowShape(const McdMeshQuery *q, const McdMeshTriangle *t, const double lowest[3], double low) {
     double in, out;
     return low + q->shape.rounding > 0 &&

@@ -25,7 +25,7 @@ typedef struct McdMeshTriangle {
     McdElementData element;
     int facing;       /* the only admissible contact normal: 1 its own, -1 the opposite; 0: to be searched */
     MeBool isPending; /* within reach of the shape, without contacts so far */
-    MeBool isBelow;   /* the shape's core is above its plane, and the nearest point of that above the triangle */
+    MeBool isBelow;   /* the core's point nearest to its plane is above it, over the triangle */
 } McdMeshTriangle;
 
 typedef struct McdMeshContact {

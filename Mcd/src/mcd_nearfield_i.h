@@ -14,6 +14,12 @@ typedef struct McdProximity {
     MeBool isGuess;        /* only normal and separation are valid; the separation, where >= 0, is a lower bound */
 } McdProximity;
 
+/* A face's normal is preferred to a direction that is better by no more than this, relative to the smaller shape, so
+ * that a resting shape keeps its face. */
+static const double mcd_faceBias = 2e-7;
+/* Edges with a smaller sine between them are parallel: their cross product is no separating axis. */
+static const double mcd_parallelSine = 1e-7;
+
 /* The smaller extent of the two shapes: tolerances are relative to it. */
 static inline double mcd_pairSize(const McdShape *a, const McdShape *b) {
     return a->extent < b->extent ? a->extent : b->extent;

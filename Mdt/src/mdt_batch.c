@@ -1,26 +1,24 @@
-/* Batches: many partitions of few bodies each, by the fast solver as one system.
+/* Batches: many small partitions (islands), solved by the fast solver as one system, so that its SIMD lanes are filled
+ * by different partitions: debris, balls on terrain, what is left of a wall. By itself each would cost the exact solver
+ * 3 to 50 us a step (bench/debris), and would fill one lane of eight of the fast one.
  *
- * Debris, balls on terrain, what a wall has broken into: a crowd is one also where its bodies do not touch each other.
- * By itself each is a system of its own, for which the exact solver takes 4 to 100 us a step, and of which the fast one
- * fills one lane of eight. In a batch the lanes are different partitions.
- *
- *     candidates   few bodies, not at rest, and contacts; where there are many of these,
- *     members      those without joints and restitution, that touch the world, and that are the fast solver's
+ *     candidates   partitions of few bodies with constraints, not at rest; if these have enough bodies in all,
+ *     members      those without joints and restitution, not in flight, for which the fast solver is chosen
  *                  (mdt_crowd.c): hit in this step or before, and not at rest since
  *     batches      members in their order, until there are enough bodies
  *
- * Nothing ties members to each other, and the solver writes no body before its answer is whole. If that is not finite,
- * or gains energy, the batch is taken apart, and its members are stepped each by itself. Their residual is that of
- * all of them, so what is calm for long gets its certificate of rest by itself (mdt_rest.c).
+ * No constraint couples two members. The solver writes no body before its solution is whole: if that is not finite, or
+ * gains energy, the members are stepped one by one instead. The residual is known for the batch only, so a partition
+ * that has been calm for long leaves it, to get its certificate of rest by itself (mdt_rest.c).
  */
 #include "MeAssert.h"
-#include "mdt_step_i.h"
 #include "MeInternal.h"
+#include "mdt_step_i.h"
 #include <string.h>
 
-/* Bodies of a batch, at least: lanes are full from 8 on, what begins and ends a solve is shared out, and there are
- * enough batches for some workers. 600 bodies that tumble or roll take 2 % more instructions with half as many, 1 %
- * fewer with twice as many. */
+/* Bodies of a batch, at least: the cost of setting up a solve is shared, and there are enough batches for some workers.
+ * 600 bodies that tumble or roll take 2 % more instructions with half as many, 1 % fewer with twice as many; no test
+ * tells these apart. */
 enum { BATCH = 64 };
 
 /* ---- memory ---- */
@@ -87,19 +85,12 @@ static int findCandidates(MdtWorldID w, double h, MeBool safely, int *bodies) {
 
 /* ---- members ---- */
 
-/* Two that meet in flight move by the mean of their velocities (kea_fast.c), which a batch does not. */
-static MeBool touchesWorld(const MdtIsland *p) {
-    for (int i = 0; i < p->numActing; i++)
-        if (!p->acting[i]->side[0].body || !p->acting[i]->side[1].body)
-            return METRUE;
-    return MEFALSE;
-}
-
+/* Not in flight: a system that touches no world is advanced by its mean velocity (kea_fast.c), a batch is not. */
 static MeBool isMember(MdtWorldID w, int partition, double h) {
     MdtIsland p = mdt_islandOf(w, partition, h);
     p.isAmongMany = METRUE;
     mdt_islandCount(&p);
-    return p.numJoints == 0 && !p.bounces && touchesWorld(&p) && mdt_crowdIsChosen(&p);
+    return p.numJoints == 0 && !p.bounces && !mdt_crowdIsInFlight(&p) && mdt_crowdIsChosen(&p);
 }
 
 typedef struct Choosing {
@@ -184,59 +175,62 @@ MdtIsland mdt_batchOf(MdtWorldID w, int batch, double h) {
     return p;
 }
 
-/* Of its contacts: manifolds have the order of the members' constraints. */
-static void measureMembers(const MdtIsland *p,
-                           void (*take)(const MdtIsland *p, const MdtMember *m, int rows, double penetration)) {
+/* Rows and deepest overlap of the member's manifolds, from `at` on; returns the first one behind them. Manifolds have
+ * the order of the members' constraints. */
+static int measureMember(const MdtIsland *p, const MdtMember *m, int at, int *rows, double *penetration) {
+    const int end = m[1].firstBody - p->member->firstBody;
+    *rows = 0;
+    *penetration = 0;
+    for (; at < p->kea.numManifolds; at++) {
+        const MdtKeaManifold *manifold = &p->kea.manifolds[at];
+        if (MeMAX(manifold->body[0], manifold->body[1]) >= end)
+            break;
+        for (int k = 0; k < manifold->numPoints; k++) {
+            *rows += manifold->point[k].numRows;
+            *penetration = fmax(*penetration, manifold->point[k].depth);
+        }
+    }
+    return at;
+}
+
+static void reportMembers(const MdtIsland *p) {
     int at = 0;
     for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++) {
-        const int end = m[1].firstBody - p->member->firstBody;
-        double penetration = 0;
-        int rows = 0;
-        for (; at < p->kea.numManifolds; at++) {
-            const MdtKeaManifold *manifold = &p->kea.manifolds[at];
-            if (MeMAX(manifold->body[0], manifold->body[1]) >= end)
-                break;
-            for (int k = 0; k < manifold->numPoints; k++) {
-                rows += manifold->point[k].numRows;
-                penetration = fmax(penetration, manifold->point[k].depth);
-            }
-        }
-        take(p, m, rows, penetration);
+        double penetration;
+        int rows;
+        at = measureMember(p, m, at, &rows, &penetration);
+        if (m->partition < p->world->sizeLogLength)
+            p->world->sizeLog[m->partition] = rows;
+        if (p->report)
+            mdt_reportMember(p, m, rows, penetration);
     }
     MEASSERT(at == p->kea.numManifolds);
 }
 
-static void noteMember(const MdtIsland *p, const MdtMember *m, int rows, double penetration) {
-    if (m->partition < p->world->sizeLogLength)
-        p->world->sizeLog[m->partition] = rows;
-    if (p->report)
-        mdt_reportMember(p, m, rows, penetration);
-}
-
-static void unpack(MdtIsland *p) {
+static void unpackBatch(MdtIsland *p) {
     mdt_restCountCalm(p);
     mdt_unpackBodies(p);
     if (p->report)
         mdt_reportLap(p, MdtReportStageIntegrate);
     if (p->report || p->world->sizeLogLength > 0)
-        measureMembers(p, noteMember);
+        reportMembers(p);
 }
 
-/* False: the answer is of no use, and the bodies are as they were, but for their loads. */
+/* False: the solution was discarded, and the bodies are as the part began, with their loads. */
 static MeBool stepTogether(MdtIsland *p) {
     if (!mdt_islandPack(p))
         return MEFALSE;
     const MeBool isTaken = mdt_islandSubdivide(p);
     if (isTaken)
-        unpack(p);
+        unpackBatch(p);
     for (int i = 0; i < p->numBodies && !isTaken; i++)
         mdt_bodyKeepForces(p->bodies[i]);
     mdt_islandRelease(p);
     return isTaken;
 }
 
-/* Each by itself, for what is left of the step. */
-static void takeApart(const MdtIsland *p) {
+/* Each by itself, for the rest of the step. */
+static void stepMembersAlone(const MdtIsland *p) {
     for (const MdtMember *m = p->member; m < p->member + p->numMembers; m++) {
         MdtIsland own = mdt_islandOf(p->world, m->partition, p->h - p->elapsed);
         own.worker = p->worker;
@@ -251,5 +245,5 @@ void mdt_batchTake(MdtIsland *p) {
     mdt_reportBatch(p, &report);
     mdt_lagSet(p, p->h);
     if (!stepTogether(p))
-        takeApart(p);
+        stepMembersAlone(p);
 }

@@ -11,8 +11,8 @@ static MeBool isMoving(const MdtKeaVelocity *v) {
     return keaDot(v->lin, v->lin) + keaDot(v->ang, v->ang) > 0;
 }
 
-/* Has the point something of its own that Kea's manifolds share, other than a normal and radii? */
-static MeBool isAlone(const MdtExtra *extra) {
+/* Has the point something of its own, beside normal and radii, that the points of a manifold of Kea's share? */
+static MeBool needsOwnManifold(const MdtExtra *extra) {
     const int own = MDT_OWN_PARAMS | MDT_OWN_DIRECTION | MDT_WATCHED;
     return (extra->record.flags & own) || isMoving(&extra->worldVelocity) || extra->rim[0] > 0 || extra->rim[1] > 0;
 }
@@ -21,7 +21,7 @@ static MeBool isAlone(const MdtExtra *extra) {
 static MeBool hasApart(const MdtManifold *block) {
     for (const MdtExtra *extra = block->extras; extra; extra = extra->next)
         if (extra->slot != MDT_GROUP_SLOT &&
-            ((extra->record.flags & (MDT_OWN_NORMAL | MDT_OWN_RADIUS)) || isAlone(extra)))
+            ((extra->record.flags & (MDT_OWN_NORMAL | MDT_OWN_RADIUS)) || needsOwnManifold(extra)))
             return METRUE;
     return MEFALSE;
 }
@@ -31,9 +31,9 @@ static MeBool isOneManifold(const MdtManifold *first) {
     return !first->next && !hasApart(first);
 }
 
-/* The points of other groups, as on the triangles of a surface, or of the parts of compounds. Those of one normal, the
- * same radii and the same surface are one manifold, whatever records they are in. So many kinds are told apart; a point
- * of any other is a manifold by itself. */
+/* Other groups, as on the triangles of a surface, or of the parts of compounds: points of equal normal, radii and
+ * surface are one manifold, whatever records they are in. So many combinations are compared; a point of a further one
+ * is a manifold by itself, which is right too, and slower: no test tells 8 from 32. */
 enum { MOST_KINDS = 16 };
 
 typedef struct Kind {
@@ -61,10 +61,10 @@ static Kind kindOf(const MdtManifold *block, const MdtExtra *extra) {
     return kind;
 }
 
-/* Which of the group's manifolds the next point is in; numManifolds, before it was counted: the first one of it. */
-static int manifoldOf(Sorting *s, const MdtManifold *block, const MdtPoint *point) {
+/* The index, in the group, of the manifold that the next point goes to; it is a new one if that was numManifolds. */
+static int assignManifold(Sorting *s, const MdtManifold *block, const MdtPoint *point) {
     const MdtExtra *extra = mdt_extraOf(block, point->slot);
-    if (extra && isAlone(extra))
+    if (extra && needsOwnManifold(extra))
         return s->numManifolds++;
     Kind kind = kindOf(block, extra);
     int at = 0;
@@ -88,7 +88,7 @@ static int countSorted(const MdtManifold *first) {
     Sorting sorting;
     sorting.numKinds = sorting.numManifolds = 0;
     for (const MdtPoint *p = mdt_pointFirst(first); p; p = mdt_pointAfter(p))
-        manifoldOf(&sorting, mdt_blockOf(p), p);
+        assignManifold(&sorting, mdt_blockOf(p), p);
     return sorting.numManifolds;
 }
 
@@ -158,7 +158,7 @@ static int packSorted(const MdtIsland *p, const MdtManifold *first, int at, int 
     Sorting sorting;
     sorting.numKinds = sorting.numManifolds = 0;
     for (MdtPoint *point = mdt_pointFirst(first); point; point = mdt_pointAfter(point)) {
-        const int before = sorting.numManifolds, place = manifoldOf(&sorting, mdt_blockOf(point), point);
+        const int before = sorting.numManifolds, place = assignManifold(&sorting, mdt_blockOf(point), point);
         if (place == before)
             beginManifold(&p->kea.manifolds[at + place], point, problems);
         packPoint(&p->kea.manifolds[at + place], &p->manifolds[at + place], point);

@@ -153,7 +153,7 @@ void mdt_crowdNote(const MdtIsland *p) {
 }
 
 /* Nothing in it touches the world: it carries no weight, and its forces come of meetings and of overlaps alone. */
-static MeBool isInFlight(const MdtIsland *p) {
+MeBool mdt_crowdIsInFlight(const MdtIsland *p) {
     for (int i = 0; i < p->numActing; i++)
         if (!p->acting[i]->side[0].body || !p->acting[i]->side[1].body)
             return MEFALSE;
@@ -266,7 +266,7 @@ MeBool mdt_crowdMayTakeOver(const MdtIsland *p) {
 
 /* Has something hit it, or does it fly as a whole? */
 static MeBool isCrowd(const MdtIsland *p) {
-    return isDisturbed(p) || (!isSmall(p) && isInFlight(p));
+    return isDisturbed(p) || (!isSmall(p) && mdt_crowdIsInFlight(p));
 }
 
 MeBool mdt_crowdIsChosen(const MdtIsland *p) {

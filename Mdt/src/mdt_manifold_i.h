@@ -20,7 +20,7 @@ typedef struct MdtPoint {
     MeU8 slot;          /* its index in the manifold */
     MeU8 numRows;       /* in this step */
     MeU8 numWarm;       /* if there are as many rows, `force` is a guess at theirs */
-    MeU8 isFound;       /* again, as its group is renewed (mdt_renew.c) */
+    MeU8 isFound;       /* matched with a new contact (mdt_renew.c) */
     MeU32 feature;      /* its maker's */
     MeVector3 mean;     /* N, in the last step, on the first body */
     double position[3]; /* m */

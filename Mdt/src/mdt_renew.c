@@ -5,12 +5,12 @@
 #include "mdt_manifold_i.h"
 #include <string.h>
 
-static void forgetFound(const MdtManifold *m) {
+static void clearFound(const MdtManifold *m) {
     for (MdtPoint *p = mdt_pointFirst(m); p; p = mdt_pointAfter(p))
         p->isFound = MEFALSE;
 }
 
-static MdtContactID find(MdtPoint *p) {
+static MdtContactID markFound(MdtPoint *p) {
     if (p)
         p->isFound = METRUE;
     return (MdtContactID)p;
@@ -24,7 +24,7 @@ static MdtPoint *pointOfFeature(const MdtManifold *m, MeU32 feature) {
 }
 
 /* Where a contact has been carried to since it was found, by the body that it pushes. */
-static void carry(const MdtPoint *p, double time, double place[3]) {
+static void carriedPlace(const MdtPoint *p, double time, double place[3]) {
     const MdtBodyID body = mdt_manifoldOf(p)->base.side[0].body;
     MeVector3 now, velocity = {0, 0, 0};
     mdt_toReal(now, p->position);
@@ -50,7 +50,7 @@ static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], 
         double place[3];
         if (p->isFound)
             continue;
-        carry(p, time, place);
+        carriedPlace(p, time, place);
         for (int i = 0; i < count; i++) {
             const double distance = contacts[i] ? HUGE_VAL : squareDistance(place, found[i].position);
             if (distance < least) {
@@ -61,7 +61,7 @@ static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], 
         }
     }
     if (nearest)
-        contacts[match] = find(nearest);
+        contacts[match] = markFound(nearest);
     return nearest != NULL;
 }
 
@@ -70,9 +70,9 @@ static MeBool matchNearest(const MdtManifold *m, const MdtFoundContact found[], 
 static void matchContacts(const MdtManifold *m, const MdtFoundContact found[], int count, double time,
                           MdtContactID contacts[]) {
     MeBool areAll = METRUE;
-    forgetFound(m);
+    clearFound(m);
     for (int i = 0; i < count; i++) {
-        contacts[i] = find(pointOfFeature(m, found[i].feature));
+        contacts[i] = markFound(pointOfFeature(m, found[i].feature));
         areAll = areAll && contacts[i];
     }
     while (!areAll && matchNearest(m, found, count, time, contacts))

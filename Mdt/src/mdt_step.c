@@ -31,8 +31,8 @@ void mdt_partSolve(MdtIsland *p, double part) {
     mdt_partSolveRows(p);
 }
 
-/* Of a batch nothing is taken that an impulse too large has spoilt for all of its members. */
-static MeBool isOfUse(const MdtIsland *p) {
+/* A batch whose impulses were scaled down by the energy guard is discarded: they were so for all of its members. */
+static MeBool isUsable(const MdtIsland *p) {
     return p->numMembers == 0 || !p->kea.report.capped || p->kea.report.limited;
 }
 
@@ -48,7 +48,7 @@ static void endPart(MdtIsland *p, MeBool isFinite) {
 
 MeBool mdt_partIntegrate(MdtIsland *p) {
     MeProfileStartSection("Integrate", 0);
-    const MeBool isTaken = isOfUse(p) && MdtKeaIntegrate(&p->kea);
+    const MeBool isTaken = isUsable(p) && MdtKeaIntegrate(&p->kea);
     if (isTaken || p->numMembers == 0)
         endPart(p, isTaken);
     MeProfileEndSection("Integrate");

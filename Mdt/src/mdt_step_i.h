@@ -160,6 +160,8 @@ void mdt_islandSetFast(MdtIsland *p, MeBool isFast);
 
 /* Whether Kea's fast solver is chosen for it (mdt_crowd.c). */
 MeBool mdt_crowdIsChosen(const MdtIsland *p);
+/* Whether nothing in it touches the world. */
+MeBool mdt_crowdIsInFlight(const MdtIsland *p);
 /* Whether it may take over a part that the exact one has not solved. */
 MeBool mdt_crowdMayTakeOver(const MdtIsland *p);
 /* Whether it takes a step, or the rest of one, whose contacts were to be met in time, and cannot. */

@@ -119,10 +119,11 @@ END_TEST
 START_TEST(what_bounces_is_met_in_time) {
     scatter(MdtSolverAuto, marble, MANY);
     MdtContactParamsSetRestitution(MstBridgeGetContactParams(u->bridge, 0, 0), 1);
-    const double before = (double)step(1).kineticEnergy + (double)step(1).potentialEnergy;
+    const MdtReport before = step(1);
     ck_assert_int_eq(mostTaken(MdtReportWayFast, 120), 0);
-    const MdtReport r = step(1);
-    ck_assert_double_gt((double)r.kineticEnergy + (double)r.potentialEnergy, .5 * before); /* friction takes the rest */
+    const MdtReport after = step(1); /* friction takes 2/7 of 3 J/kg, on average, of 12.8: until the balls roll */
+    ck_assert_double_gt((double)after.kineticEnergy + (double)after.potentialEnergy,
+                        .9 * ((double)before.kineticEnergy + (double)before.potentialEnergy));
     MstUniverseDestroy(u);
 }
 END_TEST
@@ -219,7 +220,7 @@ START_TEST(each_moves_as_if_it_were_alone) {
     ck_assert_int_ge(mostTaken(MdtReportWayFast, SHORT), MANY);
     for (int i = 0; i < 3; i++) {
         placeOf(40 * i, among[i]);
-        ck_assert_double_lt(distanceOf(alone[i], among[i]), 1e-3);
+        assert_below(distanceOf(alone[i], among[i]), 1e-6);
     }
     MstUniverseDestroy(u);
 }

@@ -52,8 +52,8 @@ KEA_INLINE void applyImpulse(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaL
         lanesDifference(p->ang[1], lanesApply(g->invInertia[1], lanesSum(lanesCross(g->arm[1], impulse), couple)));
 }
 
-/* A visit is compiled for groups of at most one, two and four points. The others' impulses are 0, and what they would
- * add is: the same bits. */
+/* `points`: how many a group's manifolds have at most, a constant of each caller, for which the loops are unrolled.
+ * Points beyond have impulse 0 and would add 0: the bits are the same. */
 
 /* The sum of normal impulses, and their moments: Σ x p, Σ y p. */
 KEA_INLINE void resultantOf(const KeaGroup *g, int points, const KeaLanes impulse[], KeaLanes r[3]) {
@@ -469,7 +469,8 @@ static void advance(KeaGroup groups[], int count, const KeaMotion motion[], floa
     }
 }
 
-/* Overlap beyond the sag shrinks by the share; a gap may close, but no further. Returns which joints may be opened. */
+/* Overlap beyond the sag shrinks by the share; a gap may close, but no further. Returns the lanes that move by
+ * so much that joints may open. */
 KEA_INLINE KeaMask pushGroup(const KeaGroup *g, int points, KeaMotion motion[]) {
     const KeaLanes3 across = lanesCross(g->normal, g->along);
     Pair p = gather(g, motion);
