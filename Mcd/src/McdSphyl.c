@@ -25,13 +25,13 @@ MCD_DEFINE_LINE_SEGMENT(Sphyl)
 /* ---- in the nearfield: the core is a segment ------------------------------------------------------------------ */
 
 static void setShape(const McdGeometry *g, McdShape *s) {
-    mcd_set(s->size, 0, 0, (double)get(g)->halfHeight);
+    s->low = (double)get(g)->halfHeight;
     s->rounding = (double)get(g)->radius;
-    s->extent = s->rounding + s->size[2];
+    s->extent = s->rounding + s->low;
 }
 
 static void farthestEnd(const McdShape *s, const double d[3], double point[3]) {
-    mcd_shapePoint(s, 0, 0, copysign(s->size[2], mcd_dot(s->axis[2], d)), point);
+    mcd_shapePoint(s, 0, 0, copysign(s->low, mcd_dot(s->axis[2], d)), point);
 }
 
 static void face(const McdShape *s, const double direction[3], McdFace *f) {
@@ -40,8 +40,8 @@ static void face(const McdShape *s, const double direction[3], McdFace *f) {
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
     if (across > 0)
         mcd_shapeDirection(s, d[0] / across, d[1] / across, 0, f->normal);
-    mcd_faceAdd(s, f, 0, 0, -s->size[2], 0);
-    mcd_faceAdd(s, f, 0, 0, s->size[2], 1);
+    mcd_faceAdd(s, f, 0, 0, -s->low, 0);
+    mcd_faceAdd(s, f, 0, 0, s->low, 1);
 }
 
 static const McdKind kind = {MCD_KIND_FUNCTIONS(Sphyl, mcd_geometryFree),

@@ -19,9 +19,6 @@
 
 /* Of distances, relative to the smaller shape; rounding of coordinates, relative to the larger one. */
 static const double tolerance = 1e-9, resolution = 1e-14;
-/* A face's normal is taken if no other direction can have a separation larger by more than this (relative to the
- * smaller shape): half of the preference that mcd_grid.c gives to faces. */
-static const double guessTolerance = 1e-7;
 enum { GJK_STEPS = 96 };
 
 /* A point w = a - b of M, with its points of A and B. */
@@ -34,14 +31,9 @@ typedef struct Pair {
     double tolerance, guessTolerance; /* lengths */
 } Pair;
 
-/* A candidate for the normal, and the separation along it. */
-typedef struct Guess {
-    double normal[3], separation;
-} Guess;
-
 static Pair makePair(const McdShape *a, const McdShape *b) {
     const double small = mcd_pairSize(a, b), large = MeMAX(a->extent, b->extent);
-    return (Pair){a, b, MeMAX(tolerance * small, resolution * large), guessTolerance * small};
+    return (Pair){a, b, MeMAX(tolerance * small, resolution * large), mcd_guessTolerance * small};
 }
 
 /* The support point of M in a direction. */
@@ -428,14 +420,14 @@ static void keepFacet(Polytope *t, const Facet *f, double support) {
     mcd_copy(t->normal, f->normal);
 }
 
-static void keepGuess(Polytope *t, const Guess *guess) {
+static void keepGuess(Polytope *t, const McdProximity *guess) {
     t->support = -guess->separation;
     mcd_scale(t->normal, guess->normal, -1);
 }
 
 /* Expands the polytope until the plane of its nearest facet supports M. If rounding makes it degenerate, the result is
  * the best plane so far: an upper bound of the depth, not the least. */
-static void runEpa(const Pair *p, const Guess *guess, Polytope *t) {
+static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
     int seen[MAX_FACETS];
     t->support = INFINITY;
     for (int round = 0; t->cornerCount < MAX_CORNERS; round++) {
@@ -642,7 +634,7 @@ static void reportPenetration(const Polytope *t, McdProximity *out) {
     mcd_mad(out->onB, out->onB, -.5, lack);
 }
 
-static void findPenetration(const Pair *p, const Simplex *s, const Guess *guess, McdProximity *out) {
+static void findPenetration(const Pair *p, const Simplex *s, const McdProximity *guess, McdProximity *out) {
     Polytope t;
     if (!startPolytope(p, s, &t)) {
         reportFlat(p, s, &t, out);
@@ -652,96 +644,11 @@ static void findPenetration(const Pair *p, const Simplex *s, const Guess *guess,
     reportPenetration(&t, out);
 }
 
-/* ---- guesses: normals of flat faces ------------------------------------------------------------------------------ */
-
-static void tryAxis(const Pair *p, const double axis[3], const double apart[3], Guess *g) {
-    double n[3];
-    mcd_scale(n, axis, mcd_dot(axis, apart) < 0 ? -1 : 1);
-    const double s = mcd_separationAlong(p->a, p->b, n);
-    if (s <= g->separation)
-        return;
-    g->separation = s;
-    mcd_copy(g->normal, n);
-}
-
-/* Tries the normals of a shape's flat faces: resting contacts mostly have one of them. */
-static void tryFaceNormals(const Pair *p, const McdShape *s, const double apart[3], Guess *g) {
-    for (int i = 0; i < 3; i++)
-        if (s->kind->flatAxes & 1u << i)
-            tryAxis(p, s->axis[i], apart, g);
-}
-
-static Guess guessAxis(const Pair *p) {
-    Guess g = {.separation = -INFINITY};
-    double apart[3];
-    mcd_sub(apart, p->a->place, p->b->place);
-    tryFaceNormals(p, p->a, apart, &g);
-    tryFaceNormals(p, p->b, apart, &g);
-    return g;
-}
-
-void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p) {
-    const Pair pair = makePair(a, b);
-    const Guess g = guessAxis(&pair);
-    p->isGuess = 1;
-    p->separation = g.separation;
-    mcd_copy(p->normal, g.normal);
-}
-
-/* Support points of M in four directions slightly off d: corners on all sides of a face orthogonal to d. */
-static void cornersAroundFace(const Pair *p, const double d[3], double corner[4][3]) {
-    /* Points that are not exactly across d are lower by at most this part of the size. */
-    static const double aside = 1e-8;
-    /* Turned from the axes, along which a box's corners are as far as each other. */
-    static const double turn[4][2] = {{1, .45}, {-.45, 1}, {-1, -.45}, {.45, -1}};
-    double u[3], w[3];
-    mcd_basis(d, u, w);
-    for (int i = 0; i < 4; i++) {
-        Corner c;
-        double e[3];
-        mcd_mad(e, d, aside * turn[i][0], u);
-        mcd_mad(e, e, aside * turn[i][1], w);
-        farthest(p, e, &c);
-        mcd_copy(corner[i], c.w);
-    }
-}
-
-/* The distance of the origin, positive inside, from the side plane of a pyramid through a base edge (counter-clockwise)
- * and the tip; INFINITY for an edge without length. */
-static double distanceInside(const double from[3], const double to[3], const double tip[3]) {
-    double along[3], up[3], n[3];
-    mcd_sub(along, to, from);
-    mcd_sub(up, tip, from);
-    mcd_cross(n, up, along);
-    const double squared = mcd_dot(n, n);
-    return squared > 0 ? mcd_dot(n, from) / sqrt(squared) : INFINITY;
-}
-
-/* The guess is right if M contains the ball around the origin with the guessed depth as radius. It does if the ball is
- * inside the pyramid whose base is M's face in that direction and whose tip is the support point opposite: both are
- * parts of M. */
-MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p) {
-    const Pair pair = makePair(a, b);
-    const double down[3] = {-p->normal[0], -p->normal[1], -p->normal[2]};
-    const double radius = -p->separation - pair.guessTolerance;
-    double base[4][3];
-    Corner tip;
-    if (!(radius > pair.guessTolerance && radius < INFINITY))
-        return MEFALSE;
-    cornersAroundFace(&pair, down, base);
-    farthest(&pair, p->normal, &tip);
-    double least = INFINITY; /* and stays that if the base is a point */
-    for (int i = 0; i < 4; i++) {
-        if (!(mcd_dot(base[i], down) >= radius))
-            return MEFALSE;
-        least = MeMIN(least, distanceInside(base[i], base[(i + 1) % 4], tip.w));
-    }
-    return least >= radius && least < INFINITY;
-}
-
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const Pair pair = makePair(a, b);
-    const Guess guess = guessAxis(&pair);
+    McdProximity guess;
+    mcd_guessFaces(a, b, &guess);
+    mcd_guessSides(a, b, &guess);
     p->isGuess = 0;
     p->separation = guess.separation;
     if (guess.separation > limit)

@@ -277,6 +277,25 @@ static int overlapLines(const Outline *a, const Outline *b, double bend, Candida
     return 2;
 }
 
+/* The point where two lines cross: the witness points of a guess are above each other there. */
+static int crossLines(const Outline *a, const Outline *b, MeU64 feature, Candidate *candidate) {
+    static const double half = .5 + 1e-9; /* of a line, with rounding */
+    const double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0], bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
+    const double x = b->x[0] - a->x[0], y = b->y[0] - a->y[0], area = ax * by - ay * bx;
+    const double la = sqrt(ax * ax + ay * ay), lb = sqrt(bx * bx + by * by);
+    if (!(fabs(area) > parallelSine * la * lb))
+        return 0;
+    const double s = (x * by - y * bx) / area, t = (x * ay - y * ax) / area;
+    if (fabs(s - .5) > half || fabs(t - .5) > half)
+        return 0;
+    candidate[0] = (Candidate){.x = a->x[0] + s * ax,
+                               .y = a->y[0] + s * ay,
+                               .a = a->z[0] + s * (a->z[1] - a->z[0]),
+                               .b = b->z[0] + t * (b->z[1] - b->z[0]),
+                               .feature = feature};
+    return 1;
+}
+
 static int clipFaces(const Outline *a, const Outline *b, double bend, double slack_, Candidate *candidate) {
     if (a->count < 2 || b->count < 2)
         return 0;
@@ -545,7 +564,9 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     Outline outA, outB;
     const View v = makeView(a, b, p);
     const double coreMargin = margin + a->rounding + b->rounding;
+    const MeU64 support = featureOfPair(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0));
     int count = 0;
+    outA.count = outB.count = 0;
     startManifold(m, p->normal);
     MEASSERT(isfinite(mcd_dot(p->normal, p->normal)) && !isnan(p->separation));
     MEASSERT(faceA->count > 0 && faceA->count <= MCD_FACE_POINTS && faceB->count > 0 &&
@@ -553,6 +574,8 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     /* b's face has its normal along the contact normal, so that its corners are counter-clockwise; a's is mirrored. */
     if (makeOutline(&v, faceA, 1, &outA) && makeOutline(&v, faceB, 0, &outB))
         count = clipFaces(&outA, &outB, faceA->bend + faceB->bend + a->rounding + b->rounding, v.slack, candidate);
+    if (p->isGuess && outA.count == 2 && outB.count == 2 && count == 0)
+        count = crossLines(&outA, &outB, support, candidate);
     count = dropFarAndDuplicates(candidate, count, coreMargin, v.slack);
     const int least = clampSeparations(candidate, count, p->separation);
     const double missing = least < 0 ? INFINITY : candidate[least].a - candidate[least].b - p->separation;
@@ -563,8 +586,7 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
     if (missing <= preference * mcd_pairSize(a, b))
         candidate[least].a = candidate[least].b + p->separation;
     else if (p->separation <= coreMargin)
-        candidate[count++] =
-            supportCandidate(&v, p, featureOfPair(code(SUPPORT, faceA->id, 0), code(SUPPORT, faceB->id, 0)));
+        candidate[count++] = supportCandidate(&v, p, support);
     if (count > MCD_MANIFOLD_POINTS)
         count = reduceToFour(candidate, count, faceA->isDisc || faceB->isDisc, mcd_pairSize(a, b));
     MEASSERT(count <= MCD_MANIFOLD_POINTS);

@@ -165,7 +165,7 @@ static MeBool guess(const McdShape *a, const McdShape *b, double limit, McdProxi
         return MEFALSE;
     if (haveAxes(a, b))
         return (areBoxes(a, b) ? mcd_boxBoxProximity : mcd_boxTriangleProximity)(a, b, limit, p);
-    mcd_guessProximity(a, b, p);
+    mcd_guessFaces(a, b, p);
     return p->separation <= limit;
 }
 
@@ -186,7 +186,7 @@ static int noneOf(const McdShape *a, const McdShape *b, const McdProximity *p, M
     return 0;
 }
 
-/* For resting shapes verifying a face's normal is mostly enough. */
+/* For resting shapes verifying a face's normal is mostly enough, and for round ones one between their sides. */
 static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
     const double limit = margin + a->rounding + b->rounding;
     McdProximity p;
@@ -199,6 +199,12 @@ static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdMa
         return noneOf(a, b, &p, m);
     if ((p.separation > 0 || (p.isGuess && mcd_isLeastDepth(a, b, &p))) && alongFaces(a, b, margin, &p, m))
         return m->count;
+    if (p.isGuess && mcd_guessSides(a, b, &p)) {
+        if (!(p.separation <= limit))
+            return noneOf(a, b, &p, m);
+        if ((p.separation > 0 || mcd_isLeastDepthOfRound(a, b, &p)) && alongFaces(a, b, margin, &p, m))
+            return m->count;
+    }
     if (p.isGuess && !proximity(a, b, limit, &p))
         return noneOf(a, b, &p, m);
     return alongFaces(a, b, margin, &p, m);

@@ -17,6 +17,9 @@ typedef struct McdProximity {
 /* A face's normal is preferred to a direction that is better by no more than this, relative to the smaller shape, so
  * that a resting shape keeps its face. */
 static const double mcd_faceBias = 2e-7;
+/* A guessed normal is taken if no other direction can have a separation larger by more than this, relative to the
+ * smaller shape: half of the bias. */
+static const double mcd_guessTolerance = 1e-7;
 /* Edges with a smaller sine between them are parallel: their cross product is no separating axis. */
 static const double mcd_parallelSine = 1e-7;
 
@@ -32,10 +35,15 @@ double mcd_separationAlong(const McdShape *a, const McdShape *b, const double n[
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 /* The best separating axis among the normals of flat faces (McdKind.flatAxes), as a guess; a separation of -INFINITY if
  * there are none. */
-void mcd_guessProximity(const McdShape *a, const McdShape *b, McdProximity *p);
-/* Verifies a guessed normal of cores that overlap: is no direction less deep? Conservative: may say no to a right
- * guess. */
+void mcd_guessFaces(const McdShape *a, const McdShape *b, McdProximity *p);
+/* Of a cylinder and another, a sphyl or a box, or a sphyl and a box: a better one between their sides, edges and rims,
+ * if there is. False: it is another pair. */
+MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *p);
+/* Verify a guessed normal of cores that overlap, if their faces are as deep along it as it says (mcd_facesManifold): is
+ * no other direction less deep? Conservative: may say no to a right guess. The second one is for contacts in a line or
+ * a point of pairs that have sides. */
 MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p);
+MeBool mcd_isLeastDepthOfRound(const McdShape *a, const McdShape *b, const McdProximity *p);
 /* Two boxes, a box and a triangle: if they overlap, the exact result; else a normal of a face or across two edges that
  * separates them, as a guess. The points of a box and a triangle may be beside each other's face where several are
  * equally deep: contacts, which come of faces, do not need them to be. */
@@ -43,6 +51,8 @@ MeBool mcd_boxBoxProximity(const McdShape *a, const McdShape *b, double limit, M
 MeBool mcd_boxTriangleProximity(const McdShape *box, const McdShape *triangle, double limit, McdProximity *p);
 /* For checks: is the separation that of the farthest corners along the normal, which has length 1? */
 MeBool mcd_isAlongNormal(const McdShape *a, const McdShape *b, const McdProximity *p);
+/* The points of two axes, between -low and low of each, that are nearest to each other. */
+void mcd_nearestOfSegments(const McdShape *a, const McdShape *b, double *s, double *t);
 /* Closed forms for cores that are points or segments, and for a point and a box or cylinder. */
 MeBool mcd_pointPoint(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
 MeBool mcd_pointSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p);

@@ -30,7 +30,7 @@ MeBool mcd_pointPoint(const McdShape *a, const McdShape *b, double limit, McdPro
 MeBool mcd_pointSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     double d[3];
     mcd_sub(d, a->place, b->place);
-    const double t = mcd_dot(d, b->axis[2]), half = b->size[2];
+    const double t = mcd_dot(d, b->axis[2]), half = b->low;
     mcd_copy(p->onA, a->place);
     mcd_mad(p->onB, b->place, MeCLAMP(t, -half, half), b->axis[2]);
     return fromPoints(a, b, b->axis[0], limit, p);
@@ -38,11 +38,11 @@ MeBool mcd_pointSegment(const McdShape *a, const McdShape *b, double limit, McdP
 
 /* The nearest point of the other segment to the point s along the first, and the other way round, until both hold:
  * for the lines at once, then with their ends. */
-static void nearestOfSegments(const McdShape *a, const McdShape *b, double *s, double *t) {
+void mcd_nearestOfSegments(const McdShape *a, const McdShape *b, double *s, double *t) {
     double d[3];
     mcd_sub(d, a->place, b->place);
     const double c = mcd_dot(a->axis[2], b->axis[2]), da = mcd_dot(d, a->axis[2]), db = mcd_dot(d, b->axis[2]);
-    const double ha = a->size[2], hb = b->size[2], sine2 = 1 - c * c;
+    const double ha = a->low, hb = b->low, sine2 = 1 - c * c;
     if (sine2 > 1e-14) {
         *s = (c * db - da) / sine2;
     } else { /* parallel: the middle of what is beside each other */
@@ -57,7 +57,7 @@ static void nearestOfSegments(const McdShape *a, const McdShape *b, double *s, d
 
 MeBool mcd_segmentSegment(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     double s, t, across[3];
-    nearestOfSegments(a, b, &s, &t);
+    mcd_nearestOfSegments(a, b, &s, &t);
     mcd_mad(p->onA, a->place, s, a->axis[2]);
     mcd_mad(p->onB, b->place, t, b->axis[2]);
     mcd_cross(across, a->axis[2], b->axis[2]);

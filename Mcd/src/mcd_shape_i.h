@@ -37,9 +37,10 @@ typedef struct McdShape {
     const McdKind *kind; /* its type's functions */
     double axis[3][3];   /* rows: its own axes */
     double place[3];     /* its own origin */
-    double size[3];  /* box: half sizes. sphyl: -, -, half height of the core. cylinder and cone: lower radius, upper
-                        radius, length; they lie between z = -low and length - low */
-    double low;      /* cylinder and cone: distance of the base below the origin; a cylinder's half height */
+    double size[3];  /* box: half sizes. cylinder and cone: lower radius, upper radius, length; they lie between
+                        z = -low and length - low */
+    double low;      /* cylinder and cone: distance of the base below the origin; of a cylinder and a sphyl's core half
+                        the height */
     double rounding; /* see above */
     const McdHull *hull;
     double corner[3][3]; /* triangle: its corners, in the coordinates of the query */

@@ -205,7 +205,7 @@ void shape_cone(McdShape *s, double lower, double upper, double length) {
 
 void shape_sphyl(McdShape *s, double radius, double halfHeight) {
     start(s, kMcdGeometryTypeSphyl);
-    s->size[2] = halfHeight;
+    s->low = halfHeight;
     s->rounding = radius;
     s->extent = radius + halfHeight;
 }
@@ -356,7 +356,7 @@ static void support(const McdShape *s, const Solid *x, const double n[3], double
         height[0] = -s->low;
         height[1] = s->size[2] - s->low;
     } else if (s->kind->type == kMcdGeometryTypeSphyl) {
-        height[1] = s->size[2];
+        height[1] = s->low;
         height[0] = -height[1];
     }
     for (int i = 0; i < 2 && !x->corners; i++) {

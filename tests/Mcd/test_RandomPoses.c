@@ -34,7 +34,7 @@ static McdGeometryID create(McdShape *s) {
     case kMcdGeometryTypeCylinder:
         return McdCylinderCreate(frame, x, z);
     case kMcdGeometryTypeSphyl:
-        return McdSphylCreate(frame, r, 2 * z);
+        return McdSphylCreate(frame, r, 2 * (MeReal)s->low);
     case kMcdGeometryTypeCone: {
         const McdGeometryID g = McdConeCreate(frame, z, x);
         McdConeSetGeometricalParameters(g, z, x, y);

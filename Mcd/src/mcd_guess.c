@@ -1,0 +1,421 @@
+/* Guesses of the contact normal, in closed form, and their verification: what they serve needs no search.
+ *
+ * Shapes at rest mostly touch along the normal of a flat face. Round sides, of sphyls and cylinders, touch across both
+ * axes, across an axis and an edge of a box, or across the axis, where the rim of the other is nearest to it. The guess
+ * is the best of these as separating axis. Where the shapes are apart, it is right if their faces along it are as near
+ * as it says (mcd_facesManifold). Where they overlap, if no direction is less deep: if M, their Minkowski difference,
+ * contains the ball around the origin with the guessed depth as radius. */
+#include "mcd_kind_i.h"
+
+typedef struct Pair {
+    const McdShape *a, *b;
+    double bias; /* m: of a face's normal against all others */
+} Pair;
+
+/* ---- separating axes --------------------------------------------------------------------------------------------- */
+
+/* n: from b to a, length 1. */
+static void tryNormal(const Pair *p, const double n[3], double bias, McdProximity *g) {
+    const double s = mcd_separationAlong(p->a, p->b, n);
+    if (s <= g->separation + bias)
+        return;
+    g->separation = s;
+    mcd_copy(g->normal, n);
+}
+
+/* From b's place to a's. */
+static void tryAxis(const Pair *p, const double axis[3], double bias, McdProximity *g) {
+    double n[3], apart[3];
+    mcd_sub(apart, p->a->place, p->b->place);
+    mcd_scale(n, axis, mcd_dot(axis, apart) < 0 ? -1 : 1);
+    tryNormal(p, n, bias, g);
+}
+
+static void tryFaces(const Pair *p, const McdShape *s, McdProximity *g) {
+    for (int i = 0; i < 3; i++)
+        if (s->kind->flatAxes & 1u << i)
+            tryAxis(p, s->axis[i], 0, g);
+}
+
+static void tryAcross(const Pair *p, const double x[3], const double y[3], McdProximity *g) {
+    double n[3];
+    mcd_cross(n, x, y);
+    const double sine = mcd_length(n);
+    if (!(sine > mcd_parallelSine * mcd_length(x) * mcd_length(y)))
+        return;
+    mcd_scale(n, n, 1 / sine);
+    tryAxis(p, n, p->bias, g);
+}
+
+/* The point of an ellipse about the origin, with the half axes e[0] >= e[1] >= 0 along the coordinates, that is nearest
+ * to y: e^2 y / (t + e^2) with the largest root t of
+ *
+ *     F(t) = sum (e_i y_i / (t + e_i^2))^2 - 1
+ *
+ * (Eberly: Distance from a point to an ellipse, 2013), which falls and is convex, so that Newton's method comes to it
+ * from below. Returns t, negative if y is inside; NaN: the nearest point is not found. */
+static double nearestOfEllipse(const double e[2], const double y[2], double nearest[2]) {
+    enum { STEPS = 24 }; /* mostly five; near an axis the root is a double one */
+    double t = -INFINITY;
+    for (int i = 0; i < 2; i++)
+        t = MeMAX(t, e[i] * (fabs(y[i]) - e[i]));
+    for (int step = 0; step < STEPS; step++) {
+        double f = -1, rate = 0;
+        for (int i = 0; i < 2; i++) {
+            const double below = t + e[i] * e[i], part = below > 0 ? e[i] * y[i] / below : 0;
+            f += part * part;
+            rate += below > 0 ? 2 * part * part / below : 0;
+            nearest[i] = e[i] * part;
+        }
+        if (!(f > 1e-15))
+            return f > -1e-9 ? t : NAN; /* else y is near an axis: two points are as near */
+        t += f / rate;
+    }
+    return NAN;
+}
+
+/* Half axes of the ellipse u cos t + v sin t, and their directions, of length 1. */
+static void findHalfAxes(const double u[2], const double v[2], double e[2], double direction[2][2]) {
+    const double difference = u[0] * u[0] + u[1] * u[1] - v[0] * v[0] - v[1] * v[1];
+    const double twice = 2 * (u[0] * v[0] + u[1] * v[1]), length = sqrt(difference * difference + twice * twice);
+    const double cosine = length > 0 ? sqrt(fmax(.5 + difference / length / 2, 0)) : 1;
+    const double sine = copysign(sqrt(fmax(1 - cosine * cosine, 0)), twice);
+    const double x = u[0] * cosine + v[0] * sine, y = u[1] * cosine + v[1] * sine;
+    e[0] = sqrt(x * x + y * y);
+    direction[0][0] = e[0] > 0 ? x / e[0] : 1;
+    direction[0][1] = e[0] > 0 ? y / e[0] : 0;
+    direction[1][0] = -direction[0][1];
+    direction[1][1] = direction[0][0];
+    e[1] = fabs(direction[1][0] * (v[0] * cosine - u[0] * sine) + direction[1][1] * (v[1] * cosine - u[1] * sine));
+}
+
+/* From a line to the point of a disc's rim that is nearest to it; the line, given by a point of it and two directions
+ * across it and each other, is an edge or the axis of a round side. Seen along it the rim is an ellipse. */
+static void tryRim(const Pair *p, const McdShape *disc, double height, const double on[3], const double across1[3],
+                   const double across2[3], McdProximity *g) {
+    const double *across[2] = {across1, across2};
+    double centre[3], n[3], u[2], v[2], e[2], direction[2][2], c[2], y[2], nearest[2];
+    mcd_mad(centre, disc->place, height, disc->axis[2]);
+    mcd_sub(centre, centre, on);
+    for (int i = 0; i < 2; i++) {
+        c[i] = mcd_dot(across[i], centre);
+        u[i] = mcd_dot(across[i], disc->axis[0]) * disc->size[0];
+        v[i] = mcd_dot(across[i], disc->axis[1]) * disc->size[0];
+    }
+    findHalfAxes(u, v, e, direction);
+    for (int i = 0; i < 2; i++)
+        y[i] = -(c[0] * direction[i][0] + c[1] * direction[i][1]);
+    const double t = nearestOfEllipse(e, y, nearest);
+    for (int i = 0; i < 2; i++)
+        c[i] += nearest[0] * direction[0][i] + nearest[1] * direction[1][i];
+    mcd_scale(n, across1, c[0]);
+    mcd_mad(n, n, c[1], across2);
+    const double distance = mcd_length(n);
+    if (!(fabs(t) > 0) || !(distance > 0))
+        return;
+    mcd_scale(n, n, ((disc == p->a) == (t > 0) ? 1 : -1) / distance);
+    tryNormal(p, n, p->bias, g);
+}
+
+/* A point that goes round on a rim, its derivative by the angle, and from the centre to it. */
+typedef struct RimPoint {
+    const McdShape *disc;
+    double centre[3], place[3], along[3], out[3];
+} RimPoint;
+
+/* To a direction in the disc's own axes. */
+static void turnTo(RimPoint *r, double x, double y) {
+    const double k = r->disc->size[0] / sqrt(x * x + y * y);
+    mcd_shapeDirection(r->disc, x * k, y * k, 0, r->out);
+    mcd_shapeDirection(r->disc, -y * k, x * k, 0, r->along);
+    mcd_mad(r->place, r->centre, 1, r->out);
+}
+
+/* To the point nearest to another one. False: all are. */
+static MeBool turnToward(RimPoint *r, const double point[3]) {
+    double off[3];
+    mcd_sub(off, point, r->centre);
+    const double x = mcd_dot(off, r->disc->axis[0]), y = mcd_dot(off, r->disc->axis[1]);
+    if (!(x * x + y * y > 0))
+        return MEFALSE;
+    turnTo(r, x, y);
+    return METRUE;
+}
+
+/* On by an angle whose tangent is given. */
+static void turnBy(RimPoint *r, double tangent) {
+    double to[3];
+    mcd_mad(to, r->out, tangent, r->along);
+    turnTo(r, mcd_dot(to, r->disc->axis[0]), mcd_dot(to, r->disc->axis[1]));
+}
+
+/* Where two rims are nearest to each other, or deepest within, the line between the points is across both tangents,
+ * which Newton's method finds from where each looks at the other. */
+static void tryRims(const Pair *p, double heightA, double heightB, McdProximity *g) {
+    enum { STEPS = 8 }; /* mostly four or five */
+    RimPoint a = {.disc = p->a}, b = {.disc = p->b};
+    const double most = .5; /* of a turn's tangent: the first is of a good start, or leads away */
+    const double size = a.disc->size[0] + b.disc->size[0];
+    mcd_mad(a.centre, a.disc->place, heightA, a.disc->axis[2]);
+    mcd_mad(b.centre, b.disc->place, heightB, b.disc->axis[2]);
+    if (!turnToward(&a, b.centre) || !turnToward(&b, a.place))
+        return;
+    for (int step = 0; step < STEPS; step++) {
+        double d[3];
+        mcd_sub(d, a.place, b.place);
+        const double f = mcd_dot(d, a.along), h = -mcd_dot(d, b.along), mixed = -mcd_dot(a.along, b.along);
+        if (fabs(f) + fabs(h) <= 1e-14 * size * size) {
+            tryAcross(p, a.along, b.along, g);
+            return;
+        }
+        const double ofA = mcd_dot(a.along, a.along) - mcd_dot(d, a.out);
+        const double ofB = mcd_dot(b.along, b.along) + mcd_dot(d, b.out), all = ofA * ofB - mixed * mixed;
+        if (!(fabs(all) > 1e-12 * size * size * size * size))
+            return;
+        turnBy(&a, MeCLAMP((mixed * h - ofB * f) / all, -most, most));
+        turnBy(&b, MeCLAMP((mixed * f - ofA * h) / all, -most, most));
+    }
+}
+
+static MeBool isCylinder(const McdShape *s) {
+    return s->kind->rank == MCD_RANK_CYLINDER;
+}
+
+static MeBool isRound(const McdShape *s) {
+    return s->kind->rank == MCD_RANK_SPHYL || isCylinder(s);
+}
+
+static MeBool isBox(const McdShape *s) {
+    return s->kind->rank == MCD_RANK_BOX;
+}
+
+static MeBool isAtRim(const McdShape *s, double height) {
+    return isCylinder(s) && fabs(height) >= s->low;
+}
+
+/* Across both axes where they cross, from axis to axis where they are parallel; where the nearest point of an axis is
+ * its end, from the rim there. */
+static void tryRoundSides(const Pair *p, McdProximity *g) {
+    const McdShape *a = p->a, *b = p->b;
+    double s, t, n[3], apart[3];
+    mcd_nearestOfSegments(a, b, &s, &t);
+    tryAcross(p, a->axis[2], b->axis[2], g);
+    mcd_sub(apart, a->place, b->place);
+    mcd_mad(n, apart, s, a->axis[2]);
+    mcd_mad(n, n, -t, b->axis[2]);
+    const double distance = mcd_length(n);
+    if (distance > 0) {
+        mcd_scale(n, n, 1 / distance);
+        tryNormal(p, n, p->bias, g);
+    }
+    if (isAtRim(a, s))
+        tryRim(p, a, s, b->place, b->axis[0], b->axis[1], g);
+    if (isAtRim(b, t))
+        tryRim(p, b, t, a->place, a->axis[0], a->axis[1], g);
+    if (isAtRim(a, s) && isAtRim(b, t))
+        tryRims(p, s, t, g);
+}
+
+/* The box' corner that looks at the axis of a round side where that is nearest to the box' centre. */
+static void cornerAt(const McdShape *box, const McdShape *round, double height, double corner[3]) {
+    double at[3], own[3];
+    mcd_mad(at, round->place, height, round->axis[2]);
+    mcd_sub(at, at, box->place);
+    mcd_shapeOwn(box, at, own);
+    mcd_shapePoint(box, copysign(box->size[0], own[0]), copysign(box->size[1], own[1]), copysign(box->size[2], own[2]),
+                   corner);
+}
+
+/* Across an edge and the axis; from the axis to a corner; between an edge and a rim. */
+static void tryBox(const Pair *p, const McdShape *box, const McdShape *round, McdProximity *g) {
+    double off[3], corner[3], n[3];
+    for (int i = 0; i < 3; i++)
+        tryAcross(p, box->axis[i], round->axis[2], g);
+    mcd_sub(off, box->place, round->place);
+    const double height = MeCLAMP(mcd_dot(off, round->axis[2]), -round->low, round->low);
+    cornerAt(box, round, height, corner);
+    mcd_sub(off, corner, round->place);
+    mcd_mad(n, off, -mcd_dot(off, round->axis[2]), round->axis[2]);
+    const double distance = mcd_length(n);
+    if (distance > 0) {
+        mcd_scale(n, n, (box == p->a ? 1 : -1) / distance);
+        tryNormal(p, n, p->bias, g);
+    }
+    for (int i = 0; i < 3 && isCylinder(round); i++)
+        tryRim(p, round, copysign(round->low, height), corner, box->axis[(i + 1) % 3], box->axis[(i + 2) % 3], g);
+}
+
+void mcd_guessFaces(const McdShape *a, const McdShape *b, McdProximity *g) {
+    const Pair p = {a, b, 0};
+    g->isGuess = 1;
+    g->separation = -INFINITY;
+    tryFaces(&p, a, g);
+    tryFaces(&p, b, g);
+}
+
+MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *g) {
+    const Pair p = {a, b, mcd_faceBias * mcd_pairSize(a, b)};
+    if (isRound(a) && isRound(b) && (isCylinder(a) || isCylinder(b))) /* segments have a closed form */
+        tryRoundSides(&p, g);
+    else if (isBox(a) && isRound(b))
+        tryBox(&p, a, b, g);
+    else if (isRound(a) && isBox(b))
+        tryBox(&p, b, a, g);
+    else
+        return MEFALSE;
+    return METRUE;
+}
+
+/* ---- verification ------------------------------------------------------------------------------------------------ */
+
+/* M's support point. */
+static void farthest(const McdShape *a, const McdShape *b, const double direction[3], double w[3]) {
+    const double back[3] = {-direction[0], -direction[1], -direction[2]};
+    double x[3], y[3];
+    mcd_coreSupport(a, direction, x);
+    mcd_coreSupport(b, back, y);
+    mcd_sub(w, x, y);
+}
+
+enum { MOST_CORNERS = 8 };
+
+/* M's support points in four or eight directions beside d, counter-clockwise, `aside` from it, the first toward u,
+ * which is across d. */
+static void cornersAround(const McdShape *a, const McdShape *b, const double d[3], const double u[3], double aside,
+                          int count, double corner[][3]) {
+    static const double diagonal = .7071067811865476;
+    static const double turn[MOST_CORNERS][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
+                                                 {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
+    double w[3];
+    mcd_cross(w, d, u);
+    for (int i = 0; i < count; i++) {
+        const double *to = turn[i * (MOST_CORNERS / count)];
+        double e[3];
+        mcd_mad(e, d, aside * to[0], u);
+        mcd_mad(e, e, aside * to[1], w);
+        farthest(a, b, e, corner[i]);
+    }
+}
+
+/* The distance of the origin, positive inside, from the plane through an edge, counter-clockwise seen from outside, and
+ * a point below it; INFINITY for an edge without length. */
+static double distanceInside(const double from[3], const double to[3], const double below[3]) {
+    double along[3], up[3], n[3];
+    mcd_sub(along, to, from);
+    mcd_sub(up, below, from);
+    mcd_cross(n, up, along);
+    const double squared = mcd_dot(n, n);
+    return squared > 0 ? mcd_dot(n, from) / sqrt(squared) : INFINITY;
+}
+
+/* What is to be contained: the depth, and by how much a direction may be less deep. */
+typedef struct Ball {
+    double down[3], depth, tolerance;
+} Ball;
+
+/* False: too little depth, or none, to be verified. */
+static MeBool makeBall(const McdShape *a, const McdShape *b, const McdProximity *p, Ball *ball) {
+    mcd_scale(ball->down, p->normal, -1);
+    ball->depth = -p->separation;
+    ball->tolerance = mcd_guessTolerance * mcd_pairSize(a, b);
+    return ball->depth > 2 * ball->tolerance && ball->depth < INFINITY;
+}
+
+/* Is the ball inside the pyramid whose base is M's face in the direction of the guess and whose tip is the support
+ * point opposite? Both are parts of M. */
+MeBool mcd_isLeastDepth(const McdShape *a, const McdShape *b, const McdProximity *p) {
+    enum { CORNERS = 4 };
+    /* Points that are not exactly across d are lower by at most this part of the size. */
+    static const double flat = 1e-8;
+    double u[3], w[3], tip[3], base[CORNERS][3], least = INFINITY; /* and stays that if the base is a point */
+    Ball ball;
+    if (!makeBall(a, b, p, &ball))
+        return MEFALSE;
+    const double radius = ball.depth - ball.tolerance;
+    mcd_basis(ball.down, u, w);
+    mcd_scale(u, u, .91); /* between the axes, along which a box's corners are as far as each other */
+    mcd_mad(u, u, .41, w);
+    cornersAround(a, b, ball.down, u, flat, CORNERS, base);
+    farthest(a, b, p->normal, tip);
+    for (int i = 0; i < CORNERS; i++) {
+        if (!(mcd_dot(base[i], ball.down) >= radius))
+            return MEFALSE;
+        least = MeMIN(least, distanceInside(base[i], base[(i + 1) % CORNERS], tip));
+    }
+    return least >= radius && least < INFINITY;
+}
+
+/* Twice the area of a triangle as seen against d. */
+static double areaAcross(const double d[3], const double x[3], const double y[3], const double z[3]) {
+    double xy[3], xz[3], n[3];
+    mcd_sub(xy, y, x);
+    mcd_sub(xz, z, x);
+    mcd_cross(n, xy, xz);
+    return mcd_dot(n, d);
+}
+
+/* Drops the corners that are within the others as seen against d; the rest is convex. Returns the count. */
+static int keepConvex(const double d[3], double ring[][3], int count) {
+    int straight = 0; /* so many corners in a row were none to drop */
+    for (int i = 0; straight < count && count > 2;) {
+        const int before = (i + count - 1) % count, after = (i + 1) % count;
+        if (areaAcross(d, ring[before], ring[i], ring[after]) > 0) {
+            straight++;
+            i = after;
+            continue;
+        }
+        for (int k = i; k + 1 < count; k++)
+            mcd_copy(ring[k], ring[k + 1]);
+        count--;
+        straight = 0;
+        i = (i + count - 1) % count;
+    }
+    return count;
+}
+
+/* Is the ball inside the solid of a tip, a ring of corners, and the point on top of it? */
+static MeBool isInSolid(const double top[3], double ring[][3], int count, const double tip[3], double radius) {
+    for (int i = 0; i < count; i++) {
+        const double *from = ring[i], *to = ring[(i + 1) % count];
+        if (!(distanceInside(to, from, top) >= radius && distanceInside(from, to, tip) >= radius))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+/* Half-way between the axes of two shapes, as seen along d: M's face across two lines is a parallelogram, and of its
+ * obtuse corners one is the farthest in this direction, or across it, however narrow it is. */
+static void betweenAxes(const McdShape *a, const McdShape *b, const double d[3], double u[3]) {
+    double x[3], y[3], w[3];
+    mcd_cross(x, a->axis[2], d);
+    mcd_cross(y, b->axis[2], d);
+    mcd_mad(u, x, mcd_dot(x, y) < 0 ? -1 : 1, y);
+    const double length = mcd_length(u);
+    if (length > mcd_parallelSine)
+        mcd_scale(u, u, 1 / length);
+    else
+        mcd_basis(d, u, w);
+}
+
+/* Where M is round, its face is a line or a point, the base of no pyramid, but the guess's own point and support points
+ * around it are a roof over the ball. A plane of the roof is tilted by about half as much as these, and lower by as
+ * much of a part of the depth as the cosine of that is less than 1: depth tilt^2 / 8 <= tolerance. The rim of a disc
+ * that is seen almost flat turns by more than the direction. */
+MeBool mcd_isLeastDepthOfRound(const McdShape *a, const McdShape *b, const McdProximity *p) {
+    enum { TRIES = 3 };
+    double u[3], ring[MOST_CORNERS][3], top[3], tip[3];
+    Ball ball;
+    if (!makeBall(a, b, p, &ball))
+        return MEFALSE;
+    betweenAxes(a, b, ball.down, u);
+    mcd_scale(top, ball.down, ball.depth);
+    farthest(a, b, p->normal, tip);
+    double tilt = MeMIN(sqrt(8 * ball.tolerance / ball.depth), 1);
+    for (int i = 0; i < TRIES; i++, tilt /= 4) {
+        cornersAround(a, b, ball.down, u, tilt, MOST_CORNERS, ring);
+        const int count = keepConvex(ball.down, ring, MOST_CORNERS);
+        if (count > 2 && isInSolid(top, ring, count, tip, ball.depth - ball.tolerance))
+            return METRUE;
+    }
+    return MEFALSE;
+}
