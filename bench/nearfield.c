@@ -1,5 +1,6 @@
-/* What a pair of convex shapes costs: nanoseconds per pair of kinds, standing on each other, tilted a little, lying any
- * way, and a little apart; for comparison, ODE's boxes, where it is installed, and FCL's boxes and cylinders.
+/* What a pair of convex shapes costs: nanoseconds per pair of kinds, standing on each other, tilted a little, touching
+ * in any way, deep in each other, and a little apart; for comparison, ODE's boxes, where it is installed, and FCL's
+ * boxes and cylinders.
  *
  *     nearfield [--rounds COUNT] */
 #include "timing.h"
@@ -20,11 +21,12 @@ extern int dBoxBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, c
 #endif
 
 enum { PAIRS = 1000 };
-enum { STANDING, TILTED, ANY, APART, POSES };
-static const char *const poseName[POSES] = {"standing", "tilted", "any", "apart"};
+enum { STANDING, TILTED, TOUCHING, DEEP, APART, POSES };
+static const char *const poseName[POSES] = {"standing", "tilted", "touching", "deep", "apart"};
 static McdShape a[PAIRS], b[PAIRS];
 
-/* a on top of b, a hundredth of their sizes in it, or, apart, half of that above; any: deep in it. */
+/* a on top of b, a hundredth of their sizes in it, or, apart, half of that above; in any way: deep in it, or as much as
+ * shapes at rest are. */
 static void makePair(McdShape *x, McdShape *y, int kindX, int kindY, int pose, Random *r) {
     const double up[3] = {0, 0, 1};
     double axis[3];
@@ -33,12 +35,17 @@ static void makePair(McdShape *x, McdShape *y, int kindX, int kindY, int pose, R
     random_direction(r, axis);
     if (pose == TILTED)
         shape_rotate(x, axis, random_between(r, 0, 1e-3));
-    if (pose == ANY) {
+    if (pose == TOUCHING || pose == DEEP) {
         shape_rotateRandomly(x, r);
         shape_rotateRandomly(y, r);
     }
     shape_move(x, random_between(r, -.3, .3), random_between(r, -.3, .3), 0);
-    shape_move(x, 0, 0, (pose == APART ? .005 : pose == ANY ? -.4 : -.01) - reference_along(x, y, up));
+    shape_move(x, 0, 0, (pose == APART ? .005 : pose == DEEP ? -.4 : -.01) - reference_along(x, y, up));
+    if (pose == TOUCHING) {
+        double onX[3], onY[3], n[3];
+        const double out = -1e-4 - mcd_convexDistance(x, y, onX, onY, n);
+        shape_move(x, out * n[0], out * n[1], out * n[2]);
+    }
     random_direction(r, axis);
     shape_rotate(x, axis, 1);
     shape_rotate(y, axis, 1);

@@ -216,10 +216,10 @@ static void tryRoundSides(const Pair *p, McdProximity *g) {
         tryRims(p, s, t, g);
 }
 
-/* The box' corner that looks at the axis of a round side where that is nearest to the box' centre. */
-static void cornerAt(const McdShape *box, const McdShape *round, double height, double corner[3]) {
+/* The box' corner that looks at the cylinder's axis where that is nearest to the box' centre. */
+static void cornerAt(const McdShape *box, const McdShape *cylinder, double height, double corner[3]) {
     double at[3], own[3];
-    mcd_mad(at, round->place, height, round->axis[2]);
+    mcd_mad(at, cylinder->place, height, cylinder->axis[2]);
     mcd_sub(at, at, box->place);
     mcd_shapeOwn(box, at, own);
     mcd_shapePoint(box, copysign(box->size[0], own[0]), copysign(box->size[1], own[1]), copysign(box->size[2], own[2]),
@@ -227,22 +227,24 @@ static void cornerAt(const McdShape *box, const McdShape *round, double height, 
 }
 
 /* Across an edge and the axis; from the axis to a corner; between an edge and a rim. */
-static void tryBox(const Pair *p, const McdShape *box, const McdShape *round, McdProximity *g) {
+static void tryBox(const Pair *p, const McdShape *box, const McdShape *cylinder, McdProximity *g) {
+    const double *axis = cylinder->axis[2];
     double off[3], corner[3], n[3];
     for (int i = 0; i < 3; i++)
-        tryAcross(p, box->axis[i], round->axis[2], g);
-    mcd_sub(off, box->place, round->place);
-    const double height = MeCLAMP(mcd_dot(off, round->axis[2]), -round->low, round->low);
-    cornerAt(box, round, height, corner);
-    mcd_sub(off, corner, round->place);
-    mcd_mad(n, off, -mcd_dot(off, round->axis[2]), round->axis[2]);
+        tryAcross(p, box->axis[i], axis, g);
+    mcd_sub(off, box->place, cylinder->place);
+    const double height = MeCLAMP(mcd_dot(off, axis), -cylinder->low, cylinder->low);
+    const double end = copysign(cylinder->low, height);
+    cornerAt(box, cylinder, height, corner);
+    mcd_sub(off, corner, cylinder->place);
+    mcd_mad(n, off, -mcd_dot(off, axis), axis);
     const double distance = mcd_length(n);
     if (distance > 0) {
         mcd_scale(n, n, (box == p->a ? 1 : -1) / distance);
         tryNormal(p, n, p->bias, g);
     }
-    for (int i = 0; i < 3 && isCylinder(round); i++)
-        tryRim(p, round, copysign(round->low, height), corner, box->axis[(i + 1) % 3], box->axis[(i + 2) % 3], g);
+    for (int i = 0; i < 3; i++)
+        tryRim(p, cylinder, end, corner, box->axis[(i + 1) % 3], box->axis[(i + 2) % 3], g);
 }
 
 void mcd_guessFaces(const McdShape *a, const McdShape *b, McdProximity *g) {
@@ -255,11 +257,11 @@ void mcd_guessFaces(const McdShape *a, const McdShape *b, McdProximity *g) {
 
 MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *g) {
     const Pair p = {a, b, mcd_faceBias * mcd_pairSize(a, b)};
-    if (isRound(a) && isRound(b) && (isCylinder(a) || isCylinder(b))) /* segments have a closed form */
+    if ((isCylinder(a) && isRound(b)) || (isRound(a) && isCylinder(b)))
         tryRoundSides(&p, g);
-    else if (isBox(a) && isRound(b))
+    else if (isBox(a) && isCylinder(b))
         tryBox(&p, a, b, g);
-    else if (isRound(a) && isBox(b))
+    else if (isCylinder(a) && isBox(b))
         tryBox(&p, b, a, g);
     else
         return MEFALSE;

@@ -36,8 +36,8 @@ MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, Mcd
 /* The best separating axis among the normals of flat faces (McdKind.flatAxes), as a guess; a separation of -INFINITY if
  * there are none. */
 void mcd_guessFaces(const McdShape *a, const McdShape *b, McdProximity *p);
-/* Of a cylinder and another, a sphyl or a box, or a sphyl and a box: a better one between their sides, edges and rims,
- * if there is. False: it is another pair. */
+/* Of a cylinder and another, a sphyl or a box: a better one between their sides, edges and rims, if there is. False: it
+ * is another pair. (A sphyl and a box are searched faster.) */
 MeBool mcd_guessSides(const McdShape *a, const McdShape *b, McdProximity *p);
 /* Verify a guessed normal of cores that overlap, if their faces are as deep along it as it says (mcd_facesManifold): is
  * no other direction less deep? Conservative: may say no to a right guess. The second one is for contacts in a line or

@@ -78,10 +78,9 @@ START_TEST(round_sides_are_not_searched) {
         double apart, deep, verified; /* shares, at least: guessed apart, guessed and verified overlapping */
     } pairs[] = {{{SHAPE_CYLINDER, SHAPE_CYLINDER}, .88, .89, .86},
                  {{SHAPE_SPHYL, SHAPE_CYLINDER}, .90, .98, .81},
-                 {{SHAPE_BOX, SHAPE_CYLINDER}, .94, .97, .88},
-                 {{SHAPE_SPHYL, SHAPE_BOX}, .77, .98, .82}};
+                 {{SHAPE_BOX, SHAPE_CYLINDER}, .94, .97, .88}};
     Random r = {88172645463325252ull};
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 3; i++) {
         const Tally apart = tallyOf(pairs[i].kind[0], pairs[i].kind[1], -1e-3, &r);
         const Tally deep = tallyOf(pairs[i].kind[0], pairs[i].kind[1], 1e-4, &r);
         ck_assert_double_ge(apart.right, pairs[i].apart * apart.pairs);
@@ -96,9 +95,7 @@ START_TEST(nothing_wrong_is_verified) {
     Random r = {6364136223846793005ull};
     for (double overlap = 1e-6; overlap < 1; overlap *= 4)
         for (int a = SHAPE_SPHYL; a <= SHAPE_CYLINDER; a++)
-            for (int b = a; b <= SHAPE_CYLINDER; b++)
-                if (a != b || a == SHAPE_CYLINDER)
-                    tallyOf(a, b, overlap, &r);
+            tallyOf(a, SHAPE_CYLINDER, overlap, &r);
 }
 END_TEST
 
