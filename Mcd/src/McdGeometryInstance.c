@@ -1,5 +1,6 @@
 /* Instances: geometries at places, and the trees that aggregates make of them. */
 #include "mcd_geometries_i.h"
+#include "mcd_shape_i.h"
 #include <string.h>
 
 MeBool mcd_instanceCheck(const McdGeometryInstance *ins, const char *function) {
@@ -78,6 +79,9 @@ void mcd_instancePlaceChildren(McdGeometryInstance *ins) {
         MEASSERT(child->element < aggregate->count && aggregate->element[child->element].geometry == child->geometry);
         const MeMatrix4Ptr relative = aggregate->element[child->element].relTM;
         MeMatrix4TMCompound(child->placed, mcd_const(relative), mcd_const(tm));
+        child->isPlaced = mcd_isPlace(mcd_const(child->placed));
+        if (child->isPlaced && !child->firstChild)
+            mcd_shapeAxes(mcd_const(child->placed), child->placedAxis);
         if (child->tm)
             memcpy(child->tm, child->placed, sizeof child->placed);
         mcd_instancePlaceChildren(child);

@@ -37,14 +37,14 @@ static MeBool areSame(const McdInteractions *a, const McdInteractions *b) {
            a->goodbyeFn == b->goodbyeFn;
 }
 
-static MeBool areTypesBuiltIn(McdFramework *frame, int type1, int type2) {
+MeBool mcd_typesAreBuiltIn(McdFramework *frame, int type1, int type2) {
     const McdGridCell *straight = cellOfTypes(frame, type1, type2), *turned = cellOfTypes(frame, type2, type1);
     const McdGridCell *cell = straight->isSet ? straight : turned;
     return cell->isSet && cell->library.intersectFn && areSame(&cell->interactions, &cell->library);
 }
 
 MeBool mcd_interactionIsBuiltIn(const McdModelPair *p) {
-    return areTypesBuiltIn(mcd_record(p->model1)->frame, typeOf(p->model1), typeOf(p->model2));
+    return mcd_typesAreBuiltIn(mcd_record(p->model1)->frame, typeOf(p->model1), typeOf(p->model2));
 }
 
 enum { TYPE_BITS = 63 }; /* and one more, by which nothing may be shifted */
@@ -71,7 +71,7 @@ MeBool mcd_interactionIsBuiltInOfParts(const McdModelPair *p) {
         return MEFALSE;
     for (int a = 0; types[0] >> a; a++)
         for (int b = 0; types[0] >> a & 1 && types[1] >> b; b++)
-            if (types[1] >> b & 1 && !areTypesBuiltIn(frame, a, b))
+            if (types[1] >> b & 1 && !mcd_typesAreBuiltIn(frame, a, b))
                 return MEFALSE;
     return METRUE;
 }

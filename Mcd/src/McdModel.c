@@ -172,6 +172,17 @@ MeU64 MEAPI McdModelGetSerial(McdModelID cm) {
     return McdModelIsValid(cm) ? mcd_record(cm)->serial : 0;
 }
 
+MeReal *mcd_partVelocity(const McdGeometryInstance *part, MeVector3 memory) {
+    const McdModelRecord *m = mcd_record(part->model);
+    MeVector3 arm;
+    if (!part->parent || !m->linearVelocity || !m->angularVelocity)
+        return m->linearVelocity;
+    MeVector3Subtract(arm, part->placed[3], m->instance.tm[3]);
+    MeVector3Cross(memory, m->angularVelocity, arm);
+    MeVector3Add(memory, memory, m->linearVelocity);
+    return memory;
+}
+
 McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *part) {
     static const MeHandle none = {0, 0, 0};
     const McdModelRecord *m = mcd_record(part->model);
@@ -189,13 +200,7 @@ McdModelID mcd_standInBegin(McdStandIn *s, McdGeometryInstance *part) {
     s->record.ownsRelative = MEFALSE;
     s->record.update = 0;
     s->record.intersect = 0; /* called once for the whole */
-    if (m->linearVelocity && m->angularVelocity) {
-        MeVector3 arm;
-        MeVector3Subtract(arm, part->placed[3], m->instance.tm[3]);
-        MeVector3Cross(s->velocity, m->angularVelocity, arm);
-        MeVector3Add(s->velocity, s->velocity, m->linearVelocity);
-        s->record.linearVelocity = s->velocity;
-    }
+    s->record.linearVelocity = mcd_partVelocity(part, s->velocity);
 #if KARMA_CHECK
     MeHandleEnter(&s->record.handle, &s->record, MCD_MODEL);
 #endif

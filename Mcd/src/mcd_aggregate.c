@@ -1,6 +1,7 @@
 /* Interactions of aggregates: the mid phase over pairs of parts, each by the interaction of the parts' types. */
 #include "McdAggregate.h"
 #include "mcd_geometries_i.h"
+#include "mcd_kind_i.h"
 #include "mcd_scratch_i.h"
 #include "mcd_spread_i.h"
 #include <string.h>
@@ -12,6 +13,9 @@ struct PartPairs {
     McdModelPair *pair;
     MeReal margin; /* m: pairs of parts whose boxes are farther apart are skipped; negative: none are */
     void (*visit)(PartPairs *, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2);
+    /* Of convex parts whose interaction is the library's own, without a pair of stand-ins; false: it is not served. Or
+     * null. */
+    MeBool (*visitConvex)(PartPairs *, McdGeometryInstance *part1, McdGeometryInstance *part2);
     void *data;
 };
 
@@ -26,9 +30,17 @@ static MeBool isAggregate(const McdGeometryInstance *ins) {
     return mcd_partsOf(ins->geometry) != 0;
 }
 
+static MeBool areConvex(const McdGeometryInstance *a, const McdGeometryInstance *b) {
+    const McdKind *kindA = mcd_kindOf(a->geometry), *kindB = mcd_kindOf(b->geometry);
+    return kindA && kindB && kindA->setShape && kindB->setShape &&
+           mcd_typesAreBuiltIn(a->geometry->frame, a->geometry->type, b->geometry->type);
+}
+
 static void visitPartPair(PartPairs *m, McdGeometryInstance *a, McdGeometryInstance *b) {
     McdStandIn standIn[2];
     MEASSERT(!a->firstChild && !b->firstChild && a->model == m->pair->model1 && b->model == m->pair->model2);
+    if (m->visitConvex && areConvex(a, b) && m->visitConvex(m, a, b))
+        return;
     McdModelPair parts = *m->pair;
     parts.model1 = mcd_standInBegin(&standIn[0], a);
     parts.model2 = mcd_standInBegin(&standIn[1], b);
@@ -75,31 +87,58 @@ static MeU32 pathOf(const McdGeometryInstance *part) {
     return path;
 }
 
-static void gatherContacts(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
-    Gathering *g = m->data;
-    McdIntersectResult result;
+/* A result whose contacts go behind those gathered; false: there is no memory. */
+static MeBool beginResult(Gathering *g, McdIntersectResult *result) {
     if (!mcd_scratchReserveContacts(g->scratch, g->count, g->count + g->each))
-        return;
-    memset(&result, 0, sizeof result);
-    result.contacts = g->scratch->contact + g->count;
-    result.contactMaxCount = g->each;
-    if (!(McdIntersect)(parts, &result))
-        return;
-    const MeU32 path = mcd_featureMix(pathOf(part1), pathOf(part2));
-    for (int i = 0; i < result.contactCount; i++) {
-        McdContact *c = &result.contacts[i];
+        return MEFALSE;
+    memset(result, 0, sizeof *result);
+    result->contacts = g->scratch->contact + g->count;
+    result->contactMaxCount = g->each;
+    return METRUE;
+}
+
+static void keepResult(Gathering *g, const McdIntersectResult *result, McdGeometryInstance *part1,
+                       McdGeometryInstance *part2) {
+    const MeU32 path = result->contactCount ? mcd_featureMix(pathOf(part1), pathOf(part2)) : 0;
+    for (int i = 0; i < result->contactCount; i++) {
+        McdContact *c = &result->contacts[i];
         c->instance1 = part1;
         c->instance2 = part2;
         c->feature = mcd_featureMix(c->feature, path);
     }
-    g->count += result.contactCount;
+    g->count += result->contactCount;
     MEASSERT(g->count <= g->scratch->contactRoom);
+}
+
+static void gatherContacts(PartPairs *m, McdModelPair *parts, McdGeometryInstance *part1, McdGeometryInstance *part2) {
+    McdIntersectResult result;
+    if (beginResult(m->data, &result) && (McdIntersect)(parts, &result))
+        keepResult(m->data, &result, part1, part2);
+}
+
+static MeBool gatherConvex(PartPairs *m, McdGeometryInstance *part1, McdGeometryInstance *part2) {
+    double origin[3];
+    McdShape a, b;
+    McdManifold manifold;
+    McdIntersectResult result;
+    if (McdModelPairGetRequestPtr(m->pair)->faceNormalsFirst)
+        return MEFALSE;
+    mcd_pairOrigin(part1, part2, origin);
+    if (!mcd_shapeOf(part1, origin, &a) || !mcd_shapeOf(part2, origin, &b))
+        return MEFALSE;
+    if (!mcd_convexManifold(&a, &b, mcd_partsMargin(m->pair, part1, part2), &manifold))
+        return METRUE;
+    if (beginResult(m->data, &result)) {
+        mcd_resultAdd(&result, &manifold, origin, part1, part2);
+        keepResult(m->data, &result, part1, part2);
+    }
+    return METRUE;
 }
 
 static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     McdFramework *frame = mcd_record(p->model1)->frame;
     Gathering g = {mcd_scratchTake(frame, "McdIntersect"), 0, MeMAX(result->contactMaxCount, 1)};
-    PartPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, &g};
+    PartPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, gatherConvex, &g};
     mcd_resultBegin(result, p);
     if (!g.scratch)
         return 0;
@@ -127,7 +166,7 @@ static void keepEarliest(PartPairs *m, McdModelPair *parts, McdGeometryInstance 
 }
 
 static int MEAPI safeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result) {
-    PartPairs m = {p, -1, keepEarliest, result};
+    PartPairs m = {p, -1, keepEarliest, 0, result};
     result->time = maxTime;
     forEachPairOfParts(&m);
     MEASSERT(result->time >= 0 && result->time <= maxTime);

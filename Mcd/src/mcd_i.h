@@ -68,7 +68,9 @@ struct _McdGeometryInstance {
     int element;                      /* index among the parent's elements */
     int material;                     /* -1: the parent's */
     McdGeometryInstance *nextSibling; /* also links the pool's free ones */
-    MeMatrix4 placed;                 /* a child's transform in the world, as of the last update */
+    MeMatrix4 placed;                 /* a child's transform in the world, as of the last update, */
+    double placedAxis[3][3];          /* mcd_shapeAxes of it, if isPlaced */
+    MeBool isPlaced;                  /* mcd_isPlace of it */
     MeHandle handle;
 };
 
@@ -123,6 +125,8 @@ MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, c
 void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins);
 void mcd_instancePlaceChildren(McdGeometryInstance *ins); /* from its own transform, all the way down */
 
+/* mcd_interactionIsBuiltIn of two types. */
+MeBool mcd_typesAreBuiltIn(McdFramework *frame, int type1, int type2);
 /* The material that counts: its own or an ancestor's. */
 unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins);
 /* Is it an instance of a live model? Warns if not. */
@@ -207,6 +211,9 @@ static inline McdModelRecord *mcd_record(McdModelID cm) {
 static inline MeReal mcd_fastMargin(const McdModelRecord *m) {
     return m->isFast ? m->travel : 0;
 }
+
+/* The velocity of a part's origin, or its model's, in the memory given or the model's own; null: it has none. */
+MeReal *mcd_partVelocity(const McdGeometryInstance *part, MeVector3 memory);
 
 /* A temporary model for one part of an aggregate: a copy of the aggregate's model with the part's geometry and
  * transform, valid from mcd_standInBegin to mcd_standInEnd. */
@@ -356,6 +363,8 @@ MeBool mcd_interactionIsBuiltInOfParts(const McdModelPair *p);
 /* m: the gap up to which a pair gets contacts (speculative margin): its tolerances, and the distance by which the two
  * may approach before the next test. */
 double mcd_pairMargin(const McdModelPair *p);
+/* The same of two parts, whose origins move with the models that turn. */
+double mcd_partsMargin(const McdModelPair *p, const McdGeometryInstance *part1, const McdGeometryInstance *part2);
 /* m: by how much model1 moves against model2 until the next test, with the velocities that they have; 0 of fast models,
  * whose contacts are those of now. */
 void mcd_pairWay(const McdModelPair *p, double way[3]);

@@ -3,27 +3,38 @@
 #include "mcd_spread_i.h"
 #include "mcd_vector_i.h"
 
-/* m: an upper bound of the approach of two models before the next test. What rebounds may turn round on the way: then
- * each comes as far as it can. */
-static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b, MeBool mayTurnRound) {
+/* m: an upper bound of the approach of two models, with these velocities, before the next test. What rebounds may turn
+ * round on the way: then each comes as far as it can. */
+static double greatestApproach(const McdModelRecord *a, const McdModelRecord *b, const MeReal *velocity1,
+                               const MeReal *velocity2, MeBool mayTurnRound) {
     const double time = fmax((double)a->lookAhead, (double)b->lookAhead), most = (double)a->travel + (double)b->travel;
     double square = 0;
     if (!(most > 0) || mayTurnRound)
         return fmax(most, 0);
     for (int i = 0; i < 3; i++) {
-        const double va = a->linearVelocity ? (double)a->linearVelocity[i] : 0;
-        const double vb = b->linearVelocity ? (double)b->linearVelocity[i] : 0;
+        const double va = velocity1 ? (double)velocity1[i] : 0;
+        const double vb = velocity2 ? (double)velocity2[i] : 0;
         square += (va - vb) * (va - vb);
     }
     return fmin(most, time * sqrt(square) + (double)a->turnTravel + (double)b->turnTravel);
 }
 
-double mcd_pairMargin(const McdModelPair *p) {
+static double marginOf(const McdModelPair *p, const MeReal *velocity1, const MeReal *velocity2) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (a->isFast || b->isFast) /* the current overlap: McdSafeTime predicts coming ones */
         return fmax((double)mcd_fastMargin(a), (double)mcd_fastMargin(b));
-    MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(greatestApproach(a, b, p->mayTurnRound) < 0));
-    return (double)a->tolerance + (double)b->tolerance + greatestApproach(a, b, p->mayTurnRound);
+    const double approach = greatestApproach(a, b, velocity1, velocity2, p->mayTurnRound);
+    MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(approach < 0));
+    return (double)a->tolerance + (double)b->tolerance + approach;
+}
+
+double mcd_pairMargin(const McdModelPair *p) {
+    return marginOf(p, mcd_record(p->model1)->linearVelocity, mcd_record(p->model2)->linearVelocity);
+}
+
+double mcd_partsMargin(const McdModelPair *p, const McdGeometryInstance *part1, const McdGeometryInstance *part2) {
+    MeVector3 memory[2];
+    return marginOf(p, mcd_partVelocity(part1, memory[0]), mcd_partVelocity(part2, memory[1]));
 }
 
 void mcd_pairWay(const McdModelPair *p, double way[3]) {

@@ -78,6 +78,10 @@ MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], 
 
 MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape) {
     const McdModelRecord *m = mcd_record(ins->model);
+    if (ins->parent && !ins->firstChild && ins->isPlaced) {
+        memcpy(shape->axis, ins->placedAxis, sizeof shape->axis);
+        return beginShape(ins->geometry, ins->placed[3], origin, shape);
+    }
     if (!m || ins != &m->instance || !mcd_isPlacedAsSeen(m))
         return mcd_shapeAt(ins->geometry, (const MeReal(*)[4])mcd_instanceTM(ins), origin, shape);
     memcpy(shape->axis, m->axis, sizeof shape->axis);
